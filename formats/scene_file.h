@@ -1,0 +1,102 @@
+// city.glb: glTF 2.0 with our extras. SceneWriter (tools) streams one out; read_scene (runtime, inspect) takes any glTF.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formats/georeference.h"
+
+namespace nightcity {
+
+constexpr std::uint32_t no_id = 0xFFFFFFFFu;  // no feature, no light
+
+struct SceneMaterial {
+  std::string name;
+  glm::vec3 base_colour{0.5f};     // linear Rec. 709 reflectance
+  glm::vec3 emission_cd_m2{0.0f};  // emitted luminance per channel; KHR_materials_emissive_strength in the file
+  float roughness = 1.0f;
+  bool double_sided = true;
+};
+
+/// Triangles of one material. positions in the node's own frame, m.
+struct ScenePrimitive {
+  std::uint32_t material = 0;
+  std::vector<glm::vec3> positions;
+  std::vector<std::uint32_t> indices;       // 3 a triangle, < positions.size()
+  std::vector<std::uint32_t> feature_ids;   // a vertex, into Scene::features; empty = none
+  std::vector<std::uint32_t> light_ids;     // a vertex, into city.lights: emitter geometry; empty = none
+};
+
+struct SceneMesh {
+  std::string name;
+  std::vector<ScenePrimitive> primitives;
+};
+
+/// One placing of a mesh. EXT_mesh_gpu_instancing in the file where a node has many.
+struct SceneInstance {
+  glm::mat4 to_model{1.0f};     // mesh to model space
+  std::uint32_t light = no_id;  // whose luminous part this instance shows (attribute _LIGHT)
+};
+
+struct SceneNode {
+  std::string name;
+  std::string kind;  // "city", "terrain", "road", "lamp", "window", "vehicle" (extras.nightcity.kind); "" in foreign files
+  std::uint32_t mesh = 0;
+  bool casts_shadow = true;  // extras.nightcity.casts_shadow; false: seen by the eye, not by shadow rays
+  std::vector<SceneInstance> instances;
+};
+
+/// One building or other city object, kept in the file (EXT_structural_metadata) for whoever clicks on it.
+struct SceneFeature {
+  std::string id;
+  std::string type;      // "Building", "Road", ...
+  std::string function;  // code or text as in the source; "" = absent
+  std::optional<double> measured_height_m;
+  std::optional<int> storeys_above_ground;
+};
+
+struct Scene {
+  Georeference georeference;
+  std::vector<SceneMaterial> materials;
+  std::vector<SceneMesh> meshes;
+  std::vector<SceneNode> nodes;
+  std::vector<SceneFeature> features;
+};
+
+/// Reads .glb or .gltf, ours or anybody's (Draco, instancing, node hierarchies, u8/u16/u32 indices, no indices).
+/// Throws Error: missing, truncated, not glTF, index out of range, NaN or Inf in a position or matrix.
+Scene read_scene(const std::filesystem::path& path);
+
+/// Streams a city.glb: geometry goes to a scratch file beside `path` as it comes, so memory does not grow with the
+/// city. finish() assembles the file and renames; without it nothing is left behind.
+class SceneWriter {
+ public:
+  struct Options {
+    bool draco = false;
+    double draco_tolerance_m = 0.01;  // greatest displacement of a vertex; decides the quantisation bits
+  };
+
+  SceneWriter(std::filesystem::path path, Options options);
+  ~SceneWriter();
+  SceneWriter(const SceneWriter&) = delete;
+  SceneWriter& operator=(const SceneWriter&) = delete;
+
+  std::uint32_t add_material(const SceneMaterial& material);
+  std::uint32_t add_feature(const SceneFeature& feature);
+  /// Written out at once; indices stored as 16 or 32 bits by need. Throws Error on NaN, Inf or a bad index.
+  std::uint32_t add_mesh(const SceneMesh& mesh);
+  void add_node(const SceneNode& node);
+  void finish(const Georeference& georeference);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace nightcity

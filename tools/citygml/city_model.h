@@ -1,0 +1,70 @@
+// What a CityGML reader delivers, whatever parses the file: city objects with their polygons in source coordinates.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace nightcity {
+
+/// Coordinates as the file has them (axis order too), double. Not closed: the last vertex differs from the first.
+using Ring = std::vector<glm::dvec3>;
+
+enum class SurfaceType : std::uint8_t {
+  unknown, wall, roof, ground, closure, outer_ceiling, outer_floor, window, door,
+  traffic_area, auxiliary_traffic_area, terrain, water
+};
+
+enum class ObjectType : std::uint8_t {
+  building, bridge, tunnel, relief, road, railway, water, vegetation, furniture, land_use, generic, other
+};
+
+struct Polygon {
+  std::string id;  // gml:id; "" = none
+  SurfaceType surface = SurfaceType::unknown;
+  Ring exterior;
+  std::vector<Ring> interiors;
+  std::optional<glm::vec3> diffuse_colour;  // X3DMaterial, sRGB as in the file
+};
+
+/// A top-level city object with its parts and installations folded in: each building is one object.
+struct CityObject {
+  std::string id;  // gml:id, or a stable substitute
+  ObjectType type = ObjectType::other;
+  std::string class_name;  // CityGML element name: "Building", "TINRelief", ...
+  std::string function, usage, building_class, address, year;  // "" = absent
+  std::optional<double> measured_height_m;                      // sentinels (9999, -9999) are absent
+  std::optional<int> storeys_above_ground;
+  std::vector<double> storey_heights_m;
+  int lod = -1;
+  std::vector<Polygon> polygons;
+};
+
+/// What a file held and what was not used of it. Silence means that nothing was lost.
+struct ReadReport {
+  std::string version;   // "1.0", "2.0", "3.0"
+  std::string srs_name;  // as written; "" = none
+  std::size_t objects = 0, polygons = 0;
+  std::map<std::string, std::size_t> skipped;  // what, by name, and how often
+  std::vector<std::string> warnings;           // each names file and place
+
+  void merge(const ReadReport& other);
+};
+
+struct ReadOptions {
+  int highest_lod = 2;  // the highest LoD up to this is taken per object, falling back to lower ones
+};
+
+using ObjectSink = std::function<void(CityObject&&)>;
+
+/// Streams the file's objects into `sink`, in file order. Memory does not grow with the file beyond the reader's own.
+/// Throws Error: missing, empty, truncated, not XML, not CityGML, DOCTYPE.
+ReadReport read_citygml(const std::filesystem::path& file, const ReadOptions& options, const ObjectSink& sink);
+
+}  // namespace nightcity

@@ -1,0 +1,46 @@
+// From a source CRS to the scene's projected frame, and from longitude/latitude (OSM) into that frame.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "formats/georeference.h"
+
+namespace nightcity {
+
+/// The frame of one city. Projected CRSs stay projected (axis order normalised to E, N); geographic ones (PLATEAU's
+/// lat, lon, h) go through a transverse Mercator centred on the city (GeographicLib), so that heights stay heights.
+class CityFrame {
+ public:
+  struct Options {
+    std::string crs_override;  // "" = believe srs_name
+  };
+
+  /// `srs_name` as written in the file; `sample` some of its coordinates, for the axis order and the plausibility
+  /// check against the CRS's area of use. Throws Error when PROJ and the alias table know no such CRS, or when no
+  /// axis order puts the sample inside the area of use.
+  static CityFrame from_srs_name(const std::string& srs_name, std::span<const glm::dvec3> sample, const Options& options);
+
+  /// Source coordinates (as in the file) to E, N, H in metres, in place.
+  void to_projected(std::span<glm::dvec3> coordinates) const;
+  /// WGS 84 degrees to E, N in metres; NaN where PROJ has no answer. Horizontal only: heights come from the terrain.
+  glm::dvec2 from_lon_lat(const glm::dvec2& lon_lat) const;
+  glm::dvec2 to_lon_lat(const glm::dvec2& east_north) const;
+
+  const std::string& crs() const;         // "EPSG:25833" or a PROJ string
+  const std::string& description() const; // for the report: CRS, axis order and why, operation and its accuracy
+
+  CityFrame(CityFrame&&) noexcept;
+  CityFrame& operator=(CityFrame&&) noexcept;
+  ~CityFrame();
+
+ private:
+  struct State;
+  explicit CityFrame(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace nightcity

@@ -1,0 +1,50 @@
+// Street lamps: from OSM nodes and the roads beside them to luminaires with flux, colour, height and aim.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formats/light_file.h"
+#include "tools/osm/osm_data.h"
+
+namespace nightcity {
+
+/// One lamp post with its luminaires placed, in the frame's E, N, H metres.
+struct PlacedLamp {
+  glm::dvec3 foot{0};              // where the post meets the ground
+  double mounting_height_m = 0;    // luminous centre above the foot
+  glm::dvec2 outreach{0, 0};       // from the post to the luminous centre, horizontal, m
+  glm::dvec2 aim{0, 1};            // unit, horizontal: towards the road (the C = 0 half-plane)
+  double flux_lm = 0;
+  double cct_k = 0;
+  glm::vec3 colour{1};             // linear Rec. 709, luminance 1
+  double radius_m = 0;             // luminous radius
+  std::uint32_t profile = LIGHT_NO_PROFILE;
+  std::uint32_t id = 0;
+  LightProvenance provenance;
+};
+
+struct LampSet {
+  std::vector<PlacedLamp> lamps;
+  std::vector<LightProfile> profiles;
+  std::vector<float> profile_data;
+  std::map<std::string, std::size_t> dropped;  // reason and count: "outside the model", "duplicate", "lit=no", ...
+  std::map<std::string, std::map<std::string, std::size_t>> sources;  // value name, source, count: for the report
+};
+
+using LonLatToFrame = std::function<glm::dvec2(const glm::dvec2&)>;
+using HeightAt = std::function<std::optional<double>(const glm::dvec2&)>;
+
+/// Every value a tag gives is taken; the rest comes from the road beside and the table of defaults (lamp_defaults.h).
+LampSet place_lamps(const OsmData& osm, const LonLatToFrame& to_frame, const HeightAt& height_at);
+
+/// The luminaire as a light of model space.
+Light to_light(const PlacedLamp& lamp, const Georeference& georeference);
+
+}  // namespace nightcity

@@ -1,0 +1,44 @@
+// A triangulated city object: the mesh stage's output, in the scene's projected frame (easting, northing, height).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "tools/citygml/city_model.h"
+
+namespace nightcity {
+
+struct MeshTriangle {
+  std::uint32_t vertex[3];  // into TriangleMesh::positions, counter-clockwise seen from outside
+  SurfaceType surface;
+  std::uint32_t polygon;  // index of the source polygon in the object
+};
+
+struct TriangleMesh {
+  std::vector<glm::dvec3> positions;  // E, N, H, m; double until the local origin is subtracted
+  std::vector<MeshTriangle> triangles;
+};
+
+/// Faults found while triangulating, counted; `worst` holds the id of the worst polygon of each kind.
+struct MeshReport {
+  std::size_t polygons = 0, triangles = 0;
+  std::size_t fast_path = 0;       // triangles and convex quads, no CGAL needed
+  std::size_t zero_area = 0;       // dropped
+  std::size_t non_planar = 0;      // beyond 1 cm
+  std::size_t self_intersecting = 0;
+  std::size_t not_finite = 0;      // dropped
+  std::string worst_non_planar;
+  double worst_non_planar_m = 0;
+  std::string worst_self_intersecting;
+
+  void merge(const MeshReport& other);
+};
+
+/// Triangulates every polygon of `object` (coordinates already E, N, H in metres). Holes by parity of enclosing
+/// constraints. The area of each polygon is kept to 1e-6 relative. Never throws on bad rings: they are counted.
+TriangleMesh triangulate(const CityObject& object, MeshReport& report);
+
+}  // namespace nightcity
