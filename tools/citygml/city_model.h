@@ -1,4 +1,5 @@
-// What a CityGML reader delivers, whatever parses the file: city objects with their polygons in source coordinates.
+// What a CityGML reader delivers, whatever parses the file: city objects with their polygons in source
+// coordinates.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +14,39 @@
 
 namespace nightcity {
 
-/// Coordinates as the file has them (axis order too), double. Not closed: the last vertex differs from the first.
+/// Coordinates as the file has them (axis order too), double. Not closed: the last vertex differs from the
+/// first.
 using Ring = std::vector<glm::dvec3>;
 
 enum class SurfaceType : std::uint8_t {
-  unknown, wall, roof, ground, closure, outer_ceiling, outer_floor, window, door,
-  traffic_area, auxiliary_traffic_area, terrain, water
+  unknown,
+  wall,
+  roof,
+  ground,
+  closure,
+  outer_ceiling,
+  outer_floor,
+  window,
+  door,
+  traffic_area,
+  auxiliary_traffic_area,
+  terrain,
+  water
 };
 
 enum class ObjectType : std::uint8_t {
-  building, bridge, tunnel, relief, road, railway, water, vegetation, furniture, land_use, generic, other
+  building,
+  bridge,
+  tunnel,
+  relief,
+  road,
+  railway,
+  water,
+  vegetation,
+  furniture,
+  land_use,
+  generic,
+  other
 };
 
 struct Polygon {
@@ -39,7 +63,7 @@ struct CityObject {
   ObjectType type = ObjectType::other;
   std::string class_name;  // CityGML element name: "Building", "TINRelief", ...
   std::string function, usage, building_class, address, year;  // "" = absent
-  std::optional<double> measured_height_m;                      // sentinels (9999, -9999) are absent
+  std::optional<double> measured_height_m;                     // sentinels (9999, -9999) are absent
   std::optional<int> storeys_above_ground;
   std::vector<double> storey_heights_m;
   int lod = -1;
@@ -57,14 +81,36 @@ struct ReadReport {
   void merge(const ReadReport& other);
 };
 
+/// Which parser stands behind read_citygml. Both deliver the same model; the second is a second opinion.
+enum class Reader : std::uint8_t { stream, libcitygml };
+
 struct ReadOptions {
   int highest_lod = 2;  // the highest LoD up to this is taken per object, falling back to lower ones
+  Reader reader = Reader::libcitygml;
+  unsigned threads = 0;  // 0 = as many as there are cores; the objects and their order do not depend on it
 };
 
+/// Called on one thread at a time, in file order. An object too large for one piece (a terrain of millions of
+/// triangles) comes in several calls, one after the other, with the same id.
 using ObjectSink = std::function<void(CityObject&&)>;
 
-/// Streams the file's objects into `sink`, in file order. Memory does not grow with the file beyond the reader's own.
-/// Throws Error: missing, empty, truncated, not XML, not CityGML, DOCTYPE.
-ReadReport read_citygml(const std::filesystem::path& file, const ReadOptions& options, const ObjectSink& sink);
+/// What a frame needs before the first object is placed: a cheap look at the file's beginning.
+struct CityGmlHead {
+  std::string version;   // "1.0", "2.0", "3.0"; "" = not said
+  std::string srs_name;  // first one in the file, as written; "" = none
+  std::vector<glm::dvec3> sample;  // of its first rings, as written; empty = a file without geometry
+};
+
+/// "Building", "wall", ...: the names used in reports.
+const char* name_of(ObjectType type);
+const char* name_of(SurfaceType type);
+
+/// Streams the file's objects into `sink`, in file order. Memory does not grow with the file beyond the
+/// reader's own. Throws Error: missing, empty, truncated, not XML, not CityGML, DOCTYPE.
+ReadReport read_citygml(const std::filesystem::path& file, const ReadOptions& options,
+                        const ObjectSink& sink);
+
+/// Reads until it has a sample or the file ends. Throws Error as read_citygml does.
+CityGmlHead read_citygml_head(const std::filesystem::path& file);
 
 }  // namespace nightcity

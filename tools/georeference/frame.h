@@ -6,32 +6,46 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "formats/georeference.h"
 
 namespace nightcity {
 
-/// The frame of one city. Projected CRSs stay projected (axis order normalised to E, N); geographic ones (PLATEAU's
-/// lat, lon, h) go through a transverse Mercator centred on the city (GeographicLib), so that heights stay heights.
+/// The frame of one city. Projected CRSs stay projected (axis order normalised to E, N); geographic ones
+/// (PLATEAU's lat, lon, h) go through a transverse Mercator centred on the city (GeographicLib), so that
+/// heights stay heights.
 class CityFrame {
  public:
+  /// One place known in both systems: for a model that names no CRS.
+  struct ControlPoint {
+    glm::dvec2 lon_lat{0, 0};  // WGS 84, degrees
+    glm::dvec2 model{0, 0};    // the file's own x, y
+  };
   struct Options {
-    std::string crs_override;  // "" = believe srs_name
+    std::string crs_override;  // "" = believe srs_name; "none" = no CRS, whatever the file says
+    std::vector<ControlPoint> control_points;  // two or more place a model that has no CRS
   };
 
-  /// `srs_name` as written in the file; `sample` some of its coordinates, for the axis order and the plausibility
-  /// check against the CRS's area of use. Throws Error when PROJ and the alias table know no such CRS, or when no
-  /// axis order puts the sample inside the area of use.
-  static CityFrame from_srs_name(const std::string& srs_name, std::span<const glm::dvec3> sample, const Options& options);
+  /// `srs_name` as written in the file; `sample` some of its coordinates, for the axis order and the
+  /// plausibility check against the CRS's area of use. Throws Error when PROJ and the alias table know no
+  /// such CRS, or when no axis order puts the sample inside the area of use. With neither a name nor an
+  /// override coordinates pass through as E, N, H metres, crs() is "", and longitude/latitude need
+  /// Options::control_points.
+  static CityFrame from_srs_name(const std::string& srs_name, std::span<const glm::dvec3> sample,
+                                 const Options& options);
 
   /// Source coordinates (as in the file) to E, N, H in metres, in place.
   void to_projected(std::span<glm::dvec3> coordinates) const;
-  /// WGS 84 degrees to E, N in metres; NaN where PROJ has no answer. Horizontal only: heights come from the terrain.
+  /// WGS 84 degrees to E, N in metres; NaN where PROJ has no answer. Horizontal only: heights come from the
+  /// terrain. Throws Error when has_lon_lat() is false. Safe to call from several threads.
   glm::dvec2 from_lon_lat(const glm::dvec2& lon_lat) const;
   glm::dvec2 to_lon_lat(const glm::dvec2& east_north) const;
 
-  const std::string& crs() const;         // "EPSG:25833" or a PROJ string
-  const std::string& description() const; // for the report: CRS, axis order and why, operation and its accuracy
+  bool has_lon_lat() const;        // false: no CRS and no control points
+  const std::string& crs() const;  // "EPSG:25833" or a PROJ string
+  const std::string& description()
+      const;  // for the report: CRS, axis order and why, operation and its accuracy
 
   CityFrame(CityFrame&&) noexcept;
   CityFrame& operator=(CityFrame&&) noexcept;

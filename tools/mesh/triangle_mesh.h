@@ -1,4 +1,5 @@
-// A triangulated city object: the mesh stage's output, in the scene's projected frame (easting, northing, height).
+// A triangulated city object: the mesh stage's output, in the scene's projected frame (easting, northing,
+// height).
 #pragma once
 
 #include <cstddef>
@@ -25,11 +26,11 @@ struct TriangleMesh {
 /// Faults found while triangulating, counted; `worst` holds the id of the worst polygon of each kind.
 struct MeshReport {
   std::size_t polygons = 0, triangles = 0;
-  std::size_t fast_path = 0;       // triangles and convex quads, no CGAL needed
-  std::size_t zero_area = 0;       // dropped
-  std::size_t non_planar = 0;      // beyond 1 cm
+  std::size_t fast_path = 0;   // triangles and convex quads, no CGAL needed
+  std::size_t zero_area = 0;   // dropped
+  std::size_t non_planar = 0;  // beyond 1 cm
   std::size_t self_intersecting = 0;
-  std::size_t not_finite = 0;      // dropped
+  std::size_t not_finite = 0;  // dropped
   std::string worst_non_planar;
   double worst_non_planar_m = 0;
   std::string worst_self_intersecting;
@@ -37,8 +38,13 @@ struct MeshReport {
   void merge(const MeshReport& other);
 };
 
-/// Triangulates every polygon of `object` (coordinates already E, N, H in metres). Holes by parity of enclosing
-/// constraints. The area of each polygon is kept to 1e-6 relative. Never throws on bad rings: they are counted.
+/// Triangulates every polygon of `object` (coordinates already E, N, H in metres). Holes by parity of
+/// enclosing constraints. The area of each polygon is kept to 1e-6 relative. Never throws on bad rings: they
+/// are counted.
 TriangleMesh triangulate(const CityObject& object, MeshReport& report);
+
+/// Names the surfaces a LoD1 block leaves unknown from their normals: roof, wall, ground. Buildings and
+/// bridges only; what the file names stays. Coordinates already E, N, H.
+void classify_unknown_surfaces(CityObject& object);
 
 }  // namespace nightcity
