@@ -1,0 +1,16 @@
+// The subcommands of nightbake, one a file. Each function declares a subcommand's options and returns: it
+// opens nothing and does nothing until its callback runs. Callbacks throw nightcity::Error (exit code 1,
+// UsageError 2) and print results to stdout; progress and messages go to stderr through spdlog.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace nightcity {
+
+void add_run_command(CLI::App& app);
+void add_inspect_command(CLI::App& app);
+void add_town_command(CLI::App& app);
+
+}  // namespace nightcity
