@@ -1,0 +1,47 @@
+#include "formats/light_check.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace nightcity {
+namespace {
+
+bool finite(const glm::vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+// Loose enough for float directions, tight enough that a shader need not normalise.
+bool unit(const glm::vec3& v) {
+  return std::abs(glm::dot(v, v) - 1.0f) < 1e-3f;
+}
+
+}  // namespace
+
+std::optional<std::string> light_fault(const Light& light, std::size_t profile_count) {
+  const uint kind = light.kind_profile & 0xFFu, profile = light.kind_profile >> 8;
+  if (kind > LIGHT_RECTANGLE) return "unknown kind " + std::to_string(kind);
+  if (!finite(light.position)) return "position is not finite";
+  if (!(std::isfinite(light.flux_lm) && light.flux_lm > 0)) return "flux is not a positive number";
+  if (!finite(light.axis) || !unit(light.axis)) return "axis is not a unit vector";
+  if (!finite(light.tangent) || !unit(light.tangent)) return "tangent is not a unit vector";
+  if (std::abs(glm::dot(light.axis, light.tangent)) > 1e-3f)
+    return "tangent is not perpendicular to the axis";
+  if (!std::isfinite(light.radius) || !std::isfinite(light.half_height)) return "size is not finite";
+  if (kind == LIGHT_SPHERE && light.radius < 0) return "radius is negative";
+  if (kind == LIGHT_RECTANGLE && !(light.radius > 0 && light.half_height > 0)) return "rectangle has no area";
+  if ((light.colour_rgb9e5 & 0x07FFFFFFu) == 0) return "colour is black";
+  if (profile != LIGHT_NO_PROFILE && profile >= profile_count)
+    return "profile " + std::to_string(profile) + " of " + std::to_string(profile_count);
+  return std::nullopt;
+}
+
+std::optional<std::string> profile_fault(const LightProfile& profile, std::size_t data_size) {
+  if (profile.c_count < 1 || profile.gamma_count < 2) return "grid is too small";
+  // 65536 squared fits in 64 bits: no overflow below.
+  if (profile.c_count > 65536 || profile.gamma_count > 65536) return "grid is too large";
+  const std::size_t values = std::size_t{profile.c_count} * profile.gamma_count;
+  if (profile.data_offset + values > data_size) return "data lies outside its section";
+  return std::nullopt;
+}
+
+}  // namespace nightcity

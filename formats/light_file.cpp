@@ -1,0 +1,258 @@
+#include "formats/light_file.h"
+
+#include <xxhash.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "formats/atomic_file.h"
+#include "formats/error.h"
+#include "formats/georeference_json.h"
+#include "formats/light_check.h"
+#include "formats/mapped_file.h"
+
+static_assert(std::endian::native == std::endian::little, "city.lights is mapped: little-endian hosts only");
+
+namespace nightcity {
+namespace {
+
+constexpr std::array<char, 8> magic{'N', 'C', 'L', 'I', 'G', 'H', 'T', 'S'};
+constexpr std::uint16_t major_version = 1, minor_version = 0;
+constexpr std::uint64_t section_alignment = 64;
+constexpr std::uint32_t most_sections = 1024;  // bounds the work of open() on a hostile file
+constexpr std::uint64_t most_georeference_bytes = 1 << 20;
+constexpr std::uint64_t most_profiles = 65536;
+
+struct Header {
+  std::array<char, 8> magic;
+  std::uint16_t major_version, minor_version;
+  std::uint32_t section_count;
+  std::uint64_t file_size;
+  std::uint64_t table_offset;
+  std::uint64_t table_checksum;  // XXH64 of the section table
+  std::uint64_t reserved[2];
+  std::uint64_t header_checksum;  // XXH64 of the bytes before it
+};
+static_assert(sizeof(Header) == 64);
+
+struct Section {
+  std::array<char, 4> tag;
+  std::uint32_t element_size;
+  std::uint64_t offset, element_count;
+  std::uint64_t checksum;  // XXH64 of the section's bytes
+};
+static_assert(sizeof(Section) == 32);
+
+constexpr std::array<char, 4> tag_georeference{'G', 'E', 'O', 'R'}, tag_lights{'L', 'G', 'H', 'T'},
+    tag_provenance{'P', 'R', 'O', 'V'}, tag_profiles{'P', 'R', 'O', 'F'},
+    tag_profile_data{'P', 'D', 'A', 'T'};
+
+std::uint64_t checksum(const void* bytes, std::size_t size) {
+  return XXH64(bytes, size, 0);
+}
+
+std::string name_of(const Section& section) {
+  std::string name = "section ";
+  for (const char c : section.tag) name += (c >= ' ' && c <= '~') ? c : '?';
+  return name;
+}
+
+void check_content(const std::string& file, std::span<const Light> lights,
+                   std::span<const LightProvenance> provenance, std::span<const LightProfile> profiles,
+                   std::span<const float> data) {
+  if (provenance.size() != lights.size())
+    throw Error(file, "provenance of " + std::to_string(provenance.size()) + " lights for " +
+                          std::to_string(lights.size()));
+  for (std::size_t i = 0; i < profiles.size(); ++i)
+    if (const auto fault = profile_fault(profiles[i], data.size()))
+      throw Error(file, "profile " + std::to_string(i), *fault);
+  for (std::size_t i = 0; i < data.size(); ++i)
+    if (!(std::isfinite(data[i]) && data[i] >= 0))
+      throw Error(file, "profile value " + std::to_string(i), "is negative or not finite");
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    if (const auto fault = light_fault(lights[i], profiles.size()))
+      throw Error(file, "light " + std::to_string(i), *fault);
+}
+
+template <class T>
+void write_section(AtomicFile& file, std::vector<Section>& table, std::array<char, 4> tag,
+                   std::span<const T> data) {
+  constexpr std::array<char, section_alignment> zeros{};
+  file.write(zeros.data(), (section_alignment - file.size() % section_alignment) % section_alignment);
+  table.push_back({tag, sizeof(T), file.size(), data.size(), checksum(data.data(), data.size_bytes())});
+  file.write(data.data(), data.size_bytes());
+}
+
+}  // namespace
+
+void write_light_file(const std::filesystem::path& path, const LightFileContent& content) {
+  check_content(path.string(), content.lights, content.provenance, content.profiles, content.profile_data);
+  // Limits that open() enforces hold here too: what is written can be read.
+  if (content.profiles.size() > most_profiles) throw Error(path.string(), "more than 65536 profiles");
+  const std::string georeference = georeference_to_json(content.georeference)
+                                       .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  if (georeference.size() > most_georeference_bytes)
+    throw Error(path.string(), "the list of sources is too long");
+
+  AtomicFile file(path);
+  Header header{};
+  file.write(&header, sizeof header);
+  std::vector<Section> table;
+  write_section(file, table, tag_georeference, std::span<const char>(georeference));
+  write_section(file, table, tag_lights, content.lights);
+  write_section(file, table, tag_provenance, content.provenance);
+  write_section(file, table, tag_profiles, content.profiles);
+  write_section(file, table, tag_profile_data, content.profile_data);
+  const std::array<char, section_alignment> zeros{};
+  file.write(zeros.data(), (section_alignment - file.size() % section_alignment) % section_alignment);
+
+  header.magic = magic;
+  header.major_version = major_version;
+  header.minor_version = minor_version;
+  header.section_count = static_cast<std::uint32_t>(table.size());
+  header.table_offset = file.size();
+  header.table_checksum = checksum(table.data(), table.size() * sizeof(Section));
+  file.write(table.data(), table.size() * sizeof(Section));
+  header.file_size = file.size();
+  header.header_checksum = checksum(&header, offsetof(Header, header_checksum));
+  file.write_at(0, &header, sizeof header);
+  file.commit();
+}
+
+struct LightFile::Mapping {
+  std::string name;
+  MappedFile file;
+  std::vector<Section> table;
+  Georeference georeference;
+  std::span<const Light> lights;
+  std::span<const LightProvenance> provenance;
+  std::span<const LightProfile> profiles;
+  std::span<const float> profile_data;
+
+  explicit Mapping(const std::filesystem::path& path) : name(path.string()), file(path) {
+    read_table();
+    std::span<const char> text;
+    take(tag_georeference, text);
+    take(tag_lights, lights);
+    take(tag_provenance, provenance);
+    take(tag_profiles, profiles);
+    take(tag_profile_data, profile_data);
+    check_small_sections(text);
+  }
+
+  void read_table();
+  template <class T>
+  void take(std::array<char, 4> tag, std::span<const T>& data);
+  void check_small_sections(std::span<const char> text);
+};
+
+void LightFile::Mapping::read_table() {
+  const auto bytes = file.bytes();
+  Header header;
+  if (bytes.empty()) throw Error(name, "is empty");
+  if (bytes.size() < magic.size() || std::memcmp(bytes.data(), magic.data(), magic.size()) != 0)
+    throw Error(name, "is not a light file");
+  if (bytes.size() < sizeof header)
+    throw Error(name, "byte " + std::to_string(bytes.size()), "ends in the header");
+  std::memcpy(&header, bytes.data(), sizeof header);
+  if (header.header_checksum != checksum(&header, offsetof(Header, header_checksum)))
+    throw Error(name, "header", "checksum does not match");
+  if (header.major_version != major_version)
+    throw Error(name, "header",
+                "version " + std::to_string(header.major_version) + "." +
+                    std::to_string(header.minor_version) + ", this program reads version " +
+                    std::to_string(major_version));
+  if (header.file_size != bytes.size())
+    throw Error(name, "byte " + std::to_string(bytes.size()),
+                "file of " + std::to_string(header.file_size) + " bytes ends here");
+  if (header.section_count > most_sections || header.table_offset % alignof(Section) != 0 ||
+      header.table_offset > bytes.size() ||
+      header.section_count > (bytes.size() - header.table_offset) / sizeof(Section))
+    throw Error(name, "header", "section table lies outside the file");
+  table.resize(header.section_count);
+  std::memcpy(table.data(), bytes.data() + header.table_offset, table.size() * sizeof(Section));
+  if (header.table_checksum != checksum(table.data(), table.size() * sizeof(Section)))
+    throw Error(name, "section table", "checksum does not match");
+  for (const Section& section : table)
+    if (section.element_size == 0 || section.offset % section_alignment != 0 ||
+        section.offset > bytes.size() ||
+        section.element_count > (bytes.size() - section.offset) / section.element_size)
+      throw Error(name, name_of(section), "lies outside the file");
+}
+
+template <class T>
+void LightFile::Mapping::take(std::array<char, 4> tag, std::span<const T>& data) {
+  const auto has_tag = [&](const Section& section) { return section.tag == tag; };
+  const auto found = std::find_if(table.begin(), table.end(), has_tag);
+  if (found == table.end()) throw Error(name, name_of({tag, 0, 0, 0, 0}), "is missing");
+  if (std::find_if(found + 1, table.end(), has_tag) != table.end())
+    throw Error(name, name_of(*found), "occurs twice");
+  if (found->element_size != sizeof(T))
+    throw Error(name, name_of(*found),
+                "has elements of " + std::to_string(found->element_size) + " bytes, not " +
+                    std::to_string(sizeof(T)));
+  // Sections are aligned to 64 bytes and a mapping to a page, so the cast is aligned for every T here.
+  data = {reinterpret_cast<const T*>(file.bytes().data() + found->offset),
+          static_cast<std::size_t>(found->element_count)};
+}
+
+void LightFile::Mapping::check_small_sections(std::span<const char> text) {
+  if (provenance.size() != lights.size())
+    throw Error(name, "section PROV",
+                "holds " + std::to_string(provenance.size()) + " entries for " +
+                    std::to_string(lights.size()) + " lights");
+  if (lights.size() >= LIGHT_ALWAYS_ON) throw Error(name, "section LGHT", "holds too many lights");
+  if (profiles.size() > most_profiles) throw Error(name, "section PROF", "holds too many profiles");
+  for (std::size_t i = 0; i < profiles.size(); ++i)
+    if (const auto fault = profile_fault(profiles[i], profile_data.size()))
+      throw Error(name, "profile " + std::to_string(i), *fault);
+  if (text.size() > most_georeference_bytes) throw Error(name, "section GEOR", "is too long");
+  try {
+    georeference = georeference_from_json(nlohmann::json::parse(text.begin(), text.end()));
+  } catch (const nlohmann::json::exception& error) {
+    throw Error(name, "section GEOR", error.what());
+  } catch (const Error& error) {
+    throw Error(name, "section GEOR", error.what());
+  }
+}
+
+LightFile LightFile::open(const std::filesystem::path& path) {
+  return LightFile(std::make_unique<Mapping>(path));
+}
+
+void LightFile::verify() const {
+  for (const Section& section : mapping_->table) {
+    const auto size = static_cast<std::size_t>(section.element_count * section.element_size);
+    if (section.checksum != checksum(mapping_->file.bytes().data() + section.offset, size))
+      throw Error(mapping_->name, name_of(section), "checksum does not match");
+  }
+  check_content(mapping_->name, lights(), provenance(), profiles(), profile_data());
+}
+
+const Georeference& LightFile::georeference() const {
+  return mapping_->georeference;
+}
+std::span<const Light> LightFile::lights() const {
+  return mapping_->lights;
+}
+std::span<const LightProvenance> LightFile::provenance() const {
+  return mapping_->provenance;
+}
+std::span<const LightProfile> LightFile::profiles() const {
+  return mapping_->profiles;
+}
+std::span<const float> LightFile::profile_data() const {
+  return mapping_->profile_data;
+}
+
+LightFile::LightFile(std::unique_ptr<Mapping> mapping) : mapping_(std::move(mapping)) {}
+LightFile::LightFile(LightFile&&) noexcept = default;
+LightFile& LightFile::operator=(LightFile&&) noexcept = default;
+LightFile::~LightFile() = default;
+
+}  // namespace nightcity
