@@ -1,0 +1,207 @@
+#include "tools/georeference/frame.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "formats/error.h"
+
+namespace nightcity {
+namespace {
+
+using Points = std::vector<glm::dvec3>;
+
+CityFrame frame_of(const std::string& srs, const Points& sample, CityFrame::Options options = {}) {
+  return CityFrame::from_srs_name(srs, sample, options);
+}
+
+glm::dvec3 project(const CityFrame& frame, glm::dvec3 c) {
+  frame.to_projected(std::span(&c, 1));
+  return c;
+}
+
+// A closed unit-ish box standing at (x, y, z), normals outward in a right-handed x, y, z.
+Points box_rings(double x, double y, double z, double s) {
+  const auto p = [&](int i, int j, int k) { return glm::dvec3{x + i * s, y + j * s, z + k * s}; };
+  const Points faces[] = {{p(0, 0, 0), p(0, 1, 0), p(1, 1, 0), p(1, 0, 0)},
+                          {p(0, 0, 1), p(1, 0, 1), p(1, 1, 1), p(0, 1, 1)},
+                          {p(0, 0, 0), p(1, 0, 0), p(1, 0, 1), p(0, 0, 1)},
+                          {p(0, 1, 0), p(0, 1, 1), p(1, 1, 1), p(1, 1, 0)}};
+  Points out;
+  for (const Points& face : faces) {
+    out.insert(out.end(), face.begin(), face.end());
+    out.push_back(face.front());
+  }
+  return out;
+}
+
+Points swapped(Points points) {
+  for (glm::dvec3& p : points) std::swap(p.x, p.y);
+  return points;
+}
+
+void expect_near(const glm::dvec2& a, const glm::dvec2& b, double tolerance) {
+  EXPECT_NEAR(a.x, b.x, tolerance);
+  EXPECT_NEAR(a.y, b.y, tolerance);
+}
+
+// Closed form of UTM on the central meridian and the equator: easting 500000, northing k0 times the meridian
+// arc.
+TEST(Frame, UtmCentralMeridianHasEasting500000) {
+  const CityFrame frame = frame_of("EPSG:25833", {{500000, 5800000, 30}});
+  EXPECT_NEAR(frame.from_lon_lat({15, 52}).x, 500000, 1e-3);
+  // Quarter meridian of GRS 80: 10001965.729 m to the pole; half-way in latitude, 45 degrees: 4984944.378 m
+  // (k0 0.9996).
+  EXPECT_NEAR(frame.from_lon_lat({15, 45}).y, 0.9996 * 4984944.378, 0.01);
+  EXPECT_EQ(frame.crs(), "EPSG:25833");
+}
+
+TEST(Frame, LonLatGoesThereAndBack) {
+  for (const char* srs : {"EPSG:25832", "EPSG:28992", "EPSG:31256", "EPSG:27700", "EPSG:2180"}) {
+    const CityFrame frame = frame_of(srs, {});
+    const glm::dvec2 place = std::string(srs) == "EPSG:27700"   ? glm::dvec2{-0.1, 51.5}
+                             : std::string(srs) == "EPSG:28992" ? glm::dvec2{4.5, 51.9}
+                             : std::string(srs) == "EPSG:2180"  ? glm::dvec2{19.1, 52.6}
+                                                                : glm::dvec2{13, 48.1};
+    expect_near(frame.to_lon_lat(frame.from_lon_lat(place)), place, 1e-7);
+  }
+}
+
+TEST(Frame, GermanNameGivesTheSameFrameAsItsCode) {
+  const Points sample{{324500, 5729500, 20}};
+  const CityFrame adv = frame_of("urn:adv:crs:ETRS89_UTM32*DE_DHHN2016_NH*GCG2016", sample);
+  const CityFrame epsg = frame_of("EPSG:25832", sample);
+  EXPECT_EQ(adv.crs(), "EPSG:25832");
+  expect_near(adv.from_lon_lat({6.46, 51.69}), epsg.from_lon_lat({6.46, 51.69}), 1e-6);
+}
+
+TEST(Frame, AxisOrderFollowsTheAreaOfUseWhereTheFileBreaksTheBook) {
+  // Helsinki's EPSG:3879 is north, east by the register; published files hold east, north all the same.
+  const CityFrame east_first = frame_of("urn:ogc:def:crs:EPSG::3879", {{25499065, 6674607, 3}});
+  EXPECT_EQ(project(east_first, {25499065, 6674607, 3}), glm::dvec3(25499065, 6674607, 3));
+  EXPECT_NE(east_first.description().find("against"), std::string::npos);
+  const CityFrame north_first = frame_of("urn:ogc:def:crs:EPSG::3879", {{6674607, 25499065, 3}});
+  EXPECT_EQ(project(north_first, {6674607, 25499065, 3}), glm::dvec3(25499065, 6674607, 3));
+}
+
+TEST(Frame, RingsDecideTheAxisOrderWhereTheAreaAllowsBoth) {
+  // Poland's EPSG:2180 spans about 700 km in both axes: a place is a place either way round.
+  const Points east_north = box_rings(504537, 532287, 60, 10);
+  const CityFrame a = frame_of("urn:ogc:def:crs,crs:EPSG::2180,crs:PL-EVRF2007-NH", east_north);
+  EXPECT_EQ(project(a, {504537, 532287, 60}), glm::dvec3(504537, 532287, 60));
+  const CityFrame b = frame_of("urn:ogc:def:crs,crs:EPSG::2180,crs:PL-EVRF2007-NH", swapped(east_north));
+  EXPECT_EQ(project(b, {532287, 504537, 60}), glm::dvec3(504537, 532287, 60));
+}
+
+TEST(Frame, JapaneseLatLonHeightKeepsHeightsAndDistances) {
+  const Points sample{{34.65, 135.50, 12}};
+  const CityFrame frame = frame_of("http://www.opengis.net/def/crs/EPSG/0/6697", sample);
+  const glm::dvec3 a = project(frame, {34.65, 135.50, 12});
+  // One minute north: meridian radius of GRS 80 at this latitude, a(1-e^2)/(1-e^2 sin^2)^1.5, times the
+  // angle.
+  const double e2 = 0.00669438002290, s = std::sin(34.6583333 * M_PI / 180);
+  const double meridian = 6378137 * (1 - e2) / std::pow(1 - e2 * s * s, 1.5) * (M_PI / 180 / 60);
+  const glm::dvec3 b = project(frame, {34.65 + 1.0 / 60, 135.50, 99});
+  EXPECT_NEAR(b.y - a.y, meridian, 0.01);
+  EXPECT_NEAR(b.x - a.x, 0, 0.01);
+  EXPECT_EQ(a.z, 12);
+  EXPECT_EQ(b.z, 99);
+  // OSM arrives at the same place: JGD2011 and WGS 84 differ by nothing PROJ knows of.
+  expect_near(frame.from_lon_lat({135.50, 34.65}), {a.x, a.y}, 1e-3);
+  expect_near(frame.to_lon_lat({a.x, a.y}), {135.50, 34.65}, 1e-9);
+}
+
+TEST(Frame, LocalMercatorIsTheOneItsProjStringNames) {
+  const CityFrame frame = frame_of("EPSG:4326", {{13.4, 52.5, 0}});
+  ASSERT_NE(frame.crs().find("+proj=tmerc"), std::string::npos);
+  const CityFrame named = frame_of("", {}, {.crs_override = frame.crs(), .control_points = {}});
+  for (const glm::dvec2 p : {glm::dvec2{13.4, 52.5}, {13.5, 52.4}, {13.2, 52.7}})
+    expect_near(frame.from_lon_lat(p), named.from_lon_lat(p), 1e-4);
+}
+
+TEST(Frame, FeetBecomeMetresInAllThreeAxes) {
+  const CityFrame frame = frame_of("EPSG:2263", {{987830, 212283, 45}});
+  constexpr double us_foot = 1200.0 / 3937.0;
+  const glm::dvec3 p = project(frame, {987830, 212283, 45});
+  EXPECT_NEAR(p.x, 987830 * us_foot, 1e-6);
+  EXPECT_NEAR(p.y, 212283 * us_foot, 1e-6);
+  EXPECT_NEAR(p.z, 45 * us_foot, 1e-9);
+  EXPECT_NE(frame.crs().find("+units=m"), std::string::npos) << frame.crs();
+  const glm::dvec2 lon_lat = frame.to_lon_lat({p.x, p.y});
+  EXPECT_NEAR(lon_lat.x, -73.987, 0.01);
+  EXPECT_NEAR(lon_lat.y, 40.749, 0.01);
+  expect_near(frame.from_lon_lat(lon_lat), {p.x, p.y}, 1e-3);
+}
+
+TEST(Frame, KrovakInSouthAndWestIsTurned) {
+  // Prague: EPSG:5514 east, north is about (-743000, -1043000); old files hold the positive numbers.
+  const CityFrame frame = frame_of("EPSG:5514", {{743000, 1043000, 200}});
+  EXPECT_EQ(project(frame, {743000, 1043000, 200}), glm::dvec3(-743000, -1043000, 200));
+  const glm::dvec2 lon_lat = frame.to_lon_lat({-743000, -1043000});
+  EXPECT_NEAR(lon_lat.x, 14.4, 0.2);
+  EXPECT_NEAR(lon_lat.y, 50.1, 0.2);
+}
+
+TEST(Frame, CoordinatesOutsideTheAreaOfUseAreAnErrorThatNamesTheWayOut) {
+  try {
+    frame_of("EPSG:28992", {{12.5, 41.9, 3}});
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("area of use"), std::string::npos);
+    EXPECT_NE(std::string(e.what()).find("--crs"), std::string::npos);
+  }
+  EXPECT_NO_THROW(
+      frame_of("EPSG:28992", {{12.5, 41.9, 3}}, {.crs_override = "EPSG:28992", .control_points = {}}));
+}
+
+TEST(Frame, UnknownNameIsAnErrorAndNotANumber) {
+  for (const char* name :
+       {"WB3_local", "EPSG:999999", "urn:ogc:def:crs:EPSG::5101", "garbage\x01", "EPSG:4978"})
+    EXPECT_THROW(frame_of(name, {{1, 2, 3}}), Error) << name;
+}
+
+TEST(Frame, NoNamePassesCoordinatesThroughAndRefusesLonLat) {
+  const CityFrame frame = frame_of("", {{1, 2, 3}});
+  EXPECT_EQ(project(frame, {1, 2, 3}), glm::dvec3(1, 2, 3));
+  EXPECT_EQ(frame.crs(), "");
+  EXPECT_FALSE(frame.has_lon_lat());
+  EXPECT_THROW(frame.from_lon_lat({13, 52}), Error);
+  EXPECT_THROW(frame.to_lon_lat({1, 2}), Error);
+  EXPECT_FALSE(
+      frame_of("EPSG:25833", {{1, 2, 3}}, {.crs_override = "none", .control_points = {}}).has_lon_lat());
+}
+
+TEST(Frame, ControlPointsPlaceAModelWithoutCrs) {
+  // Model: UTM coordinates turned by 30 degrees and moved; two points suffice to find the turn again.
+  const CityFrame utm = frame_of("EPSG:25833", {});
+  const double c = std::cos(M_PI / 6), s = std::sin(M_PI / 6);
+  const auto model = [&](glm::dvec2 lon_lat) {
+    const glm::dvec2 d = utm.from_lon_lat(lon_lat) - utm.from_lon_lat({15.0, 52.5});
+    return glm::dvec2{100 + c * d.x - s * d.y, 200 + s * d.x + c * d.y};
+  };
+  const glm::dvec2 p{14.99, 52.49}, q{15.01, 52.51}, between{15.002, 52.503};
+  const CityFrame frame =
+      frame_of("", {}, {.crs_override = "", .control_points = {{p, model(p)}, {q, model(q)}}});
+  EXPECT_TRUE(frame.has_lon_lat());
+  expect_near(frame.from_lon_lat(between), model(between), 0.01);
+  expect_near(frame.to_lon_lat(model(between)), between, 1e-7);
+  EXPECT_THROW(frame_of("", {}, {.crs_override = "", .control_points = {{p, {1, 1}}, {p, {1, 1}}}}), Error);
+}
+
+TEST(Frame, BrokenCoordinatesAnswerNanAndNeverThrow) {
+  const CityFrame frame = frame_of("http://www.opengis.net/def/crs/EPSG/0/6697", {{34.65, 135.5, 0}});
+  EXPECT_TRUE(std::isnan(project(frame, {1e300, 135, 0}).x));
+  EXPECT_TRUE(std::isnan(project(frame, {NAN, NAN, 0}).x));
+  EXPECT_TRUE(std::isnan(frame.from_lon_lat({NAN, 0}).x));
+  EXPECT_TRUE(std::isnan(frame.from_lon_lat({0, 1e9}).x));
+}
+
+TEST(Frame, DescriptionStatesOperationAndAccuracy) {
+  const CityFrame frame = frame_of("EPSG:28992", {{92000, 437000, 0}});
+  EXPECT_NE(frame.description().find("accuracy"), std::string::npos) << frame.description();
+  EXPECT_NE(frame.description().find("axes"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace nightcity

@@ -1,0 +1,49 @@
+// One CRS of PROJ: its axes, its area of use, and WGS 84 longitude/latitude into and out of it.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <string>
+
+namespace nightcity {
+
+/// Horizontal part of a CRS. Not safe for use by several threads at once (a PROJ object is not).
+class SourceCrs {
+ public:
+  /// Null when PROJ does not know `definition` or it is neither projected nor geographic; `why` says which.
+  static std::unique_ptr<SourceCrs> create(const std::string& definition, std::string& why);
+  ~SourceCrs();
+
+  bool geographic() const;
+  /// Register order is northing/latitude first.
+  bool north_first() const;
+  /// "EPSG:25833" where the register has it and its axes are metres, east and north; else a PROJ string in
+  /// metres, else the name. Geographic CRSs give their own name here.
+  const std::string& identity() const;
+  const std::string& name() const;
+  double unit_to_metre() const;  // of a projected CRS's axes; 1 for a geographic one
+  double height_unit_to_metre()
+      const;  // of the vertical part; without one, heights share the horizontal unit
+  double semi_major_m() const;
+  double inverse_flattening() const;
+  const std::string& area_name() const;
+
+  /// WGS 84 degrees to (east, north) in metres or (longitude, latitude) in degrees of this CRS, and back. NaN
+  /// where PROJ has no answer.
+  glm::dvec2 from_wgs84(const glm::dvec2& lon_lat) const;
+  glm::dvec2 to_wgs84(const glm::dvec2& east_north) const;
+
+  /// Whether a WGS 84 place lies in the area of use, widened by `margin_deg`. True when PROJ states no area.
+  bool area_contains(const glm::dvec2& lon_lat, double margin_deg) const;
+
+  /// Chooses the operation for a place (degrees); description in words with PROJ's stated accuracy.
+  std::string select_operation(const glm::dvec2& lon_lat);
+
+ private:
+  SourceCrs();
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace nightcity
