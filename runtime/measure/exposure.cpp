@@ -1,0 +1,67 @@
+#include "runtime/measure/exposure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "formats/error.h"
+
+namespace nightcity {
+
+float auto_exposure_ev100(const Image& image) {
+  std::vector<float> log_luminance;
+  log_luminance.reserve(image.pixels());
+  for (std::size_t i = 0; i < image.pixels(); ++i) {
+    const float y = tonemap::luminance_709(image.rgb[3 * i], image.rgb[3 * i + 1], image.rgb[3 * i + 2]);
+    if (std::isfinite(y) && y > 0.0f) log_luminance.push_back(std::log2(y));
+  }
+  if (log_luminance.empty()) return default_ev100;
+
+  // Two selections instead of a sort: only the borders of the metered range need their rank.
+  const std::size_t count = log_luminance.size();
+  const std::size_t low = count / 2;
+  const std::size_t high = std::max(low + 1, count - count / 20);
+  const auto at = [&](std::size_t rank) { return log_luminance.begin() + static_cast<std::ptrdiff_t>(rank); };
+  std::nth_element(log_luminance.begin(), at(low), log_luminance.end());
+  if (high < count) std::nth_element(at(low), at(high), log_luminance.end());
+
+  double sum = 0.0;
+  for (std::size_t i = low; i < high; ++i) sum += log_luminance[i];
+  const double mean_log2 = sum / static_cast<double>(high - low);
+  constexpr double meter_k = 12.5;
+  const double ev100 = mean_log2 + std::log2(100.0 / meter_k);
+  return static_cast<float>(std::clamp(ev100, -12.0, 24.0));
+}
+
+std::uint32_t tone_curve_from_name(const std::string& name) {
+  for (const std::uint32_t curve : {TONEMAP_FILMIC, TONEMAP_REINHARD, TONEMAP_LINEAR})
+    if (name == tone_curve_name(curve)) return curve;
+  throw UsageError({}, "unknown tone curve \"" + name + "\": filmic, reinhard or linear");
+}
+
+const char* tone_curve_name(std::uint32_t curve) {
+  switch (curve) {
+    case TONEMAP_LINEAR:
+      return "linear";
+    case TONEMAP_REINHARD:
+      return "reinhard";
+    default:
+      return "filmic";
+  }
+}
+
+std::uint8_t to_code_value(float exposed, std::uint32_t curve) {
+  // tone_curve sends NaN to 0: the comparison with 0 is false.
+  const float code = tonemap::srgb_encode(tonemap::tone_curve(curve, exposed));
+  return static_cast<std::uint8_t>(std::lround(255.0f * std::min(code, 1.0f)));
+}
+
+Image8 to_display(const Image& image, float ev100, std::uint32_t curve) {
+  Image8 display{image.width, image.height, std::vector<std::uint8_t>(image.rgb.size())};
+  const float scale = tonemap::exposure_scale(ev100);
+  std::transform(image.rgb.begin(), image.rgb.end(), display.rgb.begin(),
+                 [=](float value) { return to_code_value(value * scale, curve); });
+  return display;
+}
+
+}  // namespace nightcity

@@ -1,0 +1,15 @@
+// ImageInfo as OpenEXR attributes under "nightcity.": shared by writer and reader.
+#pragma once
+
+#include <OpenEXR/ImfHeader.h>
+
+#include "runtime/measure/image.h"
+
+namespace nightcity {
+
+void put_image_info(Imf::Header& header, const ImageInfo& info);
+
+/// What is missing, of another type or no number stays at its default: the picture is good without.
+ImageInfo get_image_info(const Imf::Header& header);
+
+}  // namespace nightcity

@@ -1,0 +1,158 @@
+#include "runtime/measure/exr.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <string>
+
+#include "formats/error.h"
+#include "pictures.h"
+
+namespace nightcity {
+namespace {
+
+class Exr : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder = std::filesystem::path(testing::TempDir()) / (std::string("nightcity_exr_") + info->name());
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+
+  Image sample() const {
+    Image image = test::grey(5, 3, 0.0f);
+    for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = 0.1f * static_cast<float>(i) + 1e-6f;
+    image.layers.push_back({"albedo", {"R", "G", "B"}, std::vector<float>(45, 0.25f)});
+    image.layers.push_back({"depth", {"Z"}, std::vector<float>(15)});
+    for (std::size_t i = 0; i < 15; ++i) image.layers[1].values[i] = 1000.0f + static_cast<float>(i);
+    image.info = {"pairwise", 64, 32, 5, 0xFFFFFFFFFFFFFFFFu, 3.25f, "a device"};
+    return image;
+  }
+  std::string bytes_of(const std::filesystem::path& path) const {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  void put(const std::filesystem::path& path, const std::string& bytes) const {
+    std::ofstream(path, std::ios::binary) << bytes;
+  }
+  std::size_t files_in_folder() const {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
+  }
+
+  std::filesystem::path folder;
+};
+
+TEST_F(Exr, PictureLayersAndInfoComeBackBitForBit) {
+  const Image out = sample();
+  write_exr(folder / "a.exr", out);
+  const Image in = read_exr(folder / "a.exr");
+  EXPECT_EQ(in.width, 5u);
+  EXPECT_EQ(in.height, 3u);
+  EXPECT_EQ(in.rgb, out.rgb);
+  ASSERT_EQ(in.layers.size(), 2u);
+  ASSERT_NE(in.layer("depth"), nullptr);
+  EXPECT_EQ(in.layer("depth")->values, out.layers[1].values);
+  ASSERT_NE(in.layer("albedo"), nullptr);
+  EXPECT_EQ(in.layer("albedo")->channels.size(), 3u);
+  EXPECT_EQ(in.layer("normal"), nullptr);
+  EXPECT_EQ(in.info.estimator, "pairwise");
+  EXPECT_EQ(in.info.frames, 64u);
+  EXPECT_EQ(in.info.candidates, 32u);
+  EXPECT_EQ(in.info.neighbours, 5u);
+  EXPECT_EQ(in.info.seed, 0xFFFFFFFFFFFFFFFFu);
+  EXPECT_EQ(in.info.ev100, 3.25f);
+  EXPECT_EQ(in.info.device, "a device");
+  EXPECT_EQ(files_in_folder(), 1u);
+}
+
+TEST_F(Exr, LayerChannelsKeepTheirMeaningWhateverTheOrderInTheFile) {
+  Image out = test::grey(2, 1, 1.0f);
+  out.layers.push_back({"normal", {"Z", "X", "Y"}, {1, 2, 3, 4, 5, 6}});
+  write_exr(folder / "a.exr", out);
+  const Image in = read_exr(folder / "a.exr");
+  const ImageLayer& layer = in.layers.at(0);  // OpenEXR sorts channels by name
+  ASSERT_EQ(layer.channels, (std::vector<std::string>{"X", "Y", "Z"}));
+  EXPECT_EQ(layer.values, (std::vector<float>{2, 3, 1, 5, 6, 4}));
+}
+
+TEST_F(Exr, NonFiniteValueIsNotWritten) {
+  Image image = sample();
+  image.rgb[3 * 7] = std::numeric_limits<float>::infinity();
+  EXPECT_THROW(write_exr(folder / "a.exr", image), Error);
+  image = sample();
+  image.layers[1].values[4] = std::numeric_limits<float>::quiet_NaN();
+  try {
+    write_exr(folder / "a.exr", image);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("depth"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("(4, 0)"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(files_in_folder(), 0u);
+}
+
+TEST_F(Exr, ImpossibleLayersAreRefused) {
+  for (const ImageLayer& layer :
+       {ImageLayer{"", {"X"}, std::vector<float>(15)}, ImageLayer{"a", {}, {}},
+        ImageLayer{"a", {"x.y"}, std::vector<float>(15)}, ImageLayer{"depth", {"Z"}, std::vector<float>(15)},
+        ImageLayer{"a", {"X"}, std::vector<float>(14)}}) {
+    Image image = sample();
+    image.layers.push_back(layer);
+    EXPECT_THROW(write_exr(folder / "a.exr", image), Error);
+  }
+  EXPECT_THROW(write_exr(folder / "a.exr", Image()), Error);
+  EXPECT_EQ(files_in_folder(), 0u);
+}
+
+TEST_F(Exr, FolderThatIsNotThereIsAnError) {
+  EXPECT_THROW(write_exr(folder / "no" / "a.exr", sample()), Error);
+  EXPECT_THROW(read_exr(folder / "missing.exr"), Error);
+  EXPECT_THROW(read_exr(folder), Error);
+}
+
+TEST_F(Exr, FileCutAnywhereIsAnErrorNamingTheFile) {
+  write_exr(folder / "a.exr", sample());
+  const std::string whole = bytes_of(folder / "a.exr");
+  for (std::size_t size = 0; size < whole.size(); size += 7) {
+    put(folder / "cut.exr", whole.substr(0, size));
+    try {
+      read_exr(folder / "cut.exr");
+      ADD_FAILURE() << "read " << size << " of " << whole.size() << " bytes";
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("cut.exr"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST_F(Exr, FlippedBytesNeverDoMoreThanFailOrGiveAPictureOfTheSameSize) {
+  write_exr(folder / "a.exr", sample());
+  const std::string whole = bytes_of(folder / "a.exr");
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    std::string broken = whole;
+    broken[i] = static_cast<char>(broken[i] ^ "\x01\x80\xFF"[i % 3]);
+    put(folder / "b.exr", broken);
+    try {
+      const Image image = read_exr(folder / "b.exr");
+      EXPECT_EQ(image.rgb.size(), 3 * image.pixels());
+      for (const ImageLayer& layer : image.layers)
+        EXPECT_EQ(layer.values.size(), layer.channels.size() * image.pixels());
+    } catch (const Error&) {
+    }
+  }
+}
+
+TEST_F(Exr, OtherKindsOfFileAreErrors) {
+  put(folder / "a.exr", std::string("glTF\2\0\0\0", 8) + std::string(5000, 'x'));
+  EXPECT_THROW(read_exr(folder / "a.exr"), Error);
+  put(folder / "a.exr", std::string("v/1\x01\x02\0\0\0", 8) + std::string(5000, 'x'));
+  EXPECT_THROW(read_exr(folder / "a.exr"), Error);
+}
+
+}  // namespace
+}  // namespace nightcity
