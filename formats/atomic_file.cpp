@@ -94,7 +94,8 @@ void ScratchFile::align(std::size_t alignment) {
   write(zeros.data(), (alignment - size_ % alignment) % alignment);
 }
 
-void ScratchFile::copy_to(AtomicFile& target) {
+template <class Target>
+void ScratchFile::copy(Target& target) {
   if (std::fflush(file_.get()) != 0 || ::fseeko(file_.get(), 0, SEEK_SET) != 0)
     fail(path_, "cannot be written");
   std::vector<char> buffer(copy_size);
@@ -106,6 +107,13 @@ void ScratchFile::copy_to(AtomicFile& target) {
     left -= wanted;
   }
   if (::fseeko(file_.get(), 0, SEEK_END) != 0) fail(path_, "cannot be written");
+}
+
+void ScratchFile::copy_to(AtomicFile& target) {
+  copy(target);
+}
+void ScratchFile::copy_to(ScratchFile& target) {
+  copy(target);
 }
 
 }  // namespace nightcity

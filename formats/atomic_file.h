@@ -47,8 +47,12 @@ class ScratchFile {
   void align(std::size_t alignment);
   std::uint64_t size() const { return size_; }
   void copy_to(AtomicFile& target);
+  void copy_to(ScratchFile& target);
 
  private:
+  template <class Target>
+  void copy(Target& target);
+
   std::filesystem::path path_;
   std::unique_ptr<std::FILE, CloseFile> file_;
   std::uint64_t size_ = 0;

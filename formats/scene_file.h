@@ -1,4 +1,5 @@
-// city.glb: glTF 2.0 with our extras. SceneWriter (tools) streams one out; read_scene (runtime, inspect) takes any glTF.
+// city.glb: glTF 2.0 with our extras. SceneWriter (tools) streams one out; read_scene (runtime, inspect)
+// takes any glTF.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +19,9 @@ constexpr std::uint32_t no_id = 0xFFFFFFFFu;  // no feature, no light
 
 struct SceneMaterial {
   std::string name;
-  glm::vec3 base_colour{0.5f};     // linear Rec. 709 reflectance
-  glm::vec3 emission_cd_m2{0.0f};  // emitted luminance per channel; KHR_materials_emissive_strength in the file
+  glm::vec3 base_colour{0.5f};  // linear Rec. 709 reflectance
+  glm::vec3 emission_cd_m2{
+      0.0f};  // emitted luminance per channel; KHR_materials_emissive_strength in the file
   float roughness = 1.0f;
   bool double_sided = true;
 };
@@ -28,9 +30,9 @@ struct SceneMaterial {
 struct ScenePrimitive {
   std::uint32_t material = 0;
   std::vector<glm::vec3> positions;
-  std::vector<std::uint32_t> indices;       // 3 a triangle, < positions.size()
-  std::vector<std::uint32_t> feature_ids;   // a vertex, into Scene::features; empty = none
-  std::vector<std::uint32_t> light_ids;     // a vertex, into city.lights: emitter geometry; empty = none
+  std::vector<std::uint32_t> indices;      // 3 a triangle, < positions.size()
+  std::vector<std::uint32_t> feature_ids;  // a vertex, into Scene::features; empty = none
+  std::vector<std::uint32_t> light_ids;    // a vertex, into city.lights: emitter geometry; empty = none
 };
 
 struct SceneMesh {
@@ -46,7 +48,8 @@ struct SceneInstance {
 
 struct SceneNode {
   std::string name;
-  std::string kind;  // "city", "terrain", "road", "lamp", "window", "vehicle" (extras.nightcity.kind); "" in foreign files
+  std::string kind;  // "city", "terrain", "road", "lamp", "window", "vehicle" (extras.nightcity.kind); "" in
+                     // foreign files
   std::uint32_t mesh = 0;
   bool casts_shadow = true;  // extras.nightcity.casts_shadow; false: seen by the eye, not by shadow rays
   std::vector<SceneInstance> instances;
@@ -69,12 +72,13 @@ struct Scene {
   std::vector<SceneFeature> features;
 };
 
-/// Reads .glb or .gltf, ours or anybody's (Draco, instancing, node hierarchies, u8/u16/u32 indices, no indices).
-/// Throws Error: missing, truncated, not glTF, index out of range, NaN or Inf in a position or matrix.
+/// Reads .glb or .gltf, ours or anybody's (Draco, instancing, node hierarchies, u8/u16/u32 indices, no
+/// indices). Throws Error: missing, truncated, not glTF, index out of range, NaN or Inf in a position or
+/// matrix.
 Scene read_scene(const std::filesystem::path& path);
 
-/// Streams a city.glb: geometry goes to a scratch file beside `path` as it comes, so memory does not grow with the
-/// city. finish() assembles the file and renames; without it nothing is left behind.
+/// Streams a city.glb: geometry goes to a scratch file beside `path` as it comes, so memory does not grow
+/// with the city. finish() assembles the file and renames; without it nothing is left behind.
 class SceneWriter {
  public:
   struct Options {
@@ -91,8 +95,17 @@ class SceneWriter {
   std::uint32_t add_feature(const SceneFeature& feature);
   /// Written out at once; indices stored as 16 or 32 bits by need. Throws Error on NaN, Inf or a bad index.
   std::uint32_t add_mesh(const SceneMesh& mesh);
+  /// Written as TRS, so `to_model` must be free of shear. A node without instances shows nothing and is left
+  /// out.
   void add_node(const SceneNode& node);
   void finish(const Georeference& georeference);
+
+  struct Statistics {
+    std::uint64_t meshes = 0, vertices = 0, triangles = 0, nodes = 0, instances = 0, features = 0;
+    int greatest_draco_bits = 0;        // quantisation of positions; 0 = no Draco
+    double greatest_draco_error_m = 0;  // greatest displacement of a vertex, measured on the decoded mesh
+  };
+  const Statistics& statistics() const;
 
  private:
   struct State;

@@ -1,0 +1,29 @@
+// Names and numbers of glTF 2.0 and of our conventions on top of it (SPEC.md), shared by reader and writer.
+#pragma once
+
+#include <cstdint>
+
+namespace nightcity::gltf {
+
+// Accessor component types and buffer view targets (glTF 2.0, section 5).
+constexpr int int8 = 5120, uint8 = 5121, int16 = 5122, uint16 = 5123, uint32 = 5125, float32 = 5126;
+constexpr int array_buffer = 34962, element_array_buffer = 34963;
+
+constexpr std::uint32_t glb_magic = 0x46546C67, chunk_json = 0x4E4F534A, chunk_binary = 0x004E4942;
+
+constexpr const char* draco = "KHR_draco_mesh_compression";
+constexpr const char* emissive_strength = "KHR_materials_emissive_strength";
+constexpr const char* gpu_instancing = "EXT_mesh_gpu_instancing";
+constexpr const char* mesh_features = "EXT_mesh_features";
+constexpr const char* structural_metadata = "EXT_structural_metadata";
+
+constexpr const char* feature_attribute = "_FEATURE_ID_0";
+constexpr const char* light_attribute = "_LIGHT";  // vertex and instance attribute: index into city.lights
+constexpr const char* extras_key = "nightcity";
+constexpr const char* scene_version = "1.0";
+
+// Ids are stored as floats: whole numbers up to 2^24 are exact.
+constexpr std::uint32_t greatest_id = (1u << 24) - 1;
+constexpr float null_feature_id = 16777215.0f, null_light = -1.0f;
+
+}  // namespace nightcity::gltf

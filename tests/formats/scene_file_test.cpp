@@ -1,0 +1,158 @@
+#include "formats/scene_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+
+#include "formats/error.h"
+#include "formats/scene_samples.h"
+#include "support/temp_folder.h"
+
+namespace nightcity {
+namespace {
+
+using test::field;
+using test::square;
+using test::TempFolder;
+
+Georeference berlin() {
+  return {"EPSG:25833", {391000.25, 5819000.5, 34.125}, {"a.gml"}, {"OpenStreetMap contributors, ODbL 1.0"}};
+}
+
+TEST(SceneFile, KeepsGeometryMaterialsFeaturesAndInstances) {
+  const TempFolder folder;
+  SceneWriter writer(folder / "city.glb", {});
+  writer.add_material({.name = "wall", .base_colour = {0.5f, 0.25f, 0.125f}, .roughness = 0.75f});
+  writer.add_material({.name = "lamp", .emission_cd_m2 = {1000, 20000, 500}, .double_sided = false});
+  writer.add_feature({"house \"ü\"", "Building", "31001_1010", 12.5, 4});
+  writer.add_feature({"road", "Road", "", {}, {}});
+  SceneMesh mesh{"tile", {square(10), square(1, 1)}};
+  mesh.primitives[0].feature_ids = {0, 0, 1, no_id};
+  mesh.primitives[1].light_ids = {7, 7, no_id, 7};
+  const auto tile = writer.add_mesh(mesh);
+  writer.add_node({"tile 0 0", "city", tile, true, {{glm::translate(glm::mat4(1), {100, 2, -50}), no_id}}});
+  SceneNode lamps{"lamps", "lamp", tile, false, {}};
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    glm::mat4 place = glm::translate(glm::mat4(1), {float(i), 0, 0});
+    place = glm::scale(glm::rotate(place, 0.5f * float(i), {0, 1, 0}), glm::vec3(1, 2, 1));
+    lamps.instances.push_back({place, i == 1 ? no_id : i});
+  }
+  writer.add_node(lamps);
+  writer.finish(berlin());
+
+  const Scene scene = read_scene(folder / "city.glb");
+  EXPECT_EQ(scene.georeference.crs, "EPSG:25833");
+  EXPECT_EQ(scene.georeference.origin, berlin().origin);
+  EXPECT_EQ(scene.georeference.sources, berlin().sources);
+  EXPECT_EQ(scene.georeference.licences, berlin().licences);
+  ASSERT_EQ(scene.materials.size(), 2u);
+  EXPECT_EQ(scene.materials[0].base_colour, glm::vec3(0.5f, 0.25f, 0.125f));
+  EXPECT_EQ(scene.materials[0].emission_cd_m2, glm::vec3(0));
+  EXPECT_EQ(scene.materials[0].roughness, 0.75f);
+  EXPECT_TRUE(scene.materials[0].double_sided);
+  EXPECT_FALSE(scene.materials[1].double_sided);
+  EXPECT_NEAR(scene.materials[1].emission_cd_m2.x, 1000, 1e-3);
+  EXPECT_NEAR(scene.materials[1].emission_cd_m2.y, 20000, 1e-3);
+  ASSERT_EQ(scene.features.size(), 2u);
+  EXPECT_EQ(scene.features[0].id, "house \"ü\"");
+  EXPECT_EQ(scene.features[0].function, "31001_1010");
+  EXPECT_EQ(scene.features[0].measured_height_m, 12.5);
+  EXPECT_EQ(scene.features[0].storeys_above_ground, 4);
+  EXPECT_EQ(scene.features[1].type, "Road");
+  EXPECT_FALSE(scene.features[1].measured_height_m);
+  EXPECT_FALSE(scene.features[1].storeys_above_ground);
+  ASSERT_EQ(scene.meshes.size(), 1u);
+  for (int p = 0; p < 2; ++p) {
+    EXPECT_EQ(scene.meshes[0].primitives[p].positions, mesh.primitives[p].positions);
+    EXPECT_EQ(scene.meshes[0].primitives[p].indices, mesh.primitives[p].indices);
+    EXPECT_EQ(scene.meshes[0].primitives[p].feature_ids, mesh.primitives[p].feature_ids);
+    EXPECT_EQ(scene.meshes[0].primitives[p].light_ids, mesh.primitives[p].light_ids);
+  }
+  ASSERT_EQ(scene.nodes.size(), 2u);
+  EXPECT_EQ(scene.nodes[0].kind, "city");
+  EXPECT_TRUE(scene.nodes[0].casts_shadow);
+  EXPECT_EQ(scene.nodes[0].instances.at(0).to_model[3], glm::vec4(100, 2, -50, 1));
+  EXPECT_EQ(scene.nodes[1].kind, "lamp");
+  EXPECT_FALSE(scene.nodes[1].casts_shadow);
+  ASSERT_EQ(scene.nodes[1].instances.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(scene.nodes[1].instances[i].light, lamps.instances[i].light);
+    for (int c = 0; c < 4; ++c)
+      for (int r = 0; r < 4; ++r)
+        EXPECT_NEAR(scene.nodes[1].instances[i].to_model[c][r], lamps.instances[i].to_model[c][r], 1e-6);
+  }
+}
+
+TEST(SceneFile, HoldsMeshesOnBothSidesOf16BitIndices) {
+  const TempFolder folder;
+  for (const std::uint32_t squares : {16383u, 16384u}) {  // 65532 and 65536 vertices
+    SceneWriter writer(folder / "big.glb", {});
+    writer.add_material({});
+    const SceneMesh mesh{"", {field(squares)}};
+    writer.add_node({"", "city", writer.add_mesh(mesh), true, {{}}});
+    writer.finish({});
+    const Scene scene = read_scene(folder / "big.glb");
+    EXPECT_EQ(scene.meshes.at(0).primitives.at(0).indices, mesh.primitives[0].indices);
+    EXPECT_EQ(scene.meshes.at(0).primitives.at(0).positions, mesh.primitives[0].positions);
+  }
+}
+
+TEST(SceneFile, SameContentGivesTheSameBytes) {
+  const TempFolder folder;
+  const auto write = [&](const char* name, bool draco) {
+    SceneWriter writer(folder / name, {.draco = draco});
+    writer.add_material({});
+    writer.add_node({"", "city", writer.add_mesh({"", {field(50)}}), true, {{}}});
+    writer.finish(berlin());
+    return test::read_text(folder / name);
+  };
+  EXPECT_EQ(write("a.glb", false), write("b.glb", false));
+  EXPECT_EQ(write("c.glb", true), write("d.glb", true));
+}
+
+TEST(SceneFile, LeavesNothingBehindWithoutFinish) {
+  const TempFolder folder;
+  {
+    SceneWriter writer(folder / "city.glb", {});
+    writer.add_material({});
+    writer.add_mesh({"", {square(1)}});
+  }
+  EXPECT_EQ(folder.entries(), 0u);
+}
+
+TEST(SceneFile, WriterRefusesWhatNoReaderCouldUse) {
+  const TempFolder folder;
+  SceneWriter writer(folder / "city.glb", {});
+  writer.add_material({});
+  const auto refused = [&](auto&& spoil) {
+    SceneMesh mesh{"", {square(1)}};
+    spoil(mesh.primitives[0]);
+    EXPECT_THROW(writer.add_mesh(mesh), Error);
+  };
+  refused([](ScenePrimitive& p) { p.positions[2].y = std::numeric_limits<float>::quiet_NaN(); });
+  refused([](ScenePrimitive& p) { p.positions[0].x = std::numeric_limits<float>::infinity(); });
+  refused([](ScenePrimitive& p) { p.indices[5] = 4; });
+  refused([](ScenePrimitive& p) { p.indices.pop_back(); });
+  refused([](ScenePrimitive& p) { p.indices.clear(); });
+  refused([](ScenePrimitive& p) { p.material = 1; });
+  refused([](ScenePrimitive& p) { p.feature_ids = {0, 0, 0, 0}; });
+  refused([](ScenePrimitive& p) { p.light_ids = {0, 0}; });
+  EXPECT_THROW(writer.add_mesh({"empty", {}}), Error);
+  const auto mesh = writer.add_mesh({"", {square(1)}});
+  EXPECT_THROW(writer.add_node({"", "", mesh + 1, true, {{}}}), Error);
+  glm::mat4 shear(1);
+  shear[1][0] = 0.5f;
+  EXPECT_THROW(writer.add_node({"", "", mesh, true, {{shear, no_id}}}), Error);
+}
+
+TEST(SceneFile, WriterNamesAPlaceThatCannotBeWritten) {
+  const TempFolder folder;
+  test::write_text(folder / "file", "x");
+  EXPECT_THROW(SceneWriter(folder / "file/city.glb", {}), Error);
+  EXPECT_THROW(SceneWriter(folder / "no/such/city.glb", {}), Error);
+}
+
+}  // namespace
+}  // namespace nightcity
