@@ -1,0 +1,115 @@
+#include "runtime/gpu/buffer.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "runtime/gpu/vulkan_check.h"
+
+namespace nightcity::gpu {
+namespace {
+// Transfers go in pieces: a whole city need not lie in host-visible memory a second time.
+constexpr std::size_t staging_bytes = std::size_t{64} << 20;
+}  // namespace
+
+Buffer::Buffer(Device& device, std::size_t bytes, Memory memory) : device_(&device), bytes_(bytes) {
+  VkBufferCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
+  info.size = std::max<std::size_t>(bytes, 16);
+  info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
+               VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+  VK_CHECK(vkCreateBuffer(device.handle(), &info, nullptr, &buffer_));
+  VkMemoryRequirements requirements{};
+  vkGetBufferMemoryRequirements(device.handle(), buffer_, &requirements);
+
+  VkMemoryAllocateFlagsInfo flags{};
+  flags.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO;
+  flags.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
+  VkMemoryAllocateInfo allocate{};
+  allocate.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
+  allocate.pNext = &flags;
+  allocate.allocationSize = requirements.size;
+  allocate.memoryTypeIndex = device.memory_type(
+      requirements.memoryTypeBits, memory == Memory::device
+                                       ? VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT
+                                       : VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
+  try {
+    VK_CHECK(vkAllocateMemory(device.handle(), &allocate, nullptr, &memory_));
+    VK_CHECK(vkBindBufferMemory(device.handle(), buffer_, memory_, 0));
+    if (memory == Memory::host) VK_CHECK(vkMapMemory(device.handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped_));
+  } catch (...) {
+    release();
+    throw;
+  }
+  VkBufferDeviceAddressInfo address{};
+  address.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO;
+  address.buffer = buffer_;
+  address_ = vkGetBufferDeviceAddress(device.handle(), &address);
+}
+
+Buffer::~Buffer() { release(); }
+
+Buffer::Buffer(Buffer&& other) noexcept { *this = std::move(other); }
+
+Buffer& Buffer::operator=(Buffer&& other) noexcept {
+  std::swap(device_, other.device_);
+  std::swap(buffer_, other.buffer_);
+  std::swap(memory_, other.memory_);
+  std::swap(address_, other.address_);
+  std::swap(bytes_, other.bytes_);
+  std::swap(mapped_, other.mapped_);
+  return *this;
+}
+
+void Buffer::release() {
+  if (!device_) return;
+  vkDestroyBuffer(device_->handle(), buffer_, nullptr);
+  vkFreeMemory(device_->handle(), memory_, nullptr);
+  buffer_ = VK_NULL_HANDLE;
+  memory_ = VK_NULL_HANDLE;
+}
+
+void Buffer::upload(const void* data, std::size_t bytes, std::size_t offset) {
+  if (bytes == 0) return;
+  if (mapped_) {
+    std::memcpy(static_cast<char*>(mapped_) + offset, data, bytes);
+    return;
+  }
+  const Buffer staging(*device_, std::min(bytes, staging_bytes), Memory::host);
+  for (std::size_t done = 0; done < bytes; done += staging_bytes) {
+    const std::size_t piece = std::min(staging_bytes, bytes - done);
+    std::memcpy(staging.mapped(), static_cast<const char*>(data) + done, piece);
+    device_->run([&](VkCommandBuffer commands) {
+      const VkBufferCopy region{0, offset + done, piece};
+      vkCmdCopyBuffer(commands, staging.handle(), buffer_, 1, &region);
+      full_barrier(commands);
+    });
+  }
+}
+
+void Buffer::download(void* data, std::size_t bytes, std::size_t offset) const {
+  if (bytes == 0) return;
+  if (mapped_) {
+    std::memcpy(data, static_cast<const char*>(mapped_) + offset, bytes);
+    return;
+  }
+  const Buffer staging(*device_, std::min(bytes, staging_bytes), Memory::host);
+  for (std::size_t done = 0; done < bytes; done += staging_bytes) {
+    const std::size_t piece = std::min(staging_bytes, bytes - done);
+    device_->run([&](VkCommandBuffer commands) {
+      const VkBufferCopy region{offset + done, 0, piece};
+      vkCmdCopyBuffer(commands, buffer_, staging.handle(), 1, &region);
+      full_barrier(commands);
+    });
+    std::memcpy(static_cast<char*>(data) + done, staging.mapped(), piece);
+  }
+}
+
+void Buffer::fill_zero() {
+  device_->run([&](VkCommandBuffer commands) {
+    vkCmdFillBuffer(commands, buffer_, 0, VK_WHOLE_SIZE, 0);
+    full_barrier(commands);
+  });
+}
+
+}  // namespace nightcity::gpu

@@ -1,0 +1,63 @@
+// Buffers that shaders reach by address. No descriptor sets anywhere: a pass gets one address in its push constants.
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "runtime/gpu/device.h"
+
+namespace nightcity::gpu {
+
+enum class Memory {
+  device,  // fast; filled by upload() or by shaders
+  host,    // mapped and coherent: small things the CPU writes each frame, and downloads
+};
+
+class Buffer {
+ public:
+  Buffer() = default;
+  /// `bytes` may be 0: such a buffer still has an address, so that shaders need no null checks.
+  Buffer(Device& device, std::size_t bytes, Memory memory = Memory::device);
+  ~Buffer();
+  Buffer(Buffer&& other) noexcept;
+  Buffer& operator=(Buffer&& other) noexcept;
+
+  /// A device buffer holding `values`.
+  template <class T>
+  static Buffer of(Device& device, std::span<const T> values) {
+    Buffer buffer(device, values.size_bytes());
+    buffer.upload(values.data(), values.size_bytes());
+    return buffer;
+  }
+
+  std::uint64_t address() const { return address_; }
+  std::size_t bytes() const { return bytes_; }
+  VkBuffer handle() const { return buffer_; }
+  void* mapped() const { return mapped_; }  // null for device memory
+
+  void upload(const void* data, std::size_t bytes, std::size_t offset = 0);
+  void download(void* data, std::size_t bytes, std::size_t offset = 0) const;
+  template <class T>
+  std::vector<T> read(std::size_t count) const {
+    std::vector<T> values(count);
+    download(values.data(), count * sizeof(T));
+    return values;
+  }
+  void fill_zero();
+
+ private:
+  void release();
+
+  Device* device_ = nullptr;
+  VkBuffer buffer_ = VK_NULL_HANDLE;
+  VkDeviceMemory memory_ = VK_NULL_HANDLE;
+  std::uint64_t address_ = 0;
+  std::size_t bytes_ = 0;
+  void* mapped_ = nullptr;
+};
+
+}  // namespace nightcity::gpu

@@ -1,0 +1,38 @@
+// GPU time of passes by timestamp queries, summed over frames by name.
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/gpu/device.h"
+
+namespace nightcity::gpu {
+
+class Timer {
+ public:
+  explicit Timer(Device& device);
+  ~Timer();
+  Timer(const Timer&) = delete;
+  Timer& operator=(const Timer&) = delete;
+
+  /// Call first in a command buffer, then mark(name) after each pass.
+  void start(VkCommandBuffer commands);
+  void mark(VkCommandBuffer commands, const char* name);
+  /// After the commands have run: milliseconds of each mark since the one before. Empty on queues without timestamps.
+  struct Span {
+    std::string name;
+    double ms;
+  };
+  std::vector<Span> collect();
+
+ private:
+  static constexpr std::uint32_t capacity = 256;
+  Device& device_;
+  VkQueryPool pool_ = VK_NULL_HANDLE;
+  std::vector<const char*> names_;
+};
+
+}  // namespace nightcity::gpu

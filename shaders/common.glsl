@@ -1,0 +1,36 @@
+// First include of every pass: extensions, the shared records, the push constants.
+#extension GL_EXT_buffer_reference : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_control_flow_attributes : require
+
+#include "shaders/interface.h"
+
+layout(constant_id = CONSTANT_ESTIMATOR) const uint ESTIMATOR = ESTIMATOR_TRACED;
+layout(constant_id = CONSTANT_PROFILES) const uint HAS_PROFILES = 1u;
+layout(constant_id = CONSTANT_RECTANGLES) const uint HAS_RECTANGLES = 1u;
+layout(constant_id = CONSTANT_VISIBILITY_REUSE) const uint VISIBILITY_REUSE = 0u;
+
+layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
+
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer FrameReference { Frame it; };
+layout(push_constant, scalar) uniform PushConstants {
+  FrameReference frame;
+  uint first;
+  uint count;
+} push;
+
+#define FRAME push.frame.it
+#define SCENE push.frame.it.scene
+
+const float PI = 3.14159265358979;
+
+bool pixel_of_invocation(out uvec2 pixel, out uint index) {
+  pixel = gl_GlobalInvocationID.xy;
+  index = pixel.y * FRAME.size.x + pixel.x;
+  return all(lessThan(pixel, FRAME.size));
+}
+
+// Photometric weight of linear Rec. 709 (ITU-R BT.709).
+float luminance(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }
+
+bool finite(float x) { return abs(x) <= 3.0e38; }  // false for NaN too

@@ -1,0 +1,205 @@
+// What C++ hands to the shaders, and the records both read: included by both, in scalar block layout. Every buffer is
+// reached by address, so a pass binds nothing: its push constants hold the address of one Frame.
+#ifndef NIGHTCITY_SHADERS_INTERFACE_H
+#define NIGHTCITY_SHADERS_INTERFACE_H
+
+#include "formats/light.h"
+
+#ifdef __cplusplus
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+namespace nightcity::gpu {
+using vec4 = glm::vec4;
+using uvec2 = glm::uvec2;
+#define BUFFER(type) std::uint64_t
+#else
+#define BUFFER(type) type
+#endif
+
+#define WORKGROUP_SIZE 8  // a pass runs in 8 x 8 pixel groups
+
+// Estimators, as --estimator names them: DESIGN's ladder from the paper's weights to unbiased ones.
+#define ESTIMATOR_REFERENCE 0u
+#define ESTIMATOR_RIS 1u       // candidates only, no reuse
+#define ESTIMATOR_PAPER 2u     // reuse with 1/M weights, as published: biased, darker
+#define ESTIMATOR_BASIC 3u     // balance-heuristic normalisation of unshadowed targets
+#define ESTIMATOR_PAIRWISE 4u  // pairwise MIS of unshadowed targets
+#define ESTIMATOR_TRACED 5u    // pairwise MIS of shadowed targets: unbiased
+
+// Specialization constants: what the scene contains and the user asked for, known before the shader is compiled.
+#define CONSTANT_ESTIMATOR 0
+#define CONSTANT_PROFILES 1    // some lamp has a luminaire profile
+#define CONSTANT_RECTANGLES 2  // some light is a window
+#define CONSTANT_VISIBILITY_REUSE 3  // a candidate in shadow is dropped before reuse: less noise, biased
+#define CONSTANT_COUNT 4
+
+// The all-lights reference is dispatched in chunks: Mesa's CPU driver of Debian 12 silently ends loops after 65,535
+// iterations summed over one invocation (measured), and a shadow ray takes some tens of them.
+#define REFERENCE_CHUNK 128u
+
+#define NO_HIT 0xFFFFFFFFu
+
+// A node of the bounding volume hierarchy: up to four children, their boxes quantised to 8 bits about `origin` with a
+// power-of-two step an axis. Rounded outwards, so a child's box holds the child. 64 bytes: four 16-byte loads.
+// (Wide quantised nodes after Ylitie, Karras, Laine: Efficient Incoherent Ray Traversal on GPUs, HPG 2017.)
+struct BvhNode {
+  vec3 origin;
+  uint exponents;   // step = 2^(byte - 127) for x, y, z in the low three bytes
+  uint lower[3];    // x, y, z: one byte a child
+  uint upper[3];
+  uint child[4];    // BVH_EMPTY, an inner node's index, or a leaf: BVH_LEAF | (count - 1) << 27 | first
+  uint pad[2];
+};
+#define BVH_EMPTY 0xFFFFFFFFu
+#define BVH_LEAF 0x80000000u
+#define BVH_LEAF_COUNT_SHIFT 27
+#define BVH_LEAF_FIRST_MASK 0x07FFFFFFu  // 134 million triangles
+#define BVH_MAX_LEAF 8
+#define BVH_STACK 64  // entries a ray may defer; the builder refuses deeper trees
+
+// Three corners in the mesh's own frame and what they belong to.
+struct Triangle {
+  vec3 v0;
+  uint material;
+  vec3 v1;
+  uint feature;  // city object, or NO_HIT
+  vec3 v2;
+  uint light;    // emitter geometry of this light, or NO_HIT
+};
+
+// One placing of a bottom-level hierarchy. Rows of the affine map from model space to the mesh's frame.
+struct Instance {
+  vec4 to_object[3];
+  uint root;      // node index of the mesh's hierarchy
+  uint mask;      // MASK_*
+  uint light;     // whose luminous part it shows, or NO_HIT: then the triangles' own light
+  uint feature;   // or NO_HIT: then the triangles' own
+};
+#define MASK_SHADOW 1u   // stops shadow rays
+#define MASK_VISIBLE 2u  // seen by the eye
+
+struct Material {
+  vec3 base_colour;  // linear Rec. 709 reflectance
+  float roughness;
+  vec3 emission;     // cd/m^2 per channel
+  uint flags;
+};
+
+// Alias-table entry for picking lights by flux (Walker 1977; Vose 1991).
+struct AliasEntry {
+  float keep;   // probability of keeping this column, else take `alias`
+  uint alias;
+  float pdf;    // probability of this light
+};
+
+// What the eye sees in a pixel. 32 bytes.
+struct Surface {
+  vec3 position;     // model space, m
+  uint normal;       // octahedral, 2 x 16 bits; towards the eye
+  float depth;       // distance from the eye, m; 0 = nothing hit
+  uint material;
+  uint feature;
+  uint light;        // emitter seen directly, or NO_HIT
+};
+
+// A reservoir keeps the point it sampled: light, and where on it. 16 bytes, as in the paper.
+struct Reservoir {
+  uint light;  // NO_HIT = empty
+  uint uv;     // 2 x 16 bits; cell centres of a 65536 x 65536 grid
+  float M;     // confidence: candidates seen, capped
+  float W;     // unbiased contribution weight
+};
+
+struct Accumulation {
+  vec3 sum;           // cd/m^2 per channel, summed over frames
+  float frames;
+  vec3 compensation;  // Kahan's low-order part of `sum`
+  float luminance_squared;  // sum of squared luminance, for the variance of the mean
+};
+
+struct Camera {
+  vec3 position;
+  float tan_half_height;  // of the vertical field of view
+  vec3 right;             // unit, right-handed: cross(forward, up)
+  float aspect;           // width / height
+  vec3 up;
+  float pad0;
+  vec3 forward;
+  float pad1;
+};
+
+#ifndef __cplusplus
+#define REFERENCE_TO(name, type, access) \
+  layout(buffer_reference, scalar, buffer_reference_align = 4) access buffer name { type at[]; }
+// Traversal reads nodes and triangles as 16-byte words: four and three loads.
+layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer Nodes { uvec4 at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer Triangles { vec4 at[]; };
+REFERENCE_TO(Instances, Instance, readonly);
+REFERENCE_TO(Materials, Material, readonly);
+REFERENCE_TO(Lights, Light, readonly);
+REFERENCE_TO(Profiles, LightProfile, readonly);
+REFERENCE_TO(Floats, float, readonly);
+REFERENCE_TO(AliasTable, AliasEntry, readonly);
+REFERENCE_TO(Surfaces, Surface, );
+REFERENCE_TO(Reservoirs, Reservoir, );
+REFERENCE_TO(Accumulations, Accumulation, );
+REFERENCE_TO(Words, uint, );
+#endif
+
+// The scene on the device; changes when another scene is loaded.
+struct SceneBuffers {
+  BUFFER(Nodes) nodes;
+  BUFFER(Triangles) triangles;
+  BUFFER(Instances) instances;
+  BUFFER(Materials) materials;
+  BUFFER(Lights) lights;
+  BUFFER(Profiles) profiles;
+  BUFFER(Floats) profile_data;
+  BUFFER(AliasTable) alias;
+  uint root;         // of the top-level hierarchy, or BVH_EMPTY
+  uint light_count;
+};
+
+// Everything a frame's passes read and write.
+struct Frame {
+  SceneBuffers scene;
+  BUFFER(Surfaces) surfaces;            // of this frame
+  BUFFER(Surfaces) previous_surfaces;
+  BUFFER(Reservoirs) reservoirs;        // candidates', then temporal's result
+  BUFFER(Reservoirs) spatial;           // spatial's result: shaded, and next frame's history
+  BUFFER(Reservoirs) previous_reservoirs;
+  BUFFER(Accumulations) radiance;       // this frame's estimate; the reference's sum over chunks of lights
+  BUFFER(Accumulations) accumulation;
+  BUFFER(Words) display;                // 8-bit sRGB, R in the low byte
+  Camera camera;
+  Camera previous_camera;
+  uvec2 size;
+  uint frame;              // counts from 0 since the accumulation began
+  uint seed;
+  uint candidates;
+  uint neighbours;
+  float neighbour_radius;  // pixels
+  float history_cap;       // M of the history at most this many times the candidates' M
+  float uniform_share;     // of candidates picked uniformly; the rest by flux
+  uint has_history;        // previous_* hold a frame of this scene
+  float jitter_x, jitter_y;  // sub-pixel offset of this frame's rays, in [0, 1)
+  float exposure;          // display: exposed value of 1 cd/m^2
+  uint reset;              // 1: this frame starts a new accumulation
+  vec3 sky;                // luminance of rays that leave the scene, cd/m^2 per channel
+  uint tone;               // display: TONEMAP_*
+};
+
+
+#ifdef __cplusplus
+// As the push constants in common.glsl.
+struct Push {
+  std::uint64_t frame;
+  std::uint32_t first, count;  // reference: the chunk of lights
+};
+
+static_assert(sizeof(BvhNode) == 64 && sizeof(Triangle) == 48 && sizeof(Instance) == 64 && sizeof(Material) == 32);
+static_assert(sizeof(Surface) == 32 && sizeof(Reservoir) == 16 && sizeof(Accumulation) == 32 && sizeof(Push) == 16);
+}  // namespace nightcity::gpu
+#endif
+
+#endif

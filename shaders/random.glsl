@@ -1,0 +1,34 @@
+// Random numbers: a stream a pixel, frame and pass. Hash: pcg4d (Jarzynski, Olano: Hash Functions for GPU
+// Rendering, JCGT 2020); stream: PCG RXS-M-XS (O'Neill 2014).
+
+// One tag a pass, so that no two passes draw the same numbers.
+const uint STREAM_CANDIDATES = 1u;
+const uint STREAM_TEMPORAL = 2u;
+const uint STREAM_SPATIAL = 3u;
+const uint STREAM_REFERENCE = 4u;
+
+uvec4 pcg4d(uvec4 v) {
+  v = v * 1664525u + 1013904223u;
+  v.x += v.y * v.w; v.y += v.z * v.x; v.z += v.x * v.y; v.w += v.y * v.z;
+  v ^= v >> 16u;
+  v.x += v.y * v.w; v.y += v.z * v.x; v.z += v.x * v.y; v.w += v.y * v.z;
+  return v;
+}
+
+uint random_state;
+
+void seed_random(uvec2 pixel, uint stream) {
+  random_state = pcg4d(uvec4(pixel, FRAME.frame, FRAME.seed * 16u + stream)).w;
+}
+
+uint random_uint() {
+  random_state = random_state * 747796405u + 2891336453u;
+  const uint word = ((random_state >> ((random_state >> 28u) + 4u)) ^ random_state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+// In [0, 1): 24 bits, so that rounding never reaches 1.
+float random_float() { return float(random_uint() >> 8u) * (1.0 / 16777216.0); }
+
+// Uniform in [0, n), n > 0. Never n.
+uint random_below(uint n) { return min(uint(random_float() * float(n)), n - 1u); }

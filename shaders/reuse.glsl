@@ -1,0 +1,80 @@
+// Combining a pixel's own (canonical) reservoir with others': the weights are the estimator.
+//
+//   paper     sum of M_i p^(y_i) W_i over sum of M: counts pixels that could not have made the sample, hence darkens
+//   basic     1/M resampling, normalised by the balance heuristic of the chosen sample (Bitterli et al. 2020, Alg. 6)
+//   pairwise  each other reservoir against the canonical one, with confidence weights and a defensive share for the
+//             canonical sample (GRIS, Lin et al. 2022, sec. 7.1.3)
+//   traced    pairwise, with visibility inside every target: unbiased whatever the shadows
+//
+// Partition of unity of the pairwise weights, C = sum of the others' M, c = the canonical M, s_i = M_i / C:
+//   m_i(y) = C/(C+c) s_i  C p_i(y) / (C p_i(y) + c p_c(y))
+//   m_c(y) = c/(C+c) + C/(C+c) sum_i s_i  c p_c(y) / (C p_i(y) + c p_c(y))
+
+const bool PAIRWISE = ESTIMATOR == ESTIMATOR_PAIRWISE || ESTIMATOR == ESTIMATOR_TRACED;
+
+// May this neighbour's sample be of use here? Geometry only, so the choice is independent of the samples.
+bool similar(Surface a, Surface b) {
+  if (b.depth <= 0.0 || a.depth <= 0.0) return false;
+  const vec3 n = unpack_normal(a.normal);
+  return dot(n, unpack_normal(b.normal)) > 0.9 && abs(dot(n, b.position - a.position)) < 0.02 * a.depth + 0.01 &&
+         abs(a.depth - b.depth) < 0.2 * a.depth;
+}
+
+// Target with visibility where the estimator has it. `known_visible`: the sample was already seen from there.
+float estimator_target(Receiver r, uint light, uint uv, bool known_visible) {
+  const float p = target(r, light, uv);
+  if (ESTIMATOR != ESTIMATOR_TRACED || p <= 0.0 || known_visible) return p;
+  return sees(r, light, uv) ? p : 0.0;
+}
+
+struct Reuse {
+  Selection selection;
+  float canonical_M;
+  float canonical_target;  // of the canonical sample at its own pixel
+  float canonical_share;   // running sum of s_i c p_c / (C p_i + c p_c) at the canonical sample
+  float others_M;          // C, known before the first add_other
+  uint chosen;             // 0 = canonical, i = the i-th other
+};
+
+Reuse begin_reuse(Receiver receiver, Reservoir canonical, float others_M) {
+  Reuse reuse;
+  reuse.selection = EMPTY_SELECTION;
+  reuse.canonical_M = canonical.M;
+  reuse.canonical_target = canonical.W > 0.0 ? target(receiver, canonical.light, canonical.uv) : 0.0;
+  reuse.canonical_share = 0.0;
+  reuse.others_M = others_M;
+  reuse.chosen = 0u;
+  return reuse;
+}
+
+// The i-th other reservoir (i from 1), of a pixel whose surface is `there`.
+void add_other(inout Reuse reuse, Receiver receiver, Reservoir canonical, Reservoir other, Receiver there, uint i) {
+  const float p = other.W > 0.0 ? estimator_target(receiver, other.light, other.uv, false) : 0.0;
+  float m = other.M;  // paper, basic: normalised at the end
+  if (PAIRWISE) {
+    const float total = reuse.others_M + reuse.canonical_M;
+    const float share = other.M / reuse.others_M;
+    // The other's own sample was seen from its own pixel, or its W would be 0.
+    const float p_there = p > 0.0 ? estimator_target(there, other.light, other.uv, true) : 0.0;
+    const float pair = reuse.others_M * p_there + reuse.canonical_M * p;
+    m = pair > 0.0 ? reuse.others_M / total * share * reuse.others_M * p_there / pair : 0.0;
+    if (reuse.canonical_target > 0.0) {
+      const float c_there = estimator_target(there, canonical.light, canonical.uv, false);
+      reuse.canonical_share += share * reuse.canonical_M * reuse.canonical_target /
+                               (reuse.others_M * c_there + reuse.canonical_M * reuse.canonical_target);
+    }
+  }
+  if (consider(reuse.selection, other.light, other.uv, p, m * p * other.W)) reuse.chosen = i;
+}
+
+// Adds the canonical sample last, when its share is known.
+void add_canonical(inout Reuse reuse, Reservoir canonical) {
+  float m = canonical.M;
+  if (PAIRWISE) {
+    const float total = reuse.others_M + reuse.canonical_M;
+    m = (reuse.canonical_M + reuse.others_M * reuse.canonical_share) / total;
+  }
+  const float weight = m * reuse.canonical_target * canonical.W;
+  if (consider(reuse.selection, canonical.light, canonical.uv, reuse.canonical_target, weight)) reuse.chosen = 0u;
+  reuse.selection.M = reuse.canonical_M + reuse.others_M;
+}

@@ -1,0 +1,41 @@
+// What a visible surface makes of a light sample: the integrand f(y), and its luminance, the target function.
+
+struct Receiver {
+  vec3 position;
+  vec3 normal;
+  vec3 origin;      // of shadow rays
+  vec3 reflectance; // base colour / pi
+};
+
+Receiver receiver_of(Surface surface) {
+  Receiver r;
+  r.position = surface.position;
+  r.normal = unpack_normal(surface.normal);
+  r.origin = offset_origin(surface.position, r.normal, surface.depth);
+  r.reflectance = SCENE.materials.at[surface.material].base_colour * (1.0 / PI);
+  return r;
+}
+
+// Unshadowed reflected light per unit of uv, cd/m^2 per channel.
+vec3 reflected(Receiver r, LightSample s) {
+  return r.reflectance * s.value * max(dot(r.normal, s.direction), 0.0);
+}
+
+// The target function p^: unshadowed, >= 0, finite. A light that is gone or out of range has none.
+float target(Receiver r, uint light, uint uv) {
+  if (light >= SCENE.light_count) return 0.0;
+  const float p = luminance(reflected(r, sample_light(SCENE.lights.at[light], uv_of(uv), r.position)));
+  return p > 0.0 && finite(p) ? p : 0.0;
+}
+
+bool sees(Receiver r, uint light, uint uv) {
+  return !occluded(r.origin, sample_light(SCENE.lights.at[light], uv_of(uv), r.position).point);
+}
+
+// Light the surface sends out by itself towards the eye, cd/m^2 per channel.
+vec3 emitted(Surface surface) {
+  const vec3 own = SCENE.materials.at[surface.material].emission;
+  if (surface.light >= SCENE.light_count || luminance(own) <= 0.0) return own;
+  // Emitter geometry: the light's own luminance, so that what is seen is what lights the street.
+  return seen_luminance(SCENE.lights.at[surface.light], normalize(FRAME.camera.position - surface.position));
+}

@@ -1,0 +1,155 @@
+// Rays against the scene: closest hit and occlusion, over two levels of quantised four-wide nodes.
+
+struct Hit {
+  float t;
+  uint triangle;
+  uint instance;
+};
+
+struct Ray {
+  vec3 origin;
+  vec3 direction;
+  vec3 inverse;   // 1 / direction, finite
+  vec3 shear;     // x, y: shear, z: scale (Woop, Benthin, Wald: Watertight Ray/Triangle Intersection, JCGT 2013)
+  uint axis;      // of the direction's largest component
+};
+
+vec3 rotate_axis(vec3 v, uint axis) { return axis == 0u ? v.yzx : (axis == 1u ? v.zxy : v); }
+
+Ray make_ray(vec3 origin, vec3 direction) {
+  Ray ray;
+  ray.origin = origin;
+  ray.direction = direction;
+  const vec3 size = abs(direction);
+  // A zero component would give 0 * inf = NaN on a box's plane: a huge finite slope decides by sign instead.
+  ray.inverse = 1.0 / mix(direction, vec3(1e-20), lessThan(size, vec3(1e-20)));
+  ray.axis = size.x > size.y ? (size.x > size.z ? 0u : 2u) : (size.y > size.z ? 1u : 2u);
+  const vec3 d = rotate_axis(direction, ray.axis);
+  ray.shear = vec3(d.xy, 1.0) / d.z;
+  return ray;
+}
+
+vec4 bytes(uint word) {
+  return vec4(word & 255u, (word >> 8u) & 255u, (word >> 16u) & 255u, word >> 24u);
+}
+
+// Distances at which the ray enters the four children, 1e30 where it misses.
+vec4 enter_children(uvec4 w0, uvec4 w1, uvec2 upper_yz, uvec4 child, Ray ray, float t_min, float t_max) {
+  const vec3 origin = uintBitsToFloat(w0.xyz);
+  const vec3 size = uintBitsToFloat((uvec3(w0.w, w0.w >> 8u, w0.w >> 16u) & 255u) << 23u);
+  // Subtracting the ray's origin last keeps the sign of a plane's distance right when the ray lies on the plane.
+  const vec4 x0 = (origin.x + bytes(w1.x) * size.x - ray.origin.x) * ray.inverse.x;
+  const vec4 x1 = (origin.x + bytes(w1.w) * size.x - ray.origin.x) * ray.inverse.x;
+  const vec4 y0 = (origin.y + bytes(w1.y) * size.y - ray.origin.y) * ray.inverse.y;
+  const vec4 y1 = (origin.y + bytes(upper_yz.x) * size.y - ray.origin.y) * ray.inverse.y;
+  const vec4 z0 = (origin.z + bytes(w1.z) * size.z - ray.origin.z) * ray.inverse.z;
+  const vec4 z1 = (origin.z + bytes(upper_yz.y) * size.z - ray.origin.z) * ray.inverse.z;
+  const vec4 near = max(max(min(x0, x1), min(y0, y1)), max(min(z0, z1), vec4(t_min)));
+  // 1 + 4 ulp: the slab test stays conservative under rounding (Ize: Robust BVH Ray Traversal, JCGT 2013).
+  const vec4 far = min(min(max(x0, x1), max(y0, y1)), min(max(z0, z1), vec4(t_max))) * 1.0000005;
+  const bvec4 hit = lessThanEqual(near, far);
+  const bvec4 there = notEqual(child, uvec4(BVH_EMPTY));
+  return mix(vec4(1e30), near, bvec4(hit.x && there.x, hit.y && there.y, hit.z && there.z, hit.w && there.w));
+}
+
+// Watertight: edges shared by two triangles give both the same answer.
+bool intersect_triangle(vec3 v0, vec3 v1, vec3 v2, Ray ray, float t_min, float t_max, out float t) {
+  const vec3 a = rotate_axis(v0 - ray.origin, ray.axis);
+  const vec3 b = rotate_axis(v1 - ray.origin, ray.axis);
+  const vec3 c = rotate_axis(v2 - ray.origin, ray.axis);
+  precise const vec2 pa = a.xy - ray.shear.xy * a.z;
+  precise const vec2 pb = b.xy - ray.shear.xy * b.z;
+  precise const vec2 pc = c.xy - ray.shear.xy * c.z;
+  precise const float u = pc.x * pb.y - pc.y * pb.x;
+  precise const float v = pa.x * pc.y - pa.y * pc.x;
+  precise const float w = pb.x * pa.y - pb.y * pa.x;
+  t = 0.0;
+  if ((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0)) return false;
+  const float determinant = u + v + w;
+  if (determinant == 0.0) return false;
+  t = ray.shear.z * (u * a.z + v * b.z + w * c.z) / determinant;
+  return t > t_min && t < t_max;
+}
+
+void swap_if_farther(inout float ta, inout uint a, inout float tb, inout uint b) {
+  if (tb < ta) {
+    const float t = ta; ta = tb; tb = t;
+    const uint n = a; a = b; b = n;
+  }
+}
+
+// Closest hit in (t_min, t_max), or any hit; t is in units of |direction|. Only instances with a bit of `mask`.
+bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, bool any, out Hit hit) {
+  hit = Hit(t_max, NO_HIT, NO_HIT);
+  uint node = SCENE.root;
+  if (node == BVH_EMPTY) return false;
+  uint stack[BVH_STACK];
+  int top = 0;
+  int instance_floor = 0;     // stack height at which the ray leaves the instance
+  uint instance = NO_HIT;     // NO_HIT: in the top level
+  Ray ray = make_ray(origin, direction);
+
+  while (true) {
+    if ((node & BVH_LEAF) == 0u) {
+      const uvec4 w0 = SCENE.nodes.at[node * 4u];
+      const uvec4 w1 = SCENE.nodes.at[node * 4u + 1u];
+      const uvec4 w2 = SCENE.nodes.at[node * 4u + 2u];
+      const uvec4 w3 = SCENE.nodes.at[node * 4u + 3u];
+      uvec4 child = uvec4(w2.zw, w3.xy);
+      vec4 t = enter_children(w0, w1, w2.xy, child, ray, t_min, hit.t);
+      swap_if_farther(t.x, child.x, t.y, child.y);
+      swap_if_farther(t.z, child.z, t.w, child.w);
+      swap_if_farther(t.x, child.x, t.z, child.z);
+      swap_if_farther(t.y, child.y, t.w, child.w);
+      swap_if_farther(t.y, child.y, t.z, child.z);
+      if (t.w < 1e30) stack[top++] = child.w;
+      if (t.z < 1e30) stack[top++] = child.z;
+      if (t.y < 1e30) stack[top++] = child.y;
+      if (t.x < 1e30) {
+        node = child.x;
+        continue;
+      }
+    } else if (instance == NO_HIT) {
+      const uint index = node & BVH_LEAF_FIRST_MASK;
+      if ((SCENE.instances.at[index].mask & mask) != 0u) {
+        const vec4 r0 = SCENE.instances.at[index].to_object[0];
+        const vec4 r1 = SCENE.instances.at[index].to_object[1];
+        const vec4 r2 = SCENE.instances.at[index].to_object[2];
+        ray = make_ray(vec3(dot(r0.xyz, origin), dot(r1.xyz, origin), dot(r2.xyz, origin)) + vec3(r0.w, r1.w, r2.w),
+                       vec3(dot(r0.xyz, direction), dot(r1.xyz, direction), dot(r2.xyz, direction)));
+        instance = index;
+        instance_floor = top;
+        node = SCENE.instances.at[index].root;
+        continue;
+      }
+    } else {
+      const uint first = node & BVH_LEAF_FIRST_MASK;
+      const uint count = ((node & ~BVH_LEAF) >> BVH_LEAF_COUNT_SHIFT) + 1u;
+      for (uint i = first; i < first + count; ++i) {
+        float t;
+        if (intersect_triangle(SCENE.triangles.at[i * 3u].xyz, SCENE.triangles.at[i * 3u + 1u].xyz,
+                               SCENE.triangles.at[i * 3u + 2u].xyz, ray, t_min, hit.t, t)) {
+          hit = Hit(t, i, instance);
+          if (any) return true;
+        }
+      }
+    }
+    if (instance != NO_HIT && top == instance_floor) {
+      instance = NO_HIT;
+      ray = make_ray(origin, direction);
+    }
+    if (top == 0) break;
+    node = stack[--top];
+  }
+  return hit.triangle != NO_HIT;
+}
+
+bool closest_hit(vec3 origin, vec3 direction, out Hit hit) {
+  return trace(origin, direction, 0.0, 1e30, MASK_VISIBLE, false, hit);
+}
+
+// Is anything that casts shadows between two points? The margin spares what the light itself is mounted on.
+bool occluded(vec3 from, vec3 to) {
+  Hit hit;
+  return trace(from, to - from, 0.0, 0.99999, MASK_SHADOW, true, hit);
+}
