@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Configures and builds a preset, with what a fresh machine has: pipelines/build.sh [PRESET [TARGET...]]
+# PRESET: release (default), debug or asan; the programs land in build/PRESET. Quick where all stands.
+set -euo pipefail
+# shellcheck source=pipelines/steps.sh
+source "$(dirname "${BASH_SOURCE[0]}")/steps.sh"
+
+preset=${1:-release}
+[ $# -eq 0 ] || shift
+cd "$root"
+
+options=()
+if command -v ccache >/dev/null; then
+  options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  # A service account may have no home to keep a cache in.
+  if [ ! -w "${HOME:-/nonexistent}" ]; then export CCACHE_DIR=${CCACHE_DIR:-$root/build/ccache}; fi
+fi
+# Ninja runs CMake again by itself when a CMakeLists.txt changes.
+if [ ! -e "build/$preset/build.ninja" ]; then cmake --preset "$preset" "${options[@]}"; fi
+
+# CGAL's templates take about 1.5 GB a compiler: as many at once as the memory holds, one a core at most.
+memory_gb=$(awk '/^MemAvailable:/ { print int($2 / 1048576) }' /proc/meminfo)
+jobs=$(nproc)
+if [ $((memory_gb / 2)) -lt "$jobs" ]; then jobs=$((memory_gb / 2)); fi
+if [ "$jobs" -lt 1 ]; then jobs=1; fi
+
+export NINJA_STATUS='[%f/%t, %es] '
+ninja -C "build/$preset" -j "$jobs" "$@"

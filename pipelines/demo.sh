@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# From nothing to a night picture: installs, builds, makes the default town, bakes it, renders it.
+# Run again, it redoes only what is missing or older than what it is made from. Ends by printing the picture's path.
+set -euo pipefail
+# shellcheck source=pipelines/steps.sh
+source "$(dirname "${BASH_SOURCE[0]}")/steps.sh"
+
+cd "$root"
+out=out/demo
+nightbake=build/release/nightbake
+nightview=build/release/nightview
+this=pipelines/demo.sh  # its options are an input of every step
+
+timed "packages" pipelines/setup.sh
+timed "programs (the first build takes minutes)" pipelines/build.sh release nightbake nightview
+mkdir -p "$out"
+
+if ! stands "$out/town/town.toml" "$nightbake" "$this"; then
+  timed "town" "$nightbake" town --out "$out/town"
+fi
+if ! stands "$out/city.glb" "$nightbake" "$this" "$out"/town/*; then
+  timed "bake" "$nightbake" run "$out/town/town.toml" --out "$out"
+fi
+if ! stands "$out/night.png" "$nightview" "$this" "$out/city.glb" "$out/city.lights"; then
+  timed "picture" "$nightview" render "$out/city.glb" -o "$out/night.png" --size 960x540 --frames 32 --camera street
+fi
+
+say "done: $out/night.png"
+cat <<TEXT
+Next, on a machine with a screen:
+  $nightview $out/city.glb
+or the town from above, with every light in every pixel:
+  $nightview render $out/city.glb -o $out/reference.png --camera overview --estimator reference --frames 4
+TEXT
