@@ -1,0 +1,185 @@
+#include "tools/town/gml_writer.h"
+
+#include "tools/town/building_shape.h"
+#include "tools/town/random.h"
+
+namespace nightcity::town {
+namespace {
+
+const char* element_of(SurfaceType type) {
+  switch (type) {
+    case SurfaceType::roof:
+      return "RoofSurface";
+    case SurfaceType::ground:
+      return "GroundSurface";
+    default:
+      return "WallSurface";
+  }
+}
+
+/// AdV roof form codes, as German state data have them.
+int roof_code(const BuildingPlan& plan) {
+  if (plan.shape == Shape::apse) return 3600;
+  switch (plan.roof) {
+    case Roof::flat:
+      return 1000;
+    case Roof::shed:
+      return 2100;
+    case Roof::gabled:
+      return 3100;
+    case Roof::hipped:
+      return 3200;
+    case Roof::mansard:
+      return 3400;
+    case Roof::pyramid:
+      return 3500;
+  }
+  return 9999;
+}
+
+std::size_t fan_triangles(const Polygon& polygon) {
+  std::size_t corners = polygon.exterior.size() - 2;
+  for (const Ring& hole : polygon.interiors) corners += hole.size() + 2;  // a bridge there and back
+  return corners;
+}
+
+}  // namespace
+
+GmlWriter::GmlWriter(TextFile& out, const glm::dvec2& origin, const glm::dvec3& low, const glm::dvec3& high)
+    : out_(out), origin_(origin) {
+  out_ << R"(<?xml version="1.0" encoding="UTF-8"?>
+<core:CityModel xmlns:core="http://www.opengis.net/citygml/2.0")"
+       << R"( xmlns:bldg="http://www.opengis.net/citygml/building/2.0")"
+       << R"( xmlns:dem="http://www.opengis.net/citygml/relief/2.0")"
+       << R"( xmlns:tran="http://www.opengis.net/citygml/transportation/2.0")"
+       << R"( xmlns:gml="http://www.opengis.net/gml">
+<gml:name>Synthetic town</gml:name>
+<gml:boundedBy><gml:Envelope srsName="urn:ogc:def:crs:EPSG::25833" srsDimension="3"><gml:lowerCorner>)";
+  position(low);
+  out_ << "</gml:lowerCorner><gml:upperCorner>";
+  position(high);
+  out_ << "</gml:upperCorner></gml:Envelope></gml:boundedBy>\n";
+}
+
+void GmlWriter::finish() {
+  out_ << "</core:CityModel>\n";
+}
+
+void GmlWriter::position(const glm::dvec3& p) {
+  out_.fixed(p.x + origin_.x, 3) << " ";
+  out_.fixed(p.y + origin_.y, 3) << " ";
+  out_.fixed(p.z, 3);
+}
+
+void GmlWriter::ring(const Ring& ring) {
+  out_ << "<gml:LinearRing><gml:posList srsDimension=\"3\">";
+  for (const glm::dvec3& p : ring) {
+    position(p);
+    out_ << " ";
+  }
+  position(ring.front());
+  out_ << "</gml:posList></gml:LinearRing>";
+}
+
+void GmlWriter::relief(const Hills& hills, int x0, int y0, int x1, int y1) {
+  const std::string id = "relief_" + std::to_string(x0) + "_" + std::to_string(y0);
+  out_ << "<core:cityObjectMember><dem:ReliefFeature gml:id=\"" << id
+       << "\"><dem:lod>2</dem:lod><dem:reliefComponent><dem:TINRelief gml:id=\"" << id
+       << "_tin\"><dem:lod>2</dem:lod><dem:tin><gml:TriangulatedSurface><gml:trianglePatches>\n";
+  const auto corner = [&](int x, int y) {
+    const glm::dvec2 p(x * Hills::spacing_m, y * Hills::spacing_m);
+    return glm::dvec3(p, hills.smooth(p));
+  };
+  const auto triangle = [&](const Ring& corners) {
+    out_ << "<gml:Triangle><gml:exterior>";
+    ring(corners);
+    out_ << "</gml:exterior></gml:Triangle>\n";
+    ++counts_.polygons;
+    ++counts_.triangles;
+  };
+  for (int y = y0; y < y1; ++y)
+    for (int x = x0; x < x1; ++x) {  // cut as Hills::height reads it
+      triangle({corner(x, y), corner(x + 1, y), corner(x + 1, y + 1)});
+      triangle({corner(x, y), corner(x + 1, y + 1), corner(x, y + 1)});
+    }
+  out_ << "</gml:trianglePatches></gml:TriangulatedSurface></dem:tin></dem:TINRelief></dem:reliefComponent>"
+          "</dem:ReliefFeature></core:cityObjectMember>\n";
+}
+
+void GmlWriter::road(const RoadPlan& road) {
+  const std::string id = std::string(road.kind) + "_" + std::to_string(road.axis) + "_" +
+                         std::to_string(road.i) + "_" + std::to_string(road.j);
+  out_ << "<core:cityObjectMember><tran:Road gml:id=\"" << id << "\"><tran:class>1040</tran:class>\n";
+  for (const RoadArea& area : road.areas) {
+    out_ << "<tran:trafficArea><tran:TrafficArea><tran:function>" << area.function
+         << "</tran:function><tran:lod2MultiSurface><gml:MultiSurface>\n";
+    for (const Ring& corners : area.rings) {
+      out_ << "<gml:surfaceMember><gml:Polygon><gml:exterior>";
+      ring(corners);
+      out_ << "</gml:exterior></gml:Polygon></gml:surfaceMember>\n";
+      ++counts_.polygons;
+      counts_.triangles += corners.size() - 2;
+    }
+    out_ << "</gml:MultiSurface></tran:lod2MultiSurface></tran:TrafficArea></tran:trafficArea>\n";
+  }
+  out_ << "</tran:Road></core:cityObjectMember>\n";
+  ++counts_.streets;
+}
+
+void GmlWriter::surface(const std::string& id, const Polygon& polygon) {
+  const char* element = element_of(polygon.surface);
+  out_ << "<bldg:boundedBy><bldg:" << element << " gml:id=\"" << id
+       << "\"><bldg:lod2MultiSurface><gml:MultiSurface><gml:surfaceMember><gml:Polygon gml:id=\"" << id
+       << "_poly\"><gml:exterior>";
+  ring(polygon.exterior);
+  out_ << "</gml:exterior>";
+  for (const Ring& hole : polygon.interiors) {
+    out_ << "<gml:interior>";
+    ring(hole);
+    out_ << "</gml:interior>";
+  }
+  out_ << "</gml:Polygon></gml:surfaceMember></gml:MultiSurface></bldg:lod2MultiSurface></bldg:" << element
+       << "></bldg:boundedBy>\n";
+  ++counts_.polygons;
+  counts_.triangles += fan_triangles(polygon);
+}
+
+void GmlWriter::attributes(const BuildingPlan& plan, std::uint64_t seed) {
+  // Real registers leave gaps and put sentinels into them: a reader has to take 9999 for "unknown".
+  Random random{static_cast<std::int64_t>(seed), 10, static_cast<std::int64_t>(counts_.buildings)};
+  out_ << "<bldg:function>" << plan.function << "</bldg:function>\n";
+  if (random.chance(0.7)) out_ << "<bldg:yearOfConstruction>" << plan.year << "</bldg:yearOfConstruction>\n";
+  out_ << "<bldg:roofType>" << roof_code(plan) << "</bldg:roofType>\n";
+  if (random.chance(0.97)) {
+    out_ << "<bldg:measuredHeight uom=\"m\">";
+    out_.fixed(std::max(plan.eave_m, plan.ridge_m) - plan.ground_m, 3) << "</bldg:measuredHeight>\n";
+  }
+  const double pick = random.uniform();
+  if (pick < 0.80)
+    out_ << "<bldg:storeysAboveGround>" << plan.storeys << "</bldg:storeysAboveGround>\n";
+  else if (pick < 0.86)
+    out_ << "<bldg:storeysAboveGround>9999</bldg:storeysAboveGround>\n";
+}
+
+void GmlWriter::body(const BuildingPlan& plan, const std::string& id) {
+  std::size_t number = 0;
+  for (const Polygon& polygon : surfaces_of(plan)) surface(id + "_" + std::to_string(number++), polygon);
+}
+
+void GmlWriter::building(const BuildingPlan& plan, std::uint64_t seed) {
+  const std::string id = "house_" + std::to_string(counts_.buildings);
+  out_ << "<core:cityObjectMember><bldg:Building gml:id=\"" << id << "\">\n";
+  attributes(plan, seed);
+  body(plan, id);
+  for (std::size_t n = 0; n < plan.parts.size(); ++n) {
+    const std::string part = id + "_part_" + std::to_string(n);
+    out_ << "<bldg:consistsOfBuildingPart><bldg:BuildingPart gml:id=\"" << part << "\">\n<bldg:roofType>"
+         << roof_code(plan.parts[n]) << "</bldg:roofType>\n";
+    body(plan.parts[n], part);
+    out_ << "</bldg:BuildingPart></bldg:consistsOfBuildingPart>\n";
+  }
+  out_ << "</bldg:Building></core:cityObjectMember>\n";
+  ++counts_.buildings;
+}
+
+}  // namespace nightcity::town

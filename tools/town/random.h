@@ -1,0 +1,42 @@
+// Random numbers that are the same on every platform: integer hashes only, because the standard library's
+// distributions differ between implementations. Every street, block and house hashes its own place, so a town
+// is the same whatever part of it is made, in whatever order.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+
+namespace nightcity::town {
+
+/// Finaliser of splitmix64 (Steele, Lea, Flood 2014): a bijection whose output bits all depend on all input
+/// bits.
+constexpr std::uint64_t mix(std::uint64_t x) {
+  x += 0x9E3779B97F4A7C15ull;
+  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ull;
+  x = (x ^ (x >> 27)) * 0x94D049BB133111EBull;
+  return x ^ (x >> 31);
+}
+
+class Random {
+ public:
+  /// One stream per key, e.g. {seed, purpose, column, row}.
+  Random(std::initializer_list<std::int64_t> key) {
+    for (const std::int64_t part : key) state_ = mix(state_ ^ static_cast<std::uint64_t>(part));
+  }
+
+  std::uint64_t next() { return state_ = mix(state_); }
+  /// [0, 1), never 1.
+  double uniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
+  double range(double low, double high) { return low + (high - low) * uniform(); }
+  /// low..high, both included.
+  int integer(int low, int high) {
+    const auto span = static_cast<std::uint64_t>(high - low + 1);
+    return low + static_cast<int>(((next() >> 32) * span) >> 32);
+  }
+  bool chance(double probability) { return uniform() < probability; }
+
+ private:
+  std::uint64_t state_ = 0;
+};
+
+}  // namespace nightcity::town

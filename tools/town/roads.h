@@ -1,0 +1,42 @@
+// Streets as surfaces draped on the ground: carriageways, pavements, junctions and the market square.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "tools/citygml/city_model.h"
+#include "tools/town/hills.h"
+#include "tools/town/street_plan.h"
+
+namespace nightcity::town {
+
+struct RoadArea {
+  int function = 1;         // CityGML TrafficArea function code: 1 driving lane, 2 footpath, 5 square
+  std::vector<Ring> rings;  // triangles, counter-clockwise from above, m from the town's origin
+};
+
+struct RoadPlan {
+  const char* kind = "road";  // "road", "junction", "pavement", "path": part of the gml:id
+  int i = 0, j = 0, axis = 0;
+  StreetClass street = StreetClass::residential;
+  std::vector<RoadArea> areas;
+};
+
+/// A straight stretch between two junctions, for lamps: its middle line and where the posts stand.
+struct Stretch {
+  glm::dvec2 from, to;      // ends of the part that belongs to no junction
+  glm::dvec2 kerb_left[2];  // the left kerb from `from` to `to`
+  glm::dvec2 kerb_right[2];
+  StreetClass street;
+  int i = 0, j = 0, axis = 0;
+};
+
+/// Every stretch of street, row streets first, in a fixed order; then the paths through the parks.
+void for_each_stretch(const StreetPlan& streets, const std::function<void(const Stretch&)>& visit);
+
+/// Every surface: stretches with their pavements, junctions, pavement corners, the market square.
+void for_each_road(const StreetPlan& streets, const Hills& hills,
+                   const std::function<void(const RoadPlan&)>& visit);
+
+}  // namespace nightcity::town
