@@ -26,14 +26,17 @@ struct TriangleMesh {
 /// Faults found while triangulating, counted; `worst` holds the id of the worst polygon of each kind.
 struct MeshReport {
   std::size_t polygons = 0, triangles = 0;
-  std::size_t fast_path = 0;   // triangles and convex quads, no CGAL needed
-  std::size_t zero_area = 0;   // dropped
-  std::size_t non_planar = 0;  // beyond 1 cm
-  std::size_t self_intersecting = 0;
-  std::size_t not_finite = 0;  // dropped
+  std::size_t fast_path = 0;          // triangles and convex quads, no CGAL needed
+  std::size_t zero_area = 0;          // dropped
+  std::size_t non_planar = 0;         // beyond 1 cm
+  std::size_t self_intersecting = 0;  // kept, by parity; their area is not that of their rings
+  std::size_t not_finite = 0;         // dropped: NaN, Inf or beyond any frame
+  std::size_t not_triangulated = 0;   // dropped: CGAL gave up
+  std::size_t dropped_holes = 0;      // holes of fewer than three distinct vertices: they have no area
   std::string worst_non_planar;
   double worst_non_planar_m = 0;
   std::string worst_self_intersecting;
+  double worst_self_intersecting_m2 = 0;  // rings' own area against the area that parity leaves
 
   void merge(const MeshReport& other);
 };

@@ -1,0 +1,225 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "tools/mesh/constrained.h"
+#include "tools/mesh/polygon_plane.h"
+#include "tools/mesh/triangle_mesh.h"
+
+namespace nightcity {
+namespace {
+
+constexpr double planar_tolerance_m = 0.01;
+constexpr double area_tolerance = 1e-6;  // relative; what we promise
+// Below this share of its squared perimeter a ring's area is rounding noise: 10 m long, 10 nm wide.
+constexpr double zero_area_share = 1e-10;
+
+bool is_usable(const Ring& ring) {
+  constexpr double beyond_any_frame_m = 1e9;
+  return std::all_of(ring.begin(), ring.end(), [](const glm::dvec3& p) {
+    return std::abs(p.x) < beyond_any_frame_m && std::abs(p.y) < beyond_any_frame_m &&
+           std::abs(p.z) < beyond_any_frame_m;  // false for NaN too
+  });
+}
+
+double perimeter(const Ring& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) sum += glm::distance(ring[i], ring[(i + 1) % ring.size()]);
+  return sum;
+}
+
+const std::string& name_of(const Polygon& polygon, const CityObject& object) {
+  return polygon.id.empty() ? object.id : polygon.id;
+}
+
+// Normal of a ring whose area vector cancels out (a bow-tie): the widest triangle of its vertices from the
+// first, the one farthest from it and the one farthest from their line. Zero when all lie on one line.
+glm::dvec3 widest_normal(const Ring& ring) {
+  const auto far_end =
+      std::max_element(ring.begin(), ring.end(), [&](const glm::dvec3& a, const glm::dvec3& b) {
+        return glm::distance(a, ring[0]) < glm::distance(b, ring[0]);
+      });
+  glm::dvec3 best{0};
+  for (const glm::dvec3& p : ring) {
+    const glm::dvec3 n = glm::cross(*far_end - ring[0], p - ring[0]);
+    if (glm::length(n) > glm::length(best)) best = n;
+  }
+  return best;
+}
+
+struct Triangulator {
+  const CityObject& object;
+  MeshReport& report;
+  TriangleMesh mesh;
+
+  std::uint32_t add_positions(const Ring& ring) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), ring.begin(), ring.end());
+    return first;
+  }
+
+  void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t polygon) {
+    mesh.triangles.push_back(
+        {{a, b, c}, object.polygons[polygon].surface, static_cast<std::uint32_t>(polygon)});
+    ++report.triangles;
+  }
+
+  void check_planarity(const Plane& plane, const std::vector<Ring>& rings, const std::string& id) {
+    double worst = 0;
+    for (const Ring& ring : rings)
+      for (const glm::dvec3& p : ring) worst = std::max(worst, plane.distance(p));
+    if (worst <= planar_tolerance_m) return;
+    ++report.non_planar;
+    if (worst > report.worst_non_planar_m) {
+      report.worst_non_planar_m = worst;
+      report.worst_non_planar = id;
+    }
+  }
+
+  void count_self_intersecting(double lost_area, const std::string& id) {
+    ++report.self_intersecting;
+    if (lost_area <= report.worst_self_intersecting_m2 && report.self_intersecting > 1) return;
+    report.worst_self_intersecting_m2 = lost_area;
+    report.worst_self_intersecting = id;
+  }
+
+  // A triangle, or a quad with a diagonal that leaves both halves facing the ring's way: every simple quad
+  // has one, a crossed one has none. No CGAL needed; these are four fifths of real rings.
+  bool fast_path(const Ring& ring, const glm::dvec3& normal, std::size_t polygon) {
+    const auto facing = [&](int a, int b, int c) {
+      const auto at = [&](int i) { return ring[static_cast<std::size_t>(i)]; };
+      return glm::dot(glm::cross(at(b) - at(a), at(c) - at(a)), normal);
+    };
+    if (ring.size() == 3) {
+      const std::uint32_t first = add_positions(ring);
+      add_triangle(first, first + 1, first + 2, polygon);
+      return true;
+    }
+    if (ring.size() != 4) return false;
+    const double diagonal_02 = std::min(facing(0, 1, 2), facing(0, 2, 3));
+    const double diagonal_13 = std::min(facing(1, 2, 3), facing(1, 3, 0));
+    if (!(std::max(diagonal_02, diagonal_13) > 0)) return false;
+    const std::uint32_t first = add_positions(ring), shift = diagonal_02 >= diagonal_13 ? 0 : 1;
+    const auto corner = [&](std::uint32_t i) { return first + (i + shift) % 4; };
+    add_triangle(corner(0), corner(1), corner(2), polygon);
+    add_triangle(corner(0), corner(2), corner(3), polygon);
+    return true;
+  }
+
+  void slow_path(const std::vector<Ring>& rings, const Plane& plane, double ring_area, std::size_t polygon) {
+    std::vector<glm::dvec2> points;
+    std::vector<std::vector<std::uint32_t>> outlines;
+    Ring corners;
+    for (const Ring& ring : rings) {
+      std::vector<std::uint32_t>& outline = outlines.emplace_back();
+      for (const glm::dvec3& p : ring) {
+        outline.push_back(static_cast<std::uint32_t>(points.size()));
+        points.push_back(plane.flatten(p));
+        corners.push_back(p);
+      }
+    }
+    const std::string& id = name_of(object.polygons[polygon], object);
+    FlatTriangulation flat;
+    try {
+      flat = triangulate_flat(points, outlines);
+    } catch (const std::exception&) {  // CGAL refuses: degenerate beyond what its predicates bear
+      ++report.not_triangulated;
+      return;
+    }
+    double area = 0;
+    for (const auto& t : flat.triangles) {
+      const glm::dvec2 a = flat.points[t[0]], b = flat.points[t[1]], c = flat.points[t[2]];
+      area += 0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+    }
+    if (flat.triangles.empty() || !(area > 0)) {
+      ++report.zero_area;
+      return;
+    }
+    // Outlines that cross leave another area than the rings' own; a touch within rounding does not.
+    if (const double off = std::abs(area - ring_area); off > area_tolerance * std::abs(ring_area))
+      count_self_intersecting(off, id);
+    for (std::size_t i = corners.size(); i < flat.points.size(); ++i)
+      corners.push_back(plane.origin + flat.points[i].x * plane.u + flat.points[i].y * plane.v);
+    const std::uint32_t first = add_positions(corners);
+    for (const auto& t : flat.triangles) add_triangle(first + t[0], first + t[1], first + t[2], polygon);
+  }
+
+  void add(std::size_t index) {
+    const Polygon& polygon = object.polygons[index];
+    ++report.polygons;
+    if (!is_usable(polygon.exterior) ||
+        !std::all_of(polygon.interiors.begin(), polygon.interiors.end(), is_usable)) {
+      ++report.not_finite;
+      return;
+    }
+    std::vector<Ring> rings{without_duplicates(polygon.exterior)};
+    if (rings[0].size() < 3) {
+      ++report.zero_area;
+      return;
+    }
+    for (const Ring& interior : polygon.interiors) {
+      Ring hole = without_duplicates(interior);
+      if (hole.size() < 3)
+        ++report.dropped_holes;
+      else
+        rings.push_back(std::move(hole));
+    }
+    const glm::dvec3 vector = area_vector(rings[0]);
+    const double length = perimeter(rings[0]), tiny = zero_area_share * length * length;
+    glm::dvec3 normal = vector;
+    if (glm::length(vector) <= tiny) {
+      normal = widest_normal(rings[0]);
+      if (glm::length(normal) <= tiny) {
+        ++report.zero_area;
+        return;
+      }
+    }
+    normal = glm::normalize(normal);
+    glm::dvec3 middle{0};
+    for (const glm::dvec3& p : rings[0]) middle += (p - rings[0][0]) / static_cast<double>(rings[0].size());
+    const Plane plane = plane_at(rings[0][0] + middle, normal);
+    check_planarity(plane, rings, name_of(polygon, object));
+    if (rings.size() == 1 && glm::length(vector) > tiny && fast_path(rings[0], normal, index)) {
+      ++report.fast_path;
+      return;
+    }
+    double ring_area = glm::length(vector);
+    for (std::size_t i = 1; i < rings.size(); ++i)
+      ring_area -= std::abs(glm::dot(area_vector(rings[i]), normal));
+    slow_path(rings, plane, ring_area, index);
+  }
+};
+
+}  // namespace
+
+TriangleMesh triangulate(const CityObject& object, MeshReport& report) {
+  Triangulator triangulator{object, report, {}};
+  for (std::size_t i = 0; i < object.polygons.size(); ++i) triangulator.add(i);
+  return std::move(triangulator.mesh);
+}
+
+void MeshReport::merge(const MeshReport& other) {
+  polygons += other.polygons;
+  triangles += other.triangles;
+  fast_path += other.fast_path;
+  zero_area += other.zero_area;
+  non_planar += other.non_planar;
+  not_finite += other.not_finite;
+  not_triangulated += other.not_triangulated;
+  dropped_holes += other.dropped_holes;
+  if (other.worst_non_planar_m > worst_non_planar_m) {
+    worst_non_planar_m = other.worst_non_planar_m;
+    worst_non_planar = other.worst_non_planar;
+  }
+  if (other.self_intersecting > 0 &&
+      (self_intersecting == 0 || other.worst_self_intersecting_m2 > worst_self_intersecting_m2)) {
+    worst_self_intersecting_m2 = other.worst_self_intersecting_m2;
+    worst_self_intersecting = other.worst_self_intersecting;
+  }
+  self_intersecting += other.self_intersecting;
+}
+
+}  // namespace nightcity
