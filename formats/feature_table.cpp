@@ -17,7 +17,7 @@ constexpr std::size_t column_alignment = 8;  // asked for by EXT_structural_meta
 template <class T>
 std::span<const std::byte> column(const json& property, const char* key, std::size_t count,
                                   const ViewBytes& view) {
-  const auto bytes = view(property.at(key).get<std::int64_t>());
+  const auto bytes = view(property.at(key).get<std::size_t>());
   if (bytes.size() / sizeof(T) < count) throw Error("", "property table", std::string(key) + " is too short");
   return bytes.first(count * sizeof(T));
 }
@@ -36,7 +36,7 @@ void read_strings(const json& properties, const char* name, std::string SceneFea
   if (property.value("stringOffsetType", "UINT32") != "UINT32")
     throw Error("", "property table", "string offsets that are not UINT32");
   const auto offsets = column<std::uint32_t>(property, "stringOffsets", features.size() + 1, view);
-  const auto text = view(property.at("values").get<std::int64_t>());
+  const auto text = view(property.at("values").get<std::size_t>());
   for (std::size_t i = 0; i < features.size(); ++i) {
     const auto begin = element<std::uint32_t>(offsets, i), end = element<std::uint32_t>(offsets, i + 1);
     if (begin > end || end > text.size()) throw Error("", "property table", "string lies outside its column");

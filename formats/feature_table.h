@@ -47,7 +47,7 @@ class FeatureTableWriter {
 };
 
 /// Bytes of bufferView `index`; throws Error where there is none.
-using ViewBytes = std::function<std::span<const std::byte>(std::int64_t index)>;
+using ViewBytes = std::function<std::span<const std::byte>(std::size_t index)>;
 
 /// The features of property table `table` of the extension; empty where the table is not of our class.
 std::vector<SceneFeature> read_feature_table(const nlohmann::json& extension, std::size_t table,

@@ -11,7 +11,7 @@
 namespace nightcity::gltf {
 namespace {
 
-std::size_t component_size(int type) {
+std::size_t component_size(std::size_t type) {
   switch (type) {
     case int8:
     case uint8:
@@ -41,7 +41,7 @@ float integer(const std::byte* bytes, bool normalized) {
   return normalized ? std::max(value / static_cast<float>(std::numeric_limits<T>::max()), -1.0f) : value;
 }
 
-float as_float(const std::byte* bytes, int type, bool normalized) {
+float as_float(const std::byte* bytes, std::size_t type, bool normalized) {
   switch (type) {
     case int8:
       return integer<std::int8_t>(bytes, normalized);
@@ -60,45 +60,42 @@ float as_float(const std::byte* bytes, int type, bool normalized) {
 
 }  // namespace
 
-const tinygltf::Accessor& AccessorReader::accessor(std::int64_t index) const {
-  if (index < 0 || index >= static_cast<std::int64_t>(model_.accessors.size()))
-    throw Error("", "accessor " + std::to_string(index), "is not there");
-  return model_.accessors[static_cast<std::size_t>(index)];
-}
-
-std::span<const std::byte> AccessorReader::view(std::int64_t index) const {
+std::span<const std::byte> AccessorReader::view(std::size_t index) const {
+  const Json& view = document_.element("bufferViews", index);
+  const auto buffer = gltf::index(view, "buffer"), length = gltf::index(view, "byteLength");
   const std::string place = "bufferView " + std::to_string(index);
-  if (index < 0 || index >= static_cast<std::int64_t>(model_.bufferViews.size()))
-    throw Error("", place, "is not there");
-  const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(index)];
-  if (view.buffer < 0 || view.buffer >= static_cast<int>(model_.buffers.size()))
-    throw Error("", place, "names a buffer that is not there");
-  const auto& data = model_.buffers[static_cast<std::size_t>(view.buffer)].data;
-  if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
+  if (!buffer || !length) throw Error("", place, "names no buffer or length");
+  const auto data = document_.buffer(*buffer);
+  const std::size_t offset = gltf::index(view, "byteOffset").value_or(0);
+  if (offset > data.size() || *length > data.size() - offset)
     throw Error("", place, "lies outside its buffer");
-  return std::as_bytes(std::span(data)).subspan(view.byteOffset, view.byteLength);
+  return data.subspan(offset, *length);
 }
 
-AccessorReader::Layout AccessorReader::layout(std::int64_t index, int components) const {
-  const tinygltf::Accessor& a = accessor(index);
+AccessorReader::Layout AccessorReader::layout(std::size_t index, int components) const {
+  const Json& accessor = document_.element("accessors", index);
   const std::string place = "accessor " + std::to_string(index);
-  const std::size_t size = component_size(a.componentType);
-  if (size == 0 || tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(a.type)) != components)
+  const std::size_t type = gltf::index(accessor, "componentType").value_or(0);
+  const std::size_t size = component_size(type), count = gltf::index(accessor, "count").value_or(0);
+  const std::string shape = components == 1 ? "SCALAR" : "VEC" + std::to_string(components);
+  if (size == 0 || text(accessor, "type") != shape)
     throw Error("", place, "has another type than its use asks for");
-  if (a.sparse.isSparse) throw Error("", place, "is sparse, which this reader does not know");
-  if (a.bufferView < 0) throw Error("", place, "has no data");
-  const auto bytes = view(a.bufferView);
+  if (accessor.contains("sparse")) throw Error("", place, "is sparse, which this reader does not know");
+  const auto view_index = gltf::index(accessor, "bufferView");
+  if (!view_index) throw Error("", place, "has no data");
+  const auto bytes = view(*view_index);
+  const std::size_t offset = gltf::index(accessor, "byteOffset").value_or(0);
   const std::size_t element = size * static_cast<std::size_t>(components);
-  const std::size_t given = model_.bufferViews[static_cast<std::size_t>(a.bufferView)].byteStride;
-  const std::size_t stride = given == 0 ? element : given;
+  const std::size_t stride =
+      gltf::index(document_.element("bufferViews", *view_index), "byteStride").value_or(element);
   // count * stride could overflow: divide instead.
-  if (stride < element || a.byteOffset > bytes.size() || a.count == 0 ||
-      bytes.size() - a.byteOffset < element || (bytes.size() - a.byteOffset - element) / stride < a.count - 1)
+  if (stride < element || count == 0 || offset > bytes.size() || bytes.size() - offset < element ||
+      (bytes.size() - offset - element) / stride < count - 1)
     throw Error("", place, "lies outside its bufferView");
-  return {bytes.subspan(a.byteOffset), stride, a.count, a.componentType, a.normalized};
+  return {bytes.subspan(offset), stride, count, type, boolean(accessor, "normalized", false)};
 }
 
-std::vector<float> AccessorReader::floats(std::int64_t index, int components) const {
+std::vector<float> AccessorReader::floats(std::size_t index, int components) const {
   const Layout layout = this->layout(index, components);
   const std::size_t size = component_size(layout.component_type),
                     width = static_cast<std::size_t>(components);
@@ -114,7 +111,7 @@ std::vector<float> AccessorReader::floats(std::int64_t index, int components) co
   return values;
 }
 
-std::vector<std::uint32_t> AccessorReader::indices(std::int64_t index) const {
+std::vector<std::uint32_t> AccessorReader::indices(std::size_t index) const {
   const Layout layout = this->layout(index, 1);
   std::vector<std::uint32_t> values(layout.count);
   for (std::size_t i = 0; i < layout.count; ++i) {

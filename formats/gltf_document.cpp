@@ -1,0 +1,220 @@
+#include "formats/gltf_document.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "formats/error.h"
+#include "formats/gltf_constants.h"
+
+namespace nightcity::gltf {
+namespace {
+
+std::uint32_t word(std::span<const std::byte> bytes, std::size_t offset) {
+  std::uint32_t value;
+  std::memcpy(&value, bytes.data() + offset, sizeof value);
+  return value;
+}
+
+// RFC 4648; anything but the alphabet and the padding at the end is refused.
+std::optional<std::vector<std::byte>> decode_base64(std::string_view text) {
+  static const auto table = [] {
+    std::array<std::int8_t, 256> values;
+    values.fill(-1);
+    constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    for (std::size_t i = 0; i < alphabet.size(); ++i)
+      values[static_cast<unsigned char>(alphabet[i])] = static_cast<std::int8_t>(i);
+    return values;
+  }();
+  while (!text.empty() && text.back() == '=') text.remove_suffix(1);
+  std::vector<std::byte> bytes;
+  bytes.reserve(text.size() * 3 / 4);
+  std::uint32_t bits = 0;
+  int bit_count = 0;
+  for (const char c : text) {
+    const std::int8_t value = table[static_cast<unsigned char>(c)];
+    if (value < 0) return std::nullopt;
+    bits = bits << 6 | static_cast<std::uint32_t>(value);
+    bit_count += 6;
+    if (bit_count >= 8) {
+      bit_count -= 8;
+      bytes.push_back(static_cast<std::byte>(bits >> bit_count & 0xFFu));
+    }
+  }
+  return bytes;
+}
+
+std::string decode_percent(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto digit = [&](std::size_t k) {
+      return std::string_view("0123456789abcdef")
+          .find(static_cast<char>(text[k] >= 'A' && text[k] <= 'F' ? text[k] - 'A' + 'a' : text[k]));
+    };
+    if (text[i] == '%' && i + 2 < text.size() && digit(i + 1) < 16 && digit(i + 2) < 16) {
+      result += static_cast<char>(digit(i + 1) * 16 + digit(i + 2));
+      i += 2;
+    } else {
+      result += text[i];
+    }
+  }
+  return result;
+}
+
+[[noreturn]] void wrong_type(const char* key, const char* wanted) {
+  throw Error("", key, std::string("is not ") + wanted);
+}
+
+}  // namespace
+
+Document::Document(const std::filesystem::path& path) : name_(path.string()) {
+  const auto bytes = files_.emplace_back(path).bytes();
+  if (bytes.empty()) throw Error(name_, "is empty");
+  if (bytes.size() >= 4 && word(bytes, 0) == glb_magic)
+    read_container(bytes);
+  else if (const auto first = std::find_if(bytes.begin(), bytes.end(),
+                                           [](std::byte b) { return static_cast<char>(b) > ' '; });
+           first == bytes.end() || static_cast<char>(*first) != '{')
+    throw Error(name_, "is not glTF");
+  else
+    read_json(bytes);
+  const Json& version = member(member(root_, "asset"), "version");
+  if (!version.is_string()) throw Error(name_, "is not glTF: no asset version");
+  if (version.get<std::string>().rfind("2.", 0) != 0)
+    throw Error(name_, "glTF version \"" + version.get<std::string>() + "\", not 2");
+  read_buffers(path.parent_path());
+}
+
+void Document::read_json(std::span<const std::byte> bytes) {
+  const char* begin = reinterpret_cast<const char*>(bytes.data());
+  try {
+    root_ = Json::parse(begin, begin + bytes.size());
+  } catch (const Json::exception& error) {
+    throw Error(name_, error.what());
+  }
+}
+
+void Document::read_container(std::span<const std::byte> bytes) {
+  if (bytes.size() < 20) throw Error(name_, "byte " + std::to_string(bytes.size()), "ends in the header");
+  if (word(bytes, 4) != 2)
+    throw Error(name_, "byte 4", "glTF version " + std::to_string(word(bytes, 4)) + ", not 2");
+  if (word(bytes, 8) != bytes.size())
+    throw Error(name_, "byte " + std::to_string(bytes.size()),
+                "file of " + std::to_string(word(bytes, 8)) + " bytes ends here");
+  bool first = true;
+  for (std::size_t offset = 12; offset < bytes.size();) {
+    const std::string place = "byte " + std::to_string(offset);
+    if (bytes.size() - offset < 8) throw Error(name_, place, "chunk header is cut off");
+    const std::size_t length = word(bytes, offset);
+    const std::uint32_t type = word(bytes, offset + 4);
+    if (length > bytes.size() - offset - 8) throw Error(name_, place, "chunk reaches beyond the file");
+    if (first != (type == chunk_json))
+      throw Error(name_, place, first ? "first chunk is not JSON" : "second JSON chunk");
+    const auto content = bytes.subspan(offset + 8, length);
+    if (first) read_json(content);
+    if (type == chunk_binary && !binary_chunk_) binary_chunk_ = content;
+    first = false;
+    offset += 8 + length;
+  }
+}
+
+void Document::read_buffers(const std::filesystem::path& folder) {
+  for (std::size_t i = 0; i < count("buffers"); ++i) {
+    const Json& description = element("buffers", i);
+    const std::string place = "buffer " + std::to_string(i);
+    std::span<const std::byte> bytes;
+    try {
+      if (description.contains("uri"))
+        bytes = external(text(description, "uri"), folder);
+      else if (i == 0 && binary_chunk_)
+        bytes = *binary_chunk_;
+      else
+        throw Error("", "has neither a file nor a binary chunk");
+      const auto length = index(description, "byteLength");
+      if (!length || *length > bytes.size()) throw Error("", "is shorter than its byteLength");
+      buffers_.push_back(bytes.first(*length));
+    } catch (const Error& error) {
+      throw Error(name_, place, error.what());
+    }
+  }
+}
+
+std::span<const std::byte> Document::external(const std::string& uri, const std::filesystem::path& folder) {
+  if (uri.rfind("data:", 0) == 0) {
+    const std::size_t comma = uri.find(',');
+    if (comma == std::string::npos || uri.find(";base64") > comma) throw Error("", "data URI is not base64");
+    auto bytes = decode_base64(std::string_view(uri).substr(comma + 1));
+    if (!bytes) throw Error("", "data URI is not base64");
+    return decoded_.emplace_back(std::move(*bytes));
+  }
+  // A scene names files beside it, not places on the network or the reader's disk.
+  const std::filesystem::path relative = decode_percent(uri);
+  if (uri.find("://") != std::string::npos || relative.is_absolute())
+    throw Error("", "URI is not relative: " + uri);
+  return files_.emplace_back(folder / relative).bytes();
+}
+
+std::size_t Document::count(const char* name) const {
+  const Json& array = member(root_, name);
+  if (!array.is_null() && !array.is_array()) wrong_type(name, "an array");
+  return array.size();
+}
+
+const Json& Document::element(const char* name, std::size_t index) const {
+  if (index >= count(name))
+    throw Error("", std::string(name) + "[" + std::to_string(index) + "]", "is not there");
+  return root_.at(name).at(index);
+}
+
+std::span<const std::byte> Document::buffer(std::size_t index) const {
+  if (index >= buffers_.size()) throw Error("", "buffer " + std::to_string(index), "is not there");
+  return buffers_[index];
+}
+
+const Json& member(const Json& object, const char* key) {
+  static const Json null;
+  if (!object.is_object()) return null;
+  const auto found = object.find(key);
+  return found == object.end() ? null : *found;
+}
+
+const Json& extension(const Json& object, const char* name) {
+  return member(member(object, "extensions"), name);
+}
+
+std::optional<std::size_t> index(const Json& object, const char* key) {
+  const Json& value = member(object, key);
+  if (value.is_null()) return std::nullopt;
+  if (value.is_number_unsigned()) return value.get<std::size_t>();
+  // JSON has one kind of number: some exporters write 3.0.
+  if (value.is_number_float()) {
+    const double number = value.get<double>();
+    if (number >= 0 && number < 0x1p53 && number == std::floor(number))
+      return static_cast<std::size_t>(number);
+  }
+  wrong_type(key, "a whole number of 0 or more");
+}
+
+double number(const Json& object, const char* key, double otherwise) {
+  const Json& value = member(object, key);
+  if (value.is_null()) return otherwise;
+  if (!value.is_number()) wrong_type(key, "a number");
+  return value.get<double>();
+}
+
+std::string text(const Json& object, const char* key) {
+  const Json& value = member(object, key);
+  if (value.is_null()) return {};
+  if (!value.is_string()) wrong_type(key, "a string");
+  return value.get<std::string>();
+}
+
+bool boolean(const Json& object, const char* key, bool otherwise) {
+  const Json& value = member(object, key);
+  if (value.is_null()) return otherwise;
+  if (!value.is_boolean()) wrong_type(key, "true or false");
+  return value.get<bool>();
+}
+
+}  // namespace nightcity::gltf
