@@ -30,13 +30,14 @@ Buffer::Buffer(Device& device, std::size_t bytes, Memory memory) : device_(&devi
   allocate.pNext = &flags;
   allocate.allocationSize = requirements.size;
   allocate.memoryTypeIndex = device.memory_type(
-      requirements.memoryTypeBits, memory == Memory::device
-                                       ? VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT
-                                       : VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
+      requirements.memoryTypeBits,
+      memory == Memory::device ? VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT
+                               : VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
   try {
     VK_CHECK(vkAllocateMemory(device.handle(), &allocate, nullptr, &memory_));
     VK_CHECK(vkBindBufferMemory(device.handle(), buffer_, memory_, 0));
-    if (memory == Memory::host) VK_CHECK(vkMapMemory(device.handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped_));
+    if (memory == Memory::host)
+      VK_CHECK(vkMapMemory(device.handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped_));
   } catch (...) {
     release();
     throw;
@@ -47,9 +48,13 @@ Buffer::Buffer(Device& device, std::size_t bytes, Memory memory) : device_(&devi
   address_ = vkGetBufferDeviceAddress(device.handle(), &address);
 }
 
-Buffer::~Buffer() { release(); }
+Buffer::~Buffer() {
+  release();
+}
 
-Buffer::Buffer(Buffer&& other) noexcept { *this = std::move(other); }
+Buffer::Buffer(Buffer&& other) noexcept {
+  *this = std::move(other);
+}
 
 Buffer& Buffer::operator=(Buffer&& other) noexcept {
   std::swap(device_, other.device_);

@@ -1,4 +1,5 @@
-// Buffers that shaders reach by address. No descriptor sets anywhere: a pass gets one address in its push constants.
+// Buffers that shaders reach by address. No descriptor sets anywhere: a pass gets one address in its push
+// constants.
 #pragma once
 
 #include <vulkan/vulkan.h>

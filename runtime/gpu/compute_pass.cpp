@@ -40,7 +40,8 @@ ComputePass::ComputePass(Device& device, std::span<const std::uint32_t> spirv,
   info.stage.pName = "main";
   info.stage.pSpecializationInfo = &specialization;
   info.layout = layout_;
-  const VkResult result = vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_);
+  const VkResult result =
+      vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_);
   vkDestroyShaderModule(device.handle(), module, nullptr);
   check(result, "vkCreateComputePipelines");
 }
@@ -51,7 +52,9 @@ ComputePass::~ComputePass() {
   vkDestroyPipelineLayout(device_->handle(), layout_, nullptr);
 }
 
-ComputePass::ComputePass(ComputePass&& other) noexcept { *this = std::move(other); }
+ComputePass::ComputePass(ComputePass&& other) noexcept {
+  *this = std::move(other);
+}
 
 ComputePass& ComputePass::operator=(ComputePass&& other) noexcept {
   std::swap(device_, other.device_);

@@ -20,7 +20,8 @@ class ComputePass {
   ComputePass(ComputePass&& other) noexcept;
   ComputePass& operator=(ComputePass&& other) noexcept;
 
-  void dispatch(VkCommandBuffer commands, const void* push, std::uint32_t groups_x, std::uint32_t groups_y = 1) const;
+  void dispatch(VkCommandBuffer commands, const void* push, std::uint32_t groups_x,
+                std::uint32_t groups_y = 1) const;
 
  private:
   Device* device_ = nullptr;

@@ -12,7 +12,8 @@ namespace {
 
 constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
 
-VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT,
+                                          VkDebugUtilsMessageTypeFlagsEXT,
                                           const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
   static_cast<std::vector<std::string>*>(user)->emplace_back(data->pMessage);
   return VK_FALSE;
@@ -40,7 +41,8 @@ VkInstance create_instance(bool validation, std::vector<const char*> extensions,
   if (result == VK_ERROR_LAYER_NOT_PRESENT)
     throw Error("vulkan", "the validation layer is not installed (Debian package vulkan-validationlayers)");
   if (result == VK_ERROR_INCOMPATIBLE_DRIVER || result == VK_ERROR_INITIALIZATION_FAILED)
-    throw Error("vulkan", "no Vulkan driver is installed (Debian package mesa-vulkan-drivers has one for the CPU)");
+    throw Error("vulkan",
+                "no Vulkan driver is installed (Debian package mesa-vulkan-drivers has one for the CPU)");
   check(result, "vkCreateInstance");
   return instance;
 }
@@ -58,11 +60,16 @@ std::vector<VkPhysicalDevice> physical_devices(VkInstance instance) {
 
 const char* kind_name(VkPhysicalDeviceType type) {
   switch (type) {
-    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return "discrete";
-    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return "integrated";
-    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return "virtual";
-    case VK_PHYSICAL_DEVICE_TYPE_CPU: return "cpu";
-    default: return "other";
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+      return "discrete";
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+      return "integrated";
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+      return "virtual";
+    case VK_PHYSICAL_DEVICE_TYPE_CPU:
+      return "cpu";
+    default:
+      return "other";
   }
 }
 
@@ -72,8 +79,8 @@ std::optional<std::uint32_t> find_queue_family(VkPhysicalDevice physical) {
   std::vector<VkQueueFamilyProperties> families(count);
   vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
   // A graphics queue also presents and draws the panel; headless servers may offer compute only.
-  for (const VkQueueFlags wanted : {VkQueueFlags(VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT),
-                                    VkQueueFlags(VK_QUEUE_COMPUTE_BIT)})
+  for (const VkQueueFlags wanted :
+       {VkQueueFlags(VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT), VkQueueFlags(VK_QUEUE_COMPUTE_BIT)})
     for (std::uint32_t i = 0; i < count; ++i)
       if ((families[i].queueFlags & wanted) == wanted) return i;
   return std::nullopt;
@@ -108,8 +115,9 @@ DeviceInfo describe(VkPhysicalDevice physical) {
   std::vector<VkExtensionProperties> extensions(count);
   vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, extensions.data());
   const auto has = [&](const char* name) {
-    return std::any_of(extensions.begin(), extensions.end(),
-                       [&](const VkExtensionProperties& e) { return std::strcmp(e.extensionName, name) == 0; });
+    return std::any_of(extensions.begin(), extensions.end(), [&](const VkExtensionProperties& e) {
+      return std::strcmp(e.extensionName, name) == 0;
+    });
   };
   info.ray_query = has(VK_KHR_RAY_QUERY_EXTENSION_NAME);
   info.ray_pipeline = has(VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME);
@@ -137,7 +145,8 @@ DeviceInfo describe(VkPhysicalDevice physical) {
 }
 
 std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
@@ -151,7 +160,8 @@ int rank(const DeviceInfo& info) {
 
 std::size_t choose(const std::vector<DeviceInfo>& devices, const std::string& select) {
   const auto refuse_unusable = [&](std::size_t i) {
-    if (!devices[i].usable) throw Error("vulkan", "device '" + devices[i].name + "' lacks " + devices[i].missing);
+    if (!devices[i].usable)
+      throw Error("vulkan", "device '" + devices[i].name + "' lacks " + devices[i].missing);
     return i;
   };
   if (devices.empty())
@@ -162,7 +172,8 @@ std::size_t choose(const std::vector<DeviceInfo>& devices, const std::string& se
       if (rank(devices[i]) > rank(devices[best])) best = i;
     return refuse_unusable(best);
   }
-  if (std::all_of(select.begin(), select.end(), [](unsigned char c) { return std::isdigit(c); }) && select.size() < 4) {
+  if (std::all_of(select.begin(), select.end(), [](unsigned char c) { return std::isdigit(c); }) &&
+      select.size() < 4) {
     const std::size_t index = std::stoul(select);
     if (index < devices.size()) return refuse_unusable(index);
   }
@@ -175,23 +186,40 @@ std::size_t choose(const std::vector<DeviceInfo>& devices, const std::string& se
 
 const char* result_name(VkResult result) {
   switch (result) {
-    case VK_SUCCESS: return "VK_SUCCESS";
-    case VK_NOT_READY: return "VK_NOT_READY";
-    case VK_TIMEOUT: return "VK_TIMEOUT";
-    case VK_INCOMPLETE: return "VK_INCOMPLETE";
-    case VK_ERROR_OUT_OF_HOST_MEMORY: return "VK_ERROR_OUT_OF_HOST_MEMORY";
-    case VK_ERROR_OUT_OF_DEVICE_MEMORY: return "VK_ERROR_OUT_OF_DEVICE_MEMORY";
-    case VK_ERROR_INITIALIZATION_FAILED: return "VK_ERROR_INITIALIZATION_FAILED";
-    case VK_ERROR_DEVICE_LOST: return "VK_ERROR_DEVICE_LOST";
-    case VK_ERROR_MEMORY_MAP_FAILED: return "VK_ERROR_MEMORY_MAP_FAILED";
-    case VK_ERROR_LAYER_NOT_PRESENT: return "VK_ERROR_LAYER_NOT_PRESENT";
-    case VK_ERROR_EXTENSION_NOT_PRESENT: return "VK_ERROR_EXTENSION_NOT_PRESENT";
-    case VK_ERROR_FEATURE_NOT_PRESENT: return "VK_ERROR_FEATURE_NOT_PRESENT";
-    case VK_ERROR_INCOMPATIBLE_DRIVER: return "VK_ERROR_INCOMPATIBLE_DRIVER";
-    case VK_ERROR_SURFACE_LOST_KHR: return "VK_ERROR_SURFACE_LOST_KHR";
-    case VK_ERROR_OUT_OF_DATE_KHR: return "VK_ERROR_OUT_OF_DATE_KHR";
-    case VK_SUBOPTIMAL_KHR: return "VK_SUBOPTIMAL_KHR";
-    default: return "an unnamed VkResult";
+    case VK_SUCCESS:
+      return "VK_SUCCESS";
+    case VK_NOT_READY:
+      return "VK_NOT_READY";
+    case VK_TIMEOUT:
+      return "VK_TIMEOUT";
+    case VK_INCOMPLETE:
+      return "VK_INCOMPLETE";
+    case VK_ERROR_OUT_OF_HOST_MEMORY:
+      return "VK_ERROR_OUT_OF_HOST_MEMORY";
+    case VK_ERROR_OUT_OF_DEVICE_MEMORY:
+      return "VK_ERROR_OUT_OF_DEVICE_MEMORY";
+    case VK_ERROR_INITIALIZATION_FAILED:
+      return "VK_ERROR_INITIALIZATION_FAILED";
+    case VK_ERROR_DEVICE_LOST:
+      return "VK_ERROR_DEVICE_LOST";
+    case VK_ERROR_MEMORY_MAP_FAILED:
+      return "VK_ERROR_MEMORY_MAP_FAILED";
+    case VK_ERROR_LAYER_NOT_PRESENT:
+      return "VK_ERROR_LAYER_NOT_PRESENT";
+    case VK_ERROR_EXTENSION_NOT_PRESENT:
+      return "VK_ERROR_EXTENSION_NOT_PRESENT";
+    case VK_ERROR_FEATURE_NOT_PRESENT:
+      return "VK_ERROR_FEATURE_NOT_PRESENT";
+    case VK_ERROR_INCOMPATIBLE_DRIVER:
+      return "VK_ERROR_INCOMPATIBLE_DRIVER";
+    case VK_ERROR_SURFACE_LOST_KHR:
+      return "VK_ERROR_SURFACE_LOST_KHR";
+    case VK_ERROR_OUT_OF_DATE_KHR:
+      return "VK_ERROR_OUT_OF_DATE_KHR";
+    case VK_SUBOPTIMAL_KHR:
+      return "VK_SUBOPTIMAL_KHR";
+    default:
+      return "an unnamed VkResult";
   }
 }
 
@@ -213,7 +241,8 @@ Device::Device(const Options& options) {
   messenger.pfnUserCallback = on_message;
   messenger.pUserData = &messages_;
 
-  instance_ = create_instance(options.validation, options.instance_extensions, options.validation ? &messenger : nullptr);
+  instance_ = create_instance(options.validation, options.instance_extensions,
+                              options.validation ? &messenger : nullptr);
   try {
     if (options.validation) {
       const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
@@ -231,7 +260,8 @@ Device::Device(const Options& options) {
 
     VkPhysicalDeviceProperties properties{};
     vkGetPhysicalDeviceProperties(physical_, &properties);
-    timestamp_period_ns_ = properties.limits.timestampComputeAndGraphics ? properties.limits.timestampPeriod : 0.0f;
+    timestamp_period_ns_ =
+        properties.limits.timestampComputeAndGraphics ? properties.limits.timestampPeriod : 0.0f;
 
     const float priority = 1.0f;
     VkDeviceQueueCreateInfo queue_info{};
@@ -279,7 +309,9 @@ Device::Device(const Options& options) {
   }
 }
 
-Device::~Device() { release(); }
+Device::~Device() {
+  release();
+}
 
 void Device::release() {
   if (device_) {
@@ -325,10 +357,12 @@ void full_barrier(VkCommandBuffer commands) {
   VkMemoryBarrier barrier{};
   barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
   barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT;
-  barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_READ_BIT |
-                          VK_ACCESS_TRANSFER_WRITE_BIT | VK_ACCESS_HOST_READ_BIT;
+  barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT |
+                          VK_ACCESS_TRANSFER_READ_BIT | VK_ACCESS_TRANSFER_WRITE_BIT |
+                          VK_ACCESS_HOST_READ_BIT;
   constexpr VkPipelineStageFlags work = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT;
-  vkCmdPipelineBarrier(commands, work, work | VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+  vkCmdPipelineBarrier(commands, work, work | VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier, 0, nullptr, 0,
+                       nullptr);
 }
 
 }  // namespace nightcity::gpu

@@ -17,7 +17,8 @@ struct DeviceInfo {
   std::uint32_t api_version = 0;
   std::uint64_t memory_bytes = 0;  // the largest device-local heap
   std::uint32_t subgroup_size = 0;
-  bool usable = false;        // has all we need: Vulkan 1.2, buffer device addresses, scalar layout, 64-bit integers
+  bool usable =
+      false;  // has all we need: Vulkan 1.2, buffer device addresses, scalar layout, 64-bit integers
   std::string missing;        // why not usable; "" = usable
   bool ray_query = false;     // VK_KHR_ray_query
   bool ray_pipeline = false;  // VK_KHR_ray_tracing_pipeline
@@ -82,7 +83,8 @@ class Device {
   std::vector<std::string> messages_;
 };
 
-/// All writes of shaders and transfers before are visible to all reads after: the one barrier a chain of passes needs.
+/// All writes of shaders and transfers before are visible to all reads after: the one barrier a chain of
+/// passes needs.
 void full_barrier(VkCommandBuffer commands);
 
 }  // namespace nightcity::gpu

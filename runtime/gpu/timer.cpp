@@ -13,7 +13,9 @@ Timer::Timer(Device& device) : device_(device) {
   VK_CHECK(vkCreateQueryPool(device.handle(), &info, nullptr, &pool_));
 }
 
-Timer::~Timer() { vkDestroyQueryPool(device_.handle(), pool_, nullptr); }
+Timer::~Timer() {
+  vkDestroyQueryPool(device_.handle(), pool_, nullptr);
+}
 
 void Timer::start(VkCommandBuffer commands) {
   names_.clear();
@@ -25,7 +27,8 @@ void Timer::start(VkCommandBuffer commands) {
 void Timer::mark(VkCommandBuffer commands, const char* name) {
   if (!pool_ || names_.size() + 1 >= capacity) return;
   names_.push_back(name);
-  vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, pool_, static_cast<std::uint32_t>(names_.size()));
+  vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, pool_,
+                      static_cast<std::uint32_t>(names_.size()));
 }
 
 std::vector<Timer::Span> Timer::collect() {
@@ -36,7 +39,8 @@ std::vector<Timer::Span> Timer::collect() {
                                  VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT));
   std::vector<Span> spans;
   for (std::size_t i = 0; i < names_.size(); ++i)
-    spans.push_back({names_[i], double(ticks[i + 1] - ticks[i]) * double(device_.timestamp_period_ns()) * 1e-6});
+    spans.push_back(
+        {names_[i], double(ticks[i + 1] - ticks[i]) * double(device_.timestamp_period_ns()) * 1e-6});
   return spans;
 }
 

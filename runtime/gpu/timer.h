@@ -21,7 +21,8 @@ class Timer {
   /// Call first in a command buffer, then mark(name) after each pass.
   void start(VkCommandBuffer commands);
   void mark(VkCommandBuffer commands, const char* name);
-  /// After the commands have run: milliseconds of each mark since the one before. Empty on queues without timestamps.
+  /// After the commands have run: milliseconds of each mark since the one before. Empty on queues without
+  /// timestamps.
   struct Span {
     std::string name;
     double ms;

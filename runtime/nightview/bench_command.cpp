@@ -1,0 +1,118 @@
+// nightview bench SCENE.glb: GPU time of every pass, by the device's own clock.
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "runtime/nightview/commands.h"
+#include "runtime/nightview/render_options.h"
+#include "runtime/render/renderer.h"
+
+namespace nightcity {
+namespace {
+
+struct BenchCommand {
+  RenderOptions options;
+  std::uint32_t frames = 32, warm_up = 4;
+  bool json = false;
+};
+
+struct Spread {
+  double min, median, max;
+};
+
+Spread spread(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return {values.front(), values[values.size() / 2], values.back()};
+}
+
+void bench(BenchCommand& command) {
+  RenderOptions& options = command.options;
+  options.resolve();
+  const RenderScene scene = load_render_scene(options.scene);
+  const CameraPose pose = find_camera(options.camera, scene);
+  gpu::Device device({.select = options.device,
+                      .validation = options.validation,
+                      .instance_extensions = {},
+                      .device_extensions = {}});
+  const DeviceScene device_scene(device, scene);
+  Renderer renderer(device, device_scene, options.width, options.height);
+  for (std::uint32_t i = 0; i < command.warm_up; ++i) renderer.render_frame(pose, options.settings);
+
+  std::vector<std::string> order;
+  std::map<std::string, std::vector<double>> passes;
+  std::vector<double> gpu_ms, wall_ms;
+  for (std::uint32_t i = 0; i < command.frames; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    renderer.render_frame(pose, options.settings);
+    wall_ms.push_back(
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    std::map<std::string, double> frame;
+    double total = 0;
+    for (const auto& span : renderer.timings()) {
+      if (!passes.count(span.name) && !frame.count(span.name)) order.push_back(span.name);
+      frame[span.name] += span.ms;
+      total += span.ms;
+    }
+    for (const auto& [name, ms] : frame) passes[name].push_back(ms);
+    gpu_ms.push_back(total);
+  }
+
+  const auto as_json = [](const Spread& s) {
+    return nlohmann::ordered_json{{"min", s.min}, {"median", s.median}, {"max", s.max}};
+  };
+  if (command.json) {
+    nlohmann::ordered_json json{{"device", device.info().name},
+                                {"driver", device.info().driver},
+                                {"scene", options.scene},
+                                {"triangles", scene.triangles.size()},
+                                {"instances", scene.instances.size()},
+                                {"lights", scene.lights.size()},
+                                {"scene_bytes", device_scene.bytes()},
+                                {"size", {options.width, options.height}},
+                                {"estimator", name_of(options.settings.estimator)},
+                                {"candidates", options.settings.candidates},
+                                {"neighbours", options.settings.neighbours},
+                                {"frames", command.frames},
+                                {"gpu_ms", as_json(spread(gpu_ms))},
+                                {"wall_ms", as_json(spread(wall_ms))}};
+    for (const std::string& name : order) json["passes_ms"][name] = as_json(spread(passes[name]));
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  fmt::print("{}: {} triangles, {} lights, {}x{}, {} on {}\n", options.scene, scene.triangles.size(),
+             scene.lights.size(), options.width, options.height, name_of(options.settings.estimator),
+             device.info().name);
+  fmt::print("{:<12} {:>10} {:>10} {:>10}   ms of {} frames\n", "pass", "min", "median", "max",
+             command.frames);
+  for (const std::string& name : order) {
+    const Spread s = spread(passes[name]);
+    fmt::print("{:<12} {:>10.3f} {:>10.3f} {:>10.3f}\n", name, s.min, s.median, s.max);
+  }
+  const Spread total = spread(gpu_ms), wall = spread(wall_ms);
+  fmt::print("{:<12} {:>10.3f} {:>10.3f} {:>10.3f}\n", "GPU", total.min, total.median, total.max);
+  fmt::print("{:<12} {:>10.3f} {:>10.3f} {:>10.3f}\n", "wall clock", wall.min, wall.median, wall.max);
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& app) {
+  auto command = std::make_shared<BenchCommand>();
+  CLI::App* sub = app.add_subcommand("bench", "Time every pass of a frame by the device's clock");
+  sub->footer(
+      "Example:\n  nightview bench city.glb --json --estimator paper --candidates 32 --size 1920x1080");
+  command->options.declare(*sub);
+  sub->add_option("--frames", command->frames, "Frames timed")
+      ->capture_default_str()
+      ->check(CLI::Range(1u, 100000u));
+  sub->add_option("--warm-up", command->warm_up, "Frames before the first timed one")->capture_default_str();
+  sub->add_flag("--json", command->json, "Machine-readable");
+  sub->callback([command] { bench(*command); });
+}
+
+}  // namespace nightcity

@@ -1,0 +1,17 @@
+// The subcommands of nightview, one a file. Each function declares a subcommand's options and returns: it
+// opens nothing and does nothing until its callback runs. Callbacks throw nightcity::Error (exit code 1,
+// UsageError 2) and print results to stdout; progress and messages go to stderr through spdlog.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace nightcity {
+
+void add_render_command(CLI::App& app);
+void add_compare_command(CLI::App& app);
+void add_bench_command(CLI::App& app);
+void add_devices_command(CLI::App& app);
+
+}  // namespace nightcity

@@ -1,0 +1,81 @@
+#include "runtime/nightview/render_options.h"
+
+#include <charconv>
+
+#include "formats/error.h"
+#include "runtime/measure/image.h"
+#include "runtime/scene/camera.h"
+
+namespace nightcity {
+namespace {
+
+void parse_size(const std::string& text, std::uint32_t& width, std::uint32_t& height) {
+  const char* end = text.data() + text.size();
+  const auto [x, error_w] = std::from_chars(text.data(), end, width);
+  bool good = error_w == std::errc() && x != end && *x == 'x';
+  if (good) {
+    const auto [rest, error_h] = std::from_chars(x + 1, end, height);
+    good = error_h == std::errc() && rest == end;
+  }
+  if (!good || width < 1 || height < 1 || width > max_image_side || height > max_image_side)
+    throw UsageError("--size", "expected WIDTHxHEIGHT with 1 to " + std::to_string(max_image_side) +
+                                   " pixels a side, not '" + text + "'");
+}
+
+std::string listed_estimators() {
+  std::string text = "How light is estimated:";
+  for (const EstimatorName& entry : estimator_names())
+    text += std::string("\n  ") + entry.name + ": " + entry.description;
+  return text;
+}
+
+}  // namespace
+
+void RenderOptions::declare(CLI::App& command) {
+  std::string presets;
+  for (const std::string& name : camera_presets()) presets += (presets.empty() ? "" : ", ") + name;
+  command.add_option("scene", scene, "SCENE.glb; SCENE.lights beside it is read too")->required();
+  command.add_option("--size", size, "Picture size in pixels, WIDTHxHEIGHT")->capture_default_str();
+  command.add_option("--estimator", estimator, listed_estimators())->capture_default_str();
+  command.add_option("--candidates", settings.candidates, "Light candidates a pixel and frame")
+      ->capture_default_str()
+      ->check(CLI::Range(1u, max_candidates));
+  command
+      .add_option("--neighbours", settings.neighbours,
+                  "Pixels whose reservoirs are reused, a pixel and frame")
+      ->capture_default_str()
+      ->check(CLI::Range(0u, max_neighbours));
+  command.add_option("--radius", settings.neighbour_radius_px, "How far neighbours are looked for, pixels")
+      ->capture_default_str()
+      ->check(CLI::Range(1.0f, 1000.0f));
+  command
+      .add_option("--history", settings.history_cap,
+                  "Weight of the frames before, in frames; 0 = no temporal reuse")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0f, 1000.0f));
+  command
+      .add_option("--uniform-share", settings.uniform_share,
+                  "Share of candidates picked uniformly, the rest by flux")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0f, 1.0f));
+  command.add_flag("--visibility-reuse", settings.visibility_reuse,
+                   "basic, pairwise: drop shadowed candidates before reuse (less noise, biased)");
+  command.add_flag("--jitter,!--no-jitter", settings.jitter,
+                   "Sub-pixel offsets from frame to frame (on by default)");
+  command.add_option("--seed", settings.seed, "Of all random numbers")->capture_default_str();
+  command.add_option("--device", device, "Vulkan device: index or part of its name (see nightview devices)");
+  command.add_option("--camera", camera, "Camera file (JSON) or preset: " + presets)->capture_default_str();
+  command.add_option("--sky", settings.sky_cd_m2[0], "Luminance of the sky as seen, cd/m2")
+      ->check(CLI::Range(0.0f, 1e6f))
+      ->default_str("0");
+  command.add_flag("--validation", validation,
+                   "Run under the Vulkan validation layer; its messages end the run with 1");
+}
+
+void RenderOptions::resolve() {
+  settings.estimator = estimator_from_name(estimator);
+  settings.sky_cd_m2 = glm::vec3(settings.sky_cd_m2[0]);
+  parse_size(size, width, height);
+}
+
+}  // namespace nightcity

@@ -1,0 +1,29 @@
+// The options that every command with a renderer has, declared once.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+
+#include "runtime/render/settings.h"
+
+namespace nightcity {
+
+struct RenderOptions {
+  std::string scene;
+  std::string device;
+  std::string camera = "overview";
+  std::string size = "1280x720";
+  std::string estimator = "traced";
+  bool validation = false;
+  RenderSettings settings;
+
+  /// Declares --size, --estimator, --candidates, --neighbours, --seed, --device, --camera and the finer ones.
+  void declare(CLI::App& command);
+  /// After parsing: names to settings. Throws UsageError.
+  void resolve();
+
+  std::uint32_t width = 0, height = 0;  // after resolve()
+};
+
+}  // namespace nightcity

@@ -1,0 +1,242 @@
+#include "runtime/render/renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "formats/error.h"
+#include "runtime/measure/exposure.h"
+#include "spirv/accumulate.h"
+#include "spirv/candidates.h"
+#include "spirv/primary.h"
+#include "spirv/reference.h"
+#include "spirv/shade.h"
+#include "spirv/spatial.h"
+#include "spirv/temporal.h"
+
+namespace nightcity {
+namespace {
+
+// Chunks of lights recorded into one submission: long enough to hide its cost, short enough that a window
+// system or driver watchdog does not take the device for hung.
+constexpr std::uint32_t chunks_a_submission = 16;
+
+bool same_view(const CameraPose& a, const CameraPose& b) {
+  return a.position == b.position && a.target == b.target && a.up == b.up && a.fov_deg == b.fov_deg;
+}
+
+// Settings that only change how the mean is shown do not restart it.
+bool same_estimate(const RenderSettings& a, const RenderSettings& b) {
+  return a.estimator == b.estimator && a.candidates == b.candidates && a.neighbours == b.neighbours &&
+         a.neighbour_radius_px == b.neighbour_radius_px && a.history_cap == b.history_cap &&
+         a.uniform_share == b.uniform_share && a.visibility_reuse == b.visibility_reuse &&
+         a.jitter == b.jitter && a.seed == b.seed && a.sky_cd_m2 == b.sky_cd_m2;
+}
+
+// Sub-pixel positions: the R2 sequence (Roberts 2018), starting at the pixel's centre.
+float radical(double step, std::uint32_t frame) {
+  const double x = 0.5 + step * double(frame);
+  return static_cast<float>(std::min(x - std::floor(x), 0.99999994));
+}
+
+glm::vec3 unpack_normal(std::uint32_t packed) {
+  const auto snorm = [](std::uint32_t bits) {
+    return std::clamp(float(static_cast<std::int16_t>(bits)) / 32767.0f, -1.0f, 1.0f);
+  };
+  const float x = snorm(packed & 0xFFFFu), y = snorm(packed >> 16);
+  glm::vec3 n(x, y, 1.0f - std::abs(x) - std::abs(y));
+  if (n.z < 0) {
+    n.x = (1.0f - std::abs(y)) * (x >= 0 ? 1.0f : -1.0f);
+    n.y = (1.0f - std::abs(x)) * (y >= 0 ? 1.0f : -1.0f);
+  }
+  return glm::normalize(n);
+}
+
+}  // namespace
+
+Renderer::Renderer(gpu::Device& device, const DeviceScene& scene, std::uint32_t width, std::uint32_t height)
+    : device_(device), scene_(scene), width_(width), height_(height), timer_(device) {
+  if (width == 0 || height == 0 || width > max_image_side || height > max_image_side)
+    throw UsageError("--size", "a picture has 1 to " + std::to_string(max_image_side) + " pixels a side");
+  const std::size_t pixels = std::size_t{width} * height;
+  frame_ = gpu::Buffer(device, sizeof(gpu::Frame), gpu::Memory::host);
+  for (int i = 0; i < 2; ++i) {
+    surfaces_[i] = gpu::Buffer(device, pixels * sizeof(gpu::Surface));
+    spatial_[i] = gpu::Buffer(device, pixels * sizeof(gpu::Reservoir));
+  }
+  reservoirs_ = gpu::Buffer(device, pixels * sizeof(gpu::Reservoir));
+  radiance_ = gpu::Buffer(device, pixels * sizeof(gpu::Accumulation));
+  accumulation_ = gpu::Buffer(device, pixels * sizeof(gpu::Accumulation));
+  display_ = gpu::Buffer(device, pixels * 4);
+}
+
+void Renderer::build_passes(const RenderSettings& settings) {
+  std::vector<std::uint32_t> constants(CONSTANT_COUNT);
+  constants[CONSTANT_ESTIMATOR] = static_cast<std::uint32_t>(settings.estimator);
+  constants[CONSTANT_PROFILES] = scene_.has_profiles();
+  constants[CONSTANT_RECTANGLES] = scene_.has_rectangles();
+  constants[CONSTANT_VISIBILITY_REUSE] = settings.visibility_reuse;
+  if (constants_ == constants) return;
+  const auto make = [&](std::span<const std::uint32_t> spirv) {
+    return gpu::ComputePass(device_, spirv, constants, sizeof(gpu::Push));
+  };
+  if (!constants_) {
+    primary_ = make(primary_spirv);
+    accumulate_ = make(accumulate_spirv);
+  }
+  if (settings.estimator == Estimator::reference) {
+    reference_ = make(reference_spirv);
+  } else {
+    candidates_ = make(candidates_spirv);
+    temporal_ = make(temporal_spirv);
+    spatial_pass_ = make(spatial_spirv);
+    shade_ = make(shade_spirv);
+  }
+  constants_ = constants;
+}
+
+void Renderer::run_pass(VkCommandBuffer commands, const gpu::ComputePass& pass, const char* name,
+                        std::uint32_t first, std::uint32_t count) {
+  const gpu::Push push{frame_.address(), first, count};
+  pass.dispatch(commands, &push, (width_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE,
+                (height_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE);
+  gpu::full_barrier(commands);
+  timer_.mark(commands, name);
+}
+
+void Renderer::record_restir(VkCommandBuffer commands, const RenderSettings& settings) {
+  run_pass(commands, candidates_, "candidates");
+  const bool reuse = settings.estimator != Estimator::ris;
+  if (reuse && settings.history_cap > 0) run_pass(commands, temporal_, "temporal");
+  if (reuse && settings.neighbours > 0) {
+    run_pass(commands, spatial_pass_, "spatial");
+  } else {
+    const VkBufferCopy all{0, 0, reservoirs_.bytes()};
+    vkCmdCopyBuffer(commands, reservoirs_.handle(), spatial_[parity_].handle(), 1, &all);
+    gpu::full_barrier(commands);
+    timer_.mark(commands, "copy");
+  }
+  run_pass(commands, shade_, "shade");
+}
+
+void Renderer::record_reference(VkCommandBuffer commands, std::uint32_t first, std::uint32_t end) {
+  for (std::uint32_t at = first; at < end; at += REFERENCE_CHUNK)
+    run_pass(commands, reference_, "reference", at, std::min(REFERENCE_CHUNK, end - at));
+}
+
+void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settings) {
+  if (settings.candidates < 1 || settings.candidates > max_candidates)
+    throw UsageError("--candidates", "1 to " + std::to_string(max_candidates));
+  if (settings.neighbours > max_neighbours)
+    throw UsageError("--neighbours", "0 to " + std::to_string(max_neighbours));
+
+  const bool same_settings = same_estimate(settings, settings_);
+  if (!pose_ || !same_view(pose, *pose_) || !same_settings) frames_ = 0;
+  // Reservoirs of another estimator mean something else; those of another view are reprojected.
+  if (!same_settings) has_history_ = false;
+  build_passes(settings);
+  parity_ ^= 1;
+
+  gpu::Frame frame{};
+  frame.scene = scene_.buffers();
+  frame.surfaces = surfaces_[parity_].address();
+  frame.previous_surfaces = surfaces_[parity_ ^ 1].address();
+  frame.reservoirs = reservoirs_.address();
+  frame.spatial = spatial_[parity_].address();
+  frame.previous_reservoirs = spatial_[parity_ ^ 1].address();
+  frame.radiance = radiance_.address();
+  frame.accumulation = accumulation_.address();
+  frame.display = display_.address();
+  frame.previous_camera = camera_;
+  camera_ = make_camera(pose, float(width_) / float(height_));
+  frame.camera = camera_;
+  frame.size = {width_, height_};
+  frame.frame = frame_number_;
+  frame.seed = settings.seed;
+  frame.candidates = settings.candidates;
+  frame.neighbours = settings.neighbours;
+  frame.neighbour_radius = settings.neighbour_radius_px;
+  frame.history_cap = settings.history_cap;
+  frame.uniform_share = std::clamp(settings.uniform_share, 0.0f, 1.0f);
+  frame.has_history = has_history_;
+  // By frames in the mean, not by frame number: every estimator then sees the same sub-pixels.
+  frame.jitter_x = settings.jitter ? radical(0.7548776662466927, frames_) : 0.5f;
+  frame.jitter_y = settings.jitter ? radical(0.5698402909980532, frames_) : 0.5f;
+  frame.exposure = tonemap::exposure_scale(settings.ev100);
+  frame.reset = frames_ == 0;
+  frame.sky = settings.sky_cd_m2;
+  frame.tone = settings.tone;
+  frame_.upload(&frame, sizeof(frame));
+
+  timings_.clear();
+  const auto submit = [&](auto&& record) {
+    device_.run([&](VkCommandBuffer commands) {
+      timer_.start(commands);
+      record(commands);
+    });
+    const auto spans = timer_.collect();
+    timings_.insert(timings_.end(), spans.begin(), spans.end());
+  };
+  if (settings.estimator == Estimator::reference) {
+    submit([&](VkCommandBuffer commands) { run_pass(commands, primary_, "primary"); });
+    // At least one chunk, even without lights: it also writes what surfaces emit.
+    const std::uint32_t lights = std::max(1u, scene_.buffers().light_count);
+    constexpr std::uint32_t batch = REFERENCE_CHUNK * chunks_a_submission;
+    for (std::uint32_t first = 0; first < lights; first += batch)
+      submit([&](VkCommandBuffer commands) {
+        record_reference(commands, first, std::min(first + batch, lights));
+      });
+    submit([&](VkCommandBuffer commands) { run_pass(commands, accumulate_, "accumulate"); });
+  } else {
+    submit([&](VkCommandBuffer commands) {
+      run_pass(commands, primary_, "primary");
+      record_restir(commands, settings);
+      run_pass(commands, accumulate_, "accumulate");
+    });
+    has_history_ = true;
+  }
+  pose_ = pose;
+  settings_ = settings;
+  ++frames_;
+  ++frame_number_;
+}
+
+Image Renderer::download(bool layers) const {
+  Image image;
+  image.width = width_;
+  image.height = height_;
+  const std::size_t pixels = image.pixels();
+  image.rgb.resize(3 * pixels);
+  const auto sums = accumulation_.read<gpu::Accumulation>(pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const glm::vec3 mean =
+        sums[i].frames > 0 ? (sums[i].sum - sums[i].compensation) / sums[i].frames : glm::vec3(0);
+    for (int c = 0; c < 3; ++c) image.rgb[3 * i + std::size_t(c)] = mean[c];
+  }
+  image.info.estimator = name_of(settings_.estimator);
+  image.info.frames = frames_;
+  image.info.candidates = settings_.estimator == Estimator::reference ? 0 : settings_.candidates;
+  image.info.neighbours = settings_.neighbours;
+  image.info.seed = settings_.seed;
+  image.info.ev100 = settings_.ev100;
+  image.info.device = device_.info().name;
+  if (!layers) return image;
+
+  ImageLayer normal{"normal", {"X", "Y", "Z"}, {}}, depth{"depth", {"Z"}, {}},
+      position{"position", {"X", "Y", "Z"}, {}}, material{"material", {"id"}, {}},
+      feature{"feature", {"id"}, {}};
+  for (const gpu::Surface& s : surfaces_[parity_].read<gpu::Surface>(pixels)) {
+    const bool hit = s.depth > 0;
+    const glm::vec3 n = hit ? unpack_normal(s.normal) : glm::vec3(0);
+    normal.values.insert(normal.values.end(), {n.x, n.y, n.z});
+    position.values.insert(position.values.end(), {s.position.x, s.position.y, s.position.z});
+    depth.values.push_back(s.depth);
+    material.values.push_back(hit ? float(s.material) : -1.0f);
+    feature.values.push_back(hit && s.feature != NO_HIT ? float(s.feature) : -1.0f);
+  }
+  image.layers = {std::move(normal), std::move(depth), std::move(position), std::move(material),
+                  std::move(feature)};
+  return image;
+}
+
+}  // namespace nightcity

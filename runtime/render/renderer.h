@@ -1,0 +1,85 @@
+// Renders a scene frame by frame on a device, and keeps the running mean of the frames.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/gpu/buffer.h"
+#include "runtime/gpu/compute_pass.h"
+#include "runtime/gpu/device.h"
+#include "runtime/gpu/timer.h"
+#include "runtime/measure/image.h"
+#include "runtime/render/settings.h"
+#include "runtime/scene/camera.h"
+#include "runtime/scene/render_scene.h"
+
+namespace nightcity {
+
+/// A scene's arrays on a device.
+class DeviceScene {
+ public:
+  DeviceScene(gpu::Device& device, const RenderScene& scene);
+
+  const gpu::SceneBuffers& buffers() const { return addresses_; }
+  bool has_profiles() const { return has_profiles_; }
+  bool has_rectangles() const { return has_rectangles_; }
+  std::uint64_t bytes() const;
+
+ private:
+  std::vector<gpu::Buffer> storage_;
+  gpu::SceneBuffers addresses_{};
+  bool has_profiles_ = false, has_rectangles_ = false;
+};
+
+class Renderer {
+ public:
+  /// Device and scene must outlive the renderer. Throws Error when the device's memory does not suffice.
+  Renderer(gpu::Device& device, const DeviceScene& scene, std::uint32_t width, std::uint32_t height);
+
+  /// Renders one frame and adds it to the mean. The mean starts anew when the camera or a setting that
+  /// changes the picture's meaning changed since the last frame; reservoirs carry over by reprojection where
+  /// only the camera did.
+  void render_frame(const CameraPose& pose, const RenderSettings& settings);
+
+  /// Frames in the mean.
+  std::uint32_t frames() const { return frames_; }
+  /// GPU milliseconds of the last frame's passes; empty where the queue has no timestamps.
+  const std::vector<gpu::Timer::Span>& timings() const { return timings_; }
+
+  /// The mean so far, cd/m^2, with layers normal, depth, position, material and feature (ids, -1 = none) of
+  /// the last frame; info filled in.
+  Image download(bool layers = true) const;
+  /// The displayed picture: width * height words, R in the low byte, written by every frame.
+  const gpu::Buffer& display() const { return display_; }
+  std::uint32_t width() const { return width_; }
+  std::uint32_t height() const { return height_; }
+
+ private:
+  void build_passes(const RenderSettings& settings);
+  void record_reference(VkCommandBuffer commands, std::uint32_t first, std::uint32_t end);
+  void record_restir(VkCommandBuffer commands, const RenderSettings& settings);
+  void run_pass(VkCommandBuffer commands, const gpu::ComputePass& pass, const char* name,
+                std::uint32_t first = 0, std::uint32_t count = 0);
+
+  gpu::Device& device_;
+  const DeviceScene& scene_;
+  std::uint32_t width_, height_;
+  gpu::Timer timer_;
+  gpu::Buffer frame_;
+  gpu::Buffer surfaces_[2], reservoirs_, spatial_[2], radiance_, accumulation_, display_;
+  gpu::ComputePass primary_, candidates_, temporal_, spatial_pass_, shade_, reference_, accumulate_;
+  std::optional<std::vector<std::uint32_t>> constants_;  // the passes were built with
+  std::optional<CameraPose> pose_;
+  gpu::Camera camera_{};
+  RenderSettings settings_;
+  std::uint32_t parity_ = 0;  // which of the paired buffers this frame writes
+  std::uint32_t frames_ = 0;
+  std::uint32_t frame_number_ = 0;  // never repeats: random numbers of every frame differ
+  bool has_history_ = false;
+  std::vector<gpu::Timer::Span> timings_;
+};
+
+}  // namespace nightcity

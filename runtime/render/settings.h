@@ -1,0 +1,54 @@
+// What the user may choose about the renderer, and the names those choices go by.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "shaders/interface.h"
+#include "shaders/tonemap.glsl.h"
+
+namespace nightcity {
+
+enum class Estimator : std::uint32_t {
+  reference = ESTIMATOR_REFERENCE,
+  ris = ESTIMATOR_RIS,
+  paper = ESTIMATOR_PAPER,
+  basic = ESTIMATOR_BASIC,
+  pairwise = ESTIMATOR_PAIRWISE,
+  traced = ESTIMATOR_TRACED,
+};
+
+struct EstimatorName {
+  Estimator estimator;
+  const char* name;
+  const char* description;
+};
+
+/// Every estimator, in the order of DESIGN's ladder.
+const std::vector<EstimatorName>& estimator_names();
+const char* name_of(Estimator estimator);
+/// Throws UsageError naming the estimators there are.
+Estimator estimator_from_name(const std::string& name);
+
+constexpr std::uint32_t max_candidates = 1024;
+constexpr std::uint32_t max_neighbours = 32;  // spatial.comp's array
+
+struct RenderSettings {
+  Estimator estimator = Estimator::traced;
+  std::uint32_t candidates = 32;  // a pixel and frame, 1 .. max_candidates
+  std::uint32_t neighbours = 5;   // spatial reuse, 0 .. max_neighbours
+  float neighbour_radius_px = 30;
+  float history_cap = 20;  // M of the history, in multiples of a frame's candidates; 0 = no temporal reuse
+  float uniform_share = 0.25f;  // of candidates picked uniformly over lights, the rest by flux
+  bool visibility_reuse =
+      false;           // drop shadowed candidates before reuse: less noise, biased (basic, pairwise)
+  bool jitter = true;  // sub-pixel offsets from frame to frame: anti-aliasing
+  std::uint32_t seed = 0;
+  glm::vec3 sky_cd_m2{0};  // luminance of rays that leave the scene
+  float ev100 = 2;         // of the displayed picture
+  std::uint32_t tone = TONEMAP_FILMIC;
+};
+
+}  // namespace nightcity

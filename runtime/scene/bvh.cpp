@@ -1,0 +1,228 @@
+// Binned SAH: Wald, On fast construction of SAH-based bounding volume hierarchies, 2007. Quantised wide
+// nodes: Ylitie, Karras, Laine, Efficient incoherent ray traversal on GPUs through compressed wide BVHs, HPG
+// 2017.
+#include "runtime/scene/bvh.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <glm/common.hpp>
+#include <numeric>
+
+#include "formats/error.h"
+
+namespace nightcity {
+namespace {
+
+constexpr int bin_count = 16;
+
+struct Range {
+  std::uint32_t begin, end;
+  Box box;
+  std::uint32_t size() const { return end - begin; }
+};
+
+class Builder {
+ public:
+  Builder(std::span<const Box> boxes, std::uint32_t max_leaf, bool median_only)
+      : boxes_(boxes), max_leaf_(max_leaf), median_only_(median_only) {
+    order_.resize(boxes.size());
+    std::iota(order_.begin(), order_.end(), 0u);
+    centres_.reserve(boxes.size());
+    for (const Box& box : boxes) centres_.push_back(0.5f * box.lower + 0.5f * box.upper);
+  }
+
+  Bvh build() {
+    Bvh bvh;
+    if (!boxes_.empty()) {
+      const Range all = range(0, static_cast<std::uint32_t>(boxes_.size()));
+      bvh.root = build(all, bvh.stack_need);
+    }
+    bvh.nodes = std::move(nodes_);
+    bvh.order = std::move(order_);
+    return bvh;
+  }
+
+ private:
+  Range range(std::uint32_t begin, std::uint32_t end) const {
+    Range r{begin, end, {}};
+    for (std::uint32_t i = begin; i < end; ++i) r.box.grow(boxes_[order_[i]]);
+    return r;
+  }
+
+  static std::uint32_t leaf(const Range& r) {
+    return BVH_LEAF | ((r.size() - 1) << BVH_LEAF_COUNT_SHIFT) | r.begin;
+  }
+
+  // Position of the first primitive of the right half.
+  std::uint32_t split(const Range& r) {
+    Box centre_box;
+    for (std::uint32_t i = r.begin; i < r.end; ++i) centre_box.grow(centres_[order_[i]]);
+    const glm::vec3 size = centre_box.upper - centre_box.lower;
+    const int longest = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
+    if (!median_only_ && size[longest] > 0) {
+      const std::uint32_t at = split_by_area(r, centre_box);
+      if (at != r.begin && at != r.end) return at;
+    }
+    const std::uint32_t middle = r.begin + r.size() / 2;
+    std::nth_element(order_.begin() + r.begin, order_.begin() + middle, order_.begin() + r.end,
+                     [&](std::uint32_t a, std::uint32_t b) {
+                       // Ties by index: the same input gives the same tree everywhere.
+                       return std::pair(centres_[a][longest], a) < std::pair(centres_[b][longest], b);
+                     });
+    return middle;
+  }
+
+  std::uint32_t split_by_area(const Range& r, const Box& centre_box) {
+    float best_cost = INFINITY;
+    int best_axis = -1, best_bin = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const float extent = centre_box.upper[axis] - centre_box.lower[axis];
+      if (!(extent > 0)) continue;
+      std::array<Box, bin_count> bins;
+      std::array<std::uint32_t, bin_count> counts{};
+      for (std::uint32_t i = r.begin; i < r.end; ++i) {
+        const int bin = bin_of(centres_[order_[i]][axis], centre_box.lower[axis], extent);
+        bins[static_cast<std::size_t>(bin)].grow(boxes_[order_[i]]);
+        ++counts[static_cast<std::size_t>(bin)];
+      }
+      std::array<float, bin_count> right_cost{};
+      Box right;
+      std::uint32_t right_count = 0;
+      for (std::size_t bin = bin_count - 1; bin > 0; --bin) {
+        right.grow(bins[bin]);
+        right_count += counts[bin];
+        right_cost[bin] = right.half_area() * static_cast<float>(right_count);
+      }
+      Box left;
+      std::uint32_t left_count = 0;
+      for (std::size_t bin = 1; bin < bin_count; ++bin) {
+        left.grow(bins[bin - 1]);
+        left_count += counts[bin - 1];
+        const float cost = left.half_area() * static_cast<float>(left_count) + right_cost[bin];
+        if (left_count > 0 && left_count < r.size() && cost < best_cost) {
+          best_cost = cost;
+          best_axis = axis;
+          best_bin = static_cast<int>(bin);
+        }
+      }
+    }
+    if (best_axis < 0) return r.begin;
+    const float lower = centre_box.lower[best_axis];
+    const float extent = centre_box.upper[best_axis] - lower;
+    const auto middle =
+        std::stable_partition(order_.begin() + r.begin, order_.begin() + r.end, [&](std::uint32_t primitive) {
+          return bin_of(centres_[primitive][best_axis], lower, extent) < best_bin;
+        });
+    return static_cast<std::uint32_t>(middle - order_.begin());
+  }
+
+  static int bin_of(float centre, float lower, float extent) {
+    return std::clamp(static_cast<int>((centre - lower) / extent * bin_count), 0, bin_count - 1);
+  }
+
+  std::uint32_t build(const Range& r, std::uint32_t& stack_need) {
+    stack_need = 0;
+    if (r.size() <= max_leaf_) return leaf(r);
+    std::array<Range, 4> children{r, {}, {}, {}};
+    std::size_t count = 1;
+    while (count < 4) {
+      std::size_t widest = count;
+      for (std::size_t i = 0; i < count; ++i) {
+        // A range worth opening: too big for a leaf, or cheaper in two than as one leaf.
+        if (children[i].size() <= (count == 1 ? max_leaf_ : std::max(1u, max_leaf_ / 2))) continue;
+        if (widest == count || children[i].box.half_area() > children[widest].box.half_area()) widest = i;
+      }
+      if (widest == count) break;
+      const std::uint32_t at = split(children[widest]);
+      const Range right = range(at, children[widest].end);
+      children[widest] = range(children[widest].begin, at);
+      children[count++] = right;
+    }
+    const auto index = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.push_back(quantised(r.box, std::span(children.data(), count)));
+    std::uint32_t deepest = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      std::uint32_t need = 0;
+      const std::uint32_t child = build(children[i], need);
+      nodes_[index].child[i] = child;
+      deepest = std::max(deepest, need);
+    }
+    stack_need = static_cast<std::uint32_t>(count) - 1 + deepest;
+    return index;
+  }
+
+  static float down(float x) { return std::nextafter(x, -INFINITY); }
+  static float up(float x) { return std::nextafter(x, INFINITY); }
+
+  static gpu::BvhNode quantised(const Box& box, std::span<const Range> children) {
+    gpu::BvhNode node{};
+    std::fill(std::begin(node.child), std::end(node.child), BVH_EMPTY);
+    for (int axis = 0; axis < 3; ++axis) {
+      const float origin = down(box.lower[axis]);
+      // The least power of two whose 255 steps reach the far side, as the shader will compute it.
+      const float extent = up(box.upper[axis]) - origin;
+      int exponent = std::clamp(std::ilogb(std::max(extent / 255.0f, 1e-30f)), -100, 120);
+      while (origin + 255.0f * std::ldexp(1.0f, exponent) < up(box.upper[axis])) ++exponent;
+      const float step = std::ldexp(1.0f, exponent);
+      node.origin[axis] = origin;
+      node.exponents |= static_cast<std::uint32_t>(exponent + 127) << (8 * axis);
+      for (std::size_t i = 0; i < children.size(); ++i) {
+        const float lower = down(children[i].box.lower[axis]);
+        const float upper = up(children[i].box.upper[axis]);
+        int q0 = std::clamp(static_cast<int>(std::floor((lower - origin) / step)), 0, 255);
+        int q1 = std::clamp(static_cast<int>(std::ceil((upper - origin) / step)), 0, 255);
+        while (q0 > 0 && origin + static_cast<float>(q0) * step > lower) --q0;
+        while (q1 < 255 && origin + static_cast<float>(q1) * step < upper) ++q1;
+        node.lower[axis] |= static_cast<std::uint32_t>(q0) << (8 * i);
+        node.upper[axis] |= static_cast<std::uint32_t>(q1) << (8 * i);
+      }
+    }
+    return node;
+  }
+
+  std::span<const Box> boxes_;
+  std::uint32_t max_leaf_;
+  bool median_only_;
+  std::vector<glm::vec3> centres_;
+  std::vector<std::uint32_t> order_;
+  std::vector<gpu::BvhNode> nodes_;
+};
+
+}  // namespace
+
+void Box::grow(const glm::vec3& p) {
+  lower = glm::min(lower, p);
+  upper = glm::max(upper, p);
+}
+
+void Box::grow(const Box& b) {
+  lower = glm::min(lower, b.lower);
+  upper = glm::max(upper, b.upper);
+}
+
+float Box::half_area() const {
+  if (empty()) return 0;
+  const glm::vec3 s = upper - lower;
+  return s.x * s.y + s.y * s.z + s.z * s.x;
+}
+
+Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t max_stack) {
+  if (boxes.size() > BVH_LEAF_FIRST_MASK) throw Error("", "more than 134 million triangles in one scene");
+  Bvh bvh = Builder(boxes, max_leaf, false).build();
+  if (bvh.stack_need > max_stack) bvh = Builder(boxes, max_leaf, true).build();
+  if (bvh.stack_need > max_stack) throw Error("", "the scene has too many instances for the traversal stack");
+  return bvh;
+}
+
+void rebase(Bvh& bvh, std::uint32_t node_base, std::uint32_t first_base) {
+  const auto shift = [&](std::uint32_t& child) {
+    if (child != BVH_EMPTY) child += (child & BVH_LEAF) ? first_base : node_base;
+  };
+  shift(bvh.root);
+  for (gpu::BvhNode& node : bvh.nodes)
+    for (std::uint32_t& child : node.child) shift(child);
+}
+
+}  // namespace nightcity
