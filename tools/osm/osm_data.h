@@ -1,4 +1,5 @@
-// What an OSM reader delivers: the lamps and roads a night scene wants, in WGS 84, with their tags as written.
+// What an OSM reader delivers: the lamps and roads a night scene wants, in WGS 84, with their tags as
+// written.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +27,7 @@ struct OsmWay {
 };
 
 struct OsmData {
-  std::vector<OsmLampNode> lamps;   // street_lamp, lantern, floodlight, tower:type=lighting, ...
+  std::vector<OsmLampNode> lamps;  // street_lamp, lantern, floodlight, tower:type=lighting, ...
   std::vector<OsmWay> highways;
   std::vector<OsmWay> buildings;
   std::size_t nodes = 0, ways = 0, relations = 0;

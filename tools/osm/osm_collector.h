@@ -1,0 +1,41 @@
+// From a stream of nodes and ways, in any order, to OsmData: what both parsers feed.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <vector>
+
+#include "tools/osm/osm_data.h"
+
+namespace nightcity {
+
+class OsmCollector {
+ public:
+  /// `tags` may be empty. Coordinates in degrees; those not finite or off the globe are counted and left out.
+  void node(std::int64_t id, const glm::dvec2& lon_lat, OsmTags tags);
+  void bad_node() { ++nodes_, ++data_.bad_coordinates; }
+  void way(std::int64_t id, std::vector<std::int64_t> nodes, OsmTags tags);
+  void relation() { ++data_.relations; }
+
+  /// Gives the ways their coordinates. Elements that come twice in one file: the first wins.
+  OsmData finish() &&;
+
+ private:
+  // In OSM's own resolution of 1e-7 degrees: 16 bytes a node, for extracts of many millions.
+  struct Place {
+    std::int64_t id;
+    std::int32_t lon, lat;
+  };
+  struct PendingWay {
+    OsmWay way;
+    std::vector<std::int64_t> nodes;
+    bool highway;
+  };
+
+  OsmData data_;
+  std::size_t nodes_ = 0;
+  std::vector<Place> places_;
+  std::vector<PendingWay> pending_;
+};
+
+}  // namespace nightcity
