@@ -1,0 +1,5 @@
+# Read by cpack once per generator.
+if(CPACK_GENERATOR STREQUAL "DEB")
+  list(FILTER CPACK_COMPONENTS_ALL EXCLUDE REGEX "_libraries$")
+  set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+endif()
