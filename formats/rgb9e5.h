@@ -17,7 +17,7 @@ inline float luminance(const glm::vec3& rgb) {
 /// Packs a non-negative colour: red in the low bits, the exponent (bias 15) in the top five. Values above
 /// 65408 are clamped, negative and NaN become 0. Relative error of the largest channel: at most 2^-9.
 inline std::uint32_t encode_rgb9e5(const glm::vec3& rgb) {
-  constexpr float greatest = 65408.0f;  // 511/512 * 2^16
+  static constexpr float greatest = 65408.0f;  // 511/512 * 2^16
   const auto clean = [](float v) { return v > 0 ? std::min(v, greatest) : 0.0f; };
   const float r = clean(rgb.x), g = clean(rgb.y), b = clean(rgb.z);
   const float largest = std::max({r, g, b});

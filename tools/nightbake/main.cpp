@@ -29,6 +29,8 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.fallthrough();  // so that --quiet works after the subcommand's name too
 
+  add_town_command(app);
+
   bool verbose = false, quiet = false;
   auto* verbose_flag = app.add_flag("-v,--verbose", verbose, "Tell more of what is done");
   app.add_flag("-q,--quiet", quiet, "Errors and results only")->excludes(verbose_flag);

@@ -1,0 +1,202 @@
+#include "formats/light_file.h"
+
+#include <gtest/gtest.h>
+#include <xxhash.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "formats/error.h"
+#include "formats/rgb9e5.h"
+#include "support/temp_folder.h"
+
+namespace nightcity {
+namespace {
+
+using test::TempFolder;
+
+Light lamp(float x) {
+  return {{x, 8, 0},
+          0.1f,
+          {0, -1, 0},
+          0,
+          {1, 0, 0},
+          5000,
+          encode_rgb9e5({1.2f, 1, 0.6f}),
+          LIGHT_SPHERE | LIGHT_NO_PROFILE << 8,
+          LIGHT_ALWAYS_ON,
+          17};
+}
+
+struct Sample {
+  std::vector<Light> lights{lamp(1), lamp(2), lamp(3)};
+  std::vector<LightProvenance> provenance{3};
+  std::vector<LightProfile> profiles{{1, 2, 0, 0}, {2, 3, 2, 0}};
+  std::vector<float> data{0.1f, 0.2f, 1, 2, 3, 4, 5, 6};
+
+  LightFileContent content() const {
+    return {{"EPSG:25833", {391000.5, 5819000.25, 34}, {"a.osm"}, {"ODbL 1.0"}},
+            lights,
+            provenance,
+            profiles,
+            data};
+  }
+};
+
+TEST(LightFile, KeepsEveryByte) {
+  const TempFolder folder;
+  Sample sample;
+  sample.lights[1].kind_profile = LIGHT_RECTANGLE | 1u << 8;
+  sample.lights[1].half_height = 0.7f;
+  sample.provenance[2] = {123456789012,
+                          ValueSource::tag,
+                          ValueSource::rule,
+                          ValueSource::standard,
+                          ValueSource::rule,
+                          ValueSource::unknown,
+                          ValueSource::attribute,
+                          1,
+                          0};
+  write_light_file(folder / "city.lights", sample.content());
+  const LightFile file = LightFile::open(folder / "city.lights");
+  file.verify();
+  EXPECT_EQ(file.georeference().crs, "EPSG:25833");
+  EXPECT_EQ(file.georeference().origin, glm::dvec3(391000.5, 5819000.25, 34));
+  EXPECT_EQ(file.georeference().licences, std::vector<std::string>{"ODbL 1.0"});
+  ASSERT_EQ(file.lights().size(), 3u);
+  EXPECT_EQ(std::memcmp(file.lights().data(), sample.lights.data(), 3 * sizeof(Light)), 0);
+  EXPECT_EQ(std::memcmp(file.provenance().data(), sample.provenance.data(), 3 * sizeof(LightProvenance)), 0);
+  EXPECT_EQ(std::memcmp(file.profiles().data(), sample.profiles.data(), 2 * sizeof(LightProfile)), 0);
+  EXPECT_EQ(std::vector<float>(file.profile_data().begin(), file.profile_data().end()), sample.data);
+}
+
+TEST(LightFile, MayHoldNoLights) {
+  const TempFolder folder;
+  write_light_file(folder / "city.lights", {});
+  const LightFile file = LightFile::open(folder / "city.lights");
+  file.verify();
+  EXPECT_TRUE(file.lights().empty());
+}
+
+TEST(LightFile, WriterRefusesUnphysicalLightsAndLeavesNothing) {
+  const TempFolder folder;
+  const auto refused = [&](auto&& spoil) {
+    Sample sample;
+    spoil(sample);
+    EXPECT_THROW(write_light_file(folder / "city.lights", sample.content()), Error);
+  };
+  const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+  refused([&](Sample& s) { s.lights[1].flux_lm = 0; });
+  refused([&](Sample& s) { s.lights[1].flux_lm = -5; });
+  refused([&](Sample& s) { s.lights[1].flux_lm = nan; });
+  refused([&](Sample& s) { s.lights[1].flux_lm = inf; });
+  refused([&](Sample& s) { s.lights[1].position.z = nan; });
+  refused([&](Sample& s) { s.lights[1].radius = -1; });
+  refused([&](Sample& s) { s.lights[1].axis = {0, -2, 0}; });
+  refused([&](Sample& s) { s.lights[1].axis = {0, nan, 0}; });
+  refused([&](Sample& s) { s.lights[1].tangent = {0, 1, 0}; });  // along the axis
+  refused([&](Sample& s) { s.lights[1].colour_rgb9e5 = 0; });
+  refused([&](Sample& s) { s.lights[1].kind_profile = 9; });
+  refused([&](Sample& s) { s.lights[1].kind_profile = LIGHT_SPHERE | 2u << 8; });  // no such profile
+  refused([&](Sample& s) { s.lights[1].kind_profile = LIGHT_RECTANGLE | LIGHT_NO_PROFILE << 8; });  // no area
+  refused([&](Sample& s) { s.profiles[1].data_offset = 3; });
+  refused([&](Sample& s) { s.profiles[1].gamma_count = 0xFFFFFFFFu; });
+  refused([&](Sample& s) { s.data[3] = -1; });
+  refused([&](Sample& s) { s.data[3] = inf; });
+  refused([&](Sample& s) { s.provenance.pop_back(); });
+  EXPECT_EQ(folder.entries(), 0u);
+}
+
+TEST(LightFile, RefusesTheFileCutOffAtAnyByte) {
+  const TempFolder folder;
+  write_light_file(folder / "whole", Sample().content());
+  const std::string whole = test::read_text(folder / "whole");
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    test::write_text(folder / "cut", std::string_view(whole).substr(0, length));
+    EXPECT_THROW(LightFile::open(folder / "cut"), Error) << length;
+  }
+}
+
+TEST(LightFile, FindsEveryChangedByte) {
+  const TempFolder folder;
+  write_light_file(folder / "whole", Sample().content());
+  const std::string whole = test::read_text(folder / "whole");
+  std::size_t padding = 0;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    std::string changed = whole;
+    changed[i] = static_cast<char>(changed[i] ^ 0x40);
+    test::write_text(folder / "changed", changed);
+    try {
+      LightFile::open(folder / "changed").verify();
+      ++padding;  // zero bytes between sections carry nothing and no checksum
+    } catch (const Error&) {
+    }
+  }
+  EXPECT_LT(padding, 6u * 64u);
+}
+
+// Adds a section to the table, as a later version of the format might, by the layout in SPEC.md.
+std::string with_section(std::string bytes, const char* tag) {
+  const auto put = [&bytes](std::size_t at, std::uint64_t value) { std::memcpy(&bytes[at], &value, 8); };
+  std::uint64_t table = 0;
+  std::memcpy(&table, &bytes[24], 8);
+  std::string entry(32, '\0');
+  std::memcpy(entry.data(), tag, 4);
+  entry[4] = 1;  // element size; offset 0, no elements, checksum of nothing
+  const std::uint64_t nothing = XXH64(nullptr, 0, 0);
+  std::memcpy(&entry[24], &nothing, 8);
+  bytes += entry;
+  ++bytes[12];  // section count
+  put(16, bytes.size());
+  put(32, XXH64(&bytes[table], bytes.size() - table, 0));
+  put(56, XXH64(bytes.data(), 56, 0));
+  return bytes;
+}
+
+TEST(LightFile, SkipsSectionsItDoesNotKnowButRefusesOneTwice) {
+  const TempFolder folder;
+  write_light_file(folder / "city.lights", Sample().content());
+  const std::string bytes = test::read_text(folder / "city.lights");
+  test::write_text(folder / "later", with_section(bytes, "XXXX"));
+  const LightFile later = LightFile::open(folder / "later");
+  later.verify();
+  EXPECT_EQ(later.lights().size(), 3u);
+  test::write_text(folder / "twice", with_section(bytes, "LGHT"));
+  EXPECT_THROW(LightFile::open(folder / "twice"), Error);
+}
+
+TEST(LightFile, SaysWhatIsWrongWithAFileOfAnotherKind) {
+  const TempFolder folder;
+  const auto message = [&](std::string_view content) -> std::string {
+    test::write_text(folder / "file", content);
+    try {
+      LightFile::open(folder / "file");
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "opened";
+  };
+  EXPECT_NE(message("").find("is empty"), std::string::npos);
+  EXPECT_NE(message("<osm/>").find("is not a light file"), std::string::npos);
+  EXPECT_NE(message(std::string(1000, 'x')).find("is not a light file"), std::string::npos);
+  EXPECT_THROW(LightFile::open(folder / "absent"), Error);
+  EXPECT_THROW(LightFile::open(folder.path()), Error);
+}
+
+TEST(Rgb9e5, KeepsColoursToNineBits) {
+  for (const glm::vec3 colour :
+       {glm::vec3(1, 1, 1), glm::vec3(3.1f, 0.9f, 0.01f), glm::vec3(1e-3f, 2e-4f, 0), glm::vec3(511.9f, 3, 4),
+        glm::vec3(65000, 1, 0), glm::vec3(0.99999f, 0.5f, 0.25f)}) {
+    const glm::vec3 back = decode_rgb9e5(encode_rgb9e5(colour));
+    const float largest = std::max({colour.x, colour.y, colour.z});
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(back[i], colour[i], largest / 511) << largest;
+  }
+  EXPECT_EQ(encode_rgb9e5({0, 0, 0}), 0u);
+  EXPECT_EQ(encode_rgb9e5({-1, std::nanf(""), 0}), 0u);
+  EXPECT_EQ(decode_rgb9e5(encode_rgb9e5({1e9f, 0, 0})).x, 65408.0f);
+  EXPECT_EQ(encode_rgb9e5({1, 1, 1}), 0x84020100u);  // the extension's own layout: mantissas 256, exponent 16
+}
+
+}  // namespace
+}  // namespace nightcity
