@@ -1,0 +1,176 @@
+// Surfaces whose height is known in closed form, at coordinates as large as a national grid's.
+#include "tools/terrain/terrain.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tools/terrain/made_surface.h"
+
+namespace nightcity {
+namespace {
+
+constexpr double east = 412345.678, north = 5762345.678;
+
+/// Two triangles over a rectangle, heights from a function of local coordinates.
+template <class Height>
+void add_rectangle(TriangleMesh& mesh, double x0, double y0, double x1, double y1, Height height) {
+  const auto base = static_cast<std::uint32_t>(mesh.positions.size());
+  for (const auto& [x, y] : {std::pair{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}})
+    mesh.positions.emplace_back(east + x, north + y, height(x, y));
+  mesh.triangles.push_back({{base, base + 1, base + 2}, SurfaceType::unknown, 0});
+  mesh.triangles.push_back({{base, base + 2, base + 3}, SurfaceType::unknown, 0});
+}
+
+template <class Height>
+TriangleMesh rectangle(double x0, double y0, double x1, double y1, Height height) {
+  TriangleMesh mesh;
+  add_rectangle(mesh, x0, y0, x1, y1, height);
+  return mesh;
+}
+
+TriangleMesh flat(double x0, double y0, double x1, double y1, double z) {
+  return rectangle(x0, y0, x1, y1, [z](double, double) { return z; });
+}
+
+TEST(Terrain, InclinedPlaneIsReproducedToMicrometresOnEdgesAndCornersToo) {
+  const auto plane = [](double x, double y) { return 50 + 0.1 * x - 0.05 * y; };
+  TriangleMesh mesh;
+  for (int i = 0; i < 10; ++i)
+    for (int j = 0; j < 10; ++j) add_rectangle(mesh, i * 10, j * 10, i * 10 + 10, j * 10 + 10, plane);
+  Terrain terrain;
+  terrain.add(mesh, Footing::terrain);
+  terrain.build(100);
+  EXPECT_TRUE(terrain.made_surface().triangles.empty());
+  for (double x = 0; x <= 100; x += 2.5)
+    for (double y = 0; y <= 100; y += 2.5) {
+      const auto hit = terrain.height_at({east + x, north + y});
+      ASSERT_TRUE(hit) << x << " " << y;
+      EXPECT_EQ(hit->footing, Footing::terrain);
+      EXPECT_NEAR(hit->height_m, plane(x, y), 1e-6);
+    }
+}
+
+TEST(Terrain, OutsideAndInHolesThereIsNothing) {
+  TriangleMesh frame;  // a square ring round a hole from (10, 10) to (20, 20)
+  const auto zero = [](double, double) { return 0.0; };
+  add_rectangle(frame, 0, 0, 30, 10, zero);
+  add_rectangle(frame, 0, 20, 30, 30, zero);
+  add_rectangle(frame, 0, 10, 10, 20, zero);
+  add_rectangle(frame, 20, 10, 30, 20, zero);
+  Terrain terrain;
+  terrain.add(frame, Footing::terrain);
+  terrain.build(100);
+  EXPECT_TRUE(terrain.height_at({east + 5, north + 15}));
+  EXPECT_FALSE(terrain.height_at({east + 15, north + 15}));
+  EXPECT_FALSE(terrain.height_at({east - 0.01, north + 5}));
+  EXPECT_FALSE(terrain.height_at({east + 1000, north}));
+  EXPECT_FALSE(terrain.height_at({std::nan(""), north}));
+}
+
+TEST(Terrain, OnAStepTheGreaterHeightOfOneClassWins) {
+  TriangleMesh step;
+  add_rectangle(step, 0, 0, 10, 10, [](double, double) { return 1.0; });
+  add_rectangle(step, 10, 0, 20, 10, [](double, double) { return 4.0; });
+  Terrain terrain;
+  terrain.add(step, Footing::terrain);
+  terrain.build(0);
+  EXPECT_NEAR(terrain.height_at({east + 9.999, north + 5})->height_m, 1, 1e-9);
+  EXPECT_NEAR(terrain.height_at({east + 10.001, north + 5})->height_m, 4, 1e-9);
+  EXPECT_NEAR(terrain.height_at({east + 10, north + 5})->height_m, 4, 1e-9);
+}
+
+TEST(Terrain, TerrainWinsOverRoadOverGroundOverRoofWhateverTheHeights) {
+  const auto hit = [](std::initializer_list<std::pair<Footing, double>> layers) {
+    Terrain terrain;
+    for (const auto& [footing, z] : layers) terrain.add(flat(0, 0, 10, 10, z), footing);
+    // A far piece of terrain, so that no surface is made.
+    terrain.add(flat(100, 100, 110, 110, 0), Footing::terrain);
+    terrain.build(0);
+    return terrain.height_at({east + 3, north + 4});
+  };
+  EXPECT_EQ(
+      hit({{Footing::roof, 30}, {Footing::ground_surface, 5}, {Footing::road, 6}, {Footing::terrain, 4}})
+          ->height_m,
+      4);
+  EXPECT_EQ(hit({{Footing::roof, 30}, {Footing::ground_surface, 5}, {Footing::road, 6}})->height_m, 6);
+  EXPECT_EQ(hit({{Footing::roof, 30}, {Footing::ground_surface, 5}})->height_m, 5);
+  EXPECT_EQ(hit({{Footing::roof, 30}})->footing, Footing::roof);
+  EXPECT_FALSE(hit({}));
+}
+
+TEST(Terrain, MadeSurfacePassesThroughGroundSurfacesAndReachesItsMargin) {
+  const auto plane = [](double x, double y) { return 20 + 0.02 * x + 0.01 * y; };
+  Terrain terrain;
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j)
+      terrain.add(rectangle(i * 30, j * 30, i * 30 + 10, j * 30 + 10, plane), Footing::ground_surface);
+  terrain.add(flat(0, 0, 10, 10, 40), Footing::roof);
+  terrain.build(200);
+  EXPECT_FALSE(terrain.made_surface().triangles.empty());
+  for (const glm::dvec2 p : {glm::dvec2(5, 5), {15, 15}, {20, 65}, {129, 129}, {77, 31}}) {
+    const auto hit = terrain.height_at({east + p.x, north + p.y});
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->footing, Footing::terrain);
+    EXPECT_NEAR(hit->height_m, plane(p.x, p.y), 1e-6);
+  }
+  EXPECT_TRUE(terrain.height_at({east - 199, north - 199}));
+  EXPECT_TRUE(terrain.height_at({east + 329, north + 329}));
+  EXPECT_FALSE(terrain.height_at({east - 201, north}));
+  // Between the outermost houses and the rim heights stay within those of the houses.
+  for (const auto& p : terrain.made_surface().positions) {
+    EXPECT_GE(p.z, plane(0, 0) - 1e-9);
+    EXPECT_LE(p.z, plane(130, 130) + 1e-9);
+  }
+}
+
+TEST(Terrain, MadeSurfaceLooksUpAndTakesTheLowestOfCoincidentPoints) {
+  const TriangleMesh mesh =
+      make_surface({{0, 0, 5}, {0, 0, 2}, {10, 0, 2}, {0, 10, 2}, {10, 10, 2}, {4, 4, NAN}}, 5);
+  ASSERT_FALSE(mesh.triangles.empty());
+  double area = 0;
+  for (const MeshTriangle& t : mesh.triangles) {
+    const auto &a = mesh.positions[t.vertex[0]], &b = mesh.positions[t.vertex[1]],
+               &c = mesh.positions[t.vertex[2]];
+    const double twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    EXPECT_GT(twice, 0);
+    area += twice / 2;
+  }
+  EXPECT_NEAR(area, 20 * 20, 1e-9);
+  for (const auto& p : mesh.positions) EXPECT_EQ(p.z, 2);
+  EXPECT_TRUE(make_surface({}, 10).triangles.empty());
+  EXPECT_FALSE(make_surface({{1, 2, 3}}, 0).triangles.empty());
+}
+
+TEST(Terrain, RoadsCarryTheSurfaceWhereThereIsNoGround) {
+  Terrain terrain;
+  terrain.add(flat(0, 0, 10, 10, 7), Footing::road);
+  terrain.build(50);
+  EXPECT_NEAR(terrain.height_at({east + 40, north + 40})->height_m, 7, 1e-9);
+}
+
+TEST(Terrain, KnowsWhatIsBuiltOver) {
+  Terrain terrain;
+  terrain.add(flat(-50, -50, 50, 50, 0), Footing::terrain);
+  terrain.add(flat(0, 0, 10, 10, 12), Footing::roof);
+  terrain.build(0);
+  EXPECT_TRUE(terrain.inside_building({east + 5, north + 5}));
+  EXPECT_FALSE(terrain.inside_building({east + 15, north + 5}));
+}
+
+TEST(Terrain, WallsSliversAndBrokenVerticesCarryNobody) {
+  TriangleMesh mesh = flat(0, 0, 10, 10, std::numeric_limits<double>::quiet_NaN());
+  add_rectangle(mesh, 0, 5, 10, 5, [](double x, double) { return x; });
+  Terrain terrain;
+  terrain.add(mesh, Footing::terrain);
+  terrain.build(10);
+  EXPECT_FALSE(terrain.height_at({east + 5, north + 5}));
+  Terrain empty;
+  empty.build(10);
+  EXPECT_FALSE(empty.height_at({0, 0}));
+  EXPECT_FALSE(empty.inside_building({0, 0}));
+}
+
+}  // namespace
+}  // namespace nightcity
