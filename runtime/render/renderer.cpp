@@ -6,13 +6,6 @@
 
 #include "formats/error.h"
 #include "runtime/measure/exposure.h"
-#include "spirv/accumulate.h"
-#include "spirv/candidates.h"
-#include "spirv/primary.h"
-#include "spirv/reference.h"
-#include "spirv/shade.h"
-#include "spirv/spatial.h"
-#include "spirv/temporal.h"
 
 namespace nightcity {
 namespace {
@@ -54,8 +47,8 @@ glm::vec3 unpack_normal(std::uint32_t packed) {
 
 }  // namespace
 
-Renderer::Renderer(gpu::Device& device, const DeviceScene& scene, std::uint32_t width, std::uint32_t height)
-    : device_(device), scene_(scene), width_(width), height_(height), timer_(device) {
+Renderer::Renderer(gpu::Device& device, PassLibrary& passes, const DeviceScene& scene, std::uint32_t width, std::uint32_t height)
+    : device_(device), library_(passes), scene_(scene), width_(width), height_(height), timer_(device) {
   if (width == 0 || height == 0 || width > max_image_side || height > max_image_side)
     throw UsageError("--size", "a picture has 1 to " + std::to_string(max_image_side) + " pixels a side");
   const std::size_t pixels = std::size_t{width} * height;
@@ -70,29 +63,13 @@ Renderer::Renderer(gpu::Device& device, const DeviceScene& scene, std::uint32_t 
   display_ = gpu::Buffer(device, pixels * 4);
 }
 
-void Renderer::build_passes(const RenderSettings& settings) {
-  std::vector<std::uint32_t> constants(CONSTANT_COUNT);
+void Renderer::select_passes(const RenderSettings& settings) {
+  PassConstants constants{};
   constants[CONSTANT_ESTIMATOR] = static_cast<std::uint32_t>(settings.estimator);
   constants[CONSTANT_PROFILES] = scene_.has_profiles();
   constants[CONSTANT_RECTANGLES] = scene_.has_rectangles();
   constants[CONSTANT_VISIBILITY_REUSE] = settings.visibility_reuse;
-  if (constants_ == constants) return;
-  const auto make = [&](std::span<const std::uint32_t> spirv) {
-    return gpu::ComputePass(device_, spirv, constants, sizeof(gpu::Push));
-  };
-  if (!constants_) {
-    primary_ = make(primary_spirv);
-    accumulate_ = make(accumulate_spirv);
-  }
-  if (settings.estimator == Estimator::reference) {
-    reference_ = make(reference_spirv);
-  } else {
-    candidates_ = make(candidates_spirv);
-    temporal_ = make(temporal_spirv);
-    spatial_pass_ = make(spatial_spirv);
-    shade_ = make(shade_spirv);
-  }
-  constants_ = constants;
+  passes_ = &library_.get(constants);
 }
 
 void Renderer::run_pass(VkCommandBuffer commands, const gpu::ComputePass& pass, const char* name,
@@ -105,23 +82,23 @@ void Renderer::run_pass(VkCommandBuffer commands, const gpu::ComputePass& pass, 
 }
 
 void Renderer::record_restir(VkCommandBuffer commands, const RenderSettings& settings) {
-  run_pass(commands, candidates_, "candidates");
+  run_pass(commands, passes_->candidates, "candidates");
   const bool reuse = settings.estimator != Estimator::ris;
-  if (reuse && settings.history_cap > 0) run_pass(commands, temporal_, "temporal");
+  if (reuse && settings.history_cap > 0) run_pass(commands, passes_->temporal, "temporal");
   if (reuse && settings.neighbours > 0) {
-    run_pass(commands, spatial_pass_, "spatial");
+    run_pass(commands, passes_->spatial, "spatial");
   } else {
     const VkBufferCopy all{0, 0, reservoirs_.bytes()};
     vkCmdCopyBuffer(commands, reservoirs_.handle(), spatial_[parity_].handle(), 1, &all);
     gpu::full_barrier(commands);
     timer_.mark(commands, "copy");
   }
-  run_pass(commands, shade_, "shade");
+  run_pass(commands, passes_->shade, "shade");
 }
 
 void Renderer::record_reference(VkCommandBuffer commands, std::uint32_t first, std::uint32_t end) {
   for (std::uint32_t at = first; at < end; at += REFERENCE_CHUNK)
-    run_pass(commands, reference_, "reference", at, std::min(REFERENCE_CHUNK, end - at));
+    run_pass(commands, passes_->reference, "reference", at, std::min(REFERENCE_CHUNK, end - at));
 }
 
 void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settings) {
@@ -131,10 +108,10 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
     throw UsageError("--neighbours", "0 to " + std::to_string(max_neighbours));
 
   const bool same_settings = same_estimate(settings, settings_);
-  if (!pose_ || !same_view(pose, *pose_) || !same_settings) frames_ = 0;
+  if (!pose_ || !same_view(pose, *pose_) || !same_settings || !settings.accumulate) frames_ = 0;
   // Reservoirs of another estimator mean something else; those of another view are reprojected.
   if (!same_settings) has_history_ = false;
-  build_passes(settings);
+  select_passes(settings);
   parity_ ^= 1;
 
   gpu::Frame frame{};
@@ -178,7 +155,7 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
     timings_.insert(timings_.end(), spans.begin(), spans.end());
   };
   if (settings.estimator == Estimator::reference) {
-    submit([&](VkCommandBuffer commands) { run_pass(commands, primary_, "primary"); });
+    submit([&](VkCommandBuffer commands) { run_pass(commands, passes_->primary, "primary"); });
     // At least one chunk, even without lights: it also writes what surfaces emit.
     const std::uint32_t lights = std::max(1u, scene_.buffers().light_count);
     constexpr std::uint32_t batch = REFERENCE_CHUNK * chunks_a_submission;
@@ -186,12 +163,12 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
       submit([&](VkCommandBuffer commands) {
         record_reference(commands, first, std::min(first + batch, lights));
       });
-    submit([&](VkCommandBuffer commands) { run_pass(commands, accumulate_, "accumulate"); });
+    submit([&](VkCommandBuffer commands) { run_pass(commands, passes_->accumulate, "accumulate"); });
   } else {
     submit([&](VkCommandBuffer commands) {
-      run_pass(commands, primary_, "primary");
+      run_pass(commands, passes_->primary, "primary");
       record_restir(commands, settings);
-      run_pass(commands, accumulate_, "accumulate");
+      run_pass(commands, passes_->accumulate, "accumulate");
     });
     has_history_ = true;
   }

@@ -43,8 +43,9 @@ struct RenderSettings {
   float history_cap = 20;  // M of the history, in multiples of a frame's candidates; 0 = no temporal reuse
   float uniform_share = 0.25f;  // of candidates picked uniformly over lights, the rest by flux
   bool visibility_reuse =
-      false;           // drop shadowed candidates before reuse: less noise, biased (basic, pairwise)
-  bool jitter = true;  // sub-pixel offsets from frame to frame: anti-aliasing
+      false;               // drop shadowed candidates before reuse: less noise, biased (basic, pairwise)
+  bool accumulate = true;  // mean of frames; else every frame stands alone
+  bool jitter = true;      // sub-pixel offsets from frame to frame: anti-aliasing
   std::uint32_t seed = 0;
   glm::vec3 sky_cd_m2{0};  // luminance of rays that leave the scene
   float ev100 = 2;         // of the displayed picture
