@@ -96,8 +96,8 @@ using ObjectSink = std::function<void(CityObject&&)>;
 
 /// What a frame needs before the first object is placed: a cheap look at the file's beginning.
 struct CityGmlHead {
-  std::string version;   // "1.0", "2.0", "3.0"; "" = not said
-  std::string srs_name;  // first one in the file, as written; "" = none
+  std::string version;             // "1.0", "2.0", "3.0"; "" = not said
+  std::string srs_name;            // first one in the file, as written; "" = none
   std::vector<glm::dvec3> sample;  // of its first rings, as written; empty = a file without geometry
 };
 

@@ -1,0 +1,84 @@
+#include "tools/citygml/attributes.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace nightcity {
+namespace {
+
+// Producers write 9999 (also 99999, 999) and their negatives for "not known".
+bool is_sentinel(double value) {
+  const double v = std::abs(value);
+  return v == 999 || v == 9999 || v == 99999 || v == 999999;
+}
+
+void append(std::string& field, std::string_view value) {
+  if (value.empty()) return;
+  if (!field.empty()) field += ';';
+  field += value;
+}
+
+void set_height(CityObject& object, std::string_view value) {
+  constexpr double tallest_m = 5000;
+  const auto height = parse_number(value);
+  if (height && !is_sentinel(*height) && *height > 0 && *height < tallest_m)
+    object.measured_height_m = height;
+}
+
+void set_storeys(CityObject& object, std::string_view value) {
+  constexpr double most_storeys = 500;
+  const auto storeys = parse_number(value);
+  if (storeys && !is_sentinel(*storeys) && *storeys >= 0 && *storeys < most_storeys)
+    object.storeys_above_ground = static_cast<int>(std::lround(*storeys));
+}
+
+void set_storey_heights(CityObject& object, std::string_view value) {
+  constexpr double tallest_storey_m = 100;
+  while (!(value = trimmed(value)).empty()) {
+    const auto end = std::min(value.find_first_of(" \t\r\n"), value.size());
+    const auto height = parse_number(value.substr(0, end));
+    if (height && !is_sentinel(*height) && *height > 0 && *height < tallest_storey_m)
+      object.storey_heights_m.push_back(*height);
+    value.remove_prefix(end);
+  }
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  text = trimmed(text);
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
+  return value;
+}
+
+bool set_attribute(CityObject& object, std::string_view name, std::string_view value) {
+  value = trimmed(value);
+  if (name == "function")
+    append(object.function, value);
+  else if (name == "usage")
+    append(object.usage, value);
+  else if (name == "class")
+    append(object.building_class, value);
+  else if (name == "measuredheight")
+    set_height(object, value);
+  else if (name == "storeysaboveground")
+    set_storeys(object, value);
+  else if (name == "storeyheightsaboveground")
+    set_storey_heights(object, value);
+  else if (name == "yearofconstruction" || name == "dateofconstruction")
+    object.year = value.substr(0, 4);  // a year, or a date that begins with one
+  else
+    return false;
+  return true;
+}
+
+}  // namespace nightcity

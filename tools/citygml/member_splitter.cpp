@@ -1,0 +1,157 @@
+#include "tools/citygml/member_splitter.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "formats/error.h"
+
+namespace nightcity {
+namespace {
+
+// Lists of members: their children are the members.
+bool is_member_list(std::string_view local) {
+  return local == "featureMembers" || local == "cityObjectMembers";
+}
+
+// Elements a long member may be cut behind: their parent is a plain list of them.
+bool is_patch(std::string_view local) {
+  return local == "Triangle" || local == "PolygonPatch";
+}
+
+// The name in a start tag: "<a:b c='d'>" -> "a:b".
+std::string_view name_in(std::string_view tag) {
+  std::size_t end = 1;
+  while (!ends_name(tag[end])) ++end;
+  return tag.substr(1, end - 1);
+}
+
+std::string newest_version(std::string_view root_tag) {
+  std::string best;
+  for (std::size_t at = root_tag.find("citygml"); at != std::string_view::npos;
+       at = root_tag.find("citygml", at + 7)) {
+    const std::size_t end = std::min(root_tag.find_first_of("\"' \t\r\n", at), root_tag.size());
+    const std::string_view uri = root_tag.substr(at, end - at);
+    for (std::size_t i = 1; i + 2 < uri.size(); ++i) {
+      const bool digits = uri[i] >= '0' && uri[i] <= '9' && uri[i + 2] >= '0' && uri[i + 2] <= '9';
+      if (!digits || uri[i + 1] != '.' || uri[i - 1] != '/' || (i + 3 < uri.size() && uri[i + 3] != '/'))
+        continue;
+      best = std::max(best, std::string(uri.substr(i, 3)));
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+MemberSplitter::MemberSplitter(ByteSource& source, std::string name, const Limits& limits)
+    : scanner_(source, std::move(name), limits.member_bytes), limits_(limits) {
+  read_head();
+}
+
+void MemberSplitter::read_head() {
+  const Tag root = scanner_.next();
+  if (root.kind != Tag::Kind::open && root.kind != Tag::Kind::empty)
+    throw Error(scanner_.name(), "is not XML: it has no root element");
+  head_.root_tag = scanner_.window().substr(root.begin, root.end - root.begin);
+  head_.root_name = root.name;
+  head_.version = newest_version(head_.root_tag);
+  std::string declaration(scanner_.window().substr(0, root.begin));
+  std::transform(declaration.begin(), declaration.end(), declaration.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  head_.latin1 = declaration.find("iso-8859-1") != std::string::npos ||
+                 declaration.find("windows-1252") != std::string::npos;
+  finished_ = root.kind == Tag::Kind::empty;
+  scanner_.take(root.end);
+}
+
+void MemberSplitter::close_tag(const Tag& tag) {
+  const auto [begin, end] = open_.back();
+  const std::string_view expected = name_in(scanner_.window().substr(begin, end - begin));
+  if (expected != tag.name)
+    scanner_.fail(tag.begin,
+                  "not XML: <" + std::string(expected) + "> is closed by </" + std::string(tag.name) + ">");
+  open_.pop_back();
+}
+
+// One tag further; a member that ends with it goes to `batch`. False at the end of the document.
+bool MemberSplitter::scan_tag(MemberBatch& batch) {
+  const Tag tag = scanner_.next();
+  const bool outside = open_.empty();
+  if (tag.kind == Tag::Kind::end_of_file)
+    scanner_.fail(scanner_.window().size(), "the file ends inside <" + head_.root_name + ">");
+  if (tag.kind == Tag::Kind::close && outside) {
+    const std::string& expected = list_.empty() ? head_.root_name : list_;
+    if (tag.name != expected)
+      scanner_.fail(tag.begin, "not XML: <" + expected + "> is closed by </" + std::string(tag.name) + ">");
+    if (list_.empty()) return false;
+    list_.clear();
+    return true;
+  }
+  if (outside) member_line_ = scanner_.line_of(tag.begin);
+  if (tag.kind == Tag::Kind::open) {
+    if (outside && list_.empty() && is_member_list(local_name(tag.name))) {
+      list_ = tag.name;
+      return true;
+    }
+    if (open_.size() >= limits_.depth) scanner_.fail(tag.begin, "elements nest deeper than any CityGML does");
+    open_.emplace_back(tag.begin, tag.end);
+    return true;
+  }
+  const std::size_t begin = outside ? tag.begin : open_.front().first;
+  if (tag.kind == Tag::Kind::close) close_tag(tag);
+  if (open_.empty()) {
+    const std::string_view name = name_in(scanner_.window().substr(begin, tag.end - begin));
+    batch.members.push_back({begin, tag.end - begin, member_line_, std::string(local_name(name))});
+  } else if (tag.end - begin > limits_.piece_bytes && is_patch(local_name(tag.name))) {
+    cut_ = tag.end;
+  }
+  return true;
+}
+
+void MemberSplitter::hand_over(MemberBatch& batch, std::size_t end) {
+  batch.bytes = scanner_.take(end);
+  for (Range& range : open_) range = {range.first - end, range.second - end};
+  if (cut_ > 0) cut_ -= end;
+}
+
+// Closes what is open at the cut for this piece, and opens it again for the next.
+void MemberSplitter::hand_over_piece(MemberBatch& batch) {
+  const std::string_view window = scanner_.window();
+  std::string openers, closers;
+  std::vector<Range> reopened;
+  for (const auto& [begin, end] : open_) {
+    const std::string_view tag = window.substr(begin, end - begin);
+    reopened.emplace_back(openers.size(), openers.size() + tag.size());
+    openers += tag;
+    closers = "</" + std::string(name_in(tag)) + ">" + closers;
+  }
+  const std::size_t begin = open_.front().first, length = cut_ - begin;
+  const std::string name(local_name(name_in(window.substr(begin))));
+  batch.members.push_back({0, length + closers.size(), member_line_, name});
+  batch.bytes = std::make_unique_for_overwrite<char[]>(length + closers.size());
+  std::memcpy(batch.bytes.get(), window.data() + begin, length);
+  std::memcpy(batch.bytes.get() + length, closers.data(), closers.size());
+  scanner_.replace(cut_, openers);
+  open_ = std::move(reopened);
+  cut_ = 0;
+}
+
+bool MemberSplitter::next(MemberBatch& batch) {
+  batch.members.clear();
+  while (!finished_ && cut_ == 0) {
+    finished_ = !scan_tag(batch);
+    const bool full = !batch.members.empty() && open_.empty() && scanner_.position() >= limits_.batch_bytes;
+    if (full) break;
+  }
+  if (!batch.members.empty()) {
+    hand_over(batch, batch.members.back().begin + batch.members.back().size);
+    return true;
+  }
+  if (cut_ > 0) {
+    hand_over_piece(batch);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace nightcity

@@ -1,0 +1,76 @@
+// Cuts a CityGML document into its members (cityObjectMember and its kin) without loading it: one scan for
+// tags.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tools/citygml/byte_source.h"
+#include "tools/citygml/tag_scanner.h"
+
+namespace nightcity {
+
+/// What stands before the first member.
+struct DocumentHead {
+  std::string root_tag;   // "<core:CityModel xmlns:..." as written, with its angle brackets
+  std::string root_name;  // "core:CityModel"
+  std::string version;    // newest CityGML version its namespaces name: "2.0"; "" = none
+  bool latin1 = false;    // declared ISO-8859-1 or windows-1252; else UTF-8
+};
+
+/// Bytes of whole members, writable so that an in-place parser may use them.
+struct MemberBatch {
+  struct Member {
+    std::size_t begin, size;  // of the element with its tags, in `bytes`
+    std::size_t line;         // of its first byte, from 1
+    std::string name;         // local name of the element: "cityObjectMember", "boundedBy", ...
+  };
+  std::unique_ptr<char[]> bytes;
+  std::vector<Member> members;
+
+  std::string_view text(const Member& member) const { return {bytes.get() + member.begin, member.size}; }
+};
+
+class MemberSplitter {
+ public:
+  struct Limits {
+    std::size_t batch_bytes = std::size_t{1} << 20;
+    /// A longer member is cut between the triangles of its TIN, each piece wrapped in the tags open at the
+    /// cut, so that terrain of any size passes in bounded memory.
+    std::size_t piece_bytes = std::size_t{16} << 20;
+    std::size_t member_bytes = std::size_t{1} << 30;  // longer ones are refused
+    std::size_t depth = 200;                          // deeper nesting is refused
+  };
+
+  /// Reads up to the root's start tag. Throws Error: not XML, DOCTYPE, UTF-16, truncated.
+  MemberSplitter(ByteSource& source, std::string name, const Limits& limits);
+
+  const DocumentHead& head() const { return head_; }
+  /// The next members, in order; false behind the last. Throws Error where tags do not nest or the file ends
+  /// early.
+  bool next(MemberBatch& batch);
+
+ private:
+  using Range = std::pair<std::size_t, std::size_t>;  // of a start tag in the scanner's window
+
+  void read_head();
+  bool scan_tag(MemberBatch& batch);
+  void close_tag(const Tag& tag);
+  void hand_over(MemberBatch& batch, std::size_t end);
+  void hand_over_piece(MemberBatch& batch);
+
+  TagScanner scanner_;
+  Limits limits_;
+  DocumentHead head_;
+  std::vector<Range> open_;  // start tags open inside the current member
+  std::string list_;         // name of the member list we are in; "" = members stand in the root
+  std::size_t member_line_ = 1;
+  std::size_t cut_ = 0;  // where the current member is to be cut; 0 = not
+  bool finished_ = false;
+};
+
+}  // namespace nightcity

@@ -1,0 +1,121 @@
+#include "tools/citygml/object_fold.h"
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+namespace nightcity {
+namespace {
+
+constexpr int unsaid_lod = -1;
+
+// The LoD to take of those present: the highest up to `limit`, else the lowest above.
+std::optional<int> choose(const std::vector<int>& lods, int limit) {
+  std::optional<int> below, above;
+  for (const int lod : lods) {
+    if (lod <= limit)
+      below = std::max(below.value_or(lod), lod);
+    else
+      above = std::min(above.value_or(lod), lod);
+  }
+  return below ? below : above;
+}
+
+struct LodChoice {
+  std::vector<std::optional<int>> of_space;
+  int of_object = unsaid_lod;
+};
+
+LodChoice choose_lods(const RawObject& raw, const ReadOptions& options) {
+  std::vector<std::vector<int>> present(raw.spaces.size());
+  std::vector<int> whole;  // of spaces that can stand for the object
+  for (const RawPolygon& p : raw.polygons) {
+    if (p.lod == unsaid_lod) continue;
+    present[p.space].push_back(p.lod);
+    if (!raw.spaces[p.space].detail) whole.push_back(p.lod);
+  }
+  LodChoice choice;
+  const std::optional<int> best = choose(whole, options.highest_lod);
+  for (std::size_t i = 0; i < raw.spaces.size(); ++i) {
+    std::optional<int> lod = choose(present[i], options.highest_lod);
+    // A detail of a higher LoD than the object is shown at would hang on walls that are not there.
+    if (raw.spaces[i].detail && lod && best && *lod > std::max(*best, options.highest_lod)) lod.reset();
+    // A building whose parts have a better LoD: its own coarse block would stand inside or around them.
+    if (i == 0 && lod && best && *lod < *best) lod.reset();
+    choice.of_space.push_back(lod);
+  }
+  choice.of_object = best.value_or(unsaid_lod);
+  return choice;
+}
+
+// The same for rings that hold the same vertices, wherever they start and whichever way they run.
+std::uint64_t vertex_set_hash(const Polygon& polygon) {
+  const auto mix = [](std::uint64_t x) {
+    x ^= x >> 31;
+    x *= 0x9E3779B97F4A7C15ull;
+    return x ^ (x >> 29);
+  };
+  const auto of_ring = [&](const Ring& ring) {
+    std::uint64_t sum = ring.size();
+    for (const glm::dvec3& p : ring) {
+      // + 0.0 makes -0 and 0 alike
+      const std::uint64_t x = std::bit_cast<std::uint64_t>(p.x + 0.0),
+                          y = std::bit_cast<std::uint64_t>(p.y + 0.0);
+      sum += mix(mix(mix(x) + y) + std::bit_cast<std::uint64_t>(p.z + 0.0));
+    }
+    return sum;
+  };
+  std::uint64_t hash = of_ring(polygon.exterior);
+  for (const Ring& ring : polygon.interiors) hash += mix(of_ring(ring));
+  return hash;
+}
+
+bool vertex_less(const glm::dvec3& a, const glm::dvec3& b) {
+  if (a.x != b.x) return a.x < b.x;
+  if (a.y != b.y) return a.y < b.y;
+  return a.z < b.z;
+}
+
+bool same_vertices(const Polygon& a, const Polygon& b) {
+  const auto same_ring = [](Ring r, Ring s) {
+    std::sort(r.begin(), r.end(), vertex_less);
+    std::sort(s.begin(), s.end(), vertex_less);
+    return r == s;
+  };
+  return a.interiors.size() == b.interiors.size() && a.exterior.size() == b.exterior.size() &&
+         same_ring(a.exterior, b.exterior);
+}
+
+}  // namespace
+
+CityObject fold(RawObject&& raw, const ReadOptions& options, ReadReport& report) {
+  CityObject object = std::move(raw.object);
+  const LodChoice choice = choose_lods(raw, options);
+  object.lod = choice.of_object;
+  object.polygons.reserve(raw.polygons.size());
+  std::unordered_map<std::uint64_t, std::size_t> seen;
+  seen.reserve(raw.polygons.size());
+  for (RawPolygon& p : raw.polygons) {
+    if (p.lod != unsaid_lod && choice.of_space[p.space] != p.lod) {
+      ++report.skipped["polygon: lod" + std::to_string(p.lod) + ", another LoD taken"];
+      continue;
+    }
+    const auto [at, fresh] = seen.emplace(vertex_set_hash(p.polygon), object.polygons.size());
+    if (fresh || !same_vertices(object.polygons[at->second], p.polygon)) {
+      object.polygons.push_back(std::move(p.polygon));
+      continue;
+    }
+    ++report.skipped["polygon: repeats another of its object"];
+    // The copy that says what it is wins: solids know only that they close.
+    Polygon& kept = object.polygons[at->second];
+    if (kept.surface == SurfaceType::unknown && p.polygon.surface != SurfaceType::unknown)
+      kept = std::move(p.polygon);
+  }
+  ++report.objects;
+  report.polygons += object.polygons.size();
+  return object;
+}
+
+}  // namespace nightcity

@@ -1,0 +1,32 @@
+// Coordinates of a GML ring: posList, pos, coordinates, pointProperty; text cut by comments or CDATA is read
+// whole.
+#pragma once
+
+#include <cstdint>
+#include <pugixml.hpp>
+#include <vector>
+
+#include "tools/citygml/city_model.h"
+
+namespace nightcity {
+
+enum class RingFault : std::uint8_t {
+  none,
+  no_coordinates,  // no element that holds any
+  not_numbers,     // letters, comma decimals, NaN, infinity
+  wrong_count,     // not a multiple of the dimension
+  too_short,       // fewer than three distinct places in a row
+};
+const char* name_of(RingFault fault);
+
+/// What pugixml must keep of a document for us.
+constexpr unsigned gml_parse_flags = pugi::parse_escapes | pugi::parse_cdata;
+
+/// `dimension`: srsDimension said by an ancestor, 0 = none (then 3). Vertices of two coordinates get height
+/// 0. The closing vertex and consecutive duplicates are left out. `ring` is unspecified on a fault.
+RingFault read_ring(const pugi::xml_node& linear_ring, int dimension, Ring& ring);
+
+/// Every number in the element's text, appended. False when something in it is no finite number.
+bool read_numbers(const pugi::xml_node& element, std::vector<double>& numbers);
+
+}  // namespace nightcity

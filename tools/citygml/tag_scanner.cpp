@@ -1,0 +1,181 @@
+#include "tools/citygml/tag_scanner.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "formats/error.h"
+
+namespace nightcity {
+namespace {
+
+constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+constexpr std::size_t read_block = std::size_t{1} << 20;
+
+bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+
+}  // namespace
+
+std::string_view local_name(std::string_view name) {
+  const auto colon = name.rfind(':');
+  return colon == std::string_view::npos ? name : name.substr(colon + 1);
+}
+
+bool ends_name(char c) {
+  return c == '>' || c == '/' || is_space(c);
+}
+
+TagScanner::TagScanner(ByteSource& source, std::string name, std::size_t longest_window)
+    : source_(source), name_(std::move(name)), longest_window_(longest_window) {
+  skip_byte_order_mark();
+}
+
+void TagScanner::skip_byte_order_mark() {
+  while (size_ < 4 && fill()) {
+  }
+  const std::string_view start = window();
+  if (start.empty()) throw Error(name_, "is empty");
+  if (start.starts_with("\xff\xfe") || start.starts_with("\xfe\xff") ||
+      start.substr(0, 4).find('\0') != std::string_view::npos)
+    throw Error(name_, "is not UTF-8 (UTF-16 or binary)");
+  if (start.starts_with("\xef\xbb\xbf")) position_ = 3;
+  std::size_t content = position_;
+  while (content < size_ && is_space(bytes_[content])) ++content;
+  if (content == size_ || bytes_[content] != '<') throw Error(name_, "is not XML");
+}
+
+void TagScanner::fail(std::size_t at, const std::string& message) {
+  throw Error(name_, "line " + std::to_string(line_of(std::min(at, size_))), message);
+}
+
+std::size_t TagScanner::line_of(std::size_t at) {
+  if (at <= line_at_) return line_;
+  line_ += static_cast<std::size_t>(std::count(bytes_.get() + line_at_, bytes_.get() + at, '\n'));
+  line_at_ = at;
+  return line_;
+}
+
+// Reads as much again as is pending, at least a block: scanning a long construct anew stays linear in all.
+bool TagScanner::fill() {
+  if (size_ > longest_window_)
+    fail(position_, "an element longer than " + std::to_string(longest_window_ >> 20) + " MB is refused");
+  const std::size_t want = std::max(read_block, size_ - position_);
+  if (size_ + want > capacity_) {
+    capacity_ = std::max(size_ + want, capacity_ + capacity_ / 2);
+    auto larger = std::make_unique_for_overwrite<char[]>(capacity_);
+    if (size_ > 0) std::memcpy(larger.get(), bytes_.get(), size_);
+    bytes_ = std::move(larger);
+  }
+  const std::size_t got = source_.read(bytes_.get() + size_, want);
+  size_ += got;
+  return got > 0;
+}
+
+std::size_t TagScanner::find(char c, std::size_t from) {
+  for (;;) {
+    if (from < size_) {
+      if (const void* at = std::memchr(bytes_.get() + from, c, size_ - from))
+        return static_cast<std::size_t>(static_cast<const char*>(at) - bytes_.get());
+      from = size_;
+    }
+    if (!fill()) return nowhere;
+  }
+}
+
+std::size_t TagScanner::find(std::string_view text, std::size_t from) {
+  for (;;) {
+    const auto at = window().find(text, from);
+    if (at != std::string_view::npos) return at;
+    from = std::max(from, size_ >= text.size() ? size_ - text.size() + 1 : 0);
+    if (!fill()) return nowhere;
+  }
+}
+
+// Behind the '>' that closes the tag: one inside quotes does not count.
+std::size_t TagScanner::end_of_tag(std::size_t begin) {
+  std::size_t from = begin + 1;
+  for (;;) {
+    const std::size_t close = find('>', from);
+    if (close == nowhere) fail(begin, "the file ends inside a tag");
+    const std::string_view inside = window().substr(from, close - from);
+    if (inside.find('<') != std::string_view::npos) fail(begin, "not XML: '<' inside a tag");
+    const std::size_t quote = inside.find_first_of("\"'");
+    if (quote == std::string_view::npos) return close + 1;
+    const std::size_t unquote = find(inside[quote], from + quote + 1);
+    if (unquote == nowhere) fail(begin, "the file ends inside an attribute");
+    from = unquote + 1;
+  }
+}
+
+void TagScanner::skip_declaration(std::size_t begin) {
+  while (size_ - begin < 9 && fill()) {
+  }
+  const std::string_view text = window().substr(begin);
+  std::size_t end = nowhere;
+  if (text.starts_with("<!--"))
+    end = find("-->", begin + 4);
+  else if (text.starts_with("<![CDATA["))
+    end = find("]]>", begin + 9);
+  else if (text.starts_with("<!DOCTYPE"))
+    fail(begin, "a DOCTYPE is refused: it may name other files and entities without bound");
+  else
+    fail(begin, "not XML");
+  if (end == nowhere) fail(begin, "the file ends inside a comment");
+  position_ = end + 3;
+}
+
+Tag TagScanner::next() {
+  for (;;) {
+    const std::size_t begin = find('<', position_);
+    if (begin == nowhere) return {};
+    position_ = begin;
+    if (begin + 1 >= size_ && !fill()) fail(begin, "the file ends inside a tag");
+    const char c = bytes_[begin + 1];
+    if (c == '!') {
+      skip_declaration(begin);
+      continue;
+    }
+    if (c == '?') {
+      const std::size_t end = find("?>", begin + 2);
+      if (end == nowhere) fail(begin, "the file ends inside a processing instruction");
+      position_ = end + 2;
+      continue;
+    }
+    Tag tag;
+    tag.begin = begin;
+    tag.end = end_of_tag(begin);
+    const std::size_t first = begin + (c == '/' ? 2 : 1);
+    std::size_t last = first;
+    while (!ends_name(bytes_[last])) ++last;
+    if (last == first) fail(begin, "not XML: a tag without a name");
+    tag.name = window().substr(first, last - first);
+    const bool empty = bytes_[tag.end - 2] == '/';
+    tag.kind = c == '/' ? Tag::Kind::close : empty ? Tag::Kind::empty : Tag::Kind::open;
+    position_ = tag.end;
+    return tag;
+  }
+}
+
+std::unique_ptr<char[]> TagScanner::rebase(std::size_t end, std::string_view in_front) {
+  line_of(end);
+  const std::size_t rest = size_ - end;
+  capacity_ = in_front.size() + rest + 2 * read_block;
+  auto next = std::make_unique_for_overwrite<char[]>(capacity_);
+  if (!in_front.empty()) std::memcpy(next.get(), in_front.data(), in_front.size());
+  std::memcpy(next.get() + in_front.size(), bytes_.get() + end, rest);
+  std::swap(bytes_, next);
+  size_ = in_front.size() + rest;
+  position_ = position_ - end + in_front.size();
+  line_at_ = line_at_ - end + in_front.size();
+  return next;
+}
+
+std::unique_ptr<char[]> TagScanner::take(std::size_t end) {
+  return rebase(end, {});
+}
+void TagScanner::replace(std::size_t end, std::string_view text) {
+  rebase(end, text);
+}
+
+}  // namespace nightcity

@@ -1,0 +1,66 @@
+// Finds the tags of an XML document in a moving window over its bytes. No tree, no attributes, no text.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "tools/citygml/byte_source.h"
+
+namespace nightcity {
+
+struct Tag {
+  enum class Kind : std::uint8_t { open, close, empty, end_of_file };
+  Kind kind = Kind::end_of_file;
+  std::size_t begin = 0, end = 0;  // from '<' to behind '>', in the window
+  std::string_view name;           // with prefix; valid until the next call
+};
+
+/// Part of a name behind its prefix.
+std::string_view local_name(std::string_view name);
+/// Whether a tag's name ends at this character.
+bool ends_name(char c);
+
+class TagScanner {
+ public:
+  /// `longest_window`: what must be kept at once (one member) may not be longer.
+  TagScanner(ByteSource& source, std::string name, std::size_t longest_window);
+
+  /// Skips text, comments, CDATA and processing instructions. Throws Error on a DOCTYPE, on markup that is no
+  /// XML and where the file ends inside markup.
+  Tag next();
+
+  /// The window: from what was dropped last to what has been read.
+  std::string_view window() const { return {bytes_.get(), size_}; }
+  std::size_t position() const { return position_; }
+  /// Gives away the window's first `end` bytes; positions behind them move down by `end`. `end` <=
+  /// position().
+  std::unique_ptr<char[]> take(std::size_t end);
+  /// Puts `text` in place of the window's first `end` bytes, scanned already. `end` <= position().
+  void replace(std::size_t end, std::string_view text);
+
+  std::size_t line_of(std::size_t at);  // from 1; `at` may not lie before an earlier call's
+  [[noreturn]] void fail(std::size_t at, const std::string& message);
+  const std::string& name() const { return name_; }
+
+ private:
+  bool fill();
+  std::size_t find(char c, std::size_t from);
+  std::size_t find(std::string_view text, std::size_t from);
+  std::size_t end_of_tag(std::size_t begin);
+  void skip_declaration(std::size_t begin);
+  void skip_byte_order_mark();
+  std::unique_ptr<char[]> rebase(std::size_t end, std::string_view in_front);
+
+  ByteSource& source_;
+  std::string name_;
+  std::size_t longest_window_;
+  std::unique_ptr<char[]> bytes_;
+  std::size_t size_ = 0, capacity_ = 0;
+  std::size_t position_ = 0;
+  std::size_t line_ = 1, line_at_ = 0;
+};
+
+}  // namespace nightcity
