@@ -86,6 +86,7 @@ ScratchFile::ScratchFile(const std::filesystem::path& path) : path_(path) {
 
 void ScratchFile::write(const void* bytes, std::size_t size) {
   put(path_, file_.get(), bytes, size);
+  unflushed_ = true;
   size_ += size;
 }
 
@@ -107,6 +108,19 @@ void ScratchFile::copy(Target& target) {
     left -= wanted;
   }
   if (::fseeko(file_.get(), 0, SEEK_END) != 0) fail(path_, "cannot be written");
+}
+
+void ScratchFile::read(std::uint64_t offset, void* bytes, std::size_t size) {
+  // pread leaves the writing position alone; what the stream still holds must reach the file first.
+  if (unflushed_ && std::fflush(file_.get()) != 0) fail(path_, "cannot be written");
+  unflushed_ = false;
+  for (std::size_t done = 0; done < size;) {
+    const ssize_t got = ::pread(::fileno(file_.get()), static_cast<char*>(bytes) + done, size - done,
+                                static_cast<off_t>(offset + done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) fail(path_, "scratch file cannot be read");
+    done += static_cast<std::size_t>(got);
+  }
 }
 
 void ScratchFile::copy_to(AtomicFile& target) {

@@ -46,6 +46,7 @@ class ScratchFile {
   /// Zero bytes up to the next multiple of `alignment`.
   void align(std::size_t alignment);
   std::uint64_t size() const { return size_; }
+  void read(std::uint64_t offset, void* bytes, std::size_t size);
   void copy_to(AtomicFile& target);
   void copy_to(ScratchFile& target);
 
@@ -56,6 +57,7 @@ class ScratchFile {
   std::filesystem::path path_;
   std::unique_ptr<std::FILE, CloseFile> file_;
   std::uint64_t size_ = 0;
+  bool unflushed_ = false;
 };
 
 }  // namespace nightcity

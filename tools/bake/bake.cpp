@@ -1,0 +1,170 @@
+#include "tools/bake/bake.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "formats/error.h"
+#include "formats/light_file.h"
+#include "tools/bake/city_frames.h"
+#include "tools/bake/city_stage.h"
+#include "tools/bake/lamp_models.h"
+#include "tools/bake/materials.h"
+#include "tools/bake/output_folder.h"
+#include "tools/bake/tile_store.h"
+#include "tools/lights/lamps.h"
+#include "tools/osm/osm_data.h"
+#include "tools/terrain/terrain.h"
+
+namespace nightcity {
+namespace {
+
+class Stopwatch {
+ public:
+  explicit Stopwatch(BakeReport& report) : report_(report) {}
+  void lap(const char* stage) {
+    const auto now = std::chrono::steady_clock::now();
+    report_.seconds.emplace_back(stage, std::chrono::duration<double>(now - start_).count());
+    start_ = now;
+  }
+
+ private:
+  BakeReport& report_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::uint64_t size_of(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto size = std::filesystem::file_size(path, ignored);
+  return ignored ? 0 : size;
+}
+
+OsmData read_maps(const Recipe& recipe) {
+  OsmData data;
+  for (const auto& file : recipe.osm.files) data.merge(read_osm(file));
+  return data;
+}
+
+// The middle of the city, to the metre: far objects must not move it, so the median of the tiles is taken.
+Georeference georeference_of(const Recipe& recipe, const CityFrames& frames, const TileStore& tiles) {
+  Georeference result;
+  result.crs = frames.city().crs();
+  std::vector<double> eastings, northings;
+  for (const TileKey& key : tiles.tiles()) {
+    eastings.push_back(tiles.origin(key).x);
+    northings.push_back(tiles.origin(key).y);
+  }
+  const auto median = [](std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return std::round(*middle);
+  };
+  result.origin = {recipe.origin.easting.value_or(median(eastings)),
+                   recipe.origin.northing.value_or(median(northings)),
+                   recipe.origin.height.value_or(std::round(frames.reference().z))};
+  for (const auto& file : recipe.city.files) result.sources.push_back(file.filename().string());
+  for (const auto& file : recipe.osm.files) result.sources.push_back(file.filename().string());
+  result.licences = recipe.city.licences;
+  if (!recipe.osm.files.empty()) result.licences.push_back(recipe.osm.licence);
+  return result;
+}
+
+void write_tiles(SceneWriter& writer, TileStore& tiles, const Georeference& georeference, BakeReport& report,
+                 const ProgressSink& progress) {
+  std::size_t done = 0;
+  for (const TileKey& key : tiles.tiles()) {
+    const SceneMesh mesh = tiles.mesh(key);
+    if (mesh.primitives.empty()) continue;
+    for (const ScenePrimitive& primitive : mesh.primitives)
+      report.triangles[bake_materials()[primitive.material].name] += primitive.indices.size() / 3;
+    SceneInstance instance;
+    instance.to_model[3] = glm::vec4(glm::vec3(georeference.to_model(tiles.origin(key))), 1);
+    writer.add_node({mesh.name, name_of(key.kind), writer.add_mesh(mesh), true, {instance}});
+    if (progress) progress({"writing tiles", ++done, "tiles"});
+  }
+}
+
+LampSet place(const OsmData& osm, const CityFrames& frames, const Terrain& terrain, BakeReport& report) {
+  if (osm.lamps.empty()) return {};
+  if (!frames.city().has_lon_lat())
+    throw Error("", "[city] crs",
+                "the city names no CRS: lamps cannot be placed without crs or control_points");
+  const auto to_frame = [&](const glm::dvec2& lon_lat) { return frames.city().from_lon_lat(lon_lat); };
+  const auto height_at = [&](const glm::dvec2& place) -> std::optional<double> {
+    const auto hit = terrain.height_at(place);
+    return hit ? std::optional(hit->height_m) : std::nullopt;
+  };
+  LampSet lamps = place_lamps(osm, to_frame, height_at);
+  report.lamps.mapped = osm.lamps.size();
+  report.lamps.placed = lamps.lamps.size();
+  report.lamps.dropped = lamps.dropped;
+  report.lamps.sources = lamps.sources;
+  for (const PlacedLamp& lamp : lamps.lamps) report.lamps.total_flux_lm += lamp.flux_lm;
+  return lamps;
+}
+
+void write_lights(const std::filesystem::path& path, const LampSet& lamps, const Georeference& georeference) {
+  std::vector<Light> lights;
+  std::vector<LightProvenance> provenance;
+  for (const PlacedLamp& lamp : lamps.lamps) {
+    lights.push_back(to_light(lamp, georeference));
+    provenance.push_back(lamp.provenance);
+  }
+  write_light_file(path, {georeference, lights, provenance, lamps.profiles, lamps.profile_data});
+}
+
+}  // namespace
+
+BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder, const ProgressSink& progress) {
+  BakeReport report;
+  Stopwatch watch(report);
+  for (const auto& file : recipe.city.files) report.input_bytes += size_of(file);
+  OutputFolder output(folder);  // before the long work: an output that cannot be written is known at once
+  const auto scene_path = output.staged("city.glb"), lights_path = output.staged("city.lights");
+
+  // Small inputs first, so that their faults show before a large city has been read.
+  const CityFrames frames(recipe);
+  report.crs = frames.descriptions();
+  const OsmData osm = read_maps(recipe);
+  watch.lap("reading maps");
+
+  SceneWriter writer(scene_path, {recipe.output.draco, recipe.output.draco_tolerance_m});
+  for (const SceneMaterial& material : bake_materials()) writer.add_material(material);
+  TileStore tiles(scene_path, recipe.city.tile_m, std::round(frames.reference().z));
+  Terrain terrain;
+  read_city(recipe, frames, writer, tiles, terrain, report, progress);
+  if (tiles.tiles().empty())
+    throw Error(recipe.city.files.front().string(), "no surface in any file of the city");
+  watch.lap("reading the city");
+
+  if (progress) progress({"building the terrain", 0, ""});
+  terrain.build(recipe.terrain.margin_m);
+  const bool made = !terrain.made_surface().triangles.empty();
+  report.terrain = made ? "made" : "given";
+  if (made && recipe.terrain.make_surface) add_mesh(tiles, terrain.made_surface(), ObjectType::relief, no_id);
+  watch.lap("terrain");
+
+  const Georeference georeference = georeference_of(recipe, frames, tiles);
+  write_tiles(writer, tiles, georeference, report, progress);
+  watch.lap("tiles");
+
+  if (progress) progress({"placing lamps", osm.lamps.size(), "lamps"});
+  const LampSet lamps = place(osm, frames, terrain, report);
+  add_lamp_models(writer, lamps.lamps, georeference, static_cast<std::uint32_t>(BakeMaterial::lamp_post));
+  write_lights(lights_path, lamps, georeference);
+  watch.lap("lamps");
+
+  writer.finish(georeference);
+  report.scene = writer.statistics();
+  report.scene_bytes = size_of(scene_path);
+  report.lights_bytes = size_of(lights_path);
+  watch.lap("writing city.glb");
+  AtomicFile report_file(output.staged("bake_report.json"));
+  report_file.write(to_json(report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  report_file.commit();
+  output.commit();
+  return report;
+}
+
+}  // namespace nightcity

@@ -1,0 +1,144 @@
+#include "tools/bake/bake_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace nightcity {
+namespace {
+
+using nlohmann::json;
+using Counts = std::map<std::string, std::size_t>;
+
+double total_seconds(const BakeReport& report) {
+  double total = 0;
+  for (const auto& [stage, seconds] : report.seconds) total += seconds;
+  return total;
+}
+
+std::size_t sum(const Counts& counts) {
+  std::size_t total = 0;
+  for (const auto& [name, count] : counts) total += count;
+  return total;
+}
+
+// "12 wall, 3 roof", the most frequent first.
+std::string in_words(const Counts& counts) {
+  std::vector<std::pair<std::string, std::size_t>> sorted(counts.begin(), counts.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::string text;
+  for (const auto& [name, count] : sorted)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
+  return text.empty() ? "none" : text;
+}
+
+}  // namespace
+
+json to_json(const BakeReport& report) {
+  json seconds = json::object();
+  for (const auto& [stage, value] : report.seconds) seconds[stage] = std::round(value * 1000) / 1000;
+  const MeshReport& mesh = report.mesh;
+  return {
+      {"input_bytes", report.input_bytes},
+      {"crs", report.crs},
+      {"citygml",
+       {{"version", report.read.version},
+        {"objects", report.read.objects},
+        {"polygons", report.read.polygons},
+        {"objects_by_type", report.objects},
+        {"left_out", report.left_out},
+        {"skipped", report.read.skipped},
+        {"warnings", report.read.warnings}}},
+      {"mesh",
+       {{"polygons", mesh.polygons},
+        {"triangles", mesh.triangles},
+        {"fast_path", mesh.fast_path},
+        {"zero_area", mesh.zero_area},
+        {"non_planar", mesh.non_planar},
+        {"worst_non_planar", {{"id", mesh.worst_non_planar}, {"m", mesh.worst_non_planar_m}}},
+        {"self_intersecting", mesh.self_intersecting},
+        {"worst_self_intersecting",
+         {{"id", mesh.worst_self_intersecting}, {"m2", mesh.worst_self_intersecting_m2}}},
+        {"not_finite", mesh.not_finite},
+        {"not_triangulated", mesh.not_triangulated},
+        {"dropped_holes", mesh.dropped_holes}}},
+      {"terrain", report.terrain},
+      {"lamps",
+       {{"mapped", report.lamps.mapped},
+        {"placed", report.lamps.placed},
+        {"total_flux_lm", report.lamps.total_flux_lm},
+        {"dropped", report.lamps.dropped},
+        {"sources", report.lamps.sources}}},
+      {"scene",
+       {{"meshes", report.scene.meshes},
+        {"vertices", report.scene.vertices},
+        {"triangles", report.scene.triangles},
+        {"triangles_by_material", report.triangles},
+        {"nodes", report.scene.nodes},
+        {"instances", report.scene.instances},
+        {"features", report.scene.features},
+        {"bytes", report.scene_bytes},
+        {"draco_bits", report.scene.greatest_draco_bits},
+        {"draco_error_m", report.scene.greatest_draco_error_m}}},
+      {"lights", {{"bytes", report.lights_bytes}}},
+      {"seconds", seconds},
+  };
+}
+
+std::string to_text(const BakeReport& report) {
+  std::string text;
+  const auto line = [&text](const char* name, const std::string& value) {
+    text += fmt::format("{:<12}{}\n", name, value);
+  };
+  const MeshReport& mesh = report.mesh;
+  for (const std::string& crs : report.crs) line("crs", crs);
+  line("objects", in_words(report.objects));
+  if (!report.left_out.empty()) line("left out", in_words(report.left_out));
+  line("polygons", fmt::format("{} read, {} triangulated ({} at once)", report.read.polygons, mesh.polygons,
+                               mesh.fast_path));
+  if (mesh.non_planar)
+    line("", fmt::format("{} not planar beyond 1 cm, worst {:.2f} m ({})", mesh.non_planar,
+                         mesh.worst_non_planar_m, mesh.worst_non_planar));
+  if (mesh.self_intersecting)
+    line("", fmt::format("{} self-intersecting, worst {:.2f} m2 ({})", mesh.self_intersecting,
+                         mesh.worst_self_intersecting_m2, mesh.worst_self_intersecting));
+  if (const std::size_t dropped = mesh.zero_area + mesh.not_finite + mesh.not_triangulated)
+    line("", fmt::format("{} dropped: {} without area, {} not finite, {} not triangulated", dropped,
+                         mesh.zero_area, mesh.not_finite, mesh.not_triangulated));
+  line("skipped", in_words(report.read.skipped));
+  for (std::size_t i = 0; i < report.read.warnings.size(); ++i) {
+    if (i == 10) {
+      line("", fmt::format("and {} more warnings in bake_report.json", report.read.warnings.size() - i));
+      break;
+    }
+    line("warning", report.read.warnings[i]);
+  }
+  line("triangles", fmt::format("{}: {}", sum(report.triangles), in_words(report.triangles)));
+  line("terrain", report.terrain);
+  line("lamps", fmt::format("{} luminaires of {} mapped, {:.0f} klm in all", report.lamps.placed,
+                            report.lamps.mapped, report.lamps.total_flux_lm / 1000));
+  if (!report.lamps.dropped.empty()) line("  dropped", in_words(report.lamps.dropped));
+  for (const auto& [value, sources] : report.lamps.sources)
+    line("", fmt::format("{} from {}", value, in_words(sources)));
+  const SceneWriter::Statistics& scene = report.scene;
+  line("city.glb", fmt::format("{:.1f} MB, {} features, {} nodes, {} vertices",
+                               static_cast<double>(report.scene_bytes) / 1e6, scene.features, scene.nodes,
+                               scene.vertices));
+  if (scene.greatest_draco_bits)
+    line("", fmt::format("Draco: up to {} bits, worst displacement {:.4f} m", scene.greatest_draco_bits,
+                         scene.greatest_draco_error_m));
+  line("city.lights", fmt::format("{:.1f} kB", static_cast<double>(report.lights_bytes) / 1e3));
+  std::string stages;
+  for (const auto& [stage, seconds] : report.seconds)
+    stages += fmt::format("{}{} {:.2f}", stages.empty() ? "" : ", ", stage, seconds);
+  const double total = total_seconds(report);
+  line("time", fmt::format("{:.1f} s ({:.1f} MB/s of CityGML): {}", total,
+                           total > 0 ? static_cast<double>(report.input_bytes) / 1e6 / total : 0.0, stages));
+  return text;
+}
+
+}  // namespace nightcity

@@ -1,0 +1,38 @@
+// What a bake did, in numbers: printed at its end and left beside the scene as bake_report.json.
+#pragma once
+
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "formats/scene_file.h"
+#include "tools/citygml/city_model.h"
+#include "tools/mesh/triangle_mesh.h"
+
+namespace nightcity {
+
+struct BakeReport {
+  ReadReport read;
+  MeshReport mesh;
+  std::map<std::string, std::size_t> objects;    // by type
+  std::map<std::string, std::size_t> triangles;  // by material, as written
+  std::map<std::string, std::size_t> left_out;   // objects not baked, by reason
+  std::vector<std::string> crs;                  // descriptions of the frames
+  std::string terrain;                           // "given", "made" or "none"
+  struct Lamps {
+    std::size_t mapped = 0, placed = 0;  // nodes in the OSM files; luminaires in city.lights
+    double total_flux_lm = 0;
+    std::map<std::string, std::size_t> dropped;                         // by reason
+    std::map<std::string, std::map<std::string, std::size_t>> sources;  // value, source, count
+  } lamps;
+  SceneWriter::Statistics scene;
+  std::uint64_t scene_bytes = 0, lights_bytes = 0, input_bytes = 0;
+  std::vector<std::pair<std::string, double>> seconds;  // by stage, in order
+};
+
+nlohmann::json to_json(const BakeReport& report);
+std::string to_text(const BakeReport& report);
+
+}  // namespace nightcity

@@ -1,0 +1,77 @@
+#include "tools/bake/city_frames.h"
+
+#include <algorithm>
+
+#include "formats/error.h"
+
+namespace nightcity {
+namespace {
+
+glm::dvec3 median_of(std::vector<glm::dvec3> points) {
+  glm::dvec3 result;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto middle = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
+    std::nth_element(points.begin(), middle, points.end(),
+                     [axis](const glm::dvec3& a, const glm::dvec3& b) { return a[axis] < b[axis]; });
+    result[axis] = (*middle)[axis];
+  }
+  return result;
+}
+
+}  // namespace
+
+CityFrames::CityFrames(const Recipe& recipe) {
+  std::vector<CityGmlHead> heads;
+  for (const auto& file : recipe.city.files) heads.push_back(read_citygml_head(file));
+  const auto has_geometry = [](const CityGmlHead& head) { return !head.sample.empty(); };
+  const auto first = std::find_if(heads.begin(), heads.end(), has_geometry);
+  if (first == heads.end())
+    throw Error(recipe.city.files.front().string(), "no geometry in any file of the city");
+  const auto add_place = [&](std::size_t file, auto&& make) {
+    try {
+      return make();
+    } catch (const UsageError&) {
+      throw;
+    } catch (const Error& error) {
+      throw Error(recipe.city.files[file].string(), error.what());
+    }
+  };
+
+  const auto first_index = static_cast<std::size_t>(first - heads.begin());
+  city_ = add_place(first_index, [&] {
+    return CityFrame::from_srs_name(first->srs_name, first->sample, recipe.city.frame);
+  });
+  descriptions_.push_back(city_->description());
+  std::vector<glm::dvec3> sample = first->sample;
+  city_->to_projected(sample);
+  reference_ = median_of(std::move(sample));
+
+  // An override or control points speak for every file.
+  const bool one_crs = !recipe.city.frame.crs_override.empty() || !recipe.city.frame.control_points.empty();
+  foreign_of_file_.resize(heads.size());
+  for (std::size_t i = 0; i < heads.size(); ++i) {
+    if (one_crs || !has_geometry(heads[i]) || heads[i].srs_name == first->srs_name) continue;
+    const auto known = std::find_if(foreign_.begin(), foreign_.end(),
+                                    [&](const Foreign& f) { return f.srs_name == heads[i].srs_name; });
+    foreign_of_file_[i] = static_cast<std::size_t>(known - foreign_.begin());
+    if (known != foreign_.end()) continue;
+    CityFrame frame = add_place(
+        i, [&] { return CityFrame::from_srs_name(heads[i].srs_name, heads[i].sample, recipe.city.frame); });
+    if (!frame.has_lon_lat() || !city_->has_lon_lat())
+      throw Error(
+          recipe.city.files[i].string(),
+          "has another CRS than the city's first file, and one of the two is unknown: set [city] crs");
+    descriptions_.push_back(frame.description());
+    foreign_.push_back({heads[i].srs_name, std::move(frame)});
+  }
+}
+
+void CityFrames::to_city(std::size_t file, std::span<glm::dvec3> coordinates) const {
+  const auto& foreign = foreign_of_file_.at(file);
+  if (!foreign) return city_->to_projected(coordinates);
+  const CityFrame& frame = foreign_[*foreign].frame;
+  frame.to_projected(coordinates);
+  for (glm::dvec3& p : coordinates) p = glm::dvec3(city_->from_lon_lat(frame.to_lon_lat(glm::dvec2(p))), p.z);
+}
+
+}  // namespace nightcity

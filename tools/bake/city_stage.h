@@ -1,0 +1,24 @@
+// From CityGML files to triangles: every object read, placed, triangulated, sorted into tiles and, where one
+// may stand on it, handed to the terrain.
+#pragma once
+
+#include "formats/scene_file.h"
+#include "tools/bake/bake_report.h"
+#include "tools/bake/city_frames.h"
+#include "tools/bake/progress.h"
+#include "tools/bake/recipe.h"
+#include "tools/bake/tile_store.h"
+#include "tools/terrain/terrain.h"
+
+namespace nightcity {
+
+/// Each object becomes a feature of `writer` as it is read; memory does not grow with the city but for what
+/// `terrain` keeps. Objects over 100 km from the city's first file and objects that an earlier file has
+/// brought are left out and counted. Throws Error as read_citygml does.
+void read_city(const Recipe& recipe, const CityFrames& frames, SceneWriter& writer, TileStore& tiles,
+               Terrain& terrain, BakeReport& report, const ProgressSink& progress);
+
+/// Puts a mesh that belongs to no object (a made terrain) into the tiles.
+void add_mesh(TileStore& tiles, const TriangleMesh& mesh, ObjectType type, std::uint32_t feature);
+
+}  // namespace nightcity

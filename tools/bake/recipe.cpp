@@ -1,0 +1,229 @@
+#include "tools/bake/recipe.h"
+
+#include <toml++/toml.h>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "formats/error.h"
+#include "formats/mapped_file.h"
+
+namespace nightcity {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A value of the recipe with its name and line, for messages.
+struct Setting {
+  const std::string& file;
+  std::string name;  // "[city] tile_m"
+  const toml::node& node;
+
+  [[noreturn]] void refuse(const std::string& message) const {
+    const auto line = node.source().begin.line;
+    throw UsageError(file, line ? "line " + std::to_string(line) : "", name + " " + message);
+  }
+  double number(double least, double greatest) const {
+    const auto value = node.value<double>();
+    if (!value || !node.is_number()) refuse("is not a number");
+    if (!(*value >= least && *value <= greatest))
+      refuse("is not between " + short_number(least) + " and " + short_number(greatest));
+    return *value;
+  }
+  int integer(int least, int greatest) const {
+    if (!node.is_integer()) refuse("is not a whole number");
+    return static_cast<int>(number(least, greatest));
+  }
+  bool boolean() const {
+    const auto value = node.value_exact<bool>();
+    if (!value) refuse("is not true or false");
+    return *value;
+  }
+  std::string text() const {
+    const auto value = node.value_exact<std::string>();
+    if (!value) refuse("is not a string");
+    return *value;
+  }
+  std::vector<std::string> texts() const {
+    if (node.is_string()) return {text()};
+    const toml::array* array = node.as_array();
+    if (!array) refuse("is not a list of strings");
+    std::vector<std::string> result;
+    for (const toml::node& element : *array) result.push_back(Setting{file, name, element}.text());
+    return result;
+  }
+
+ private:
+  static std::string short_number(double value) {
+    std::string text = std::to_string(value);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text;
+  }
+};
+
+using Handler = std::function<void(const Setting&)>;
+using Table = std::map<std::string, Handler>;
+
+bool is_city_file(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".gml" || extension == ".xml" || extension == ".citygml";
+}
+
+std::vector<fs::path> files_of(const Setting& setting, const fs::path& folder, bool expand_folders) {
+  std::vector<fs::path> result;
+  for (const std::string& name : setting.texts()) {
+    if (name.empty()) setting.refuse("holds an empty name");
+    const fs::path path = (folder / name).lexically_normal();
+    std::error_code error;
+    if (!expand_folders || !fs::is_directory(path, error)) {
+      result.push_back(path);
+      continue;
+    }
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(path, error))
+      if (entry.is_regular_file() && is_city_file(entry.path())) found.push_back(entry.path());
+    if (found.empty()) throw Error(path.string(), "no .gml, .xml or .citygml file in this folder");
+    std::sort(found.begin(), found.end());  // the same order on every file system
+    result.insert(result.end(), found.begin(), found.end());
+  }
+  if (result.empty()) setting.refuse("names no file");
+  return result;
+}
+
+std::vector<CityFrame::ControlPoint> control_points(const Setting& setting) {
+  const toml::array* rows = setting.node.as_array();
+  if (!rows || rows->size() < 2) setting.refuse("is not a list of two or more [lon, lat, x, y]");
+  std::vector<CityFrame::ControlPoint> result;
+  for (const toml::node& row : *rows) {
+    const toml::array* values = row.as_array();
+    if (!values || values->size() != 4)
+      Setting{setting.file, setting.name, row}.refuse("holds a row that is not [lon, lat, x, y]");
+    double v[4];
+    for (std::size_t i = 0; i < 4; ++i)
+      v[i] = Setting{setting.file, setting.name, (*values)[i]}.number(-1e9, 1e9);
+    result.push_back({{v[0], v[1]}, {v[2], v[3]}});
+  }
+  return result;
+}
+
+std::map<std::string, Table> tables_of(Recipe& recipe) {
+  const fs::path folder = recipe.path.parent_path();
+  Recipe::City& city = recipe.city;
+  const auto origin = [](std::optional<double>& value) {
+    return [&value](const Setting& s) { value = s.number(-1e8, 1e8); };
+  };
+  return {
+      {"city",
+       {{"files", [&city, folder](const Setting& s) { city.files = files_of(s, folder, true); }},
+        {"crs", [&city](const Setting& s) { city.frame.crs_override = s.text(); }},
+        {"control_points", [&city](const Setting& s) { city.frame.control_points = control_points(s); }},
+        {"lod", [&city](const Setting& s) { city.read.highest_lod = s.integer(0, 4); }},
+        {"threads",
+         [&city](const Setting& s) { city.read.threads = static_cast<unsigned>(s.integer(0, 1024)); }},
+        {"tile_m", [&city](const Setting& s) { city.tile_m = s.number(10, 10000); }},
+        {"licence", [&city](const Setting& s) { city.licences = s.texts(); }},
+        {"reader",
+         [&city](const Setting& s) {
+           const std::string name = s.text();
+           if (name != "stream" && name != "libcitygml") s.refuse("is neither \"stream\" nor \"libcitygml\"");
+           city.read.reader = name == "stream" ? Reader::stream : Reader::libcitygml;
+         }}}},
+      {"osm",
+       {{"files", [&recipe, folder](const Setting& s) { recipe.osm.files = files_of(s, folder, false); }},
+        {"licence", [&recipe](const Setting& s) { recipe.osm.licence = s.text(); }}}},
+      {"terrain",
+       {{"make_surface", [&recipe](const Setting& s) { recipe.terrain.make_surface = s.boolean(); }},
+        {"margin_m", [&recipe](const Setting& s) { recipe.terrain.margin_m = s.number(0, 10000); }}}},
+      {"origin",
+       {{"easting", origin(recipe.origin.easting)},
+        {"northing", origin(recipe.origin.northing)},
+        {"height", origin(recipe.origin.height)}}},
+      {"output",
+       {{"draco", [&recipe](const Setting& s) { recipe.output.draco = s.boolean(); }},
+        {"draco_tolerance_m",
+         [&recipe](const Setting& s) { recipe.output.draco_tolerance_m = s.number(1e-5, 10); }}}},
+  };
+}
+
+template <class Map>
+std::vector<std::string> keys_of(const Map& map) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : map) keys.push_back(key);
+  return keys;
+}
+
+[[noreturn]] void unknown(const std::string& file, const toml::key& key, const std::string& what,
+                          const std::vector<std::string>& known) {
+  std::string message = "unknown " + what;
+  if (const std::string near = nearest_word(std::string(key.str()), known); !near.empty())
+    message += "; did you mean \"" + near + "\"?";
+  throw UsageError(file, "line " + std::to_string(key.source().begin.line), message);
+}
+
+}  // namespace
+
+Recipe read_recipe(const fs::path& path) {
+  const std::string file = path.string();
+  const MappedFile mapped(path);
+  const std::string_view text(reinterpret_cast<const char*>(mapped.bytes().data()), mapped.bytes().size());
+  toml::table document;
+  try {
+    document = toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    throw Error(file, "line " + std::to_string(error.source().begin.line),
+                "is not TOML: " + std::string(error.description()));
+  }
+
+  Recipe recipe;
+  recipe.path = path;
+  const auto tables = tables_of(recipe);
+  for (const auto& [name, node] : document) {
+    const std::string table_name(name.str());
+    const auto table = tables.find(table_name);
+    if (table == tables.end()) unknown(file, name, "table [" + table_name + "]", keys_of(tables));
+    const toml::table* settings = node.as_table();
+    if (!settings) Setting{file, table_name, node}.refuse("is not a table");
+    for (const auto& [key, value] : *settings) {
+      const std::string key_name = "[" + table_name + "] " + std::string(key.str());
+      const auto handler = table->second.find(std::string(key.str()));
+      if (handler == table->second.end()) unknown(file, key, "key " + key_name, keys_of(table->second));
+      handler->second(Setting{file, key_name, value});
+    }
+  }
+  if (recipe.city.files.empty()) throw UsageError(file, "names no city: [city] files = [\"...\"] is missing");
+  return recipe;
+}
+
+std::string nearest_word(const std::string& word, const std::vector<std::string>& candidates) {
+  // Damerau-Levenshtein distance, restricted to swaps of neighbours (optimal string alignment).
+  const auto distance = [&word](const std::string& other) {
+    const std::size_t width = other.size() + 1;
+    std::vector<std::size_t> d((word.size() + 1) * width);
+    for (std::size_t i = 0; i <= word.size(); ++i) d[i * width] = i;
+    for (std::size_t j = 0; j < width; ++j) d[j] = j;
+    for (std::size_t i = 1; i <= word.size(); ++i)
+      for (std::size_t j = 1; j < width; ++j) {
+        const std::size_t replaced = d[(i - 1) * width + j - 1] + (word[i - 1] != other[j - 1] ? 1 : 0);
+        d[i * width + j] = std::min({d[(i - 1) * width + j] + 1, d[i * width + j - 1] + 1, replaced});
+        if (i > 1 && j > 1 && word[i - 1] == other[j - 2] && word[i - 2] == other[j - 1])
+          d[i * width + j] = std::min(d[i * width + j], d[(i - 2) * width + j - 2] + 1);
+      }
+    return d.back();
+  };
+  std::string best;
+  std::size_t least = std::max<std::size_t>(2, word.size() / 2) + 1;  // farther than that it is another word
+  for (const std::string& candidate : candidates)
+    if (const std::size_t edits = distance(candidate); edits < least) {
+      least = edits;
+      best = candidate;
+    }
+  return best;
+}
+
+}  // namespace nightcity

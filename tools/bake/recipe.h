@@ -1,0 +1,54 @@
+// A recipe: which files make a city and how, as TOML. Two keys suffice: [city] files and [osm] files.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/citygml/city_model.h"
+#include "tools/georeference/frame.h"
+
+namespace nightcity {
+
+struct Recipe {
+  std::filesystem::path path;  // of the recipe itself; files below are already relative to the working folder
+
+  struct City {
+    std::vector<std::filesystem::path>
+        files;                 // CityGML; a folder stands for the .gml, .xml, .citygml files in it
+    CityFrame::Options frame;  // crs = "EPSG:...", control_points = [[lon, lat, x, y], ...]
+    ReadOptions read;          // lod = 2, reader = "stream" | "libcitygml", threads = 0
+    double tile_m = 250;
+    std::vector<std::string> licences;  // licence = "..." or [...]
+  } city;
+
+  struct Osm {
+    std::vector<std::filesystem::path> files;
+    std::string licence = "OpenStreetMap contributors, ODbL 1.0";
+  } osm;
+
+  struct Terrain {
+    bool make_surface = true;  // where the city has no relief: a surface through the buildings' feet
+    double margin_m = 50;      // how far that surface reaches beyond the buildings
+  } terrain;
+
+  struct Origin {  // of model space, in the city's CRS; what is absent is chosen from the data
+    std::optional<double> easting, northing, height;
+  } origin;
+
+  struct Output {
+    bool draco = false;
+    double draco_tolerance_m = 0.01;
+  } output;
+};
+
+/// Throws Error where the file is missing or no TOML, UsageError (with line and the nearest known key) where
+/// a table, key or value is not one of ours.
+Recipe read_recipe(const std::filesystem::path& path);
+
+/// The candidate with the fewest edits (insert, delete, replace, swap of neighbours) from `word`; "" when
+/// none is near.
+std::string nearest_word(const std::string& word, const std::vector<std::string>& candidates);
+
+}  // namespace nightcity

@@ -1,0 +1,62 @@
+// Triangles sorted into tiles without keeping them in memory: a city larger than the memory is baked in the
+// order in which it is read, and written tile by tile.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "formats/atomic_file.h"
+#include "formats/scene_file.h"
+#include "tools/bake/materials.h"
+
+namespace nightcity {
+
+struct TileKey {
+  std::int32_t column, row;  // the tile spans [column, column + 1) * size in easting, likewise northing
+  NodeKind kind;
+  auto operator<=>(const TileKey&) const = default;
+};
+
+class TileStore {
+ public:
+  /// Scratch file beside `path`. `size_m`: of a tile. `base_height`: subtracted, so that floats keep
+  /// millimetres.
+  TileStore(const std::filesystem::path& path, double size_m, double base_height);
+
+  /// One corner of the triangle: E, N, H in metres.
+  struct Triangle {
+    glm::dvec3 corners[3];
+    BakeMaterial material;
+    NodeKind kind;
+  };
+  /// Adds an object's triangles, feature `feature`. An object goes whole into the tile of its centre unless
+  /// it is larger than a tile (terrain, long roads): then each triangle goes by its own.
+  void add(std::span<const Triangle> triangles, std::uint32_t feature);
+
+  std::vector<TileKey> tiles() const;
+  /// South-west corner at the base height: E, N, H. Positions of mesh() are relative to it, in model axes
+  /// (x east, y up, z south).
+  glm::dvec3 origin(const TileKey& tile) const;
+  /// All triangles of a tile in the order in which they came, one primitive a material, equal vertices
+  /// welded.
+  SceneMesh mesh(const TileKey& tile);
+
+ private:
+  struct Record;
+  struct Tile {
+    std::uint64_t last_record = 0;  // offset + 1 of the latest record; each record names the one before it
+  };
+  TileKey key_of(const glm::dvec3& point, NodeKind kind) const;
+  void append(const TileKey& key, std::span<const Triangle* const> triangles, std::uint32_t feature);
+
+  double size_m_, base_height_;
+  ScratchFile file_;
+  std::map<TileKey, Tile> tiles_;
+};
+
+}  // namespace nightcity
