@@ -29,6 +29,8 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.fallthrough();  // so that --quiet works after the subcommand's name too
 
+  add_run_command(app);
+  add_inspect_command(app);
   add_town_command(app);
 
   bool verbose = false, quiet = false;

@@ -1,0 +1,80 @@
+#include <map>
+#include <optional>
+
+#include "formats/error.h"
+#include "tools/citygml/city_model.h"
+#include "tools/georeference/frame.h"
+#include "tools/mesh/triangle_mesh.h"
+#include "tools/nightbake/inspect.h"
+
+namespace nightcity {
+
+Inspection inspect_citygml(const std::filesystem::path& file, int highest_lod) {
+  Inspection result = empty_inspection("citygml");
+  const CityGmlHead head = read_citygml_head(file);
+  // A file whose CRS nobody knows still has things to tell; its coordinates are then taken as they are.
+  std::optional<CityFrame> frame;
+  std::string trouble;
+  try {
+    frame = CityFrame::from_srs_name(head.srs_name, head.sample, {});
+  } catch (const Error& error) {
+    trouble = error.what();
+  }
+
+  std::map<std::string, std::size_t> objects, lods;
+  Bounds bounds;
+  MeshReport mesh;
+  std::size_t buildings = 0;
+  std::string last_id;
+  ReadOptions options;
+  options.highest_lod = highest_lod;
+  const ReadReport report = read_citygml(file, options, [&](CityObject&& object) {
+    // Large objects come in pieces under one id.
+    if (object.id.empty() || object.id != last_id) {
+      ++objects[name_of(object.type)];
+      ++lods[object.lod < 0 ? "none" : std::to_string(object.lod)];
+      if (object.type == ObjectType::building) ++buildings;
+    }
+    last_id = object.id;
+    for (Polygon& polygon : object.polygons) {
+      if (frame) {
+        frame->to_projected(polygon.exterior);
+        for (Ring& ring : polygon.interiors) frame->to_projected(ring);
+      }
+      for (const glm::dvec3& p : polygon.exterior) bounds.add(p);
+    }
+    triangulate(object, mesh);
+  });
+
+  result["buildings"] = buildings;
+  result["polygons"] = report.polygons;
+  result["triangles"] = mesh.triangles;
+  if (frame)
+    result["crs"] = frame->crs();
+  else if (!head.srs_name.empty())
+    result["crs"] = head.srs_name;
+  result["bbox"] = bounds.json(3);
+  if (frame && frame->has_lon_lat() && !result["bbox"].is_null()) {
+    Bounds degrees;  // of the four corners: exact enough to find the place on a map
+    for (const double x : {bounds.least.x, bounds.greatest.x})
+      for (const double y : {bounds.least.y, bounds.greatest.y})
+        degrees.add(glm::dvec3(frame->to_lon_lat({x, y}), 0));
+    result["bbox_wgs84"] = degrees.json(2);
+  }
+  for (const auto& [what, count] : report.skipped) result["skipped"][what] = count;
+  result["version"] = report.version;
+  result["srs_name"] = head.srs_name;
+  result["crs_description"] = frame ? frame->description() : trouble;
+  result["objects"] = objects;
+  result["lods"] = lods;
+  result["mesh"] = {{"zero_area", mesh.zero_area},
+                    {"non_planar", mesh.non_planar},
+                    {"worst_non_planar_m", mesh.worst_non_planar_m},
+                    {"self_intersecting", mesh.self_intersecting},
+                    {"not_finite", mesh.not_finite},
+                    {"not_triangulated", mesh.not_triangulated}};
+  result["warnings"] = report.warnings;
+  return result;
+}
+
+}  // namespace nightcity

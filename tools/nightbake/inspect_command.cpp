@@ -1,0 +1,73 @@
+// nightbake inspect: what a CityGML, OSM, glTF or light file holds.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "tools/nightbake/commands.h"
+#include "tools/nightbake/file_kind.h"
+#include "tools/nightbake/inspect.h"
+
+namespace nightcity {
+namespace {
+
+struct Arguments {
+  std::string file;
+  bool json = false;
+  int lod = 2;
+};
+
+Inspection inspect(const std::filesystem::path& file, int lod) {
+  switch (file_kind(file)) {
+    case FileKind::citygml:
+      return inspect_citygml(file, lod);
+    case FileKind::osm:
+      return inspect_osm(file);
+    case FileKind::scene:
+      return inspect_scene(file);
+    case FileKind::lights:
+      break;
+  }
+  return inspect_lights(file);
+}
+
+std::string in_words(const Inspection& value) {
+  if (value.is_null()) return "-";
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float()) return fmt::format("{:.3f}", value.get<double>());
+  if (!value.is_structured()) return value.dump();
+  std::string text;
+  for (const auto& [key, element] : value.items()) {
+    if (!text.empty()) text += ", ";
+    if (value.is_object()) text += key + (element.is_structured() ? ": " : " ");
+    text += element.is_structured() ? "(" + in_words(element) + ")" : in_words(element);
+  }
+  return text.empty() ? "none" : text;
+}
+
+void run(const Arguments& arguments) {
+  const Inspection inspection = inspect(arguments.file, arguments.lod);
+  if (arguments.json) {
+    // Ids and names come from files that may hold anything.
+    fmt::print("{}\n", inspection.dump(2, ' ', false, Inspection::error_handler_t::replace));
+    return;
+  }
+  for (const auto& [key, value] : inspection.items()) fmt::print("{:<22}{}\n", key, in_words(value));
+}
+
+}  // namespace
+
+void add_inspect_command(CLI::App& app) {
+  auto* command = app.add_subcommand("inspect", "Tell what a CityGML, OSM, .glb/.gltf or .lights file holds");
+  auto arguments = std::make_shared<Arguments>();
+  command->add_option("file", arguments->file, "The file; its kind is found by its content")->required();
+  command->add_flag("--json", arguments->json,
+                    "Print JSON: kind, buildings, polygons, triangles, lights, crs, bbox, skipped, ...");
+  command->add_option("--lod", arguments->lod, "CityGML: the highest level of detail looked at")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 4));
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace nightcity

@@ -1,0 +1,24 @@
+#include "tools/nightbake/inspect.h"
+
+namespace nightcity {
+
+Inspection empty_inspection(const char* kind) {
+  Inspection result;
+  result["kind"] = kind;
+  for (const char* key : {"buildings", "polygons", "triangles"}) result[key] = nullptr;
+  result["lights"] = Inspection::object();
+  result["crs"] = nullptr;
+  result["bbox"] = nullptr;
+  result["skipped"] = Inspection::object();
+  return result;
+}
+
+Inspection Bounds::json(int dimensions) const {
+  if (!(least.x <= greatest.x)) return nullptr;
+  Inspection result = Inspection::array();
+  for (const glm::dvec3& corner : {least, greatest})
+    for (int i = 0; i < dimensions; ++i) result.push_back(corner[i]);
+  return result;
+}
+
+}  // namespace nightcity

@@ -1,0 +1,76 @@
+#include <map>
+#include <set>
+
+#include "formats/scene_file.h"
+#include "tools/nightbake/inspect.h"
+
+namespace nightcity {
+
+Inspection inspect_scene(const std::filesystem::path& file) {
+  const Scene scene = read_scene(file);
+  Inspection result = empty_inspection("scene");
+  const auto triangles_of = [](const SceneMesh& mesh) {
+    std::size_t count = 0;
+    for (const ScenePrimitive& primitive : mesh.primitives) count += primitive.indices.size() / 3;
+    return count;
+  };
+  std::size_t triangles = 0, vertices = 0, shown = 0, instances = 0;
+  std::map<std::string, std::size_t> by_material, nodes, features;
+  for (const SceneMesh& mesh : scene.meshes) {
+    triangles += triangles_of(mesh);
+    for (const ScenePrimitive& primitive : mesh.primitives) {
+      vertices += primitive.positions.size();
+      by_material[scene.materials[primitive.material].name] += primitive.indices.size() / 3;
+    }
+  }
+  Bounds bounds;
+  std::map<std::string, std::set<std::uint32_t>> lights;  // by the kind of node that shows them
+  for (const SceneNode& node : scene.nodes) {
+    const SceneMesh& mesh = scene.meshes[node.mesh];
+    const std::string kind = node.kind.empty() ? "other" : node.kind;
+    ++nodes[kind];
+    instances += node.instances.size();
+    shown += triangles_of(mesh) * node.instances.size();
+    for (const SceneInstance& instance : node.instances) {
+      if (instance.light != no_id) lights[kind].insert(instance.light);
+      for (const ScenePrimitive& primitive : mesh.primitives) {
+        for (const glm::vec3& p : primitive.positions)
+          bounds.add(glm::dvec3(instance.to_model * glm::vec4(p, 1)));
+        for (const std::uint32_t id : primitive.light_ids)
+          if (id != no_id) lights[kind].insert(id);
+      }
+    }
+  }
+  std::size_t buildings = 0;
+  for (const SceneFeature& feature : scene.features) {
+    ++features[feature.type.empty() ? "other" : feature.type];
+    if (feature.type == "Building") ++buildings;
+  }
+
+  const Georeference& geo = scene.georeference;
+  result["buildings"] = buildings;
+  result["triangles"] = triangles;
+  for (const auto& [kind, ids] : lights) result["lights"][kind] = ids.size();
+  if (!geo.crs.empty()) result["crs"] = geo.crs;
+  Bounds placed;  // in the CRS: easting, northing, height
+  if (bounds.least.x <= bounds.greatest.x) {
+    placed.add(geo.from_model(bounds.least));
+    placed.add(geo.from_model(bounds.greatest));
+  }
+  result["bbox"] = placed.json(3);
+  result["bbox_model"] = bounds.json(3);
+  result["origin"] = {geo.origin.x, geo.origin.y, geo.origin.z};
+  result["vertices"] = vertices;
+  result["triangles_shown"] = shown;  // every instance counted
+  result["triangles_by_material"] = by_material;
+  result["materials"] = scene.materials.size();
+  result["meshes"] = scene.meshes.size();
+  result["nodes"] = nodes;
+  result["instances"] = instances;
+  result["features"] = features;
+  result["sources"] = geo.sources;
+  result["licences"] = geo.licences;
+  return result;
+}
+
+}  // namespace nightcity

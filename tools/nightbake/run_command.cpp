@@ -1,0 +1,47 @@
+// nightbake run: a whole bake by recipe.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tools/bake/bake.h"
+#include "tools/nightbake/commands.h"
+#include "tools/nightbake/progress_line.h"
+
+namespace nightcity {
+namespace {
+
+struct Arguments {
+  std::string recipe, folder;
+  bool json = false;
+};
+
+void run(const Arguments& arguments) {
+  const Recipe recipe = read_recipe(arguments.recipe);
+  BakeReport report;
+  {
+    ProgressLine progress;
+    report = bake(recipe, arguments.folder, progress.sink());
+  }
+  if (arguments.json)
+    fmt::print("{}\n", to_json(report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  else
+    fmt::print("{}", to_text(report));
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app) {
+  auto* command = app.add_subcommand("run", "Bake a city by its recipe: DIR/city.glb and DIR/city.lights");
+  auto arguments = std::make_shared<Arguments>();
+  command->add_option("recipe", arguments->recipe, "Recipe (TOML): [city] files, [osm] files, options")
+      ->required();
+  command->add_option("-o,--out", arguments->folder, "Folder for the results; made where absent")->required();
+  command->add_flag("--json", arguments->json,
+                    "Print the report as JSON (it is in DIR/bake_report.json too)");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace nightcity
