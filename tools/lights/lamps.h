@@ -17,14 +17,15 @@ namespace nightcity {
 
 /// One lamp post with its luminaires placed, in the frame's E, N, H metres.
 struct PlacedLamp {
-  glm::dvec3 foot{0};              // where the post meets the ground
-  double mounting_height_m = 0;    // luminous centre above the foot
-  glm::dvec2 outreach{0, 0};       // from the post to the luminous centre, horizontal, m
-  glm::dvec2 aim{0, 1};            // unit, horizontal: towards the road (the C = 0 half-plane)
+  glm::dvec3 foot{0};            // where the post meets the ground
+  double mounting_height_m = 0;  // luminous centre above the foot
+  glm::dvec2 outreach{0, 0};     // from the post to the luminous centre, horizontal, m
+  glm::dvec2 aim{0, 1};          // unit, horizontal: towards the road (the C = 0 half-plane)
+  double tilt_degrees = 0;       // of the luminaire's axis, from straight down towards `aim`
   double flux_lm = 0;
   double cct_k = 0;
-  glm::vec3 colour{1};             // linear Rec. 709, luminance 1
-  double radius_m = 0;             // luminous radius
+  glm::vec3 colour{1};  // linear Rec. 709, luminance 1
+  double radius_m = 0;  // luminous radius
   std::uint32_t profile = LIGHT_NO_PROFILE;
   std::uint32_t id = 0;
   LightProvenance provenance;
@@ -34,15 +35,23 @@ struct LampSet {
   std::vector<PlacedLamp> lamps;
   std::vector<LightProfile> profiles;
   std::vector<float> profile_data;
-  std::map<std::string, std::size_t> dropped;  // reason and count: "outside the model", "duplicate", "lit=no", ...
-  std::map<std::string, std::map<std::string, std::size_t>> sources;  // value name, source, count: for the report
+  std::map<std::string, std::size_t>
+      dropped;  // reason and count: "outside the model", "duplicate", "lit=no", ...
+  std::map<std::string, std::map<std::string, std::size_t>>
+      sources;                               // value name, source, count: for the report
+  std::map<std::string, std::size_t> notes;  // what was mended or could not be read, and how often
 };
 
 using LonLatToFrame = std::function<glm::dvec2(const glm::dvec2&)>;
 using HeightAt = std::function<std::optional<double>(const glm::dvec2&)>;
 
-/// Every value a tag gives is taken; the rest comes from the road beside and the table of defaults (lamp_defaults.h).
-LampSet place_lamps(const OsmData& osm, const LonLatToFrame& to_frame, const HeightAt& height_at);
+using InsideBuilding = std::function<bool(const glm::dvec2&)>;
+
+/// Every value a tag gives is taken; the rest comes from the road beside and the table of defaults
+/// (lamp_defaults.h). A lamp that stands inside a building (where `inside` is given and says so) is moved out
+/// towards its road.
+LampSet place_lamps(const OsmData& osm, const LonLatToFrame& to_frame, const HeightAt& height_at,
+                    const InsideBuilding& inside = {});
 
 /// The luminaire as a light of model space.
 Light to_light(const PlacedLamp& lamp, const Georeference& georeference);

@@ -1,0 +1,110 @@
+#include "tools/lights/lamp_tags.h"
+
+#include <gtest/gtest.h>
+
+#include "tools/lights/colour.h"
+
+namespace nightcity {
+namespace {
+
+TEST(LampTags, LengthsInEveryUnitAndSpelling) {
+  const struct {
+    const char* text;
+    double metres;
+  } known[] = {{"6", 6},        {"6 m", 6},       {"6m", 6},       {" 6.5 m ", 6.5}, {"6,5", 6.5},
+               {"20'", 6.096},  {"20 ft", 6.096}, {"20ft", 6.096}, {"12'6\"", 3.81}, {"600 cm", 6},
+               {"~6 m", 6},     {"6;8", 6},       {"5-7", 6},      {"5-7 m", 6},     {"6 meters", 6},
+               {"6 Metres", 6}, {"ca. 6 m", 6},   {"4 m; 5 m", 4}};
+  for (const auto& [text, metres] : known) {
+    const auto length = parse_length_m(text);
+    ASSERT_TRUE(length) << text;
+    EXPECT_NEAR(*length, metres, 1e-9) << text;
+  }
+  for (const char* text : {"", "m", "tall", "6 miles", "6 storeys", ";", "1e400", "--6", "0x10"})
+    EXPECT_FALSE(parse_length_m(text)) << text;
+}
+
+TEST(LampTags, ColourTemperaturesAsNumbersAndWords) {
+  EXPECT_EQ(parse_cct_k("3000"), 3000);
+  EXPECT_EQ(parse_cct_k("3000 K"), 3000);
+  EXPECT_EQ(parse_cct_k("3000k"), 3000);
+  EXPECT_EQ(parse_cct_k("Warm White"), 2850);
+  EXPECT_EQ(parse_cct_k("nonsense;4000 K"), 4000);
+  for (const char* text : {"", "3 K", "560 nm", "30000000", "blue"}) EXPECT_FALSE(parse_cct_k(text)) << text;
+}
+
+TEST(LampTags, DirectionsAsDegreesAndCompassPoints) {
+  EXPECT_EQ(parse_direction_degrees("90"), 90);
+  EXPECT_EQ(parse_direction_degrees("NNE"), 22.5);
+  EXPECT_EQ(parse_direction_degrees("south-west"), 225);
+  EXPECT_EQ(parse_direction_degrees("-90"), 270);
+  EXPECT_EQ(parse_direction_degrees("360"), 0);
+  EXPECT_EQ(parse_direction_degrees("45\xc2\xb0"), 45);
+  for (const char* text : {"", "forward", "720", "90 apples"})
+    EXPECT_FALSE(parse_direction_degrees(text)) << text;
+}
+
+TEST(LampTags, LampTypesAsPeopleSpellThem) {
+  EXPECT_EQ(parse_lamp_type("LED"), LampType::led);
+  EXPECT_EQ(parse_lamp_type("high_pressure_sodium"), LampType::high_pressure_sodium);
+  EXPECT_EQ(parse_lamp_type("High-Pressure Sodium"), LampType::high_pressure_sodium);
+  EXPECT_EQ(parse_lamp_type("SON"), LampType::high_pressure_sodium);
+  EXPECT_EQ(parse_lamp_type("SOX"), LampType::low_pressure_sodium);
+  EXPECT_EQ(parse_lamp_type("gaslight"), LampType::gas);
+  EXPECT_EQ(parse_lamp_type("whatever;led"), LampType::led);
+  EXPECT_FALSE(parse_lamp_type("plasma"));
+}
+
+TEST(LampTags, WholeLampsFromRealExtracts) {
+  const LampTags gas = read_lamp_tags(
+      {{"highway", "street_lamp"}, {"lamp_type", "gaslight"}, {"lamp_flames", "4"}, {"height", "4"}});
+  EXPECT_EQ(gas.type, LampType::gas);
+  EXPECT_EQ(gas.flux_lm, 4 * gas_lumen_per_flame);
+  EXPECT_EQ(gas.height_m, 4);
+  const LampTags fake =
+      read_lamp_tags({{"lamp_type", "gaslight"}, {"fake_gaslight", "yes"}, {"lamp_flames", "4"}});
+  EXPECT_EQ(fake.type, LampType::led);
+  EXPECT_FALSE(fake.flux_lm);
+  const LampTags berlin = read_lamp_tags({{"lamp_mount", "straight_mast"},
+                                          {"lamp_type", "electric"},
+                                          {"light:mount", "1"},
+                                          {"light:lit", "dusk-dawn"}});
+  EXPECT_EQ(berlin.mount, LampMount::straight_mast);
+  EXPECT_FALSE(berlin.type);
+  EXPECT_FALSE(berlin.unlit);
+  EXPECT_TRUE(berlin.unread.empty());
+  EXPECT_TRUE(read_lamp_tags({{"tower:type", "lighting"}}).mast);
+}
+
+TEST(LampTags, CountsListsColoursAndTilt) {
+  const LampTags twin =
+      read_lamp_tags({{"light:count", "2"}, {"light:direction", "90;270"}, {"light:tilt", "-60"}});
+  EXPECT_EQ(twin.count, 2);
+  ASSERT_EQ(twin.directions_degrees.size(), 2u);
+  EXPECT_EQ(twin.tilt_degrees, 30);
+  EXPECT_EQ(read_lamp_tags({{"direction", "N;E;S"}}).count, 3);
+  EXPECT_EQ(read_lamp_tags({{"light:colour", "3000 K"}}).cct_k, 3000);
+  const LampTags orange = read_lamp_tags({{"light:colour", "orange"}});
+  ASSERT_TRUE(orange.colour);
+  EXPECT_GT(orange.colour->r, orange.colour->g);
+  EXPECT_TRUE(read_lamp_tags({{"light:colour", "#ffd9a0"}}).colour);
+  EXPECT_TRUE(read_lamp_tags({{"lit", "No"}}).unlit);
+  EXPECT_TRUE(read_lamp_tags({{"disused", "yes"}}).unlit);
+}
+
+TEST(LampTags, WhatCannotBeReadOrBelievedIsTold) {
+  const LampTags lamp = read_lamp_tags({{"height", "tall"},
+                                        {"light:count", "9999"},
+                                        {"lamp_type", "plasma"},
+                                        {"direction", "left"},
+                                        {"light:colour", "mauve"}});
+  EXPECT_FALSE(lamp.height_m);
+  EXPECT_EQ(lamp.count, 1);
+  EXPECT_FALSE(lamp.type);
+  EXPECT_EQ(lamp.unread.size(), 5u);
+  EXPECT_TRUE(lamp.unread.contains("height=tall"));
+  EXPECT_FALSE(read_lamp_tags({{"height", "600"}}).height_m);  // a lamp 600 m high
+}
+
+}  // namespace
+}  // namespace nightcity

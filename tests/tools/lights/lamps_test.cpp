@@ -1,0 +1,257 @@
+// Lamps on a plane beside a straight road: everything about them is known beforehand.
+#include "tools/lights/lamps.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <numbers>
+#include <set>
+
+#include "formats/rgb9e5.h"
+#include "support/data.h"
+#include "tools/lights/lamp_defaults.h"
+#include "tools/lights/road_index.h"
+
+namespace nightcity {
+namespace {
+
+constexpr double metres_per_degree = 111320;
+
+/// A flat Earth with north rotated by `convergence`: enough to tell true from grid north.
+LonLatToFrame flat_earth(double convergence_degrees = 0) {
+  const double a = glm::radians(convergence_degrees);
+  return [a](const glm::dvec2& lon_lat) {
+    const glm::dvec2 p = lon_lat * metres_per_degree;
+    return glm::dvec2(p.x * std::cos(a) - p.y * std::sin(a), p.x * std::sin(a) + p.y * std::cos(a));
+  };
+}
+
+glm::dvec2 degrees(double x, double y) {
+  return {x / metres_per_degree, y / metres_per_degree};
+}
+
+std::optional<double> ground(const glm::dvec2& p) {
+  return std::abs(p.x) <= 500 && std::abs(p.y) <= 500 ? std::optional<double>(40.0) : std::nullopt;
+}
+
+OsmLampNode lamp_at(double x, double y, OsmTags tags = {}, std::int64_t id = 1) {
+  tags["highway"] = "street_lamp";
+  return {id, degrees(x, y), tags};
+}
+
+OsmWay road(OsmTags tags, std::vector<glm::dvec2> line = {degrees(-300, 0), degrees(300, 0)}) {
+  return {1, line, tags};
+}
+
+LampSet place(std::vector<OsmLampNode> lamps, std::vector<OsmWay> roads = {}) {
+  OsmData osm;
+  osm.lamps = std::move(lamps);
+  osm.highways = std::move(roads);
+  return place_lamps(osm, flat_earth(), ground);
+}
+
+TEST(Lamps, BareLampTakesItsValuesFromTheRoadBesideAndSaysSo) {
+  const LampSet set = place({lamp_at(10, 5)}, {road({{"highway", "residential"}})});
+  ASSERT_EQ(set.lamps.size(), 1u);
+  const PlacedLamp& lamp = set.lamps[0];
+  const RoadDefaults defaults = *road_defaults("residential");
+  EXPECT_NEAR(lamp.foot.x, 10, 1e-6);
+  EXPECT_NEAR(lamp.foot.y, 5, 1e-6);
+  EXPECT_EQ(lamp.foot.z, 40);
+  EXPECT_EQ(lamp.mounting_height_m, defaults.mounting_m);
+  EXPECT_EQ(lamp.flux_lm, defaults.flux_lm);
+  EXPECT_EQ(lamp.cct_k, defaults.cct_k);
+  EXPECT_NEAR(lamp.aim.x, 0, 1e-6);
+  EXPECT_NEAR(lamp.aim.y, -1, 1e-6);  // the road lies south of it
+  EXPECT_NEAR(lamp.outreach.y, -defaults.outreach_m, 1e-6);
+  EXPECT_EQ(lamp.provenance.source_id, 1u);
+  EXPECT_EQ(lamp.provenance.position, ValueSource::tag);
+  EXPECT_EQ(lamp.provenance.height, ValueSource::rule);
+  EXPECT_EQ(lamp.provenance.flux, ValueSource::rule);
+  EXPECT_EQ(lamp.provenance.colour, ValueSource::rule);
+  EXPECT_EQ(set.sources.at("road class").at("residential"), 1u);
+}
+
+TEST(Lamps, TagsWinOverTheRoadAndSaySo) {
+  const LampSet set =
+      place({lamp_at(0, 5, {{"height", "7.5 m"}, {"lamp_type", "SON"}, {"lamp_mount", "straight_mast"}})},
+            {road({{"highway", "residential"}})});
+  const PlacedLamp& lamp = set.lamps.at(0);
+  EXPECT_EQ(lamp.mounting_height_m, 7.5);
+  EXPECT_EQ(lamp.provenance.height, ValueSource::tag);
+  EXPECT_EQ(lamp.provenance.flux, ValueSource::tag);
+  EXPECT_EQ(lamp.provenance.colour, ValueSource::tag);
+  EXPECT_EQ(lamp.flux_lm, lamp_type_defaults(LampType::high_pressure_sodium).flux_lm[1]);
+  EXPECT_GT(lamp.colour.r, 1.5f * lamp.colour.g);
+}
+
+TEST(Lamps, EveryRoadClassOfTheTableGivesPlausibleLamps) {
+  for (const char* highway :
+       {"motorway", "trunk_link", "primary", "secondary", "tertiary", "unclassified", "residential",
+        "living_street", "service", "pedestrian", "footway", "cycleway", "path", "steps", "track"}) {
+    const LampSet set = place({lamp_at(0, 4)}, {road({{"highway", highway}})});
+    ASSERT_EQ(set.lamps.size(), 1u) << highway;
+    EXPECT_GE(set.lamps[0].mounting_height_m, 3) << highway;
+    EXPECT_LE(set.lamps[0].mounting_height_m, 15) << highway;
+    EXPECT_GE(set.lamps[0].flux_lm, 1000) << highway;
+    EXPECT_LE(set.lamps[0].flux_lm, 30000) << highway;
+  }
+  for (const char* highway : {"proposed", "construction", "raceway", "rest_area", ""})
+    EXPECT_FALSE(road_defaults(highway)) << highway;
+}
+
+TEST(Lamps, LampWithoutARoadStandsInTheOpen) {
+  const LampSet set = place({lamp_at(0, 100)}, {road({{"highway", "primary"}})});
+  EXPECT_EQ(set.lamps.at(0).mounting_height_m, open_space_defaults().mounting_m);
+  EXPECT_NEAR(glm::length(set.lamps[0].aim), 1, 1e-9);
+  EXPECT_EQ(set.sources.at("aim").at("no road near"), 1u);
+}
+
+TEST(Lamps, PavementMappedAsItsOwnWayDoesNotClaimTheStreetsLamps) {
+  const std::vector<OsmWay> roads = {road({{"highway", "secondary"}}),
+                                     road({{"highway", "footway"}}, {degrees(-300, 6.5), degrees(300, 6.5)})};
+  EXPECT_EQ(place({lamp_at(0, 5.3)}, roads).sources.at("road class").count("secondary"), 1u);
+  EXPECT_EQ(place({lamp_at(0, 25)},
+                  {roads[0], road({{"highway", "footway"}}, {degrees(-300, 26), degrees(300, 26)})})
+                .sources.at("road class")
+                .count("footway"),
+            1u);
+}
+
+TEST(Lamps, SeveralLuminairesOnOnePostPointApart) {
+  const LampSet twin = place({lamp_at(0, 5, {{"light:count", "2"}})}, {road({{"highway", "secondary"}})});
+  ASSERT_EQ(twin.lamps.size(), 2u);
+  EXPECT_NEAR(glm::dot(twin.lamps[0].aim, twin.lamps[1].aim), -1, 1e-9);
+  EXPECT_NE(twin.lamps[0].id, twin.lamps[1].id);
+  EXPECT_GT(glm::distance(twin.lamps[0].outreach, twin.lamps[1].outreach), twin.lamps[0].radius_m * 2);
+  const LampSet four = place({lamp_at(0, 5, {{"light:count", "4"}})}, {road({{"highway", "secondary"}})});
+  ASSERT_EQ(four.lamps.size(), 4u);
+  EXPECT_NEAR(four.lamps[0].flux_lm * 4, twin.lamps[0].flux_lm * 2, 1e-6);
+}
+
+TEST(Lamps, TaggedDirectionCountsFromTrueNorth) {
+  OsmData osm;
+  osm.lamps = {lamp_at(0, 5, {{"direction", "E"}})};
+  const LampSet set = place_lamps(osm, flat_earth(2), ground);  // grid north is two degrees off
+  const double angle = std::atan2(set.lamps.at(0).aim.y, set.lamps[0].aim.x);
+  EXPECT_NEAR(glm::degrees(angle), 2, 0.01);
+}
+
+TEST(Lamps, WhatIsNotPlacedIsCountedByReason) {
+  const LampSet set =
+      place({lamp_at(0, 5), lamp_at(0.1, 5.1, {}, 2), lamp_at(20, 5, {{"lit", "no"}}, 3),
+             lamp_at(2000, 5, {}, 4), lamp_at(0, NAN, {}, 5), lamp_at(40, 5, {{"height", "tall"}}, 6)});
+  EXPECT_EQ(set.lamps.size(), 2u);
+  EXPECT_EQ(set.dropped.at("duplicate"), 1u);
+  EXPECT_EQ(set.dropped.at("lit=no"), 1u);
+  EXPECT_EQ(set.dropped.at("outside the model"), 1u);
+  EXPECT_EQ(set.dropped.at("outside the projection"), 1u);
+  EXPECT_EQ(set.notes.at("tag not understood: height=tall"), 1u);
+}
+
+TEST(Lamps, LampInsideABuildingStepsOutTowardsItsRoad) {
+  OsmData osm;
+  osm.lamps = {lamp_at(0, 9)};
+  osm.highways = {road({{"highway", "residential"}})};
+  const LampSet set = place_lamps(osm, flat_earth(), ground, [](const glm::dvec2& p) { return p.y > 6.1; });
+  ASSERT_EQ(set.lamps.size(), 1u);
+  EXPECT_LE(set.lamps[0].foot.y, 6.1);
+  EXPECT_GE(set.lamps[0].foot.y, 5.8);
+  EXPECT_EQ(set.lamps[0].provenance.position, ValueSource::rule);
+  EXPECT_EQ(set.notes.at("moved out of a building"), 1u);
+}
+
+TEST(Lamps, IdentitiesStayWhateverElseIsInTheFile) {
+  const LampSet one = place({lamp_at(0, 5, {}, 77)});
+  const LampSet two = place({lamp_at(50, 5, {}, 12), lamp_at(0, 5, {}, 77)});
+  EXPECT_EQ(one.lamps.at(0).id, two.lamps.at(1).id);
+  std::vector<OsmLampNode> many;
+  for (int n = 0; n < 5000; ++n) many.push_back(lamp_at(n % 100 * 5 - 250, n / 100 * 5 - 100, {}, 1000 + n));
+  std::set<std::uint32_t> ids;
+  for (const PlacedLamp& lamp : place(many).lamps) ids.insert(lamp.id);
+  EXPECT_EQ(ids.size(), 5000u);
+}
+
+TEST(Lamps, LightStandsInModelSpaceWithItsAxisDown) {
+  const LampSet set = place({lamp_at(10, 5)}, {road({{"highway", "residential"}})});
+  Georeference georeference;
+  georeference.origin = {1, 2, 30};
+  const Light light = to_light(set.lamps.at(0), georeference);
+  const RoadDefaults defaults = *road_defaults("residential");
+  EXPECT_NEAR(light.position.x, 9, 1e-4);
+  EXPECT_NEAR(light.position.y, 10 + defaults.mounting_m, 1e-4);
+  EXPECT_NEAR(light.position.z, -(5 - defaults.outreach_m - 2), 1e-4);
+  EXPECT_NEAR(glm::distance(light.axis, glm::vec3(0, -1, 0)), 0, 1e-6);
+  EXPECT_NEAR(glm::distance(light.tangent, glm::vec3(0, 0, 1)), 0, 1e-5);  // south, to the road
+  EXPECT_EQ(light.kind_profile & 255u, LIGHT_SPHERE);
+  EXPECT_LT(light.kind_profile >> 8, set.profiles.size());
+  EXPECT_FLOAT_EQ(light.flux_lm, static_cast<float>(defaults.flux_lm));
+  EXPECT_NEAR(luminance(decode_rgb9e5(light.colour_rgb9e5)), 1, 0.01);
+}
+
+TEST(Lamps, TiltTurnsTheAxisTowardsTheAimAndKeepsTheFrameSquare) {
+  const LampSet set = place({lamp_at(10, 5, {{"light:tilt", "-60"}})}, {road({{"highway", "residential"}})});
+  const Light light = to_light(set.lamps.at(0), {});
+  EXPECT_NEAR(light.axis.y, -std::cos(glm::radians(30.0)), 1e-5);
+  EXPECT_NEAR(light.axis.z, 0.5, 1e-5);
+  EXPECT_NEAR(glm::dot(light.axis, light.tangent), 0, 1e-6);
+}
+
+TEST(RoadIndex, AgreesWithBruteForce) {
+  std::vector<OsmWay> ways;
+  std::uint32_t state = 1;
+  const auto random = [&] { return (state = state * 1664525u + 1013904223u) / 4294967296.0 * 800 - 400; };
+  for (int n = 0; n < 60; ++n)
+    ways.push_back({n,
+                    {{random(), random()}, {random(), random()}, {random(), random()}},
+                    {{"highway", "residential"}}});
+  const RoadIndex index(ways, [](const glm::dvec2& p) { return p; });
+  int found = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const glm::dvec2 p(random(), random());
+    double best = 1e300;
+    for (const OsmWay& way : ways)
+      for (std::size_t k = 0; k + 1 < way.lon_lat.size(); ++k) {
+        const glm::dvec2 a = way.lon_lat[k], edge = way.lon_lat[k + 1] - a;
+        const double t = glm::clamp(glm::dot(p - a, edge) / glm::dot(edge, edge), 0.0, 1.0);
+        best = std::min(best, glm::distance(p, a + edge * t));
+      }
+    const auto nearest = index.nearest(p);
+    ASSERT_EQ(nearest.has_value(), best <= nearest_road_m);
+    if (nearest) {
+      EXPECT_NEAR(nearest->distance_m, best, 1e-9);
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 500);
+}
+
+TEST(RoadIndex, WidthsComeFromTagsThenLanesThenTheClass) {
+  const auto width = [](OsmTags tags) {
+    const RoadIndex index({{1, {{0, 0}, {10, 0}}, std::move(tags)}}, [](const glm::dvec2& p) { return p; });
+    return index.nearest({5, 1})->road->width_m;
+  };
+  EXPECT_EQ(width({{"highway", "residential"}}), road_defaults("residential")->width_m);
+  EXPECT_EQ(width({{"highway", "residential"}, {"lanes", "3"}}), 9);
+  EXPECT_EQ(width({{"highway", "primary"}, {"lanes", "4"}, {"width", "15.5 m"}}), 15.5);
+  EXPECT_EQ(width({{"highway", "residential"}, {"width", "9999"}, {"lanes", "many"}}),
+            road_defaults("residential")->width_m);
+}
+
+TEST(LampsReal, EveryBerlinLampIsPlacedOrCounted) {
+  REAL_DATA(file, "berlin/berlin_dev_box.osm.pbf");
+  const OsmData osm = read_osm(file);
+  const LampSet set = place_lamps(
+      osm, [](const glm::dvec2& p) { return glm::dvec2(p.x * 68000, p.y * 111000); },
+      [](const glm::dvec2&) { return std::optional<double>(35); });
+  std::size_t dropped = 0;
+  for (const auto& [reason, count] : set.dropped) dropped += count;
+  EXPECT_GE(set.lamps.size() + dropped, osm.lamps.size());
+  EXPECT_GT(set.lamps.size(), 200u);
+  EXPECT_GT(set.sources.at("road class").size(), 2u);
+}
+
+}  // namespace
+}  // namespace nightcity

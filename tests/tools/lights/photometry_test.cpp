@@ -1,0 +1,162 @@
+// Colours against published chromaticities, distributions against closed forms.
+#include "tools/lights/photometry.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <stdexcept>
+
+#include "tools/lights/colour.h"
+#include "tools/lights/lamp_defaults.h"
+#include "tools/lights/optics.h"
+
+namespace nightcity {
+namespace {
+
+using std::numbers::pi;
+
+double luminance(const glm::vec3& rgb) {
+  return 0.2126 * rgb.r + 0.7152 * rgb.g + 0.0722 * rgb.b;
+}
+
+TEST(Colour, PlanckianLocusPassesThroughPublishedPoints) {
+  // CIE standard illuminant A is a black body at 2856 K; the others from integrating Planck's law (CIE
+  // 15:2004).
+  const struct {
+    double kelvin, x, y;
+  } points[] = {
+      {2856, 0.4476, 0.4075}, {2000, 0.5267, 0.4133}, {4000, 0.3805, 0.3768}, {6500, 0.3135, 0.3237}};
+  for (const auto& point : points) {
+    const glm::dvec2 xy = planckian_xy(point.kelvin);
+    EXPECT_NEAR(xy.x, point.x, 5e-4) << point.kelvin;
+    EXPECT_NEAR(xy.y, point.y, 5e-4) << point.kelvin;
+  }
+  EXPECT_EQ(planckian_xy(100), planckian_xy(1000));
+}
+
+TEST(Colour, EveryColourHasLuminanceOneAndNoNegativeChannel) {
+  for (double kelvin = 1000; kelvin <= 15000; kelvin += 250) {
+    const glm::vec3 rgb = rec709_from_xy(planckian_xy(kelvin));
+    EXPECT_NEAR(luminance(rgb), 1, 1e-3);
+    EXPECT_GE(std::min({rgb.r, rgb.g, rgb.b}), 0);
+  }
+  for (int type = 0; type < 8; ++type) {
+    const auto& xy = lamp_type_defaults(static_cast<LampType>(type)).xy;
+    if (!xy) continue;
+    const glm::vec3 rgb = rec709_from_xy(*xy);
+    EXPECT_NEAR(luminance(rgb), 1, 1e-3);
+    EXPECT_GE(std::min({rgb.r, rgb.g, rgb.b}), 0);
+  }
+}
+
+TEST(Colour, WhiteIsWhiteAndSodiumIsOrange) {
+  const glm::vec3 d65 = rec709_from_xy({0.3127, 0.3290});
+  EXPECT_NEAR(d65.r, 1, 2e-3);
+  EXPECT_NEAR(d65.g, 1, 2e-3);
+  EXPECT_NEAR(d65.b, 1, 2e-3);
+  const glm::vec3 sodium = rec709_from_xy(*lamp_type_defaults(LampType::high_pressure_sodium).xy);
+  const glm::vec3 candle = rec709_from_xy(planckian_xy(2000));
+  EXPECT_GT(sodium.r, 1.5f * sodium.g);
+  EXPECT_NEAR(sodium.b, 0, 1e-6);
+  EXPECT_GT(glm::distance(sodium, candle), 0.02f);
+  const glm::vec3 warm = rec709_from_xy(planckian_xy(3000)), cool = rec709_from_xy(planckian_xy(4000));
+  EXPECT_GT(warm.r / warm.b, cool.r / cool.b);
+}
+
+TEST(Colour, HexIsSrgb) {
+  const auto grey = rec709_from_hex("#808080");
+  ASSERT_TRUE(grey);
+  EXPECT_NEAR(grey->r, 1, 1e-6);
+  const auto red = rec709_from_hex("#ff0000");
+  EXPECT_NEAR(red->r, 1 / 0.2126, 1e-3);
+  for (const char* bad : {"", "#", "#12345", "#1234567", "#gg0000", "red", "#000000"})
+    EXPECT_FALSE(rec709_from_hex(bad)) << bad;
+}
+
+/// Independent of the closed form: fine midpoint quadrature of the interpolant itself.
+double quadrature(const Photometry& photometry) {
+  constexpr int steps = 720;
+  double sum = 0;
+  for (int i = 0; i < steps; ++i)
+    for (int j = 0; j < steps; ++j) {
+      const double c = (i + 0.5) * 2 * pi / steps, gamma = (j + 0.5) * pi / steps;
+      sum += intensity_at(photometry, c, gamma) * std::sin(gamma);
+    }
+  return sum * (2 * pi / steps) * (pi / steps);
+}
+
+TEST(Photometry, FluxOfKnownDistributionsIsTheClosedForm) {
+  EXPECT_NEAR(integrated_flux(sample_intensity([](double, double) { return 1; }, 1, 2)), 4 * pi, 1e-9);
+  // Lambert: I0 pi; only the grid's own interpolation stands between.
+  EXPECT_NEAR(
+      integrated_flux(sample_intensity([](double, double g) { return std::max(0.0, std::cos(g)); }, 8, 181)),
+      pi, pi * 1e-3);
+  // cos^2(C) averages to a half.
+  EXPECT_NEAR(
+      integrated_flux(sample_intensity([](double c, double) { return std::cos(c) * std::cos(c); }, 36, 19)),
+      2 * pi, 1e-9);
+}
+
+TEST(Photometry, InterpolationMeetsTheGridAndWraps) {
+  const Photometry photometry =
+      sample_intensity([](double c, double g) { return std::cos(c) + 2 + g; }, 8, 5);
+  EXPECT_NEAR(intensity_at(photometry, 0, 0), 3, 1e-12);
+  EXPECT_NEAR(intensity_at(photometry, 2 * pi, pi), 3 + pi, 1e-12);
+  EXPECT_NEAR(intensity_at(photometry, -pi / 4, pi / 2), std::cos(pi / 4) + 2 + pi / 2, 1e-12);
+  const double half = (std::cos(7 * pi / 4) + 1) / 2 + 2;  // between the last row and the first
+  EXPECT_NEAR(intensity_at(photometry, 2 * pi - pi / 8, 0), half, 1e-12);
+}
+
+TEST(Photometry, EveryOpticIsOneLumenWithinHalfAPercentByIndependentQuadrature) {
+  ProfileTable table;
+  for (const Optic optic : {Optic::street, Optic::central, Optic::lantern, Optic::floodlight}) {
+    const std::uint32_t index = table.add(name_of(optic), make_optic(optic));
+    const LightProfile& profile = table.profiles[index];
+    Photometry stored{profile.c_count, profile.gamma_count, {}};
+    const float* first = table.data.data() + profile.data_offset;
+    stored.values.assign(first, first + static_cast<std::size_t>(profile.c_count) * profile.gamma_count);
+    EXPECT_NEAR(quadrature(stored), 1, 0.005) << name_of(optic);
+    for (const double value : stored.values) EXPECT_GE(value, 0);
+  }
+  EXPECT_EQ(table.profiles.size(), 4u);
+  EXPECT_EQ(table.add("lantern", make_optic(Optic::lantern)), 2u);  // stored once
+}
+
+TEST(Photometry, StreetOpticsSendNoLightUpAndThrowAlongAndOverTheRoad) {
+  for (const Optic optic : {Optic::street, Optic::central}) {
+    const Photometry street = make_optic(optic);
+    for (double c = 0; c < 2 * pi; c += 0.1)
+      for (double gamma = pi / 2; gamma <= pi; gamma += 0.05) EXPECT_EQ(intensity_at(street, c, gamma), 0);
+    double peak = 0, peak_gamma = 0;
+    for (double gamma = 0; gamma < pi / 2; gamma += 0.01)
+      if (const double value = intensity_at(street, pi / 2, gamma); value > peak)
+        peak = value, peak_gamma = gamma;
+    EXPECT_GT(peak_gamma * 180 / pi, 55);
+    EXPECT_LT(peak_gamma * 180 / pi, 72);
+    EXPECT_GT(peak, intensity_at(street, pi / 2, 0));
+    const double klm = peak / integrated_flux(street) * 1000;  // real street luminaires: 300 to 800 cd/klm
+    EXPECT_GT(klm, 250);
+    EXPECT_LT(klm, 900);
+    for (double gamma = 0; gamma < 1.5; gamma += 0.1)
+      EXPECT_NEAR(intensity_at(street, 1, gamma), intensity_at(street, 2 * pi - 1, gamma), 1e-9);
+  }
+  const Photometry over = make_optic(Optic::street);
+  EXPECT_GT(intensity_at(over, 0, pi / 4), 3 * intensity_at(over, pi, pi / 4));  // little goes to the houses
+}
+
+TEST(Photometry, WhatIsNoDistributionIsRefused) {
+  ProfileTable table;
+  Photometry photometry = sample_intensity([](double, double) { return 1; }, 2, 3);
+  photometry.values[1] = -1;
+  EXPECT_THROW(table.add("a", photometry), std::invalid_argument);
+  photometry.values[1] = NAN;
+  EXPECT_THROW(table.add("a", photometry), std::invalid_argument);
+  photometry.values.assign(6, 0.0);
+  EXPECT_THROW(table.add("a", photometry), std::invalid_argument);
+  EXPECT_TRUE(table.profiles.empty());
+}
+
+}  // namespace
+}  // namespace nightcity

@@ -1,0 +1,47 @@
+#include "tools/lights/colour.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <glm/common.hpp>
+
+namespace nightcity {
+
+glm::dvec2 planckian_xy(double kelvin) {
+  const double t = std::clamp(kelvin, 1000.0, 15000.0);
+  const double u = (0.860117757 + 1.54118254e-4 * t + 1.28641212e-7 * t * t) /
+                   (1 + 8.42420235e-4 * t + 7.08145163e-7 * t * t);
+  const double v = (0.317398726 + 4.22806245e-5 * t + 4.20481691e-8 * t * t) /
+                   (1 - 2.89741816e-5 * t + 1.61456053e-7 * t * t);
+  const double scale = 2 * u - 8 * v + 4;  // CIE 1960 UCS back to 1931
+  return {3 * u / scale, 2 * v / scale};
+}
+
+glm::vec3 rec709_from_xy(const glm::dvec2& xy) {
+  const double x = xy.x / xy.y, z = (1 - xy.x - xy.y) / xy.y;  // of luminance Y = 1
+  // Inverse of the primaries' matrix of ITU-R BT.709-6 with white D65.
+  glm::dvec3 rgb(3.2409699419 * x - 1.5373831776 - 0.4986107603 * z,
+                 -0.9692436363 * x + 1.8759675015 + 0.0415550574 * z,
+                 0.0556300797 * x - 0.2039769589 + 1.0569715142 * z);
+  const double lowest = std::min({rgb.r, rgb.g, rgb.b});
+  if (lowest < 0) rgb = glm::max(rgb + (glm::dvec3(1) - rgb) * (-lowest / (1 - lowest)), glm::dvec3(0));
+  return glm::vec3(rgb);
+}
+
+std::optional<glm::vec3> rec709_from_hex(std::string_view text) {
+  if (text.size() != 7 || text[0] != '#') return std::nullopt;
+  glm::dvec3 linear;
+  for (int channel = 0; channel < 3; ++channel) {
+    unsigned value = 0;
+    const char* from = text.data() + 1 + 2 * channel;
+    const auto [end, error] = std::from_chars(from, from + 2, value, 16);
+    if (error != std::errc() || end != from + 2) return std::nullopt;
+    const double encoded = value / 255.0;  // IEC 61966-2-1
+    linear[channel] = encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+  }
+  const double luminance = 0.2126 * linear.r + 0.7152 * linear.g + 0.0722 * linear.b;
+  if (luminance <= 0) return std::nullopt;
+  return glm::vec3(linear / luminance);
+}
+
+}  // namespace nightcity

@@ -1,0 +1,78 @@
+#include "tools/lights/lamp_defaults.h"
+
+#include <array>
+
+namespace nightcity {
+namespace {
+
+// Heights: Global Street Design Guide (NACTO 2016): footways and cycle tracks 3-6 m, narrow streets 6-10 m,
+// wide streets 10-12 m; spacing 2.5-3 heights. Outreach: 1-2 m brackets where the post stands behind the kerb
+// (CEN/TR 13201-1's worked examples). Flux: what the class in the last column asks for at that spacing, flux
+// = E W S / (utilisation 0.4 x maintenance 0.8), E by EN 13201-2: M3 1.0, M4 0.75, M5 0.5 cd/m2 (about 15,
+// 10, 7.5 lx on asphalt of R3), P3 7.5, P4 5, P5 3 lx. Colour: 4000 K on main roads, 3000 K where people live
+// (EU green public procurement criteria, SWD(2018) 494). Widths: 3.5 m lanes on main roads, 3.0 m elsewhere.
+constexpr std::array<RoadDefaults, 20> roads = {{
+    {"motorway", RoadTier::main, 11.5, 12.0, 2.0, 20000, 4000, Optic::street, "M2"},
+    {"trunk", RoadTier::main, 10.5, 12.0, 2.0, 18000, 4000, Optic::street, "M2"},
+    {"primary", RoadTier::main, 10.0, 10.0, 1.5, 13500, 4000, Optic::street, "M3"},
+    {"secondary", RoadTier::main, 8.5, 9.0, 1.5, 9000, 4000, Optic::street, "M4"},
+    {"tertiary", RoadTier::local, 7.0, 8.0, 1.0, 6000, 3500, Optic::street, "M5"},
+    {"unclassified", RoadTier::local, 6.0, 7.0, 1.0, 4500, 3000, Optic::street, "P4"},
+    {"residential", RoadTier::local, 6.0, 6.0, 0.8, 3500, 3000, Optic::street, "P4"},
+    {"road", RoadTier::local, 6.0, 6.0, 0.8, 3500, 3000, Optic::street, "P4"},
+    {"living_street", RoadTier::local, 5.5, 5.0, 0.5, 2500, 3000, Optic::street, "P5"},
+    {"service", RoadTier::local, 4.0, 6.0, 0.5, 2500, 3000, Optic::street, "P5"},
+    {"busway", RoadTier::main, 6.5, 9.0, 1.5, 9000, 4000, Optic::street, "M4"},
+    {"pedestrian", RoadTier::path, 7.0, 4.5, 0.0, 3000, 3000, Optic::lantern, "P3"},
+    {"footway", RoadTier::path, 2.5, 4.0, 0.0, 1500, 3000, Optic::lantern, "P5"},
+    {"path", RoadTier::path, 2.0, 4.0, 0.0, 1500, 3000, Optic::lantern, "P5"},
+    {"steps", RoadTier::path, 2.5, 4.0, 0.0, 1500, 3000, Optic::lantern, "P5"},
+    {"cycleway", RoadTier::path, 2.5, 5.0, 0.3, 2000, 3000, Optic::street, "P5"},
+    {"bridleway", RoadTier::path, 2.5, 4.0, 0.0, 1500, 3000, Optic::lantern, "P5"},
+    {"track", RoadTier::path, 3.0, 5.0, 0.3, 2000, 3000, Optic::street, "P5"},
+    {"platform", RoadTier::path, 3.0, 4.5, 0.0, 2500, 4000, Optic::lantern, "P3"},
+    {"corridor", RoadTier::path, 2.5, 3.5, 0.0, 1500, 4000, Optic::lantern, "P5"},
+}};
+
+constexpr RoadDefaults open_space = {"", RoadTier::path, 0, 4.5, 0, 2500, 3000, Optic::lantern, "P4"};
+constexpr RoadDefaults mast = {"", RoadTier::main, 0, 15, 0.5, 30000, 4000, Optic::floodlight, ""};
+
+// Lamp flux by makers' standard wattages (HPS 150/70/50 W: 17,500/6,600/4,400 lm; SOX 90/55/35 W:
+// 13,000/7,800/4,600; mercury 250/125/80 W: 12,700/6,200/3,600; metal halide 150/70/35 W: 14,000/6,600/3,300;
+// compact fluorescent 2x36/36/18 W) times a light output ratio of 0.75 (0.65 for lanterns). LED: the road's
+// own flux, 120 lm/W. Gas: 300-900 lm a lantern. Chromaticity: high-pressure sodium, mercury and metal halide
+// as CIE 15:2004 HP1 and HP4 and a coated mercury lamp; low-pressure sodium is the 589 nm line's point on the
+// spectral locus. They are not black bodies: 2000 K white is not the colour of sodium.
+const std::array<LampTypeDefaults, 8> lamp_types = {{
+    {"LED", {0, 0, 0}, 120, 0, std::nullopt, false},
+    {"high-pressure sodium", {13100, 4950, 3300}, 75, 1959, glm::dvec2(0.5330, 0.4150), false},
+    {"low-pressure sodium", {9750, 5850, 3450}, 105, 1800, glm::dvec2(0.5693, 0.4298), false},
+    {"mercury", {9500, 4650, 2700}, 38, 4000, glm::dvec2(0.390, 0.390), false},
+    {"metal halide", {10500, 4950, 2450}, 70, 4002, glm::dvec2(0.3812, 0.3797), false},
+    {"fluorescent", {4300, 2150, 900}, 45, 4000, std::nullopt, false},
+    {"incandescent", {1500, 1000, 650}, 9, 2700, std::nullopt, true},
+    {"gas", {900, 600, 400}, 1, 2800, std::nullopt, true},
+}};
+
+}  // namespace
+
+std::optional<RoadDefaults> road_defaults(std::string_view highway) {
+  constexpr std::string_view link = "_link";
+  if (highway.ends_with(link)) highway.remove_suffix(link.size());
+  for (const RoadDefaults& row : roads)
+    if (row.highway == highway) return row;
+  return std::nullopt;
+}
+
+const RoadDefaults& open_space_defaults() {
+  return open_space;
+}
+const RoadDefaults& lighting_mast_defaults() {
+  return mast;
+}
+
+const LampTypeDefaults& lamp_type_defaults(LampType type) {
+  return lamp_types[static_cast<std::size_t>(type)];
+}
+
+}  // namespace nightcity

@@ -1,0 +1,42 @@
+// What people write on street lamps in OSM, read with units, typos and lists.
+#pragma once
+
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/lights/lamp_defaults.h"
+#include "tools/osm/osm_data.h"
+
+namespace nightcity {
+
+enum class LampMount { straight_mast, bent_mast, wall, suspended, bollard };
+
+struct LampTags {
+  bool unlit = false;  // lit=no, disused: the post gives no light
+  bool mast = false;   // tower:type=lighting, floodlight
+  std::optional<double> height_m, flux_lm, power_w, cct_k, tilt_degrees;
+  std::optional<glm::vec3> colour;  // linear Rec. 709, luminance 1
+  std::optional<LampType> type;
+  std::optional<LampMount> mount;
+  std::vector<double> directions_degrees;     // clockwise from north
+  int count = 1;                              // luminaires on the post, 1 to 12
+  std::map<std::string, std::size_t> unread;  // "height=tall": values nobody could understand
+};
+
+LampTags read_lamp_tags(const OsmTags& tags);
+
+/// "6", "6 m", "6,5", "20'", "12'6\"", "20 ft", "600 cm", "~6 m", the first of "6;8", the middle of "5-7":
+/// metres.
+std::optional<double> parse_length_m(std::string_view text);
+/// "3000", "3000 K", "3000k", "warm_white", the first of a list: kelvin, 1000 to 20000.
+std::optional<double> parse_cct_k(std::string_view text);
+/// "90", "NNE", "south-west": degrees clockwise from north, 0 to 360.
+std::optional<double> parse_direction_degrees(std::string_view text);
+std::optional<LampType> parse_lamp_type(std::string_view text);
+
+}  // namespace nightcity

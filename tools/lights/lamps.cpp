@@ -1,0 +1,331 @@
+#include "tools/lights/lamps.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <numbers>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "formats/rgb9e5.h"
+#include "tools/lights/colour.h"
+#include "tools/lights/lamp_defaults.h"
+#include "tools/lights/lamp_tags.h"
+#include "tools/lights/optics.h"
+#include "tools/lights/photometry.h"
+#include "tools/lights/road_index.h"
+
+namespace nightcity {
+namespace {
+
+constexpr double same_place_m = 0.3;  // two posts nearer than this are one post mapped twice
+constexpr double step_out_m = 0.25, farthest_out_m = 12;
+
+const char* name_of(ValueSource source) {
+  constexpr const char* names[] = {"unknown", "tag", "attribute", "rule", "standard"};
+  return names[static_cast<int>(source)];
+}
+
+/// A value and where it came from.
+template <class T>
+struct Known {
+  T value;
+  ValueSource source = ValueSource::rule;
+  void tagged(const std::optional<T>& tag) {
+    if (tag) value = *tag, source = ValueSource::tag;
+  }
+};
+
+/// splitmix64's finaliser: neighbouring OSM ids give unrelated light ids.
+std::uint32_t hash_id(std::int64_t node, int luminaire, int attempt) {
+  std::uint64_t x = static_cast<std::uint64_t>(node) * 64 + static_cast<std::uint64_t>(luminaire);
+  x += static_cast<std::uint64_t>(attempt + 1) * 0x9E3779B97F4A7C15ull;
+  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ull;
+  x = (x ^ (x >> 27)) * 0x94D049BB133111EBull;
+  return static_cast<std::uint32_t>((x ^ (x >> 31)) >> 32);
+}
+
+glm::dvec2 rotated(const glm::dvec2& v, double radians) {
+  const double c = std::cos(radians), s = std::sin(radians);
+  return {c * v.x - s * v.y, s * v.x + c * v.y};
+}
+
+/// Tells whether a place is taken, by a hash grid.
+class TakenPlaces {
+ public:
+  bool take(const glm::dvec2& p) {
+    const auto x = cell(p.x), y = cell(p.y);
+    for (std::int64_t i = x - 1; i <= x + 1; ++i)
+      for (std::int64_t j = y - 1; j <= y + 1; ++j) {
+        const auto [first, last] = places_.equal_range(key(i, j));
+        for (auto place = first; place != last; ++place)
+          if (glm::distance(place->second, p) < same_place_m) return false;
+      }
+    places_.emplace(key(x, y), p);
+    return true;
+  }
+
+ private:
+  static std::int64_t cell(double v) { return static_cast<std::int64_t>(std::floor(v / same_place_m)); }
+  static std::uint64_t key(std::int64_t x, std::int64_t y) {
+    return static_cast<std::uint64_t>(x) << 32 ^ (static_cast<std::uint64_t>(y) & 0xFFFFFFFFu);
+  }
+  std::unordered_multimap<std::uint64_t, glm::dvec2> places_;
+};
+
+class Placer {
+ public:
+  Placer(const OsmData& osm, const LonLatToFrame& to_frame, const HeightAt& height_at,
+         const InsideBuilding& inside)
+      : osm_(osm),
+        to_frame_(to_frame),
+        height_at_(height_at),
+        inside_(inside),
+        roads_(osm.highways, to_frame) {}
+
+  LampSet place() {
+    for (const OsmLampNode& node : osm_.lamps) place(node);
+    set_.profiles = std::move(profiles_.profiles);
+    set_.profile_data = std::move(profiles_.data);
+    return std::move(set_);
+  }
+
+ private:
+  void drop(const char* reason) { ++set_.dropped[reason]; }
+
+  void place(const OsmLampNode& node) {
+    const LampTags tags = read_lamp_tags(node.tags);
+    for (const auto& [text, count] : tags.unread) set_.notes["tag not understood: " + text] += count;
+    if (tags.unlit) return drop("lit=no");
+    glm::dvec2 at = to_frame_(node.lon_lat);
+    if (!std::isfinite(at.x) || !std::isfinite(at.y)) return drop("outside the projection");
+    if (!height_at_(at)) return drop("outside the model");
+    if (!taken_.take(at)) return drop("duplicate");
+
+    const auto road = roads_.nearest(at);
+    const bool moved = step_out(at, road);
+    const auto height = height_at_(at);
+    if (!height) return drop("outside the model");
+    post(node, tags, {at.x, at.y, *height}, moved ? ValueSource::rule : ValueSource::tag, road);
+  }
+
+  /// Moves a post that stands inside a building to the building's outside, towards its road.
+  bool step_out(glm::dvec2& at, const std::optional<RoadIndex::Nearest>& road) {
+    if (!inside_ || !inside_(at)) return false;
+    if (road && road->distance_m > step_out_m) {
+      const glm::dvec2 towards = (road->point - at) / road->distance_m;
+      for (double s = step_out_m; s <= std::min(farthest_out_m, road->distance_m); s += step_out_m)
+        if (!inside_(at + towards * s)) {
+          at += towards * s;
+          ++set_.notes["moved out of a building"];
+          return true;
+        }
+    }
+    ++set_.notes["left inside a building"];
+    return false;
+  }
+
+  const RoadDefaults& defaults_for(const LampTags& tags,
+                                   const std::optional<RoadIndex::Nearest>& road) const {
+    if (tags.mast) return lighting_mast_defaults();
+    return road ? road->road->defaults : open_space_defaults();
+  }
+
+  void post(const OsmLampNode& node, const LampTags& tags, const glm::dvec3& foot, ValueSource position,
+            const std::optional<RoadIndex::Nearest>& road) {
+    const RoadDefaults& defaults = defaults_for(tags, road);
+    const LampTypeDefaults* type = tags.type ? &lamp_type_defaults(*tags.type) : nullptr;
+
+    Known<double> mounting{defaults.mounting_m};
+    if (tags.mount == LampMount::wall) mounting.value = std::min(mounting.value, wall_mounting_m);
+    if (tags.mount == LampMount::bollard) mounting.value = bollard_mounting_m;
+    if (type && type->lantern) mounting.value = std::min(mounting.value, open_space_defaults().mounting_m);
+    mounting.tagged(tags.height_m);
+
+    Known<Optic> optic{defaults.optic};
+    const bool low = mounting.value < 3 && optic.value == Optic::street;
+    if ((type && type->lantern) || tags.mount == LampMount::bollard || low)
+      optic.value = Optic::lantern;
+    else if (tags.mount == LampMount::bent_mast && optic.value == Optic::lantern)
+      optic.value = Optic::street;
+    else if (tags.mount == LampMount::suspended)
+      optic.value = Optic::central;
+    if (tags.mount || tags.type) optic.source = ValueSource::tag;
+
+    const Known<double> flux = flux_of(tags, defaults, type);
+    Known<double> cct{type && type->cct_k > 0 ? type->cct_k : defaults.cct_k};
+    Known<glm::vec3> colour{rec709_from_xy(type && type->xy ? *type->xy : planckian_xy(cct.value))};
+    if (type && (type->xy || type->cct_k > 0)) colour.source = ValueSource::tag;
+    if (tags.cct_k) {
+      cct.tagged(tags.cct_k);
+      colour = {rec709_from_xy(planckian_xy(*tags.cct_k)), ValueSource::tag};
+    }
+    colour.tagged(tags.colour);
+
+    PlacedLamp lamp;
+    lamp.foot = foot;
+    lamp.mounting_height_m = mounting.value;
+    lamp.flux_lm = flux.value;
+    lamp.cct_k = cct.value;
+    lamp.colour = colour.value;
+    lamp.radius_m = optic.value == Optic::lantern ? lantern_radius_m : luminous_radius_m;
+    lamp.profile = profile_of(optic.value);
+    if (optic.value == Optic::floodlight) lamp.tilt_degrees = 55;
+    if (tags.tilt_degrees) lamp.tilt_degrees = *tags.tilt_degrees;
+    lamp.provenance = {static_cast<std::uint64_t>(node.id),
+                       position,
+                       mounting.source,
+                       flux.source,
+                       colour.source,
+                       optic.source,
+                       ValueSource::rule,
+                       static_cast<std::uint8_t>(LightFamily::lamp),
+                       0};
+
+    const std::vector<glm::dvec2> aims = aims_of(node, tags, foot, road);
+    if (aims.size() > 2)
+      lamp.flux_lm *= 2.0 / static_cast<double>(aims.size());  // clusters share two lamps' light
+    for (std::size_t n = 0; n < aims.size(); ++n) {
+      lamp.aim = aims[n];
+      lamp.outreach = lamp.aim * outreach_of(tags, defaults, type, road, aims.size());
+      lamp.id = unused_id(node.id, static_cast<int>(n));
+      set_.lamps.push_back(lamp);
+      count_sources(lamp.provenance, tags, road);
+    }
+  }
+
+  std::uint32_t profile_of(Optic optic) {
+    std::optional<std::uint32_t>& known = optics_[static_cast<std::size_t>(optic)];
+    if (!known) known = profiles_.add(nightcity::name_of(optic), make_optic(optic));
+    return *known;
+  }
+
+  static Known<double> flux_of(const LampTags& tags, const RoadDefaults& defaults,
+                               const LampTypeDefaults* type) {
+    Known<double> flux{defaults.flux_lm};
+    const double of_type = type ? type->flux_lm[static_cast<int>(defaults.tier)] : 0;
+    if (of_type > 0) flux = {of_type, ValueSource::tag};
+    if (tags.power_w)
+      flux = {*tags.power_w * (type ? *type : lamp_type_defaults(LampType::led)).lumen_per_watt,
+              ValueSource::tag};
+    flux.tagged(tags.flux_lm);
+    return flux;
+  }
+
+  /// How far the luminous centre stands before its post. Nothing reaches beyond the middle of its road.
+  static double outreach_of(const LampTags& tags, const RoadDefaults& defaults, const LampTypeDefaults* type,
+                            const std::optional<RoadIndex::Nearest>& road, std::size_t luminaires) {
+    double outreach = defaults.outreach_m;
+    if (tags.mount == LampMount::straight_mast) outreach = std::min(outreach, 0.3);
+    if (tags.mount == LampMount::bent_mast) outreach = std::max(outreach, 1.5);
+    if (tags.mount == LampMount::wall) outreach = std::clamp(outreach, 0.6, 1.2);
+    if (tags.mount == LampMount::suspended || tags.mount == LampMount::bollard) outreach = 0;
+    if (type && type->lantern && tags.mount != LampMount::wall) outreach = 0;
+    if (luminaires > 1) return std::max(outreach, 0.4);  // their lamps may not lie in each other
+    return road ? std::min(outreach, road->distance_m) : outreach;
+  }
+
+  /// One direction a luminaire: as tagged; else towards the road; several spread evenly round the post.
+  std::vector<glm::dvec2> aims_of(const OsmLampNode& node, const LampTags& tags, const glm::dvec3& foot,
+                                  const std::optional<RoadIndex::Nearest>& road) const {
+    std::vector<glm::dvec2> aims;
+    for (const double degrees : tags.directions_degrees)
+      if (const auto aim = aim_from_bearing(node.lon_lat, degrees)) aims.push_back(*aim);
+    if (aims.empty()) {
+      glm::dvec2 aim(0, 1);
+      if (road) {
+        const glm::dvec2 across(-road->along.y, road->along.x);
+        const glm::dvec2 towards = road->point - glm::dvec2(foot);
+        // A post on the middle line itself lights across the road, to either side.
+        aim = road->distance_m > 0.05 ? towards / glm::length(towards) : across;
+      }
+      aims.push_back(aim);
+    }
+    const auto wanted = static_cast<std::size_t>(tags.count);
+    if (aims.size() > wanted) aims.resize(wanted);
+    if (aims.size() < wanted) {
+      const glm::dvec2 first = aims.front();
+      aims.clear();
+      for (std::size_t n = 0; n < wanted; ++n)
+        aims.push_back(
+            rotated(first, 2 * std::numbers::pi * static_cast<double>(n) / static_cast<double>(wanted)));
+    }
+    return aims;
+  }
+
+  /// A bearing counts from true north, the frame has grid north: the difference comes out of the projection
+  /// itself.
+  std::optional<glm::dvec2> aim_from_bearing(const glm::dvec2& lon_lat, double degrees) const {
+    constexpr double step = 1e-4;  // degrees of latitude: 11 m
+    const double bearing = glm::radians(degrees);
+    const double shrink = std::max(0.01, std::cos(glm::radians(lon_lat.y)));
+    const glm::dvec2 ahead(lon_lat.x + step * std::sin(bearing) / shrink,
+                           lon_lat.y + step * std::cos(bearing));
+    const glm::dvec2 aim = to_frame_(ahead) - to_frame_(lon_lat);
+    const double length = glm::length(aim);
+    if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
+    return aim / length;
+  }
+
+  std::uint32_t unused_id(std::int64_t node, int luminaire) {
+    for (int attempt = 0;; ++attempt) {
+      const std::uint32_t id = hash_id(node, luminaire, attempt);
+      if (id != 0xFFFFFFFFu && ids_.insert(id).second) return id;
+    }
+  }
+
+  void count_sources(const LightProvenance& from, const LampTags& tags,
+                     const std::optional<RoadIndex::Nearest>& road) {
+    const auto count = [&](const char* value, ValueSource source) { ++set_.sources[value][name_of(source)]; };
+    count("position", from.position);
+    count("height", from.height);
+    count("flux", from.flux);
+    count("colour", from.colour);
+    count("profile", from.profile);
+    ++set_.sources["aim"][!tags.directions_degrees.empty() ? "tag" : road ? "road beside" : "no road near"];
+    ++set_.sources["road class"][tags.mast ? "lighting mast"
+                                 : road    ? road->road->defaults.highway
+                                           : "open space"];
+  }
+
+  const OsmData& osm_;
+  const LonLatToFrame& to_frame_;
+  const HeightAt& height_at_;
+  const InsideBuilding& inside_;
+  RoadIndex roads_;
+  TakenPlaces taken_;
+  ProfileTable profiles_;
+  std::array<std::optional<std::uint32_t>, 4> optics_;
+  std::unordered_set<std::uint32_t> ids_;
+  LampSet set_;
+};
+
+}  // namespace
+
+LampSet place_lamps(const OsmData& osm, const LonLatToFrame& to_frame, const HeightAt& height_at,
+                    const InsideBuilding& inside) {
+  return Placer(osm, to_frame, height_at, inside).place();
+}
+
+Light to_light(const PlacedLamp& lamp, const Georeference& georeference) {
+  const glm::dvec3 centre(lamp.foot.x + lamp.outreach.x, lamp.foot.y + lamp.outreach.y,
+                          lamp.foot.z + lamp.mounting_height_m);
+  // Model space: X east, Y up, Z south. The tilt turns axis and tangent together about the horizontal.
+  const glm::dvec3 down(0, -1, 0), aim(lamp.aim.x, 0, -lamp.aim.y);
+  const double c = std::cos(glm::radians(lamp.tilt_degrees)), s = std::sin(glm::radians(lamp.tilt_degrees));
+  Light light{};
+  light.position = glm::vec3(georeference.to_model(centre));
+  light.radius = static_cast<float>(lamp.radius_m);
+  light.axis = glm::normalize(glm::vec3(down * c + aim * s));
+  light.tangent = glm::normalize(glm::vec3(aim * c - down * s));
+  light.flux_lm = static_cast<float>(lamp.flux_lm);
+  light.colour_rgb9e5 = encode_rgb9e5(lamp.colour);
+  light.kind_profile = LIGHT_SPHERE | lamp.profile << 8;
+  light.schedule = LIGHT_ALWAYS_ON;
+  light.id = lamp.id;
+  return light;
+}
+
+}  // namespace nightcity

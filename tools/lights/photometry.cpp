@@ -1,0 +1,64 @@
+#include "tools/lights/photometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace nightcity {
+
+using std::numbers::pi;
+
+Photometry sample_intensity(const Intensity& intensity, std::uint32_t c_count, std::uint32_t gamma_count) {
+  Photometry result{c_count, gamma_count, {}};
+  result.values.reserve(static_cast<std::size_t>(c_count) * gamma_count);
+  for (std::uint32_t c = 0; c < c_count; ++c)
+    for (std::uint32_t g = 0; g < gamma_count; ++g)
+      result.values.push_back(intensity(2 * pi * c / c_count, pi * g / (gamma_count - 1)));
+  return result;
+}
+
+double integrated_flux(const Photometry& photometry) {
+  // Linear in C and wrapping: the mean over the rows, times 2 pi. Linear in gamma between a and b:
+  // integral of f sin = f(a) cos a - f(b) cos b + slope (sin b - sin a).
+  const std::size_t count = photometry.gamma_count;
+  const double step = pi / static_cast<double>(count - 1);
+  double sum = 0;
+  for (std::size_t row = 0; row < photometry.c_count; ++row)
+    for (std::size_t g = 0; g + 1 < count; ++g) {
+      const double a = step * static_cast<double>(g), b = step * static_cast<double>(g + 1);
+      const double fa = photometry.values[row * count + g], fb = photometry.values[row * count + g + 1];
+      sum += fa * std::cos(a) - fb * std::cos(b) + (fb - fa) / step * (std::sin(b) - std::sin(a));
+    }
+  return sum * 2 * pi / photometry.c_count;
+}
+
+double intensity_at(const Photometry& photometry, double c, double gamma) {
+  const double turns = c / (2 * pi) - std::floor(c / (2 * pi));
+  const double row = turns * photometry.c_count;
+  const double column = std::clamp(gamma / pi, 0.0, 1.0) * (photometry.gamma_count - 1);
+  const auto r = static_cast<std::size_t>(row);
+  const auto g = std::min<std::size_t>(static_cast<std::size_t>(column), photometry.gamma_count - 2);
+  const double fr = row - static_cast<double>(r), fg = column - static_cast<double>(g);
+  const auto at = [&](std::size_t i, std::size_t j) {
+    return photometry.values[i % photometry.c_count * photometry.gamma_count + j];
+  };
+  return (at(r, g) * (1 - fg) + at(r, g + 1) * fg) * (1 - fr) +
+         (at(r + 1, g) * (1 - fg) + at(r + 1, g + 1) * fg) * fr;
+}
+
+std::uint32_t ProfileTable::add(std::string_view name, const Photometry& photometry) {
+  const auto known = std::find(names_.begin(), names_.end(), name);
+  if (known != names_.end()) return static_cast<std::uint32_t>(known - names_.begin());
+  for (const double value : photometry.values)
+    if (!(value >= 0 && std::isfinite(value))) throw std::invalid_argument("negative or infinite intensity");
+  const double flux = integrated_flux(photometry);
+  if (!(flux > 0 && std::isfinite(flux))) throw std::invalid_argument("a luminaire without flux");
+  profiles.push_back(
+      {photometry.c_count, photometry.gamma_count, static_cast<std::uint32_t>(data.size()), 0});
+  for (const double value : photometry.values) data.push_back(static_cast<float>(value / flux));
+  names_.emplace_back(name);
+  return static_cast<std::uint32_t>(names_.size() - 1);
+}
+
+}  // namespace nightcity
