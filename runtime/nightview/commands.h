@@ -10,6 +10,7 @@ class App;
 namespace nightcity {
 
 void add_render_command(CLI::App& app);
+void add_view_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_bench_command(CLI::App& app);
 void add_devices_command(CLI::App& app);

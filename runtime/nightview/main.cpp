@@ -3,8 +3,12 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "formats/error.h"
 #include "runtime/nightview/commands.h"
@@ -17,6 +21,23 @@ void start_log() {
   auto logger = spdlog::stderr_color_mt("nightview");
   logger->set_pattern("nightview: %^%l%$: %v");
   spdlog::set_default_logger(logger);
+}
+
+// "nightview SCENE.glb ..." is short for "nightview view SCENE.glb ...". Reversed, as CLI11 wants them.
+std::vector<std::string> with_default_command(const CLI::App& app, int argc, char** argv) {
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  const auto is_file = [](const std::string& text) {
+    const std::string extension = std::filesystem::path(text).extension().string();
+    return extension == ".glb" || extension == ".gltf";
+  };
+  const auto is_command = [&](const std::string& text) {
+    return !app.get_subcommands([&](const CLI::App* sub) { return sub->check_name(text); }).empty();
+  };
+  if (std::none_of(arguments.begin(), arguments.end(), is_command) &&
+      std::any_of(arguments.begin(), arguments.end(), is_file))
+    arguments.insert(arguments.begin(), "view");
+  std::reverse(arguments.begin(), arguments.end());
+  return arguments;
 }
 
 int run(int argc, char** argv) {
@@ -38,12 +59,14 @@ int run(int argc, char** argv) {
     if (quiet) spdlog::set_level(spdlog::level::err);
   });
   add_render_command(app);
+  add_view_command(app);
   add_compare_command(app);
   add_bench_command(app);
   add_devices_command(app);
 
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> arguments = with_default_command(app, argc, argv);
+    app.parse(arguments);
     return static_cast<int>(ExitCode::ok);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);

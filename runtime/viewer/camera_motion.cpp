@@ -1,0 +1,76 @@
+#include "runtime/viewer/camera_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace nightcity {
+namespace {
+
+constexpr glm::vec3 world_up{0, 1, 0};
+
+// A view direction as a map reader has it: angle from north (-Z) towards west, counter-clockwise from above,
+// and angle above the horizon; radians.
+struct Heading {
+  float azimuth;
+  float elevation;
+};
+
+Heading heading_of(const CameraPose& pose) {
+  const glm::vec3 d = glm::normalize(pose.target - pose.position);
+  const float elevation = std::asin(std::clamp(d.y, -1.0f, 1.0f));
+  glm::vec3 flat{d.x, 0, d.z};
+  // Looking straight down, the top of the picture is ahead; straight up, it is behind.
+  if (glm::length(flat) < 1e-4f) flat = d.y < 0 ? pose.up : -pose.up;
+  return {std::atan2(-flat.x, -flat.z), elevation};
+}
+
+glm::vec3 direction_of(const Heading& heading) {
+  const float limit = glm::radians(max_elevation_deg);
+  const float elevation = std::clamp(heading.elevation, -limit, limit);
+  return {-std::sin(heading.azimuth) * std::cos(elevation), std::sin(elevation),
+          -std::cos(heading.azimuth) * std::cos(elevation)};
+}
+
+}  // namespace
+
+CameraPose orbited(const CameraPose& pose, float yaw, float pitch) {
+  const Heading heading = heading_of(pose);
+  // The eye rises when the view sinks.
+  const glm::vec3 d = direction_of({heading.azimuth + yaw, heading.elevation - pitch});
+  CameraPose result = pose;
+  result.position = pose.target - d * glm::length(pose.target - pose.position);
+  result.up = world_up;
+  return result;
+}
+
+CameraPose turned(const CameraPose& pose, float yaw, float pitch) {
+  const Heading heading = heading_of(pose);
+  const glm::vec3 d = direction_of({heading.azimuth + yaw, heading.elevation + pitch});
+  CameraPose result = pose;
+  result.target = pose.position + d * glm::length(pose.target - pose.position);
+  result.up = world_up;
+  return result;
+}
+
+CameraPose moved(const CameraPose& pose, const glm::vec3& right_up_forward) {
+  const glm::vec3 forward = glm::normalize(pose.target - pose.position);
+  const glm::vec3 right = glm::normalize(glm::cross(forward, pose.up));
+  const glm::vec3 up = glm::cross(right, forward);
+  const glm::vec3 step = right_up_forward.x * right + right_up_forward.y * up + right_up_forward.z * forward;
+  CameraPose result = pose;
+  result.position += step;
+  result.target += step;
+  return result;
+}
+
+CameraPose dollied(const CameraPose& pose, float factor) {
+  const glm::vec3 offset = pose.position - pose.target;
+  const float distance = glm::length(offset);
+  CameraPose result = pose;
+  result.position = pose.target + offset * (std::clamp(distance * factor, 0.5f, 1e5f) / distance);
+  return result;
+}
+
+}  // namespace nightcity

@@ -1,0 +1,77 @@
+#include "runtime/viewer/overlay.h"
+
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_vulkan.h>
+#include <imgui.h>
+
+#include "runtime/gpu/vulkan_check.h"
+
+namespace nightcity {
+namespace {
+
+void check_result(VkResult result) {
+  gpu::check(result, "a call of Dear ImGui's");
+}
+
+}  // namespace
+
+Overlay::Overlay(gpu::Device& device, const Window& window, const Swapchain& swapchain) : device_(device) {
+  const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1};  // the font
+  VkDescriptorPoolCreateInfo pool{};
+  pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
+  pool.flags = VK_DESCRIPTOR_POOL_CREATE_FREE_DESCRIPTOR_SET_BIT;
+  pool.maxSets = 1;
+  pool.poolSizeCount = 1;
+  pool.pPoolSizes = &size;
+  VK_CHECK(vkCreateDescriptorPool(device.handle(), &pool, nullptr, &descriptors_));
+
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;                 // no files of ours in whatever folder the user stands
+  ImGui_ImplGlfw_InitForVulkan(window.handle(), true);  // chains our callbacks
+  ImGui_ImplVulkan_InitInfo info{};
+  info.Instance = device.instance();
+  info.PhysicalDevice = device.physical();
+  info.Device = device.handle();
+  info.QueueFamily = device.queue_family();
+  info.Queue = device.queue();
+  info.DescriptorPool = descriptors_;
+  info.MinImageCount = 2;
+  info.ImageCount = swapchain.images();
+  info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
+  info.CheckVkResultFn = check_result;
+  ImGui_ImplVulkan_Init(&info, swapchain.overlay_pass());
+  device.run([](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
+  ImGui_ImplVulkan_DestroyFontUploadObjects();
+}
+
+Overlay::~Overlay() {
+  vkDeviceWaitIdle(device_.handle());
+  ImGui_ImplVulkan_Shutdown();
+  ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+  vkDestroyDescriptorPool(device_.handle(), descriptors_, nullptr);
+}
+
+void Overlay::begin() {
+  ImGui_ImplVulkan_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+}
+
+void Overlay::end() {
+  ImGui::Render();
+}
+
+void Overlay::record(VkCommandBuffer commands) {
+  ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), commands);
+}
+
+bool Overlay::wants_mouse() const {
+  return ImGui::GetIO().WantCaptureMouse;
+}
+
+bool Overlay::wants_keys() const {
+  return ImGui::GetIO().WantCaptureKeyboard;
+}
+
+}  // namespace nightcity

@@ -1,0 +1,150 @@
+#include "runtime/viewer/screen.h"
+
+#include "runtime/gpu/vulkan_check.h"
+
+namespace nightcity {
+namespace {
+
+constexpr VkImageSubresourceLayers colour_layer{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+
+// Everything before is done before everything after: these few copies a frame are not worth finer words.
+void change_layout(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkImageLayout to) {
+  VkImageMemoryBarrier barrier{};
+  barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
+  barrier.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
+  barrier.dstAccessMask = VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT;
+  barrier.oldLayout = from;
+  barrier.newLayout = to;
+  barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  barrier.image = image;
+  barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+  vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0,
+                       nullptr, 0, nullptr, 1, &barrier);
+}
+
+VkBufferImageCopy whole(glm::uvec2 size) {
+  VkBufferImageCopy copy{};
+  copy.imageSubresource = colour_layer;
+  copy.imageExtent = {size.x, size.y, 1};
+  return copy;
+}
+
+VkOffset3D corner(glm::uvec2 size) {
+  return {static_cast<std::int32_t>(size.x), static_cast<std::int32_t>(size.y), 1};
+}
+
+}  // namespace
+
+Screen::Screen(gpu::Device& device) : device_(device) {
+  VkCommandPoolCreateInfo pool{};
+  pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
+  pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
+  pool.queueFamilyIndex = device.queue_family();
+  VK_CHECK(vkCreateCommandPool(device.handle(), &pool, nullptr, &pool_));
+  VkCommandBufferAllocateInfo allocate{};
+  allocate.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
+  allocate.commandPool = pool_;
+  allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+  allocate.commandBufferCount = 1;
+  VK_CHECK(vkAllocateCommandBuffers(device.handle(), &allocate, &commands_));
+}
+
+Screen::~Screen() {
+  vkDeviceWaitIdle(device_.handle());
+  release();
+  vkDestroyCommandPool(device_.handle(), pool_, nullptr);
+}
+
+void Screen::release() {
+  vkDestroyImage(device_.handle(), image_, nullptr);
+  vkFreeMemory(device_.handle(), memory_, nullptr);
+  image_ = VK_NULL_HANDLE;
+  memory_ = VK_NULL_HANDLE;
+}
+
+void Screen::hold(glm::uvec2 size) {
+  if (image_ && size == size_) return;
+  release();
+  size_ = size;
+  VkImageCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
+  info.imageType = VK_IMAGE_TYPE_2D;
+  info.format = VK_FORMAT_R8G8B8A8_UNORM;  // the byte order of the renderer's words
+  info.extent = {size.x, size.y, 1};
+  info.mipLevels = 1;
+  info.arrayLayers = 1;
+  info.samples = VK_SAMPLE_COUNT_1_BIT;
+  info.usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+  VK_CHECK(vkCreateImage(device_.handle(), &info, nullptr, &image_));
+  VkMemoryRequirements needs{};
+  vkGetImageMemoryRequirements(device_.handle(), image_, &needs);
+  VkMemoryAllocateInfo allocate{};
+  allocate.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
+  allocate.allocationSize = needs.size;
+  allocate.memoryTypeIndex = device_.memory_type(needs.memoryTypeBits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+  VK_CHECK(vkAllocateMemory(device_.handle(), &allocate, nullptr, &memory_));
+  VK_CHECK(vkBindImageMemory(device_.handle(), image_, memory_, 0));
+}
+
+bool Screen::show(Swapchain& swapchain, const gpu::Buffer& picture, glm::uvec2 size,
+                  const std::function<void(VkCommandBuffer)>& overlay, Image8* grab) {
+  hold(size);
+  const glm::uvec2 window = swapchain.size();
+  const VkImage target = swapchain.image();
+  gpu::Buffer grabbed;
+  if (grab) grabbed = gpu::Buffer(device_, std::size_t{4} * window.x * window.y, gpu::Memory::host);
+
+  VkCommandBufferBeginInfo begin{};
+  begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
+  begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+  VK_CHECK(vkBeginCommandBuffer(commands_, &begin));
+
+  change_layout(commands_, image_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+  const VkBufferImageCopy copy = whole(size);
+  vkCmdCopyBufferToImage(commands_, picture.handle(), image_, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
+  change_layout(commands_, image_, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+  change_layout(commands_, target, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+  VkImageBlit blit{};
+  blit.srcSubresource = blit.dstSubresource = colour_layer;
+  blit.srcOffsets[1] = corner(size);
+  blit.dstOffsets[1] = corner(window);
+  vkCmdBlitImage(commands_, image_, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target,
+                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit,
+                 size == window ? VK_FILTER_NEAREST : VK_FILTER_LINEAR);
+
+  change_layout(commands_, target, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+  VkRenderPassBeginInfo pass{};
+  pass.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO;
+  pass.renderPass = swapchain.overlay_pass();
+  pass.framebuffer = swapchain.framebuffer();
+  pass.renderArea.extent = {window.x, window.y};
+  vkCmdBeginRenderPass(commands_, &pass, VK_SUBPASS_CONTENTS_INLINE);
+  overlay(commands_);
+  vkCmdEndRenderPass(commands_);
+
+  if (grab) {
+    change_layout(commands_, target, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    const VkBufferImageCopy back = whole(window);
+    vkCmdCopyImageToBuffer(commands_, target, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, grabbed.handle(), 1,
+                           &back);
+    change_layout(commands_, target, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR);
+    gpu::full_barrier(commands_);
+  }
+  VK_CHECK(vkEndCommandBuffer(commands_));
+  const bool good = swapchain.present(commands_);
+
+  if (grab) {
+    const auto words = grabbed.read<std::uint32_t>(std::size_t{window.x} * window.y);
+    const bool blue_first = swapchain.format() == VK_FORMAT_B8G8R8A8_UNORM;
+    *grab = {window.x, window.y, std::vector<std::uint8_t>(3 * words.size())};
+    for (std::size_t i = 0; i < words.size(); ++i)
+      for (std::size_t c = 0; c < 3; ++c)
+        grab->rgb[3 * i + (blue_first ? 2 - c : c)] = static_cast<std::uint8_t>(words[i] >> (8 * c));
+  }
+  return good;
+}
+
+}  // namespace nightcity

@@ -1,0 +1,273 @@
+#include "runtime/viewer/viewer.h"
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <memory>
+
+#include "formats/error.h"
+#include "formats/rgb9e5.h"
+#include "runtime/measure/exposure.h"
+#include "runtime/measure/exr.h"
+#include "runtime/measure/png.h"
+#include "runtime/render/renderer.h"
+#include "runtime/viewer/camera_motion.h"
+#include "runtime/viewer/markers.h"
+#include "runtime/viewer/overlay.h"
+#include "runtime/viewer/panel.h"
+#include "runtime/viewer/screen.h"
+#include "runtime/viewer/swapchain.h"
+#include "runtime/viewer/window.h"
+
+namespace nightcity {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_between(Clock::time_point from, Clock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+bool is_power_of_four(std::uint32_t n) {
+  while (n > 1 && n % 4 == 0) n /= 4;
+  return n == 1;
+}
+
+class Viewer {
+ public:
+  explicit Viewer(const ViewOptions& options)
+      : options_(options),
+        scene_(load_render_scene(options.scene)),
+        window_(options.width, options.height, "nightview"),
+        device_({.select = options.device,
+                 .validation = options.validation,
+                 .instance_extensions = window_.instance_extensions(),
+                 .device_extensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME}}),
+        swapchain_(device_, window_.create_surface(device_.instance())),
+        device_scene_(device_, scene_),
+        passes_(device_),
+        screen_(device_) {
+    state_.settings = options.settings;
+    state_.pose = find_camera(options.camera, scene_);
+    state_.markers = options.markers;
+    state_.divisor = options.divisor;
+    state_.auto_exposure = !options.ev100;
+    if (options.ev100) state_.settings.ev100 = *options.ev100;
+    figures_.scene = std::filesystem::path(options.scene).filename().string();
+    figures_.device = device_.info().name;
+    figures_.triangles = scene_.triangles.size();
+    figures_.lights = scene_.lights.size();
+    swapchain_.resize(window_.size());
+    overlay_ = std::make_unique<Overlay>(device_, window_, swapchain_);
+  }
+
+  ViewReport run() {
+    while (!window_.closing() && (options_.quit_after == 0 || shown_ < options_.quit_after)) step();
+    if (!options_.save_camera.empty()) write_camera(options_.save_camera, state_.pose);
+    for (const std::string& message : device_.validation_messages()) spdlog::error("{}", message);
+    if (!device_.validation_messages().empty()) throw Error("vulkan", "the validation layer found fault");
+    return {shown_, figures_.frames, name_of(state_.settings.estimator)};
+  }
+
+ private:
+  void step() {
+    const auto start = Clock::now();
+    // Nothing to render: sleep until hands move, but keep the panel alive.
+    const bool idle = !restart_ && figures_.frames >= options_.most_frames;
+    const Hands hands = window_.poll(idle ? 0.05 : 0.0);
+    handle_keys(hands);
+    move_camera(hands, std::min(seconds_between(last_step_, start), 0.25));
+    last_step_ = start;
+
+    const glm::uvec2 size = window_.size();
+    if (size.x == 0 || size.y == 0) {  // minimised
+      window_.poll(0.1);
+      return;
+    }
+    if (size != swapchain_.size() || outdated_) swapchain_.resize(size);
+    outdated_ = false;
+    if (!idle || restart_) render();
+    show();
+    figures_.frame_ms = 1000 * seconds_between(start, Clock::now());
+  }
+
+  void handle_keys(const Hands& hands) {
+    if (overlay_->wants_keys()) return;
+    for (const int key : hands.pressed) {
+      const auto& names = estimator_names();
+      const auto number = static_cast<std::size_t>(key - GLFW_KEY_1);
+      if (key >= GLFW_KEY_1 && number < names.size()) {
+        state_.settings.estimator = names[number].estimator;
+        restart_ = true;
+      }
+      if (key == GLFW_KEY_M) state_.markers = !state_.markers;
+      if (key == GLFW_KEY_F) state_.fly = !state_.fly;
+      if (key == GLFW_KEY_P) save_picture();
+      if (key == GLFW_KEY_TAB) state_.show_panel = !state_.show_panel;
+      if (key == GLFW_KEY_ESCAPE) glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+    }
+  }
+
+  void move_camera(const Hands& hands, double seconds) {
+    const CameraPose before = state_.pose;
+    CameraPose& pose = state_.pose;
+    if (!overlay_->wants_mouse()) {
+      constexpr float radians_a_pixel = 0.005f;
+      const glm::vec2 angle = hands.drag * radians_a_pixel;
+      if (angle != glm::vec2(0))
+        pose = state_.fly ? turned(pose, angle.x, angle.y) : orbited(pose, -angle.x, angle.y);
+      // The point under the cursor goes with it: metres a pixel at the target's distance.
+      const float reach =
+          2 * std::tan(glm::radians(pose.fov_deg) / 2) * glm::distance(pose.position, pose.target);
+      const float metres = reach / static_cast<float>(std::max(1u, window_.size().y));
+      if (hands.pan != glm::vec2(0)) pose = moved(pose, {-hands.pan.x * metres, hands.pan.y * metres, 0});
+      if (hands.scroll != 0) {
+        if (state_.fly) {
+          state_.speed_m_s = std::clamp(state_.speed_m_s * std::pow(1.2f, hands.scroll), 0.5f, 500.0f);
+        } else {
+          pose = dollied(pose, std::pow(0.9f, hands.scroll));
+        }
+      }
+    }
+    if (!overlay_->wants_keys() && hands.fly != glm::vec3(0)) {
+      const float metres = state_.speed_m_s * (hands.fast ? 5.0f : 1.0f) * static_cast<float>(seconds);
+      pose = moved(pose, metres * glm::normalize(hands.fly));
+    }
+    restart_ |= pose.position != before.position || pose.target != before.target;
+  }
+
+  void render() {
+    const auto divisor = static_cast<std::uint32_t>(state_.divisor);
+    const glm::uvec2 size = glm::max(swapchain_.size() / divisor, glm::uvec2(1));
+    if (!renderer_ || renderer_->width() != size.x || renderer_->height() != size.y) {
+      renderer_.reset();  // its memory first
+      renderer_ = std::make_unique<Renderer>(device_, passes_, device_scene_, size.x, size.y);
+    }
+    state_.settings.accumulate = state_.accumulate;
+    restart_ = false;
+    renderer_->render_frame(state_.pose, state_.settings);
+    figures_.width = size.x;
+    figures_.height = size.y;
+    figures_.frames = renderer_->frames();
+    figures_.passes = renderer_->timings();
+    meter();
+  }
+
+  // The mean gets better as it goes, so meter it now and then, not at every step of a moving camera.
+  void meter() {
+    const auto now = Clock::now();
+    if (!state_.auto_exposure || !is_power_of_four(figures_.frames)) return;
+    if (metered_ && seconds_between(*metered_, now) < 0.25) return;
+    metered_ = now;
+    state_.settings.ev100 = auto_exposure_ev100(renderer_->download(false));
+    restart_ = true;  // shown with it once more, even where the mean is full
+  }
+
+  void show() {
+    overlay_->begin();
+    PanelRequests requests;
+    if (state_.show_panel) requests = draw_panel(state_, figures_);
+    if (state_.markers) draw_markers();
+    draw_caption();
+    overlay_->end();
+
+    restart_ |= requests.restart;
+    if (!requests.camera_preset.empty()) {
+      state_.pose = find_camera(requests.camera_preset, scene_);
+      restart_ = true;
+    }
+    if (requests.save) save_picture();
+
+    if (!swapchain_.acquire()) {
+      outdated_ = true;
+      return;
+    }
+    ++shown_;
+    const bool last = options_.quit_after != 0 && shown_ == options_.quit_after;
+    Image8 grabbed;
+    Image8* grab = last && !options_.screenshot.empty() ? &grabbed : nullptr;
+    outdated_ = !screen_.show(
+        swapchain_, renderer_->display(), {renderer_->width(), renderer_->height()},
+        [this](VkCommandBuffer commands) { overlay_->record(commands); }, grab);
+    if (grab) write_png(options_.screenshot, grabbed, png_text(renderer_->download(false).info));
+  }
+
+  void draw_markers() {
+    constexpr std::size_t most =
+        20000;  // more are a carpet, and ImGui's indices end at 65,535 vertices a list
+    const glm::vec2 size(swapchain_.size());
+    const gpu::Camera camera = make_camera(state_.pose, size.x / size.y);
+    ImDrawList* list = ImGui::GetBackgroundDrawList();
+    for (const Marker& marker : find_markers(camera, scene_.lights, most)) {
+      const glm::vec3 colour = decode_rgb9e5(scene_.lights[marker.light].colour_rgb9e5);
+      const float brightest = std::max({colour.r, colour.g, colour.b, 1e-6f});
+      const ImU32 packed = ImGui::ColorConvertFloat4ToU32(
+          {colour.r / brightest, colour.g / brightest, colour.b / brightest, 0.9f});
+      const ImVec2 at{marker.at.x * size.x, marker.at.y * size.y};
+      const float radius = std::clamp(200.0f / marker.distance, 2.0f, 12.0f);
+      list->AddCircle(at, radius, packed, 8, 1.5f);
+    }
+  }
+
+  void draw_caption() {
+    const std::string text = caption(state_, figures_);
+    ImDrawList* list = ImGui::GetForegroundDrawList();
+    const ImVec2 at{12, static_cast<float>(swapchain_.size().y) - 24};
+    list->AddText({at.x + 1, at.y + 1}, IM_COL32(0, 0, 0, 255), text.c_str());
+    list->AddText(at, IM_COL32(255, 255, 255, 255), text.c_str());
+    window_.set_title(fmt::format("{} - {} - nightview", figures_.scene, text));
+  }
+
+  // night-001.png and .exr in the current folder, the first number that is free.
+  void save_picture() {
+    if (!renderer_) return;
+    std::string stem;
+    for (int i = 1; stem.empty(); ++i) {
+      const std::string name = fmt::format("night-{:03}", i);
+      if (!std::filesystem::exists(name + ".png") && !std::filesystem::exists(name + ".exr")) stem = name;
+    }
+    const Image image = renderer_->download();
+    try {
+      write_exr(stem + ".exr", image);
+      write_png(stem + ".png", to_display(image, state_.settings.ev100, state_.settings.tone),
+                png_text(image.info));
+      spdlog::info("{0}.png and {0}.exr: {1}", stem, caption(state_, figures_));
+    } catch (const Error& error) {
+      spdlog::error("{}", error.what());  // a full disk is no reason to close the window
+    }
+  }
+
+  ViewOptions options_;
+  RenderScene scene_;
+  Window window_;
+  gpu::Device device_;
+  Swapchain swapchain_;
+  DeviceScene device_scene_;
+  PassLibrary passes_;
+  Screen screen_;
+  std::unique_ptr<Overlay> overlay_;
+  std::unique_ptr<Renderer> renderer_;
+  ViewerState state_;
+  ViewerFigures figures_;
+  bool restart_ = true;    // something changed: render, whatever the mean holds
+  bool outdated_ = false;  // the swapchain no longer fits the window
+  std::uint32_t shown_ = 0;
+  Clock::time_point last_step_ = Clock::now();
+  std::optional<Clock::time_point> metered_;
+};
+
+}  // namespace
+
+ViewReport run_viewer(const ViewOptions& options) {
+  return Viewer(options).run();
+}
+
+}  // namespace nightcity

@@ -1,0 +1,39 @@
+// The window on a scene: renders, shows, and lets hands change camera and settings.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "runtime/render/settings.h"
+
+namespace nightcity {
+
+struct ViewOptions {
+  std::string scene;                         // .glb
+  std::string camera;                        // preset or file, as find_camera has it
+  std::string device;                        // as gpu::Device::Options has it
+  std::uint32_t width = 1280, height = 720;  // of the window, pixels
+  RenderSettings settings;
+  std::optional<float> ev100;  // left out: metered from the picture as it goes
+  int divisor = 1;             // the picture has 1 / divisor of the window's pixels along each side
+  bool markers = false;
+  bool validation = false;
+  std::uint32_t most_frames = 4096;  // in the mean; then only changes are rendered
+  std::uint32_t quit_after = 0;      // frames shown; 0 = when the user closes the window
+  std::string screenshot;            // PNG of the window, panel and all, at the end; "" = none
+  std::string save_camera;           // JSON of the camera at the end; "" = none
+};
+
+/// What the window showed last.
+struct ViewReport {
+  std::uint32_t shown = 0;   // frames
+  std::uint32_t frames = 0;  // in the last mean
+  std::string estimator;
+};
+
+/// Returns when the window is closed. Throws Error: no display, a device that cannot present, a scene that
+/// cannot be read, validation messages.
+ViewReport run_viewer(const ViewOptions& options);
+
+}  // namespace nightcity

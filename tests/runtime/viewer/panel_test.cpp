@@ -1,0 +1,120 @@
+#include "runtime/viewer/panel.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace nightcity {
+namespace {
+
+// Dear ImGui without a window: frames drawn to nowhere, a mouse made up.
+class Panel : public testing::Test {
+ protected:
+  void SetUp() override {
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.DisplaySize = {800, 1000};
+    io.DeltaTime = 1.0f / 60;
+    unsigned char* pixels = nullptr;
+    int width = 0, height = 0;
+    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    figures.scene = "town.glb";
+    figures.device = "a device";
+    for (int i = 0; i < 3; ++i) frame();  // the panel finds its size
+  }
+  void TearDown() override { ImGui::DestroyContext(); }
+
+  PanelRequests frame() {
+    ImGui::NewFrame();
+    const PanelRequests requests = draw_panel(state, figures);
+    ImGui::Render();
+    return requests;
+  }
+
+  // Clicks every spot of the panel's column, from the top, until `done`; a spot is 4 pixels high.
+  bool click_through(float x, const std::function<bool(const PanelRequests&)>& done) {
+    ImGuiIO& io = ImGui::GetIO();
+    for (float y = 30; y < 600; y += 4) {
+      io.MousePos = {x, y};
+      frame();
+      io.MouseDown[0] = true;
+      if (done(frame())) return true;
+      io.MouseDown[0] = false;
+      if (done(frame())) return true;
+      // A list that opened would cover what comes next.
+      if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) ImGui::ClosePopupToLevel(0, false);
+    }
+    return false;
+  }
+
+  ViewerState state;
+  ViewerFigures figures;
+};
+
+TEST_F(Panel, DrawsSomethingAndChangesNothingByItself) {
+  const ViewerState before = state;
+  const PanelRequests requests = frame();
+  EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, 500);
+  EXPECT_FALSE(requests.restart);
+  EXPECT_FALSE(requests.save);
+  EXPECT_EQ(requests.camera_preset, "");
+  EXPECT_EQ(state.settings.candidates, before.settings.candidates);
+  EXPECT_EQ(state.settings.neighbours, before.settings.neighbours);
+  EXPECT_EQ(state.settings.ev100, before.settings.ev100);
+  EXPECT_EQ(state.divisor, before.divisor);
+}
+
+TEST_F(Panel, ClickOnLampMarkersTurnsThemOn) {
+  ASSERT_FALSE(state.markers);
+  EXPECT_TRUE(click_through(28, [&](const PanelRequests&) { return state.markers; }));
+}
+
+TEST_F(Panel, ClickOnAccumulateTurnsItOffAndAsksForARender) {
+  bool asked = false;
+  EXPECT_TRUE(click_through(28, [&](const PanelRequests& requests) {
+    asked = requests.restart;
+    return !state.accumulate;
+  }));
+  EXPECT_TRUE(asked);
+}
+
+TEST_F(Panel, ClickOnASliderChangesCandidates) {
+  const std::uint32_t before = state.settings.candidates;
+  EXPECT_TRUE(click_through(200, [&](const PanelRequests&) { return state.settings.candidates != before; }));
+  EXPECT_GE(state.settings.candidates, 1u);
+  EXPECT_LE(state.settings.candidates, max_candidates);
+}
+
+TEST_F(Panel, MovingTheExposureEndsItsMetering) {
+  ASSERT_TRUE(state.auto_exposure);
+  const float before = state.settings.ev100;
+  EXPECT_TRUE(click_through(200, [&](const PanelRequests&) { return state.settings.ev100 != before; }));
+  EXPECT_FALSE(state.auto_exposure);
+}
+
+TEST_F(Panel, CameraPresetIsAskedForByName) {
+  std::string preset;
+  EXPECT_TRUE(click_through(160, [&](const PanelRequests& requests) {
+    preset = requests.camera_preset;
+    return !preset.empty();
+  }));
+  EXPECT_NE(std::find(camera_presets().begin(), camera_presets().end(), preset), camera_presets().end());
+}
+
+TEST_F(Panel, CaptionNamesWhatMadeThePicture) {
+  figures.frames = 64;
+  state.settings.estimator = Estimator::paper;
+  EXPECT_EQ(caption(state, figures), "paper, 32 candidates, 5 neighbours, mean of 64 frames");
+  state.settings.estimator = Estimator::ris;
+  EXPECT_EQ(caption(state, figures), "ris, 32 candidates, mean of 64 frames");
+  state.settings.estimator = Estimator::reference;
+  figures.frames = 1;
+  EXPECT_EQ(caption(state, figures), "reference, mean of 1 frame");
+}
+
+}  // namespace
+}  // namespace nightcity
