@@ -110,13 +110,11 @@ std::string to_text(const BakeReport& report) {
     line("", fmt::format("{} dropped: {} without area, {} not finite, {} not triangulated", dropped,
                          mesh.zero_area, mesh.not_finite, mesh.not_triangulated));
   line("skipped", in_words(report.read.skipped));
-  for (std::size_t i = 0; i < report.read.warnings.size(); ++i) {
-    if (i == 10) {
-      line("", fmt::format("and {} more warnings in bake_report.json", report.read.warnings.size() - i));
-      break;
-    }
-    line("warning", report.read.warnings[i]);
-  }
+  const auto& warnings = report.read.warnings;
+  constexpr std::size_t shown = 3;
+  for (std::size_t i = 0; i < std::min(shown, warnings.size()); ++i) line("warning", warnings[i]);
+  if (warnings.size() > shown)
+    line("", fmt::format("and {} more warnings in bake_report.json", warnings.size() - shown));
   line("triangles", fmt::format("{}: {}", sum(report.triangles), in_words(report.triangles)));
   line("terrain", report.terrain);
   line("lamps", fmt::format("{} luminaires of {} mapped, {:.0f} klm in all", report.lamps.placed,

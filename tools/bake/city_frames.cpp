@@ -57,12 +57,17 @@ CityFrames::CityFrames(const Recipe& recipe) {
     if (known != foreign_.end()) continue;
     CityFrame frame = add_place(
         i, [&] { return CityFrame::from_srs_name(heads[i].srs_name, heads[i].sample, recipe.city.frame); });
+    const bool same_crs = frame.crs() == city_->crs();
+    if (same_crs) {
+      foreign_.push_back({heads[i].srs_name, std::move(frame), true});
+      continue;
+    }
     if (!frame.has_lon_lat() || !city_->has_lon_lat())
       throw Error(
           recipe.city.files[i].string(),
           "has another CRS than the city's first file, and one of the two is unknown: set [city] crs");
     descriptions_.push_back(frame.description());
-    foreign_.push_back({heads[i].srs_name, std::move(frame)});
+    foreign_.push_back({heads[i].srs_name, std::move(frame), false});
   }
 }
 
@@ -71,6 +76,7 @@ void CityFrames::to_city(std::size_t file, std::span<glm::dvec3> coordinates) co
   if (!foreign) return city_->to_projected(coordinates);
   const CityFrame& frame = foreign_[*foreign].frame;
   frame.to_projected(coordinates);
+  if (foreign_[*foreign].same_crs) return;
   for (glm::dvec3& p : coordinates) p = glm::dvec3(city_->from_lon_lat(frame.to_lon_lat(glm::dvec2(p))), p.z);
 }
 

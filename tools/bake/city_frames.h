@@ -32,6 +32,7 @@ class CityFrames {
   struct Foreign {
     std::string srs_name;
     CityFrame frame;
+    bool same_crs;  // another name or axis order for the city's own CRS
   };
   std::optional<CityFrame> city_;
   std::vector<Foreign> foreign_;
