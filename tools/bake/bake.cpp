@@ -95,11 +95,13 @@ LampSet place(const OsmData& osm, const CityFrames& frames, const Terrain& terra
     const auto hit = terrain.height_at(place);
     return hit ? std::optional(hit->height_m) : std::nullopt;
   };
-  LampSet lamps = place_lamps(osm, to_frame, height_at);
+  LampSet lamps =
+      place_lamps(osm, to_frame, height_at, [&](const glm::dvec2& p) { return terrain.inside_building(p); });
   report.lamps.mapped = osm.lamps.size();
   report.lamps.placed = lamps.lamps.size();
   report.lamps.dropped = lamps.dropped;
   report.lamps.sources = lamps.sources;
+  report.lamps.notes = lamps.notes;
   for (const PlacedLamp& lamp : lamps.lamps) report.lamps.total_flux_lm += lamp.flux_lm;
   return lamps;
 }

@@ -72,6 +72,7 @@ json to_json(const BakeReport& report) {
         {"placed", report.lamps.placed},
         {"total_flux_lm", report.lamps.total_flux_lm},
         {"dropped", report.lamps.dropped},
+        {"notes", report.lamps.notes},
         {"sources", report.lamps.sources}}},
       {"scene",
        {{"meshes", report.scene.meshes},
@@ -119,7 +120,8 @@ std::string to_text(const BakeReport& report) {
   line("terrain", report.terrain);
   line("lamps", fmt::format("{} luminaires of {} mapped, {:.0f} klm in all", report.lamps.placed,
                             report.lamps.mapped, report.lamps.total_flux_lm / 1000));
-  if (!report.lamps.dropped.empty()) line("  dropped", in_words(report.lamps.dropped));
+  if (!report.lamps.dropped.empty()) line("", "dropped: " + in_words(report.lamps.dropped));
+  if (!report.lamps.notes.empty()) line("", "notes: " + in_words(report.lamps.notes));
   for (const auto& [value, sources] : report.lamps.sources)
     line("", fmt::format("{} from {}", value, in_words(sources)));
   const SceneWriter::Statistics& scene = report.scene;

@@ -19,8 +19,6 @@ std::optional<Footing> footing_of(ObjectType type, SurfaceType surface) {
     case ObjectType::road:
     case ObjectType::railway:
       return Footing::road;
-    case ObjectType::land_use:
-      return Footing::ground_surface;
     case ObjectType::building:
       if (surface == SurfaceType::ground) return Footing::ground_surface;
       return std::nullopt;

@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <map>
 #include <numbers>
+#include <set>
 #include <tuple>
 
 namespace nightcity {
@@ -113,6 +114,7 @@ void add_lamp_models(SceneWriter& writer, std::span<const PlacedLamp> lamps, con
   SceneNode posts{"lamp posts", "lamp", 0, true, {}}, arms{"lamp arms", "lamp", 0, true, {}};
   SceneNode housings{"lamp housings", "lamp", 0, false, {}};
   std::vector<glm::mat4> centres;
+  std::set<std::tuple<double, double, float>> known_posts;
   for (const PlacedLamp& lamp : lamps) {
     const glm::vec3 foot(georeference.to_model(lamp.foot));
     const glm::dvec3 luminous = lamp.foot + glm::dvec3(lamp.outreach, lamp.mounting_height_m);
@@ -129,7 +131,8 @@ void add_lamp_models(SceneWriter& writer, std::span<const PlacedLamp> lamps, con
           glm::translate(glm::mat4(1), foot + glm::vec3(0, height, 0)) * heading(direction);
       arms.instances.push_back({glm::scale(place, {static_cast<float>(reach), 1, 1}), no_id});
     }
-    glm::mat4 housing = centres.back() * heading(direction);
+    glm::mat4 housing = centres.back() * heading(lamp.outreach != glm::dvec2(0) ? direction : lamp.aim);
+    housing = glm::rotate(housing, static_cast<float>(glm::radians(lamp.tilt_degrees)), {0, 0, 1});
     housing = glm::translate(housing, {-housing_length / 2, clearance, 0});
     housings.instances.push_back({housing, no_id});
   }
