@@ -24,7 +24,8 @@ struct BakeReport {
   struct Lamps {
     std::size_t mapped = 0, placed = 0;  // nodes in the OSM files; luminaires in city.lights
     double total_flux_lm = 0;
-    std::map<std::string, std::size_t> dropped;                         // by reason
+    std::map<std::string, std::size_t> dropped;  // by reason
+    std::map<std::string, std::size_t> notes;    // what was mended or could not be read
     std::map<std::string, std::map<std::string, std::size_t>> sources;  // value, source, count
   } lamps;
   SceneWriter::Statistics scene;
