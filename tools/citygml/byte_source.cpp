@@ -19,7 +19,10 @@ namespace {
 
 class PlainSource : public ByteSource {
  public:
-  PlainSource(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) {}
+  explicit PlainSource(std::string name)
+      : descriptor_(::open(name.c_str(), O_RDONLY | O_CLOEXEC)), name_(std::move(name)) {
+    if (descriptor_ < 0) throw Error(name_, std::string("cannot open: ") + std::strerror(errno));
+  }
   ~PlainSource() override { ::close(descriptor_); }
   PlainSource(const PlainSource&) = delete;
   PlainSource& operator=(const PlainSource&) = delete;
@@ -30,6 +33,16 @@ class PlainSource : public ByteSource {
       if (got >= 0) return static_cast<std::size_t>(got);
       if (errno != EINTR) throw Error(name_, std::string("cannot read: ") + std::strerror(errno));
     }
+  }
+
+  std::string tail(std::size_t size) const {
+    const off_t length = ::lseek(descriptor_, 0, SEEK_END);
+    if (length <= 0) return {};
+    std::string text(std::min(size, static_cast<std::size_t>(length)), '\0');
+    const ssize_t got =
+        ::pread(descriptor_, text.data(), text.size(), length - static_cast<off_t>(text.size()));
+    text.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+    return text;
   }
 
  private:
@@ -67,11 +80,21 @@ struct ZipDeleter {
   void operator()(zip_file_t* entry) const { zip_fclose(entry); }
 };
 
+std::unique_ptr<zip_t, ZipDeleter> open_archive(const std::string& path) {
+  int code = 0;
+  std::unique_ptr<zip_t, ZipDeleter> archive(zip_open(path.c_str(), ZIP_RDONLY, &code));
+  if (!archive) throw Error(path, "broken zip archive");
+  return archive;
+}
+
 class ZipSource : public ByteSource {
  public:
-  ZipSource(zip_t* archive, zip_uint64_t index, std::string name)
-      : entry_(zip_fopen_index(archive, index, 0)), name_(std::move(name)) {
-    if (!entry_) throw Error(name_, std::string("cannot open the archive's entry: ") + zip_strerror(archive));
+  ZipSource(const std::string& path, zip_uint64_t index, std::string name)
+      : archive_(open_archive(path)),
+        entry_(zip_fopen_index(archive_.get(), index, 0)),
+        name_(std::move(name)) {
+    if (!entry_)
+      throw Error(name_, std::string("cannot open the archive's entry: ") + zip_strerror(archive_.get()));
   }
   std::size_t read(char* out, std::size_t size) override {
     const zip_int64_t got = zip_fread(entry_.get(), out, size);
@@ -80,7 +103,8 @@ class ZipSource : public ByteSource {
   }
 
  private:
-  std::unique_ptr<zip_file_t, ZipDeleter> entry_;
+  std::unique_ptr<zip_t, ZipDeleter> archive_;
+  std::unique_ptr<zip_file_t, ZipDeleter> entry_;  // goes before its archive
   std::string name_;
 };
 
@@ -91,45 +115,36 @@ bool is_document(std::string_view entry) {
   return lower.ends_with(".gml") || lower.ends_with(".xml") || lower.ends_with(".citygml");
 }
 
-void for_each_entry(const std::string& path,
-                    const std::function<void(ByteSource& source, const std::string& name)>& use) {
-  int code = 0;
-  const std::unique_ptr<zip_t, ZipDeleter> archive(zip_open(path.c_str(), ZIP_RDONLY, &code));
-  if (!archive) throw Error(path, "broken zip archive");
-  std::vector<std::pair<std::string, zip_uint64_t>> entries;
+std::vector<Document> documents_in_archive(const std::string& path) {
+  const auto archive = open_archive(path);
+  std::vector<Document> documents;
   const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
   for (zip_int64_t i = 0; i < count; ++i) {
-    const char* name = zip_get_name(archive.get(), static_cast<zip_uint64_t>(i), ZIP_FL_ENC_GUESS);
-    if (name && is_document(name)) entries.emplace_back(name, static_cast<zip_uint64_t>(i));
+    const auto index = static_cast<zip_uint64_t>(i);
+    const char* entry = zip_get_name(archive.get(), index, ZIP_FL_ENC_GUESS);
+    if (!entry || !is_document(entry)) continue;
+    const std::string name = path + "/" + entry;
+    documents.push_back({name, [=] { return std::make_unique<ZipSource>(path, index, name); },
+                         [](std::size_t) { return std::string(); }});
   }
-  if (entries.empty()) throw Error(path, "the archive holds no .gml, .xml or .citygml");
-  for (const auto& [name, index] : entries) {
-    const std::string full = path + "/" + name;
-    ZipSource source(archive.get(), index, full);
-    use(source, full);
-  }
+  if (documents.empty()) throw Error(path, "the archive holds no .gml, .xml or .citygml");
+  return documents;
 }
 
 }  // namespace
 
-void for_each_document(const std::filesystem::path& file,
-                       const std::function<void(ByteSource& source, const std::string& name)>& use) {
+std::vector<Document> documents_in(const std::filesystem::path& file) {
   const std::string path = file.string();
   if (std::filesystem::is_directory(file)) throw Error(path, "is a folder, not a CityGML file");
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw Error(path, std::string("cannot open: ") + std::strerror(errno));
-  auto plain = std::make_unique<PlainSource>(descriptor, path);
-  unsigned char magic[4] = {};
-  const ssize_t got = ::pread(descriptor, magic, sizeof magic, 0);
+  char magic[4] = {};
+  const std::size_t got = PlainSource(path).read(magic, sizeof magic);
   if (got == 0) throw Error(path, "is empty");
-  if (got >= 2 && magic[0] == 0x1f && magic[1] == 0x8b) {
-    GzipSource source(path);
-    use(source, path);
-  } else if (got == 4 && std::memcmp(magic, "PK\x03\x04", 4) == 0) {
-    for_each_entry(path, use);
-  } else {
-    use(*plain, path);
-  }
+  if (got == 4 && std::memcmp(magic, "PK\x03\x04", 4) == 0) return documents_in_archive(path);
+  if (got >= 2 && std::memcmp(magic, "\x1f\x8b", 2) == 0)
+    return {{path, [=] { return std::make_unique<GzipSource>(path); },
+             [](std::size_t) { return std::string(); }}};
+  return {{path, [=] { return std::make_unique<PlainSource>(path); },
+           [=](std::size_t size) { return PlainSource(path).tail(size); }}};
 }
 
 }  // namespace nightcity

@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace nightcity {
 
@@ -15,10 +17,16 @@ class ByteSource {
   virtual std::size_t read(char* out, std::size_t size) = 0;
 };
 
-/// Calls `use` for every document in `file`, in order: one for a plain or gzipped file, one for each .gml,
-/// .xml or .citygml in a zip archive. `name` is the file's path, with the entry's name behind it in an
-/// archive. Throws Error when the file is missing, empty, unreadable or an archive without documents.
-void for_each_document(const std::filesystem::path& file,
-                       const std::function<void(ByteSource& source, const std::string& name)>& use);
+/// One CityGML document, to be read as often as needed.
+struct Document {
+  std::string name;  // the file's path, with the entry's name behind it in an archive
+  std::function<std::unique_ptr<ByteSource>()> open;
+  std::function<std::string(std::size_t)>
+      tail;  // the last bytes, up to so many; "" where that means unpacking
+};
+
+/// The documents in `file`, in order: one for a plain or gzipped file, one for each .gml, .xml or .citygml in
+/// a zip archive. Throws Error when the file is missing, empty, unreadable or an archive without documents.
+std::vector<Document> documents_in(const std::filesystem::path& file);
 
 }  // namespace nightcity

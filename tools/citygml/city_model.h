@@ -68,6 +68,7 @@ struct CityObject {
   std::vector<double> storey_heights_m;
   int lod = -1;
   std::vector<Polygon> polygons;
+  std::vector<glm::dvec3> points;  // relief given as mass points and break lines: for a surface through them
 };
 
 /// What a file held and what was not used of it. Silence means that nothing was lost.
@@ -86,12 +87,13 @@ enum class Reader : std::uint8_t { stream, libcitygml };
 
 struct ReadOptions {
   int highest_lod = 2;  // the highest LoD up to this is taken per object, falling back to lower ones
-  Reader reader = Reader::libcitygml;
+  Reader reader = Reader::stream;
   unsigned threads = 0;  // 0 = as many as there are cores; the objects and their order do not depend on it
 };
 
-/// Called on one thread at a time, in file order. An object too large for one piece (a terrain of millions of
-/// triangles) comes in several calls, one after the other, with the same id.
+/// Called on one thread at a time, in file order; objects that refer to geometry of other members come behind
+/// all others. An object too large for one piece (a terrain of millions of triangles) comes in several calls,
+/// one after the other, with the same id.
 using ObjectSink = std::function<void(CityObject&&)>;
 
 /// What a frame needs before the first object is placed: a cheap look at the file's beginning.

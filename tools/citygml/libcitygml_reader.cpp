@@ -174,14 +174,15 @@ class DocumentLoader {
 
 }  // namespace
 
-ReadReport read_with_libcitygml(ByteSource& source, const std::string& name, const ReadOptions& options,
+ReadReport read_with_libcitygml(const Document& document, const ReadOptions& options,
                                 const ObjectSink& sink) {
   warm_up();
   MemberSplitter::Limits limits;
   limits.batch_bytes = batch_bytes;
-  MemberSplitter splitter(source, name, limits);
-  require_citygml(splitter.head(), name);
-  DocumentLoader loader(splitter.head(), name, options, sink);
+  const auto source = document.open();
+  MemberSplitter splitter(*source, document.name, limits);
+  require_citygml(splitter.head(), document.name);
+  DocumentLoader loader(splitter.head(), document.name, options, sink);
   MemberBatch batch;
   while (splitter.next(batch)) {
     if (loader.report.srs_name.empty()) loader.report.srs_name = first_srs_name(batch);

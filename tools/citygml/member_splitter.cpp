@@ -101,7 +101,9 @@ bool MemberSplitter::scan_tag(MemberBatch& batch) {
   if (tag.kind == Tag::Kind::close) close_tag(tag);
   if (open_.empty()) {
     const std::string_view name = name_in(scanner_.window().substr(begin, tag.end - begin));
-    batch.members.push_back({begin, tag.end - begin, member_line_, std::string(local_name(name))});
+    batch.members.push_back(
+        {begin, tag.end - begin, member_line_, std::string(local_name(name)), continued_});
+    continued_ = false;
   } else if (tag.end - begin > limits_.piece_bytes && is_patch(local_name(tag.name))) {
     cut_ = tag.end;
   }
@@ -127,7 +129,8 @@ void MemberSplitter::hand_over_piece(MemberBatch& batch) {
   }
   const std::size_t begin = open_.front().first, length = cut_ - begin;
   const std::string name(local_name(name_in(window.substr(begin))));
-  batch.members.push_back({0, length + closers.size(), member_line_, name});
+  batch.members.push_back({0, length + closers.size(), member_line_, name, continued_});
+  continued_ = true;
   batch.bytes = std::make_unique_for_overwrite<char[]>(length + closers.size());
   std::memcpy(batch.bytes.get(), window.data() + begin, length);
   std::memcpy(batch.bytes.get() + length, closers.data(), closers.size());
@@ -138,16 +141,19 @@ void MemberSplitter::hand_over_piece(MemberBatch& batch) {
 
 bool MemberSplitter::next(MemberBatch& batch) {
   batch.members.clear();
+  batch.first_member = delivered_;
   while (!finished_ && cut_ == 0) {
     finished_ = !scan_tag(batch);
     const bool full = !batch.members.empty() && open_.empty() && scanner_.position() >= limits_.batch_bytes;
     if (full) break;
   }
   if (!batch.members.empty()) {
+    delivered_ += batch.members.size();
     hand_over(batch, batch.members.back().begin + batch.members.back().size);
     return true;
   }
   if (cut_ > 0) {
+    ++delivered_;
     hand_over_piece(batch);
     return true;
   }

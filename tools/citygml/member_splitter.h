@@ -28,9 +28,11 @@ struct MemberBatch {
     std::size_t begin, size;  // of the element with its tags, in `bytes`
     std::size_t line;         // of its first byte, from 1
     std::string name;         // local name of the element: "cityObjectMember", "boundedBy", ...
+    bool continued = false;   // a later piece of the member before it
   };
   std::unique_ptr<char[]> bytes;
   std::vector<Member> members;
+  std::size_t first_member = 0;  // number in the document of members[0]; pieces count
 
   std::string_view text(const Member& member) const { return {bytes.get() + member.begin, member.size}; }
 };
@@ -70,6 +72,8 @@ class MemberSplitter {
   std::string list_;         // name of the member list we are in; "" = members stand in the root
   std::size_t member_line_ = 1;
   std::size_t cut_ = 0;  // where the current member is to be cut; 0 = not
+  std::size_t delivered_ = 0;
+  bool continued_ = false;  // the current member has had a piece cut off
   bool finished_ = false;
 };
 

@@ -113,7 +113,7 @@ CityObject fold(RawObject&& raw, const ReadOptions& options, ReadReport& report)
     if (kept.surface == SurfaceType::unknown && p.polygon.surface != SurfaceType::unknown)
       kept = std::move(p.polygon);
   }
-  ++report.objects;
+  if (!raw.continued) ++report.objects;
   report.polygons += object.polygons.size();
   return object;
 }

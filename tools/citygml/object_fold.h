@@ -24,6 +24,7 @@ struct RawObject {
   CityObject object;  // without polygons
   std::vector<RawSpace> spaces{1};
   std::vector<RawPolygon> polygons;
+  bool continued = false;  // a later piece of an object counted already
 };
 
 /// Takes of every space its highest LoD up to `options.highest_lod` (a space that has only higher ones: the

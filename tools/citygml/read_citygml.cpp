@@ -27,9 +27,9 @@ std::string first_srs_name(const MemberBatch& batch) {
 ReadReport read_citygml(const std::filesystem::path& file, const ReadOptions& options,
                         const ObjectSink& sink) {
   ReadReport report;
-  for_each_document(file, [&](ByteSource& source, const std::string& name) {
-    report.merge(read_with_libcitygml(source, name, options, sink));
-  });
+  for (const Document& document : documents_in(file))
+    report.merge(options.reader == Reader::libcitygml ? read_with_libcitygml(document, options, sink)
+                                                      : read_with_stream(document, options, sink));
   return report;
 }
 

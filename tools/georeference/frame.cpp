@@ -144,7 +144,7 @@ Choice choose_axis_order(std::unique_ptr<SourceCrs> crs, std::span<const glm::dv
   }
   choice.inside = best > 0;
   // Both orders possible: the rings know, for normals point outward and terrain faces up.
-  constexpr double clear_sign = 0.5;
+  constexpr double clear_sign = 0.25;
   if (fits[0] > 0 && fits[0] == fits[1]) {
     const double hand = handedness(sample);
     if (std::abs(hand) > clear_sign) {

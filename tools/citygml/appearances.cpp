@@ -1,0 +1,46 @@
+#include "tools/citygml/appearances.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "tools/citygml/attributes.h"
+#include "tools/citygml/rings.h"
+#include "tools/citygml/tag_scanner.h"
+
+namespace nightcity {
+
+void Materials::read(const pugi::xml_node& appearance, SkipCounter& skipped) {
+  for (const pugi::xml_node& child : appearance.children()) {
+    const std::string_view name = local_name(child.name());
+    if (name == "Appearance" || name == "surfaceDataMember" || name == "surfaceData") {
+      read(child, skipped);
+    } else if (name == "X3DMaterial") {
+      glm::vec3 colour{0.8f};  // X3D's own default
+      std::vector<double> numbers;
+      std::vector<std::string_view> targets;
+      bool front = true;
+      for (const pugi::xml_node& property : child.children()) {
+        const std::string_view kind = local_name(property.name());
+        if (kind == "diffuseColor" && read_numbers(property, numbers) && numbers.size() == 3)
+          colour = {std::clamp(static_cast<float>(numbers[0]), 0.0f, 1.0f),
+                    std::clamp(static_cast<float>(numbers[1]), 0.0f, 1.0f),
+                    std::clamp(static_cast<float>(numbers[2]), 0.0f, 1.0f)};
+        else if (kind == "target")
+          targets.push_back(trimmed(property.child_value()));
+        else if (kind == "isFront")
+          front = trimmed(property.child_value()) != "false" && trimmed(property.child_value()) != "0";
+      }
+      for (const std::string_view target : targets)
+        if (front && target.starts_with('#')) colours_.emplace(target.substr(1), colour);
+    } else if (child.type() == pugi::node_element && name != "theme") {
+      skipped.add(child.name());
+    }
+  }
+}
+
+const glm::vec3* Materials::find(std::string_view id) const {
+  const auto at = colours_.find(id);
+  return at == colours_.end() ? nullptr : &at->second;
+}
+
+}  // namespace nightcity

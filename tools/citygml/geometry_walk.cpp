@@ -1,0 +1,271 @@
+#include "tools/citygml/geometry_walk.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/vec4.hpp>
+
+#include "tools/citygml/rings.h"
+#include "tools/citygml/tag_scanner.h"
+
+namespace nightcity {
+namespace {
+
+// Longest chain of xlinks followed: solid to composite to orientable to polygon takes three.
+constexpr int most_links = 8;
+// Polygons one member may make by implicit geometry: a few shared ones placed often must not fill the memory.
+constexpr std::size_t most_placed_polygons = 1'000'000;
+
+bool is_polygon(std::string_view local) {
+  return local == "Polygon" || local == "PolygonPatch" || local == "Triangle" || local == "Rectangle";
+}
+
+// Elements that only hold what they are made of.
+bool is_container(std::string_view local) {
+  static constexpr std::array names{std::string_view("surfaceMember"),
+                                    std::string_view("MultiSurface"),
+                                    std::string_view("CompositeSurface"),
+                                    std::string_view("exterior"),
+                                    std::string_view("Solid"),
+                                    std::string_view("Shell"),
+                                    std::string_view("trianglePatches"),
+                                    std::string_view("TriangulatedSurface"),
+                                    std::string_view("patches"),
+                                    std::string_view("Surface"),
+                                    std::string_view("surfaceMembers"),
+                                    std::string_view("interior"),
+                                    std::string_view("MultiSolid"),
+                                    std::string_view("CompositeSolid"),
+                                    std::string_view("solidMember"),
+                                    std::string_view("solidMembers"),
+                                    std::string_view("polygonPatches"),
+                                    std::string_view("PolyhedralSurface"),
+                                    std::string_view("Tin"),
+                                    std::string_view("MultiGeometry"),
+                                    std::string_view("geometryMember"),
+                                    std::string_view("geometryMembers"),
+                                    std::string_view("GeometricComplex"),
+                                    std::string_view("element"),
+                                    std::string_view("baseSurface")};
+  return std::find(names.begin(), names.end(), local) != names.end();
+}
+
+bool is_geometry(std::string_view local) {
+  return is_polygon(local) || is_container(local) || local == "OrientableSurface" ||
+         local == "ImplicitGeometry";
+}
+
+int dimension_said(const pugi::xml_node& element, int inherited) {
+  const pugi::xml_attribute said = element.attribute("srsDimension");
+  return said ? said.as_int() : inherited;
+}
+
+}  // namespace
+
+std::size_t count_polygons(const pugi::xml_node& element) {
+  std::size_t count = is_polygon(local_name(element.name())) ? 1 : 0;
+  for (const pugi::xml_node& child : element.children()) count += count_polygons(child);
+  return count;
+}
+
+const glm::vec3* GeometryWalk::colour_of(const pugi::xml_node& element) const {
+  if (local_materials_.empty() && (!file_materials_ || file_materials_->empty())) return nullptr;
+  const std::string_view id = attribute_named(element, "id");
+  if (id.empty()) return nullptr;
+  if (const glm::vec3* colour = local_materials_.find(id)) return colour;
+  return file_materials_ ? file_materials_->find(id) : nullptr;
+}
+
+void GeometryWalk::read(const pugi::xml_node& property, const GeometryContext& context,
+                        std::vector<RawPolygon>& out) {
+  out_ = &out;
+  const std::string_view href = attribute_named(property, "href");
+  if (!href.empty() && !property.first_child()) follow(property, href, context);
+  walk_children(property, context);
+}
+
+void GeometryWalk::read_element(const pugi::xml_node& geometry, const GeometryContext& context,
+                                std::vector<RawPolygon>& out) {
+  out_ = &out;
+  walk(geometry, context);
+}
+
+void GeometryWalk::walk_children(const pugi::xml_node& element, const GeometryContext& context) {
+  for (const pugi::xml_node& child : element.children())
+    if (child.type() == pugi::node_element) walk(child, context);
+}
+
+void GeometryWalk::walk(const pugi::xml_node& element, const GeometryContext& context) {
+  const std::string_view name = local_name(element.name());
+  if (is_polygon(name)) {
+    read_polygon(element, context);
+    return;
+  }
+  GeometryContext inside = context;
+  inside.dimension = dimension_said(element, context.dimension);
+  if (const glm::vec3* colour = colour_of(element)) inside.colour = colour;
+  if (name == "OrientableSurface") {
+    if (attribute_named(element, "orientation") == "-") inside.reversed = !inside.reversed;
+    walk_children(element, inside);
+  } else if (is_container(name)) {
+    const std::string_view href = attribute_named(element, "href");
+    if (!href.empty() && !element.first_child()) follow(element, href, inside);
+    walk_children(element, inside);
+  } else if (name == "ImplicitGeometry") {
+    read_implicit(element, inside);
+  } else {
+    skipped_.add(element.name());
+    if (const std::size_t polygons = count_polygons(element); polygons > 0)
+      skipped_.add("polygon: in " + std::string(element.name()), polygons);
+  }
+}
+
+void GeometryWalk::follow(const pugi::xml_node& link, std::string_view href, const GeometryContext& context) {
+  if (!href.starts_with('#')) {
+    skipped_.add("xlink: to another file");
+    return;
+  }
+  const std::string id(href.substr(1));
+  GeometryContext there = context;
+  if (++there.links > most_links) {
+    skipped_.add("xlink: a chain too long, or a cycle");
+    return;
+  }
+  if (const pugi::xml_node target = ids_.find(id)) {
+    const std::string_view kind = local_name(target.name());
+    if (!is_geometry(kind)) skipped_.add("xlink: to what is no geometry");
+    // A target passed before has all its polygons taken: this ends cycles, and trees of links to links.
+    else if (is_polygon(kind) || visited_.insert({target.internal_object(), context.lod}).second)
+      walk(target, there);
+    return;
+  }
+  const auto shared = library_.find(id);
+  if (shared == library_.end()) {
+    unresolved_.push_back(id);
+    skipped_.add("xlink: target not in the file (" + std::string(link.name()) + ")");
+    return;
+  }
+  for (Polygon copy : shared->second) {
+    if (there.reversed) {
+      std::reverse(copy.exterior.begin(), copy.exterior.end());
+      for (Ring& ring : copy.interiors) std::reverse(ring.begin(), ring.end());
+    }
+    if (copy.surface == SurfaceType::unknown) copy.surface = there.surface;
+    add(std::move(copy), there);
+  }
+}
+
+void GeometryWalk::read_polygon(const pugi::xml_node& element, const GeometryContext& context) {
+  if (!visited_.insert({element.internal_object(), context.lod}).second) return;
+  const int dimension = dimension_said(element, context.dimension);
+  Polygon polygon;
+  polygon.id = attribute_named(element, "id");
+  polygon.surface = context.surface;
+  const glm::vec3* colour = colour_of(element);
+  if (!colour) colour = context.colour;
+  if (colour) polygon.diffuse_colour = *colour;
+  RingFault fault = RingFault::no_coordinates;
+  for (const pugi::xml_node& boundary : element.children()) {
+    const std::string_view side = local_name(boundary.name());
+    const bool outer = side == "exterior" || side == "outerBoundaryIs";
+    if (!outer && side != "interior" && side != "innerBoundaryIs") {
+      if (boundary.type() == pugi::node_element) skipped_.add(boundary.name());
+      continue;
+    }
+    const pugi::xml_node ring_element = boundary.first_child();
+    Ring ring;
+    const RingFault ring_fault = read_ring(ring_element, dimension, ring);
+    if (outer) {
+      fault = ring_fault;
+      polygon.exterior = std::move(ring);
+    } else if (ring_fault != RingFault::none) {
+      skipped_.add("hole: " + std::string(name_of(ring_fault)));
+    } else {
+      polygon.interiors.push_back(std::move(ring));
+    }
+  }
+  if (fault != RingFault::none) {
+    skipped_.add("polygon: " + std::string(name_of(fault)));
+    return;
+  }
+  if (context.reversed) {
+    std::reverse(polygon.exterior.begin(), polygon.exterior.end());
+    for (Ring& ring : polygon.interiors) std::reverse(ring.begin(), ring.end());
+  }
+  add(std::move(polygon), context);
+}
+
+void GeometryWalk::add(Polygon&& polygon, const GeometryContext& context) {
+  if (context.placed) {
+    if (++placed_polygons_ > most_placed_polygons) {
+      skipped_.add("implicit geometry: more polygons than a member may have");
+      return;
+    }
+    const auto place = [&](Ring& ring) {
+      for (glm::dvec3& p : ring) p = glm::dvec3(*context.placed * glm::dvec4(p, 1.0));
+    };
+    place(polygon.exterior);
+    for (Ring& ring : polygon.interiors) place(ring);
+  }
+  out_->push_back({std::move(polygon), context.lod, context.space});
+}
+
+// A shared shape set down by a 4 x 4 matrix (row-major in the file) and a reference point added to it.
+void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryContext& context) {
+  glm::dmat4 matrix(1.0);
+  glm::dvec3 reference(0.0);
+  std::vector<double> numbers;
+  std::vector<pugi::xml_node> shapes;
+  for (const pugi::xml_node& child : element.children()) {
+    const std::string_view name = local_name(child.name());
+    numbers.clear();
+    if (name == "transformationMatrix") {
+      if (!read_numbers(child, numbers) || numbers.size() != 16) {
+        skipped_.add("implicit geometry: matrix that is none");
+        return;
+      }
+      for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+          matrix[column][row] = numbers[static_cast<std::size_t>(4 * row + column)];
+    } else if (name == "referencePoint") {
+      std::vector<glm::dvec3> points;
+      read_points(child, context.dimension, points);
+      if (!points.empty()) reference = points.front();
+    } else if (name == "relativeGMLGeometry" || name == "relativeGeometry") {
+      shapes.push_back(child);
+    } else if (child.type() == pugi::node_element && name != "mimeType") {
+      skipped_.add(child.name());
+    }
+  }
+  matrix[3] += glm::dvec4(reference, 0.0);
+  GeometryContext placed = context;
+  placed.placed = &matrix;
+  // The same shape may be set down many times, but only once by each implicit geometry.
+  std::unordered_set<Visit, VisitHash> visited;
+  visited.swap(visited_);
+  for (const pugi::xml_node& shape : shapes) {
+    const std::string_view href = attribute_named(shape, "href");
+    if (!href.empty() && !shape.first_child()) follow(shape, href, placed);
+    walk_children(shape, placed);
+  }
+  visited_.swap(visited);
+}
+
+void GeometryWalk::read_points(const pugi::xml_node& property, int dimension, std::vector<glm::dvec3>& out) {
+  const int here = dimension_said(property, dimension);
+  const std::string_view name = local_name(property.name());
+  if (name == "pos" || name == "posList") {
+    std::vector<double> numbers;
+    const std::size_t d = here == 2 ? 2 : 3;
+    if (!read_numbers(property, numbers) || numbers.size() % d != 0) {
+      skipped_.add("points: coordinates that are no numbers");
+      return;
+    }
+    for (std::size_t i = 0; i < numbers.size(); i += d)
+      out.emplace_back(numbers[i], numbers[i + 1], d == 3 ? numbers[i + 2] : 0.0);
+    return;
+  }
+  for (const pugi::xml_node& child : property.children())
+    if (child.type() == pugi::node_element) read_points(child, here, out);
+}
+
+}  // namespace nightcity

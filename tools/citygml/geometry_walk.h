@@ -1,0 +1,87 @@
+// GML geometry of any nesting into polygons.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <glm/mat4x4.hpp>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "tools/citygml/appearances.h"
+#include "tools/citygml/object_fold.h"
+#include "tools/citygml/skip_counter.h"
+#include "tools/citygml/xlinks.h"
+
+namespace nightcity {
+
+/// Number of polygons (gml:Polygon, PolygonPatch, Triangle, Rectangle) in an element and below.
+std::size_t count_polygons(const pugi::xml_node& element);
+
+/// What the walk is told about where it is.
+struct GeometryContext {
+  int lod = -1;
+  std::uint32_t space = 0;
+  SurfaceType surface = SurfaceType::unknown;
+  int dimension = 0;                   // srsDimension said further up; 0 = none
+  bool reversed = false;               // below an OrientableSurface '-'
+  int links = 0;                       // xlinks followed on the way here
+  const glm::vec3* colour = nullptr;   // of a material further up
+  const glm::dmat4* placed = nullptr;  // of an implicit geometry
+};
+
+class GeometryWalk {
+ public:
+  GeometryWalk(const pugi::xml_node& member, const GeometryLibrary& library, SkipCounter& skipped)
+      : ids_(member), library_(library), skipped_(skipped) {}
+
+  /// Adds every polygon below `property` (lod2Solid, tin, ...) to `out`; what cannot be used is counted. A
+  /// polygon reached twice (a solid's xlink to a wall) is added once.
+  void read(const pugi::xml_node& property, const GeometryContext& context, std::vector<RawPolygon>& out);
+  /// The same for a geometry element itself.
+  void read_element(const pugi::xml_node& geometry, const GeometryContext& context,
+                    std::vector<RawPolygon>& out);
+  /// Every vertex below `property`: mass points, break lines.
+  void read_points(const pugi::xml_node& property, int dimension, std::vector<glm::dvec3>& out);
+
+  Materials& local_materials() { return local_materials_; }
+  void set_file_materials(const Materials* materials) { file_materials_ = materials; }
+  /// Ids that xlinks name and neither the member nor the library holds.
+  const std::vector<std::string>& unresolved() const { return unresolved_; }
+
+ private:
+  void walk(const pugi::xml_node& element, const GeometryContext& context);
+  void walk_children(const pugi::xml_node& element, const GeometryContext& context);
+  void follow(const pugi::xml_node& link, std::string_view href, const GeometryContext& context);
+  void read_polygon(const pugi::xml_node& element, const GeometryContext& context);
+  void read_implicit(const pugi::xml_node& element, const GeometryContext& context);
+  void add(Polygon&& polygon, const GeometryContext& context);
+  const glm::vec3* colour_of(const pugi::xml_node& element) const;
+
+  struct Visit {
+    const void* element;
+    int lod;
+    bool operator==(const Visit&) const = default;
+  };
+  struct VisitHash {
+    std::size_t operator()(const Visit& v) const {
+      return std::hash<const void*>()(v.element) * 31 + static_cast<std::size_t>(v.lod + 1);
+    }
+  };
+
+  IdIndex ids_;
+  const GeometryLibrary& library_;
+  SkipCounter& skipped_;
+  Materials local_materials_;
+  const Materials* file_materials_ = nullptr;
+  std::vector<RawPolygon>* out_ = nullptr;
+  std::unordered_set<Visit, VisitHash> visited_;
+  std::vector<std::string> unresolved_;
+  std::size_t placed_polygons_ = 0;
+};
+
+}  // namespace nightcity

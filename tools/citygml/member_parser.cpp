@@ -1,0 +1,218 @@
+#include "tools/citygml/member_parser.h"
+
+#include <algorithm>
+
+#include "tools/citygml/attributes.h"
+#include "tools/citygml/tag_scanner.h"
+
+namespace nightcity {
+namespace {
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  for (char& c : out)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return out;
+}
+
+// CityGML 3's con:height: <con:Height> with a value and what it is measured between. The greatest is kept.
+void read_height(const pugi::xml_node& property, CityObject& object) {
+  for (const pugi::xml_node& height : property.children()) {
+    for (const pugi::xml_node& part : height.children()) {
+      if (local_name(part.name()) != "value") continue;
+      CityObject one;
+      set_attribute(one, "measuredheight", part.child_value());
+      if (one.measured_height_m > object.measured_height_m) object.measured_height_m = one.measured_height_m;
+    }
+  }
+}
+
+// What a part says and its building does not: the building is as tall as its tallest part.
+void adopt_attributes(CityObject& whole, const CityObject& part) {
+  if (whole.function.empty()) whole.function = part.function;
+  if (whole.usage.empty()) whole.usage = part.usage;
+  if (whole.building_class.empty()) whole.building_class = part.building_class;
+  if (whole.address.empty()) whole.address = part.address;
+  if (whole.year.empty()) whole.year = part.year;
+  if (whole.storey_heights_m.empty()) whole.storey_heights_m = part.storey_heights_m;
+  whole.measured_height_m = std::max(whole.measured_height_m, part.measured_height_m);
+  whole.storeys_above_ground = std::max(whole.storeys_above_ground, part.storeys_above_ground);
+}
+
+bool is_space(ClassKind kind) {
+  return kind == ClassKind::top || kind == ClassKind::part;
+}
+
+}  // namespace
+
+MemberParser::MemberParser(const pugi::xml_node& member, std::size_t line, const GeometryLibrary& library,
+                           const Materials& file_materials)
+    : member_(member), line_(line), geometry_(member, library, skipped_) {
+  geometry_.set_file_materials(&file_materials);
+}
+
+std::vector<RawObject> MemberParser::parse() {
+  std::vector<RawObject> out;
+  if (feature_class(local_name(member_.name())).kind != ClassKind::unknown) {
+    read_top(member_, out);
+    return out;
+  }
+  for (const pugi::xml_node& child : member_.children())
+    if (child.type() == pugi::node_element) read_top(child, out);
+  return out;
+}
+
+void MemberParser::skip(const pugi::xml_node& element) {
+  skipped_.add(element.name());
+  if (!element.first_child().first_child()) return;  // a text at most
+  if (const std::size_t polygons = count_polygons(element); polygons > 0)
+    skipped_.add("polygon: in " + std::string(element.name()), polygons);
+}
+
+void MemberParser::read_top(const pugi::xml_node& element, std::vector<RawObject>& out) {
+  const std::string_view name = local_name(element.name());
+  const FeatureClass what = feature_class(name);
+  if (what.kind == ClassKind::unknown || what.kind == ClassKind::interior) {
+    skip(element);
+    return;
+  }
+  if (name == "CityObjectGroup") {  // its members are objects of their own; the group itself is a list
+    skipped_.add(element.name());
+    for (const pugi::xml_node& property : element.children())
+      if (local_name(property.name()) == "groupMember")
+        for (const pugi::xml_node& child : property.children())
+          if (child.type() == pugi::node_element) read_top(child, out);
+    return;
+  }
+  RawObject& raw = out.emplace_back();
+  raw.object.id = attribute_named(element, "id");
+  if (raw.object.id.empty()) raw.object.id = std::string(name) + "@" + std::to_string(line_);
+  raw.object.class_name = name;
+  raw.object.type = what.object;
+  read_feature(element, what, {}, raw);
+}
+
+void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClass& what,
+                                GeometryContext context, RawObject& raw) {
+  context.surface = what.surface != SurfaceType::unknown || what.kind != ClassKind::surface ? what.surface
+                                                                                            : context.surface;
+  CityObject said;
+  std::vector<pugi::xml_node> children, geometries, points;
+  int relief_lod = -1;
+  for (const pugi::xml_node& property : element.children()) {
+    if (property.type() != pugi::node_element) continue;
+    const std::string_view name = local_name(property.name());
+    switch (property_kind(name)) {
+      case PropertyKind::attribute:
+        if (is_space(what.kind))
+          set_attribute(said, lower(name), property.child_value());
+        else
+          skipped_.add(property.name());
+        break;
+      case PropertyKind::features:
+        children.push_back(property);
+        break;
+      case PropertyKind::geometry:
+        geometries.push_back(property);
+        break;
+      case PropertyKind::relief_lod:
+        if (const auto lod = parse_number(property.child_value()))
+          relief_lod = static_cast<int>(std::clamp(*lod, -1.0, 4.0));
+        break;
+      case PropertyKind::points:
+        points.push_back(property);
+        break;
+      case PropertyKind::address:
+        if (said.address.empty()) said.address = address_text(property);
+        break;
+      case PropertyKind::appearance:
+        geometry_.local_materials().read(property, skipped_);
+        break;
+      case PropertyKind::height:
+        read_height(property, said);
+        break;
+      case PropertyKind::name:
+        break;
+      case PropertyKind::skip:
+        skip(property);
+        break;
+    }
+  }
+  adopt_attributes(raw.object, said);
+  // Surfaces first: a solid that refers to them then finds its polygons taken, with their meaning.
+  for (const pugi::xml_node& property : children) read_child_features(property, context, raw);
+  for (const pugi::xml_node& property : geometries) {
+    const int lod = lod_in(local_name(property.name()));
+    GeometryContext here = context;
+    here.lod = lod >= 0 ? lod : relief_lod;
+    if (local_name(property.name()) == "lod0RoofEdge") here.surface = SurfaceType::roof;
+    if (local_name(property.name()) == "lod0FootPrint") here.surface = SurfaceType::ground;
+    geometry_.read(property, here, raw.polygons);
+  }
+  for (const pugi::xml_node& property : points) geometry_.read_points(property, 0, raw.object.points);
+}
+
+void MemberParser::read_child_features(const pugi::xml_node& property, const GeometryContext& context,
+                                       RawObject& raw) {
+  if (!property.first_child()) {
+    if (!attribute_named(property, "href").empty()) skipped_.add("xlink: " + std::string(property.name()));
+    return;
+  }
+  for (const pugi::xml_node& child : property.children())
+    if (child.type() == pugi::node_element) read_child(child, context, raw);
+}
+
+void MemberParser::read_child(const pugi::xml_node& element, const GeometryContext& context, RawObject& raw) {
+  const std::string_view name = local_name(element.name());
+  if (name == "Envelope" || name == "Null")
+    return;  // gml:boundedBy: an extent, known better from the vertices
+  const FeatureClass what = feature_class(name);
+  GeometryContext inside = context;
+  switch (what.kind) {
+    case ClassKind::unknown:
+      skip(element);
+      return;
+    case ClassKind::interior:
+      skipped_.add(element.name());
+      if (const std::size_t polygons = count_polygons(element); polygons > 0)
+        skipped_.add("polygon: inside a building", polygons);
+      return;
+    case ClassKind::part:
+    case ClassKind::detail:
+      inside.space = static_cast<std::uint32_t>(raw.spaces.size());
+      raw.spaces.push_back({what.kind == ClassKind::detail});
+      break;
+    case ClassKind::top:
+    case ClassKind::surface:
+    case ClassKind::passage:
+      break;
+  }
+  read_feature(element, what, inside, raw);
+}
+
+std::string address_text(const pugi::xml_node& address) {
+  struct Found : pugi::xml_tree_walker {
+    std::string street, number, code, place, country;
+    bool for_each(pugi::xml_node& node) override {
+      const std::string_view name = local_name(node.name());
+      const auto take = [&](std::string& field) {
+        if (field.empty()) field = trimmed(node.child_value());
+      };
+      if (name == "ThoroughfareName") take(street);
+      if (name == "ThoroughfareNumber") take(number);
+      if (name == "PostalCodeNumber") take(code);
+      if (name == "LocalityName") take(place);
+      if (name == "CountryName") take(country);
+      return true;
+    }
+  } found;
+  pugi::xml_node(address).traverse(found);
+  const auto joined = [](const std::string& a, const std::string& between, const std::string& b) {
+    return a.empty() || b.empty() ? a + b : a + between + b;
+  };
+  const std::string local =
+      joined(joined(found.street, " ", found.number), ", ", joined(found.code, " ", found.place));
+  return joined(local, ", ", found.country);
+}
+
+}  // namespace nightcity

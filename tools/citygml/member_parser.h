@@ -1,0 +1,46 @@
+// One member's features into city objects.
+#pragma once
+
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/citygml/classes.h"
+#include "tools/citygml/geometry_walk.h"
+#include "tools/citygml/object_fold.h"
+#include "tools/citygml/skip_counter.h"
+
+namespace nightcity {
+
+class MemberParser {
+ public:
+  /// `member`: cityObjectMember or its kin, or the object itself. `file_materials`: of the document's own
+  /// appearances.
+  MemberParser(const pugi::xml_node& member, std::size_t line, const GeometryLibrary& library,
+               const Materials& file_materials);
+
+  /// Every city object of the member; what is not used goes to skipped().
+  std::vector<RawObject> parse();
+
+  const SkipCounter& skipped() const { return skipped_; }
+  const std::vector<std::string>& unresolved() const { return geometry_.unresolved(); }
+
+ private:
+  void read_top(const pugi::xml_node& element, std::vector<RawObject>& out);
+  void read_feature(const pugi::xml_node& element, const FeatureClass& what, GeometryContext context,
+                    RawObject& raw);
+  void read_child_features(const pugi::xml_node& property, const GeometryContext& context, RawObject& raw);
+  void read_child(const pugi::xml_node& element, const GeometryContext& context, RawObject& raw);
+  void skip(const pugi::xml_node& element);
+
+  pugi::xml_node member_;
+  std::size_t line_;
+  SkipCounter skipped_;
+  GeometryWalk geometry_;
+};
+
+/// "Street 12, 10115 Berlin, Germany" out of an xAL address; parts that are absent are left out.
+std::string address_text(const pugi::xml_node& address);
+
+}  // namespace nightcity

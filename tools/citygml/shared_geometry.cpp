@@ -1,0 +1,71 @@
+#include "tools/citygml/shared_geometry.h"
+
+#include <pugixml.hpp>
+#include <utility>
+#include <vector>
+
+#include "tools/citygml/geometry_walk.h"
+#include "tools/citygml/member_splitter.h"
+#include "tools/citygml/rings.h"
+
+namespace nightcity {
+namespace {
+
+constexpr int most_rounds = 4;                    // links to links to links across members
+constexpr std::size_t most_vertices = 8'000'000;  // 200 MB
+
+std::size_t vertices_of(const std::vector<Polygon>& polygons) {
+  std::size_t count = 0;
+  for (const Polygon& p : polygons) {
+    count += p.exterior.size();
+    for (const Ring& ring : p.interiors) count += ring.size();
+  }
+  return count;
+}
+
+// Every wanted geometry the member holds, and the ids that it refers to without holding them.
+void fetch_from(const pugi::xml_node& member, const std::unordered_set<std::string>& wanted,
+                GeometryLibrary& library, std::size_t& vertices, std::unordered_set<std::string>& missing) {
+  IdIndex ids(member);
+  for (const std::string& id : wanted) {
+    if (library.contains(id) || vertices > most_vertices) continue;
+    const pugi::xml_node element = ids.find(id);
+    if (!element) continue;
+    SkipCounter counted_where_it_stands;
+    GeometryWalk walk(member, library, counted_where_it_stands);
+    std::vector<RawPolygon> raws;
+    walk.read_element(element, {}, raws);
+    if (!walk.unresolved().empty()) {  // again when those are here
+      missing.insert(walk.unresolved().begin(), walk.unresolved().end());
+      missing.insert(id);
+      continue;
+    }
+    std::vector<Polygon>& polygons = library[id];
+    for (RawPolygon& raw : raws) polygons.push_back(std::move(raw.polygon));
+    vertices += vertices_of(polygons);
+  }
+}
+
+}  // namespace
+
+GeometryLibrary fetch_geometry(const Document& document, std::unordered_set<std::string> wanted) {
+  GeometryLibrary library;
+  std::size_t vertices = 0;
+  for (int round = 0; round < most_rounds && !wanted.empty(); ++round) {
+    std::unordered_set<std::string> missing;
+    const auto source = document.open();
+    MemberSplitter splitter(*source, document.name, {});
+    MemberBatch batch;
+    while (splitter.next(batch)) {
+      for (const MemberBatch::Member& member : batch.members) {
+        pugi::xml_document xml;
+        if (xml.load_buffer_inplace(batch.bytes.get() + member.begin, member.size, gml_parse_flags))
+          fetch_from(xml, wanted, library, vertices, missing);
+      }
+    }
+    wanted = std::move(missing);
+  }
+  return library;
+}
+
+}  // namespace nightcity

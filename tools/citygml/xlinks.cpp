@@ -1,0 +1,32 @@
+#include "tools/citygml/xlinks.h"
+
+#include "tools/citygml/tag_scanner.h"
+
+namespace nightcity {
+
+std::string_view attribute_named(const pugi::xml_node& element, std::string_view local) {
+  for (const pugi::xml_attribute& attribute : element.attributes())
+    if (local_name(attribute.name()) == local) return attribute.value();
+  return {};
+}
+
+pugi::xml_node IdIndex::find(std::string_view id) {
+  if (!made_) {
+    struct Collector : pugi::xml_tree_walker {
+      std::unordered_map<std::string_view, pugi::xml_node>& nodes;
+      explicit Collector(std::unordered_map<std::string_view, pugi::xml_node>& n) : nodes(n) {}
+      bool for_each(pugi::xml_node& node) override {
+        const std::string_view here = attribute_named(node, "id");
+        if (!here.empty()) nodes.emplace(here, node);
+        return true;
+      }
+    };
+    Collector collector(nodes_);
+    member_.traverse(collector);
+    made_ = true;
+  }
+  const auto at = nodes_.find(id);
+  return at == nodes_.end() ? pugi::xml_node() : at->second;
+}
+
+}  // namespace nightcity

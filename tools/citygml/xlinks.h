@@ -1,0 +1,35 @@
+// Where a geometry's xlink leads: within its member at once, anywhere else in the file through a library
+// filled by a second pass.
+#pragma once
+
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "tools/citygml/city_model.h"
+
+namespace nightcity {
+
+/// Attribute by local name, whatever its prefix: gml:id, xlink:href.
+std::string_view attribute_named(const pugi::xml_node& element, std::string_view local);
+
+/// Geometry that members refer to and other members hold, as polygons; by id.
+using GeometryLibrary = std::unordered_map<std::string, std::vector<Polygon>>;
+
+/// Elements with an id in one member; made on first use, for most members need none.
+class IdIndex {
+ public:
+  explicit IdIndex(const pugi::xml_node& member) : member_(member) {}
+  /// Null when no element of the member has this id.
+  pugi::xml_node find(std::string_view id);
+
+ private:
+  pugi::xml_node member_;
+  bool made_ = false;
+  std::unordered_map<std::string_view, pugi::xml_node> nodes_;
+};
+
+}  // namespace nightcity
