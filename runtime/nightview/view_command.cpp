@@ -54,9 +54,11 @@ void add_view_command(CLI::App& app) {
   sub->add_option("--frames", command->view.most_frames, "Frames that are averaged while nothing changes")
       ->capture_default_str()
       ->check(CLI::Range(1u, 1000000u));
-  sub->add_option("--every", command->view.divisor, "Render every Nth pixel along each side of the window")
+  sub->add_option(
+         "--every", command->view.divisor,
+         "Render every Nth pixel along each side of the window: 1, 2, 4, 8, or 0: as many as are quick")
       ->capture_default_str()
-      ->check(CLI::IsMember({1, 2, 4, 8}));
+      ->check(CLI::IsMember({0, 1, 2, 4, 8}));
   sub->add_flag("--markers", command->view.markers, "Start with lamp markers drawn");
   sub->add_option("--quit-after", command->view.quit_after, "Close after showing this many frames");
   sub->add_option("--screenshot", command->view.screenshot,

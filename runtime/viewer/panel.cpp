@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <cmath>
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 #include "runtime/measure/exposure.h"
 
@@ -79,10 +80,11 @@ void camera(ViewerState& state, PanelRequests& requests) {
 }
 
 bool resolution(ViewerState& state) {
-  // 1, 1/2, 1/4, 1/8 of the window's pixels along each side.
-  int index = static_cast<int>(std::lround(std::log2(state.divisor)));
-  if (!ImGui::Combo("pixels", &index, "every\0every 2nd\0every 4th\0every 8th\0")) return false;
-  state.divisor = 1 << index;
+  constexpr int divisors[] = {0, 1, 2, 4, 8};
+  int index = static_cast<int>(std::find(std::begin(divisors), std::end(divisors), state.divisor) - divisors);
+  if (!ImGui::Combo("pixels", &index, "as many as are quick\0every\0every 2nd\0every 4th\0every 8th\0"))
+    return false;
+  state.divisor = divisors[index];
   return true;
 }
 

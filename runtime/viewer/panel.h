@@ -22,7 +22,8 @@ struct ViewerState {
   bool accumulate = true;  // else each frame stands alone
   bool auto_exposure = true;
   bool markers = false;
-  int divisor = 1;  // the picture has 1 / divisor of the window's pixels along each side
+  int divisor =
+      0;  // 1, 2, 4 or 8: the picture has 1 / divisor of the window's pixels along each side; 0 = found out
   bool show_panel = true;
 };
 

@@ -145,7 +145,7 @@ class Viewer {
   }
 
   void render() {
-    const auto divisor = static_cast<std::uint32_t>(state_.divisor);
+    const auto divisor = static_cast<std::uint32_t>(state_.divisor > 0 ? state_.divisor : auto_divisor_);
     const glm::uvec2 size = glm::max(swapchain_.size() / divisor, glm::uvec2(1));
     if (!renderer_ || renderer_->width() != size.x || renderer_->height() != size.y) {
       renderer_.reset();  // its memory first
@@ -153,12 +153,28 @@ class Viewer {
     }
     state_.settings.accumulate = state_.accumulate;
     restart_ = false;
+    const auto start = Clock::now();
     renderer_->render_frame(state_.pose, state_.settings);
+    if (state_.divisor == 0) adapt(seconds_between(start, Clock::now()));
     figures_.width = size.x;
     figures_.height = size.y;
     figures_.frames = renderer_->frames();
     figures_.passes = renderer_->timings();
     meter();
+  }
+
+  // As many pixels as still answer hands at once: a CPU driver may take seconds for all of them. Each step is
+  // a factor of four in pixels, so the two limits lie further apart than that.
+  void adapt(double seconds) {
+    if (shown_ == 0) return;  // the first frame compiles shaders
+    if (seconds < 0.06 && auto_divisor_ > 1) {
+      auto_divisor_ /= 2;
+    } else if (seconds > 0.4 && auto_divisor_ < 8) {
+      auto_divisor_ *= 2;
+    } else {
+      return;
+    }
+    restart_ = true;
   }
 
   // The mean gets better as it goes, so meter it now and then, not at every step of a moving camera.
@@ -257,6 +273,7 @@ class Viewer {
   std::unique_ptr<Renderer> renderer_;
   ViewerState state_;
   ViewerFigures figures_;
+  int auto_divisor_ = 8;   // where state_.divisor leaves the choice to us
   bool restart_ = true;    // something changed: render, whatever the mean holds
   bool outdated_ = false;  // the swapchain no longer fits the window
   std::uint32_t shown_ = 0;

@@ -16,7 +16,8 @@ struct ViewOptions {
   std::uint32_t width = 1280, height = 720;  // of the window, pixels
   RenderSettings settings;
   std::optional<float> ev100;  // left out: metered from the picture as it goes
-  int divisor = 1;             // the picture has 1 / divisor of the window's pixels along each side
+  int divisor = 0;  // the picture has 1 / divisor of the window's pixels along each side; 0 = as many as
+                    // still answer hands at once
   bool markers = false;
   bool validation = false;
   std::uint32_t most_frames = 4096;  // in the mean; then only changes are rendered
