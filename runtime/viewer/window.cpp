@@ -36,6 +36,18 @@ Window::Window(std::uint32_t width, std::uint32_t height, const std::string& tit
   }
   glfwSetWindowUserPointer(window_, this);
   glfwGetCursorPos(window_, &cursor_.x, &cursor_.y);
+  // By events, not by asking once a frame: on a slow device a whole drag may fall between two frames.
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
+    auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(window));
+    (button == GLFW_MOUSE_BUTTON_LEFT ? self.dragging_ : self.panning_) = action == GLFW_PRESS;
+  });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+    auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(window));
+    const glm::vec2 step(glm::dvec2(x, y) - self.cursor_);
+    self.cursor_ = {x, y};
+    if (self.dragging_) self.events_.drag += step;
+    if (self.panning_) self.events_.pan += step;
+  });
   glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double notches) {
     static_cast<Window*>(glfwGetWindowUserPointer(window))->events_.scroll += static_cast<float>(notches);
   });
@@ -70,14 +82,6 @@ Hands Window::poll(double wait_s) {
     glfwPollEvents();
   }
   Hands hands = std::exchange(events_, {});
-
-  glm::dvec2 cursor;
-  glfwGetCursorPos(window_, &cursor.x, &cursor.y);
-  const glm::vec2 step(cursor - cursor_);
-  cursor_ = cursor;
-  const auto button = [&](int which) { return glfwGetMouseButton(window_, which) == GLFW_PRESS; };
-  if (button(GLFW_MOUSE_BUTTON_LEFT)) hands.drag = step;
-  if (button(GLFW_MOUSE_BUTTON_RIGHT) || button(GLFW_MOUSE_BUTTON_MIDDLE)) hands.pan = step;
 
   const auto held = [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS ? 1.0f : 0.0f; };
   hands.fly = {held(GLFW_KEY_D) - held(GLFW_KEY_A), held(GLFW_KEY_E) - held(GLFW_KEY_Q),

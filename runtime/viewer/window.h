@@ -47,6 +47,7 @@ class Window {
  private:
   GLFWwindow* window_ = nullptr;
   glm::dvec2 cursor_{0};
+  bool dragging_ = false, panning_ = false;
   Hands events_;  // filled by callbacks until poll() takes it
 };
 

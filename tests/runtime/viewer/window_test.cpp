@@ -25,7 +25,7 @@ bool has(const char* program) {
 class ViewerWindow : public testing::Test {
  protected:
   void SetUp() override {
-    if (!has("Xvfb") || !has("xvfb-run"))
+    if (!has("Xvfb") || !has("xvfb-run") || !has("xauth"))
       GTEST_SKIP() << "Xvfb is not installed: no display to open a window on";
     folder =
         std::filesystem::path(testing::TempDir()) /
@@ -51,10 +51,12 @@ class ViewerWindow : public testing::Test {
     write_light_file(folder / "town.lights", {scene.georeference, lights, provenance, {}, {}});
   }
 
-  // Runs `script` (sh) in a virtual display of its own, in the test's folder; $V is nightview on the scene.
+  // Runs `script` (sh) in a virtual display of its own, in the test's folder; $V is nightview on the scene,
+  // $S a small size.
   int run(const std::string& script) const {
     std::ofstream(folder / "script.sh")
-        << "V=\"" << NIGHTCITY_BUILD_DIR << "/nightview town.glb --size 320x240 --every 2 --validation\"\n"
+        << "V=\"" << NIGHTCITY_BUILD_DIR
+        << "/nightview town.glb --validation\"\nS=\"--size 320x240 --every 2\"\n"
         << script;
     const std::string command =
         "cd '" + folder.string() +
@@ -83,7 +85,7 @@ std::size_t colours(const Image8& image, std::uint32_t x0, std::uint32_t x1, std
 }
 
 TEST_F(ViewerWindow, ShowsThePictureAndSaysWhichEstimatorMadeIt) {
-  ASSERT_EQ(run("exec $V --estimator pairwise --quit-after 6 --screenshot window.png\n"), 0)
+  ASSERT_EQ(run("exec $V $S --estimator pairwise --quit-after 6 --screenshot window.png\n"), 0)
       << text("err.txt");
   EXPECT_NE(text("out.txt").find("6 frames shown"), std::string::npos) << text("out.txt");
   EXPECT_NE(text("out.txt").find("estimator pairwise"), std::string::npos) << text("out.txt");
@@ -96,7 +98,7 @@ TEST_F(ViewerWindow, ShowsThePictureAndSaysWhichEstimatorMadeIt) {
 
 TEST_F(ViewerWindow, PanelAndMarkersAreDrawnOverThePicture) {
   // The same picture with and without marks: what differs is theirs.
-  ASSERT_EQ(run("$V --quit-after 3 --ev 3 --screenshot plain.png && $V --quit-after 3 --ev 3 --markers "
+  ASSERT_EQ(run("$V $S --quit-after 3 --ev 3 --screenshot plain.png && $V $S --quit-after 3 --ev 3 --markers "
                 "--screenshot marked.png\n"),
             0)
       << text("err.txt");
@@ -111,9 +113,9 @@ TEST_F(ViewerWindow, PanelAndMarkersAreDrawnOverThePicture) {
 
 TEST_F(ViewerWindow, KeysChooseTheEstimatorAndQuit) {
   if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no hands";
-  ASSERT_EQ(run("$V & viewer=$!\n"
+  ASSERT_EQ(run("$V $S & viewer=$!\n"
                 "xdotool search --sync --onlyvisible --name nightview > window.txt\n"
-                "xdotool mousemove 300 220 key 2 sleep 1 key Escape\n"
+                "xdotool mousemove 300 220 key 2 key Escape\n"
                 "wait $viewer\n"),
             0)
       << text("err.txt");
@@ -122,18 +124,16 @@ TEST_F(ViewerWindow, KeysChooseTheEstimatorAndQuit) {
 
 TEST_F(ViewerWindow, DraggingMovesTheCamera) {
   if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no hands";
-  ASSERT_EQ(run("$V --quit-after 1 --save-camera before.json\n"
+  ASSERT_EQ(run("V=\"$V --size 700x300 --every 8\"\n"  // wide: the panel covers the left
+                "$V --quit-after 1 --save-camera before.json\n"
                 "$V --save-camera after.json & viewer=$!\n"
                 "xdotool search --sync --onlyvisible --name nightview > window.txt\n"
-                // The panel covers the left; the drag starts beside it.
-                "xdotool key Tab mousemove 250 150 sleep 0.5 mousedown 1 sleep 0.3 mousemove_relative 40 0 "
-                "sleep 0.5 "
-                "mouseup 1 sleep 0.3 key Escape\n"
+                "xdotool mousemove 500 150 mousedown 1 mousemove_relative 40 0 mouseup 1 key Escape\n"
                 "wait $viewer\n"),
             0)
       << text("err.txt");
-  EXPECT_NE(text("before.json"), text("after.json"));
   EXPECT_NE(text("before.json"), "");
+  EXPECT_NE(text("before.json"), text("after.json"));
 }
 
 TEST_F(ViewerWindow, WithoutADisplayItSaysSoAndEndsWith1) {
