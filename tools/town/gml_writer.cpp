@@ -2,6 +2,7 @@
 
 #include "tools/town/building_shape.h"
 #include "tools/town/random.h"
+#include "tools/town/roof_details.h"
 
 namespace nightcity::town {
 namespace {
@@ -52,6 +53,7 @@ GmlWriter::GmlWriter(TextFile& out, const glm::dvec2& origin, const glm::dvec3& 
        << R"( xmlns:bldg="http://www.opengis.net/citygml/building/2.0")"
        << R"( xmlns:dem="http://www.opengis.net/citygml/relief/2.0")"
        << R"( xmlns:tran="http://www.opengis.net/citygml/transportation/2.0")"
+       << R"( xmlns:veg="http://www.opengis.net/citygml/vegetation/2.0")"
        << R"( xmlns:gml="http://www.opengis.net/gml">
 <gml:name>Synthetic town</gml:name>
 <gml:boundedBy><gml:Envelope srsName="urn:ogc:def:crs:EPSG::25833" srsDimension="3"><gml:lowerCorner>)";
@@ -114,11 +116,10 @@ void GmlWriter::road(const RoadPlan& road) {
     out_ << "<tran:trafficArea><tran:TrafficArea><tran:function>" << area.function
          << "</tran:function><tran:lod2MultiSurface><gml:MultiSurface>\n";
     for (const Ring& corners : area.rings) {
-      out_ << "<gml:surfaceMember><gml:Polygon><gml:exterior>";
-      ring(corners);
-      out_ << "</gml:exterior></gml:Polygon></gml:surfaceMember>\n";
-      ++counts_.polygons;
-      counts_.triangles += corners.size() - 2;
+      Polygon surface;
+      surface.exterior = corners;
+      polygon(surface, "");
+      out_ << "\n";
     }
     out_ << "</gml:MultiSurface></tran:lod2MultiSurface></tran:TrafficArea></tran:trafficArea>\n";
   }
@@ -126,11 +127,10 @@ void GmlWriter::road(const RoadPlan& road) {
   ++counts_.streets;
 }
 
-void GmlWriter::surface(const std::string& id, const Polygon& polygon) {
-  const char* element = element_of(polygon.surface);
-  out_ << "<bldg:boundedBy><bldg:" << element << " gml:id=\"" << id
-       << "\"><bldg:lod2MultiSurface><gml:MultiSurface><gml:surfaceMember><gml:Polygon gml:id=\"" << id
-       << "_poly\"><gml:exterior>";
+void GmlWriter::polygon(const Polygon& polygon, const std::string& id) {
+  out_ << "<gml:surfaceMember><gml:Polygon";
+  if (!id.empty()) out_ << " gml:id=\"" << id << "\"";
+  out_ << "><gml:exterior>";
   ring(polygon.exterior);
   out_ << "</gml:exterior>";
   for (const Ring& hole : polygon.interiors) {
@@ -138,10 +138,47 @@ void GmlWriter::surface(const std::string& id, const Polygon& polygon) {
     ring(hole);
     out_ << "</gml:interior>";
   }
-  out_ << "</gml:Polygon></gml:surfaceMember></gml:MultiSurface></bldg:lod2MultiSurface></bldg:" << element
-       << "></bldg:boundedBy>\n";
+  out_ << "</gml:Polygon></gml:surfaceMember>";
   ++counts_.polygons;
   counts_.triangles += fan_triangles(polygon);
+}
+
+void GmlWriter::surface(const std::string& id, const Polygon& surface) {
+  const char* element = element_of(surface.surface);
+  out_ << "<bldg:boundedBy><bldg:" << element << " gml:id=\"" << id
+       << "\"><bldg:lod2MultiSurface><gml:MultiSurface>";
+  polygon(surface, id + "_poly");
+  out_ << "</gml:MultiSurface></bldg:lod2MultiSurface></bldg:" << element << "></bldg:boundedBy>\n";
+}
+
+void GmlWriter::details(const BuildingPlan& plan, const std::string& id, std::uint64_t seed) {
+  std::size_t number = 0;
+  for (const RoofDetail& detail : roof_details(plan, seed, counts_.buildings)) {
+    out_ << "<bldg:outerBuildingInstallation><bldg:BuildingInstallation gml:id=\"" << id << "_on_roof_"
+         << number++ << "\"><bldg:function>" << (detail.chimney ? "1030" : "1070")
+         << "</bldg:function><bldg:lod2Geometry><gml:MultiSurface>\n";
+    for (const Polygon& surface : detail.surfaces) {
+      polygon(surface, "");
+      out_ << "\n";
+    }
+    out_ << "</gml:MultiSurface></bldg:lod2Geometry></bldg:BuildingInstallation></"
+            "bldg:outerBuildingInstallation>\n";
+  }
+}
+
+void GmlWriter::tree(const TreePlan& tree) {
+  out_ << "<core:cityObjectMember><veg:SolitaryVegetationObject gml:id=\"tree_" << counts_.trees
+       << "\"><veg:class>1070</veg:class><veg:height uom=\"m\">";
+  out_.fixed(tree.height_m, 2) << "</veg:height><veg:crownDiameter uom=\"m\">";
+  out_.fixed(2 * tree.crown_radius_m, 2) << "</veg:crownDiameter><veg:lod2Geometry><gml:MultiSurface>\n";
+  for (Ring& corners : tree_surfaces(tree)) {
+    Polygon surface;
+    surface.exterior = std::move(corners);
+    polygon(surface, "");
+    out_ << "\n";
+  }
+  out_ << "</gml:MultiSurface></veg:lod2Geometry></veg:SolitaryVegetationObject></core:cityObjectMember>\n";
+  ++counts_.trees;
 }
 
 void GmlWriter::attributes(const BuildingPlan& plan, std::uint64_t seed) {
@@ -170,6 +207,7 @@ void GmlWriter::building(const BuildingPlan& plan, std::uint64_t seed) {
   const std::string id = "house_" + std::to_string(counts_.buildings);
   out_ << "<core:cityObjectMember><bldg:Building gml:id=\"" << id << "\">\n";
   attributes(plan, seed);
+  details(plan, id, seed);
   body(plan, id);
   for (std::size_t n = 0; n < plan.parts.size(); ++n) {
     const std::string part = id + "_part_" + std::to_string(n);

@@ -10,6 +10,7 @@
 #include "tools/town/roads.h"
 #include "tools/town/text_file.h"
 #include "tools/town/town.h"
+#include "tools/town/trees.h"
 
 namespace nightcity::town {
 
@@ -22,6 +23,7 @@ class GmlWriter {
   void relief(const Hills& hills, int x0, int y0, int x1, int y1);
   void road(const RoadPlan& road);
   void building(const BuildingPlan& plan, std::uint64_t seed);
+  void tree(const TreePlan& tree);
   void finish();  // closes the root element
 
   const TownCounts& counts() const { return counts_; }
@@ -29,6 +31,8 @@ class GmlWriter {
  private:
   void surface(const std::string& id, const Polygon& polygon);
   void body(const BuildingPlan& plan, const std::string& id);
+  void details(const BuildingPlan& plan, const std::string& id, std::uint64_t seed);
+  void polygon(const Polygon& polygon, const std::string& id);
   void attributes(const BuildingPlan& plan, std::uint64_t seed);
   void ring(const Ring& ring);
   void position(const glm::dvec3& p);

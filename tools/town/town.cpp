@@ -14,6 +14,7 @@
 #include "tools/town/roads.h"
 #include "tools/town/street_plan.h"
 #include "tools/town/text_file.h"
+#include "tools/town/trees.h"
 
 namespace nightcity::town {
 namespace {
@@ -39,9 +40,11 @@ TownCounts write_gml(const TownOptions& options, const StreetPlan& streets, cons
       gml.relief(hills, x, y, std::min(x + relief_cells, last.x), std::min(y + relief_cells, last.y));
   for_each_road(streets, hills, [&](const RoadPlan& road) { gml.road(road); });
   for (int j = 0; j < streets.rows(); ++j)
-    for (int i = 0; i < streets.columns(); ++i)
-      for (const BuildingPlan& plan : plan_block(streets, hills, options.seed, i, j))
-        gml.building(plan, options.seed);
+    for (int i = 0; i < streets.columns(); ++i) {
+      const std::vector<BuildingPlan> houses = plan_block(streets, hills, options.seed, i, j);
+      for (const BuildingPlan& house : houses) gml.building(house, options.seed);
+      for (const TreePlan& tree : plan_trees(streets, hills, houses, options.seed, i, j)) gml.tree(tree);
+    }
   gml.finish();
   out.finish();
   return gml.counts();
@@ -56,7 +59,7 @@ void write_recipe(const std::filesystem::path& path) {
 
 /// Means over towns of 56 to 2500 blocks without their relief; the tests hold the sizes made from them to 10
 /// %.
-constexpr double buildings_per_block = 12.5, triangles_per_block = 365;
+constexpr double buildings_per_block = 12.5, triangles_per_block = 930;
 
 }  // namespace
 

@@ -11,7 +11,9 @@
 #include "tools/town/hills.h"
 #include "tools/town/random.h"
 #include "tools/town/roads.h"
+#include "tools/town/roof_details.h"
 #include "tools/town/street_plan.h"
+#include "tools/town/trees.h"
 
 namespace nightcity::town {
 namespace {
@@ -165,6 +167,72 @@ TEST(Plan, EveryBodyIsClosedPlanarAndHoldsAVolume) {
     }
   });
   EXPECT_EQ(roofs.size(), 6u);
+}
+
+TEST(Plan, RoofDetailsStandOnTheirRoofWithinTheHouse) {
+  std::size_t dormers = 0, chimneys = 0;
+  for_each_block([&](const Quad&, const std::vector<BuildingPlan>& plans, const Hills&) {
+    std::size_t number = 0;
+    for (const BuildingPlan& plan : plans) {
+      for (const RoofDetail& detail : roof_details(plan, 1, number++)) {
+        ++(detail.chimney ? chimneys : dormers);
+        for (const Polygon& polygon : detail.surfaces) {
+          ASSERT_GE(polygon.exterior.size(), 3u);
+          const dvec3 normal = glm::normalize(glm::cross(polygon.exterior[1] - polygon.exterior[0],
+                                                         polygon.exterior[2] - polygon.exterior[0]));
+          if (polygon.surface == SurfaceType::roof) {
+            EXPECT_GT(normal.z, 0.9);
+          }
+          if (polygon.surface == SurfaceType::wall) {
+            EXPECT_NEAR(normal.z, 0, 1e-9);
+          }
+          for (const dvec3& p : polygon.exterior) {
+            EXPECT_TRUE(inside(plan.outline, dvec2(p)));
+            EXPECT_GT(p.z, plan.eave_m);
+            EXPECT_LT(p.z, plan.ridge_m + 1);
+          }
+        }
+      }
+    }
+  });
+  EXPECT_GT(dormers, 1000u);
+  EXPECT_GT(chimneys, 1000u);
+}
+
+TEST(Plan, TreesKeepClearOfHousesKerbsAndEachStandsOnTheGround) {
+  std::size_t trees = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const StreetPlan streets(TownOptions{.seed = seed});
+    const Hills hills(seed, 12);
+    for (int j = 0; j < streets.rows(); ++j)
+      for (int i = 0; i < streets.columns(); ++i) {
+        const std::vector<BuildingPlan> houses = plan_block(streets, hills, seed, i, j);
+        const Quad parcel = streets.parcel(i, j);
+        for (const TreePlan& tree : plan_trees(streets, hills, houses, seed, i, j)) {
+          ++trees;
+          for (int n = 0; n < 12; ++n) {
+            const double angle = n * 0.5236;
+            const dvec2 rim = tree.foot + tree.crown_radius_m * dvec2(std::cos(angle), std::sin(angle));
+            for (const BuildingPlan& house : houses) {
+              const bool yard = !house.hole.empty() && inside(house.hole, rim);
+              EXPECT_TRUE(yard || !inside(house.outline, rim));
+            }
+            for (std::size_t k = 0; k < 4; ++k)
+              EXPECT_GT(cross(glm::normalize(parcel[(k + 1) % 4] - parcel[k]), rim - parcel[k]), 1.0);
+          }
+          double low = 1e9, high = -1e9;
+          std::size_t triangles = 0;
+          for (const Ring& ring : tree_surfaces(tree)) {
+            triangles += ring.size() - 2;
+            for (const dvec3& p : ring) low = std::min(low, p.z), high = std::max(high, p.z);
+          }
+          EXPECT_EQ(triangles, 32u);
+          EXPECT_LT(low, hills.height(tree.foot));
+          EXPECT_NEAR(high, hills.height(tree.foot) + tree.height_m, 1e-9);
+        }
+      }
+  }
+  EXPECT_GT(trees, 400u);
 }
 
 TEST(Plan, RoadsLieAboveTheTerrainAndNoHigherThanAKerb) {

@@ -89,6 +89,9 @@ TEST(Town, GmlIsWellFormedWithUniqueIdsClosedRingsAndCountsAsReported) {
   EXPECT_EQ(document.select_nodes("//bldg:Building").size(), counts.buildings);
   EXPECT_GT(document.select_nodes("//bldg:BuildingPart").size(), 0u);
   EXPECT_GT(document.select_nodes("//dem:TINRelief").size(), 0u);
+  EXPECT_GT(document.select_nodes("//bldg:BuildingInstallation").size(), 0u);
+  EXPECT_EQ(document.select_nodes("//veg:SolitaryVegetationObject").size(), counts.trees);
+  EXPECT_GT(counts.trees, 100u);
   EXPECT_GT(document.select_nodes("//bldg:storeysAboveGround[text()='9999']").size(), 0u);
 
   std::set<std::string> ids, roofs;
@@ -108,6 +111,8 @@ TEST(Town, DefaultIsATownAndNotAVillage) {
   EXPECT_LE(counts.buildings, 1500u);
   EXPECT_GE(counts.lamps, 300u);
   EXPECT_LE(counts.lamps, 400u);
+  EXPECT_GE(counts.triangles, 50000u);
+  EXPECT_LE(counts.triangles, 100000u);
 }
 
 TEST(Town, LampsAreExactlyAsManyLuminairesAsAskedFor) {
