@@ -139,8 +139,8 @@ class StreamReader {
     MemberSplitter splitter(*source, document_.name, {});
     report_.version = splitter.head().version;
     const DocumentHead& head = splitter.head();
-    const int threads = options_.threads > 0 ? static_cast<int>(options_.threads)
-                                             : oneapi::tbb::this_task_arena::max_concurrency();
+    const int cores = oneapi::tbb::this_task_arena::max_concurrency();
+    const int threads = options_.threads > 0 ? std::min(static_cast<int>(options_.threads), cores) : cores;
     if (threads == 1) {
       MemberBatch batch;
       while (next(splitter, batch)) take(parse(head, batch, only));

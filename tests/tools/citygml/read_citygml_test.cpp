@@ -257,7 +257,8 @@ TEST_P(BothReaders, EmptyCityIsACityWithoutObjects) {
 std::string name_of_reader(const testing::TestParamInfo<Reader>& info) {
   return info.param == Reader::libcitygml ? "libcitygml" : "stream";
 }
-INSTANTIATE_TEST_SUITE_P(CityGml, BothReaders, testing::Values(Reader::stream, Reader::libcitygml), name_of_reader);
+INSTANTIATE_TEST_SUITE_P(CityGml, BothReaders, testing::Values(Reader::stream, Reader::libcitygml),
+                         name_of_reader);
 
 }  // namespace
 }  // namespace nightcity

@@ -1,0 +1,142 @@
+// Input made to hurt: an Error or a counted skip, and neither a crash nor an endless run, in both readers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "formats/error.h"
+#include "tests/tools/citygml/small_city.h"
+#include "tests/tools/citygml/temporary_file.h"
+#include "tools/citygml/city_model.h"
+
+namespace nightcity {
+namespace {
+
+using namespace test;
+
+class Hostile : public testing::TestWithParam<Reader> {
+ protected:
+  // Number of polygons delivered, -1 for an Error. Anything else that is thrown fails the test.
+  static long read(const std::string& text) {
+    const TemporaryFile file(text);
+    ReadOptions options;
+    options.reader = GetParam();
+    options.threads = 1;
+    try {
+      long polygons = 0;
+      read_citygml(file.path(), options, [&](CityObject&& o) {
+        for (const Polygon& p : o.polygons) {
+          ++polygons;
+          EXPECT_GE(p.exterior.size(), 3u);
+          for (const glm::dvec3& v : p.exterior) EXPECT_TRUE(std::isfinite(v.x + v.y + v.z));
+        }
+      });
+      return polygons;
+    } catch (const Error& e) {
+      EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos);
+      return -1;
+    }
+  }
+};
+
+TEST_P(Hostile, EntityBombIsRefusedBeforeItGrows) {
+  std::string text = "<?xml version=\"1.0\"?><!DOCTYPE b [<!ENTITY a \"aaaaaaaaaa\">";
+  for (char c = 'b'; c < 'm'; ++c) {
+    text += std::string("<!ENTITY ") + c + " \"";
+    for (int i = 0; i < 10; ++i) text += std::string("&") + static_cast<char>(c - 1) + ";";
+    text += "\">";
+  }
+  EXPECT_EQ(read(text + "]><CityModel>&l;</CityModel>"), -1);
+}
+
+TEST_P(Hostile, DoctypeAnywhereIsRefused) {
+  EXPECT_EQ(read("<!DOCTYPE a SYSTEM \"file:///etc/passwd\"><CityModel/>"), -1);
+  EXPECT_EQ(read(city_model("<!DOCTYPE a>")), -1);
+}
+
+TEST_P(Hostile, UnknownEntityNeverReadsAnything) {
+  EXPECT_NE(read(city_model(member(building("A", "<bldg:function>&xxe;&#0;&#99999999;&;</bldg:function>")))),
+            0);
+}
+
+TEST_P(Hostile, DeepNestingIsRefused) {
+  std::string deep, close;
+  for (int i = 0; i < 20000; ++i) {
+    deep += "<gml:surfaceMember><gml:CompositeSurface>";
+    close += "</gml:CompositeSurface></gml:surfaceMember>";
+  }
+  EXPECT_EQ(read(city_model(member("<bldg:Building><bldg:lod2MultiSurface>" + deep + close +
+                                   "</bldg:lod2MultiSurface></bldg:Building>"))),
+            -1);
+}
+
+TEST_P(Hostile, BadNumbersNeverBecomeVertices) {
+  for (const char* list :
+       {"0 0 NaN 1 0 0 1 1 0 0 0 0", "0 0 Inf 1 0 0 1 1 0", "0 0 -inf 1 0 0 1 1 0 0 0 0",
+        "1e999 0 0 1 0 0 1 1 0 0 0 0", "0,5 0 0 1,5 0 0 1 1 0", "abc", "0x10 0 0 1 0 0 1 1 0", "1 2", "", " ",
+        "0 0 0 1 0 0 1 1 0 \x01", "- - - - - - - - -"})
+    EXPECT_LE(read(city_model(member("<bldg:Building gml:id=\"A\">" +
+                                     boundary("RoofSurface", surface_member(polygon("p", list))) +
+                                     "</bldg:Building>"))),
+              0)
+        << list;
+}
+
+TEST_P(Hostile, MisplacedElementsDoNoHarm) {
+  for (const std::string& inner :
+       {std::string("<gml:Polygon/>"), std::string("<gml:Polygon><gml:exterior/></gml:Polygon>"),
+        std::string("<gml:Polygon>text</gml:Polygon>"), std::string("<gml:Solid/>"),
+        std::string("<gml:OrientableSurface orientation=\"-\"/>"),
+        polygon("p", "0 0 0") + polygon("p", "0 0 0"), std::string("<core:ImplicitGeometry/>"),
+        std::string("<core:ImplicitGeometry><core:transformationMatrix>1 "
+                    "2</core:transformationMatrix></core:ImplicitGeometry>"),
+        xlink_member(""), xlink_member("#"), std::string("<gml:surfaceMember xlink:href=\"\"/>"),
+        std::string("<gml:surfaceMember xlink:href=\"http://a/b#c\"/>"), std::string("<bldg:Building/>"),
+        std::string("<core:cityObjectMember/>"), std::string("<:/>")})
+    read(city_model(member("<bldg:Building gml:id=\"A\"><bldg:lod2MultiSurface>" + inner +
+                           "</bldg:lod2MultiSurface></bldg:Building>") +
+                    member(inner) + inner));
+}
+
+TEST_P(Hostile, FileCutAtAnyByteIsAnError) {
+  const std::string text = city_model(member(building("A")));
+  const std::size_t end = text.rfind('>');
+  const std::size_t step = GetParam() == Reader::stream ? 1 : 37;
+  for (std::size_t size = 0; size < end; size += step) ASSERT_EQ(read(text.substr(0, size)), -1) << size;
+}
+
+TEST_P(Hostile, FlippedBytesNeverCrash) {
+  const std::string text = city_model(member(building("A", "<bldg:measuredHeight>3</bldg:measuredHeight>")) +
+                                      member(building("B")));
+  std::mt19937 random(3);
+  const int rounds = GetParam() == Reader::stream ? 3000 : 200;
+  for (int round = 0; round < rounds; ++round) {
+    std::string broken = text;
+    for (int i = 0; i < 1 + round % 5; ++i) {
+      const char bytes[] = {'<', '>', '/', '"', '&', '\0', '#', ' ', '9', 'z', '\xff', '!', '-'};
+      broken[random() % broken.size()] = bytes[random() % sizeof bytes];
+    }
+    read(broken);
+  }
+}
+
+TEST_P(Hostile, ShuffledElementsNeverCrash) {
+  const std::string text = city_model(member(building("A")) + member(building("B")));
+  std::mt19937 random(5);
+  const int rounds = GetParam() == Reader::stream ? 1000 : 100;
+  for (int round = 0; round < rounds; ++round) {
+    std::string broken = text;
+    const std::size_t from = random() % broken.size(), length = random() % 200, to = random() % broken.size();
+    broken.insert(to, text.substr(from, length));
+    read(broken);
+  }
+}
+
+std::string reader_name(const testing::TestParamInfo<Reader>& info) {
+  return info.param == Reader::libcitygml ? "libcitygml" : "stream";
+}
+INSTANTIATE_TEST_SUITE_P(CityGml, Hostile, testing::Values(Reader::stream, Reader::libcitygml), reader_name);
+
+}  // namespace
+}  // namespace nightcity
