@@ -1,0 +1,55 @@
+// A Vulkan device for tests: the CPU driver by preference, under the validation layer, which must stay silent.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "runtime/gpu/device.h"
+#include "runtime/render/renderer.h"
+
+namespace nightcity::test {
+
+/// NIGHTCITY_TEST_DEVICE chooses another device. One for all tests of a program.
+inline gpu::Device& test_device() {
+  static gpu::Device device([] {
+    gpu::Device::Options options;
+    if (const char* name = std::getenv("NIGHTCITY_TEST_DEVICE")) options.select = name;
+    options.validation = std::getenv("NIGHTCITY_TEST_NO_VALIDATION") == nullptr;
+    return options;
+  }());
+  return device;
+}
+
+/// Shared by all tests of a program: compiling takes longer than most tests.
+inline PassLibrary& test_passes() {
+  static PassLibrary passes(test_device());
+  return passes;
+}
+
+/// Renders under validation and fails the test when the layer speaks.
+inline Image render(const RenderScene& scene, const CameraPose& pose, const RenderSettings& settings, std::uint32_t width,
+                    std::uint32_t height, std::uint32_t frames) {
+  gpu::Device& device = test_device();
+  const std::size_t before = device.validation_messages().size();
+  const DeviceScene device_scene(device, scene);
+  Renderer renderer(device, test_passes(), device_scene, width, height);
+  for (std::uint32_t i = 0; i < frames; ++i) renderer.render_frame(pose, settings);
+  Image image = renderer.download();
+  for (std::size_t i = before; i < device.validation_messages().size(); ++i)
+    ADD_FAILURE() << "validation layer: " << device.validation_messages()[i];
+  return image;
+}
+
+inline double luminance(const Image& image, std::size_t pixel) {
+  return 0.2126 * double(image.rgb[3 * pixel]) + 0.7152 * double(image.rgb[3 * pixel + 1]) +
+         0.0722 * double(image.rgb[3 * pixel + 2]);
+}
+
+inline double mean_luminance(const Image& image) {
+  double sum = 0;
+  for (std::size_t i = 0; i < image.pixels(); ++i) sum += luminance(image, i);
+  return sum / double(image.pixels());
+}
+
+}  // namespace nightcity::test

@@ -1,0 +1,98 @@
+// Small scenes with known answers, built in memory.
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <random>
+#include <vector>
+
+#include "formats/rgb9e5.h"
+#include "runtime/scene/render_scene.h"
+
+namespace nightcity::test {
+
+/// A lamp at `position`, aimed down; radius in m, flux in lumen.
+inline Light lamp(const glm::vec3& position, float flux_lm, float radius = 0.05f) {
+  Light light{};
+  light.position = position;
+  light.radius = radius;
+  light.axis = {0, -1, 0};
+  light.tangent = {1, 0, 0};
+  light.flux_lm = flux_lm;
+  light.colour_rgb9e5 = encode_rgb9e5({1, 1, 1});
+  light.kind_profile = LIGHT_SPHERE | LIGHT_NO_PROFILE << 8;
+  light.schedule = LIGHT_ALWAYS_ON;
+  light.id = 1;
+  return light;
+}
+
+/// A one-sided window facing `normal`, with horizontal first edge.
+inline Light window(const glm::vec3& centre, const glm::vec3& normal, float half_width, float half_height, float flux_lm) {
+  Light light = lamp(centre, flux_lm, half_width);
+  light.axis = normal;
+  light.tangent = glm::normalize(glm::cross(glm::vec3(0, 1, 0), normal));
+  light.half_height = half_height;
+  light.kind_profile = LIGHT_RECTANGLE | LIGHT_NO_PROFILE << 8;
+  return light;
+}
+
+/// Collects quads and boxes of one material each into a Scene.
+class SceneBuilder {
+ public:
+  explicit SceneBuilder(float reflectance = 0.5f) {
+    scene_.materials.push_back({"plain", glm::vec3(reflectance), glm::vec3(0), 1.0f, true});
+    scene_.meshes.push_back({"city", {ScenePrimitive{}}});
+    scene_.nodes.push_back({"city", "city", 0, true, {SceneInstance{}}});
+  }
+
+  SceneBuilder& quad(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d) {
+    ScenePrimitive& p = scene_.meshes[0].primitives[0];
+    const auto base = static_cast<std::uint32_t>(p.positions.size());
+    p.positions.insert(p.positions.end(), {a, b, c, d});
+    for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) p.indices.push_back(base + i);
+    return *this;
+  }
+
+  /// Horizontal square of half side `s` at height y.
+  SceneBuilder& ground(float s, float y = 0) { return quad({-s, y, -s}, {-s, y, s}, {s, y, s}, {s, y, -s}); }
+
+  SceneBuilder& box(const glm::vec3& lo, const glm::vec3& hi) {
+    const auto at = [&](int i) {
+      return glm::vec3((i & 1) ? hi.x : lo.x, (i & 2) ? hi.y : lo.y, (i & 4) ? hi.z : lo.z);
+    };
+    for (const auto& f : {std::array{0, 1, 3, 2}, std::array{4, 6, 7, 5}, std::array{0, 4, 5, 1}, std::array{2, 3, 7, 6},
+                          std::array{0, 2, 6, 4}, std::array{1, 5, 7, 3}})
+      quad(at(f[0]), at(f[1]), at(f[2]), at(f[3]));
+    return *this;
+  }
+
+  Scene& scene() { return scene_; }
+  RenderScene with(std::vector<Light> lights) const { return make_render_scene(scene_, {std::move(lights), {}, {}, {}}); }
+
+ private:
+  Scene scene_;
+};
+
+/// A ground with `count` boxes of 5 to 20 m in a square of half side `half`, seeded.
+inline SceneBuilder random_town(int count, float half, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto uniform = [&](float a, float b) { return a + (b - a) * float(random() >> 8) / 16777216.0f; };
+  SceneBuilder builder;
+  builder.ground(half);
+  for (int i = 0; i < count; ++i) {
+    const glm::vec3 lo(uniform(-half, half), 0, uniform(-half, half));
+    builder.box(lo, lo + glm::vec3(uniform(3, 9), uniform(5, 20), uniform(3, 9)));
+  }
+  return builder;
+}
+
+inline std::vector<Light> random_lamps(int count, float half, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto uniform = [&](float a, float b) { return a + (b - a) * float(random() >> 8) / 16777216.0f; };
+  std::vector<Light> lights;
+  for (int i = 0; i < count; ++i)
+    lights.push_back(lamp({uniform(-half, half), uniform(4, 9), uniform(-half, half)}, uniform(1000, 8000), uniform(0.05f, 0.3f)));
+  return lights;
+}
+
+}  // namespace nightcity::test
