@@ -10,6 +10,8 @@ layout(constant_id = CONSTANT_PROFILES) const uint HAS_PROFILES = 1u;
 layout(constant_id = CONSTANT_RECTANGLES) const uint HAS_RECTANGLES = 1u;
 layout(constant_id = CONSTANT_VISIBILITY_REUSE) const uint VISIBILITY_REUSE = 0u;
 
+layout(constant_id = CONSTANT_SKY) const uint HAS_SKY = 0u;
+
 layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
 
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer FrameReference { Frame it; };

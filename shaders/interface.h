@@ -31,7 +31,8 @@ using uvec2 = glm::uvec2;
 #define CONSTANT_PROFILES 1    // some lamp has a luminaire profile
 #define CONSTANT_RECTANGLES 2  // some light is a window
 #define CONSTANT_VISIBILITY_REUSE 3  // a candidate in shadow is dropped before reuse: less noise, biased
-#define CONSTANT_COUNT 4
+#define CONSTANT_SKY 4               // the sky shines
+#define CONSTANT_COUNT 5
 
 // The all-lights reference is dispatched in chunks: Mesa's CPU driver of Debian 12 silently ends loops after 65,535
 // iterations summed over one invocation (measured), and a shadow ray takes some tens of them.
@@ -92,6 +93,30 @@ struct AliasEntry {
   float pdf;    // probability of this light
 };
 
+// A map grid over the lights (runtime/scene/light_grid.h); width 0 = no light shines.
+struct LightGridShape {
+  float origin_x, origin_z;  // corner, model space, m
+  float cell_m;
+  float softening_m2;
+  uint width, depth;         // cells along X, Z
+};
+
+// A cell's strongest lights: entries first .. first + count, those of at least `threshold` strength.
+struct LightCell {
+  uint first;
+  uint count;
+  float strength_sum;
+  float threshold;
+};
+
+// A column of a cell's alias table, with lights for indices.
+struct LocalEntry {
+  uint light;
+  float keep;
+  uint alias_light;
+};
+#define LOCAL_LIGHTS 64  // listed a cell, at most
+
 // What the eye sees in a pixel. 32 bytes.
 struct Surface {
   vec3 position;     // model space, m
@@ -140,6 +165,8 @@ REFERENCE_TO(Lights, Light, readonly);
 REFERENCE_TO(Profiles, LightProfile, readonly);
 REFERENCE_TO(Floats, float, readonly);
 REFERENCE_TO(AliasTable, AliasEntry, readonly);
+REFERENCE_TO(Cells, LightCell, readonly);
+REFERENCE_TO(LocalEntries, LocalEntry, readonly);
 REFERENCE_TO(Surfaces, Surface, );
 REFERENCE_TO(Reservoirs, Reservoir, );
 REFERENCE_TO(Accumulations, Accumulation, );
@@ -156,6 +183,9 @@ struct SceneBuffers {
   BUFFER(Profiles) profiles;
   BUFFER(Floats) profile_data;
   BUFFER(AliasTable) alias;
+  BUFFER(Cells) cells;
+  BUFFER(LocalEntries) local_entries;
+  LightGridShape grid;
   uint root;         // of the top-level hierarchy, or BVH_EMPTY
   uint light_count;
 };
@@ -180,12 +210,13 @@ struct Frame {
   uint neighbours;
   float neighbour_radius;  // pixels
   float history_cap;       // M of the history at most this many times the candidates' M
-  float uniform_share;     // of candidates picked uniformly; the rest by flux
+  float uniform_share;     // of candidates picked uniformly
+  float local_share;       // of candidates picked from the cell's lights; the rest by flux
   uint has_history;        // previous_* hold a frame of this scene
   float jitter_x, jitter_y;  // sub-pixel offset of this frame's rays, in [0, 1)
   float exposure;          // display: exposed value of 1 cd/m^2
   uint reset;              // 1: this frame starts a new accumulation
-  vec3 sky;                // luminance of rays that leave the scene, cd/m^2 per channel
+  vec3 sky;                // uniform luminance of all directions that leave the scene, cd/m^2 per channel
   uint tone;               // display: TONEMAP_*
 };
 

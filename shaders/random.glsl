@@ -6,6 +6,7 @@ const uint STREAM_CANDIDATES = 1u;
 const uint STREAM_TEMPORAL = 2u;
 const uint STREAM_SPATIAL = 3u;
 const uint STREAM_REFERENCE = 4u;
+const uint STREAM_SKY = 5u;
 
 uvec4 pcg4d(uvec4 v) {
   v = v * 1664525u + 1013904223u;

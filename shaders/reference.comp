@@ -15,7 +15,11 @@ void main() {
   const Surface surface = FRAME.surfaces.at[index];
   Accumulation total = FRAME.radiance.at[index];
   if (push.first == 0u) {
-    const vec3 direct = surface.depth > 0.0 ? emitted(surface) : FRAME.sky;
+    vec3 direct = surface.depth > 0.0 ? emitted(surface) : FRAME.sky;
+    if (HAS_SKY != 0u && surface.depth > 0.0) {
+      seed_random(pixel, STREAM_SKY);
+      direct += reflected_sky(receiver_of(surface), vec2(random_float(), random_float()));
+    }
     total = Accumulation(direct, 1.0, vec3(0.0), 0.0);
   }
   if (surface.depth > 0.0) {

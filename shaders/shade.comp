@@ -17,9 +17,13 @@ void main() {
   vec3 radiance = FRAME.sky;
   if (surface.depth > 0.0) {
     radiance = emitted(surface);
+    const Receiver receiver = receiver_of(surface);
+    if (HAS_SKY != 0u) {
+      seed_random(pixel, STREAM_SKY);
+      radiance += reflected_sky(receiver, vec2(random_float(), random_float()));
+    }
     const Reservoir reservoir = FRAME.spatial.at[index];
     if (reservoir.W > 0.0 && reservoir.light < SCENE.light_count) {
-      const Receiver receiver = receiver_of(surface);
       const LightSample s = sample_light(SCENE.lights.at[reservoir.light], uv_of(reservoir.uv), receiver.position);
       // `traced` knows its sample to be visible: an occluded one has W = 0.
       if (ESTIMATOR == ESTIMATOR_TRACED || !occluded(receiver.origin, s.point))

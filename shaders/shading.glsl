@@ -22,14 +22,26 @@ vec3 reflected(Receiver r, LightSample s) {
 }
 
 // The target function p^: unshadowed, >= 0, finite. A light that is gone or out of range has none.
-float target(Receiver r, uint light, uint uv) {
-  if (light >= SCENE.light_count) return 0.0;
-  const float p = luminance(reflected(r, sample_light(SCENE.lights.at[light], uv_of(uv), r.position)));
+float target_of(Receiver r, Light light, uint uv) {
+  const float p = luminance(reflected(r, sample_light(light, uv_of(uv), r.position)));
   return p > 0.0 && finite(p) ? p : 0.0;
+}
+
+float target(Receiver r, uint light, uint uv) {
+  return light < SCENE.light_count ? target_of(r, SCENE.lights.at[light], uv) : 0.0;
 }
 
 bool sees(Receiver r, uint light, uint uv) {
   return !occluded(r.origin, sample_light(SCENE.lights.at[light], uv_of(uv), r.position).point);
+}
+
+// One cosine-weighted sample of a uniform sky: reflectance * sky where the ray leaves the scene, cd/m^2 per channel.
+vec3 reflected_sky(Receiver r, vec2 u) {
+  vec3 t, b;
+  make_frame(r.normal, t, b);
+  const float radius = sqrt(u.x), phi = 2.0 * PI * u.y;
+  const vec3 direction = t * (radius * cos(phi)) + b * (radius * sin(phi)) + r.normal * sqrt(max(1.0 - u.x, 0.0));
+  return escapes(r.origin, direction) ? r.reflectance * PI * FRAME.sky : vec3(0.0);
 }
 
 // Light the surface sends out by itself towards the eye, cd/m^2 per channel.

@@ -85,57 +85,63 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
   if (node == BVH_EMPTY) return false;
   uint stack[BVH_STACK];
   int top = 0;
-  int instance_floor = 0;     // stack height at which the ray leaves the instance
+  int floor_of_level = 0;     // stack height at which the current hierarchy is done
   uint instance = NO_HIT;     // NO_HIT: in the top level
   Ray ray = make_ray(origin, direction);
 
+  // Inner nodes in a loop of their own: lanes that run in lockstep then pay for leaves only when one has reached a leaf
+  // (Aila, Laine: Understanding the efficiency of ray traversal on GPUs, HPG 2009). BVH_EMPTY, a leaf by its top bit,
+  // stands for "nothing left in this hierarchy".
   while (true) {
-    if ((node & BVH_LEAF) == 0u) {
+    while ((node & BVH_LEAF) == 0u) {
       const uvec4 w0 = SCENE.nodes.at[node * 4u];
       const uvec4 w1 = SCENE.nodes.at[node * 4u + 1u];
       const uvec4 w2 = SCENE.nodes.at[node * 4u + 2u];
       const uvec4 w3 = SCENE.nodes.at[node * 4u + 3u];
       uvec4 child = uvec4(w2.zw, w3.xy);
       vec4 t = enter_children(w0, w1, w2.xy, child, ray, t_min, hit.t);
-      swap_if_farther(t.x, child.x, t.y, child.y);
-      swap_if_farther(t.z, child.z, t.w, child.w);
-      swap_if_farther(t.x, child.x, t.z, child.z);
-      swap_if_farther(t.y, child.y, t.w, child.w);
-      swap_if_farther(t.y, child.y, t.z, child.z);
+      if (!any) {  // nearest first; for a shadow, any order will do
+        swap_if_farther(t.x, child.x, t.y, child.y);
+        swap_if_farther(t.z, child.z, t.w, child.w);
+        swap_if_farther(t.x, child.x, t.z, child.z);
+        swap_if_farther(t.y, child.y, t.w, child.w);
+        swap_if_farther(t.y, child.y, t.z, child.z);
+      }
       if (t.w < 1e30) stack[top++] = child.w;
       if (t.z < 1e30) stack[top++] = child.z;
       if (t.y < 1e30) stack[top++] = child.y;
-      if (t.x < 1e30) {
-        node = child.x;
-        continue;
-      }
-    } else if (instance == NO_HIT) {
-      const uint index = node & BVH_LEAF_FIRST_MASK;
-      if ((SCENE.instances.at[index].mask & mask) != 0u) {
-        const vec4 r0 = SCENE.instances.at[index].to_object[0];
-        const vec4 r1 = SCENE.instances.at[index].to_object[1];
-        const vec4 r2 = SCENE.instances.at[index].to_object[2];
-        ray = make_ray(vec3(dot(r0.xyz, origin), dot(r1.xyz, origin), dot(r2.xyz, origin)) + vec3(r0.w, r1.w, r2.w),
-                       vec3(dot(r0.xyz, direction), dot(r1.xyz, direction), dot(r2.xyz, direction)));
-        instance = index;
-        instance_floor = top;
-        node = SCENE.instances.at[index].root;
-        continue;
-      }
-    } else {
+      if (t.x < 1e30) stack[top++] = child.x;
+      node = top > floor_of_level ? stack[--top] : BVH_EMPTY;
+    }
+    if (node != BVH_EMPTY) {
       const uint first = node & BVH_LEAF_FIRST_MASK;
-      const uint count = ((node & ~BVH_LEAF) >> BVH_LEAF_COUNT_SHIFT) + 1u;
-      for (uint i = first; i < first + count; ++i) {
-        float t;
-        if (intersect_triangle(SCENE.triangles.at[i * 3u].xyz, SCENE.triangles.at[i * 3u + 1u].xyz,
-                               SCENE.triangles.at[i * 3u + 2u].xyz, ray, t_min, hit.t, t)) {
-          hit = Hit(t, i, instance);
-          if (any) return true;
+      if (instance == NO_HIT) {
+        if ((SCENE.instances.at[first].mask & mask) != 0u) {
+          const vec4 r0 = SCENE.instances.at[first].to_object[0];
+          const vec4 r1 = SCENE.instances.at[first].to_object[1];
+          const vec4 r2 = SCENE.instances.at[first].to_object[2];
+          ray = make_ray(vec3(dot(r0.xyz, origin), dot(r1.xyz, origin), dot(r2.xyz, origin)) + vec3(r0.w, r1.w, r2.w),
+                         vec3(dot(r0.xyz, direction), dot(r1.xyz, direction), dot(r2.xyz, direction)));
+          instance = first;
+          floor_of_level = top;
+          node = SCENE.instances.at[first].root;
+          continue;
+        }
+      } else {
+        const uint count = ((node & ~BVH_LEAF) >> BVH_LEAF_COUNT_SHIFT) + 1u;
+        for (uint i = first; i < first + count; ++i) {
+          float t;
+          if (intersect_triangle(SCENE.triangles.at[i * 3u].xyz, SCENE.triangles.at[i * 3u + 1u].xyz,
+                                 SCENE.triangles.at[i * 3u + 2u].xyz, ray, t_min, hit.t, t)) {
+            hit = Hit(t, i, instance);
+            if (any) return true;
+          }
         }
       }
     }
-    if (instance != NO_HIT && top == instance_floor) {
+    if (top == floor_of_level && instance != NO_HIT) {
       instance = NO_HIT;
+      floor_of_level = 0;
       ray = make_ray(origin, direction);
     }
     if (top == 0) break;
@@ -152,4 +158,10 @@ bool closest_hit(vec3 origin, vec3 direction, out Hit hit) {
 bool occluded(vec3 from, vec3 to) {
   Hit hit;
   return trace(from, to - from, 0.0, 0.99999, MASK_SHADOW, true, hit);
+}
+
+// Does a ray reach the sky?
+bool escapes(vec3 from, vec3 direction) {
+  Hit hit;
+  return !trace(from, direction, 0.0, 1e30, MASK_SHADOW, true, hit);
 }

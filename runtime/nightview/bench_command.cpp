@@ -41,7 +41,8 @@ void bench(BenchCommand& command) {
                       .instance_extensions = {},
                       .device_extensions = {}});
   const DeviceScene device_scene(device, scene);
-  Renderer renderer(device, device_scene, options.width, options.height);
+  PassLibrary library(device);
+  Renderer renderer(device, library, device_scene, options.width, options.height);
   for (std::uint32_t i = 0; i < command.warm_up; ++i) renderer.render_frame(pose, options.settings);
 
   std::vector<std::string> order;

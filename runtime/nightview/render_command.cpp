@@ -85,7 +85,8 @@ void render(RenderCommand& command) {
                       .instance_extensions = {},
                       .device_extensions = {}});
   const DeviceScene device_scene(device, scene);
-  Renderer renderer(device, device_scene, options.width, options.height);
+  PassLibrary passes(device);
+  Renderer renderer(device, passes, device_scene, options.width, options.height);
   spdlog::info("{}: {} triangles, {} lights, loaded in {:.2f} s; rendering on {}", options.scene,
                scene.triangles.size(), scene.lights.size(),
                std::chrono::duration<double>(Clock::now() - load_start).count(), device.info().name);

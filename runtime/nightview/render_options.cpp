@@ -54,8 +54,13 @@ void RenderOptions::declare(CLI::App& command) {
       ->capture_default_str()
       ->check(CLI::Range(0.0f, 1000.0f));
   command
+      .add_option("--local-share", settings.local_share,
+                  "Share of candidates picked from the lights that are strong near the place")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0f, 1.0f));
+  command
       .add_option("--uniform-share", settings.uniform_share,
-                  "Share of candidates picked uniformly, the rest by flux")
+                  "Share of candidates picked uniformly; what is left is picked by flux")
       ->capture_default_str()
       ->check(CLI::Range(0.0f, 1.0f));
   command.add_flag("--visibility-reuse", settings.visibility_reuse,
@@ -65,7 +70,7 @@ void RenderOptions::declare(CLI::App& command) {
   command.add_option("--seed", settings.seed, "Of all random numbers")->capture_default_str();
   command.add_option("--device", device, "Vulkan device: index or part of its name (see nightview devices)");
   command.add_option("--camera", camera, "Camera file (JSON) or preset: " + presets)->capture_default_str();
-  command.add_option("--sky", settings.sky_cd_m2[0], "Luminance of the sky as seen, cd/m2")
+  command.add_option("--sky", settings.sky_cd_m2[0], "Uniform luminance of the sky, cd/m2: seen, and lighting the scene (a city's skyglow: 0.002 to 0.02)")
       ->check(CLI::Range(0.0f, 1e6f))
       ->default_str("0");
   command.add_flag("--validation", validation,

@@ -17,6 +17,9 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) {
   addresses_.profiles = store(scene.profiles);
   addresses_.profile_data = store(scene.profile_data);
   addresses_.alias = store(scene.alias);
+  addresses_.cells = store(scene.grid.cells);
+  addresses_.local_entries = store(scene.grid.entries);
+  addresses_.grid = scene.grid.shape;
   addresses_.root = scene.root;
   addresses_.light_count = static_cast<std::uint32_t>(scene.lights.size());
   has_profiles_ = std::any_of(scene.lights.begin(), scene.lights.end(),

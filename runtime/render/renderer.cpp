@@ -22,7 +22,7 @@ bool same_view(const CameraPose& a, const CameraPose& b) {
 bool same_estimate(const RenderSettings& a, const RenderSettings& b) {
   return a.estimator == b.estimator && a.candidates == b.candidates && a.neighbours == b.neighbours &&
          a.neighbour_radius_px == b.neighbour_radius_px && a.history_cap == b.history_cap &&
-         a.uniform_share == b.uniform_share && a.visibility_reuse == b.visibility_reuse &&
+         a.uniform_share == b.uniform_share && a.local_share == b.local_share && a.visibility_reuse == b.visibility_reuse &&
          a.jitter == b.jitter && a.seed == b.seed && a.sky_cd_m2 == b.sky_cd_m2;
 }
 
@@ -69,6 +69,7 @@ void Renderer::select_passes(const RenderSettings& settings) {
   constants[CONSTANT_PROFILES] = scene_.has_profiles();
   constants[CONSTANT_RECTANGLES] = scene_.has_rectangles();
   constants[CONSTANT_VISIBILITY_REUSE] = settings.visibility_reuse;
+  constants[CONSTANT_SKY] = settings.sky_cd_m2 != glm::vec3(0);
   passes_ = &library_.get(constants);
 }
 
@@ -134,7 +135,10 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
   frame.neighbours = settings.neighbours;
   frame.neighbour_radius = settings.neighbour_radius_px;
   frame.history_cap = settings.history_cap;
-  frame.uniform_share = std::clamp(settings.uniform_share, 0.0f, 1.0f);
+  // The paper picks uniformly.
+  const bool as_published = settings.estimator == Estimator::paper;
+  frame.local_share = as_published ? 0.0f : std::clamp(settings.local_share, 0.0f, 1.0f);
+  frame.uniform_share = as_published ? 1.0f : std::clamp(settings.uniform_share, 0.0f, 1.0f - frame.local_share);
   frame.has_history = has_history_;
   // By frames in the mean, not by frame number: every estimator then sees the same sub-pixels.
   frame.jitter_x = settings.jitter ? radical(0.7548776662466927, frames_) : 0.5f;

@@ -12,6 +12,7 @@
 #include "runtime/gpu/device.h"
 #include "runtime/gpu/timer.h"
 #include "runtime/measure/image.h"
+#include "runtime/render/pass_library.h"
 #include "runtime/render/settings.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/render_scene.h"
@@ -36,8 +37,8 @@ class DeviceScene {
 
 class Renderer {
  public:
-  /// Device and scene must outlive the renderer. Throws Error when the device's memory does not suffice.
-  Renderer(gpu::Device& device, const DeviceScene& scene, std::uint32_t width, std::uint32_t height);
+  /// Device, passes and scene must outlive the renderer. Throws Error when the device's memory does not suffice.
+  Renderer(gpu::Device& device, PassLibrary& passes, const DeviceScene& scene, std::uint32_t width, std::uint32_t height);
 
   /// Renders one frame and adds it to the mean. The mean starts anew when the camera or a setting that
   /// changes the picture's meaning changed since the last frame; reservoirs carry over by reprojection where
@@ -58,20 +59,20 @@ class Renderer {
   std::uint32_t height() const { return height_; }
 
  private:
-  void build_passes(const RenderSettings& settings);
+  void select_passes(const RenderSettings& settings);
   void record_reference(VkCommandBuffer commands, std::uint32_t first, std::uint32_t end);
   void record_restir(VkCommandBuffer commands, const RenderSettings& settings);
   void run_pass(VkCommandBuffer commands, const gpu::ComputePass& pass, const char* name,
                 std::uint32_t first = 0, std::uint32_t count = 0);
 
   gpu::Device& device_;
+  PassLibrary& library_;
   const DeviceScene& scene_;
   std::uint32_t width_, height_;
   gpu::Timer timer_;
   gpu::Buffer frame_;
   gpu::Buffer surfaces_[2], reservoirs_, spatial_[2], radiance_, accumulation_, display_;
-  gpu::ComputePass primary_, candidates_, temporal_, spatial_pass_, shade_, reference_, accumulate_;
-  std::optional<std::vector<std::uint32_t>> constants_;  // the passes were built with
+  const PassSet* passes_ = nullptr;  // of the current settings
   std::optional<CameraPose> pose_;
   gpu::Camera camera_{};
   RenderSettings settings_;

@@ -41,7 +41,8 @@ struct RenderSettings {
   std::uint32_t neighbours = 5;   // spatial reuse, 0 .. max_neighbours
   float neighbour_radius_px = 30;
   float history_cap = 20;  // M of the history, in multiples of a frame's candidates; 0 = no temporal reuse
-  float uniform_share = 0.25f;  // of candidates picked uniformly over lights, the rest by flux
+  float local_share = 0.7f;    // of candidates picked from the lights that are strong near the place
+  float uniform_share = 0.1f;  // of candidates picked uniformly over lights, the rest by flux
   bool visibility_reuse =
       false;               // drop shadowed candidates before reuse: less noise, biased (basic, pairwise)
   bool accumulate = true;  // mean of frames; else every frame stands alone

@@ -187,6 +187,7 @@ RenderScene make_render_scene(const Scene& scene, SceneLights lights) {
     flux.push_back(light.flux_lm);
   }
   out.alias = build_alias_table(flux);
+  out.grid = build_light_grid(out.lights);
   return out;
 }
 

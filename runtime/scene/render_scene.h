@@ -12,6 +12,7 @@
 #include "formats/light_file.h"
 #include "formats/scene_file.h"
 #include "runtime/scene/bvh.h"
+#include "runtime/scene/light_grid.h"
 
 namespace nightcity {
 
@@ -26,6 +27,7 @@ struct RenderScene {
   std::vector<LightProfile> profiles;
   std::vector<float> profile_data;
   std::vector<gpu::AliasEntry> alias;  // over flux
+  LightGrid grid;                       // the strongest lights near each place
   Box bounds;                          // of everything visible
 
   std::size_t bad_lights = 0;         // switched off: not finite, no flux, profile out of range

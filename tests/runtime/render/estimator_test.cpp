@@ -1,0 +1,165 @@
+// Estimators against the reference, and the reference against a CPU oracle.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "support/gpu.h"
+#include "support/scenes.h"
+
+namespace nightcity::test {
+namespace {
+
+const CameraPose pose{{-45, 25, 50}, {0, 2, 0}, {0, 1, 0}, 50};
+
+RenderSettings with_estimator(Estimator estimator) {
+  RenderSettings settings;
+  settings.estimator = estimator;
+  settings.jitter = false;
+  settings.candidates = 16;
+  return settings;
+}
+
+// Lights small enough to be points: the oracle then needs no area sampling.
+std::vector<Light> point_lamps(int count, float half, unsigned seed) {
+  std::vector<Light> lights = random_lamps(count, half, seed);
+  for (Light& light : lights) light.radius = 0.001f;
+  return lights;
+}
+
+double oracle_luminance(const RenderScene& scene, const glm::dvec3& point, const glm::dvec3& normal, double depth) {
+  const glm::dvec3 origin = point + normal * 4e-6 * std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z), depth, 1.0});
+  double sum = 0;
+  for (const Light& light : scene.lights) {
+    const glm::dvec3 to = glm::dvec3(light.position) - point;
+    const double d2 = glm::dot(to, to), cosine = glm::dot(normal, to) / std::sqrt(d2);
+    if (cosine <= 0) continue;
+    if (brute_force_hit(scene, origin, glm::dvec3(light.position) - origin, 0.99999, MASK_SHADOW)) continue;
+    sum += 0.5 / std::numbers::pi * double(light.flux_lm) / (4 * std::numbers::pi) * cosine / d2;
+  }
+  return sum;
+}
+
+// More lights than one chunk, and enough steps that an unchunked loop on Debian 12's CPU driver would be cut short.
+TEST(Reference, EqualsABruteForceOracleWithShadows) {
+  const RenderScene scene = random_town(50, 50, 11).with(point_lamps(300, 50, 5));
+  const std::uint32_t side = 24;
+  const Image image = render(scene, pose, with_estimator(Estimator::reference), side, side, 1);
+  const auto& points = image.layer("position")->values;
+  const auto& normals = image.layer("normal")->values;
+  const auto& depths = image.layer("depth")->values;
+  double sum = 0, expected_sum = 0;
+  int wrong = 0, pixels = 0;
+  for (std::size_t i = 0; i < image.pixels(); ++i) {
+    if (depths[i] <= 0) continue;
+    ++pixels;
+    const double expected =
+        oracle_luminance(scene, {points[3 * i], points[3 * i + 1], points[3 * i + 2]},
+                         {normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]}, double(depths[i]));
+    sum += luminance(image, i);
+    expected_sum += expected;
+    if (std::abs(luminance(image, i) - expected) > 0.002 * expected + 1e-6) ++wrong;
+  }
+  EXPECT_GT(pixels, 300);
+  EXPECT_NEAR(sum / expected_sum, 1.0, 0.002);
+  EXPECT_LE(wrong, pixels / 100);  // shadow edges within rounding
+}
+
+// Mean luminance of the pixels that are not among the brightest tenth of `truth`. Where a lamp nearly touches a wall
+// the estimate's tail is so long that a mean over those pixels tells nothing; the choice does not depend on the estimate.
+double body_mean(const Image& image, const Image& truth) {
+  std::vector<double> sorted;
+  for (std::size_t i = 0; i < truth.pixels(); ++i) sorted.push_back(luminance(truth, i));
+  std::nth_element(sorted.begin(), sorted.begin() + std::ptrdiff_t(sorted.size() * 9 / 10), sorted.end());
+  const double limit = sorted[sorted.size() * 9 / 10];
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < truth.pixels(); ++i)
+    if (luminance(truth, i) < limit) {
+      sum += luminance(image, i);
+      count += 1;
+    }
+  return sum / count;
+}
+
+struct Bias {
+  double mean = 0, standard_error = 0;
+};
+
+// Relative bias of the picture's mean from independent runs, with its standard error.
+Bias relative_bias(const RenderScene& scene, RenderSettings settings, const Image& truth, std::uint32_t side) {
+  const double true_mean = body_mean(truth, truth);
+  const DeviceScene device_scene(test_device(), scene);
+  Renderer renderer(test_device(), test_passes(), device_scene, side, side);
+  std::vector<double> means;
+  for (std::uint32_t run = 0; run < 8; ++run) {
+    settings.seed = 100 + run;  // another seed starts mean and history anew
+    for (int frame = 0; frame < 8; ++frame) renderer.render_frame(pose, settings);
+    EXPECT_EQ(renderer.frames(), 8u);
+    means.push_back(body_mean(renderer.download(false), truth) / true_mean - 1);
+  }
+  Bias bias;
+  for (const double m : means) bias.mean += m / double(means.size());
+  for (const double m : means) bias.standard_error += (m - bias.mean) * (m - bias.mean);
+  bias.standard_error = std::sqrt(bias.standard_error / double(means.size() * (means.size() - 1)));
+  return bias;
+}
+
+class Estimators : public testing::Test {
+ protected:
+  static constexpr std::uint32_t side = 48;
+  Estimators() {
+    truth_ = render(scene_, pose, with_estimator(Estimator::reference), side, side, 4);
+  }
+  void expect_unbiased(const RenderSettings& settings) {
+    const Bias bias = relative_bias(scene_, settings, truth_, side);
+    EXPECT_LT(std::abs(bias.mean), 4 * bias.standard_error + 0.002) << "standard error " << bias.standard_error;
+    EXPECT_LT(bias.standard_error, 0.005) << "too noisy to tell";
+  }
+  RenderScene scene_ = random_town(120, 50, 11).with(random_lamps(200, 50, 5));
+  Image truth_;
+};
+
+TEST_F(Estimators, RisIsUnbiased) { expect_unbiased(with_estimator(Estimator::ris)); }
+TEST_F(Estimators, BasicIsUnbiased) { expect_unbiased(with_estimator(Estimator::basic)); }
+TEST_F(Estimators, PairwiseIsUnbiased) { expect_unbiased(with_estimator(Estimator::pairwise)); }
+TEST_F(Estimators, TracedIsUnbiased) { expect_unbiased(with_estimator(Estimator::traced)); }
+
+TEST_F(Estimators, ThePapersWeightsDarken) {
+  const Bias bias = relative_bias(scene_, with_estimator(Estimator::paper), truth_, side);
+  EXPECT_LT(bias.mean, -0.02);
+  EXPECT_LT(bias.mean, -6 * bias.standard_error);
+}
+
+TEST_F(Estimators, AMovingCameraReusesItsHistoryWithoutBias) {
+  gpu::Device& device = test_device();
+  const DeviceScene device_scene(device, scene_);
+  RenderSettings settings = with_estimator(Estimator::traced);
+  std::vector<double> ratios;
+  for (std::uint32_t run = 0; run < 8; ++run) {
+    settings.seed = run;
+    Renderer renderer(device, test_passes(), device_scene, side, side);
+    CameraPose moving = pose;
+    for (int i = 8; i >= 0; --i) {
+      moving.position = pose.position + glm::vec3(0.3f * float(i), 0, 0.1f * float(i));
+      renderer.render_frame(moving, settings);
+    }
+    EXPECT_EQ(renderer.frames(), 1u);  // the mean starts anew, the reservoirs do not
+    ratios.push_back(body_mean(renderer.download(false), truth_) / body_mean(truth_, truth_) - 1);
+  }
+  double mean = 0;
+  for (const double r : ratios) mean += r / double(ratios.size());
+  EXPECT_NEAR(mean, 0.0, 0.03);
+}
+
+TEST_F(Estimators, TheSameSeedGivesTheSamePictureAndAnotherSeedAnother) {
+  RenderSettings settings = with_estimator(Estimator::traced);
+  const Image a = render(scene_, pose, settings, 32, 32, 3), b = render(scene_, pose, settings, 32, 32, 3);
+  EXPECT_EQ(a.rgb, b.rgb);
+  settings.seed = 1;
+  EXPECT_NE(a.rgb, render(scene_, pose, settings, 32, 32, 3).rgb);
+}
+
+}  // namespace
+}  // namespace nightcity::test
