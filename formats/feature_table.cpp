@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/error.h"
+#include "formats/gltf_constants.h"
 
 namespace nightcity {
 namespace {
@@ -57,8 +58,8 @@ void FeatureTableWriter::StringColumn::add(std::string_view text) {
 }
 
 std::uint32_t FeatureTableWriter::add(const SceneFeature& feature) {
-  // Feature ids are float vertex attributes (glTF allows no 32-bit integers there): exact up to 2^24.
-  if (count_ + 1 >= (1u << 24)) throw Error("", "more than 16,777,214 features");
+  // Feature ids are float vertex attributes (glTF allows no 32-bit integers there): see gltf_constants.h.
+  if (count_ >= gltf::greatest_id) throw Error("", "more than 8,388,607 features");
   id_.add(feature.id);
   type_.add(feature.type);
   function_.add(feature.function);

@@ -7,7 +7,8 @@
 
 namespace nightcity {
 
-/// Model space is float metres from `origin`: X = easting - origin.x, Y = height - origin.z, Z = -(northing - origin.y).
+/// Model space is float metres from `origin`: X = easting - origin.x, Y = height - origin.z, Z = -(northing -
+/// origin.y).
 struct Georeference {
   std::string crs;                    // "EPSG:25833", a PROJ string, or "" where the city has none
   glm::dvec3 origin{0, 0, 0};         // easting, northing, height in that CRS, m

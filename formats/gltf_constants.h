@@ -22,8 +22,9 @@ constexpr const char* light_attribute = "_LIGHT";  // vertex and instance attrib
 constexpr const char* extras_key = "nightcity";
 constexpr const char* scene_version = "1.0";
 
-// Ids are stored as floats: whole numbers up to 2^24 are exact.
-constexpr std::uint32_t greatest_id = (1u << 24) - 1;
-constexpr float null_feature_id = 16777215.0f, null_light = -1.0f;
+// Ids are stored as floats. Whole numbers are exact up to 2^24, but Draco's quantiser adds 0.5 before it
+// rounds down, which floats can only follow up to 2^23.
+constexpr std::uint32_t greatest_id = (1u << 23) - 1;
+constexpr float null_feature_id = 8388607.0f, null_light = -1.0f;
 
 }  // namespace nightcity::gltf

@@ -42,18 +42,19 @@ struct LightFileContent {
   std::span<const float> profile_data;
 };
 
-/// Writes beside `path` and renames. Throws Error when a light is not finite, has no positive flux, a non-unit
-/// axis or a profile index out of range, or when the file cannot be written.
+/// Writes beside `path` and renames. Throws Error when a light is not finite, has no positive flux, a
+/// non-unit axis or a profile index out of range, or when the file cannot be written.
 void write_light_file(const std::filesystem::path& path, const LightFileContent& content);
 
 /// A mapped city.lights. Spans point into the mapping and live as long as this object.
 class LightFile {
  public:
-  /// Checks magic, version, section table and its checksum, and that every section lies inside the file: constant
-  /// time whatever the size. Throws Error.
+  /// Checks magic, version, section table and its checksum, and that every section lies inside the file:
+  /// constant time whatever the size. Throws Error.
   static LightFile open(const std::filesystem::path& path);
 
-  /// Recomputes every section's checksum and checks every light as write_light_file does: linear time. Throws Error.
+  /// Recomputes every section's checksum and checks every light as write_light_file does: linear time. Throws
+  /// Error.
   void verify() const;
 
   const Georeference& georeference() const;

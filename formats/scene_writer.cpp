@@ -41,7 +41,7 @@ bool finite(const glm::vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// glTF allows no 32-bit integers as vertex attributes: ids are floats, exact up to 2^24.
+// glTF allows no 32-bit integers as vertex attributes: ids are floats.
 std::vector<float> ids_as_floats(const std::vector<std::uint32_t>& ids, float none) {
   std::vector<float> result(ids.size());
   std::transform(ids.begin(), ids.end(), result.begin(),
@@ -116,7 +116,7 @@ void SceneWriter::State::check(const ScenePrimitive& primitive, const std::strin
   for (const std::uint32_t id : primitive.feature_ids)
     if (id != no_id && id >= features.size()) fail(place, "feature " + std::to_string(id) + " is not there");
   for (const std::uint32_t id : primitive.light_ids)
-    if (id != no_id && id >= gltf::greatest_id) fail(place, "light id is above 2^24 - 2");
+    if (id != no_id && id >= gltf::greatest_id) fail(place, "light id is above 2^23 - 2");
 }
 
 json SceneWriter::State::write_plain(const ScenePrimitive& primitive, std::span<const float> feature_ids,
@@ -218,7 +218,7 @@ json SceneWriter::State::write_instances(const SceneNode& node, const std::vecto
     scaled |= scales.back() != glm::vec3(1);
     lit |= lights.back() != no_id;
     if (lights.back() != no_id && lights.back() >= gltf::greatest_id)
-      fail("node " + node.name, "light id is above 2^24 - 2");
+      fail("node " + node.name, "light id is above 2^23 - 2");
   }
   json attributes;
   const auto add = [&](const char* name, const char* type, std::size_t view) {
