@@ -10,10 +10,15 @@
 namespace nightcity {
 
 void Materials::read(const pugi::xml_node& appearance, SkipCounter& skipped) {
-  for (const pugi::xml_node& child : appearance.children()) {
+  read_below(appearance, 0, skipped);
+}
+
+void Materials::read_below(const pugi::xml_node& element, int depth, SkipCounter& skipped) {
+  constexpr int deepest = 8;  // member, Appearance, surfaceDataMember
+  for (const pugi::xml_node& child : element.children()) {
     const std::string_view name = local_name(child.name());
-    if (name == "Appearance" || name == "surfaceDataMember" || name == "surfaceData") {
-      read(child, skipped);
+    if (depth < deepest && (name == "Appearance" || name == "surfaceDataMember" || name == "surfaceData")) {
+      read_below(child, depth + 1, skipped);
     } else if (name == "X3DMaterial") {
       glm::vec3 colour{0.8f};  // X3D's own default
       std::vector<double> numbers;

@@ -22,6 +22,8 @@ class Materials {
   void merge(const Materials& other) { colours_.insert(other.colours_.begin(), other.colours_.end()); }
 
  private:
+  void read_below(const pugi::xml_node& element, int depth, SkipCounter& skipped);
+
   struct Hash {
     using is_transparent = void;
     std::size_t operator()(std::string_view s) const { return std::hash<std::string_view>()(s); }

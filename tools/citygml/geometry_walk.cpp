@@ -62,9 +62,16 @@ int dimension_said(const pugi::xml_node& element, int inherited) {
 }  // namespace
 
 std::size_t count_polygons(const pugi::xml_node& element) {
-  std::size_t count = is_polygon(local_name(element.name())) ? 1 : 0;
-  for (const pugi::xml_node& child : element.children()) count += count_polygons(child);
-  return count;
+  struct Counter : pugi::xml_tree_walker {
+    std::size_t count = 0;
+    bool for_each(pugi::xml_node& node) override {
+      count += is_polygon(local_name(node.name()));
+      return true;
+    }
+  } counter;
+  counter.count = is_polygon(local_name(element.name()));
+  pugi::xml_node(element).traverse(counter);
+  return counter.count;
 }
 
 const glm::vec3* GeometryWalk::colour_of(const pugi::xml_node& element) const {
@@ -101,6 +108,12 @@ void GeometryWalk::walk(const pugi::xml_node& element, const GeometryContext& co
     return;
   }
   GeometryContext inside = context;
+  if (++inside.depth > deepest_nesting) {
+    skipped_.add("nested too deep: " + std::string(element.name()));
+    if (const std::size_t polygons = count_polygons(element); polygons > 0)
+      skipped_.add("polygon: nested too deep", polygons);
+    return;
+  }
   inside.dimension = dimension_said(element, context.dimension);
   if (const glm::vec3* colour = colour_of(element)) inside.colour = colour;
   if (name == "OrientableSurface") {
@@ -228,7 +241,7 @@ void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryCo
           matrix[column][row] = numbers[static_cast<std::size_t>(4 * row + column)];
     } else if (name == "referencePoint") {
       std::vector<glm::dvec3> points;
-      read_points(child, context.dimension, points);
+      read_points(child, context, points);
       if (!points.empty()) reference = points.front();
     } else if (name == "relativeGMLGeometry" || name == "relativeGeometry") {
       shapes.push_back(child);
@@ -250,22 +263,28 @@ void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryCo
   visited_.swap(visited);
 }
 
-void GeometryWalk::read_points(const pugi::xml_node& property, int dimension, std::vector<glm::dvec3>& out) {
-  const int here = dimension_said(property, dimension);
-  const std::string_view name = local_name(property.name());
-  if (name == "pos" || name == "posList") {
-    std::vector<double> numbers;
-    const std::size_t d = here == 2 ? 2 : 3;
-    if (!read_numbers(property, numbers) || numbers.size() % d != 0) {
-      skipped_.add("points: coordinates that are no numbers");
-      return;
-    }
-    for (std::size_t i = 0; i < numbers.size(); i += d)
-      out.emplace_back(numbers[i], numbers[i + 1], d == 3 ? numbers[i + 2] : 0.0);
+void GeometryWalk::read_points(const pugi::xml_node& property, const GeometryContext& context,
+                               std::vector<glm::dvec3>& out) {
+  GeometryContext inside = context;
+  inside.dimension = dimension_said(property, context.dimension);
+  if (++inside.depth > deepest_nesting) {
+    skipped_.add("nested too deep: " + std::string(property.name()));
     return;
   }
-  for (const pugi::xml_node& child : property.children())
-    if (child.type() == pugi::node_element) read_points(child, here, out);
+  const std::string_view name = local_name(property.name());
+  if (name != "pos" && name != "posList") {
+    for (const pugi::xml_node& child : property.children())
+      if (child.type() == pugi::node_element) read_points(child, inside, out);
+    return;
+  }
+  std::vector<double> numbers;
+  const std::size_t d = inside.dimension == 2 ? 2 : 3;
+  if (!read_numbers(property, numbers) || numbers.size() % d != 0) {
+    skipped_.add("points: coordinates that are no numbers");
+    return;
+  }
+  for (std::size_t i = 0; i < numbers.size(); i += d)
+    out.emplace_back(numbers[i], numbers[i + 1], d == 3 ? numbers[i + 2] : 0.0);
 }
 
 }  // namespace nightcity

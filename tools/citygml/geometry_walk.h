@@ -29,10 +29,14 @@ struct GeometryContext {
   SurfaceType surface = SurfaceType::unknown;
   int dimension = 0;                   // srsDimension said further up; 0 = none
   bool reversed = false;               // below an OrientableSurface '-'
+  int depth = 0;                       // of elements and links, from the member
   int links = 0;                       // xlinks followed on the way here
   const glm::vec3* colour = nullptr;   // of a material further up
   const glm::dmat4* placed = nullptr;  // of an implicit geometry
 };
+
+/// Elements nested deeper than this are skipped and counted: no CityGML needs it, and the stack is finite.
+constexpr int deepest_nesting = 200;
 
 class GeometryWalk {
  public:
@@ -46,7 +50,8 @@ class GeometryWalk {
   void read_element(const pugi::xml_node& geometry, const GeometryContext& context,
                     std::vector<RawPolygon>& out);
   /// Every vertex below `property`: mass points, break lines.
-  void read_points(const pugi::xml_node& property, int dimension, std::vector<glm::dvec3>& out);
+  void read_points(const pugi::xml_node& property, const GeometryContext& context,
+                   std::vector<glm::dvec3>& out);
 
   Materials& local_materials() { return local_materials_; }
   void set_file_materials(const Materials* materials) { file_materials_ = materials; }

@@ -179,6 +179,7 @@ ReadReport read_with_libcitygml(const Document& document, const ReadOptions& opt
   warm_up();
   MemberSplitter::Limits limits;
   limits.batch_bytes = batch_bytes;
+  limits.every_tag = true;  // libcitygml is shown nothing that is not well-formed
   const auto source = document.open();
   MemberSplitter splitter(*source, document.name, limits);
   require_citygml(splitter.head(), document.name);

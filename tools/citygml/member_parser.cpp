@@ -81,7 +81,12 @@ void MemberParser::read_top(const pugi::xml_node& element, std::vector<RawObject
     for (const pugi::xml_node& property : element.children())
       if (local_name(property.name()) == "groupMember")
         for (const pugi::xml_node& child : property.children())
-          if (child.type() == pugi::node_element) read_top(child, out);
+          if (child.type() == pugi::node_element) {
+            if (local_name(child.name()) == name)
+              skip(child);  // groups of groups
+            else
+              read_top(child, out);
+          }
     return;
   }
   RawObject& raw = out.emplace_back();
@@ -149,7 +154,7 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
     if (local_name(property.name()) == "lod0FootPrint") here.surface = SurfaceType::ground;
     geometry_.read(property, here, raw.polygons);
   }
-  for (const pugi::xml_node& property : points) geometry_.read_points(property, 0, raw.object.points);
+  for (const pugi::xml_node& property : points) geometry_.read_points(property, context, raw.object.points);
 }
 
 void MemberParser::read_child_features(const pugi::xml_node& property, const GeometryContext& context,
@@ -168,6 +173,12 @@ void MemberParser::read_child(const pugi::xml_node& element, const GeometryConte
     return;  // gml:boundedBy: an extent, known better from the vertices
   const FeatureClass what = feature_class(name);
   GeometryContext inside = context;
+  if (++inside.depth > deepest_nesting) {
+    skipped_.add("nested too deep: " + std::string(element.name()));
+    if (const std::size_t polygons = count_polygons(element); polygons > 0)
+      skipped_.add("polygon: nested too deep", polygons);
+    return;
+  }
   switch (what.kind) {
     case ClassKind::unknown:
       skip(element);

@@ -93,6 +93,13 @@ bool MemberSplitter::scan_tag(MemberBatch& batch) {
       list_ = tag.name;
       return true;
     }
+    if (outside && !limits_.every_tag) {
+      const std::string name(local_name(tag.name));
+      if (const std::size_t end = scanner_.skip_element(tag, limits_.piece_bytes); end > 0) {
+        batch.members.push_back({tag.begin, end - tag.begin, member_line_, name, false});
+        return true;
+      }
+    }
     if (open_.size() >= limits_.depth) scanner_.fail(tag.begin, "elements nest deeper than any CityGML does");
     open_.emplace_back(tag.begin, tag.end);
     return true;

@@ -46,6 +46,9 @@ class MemberSplitter {
     std::size_t piece_bytes = std::size_t{16} << 20;
     std::size_t member_bytes = std::size_t{1} << 30;  // longer ones are refused
     std::size_t depth = 200;                          // deeper nesting is refused
+    /// Follow every tag. Without, a member's inside is left to whoever parses it: it may be ill-formed or too
+    /// deep.
+    bool every_tag = false;
   };
 
   /// Reads up to the root's start tag. Throws Error: not XML, DOCTYPE, UTF-16, truncated.

@@ -15,6 +15,11 @@ bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
+std::size_t search(const char* bytes, std::size_t from, std::size_t to, const std::string& what) {
+  const void* at = ::memmem(bytes + from, to - from, what.data(), what.size());
+  return at ? static_cast<std::size_t>(static_cast<const char*>(at) - bytes) : nowhere;
+}
+
 }  // namespace
 
 std::string_view local_name(std::string_view name) {
@@ -155,6 +160,38 @@ Tag TagScanner::next() {
     position_ = tag.end;
     return tag;
   }
+}
+
+std::size_t TagScanner::skip_element(const Tag& open, std::size_t longest) {
+  std::string start = "<", stop = "</";
+  start += open.name;
+  stop += open.name;
+  std::size_t from = open.end, end = 0;
+  while (end == 0) {
+    const std::size_t at = search(bytes_.get(), from, size_, stop);
+    if (at == nowhere || at + stop.size() >= size_) {
+      from = std::max(from, size_ - std::min(size_, stop.size()));
+      if (size_ - open.begin > longest || !fill()) return 0;
+    } else if (ends_name(bytes_[at + stop.size()])) {
+      end = at;
+    } else {
+      from = at + stop.size();
+    }
+  }
+  const char* const text = bytes_.get();
+  for (const char mark : {'!', '?'}) {  // "<!--", "<![CDATA[", "<?": rare enough to look for one by one
+    for (std::size_t at = open.end; at < end; ++at) {
+      const void* found = std::memchr(text + at, mark, end - at);
+      if (!found) break;
+      at = static_cast<std::size_t>(static_cast<const char*>(found) - text);
+      if (text[at - 1] == '<') return 0;
+    }
+  }
+  for (std::size_t at = search(text, open.end, end, start); at != nowhere;
+       at = search(text, at + 1, end, start))
+    if (ends_name(text[at + start.size()])) return 0;
+  position_ = end_of_tag(end);
+  return position_;
 }
 
 std::unique_ptr<char[]> TagScanner::rebase(std::size_t end, std::string_view in_front) {

@@ -1,12 +1,13 @@
 #include "tools/citygml/xlinks.h"
 
-#include "tools/citygml/tag_scanner.h"
-
 namespace nightcity {
 
 std::string_view attribute_named(const pugi::xml_node& element, std::string_view local) {
-  for (const pugi::xml_attribute& attribute : element.attributes())
-    if (local_name(attribute.name()) == local) return attribute.value();
+  for (pugi::xml_attribute a = element.first_attribute(); a; a = a.next_attribute()) {
+    const std::string_view name = a.name();
+    if (name.ends_with(local) && (name.size() == local.size() || name[name.size() - local.size() - 1] == ':'))
+      return a.value();
+  }
   return {};
 }
 

@@ -69,6 +69,24 @@ TEST(MemberSplitter, CommentsCdataQuotesAndInstructionsDoNotMislead) {
   }
 }
 
+TEST(MemberSplitter, JumpingToAMembersEndFindsTheSameAsFollowingEveryTag) {
+  const std::string text =
+      "<CityModel>\n<m>1</m><m><k/>\n</m ><mm><m/></mm><m><mm>2</mm></m><m><m>nested</m></m>"
+      "<m><!-- </m> --></m><m><![CDATA[</m>]]></m>\n<m><? </m> ?></m><m "
+      "a='?!'>!?</m><n><m2></m2></n></CityModel>";
+  MemberSplitter::Limits every;
+  every.every_tag = true;
+  const Cut slow = cut(text, every);
+  ASSERT_EQ(slow.texts.size(), 10u);
+  EXPECT_EQ(slow.texts[4], "<m><m>nested</m></m>");
+  for (const std::size_t step : {1, 2, 5, 65536}) {
+    const Cut fast = cut(text, {}, step);
+    EXPECT_EQ(fast.texts, slow.texts) << step;
+    EXPECT_EQ(fast.lines, slow.lines) << step;
+    EXPECT_EQ(fast.names, slow.names) << step;
+  }
+}
+
 TEST(MemberSplitter, BatchesOfAnySizeHoldTheSameMembers) {
   std::string text = "<CityModel>";
   for (int i = 0; i < 100; ++i)
