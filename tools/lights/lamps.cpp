@@ -78,8 +78,9 @@ class TakenPlaces {
 class Placer {
  public:
   Placer(const OsmData& osm, const LonLatToFrame& to_frame, const HeightAt& height_at,
-         const InsideBuilding& inside)
+         const InsideBuilding& inside, const LampOptions& options)
       : osm_(osm),
+        options_(options),
         to_frame_(to_frame),
         height_at_(height_at),
         inside_(inside),
@@ -154,7 +155,7 @@ class Placer {
       optic.value = Optic::central;
     if (tags.mount || tags.type) optic.source = ValueSource::tag;
 
-    const Known<double> flux = flux_of(tags, defaults, type);
+    Known<double> flux = flux_of(tags, defaults, type);
     Known<double> cct{type && type->cct_k > 0 ? type->cct_k : defaults.cct_k};
     Known<glm::vec3> colour{rec709_from_xy(type && type->xy ? *type->xy : planckian_xy(cct.value))};
     if (type && (type->xy || type->cct_k > 0)) colour.source = ValueSource::tag;
@@ -164,6 +165,14 @@ class Placer {
     }
     colour.tagged(tags.colour);
 
+    const LuminaireChoice* choice =
+        optic.value == Optic::street || optic.value == Optic::central ? choice_for(defaults) : nullptr;
+    if (choice) {
+      optic.source = ValueSource::attribute;
+      if (choice->take_flux && flux.source == ValueSource::rule)
+        flux = {choice->flux_lm, ValueSource::attribute};
+    }
+
     PlacedLamp lamp;
     lamp.foot = foot;
     lamp.mounting_height_m = mounting.value;
@@ -171,7 +180,7 @@ class Placer {
     lamp.cct_k = cct.value;
     lamp.colour = colour.value;
     lamp.radius_m = optic.value == Optic::lantern ? lantern_radius_m : luminous_radius_m;
-    lamp.profile = profile_of(optic.value);
+    lamp.profile = choice ? profiles_.add(choice->name, choice->photometry) : profile_of(optic.value);
     if (optic.value == Optic::floodlight) lamp.tilt_degrees = 55;
     if (tags.tilt_degrees) lamp.tilt_degrees = *tags.tilt_degrees;
     lamp.provenance = {static_cast<std::uint64_t>(node.id),
@@ -194,6 +203,14 @@ class Placer {
       set_.lamps.push_back(lamp);
       count_sources(lamp.provenance, tags, road);
     }
+  }
+
+  const LuminaireChoice* choice_for(const RoadDefaults& road) const {
+    for (const LuminaireChoice& choice : options_.luminaires)
+      if (choice.highways.empty() ||
+          std::find(choice.highways.begin(), choice.highways.end(), road.highway) != choice.highways.end())
+        return &choice;
+    return nullptr;
   }
 
   std::uint32_t profile_of(Optic optic) {
@@ -291,6 +308,7 @@ class Placer {
   }
 
   const OsmData& osm_;
+  const LampOptions& options_;
   const LonLatToFrame& to_frame_;
   const HeightAt& height_at_;
   const InsideBuilding& inside_;
@@ -305,8 +323,8 @@ class Placer {
 }  // namespace
 
 LampSet place_lamps(const OsmData& osm, const LonLatToFrame& to_frame, const HeightAt& height_at,
-                    const InsideBuilding& inside) {
-  return Placer(osm, to_frame, height_at, inside).place();
+                    const InsideBuilding& inside, const LampOptions& options) {
+  return Placer(osm, to_frame, height_at, inside, options).place();
 }
 
 Light to_light(const PlacedLamp& lamp, const Georeference& georeference) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "formats/light_file.h"
+#include "tools/lights/photometry.h"
 #include "tools/osm/osm_data.h"
 
 namespace nightcity {
@@ -47,11 +48,25 @@ using HeightAt = std::function<std::optional<double>(const glm::dvec2&)>;
 
 using InsideBuilding = std::function<bool(const glm::dvec2&)>;
 
+/// A measured luminaire for the lamps of some roads, instead of the analytic optics.
+struct LuminaireChoice {
+  std::string name;                   // of its file: stored once
+  Photometry photometry;              // C = 0 towards the street
+  std::vector<std::string> highways;  // OSM classes it serves; empty = every road
+  bool take_flux = true;              // the luminaire's lumens too, where no tag gives them
+  double flux_lm = 0;
+};
+
+struct LampOptions {
+  std::vector<LuminaireChoice>
+      luminaires;  // the first that serves a road wins; lanterns and floodlights stay
+};
+
 /// Every value a tag gives is taken; the rest comes from the road beside and the table of defaults
 /// (lamp_defaults.h). A lamp that stands inside a building (where `inside` is given and says so) is moved out
 /// towards its road.
 LampSet place_lamps(const OsmData& osm, const LonLatToFrame& to_frame, const HeightAt& height_at,
-                    const InsideBuilding& inside = {});
+                    const InsideBuilding& inside = {}, const LampOptions& options = {});
 
 /// The luminaire as a light of model space.
 Light to_light(const PlacedLamp& lamp, const Georeference& georeference);

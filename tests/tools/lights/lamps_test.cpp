@@ -199,6 +199,24 @@ TEST(Lamps, TiltTurnsTheAxisTowardsTheAimAndKeepsTheFrameSquare) {
   EXPECT_NEAR(glm::dot(light.axis, light.tangent), 0, 1e-6);
 }
 
+TEST(Lamps, MeasuredLuminaireServesTheRoadsItIsChosenFor) {
+  OsmData osm;
+  osm.lamps = {lamp_at(0, 5), lamp_at(30, 5, {{"lamp_type", "SON"}}, 2), lamp_at(0, 105, {}, 3)};
+  osm.highways = {road({{"highway", "primary"}}),
+                  road({{"highway", "residential"}}, {degrees(-300, 100), degrees(300, 100)})};
+  LampOptions options;
+  options.luminaires.push_back(
+      {"measured", sample_intensity([](double, double) { return 1; }, 4, 19), {"primary"}, true, 12345});
+  const LampSet set = place_lamps(osm, flat_earth(), ground, {}, options);
+  ASSERT_EQ(set.lamps.size(), 3u);
+  EXPECT_EQ(set.lamps[0].flux_lm, 12345);
+  EXPECT_EQ(set.lamps[0].provenance.profile, ValueSource::attribute);
+  EXPECT_EQ(set.profiles.at(set.lamps[0].profile).c_count, 4u);
+  EXPECT_NE(set.lamps[1].flux_lm, 12345);  // the tag knows better
+  EXPECT_EQ(set.lamps[1].profile, set.lamps[0].profile);
+  EXPECT_NE(set.lamps[2].profile, set.lamps[0].profile);
+}
+
 TEST(RoadIndex, AgreesWithBruteForce) {
   std::vector<OsmWay> ways;
   std::uint32_t state = 1;

@@ -1,0 +1,142 @@
+#include "tools/lights/luminaire.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "formats/error.h"
+#include "tools/lights/text_lines.h"
+
+namespace nightcity {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double radians(double degrees) {
+  return degrees * pi / 180;
+}
+
+/// The greatest step of a regular grid over `whole` degrees that holds every angle, or the finest one.
+double common_step(const std::vector<double>& angles, double offset, double whole) {
+  for (const double step : {90.0, 45.0, 30.0, 22.5, 15.0, 10.0, 7.5, 5.0, 2.5, 1.0, 0.5}) {
+    if (step > whole) continue;
+    if (std::all_of(angles.begin(), angles.end(), [&](double angle) {
+          const double steps = (angle - offset) / step;
+          return std::abs(steps - std::round(steps)) < 1e-6;
+        }))
+      return step;
+  }
+  return 1.0;
+}
+
+/// Light of the four quarter turns round C = 0, 90, 180 and 270, below the horizon.
+std::array<double, 4> quarters(const IntensityGrid& grid) {
+  std::array<double, 4> flux{};
+  for (int c = 0; c < 360; c += 3)
+    for (int gamma = 1; gamma < 90; gamma += 2)
+      flux[static_cast<std::size_t>((c + 45) / 90 % 4)] +=
+          intensity_at(grid, c, gamma) * std::sin(radians(gamma));
+  return flux;
+}
+
+/// How far the light is from its mirror image in the plane of `c`, as a share of its sum.
+double mirror_error(const IntensityGrid& grid, double c) {
+  double difference = 0, sum = 0;
+  for (int turn = 3; turn < 180; turn += 3)
+    for (int gamma = 1; gamma < 90; gamma += 2) {
+      const double left = intensity_at(grid, c + turn, gamma), right = intensity_at(grid, c - turn, gamma);
+      difference += std::abs(left - right) * std::sin(radians(gamma));
+      sum += (left + right) * std::sin(radians(gamma));
+    }
+  return sum > 0 ? difference / sum : 0;
+}
+
+}  // namespace
+
+double intensity_at(const IntensityGrid& grid, double c_degrees, double gamma_degrees) {
+  const auto& gammas = grid.gamma_degrees;
+  if (gamma_degrees < gammas.front() - 1e-9 || gamma_degrees > gammas.back() + 1e-9) return 0;
+  const auto column = [&](std::size_t row, double gamma) {
+    const double* values = grid.candela.data() + row * gammas.size();
+    if (gammas.size() == 1) return values[0];
+    const auto above = std::upper_bound(gammas.begin() + 1, gammas.end() - 1, gamma);
+    const auto g = static_cast<std::size_t>(above - gammas.begin());
+    const double t = std::clamp((gamma - gammas[g - 1]) / (gammas[g] - gammas[g - 1]), 0.0, 1.0);
+    return values[g - 1] + t * (values[g] - values[g - 1]);
+  };
+  const auto& planes = grid.c_degrees;
+  if (planes.size() == 1) return column(0, gamma_degrees);
+  const double c = c_degrees - 360 * std::floor(c_degrees / 360);
+  // planes[0] is 0, so there is always a plane at or before c; after the last comes the first again.
+  const auto next = std::upper_bound(planes.begin(), planes.end(), c);
+  const auto before = static_cast<std::size_t>(next - planes.begin()) - 1;
+  const std::size_t after = next == planes.end() ? 0 : before + 1;
+  const double end = next == planes.end() ? 360 : planes[after];
+  const double t = (c - planes[before]) / (end - planes[before]);
+  return (1 - t) * column(before, gamma_degrees) + t * column(after, gamma_degrees);
+}
+
+double integrated_flux(const IntensityGrid& grid) {
+  const std::size_t count = grid.gamma_degrees.size(), planes = grid.c_degrees.size();
+  double sum = 0;
+  for (std::size_t row = 0; row < planes; ++row) {
+    // Trapezoids between planes: each weighs half the angle to its neighbours on both sides.
+    const double before = row == 0 ? grid.c_degrees.back() - 360 : grid.c_degrees[row - 1];
+    const double after = row + 1 == planes ? grid.c_degrees.front() + 360 : grid.c_degrees[row + 1];
+    const double weight = radians(after - before) / 2;
+    for (std::size_t g = 0; g + 1 < count; ++g) {
+      const double a = radians(grid.gamma_degrees[g]), b = radians(grid.gamma_degrees[g + 1]);
+      const double fa = grid.candela[row * count + g], fb = grid.candela[row * count + g + 1];
+      sum +=
+          weight * (fa * std::cos(a) - fb * std::cos(b) + (fb - fa) / (b - a) * (std::sin(b) - std::sin(a)));
+    }
+  }
+  return sum;
+}
+
+double guess_street_side(const IntensityGrid& grid, double usual) {
+  constexpr double clearly = 1.08, alike = 0.05;
+  const auto flux = quarters(grid);
+  const double along_0 = flux[0] + flux[2], along_90 = flux[1] + flux[3];
+  // Where one plane mirrors the light and the other does not, the street lies in the plane that does.
+  const bool mirror_0 = mirror_error(grid, 0) < alike, mirror_90 = mirror_error(grid, 90) < alike;
+  std::size_t side;
+  if (mirror_0 != mirror_90)
+    side = mirror_0 ? 0 : 1;
+  else if (along_0 > clearly * along_90)
+    side = 1;
+  else if (along_90 > clearly * along_0)
+    side = 0;
+  else
+    return usual;
+  const double one = flux[side], other = flux[side + 2];
+  if (std::max(one, other) < clearly * std::min(one, other)) {
+    // Both sides alike: a luminaire for the middle of a road. Keep the usual side if it lies across.
+    const bool fits = static_cast<std::size_t>(usual / 90) % 2 == side;
+    return fits ? usual : 90.0 * static_cast<double>(side);
+  }
+  return 90.0 * static_cast<double>(one > other ? side : side + 2);
+}
+
+Photometry Luminaire::photometry() const {
+  const double c_step =
+      grid.c_degrees.size() == 1 ? 360 : common_step(grid.c_degrees, street_side_degrees, 360);
+  const double gamma_step = common_step(grid.gamma_degrees, 0, 180);
+  return sample_intensity(
+      [&](double c, double gamma) {
+        // A light's C turns towards cross(axis, tangent): clockwise seen from above.
+        return intensity_at(grid, street_side_degrees - c * 180 / pi, gamma * 180 / pi);
+      },
+      static_cast<std::uint32_t>(std::lround(360 / c_step)),
+      static_cast<std::uint32_t>(std::lround(180 / gamma_step)) + 1);
+}
+
+Luminaire read_luminaire(const std::filesystem::path& file) {
+  const TextLines lines(file);
+  for (const TextLines::Line& line : lines.all())
+    if (line.text.starts_with("TILT=") || line.text.starts_with("IESNA")) return read_ies(file);
+  return read_eulumdat(file);
+}
+
+}  // namespace nightcity

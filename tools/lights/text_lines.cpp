@@ -1,0 +1,63 @@
+#include "tools/lights/text_lines.h"
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "formats/error.h"
+
+namespace nightcity {
+
+TextLines::TextLines(std::filesystem::path file) : name_(file.string()) {
+  constexpr std::uintmax_t largest = 16 << 20;
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) throw Error(name_, "no such file");
+  if (size > largest) throw Error(name_, "too large for a luminaire file");
+  std::ifstream stream(file, std::ios::binary);
+  content_.assign(std::istreambuf_iterator<char>(stream), {});
+  if (content_.empty()) throw Error(name_, "the file is empty");
+  if (content_.find('\0') != std::string::npos) throw Error(name_, "not a text file");
+
+  std::string_view rest = content_;
+  for (std::size_t number = 1; !rest.empty(); ++number) {
+    const std::size_t end = rest.find('\n');
+    std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first == std::string_view::npos)
+      line = {};
+    else
+      line = line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
+    lines_.push_back({line, number});
+  }
+}
+
+void TextLines::fail(std::size_t number, const std::string& message) const {
+  throw Error(name_, "line " + std::to_string(number), message);
+}
+
+double TextLines::number(std::string_view text, std::size_t line, std::string_view what) const {
+  std::string digits(text);
+  for (char& c : digits)
+    if (c == ',') c = '.';
+  const char* from = digits.data() + (digits.starts_with('+') ? 1 : 0);
+  const char* end = digits.data() + digits.size();
+  double value = 0;
+  const auto [stop, error] = std::from_chars(from, end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value))
+    fail(line, "\"" + digits.substr(0, 40) + "\" is no number (" + std::string(what) + ")");
+  return value;
+}
+
+int TextLines::integer(std::string_view text, std::size_t line, std::string_view what, int low,
+                       int high) const {
+  const double value = number(text, line, what);
+  if (value != std::floor(value) || value < low || value > high)
+    fail(line, std::string(what) + " is " + std::string(text) + ", not a whole number from " +
+                   std::to_string(low) + " to " + std::to_string(high));
+  return static_cast<int>(value);
+}
+
+}  // namespace nightcity
