@@ -17,17 +17,17 @@ float auto_exposure_ev100(const Image& image) {
   }
   if (log_luminance.empty()) return default_ev100;
 
-  // Two selections instead of a sort: only the borders of the metered range need their rank.
-  const std::size_t count = log_luminance.size();
-  const std::size_t low = count / 2;
-  const std::size_t high = std::max(low + 1, count - count / 20);
-  const auto at = [&](std::size_t rank) { return log_luminance.begin() + static_cast<std::ptrdiff_t>(rank); };
-  std::nth_element(log_luminance.begin(), at(low), log_luminance.end());
-  if (high < count) std::nth_element(at(low), at(high), log_luminance.end());
-
-  double sum = 0.0;
-  for (std::size_t i = low; i < high; ++i) sum += log_luminance[i];
-  const double mean_log2 = sum / static_cast<double>(high - low);
+  const std::size_t kept = std::max<std::size_t>(1, log_luminance.size() - log_luminance.size() / 50);
+  if (kept < log_luminance.size())
+    std::nth_element(log_luminance.begin(), log_luminance.begin() + static_cast<std::ptrdiff_t>(kept),
+                     log_luminance.end());
+  double sum = 0.0, weight_sum = 0.0;
+  for (std::size_t i = 0; i < kept; ++i) {
+    const double weight = std::exp2(double(log_luminance[i]));
+    sum += weight * log_luminance[i];
+    weight_sum += weight;
+  }
+  const double mean_log2 = sum / weight_sum;
   constexpr double meter_k = 12.5;
   const double ev100 = mean_log2 + std::log2(100.0 / meter_k);
   return static_cast<float>(std::clamp(ev100, -12.0, 24.0));

@@ -12,11 +12,10 @@ namespace nightcity {
 /// The exposure of a picture without anything to meter by: a lit street, about 0.5 cd/m2.
 constexpr float default_ev100 = 2.0f;
 
-/// EV100 that a reflected-light meter with K = 12.5 (ISO 2720) gives the lit part of a night picture:
-/// log2(L * 100 / 12.5), L the geometric mean of the luminances between the median and the 95th percentile of
-/// all pixels that have any light. Sky, unlit walls (the dark half) and lamps, fireflies (the top twentieth)
-/// have no say. Non-finite and non-positive pixels are left out; with none left, default_ev100. Clamped to
-/// -12 .. 24.
+/// EV100 that a reflected-light meter with K = 12.5 (ISO 2720) gives where the light of a night picture is:
+/// log2(L * 100 / 12.5), L the geometric mean of the luminances, each weighted by itself, so that the dark
+/// expanse around a few lit streets has no say; the brightest fiftieth (lamps, fireflies) is left out.
+/// Non-finite and non-positive pixels are left out too; with none left, default_ev100. Clamped to -12 .. 24.
 float auto_exposure_ev100(const Image& image);
 
 /// "filmic", "reinhard", "linear" to TONEMAP_*; throws UsageError naming the three.
