@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "tools/town/random.h"
+#include "tools/random.h"
 
 namespace nightcity::town {
 namespace {

@@ -1,7 +1,7 @@
 #include "tools/town/gml_writer.h"
 
+#include "tools/random.h"
 #include "tools/town/building_shape.h"
-#include "tools/town/random.h"
 #include "tools/town/roof_details.h"
 
 namespace nightcity::town {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "tools/town/random.h"
+#include "tools/random.h"
 #include "tools/town/roads.h"
 
 namespace nightcity::town {

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <string_view>
 
-#include "tools/town/random.h"
+#include "tools/random.h"
 
 namespace nightcity::town {
 namespace {

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "tools/town/random.h"
+#include "tools/random.h"
 
 namespace nightcity::town {
 namespace {

@@ -6,10 +6,10 @@
 #include <map>
 #include <tuple>
 
+#include "tools/random.h"
 #include "tools/town/building_plan.h"
 #include "tools/town/building_shape.h"
 #include "tools/town/hills.h"
-#include "tools/town/random.h"
 #include "tools/town/roads.h"
 #include "tools/town/roof_details.h"
 #include "tools/town/street_plan.h"

@@ -1,12 +1,13 @@
 // Random numbers that are the same on every platform: integer hashes only, because the standard library's
-// distributions differ between implementations. Every street, block and house hashes its own place, so a town
-// is the same whatever part of it is made, in whatever order.
+// distributions differ between implementations. Every street, house and window hashes its own place or name,
+// so it is the same whatever part of a city is made, in whatever order.
 #pragma once
 
 #include <cstdint>
 #include <initializer_list>
+#include <string_view>
 
-namespace nightcity::town {
+namespace nightcity {
 
 /// Finaliser of splitmix64 (Steele, Lea, Flood 2014): a bijection whose output bits all depend on all input
 /// bits.
@@ -15,6 +16,13 @@ constexpr std::uint64_t mix(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ull;
   x = (x ^ (x >> 27)) * 0x94D049BB133111EBull;
   return x ^ (x >> 31);
+}
+
+/// Of a name, such as a gml:id: FNV-1a, mixed.
+constexpr std::uint64_t hash_text(std::string_view text) {
+  std::uint64_t hash = 0xCBF29CE484222325ull;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3ull;
+  return mix(hash);
 }
 
 class Random {
@@ -33,10 +41,16 @@ class Random {
     const auto span = static_cast<std::uint64_t>(high - low + 1);
     return low + static_cast<int>(((next() >> 32) * span) >> 32);
   }
+  /// Mean 0, standard deviation 1, within +-6: the sum of twelve uniforms, which needs no logarithm.
+  double normal() {
+    double sum = -6;
+    for (int n = 0; n < 12; ++n) sum += uniform();
+    return sum;
+  }
   bool chance(double probability) { return uniform() < probability; }
 
  private:
   std::uint64_t state_ = 0;
 };
 
-}  // namespace nightcity::town
+}  // namespace nightcity
