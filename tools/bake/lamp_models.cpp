@@ -18,7 +18,7 @@ constexpr double pi = std::numbers::pi;
 constexpr float post_radius = 0.06f;
 constexpr float arm_radius = 0.03f;
 constexpr float housing_length = 0.55f, housing_height = 0.10f, housing_width = 0.26f;
-constexpr double shortest_arm = 0.05;
+constexpr double arm_clearance = 0.02;  // between a post and the ball beside or above it
 
 // An upright prism of unit height about the y axis, open at the foot.
 ScenePrimitive prism(float radius, std::uint32_t sides, std::uint32_t material) {
@@ -119,19 +119,25 @@ void add_lamp_models(SceneWriter& writer, std::span<const PlacedLamp> lamps, con
     const glm::vec3 foot(georeference.to_model(lamp.foot));
     const glm::dvec3 luminous = lamp.foot + glm::dvec3(lamp.outreach, lamp.mounting_height_m);
     centres.push_back(glm::translate(glm::mat4(1), glm::vec3(georeference.to_model(luminous))));
-    // The housing sits on the ball, so that the ball shows beneath it; post and arm meet it from behind.
-    const auto clearance = static_cast<float>(std::max(lamp.radius_m, 0.0)) * 0.3f;
-    const float height = static_cast<float>(lamp.mounting_height_m) + clearance;
+    // The housing sits on the ball, so that the ball shows beneath it; an arm meets it from behind. Without
+    // an arm the post ends under the ball: a light inside its post would shine nowhere.
+    const auto radius = static_cast<float>(std::max(lamp.radius_m, 0.0));
     const double reach = glm::length(lamp.outreach);
-    const glm::dvec2 direction = reach > shortest_arm ? lamp.outreach / reach : lamp.aim;
-    if (height > 0)
+    const bool has_arm = reach > double{post_radius} + double{radius} + arm_clearance;
+    const glm::dvec2 direction = has_arm ? lamp.outreach / reach : lamp.aim;
+    const float clearance = radius * 0.3f;
+    const float arm_height = static_cast<float>(lamp.mounting_height_m) + clearance;
+    const float height =
+        has_arm ? arm_height : static_cast<float>(lamp.mounting_height_m - arm_clearance) - radius;
+    const bool new_post = known_posts.emplace(lamp.foot.x, lamp.foot.y, height).second;
+    if (height > 0 && new_post)  // several luminaires may share a post
       posts.instances.push_back({glm::scale(glm::translate(glm::mat4(1), foot), {1, height, 1}), no_id});
-    if (reach > shortest_arm) {
+    if (has_arm) {
       const glm::mat4 place =
           glm::translate(glm::mat4(1), foot + glm::vec3(0, height, 0)) * heading(direction);
       arms.instances.push_back({glm::scale(place, {static_cast<float>(reach), 1, 1}), no_id});
     }
-    glm::mat4 housing = centres.back() * heading(lamp.outreach != glm::dvec2(0) ? direction : lamp.aim);
+    glm::mat4 housing = centres.back() * heading(direction);
     housing = glm::rotate(housing, static_cast<float>(glm::radians(lamp.tilt_degrees)), {0, 0, 1});
     housing = glm::translate(housing, {-housing_length / 2, clearance, 0});
     housings.instances.push_back({housing, no_id});

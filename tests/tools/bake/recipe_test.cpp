@@ -1,0 +1,103 @@
+#include "tools/bake/recipe.h"
+
+#include <gtest/gtest.h>
+
+#include "formats/error.h"
+#include "support/temp_folder.h"
+
+namespace nightcity {
+namespace {
+
+using test::TempFolder;
+
+Recipe read(const TempFolder& folder, const std::string& text) {
+  test::write_text(folder / "recipe.toml", text);
+  return read_recipe(folder / "recipe.toml");
+}
+
+TEST(Recipe, TwoKeysSufficeAndPathsAreRelativeToIt) {
+  const TempFolder folder;
+  const Recipe recipe =
+      read(folder, "[city]\nfiles = ['a.gml', 'sub/../b.gml']\n[osm]\nfiles = 'm.osm.pbf'\n");
+  EXPECT_EQ(recipe.city.files, (std::vector<std::filesystem::path>{folder / "a.gml", folder / "b.gml"}));
+  EXPECT_EQ(recipe.osm.files, (std::vector<std::filesystem::path>{folder / "m.osm.pbf"}));
+  EXPECT_EQ(recipe.city.tile_m, 250);
+  EXPECT_FALSE(recipe.output.draco);
+  EXPECT_NE(recipe.osm.licence.find("ODbL"), std::string::npos);
+}
+
+TEST(Recipe, TakesEveryOption) {
+  const TempFolder folder;
+  const Recipe recipe = read(folder, R"(
+[city]
+files = ["a.gml"]
+crs = "EPSG:25833"
+control_points = [[13.0, 52.0, 0, 0], [13.1, 52.1, 1000.5, 1000]]
+lod = 1
+reader = "libcitygml"
+threads = 3
+tile_m = 500
+licence = ["one", "two"]
+[terrain]
+make_surface = false
+margin_m = 12.5
+[origin]
+easting = 1
+northing = 2.5
+height = -3
+[output]
+draco = true
+draco_tolerance_m = 0.001
+)");
+  EXPECT_EQ(recipe.city.frame.crs_override, "EPSG:25833");
+  ASSERT_EQ(recipe.city.frame.control_points.size(), 2u);
+  EXPECT_EQ(recipe.city.frame.control_points[1].model, glm::dvec2(1000.5, 1000));
+  EXPECT_EQ(recipe.city.read.highest_lod, 1);
+  EXPECT_EQ(recipe.city.read.reader, Reader::libcitygml);
+  EXPECT_EQ(recipe.city.read.threads, 3u);
+  EXPECT_EQ(recipe.city.tile_m, 500);
+  EXPECT_EQ(recipe.city.licences, (std::vector<std::string>{"one", "two"}));
+  EXPECT_FALSE(recipe.terrain.make_surface);
+  EXPECT_EQ(recipe.terrain.margin_m, 12.5);
+  EXPECT_EQ(recipe.origin.easting, 1.0);
+  EXPECT_EQ(recipe.origin.northing, 2.5);
+  EXPECT_EQ(recipe.origin.height, -3.0);
+  EXPECT_TRUE(recipe.output.draco);
+  EXPECT_EQ(recipe.output.draco_tolerance_m, 0.001);
+}
+
+TEST(Recipe, AFolderStandsForItsCityFilesInTheOrderOfTheirNames) {
+  const TempFolder folder;
+  std::filesystem::create_directory(folder / "tiles");
+  for (const char* name : {"b.GML", "a.gml", "c.xml", "read.me", "a.png"})
+    test::write_text(folder / "tiles" / name, "x");
+  const Recipe recipe = read(folder, "[city]\nfiles = ['tiles']\n");
+  EXPECT_EQ(recipe.city.files, (std::vector<std::filesystem::path>{
+                                   folder / "tiles/a.gml", folder / "tiles/b.GML", folder / "tiles/c.xml"}));
+  std::filesystem::create_directory(folder / "none");
+  EXPECT_THROW(read(folder, "[city]\nfiles = ['none']\n"), Error);
+}
+
+TEST(Recipe, WrongValuesAreUsageErrors) {
+  const TempFolder folder;
+  for (const char* line :
+       {"lod = 5", "lod = 1.5", "lod = '2'", "tile_m = 0", "tile_m = inf", "tile_m = nan", "crs = 25833",
+        "reader = 'sax'", "threads = -1", "licence = [1]", "control_points = [[1, 2, 3, 4]]",
+        "control_points = [[1, 2, 3], [1, 2, 3]]", "files = ['']", "unknown = 1"})
+    EXPECT_THROW(read(folder, std::string("[city]\nfiles = ['a.gml']\n") + line + "\n"), Error) << line;
+  EXPECT_THROW(read(folder, "[city]\nfiles = ['a.gml']\n[output]\ndraco = 1\n"), UsageError);
+  EXPECT_THROW(read(folder, "city = 3\n"), UsageError);
+  EXPECT_THROW(read(folder, "[osm]\nfiles = ['a.osm']\n"), UsageError);
+}
+
+TEST(NearestWord, FindsTyposAndKeepsSilentOtherwise) {
+  const std::vector<std::string> words{"files", "crs", "tile_m", "licence"};
+  EXPECT_EQ(nearest_word("flies", words), "files");
+  EXPECT_EQ(nearest_word("file", words), "files");
+  EXPECT_EQ(nearest_word("license", words), "licence");
+  EXPECT_EQ(nearest_word("tilem", words), "tile_m");
+  EXPECT_EQ(nearest_word("atmosphere", words), "");
+}
+
+}  // namespace
+}  // namespace nightcity
