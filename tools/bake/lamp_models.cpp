@@ -130,7 +130,7 @@ void add_lamp_models(SceneWriter& writer, std::span<const PlacedLamp> lamps, con
     const float height =
         has_arm ? arm_height : static_cast<float>(lamp.mounting_height_m - arm_clearance) - radius;
     const bool new_post = known_posts.emplace(lamp.foot.x, lamp.foot.y, height).second;
-    if (height > 0 && new_post)  // several luminaires may share a post
+    if (height > 0 && new_post && !lamp.hung)  // several luminaires may share a post
       posts.instances.push_back({glm::scale(glm::translate(glm::mat4(1), foot), {1, height, 1}), no_id});
     if (has_arm) {
       const glm::mat4 place =

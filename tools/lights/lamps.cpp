@@ -176,6 +176,7 @@ class Placer {
     PlacedLamp lamp;
     lamp.foot = foot;
     lamp.mounting_height_m = mounting.value;
+    lamp.hung = tags.mount == LampMount::suspended;
     lamp.flux_lm = flux.value;
     lamp.cct_k = cct.value;
     lamp.colour = colour.value;

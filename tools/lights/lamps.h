@@ -22,6 +22,7 @@ struct PlacedLamp {
   double mounting_height_m = 0;  // luminous centre above the foot
   glm::dvec2 outreach{0, 0};     // from the post to the luminous centre, horizontal, m
   glm::dvec2 aim{0, 1};          // unit, horizontal: towards the road (the C = 0 half-plane)
+  bool hung = false;             // on a wire between facades: no post
   double tilt_degrees = 0;       // of the luminaire's axis, from straight down towards `aim`
   double flux_lm = 0;
   double cct_k = 0;

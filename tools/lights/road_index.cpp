@@ -26,13 +26,13 @@ std::int64_t cell_of(double coordinate) {
 
 }  // namespace
 
-void RoadIndex::add(const OsmWay& way, const std::vector<glm::dvec2>& line) {
+std::optional<RoadIndex::Road> RoadIndex::describe(const OsmWay& way) {
   const auto tag = [&](const char* key) {
     const auto found = way.tags.find(key);
     return found == way.tags.end() ? std::string() : found->second;
   };
   const auto defaults = road_defaults(normalise_tag(tag("highway")));
-  if (!defaults || normalise_tag(tag("footway")) == "crossing") return;
+  if (!defaults || normalise_tag(tag("footway")) == "crossing") return std::nullopt;
   Road road{*defaults, defaults->width_m, false, way.id};
   const auto width = parse_length_m(tag("width"));
   const std::string lanes_text = tag("lanes");
@@ -44,8 +44,14 @@ void RoadIndex::add(const OsmWay& way, const std::vector<glm::dvec2>& line) {
     road.width_m = lanes * (road.defaults.tier == RoadTier::main ? 3.5 : 3.0);
     road.width_tagged = true;
   }
+  return road;
+}
+
+void RoadIndex::add(const OsmWay& way, const std::vector<glm::dvec2>& line) {
+  const auto road = describe(way);
+  if (!road) return;
   const auto number = static_cast<std::uint32_t>(roads_.size());
-  roads_.push_back(road);
+  roads_.push_back(*road);
 
   for (std::size_t n = 0; n + 1 < line.size(); ++n) {
     const double length = glm::distance(line[n], line[n + 1]);

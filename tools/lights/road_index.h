@@ -22,6 +22,9 @@ class RoadIndex {
     bool width_tagged;
     std::int64_t way_id;
   };
+  /// Class and width of a way; nothing where no lamp belongs (proposed, ...) and for crossings.
+  static std::optional<Road> describe(const OsmWay& way);
+
   struct Nearest {
     const Road* road;
     glm::dvec2 point;   // on the middle line
