@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "formats/error.h"
-#include "pictures.h"
+#include "runtime/measure/pictures.h"
 
 namespace nightcity {
 namespace {

@@ -2,29 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <string>
 
 #include "formats/error.h"
-#include "pictures.h"
+#include "runtime/measure/pictures.h"
+#include "support/temp_folder.h"
 
 namespace nightcity {
 namespace {
 
 class Exr : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder = std::filesystem::path(testing::TempDir()) / (std::string("nightcity_exr_") + info->name());
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder); }
-
   Image sample() const {
     Image image = test::grey(5, 3, 0.0f);
     for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = 0.1f * static_cast<float>(i) + 1e-6f;
@@ -34,18 +23,7 @@ class Exr : public testing::Test {
     image.info = {"pairwise", 64, 32, 5, 0xFFFFFFFFFFFFFFFFu, 3.25f, "a device"};
     return image;
   }
-  std::string bytes_of(const std::filesystem::path& path) const {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  void put(const std::filesystem::path& path, const std::string& bytes) const {
-    std::ofstream(path, std::ios::binary) << bytes;
-  }
-  std::size_t files_in_folder() const {
-    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
-  }
-
-  std::filesystem::path folder;
+  test::TempFolder folder;
 };
 
 TEST_F(Exr, PictureLayersAndInfoComeBackBitForBit) {
@@ -68,7 +46,7 @@ TEST_F(Exr, PictureLayersAndInfoComeBackBitForBit) {
   EXPECT_EQ(in.info.seed, 0xFFFFFFFFFFFFFFFFu);
   EXPECT_EQ(in.info.ev100, 3.25f);
   EXPECT_EQ(in.info.device, "a device");
-  EXPECT_EQ(files_in_folder(), 1u);
+  EXPECT_EQ(folder.entries(), 1u);
 }
 
 TEST_F(Exr, LayerChannelsKeepTheirMeaningWhateverTheOrderInTheFile) {
@@ -94,7 +72,7 @@ TEST_F(Exr, NonFiniteValueIsNotWritten) {
     EXPECT_NE(std::string(error.what()).find("depth"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("(4, 0)"), std::string::npos) << error.what();
   }
-  EXPECT_EQ(files_in_folder(), 0u);
+  EXPECT_EQ(folder.entries(), 0u);
 }
 
 TEST_F(Exr, ImpossibleLayersAreRefused) {
@@ -107,20 +85,20 @@ TEST_F(Exr, ImpossibleLayersAreRefused) {
     EXPECT_THROW(write_exr(folder / "a.exr", image), Error);
   }
   EXPECT_THROW(write_exr(folder / "a.exr", Image()), Error);
-  EXPECT_EQ(files_in_folder(), 0u);
+  EXPECT_EQ(folder.entries(), 0u);
 }
 
 TEST_F(Exr, FolderThatIsNotThereIsAnError) {
-  EXPECT_THROW(write_exr(folder / "no" / "a.exr", sample()), Error);
+  EXPECT_THROW(write_exr(folder / "no/a.exr", sample()), Error);
   EXPECT_THROW(read_exr(folder / "missing.exr"), Error);
-  EXPECT_THROW(read_exr(folder), Error);
+  EXPECT_THROW(read_exr(folder.path()), Error);
 }
 
 TEST_F(Exr, FileCutAnywhereIsAnErrorNamingTheFile) {
   write_exr(folder / "a.exr", sample());
-  const std::string whole = bytes_of(folder / "a.exr");
+  const std::string whole = test::read_text(folder / "a.exr");
   for (std::size_t size = 0; size < whole.size(); size += 7) {
-    put(folder / "cut.exr", whole.substr(0, size));
+    test::write_text(folder / "cut.exr", whole.substr(0, size));
     try {
       read_exr(folder / "cut.exr");
       ADD_FAILURE() << "read " << size << " of " << whole.size() << " bytes";
@@ -132,11 +110,11 @@ TEST_F(Exr, FileCutAnywhereIsAnErrorNamingTheFile) {
 
 TEST_F(Exr, FlippedBytesNeverDoMoreThanFailOrGiveAPictureOfTheSameSize) {
   write_exr(folder / "a.exr", sample());
-  const std::string whole = bytes_of(folder / "a.exr");
+  const std::string whole = test::read_text(folder / "a.exr");
   for (std::size_t i = 0; i < whole.size(); ++i) {
     std::string broken = whole;
     broken[i] = static_cast<char>(broken[i] ^ "\x01\x80\xFF"[i % 3]);
-    put(folder / "b.exr", broken);
+    test::write_text(folder / "b.exr", broken);
     try {
       const Image image = read_exr(folder / "b.exr");
       EXPECT_EQ(image.rgb.size(), 3 * image.pixels());
@@ -148,9 +126,9 @@ TEST_F(Exr, FlippedBytesNeverDoMoreThanFailOrGiveAPictureOfTheSameSize) {
 }
 
 TEST_F(Exr, OtherKindsOfFileAreErrors) {
-  put(folder / "a.exr", std::string("glTF\2\0\0\0", 8) + std::string(5000, 'x'));
+  test::write_text(folder / "a.exr", std::string("glTF\2\0\0\0", 8) + std::string(5000, 'x'));
   EXPECT_THROW(read_exr(folder / "a.exr"), Error);
-  put(folder / "a.exr", std::string("v/1\x01\x02\0\0\0", 8) + std::string(5000, 'x'));
+  test::write_text(folder / "a.exr", std::string("v/1\x01\x02\0\0\0", 8) + std::string(5000, 'x'));
   EXPECT_THROW(read_exr(folder / "a.exr"), Error);
 }
 

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "formats/error.h"
-#include "pictures.h"
 #include "runtime/measure/exposure.h"
+#include "runtime/measure/pictures.h"
 
 namespace nightcity {
 namespace {

@@ -3,11 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "formats/error.h"
+#include "support/temp_folder.h"
 
 namespace nightcity {
 namespace {
@@ -15,24 +14,11 @@ namespace {
 class Png : public testing::Test {
  protected:
   void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder = std::filesystem::path(testing::TempDir()) / (std::string("nightcity_png_") + info->name());
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
     image = {17, 9, std::vector<std::uint8_t>(3 * 17 * 9)};
     for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = static_cast<std::uint8_t>(i * 37);
   }
-  void TearDown() override { std::filesystem::remove_all(folder); }
 
-  std::string bytes_of(const std::filesystem::path& path) const {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  void put(const std::filesystem::path& path, const std::string& bytes) const {
-    std::ofstream(path, std::ios::binary) << bytes;
-  }
-
-  std::filesystem::path folder;
+  test::TempFolder folder;
   Image8 image;
 };
 
@@ -50,7 +36,7 @@ TEST_F(Png, SaysWhichEstimatorMadeIt) {
   info.frames = 16;
   info.ev100 = 2.5f;
   write_png(folder / "a.png", image, png_text(info));
-  const std::string bytes = bytes_of(folder / "a.png");
+  const std::string bytes = test::read_text(folder / "a.png");
   EXPECT_NE(bytes.find(std::string("tEXtEstimator\0paper", 19)), std::string::npos);
   EXPECT_NE(bytes.find(std::string("tEXtFrames\0"
                                    "16",
@@ -62,16 +48,16 @@ TEST_F(Png, SaysWhichEstimatorMadeIt) {
 
 TEST_F(Png, CutOrBrokenFileIsAnError) {
   write_png(folder / "a.png", image);
-  const std::string whole = bytes_of(folder / "a.png");
+  const std::string whole = test::read_text(folder / "a.png");
   // The last 12 bytes are the end mark, which libpng does not miss once the last row is there.
   for (std::size_t size = 0; size + 20 < whole.size(); size += 5) {
-    put(folder / "cut.png", whole.substr(0, size));
+    test::write_text(folder / "cut.png", whole.substr(0, size));
     EXPECT_THROW(read_png(folder / "cut.png"), Error) << size << " of " << whole.size();
   }
   for (std::size_t i = 0; i < whole.size(); ++i) {
     std::string broken = whole;
     broken[i] = static_cast<char>(broken[i] ^ '\x55');
-    put(folder / "b.png", broken);
+    test::write_text(folder / "b.png", broken);
     try {
       EXPECT_EQ(read_png(folder / "b.png").rgb.size(), image.rgb.size());
     } catch (const Error&) {
@@ -81,18 +67,18 @@ TEST_F(Png, CutOrBrokenFileIsAnError) {
 
 TEST_F(Png, HugeSizeInAShortFileIsRefused) {
   write_png(folder / "a.png", image);
-  std::string bytes = bytes_of(folder / "a.png");
+  std::string bytes = test::read_text(folder / "a.png");
   bytes[18] = '\x7f';  // width 32513: within the limit of a side, not within what the file can hold
   bytes[22] = '\x7f';
-  put(folder / "b.png", bytes);
+  test::write_text(folder / "b.png", bytes);
   EXPECT_THROW(read_png(folder / "b.png"), Error);
 }
 
 TEST_F(Png, WhatCannotBeWrittenLeavesNothing) {
-  EXPECT_THROW(write_png(folder / "no" / "a.png", image), Error);
+  EXPECT_THROW(write_png(folder / "no/a.png", image), Error);
   EXPECT_THROW(write_png(folder / "a.png", Image8{4, 4, {1, 2, 3}}), Error);
   EXPECT_THROW(write_png(folder / "a.png", Image8{}), Error);
-  EXPECT_TRUE(std::filesystem::is_empty(folder));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 }  // namespace

@@ -3,17 +3,16 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 #include <string>
 
 #include "formats/light_file.h"
 #include "formats/scene_file.h"
 #include "runtime/measure/png.h"
 #include "runtime/scene/camera.h"
+#include "support/process.h"
 #include "support/scenes.h"
+#include "support/temp_folder.h"
 
 namespace nightcity {
 namespace {
@@ -27,15 +26,7 @@ class ViewerWindow : public testing::Test {
   void SetUp() override {
     if (!has("Xvfb") || !has("xvfb-run") || !has("xauth"))
       GTEST_SKIP() << "Xvfb is not installed: no display to open a window on";
-    folder =
-        std::filesystem::path(testing::TempDir()) /
-        (std::string("nightcity_window_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
     write_scene();
-  }
-  void TearDown() override {
-    if (!folder.empty()) std::filesystem::remove_all(folder);
   }
 
   void write_scene() const {
@@ -54,23 +45,18 @@ class ViewerWindow : public testing::Test {
   // Runs `script` (sh) in a virtual display of its own, in the test's folder; $V is nightview on the scene,
   // $S a small size.
   int run(const std::string& script) const {
-    std::ofstream(folder / "script.sh")
-        << "V=\"" << NIGHTCITY_BUILD_DIR
-        << "/nightview town.glb --validation\"\nS=\"--size 320x240 --every 2\"\n"
-        << script;
-    const std::string command =
-        "cd '" + folder.string() +
-        "' && timeout 120 xvfb-run -a -s '-screen 0 800x600x24' sh script.sh > out.txt 2> "
-        "err.txt";
+    std::string text = "S='--size 320x240 --every 2'\nV='";
+    text += NIGHTCITY_BUILD_DIR;
+    text += "/nightview town.glb --validation'\n";
+    test::write_text(folder / "script.sh", text + script);
+    std::string command = "cd ";
+    command += folder.path().string();
+    command += " && timeout 120 xvfb-run -a -s '-screen 0 800x600x24' sh script.sh > out.txt 2> err.txt";
     return std::system(command.c_str());
   }
-  std::string text(const char* name) const {
-    std::stringstream all;
-    all << std::ifstream(folder / name).rdbuf();
-    return all.str();
-  }
+  std::string text(const char* name) const { return test::read_text(folder / name); }
 
-  std::filesystem::path folder;
+  test::TempFolder folder;
 };
 
 std::size_t colours(const Image8& image, std::uint32_t x0, std::uint32_t x1, std::uint32_t y0,
@@ -137,12 +123,11 @@ TEST_F(ViewerWindow, DraggingMovesTheCamera) {
 }
 
 TEST_F(ViewerWindow, WithoutADisplayItSaysSoAndEndsWith1) {
-  const std::string command = "cd '" + folder.string() + "' && env -u DISPLAY -u WAYLAND_DISPLAY '" +
-                              NIGHTCITY_BUILD_DIR + "/nightview' town.glb 2> err.txt";
-  const int status = std::system(command.c_str());
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 1);
-  EXPECT_NE(text("err.txt").find("nightview render needs no window"), std::string::npos) << text("err.txt");
+  ::unsetenv("DISPLAY");
+  ::unsetenv("WAYLAND_DISPLAY");
+  const test::Outcome outcome = test::run_program("nightview", (folder / "town.glb").string());
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("nightview render needs no window"), std::string::npos) << outcome.err;
 }
 
 }  // namespace
