@@ -160,12 +160,12 @@ TEST(Town, OsmWaysReferToNodesOfTheFileAndMostLampsAreBare) {
 TEST(Town, SizesComeWithinTenPercentOfWhatIsAskedFor) {
   const Folder folder("sizes");
   TownOptions options;
-  size_for_triangles(options, 300000);
+  size_for_triangles(options, 150000);
   const TownCounts triangles = write_town(options, folder.path());
-  EXPECT_NEAR(static_cast<double>(triangles.triangles), 300000, 30000);
-  size_for_buildings(options, 5000);
+  EXPECT_NEAR(static_cast<double>(triangles.triangles), 150000, 15000);
+  size_for_buildings(options, 1500);
   const TownCounts buildings = write_town(options, folder.path());
-  EXPECT_NEAR(static_cast<double>(buildings.buildings), 5000, 500);
+  EXPECT_NEAR(static_cast<double>(buildings.buildings), 1500, 150);
 }
 
 TEST(Town, ImpossibleSizesAreUsageErrorsAndUnwritableFoldersErrors) {

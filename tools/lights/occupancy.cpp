@@ -1,0 +1,181 @@
+#include "tools/lights/occupancy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace nightcity {
+namespace {
+
+/// Collects times of light and brings them into order.
+class Times {
+ public:
+  void add(double on, double off) {
+    const int first = rounded(std::clamp(on, 0.0, static_cast<double>(night_minutes)));
+    const int last = rounded(std::clamp(off, 0.0, static_cast<double>(night_minutes)));
+    if (first < last) times_.emplace_back(first, last);
+  }
+
+  NightSchedule schedule() {
+    std::sort(times_.begin(), times_.end());
+    NightSchedule result;
+    std::size_t used = 0;
+    for (const auto& [on, off] : times_) {
+      if (used > 0 && on <= result.off[used - 1]) {
+        result.off[used - 1] = std::max(result.off[used - 1], static_cast<std::uint16_t>(off));
+      } else if (used < 4) {
+        result.on[used] = static_cast<std::uint16_t>(on);
+        result.off[used++] = static_cast<std::uint16_t>(off);
+      }
+    }
+    return result;
+  }
+
+ private:
+  static int rounded(double minute) { return 5 * static_cast<int>(std::lround(minute / 5)); }
+  std::vector<std::pair<int, int>> times_;
+};
+
+double around(Random& random, int middle, double deviation) {
+  return middle + deviation * random.normal();
+}
+
+enum class Room { living, kitchen, bedroom, bath };
+
+Room draw_room(Random& random) {
+  const double pick = random.uniform();
+  return pick < 0.38 ? Room::living : pick < 0.60 ? Room::kitchen : pick < 0.88 ? Room::bedroom : Room::bath;
+}
+
+void dwelling(const Household& home, Random& random, Times& times) {
+  if (!home.present) return;
+  const double from = home.from, to = home.to, awake = to - from;
+  switch (draw_room(random)) {
+    case Room::living:
+      if (random.chance(0.92)) times.add(from + random.range(0, 40), to - random.range(0, 20));
+      break;
+    case Room::kitchen:
+      if (random.chance(0.85)) times.add(from, from + random.range(100, 260));
+      if (random.chance(0.35)) times.add(to - random.range(60, 120), to - random.range(10, 50));
+      break;
+    case Room::bedroom:
+      if (random.chance(0.55))
+        times.add(from + awake * random.range(0.0, 0.4), from + awake * random.range(0.45, 0.9));
+      times.add(to - random.range(15, 70), to + random.range(0, 25));
+      break;
+    case Room::bath:
+      for (int n = 0; n < 2; ++n) {
+        const double at = from + awake * random.uniform();
+        times.add(at, at + random.range(10, 30));
+      }
+      times.add(to - 25, to - 5);
+      break;
+  }
+  if (random.chance(0.85)) times.add(home.morning + random.range(0, 15), home.morning + random.range(30, 80));
+  if (home.all_night && random.chance(0.6)) times.add(from, night_minutes);
+}
+
+void workplace(const Household& floor, Random& random, Times& times) {
+  if (floor.present) {
+    // A group leaves together more often than not; the rest stay longer, or not so long.
+    const double leave = random.chance(0.6) ? floor.to : -120 * std::log(1 - random.uniform());
+    times.add(0, leave);
+  }
+  if (random.chance(0.3)) {  // cleaning
+    const double at = random.range(minute_of(19, 30), minute_of(21, 30));
+    times.add(at, at + random.range(10, 25));
+  }
+  if (floor.all_night && random.chance(0.7)) times.add(0, night_minutes);
+  if (random.chance(0.25)) times.add(random.range(minute_of(6, 10), minute_of(6, 55)), night_minutes);
+}
+
+}  // namespace
+
+bool NightSchedule::lit_at(int minute) const {
+  for (std::size_t n = 0; n < on.size(); ++n)
+    if (minute >= on[n] && minute < off[n]) return true;
+  return false;
+}
+
+bool NightSchedule::never() const {
+  for (std::size_t n = 0; n < on.size(); ++n)
+    if (on[n] < off[n]) return false;
+  return true;
+}
+
+// Shares aimed at (engineering values; the shape is that of Berlin's windows by Meier, lightingjournal.org
+// 82, and of Nachtlichter, Nature Cities 2025: private light fades round midnight, infrastructure stays):
+// dwellings 45 % lit at 18 h, 55 % at 20 h, 40 % at 22 h, 25 % at 23 h, 12 % at 0 h, 3 % at 3 h, 25 % at 6 h;
+// offices 65, 30, 12 % at 18, 20, 22 h and 6 % at 0 h; shop windows and lobbies half of them all night;
+// staircases 30 %.
+Household draw_household(BuildingUse use, Random& random) {
+  Household home{use, true, 0, 0, night_minutes, false};
+  switch (use) {
+    case BuildingUse::office:
+    case BuildingUse::education:
+    case BuildingUse::civic:
+      home.present = random.chance(use == BuildingUse::office ? 0.95 : 0.55);
+      home.to = static_cast<int>(-145 * std::log(1 - random.uniform()));
+      home.all_night = random.chance(0.06);
+      break;
+    case BuildingUse::retail:
+      home.to = static_cast<int>(around(random, minute_of(20, 0), 45));
+      home.all_night = random.chance(0.5);
+      break;
+    case BuildingUse::industrial:
+      home.present = random.chance(0.7);
+      home.to = static_cast<int>(around(random, minute_of(21, 0), 80));
+      home.all_night = random.chance(0.3);
+      break;
+    default:
+      home.present = random.chance(use == BuildingUse::hotel ? 0.65 : 0.9);
+      home.from = static_cast<int>(around(random, minute_of(17, 0), 65));
+      home.to = std::max(home.from + 30, static_cast<int>(around(random, minute_of(22, 55), 65)));
+      home.morning = static_cast<int>(around(random, minute_of(5, 55), 50));
+      home.all_night = random.chance(0.045);
+      break;
+  }
+  return home;
+}
+
+LitWindow draw_window(const Household& household, WindowKind kind, Random& random) {
+  Times times;
+  LitWindow window{};
+  const BuildingUse use = household.use;
+  const bool dwelling_like =
+      use == BuildingUse::residential || use == BuildingUse::mixed || use == BuildingUse::hotel;
+  if (kind == WindowKind::stairs) {
+    // Lit while somebody walks, or always.
+    if (random.chance(0.22)) times.add(0, night_minutes);
+    for (int n = 0; n < 3; ++n) {
+      const double at = night_minutes * random.uniform() * random.uniform();
+      times.add(at, at + random.range(5, 25));
+    }
+    window.luminance_cd_m2 = random.range(15, 40);
+    window.cct_k = 3000;
+  } else if (kind == WindowKind::shop) {
+    const bool display = random.chance(0.5);
+    times.add(0, around(random, minute_of(20, 0), 45));
+    if (display) times.add(0, night_minutes);
+    window.luminance_cd_m2 = random.range(60, 200);
+    window.cct_k = random.chance(0.5) ? 3000 : 4000;
+  } else if (dwelling_like) {
+    dwelling(household, random, times);
+    // Half of the windows have something drawn across that lets a third of the light through.
+    window.luminance_cd_m2 = random.range(10, 50) * (random.chance(0.5) ? 0.35 : 1.0);
+    window.cct_k = random.chance(0.8) ? random.range(2600, 3000) : random.range(3000, 4200);
+  } else if (use == BuildingUse::industrial || use == BuildingUse::retail) {
+    if (household.present) times.add(0, household.all_night ? night_minutes : household.to);
+    window.luminance_cd_m2 = random.range(40, 120);
+    window.cct_k = 4000;
+  } else {
+    workplace(household, random, times);
+    window.luminance_cd_m2 = random.range(50, 100) * (random.chance(0.2) ? 0.4 : 1.0);
+    window.cct_k = random.range(3800, 4200);
+  }
+  window.schedule = times.schedule();
+  return window;
+}
+
+}  // namespace nightcity
