@@ -97,7 +97,7 @@ struct Choice {
   std::unique_ptr<SourceCrs> crs;
   AxisOrder order{false, 1};
   std::string why;          // why this order
-  glm::dvec2 centre{0, 0};  // WGS 84
+  glm::dvec2 centre{0, 0};  // degrees, of the CRS's own datum
   bool inside = false;
 };
 
@@ -130,7 +130,7 @@ Choice choose_axis_order(std::unique_ptr<SourceCrs> crs, std::span<const glm::dv
     for (const glm::dvec3& c : sample) points.push_back(orders[i].east_north(c));
     glm::dvec2 middle = median_of(points);
     const double unit = crs->unit_to_metre();
-    places[i] = crs->to_wgs84(middle * unit);
+    places[i] = crs->to_own_lon_lat(middle * unit);
     fits[i] = fit_of(*crs, places[i]);
     // Minus signs only where plus fails: a city in west and south degrees is far more often the truth.
     if (i >= 2 && (best > 0 || crs->geographic())) continue;
@@ -240,10 +240,9 @@ void CityFrame::State::place_in(Choice&& choice, const std::string& definition,
                   height_unit);
     description += text;
   }
-  if (choice.inside && !sample.empty()) {
-    description += "; at " + place_text(choice.centre);
-    description += "; from WGS 84: " + source->select_operation(choice.centre);
-  }
+  const bool placed = choice.inside && !sample.empty();
+  if (placed) description += "; at " + place_text(choice.centre);
+  description += "; from WGS 84: " + source->select_operation(placed ? &choice.centre : nullptr);
 }
 
 CityFrame CityFrame::from_srs_name(const std::string& srs_name, std::span<const glm::dvec3> sample,

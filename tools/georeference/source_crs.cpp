@@ -1,40 +1,26 @@
 #include "tools/georeference/source_crs.h"
 
-#include <proj.h>
-
 #include <cmath>
-#include <cstdio>
 #include <limits>
-#include <string_view>
+
+#include "formats/error.h"
+#include "tools/georeference/proj_axes.h"
+#include "tools/georeference/proj_operation.h"
 
 namespace nightcity {
 namespace {
 
-struct PjDeleter {
-  void operator()(PJ* pj) const { proj_destroy(pj); }
-};
-struct ContextDeleter {
-  void operator()(PJ_CONTEXT* context) const { proj_context_destroy(context); }
-};
-using PjPtr = std::unique_ptr<PJ, PjDeleter>;
-
-constexpr double degrees_per_radian = 57.29577951308232;
 const glm::dvec2 no_answer{std::numeric_limits<double>::quiet_NaN()};
-
-bool is_geographic(PJ_TYPE type) {
-  return type == PJ_TYPE_GEOGRAPHIC_2D_CRS || type == PJ_TYPE_GEOGRAPHIC_3D_CRS;
-}
 
 }  // namespace
 
 struct SourceCrs::State {
-  std::unique_ptr<PJ_CONTEXT, ContextDeleter> context{proj_context_create()};
-  PjPtr crs;        // horizontal part
-  PjPtr operation;  // CRS 84 (longitude, latitude) to crs
+  PjContextPtr context{proj_context_create()};
+  PjPtr crs;         // horizontal part
+  PjPtr to_degrees;  // crs to its own geographic CRS; null: it is one
+  PjPtr operation;   // CRS 84 (longitude, latitude) to crs
   bool geographic = false;
-  // east = coordinate[east_axis] * east_scale, in metres or degrees
-  int east_axis = 0, north_axis = 1;
-  double east_scale = 1, north_scale = 1;
+  ProjAxes axes, degree_axes;
   double height_scale = 0;  // 0: no vertical part
   double semi_major = 6378137.0, inverse_flattening = 298.257223563;
   std::string name, identity, area_name;
@@ -44,8 +30,6 @@ struct SourceCrs::State {
   bool read_axes(std::string& why);
   void read_identity(const std::string& definition);
   void read_area();
-  PJ_COORD to_native(const glm::dvec2& p) const;
-  glm::dvec2 from_native(const PJ_COORD& c) const;
 };
 
 void SourceCrs::State::read_vertical(const PJ* compound) {
@@ -58,40 +42,30 @@ void SourceCrs::State::read_vertical(const PJ* compound) {
 }
 
 bool SourceCrs::State::read_axes(std::string& why) {
-  const PjPtr system{proj_crs_get_coordinate_system(context.get(), crs.get())};
-  if (!system || proj_cs_get_axis_count(context.get(), system.get()) < 2) {
-    why = "no coordinate system";
+  const auto own = ProjAxes::of(context.get(), crs.get());
+  if (!own) {
+    why = "its axes do not point east and north";
     return false;
   }
-  bool have_east = false, have_north = false;
-  for (int i = 0; i < 2; ++i) {
-    const char* direction = nullptr;
-    double factor = 1;
-    proj_cs_get_axis_info(context.get(), system.get(), i, nullptr, nullptr, &direction, &factor, nullptr,
-                          nullptr, nullptr);
-    // PROJ states angles in radians per unit; we keep degrees.
-    const double scale = geographic ? factor * degrees_per_radian : factor;
-    const std::string_view d = direction ? direction : "";
-    if (d == "east" || d == "west") {
-      east_axis = i;
-      east_scale = d == "east" ? scale : -scale;
-      have_east = true;
-    } else if (d == "north" || d == "south") {
-      north_axis = i;
-      north_scale = d == "north" ? scale : -scale;
-      have_north = true;
-    }
+  axes = *own;
+  if (geographic) return true;
+  const PjPtr base{proj_crs_get_geodetic_crs(context.get(), crs.get())};
+  const auto base_axes = base ? ProjAxes::of(context.get(), base.get()) : std::nullopt;
+  if (base_axes)
+    to_degrees.reset(proj_create_crs_to_crs_from_pj(context.get(), crs.get(), base.get(), nullptr, nullptr));
+  if (!to_degrees) {
+    why = "PROJ cannot turn it into degrees";
+    return false;
   }
-  if (have_east && have_north) return true;
-  why = "its axes do not point east and north";
-  return false;
+  degree_axes = *base_axes;
+  return true;
 }
 
 void SourceCrs::State::read_identity(const std::string& definition) {
   const char* authority = proj_get_id_auth_name(crs.get(), 0);
   const char* code = proj_get_id_code(crs.get(), 0);
   identity = authority && code ? std::string(authority) + ":" + code : definition;
-  if (geographic || (east_scale == 1 && north_scale == 1)) return;
+  if (geographic || (axes.east_scale == 1 && axes.north_scale == 1)) return;
   if (identity == "EPSG:5513") {  // Krovak south, west: the same grid with axes east, north has its own code
     identity = "EPSG:5514";
     return;
@@ -116,18 +90,6 @@ void SourceCrs::State::read_area() {
   if (!proj_get_area_of_use(context.get(), crs.get(), &w, &s, &e, &n, &area) || w < -999) return;
   west = w, south = s, east = e, north = n;
   if (area) area_name = area;
-}
-
-PJ_COORD SourceCrs::State::to_native(const glm::dvec2& p) const {
-  double c[2];
-  c[east_axis] = p.x / east_scale;
-  c[north_axis] = p.y / north_scale;
-  return proj_coord(c[0], c[1], 0, HUGE_VAL);
-}
-
-glm::dvec2 SourceCrs::State::from_native(const PJ_COORD& c) const {
-  if (!std::isfinite(c.v[0]) || !std::isfinite(c.v[1])) return no_answer;
-  return {c.v[east_axis] * east_scale, c.v[north_axis] * north_scale};
 }
 
 SourceCrs::SourceCrs() : state_(std::make_unique<State>()) {}
@@ -165,7 +127,7 @@ std::unique_ptr<SourceCrs> SourceCrs::create(const std::string& definition, std:
     }
   }
   const PJ_TYPE type = proj_get_type(s.crs.get());
-  s.geographic = is_geographic(type);
+  s.geographic = is_geographic(s.crs.get());
   if (!s.geographic && type != PJ_TYPE_PROJECTED_CRS) {
     why = "it is neither projected nor geographic";
     return nullptr;
@@ -179,13 +141,6 @@ std::unique_ptr<SourceCrs> SourceCrs::create(const std::string& definition, std:
   if (ellipsoid)
     proj_ellipsoid_get_parameters(context, ellipsoid.get(), &s.semi_major, nullptr, nullptr,
                                   &s.inverse_flattening);
-  const PjPtr wgs84{proj_create(context, "OGC:CRS84")};
-  if (wgs84)
-    s.operation.reset(proj_create_crs_to_crs_from_pj(context, wgs84.get(), s.crs.get(), nullptr, nullptr));
-  if (!s.operation) {
-    why = "PROJ has no operation from WGS 84 to it";
-    return nullptr;
-  }
   return out;
 }
 
@@ -193,7 +148,7 @@ bool SourceCrs::geographic() const {
   return state_->geographic;
 }
 bool SourceCrs::north_first() const {
-  return state_->north_axis == 0;
+  return state_->axes.north_axis == 0;
 }
 const std::string& SourceCrs::identity() const {
   return state_->identity;
@@ -202,7 +157,7 @@ const std::string& SourceCrs::name() const {
   return state_->name;
 }
 double SourceCrs::unit_to_metre() const {
-  return state_->geographic ? 1.0 : std::abs(state_->east_scale);
+  return state_->geographic ? 1.0 : std::abs(state_->axes.east_scale);
 }
 double SourceCrs::height_unit_to_metre() const {
   return state_->height_scale > 0 ? state_->height_scale : unit_to_metre();
@@ -219,15 +174,23 @@ const std::string& SourceCrs::area_name() const {
 
 glm::dvec2 SourceCrs::from_wgs84(const glm::dvec2& lon_lat) const {
   if (!(std::abs(lon_lat.x) <= 360) || !(std::abs(lon_lat.y) <= 90)) return no_answer;
-  return state_->from_native(
+  return state_->axes.from_native(
       proj_trans(state_->operation.get(), PJ_FWD, proj_coord(lon_lat.x, lon_lat.y, 0, HUGE_VAL)));
 }
 
 glm::dvec2 SourceCrs::to_wgs84(const glm::dvec2& east_north) const {
   if (!std::isfinite(east_north.x) || !std::isfinite(east_north.y)) return no_answer;
-  const PJ_COORD c = proj_trans(state_->operation.get(), PJ_INV, state_->to_native(east_north));
+  const PJ_COORD c = proj_trans(state_->operation.get(), PJ_INV, state_->axes.to_native(east_north));
   if (!std::isfinite(c.xy.x) || !std::isfinite(c.xy.y)) return no_answer;
   return {c.xy.x, c.xy.y};
+}
+
+glm::dvec2 SourceCrs::to_own_lon_lat(const glm::dvec2& east_north) const {
+  const State& s = *state_;
+  if (!std::isfinite(east_north.x) || !std::isfinite(east_north.y)) return no_answer;
+  if (s.geographic)
+    return std::abs(east_north.y) <= 90 && std::abs(east_north.x) <= 360 ? east_north : no_answer;
+  return s.degree_axes.from_native(proj_trans(s.to_degrees.get(), PJ_FWD, s.axes.to_native(east_north)));
 }
 
 bool SourceCrs::area_contains(const glm::dvec2& lon_lat, double margin_deg) const {
@@ -240,27 +203,11 @@ bool SourceCrs::area_contains(const glm::dvec2& lon_lat, double margin_deg) cons
   return from_west <= width + 2 * margin_deg;
 }
 
-std::string SourceCrs::select_operation(const glm::dvec2& lon_lat) {
+std::string SourceCrs::select_operation(const glm::dvec2* lon_lat) {
   State& s = *state_;
-  PJ_CONTEXT* context = s.context.get();
-  constexpr double half_city_deg = 0.5;
-  PJ_AREA* area = proj_area_create();
-  proj_area_set_bbox(area, lon_lat.x - half_city_deg, lon_lat.y - half_city_deg, lon_lat.x + half_city_deg,
-                     lon_lat.y + half_city_deg);
-  const PjPtr wgs84{proj_create(context, "OGC:CRS84")};
-  PjPtr chosen{proj_create_crs_to_crs_from_pj(context, wgs84.get(), s.crs.get(), area, nullptr)};
-  proj_area_destroy(area);
-  if (chosen) s.operation = std::move(chosen);
-  (void)from_wgs84(lon_lat);
-  const PjPtr used{proj_trans_get_last_used_operation(s.operation.get())};
-  if (!used) return "operation not stated by PROJ";
-  const PJ_PROJ_INFO info = proj_pj_info(used.get());
-  std::string text = info.description ? info.description : "unnamed operation";
-  double accuracy = proj_coordoperation_get_accuracy(context, used.get());
-  if (accuracy < 0) accuracy = info.accuracy;
-  char number[48] = ", accuracy not stated";
-  if (accuracy >= 0) std::snprintf(number, sizeof number, ", accuracy %g m", accuracy);
-  return text + number;
+  s.operation = operation_from_wgs84(s.context.get(), s.crs.get(), lon_lat);
+  if (!s.operation) throw Error("", "PROJ has no operation from WGS 84 to " + s.name);
+  return describe_operation(s.context.get(), s.operation.get());
 }
 
 }  // namespace nightcity

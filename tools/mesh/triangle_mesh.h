@@ -36,7 +36,7 @@ struct MeshReport {
   std::string worst_non_planar;
   double worst_non_planar_m = 0;
   std::string worst_self_intersecting;
-  double worst_self_intersecting_m2 = 0;  // rings' own area against the area that parity leaves
+  double worst_self_intersecting_m2 = 0;  // between the rings' own area vector and what parity leaves
 
   void merge(const MeshReport& other);
 };

@@ -109,7 +109,9 @@ struct Triangulator {
     return true;
   }
 
-  void slow_path(const std::vector<Ring>& rings, const Plane& plane, double ring_area, std::size_t polygon) {
+  // `ring_vector`: area vector of the rings themselves, holes subtracted.
+  void slow_path(const std::vector<Ring>& rings, const Plane& plane, const glm::dvec3& ring_vector,
+                 std::size_t polygon) {
     std::vector<glm::dvec2> points;
     std::vector<std::vector<std::uint32_t>> outlines;
     Ring corners;
@@ -121,7 +123,6 @@ struct Triangulator {
         corners.push_back(p);
       }
     }
-    const std::string& id = name_of(object.polygons[polygon], object);
     FlatTriangulation flat;
     try {
       flat = triangulate_flat(points, outlines);
@@ -129,20 +130,19 @@ struct Triangulator {
       ++report.not_triangulated;
       return;
     }
-    double area = 0;
-    for (const auto& t : flat.triangles) {
-      const glm::dvec2 a = flat.points[t[0]], b = flat.points[t[1]], c = flat.points[t[2]];
-      area += 0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
-    }
-    if (flat.triangles.empty() || !(area > 0)) {
+    for (std::size_t i = corners.size(); i < flat.points.size(); ++i)
+      corners.push_back(plane.origin + flat.points[i].x * plane.u + flat.points[i].y * plane.v);
+    glm::dvec3 vector{0};
+    for (const auto& t : flat.triangles)
+      vector += 0.5 * glm::cross(corners[t[1]] - corners[t[0]], corners[t[2]] - corners[t[0]]);
+    if (!(glm::dot(vector, plane.normal) > 0)) {
       ++report.zero_area;
       return;
     }
     // Outlines that cross leave another area than the rings' own; a touch within rounding does not.
-    if (const double off = std::abs(area - ring_area); off > area_tolerance * std::abs(ring_area))
-      count_self_intersecting(off, id);
-    for (std::size_t i = corners.size(); i < flat.points.size(); ++i)
-      corners.push_back(plane.origin + flat.points[i].x * plane.u + flat.points[i].y * plane.v);
+    if (const double off = glm::distance(vector, ring_vector);
+        off > area_tolerance * glm::length(ring_vector))
+      count_self_intersecting(off, name_of(object.polygons[polygon], object));
     const std::uint32_t first = add_positions(corners);
     for (const auto& t : flat.triangles) add_triangle(first + t[0], first + t[1], first + t[2], polygon);
   }
@@ -186,10 +186,12 @@ struct Triangulator {
       ++report.fast_path;
       return;
     }
-    double ring_area = glm::length(vector);
-    for (std::size_t i = 1; i < rings.size(); ++i)
-      ring_area -= std::abs(glm::dot(area_vector(rings[i]), normal));
-    slow_path(rings, plane, ring_area, index);
+    glm::dvec3 ring_vector = vector;
+    for (std::size_t i = 1; i < rings.size(); ++i) {
+      const glm::dvec3 hole = area_vector(rings[i]);  // holes may run either way
+      ring_vector -= glm::dot(hole, normal) > 0 ? hole : -hole;
+    }
+    slow_path(rings, plane, ring_vector, index);
   }
 };
 

@@ -197,6 +197,13 @@ TEST(Frame, BrokenCoordinatesAnswerNanAndNeverThrow) {
   EXPECT_TRUE(std::isnan(frame.from_lon_lat({0, 1e9}).x));
 }
 
+TEST(Frame, OperationOfTheBestStatedAccuracyAtThePlaceIsTaken) {
+  // Four operations lead from WGS 84 to the Czech grid: one for all of former Czechoslovakia (6 m), others of
+  // 1 m.
+  const CityFrame prague = frame_of("EPSG:5514", {{-743000, -1043000, 200}});
+  EXPECT_NE(prague.description().find("accuracy 1 m"), std::string::npos) << prague.description();
+}
+
 TEST(Frame, DescriptionStatesOperationAndAccuracy) {
   const CityFrame frame = frame_of("EPSG:28992", {{92000, 437000, 0}});
   EXPECT_NE(frame.description().find("accuracy"), std::string::npos) << frame.description();

@@ -1,0 +1,128 @@
+// Every CityGML file of the data folder: what triangles cover is what the rings enclose.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "formats/error.h"
+#include "support/data.h"
+#include "tools/citygml/city_model.h"
+#include "tools/georeference/frame.h"
+#include "tools/mesh/polygon_plane.h"
+#include "tools/mesh/triangle_mesh.h"
+
+namespace nightcity {
+namespace {
+
+CityFrame frame_of(const std::filesystem::path& file) {
+  const CityGmlHead head = read_citygml_head(file);
+  try {
+    return CityFrame::from_srs_name(head.srs_name, head.sample, {});
+  } catch (const Error&) {  // made-up coordinates under a real CRS: as they are
+    return CityFrame::from_srs_name("", {}, {});
+  }
+}
+
+void project(CityObject& object, const CityFrame& frame) {
+  for (Polygon& polygon : object.polygons) {
+    frame.to_projected(polygon.exterior);
+    for (Ring& ring : polygon.interiors) frame.to_projected(ring);
+  }
+}
+
+// Area vector that the rings themselves give: the exterior's, less the holes' along the same normal.
+glm::dvec3 vector_of_rings(const Polygon& polygon) {
+  glm::dvec3 sum = area_vector(without_duplicates(polygon.exterior));
+  const glm::dvec3 outward = sum;
+  for (const Ring& hole : polygon.interiors) {
+    const glm::dvec3 of_hole = area_vector(without_duplicates(hole));
+    sum -= glm::dot(of_hole, outward) > 0 ? of_hole : -of_hole;
+  }
+  return sum;
+}
+
+struct Tally {
+  std::size_t files = 0, polygons = 0, wrong = 0;
+  double worst = 0;  // relative, of polygons not counted as faulty
+  std::map<SurfaceType, double> rings_m2, triangles_m2;
+};
+
+// Compares polygon by polygon; those the report counts as self-intersecting have no area to compare with.
+void compare(const CityObject& object, MeshReport& report, Tally& tally) {
+  for (const Polygon& polygon : object.polygons) {
+    CityObject one;
+    one.id = object.id;
+    one.polygons = {polygon};
+    MeshReport own;
+    const TriangleMesh mesh = triangulate(one, own);
+    report.merge(own);
+    ++tally.polygons;
+    glm::dvec3 vector{0};
+    double area = 0;
+    for (const MeshTriangle& t : mesh.triangles) {
+      const glm::dvec3& a = mesh.positions[t.vertex[0]];
+      const glm::dvec3 half =
+          0.5 * glm::cross(mesh.positions[t.vertex[1]] - a, mesh.positions[t.vertex[2]] - a);
+      vector += half;
+      area += glm::length(half);
+    }
+    if (own.self_intersecting + own.zero_area + own.not_finite + own.dropped_holes > 0) continue;
+    const glm::dvec3 truth = vector_of_rings(polygon);
+    const double off = glm::distance(vector, truth) / glm::length(truth);
+    tally.worst = std::max(tally.worst, off);
+    tally.wrong += !(off <= 1e-6);
+    tally.rings_m2[polygon.surface] += glm::length(truth);
+    // No overlaps: what triangles have beyond the flat area comes from vertices off the plane, by 1 cm at
+    // most.
+    double perimeter = 0;
+    for (std::size_t i = 0; i < polygon.exterior.size(); ++i)
+      perimeter += glm::distance(polygon.exterior[i], polygon.exterior[(i + 1) % polygon.exterior.size()]);
+    if (own.non_planar == 0) {
+      EXPECT_LE(area, glm::length(truth) + 0.01 * perimeter) << polygon.id;
+    }
+    tally.triangles_m2[polygon.surface] += glm::dot(vector, truth) / glm::length(truth);
+  }
+}
+
+TEST(RealAreas, TrianglesKeepTheAreaOfEveryPolygonToAMillionth) {
+  REAL_DATA(root, ".");
+  Tally tally;
+  MeshReport report;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
+    const std::string extension = entry.path().extension();
+    if (extension != ".gml" && extension != ".xml" && extension != ".citygml") continue;
+    try {
+      const CityFrame frame = frame_of(entry.path());
+      ReadOptions options;
+      options.highest_lod = 4;
+      read_citygml(entry.path(), options, [&](CityObject&& object) {
+        project(object, frame);
+        compare(object, report, tally);
+      });
+      ++tally.files;
+    } catch (const Error& e) {
+      EXPECT_NE(std::string(e.what()).find("is not CityGML"), std::string::npos) << e.what();
+    }
+  }
+  EXPECT_GT(tally.polygons, 100000u);
+  EXPECT_EQ(tally.wrong, 0u);
+  EXPECT_LE(tally.worst, 1e-6);
+  for (const auto& [surface, area] : tally.rings_m2)
+    EXPECT_NEAR(tally.triangles_m2[surface], area, 1e-6 * area) << name_of(surface);
+  EXPECT_EQ(report.not_triangulated, 0u);
+  EXPECT_LT(report.self_intersecting, tally.polygons / 1000);
+  std::printf(
+      "%zu files, %zu polygons, worst %.1e; fast path %zu, zero area %zu, off plane %zu (worst %.3f m: %s), "
+      "self-intersecting %zu\n",
+      tally.files, tally.polygons, tally.worst, report.fast_path, report.zero_area, report.non_planar,
+      report.worst_non_planar_m, report.worst_non_planar.c_str(), report.self_intersecting);
+}
+
+}  // namespace
+}  // namespace nightcity

@@ -1,0 +1,54 @@
+#include "tools/georeference/proj_axes.h"
+
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace nightcity {
+
+bool is_geographic(const PJ* crs) {
+  const PJ_TYPE type = proj_get_type(crs);
+  return type == PJ_TYPE_GEOGRAPHIC_2D_CRS || type == PJ_TYPE_GEOGRAPHIC_3D_CRS;
+}
+
+std::optional<ProjAxes> ProjAxes::of(PJ_CONTEXT* context, const PJ* crs) {
+  constexpr double degrees_per_radian = 57.29577951308232;  // PROJ states an angular unit in radians
+  const PjPtr system{proj_crs_get_coordinate_system(context, crs)};
+  if (!system || proj_cs_get_axis_count(context, system.get()) < 2) return {};
+  ProjAxes axes;
+  bool have_east = false, have_north = false;
+  for (int i = 0; i < 2; ++i) {
+    const char* direction = nullptr;
+    double factor = 1;
+    proj_cs_get_axis_info(context, system.get(), i, nullptr, nullptr, &direction, &factor, nullptr, nullptr,
+                          nullptr);
+    const double scale = is_geographic(crs) ? factor * degrees_per_radian : factor;
+    const std::string_view d = direction ? direction : "";
+    if (d == "east" || d == "west") {
+      axes.east_axis = i;
+      axes.east_scale = d == "east" ? scale : -scale;
+      have_east = true;
+    } else if (d == "north" || d == "south") {
+      axes.north_axis = i;
+      axes.north_scale = d == "north" ? scale : -scale;
+      have_north = true;
+    }
+  }
+  if (!have_east || !have_north) return {};
+  return axes;
+}
+
+PJ_COORD ProjAxes::to_native(const glm::dvec2& p) const {
+  double c[2];
+  c[east_axis] = p.x / east_scale;
+  c[north_axis] = p.y / north_scale;
+  return proj_coord(c[0], c[1], 0, HUGE_VAL);
+}
+
+glm::dvec2 ProjAxes::from_native(const PJ_COORD& c) const {
+  if (!std::isfinite(c.v[0]) || !std::isfinite(c.v[1]))
+    return glm::dvec2{std::numeric_limits<double>::quiet_NaN()};
+  return {c.v[east_axis] * east_scale, c.v[north_axis] * north_scale};
+}
+
+}  // namespace nightcity

@@ -1,0 +1,33 @@
+// Handles of PROJ that free themselves, and how a CRS orders, turns and scales its two horizontal axes.
+#pragma once
+
+#include <proj.h>
+
+#include <glm/vec2.hpp>
+#include <memory>
+#include <optional>
+
+namespace nightcity {
+
+struct PjDeleter {
+  void operator()(PJ* pj) const { proj_destroy(pj); }
+  void operator()(PJ_CONTEXT* context) const { proj_context_destroy(context); }
+};
+using PjPtr = std::unique_ptr<PJ, PjDeleter>;
+using PjContextPtr = std::unique_ptr<PJ_CONTEXT, PjDeleter>;
+
+/// Between a CRS's own coordinates and (east, north) in metres or (longitude, latitude) in degrees.
+struct ProjAxes {
+  int east_axis = 0, north_axis = 1;
+  double east_scale = 1, north_scale = 1;  // metres or degrees per unit; negative for axes west or south
+
+  PJ_COORD to_native(const glm::dvec2& east_north) const;
+  glm::dvec2 from_native(const PJ_COORD& native) const;  // NaN where PROJ had no answer
+
+  /// Empty when the axes do not point east or west and north or south.
+  static std::optional<ProjAxes> of(PJ_CONTEXT* context, const PJ* crs);
+};
+
+bool is_geographic(const PJ* crs);
+
+}  // namespace nightcity

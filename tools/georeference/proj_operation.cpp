@@ -1,0 +1,77 @@
+#include "tools/georeference/proj_operation.h"
+
+#include <cstdio>
+#include <limits>
+#include <memory>
+
+namespace nightcity {
+namespace {
+
+struct ListDeleter {
+  void operator()(PJ_OBJ_LIST* list) const { proj_list_destroy(list); }
+  void operator()(PJ_OPERATION_FACTORY_CONTEXT* factory) const {
+    proj_operation_factory_context_destroy(factory);
+  }
+};
+
+bool serves(PJ_CONTEXT* context, const PJ* operation, const glm::dvec2* place) {
+  double west = 0, south = 0, east = 0, north = 0;
+  if (!place || !proj_get_area_of_use(context, operation, &west, &south, &east, &north, nullptr) ||
+      west < -999)
+    return true;
+  const bool in_longitude =
+      west <= east ? place->x >= west && place->x <= east : place->x >= west || place->x <= east;
+  return in_longitude && place->y >= south && place->y <= north;
+}
+
+// Rank: smaller is better.
+double rank(PJ_CONTEXT* context, const PJ* operation) {
+  constexpr double unstated_m = 1000, guess_m = 10000;
+  if (proj_coordoperation_has_ballpark_transformation(context, operation)) return guess_m;
+  const double accuracy = proj_coordoperation_get_accuracy(context, operation);
+  return accuracy >= 0 ? accuracy : unstated_m;
+}
+
+}  // namespace
+
+PjPtr operation_from_wgs84(PJ_CONTEXT* context, const PJ* crs, const glm::dvec2* place) {
+  const PjPtr wgs84{proj_create(context, "OGC:CRS84")};
+  const std::unique_ptr<PJ_OPERATION_FACTORY_CONTEXT, ListDeleter> factory{
+      proj_create_operation_factory_context(context, nullptr)};
+  if (!wgs84 || !factory) return nullptr;
+  // Ways through third datums are many (seconds for Japan's) and no better than the direct one, where it
+  // exists.
+  proj_operation_factory_context_set_allow_use_intermediate_crs(context, factory.get(),
+                                                                PROJ_INTERMEDIATE_CRS_USE_NEVER);
+  proj_operation_factory_context_set_spatial_criterion(context, factory.get(),
+                                                       PROJ_SPATIAL_CRITERION_PARTIAL_INTERSECTION);
+  proj_operation_factory_context_set_grid_availability_use(
+      context, factory.get(), PROJ_GRID_AVAILABILITY_DISCARD_OPERATION_IF_MISSING_GRID);
+  const std::unique_ptr<PJ_OBJ_LIST, ListDeleter> all{
+      proj_create_operations(context, wgs84.get(), crs, factory.get())};
+  PjPtr best;
+  double best_rank = std::numeric_limits<double>::infinity();
+  for (int i = 0; all && i < proj_list_get_count(all.get()); ++i) {
+    PjPtr operation{proj_list_get(context, all.get(), i)};
+    if (!operation || !proj_coordoperation_is_instantiable(context, operation.get()) ||
+        !serves(context, operation.get(), place))
+      continue;
+    if (const double r = rank(context, operation.get()); r < best_rank) {
+      best_rank = r;
+      best = std::move(operation);
+    }
+  }
+  if (best) return best;
+  return PjPtr{proj_create_crs_to_crs_from_pj(context, wgs84.get(), crs, nullptr, nullptr)};
+}
+
+std::string describe_operation(PJ_CONTEXT* context, const PJ* operation) {
+  const char* name = proj_get_name(operation);
+  std::string text = name && *name ? name : "chosen place by place";
+  const double accuracy = proj_coordoperation_get_accuracy(context, operation);
+  char number[48] = ", accuracy not stated";
+  if (accuracy >= 0) std::snprintf(number, sizeof number, ", accuracy %g m", accuracy);
+  return text + number;
+}
+
+}  // namespace nightcity
