@@ -85,18 +85,21 @@ void write_tiles(SceneWriter& writer, TileStore& tiles, const Georeference& geor
   }
 }
 
+HeightAt height_on(const Terrain& terrain) {
+  return [&terrain](const glm::dvec2& place) -> std::optional<double> {
+    const auto hit = terrain.height_at(place);
+    return hit ? std::optional(hit->height_m) : std::nullopt;
+  };
+}
+
 LampSet place(const OsmData& osm, const CityFrames& frames, const Terrain& terrain, BakeReport& report) {
   if (osm.lamps.empty()) return {};
   if (!frames.city().has_lon_lat())
     throw Error("", "[city] crs",
                 "the city names no CRS: lamps cannot be placed without crs or control_points");
   const auto to_frame = [&](const glm::dvec2& lon_lat) { return frames.city().from_lon_lat(lon_lat); };
-  const auto height_at = [&](const glm::dvec2& place) -> std::optional<double> {
-    const auto hit = terrain.height_at(place);
-    return hit ? std::optional(hit->height_m) : std::nullopt;
-  };
-  LampSet lamps =
-      place_lamps(osm, to_frame, height_at, [&](const glm::dvec2& p) { return terrain.inside_building(p); });
+  LampSet lamps = place_lamps(osm, to_frame, height_on(terrain),
+                              [&](const glm::dvec2& p) { return terrain.inside_building(p); });
   report.lamps.mapped = osm.lamps.size();
   report.lamps.placed = lamps.lamps.size();
   report.lamps.dropped = lamps.dropped;
@@ -135,16 +138,18 @@ BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder, const
   for (const SceneMaterial& material : bake_materials()) writer.add_material(material);
   TileStore tiles(scene_path, recipe.city.tile_m, std::round(frames.reference().z));
   Terrain terrain;
-  read_city(recipe, frames, writer, tiles, terrain, report, progress);
-  if (tiles.tiles().empty())
-    throw Error(recipe.city.files.front().string(), "no surface in any file of the city");
+  DrapeStore drape(scene_path);
+  read_city(recipe, frames, {writer, tiles, drape, terrain}, report, progress);
   watch.lap("reading the city");
 
   if (progress) progress({"building the terrain", 0, ""});
   terrain.build(recipe.terrain.margin_m);
   const bool made = !terrain.made_surface().triangles.empty();
-  report.terrain = made ? "made" : "given";
+  report.terrain = made ? "made" : terrain.height_at(glm::dvec2(frames.reference())) ? "given" : "none";
   if (made && recipe.terrain.make_surface) add_mesh(tiles, terrain.made_surface(), ObjectType::relief, no_id);
+  report.draped = drape.lay(height_on(terrain), tiles);
+  if (tiles.tiles().empty())
+    throw Error(recipe.city.files.front().string(), "no surface in any file of the city");
   watch.lap("terrain");
 
   const Georeference georeference = georeference_of(recipe, frames, tiles);

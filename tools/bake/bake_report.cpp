@@ -67,6 +67,7 @@ json to_json(const BakeReport& report) {
         {"not_triangulated", mesh.not_triangulated},
         {"dropped_holes", mesh.dropped_holes}}},
       {"terrain", report.terrain},
+      {"draped_triangles", report.draped},
       {"lamps",
        {{"mapped", report.lamps.mapped},
         {"placed", report.lamps.placed},
@@ -117,7 +118,9 @@ std::string to_text(const BakeReport& report) {
   if (warnings.size() > shown)
     line("", fmt::format("and {} more warnings in bake_report.json", warnings.size() - shown));
   line("triangles", fmt::format("{}: {}", sum(report.triangles), in_words(report.triangles)));
-  line("terrain", report.terrain);
+  line("terrain",
+       report.terrain +
+           (report.draped ? fmt::format(", {} triangles without heights laid onto it", report.draped) : ""));
   line("lamps", fmt::format("{} luminaires of {} mapped, {:.0f} klm in all", report.lamps.placed,
                             report.lamps.mapped, report.lamps.total_flux_lm / 1000));
   if (!report.lamps.dropped.empty()) line("", "dropped: " + in_words(report.lamps.dropped));

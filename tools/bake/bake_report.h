@@ -20,7 +20,8 @@ struct BakeReport {
   std::map<std::string, std::size_t> triangles;  // by material, as written
   std::map<std::string, std::size_t> left_out;   // objects not baked, by reason
   std::vector<std::string> crs;                  // descriptions of the frames
-  std::string terrain;                           // "given", "made" or "none"
+  std::string terrain;     // "given", "made" or "none" (at the place where the city's first file begins)
+  std::size_t draped = 0;  // triangles without heights laid onto it
   struct Lamps {
     std::size_t mapped = 0, placed = 0;  // nodes in the OSM files; luminaires in city.lights
     double total_flux_lm = 0;

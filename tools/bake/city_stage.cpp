@@ -29,14 +29,8 @@ std::optional<Footing> footing_of(ObjectType type, SurfaceType surface) {
 
 class CityReader {
  public:
-  CityReader(const Recipe& recipe, const CityFrames& frames, SceneWriter& writer, TileStore& tiles,
-             Terrain& terrain, BakeReport& report)
-      : frames_(frames),
-        writer_(writer),
-        tiles_(tiles),
-        terrain_(terrain),
-        report_(report),
-        many_files_(recipe.city.files.size() > 1) {}
+  CityReader(const Recipe& recipe, const CityFrames& frames, const CitySinks& sinks, BakeReport& report)
+      : frames_(frames), sinks_(sinks), report_(report), many_files_(recipe.city.files.size() > 1) {}
 
   void begin_file(std::size_t file) {
     file_ = file;
@@ -53,6 +47,7 @@ class CityReader {
       last_id_.clear();
       return leave_out("in two files");
     }
+    const bool flat = lacks_heights(object);
     for (Polygon& polygon : object.polygons) {
       frames_.to_city(file_, polygon.exterior);
       for (Ring& ring : polygon.interiors) frames_.to_city(file_, ring);
@@ -63,7 +58,8 @@ class CityReader {
     if (mesh.triangles.empty()) return leave_out("without area");
     if (!continues) last_feature_ = add_feature(object);
     last_id_ = object.id;
-    add_mesh(tiles_, mesh, object.type, last_feature_);
+    if (flat) return sinks_.drape.add(mesh, object.type, last_feature_);
+    add_mesh(sinks_.tiles, mesh, object.type, last_feature_);
     add_footing(mesh, object.type);
   }
 
@@ -92,7 +88,7 @@ class CityReader {
     SceneFeature feature{object.id, object.class_name, object.function, object.measured_height_m,
                          object.storeys_above_ground};
     if (feature.function.empty()) feature.function = object.usage;
-    return writer_.add_feature(feature);
+    return sinks_.writer.add_feature(feature);
   }
 
   void add_footing(const TriangleMesh& mesh, ObjectType type) {
@@ -104,13 +100,11 @@ class CityReader {
         footing = carries;  // one class an object: it depends on the surface only by whether there is one
         part.triangles.push_back(triangle);
       }
-    if (footing) terrain_.add(part, *footing);
+    if (footing) sinks_.terrain.add(part, *footing);
   }
 
   const CityFrames& frames_;
-  SceneWriter& writer_;
-  TileStore& tiles_;
-  Terrain& terrain_;
+  const CitySinks& sinks_;
   BakeReport& report_;
   bool many_files_;
   std::size_t file_ = 0;
@@ -132,10 +126,10 @@ void add_mesh(TileStore& tiles, const TriangleMesh& mesh, ObjectType type, std::
   tiles.add(triangles, feature);
 }
 
-void read_city(const Recipe& recipe, const CityFrames& frames, SceneWriter& writer, TileStore& tiles,
-               Terrain& terrain, BakeReport& report, const ProgressSink& progress) {
+void read_city(const Recipe& recipe, const CityFrames& frames, const CitySinks& sinks, BakeReport& report,
+               const ProgressSink& progress) {
   const auto& files = recipe.city.files;
-  CityReader reader(recipe, frames, writer, tiles, terrain, report);
+  CityReader reader(recipe, frames, sinks, report);
   std::size_t objects = 0;
   for (std::size_t i = 0; i < files.size(); ++i) {
     reader.begin_file(i);

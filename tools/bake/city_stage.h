@@ -5,6 +5,7 @@
 #include "formats/scene_file.h"
 #include "tools/bake/bake_report.h"
 #include "tools/bake/city_frames.h"
+#include "tools/bake/drape.h"
 #include "tools/bake/progress.h"
 #include "tools/bake/recipe.h"
 #include "tools/bake/tile_store.h"
@@ -12,11 +13,19 @@
 
 namespace nightcity {
 
-/// Each object becomes a feature of `writer` as it is read; memory does not grow with the city but for what
-/// `terrain` keeps. Objects over 100 km from the city's first file and objects that an earlier file has
+/// Where the triangles go.
+struct CitySinks {
+  SceneWriter& writer;
+  TileStore& tiles;
+  DrapeStore& drape;  // objects without heights
+  Terrain& terrain;
+};
+
+/// Each object becomes a feature of the writer as it is read; memory does not grow with the city but for what
+/// the terrain keeps. Objects over 100 km from the city's first file and objects that an earlier file has
 /// brought are left out and counted. Throws Error as read_citygml does.
-void read_city(const Recipe& recipe, const CityFrames& frames, SceneWriter& writer, TileStore& tiles,
-               Terrain& terrain, BakeReport& report, const ProgressSink& progress);
+void read_city(const Recipe& recipe, const CityFrames& frames, const CitySinks& sinks, BakeReport& report,
+               const ProgressSink& progress);
 
 /// Puts a mesh that belongs to no object (a made terrain) into the tiles.
 void add_mesh(TileStore& tiles, const TriangleMesh& mesh, ObjectType type, std::uint32_t feature);
