@@ -165,8 +165,9 @@ class Placer {
     }
     colour.tagged(tags.colour);
 
-    const LuminaireChoice* choice =
-        optic.value == Optic::street || optic.value == Optic::central ? choice_for(defaults) : nullptr;
+    const LuminaireChoice* choice = optic.value == Optic::street || optic.value == Optic::central
+                                        ? luminaire_for(options_, defaults)
+                                        : nullptr;
     if (choice) {
       optic.source = ValueSource::attribute;
       if (choice->take_flux && flux.source == ValueSource::rule)
@@ -204,14 +205,6 @@ class Placer {
       set_.lamps.push_back(lamp);
       count_sources(lamp.provenance, tags, road);
     }
-  }
-
-  const LuminaireChoice* choice_for(const RoadDefaults& road) const {
-    for (const LuminaireChoice& choice : options_.luminaires)
-      if (choice.highways.empty() ||
-          std::find(choice.highways.begin(), choice.highways.end(), road.highway) != choice.highways.end())
-        return &choice;
-    return nullptr;
   }
 
   std::uint32_t profile_of(Optic optic) {
@@ -322,6 +315,14 @@ class Placer {
 };
 
 }  // namespace
+
+const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadDefaults& road) {
+  for (const LuminaireChoice& choice : options.luminaires)
+    if (choice.highways.empty() ||
+        std::find(choice.highways.begin(), choice.highways.end(), road.highway) != choice.highways.end())
+      return &choice;
+  return nullptr;
+}
 
 LampSet place_lamps(const OsmData& osm, const LonLatToFrame& to_frame, const HeightAt& height_at,
                     const InsideBuilding& inside, const LampOptions& options) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "formats/light_file.h"
+#include "tools/lights/lamp_defaults.h"
 #include "tools/lights/photometry.h"
 #include "tools/osm/osm_data.h"
 
@@ -62,6 +63,9 @@ struct LampOptions {
   std::vector<LuminaireChoice>
       luminaires;  // the first that serves a road wins; lanterns and floodlights stay
 };
+
+/// The measured luminaire for a road, or none.
+const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadDefaults& road);
 
 /// Every value a tag gives is taken; the rest comes from the road beside and the table of defaults
 /// (lamp_defaults.h). A lamp that stands inside a building (where `inside` is given and says so) is moved out

@@ -1,0 +1,333 @@
+#include "tools/layout/layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+#include <unordered_set>
+
+#include "tools/layout/layout_design.h"
+#include "tools/layout/layout_fit.h"
+#include "tools/layout/post_sites.h"
+#include "tools/lights/colour.h"
+#include "tools/lights/optics.h"
+#include "tools/random.h"
+
+namespace nightcity::layout {
+namespace {
+
+constexpr double mapped_reach_spacings = 1.5;
+constexpr double mapped_beside_m = 8;  // behind the kerb a mapped lamp still belongs to the street
+constexpr double shifts_m[] = {0, 2, -2, 4, -4};
+constexpr double looked_at_m = 10;  // how often a street is tried for lying in the model
+
+const char* name_of(SiteFault fault) {
+  constexpr const char* names[] = {"outside the model", "no room before a building", "in a carriageway"};
+  return names[static_cast<int>(fault)];
+}
+
+/// Main roads first, then brighter ones: they choose their places before lesser streets do.
+auto rank(const Street& street) {
+  return std::tuple(static_cast<int>(street.road.defaults.tier), -street.road.defaults.flux_lm,
+                    street.pieces.front().way_id, street.pieces.front().from_m);
+}
+
+class Layouter {
+ public:
+  Layouter(const OsmData& osm, const LonLatToFrame& to_frame, const HeightAt& height_at,
+           const InsideBuilding& inside, const LampOptions& lamps, const LayoutOptions& options, LampSet& set)
+      : height_at_(height_at), lamp_options_(lamps), options_(options), set_(set) {
+    std::vector<const OsmWay*> lit, unlit;
+    for (const OsmWay& way : osm.highways) {
+      if (!RoadIndex::describe(way)) continue;
+      const std::string reason = why_unlit(way);
+      (reason.empty() ? lit : unlit).push_back(&way);
+      if (!reason.empty() && in_model(way, to_frame)) ++report_.unlit_ways[reason];
+    }
+    // The order of the file must not matter.
+    std::sort(lit.begin(), lit.end(), [](const OsmWay* a, const OsmWay* b) { return a->id < b->id; });
+    network_ = make_street_network(lit, to_frame);
+    sites_.emplace(network_, unlit, to_frame, height_at, inside);
+    for (const PlacedLamp& lamp : set.lamps) {
+      ids_.insert(lamp.id);
+      const glm::dvec2 foot(lamp.foot);
+      mapped_.add(foot, 0);
+      placed_.add(foot, no_street);
+    }
+  }
+
+  LayoutReport run() {
+    plans_.resize(network_.streets.size());
+    std::vector<std::size_t> order;
+    for (std::size_t s = 0; s < plans_.size(); ++s)
+      if (in_model(network_.streets[s])) order.push_back(s);
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return rank(network_.streets[a]) < rank(network_.streets[b]);
+    });
+    for (const std::size_t s : order) plan(s);
+    for (const std::size_t s : order)
+      for (const std::size_t joint : network_.streets[s].joints) light_joint(joint);
+    for (const std::size_t s : order) light_between(s);
+
+    fit_flux(network_, plans_, height_at_, set_, first_new_, street_of_lamp_, report_);
+    count();
+    return std::move(report_);
+  }
+
+ private:
+  static constexpr std::uint32_t no_street = ~0u;
+
+  bool in_model(const OsmWay& way, const LonLatToFrame& to_frame) const {
+    return std::any_of(way.lon_lat.begin(), way.lon_lat.end(), [&](const glm::dvec2& lon_lat) {
+      const glm::dvec2 p = to_frame(lon_lat);
+      return std::isfinite(p.x) && std::isfinite(p.y) && height_at_(p);
+    });
+  }
+  bool in_model(const Street& street) const {
+    const int parts = std::max(1, static_cast<int>(std::ceil(street.length_m() / looked_at_m)));
+    for (int part = 0; part <= parts; ++part)
+      if (height_at_(street.place(street.length_m() * part / parts).point)) return true;
+    return false;
+  }
+
+  /// Arrangement, spacing, flux and side of a street.
+  void plan(std::size_t s) {
+    const Street& street = network_.streets[s];
+    const RoadDefaults& road = street.road.defaults;
+    StreetPlanned& plan = plans_[s];
+    const auto own = options_.class_of.find(road.highway);
+    const auto wanted = lighting_class(own == options_.class_of.end() ? road.target : own->second.c_str());
+    if (!wanted) throw std::invalid_argument("no lighting class of EN 13201-2: " + own->second);
+    plan.wanted = *wanted;
+    plan.design = design(street, arrangement_for(street.road.width_m, road.mounting_m), *wanted);
+    if (street.bridge) ++report_.notes["streets with a bridge: lamps on the model's ground"];
+
+    // The side with fewer obstacles; the right one if both are alike. Two metres of another carriageway's
+    // clearance keep the lamps of twin carriageways on their outer sides.
+    const int parts = parts_of(street, plan.design);
+    int faults[2] = {0, 0}, blocked = 0, tried = 0;
+    for (int i = 0; i <= parts; ++i) {
+      const double along = street.length_m() * i / parts;
+      bool by_building[2] = {false, false};
+      for (const int side : {-1, 1}) {
+        SiteFault fault{};
+        const auto site = sites_->beside(s, along, side, fault);
+        if (!site && fault == SiteFault::outside_model) continue;
+        by_building[side > 0] = !site && fault == SiteFault::building;
+        const bool interior = i > 0 && i < parts;
+        if (!site || (interior && sites_->near_other_carriageway(s, glm::dvec2(site->foot), 2)))
+          ++faults[side > 0];
+      }
+      if (height_at_(street.place(along).point)) ++tried;
+      if (by_building[0] && by_building[1]) ++blocked;
+    }
+    plan.side = faults[1] < faults[0] ? 1 : -1;
+    if (2 * blocked > tried) plan.design = design(street, Arrangement::central, *wanted);
+    plan.lit = true;
+  }
+
+  LampDesign design(const Street& street, Arrangement arrangement, const LightingClass& wanted) {
+    const RoadDefaults& road = street.road.defaults;
+    const auto key =
+        std::tuple(std::string(road.highway), std::lround(street.road.width_m * 10), arrangement);
+    const auto known = designs_.find(key);
+    if (known != designs_.end()) return known->second;
+    const Photometry profile = profile_of(set_, profile_for(road, arrangement == Arrangement::central));
+    return designs_[key] = design_lamps(road, street.road.width_m, arrangement, wanted, profile);
+  }
+
+  static int parts_of(const Street& street, const LampDesign& design) {
+    constexpr double slack = 0.2;  // a street a little longer than a spacing needs no lamp in its middle
+    return std::max(1, static_cast<int>(std::ceil(street.length_m() / design.spacing_m - slack)));
+  }
+
+  /// One lamp for a place where streets meet or end, on the best of them, at the corner.
+  void light_joint(std::size_t number) {
+    if (!joints_done_.insert(number).second) return;
+    const Joint& joint = network_.joints[number];
+    const Joint::End* best = nullptr;
+    double widest_other = 0;
+    for (const Joint::End& end : joint.ends) {
+      if (!plans_[end.street].lit) continue;
+      if (!best || rank(network_.streets[end.street]) < rank(network_.streets[best->street])) best = &end;
+    }
+    if (!best) return;
+    for (const Joint::End& end : joint.ends)
+      if (&end != best) widest_other = std::max(widest_other, network_.streets[end.street].road.width_m);
+    const Street& street = network_.streets[best->street];
+    const double length = street.length_m();
+    const double corner =
+        joint.ends.size() < 3
+            ? 0
+            : std::min(widest_other / 2 + setback_m(street.road.defaults) + 0.5, length / 3);
+    const StreetPlanned& plan = plans_[best->street];
+    const double near = 0.6 * plan.design.spacing_m;
+    if (placed_.any_near(joint.point, near, [](const glm::dvec2&, std::uint32_t) { return true; })) {
+      ++report_.left_out["another lamp at the junction"];
+      return;
+    }
+    light_slot(best->street, best->at_start ? corner : length - corner, plan.side, near);
+  }
+
+  void light_between(std::size_t s) {
+    const Street& street = network_.streets[s];
+    const StreetPlanned& plan = plans_[s];
+    const int parts = parts_of(street, plan.design);
+    const bool path = street.road.defaults.tier == RoadTier::path;
+    const double near = plan.design.spacing_m * (path ? 0.9 : 0.5);
+    for (int i = 1; i < parts; ++i) {
+      const bool other_side = plan.design.arrangement == Arrangement::staggered && i % 2 != 0;
+      light_slot(s, street.length_m() * i / parts, other_side ? -plan.side : plan.side, near);
+    }
+  }
+
+  /// The lamp or pair of lamps of a street at `along`.
+  void light_slot(std::size_t s, double along, int side, double near) {
+    const Street& street = network_.streets[s];
+    const LampDesign& design = plans_[s].design;
+    const Street::Place centre = street.place(along);
+    if (!height_at_(centre.point)) return;  // the street goes on beyond the model
+    if (mapped_near(street, centre, design.spacing_m)) {
+      ++report_.left_out["mapped lamps near"];
+      return;
+    }
+    if (placed_.any_near(centre.point, near, [&](const glm::dvec2&, std::uint32_t by) { return by != s; })) {
+      ++report_.left_out["another street's lamp near"];
+      return;
+    }
+    SiteFault fault = SiteFault::building;
+    if (design.arrangement == Arrangement::central) {
+      const auto site = sites_->above(s, along, fault);
+      return site ? put(s, *site) : leave_out(fault);
+    }
+    const bool pair = design.arrangement == Arrangement::opposite;
+    bool any = false;
+    for (const int wanted_side : {side, -side}) {
+      if (any && !pair) break;
+      if (const auto site = search(s, along, wanted_side, fault)) {
+        put(s, *site);
+        any = true;
+      }
+    }
+    if (any) return;
+    if (fault == SiteFault::building)
+      if (const auto site = sites_->above(s, along, fault)) {
+        ++report_.notes["hung over the street: no room beside it"];
+        return put(s, *site);
+      }
+    leave_out(fault);
+  }
+
+  void leave_out(SiteFault fault) { ++report_.left_out[name_of(fault)]; }
+
+  std::optional<PostSite> search(std::size_t s, double along, int side, SiteFault& fault) const {
+    const double length = network_.streets[s].length_m();
+    for (const double shift : shifts_m) {
+      const double at = along + shift;
+      if (at < 0 || at > length) continue;
+      if (const auto site = sites_->beside(s, at, side, fault)) return site;
+    }
+    return std::nullopt;
+  }
+
+  bool mapped_near(const Street& street, const Street::Place& centre, double spacing_m) const {
+    const double beside = street.road.width_m / 2 + mapped_beside_m;
+    return mapped_.any_near(centre.point, mapped_reach_spacings * spacing_m,
+                            [&](const glm::dvec2& p, std::uint32_t) {
+                              const glm::dvec2 d = p - centre.point;
+                              return std::abs(d.x * centre.along.y - d.y * centre.along.x) <= beside;
+                            });
+  }
+
+  void put(std::size_t s, const PostSite& site) {
+    const Street& street = network_.streets[s];
+    const RoadDefaults& road = street.road.defaults;
+    const Street::Place place = street.place(site.along_m);
+    const glm::dvec2 left(-place.along.y, place.along.x);
+    PlacedLamp lamp;
+    lamp.foot = site.foot;
+    lamp.mounting_height_m = road.mounting_m;
+    lamp.hung = site.side == 0;
+    lamp.aim = left * (site.side > 0 ? -1.0 : 1.0);
+    if (!lamp.hung) lamp.outreach = lamp.aim * std::min(road.outreach_m, site.offset_m);
+    lamp.flux_lm = plans_[s].design.flux_lm;
+    lamp.cct_k = road.cct_k;
+    lamp.colour = rec709_from_xy(planckian_xy(road.cct_k));
+    lamp.radius_m = road.optic == Optic::lantern && !lamp.hung ? lantern_radius_m : luminous_radius_m;
+    lamp.profile = profile_for(road, lamp.hung);
+    lamp.id = unused_id(place, site.side);
+    lamp.provenance.source_id = static_cast<std::uint64_t>(place.way_id);
+    lamp.provenance.position = lamp.provenance.height = lamp.provenance.colour = lamp.provenance.schedule =
+        ValueSource::rule;
+    lamp.provenance.flux = ValueSource::standard;
+    lamp.provenance.profile = measured(road, lamp.hung) ? ValueSource::attribute : ValueSource::rule;
+    lamp.provenance.family = static_cast<std::uint8_t>(LightFamily::lamp);
+    if (site.moved) ++report_.notes["moved away from a building"];
+    ++report_.arrangements[layout::name_of(lamp.hung ? Arrangement::central : plans_[s].design.arrangement)];
+    placed_.add(glm::dvec2(site.foot), static_cast<std::uint32_t>(s));
+    street_of_lamp_.push_back(s);
+    set_.lamps.push_back(lamp);
+  }
+
+  const LuminaireChoice* measured(const RoadDefaults& road, bool hung) const {
+    return hung || road.optic == Optic::lantern ? nullptr : luminaire_for(lamp_options_, road);
+  }
+
+  std::uint32_t profile_for(const RoadDefaults& road, bool hung) {
+    const LuminaireChoice* choice = measured(road, hung);
+    const Optic optic = hung ? Optic::central : road.optic;
+    const std::string name = choice ? choice->name : nightcity::name_of(optic);
+    const auto known = profiles_.find(name);
+    if (known != profiles_.end()) return known->second;
+    return profiles_[name] = add_profile(set_, choice ? choice->photometry : make_optic(optic));
+  }
+
+  std::uint32_t unused_id(const Street::Place& place, int side) {
+    for (std::int64_t attempt = 0;; ++attempt) {
+      Random random{place.way_id, std::llround(place.on_way_m * 10), side, attempt};
+      const auto id = static_cast<std::uint32_t>(random.next() >> 32);
+      if (id != 0xFFFFFFFFu && ids_.insert(id).second) return id;
+    }
+  }
+
+  void count() {
+    report_.lamps = set_.lamps.size() - first_new_;
+    for (std::size_t n = first_new_; n < set_.lamps.size(); ++n) {
+      const PlacedLamp& lamp = set_.lamps[n];
+      for (const char* value : {"position", "height", "colour"}) ++set_.sources[value]["rule"];
+      ++set_.sources["flux"]["standard"];
+      ++set_.sources["profile"][lamp.provenance.profile == ValueSource::rule ? "rule" : "attribute"];
+      ++set_.sources["aim"]["layout"];
+      ++set_.sources["road class"][network_.streets[street_of_lamp_[n - first_new_]].road.defaults.highway];
+    }
+  }
+
+  const HeightAt& height_at_;
+  const LampOptions& lamp_options_;
+  const LayoutOptions& options_;
+  LampSet& set_;
+  const std::size_t first_new_ = set_.lamps.size();
+  StreetNetwork network_;
+  std::optional<PostSites> sites_;
+  std::vector<StreetPlanned> plans_;
+  std::map<std::tuple<std::string, long, Arrangement>, LampDesign> designs_;
+  std::map<std::string, std::uint32_t> profiles_;
+  PlaceGrid mapped_{30}, placed_{15};
+  std::set<std::size_t> joints_done_;
+  std::unordered_set<std::uint32_t> ids_;
+  std::vector<std::size_t> street_of_lamp_;
+  LayoutReport report_;
+};
+
+}  // namespace
+
+LayoutReport lay_out_lamps(const OsmData& osm, const LonLatToFrame& to_frame, const HeightAt& height_at,
+                           const InsideBuilding& inside, const LampOptions& lamps,
+                           const LayoutOptions& options, LampSet& set) {
+  if (options.mode == LayoutOptions::Mode::never) return {};
+  return Layouter(osm, to_frame, height_at, inside, lamps, options, set).run();
+}
+
+}  // namespace nightcity::layout
