@@ -50,6 +50,7 @@ set(CPACK_THREADS 0)
 set(CPACK_PROJECT_CONFIG_FILE ${packaging}/cpack_components.cmake)
 
 set(CPACK_ARCHIVE_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENT_INCLUDE_TOPLEVEL_DIRECTORY ON)  # an archive unpacks into a folder of its own
 set(CPACK_ARCHIVE_NIGHTBAKE_FILE_NAME nightbake-${PROJECT_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR})
 set(CPACK_ARCHIVE_NIGHTVIEW_FILE_NAME nightview-${PROJECT_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR})
 
@@ -69,8 +70,8 @@ include(CPack)
 cpack_add_component_group(nightbake)
 cpack_add_component_group(nightview)
 cpack_add_component(nightbake GROUP nightbake DESCRIPTION
-  "Open city data in, a photometric night scene out\n Turns CityGML and OpenStreetMap into city.glb and city.lights: buildings, terrain, and every\n lamp with its lumens. The built program is under the GPL-3.0-or-later (through CGAL).")
+  "nightbake turns CityGML and OpenStreetMap into city.glb and city.lights: buildings, terrain, and\nevery lamp with its lumens. The built program is under the GPL-3.0-or-later, through CGAL.")
 cpack_add_component(nightview GROUP nightview DESCRIPTION
-  "Renderer of photometric night scenes\n Renders city.glb and city.lights by ReSTIR on any Vulkan device, in cd/m2, and measures pictures\n against a reference that samples every light.")
+  "nightview renders city.glb and city.lights by ReSTIR on any Vulkan device, in cd/m2, and measures\npictures against a reference that samples every light.")
 cpack_add_component(nightbake_libraries GROUP nightbake)
 cpack_add_component(nightview_libraries GROUP nightview)
