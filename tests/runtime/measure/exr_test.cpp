@@ -97,7 +97,7 @@ TEST_F(Exr, FolderThatIsNotThereIsAnError) {
 TEST_F(Exr, FileCutAnywhereIsAnErrorNamingTheFile) {
   write_exr(folder / "a.exr", sample());
   const std::string whole = test::read_text(folder / "a.exr");
-  for (std::size_t size = 0; size < whole.size(); size += 7) {
+  for (std::size_t size = 0; size < whole.size(); size += 19) {
     test::write_text(folder / "cut.exr", whole.substr(0, size));
     try {
       read_exr(folder / "cut.exr");
@@ -111,7 +111,7 @@ TEST_F(Exr, FileCutAnywhereIsAnErrorNamingTheFile) {
 TEST_F(Exr, FlippedBytesNeverDoMoreThanFailOrGiveAPictureOfTheSameSize) {
   write_exr(folder / "a.exr", sample());
   const std::string whole = test::read_text(folder / "a.exr");
-  for (std::size_t i = 0; i < whole.size(); ++i) {
+  for (std::size_t i = 0; i < whole.size(); i += 4) {
     std::string broken = whole;
     broken[i] = static_cast<char>(broken[i] ^ "\x01\x80\xFF"[i % 3]);
     test::write_text(folder / "b.exr", broken);

@@ -50,11 +50,11 @@ TEST_F(Png, CutOrBrokenFileIsAnError) {
   write_png(folder / "a.png", image);
   const std::string whole = test::read_text(folder / "a.png");
   // The last 12 bytes are the end mark, which libpng does not miss once the last row is there.
-  for (std::size_t size = 0; size + 20 < whole.size(); size += 5) {
+  for (std::size_t size = 0; size + 20 < whole.size(); size += 13) {
     test::write_text(folder / "cut.png", whole.substr(0, size));
     EXPECT_THROW(read_png(folder / "cut.png"), Error) << size << " of " << whole.size();
   }
-  for (std::size_t i = 0; i < whole.size(); ++i) {
+  for (std::size_t i = 0; i < whole.size(); i += 3) {
     std::string broken = whole;
     broken[i] = static_cast<char>(broken[i] ^ '\x55');
     test::write_text(folder / "b.png", broken);
