@@ -8,17 +8,19 @@ namespace nightcity {
 namespace {
 
 /// A street luminaire is made to spread an even illuminance E over its stretch of road, and from E = I
-/// cos^3(gamma) at mounting height 1 follows I = E / cos^3. E here is a plateau: a Gaussian across the road,
-/// its middle `forward` mounting heights before the post, and a steeper fall along it, half way down at two
-/// mounting heights. That puts the peak near gamma = 65 degrees (a Type II, medium distribution of ANSI/IES
-/// RP-8) and nothing above 90: a lamp of this optic sends no light upwards.
+/// cos^3(gamma) at mounting height 1 follows I = E / cos^3. E here is a bell across the road, its middle
+/// `forward` mounting heights before the post, and along it the sum of a wide and a narrow bell. Its widths
+/// were chosen so that it lights a road as the measured road luminaires do that the tests compare it with: 57
+/// % of the flux on a road as wide as the lamps are high, overall uniformity 0.42 at a spacing of four
+/// heights, a peak of 620 cd/klm near 65 degrees. Nothing goes above 90 degrees: a lamp of this optic sends
+/// no light upwards.
 double street(double c, double gamma, double forward) {
-  constexpr double across = 0.95, along = 2.3;
+  constexpr double across = 0.85, along = 2.2, near_along = 0.9, near_share = 0.6;
   if (gamma >= std::numbers::pi / 2 - 1e-9) return 0;
-  const double reach = std::tan(gamma);
-  const double x = (reach * std::cos(c) - forward) / across, y = reach * std::sin(c) / along;
-  const double cosine = std::cos(gamma);
-  return std::exp(-x * x - y * y * y * y) / (cosine * cosine * cosine);
+  const double reach = std::tan(gamma), x = (reach * std::cos(c) - forward) / across, y = reach * std::sin(c);
+  const double far = y / along, near = y / near_along, cosine = std::cos(gamma);
+  const double bells = (1 - near_share) * std::exp(-far * far) + near_share * std::exp(-near * near);
+  return std::exp(-x * x) * bells / (cosine * cosine * cosine);
 }
 
 double smooth(double low, double high, double x) {
@@ -49,7 +51,7 @@ const char* name_of(Optic optic) {
 Photometry make_optic(Optic optic) {
   switch (optic) {
     case Optic::street:
-      return sample_intensity([](double c, double gamma) { return street(c, gamma, 0.45); }, 72, 91);
+      return sample_intensity([](double c, double gamma) { return street(c, gamma, 0.6); }, 72, 91);
     case Optic::central:
       return sample_intensity([](double c, double gamma) { return street(c, gamma, 0); }, 72, 91);
     case Optic::lantern:

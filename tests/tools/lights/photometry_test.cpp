@@ -8,8 +8,10 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "support/data.h"
 #include "tools/lights/colour.h"
 #include "tools/lights/lamp_defaults.h"
+#include "tools/lights/luminaire.h"
 #include "tools/lights/optics.h"
 
 namespace nightcity {
@@ -144,6 +146,43 @@ TEST(Photometry, StreetOpticsSendNoLightUpAndThrowAlongAndOverTheRoad) {
   }
   const Photometry over = make_optic(Optic::street);
   EXPECT_GT(intensity_at(over, 0, pi / 4), 3 * intensity_at(over, pi, pi / 4));  // little goes to the houses
+}
+
+struct RoadFigures {
+  double share, uniformity;  // of the flux on the road; least over average illuminance
+};
+
+/// A road as wide as its lamps are high, lamps on one side, 0.6 m over the kerb, four heights apart.
+RoadFigures light_a_road(const Photometry& photometry) {
+  constexpr double height = 8, width = 8, spacing = 32;
+  double sum = 0, least = 1e300;
+  int points = 0;
+  for (double x = spacing / 20; x < spacing; x += spacing / 10)
+    for (double y = width / 12; y < width; y += width / 6, ++points) {
+      double lux = 0;
+      for (int n = -4; n <= 5; ++n) {
+        const double forward = y - 0.6, along = x - n * spacing,
+                     square = forward * forward + along * along + height * height;
+        const double cosine = height / std::sqrt(square);
+        lux += intensity_at(photometry, std::atan2(along, forward), std::acos(cosine)) * cosine / square;
+      }
+      sum += lux;
+      least = std::min(least, lux);
+    }
+  return {sum / points * width * spacing / integrated_flux(photometry), least / (sum / points)};
+}
+
+TEST(Photometry, StreetOpticLightsARoadAsMeasuredLuminairesDo) {
+  const RoadFigures analytic = light_a_road(make_optic(Optic::street));
+  EXPECT_NEAR(analytic.share, 0.57, 0.03);
+  EXPECT_NEAR(analytic.uniformity, 0.42, 0.04);
+  for (const char* name :
+       {"ies/eulumdat-rs_road_luminaire.ldt", "ies/eulumdat_OutdoorRoadway_60W_4000K.ies"}) {
+    REAL_DATA(file, name);
+    const RoadFigures measured = light_a_road(read_luminaire(file).photometry());
+    EXPECT_NEAR(analytic.share, measured.share, 0.05) << name;
+    EXPECT_NEAR(analytic.uniformity, measured.uniformity, 0.06) << name;
+  }
 }
 
 TEST(Photometry, WhatIsNoDistributionIsRefused) {
