@@ -51,6 +51,12 @@ class Builder {
     return r;
   }
 
+  // Which of two ranges a node's next child comes from: the bigger box, or, for the shallowest tree, more
+  // primitives.
+  bool more_to_split(const Range& a, const Range& b) const {
+    return median_only_ ? a.size() > b.size() : a.box.half_area() > b.box.half_area();
+  }
+
   static std::uint32_t leaf(const Range& r) {
     return BVH_LEAF | ((r.size() - 1) << BVH_LEAF_COUNT_SHIFT) | r.begin;
   }
@@ -132,7 +138,7 @@ class Builder {
       for (std::size_t i = 0; i < count; ++i) {
         // A range worth opening: too big for a leaf, or cheaper in two than as one leaf.
         if (children[i].size() <= (count == 1 ? max_leaf_ : std::max(1u, max_leaf_ / 2))) continue;
-        if (widest == count || children[i].box.half_area() > children[widest].box.half_area()) widest = i;
+        if (widest == count || more_to_split(children[i], children[widest])) widest = i;
       }
       if (widest == count) break;
       const std::uint32_t at = split(children[widest]);

@@ -1,4 +1,5 @@
-// Real cities for tests: present on a developer's machine, absent elsewhere. Tests that use them skip with a message.
+// Real cities for tests: present on a developer's machine, absent elsewhere. Tests that use them skip with a
+// message.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,6 +17,6 @@ inline std::filesystem::path data_root() {
 }  // namespace nightcity::test
 
 /// Defines `variable` as the path of a real file, or skips the test.
-#define REAL_DATA(variable, relative)                                                        \
-  const std::filesystem::path variable = ::nightcity::test::data_root() / (relative);        \
+#define REAL_DATA(variable, relative)                                                 \
+  const std::filesystem::path variable = ::nightcity::test::data_root() / (relative); \
   if (!std::filesystem::exists(variable)) GTEST_SKIP() << "no real data at " << variable

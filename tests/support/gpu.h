@@ -1,4 +1,5 @@
-// A Vulkan device for tests: the CPU driver by preference, under the validation layer, which must stay silent.
+// A Vulkan device for tests: the CPU driver by preference, under the validation layer, which must stay
+// silent.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -28,8 +29,8 @@ inline PassLibrary& test_passes() {
 }
 
 /// Renders under validation and fails the test when the layer speaks.
-inline Image render(const RenderScene& scene, const CameraPose& pose, const RenderSettings& settings, std::uint32_t width,
-                    std::uint32_t height, std::uint32_t frames) {
+inline Image render(const RenderScene& scene, const CameraPose& pose, const RenderSettings& settings,
+                    std::uint32_t width, std::uint32_t height, std::uint32_t frames) {
   gpu::Device& device = test_device();
   const std::size_t before = device.validation_messages().size();
   const DeviceScene device_scene(device, scene);

@@ -27,7 +27,8 @@ inline Light lamp(const glm::vec3& position, float flux_lm, float radius = 0.05f
 }
 
 /// A one-sided window facing `normal`, with horizontal first edge.
-inline Light window(const glm::vec3& centre, const glm::vec3& normal, float half_width, float half_height, float flux_lm) {
+inline Light window(const glm::vec3& centre, const glm::vec3& normal, float half_width, float half_height,
+                    float flux_lm) {
   Light light = lamp(centre, flux_lm, half_width);
   light.axis = normal;
   light.tangent = glm::normalize(glm::cross(glm::vec3(0, 1, 0), normal));
@@ -60,18 +61,29 @@ class SceneBuilder {
     const auto at = [&](int i) {
       return glm::vec3((i & 1) ? hi.x : lo.x, (i & 2) ? hi.y : lo.y, (i & 4) ? hi.z : lo.z);
     };
-    for (const auto& f : {std::array{0, 1, 3, 2}, std::array{4, 6, 7, 5}, std::array{0, 4, 5, 1}, std::array{2, 3, 7, 6},
-                          std::array{0, 2, 6, 4}, std::array{1, 5, 7, 3}})
+    for (const auto& f : {std::array{0, 1, 3, 2}, std::array{4, 6, 7, 5}, std::array{0, 4, 5, 1},
+                          std::array{2, 3, 7, 6}, std::array{0, 2, 6, 4}, std::array{1, 5, 7, 3}})
       quad(at(f[0]), at(f[1]), at(f[2]), at(f[3]));
     return *this;
   }
 
   Scene& scene() { return scene_; }
-  RenderScene with(std::vector<Light> lights) const { return make_render_scene(scene_, {std::move(lights), {}, {}, {}}); }
+  RenderScene with(std::vector<Light> lights) const {
+    return make_render_scene(scene_, {std::move(lights), {}, {}, {}});
+  }
 
  private:
   Scene scene_;
 };
+
+/// Those of `lights` that have open sky above: none inside or under a box.
+inline std::vector<Light> under_open_sky(const SceneBuilder& builder, std::vector<Light> lights) {
+  const RenderScene scene = builder.with({});
+  std::erase_if(lights, [&](const Light& light) {
+    return brute_force_hit(scene, glm::dvec3(light.position), {0.0, 1.0, 0.0}, 1e30, MASK_SHADOW).has_value();
+  });
+  return lights;
+}
 
 /// A ground with `count` boxes of 5 to 20 m in a square of half side `half`, seeded.
 inline SceneBuilder random_town(int count, float half, unsigned seed) {
@@ -91,7 +103,8 @@ inline std::vector<Light> random_lamps(int count, float half, unsigned seed) {
   const auto uniform = [&](float a, float b) { return a + (b - a) * float(random() >> 8) / 16777216.0f; };
   std::vector<Light> lights;
   for (int i = 0; i < count; ++i)
-    lights.push_back(lamp({uniform(-half, half), uniform(4, 9), uniform(-half, half)}, uniform(1000, 8000), uniform(0.05f, 0.3f)));
+    lights.push_back(lamp({uniform(-half, half), uniform(4, 9), uniform(-half, half)}, uniform(1000, 8000),
+                          uniform(0.05f, 0.3f)));
   return lights;
 }
 

@@ -33,6 +33,19 @@ class Drape {
       }
   }
 
+  /// The upright face below the edge a-b, seen from its right: a kerb, without which one looks under the
+  /// pavement.
+  void face(RoadArea& area, const dvec2& a, const dvec2& b, double bottom_lift, double top_lift) const {
+    const int n = pieces(glm::distance(a, b));
+    const auto at = [&](int u, double lift) {
+      const dvec2 p = glm::mix(a, b, static_cast<double>(u) / n);
+      return glm::dvec3(p, hills_.height(p) + lift);
+    };
+    for (int u = 0; u < n; ++u)
+      area.rings.push_back(
+          {at(u, bottom_lift), at(u + 1, bottom_lift), at(u + 1, top_lift), at(u, top_lift)});
+  }
+
  private:
   static int pieces(double length) { return std::max(1, static_cast<int>(std::ceil(length / 8.0))); }
   const Hills& hills_;
@@ -133,12 +146,15 @@ void for_each_road(const StreetPlan& streets, const Hills& hills,
       road.j = j;
       RoadArea paving;
       paving.function = 2;
+      const bool market = streets.use(i, j) == BlockUse::market;  // paved on, so without an inner edge
       for (std::size_t k = 0; k < 4; ++k) {
         const std::size_t next = (k + 1) % 4;
         drape.quad(paving, kerb[k], kerb[next], parcel[next], parcel[k], Hills::pavement_lift_m);
+        drape.face(paving, kerb[k], kerb[next], 0.0, Hills::pavement_lift_m);
+        if (!market) drape.face(paving, parcel[next], parcel[k], 0.0, Hills::pavement_lift_m);
       }
       road.areas.push_back(std::move(paving));
-      if (streets.use(i, j) == BlockUse::market) {
+      if (market) {
         RoadArea square;
         square.function = 5;
         drape.quad(square, parcel[0], parcel[1], parcel[2], parcel[3], Hills::pavement_lift_m);

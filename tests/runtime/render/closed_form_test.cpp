@@ -22,8 +22,11 @@ RenderSettings with_estimator(Estimator estimator) {
   return settings;
 }
 
-// Even a single light leaves `basic` some variance: its normalisation depends on which pixel's sample was chosen.
-bool noisy(Estimator estimator) { return estimator == Estimator::basic; }
+// Even a single light leaves `basic` some variance: its normalisation depends on which pixel's sample was
+// chosen.
+bool noisy(Estimator estimator) {
+  return estimator == Estimator::basic;
+}
 
 class EveryEstimator : public testing::TestWithParam<EstimatorName> {};
 
@@ -48,7 +51,8 @@ TEST_P(EveryEstimator, OneLampOverAPlaneIsInverseSquareTimesCosine) {
   EXPECT_NEAR(sum / expected_sum, 1.0, 0.01);
 }
 
-// A uniform sphere lights a surface that faces it wholly like a point at its centre, however near (radius 2 m at 3 m).
+// A uniform sphere lights a surface that faces it wholly like a point at its centre, however near (radius 2 m
+// at 3 m).
 TEST_P(EveryEstimator, ABigSphereLightsAFacingPlaneAsItsCentreWould) {
   const float flux = 5000;
   const RenderScene scene = SceneBuilder(0.4f).ground(100).with({lamp({0, 3, 0}, flux, 2.0f)});
@@ -59,7 +63,8 @@ TEST_P(EveryEstimator, ABigSphereLightsAFacingPlaneAsItsCentreWould) {
   double sum = 0, expected = 0;
   const auto& points = image.layer("position")->values;
   for (std::size_t i = 0; i < image.pixels(); ++i) {
-    const glm::dvec3 to = glm::dvec3(0, 3, 0) - glm::dvec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
+    const glm::dvec3 to =
+        glm::dvec3(0, 3, 0) - glm::dvec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
     const double d2 = glm::dot(to, to);
     sum += luminance(image, i);
     expected += 0.4 / pi * flux / (4 * pi) * (to.y / std::sqrt(d2)) / d2;
@@ -72,7 +77,8 @@ TEST_P(EveryEstimator, ABigSphereLightsAFacingPlaneAsItsCentreWould) {
 TEST_P(EveryEstimator, AWindowShinesByTheCosineLawAndOnOneSide) {
   const float flux = 300;
   const glm::dvec3 centre(0, 6, -8);
-  const RenderScene scene = SceneBuilder(0.4f).ground(100).with({window(glm::vec3(centre), {0, 0, 1}, 0.05f, 0.05f, flux)});
+  const RenderScene scene =
+      SceneBuilder(0.4f).ground(100).with({window(glm::vec3(centre), {0, 0, 1}, 0.05f, 0.05f, flux)});
   const Image image = render(scene, looking_down, with_estimator(GetParam().estimator), 64, 64, 2);
   const auto& points = image.layer("position")->values;
   int lit = 0, dark = 0;
@@ -109,7 +115,8 @@ TEST(ClosedForm, AProfileScalesTheIntensityByDirection) {
   const Image image = render(scene, looking_down, with_estimator(Estimator::reference), 64, 36, 1);
   const auto& points = image.layer("position")->values;
   for (std::size_t i = 0; i < image.pixels(); ++i) {
-    const glm::dvec3 to = glm::dvec3(0, 8, 0) - glm::dvec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
+    const glm::dvec3 to =
+        glm::dvec3(0, 8, 0) - glm::dvec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
     const double d2 = glm::dot(to, to), cosine = to.y / std::sqrt(d2);
     const double expected = 0.4 / pi * 5000 / pi * cosine * cosine / d2;
     ASSERT_NEAR(luminance(image, i), expected, 0.01 * expected) << "pixel " << i;

@@ -27,19 +27,22 @@ class Hazard : public testing::TestWithParam<EstimatorName> {
 };
 
 TEST_P(Hazard, ALampThatTouchesTheGroundStaysFinite) {
-  const RenderScene scene = SceneBuilder().ground(100).with({lamp({0, 0, 0}, 5000, 0), lamp({1, 0.0005f, 1}, 5000, 0)});
+  const RenderScene scene =
+      SceneBuilder().ground(100).with({lamp({0, 0, 0}, 5000, 0), lamp({1, 0.0005f, 1}, 5000, 0)});
   expect_all_finite(render(scene, looking_down, settings(), 33, 33, 3));
 }
 
 TEST_P(Hazard, FluxesAcrossThirtyOrdersOfMagnitudeStayFinite) {
-  const RenderScene scene = SceneBuilder().ground(100).with({lamp({0, 5, 0}, 1e-12f), lamp({2, 5, 0}, 1e20f), lamp({-2, 5, 0}, 5e3f)});
+  const RenderScene scene = SceneBuilder().ground(100).with(
+      {lamp({0, 5, 0}, 1e-12f), lamp({2, 5, 0}, 1e20f), lamp({-2, 5, 0}, 5e3f)});
   const Image image = render(scene, looking_down, settings(), 16, 16, 3);
   expect_all_finite(image);
   EXPECT_GT(mean_luminance(image), 1e10);
 }
 
 TEST_P(Hazard, LightsThatAreNotFiniteAreSwitchedOffAndCounted) {
-  std::vector<Light> lights{lamp({0, 5, 0}, 5000), lamp({1, 5, 0}, 5000), lamp({2, 5, 0}, 5000), lamp({3, 5, 0}, 5000)};
+  std::vector<Light> lights{lamp({0, 5, 0}, 5000), lamp({1, 5, 0}, 5000), lamp({2, 5, 0}, 5000),
+                            lamp({3, 5, 0}, 5000)};
   lights[1].position.x = std::numeric_limits<float>::quiet_NaN();
   lights[2].flux_lm = std::numeric_limits<float>::infinity();
   lights[3].kind_profile = LIGHT_SPHERE | 77u << 8;  // no such profile
@@ -49,20 +52,22 @@ TEST_P(Hazard, LightsThatAreNotFiniteAreSwitchedOffAndCounted) {
   s.candidates = 64;
   const Image image = render(scene, looking_down, s, 16, 16, 4);
   expect_all_finite(image);
-  const double good = mean_luminance(render(SceneBuilder().ground(100).with({lights[0]}), looking_down, s, 16, 16, 4));
+  const double good =
+      mean_luminance(render(SceneBuilder().ground(100).with({lights[0]}), looking_down, s, 16, 16, 4));
   EXPECT_NEAR(mean_luminance(image) / good, 1.0, 0.05);
 }
 
 TEST_P(Hazard, AWindowWithoutAreaStaysFinite) {
-  const RenderScene scene = SceneBuilder().ground(100).with({window({0, 4, -3}, {0, 0, 1}, 0, 0, 100), window({0, 4, -3}, {0, 0, 1}, 1, 0, 100)});
+  const RenderScene scene = SceneBuilder().ground(100).with(
+      {window({0, 4, -3}, {0, 0, 1}, 0, 0, 100), window({0, 4, -3}, {0, 0, 1}, 1, 0, 100)});
   expect_all_finite(render(scene, looking_down, settings(), 16, 16, 3));
 }
 
 TEST_P(Hazard, SliverAndZeroAreaTrianglesNeitherBlockNorBreak) {
   SceneBuilder builder;
   builder.ground(100);
-  builder.quad({-50, 4, 0}, {50, 4, 0}, {50, 4, 0}, {-50, 4, 0});            // no area
-  builder.quad({-50, 4, 0}, {50, 4, 0}, {50, 4, 1e-6f}, {-50, 4, 1e-6f});    // 100 m by 1 um
+  builder.quad({-50, 4, 0}, {50, 4, 0}, {50, 4, 0}, {-50, 4, 0});          // no area
+  builder.quad({-50, 4, 0}, {50, 4, 0}, {50, 4, 1e-6f}, {-50, 4, 1e-6f});  // 100 m by 1 um
   const RenderScene scene = builder.with({lamp({0, 8, 0}, 5000)});
   EXPECT_GE(scene.dropped_triangles, 2u);
   const Image image = render(scene, looking_down, settings(), 16, 16, 3);

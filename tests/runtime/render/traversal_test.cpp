@@ -27,9 +27,9 @@ void expect_depths_like_brute_force(const RenderScene& scene, const CameraPose& 
   for (std::uint32_t y = 0; y < side; ++y)
     for (std::uint32_t x = 0; x < side; ++x) {
       const double sx = (x + 0.5) / side * 2 - 1, sy = (y + 0.5) / side * 2 - 1;
-      const glm::dvec3 direction =
-          glm::normalize(glm::dvec3(camera.forward) + glm::dvec3(camera.right) * (sx * double(camera.tan_half_height)) -
-                         glm::dvec3(camera.up) * (sy * double(camera.tan_half_height)));
+      const glm::dvec3 direction = glm::normalize(
+          glm::dvec3(camera.forward) + glm::dvec3(camera.right) * (sx * double(camera.tan_half_height)) -
+          glm::dvec3(camera.up) * (sy * double(camera.tan_half_height)));
       const auto truth = brute_force_hit(scene, glm::dvec3(camera.position), direction, 1e30, MASK_VISIBLE);
       const double seen = double(depth[y * side + x]);
       if (truth) ++hits;

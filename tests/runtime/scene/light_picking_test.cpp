@@ -1,0 +1,115 @@
+// Densities that candidates are drawn with: alias table and light grid.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "runtime/scene/alias_table.h"
+#include "runtime/scene/light_grid.h"
+#include "support/scenes.h"
+
+namespace nightcity::test {
+namespace {
+
+std::vector<double> probabilities(std::span<const gpu::AliasEntry> table) {
+  std::vector<double> p(table.size());
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    p[i] += double(table[i].keep) / double(table.size());
+    p[table[i].alias] += (1.0 - double(table[i].keep)) / double(table.size());
+  }
+  return p;
+}
+
+TEST(AliasTable, DrawsEachIndexByItsWeight) {
+  const std::vector<float> weights{1, 0, 5, 1e-3f, 250, 3, 3, 0.5f};
+  const auto table = build_alias_table(weights);
+  const auto p = probabilities(table);
+  double sum = 0;
+  for (const float w : weights) sum += double(w);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    EXPECT_NEAR(p[i], double(weights[i]) / sum, 1e-7);
+    EXPECT_NEAR(double(table[i].pdf), double(weights[i]) / sum, 1e-7);
+  }
+}
+
+TEST(AliasTable, AMillionWeightsSumToOneInDouble) {
+  std::vector<float> weights(1000000, 0.1f);
+  weights[7] = 1e6f;
+  const auto table = build_alias_table(weights);
+  double pdf_sum = 0;
+  for (const auto& entry : table) pdf_sum += double(entry.pdf);
+  EXPECT_NEAR(pdf_sum, 1.0, 1e-5);
+  EXPECT_NEAR(double(table[7].pdf), 1e6 / (1e6 + 999999 * 0.1), 1e-6);
+}
+
+TEST(AliasTable, WeightsThatAreNoNumbersCountAsZero) {
+  const std::vector<float> weights{std::numeric_limits<float>::quiet_NaN(), 2, -1,
+                                   std::numeric_limits<float>::infinity(), 2};
+  const auto p = probabilities(build_alias_table(weights));
+  EXPECT_NEAR(p[0] + p[2] + p[3], 0, 1e-12);
+  EXPECT_NEAR(p[1], 0.5, 1e-7);
+}
+
+TEST(AliasTable, WithoutAnyWeightItIsUniform) {
+  const std::vector<float> weights(5, 0.0f);
+  for (const double p : probabilities(build_alias_table(weights))) EXPECT_NEAR(p, 0.2, 1e-7);
+  EXPECT_TRUE(build_alias_table({}).empty());
+}
+
+// The shader decides by the threshold whether a light is in a cell's list; it must agree with the list.
+TEST(LightGrid, MembershipByThresholdIsMembershipInTheList) {
+  std::vector<Light> lights = random_lamps(700, 300, 9);
+  for (int i = 0; i < 200; ++i)
+    lights.push_back(lamp({float(i % 20) * 16, 6, float(i / 20) * 16}, 3000));  // many ties
+  const LightGrid grid = build_light_grid(lights);
+  ASSERT_EQ(grid.cells.size(), std::size_t{grid.shape.width} * grid.shape.depth);
+  for (std::uint32_t z = 0; z < grid.shape.depth; ++z)
+    for (std::uint32_t x = 0; x < grid.shape.width; ++x) {
+      const gpu::LightCell& cell = grid.cells[z * grid.shape.width + x];
+      std::map<std::uint32_t, double> probability;
+      for (std::uint32_t i = 0; i < cell.count; ++i) {
+        const gpu::LocalEntry& entry = grid.entries[cell.first + i];
+        probability[entry.light] += double(entry.keep) / cell.count;
+        probability[entry.alias_light] += (1.0 - double(entry.keep)) / cell.count;
+      }
+      for (std::uint32_t light = 0; light < lights.size(); ++light) {
+        const float strength = local_strength(grid.shape, x, z, lights[light]);
+        const bool member = cell.count > 0 && strength >= cell.threshold;
+        const auto listed = probability.find(light);
+        ASSERT_EQ(member, listed != probability.end()) << "cell " << x << ", " << z << " light " << light;
+        if (member) {
+          ASSERT_NEAR(listed->second, double(strength / cell.strength_sum), 1e-5);
+        }
+      }
+    }
+}
+
+TEST(LightGrid, ACellListsItsStrongestLights) {
+  const std::vector<Light> lights = random_lamps(2000, 400, 4);
+  const LightGrid grid = build_light_grid(lights);
+  const std::uint32_t x = grid.shape.width / 2, z = grid.shape.depth / 2;
+  const gpu::LightCell& cell = grid.cells[z * grid.shape.width + x];
+  EXPECT_GT(cell.count, LOCAL_LIGHTS / 2u);
+  std::size_t stronger = 0;
+  for (const Light& light : lights) stronger += local_strength(grid.shape, x, z, light) >= cell.threshold;
+  EXPECT_EQ(stronger, cell.count);
+}
+
+TEST(LightGrid, LightsWithoutFluxAreInNoCell) {
+  std::vector<Light> lights = random_lamps(10, 50, 2);
+  lights[3].flux_lm = 0;
+  const LightGrid grid = build_light_grid(lights);
+  for (const gpu::LocalEntry& entry : grid.entries) EXPECT_NE(entry.light, 3u);
+  EXPECT_EQ(build_light_grid({}).shape.width, 0u);
+}
+
+TEST(LightGrid, AContinentOfLightsKeepsItsCellsCountable) {
+  std::vector<Light> lights = random_lamps(1000, 100, 2);
+  lights.push_back(lamp({900000, 5, 900000}, 3000));
+  const LightGrid grid = build_light_grid(lights);
+  EXPECT_LE(grid.cells.size(), 70000u);
+}
+
+}  // namespace
+}  // namespace nightcity::test
