@@ -59,7 +59,7 @@ void write_recipe(const std::filesystem::path& path) {
 
 /// Means over towns of 56 to 2500 blocks without their relief; the tests hold the sizes made from them to 10
 /// %.
-constexpr double buildings_per_block = 12.5, triangles_per_block = 930;
+constexpr double buildings_per_block = 12.5, triangles_per_block = 1115;
 
 }  // namespace
 

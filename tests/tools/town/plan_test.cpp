@@ -244,6 +244,14 @@ TEST(Plan, RoadsLieAboveTheTerrainAndNoHigherThanAKerb) {
     for_each_road(streets, hills, [&](const RoadPlan& road) {
       for (const RoadArea& area : road.areas)
         for (const Ring& ring : area.rings) {
+          if (ring.size() == 4) {  // a kerb's face: upright, from the terrain to the pavement
+            for (const std::size_t k : {0u, 1u}) {
+              EXPECT_EQ(dvec2(ring[k]), dvec2(ring[3 - k]));
+              EXPECT_NEAR(ring[k].z, hills.height(dvec2(ring[k])), 1e-9);
+              EXPECT_NEAR(ring[3 - k].z - ring[k].z, Hills::pavement_lift_m, 1e-9);
+            }
+            continue;
+          }
           ASSERT_EQ(ring.size(), 3u);
           double u = random.uniform(), v = random.uniform();
           if (u + v > 1) u = 1 - u, v = 1 - v;
