@@ -58,8 +58,8 @@ bool PostSites::near_other_carriageway(std::size_t street, const glm::dvec2& p, 
 bool PostSites::clear_of_buildings(const glm::dvec2& p) const {
   if (!inside_) return true;
   if (inside_(p)) return false;
-  for (int n = 0; n < 8; ++n) {
-    const double angle = std::numbers::pi * n / 4;
+  for (int n = 0; n < 16; ++n) {
+    const double angle = std::numbers::pi * n / 8;
     if (inside_(p + building_clearance_m * glm::dvec2(std::cos(angle), std::sin(angle)))) return false;
   }
   return true;
