@@ -72,9 +72,9 @@ bool WallIndex::blocked(const glm::dvec3& p, const glm::dvec3& normal, double re
         if (std::abs(denominator) < 1e-9) continue;
         const double t = cross(a - from, edge) / denominator, s = cross(a - from, line) / denominator;
         if (t < 0 || t > 1 || s < 0 || s > 1) continue;
-        const double distance = t * (reach_m + behind_m) - behind_m;
-        const bool own_facade =
-            std::abs(distance) < behind_m * 0.99 + 1e-3 && std::cos(wall.facing - facing) > 0.99;
+        // A wall that faces the same way is the window's own facade, at whatever depth the window is set into
+        // it.
+        const bool own_facade = std::cos(wall.facing - facing) > 0.99;
         if (!own_facade) return true;
       }
     }

@@ -18,8 +18,8 @@ class WallIndex {
   void add(const CityObject& object);
 
   /// Whether a wall crosses the horizontal line from 5 cm behind `p` to `reach_m` before it along `normal`,
-  /// at p's height. Walls in the window's own plane that face the same way are its own facade and do not
-  /// count; a party wall faces the other way and does.
+  /// at p's height. Walls that face the same way are the window's own facade and do not count; a party wall
+  /// faces the other way and does.
   bool blocked(const glm::dvec3& p, const glm::dvec3& normal, double reach_m) const;
 
  private:

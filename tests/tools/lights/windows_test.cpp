@@ -218,6 +218,20 @@ TEST(Windows, PartyWallsAndWallsNearbyHaveNoneAndTheRestStay) {
   EXPECT_EQ(faces(step, {1, 0, 0}, 11, 13), faces(step, {1, 0, 0}, 11, 13, 5));
 }
 
+TEST(Windows, ModelledWindowsMaySitDeepInTheirWalls) {
+  std::size_t kept = 0;
+  for (int n = 0; n < 20; ++n) {  // enough houses that somebody has light on
+    CityObject house = box(0, 0, 12, 10, 6, ("house " + std::to_string(n)).c_str());
+    Polygon window = wall({{3, 0.2}, {4.5, 0.2}}, {1, 1}, {2.2, 2.2});
+    window.surface = SurfaceType::window;
+    house.polygons.push_back(window);
+    const WindowSet set = windows_of({house});
+    EXPECT_FALSE(set.dropped.contains("something before it"));
+    kept += set.windows.size();
+  }
+  EXPECT_GT(kept, 10u);
+}
+
 TEST(Windows, NoneIsBelowTheGround) {
   const HeightAt slope = [](const glm::dvec2& p) { return std::optional(ground_z + (p.x - east) * 0.5); };
   const WindowSet set = windows_of({box(0, 0, 20, 10, 12.8)}, slope);
