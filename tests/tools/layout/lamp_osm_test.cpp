@@ -1,0 +1,45 @@
+#include "tools/layout/lamp_osm.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "support/temp_folder.h"
+#include "tools/layout/layout.h"
+#include "tools/layout/street_plane.h"
+
+namespace nightcity::layout {
+namespace {
+
+TEST(LampOsm, LaidOutLampsReadBackStandWhereTheyStoodAndShineAsTheyDid) {
+  OsmData osm;
+  osm.highways = {test::street(5, {{-200, 10}, {150, 60}}, {{"highway", "secondary"}}),
+                  test::street(6, {{-200, 10}, {-220, -180}}, {{"highway", "residential"}})};
+  LampSet laid;
+  lay_out_lamps(osm, test::to_plane, test::plane, {}, {}, {}, laid);
+  ASSERT_GT(laid.lamps.size(), 15u);
+
+  const test::TempFolder folder;
+  const auto to_lon_lat = [](const glm::dvec2& p) { return p / test::metres_per_degree; };
+  EXPECT_EQ(write_lamp_osm(folder / "lamps.osm", laid.lamps, to_lon_lat), laid.lamps.size());
+  OsmData again = read_osm(folder / "lamps.osm");
+  ASSERT_EQ(again.lamps.size(), laid.lamps.size());
+  again.highways = osm.highways;
+  const LampSet placed = place_lamps(again, test::to_plane, test::plane);
+  ASSERT_EQ(placed.lamps.size(), laid.lamps.size());
+  for (std::size_t n = 0; n < placed.lamps.size(); ++n) {
+    const PlacedLamp &a = laid.lamps[n], &b = placed.lamps[n];
+    EXPECT_LT(glm::distance(a.foot, b.foot), 0.01);
+    EXPECT_GT(glm::dot(a.aim, b.aim), 0.9998);
+    EXPECT_NEAR(glm::distance(a.outreach, b.outreach), 0, 0.05);
+    EXPECT_EQ(a.mounting_height_m, b.mounting_height_m);
+    EXPECT_NEAR(a.flux_lm, b.flux_lm, 0.5);
+    EXPECT_EQ(a.cct_k, b.cct_k);
+    EXPECT_EQ(b.provenance.flux, ValueSource::tag);
+  }
+  EXPECT_TRUE(placed.notes.empty());
+}
+
+}  // namespace
+}  // namespace nightcity::layout

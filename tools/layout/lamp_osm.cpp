@@ -1,0 +1,54 @@
+#include "tools/layout/lamp_osm.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/trigonometric.hpp>
+#include <string>
+
+#include "formats/atomic_file.h"
+
+namespace nightcity::layout {
+namespace {
+
+/// Clockwise from true north; the frame's own north may lie aside of it.
+double bearing_degrees(const glm::dvec2& from, const glm::dvec2& to) {
+  const double east = (to.x - from.x) * std::cos(glm::radians(from.y)), north = to.y - from.y;
+  const double degrees = glm::degrees(std::atan2(east, north));
+  return degrees < 0 ? degrees + 360 : degrees;
+}
+
+}  // namespace
+
+std::size_t write_lamp_osm(const std::filesystem::path& path, std::span<const PlacedLamp> lamps,
+                           const std::function<glm::dvec2(const glm::dvec2&)>& to_lon_lat) {
+  AtomicFile file(path);
+  file.write(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<osm version=\"0.6\" generator=\"nightbake layout\">\n");
+  std::size_t written = 0;
+  std::string text;
+  const auto tag = [&text](const char* key, const std::string& value) {
+    text += fmt::format("<tag k=\"{}\" v=\"{}\"/>\n", key, value);
+  };
+  for (const PlacedLamp& lamp : lamps) {
+    const glm::dvec2 foot(lamp.foot), at = to_lon_lat(foot), ahead = to_lon_lat(foot + lamp.aim * 10.0);
+    if (!std::isfinite(at.x + at.y + ahead.x + ahead.y)) continue;
+    text = fmt::format("<node id=\"{}\" version=\"1\" lat=\"{:.7f}\" lon=\"{:.7f}\">\n",
+                       -1 - std::int64_t{lamp.id}, at.y, at.x);
+    tag("highway", "street_lamp");
+    tag("height", fmt::format("{:g}", lamp.mounting_height_m));
+    tag("light:luminous_flux", fmt::format("{:.0f}", lamp.flux_lm));
+    tag("light:colour", fmt::format("{:.0f} K", lamp.cct_k));
+    tag("light:direction", fmt::format("{:.0f}", bearing_degrees(at, ahead)));
+    if (lamp.hung) tag("lamp_mount", "suspended");
+    tag("source",
+        fmt::format("nightbake layout along way {}", static_cast<std::int64_t>(lamp.provenance.source_id)));
+    file.write(text + "</node>\n");
+    ++written;
+  }
+  file.write("</osm>\n");
+  file.commit();
+  return written;
+}
+
+}  // namespace nightcity::layout
