@@ -14,7 +14,7 @@ struct RenderOptions {
   std::string device;
   std::string camera = "overview";
   std::string size = "1280x720";
-  std::string estimator = "traced";
+  std::string estimator = "pairwise";
   bool validation = false;
   RenderSettings settings;
 

@@ -71,13 +71,22 @@ CameraPose top(const RenderScene& scene) {
   return pose;
 }
 
+bool is_lamp(const Light& light) { return (light.kind_profile & 255u) == LIGHT_SPHERE && light.flux_lm > 0; }
+
+// Nothing overhead: neither under a tree nor inside a house.
+bool open_sky(const RenderScene& scene, const glm::vec3& eye) {
+  return !brute_force_hit(scene, glm::dvec3(eye), {0.0, 1.0, 0.0}, 1e30, MASK_SHADOW).has_value();
+}
+
 // A pedestrian near a lamp who looks towards the farthest open direction along which other lamps stand.
 CameraPose street(const RenderScene& scene) {
   if (scene.lights.empty()) return overview(scene);
   const Focus focus = lit_part(scene);
   std::vector<const Light*> nearest;
+  // Beside a lamp one stands in the street; below a window one would stand in the house. Without lamps, any light.
+  const bool lamps_there = std::any_of(scene.lights.begin(), scene.lights.end(), is_lamp);
   for (const Light& light : scene.lights)
-    if (light.flux_lm > 0) nearest.push_back(&light);
+    if (light.flux_lm > 0 && (!lamps_there || is_lamp(light))) nearest.push_back(&light);
   const auto centre_distance = [&](const Light* light) {
     return std::hypot(light->position.x - focus.centre.x, light->position.z - focus.centre.z);
   };
@@ -96,7 +105,7 @@ CameraPose street(const RenderScene& scene) {
     const auto down = brute_force_hit(scene, above, {0, -1, 0}, 60, MASK_SHADOW);
     if (!down) continue;
     const glm::vec3 eye = above - glm::vec3(0, float(*down) - eye_height_m, 0);
-    if (eye.y > lamp->position.y) continue;  // standing on a roof
+    if (eye.y > lamp->position.y || !open_sky(scene, eye)) continue;  // on a roof, or indoors
     for (int turn = 0; turn < 16; ++turn) {
       const float angle = glm::radians(22.5f * float(turn));
       const glm::vec3 ahead(std::cos(angle), 0, std::sin(angle));
@@ -111,7 +120,7 @@ CameraPose street(const RenderScene& scene) {
       const float score = lamps * std::sqrt(std::min(open, 120.0f));
       if (score > best_score) {
         best_score = score;
-        best.position = eye - 2.0f * ahead;
+        best.position = eye;
         best.target = eye + 30.0f * ahead + glm::vec3(0, 1.5f, 0);
         best.up = {0, 1, 0};
         best.fov_deg = 65;
