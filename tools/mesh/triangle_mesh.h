@@ -33,6 +33,8 @@ struct MeshReport {
   std::size_t not_finite = 0;         // dropped: NaN, Inf or beyond any frame
   std::size_t not_triangulated = 0;   // dropped: CGAL gave up
   std::size_t dropped_holes = 0;      // holes of fewer than three distinct vertices: they have no area
+  std::size_t turned = 0;             // polygons that orient_outward has turned
+  std::string first_turned;           // id of the first object with such
   std::string worst_non_planar;
   double worst_non_planar_m = 0;
   std::string worst_self_intersecting;
@@ -45,6 +47,10 @@ struct MeshReport {
 /// enclosing constraints. The area of each polygon is kept to 1e-6 relative. Never throws on bad rings: they
 /// are counted.
 TriangleMesh triangulate(const CityObject& object, MeshReport& report);
+
+/// Turns the polygons of every closed shell in `object` outward; counted in report.turned. Shells with a gap
+/// or within another shell, and walls between parts, stay as they are. Coordinates in metres.
+void orient_outward(CityObject& object, MeshReport& report);
 
 /// Names the surfaces a LoD1 block leaves unknown from their normals: roof, wall, ground. Buildings and
 /// bridges only; what the file names stays. Coordinates already E, N, H.

@@ -212,6 +212,8 @@ void MeshReport::merge(const MeshReport& other) {
   not_finite += other.not_finite;
   not_triangulated += other.not_triangulated;
   dropped_holes += other.dropped_holes;
+  turned += other.turned;
+  if (first_turned.empty()) first_turned = other.first_turned;
   if (other.worst_non_planar_m > worst_non_planar_m) {
     worst_non_planar_m = other.worst_non_planar_m;
     worst_non_planar = other.worst_non_planar;

@@ -1,0 +1,143 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "tools/mesh/polygon_plane.h"
+#include "tools/mesh/triangle_mesh.h"
+
+namespace nightcity {
+namespace {
+
+// Six faces outward, side `s`, corner at (x, y, z).
+std::vector<Polygon> box(double x, double y, double z, double s) {
+  const auto p = [&](int i, int j, int k) { return glm::dvec3{x + i * s, y + j * s, z + k * s}; };
+  const std::vector<Ring> faces{
+      {p(0, 0, 0), p(0, 1, 0), p(1, 1, 0), p(1, 0, 0)}, {p(0, 0, 1), p(1, 0, 1), p(1, 1, 1), p(0, 1, 1)},
+      {p(0, 0, 0), p(1, 0, 0), p(1, 0, 1), p(0, 0, 1)}, {p(1, 0, 0), p(1, 1, 0), p(1, 1, 1), p(1, 0, 1)},
+      {p(1, 1, 0), p(0, 1, 0), p(0, 1, 1), p(1, 1, 1)}, {p(0, 1, 0), p(0, 0, 0), p(0, 0, 1), p(0, 1, 1)}};
+  std::vector<Polygon> out;
+  for (const Ring& face : faces) {
+    Polygon& polygon = out.emplace_back();
+    polygon.exterior = face;
+  }
+  return out;
+}
+
+CityObject building(std::vector<Polygon> polygons) {
+  CityObject object;
+  object.id = "house";
+  object.type = ObjectType::building;
+  object.polygons = std::move(polygons);
+  return object;
+}
+
+void turn(Polygon& polygon) {
+  std::reverse(polygon.exterior.begin(), polygon.exterior.end());
+  for (Ring& ring : polygon.interiors) std::reverse(ring.begin(), ring.end());
+}
+
+double volume(const CityObject& object) {
+  double sum = 0;
+  const glm::dvec3 origin = object.polygons.front().exterior.front();
+  for (const Polygon& p : object.polygons) {
+    glm::dvec3 area = area_vector(p.exterior);
+    for (const Ring& hole : p.interiors) area += area_vector(hole);
+    sum += glm::dot(area, p.exterior.front() - origin) / 3;
+  }
+  return sum;
+}
+
+std::size_t oriented(CityObject& object) {
+  MeshReport report;
+  orient_outward(object, report);
+  return report.turned;
+}
+
+TEST(Orient, AnyFacesOfABoxTurnedInwardAreTurnedBack) {
+  for (unsigned mask = 0; mask < 64; ++mask) {
+    CityObject object = building(box(32500000, 5800000, 30, 10));
+    std::size_t turned = 0;
+    for (unsigned i = 0; i < 6; ++i) {
+      if ((mask >> i & 1) == 0) continue;
+      turn(object.polygons[i]);
+      ++turned;
+    }
+    EXPECT_EQ(oriented(object), turned);
+    EXPECT_NEAR(volume(object), 1000, 1e-6);
+  }
+}
+
+TEST(Orient, OpenBoxIsLeftAlone) {
+  std::vector<Polygon> faces = box(0, 0, 0, 10);
+  faces.pop_back();
+  turn(faces[2]);
+  CityObject object = building(faces);
+  EXPECT_EQ(oriented(object), 0u);
+  EXPECT_EQ(object.polygons[2].exterior, faces[2].exterior);
+}
+
+TEST(Orient, WallWithAWindowInItsHoleIsOneShell) {
+  std::vector<Polygon> faces = box(0, 0, 0, 10);
+  const Ring window{{3, 0, 3}, {6, 0, 3}, {6, 0, 6}, {3, 0, 6}};
+  faces[2].interiors = {Ring(window.rbegin(), window.rend())};
+  Polygon pane;
+  pane.exterior = window;
+  pane.surface = SurfaceType::window;
+  faces.push_back(pane);
+  for (const std::size_t inward : {std::size_t{2}, std::size_t{6}}) {
+    CityObject object = building(faces);
+    turn(object.polygons[inward]);
+    EXPECT_EQ(oriented(object), 1u);
+    EXPECT_NEAR(volume(object), 1000, 1e-9);
+  }
+}
+
+TEST(Orient, PartsThatShareAWallAreTurnedOutwardRoundBoth) {
+  std::vector<Polygon> faces = box(0, 0, 0, 10);
+  for (Polygon& p : box(10, 0, 0, 10)) faces.push_back(p);
+  const CityObject right = building(faces);
+  for (std::size_t i = 6; i < 12; ++i) turn(faces[i]);
+  turn(faces[1]);
+  CityObject object = building(faces);
+  EXPECT_EQ(oriented(object), 6u);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (i == 3 || i == 11) continue;  // the wall between them, once from each side: nobody sees it
+    EXPECT_GT(glm::dot(area_vector(object.polygons[i].exterior), area_vector(right.polygons[i].exterior)), 0)
+        << i;
+  }
+}
+
+TEST(Orient, CavityKeepsFacingIntoItself) {
+  std::vector<Polygon> faces = box(0, 0, 0, 10);
+  for (Polygon& p : box(4, 4, 4, 2)) {
+    turn(p);
+    faces.push_back(p);
+  }
+  CityObject object = building(faces);
+  EXPECT_EQ(oriented(object), 0u);
+  EXPECT_NEAR(volume(object), 1000 - 8, 1e-9);
+}
+
+TEST(Orient, VerticesAMillimetreApartAreOne) {
+  std::vector<Polygon> faces = box(0, 0, 0, 10);
+  for (glm::dvec3& p : faces[3].exterior) p.x += 0.0003;
+  turn(faces[3]);
+  CityObject object = building(faces);
+  EXPECT_EQ(oriented(object), 1u);
+}
+
+TEST(Orient, TerrainAndBrokenCoordinatesAreLeftAlone) {
+  CityObject relief = building(box(0, 0, 0, 10));
+  relief.type = ObjectType::relief;
+  for (Polygon& p : relief.polygons) turn(p);
+  EXPECT_EQ(oriented(relief), 0u);
+  CityObject broken = building(box(0, 0, 0, 10));
+  for (Polygon& p : broken.polygons) turn(p);
+  broken.polygons[0].exterior[0].x = 1e300;
+  EXPECT_EQ(oriented(broken), 0u);
+}
+
+}  // namespace
+}  // namespace nightcity
