@@ -1,0 +1,3 @@
+<CityModel xmlns="http://www.opengis.net/citygml/2.0" xmlns:b="http://www.opengis.net/citygml/building/2.0" xmlns:g="http://www.opengis.net/gml" xmlns:x="http://www.w3.org/1999/xlink" xmlns:d="dem" xmlns:f="frn" xmlns:a="app" xmlns:t="tran">
+<cityObjectMember><!-- </cityObjectMember> --><b:Building><b:function><![CDATA[</cityObjectMember>]]></b:function><b:lod2MultiSurface><g:MultiSurface><g:surfaceMember><g:Polygon g:id="p"><g:exterior><g:LinearRing><g:posList>0 0 0 <!-- here --> 4 0 0 4 4 0 0 0 0</g:posList></g:LinearRing></g:exterior></g:Polygon></g:surfaceMember></g:MultiSurface></b:lod2MultiSurface></b:Building></cityObjectMember>
+</CityModel>

@@ -1,0 +1,3 @@
+<CityModel xmlns="http://www.opengis.net/citygml/2.0" xmlns:b="http://www.opengis.net/citygml/building/2.0" xmlns:g="http://www.opengis.net/gml" xmlns:x="http://www.w3.org/1999/xlink" xmlns:d="dem" xmlns:f="frn" xmlns:a="app" xmlns:t="tran">
+<cityObjectMember><b:Building><a:appearance><a:Appearance><a:surfaceDataMember><a:X3DMaterial><a:diffuseColor>1 2 -3</a:diffuseColor><a:target>#p</a:target></a:X3DMaterial></a:surfaceDataMember></a:Appearance></a:appearance><b:lod2MultiSurface><g:MultiSurface><g:surfaceMember><g:Polygon g:id="p"><g:exterior><g:LinearRing><g:posList>0 0 0 4 0 0 4 4 0 0 4 0 0 0 0</g:posList></g:LinearRing></g:exterior></g:Polygon></g:surfaceMember></g:MultiSurface></b:lod2MultiSurface></b:Building></cityObjectMember><appearanceMember/>
+</CityModel>

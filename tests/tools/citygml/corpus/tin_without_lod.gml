@@ -1,0 +1,3 @@
+<CityModel xmlns="http://www.opengis.net/citygml/2.0" xmlns:b="http://www.opengis.net/citygml/building/2.0" xmlns:g="http://www.opengis.net/gml" xmlns:x="http://www.w3.org/1999/xlink" xmlns:d="dem" xmlns:f="frn" xmlns:a="app" xmlns:t="tran">
+<cityObjectMember><d:ReliefFeature><d:reliefComponent><d:TINRelief><d:tin><g:Tin><g:trianglePatches><g:Triangle><g:exterior><g:LinearRing><g:posList>0 0 0 1 0 0 0 1 0 0 0 0</g:posList></g:LinearRing></g:exterior></g:Triangle></g:trianglePatches><g:controlPoint><g:posList>1 2 3</g:posList></g:controlPoint></g:Tin></d:tin></d:TINRelief></d:reliefComponent></d:ReliefFeature></cityObjectMember>
+</CityModel>

@@ -1,0 +1,3 @@
+<CityModel xmlns="http://www.opengis.net/citygml/2.0" xmlns:b="http://www.opengis.net/citygml/building/2.0" xmlns:g="http://www.opengis.net/gml" xmlns:x="http://www.w3.org/1999/xlink" xmlns:d="dem" xmlns:f="frn" xmlns:a="app" xmlns:t="tran">
+<cityObjectMember><b:Building><b:lod2MultiSurface><g:MultiSurface g:id="a"><g:surfaceMember x:href="#a"/><g:surfaceMember x:href="#b"/></g:MultiSurface></b:lod2MultiSurface></b:Building></cityObjectMember><cityObjectMember><b:Building><b:lod2MultiSurface><g:MultiSurface g:id="b"><g:surfaceMember x:href="#a"/></g:MultiSurface></b:lod2MultiSurface></b:Building></cityObjectMember>
+</CityModel>

@@ -1,0 +1,40 @@
+// Every document of the corpus, in both readers: an Error or a city, never a crash.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "formats/error.h"
+#include "tools/citygml/city_model.h"
+
+namespace nightcity {
+namespace {
+
+class Corpus : public testing::TestWithParam<Reader> {};
+
+TEST_P(Corpus, EveryDocumentIsReadOrRefused) {
+  std::size_t files = 0;
+  const auto folder = std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/tools/citygml/corpus";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    ++files;
+    ReadOptions options;
+    options.reader = GetParam();
+    try {
+      read_citygml(entry.path(), options, [](CityObject&& object) {
+        for (const Polygon& polygon : object.polygons)
+          for (const glm::dvec3& p : polygon.exterior) EXPECT_TRUE(std::isfinite(p.x + p.y + p.z));
+      });
+    } catch (const Error& e) {
+      EXPECT_NE(std::string(e.what()).find(entry.path().filename().string()), std::string::npos) << e.what();
+    }
+  }
+  EXPECT_GE(files, 8u);
+}
+
+std::string reader_name(const testing::TestParamInfo<Reader>& info) {
+  return info.param == Reader::libcitygml ? "libcitygml" : "stream";
+}
+INSTANTIATE_TEST_SUITE_P(CityGml, Corpus, testing::Values(Reader::stream, Reader::libcitygml), reader_name);
+
+}  // namespace
+}  // namespace nightcity
