@@ -6,14 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/error.h"
-#include "formats/light_file.h"
 #include "tools/bake/city_frames.h"
 #include "tools/bake/city_stage.h"
-#include "tools/bake/lamp_models.h"
+#include "tools/bake/lamp_stage.h"
+#include "tools/bake/light_stage.h"
 #include "tools/bake/materials.h"
 #include "tools/bake/output_folder.h"
 #include "tools/bake/tile_store.h"
-#include "tools/lights/lamps.h"
 #include "tools/osm/osm_data.h"
 #include "tools/terrain/terrain.h"
 
@@ -85,40 +84,6 @@ void write_tiles(SceneWriter& writer, TileStore& tiles, const Georeference& geor
   }
 }
 
-HeightAt height_on(const Terrain& terrain) {
-  return [&terrain](const glm::dvec2& place) -> std::optional<double> {
-    const auto hit = terrain.height_at(place);
-    return hit ? std::optional(hit->height_m) : std::nullopt;
-  };
-}
-
-LampSet place(const OsmData& osm, const CityFrames& frames, const Terrain& terrain, BakeReport& report) {
-  if (osm.lamps.empty()) return {};
-  if (!frames.city().has_lon_lat())
-    throw Error("", "[city] crs",
-                "the city names no CRS: lamps cannot be placed without crs or control_points");
-  const auto to_frame = [&](const glm::dvec2& lon_lat) { return frames.city().from_lon_lat(lon_lat); };
-  LampSet lamps = place_lamps(osm, to_frame, height_on(terrain),
-                              [&](const glm::dvec2& p) { return terrain.inside_building(p); });
-  report.lamps.mapped = osm.lamps.size();
-  report.lamps.placed = lamps.lamps.size();
-  report.lamps.dropped = lamps.dropped;
-  report.lamps.sources = lamps.sources;
-  report.lamps.notes = lamps.notes;
-  for (const PlacedLamp& lamp : lamps.lamps) report.lamps.total_flux_lm += lamp.flux_lm;
-  return lamps;
-}
-
-void write_lights(const std::filesystem::path& path, const LampSet& lamps, const Georeference& georeference) {
-  std::vector<Light> lights;
-  std::vector<LightProvenance> provenance;
-  for (const PlacedLamp& lamp : lamps.lamps) {
-    lights.push_back(to_light(lamp, georeference));
-    provenance.push_back(lamp.provenance);
-  }
-  write_light_file(path, {georeference, lights, provenance, lamps.profiles, lamps.profile_data});
-}
-
 }  // namespace
 
 BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder, const ProgressSink& progress) {
@@ -139,7 +104,9 @@ BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder, const
   TileStore tiles(scene_path, recipe.city.tile_m, std::round(frames.reference().z));
   Terrain terrain;
   DrapeStore drape(scene_path);
-  read_city(recipe, frames, {writer, tiles, drape, terrain}, report, progress);
+  std::optional<WindowLayout> windows;
+  if (recipe.windows.lit) windows.emplace(WindowOptions{.seed = recipe.windows.seed});
+  read_city(recipe, frames, {writer, tiles, drape, terrain, windows}, report, progress);
   watch.lap("reading the city");
 
   if (progress) progress({"building the terrain", 0, ""});
@@ -156,11 +123,9 @@ BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder, const
   write_tiles(writer, tiles, georeference, report, progress);
   watch.lap("tiles");
 
-  if (progress) progress({"placing lamps", osm.lamps.size(), "lamps"});
-  const LampSet lamps = place(osm, frames, terrain, report);
-  add_lamp_models(writer, lamps.lamps, georeference, static_cast<std::uint32_t>(BakeMaterial::lamp_post));
-  write_lights(lights_path, lamps, georeference);
-  watch.lap("lamps");
+  if (progress) progress({"placing lights", 0, ""});
+  bake_lights(recipe, osm, frames, terrain, std::move(windows), georeference, writer, lights_path, report);
+  watch.lap("lights");
 
   writer.finish(georeference);
   report.scene = writer.statistics();

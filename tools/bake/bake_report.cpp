@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tools/bake/layout_tables.h"
+
 namespace nightcity {
 namespace {
 
@@ -34,6 +36,11 @@ std::string in_words(const Counts& counts) {
   for (const auto& [name, count] : sorted)
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
   return text.empty() ? "none" : text;
+}
+
+json to_json(const BakeReport::Lights& lights) {
+  return {{"mapped", lights.mapped},   {"placed", lights.placed}, {"total_flux_lm", lights.total_flux_lm},
+          {"dropped", lights.dropped}, {"notes", lights.notes},   {"sources", lights.sources}};
 }
 
 }  // namespace
@@ -68,13 +75,9 @@ json to_json(const BakeReport& report) {
         {"dropped_holes", mesh.dropped_holes}}},
       {"terrain", report.terrain},
       {"draped_triangles", report.draped},
-      {"lamps",
-       {{"mapped", report.lamps.mapped},
-        {"placed", report.lamps.placed},
-        {"total_flux_lm", report.lamps.total_flux_lm},
-        {"dropped", report.lamps.dropped},
-        {"notes", report.lamps.notes},
-        {"sources", report.lamps.sources}}},
+      {"lamps", to_json(report.lamps)},
+      {"layout", to_json(report.layout, true)},
+      {"windows", to_json(report.windows)},
       {"scene",
        {{"meshes", report.scene.meshes},
         {"vertices", report.scene.vertices},
@@ -121,12 +124,16 @@ std::string to_text(const BakeReport& report) {
   line("terrain",
        report.terrain +
            (report.draped ? fmt::format(", {} triangles without heights laid onto it", report.draped) : ""));
-  line("lamps", fmt::format("{} luminaires of {} mapped, {:.0f} klm in all", report.lamps.placed,
-                            report.lamps.mapped, report.lamps.total_flux_lm / 1000));
-  if (!report.lamps.dropped.empty()) line("", "dropped: " + in_words(report.lamps.dropped));
-  if (!report.lamps.notes.empty()) line("", "notes: " + in_words(report.lamps.notes));
-  for (const auto& [value, sources] : report.lamps.sources)
-    line("", fmt::format("{} from {}", value, in_words(sources)));
+  const auto lights = [&line](const char* name, const BakeReport::Lights& part, const std::string& of) {
+    line(name, fmt::format("{}{}, {:.0f} klm in all", part.placed, of, part.total_flux_lm / 1000));
+    if (!part.dropped.empty()) line("", "dropped: " + in_words(part.dropped));
+    if (!part.notes.empty()) line("", "notes: " + in_words(part.notes));
+    for (const auto& [value, sources] : part.sources)
+      line("", fmt::format("{} from {}", value, in_words(sources)));
+  };
+  lights("lamps", report.lamps, fmt::format(" luminaires of {} mapped", report.lamps.mapped));
+  text += to_text(report.layout, false);
+  lights("windows", report.windows, " lit");
   const SceneWriter::Statistics& scene = report.scene;
   line("city.glb", fmt::format("{:.1f} MB, {} features, {} nodes, {} vertices",
                                static_cast<double>(report.scene_bytes) / 1e6, scene.features, scene.nodes,

@@ -9,6 +9,7 @@
 
 #include "formats/scene_file.h"
 #include "tools/citygml/city_model.h"
+#include "tools/layout/layout.h"
 #include "tools/mesh/triangle_mesh.h"
 
 namespace nightcity {
@@ -22,13 +23,15 @@ struct BakeReport {
   std::vector<std::string> crs;                  // descriptions of the frames
   std::string terrain;     // "given", "made" or "none" (at the place where the city's first file begins)
   std::size_t draped = 0;  // triangles without heights laid onto it
-  struct Lamps {
-    std::size_t mapped = 0, placed = 0;  // nodes in the OSM files; luminaires in city.lights
+  struct Lights {
+    std::size_t mapped = 0, placed = 0;  // lamps: nodes in the OSM files; lights in city.lights
     double total_flux_lm = 0;
     std::map<std::string, std::size_t> dropped;  // by reason
     std::map<std::string, std::size_t> notes;    // what was mended or could not be read
     std::map<std::string, std::map<std::string, std::size_t>> sources;  // value, source, count
-  } lamps;
+  };
+  Lights lamps, windows;
+  layout::LayoutReport layout;  // of lamps where the map has none
   SceneWriter::Statistics scene;
   std::uint64_t scene_bytes = 0, lights_bytes = 0, input_bytes = 0;
   std::vector<std::pair<std::string, double>> seconds;  // by stage, in order

@@ -54,6 +54,7 @@ class CityReader {
     }
     if (far_away(object)) return leave_out("far from the city");
     classify_unknown_surfaces(object);
+    if (sinks_.windows && object.type == ObjectType::building) sinks_.windows->add(object);
     const TriangleMesh mesh = triangulate(object, report_.mesh);
     if (mesh.triangles.empty()) return leave_out("without area");
     if (!continues) last_feature_ = add_feature(object);

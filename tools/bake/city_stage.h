@@ -2,6 +2,8 @@
 // may stand on it, handed to the terrain.
 #pragma once
 
+#include <optional>
+
 #include "formats/scene_file.h"
 #include "tools/bake/bake_report.h"
 #include "tools/bake/city_frames.h"
@@ -9,6 +11,7 @@
 #include "tools/bake/progress.h"
 #include "tools/bake/recipe.h"
 #include "tools/bake/tile_store.h"
+#include "tools/lights/windows.h"
 #include "tools/terrain/terrain.h"
 
 namespace nightcity {
@@ -19,6 +22,7 @@ struct CitySinks {
   TileStore& tiles;
   DrapeStore& drape;  // objects without heights
   Terrain& terrain;
+  std::optional<WindowLayout>& windows;  // empty: no windows are wanted
 };
 
 /// Each object becomes a feature of the writer as it is read; memory does not grow with the city but for what

@@ -4,6 +4,13 @@
 
 namespace nightcity {
 
+HeightAt height_on(const Terrain& terrain) {
+  return [&terrain](const glm::dvec2& place) -> std::optional<double> {
+    const auto hit = terrain.height_at(place);
+    return hit ? std::optional(hit->height_m) : std::nullopt;
+  };
+}
+
 CityLamps place_city_lamps(const Recipe& recipe, const OsmData& osm, const CityFrames& frames,
                            const Terrain& terrain) {
   using Mode = layout::LayoutOptions::Mode;
@@ -16,10 +23,7 @@ CityLamps place_city_lamps(const Recipe& recipe, const OsmData& osm, const CityF
                 "the city names no CRS: lamps cannot be placed without crs or control_points");
   const auto to_frame = [&](const glm::dvec2& lon_lat) { return frames.city().from_lon_lat(lon_lat); };
   const auto inside = [&](const glm::dvec2& p) { return terrain.inside_building(p); };
-  const auto height = [&](const glm::dvec2& p) -> std::optional<double> {
-    const auto hit = terrain.height_at(p);
-    return hit ? std::optional(hit->height_m) : std::nullopt;
-  };
+  const HeightAt height = height_on(terrain);
   if (options.mode == Mode::always)
     result.set.dropped["mapped, but [lamps] layout = \"always\""] = osm.lamps.size();
   else

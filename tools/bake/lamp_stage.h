@@ -15,6 +15,9 @@ struct CityLamps {
   layout::LayoutReport layout;
 };
 
+/// Height of what one may stand on, for the stages that ask by place. Refers to `terrain`.
+HeightAt height_on(const Terrain& terrain);
+
 /// Throws Error when the map has lamps or streets to be lit and the city no CRS.
 CityLamps place_city_lamps(const Recipe& recipe, const OsmData& osm, const CityFrames& frames,
                            const Terrain& terrain);

@@ -10,6 +10,9 @@
 
 #include "formats/error.h"
 #include "formats/mapped_file.h"
+#include "tools/layout/lighting_class.h"
+#include "tools/lights/lamp_defaults.h"
+#include "tools/lights/occupancy.h"
 
 namespace nightcity {
 namespace {
@@ -112,6 +115,44 @@ std::vector<CityFrame::ControlPoint> control_points(const Setting& setting) {
   return result;
 }
 
+// "22:00" as minutes after 17:00; the night ends at 07:00.
+int minute_of_night(const Setting& setting) {
+  const std::string text = setting.text();
+  const auto digit = [&text](std::size_t i) { return text[i] >= '0' && text[i] <= '9'; };
+  if (text.size() != 5 || text[2] != ':' || !digit(0) || !digit(1) || !digit(3) || !digit(4))
+    setting.refuse("is not a time like \"22:00\"");
+  const int hour = (text[0] - '0') * 10 + text[1] - '0', minute = (text[3] - '0') * 10 + text[4] - '0';
+  if (hour > 23 || minute > 59) setting.refuse("is not a time like \"22:00\"");
+  const int after = minute_of(hour, minute);
+  if (after >= night_minutes) setting.refuse("is not between 17:00 and 07:00");
+  return after;
+}
+
+layout::LayoutOptions::Mode layout_mode(const Setting& setting) {
+  using Mode = layout::LayoutOptions::Mode;
+  const std::string name = setting.text();
+  if (name == "auto") return Mode::automatic;
+  if (name == "never") return Mode::never;
+  if (name == "always") return Mode::always;
+  setting.refuse("is none of \"auto\", \"never\" and \"always\"");
+}
+
+std::map<std::string, std::string> lighting_classes(const Setting& setting) {
+  const toml::table* rows = setting.node.as_table();
+  if (!rows) setting.refuse("is not a table like {residential = \"P4\"}");
+  std::map<std::string, std::string> result;
+  for (const auto& [key, node] : *rows) {
+    const std::string highway(key.str());
+    const Setting row{setting.file, setting.name + "." + highway, node};
+    const auto road = road_defaults(highway);
+    if (!road || road->highway != highway) row.refuse("names no class of road that may have lamps");
+    if (!layout::lighting_class(row.text()))
+      row.refuse("is no lighting class of EN 13201-2: P1 to P6, C0 to C5, M1 to M6");
+    result[highway] = row.text();
+  }
+  return result;
+}
+
 std::map<std::string, Table> tables_of(Recipe& recipe) {
   const fs::path folder = recipe.path.parent_path();
   Recipe::City& city = recipe.city;
@@ -137,6 +178,9 @@ std::map<std::string, Table> tables_of(Recipe& recipe) {
       {"osm",
        {{"files", [&recipe, folder](const Setting& s) { recipe.osm.files = files_of(s, folder, false); }},
         {"licence", [&recipe](const Setting& s) { recipe.osm.licence = s.text(); }}}},
+      {"lamps",
+       {{"layout", [&recipe](const Setting& s) { recipe.lamps.layout.mode = layout_mode(s); }},
+        {"class", [&recipe](const Setting& s) { recipe.lamps.layout.class_of = lighting_classes(s); }}}},
       {"terrain",
        {{"make_surface", [&recipe](const Setting& s) { recipe.terrain.make_surface = s.boolean(); }},
         {"margin_m", [&recipe](const Setting& s) { recipe.terrain.margin_m = s.number(0, 10000); }}}},
@@ -144,6 +188,13 @@ std::map<std::string, Table> tables_of(Recipe& recipe) {
        {{"easting", origin(recipe.origin.easting)},
         {"northing", origin(recipe.origin.northing)},
         {"height", origin(recipe.origin.height)}}},
+      {"windows",
+       {{"lit", [&recipe](const Setting& s) { recipe.windows.lit = s.boolean(); }},
+        {"seed",
+         [&recipe](const Setting& s) {
+           recipe.windows.seed = static_cast<std::uint64_t>(s.integer(0, std::numeric_limits<int>::max()));
+         }}}},
+      {"night", {{"time", [&recipe](const Setting& s) { recipe.night.minute = minute_of_night(s); }}}},
       {"output",
        {{"draco", [&recipe](const Setting& s) { recipe.output.draco = s.boolean(); }},
         {"draco_tolerance_m",

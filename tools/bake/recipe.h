@@ -8,6 +8,7 @@
 
 #include "tools/citygml/city_model.h"
 #include "tools/georeference/frame.h"
+#include "tools/layout/layout.h"
 
 namespace nightcity {
 
@@ -28,6 +29,10 @@ struct Recipe {
     std::string licence = "OpenStreetMap contributors, ODbL 1.0";
   } osm;
 
+  struct Lamps {
+    layout::LayoutOptions layout;  // layout = "auto" | "never" | "always", class = {residential = "P4", ...}
+  } lamps;
+
   struct Terrain {
     bool make_surface = true;  // where the city has no relief: a surface through the buildings' feet
     double margin_m = 50;      // how far that surface reaches beyond the buildings
@@ -36,6 +41,15 @@ struct Recipe {
   struct Origin {  // of model space, in the city's CRS; what is absent is chosen from the data
     std::optional<double> easting, northing, height;
   } origin;
+
+  struct Windows {
+    bool lit = true;         // false: no windows
+    std::uint64_t seed = 1;  // who is at home
+  } windows;
+
+  struct Night {
+    int minute = 5 * 60;  // of the scene, after 17:00 (time = "22:00")
+  } night;
 
   struct Output {
     bool draco = false;

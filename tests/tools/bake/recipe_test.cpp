@@ -45,6 +45,11 @@ margin_m = 12.5
 easting = 1
 northing = 2.5
 height = -3
+[windows]
+lit = false
+seed = 42
+[night]
+time = "01:30"
 [output]
 draco = true
 draco_tolerance_m = 0.001
@@ -62,6 +67,9 @@ draco_tolerance_m = 0.001
   EXPECT_EQ(recipe.origin.easting, 1.0);
   EXPECT_EQ(recipe.origin.northing, 2.5);
   EXPECT_EQ(recipe.origin.height, -3.0);
+  EXPECT_FALSE(recipe.windows.lit);
+  EXPECT_EQ(recipe.windows.seed, 42u);
+  EXPECT_EQ(recipe.night.minute, 8 * 60 + 30);
   EXPECT_TRUE(recipe.output.draco);
   EXPECT_EQ(recipe.output.draco_tolerance_m, 0.001);
 }
@@ -87,6 +95,9 @@ TEST(Recipe, WrongValuesAreUsageErrors) {
     EXPECT_THROW(read(folder, std::string("[city]\nfiles = ['a.gml']\n") + line + "\n"), Error) << line;
   EXPECT_THROW(read(folder, "[city]\nfiles = ['a.gml']\n[output]\ndraco = 1\n"), UsageError);
   EXPECT_THROW(read(folder, "city = 3\n"), UsageError);
+  for (const char* time : {"12:00", "07:00", "24:00", "22:60", "22", "2200", "aa:bb"})
+    EXPECT_THROW(read(folder, std::string("[city]\nfiles = ['a.gml']\n[night]\ntime = '") + time + "'\n"),
+                 UsageError);
   EXPECT_THROW(read(folder, "[osm]\nfiles = ['a.osm']\n"), UsageError);
 }
 

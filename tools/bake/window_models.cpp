@@ -1,0 +1,79 @@
+#include "tools/bake/window_models.h"
+
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "tools/lights/colour.h"
+
+namespace nightcity {
+namespace {
+
+constexpr double steps_a_stop = 4, cct_step_k = 250;
+
+// Brightness and colour as an index into steps.
+using Look = std::pair<int, int>;
+using Tile = std::pair<int, int>;
+
+Look look_of(const LitRectangle& window) {
+  return {static_cast<int>(std::lround(steps_a_stop * std::log2(double{window.luminance_cd_m2}))),
+          static_cast<int>(std::lround(double{window.cct_k} / cct_step_k))};
+}
+
+SceneMaterial material_of(const Look& look) {
+  const auto luminance = static_cast<float>(std::exp2(look.first / steps_a_stop));
+  const glm::vec3 colour = rec709_from_xy(planckian_xy(look.second * cct_step_k));
+  return {.name = "lit window",
+          .base_colour = glm::vec3(0.1f),
+          .emission_cd_m2 = colour * luminance,
+          .roughness = 0.1f,
+          .double_sided = false};
+}
+
+glm::vec3 in_model_axes(const glm::vec3& enh) {
+  return {enh.x, enh.z, -enh.y};
+}
+
+// Counter-clockwise seen from outside: along is cross(up, normal).
+void add_quad(ScenePrimitive& primitive, const LitRectangle& window, const glm::dvec3& origin,
+              std::uint32_t light) {
+  const auto first = static_cast<std::uint32_t>(primitive.positions.size());
+  const glm::vec3 centre = in_model_axes(glm::vec3(window.centre - origin));
+  const glm::vec3 along = in_model_axes(window.along) * window.half_width;
+  const glm::vec3 up = in_model_axes(glm::cross(window.normal, window.along)) * window.half_height;
+  primitive.positions.insert(primitive.positions.end(), {centre - along - up, centre + along - up,
+                                                         centre + along + up, centre - along + up});
+  primitive.indices.insert(primitive.indices.end(),
+                           {first, first + 1, first + 2, first, first + 2, first + 3});
+  primitive.light_ids.insert(primitive.light_ids.end(), 4, light);
+}
+
+}  // namespace
+
+void add_window_models(SceneWriter& writer, std::span<const LitRectangle> windows, std::uint32_t first_light,
+                       const Georeference& georeference, double tile_m) {
+  std::map<Tile, std::map<Look, std::vector<std::uint32_t>>> tiles;
+  for (std::uint32_t i = 0; i < windows.size(); ++i) {
+    const glm::dvec2 place = glm::dvec2(windows[i].centre) / tile_m;
+    const Tile tile{static_cast<int>(std::floor(place.x)), static_cast<int>(std::floor(place.y))};
+    tiles[tile][look_of(windows[i])].push_back(i);
+  }
+  std::map<Look, std::uint32_t> materials;
+  for (const auto& [tile, looks] : tiles) {
+    const glm::dvec3 origin(tile.first * tile_m, tile.second * tile_m, georeference.origin.z);
+    SceneMesh mesh;
+    mesh.name = "windows " + std::to_string(tile.first) + " " + std::to_string(tile.second);
+    for (const auto& [look, members] : looks) {
+      const auto [material, is_new] = materials.try_emplace(look, 0);
+      if (is_new) material->second = writer.add_material(material_of(look));
+      ScenePrimitive& primitive = mesh.primitives.emplace_back();
+      primitive.material = material->second;
+      for (const std::uint32_t i : members) add_quad(primitive, windows[i], origin, first_light + i);
+    }
+    SceneInstance instance;
+    instance.to_model[3] = glm::vec4(glm::vec3(georeference.to_model(origin)), 1);
+    writer.add_node({mesh.name, "window", writer.add_mesh(mesh), false, {instance}});
+  }
+}
+
+}  // namespace nightcity
