@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t batch_bytes = std::size_t{1} << 19;  // about 100 members: full speed in 44 MB
 constexpr std::size_t most_warnings = 20;
 
-class Logger : public citygml::CityGMLLogger {
+class Logger final : public citygml::CityGMLLogger {
  public:
   Logger() : CityGMLLogger(LOGLEVEL::LL_WARNING) {}
   void log(LOGLEVEL, const std::string& message, const char*, int) const override {

@@ -21,6 +21,7 @@ namespace {
 constexpr double mapped_reach_spacings = 1.5;
 constexpr double mapped_beside_m = 8;  // behind the kerb a mapped lamp still belongs to the street
 constexpr double shifts_m[] = {0, 2, -2, 4, -4};
+constexpr double median_m = 8;      // a carriageway this near beyond the post is the street's twin
 constexpr double looked_at_m = 10;  // how often a street is tried for lying in the model
 
 const char* name_of(SiteFault fault) {
@@ -50,11 +51,10 @@ class Layouter {
     std::sort(lit.begin(), lit.end(), [](const OsmWay* a, const OsmWay* b) { return a->id < b->id; });
     network_ = make_street_network(lit, to_frame);
     sites_.emplace(network_, unlit, to_frame, height_at, inside);
-    for (const PlacedLamp& lamp : set.lamps) {
-      ids_.insert(lamp.id);
-      const glm::dvec2 foot(lamp.foot);
-      mapped_.add(foot, 0);
-      placed_.add(foot, no_street);
+    for (std::uint32_t n = 0; n < first_new_; ++n) {
+      ids_.insert(set.lamps[n].id);
+      mapped_.add(glm::dvec2(set.lamps[n].foot), n);
+      placed_.add(glm::dvec2(set.lamps[n].foot), n);
     }
   }
 
@@ -77,8 +77,6 @@ class Layouter {
   }
 
  private:
-  static constexpr std::uint32_t no_street = ~0u;
-
   bool in_model(const OsmWay& way, const LonLatToFrame& to_frame) const {
     return std::any_of(way.lon_lat.begin(), way.lon_lat.end(), [&](const glm::dvec2& lon_lat) {
       const glm::dvec2 p = to_frame(lon_lat);
@@ -104,8 +102,8 @@ class Layouter {
     plan.design = design(street, arrangement_for(street.road.width_m, road.mounting_m), *wanted);
     if (street.bridge) ++report_.notes["streets with a bridge: lamps on the model's ground"];
 
-    // The side with fewer obstacles; the right one if both are alike. Two metres of another carriageway's
-    // clearance keep the lamps of twin carriageways on their outer sides.
+    // The side with fewer obstacles; the right one if both are alike. Twin carriageways have their lamps on
+    // their outer sides.
     const int parts = parts_of(street, plan.design);
     int faults[2] = {0, 0}, blocked = 0, tried = 0;
     for (int i = 0; i <= parts; ++i) {
@@ -117,7 +115,7 @@ class Layouter {
         if (!site && fault == SiteFault::outside_model) continue;
         by_building[side > 0] = !site && fault == SiteFault::building;
         const bool interior = i > 0 && i < parts;
-        if (!site || (interior && sites_->near_other_carriageway(s, glm::dvec2(site->foot), 2)))
+        if (!site || (interior && sites_->near_other_carriageway(s, glm::dvec2(site->foot), median_m)))
           ++faults[side > 0];
       }
       if (height_at_(street.place(along).point)) ++tried;
@@ -191,9 +189,10 @@ class Layouter {
     if (!height_at_(centre.point)) return;  // the street goes on beyond the model
     if (mapped_near(street, centre, design.spacing_m)) {
       ++report_.left_out["mapped lamps near"];
+      ++plans_[s].left_to_mapped;
       return;
     }
-    if (placed_.any_near(centre.point, near, [&](const glm::dvec2&, std::uint32_t by) { return by != s; })) {
+    if (lit_by_another(s, centre.point, near)) {
       ++report_.left_out["another street's lamp near"];
       return;
     }
@@ -218,6 +217,14 @@ class Layouter {
         return put(s, *site);
       }
     leave_out(fault);
+  }
+
+  /// Whether a lamp of another street stands near and does not turn its back.
+  bool lit_by_another(std::size_t s, const glm::dvec2& p, double near) const {
+    return placed_.any_near(p, near, [&](const glm::dvec2& foot, std::uint32_t n) {
+      const bool own = n >= first_new_ && street_of_lamp_[n - first_new_] == s;
+      return !own && glm::dot(p - foot, set_.lamps[n].aim) > 0;
+    });
   }
 
   void leave_out(SiteFault fault) { ++report_.left_out[name_of(fault)]; }
@@ -266,7 +273,7 @@ class Layouter {
     lamp.provenance.family = static_cast<std::uint8_t>(LightFamily::lamp);
     if (site.moved) ++report_.notes["moved away from a building"];
     ++report_.arrangements[layout::name_of(lamp.hung ? Arrangement::central : plans_[s].design.arrangement)];
-    placed_.add(glm::dvec2(site.foot), static_cast<std::uint32_t>(s));
+    placed_.add(glm::dvec2(site.foot), static_cast<std::uint32_t>(set_.lamps.size()));
     street_of_lamp_.push_back(s);
     set_.lamps.push_back(lamp);
   }

@@ -49,7 +49,10 @@ class Fitter {
     std::vector<std::size_t> lamps(plans_.size());
     for (const std::size_t s : street_of_lamp_) ++lamps[s];
     for (std::size_t s = 0; s < plans_.size(); ++s)
-      if (!fields_[s].points.empty() && fields_[s].by_new) tell(s, lamps[s], report);
+      if (plans_[s].left_to_mapped > lamps[s])
+        ++report.notes["stretches left to mapped lamps"];
+      else if (!fields_[s].points.empty() && fields_[s].by_new)
+        tell(s, lamps[s], report);
     sum_up(report);
   }
 

@@ -12,5 +12,6 @@ namespace nightcity {
 void add_run_command(CLI::App& app);
 void add_inspect_command(CLI::App& app);
 void add_town_command(CLI::App& app);
+void add_layout_command(CLI::App& app);
 
 }  // namespace nightcity

