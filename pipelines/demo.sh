@@ -29,6 +29,6 @@ say "done: $out/night.png"
 cat <<TEXT
 Next, on a machine with a screen:
   $nightview $out/city.glb
-or the town from above, with every light in every pixel:
-  $nightview render $out/city.glb -o $out/reference.png --camera overview --estimator reference --frames 4
+or a picture from between the houses, in cd/m2 too:
+  $nightview render $out/city.glb -o $out/street.png -o $out/street.exr --size 960x540 --camera street --sky 0.01
 TEXT
