@@ -14,6 +14,9 @@ constexpr float most_cells = 65536.0f;
 // Strengths nearer than this cannot be told apart by a shader whose rounding differs from ours.
 constexpr float least_gap = 1.0001f;
 
+// How far around a cell lights are looked for, in cells: a lamp 400 m off is never a place's own light.
+constexpr int most_rings = 24;
+
 struct Strength {
   float value;
   std::uint32_t light;
@@ -25,7 +28,8 @@ struct Strength {
 // Lights by the cell they stand over.
 class Bins {
  public:
-  Bins(std::span<const Light> lights, const gpu::LightGridShape& shape) : shape_(shape), starts_(shape.width * shape.depth + 1) {
+  Bins(std::span<const Light> lights, const gpu::LightGridShape& shape)
+      : shape_(shape), starts_(shape.width * shape.depth + 1) {
     std::vector<std::uint32_t> cell(lights.size());
     for (std::size_t i = 0; i < lights.size(); ++i) {
       if (!(lights[i].flux_lm > 0)) continue;
@@ -57,12 +61,23 @@ class Bins {
   float greatest_flux_ = 0;
 };
 
-// The strongest lights of a cell, strongest first, one more than can be listed: rings of bins outwards until nothing
-// farther could be among them.
-std::vector<Strength> strongest(std::span<const Light> lights, const Bins& bins, const gpu::LightGridShape& shape, int x, int z) {
+struct Strongest {
+  std::vector<Strength> found;  // strongest first, at most one more than can be listed
+  float unseen = 0;             // no light that is not in `found` is stronger than this, or than its last
+};
+
+// The strongest lights of a cell: rings of bins outwards until nothing farther could be among them.
+Strongest strongest(std::span<const Light> lights, const Bins& bins, const gpu::LightGridShape& shape, int x,
+                    int z) {
   std::vector<Strength> found;
   const int last_ring = int(std::max(shape.width, shape.depth));
+  float unseen = 0;
   for (int ring = 0; ring <= last_ring; ++ring) {
+    if (ring > most_rings) {
+      const float beyond = (float(ring) - 0.5f) * shape.cell_m;
+      unseen = bins.greatest_flux() / (beyond * beyond + shape.softening_m2);
+      break;
+    }
     const auto take = [&](int bx, int bz) {
       for (const std::uint32_t light : bins.at(bx, bz))
         found.push_back({local_strength(shape, std::uint32_t(x), std::uint32_t(z), lights[light]), light});
@@ -78,18 +93,21 @@ std::vector<Strength> strongest(std::span<const Light> lights, const Bins& bins,
     if (found.size() > LOCAL_LIGHTS) {
       std::nth_element(found.begin(), found.begin() + LOCAL_LIGHTS, found.end());
       found.resize(LOCAL_LIGHTS + 1);
-      const float beyond = (float(ring) + 0.5f) * shape.cell_m;  // nothing in a later ring is nearer to the centre
+      const float beyond =
+          (float(ring) + 0.5f) * shape.cell_m;  // nothing in a later ring is nearer to the centre
       const float weakest = std::max_element(found.begin(), found.end())->value;
       if (bins.greatest_flux() / (beyond * beyond + shape.softening_m2) < weakest) break;
     }
   }
+  std::erase_if(found, [&](const Strength& s) { return !(s.value > unseen * least_gap); });
   std::sort(found.begin(), found.end());
-  return found;
+  return {std::move(found), unseen};
 }
 
 }  // namespace
 
-float local_strength(const gpu::LightGridShape& shape, std::uint32_t cell_x, std::uint32_t cell_z, const Light& light) {
+float local_strength(const gpu::LightGridShape& shape, std::uint32_t cell_x, std::uint32_t cell_z,
+                     const Light& light) {
   const float dx = light.position.x - (shape.origin_x + (float(cell_x) + 0.5f) * shape.cell_m);
   const float dz = light.position.z - (shape.origin_z + (float(cell_z) + 0.5f) * shape.cell_m);
   return light.flux_lm / (dx * dx + dz * dz + shape.softening_m2);
@@ -109,7 +127,8 @@ LightGrid build_light_grid(std::span<const Light> lights) {
 
   gpu::LightGridShape& shape = grid.shape;
   const float extent_x = upper_x - lower_x, extent_z = upper_z - lower_z;
-  shape.cell_m = std::max({least_cell_m, std::sqrt(extent_x / most_cells * extent_z), extent_x / 4096, extent_z / 4096});
+  shape.cell_m =
+      std::max({least_cell_m, std::sqrt(extent_x / most_cells * extent_z), extent_x / 4096, extent_z / 4096});
   shape.origin_x = lower_x;
   shape.origin_z = lower_z;
   shape.width = static_cast<std::uint32_t>(extent_x / shape.cell_m) + 1;
@@ -120,10 +139,11 @@ LightGrid build_light_grid(std::span<const Light> lights) {
   grid.cells.reserve(std::size_t{shape.width} * shape.depth);
   for (std::uint32_t z = 0; z < shape.depth; ++z)
     for (std::uint32_t x = 0; x < shape.width; ++x) {
-      const std::vector<Strength> found = strongest(lights, bins, shape, int(x), int(z));
+      const auto [found, unseen] = strongest(lights, bins, shape, int(x), int(z));
       std::size_t count = std::min<std::size_t>(found.size(), LOCAL_LIGHTS);
-      while (count > 0 && count < found.size() && !(found[count - 1].value > found[count].value * least_gap)) --count;
-      const float outside = count < found.size() ? found[count].value : 0.0f;
+      while (count > 0 && count < found.size() && !(found[count - 1].value > found[count].value * least_gap))
+        --count;
+      const float outside = std::max(unseen, count < found.size() ? found[count].value : 0.0f);
       gpu::LightCell cell{};
       cell.first = static_cast<std::uint32_t>(grid.entries.size());
       cell.count = static_cast<std::uint32_t>(count);

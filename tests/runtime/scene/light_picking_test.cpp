@@ -109,6 +109,15 @@ TEST(LightGrid, AContinentOfLightsKeepsItsCellsCountable) {
   lights.push_back(lamp({900000, 5, 900000}, 3000));
   const LightGrid grid = build_light_grid(lights);
   EXPECT_LE(grid.cells.size(), 70000u);
+  // A cell in the empty middle lists nothing, and never a light that is not strong enough for its threshold.
+  for (std::uint32_t z = 0; z < grid.shape.depth; z += 7)
+    for (std::uint32_t x = 0; x < grid.shape.width; x += 7) {
+      const gpu::LightCell& cell = grid.cells[z * grid.shape.width + x];
+      std::size_t members = 0;
+      for (const Light& light : lights)
+        members += cell.count > 0 && local_strength(grid.shape, x, z, light) >= cell.threshold;
+      ASSERT_EQ(members, cell.count);
+    }
 }
 
 }  // namespace
