@@ -35,12 +35,12 @@ struct Light {
 
 // A luminaire profile: luminous intensity in candela per lumen on a regular grid, C fastest in memory last:
 // value(c, g) = data[data_offset + c * gamma_count + g], C = c * 360 / c_count degrees (wraps round),
-// gamma = g * 180 / (gamma_count - 1) degrees. Bilinear between. Its integral over the sphere is 1.
+// gamma = g * extent / (gamma_count - 1) degrees. Bilinear between, dark beyond. Its integral over the sphere is 1.
 struct LightProfile {
   uint c_count;      // >= 1; 1 = rotationally symmetric
   uint gamma_count;  // >= 2
   uint data_offset;  // first value, in floats from the start of the profile data section
-  uint flags;        // 0
+  float extent_deg;  // gamma of the last row, in (0, 180]: a headlamp's beam needs its rows close to the axis
 };
 
 #ifdef __cplusplus

@@ -37,6 +37,7 @@ std::optional<std::string> light_fault(const Light& light, std::size_t profile_c
 
 std::optional<std::string> profile_fault(const LightProfile& profile, std::size_t data_size) {
   if (profile.c_count < 1 || profile.gamma_count < 2) return "grid is too small";
+  if (!(profile.extent_deg > 0 && profile.extent_deg <= 180)) return "extent is not in (0, 180] degrees";
   // 65536 squared fits in 64 bits: no overflow below.
   if (profile.c_count > 65536 || profile.gamma_count > 65536) return "grid is too large";
   const std::size_t values = std::size_t{profile.c_count} * profile.gamma_count;

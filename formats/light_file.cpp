@@ -15,6 +15,7 @@
 #include "formats/georeference_json.h"
 #include "formats/light_check.h"
 #include "formats/mapped_file.h"
+#include "formats/night_check.h"
 
 static_assert(std::endian::native == std::endian::little, "city.lights is mapped: little-endian hosts only");
 
@@ -51,6 +52,10 @@ static_assert(sizeof(Section) == 32);
 constexpr std::array<char, 4> tag_georeference{'G', 'E', 'O', 'R'}, tag_lights{'L', 'G', 'H', 'T'},
     tag_provenance{'P', 'R', 'O', 'V'}, tag_profiles{'P', 'R', 'O', 'F'},
     tag_profile_data{'P', 'D', 'A', 'T'};
+// Left out where a scene has none of it.
+constexpr std::array<char, 4> tag_schedules{'S', 'C', 'H', 'D'}, tag_switches{'S', 'W', 'C', 'H'},
+    tag_cycle{'C', 'Y', 'C', 'L'}, tag_vehicles{'V', 'E', 'H', 'I'}, tag_vehicle_lights{'V', 'L', 'G', 'T'},
+    tag_trips{'T', 'R', 'I', 'P'}, tag_knots{'K', 'N', 'O', 'T'};
 
 std::uint64_t checksum(const void* bytes, std::size_t size) {
   return XXH64(bytes, size, 0);
@@ -62,21 +67,42 @@ std::string name_of(const Section& section) {
   return name;
 }
 
-void check_content(const std::string& file, std::span<const Light> lights,
-                   std::span<const LightProvenance> provenance, std::span<const LightProfile> profiles,
-                   std::span<const float> data) {
-  if (provenance.size() != lights.size())
-    throw Error(file, "provenance of " + std::to_string(provenance.size()) + " lights for " +
-                          std::to_string(lights.size()));
-  for (std::size_t i = 0; i < profiles.size(); ++i)
-    if (const auto fault = profile_fault(profiles[i], data.size()))
-      throw Error(file, "profile " + std::to_string(i), *fault);
-  for (std::size_t i = 0; i < data.size(); ++i)
-    if (!(std::isfinite(data[i]) && data[i] >= 0))
-      throw Error(file, "profile value " + std::to_string(i), "is negative or not finite");
-  for (std::size_t i = 0; i < lights.size(); ++i)
-    if (const auto fault = light_fault(lights[i], profiles.size()))
-      throw Error(file, "light " + std::to_string(i), *fault);
+// Every record of a file, in linear time. `file`: what a fault is named by.
+void check_content(const std::string& file, const LightFileContent& content) {
+  const auto check = [&](const char* what, std::size_t count, auto&& fault_of) {
+    for (std::size_t i = 0; i < count; ++i)
+      if (const std::optional<std::string> fault = fault_of(i))
+        throw Error(file, what + (" " + std::to_string(i)), *fault);
+  };
+  if (content.provenance.size() != content.lights.size())
+    throw Error(file, "provenance of " + std::to_string(content.provenance.size()) + " lights for " +
+                          std::to_string(content.lights.size()));
+  const std::size_t profiles = content.profiles.size(), schedules = content.schedules.size();
+  check("profile", profiles,
+        [&](std::size_t i) { return profile_fault(content.profiles[i], content.profile_data.size()); });
+  check("profile value", content.profile_data.size(), [&](std::size_t i) -> std::optional<std::string> {
+    const float value = content.profile_data[i];
+    if (std::isfinite(value) && value >= 0) return std::nullopt;
+    return "is negative or not finite";
+  });
+  check("schedule", schedules,
+        [&](std::size_t i) { return schedule_fault(content.schedules[i], content.switches); });
+  check("light", content.lights.size(), [&](std::size_t i) -> std::optional<std::string> {
+    const Light& light = content.lights[i];
+    if (light.schedule != LIGHT_ALWAYS_ON && light.schedule >= schedules)
+      return "schedule " + std::to_string(light.schedule) + " of " + std::to_string(schedules);
+    return light_fault(light, profiles);
+  });
+  const TrafficContent& traffic = content.traffic;
+  if (traffic.trips.empty()) return;
+  if (const auto fault = cycle_fault(traffic.cycle)) throw Error(file, "traffic", *fault);
+  check("vehicle", traffic.vehicles.size(),
+        [&](std::size_t i) { return vehicle_fault(traffic.vehicles[i], traffic.vehicle_lights.size()); });
+  check("vehicle light", traffic.vehicle_lights.size(),
+        [&](std::size_t i) { return vehicle_light_fault(traffic.vehicle_lights[i], profiles); });
+  check("trip", traffic.trips.size(), [&](std::size_t i) {
+    return trip_fault(traffic.trips[i], traffic.cycle, traffic.vehicles.size(), traffic.knots);
+  });
 }
 
 template <class T>
@@ -91,7 +117,7 @@ void write_section(AtomicFile& file, std::vector<Section>& table, std::array<cha
 }  // namespace
 
 void write_light_file(const std::filesystem::path& path, const LightFileContent& content) {
-  check_content(path.string(), content.lights, content.provenance, content.profiles, content.profile_data);
+  check_content(path.string(), content);
   // Limits that open() enforces hold here too: what is written can be read.
   if (content.profiles.size() > most_profiles) throw Error(path.string(), "more than 65536 profiles");
   const std::string georeference = georeference_to_json(content.georeference)
@@ -108,6 +134,17 @@ void write_light_file(const std::filesystem::path& path, const LightFileContent&
   write_section(file, table, tag_provenance, content.provenance);
   write_section(file, table, tag_profiles, content.profiles);
   write_section(file, table, tag_profile_data, content.profile_data);
+  if (!content.schedules.empty()) {
+    write_section(file, table, tag_schedules, content.schedules);
+    write_section(file, table, tag_switches, content.switches);
+  }
+  if (const TrafficContent& traffic = content.traffic; !traffic.trips.empty()) {
+    write_section(file, table, tag_cycle, std::span(&traffic.cycle, 1));
+    write_section(file, table, tag_vehicles, traffic.vehicles);
+    write_section(file, table, tag_vehicle_lights, traffic.vehicle_lights);
+    write_section(file, table, tag_trips, traffic.trips);
+    write_section(file, table, tag_knots, traffic.knots);
+  }
   const std::array<char, section_alignment> zeros{};
   file.write(zeros.data(), (section_alignment - file.size() % section_alignment) % section_alignment);
 
@@ -133,6 +170,9 @@ struct LightFile::Mapping {
   std::span<const LightProvenance> provenance;
   std::span<const LightProfile> profiles;
   std::span<const float> profile_data;
+  std::span<const Schedule> schedules;
+  std::span<const uint> switches;
+  TrafficContent traffic;
 
   explicit Mapping(const std::filesystem::path& path) : name(path.string()), file(path) {
     read_table();
@@ -142,10 +182,17 @@ struct LightFile::Mapping {
     take(tag_provenance, provenance);
     take(tag_profiles, profiles);
     take(tag_profile_data, profile_data);
+    if (has(tag_schedules)) {
+      take(tag_schedules, schedules);
+      take(tag_switches, switches);
+    }
+    if (has(tag_trips)) take_traffic();
     check_small_sections(text);
   }
 
   void read_table();
+  bool has(std::array<char, 4> tag) const;
+  void take_traffic();
   template <class T>
   void take(std::array<char, 4> tag, std::span<const T>& data);
   void check_small_sections(std::span<const char> text);
@@ -201,6 +248,22 @@ void LightFile::Mapping::take(std::array<char, 4> tag, std::span<const T>& data)
           static_cast<std::size_t>(found->element_count)};
 }
 
+bool LightFile::Mapping::has(std::array<char, 4> tag) const {
+  return std::any_of(table.begin(), table.end(), [&](const Section& section) { return section.tag == tag; });
+}
+
+void LightFile::Mapping::take_traffic() {
+  std::span<const TrafficCycle> cycle;
+  take(tag_cycle, cycle);
+  if (cycle.size() != 1)
+    throw Error(name, "section CYCL", "holds " + std::to_string(cycle.size()) + " elements");
+  traffic.cycle = cycle.front();
+  take(tag_vehicles, traffic.vehicles);
+  take(tag_vehicle_lights, traffic.vehicle_lights);
+  take(tag_trips, traffic.trips);
+  take(tag_knots, traffic.knots);
+}
+
 void LightFile::Mapping::check_small_sections(std::span<const char> text) {
   if (provenance.size() != lights.size())
     throw Error(name, "section PROV",
@@ -231,7 +294,8 @@ void LightFile::verify() const {
     if (section.checksum != checksum(mapping_->file.bytes().data() + section.offset, size))
       throw Error(mapping_->name, name_of(section), "checksum does not match");
   }
-  check_content(mapping_->name, lights(), provenance(), profiles(), profile_data());
+  check_content(mapping_->name, {georeference(), lights(), provenance(), profiles(), profile_data(),
+                                 schedules(), switches(), traffic()});
 }
 
 const Georeference& LightFile::georeference() const {
@@ -248,6 +312,15 @@ std::span<const LightProfile> LightFile::profiles() const {
 }
 std::span<const float> LightFile::profile_data() const {
   return mapping_->profile_data;
+}
+std::span<const Schedule> LightFile::schedules() const {
+  return mapping_->schedules;
+}
+std::span<const uint> LightFile::switches() const {
+  return mapping_->switches;
+}
+TrafficContent LightFile::traffic() const {
+  return mapping_->traffic;
 }
 
 LightFile::LightFile(std::unique_ptr<Mapping> mapping) : mapping_(std::move(mapping)) {}

@@ -10,6 +10,7 @@
 
 #include "formats/georeference.h"
 #include "formats/light.h"
+#include "formats/night.h"
 
 namespace nightcity {
 
@@ -33,6 +34,15 @@ static_assert(sizeof(LightProvenance) == 16);
 /// What a light is to a person; counted by `inspect`, and a layer of the renderer's output.
 enum class LightFamily : std::uint8_t { lamp = 0, window = 1, headlamp = 2, tail_lamp = 3, other = 4 };
 
+/// Vehicles on their ways; empty `trips`: no traffic.
+struct TrafficContent {
+  TrafficCycle cycle{};
+  std::span<const VehicleKind> vehicles;
+  std::span<const Light> vehicle_lights;  // in vehicle frames; see night.h
+  std::span<const Trip> trips;
+  std::span<const TripKnot> knots;
+};
+
 /// What a writer needs. Spans must live until write_light_file returns.
 struct LightFileContent {
   Georeference georeference;
@@ -40,10 +50,13 @@ struct LightFileContent {
   std::span<const LightProvenance> provenance;  // same length as lights
   std::span<const LightProfile> profiles;
   std::span<const float> profile_data;
+  std::span<const Schedule> schedules;
+  std::span<const uint> switches;  // s since noon; the schedules point into them
+  TrafficContent traffic;
 };
 
-/// Writes beside `path` and renames. Throws Error when a light is not finite, has no positive flux, a
-/// non-unit axis or a profile index out of range, or when the file cannot be written.
+/// Writes beside `path` and renames. Throws Error when a record is unfit (light_check.h, night_check.h), or
+/// when the file cannot be written.
 void write_light_file(const std::filesystem::path& path, const LightFileContent& content);
 
 /// A mapped city.lights. Spans point into the mapping and live as long as this object.
@@ -53,8 +66,8 @@ class LightFile {
   /// constant time whatever the size. Throws Error.
   static LightFile open(const std::filesystem::path& path);
 
-  /// Recomputes every section's checksum and checks every light as write_light_file does: linear time. Throws
-  /// Error.
+  /// Recomputes every section's checksum and checks every record as write_light_file does: linear time.
+  /// Throws Error.
   void verify() const;
 
   const Georeference& georeference() const;
@@ -62,6 +75,9 @@ class LightFile {
   std::span<const LightProvenance> provenance() const;
   std::span<const LightProfile> profiles() const;
   std::span<const float> profile_data() const;
+  std::span<const Schedule> schedules() const;
+  std::span<const uint> switches() const;
+  TrafficContent traffic() const;  // spans into the mapping
 
   LightFile(LightFile&&) noexcept;
   LightFile& operator=(LightFile&&) noexcept;

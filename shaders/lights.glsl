@@ -28,7 +28,9 @@ float intensity_per_lumen(Light light, vec3 to) {
   if (HAS_PROFILES == 0u || profile_index == LIGHT_NO_PROFILE) return 1.0 / (4.0 * PI);
   const LightProfile profile = SCENE.profiles.at[profile_index];
   const vec3 side = cross(light.axis, light.tangent);
-  const float gamma = acos(clamp(dot(to, light.axis), -1.0, 1.0)) * (float(profile.gamma_count - 1u) / PI);
+  const float angle = degrees(acos(clamp(dot(to, light.axis), -1.0, 1.0)));
+  if (angle > profile.extent_deg) return 0.0;
+  const float gamma = angle * (float(profile.gamma_count - 1u) / profile.extent_deg);
   const uint g0 = min(uint(gamma), profile.gamma_count - 2u);
   const float fg = gamma - float(g0);
   float turn = atan(dot(to, side), dot(to, light.tangent)) / (2.0 * PI);

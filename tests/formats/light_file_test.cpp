@@ -29,18 +29,40 @@ Light lamp(float x) {
           17};
 }
 
+Light vehicle_light(uint condition) {
+  Light light = lamp(2.2f);
+  light.schedule = condition;
+  light.id = static_cast<uint>(LightFamily::tail_lamp);
+  return light;
+}
+
+TripKnot knot(float time_s) {
+  return {{time_s * 10, 0, 5}, time_s, {10, 0, 0}, 0};
+}
+
 struct Sample {
   std::vector<Light> lights{lamp(1), lamp(2), lamp(3)};
   std::vector<LightProvenance> provenance{3};
-  std::vector<LightProfile> profiles{{1, 2, 0, 0}, {2, 3, 2, 0}};
+  std::vector<LightProfile> profiles{{1, 2, 0, 180}, {2, 3, 2, 45}};
   std::vector<float> data{0.1f, 0.2f, 1, 2, 3, 4, 5, 6};
+  std::vector<Schedule> schedules{{0, 3}, {3, 0}, {3, 1}};
+  std::vector<uint> switches{18'000, 40'000, 61'200, 0};
+  TrafficCycle cycle{600, 0, {0.5f, 1, 0.25f}};
+  std::vector<VehicleKind> vehicles{{{2.2f, 0.7f, 0.9f}, 0, 2, {}}};
+  std::vector<Light> vehicle_lights{vehicle_light(VEHICLE_LIGHT_ALWAYS),
+                                    vehicle_light(VEHICLE_LIGHT_BRAKING)};
+  std::vector<Trip> trips{{0, 2, 599, 0.5f, 0, 7, {}}, {2, 3, 0, 0, 0, 8, {}}};
+  std::vector<TripKnot> knots{knot(0), knot(10), knot(0), knot(10), knot(600)};
 
   LightFileContent content() const {
     return {{"EPSG:25833", {391000.5, 5819000.25, 34}, {"a.osm"}, {"ODbL 1.0"}},
             lights,
             provenance,
             profiles,
-            data};
+            data,
+            schedules,
+            switches,
+            {cycle, vehicles, vehicle_lights, trips, knots}};
   }
 };
 
@@ -69,6 +91,18 @@ TEST(LightFile, KeepsEveryByte) {
   EXPECT_EQ(std::memcmp(file.provenance().data(), sample.provenance.data(), 3 * sizeof(LightProvenance)), 0);
   EXPECT_EQ(std::memcmp(file.profiles().data(), sample.profiles.data(), 2 * sizeof(LightProfile)), 0);
   EXPECT_EQ(std::vector<float>(file.profile_data().begin(), file.profile_data().end()), sample.data);
+  const auto same = [](auto read, const auto& written) {
+    return read.size() == written.size() &&
+           std::memcmp(read.data(), written.data(), written.size() * sizeof(written[0])) == 0;
+  };
+  EXPECT_TRUE(same(file.schedules(), sample.schedules));
+  EXPECT_TRUE(same(file.switches(), sample.switches));
+  const TrafficCycle cycle = file.traffic().cycle;
+  EXPECT_EQ(std::memcmp(&cycle, &sample.cycle, sizeof cycle), 0);
+  EXPECT_TRUE(same(file.traffic().vehicles, sample.vehicles));
+  EXPECT_TRUE(same(file.traffic().vehicle_lights, sample.vehicle_lights));
+  EXPECT_TRUE(same(file.traffic().trips, sample.trips));
+  EXPECT_TRUE(same(file.traffic().knots, sample.knots));
 }
 
 TEST(LightFile, MayHoldNoLights) {
@@ -102,6 +136,26 @@ TEST(LightFile, WriterRefusesUnphysicalLightsAndLeavesNothing) {
   refused([&](Sample& s) { s.lights[1].kind_profile = LIGHT_RECTANGLE | LIGHT_NO_PROFILE << 8; });  // no area
   refused([&](Sample& s) { s.profiles[1].data_offset = 3; });
   refused([&](Sample& s) { s.profiles[1].gamma_count = 0xFFFFFFFFu; });
+  refused([&](Sample& s) { s.profiles[1].extent_deg = 0; });
+  refused([&](Sample& s) { s.profiles[1].extent_deg = nan; });
+  refused([&](Sample& s) { s.lights[1].schedule = 3; });  // no such schedule
+  refused([&](Sample& s) { s.schedules[1].count = 9; });
+  refused([&](Sample& s) { s.switches[1] = s.switches[0]; });
+  refused([&](Sample& s) { s.switches[2] = 86'400; });
+  refused([&](Sample& s) { s.cycle.cycle_s = 0; });
+  refused([&](Sample& s) { s.cycle.density[23] = nan; });
+  refused([&](Sample& s) { s.vehicles[0].half_size.y = 0; });
+  refused([&](Sample& s) { s.vehicles[0].first_light = 1; });
+  refused([&](Sample& s) { s.vehicle_lights[0].schedule = LIGHT_ALWAYS_ON; });
+  refused([&](Sample& s) { s.vehicle_lights[0].flux_lm = 0; });
+  refused([&](Sample& s) { s.trips[1].vehicle = 1; });
+  refused([&](Sample& s) { s.trips[1].start_s = 600; });
+  refused([&](Sample& s) { s.trips[1].rank = 1; });
+  refused([&](Sample& s) { s.trips[1].knot_count = 1; });
+  refused([&](Sample& s) { s.trips[1].first_knot = 3; });
+  refused([&](Sample& s) { s.knots[4].time_s = 601; });
+  refused([&](Sample& s) { s.knots[3].time_s = 0; });
+  refused([&](Sample& s) { s.knots[3].velocity.x = inf; });
   refused([&](Sample& s) { s.data[3] = -1; });
   refused([&](Sample& s) { s.data[3] = inf; });
   refused([&](Sample& s) { s.provenance.pop_back(); });
@@ -133,7 +187,7 @@ TEST(LightFile, FindsEveryChangedByte) {
     } catch (const Error&) {
     }
   }
-  EXPECT_LT(padding, 6u * 64u);
+  EXPECT_LT(padding, 13u * 64u);
 }
 
 // Adds a section to the table, as a later version of the format might, by the layout in SPEC.md.

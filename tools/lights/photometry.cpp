@@ -55,7 +55,7 @@ std::uint32_t ProfileTable::add(std::string_view name, const Photometry& photome
   const double flux = integrated_flux(photometry);
   if (!(flux > 0 && std::isfinite(flux))) throw std::invalid_argument("a luminaire without flux");
   profiles.push_back(
-      {photometry.c_count, photometry.gamma_count, static_cast<std::uint32_t>(data.size()), 0});
+      {photometry.c_count, photometry.gamma_count, static_cast<std::uint32_t>(data.size()), 180});
   for (const double value : photometry.values) data.push_back(static_cast<float>(value / flux));
   names_.emplace_back(name);
   return static_cast<std::uint32_t>(names_.size() - 1);
