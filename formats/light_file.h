@@ -50,9 +50,9 @@ struct LightFileContent {
   std::span<const LightProvenance> provenance;  // same length as lights
   std::span<const LightProfile> profiles;
   std::span<const float> profile_data;
-  std::span<const Schedule> schedules;
-  std::span<const uint> switches;  // s since noon; the schedules point into them
-  TrafficContent traffic;
+  std::span<const Schedule> schedules{};
+  std::span<const uint> switches{};  // s since noon; the schedules point into them
+  TrafficContent traffic{};
 };
 
 /// Writes beside `path` and renames. Throws Error when a record is unfit (light_check.h, night_check.h), or
