@@ -359,6 +359,7 @@ void Reader::read_node(const Json& node, const glm::dmat4& to_model) {
   target.kind = gltf::text(ours, "kind");
   target.mesh = static_cast<std::uint32_t>(*mesh);
   target.casts_shadow = gltf::boolean(ours, "casts_shadow", true);
+  if (const auto vehicle = gltf::index(ours, "vehicle")) target.vehicle = static_cast<std::uint32_t>(*vehicle);
   target.instances = read_instances(node, to_model);
   scene_.nodes.push_back(std::move(target));
 }

@@ -300,6 +300,7 @@ void SceneWriter::add_node(const SceneNode& node) {
   json extras;
   if (!node.kind.empty()) extras["kind"] = node.kind;
   if (!node.casts_shadow) extras["casts_shadow"] = false;
+  if (node.vehicle != no_id) extras["vehicle"] = node.vehicle;
   if (!extras.is_null()) result["extras"] = {{gltf::extras_key, extras}};
   if (places.size() == 1 && node.instances[0].light == no_id) {
     const Trs& trs = places[0];

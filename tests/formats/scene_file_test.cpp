@@ -39,6 +39,7 @@ TEST(SceneFile, KeepsGeometryMaterialsFeaturesAndInstances) {
     place = glm::scale(glm::rotate(place, 0.5f * float(i), {0, 1, 0}), glm::vec3(1, 2, 1));
     lamps.instances.push_back({place, i == 1 ? no_id : i});
   }
+  lamps.vehicle = 3;
   writer.add_node(lamps);
   writer.finish(berlin());
 
@@ -76,6 +77,8 @@ TEST(SceneFile, KeepsGeometryMaterialsFeaturesAndInstances) {
   EXPECT_EQ(scene.nodes[0].instances.at(0).to_model[3], glm::vec4(100, 2, -50, 1));
   EXPECT_EQ(scene.nodes[1].kind, "lamp");
   EXPECT_FALSE(scene.nodes[1].casts_shadow);
+  EXPECT_EQ(scene.nodes[0].vehicle, no_id);
+  EXPECT_EQ(scene.nodes[1].vehicle, 3u);
   ASSERT_EQ(scene.nodes[1].instances.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(scene.nodes[1].instances[i].light, lamps.instances[i].light);
