@@ -52,8 +52,8 @@ struct SceneNode {
                      // foreign files
   std::uint32_t mesh = 0;
   bool casts_shadow = true;  // extras.nightcity.casts_shadow; false: seen by the eye, not by shadow rays
-  std::uint32_t vehicle = no_id;  // extras.nightcity.vehicle: the mesh is this kind's body, in the vehicle frame
   std::vector<SceneInstance> instances;
+  std::uint32_t vehicle = no_id;  // extras.nightcity.vehicle: the mesh is this kind's body, in the vehicle frame
 };
 
 /// One building or other city object, kept in the file (EXT_structural_metadata) for whoever clicks on it.
