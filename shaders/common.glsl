@@ -11,8 +11,14 @@ layout(constant_id = CONSTANT_RECTANGLES) const uint HAS_RECTANGLES = 1u;
 layout(constant_id = CONSTANT_VISIBILITY_REUSE) const uint VISIBILITY_REUSE = 0u;
 
 layout(constant_id = CONSTANT_SKY) const uint HAS_SKY = 0u;
+layout(constant_id = CONSTANT_SCHEDULES) const uint HAS_SCHEDULES = 0u;
+layout(constant_id = CONSTANT_TRAFFIC) const uint HAS_TRAFFIC = 0u;
 
+#ifndef WORKGROUP_IS_A_ROW  // passes over pixels; those over lists declare their own
 layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
+#else
+layout(local_size_x = WORKGROUP_ROW) in;
+#endif
 
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer FrameReference { Frame it; };
 layout(push_constant, scalar) uniform PushConstants {

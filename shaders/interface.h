@@ -4,6 +4,7 @@
 #define NIGHTCITY_SHADERS_INTERFACE_H
 
 #include "formats/light.h"
+#include "formats/night.h"
 
 #ifdef __cplusplus
 #include <glm/vec2.hpp>
@@ -16,7 +17,8 @@ using uvec2 = glm::uvec2;
 #define BUFFER(type) type
 #endif
 
-#define WORKGROUP_SIZE 8  // a pass runs in 8 x 8 pixel groups
+#define WORKGROUP_SIZE 8  // a pass over pixels runs in groups of 8 x 8
+#define WORKGROUP_ROW 64  // a pass over a list, in groups of 64
 
 // Estimators, as --estimator names them: DESIGN's ladder from the paper's weights to unbiased ones.
 #define ESTIMATOR_REFERENCE 0u
@@ -32,7 +34,9 @@ using uvec2 = glm::uvec2;
 #define CONSTANT_RECTANGLES 2  // some light is a window
 #define CONSTANT_VISIBILITY_REUSE 3  // a candidate in shadow is dropped before reuse: less noise, biased
 #define CONSTANT_SKY 4               // the sky shines
-#define CONSTANT_COUNT 5
+#define CONSTANT_SCHEDULES 5           // some light is not always on
+#define CONSTANT_TRAFFIC 6             // vehicles are on their ways
+#define CONSTANT_COUNT 7
 
 // The all-lights reference is dispatched in chunks: Mesa's CPU driver of Debian 12 silently ends loops after 65,535
 // iterations summed over one invocation (measured), and a shadow ray takes some tens of them.
@@ -73,11 +77,12 @@ struct Instance {
   vec4 to_object[3];
   uint root;      // node index of the mesh's hierarchy
   uint mask;      // MASK_*
-  uint light;     // whose luminous part it shows, or NO_HIT: then the triangles' own light
+  uint light;     // whose luminous part it shows, or NO_HIT: then the triangles' own light (counted from here: MASK_FLEET)
   uint feature;   // or NO_HIT: then the triangles' own
 };
 #define MASK_SHADOW 1u   // stops shadow rays
 #define MASK_VISIBLE 2u  // seen by the eye
+#define MASK_FLEET 4u    // a vehicle: its triangles' lights count from the instance's
 
 struct Material {
   vec3 base_colour;  // linear Rec. 709 reflectance
@@ -117,7 +122,27 @@ struct LocalEntry {
 };
 #define LOCAL_LIGHTS 64  // listed a cell, at most
 
-// What the eye sees in a pixel. 32 bytes.
+// A kind of vehicle's bottom-level hierarchy and its box in the vehicle frame. 32 bytes.
+struct VehicleBody {
+  vec3 lower;
+  uint root;   // or BVH_EMPTY
+  vec3 upper;
+  uint mask;   // MASK_*
+};
+
+// A node of the tree over the vehicles that are on the road, in Morton order (shaders/fleet.glsl): the box and the flux
+// of what is below. The first entries, one a trip, are its leaves. 32 bytes.
+struct FleetNode {
+  vec3 lower;  // lower > upper: nothing below
+  float flux_lm;
+  vec3 upper;
+  uint trip;   // of a leaf
+};
+#define FLEET_LEVELS 12          // 4^11 trips
+#define FLEET_CELLS 65536u       // of the map, in Morton order: 256 x 256
+#define FLEET_ABSENT FLEET_CELLS // where those not on the road are sorted to
+
+// What the eye sees in a pixel. 44 bytes.
 struct Surface {
   vec3 position;     // model space, m
   uint normal;       // octahedral, 2 x 16 bits; towards the eye
@@ -125,6 +150,7 @@ struct Surface {
   uint material;
   uint feature;
   uint light;        // emitter seen directly, or NO_HIT
+  vec3 motion;       // to where this point of the surface was a frame ago, m
 };
 
 // A reservoir keeps the point it sampled: light, and where on it. 16 bytes, as in the paper.
@@ -167,13 +193,41 @@ REFERENCE_TO(Floats, float, readonly);
 REFERENCE_TO(AliasTable, AliasEntry, readonly);
 REFERENCE_TO(Cells, LightCell, readonly);
 REFERENCE_TO(LocalEntries, LocalEntry, readonly);
+REFERENCE_TO(Vehicles, VehicleKind, readonly);
+REFERENCE_TO(Bodies, VehicleBody, readonly);
+REFERENCE_TO(Trips, Trip, readonly);
+REFERENCE_TO(Knots, TripKnot, readonly);
+REFERENCE_TO(FleetNodes, FleetNode, );
+REFERENCE_TO(FleetLights, Light, );
+REFERENCE_TO(FleetInstances, Instance, writeonly);
+REFERENCE_TO(FleetBvhNodes, BvhNode, writeonly);
 REFERENCE_TO(Surfaces, Surface, );
 REFERENCE_TO(Reservoirs, Reservoir, );
 REFERENCE_TO(Accumulations, Accumulation, );
 REFERENCE_TO(Words, uint, );
 #endif
 
-// The scene on the device; changes when another scene is loaded.
+// The vehicles of a scene and where what they become each frame is put.
+struct FleetBuffers {
+  BUFFER(Vehicles) vehicles;
+  BUFFER(Bodies) bodies;          // parallel to vehicles
+  BUFFER(Lights) vehicle_lights;  // in vehicle frames
+  BUFFER(Trips) trips;
+  BUFFER(Knots) knots;
+  BUFFER(FleetInstances) instances;  // of the trips, behind the standing ones
+  BUFFER(FleetBvhNodes) bvh;         // of the fleet, behind the standing ones
+  uint trip_count;
+  uint first_instance;            // index of the first trip's instance
+  uint first_bvh_node;            // index of the fleet's first node; its root's parent, the scene's root, is the last
+  uint standing_root;             // of what does not move
+  vec3 lower, upper;              // the standing scene's box
+  uint level_first[FLEET_LEVELS]; // in the fleet's tree: leaves are level 0
+  uint level_count[FLEET_LEVELS];
+  uint levels;
+  TrafficCycle cycle;
+};
+
+// The scene on the device; changes when another scene is loaded or lights are switched.
 struct SceneBuffers {
   BUFFER(Nodes) nodes;
   BUFFER(Triangles) triangles;
@@ -185,14 +239,26 @@ struct SceneBuffers {
   BUFFER(AliasTable) alias;
   BUFFER(Cells) cells;
   BUFFER(LocalEntries) local_entries;
+  BUFFER(Words) lit;            // a bit a light: shines now
+  BUFFER(Words) lit_list;       // indices of those
   LightGridShape grid;
   uint root;         // of the top-level hierarchy, or BVH_EMPTY
-  uint light_count;
+  uint light_count;  // standing lights, then VEHICLE_LIGHTS a trip
+  uint standing_lights;
+  uint lit_count;    // standing lights that shine now
+  FleetBuffers fleet;
 };
 
 // Everything a frame's passes read and write.
 struct Frame {
   SceneBuffers scene;
+  BUFFER(Words) previous_lit;            // scene.lit of the frame before
+  BUFFER(FleetLights) fleet_lights;      // VEHICLE_LIGHTS a trip, in model space
+  BUFFER(FleetLights) previous_fleet_lights;
+  BUFFER(FleetNodes) fleet_nodes;
+  BUFFER(Words) fleet_cells;             // a trip's cell, and its place among those of the cell
+  BUFFER(Words) fleet_counts;            // a cell's number of vehicles, then its first place in the order
+  BUFFER(FleetNodes) fleet_boxes;        // a leaf a trip, not yet in order
   BUFFER(Surfaces) surfaces;            // of this frame
   BUFFER(Surfaces) previous_surfaces;
   BUFFER(Reservoirs) reservoirs;        // candidates', then temporal's result
@@ -212,6 +278,9 @@ struct Frame {
   float history_cap;       // M of the history at most this many times the candidates' M
   float uniform_share;     // of candidates picked uniformly
   float local_share;       // of candidates picked from the cell's lights; the rest by flux
+  float fleet_share;       // of all candidates, picked from vehicles' lights; the shares above are of the others
+  float time_s, previous_time_s;              // since noon
+  float cycle_time_s, previous_cycle_time_s;  // within the traffic's cycle
   uint has_history;        // previous_* hold a frame of this scene
   float jitter_x, jitter_y;  // sub-pixel offset of this frame's rays, in [0, 1)
   float exposure;          // display: exposed value of 1 cd/m^2
@@ -229,7 +298,7 @@ struct Push {
 };
 
 static_assert(sizeof(BvhNode) == 64 && sizeof(Triangle) == 48 && sizeof(Instance) == 64 && sizeof(Material) == 32);
-static_assert(sizeof(Surface) == 32 && sizeof(Reservoir) == 16 && sizeof(Accumulation) == 32 && sizeof(Push) == 16);
+static_assert(sizeof(Surface) == 44 && sizeof(VehicleBody) == 32 && sizeof(FleetNode) == 32 && sizeof(Reservoir) == 16 && sizeof(Accumulation) == 32 && sizeof(Push) == 16);
 }  // namespace nightcity::gpu
 #endif
 

@@ -20,6 +20,22 @@ vec3 light_colour(uint packed) {
   return y > 0.0 ? rgb / y : vec3(1.0);
 }
 
+bool is_lit(Words bits, uint light) { return (bits.at[light >> 5u] >> (light & 31u) & 1u) != 0u; }
+
+// Light `index` as it shines in this frame, or in the one before; without flux where it does not. index < light_count.
+Light light_at(uint index, bool before) {
+  if (HAS_TRAFFIC != 0u && index >= SCENE.standing_lights) {
+    const uint moving = index - SCENE.standing_lights;
+    if (before) return FRAME.previous_fleet_lights.at[moving];
+    return FRAME.fleet_lights.at[moving];
+  }
+  Light light = SCENE.lights.at[index];
+  if (HAS_SCHEDULES != 0u && !is_lit(before ? FRAME.previous_lit : SCENE.lit, index)) light.flux_lm = 0.0;
+  return light;
+}
+
+Light light_at(uint index) { return light_at(index, false); }
+
 vec2 uv_of(uint packed) { return (vec2(packed & 0xFFFFu, packed >> 16u) + 0.5) * (1.0 / 65536.0); }
 
 // Luminous intensity per lumen towards unit `to`, cd/lm: bilinear in the profile's (C, gamma) grid.

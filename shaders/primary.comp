@@ -4,6 +4,7 @@
 #include "shaders/common.glsl"
 #include "shaders/geometry.glsl"
 #include "shaders/trace.glsl"
+#include "shaders/fleet.glsl"
 
 void main() {
   uvec2 pixel;
@@ -14,7 +15,7 @@ void main() {
   const vec2 screen = (vec2(pixel) + vec2(FRAME.jitter_x, FRAME.jitter_y)) / vec2(FRAME.size) * 2.0 - 1.0;
   const vec3 direction = normalize(camera.forward + camera.right * (screen.x * camera.tan_half_height * camera.aspect) -
                                    camera.up * (screen.y * camera.tan_half_height));
-  Surface surface = Surface(vec3(0.0), 0u, 0.0, 0u, NO_HIT, NO_HIT);
+  Surface surface = Surface(vec3(0.0), 0u, 0.0, 0u, NO_HIT, NO_HIT, vec3(0.0));
   Hit hit;
   if (closest_hit(camera.position, direction, hit)) {
     const vec4 a = SCENE.triangles.at[hit.triangle * 3u];
@@ -32,7 +33,17 @@ void main() {
     surface.depth = hit.t;
     surface.material = floatBitsToUint(a.w);
     surface.feature = instance.feature != NO_HIT ? instance.feature : floatBitsToUint(b.w);
-    surface.light = instance.light != NO_HIT ? instance.light : floatBitsToUint(c.w);
+    const uint own_light = floatBitsToUint(c.w);
+    if (HAS_TRAFFIC != 0u && (instance.mask & MASK_FLEET) != 0u) {
+      surface.light = own_light < VEHICLE_LIGHTS ? instance.light + own_light : NO_HIT;
+      const vec3 local = vec3(dot(instance.to_object[0], vec4(surface.position, 1.0)),
+                              dot(instance.to_object[1], vec4(surface.position, 1.0)),
+                              dot(instance.to_object[2], vec4(surface.position, 1.0)));
+      const Pose before = trip_pose(hit.instance - SCENE.fleet.first_instance, FRAME.previous_cycle_time_s, FRAME.previous_time_s);
+      surface.motion = before.on_road ? before.position + before.axes * local - surface.position : vec3(0.0);
+    } else {
+      surface.light = instance.light != NO_HIT ? instance.light : own_light;
+    }
   }
   FRAME.surfaces.at[index] = surface;
 }

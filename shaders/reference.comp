@@ -31,7 +31,7 @@ void main() {
       const uvec4 start = pcg4d(uvec4(pixel, light, FRAME.seed * 16u + STREAM_REFERENCE));
       const uvec2 uv = start.xy + FRAME.frame * uvec2(3242174889u, 2447445414u);
       const vec2 unit = vec2(uv >> 8u) * (1.0 / 16777216.0);
-      const LightSample s = sample_light(SCENE.lights.at[light], unit, receiver.position);
+      const LightSample s = sample_light(light_at(light), unit, receiver.position);
       const vec3 f = reflected(receiver, s);
       if (luminance(f) > 0.0 && !occluded(receiver.origin, s.point)) sum += f;
     }

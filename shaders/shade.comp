@@ -24,7 +24,7 @@ void main() {
     }
     const Reservoir reservoir = FRAME.spatial.at[index];
     if (reservoir.W > 0.0 && reservoir.light < SCENE.light_count) {
-      const LightSample s = sample_light(SCENE.lights.at[reservoir.light], uv_of(reservoir.uv), receiver.position);
+      const LightSample s = sample_light(light_at(reservoir.light), uv_of(reservoir.uv), receiver.position);
       // `traced` knows its sample to be visible: an occluded one has W = 0.
       if (ESTIMATOR == ESTIMATOR_TRACED || !occluded(receiver.origin, s.point))
         radiance += reflected(receiver, s) * reservoir.W;

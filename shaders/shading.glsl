@@ -5,6 +5,7 @@ struct Receiver {
   vec3 normal;
   vec3 origin;      // of shadow rays
   vec3 reflectance; // base colour / pi
+  bool before;      // of the frame before, lit by its lights
 };
 
 Receiver receiver_of(Surface surface) {
@@ -13,6 +14,7 @@ Receiver receiver_of(Surface surface) {
   r.normal = unpack_normal(surface.normal);
   r.origin = offset_origin(surface.position, r.normal, surface.depth);
   r.reflectance = SCENE.materials.at[surface.material].base_colour * (1.0 / PI);
+  r.before = false;
   return r;
 }
 
@@ -28,11 +30,11 @@ float target_of(Receiver r, Light light, uint uv) {
 }
 
 float target(Receiver r, uint light, uint uv) {
-  return light < SCENE.light_count ? target_of(r, SCENE.lights.at[light], uv) : 0.0;
+  return light < SCENE.light_count ? target_of(r, light_at(light, r.before), uv) : 0.0;
 }
 
 bool sees(Receiver r, uint light, uint uv) {
-  return !occluded(r.origin, sample_light(SCENE.lights.at[light], uv_of(uv), r.position).point);
+  return !occluded(r.origin, sample_light(light_at(light, r.before), uv_of(uv), r.position).point);
 }
 
 // One cosine-weighted sample of a uniform sky: reflectance * sky where the ray leaves the scene, cd/m^2 per channel.
@@ -49,5 +51,5 @@ vec3 emitted(Surface surface) {
   const vec3 own = SCENE.materials.at[surface.material].emission;
   if (surface.light >= SCENE.light_count || luminance(own) <= 0.0) return own;
   // Emitter geometry: the light's own luminance, so that what is seen is what lights the street.
-  return seen_luminance(SCENE.lights.at[surface.light], normalize(FRAME.camera.position - surface.position));
+  return seen_luminance(light_at(surface.light), normalize(FRAME.camera.position - surface.position));
 }

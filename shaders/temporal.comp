@@ -30,10 +30,15 @@ void main() {
   if (!pixel_of_invocation(pixel, index)) return;
   const Surface surface = FRAME.surfaces.at[index];
   uvec2 before;
-  if (FRAME.has_history == 0u || surface.depth <= 0.0 || !previous_pixel(surface.position, before)) return;
+  const vec3 was_at = surface.position + surface.motion;
+  if (FRAME.has_history == 0u || surface.depth <= 0.0 || !previous_pixel(was_at, before)) return;
   const uint before_index = before.y * FRAME.size.x + before.x;
   const Surface previous_surface = FRAME.previous_surfaces.at[before_index];
-  if (!similar(surface, previous_surface)) return;
+  // As the eye saw it then, so that neither its own motion nor the camera's makes it look like another surface.
+  Surface expected = surface;
+  expected.position = was_at;
+  expected.depth = distance(was_at, FRAME.previous_camera.position);
+  if (!similar(expected, previous_surface)) return;
 
   Reservoir history = guarded(FRAME.previous_reservoirs.at[before_index]);
   const Reservoir canonical = FRAME.reservoirs.at[index];
@@ -43,7 +48,8 @@ void main() {
 
   seed_random(pixel, STREAM_TEMPORAL);
   const Receiver receiver = receiver_of(surface);
-  const Receiver there = receiver_of(previous_surface);
+  Receiver there = receiver_of(previous_surface);
+  there.before = true;
   Reuse reuse = begin_reuse(receiver, canonical, history.M);
   add_other(reuse, receiver, canonical, history, there, 1u);
   add_canonical(reuse, canonical);

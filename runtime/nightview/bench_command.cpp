@@ -40,7 +40,7 @@ void bench(BenchCommand& command) {
                       .validation = options.validation,
                       .instance_extensions = {},
                       .device_extensions = {}});
-  const DeviceScene device_scene(device, scene);
+  DeviceScene device_scene(device, scene);
   PassLibrary library(device);
   Renderer renderer(device, library, device_scene, options.width, options.height);
   for (std::uint32_t i = 0; i < command.warm_up; ++i) renderer.render_frame(pose, options.settings);

@@ -84,7 +84,7 @@ void render(RenderCommand& command) {
                       .validation = options.validation,
                       .instance_extensions = {},
                       .device_extensions = {}});
-  const DeviceScene device_scene(device, scene);
+  DeviceScene device_scene(device, scene);
   PassLibrary passes(device);
   Renderer renderer(device, passes, device_scene, options.width, options.height);
   spdlog::info("{}: {} triangles, {} lights, loaded in {:.2f} s; rendering on {}", options.scene,

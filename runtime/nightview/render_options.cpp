@@ -1,6 +1,7 @@
 #include "runtime/nightview/render_options.h"
 
 #include <charconv>
+#include <cstdio>
 
 #include "formats/error.h"
 #include "runtime/measure/image.h"
@@ -20,6 +21,23 @@ void parse_size(const std::string& text, std::uint32_t& width, std::uint32_t& he
   if (!good || width < 1 || height < 1 || width > max_image_side || height > max_image_side)
     throw UsageError("--size", "expected WIDTHxHEIGHT with 1 to " + std::to_string(max_image_side) +
                                    " pixels a side, not '" + text + "'");
+}
+
+// Seconds since noon.
+double parse_time(const std::string& text) {
+  unsigned hours = 0, minutes = 0;
+  double seconds = 0;
+  int read = 0;
+  bool good = std::sscanf(text.c_str(), "%2u:%2u%n", &hours, &minutes, &read) == 2;
+  if (good && std::size_t(read) < text.size()) {
+    int more = 0;
+    good = std::sscanf(text.c_str() + read, ":%lf%n", &seconds, &more) == 1;
+    read += more;
+  }
+  if (!good || std::size_t(read) != text.size() || hours >= 24 || minutes >= 60 ||
+      !(seconds >= 0 && seconds < 60))
+    throw UsageError("--time", "expected HH:MM or HH:MM:SS, not '" + text + "'");
+  return ((hours + 12) % 24) * 3600.0 + minutes * 60.0 + seconds;
 }
 
 std::string listed_estimators() {
@@ -63,6 +81,13 @@ void RenderOptions::declare(CLI::App& command) {
                   "Share of candidates picked uniformly; what is left is picked by flux")
       ->capture_default_str()
       ->check(CLI::Range(0.0f, 1.0f));
+  command
+      .add_option("--fleet-share", settings.fleet_share,
+                  "Share of all candidates picked from vehicles' lights, where any shine")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0f, 1.0f));
+  command.add_option("--time", time, "Time of the night, HH:MM or HH:MM:SS (seconds may have a fraction)")
+      ->capture_default_str();
   command.add_flag("--visibility-reuse", settings.visibility_reuse,
                    "basic, pairwise: drop shadowed candidates before reuse (less noise, biased)");
   command.add_flag("--jitter,!--no-jitter", settings.jitter,
@@ -70,7 +95,10 @@ void RenderOptions::declare(CLI::App& command) {
   command.add_option("--seed", settings.seed, "Of all random numbers")->capture_default_str();
   command.add_option("--device", device, "Vulkan device: index or part of its name (see nightview devices)");
   command.add_option("--camera", camera, "Camera file (JSON) or preset: " + presets)->capture_default_str();
-  command.add_option("--sky", settings.sky_cd_m2[0], "Uniform luminance of the sky, cd/m2: seen, and lighting the scene (a city's skyglow: 0.002 to 0.02)")
+  command
+      .add_option("--sky", settings.sky_cd_m2[0],
+                  "Uniform luminance of the sky, cd/m2: seen, and lighting the scene (a city's skyglow: "
+                  "0.002 to 0.02)")
       ->check(CLI::Range(0.0f, 1e6f))
       ->default_str("0");
   command.add_flag("--validation", validation,
@@ -80,6 +108,7 @@ void RenderOptions::declare(CLI::App& command) {
 void RenderOptions::resolve() {
   settings.estimator = estimator_from_name(estimator);
   settings.sky_cd_m2 = glm::vec3(settings.sky_cd_m2[0]);
+  settings.time_s = parse_time(time);
   parse_size(size, width, height);
 }
 

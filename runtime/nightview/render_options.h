@@ -15,6 +15,7 @@ struct RenderOptions {
   std::string camera = "overview";
   std::string size = "1280x720";
   std::string estimator = "pairwise";
+  std::string time = "20:00";
   bool validation = false;
   RenderSettings settings;
 

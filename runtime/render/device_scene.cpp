@@ -1,37 +1,129 @@
+#include "runtime/render/device_scene.h"
+
 #include <algorithm>
 
-#include "runtime/render/renderer.h"
+#include "formats/error.h"
 
 namespace nightcity {
 
-DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) {
-  const auto store = [&](const auto& values) {
-    storage_.push_back(gpu::Buffer::of(device, std::span(values)));
+template <class T>
+std::uint64_t DeviceScene::store(std::span<const T> values) {
+  storage_.push_back(gpu::Buffer::of(device_, values));
+  return storage_.back().address();
+}
+
+DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device_(device) {
+  addresses_.triangles = store(std::span(scene.triangles));
+  addresses_.materials = store(std::span(scene.materials));
+  addresses_.lights = store(std::span(scene.lights));
+  addresses_.profiles = store(std::span(scene.profiles));
+  addresses_.profile_data = store(std::span(scene.profile_data));
+  addresses_.root = scene.root;
+  addresses_.standing_lights = static_cast<std::uint32_t>(scene.lights.size());
+  addresses_.light_count = addresses_.standing_lights;
+  if (scene.fleet.trips.empty()) {
+    addresses_.nodes = store(std::span(scene.nodes));
+    addresses_.instances = store(std::span(scene.instances));
+  } else {
+    store_fleet(scene);
+  }
+  const auto any_light = [&](auto&& is) {
+    return std::any_of(scene.lights.begin(), scene.lights.end(), is) ||
+           std::any_of(scene.fleet.vehicle_lights.begin(), scene.fleet.vehicle_lights.end(), is);
+  };
+  has_profiles_ = any_light([](const Light& light) { return light.kind_profile >> 8 != LIGHT_NO_PROFILE; });
+  has_rectangles_ =
+      any_light([](const Light& light) { return (light.kind_profile & 255u) == LIGHT_RECTANGLE; });
+
+  lights_ = scene.lights;
+  // A scene whose schedules nobody uses pays nothing for them.
+  if (any_light([](const Light& light) { return light.schedule != LIGHT_ALWAYS_ON; })) {
+    schedules_ = scene.schedules;
+    switches_ = scene.switches;
+  }
+  upload_lit(lit_lights(lights_, schedules_, switches_, 0));
+  if (schedules_.empty()) lights_ = {};
+}
+
+void DeviceScene::store_fleet(const RenderScene& scene) {
+  const Fleet& fleet = scene.fleet;
+  const auto trips = static_cast<std::uint32_t>(fleet.trips.size());
+  gpu::FleetBuffers& to = addresses_.fleet;
+  to.vehicles = store(std::span(fleet.vehicles));
+  to.bodies = store(std::span(fleet.bodies));
+  // One record more, so that a kind without lights has something to read.
+  std::vector<Light> vehicle_lights = fleet.vehicle_lights;
+  vehicle_lights.push_back({});
+  to.vehicle_lights = store(std::span<const Light>(vehicle_lights));
+  to.trips = store(std::span(fleet.trips));
+  to.knots = store(std::span(fleet.knots));
+  to.cycle = fleet.cycle;
+  to.trip_count = trips;
+
+  to.level_count[0] = trips;
+  std::uint32_t inner = 0;
+  for (to.levels = 1; to.levels < 2 || to.level_count[to.levels - 1] > 1; ++to.levels) {
+    if (to.levels == FLEET_LEVELS) throw Error("traffic", "more than 4 million trips");
+    to.level_first[to.levels] = to.level_first[to.levels - 1] + to.level_count[to.levels - 1];
+    to.level_count[to.levels] = (to.level_count[to.levels - 1] + 3) / 4;
+    inner += to.level_count[to.levels];
+  }
+  to.standing_root = scene.root;
+  to.lower = scene.bounds.lower;
+  to.upper = scene.bounds.upper;
+  to.first_instance = static_cast<std::uint32_t>(scene.instances.size());
+  to.first_bvh_node = static_cast<std::uint32_t>(scene.nodes.size());
+
+  // Behind the standing ones, room for the fleet's, which its passes fill each frame.
+  const auto with_room = [&](auto values, std::size_t more) {
+    storage_.emplace_back(device_, (values.size() + more) * sizeof(values[0]));
+    if (!values.empty()) storage_.back().upload(values.data(), values.size_bytes());
     return storage_.back().address();
   };
-  addresses_.nodes = store(scene.nodes);
-  addresses_.triangles = store(scene.triangles);
-  addresses_.instances = store(scene.instances);
-  addresses_.materials = store(scene.materials);
-  addresses_.lights = store(scene.lights);
-  addresses_.profiles = store(scene.profiles);
-  addresses_.profile_data = store(scene.profile_data);
-  addresses_.alias = store(scene.alias);
-  addresses_.cells = store(scene.grid.cells);
-  addresses_.local_entries = store(scene.grid.entries);
-  addresses_.grid = scene.grid.shape;
-  addresses_.root = scene.root;
-  addresses_.light_count = static_cast<std::uint32_t>(scene.lights.size());
-  has_profiles_ = std::any_of(scene.lights.begin(), scene.lights.end(),
-                              [](const Light& light) { return light.kind_profile >> 8 != LIGHT_NO_PROFILE; });
-  has_rectangles_ = std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
-    return (light.kind_profile & 255u) == LIGHT_RECTANGLE;
-  });
+  addresses_.instances = with_room(std::span(scene.instances), trips);
+  addresses_.nodes = with_room(std::span(scene.nodes), inner + 1);
+  to.instances = addresses_.instances + std::uint64_t{to.first_instance} * sizeof(gpu::Instance);
+  to.bvh = addresses_.nodes + std::uint64_t{to.first_bvh_node} * sizeof(gpu::BvhNode);
+  addresses_.root = to.first_bvh_node + inner;
+  addresses_.light_count += trips * VEHICLE_LIGHTS;
+}
+
+bool DeviceScene::set_time(double time_s) {
+  if (schedules_.empty()) return false;
+  LitLights lit = lit_lights(lights_, schedules_, switches_, time_s);
+  if (lit.same_lights(lit_)) return false;
+  upload_lit(std::move(lit));
+  return true;
+}
+
+void DeviceScene::upload_lit(LitLights lit) {
+  build_tables(lit, lights_);
+  lit_ = std::move(lit);
+  lit_flux_lm_ = 0;
+  for (const std::uint32_t i : lit_.list) lit_flux_lm_ += double(lights_[i].flux_lm);
+  lit_parity_ ^= 1;
+  lit_bits_[lit_parity_] = gpu::Buffer::of(device_, std::span<const std::uint32_t>(lit_.bits));
+  lit_list_ = gpu::Buffer::of(device_, std::span<const std::uint32_t>(lit_.list));
+  alias_ = gpu::Buffer::of(device_, std::span<const gpu::AliasEntry>(lit_.alias));
+  cells_ = gpu::Buffer::of(device_, std::span<const gpu::LightCell>(lit_.grid.cells));
+  entries_ = gpu::Buffer::of(device_, std::span<const gpu::LocalEntry>(lit_.grid.entries));
+  addresses_.lit = lit_bits_[lit_parity_].address();
+  addresses_.lit_list = lit_list_.address();
+  addresses_.lit_count = static_cast<std::uint32_t>(lit_.list.size());
+  addresses_.alias = alias_.address();
+  addresses_.cells = cells_.address();
+  addresses_.local_entries = entries_.address();
+  addresses_.grid = lit_.grid.shape;
+  // The device has the tables now; only what tells one moment from another stays here.
+  lit_.alias = {};
+  lit_.grid = {};
 }
 
 std::uint64_t DeviceScene::bytes() const {
   std::uint64_t total = 0;
   for (const gpu::Buffer& buffer : storage_) total += buffer.bytes();
+  for (const gpu::Buffer* buffer : {&lit_bits_[0], &lit_bits_[1], &lit_list_, &alias_, &cells_, &entries_})
+    total += buffer->bytes();
   return total;
 }
 

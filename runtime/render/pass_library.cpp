@@ -4,6 +4,11 @@
 
 #include "spirv/accumulate.h"
 #include "spirv/candidates.h"
+#include "spirv/fleet_offsets.h"
+#include "spirv/fleet_order.h"
+#include "spirv/fleet_pose.h"
+#include "spirv/fleet_settle.h"
+#include "spirv/fleet_tree.h"
 #include "spirv/primary.h"
 #include "spirv/reference.h"
 #include "spirv/shade.h"
@@ -21,6 +26,13 @@ const PassSet& PassLibrary::get(const PassConstants& constants) {
   PassSet set;
   set.primary = make(primary_spirv);
   set.accumulate = make(accumulate_spirv);
+  if (constants[CONSTANT_TRAFFIC] != 0) {
+    set.fleet_pose = make(fleet_pose_spirv);
+    set.fleet_offsets = make(fleet_offsets_spirv);
+    set.fleet_order = make(fleet_order_spirv);
+    set.fleet_settle = make(fleet_settle_spirv);
+    set.fleet_tree = make(fleet_tree_spirv);
+  }
   if (constants[CONSTANT_ESTIMATOR] == ESTIMATOR_REFERENCE) {
     set.reference = make(reference_spirv);
   } else {

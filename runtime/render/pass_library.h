@@ -1,5 +1,5 @@
-// The compiled passes, by specialization constants. Compiling takes a driver up to a second, so renderers of one device
-// (another size, another scene) share them, and switching estimators back costs nothing.
+// The compiled passes, by specialization constants. Compiling takes a driver up to a second, so renderers of
+// one device (another size, another scene) share them, and switching estimators back costs nothing.
 #pragma once
 
 #include <array>
@@ -16,8 +16,9 @@ using PassConstants = std::array<std::uint32_t, CONSTANT_COUNT>;
 
 struct PassSet {
   gpu::ComputePass primary, accumulate;
-  gpu::ComputePass reference;                              // only where the estimator is the reference
-  gpu::ComputePass candidates, temporal, spatial, shade;   // only where it is not
+  gpu::ComputePass fleet_pose, fleet_offsets, fleet_order, fleet_settle, fleet_tree;  // only with traffic
+  gpu::ComputePass reference;                             // only where the estimator is the reference
+  gpu::ComputePass candidates, temporal, spatial, shade;  // only where it is not
 };
 
 class PassLibrary {

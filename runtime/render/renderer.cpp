@@ -22,8 +22,9 @@ bool same_view(const CameraPose& a, const CameraPose& b) {
 bool same_estimate(const RenderSettings& a, const RenderSettings& b) {
   return a.estimator == b.estimator && a.candidates == b.candidates && a.neighbours == b.neighbours &&
          a.neighbour_radius_px == b.neighbour_radius_px && a.history_cap == b.history_cap &&
-         a.uniform_share == b.uniform_share && a.local_share == b.local_share && a.visibility_reuse == b.visibility_reuse &&
-         a.jitter == b.jitter && a.seed == b.seed && a.sky_cd_m2 == b.sky_cd_m2;
+         a.uniform_share == b.uniform_share && a.fleet_share == b.fleet_share &&
+         a.local_share == b.local_share && a.visibility_reuse == b.visibility_reuse && a.jitter == b.jitter &&
+         a.seed == b.seed && a.sky_cd_m2 == b.sky_cd_m2;
 }
 
 // Sub-pixel positions: the R2 sequence (Roberts 2018), starting at the pixel's centre.
@@ -47,8 +48,15 @@ glm::vec3 unpack_normal(std::uint32_t packed) {
 
 }  // namespace
 
-Renderer::Renderer(gpu::Device& device, PassLibrary& passes, const DeviceScene& scene, std::uint32_t width, std::uint32_t height)
-    : device_(device), library_(passes), scene_(scene), width_(width), height_(height), timer_(device) {
+Renderer::Renderer(gpu::Device& device, PassLibrary& passes, DeviceScene& scene, std::uint32_t width,
+                   std::uint32_t height)
+    : device_(device),
+      library_(passes),
+      scene_(scene),
+      width_(width),
+      height_(height),
+      timer_(device),
+      fleet_(device, scene) {
   if (width == 0 || height == 0 || width > max_image_side || height > max_image_side)
     throw UsageError("--size", "a picture has 1 to " + std::to_string(max_image_side) + " pixels a side");
   const std::size_t pixels = std::size_t{width} * height;
@@ -70,6 +78,8 @@ void Renderer::select_passes(const RenderSettings& settings) {
   constants[CONSTANT_RECTANGLES] = scene_.has_rectangles();
   constants[CONSTANT_VISIBILITY_REUSE] = settings.visibility_reuse;
   constants[CONSTANT_SKY] = settings.sky_cd_m2 != glm::vec3(0);
+  constants[CONSTANT_SCHEDULES] = scene_.has_schedules();
+  constants[CONSTANT_TRAFFIC] = scene_.has_fleet();
   passes_ = &library_.get(constants);
 }
 
@@ -80,6 +90,10 @@ void Renderer::run_pass(VkCommandBuffer commands, const gpu::ComputePass& pass, 
                 (height_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE);
   gpu::full_barrier(commands);
   timer_.mark(commands, name);
+}
+
+void Renderer::record_fleet(VkCommandBuffer commands) {
+  fleet_.record(commands, *passes_, frame_.address(), [&](const char* name) { timer_.mark(commands, name); });
 }
 
 void Renderer::record_restir(VkCommandBuffer commands, const RenderSettings& settings) {
@@ -109,7 +123,10 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
     throw UsageError("--neighbours", "0 to " + std::to_string(max_neighbours));
 
   const bool same_settings = same_estimate(settings, settings_);
-  if (!pose_ || !same_view(pose, *pose_) || !same_settings || !settings.accumulate) frames_ = 0;
+  const bool switched = scene_.set_time(settings.time_s);
+  const bool moved = scene_.has_fleet() && settings.time_s != settings_.time_s;
+  if (!pose_ || !same_view(pose, *pose_) || !same_settings || switched || moved || !settings.accumulate)
+    frames_ = 0;
   // Reservoirs of another estimator mean something else; those of another view are reprojected.
   if (!same_settings) has_history_ = false;
   select_passes(settings);
@@ -117,6 +134,8 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
 
   gpu::Frame frame{};
   frame.scene = scene_.buffers();
+  frame.previous_lit = has_history_ ? lit_ : frame.scene.lit;
+  fleet_.enter(frame);
   frame.surfaces = surfaces_[parity_].address();
   frame.previous_surfaces = surfaces_[parity_ ^ 1].address();
   frame.reservoirs = reservoirs_.address();
@@ -138,7 +157,23 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
   // The paper picks uniformly.
   const bool as_published = settings.estimator == Estimator::paper;
   frame.local_share = as_published ? 0.0f : std::clamp(settings.local_share, 0.0f, 1.0f);
-  frame.uniform_share = as_published ? 1.0f : std::clamp(settings.uniform_share, 0.0f, 1.0f - frame.local_share);
+  frame.uniform_share =
+      as_published ? 1.0f : std::clamp(settings.uniform_share, 0.0f, 1.0f - frame.local_share);
+  // As published, candidates are uniform over all lights: each set has its share of them.
+  const double moving = double(frame.scene.light_count - frame.scene.standing_lights);
+  frame.fleet_share =
+      as_published ? float(moving / std::max(1.0, moving + frame.scene.lit_count)) : settings.fleet_share;
+  const auto& cycle = frame.scene.fleet.cycle;
+  const auto in_cycle = [&](double time_s) {
+    return cycle.cycle_s > 0
+               ? float(time_s - std::floor(time_s / double(cycle.cycle_s)) * double(cycle.cycle_s))
+               : 0.0f;
+  };
+  const double before_s = has_history_ ? settings_.time_s : settings.time_s;
+  frame.time_s = float(settings.time_s);
+  frame.previous_time_s = float(before_s);
+  frame.cycle_time_s = in_cycle(settings.time_s);
+  frame.previous_cycle_time_s = in_cycle(before_s);
   frame.has_history = has_history_;
   // By frames in the mean, not by frame number: every estimator then sees the same sub-pixels.
   frame.jitter_x = settings.jitter ? radical(0.7548776662466927, frames_) : 0.5f;
@@ -149,6 +184,7 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
   frame.tone = settings.tone;
   frame_.upload(&frame, sizeof(frame));
 
+  lit_ = frame.scene.lit;
   timings_.clear();
   const auto submit = [&](auto&& record) {
     device_.run([&](VkCommandBuffer commands) {
@@ -159,7 +195,10 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
     timings_.insert(timings_.end(), spans.begin(), spans.end());
   };
   if (settings.estimator == Estimator::reference) {
-    submit([&](VkCommandBuffer commands) { run_pass(commands, passes_->primary, "primary"); });
+    submit([&](VkCommandBuffer commands) {
+      record_fleet(commands);
+      run_pass(commands, passes_->primary, "primary");
+    });
     // At least one chunk, even without lights: it also writes what surfaces emit.
     const std::uint32_t lights = std::max(1u, scene_.buffers().light_count);
     constexpr std::uint32_t batch = REFERENCE_CHUNK * chunks_a_submission;
@@ -170,6 +209,7 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
     submit([&](VkCommandBuffer commands) { run_pass(commands, passes_->accumulate, "accumulate"); });
   } else {
     submit([&](VkCommandBuffer commands) {
+      record_fleet(commands);
       run_pass(commands, passes_->primary, "primary");
       record_restir(commands, settings);
       run_pass(commands, passes_->accumulate, "accumulate");

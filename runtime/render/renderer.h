@@ -12,37 +12,24 @@
 #include "runtime/gpu/device.h"
 #include "runtime/gpu/timer.h"
 #include "runtime/measure/image.h"
+#include "runtime/render/device_scene.h"
+#include "runtime/render/fleet_passes.h"
 #include "runtime/render/pass_library.h"
 #include "runtime/render/settings.h"
 #include "runtime/scene/camera.h"
-#include "runtime/scene/render_scene.h"
 
 namespace nightcity {
 
-/// A scene's arrays on a device.
-class DeviceScene {
- public:
-  DeviceScene(gpu::Device& device, const RenderScene& scene);
-
-  const gpu::SceneBuffers& buffers() const { return addresses_; }
-  bool has_profiles() const { return has_profiles_; }
-  bool has_rectangles() const { return has_rectangles_; }
-  std::uint64_t bytes() const;
-
- private:
-  std::vector<gpu::Buffer> storage_;
-  gpu::SceneBuffers addresses_{};
-  bool has_profiles_ = false, has_rectangles_ = false;
-};
-
 class Renderer {
  public:
-  /// Device, passes and scene must outlive the renderer. Throws Error when the device's memory does not suffice.
-  Renderer(gpu::Device& device, PassLibrary& passes, const DeviceScene& scene, std::uint32_t width, std::uint32_t height);
+  /// Device, passes and scene must outlive the renderer. Throws Error when the device's memory does not
+  /// suffice.
+  Renderer(gpu::Device& device, PassLibrary& passes, DeviceScene& scene, std::uint32_t width,
+           std::uint32_t height);
 
-  /// Renders one frame and adds it to the mean. The mean starts anew when the camera or a setting that
-  /// changes the picture's meaning changed since the last frame; reservoirs carry over by reprojection where
-  /// only the camera did.
+  /// Renders one frame and adds it to the mean. The mean starts anew when the camera, the time or a setting
+  /// that changes the picture's meaning changed since the last frame; reservoirs carry over by reprojection
+  /// where only the camera or the time did. Switches the scene's lights to the settings' time.
   void render_frame(const CameraPose& pose, const RenderSettings& settings);
 
   /// Frames in the mean.
@@ -60,6 +47,7 @@ class Renderer {
 
  private:
   void select_passes(const RenderSettings& settings);
+  void record_fleet(VkCommandBuffer commands);
   void record_reference(VkCommandBuffer commands, std::uint32_t first, std::uint32_t end);
   void record_restir(VkCommandBuffer commands, const RenderSettings& settings);
   void run_pass(VkCommandBuffer commands, const gpu::ComputePass& pass, const char* name,
@@ -67,15 +55,17 @@ class Renderer {
 
   gpu::Device& device_;
   PassLibrary& library_;
-  const DeviceScene& scene_;
+  DeviceScene& scene_;
   std::uint32_t width_, height_;
   gpu::Timer timer_;
+  FleetPasses fleet_;
   gpu::Buffer frame_;
   gpu::Buffer surfaces_[2], reservoirs_, spatial_[2], radiance_, accumulation_, display_;
   const PassSet* passes_ = nullptr;  // of the current settings
   std::optional<CameraPose> pose_;
   gpu::Camera camera_{};
   RenderSettings settings_;
+  std::uint64_t lit_ = 0;     // address of the light switches of the last frame
   std::uint32_t parity_ = 0;  // which of the paired buffers this frame writes
   std::uint32_t frames_ = 0;
   std::uint32_t frame_number_ = 0;  // never repeats: random numbers of every frame differ

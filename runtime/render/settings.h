@@ -40,9 +40,11 @@ struct RenderSettings {
   std::uint32_t candidates = 32;  // a pixel and frame, 1 .. max_candidates
   std::uint32_t neighbours = 5;   // spatial reuse, 0 .. max_neighbours
   float neighbour_radius_px = 30;
-  float history_cap = 8;  // M of the history, in multiples of a frame's candidates; 0 = no temporal reuse
-  float local_share = 0.7f;    // of candidates picked from the lights that are strong near the place
+  float history_cap = 8;     // M of the history, in multiples of a frame's candidates; 0 = no temporal reuse
+  float local_share = 0.7f;  // of candidates picked from the lights that are strong near the place
   float uniform_share = 0.1f;  // of candidates picked uniformly over lights, the rest by flux
+  float fleet_share = 0.3f;    // of all candidates picked from vehicles' lights, where any shine
+  double time_s = 8 * 3600;    // since noon
   bool visibility_reuse =
       false;               // drop shadowed candidates before reuse: less noise, biased (basic, pairwise)
   bool accumulate = true;  // mean of frames; else every frame stands alone

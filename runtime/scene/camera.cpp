@@ -71,7 +71,9 @@ CameraPose top(const RenderScene& scene) {
   return pose;
 }
 
-bool is_lamp(const Light& light) { return (light.kind_profile & 255u) == LIGHT_SPHERE && light.flux_lm > 0; }
+bool is_lamp(const Light& light) {
+  return (light.kind_profile & 255u) == LIGHT_SPHERE && light.flux_lm > 0;
+}
 
 // Nothing overhead: neither under a tree nor inside a house.
 bool open_sky(const RenderScene& scene, const glm::vec3& eye) {
@@ -83,7 +85,8 @@ CameraPose street(const RenderScene& scene) {
   if (scene.lights.empty()) return overview(scene);
   const Focus focus = lit_part(scene);
   std::vector<const Light*> nearest;
-  // Beside a lamp one stands in the street; below a window one would stand in the house. Without lamps, any light.
+  // Beside a lamp one stands in the street; below a window one would stand in the house. Without lamps, any
+  // light.
   const bool lamps_there = std::any_of(scene.lights.begin(), scene.lights.end(), is_lamp);
   for (const Light& light : scene.lights)
     if (light.flux_lm > 0 && (!lamps_there || is_lamp(light))) nearest.push_back(&light);

@@ -8,7 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "formats/error.h"
-#include "runtime/scene/alias_table.h"
+#include "formats/night_check.h"
 
 namespace nightcity {
 namespace {
@@ -16,7 +16,9 @@ namespace {
 constexpr std::uint32_t triangle_leaf = 4;
 // Of the BVH_STACK entries a ray has: the top level's share and the meshes'.
 constexpr std::uint32_t top_level_stack = 24;
-constexpr std::uint32_t mesh_stack = BVH_STACK - top_level_stack;
+// One entry is the other child of the root that the standing scene and the fleet share.
+constexpr std::uint32_t mesh_stack = BVH_STACK - top_level_stack - 1;
+constexpr std::uint32_t body_stack = BVH_STACK - 3 * FLEET_LEVELS - 2;
 
 Box box_of(const gpu::Triangle& t) {
   Box box;
@@ -55,7 +57,8 @@ void append_mesh(const SceneMesh& mesh, const glm::mat4& to_model, std::vector<g
 
 // Appends a mesh's triangles, ordered by its hierarchy, and the hierarchy; returns the root and the mesh's
 // box.
-std::pair<std::uint32_t, Box> add_hierarchy(RenderScene& scene, const std::vector<gpu::Triangle>& triangles) {
+std::pair<std::uint32_t, Box> add_hierarchy(RenderScene& scene, const std::vector<gpu::Triangle>& triangles,
+                                            std::uint32_t stack = mesh_stack) {
   std::vector<Box> boxes;
   boxes.reserve(triangles.size());
   Box all;
@@ -63,7 +66,7 @@ std::pair<std::uint32_t, Box> add_hierarchy(RenderScene& scene, const std::vecto
     boxes.push_back(box_of(t));
     all.grow(boxes.back());
   }
-  Bvh bvh = build_bvh(boxes, triangle_leaf, mesh_stack);
+  Bvh bvh = build_bvh(boxes, triangle_leaf, stack);
   if (scene.triangles.size() + triangles.size() > BVH_LEAF_FIRST_MASK)
     throw Error("", "more than 134 million triangles in one scene");
   rebase(bvh, static_cast<std::uint32_t>(scene.nodes.size()),
@@ -115,19 +118,25 @@ void add_geometry(RenderScene& out, const Scene& scene) {
     out.bounds.grow(instance_boxes.back());
   };
 
+  // Where there is traffic, the vehicles of the file, which show one moment, make way for it.
+  const auto is_fleet = [&](const SceneNode& node) {
+    return !out.fleet.trips.empty() && node.vehicle != no_id;
+  };
+
   // Whatever stands once becomes one static hierarchy (one for what casts shadows, one for what does not): a
   // ray then crosses the city without leaving and entering instances.
   for (const bool shadow : {true, false}) {
     std::vector<gpu::Triangle> triangles;
     for (const SceneNode& node : scene.nodes)
-      if (node.instances.size() == 1 && node.instances[0].light == no_id && node.casts_shadow == shadow)
+      if (!is_fleet(node) && node.instances.size() == 1 && node.instances[0].light == no_id &&
+          node.casts_shadow == shadow)
         append_mesh(scene.meshes[node.mesh], node.instances[0].to_model, triangles, out.dropped_triangles);
     const auto [root, box] = add_hierarchy(out, triangles);
     place(root, box, glm::dmat4(1.0), shadow, NO_HIT);
   }
   std::vector<std::optional<std::pair<std::uint32_t, Box>>> built(scene.meshes.size());
   for (const SceneNode& node : scene.nodes) {
-    if (node.instances.size() == 1 && node.instances[0].light == no_id) continue;
+    if (is_fleet(node) || (node.instances.size() == 1 && node.instances[0].light == no_id)) continue;
     auto& mesh = built[node.mesh];
     if (!mesh) {
       std::vector<gpu::Triangle> triangles;
@@ -148,6 +157,62 @@ void add_geometry(RenderScene& out, const Scene& scene) {
   out.nodes.insert(out.nodes.end(), top.nodes.begin(), top.nodes.end());
 }
 
+// Twelve triangles, outwards.
+std::vector<gpu::Triangle> box_mesh(const glm::vec3& lower, const glm::vec3& upper) {
+  std::vector<gpu::Triangle> triangles;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const bool far : {false, true}) {
+      const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+      const auto corner = [&](bool at_u, bool at_v) {
+        glm::vec3 p;
+        p[axis] = (far ? upper : lower)[axis];
+        p[u] = (at_u ? upper : lower)[u];
+        p[v] = (at_v ? upper : lower)[v];
+        return p;
+      };
+      const glm::vec3 a = corner(false, false), b = corner(far, !far), c = corner(true, true),
+                      d = corner(!far, far);
+      triangles.push_back({a, 0, b, NO_HIT, c, NO_HIT});
+      triangles.push_back({a, 0, c, NO_HIT, d, NO_HIT});
+    }
+  return triangles;
+}
+
+// A body for each kind of vehicle: the scene's mesh, or a plain box where it has none.
+void add_bodies(RenderScene& out, const Scene& scene) {
+  for (std::uint32_t kind = 0; kind < out.fleet.vehicles.size(); ++kind) {
+    std::vector<gpu::Triangle> triangles;
+    std::uint32_t mask = MASK_VISIBLE;
+    for (const SceneNode& node : scene.nodes) {
+      if (node.vehicle != kind) continue;
+      append_mesh(scene.meshes[node.mesh], glm::mat4(1.0f), triangles, out.dropped_triangles);
+      if (node.casts_shadow) mask |= MASK_SHADOW;
+    }
+    if (triangles.empty()) {
+      const glm::vec3 size = out.fleet.vehicles[kind].half_size;
+      triangles = box_mesh({-size.x, 0.0f, -size.z}, {size.x, 2 * size.y, size.z});
+      mask |= MASK_SHADOW;
+    }
+    const auto [root, box] = add_hierarchy(out, triangles, body_stack);
+    out.fleet.bodies.push_back({box.lower, root, box.upper, mask});
+  }
+}
+
+// Trips, vehicles and their lights go to the device as they are, so whatever is unfit goes no further.
+void check_fleet(const Fleet& fleet, std::size_t profiles) {
+  if (fleet.trips.empty()) return;
+  const auto refuse = [](const std::string& what, std::size_t i, const std::optional<std::string>& fault) {
+    if (fault) throw Error("traffic", what + " " + std::to_string(i), *fault);
+  };
+  refuse("cycle", 0, cycle_fault(fleet.cycle));
+  for (std::size_t i = 0; i < fleet.vehicles.size(); ++i)
+    refuse("vehicle", i, vehicle_fault(fleet.vehicles[i], fleet.vehicle_lights.size()));
+  for (std::size_t i = 0; i < fleet.vehicle_lights.size(); ++i)
+    refuse("vehicle light", i, vehicle_light_fault(fleet.vehicle_lights[i], profiles));
+  for (std::size_t i = 0; i < fleet.trips.size(); ++i)
+    refuse("trip", i, trip_fault(fleet.trips[i], fleet.cycle, fleet.vehicles.size(), fleet.knots));
+}
+
 bool usable(const Light& light, std::size_t profiles) {
   for (const glm::vec3& v : {light.position, light.axis, light.tangent})
     if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) return false;
@@ -163,31 +228,33 @@ RenderScene make_render_scene(const Scene& scene, SceneLights lights) {
   for (const SceneMaterial& m : scene.materials)
     out.materials.push_back({m.base_colour, m.roughness, m.emission_cd_m2, 0});
   if (out.materials.empty()) out.materials.push_back({glm::vec3(0.5f), 1.0f, glm::vec3(0.0f), 0});
+  out.profiles = std::move(lights.profiles);
+  out.profile_data = std::move(lights.profile_data);
+  out.fleet = std::move(lights.fleet);
+  check_fleet(out.fleet, out.profiles.size());
+  add_bodies(out, scene);
   add_geometry(out, scene);
 
   out.lights = std::move(lights.lights);
   out.families = std::move(lights.families);
   out.families.resize(out.lights.size(), LightFamily::other);
-  out.profiles = std::move(lights.profiles);
-  out.profile_data = std::move(lights.profile_data);
-  std::vector<float> flux;
-  flux.reserve(out.lights.size());
+  out.schedules = std::move(lights.schedules);
+  out.switches = std::move(lights.switches);
+  for (std::size_t i = 0; i < out.schedules.size(); ++i)
+    if (const auto fault = schedule_fault(out.schedules[i], out.switches))
+      throw Error("schedule " + std::to_string(i), *fault);
   for (Light& light : out.lights) {
-    if (!usable(light, out.profiles.size())) {
-      // Its index stays, since geometry refers to it; it just never shines.
-      ++out.bad_lights;
-      const std::uint32_t id = light.id;
-      light = Light{};
-      light.axis = {0, -1, 0};
-      light.tangent = {1, 0, 0};
-      light.kind_profile = LIGHT_SPHERE | LIGHT_NO_PROFILE << 8;
-      light.schedule = LIGHT_ALWAYS_ON;
-      light.id = id;
-    }
-    flux.push_back(light.flux_lm);
+    if (usable(light, out.profiles.size())) continue;
+    // Its index stays, since geometry refers to it; it just never shines.
+    ++out.bad_lights;
+    const std::uint32_t id = light.id;
+    light = Light{};
+    light.axis = {0, -1, 0};
+    light.tangent = {1, 0, 0};
+    light.kind_profile = LIGHT_SPHERE | LIGHT_NO_PROFILE << 8;
+    light.schedule = LIGHT_ALWAYS_ON;
+    light.id = id;
   }
-  out.alias = build_alias_table(flux);
-  out.grid = build_light_grid(out.lights);
   return out;
 }
 
@@ -203,6 +270,14 @@ RenderScene load_render_scene(const std::filesystem::path& glb) {
       lights.families.push_back(static_cast<LightFamily>(p.family));
     lights.profiles.assign(file.profiles().begin(), file.profiles().end());
     lights.profile_data.assign(file.profile_data().begin(), file.profile_data().end());
+    lights.schedules.assign(file.schedules().begin(), file.schedules().end());
+    lights.switches.assign(file.switches().begin(), file.switches().end());
+    const TrafficContent traffic = file.traffic();
+    lights.fleet.cycle = traffic.cycle;
+    lights.fleet.vehicles.assign(traffic.vehicles.begin(), traffic.vehicles.end());
+    lights.fleet.vehicle_lights.assign(traffic.vehicle_lights.begin(), traffic.vehicle_lights.end());
+    lights.fleet.trips.assign(traffic.trips.begin(), traffic.trips.end());
+    lights.fleet.knots.assign(traffic.knots.begin(), traffic.knots.end());
   }
   return make_render_scene(scene, std::move(lights));
 }

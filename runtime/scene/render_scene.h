@@ -12,9 +12,18 @@
 #include "formats/light_file.h"
 #include "formats/scene_file.h"
 #include "runtime/scene/bvh.h"
-#include "runtime/scene/light_grid.h"
 
 namespace nightcity {
+
+/// Vehicles as the light file has them, and their bodies.
+struct Fleet {
+  TrafficCycle cycle{};
+  std::vector<VehicleKind> vehicles;
+  std::vector<gpu::VehicleBody> bodies;  // parallel to vehicles
+  std::vector<Light> vehicle_lights;     // in vehicle frames
+  std::vector<Trip> trips;
+  std::vector<TripKnot> knots;
+};
 
 struct RenderScene {
   std::vector<gpu::BvhNode> nodes;  // every mesh's hierarchy, then the top level's
@@ -26,9 +35,10 @@ struct RenderScene {
   std::vector<LightFamily> families;  // parallel to lights
   std::vector<LightProfile> profiles;
   std::vector<float> profile_data;
-  std::vector<gpu::AliasEntry> alias;  // over flux
-  LightGrid grid;                       // the strongest lights near each place
-  Box bounds;                          // of everything visible
+  std::vector<Schedule> schedules{};
+  std::vector<std::uint32_t> switches;  // s since noon
+  Fleet fleet;
+  Box bounds;  // of everything visible that stands
 
   std::size_t bad_lights = 0;         // switched off: not finite, no flux, profile out of range
   std::size_t dropped_triangles = 0;  // zero area
@@ -41,6 +51,9 @@ struct SceneLights {
   std::vector<LightFamily> families;  // empty or parallel to lights
   std::vector<LightProfile> profiles;
   std::vector<float> profile_data;
+  std::vector<Schedule> schedules{};
+  std::vector<std::uint32_t> switches{};
+  Fleet fleet{};  // without bodies: those are the scene's
 };
 
 RenderScene make_render_scene(const Scene& scene, SceneLights lights);

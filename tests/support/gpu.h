@@ -33,7 +33,7 @@ inline Image render(const RenderScene& scene, const CameraPose& pose, const Rend
                     std::uint32_t width, std::uint32_t height, std::uint32_t frames) {
   gpu::Device& device = test_device();
   const std::size_t before = device.validation_messages().size();
-  const DeviceScene device_scene(device, scene);
+  DeviceScene device_scene(device, scene);
   Renderer renderer(device, test_passes(), device_scene, width, height);
   for (std::uint32_t i = 0; i < frames; ++i) renderer.render_frame(pose, settings);
   Image image = renderer.download();

@@ -99,7 +99,7 @@ struct Bias {
 Bias relative_bias(const RenderScene& scene, RenderSettings settings, const Image& truth,
                    std::uint32_t side) {
   const double true_mean = body_mean(truth, truth);
-  const DeviceScene device_scene(test_device(), scene);
+  DeviceScene device_scene(test_device(), scene);
   Renderer renderer(test_device(), test_passes(), device_scene, side, side);
   std::vector<double> means;
   for (std::uint32_t run = 0; run < 8; ++run) {
@@ -156,7 +156,7 @@ TEST_F(Estimators, ThePapersWeightsDarken) {
 
 TEST_F(Estimators, AMovingCameraReusesItsHistoryWithoutBias) {
   gpu::Device& device = test_device();
-  const DeviceScene device_scene(device, scene_);
+  DeviceScene device_scene(device, scene_);
   RenderSettings settings = with_estimator(Estimator::traced);
   std::vector<double> ratios;
   for (std::uint32_t run = 0; run < 8; ++run) {

@@ -1,0 +1,54 @@
+// A scene's arrays on a device, and which of its lights shine.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "runtime/gpu/buffer.h"
+#include "runtime/scene/lit_lights.h"
+#include "runtime/scene/render_scene.h"
+
+namespace nightcity {
+
+class DeviceScene {
+ public:
+  /// Keeps what set_time needs of `scene`; the scene itself may go. Throws Error when the device's memory
+  /// does not suffice.
+  DeviceScene(gpu::Device& device, const RenderScene& scene);
+
+  /// Switches lights as their schedules say for `time_s` seconds after noon; returns whether any changed. Not
+  /// while a frame is being rendered. Linear in the lights only where some were switched.
+  bool set_time(double time_s);
+
+  const gpu::SceneBuffers& buffers() const { return addresses_; }
+  bool has_profiles() const { return has_profiles_; }
+  bool has_rectangles() const { return has_rectangles_; }
+  bool has_schedules() const { return !schedules_.empty(); }
+  bool has_fleet() const { return addresses_.fleet.trip_count > 0; }
+  /// Of the standing lights that shine, lumen.
+  double lit_flux_lm() const { return lit_flux_lm_; }
+  std::uint64_t bytes() const;
+
+ private:
+  template <class T>
+  std::uint64_t store(std::span<const T> values);
+  void store_fleet(const RenderScene& scene);
+  void upload_lit(LitLights lit);
+
+  gpu::Device& device_;
+  std::vector<gpu::Buffer> storage_;
+  gpu::SceneBuffers addresses_{};
+  bool has_profiles_ = false, has_rectangles_ = false;
+
+  // Kept for set_time where lights have schedules.
+  std::vector<Light> lights_;
+  std::vector<Schedule> schedules_;
+  std::vector<std::uint32_t> switches_;
+  LitLights lit_;
+  double lit_flux_lm_ = 0;
+  gpu::Buffer lit_bits_[2];  // of now and of before the last switch: the frame before may have used the other
+  int lit_parity_ = 0;
+  gpu::Buffer lit_list_, alias_, cells_, entries_;
+};
+
+}  // namespace nightcity

@@ -1,0 +1,46 @@
+#include "runtime/scene/lit_lights.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/scene/alias_table.h"
+
+namespace nightcity {
+
+bool is_lit(const Schedule& schedule, std::span<const std::uint32_t> switches, double time_s) {
+  constexpr double day_s = 86'400;
+  const double t = time_s - day_s * std::floor(time_s / day_s);
+  const auto times = switches.subspan(schedule.first, schedule.count);
+  const auto switched = std::upper_bound(times.begin(), times.end(), t,
+                                         [](double at, std::uint32_t time) { return at < double(time); });
+  return (switched - times.begin()) % 2 == 1;
+}
+
+LitLights lit_lights(std::span<const Light> lights, std::span<const Schedule> schedules,
+                     std::span<const std::uint32_t> switches, double time_s) {
+  LitLights lit;
+  // Lights share schedules: each is looked up once.
+  std::vector<bool> on(schedules.size());
+  for (std::size_t i = 0; i < schedules.size(); ++i) on[i] = is_lit(schedules[i], switches, time_s);
+  lit.bits.resize((lights.size() + 31) / 32);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const bool scheduled = lights[i].schedule < schedules.size();
+    if (!(lights[i].flux_lm > 0) || (scheduled && !on[lights[i].schedule])) continue;
+    lit.bits[i / 32] |= 1u << (i % 32);
+    lit.list.push_back(static_cast<std::uint32_t>(i));
+  }
+  return lit;
+}
+
+void build_tables(LitLights& lit, std::span<const Light> lights) {
+  std::vector<Light> shining(lights.begin(), lights.end());
+  std::vector<float> flux(lights.size());
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (!(lit.bits[i / 32] >> (i % 32) & 1u)) shining[i].flux_lm = 0;
+    flux[i] = shining[i].flux_lm;
+  }
+  lit.alias = build_alias_table(flux);
+  lit.grid = build_light_grid(shining);
+}
+
+}  // namespace nightcity

@@ -1,0 +1,32 @@
+// Which lights shine at a moment of the night, and the tables they are picked from.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "formats/night.h"
+#include "runtime/scene/light_grid.h"
+
+namespace nightcity {
+
+/// Does a light of this schedule shine `time_s` seconds after noon? Times outside a day wrap round.
+bool is_lit(const Schedule& schedule, std::span<const std::uint32_t> switches, double time_s);
+
+struct LitLights {
+  std::vector<std::uint32_t> bits;     // a bit a light, 32 a word
+  std::vector<std::uint32_t> list;     // indices of those that shine, ascending
+  std::vector<gpu::AliasEntry> alias;  // over flux, parallel to the lights
+  LightGrid grid;                      // the strongest near each place
+
+  bool same_lights(const LitLights& other) const { return bits == other.bits; }
+};
+
+/// Bits and list only: cheap enough to ask at every step of a clock.
+LitLights lit_lights(std::span<const Light> lights, std::span<const Schedule> schedules,
+                     std::span<const std::uint32_t> switches, double time_s);
+
+/// Fills in the tables. A light without flux never shines.
+void build_tables(LitLights& lit, std::span<const Light> lights);
+
+}  // namespace nightcity

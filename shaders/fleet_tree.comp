@@ -1,0 +1,91 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Fleet, step 5 of 5, a dispatch a level (push.first, from 1), an invocation a node: every four neighbours in the order become a node of the
+// next level, for rays (BvhNode) and for picking lights (FleetNode). Neighbours on a Morton curve are neighbours on the
+// map, so the tree is a fair one without a search (Lauterbach et al.: Fast BVH Construction on GPUs, 2009).
+// The last level's one node and the standing scene become the scene's root.
+#define WORKGROUP_IS_A_ROW
+#include "shaders/common.glsl"
+
+#define FLEET SCENE.fleet
+
+struct Children {
+  vec3 lower[4], upper[4];
+  uint child[4];  // as in BvhNode
+};
+
+// Boxes in 8 bits about the node's corner, rounded outwards; as runtime/scene/bvh.cpp does it.
+BvhNode quantised(Children c, vec3 lower, vec3 upper) {
+  BvhNode node;
+  node.origin = lower;
+  node.exponents = 0u;
+  node.pad[0] = node.pad[1] = 0u;
+  for (uint i = 0u; i < 4u; ++i) node.child[i] = c.child[i];
+  for (uint axis = 0u; axis < 3u; ++axis) {
+    int exponent = clamp(int(ceil(log2(max((upper[axis] - lower[axis]) / 254.0, 1e-20)))), -100, 120);
+    const float step = uintBitsToFloat(uint(exponent + 127) << 23u);
+    node.exponents |= uint(exponent + 127) << (8u * axis);
+    node.lower[axis] = node.upper[axis] = 0u;
+    for (uint i = 0u; i < 4u; ++i) {
+      if (c.child[i] == BVH_EMPTY) continue;
+      float low = clamp(floor((c.lower[i][axis] - lower[axis]) / step), 0.0, 255.0);
+      float high = clamp(ceil((c.upper[i][axis] - lower[axis]) / step), 0.0, 255.0);
+      // What rounding in the sum took away is given back.
+      if (lower[axis] + low * step > c.lower[i][axis]) low = max(low - 1.0, 0.0);
+      if (lower[axis] + high * step < c.upper[i][axis]) high = min(high + 1.0, 255.0);
+      node.lower[axis] |= uint(low) << (8u * i);
+      node.upper[axis] |= uint(high) << (8u * i);
+    }
+  }
+  return node;
+}
+
+void main() {
+  const uint level = push.first;
+  const uint place = gl_GlobalInvocationID.x;
+  if (level < FLEET.levels) {
+    if (place >= FLEET.level_count[level]) return;
+    Children c;
+    FleetNode all = FleetNode(vec3(1e30), 0.0, vec3(-1e30), NO_HIT);
+    for (uint i = 0u; i < 4u; ++i) {
+      const uint below = 4u * place + i;
+      c.lower[i] = c.upper[i] = vec3(0.0);
+      c.child[i] = BVH_EMPTY;
+      if (below >= FLEET.level_count[level - 1u]) continue;
+      const FleetNode node = FRAME.fleet_nodes.at[FLEET.level_first[level - 1u] + below];
+      if (node.lower.x > node.upper.x) continue;
+      c.lower[i] = node.lower;
+      c.upper[i] = node.upper;
+      c.child[i] = level == 1u ? BVH_LEAF | (FLEET.first_instance + node.trip)
+                               : FLEET.first_bvh_node + FLEET.level_first[level - 1u] - FLEET.trip_count + below;
+      all.lower = min(all.lower, node.lower);
+      all.upper = max(all.upper, node.upper);
+      all.flux_lm += node.flux_lm;
+    }
+    const uint at = FLEET.level_first[level] + place;
+    FRAME.fleet_nodes.at[at] = all;
+    FLEET.bvh.at[at - FLEET.trip_count] = quantised(c, all.lower, all.upper);
+  } else if (place == 0u) {
+    const uint fleet_root = FLEET.level_first[FLEET.levels - 1u];
+    const FleetNode fleet = FRAME.fleet_nodes.at[fleet_root];
+    Children c;
+    for (uint i = 0u; i < 4u; ++i) {
+      c.lower[i] = c.upper[i] = vec3(0.0);
+      c.child[i] = BVH_EMPTY;
+    }
+    vec3 lower = vec3(1e30), upper = vec3(-1e30);
+    if (FLEET.standing_root != BVH_EMPTY) {
+      c.lower[0] = lower = FLEET.lower;
+      c.upper[0] = upper = FLEET.upper;
+      c.child[0] = FLEET.standing_root;
+    }
+    if (fleet.lower.x <= fleet.upper.x) {
+      c.lower[1] = fleet.lower;
+      c.upper[1] = fleet.upper;
+      c.child[1] = FLEET.first_bvh_node + fleet_root - FLEET.trip_count;
+      lower = min(lower, fleet.lower);
+      upper = max(upper, fleet.upper);
+    }
+    FLEET.bvh.at[fleet_root - FLEET.trip_count + 1u] = quantised(c, lower, upper);
+  }
+}

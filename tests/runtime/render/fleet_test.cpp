@@ -1,0 +1,208 @@
+// Vehicles on the device against standing copies of them, placed by hand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "formats/error.h"
+#include "support/gpu.h"
+#include "support/scenes.h"
+
+namespace nightcity {
+namespace {
+
+using test::lamp;
+using test::render;
+using test::SceneBuilder;
+
+constexpr double noon_to_eight = 8 * 3600;
+
+TripKnot knot(glm::vec3 position, float time_s, glm::vec3 velocity, double yaw_turns = 0,
+              bool braking = false) {
+  const auto yaw = static_cast<uint>(std::lround(yaw_turns * 65536)) & 0xFFFFu;
+  return {position, time_s, velocity, yaw | (braking ? KNOT_BRAKING : 0u)};
+}
+
+// A vehicle of 4 x 1.6 x 2 m with a lamp 1 m before its nose and one that shines while it brakes behind it.
+Fleet one_kind() {
+  Fleet fleet;
+  fleet.cycle.cycle_s = 100;
+  for (float& share : fleet.cycle.density) share = 1;
+  Light front = lamp({3, 1, 0}, 1000), rear = lamp({-3, 1, 0}, 500);
+  front.schedule = VEHICLE_LIGHT_ALWAYS;
+  front.id = uint(LightFamily::headlamp);
+  rear.schedule = VEHICLE_LIGHT_BRAKING;
+  rear.id = uint(LightFamily::tail_lamp);
+  fleet.vehicle_lights = {front, rear};
+  fleet.vehicles = {{{2, 0.8f, 1}, 0, 2, {}}};
+  return fleet;
+}
+
+void add_trip(Fleet& fleet, const std::vector<TripKnot>& knots, float start_s = 0, float rank = 0) {
+  const auto first = static_cast<uint>(fleet.knots.size()), id = static_cast<uint>(fleet.trips.size());
+  fleet.knots.insert(fleet.knots.end(), knots.begin(), knots.end());
+  fleet.trips.push_back({first, static_cast<uint>(knots.size()), start_s, rank, 0, id, {}});
+}
+
+RenderScene with_fleet(Fleet fleet, std::vector<Light> lights = {}) {
+  SceneLights all;
+  all.lights = std::move(lights);
+  all.fleet = std::move(fleet);
+  return make_render_scene(SceneBuilder().ground(60).scene(), std::move(all));
+}
+
+// What the fleet should look like: a box on the ground and the given lamps.
+RenderScene standing(const glm::vec3& lower, const glm::vec3& upper, std::vector<Light> lights) {
+  SceneLights all;
+  all.lights = std::move(lights);
+  return make_render_scene(SceneBuilder().ground(60).box(lower, upper).scene(), std::move(all));
+}
+
+const CameraPose above{{0, 25, 12}, {0, 0, 0}, {0, 1, 0}, 60};
+
+RenderSettings reference_at(double time_s) {
+  RenderSettings settings;
+  settings.estimator = Estimator::reference;
+  settings.time_s = time_s;
+  settings.jitter = false;
+  return settings;
+}
+
+double relative_difference(const Image& a, const Image& b) {
+  double difference = 0, sum = 0;
+  for (std::size_t i = 0; i < a.pixels(); ++i) {
+    difference += std::abs(test::luminance(a, i) - test::luminance(b, i));
+    sum += test::luminance(b, i);
+  }
+  return difference / sum;
+}
+
+TEST(Fleet, AVehicleIsWhereItsKnotsSayWithItsLightsAndShadow) {
+  Fleet fleet = one_kind();
+  // East at 1 m/s from x = -10; the materials are the ground's.
+  add_trip(fleet, {knot({-10, 0, 0}, 0, {1, 0, 0}), knot({10, 0, 0}, 20, {1, 0, 0})}, 5);
+  // 400 cycles of 100 s make up noon + 40,000 s; 9 s into the drive.
+  const Image moving = render(with_fleet(fleet), above, reference_at(40'000 + 5 + 9), 48, 48, 1);
+  const Image placed =
+      render(standing({-3, 0, -1}, {1, 1.6f, 1}, {lamp({2, 1, 0}, 1000)}), above, reference_at(0), 48, 48, 1);
+  EXPECT_GT(test::mean_luminance(placed), 0.01);
+  EXPECT_LT(relative_difference(moving, placed), 0.002);
+}
+
+TEST(Fleet, HeadingTurnsTheShortWayAndRearLampShinesWhileBraking) {
+  Fleet fleet = one_kind();
+  // Stands and turns from 10 degrees right of east to 10 degrees left of it: at half time it looks east.
+  add_trip(fleet,
+           {knot({0, 0, 0}, 0, {0, 0, 0}, -10.0 / 360, true), knot({0, 0, 0}, 20, {0, 0, 0}, 10.0 / 360)});
+  const Image moving = render(with_fleet(fleet), above, reference_at(10), 48, 48, 1);
+  const Image placed =
+      render(standing({-2, 0, -1}, {2, 1.6f, 1}, {lamp({3, 1, 0}, 1000), lamp({-3, 1, 0}, 500)}), above,
+             reference_at(0), 48, 48, 1);
+  EXPECT_LT(relative_difference(moving, placed), 0.002);
+}
+
+TEST(Fleet, IsDarkBeforeADriveAfterItAndWhereTheHourHasNoTraffic) {
+  Fleet fleet = one_kind();
+  add_trip(fleet, {knot({-10, 0, 0}, 0, {1, 0, 0}), knot({10, 0, 0}, 20, {1, 0, 0})}, 50, 0.5f);
+  fleet.cycle.density[3] = 0.4f;  // below the trip's rank from somewhere before 15:00 to somewhere after
+  const auto mean = [&](double time_s) {
+    return test::mean_luminance(render(with_fleet(fleet), above, reference_at(time_s), 16, 16, 1));
+  };
+  EXPECT_EQ(mean(noon_to_eight + 49), 0) << "28,800 s are 288 cycles";
+  EXPECT_GT(mean(noon_to_eight + 51), 0);
+  EXPECT_EQ(mean(noon_to_eight + 71), 0);
+  EXPECT_GT(mean(noon_to_eight + 151), 0) << "the next cycle";
+  EXPECT_EQ(mean(3 * 3600 + 51), 0) << "15:00";
+}
+
+// Enough vehicles for several levels of the tree, all over the ground. Their lamps hang high, so that no few
+// pixels close to one hold most of a picture's light.
+Fleet crowd(int count) {
+  Fleet fleet = one_kind();
+  for (Light& light : fleet.vehicle_lights) light.position.y = 5;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> place(-50, 50), turn(0, 1), speed(-3, 3);
+  for (int i = 0; i < count; ++i) {
+    const glm::vec3 from(place(random), 0, place(random)), velocity(speed(random), 0, speed(random));
+    const double yaw = double(turn(random));
+    add_trip(fleet,
+             {knot(from, 0, velocity, yaw, i % 3 == 0), knot(from + 40.0f * velocity, 40, velocity, yaw)});
+  }
+  return fleet;
+}
+
+TEST(Fleet, PickedLightsGiveTheReferenceWithoutBias) {
+  const RenderScene scene = with_fleet(crowd(90), {lamp({20, 8, 10}, 5000), lamp({-20, 8, -10}, 5000)});
+  const CameraPose pose{{0, 60, 40}, {0, 0, 0}, {0, 1, 0}, 60};
+  const Image truth = render(scene, pose, reference_at(17), 24, 24, 4);
+  for (const Estimator estimator : {Estimator::ris, Estimator::pairwise}) {
+    RenderSettings settings = reference_at(17);
+    settings.estimator = estimator;
+    // Frames of one run share samples: the error of the mean is that of the means of independent runs.
+    constexpr unsigned runs = 10;
+    double sum = 0, squares = 0;
+    for (settings.seed = 1; settings.seed <= runs; ++settings.seed) {
+      const double ratio =
+          test::mean_luminance(render(scene, pose, settings, 24, 24, 6)) / test::mean_luminance(truth);
+      sum += ratio;
+      squares += ratio * ratio;
+    }
+    const double mean = sum / runs, error = std::sqrt((squares / runs - mean * mean) / (runs - 1));
+    EXPECT_LT(error, 0.02) << name_of(estimator);
+    EXPECT_LT(std::abs(mean - 1), 5 * error) << name_of(estimator) << " " << mean;
+    RecordProperty(name_of(estimator), std::to_string(mean) + " +- " + std::to_string(error));
+  }
+}
+
+TEST(Fleet, HistoryOfMovingLightsBringsNoBias) {
+  const RenderScene scene = with_fleet(crowd(60));
+  const CameraPose pose{{0, 60, 40}, {0, 0, 0}, {0, 1, 0}, 60};
+  gpu::Device& device = test::test_device();
+  DeviceScene device_scene(device, scene);
+  Renderer moving(device, test::test_passes(), device_scene, 20, 20);
+  RenderSettings settings = reference_at(0);
+  settings.estimator = Estimator::pairwise;
+  double estimated = 0, truth = 0;
+  std::vector<double> times;
+  for (int i = 0; i < 48; ++i) {
+    settings.time_s = 5 + 0.5 * i;  // up to 1.5 m a frame: lamps jump past each other's light
+    moving.render_frame(pose, settings);
+    if (i < 8) continue;
+    EXPECT_EQ(moving.frames(), 1u) << "no mean over moments";
+    estimated += test::mean_luminance(moving.download(false));
+    times.push_back(settings.time_s);
+  }
+  Renderer still(device, test::test_passes(), device_scene, 20, 20);
+  for (const double time : times) {
+    still.render_frame(pose, reference_at(time));
+    truth += test::mean_luminance(still.download(false));
+  }
+  EXPECT_NEAR(estimated / truth, 1, 0.01);
+}
+
+TEST(Fleet, APictureDependsOnTheTimeOnlyNotOnTheFramesBefore) {
+  const RenderScene scene = with_fleet(crowd(60));
+  gpu::Device& device = test::test_device();
+  DeviceScene device_scene(device, scene);
+  std::vector<float> pictures[2];
+  for (const int steps : {1, 7}) {
+    Renderer renderer(device, test::test_passes(), device_scene, 24, 24);
+    for (int i = 1; i <= steps; ++i) renderer.render_frame(above, reference_at(21.0 * i / steps));
+    pictures[steps == 7] = renderer.download(false).rgb;
+  }
+  // The reference's stratified points on a lamp differ from frame to frame, the lamp's place does not.
+  double difference = 0, sum = 0;
+  for (std::size_t i = 0; i < pictures[0].size(); ++i) {
+    difference += std::abs(double(pictures[0][i]) - double(pictures[1][i]));
+    sum += double(pictures[0][i]);
+  }
+  EXPECT_LT(difference / sum, 0.01);
+}
+
+TEST(Fleet, ABrokenTripIsRefused) {
+  Fleet fleet = one_kind();
+  add_trip(fleet, {knot({0, 0, 0}, 0, {0, 0, 0}), knot({0, 0, 0}, 200, {0, 0, 0})});  // longer than the cycle
+  EXPECT_THROW(with_fleet(fleet), Error);
+}
+
+}  // namespace
+}  // namespace nightcity

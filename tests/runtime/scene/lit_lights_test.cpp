@@ -1,0 +1,49 @@
+#include "runtime/scene/lit_lights.h"
+
+#include <gtest/gtest.h>
+
+#include "support/scenes.h"
+
+namespace nightcity {
+namespace {
+
+TEST(LitLights, AScheduleTogglesAtEachOfItsTimes) {
+  const std::vector<std::uint32_t> switches{7, 3600, 7200, 80'000};  // the first belongs to nobody here
+  const Schedule schedule{1, 3};
+  EXPECT_FALSE(is_lit(schedule, switches, 0));
+  EXPECT_FALSE(is_lit(schedule, switches, 3599.9));
+  EXPECT_TRUE(is_lit(schedule, switches, 3600));
+  EXPECT_TRUE(is_lit(schedule, switches, 7199.9));
+  EXPECT_FALSE(is_lit(schedule, switches, 7200));
+  EXPECT_TRUE(is_lit(schedule, switches, 86'399));
+  EXPECT_FALSE(is_lit(schedule, switches, 86'400)) << "the next noon";
+  EXPECT_TRUE(is_lit(schedule, switches, -86'400 + 5000)) << "days repeat";
+  EXPECT_FALSE(is_lit({0, 0}, switches, 40'000)) << "never switched on";
+}
+
+TEST(LitLights, TablesHoldExactlyTheLightsThatShine) {
+  std::vector<Light> lights;
+  for (int i = 0; i < 100; ++i) lights.push_back(test::lamp({float(i), 5, 0}, 100.0f + float(i)));
+  for (std::size_t i = 0; i < lights.size(); i += 2) lights[i].schedule = 0;
+  lights[99].flux_lm = 0;
+  const std::vector<Schedule> schedules{{0, 2}};
+  const std::vector<std::uint32_t> switches{1000, 2000};
+  for (const double time : {500.0, 1500.0}) {
+    LitLights lit = lit_lights(lights, schedules, switches, time);
+    build_tables(lit, lights);
+    double pdf = 0;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      const bool shines = i != 99 && (i % 2 == 1 || time == 1500);
+      EXPECT_EQ((lit.bits[i / 32] >> (i % 32) & 1u) != 0, shines) << i;
+      EXPECT_EQ(std::count(lit.list.begin(), lit.list.end(), i), shines) << i;
+      EXPECT_EQ(lit.alias[i].pdf > 0, shines) << i;
+      pdf += double(lit.alias[i].pdf);
+      for (const gpu::LocalEntry& entry : lit.grid.entries)
+        EXPECT_TRUE(shines || (entry.light != i && entry.alias_light != i)) << i;
+    }
+    EXPECT_NEAR(pdf, 1, 1e-5);
+  }
+}
+
+}  // namespace
+}  // namespace nightcity
