@@ -2,9 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 // Adds the frame's estimate to the running mean, and writes the displayed pixel.
 #include "shaders/common.glsl"
-#include "shaders/tonemap.glsl.h"
-
-uint byte_of(float exposed) { return uint(srgb_encode(tone_curve(FRAME.tone, exposed)) * 255.0 + 0.5); }
+#include "shaders/geometry.glsl"
+#include "shaders/similar.glsl"
+#include "shaders/display.glsl"
 
 void main() {
   uvec2 pixel;
@@ -14,8 +14,21 @@ void main() {
   // The last guard: no NaN or Inf reaches a pixel, and none stays in a sum.
   if (!(finite(radiance.x) && finite(radiance.y) && finite(radiance.z))) radiance = vec3(0.0);
 
-  Accumulation total = FRAME.accumulation.at[index];
-  if (FRAME.reset != 0u) total = Accumulation(vec3(0.0), 0.0, vec3(0.0), 0.0);
+  Accumulation total = Accumulation(vec3(0.0), 0.0, vec3(0.0), 0.0);
+  if (FRAME.window == 0u) {
+    if (FRAME.reset == 0u) total = FRAME.previous_accumulation.at[index];
+  } else {
+    // The mean of the last frames goes along with the surface it is of; where there is none to go along, it starts anew.
+    const Surface surface = FRAME.surfaces.at[index];
+    uint before = index;
+    const bool sky = surface.depth <= 0.0 && FRAME.previous_surfaces.at[index].depth <= 0.0 && FRAME.has_history != 0u;
+    if (sky || previous_pixel(surface, before)) total = FRAME.previous_accumulation.at[before];
+    const float most = float(FRAME.window - 1u);
+    if (total.frames > most) {
+      const float share = most / total.frames;
+      total = Accumulation(total.sum * share, most, total.compensation * share, total.luminance_squared * share);
+    }
+  }
   precise const vec3 y = radiance - total.compensation;
   precise const vec3 t = total.sum + y;
   precise const vec3 lost = (t - total.sum) - y;
@@ -25,7 +38,5 @@ void main() {
   total.luminance_squared += luminance(radiance) * luminance(radiance);
   FRAME.accumulation.at[index] = total;
 
-  const vec3 mean = total.sum / total.frames * FRAME.exposure;
-  FRAME.display.at[index] =
-      byte_of(mean.r) | byte_of(mean.g) << 8 | byte_of(mean.b) << 16 | 0xFF000000u;
+  FRAME.display.at[index] = displayed(total.sum / total.frames);
 }

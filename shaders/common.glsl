@@ -13,6 +13,8 @@ layout(constant_id = CONSTANT_VISIBILITY_REUSE) const uint VISIBILITY_REUSE = 0u
 layout(constant_id = CONSTANT_SKY) const uint HAS_SKY = 0u;
 layout(constant_id = CONSTANT_SCHEDULES) const uint HAS_SCHEDULES = 0u;
 layout(constant_id = CONSTANT_TRAFFIC) const uint HAS_TRAFFIC = 0u;
+layout(constant_id = CONSTANT_GLOSS) const uint HAS_GLOSS = 0u;
+layout(constant_id = CONSTANT_LAYERS) const uint HAS_LAYERS = 0u;
 
 #ifndef WORKGROUP_IS_A_ROW  // passes over pixels; those over lists declare their own
 layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;

@@ -33,10 +33,17 @@ using uvec2 = glm::uvec2;
 #define CONSTANT_PROFILES 1    // some lamp has a luminaire profile
 #define CONSTANT_RECTANGLES 2  // some light is a window
 #define CONSTANT_VISIBILITY_REUSE 3  // a candidate in shadow is dropped before reuse: less noise, biased
-#define CONSTANT_SKY 4               // the sky shines
+#define CONSTANT_SKY 4               // the sky shines: SKY_*
 #define CONSTANT_SCHEDULES 5           // some light is not always on
 #define CONSTANT_TRAFFIC 6             // vehicles are on their ways
-#define CONSTANT_COUNT 7
+#define CONSTANT_GLOSS 7               // surfaces that face up are wet
+#define CONSTANT_LAYERS 8              // what each kind of light gives is kept apart
+#define CONSTANT_COUNT 9
+
+#define MOON_RADIUS 0.0045f  // as seen from the earth, radians
+#define SKY_DARK 0u
+#define SKY_UNIFORM 1u  // or dark with a moon
+#define SKY_MAP 2u
 
 // The all-lights reference is dispatched in chunks: Mesa's CPU driver of Debian 12 silently ends loops after 65,535
 // iterations summed over one invocation (measured), and a shadow ray takes some tens of them.
@@ -168,6 +175,29 @@ struct Accumulation {
   float luminance_squared;  // sum of squared luminance, for the variance of the mean
 };
 
+// A pixel's light by where it comes from, cd/m^2 per channel, summed over frames.
+struct LightLayers {
+  vec3 lamps;
+  vec3 windows;
+  vec3 vehicles;
+  vec3 sky;
+  vec3 emitted;  // by the surface itself
+};
+
+// A pixel on its way through the denoiser: light over albedo, so that the filter spares what is drawn on the surfaces.
+struct Demodulated {
+  vec3 irradiance;
+  float variance;  // of its luminance
+};
+#define DENOISE_LEVELS 5
+
+// A light's flux that leaves the scene, as shares of it, summed over rays (upward.comp).
+struct Escape {
+  float direct;     // upwards, without touching anything
+  float reflected;  // upwards, off the first surface it met
+  float sideways;   // level or downwards past the scene's edge: neither up nor on the ground
+};
+
 struct Camera {
   vec3 position;
   float tan_half_height;  // of the vertical field of view
@@ -204,6 +234,9 @@ REFERENCE_TO(FleetBvhNodes, BvhNode, writeonly);
 REFERENCE_TO(Surfaces, Surface, );
 REFERENCE_TO(Reservoirs, Reservoir, );
 REFERENCE_TO(Accumulations, Accumulation, );
+REFERENCE_TO(Layers, LightLayers, );
+REFERENCE_TO(Escapes, Escape, );
+REFERENCE_TO(DemodulatedPixels, Demodulated, );
 REFERENCE_TO(Words, uint, );
 #endif
 
@@ -239,6 +272,8 @@ struct SceneBuffers {
   BUFFER(AliasTable) alias;
   BUFFER(Cells) cells;
   BUFFER(LocalEntries) local_entries;
+  BUFFER(Floats) sky_map;       // latitude-longitude, RGB, cd/m^2; row 0 is the zenith, its middle column the north
+  uint sky_width, sky_height;
   BUFFER(Words) lit;            // a bit a light: shines now
   BUFFER(Words) lit_list;       // indices of those
   LightGridShape grid;
@@ -247,6 +282,15 @@ struct SceneBuffers {
   uint standing_lights;
   uint lit_count;    // standing lights that shine now
   FleetBuffers fleet;
+};
+
+// Where upward flux leaves: a map of squares, and what is counted there.
+struct UpwardMap {
+  BUFFER(Escapes) escapes;  // a light
+  BUFFER(Words) cells;      // 1/1024 lumen, by place of the last surface: whole numbers, so that no order of adding changes them
+  float origin_x, origin_z, cell_m;
+  uint width, depth;
+  uint rays;                // a light in all
 };
 
 // Everything a frame's passes read and write.
@@ -266,6 +310,9 @@ struct Frame {
   BUFFER(Reservoirs) previous_reservoirs;
   BUFFER(Accumulations) radiance;       // this frame's estimate; the reference's sum over chunks of lights
   BUFFER(Accumulations) accumulation;
+  BUFFER(Accumulations) previous_accumulation;
+  BUFFER(Layers) layers;
+  BUFFER(DemodulatedPixels) denoise[2];
   BUFFER(Words) display;                // 8-bit sRGB, R in the low byte
   Camera camera;
   Camera previous_camera;
@@ -285,8 +332,13 @@ struct Frame {
   float jitter_x, jitter_y;  // sub-pixel offset of this frame's rays, in [0, 1)
   float exposure;          // display: exposed value of 1 cd/m^2
   uint reset;              // 1: this frame starts a new accumulation
-  vec3 sky;                // uniform luminance of all directions that leave the scene, cd/m^2 per channel
+  uint window;             // mean of at most so many frames, carried along by motion; 0 = of all, while nothing moves
+  float wetness;           // of surfaces that face up, 0 .. 1
+  vec3 sky;                // luminance of directions that leave the scene, cd/m^2 per channel: uniform, or the map's factor
+  vec3 moon_direction;     // unit, towards it
+  vec3 moon_lux;           // illuminance of a surface that faces it, per channel
   uint tone;               // display: TONEMAP_*
+  UpwardMap upward;
 };
 
 

@@ -4,6 +4,8 @@
 #include "shaders/common.glsl"
 #include "shaders/geometry.glsl"
 #include "shaders/trace.glsl"
+#include "shaders/hit.glsl"
+#include "shaders/eye.glsl"
 #include "shaders/fleet.glsl"
 
 void main() {
@@ -12,9 +14,7 @@ void main() {
   if (!pixel_of_invocation(pixel, index)) return;
 
   const Camera camera = FRAME.camera;
-  const vec2 screen = (vec2(pixel) + vec2(FRAME.jitter_x, FRAME.jitter_y)) / vec2(FRAME.size) * 2.0 - 1.0;
-  const vec3 direction = normalize(camera.forward + camera.right * (screen.x * camera.tan_half_height * camera.aspect) -
-                                   camera.up * (screen.y * camera.tan_half_height));
+  const vec3 direction = eye_direction(pixel);
   Surface surface = Surface(vec3(0.0), 0u, 0.0, 0u, NO_HIT, NO_HIT, vec3(0.0));
   Hit hit;
   if (closest_hit(camera.position, direction, hit)) {
@@ -22,12 +22,7 @@ void main() {
     const vec4 b = SCENE.triangles.at[hit.triangle * 3u + 1u];
     const vec4 c = SCENE.triangles.at[hit.triangle * 3u + 2u];
     const Instance instance = SCENE.instances.at[hit.instance];
-    const vec3 n = cross(b.xyz - a.xyz, c.xyz - a.xyz);
-    // Normals go to model space by the transpose of the inverse, and to_object is the inverse.
-    vec3 normal = instance.to_object[0].xyz * n.x + instance.to_object[1].xyz * n.y + instance.to_object[2].xyz * n.z;
-    const float size2 = dot(normal, normal);
-    normal = size2 > 0.0 ? normal * inversesqrt(size2) : -direction;
-    if (dot(normal, direction) > 0.0) normal = -normal;
+    const vec3 normal = facing_normal(hit, direction);
     surface.position = camera.position + direction * hit.t;
     surface.normal = pack_normal(normal);
     surface.depth = hit.t;

@@ -7,6 +7,8 @@
 #include "shaders/trace.glsl"
 #include "shaders/lights.glsl"
 #include "shaders/shading.glsl"
+#include "shaders/eye.glsl"
+#include "shaders/layers.glsl"
 
 void main() {
   uvec2 pixel;
@@ -14,26 +16,33 @@ void main() {
   if (!pixel_of_invocation(pixel, index)) return;
   const Surface surface = FRAME.surfaces.at[index];
   Accumulation total = FRAME.radiance.at[index];
+  LightLayers layers = LightLayers(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
   if (push.first == 0u) {
-    vec3 direct = surface.depth > 0.0 ? emitted(surface) : FRAME.sky;
-    if (HAS_SKY != 0u && surface.depth > 0.0) {
+    layers.emitted = surface.depth > 0.0 ? emitted(surface) : seen_sky(pixel);
+    if (HAS_SKY != SKY_DARK && surface.depth > 0.0) {
       seed_random(pixel, STREAM_SKY);
-      direct += reflected_sky(receiver_of(surface), vec2(random_float(), random_float()));
+      const Receiver receiver = receiver_of(surface);
+      layers.sky = reflected_sky(receiver, vec2(random_float(), random_float())) +
+                   reflected_moon(receiver, vec2(random_float(), random_float()));
     }
-    total = Accumulation(direct, 1.0, vec3(0.0), 0.0);
+    total = Accumulation(layers.emitted + layers.sky, 1.0, vec3(0.0), 0.0);
   }
   if (surface.depth > 0.0) {
     const Receiver receiver = receiver_of(surface);
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < min(push.count, REFERENCE_CHUNK); ++i) {
-      const uint light = push.first + i;
+      const uint index_of_light = push.first + i;
+      const Light light = light_at(index_of_light);
       // Stratified over frames: the R2 sequence (Roberts 2018) from a start of its own for each pixel and light.
-      const uvec4 start = pcg4d(uvec4(pixel, light, FRAME.seed * 16u + STREAM_REFERENCE));
+      const uvec4 start = pcg4d(uvec4(pixel, index_of_light, FRAME.seed * 16u + STREAM_REFERENCE));
       const uvec2 uv = start.xy + FRAME.frame * uvec2(3242174889u, 2447445414u);
       const vec2 unit = vec2(uv >> 8u) * (1.0 / 16777216.0);
-      const LightSample s = sample_light(light_at(light), unit, receiver.position);
+      const LightSample s = sample_light(light, unit, receiver.position);
       const vec3 f = reflected(receiver, s);
-      if (luminance(f) > 0.0 && !occluded(receiver.origin, s.point)) sum += f;
+      if (luminance(f) > 0.0 && !occluded(receiver.origin, s.point)) {
+        add_direct(layers, index_of_light, light, f);
+        sum += f;
+      }
     }
     // Kahan: 10^6 lights are thousands of chunks, and late small ones must not be lost.
     precise const vec3 y = sum - total.compensation;
@@ -43,4 +52,5 @@ void main() {
     total.sum = t;
   }
   FRAME.radiance.at[index] = total;
+  keep_layers(index, layers, push.first == 0u && FRAME.reset != 0u);
 }

@@ -12,14 +12,6 @@
 
 const bool PAIRWISE = ESTIMATOR == ESTIMATOR_PAIRWISE || ESTIMATOR == ESTIMATOR_TRACED;
 
-// May this neighbour's sample be of use here? Geometry only, so the choice is independent of the samples.
-bool similar(Surface a, Surface b) {
-  if (b.depth <= 0.0 || a.depth <= 0.0) return false;
-  const vec3 n = unpack_normal(a.normal);
-  return dot(n, unpack_normal(b.normal)) > 0.9 && abs(dot(n, b.position - a.position)) < 0.02 * a.depth + 0.01 &&
-         abs(a.depth - b.depth) < 0.2 * a.depth;
-}
-
 // Target with visibility where the estimator has it. `known_visible`: the sample was already seen from there.
 float estimator_target(Receiver r, uint light, uint uv, bool known_visible) {
   const float p = target(r, light, uv);

@@ -5,30 +5,42 @@
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"
 #include "shaders/trace.glsl"
+#include "shaders/eye.glsl"
 #include "shaders/lights.glsl"
 #include "shaders/shading.glsl"
 #include "shaders/reservoir.glsl"
+#include "shaders/layers.glsl"
 
 void main() {
   uvec2 pixel;
   uint index;
   if (!pixel_of_invocation(pixel, index)) return;
   const Surface surface = FRAME.surfaces.at[index];
-  vec3 radiance = FRAME.sky;
+  LightLayers layers = LightLayers(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+  vec3 radiance;
   if (surface.depth > 0.0) {
-    radiance = emitted(surface);
+    radiance = layers.emitted = emitted(surface);
     const Receiver receiver = receiver_of(surface);
-    if (HAS_SKY != 0u) {
+    if (HAS_SKY != SKY_DARK) {
       seed_random(pixel, STREAM_SKY);
-      radiance += reflected_sky(receiver, vec2(random_float(), random_float()));
+      layers.sky = reflected_sky(receiver, vec2(random_float(), random_float())) +
+                   reflected_moon(receiver, vec2(random_float(), random_float()));
+      radiance += layers.sky;
     }
     const Reservoir reservoir = FRAME.spatial.at[index];
     if (reservoir.W > 0.0 && reservoir.light < SCENE.light_count) {
-      const LightSample s = sample_light(light_at(reservoir.light), uv_of(reservoir.uv), receiver.position);
+      const Light light = light_at(reservoir.light);
+      const LightSample s = sample_light(light, uv_of(reservoir.uv), receiver.position);
       // `traced` knows its sample to be visible: an occluded one has W = 0.
-      if (ESTIMATOR == ESTIMATOR_TRACED || !occluded(receiver.origin, s.point))
-        radiance += reflected(receiver, s) * reservoir.W;
+      if (ESTIMATOR == ESTIMATOR_TRACED || !occluded(receiver.origin, s.point)) {
+        const vec3 direct = reflected(receiver, s) * reservoir.W;
+        add_direct(layers, reservoir.light, light, direct);
+        radiance += direct;
+      }
     }
+  } else {
+    radiance = layers.emitted = seen_sky(pixel);
   }
   FRAME.radiance.at[index] = Accumulation(radiance, 1.0, vec3(0.0), 0.0);
+  keep_layers(index, layers, FRAME.reset != 0u);
 }

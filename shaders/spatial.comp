@@ -8,6 +8,7 @@
 #include "shaders/lights.glsl"
 #include "shaders/shading.glsl"
 #include "shaders/reservoir.glsl"
+#include "shaders/similar.glsl"
 #include "shaders/reuse.glsl"
 
 const uint MAX_NEIGHBOURS = 32u;

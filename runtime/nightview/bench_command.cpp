@@ -34,7 +34,7 @@ Spread spread(std::vector<double> values) {
 void bench(BenchCommand& command) {
   RenderOptions& options = command.options;
   options.resolve();
-  const RenderScene scene = load_render_scene(options.scene);
+  const RenderScene scene = options.load();
   const CameraPose pose = find_camera(options.camera, scene);
   gpu::Device device({.select = options.device,
                       .validation = options.validation,

@@ -13,6 +13,7 @@ void add_render_command(CLI::App& app);
 void add_view_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_bench_command(CLI::App& app);
+void add_upward_command(CLI::App& app);
 void add_devices_command(CLI::App& app);
 
 }  // namespace nightcity

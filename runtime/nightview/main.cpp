@@ -62,6 +62,7 @@ int run(int argc, char** argv) {
   add_view_command(app);
   add_compare_command(app);
   add_bench_command(app);
+  add_upward_command(app);
   add_devices_command(app);
 
   try {

@@ -1,9 +1,13 @@
 #include "runtime/nightview/render_options.h"
 
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
+#include <glm/trigonometric.hpp>
 
 #include "formats/error.h"
+#include "runtime/measure/exr.h"
 #include "runtime/measure/image.h"
 #include "runtime/scene/camera.h"
 
@@ -23,7 +27,32 @@ void parse_size(const std::string& text, std::uint32_t& width, std::uint32_t& he
                                    " pixels a side, not '" + text + "'");
 }
 
-// Seconds since noon.
+// Azimuth and elevation in degrees, lux on a facing surface.
+std::array<double, 3> parse_moon(const std::string& text) {
+  std::array<double, 3> value{0, 0, 0.25};
+  int read = 0, more = 0;
+  bool good = std::sscanf(text.c_str(), "%lf,%lf%n", &value[0], &value[1], &read) == 2;
+  if (good && std::size_t(read) < text.size()) {
+    good = std::sscanf(text.c_str() + read, ",%lf%n", &value[2], &more) == 1;
+    read += more;
+  }
+  if (!good || std::size_t(read) != text.size() || !(value[0] >= -360 && value[0] <= 360) ||
+      !(value[1] > 0 && value[1] <= 90) || !(value[2] > 0 && value[2] <= 1000))
+    throw UsageError(
+        "--moon",
+        "expected AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,LUX with an elevation above 0, not '" + text + "'");
+  return value;
+}
+
+std::string listed_estimators() {
+  std::string text = "How light is estimated:";
+  for (const EstimatorName& entry : estimator_names())
+    text += std::string("\n  ") + entry.name + ": " + entry.description;
+  return text;
+}
+
+}  // namespace
+
 double parse_time(const std::string& text) {
   unsigned hours = 0, minutes = 0;
   double seconds = 0;
@@ -39,15 +68,6 @@ double parse_time(const std::string& text) {
     throw UsageError("--time", "expected HH:MM or HH:MM:SS, not '" + text + "'");
   return ((hours + 12) % 24) * 3600.0 + minutes * 60.0 + seconds;
 }
-
-std::string listed_estimators() {
-  std::string text = "How light is estimated:";
-  for (const EstimatorName& entry : estimator_names())
-    text += std::string("\n  ") + entry.name + ": " + entry.description;
-  return text;
-}
-
-}  // namespace
 
 void RenderOptions::declare(CLI::App& command) {
   std::string presets;
@@ -101,6 +121,16 @@ void RenderOptions::declare(CLI::App& command) {
                   "0.002 to 0.02)")
       ->check(CLI::Range(0.0f, 1e6f))
       ->default_str("0");
+  command.add_option("--sky-map", sky_map,
+                     "EXR of the sky's luminance by direction in cd/m2, latitude-longitude, north in its "
+                     "middle; --sky is then a factor");
+  command.add_option(
+      "--moon", moon,
+      "Moon: AZIMUTH,ELEVATION in degrees (azimuth from north over east), or with ,LUX (full moon: 0.25)");
+  command.add_option("--wet", settings.wetness, "How wet the streets are, 0 to 1")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0f, 1.0f));
+  command.add_flag("--denoise", settings.denoise, "Filter the picture: for the eye, not for figures");
   command.add_flag("--validation", validation,
                    "Run under the Vulkan validation layer; its messages end the run with 1");
 }
@@ -109,7 +139,27 @@ void RenderOptions::resolve() {
   settings.estimator = estimator_from_name(estimator);
   settings.sky_cd_m2 = glm::vec3(settings.sky_cd_m2[0]);
   settings.time_s = parse_time(time);
+  if (!moon.empty()) {
+    const auto [azimuth, elevation, lux] = parse_moon(moon);
+    const double a = glm::radians(azimuth), e = glm::radians(elevation);
+    settings.moon_direction = glm::vec3(std::sin(a) * std::cos(e), std::sin(e), -std::cos(a) * std::cos(e));
+    // Sunlight off its surface, of about 4,100 K; a colour of luminance 1.
+    settings.moon_lux = static_cast<float>(lux) * glm::vec3(1.16f, 0.97f, 0.80f);
+  }
+  if (!sky_map.empty() && settings.sky_cd_m2 == glm::vec3(0)) settings.sky_cd_m2 = glm::vec3(1);
   parse_size(size, width, height);
+}
+
+RenderScene RenderOptions::load() const {
+  RenderScene loaded = load_render_scene(scene);
+  if (!sky_map.empty()) {
+    const Image image = read_exr(sky_map);
+    loaded.sky_map = {image.width, image.height, image.rgb};
+    for (float& value : loaded.sky_map.rgb)
+      if (!(std::isfinite(value) && value >= 0))
+        throw Error(sky_map, "holds a luminance that is negative or not finite");
+  }
+  return loaded;
 }
 
 }  // namespace nightcity

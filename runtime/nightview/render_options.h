@@ -6,8 +6,12 @@
 #include <string>
 
 #include "runtime/render/settings.h"
+#include "runtime/scene/render_scene.h"
 
 namespace nightcity {
+
+/// "HH:MM" or "HH:MM:SS" to seconds since noon. Throws UsageError.
+double parse_time(const std::string& text);
 
 struct RenderOptions {
   std::string scene;
@@ -16,6 +20,7 @@ struct RenderOptions {
   std::string size = "1280x720";
   std::string estimator = "pairwise";
   std::string time = "20:00";
+  std::string sky_map, moon;
   bool validation = false;
   RenderSettings settings;
 
@@ -23,6 +28,9 @@ struct RenderOptions {
   void declare(CLI::App& command);
   /// After parsing: names to settings. Throws UsageError.
   void resolve();
+
+  /// The scene, with the sky map that the options name. Throws Error.
+  RenderScene load() const;
 
   std::uint32_t width = 0, height = 0;  // after resolve()
 };

@@ -18,6 +18,12 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
   addresses_.lights = store(std::span(scene.lights));
   addresses_.profiles = store(std::span(scene.profiles));
   addresses_.profile_data = store(std::span(scene.profile_data));
+  for (const gpu::Material& material : scene.materials) albedos_.push_back(material.base_colour);
+  if (scene.sky_map.width > 0) {
+    addresses_.sky_map = store(std::span(scene.sky_map.rgb));
+    addresses_.sky_width = scene.sky_map.width;
+    addresses_.sky_height = scene.sky_map.height;
+  }
   addresses_.root = scene.root;
   addresses_.standing_lights = static_cast<std::uint32_t>(scene.lights.size());
   addresses_.light_count = addresses_.standing_lights;
@@ -35,6 +41,8 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
   has_rectangles_ =
       any_light([](const Light& light) { return (light.kind_profile & 255u) == LIGHT_RECTANGLE; });
 
+  bounds_ = scene.bounds;
+  for (const Light& light : scene.lights) flux_lm_.push_back(light.flux_lm);
   lights_ = scene.lights;
   // A scene whose schedules nobody uses pays nothing for them.
   if (any_light([](const Light& light) { return light.schedule != LIGHT_ALWAYS_ON; })) {
@@ -99,8 +107,6 @@ bool DeviceScene::set_time(double time_s) {
 void DeviceScene::upload_lit(LitLights lit) {
   build_tables(lit, lights_);
   lit_ = std::move(lit);
-  lit_flux_lm_ = 0;
-  for (const std::uint32_t i : lit_.list) lit_flux_lm_ += double(lights_[i].flux_lm);
   lit_parity_ ^= 1;
   lit_bits_[lit_parity_] = gpu::Buffer::of(device_, std::span<const std::uint32_t>(lit_.bits));
   lit_list_ = gpu::Buffer::of(device_, std::span<const std::uint32_t>(lit_.list));
@@ -117,6 +123,12 @@ void DeviceScene::upload_lit(LitLights lit) {
   // The device has the tables now; only what tells one moment from another stays here.
   lit_.alias = {};
   lit_.grid = {};
+}
+
+std::vector<double> DeviceScene::flux_now() const {
+  std::vector<double> flux(flux_lm_.size());
+  for (const std::uint32_t i : lit_.list) flux[i] = double(flux_lm_[i]);
+  return flux;
 }
 
 std::uint64_t DeviceScene::bytes() const {

@@ -25,8 +25,15 @@ class DeviceScene {
   bool has_rectangles() const { return has_rectangles_; }
   bool has_schedules() const { return !schedules_.empty(); }
   bool has_fleet() const { return addresses_.fleet.trip_count > 0; }
-  /// Of the standing lights that shine, lumen.
-  double lit_flux_lm() const { return lit_flux_lm_; }
+  bool has_sky_map() const { return addresses_.sky_width > 0; }
+  /// Base colour of a material; black for one that is not there.
+  glm::vec3 albedo(std::uint32_t material) const {
+    return material < albedos_.size() ? albedos_[material] : glm::vec3(0);
+  }
+  /// A value a standing light: what it gives now, lumen; 0 where it is off.
+  std::vector<double> flux_now() const;
+  /// Of what stands and can be seen, model space.
+  const Box& bounds() const { return bounds_; }
   std::uint64_t bytes() const;
 
  private:
@@ -40,12 +47,15 @@ class DeviceScene {
   gpu::SceneBuffers addresses_{};
   bool has_profiles_ = false, has_rectangles_ = false;
 
+  std::vector<glm::vec3> albedos_;
+
   // Kept for set_time where lights have schedules.
   std::vector<Light> lights_;
   std::vector<Schedule> schedules_;
   std::vector<std::uint32_t> switches_;
   LitLights lit_;
-  double lit_flux_lm_ = 0;
+  std::vector<float> flux_lm_;  // of the standing lights when they shine
+  Box bounds_;
   gpu::Buffer lit_bits_[2];  // of now and of before the last switch: the frame before may have used the other
   int lit_parity_ = 0;
   gpu::Buffer lit_list_, alias_, cells_, entries_;

@@ -1,6 +1,13 @@
 #include "runtime/render/fleet_passes.h"
 
+#include <cmath>
+
 namespace nightcity {
+
+float cycle_time(const TrafficCycle& cycle, double time_s) {
+  const double length = double(cycle.cycle_s);
+  return length > 0 ? float(time_s - std::floor(time_s / length) * length) : 0.0f;
+}
 
 FleetPasses::FleetPasses(gpu::Device& device, const DeviceScene& scene) : scene_(scene) {
   if (!scene.has_fleet()) return;
@@ -45,6 +52,10 @@ void FleetPasses::record(VkCommandBuffer commands, const PassSet& passes, std::u
   for (std::uint32_t level = 1; level <= fleet.levels; ++level)
     run(passes.fleet_tree, level < fleet.levels ? fleet.level_count[level] : 1, level);
   finished("fleet tree");
+}
+
+std::vector<Light> FleetPasses::lights() const {
+  return lights_[parity_].read<Light>(scene_.buffers().fleet.trip_count * std::size_t{VEHICLE_LIGHTS});
 }
 
 }  // namespace nightcity

@@ -11,6 +11,10 @@
 
 namespace nightcity {
 
+/// Time within the traffic's cycle, s; 0 without traffic. In double until here: seconds since noon want more
+/// than a float.
+float cycle_time(const TrafficCycle& cycle, double time_s);
+
 class FleetPasses {
  public:
   FleetPasses(gpu::Device& device, const DeviceScene& scene);
@@ -20,6 +24,8 @@ class FleetPasses {
   /// Records the passes; `finished` is called after each with its name.
   void record(VkCommandBuffer commands, const PassSet& passes, std::uint64_t frame_address,
               const std::function<void(const char*)>& finished) const;
+  /// This frame's lights, VEHICLE_LIGHTS a trip, in model space.
+  std::vector<Light> lights() const;
 
  private:
   const DeviceScene& scene_;

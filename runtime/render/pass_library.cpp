@@ -4,6 +4,8 @@
 
 #include "spirv/accumulate.h"
 #include "spirv/candidates.h"
+#include "spirv/demodulate.h"
+#include "spirv/denoise.h"
 #include "spirv/fleet_offsets.h"
 #include "spirv/fleet_order.h"
 #include "spirv/fleet_pose.h"
@@ -14,6 +16,7 @@
 #include "spirv/shade.h"
 #include "spirv/spatial.h"
 #include "spirv/temporal.h"
+#include "spirv/upward.h"
 
 namespace nightcity {
 
@@ -26,6 +29,8 @@ const PassSet& PassLibrary::get(const PassConstants& constants) {
   PassSet set;
   set.primary = make(primary_spirv);
   set.accumulate = make(accumulate_spirv);
+  set.demodulate = make(demodulate_spirv);
+  set.denoise = make(denoise_spirv);
   if (constants[CONSTANT_TRAFFIC] != 0) {
     set.fleet_pose = make(fleet_pose_spirv);
     set.fleet_offsets = make(fleet_offsets_spirv);
@@ -42,6 +47,13 @@ const PassSet& PassLibrary::get(const PassConstants& constants) {
     set.shade = make(shade_spirv);
   }
   return sets_.emplace(constants, std::move(set)).first->second;
+}
+
+const gpu::ComputePass& PassLibrary::upward(const PassConstants& constants) {
+  const auto known = upward_.find(constants);
+  if (known != upward_.end()) return known->second;
+  return upward_.try_emplace(constants, device_, upward_spirv, constants, std::uint32_t{sizeof(gpu::Push)})
+      .first->second;
 }
 
 }  // namespace nightcity

@@ -15,7 +15,7 @@ namespace nightcity {
 using PassConstants = std::array<std::uint32_t, CONSTANT_COUNT>;
 
 struct PassSet {
-  gpu::ComputePass primary, accumulate;
+  gpu::ComputePass primary, accumulate, demodulate, denoise;
   gpu::ComputePass fleet_pose, fleet_offsets, fleet_order, fleet_settle, fleet_tree;  // only with traffic
   gpu::ComputePass reference;                             // only where the estimator is the reference
   gpu::ComputePass candidates, temporal, spatial, shade;  // only where it is not
@@ -28,10 +28,12 @@ class PassLibrary {
 
   /// Compiled on first use; the reference stays good as long as the library.
   const PassSet& get(const PassConstants& constants);
+  const gpu::ComputePass& upward(const PassConstants& constants);
 
  private:
   gpu::Device& device_;
   std::map<PassConstants, PassSet> sets_;
+  std::map<PassConstants, gpu::ComputePass> upward_;
 };
 
 }  // namespace nightcity

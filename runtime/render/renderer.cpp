@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <type_traits>
 
 #include "formats/error.h"
 #include "runtime/measure/exposure.h"
@@ -24,7 +25,9 @@ bool same_estimate(const RenderSettings& a, const RenderSettings& b) {
          a.neighbour_radius_px == b.neighbour_radius_px && a.history_cap == b.history_cap &&
          a.uniform_share == b.uniform_share && a.fleet_share == b.fleet_share &&
          a.local_share == b.local_share && a.visibility_reuse == b.visibility_reuse && a.jitter == b.jitter &&
-         a.seed == b.seed && a.sky_cd_m2 == b.sky_cd_m2;
+         a.seed == b.seed && a.sky_cd_m2 == b.sky_cd_m2 && a.layers == b.layers &&
+         a.moon_direction == b.moon_direction && a.moon_lux == b.moon_lux && a.wetness == b.wetness &&
+         a.window == b.window;
 }
 
 // Sub-pixel positions: the R2 sequence (Roberts 2018), starting at the pixel's centre.
@@ -64,10 +67,10 @@ Renderer::Renderer(gpu::Device& device, PassLibrary& passes, DeviceScene& scene,
   for (int i = 0; i < 2; ++i) {
     surfaces_[i] = gpu::Buffer(device, pixels * sizeof(gpu::Surface));
     spatial_[i] = gpu::Buffer(device, pixels * sizeof(gpu::Reservoir));
+    accumulation_[i] = gpu::Buffer(device, pixels * sizeof(gpu::Accumulation));
   }
   reservoirs_ = gpu::Buffer(device, pixels * sizeof(gpu::Reservoir));
   radiance_ = gpu::Buffer(device, pixels * sizeof(gpu::Accumulation));
-  accumulation_ = gpu::Buffer(device, pixels * sizeof(gpu::Accumulation));
   display_ = gpu::Buffer(device, pixels * 4);
 }
 
@@ -77,7 +80,10 @@ void Renderer::select_passes(const RenderSettings& settings) {
   constants[CONSTANT_PROFILES] = scene_.has_profiles();
   constants[CONSTANT_RECTANGLES] = scene_.has_rectangles();
   constants[CONSTANT_VISIBILITY_REUSE] = settings.visibility_reuse;
-  constants[CONSTANT_SKY] = settings.sky_cd_m2 != glm::vec3(0);
+  const bool sky = settings.sky_cd_m2 != glm::vec3(0), moon = settings.moon_lux != glm::vec3(0);
+  constants[CONSTANT_SKY] = sky && scene_.has_sky_map() ? SKY_MAP : sky || moon ? SKY_UNIFORM : SKY_DARK;
+  constants[CONSTANT_GLOSS] = settings.wetness > 0;
+  constants[CONSTANT_LAYERS] = settings.layers;
   constants[CONSTANT_SCHEDULES] = scene_.has_schedules();
   constants[CONSTANT_TRAFFIC] = scene_.has_fleet();
   passes_ = &library_.get(constants);
@@ -111,6 +117,14 @@ void Renderer::record_restir(VkCommandBuffer commands, const RenderSettings& set
   run_pass(commands, passes_->shade, "shade");
 }
 
+void Renderer::record_end(VkCommandBuffer commands, const RenderSettings& settings) {
+  run_pass(commands, passes_->accumulate, "accumulate");
+  if (!settings.denoise) return;
+  run_pass(commands, passes_->demodulate, "demodulate");
+  for (std::uint32_t level = 0; level < DENOISE_LEVELS; ++level)
+    run_pass(commands, passes_->denoise, "denoise", level);
+}
+
 void Renderer::record_reference(VkCommandBuffer commands, std::uint32_t first, std::uint32_t end) {
   for (std::uint32_t at = first; at < end; at += REFERENCE_CHUNK)
     run_pass(commands, passes_->reference, "reference", at, std::min(REFERENCE_CHUNK, end - at));
@@ -125,7 +139,8 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
   const bool same_settings = same_estimate(settings, settings_);
   const bool switched = scene_.set_time(settings.time_s);
   const bool moved = scene_.has_fleet() && settings.time_s != settings_.time_s;
-  if (!pose_ || !same_view(pose, *pose_) || !same_settings || switched || moved || !settings.accumulate)
+  if (!pose_ || (settings.window == 0 && !same_view(pose, *pose_)) || !same_settings || switched || moved ||
+      !settings.accumulate)
     frames_ = 0;
   // Reservoirs of another estimator mean something else; those of another view are reprojected.
   if (!same_settings) has_history_ = false;
@@ -142,7 +157,17 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
   frame.spatial = spatial_[parity_].address();
   frame.previous_reservoirs = spatial_[parity_ ^ 1].address();
   frame.radiance = radiance_.address();
-  frame.accumulation = accumulation_.address();
+  frame.accumulation = accumulation_[parity_].address();
+  frame.previous_accumulation = accumulation_[parity_ ^ 1].address();
+  const std::size_t pixels = std::size_t{width_} * height_;
+  if (settings.layers && layers_.bytes() == 0)
+    layers_ = gpu::Buffer(device_, pixels * sizeof(gpu::LightLayers));
+  frame.layers = layers_.address();
+  for (int i = 0; i < 2; ++i) {
+    if (settings.denoise && denoise_[i].bytes() == 0)
+      denoise_[i] = gpu::Buffer(device_, pixels * sizeof(gpu::Demodulated));
+    frame.denoise[i] = denoise_[i].address();
+  }
   frame.display = display_.address();
   frame.previous_camera = camera_;
   camera_ = make_camera(pose, float(width_) / float(height_));
@@ -163,24 +188,23 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
   const double moving = double(frame.scene.light_count - frame.scene.standing_lights);
   frame.fleet_share =
       as_published ? float(moving / std::max(1.0, moving + frame.scene.lit_count)) : settings.fleet_share;
-  const auto& cycle = frame.scene.fleet.cycle;
-  const auto in_cycle = [&](double time_s) {
-    return cycle.cycle_s > 0
-               ? float(time_s - std::floor(time_s / double(cycle.cycle_s)) * double(cycle.cycle_s))
-               : 0.0f;
-  };
   const double before_s = has_history_ ? settings_.time_s : settings.time_s;
   frame.time_s = float(settings.time_s);
   frame.previous_time_s = float(before_s);
-  frame.cycle_time_s = in_cycle(settings.time_s);
-  frame.previous_cycle_time_s = in_cycle(before_s);
+  frame.cycle_time_s = cycle_time(frame.scene.fleet.cycle, settings.time_s);
+  frame.previous_cycle_time_s = cycle_time(frame.scene.fleet.cycle, before_s);
   frame.has_history = has_history_;
   // By frames in the mean, not by frame number: every estimator then sees the same sub-pixels.
   frame.jitter_x = settings.jitter ? radical(0.7548776662466927, frames_) : 0.5f;
   frame.jitter_y = settings.jitter ? radical(0.5698402909980532, frames_) : 0.5f;
   frame.exposure = tonemap::exposure_scale(settings.ev100);
   frame.reset = frames_ == 0;
+  // A window of one frame is no window, and the first frame has nothing to go along with.
+  frame.window = settings.accumulate ? settings.window : 0;
+  frame.wetness = std::clamp(settings.wetness, 0.0f, 1.0f);
   frame.sky = settings.sky_cd_m2;
+  frame.moon_direction = settings.moon_direction;
+  frame.moon_lux = settings.moon_lux;
   frame.tone = settings.tone;
   frame_.upload(&frame, sizeof(frame));
 
@@ -206,13 +230,13 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
       submit([&](VkCommandBuffer commands) {
         record_reference(commands, first, std::min(first + batch, lights));
       });
-    submit([&](VkCommandBuffer commands) { run_pass(commands, passes_->accumulate, "accumulate"); });
+    submit([&](VkCommandBuffer commands) { record_end(commands, settings); });
   } else {
     submit([&](VkCommandBuffer commands) {
       record_fleet(commands);
       run_pass(commands, passes_->primary, "primary");
       record_restir(commands, settings);
-      run_pass(commands, passes_->accumulate, "accumulate");
+      record_end(commands, settings);
     });
     has_history_ = true;
   }
@@ -228,36 +252,75 @@ Image Renderer::download(bool layers) const {
   image.height = height_;
   const std::size_t pixels = image.pixels();
   image.rgb.resize(3 * pixels);
-  const auto sums = accumulation_.read<gpu::Accumulation>(pixels);
+  const gpu::Buffer& source = settings_.denoise ? radiance_ : accumulation_[parity_];
+  const auto sums = source.read<gpu::Accumulation>(pixels);
   for (std::size_t i = 0; i < pixels; ++i) {
     const glm::vec3 mean =
         sums[i].frames > 0 ? (sums[i].sum - sums[i].compensation) / sums[i].frames : glm::vec3(0);
     for (int c = 0; c < 3; ++c) image.rgb[3 * i + std::size_t(c)] = mean[c];
   }
-  image.info.estimator = name_of(settings_.estimator);
+  image.info.estimator = std::string(name_of(settings_.estimator)) + (settings_.denoise ? ", denoised" : "");
   image.info.frames = frames_;
   image.info.candidates = settings_.estimator == Estimator::reference ? 0 : settings_.candidates;
   image.info.neighbours = settings_.neighbours;
   image.info.seed = settings_.seed;
   image.info.ev100 = settings_.ev100;
   image.info.device = device_.info().name;
-  if (!layers) return image;
-
-  ImageLayer normal{"normal", {"X", "Y", "Z"}, {}}, depth{"depth", {"Z"}, {}},
-      position{"position", {"X", "Y", "Z"}, {}}, material{"material", {"id"}, {}},
-      feature{"feature", {"id"}, {}};
-  for (const gpu::Surface& s : surfaces_[parity_].read<gpu::Surface>(pixels)) {
-    const bool hit = s.depth > 0;
-    const glm::vec3 n = hit ? unpack_normal(s.normal) : glm::vec3(0);
-    normal.values.insert(normal.values.end(), {n.x, n.y, n.z});
-    position.values.insert(position.values.end(), {s.position.x, s.position.y, s.position.z});
-    depth.values.push_back(s.depth);
-    material.values.push_back(hit ? float(s.material) : -1.0f);
-    feature.values.push_back(hit && s.feature != NO_HIT ? float(s.feature) : -1.0f);
-  }
-  image.layers = {std::move(normal), std::move(depth), std::move(position), std::move(material),
-                  std::move(feature)};
+  if (layers) add_layers(image);
   return image;
+}
+
+void Renderer::add_layers(Image& image) const {
+  const std::size_t pixels = image.pixels();
+  const auto add = [&](const char* name, std::vector<std::string> channels) -> std::vector<float>& {
+    image.layers.push_back({name, std::move(channels), {}});
+    image.layers.back().values.reserve(pixels * image.layers.back().channels.size());
+    return image.layers.back().values;
+  };
+  const auto put = [](std::vector<float>& values, const glm::vec3& v) {
+    values.insert(values.end(), {v.x, v.y, v.z});
+  };
+
+  std::vector<float>& luminance = add("luminance", {"Y"});
+  for (std::size_t i = 0; i < pixels; ++i)
+    luminance.push_back(tonemap::luminance_709(image.rgb[3 * i], image.rgb[3 * i + 1], image.rgb[3 * i + 2]));
+
+  // Sums of the frames of this mean: a window has no such sum.
+  if (settings_.layers && settings_.window == 0) {
+    const auto sums = layers_.read<gpu::LightLayers>(pixels);
+    const auto add_sum = [&](const char* name, glm::vec3 gpu::LightLayers::*sum) {
+      std::vector<float>& values = add(name, {"R", "G", "B"});
+      for (const gpu::LightLayers& s : sums) put(values, s.*sum / float(frames_));
+    };
+    add_sum("direct_lamps", &gpu::LightLayers::lamps);
+    add_sum("direct_windows", &gpu::LightLayers::windows);
+    add_sum("direct_vehicles", &gpu::LightLayers::vehicles);
+    add_sum("sky", &gpu::LightLayers::sky);
+    add_sum("emitted", &gpu::LightLayers::emitted);
+  }
+
+  const auto surfaces = surfaces_[parity_].read<gpu::Surface>(pixels);
+  const auto add_seen = [&](const char* name, std::vector<std::string> channels, auto&& value_of) {
+    std::vector<float>& values = add(name, std::move(channels));
+    for (const gpu::Surface& s : surfaces) {
+      if constexpr (std::is_same_v<decltype(value_of(s)), float>) {
+        values.push_back(value_of(s));
+      } else {
+        put(values, value_of(s));
+      }
+    }
+  };
+  const auto hit = [](const gpu::Surface& s) { return s.depth > 0; };
+  add_seen("albedo", {"R", "G", "B"},
+           [&](const gpu::Surface& s) { return hit(s) ? scene_.albedo(s.material) : glm::vec3(0); });
+  add_seen("normal", {"X", "Y", "Z"},
+           [&](const gpu::Surface& s) { return hit(s) ? unpack_normal(s.normal) : glm::vec3(0); });
+  add_seen("position", {"X", "Y", "Z"}, [](const gpu::Surface& s) { return s.position; });
+  add_seen("motion", {"X", "Y", "Z"}, [](const gpu::Surface& s) { return s.motion; });
+  add_seen("depth", {"Z"}, [](const gpu::Surface& s) { return s.depth; });
+  add_seen("material", {"id"}, [&](const gpu::Surface& s) { return hit(s) ? float(s.material) : -1.0f; });
+  add_seen("feature", {"id"},
+           [&](const gpu::Surface& s) { return hit(s) && s.feature != NO_HIT ? float(s.feature) : -1.0f; });
 }
 
 }  // namespace nightcity

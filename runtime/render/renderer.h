@@ -37,8 +37,9 @@ class Renderer {
   /// GPU milliseconds of the last frame's passes; empty where the queue has no timestamps.
   const std::vector<gpu::Timer::Span>& timings() const { return timings_; }
 
-  /// The mean so far, cd/m^2, with layers normal, depth, position, material and feature (ids, -1 = none) of
-  /// the last frame; info filled in.
+  /// The mean so far, cd/m^2 (denoised, where the settings say so); info filled in. Its layers: luminance;
+  /// where the settings keep layers, direct_lamps, direct_windows, direct_vehicles, sky and emitted; and of
+  /// the last frame albedo, normal, depth, motion, position, material and feature (ids, -1 = none).
   Image download(bool layers = true) const;
   /// The displayed picture: width * height words, R in the low byte, written by every frame.
   const gpu::Buffer& display() const { return display_; }
@@ -50,6 +51,8 @@ class Renderer {
   void record_fleet(VkCommandBuffer commands);
   void record_reference(VkCommandBuffer commands, std::uint32_t first, std::uint32_t end);
   void record_restir(VkCommandBuffer commands, const RenderSettings& settings);
+  void record_end(VkCommandBuffer commands, const RenderSettings& settings);
+  void add_layers(Image& image) const;
   void run_pass(VkCommandBuffer commands, const gpu::ComputePass& pass, const char* name,
                 std::uint32_t first = 0, std::uint32_t count = 0);
 
@@ -60,7 +63,8 @@ class Renderer {
   gpu::Timer timer_;
   FleetPasses fleet_;
   gpu::Buffer frame_;
-  gpu::Buffer surfaces_[2], reservoirs_, spatial_[2], radiance_, accumulation_, display_;
+  gpu::Buffer surfaces_[2], reservoirs_, spatial_[2], radiance_, accumulation_[2], display_;
+  gpu::Buffer layers_, denoise_[2];  // made when first asked for
   const PassSet* passes_ = nullptr;  // of the current settings
   std::optional<CameraPose> pose_;
   gpu::Camera camera_{};

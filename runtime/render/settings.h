@@ -48,9 +48,16 @@ struct RenderSettings {
   bool visibility_reuse =
       false;               // drop shadowed candidates before reuse: less noise, biased (basic, pairwise)
   bool accumulate = true;  // mean of frames; else every frame stands alone
-  bool jitter = true;      // sub-pixel offsets from frame to frame: anti-aliasing
+  std::uint32_t window =
+      0;  // mean of at most so many frames, carried along by motion; 0 = of all, while nothing moves
+  bool denoise = false;  // filter the mean: for the eye, never for figures
+  bool layers = false;   // keep what each kind of light gives apart
+  float wetness = 0;     // of surfaces that face up, 0 .. 1
+  bool jitter = true;    // sub-pixel offsets from frame to frame: anti-aliasing
   std::uint32_t seed = 0;
-  glm::vec3 sky_cd_m2{0};  // luminance of rays that leave the scene
+  glm::vec3 sky_cd_m2{0};  // luminance of rays that leave the scene; with a sky map, a factor for it
+  glm::vec3 moon_direction{0, 1, 0};  // towards it, unit
+  glm::vec3 moon_lux{0};              // on a surface that faces it; 0 = no moon
   float ev100 = 2;         // of the displayed picture
   std::uint32_t tone = TONEMAP_FILMIC;
 };

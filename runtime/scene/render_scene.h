@@ -25,6 +25,13 @@ struct Fleet {
   std::vector<TripKnot> knots;
 };
 
+/// Luminance of the sky by direction, latitude-longitude: row 0 is the zenith, the middle column the north.
+/// Empty: none.
+struct SkyMap {
+  std::uint32_t width = 0, height = 0;
+  std::vector<float> rgb;  // cd/m^2, finite, >= 0; 3 * width * height
+};
+
 struct RenderScene {
   std::vector<gpu::BvhNode> nodes;  // every mesh's hierarchy, then the top level's
   std::uint32_t root = BVH_EMPTY;   // of the top level
@@ -38,6 +45,7 @@ struct RenderScene {
   std::vector<Schedule> schedules{};
   std::vector<std::uint32_t> switches;  // s since noon
   Fleet fleet;
+  SkyMap sky_map;
   Box bounds;  // of everything visible that stands
 
   std::size_t bad_lights = 0;         // switched off: not finite, no flux, profile out of range

@@ -20,7 +20,7 @@
 #include "runtime/measure/png.h"
 #include "runtime/render/renderer.h"
 #include "runtime/viewer/camera_motion.h"
-#include "runtime/viewer/markers.h"
+#include "runtime/scene/markers.h"
 #include "runtime/viewer/overlay.h"
 #include "runtime/viewer/panel.h"
 #include "runtime/viewer/screen.h"

@@ -106,7 +106,7 @@ TEST(ClosedForm, AProfileScalesTheIntensityByDirection) {
   lights.lights = {lamp({0, 8, 0}, 5000)};
   lights.lights[0].kind_profile = LIGHT_SPHERE | 0u << 8;
   const std::uint32_t gammas = 181;
-  lights.profiles = {{1, gammas, 0, 0}};
+  lights.profiles = {{1, gammas, 0, 180}};
   for (std::uint32_t g = 0; g < gammas; ++g)
     lights.profile_data.push_back(float(std::max(0.0, std::cos(g * pi / 180)) / pi));
   SceneBuilder builder(0.4f);

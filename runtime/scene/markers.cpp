@@ -1,4 +1,4 @@
-#include "runtime/viewer/markers.h"
+#include "runtime/scene/markers.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

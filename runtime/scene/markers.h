@@ -1,4 +1,4 @@
-// Where lights lie in the window: drawn over the picture, so that one sees what shines and what is dark for
+// Where lights lie on a picture: drawn over the picture, so that one sees what shines and what is dark for
 // want of a lamp.
 #pragma once
 

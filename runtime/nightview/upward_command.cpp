@@ -1,0 +1,169 @@
+// nightview upward SCENE.glb --out DIR: how much of the city's light leaves it upwards.
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "formats/atomic_file.h"
+#include "formats/error.h"
+#include "runtime/measure/exr.h"
+#include "runtime/measure/false_colour.h"
+#include "runtime/measure/png.h"
+#include "runtime/nightview/commands.h"
+#include "runtime/nightview/render_options.h"
+#include "runtime/render/upward_flux.h"
+
+namespace nightcity {
+namespace {
+
+struct UpwardCommand {
+  std::string scene, out, device, time = "20:00";
+  UpwardSettings settings;
+  bool json = false;
+};
+
+constexpr std::array family_names{"lamp", "window", "headlamp", "tail_lamp", "other"};
+
+struct Sums {
+  std::size_t lights = 0;
+  double flux_lm = 0, direct_lm = 0, reflected_lm = 0, sideways_lm = 0;
+  double upward_lm() const { return direct_lm + reflected_lm; }
+  double share() const { return flux_lm > 0 ? upward_lm() / flux_lm : 0; }
+};
+
+// What a light is: standing ones have it in the file, vehicles' in their kind.
+LightFamily family_of(const RenderScene& scene, std::size_t light) {
+  if (light < scene.families.size()) return scene.families[light];
+  const std::size_t moving = light - scene.families.size();
+  const VehicleKind& kind = scene.fleet.vehicles[scene.fleet.trips[moving / VEHICLE_LIGHTS].vehicle];
+  const std::size_t n = moving % VEHICLE_LIGHTS;
+  if (n >= kind.light_count) return LightFamily::other;
+  return static_cast<LightFamily>(scene.fleet.vehicle_lights[kind.first_light + n].id);
+}
+
+void write_lights(const std::filesystem::path& path, const RenderScene& scene, const UpwardFlux& flux) {
+  AtomicFile file(path);
+  std::string text = "light,family,flux_lm,direct_lm,reflected_lm,sideways_lm,upward_share\n";
+  for (std::size_t i = 0; i < flux.lights.size(); ++i) {
+    const double lm = flux.flux_lm[i];
+    if (!(lm > 0)) continue;
+    const auto& s = flux.lights[i];
+    text += fmt::format(
+        "{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", i,
+        family_names[std::min<std::size_t>(std::size_t(family_of(scene, i)), family_names.size() - 1)], lm,
+        lm * s.direct, lm * s.reflected, lm * s.sideways, s.direct + s.reflected);
+    if (text.size() > (1 << 20)) {
+      file.write(text.data(), text.size());
+      text.clear();
+    }
+  }
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
+void write_map(const std::filesystem::path& folder, const UpwardFlux& flux) {
+  Image map;
+  map.width = flux.width;
+  map.height = flux.depth;
+  std::vector<float> density;  // lm/m2, the luminous exitance of the square towards the sky
+  for (const double lm : flux.cells_lm)
+    density.push_back(static_cast<float>(lm / double(flux.cell_m * flux.cell_m)));
+  for (const float d : density) map.rgb.insert(map.rgb.end(), {d, d, d});
+  map.layers.push_back({"upward_lm_per_m2", {"Y"}, density});
+  write_exr(folder / "upward.exr", map);
+  write_png(folder / "upward.png",
+            false_colour(density, map.width, map.height, fitting_scale(density, "lm/m2")));
+}
+
+void upward(UpwardCommand& command) {
+  command.settings.time_s = parse_time(command.time);
+  std::error_code ignored;
+  std::filesystem::create_directories(command.out, ignored);
+  if (!std::filesystem::is_directory(command.out))
+    throw Error(command.out, "is not a folder that can be written to");
+  const RenderScene scene = load_render_scene(command.scene);
+  gpu::Device device(
+      {.select = command.device, .validation = false, .instance_extensions = {}, .device_extensions = {}});
+  DeviceScene device_scene(device, scene);
+  PassLibrary passes(device);
+  const UpwardFlux flux = upward_flux(device, passes, device_scene, command.settings);
+
+  std::array<Sums, family_names.size()> families{};
+  Sums all;
+  for (std::size_t i = 0; i < flux.lights.size(); ++i) {
+    if (!(flux.flux_lm[i] > 0)) continue;
+    const std::size_t family = std::min<std::size_t>(std::size_t(family_of(scene, i)), families.size() - 1);
+    for (Sums* sums : {&all, &families[family]}) {
+      ++sums->lights;
+      sums->flux_lm += flux.flux_lm[i];
+      sums->direct_lm += flux.flux_lm[i] * flux.lights[i].direct;
+      sums->reflected_lm += flux.flux_lm[i] * flux.lights[i].reflected;
+      sums->sideways_lm += flux.flux_lm[i] * flux.lights[i].sideways;
+    }
+  }
+  const std::filesystem::path folder(command.out);
+  write_lights(folder / "upward.csv", scene, flux);
+  write_map(folder, flux);
+
+  const auto as_json = [](const Sums& s) {
+    return nlohmann::ordered_json{{"lights", s.lights},           {"flux_lm", s.flux_lm},
+                                  {"direct_lm", s.direct_lm},     {"reflected_lm", s.reflected_lm},
+                                  {"sideways_lm", s.sideways_lm}, {"upward_share", s.share()}};
+  };
+  if (command.json) {
+    nlohmann::ordered_json json{{"scene", command.scene},
+                                {"time", command.time},
+                                {"rays", command.settings.rays},
+                                {"all", as_json(all)}};
+    for (std::size_t f = 0; f < families.size(); ++f)
+      if (families[f].lights > 0) json[family_names[f]] = as_json(families[f]);
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  fmt::print("{:<10} {:>9} {:>13} {:>13} {:>13} {:>9}\n", "", "lights", "flux lm", "direct up lm",
+             "reflected lm", "share up");
+  const auto row = [](const char* name, const Sums& s) {
+    if (s.lights > 0)
+      fmt::print("{:<10} {:>9} {:>13.0f} {:>13.0f} {:>13.0f} {:>8.2f}%\n", name, s.lights, s.flux_lm,
+                 s.direct_lm, s.reflected_lm, 100 * s.share());
+  };
+  for (std::size_t f = 0; f < families.size(); ++f) row(family_names[f], families[f]);
+  row("all", all);
+  for (const char* name : {"upward.csv", "upward.png", "upward.exr"})
+    fmt::print("{}\n", (folder / name).string());
+}
+
+}  // namespace
+
+void add_upward_command(CLI::App& app) {
+  auto command = std::make_shared<UpwardCommand>();
+  CLI::App* sub = app.add_subcommand(
+      "upward", "Tell how much of each lamp's light leaves the city upwards, and map where");
+  sub->footer(
+      "Writes upward.csv (each light's lumens straight up and off the first surface it meets), and "
+      "upward.png and .exr (a\n"
+      "map from above, lumen per square metre).\n"
+      "Examples:\n"
+      "  nightview upward out/demo/city.glb --out out/upward\n"
+      "  nightview upward city.glb --out dark --time 23:00 --cell 2 --rays 4096 --json");
+  sub->add_option("scene", command->scene, "SCENE.glb; SCENE.lights beside it is read too")->required();
+  sub->add_option("--out", command->out, "Folder to write to")->required();
+  sub->add_option("--time", command->time, "Time of the night, HH:MM or HH:MM:SS")->capture_default_str();
+  sub->add_option("--rays", command->settings.rays, "Rays a light")
+      ->capture_default_str()
+      ->check(CLI::Range(1u, 1u << 20));
+  sub->add_option("--cell", command->settings.cell_m, "Side of the map's squares, m")
+      ->capture_default_str()
+      ->check(CLI::Range(0.1f, 10'000.0f));
+  sub->add_option("--seed", command->settings.seed, "Of all random numbers")->capture_default_str();
+  sub->add_option("--device", command->device,
+                  "Vulkan device: index or part of its name (see nightview devices)");
+  sub->add_flag("--json", command->json, "Results as JSON");
+  sub->callback([command] { upward(*command); });
+}
+
+}  // namespace nightcity

@@ -1,0 +1,87 @@
+#include "runtime/render/upward_flux.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/render/fleet_passes.h"
+
+namespace nightcity {
+namespace {
+
+// A dispatch's share: short enough for any watchdog and for drivers that end long loops (interface.h).
+constexpr std::uint32_t rays_a_dispatch = 64;
+constexpr std::uint32_t lights_a_dispatch = 1u << 16;
+
+}  // namespace
+
+UpwardFlux upward_flux(gpu::Device& device, PassLibrary& library, DeviceScene& scene,
+                       const UpwardSettings& settings) {
+  scene.set_time(settings.time_s);
+  FleetPasses fleet(device, scene);
+  PassConstants constants{};
+  constants[CONSTANT_PROFILES] = scene.has_profiles();
+  constants[CONSTANT_RECTANGLES] = scene.has_rectangles();
+  constants[CONSTANT_SCHEDULES] = scene.has_schedules();
+  constants[CONSTANT_TRAFFIC] = scene.has_fleet();
+  const gpu::ComputePass& pass = library.upward(constants);
+
+  gpu::Frame frame{};
+  frame.scene = scene.buffers();
+  fleet.enter(frame);
+  frame.seed = settings.seed;
+  frame.time_s = frame.previous_time_s = float(settings.time_s);
+  frame.cycle_time_s = frame.previous_cycle_time_s = cycle_time(frame.scene.fleet.cycle, settings.time_s);
+  frame.previous_lit = frame.scene.lit;
+
+  UpwardFlux result;
+  const Box box = scene.bounds();
+  const float width_m = std::max(box.upper.x - box.lower.x, 1.0f),
+              depth_m = std::max(box.upper.z - box.lower.z, 1.0f);
+  result.cell_m = std::max(settings.cell_m, std::sqrt(width_m * depth_m / float(1u << 24)));
+  result.origin_x = box.lower.x;
+  result.origin_z = box.lower.z;
+  result.width = static_cast<std::uint32_t>(width_m / result.cell_m) + 1;
+  result.depth = static_cast<std::uint32_t>(depth_m / result.cell_m) + 1;
+  const std::size_t cells = std::size_t{result.width} * result.depth;
+  const std::uint32_t lights = frame.scene.light_count;
+  gpu::Buffer map(device, cells * sizeof(std::uint32_t)), escapes(device, lights * sizeof(gpu::Escape));
+  map.fill_zero();
+  escapes.fill_zero();
+  const std::uint32_t dispatches = (std::max(settings.rays, 1u) + rays_a_dispatch - 1) / rays_a_dispatch;
+  frame.upward = {escapes.address(), map.address(), result.origin_x, result.origin_z,
+                  result.cell_m,     result.width,  result.depth,    dispatches * rays_a_dispatch};
+
+  gpu::Buffer frame_buffer(device, sizeof frame, gpu::Memory::host);
+  frame_buffer.upload(&frame, sizeof frame);
+  if (scene.has_fleet()) {
+    const PassSet& passes = library.get(constants);
+    device.run([&](VkCommandBuffer commands) {
+      fleet.record(commands, passes, frame_buffer.address(), [](const char*) {});
+    });
+  }
+  for (std::uint32_t i = 0; i < dispatches; ++i) {
+    frame.frame = i;
+    frame_buffer.upload(&frame, sizeof frame);
+    device.run([&](VkCommandBuffer commands) {
+      for (std::uint32_t first = 0; first < lights; first += lights_a_dispatch) {
+        const gpu::Push push{frame_buffer.address(), first, rays_a_dispatch};
+        pass.dispatch(commands, &push,
+                      (std::min(lights_a_dispatch, lights - first) + WORKGROUP_ROW - 1) / WORKGROUP_ROW);
+        gpu::full_barrier(commands);
+      }
+    });
+  }
+
+  for (const gpu::Escape& e : escapes.read<gpu::Escape>(lights)) {
+    const double rays = frame.upward.rays;
+    result.lights.push_back({double(e.direct) / rays, double(e.reflected) / rays, double(e.sideways) / rays});
+  }
+  result.flux_lm = scene.flux_now();
+  const auto moving = fleet.lights();
+  for (const Light& light : moving) result.flux_lm.push_back(double(light.flux_lm));
+  for (const std::uint32_t count : map.read<std::uint32_t>(cells))
+    result.cells_lm.push_back(double(count) / 1024);
+  return result;
+}
+
+}  // namespace nightcity

@@ -1,0 +1,10 @@
+// A pixel as the display has it.
+#include "shaders/tonemap.glsl.h"
+
+uint byte_of(float exposed) { return uint(srgb_encode(tone_curve(FRAME.tone, exposed)) * 255.0 + 0.5); }
+
+// 8-bit sRGB, R in the low byte, of cd/m^2 per channel.
+uint displayed(vec3 radiance) {
+  const vec3 exposed = radiance * FRAME.exposure;
+  return byte_of(exposed.r) | byte_of(exposed.g) << 8 | byte_of(exposed.b) << 16 | 0xFF000000u;
+}

@@ -1,0 +1,28 @@
+// Which pixels may share what they know: neighbours, and a pixel and itself a frame ago.
+
+// May this neighbour's sample be of use here? Geometry only, so the choice is independent of the samples.
+bool similar(Surface a, Surface b) {
+  if (b.depth <= 0.0 || a.depth <= 0.0) return false;
+  const vec3 n = unpack_normal(a.normal);
+  return dot(n, unpack_normal(b.normal)) > 0.9 && abs(dot(n, b.position - a.position)) < 0.02 * a.depth + 0.01 &&
+         abs(a.depth - b.depth) < 0.2 * a.depth;
+}
+
+// The pixel, by index, that showed this very place of this surface in the frame before; false where there was none.
+bool previous_pixel(Surface surface, out uint index) {
+  index = 0u;
+  if (FRAME.has_history == 0u || surface.depth <= 0.0) return false;
+  const Camera camera = FRAME.previous_camera;
+  // As the eye saw it then, so that neither its own motion nor the camera's makes it look like another surface.
+  Surface expected = surface;
+  expected.position += surface.motion;
+  const vec3 d = expected.position - camera.position;
+  expected.depth = length(d);
+  const float z = dot(d, camera.forward);
+  if (z <= 0.0) return false;
+  const vec2 screen = vec2(dot(d, camera.right) / camera.aspect, -dot(d, camera.up)) / (z * camera.tan_half_height);
+  const vec2 at = (screen * 0.5 + 0.5) * vec2(FRAME.size);
+  if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, vec2(FRAME.size)))) return false;
+  index = uint(at.y) * FRAME.size.x + uint(at.x);
+  return similar(expected, FRAME.previous_surfaces.at[index]);
+}

@@ -1,0 +1,77 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// How much of each light leaves the city upwards: an invocation a light (from push.first), push.count rays each, straight and off the
+// first surface met, which reflects as its albedo has it. More bounces are left out: at a city's albedos they are a fifth of a fifth.
+#define WORKGROUP_IS_A_ROW
+#include "shaders/common.glsl"
+#include "shaders/random.glsl"
+#include "shaders/geometry.glsl"
+#include "shaders/trace.glsl"
+#include "shaders/hit.glsl"
+#include "shaders/lights.glsl"
+
+vec3 cosine_direction(vec3 n, vec2 u) {
+  vec3 t, b;
+  make_frame(n, t, b);
+  const float radius = sqrt(u.x), phi = 2.0 * PI * u.y;
+  return normalize(t * (radius * cos(phi)) + b * (radius * sin(phi)) + n * sqrt(max(1.0 - u.x, 0.0)));
+}
+
+void count_at(vec3 place, float lumen) {
+  const vec2 at = floor((place.xz - vec2(FRAME.upward.origin_x, FRAME.upward.origin_z)) / FRAME.upward.cell_m);
+  if (any(lessThan(at, vec2(0.0))) || at.x >= float(FRAME.upward.width) || at.y >= float(FRAME.upward.depth)) return;
+  // Rounded up or down by chance, so that the sum is right whatever the rays carry.
+  atomicAdd(FRAME.upward.cells.at[uint(at.y) * FRAME.upward.width + uint(at.x)], uint(lumen * 1024.0 + random_float()));
+}
+
+void main() {
+  const uint index = push.first + gl_GlobalInvocationID.x;
+  if (index >= SCENE.light_count) return;
+  const Light light = light_at(index);
+  if (!(light.flux_lm > 0.0)) return;
+  random_state = pcg4d(uvec4(index, FRAME.frame, 77u, FRAME.seed)).w;
+  const uvec2 start = uvec2(random_uint(), random_uint());
+  const bool window = (light.kind_profile & 255u) == LIGHT_RECTANGLE;
+  Escape sum = Escape(0.0, 0.0, 0.0);
+  for (uint i = 0u; i < push.count; ++i) {
+    // Stratified over the rays: the R2 sequence (Roberts 2018).
+    const uvec2 at = start + (FRAME.frame * push.count + i) * uvec2(3242174889u, 2447445414u);
+    const vec2 u = vec2(at >> 8u) * (1.0 / 16777216.0);
+    vec3 origin = light.position, direction;
+    float share = 1.0;  // of the light's flux, that this ray carries, times the number of rays
+    if (window) {
+      origin += light.tangent * (light.radius * (2.0 * random_float() - 1.0)) +
+                cross(light.axis, light.tangent) * (light.half_height * (2.0 * random_float() - 1.0));
+      direction = cosine_direction(light.axis, u);
+      origin = offset_origin(origin, light.axis, 1.0);
+    } else {
+      const float height = 1.0 - 2.0 * u.x, radius = sqrt(max(1.0 - height * height, 0.0)), phi = 2.0 * PI * u.y;
+      direction = vec3(radius * cos(phi), height, radius * sin(phi));
+      share = 4.0 * PI * intensity_per_lumen(light, direction);
+      if (!(share > 0.0)) continue;
+    }
+    const float lumen = light.flux_lm * share / float(FRAME.upward.rays);
+    Hit hit;
+    if (!trace(origin, direction, 0.0, 1e30, MASK_SHADOW, false, hit)) {
+      if (direction.y > 0.0) {
+        sum.direct += share;
+        count_at(origin, lumen);
+      } else {
+        sum.sideways += share;
+      }
+      continue;
+    }
+    const vec3 normal = facing_normal(hit, direction);
+    const vec3 place = offset_origin(origin + direction * hit.t, normal, hit.t);
+    const vec3 on = cosine_direction(normal, vec2(random_float(), random_float()));
+    if (on.y <= 0.0 || !escapes(place, on)) continue;
+    const float albedo = luminance(SCENE.materials.at[material_of(hit)].base_colour * light_colour(light.colour_rgb9e5));
+    sum.reflected += share * albedo;
+    count_at(place, lumen * albedo);
+  }
+  Escape total = FRAME.upward.escapes.at[index];
+  total.direct += sum.direct;
+  total.reflected += sum.reflected;
+  total.sideways += sum.sideways;
+  FRAME.upward.escapes.at[index] = total;
+}
