@@ -13,6 +13,7 @@
 #include "tools/bake/materials.h"
 #include "tools/bake/output_folder.h"
 #include "tools/bake/tile_store.h"
+#include "tools/bake/traffic_stage.h"
 #include "tools/osm/osm_data.h"
 #include "tools/terrain/terrain.h"
 
@@ -126,6 +127,14 @@ BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder, const
   if (progress) progress({"placing lights", 0, ""});
   bake_lights(recipe, osm, frames, terrain, std::move(windows), georeference, writer, lights_path, report);
   watch.lap("lights");
+
+  if (recipe.traffic.drives) {
+    const auto traffic = make_city_traffic(recipe, osm, frames, terrain, georeference, progress);
+    put_traffic(lights_path, lights_path, traffic);
+    add_vehicle_models(writer, traffic, 3600 * 5 + 60 * recipe.night.minute);
+    report.traffic = traffic.report;
+    watch.lap("traffic");
+  }
 
   writer.finish(georeference);
   report.scene = writer.statistics();

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/bake/layout_tables.h"
+#include "tools/bake/traffic_tables.h"
 
 namespace nightcity {
 namespace {
@@ -78,6 +79,7 @@ json to_json(const BakeReport& report) {
       {"lamps", to_json(report.lamps)},
       {"layout", to_json(report.layout, true)},
       {"windows", to_json(report.windows)},
+      {"traffic", report.traffic ? to_json(*report.traffic) : json()},
       {"scene",
        {{"meshes", report.scene.meshes},
         {"vertices", report.scene.vertices},
@@ -134,6 +136,7 @@ std::string to_text(const BakeReport& report) {
   lights("lamps", report.lamps, fmt::format(" luminaires of {} mapped", report.lamps.mapped));
   text += to_text(report.layout, false);
   lights("windows", report.windows, " lit");
+  if (report.traffic) text += to_text(*report.traffic);
   const SceneWriter::Statistics& scene = report.scene;
   line("city.glb", fmt::format("{:.1f} MB, {} features, {} nodes, {} vertices",
                                static_cast<double>(report.scene_bytes) / 1e6, scene.features, scene.nodes,

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "tools/citygml/city_model.h"
 #include "tools/layout/layout.h"
 #include "tools/mesh/triangle_mesh.h"
+#include "tools/traffic/traffic.h"
 
 namespace nightcity {
 
@@ -32,6 +34,7 @@ struct BakeReport {
   };
   Lights lamps, windows;
   layout::LayoutReport layout;  // of lamps where the map has none
+  std::optional<traffic::TrafficReport> traffic;
   SceneWriter::Statistics scene;
   std::uint64_t scene_bytes = 0, lights_bytes = 0, input_bytes = 0;
   std::vector<std::pair<std::string, double>> seconds;  // by stage, in order

@@ -128,6 +128,24 @@ int minute_of_night(const Setting& setting) {
   return after;
 }
 
+traffic::Side side_of_road(const Setting& setting) {
+  const std::string name = setting.text();
+  if (name == "right") return traffic::Side::right;
+  if (name == "left") return traffic::Side::left;
+  setting.refuse("is neither \"left\" nor \"right\"");
+}
+
+// Shares of the busiest hour at noon, 13:00, ... 11:00.
+std::array<float, 24> shares_by_hour(const Setting& setting) {
+  const toml::array* rows = setting.node.as_array();
+  std::array<float, 24> result{};
+  if (!rows || rows->size() != result.size()) setting.refuse("is not a list of 24 shares from noon on");
+  for (std::size_t hour = 0; hour < result.size(); ++hour)
+    result[hour] = static_cast<float>(Setting{setting.file, setting.name, (*rows)[hour]}.number(0, 1));
+  if (*std::max_element(result.begin(), result.end()) <= 0) setting.refuse("leaves no hour with any traffic");
+  return result;
+}
+
 layout::LayoutOptions::Mode layout_mode(const Setting& setting) {
   using Mode = layout::LayoutOptions::Mode;
   const std::string name = setting.text();
@@ -194,6 +212,18 @@ std::map<std::string, Table> tables_of(Recipe& recipe) {
          [&recipe](const Setting& s) {
            recipe.windows.seed = static_cast<std::uint64_t>(s.integer(0, std::numeric_limits<int>::max()));
          }}}},
+      {"traffic",
+       {{"drives", [&recipe](const Setting& s) { recipe.traffic.drives = s.boolean(); }},
+        {"vehicles", [&recipe](const Setting& s) { recipe.traffic.options.vehicles = s.number(0, 1e6); }},
+        {"per_km", [&recipe](const Setting& s) { recipe.traffic.options.per_km = s.number(0, 100); }},
+        {"cycle_s", [&recipe](const Setting& s) { recipe.traffic.options.cycle_s = s.number(60, 86400); }},
+        {"side", [&recipe](const Setting& s) { recipe.traffic.options.side = side_of_road(s); }},
+        {"hours", [&recipe](const Setting& s) { recipe.traffic.options.hours = shares_by_hour(s); }},
+        {"seed",
+         [&recipe](const Setting& s) {
+           recipe.traffic.options.seed =
+               static_cast<std::uint64_t>(s.integer(0, std::numeric_limits<int>::max()));
+         }}}},
       {"night", {{"time", [&recipe](const Setting& s) { recipe.night.minute = minute_of_night(s); }}}},
       {"output",
        {{"draco", [&recipe](const Setting& s) { recipe.output.draco = s.boolean(); }},
@@ -239,6 +269,7 @@ Recipe read_recipe(const fs::path& path) {
     const auto table = tables.find(table_name);
     if (table == tables.end()) unknown(file, name, "table [" + table_name + "]", keys_of(tables));
     const toml::table* settings = node.as_table();
+    if (table_name == "traffic") recipe.traffic.drives = true;
     if (!settings) Setting{file, table_name, node}.refuse("is not a table");
     for (const auto& [key, value] : *settings) {
       const std::string key_name = "[" + table_name + "] " + std::string(key.str());

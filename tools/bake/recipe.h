@@ -9,6 +9,7 @@
 #include "tools/citygml/city_model.h"
 #include "tools/georeference/frame.h"
 #include "tools/layout/layout.h"
+#include "tools/traffic/traffic.h"
 
 namespace nightcity {
 
@@ -46,6 +47,11 @@ struct Recipe {
     bool lit = true;         // false: no windows
     std::uint64_t seed = 1;  // who is at home
   } windows;
+
+  struct Traffic {
+    bool drives = false;              // the table is there, and does not say drives = false
+    traffic::TrafficOptions options;  // vehicles = N | per_km, cycle_s, side = "left" | "right", hours, seed
+  } traffic;
 
   struct Night {
     int minute = 5 * 60;  // of the scene, after 17:00 (time = "22:00")

@@ -118,8 +118,9 @@ class NetworkBuilder {
     if (!run.street.line.empty()) finish(last_key_);
   }
 
-  StreetNetwork build() {
-    join();
+  StreetNetwork build(Joining joining) {
+    joined_.assign(runs_.size(), false);
+    if (joining == Joining::same_road) join();
     StreetNetwork network;
     std::map<NodeKey, std::size_t> joints;
     for (std::size_t r = 0; r < runs_.size(); ++r) {
@@ -142,7 +143,6 @@ class NetworkBuilder {
  private:
   /// Runs of one road that meet where nothing else does become one.
   void join() {
-    joined_.assign(runs_.size(), false);
     std::map<NodeKey, std::vector<std::size_t>> ends;
     for (std::size_t r = 0; r < runs_.size(); ++r) {
       ends[runs_[r].first].push_back(r);
@@ -215,13 +215,14 @@ std::string why_unlit(const OsmWay& way) {
 }
 
 StreetNetwork make_street_network(const std::vector<const OsmWay*>& ways,
-                                  const std::function<glm::dvec2(const glm::dvec2&)>& to_frame) {
+                                  const std::function<glm::dvec2(const glm::dvec2&)>& to_frame,
+                                  Joining joining) {
   NetworkBuilder builder;
   for (const OsmWay* way : ways)
     if (RoadIndex::describe(*way)) builder.count(*way);
   for (const OsmWay* way : ways)
     if (const auto road = RoadIndex::describe(*way)) builder.cut(*way, *road, to_frame);
-  return builder.build();
+  return builder.build(joining);
 }
 
 }  // namespace nightcity::layout

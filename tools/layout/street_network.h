@@ -58,9 +58,16 @@ struct StreetNetwork {
 /// not: "lit=no", "tunnel", "crossing or pavement beside a street", "unlit by class", ...
 std::string why_unlit(const OsmWay& way);
 
+/// Whether stretches that meet where nothing else does become one street.
+enum class Joining {
+  same_road,  // where class and width agree, whichever way they were drawn
+  never       // a street is a part of one way, drawn as the way is
+};
+
 /// Ways meet where they share a node. `to_frame` as place_lamps takes it; points without a place are left
 /// out.
 StreetNetwork make_street_network(const std::vector<const OsmWay*>& ways,
-                                  const std::function<glm::dvec2(const glm::dvec2&)>& to_frame);
+                                  const std::function<glm::dvec2(const glm::dvec2&)>& to_frame,
+                                  Joining joining = Joining::same_road);
 
 }  // namespace nightcity::layout

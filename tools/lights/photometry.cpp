@@ -9,12 +9,14 @@ namespace nightcity {
 
 using std::numbers::pi;
 
-Photometry sample_intensity(const Intensity& intensity, std::uint32_t c_count, std::uint32_t gamma_count) {
-  Photometry result{c_count, gamma_count, {}};
+Photometry sample_intensity(const Intensity& intensity, std::uint32_t c_count, std::uint32_t gamma_count,
+                            double extent_degrees) {
+  Photometry result{c_count, gamma_count, {}, extent_degrees};
+  const double extent = extent_degrees * pi / 180;
   result.values.reserve(static_cast<std::size_t>(c_count) * gamma_count);
   for (std::uint32_t c = 0; c < c_count; ++c)
     for (std::uint32_t g = 0; g < gamma_count; ++g)
-      result.values.push_back(intensity(2 * pi * c / c_count, pi * g / (gamma_count - 1)));
+      result.values.push_back(intensity(2 * pi * c / c_count, extent * g / (gamma_count - 1)));
   return result;
 }
 
@@ -22,7 +24,7 @@ double integrated_flux(const Photometry& photometry) {
   // Linear in C and wrapping: the mean over the rows, times 2 pi. Linear in gamma between a and b:
   // integral of f sin = f(a) cos a - f(b) cos b + slope (sin b - sin a).
   const std::size_t count = photometry.gamma_count;
-  const double step = pi / static_cast<double>(count - 1);
+  const double step = photometry.extent_degrees * pi / 180 / static_cast<double>(count - 1);
   double sum = 0;
   for (std::size_t row = 0; row < photometry.c_count; ++row)
     for (std::size_t g = 0; g + 1 < count; ++g) {
@@ -34,9 +36,11 @@ double integrated_flux(const Photometry& photometry) {
 }
 
 double intensity_at(const Photometry& photometry, double c, double gamma) {
+  const double extent = photometry.extent_degrees * pi / 180;
+  if (gamma > extent * (1 + 1e-12)) return 0;
   const double turns = c / (2 * pi) - std::floor(c / (2 * pi));
   const double row = turns * photometry.c_count;
-  const double column = std::clamp(gamma / pi, 0.0, 1.0) * (photometry.gamma_count - 1);
+  const double column = std::clamp(gamma / extent, 0.0, 1.0) * (photometry.gamma_count - 1);
   const auto r = static_cast<std::size_t>(row);
   const auto g = std::min<std::size_t>(static_cast<std::size_t>(column), photometry.gamma_count - 2);
   const double fr = row - static_cast<double>(r), fg = column - static_cast<double>(g);
@@ -54,8 +58,8 @@ std::uint32_t ProfileTable::add(std::string_view name, const Photometry& photome
     if (!(value >= 0 && std::isfinite(value))) throw std::invalid_argument("negative or infinite intensity");
   const double flux = integrated_flux(photometry);
   if (!(flux > 0 && std::isfinite(flux))) throw std::invalid_argument("a luminaire without flux");
-  profiles.push_back(
-      {photometry.c_count, photometry.gamma_count, static_cast<std::uint32_t>(data.size()), 180});
+  profiles.push_back({photometry.c_count, photometry.gamma_count, static_cast<std::uint32_t>(data.size()),
+                      static_cast<float>(photometry.extent_degrees)});
   for (const double value : photometry.values) data.push_back(static_cast<float>(value / flux));
   names_.emplace_back(name);
   return static_cast<std::uint32_t>(names_.size() - 1);

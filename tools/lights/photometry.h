@@ -20,10 +20,12 @@ struct Photometry {
   std::uint32_t c_count = 1;      // >= 1
   std::uint32_t gamma_count = 2;  // >= 2
   std::vector<double> values;     // c_count * gamma_count, gamma fastest
+  double extent_degrees = 180;    // gamma of the last row; dark beyond
 };
 
 /// Samples a function on the grid.
-Photometry sample_intensity(const Intensity& intensity, std::uint32_t c_count, std::uint32_t gamma_count);
+Photometry sample_intensity(const Intensity& intensity, std::uint32_t c_count, std::uint32_t gamma_count,
+                            double extent_degrees = 180);
 
 /// Flux of the bilinear interpolant, in closed form (no quadrature error): lumen if the values are candela.
 double integrated_flux(const Photometry& photometry);

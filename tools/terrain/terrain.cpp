@@ -115,6 +115,12 @@ std::optional<Terrain::Hit> Terrain::height_at(const glm::dvec2& east_north) con
   return std::nullopt;
 }
 
+std::optional<double> Terrain::height_of(Footing footing, const glm::dvec2& east_north) const {
+  if (!state_->origin || !std::isfinite(east_north.x + east_north.y)) return std::nullopt;
+  return state_->highest_on(state_->layers[static_cast<std::size_t>(footing)],
+                            east_north - glm::dvec2(*state_->origin));
+}
+
 bool Terrain::inside_building(const glm::dvec2& east_north) const {
   if (!state_->origin || !std::isfinite(east_north.x + east_north.y)) return false;
   const glm::dvec2 local = east_north - glm::dvec2(*state_->origin);

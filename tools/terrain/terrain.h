@@ -36,6 +36,8 @@ class Terrain {
   };
   /// Height below or above (E, N); empty outside the model. May be called from many threads after build().
   std::optional<Hit> height_at(const glm::dvec2& east_north) const;
+  /// Height of the topmost triangle of one class on the vertical line through (E, N).
+  std::optional<double> height_of(Footing footing, const glm::dvec2& east_north) const;
   /// Whether a roof or a building's ground surface lies on the vertical line through (E, N).
   bool inside_building(const glm::dvec2& east_north) const;
 

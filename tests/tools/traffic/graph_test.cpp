@@ -1,0 +1,217 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "tools/traffic/link_network.h"
+#include "tools/traffic/road_graph.h"
+#include "tools/traffic/street_grid.h"
+
+namespace nightcity::traffic {
+namespace {
+
+using test::street;
+
+const OsmTags residential = {{"highway", "residential"}}, primary = {{"highway", "primary"}};
+
+RoadGraph graph_of(const std::vector<OsmWay>& ways, const HeightAt& height = test::plane,
+                   const InsideBuilding& inside = {}) {
+  return make_road_graph(ways, test::to_plane, height, inside, Side::right);
+}
+
+const RoadEdge* edge_between(const RoadGraph& graph, const glm::dvec2& from, const glm::dvec2& to) {
+  for (const RoadEdge& edge : graph.edges)
+    if (glm::distance(edge.line.front(), from) < 0.5 && glm::distance(edge.line.back(), to) < 0.5)
+      return &edge;
+  return nullptr;
+}
+
+TEST(RoadGraph, OneWayStreetsHaveOneEdgeAndTheRightOne) {
+  auto against = residential;
+  against["oneway"] = "-1";
+  const RoadGraph graph =
+      graph_of({street(1, {{0, 0}, {100, 0}}, residential), street(2, {{100, 0}, {200, 0}}, against)});
+  EXPECT_TRUE(edge_between(graph, {0, 0}, {100, 0}));
+  EXPECT_TRUE(edge_between(graph, {100, 0}, {0, 0}));
+  EXPECT_TRUE(edge_between(graph, {200, 0}, {100, 0}));
+  EXPECT_FALSE(edge_between(graph, {100, 0}, {200, 0}));
+}
+
+TEST(RoadGraph, LanesLieOnTheirSide) {
+  const std::vector<OsmWay> ways = {street(1, {{0, 0}, {100, 0}}, {{"highway", "primary"}, {"lanes", "4"}})};
+  for (const Side side : {Side::right, Side::left}) {
+    const RoadGraph graph = make_road_graph(ways, test::to_plane, test::plane, {}, side);
+    LinkNetwork network(graph, test::plane);
+    const HeightAt plane = test::plane;
+    for (std::size_t e = 0; e < graph.edges.size(); ++e)
+      for (int lane = 0; lane < 2; ++lane) {
+        const RoadEdge& edge = graph.edges[e];
+        const double to_right = edge.lane_offset(lane, side);
+        EXPECT_GT(side == Side::right ? to_right : -to_right, 0);
+        // The kerb lane is the outer one.
+        EXPECT_NEAR(std::abs(to_right), edge.half_width_m - (lane + 0.5) * edge.lane_m, 1e-9);
+        const auto& curve = network.links()[network.lane(e, lane)].curve;
+        const glm::dvec2 along = glm::normalize(edge.line.back() - edge.line.front());
+        const glm::dvec2 right(along.y, -along.x);
+        EXPECT_NEAR(glm::dot(glm::dvec2(curve.at(30).point), right), to_right, 1e-6);
+      }
+  }
+}
+
+TEST(RoadGraph, EndsWhereTheGroundEnds) {
+  const HeightAt west = [](const glm::dvec2& p) -> std::optional<double> {
+    return p.x < 333 ? std::optional<double>(10) : std::nullopt;
+  };
+  const RoadGraph graph = graph_of({street(1, {{0, 0}, {800, 0}}, residential)}, west);
+  ASSERT_EQ(graph.edges.size(), 2u);
+  double most = 0;
+  for (const RoadNode& node : graph.nodes) most = std::max(most, node.place.x);
+  EXPECT_NEAR(most, 333, 0.1);
+  for (const RoadNode& node : graph.nodes) EXPECT_EQ(node.border, node.place.x > 300);
+  EXPECT_EQ(graph_of({street(1, {{500, 0}, {800, 0}}, residential)}, west).left_out.at("outside the model"),
+            1u);
+}
+
+TEST(RoadGraph, RoadsThroughBuildingsAreLeftOutAndTunnelsAreNot) {
+  const InsideBuilding house = [](const glm::dvec2& p) { return p.x > 40 && p.x < 50 && std::abs(p.y) < 8; };
+  EXPECT_TRUE(graph_of({street(1, {{0, 0}, {100, 0}}, residential)}, test::plane, house).edges.empty());
+  auto tunnel = residential;
+  tunnel["tunnel"] = "yes";
+  EXPECT_EQ(graph_of({street(1, {{0, 0}, {100, 0}}, tunnel)}, test::plane, house).edges.size(), 2u);
+}
+
+TEST(RoadGraph, BridgesGoEvenlyFromAbutmentToAbutment) {
+  // A valley 20 m deep under two ways of one bridge.
+  const HeightAt valley = [](const glm::dvec2& p) -> std::optional<double> {
+    return p.x > 100 && p.x < 200 ? 30.0 : 50 + p.x / 100;
+  };
+  auto bridge = residential;
+  bridge["bridge"] = "yes";
+  bridge["layer"] = "1";
+  const RoadGraph graph =
+      graph_of({street(1, {{0, 0}, {95, 0}}, residential), street(2, {{95, 0}, {130, 0}}, bridge),
+                street(3, {{130, 0}, {205, 0}}, bridge), street(4, {{205, 0}, {300, 0}}, residential)},
+               valley);
+  LinkNetwork network(graph, valley);
+  for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+    if (!graph.edges[e].structure) continue;
+    const Curve& curve = network.links()[network.lane(e, 0)].curve;
+    for (double s = 0; s < curve.length(); s += 1) {
+      const glm::dvec3 p = curve.at(s).point;
+      EXPECT_NEAR(p.z, 50 + p.x / 100, 0.05) << "at " << p.x;
+    }
+  }
+}
+
+TEST(LinkNetwork, TurnsJoinTheirLanesSmoothly) {
+  const auto ways = test::street_grid(3, 90, 60);
+  const HeightAt hills = test::hills;
+  const RoadGraph graph = graph_of(ways, hills);
+  LinkNetwork network(graph, hills);
+  std::size_t turns = 0;
+  for (std::size_t e = 0; e < graph.edges.size(); ++e)
+    for (const std::size_t next : graph.nodes[graph.edges[e].to].out) {
+      if (next == graph.edges[e].opposite) continue;
+      const Link& turn = network.links()[network.turn(e, 0, next, 0)];
+      const Curve &from = network.links()[turn.from].curve, &to = network.links()[turn.to].curve;
+      const auto a = from.at(from.length()), b = turn.curve.at(0), c = turn.curve.at(turn.curve.length()),
+                 d = to.at(0);
+      EXPECT_NEAR(glm::distance(a.point, b.point), 0, 1e-6);
+      EXPECT_NEAR(glm::distance(c.point, d.point), 0, 1e-6);
+      EXPECT_NEAR(glm::distance(a.along, b.along), 0, 1e-6);
+      EXPECT_NEAR(glm::distance(c.along, d.along), 0, 1e-6);
+      for (const Curve::Sample& sample : turn.curve.samples()) EXPECT_LT(std::abs(sample.curvature), 0.5);
+      ++turns;
+    }
+  EXPECT_GT(turns, 50u);
+}
+
+TEST(LinkNetwork, SpeedKeepsLimitsAndBends) {
+  const HeightAt plane = test::plane;
+  const RoadGraph graph = graph_of({street(1, {{0, 0}, {100, 0}, {100, 100}}, primary)});
+  LinkNetwork network(graph, plane);
+  const Link& link = network.links()[network.lane(0, 0)];
+  for (std::size_t n = 0; n < link.allowed_m_s.size(); ++n) {
+    const Curve::Sample& sample = link.curve.samples()[n];
+    const double v = link.allowed_m_s[n];
+    EXPECT_LE(v, graph.edges[0].speed_m_s + 1e-9);
+    if (v > 1.6) {
+      EXPECT_LE(v * v * std::abs(sample.curvature), sideways_acceleration * 1.001);
+    }
+    if (n > 0) {
+      const double step = sample.s - link.curve.samples()[n - 1].s, before = link.allowed_m_s[n - 1];
+      EXPECT_LE(before * before - v * v, 2 * comfortable_braking * step * 1.001);
+    }
+  }
+  EXPECT_NEAR(link.allowed_m_s.front(), graph.edges[0].speed_m_s, 1e-9);
+}
+
+/// Which of two turns gives way, by the directions one comes from and goes to (unit vectors from the
+/// junction).
+bool yields(const RoadGraph& graph, const glm::dvec2& from_a, const glm::dvec2& to_a,
+            const glm::dvec2& from_b, const glm::dvec2& to_b) {
+  const HeightAt plane = test::plane;
+  LinkNetwork network(graph, plane);
+  const auto edge = [&](const glm::dvec2& from, const glm::dvec2& to) {
+    for (std::size_t e = 0; e < graph.edges.size(); ++e)
+      if (glm::distance(graph.edges[e].line.front(), from) < 0.5 &&
+          glm::distance(graph.edges[e].line.back(), to) < 0.5)
+        return e;
+    return none;
+  };
+  const auto turn = [&](const glm::dvec2& from, const glm::dvec2& to) {
+    return network.turn(edge(from * 80.0, {0, 0}), 0, edge({0, 0}, to * 80.0), 0);
+  };
+  const std::size_t a = turn(from_a, to_a), b = turn(from_b, to_b);
+  network.find_conflicts();
+  for (const Conflict& conflict : network.links()[a].conflicts)
+    if (conflict.other == b) return conflict.yields;
+  ADD_FAILURE() << "no conflict";
+  return false;
+}
+
+RoadGraph crossing(const OsmTags& west_east, const OsmTags& south_north) {
+  return graph_of({street(1, {{-80, 0}, {0, 0}, {80, 0}}, west_east),
+                   street(2, {{0, -80}, {0, 0}, {0, 80}}, south_north)});
+}
+
+constexpr glm::dvec2 west{-1, 0}, east{1, 0}, south{0, -1}, north{0, 1};
+
+TEST(RightOfWay, MainRoadBeforeSideStreet) {
+  const RoadGraph graph = crossing(primary, residential);
+  EXPECT_FALSE(yields(graph, west, east, south, north));
+  EXPECT_TRUE(yields(graph, south, north, west, east));
+  EXPECT_TRUE(yields(graph, north, south, west, east));
+}
+
+TEST(RightOfWay, RightBeforeLeftBetweenEqualStreets) {
+  const RoadGraph graph = crossing(residential, residential);
+  // Driving east, who comes from the south comes from the right.
+  EXPECT_TRUE(yields(graph, west, east, south, north));
+  EXPECT_FALSE(yields(graph, south, north, west, east));
+  EXPECT_FALSE(yields(graph, west, east, north, south));
+}
+
+TEST(RightOfWay, ATurnAcrossWaitsForOncomingTraffic) {
+  const RoadGraph graph = crossing(primary, primary);
+  EXPECT_TRUE(yields(graph, west, north, east, west));  // left turn
+  EXPECT_FALSE(yields(graph, east, west, west, north));
+}
+
+TEST(RightOfWay, OppositeStraightsDoNotConflict) {
+  const HeightAt plane = test::plane;
+  const RoadGraph graph = crossing(primary, primary);
+  LinkNetwork network(graph, plane);
+  std::vector<std::size_t> straight;
+  for (std::size_t e = 0; e < graph.edges.size(); ++e)
+    for (const std::size_t next : graph.nodes[graph.edges[e].to].out)
+      if (next != graph.edges[e].opposite && network.movement(e, next) == Movement::straight)
+        straight.push_back(network.turn(e, 0, next, 0));
+  network.find_conflicts();
+  ASSERT_EQ(straight.size(), 4u);
+  for (const std::size_t turn : straight) EXPECT_EQ(network.links()[turn].conflicts.size(), 2u);
+}
+
+}  // namespace
+}  // namespace nightcity::traffic

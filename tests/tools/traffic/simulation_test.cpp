@@ -1,0 +1,158 @@
+#include "tools/traffic/simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "tools/traffic/street_grid.h"
+
+namespace nightcity::traffic {
+namespace {
+
+using test::street;
+
+/// A network, routes over it and what became of them.
+class Drives {
+ public:
+  explicit Drives(const std::vector<OsmWay>& ways)
+      : graph(make_road_graph(ways, test::to_plane, height, {}, Side::right)), network(graph, height) {}
+
+  std::size_t edge(const glm::dvec2& from, const glm::dvec2& to) const {
+    for (std::size_t e = 0; e < graph.edges.size(); ++e)
+      if (glm::distance(graph.edges[e].line.front(), from) < 0.5 &&
+          glm::distance(graph.edges[e].line.back(), to) < 0.5)
+        return e;
+    return none;
+  }
+
+  Route& add(const std::vector<std::size_t>& edges, double start_time_s) {
+    Route route;
+    for (std::size_t n = 0; n < edges.size(); ++n) {
+      if (n > 0) route.links.push_back(network.turn(edges[n - 1], 0, edges[n], 0));
+      route.links.push_back(network.lane(edges[n], 0));
+    }
+    route.start_s = 3;
+    route.end_s = network.links()[route.links.back()].curve.length() - 3;
+    route.start_time_s = start_time_s;
+    route.id = static_cast<std::uint32_t>(routes.size());
+    routes.push_back(route);
+    return routes.back();
+  }
+
+  void run(double cycle_s) {
+    network.find_conflicts();
+    report = simulate(network, routes, cycle_s, [&](Drive&& drive) { drives[drive.route] = drive; });
+  }
+
+  const HeightAt height = test::plane;
+  RoadGraph graph;
+  LinkNetwork network;
+  std::vector<Route> routes;
+  std::map<std::size_t, Drive> drives;
+  SimulationReport report;
+};
+
+double duration(const Drive& drive) {
+  return static_cast<double>(drive.speed_m_s.size() - 1) * step_s;
+}
+
+TEST(Simulation, AloneOnTheRoadOneDrivesAtTheLimit) {
+  Drives town({street(1, {{0, 0}, {500, 0}}, {{"highway", "primary"}})});
+  town.add({town.edge({0, 0}, {500, 0})}, 10);
+  town.run(200);
+  ASSERT_EQ(town.drives.size(), 1u);
+  EXPECT_NEAR(duration(town.drives[0]), 494 / (50 / 3.6), 0.5);
+  EXPECT_NEAR(town.drives[0].start_time_s, 10, step_s);
+  for (const float v : town.drives[0].speed_m_s) EXPECT_NEAR(v, 50 / 3.6, 0.01);
+}
+
+TEST(Simulation, AFollowerKeepsTheEquilibriumGapOfTheModel) {
+  Drives town({street(1, {{0, 0}, {900, 0}}, {{"highway", "primary"}})});
+  const std::size_t e = town.edge({0, 0}, {900, 0});
+  town.add({e}, 10).speed_factor = 0.5;
+  town.add({e}, 14);
+  town.run(400);
+  ASSERT_EQ(town.drives.size(), 2u);
+  const Drive &first = town.drives[0], &second = town.drives[1];
+  const auto lag = static_cast<std::size_t>(std::lround((second.start_time_s - first.start_time_s) / step_s));
+  const double length = vehicle_types[0].length_m, v = 0.5 * 50 / 3.6;
+  double least = 1e9;
+  for (std::size_t n = 0; n < second.distance_m.size() && n + lag < first.distance_m.size(); ++n)
+    least = std::min(least, double{first.distance_m[n + lag]} - double{second.distance_m[n]} - length);
+  EXPECT_GT(least, standstill_gap_m);
+  // Treiber's equilibrium: s_e(v) = (s0 + v T) / sqrt(1 - (v / v0)^4), within what 900 m of road settle.
+  const std::size_t late = second.distance_m.size() - 60;
+  const double gap = double{first.distance_m[late + lag]} - double{second.distance_m[late]} - length;
+  EXPECT_NEAR(gap, (standstill_gap_m + v * headway_s) / std::sqrt(1 - std::pow(0.5, 4)), 1.0);
+  EXPECT_NEAR(second.speed_m_s[late], v, 0.3);
+}
+
+TEST(Simulation, NobodyExceedsTheirShareOfTheLimitOrBrakesHarderThanPossible) {
+  Drives town(test::street_grid(3, 90, 60));
+  Demand demand{25, 240, 7};
+  RouteReport routes;
+  town.routes = make_routes(town.network, demand, routes);
+  town.run(demand.cycle_s);
+  EXPECT_GT(town.drives.size(), 30u);
+  for (const auto& [number, drive] : town.drives) {
+    const Route& route = town.routes[number];
+    double limit = 0;
+    for (const std::size_t link : route.links)
+      limit = std::max(limit, town.graph.edges[town.network.links()[link].edge].speed_m_s);
+    for (std::size_t n = 0; n < drive.speed_m_s.size(); ++n) {
+      EXPECT_LE(drive.speed_m_s[n], limit * route.speed_factor + 0.05);
+      if (n == 0) continue;
+      EXPECT_GE(drive.speed_m_s[n] - drive.speed_m_s[n - 1], -hardest_braking * step_s - 1e-3);
+      EXPECT_GE(drive.distance_m[n], drive.distance_m[n - 1]);
+    }
+  }
+}
+
+TEST(Simulation, TheSideStreetWaitsAndTheMainRoadDoesNot) {
+  Drives town({street(1, {{-200, 0}, {0, 0}, {200, 0}}, {{"highway", "primary"}}),
+               street(2, {{0, -200}, {0, 0}, {0, 200}}, {{"highway", "residential"}})});
+  // Both would be at the crossing together.
+  town.add({town.edge({-200, 0}, {0, 0}), town.edge({0, 0}, {200, 0})}, 20);
+  town.add({town.edge({0, -200}, {0, 0}), town.edge({0, 0}, {0, 200})}, 20);
+  town.run(120);
+  ASSERT_EQ(town.drives.size(), 2u);
+  EXPECT_NEAR(duration(town.drives[0]), 394 / (50 / 3.6), 1.0);
+  EXPECT_GT(duration(town.drives[1]), duration(town.drives[0]) + 2);
+}
+
+TEST(Simulation, OneComesToAStandWhereADriveEndsParked) {
+  Drives town({street(1, {{0, 0}, {300, 0}}, {{"highway", "residential"}})});
+  Route& route = town.add({town.edge({0, 0}, {300, 0})}, 5);
+  route.from_kerb = route.to_stop = true;
+  route.start_s = 40;
+  route.end_s = 220;
+  town.run(120);
+  ASSERT_EQ(town.drives.size(), 1u);
+  const Drive& drive = town.drives[0];
+  EXPECT_EQ(drive.speed_m_s.front(), 0);
+  EXPECT_LT(drive.speed_m_s.back(), 0.35);
+  EXPECT_NEAR(drive.distance_m.front(), 40, 1e-3);
+  EXPECT_NEAR(drive.distance_m.back(), 220, 0.7);
+}
+
+TEST(Simulation, IsTheSameEveryTime) {
+  const auto once = [] {
+    Drives town(test::street_grid(2, 90, 60));
+    RouteReport report;
+    town.routes = make_routes(town.network, {15, 180, 3}, report);
+    town.run(180);
+    return town.drives;
+  };
+  const auto a = once(), b = once();
+  ASSERT_EQ(a.size(), b.size());
+  for (const auto& [number, drive] : a) {
+    EXPECT_EQ(drive.distance_m, b.at(number).distance_m);
+    EXPECT_EQ(drive.start_time_s, b.at(number).start_time_s);
+  }
+}
+
+}  // namespace
+}  // namespace nightcity::traffic

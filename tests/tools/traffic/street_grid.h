@@ -1,0 +1,36 @@
+// Streets drawn in metres for the tests of the traffic, on a plane or a hill.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "tools/layout/street_plane.h"
+#include "tools/lights/lamps.h"
+
+namespace nightcity::test {
+
+/// Gentle hills: 6 % at the steepest.
+inline std::optional<double> hills(const glm::dvec2& p) {
+  return 50 + 6 * std::sin(p.x / 100) + 4 * std::cos(p.y / 80);
+}
+
+/// A grid of `n` by `n` blocks of `size_m`, its middle lines main roads (one way every third residential
+/// street), its ends running `tail_m` beyond it.
+inline std::vector<OsmWay> street_grid(int n, double size_m, double tail_m) {
+  std::vector<OsmWay> ways;
+  for (int axis = 0; axis < 2; ++axis)
+    for (int line = 0; line <= n; ++line) {
+      std::vector<glm::dvec2> points;
+      for (int k = -1; k <= n + 1; ++k) {
+        const double along = k < 0 ? -tail_m : k > n ? n * size_m + tail_m : k * size_m;
+        const double across = line * size_m;
+        points.push_back(axis == 0 ? glm::dvec2(along, across) : glm::dvec2(across, along));
+      }
+      OsmTags tags = {{"highway", line == n / 2 ? "secondary" : "residential"}};
+      if (line % 3 == 2) tags["oneway"] = axis == 0 ? "yes" : "-1";
+      ways.push_back(street(100 * axis + line + 1, points, tags));
+    }
+  return ways;
+}
+
+}  // namespace nightcity::test

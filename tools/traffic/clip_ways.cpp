@@ -1,0 +1,96 @@
+#include "tools/traffic/clip_ways.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace nightcity::traffic {
+namespace {
+
+constexpr double longest_m = 1e5;  // a longer jump between two nodes is a broken extract
+
+class Clipper {
+ public:
+  Clipper(const OsmWay& way, const LonLatToFrame& to_frame, const HeightAt& height_at, ClippedWays& result)
+      : way_(way), to_frame_(to_frame), height_at_(height_at), result_(result) {}
+
+  void run(double step_m) {
+    for (std::size_t n = 0; n < way_.lon_lat.size(); ++n) {
+      const glm::dvec2 next = way_.lon_lat[n];
+      const bool next_in = ground(next);
+      if (n > 0) cross(way_.lon_lat[n - 1], next, step_m);
+      if (!next_in)
+        finish();
+      else
+        part_.push_back(next);
+    }
+    finish();
+  }
+
+ private:
+  bool ground(const glm::dvec2& lon_lat) const {
+    const glm::dvec2 p = to_frame_(lon_lat);
+    return std::isfinite(p.x) && std::isfinite(p.y) && height_at_(p);
+  }
+
+  /// Between two nodes, neither of them included: where the ground begins and ends.
+  void cross(const glm::dvec2& a, const glm::dvec2& b, double step_m) {
+    const glm::dvec2 pa = to_frame_(a), pb = to_frame_(b);
+    const double length = glm::distance(pa, pb);
+    if (!(length < longest_m)) {  // or not finite
+      finish();
+      return;
+    }
+    const int steps = std::max(1, static_cast<int>(std::ceil(length / step_m)));
+    double at = 0;
+    bool in = ground(a);
+    for (int k = 1; k <= steps; ++k) {
+      const double next = static_cast<double>(k) / steps;
+      const bool next_in = ground(glm::mix(a, b, next));
+      if (next_in != in) {
+        cut(border(a, b, at, next, in), !in);
+        in = next_in;
+      }
+      at = next;
+    }
+  }
+
+  glm::dvec2 border(const glm::dvec2& a, const glm::dvec2& b, double low, double high, bool low_in) const {
+    for (int k = 0; k < 12; ++k) {
+      const double middle = (low + high) / 2;
+      (ground(glm::mix(a, b, middle)) == low_in ? low : high) = middle;
+    }
+    return glm::mix(a, b, low_in ? low : high);  // the side with ground
+  }
+
+  void cut(const glm::dvec2& place, bool begins) {
+    result_.cuts.insert(osm_units(place));
+    part_.push_back(place);
+    if (!begins) finish();
+  }
+
+  void finish() {
+    if (part_.size() > 1) result_.ways.push_back({way_.id, part_, way_.tags});
+    part_.clear();
+  }
+
+  const OsmWay& way_;
+  const LonLatToFrame& to_frame_;
+  const HeightAt& height_at_;
+  ClippedWays& result_;
+  std::vector<glm::dvec2> part_;
+};
+
+}  // namespace
+
+std::pair<std::int64_t, std::int64_t> osm_units(const glm::dvec2& lon_lat) {
+  return {std::llround(lon_lat.x * 1e7), std::llround(lon_lat.y * 1e7)};
+}
+
+void clip_way(const OsmWay& way, const LonLatToFrame& to_frame, const HeightAt& height_at, double step_m,
+              ClippedWays& result) {
+  Clipper(way, to_frame, height_at, result).run(step_m);
+}
+
+}  // namespace nightcity::traffic

@@ -1,0 +1,170 @@
+#include "tools/traffic/drive_knots.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "formats/traffic_pose.h"
+
+namespace nightcity::traffic {
+namespace {
+
+using std::numbers::pi;
+
+// Lamps come on with the pedal. Rolling out without it is about 0.5 m/s2; UN Regulation 13-H has them on
+// above 1.3 m/s2 where a motor brakes, off below 0.7.
+constexpr double pedal_m_s2 = 0.8;
+constexpr int shortest_on = 2, shortest_off = 3;  // steps: feet do not flicker
+constexpr std::size_t longest_moments = 96;       // 12 s between knots
+constexpr double quick_turn = 0.03;               // radians a step
+
+TripKnot knot_at(const Curve::Place& place, double speed, double time, bool braking,
+                 const Georeference& georeference) {
+  TripKnot knot{};
+  knot.position = glm::vec3(georeference.to_model(place.point));
+  knot.time_s = static_cast<float>(time);
+  const glm::dvec3 velocity = place.along * speed;
+  knot.velocity = glm::vec3(glm::dvec3(velocity.x, velocity.z, -velocity.y));
+  const double yaw = std::atan2(place.along.y, place.along.x), turns = yaw / (2 * pi);
+  const double pitch = std::atan2(place.along.z, std::hypot(place.along.x, place.along.y));
+  knot.pose = static_cast<uint>(std::lround((turns - std::floor(turns)) * 65536)) & 0xFFFFu;
+  const auto steep = static_cast<std::int8_t>(std::clamp(std::lround(pitch * 256), -127L, 127L));
+  knot.pose |= static_cast<uint>(static_cast<std::uint8_t>(steep)) << 16;
+  if (braking) knot.pose |= KNOT_BRAKING;
+  return knot;
+}
+
+/// Braking during the step after each sample.
+std::vector<bool> braking_of(const Drive& drive) {
+  const std::size_t count = drive.speed_m_s.size();
+  std::vector<bool> on(count, false);
+  for (std::size_t n = 0; n + 1 < count; ++n) {
+    const double a = (double{drive.speed_m_s[n + 1]} - double{drive.speed_m_s[n]}) / step_s;
+    on[n] = a < -pedal_m_s2 || (drive.speed_m_s[n] < 0.1f && drive.speed_m_s[n + 1] < 0.1f);
+  }
+  const auto smooth = [&](bool value, int shortest) {
+    for (std::size_t n = 0; n < count;) {
+      std::size_t end = n;
+      while (end < count && on[end] == on[n]) ++end;
+      if (on[n] == value && n > 0 && end < count && end - n < static_cast<std::size_t>(shortest))
+        std::fill(on.begin() + static_cast<std::ptrdiff_t>(n), on.begin() + static_cast<std::ptrdiff_t>(end),
+                  !value);
+      n = end;
+    }
+  };
+  smooth(false, shortest_off);
+  smooth(true, shortest_on);
+  return on;
+}
+
+class KnotFitter {
+ public:
+  KnotFitter(const RoutePath& path, const Drive& drive, const Georeference& georeference,
+             const KnotTolerance& tolerance)
+      : georeference_(georeference), tolerance_(tolerance) {
+    const std::vector<bool> braking = braking_of(drive);
+    const std::size_t last = drive.speed_m_s.size() - 1;
+    // Moments at which a knot may lie, and between them those at which the fit is only looked at. A step in
+    // which the heading turns fast has more of them.
+    Curve::Place before = path.at(double{drive.distance_m[0]});
+    for (std::size_t n = 0; n < last; ++n) {
+      const double s0 = double{drive.distance_m[n]}, s1 = double{drive.distance_m[n + 1]};
+      const double v0 = double{drive.speed_m_s[n]}, v1 = double{drive.speed_m_s[n + 1]};
+      const Curve::Place after = path.at(s1);
+      const double turn = std::remainder(
+          std::atan2(after.along.y, after.along.x) - std::atan2(before.along.y, before.along.x), 2 * pi);
+      const int parts = std::abs(turn) > quick_turn ? 8 : 2;
+      for (int k = 0; k < parts; ++k) {
+        // Evenly accelerated within a step, as it was driven.
+        const double x = static_cast<double>(k) / parts, v = v0 + (v1 - v0) * x;
+        const double way = v0 + v1 > 0 ? (2 * v0 * x + (v1 - v0) * x * x) / (v0 + v1) : x;
+        moments_.push_back({(static_cast<double>(n) + x) * step_s, v, braking[n],
+                            k == 0 ? before : path.at(s0 + (s1 - s0) * way)});
+      }
+      before = after;
+    }
+    moments_.push_back(
+        {static_cast<double>(last) * step_s, double{drive.speed_m_s[last]}, braking[last], before});
+  }
+
+  std::vector<TripKnot> fit(KnotError& worst) const {
+    const std::size_t last = moments_.size() - 1;
+    std::vector<TripKnot> knots = {knot(0)};
+    for (std::size_t from = 0; from < last;) {
+      std::size_t most = from + 2;
+      while (most < last && most - from < longest_moments && moments_[most].braking == moments_[from].braking)
+        most += 2;
+      std::size_t good = from + 2;
+      KnotError error = error_between(from, good);
+      // Galloping, then halving: the error grows with the stretch, nearly always.
+      bool growing = true;
+      for (std::size_t step = 2; step > 1 && good < most;) {
+        const std::size_t to = std::min(good + step, most);
+        const KnotError now = error_between(from, to);
+        if (fits(now)) {
+          good = to;
+          error = now;
+          step = growing ? 2 * step : step / 4 * 2;
+        } else {
+          growing = false;
+          step = step / 4 * 2;
+        }
+      }
+      worst.position_m = std::max(worst.position_m, error.position_m);
+      worst.heading_degrees = std::max(worst.heading_degrees, error.heading_degrees);
+      knots.push_back(knot(good));
+      from = good;
+    }
+    return knots;
+  }
+
+ private:
+  struct Moment {
+    double time, speed;
+    bool braking;
+    Curve::Place place;
+  };
+
+  TripKnot knot(std::size_t n) const {
+    const Moment& moment = moments_[n];
+    return knot_at(moment.place, moment.speed, moment.time, moment.braking, georeference_);
+  }
+
+  bool fits(const KnotError& error) const {
+    return error.position_m <= tolerance_.position_m && error.heading_degrees <= tolerance_.heading_degrees;
+  }
+
+  KnotError error_between(std::size_t from, std::size_t to) const {
+    std::array<TripKnot, 2> pair = {knot(from), knot(to)};
+    const double begin = moments_[from].time;
+    pair[0].time_s = 0;
+    pair[1].time_s = static_cast<float>(moments_[to].time - begin);
+    KnotError error;
+    for (std::size_t n = from + 1; n < to; ++n) {
+      const VehiclePose pose = pose_on_drive(pair, moments_[n].time - begin);
+      const Curve::Place& place = moments_[n].place;
+      const double off = glm::distance(pose.position, georeference_.to_model(place.point));
+      const double turned = std::remainder(pose.yaw - std::atan2(place.along.y, place.along.x), 2 * pi);
+      error.position_m = std::max(error.position_m, off);
+      error.heading_degrees = std::max(error.heading_degrees, std::abs(turned) * 180 / pi);
+      if (!fits(error)) break;
+    }
+    return error;
+  }
+
+  const Georeference& georeference_;
+  const KnotTolerance& tolerance_;
+  std::vector<Moment> moments_;  // even: a knot may lie there; odd: between two such
+};
+
+}  // namespace
+
+std::vector<TripKnot> make_knots(const RoutePath& path, const Drive& drive, const Georeference& georeference,
+                                 const KnotTolerance& tolerance, KnotError& worst) {
+  if (drive.speed_m_s.size() < 9 || drive.distance_m.back() - drive.distance_m.front() < 5) return {};
+  return KnotFitter(path, drive, georeference, tolerance).fit(worst);
+}
+
+}  // namespace nightcity::traffic

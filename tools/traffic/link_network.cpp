@@ -1,0 +1,244 @@
+#include "tools/traffic/link_network.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <utility>
+
+namespace nightcity::traffic {
+namespace {
+
+using glm::dvec2;
+
+constexpr double corner_deviation_m = 1.0;  // how far the driven line may leave the mapped one in a bend
+constexpr double corner_m = 2.5;            // between a junction's corner and where its turns begin
+constexpr double half_axle_m = 1.4;  // a vehicle stands on two axles this far before and behind its middle
+constexpr double slowest_m_s = 1.5;  // in the tightest bend
+
+double angle_between(const dvec2& a, const dvec2& b) {
+  return std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
+}
+
+dvec2 start_direction(const RoadEdge& edge) {
+  return glm::normalize(edge.line[1] - edge.line[0]);
+}
+
+dvec2 end_direction(const RoadEdge& edge) {
+  return glm::normalize(edge.line.back() - edge.line[edge.line.size() - 2]);
+}
+
+}  // namespace
+
+LinkNetwork::LinkNetwork(const RoadGraph& graph, HeightAt height_at)
+    : graph_(graph), height_at_(std::move(height_at)) {
+  middles_.resize(graph.edges.size());
+  for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+    Middle& middle = middles_[e];
+    middle.line = round_corners(graph.edges[e].line, corner_deviation_m);
+    middle.length = length_of(middle.line);
+    const double most = 0.45 * middle.length;
+    middle.begin = std::min(setback(e, true), most);
+    middle.end = middle.length - std::min(setback(e, false), most);
+  }
+}
+
+double LinkNetwork::lane_length(std::size_t edge) const {
+  return middles_[edge].end - middles_[edge].begin;
+}
+
+/// How far from a node its turns begin: clear of the streets that cross, or as long as a change of lanes
+/// needs.
+double LinkNetwork::setback(std::size_t edge, bool at_start) const {
+  const RoadEdge& own = graph_.edges[edge];
+  const std::size_t number = at_start ? own.from : own.to;
+  const RoadNode& node = graph_.nodes[number];
+  const dvec2 away = at_start ? start_direction(own) : -end_direction(own);
+  double result = node.streets > 2 ? 1.5 : 0;
+  const auto look = [&](std::size_t other_number, bool leaves) {
+    if (other_number == edge || other_number == own.opposite) return;
+    const RoadEdge& other = graph_.edges[other_number];
+    const dvec2 direction = leaves ? start_direction(other) : -end_direction(other);
+    const double angle = std::abs(angle_between(away, direction));
+    if (node.streets <= 2) {
+      // The street goes on: round the bend, and shift to where its lanes lie.
+      const double bend = std::numbers::pi - angle;
+      const double aside = std::abs(own.lane_offset(0, graph_.side) - other.lane_offset(0, graph_.side)) +
+                           (own.lanes != other.lanes ? 1.5 : 0);
+      result = std::max({result, 2 * corner_deviation_m / std::max(std::sin(bend / 2), 0.1), 5 * aside});
+    } else if (angle < 2.6) {
+      const double least = std::max(angle, 0.25);
+      const double clear = (other.half_width_m + own.half_width_m * std::max(std::cos(least), 0.0)) /
+                           std::sin(std::min(least, 1.5708));
+      result = std::max(result, clear + corner_m);
+    }
+  };
+  for (const std::size_t e : node.out) look(e, true);
+  for (const std::size_t e : node.in) look(e, false);
+  return std::min(result, 25.0);
+}
+
+/// Where the ground has a hole the height goes on as it was.
+std::vector<Curve::Height> LinkNetwork::ground(const PlanLine& line, double last) const {
+  std::vector<Curve::Height> heights;
+  for (const PlanPoint& p : line) {
+    const auto front = height_at_(p.point + p.along * half_axle_m),
+               rear = height_at_(p.point - p.along * half_axle_m);
+    if (front && rear) {
+      last = (*front + *rear) / 2;
+      heights.push_back({last, (*front - *rear) / (2 * half_axle_m)});
+    } else {
+      last = height_at_(p.point).value_or(last);
+      heights.push_back({last, 0});
+    }
+  }
+  return heights;
+}
+
+void LinkNetwork::limit_speed(Link& link, double limit) const {
+  const auto& samples = link.curve.samples();
+  for (const Curve::Sample& sample : samples) {
+    const double bend = std::abs(sample.curvature);
+    const double in_bend = bend > 1e-6 ? std::sqrt(sideways_acceleration / bend) : limit;
+    link.allowed_m_s.push_back(std::max(std::min(limit, in_bend), slowest_m_s));
+  }
+  // Backwards: nobody arrives faster than they can brake for what comes.
+  for (std::size_t n = samples.size() - 1; n-- > 0;) {
+    const double next = link.allowed_m_s[n + 1], way = samples[n + 1].s - samples[n].s;
+    link.allowed_m_s[n] =
+        std::min(link.allowed_m_s[n], std::sqrt(next * next + 2 * comfortable_braking * way));
+  }
+}
+
+std::size_t LinkNetwork::lane(std::size_t edge, int lane) {
+  const auto [found, is_new] = lanes_.try_emplace({edge, lane}, links_.size());
+  if (!is_new) return found->second;
+  const RoadEdge& road = graph_.edges[edge];
+  const Middle& middle = middles_[edge];
+  const PlanLine line =
+      shifted(trimmed(middle.line, middle.begin, middle.end), road.lane_offset(lane, graph_.side));
+  const double from = graph_.nodes[road.from].height_m, to = graph_.nodes[road.to].height_m;
+  std::vector<Curve::Height> heights;
+  if (road.structure) {
+    const double slope = (to - from) / middle.length;
+    double s = middle.begin;
+    for (std::size_t n = 0; n < line.size(); ++n) {
+      if (n > 0) s += glm::distance(line[n - 1].point, line[n].point);
+      heights.push_back({from + slope * s, slope});
+    }
+  } else {
+    heights = ground(line, from);
+  }
+  Link link;
+  link.curve = Curve(line, heights);
+  link.edge = edge;
+  link.lane = lane;
+  limit_speed(link, road.speed_m_s);
+  links_.push_back(std::move(link));
+  return found->second;
+}
+
+std::size_t LinkNetwork::turn(std::size_t edge, int lane_from, std::size_t next_edge, int lane_to) {
+  const auto key = std::make_tuple(edge, lane_from, next_edge, lane_to);
+  if (const auto found = turns_.find(key); found != turns_.end()) return found->second;
+  Link link;
+  link.from = lane(edge, lane_from);
+  link.to = lane(next_edge, lane_to);
+  link.turn = true;
+  link.edge = edge;
+  link.lane = lane_from;
+  link.next_edge = next_edge;
+  const RoadEdge &in = graph_.edges[edge], &out = graph_.edges[next_edge];
+  const Curve::Sample &a = links_[link.from].curve.samples().back(),
+                      &b = links_[link.to].curve.samples().front();
+  const PlanLine line = turn_between({dvec2(a.point), dvec2(a.along)}, {dvec2(b.point), dvec2(b.along)});
+  std::vector<Curve::Height> heights;
+  if (in.structure || out.structure) {
+    const double length = length_of(line);
+    double s = 0;
+    for (std::size_t n = 0; n < line.size(); ++n) {
+      if (n > 0) s += glm::distance(line[n - 1].point, line[n].point);
+      const double x = length > 0 ? s / length : 0;
+      heights.push_back(
+          {glm::mix(a.point.z, b.point.z, x * x * (3 - 2 * x)), glm::mix(a.along.z, b.along.z, x)});
+    }
+  } else {
+    heights = ground(line, a.point.z);
+  }
+  // The lanes' own ends, to the bit: a drive runs over the joint.
+  heights.front() = {a.point.z, a.along.z};
+  heights.back() = {b.point.z, b.along.z};
+  link.curve = Curve(line, heights);
+  limit_speed(link, std::min(in.speed_m_s, out.speed_m_s));
+  turns_[key] = links_.size();
+  links_.push_back(std::move(link));
+  return links_.size() - 1;
+}
+
+Movement LinkNetwork::movement(std::size_t edge, std::size_t next_edge) const {
+  const double angle =
+      angle_between(end_direction(graph_.edges[edge]), start_direction(graph_.edges[next_edge]));
+  if (std::abs(angle) < 0.6) return Movement::straight;
+  return angle > 0 ? Movement::left : Movement::right;
+}
+
+/// Roundabout before approach, main before minor road; on equal roads oncoming traffic before a turn across
+/// it, and else whoever comes from the kerb's side (right before left where one drives on the right).
+bool LinkNetwork::yields(const Link& a, const Link& b) const {
+  const RoadEdge &own = graph_.edges[a.edge], &other = graph_.edges[b.edge];
+  if (a.edge == b.edge) return false;
+  if (own.roundabout != other.roundabout) return other.roundabout;
+  if (own.road->rank != other.road->rank) return own.road->rank < other.road->rank;
+  const double angle = angle_between(end_direction(own), end_direction(other));
+  const bool right_hand = graph_.side == Side::right;
+  if (std::abs(angle) > 2.6) {
+    const Movement across = right_hand ? Movement::left : Movement::right;
+    return movement(a.edge, a.next_edge) == across && movement(b.edge, b.next_edge) != across;
+  }
+  // Who comes from my right drives towards my left: turned against me by a positive angle.
+  return right_hand ? angle > 0 : angle < 0;
+}
+
+void LinkNetwork::conflict(std::size_t number, std::size_t other_number) {
+  Link &a = links_[number], &b = links_[other_number];
+  const auto& sa = a.curve.samples();
+  const auto& sb = b.curve.samples();
+  double begin[2] = {1e9, 1e9}, end[2] = {-1e9, -1e9};
+  for (const Curve::Sample& p : sa)
+    for (const Curve::Sample& q : sb) {
+      const double cosine = std::abs(glm::dot(dvec2(p.along), dvec2(q.along)));
+      const double clear = cosine > 0.87 ? 2.1 : 2.9;  // side by side, or across: corners reach farther
+      const dvec2 apart = dvec2(p.point - q.point);
+      if (glm::dot(apart, apart) >= clear * clear || std::abs(p.point.z - q.point.z) > 3) continue;
+      begin[0] = std::min(begin[0], p.s), end[0] = std::max(end[0], p.s);
+      begin[1] = std::min(begin[1], q.s), end[1] = std::max(end[1], q.s);
+    }
+  Conflict::Kind kind = Conflict::Kind::cross;
+  if (a.from == b.from)
+    kind = Conflict::Kind::diverge;
+  else if (a.to == b.to)
+    kind = Conflict::Kind::merge;
+  if (begin[0] > end[0]) return;
+  const bool a_yields = kind != Conflict::Kind::diverge && yields(a, b);
+  const bool b_yields = kind != Conflict::Kind::diverge && yields(b, a);
+  a.conflicts.push_back({other_number, begin[0], end[0], begin[1], end[1], kind, a_yields});
+  b.conflicts.push_back({number, begin[1], end[1], begin[0], end[0], kind, b_yields});
+}
+
+void LinkNetwork::find_conflicts() {
+  std::map<std::size_t, std::vector<std::size_t>> at_node;
+  for (std::size_t n = 0; n < links_.size(); ++n)
+    if (links_[n].turn) {
+      at_node[graph_.edges[links_[n].edge].to].push_back(n);
+      links_[n].conflicts.clear();
+    }
+  for (const auto& [node, turns] : at_node)
+    for (std::size_t a = 0; a < turns.size(); ++a)
+      for (std::size_t b = a + 1; b < turns.size(); ++b) conflict(turns[a], turns[b]);
+  for (Link& link : links_)
+    link.junction = std::any_of(link.conflicts.begin(), link.conflicts.end(),
+                                [](const Conflict& c) { return c.kind != Conflict::Kind::diverge; });
+}
+
+}  // namespace nightcity::traffic

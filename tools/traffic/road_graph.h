@@ -1,0 +1,63 @@
+// The streets as a driver sees them: directed edges with lanes between nodes, cut off where the ground ends.
+#pragma once
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tools/lights/lamps.h"
+#include "tools/osm/osm_data.h"
+#include "tools/traffic/drivable.h"
+
+namespace nightcity::traffic {
+
+constexpr std::size_t none = ~std::size_t{0};
+
+/// One direction of one street.
+struct RoadEdge {
+  std::size_t from = none, to = none;  // nodes
+  std::size_t opposite = none;         // the other direction of the same street
+  std::vector<glm::dvec2> line;        // middle line of the street in driving direction; E, N, m
+  double length_m = 0;
+  const RoadClass* road = nullptr;
+  int lanes = 1;
+  double lane_m = 3;        // width of a lane
+  double half_width_m = 3;  // of the whole carriageway
+  double speed_m_s = 0;     // limit
+  bool one_way = false, roundabout = false;
+  bool structure = false;  // bridge or tunnel: its height goes evenly from end to end
+  std::int64_t way_id = 0;
+  std::string name;
+
+  /// Middle of a lane, metres to the right of the middle line. Lane 0 is at the kerb of the side driven on.
+  double lane_offset(int lane, Side side) const;
+};
+
+struct RoadNode {
+  glm::dvec2 place{0, 0};
+  double height_m = 0;
+  std::vector<std::size_t> in, out;  // edges
+  bool border = false;               // the map ends here, not the street
+  /// Streets that meet here; fewer than three make no junction.
+  int streets = 0;
+};
+
+struct RoadGraph {
+  Side side = Side::right;
+  std::string country;
+  std::vector<RoadNode> nodes;
+  std::vector<RoadEdge> edges;
+  std::map<std::string, std::size_t> left_out;  // ways, by reason
+
+  double lane_km() const;
+};
+
+/// `height_at` is empty where the model has no ground: streets end there. Streets at ground level that run
+/// through a building (`inside`) are left out. `side` overrides what the place says.
+RoadGraph make_road_graph(const std::vector<OsmWay>& highways, const LonLatToFrame& to_frame,
+                          const HeightAt& height_at, const InsideBuilding& inside,
+                          std::optional<Side> side = std::nullopt);
+
+}  // namespace nightcity::traffic

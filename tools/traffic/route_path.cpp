@@ -1,0 +1,60 @@
+#include "tools/traffic/route_path.h"
+
+#include <algorithm>
+
+namespace nightcity::traffic {
+namespace {
+
+constexpr double pull_out_m = 16;  // from the kerb to the lane's middle
+
+/// 1 at x = 0, 0 from x = 1 on; value and slope continuous.
+struct Ramp {
+  double value, slope;
+};
+Ramp ramp(double x) {
+  if (x <= 0) return {1, 0};
+  if (x >= 1) return {0, 0};
+  return {1 - x * x * (3 - 2 * x), -6 * x * (1 - x)};
+}
+
+}  // namespace
+
+RoutePath::RoutePath(const LinkNetwork& network, const Route& route) : network_(network), route_(route) {
+  double sum = 0;
+  for (const std::size_t link : route.links) {
+    starts_.push_back(sum);
+    sum += network.links()[link].curve.length();
+  }
+  starts_.push_back(sum);
+}
+
+RoutePath::Aside RoutePath::aside(double distance_m) const {
+  Aside result{0, 0};
+  if (route_.start_aside_m != 0) {
+    const Ramp out = ramp((distance_m - route_.start_s) / pull_out_m);
+    result = {route_.start_aside_m * out.value, route_.start_aside_m * out.slope / pull_out_m};
+  }
+  if (route_.end_aside_m != 0) {
+    const double end = starts_[starts_.size() - 2] + route_.end_s;
+    const Ramp in = ramp((end - distance_m) / pull_out_m);
+    result.shift += route_.end_aside_m * in.value;
+    result.slope -= route_.end_aside_m * in.slope / pull_out_m;
+  }
+  return result;
+}
+
+Curve::Place RoutePath::at(double distance_m) const {
+  const auto after = std::upper_bound(starts_.begin() + 1, starts_.end() - 1, distance_m);
+  const auto n = static_cast<std::size_t>(after - starts_.begin()) - 1;
+  Curve::Place place = network_.links()[route_.links[n]].curve.at(distance_m - starts_[n]);
+  const Aside shift = aside(distance_m);
+  if (shift.shift != 0 || shift.slope != 0) {
+    // The lane is all but straight where one parks: the turning of its normal is left out.
+    const glm::dvec3 right(place.along.y, -place.along.x, 0);
+    place.point += right * shift.shift;
+    place.along += right * shift.slope;
+  }
+  return place;
+}
+
+}  // namespace nightcity::traffic

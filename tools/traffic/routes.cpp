@@ -1,0 +1,244 @@
+#include "tools/traffic/routes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/random.h"
+
+namespace nightcity::traffic {
+namespace {
+
+constexpr double hindered = 0.7;  // mean speed over limit in a town: bends, junctions
+constexpr double parking_margin_m =
+    28;                              // from a junction to where one pulls out: room for the others to brake
+constexpr double stop_margin_m = 8;  // from where one stops to the next junction
+constexpr double kerb_gap_m = 0.25;
+
+/// Picks by weight; constant memory, logarithmic time.
+class WeightedChoice {
+ public:
+  void add(double weight) { sums_.push_back((sums_.empty() ? 0 : sums_.back()) + weight); }
+  double total() const { return sums_.empty() ? 0 : sums_.back(); }
+  std::size_t pick(Random& random) const {
+    const double at = random.uniform() * total();
+    const auto found = std::upper_bound(sums_.begin(), sums_.end() - 1, at);
+    return static_cast<std::size_t>(found - sums_.begin());
+  }
+
+ private:
+  std::vector<double> sums_;
+};
+
+class RouteMaker {
+ public:
+  RouteMaker(LinkNetwork& network, const Demand& demand, RouteReport& report)
+      : network_(network), graph_(network.graph()), demand_(demand), report_(report) {
+    for (const RoadEdge& edge : graph_.edges) {
+      const double amount = edge.road->density_per_km_lane * edge.length_m * edge.lanes;
+      Tally& tally = tallies_[edge.road];
+      tally.wanted += amount;
+      wanted_ += amount;
+      report_.lane_km[edge.road->highway] += edge.length_m * edge.lanes / 1000;
+    }
+    for (std::size_t e = 0; e < graph_.edges.size(); ++e) {
+      const RoadEdge& edge = graph_.edges[e];
+      const RoadNode& from = graph_.nodes[edge.from];
+      if (from.streets == 1) {
+        gates_.push_back(e);
+        gate_choice_.add(flow(edge) * (from.border ? 1 : 0.3));
+      }
+      if (may_park(e)) {
+        kerbs_.push_back(e);
+        kerb_choice_.add(edge.length_m * edge.road->density_per_km_lane);
+      }
+    }
+    // As many drives begin inside the map as its size and the drives' length ask for, beside those that come
+    // in.
+    const double starts_per_s = demand.vehicles / mean_drive_s();
+    const double incoming = gate_choice_.total() * demand.vehicles / std::max(wanted_, 1e-9);
+    gate_share_ = kerbs_.empty()   ? 1
+                  : gates_.empty() ? 0
+                                   : std::clamp(incoming / std::max(starts_per_s, 1e-9), 0.1, 0.8);
+  }
+
+  std::vector<Route> make() {
+    std::vector<Route> routes;
+    if (wanted_ <= 0 || (gates_.empty() && kerbs_.empty())) return routes;
+    const double budget = demand_.vehicles * demand_.cycle_s;
+    double spent = 0;
+    std::size_t failures = 0;
+    for (std::uint32_t number = 0; spent < budget && failures < 1000; ++number) {
+      Random random{static_cast<std::int64_t>(demand_.seed), 71, number};
+      auto route = try_one(random);
+      if (!route) {
+        ++report_.rejected;
+        ++failures;
+        continue;
+      }
+      failures = 0;
+      route->id = static_cast<std::uint32_t>(mix(demand_.seed * 1000003 + number));
+      spent += route->free_time_s;
+      routes.push_back(std::move(*route));
+    }
+    for (const auto& [road, tally] : tallies_) {
+      report_.wanted[road->highway] = demand_.vehicles * tally.wanted / wanted_;
+      report_.given[road->highway] = tally.given / demand_.cycle_s;
+    }
+    return routes;
+  }
+
+ private:
+  struct Tally {
+    double wanted = 0, given = 0;
+  };
+
+  double mean_drive_s() const { return std::min(150.0, 0.35 * demand_.cycle_s); }
+  double longest_drive_s() const { return 0.7 * demand_.cycle_s; }
+
+  static double flow(const RoadEdge& edge) {
+    return edge.road->density_per_km_lane * 1e-3 * edge.lanes * edge.speed_m_s;
+  }
+
+  static double time_on(const RoadEdge& edge, double length) { return length / (edge.speed_m_s * hindered); }
+
+  bool may_park(std::size_t e) const {
+    const RoadEdge& edge = graph_.edges[e];
+    return edge.road->parking && !edge.structure && !edge.roundabout &&
+           network_.lane_length(e) > parking_margin_m + stop_margin_m + 5;
+  }
+
+  /// Above 1 where a class has had less than its share so far.
+  double lack(const RoadEdge& edge) const {
+    const Tally& tally = tallies_.at(edge.road);
+    const double share = tally.wanted / wanted_, have = given_ > 0 ? tally.given / given_ : share;
+    const double ratio = (share + 0.002) / (have + 0.002);
+    return std::clamp(ratio * ratio, 0.05, 20.0);
+  }
+
+  std::size_t pick_type(const RoadEdge& edge, Random& random) const {
+    double at = random.uniform();
+    for (std::size_t k = 0; k < vehicle_type_count; ++k) {
+      at -= vehicle_types[k].share;
+      if (at < 0) return vehicle_types[k].large && !edge.road->large_vehicles ? 0 : k;
+    }
+    return 0;
+  }
+
+  std::size_t next_edge(std::size_t edge, bool large, Random& random) const {
+    const RoadNode& node = graph_.nodes[graph_.edges[edge].to];
+    WeightedChoice choice;
+    std::vector<std::size_t> options;
+    for (const std::size_t e : node.out) {
+      const RoadEdge& out = graph_.edges[e];
+      if (e == graph_.edges[edge].opposite || (large && !out.road->large_vehicles)) continue;
+      options.push_back(e);
+      choice.add(flow(out) * lack(out) * (network_.movement(edge, e) == Movement::straight ? 2.5 : 1));
+    }
+    return options.empty() || !(choice.total() > 0) ? none : options[choice.pick(random)];
+  }
+
+  std::optional<Route> try_one(Random& random) {
+    Route route;
+    route.from_kerb = random.uniform() >= gate_share_;
+    std::vector<std::size_t> edges = {route.from_kerb ? kerbs_[kerb_choice_.pick(random)]
+                                                      : gates_[gate_choice_.pick(random)]};
+    route.type = pick_type(graph_.edges[edges[0]], random);
+    const VehicleType& type = vehicle_types[route.type];
+    if (route.from_kerb && type.large) return std::nullopt;
+    route.speed_factor = random.range(type.speed_factor[0], type.speed_factor[1]);
+    route.start_time_s = random.uniform() * demand_.cycle_s;
+    const double enough = mean_drive_s() * random.range(0.5, 1.5);
+    bool to_kerb = false;
+    for (;;) {
+      const RoadEdge& edge = graph_.edges[edges.back()];
+      route.free_time_s += time_on(edge, edge.length_m) / route.speed_factor;
+      if (route.free_time_s > longest_drive_s()) return std::nullopt;
+      if (route.free_time_s > enough && edges.size() > 1 && !type.large && may_park(edges.back())) {
+        to_kerb = true;
+        break;
+      }
+      const std::size_t next = next_edge(edges.back(), type.large, random);
+      if (next == none) break;
+      edges.push_back(next);
+    }
+    // Only where a street really ends may a drive end without parking.
+    const RoadNode& last = graph_.nodes[graph_.edges[edges.back()].to];
+    if (!to_kerb && last.streets != 1) return std::nullopt;
+    if (!to_kerb && edges.size() == 1 && route.from_kerb) return std::nullopt;
+    route.to_stop = to_kerb || !last.border;
+    lay(route, edges, to_kerb, random);
+    for (const std::size_t e : edges) {
+      const double time = time_on(graph_.edges[e], graph_.edges[e].length_m) / route.speed_factor;
+      tallies_[graph_.edges[e].road].given += time;
+      given_ += time;
+    }
+    return route;
+  }
+
+  /// Lanes from the end backwards: what the next turn asks for decides; who goes straight on keeps the lane,
+  /// so that lanes are changed in turns only.
+  void lay(Route& route, const std::vector<std::size_t>& edges, bool to_kerb, Random& random) {
+    std::vector<int> lanes(edges.size());
+    const bool right_hand = graph_.side == Side::right;
+    for (std::size_t n = edges.size(); n-- > 0;) {
+      const int count = graph_.edges[edges[n]].lanes;
+      if (n + 1 == edges.size()) {
+        lanes[n] = to_kerb ? 0 : random.integer(0, count - 1);
+        continue;
+      }
+      const Movement movement = network_.movement(edges[n], edges[n + 1]);
+      if (movement == Movement::straight)
+        lanes[n] = std::min(lanes[n + 1], count - 1);
+      else
+        lanes[n] = (movement == Movement::right) == right_hand ? 0 : count - 1;
+    }
+    for (std::size_t n = 0; n < edges.size(); ++n) {
+      if (n > 0) route.links.push_back(network_.turn(edges[n - 1], lanes[n - 1], edges[n], lanes[n]));
+      route.links.push_back(network_.lane(edges[n], lanes[n]));
+    }
+    const VehicleType& type = vehicle_types[route.type];
+    const double half = type.length_m / 2;
+    const auto aside = [&](const RoadEdge& edge, int lane) {
+      if (lane != 0) return 0.0;
+      const double room = edge.lane_m / 2 - type.width_m / 2 - kerb_gap_m;
+      return (right_hand ? 1 : -1) * std::max(0.0, room);
+    };
+    const double first = network_.links()[route.links.front()].curve.length();
+    const double last = network_.links()[route.links.back()].curve.length();
+    route.start_s = std::min(half, first / 2);
+    if (route.from_kerb) {
+      route.start_s =
+          random.range(std::min(parking_margin_m, first / 2), std::max(first - stop_margin_m, first / 2));
+      route.start_aside_m = aside(graph_.edges[edges.front()], lanes.front());
+    }
+    route.end_s = std::max(last - half, last / 2);
+    if (to_kerb) {
+      route.end_s = random.range(std::min(15.0, last / 2), std::max(last - stop_margin_m, last / 2));
+      route.end_aside_m = aside(graph_.edges[edges.back()], lanes.back());
+    }
+  }
+
+  LinkNetwork& network_;
+  const RoadGraph& graph_;
+  const Demand& demand_;
+  RouteReport& report_;
+  std::map<const RoadClass*, Tally> tallies_;
+  double wanted_ = 0, given_ = 0, gate_share_ = 0;
+  std::vector<std::size_t> gates_, kerbs_;
+  WeightedChoice gate_choice_, kerb_choice_;
+};
+
+}  // namespace
+
+double vehicles_by_table(const RoadGraph& graph) {
+  double sum = 0;
+  for (const RoadEdge& edge : graph.edges)
+    sum += edge.road->density_per_km_lane * edge.length_m / 1000 * edge.lanes;
+  return sum;
+}
+
+std::vector<Route> make_routes(LinkNetwork& network, const Demand& demand, RouteReport& report) {
+  return RouteMaker(network, demand, report).make();
+}
+
+}  // namespace nightcity::traffic

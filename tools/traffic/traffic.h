@@ -1,0 +1,73 @@
+// The traffic of a city, from its streets to what the light file holds.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formats/light_file.h"
+#include "tools/lights/lamps.h"
+#include "tools/lights/photometry.h"
+#include "tools/osm/osm_data.h"
+#include "tools/traffic/drive_knots.h"
+#include "tools/traffic/overlaps.h"
+#include "tools/traffic/road_graph.h"
+#include "tools/traffic/routes.h"
+#include "tools/traffic/simulation.h"
+
+namespace nightcity::traffic {
+
+struct TrafficOptions {
+  std::optional<double> vehicles;  // on the road at 22:00; else the table of densities
+  std::optional<double> per_km;    // vehicles per km of lane at 22:00, over all roads
+  double cycle_s = 600;
+  std::optional<Side> side;  // else by country
+  std::uint64_t seed = 1;
+  std::array<float, 24> hours = flow_by_hour;  // share of the busiest hour from noon on
+  KnotTolerance tolerance;
+};
+
+struct TrafficReport {
+  std::map<std::string, std::size_t> left_out;  // ways, by reason
+  std::size_t nodes = 0, edges = 0, links = 0;
+  std::string country;
+  Side side = Side::right;
+  RouteReport routes;
+  SimulationReport simulation;
+  KnotError knot_error;
+  KnotTolerance tolerance;
+  std::size_t trips = 0, knots = 0, brakings = 0;
+  double driven_km = 0, cycle_s = 0;
+  double mean_vehicles = 0;                    // with every trip on the road
+  std::array<double, 24> vehicles_by_hour{};   // from noon
+  std::map<std::string, std::size_t> by_type;  // trips
+  std::size_t overlap_samples = 0, overlapping = 0, overlap_dropped = 0;
+  double mean_speed_m_s = 0;
+  std::vector<std::pair<std::string, double>> seconds;  // by step
+};
+
+/// Owns what LightFileContent::traffic points to.
+struct TrafficSet {
+  TrafficCycle cycle{};
+  std::vector<VehicleKind> vehicles;
+  std::vector<Light> vehicle_lights;
+  std::vector<Trip> trips;
+  std::vector<TripKnot> knots;
+  ProfileTable profiles;  // the vehicles' lights point into it
+  TrafficReport report;
+
+  TrafficContent content() const { return {cycle, vehicles, vehicle_lights, trips, knots}; }
+};
+
+using StepProgress = std::function<void(const char* step, double share)>;
+
+/// `height_at`, `inside` as place_lamps takes them. No drivable road: an empty set.
+TrafficSet make_traffic(const std::vector<OsmWay>& highways, const LonLatToFrame& to_frame,
+                        const HeightAt& height_at, const InsideBuilding& inside,
+                        const TrafficOptions& options, const Georeference& georeference,
+                        const StepProgress& progress = {});
+
+}  // namespace nightcity::traffic
