@@ -31,7 +31,7 @@ void view(ViewCommand& command) {
   options.height = render.height;
   options.settings = render.settings;
   options.validation = render.validation;
-  const ViewReport report = run_viewer(options);
+  const ViewReport report = run_viewer(render.load(), options);
   fmt::print("{} frames shown, the last {} of them averaged, estimator {}\n", report.shown, report.frames,
              report.estimator);
 }
@@ -44,9 +44,9 @@ void add_view_command(CLI::App& app) {
       app.add_subcommand("view", "Open a window on a baked scene; \"nightview SCENE.glb\" is short for it");
   sub->footer(
       "Mouse: left button orbits or looks round, right button moves, wheel comes nearer (flying: faster).\n"
-      "Keys: W A S D E Q fly, Shift faster; 1 to 6 estimator; M lamp markers; F orbit or fly; P save the "
-      "picture as\n"
-      "night-NNN.png and .exr; Tab panel; Esc quits.");
+      "Keys: W A S D E Q fly, Shift faster; 1 to 6 estimator; M lamp markers; F orbit or fly; Space lets the "
+      "clock run;\n"
+      "P saves the picture as night-NNN.png and .exr; Tab panel; Esc quits.");
   command->render.declare(*sub);
   sub->add_option("--ev", command->view.ev100, "Exposure, EV100 (default: metered as the picture goes)")
       ->check(CLI::Range(-20.0f, 40.0f));
@@ -60,6 +60,7 @@ void add_view_command(CLI::App& app) {
       ->capture_default_str()
       ->check(CLI::IsMember({0, 1, 2, 4, 8}));
   sub->add_flag("--markers", command->view.markers, "Start with lamp markers drawn");
+  sub->add_flag("--play", command->view.play, "Start with the clock running");
   sub->add_option("--quit-after", command->view.quit_after, "Close after showing this many frames");
   sub->add_option("--screenshot", command->view.screenshot,
                   "With --quit-after: PNG of the window's last frame, panel and all");

@@ -26,8 +26,7 @@ bool same_estimate(const RenderSettings& a, const RenderSettings& b) {
          a.uniform_share == b.uniform_share && a.fleet_share == b.fleet_share &&
          a.local_share == b.local_share && a.visibility_reuse == b.visibility_reuse && a.jitter == b.jitter &&
          a.seed == b.seed && a.sky_cd_m2 == b.sky_cd_m2 && a.layers == b.layers &&
-         a.moon_direction == b.moon_direction && a.moon_lux == b.moon_lux && a.wetness == b.wetness &&
-         a.window == b.window;
+         a.moon_direction == b.moon_direction && a.moon_lux == b.moon_lux && a.wetness == b.wetness;
 }
 
 // Sub-pixel positions: the R2 sequence (Roberts 2018), starting at the pixel's centre.
@@ -139,8 +138,10 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
   const bool same_settings = same_estimate(settings, settings_);
   const bool switched = scene_.set_time(settings.time_s);
   const bool moved = scene_.has_fleet() && settings.time_s != settings_.time_s;
-  if (!pose_ || (settings.window == 0 && !same_view(pose, *pose_)) || !same_settings || switched || moved ||
-      !settings.accumulate)
+  // A mean of all frames ends where anything moves; one of the last few goes along with it.
+  const bool still = pose_ && same_view(pose, *pose_) && !switched && !moved;
+  if (!same_settings || !settings.accumulate || settings.window != settings_.window ||
+      (settings.window == 0 && !still))
     frames_ = 0;
   // Reservoirs of another estimator mean something else; those of another view are reprojected.
   if (!same_settings) has_history_ = false;
@@ -195,8 +196,9 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
   frame.previous_cycle_time_s = cycle_time(frame.scene.fleet.cycle, before_s);
   frame.has_history = has_history_;
   // By frames in the mean, not by frame number: every estimator then sees the same sub-pixels.
-  frame.jitter_x = settings.jitter ? radical(0.7548776662466927, frames_) : 0.5f;
-  frame.jitter_y = settings.jitter ? radical(0.5698402909980532, frames_) : 0.5f;
+  const std::uint32_t sub_pixel = settings.window == 0 ? frames_ : frame_number_;
+  frame.jitter_x = settings.jitter ? radical(0.7548776662466927, sub_pixel) : 0.5f;
+  frame.jitter_y = settings.jitter ? radical(0.5698402909980532, sub_pixel) : 0.5f;
   frame.exposure = tonemap::exposure_scale(settings.ev100);
   frame.reset = frames_ == 0;
   // A window of one frame is no window, and the first frame has nothing to go along with.
@@ -243,6 +245,7 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
   pose_ = pose;
   settings_ = settings;
   ++frames_;
+  if (settings.window > 0) frames_ = std::min(frames_, settings.window);
   ++frame_number_;
 }
 

@@ -46,6 +46,8 @@ bool sampling(ViewerState& state) {
   ImGui::EndDisabled();
   ImGui::EndDisabled();
   changed |= ImGui::Checkbox("accumulate", &state.accumulate);
+  ImGui::SameLine();
+  changed |= ImGui::Checkbox("denoise", &state.settings.denoise);
   return changed;
 }
 
@@ -88,6 +90,24 @@ bool resolution(ViewerState& state) {
   return true;
 }
 
+// 17:00 to 07:00, in minutes after noon.
+bool night(ViewerState& state) {
+  bool changed = false;
+  ImGui::BeginDisabled(!state.night_changes);
+  int minutes = static_cast<int>(state.settings.time_s / 60);
+  const std::string shown = clock_text(state.settings.time_s);
+  if (ImGui::SliderInt("clock", &minutes, 5 * 60, 19 * 60, shown.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
+    state.settings.time_s = minutes * 60.0;
+    changed = true;
+  }
+  ImGui::Checkbox("run", &state.play);
+  ImGui::SameLine();
+  ImGui::SliderFloat("##speed", &state.clock_speed, 1, 3600, "%.0f times", ImGuiSliderFlags_Logarithmic);
+  ImGui::EndDisabled();
+  changed |= ImGui::SliderFloat("wet streets", &state.settings.wetness, 0, 1, "%.2f");
+  return changed;
+}
+
 void report(const ViewerFigures& figures) {
   ImGui::Text("%u x %u, frame %u, %.1f ms", figures.width, figures.height, figures.frames, figures.frame_ms);
   double sum = 0;
@@ -114,6 +134,8 @@ PanelRequests draw_panel(ViewerState& state, const ViewerFigures& figures) {
     ImGui::Separator();
     requests.restart |= exposure(state);
     ImGui::Separator();
+    requests.restart |= night(state);
+    ImGui::Separator();
     camera(state, requests);
     requests.restart |= resolution(state);
     ImGui::Checkbox("lamp markers", &state.markers);
@@ -124,6 +146,11 @@ PanelRequests draw_panel(ViewerState& state, const ViewerFigures& figures) {
   return requests;
 }
 
+std::string clock_text(double time_s) {
+  const int minute = static_cast<int>(time_s / 60) + 12 * 60;
+  return fmt::format("{:02}:{:02}", minute / 60 % 24, minute % 60);
+}
+
 std::string caption(const ViewerState& state, const ViewerFigures& figures) {
   const RenderSettings& settings = state.settings;
   std::string text = name_of(settings.estimator);
@@ -131,6 +158,8 @@ std::string caption(const ViewerState& state, const ViewerFigures& figures) {
     text += fmt::format(", {} candidates", settings.candidates);
     if (settings.estimator != Estimator::ris) text += fmt::format(", {} neighbours", settings.neighbours);
   }
+  if (settings.denoise) text += ", denoised";
+  if (state.night_changes) text += ", " + clock_text(settings.time_s);
   return text + fmt::format(", mean of {} frame{}", figures.frames, figures.frames == 1 ? "" : "s");
 }
 

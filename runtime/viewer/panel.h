@@ -22,6 +22,9 @@ struct ViewerState {
   bool accumulate = true;  // else each frame stands alone
   bool auto_exposure = true;
   bool markers = false;
+  bool play = false;           // the clock runs
+  float clock_speed = 1;       // seconds of the night a second
+  bool night_changes = false;  // the scene has schedules or traffic, so that the clock matters
   int divisor =
       0;  // 1, 2, 4 or 8: the picture has 1 / divisor of the window's pixels along each side; 0 = found out
   bool show_panel = true;
@@ -46,6 +49,9 @@ struct PanelRequests {
 
 /// Draws the panel into the current ImGui frame.
 PanelRequests draw_panel(ViewerState& state, const ViewerFigures& figures);
+
+/// "23:05", of seconds since noon.
+std::string clock_text(double time_s);
 
 /// "paper, 32 candidates, 5 neighbours, mean of 64 frames": stands in the window whether or not the panel is
 /// shown.

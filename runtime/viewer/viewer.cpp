@@ -19,8 +19,8 @@
 #include "runtime/measure/exr.h"
 #include "runtime/measure/png.h"
 #include "runtime/render/renderer.h"
-#include "runtime/viewer/camera_motion.h"
 #include "runtime/scene/markers.h"
+#include "runtime/viewer/camera_motion.h"
 #include "runtime/viewer/overlay.h"
 #include "runtime/viewer/panel.h"
 #include "runtime/viewer/screen.h"
@@ -43,9 +43,9 @@ bool is_power_of_four(std::uint32_t n) {
 
 class Viewer {
  public:
-  explicit Viewer(const ViewOptions& options)
+  Viewer(RenderScene scene, const ViewOptions& options)
       : options_(options),
-        scene_(load_render_scene(options.scene)),
+        scene_(std::move(scene)),
         window_(options.width, options.height, "nightview"),
         device_({.select = options.device,
                  .validation = options.validation,
@@ -65,6 +65,8 @@ class Viewer {
     figures_.device = device_.info().name;
     figures_.triangles = scene_.triangles.size();
     figures_.lights = scene_.lights.size();
+    state_.night_changes = !scene_.fleet.trips.empty() || !scene_.schedules.empty();
+    state_.play = options.play;
     swapchain_.resize(window_.size());
     overlay_ = std::make_unique<Overlay>(device_, window_, swapchain_);
   }
@@ -84,7 +86,9 @@ class Viewer {
     const bool idle = !restart_ && figures_.frames >= options_.most_frames;
     const Hands hands = window_.poll(idle ? 0.05 : 0.0);
     handle_keys(hands);
-    move_camera(hands, std::min(seconds_between(last_step_, start), 0.25));
+    const double elapsed_s = std::min(seconds_between(last_step_, start), 0.25);
+    move_camera(hands, elapsed_s);
+    run_clock(elapsed_s);
     last_step_ = start;
 
     const glm::uvec2 size = window_.size();
@@ -111,6 +115,7 @@ class Viewer {
       if (key == GLFW_KEY_M) state_.markers = !state_.markers;
       if (key == GLFW_KEY_F) state_.fly = !state_.fly;
       if (key == GLFW_KEY_P) save_picture();
+      if (key == GLFW_KEY_SPACE) state_.play = !state_.play;
       if (key == GLFW_KEY_TAB) state_.show_panel = !state_.show_panel;
       if (key == GLFW_KEY_ESCAPE) glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
     }
@@ -144,6 +149,15 @@ class Viewer {
     restart_ |= pose.position != before.position || pose.target != before.target;
   }
 
+  void run_clock(double elapsed_s) {
+    if (!state_.play || !state_.night_changes) return;
+    constexpr double dusk_s = 5 * 3600, dawn_s = 19 * 3600;  // 17:00 and 07:00, since noon
+    double& time_s = state_.settings.time_s;
+    time_s += elapsed_s * double(state_.clock_speed);
+    if (time_s > dawn_s || time_s < dusk_s) time_s = dusk_s;
+    restart_ = true;
+  }
+
   void render() {
     const auto divisor = static_cast<std::uint32_t>(state_.divisor > 0 ? state_.divisor : auto_divisor_);
     const glm::uvec2 size = glm::max(swapchain_.size() / divisor, glm::uvec2(1));
@@ -152,6 +166,9 @@ class Viewer {
       renderer_ = std::make_unique<Renderer>(device_, passes_, device_scene_, size.x, size.y);
     }
     state_.settings.accumulate = state_.accumulate;
+    // While the clock runs, the mean is of the last few frames and goes along with what moves.
+    constexpr std::uint32_t frames_in_motion = 8;
+    state_.settings.window = state_.play && state_.night_changes ? frames_in_motion : 0;
     restart_ = false;
     const auto start = Clock::now();
     renderer_->render_frame(state_.pose, state_.settings);
@@ -283,8 +300,8 @@ class Viewer {
 
 }  // namespace
 
-ViewReport run_viewer(const ViewOptions& options) {
-  return Viewer(options).run();
+ViewReport run_viewer(RenderScene scene, const ViewOptions& options) {
+  return Viewer(std::move(scene), options).run();
 }
 
 }  // namespace nightcity

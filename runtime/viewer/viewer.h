@@ -6,11 +6,12 @@
 #include <string>
 
 #include "runtime/render/settings.h"
+#include "runtime/scene/render_scene.h"
 
 namespace nightcity {
 
 struct ViewOptions {
-  std::string scene;                         // .glb
+  std::string scene;                         // name of its file, to be shown
   std::string camera;                        // preset or file, as find_camera has it
   std::string device;                        // as gpu::Device::Options has it
   std::uint32_t width = 1280, height = 720;  // of the window, pixels
@@ -19,6 +20,7 @@ struct ViewOptions {
   int divisor = 0;  // the picture has 1 / divisor of the window's pixels along each side; 0 = as many as
                     // still answer hands at once
   bool markers = false;
+  bool play = false;  // start with the clock running
   bool validation = false;
   std::uint32_t most_frames = 4096;  // in the mean; then only changes are rendered
   std::uint32_t quit_after = 0;      // frames shown; 0 = when the user closes the window
@@ -33,8 +35,8 @@ struct ViewReport {
   std::string estimator;
 };
 
-/// Returns when the window is closed. Throws Error: no display, a device that cannot present, a scene that
-/// cannot be read, validation messages.
-ViewReport run_viewer(const ViewOptions& options);
+/// Returns when the window is closed. Throws Error: no display, a device that cannot present,
+/// validation messages.
+ViewReport run_viewer(RenderScene scene, const ViewOptions& options);
 
 }  // namespace nightcity
