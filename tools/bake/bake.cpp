@@ -130,7 +130,7 @@ BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder, const
 
   if (recipe.traffic.drives) {
     const auto traffic = make_city_traffic(recipe, osm, frames, terrain, georeference, progress);
-    put_traffic(lights_path, lights_path, traffic);
+    write_with_traffic(lights_path, content_of(LightFile::open(lights_path)), traffic);
     add_vehicle_models(writer, traffic, 3600 * 5 + 60 * recipe.night.minute);
     report.traffic = traffic.report;
     watch.lap("traffic");

@@ -37,11 +37,23 @@ traffic::TrafficSet make_city_traffic(const Recipe& recipe, const OsmData& osm, 
       });
 }
 
-void put_traffic(const std::filesystem::path& source, const std::filesystem::path& target,
-                 const traffic::TrafficSet& traffic) {
-  const LightFile file = LightFile::open(source);
-  std::vector<LightProfile> profiles(file.profiles().begin(), file.profiles().end());
-  std::vector<float> data(file.profile_data().begin(), file.profile_data().end());
+LightFileContent content_of(const LightFile& file) {
+  LightFileContent content;
+  content.georeference = file.georeference();
+  content.lights = file.lights();
+  content.provenance = file.provenance();
+  content.profiles = file.profiles();
+  content.profile_data = file.profile_data();
+  content.schedules = file.schedules();
+  content.switches = file.switches();
+  content.traffic = file.traffic();
+  return content;
+}
+
+void write_with_traffic(const std::filesystem::path& path, LightFileContent content,
+                        const traffic::TrafficSet& traffic) {
+  std::vector<LightProfile> profiles(content.profiles.begin(), content.profiles.end());
+  std::vector<float> data(content.profile_data.begin(), content.profile_data.end());
   const auto first_profile = static_cast<uint>(profiles.size()), first_value = static_cast<uint>(data.size());
   for (LightProfile profile : traffic.profiles.profiles) {
     profile.data_offset += first_value;
@@ -50,19 +62,12 @@ void put_traffic(const std::filesystem::path& source, const std::filesystem::pat
   data.insert(data.end(), traffic.profiles.data.begin(), traffic.profiles.data.end());
   std::vector<Light> lights = traffic.vehicle_lights;
   for (Light& light : lights) light.kind_profile += first_profile << 8;
-  LightFileContent content;
-  content.georeference = file.georeference();
-  content.lights = file.lights();
-  content.provenance = file.provenance();
   content.profiles = profiles;
   content.profile_data = data;
-  content.schedules = file.schedules();
-  content.switches = file.switches();
-  if (!traffic.trips.empty()) {
-    content.traffic = traffic.content();
-    content.traffic.vehicle_lights = lights;
-  }
-  write_light_file(target, content);
+  content.traffic = traffic.trips.empty() ? TrafficContent{} : traffic.content();
+  content.traffic.vehicle_lights =
+      traffic.trips.empty() ? std::span<const Light>() : std::span<const Light>(lights);
+  write_light_file(path, content);
 }
 
 void add_vehicle_models(SceneWriter& writer, const traffic::TrafficSet& traffic, double t) {

@@ -18,10 +18,13 @@ traffic::TrafficSet make_city_traffic(const Recipe& recipe, const OsmData& osm, 
                                       const Terrain& terrain, const Georeference& georeference,
                                       const ProgressSink& progress);
 
-/// Writes `source` with this traffic in place of any it has to `target`; the two may be one file. Throws
+/// All that a light file holds, to be written again; spans into `file`.
+LightFileContent content_of(const LightFile& file);
+
+/// Writes `content` with this traffic in place of any it has. It may lie in the file that is replaced. Throws
 /// Error.
-void put_traffic(const std::filesystem::path& source, const std::filesystem::path& target,
-                 const traffic::TrafficSet& traffic);
+void write_with_traffic(const std::filesystem::path& path, LightFileContent content,
+                        const traffic::TrafficSet& traffic);
 
 /// Bodies of the kinds of vehicle that drive, as nodes of kind "vehicle", standing where they are at `t`
 /// seconds since noon, or where their first drive begins when none is on the road.

@@ -13,5 +13,6 @@ void add_run_command(CLI::App& app);
 void add_inspect_command(CLI::App& app);
 void add_town_command(CLI::App& app);
 void add_layout_command(CLI::App& app);
+void add_traffic_command(CLI::App& app);
 
 }  // namespace nightcity

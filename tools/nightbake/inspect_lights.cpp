@@ -1,4 +1,5 @@
 #include <array>
+#include <glm/geometric.hpp>
 #include <map>
 
 #include "formats/light_file.h"
@@ -39,6 +40,35 @@ const char* name_of(ValueSource source) {
   return "unknown";
 }
 
+/// What drives: kinds and trips, and how many are on the road on average in each hour of the night.
+Inspection inspect_traffic(const TrafficContent& traffic) {
+  std::map<std::string, std::size_t> lamps;
+  for (const Light& light : traffic.vehicle_lights) ++lamps[name_of(static_cast<LightFamily>(light.id))];
+  double metres = 0, seconds = 0;
+  std::size_t brakings = 0;
+  std::array<double, 24> on_road{};
+  for (const Trip& trip : traffic.trips) {
+    const auto knots = traffic.knots.subspan(trip.first_knot, trip.knot_count);
+    const double duration = double{knots.back().time_s};
+    seconds += duration;
+    for (std::size_t hour = 0; hour < on_road.size(); ++hour)
+      if (traffic.cycle.density[hour] > trip.rank) on_road[hour] += duration / double{traffic.cycle.cycle_s};
+    for (std::size_t n = 1; n < knots.size(); ++n) {
+      metres += double{glm::distance(knots[n].position, knots[n - 1].position)};
+      brakings += (knots[n].pose & KNOT_BRAKING) != 0 && (knots[n - 1].pose & KNOT_BRAKING) == 0;
+    }
+  }
+  return {{"cycle_s", traffic.cycle.cycle_s},
+          {"vehicle_kinds", traffic.vehicles.size()},
+          {"vehicle_lights", lamps},
+          {"trips", traffic.trips.size()},
+          {"knots", traffic.knots.size()},
+          {"km_a_cycle", metres / 1000},
+          {"mean_speed_m_s", seconds > 0 ? metres / seconds : 0},
+          {"brakings_a_cycle", brakings},
+          {"vehicles_by_hour_from_noon", on_road}};
+}
+
 }  // namespace
 
 Inspection inspect_lights(const std::filesystem::path& file) {
@@ -75,6 +105,8 @@ Inspection inspect_lights(const std::filesystem::path& file) {
   result["profiles"] = lights.profiles().size();
   result["scheduled"] = scheduled;
   result["value_sources"] = sources;
+  if (const TrafficContent traffic = lights.traffic(); !traffic.trips.empty())
+    result["traffic"] = inspect_traffic(traffic);
   result["sources"] = geo.sources;
   result["licences"] = geo.licences;
   return result;

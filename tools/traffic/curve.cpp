@@ -112,7 +112,22 @@ PlanLine shifted(const PlanLine& line, double right_m) {
     while (result.size() > 1 && turns_back(moved)) result.pop_back();
     if (result.empty() || !turns_back(moved)) add_point(result, moved);
   }
-  return result;
+  // A bend cut short leaves directions that its points no longer bear out: they are taken from the
+  // neighbours.
+  for (std::size_t n = 0; result.size() > 1 && n < result.size(); ++n) {
+    const std::size_t a = n == 0 ? 0 : n - 1, b = std::min(n + 1, result.size() - 1);
+    const dvec2 in = glm::normalize(result[std::max<std::size_t>(n, 1)].point - result[a == n ? 0 : a].point);
+    const dvec2 out = glm::normalize(result[b].point - result[b == n ? n - 1 : n].point);
+    PlanPoint& here = result[n];
+    const double off =
+        std::max(std::abs(angle_between(here.along, in)), std::abs(angle_between(here.along, out)));
+    if (off > bend_step_radians && glm::length(in + out) > 0.1) here.along = glm::normalize(in + out);
+  }
+  if (result.size() > 1) return result;
+  // Nothing left between the bends: straight from end to end.
+  const auto end = [&](const PlanPoint& p) { return p.point + dvec2(p.along.y, -p.along.x) * right_m; };
+  const dvec2 from = end(line.front()), along = line.front().along;
+  return {{from, along}, {from + along * std::max(glm::dot(end(line.back()) - from, along), 0.1), along}};
 }
 
 PlanLine turn_between(const PlanPoint& from, const PlanPoint& to) {

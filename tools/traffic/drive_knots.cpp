@@ -73,15 +73,23 @@ class KnotFitter {
       const double s0 = double{drive.distance_m[n]}, s1 = double{drive.distance_m[n + 1]};
       const double v0 = double{drive.speed_m_s[n]}, v1 = double{drive.speed_m_s[n + 1]};
       const Curve::Place after = path.at(s1);
-      const double turn = std::remainder(
-          std::atan2(after.along.y, after.along.x) - std::atan2(before.along.y, before.along.x), 2 * pi);
-      const int parts = std::abs(turn) > quick_turn ? 8 : 2;
-      for (int k = 0; k < parts; ++k) {
-        // Evenly accelerated within a step, as it was driven.
-        const double x = static_cast<double>(k) / parts, v = v0 + (v1 - v0) * x;
+      // Evenly accelerated within a step, as it was driven.
+      const auto at = [&](double x) {
         const double way = v0 + v1 > 0 ? (2 * v0 * x + (v1 - v0) * x * x) / (v0 + v1) : x;
-        moments_.push_back({(static_cast<double>(n) + x) * step_s, v, braking[n],
-                            k == 0 ? before : path.at(s0 + (s1 - s0) * way)});
+        return path.at(s0 + (s1 - s0) * way);
+      };
+      const auto heading = [](const Curve::Place& place) { return std::atan2(place.along.y, place.along.x); };
+      const Curve::Place middle = at(0.5);
+      const double turn = std::max(std::abs(std::remainder(heading(middle) - heading(before), 2 * pi)),
+                                   std::abs(std::remainder(heading(after) - heading(middle), 2 * pi)));
+      const glm::dvec3 hermite =
+          (before.point + after.point) / 2.0 + (before.along * v0 - after.along * v1) * (step_s / 8);
+      const bool rough = turn > quick_turn || glm::distance(hermite, middle.point) > tolerance.position_m / 2;
+      const int parts = rough ? 8 : 2;
+      for (int k = 0; k < parts; ++k) {
+        const double x = static_cast<double>(k) / parts;
+        moments_.push_back(
+            {(static_cast<double>(n) + x) * step_s, v0 + (v1 - v0) * x, braking[n], k == 0 ? before : at(x)});
       }
       before = after;
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -14,6 +15,7 @@ using glm::dvec2;
 
 constexpr double corner_deviation_m = 1.0;  // how far the driven line may leave the mapped one in a bend
 constexpr double corner_m = 2.5;            // between a junction's corner and where its turns begin
+constexpr double bend_radius_m = 4.5;       // where a street bends at a node between two ways
 constexpr double half_axle_m = 1.4;  // a vehicle stands on two axles this far before and behind its middle
 constexpr double slowest_m_s = 1.5;  // in the tightest bend
 
@@ -66,7 +68,8 @@ double LinkNetwork::setback(std::size_t edge, bool at_start) const {
       const double bend = std::numbers::pi - angle;
       const double aside = std::abs(own.lane_offset(0, graph_.side) - other.lane_offset(0, graph_.side)) +
                            (own.lanes != other.lanes ? 1.5 : 0);
-      result = std::max({result, 2 * corner_deviation_m / std::max(std::sin(bend / 2), 0.1), 5 * aside});
+      result = std::max({result, 2 * corner_deviation_m / std::max(std::sin(bend / 2), 0.1),
+                         bend_radius_m * std::tan(std::min(bend, 2.4) / 2), 5 * aside});
     } else if (angle < 2.6) {
       const double least = std::max(angle, 0.25);
       const double clear = (other.half_width_m + own.half_width_m * std::max(std::cos(least), 0.0)) /
@@ -181,6 +184,21 @@ Movement LinkNetwork::movement(std::size_t edge, std::size_t next_edge) const {
       angle_between(end_direction(graph_.edges[edge]), start_direction(graph_.edges[next_edge]));
   if (std::abs(angle) < 0.6) return Movement::straight;
   return angle > 0 ? Movement::left : Movement::right;
+}
+
+double LinkNetwork::turn_radius(std::size_t edge, std::size_t next_edge) const {
+  const auto lane_end = [&](std::size_t e, double s) {
+    const Middle& middle = middles_[e];
+    const PlanLine piece = trimmed(middle.line, s - 0.05, s + 0.05);
+    const dvec2 along = piece.front().along;
+    return PlanPoint{
+        piece.front().point + dvec2(along.y, -along.x) * graph_.edges[e].lane_offset(0, graph_.side), along};
+  };
+  const PlanPoint from = lane_end(edge, middles_[edge].end),
+                  to = lane_end(next_edge, middles_[next_edge].begin);
+  const double turn = std::abs(angle_between(from.along, to.along));
+  if (turn < 0.3) return std::numeric_limits<double>::infinity();
+  return glm::distance(from.point, to.point) / (2 * std::sin(turn / 2));
 }
 
 /// Roundabout before approach, main before minor road; on equal roads oncoming traffic before a turn across

@@ -13,6 +13,7 @@ constexpr double parking_margin_m =
     28;                              // from a junction to where one pulls out: room for the others to brake
 constexpr double stop_margin_m = 8;  // from where one stops to the next junction
 constexpr double kerb_gap_m = 0.25;
+constexpr double tightest_m = 2.2, tightest_large_m = 5;  // turns: what a steering wheel can do
 
 /// Picks by weight; constant memory, logarithmic time.
 class WeightedChoice {
@@ -131,6 +132,7 @@ class RouteMaker {
     for (const std::size_t e : node.out) {
       const RoadEdge& out = graph_.edges[e];
       if (e == graph_.edges[edge].opposite || (large && !out.road->large_vehicles)) continue;
+      if (network_.turn_radius(edge, e) < (large ? tightest_large_m : tightest_m)) continue;
       options.push_back(e);
       choice.add(flow(out) * lack(out) * (network_.movement(edge, e) == Movement::straight ? 2.5 : 1));
     }

@@ -74,6 +74,22 @@ draco_tolerance_m = 0.001
   EXPECT_EQ(recipe.output.draco_tolerance_m, 0.001);
 }
 
+TEST(Recipe, TrafficDrivesWhereItsTableIsThere) {
+  const TempFolder folder;
+  const std::string files = "[city]\nfiles = 'a.gml'\n";
+  EXPECT_FALSE(read(folder, files).traffic.drives);
+  EXPECT_TRUE(read(folder, files + "[traffic]\n").traffic.drives);
+  EXPECT_FALSE(read(folder, files + "[traffic]\ndrives = false\n").traffic.drives);
+  const Recipe recipe =
+      read(folder, files + "[traffic]\nper_km = 2.5\ncycle_s = 300\nside = 'left'\nseed = 4\n");
+  EXPECT_EQ(recipe.traffic.options.per_km, 2.5);
+  EXPECT_EQ(recipe.traffic.options.cycle_s, 300);
+  EXPECT_EQ(recipe.traffic.options.side, traffic::Side::left);
+  EXPECT_EQ(recipe.traffic.options.seed, 4u);
+  for (const char* wrong : {"side = 'up'", "cycle_s = 5", "vehicles = -1", "hours = [1.0]", "speed = 3"})
+    EXPECT_THROW(read(folder, files + "[traffic]\n" + wrong + "\n"), UsageError) << wrong;
+}
+
 TEST(Recipe, AFolderStandsForItsCityFilesInTheOrderOfTheirNames) {
   const TempFolder folder;
   std::filesystem::create_directory(folder / "tiles");
