@@ -68,6 +68,7 @@ class SceneBuilder {
   }
 
   Scene& scene() { return scene_; }
+  const Scene& scene() const { return scene_; }
   RenderScene with(std::vector<Light> lights) const {
     return make_render_scene(scene_, {std::move(lights), {}, {}, {}});
   }
@@ -83,6 +84,16 @@ inline std::vector<Light> under_open_sky(const SceneBuilder& builder, std::vecto
     return brute_force_hit(scene, glm::dvec3(light.position), {0.0, 1.0, 0.0}, 1e30, MASK_SHADOW).has_value();
   });
   return lights;
+}
+
+/// Three boxes on a plane, with room between them for lamps and a wall (z = -10) for windows.
+inline SceneBuilder boxes_on_a_plane() {
+  SceneBuilder builder;
+  builder.ground(40)
+      .box({-3, 0, -3}, {-1, 4, 2})
+      .box({2, 0, -2}, {4, 2.5f, 4})
+      .box({-8, 0, -12}, {8, 6, -10});
+  return builder;
 }
 
 /// A ground with `count` boxes of 5 to 20 m in a square of half side `half`, seeded.

@@ -1,0 +1,127 @@
+#include "runtime/measure/significance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "formats/error.h"
+#include "shaders/tonemap.glsl.h"
+
+namespace nightcity {
+namespace {
+
+// Continued fraction of the incomplete beta function (DLMF 8.17.22), by the modified Lentz algorithm;
+// converges fast for x < (a + 1) / (a + b + 2).
+double beta_fraction(double a, double b, double x) {
+  constexpr double tiny = 1e-300;
+  double c = 1, d = 1 - (a + b) * x / (a + 1);
+  d = 1 / (std::abs(d) < tiny ? tiny : d);
+  double value = d;
+  for (int m = 1; m < 500; ++m) {
+    const double k = m;
+    for (const double step : {k * (b - k) * x / ((a + 2 * k - 1) * (a + 2 * k)),
+                              -(a + k) * (a + b + k) * x / ((a + 2 * k) * (a + 2 * k + 1))}) {
+      d = 1 + step * d;
+      d = 1 / (std::abs(d) < tiny ? tiny : d);
+      c = 1 + step / c;
+      c = std::abs(c) < tiny ? tiny : c;
+      value *= c * d;
+    }
+    if (std::abs(c * d - 1) < 1e-14) break;
+  }
+  return value;
+}
+
+// Regularised incomplete beta function I_x(a, b).
+double incomplete_beta(double a, double b, double x) {
+  if (x <= 0) return 0;
+  if (x >= 1) return 1;
+  const double front =
+      std::exp(std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) + a * std::log(x) + b * std::log1p(-x));
+  if (x < (a + 1) / (a + b + 2)) return front * beta_fraction(a, b, x) / a;
+  return 1 - front * beta_fraction(b, a, 1 - x) / b;
+}
+
+double freedom_of(double va, double vb, const PictureStatistics& a, const PictureStatistics& b) {
+  const double freedom_a = std::max(1.0, double(a.runs()) - 1),
+               freedom_b = std::max(1.0, double(b.runs()) - 1);
+  return (va + vb) * (va + vb) / (va * va / freedom_a + vb * vb / freedom_b);
+}
+
+}  // namespace
+
+void PictureStatistics::add(const Image& picture) {
+  if (runs_ == 0) {
+    mean_.assign(picture.pixels(), 0);
+    squares_.assign(picture.pixels(), 0);
+  }
+  if (picture.pixels() != mean_.size()) throw Error({}, "the pictures differ in size");
+  ++runs_;
+  double sum = 0;
+  for (std::size_t i = 0; i < mean_.size(); ++i) {
+    const float* rgb = &picture.rgb[3 * i];
+    const double y = double(tonemap::luminance_709(rgb[0], rgb[1], rgb[2]));
+    if (!std::isfinite(y)) throw Error({}, fmt::format("pixel {} is not a finite number", i));
+    const double before = y - mean_[i];
+    mean_[i] += before / runs_;
+    squares_[i] += before * (y - mean_[i]);
+    sum += y;
+  }
+  picture_means_.push_back(sum / double(mean_.size()));
+}
+
+double PictureStatistics::variance_of_mean(std::size_t pixel) const {
+  return runs_ < 2 ? 0.0 : squares_[pixel] / (double(runs_) * (double(runs_) - 1));
+}
+
+double PictureStatistics::picture_mean() const {
+  double sum = 0;
+  for (const double m : picture_means_) sum += m;
+  return sum / double(std::max<std::size_t>(1, picture_means_.size()));
+}
+
+double PictureStatistics::picture_mean_error() const {
+  if (runs_ < 2) return 0;
+  const double mean = picture_mean();
+  double squares = 0;
+  for (const double m : picture_means_) squares += (m - mean) * (m - mean);
+  return std::sqrt(squares / (double(runs_) * (double(runs_) - 1)));
+}
+
+PixelTest test_pixels(const PictureStatistics& a, const PictureStatistics& b, double significance,
+                      double tolerance) {
+  if (a.pixels() != b.pixels()) throw Error({}, "the pictures differ in size");
+  PixelTest test;
+  test.pixels = a.pixels();
+  test.level = sidak_level(significance, test.pixels);
+  const double mean_b = b.picture_mean();
+  for (std::size_t i = 0; i < test.pixels; ++i) {
+    const double allowed = tolerance * (std::abs(b.mean(i)) + std::abs(mean_b));
+    const double difference = std::max(0.0, std::abs(a.mean(i) - b.mean(i)) - allowed);
+    if (difference == 0) continue;
+    const double va = a.variance_of_mean(i), vb = b.variance_of_mean(i);
+    const double p =
+        va + vb > 0 ? student_tails(difference / std::sqrt(va + vb), freedom_of(va, vb, a, b)) : 0.0;
+    if (p < test.level) ++test.rejected;
+    if (p < test.least_p) {
+      test.least_p = p;
+      test.least_pixel = i;
+    }
+  }
+  if (mean_b != 0) {
+    test.relative_mean = a.picture_mean() / mean_b - 1;
+    test.relative_mean_error = std::hypot(a.picture_mean_error(), b.picture_mean_error()) / std::abs(mean_b);
+  }
+  return test;
+}
+
+double student_tails(double t, double freedom) {
+  return incomplete_beta(freedom / 2, 0.5, freedom / (freedom + t * t));
+}
+
+double sidak_level(double significance, std::size_t tests) {
+  return tests == 0 ? significance : -std::expm1(std::log1p(-significance) / double(tests));
+}
+
+}  // namespace nightcity

@@ -1,0 +1,192 @@
+#include "oracle/oracle.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+
+#include "formats/light_file.h"
+#include "oracle/emitter.h"
+
+namespace nightcity::oracle {
+
+// Every triangle of the file in model space: once for the eye, once for shadow rays.
+struct Oracle::Geometry {
+  struct Triangles {
+    std::vector<glm::vec3> corners;  // three a triangle
+    std::vector<std::uint32_t> materials, lights;
+    RTCScene scene = nullptr;
+  };
+  RTCDevice device = rtcNewDevice(nullptr);
+  Triangles seen, casting;
+  std::vector<SceneMaterial> materials;
+
+  ~Geometry() {
+    rtcReleaseScene(seen.scene);
+    rtcReleaseScene(casting.scene);
+    rtcReleaseDevice(device);
+  }
+
+  static void append(Triangles& out, const SceneMesh& mesh, const SceneInstance& instance) {
+    const glm::dmat4 to_model(instance.to_model);
+    for (const ScenePrimitive& primitive : mesh.primitives)
+      for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+          const glm::dvec3 p(primitive.positions[primitive.indices[i + corner]]);
+          out.corners.push_back(glm::vec3(glm::dvec3(to_model * glm::dvec4(p, 1.0))));
+        }
+        const std::uint32_t own =
+            primitive.light_ids.empty() ? no_id : primitive.light_ids[primitive.indices[i]];
+        out.lights.push_back(instance.light != no_id ? instance.light : own);
+        out.materials.push_back(primitive.material);
+      }
+  }
+
+  void commit(Triangles& triangles) {
+    triangles.scene = rtcNewScene(device);
+    rtcSetSceneFlags(triangles.scene, RTC_SCENE_FLAG_ROBUST);  // watertight
+    const std::size_t count = triangles.materials.size();
+    if (count > 0) {
+      RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+      auto* corners = static_cast<float*>(rtcSetNewGeometryBuffer(
+          geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * count));
+      auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+          geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), count));
+      for (std::size_t i = 0; i < 3 * count; ++i) {
+        for (int axis = 0; axis < 3; ++axis) *corners++ = triangles.corners[i][axis];
+        *indices++ = static_cast<std::uint32_t>(i);
+      }
+      rtcCommitGeometry(geometry);
+      rtcAttachGeometry(triangles.scene, geometry);
+      rtcReleaseGeometry(geometry);
+    }
+    rtcCommitScene(triangles.scene);
+  }
+
+  struct Hit {
+    double distance;
+    std::uint32_t triangle;
+  };
+
+  // Along unit `direction`; the distance is computed anew in double from the triangle's plane.
+  std::optional<Hit> first_hit(const glm::dvec3& origin, const glm::dvec3& direction) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRayHit ray{};
+    set_ray(ray.ray, origin, direction, INFINITY);
+    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(seen.scene, &context, &ray);
+    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    const glm::dvec3 a(seen.corners[3 * ray.hit.primID]), n = normal(ray.hit.primID);
+    const double steep = glm::dot(n, direction);
+    const double distance = steep != 0 ? glm::dot(n, a - origin) / steep : double(ray.ray.tfar);
+    return Hit{distance, ray.hit.primID};
+  }
+
+  bool occluded(const glm::dvec3& from, const glm::dvec3& to) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRay ray{};
+    const glm::dvec3 way = to - from;
+    const double length = glm::length(way);
+    // A tenth of a millimetre short of the light: what it is mounted on lies behind it.
+    set_ray(ray, from, way / length, length - 1e-4);
+    rtcOccluded1(casting.scene, &context, &ray);
+    return ray.tfar < 0;
+  }
+
+  glm::dvec3 normal(std::uint32_t triangle) const {
+    const glm::dvec3 a(seen.corners[3 * triangle]), b(seen.corners[3 * triangle + 1]),
+        c(seen.corners[3 * triangle + 2]);
+    return glm::normalize(glm::cross(b - a, c - a));
+  }
+
+ private:
+  static void set_ray(RTCRay& ray, const glm::dvec3& origin, const glm::dvec3& direction, double far) {
+    ray.org_x = float(origin.x), ray.org_y = float(origin.y), ray.org_z = float(origin.z);
+    ray.dir_x = float(direction.x), ray.dir_y = float(direction.y), ray.dir_z = float(direction.z);
+    ray.tnear = 0;
+    ray.tfar = float(far);
+    ray.mask = 0xFFFFFFFFu;
+  }
+};
+
+Oracle::Oracle(const Scene& scene, Lights lights)
+    : geometry_(std::make_unique<Geometry>()), lights_(std::move(lights)) {
+  geometry_->materials = scene.materials;
+  for (const SceneNode& node : scene.nodes)
+    for (const SceneInstance& instance : node.instances) {
+      Geometry::append(geometry_->seen, scene.meshes[node.mesh], instance);
+      if (node.casts_shadow) Geometry::append(geometry_->casting, scene.meshes[node.mesh], instance);
+    }
+  geometry_->commit(geometry_->seen);
+  geometry_->commit(geometry_->casting);
+}
+
+Oracle::~Oracle() = default;
+
+Image Oracle::render(const CameraPose& pose, std::uint32_t width, std::uint32_t height, int strata,
+                     unsigned seed) const {
+  Image image;
+  image.width = width;
+  image.height = height;
+  image.rgb.reserve(3 * image.pixels());
+  image.info.estimator = "oracle";
+  std::mt19937 random(seed);
+  const glm::dvec3 eye(pose.position), forward = glm::normalize(glm::dvec3(pose.target) - eye);
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(pose.up))),
+                   up = glm::cross(right, forward);
+  const double half_height = std::tan(double(pose.fov_deg) / 2 * 3.14159265358979323846 / 180);
+  const double half_width = half_height * width / height;
+  std::vector<LightPoint> points;
+  for (std::uint32_t y = 0; y < height; ++y)
+    for (std::uint32_t x = 0; x < width; ++x) {
+      const double sx = 2 * (x + 0.5) / width - 1, sy = 1 - 2 * (y + 0.5) / height;
+      const glm::dvec3 direction =
+          glm::normalize(forward + right * (sx * half_width) + up * (sy * half_height));
+      glm::dvec3 radiance(0);
+      if (const auto hit = geometry_->first_hit(eye, direction)) {
+        const SceneMaterial& material = geometry_->materials[geometry_->seen.materials[hit->triangle]];
+        const glm::dvec3 place = eye + direction * hit->distance;
+        glm::dvec3 normal = geometry_->normal(hit->triangle);
+        if (glm::dot(normal, direction) > 0) normal = -normal;
+        // Embree works in float: start clear of the surface by what float leaves uncertain there, and 0.1 mm.
+        const double size =
+            std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z), hit->distance});
+        const glm::dvec3 start = place + normal * (1e-4 + 2e-6 * size);
+        glm::dvec3 illuminance(0);
+        for (const Light& light : lights_.lights) {
+          points.clear();
+          append_points(lights_, light, place, strata, random, points);
+          for (const LightPoint& sample : points) {
+            const double cosine = glm::dot(normal, glm::normalize(sample.point - place));
+            if (cosine > 0 && !geometry_->occluded(start, sample.point))
+              illuminance += sample.illuminance * cosine;
+          }
+        }
+        radiance = glm::dvec3(material.base_colour) / 3.14159265358979323846 * illuminance;
+        const std::uint32_t own = geometry_->seen.lights[hit->triangle];
+        const glm::dvec3 emission(material.emission_cd_m2);
+        const bool shines = emission.x + emission.y + emission.z > 0;
+        if (shines && own < lights_.lights.size())
+          radiance += seen_luminance(lights_, lights_.lights[own], -direction);
+        else
+          radiance += emission;
+      }
+      for (int channel = 0; channel < 3; ++channel) image.rgb.push_back(float(radiance[channel]));
+    }
+  return image;
+}
+
+std::unique_ptr<Oracle> load(const std::filesystem::path& glb) {
+  std::filesystem::path beside = glb;
+  const LightFile file = LightFile::open(beside.replace_extension(".lights"));
+  return std::make_unique<Oracle>(read_scene(glb),
+                                  Lights{{file.lights().begin(), file.lights().end()},
+                                         {file.profiles().begin(), file.profiles().end()},
+                                         {file.profile_data().begin(), file.profile_data().end()}});
+}
+
+}  // namespace nightcity::oracle

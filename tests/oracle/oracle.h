@@ -1,0 +1,45 @@
+// Direct light by other code than the renderer's: geometry straight from the scene file, Embree for
+// visibility, light sampling written from SPEC.md in double. What both agree on is not one program's mistake.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <memory>
+#include <vector>
+
+#include "formats/light.h"
+#include "formats/scene_file.h"
+#include "runtime/measure/image.h"
+#include "runtime/scene/camera.h"
+
+namespace nightcity::oracle {
+
+/// What SPEC.md's light file says about light, as far as one moment needs it.
+struct Lights {
+  std::vector<Light> lights;
+  std::vector<LightProfile> profiles;
+  std::vector<float> profile_data;
+};
+
+class Oracle {
+ public:
+  Oracle(const Scene& scene, Lights lights);
+  ~Oracle();
+  Oracle(const Oracle&) = delete;
+  Oracle& operator=(const Oracle&) = delete;
+
+  /// The picture through the pixels' centres, cd/m2: light of every lamp and window reflected by diffuse
+  /// surfaces, and what surfaces emit. Each light is sampled with `strata` x `strata` jittered points;
+  /// another seed gives an independent picture.
+  Image render(const CameraPose& pose, std::uint32_t width, std::uint32_t height, int strata,
+               unsigned seed) const;
+
+ private:
+  struct Geometry;
+  std::unique_ptr<Geometry> geometry_;
+  Lights lights_;
+};
+
+/// The two files of a baked scene: SCENE.glb and SCENE.lights beside it.
+std::unique_ptr<Oracle> load(const std::filesystem::path& glb);
+
+}  // namespace nightcity::oracle

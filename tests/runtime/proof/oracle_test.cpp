@@ -1,0 +1,124 @@
+// The reference against the oracle (tests/oracle): other code, other ray tracer, the same light.
+#include "oracle/oracle.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "runtime/scene/camera.h"
+#include "support/berlin.h"
+#include "support/independent_runs.h"
+#include "support/scenes.h"
+
+namespace nightcity::test {
+namespace {
+
+RenderSettings reference() {
+  RenderSettings settings;
+  settings.estimator = Estimator::reference;
+  settings.jitter = false;  // the oracle looks through the pixels' centres
+  return settings;
+}
+
+PictureStatistics oracle_runs(const oracle::Oracle& oracle, const CameraPose& pose, std::uint32_t side,
+                              std::uint32_t runs, int strata) {
+  PictureStatistics statistics;
+  for (std::uint32_t run = 0; run < runs; ++run) statistics.add(oracle.render(pose, side, side, strata, run));
+  return statistics;
+}
+
+// Normals are stored in 2 x 16 bits, 3e-5 rad off at most, and shadow rays start a little off the surface:
+// systematic differences that matter where light grazes. 0.05 % of the pixel and of the picture's mean are
+// allowed for them.
+constexpr double rounding = 0.0005;
+
+// A pixel whose shadow is cut by an edge finer than floats resolve: one in a thousand, rounded up.
+std::size_t pardoned(const PixelTest& test) {
+  return (test.pixels + 999) / 1000;
+}
+
+void expect_agreement(const PixelTest& test) {
+  EXPECT_NEAR(test.relative_mean, 0.0, 0.002) << "standard error " << test.relative_mean_error;
+  EXPECT_LE(test.rejected, pardoned(test))
+      << "least p " << test.least_p << " in pixel " << test.least_pixel << ", level " << test.level;
+}
+
+PixelTest compare_with_oracle(const RenderScene& scene, const oracle::Oracle& oracle, const CameraPose& pose,
+                              std::uint32_t side, std::uint32_t runs, int strata) {
+  const DeviceScene device_scene(test_device(), scene);
+  Renderer renderer(test_device(), test_passes(), device_scene, side, side);
+  const PictureStatistics ours = independent_runs(renderer, pose, reference(), runs, 4);
+  EXPECT_GT(ours.picture_mean(), 0.0);
+  return test_pixels(ours, oracle_runs(oracle, pose, side, runs, strata), 0.01, rounding);
+}
+
+// The oracle itself: E = I cos / d^2 under one lamp, and the closed form of a uniform sphere.
+TEST(Oracle, OneLampOverAPlaneIsInverseSquareTimesCosine) {
+  SceneBuilder builder(0.4f);
+  builder.ground(100);
+  for (const float radius : {0.0f, 0.05f, 1.0f}) {
+    const oracle::Oracle oracle(builder.scene(), {{lamp({0, 8, 0}, 5000, radius)}, {}, {}});
+    // One pixel, straight down beside the lamp at 3 m from its foot.
+    const Image image = oracle.render({{3, 6, 0}, {3, 0, 0}, {0, 0, -1}, 0.01f}, 1, 1, 32, 1);
+    const double d2 = 9 + 64, cosine = 8 / std::sqrt(d2);
+    const double expected = 0.4 / std::numbers::pi * 5000 / (4 * std::numbers::pi) * cosine / d2;
+    EXPECT_NEAR(luminance(image, 0), expected, 0.001 * expected) << radius;
+  }
+}
+
+// Lamps, a profile, windows and boxes: every kind of light and shadow in a picture small enough to look into.
+SceneLights every_kind_of_light() {
+  SceneLights lights;
+  lights.lights = {lamp({-6, 7, 0}, 6000, 0.3f), lamp({5, 5, 6}, 3000, 0), lamp({0, 9, -6}, 8000, 1.0f),
+                   window({-4.9f, 3, -9.9f}, {0, 0, 1}, 0.6f, 0.9f, 400),
+                   window({9.9f, 2, 0}, {-1, 0, 0}, 2.0f, 0.5f, 900)};
+  lights.lights[1].colour_rgb9e5 = encode_rgb9e5({1.0f, 0.6f, 0.2f});
+  lights.lights[0].kind_profile = LIGHT_SPHERE | 0u << 8;
+  lights.profiles = {{4, 19, 0, 90}};
+  for (int c = 0; c < 4; ++c)
+    for (int g = 0; g < 19; ++g)
+      lights.profile_data.push_back(float((0.2 + 0.1 * c) * std::cos(g * 5 * std::numbers::pi / 180)));
+  return lights;
+}
+
+const CameraPose over_boxes{{-9, 10, 17}, {0, 1, 0}, {0, 1, 0}, 50};
+
+TEST(Reference, EqualsTheOracleOnEveryKindOfLight) {
+  const SceneBuilder builder = boxes_on_a_plane();
+  const SceneLights lights = every_kind_of_light();
+  const oracle::Oracle oracle(builder.scene(), {lights.lights, lights.profiles, lights.profile_data});
+  expect_agreement(
+      compare_with_oracle(make_render_scene(builder.scene(), lights), oracle, over_boxes, 64, 8, 2));
+}
+
+TEST(Reference, EqualsTheOracleInATown) {
+  SceneBuilder town = random_town(120, 50, 11);
+  const std::vector<Light> lights = under_open_sky(town, random_lamps(200, 50, 5));
+  const oracle::Oracle oracle(town.scene(), {lights, {}, {}});
+  const CameraPose pose{{-45, 25, 50}, {0, 2, 0}, {0, 1, 0}, 50};
+  expect_agreement(compare_with_oracle(town.with(lights), oracle, pose, 24, 8, 2));
+}
+
+// A wrong light must not pass: the same scene with one lamp of three dimmed by a fifth.
+TEST(Reference, ADimmedLampIsNoticedByTheOracle) {
+  const SceneBuilder builder = boxes_on_a_plane();
+  SceneLights lights = every_kind_of_light();
+  const oracle::Oracle oracle(builder.scene(), {lights.lights, lights.profiles, lights.profile_data});
+  lights.lights[2].flux_lm *= 0.8f;
+  const PixelTest test =
+      compare_with_oracle(make_render_scene(builder.scene(), lights), oracle, over_boxes, 32, 12, 2);
+  EXPECT_LT(test.relative_mean, -0.005);
+  EXPECT_GT(test.rejected, pardoned(test));
+}
+
+TEST(Reference, EqualsTheOracleInBerlin) {
+  BAKED_BERLIN(berlin, true);
+  const RenderScene scene = load_render_scene(berlin / "city.glb");
+  const auto oracle = oracle::load(berlin / "city.glb");
+  expect_agreement(compare_with_oracle(scene, *oracle, find_camera("overview", scene), 24, 5, 1));
+  expect_agreement(compare_with_oracle(scene, *oracle, find_camera("street", scene), 20, 5, 1));
+}
+
+}  // namespace
+}  // namespace nightcity::test

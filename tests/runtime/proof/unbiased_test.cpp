@@ -1,0 +1,116 @@
+// Every pixel of an estimator's picture against the reference's, over independent runs: an unbiased one
+// differs by noise alone, the paper's 1/M weights do not.
+#include <gtest/gtest.h>
+
+#include "support/berlin.h"
+#include "support/independent_runs.h"
+#include "support/scenes.h"
+
+namespace nightcity::test {
+namespace {
+
+RenderSettings with_estimator(Estimator estimator) {
+  RenderSettings settings;
+  settings.estimator = estimator;
+  settings.jitter = false;
+  settings.candidates = 16;
+  settings.neighbour_radius_px = 8;  // of pictures this small
+  return settings;
+}
+
+struct Place {
+  RenderScene scene;
+  CameraPose pose;
+  std::uint32_t side;
+};
+
+// Passed as Mitsuba 3's renderer tests have it: at a joint level of 1 %, no more than 0.25 % of the pixels
+// may differ.
+constexpr double enough = 0.9975;
+
+struct Verdict {
+  PixelTest pixels;
+  double z = 0;  // of the picture's mean
+};
+
+Verdict judge(const Place& place, Estimator estimator, std::uint32_t runs, std::uint32_t frames) {
+  const DeviceScene device_scene(test_device(), place.scene);
+  Renderer renderer(test_device(), test_passes(), device_scene, place.side, place.side);
+  const PictureStatistics truth =
+      independent_runs(renderer, place.pose, with_estimator(Estimator::reference), 4, 4, 5000);
+  const PictureStatistics ours =
+      independent_runs(renderer, place.pose, with_estimator(estimator), runs, frames);
+  Verdict verdict{test_pixels(ours, truth, 0.01, 1e-4), 0};
+  verdict.z = verdict.pixels.relative_mean / verdict.pixels.relative_mean_error;
+  testing::Test::RecordProperty("rejected", int(verdict.pixels.rejected));
+  std::printf("  %-10s %6.2f %% of %zu pixels pass, mean %+.3f %% +- %.3f %%\n", name_of(estimator),
+              100 * verdict.pixels.passed_share(), verdict.pixels.pixels, 100 * verdict.pixels.relative_mean,
+              100 * verdict.pixels.relative_mean_error);
+  return verdict;
+}
+
+void expect_unbiased(const Place& place, Estimator estimator, std::uint32_t runs = 48,
+                     std::uint32_t frames = 6) {
+  const Verdict verdict = judge(place, estimator, runs, frames);
+  EXPECT_GE(verdict.pixels.passed_share(), enough);
+  EXPECT_LT(std::abs(verdict.z), 4);
+  EXPECT_LT(verdict.pixels.relative_mean_error, 0.01) << "too noisy to tell";
+}
+
+void expect_biased(const Place& place, Estimator estimator, std::uint32_t runs = 48,
+                   std::uint32_t frames = 6) {
+  const Verdict verdict = judge(place, estimator, runs, frames);
+  EXPECT_LT(verdict.pixels.passed_share(), enough);
+  EXPECT_LT(verdict.z, -3);
+}
+
+// Boxes on a plane with lamps and windows: shadows and one-sided lights, where neighbours cannot stand in for
+// each other.
+Place analytic() {
+  const SceneBuilder builder = boxes_on_a_plane();
+  std::vector<Light> lights;
+  for (int i = 0; i < 12; ++i)
+    lights.push_back(lamp({float(i % 4) * 6 - 9, 4.5f, float(i / 4) * 7 - 8.5f}, 4000, 0.2f));
+  for (int i = 0; i < 6; ++i)
+    lights.push_back(window({float(i) * 2 - 5, 3, -9.9f}, {0, 0, 1}, 0.6f, 0.9f, 400));
+  return {builder.with(lights), {{-9, 10, 17}, {0, 1, 0}, {0, 1, 0}, 50}, 32};
+}
+
+Place town() {
+  const SceneBuilder builder = random_town(120, 50, 11);
+  return {builder.with(under_open_sky(builder, random_lamps(150, 50, 5))),
+          {{-45, 25, 50}, {0, 2, 0}, {0, 1, 0}, 50},
+          32};
+}
+
+TEST(Unbiased, TheDefaultOnAnAnalyticScene) {
+  expect_unbiased(analytic(), RenderSettings{}.estimator);
+}
+TEST(Unbiased, TracedOnAnAnalyticScene) {
+  expect_unbiased(analytic(), Estimator::traced);
+}
+TEST(Unbiased, BasicOnAnAnalyticScene) {
+  expect_unbiased(analytic(), Estimator::basic);
+}
+TEST(Unbiased, ThePapersWeightsAreNotOnAnAnalyticScene) {
+  expect_biased(analytic(), Estimator::paper);
+}
+
+TEST(Unbiased, TheDefaultInATown) {
+  expect_unbiased(town(), RenderSettings{}.estimator);
+}
+TEST(Unbiased, ThePapersWeightsAreNotInATown) {
+  expect_biased(town(), Estimator::paper);
+}
+
+TEST(Unbiased, TheDefaultInBerlinAndThePapersWeightsNot) {
+  BAKED_BERLIN(berlin, false);
+  Place place{load_render_scene(berlin / "city.glb"), {}, 32};
+  place.pose = find_camera("street", place.scene);
+  expect_unbiased(place, RenderSettings{}.estimator);
+  expect_unbiased(place, Estimator::traced);
+  expect_biased(place, Estimator::paper);
+}
+
+}  // namespace
+}  // namespace nightcity::test

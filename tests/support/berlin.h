@@ -1,0 +1,33 @@
+// A real place, small: 61 buildings of Berlin and the lamps around them, baked by nightbake as its users do.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "support/data.h"
+#include "support/process.h"
+
+namespace nightcity::test {
+
+/// Bakes into `folder`; false (and a failed test) when nightbake did not do it. `windows`: lit ones too.
+inline bool bake_berlin(const TempFolder& folder, bool windows) {
+  const std::filesystem::path data = std::filesystem::absolute(data_root()) / "berlin";
+  write_text(folder / "berlin.toml",
+             "[city]\nfiles = [\"" + (data / "berlin_open_data_sample_data.citygml").string() +
+                 "\"]\n[osm]\nfiles = [\"" + (data / "berlin_dev_box.osm.pbf").string() +
+                 "\"]\n[windows]\nlit = " + (windows ? "true" : "false") + "\n");
+  const Outcome outcome = run_program(
+      "nightbake", "run '" + (folder / "berlin.toml").string() + "' --out '" + folder.path().string() + "'");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return outcome.exit_code == 0;
+}
+
+}  // namespace nightcity::test
+
+/// Skips the test where the city or the tool that bakes it is absent.
+#define BAKED_BERLIN(folder, windows)                                                     \
+  REAL_DATA(folder##_city, "berlin/berlin_open_data_sample_data.citygml");                \
+  REAL_DATA(folder##_map, "berlin/berlin_dev_box.osm.pbf");                               \
+  if (!std::filesystem::exists(std::filesystem::path(NIGHTCITY_BUILD_DIR) / "nightbake")) \
+    GTEST_SKIP() << "nightbake is not built";                                             \
+  const ::nightcity::test::TempFolder folder;                                             \
+  if (!::nightcity::test::bake_berlin(folder, windows)) return
