@@ -1,0 +1,332 @@
+// Each numerical hazard of DESIGN.md, section 4: a property that holds, and no longer holds once the guard is
+// taken out of the shaders. docs/accuracy.md has the table.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "support/gpu.h"
+#include "support/mutated_shaders.h"
+#include "support/scenes.h"
+
+namespace nightcity::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+const CameraPose looking_down{{0, 30, 0}, {0, 0, 0}, {0, 0, -1}, 40};
+
+RenderSettings with_estimator(Estimator estimator) {
+  RenderSettings settings;
+  settings.estimator = estimator;
+  settings.jitter = false;
+  settings.candidates = 8;
+  settings.neighbour_radius_px = 6;
+  return settings;
+}
+
+struct Shot {
+  RenderScene scene;
+  CameraPose pose = looking_down;
+  RenderSettings settings;
+  std::uint32_t side = 16, frames = 1;
+};
+
+Image taken(PassLibrary& passes, const Shot& shot) {
+  const DeviceScene device_scene(test_device(), shot.scene);
+  Renderer renderer(test_device(), passes, device_scene, shot.side, shot.side);
+  for (std::uint32_t i = 0; i < shot.frames; ++i) renderer.render_frame(shot.pose, shot.settings);
+  return renderer.download();
+}
+
+using Property = std::function<bool(PassLibrary&)>;
+
+// `poison` makes the hazard occur; the property must hold with it, and fail with it and without the guard.
+void expect_guarded(const Property& holds, std::vector<ShaderEdit> guard,
+                    const std::vector<ShaderEdit>& poison = {}) {
+  if (poison.empty()) {
+    EXPECT_TRUE(holds(test_passes())) << "with the guard";
+  } else {
+    const MutatedShaders poisoned(poison);
+    PassLibrary passes(test_device());
+    EXPECT_TRUE(holds(passes)) << "with the hazard and the guard";
+  }
+  guard.insert(guard.end(), poison.begin(), poison.end());
+  const MutatedShaders without(guard);
+  PassLibrary passes(test_device());
+  EXPECT_FALSE(holds(passes)) << "without the guard nothing fails: the test does not bite";
+}
+
+// E = I cos / d^2 of `flux` lumen at (0, 8, 0) over a plane of reflectance 1/2: every pixel within 1 %.
+bool obeys_the_inverse_square_law(const Image& image, double flux) {
+  const auto& points = image.layer("position")->values;
+  for (std::size_t i = 0; i < image.pixels(); ++i) {
+    const double x = double(points[3 * i]), z = double(points[3 * i + 2]), d2 = x * x + z * z + 64;
+    const double expected = 0.5 / pi * flux / (4 * pi) * 8 / std::sqrt(d2) / d2;
+    if (!(std::abs(luminance(image, i) - expected) <= 0.01 * expected)) return false;
+  }
+  return true;
+}
+
+Shot one_lamp(Estimator estimator, float flux = 5000, std::uint32_t frames = 2) {
+  return {SceneBuilder().ground(100).with({lamp({0, 8, 0}, flux)}), looking_down, with_estimator(estimator),
+          16, frames};
+}
+
+Property lamp_law(Estimator estimator, float flux = 5000, std::uint32_t frames = 2) {
+  return [=](PassLibrary& passes) {
+    return obeys_the_inverse_square_law(taken(passes, one_lamp(estimator, flux, frames)), double(flux));
+  };
+}
+
+const ShaderEdit finished_guard{"reservoir.glsl",
+                                "s.target > 0.0 ? normalisation * s.weight_sum / s.target : 0.0",
+                                "normalisation * s.weight_sum / s.target"};
+
+// A target of zero is no sample; a clamped divisor instead would dim whatever is fainter than the clamp.
+TEST(Guard, FaintLightIsNotClampedAway) {
+  expect_guarded(
+      lamp_law(Estimator::pairwise, 1e-5f),
+      {{finished_guard.file, finished_guard.guard, "normalisation * s.weight_sum / max(s.target, 1.0e-8)"}});
+}
+
+// A window lights one side only: on the other every target is zero, W would be 0 / 0.
+TEST(Guard, WhereNoLightReachesThePictureIsBlackAndNotNaN) {
+  const Property dark_half_is_dark = [](PassLibrary& passes) {
+    const Image image =
+        taken(passes, {SceneBuilder().ground(100).with({window({0, 4, 0}, {0, 0, 1}, 1, 1, 500)}),
+                       looking_down, with_estimator(Estimator::ris), 16, 2});
+    const auto& points = image.layer("position")->values;
+    for (std::size_t i = 0; i < image.pixels(); ++i) {
+      if (!std::isfinite(luminance(image, i))) return false;
+      if (double(points[3 * i + 2]) < 0 && luminance(image, i) != 0) return false;
+    }
+    return true;
+  };
+  expect_guarded(
+      dark_half_is_dark,
+      {finished_guard,
+       {"reservoir.glsl", "r.W = finite(W) ? W : 0.0;", "r.W = W;"},
+       {"shade.comp", "reservoir.W > 0.0 && reservoir.light < SCENE.light_count", "reservoir.M > 0.0"},
+       {"accumulate.comp", "if (!(finite(radiance.x)", "if (false && !(finite(radiance.x)"}});
+}
+
+const ShaderEdit poisoned_history{
+    "temporal.comp", "FRAME.reservoirs.at[index] = finished(reuse.selection, normalisation);",
+    "FRAME.reservoirs.at[index] = finished(reuse.selection, normalisation);\n"
+    "  if (FRAME.frame == 2u) FRAME.reservoirs.at[index].W = uintBitsToFloat(0x7FC00000u);"};
+
+// A reservoir that holds no number: emptied when it is loaded, else the history never recovers. Infinite M is
+// the case that no later test of W > 0 catches.
+TEST(Guard, AHistoryThatIsNoNumberIsForgotten) {
+  Shot shot = one_lamp(Estimator::pairwise, 5000, 4);
+  shot.settings.neighbours = 0;
+  shot.settings.accumulate = false;
+  expect_guarded([&](PassLibrary& passes) { return obeys_the_inverse_square_law(taken(passes, shot), 5000); },
+                 {{"reservoir.glsl", "if (!sound) return EMPTY_RESERVOIR;", ""}}, {poisoned_history});
+}
+
+// What is not finite may come from anywhere: none of it may stay in the sum.
+TEST(Guard, OneFrameThatIsNoNumberDoesNotStayInThePicture) {
+  const Property finite_mean = [](PassLibrary& passes) {
+    const Image image = taken(passes, one_lamp(Estimator::ris, 5000, 4));
+    for (const float value : image.rgb)
+      if (!std::isfinite(value) || value == 0) return false;
+    return true;
+  };
+  expect_guarded(
+      finite_mean, {{"accumulate.comp", "if (!(finite(radiance.x)", "if (false && !(finite(radiance.x)"}},
+      {{"shade.comp", "FRAME.radiance.at[index] = Accumulation(radiance,",
+        "if (FRAME.frame == 1u) radiance += uintBitsToFloat(0x7FC00000u);\n  FRAME.radiance.at[index] = "
+        "Accumulation(radiance,"}});
+}
+
+// 80,000 lamps picked uniformly: W is 80,000, and half floats end at 65,504.
+TEST(Guard, WeightsBeyondHalfFloatsAreKept) {
+  std::vector<Light> lights(80000, lamp({0, 8, 0}, 0.0625f));
+  Shot shot{SceneBuilder().ground(100).with(lights), looking_down, with_estimator(Estimator::pairwise), 8, 2};
+  shot.settings.local_share = 0;
+  shot.settings.uniform_share = 1;
+  expect_guarded([&](PassLibrary& passes) { return obeys_the_inverse_square_law(taken(passes, shot), 5000); },
+                 {{"reservoir.glsl", "r.W = finite(W) ? W : 0.0;",
+                   "r.W = unpackHalf2x16(packHalf2x16(vec2(W, 0.0))).x;"}});
+}
+
+// Lamps told apart by their colour, time alone reuses: how many pixels show another lamp 12 frames later?
+TEST(Guard, HistoryFadesThroughTheCapOnM) {
+  std::vector<Light> lights = random_lamps(60, 20, 4);
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    lights[i].colour_rgb9e5 = encode_rgb9e5({1, 0.1f + 0.015f * float(i), 0});
+  Shot shot{SceneBuilder().ground(100).with(lights), looking_down, with_estimator(Estimator::pairwise)};
+  shot.settings.neighbours = 0;
+  shot.settings.history_cap = 4;
+  shot.settings.accumulate = false;
+  const Property lamps_change = [&](PassLibrary& passes) {
+    const DeviceScene device_scene(test_device(), shot.scene);
+    Renderer renderer(test_device(), passes, device_scene, shot.side, shot.side);
+    const auto after = [&](int frames) {
+      for (int i = 0; i < frames; ++i) renderer.render_frame(shot.pose, shot.settings);
+      return renderer.download(false);
+    };
+    const Image a = after(150), b = after(12);
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < 3 * a.pixels(); i += 3)
+      same += std::abs(a.rgb[i] * b.rgb[i + 1] - b.rgb[i] * a.rgb[i + 1]) <= 1e-4f * a.rgb[i] * b.rgb[i + 1];
+    return same < a.pixels() / 2;
+  };
+  expect_guarded(lamps_change,
+                 {{"temporal.comp", "history.M = min(history.M, FRAME.history_cap * canonical.M);", ""}});
+}
+
+// One lamp, a checker of steps: a neighbour on another step is not similar, and must not dilute the weights.
+TEST(Guard, NeighboursThatCannotContributeDoNotCount) {
+  SceneBuilder steps;
+  for (int x = -6; x < 6; ++x)
+    for (int z = -6; z < 6; ++z)
+      steps.ground(0).box({float(x) * 2, -1, float(z) * 2},
+                          {float(x) * 2 + 2, (x + z) % 2 ? 0.0f : -0.9f, float(z) * 2 + 2});
+  const std::vector<Light> lights{lamp({0, 200, 0}, 5e6f)};
+  Shot shot{steps.with(lights), looking_down, with_estimator(Estimator::pairwise), 32, 1};
+  const Image truth = [&] {
+    Shot reference = shot;
+    reference.settings.estimator = Estimator::reference;
+    return taken(test_passes(), reference);
+  }();
+  expect_guarded(
+      [&](PassLibrary& passes) {
+        return std::abs(mean_luminance(taken(passes, shot)) / mean_luminance(truth) - 1) < 0.01;
+      },
+      {{"spatial.comp", "if (!similar(surface, FRAME.surfaces.at[at_index])) continue;",
+        "if (!similar(surface, FRAME.surfaces.at[at_index])) {\n"
+        "      others_M += FRAME.reservoirs.at[at_index].M;\n      continue;\n    }"}});
+}
+
+TEST(Guard, TargetsAreEvaluatedAtTheReceiver) {
+  expect_guarded(
+      lamp_law(Estimator::pairwise, 5000, 4),
+      {{"reuse.glsl", "other.W > 0.0 ? estimator_target(receiver, other.light, other.uv, false) : 0.0;",
+        "other.W > 0.0 ? estimator_target(there, other.light, other.uv, false) : 0.0;"}});
+}
+
+// From behind a wall to before it: what was hidden has no history, least of all the wall's.
+TEST(Guard, WhatWasHiddenHasNoHistory) {
+  SceneBuilder builder;
+  builder.ground(100).box({-8, 0, 4}, {8, 10, 5});
+  const RenderScene scene = builder.with({lamp({0, 8, 0}, 5000)});
+  RenderSettings settings = with_estimator(Estimator::paper);
+  settings.neighbours = 0;
+  settings.accumulate = false;
+  const CameraPose before{{-6, 14, 30}, {0, 0, 0}, {0, 1, 0}, 50},
+      after{{6, 22, 26}, {0, 0, 0}, {0, 1, 0}, 50};
+  const Property no_smear = [&](PassLibrary& passes) {
+    const DeviceScene device_scene(test_device(), scene);
+    Renderer moved(test_device(), passes, device_scene, 48, 48),
+        fresh(test_device(), passes, device_scene, 48, 48);
+    for (int i = 0; i < 8; ++i) moved.render_frame(before, settings);
+    moved.render_frame(after, settings);
+    fresh.render_frame(after, settings);
+    const Image a = moved.download(false), b = fresh.download(false);
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < a.pixels(); ++i)
+      different += std::abs(luminance(a, i) - luminance(b, i)) > 0.02 * luminance(b, i) + 1e-6;
+    return different < a.pixels() / 200;
+  };
+  expect_guarded(no_smear, {{"temporal.comp", "if (!similar(surface, previous_surface)) return;", ""}});
+}
+
+// An index beyond the lights: the sample is dropped. Without the guards the shader reads beyond the buffer,
+// which no test should do, so only the guarded half is run.
+TEST(Guard, ALightIndexOutOfRangeIsDropped) {
+  const MutatedShaders poisoned(
+      {{"temporal.comp", "FRAME.reservoirs.at[index] = finished(reuse.selection, normalisation);",
+        "FRAME.reservoirs.at[index] = finished(reuse.selection, normalisation);\n"
+        "  if (FRAME.frame % 2u == 0u) FRAME.reservoirs.at[index].light = 0x7FFFFFF0u;"}});
+  PassLibrary passes(test_device());
+  Shot shot = one_lamp(Estimator::pairwise, 5000, 5);
+  shot.settings.accumulate = false;
+  for (std::uint32_t frames : {3u, 4u}) {
+    shot.frames = frames;
+    for (const float value : taken(passes, shot).rgb) ASSERT_TRUE(std::isfinite(value));
+  }
+}
+
+// The greatest word a generator can give: times 2^-32 it rounds to 1.0, and no candidate is ever kept.
+TEST(Guard, RandomNumbersStayBelowOne) {
+  expect_guarded(lamp_law(Estimator::ris),
+                 {{"random.glsl", "float(random_uint() >> 8u) * (1.0 / 16777216.0)",
+                   "float(random_uint()) * (1.0 / 4294967296.0)"}},
+                 {{"random.glsl", "return (word >> 22u) ^ word;", "return 0xFFFFFFFFu | word;"}});
+}
+
+// A point lamp 10^-20 m over the ground: d^2 is zero in float. Its size bounds what the ground gets.
+TEST(Guard, AtTheLampItselfLightIsBoundedByItsSize) {
+  Shot shot{SceneBuilder().ground(100).with({lamp({0, 1e-20f, 0}, 5000, 0)}), looking_down,
+            with_estimator(Estimator::reference), 1, 8};
+  const Property bounded = [&](PassLibrary& passes) {
+    const double seen = luminance(taken(passes, shot), 0);
+    return seen > 0 && seen < 0.5 / pi * 5000 / (4 * pi) * 2e6;
+  };
+  expect_guarded(bounded,
+                 {{"lights.glsl", "const float d2 = max(dot(to_centre, to_centre), radius * radius);",
+                   "const float d2 = dot(to_centre, to_centre);"}});
+}
+
+TEST(Guard, AWindowWithoutAreaShinesAsASmallOne) {
+  Light light = window({0, 8, 0}, {0, 0, 1}, 0, 0, 5000);
+  light.axis = {0, -1, 0};
+  light.tangent = {1, 0, 0};
+  const Shot shot{SceneBuilder().ground(100).with({light}), looking_down, with_estimator(Estimator::pairwise),
+                  16, 2};
+  const Property as_a_point = [&](PassLibrary& passes) {
+    const Image image = taken(passes, shot);
+    const auto& points = image.layer("position")->values;
+    for (std::size_t i = 0; i < image.pixels(); ++i) {
+      const double x = double(points[3 * i]), z = double(points[3 * i + 2]), d2 = x * x + z * z + 64;
+      const double expected = 0.5 / pi * 5000 / pi * 64 / d2 / d2;
+      if (!(std::abs(luminance(image, i) - expected) < 0.01 * expected)) return false;
+    }
+    return true;
+  };
+  expect_guarded(as_a_point,
+                 {{"lights.glsl", "(light.flux_lm * cos_light / (PI * d2))",
+                   "(light.flux_lm / (PI * 4.0 * light.radius * light.half_height) * cos_light * 4.0 * "
+                   "light.radius * light.half_height / d2)"}});
+}
+
+// Rays exactly along an axis that run in a plane of a box: 0 * infinity. Mesa's CPU driver forgives it, since
+// its min and max drop NaN; the standard leaves that open, so the property is all that is tested.
+TEST(Guard, RaysInThePlaneOfABoxHit) {
+  SceneBuilder builder;
+  for (int i = -8; i < 8; ++i)
+    builder.quad({float(i), -8, 0}, {float(i) + 1, -8, 0}, {float(i) + 1, 8, 0}, {float(i), 8, 0});
+  const RenderScene scene = builder.with({});
+  const DeviceScene device_scene(test_device(), scene);
+  Renderer renderer(test_device(), test_passes(), device_scene, 1, 1);
+  for (int i = -7; i < 8; ++i)
+    for (const float x : {float(i), std::nextafter(float(i), -99.0f), std::nextafter(float(i), 99.0f)}) {
+      renderer.render_frame({{x, 0.5f, 10}, {x, 0.5f, 0}, {0, 1, 0}, 1}, with_estimator(Estimator::ris));
+      EXPECT_NEAR(renderer.download().layer("depth")->values[0], 10.0f, 1e-4f) << x;
+    }
+}
+
+// A red and a blue lamp in one place, one candidate: in frame 0 of seed 0 half the pixels must take either.
+TEST(Guard, TheFirstFrameOfSeedZeroIsRandom) {
+  std::vector<Light> lights{lamp({0, 8, 0}, 5000), lamp({0, 8, 0}, 5000)};
+  lights[0].colour_rgb9e5 = encode_rgb9e5({1, 0, 0});
+  lights[1].colour_rgb9e5 = encode_rgb9e5({0, 0, 1});
+  Shot shot{SceneBuilder().ground(100).with(lights), looking_down, with_estimator(Estimator::ris), 32, 1};
+  shot.settings.candidates = 1;
+  const Property half_is_red = [&](PassLibrary& passes) {
+    const Image image = taken(passes, shot);
+    double red = 0;
+    for (std::size_t i = 0; i < image.pixels(); ++i) red += image.rgb[3 * i] > 0;
+    return std::abs(red / double(image.pixels()) - 0.5) < 0.08;  // 5 standard deviations
+  };
+  expect_guarded(half_is_red,
+                 {{"random.glsl", "pcg4d(uvec4(pixel, FRAME.frame, FRAME.seed * 16u + stream)).w",
+                   "(pixel.x + pixel.y) * FRAME.frame * (FRAME.seed + stream)"}});
+}
+
+}  // namespace
+}  // namespace nightcity::test
