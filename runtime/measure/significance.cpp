@@ -96,19 +96,26 @@ PixelTest test_pixels(const PictureStatistics& a, const PictureStatistics& b, do
   test.pixels = a.pixels();
   test.level = sidak_level(significance, test.pixels);
   const double mean_b = b.picture_mean();
+  double passed_a = 0, passed_b = 0;
   for (std::size_t i = 0; i < test.pixels; ++i) {
     const double allowed = tolerance * (std::abs(b.mean(i)) + std::abs(mean_b));
     const double difference = std::max(0.0, std::abs(a.mean(i) - b.mean(i)) - allowed);
-    if (difference == 0) continue;
     const double va = a.variance_of_mean(i), vb = b.variance_of_mean(i);
-    const double p =
-        va + vb > 0 ? student_tails(difference / std::sqrt(va + vb), freedom_of(va, vb, a, b)) : 0.0;
-    if (p < test.level) ++test.rejected;
+    double p = 1;
+    if (difference > 0)
+      p = va + vb > 0 ? student_tails(difference / std::sqrt(va + vb), freedom_of(va, vb, a, b)) : 0.0;
+    if (p < test.level) {
+      ++test.rejected;
+    } else {
+      passed_a += a.mean(i);
+      passed_b += b.mean(i);
+    }
     if (p < test.least_p) {
       test.least_p = p;
       test.least_pixel = i;
     }
   }
+  if (passed_b != 0) test.relative_mean_passed = passed_a / passed_b - 1;
   if (mean_b != 0) {
     test.relative_mean = a.picture_mean() / mean_b - 1;
     test.relative_mean_error = std::hypot(a.picture_mean_error(), b.picture_mean_error()) / std::abs(mean_b);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
+#include <optional>
 
 #include "formats/light_file.h"
 #include "oracle/emitter.h"
@@ -158,6 +159,7 @@ Image Oracle::render(const CameraPose& pose, std::uint32_t width, std::uint32_t 
         const glm::dvec3 start = place + normal * (1e-4 + 2e-6 * size);
         glm::dvec3 illuminance(0);
         for (const Light& light : lights_.lights) {
+          if (light.flux_lm <= 0) continue;
           points.clear();
           append_points(lights_, light, place, strata, random, points);
           for (const LightPoint& sample : points) {
@@ -180,13 +182,23 @@ Image Oracle::render(const CameraPose& pose, std::uint32_t width, std::uint32_t 
   return image;
 }
 
-std::unique_ptr<Oracle> load(const std::filesystem::path& glb) {
+std::unique_ptr<Oracle> load(const std::filesystem::path& glb, double time_s) {
   std::filesystem::path beside = glb;
   const LightFile file = LightFile::open(beside.replace_extension(".lights"));
-  return std::make_unique<Oracle>(read_scene(glb),
-                                  Lights{{file.lights().begin(), file.lights().end()},
-                                         {file.profiles().begin(), file.profiles().end()},
-                                         {file.profile_data().begin(), file.profile_data().end()}});
+  Lights lights{{file.lights().begin(), file.lights().end()},
+                {file.profiles().begin(), file.profiles().end()},
+                {file.profile_data().begin(), file.profile_data().end()}};
+  for (Light& light : lights.lights) {
+    if (light.schedule == LIGHT_ALWAYS_ON) continue;
+    // SPEC.md 3.6: on where the number of switch times up to now is odd. Indices stay: geometry refers to
+    // them.
+    const Schedule& schedule = file.schedules()[light.schedule];
+    bool on = false;
+    for (std::uint32_t i = 0; i < schedule.count; ++i)
+      on ^= double(file.switches()[schedule.first + i]) <= time_s;
+    if (!on) light.flux_lm = 0;
+  }
+  return std::make_unique<Oracle>(read_scene(glb), std::move(lights));
 }
 
 }  // namespace nightcity::oracle

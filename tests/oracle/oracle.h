@@ -2,6 +2,7 @@
 // visibility, light sampling written from SPEC.md in double. What both agree on is not one program's mistake.
 #pragma once
 
+#include <filesystem>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <vector>
@@ -39,7 +40,8 @@ class Oracle {
   Lights lights_;
 };
 
-/// The two files of a baked scene: SCENE.glb and SCENE.lights beside it.
-std::unique_ptr<Oracle> load(const std::filesystem::path& glb);
+/// The two files of a baked scene, SCENE.glb and SCENE.lights beside it, with the lights that shine `time_s`
+/// seconds after noon. Vehicles are left out.
+std::unique_ptr<Oracle> load(const std::filesystem::path& glb, double time_s);
 
 }  // namespace nightcity::oracle

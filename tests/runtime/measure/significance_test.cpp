@@ -65,6 +65,7 @@ TEST(Significance, AShiftedColumnIsFoundAndOnlyIt) {
   EXPECT_GT(test.rejected, side / 2);
   EXPECT_LE(test.rejected, side);
   EXPECT_EQ(test.least_pixel % side, 0u);
+  EXPECT_LT(std::abs(test.relative_mean_passed), test.relative_mean);
 }
 
 TEST(Significance, WithinTheToleranceNothingDiffers) {

@@ -34,7 +34,7 @@ struct Shot {
 };
 
 Image taken(PassLibrary& passes, const Shot& shot) {
-  const DeviceScene device_scene(test_device(), shot.scene);
+  DeviceScene device_scene(test_device(), shot.scene);
   Renderer renderer(test_device(), passes, device_scene, shot.side, shot.side);
   for (std::uint32_t i = 0; i < shot.frames; ++i) renderer.render_frame(shot.pose, shot.settings);
   return renderer.download();
@@ -163,7 +163,7 @@ TEST(Guard, HistoryFadesThroughTheCapOnM) {
   shot.settings.history_cap = 4;
   shot.settings.accumulate = false;
   const Property lamps_change = [&](PassLibrary& passes) {
-    const DeviceScene device_scene(test_device(), shot.scene);
+    DeviceScene device_scene(test_device(), shot.scene);
     Renderer renderer(test_device(), passes, device_scene, shot.side, shot.side);
     const auto after = [&](int frames) {
       for (int i = 0; i < frames; ++i) renderer.render_frame(shot.pose, shot.settings);
@@ -220,7 +220,7 @@ TEST(Guard, WhatWasHiddenHasNoHistory) {
   const CameraPose before{{-6, 14, 30}, {0, 0, 0}, {0, 1, 0}, 50},
       after{{6, 22, 26}, {0, 0, 0}, {0, 1, 0}, 50};
   const Property no_smear = [&](PassLibrary& passes) {
-    const DeviceScene device_scene(test_device(), scene);
+    DeviceScene device_scene(test_device(), scene);
     Renderer moved(test_device(), passes, device_scene, 48, 48),
         fresh(test_device(), passes, device_scene, 48, 48);
     for (int i = 0; i < 8; ++i) moved.render_frame(before, settings);
@@ -232,7 +232,7 @@ TEST(Guard, WhatWasHiddenHasNoHistory) {
       different += std::abs(luminance(a, i) - luminance(b, i)) > 0.02 * luminance(b, i) + 1e-6;
     return different < a.pixels() / 200;
   };
-  expect_guarded(no_smear, {{"temporal.comp", "if (!similar(surface, previous_surface)) return;", ""}});
+  expect_guarded(no_smear, {{"temporal.comp", "if (!similar(expected, previous_surface)) return;", ""}});
 }
 
 // An index beyond the lights: the sample is dropped. Without the guards the shader reads beyond the buffer,
@@ -301,7 +301,7 @@ TEST(Guard, RaysInThePlaneOfABoxHit) {
   for (int i = -8; i < 8; ++i)
     builder.quad({float(i), -8, 0}, {float(i) + 1, -8, 0}, {float(i) + 1, 8, 0}, {float(i), 8, 0});
   const RenderScene scene = builder.with({});
-  const DeviceScene device_scene(test_device(), scene);
+  DeviceScene device_scene(test_device(), scene);
   Renderer renderer(test_device(), test_passes(), device_scene, 1, 1);
   for (int i = -7; i < 8; ++i)
     for (const float x : {float(i), std::nextafter(float(i), -99.0f), std::nextafter(float(i), 99.0f)}) {

@@ -33,24 +33,32 @@ PictureStatistics oracle_runs(const oracle::Oracle& oracle, const CameraPose& po
 // allowed for them.
 constexpr double rounding = 0.0005;
 
-// A pixel whose shadow is cut by an edge finer than floats resolve: one in a thousand, rounded up.
+// A pixel whose ray or shadow is cut by an edge finer than floats resolve: one in a thousand, rounded up. It
+// has no say in the mean: a window that one of the two just misses outshines the rest of a small picture.
 std::size_t pardoned(const PixelTest& test) {
   return (test.pixels + 999) / 1000;
 }
 
 void expect_agreement(const PixelTest& test) {
-  EXPECT_NEAR(test.relative_mean, 0.0, 0.002) << "standard error " << test.relative_mean_error;
+  EXPECT_NEAR(test.relative_mean_passed, 0.0, 0.002) << "standard error " << test.relative_mean_error;
   EXPECT_LE(test.rejected, pardoned(test))
       << "least p " << test.least_p << " in pixel " << test.least_pixel << ", level " << test.level;
 }
 
 PixelTest compare_with_oracle(const RenderScene& scene, const oracle::Oracle& oracle, const CameraPose& pose,
                               std::uint32_t side, std::uint32_t runs, int strata) {
-  const DeviceScene device_scene(test_device(), scene);
+  DeviceScene device_scene(test_device(), scene);
   Renderer renderer(test_device(), test_passes(), device_scene, side, side);
   const PictureStatistics ours = independent_runs(renderer, pose, reference(), runs, 4);
   EXPECT_GT(ours.picture_mean(), 0.0);
-  return test_pixels(ours, oracle_runs(oracle, pose, side, runs, strata), 0.01, rounding);
+  const PictureStatistics truth = oracle_runs(oracle, pose, side, runs, strata);
+  const PixelTest test = test_pixels(ours, truth, 0.01, rounding);
+  std::printf(
+      "  mean %+.3f %% +- %.3f %%; %zu of %zu pixels rejected, the worst %.4g cd/m2 where the oracle has "
+      "%.4g\n",
+      100 * test.relative_mean_passed, 100 * test.relative_mean_error, test.rejected, test.pixels,
+      ours.mean(test.least_pixel), truth.mean(test.least_pixel));
+  return test;
 }
 
 // The oracle itself: E = I cos / d^2 under one lamp, and the closed form of a uniform sphere.
@@ -112,12 +120,19 @@ TEST(Reference, ADimmedLampIsNoticedByTheOracle) {
   EXPECT_GT(test.rejected, pardoned(test));
 }
 
-TEST(Reference, EqualsTheOracleInBerlin) {
+TEST(Reference, EqualsTheOracleAmongTheLampsOfBerlin) {
+  BAKED_BERLIN(berlin, false);
+  const RenderScene scene = load_render_scene(berlin / "city.glb");
+  const auto oracle = oracle::load(berlin / "city.glb", reference().time_s);
+  expect_agreement(compare_with_oracle(scene, *oracle, find_camera("street", scene), 24, 8, 2));
+}
+
+// Four thousand lit windows too: few pixels.
+TEST(Reference, EqualsTheOracleAmongTheWindowsOfBerlin) {
   BAKED_BERLIN(berlin, true);
   const RenderScene scene = load_render_scene(berlin / "city.glb");
-  const auto oracle = oracle::load(berlin / "city.glb");
-  expect_agreement(compare_with_oracle(scene, *oracle, find_camera("overview", scene), 24, 5, 1));
-  expect_agreement(compare_with_oracle(scene, *oracle, find_camera("street", scene), 20, 5, 1));
+  const auto oracle = oracle::load(berlin / "city.glb", reference().time_s);
+  expect_agreement(compare_with_oracle(scene, *oracle, find_camera("overview", scene), 12, 5, 1));
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ struct Verdict {
 };
 
 Verdict judge(const Place& place, Estimator estimator, std::uint32_t runs, std::uint32_t frames) {
-  const DeviceScene device_scene(test_device(), place.scene);
+  DeviceScene device_scene(test_device(), place.scene);
   Renderer renderer(test_device(), test_passes(), device_scene, place.side, place.side);
   const PictureStatistics truth =
       independent_runs(renderer, place.pose, with_estimator(Estimator::reference), 4, 4, 5000);
