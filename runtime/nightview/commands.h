@@ -15,5 +15,8 @@ void add_compare_command(CLI::App& app);
 void add_bench_command(CLI::App& app);
 void add_upward_command(CLI::App& app);
 void add_devices_command(CLI::App& app);
+void add_sweep_command(CLI::App& app);
+void add_flight_command(CLI::App& app);
+void add_strategies_command(CLI::App& app);
 
 }  // namespace nightcity

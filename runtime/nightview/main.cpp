@@ -64,6 +64,9 @@ int run(int argc, char** argv) {
   add_bench_command(app);
   add_upward_command(app);
   add_devices_command(app);
+  add_sweep_command(app);
+  add_flight_command(app);
+  add_strategies_command(app);
 
   try {
     std::vector<std::string> arguments = with_default_command(app, argc, argv);

@@ -1,0 +1,27 @@
+// Scatter plots with logarithmic axes, as SVG.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace nightcity {
+
+struct PlotPoint {
+  double x, y;        // points that are not positive and finite are left out
+  std::string label;  // shown when the pointer rests on it
+};
+
+struct PlotSeries {
+  std::string name;
+  std::vector<PlotPoint> points;  // joined by a line in this order
+};
+
+struct Plot {
+  std::string title, x_label, y_label;
+  std::vector<PlotSeries> series;
+};
+
+/// A picture of its own, 760 x 480: axes with 1-2-5 ticks, one colour a series, a legend.
+std::string to_svg(const Plot& plot);
+
+}  // namespace nightcity

@@ -1,0 +1,73 @@
+// Error against cost: pictures of one scene, measured against its reference. What sweep, flight and
+// strategies share.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/measure/metrics.h"
+#include "runtime/render/renderer.h"
+
+namespace nightcity {
+
+/// Of a mean of frames; where there were repeats, means over them.
+struct Measurement {
+  std::uint32_t frames = 0;
+  double ms = 0;  // median of the frames' GPU time
+  double rmse8 = 0, relative_mse = 0, mean_signed_error = 0, relative_mean_signed_error = 0, fireflies = 0;
+};
+
+/// Milliseconds of all passes of the renderer's last frame, by the device's clock.
+double gpu_ms(const Renderer& renderer);
+
+double median(std::vector<double> values);
+
+class Experiment {
+ public:
+  struct Options {
+    std::string device;  // as --device
+    bool validation = false;
+    std::uint32_t width = 640, height = 360;
+  };
+  /// Throws Error where there is no device, or its queue has no timestamps.
+  Experiment(RenderScene scene, const Options& options);
+
+  const RenderScene& scene() const { return scene_; }
+  const std::string& device_name() const { return device_->info().name; }
+  /// Throws Error where the validation layer found fault.
+  void check_validation() const;
+
+  /// The mean of `frames` frames with every light. `cache`, where not empty, is read when it exists and holds
+  /// as many frames, else written; so it must be named after scene and view. `progress` is told the frames
+  /// done.
+  Image reference(const CameraPose& pose, RenderSettings settings, std::uint32_t frames,
+                  const std::filesystem::path& cache,
+                  const std::function<void(std::uint32_t)>& progress = {});
+
+  /// Pictures of `repeats` seeds, each after `warm_up` frames that fill the history, taken at every count of
+  /// `frames` (ascending) and compared with `truth`.
+  std::vector<Measurement> measure(const CameraPose& pose, RenderSettings settings, const Image& truth,
+                                   const std::vector<std::uint32_t>& frames, std::uint32_t warm_up,
+                                   std::uint32_t repeats);
+
+  Renderer& renderer() { return *renderer_; }
+
+ private:
+  RenderScene scene_;
+  std::unique_ptr<gpu::Device> device_;
+  std::unique_ptr<DeviceScene> device_scene_;
+  std::unique_ptr<PassLibrary> passes_;
+  std::unique_ptr<Renderer> renderer_;
+};
+
+/// Changes whenever a scene's files do: 16 hexadecimal digits over the bytes of SCENE.glb and SCENE.lights.
+std::string scene_fingerprint(const std::filesystem::path& glb);
+
+/// 8 hexadecimal digits of a camera.
+std::string pose_fingerprint(const CameraPose& pose);
+
+}  // namespace nightcity

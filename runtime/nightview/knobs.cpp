@@ -1,0 +1,67 @@
+#include "runtime/nightview/knobs.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "formats/error.h"
+
+namespace nightcity {
+namespace {
+
+template <auto member, int least, int most>
+void number(RenderSettings& settings, const Knob& knob, const std::string& word) {
+  auto value = settings.*member;
+  const char* end = word.data() + word.size();
+  const auto [rest, error] = std::from_chars(word.data(), end, value);
+  if (error != std::errc() || rest != end || !(double(value) >= least) || !(double(value) <= most))
+    throw UsageError(std::string("--") + knob.name,
+                     fmt::format("'{}' is not a number from {} to {}", word, least, most));
+  settings.*member = value;
+}
+
+template <bool RenderSettings::*member>
+void yes_or_no(RenderSettings& settings, const Knob& knob, const std::string& word) {
+  if (word != "yes" && word != "no")
+    throw UsageError(std::string("--") + knob.name, "'" + word + "' is neither yes nor no");
+  settings.*member = word == "yes";
+}
+
+void estimator(RenderSettings& settings, const Knob&, const std::string& word) {
+  settings.estimator = estimator_from_name(word);
+}
+
+using S = RenderSettings;
+
+}  // namespace
+
+const std::vector<Knob>& knobs() {
+  static const std::vector<Knob> all{
+      {"estimator", "Estimators", "ris,paper,basic,pairwise,traced", estimator},
+      {"candidates", "Light candidates a pixel and frame", "4,16,32",
+       number<&S::candidates, 1, int(max_candidates)>},
+      {"neighbours", "Pixels reused a pixel and frame", "1,5",
+       number<&S::neighbours, 0, int(max_neighbours)>},
+      {"radius", "How far neighbours are looked for, pixels", "30", number<&S::neighbour_radius_px, 1, 1000>},
+      {"history", "Weight of the frames before, in frames", "8", number<&S::history_cap, 0, 1000>},
+      {"local-share", "Share of candidates from the lights near the place", "0.7",
+       number<&S::local_share, 0, 1>},
+      {"uniform-share", "Share of candidates picked uniformly", "0.1", number<&S::uniform_share, 0, 1>},
+      {"visibility-reuse", "Drop shadowed candidates before reuse, yes or no", "no",
+       yes_or_no<&S::visibility_reuse>},
+  };
+  return all;
+}
+
+std::vector<std::string> split_list(const std::string& option, const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    words.push_back(text.substr(at, comma - at));
+    if (words.back().empty()) throw UsageError(option, "'" + text + "' has an empty entry");
+    at = comma + 1;
+  }
+  return words;
+}
+
+}  // namespace nightcity

@@ -1,0 +1,24 @@
+// What a sweep may turn: each knob by name, with the values it takes when nobody says otherwise.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runtime/render/settings.h"
+
+namespace nightcity {
+
+struct Knob {
+  const char* name;  // of the option and of the CSV's column
+  const char* help;
+  const char* defaults;                                                              // comma-separated
+  void (*set)(RenderSettings& settings, const Knob& knob, const std::string& word);  // throws UsageError
+};
+
+/// All of them; a new one is one line in knobs.cpp.
+const std::vector<Knob>& knobs();
+
+/// "1,2,4" to words; throws UsageError naming `option` where one is empty.
+std::vector<std::string> split_list(const std::string& option, const std::string& text);
+
+}  // namespace nightcity

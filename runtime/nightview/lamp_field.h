@@ -1,0 +1,18 @@
+// Synthetic streets without end: as many lamps as one asks for, none farther from its street than real ones.
+#pragma once
+
+#include <cstddef>
+
+#include "runtime/scene/camera.h"
+#include "runtime/scene/render_scene.h"
+
+namespace nightcity {
+
+/// Square blocks of 80 m with two houses each, and lamps every 27 m along their streets: 2,000 to 8,000 lm at
+/// 6 m, each fiftieth a floodlight of 60,000 lm at 14 m. The same count gives the same field.
+RenderScene lamp_field(std::size_t lamps);
+
+/// From the roofs down a street in the middle of a field.
+CameraPose lamp_field_camera();
+
+}  // namespace nightcity

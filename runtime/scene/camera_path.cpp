@@ -1,0 +1,106 @@
+#include "runtime/scene/camera_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+#include "formats/error.h"
+
+namespace nightcity {
+namespace {
+
+// Catmull, Rom: A class of local interpolating splines, 1974; uniform, ends doubled.
+glm::dvec3 on_curve(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d,
+                    double t) {
+  return 0.5 * (2.0 * b + t * (c - a + t * (2.0 * a - 5.0 * b + 4.0 * c - d + t * (3.0 * (b - c) + d - a))));
+}
+
+std::vector<CameraPose> orbit(const CameraPose& start) {
+  constexpr int steps = 8;
+  std::vector<CameraPose> poses;
+  const glm::vec3 arm = start.position - start.target;
+  for (int i = 0; i <= steps; ++i) {
+    const float angle = 1.5707963f * float(i) / steps, c = std::cos(angle), s = std::sin(angle);
+    poses.push_back(start);
+    poses.back().position = start.target + glm::vec3(c * arm.x + s * arm.z, arm.y, c * arm.z - s * arm.x);
+  }
+  return poses;
+}
+
+// As far as the view is free, 60 m at most, and stopping short of what ends it.
+std::vector<CameraPose> along_the_view(const CameraPose& start, const RenderScene& scene) {
+  const glm::dvec3 forward = glm::normalize(glm::dvec3(start.target - start.position));
+  const auto wall = brute_force_hit(scene, glm::dvec3(start.position), forward, 75, MASK_VISIBLE);
+  const double way = std::max(0.0, (wall ? *wall : 75.0) * 0.8);
+  std::vector<CameraPose> poses{start, start};
+  poses[1].position += glm::vec3(forward * way);
+  poses[1].target += glm::vec3(forward * way);
+  return poses;
+}
+
+std::vector<CameraPose> from_file(const std::string& path) {
+  std::ifstream stream(path);
+  if (!stream) throw Error(path, "is neither a path file nor one of orbit, dive, street");
+  try {
+    const auto document = nlohmann::json::parse(stream);
+    std::vector<CameraPose> poses;
+    for (const auto& entry : document.at("poses")) {
+      CameraPose pose;
+      const auto vector = [&](const char* key, glm::vec3& value) {
+        if (!entry.contains(key)) return;
+        const auto numbers = entry.at(key).get<std::array<float, 3>>();
+        value = {numbers[0], numbers[1], numbers[2]};
+      };
+      vector("position", pose.position);
+      vector("target", pose.target);
+      vector("up", pose.up);
+      pose.fov_deg = entry.value("fov_deg", pose.fov_deg);
+      make_camera(pose, 1);  // throws on a pose that sees nothing
+      poses.push_back(pose);
+    }
+    return poses;
+  } catch (const nlohmann::json::exception& error) {
+    throw Error(path, error.what());
+  }
+}
+
+}  // namespace
+
+CameraPath::CameraPath(std::vector<CameraPose> poses) : poses_(std::move(poses)) {
+  if (poses_.empty()) throw Error("", "a camera path has at least one pose");
+}
+
+CameraPose CameraPath::at(double u) const {
+  const auto last = static_cast<std::ptrdiff_t>(poses_.size()) - 1;
+  const double along = std::clamp(u, 0.0, 1.0) * double(last);
+  const auto i = std::min(static_cast<std::ptrdiff_t>(along), std::max<std::ptrdiff_t>(0, last - 1));
+  const double t = along - double(i);
+  const auto pose = [&](std::ptrdiff_t k) -> const CameraPose& {
+    return poses_[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(k, 0, last))];
+  };
+  const auto curve = [&](glm::vec3 CameraPose::*value) {
+    return glm::vec3(on_curve(glm::dvec3(pose(i - 1).*value), glm::dvec3(pose(i).*value),
+                              glm::dvec3(pose(i + 1).*value), glm::dvec3(pose(i + 2).*value), t));
+  };
+  CameraPose result = pose(t < 0.5 ? i : i + 1);
+  result.position = curve(&CameraPose::position);
+  result.target = curve(&CameraPose::target);
+  return result;
+}
+
+CameraPath find_path(const std::string& preset_or_file, const RenderScene& scene) {
+  if (preset_or_file == "orbit") return CameraPath(orbit(find_camera("overview", scene)));
+  if (preset_or_file == "dive")
+    return CameraPath({find_camera("overview", scene), find_camera("street", scene)});
+  if (preset_or_file == "street") return CameraPath(along_the_view(find_camera("street", scene), scene));
+  return CameraPath(from_file(preset_or_file));
+}
+
+const std::vector<std::string>& path_presets() {
+  static const std::vector<std::string> names{"orbit", "dive", "street"};
+  return names;
+}
+
+}  // namespace nightcity
