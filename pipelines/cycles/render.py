@@ -1,0 +1,135 @@
+"""Renders a baked scene's direct light with Cycles: blender --background --python render.py -- SCENE.glb CAMERA.json
+WIDTH HEIGHT THREADS OUT SAMPLES...  Writes OUT-SAMPLES.exr (pixels in cd/m2) and prints "cycles SAMPLES CPU-SECONDS"
+for each.
+"""
+import json
+import os
+import sys
+import time
+
+import bpy
+import numpy
+from mathutils import Matrix, Vector
+
+numpy.bool = bool  # Blender 3.4's glTF importer uses a name that numpy 1.24 dropped
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import lights as city_lights  # noqa: E402
+
+# Cycles takes an IES value of one candela for 1 / 177.83 W/sr a watt of the lamp.
+IES_LUMENS_A_WATT = 177.83
+
+
+def to_blender(v):
+    """glTF is y up, Blender z up."""
+    return Vector((v[0], -v[2], v[1]))
+
+
+def make_diffuse(material):
+    """What both programs show: Lambert's law with the base colour, and emission. No gloss."""
+    tree = material.node_tree
+    colour, emission, strength = (0.5, 0.5, 0.5, 1.0), (0, 0, 0, 1), 0.0
+    for node in tree.nodes:
+        if node.type == "BSDF_PRINCIPLED":
+            colour = tuple(node.inputs["Base Color"].default_value)
+            emission = tuple(node.inputs["Emission"].default_value)
+            strength = node.inputs["Emission Strength"].default_value
+    tree.nodes.clear()
+    output = tree.nodes.new("ShaderNodeOutputMaterial")
+    if strength > 0 and max(emission[:3]) > 0:
+        shader = tree.nodes.new("ShaderNodeEmission")
+        shader.inputs["Color"].default_value, shader.inputs["Strength"].default_value = emission, strength
+        material.cycles.sample_as_light = True
+    else:
+        shader = tree.nodes.new("ShaderNodeBsdfDiffuse")
+        shader.inputs["Color"].default_value = colour
+    tree.links.new(shader.outputs[0], output.inputs["Surface"])
+
+
+def add_lamp(light, ies):
+    data = bpy.data.lights.new("lamp", "POINT")
+    data.color = light.colour
+    data.shadow_soft_size = max(light.radius, 1e-3)
+    data.energy = light.flux_lm
+    if ies is not None:
+        data.energy *= IES_LUMENS_A_WATT / 1000
+        data.use_nodes = True
+        tree = data.node_tree
+        node = tree.nodes.new("ShaderNodeTexIES")
+        node.ies = ies
+        emission = next(n for n in tree.nodes if n.type == "EMISSION")
+        tree.links.new(node.outputs["Fac"], emission.inputs["Strength"])
+    lamp = bpy.data.objects.new("lamp", data)
+    # Cycles turns C from -y towards -x, and gamma = 0 is -z.
+    axis, tangent = to_blender(light.axis), to_blender(light.tangent)
+    turn = Matrix((-axis.cross(tangent), -tangent, -axis)).transposed().to_4x4()
+    lamp.matrix_world = Matrix.Translation(to_blender(light.position)) @ turn
+    lamp.visible_camera = False
+    bpy.context.collection.objects.link(lamp)
+
+
+def add_camera(path):
+    with open(path) as file:
+        pose = json.load(file)
+    camera = bpy.data.objects.new("eye", bpy.data.cameras.new("eye"))
+    eye, target, up = (to_blender(pose[k]) for k in ("position", "target", "up"))
+    back = (eye - target).normalized()
+    right = up.cross(back).normalized()
+    turn = Matrix((right, back.cross(right), back)).transposed().to_4x4()
+    camera.matrix_world = Matrix.Translation(eye) @ turn
+    camera.data.sensor_fit = "VERTICAL"
+    camera.data.angle_y = pose["fov_deg"] * 3.141592653589793 / 180
+    camera.data.clip_start, camera.data.clip_end = 0.01, 1e5
+    bpy.context.collection.objects.link(camera)
+    bpy.context.scene.camera = camera
+
+
+def set_up(width, height, threads):
+    scene = bpy.context.scene
+    scene.render.engine = "CYCLES"
+    scene.cycles.device = "CPU"
+    scene.render.threads_mode, scene.render.threads = "FIXED", threads
+    scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = width, height, 100
+    scene.render.use_persistent_data = True  # the hierarchy is built once, and not timed
+    scene.cycles.pixel_filter_type, scene.cycles.filter_width = "BOX", 1.0
+    scene.cycles.use_adaptive_sampling = scene.cycles.use_denoising = False
+    scene.cycles.max_bounces = 0  # direct light, as nightview
+    scene.cycles.sample_clamp_direct = scene.cycles.sample_clamp_indirect = 0
+    scene.cycles.light_sampling_threshold = 0
+    world = bpy.data.worlds.new("night")
+    world.use_nodes = True
+    world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0
+    scene.world = world
+    image = scene.render.image_settings
+    image.file_format, image.color_mode, image.color_depth = "OPEN_EXR", "RGB", "32"
+
+
+def main(glb, camera, width, height, threads, out, *samples):
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.ops.import_scene.gltf(filepath=glb)
+    for material in bpy.data.materials:
+        if material.use_nodes:
+            make_diffuse(material)
+    lights, profiles = city_lights.read(os.path.splitext(glb)[0] + ".lights")
+    texts = []
+    for i, profile in enumerate(profiles):
+        texts.append(bpy.data.texts.new(f"profile {i}"))
+        texts[-1].write(city_lights.as_ies(profile))
+    for light in lights:
+        if light.kind != 0:
+            raise SystemExit("this comparison is of lamps: bake the scene without lit windows")
+        add_lamp(light, texts[light.profile] if light.profile >= 0 else None)
+    add_camera(camera)
+    set_up(int(width), int(height), int(threads))
+    scene = bpy.context.scene
+    scene.cycles.samples = 1
+    bpy.ops.render.render()  # builds the hierarchy
+    for count in samples:
+        scene.cycles.samples = int(count)
+        scene.render.filepath = os.path.abspath(f"{out}-{count}.exr")
+        start = time.process_time()
+        bpy.ops.render.render(write_still=True)
+        print(f"cycles {count} {time.process_time() - start:.3f}", flush=True)
+
+
+main(*sys.argv[sys.argv.index("--") + 1:])
