@@ -4,7 +4,7 @@
 Both render direct light of the lamps of one baked scene (without lit windows and without lamp posts, which Blender 3.4
 cannot read) through the same camera; errors are those against nightview's reference. Times are CPU seconds summed over
 threads, so that whatever else the machine does has no say, and leave out loading, building and compiling on both sides.
-Needs blender (apt-get install blender python3-numpy).
+Needs blender (pipelines/setup.sh cycles).
 
   pipelines/cycles/compare.py SCENE.glb --out DIR [--camera street] [--size 480x270] [--threads 2]
 """
@@ -22,8 +22,8 @@ sys.path.insert(0, HERE)
 import lights as city_lights  # noqa: E402
 
 
-def run(*command):
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
+def run(*command, environment=None):
+    done = subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
     if done.returncode != 0:
         sys.exit(f"{command[0]} ended with {done.returncode}:\n{done.stderr[-2000:]}{done.stdout[-2000:]}")
     return done.stdout + done.stderr
@@ -91,9 +91,11 @@ def main():
         ours.append((n * a_frame, error))
         print(f"nightview {n:>5} frames   {n * a_frame:8.2f} s  relative MSE {error:.4g}  mean ratio {ratio:.4f}", flush=True)
 
-    log = run("blender", "--background", "--factory-startup", "--python-exit-code", "1", "--python",
+    blender = shutil.which("blender") or sys.exit("blender is not installed: pipelines/setup.sh cycles")
+    log = run(blender, "--background", "--factory-startup", "--python-exit-code", "1", "--python",
               os.path.join(HERE, "render.py"), "--", glb, path("camera.json"), width, height, options.threads,
-              path("cycles"), *options.samples.split(","))
+              path("cycles"), *options.samples.split(","),
+              environment={**os.environ, "PATH": os.defpath})  # its Python is the system's, not that of an environment
     theirs = []
     for samples, seconds in re.findall(r"^cycles (\d+) ([0-9.]+)$", log, re.MULTILINE):
         error, ratio = error_of(path(f"cycles-{samples}.exr"))

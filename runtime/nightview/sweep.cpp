@@ -15,7 +15,8 @@ namespace {
 KnobValues canonical(KnobValues values) {
   const std::string& estimator = values["estimator"];
   const auto unused = [&](const char* knob) { values[knob] = std::string(1, '-'); };  // "-": a warning of g++ 12
-  if (estimator == "paper") unused("local-share"), unused("uniform-share"), unused("visibility-reuse");
+  if (estimator == "paper")
+    unused("local-share"), unused("uniform-share"), unused("fleet-share"), unused("visibility-reuse");
   if (estimator == "ris")
     unused("neighbours"), unused("radius"), unused("history"), unused("visibility-reuse");
   if (estimator == "traced") unused("visibility-reuse");

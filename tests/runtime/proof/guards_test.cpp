@@ -232,7 +232,8 @@ TEST(Guard, WhatWasHiddenHasNoHistory) {
       different += std::abs(luminance(a, i) - luminance(b, i)) > 0.02 * luminance(b, i) + 1e-6;
     return different < a.pixels() / 200;
   };
-  expect_guarded(no_smear, {{"temporal.comp", "if (!similar(expected, previous_surface)) return;", ""}});
+  expect_guarded(no_smear, {{"similar.glsl", "return similar(expected, FRAME.previous_surfaces.at[index]);",
+                             "return FRAME.previous_surfaces.at[index].depth > 0.0;"}});
 }
 
 // An index beyond the lights: the sample is dropped. Without the guards the shader reads beyond the buffer,

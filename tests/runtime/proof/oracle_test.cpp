@@ -40,16 +40,17 @@ std::size_t pardoned(const PixelTest& test) {
 }
 
 void expect_agreement(const PixelTest& test) {
-  EXPECT_NEAR(test.relative_mean_passed, 0.0, 0.002) << "standard error " << test.relative_mean_error;
+  EXPECT_NEAR(test.relative_mean_passed, 0.0, 0.002 + 2 * test.relative_mean_error);
+  EXPECT_LT(test.relative_mean_error, 0.002) << "too noisy to tell";
   EXPECT_LE(test.rejected, pardoned(test))
       << "least p " << test.least_p << " in pixel " << test.least_pixel << ", level " << test.level;
 }
 
 PixelTest compare_with_oracle(const RenderScene& scene, const oracle::Oracle& oracle, const CameraPose& pose,
-                              std::uint32_t side, std::uint32_t runs, int strata) {
+                              std::uint32_t side, std::uint32_t runs, int strata, std::uint32_t frames = 4) {
   DeviceScene device_scene(test_device(), scene);
   Renderer renderer(test_device(), test_passes(), device_scene, side, side);
-  const PictureStatistics ours = independent_runs(renderer, pose, reference(), runs, 4);
+  const PictureStatistics ours = independent_runs(renderer, pose, reference(), runs, frames);
   EXPECT_GT(ours.picture_mean(), 0.0);
   const PictureStatistics truth = oracle_runs(oracle, pose, side, runs, strata);
   const PixelTest test = test_pixels(ours, truth, 0.01, rounding);
@@ -132,7 +133,7 @@ TEST(Reference, EqualsTheOracleAmongTheWindowsOfBerlin) {
   BAKED_BERLIN(berlin, true);
   const RenderScene scene = load_render_scene(berlin / "city.glb");
   const auto oracle = oracle::load(berlin / "city.glb", reference().time_s);
-  expect_agreement(compare_with_oracle(scene, *oracle, find_camera("overview", scene), 12, 5, 1));
+  expect_agreement(compare_with_oracle(scene, *oracle, find_camera("overview", scene), 12, 5, 1, 1));
 }
 
 }  // namespace
