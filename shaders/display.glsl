@@ -1,7 +1,8 @@
 // A pixel as the display has it.
 #include "shaders/tonemap.glsl.h"
 
-uint byte_of(float exposed) { return uint(srgb_encode(tone_curve(FRAME.tone, exposed)) * 255.0 + 0.5); }
+// A driver's pow(1, x) may exceed 1 by more than half a step (seen on Mesa's CPU driver): 256 would spill into the next channel.
+uint byte_of(float exposed) { return min(uint(srgb_encode(tone_curve(FRAME.tone, exposed)) * 255.0 + 0.5), 255u); }
 
 // 8-bit sRGB, R in the low byte, of cd/m^2 per channel.
 uint displayed(vec3 radiance) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "runtime/measure/exposure.h"
 #include "runtime/measure/false_colour.h"
 #include "runtime/render/upward_flux.h"
 #include "support/gpu.h"
@@ -76,6 +77,26 @@ TEST(Layers, IlluminanceIsTheClosedFormsWhateverTheSurface) {
       render(SceneBuilder(0.3f).ground(30).with({lamp({0, 8, 0}, 5000)}), down, settings, 25, 25, 1);
   const auto lux = illuminance_of(image);
   EXPECT_NEAR(double(lux[12 * 25 + 12]), 5000 / (4 * pi) / 64, 0.01 * 5000 / (4 * pi) / 64);
+}
+
+TEST(Display, ShowsWhatThePngShowsFromTheDarkToALampSeenDirectly) {
+  SceneBuilder builder;
+  builder.ground(30);
+  builder.scene().materials[0].emission_cd_m2 = {1e6f, 1e6f, 9e5f};
+  gpu::Device& device = test::test_device();
+  for (const float ev100 : {-4.0f, 3.0f, 19.0f, 24.0f}) {
+    const RenderScene scene = builder.with({});
+    DeviceScene device_scene(device, scene);
+    Renderer renderer(device, test::test_passes(), device_scene, 8, 8);
+    RenderSettings settings = reference();
+    settings.ev100 = ev100;
+    renderer.render_frame(down, settings);
+    const Image8 png = to_display(renderer.download(false), ev100, settings.tone);
+    const auto words = renderer.display().read<std::uint32_t>(64);
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(double(words[27] >> (8 * c) & 255u), double(png.rgb[3 * 27 + c]), 1)
+          << "EV " << ev100 << " channel " << c;
+  }
 }
 
 TEST(Moon, LightsAsItsIlluminanceSaysAndCastsShadows) {
