@@ -16,6 +16,7 @@ constexpr double planar_tolerance_m = 0.01;
 constexpr double area_tolerance = 1e-6;  // relative; what we promise
 // Below this share of its squared perimeter a ring's area is rounding noise: 10 m long, 10 nm wide.
 constexpr double zero_area_share = 1e-10;
+constexpr double sliver_width_m = 0.01;
 
 bool is_usable(const Ring& ring) {
   constexpr double beyond_any_frame_m = 1e9;
@@ -79,6 +80,23 @@ struct Triangulator {
     }
   }
 
+  void count_zero_area(double length_m, const std::string& id) {
+    ++report.zero_area;
+    if (length_m <= report.worst_zero_area_m && report.zero_area > 1) return;
+    report.worst_zero_area_m = length_m;
+    report.worst_zero_area = id;
+  }
+
+  // Mean width: a long rectangle's area over half its perimeter.
+  void check_width(double area, double length_m, const std::string& id) {
+    const double width = 2 * area / length_m;
+    if (width >= sliver_width_m) return;
+    ++report.slivers;
+    if (width >= report.worst_sliver_m && report.slivers > 1) return;
+    report.worst_sliver_m = width;
+    report.worst_sliver = id;
+  }
+
   void count_self_intersecting(double lost_area, const std::string& id) {
     ++report.self_intersecting;
     if (lost_area <= report.worst_self_intersecting_m2 && report.self_intersecting > 1) return;
@@ -135,10 +153,8 @@ struct Triangulator {
     glm::dvec3 vector{0};
     for (const auto& t : flat.triangles)
       vector += 0.5 * glm::cross(corners[t[1]] - corners[t[0]], corners[t[2]] - corners[t[0]]);
-    if (!(glm::dot(vector, plane.normal) > 0)) {
-      ++report.zero_area;
-      return;
-    }
+    if (!(glm::dot(vector, plane.normal) > 0))
+      return count_zero_area(perimeter(rings[0]), name_of(object.polygons[polygon], object));
     // Outlines that cross leave another area than the rings' own; a touch within rounding does not.
     if (const double off = glm::distance(vector, ring_vector);
         off > area_tolerance * glm::length(ring_vector))
@@ -156,10 +172,8 @@ struct Triangulator {
       return;
     }
     std::vector<Ring> rings{without_duplicates(polygon.exterior)};
-    if (rings[0].size() < 3) {
-      ++report.zero_area;
-      return;
-    }
+    const double length = perimeter(rings[0]), tiny = zero_area_share * length * length;
+    if (rings[0].size() < 3) return count_zero_area(length, name_of(polygon, object));
     for (const Ring& interior : polygon.interiors) {
       Ring hole = without_duplicates(interior);
       if (hole.size() < 3)
@@ -168,14 +182,12 @@ struct Triangulator {
         rings.push_back(std::move(hole));
     }
     const glm::dvec3 vector = area_vector(rings[0]);
-    const double length = perimeter(rings[0]), tiny = zero_area_share * length * length;
     glm::dvec3 normal = vector;
     if (glm::length(vector) <= tiny) {
       normal = widest_normal(rings[0]);
-      if (glm::length(normal) <= tiny) {
-        ++report.zero_area;
-        return;
-      }
+      if (glm::length(normal) <= tiny) return count_zero_area(length, name_of(polygon, object));
+    } else {
+      check_width(glm::length(vector), length, name_of(polygon, object));
     }
     normal = glm::normalize(normal);
     glm::dvec3 middle{0};
@@ -207,13 +219,26 @@ void MeshReport::merge(const MeshReport& other) {
   polygons += other.polygons;
   triangles += other.triangles;
   fast_path += other.fast_path;
+  if (other.zero_area > 0 && (zero_area == 0 || other.worst_zero_area_m > worst_zero_area_m)) {
+    worst_zero_area_m = other.worst_zero_area_m;
+    worst_zero_area = other.worst_zero_area;
+  }
   zero_area += other.zero_area;
+  if (other.slivers > 0 && (slivers == 0 || other.worst_sliver_m < worst_sliver_m)) {
+    worst_sliver_m = other.worst_sliver_m;
+    worst_sliver = other.worst_sliver;
+  }
+  slivers += other.slivers;
   non_planar += other.non_planar;
   not_finite += other.not_finite;
   not_triangulated += other.not_triangulated;
   dropped_holes += other.dropped_holes;
   turned += other.turned;
   if (first_turned.empty()) first_turned = other.first_turned;
+  cracks_closed += other.cracks_closed;
+  floors_added += other.floors_added;
+  if (first_repaired.empty()) first_repaired = other.first_repaired;
+  open_objects += other.open_objects;
   if (other.worst_non_planar_m > worst_non_planar_m) {
     worst_non_planar_m = other.worst_non_planar_m;
     worst_non_planar = other.worst_non_planar;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -51,10 +52,25 @@ struct Tally {
   std::size_t files = 0, polygons = 0, wrong = 0;
   double worst = 0;  // relative, of polygons not counted as faulty
   std::map<SurfaceType, double> rings_m2, triangles_m2;
+  std::size_t buildings = 0, wrong_buildings = 0;
+  double worst_building = 0;  // relative, of a building's whole, wall or roof area
+};
+
+// Areas of one building: all of it, its walls, its roofs.
+struct BuildingAreas {
+  std::array<double, 3> rings{}, triangles{};
+  void add(SurfaceType surface, double of_rings, double of_triangles) {
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
+      if ((i == 1 && surface != SurfaceType::wall) || (i == 2 && surface != SurfaceType::roof)) continue;
+      rings[i] += of_rings;
+      triangles[i] += of_triangles;
+    }
+  }
 };
 
 // Compares polygon by polygon; those the report counts as self-intersecting have no area to compare with.
 void compare(const CityObject& object, MeshReport& report, Tally& tally) {
+  BuildingAreas building;
   for (const Polygon& polygon : object.polygons) {
     CityObject one;
     one.id = object.id;
@@ -86,8 +102,18 @@ void compare(const CityObject& object, MeshReport& report, Tally& tally) {
     if (own.non_planar == 0) {
       EXPECT_LE(area, glm::length(truth) + 0.01 * perimeter) << polygon.id;
     }
-    tally.triangles_m2[polygon.surface] += glm::dot(vector, truth) / glm::length(truth);
+    const double covered = glm::dot(vector, truth) / glm::length(truth);
+    tally.triangles_m2[polygon.surface] += covered;
+    building.add(polygon.surface, glm::length(truth), covered);
   }
+  if (object.type != ObjectType::building) return;
+  ++tally.buildings;
+  double worst = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (building.rings[i] > 0)
+      worst = std::max(worst, std::abs(building.triangles[i] - building.rings[i]) / building.rings[i]);
+  tally.worst_building = std::max(tally.worst_building, worst);
+  tally.wrong_buildings += !(worst <= 1e-6);
 }
 
 TEST(RealAreas, TrianglesKeepTheAreaOfEveryPolygonToAMillionth) {
@@ -103,6 +129,7 @@ TEST(RealAreas, TrianglesKeepTheAreaOfEveryPolygonToAMillionth) {
       options.highest_lod = 4;
       read_citygml(entry.path(), options, [&](CityObject&& object) {
         project(object, frame);
+        if (has_finite_places(object)) classify_unknown_surfaces(object);
         compare(object, report, tally);
       });
       ++tally.files;
@@ -115,13 +142,17 @@ TEST(RealAreas, TrianglesKeepTheAreaOfEveryPolygonToAMillionth) {
   EXPECT_LE(tally.worst, 1e-6);
   for (const auto& [surface, area] : tally.rings_m2)
     EXPECT_NEAR(tally.triangles_m2[surface], area, 1e-6 * area) << name_of(surface);
+  EXPECT_GT(tally.buildings, 5000u);
+  EXPECT_EQ(tally.wrong_buildings, 0u) << "worst " << tally.worst_building;
   EXPECT_EQ(report.not_triangulated, 0u);
   EXPECT_LT(report.self_intersecting, tally.polygons / 1000);
   std::printf(
-      "%zu files, %zu polygons, worst %.1e; fast path %zu, zero area %zu, off plane %zu (worst %.3f m: %s), "
+      "%zu files, %zu polygons, worst %.1e; %zu buildings, worst %.1e of whole, walls or roofs; fast path "
+      "%zu, zero area %zu, off plane %zu (worst %.3f m: %s), "
       "self-intersecting %zu\n",
-      tally.files, tally.polygons, tally.worst, report.fast_path, report.zero_area, report.non_planar,
-      report.worst_non_planar_m, report.worst_non_planar.c_str(), report.self_intersecting);
+      tally.files, tally.polygons, tally.worst, tally.buildings, tally.worst_building, report.fast_path,
+      report.zero_area, report.non_planar, report.worst_non_planar_m, report.worst_non_planar.c_str(),
+      report.self_intersecting);
 }
 
 }  // namespace

@@ -1,0 +1,144 @@
+// Closes what is open in a building's shell, where it can be shown what belongs there. Two cases can:
+// * Cracks. Vertices that were meant to be one and were rounded apart: moved together, by a centimetre at
+// most,
+//   they leave no open edge. Were the gap meant, moving its sides together would not close the shell.
+// * The floor. The open edges of a shell are one level ring at its lowest height: a house that was published
+//   without its ground surface (CityGML lets that be left out). A missing wall or roof may be meant: an open
+//   garage, a canopy. It stays open.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "tools/mesh/edges.h"
+#include "tools/mesh/polygon_plane.h"
+#include "tools/mesh/triangle_mesh.h"
+
+namespace nightcity {
+namespace {
+
+constexpr double crack_m = 0.01;
+constexpr double least_height_m = 0.5;           // a flat roof outline alone has no inside to be closed
+constexpr std::size_t most_open_vertices = 400;  // every pair is looked at
+
+std::vector<EdgeUse> open_edges(const EdgeTable& edges) {
+  std::vector<EdgeUse> open;
+  for (std::size_t i = 0; i < edges.uses().size(); ++i)
+    if (edges.edge_of(i).size() == 1) open.push_back(edges.uses()[i]);
+  return open;
+}
+
+// For each vertex the one it is moved to: the first of those within reach. Empty where the open edges do not
+// pair up by that.
+std::map<std::uint32_t, std::uint32_t> joining(const EdgeTable& edges, const std::vector<EdgeUse>& open) {
+  std::vector<std::uint32_t> vertices;
+  for (const EdgeUse& use : open) vertices.insert(vertices.end(), {use.low, use.high});
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  std::map<std::uint32_t, std::uint32_t> to;
+  if (vertices.size() > most_open_vertices) return to;
+  bool moved = false;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (to.contains(vertices[i])) continue;
+    to[vertices[i]] = vertices[i];
+    for (std::size_t j = i + 1; j < vertices.size(); ++j)
+      if (!to.contains(vertices[j]) &&
+          glm::distance(edges.place(vertices[i]), edges.place(vertices[j])) <= crack_m) {
+        to[vertices[j]] = vertices[i];
+        moved = true;
+      }
+  }
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> uses;
+  for (const EdgeUse& use : open) {
+    const auto [a, b] = std::minmax(to.at(use.low), to.at(use.high));
+    if (a != b) ++uses[{a, b}];
+  }
+  const bool closed = std::all_of(uses.begin(), uses.end(), [](const auto& use) { return use.second == 2; });
+  if (!moved || !closed) to.clear();
+  return to;
+}
+
+void join(CityObject& object, const EdgeTable& edges, const std::map<std::uint32_t, std::uint32_t>& to) {
+  const auto move = [&](Ring& ring) {
+    for (glm::dvec3& p : ring)
+      for (const auto& [from, target] : to)
+        if (from != target && glm::distance(p, edges.place(from)) < 0.002) p = edges.place(target);
+  };
+  for (Polygon& polygon : object.polygons) {
+    move(polygon.exterior);
+    for (Ring& hole : polygon.interiors) move(hole);
+  }
+}
+
+// The ring of places along the open edges, whichever way their polygons face. Empty unless they are one ring.
+Ring one_ring(const EdgeTable& edges, const std::vector<EdgeUse>& open) {
+  std::map<std::uint32_t, std::vector<std::uint32_t>> next;
+  for (const EdgeUse& use : open) {
+    next[use.low].push_back(use.high);
+    next[use.high].push_back(use.low);
+  }
+  Ring ring;
+  const std::uint32_t start = next.begin()->first;
+  for (std::uint32_t from = start, at = start;;) {
+    const auto& ways = next.at(at);
+    if (ways.size() != 2 || ring.size() > open.size()) return {};
+    ring.push_back(edges.place(at));
+    const std::uint32_t step = ways[0] == from ? ways[1] : ways[0];
+    from = at;
+    at = step;
+    if (at == start) break;
+  }
+  return ring.size() == open.size() ? ring : Ring{};
+}
+
+bool is_floor(const CityObject& object, const Ring& ring) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Polygon& polygon : object.polygons)
+    for (const glm::dvec3& p : polygon.exterior) {
+      low = std::min(low, p.z);
+      high = std::max(high, p.z);
+    }
+  if (high - low < least_height_m) return false;
+  return std::all_of(ring.begin(), ring.end(), [low](const glm::dvec3& p) { return p.z - low <= crack_m; }) &&
+         glm::length(area_vector(ring)) > crack_m;
+}
+
+}  // namespace
+
+bool close_gaps_along(CityObject& object, const EdgeTable& edges, MeshReport& report) {
+  const std::vector<EdgeUse> open = open_edges(edges);
+  if (open.empty()) return false;
+  const auto note = [&] {
+    if (report.first_repaired.empty()) report.first_repaired = object.id;
+  };
+  if (const auto to = joining(edges, open); !to.empty()) {
+    join(object, edges, to);
+    ++report.cracks_closed;
+    note();
+    return true;
+  }
+  if (object.type != ObjectType::building) return false;
+  Ring ring = one_ring(edges, open);
+  if (ring.empty() || !is_floor(object, ring)) return false;
+  if (area_vector(ring).z > 0) std::reverse(ring.begin(), ring.end());  // a floor faces down
+  Polygon& floor = object.polygons.emplace_back();
+  floor.surface = SurfaceType::ground;
+  floor.exterior = std::move(ring);
+  ++report.floors_added;
+  note();
+  return true;
+}
+
+void repair_shells(CityObject& object, MeshReport& report) {
+  if (object.type == ObjectType::relief || !has_finite_places(object)) return;
+  const EdgeTable edges(object);
+  if (close_gaps_along(object, edges, report))
+    orient_along(object, EdgeTable(object), report);
+  else
+    orient_along(object, edges, report);
+}
+
+}  // namespace nightcity

@@ -1,0 +1,111 @@
+#include "tools/mesh/edges.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <tuple>
+#include <utility>
+
+#include "tools/mesh/polygon_plane.h"
+
+namespace nightcity {
+namespace {
+
+struct Corner {
+  std::array<std::int64_t, 3> cell;  // of a millimetre
+  std::uint32_t index;               // of the corner, in the order of the rings
+};
+
+}  // namespace
+
+EdgeTable::EdgeTable(const CityObject& object) {
+  number(object);
+  index(object.polygons.size());
+  leave_out_inner_walls(object.polygons.size());
+}
+
+// Sorting beats hashing here: an object has some dozens of vertices, and nothing is allocated for each.
+void EdgeTable::number(const CityObject& object) {
+  std::vector<Corner> corners;
+  std::vector<glm::dvec3> points;
+  const auto add = [&](const Ring& ring) {
+    for (const glm::dvec3& p : ring) {
+      constexpr double per_metre = 1000;
+      corners.push_back(
+          {{std::llround(p.x * per_metre), std::llround(p.y * per_metre), std::llround(p.z * per_metre)},
+           static_cast<std::uint32_t>(points.size())});
+      points.push_back(p);
+    }
+  };
+  for (const Polygon& polygon : object.polygons) {
+    add(polygon.exterior);
+    for (const Ring& hole : polygon.interiors) add(hole);
+  }
+  std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
+    return std::tie(a.cell, a.index) < std::tie(b.cell, b.index);
+  });
+  std::vector<std::uint32_t> vertex(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (i == 0 || corners[i].cell != corners[i - 1].cell) places_.push_back(points[corners[i].index]);
+    vertex[corners[i].index] = static_cast<std::uint32_t>(places_.size() - 1);
+  }
+  std::size_t at = 0;
+  const auto add_edges = [&](const Ring& ring, std::uint32_t polygon, bool backwards) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      std::uint32_t a = vertex[at + i], b = vertex[at + (i + 1) % ring.size()];
+      if (a == b) continue;
+      if (backwards) std::swap(a, b);
+      uses_.push_back({std::min(a, b), std::max(a, b), polygon, a < b});
+    }
+    at += ring.size();
+  };
+  for (std::uint32_t i = 0; i < object.polygons.size(); ++i) {
+    const Polygon& polygon = object.polygons[i];
+    add_edges(polygon.exterior, i, false);
+    if (polygon.interiors.empty()) continue;
+    // A hole runs against its shell, or is taken to.
+    const glm::dvec3 normal = area_vector(polygon.exterior);
+    for (const Ring& hole : polygon.interiors) add_edges(hole, i, glm::dot(area_vector(hole), normal) > 0);
+  }
+}
+
+void EdgeTable::index(std::size_t polygons) {
+  std::sort(uses_.begin(), uses_.end(), [](const EdgeUse& a, const EdgeUse& b) {
+    return std::tie(a.low, a.high, a.polygon, a.forward) < std::tie(b.low, b.high, b.polygon, b.forward);
+  });
+  begin_.resize(uses_.size());
+  end_.resize(uses_.size());
+  first_.assign(polygons + 1, 0);
+  for (std::uint32_t i = 0; i < uses_.size();) {
+    std::uint32_t end = i + 1;
+    while (end < uses_.size() && uses_[end].same_edge(uses_[i])) ++end;
+    for (std::uint32_t k = i; k < end; ++k) {
+      begin_[k] = i;
+      end_[k] = end;
+      ++first_[uses_[k].polygon + 1];
+    }
+    i = end;
+  }
+  for (std::size_t p = 0; p < polygons; ++p) first_[p + 1] += first_[p];
+  of_polygon_.resize(uses_.size());
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  for (std::uint32_t i = 0; i < uses_.size(); ++i) of_polygon_[next[uses_[i].polygon]++] = i;
+}
+
+// Nobody sees such a wall, whichever way it faces.
+void EdgeTable::leave_out_inner_walls(std::size_t polygons) {
+  std::vector<bool> inner(polygons, false);
+  bool any = false;
+  for (std::uint32_t p = 0; p < polygons; ++p) {
+    const auto own = of_polygon(p);
+    inner[p] = !own.empty() &&
+               std::all_of(own.begin(), own.end(), [&](std::uint32_t i) { return edge_of(i).size() > 2; });
+    any = any || inner[p];
+  }
+  if (!any) return;
+  std::erase_if(uses_, [&](const EdgeUse& use) { return inner[use.polygon]; });
+  index(polygons);
+}
+
+}  // namespace nightcity
