@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -187,9 +188,12 @@ json SceneWriter::State::write_primitive(const ScenePrimitive& primitive, const 
   result["material"] = primitive.material;
 
   if (!feature_ids.empty()) {
-    const std::set<float> unique(feature_ids.begin(), feature_ids.end());
+    std::vector<float> unique;  // a feature's vertices mostly stand side by side
+    std::unique_copy(feature_ids.begin(), feature_ids.end(), std::back_inserter(unique));
+    std::sort(unique.begin(), unique.end());
+    unique.erase(std::unique(unique.begin(), unique.end()), unique.end());
     json ids = {{"attribute", 0}, {"propertyTable", 0}};
-    const bool has_null = unique.contains(gltf::null_feature_id);
+    const bool has_null = std::binary_search(unique.begin(), unique.end(), gltf::null_feature_id);
     if (has_null) ids["nullFeatureId"] = static_cast<std::uint32_t>(gltf::null_feature_id);
     const std::size_t count = unique.size() - (has_null ? 1 : 0);
     if (count != 0) {  // vertices without any feature need no extension, and featureCount must be above 0

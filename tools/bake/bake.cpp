@@ -8,6 +8,7 @@
 #include "formats/error.h"
 #include "tools/bake/city_frames.h"
 #include "tools/bake/city_stage.h"
+#include "tools/bake/ground_stage.h"
 #include "tools/bake/lamp_stage.h"
 #include "tools/bake/light_stage.h"
 #include "tools/bake/materials.h"
@@ -70,14 +71,18 @@ Georeference georeference_of(const Recipe& recipe, const CityFrames& frames, con
   return result;
 }
 
-void write_tiles(SceneWriter& writer, TileStore& tiles, const Georeference& georeference, BakeReport& report,
-                 const ProgressSink& progress) {
+void write_tiles(SceneWriter& writer, MaterialTable& materials, TileStore& tiles,
+                 const Georeference& georeference, BakeReport& report, const ProgressSink& progress) {
   std::size_t done = 0;
   for (const TileKey& key : tiles.tiles()) {
-    const SceneMesh mesh = tiles.mesh(key);
+    SceneMesh mesh = tiles.mesh(key);
     if (mesh.primitives.empty()) continue;
-    for (const ScenePrimitive& primitive : mesh.primitives)
-      report.triangles[bake_materials()[primitive.material].name] += primitive.indices.size() / 3;
+    for (ScenePrimitive& primitive : mesh.primitives) {
+      const MaterialCode code = primitive.material;
+      report.triangles[bake_materials()[static_cast<std::size_t>(kind_of(code))].name] +=
+          primitive.indices.size() / 3;
+      primitive.material = materials.index_of(code);
+    }
     SceneInstance instance;
     instance.to_model[3] = glm::vec4(glm::vec3(georeference.to_model(tiles.origin(key))), 1);
     writer.add_node({mesh.name, name_of(key.kind), writer.add_mesh(mesh), true, {instance}});
@@ -101,9 +106,9 @@ BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder, const
   watch.lap("reading maps");
 
   SceneWriter writer(scene_path, {recipe.output.draco, recipe.output.draco_tolerance_m});
-  for (const SceneMaterial& material : bake_materials()) writer.add_material(material);
+  MaterialTable materials(writer);
   TileStore tiles(scene_path, recipe.city.tile_m, std::round(frames.reference().z));
-  Terrain terrain;
+  Terrain terrain(scene_path);
   DrapeStore drape(scene_path);
   std::optional<WindowLayout> windows;
   if (recipe.windows.lit) windows.emplace(WindowOptions{.seed = recipe.windows.seed});
@@ -111,17 +116,15 @@ BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder, const
   watch.lap("reading the city");
 
   if (progress) progress({"building the terrain", 0, ""});
-  terrain.build(recipe.terrain.margin_m);
-  const bool made = !terrain.made_surface().triangles.empty();
-  report.terrain = made ? "made" : terrain.height_at(glm::dvec2(frames.reference())) ? "given" : "none";
-  if (made && recipe.terrain.make_surface) add_mesh(tiles, terrain.made_surface(), ObjectType::relief, no_id);
+  report.ground = lay_ground(recipe, frames, terrain, tiles);
   report.draped = drape.lay(height_on(terrain), tiles);
   if (tiles.tiles().empty())
     throw Error(recipe.city.files.front().string(), "no surface in any file of the city");
   watch.lap("terrain");
 
   const Georeference georeference = georeference_of(recipe, frames, tiles);
-  write_tiles(writer, tiles, georeference, report, progress);
+  write_tiles(writer, materials, tiles, georeference, report, progress);
+  report.colours = materials.colours();
   watch.lap("tiles");
 
   if (progress) progress({"placing lights", 0, ""});

@@ -66,6 +66,15 @@ json to_json(const BakeReport& report) {
         {"triangles", mesh.triangles},
         {"fast_path", mesh.fast_path},
         {"zero_area", mesh.zero_area},
+        {"worst_zero_area", {{"id", mesh.worst_zero_area}, {"perimeter_m", mesh.worst_zero_area_m}}},
+        {"slivers", mesh.slivers},
+        {"worst_sliver", {{"id", mesh.worst_sliver}, {"width_m", mesh.worst_sliver_m}}},
+        {"turned", mesh.turned},
+        {"first_turned", mesh.first_turned},
+        {"cracks_closed", mesh.cracks_closed},
+        {"floors_added", mesh.floors_added},
+        {"first_repaired", mesh.first_repaired},
+        {"open_objects", mesh.open_objects},
         {"non_planar", mesh.non_planar},
         {"worst_non_planar", {{"id", mesh.worst_non_planar}, {"m", mesh.worst_non_planar_m}}},
         {"self_intersecting", mesh.self_intersecting},
@@ -74,7 +83,10 @@ json to_json(const BakeReport& report) {
         {"not_finite", mesh.not_finite},
         {"not_triangulated", mesh.not_triangulated},
         {"dropped_holes", mesh.dropped_holes}}},
-      {"terrain", report.terrain},
+      {"terrain", report.ground.source},
+      {"dem", report.ground.dem},
+      {"relief_points", report.relief_points},
+      {"colours", report.colours},
       {"draped_triangles", report.draped},
       {"lamps", to_json(report.lamps)},
       {"layout", to_json(report.layout, true)},
@@ -113,9 +125,21 @@ std::string to_text(const BakeReport& report) {
   if (mesh.self_intersecting)
     line("", fmt::format("{} self-intersecting, worst {:.2f} m2 ({})", mesh.self_intersecting,
                          mesh.worst_self_intersecting_m2, mesh.worst_self_intersecting));
+  if (mesh.slivers)
+    line("", fmt::format("{} slivers under 1 cm, narrowest {:.5f} m ({})", mesh.slivers, mesh.worst_sliver_m,
+                         mesh.worst_sliver));
+  if (mesh.turned)
+    line("", fmt::format("{} faced inward, turned (first {})", mesh.turned, mesh.first_turned));
+  if (mesh.cracks_closed + mesh.floors_added)
+    line("", fmt::format("{} objects had cracks closed, {} a floor added (first {})", mesh.cracks_closed,
+                         mesh.floors_added, mesh.first_repaired));
+  if (mesh.open_objects)
+    line("", fmt::format("{} objects are no closed shells, as published", mesh.open_objects));
   if (const std::size_t dropped = mesh.zero_area + mesh.not_finite + mesh.not_triangulated)
-    line("", fmt::format("{} dropped: {} without area, {} not finite, {} not triangulated", dropped,
-                         mesh.zero_area, mesh.not_finite, mesh.not_triangulated));
+    line("",
+         fmt::format("{} dropped: {} without area{}, {} not finite, {} not triangulated", dropped,
+                     mesh.zero_area, mesh.zero_area ? fmt::format(" (longest {})", mesh.worst_zero_area) : "",
+                     mesh.not_finite, mesh.not_triangulated));
   line("skipped", in_words(report.read.skipped));
   const auto& warnings = report.read.warnings;
   constexpr std::size_t shown = 3;
@@ -124,8 +148,9 @@ std::string to_text(const BakeReport& report) {
     line("", fmt::format("and {} more warnings in bake_report.json", warnings.size() - shown));
   line("triangles", fmt::format("{}: {}", sum(report.triangles), in_words(report.triangles)));
   line("terrain",
-       report.terrain +
+       report.ground.source + (report.ground.dem.empty() ? "" : ", dem " + report.ground.dem) +
            (report.draped ? fmt::format(", {} triangles without heights laid onto it", report.draped) : ""));
+  if (report.colours) line("colours", fmt::format("{} of the model's own materials", report.colours));
   const auto lights = [&line](const char* name, const BakeReport::Lights& part, const std::string& of) {
     line(name, fmt::format("{}{}, {:.0f} klm in all", part.placed, of, part.total_flux_lm / 1000));
     if (!part.dropped.empty()) line("", "dropped: " + in_words(part.dropped));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "formats/scene_file.h"
+#include "tools/bake/ground_stage.h"
 #include "tools/citygml/city_model.h"
 #include "tools/layout/layout.h"
 #include "tools/mesh/triangle_mesh.h"
@@ -23,8 +24,10 @@ struct BakeReport {
   std::map<std::string, std::size_t> triangles;  // by material, as written
   std::map<std::string, std::size_t> left_out;   // objects not baked, by reason
   std::vector<std::string> crs;                  // descriptions of the frames
-  std::string terrain;     // "given", "made" or "none" (at the place where the city's first file begins)
-  std::size_t draped = 0;  // triangles without heights laid onto it
+  GroundReport ground;
+  std::size_t relief_points = 0;  // mass points and vertices of break lines
+  std::size_t colours = 0;        // materials the model itself names
+  std::size_t draped = 0;         // triangles without heights laid onto it
   struct Lights {
     std::size_t mapped = 0, placed = 0;  // lamps: nodes in the OSM files; lights in city.lights
     double total_flux_lm = 0;

@@ -1,9 +1,14 @@
 #include "tools/bake/city_stage.h"
 
+#include <functional>
 #include <glm/geometric.hpp>
+#include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace nightcity {
 namespace {
@@ -27,6 +32,44 @@ std::optional<Footing> footing_of(ObjectType type, SurfaceType surface) {
   }
 }
 
+// An object as it comes out of the parallel part of the work: all that needs no other object.
+struct Prepared {
+  CityObject object;
+  std::size_t identity = 0;        // of its id and first vertex; 0 = it has no id
+  const char* left_out = nullptr;  // why
+  bool flat = false;               // lacks heights: goes onto the terrain later
+  TriangleMesh mesh;               // of a flat object
+  std::vector<TileStore::Triangle> triangles;
+  std::optional<Footing> footing;
+  TriangleMesh carries;  // what of it one may stand on
+  MeshReport report;
+};
+
+std::size_t identity_of(const CityObject& object) {
+  if (object.id.empty() || object.polygons.empty()) return 0;
+  std::string key = object.id;
+  const Ring& ring = object.polygons.front().exterior;
+  if (!ring.empty()) key.append(reinterpret_cast<const char*>(&ring.front()), sizeof(glm::dvec3));
+  return std::hash<std::string_view>()(key);
+}
+
+std::vector<TileStore::Triangle> tile_triangles(const TriangleMesh& mesh, const CityObject& object) {
+  std::vector<TileStore::Triangle> triangles;
+  triangles.reserve(mesh.triangles.size());
+  for (const MeshTriangle& triangle : mesh.triangles) {
+    const SurfaceUse use = use_of(object.type, triangle.surface);
+    const auto corner = [&](int k) { return mesh.positions[triangle.vertex[k]]; };
+    TileStore::Triangle& made = triangles.emplace_back();
+    for (int k = 0; k < 3; ++k) made.corners[k] = corner(k);
+    made.material = code_of(use.material);
+    made.kind = use.kind;
+    if (triangle.polygon < object.polygons.size())
+      if (const auto& colour = object.polygons[triangle.polygon].diffuse_colour)
+        made.material = code_of(use.material, *colour);
+  }
+  return triangles;
+}
+
 class CityReader {
  public:
   CityReader(const Recipe& recipe, const CityFrames& frames, const CitySinks& sinks, BakeReport& report)
@@ -38,43 +81,69 @@ class CityReader {
     last_feature_ = no_id;
   }
 
-  void take(CityObject&& object) {
-    ++report_.objects[name_of(object.type)];
-    if (object.polygons.empty()) return leave_out("without geometry");
-    // A large object comes in pieces, one after the other, under one id.
-    const bool continues = !object.id.empty() && object.id == last_id_;
-    if (!continues && many_files_ && seen_before(object)) {
-      last_id_.clear();
-      return leave_out("in two files");
-    }
-    const bool flat = lacks_heights(object);
+  // On many threads.
+  Prepared prepare(CityObject&& object) const {
+    Prepared out;
+    out.identity = many_files_ ? identity_of(object) : 0;
+    out.flat = lacks_heights(object);
     for (Polygon& polygon : object.polygons) {
       frames_.to_city(file_, polygon.exterior);
       for (Ring& ring : polygon.interiors) frames_.to_city(file_, ring);
     }
-    if (far_away(object)) return leave_out("far from the city");
-    classify_unknown_surfaces(object);
+    frames_.to_city(file_, object.points);
+    if (object.polygons.empty()) {
+      if (object.points.empty()) out.left_out = "without geometry";
+    } else if (far_away(object)) {
+      out.left_out = "far from the city";
+    } else {
+      // Shells first: which way is out decides what is a roof and which side of a wall has windows.
+      repair_shells(object, out.report);
+      classify_unknown_surfaces(object);
+      out.mesh = triangulate(object, out.report);
+      if (out.mesh.triangles.empty()) out.left_out = "without area";
+      find_footing(object.type, out);
+      if (!out.flat) {
+        out.triangles = tile_triangles(out.mesh, object);
+        out.mesh = {};
+      }
+    }
+    if (!sinks_.windows) object.polygons = {};
+    out.object = std::move(object);
+    return out;
+  }
+
+  // In file order.
+  void take(Prepared&& prepared) {
+    const CityObject& object = prepared.object;
+    ++report_.objects[name_of(object.type)];
+    // A large object comes in pieces, one after the other, under one id.
+    const bool continues = !object.id.empty() && object.id == last_id_;
+    if (prepared.left_out == nullptr && !continues && seen_before(prepared.identity)) {
+      last_id_.clear();
+      prepared.left_out = "in two files";
+    } else {
+      report_.mesh.merge(prepared.report);
+    }
+    if (prepared.left_out) {
+      ++report_.left_out[prepared.left_out];
+      return;
+    }
+    sinks_.terrain.add_points(object.points);
+    report_.relief_points += object.points.size();
+    if (prepared.triangles.empty() && prepared.mesh.triangles.empty()) return;  // points alone
     if (sinks_.windows && object.type == ObjectType::building) sinks_.windows->add(object);
-    const TriangleMesh mesh = triangulate(object, report_.mesh);
-    if (mesh.triangles.empty()) return leave_out("without area");
     if (!continues) last_feature_ = add_feature(object);
     last_id_ = object.id;
-    if (flat) return sinks_.drape.add(mesh, object.type, last_feature_);
-    add_mesh(sinks_.tiles, mesh, object.type, last_feature_);
-    add_footing(mesh, object.type);
+    if (prepared.flat) return sinks_.drape.add(prepared.mesh, object.type, last_feature_);
+    sinks_.tiles.add(prepared.triangles, last_feature_);
+    if (prepared.footing) sinks_.terrain.add(prepared.carries, *prepared.footing);
   }
 
  private:
-  void leave_out(const char* reason) { ++report_.left_out[reason]; }
-
   // Neighbouring files often share the objects on their border.
-  bool seen_before(const CityObject& object) {
-    if (object.id.empty()) return false;
-    std::string key = object.id;
-    const Ring& ring = object.polygons.front().exterior;
-    if (!ring.empty()) key.append(reinterpret_cast<const char*>(&ring.front()), sizeof(glm::dvec3));
-    const std::size_t hash = std::hash<std::string_view>()(key);
-    const auto [found, is_new] = seen_.try_emplace(hash, file_);
+  bool seen_before(std::size_t identity) {
+    if (identity == 0) return false;
+    const auto [found, is_new] = seen_.try_emplace(identity, file_);
     return !is_new && found->second != file_;
   }
 
@@ -92,16 +161,15 @@ class CityReader {
     return sinks_.writer.add_feature(feature);
   }
 
-  void add_footing(const TriangleMesh& mesh, ObjectType type) {
-    std::optional<Footing> footing;
-    TriangleMesh part;
-    part.positions = mesh.positions;
-    for (const MeshTriangle& triangle : mesh.triangles)
-      if (const auto carries = footing_of(type, triangle.surface)) {
-        footing = carries;  // one class an object: it depends on the surface only by whether there is one
-        part.triangles.push_back(triangle);
-      }
-    if (footing) sinks_.terrain.add(part, *footing);
+  static void find_footing(ObjectType type, Prepared& out) {
+    for (const MeshTriangle& triangle : out.mesh.triangles) {
+      const auto carries = footing_of(type, triangle.surface);
+      if (!carries) continue;
+      out.footing = carries;  // one class an object: it depends on the surface only by whether there is one
+      const auto first = static_cast<std::uint32_t>(out.carries.positions.size());
+      for (const std::uint32_t v : triangle.vertex) out.carries.positions.push_back(out.mesh.positions[v]);
+      out.carries.triangles.push_back({{first, first + 1, first + 2}, triangle.surface, 0});
+    }
   }
 
   const CityFrames& frames_;
@@ -111,20 +179,15 @@ class CityReader {
   std::size_t file_ = 0;
   std::string last_id_;
   std::uint32_t last_feature_ = no_id;
-  std::unordered_map<std::size_t, std::size_t> seen_;  // hash of an object, the file that brought it
+  std::unordered_map<std::size_t, std::size_t> seen_;  // identity of an object, the file that brought it
 };
 
 }  // namespace
 
 void add_mesh(TileStore& tiles, const TriangleMesh& mesh, ObjectType type, std::uint32_t feature) {
-  std::vector<TileStore::Triangle> triangles;
-  triangles.reserve(mesh.triangles.size());
-  for (const MeshTriangle& triangle : mesh.triangles) {
-    const SurfaceUse use = use_of(type, triangle.surface);
-    const auto corner = [&](int k) { return mesh.positions[triangle.vertex[k]]; };
-    triangles.push_back({{corner(0), corner(1), corner(2)}, use.material, use.kind});
-  }
-  tiles.add(triangles, feature);
+  CityObject plain;
+  plain.type = type;
+  tiles.add(tile_triangles(mesh, plain), feature);
 }
 
 void read_city(const Recipe& recipe, const CityFrames& frames, const CitySinks& sinks, BakeReport& report,
@@ -136,10 +199,18 @@ void read_city(const Recipe& recipe, const CityFrames& frames, const CitySinks& 
     reader.begin_file(i);
     const std::string stage = "reading " + std::to_string(i + 1) + " of " + std::to_string(files.size()) +
                               ": " + files[i].filename().string();
-    report.read.merge(read_citygml(files[i], recipe.city.read, [&](CityObject&& object) {
-      reader.take(std::move(object));
-      if (progress && ++objects % 64 == 0) progress({stage, objects, "objects"});
-    }));
+    report.read.merge(read_citygml_staged(
+        files[i], recipe.city.read, [&](std::vector<CityObject>&& read) -> std::function<void()> {
+          const auto prepared =
+              std::make_shared<std::vector<Prepared>>();  // std::function copies what it holds
+          prepared->reserve(read.size());
+          for (CityObject& object : read) prepared->push_back(reader.prepare(std::move(object)));
+          return [&, prepared] {
+            for (Prepared& object : *prepared) reader.take(std::move(object));
+            objects += prepared->size();
+            if (progress) progress({stage, objects, "objects"});
+          };
+        }));
   }
 }
 

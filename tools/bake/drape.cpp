@@ -101,7 +101,7 @@ std::size_t DrapeStore::lay(const std::function<std::optional<double>(const glm:
     feature = record.feature;
     const SurfaceUse use = use_of(record.type, record.surface);
     subdivide(record.corners, longest_edge_m, [&](const glm::dvec3(&corners)[3]) {
-      TileStore::Triangle piece{{corners[0], corners[1], corners[2]}, use.material, use.kind};
+      TileStore::Triangle piece{{corners[0], corners[1], corners[2]}, code_of(use.material), use.kind};
       for (glm::dvec3& p : piece.corners) p.z = height_of(p);
       pieces.push_back(piece);
     });

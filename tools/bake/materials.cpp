@@ -1,5 +1,10 @@
 #include "tools/bake/materials.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+
 namespace nightcity {
 namespace {
 
@@ -9,7 +14,56 @@ SceneMaterial diffuse(const char* name, float albedo, glm::vec3 hue, float rough
   return {.name = name, .base_colour = hue * (albedo / luminance), .roughness = roughness};
 }
 
+constexpr MaterialCode coloured = 0x80;
+constexpr std::size_t most_colours = 2000;
+
+glm::vec3 srgb_of(MaterialCode code) {
+  return glm::vec3(code >> 8 & 0xFFu, code >> 16 & 0xFFu, code >> 24 & 0xFFu) / 255.0f;
+}
+
+// IEC 61966-2-1.
+float linear(float srgb) {
+  return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
+}
+
 }  // namespace
+
+MaterialCode code_of(BakeMaterial kind, const glm::vec3& colour) {
+  MaterialCode code = code_of(kind) | coloured;
+  for (int i = 0; i < 3; ++i) {
+    const float value = std::clamp(colour[i], 0.0f, 1.0f);  // NaN becomes 0
+    code |= static_cast<MaterialCode>(std::lround((value > 0 ? value : 0) * 255)) << (8 + 8 * i);
+  }
+  return code;
+}
+
+MaterialTable::MaterialTable(SceneWriter& writer) : writer_(writer) {
+  for (const SceneMaterial& material : bake_materials()) writer_.add_material(material);
+}
+
+std::uint32_t MaterialTable::index_of(MaterialCode code) {
+  if ((code & coloured) == 0) return code;
+  const auto found = coloured_.find(code);
+  if (found != coloured_.end()) return found->second;
+  if (coloured_.size() >= most_colours) {
+    const auto distance = [code](MaterialCode other) {
+      const glm::vec3 d = srgb_of(code) - srgb_of(other);
+      return glm::dot(d, d) + (kind_of(code) == kind_of(other) ? 0.0f : 4.0f);
+    };
+    return std::min_element(
+               coloured_.begin(), coloured_.end(),
+               [&](const auto& a, const auto& b) { return distance(a.first) < distance(b.first); })
+        ->second;
+  }
+  const glm::vec3 srgb = srgb_of(code);
+  SceneMaterial material = bake_materials()[static_cast<std::size_t>(kind_of(code))];
+  char name[16];
+  std::snprintf(name, sizeof name, " #%02X%02X%02X", code >> 8 & 0xFFu, code >> 16 & 0xFFu,
+                code >> 24 & 0xFFu);
+  material.name += name;
+  material.base_colour = {linear(srgb.x), linear(srgb.y), linear(srgb.z)};
+  return coloured_[code] = writer_.add_material(material);
+}
 
 // Albedos: T. R. Oke, Boundary Layer Climates, 2nd ed. (1987), tables 1.1 and 8.2, which give ranges; the
 // value taken stands in the middle unless said otherwise. Hues and roughness are ours: a city by night shows

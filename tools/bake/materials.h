@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/vec3.hpp>
+#include <map>
 
 #include "formats/scene_file.h"
 #include "tools/citygml/city_model.h"
@@ -29,6 +31,34 @@ constexpr std::size_t bake_material_count = static_cast<std::size_t>(BakeMateria
 
 /// The scene material of each BakeMaterial, in order. Reflectances are diffuse, for visible light.
 const std::array<SceneMaterial, bake_material_count>& bake_materials();
+
+/// A material with the colour that the model gives it, packed: kind in the low 7 bits, bit 7 = has a colour,
+/// 8 bits each of red, green, blue (sRGB) above.
+using MaterialCode = std::uint32_t;
+
+constexpr MaterialCode code_of(BakeMaterial kind) {
+  return static_cast<MaterialCode>(kind);
+}
+/// `colour`: sRGB in [0, 1], as X3DMaterial has it.
+MaterialCode code_of(BakeMaterial kind, const glm::vec3& colour);
+constexpr BakeMaterial kind_of(MaterialCode code) {
+  return static_cast<BakeMaterial>(code & 0x7Fu);
+}
+
+/// The materials of a scene as they come to be needed: those of the table, and one for each colour.
+class MaterialTable {
+ public:
+  /// Adds bake_materials() to `writer`, in order.
+  explicit MaterialTable(SceneWriter& writer);
+  /// The writer's index. Beyond some thousand colours the nearest of those there are is taken: a model that
+  /// has a colour of its own for each polygon is a photograph in disguise.
+  std::uint32_t index_of(MaterialCode code);
+  std::size_t colours() const { return coloured_.size(); }
+
+ private:
+  SceneWriter& writer_;
+  std::map<MaterialCode, std::uint32_t> coloured_;
+};
 
 /// The kind of scene node a surface belongs to: batches of one kind share a node in a tile.
 enum class NodeKind : std::uint8_t { city, terrain, road };

@@ -10,6 +10,7 @@
 
 #include "formats/error.h"
 #include "formats/mapped_file.h"
+#include "tools/bake/city_files.h"
 #include "tools/layout/lighting_class.h"
 #include "tools/lights/lamp_defaults.h"
 #include "tools/lights/occupancy.h"
@@ -71,28 +72,12 @@ struct Setting {
 using Handler = std::function<void(const Setting&)>;
 using Table = std::map<std::string, Handler>;
 
-bool is_city_file(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".gml" || extension == ".xml" || extension == ".citygml";
-}
-
 std::vector<fs::path> files_of(const Setting& setting, const fs::path& folder, bool expand_folders) {
   std::vector<fs::path> result;
   for (const std::string& name : setting.texts()) {
     if (name.empty()) setting.refuse("holds an empty name");
     const fs::path path = (folder / name).lexically_normal();
-    std::error_code error;
-    if (!expand_folders || !fs::is_directory(path, error)) {
-      result.push_back(path);
-      continue;
-    }
-    std::vector<fs::path> found;
-    for (const auto& entry : fs::directory_iterator(path, error))
-      if (entry.is_regular_file() && is_city_file(entry.path())) found.push_back(entry.path());
-    if (found.empty()) throw Error(path.string(), "no .gml, .xml or .citygml file in this folder");
-    std::sort(found.begin(), found.end());  // the same order on every file system
+    const auto found = expand_folders ? city_files(path) : std::vector<fs::path>{path};
     result.insert(result.end(), found.begin(), found.end());
   }
   if (result.empty()) setting.refuse("names no file");
@@ -200,7 +185,8 @@ std::map<std::string, Table> tables_of(Recipe& recipe) {
        {{"layout", [&recipe](const Setting& s) { recipe.lamps.layout.mode = layout_mode(s); }},
         {"class", [&recipe](const Setting& s) { recipe.lamps.layout.class_of = lighting_classes(s); }}}},
       {"terrain",
-       {{"make_surface", [&recipe](const Setting& s) { recipe.terrain.make_surface = s.boolean(); }},
+       {{"dem", [&recipe, folder](const Setting& s) { recipe.terrain.dem = files_of(s, folder, false); }},
+        {"make_surface", [&recipe](const Setting& s) { recipe.terrain.make_surface = s.boolean(); }},
         {"margin_m", [&recipe](const Setting& s) { recipe.terrain.margin_m = s.number(0, 10000); }}}},
       {"origin",
        {{"easting", origin(recipe.origin.easting)},

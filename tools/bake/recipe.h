@@ -18,7 +18,7 @@ struct Recipe {
 
   struct City {
     std::vector<std::filesystem::path>
-        files;                 // CityGML; a folder stands for the .gml, .xml, .citygml files in it
+        files;                 // CityGML; a folder stands for the files in it that city_files() names
     CityFrame::Options frame;  // crs = "EPSG:...", control_points = [[lon, lat, x, y], ...]
     ReadOptions read;          // lod = 2, reader = "stream" | "libcitygml", threads = 0
     double tile_m = 250;
@@ -35,8 +35,9 @@ struct Recipe {
   } lamps;
 
   struct Terrain {
-    bool make_surface = true;  // where the city has no relief: a surface through the buildings' feet
-    double margin_m = 50;      // how far that surface reaches beyond the buildings
+    std::vector<std::filesystem::path> dem;  // elevation models (GDAL), for a city without relief of its own
+    bool make_surface = true;                // where there is neither: a surface through the buildings' feet
+    double margin_m = 50;                    // how far that surface reaches beyond the buildings
   } terrain;
 
   struct Origin {  // of model space, in the city's CRS; what is absent is chosen from the data

@@ -1,13 +1,11 @@
 #include "tools/bake/tile_store.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
 #include <span>
-#include <unordered_map>
 
 namespace nightcity {
 namespace {
@@ -19,34 +17,52 @@ struct StoredTriangle {
 };
 static_assert(sizeof(StoredTriangle) == 40);
 
-struct Vertex {
-  glm::vec3 position;
-  std::uint32_t feature;
-  bool operator==(const Vertex&) const = default;
-};
+// FNV-1a's multiplier over the words, and a final mix for the low bits.
+std::size_t hash_of(const glm::vec3& position) {
+  std::uint64_t hash = 0xCBF29CE484222325u;
+  for (int i = 0; i < 3; ++i) hash = (hash ^ std::bit_cast<std::uint32_t>(position[i])) * 0x100000001B3u;
+  return static_cast<std::size_t>(hash ^ hash >> 29);
+}
 
-struct VertexHash {
-  std::size_t operator()(const Vertex& v) const {
-    std::uint64_t hash = v.feature;
-    for (int i = 0; i < 3; ++i)  // FNV-1a's multiplier over the words, and a final mix for the low bits
-      hash = (hash ^ std::bit_cast<std::uint32_t>(v.position[i])) * 0x100000001B3u;
-    return static_cast<std::size_t>(hash ^ hash >> 32);
-  }
-};
-
-struct Welder {
+// Joins equal vertices of one feature. Features follow each other, so only the present one's are looked up: a
+// small table that stays in the cache, where one for the whole tile would not.
+class Welder {
+ public:
   ScenePrimitive primitive;
-  std::unordered_map<Vertex, std::uint32_t, VertexHash> known;
 
-  std::uint32_t index_of(const Vertex& vertex) {
-    const auto [found, is_new] =
-        known.try_emplace(vertex, static_cast<std::uint32_t>(primitive.positions.size()));
-    if (is_new) {
-      primitive.positions.push_back(vertex.position);
-      primitive.feature_ids.push_back(vertex.feature);
+  std::uint32_t index_of(const glm::vec3& position, std::uint32_t feature) {
+    if (primitive.positions.empty() || feature != feature_) {
+      feature_ = feature;
+      first_ = primitive.positions.size();
+      slots_.assign(64, 0);
     }
-    return found->second;
+    std::size_t slot = find(position);
+    if (slots_[slot] != 0) return slots_[slot] - 1;
+    primitive.positions.push_back(position);
+    primitive.feature_ids.push_back(feature);
+    const auto index = static_cast<std::uint32_t>(primitive.positions.size() - 1);
+    slots_[slot] = index + 1;
+    if (2 * (primitive.positions.size() - first_) > slots_.size()) grow();
+    return index;
   }
+
+ private:
+  // Where `position` is or belongs: linear probing in a table whose size is a power of two.
+  std::size_t find(const glm::vec3& position) const {
+    std::size_t slot = hash_of(position) & (slots_.size() - 1);
+    while (slots_[slot] != 0 && primitive.positions[slots_[slot] - 1] != position)
+      slot = (slot + 1) & (slots_.size() - 1);
+    return slot;
+  }
+  void grow() {
+    slots_.assign(4 * slots_.size(), 0);
+    for (std::size_t i = first_; i < primitive.positions.size(); ++i)
+      slots_[find(primitive.positions[i])] = static_cast<std::uint32_t>(i + 1);
+  }
+
+  std::uint32_t feature_ = 0;
+  std::size_t first_ = 0;             // of the present feature's vertices
+  std::vector<std::uint32_t> slots_;  // index + 1; 0 = free
 };
 
 }  // namespace
@@ -96,15 +112,15 @@ void TileStore::append(const TileKey& key, std::span<const Triangle* const> tria
   tile.last_record = file_.size() + 1;
   file_.write(&record, sizeof record);
   const glm::dvec3 corner = origin(key);
-  for (const Triangle* triangle : triangles) {
-    StoredTriangle stored;
+  std::vector<StoredTriangle> stored(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
     for (int i = 0; i < 3; ++i) {
-      const glm::dvec3 local = triangle->corners[i] - corner;
-      stored.corners[i] = glm::vec3(glm::dvec3(local.x, local.z, -local.y));
+      const glm::dvec3 local = triangles[t]->corners[i] - corner;
+      stored[t].corners[i] = glm::vec3(glm::dvec3(local.x, local.z, -local.y));
     }
-    stored.material = static_cast<std::uint32_t>(triangle->material);
-    file_.write(&stored, sizeof stored);
+    stored[t].material = triangles[t]->material;
   }
+  file_.write(stored.data(), stored.size() * sizeof(StoredTriangle));
 }
 
 std::vector<TileKey> TileStore::tiles() const {
@@ -123,7 +139,7 @@ SceneMesh TileStore::mesh(const TileKey& key) {
   }
   std::reverse(records.begin(), records.end());
 
-  std::array<Welder, bake_material_count> welders;
+  std::map<MaterialCode, Welder> welders;
   std::vector<StoredTriangle> triangles;
   for (const auto& [offset, record] : records) {
     triangles.resize(record.triangle_count);
@@ -131,7 +147,7 @@ SceneMesh TileStore::mesh(const TileKey& key) {
     for (const StoredTriangle& triangle : triangles) {
       Welder& welder = welders[triangle.material];
       std::uint32_t index[3];
-      for (int i = 0; i < 3; ++i) index[i] = welder.index_of({triangle.corners[i], record.feature});
+      for (int i = 0; i < 3; ++i) index[i] = welder.index_of(triangle.corners[i], record.feature);
       // Rounding to float can join corners: such a triangle has no area.
       if (index[0] == index[1] || index[1] == index[2] || index[2] == index[0]) continue;
       welder.primitive.indices.insert(welder.primitive.indices.end(), index, index + 3);
@@ -140,10 +156,10 @@ SceneMesh TileStore::mesh(const TileKey& key) {
   SceneMesh mesh;
   mesh.name =
       std::string(name_of(key.kind)) + " " + std::to_string(key.column) + " " + std::to_string(key.row);
-  for (std::size_t m = 0; m < welders.size(); ++m) {
-    if (welders[m].primitive.indices.empty()) continue;
-    welders[m].primitive.material = static_cast<std::uint32_t>(m);
-    mesh.primitives.push_back(std::move(welders[m].primitive));
+  for (auto& [code, welder] : welders) {
+    if (welder.primitive.indices.empty()) continue;
+    welder.primitive.material = code;
+    mesh.primitives.push_back(std::move(welder.primitive));
   }
   return mesh;
 }

@@ -31,7 +31,7 @@ class TileStore {
   /// One corner of the triangle: E, N, H in metres.
   struct Triangle {
     glm::dvec3 corners[3];
-    BakeMaterial material;
+    MaterialCode material;
     NodeKind kind;
   };
   /// Adds an object's triangles, feature `feature`. An object goes whole into the tile of its centre unless
@@ -43,7 +43,7 @@ class TileStore {
   /// (x east, y up, z south).
   glm::dvec3 origin(const TileKey& tile) const;
   /// All triangles of a tile in the order in which they came, one primitive a material, equal vertices
-  /// welded.
+  /// welded. A primitive's `material` is a MaterialCode: whoever writes it asks a MaterialTable.
   SceneMesh mesh(const TileKey& tile);
 
  private:

@@ -115,6 +115,18 @@ bool is_document(std::string_view entry) {
   return lower.ends_with(".gml") || lower.ends_with(".xml") || lower.ends_with(".citygml");
 }
 
+// The last bytes of what can only be read from its beginning.
+std::string tail_of(ByteSource& source, std::size_t size) {
+  constexpr std::size_t block = std::size_t{1} << 18;
+  std::string kept;
+  for (std::string next(block, '\0');;) {
+    const std::size_t got = source.read(next.data(), next.size());
+    if (got == 0) return kept;
+    kept.append(next, 0, got);
+    if (kept.size() > size) kept.erase(0, kept.size() - size);
+  }
+}
+
 std::vector<Document> documents_in_archive(const std::string& path) {
   const auto archive = open_archive(path);
   std::vector<Document> documents;
@@ -125,7 +137,10 @@ std::vector<Document> documents_in_archive(const std::string& path) {
     if (!entry || !is_document(entry)) continue;
     const std::string name = path + "/" + entry;
     documents.push_back({name, [=] { return std::make_unique<ZipSource>(path, index, name); },
-                         [](std::size_t) { return std::string(); }});
+                         [=](std::size_t size) {
+                           ZipSource source(path, index, name);
+                           return tail_of(source, size);
+                         }});
   }
   if (documents.empty()) throw Error(path, "the archive holds no .gml, .xml or .citygml");
   return documents;
@@ -142,7 +157,10 @@ std::vector<Document> documents_in(const std::filesystem::path& file) {
   if (got == 4 && std::memcmp(magic, "PK\x03\x04", 4) == 0) return documents_in_archive(path);
   if (got >= 2 && std::memcmp(magic, "\x1f\x8b", 2) == 0)
     return {{path, [=] { return std::make_unique<GzipSource>(path); },
-             [](std::size_t) { return std::string(); }}};
+             [=](std::size_t size) {
+               GzipSource source(path);
+               return tail_of(source, size);
+             }}};
   return {{path, [=] { return std::make_unique<PlainSource>(path); },
            [=](std::size_t size) { return PlainSource(path).tail(size); }}};
 }

@@ -96,6 +96,10 @@ struct ReadOptions {
 /// one after the other, with the same id.
 using ObjectSink = std::function<void(CityObject&&)>;
 
+/// For work on objects that would hold up the reading: called on many threads at once, each time with some
+/// objects in file order. What it returns is then called on one thread at a time, in file order.
+using ObjectStage = std::function<std::function<void()>(std::vector<CityObject>&&)>;
+
 /// What a frame needs before the first object is placed: a cheap look at the file's beginning.
 struct CityGmlHead {
   std::string version;             // "1.0", "2.0", "3.0"; "" = not said
@@ -111,6 +115,10 @@ const char* name_of(SurfaceType type);
 /// reader's own. Throws Error: missing, empty, truncated, not XML, not CityGML, DOCTYPE.
 ReadReport read_citygml(const std::filesystem::path& file, const ReadOptions& options,
                         const ObjectSink& sink);
+
+/// The same for a stage of work.
+ReadReport read_citygml_staged(const std::filesystem::path& file, const ReadOptions& options,
+                               const ObjectStage& stage);
 
 /// Reads until it has a sample or the file ends. Throws Error as read_citygml does.
 CityGmlHead read_citygml_head(const std::filesystem::path& file);

@@ -18,6 +18,9 @@ struct ReaderTally {
       0;  // of the rings, holes subtracted, in the file's own units squared: for comparing, not for stating
 };
 
+/// The same counts, and areas that differ by no more than rounding.
+bool alike(const ReaderTally& a, const ReaderTally& b);
+
 struct ReaderComparison {
   /// By object type and by surface type ("building", "wall", ...): first the stream reader, second
   /// libcitygml.

@@ -1,3 +1,6 @@
+#include <memory>
+#include <utility>
+
 #include "formats/error.h"
 #include "tools/citygml/byte_source.h"
 #include "tools/citygml/city_model.h"
@@ -24,13 +27,36 @@ std::string first_srs_name(const MemberBatch& batch) {
   return {};
 }
 
+ObjectStage deliver_to(const ObjectSink& sink) {
+  return [&sink](std::vector<CityObject>&& objects) -> std::function<void()> {
+    // std::function wants to copy what it holds.
+    const auto held = std::make_shared<std::vector<CityObject>>(std::move(objects));
+    return [&sink, held] {
+      for (CityObject& object : *held) sink(std::move(object));
+    };
+  };
+}
+
+ReadReport read_citygml_staged(const std::filesystem::path& file, const ReadOptions& options,
+                               const ObjectStage& stage) {
+  ReadReport report;
+  for (const Document& document : documents_in(file)) {
+    if (options.reader == Reader::stream) {
+      report.merge(read_with_stream(document, options, stage));
+      continue;
+    }
+    report.merge(read_with_libcitygml(document, options, [&](CityObject&& object) {
+      std::vector<CityObject> one;
+      one.push_back(std::move(object));
+      stage(std::move(one))();
+    }));
+  }
+  return report;
+}
+
 ReadReport read_citygml(const std::filesystem::path& file, const ReadOptions& options,
                         const ObjectSink& sink) {
-  ReadReport report;
-  for (const Document& document : documents_in(file))
-    report.merge(options.reader == Reader::libcitygml ? read_with_libcitygml(document, options, sink)
-                                                      : read_with_stream(document, options, sink));
-  return report;
+  return read_citygml_staged(file, options, deliver_to(sink));
 }
 
 }  // namespace nightcity

@@ -6,6 +6,7 @@
 #include <memory>
 #include <pugixml.hpp>
 #include <unordered_set>
+#include <utility>
 
 #include "formats/error.h"
 #include "tools/citygml/document_reader.h"
@@ -25,6 +26,7 @@ bool is_object_member(const MemberBatch::Member& member) {
 
 struct BatchResult {
   std::vector<CityObject> objects;
+  std::function<void()> rest;  // what the stage leaves to be done in file order
   ReadReport report;
   std::vector<std::size_t> deferred;  // members whose geometry stands elsewhere
   std::unordered_set<std::string> wanted;
@@ -32,8 +34,8 @@ struct BatchResult {
 
 class StreamReader {
  public:
-  StreamReader(const Document& document, const ReadOptions& options, const ObjectSink& sink)
-      : document_(document), options_(options), sink_(sink) {}
+  StreamReader(const Document& document, const ReadOptions& options, const ObjectStage& stage)
+      : document_(document), options_(options), stage_(stage) {}
 
   ReadReport read() {
     read_file_materials();
@@ -115,11 +117,12 @@ class StreamReader {
         out.objects.push_back(fold(std::move(raw), options_, out.report));
       }
     }
+    if (!out.objects.empty()) out.rest = stage_(std::exchange(out.objects, {}));
     return out;
   }
 
   void take(BatchResult&& result) {
-    for (CityObject& object : result.objects) sink_(std::move(object));
+    if (result.rest) result.rest();
     result.report.version.clear();
     const std::size_t room = most_warnings - std::min(most_warnings, report_.warnings.size());
     if (result.report.warnings.size() > room) result.report.warnings.resize(room);
@@ -170,7 +173,7 @@ class StreamReader {
 
   const Document& document_;
   const ReadOptions& options_;
-  const ObjectSink& sink_;
+  const ObjectStage& stage_;
   ReadReport report_;
   std::string srs_name_;
   Materials file_materials_;
@@ -183,8 +186,8 @@ class StreamReader {
 
 }  // namespace
 
-ReadReport read_with_stream(const Document& document, const ReadOptions& options, const ObjectSink& sink) {
-  return StreamReader(document, options, sink).read();
+ReadReport read_with_stream(const Document& document, const ReadOptions& options, const ObjectStage& stage) {
+  return StreamReader(document, options, stage).read();
 }
 
 }  // namespace nightcity

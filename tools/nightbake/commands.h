@@ -12,6 +12,7 @@ namespace nightcity {
 void add_run_command(CLI::App& app);
 void add_inspect_command(CLI::App& app);
 void add_town_command(CLI::App& app);
+void add_readers_command(CLI::App& app);
 void add_layout_command(CLI::App& app);
 void add_traffic_command(CLI::App& app);
 

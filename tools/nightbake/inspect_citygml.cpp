@@ -68,6 +68,7 @@ Inspection inspect_citygml(const std::filesystem::path& file, int highest_lod) {
   result["objects"] = objects;
   result["lods"] = lods;
   result["mesh"] = {{"zero_area", mesh.zero_area},
+                    {"slivers", mesh.slivers},
                     {"non_planar", mesh.non_planar},
                     {"worst_non_planar_m", mesh.worst_non_planar_m},
                     {"self_intersecting", mesh.self_intersecting},

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "tools/bake/city_stage.h"
+#include "tools/bake/ground_stage.h"
 #include "tools/bake/lamp_stage.h"
 #include "tools/bake/layout_tables.h"
 #include "tools/bake/materials.h"
@@ -30,13 +31,12 @@ void read_ground(const Recipe& recipe, const CityFrames& frames, Terrain& terrai
                  const ProgressSink& progress) {
   const auto nowhere = std::filesystem::temp_directory_path() / "nightbake-layout";
   SceneWriter writer(nowhere, {});
-  for (const SceneMaterial& material : bake_materials()) writer.add_material(material);
   TileStore tiles(nowhere, recipe.city.tile_m, std::round(frames.reference().z));
   DrapeStore drape(nowhere);
   std::optional<WindowLayout> no_windows;
   BakeReport unused;
   read_city(recipe, frames, {writer, tiles, drape, terrain, no_windows}, unused, progress);
-  terrain.build(recipe.terrain.margin_m);
+  lay_ground(recipe, frames, terrain, tiles);
 }
 
 void run(const Arguments& arguments) {

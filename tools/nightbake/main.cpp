@@ -31,6 +31,7 @@ int run(int argc, char** argv) {
 
   add_run_command(app);
   add_inspect_command(app);
+  add_readers_command(app);
   add_town_command(app);
   add_layout_command(app);
   add_traffic_command(app);

@@ -16,10 +16,12 @@ namespace {
 struct Arguments {
   std::string recipe, folder;
   bool json = false;
+  unsigned threads = 0;
 };
 
 void run(const Arguments& arguments) {
-  const Recipe recipe = read_recipe(arguments.recipe);
+  Recipe recipe = read_recipe(arguments.recipe);
+  if (arguments.threads > 0) recipe.city.read.threads = arguments.threads;
   BakeReport report;
   {
     ProgressLine progress;
@@ -41,6 +43,15 @@ void add_run_command(CLI::App& app) {
   command->add_option("-o,--out", arguments->folder, "Folder for the results; made where absent")->required();
   command->add_flag("--json", arguments->json,
                     "Print the report as JSON (it is in DIR/bake_report.json too)");
+  command
+      ->add_option(
+          "--threads", arguments->threads,
+          "Threads to use, in place of the recipe's (default: one a core); the results do not depend "
+          "on it")
+      ->check(CLI::Range(1, 1024));
+  command->footer(
+      "Examples:\n  nightbake run pipelines/berlin.toml --out berlin\n"
+      "  nightbake run --json city.toml -o out | jq .citygml.skipped");
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -1,136 +1,90 @@
 #include "tools/terrain/terrain.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <iterator>
-#include <limits>
+#include <cstddef>
 
+#include "tools/terrain/ground_points.h"
 #include "tools/terrain/made_surface.h"
+#include "tools/terrain/surface_store.h"
 
 namespace nightcity {
-namespace {
-
-// Exact predicates: a ray through an edge shared by two triangles hits at least one of them.
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Triangle = Kernel::Triangle_3;
-using Triangles = std::vector<Triangle>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
-
-constexpr double least_plan_area_m2 = 1e-8;  // below it a triangle is a wall or a line
-
-double plan_area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  return std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
-}
-
-/// Height of the triangle's plane at (x, y).
-double height_on(const Triangle& triangle, double x, double y) {
-  const auto &a = triangle[0], &b = triangle[1], &c = triangle[2];
-  const double ux = b.x() - a.x(), uy = b.y() - a.y(), vx = c.x() - a.x(), vy = c.y() - a.y();
-  const double area = ux * vy - uy * vx;
-  const double s = ((x - a.x()) * vy - (y - a.y()) * vx) / area,
-               t = ((y - a.y()) * ux - (x - a.x()) * uy) / area;
-  return a.z() + s * (b.z() - a.z()) + t * (c.z() - a.z());
-}
-
-}  // namespace
 
 struct Terrain::State {
-  struct Layer {
-    Triangles triangles;
-    Tree tree;
-  };
-  std::array<Layer, 4> layers;
-  std::optional<glm::dvec3> origin;  // coordinates are kept relative to it: EPSG eastings cost digits
-  std::vector<glm::dvec3> ground_points, road_points;
-  double lowest = std::numeric_limits<double>::infinity(), highest = -std::numeric_limits<double>::infinity();
-  TriangleMesh made;
+  explicit State(const std::filesystem::path& scratch)
+      : layers{SurfaceStore(scratch), SurfaceStore(scratch), SurfaceStore(scratch), SurfaceStore(scratch)} {}
 
-  /// The highest triangle of a layer on the vertical line through `p` (local).
-  std::optional<double> highest_on(const Layer& layer, const glm::dvec2& p) const {
-    if (layer.triangles.empty()) return std::nullopt;
-    const Kernel::Segment_3 line({p.x, p.y, lowest - 1}, {p.x, p.y, highest + 1});
-    std::vector<Triangles::const_iterator> hits;
-    layer.tree.all_intersected_primitives(line, std::back_inserter(hits));
-    std::optional<double> best;
-    for (const auto& hit : hits) {
-      const double z = height_on(*hit, p.x, p.y);
-      if (!best || z > *best) best = z;
-    }
-    return best;
-  }
+  SurfaceStore& layer(Footing footing) { return layers[static_cast<std::size_t>(footing)]; }
+
+  std::array<SurfaceStore, 4> layers;
+  GroundPoints relief_points, ground_points, road_points;
+  TriangleMesh made;
 };
 
-Terrain::Terrain() : state_(std::make_unique<State>()) {}
+Terrain::Terrain(const std::filesystem::path& scratch) : state_(std::make_unique<State>(scratch)) {}
 Terrain::~Terrain() = default;
 Terrain::Terrain(Terrain&&) noexcept = default;
 Terrain& Terrain::operator=(Terrain&&) noexcept = default;
 
 void Terrain::add(const TriangleMesh& mesh, Footing footing) {
-  State& state = *state_;
+  SurfaceStore& layer = state_->layer(footing);
+  GroundPoints* const points = footing == Footing::ground_surface ? &state_->ground_points
+                               : footing == Footing::road         ? &state_->road_points
+                                                                  : nullptr;
   for (const MeshTriangle& triangle : mesh.triangles) {
-    const glm::dvec3 &a = mesh.positions[triangle.vertex[0]], &b = mesh.positions[triangle.vertex[1]],
-                     &c = mesh.positions[triangle.vertex[2]];
-    // Not finite fails the comparison too.
-    if (!(plan_area(a, b, c) > least_plan_area_m2) || !std::isfinite(a.z + b.z + c.z)) continue;
-    if (!state.origin) state.origin = glm::dvec3(std::floor(a.x), std::floor(a.y), 0);
-    const auto local = [&](const glm::dvec3& p) {
-      state.lowest = std::min(state.lowest, p.z);
-      state.highest = std::max(state.highest, p.z);
-      if (footing == Footing::ground_surface) state.ground_points.push_back(p);
-      if (footing == Footing::road) state.road_points.push_back(p);
-      return Kernel::Point_3(p.x - state.origin->x, p.y - state.origin->y, p.z);
+    const auto corner = [&](std::size_t k) -> const glm::dvec3& {
+      return mesh.positions[triangle.vertex[k]];
     };
-    state.layers[static_cast<std::size_t>(footing)].triangles.emplace_back(local(a), local(b), local(c));
+    if (!layer.add(corner(0), corner(1), corner(2)) || !points) continue;
+    for (std::size_t k = 0; k < 3; ++k) points->add(corner(k));
   }
+}
+
+void Terrain::add_points(std::span<const glm::dvec3> points) {
+  for (const glm::dvec3& p : points) state_->relief_points.add(p);
+}
+
+bool Terrain::has_relief() const {
+  return !state_->layer(Footing::terrain).empty() || !state_->relief_points.empty();
+}
+
+const std::vector<glm::dvec3>& Terrain::feet() const {
+  return (state_->ground_points.empty() ? state_->road_points : state_->ground_points).points();
 }
 
 void Terrain::build(double margin_m) {
   State& state = *state_;
-  if (state.layers[0].triangles.empty()) {
-    state.made = make_surface(
-        std::move(state.ground_points.empty() ? state.road_points : state.ground_points), margin_m);
+  if (state.layer(Footing::terrain).empty()) {
+    GroundPoints& from = !state.relief_points.empty()   ? state.relief_points
+                         : !state.ground_points.empty() ? state.ground_points
+                                                        : state.road_points;
+    state.made = make_surface(from.take(), margin_m);
     add(state.made, Footing::terrain);
   }
-  state.ground_points = {};
-  state.road_points = {};
-  for (State::Layer& layer : state.layers) {
-    layer.tree.insert(layer.triangles.begin(), layer.triangles.end());
-    layer.tree.build();
-  }
+  for (GroundPoints* points : {&state.relief_points, &state.ground_points, &state.road_points})
+    points->take();
 }
 
 std::optional<Terrain::Hit> Terrain::height_at(const glm::dvec2& east_north) const {
-  if (!state_->origin || !std::isfinite(east_north.x + east_north.y)) return std::nullopt;
-  const glm::dvec2 local = east_north - glm::dvec2(*state_->origin);
   for (std::size_t n = 0; n < state_->layers.size(); ++n)
-    if (const auto height = state_->highest_on(state_->layers[n], local))
+    if (const auto height = height_of(static_cast<Footing>(n), east_north))
       return Hit{*height, static_cast<Footing>(n)};
   return std::nullopt;
 }
 
 std::optional<double> Terrain::height_of(Footing footing, const glm::dvec2& east_north) const {
-  if (!state_->origin || !std::isfinite(east_north.x + east_north.y)) return std::nullopt;
-  return state_->highest_on(state_->layers[static_cast<std::size_t>(footing)],
-                            east_north - glm::dvec2(*state_->origin));
+  return state_->layer(footing).highest_at(east_north);
 }
 
 bool Terrain::inside_building(const glm::dvec2& east_north) const {
-  if (!state_->origin || !std::isfinite(east_north.x + east_north.y)) return false;
-  const glm::dvec2 local = east_north - glm::dvec2(*state_->origin);
-  for (const Footing footing : {Footing::ground_surface, Footing::roof})
-    if (state_->highest_on(state_->layers[static_cast<std::size_t>(footing)], local)) return true;
-  return false;
+  return height_of(Footing::ground_surface, east_north) || height_of(Footing::roof, east_north);
 }
 
 const TriangleMesh& Terrain::made_surface() const {
   return state_->made;
+}
+
+void Terrain::drop_made_surface() {
+  state_->made = {};
 }
 
 }  // namespace nightcity

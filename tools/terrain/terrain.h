@@ -1,6 +1,7 @@
-// The surface lamps stand on: triangles of the model, searched by vertical rays (CGAL AABB tree).
+// The surface lamps stand on: triangles of the model, searched by vertical rays.
 #pragma once
 
+#include <filesystem>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -17,7 +18,9 @@ enum class Footing : std::uint8_t { terrain = 0, road = 1, ground_surface = 2, r
 
 class Terrain {
  public:
-  Terrain();
+  /// Triangles lie in scratch files beside `scratch` (by default in the system's folder for such), so that
+  /// memory does not grow with the city.
+  explicit Terrain(const std::filesystem::path& scratch = std::filesystem::temp_directory_path() / "terrain");
   ~Terrain();
   Terrain(Terrain&&) noexcept;
   Terrain& operator=(Terrain&&) noexcept;
@@ -25,9 +28,18 @@ class Terrain {
   /// Adds triangles (E, N, H in metres) of one class. Call before build(). Vertical, degenerate and
   /// non-finite triangles carry nobody and are left out.
   void add(const TriangleMesh& mesh, Footing footing);
-  /// Builds the trees. Where no terrain was added, makes a Delaunay surface through the ground surfaces'
-  /// vertices (else the roads'), reaching `margin_m` beyond their bounds, so that every city stands on
-  /// something. It counts as terrain. Of several vertices on one vertical line the lowest is taken.
+  /// Adds mass points and vertices of break lines of the model's relief.
+  void add_points(std::span<const glm::dvec3> points);
+
+  /// Whether the model brings its own ground: triangles of terrain, or points of it.
+  bool has_relief() const;
+  /// Where the buildings stand (else where the roads lie), thinned to some 100,000s: what another ground must
+  /// fit to. Empty after build().
+  const std::vector<glm::dvec3>& feet() const;
+
+  /// Where no terrain was added, makes a Delaunay surface through the relief's points, else through the
+  /// ground surfaces' vertices, else the roads', reaching `margin_m` beyond their bounds, so that every city
+  /// stands on something. It counts as terrain. Of several vertices on one vertical line the lowest is taken.
   void build(double margin_m);
 
   struct Hit {
@@ -43,6 +55,8 @@ class Terrain {
 
   /// The surface made by build() where none was given; empty mesh otherwise.
   const TriangleMesh& made_surface() const;
+  /// Forgets it, once it has been used.
+  void drop_made_surface();
 
  private:
   struct State;

@@ -93,13 +93,27 @@ TEST(Recipe, TrafficDrivesWhereItsTableIsThere) {
 TEST(Recipe, AFolderStandsForItsCityFilesInTheOrderOfTheirNames) {
   const TempFolder folder;
   std::filesystem::create_directory(folder / "tiles");
-  for (const char* name : {"b.GML", "a.gml", "c.xml", "read.me", "a.png"})
+  for (const char* name : {"b.GML", "a.gml", "c.xml", "d.gml.gz", "e.zip", "read.me", "a.png", "f.gz"})
     test::write_text(folder / "tiles" / name, "x");
   const Recipe recipe = read(folder, "[city]\nfiles = ['tiles']\n");
   EXPECT_EQ(recipe.city.files, (std::vector<std::filesystem::path>{
-                                   folder / "tiles/a.gml", folder / "tiles/b.GML", folder / "tiles/c.xml"}));
+                                   folder / "tiles/a.gml", folder / "tiles/b.GML", folder / "tiles/c.xml",
+                                   folder / "tiles/d.gml.gz", folder / "tiles/e.zip"}));
   std::filesystem::create_directory(folder / "none");
   EXPECT_THROW(read(folder, "[city]\nfiles = ['none']\n"), Error);
+}
+
+TEST(Recipe, AFolderOfFoldersSaysThatTheyMustBeNamed) {
+  const TempFolder folder;
+  std::filesystem::create_directories(folder / "udx/bldg");
+  test::write_text(folder / "udx/bldg/a.gml", "x");
+  try {
+    read(folder, "[city]\nfiles = ['udx']\n");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("udx"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("not entered"), std::string::npos);
+  }
 }
 
 TEST(Recipe, WrongValuesAreUsageErrors) {

@@ -11,7 +11,7 @@ namespace {
 
 using Triangle = TileStore::Triangle;
 
-Triangle triangle(glm::dvec3 at, double size, BakeMaterial material = BakeMaterial::wall,
+Triangle triangle(glm::dvec3 at, double size, MaterialCode material = code_of(BakeMaterial::wall),
                   NodeKind kind = NodeKind::city) {
   return {{at, at + glm::dvec3(size, 0, 0), at + glm::dvec3(0, size, size)}, material, kind};
 }
@@ -44,8 +44,9 @@ TEST(TileStore, AnObjectSmallerThanATileStaysWholeALargerOneIsShared) {
   const std::vector<Triangle> house{triangle({95, 50, 0}, 4), triangle({103, 50, 0}, 4)};  // astride x = 100
   store.add(house, 0);
   EXPECT_EQ(store.tiles().size(), 1u);
-  const std::vector<Triangle> relief{triangle({10, 10, 0}, 4, BakeMaterial::terrain, NodeKind::terrain),
-                                     triangle({410, 10, 0}, 4, BakeMaterial::terrain, NodeKind::terrain)};
+  const std::vector<Triangle> relief{
+      triangle({10, 10, 0}, 4, code_of(BakeMaterial::terrain), NodeKind::terrain),
+      triangle({410, 10, 0}, 4, code_of(BakeMaterial::terrain), NodeKind::terrain)};
   store.add(relief, 1);
   EXPECT_EQ(store.tiles().size(), 3u);
 }
@@ -58,7 +59,7 @@ TEST(TileStore, LosesNoTriangleAndKeepsTheirOrder) {
     std::vector<Triangle> triangles;
     for (int t = 0; t < 3; ++t)
       triangles.push_back(triangle({(object * 37) % 300 - 100.0, (object * 53) % 300 - 100.0, t * 2.0}, 1 + t,
-                                   object % 2 ? BakeMaterial::roof : BakeMaterial::wall));
+                                   object % 2 ? code_of(BakeMaterial::roof) : code_of(BakeMaterial::wall)));
     added += triangles.size();
     store.add(triangles, object);
   }
@@ -86,8 +87,8 @@ TEST(TileStore, WeldsEqualVerticesOfOneObjectOnly) {
   const test::TempFolder folder;
   TileStore store(folder / "x", 100, 0);
   const glm::dvec3 a(1, 1, 0), b(2, 1, 0), c(2, 2, 0), d(1, 2, 0);
-  const std::vector<Triangle> square{{{a, b, c}, BakeMaterial::wall, NodeKind::city},
-                                     {{a, c, d}, BakeMaterial::wall, NodeKind::city}};
+  const std::vector<Triangle> square{{{a, b, c}, code_of(BakeMaterial::wall), NodeKind::city},
+                                     {{a, c, d}, code_of(BakeMaterial::wall), NodeKind::city}};
   store.add(square, 0);
   store.add(square, 1);
   const SceneMesh mesh = store.mesh(store.tiles().at(0));

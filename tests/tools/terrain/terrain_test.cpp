@@ -143,6 +143,20 @@ TEST(Terrain, MadeSurfaceLooksUpAndTakesTheLowestOfCoincidentPoints) {
   EXPECT_FALSE(make_surface({{1, 2, 3}}, 0).triangles.empty());
 }
 
+TEST(Terrain, MassPointsOfTheModelAreItsGroundBeforeTheBuildings) {
+  Terrain terrain;
+  const auto plane = [](double x, double y) { return 3 + 0.1 * x + 0.2 * y; };
+  std::vector<glm::dvec3> points;
+  for (int x = 0; x <= 100; x += 20)
+    for (int y = 0; y <= 100; y += 20) points.emplace_back(east + x, north + y, plane(x, y));
+  terrain.add_points(points);
+  terrain.add(flat(40, 40, 50, 50, 77), Footing::ground_surface);
+  EXPECT_TRUE(terrain.has_relief());
+  terrain.build(10);
+  EXPECT_NEAR(terrain.height_at({east + 33, north + 71})->height_m, plane(33, 71), 1e-6);
+  EXPECT_EQ(terrain.height_at({east + 45, north + 45})->footing, Footing::terrain);
+}
+
 TEST(Terrain, RoadsCarryTheSurfaceWhereThereIsNoGround) {
   Terrain terrain;
   terrain.add(flat(0, 0, 10, 10, 7), Footing::road);

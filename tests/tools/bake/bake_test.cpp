@@ -1,0 +1,308 @@
+// Whole bakes of small made-up cities, where what must come out is known.
+#include "tools/bake/bake.h"
+
+#include <gdal_priv.h>
+#include <gtest/gtest.h>
+#include <ogr_spatialref.h>
+#include <zlib.h>
+
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "formats/error.h"
+#include "formats/scene_file.h"
+#include "support/data.h"
+#include "support/temp_folder.h"
+#include "tests/tools/citygml/small_city.h"
+#include "tools/georeference/frame.h"
+#include "tools/nightbake/sample_city.h"
+
+namespace nightcity {
+namespace {
+
+using namespace test;
+
+Recipe recipe_of(std::vector<std::filesystem::path> files) {
+  Recipe recipe;
+  recipe.city.files = std::move(files);
+  recipe.windows.lit = false;
+  return recipe;
+}
+
+struct Box {
+  glm::dvec3 least{1e9}, greatest{-1e9};
+  void add(const glm::dvec3& p) {
+    least = glm::min(least, p);
+    greatest = glm::max(greatest, p);
+  }
+};
+
+/// Bounds by material, in the city's CRS.
+std::map<std::string, Box> boxes(const std::filesystem::path& glb) {
+  const Scene scene = read_scene(glb);
+  std::map<std::string, Box> result;
+  for (const SceneNode& node : scene.nodes)
+    for (const ScenePrimitive& primitive : scene.meshes[node.mesh].primitives)
+      for (const glm::vec3& p : primitive.positions)
+        result[scene.materials[primitive.material].name].add(
+            scene.georeference.from_model(glm::dvec3(node.instances.at(0).to_model * glm::vec4(p, 1))));
+  return result;
+}
+
+/// One building with one roof, a square of 10 m at `corner`, coordinates as the CRS has them.
+std::string roof_city(const std::string& srs_name, const std::vector<glm::dvec3>& ring_places) {
+  std::string positions;
+  for (std::size_t i = 0; i <= ring_places.size(); ++i) {
+    const glm::dvec3& p = ring_places[i % ring_places.size()];
+    char text[100];
+    std::snprintf(text, sizeof text, "%.6f %.6f %.3f ", p.x, p.y, p.z);
+    positions += text;
+  }
+  std::string city = city_model(member("<bldg:Building gml:id=\"" + srs_name + "\">" +
+                                       boundary("RoofSurface", surface_member(polygon("", positions))) +
+                                       "</bldg:Building>"));
+  return city.replace(city.find("EPSG:25833"), 10, srs_name);
+}
+
+TEST(Bake, FilesOfTwoZonesShareOneFrame) {
+  const TempFolder folder;
+  const std::vector<glm::dvec3> here{
+      {391000, 5819000, 40}, {391010, 5819000, 40}, {391010, 5819010, 40}, {391000, 5819010, 40}};
+  // The same square through longitude and latitude into the neighbouring zone.
+  const CityFrame zone_33 = CityFrame::from_srs_name("EPSG:25833", here, {});
+  const std::vector<glm::dvec3> somewhere_in_32{{800000, 5820000, 0}};
+  const CityFrame zone_32 = CityFrame::from_srs_name("EPSG:25832", somewhere_in_32, {});
+  std::vector<glm::dvec3> there;
+  for (const glm::dvec3& p : here)
+    there.emplace_back(zone_32.from_lon_lat(zone_33.to_lon_lat(glm::dvec2(p))), p.z);
+  ASSERT_GT(there[0].x, 750000) << "it looks quite different";
+  write_text(folder / "a.gml", roof_city("EPSG:25833", here));
+  write_text(folder / "b.gml", roof_city("EPSG:25832", there));
+  Recipe recipe = recipe_of({folder / "a.gml", folder / "b.gml"});
+  recipe.terrain.make_surface = false;
+  const BakeReport report = bake(recipe, folder / "out");
+  EXPECT_EQ(report.objects.at("building"), 2u);
+  EXPECT_EQ(report.crs.size(), 2u) << "both frames are told";
+  const Box roof = boxes(folder / "out/city.glb").at("roof");
+  EXPECT_NEAR(roof.least.x, 391000, 0.002);
+  EXPECT_NEAR(roof.greatest.x, 391010, 0.002);
+  EXPECT_NEAR(roof.least.y, 5819000, 0.002);
+  EXPECT_NEAR(roof.greatest.y, 5819010, 0.002);
+}
+
+TEST(Bake, AFileWithoutACrsBesideOneWithIsRefusedByName) {
+  const TempFolder folder;
+  write_text(folder / "a.gml",
+             roof_city("EPSG:25833", {{391000, 5819000, 40}, {391010, 5819000, 40}, {391010, 5819010, 40}}));
+  write_text(folder / "b.gml", roof_city("", {{0, 0, 40}, {10, 0, 40}, {10, 10, 40}}));
+  try {
+    bake(recipe_of({folder / "a.gml", folder / "b.gml"}), folder / "out");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("b.gml"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("crs"), std::string::npos) << error.what();
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+// A cube of 10 m at (391000, 5819000, 35), one wall facing inward and without its ground surface.
+std::string broken_cube() {
+  std::string text = sample_gml();
+  const std::string wall =
+      "391000 5819000 35 391010 5819000 35 391010 5819000 45 391000 5819000 45 391000 5819000 35 ";
+  const std::string turned =
+      "391000 5819000 35 391000 5819000 45 391010 5819000 45 391010 5819000 35 391000 5819000 35 ";
+  text.replace(text.find(wall), wall.size(), turned);
+  const auto begin = text.find("<bldg:boundedBy><bldg:GroundSurface>"),
+             end = text.find("<bldg:boundedBy><bldg:RoofSurface>");
+  return text.erase(begin, end - begin);
+}
+
+TEST(Bake, ShellsAreClosedAndTurnedOutward) {
+  const TempFolder folder;
+  write_text(folder / "cube.gml", broken_cube());
+  const BakeReport report = bake(recipe_of({folder / "cube.gml"}), folder / "out");
+  EXPECT_EQ(report.mesh.floors_added, 1u);
+  EXPECT_EQ(report.mesh.turned, 1u);
+  EXPECT_EQ(report.mesh.first_turned, "cube");
+  const std::string words = to_text(report);
+  EXPECT_NE(words.find("1 faced inward"), std::string::npos) << words;
+  EXPECT_NE(words.find("1 a floor added"), std::string::npos) << words;
+  // Divergence theorem over what is in the file: the cube's volume, with a plus sign.
+  const Scene scene = read_scene(folder / "out/city.glb");
+  double volume = 0;
+  for (const SceneNode& node : scene.nodes) {
+    if (node.kind != "city") continue;
+    for (const ScenePrimitive& primitive : scene.meshes[node.mesh].primitives)
+      for (std::size_t i = 0; i < primitive.indices.size(); i += 3) {
+        const auto corner = [&](std::size_t k) {
+          return glm::dvec3(primitive.positions[primitive.indices[i + k]]);
+        };
+        volume += glm::dot(corner(0), glm::cross(corner(1), corner(2))) / 6;
+      }
+  }
+  EXPECT_NEAR(volume, 1000, 0.1);
+}
+
+/// Heights 30 + (x - 391000) / 100 around the cube, as a raster in the city's CRS.
+void write_slope(const std::filesystem::path& path, double moved_by) {
+  GDALAllRegister();
+  constexpr int size = 80;
+  GDALDatasetUniquePtr set(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(path.c_str(), size, size,
+                                                                                    1, GDT_Float32, nullptr));
+  double transform[6] = {390600, 10, 0, 5819400, 0, -10};
+  set->SetGeoTransform(transform);
+  OGRSpatialReference crs;
+  crs.importFromEPSG(25833);
+  set->SetSpatialRef(&crs);
+  std::vector<float> values;
+  for (int j = 0; j < size; ++j)
+    for (int i = 0; i < size; ++i)
+      values.push_back(static_cast<float>(30 + moved_by + (-400 + (i + 0.5) * 10) / 100));
+  ASSERT_EQ(set->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, size, size, values.data(), size, size,
+                                            GDT_Float32, 0, 0),
+            CE_None);
+}
+
+std::string without_relief(std::string text) {
+  const auto begin = text.find("<core:cityObjectMember><dem:"), end = text.find("</core:CityModel>");
+  return text.erase(begin, end - begin);
+}
+
+TEST(Bake, AnElevationModelIsTheGroundAndMeetsTheBuildings) {
+  const TempFolder folder;
+  write_text(folder / "cube.gml", without_relief(sample_gml()));
+  write_slope(folder / "slope.tif", 46);  // heights over another datum
+  Recipe recipe = recipe_of({folder / "cube.gml"});
+  recipe.terrain.dem = {folder / "slope.tif"};
+  const BakeReport report = bake(recipe, folder / "out");
+  EXPECT_EQ(report.ground.source, "dem");
+  EXPECT_NE(report.ground.dem.find("moved by -41"), std::string::npos) << report.ground.dem;
+  const Scene scene = read_scene(folder / "out/city.glb");
+  std::size_t vertices = 0;
+  for (const SceneNode& node : scene.nodes) {
+    if (node.kind != "terrain") continue;
+    for (const ScenePrimitive& primitive : scene.meshes[node.mesh].primitives)
+      for (const glm::vec3& p : primitive.positions) {
+        const glm::dvec3 place =
+            scene.georeference.from_model(glm::dvec3(node.instances.at(0).to_model * glm::vec4(p, 1)));
+        // The feet stand at 35 m about x = 391005: the median of the differences is taken there.
+        EXPECT_NEAR(place.z, 35 + (place.x - 391005) / 100, 0.06);
+        ++vertices;
+      }
+  }
+  EXPECT_GT(vertices, 1000u);
+}
+
+TEST(Bake, TheCitysOwnReliefGoesBeforeAnElevationModel) {
+  const TempFolder folder;
+  write_text(folder / "cube.gml", sample_gml());
+  write_slope(folder / "slope.tif", 0);
+  Recipe recipe = recipe_of({folder / "cube.gml"});
+  recipe.terrain.dem = {folder / "slope.tif"};
+  const BakeReport report = bake(recipe, folder / "out");
+  EXPECT_EQ(report.ground.source, "given");
+  EXPECT_NE(report.ground.dem.find("not used"), std::string::npos);
+}
+
+TEST(Bake, AnElevationModelOfAnotherPlaceIsAnError) {
+  const TempFolder folder;
+  std::string far = without_relief(sample_gml());
+  for (auto at = far.find("5819"); at != std::string::npos; at = far.find("5819", at))
+    far.replace(at, 4, "5829");
+  write_text(folder / "cube.gml", far);
+  write_slope(folder / "slope.tif", 0);
+  Recipe recipe = recipe_of({folder / "cube.gml"});
+  recipe.terrain.dem = {folder / "slope.tif"};
+  EXPECT_THROW(bake(recipe, folder / "out"), Error);
+}
+
+TEST(Bake, MassPointsOfTheModelBecomeItsGround) {
+  const TempFolder folder;
+  std::string points;
+  for (int x = -20; x <= 40; x += 10)
+    for (int y = -20; y <= 40; y += 10)
+      points += "<gml:pointMember><gml:Point><gml:pos>" + std::to_string(391000 + x) + " " +
+                std::to_string(5819000 + y) + " 33</gml:pos></gml:Point></gml:pointMember>";
+  std::string text = without_relief(sample_gml());
+  text.insert(
+      text.find("</core:CityModel>"),
+      "<core:cityObjectMember><dem:ReliefFeature gml:id=\"r\"><dem:lod>2</dem:lod><dem:reliefComponent>"
+      "<dem:MassPointRelief gml:id=\"m\"><dem:lod>2</dem:lod><dem:reliefPoints><gml:MultiPoint>" +
+          points +
+          "</gml:MultiPoint></dem:reliefPoints></dem:MassPointRelief></dem:reliefComponent>"
+          "</dem:ReliefFeature></core:cityObjectMember>");
+  write_text(folder / "cube.gml", text);
+  const BakeReport report = bake(recipe_of({folder / "cube.gml"}), folder / "out");
+  EXPECT_EQ(report.ground.source, "points");
+  EXPECT_EQ(report.relief_points, 49u);
+  const Box terrain = boxes(folder / "out/city.glb").at("terrain");
+  EXPECT_NEAR(terrain.least.z, 33, 1e-3) << "not the buildings' feet, which stand at 35 m";
+  EXPECT_NEAR(terrain.greatest.z, 33, 1e-3);
+}
+
+TEST(Bake, ColoursOfTheModelAreMaterialsOfTheScene) {
+  const TempFolder folder;
+  std::string text = sample_gml();
+  const std::string first = "<gml:Polygon>";
+  text.insert(text.find("<bldg:RoofSurface>") + text.substr(text.find("<bldg:RoofSurface>")).find(first) + 12,
+              " gml:id=\"red\"");
+  text.replace(text.find("<core:CityModel "), 16,
+               "<core:CityModel xmlns:app=\"http://www.opengis.net/citygml/appearance/2.0\" ");
+  const std::string tail =
+      "<app:appearanceMember><app:Appearance><app:surfaceDataMember><app:X3DMaterial><app:diffuseColor>0.5 "
+      "0.25 0"
+      "</app:diffuseColor><app:target>#red</app:target></app:X3DMaterial></app:surfaceDataMember></"
+      "app:Appearance>"
+      "</app:appearanceMember>";
+  text.insert(text.find("</core:CityModel>"), tail);
+  write_text(folder / "cube.gml", text);
+  // The same gzipped: the appearance stands at the end of what must be unpacked to be seen.
+  const gzFile packed = gzopen((folder / "cube.gml.gz").c_str(), "wb");
+  ASSERT_EQ(gzwrite(packed, text.data(), static_cast<unsigned>(text.size())), static_cast<int>(text.size()));
+  gzclose(packed);
+  for (const char* name : {"cube.gml", "cube.gml.gz"}) {
+    const BakeReport report = bake(recipe_of({folder / name}), folder / "out");
+    EXPECT_EQ(report.colours, 1u) << name;
+    const Scene scene = read_scene(folder / "out/city.glb");
+    std::size_t found = 0;
+    for (const SceneMesh& mesh : scene.meshes)
+      for (const ScenePrimitive& primitive : mesh.primitives) {
+        const SceneMaterial& material = scene.materials[primitive.material];
+        EXPECT_NE(material.name, "roof") << name;
+        if (material.name != "roof #804000") continue;
+        ++found;
+        EXPECT_EQ(primitive.indices.size(), 6u);
+        // sRGB 0x80 is 0.2159 linear, 0x40 0.0513 (IEC 61966-2-1).
+        EXPECT_NEAR(material.base_colour.x, 0.2159, 1e-3);
+        EXPECT_NEAR(material.base_colour.y, 0.0513, 1e-3);
+        EXPECT_EQ(material.base_colour.z, 0);
+      }
+    EXPECT_EQ(found, 1u) << name;
+  }
+}
+
+TEST(Bake, OneThreadAndManyGiveTheSameBytes) {
+  REAL_DATA(first, "berlin/3910_5820.gml");
+  REAL_DATA(second, "berlin/3900_5820.gml");
+  REAL_DATA(map, "berlin/berlin_dev_box.osm.pbf");
+  const TempFolder folder;
+  std::map<std::string, std::string> bytes;
+  for (const unsigned threads : {1u, 2u, 7u, 7u}) {
+    Recipe recipe = recipe_of({first, second});
+    recipe.osm.files = {map};
+    recipe.windows.lit = true;
+    recipe.city.read.threads = threads;
+    bake(recipe, folder / "out");
+    for (const char* name : {"city.glb", "city.lights"}) {
+      const std::string now = read_text(folder / "out" / name);
+      std::string& before = bytes[name];
+      EXPECT_TRUE(before.empty() || before == now) << name << " with " << threads << " threads";
+      before = now;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace nightcity

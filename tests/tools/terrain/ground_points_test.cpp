@@ -1,0 +1,84 @@
+#include "tools/terrain/ground_points.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "support/temp_folder.h"
+#include "tools/terrain/surface_store.h"
+
+namespace nightcity {
+namespace {
+
+TEST(GroundPoints, KeepsAllUpToItsLimitAndTheLowestOfEachSquareBeyond) {
+  GroundPoints points(1000);
+  for (int i = 0; i < 900; ++i) points.add({i, 0, i % 7});
+  EXPECT_EQ(points.points().size(), 900u);
+  EXPECT_EQ(points.spacing_m(), 0);
+  std::map<std::pair<double, double>, double> lowest;
+  for (int i = 0; i < 100'000; ++i) points.add({i % 300, i / 300, 10 + i % 5});
+  EXPECT_LE(points.points().size(), 1000u);
+  EXPECT_GT(points.points().size(), 100u);
+  const double spacing = points.spacing_m();
+  EXPECT_GE(spacing, 8);
+  const auto cell = [spacing](double x, double y) {
+    return std::make_pair(std::floor(x / spacing), std::floor(y / spacing));
+  };
+  const auto lower = [&](double x, double y, double z) {
+    const auto [at, fresh] = lowest.try_emplace(cell(x, y), z);
+    if (!fresh) at->second = std::min(at->second, z);
+  };
+  for (int i = 0; i < 900; ++i) lower(i, 0, i % 7);
+  for (int i = 0; i < 100'000; ++i) lower(i % 300, i / 300, 10 + i % 5);
+  std::map<std::pair<double, double>, double> kept;
+  for (const glm::dvec3& p : points.points()) {
+    const auto [at, fresh] = kept.try_emplace(cell(p.x, p.y), p.z);
+    if (!fresh) at->second = std::min(at->second, p.z);
+  }
+  EXPECT_EQ(kept, lowest) << "every square keeps its lowest point";
+  points.add({std::numeric_limits<double>::quiet_NaN(), 0, 0});
+  for (const glm::dvec3& p : points.points()) EXPECT_TRUE(std::isfinite(p.x));
+}
+
+// A brute-force search is the oracle: triangles of all sizes, many more than are kept in memory at once.
+TEST(SurfaceStore, FindsWhatABruteForceSearchFinds) {
+  const test::TempFolder folder;
+  SurfaceStore store(folder / "x");
+  std::vector<std::array<glm::dvec3, 3>> all;
+  unsigned state = 1;
+  const auto random = [&state] {
+    state = state * 1664525u + 1013904223u;
+    return (state >> 8) / 16777216.0;
+  };
+  for (int i = 0; i < 3000; ++i) {
+    const double size = std::pow(10.0, random() * 3.5);
+    const glm::dvec3 at(412000 + random() * 3000, 5762000 + random() * 3000, random() * 50);
+    const auto corner = [&] { return at + glm::dvec3(random() * size, random() * size, random() * 10); };
+    all.push_back({corner(), corner(), corner()});
+    store.add(all.back()[0], all.back()[1], all.back()[2]);
+  }
+  for (int i = 0; i < 2000; ++i) {
+    const glm::dvec2 p(412000 + random() * 3500, 5762000 + random() * 3500);
+    double best = -1;
+    for (const auto& [a, b, c] : all) {
+      const auto cross = [](const glm::dvec3& u, const glm::dvec3& v) { return u.x * v.y - u.y * v.x; };
+      const glm::dvec3 q(p, 0);
+      const double whole = cross(b - a, c - a), s = cross(q - a, c - a) / whole,
+                   t = cross(b - a, q - a) / whole;
+      if (s >= 0 && t >= 0 && s + t <= 1) best = std::max(best, a.z + s * (b.z - a.z) + t * (c.z - a.z));
+    }
+    const auto found = store.highest_at(p);
+    EXPECT_EQ(found.has_value(), best >= 0);
+    if (found) {
+      EXPECT_NEAR(*found, best, 1e-6);
+    }
+  }
+  EXPECT_FALSE(store.highest_at({0, 0}));
+}
+
+}  // namespace
+}  // namespace nightcity

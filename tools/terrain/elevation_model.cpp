@@ -1,0 +1,163 @@
+#include "tools/terrain/elevation_model.h"
+
+#include <cpl_error.h>
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "formats/error.h"
+
+namespace nightcity {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+// GDAL prints its errors; ours carry its last message instead.
+class Silence {
+ public:
+  Silence() { CPLPushErrorHandler(CPLQuietErrorHandler); }
+  ~Silence() { CPLPopErrorHandler(); }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+};
+
+std::string reason() {
+  const std::string message = CPLGetLastErrorMsg();
+  return message.empty() ? "GDAL gives no reason" : message;
+}
+
+}  // namespace
+
+struct ElevationModel::State {
+  std::string name;
+  GDALDatasetUniquePtr dataset;
+  GDALRasterBand* band = nullptr;
+  double to_pixel[6] = {};
+  double resolution = 0, scale = 1, offset = 0, no_data = nothing;
+  std::unique_ptr<OGRCoordinateTransformation> transformation;
+
+  // Pixel coordinates, (0, 0) being the first pixel's centre.
+  glm::dvec2 pixel_of(const glm::dvec2& p) const {
+    return {to_pixel[0] + to_pixel[1] * p.x + to_pixel[2] * p.y - 0.5,
+            to_pixel[3] + to_pixel[4] * p.x + to_pixel[5] * p.y - 0.5};
+  }
+
+  void sample_pixels(std::span<const glm::dvec2> pixels, std::span<double> heights) const;
+};
+
+ElevationModel::ElevationModel(const std::filesystem::path& file) : state_(std::make_unique<State>()) {
+  static std::once_flag registered;
+  std::call_once(registered, GDALAllRegister);
+  const Silence silence;
+  State& s = *state_;
+  s.name = file.string();
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) throw Error(s.name, "does not exist");
+  s.dataset.reset(GDALDataset::Open(s.name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+  if (!s.dataset || s.dataset->GetRasterCount() < 1)
+    throw Error(s.name, "is no raster of heights: " + reason());
+  s.band = s.dataset->GetRasterBand(1);
+  double from_pixel[6];
+  if (s.dataset->GetGeoTransform(from_pixel) != CE_None || !GDALInvGeoTransform(from_pixel, s.to_pixel))
+    throw Error(s.name, "names no place on earth: it has no geotransform");
+  int said = 0;
+  if (const double value = s.band->GetNoDataValue(&said); said) s.no_data = value;
+  if (const double value = s.band->GetScale(&said); said && value != 0) s.scale = value;
+  if (const double value = s.band->GetOffset(&said); said) s.offset = value;
+
+  double unit_m = 1;
+  if (const OGRSpatialReference* crs = s.dataset->GetSpatialRef(); crs && !crs->IsEmpty()) {
+    OGRSpatialReference raster(*crs), wgs84;
+    wgs84.importFromEPSG(4326);
+    raster.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    s.transformation.reset(OGRCreateCoordinateTransformation(&wgs84, &raster));
+    if (!s.transformation) throw Error(s.name, "its CRS cannot be used: " + reason());
+    constexpr double degree_m = 111'320;
+    unit_m = raster.IsGeographic() ? degree_m : raster.GetLinearUnits();
+  }
+  s.resolution = std::hypot(from_pixel[2], from_pixel[5]) * unit_m;
+  if (!(s.resolution > 0)) throw Error(s.name, "has pixels without extent");
+}
+
+ElevationModel::~ElevationModel() = default;
+ElevationModel::ElevationModel(ElevationModel&&) noexcept = default;
+
+bool ElevationModel::has_crs() const {
+  return state_->transformation != nullptr;
+}
+
+double ElevationModel::resolution_m() const {
+  return state_->resolution;
+}
+
+// Reads the window round the pixels; where they lie far apart, half of them at a time.
+void ElevationModel::State::sample_pixels(std::span<const glm::dvec2> pixels,
+                                          std::span<double> heights) const {
+  constexpr double most_window = 4e6;
+  const int width = band->GetXSize(), height = band->GetYSize();
+  const glm::dvec2 last(width - 1, height - 1);
+  const auto outside = [&](const glm::dvec2& p) {
+    return !(p.x >= -0.5 && p.y >= -0.5 && p.x <= last.x + 0.5 && p.y <= last.y + 0.5);
+  };
+  glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
+  for (const glm::dvec2& p : pixels) {
+    if (outside(p)) continue;
+    low = glm::min(low, glm::floor(glm::clamp(p, glm::dvec2(0), last)));
+    high = glm::max(high, glm::ceil(glm::clamp(p, glm::dvec2(0), last)));
+  }
+  std::fill(heights.begin(), heights.end(), nothing);
+  if (!(low.x <= high.x)) return;
+  const glm::dvec2 extent = high - low + 1.0;
+  if (extent.x * extent.y > most_window && pixels.size() > 1) {
+    const std::size_t half = pixels.size() / 2;
+    sample_pixels(pixels.first(half), heights.first(half));
+    sample_pixels(pixels.subspan(half), heights.subspan(half));
+    return;
+  }
+  const int columns = static_cast<int>(extent.x), rows = static_cast<int>(extent.y);
+  std::vector<double> window(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  if (band->RasterIO(GF_Read, static_cast<int>(low.x), static_cast<int>(low.y), columns, rows, window.data(),
+                     columns, rows, GDT_Float64, 0, 0) != CE_None)
+    throw Error(name, "cannot be read: " + reason());
+  const auto value = [&](double x, double y) {
+    const double v = window[static_cast<std::size_t>(y - low.y) * static_cast<std::size_t>(columns) +
+                            static_cast<std::size_t>(x - low.x)];
+    return v == no_data || !std::isfinite(v) ? nothing : v * scale + offset;
+  };
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    if (outside(pixels[i])) continue;
+    const glm::dvec2 p = glm::clamp(pixels[i], glm::dvec2(0), last), a = glm::floor(p), b = glm::ceil(p),
+                     f = p - a;
+    // A weight of zero must not let a pixel without data in.
+    const auto mix = [](double from, double to, double t) { return t == 0 ? from : from + t * (to - from); };
+    const double upper = mix(value(a.x, a.y), value(b.x, a.y), f.x);
+    heights[i] = f.y == 0 ? upper : mix(upper, mix(value(a.x, b.y), value(b.x, b.y), f.x), f.y);
+  }
+}
+
+void ElevationModel::sample(std::span<const glm::dvec2> places, std::span<double> heights) const {
+  const Silence silence;
+  std::vector<double> x, y;
+  for (const glm::dvec2& p : places) {
+    x.push_back(p.x);
+    y.push_back(p.y);
+  }
+  std::vector<int> placed(places.size(), 1);
+  if (state_->transformation && !places.empty())
+    state_->transformation->Transform(static_cast<int>(places.size()), x.data(), y.data(), nullptr,
+                                      placed.data());
+  std::vector<glm::dvec2> pixels;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    pixels.push_back(placed[i] ? state_->pixel_of({x[i], y[i]}) : glm::dvec2(nothing));
+  state_->sample_pixels(pixels, heights);
+}
+
+}  // namespace nightcity

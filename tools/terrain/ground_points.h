@@ -1,0 +1,32 @@
+// Points a ground can be laid through, thinned so that any city's stay a bounded number.
+#pragma once
+
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace nightcity {
+
+/// Keeps every point up to `most`; beyond that the lowest of each square of a grid, whose spacing doubles as
+/// often as needed. The same points in the same order give the same result.
+class GroundPoints {
+ public:
+  explicit GroundPoints(std::size_t most = 400'000) : most_(most) {}
+
+  /// E, N, H in metres. Points that are not finite are left out.
+  void add(const glm::dvec3& p);
+  bool empty() const { return points_.empty(); }
+  const std::vector<glm::dvec3>& points() const { return points_; }
+  std::vector<glm::dvec3> take();
+  /// Of the grid, m; 0 = every point was kept.
+  double spacing_m() const { return spacing_; }
+
+ private:
+  void thin();
+
+  std::size_t most_;
+  double spacing_ = 0;
+  std::vector<glm::dvec3> points_;
+};
+
+}  // namespace nightcity

@@ -1,0 +1,177 @@
+#include "tools/terrain/surface_store.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace nightcity {
+namespace {
+
+constexpr double finest_cell_m = 64;
+constexpr std::size_t most_pending = 400'000;  // triangles, 72 bytes each
+constexpr std::size_t most_cached = 600'000;   // likewise
+constexpr double least_plan_area_m2 = 1e-8;    // below it a triangle is a wall or a line
+constexpr double edge_m = 1e-6;                // a point so near an edge is on it, whatever the rounding
+constexpr double beyond_any_frame_m = 1e9;
+
+double cross(const glm::dvec2& a, const glm::dvec2& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+}  // namespace
+
+struct SurfaceStore::Record {
+  std::uint64_t previous;
+  std::uint64_t count;
+};
+
+// A cell's triangles with a grid of their own: some two to a bucket.
+struct SurfaceStore::Loaded {
+  std::vector<Triangle> triangles;
+  glm::dvec2 corner{0};
+  double bucket = 1;
+  int side = 1;
+  std::vector<std::uint32_t> first, inside;
+
+  Loaded(std::vector<Triangle> t, const glm::dvec2& low, double size) : triangles(std::move(t)), corner(low) {
+    side = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(triangles.size()) / 2)), 1, 256);
+    bucket = size / side;
+    first.assign(static_cast<std::size_t>(side) * static_cast<std::size_t>(side) + 1, 0);
+    for (std::uint32_t i = 0; i < triangles.size(); ++i)
+      visit(triangles[i], [&](std::size_t b) { ++first[b + 1]; });
+    for (std::size_t b = 1; b < first.size(); ++b) first[b] += first[b - 1];
+    inside.resize(first.back());
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for (std::uint32_t i = 0; i < triangles.size(); ++i)
+      visit(triangles[i], [&](std::size_t b) { inside[next[b]++] = i; });
+  }
+
+  int index(double along) const {
+    return static_cast<int>(std::clamp(std::floor(along / bucket), 0.0, static_cast<double>(side - 1)));
+  }
+  std::size_t bucket_at(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(side) + static_cast<std::size_t>(column);
+  }
+  template <class Visitor>
+  void visit(const Triangle& t, const Visitor& visitor) const {
+    const glm::dvec2 a(t.corners[0]), b(t.corners[1]), c(t.corners[2]);
+    const glm::dvec2 low = glm::min(glm::min(a, b), c) - corner - edge_m,
+                     high = glm::max(glm::max(a, b), c) - corner + edge_m;
+    for (int row = index(low.y); row <= index(high.y); ++row)
+      for (int column = index(low.x); column <= index(high.x); ++column) visitor(bucket_at(column, row));
+  }
+
+  static std::optional<double> height(const Triangle& t, const glm::dvec2& p) {
+    const glm::dvec2 a(t.corners[0]), u = glm::dvec2(t.corners[1]) - a, v = glm::dvec2(t.corners[2]) - a,
+                                      w = v - u, q = p - a;
+    const double twice = cross(u, v), side = twice > 0 ? 1 : -1;
+    if (side * cross(u, q) < -edge_m * glm::length(u) || side * cross(q, v) < -edge_m * glm::length(v) ||
+        side * cross(w, q - u) < -edge_m * glm::length(w))
+      return std::nullopt;
+    const double s = cross(q, v) / twice, r = cross(u, q) / twice, z = t.corners[0].z;
+    return z + s * (t.corners[1].z - z) + r * (t.corners[2].z - z);
+  }
+
+  void raise(const glm::dvec2& p, std::optional<double>& best) const {
+    const std::size_t b = bucket_at(index(p.x - corner.x), index(p.y - corner.y));
+    for (std::uint32_t i = first[b]; i < first[b + 1]; ++i)
+      if (const auto z = height(triangles[inside[i]], p); z && (!best || *z > *best)) best = z;
+  }
+};
+
+double SurfaceStore::cell_size(int level) {
+  return std::ldexp(finest_cell_m, level);
+}
+
+bool SurfaceStore::add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const double plan = std::abs(cross(glm::dvec2(b - a), glm::dvec2(c - a))) / 2;
+  // Not finite fails the comparisons too.
+  if (!(plan > least_plan_area_m2) || !(std::abs(a.z) + std::abs(b.z) + std::abs(c.z) < beyond_any_frame_m))
+    return false;
+  if (!origin_) origin_ = glm::floor(glm::dvec2(a));
+  const glm::dvec3 shift(*origin_, 0);
+  const Triangle triangle{{a - shift, b - shift, c - shift}};
+  const glm::dvec2 p(triangle.corners[0]), q(triangle.corners[1]), r(triangle.corners[2]);
+  const glm::dvec2 low = glm::min(glm::min(p, q), r) - edge_m, high = glm::max(glm::max(p, q), r) + edge_m;
+  const double extent = std::max(high.x - low.x, high.y - low.y);
+  int level = 0;
+  while (level + 1 < levels && cell_size(level) < extent) ++level;
+  const double size = cell_size(level);
+  if (!(std::max(glm::length(low), glm::length(high)) / size < 1e9)) return false;  // no place of any frame
+  used_[static_cast<std::size_t>(level)] = true;
+  ++count_;
+  const auto cell = [size](double v) { return static_cast<std::int32_t>(std::floor(v / size)); };
+  for (std::int32_t column = cell(low.x); column <= cell(high.x); ++column)
+    for (std::int32_t row = cell(low.y); row <= cell(high.y); ++row) {
+      cells_[{level, column, row}].pending.push_back(triangle);
+      ++pending_;
+    }
+  if (pending_ >= most_pending) flush();
+  return true;
+}
+
+void SurfaceStore::flush() {
+  for (auto& [key, cell] : cells_) {
+    if (cell.pending.empty()) continue;
+    const Record record{cell.last_record, cell.pending.size()};
+    cell.last_record = file_.size() + 1;
+    file_.write(&record, sizeof record);
+    file_.write(cell.pending.data(), cell.pending.size() * sizeof(Triangle));
+    cell.stored += static_cast<std::uint32_t>(cell.pending.size());
+    cell.pending = {};
+  }
+  pending_ = 0;
+}
+
+std::shared_ptr<const SurfaceStore::Loaded> SurfaceStore::load(const CellKey& key, const Cell& cell) {
+  std::vector<Triangle> triangles(cell.stored);
+  std::size_t end = triangles.size();
+  for (std::uint64_t next = cell.last_record; next != 0;) {
+    Record record;
+    file_.read(next - 1, &record, sizeof record);
+    end -= record.count;
+    file_.read(next - 1 + sizeof record, triangles.data() + end, record.count * sizeof(Triangle));
+    next = record.previous;
+  }
+  const double size = cell_size(key.level);
+  return std::make_shared<const Loaded>(std::move(triangles), glm::dvec2(key.column, key.row) * size, size);
+}
+
+std::optional<double> SurfaceStore::highest_at(const glm::dvec2& p) {
+  if (!origin_ || !std::isfinite(p.x + p.y)) return std::nullopt;
+  const glm::dvec2 local = p - *origin_;
+  std::optional<double> best;
+  for (int level = 0; level < levels; ++level) {
+    if (!used_[static_cast<std::size_t>(level)]) continue;
+    const double size = cell_size(level);
+    const glm::dvec2 place = glm::floor(local / size);
+    if (!(std::abs(place.x) < 1e9 && std::abs(place.y) < 1e9)) continue;
+    const CellKey key{level, static_cast<std::int32_t>(place.x), static_cast<std::int32_t>(place.y)};
+    const auto cell = cells_.find(key);
+    if (cell == cells_.end()) continue;
+    std::shared_ptr<const Loaded> loaded;
+    {
+      const std::lock_guard lock(mutex_);
+      if (pending_ > 0) flush();
+      auto& [cached, last_use] = cache_[key];
+      if (!cached) {
+        cached = load(key, cell->second);
+        cached_triangles_ += cached->triangles.size();
+      }
+      loaded = cached;
+      last_use = ++clock_;
+      while (cached_triangles_ > most_cached && cache_.size() > 1) {
+        const auto oldest = std::min_element(cache_.begin(), cache_.end(), [](const auto& a, const auto& b) {
+          return a.second.second < b.second.second;
+        });
+        cached_triangles_ -= oldest->second.first->triangles.size();
+        cache_.erase(oldest);
+      }
+    }
+    loaded->raise(local, best);
+  }
+  return best;
+}
+
+}  // namespace nightcity
