@@ -222,7 +222,8 @@ void LightFile::Mapping::read_table() {
       header.section_count > (bytes.size() - header.table_offset) / sizeof(Section))
     throw Error(name, "header", "section table lies outside the file");
   table.resize(header.section_count);
-  std::memcpy(table.data(), bytes.data() + header.table_offset, table.size() * sizeof(Section));
+  if (!table.empty())  // memcpy takes no null, not even for no bytes
+    std::memcpy(table.data(), bytes.data() + header.table_offset, table.size() * sizeof(Section));
   if (header.table_checksum != checksum(table.data(), table.size() * sizeof(Section)))
     throw Error(name, "section table", "checksum does not match");
   for (const Section& section : table)

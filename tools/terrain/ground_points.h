@@ -11,7 +11,7 @@ namespace nightcity {
 /// often as needed. The same points in the same order give the same result.
 class GroundPoints {
  public:
-  explicit GroundPoints(std::size_t most = 400'000) : most_(most) {}
+  explicit GroundPoints(std::size_t most = 250'000) : most_(most) {}
 
   /// E, N, H in metres. Points that are not finite are left out.
   void add(const glm::dvec3& p);

@@ -9,8 +9,8 @@ namespace nightcity {
 namespace {
 
 constexpr double finest_cell_m = 64;
-constexpr std::size_t most_pending = 400'000;  // triangles, 72 bytes each
-constexpr std::size_t most_cached = 600'000;   // likewise
+constexpr std::size_t most_pending = 100'000;  // triangles, 72 bytes each
+constexpr std::size_t most_cached = 150'000;   // likewise
 constexpr double least_plan_area_m2 = 1e-8;    // below it a triangle is a wall or a line
 constexpr double edge_m = 1e-6;                // a point so near an edge is on it, whatever the rounding
 constexpr double beyond_any_frame_m = 1e9;

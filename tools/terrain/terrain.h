@@ -33,7 +33,7 @@ class Terrain {
 
   /// Whether the model brings its own ground: triangles of terrain, or points of it.
   bool has_relief() const;
-  /// Where the buildings stand (else where the roads lie), thinned to some 100,000s: what another ground must
+  /// Where the buildings stand (else where the roads lie), thinned to some 100,000: what another ground must
   /// fit to. Empty after build().
   const std::vector<glm::dvec3>& feet() const;
 

@@ -1,0 +1,53 @@
+// Every file the fuzzers have kept, read in each test run: an Error or a scene, never a crash.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "formats/error.h"
+#include "formats/light_file.h"
+#include "formats/scene_file.h"
+#include "support/fuzz_file.h"
+#include "support/temp_folder.h"
+#include "tests/formats/light_file_checksums.h"
+
+namespace nightcity {
+namespace {
+
+template <class Reader>
+void read_all(const char* folder, const Reader& reader) {
+  std::size_t files = 0, sound = 0;
+  const auto corpus = std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/formats/corpus" / folder;
+  for (const auto& entry : std::filesystem::directory_iterator(corpus)) {
+    ++files;
+    try {
+      reader(entry.path());
+      ++sound;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()), "") << entry.path();
+    }
+  }
+  EXPECT_GE(files, 3u);
+  EXPECT_GE(sound, 1u) << "a corpus of refused files alone teaches a fuzzer nothing";
+}
+
+TEST(Corpus, EveryGlbIsReadOrRefused) {
+  read_all("glb", [](const std::filesystem::path& file) {
+    const Scene scene = read_scene(file);
+    for (const SceneMesh& mesh : scene.meshes)
+      for (const ScenePrimitive& primitive : mesh.primitives)
+        for (const glm::vec3& p : primitive.positions) EXPECT_TRUE(std::isfinite(p.x + p.y + p.z)) << file;
+  });
+}
+
+TEST(Corpus, EveryLightFileIsReadOrRefused) {
+  read_all("lights", [](const std::filesystem::path& file) {
+    const std::string text = test::read_text(file);
+    std::vector<std::uint8_t> bytes(text.begin(), text.end());
+    test::mend_checksums(bytes);  // as the fuzzer does
+    LightFile::open(test::FuzzFile(bytes.data(), bytes.size()).path()).verify();
+  });
+}
+
+}  // namespace
+}  // namespace nightcity

@@ -1,0 +1,31 @@
+// libFuzzer target: any bytes as a light file. The checksums keep a fuzzer out, so they are made right first.
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+#include "formats/error.h"
+#include "formats/light_file.h"
+#include "support/fuzz_file.h"
+#include "tests/formats/light_file_checksums.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace nightcity;
+  std::vector<std::uint8_t> bytes(data, data + size);
+  test::mend_checksums(bytes);
+  const test::FuzzFile file(bytes.data(), bytes.size());
+  try {
+    const LightFile lights = LightFile::open(file.path());
+    lights.verify();
+    if (lights.provenance().size() != lights.lights().size()) std::abort();
+    for (const Light& light : lights.lights())
+      if (!(light.flux_lm > 0) || !std::isfinite(light.position.x + light.position.y + light.position.z))
+        std::abort();
+    for (const LightProfile& profile : lights.profiles())
+      if (profile.data_offset + std::uint64_t{profile.c_count} * profile.gamma_count >
+          lights.profile_data().size())
+        std::abort();
+  } catch (const Error&) {  // what a broken file deserves
+  }
+  return 0;
+}

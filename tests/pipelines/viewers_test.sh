@@ -1,0 +1,89 @@
+#!/usr/bin/env bash
+# What others make of a baked city: the Khronos validator finds no error, three.js and Blender open it whole.
+#   viewers_test.sh NIGHTBAKE [RECIPE...]
+# Always with a small town; recipes are baked besides, as they are and with Draco.
+# NODE_MODULES names a folder with gltf-validator, three and draco3dgltf (npm install --prefix FOLDER ...); BLENDER a
+# Blender (default: blender, where there is one). What is absent is left out; with nothing there the test is skipped (77).
+set -uo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+nightbake=$1
+blender=${BLENDER:-blender}
+modules=${NODE_MODULES:-}
+has_node=no
+has_blender=no
+[[ -n $modules && -d $modules/gltf-validator && -d $modules/three && -d $modules/draco3dgltf ]] && command -v node >/dev/null && has_node=yes
+command -v "$blender" >/dev/null && has_blender=yes
+if [[ $has_node = no && $has_blender = no ]]; then
+  echo "neither NODE_MODULES nor Blender: nothing to open a scene with"
+  exit 77
+fi
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+failures=0
+fail() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+# Three places: geometry alone, with its lamps and windows, and geometry by Draco.
+"$nightbake" --quiet town --blocks 4 --out "$scratch" >/dev/null || exit 1
+head="[city]\nfiles = [\"town.gml\"]\n"
+printf '%b[windows]\nlit = false\n' "$head" >"$scratch/plain.toml"
+printf '%b[windows]\nlit = false\n[output]\ndraco = true\n' "$head" >"$scratch/draco.toml"
+cp "$scratch/town.toml" "$scratch/lights.toml"
+declare -A inspected
+for name in plain draco lights; do
+  "$nightbake" --quiet run "$scratch/$name.toml" --out "$scratch/$name" >/dev/null || exit 1
+  inspected[$name]=$("$nightbake" inspect --json "$scratch/$name/city.glb")
+done
+value() { python3 -c 'import json, sys; print(json.load(sys.stdin)[sys.argv[1]])' "$2" <<<"${inspected[$1]}"; }
+
+# same_box NAME OUTPUT: the bounds at the end of OUTPUT ("least x y z greatest x y z", y up) are inspect's, to 2 cm.
+same_box() {
+  python3 -c '
+import json, sys
+expected = json.load(sys.stdin)["bbox_model"]
+words = sys.argv[1].split()
+found = [float(v) for v in words[words.index("least") + 1:][:3] + words[words.index("greatest") + 1:][:3]]
+if "z-up" in sys.argv[2:]:  # Blender: x, -z, y of glTF
+    found = [found[0], found[2], -found[4], found[3], found[5], -found[1]]
+sys.exit(any(abs(a - b) > 0.02 for a, b in zip(expected, found)))' "${@:2}" <<<"${inspected[$1]}"
+}
+
+if [[ $has_node = yes ]]; then
+  for recipe in "${@:2}"; do
+    folder=$(cd "$(dirname "$recipe")" && pwd)
+    name=$(basename "$recipe" .toml)
+    { cat "$recipe" && printf '\n[output]\ndraco = true\n'; } >"$folder/.viewers-$name.toml" # its paths are relative
+    "$nightbake" --quiet run "$recipe" --out "$scratch/$name" >/dev/null || fail "$name cannot be baked"
+    "$nightbake" --quiet run "$folder/.viewers-$name.toml" --out "$scratch/$name-draco" >/dev/null || fail "$name by Draco"
+    rm "$folder/.viewers-$name.toml"
+    node "$here/../../pipelines/validate_gltf.mjs" "$scratch/$name"{,-draco}/city.glb || fail "the validator finds errors in $name"
+    for file in "$scratch/$name"{,-draco}/city.glb; do
+      NODE_MODULES=$modules node "$here/open_in_three.mjs" "$file" || fail "three.js refuses $file"
+    done
+  done
+  node "$here/../../pipelines/validate_gltf.mjs" "$scratch"/{plain,draco,lights}/city.glb || fail "the validator finds errors"
+  for name in plain draco lights; do
+    out=$(NODE_MODULES=$modules node "$here/open_in_three.mjs" "$scratch/$name/city.glb") || fail "three.js refuses $name"
+    echo "three.js, $name: $out"
+    [[ $out = *"triangles $(value $name triangles_shown) "* ]] || fail "three.js shows other triangles of $name"
+    same_box $name "$out" || fail "three.js shows $name elsewhere"
+  done
+else
+  echo "no NODE_MODULES with gltf-validator, three and draco3dgltf: validator and three.js left out"
+fi
+
+if [[ $has_blender = yes ]]; then
+  # Debian's Blender has no Draco decoder, and 3.4 shows one of a node's instances (EXT_mesh_gpu_instancing is newer).
+  for name in plain lights; do
+    out=$("$blender" --background --factory-startup --python-exit-code 3 --python "$here/open_in_blender.py" -- \
+      "$scratch/$name/city.glb" 2>"$scratch/err" | grep '^meshes') || fail "Blender refuses $name: $(tail -3 "$scratch/err")"
+    echo "Blender, $name: $out"
+    [[ $out = *"triangles $(value $name triangles) "* ]] || fail "Blender shows other triangles of $name"
+    [[ $name = lights ]] || same_box $name "$out" z-up || fail "Blender shows $name elsewhere"
+  done
+else
+  echo "no Blender: left out"
+fi
+exit $((failures > 0))

@@ -1,0 +1,33 @@
+// Every extract the fuzzer has kept, read in each test run: an Error or data, never a crash.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "formats/error.h"
+#include "tools/osm/osm_data.h"
+
+namespace nightcity {
+namespace {
+
+TEST(Corpus, EveryExtractIsReadOrRefused) {
+  std::size_t files = 0, sound = 0;
+  const auto corpus = std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/tools/osm/corpus";
+  for (const auto& entry : std::filesystem::directory_iterator(corpus)) {
+    ++files;
+    try {
+      for (const OsmLampNode& lamp : read_osm(entry.path()).lamps) {
+        EXPECT_LE(std::abs(lamp.lon_lat.x), 180) << entry.path();
+        EXPECT_LE(std::abs(lamp.lon_lat.y), 90) << entry.path();
+      }
+      ++sound;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()), "") << entry.path();
+    }
+  }
+  EXPECT_GE(files, 3u);
+  EXPECT_GE(sound, 1u);
+}
+
+}  // namespace
+}  // namespace nightcity

@@ -1,0 +1,25 @@
+// libFuzzer target: any bytes as an OSM extract: XML, PBF, gzip or bzip2, as their first bytes say.
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+
+#include "formats/error.h"
+#include "support/fuzz_file.h"
+#include "tools/osm/osm_data.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace nightcity;
+  const test::FuzzFile file(data, size);
+  const auto on_earth = [](const glm::dvec2& p) { return std::abs(p.x) <= 180 && std::abs(p.y) <= 90; };
+  try {
+    const OsmData osm = read_osm(file.path());
+    for (const OsmLampNode& lamp : osm.lamps)
+      if (!on_earth(lamp.lon_lat)) std::abort();
+    for (const auto* ways : {&osm.highways, &osm.buildings})
+      for (const OsmWay& way : *ways)
+        for (const glm::dvec2& p : way.lon_lat)
+          if (!on_earth(p)) std::abort();
+  } catch (const Error&) {  // what a broken file deserves
+  }
+  return 0;
+}
