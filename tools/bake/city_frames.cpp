@@ -1,6 +1,9 @@
 #include "tools/bake/city_frames.h"
 
 #include <algorithm>
+#include <array>
+#include <glm/common.hpp>
+#include <limits>
 
 #include "formats/error.h"
 
@@ -16,6 +19,20 @@ glm::dvec3 median_of(std::vector<glm::dvec3> points) {
     result[axis] = (*middle)[axis];
   }
   return result;
+}
+
+// Two control points: the corners of all the files' geometry at the corners of the bounds. Costs a reading.
+std::vector<CityFrame::ControlPoint> corners_at(const std::array<double, 4>& bounds, const Recipe& recipe) {
+  glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
+  for (const auto& file : recipe.city.files)
+    read_citygml(file, recipe.city.read, [&](CityObject&& object) {
+      for (const Polygon& polygon : object.polygons)
+        for (const glm::dvec3& p : polygon.exterior) {
+          low = glm::min(low, glm::dvec2(p));
+          high = glm::max(high, glm::dvec2(p));
+        }
+    });
+  return {{{bounds[0], bounds[1]}, low}, {{bounds[2], bounds[3]}, high}};
 }
 
 }  // namespace
@@ -37,17 +54,22 @@ CityFrames::CityFrames(const Recipe& recipe) {
     }
   };
 
+  CityFrame::Options options = recipe.city.frame;
+  if (recipe.city.bounds) {
+    options.control_points = corners_at(*recipe.city.bounds, recipe);
+    if (options.crs_override.empty()) options.crs_override = "none";  // the user knows better than the file
+  }
+
   const auto first_index = static_cast<std::size_t>(first - heads.begin());
-  city_ = add_place(first_index, [&] {
-    return CityFrame::from_srs_name(first->srs_name, first->sample, recipe.city.frame);
-  });
+  city_ = add_place(first_index,
+                    [&] { return CityFrame::from_srs_name(first->srs_name, first->sample, options); });
   descriptions_.push_back(city_->description());
   std::vector<glm::dvec3> sample = first->sample;
   city_->to_projected(sample);
   reference_ = median_of(std::move(sample));
 
   // An override or control points speak for every file.
-  const bool one_crs = !recipe.city.frame.crs_override.empty() || !recipe.city.frame.control_points.empty();
+  const bool one_crs = !options.crs_override.empty() || !options.control_points.empty();
   foreign_of_file_.resize(heads.size());
   for (std::size_t i = 0; i < heads.size(); ++i) {
     if (one_crs || !has_geometry(heads[i]) || heads[i].srs_name == first->srs_name) continue;
@@ -55,8 +77,8 @@ CityFrames::CityFrames(const Recipe& recipe) {
                                     [&](const Foreign& f) { return f.srs_name == heads[i].srs_name; });
     foreign_of_file_[i] = static_cast<std::size_t>(known - foreign_.begin());
     if (known != foreign_.end()) continue;
-    CityFrame frame = add_place(
-        i, [&] { return CityFrame::from_srs_name(heads[i].srs_name, heads[i].sample, recipe.city.frame); });
+    CityFrame frame =
+        add_place(i, [&] { return CityFrame::from_srs_name(heads[i].srs_name, heads[i].sample, options); });
     const bool same_crs = frame.crs() == city_->crs();
     if (same_crs) {
       foreign_.push_back({heads[i].srs_name, std::move(frame), true});

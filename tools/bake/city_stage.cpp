@@ -41,7 +41,8 @@ struct Prepared {
   TriangleMesh mesh;               // of a flat object
   std::vector<TileStore::Triangle> triangles;
   std::optional<Footing> footing;
-  TriangleMesh carries;  // what of it one may stand on
+  std::size_t dropped = 0;  // triangles, on the recipe's request
+  TriangleMesh carries;     // what of it one may stand on
   MeshReport report;
 };
 
@@ -53,10 +54,12 @@ std::size_t identity_of(const CityObject& object) {
   return std::hash<std::string_view>()(key);
 }
 
-std::vector<TileStore::Triangle> tile_triangles(const TriangleMesh& mesh, const CityObject& object) {
+std::vector<TileStore::Triangle> tile_triangles(const TriangleMesh& mesh, const CityObject& object,
+                                                bool drop_ground = false) {
   std::vector<TileStore::Triangle> triangles;
   triangles.reserve(mesh.triangles.size());
   for (const MeshTriangle& triangle : mesh.triangles) {
+    if (drop_ground && triangle.surface == SurfaceType::ground) continue;
     const SurfaceUse use = use_of(object.type, triangle.surface);
     const auto corner = [&](int k) { return mesh.positions[triangle.vertex[k]]; };
     TileStore::Triangle& made = triangles.emplace_back();
@@ -73,7 +76,11 @@ std::vector<TileStore::Triangle> tile_triangles(const TriangleMesh& mesh, const 
 class CityReader {
  public:
   CityReader(const Recipe& recipe, const CityFrames& frames, const CitySinks& sinks, BakeReport& report)
-      : frames_(frames), sinks_(sinks), report_(report), many_files_(recipe.city.files.size() > 1) {}
+      : frames_(frames),
+        sinks_(sinks),
+        report_(report),
+        many_files_(recipe.city.files.size() > 1),
+        drop_ground_(recipe.city.drop_ground) {}
 
   void begin_file(std::size_t file) {
     file_ = file;
@@ -103,7 +110,9 @@ class CityReader {
       if (out.mesh.triangles.empty()) out.left_out = "without area";
       find_footing(object.type, out);
       if (!out.flat) {
-        out.triangles = tile_triangles(out.mesh, object);
+        const bool drop = drop_ground_ && object.type == ObjectType::building;
+        out.triangles = tile_triangles(out.mesh, object, drop);
+        out.dropped = out.mesh.triangles.size() - out.triangles.size();
         out.mesh = {};
       }
     }
@@ -130,7 +139,9 @@ class CityReader {
     }
     sinks_.terrain.add_points(object.points);
     report_.relief_points += object.points.size();
-    if (prepared.triangles.empty() && prepared.mesh.triangles.empty()) return;  // points alone
+    if (prepared.dropped > 0) report_.left_out["triangles of ground under buildings"] += prepared.dropped;
+    if (prepared.dropped == 0 && prepared.triangles.empty() && prepared.mesh.triangles.empty())
+      return;  // points alone
     if (sinks_.windows && object.type == ObjectType::building) sinks_.windows->add(object);
     if (!continues) last_feature_ = add_feature(object);
     last_id_ = object.id;
@@ -175,7 +186,7 @@ class CityReader {
   const CityFrames& frames_;
   const CitySinks& sinks_;
   BakeReport& report_;
-  bool many_files_;
+  bool many_files_, drop_ground_;
   std::size_t file_ = 0;
   std::string last_id_;
   std::uint32_t last_feature_ = no_id;

@@ -100,6 +100,18 @@ std::vector<CityFrame::ControlPoint> control_points(const Setting& setting) {
   return result;
 }
 
+std::array<double, 4> bounds(const Setting& setting) {
+  const toml::array* values = setting.node.as_array();
+  if (!values || values->size() != 4) setting.refuse("is not [west, south, east, north]");
+  std::array<double, 4> result{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double most = i % 2 == 0 ? 180 : 90;
+    result[i] = Setting{setting.file, setting.name, (*values)[i]}.number(-most, most);
+  }
+  if (!(result[0] < result[2] && result[1] < result[3])) setting.refuse("has no extent");
+  return result;
+}
+
 // "22:00" as minutes after 17:00; the night ends at 07:00.
 int minute_of_night(const Setting& setting) {
   const std::string text = setting.text();
@@ -167,10 +179,12 @@ std::map<std::string, Table> tables_of(Recipe& recipe) {
        {{"files", [&city, folder](const Setting& s) { city.files = files_of(s, folder, true); }},
         {"crs", [&city](const Setting& s) { city.frame.crs_override = s.text(); }},
         {"control_points", [&city](const Setting& s) { city.frame.control_points = control_points(s); }},
+        {"bounds", [&city](const Setting& s) { city.bounds = bounds(s); }},
         {"lod", [&city](const Setting& s) { city.read.highest_lod = s.integer(0, 4); }},
         {"threads",
          [&city](const Setting& s) { city.read.threads = static_cast<unsigned>(s.integer(0, 1024)); }},
         {"tile_m", [&city](const Setting& s) { city.tile_m = s.number(10, 10000); }},
+        {"drop_ground", [&city](const Setting& s) { city.drop_ground = s.boolean(); }},
         {"licence", [&city](const Setting& s) { city.licences = s.texts(); }},
         {"reader",
          [&city](const Setting& s) {
@@ -264,6 +278,8 @@ Recipe read_recipe(const fs::path& path) {
       handler->second(Setting{file, key_name, value});
     }
   }
+  if (recipe.city.bounds && !recipe.city.frame.control_points.empty())
+    throw UsageError(file, "[city] bounds and control_points both place the model: one of them is enough");
   if (recipe.city.files.empty()) throw UsageError(file, "names no city: [city] files = [\"...\"] is missing");
   return recipe;
 }

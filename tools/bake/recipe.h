@@ -1,6 +1,7 @@
 // A recipe: which files make a city and how, as TOML. Two keys suffice: [city] files and [osm] files.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -20,8 +21,10 @@ struct Recipe {
     std::vector<std::filesystem::path>
         files;                 // CityGML; a folder stands for the files in it that city_files() names
     CityFrame::Options frame;  // crs = "EPSG:...", control_points = [[lon, lat, x, y], ...]
-    ReadOptions read;          // lod = 2, reader = "stream" | "libcitygml", threads = 0
+    std::optional<std::array<double, 4>> bounds;  // of a model without CRS: west, south, east, north, degrees
+    ReadOptions read;                             // lod = 2, reader = "stream" | "libcitygml", threads = 0
     double tile_m = 250;
+    bool drop_ground = false;           // leave out the ground surfaces under buildings: nothing sees them
     std::vector<std::string> licences;  // licence = "..." or [...]
   } city;
 

@@ -47,6 +47,9 @@ struct SurfaceStore::Loaded {
       visit(triangles[i], [&](std::size_t b) { inside[next[b]++] = i; });
   }
 
+  /// Of memory, in triangles.
+  std::size_t cost() const { return triangles.size() + 8; }
+
   int index(double along) const {
     return static_cast<int>(std::clamp(std::floor(along / bucket), 0.0, static_cast<double>(side - 1)));
   }
@@ -138,6 +141,19 @@ std::shared_ptr<const SurfaceStore::Loaded> SurfaceStore::load(const CellKey& ke
   return std::make_shared<const Loaded>(std::move(triangles), glm::dvec2(key.column, key.row) * size, size);
 }
 
+// Half at a time, so that looking for the oldest costs nothing on average.
+void SurfaceStore::forget_older_half() {
+  std::vector<std::uint64_t> uses;
+  for (const auto& [key, cell] : cache_) uses.push_back(cell.second);
+  const auto middle = uses.begin() + static_cast<std::ptrdiff_t>(uses.size() / 2);
+  std::nth_element(uses.begin(), middle, uses.end());
+  std::erase_if(cache_, [&](const auto& cell) {
+    if (cell.second.second >= *middle) return false;
+    cached_cost_ -= cell.second.first->cost();
+    return true;
+  });
+}
+
 std::optional<double> SurfaceStore::highest_at(const glm::dvec2& p) {
   if (!origin_ || !std::isfinite(p.x + p.y)) return std::nullopt;
   const glm::dvec2 local = p - *origin_;
@@ -157,17 +173,11 @@ std::optional<double> SurfaceStore::highest_at(const glm::dvec2& p) {
       auto& [cached, last_use] = cache_[key];
       if (!cached) {
         cached = load(key, cell->second);
-        cached_triangles_ += cached->triangles.size();
+        cached_cost_ += cached->cost();
       }
       loaded = cached;
       last_use = ++clock_;
-      while (cached_triangles_ > most_cached && cache_.size() > 1) {
-        const auto oldest = std::min_element(cache_.begin(), cache_.end(), [](const auto& a, const auto& b) {
-          return a.second.second < b.second.second;
-        });
-        cached_triangles_ -= oldest->second.first->triangles.size();
-        cache_.erase(oldest);
-      }
+      if (cached_cost_ > most_cached) forget_older_half();
     }
     loaded->raise(local, best);
   }

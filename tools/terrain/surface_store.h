@@ -51,6 +51,7 @@ class SurfaceStore {
 
   static double cell_size(int level);
   void flush();
+  void forget_older_half();
   std::shared_ptr<const Loaded> load(const CellKey& key, const Cell& cell);
 
   static constexpr int levels = 24;  // the coarsest cells are wider than any frame
@@ -62,7 +63,7 @@ class SurfaceStore {
 
   std::mutex mutex_;  // of what follows, and of pending triangles written late
   std::map<CellKey, std::pair<std::shared_ptr<const Loaded>, std::uint64_t>> cache_;  // with its last use
-  std::size_t cached_triangles_ = 0;
+  std::size_t cached_cost_ = 0;                                                       // in triangles
   std::uint64_t clock_ = 0;
 };
 

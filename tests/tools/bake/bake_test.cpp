@@ -106,6 +106,27 @@ TEST(Bake, AFileWithoutACrsBesideOneWithIsRefusedByName) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
+TEST(Bake, AModelWithoutACrsIsPlacedByTheBoundsItFills) {
+  const TempFolder folder;
+  // A square of 100 model units; 0.01 degrees of latitude are 1112.6 m at 52 north (WGS 84), and longitude is
+  // chosen so that east to west is as long.
+  write_text(folder / "a.gml", roof_city("", {{500, 500, 4}, {600, 500, 4}, {600, 600, 4}, {500, 600, 4}}));
+  Recipe recipe = recipe_of({folder / "a.gml"});
+  const double east = 13.4 + 0.01 * 1112.6 / 686.9;
+  recipe.city.bounds = std::array{13.4, 52.0, east, 52.01};
+  recipe.terrain.make_surface = false;
+  bake(recipe, folder / "out");
+  const CityFrame frame =
+      CityFrame::from_srs_name("", {}, {"none", {{{13.4, 52.0}, {500, 500}}, {{east, 52.01}, {600, 600}}}});
+  const glm::dvec2 middle = frame.to_lon_lat({550, 550});
+  EXPECT_NEAR(middle.x, (13.4 + east) / 2, 1e-5);
+  EXPECT_NEAR(middle.y, 52.005, 1e-5);
+  const Box roof = boxes(folder / "out/city.glb").at("roof");
+  const auto [low, high] = std::pair(frame.from_lon_lat({13.4, 52.0}), frame.from_lon_lat({east, 52.01}));
+  EXPECT_NEAR(roof.least.x, low.x, 0.01) << "what the map says of a corner falls on the model's corner";
+  EXPECT_NEAR(roof.greatest.y, high.y, 0.01);
+}
+
 // A cube of 10 m at (391000, 5819000, 35), one wall facing inward and without its ground surface.
 std::string broken_cube() {
   std::string text = sample_gml();
@@ -143,6 +164,18 @@ TEST(Bake, ShellsAreClosedAndTurnedOutward) {
       }
   }
   EXPECT_NEAR(volume, 1000, 0.1);
+}
+
+TEST(Bake, GroundUnderBuildingsIsLeftOutOnRequestOnly) {
+  const TempFolder folder;
+  write_text(folder / "cube.gml", sample_gml());
+  Recipe recipe = recipe_of({folder / "cube.gml"});
+  EXPECT_EQ(bake(recipe, folder / "out").triangles.at("ground"), 2u);
+  recipe.city.drop_ground = true;
+  const BakeReport report = bake(recipe, folder / "out");
+  EXPECT_EQ(report.triangles.count("ground"), 0u);
+  EXPECT_EQ(report.left_out.at("triangles of ground under buildings"), 2u);
+  EXPECT_EQ(report.triangles.at("roof"), 2u);
 }
 
 /// Heights 30 + (x - 391000) / 100 around the cube, as a raster in the city's CRS.

@@ -37,8 +37,10 @@ lod = 1
 reader = "libcitygml"
 threads = 3
 tile_m = 500
+drop_ground = true
 licence = ["one", "two"]
 [terrain]
+dem = ["a.tif", "b.tif"]
 make_surface = false
 margin_m = 12.5
 [origin]
@@ -61,7 +63,9 @@ draco_tolerance_m = 0.001
   EXPECT_EQ(recipe.city.read.reader, Reader::libcitygml);
   EXPECT_EQ(recipe.city.read.threads, 3u);
   EXPECT_EQ(recipe.city.tile_m, 500);
+  EXPECT_TRUE(recipe.city.drop_ground);
   EXPECT_EQ(recipe.city.licences, (std::vector<std::string>{"one", "two"}));
+  EXPECT_EQ(recipe.terrain.dem, (std::vector<std::filesystem::path>{folder / "a.tif", folder / "b.tif"}));
   EXPECT_FALSE(recipe.terrain.make_surface);
   EXPECT_EQ(recipe.terrain.margin_m, 12.5);
   EXPECT_EQ(recipe.origin.easting, 1.0);
@@ -121,7 +125,9 @@ TEST(Recipe, WrongValuesAreUsageErrors) {
   for (const char* line :
        {"lod = 5", "lod = 1.5", "lod = '2'", "tile_m = 0", "tile_m = inf", "tile_m = nan", "crs = 25833",
         "reader = 'sax'", "threads = -1", "licence = [1]", "control_points = [[1, 2, 3, 4]]",
-        "control_points = [[1, 2, 3], [1, 2, 3]]", "files = ['']", "unknown = 1"})
+        "control_points = [[1, 2, 3], [1, 2, 3]]", "files = ['']", "unknown = 1", "bounds = [1, 2, 3]",
+        "bounds = [13.1, 52, 13, 52.1]", "bounds = [13, 52, 13.1, 91]",
+        "bounds = [13, 52, 14, 53]\ncontrol_points = [[13, 52, 0, 0], [14, 53, 1, 1]]"})
     EXPECT_THROW(read(folder, std::string("[city]\nfiles = ['a.gml']\n") + line + "\n"), Error) << line;
   EXPECT_THROW(read(folder, "[city]\nfiles = ['a.gml']\n[output]\ndraco = 1\n"), UsageError);
   EXPECT_THROW(read(folder, "city = 3\n"), UsageError);
