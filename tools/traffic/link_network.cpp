@@ -197,8 +197,11 @@ double LinkNetwork::turn_radius(std::size_t edge, std::size_t next_edge) const {
   const PlanPoint from = lane_end(edge, middles_[edge].end),
                   to = lane_end(next_edge, middles_[next_edge].begin);
   const double turn = std::abs(angle_between(from.along, to.along));
+  // Where it begins behind the place it leads from, there is no way but a loop.
+  const dvec2 chord = to.point - from.point;
+  if (glm::dot(chord, from.along) <= 0 || glm::dot(chord, to.along) <= 0) return 0;
   if (turn < 0.3) return std::numeric_limits<double>::infinity();
-  return glm::distance(from.point, to.point) / (2 * std::sin(turn / 2));
+  return glm::length(chord) / (2 * std::sin(turn / 2));
 }
 
 /// Roundabout before approach, main before minor road; on equal roads oncoming traffic before a turn across

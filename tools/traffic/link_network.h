@@ -54,7 +54,8 @@ class LinkNetwork {
   const std::deque<Link>& links() const { return links_; }
   const RoadGraph& graph() const { return graph_; }
   Movement movement(std::size_t edge, std::size_t next_edge) const;
-  /// Of the turn from one edge's kerb lane to another's, m; infinite where it goes straight on.
+  /// Of the turn from one edge's kerb lane to another's, m; infinite where it goes straight on, 0 where
+  /// none is possible.
   double turn_radius(std::size_t edge, std::size_t next_edge) const;
   /// Of a lane of the edge, roughly: between the junctions at its ends.
   double lane_length(std::size_t edge) const;
