@@ -11,7 +11,7 @@
 
 #include "formats/error.h"
 #include "tools/bake/city_stage.h"
-#include "tools/bake/materials.h"
+#include "tools/bake/ground_stage.h"
 #include "tools/bake/traffic_stage.h"
 #include "tools/bake/traffic_tables.h"
 #include "tools/nightbake/commands.h"
@@ -32,13 +32,12 @@ void read_ground(const Recipe& recipe, const CityFrames& frames, Terrain& terrai
                  const ProgressSink& progress) {
   const fs::path nowhere = fs::temp_directory_path() / "nightbake-traffic";
   SceneWriter writer(nowhere, {});
-  for (const SceneMaterial& material : bake_materials()) writer.add_material(material);
   TileStore tiles(nowhere, recipe.city.tile_m, std::round(frames.reference().z));
   DrapeStore drape(nowhere);
   std::optional<WindowLayout> no_windows;
   BakeReport unused;
   read_city(recipe, frames, {writer, tiles, drape, terrain, no_windows}, unused, progress);
-  terrain.build(recipe.terrain.margin_m);
+  lay_ground(recipe, frames, terrain, tiles);
 }
 
 /// Where traffic alone stands: origin at the recipe's, else in the city.
