@@ -18,7 +18,8 @@ if [[ $has_node = no && $has_blender = no ]]; then
   exit 77
 fi
 scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+beside=() # recipes made beside those given, whose paths are relative
+trap 'rm -rf "$scratch" "${beside[@]}"' EXIT
 failures=0
 fail() {
   echo "FAILED: $*"
@@ -54,10 +55,10 @@ if [[ $has_node = yes ]]; then
   for recipe in "${@:2}"; do
     folder=$(cd "$(dirname "$recipe")" && pwd)
     name=$(basename "$recipe" .toml)
-    { cat "$recipe" && printf '\n[output]\ndraco = true\n'; } >"$folder/.viewers-$name.toml" # its paths are relative
+    beside+=("$folder/.viewers-$name.toml")
+    { cat "$recipe" && printf '\n[output]\ndraco = true\n'; } >"$folder/.viewers-$name.toml"
     "$nightbake" --quiet run "$recipe" --out "$scratch/$name" >/dev/null || fail "$name cannot be baked"
     "$nightbake" --quiet run "$folder/.viewers-$name.toml" --out "$scratch/$name-draco" >/dev/null || fail "$name by Draco"
-    rm "$folder/.viewers-$name.toml"
     node "$here/../../pipelines/validate_gltf.mjs" "$scratch/$name"{,-draco}/city.glb || fail "the validator finds errors in $name"
     for file in "$scratch/$name"{,-draco}/city.glb; do
       NODE_MODULES=$modules node "$here/open_in_three.mjs" "$file" || fail "three.js refuses $file"
