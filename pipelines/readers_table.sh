@@ -48,7 +48,7 @@ first: \`nightbake inspect FILE\` has all of it.
 |---|---|---|---|---|---|---|---|---|---|---|---|---|
 TEXT
 mapfile -t files < <(find "$data" \( -name '*.gml' -o -name '*.xml' -o -name '*.citygml' \) -size +0 | LC_ALL=C sort)
-"$build/reader_bench" --markdown --rounds 2 "${files[@]}"
+"$build/reader_bench" --markdown --rounds 2 "${files[@]}" | sed "s|$data/||g"
 
 cat <<'TEXT'
 
