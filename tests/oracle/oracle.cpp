@@ -182,9 +182,8 @@ Image Oracle::render(const CameraPose& pose, std::uint32_t width, std::uint32_t 
   return image;
 }
 
-std::unique_ptr<Oracle> load(const std::filesystem::path& glb, double time_s) {
-  std::filesystem::path beside = glb;
-  const LightFile file = LightFile::open(beside.replace_extension(".lights"));
+Lights read_lights(const std::filesystem::path& path, double time_s) {
+  const LightFile file = LightFile::open(path);
   Lights lights{{file.lights().begin(), file.lights().end()},
                 {file.profiles().begin(), file.profiles().end()},
                 {file.profile_data().begin(), file.profile_data().end()}};
@@ -198,7 +197,7 @@ std::unique_ptr<Oracle> load(const std::filesystem::path& glb, double time_s) {
       on ^= double(file.switches()[schedule.first + i]) <= time_s;
     if (!on) light.flux_lm = 0;
   }
-  return std::make_unique<Oracle>(read_scene(glb), std::move(lights));
+  return lights;
 }
 
 }  // namespace nightcity::oracle

@@ -40,8 +40,8 @@ class Oracle {
   Lights lights_;
 };
 
-/// The two files of a baked scene, SCENE.glb and SCENE.lights beside it, with the lights that shine `time_s`
-/// seconds after noon. Vehicles are left out.
-std::unique_ptr<Oracle> load(const std::filesystem::path& glb, double time_s);
+/// A light file with the lights that shine `time_s` seconds after noon; the others keep their index, without
+/// flux. Vehicles are left out.
+Lights read_lights(const std::filesystem::path& path, double time_s);
 
 }  // namespace nightcity::oracle

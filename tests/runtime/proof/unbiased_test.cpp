@@ -2,7 +2,9 @@
 // differs by noise alone, the paper's 1/M weights do not.
 #include <gtest/gtest.h>
 
-#include "support/berlin.h"
+#include <cmath>
+#include <cstdio>
+
 #include "support/independent_runs.h"
 #include "support/scenes.h"
 
@@ -101,15 +103,6 @@ TEST(Unbiased, TheDefaultInATown) {
 }
 TEST(Unbiased, ThePapersWeightsAreNotInATown) {
   expect_biased(town(), Estimator::paper);
-}
-
-TEST(Unbiased, TheDefaultInBerlinAndThePapersWeightsNot) {
-  BAKED_BERLIN(berlin, false);
-  Place place{load_render_scene(berlin / "city.glb"), {}, 32};
-  place.pose = find_camera("street", place.scene);
-  expect_unbiased(place, RenderSettings{}.estimator);
-  expect_unbiased(place, Estimator::traced);
-  expect_biased(place, Estimator::paper);
 }
 
 }  // namespace
