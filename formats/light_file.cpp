@@ -1,74 +1,25 @@
 #include "formats/light_file.h"
 
-#include <xxhash.h>
-
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
-#include <cstddef>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "formats/atomic_file.h"
 #include "formats/error.h"
 #include "formats/georeference_json.h"
 #include "formats/light_check.h"
+#include "formats/light_file_layout.h"
 #include "formats/mapped_file.h"
 #include "formats/night_check.h"
 
 static_assert(std::endian::native == std::endian::little, "city.lights is mapped: little-endian hosts only");
 
 namespace nightcity {
-namespace {
 
-constexpr std::array<char, 8> magic{'N', 'C', 'L', 'I', 'G', 'H', 'T', 'S'};
-constexpr std::uint16_t major_version = 1, minor_version = 0;
-constexpr std::uint64_t section_alignment = 64;
-constexpr std::uint32_t most_sections = 1024;  // bounds the work of open() on a hostile file
-constexpr std::uint64_t most_georeference_bytes = 1 << 20;
-constexpr std::uint64_t most_profiles = 65536;
+using namespace light_file;
 
-struct Header {
-  std::array<char, 8> magic;
-  std::uint16_t major_version, minor_version;
-  std::uint32_t section_count;
-  std::uint64_t file_size;
-  std::uint64_t table_offset;
-  std::uint64_t table_checksum;  // XXH64 of the section table
-  std::uint64_t reserved[2];
-  std::uint64_t header_checksum;  // XXH64 of the bytes before it
-};
-static_assert(sizeof(Header) == 64);
-
-struct Section {
-  std::array<char, 4> tag;
-  std::uint32_t element_size;
-  std::uint64_t offset, element_count;
-  std::uint64_t checksum;  // XXH64 of the section's bytes
-};
-static_assert(sizeof(Section) == 32);
-
-constexpr std::array<char, 4> tag_georeference{'G', 'E', 'O', 'R'}, tag_lights{'L', 'G', 'H', 'T'},
-    tag_provenance{'P', 'R', 'O', 'V'}, tag_profiles{'P', 'R', 'O', 'F'},
-    tag_profile_data{'P', 'D', 'A', 'T'};
-// Left out where a scene has none of it.
-constexpr std::array<char, 4> tag_schedules{'S', 'C', 'H', 'D'}, tag_switches{'S', 'W', 'C', 'H'},
-    tag_cycle{'C', 'Y', 'C', 'L'}, tag_vehicles{'V', 'E', 'H', 'I'}, tag_vehicle_lights{'V', 'L', 'G', 'T'},
-    tag_trips{'T', 'R', 'I', 'P'}, tag_knots{'K', 'N', 'O', 'T'};
-
-std::uint64_t checksum(const void* bytes, std::size_t size) {
-  return XXH64(bytes, size, 0);
-}
-
-std::string name_of(const Section& section) {
-  std::string name = "section ";
-  for (const char c : section.tag) name += (c >= ' ' && c <= '~') ? c : '?';
-  return name;
-}
-
-// Every record of a file, in linear time. `file`: what a fault is named by.
-void check_content(const std::string& file, const LightFileContent& content) {
+void light_file::check_content(const std::string& file, const LightFileContent& content) {
   const auto check = [&](const char* what, std::size_t count, auto&& fault_of) {
     for (std::size_t i = 0; i < count; ++i)
       if (const std::optional<std::string> fault = fault_of(i))
@@ -103,62 +54,6 @@ void check_content(const std::string& file, const LightFileContent& content) {
   check("trip", traffic.trips.size(), [&](std::size_t i) {
     return trip_fault(traffic.trips[i], traffic.cycle, traffic.vehicles.size(), traffic.knots);
   });
-}
-
-template <class T>
-void write_section(AtomicFile& file, std::vector<Section>& table, std::array<char, 4> tag,
-                   std::span<const T> data) {
-  constexpr std::array<char, section_alignment> zeros{};
-  file.write(zeros.data(), (section_alignment - file.size() % section_alignment) % section_alignment);
-  table.push_back({tag, sizeof(T), file.size(), data.size(), checksum(data.data(), data.size_bytes())});
-  file.write(data.data(), data.size_bytes());
-}
-
-}  // namespace
-
-void write_light_file(const std::filesystem::path& path, const LightFileContent& content) {
-  check_content(path.string(), content);
-  // Limits that open() enforces hold here too: what is written can be read.
-  if (content.profiles.size() > most_profiles) throw Error(path.string(), "more than 65536 profiles");
-  const std::string georeference = georeference_to_json(content.georeference)
-                                       .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  if (georeference.size() > most_georeference_bytes)
-    throw Error(path.string(), "the list of sources is too long");
-
-  AtomicFile file(path);
-  Header header{};
-  file.write(&header, sizeof header);
-  std::vector<Section> table;
-  write_section(file, table, tag_georeference, std::span<const char>(georeference));
-  write_section(file, table, tag_lights, content.lights);
-  write_section(file, table, tag_provenance, content.provenance);
-  write_section(file, table, tag_profiles, content.profiles);
-  write_section(file, table, tag_profile_data, content.profile_data);
-  if (!content.schedules.empty()) {
-    write_section(file, table, tag_schedules, content.schedules);
-    write_section(file, table, tag_switches, content.switches);
-  }
-  if (const TrafficContent& traffic = content.traffic; !traffic.trips.empty()) {
-    write_section(file, table, tag_cycle, std::span(&traffic.cycle, 1));
-    write_section(file, table, tag_vehicles, traffic.vehicles);
-    write_section(file, table, tag_vehicle_lights, traffic.vehicle_lights);
-    write_section(file, table, tag_trips, traffic.trips);
-    write_section(file, table, tag_knots, traffic.knots);
-  }
-  const std::array<char, section_alignment> zeros{};
-  file.write(zeros.data(), (section_alignment - file.size() % section_alignment) % section_alignment);
-
-  header.magic = magic;
-  header.major_version = major_version;
-  header.minor_version = minor_version;
-  header.section_count = static_cast<std::uint32_t>(table.size());
-  header.table_offset = file.size();
-  header.table_checksum = checksum(table.data(), table.size() * sizeof(Section));
-  file.write(table.data(), table.size() * sizeof(Section));
-  header.file_size = file.size();
-  header.header_checksum = checksum(&header, offsetof(Header, header_checksum));
-  file.write_at(0, &header, sizeof header);
-  file.commit();
 }
 
 struct LightFile::Mapping {

@@ -55,8 +55,8 @@ struct LightFileContent {
   TrafficContent traffic{};
 };
 
-/// Writes beside `path` and renames. Throws Error when a record is unfit (light_check.h, night_check.h), or
-/// when the file cannot be written.
+/// Writes beside `path` and renames; for lights that are not all in memory see light_file_writer.h. Throws
+/// Error when a record is unfit (light_check.h, night_check.h), or when the file cannot be written.
 void write_light_file(const std::filesystem::path& path, const LightFileContent& content);
 
 /// A mapped city.lights. Spans point into the mapping and live as long as this object.

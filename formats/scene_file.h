@@ -53,7 +53,8 @@ struct SceneNode {
   std::uint32_t mesh = 0;
   bool casts_shadow = true;  // extras.nightcity.casts_shadow; false: seen by the eye, not by shadow rays
   std::vector<SceneInstance> instances;
-  std::uint32_t vehicle = no_id;  // extras.nightcity.vehicle: the mesh is this kind's body, in the vehicle frame
+  std::uint32_t vehicle =
+      no_id;  // extras.nightcity.vehicle: the mesh is this kind's body, in the vehicle frame
 };
 
 /// One building or other city object, kept in the file (EXT_structural_metadata) for whoever clicks on it.
@@ -63,6 +64,16 @@ struct SceneFeature {
   std::string function;  // code or text as in the source; "" = absent
   std::optional<double> measured_height_m;
   std::optional<int> storeys_above_ground;
+};
+
+/// A light without size, for other programs (KHR_lights_punctual); ours take city.lights.
+struct ScenePunctual {
+  glm::vec3 position{0};
+  glm::vec3 direction{0, -1, 0};  // unit, of a spot's axis
+  glm::vec3 colour{1};            // linear Rec. 709, luminance 1
+  double intensity_cd = 0;        // along the axis
+  double inner_rad = 0,
+         outer_rad = 0;  // half angles of the spot's cone, inner < outer <= pi / 2; outer 0: a point
 };
 
 struct Scene {
@@ -99,6 +110,8 @@ class SceneWriter {
   /// Written as TRS, so `to_model` must be free of shear. A node without instances shows nothing and is left
   /// out.
   void add_node(const SceneNode& node);
+  /// Throws Error where a value is not finite, not positive or the cone is none.
+  void add_punctual(const ScenePunctual& light);
   void finish(const Georeference& georeference);
 
   struct Statistics {

@@ -92,7 +92,7 @@ void Reader::check_extensions() const {
                                            gltf::mesh_features,
                                            gltf::structural_metadata,
                                            "EXT_instance_features",
-                                           "KHR_lights_punctual",
+                                           gltf::lights_punctual,
                                            "KHR_materials_unlit",
                                            "KHR_mesh_quantization",
                                            "KHR_texture_transform"};
@@ -359,7 +359,8 @@ void Reader::read_node(const Json& node, const glm::dmat4& to_model) {
   target.kind = gltf::text(ours, "kind");
   target.mesh = static_cast<std::uint32_t>(*mesh);
   target.casts_shadow = gltf::boolean(ours, "casts_shadow", true);
-  if (const auto vehicle = gltf::index(ours, "vehicle")) target.vehicle = static_cast<std::uint32_t>(*vehicle);
+  if (const auto vehicle = gltf::index(ours, "vehicle"))
+    target.vehicle = static_cast<std::uint32_t>(*vehicle);
   target.instances = read_instances(node, to_model);
   scene_.nodes.push_back(std::move(target));
 }

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <span>
@@ -57,7 +59,8 @@ struct SceneWriter::State {
   Options options;
   ScratchFile binary;
   FeatureTableWriter features;
-  JsonArray materials, meshes, nodes, accessors, views;
+  JsonArray materials, meshes, nodes, accessors, views, punctual;
+  std::map<std::string, std::size_t> punctual_known;  // equal lights share a description
   std::set<std::string> extensions_used, extensions_required;
   Statistics statistics;
   bool finished = false;
@@ -320,6 +323,38 @@ void SceneWriter::add_node(const SceneNode& node) {
   s.nodes.add(result);
 }
 
+void SceneWriter::add_punctual(const ScenePunctual& light) {
+  State& s = *state_;
+  const std::string place = "punctual light " + std::to_string(s.nodes.count);
+  const float strongest = std::max({light.colour.x, light.colour.y, light.colour.z});
+  const bool spot = light.outer_rad != 0;
+  if (!finite(light.position) || !finite(light.direction) || !finite(light.colour) || !(strongest > 0) ||
+      std::min({light.colour.x, light.colour.y, light.colour.z}) < 0 || !std::isfinite(light.intensity_cd) ||
+      !(light.intensity_cd > 0))
+    s.fail(place, "a value is not finite or not positive");
+  if (spot && !(light.inner_rad >= 0 && light.inner_rad < light.outer_rad && light.outer_rad < 1.5708))
+    s.fail(place, "the cone's angles are out of order");
+  // Channels of the extension end at 1: what is above goes into the intensity.
+  json description = {{"type", spot ? "spot" : "point"},
+                      {"color", vector_json(glm::dvec3(light.colour) / double{strongest})},
+                      {"intensity", light.intensity_cd * double{strongest}}};
+  if (spot) description["spot"] = {{"innerConeAngle", light.inner_rad}, {"outerConeAngle", light.outer_rad}};
+  const auto [known, is_new] = s.punctual_known.try_emplace(description.dump(), s.punctual.count);
+  if (is_new) s.punctual.add(description);
+  json node = {{"translation", vector_json(light.position)},
+               {"extensions", {{gltf::lights_punctual, {{"light", known->second}}}}}};
+  if (spot) {  // a spot shines along its node's -z
+    const glm::dvec3 from(0, 0, -1), to = glm::normalize(glm::dvec3(light.direction));
+    const double cosine = glm::dot(from, to);
+    const glm::dvec3 axis = glm::cross(from, to);
+    const glm::dquat r = cosine < -0.999999 ? glm::dquat(0, 0, 1, 0)
+                                            : glm::normalize(glm::dquat(1 + cosine, axis.x, axis.y, axis.z));
+    node["rotation"] = {r.x, r.y, r.z, r.w};
+  }
+  s.extensions_used.insert(gltf::lights_punctual);
+  s.nodes.add(node);
+}
+
 const SceneWriter::Statistics& SceneWriter::statistics() const {
   return state_->statistics;
 }
@@ -327,12 +362,19 @@ const SceneWriter::Statistics& SceneWriter::statistics() const {
 void SceneWriter::finish(const Georeference& georeference) {
   State& s = *state_;
   if (s.finished) s.fail("", "finish() was called before");
-  json extensions;
+  json extensions = json::object();
   if (s.features.size() != 0) {
     const auto add_view = [&s](std::uint64_t offset, std::uint64_t size) { return s.add_view(offset, size); };
     extensions[gltf::structural_metadata] = s.features.write(s.binary, add_view);
     s.extensions_used.insert(gltf::structural_metadata);
   }
+  std::string extensions_text;
+  const auto add_extension = [&extensions_text](const char* name, const std::string& value) {
+    extensions_text += (extensions_text.empty() ? "\"" : ",\"") + std::string(name) + "\":" + value;
+  };
+  for (const auto& [name, value] : extensions.items())
+    add_extension(name.c_str(), value.dump(-1, ' ', false, json::error_handler_t::replace));
+  if (s.punctual.count != 0) add_extension(gltf::lights_punctual, "{\"lights\":[" + s.punctual.text + "]}");
   s.binary.align(8);
 
   json extras = georeference_to_json(georeference);
@@ -367,7 +409,7 @@ void SceneWriter::finish(const Georeference& georeference) {
   array("accessors", s.accessors);
   array("bufferViews", s.views);
   if (s.binary.size() != 0) member("buffers", dump(json::array({{{"byteLength", s.binary.size()}}})));
-  if (!extensions.is_null()) member("extensions", dump(extensions));
+  if (!extensions_text.empty()) member("extensions", "{" + extensions_text + "}");
   text += '}';
   // The binary chunk starts 28 bytes after the JSON began: keep it on a multiple of 8 for whoever maps the
   // file.

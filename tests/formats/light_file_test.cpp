@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "formats/error.h"
+#include "formats/light_file_writer.h"
 #include "formats/rgb9e5.h"
 #include "support/temp_folder.h"
 
@@ -65,6 +66,42 @@ struct Sample {
             {cycle, vehicles, vehicle_lights, trips, knots}};
   }
 };
+
+TEST(LightFileWriter, LightsThatComeOneByOneMakeTheSameFile) {
+  const TempFolder folder;
+  const Sample sample;
+  write_light_file(folder / "whole.lights", sample.content());
+  LightFileWriter writer(folder / "streamed.lights");
+  for (std::uint32_t n = 0; n < 2; ++n) EXPECT_EQ(writer.add(sample.lights[n], sample.provenance[n]), n);
+  LightFileContent rest = sample.content();
+  rest.lights = rest.lights.subspan(2);
+  rest.provenance = rest.provenance.subspan(2);
+  writer.finish(rest);
+  LightFile::open(folder / "streamed.lights").verify();
+  EXPECT_EQ(test::read_text(folder / "streamed.lights"), test::read_text(folder / "whole.lights"));
+}
+
+TEST(LightFileWriter, RefusesUnfitLightsAndLeavesNothing) {
+  const TempFolder folder;
+  const Sample sample;
+  {
+    LightFileWriter writer(folder / "a.lights");
+    Light dark = sample.lights[0];
+    dark.flux_lm = 0;
+    EXPECT_THROW(writer.add(dark, {}), Error);
+  }
+  for (const bool profile : {true, false}) {
+    LightFileWriter writer(folder / "b.lights");
+    Light light = sample.lights[0];
+    if (profile)
+      light.kind_profile = LIGHT_SPHERE | 2u << 8;  // the sample has two profiles and three schedules
+    else
+      light.schedule = 3;
+    writer.add(light, {});
+    EXPECT_THROW(writer.finish(sample.content()), Error);
+  }
+  EXPECT_EQ(folder.entries(), 0u);
+}
 
 TEST(LightFile, KeepsEveryByte) {
   const TempFolder folder;

@@ -1,0 +1,138 @@
+#include "formats/light_file_writer.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "formats/atomic_file.h"
+#include "formats/error.h"
+#include "formats/georeference_json.h"
+#include "formats/light_check.h"
+#include "formats/light_file_layout.h"
+
+namespace nightcity {
+
+using namespace light_file;
+
+namespace {
+
+/// XXH64 of bytes that come one after the other.
+class RunningChecksum {
+ public:
+  RunningChecksum() { XXH64_reset(state_.get(), 0); }
+  void add(const void* bytes, std::size_t size) { XXH64_update(state_.get(), bytes, size); }
+  std::uint64_t value() const { return XXH64_digest(state_.get()); }
+
+ private:
+  struct Free {
+    void operator()(XXH64_state_t* state) const { XXH64_freeState(state); }
+  };
+  std::unique_ptr<XXH64_state_t, Free> state_{XXH64_createState()};
+};
+
+void align(AtomicFile& file) {
+  constexpr std::array<char, section_alignment> zeros{};
+  file.write(zeros.data(), (section_alignment - file.size() % section_alignment) % section_alignment);
+}
+
+template <class T>
+void write_section(AtomicFile& file, std::vector<Section>& table, std::array<char, 4> tag,
+                   std::span<const T> data) {
+  align(file);
+  table.push_back({tag, sizeof(T), file.size(), data.size(), checksum(data.data(), data.size_bytes())});
+  file.write(data.data(), data.size_bytes());
+}
+
+}  // namespace
+
+struct LightFileWriter::State {
+  std::string name;
+  AtomicFile file;          // the header's room, then the lights
+  ScratchFile provenances;  // which follow the lights
+  RunningChecksum lights_sum, provenances_sum;
+  std::uint64_t count = 0;
+  std::size_t profiles_named = 0, schedules_named = 0;  // greatest number named, plus one
+
+  explicit State(const std::filesystem::path& path) : name(path.string()), file(path), provenances(path) {
+    constexpr Header room{};
+    file.write(&room, sizeof room);
+  }
+};
+
+LightFileWriter::LightFileWriter(const std::filesystem::path& path) : state_(std::make_unique<State>(path)) {}
+LightFileWriter::~LightFileWriter() = default;
+
+std::uint32_t LightFileWriter::add(const Light& light, const LightProvenance& provenance) {
+  State& state = *state_;
+  // Profiles and schedules are counted when all are there.
+  constexpr std::size_t any_profile = std::size_t{LIGHT_NO_PROFILE} + 1;
+  if (const auto fault = light_fault(light, any_profile))
+    throw Error(state.name, "light " + std::to_string(state.count), *fault);
+  if (state.count + 1 >= LIGHT_ALWAYS_ON) throw Error(state.name, "more lights than their numbers");
+  const std::size_t profile = light.kind_profile >> 8;
+  if (profile != LIGHT_NO_PROFILE) state.profiles_named = std::max(state.profiles_named, profile + 1);
+  if (light.schedule != LIGHT_ALWAYS_ON)
+    state.schedules_named = std::max(state.schedules_named, std::size_t{light.schedule} + 1);
+  state.file.write(&light, sizeof light);
+  state.lights_sum.add(&light, sizeof light);
+  state.provenances.write(&provenance, sizeof provenance);
+  state.provenances_sum.add(&provenance, sizeof provenance);
+  return static_cast<std::uint32_t>(state.count++);
+}
+
+void LightFileWriter::finish(const LightFileContent& rest) {
+  State& state = *state_;
+  check_content(state.name, rest);
+  for (std::size_t i = 0; i < rest.lights.size(); ++i) add(rest.lights[i], rest.provenance[i]);
+  if (state.profiles_named > rest.profiles.size() || state.schedules_named > rest.schedules.size())
+    throw Error(state.name, "a light names a profile or schedule that is not there");
+  // Limits that open() enforces hold here too: what is written can be read.
+  if (rest.profiles.size() > most_profiles) throw Error(state.name, "more than 65536 profiles");
+  const std::string georeference =
+      georeference_to_json(rest.georeference).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  if (georeference.size() > most_georeference_bytes)
+    throw Error(state.name, "the list of sources is too long");
+
+  AtomicFile& file = state.file;
+  std::vector<Section> table;
+  table.push_back({tag_lights, sizeof(Light), sizeof(Header), state.count, state.lights_sum.value()});
+  align(file);
+  table.push_back(
+      {tag_provenance, sizeof(LightProvenance), file.size(), state.count, state.provenances_sum.value()});
+  state.provenances.copy_to(file);
+  write_section(file, table, tag_georeference, std::span<const char>(georeference));
+  write_section(file, table, tag_profiles, rest.profiles);
+  write_section(file, table, tag_profile_data, rest.profile_data);
+  if (!rest.schedules.empty()) {
+    write_section(file, table, tag_schedules, rest.schedules);
+    write_section(file, table, tag_switches, rest.switches);
+  }
+  if (const TrafficContent& traffic = rest.traffic; !traffic.trips.empty()) {
+    write_section(file, table, tag_cycle, std::span(&traffic.cycle, 1));
+    write_section(file, table, tag_vehicles, traffic.vehicles);
+    write_section(file, table, tag_vehicle_lights, traffic.vehicle_lights);
+    write_section(file, table, tag_trips, traffic.trips);
+    write_section(file, table, tag_knots, traffic.knots);
+  }
+  align(file);
+
+  Header header{};
+  header.magic = magic;
+  header.major_version = major_version;
+  header.minor_version = minor_version;
+  header.section_count = static_cast<std::uint32_t>(table.size());
+  header.table_offset = file.size();
+  header.table_checksum = checksum(table.data(), table.size() * sizeof(Section));
+  file.write(table.data(), table.size() * sizeof(Section));
+  header.file_size = file.size();
+  header.header_checksum = checksum(&header, offsetof(Header, header_checksum));
+  file.write_at(0, &header, sizeof header);
+  file.commit();
+}
+
+void write_light_file(const std::filesystem::path& path, const LightFileContent& content) {
+  check_content(path.string(), content);  // before anything is written
+  LightFileWriter(path).finish(content);
+}
+
+}  // namespace nightcity
