@@ -1,0 +1,33 @@
+// One HTTP request with JSON in its body.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace nightcity {
+
+struct HttpAnswer {
+  long status = 0;
+  std::string body;
+  std::optional<long> retry_after_s;
+};
+
+/// A connection that is kept between requests to one server.
+class HttpClient {
+ public:
+  HttpClient();
+  ~HttpClient();
+  HttpClient(const HttpClient&) = delete;
+  HttpClient& operator=(const HttpClient&) = delete;
+
+  /// Throws Error (named `url`) where no answer comes within a minute or it is over 64 MB. A status that is
+  /// no success is an answer.
+  HttpAnswer post_json(const std::string& url, const std::string& body);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace nightcity
