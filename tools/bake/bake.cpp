@@ -7,6 +7,7 @@
 
 #include "formats/error.h"
 #include "tools/bake/city_frames.h"
+#include "tools/bake/city_ground.h"
 #include "tools/bake/city_stage.h"
 #include "tools/bake/ground_stage.h"
 #include "tools/bake/lamp_stage.h"
@@ -48,9 +49,8 @@ OsmData read_maps(const Recipe& recipe) {
 }
 
 // The middle of the city, to the metre: far objects must not move it, so the median of the tiles is taken.
-Georeference georeference_of(const Recipe& recipe, const CityFrames& frames, const TileStore& tiles) {
-  Georeference result;
-  result.crs = frames.city().crs();
+Georeference georeference_amid(const Recipe& recipe, const CityFrames& frames, const TileStore& tiles) {
+  Georeference result = georeference_of(recipe, frames);
   std::vector<double> eastings, northings;
   for (const TileKey& key : tiles.tiles()) {
     eastings.push_back(tiles.origin(key).x);
@@ -61,13 +61,8 @@ Georeference georeference_of(const Recipe& recipe, const CityFrames& frames, con
     std::nth_element(values.begin(), middle, values.end());
     return std::round(*middle);
   };
-  result.origin = {recipe.origin.easting.value_or(median(eastings)),
-                   recipe.origin.northing.value_or(median(northings)),
-                   recipe.origin.height.value_or(std::round(frames.reference().z))};
-  for (const auto& file : recipe.city.files) result.sources.push_back(file.filename().string());
-  for (const auto& file : recipe.osm.files) result.sources.push_back(file.filename().string());
-  result.licences = recipe.city.licences;
-  if (!recipe.osm.files.empty()) result.licences.push_back(recipe.osm.licence);
+  result.origin.x = recipe.origin.easting.value_or(median(eastings));
+  result.origin.y = recipe.origin.northing.value_or(median(northings));
   return result;
 }
 
@@ -111,7 +106,7 @@ BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder, const
   Terrain terrain(scene_path);
   DrapeStore drape(scene_path);
   std::optional<WindowLayout> windows;
-  if (recipe.windows.lit) windows.emplace(WindowOptions{.seed = recipe.windows.seed});
+  if (recipe.windows.lit) windows.emplace(window_options(recipe, osm, frames), lights_path);
   read_city(recipe, frames, {writer, tiles, drape, terrain, windows}, report, progress);
   watch.lap("reading the city");
 
@@ -122,7 +117,7 @@ BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder, const
     throw Error(recipe.city.files.front().string(), "no surface in any file of the city");
   watch.lap("terrain");
 
-  const Georeference georeference = georeference_of(recipe, frames, tiles);
+  const Georeference georeference = georeference_amid(recipe, frames, tiles);
   write_tiles(writer, materials, tiles, georeference, report, progress);
   report.colours = materials.colours();
   watch.lap("tiles");

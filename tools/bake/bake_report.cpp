@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/bake/layout_tables.h"
+#include "tools/bake/light_tables.h"
 #include "tools/bake/traffic_tables.h"
 
 namespace nightcity {
@@ -26,22 +27,6 @@ std::size_t sum(const Counts& counts) {
   std::size_t total = 0;
   for (const auto& [name, count] : counts) total += count;
   return total;
-}
-
-// "12 wall, 3 roof", the most frequent first.
-std::string in_words(const Counts& counts) {
-  std::vector<std::pair<std::string, std::size_t>> sorted(counts.begin(), counts.end());
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
-  std::string text;
-  for (const auto& [name, count] : sorted)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
-  return text.empty() ? "none" : text;
-}
-
-json to_json(const BakeReport::Lights& lights) {
-  return {{"mapped", lights.mapped},   {"placed", lights.placed}, {"total_flux_lm", lights.total_flux_lm},
-          {"dropped", lights.dropped}, {"notes", lights.notes},   {"sources", lights.sources}};
 }
 
 }  // namespace
@@ -103,7 +88,7 @@ json to_json(const BakeReport& report) {
         {"bytes", report.scene_bytes},
         {"draco_bits", report.scene.greatest_draco_bits},
         {"draco_error_m", report.scene.greatest_draco_error_m}}},
-      {"lights", {{"bytes", report.lights_bytes}}},
+      {"lights", {{"bytes", report.lights_bytes}, {"schedules", report.schedules}}},
       {"seconds", seconds},
   };
 }
@@ -151,16 +136,9 @@ std::string to_text(const BakeReport& report) {
        report.ground.source + (report.ground.dem.empty() ? "" : ", dem " + report.ground.dem) +
            (report.draped ? fmt::format(", {} triangles without heights laid onto it", report.draped) : ""));
   if (report.colours) line("colours", fmt::format("{} of the model's own materials", report.colours));
-  const auto lights = [&line](const char* name, const BakeReport::Lights& part, const std::string& of) {
-    line(name, fmt::format("{}{}, {:.0f} klm in all", part.placed, of, part.total_flux_lm / 1000));
-    if (!part.dropped.empty()) line("", "dropped: " + in_words(part.dropped));
-    if (!part.notes.empty()) line("", "notes: " + in_words(part.notes));
-    for (const auto& [value, sources] : part.sources)
-      line("", fmt::format("{} from {}", value, in_words(sources)));
-  };
-  lights("lamps", report.lamps, fmt::format(" luminaires of {} mapped", report.lamps.mapped));
+  text += to_text(report.lamps);
   text += to_text(report.layout, false);
-  lights("windows", report.windows, " lit");
+  text += to_text(report.windows);
   if (report.traffic) text += to_text(*report.traffic);
   const SceneWriter::Statistics& scene = report.scene;
   line("city.glb", fmt::format("{:.1f} MB, {} features, {} nodes, {} vertices",
@@ -169,7 +147,8 @@ std::string to_text(const BakeReport& report) {
   if (scene.greatest_draco_bits)
     line("", fmt::format("Draco: up to {} bits, worst displacement {:.4f} m", scene.greatest_draco_bits,
                          scene.greatest_draco_error_m));
-  line("city.lights", fmt::format("{:.1f} kB", static_cast<double>(report.lights_bytes) / 1e3));
+  line("city.lights", fmt::format("{:.1f} kB, {} schedules", static_cast<double>(report.lights_bytes) / 1e3,
+                                  report.schedules));
   std::string stages;
   for (const auto& [stage, seconds] : report.seconds)
     stages += fmt::format("{}{} {:.2f}", stages.empty() ? "" : ", ", stage, seconds);

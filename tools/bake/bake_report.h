@@ -10,6 +10,7 @@
 
 #include "formats/scene_file.h"
 #include "tools/bake/ground_stage.h"
+#include "tools/bake/light_tables.h"
 #include "tools/citygml/city_model.h"
 #include "tools/layout/layout.h"
 #include "tools/mesh/triangle_mesh.h"
@@ -28,14 +29,9 @@ struct BakeReport {
   std::size_t relief_points = 0;  // mass points and vertices of break lines
   std::size_t colours = 0;        // materials the model itself names
   std::size_t draped = 0;         // triangles without heights laid onto it
-  struct Lights {
-    std::size_t mapped = 0, placed = 0;  // lamps: nodes in the OSM files; lights in city.lights
-    double total_flux_lm = 0;
-    std::map<std::string, std::size_t> dropped;  // by reason
-    std::map<std::string, std::size_t> notes;    // what was mended or could not be read
-    std::map<std::string, std::map<std::string, std::size_t>> sources;  // value, source, count
-  };
-  Lights lamps, windows;
+  LampReport lamps;
+  WindowReport windows;
+  std::size_t schedules = 0;    // different ones in city.lights
   layout::LayoutReport layout;  // of lamps where the map has none
   std::optional<traffic::TrafficReport> traffic;
   SceneWriter::Statistics scene;

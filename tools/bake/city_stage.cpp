@@ -142,7 +142,7 @@ class CityReader {
     if (prepared.dropped > 0) report_.left_out["triangles of ground under buildings"] += prepared.dropped;
     if (prepared.dropped == 0 && prepared.triangles.empty() && prepared.mesh.triangles.empty())
       return;  // points alone
-    if (sinks_.windows && object.type == ObjectType::building) sinks_.windows->add(object);
+    if (sinks_.windows) sinks_.windows->add(object);
     if (!continues) last_feature_ = add_feature(object);
     last_id_ = object.id;
     if (prepared.flat) return sinks_.drape.add(prepared.mesh, object.type, last_feature_);

@@ -1,68 +1,49 @@
 #include "tools/bake/light_stage.h"
 
+#include "formats/light_file_writer.h"
 #include "tools/bake/lamp_models.h"
 #include "tools/bake/lamp_stage.h"
 #include "tools/bake/materials.h"
+#include "tools/bake/punctual.h"
 #include "tools/bake/window_models.h"
 
 namespace nightcity {
-namespace {
-
-LampSet all_lamps(const Recipe& recipe, const OsmData& osm, const CityFrames& frames, const Terrain& terrain,
-                  BakeReport& report) {
-  CityLamps lamps = place_city_lamps(recipe, osm, frames, terrain);
-  report.lamps.mapped = osm.lamps.size();
-  report.lamps.placed = lamps.set.lamps.size();
-  report.lamps.dropped = lamps.set.dropped;
-  report.lamps.sources = lamps.set.sources;
-  report.lamps.notes = lamps.set.notes;
-  for (const PlacedLamp& lamp : lamps.set.lamps) report.lamps.total_flux_lm += lamp.flux_lm;
-  report.layout = std::move(lamps.layout);
-  return std::move(lamps.set);
-}
-
-std::vector<LitRectangle> lit_windows(std::optional<WindowLayout> layout, const Terrain& terrain, int minute,
-                                      BakeReport& report) {
-  if (!layout) return {};
-  WindowSet set = std::move(*layout).finish(height_on(terrain));
-  report.windows.dropped = set.dropped;
-  report.windows.sources = set.sources;
-  std::vector<LitRectangle> lit;
-  for (const LitRectangle& window : set.windows) {
-    if (!set.schedules[window.schedule].lit_at(minute)) {
-      ++report.windows.dropped["dark at this time"];
-      continue;
-    }
-    lit.push_back(window);
-    report.windows.total_flux_lm += window.flux_lm();
-  }
-  report.windows.placed = lit.size();
-  return lit;
-}
-
-}  // namespace
-
 void bake_lights(const Recipe& recipe, const OsmData& osm, const CityFrames& frames, const Terrain& terrain,
                  std::optional<WindowLayout> windows, const Georeference& georeference, SceneWriter& writer,
                  const std::filesystem::path& lights_path, BakeReport& report) {
-  const LampSet lamps = all_lamps(recipe, osm, frames, terrain, report);
-  const auto lit = lit_windows(std::move(windows), terrain, recipe.night.minute, report);
-
+  CityLamps placed = place_city_lamps(recipe, osm, frames, terrain);
+  const LampSet& lamps = placed.set;
+  report.lamps = report_of(lamps, osm.lamps.size());
+  report.layout = std::move(placed.layout);
+  ScheduleTable schedules;
+  LightFileWriter lights(lights_path);
+  BrightestLights brightest(recipe.output.punctual);
   // Lamps first, then windows: the models name their lights by this order.
-  std::vector<Light> lights;
-  std::vector<LightProvenance> provenance;
   for (const PlacedLamp& lamp : lamps.lamps) {
-    lights.push_back(to_light(lamp, georeference));
-    provenance.push_back(lamp.provenance);
-  }
-  for (const LitRectangle& window : lit) {
-    lights.push_back(to_light(window, georeference));
-    provenance.push_back(window.provenance);
+    const Light light = to_light(lamp, georeference, schedules);
+    lights.add(light, lamp.provenance);
+    if (!lamp.hours || lamp.hours->lit_at(recipe.night.minute)) brightest.add(light);
   }
   add_lamp_models(writer, lamps.lamps, georeference, static_cast<std::uint32_t>(BakeMaterial::lamp_post));
-  add_window_models(writer, lit, static_cast<std::uint32_t>(lamps.lamps.size()), georeference,
-                    recipe.city.tile_m);
-  write_light_file(lights_path, {georeference, lights, provenance, lamps.profiles, lamps.profile_data});
+  if (windows) {
+    WindowModels models(lights_path, recipe.city.tile_m);
+    report.windows = std::move(*windows).finish(height_on(terrain), [&](const LitRectangle& window) {
+      const Light light = to_light(window, georeference, schedules);
+      models.add(window, lights.add(light, window.provenance));
+      if (window.hours.lit_at(recipe.night.minute)) brightest.add(light);
+    });
+    models.write(writer, georeference);
+  }
+  for (const Light& light : std::move(brightest).take())
+    writer.add_punctual(punctual_of(light, lamps.profiles, lamps.profile_data));
+  report.schedules = schedules.schedules().size();
+  LightFileContent rest;
+  rest.georeference = georeference;
+  rest.profiles = lamps.profiles;
+  rest.profile_data = lamps.profile_data;
+  rest.schedules = schedules.schedules();
+  rest.switches = schedules.switches();
+  lights.finish(rest);
 }
 
 }  // namespace nightcity

@@ -14,7 +14,7 @@
 
 namespace nightcity {
 
-/// `windows`: empty where the recipe wants none. Windows dark at the recipe's time of night are left out.
+/// `windows`: empty where the recipe wants none. Memory grows with the lamps, not with the windows.
 /// Throws Error when the map has lamps and the city no CRS.
 void bake_lights(const Recipe& recipe, const OsmData& osm, const CityFrames& frames, const Terrain& terrain,
                  std::optional<WindowLayout> windows, const Georeference& georeference, SceneWriter& writer,

@@ -2,75 +2,21 @@
 
 #include <toml++/toml.h>
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
-#include <set>
 
 #include "formats/error.h"
 #include "formats/mapped_file.h"
 #include "tools/bake/city_files.h"
-#include "tools/layout/lighting_class.h"
-#include "tools/lights/lamp_defaults.h"
-#include "tools/lights/occupancy.h"
+#include "tools/bake/recipe_lamps.h"
+#include "tools/bake/recipe_setting.h"
+#include "tools/lights/night_schedule.h"
 
 namespace nightcity {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A value of the recipe with its name and line, for messages.
-struct Setting {
-  const std::string& file;
-  std::string name;  // "[city] tile_m"
-  const toml::node& node;
-
-  [[noreturn]] void refuse(const std::string& message) const {
-    const auto line = node.source().begin.line;
-    throw UsageError(file, line ? "line " + std::to_string(line) : "", name + " " + message);
-  }
-  double number(double least, double greatest) const {
-    const auto value = node.value<double>();
-    if (!value || !node.is_number()) refuse("is not a number");
-    if (!(*value >= least && *value <= greatest))
-      refuse("is not between " + short_number(least) + " and " + short_number(greatest));
-    return *value;
-  }
-  int integer(int least, int greatest) const {
-    if (!node.is_integer()) refuse("is not a whole number");
-    return static_cast<int>(number(least, greatest));
-  }
-  bool boolean() const {
-    const auto value = node.value_exact<bool>();
-    if (!value) refuse("is not true or false");
-    return *value;
-  }
-  std::string text() const {
-    const auto value = node.value_exact<std::string>();
-    if (!value) refuse("is not a string");
-    return *value;
-  }
-  std::vector<std::string> texts() const {
-    if (node.is_string()) return {text()};
-    const toml::array* array = node.as_array();
-    if (!array) refuse("is not a list of strings");
-    std::vector<std::string> result;
-    for (const toml::node& element : *array) result.push_back(Setting{file, name, element}.text());
-    return result;
-  }
-
- private:
-  static std::string short_number(double value) {
-    std::string text = std::to_string(value);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text;
-  }
-};
-
-using Handler = std::function<void(const Setting&)>;
-using Table = std::map<std::string, Handler>;
+using namespace recipe;
 
 std::vector<fs::path> files_of(const Setting& setting, const fs::path& folder, bool expand_folders) {
   std::vector<fs::path> result;
@@ -143,31 +89,6 @@ std::array<float, 24> shares_by_hour(const Setting& setting) {
   return result;
 }
 
-layout::LayoutOptions::Mode layout_mode(const Setting& setting) {
-  using Mode = layout::LayoutOptions::Mode;
-  const std::string name = setting.text();
-  if (name == "auto") return Mode::automatic;
-  if (name == "never") return Mode::never;
-  if (name == "always") return Mode::always;
-  setting.refuse("is none of \"auto\", \"never\" and \"always\"");
-}
-
-std::map<std::string, std::string> lighting_classes(const Setting& setting) {
-  const toml::table* rows = setting.node.as_table();
-  if (!rows) setting.refuse("is not a table like {residential = \"P4\"}");
-  std::map<std::string, std::string> result;
-  for (const auto& [key, node] : *rows) {
-    const std::string highway(key.str());
-    const Setting row{setting.file, setting.name + "." + highway, node};
-    const auto road = road_defaults(highway);
-    if (!road || road->highway != highway) row.refuse("names no class of road that may have lamps");
-    if (!layout::lighting_class(row.text()))
-      row.refuse("is no lighting class of EN 13201-2: P1 to P6, C0 to C5, M1 to M6");
-    result[highway] = row.text();
-  }
-  return result;
-}
-
 std::map<std::string, Table> tables_of(Recipe& recipe) {
   const fs::path folder = recipe.path.parent_path();
   Recipe::City& city = recipe.city;
@@ -195,9 +116,7 @@ std::map<std::string, Table> tables_of(Recipe& recipe) {
       {"osm",
        {{"files", [&recipe, folder](const Setting& s) { recipe.osm.files = files_of(s, folder, false); }},
         {"licence", [&recipe](const Setting& s) { recipe.osm.licence = s.text(); }}}},
-      {"lamps",
-       {{"layout", [&recipe](const Setting& s) { recipe.lamps.layout.mode = layout_mode(s); }},
-        {"class", [&recipe](const Setting& s) { recipe.lamps.layout.class_of = lighting_classes(s); }}}},
+      {"lamps", lamp_settings(recipe.lamps, folder)},
       {"terrain",
        {{"dem", [&recipe, folder](const Setting& s) { recipe.terrain.dem = files_of(s, folder, false); }},
         {"make_surface", [&recipe](const Setting& s) { recipe.terrain.make_surface = s.boolean(); }},
@@ -228,7 +147,11 @@ std::map<std::string, Table> tables_of(Recipe& recipe) {
       {"output",
        {{"draco", [&recipe](const Setting& s) { recipe.output.draco = s.boolean(); }},
         {"draco_tolerance_m",
-         [&recipe](const Setting& s) { recipe.output.draco_tolerance_m = s.number(1e-5, 10); }}}},
+         [&recipe](const Setting& s) { recipe.output.draco_tolerance_m = s.number(1e-5, 10); }},
+        {"punctual",
+         [&recipe](const Setting& s) {
+           recipe.output.punctual = static_cast<std::size_t>(s.integer(0, 1'000'000));
+         }}}},
   };
 }
 

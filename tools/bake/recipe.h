@@ -10,6 +10,7 @@
 #include "tools/citygml/city_model.h"
 #include "tools/georeference/frame.h"
 #include "tools/layout/layout.h"
+#include "tools/lights/lamp_hours.h"
 #include "tools/traffic/traffic.h"
 
 namespace nightcity {
@@ -34,7 +35,15 @@ struct Recipe {
   } osm;
 
   struct Lamps {
+    struct LuminaireFile {
+      std::filesystem::path file;         // IES LM-63 or EULUMDAT
+      std::vector<std::string> highways;  // roads = ["residential", ...]; absent: every road
+      std::vector<LampType> types;        // types = ["led", ...]; absent: every type
+      bool take_flux = true;              // flux = false: the table's lumens stay
+    };
     layout::LayoutOptions layout;  // layout = "auto" | "never" | "always", class = {residential = "P4", ...}
+    LampHours hours;               // off, half_night = {residential = "23:00-05:00", ...}
+    std::vector<LuminaireFile> luminaires;  // luminaires = [{file = "street.ldt", roads = [...]}, ...]
   } lamps;
 
   struct Terrain {
@@ -48,7 +57,7 @@ struct Recipe {
   } origin;
 
   struct Windows {
-    bool lit = true;         // false: no windows
+    bool lit = true;         // false: none
     std::uint64_t seed = 1;  // who is at home
   } windows;
 
@@ -58,12 +67,13 @@ struct Recipe {
   } traffic;
 
   struct Night {
-    int minute = 5 * 60;  // of the scene, after 17:00 (time = "22:00")
+    int minute = 5 * 60;  // after 17:00 (time = "22:00"): of what city.glb shows programs that know no clock
   } night;
 
   struct Output {
     bool draco = false;
     double draco_tolerance_m = 0.01;
+    std::size_t punctual = 0;  // so many of the brightest lights as KHR_lights_punctual
   } output;
 };
 

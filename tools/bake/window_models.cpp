@@ -1,8 +1,6 @@
 #include "tools/bake/window_models.h"
 
 #include <cmath>
-#include <map>
-#include <tuple>
 
 #include "tools/lights/colour.h"
 
@@ -11,9 +9,7 @@ namespace {
 
 constexpr double steps_a_stop = 4, cct_step_k = 250;
 
-// Brightness and colour as an index into steps.
 using Look = std::pair<int, int>;
-using Tile = std::pair<int, int>;
 
 Look look_of(const LitRectangle& window) {
   return {static_cast<int>(std::lround(steps_a_stop * std::log2(double{window.luminance_cd_m2}))),
@@ -50,17 +46,25 @@ void add_quad(ScenePrimitive& primitive, const LitRectangle& window, const glm::
 
 }  // namespace
 
-void add_window_models(SceneWriter& writer, std::span<const LitRectangle> windows, std::uint32_t first_light,
-                       const Georeference& georeference, double tile_m) {
-  std::map<Tile, std::map<Look, std::vector<std::uint32_t>>> tiles;
-  for (std::uint32_t i = 0; i < windows.size(); ++i) {
-    const glm::dvec2 place = glm::dvec2(windows[i].centre) / tile_m;
-    const Tile tile{static_cast<int>(std::floor(place.x)), static_cast<int>(std::floor(place.y))};
-    tiles[tile][look_of(windows[i])].push_back(i);
-  }
+struct WindowModels::Record {
+  LitRectangle window;
+  std::uint32_t light;
+};
+
+void WindowModels::add(const LitRectangle& window, std::uint32_t light) {
+  const glm::dvec2 place = glm::dvec2(window.centre) / tile_m_;
+  const Tile tile{static_cast<int>(std::floor(place.x)), static_cast<int>(std::floor(place.y))};
+  tiles_[tile][look_of(window)].push_back(count_++);
+  Record record{};
+  record.window = window;
+  record.light = light;
+  file_.write(&record, sizeof record);
+}
+
+void WindowModels::write(SceneWriter& writer, const Georeference& georeference) {
   std::map<Look, std::uint32_t> materials;
-  for (const auto& [tile, looks] : tiles) {
-    const glm::dvec3 origin(tile.first * tile_m, tile.second * tile_m, georeference.origin.z);
+  for (const auto& [tile, looks] : tiles_) {
+    const glm::dvec3 origin(tile.first * tile_m_, tile.second * tile_m_, georeference.origin.z);
     SceneMesh mesh;
     mesh.name = "windows " + std::to_string(tile.first) + " " + std::to_string(tile.second);
     for (const auto& [look, members] : looks) {
@@ -68,7 +72,11 @@ void add_window_models(SceneWriter& writer, std::span<const LitRectangle> window
       if (is_new) material->second = writer.add_material(material_of(look));
       ScenePrimitive& primitive = mesh.primitives.emplace_back();
       primitive.material = material->second;
-      for (const std::uint32_t i : members) add_quad(primitive, windows[i], origin, first_light + i);
+      for (const std::uint32_t i : members) {
+        Record record;
+        file_.read(std::uint64_t{i} * sizeof record, &record, sizeof record);
+        add_quad(primitive, record.window, origin, record.light);
+      }
     }
     SceneInstance instance;
     instance.to_model[3] = glm::vec4(glm::vec3(georeference.to_model(origin)), 1);

@@ -18,13 +18,26 @@ double bearing_degrees(const glm::dvec2& from, const glm::dvec2& to) {
   return degrees < 0 ? degrees + 360 : degrees;
 }
 
+/// "17:00-23:00;05:00-07:00".
+std::string lit_hours(const NightSchedule& hours) {
+  std::string text;
+  const auto clock = [](int minute) {
+    return fmt::format("{:02}:{:02}", (17 + minute / 60) % 24, minute % 60);
+  };
+  for (std::size_t n = 0; n < hours.on.size(); ++n) {
+    if (hours.on[n] >= hours.off[n]) continue;
+    if (!text.empty()) text += ';';
+    text += fmt::format("{}-{}", clock(hours.on[n]), clock(hours.off[n]));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::size_t write_lamp_osm(const std::filesystem::path& path, std::span<const PlacedLamp> lamps,
                            const std::function<glm::dvec2(const glm::dvec2&)>& to_lon_lat) {
   AtomicFile file(path);
-  file.write(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<osm version=\"0.6\" generator=\"nightbake layout\">\n");
+  file.write("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<osm version=\"0.6\" generator=\"nightbake\">\n");
   std::size_t written = 0;
   std::string text;
   const auto tag = [&text](const char* key, const std::string& value) {
@@ -41,8 +54,12 @@ std::size_t write_lamp_osm(const std::filesystem::path& path, std::span<const Pl
     tag("light:colour", fmt::format("{:.0f} K", lamp.cct_k));
     tag("light:direction", fmt::format("{:.0f}", bearing_degrees(at, ahead)));
     if (lamp.hung) tag("lamp_mount", "suspended");
-    tag("source",
-        fmt::format("nightbake layout along way {}", static_cast<std::int64_t>(lamp.provenance.source_id)));
+    tag("ele", fmt::format("{:.2f}", lamp.foot.z));
+    if (lamp.hours) tag("lit", lit_hours(*lamp.hours));
+    const auto source = static_cast<std::int64_t>(lamp.provenance.source_id);
+    const bool laid_out = lamp.provenance.flux == ValueSource::standard;  // see layout.h
+    tag("source", laid_out ? fmt::format("nightbake layout along way {}", source)
+                           : fmt::format("OpenStreetMap node {}", source));
     file.write(text + "</node>\n");
     ++written;
   }

@@ -264,6 +264,9 @@ class Layouter {
     lamp.colour = rec709_from_xy(planckian_xy(road.cct_k));
     lamp.radius_m = road.optic == Optic::lantern && !lamp.hung ? lantern_radius_m : luminous_radius_m;
     lamp.profile = profile_for(road, lamp.hung);
+    lamp.highway = road.highway;
+    lamp.way_id = place.way_id;
+    lamp.along_m = place.on_way_m;
     lamp.id = unused_id(place, site.side);
     lamp.provenance.source_id = static_cast<std::uint64_t>(place.way_id);
     lamp.provenance.position = lamp.provenance.height = lamp.provenance.colour = lamp.provenance.schedule =

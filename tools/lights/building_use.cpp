@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <glm/common.hpp>
 #include <limits>
 #include <string>
 
@@ -19,7 +20,7 @@ struct Range {
 template <std::size_t N>
 KnownUse look_up(const std::array<Range, N>& table, int code) {
   for (const Range& range : table)
-    if (code >= range.first && code <= range.last) return {range.use, true};
+    if (code >= range.first && code <= range.last) return {range.use, true, false};
   return {};
 }
 
@@ -139,13 +140,14 @@ KnownUse use_from_code(std::string_view code) {
   }
   const std::string text = normalise_tag(code);
   for (const Word& word : words)
-    if (text.find(word.part) != std::string::npos) return {word.use, true};
+    if (text.find(word.part) != std::string::npos) return {word.use, true, false};
   return {};
 }
 
-KnownUse use_of(const CityObject& building) {
+KnownUse use_of(const CityObject& building, const UseAt& map) {
   for (const std::string* code : {&building.function, &building.usage, &building.building_class})
     if (const KnownUse use = use_from_code(*code); use.stated) return use;
+  glm::dvec2 west_south(std::numeric_limits<double>::infinity()), east_north(-west_south);
   double area = 0, low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Polygon& polygon : building.polygons) {
     double twice = 0;
@@ -153,13 +155,17 @@ KnownUse use_of(const CityObject& building) {
       const glm::dvec3 &a = polygon.exterior[k], &b = polygon.exterior[(k + 1) % polygon.exterior.size()];
       const glm::dvec3& o = polygon.exterior.front();
       twice += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+      west_south = glm::min(west_south, glm::dvec2(a));
+      east_north = glm::max(east_north, glm::dvec2(a));
       low = std::min(low, a.z);
       high = std::max(high, a.z);
     }
     if (polygon.surface == SurfaceType::roof) area += std::abs(twice) / 2;
   }
+  if (map && west_south.x <= east_north.x)
+    if (const auto use = map((west_south + east_north) * 0.5)) return {*use, false, true};
   const bool hut = high - low < 3 || (area > 0 && area < 25);
-  return {hut ? dark : residential, false};
+  return {hut ? dark : residential, false, false};
 }
 
 }  // namespace nightcity

@@ -57,7 +57,12 @@ Style style_of(BuildingUse use) {
 constexpr Style shop_front = {0, 0, 2.4, 2.3, 0.5, 3.2, 4.2};
 
 bool has_shops(BuildingUse use) {
-  return use == BuildingUse::mixed || use == BuildingUse::retail || use == BuildingUse::hotel;
+  return use == BuildingUse::mixed || use == BuildingUse::retail;
+}
+
+/// Behind the middle third of the ground floor.
+bool has_lobby(BuildingUse use) {
+  return use == BuildingUse::hotel || use == BuildingUse::office || use == BuildingUse::civic;
 }
 
 /// Coplanar walls side by side.
@@ -221,6 +226,7 @@ class Builder {
     const int stairs = !shops && use_ == BuildingUse::residential && bays >= 4 && number % 2 == 1
                            ? random.integer(1, bays - 2)
                            : -1;
+    const bool lobby = storey == 0 && has_lobby(use_);
     for (int bay = 0; bay < bays; ++bay) {
       const double x = facade.from + edge_margin_m + (bay + 0.5) * step;
       const double z = floor + style.sill_m + height / 2;
@@ -241,10 +247,11 @@ class Builder {
       place.storey = storey;
       place.bay = static_cast<std::uint16_t>(bay);
       place.bays = static_cast<std::uint16_t>(bays);
-      place.kind = shops                             ? WindowKind::shop
-                   : bay == stairs                   ? WindowKind::stairs
-                   : use_ == BuildingUse::industrial ? WindowKind::hall
-                                                     : WindowKind::room;
+      place.kind = shops                                                         ? WindowKind::shop
+                   : bay == stairs                                               ? WindowKind::stairs
+                   : lobby && 6 * bay + 3 >= 2 * bays && 6 * bay + 3 <= 4 * bays ? WindowKind::lobby
+                   : use_ == BuildingUse::industrial                             ? WindowKind::hall
+                                                                                 : WindowKind::room;
       places_.push_back(place);
     }
   }

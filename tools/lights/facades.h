@@ -10,7 +10,8 @@
 
 namespace nightcity {
 
-enum class WindowKind : std::uint8_t { room, shop, stairs, hall };
+/// lobby: of hotels and offices, on the ground floor. hall: of a works.
+enum class WindowKind : std::uint8_t { room, shop, stairs, hall, lobby };
 
 struct WindowPlace {
   glm::dvec3 centre{0};  // on the wall's plane; E, N, H, m

@@ -240,10 +240,25 @@ LampTags read_lamp_tags(const OsmTags& tags) {
   };
   lamp.unlit = says("lit", {"no", "disused", "broken"}) || says("light:lit", {"no"}) ||
                says("disused", {"yes"}) || says("abandoned", {"yes"});
+  if (!lamp.unlit) {
+    // Lamps that are not lit the whole night go dark in its middle: half-night switching.
+    const NightSchedule part_time = dark_between(minute_of(23, 0), minute_of(5, 0));
+    for (const char* key : {"lit", "light:lit"}) {
+      const std::string* text = get(key);
+      if (!text || says(key, {"yes", "automatic", "sunset_sunrise", "dusk_dawn"})) continue;
+      if (says(key, {"limited", "interval", "half_night"}))
+        lamp.hours = part_time;
+      else
+        lamp.hours = parse_lit_hours(*text);
+      if (lamp.hours) break;
+      ++lamp.unread[std::string(key) + "=" + *text];
+    }
+  }
   lamp.mast = says("tower:type", {"lighting"}) || says("light_source", {"floodlight", "flood_light"}) ||
               says("man_made", {"floodlight", "light_mast", "lighting_mast"});
 
   lamp.height_m = first_of({"light:height", "height", "est_height"}, between(0.3, 60, parse_length_m));
+  lamp.ele_m = first_of({"ele"}, between(-500, 9000, parse_length_m));
   lamp.flux_lm =
       first_of({"light:luminous_flux", "luminous_flux", "light:lumen", "light:lumens", "lumen", "lumens"},
                between(10, 200000, plain({"lm", "lumen", "lumens"})));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tools/lights/lamp_defaults.h"
+#include "tools/lights/night_schedule.h"
 #include "tools/osm/osm_data.h"
 
 namespace nightcity {
@@ -20,9 +21,11 @@ struct LampTags {
   bool unlit = false;  // lit=no, disused: the post gives no light
   bool mast = false;   // tower:type=lighting, floodlight
   std::optional<double> height_m, flux_lm, power_w, cct_k, tilt_degrees;
+  std::optional<double> ele_m;      // of the ground
   std::optional<glm::vec3> colour;  // linear Rec. 709, luminance 1
   std::optional<LampType> type;
   std::optional<LampMount> mount;
+  std::optional<NightSchedule> hours;         // when it is lit, where a tag tells
   std::vector<double> directions_degrees;     // clockwise from north
   int count = 1;                              // luminaires on the post, 1 to 12
   std::map<std::string, std::size_t> unread;  // "height=tall": values nobody could understand

@@ -109,7 +109,8 @@ class Placer {
     const bool moved = step_out(at, road);
     const auto height = height_at_(at);
     if (!height) return drop("outside the model");
-    post(node, tags, {at.x, at.y, *height}, moved ? ValueSource::rule : ValueSource::tag, road);
+    const double foot = options_.heights_from_tags ? tags.ele_m.value_or(*height) : *height;
+    post(node, tags, {at.x, at.y, foot}, moved ? ValueSource::rule : ValueSource::tag, road);
   }
 
   /// Moves a post that stands inside a building to the building's outside, towards its road.
@@ -166,7 +167,7 @@ class Placer {
     colour.tagged(tags.colour);
 
     const LuminaireChoice* choice = optic.value == Optic::street || optic.value == Optic::central
-                                        ? luminaire_for(options_, defaults)
+                                        ? luminaire_for(options_, defaults, tags.type.value_or(LampType::led))
                                         : nullptr;
     if (choice) {
       optic.source = ValueSource::attribute;
@@ -191,9 +192,16 @@ class Placer {
                        flux.source,
                        colour.source,
                        optic.source,
-                       ValueSource::rule,
+                       tags.hours ? ValueSource::tag : ValueSource::rule,
                        static_cast<std::uint8_t>(LightFamily::lamp),
                        0};
+
+    lamp.hours = tags.hours;
+    lamp.highway = defaults.highway;
+    if (road) {
+      lamp.way_id = road->road->way_id;
+      lamp.along_m = road->along_m;
+    }
 
     const std::vector<glm::dvec2> aims = aims_of(node, tags, foot, road);
     if (aims.size() > 2)
@@ -316,11 +324,12 @@ class Placer {
 
 }  // namespace
 
-const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadDefaults& road) {
+const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadDefaults& road, LampType type) {
+  const auto serves = [](const auto& list, const auto& value) {
+    return list.empty() || std::find(list.begin(), list.end(), value) != list.end();
+  };
   for (const LuminaireChoice& choice : options.luminaires)
-    if (choice.highways.empty() ||
-        std::find(choice.highways.begin(), choice.highways.end(), road.highway) != choice.highways.end())
-      return &choice;
+    if (serves(choice.highways, road.highway) && serves(choice.types, type)) return &choice;
   return nullptr;
 }
 
@@ -329,7 +338,7 @@ LampSet place_lamps(const OsmData& osm, const LonLatToFrame& to_frame, const Hei
   return Placer(osm, to_frame, height_at, inside, options).place();
 }
 
-Light to_light(const PlacedLamp& lamp, const Georeference& georeference) {
+Light to_light(const PlacedLamp& lamp, const Georeference& georeference, ScheduleTable& schedules) {
   const glm::dvec3 centre(lamp.foot.x + lamp.outreach.x, lamp.foot.y + lamp.outreach.y,
                           lamp.foot.z + lamp.mounting_height_m);
   // Model space: X east, Y up, Z south. The tilt turns axis and tangent together about the horizontal.
@@ -343,7 +352,7 @@ Light to_light(const PlacedLamp& lamp, const Georeference& georeference) {
   light.flux_lm = static_cast<float>(lamp.flux_lm);
   light.colour_rgb9e5 = encode_rgb9e5(lamp.colour);
   light.kind_profile = LIGHT_SPHERE | lamp.profile << 8;
-  light.schedule = LIGHT_ALWAYS_ON;
+  light.schedule = lamp.hours ? schedules.add(*lamp.hours) : LIGHT_ALWAYS_ON;
   light.id = lamp.id;
   return light;
 }

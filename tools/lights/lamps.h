@@ -8,10 +8,12 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "formats/light_file.h"
 #include "tools/lights/lamp_defaults.h"
+#include "tools/lights/night_schedule.h"
 #include "tools/lights/photometry.h"
 #include "tools/osm/osm_data.h"
 
@@ -30,6 +32,10 @@ struct PlacedLamp {
   glm::vec3 colour{1};  // linear Rec. 709, luminance 1
   double radius_m = 0;  // luminous radius
   std::uint32_t profile = LIGHT_NO_PROFILE;
+  std::optional<NightSchedule> hours;  // none: always on
+  std::string_view highway;            // of the road it lights, "" = none; from the table of defaults
+  std::int64_t way_id = 0;             // that road, and how far along it
+  double along_m = 0;
   std::uint32_t id = 0;
   LightProvenance provenance;
 };
@@ -55,17 +61,20 @@ struct LuminaireChoice {
   std::string name;                   // of its file: stored once
   Photometry photometry;              // C = 0 towards the street
   std::vector<std::string> highways;  // OSM classes it serves; empty = every road
+  std::vector<LampType> types;        // lamps it serves; empty = every type
   bool take_flux = true;              // the luminaire's lumens too, where no tag gives them
   double flux_lm = 0;
 };
 
 struct LampOptions {
   std::vector<LuminaireChoice>
-      luminaires;  // the first that serves a road wins; lanterns and floodlights stay
+      luminaires;                  // the first that serves a road wins; lanterns and floodlights stay
+  bool heights_from_tags = false;  // a lamp's tag ele, where it has one, wins over the ground
 };
 
-/// The measured luminaire for a road, or none.
-const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadDefaults& road);
+/// The measured luminaire for a lamp of that type beside a road, or none. Lamps of unknown type are LED.
+const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadDefaults& road,
+                                     LampType type = LampType::led);
 
 /// Every value a tag gives is taken; the rest comes from the road beside and the table of defaults
 /// (lamp_defaults.h). A lamp that stands inside a building (where `inside` is given and says so) is moved out
@@ -73,7 +82,7 @@ const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadDefau
 LampSet place_lamps(const OsmData& osm, const LonLatToFrame& to_frame, const HeightAt& height_at,
                     const InsideBuilding& inside = {}, const LampOptions& options = {});
 
-/// The luminaire as a light of model space.
-Light to_light(const PlacedLamp& lamp, const Georeference& georeference);
+/// The luminaire as a light of model space; its hours go into `schedules`.
+Light to_light(const PlacedLamp& lamp, const Georeference& georeference, ScheduleTable& schedules);
 
 }  // namespace nightcity

@@ -82,35 +82,20 @@ void workplace(const Household& floor, Random& random, Times& times) {
     const double leave = random.chance(0.6) ? floor.to : -120 * std::log(1 - random.uniform());
     times.add(0, leave);
   }
-  if (random.chance(0.3)) {  // cleaning
-    const double at = random.range(minute_of(19, 30), minute_of(21, 30));
-    times.add(at, at + random.range(10, 25));
-  }
+  if (floor.cleaned >= 0) times.add(floor.cleaned, floor.cleaned + random.range(10, 25));
   if (floor.all_night && random.chance(0.7)) times.add(0, night_minutes);
   if (random.chance(0.25)) times.add(random.range(minute_of(6, 10), minute_of(6, 55)), night_minutes);
 }
 
 }  // namespace
 
-bool NightSchedule::lit_at(int minute) const {
-  for (std::size_t n = 0; n < on.size(); ++n)
-    if (minute >= on[n] && minute < off[n]) return true;
-  return false;
-}
-
-bool NightSchedule::never() const {
-  for (std::size_t n = 0; n < on.size(); ++n)
-    if (on[n] < off[n]) return false;
-  return true;
-}
-
 // Shares aimed at (engineering values; the shape is that of Berlin's windows by Meier, lightingjournal.org
 // 82, and of Nachtlichter, Nature Cities 2025: private light fades round midnight, infrastructure stays):
 // dwellings 45 % lit at 18 h, 55 % at 20 h, 40 % at 22 h, 25 % at 23 h, 12 % at 0 h, 3 % at 3 h, 25 % at 6 h;
 // offices 65, 30, 12 % at 18, 20, 22 h and 6 % at 0 h; shop windows and lobbies half of them all night;
 // staircases 30 %.
-Household draw_household(BuildingUse use, Random& random) {
-  Household home{use, true, 0, 0, night_minutes, false};
+Household draw_household(BuildingUse use, Random& random, Random storey) {
+  Household home{use, true, 0, 0, night_minutes, false, -1};
   switch (use) {
     case BuildingUse::office:
     case BuildingUse::education:
@@ -118,6 +103,10 @@ Household draw_household(BuildingUse use, Random& random) {
       home.present = random.chance(use == BuildingUse::office ? 0.95 : 0.55);
       home.to = static_cast<int>(-145 * std::log(1 - random.uniform()));
       home.all_night = random.chance(0.06);
+      // Three storeys in ten are cleaned tonight, their rooms within an hour and a half.
+      if (storey.chance(0.3))
+        home.cleaned =
+            static_cast<int>(storey.range(minute_of(19, 15), minute_of(20, 15)) + random.range(0, 90));
       break;
     case BuildingUse::retail:
       home.to = static_cast<int>(around(random, minute_of(20, 0), 45));
@@ -160,6 +149,16 @@ LitWindow draw_window(const Household& household, WindowKind kind, Random& rando
     if (display) times.add(0, night_minutes);
     window.luminance_cd_m2 = random.range(60, 200);
     window.cct_k = random.chance(0.5) ? 3000 : 4000;
+  } else if (kind == WindowKind::lobby) {
+    // Somebody sits there all night, or the last one out turns it off and the first one in on again.
+    if (use == BuildingUse::hotel || random.chance(0.5)) {
+      times.add(0, night_minutes);
+    } else {
+      times.add(0, around(random, minute_of(21, 0), 50));
+      times.add(around(random, minute_of(6, 0), 20), night_minutes);
+    }
+    window.luminance_cd_m2 = random.range(40, 120);
+    window.cct_k = use == BuildingUse::hotel ? 2800 : 3500;
   } else if (dwelling_like) {
     dwelling(household, random, times);
     // Half of the windows have something drawn across that lets a third of the light through.

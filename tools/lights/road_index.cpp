@@ -53,13 +53,15 @@ void RoadIndex::add(const OsmWay& way, const std::vector<glm::dvec2>& line) {
   const auto number = static_cast<std::uint32_t>(roads_.size());
   roads_.push_back(*road);
 
+  double along = 0;
   for (std::size_t n = 0; n + 1 < line.size(); ++n) {
     const double length = glm::distance(line[n], line[n + 1]);
     if (!(length > 0 && length < longest_m)) continue;
     const int parts = static_cast<int>(std::ceil(length / cell_m));
     for (int part = 0; part < parts; ++part) {
       const Piece piece{glm::mix(line[n], line[n + 1], static_cast<double>(part) / parts),
-                        glm::mix(line[n], line[n + 1], static_cast<double>(part + 1) / parts), number};
+                        glm::mix(line[n], line[n + 1], static_cast<double>(part + 1) / parts), number,
+                        along + length * part / parts};
       const auto index = static_cast<std::uint32_t>(pieces_.size());
       pieces_.push_back(piece);
       const glm::dvec2 low = glm::min(piece.a, piece.b), high = glm::max(piece.a, piece.b);
@@ -67,6 +69,7 @@ void RoadIndex::add(const OsmWay& way, const std::vector<glm::dvec2>& line) {
         for (std::int64_t y = cell_of(low.y); y <= cell_of(high.y); ++y)
           cells_[cell_key(x, y)].push_back(index);
     }
+    along += length;
   }
 }
 
@@ -89,7 +92,7 @@ std::optional<RoadIndex::Nearest> RoadIndex::nearest(const glm::dvec2& p) const 
             distance - road.width_m / 2 + (road.defaults.tier == RoadTier::path ? path_handicap_m : 0);
         if (score >= best_score) continue;
         best_score = score;
-        best = Nearest{&road, point, glm::normalize(edge), distance};
+        best = Nearest{&road, point, glm::normalize(edge), distance, piece.from_m + t * glm::length(edge)};
       }
     }
   return best;

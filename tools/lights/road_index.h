@@ -30,6 +30,7 @@ class RoadIndex {
     glm::dvec2 point;   // on the middle line
     glm::dvec2 along;   // unit, the road's direction there
     double distance_m;  // to the middle line
+    double along_m;     // of `point`, from the way's first node
   };
 
   /// `to_frame` as place_lamps takes it. Ways that carry no lamps (proposed, ...) and points with no place
@@ -51,6 +52,7 @@ class RoadIndex {
   struct Piece {
     glm::dvec2 a, b;
     std::uint32_t road;
+    double from_m;  // of a, along the way
   };
   void add(const OsmWay& way, const std::vector<glm::dvec2>& line);
 

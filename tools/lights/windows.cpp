@@ -14,8 +14,11 @@ namespace {
 constexpr double before_wall_m = 0.02;
 constexpr double above_ground_m = 0.3;
 
-/// Windows of one household lie side by side on one storey; a small house is one household.
+/// Windows of one household lie side by side on one storey; a small house is one household, a staircase
+/// another over all of its storeys, a lobby a third.
 std::int64_t household_of(const WindowPlace& place, bool one_family, std::uint64_t building) {
+  if (place.kind == WindowKind::stairs) return -2 - place.facade;
+  if (place.kind == WindowKind::lobby) return -1;
   if (one_family) return 0;
   // Flats of two to four bays: cuts wherever the bay's hash says so.
   std::int64_t run = 0;
@@ -34,34 +37,57 @@ double LitRectangle::flux_lm() const {
   return std::numbers::pi * luminance_cd_m2 * 4.0 * half_width * half_height;
 }
 
-WindowLayout::WindowLayout(const WindowOptions& options) : options_(options) {}
+/// A window that waits for the rest of the city.
+struct WindowLayout::Record {
+  LitRectangle window;
+  std::uint32_t owner;  // as WallIndex knows it
+  BuildingUse use;
+};
 
-void WindowLayout::add(const CityObject& building) {
-  if (building.type != ObjectType::building) return;
-  walls_.add(building);
-  const KnownUse use = use_of(building);
-  ++set_.sources["use"][std::string(name_of(use.use)) + (use.stated ? ", stated" : ", assumed")];
-  light(building, lay_windows(building, use.use, options_.seed, facades_), use);
+WindowLayout::WindowLayout(const WindowOptions& options, const std::filesystem::path& scratch)
+    : options_(options), pending_(scratch) {}
+
+void WindowLayout::add(const CityObject& object) {
+  // A large object comes in pieces under one id; what has no id is named by its place.
+  piece_ = !object.id.empty() && object.id == last_id_ ? piece_ + 1 : 0;
+  last_id_ = object.id;
+  if (piece_ == 0) ++owners_;
+  walls_.add(object, owners_);
+  if (object.type != ObjectType::building) return;
+  std::uint64_t name = mix(hash_text(object.id) ^ piece_);
+  if (object.id.empty() && !object.polygons.empty() && !object.polygons.front().exterior.empty()) {
+    const glm::dvec3& p = object.polygons.front().exterior.front();
+    for (int axis = 0; axis < 3; ++axis)
+      name = mix(name ^ static_cast<std::uint64_t>(std::llround(p[axis] * 100)));
+  }
+  const KnownUse use = use_of(object, options_.use_at);
+  ++report_.sources["use"][std::string(name_of(use.use)) + (use.stated     ? ", stated"
+                                                            : use.from_map ? ", by the map"
+                                                                           : ", assumed")];
+  light(name, lay_windows(object, use.use, options_.seed, facades_), use.use);
 }
 
-void WindowLayout::light(const CityObject& building, const std::vector<WindowPlace>& places, KnownUse use) {
-  const std::uint64_t name = hash_text(building.id);
+void WindowLayout::light(std::uint64_t name, const std::vector<WindowPlace>& places, BuildingUse use) {
   std::uint16_t top = 0;
   for (const WindowPlace& place : places) top = std::max(top, place.storey);
-  const bool one_family = use.use == BuildingUse::residential && top < 2 && places.size() < 40;
+  const bool one_family = use == BuildingUse::residential && top < 2 && places.size() < 40;
   for (const WindowPlace& place : places) {
     const auto seed = static_cast<std::int64_t>(options_.seed), key = static_cast<std::int64_t>(name);
-    Random people{seed, key, household_of(place, one_family, name)};
-    const Household household = draw_household(use.use, people);
+    const std::int64_t home = household_of(place, one_family, name);
+    Random people{seed, key, home};
+    const Household household = draw_household(use, people, Random{seed, key, -1 - place.storey, 2});
     const std::int64_t spot = static_cast<std::int64_t>(place.facade) << 32 |
                               static_cast<std::int64_t>(place.storey) << 16 | place.bay;
-    Random random{seed, key, spot, 1 + place.modelled};
+    const bool one_room =
+        place.kind == WindowKind::stairs || place.kind == WindowKind::lobby || place.kind == WindowKind::shop;
+    Random random{seed, key, one_room ? home : spot, one_room ? 3 : 1 + place.modelled};
     const LitWindow lit = draw_window(household, place.kind, random);
     if (lit.schedule.never()) {
-      ++set_.dropped["dark all night"];
+      ++report_.dropped["dark all night"];
       continue;
     }
-    LitRectangle window;
+    Record record{};
+    LitRectangle& window = record.window;
     window.centre = place.centre + place.normal * before_wall_m;
     window.normal = glm::vec3(place.normal);
     window.along = glm::vec3(place.along);
@@ -69,66 +95,69 @@ void WindowLayout::light(const CityObject& building, const std::vector<WindowPla
     window.half_height = static_cast<float>(place.half_height);
     window.luminance_cd_m2 = static_cast<float>(lit.luminance_cd_m2);
     window.cct_k = static_cast<float>(lit.cct_k);
-    std::uint64_t id = mix(name ^ static_cast<std::uint64_t>(spot));
-    while (static_cast<std::uint32_t>(id) == 0xFFFFFFFFu ||
-           !ids_.insert(static_cast<std::uint32_t>(id)).second)
-      id = mix(id);
-    window.id = static_cast<std::uint32_t>(id);
+    window.hours = lit.schedule;
+    window.id = static_cast<std::uint32_t>(mix(name ^ static_cast<std::uint64_t>(spot)));
+    if (window.id == 0xFFFFFFFFu) window.id = 0;
     window.provenance.source_id = name;
     window.provenance.position = place.modelled ? ValueSource::attribute : ValueSource::rule;
     window.provenance.height = window.provenance.position;
     window.provenance.flux = window.provenance.colour = window.provenance.profile = ValueSource::rule;
     window.provenance.schedule = ValueSource::rule;
     window.provenance.family = static_cast<std::uint8_t>(LightFamily::window);
-    set_.windows.push_back(window);
-    schedule_of_.push_back(lit.schedule);
+    record.owner = owners_;
+    record.use = use;
+    pending_.write(&record, sizeof record);
   }
 }
 
-bool WindowLayout::clear(const LitRectangle& window) const {
-  const glm::dvec3 normal(window.normal),
-      along = glm::dvec3(window.along) * static_cast<double>(window.half_width);
+/// Why the window cannot be where it is; null where it can.
+const char* WindowLayout::fault(const Record& record, const HeightAt& ground) const {
+  const LitRectangle& window = record.window;
+  const glm::dvec3 normal(window.normal);
+  const glm::dvec3 before = window.centre + normal * 0.3;
+  const auto height = ground ? ground(glm::dvec2(before)) : std::nullopt;
+  if (height && window.centre.z - static_cast<double>(window.half_height) < *height + above_ground_m)
+    return "below the ground";
+  const glm::dvec3 along = glm::dvec3(window.along) * static_cast<double>(window.half_width);
   const glm::dvec3 up =
       glm::cross(normal, glm::dvec3(window.along)) * static_cast<double>(window.half_height);
   const glm::dvec3 on_wall = window.centre - normal * before_wall_m;
   for (const double x : {0.0, -0.95, 0.95})
     for (const double y : {0.0, -0.95, 0.95})
-      if (walls_.blocked(on_wall + along * x + up * y, normal, options_.obstacle_m)) return false;
-  return true;
+      if (walls_.blocked(on_wall + along * x + up * y, normal, options_.obstacle_m, record.owner))
+        return "something before it";
+  if (walls_.inside_another(on_wall, normal, record.owner)) return "inside another building";
+  return nullptr;
 }
 
-WindowSet WindowLayout::finish(const HeightAt& ground) && {
-  std::size_t kept = 0;
-  for (std::size_t n = 0; n < set_.windows.size(); ++n) {
-    const LitRectangle& window = set_.windows[n];
-    const glm::dvec3 before = window.centre + glm::dvec3(window.normal) * 0.3;
-    const auto height = ground ? ground(glm::dvec2(before)) : std::nullopt;
-    if (height && window.centre.z - static_cast<double>(window.half_height) < *height + above_ground_m) {
-      ++set_.dropped["below the ground"];
-    } else if (!clear(window)) {
-      ++set_.dropped["something before it"];
-    } else {
-      ++set_.sources["position"][window.provenance.position == ValueSource::attribute ? "attribute" : "rule"];
-      schedule_of_[kept] = schedule_of_[n];
-      set_.windows[kept++] = set_.windows[n];
+WindowReport WindowLayout::finish(const HeightAt& ground,
+                                  const std::function<void(const LitRectangle&)>& sink) && {
+  std::vector<Record> block(4096);
+  const std::uint64_t total = pending_.size() / sizeof(Record);
+  for (std::uint64_t first = 0; first < total; first += block.size()) {
+    block.resize(static_cast<std::size_t>(std::min<std::uint64_t>(block.size(), total - first)));
+    pending_.read(first * sizeof(Record), block.data(), block.size() * sizeof(Record));
+    for (const Record& record : block) {
+      if (const char* reason = fault(record, ground)) {
+        ++report_.dropped[reason];
+        continue;
+      }
+      const bool modelled = record.window.provenance.position == ValueSource::attribute;
+      ++report_.sources["position"][modelled ? "attribute" : "rule"];
+      WindowReport::Use& use = report_.by_use[name_of(record.use)];
+      ++use.placed;
+      count_hours(record.window.hours, use.lit);
+      ++report_.placed;
+      report_.flux_lm += record.window.flux_lm();
+      sink(record.window);
     }
   }
-  set_.windows.resize(kept);
-  schedule_of_.resize(kept);
-
-  set_.schedules = schedule_of_;
-  std::sort(set_.schedules.begin(), set_.schedules.end());
-  set_.schedules.erase(std::unique(set_.schedules.begin(), set_.schedules.end()), set_.schedules.end());
-  for (std::size_t n = 0; n < kept; ++n)
-    set_.windows[n].schedule = static_cast<std::uint32_t>(
-        std::lower_bound(set_.schedules.begin(), set_.schedules.end(), schedule_of_[n]) -
-        set_.schedules.begin());
-  set_.sources["storeys"]["attribute"] = facades_.storeys_from_attribute;
-  set_.sources["storeys"]["rule"] = facades_.storeys_from_height;
-  return std::move(set_);
+  report_.sources["storeys"]["attribute"] = facades_.storeys_from_attribute;
+  report_.sources["storeys"]["rule"] = facades_.storeys_from_height;
+  return std::move(report_);
 }
 
-Light to_light(const LitRectangle& window, const Georeference& georeference) {
+Light to_light(const LitRectangle& window, const Georeference& georeference, ScheduleTable& schedules) {
   const auto turned = [](const glm::vec3& v) { return glm::normalize(glm::vec3(v.x, v.z, -v.y)); };
   Light light{};
   light.position = glm::vec3(georeference.to_model(window.centre));
@@ -139,7 +168,7 @@ Light to_light(const LitRectangle& window, const Georeference& georeference) {
   light.flux_lm = static_cast<float>(window.flux_lm());
   light.colour_rgb9e5 = encode_rgb9e5(rec709_from_xy(planckian_xy(static_cast<double>(window.cct_k))));
   light.kind_profile = LIGHT_RECTANGLE | LIGHT_NO_PROFILE << 8;
-  light.schedule = LIGHT_ALWAYS_ON;
+  light.schedule = schedules.add(window.hours);
   light.id = window.id;
   return light;
 }

@@ -1,18 +1,21 @@
-// Lit windows of a city: emitter rectangles with a luminance, a colour and the times of one night.
+// Windows of a city that have light at some time of the night: emitter rectangles with a luminance, a colour
+// and the times of one night.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
-#include <unordered_set>
-#include <vector>
 
+#include "formats/atomic_file.h"
 #include "formats/georeference.h"
 #include "formats/light_file.h"
 #include "tools/citygml/city_model.h"
 #include "tools/lights/facades.h"
 #include "tools/lights/lamps.h"
+#include "tools/lights/night_schedule.h"
 #include "tools/lights/occupancy.h"
 #include "tools/lights/wall_index.h"
 
@@ -21,6 +24,7 @@ namespace nightcity {
 struct WindowOptions {
   std::uint64_t seed = 1;
   double obstacle_m = 0.5;  // nothing may stand this near before a window
+  UseAt use_at;             // the map's word on a building's use, where the model has none
 };
 
 struct LitRectangle {
@@ -28,7 +32,7 @@ struct LitRectangle {
   glm::vec3 normal{0}, along{0};
   float half_width = 0, half_height = 0;
   float luminance_cd_m2 = 0, cct_k = 0;
-  std::uint32_t schedule = 0;  // into WindowSet::schedules
+  NightSchedule hours;
   std::uint32_t id = 0;
   LightProvenance provenance;
 
@@ -36,38 +40,50 @@ struct LitRectangle {
   double flux_lm() const;
 };
 
-struct WindowSet {
-  std::vector<LitRectangle> windows;
-  std::vector<NightSchedule> schedules;  // each once, sorted
+struct WindowReport {
+  std::size_t placed = 0;
+  double flux_lm = 0;  // of all of them together, lit or not
   std::map<std::string, std::size_t>
       dropped;  // reason and count: "something before it", "below the ground", "dark all night"
   std::map<std::string, std::map<std::string, std::size_t>> sources;  // as LampSet's
+  struct Use {
+    std::size_t placed = 0;
+    HourCounts lit{};
+  };
+  std::map<std::string, Use> by_use;  // name of the building's use
 };
 
 /// Takes buildings one by one, then looks at what stands before each window. The same building, id and seed
-/// give the same windows, whatever else is in the city (but for what stands before them).
+/// give the same windows, whatever else is in the city (but for what stands before them). Windows wait on
+/// disk in between, so memory grows with the city's walls alone.
 class WindowLayout {
  public:
-  explicit WindowLayout(const WindowOptions& options);
+  /// Keeps a scratch file beside `scratch`. Throws Error where it cannot be made.
+  WindowLayout(const WindowOptions& options, const std::filesystem::path& scratch);
 
-  /// Coordinates E, N, H in metres; walls as SurfaceType::wall.
-  void add(const CityObject& building);
-  /// `ground` may be empty: then nothing is known to be below it.
-  WindowSet finish(const HeightAt& ground) &&;
+  /// Coordinates E, N, H in metres; walls as SurfaceType::wall. Windows are laid on buildings; walls of
+  /// anything else may stand in their way.
+  void add(const CityObject& object);
+  /// Hands every window that stays to `sink`, in the order of the buildings. `ground` may be empty: then
+  /// nothing is known to be below it.
+  WindowReport finish(const HeightAt& ground, const std::function<void(const LitRectangle&)>& sink) &&;
 
  private:
-  void light(const CityObject& building, const std::vector<WindowPlace>& places, KnownUse use);
-  bool clear(const LitRectangle& window) const;
+  struct Record;
+  void light(std::uint64_t name, const std::vector<WindowPlace>& places, BuildingUse use);
+  const char* fault(const Record& record, const HeightAt& ground) const;
 
   WindowOptions options_;
+  ScratchFile pending_;
   WallIndex walls_;
+  std::uint32_t owners_ = 0;  // objects so far
+  std::string last_id_;
+  std::uint64_t piece_ = 0;  // of the building of that id
   FacadeReport facades_;
-  WindowSet set_;
-  std::vector<NightSchedule> schedule_of_;  // of set_.windows, until they are numbered
-  std::unordered_set<std::uint32_t> ids_;
+  WindowReport report_;
 };
 
-/// The window as a light of model space, on always: whoever bakes one moment asks its schedule first.
-Light to_light(const LitRectangle& window, const Georeference& georeference);
+/// The window as a light of model space; its hours go into `schedules`.
+Light to_light(const LitRectangle& window, const Georeference& georeference, ScheduleTable& schedules);
 
 }  // namespace nightcity

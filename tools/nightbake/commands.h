@@ -15,5 +15,10 @@ void add_town_command(CLI::App& app);
 void add_readers_command(CLI::App& app);
 void add_layout_command(CLI::App& app);
 void add_traffic_command(CLI::App& app);
+void add_elevate_command(CLI::App& app);
+void add_lamps_command(CLI::App& app);
+void add_layout_command(CLI::App& app);
+void add_windows_command(CLI::App& app);
+void add_lights_command(CLI::App& app);
 
 }  // namespace nightcity

@@ -17,6 +17,7 @@ Inspection inspect_citygml(const std::filesystem::path& file, int highest_lod);
 Inspection inspect_osm(const std::filesystem::path& file);
 Inspection inspect_scene(const std::filesystem::path& file);
 Inspection inspect_lights(const std::filesystem::path& file);
+Inspection inspect_luminaire(const std::filesystem::path& file);
 
 /// The common keys, in their order, empty.
 Inspection empty_inspection(const char* kind);

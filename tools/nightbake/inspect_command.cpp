@@ -1,12 +1,12 @@
-// nightbake inspect: what a CityGML, OSM, glTF or light file holds.
+// nightbake inspect: what a CityGML, OSM, glTF, light or luminaire file holds.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
+#include "tools/bake/file_kind.h"
 #include "tools/nightbake/commands.h"
-#include "tools/nightbake/file_kind.h"
 #include "tools/nightbake/inspect.h"
 
 namespace nightcity {
@@ -27,9 +27,11 @@ Inspection inspect(const std::filesystem::path& file, int lod) {
     case FileKind::scene:
       return inspect_scene(file);
     case FileKind::lights:
+      return inspect_lights(file);
+    case FileKind::luminaire:
       break;
   }
-  return inspect_lights(file);
+  return inspect_luminaire(file);
 }
 
 std::string in_words(const Inspection& value) {
@@ -59,7 +61,8 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_inspect_command(CLI::App& app) {
-  auto* command = app.add_subcommand("inspect", "Tell what a CityGML, OSM, .glb/.gltf or .lights file holds");
+  auto* command = app.add_subcommand(
+      "inspect", "Tell what a CityGML, OSM, .glb/.gltf, .lights, IES or EULUMDAT file holds");
   auto arguments = std::make_shared<Arguments>();
   command->add_option("file", arguments->file, "The file; its kind is found by its content")->required();
   command->add_flag("--json", arguments->json,

@@ -3,17 +3,14 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
-#include "tools/bake/city_stage.h"
-#include "tools/bake/ground_stage.h"
+#include "tools/bake/city_ground.h"
 #include "tools/bake/lamp_stage.h"
 #include "tools/bake/layout_tables.h"
-#include "tools/bake/materials.h"
 #include "tools/layout/lamp_osm.h"
 #include "tools/nightbake/commands.h"
 #include "tools/nightbake/progress_line.h"
@@ -26,19 +23,6 @@ struct Arguments {
   bool json = false;
 };
 
-/// The ground and the buildings as a bake has them; the scene it would write goes nowhere.
-void read_ground(const Recipe& recipe, const CityFrames& frames, Terrain& terrain,
-                 const ProgressSink& progress) {
-  const auto nowhere = std::filesystem::temp_directory_path() / "nightbake-layout";
-  SceneWriter writer(nowhere, {});
-  TileStore tiles(nowhere, recipe.city.tile_m, std::round(frames.reference().z));
-  DrapeStore drape(nowhere);
-  std::optional<WindowLayout> no_windows;
-  BakeReport unused;
-  read_city(recipe, frames, {writer, tiles, drape, terrain, no_windows}, unused, progress);
-  lay_ground(recipe, frames, terrain, tiles);
-}
-
 void run(const Arguments& arguments) {
   const Recipe recipe = read_recipe(arguments.recipe);
   const CityFrames frames(recipe);
@@ -48,7 +32,8 @@ void run(const Arguments& arguments) {
   CityLamps lamps;
   {
     ProgressLine progress;
-    read_ground(recipe, frames, terrain, progress.sink());
+    std::optional<WindowLayout> no_windows;
+    read_ground(recipe, frames, terrain, no_windows, progress.sink());
     lamps = place_city_lamps(recipe, osm, frames, terrain);
   }
   if (!arguments.osm.empty()) {

@@ -33,8 +33,12 @@ int run(int argc, char** argv) {
   add_inspect_command(app);
   add_readers_command(app);
   add_town_command(app);
+  add_elevate_command(app);
+  add_lamps_command(app);
   add_layout_command(app);
   add_traffic_command(app);
+  add_windows_command(app);
+  add_lights_command(app);
 
   bool verbose = false, quiet = false;
   auto* verbose_flag = app.add_flag("-v,--verbose", verbose, "Tell more of what is done");

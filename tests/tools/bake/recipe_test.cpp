@@ -50,11 +50,16 @@ height = -3
 [windows]
 lit = false
 seed = 42
+[lamps]
+off = {service = "00:30-04:30"}
+half_night = {residential = "23:00-05:00"}
+luminaires = [{file = "s.ldt", roads = ["primary", "secondary"], types = ["led"], flux = false}, {file = "t.ies"}]
 [night]
 time = "01:30"
 [output]
 draco = true
 draco_tolerance_m = 0.001
+punctual = 50
 )");
   EXPECT_EQ(recipe.city.frame.crs_override, "EPSG:25833");
   ASSERT_EQ(recipe.city.frame.control_points.size(), 2u);
@@ -74,6 +79,16 @@ draco_tolerance_m = 0.001
   EXPECT_FALSE(recipe.windows.lit);
   EXPECT_EQ(recipe.windows.seed, 42u);
   EXPECT_EQ(recipe.night.minute, 8 * 60 + 30);
+  EXPECT_EQ(recipe.lamps.hours.off.at("service").from, minute_of(0, 30));
+  EXPECT_EQ(recipe.lamps.hours.half_night.at("residential").to, minute_of(5, 0));
+  ASSERT_EQ(recipe.lamps.luminaires.size(), 2u);
+  EXPECT_EQ(recipe.lamps.luminaires[0].file, folder / "s.ldt");
+  EXPECT_EQ(recipe.lamps.luminaires[0].highways, (std::vector<std::string>{"primary", "secondary"}));
+  EXPECT_EQ(recipe.lamps.luminaires[0].types, std::vector<LampType>{LampType::led});
+  EXPECT_FALSE(recipe.lamps.luminaires[0].take_flux);
+  EXPECT_TRUE(recipe.lamps.luminaires[1].highways.empty());
+  EXPECT_TRUE(recipe.lamps.luminaires[1].take_flux);
+  EXPECT_EQ(recipe.output.punctual, 50u);
   EXPECT_TRUE(recipe.output.draco);
   EXPECT_EQ(recipe.output.draco_tolerance_m, 0.001);
 }
@@ -131,6 +146,13 @@ TEST(Recipe, WrongValuesAreUsageErrors) {
     EXPECT_THROW(read(folder, std::string("[city]\nfiles = ['a.gml']\n") + line + "\n"), Error) << line;
   EXPECT_THROW(read(folder, "[city]\nfiles = ['a.gml']\n[output]\ndraco = 1\n"), UsageError);
   EXPECT_THROW(read(folder, "city = 3\n"), UsageError);
+  for (const char* line :
+       {"off = '23:00-05:00'", "off = {residential = '05:00-23:00'}", "off = {raceway = '23:00-05:00'}",
+        "half_night = {residential = 23}", "luminaires = 's.ldt'", "luminaires = [{roads = ['primary']}]",
+        "luminaires = [{file = 's.ldt', roads = ['raceway']}]",
+        "luminaires = [{file = 's.ldt', types = ['?']}]", "luminaires = [{file = 's.ldt', colour = 3000}]"})
+    EXPECT_THROW(read(folder, std::string("[city]\nfiles = ['a.gml']\n[lamps]\n") + line + "\n"), UsageError)
+        << line;
   for (const char* time : {"12:00", "07:00", "24:00", "22:60", "22", "2200", "aa:bb"})
     EXPECT_THROW(read(folder, std::string("[city]\nfiles = ['a.gml']\n[night]\ntime = '") + time + "'\n"),
                  UsageError);

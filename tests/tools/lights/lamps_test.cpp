@@ -12,6 +12,7 @@
 #include "formats/rgb9e5.h"
 #include "support/data.h"
 #include "tools/lights/lamp_defaults.h"
+#include "tools/lights/lamp_hours.h"
 #include "tools/lights/road_index.h"
 
 namespace nightcity {
@@ -178,7 +179,8 @@ TEST(Lamps, LightStandsInModelSpaceWithItsAxisDown) {
   const LampSet set = place({lamp_at(10, 5)}, {road({{"highway", "residential"}})});
   Georeference georeference;
   georeference.origin = {1, 2, 30};
-  const Light light = to_light(set.lamps.at(0), georeference);
+  ScheduleTable schedules;
+  const Light light = to_light(set.lamps.at(0), georeference, schedules);
   const RoadDefaults defaults = *road_defaults("residential");
   EXPECT_NEAR(light.position.x, 9, 1e-4);
   EXPECT_NEAR(light.position.y, 10 + defaults.mounting_m, 1e-4);
@@ -193,7 +195,8 @@ TEST(Lamps, LightStandsInModelSpaceWithItsAxisDown) {
 
 TEST(Lamps, TiltTurnsTheAxisTowardsTheAimAndKeepsTheFrameSquare) {
   const LampSet set = place({lamp_at(10, 5, {{"light:tilt", "-60"}})}, {road({{"highway", "residential"}})});
-  const Light light = to_light(set.lamps.at(0), {});
+  ScheduleTable schedules;
+  const Light light = to_light(set.lamps.at(0), {}, schedules);
   EXPECT_NEAR(light.axis.y, -std::cos(glm::radians(30.0)), 1e-5);
   EXPECT_NEAR(light.axis.z, 0.5, 1e-5);
   EXPECT_NEAR(glm::dot(light.axis, light.tangent), 0, 1e-6);
@@ -206,7 +209,7 @@ TEST(Lamps, MeasuredLuminaireServesTheRoadsItIsChosenFor) {
                   road({{"highway", "residential"}}, {degrees(-300, 100), degrees(300, 100)})};
   LampOptions options;
   options.luminaires.push_back(
-      {"measured", sample_intensity([](double, double) { return 1; }, 4, 19), {"primary"}, true, 12345});
+      {"measured", sample_intensity([](double, double) { return 1; }, 4, 19), {"primary"}, {}, true, 12345});
   const LampSet set = place_lamps(osm, flat_earth(), ground, {}, options);
   ASSERT_EQ(set.lamps.size(), 3u);
   EXPECT_EQ(set.lamps[0].flux_lm, 12345);
@@ -215,6 +218,78 @@ TEST(Lamps, MeasuredLuminaireServesTheRoadsItIsChosenFor) {
   EXPECT_NE(set.lamps[1].flux_lm, 12345);  // the tag knows better
   EXPECT_EQ(set.lamps[1].profile, set.lamps[0].profile);
   EXPECT_NE(set.lamps[2].profile, set.lamps[0].profile);
+}
+
+TEST(Lamps, MeasuredLuminaireServesTheTypesOfLampItIsChosenFor) {
+  OsmData osm;
+  osm.lamps = {lamp_at(0, 5), lamp_at(30, 5, {{"lamp_type", "SON"}}, 2),
+               lamp_at(60, 5, {{"lamp_type", "led"}}, 3)};
+  osm.highways = {road({{"highway", "primary"}})};
+  LampOptions options;
+  const Photometry even = sample_intensity([](double, double) { return 1; }, 4, 19);
+  options.luminaires.push_back({"sodium", even, {}, {LampType::high_pressure_sodium}, true, 777});
+  options.luminaires.push_back({"led", even, {}, {LampType::led}, false, 888});
+  const LampSet set = place_lamps(osm, flat_earth(), ground, {}, options);
+  EXPECT_EQ(set.lamps[0].profile, set.lamps[2].profile);  // what nobody named is LED
+  EXPECT_NE(set.lamps[0].profile, set.lamps[1].profile);
+  EXPECT_EQ(set.lamps[0].flux_lm, road_defaults("primary")->flux_lm);  // flux = false
+}
+
+TEST(LampHours, TagsTellHoursAndOtherLampsAreAlwaysOn) {
+  const LampSet set =
+      place({lamp_at(0, 5, {{"lit", "sunset-23:00"}}), lamp_at(30, 5, {{"lit", "limited"}}, 2),
+             lamp_at(60, 5, {{"lit", "yes"}}, 3), lamp_at(90, 5, {{"lit", "when wet"}}, 4)});
+  ASSERT_EQ(set.lamps.size(), 4u);
+  ASSERT_TRUE(set.lamps[0].hours);
+  EXPECT_TRUE(set.lamps[0].hours->lit_at(minute_of(22, 59)));
+  EXPECT_FALSE(set.lamps[0].hours->lit_at(minute_of(23, 0)));
+  EXPECT_EQ(set.lamps[0].provenance.schedule, ValueSource::tag);
+  ASSERT_TRUE(set.lamps[1].hours);
+  EXPECT_FALSE(set.lamps[1].hours->lit_at(minute_of(2, 0)));
+  EXPECT_FALSE(set.lamps[2].hours);
+  EXPECT_FALSE(set.lamps[3].hours);
+  EXPECT_EQ(set.notes.at("tag not understood: lit=when wet"), 1u);
+  ScheduleTable schedules;
+  EXPECT_EQ(to_light(set.lamps[2], {}, schedules).schedule, LIGHT_ALWAYS_ON);
+  EXPECT_EQ(to_light(set.lamps[0], {}, schedules).schedule, 0u);
+}
+
+TEST(LampHours, EverySecondLampOfAHalfNightStreetGoesDarkWhateverTheOrderOfTheFile) {
+  std::vector<OsmLampNode> lamps;
+  for (int n = 0; n < 9; ++n) lamps.push_back(lamp_at(-200 + 30 * ((n * 4) % 9), 5, {}, 10 + (n * 4) % 9));
+  lamps.push_back(lamp_at(0, 105, {}, 50));
+  LampSet set = place(lamps, {road({{"highway", "residential"}}),
+                              {2, {degrees(-300, 100), degrees(300, 100)}, {{"highway", "service"}}}});
+  LampHours hours;
+  hours.half_night["residential"] = {minute_of(23, 0), minute_of(5, 0)};
+  hours.off["service"] = {minute_of(0, 30), minute_of(4, 0)};
+  switch_lamps(hours, set);
+  for (const PlacedLamp& lamp : set.lamps) {
+    const auto id = static_cast<int>(lamp.provenance.source_id);
+    if (id == 50) {
+      ASSERT_TRUE(lamp.hours);
+      EXPECT_FALSE(lamp.hours->lit_at(minute_of(2, 0)));
+      EXPECT_TRUE(lamp.hours->lit_at(minute_of(0, 29)));
+    } else {
+      EXPECT_EQ(lamp.hours.has_value(), id % 2 == 1) << id;  // the 2nd, 4th, ... from the west
+      if (lamp.hours) {
+        EXPECT_FALSE(lamp.hours->lit_at(minute_of(2, 0)));
+      }
+    }
+  }
+  EXPECT_EQ(set.sources.at("hours").at("rule"), 10u);
+}
+
+TEST(LampHours, LuminairesOfOnePostGoTogether) {
+  std::vector<OsmLampNode> lamps;
+  for (int n = 0; n < 4; ++n) lamps.push_back(lamp_at(30 * n, 5, {{"light:count", "2"}}, 10 + n));
+  LampSet set = place(lamps, {road({{"highway", "residential"}})});
+  LampHours hours;
+  hours.half_night["residential"] = {minute_of(23, 0), minute_of(5, 0)};
+  switch_lamps(hours, set);
+  ASSERT_EQ(set.lamps.size(), 8u);
+  for (const PlacedLamp& lamp : set.lamps)
+    EXPECT_EQ(lamp.hours.has_value(), lamp.provenance.source_id % 2 == 1);
 }
 
 TEST(RoadIndex, AgreesWithBruteForce) {

@@ -12,6 +12,8 @@
 
 #include "formats/rgb9e5.h"
 #include "support/data.h"
+#include "support/temp_folder.h"
+#include "tools/lights/osm_uses.h"
 #include "tools/lights/wall_plane.h"
 
 namespace nightcity {
@@ -189,10 +191,19 @@ TEST(Facades, ShopsTakeTheGroundFloorOfMixedHouses) {
   EXPECT_TRUE(lay(box(0, 0, 20, 12, 14), BuildingUse::dark).empty());
 }
 
-WindowSet windows_of(std::vector<CityObject> buildings, const HeightAt& ground = {}) {
-  WindowLayout layout({});
-  for (const CityObject& building : buildings) layout.add(building);
-  return std::move(layout).finish(ground);
+struct WindowSet {
+  std::vector<LitRectangle> windows;
+  WindowReport report;
+};
+
+WindowSet windows_of(std::vector<CityObject> objects, const HeightAt& ground = {}) {
+  const test::TempFolder folder;
+  WindowLayout layout({}, folder / "scratch");
+  for (const CityObject& object : objects) layout.add(object);
+  WindowSet set;
+  set.report = std::move(layout).finish(ground, [&](const LitRectangle& w) { set.windows.push_back(w); });
+  EXPECT_EQ(set.report.placed, set.windows.size());
+  return set;
 }
 
 TEST(Windows, PartyWallsAndWallsNearbyHaveNoneAndTheRestStay) {
@@ -211,7 +222,7 @@ TEST(Windows, PartyWallsAndWallsNearbyHaveNoneAndTheRestStay) {
   EXPECT_EQ(faces(row, {-1, 0, 0}, 11, 13), 0u);   // b's wall to a
   EXPECT_EQ(faces(row, {1, 0, 0}, 23, 24.1), 0u);  // 30 cm before c
   EXPECT_GT(faces(row, {0, -1, 0}, 0, 12), 0u);
-  EXPECT_GT(row.dropped.at("something before it"), 0u);
+  EXPECT_GT(row.report.dropped.at("something before it"), 0u);
   // A low neighbour covers the low windows only.
   const WindowSet step = windows_of({box(0, 0, 12, 10, 16, "a"), box(12, 0, 24, 10, 5, "b")});
   EXPECT_GT(faces(step, {1, 0, 0}, 11, 13, 5), 0u);
@@ -226,7 +237,7 @@ TEST(Windows, ModelledWindowsMaySitDeepInTheirWalls) {
     window.surface = SurfaceType::window;
     house.polygons.push_back(window);
     const WindowSet set = windows_of({house});
-    EXPECT_FALSE(set.dropped.contains("something before it"));
+    EXPECT_FALSE(set.report.dropped.contains("something before it"));
     kept += set.windows.size();
   }
   EXPECT_GT(kept, 10u);
@@ -235,7 +246,7 @@ TEST(Windows, ModelledWindowsMaySitDeepInTheirWalls) {
 TEST(Windows, NoneIsBelowTheGround) {
   const HeightAt slope = [](const glm::dvec2& p) { return std::optional(ground_z + (p.x - east) * 0.5); };
   const WindowSet set = windows_of({box(0, 0, 20, 10, 12.8)}, slope);
-  EXPECT_GT(set.dropped.at("below the ground"), 0u);
+  EXPECT_GT(set.report.dropped.at("below the ground"), 0u);
   ASSERT_GT(set.windows.size(), 0u);
   for (const LitRectangle& w : set.windows)
     EXPECT_GT(w.centre.z - static_cast<double>(w.half_height), ground_z + (w.centre.x - east) * 0.5 - 0.2);
@@ -252,7 +263,7 @@ TEST(Windows, SameBuildingSameWindowsWhateverElseIsThere) {
   for (const LitRectangle& w : alone.windows) {
     ASSERT_TRUE(by_id.contains(w.id));
     EXPECT_EQ(by_id[w.id]->centre, w.centre);
-    EXPECT_EQ(among.schedules[by_id[w.id]->schedule], alone.schedules[w.schedule]);
+    EXPECT_EQ(by_id[w.id]->hours, w.hours);
   }
 }
 
@@ -260,8 +271,14 @@ TEST(Windows, LightIsOneSidedLambertianOfItsLuminance) {
   const WindowSet set = windows_of({box(0, 0, 14, 10, 9.8)});
   Georeference georeference;
   georeference.origin = {east, north, ground_z};
+  ScheduleTable schedules;
   for (const LitRectangle& w : set.windows) {
-    const Light light = to_light(w, georeference);
+    const Light light = to_light(w, georeference, schedules);
+    ASSERT_LT(light.schedule, schedules.schedules().size());
+    for (int minute = 0; minute < night_minutes; minute += 5)
+      EXPECT_EQ(shines_at(schedules.schedules()[light.schedule], schedules.switches().data(),
+                          18000 + 60 * static_cast<uint>(minute)),
+                w.hours.lit_at(minute));
     const double area = 4.0 * w.half_width * w.half_height;
     EXPECT_NEAR(light.flux_lm, std::numbers::pi * w.luminance_cd_m2 * area, 1e-3 * light.flux_lm);
     EXPECT_EQ(light.kind_profile & 255u, LIGHT_RECTANGLE);
@@ -285,7 +302,7 @@ double share_lit(BuildingUse use, WindowKind kind, int minute) {
   constexpr int homes = 6000, rooms = 3;
   for (int home = 0; home < homes; ++home) {
     Random people{1, home};
-    const Household household = draw_household(use, people);
+    const Household household = draw_household(use, people, Random{7, home});
     for (int room = 0; room < rooms; ++room) {
       Random random{2, home, room};
       lit += draw_window(household, kind, random).schedule.lit_at(minute);
@@ -314,6 +331,8 @@ TEST(Occupancy, SharesOfLitWindowsFollowTheHoursAimedAt) {
       {BuildingUse::office, WindowKind::room, 0, 0.06},
       {BuildingUse::mixed, WindowKind::shop, 2, 0.50},
       {BuildingUse::residential, WindowKind::stairs, 22, 0.30},
+      {BuildingUse::hotel, WindowKind::lobby, 3, 1.00},
+      {BuildingUse::office, WindowKind::lobby, 2, 0.50},
   };
   for (const auto& row : table)
     EXPECT_NEAR(share_lit(row.use, row.kind, minute_of(row.hour, 0)), row.share, 0.06)
@@ -327,7 +346,7 @@ TEST(Occupancy, RoomsOfOneHomeGoDarkTogether) {
   constexpr int homes = 8000;
   for (int home = 0; home < homes; ++home) {
     Random people{3, home};
-    const Household household = draw_household(BuildingUse::residential, people);
+    const Household household = draw_household(BuildingUse::residential, people, Random{7, home});
     Random a{4, home}, b{5, home};
     const bool lit_a = draw_window(household, WindowKind::room, a).schedule.lit_at(midnight);
     const bool lit_b = draw_window(household, WindowKind::room, b).schedule.lit_at(midnight);
@@ -337,13 +356,127 @@ TEST(Occupancy, RoomsOfOneHomeGoDarkTogether) {
   EXPECT_GT(static_cast<double>(both) / homes, 2 * independent);
 }
 
+/// A block of flats with shops below, or an office; many storeys.
+WindowSet tall(const char* function, const char* id) {
+  CityObject house = box(0, 0, 40, 24, 25, id);
+  house.function = function;
+  return windows_of({house});
+}
+
+TEST(Occupancy, AStaircaseIsLitOverAllItsStoreysAtOnce) {
+  // Windows above each other on one facade: those of a staircase agree, those of rooms do not.
+  std::size_t stair_columns = 0, mixed_columns = 0;
+  for (int n = 0; n < 12; ++n) {
+    const WindowSet set = tall("31001_1010", ("flats " + std::to_string(n)).c_str());
+    std::map<std::pair<long, long>, std::set<NightSchedule>> nights;
+    std::map<std::pair<long, long>, std::size_t> heights;
+    for (const LitRectangle& w : set.windows) {
+      const std::pair column(std::lround(w.centre.x * 10), std::lround(w.centre.y * 10));
+      nights[column].insert(w.hours);
+      ++heights[column];
+    }
+    for (const auto& [column, count] : heights)
+      if (count >= 6) (nights[column].size() == 1 ? stair_columns : mixed_columns) += 1;
+  }
+  EXPECT_GE(stair_columns, 6u);
+  EXPECT_GT(mixed_columns, 10 * stair_columns);
+}
+
+TEST(Occupancy, AShopsWindowsCloseTogether) {
+  std::size_t alike = 0, pairs = 0;
+  for (int n = 0; n < 12; ++n) {
+    const WindowSet set = tall("31001_1120", ("shops " + std::to_string(n)).c_str());
+    const LitRectangle* last = nullptr;
+    for (const LitRectangle& w : set.windows) {
+      if (w.centre.z > ground_z + 4) continue;  // the ground floor
+      if (last && glm::dot(w.normal, last->normal) > 0.9f) {
+        ++pairs;
+        alike += w.hours == last->hours && w.luminance_cd_m2 == last->luminance_cd_m2;
+      }
+      last = &w;
+    }
+  }
+  EXPECT_GT(pairs, 100u);
+  EXPECT_GT(alike, pairs / 2);  // neighbours in one shop: one to three of two to four windows
+  EXPECT_LT(alike, pairs);
+}
+
+TEST(Occupancy, AnOfficesStoreyIsCleanedInOneGo) {
+  int cleaned_pairs = 0, one_cleaned = 0;
+  for (int storey = 0; storey < 2000; ++storey) {
+    Random a{1, storey}, b{2, storey};
+    const bool first = draw_household(BuildingUse::office, a, Random{3, storey}).cleaned >= 0;
+    const bool second = draw_household(BuildingUse::office, b, Random{3, storey}).cleaned >= 0;
+    one_cleaned += first;
+    cleaned_pairs += first && second;
+    EXPECT_EQ(first, second);
+  }
+  EXPECT_NEAR(one_cleaned / 2000.0, 0.3, 0.05);
+  EXPECT_EQ(one_cleaned, cleaned_pairs);
+}
+
+TEST(Windows, HoursAreCountedByUse) {
+  CityObject shop = box(100, 0, 130, 20, 9, "shop");
+  shop.function = "31001_2010";
+  const WindowSet set = windows_of({box(0, 0, 30, 20, 12, "flats"), shop});
+  ASSERT_EQ(set.report.by_use.size(), 2u);
+  std::size_t placed = 0;
+  HourCounts lit{};
+  for (const LitRectangle& w : set.windows) count_hours(w.hours, lit);
+  for (const auto& [name, use] : set.report.by_use) {
+    placed += use.placed;
+    for (std::size_t hour = 0; hour < night_hours; ++hour) lit[hour] -= use.lit[hour];
+  }
+  EXPECT_EQ(placed, set.windows.size());
+  EXPECT_EQ(lit, HourCounts{});
+}
+
+TEST(Windows, WallsOfOtherThingsStandInTheWayToo) {
+  CityObject fence = box(-10, -0.6, 40, -0.3, 3, "noise barrier");
+  fence.type = ObjectType::other;
+  const WindowSet set = windows_of({box(0, 0, 30, 20, 12, "flats"), fence});
+  for (const LitRectangle& w : set.windows)
+    if (w.normal.y < -0.9f) {
+      EXPECT_GT(w.centre.z, ground_z + 3);
+    }
+  EXPECT_GT(set.report.dropped.at("something before it"), 0u);
+}
+
+TEST(Windows, NoneLiesInsideABuildingThatOverlapsItsOwn) {
+  // An extension drawn into the house: no wall of it within half a metre before the house's east wall.
+  const WindowSet set = windows_of({box(0, 0, 20, 20, 12, "house"), box(15, 2, 28, 18, 12, "extension")});
+  for (const LitRectangle& w : set.windows) {
+    const bool in_extension =
+        w.centre.x > east + 15 && w.centre.x < east + 28 && w.centre.y > north + 2 && w.centre.y < north + 18;
+    const bool in_house =
+        w.centre.x < east + 20 && w.centre.x > east && w.centre.y > north && w.centre.y < north + 20;
+    EXPECT_FALSE(in_extension || in_house) << w.centre.x - east << " " << w.centre.y - north;
+  }
+  EXPECT_GT(set.report.dropped.at("inside another building"), 0u);
+  EXPECT_GT(set.windows.size(), 40u);
+}
+
+TEST(Windows, BuildingsWithoutIdsDifferByTheirPlace) {
+  const WindowSet set = windows_of({box(0, 0, 14, 10, 9.8, ""), box(100, 0, 114, 10, 9.8, "")});
+  std::set<std::uint32_t> ids;
+  for (const LitRectangle& w : set.windows) ids.insert(w.id);
+  EXPECT_EQ(ids.size(), set.windows.size());
+}
+
+TEST(Windows, PiecesOfOneLargeBuildingHaveEachTheirOwnIdentities) {
+  const WindowSet set = windows_of({box(0, 0, 14, 10, 9.8, "a"), box(100, 0, 114, 10, 9.8, "a")});
+  std::set<std::uint32_t> ids;
+  for (const LitRectangle& w : set.windows) ids.insert(w.id);
+  EXPECT_EQ(ids.size(), set.windows.size());
+}
+
 TEST(Occupancy, TimesAreInOrderApartAndWithinTheNight) {
   std::set<NightSchedule> distinct;
   for (int n = 0; n < 20000; ++n) {
     Random random{6, n};
     const auto use = static_cast<BuildingUse>(n % 8);
-    const Household household = draw_household(use, random);
-    const LitWindow window = draw_window(household, static_cast<WindowKind>(n / 8 % 4), random);
+    const Household household = draw_household(use, random, Random{7, n});
+    const LitWindow window = draw_window(household, static_cast<WindowKind>(n / 8 % 5), random);
     int last = -1;
     for (std::size_t k = 0; k < 4; ++k) {
       const int on = window.schedule.on[k], off = window.schedule.off[k];
@@ -396,6 +529,34 @@ TEST(BuildingUse, CodesAndWordsOfRealModels) {
   CityObject hut = box(0, 0, 4, 4, 2.5);
   hut.function.clear();
   EXPECT_EQ(use_of(hut).use, BuildingUse::dark);
+}
+
+TEST(BuildingUse, TheMapSpeaksWhereTheModelIsSilent) {
+  const auto outline = [](double x0, double y0, double x1, double y1, OsmTags tags) {
+    return OsmWay{1, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}, {x0, y0}}, std::move(tags)};
+  };
+  const OsmUses uses({outline(0, 0, 100, 100, {{"building", "retail"}}),
+                      outline(10, 10, 20, 20, {{"building", "office"}}),
+                      outline(200, 0, 300, 50, {{"building", "yes"}, {"tourism", "hotel"}}),
+                      outline(400, 0, 500, 50, {{"building", "yes"}}),
+                      {2, {{600, 0}, {700, 0}, {700, 50}}, {{"building", "retail"}}}},
+                     [](const glm::dvec2& p) { return glm::dvec2(east, north) + p; });
+  const auto at = [&](double x, double y) { return uses.at({east + x, north + y}); };
+  EXPECT_EQ(at(50, 50), BuildingUse::retail);
+  EXPECT_EQ(at(15, 15), BuildingUse::office);  // the smaller outline
+  EXPECT_EQ(at(250, 25), BuildingUse::hotel);
+  EXPECT_FALSE(at(450, 25));
+  EXPECT_FALSE(at(690, 10));  // not closed
+  EXPECT_FALSE(at(-1, 50));
+  CityObject house = box(40, 40, 60, 60, 9);
+  const UseAt map = [&](const glm::dvec2& p) { return uses.at(p); };
+  EXPECT_EQ(use_of(house, map).use, BuildingUse::residential);  // the model's word comes first
+  house.function.clear();
+  EXPECT_EQ(use_of(house, map).use, BuildingUse::retail);
+  EXPECT_TRUE(use_of(house, map).from_map);
+  EXPECT_EQ(use_from_tags({{"building", "Semidetached House"}}), BuildingUse::residential);
+  EXPECT_EQ(use_from_tags({{"building", "yes"}, {"amenity", "school"}}), BuildingUse::education);
+  EXPECT_EQ(use_from_tags({{"building", "church"}, {"shop", "kiosk"}}), BuildingUse::dark);
 }
 
 TEST(WallPlane, RectanglesAreInsideWhollyOrNotAtAll) {

@@ -1,6 +1,8 @@
-#include "tools/nightbake/file_kind.h"
+#include "tools/bake/file_kind.h"
 
 #include <algorithm>
+#include <cctype>
+#include <string>
 #include <string_view>
 
 #include "formats/error.h"
@@ -29,7 +31,13 @@ FileKind file_kind(const std::filesystem::path& path) {
   // A large glTF may name its asset last.
   if (first != std::string_view::npos && start[first] == '{' && path.extension() == ".gltf")
     return FileKind::scene;
-  throw Error(path.string(), "is neither CityGML, OSM, glTF nor a light file");
+  // IES files say so or hold a TILT line; EULUMDAT has no mark at all but its name.
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (start.starts_with("IESNA") || has("\nTILT=") || extension == ".ies" || extension == ".ldt")
+    return FileKind::luminaire;
+  throw Error(path.string(), "is neither CityGML, OSM, glTF, a light file nor a luminaire");
 }
 
 }  // namespace nightcity

@@ -5,7 +5,7 @@
 
 namespace nightcity {
 
-enum class FileKind { citygml, osm, scene, lights };
+enum class FileKind { citygml, osm, scene, lights, luminaire };
 
 /// Looks at the first bytes; only compressed files are told apart by name. Throws Error: missing, empty, a
 /// folder, or of none of these kinds.

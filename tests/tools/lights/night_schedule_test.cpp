@@ -1,0 +1,107 @@
+// Hours of light: as people write them, as city.lights keeps them.
+#include "tools/lights/night_schedule.h"
+
+#include <gtest/gtest.h>
+
+#include "formats/night_check.h"
+#include "tools/random.h"
+
+namespace nightcity {
+namespace {
+
+NightSchedule night(std::initializer_list<std::pair<int, int>> times) {
+  NightSchedule schedule;
+  std::size_t n = 0;
+  for (const auto& [on, off] : times) {
+    schedule.on[n] = static_cast<std::uint16_t>(on);
+    schedule.off[n++] = static_cast<std::uint16_t>(off);
+  }
+  return schedule;
+}
+
+TEST(ScheduleTable, EqualNightsAreStoredOnceAndKeepTheirNumbers) {
+  ScheduleTable table;
+  const auto evening = night({{0, 300}}), both = night({{0, 300}, {720, 800}});
+  EXPECT_EQ(table.add(evening), 0u);
+  EXPECT_EQ(table.add(both), 1u);
+  EXPECT_EQ(table.add(evening), 0u);
+  EXPECT_EQ(table.schedules().size(), 2u);
+  // 17:00, 22:00; 17:00, 22:00, 05:00 and 06:20 as seconds since noon.
+  EXPECT_EQ(table.switches(), (std::vector<uint>{18000, 36000, 18000, 36000, 61200, 66000}));
+}
+
+TEST(ScheduleTable, FilesShineWhenTheNightDoesMinuteByMinute) {
+  ScheduleTable table;
+  for (int n = 0; n < 300; ++n) {
+    Random random{n};
+    NightSchedule schedule;
+    int at = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      at += random.integer(1, 90);
+      schedule.on[k] = static_cast<std::uint16_t>(at);
+      at += random.integer(1, 90);
+      schedule.off[k] = static_cast<std::uint16_t>(at);
+    }
+    const Schedule& stored = table.schedules()[table.add(schedule)];
+    ASSERT_FALSE(schedule_fault(stored, table.switches())) << n;
+    for (int minute = 0; minute < night_minutes; ++minute)
+      for (const uint second : {0u, 59u})
+        ASSERT_EQ(shines_at(stored, table.switches().data(), 18000 + 60 * static_cast<uint>(minute) + second),
+                  schedule.lit_at(minute))
+            << n << " " << minute;
+    EXPECT_FALSE(shines_at(stored, table.switches().data(), 0));       // noon
+    EXPECT_FALSE(shines_at(stored, table.switches().data(), 86'399));  // and the moment before the next
+  }
+}
+
+TEST(NightSchedule, DarkInTheMiddleOfTheNight) {
+  EXPECT_EQ(dark_between(minute_of(23, 0), minute_of(5, 0)), night({{0, 360}, {720, 840}}));
+  EXPECT_EQ(dark_between(0, minute_of(5, 0)), night({{720, 840}}));
+  EXPECT_TRUE(dark_between(0, night_minutes).never());
+}
+
+TEST(NightSchedule, SpansOfRecipesAreReadOrRefused) {
+  const auto span = parse_night_span("23:30-04:15");
+  ASSERT_TRUE(span);
+  EXPECT_EQ(span->from, minute_of(23, 30));
+  EXPECT_EQ(span->to, minute_of(4, 15));
+  for (const char* text :
+       {"", "23:30", "04:15-23:30", "12:00-14:00", "23:60-04:00", "23:30-04:15 ", "a:bb-c:dd"})
+    EXPECT_FALSE(parse_night_span(text)) << text;
+}
+
+TEST(NightSchedule, LitHoursAsPeopleWriteThem) {
+  const std::pair<const char*, NightSchedule> known[] = {
+      {"sunset-23:00", night({{0, 360}})},
+      {"Sunset - 23:00", night({{0, 360}})},
+      {"05:00-sunrise", night({{720, 840}})},
+      {"dusk-dawn", night({{0, 840}})},
+      {"24/7", night({{0, 840}})},
+      {"16:00-00:30;05:00-sunrise", night({{0, 450}, {720, 840}})},
+      {"Mo-Su 17:00-22:00, 06:00-07:00", night({{0, 300}, {780, 840}})},
+      {"22:00-24:00", night({{300, 420}})},
+      {"16:00-08:00", night({{0, 840}})},
+      {"06:00-08:00", night({{780, 840}})},
+  };
+  for (const auto& [text, schedule] : known) {
+    const auto hours = parse_lit_hours(text);
+    ASSERT_TRUE(hours) << text;
+    EXPECT_EQ(*hours, schedule) << text;
+  }
+  for (const char* text :
+       {"", "yes", "sometimes", "23:00", "23:00-", "08:00-16:00", "20:00-22:00;21:00-23:00"})
+    EXPECT_FALSE(parse_lit_hours(text)) << text;
+}
+
+TEST(NightSchedule, HoursAreCountedAtFullHours) {
+  HourCounts counts{};
+  count_hours(night({{0, 61}, {780, 840}}), counts);  // 17:00-18:01, 06:00-07:00
+  for (std::size_t hour = 0; hour < night_hours; ++hour)
+    EXPECT_EQ(counts[hour], hour <= 1 || hour >= 13 ? 1u : 0u) << clock_hour(hour);
+  EXPECT_EQ(clock_hour(0), 17);
+  EXPECT_EQ(clock_hour(7), 0);
+  EXPECT_EQ(clock_hour(14), 7);
+}
+
+}  // namespace
+}  // namespace nightcity

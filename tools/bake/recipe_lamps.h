@@ -1,0 +1,14 @@
+// The table [lamps] of a recipe.
+#pragma once
+
+#include <filesystem>
+
+#include "tools/bake/recipe.h"
+#include "tools/bake/recipe_setting.h"
+
+namespace nightcity::recipe {
+
+/// Its keys; handlers refer to `lamps`. `folder`: what names of files are relative to.
+Table lamp_settings(Recipe::Lamps& lamps, const std::filesystem::path& folder);
+
+}  // namespace nightcity::recipe

@@ -1,0 +1,38 @@
+// What a light file holds, counted: kinds, lumens, hours, and where each value came from.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <map>
+#include <string>
+
+#include "formats/light_file.h"
+#include "tools/lights/night_schedule.h"
+
+namespace nightcity {
+
+struct FamilyCensus {
+  std::size_t count = 0, always_on = 0;
+  double flux_lm = 0;
+  std::map<std::string, std::size_t> kinds;                           // "sphere", "rectangle"
+  std::map<std::string, std::map<std::string, std::size_t>> sources;  // value, source, count
+  std::array<std::size_t, night_hours> lit{};                         // at each full hour
+};
+
+struct LightCensus {
+  std::map<std::string, FamilyCensus> families;  // "lamp", "window", ...
+  std::map<std::string, std::size_t> faults;     // why lights are unfit, and how many
+};
+
+/// Why a light should not be where it is ("below the ground"), "" where it may; model space.
+using PlaceFault = std::function<std::string(const Light&)>;
+
+/// Looks at every light once. Broken ones are counted in `faults` and nowhere else.
+LightCensus count_lights(const LightFile& file, const PlaceFault& place_fault = {});
+
+const char* name_of(LightFamily family);
+const char* name_of(ValueSource source);
+
+}  // namespace nightcity

@@ -1,0 +1,139 @@
+#include "tools/lights/night_schedule.h"
+
+#include <algorithm>
+#include <string>
+
+#include "tools/osm/osm_selection.h"
+#include "tools/random.h"
+
+namespace nightcity {
+namespace {
+
+constexpr uint first_second = 5 * 3600;  // 17:00, since noon
+
+uint second_of(int minute) {
+  return first_second + 60 * static_cast<uint>(minute);
+}
+
+/// "23:00", "7:05", "0:30": minutes after 17:00. Nothing for another text or an hour of the day.
+std::optional<int> clock_minute(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos || colon == 0 || colon > 2 || text.size() != colon + 3)
+    return std::nullopt;
+  int parts[2] = {0, 0};
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (i == colon) continue;
+    if (text[i] < '0' || text[i] > '9') return std::nullopt;
+    int& part = parts[i > colon];
+    part = 10 * part + text[i] - '0';
+  }
+  if (parts[0] > 24 || parts[1] > 59) return std::nullopt;
+  return minute_of(parts[0], parts[1]);
+}
+
+/// The beginning or end of a span of hours. The sun sets before and rises after our night.
+std::optional<int> edge_of_light(std::string_view text) {
+  if (text == "sunset" || text == "dusk") return 0;
+  if (text == "sunrise" || text == "dawn") return night_minutes;
+  return clock_minute(text);
+}
+
+}  // namespace
+
+bool NightSchedule::lit_at(int minute) const {
+  for (std::size_t n = 0; n < on.size(); ++n)
+    if (minute >= on[n] && minute < off[n]) return true;
+  return false;
+}
+
+bool NightSchedule::never() const {
+  for (std::size_t n = 0; n < on.size(); ++n)
+    if (on[n] < off[n]) return false;
+  return true;
+}
+
+NightSchedule dark_between(int off, int on) {
+  NightSchedule schedule;
+  std::size_t used = 0;
+  const auto add = [&](int from, int to) {
+    if (from >= to) return;
+    schedule.on[used] = static_cast<std::uint16_t>(from);
+    schedule.off[used++] = static_cast<std::uint16_t>(to);
+  };
+  add(0, std::clamp(off, 0, night_minutes));
+  add(std::clamp(on, 0, night_minutes), night_minutes);
+  return schedule;
+}
+
+std::optional<NightSpan> parse_night_span(std::string_view text) {
+  const std::size_t dash = text.find('-');
+  if (dash == std::string_view::npos) return std::nullopt;
+  const auto from = clock_minute(text.substr(0, dash)), to = clock_minute(text.substr(dash + 1));
+  if (!from || !to || *to > night_minutes || *from >= *to) return std::nullopt;
+  return NightSpan{*from, *to};
+}
+
+std::optional<NightSchedule> parse_lit_hours(std::string_view text) {
+  const std::string value = normalise_tag(text);  // blanks and dashes become underscores
+  if (value == "24/7") return dark_between(night_minutes, night_minutes);
+  NightSchedule schedule;
+  std::size_t used = 0;
+  std::string_view rest = value;
+  while (!rest.empty()) {
+    const std::size_t end = rest.find_first_of(";,");
+    std::string_view part = rest.substr(0, end);
+    rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
+    while (part.starts_with("_")) part.remove_prefix(1);
+    if (part.starts_with("mo_su_")) part.remove_prefix(6);
+    const std::size_t dash = part.find('_');
+    if (dash == std::string_view::npos) return std::nullopt;
+    std::string_view end_part = part.substr(dash);
+    while (end_part.starts_with("_")) end_part.remove_prefix(1);
+    auto from = edge_of_light(part.substr(0, dash)), to = edge_of_light(end_part);
+    if (!from || !to) return std::nullopt;
+    if (*from > night_minutes && *to > night_minutes && *from < *to) continue;  // by day alone
+    // What begins before 17:00 is on when the night begins; what ends by day shines to the night's end.
+    if (*from > night_minutes) from = 0;
+    to = std::min(*to, night_minutes);
+    if (*from >= *to) continue;
+    if (used == schedule.on.size() || (used > 0 && *from <= int{schedule.off[used - 1]})) return std::nullopt;
+    schedule.on[used] = static_cast<std::uint16_t>(*from);
+    schedule.off[used++] = static_cast<std::uint16_t>(*to);
+  }
+  if (schedule.never()) return std::nullopt;
+  return schedule;
+}
+
+std::size_t ScheduleTable::Hash::operator()(const NightSchedule& schedule) const {
+  std::uint64_t hash = 0;
+  for (std::size_t n = 0; n < schedule.on.size(); ++n)
+    hash = mix(hash ^ (std::uint64_t{schedule.on[n]} << 16 | schedule.off[n]));
+  return hash;
+}
+
+std::uint32_t ScheduleTable::add(const NightSchedule& schedule) {
+  const auto [known, is_new] = known_.try_emplace(schedule, static_cast<std::uint32_t>(schedules_.size()));
+  if (is_new) {
+    Schedule stored{static_cast<uint>(switches_.size()), 0};
+    for (std::size_t n = 0; n < schedule.on.size(); ++n) {
+      if (schedule.on[n] >= schedule.off[n]) continue;
+      switches_.push_back(second_of(schedule.on[n]));
+      switches_.push_back(second_of(schedule.off[n]));
+      stored.count += 2;
+    }
+    schedules_.push_back(stored);
+  }
+  return known->second;
+}
+
+bool shines_at(const Schedule& schedule, const uint* switches, uint seconds) {
+  const uint* first = switches + schedule.first;
+  return (std::upper_bound(first, first + schedule.count, seconds) - first) % 2 == 1;
+}
+
+void count_hours(const NightSchedule& schedule, HourCounts& counts) {
+  for (std::size_t hour = 0; hour < night_hours; ++hour)
+    counts[hour] += schedule.lit_at(std::min(static_cast<int>(hour) * 60, night_minutes - 1));
+}
+
+}  // namespace nightcity

@@ -1,0 +1,79 @@
+// When a light is on during one night, and how city.lights keeps that: equal nights once.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "formats/night.h"
+
+namespace nightcity {
+
+constexpr int night_minutes = 14 * 60;  // from 17:00 to 07:00
+
+/// Minutes after 17:00 of a clock time, e.g. (23, 30) or (3, 0).
+constexpr int minute_of(int hour, int minute) {
+  return ((hour + 24 - 17) % 24) * 60 + minute;
+}
+
+/// Up to four times of light, in minutes after 17:00, ascending and apart; on == off: not used.
+struct NightSchedule {
+  std::array<std::uint16_t, 4> on{}, off{};
+
+  bool lit_at(int minute) const;
+  bool never() const;
+  auto operator<=>(const NightSchedule&) const = default;
+};
+
+/// Lit all night but for the minutes from `off` to `on`, e.g. a street whose lamps are switched off at one
+/// and on again at half past four.
+NightSchedule dark_between(int off, int on);
+
+/// "23:00-05:00" as minutes after 17:00; nothing for another text, for times outside 17:00 to 07:00 and for
+/// an end that is not after its beginning.
+struct NightSpan {
+  int from, to;
+};
+std::optional<NightSpan> parse_night_span(std::string_view text);
+
+/// What people write of a lamp's hours (lit=sunset-23:00, "16:00-00:30;05:00-sunrise", "dusk-dawn", "24/7"):
+/// the night it means. Nothing where the text tells no hours ("yes", "automatic") or cannot be read.
+std::optional<NightSchedule> parse_lit_hours(std::string_view text);
+
+/// The schedules of a light file under construction; equal ones are stored once, in the order of coming.
+class ScheduleTable {
+ public:
+  /// The number of a schedule that is not never().
+  std::uint32_t add(const NightSchedule& schedule);
+
+  const std::vector<Schedule>& schedules() const { return schedules_; }
+  const std::vector<uint>& switches() const { return switches_; }  // s since noon
+
+ private:
+  struct Hash {
+    std::size_t operator()(const NightSchedule& schedule) const;
+  };
+  std::unordered_map<NightSchedule, std::uint32_t, Hash> known_;
+  std::vector<Schedule> schedules_;
+  std::vector<uint> switches_;
+};
+
+/// Whether a light of a file with these switch times shines `seconds` after noon.
+bool shines_at(const Schedule& schedule, const uint* switches, uint seconds);
+
+/// Full hours of the night, 17:00 to 07:00, at which shares are counted.
+constexpr std::size_t night_hours = 15;
+/// Counts lights that are on at each full hour; at 07:00 those that were on a moment before.
+using HourCounts = std::array<std::size_t, night_hours>;
+void count_hours(const NightSchedule& schedule, HourCounts& counts);
+/// The hour of such a count: 17, 18, ..., 0, ... 7.
+constexpr int clock_hour(std::size_t index) {
+  return static_cast<int>((17 + index) % 24);
+}
+
+}  // namespace nightcity

@@ -1,0 +1,177 @@
+#include "tools/lights/osm_uses.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "tools/osm/osm_selection.h"
+
+namespace nightcity {
+namespace {
+
+using enum BuildingUse;
+
+constexpr double cell_m = 50, widest_m = 2000;
+
+// Values of building=* as the OSM wiki lists them.
+constexpr std::array<std::pair<std::string_view, BuildingUse>, 60> buildings = {{
+    {"apartments", residential},
+    {"house", residential},
+    {"detached", residential},
+    {"residential", residential},
+    {"terrace", residential},
+    {"semidetached_house", residential},
+    {"dormitory", residential},
+    {"bungalow", residential},
+    {"farm", residential},
+    {"villa", residential},
+    {"allotment_house", dark},
+    {"cabin", residential},
+    {"mixed_use", mixed},
+    {"mixed", mixed},
+    {"office", office},
+    {"bank", office},
+    {"commercial", office},
+    {"retail", retail},
+    {"shop", retail},
+    {"supermarket", retail},
+    {"kiosk", retail},
+    {"mall", retail},
+    {"restaurant", retail},
+    {"hotel", hotel},
+    {"hostel", hotel},
+    {"school", education},
+    {"university", education},
+    {"college", education},
+    {"kindergarten", education},
+    {"hospital", civic},
+    {"public", civic},
+    {"civic", civic},
+    {"government", civic},
+    {"train_station", civic},
+    {"transportation", civic},
+    {"museum", civic},
+    {"theatre", civic},
+    {"fire_station", civic},
+    {"sports_hall", civic},
+    {"sports_centre", civic},
+    {"library", civic},
+    {"townhall", civic},
+    {"industrial", industrial},
+    {"warehouse", industrial},
+    {"factory", industrial},
+    {"manufacture", industrial},
+    {"garage", dark},
+    {"garages", dark},
+    {"carport", dark},
+    {"shed", dark},
+    {"hut", dark},
+    {"barn", dark},
+    {"greenhouse", dark},
+    {"church", dark},
+    {"chapel", dark},
+    {"cathedral", dark},
+    {"roof", dark},
+    {"parking", dark},
+    {"transformer_tower", dark},
+    {"service", dark},
+}};
+
+constexpr std::array<std::pair<std::string_view, BuildingUse>, 12> amenities = {{
+    {"school", education},
+    {"university", education},
+    {"college", education},
+    {"kindergarten", education},
+    {"hospital", civic},
+    {"clinic", civic},
+    {"townhall", civic},
+    {"library", civic},
+    {"theatre", civic},
+    {"restaurant", retail},
+    {"place_of_worship", dark},
+    {"parking", dark},
+}};
+
+template <std::size_t N>
+std::optional<BuildingUse> look_up(const std::array<std::pair<std::string_view, BuildingUse>, N>& table,
+                                   const std::string& word) {
+  for (const auto& [name, use] : table)
+    if (word == name) return use;
+  return std::nullopt;
+}
+
+std::int64_t cell_of(double v) {
+  return static_cast<std::int64_t>(std::floor(v / cell_m));
+}
+
+std::uint64_t key(std::int64_t x, std::int64_t y) {
+  return static_cast<std::uint64_t>(x) << 32 ^ (static_cast<std::uint64_t>(y) & 0xFFFFFFFFu);
+}
+
+bool inside(const std::vector<glm::dvec2>& ring, const glm::dvec2& p) {
+  bool odd = false;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const glm::dvec2 &a = ring[k], &b = ring[(k + 1) % ring.size()];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) odd = !odd;
+  }
+  return odd;
+}
+
+}  // namespace
+
+std::optional<BuildingUse> use_from_tags(const OsmTags& tags) {
+  const auto value = [&](const char* name) {
+    const auto found = tags.find(name);
+    return found == tags.end() ? std::string() : normalise_tag(found->second);
+  };
+  if (const auto use = look_up(buildings, value("building"))) return use;
+  if (!value("shop").empty()) return retail;
+  if (!value("office").empty()) return office;
+  const std::string tourism = value("tourism");
+  if (tourism == "hotel" || tourism == "hostel" || tourism == "guest_house") return hotel;
+  return look_up(amenities, value("amenity"));
+}
+
+OsmUses::OsmUses(const std::vector<OsmWay>& ways,
+                 const std::function<glm::dvec2(const glm::dvec2&)>& to_frame) {
+  for (const OsmWay& way : ways) {
+    const auto use = use_from_tags(way.tags);
+    if (!use || way.lon_lat.size() < 4 || way.lon_lat.front() != way.lon_lat.back()) continue;
+    Outline outline{{}, 0, *use};
+    for (std::size_t n = 0; n + 1 < way.lon_lat.size(); ++n) outline.ring.push_back(to_frame(way.lon_lat[n]));
+    glm::dvec2 low = outline.ring.front(), high = low;
+    double twice = 0;
+    for (std::size_t n = 0; n < outline.ring.size(); ++n) {
+      const glm::dvec2 a = outline.ring[n] - outline.ring.front(),
+                       b = outline.ring[(n + 1) % outline.ring.size()] - outline.ring.front();
+      twice += a.x * b.y - a.y * b.x;
+      low = glm::min(low, outline.ring[n]);
+      high = glm::max(high, outline.ring[n]);
+    }
+    outline.area_m2 = std::abs(twice) / 2;
+    // Not finite fails the comparison too.
+    if (!(outline.area_m2 > 0 && high.x - low.x < widest_m && high.y - low.y < widest_m)) continue;
+    const auto number = static_cast<std::uint32_t>(outlines_.size());
+    for (std::int64_t x = cell_of(low.x); x <= cell_of(high.x); ++x)
+      for (std::int64_t y = cell_of(low.y); y <= cell_of(high.y); ++y) cells_[key(x, y)].push_back(number);
+    outlines_.push_back(std::move(outline));
+  }
+}
+
+std::optional<BuildingUse> OsmUses::at(const glm::dvec2& place) const {
+  const auto cell = cells_.find(key(cell_of(place.x), cell_of(place.y)));
+  if (cell == cells_.end()) return std::nullopt;
+  const Outline* smallest = nullptr;
+  for (const std::uint32_t number : cell->second) {
+    const Outline& outline = outlines_[number];
+    if ((!smallest || outline.area_m2 < smallest->area_m2) && inside(outline.ring, place))
+      smallest = &outline;
+  }
+  return smallest ? std::optional(smallest->use) : std::nullopt;
+}
+
+}  // namespace nightcity

@@ -1,0 +1,153 @@
+// nightbake elevate: the ground's height under each lamp of a map, written back into the map.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formats/error.h"
+#include "tools/bake/city_ground.h"
+#include "tools/elevation/elevate.h"
+#include "tools/elevation/osm_elevations.h"
+#include "tools/nightbake/commands.h"
+#include "tools/nightbake/progress_line.h"
+
+namespace nightcity {
+namespace {
+
+using nlohmann::json;
+
+struct Arguments {
+  std::vector<std::filesystem::path> inputs;
+  std::filesystem::path out, dem;
+  ElevationServiceOptions service;
+  int wait_ms = 1000;
+  bool json = false;
+};
+
+struct Outcome {
+  std::size_t lamps = 0, written = 0;
+  Elevations elevations;
+};
+
+Outcome elevate(const Arguments& arguments) {
+  const Recipe recipe = recipe_of(arguments.inputs);
+  if (recipe.osm.files.size() != 1)
+    throw UsageError("", "give one OSM file: its lamps get heights and it is written anew");
+  if (recipe.city.files.empty() && arguments.dem.empty() && arguments.service.url.empty())
+    throw UsageError("", "nothing knows heights: give CityGML, --dem or --service");
+  const auto& map = recipe.osm.files.front();
+  const OsmData osm = read_osm(map);
+  ElevationSources sources;
+  std::optional<DemRaster> dem;
+  if (!arguments.dem.empty()) sources.dem = &dem.emplace(arguments.dem);
+  std::optional<CityFrames> frames;
+  Terrain terrain;
+  ProgressLine progress;
+  if (!recipe.city.files.empty()) {
+    frames.emplace(recipe);
+    if (!frames->city().has_lon_lat())
+      throw Error("", "[city] crs", "the city names no CRS: lamps have no place in it");
+    std::optional<WindowLayout> no_windows;
+    read_ground(recipe, *frames, terrain, no_windows, progress.sink());
+    sources.terrain = &terrain;
+    sources.to_frame = [&](const glm::dvec2& lon_lat) { return frames->city().from_lon_lat(lon_lat); };
+  }
+  ElevationServiceOptions service = arguments.service;
+  service.first_wait = std::chrono::milliseconds(arguments.wait_ms);
+  if (const ProgressSink sink = progress.sink())
+    service.progress = [sink](std::size_t done, std::size_t) {
+      sink({"asking the service", done, "places"});
+    };
+  if (!service.url.empty()) sources.service = &service;
+  Outcome outcome{osm.lamps.size(), 0, elevate_lamps(osm.lamps, sources)};
+  if (!arguments.out.empty())
+    outcome.written = write_elevations(map, arguments.out, outcome.elevations.heights);
+  return outcome;
+}
+
+json to_json(const HeightOffset& offset) {
+  return {{"m", offset.metres}, {"deviation_m", offset.deviation}, {"samples", offset.samples}};
+}
+
+void print(const Outcome& outcome) {
+  const Elevations& found = outcome.elevations;
+  fmt::print("{} lamps, {} with a height\nheights from {}\n", outcome.lamps, found.heights.size(),
+             in_words(found.sources));
+  fmt::print("{} outside the model, {} inside buildings, {} mapped twice\n", found.outside_model,
+             found.inside_buildings, found.duplicates);
+  const auto offset = [](const char* name, const HeightOffset& value) {
+    if (value.samples)
+      fmt::print("{}: {:+.2f} m to the model's heights (deviation {:.2f} m, {} places)\n", name, value.metres,
+                 value.deviation, value.samples);
+  };
+  offset("raster", found.raster_offset);
+  offset("service", found.service_offset);
+  const ElevationAnswers& service = found.service;
+  if (!service.heights.empty())
+    fmt::print(
+        "service: {} requests, {} of them again, {} places from the cache, {} answers of 0 m refused\n",
+        service.requests, service.retries, service.from_cache, service.zeros_refused);
+  if (outcome.written) fmt::print("{} nodes written\n", outcome.written);
+}
+
+void run(const Arguments& arguments) {
+  const Outcome outcome = elevate(arguments);
+  if (!arguments.json) return print(outcome);
+  const Elevations& found = outcome.elevations;
+  const json result = {{"lamps", outcome.lamps},
+                       {"heights", found.heights.size()},
+                       {"sources", found.sources},
+                       {"outside_model", found.outside_model},
+                       {"inside_buildings", found.inside_buildings},
+                       {"duplicates", found.duplicates},
+                       {"raster_offset", to_json(found.raster_offset)},
+                       {"service_offset", to_json(found.service_offset)},
+                       {"service",
+                        {{"requests", found.service.requests},
+                         {"retries", found.service.retries},
+                         {"from_cache", found.service.from_cache},
+                         {"zeros_refused", found.service.zeros_refused}}},
+                       {"written", outcome.written}};
+  fmt::print("{}\n", result.dump(2));
+}
+
+}  // namespace
+
+void add_elevate_command(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("elevate", "Find the ground's height under a map's lamps and write it there");
+  auto arguments = std::make_shared<Arguments>();
+  command
+      ->add_option("input", arguments->inputs,
+                   "One OSM file and the CityGML it belongs to, or a recipe (TOML)")
+      ->required();
+  command->add_option("-o,--out", arguments->out,
+                      "The map with a tag ele on its lamps (.osm, .osm.pbf, ...)");
+  command->add_option("--dem", arguments->dem,
+                      "Raster of heights (GeoTIFF, ...) for lamps outside the model");
+  command->add_option("--service", arguments->service.url,
+                      "Open-Elevation-compatible service for those still left: http://.../api/v1/lookup");
+  command->add_option("--cache", arguments->service.cache, "File that keeps the service's answers");
+  command->add_option("--batch", arguments->service.batch, "Places a request")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 10000));
+  command->add_option("--attempts", arguments->service.attempts, "Of a request while the service is busy")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 20));
+  command->add_option("--wait-ms", arguments->wait_ms, "Before the second attempt; doubled after each")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 60000));
+  command->add_flag("--json", arguments->json, "Print the report as JSON");
+  command->footer(
+      "The model's terrain and roads win, then its buildings' ground; then the raster, then the service, "
+      "both\n"
+      "moved to the model's heights by one number.\n"
+      "Example: nightbake elevate lamps.osm city.gml --dem dem.tif -o lamps_with_ele.osm");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace nightcity

@@ -1,0 +1,105 @@
+// nightbake lights: what the lights of a city.lights are, and where their values came from.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tools/bake/light_places.h"
+#include "tools/bake/light_tables.h"
+#include "tools/lights/light_census.h"
+#include "tools/nightbake/commands.h"
+
+namespace nightcity {
+namespace {
+
+using nlohmann::json;
+
+struct Arguments {
+  std::string file, scene;
+  bool json = false;
+};
+
+std::string hour_name(std::size_t index) {
+  return fmt::format("{:02}:00", clock_hour(index));
+}
+
+json to_json(const LightFile& file, const LightCensus& census) {
+  json families = json::object();
+  for (const auto& [name, family] : census.families) {
+    json hours = json::object();
+    for (std::size_t hour = 0; hour < night_hours; ++hour) hours[hour_name(hour)] = family.lit[hour];
+    families[name] = {{"count", family.count},     {"flux_lm", family.flux_lm},     {"kinds", family.kinds},
+                      {"sources", family.sources}, {"always_on", family.always_on}, {"lit", hours}};
+  }
+  return {{"lights", file.lights().size()},
+          {"profiles", file.profiles().size()},
+          {"schedules", file.schedules().size()},
+          {"families", families},
+          {"traffic",
+           {{"drives", file.traffic().trips.size()},
+            {"kinds", file.traffic().vehicles.size()},
+            {"lights", file.traffic().vehicle_lights.size()}}},
+          {"faults", census.faults}};
+}
+
+void print(const LightFile& file, const LightCensus& census) {
+  fmt::print("{} lights, {} profiles, {} schedules\n", file.lights().size(), file.profiles().size(),
+             file.schedules().size());
+  for (const auto& [name, family] : census.families) {
+    std::string kinds;
+    for (const auto& [kind, count] : family.kinds)
+      kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, kind);
+    fmt::print("\n{}: {} ({}), {:.1f} klm, {} always on\n", name, family.count, kinds, family.flux_lm / 1000,
+               family.always_on);
+    fmt::print("{:<10}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "from", "tag", "attribute", "rule", "standard",
+               "unknown");
+    for (const auto& [value, sources] : family.sources) {
+      fmt::print("{:<10}", value);
+      for (const char* source : {"tag", "attribute", "rule", "standard", "unknown"}) {
+        const auto found = sources.find(source);
+        fmt::print("{:>10}", found == sources.end() ? 0 : found->second);
+      }
+      fmt::print("\n");
+    }
+    std::string hours = fmt::format("{:<10}", "hour"), shares = fmt::format("{:<10}", "% lit");
+    for (std::size_t hour = 0; hour < night_hours; ++hour) {
+      hours += fmt::format("{:>4}", clock_hour(hour));
+      shares += fmt::format("{:>4.0f}",
+                            100 * static_cast<double>(family.lit[hour]) / static_cast<double>(family.count));
+    }
+    fmt::print("{}\n{}\n", hours, shares);
+  }
+  if (const TrafficContent traffic = file.traffic(); !traffic.trips.empty())
+    fmt::print("\ntraffic: {} drives in {:.0f} s, {} kinds of vehicle\n", traffic.trips.size(),
+               traffic.cycle.cycle_s, traffic.vehicles.size());
+  fmt::print("\nfaults: {}\n", in_words(census.faults));
+}
+
+void run(const Arguments& arguments) {
+  const LightFile file = LightFile::open(arguments.file);
+  PlaceFault place_fault;
+  if (!arguments.scene.empty()) place_fault = place_faults_in(arguments.scene);
+  const LightCensus census = count_lights(file, place_fault);
+  if (arguments.json)
+    fmt::print("{}\n", to_json(file, census).dump(2, ' ', false, json::error_handler_t::replace));
+  else
+    print(file, census);
+}
+
+}  // namespace
+
+void add_lights_command(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("lights", "Sum up a light file: kinds, lumens, hours, sources of values");
+  auto arguments = std::make_shared<Arguments>();
+  command->add_option("file,--report", arguments->file, "The light file (.lights)")->required();
+  command->add_option("--scene", arguments->scene,
+                      "Its city.glb: also count lights below the ground and inside buildings");
+  command->add_flag("--json", arguments->json, "Print JSON");
+  command->footer("Example: nightbake lights --report out/city.lights --scene out/city.glb");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace nightcity
