@@ -1,5 +1,6 @@
 #include "tools/bake/city_stage.h"
 
+#include <array>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <memory>
@@ -16,7 +17,7 @@ namespace {
 constexpr double farthest_m =
     100'000;  // a stray point beyond this would cost every other vertex its precision
 
-// Which surfaces of an object carry a lamp post.
+// What an object's surfaces are to whoever stands on, under or within them.
 std::optional<Footing> footing_of(ObjectType type, SurfaceType surface) {
   switch (type) {
     case ObjectType::relief:
@@ -26,6 +27,7 @@ std::optional<Footing> footing_of(ObjectType type, SurfaceType surface) {
       return Footing::road;
     case ObjectType::building:
       if (surface == SurfaceType::ground) return Footing::ground_surface;
+      if (surface == SurfaceType::roof) return Footing::roof;
       return std::nullopt;
     default:
       return std::nullopt;
@@ -40,9 +42,8 @@ struct Prepared {
   bool flat = false;               // lacks heights: goes onto the terrain later
   TriangleMesh mesh;               // of a flat object
   std::vector<TileStore::Triangle> triangles;
-  std::optional<Footing> footing;
-  std::size_t dropped = 0;  // triangles, on the recipe's request
-  TriangleMesh carries;     // what of it one may stand on
+  std::size_t dropped = 0;            // triangles, on the recipe's request
+  std::array<TriangleMesh, 4> parts;  // of it by Footing
   MeshReport report;
 };
 
@@ -147,7 +148,9 @@ class CityReader {
     last_id_ = object.id;
     if (prepared.flat) return sinks_.drape.add(prepared.mesh, object.type, last_feature_);
     sinks_.tiles.add(prepared.triangles, last_feature_);
-    if (prepared.footing) sinks_.terrain.add(prepared.carries, *prepared.footing);
+    for (std::size_t n = 0; n < prepared.parts.size(); ++n)
+      if (!prepared.parts[n].triangles.empty())
+        sinks_.terrain.add(prepared.parts[n], static_cast<Footing>(n));
   }
 
  private:
@@ -174,12 +177,12 @@ class CityReader {
 
   static void find_footing(ObjectType type, Prepared& out) {
     for (const MeshTriangle& triangle : out.mesh.triangles) {
-      const auto carries = footing_of(type, triangle.surface);
-      if (!carries) continue;
-      out.footing = carries;  // one class an object: it depends on the surface only by whether there is one
-      const auto first = static_cast<std::uint32_t>(out.carries.positions.size());
-      for (const std::uint32_t v : triangle.vertex) out.carries.positions.push_back(out.mesh.positions[v]);
-      out.carries.triangles.push_back({{first, first + 1, first + 2}, triangle.surface, 0});
+      const auto footing = footing_of(type, triangle.surface);
+      if (!footing) continue;
+      TriangleMesh& part = out.parts[static_cast<std::size_t>(*footing)];
+      const auto first = static_cast<std::uint32_t>(part.positions.size());
+      for (const std::uint32_t v : triangle.vertex) part.positions.push_back(out.mesh.positions[v]);
+      part.triangles.push_back({{first, first + 1, first + 2}, triangle.surface, 0});
     }
   }
 

@@ -13,7 +13,7 @@ namespace nightcity {
 HeightAt height_on(const Terrain& terrain) {
   return [&terrain](const glm::dvec2& place) -> std::optional<double> {
     const auto hit = terrain.height_at(place);
-    return hit ? std::optional(hit->height_m) : std::nullopt;
+    return hit && hit->footing != Footing::roof ? std::optional(hit->height_m) : std::nullopt;
   };
 }
 
@@ -81,7 +81,9 @@ CityLamps place_city_lamps(const Recipe& recipe, const OsmData& osm, const CityF
   if (!frames.city().has_lon_lat())
     throw Error("", "[city] crs",
                 "the city names no CRS: lamps cannot be placed without crs or control_points");
-  const auto inside = [&](const glm::dvec2& p) { return terrain.inside_building(p); };
+  const auto inside = [&](const glm::dvec2& p) {
+    return terrain.height_of(Footing::ground_surface, p).has_value();
+  };
   return place_on(recipe, osm, frames.city(), height_on(terrain), inside, luminaires);
 }
 

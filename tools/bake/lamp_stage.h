@@ -15,7 +15,7 @@ struct CityLamps {
   layout::LayoutReport layout;
 };
 
-/// Height of what one may stand on, for the stages that ask by place. Refers to `terrain`.
+/// Height of what one may stand on (no roof), for the stages that ask by place. Refers to `terrain`.
 HeightAt height_on(const Terrain& terrain);
 
 /// The recipe's luminaires, read. Throws Error with file and line.

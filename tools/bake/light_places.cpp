@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "formats/scene_file.h"
-#include "tools/terrain/terrain.h"
 
 namespace nightcity {
 namespace {
@@ -22,6 +21,13 @@ std::optional<Footing> footing_of(const SceneNode& node, std::string_view materi
 }
 
 }  // namespace
+
+bool inside_building(const Terrain& terrain, const glm::dvec3& place) {
+  const auto floor = terrain.height_of(Footing::ground_surface, glm::dvec2(place));
+  if (!floor || place.z <= *floor) return false;
+  const auto roof = terrain.height_of(Footing::roof, glm::dvec2(place));
+  return roof && place.z < *roof - below_m;
+}
 
 PlaceFault place_faults_in(const std::filesystem::path& path) {
   const Scene scene = read_scene(path);
@@ -50,9 +56,7 @@ PlaceFault place_faults_in(const std::filesystem::path& path) {
     if (const auto ground = terrain->height_at(plan);
         ground && ground->footing <= Footing::road && place.z < ground->height_m - below_m)
       return "below the ground";
-    const auto floor = terrain->height_of(Footing::ground_surface, plan);
-    const auto roof = terrain->height_of(Footing::roof, plan);
-    if (floor && roof && place.z > *floor && place.z < *roof - below_m) return "inside a building";
+    if (inside_building(*terrain, place)) return "inside a building";
     return {};
   };
 }

@@ -3,6 +3,7 @@
 #include "formats/light_file_writer.h"
 #include "tools/bake/lamp_models.h"
 #include "tools/bake/lamp_stage.h"
+#include "tools/bake/light_places.h"
 #include "tools/bake/materials.h"
 #include "tools/bake/punctual.h"
 #include "tools/bake/window_models.h"
@@ -27,11 +28,13 @@ void bake_lights(const Recipe& recipe, const OsmData& osm, const CityFrames& fra
   add_lamp_models(writer, lamps.lamps, georeference, static_cast<std::uint32_t>(BakeMaterial::lamp_post));
   if (windows) {
     WindowModels models(lights_path, recipe.city.tile_m);
-    report.windows = std::move(*windows).finish(height_on(terrain), [&](const LitRectangle& window) {
+    const auto inside = [&](const glm::dvec3& place) { return inside_building(terrain, place); };
+    const auto place = [&](const LitRectangle& window) {
       const Light light = to_light(window, georeference, schedules);
       models.add(window, lights.add(light, window.provenance));
       if (window.hours.lit_at(recipe.night.minute)) brightest.add(light);
-    });
+    };
+    report.windows = std::move(*windows).finish(height_on(terrain), place, inside);
     models.write(writer, georeference);
   }
   for (const Light& light : std::move(brightest).take())

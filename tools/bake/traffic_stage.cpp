@@ -29,7 +29,9 @@ traffic::TrafficSet make_city_traffic(const Recipe& recipe, const OsmData& osm, 
     throw Error("", "[city] crs",
                 "the city names no CRS: streets cannot be placed without crs or control_points");
   const auto to_frame = [&](const glm::dvec2& lon_lat) { return frames.city().from_lon_lat(lon_lat); };
-  const auto inside = [&](const glm::dvec2& p) { return terrain.inside_building(p); };
+  const auto inside = [&](const glm::dvec2& p) {
+    return terrain.height_of(Footing::ground_surface, p).has_value();
+  };
   return traffic::make_traffic(
       osm.highways, to_frame, road_height_on(terrain), inside, recipe.traffic.options, georeference,
       [&](const char* step, double share) {

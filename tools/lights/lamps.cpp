@@ -208,7 +208,8 @@ class Placer {
       lamp.flux_lm *= 2.0 / static_cast<double>(aims.size());  // clusters share two lamps' light
     for (std::size_t n = 0; n < aims.size(); ++n) {
       lamp.aim = aims[n];
-      lamp.outreach = lamp.aim * outreach_of(tags, defaults, type, road, aims.size());
+      lamp.outreach =
+          clear_of_walls(glm::dvec2(foot), lamp.aim * outreach_of(tags, defaults, type, road, aims.size()));
       lamp.id = unused_id(node.id, static_cast<int>(n));
       set_.lamps.push_back(lamp);
       count_sources(lamp.provenance, tags, road);
@@ -244,6 +245,17 @@ class Placer {
     if (type && type->lantern && tags.mount != LampMount::wall) outreach = 0;
     if (luminaires > 1) return std::max(outreach, 0.4);  // their lamps may not lie in each other
     return road ? std::min(outreach, road->distance_m) : outreach;
+  }
+
+  /// The outreach, shortened where it would bring the luminaire into a building that its post stands outside.
+  glm::dvec2 clear_of_walls(const glm::dvec2& foot, const glm::dvec2& outreach) {
+    if (!inside_ || !inside_(foot + outreach) || inside_(foot)) return outreach;
+    constexpr int steps = 8;
+    ++set_.notes["luminaire drawn back from a building"];
+    for (int n = steps - 1; n > 0; --n)
+      if (const glm::dvec2 shorter = outreach * (static_cast<double>(n) / steps); !inside_(foot + shorter))
+        return shorter;
+    return glm::dvec2(0);
   }
 
   /// One direction a luminaire: as tagged; else towards the road; several spread evenly round the post.

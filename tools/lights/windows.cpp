@@ -131,7 +131,8 @@ const char* WindowLayout::fault(const Record& record, const HeightAt& ground) co
 }
 
 WindowReport WindowLayout::finish(const HeightAt& ground,
-                                  const std::function<void(const LitRectangle&)>& sink) && {
+                                  const std::function<void(const LitRectangle&)>& sink,
+                                  const std::function<bool(const glm::dvec3&)>& inside) && {
   std::vector<Record> block(4096);
   const std::uint64_t total = pending_.size() / sizeof(Record);
   for (std::uint64_t first = 0; first < total; first += block.size()) {
@@ -140,6 +141,10 @@ WindowReport WindowLayout::finish(const HeightAt& ground,
     for (const Record& record : block) {
       if (const char* reason = fault(record, ground)) {
         ++report_.dropped[reason];
+        continue;
+      }
+      if (inside && inside(record.window.centre)) {
+        ++report_.dropped["inside another building"];
         continue;
       }
       const bool modelled = record.window.provenance.position == ValueSource::attribute;

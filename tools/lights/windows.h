@@ -65,8 +65,9 @@ class WindowLayout {
   /// anything else may stand in their way.
   void add(const CityObject& object);
   /// Hands every window that stays to `sink`, in the order of the buildings. `ground` may be empty: then
-  /// nothing is known to be below it.
-  WindowReport finish(const HeightAt& ground, const std::function<void(const LitRectangle&)>& sink) &&;
+  /// nothing is known to be below it. `inside`, where given, tells places (E, N, H) inside buildings.
+  WindowReport finish(const HeightAt& ground, const std::function<void(const LitRectangle&)>& sink,
+                      const std::function<bool(const glm::dvec3&)>& inside = {}) &&;
 
  private:
   struct Record;

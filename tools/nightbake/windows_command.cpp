@@ -11,6 +11,7 @@
 #include "formats/light_file_writer.h"
 #include "tools/bake/city_ground.h"
 #include "tools/bake/lamp_stage.h"
+#include "tools/bake/light_places.h"
 #include "tools/nightbake/commands.h"
 #include "tools/nightbake/progress_line.h"
 
@@ -40,9 +41,11 @@ WindowReport lay(const Arguments& arguments, std::size_t& schedule_count) {
   ProgressLine progress;
   read_ground(recipe, frames, terrain, windows, progress.sink());
   ScheduleTable schedules;
-  const WindowReport report = std::move(*windows).finish(height_on(terrain), [&](const LitRectangle& window) {
+  const auto place = [&](const LitRectangle& window) {
     lights.add(to_light(window, georeference, schedules), window.provenance);
-  });
+  };
+  const auto inside = [&](const glm::dvec3& p) { return inside_building(terrain, p); };
+  const WindowReport report = std::move(*windows).finish(height_on(terrain), place, inside);
   LightFileContent rest;
   rest.georeference = georeference;
   rest.schedules = schedules.schedules();

@@ -235,6 +235,18 @@ TEST(Lamps, MeasuredLuminaireServesTheTypesOfLampItIsChosenFor) {
   EXPECT_EQ(set.lamps[0].flux_lm, road_defaults("primary")->flux_lm);  // flux = false
 }
 
+TEST(Lamps, LuminaireDoesNotReachIntoABuilding) {
+  OsmData osm;
+  osm.lamps = {lamp_at(0, 0, {{"direction", "180"}, {"lamp_mount", "bent_mast"}})};
+  const InsideBuilding house = [](const glm::dvec2& p) { return p.y < -0.8; };  // nearer than the arm is long
+  const LampSet set = place_lamps(osm, flat_earth(), ground, house);
+  ASSERT_EQ(set.lamps.size(), 1u);
+  const glm::dvec2 centre = glm::dvec2(set.lamps[0].foot) + set.lamps[0].outreach;
+  EXPECT_GT(centre.y, -0.8);
+  EXPECT_LT(centre.y, -0.3);
+  EXPECT_EQ(set.notes.at("luminaire drawn back from a building"), 1u);
+}
+
 TEST(LampHours, TagsTellHoursAndOtherLampsAreAlwaysOn) {
   const LampSet set =
       place({lamp_at(0, 5, {{"lit", "sunset-23:00"}}), lamp_at(30, 5, {{"lit", "limited"}}, 2),

@@ -456,6 +456,19 @@ TEST(Windows, NoneLiesInsideABuildingThatOverlapsItsOwn) {
   EXPECT_GT(set.windows.size(), 40u);
 }
 
+TEST(Windows, WhoeverKnowsWhatLiesInsideIsAsked) {
+  const test::TempFolder folder;
+  WindowLayout layout({}, folder / "scratch");
+  layout.add(box(0, 0, 30, 20, 12, "flats"));
+  std::size_t east_half = 0;
+  const WindowReport report = std::move(layout).finish(
+      {}, [&](const LitRectangle& w) { east_half += w.centre.x > east + 15; },
+      [](const glm::dvec3& p) { return p.x > east + 15; });
+  EXPECT_EQ(east_half, 0u);
+  EXPECT_GT(report.placed, 10u);
+  EXPECT_GT(report.dropped.at("inside another building"), 10u);
+}
+
 TEST(Windows, BuildingsWithoutIdsDifferByTheirPlace) {
   const WindowSet set = windows_of({box(0, 0, 14, 10, 9.8, ""), box(100, 0, 114, 10, 9.8, "")});
   std::set<std::uint32_t> ids;
