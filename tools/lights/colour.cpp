@@ -23,9 +23,8 @@ glm::vec3 rec709_from_xy(const glm::dvec2& xy) {
   glm::dvec3 rgb(3.2409699419 * x - 1.5373831776 - 0.4986107603 * z,
                  -0.9692436363 * x + 1.8759675015 + 0.0415550574 * z,
                  0.0556300797 * x - 0.2039769589 + 1.0569715142 * z);
-  const double lowest = std::min({rgb.r, rgb.g, rgb.b});
-  if (lowest < 0) rgb = glm::max(rgb + (glm::dvec3(1) - rgb) * (-lowest / (1 - lowest)), glm::dvec3(0));
-  return glm::vec3(rgb);
+  rgb = glm::max(rgb, glm::dvec3(0));
+  return glm::vec3(rgb / (0.2126 * rgb.r + 0.7152 * rgb.g + 0.0722 * rgb.b));
 }
 
 std::optional<glm::vec3> rec709_from_hex(std::string_view text) {

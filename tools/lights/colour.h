@@ -13,8 +13,9 @@ namespace nightcity {
 /// to that range.
 glm::dvec2 planckian_xy(double kelvin);
 
-/// Linear Rec. 709 of luminance 1 for a chromaticity. Colours outside the gamut (sodium, candle light) are
-/// mixed with white just until no channel is negative: hue and luminance stay, saturation is lost.
+/// Linear Rec. 709 of luminance 1 for a chromaticity. Colours outside the gamut (sodium, signal red) lose
+/// their negative channels. Mixed with white instead, a signal red would have blue, and shine magenta where
+/// exposed beyond white.
 glm::vec3 rec709_from_xy(const glm::dvec2& xy);
 
 /// "#rrggbb" (sRGB) as linear Rec. 709 of luminance 1; nothing for another text or black.
