@@ -154,14 +154,19 @@ bool closest_hit(vec3 origin, vec3 direction, out Hit hit) {
   return trace(origin, direction, 0.0, 1e30, MASK_VISIBLE, false, hit);
 }
 
+// The barycentric t of a triangle is off by about a millionth of the triangle's size: a ray that starts on ground of kilometres
+// may find it before itself. What is nearer than this casts no shadow.
+const float NEAREST_M = 0.005;
+
 // Is anything that casts shadows between two points? The margin spares what the light itself is mounted on.
 bool occluded(vec3 from, vec3 to) {
   Hit hit;
-  return trace(from, to - from, 0.0, 0.99999, MASK_SHADOW, true, hit);
+  const vec3 way = to - from;
+  return trace(from, way, NEAREST_M / max(length(way), 2.0 * NEAREST_M), 0.99999, MASK_SHADOW, true, hit);
 }
 
 // Does a ray reach the sky?
 bool escapes(vec3 from, vec3 direction) {
   Hit hit;
-  return !trace(from, direction, 0.0, 1e30, MASK_SHADOW, true, hit);
+  return !trace(from, direction, NEAREST_M, 1e30, MASK_SHADOW, true, hit);
 }

@@ -19,9 +19,11 @@ vec3 cosine_direction(vec3 n, vec2 u) {
 
 void count_at(vec3 place, float lumen) {
   const vec2 at = floor((place.xz - vec2(FRAME.upward.origin_x, FRAME.upward.origin_z)) / FRAME.upward.cell_m);
-  if (any(lessThan(at, vec2(0.0))) || at.x >= float(FRAME.upward.width) || at.y >= float(FRAME.upward.depth)) return;
+  const vec2 last = vec2(FRAME.upward.width, FRAME.upward.depth) - 1.0;
+  const uvec2 cell = uvec2(clamp(at, vec2(0.0), last));
+  if (at != vec2(cell)) return;  // beside the map
   // Rounded up or down by chance, so that the sum is right whatever the rays carry.
-  atomicAdd(FRAME.upward.cells.at[uint(at.y) * FRAME.upward.width + uint(at.x)], uint(lumen * 1024.0 + random_float()));
+  atomicAdd(FRAME.upward.cells.at[cell.y * FRAME.upward.width + cell.x], uint(lumen * 1024.0 + random_float()));
 }
 
 void main() {
@@ -50,24 +52,25 @@ void main() {
       share = 4.0 * PI * intensity_per_lumen(light, direction);
       if (!(share > 0.0)) continue;
     }
-    const float lumen = light.flux_lm * share / float(FRAME.upward.rays);
-    Hit hit;
-    if (!trace(origin, direction, 0.0, 1e30, MASK_SHADOW, false, hit)) {
-      if (direction.y > 0.0) {
-        sum.direct += share;
-        count_at(origin, lumen);
-      } else {
-        sum.sideways += share;
+    // Straight, then off what it met: one call, so that the traversal is in the shader once.
+    float albedo = 1.0;
+    for (uint bounce = 0u; bounce < 2u; ++bounce) {
+      Hit hit;
+      if (!trace(origin, direction, bounce == 0u ? 0.0 : NEAREST_M, 1e30, MASK_SHADOW, false, hit)) {
+        if (direction.y > 0.0) {
+          if (bounce == 0u) sum.direct += share; else sum.reflected += share * albedo;
+          count_at(origin, light.flux_lm * share * albedo / float(FRAME.upward.rays));
+        } else if (bounce == 0u) {
+          sum.sideways += share;
+        }
+        break;
       }
-      continue;
+      const vec3 normal = facing_normal(hit, direction);
+      albedo = luminance(SCENE.materials.at[material_of(hit)].base_colour * light_colour(light.colour_rgb9e5));
+      const float t = plane_t(hit, origin, direction);
+      origin = offset_origin(origin + direction * t, normal, t);
+      direction = cosine_direction(normal, vec2(random_float(), random_float()));
     }
-    const vec3 normal = facing_normal(hit, direction);
-    const vec3 place = offset_origin(origin + direction * hit.t, normal, hit.t);
-    const vec3 on = cosine_direction(normal, vec2(random_float(), random_float()));
-    if (on.y <= 0.0 || !escapes(place, on)) continue;
-    const float albedo = luminance(SCENE.materials.at[material_of(hit)].base_colour * light_colour(light.colour_rgb9e5));
-    sum.reflected += share * albedo;
-    count_at(place, lumen * albedo);
   }
   Escape total = FRAME.upward.escapes.at[index];
   total.direct += sum.direct;

@@ -13,7 +13,7 @@ HeightAt road_height_on(const Terrain& terrain) {
   constexpr double on_it_m = 0.6;  // higher up it is a bridge
   return [&terrain](const glm::dvec2& place) -> std::optional<double> {
     const auto ground = terrain.height_at(place);
-    if (!ground) return std::nullopt;
+    if (!ground || ground->footing == Footing::roof) return std::nullopt;
     const auto road = terrain.height_of(Footing::road, place);
     return road && *road > ground->height_m && *road < ground->height_m + on_it_m ? *road : ground->height_m;
   };

@@ -123,14 +123,6 @@ void expect_equal(const RenderScene& scene, const oracle::Oracle& oracle, const 
   EXPECT_LE(test.rejected, test.pixels / 50);
 }
 
-TEST(Reference, EqualsTheOracleInATown) {
-  const SceneBuilder town = random_town(120, 50, 11);
-  std::vector<Light> lights = under_open_sky(town, random_lamps(200, 50, 5));
-  shrink(lights);
-  const oracle::Oracle oracle(town.scene(), {lights, {}, {}});
-  expect_equal(town.with(lights), oracle, {{-45, 25, 50}, {0, 2, 0}, {0, 1, 0}, 50}, 32);
-}
-
 // A wrong light must not pass: the same scene with one lamp of three dimmed by a fifth.
 TEST(Reference, ADimmedLampIsNoticedByTheOracle) {
   const SceneBuilder builder = boxes_on_a_plane();
@@ -150,11 +142,6 @@ void expect_equal_in(const TempFolder& berlin, const char* view, std::uint32_t s
   oracle::Lights lights = oracle::read_lights(berlin / "city.lights", reference().time_s);
   shrink(lights.lights);
   expect_equal(scene, oracle::Oracle(read_scene(berlin / "city.glb"), std::move(lights)), pose, side);
-}
-
-TEST(Reference, EqualsTheOracleAmongTheLampsOfBerlin) {
-  BAKED_BERLIN(berlin, false);
-  expect_equal_in(berlin, "street", 32);
 }
 
 // Four thousand lit windows too: few pixels.
