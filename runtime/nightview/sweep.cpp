@@ -14,7 +14,9 @@ namespace {
 // A knob that an estimator does not have stands at one value, so that equal settings are measured once.
 KnobValues canonical(KnobValues values) {
   const std::string& estimator = values["estimator"];
-  const auto unused = [&](const char* knob) { values[knob] = std::string(1, '-'); };  // "-": a warning of g++ 12
+  const auto unused = [&](const char* knob) {
+    values[knob] = std::string(1, '-');
+  };  // "-": a warning of g++ 12
   if (estimator == "paper")
     unused("local-share"), unused("uniform-share"), unused("fleet-share"), unused("visibility-reuse");
   if (estimator == "ris")

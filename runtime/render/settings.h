@@ -58,7 +58,7 @@ struct RenderSettings {
   glm::vec3 sky_cd_m2{0};  // luminance of rays that leave the scene; with a sky map, a factor for it
   glm::vec3 moon_direction{0, 1, 0};  // towards it, unit
   glm::vec3 moon_lux{0};              // on a surface that faces it; 0 = no moon
-  float ev100 = 2;         // of the displayed picture
+  float ev100 = 2;                    // of the displayed picture
   std::uint32_t tone = TONEMAP_FILMIC;
 };
 

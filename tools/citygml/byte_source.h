@@ -21,8 +21,8 @@ class ByteSource {
 struct Document {
   std::string name;  // the file's path, with the entry's name behind it in an archive
   std::function<std::unique_ptr<ByteSource>()> open;
-  /// The last bytes, up to so many. Of a compressed document this costs unpacking all of it once: a quarter of
-  /// the time of reading it.
+  /// The last bytes, up to so many. Of a compressed document this costs unpacking all of it once: a quarter
+  /// of the time of reading it.
   std::function<std::string(std::size_t)> tail;
 };
 
