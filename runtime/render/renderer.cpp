@@ -125,8 +125,11 @@ void Renderer::record_end(VkCommandBuffer commands, const RenderSettings& settin
 }
 
 void Renderer::record_reference(VkCommandBuffer commands, std::uint32_t first, std::uint32_t end) {
-  for (std::uint32_t at = first; at < end; at += REFERENCE_CHUNK)
+  std::uint32_t at = first;
+  do {  // a chunk of no lights still writes what surfaces emit
     run_pass(commands, passes_->reference, "reference", at, std::min(REFERENCE_CHUNK, end - at));
+    at += REFERENCE_CHUNK;
+  } while (at < end);
 }
 
 void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settings) {
@@ -225,13 +228,15 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
       record_fleet(commands);
       run_pass(commands, passes_->primary, "primary");
     });
-    // At least one chunk, even without lights: it also writes what surfaces emit.
-    const std::uint32_t lights = std::max(1u, scene_.buffers().light_count);
+    const std::uint32_t lights = scene_.buffers().light_count;
     constexpr std::uint32_t batch = REFERENCE_CHUNK * chunks_a_submission;
-    for (std::uint32_t first = 0; first < lights; first += batch)
+    std::uint32_t first = 0;
+    do {
       submit([&](VkCommandBuffer commands) {
         record_reference(commands, first, std::min(first + batch, lights));
       });
+      first += batch;
+    } while (first < lights);
     submit([&](VkCommandBuffer commands) { record_end(commands, settings); });
   } else {
     submit([&](VkCommandBuffer commands) {

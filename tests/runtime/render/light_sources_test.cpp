@@ -110,7 +110,7 @@ TEST(Moon, LightsAsItsIlluminanceSaysAndCastsShadows) {
                 0.005 * expected);
     // A wall to the south of the place, as high as it is far, and some more.
     const RenderScene walled = SceneBuilder().ground(30).box({-9, 0, 4}, {9, 9, 5}).with({});
-    EXPECT_LT(at_centre(render(walled, down, settings, 9, 9, 1)), 1e-9 * expected);
+    EXPECT_EQ(at_centre(render(walled, down, settings, 9, 9, 1)), 0);
   }
 }
 
