@@ -25,6 +25,14 @@ void make_frame(vec3 n, out vec3 t, out vec3 b) {
   b = vec3(c, s + n.y * n.y * a, -n.y);
 }
 
+// A unit direction about n from u in [0, 1)^2, its density proportional to the cosine with n.
+vec3 cosine_direction(vec3 n, vec2 u) {
+  vec3 t, b;
+  make_frame(n, t, b);
+  const float radius = sqrt(u.x), phi = 2.0 * PI * u.y;
+  return t * (radius * cos(phi)) + b * (radius * sin(phi)) + n * sqrt(max(1.0 - u.x, 0.0));
+}
+
 // A point on the normal's side of its surface. The error of origin + t * direction grows with the coordinates and
 // with t, so the step does too: 32 units in the last place, 4 mm at 1 km, where a constant would fail.
 vec3 offset_origin(vec3 p, vec3 n, float t) {

@@ -97,10 +97,7 @@ vec3 reflected_moon(Receiver r, vec2 u) {
 // One cosine-weighted sample of the sky: reflectance * sky where the ray leaves the scene, cd/m^2 per channel. The film of
 // a wet street is left out: a dark sky adds nothing to see in it.
 vec3 reflected_sky(Receiver r, vec2 u) {
-  vec3 t, b;
-  make_frame(r.normal, t, b);
-  const float radius = sqrt(u.x), phi = 2.0 * PI * u.y;
-  const vec3 direction = t * (radius * cos(phi)) + b * (radius * sin(phi)) + r.normal * sqrt(max(1.0 - u.x, 0.0));
+  const vec3 direction = cosine_direction(r.normal, u);
   const vec3 sky = sky_luminance(direction);
   return luminance(sky) > 0.0 && escapes(r.origin, direction) ? r.reflectance * PI * sky : vec3(0.0);
 }

@@ -10,13 +10,6 @@
 #include "shaders/hit.glsl"
 #include "shaders/lights.glsl"
 
-vec3 cosine_direction(vec3 n, vec2 u) {
-  vec3 t, b;
-  make_frame(n, t, b);
-  const float radius = sqrt(u.x), phi = 2.0 * PI * u.y;
-  return normalize(t * (radius * cos(phi)) + b * (radius * sin(phi)) + n * sqrt(max(1.0 - u.x, 0.0)));
-}
-
 void count_at(vec3 place, float lumen) {
   const vec2 at = floor((place.xz - vec2(FRAME.upward.origin_x, FRAME.upward.origin_z)) / FRAME.upward.cell_m);
   const vec2 last = vec2(FRAME.upward.width, FRAME.upward.depth) - 1.0;
@@ -65,11 +58,10 @@ void main() {
         }
         break;
       }
-      const vec3 normal = facing_normal(hit, direction);
-      albedo = luminance(SCENE.materials.at[material_of(hit)].base_colour * light_colour(light.colour_rgb9e5));
-      const float t = plane_t(hit, origin, direction);
-      origin = offset_origin(origin + direction * t, normal, t);
-      direction = cosine_direction(normal, vec2(random_float(), random_float()));
+      const Met met = met_by(hit, SCENE.instances.at[hit.instance], direction);
+      albedo = luminance(SCENE.materials.at[met.material].base_colour * light_colour(light.colour_rgb9e5));
+      origin = offset_origin(origin + direction * hit.t, met.normal, hit.t);
+      direction = cosine_direction(met.normal, vec2(random_float(), random_float()));
     }
   }
   Escape total = FRAME.upward.escapes.at[index];
