@@ -3,8 +3,9 @@
 
 #include <filesystem>
 #include <glm/vec2.hpp>
-#include <memory>
 #include <optional>
+
+#include "tools/terrain/elevation_model.h"
 
 namespace nightcity {
 
@@ -12,17 +13,13 @@ class DemRaster {
  public:
   /// The first band, metres. Throws Error: missing, no raster, no CRS or no place on the Earth.
   explicit DemRaster(const std::filesystem::path& file);
-  ~DemRaster();
-  DemRaster(DemRaster&&) noexcept;
-  DemRaster& operator=(DemRaster&&) noexcept;
 
-  /// Bilinear between the middles of cells; nothing outside the raster, beside a cell without data and where
-  /// the cell cannot be read. WGS 84 degrees.
+  /// Bilinear between the middles of cells; nothing outside the raster and beside a cell without data. WGS 84
+  /// degrees. Throws Error where the raster cannot be read.
   std::optional<double> height_at(const glm::dvec2& lon_lat) const;
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  ElevationModel model_;
 };
 
 }  // namespace nightcity

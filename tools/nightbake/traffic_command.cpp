@@ -2,16 +2,13 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "formats/error.h"
-#include "tools/bake/city_stage.h"
-#include "tools/bake/ground_stage.h"
+#include "tools/bake/city_ground.h"
 #include "tools/bake/traffic_stage.h"
 #include "tools/bake/traffic_tables.h"
 #include "tools/nightbake/commands.h"
@@ -20,38 +17,10 @@
 namespace nightcity {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct Arguments {
   std::string recipe, out, lights;
   bool json = false;
 };
-
-/// The ground and the buildings as a bake has them; the scene it would write goes nowhere.
-void read_ground(const Recipe& recipe, const CityFrames& frames, Terrain& terrain,
-                 const ProgressSink& progress) {
-  const fs::path nowhere = fs::temp_directory_path() / "nightbake-traffic";
-  SceneWriter writer(nowhere, {});
-  TileStore tiles(nowhere, recipe.city.tile_m, std::round(frames.reference().z));
-  DrapeStore drape(nowhere);
-  std::optional<WindowLayout> no_windows;
-  BakeReport unused;
-  read_city(recipe, frames, {writer, tiles, drape, terrain, no_windows}, unused, progress);
-  lay_ground(recipe, frames, terrain, tiles);
-}
-
-/// Where traffic alone stands: origin at the recipe's, else in the city.
-Georeference own_georeference(const Recipe& recipe, const CityFrames& frames) {
-  const glm::dvec3 middle = glm::round(frames.reference());
-  Georeference result;
-  result.crs = frames.city().crs();
-  result.origin = {recipe.origin.easting.value_or(middle.x), recipe.origin.northing.value_or(middle.y),
-                   recipe.origin.height.value_or(middle.z)};
-  for (const auto& file : recipe.osm.files) result.sources.push_back(file.filename().string());
-  result.licences = recipe.city.licences;
-  result.licences.push_back(recipe.osm.licence);
-  return result;
-}
 
 void run(const Arguments& arguments) {
   Recipe recipe = read_recipe(arguments.recipe);
@@ -63,7 +32,7 @@ void run(const Arguments& arguments) {
   std::optional<LightFile> lights;
   LightFileContent content;
   if (arguments.lights.empty()) {
-    content.georeference = own_georeference(recipe, frames);
+    content.georeference = georeference_of(recipe, frames);
   } else {
     lights = LightFile::open(arguments.lights);
     content = content_of(*lights);
@@ -75,7 +44,8 @@ void run(const Arguments& arguments) {
   {
     ProgressLine progress;
     Terrain terrain;
-    read_ground(recipe, frames, terrain, progress.sink());
+    std::optional<WindowLayout> no_windows;
+    read_ground(recipe, frames, terrain, no_windows, progress.sink());
     traffic = make_city_traffic(recipe, osm, frames, terrain, content.georeference, progress.sink());
   }
   write_with_traffic(arguments.out, content, traffic);

@@ -130,7 +130,9 @@ void ElevationModel::State::sample_pixels(std::span<const glm::dvec2> pixels,
   const auto value = [&](double x, double y) {
     const double v = window[static_cast<std::size_t>(y - low.y) * static_cast<std::size_t>(columns) +
                             static_cast<std::size_t>(x - low.x)];
-    return v == no_data || !std::isfinite(v) ? nothing : v * scale + offset;
+    const double metres = v * scale + offset;
+    // Beyond any height on the Earth: a fill value that the raster does not declare.
+    return v == no_data || !(metres > -12'000 && metres < 9'000) ? nothing : metres;
   };
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     if (outside(pixels[i])) continue;
