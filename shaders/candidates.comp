@@ -25,7 +25,8 @@ void main() {
 
   Selection selection = EMPTY_SELECTION;
   for (uint i = 0u; i < FRAME.candidates; ++i) {
-    const Pick pick = pick_light(picker, surface.position);
+    const float technique = min((float(i) + random_float()) / float(FRAME.candidates), BELOW_ONE);
+    const Pick pick = pick_light(picker, surface.position, technique);
     const uint uv = random_uint();
     if (!(pick.pdf > 0.0)) continue;
     const float p = target_of(receiver, pick.sampled, uv);

@@ -1,6 +1,10 @@
 // Picking lights: standing ones by a mixture of uniform, flux-proportional and local picks; vehicles' lights by going down
 // the fleet's tree (after Conty Estevez, Kulla: Importance Sampling of Many Lights, 2018). The two sets are disjoint, so a
 // pick's density is that of its own set's technique.
+//
+// Which technique makes a pick is stratified over a pixel's candidates: candidate i of n gets a number in
+// [i / n, (i + 1) / n). Their mean density is the mixture's, so weights by the mixture stay exact (the balance heuristic;
+// Veach 1997), and lanes that run in lockstep mostly take the same branch.
 
 struct Picker {
   LightCell cell;
@@ -43,9 +47,8 @@ float local_pdf(Picker p, Light light) {
   return strength >= p.cell.threshold && strength > 0.0 ? strength / p.cell.strength_sum : 0.0;
 }
 
-Pick pick_standing(Picker p) {
+Pick pick_standing(Picker p, float technique) {
   Pick pick;
-  const float technique = random_float();
   if (technique < p.local_share) {
     const LocalEntry entry = SCENE.local_entries.at[p.cell.first + random_below(p.cell.count)];
     pick.light = random_float() < entry.keep ? entry.light : entry.alias_light;
@@ -114,14 +117,14 @@ Pick pick_fleet(vec3 position) {
   return pick;
 }
 
-Pick pick_light(Picker p, vec3 position) {
-  const bool from_fleet = p.fleet_share > 0.0 && (p.fleet_share >= 1.0 || random_float() < p.fleet_share);
+// `technique` in [0, 1): stratified, as said above.
+Pick pick_light(Picker p, vec3 position, float technique) {
   Pick pick;
-  if (from_fleet) {
+  if (technique < p.fleet_share) {
     pick = pick_fleet(position);
     pick.pdf *= p.fleet_share;
   } else {
-    pick = pick_standing(p);
+    pick = pick_standing(p, (technique - p.fleet_share) / (1.0 - p.fleet_share));
     pick.pdf *= 1.0 - p.fleet_share;
   }
   return pick;

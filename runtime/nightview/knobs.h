@@ -11,7 +11,7 @@ namespace nightcity {
 struct Knob {
   const char* name;  // of the option and of the CSV's column
   const char* help;
-  const char* defaults;                                                              // comma-separated
+  std::string defaults;                                                              // comma-separated
   void (*set)(RenderSettings& settings, const Knob& knob, const std::string& word);  // throws UsageError
 };
 

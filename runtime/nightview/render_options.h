@@ -18,7 +18,7 @@ struct RenderOptions {
   std::string device;
   std::string camera = "overview";
   std::string size = "1280x720";
-  std::string estimator = "pairwise";
+  std::string estimator = name_of(RenderSettings{}.estimator);
   std::string time = "20:00";
   std::string sky_map, moon;
   bool validation = false;

@@ -36,11 +36,11 @@ constexpr std::uint32_t max_candidates = 1024;
 constexpr std::uint32_t max_neighbours = 32;  // spatial.comp's array
 
 struct RenderSettings {
-  Estimator estimator = Estimator::pairwise;
-  std::uint32_t candidates = 32;  // a pixel and frame, 1 .. max_candidates
-  std::uint32_t neighbours = 5;   // spatial reuse, 0 .. max_neighbours
-  float neighbour_radius_px = 30;
-  float history_cap = 8;     // M of the history, in multiples of a frame's candidates; 0 = no temporal reuse
+  Estimator estimator = Estimator::traced;  // chosen by measurement: docs/accuracy.md
+  std::uint32_t candidates = 32;            // a pixel and frame, 1 .. max_candidates
+  std::uint32_t neighbours = 5;             // spatial reuse, 0 .. max_neighbours
+  float neighbour_radius_px = 10;
+  float history_cap = 20;    // M of the history, in multiples of a frame's candidates; 0 = no temporal reuse
   float local_share = 0.7f;  // of candidates picked from the lights that are strong near the place
   float uniform_share = 0.1f;  // of candidates picked uniformly over lights, the rest by flux
   float fleet_share = 0.3f;    // of all candidates picked from vehicles' lights, where any shine

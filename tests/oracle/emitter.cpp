@@ -117,6 +117,7 @@ glm::dvec3 seen_luminance(const Lights& lights, const Light& light, const glm::d
     const bool front = glm::dot(glm::dvec3(light.axis), to) > 0;
     return colour_of(light.colour_rgb9e5) * (front ? double(light.flux_lm) / (pi * area) : 0.0);
   }
+  if (radius == 0) return glm::dvec3(0);  // a point has no surface to be seen
   return colour_of(light.colour_rgb9e5) * (intensity(lights, light, to) / (pi * radius * radius));
 }
 

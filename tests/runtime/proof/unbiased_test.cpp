@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "support/berlin.h"
 #include "support/independent_runs.h"
 #include "support/scenes.h"
 
@@ -88,8 +89,11 @@ Place town() {
 TEST(Unbiased, TheDefaultOnAnAnalyticScene) {
   expect_unbiased(analytic(), RenderSettings{}.estimator);
 }
-TEST(Unbiased, TracedOnAnAnalyticScene) {
-  expect_unbiased(analytic(), Estimator::traced);
+TEST(Unbiased, RisOnAnAnalyticScene) {
+  expect_unbiased(analytic(), Estimator::ris);
+}
+TEST(Unbiased, PairwiseOnAnAnalyticScene) {
+  expect_unbiased(analytic(), Estimator::pairwise);
 }
 TEST(Unbiased, BasicOnAnAnalyticScene) {
   expect_unbiased(analytic(), Estimator::basic);
@@ -103,6 +107,14 @@ TEST(Unbiased, TheDefaultInATown) {
 }
 TEST(Unbiased, ThePapersWeightsAreNotInATown) {
   expect_biased(town(), Estimator::paper);
+}
+
+TEST(Unbiased, TheDefaultInBerlinAndThePapersWeightsNot) {
+  BAKED_BERLIN(berlin, false);
+  Place place{load_render_scene(berlin / "city.glb"), {}, 24};
+  place.pose = find_camera("overview", place.scene);
+  expect_unbiased(place, RenderSettings{}.estimator, 64);
+  expect_biased(place, Estimator::paper);
 }
 
 }  // namespace

@@ -161,6 +161,9 @@ TEST(Fleet, HistoryOfMovingLightsBringsNoBias) {
   Renderer moving(device, test::test_passes(), device_scene, 20, 20);
   RenderSettings settings = reference_at(0);
   settings.estimator = Estimator::pairwise;
+  // Neighbours far away and a short history: frames that share few samples, so that few frames tell.
+  settings.neighbour_radius_px = 30;
+  settings.history_cap = 4;
   double estimated = 0, truth = 0;
   std::vector<double> times;
   for (int i = 0; i < 48; ++i) {
@@ -176,7 +179,7 @@ TEST(Fleet, HistoryOfMovingLightsBringsNoBias) {
     still.render_frame(pose, reference_at(time));
     truth += test::mean_luminance(still.download(false));
   }
-  EXPECT_NEAR(estimated / truth, 1, 0.01);
+  EXPECT_NEAR(estimated / truth, 1, 0.02);
 }
 
 TEST(Fleet, APictureDependsOnTheTimeOnlyNotOnTheFramesBefore) {
