@@ -22,7 +22,7 @@ if ! stands "$out/city.glb" "$nightbake" "$this" "$out"/town/*; then
   timed "bake" "$nightbake" run "$out/town/town.toml" --out "$out"
 fi
 if ! stands "$out/night.png" "$nightview" "$this" "$out/city.glb" "$out/city.lights"; then
-  timed "picture" "$nightview" render "$out/city.glb" -o "$out/night.png" --size 960x540 --frames 8 --denoise --camera overview --sky 0.01
+  timed "picture" "$nightview" render "$out/city.glb" -o "$out/night.png" --size 960x540 --frames 4 --candidates 16 --denoise --camera overview --sky 0.01
 fi
 
 say "done: $out/night.png"

@@ -18,5 +18,6 @@ void add_devices_command(CLI::App& app);
 void add_sweep_command(CLI::App& app);
 void add_flight_command(CLI::App& app);
 void add_strategies_command(CLI::App& app);
+void add_fleet_command(CLI::App& app);
 
 }  // namespace nightcity

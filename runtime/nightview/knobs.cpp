@@ -4,6 +4,8 @@
 
 #include <charconv>
 
+#include <charconv>
+
 #include "formats/error.h"
 
 namespace nightcity {
@@ -65,6 +67,15 @@ std::vector<std::string> split_list(const std::string& option, const std::string
     at = comma + 1;
   }
   return words;
+}
+
+std::size_t count_of(const std::string& option, const std::string& word, std::size_t least,
+                     std::size_t most) {
+  std::size_t value = 0;
+  const auto [end, failed] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (failed != std::errc() || end != word.data() + word.size() || value < least || value > most)
+    throw UsageError(option, fmt::format("'{}' is not a number from {} to {}", word, least, most));
+  return value;
 }
 
 }  // namespace nightcity

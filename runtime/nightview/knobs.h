@@ -21,4 +21,7 @@ const std::vector<Knob>& knobs();
 /// "1,2,4" to words; throws UsageError naming `option` where one is empty.
 std::vector<std::string> split_list(const std::string& option, const std::string& text);
 
+/// A word to a number from `least` to `most`; throws UsageError naming `option` where it is none.
+std::size_t count_of(const std::string& option, const std::string& word, std::size_t least, std::size_t most);
+
 }  // namespace nightcity

@@ -2,6 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <numbers>
 #include <random>
 
 #include "formats/rgb9e5.h"
@@ -40,9 +43,59 @@ Light street_lamp(const glm::vec3& position, float flux_lm) {
   return light;
 }
 
+Light vehicle_lamp(const glm::vec3& position, const glm::vec3& axis, float flux_lm, LightFamily family) {
+  Light light = street_lamp(position, flux_lm);
+  light.radius = 0.06f;
+  light.axis = axis;
+  light.tangent = {0, 1, 0};
+  light.schedule = VEHICLE_LIGHT_ALWAYS;
+  light.id = static_cast<std::uint32_t>(family);
+  return light;
+}
+
+// One kind of car along the streets that run in z, on the right.
+void add_vehicles(SceneLights& lights, std::size_t vehicles, int streets, float half,
+                  const std::function<float(float, float)>& uniform) {
+  Fleet& fleet = lights.fleet;
+  fleet.cycle.cycle_s = 100;
+  for (float& share : fleet.cycle.density) share = 1;
+  // A cosine to the tenth power within 40 degrees of the axis, cd for a lumen.
+  constexpr std::uint32_t rows = 41;
+  lights.profiles = {{1, rows, 0, 40}};
+  double flux = 0;
+  for (std::uint32_t i = 0; i < rows; ++i) {
+    const double angle = i * std::numbers::pi / 180, value = std::pow(std::cos(angle), 10);
+    lights.profile_data.push_back(float(value));
+    flux += value * 2 * std::numbers::pi * std::sin(angle) * std::numbers::pi / 180;
+  }
+  for (float& value : lights.profile_data) value /= float(flux);
+  for (const float side : {-0.6f, 0.6f}) {
+    Light head = vehicle_lamp({2.1f, 0.7f, side}, {1, -0.02f, 0}, 460, LightFamily::headlamp);
+    head.axis = glm::normalize(head.axis);
+    head.tangent = glm::normalize(glm::vec3(0.02f, 1, 0));
+    head.kind_profile = LIGHT_SPHERE | 0u << 8;
+    fleet.vehicle_lights.push_back(head);
+    fleet.vehicle_lights.push_back(vehicle_lamp({-2.1f, 0.8f, side}, {-1, 0, 0}, 25, LightFamily::tail_lamp));
+  }
+  fleet.vehicles = {{{2, 0.75f, 0.9f}, 0, static_cast<std::uint32_t>(fleet.vehicle_lights.size()), {}}};
+  constexpr float drive_s = 99;
+  const float length = std::min(8 * drive_s, 2 * half), speed = length / drive_s;
+  for (std::size_t i = 0; i < vehicles; ++i) {
+    const bool south = i % 2 == 0;  // +z
+    const float street = std::floor(uniform(0, float(streets))), from = uniform(-half, half - length);
+    const glm::vec3 north_end(street * block_m - half + (south ? -1.75f : 1.75f), 0, from),
+        south_end = north_end + glm::vec3(0, 0, length), velocity(0, 0, south ? speed : -speed);
+    const std::uint32_t yaw = south ? 3u << 14 : 1u << 14;  // turns from east towards north, times 65536
+    const auto first = static_cast<std::uint32_t>(fleet.knots.size());
+    fleet.knots.push_back({south ? north_end : south_end, 0, velocity, yaw});
+    fleet.knots.push_back({south ? south_end : north_end, drive_s, velocity, yaw});
+    fleet.trips.push_back({first, 2, 0, 0, 0, static_cast<std::uint32_t>(i), {}});
+  }
+}
+
 }  // namespace
 
-RenderScene lamp_field(std::size_t lamps) {
+RenderScene lamp_field(std::size_t lamps, std::size_t vehicles) {
   auto blocks = static_cast<int>(std::ceil(std::sqrt(double(lamps) / lamps_a_block)));
   blocks += blocks % 2;  // a street runs through the middle
   const float half = 0.5f * block_m * float(blocks);
@@ -69,6 +122,7 @@ RenderScene lamp_field(std::size_t lamps) {
                                             flood ? 60000.0f : uniform(2000, 8000)));
       }
     }
+  if (vehicles > 0) add_vehicles(lights, vehicles, blocks + 1, half, uniform);
   scene.meshes.push_back({"houses", {std::move(houses)}});
   scene.nodes.push_back({"houses", "city", 0, true, {SceneInstance{}}});
   return make_render_scene(scene, std::move(lights));

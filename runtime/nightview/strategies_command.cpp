@@ -36,20 +36,13 @@ constexpr std::array strategies{Strategy{"uniform", 0, 1},
                                 Strategy{"local 0.7, uniform 0.1, power 0.2", 0.7f, 0.1f},
                                 Strategy{"local 0.5, uniform 0.25, power 0.25", 0.5f, 0.25f}};
 
-std::size_t light_count(const std::string& word) {
-  char* end = nullptr;
-  const long value = std::strtol(word.c_str(), &end, 10);
-  if (*end != '\0' || value < 1 || value > 10000000)
-    throw UsageError("--lights", "'" + word + "' is not a number from 1 to 10000000");
-  return static_cast<std::size_t>(value);
-}
-
 void compare_strategies(const StrategiesCommand& command) {
   RenderOptions size;
   size.size = command.size;
   size.resolve();
   std::vector<std::size_t> counts;
-  for (const std::string& word : split_list("--lights", command.lights)) counts.push_back(light_count(word));
+  for (const std::string& word : split_list("--lights", command.lights))
+    counts.push_back(count_of("--lights", word, 1, 10'000'000));
   const std::filesystem::path folder = command.folder;
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);

@@ -132,6 +132,14 @@ TEST_F(MeasuringCommands, StrategiesMeasuresEverySourceOfCandidates) {
   EXPECT_EQ(read_csv(folder / "out/strategies.csv").rows.size(), 14u);
 }
 
+TEST_F(MeasuringCommands, FleetTellsTheCostOfMovingVehiclesApart) {
+  const test::Outcome outcome =
+      test::run_program("nightview", "-q fleet --vehicles 0,30 --lamps 20 --size 8x6 --frames 1");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("| 0 | 20 | "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("| 30 | 140 | "), std::string::npos) << "four lights each: " << outcome.out;
+}
+
 TEST_F(MeasuringCommands, WrongUsageEndsWith2AndBadDataWith1) {
   EXPECT_EQ(nightview("sweep", scene() + " --candidates none").exit_code, 2);
   EXPECT_EQ(nightview("sweep", scene() + " --frames 4,2").exit_code, 2);
