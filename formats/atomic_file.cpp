@@ -110,10 +110,14 @@ void ScratchFile::copy(Target& target) {
   if (::fseeko(file_.get(), 0, SEEK_END) != 0) fail(path_, "cannot be written");
 }
 
-void ScratchFile::read(std::uint64_t offset, void* bytes, std::size_t size) {
-  // pread leaves the writing position alone; what the stream still holds must reach the file first.
-  if (unflushed_ && std::fflush(file_.get()) != 0) fail(path_, "cannot be written");
+void ScratchFile::flush() {
+  if (!unflushed_) return;
+  if (std::fflush(file_.get()) != 0) fail(path_, "cannot be written");
   unflushed_ = false;
+}
+
+void ScratchFile::read(std::uint64_t offset, void* bytes, std::size_t size) {
+  flush();  // pread leaves the writing position alone; what the stream still holds must reach the file first
   for (std::size_t done = 0; done < size;) {
     const ssize_t got = ::pread(::fileno(file_.get()), static_cast<char*>(bytes) + done, size - done,
                                 static_cast<off_t>(offset + done));

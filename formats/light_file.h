@@ -45,11 +45,11 @@ struct TrafficContent {
 
 /// What a writer needs. Spans must live until write_light_file returns.
 struct LightFileContent {
-  Georeference georeference;
-  std::span<const Light> lights;
-  std::span<const LightProvenance> provenance;  // same length as lights
-  std::span<const LightProfile> profiles;
-  std::span<const float> profile_data;
+  Georeference georeference{};
+  std::span<const Light> lights{};
+  std::span<const LightProvenance> provenance{};  // same length as lights
+  std::span<const LightProfile> profiles{};
+  std::span<const float> profile_data{};
   std::span<const Schedule> schedules{};
   std::span<const uint> switches{};  // s since noon; the schedules point into them
   TrafficContent traffic{};

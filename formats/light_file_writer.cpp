@@ -1,6 +1,7 @@
 #include "formats/light_file_writer.h"
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "formats/georeference_json.h"
 #include "formats/light_check.h"
 #include "formats/light_file_layout.h"
+#include "formats/night_check.h"
 
 namespace nightcity {
 
@@ -35,6 +37,31 @@ void align(AtomicFile& file) {
   file.write(zeros.data(), (section_alignment - file.size() % section_alignment) % section_alignment);
 }
 
+/// Records of a section that come before its place in the file is known.
+class StreamedSection {
+ public:
+  explicit StreamedSection(const std::filesystem::path& path) : file_(path) {}
+
+  template <class T>
+  void add(std::span<const T> records) {
+    file_.write(records.data(), records.size_bytes());
+    sum_.add(records.data(), records.size_bytes());
+    count_ += records.size();
+  }
+  std::uint64_t count() const { return count_; }
+  void write(AtomicFile& file, std::vector<Section>& table, std::array<char, 4> tag,
+             std::uint32_t record_size) {
+    align(file);
+    table.push_back({tag, record_size, file.size(), count_, sum_.value()});
+    file_.copy_to(file);
+  }
+
+ private:
+  ScratchFile file_;
+  RunningChecksum sum_;
+  std::uint64_t count_ = 0;
+};
+
 template <class T>
 void write_section(AtomicFile& file, std::vector<Section>& table, std::array<char, 4> tag,
                    std::span<const T> data) {
@@ -47,15 +74,32 @@ void write_section(AtomicFile& file, std::vector<Section>& table, std::array<cha
 
 struct LightFileWriter::State {
   std::string name;
-  AtomicFile file;          // the header's room, then the lights
-  ScratchFile provenances;  // which follow the lights
-  RunningChecksum lights_sum, provenances_sum;
+  AtomicFile file;  // the header's room, then the lights
+  RunningChecksum lights_sum;
+  StreamedSection provenances, schedules, switches;  // which follow the lights
   std::uint64_t count = 0;
   std::size_t profiles_named = 0, schedules_named = 0;  // greatest number named, plus one
 
-  explicit State(const std::filesystem::path& path) : name(path.string()), file(path), provenances(path) {
+  explicit State(const std::filesystem::path& path)
+      : name(path.string()), file(path), provenances(path), schedules(path), switches(path) {
     constexpr Header room{};
     file.write(&room, sizeof room);
+  }
+
+  std::uint32_t add_schedule(uint first, uint count) {
+    if (schedules.count() + 1 >= LIGHT_ALWAYS_ON) throw Error(name, "more schedules than their numbers");
+    const Schedule schedule{first, count};
+    schedules.add(std::span(&schedule, 1));
+    return static_cast<std::uint32_t>(schedules.count() - 1);
+  }
+
+  /// Where they begin among all of them.
+  uint add_switches(std::span<const uint> times) {
+    const std::uint64_t first = switches.count();
+    if (first + times.size() > std::numeric_limits<uint>::max())
+      throw Error(name, "more switch times than their numbers");
+    switches.add(times);
+    return static_cast<uint>(first);
   }
 };
 
@@ -75,16 +119,26 @@ std::uint32_t LightFileWriter::add(const Light& light, const LightProvenance& pr
     state.schedules_named = std::max(state.schedules_named, std::size_t{light.schedule} + 1);
   state.file.write(&light, sizeof light);
   state.lights_sum.add(&light, sizeof light);
-  state.provenances.write(&provenance, sizeof provenance);
-  state.provenances_sum.add(&provenance, sizeof provenance);
+  state.provenances.add(std::span(&provenance, 1));
   return static_cast<std::uint32_t>(state.count++);
+}
+
+std::uint32_t LightFileWriter::add_schedule(std::span<const uint> switches) {
+  State& state = *state_;
+  const auto count = static_cast<uint>(switches.size());
+  if (const auto fault = schedule_fault({0, count}, switches))
+    throw Error(state.name, "schedule " + std::to_string(state.schedules.count()), *fault);
+  return state.add_schedule(state.add_switches(switches), count);
 }
 
 void LightFileWriter::finish(const LightFileContent& rest) {
   State& state = *state_;
   check_content(state.name, rest);
   for (std::size_t i = 0; i < rest.lights.size(); ++i) add(rest.lights[i], rest.provenance[i]);
-  if (state.profiles_named > rest.profiles.size() || state.schedules_named > rest.schedules.size())
+  const uint first_switch = state.add_switches(rest.switches);
+  for (const Schedule& schedule : rest.schedules)
+    state.add_schedule(first_switch + schedule.first, schedule.count);
+  if (state.profiles_named > rest.profiles.size() || state.schedules_named > state.schedules.count())
     throw Error(state.name, "a light names a profile or schedule that is not there");
   // Limits that open() enforces hold here too: what is written can be read.
   if (rest.profiles.size() > most_profiles) throw Error(state.name, "more than 65536 profiles");
@@ -96,16 +150,13 @@ void LightFileWriter::finish(const LightFileContent& rest) {
   AtomicFile& file = state.file;
   std::vector<Section> table;
   table.push_back({tag_lights, sizeof(Light), sizeof(Header), state.count, state.lights_sum.value()});
-  align(file);
-  table.push_back(
-      {tag_provenance, sizeof(LightProvenance), file.size(), state.count, state.provenances_sum.value()});
-  state.provenances.copy_to(file);
+  state.provenances.write(file, table, tag_provenance, sizeof(LightProvenance));
   write_section(file, table, tag_georeference, std::span<const char>(georeference));
   write_section(file, table, tag_profiles, rest.profiles);
   write_section(file, table, tag_profile_data, rest.profile_data);
-  if (!rest.schedules.empty()) {
-    write_section(file, table, tag_schedules, rest.schedules);
-    write_section(file, table, tag_switches, rest.switches);
+  if (state.schedules.count() != 0) {
+    state.schedules.write(file, table, tag_schedules, sizeof(Schedule));
+    state.switches.write(file, table, tag_switches, sizeof(uint));
   }
   if (const TrafficContent& traffic = rest.traffic; !traffic.trips.empty()) {
     write_section(file, table, tag_cycle, std::span(&traffic.cycle, 1));

@@ -1,8 +1,9 @@
-// Writes a city.lights whose lights come one by one and need not all be in memory.
+// Writes a city.lights whose lights and schedules come one by one and need not all be in memory.
 #pragma once
 
 #include <filesystem>
 #include <memory>
+#include <span>
 
 #include "formats/light_file.h"
 
@@ -19,8 +20,13 @@ class LightFileWriter {
   /// The light's number in the file. Throws Error when it is unfit (light_check.h).
   std::uint32_t add(const Light& light, const LightProvenance& provenance);
 
-  /// Everything else, after `rest.lights` and `rest.provenance` (empty where all have been added). Throws
-  /// Error when a record is unfit or a light names a profile or schedule that is not there.
+  /// The number of a schedule with these switch times (s since noon). Throws Error when it is unfit
+  /// (night_check.h).
+  std::uint32_t add_schedule(std::span<const uint> switches);
+
+  /// Everything else, after `rest.lights` and `rest.provenance` (empty where all have been added);
+  /// `rest.schedules` follow those that have been added. Throws Error when a record is unfit or a light names
+  /// a profile or schedule that is not there.
   void finish(const LightFileContent& rest);
 
  private:

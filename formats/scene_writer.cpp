@@ -24,17 +24,54 @@ namespace {
 
 using nlohmann::json;
 
-// A JSON array kept as text: a DOM of a city's accessors would be many times larger.
-struct JsonArray {
-  std::string text;
-  std::size_t count = 0;
+// CityGML ids may hold bytes that are no UTF-8; JSON may not.
+std::string dump(const json& value) {
+  return value.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+// A JSON array kept as text, on disk: a large city has a hundred thousand accessors.
+class JsonArray {
+ public:
+  explicit JsonArray(const std::filesystem::path& path) : text_(path) {}
 
   std::size_t add(const json& element) {
-    if (count != 0) text += ',';
-    // CityGML ids may hold bytes that are no UTF-8; JSON may not.
-    text += element.dump(-1, ' ', false, json::error_handler_t::replace);
-    return count++;
+    if (count_ != 0) text_.write(",", 1);
+    const std::string text = dump(element);
+    text_.write(text.data(), text.size());
+    return count_++;
   }
+  std::size_t count() const { return count_; }
+  ScratchFile& text() { return text_; }
+
+ private:
+  ScratchFile text_;
+  std::size_t count_ = 0;
+};
+
+// The JSON chunk while it is put together, of texts and of arrays that lie on disk.
+class JsonText {
+ public:
+  void add(std::string_view text) {
+    parts_.emplace_back(text, nullptr);
+    size_ += text.size();
+  }
+  void add(JsonArray& array) {
+    add("[");
+    parts_.emplace_back("", &array.text());
+    size_ += array.text().size();
+    add("]");
+  }
+  std::uint64_t size() const { return size_; }
+  void write(AtomicFile& file) const {
+    for (const auto& [text, array] : parts_) {
+      file.write(text);
+      if (array) array->copy_to(file);
+    }
+  }
+
+ private:
+  std::vector<std::pair<std::string, ScratchFile*>> parts_;
+  std::uint64_t size_ = 0;
 };
 
 json vector_json(const glm::dvec3& v) {
@@ -66,7 +103,16 @@ struct SceneWriter::State {
   bool finished = false;
 
   State(std::filesystem::path target, Options chosen)
-      : path(std::move(target)), options(chosen), binary(path), features(path) {}
+      : path(std::move(target)),
+        options(chosen),
+        binary(path),
+        features(path),
+        materials(path),
+        meshes(path),
+        nodes(path),
+        accessors(path),
+        views(path),
+        punctual(path) {}
 
   [[noreturn]] void fail(const std::string& place, const std::string& message) const {
     throw Error(path.string(), place, message);
@@ -105,7 +151,7 @@ struct SceneWriter::State {
 
 void SceneWriter::State::check(const ScenePrimitive& primitive, const std::string& place) const {
   const std::size_t vertices = primitive.positions.size();
-  if (primitive.material >= materials.count)
+  if (primitive.material >= materials.count())
     fail(place, "material " + std::to_string(primitive.material) + " is not there");
   if (primitive.indices.empty() || primitive.indices.size() % 3 != 0)
     fail(place, "index count is not a multiple of 3 above 0");
@@ -280,7 +326,7 @@ std::uint32_t SceneWriter::add_feature(const SceneFeature& feature) {
 
 std::uint32_t SceneWriter::add_mesh(const SceneMesh& mesh) {
   State& s = *state_;
-  const std::string place = "mesh " + std::to_string(s.meshes.count) + " " + mesh.name;
+  const std::string place = "mesh " + std::to_string(s.meshes.count()) + " " + mesh.name;
   if (mesh.primitives.empty()) s.fail(place, "has no triangles");
   json primitives = json::array();
   for (const ScenePrimitive& primitive : mesh.primitives)
@@ -293,8 +339,8 @@ std::uint32_t SceneWriter::add_mesh(const SceneMesh& mesh) {
 
 void SceneWriter::add_node(const SceneNode& node) {
   State& s = *state_;
-  const std::string place = "node " + std::to_string(s.nodes.count) + " " + node.name;
-  if (node.mesh >= s.meshes.count) s.fail(place, "mesh " + std::to_string(node.mesh) + " is not there");
+  const std::string place = "node " + std::to_string(s.nodes.count()) + " " + node.name;
+  if (node.mesh >= s.meshes.count()) s.fail(place, "mesh " + std::to_string(node.mesh) + " is not there");
   if (node.instances.empty()) return;
   std::vector<Trs> places;
   for (const SceneInstance& instance : node.instances) {
@@ -325,7 +371,7 @@ void SceneWriter::add_node(const SceneNode& node) {
 
 void SceneWriter::add_punctual(const ScenePunctual& light) {
   State& s = *state_;
-  const std::string place = "punctual light " + std::to_string(s.nodes.count);
+  const std::string place = "punctual light " + std::to_string(s.nodes.count());
   const float strongest = std::max({light.colour.x, light.colour.y, light.colour.z});
   const bool spot = light.outer_rad != 0;
   if (!finite(light.position) || !finite(light.direction) || !finite(light.colour) || !(strongest > 0) ||
@@ -339,7 +385,7 @@ void SceneWriter::add_punctual(const ScenePunctual& light) {
                       {"color", vector_json(glm::dvec3(light.colour) / double{strongest})},
                       {"intensity", light.intensity_cd * double{strongest}}};
   if (spot) description["spot"] = {{"innerConeAngle", light.inner_rad}, {"outerConeAngle", light.outer_rad}};
-  const auto [known, is_new] = s.punctual_known.try_emplace(description.dump(), s.punctual.count);
+  const auto [known, is_new] = s.punctual_known.try_emplace(description.dump(), s.punctual.count());
   if (is_new) s.punctual.add(description);
   json node = {{"translation", vector_json(light.position)},
                {"extensions", {{gltf::lights_punctual, {{"light", known->second}}}}}};
@@ -368,13 +414,6 @@ void SceneWriter::finish(const Georeference& georeference) {
     extensions[gltf::structural_metadata] = s.features.write(s.binary, add_view);
     s.extensions_used.insert(gltf::structural_metadata);
   }
-  std::string extensions_text;
-  const auto add_extension = [&extensions_text](const char* name, const std::string& value) {
-    extensions_text += (extensions_text.empty() ? "\"" : ",\"") + std::string(name) + "\":" + value;
-  };
-  for (const auto& [name, value] : extensions.items())
-    add_extension(name.c_str(), value.dump(-1, ' ', false, json::error_handler_t::replace));
-  if (s.punctual.count != 0) add_extension(gltf::lights_punctual, "{\"lights\":[" + s.punctual.text + "]}");
   s.binary.align(8);
 
   json extras = georeference_to_json(georeference);
@@ -385,35 +424,57 @@ void SceneWriter::finish(const Georeference& georeference) {
     copyright += (copyright.empty() ? "" : "; ") + licence;
   if (!copyright.empty()) asset["copyright"] = copyright;
 
-  std::string text = "{";
-  const auto member = [&text](std::string_view name, const std::string& value) {
-    if (text.size() > 1) text += ',';
-    text.append("\"").append(name).append("\":").append(value);
+  JsonText text;
+  const auto name = [&text](std::string_view key) {
+    text.add(text.size() == 0 ? "{\"" : ",\"");
+    text.add(key);
+    text.add("\":");
   };
-  const auto dump = [](const json& value) {
-    return value.dump(-1, ' ', false, json::error_handler_t::replace);
+  const auto member = [&](std::string_view key, const json& value) {
+    name(key);
+    text.add(dump(value));
   };
-  const auto array = [&](std::string_view name, JsonArray& elements) {
-    if (elements.count != 0) member(name, "[" + elements.text + "]");
+  const auto array = [&](std::string_view key, JsonArray& elements) {
+    if (elements.count() == 0) return;
+    name(key);
+    text.add(elements);
   };
-  member("asset", dump(asset));
-  if (!s.extensions_used.empty()) member("extensionsUsed", dump(s.extensions_used));
-  if (!s.extensions_required.empty()) member("extensionsRequired", dump(s.extensions_required));
+  member("asset", asset);
+  if (!s.extensions_used.empty()) member("extensionsUsed", s.extensions_used);
+  if (!s.extensions_required.empty()) member("extensionsRequired", s.extensions_required);
   json scene = json::object();
-  for (std::size_t i = 0; i < s.nodes.count; ++i) scene["nodes"].push_back(i);
-  member("scene", "0");
-  member("scenes", dump(json::array({scene})));
+  for (std::size_t i = 0; i < s.nodes.count(); ++i) scene["nodes"].push_back(i);
+  member("scene", 0);
+  member("scenes", json::array({scene}));
   array("nodes", s.nodes);
   array("meshes", s.meshes);
   array("materials", s.materials);
   array("accessors", s.accessors);
   array("bufferViews", s.views);
-  if (s.binary.size() != 0) member("buffers", dump(json::array({{{"byteLength", s.binary.size()}}})));
-  if (!extensions_text.empty()) member("extensions", "{" + extensions_text + "}");
-  text += '}';
+  if (s.binary.size() != 0) member("buffers", json::array({{{"byteLength", s.binary.size()}}}));
+  if (!extensions.empty() || s.punctual.count() != 0) {
+    name("extensions");
+    text.add("{");
+    std::string_view before = "\"";
+    for (const auto& [key, value] : extensions.items()) {
+      for (const std::string_view part : {before, std::string_view(key), std::string_view("\":")})
+        text.add(part);
+      text.add(dump(value));
+      before = ",\"";
+    }
+    if (s.punctual.count() != 0) {
+      for (const std::string_view part :
+           {before, std::string_view(gltf::lights_punctual), std::string_view("\":{\"lights\":")})
+        text.add(part);
+      text.add(s.punctual);
+      text.add("}");
+    }
+    text.add("}");
+  }
+  text.add("}");
   // The binary chunk starts 28 bytes after the JSON began: keep it on a multiple of 8 for whoever maps the
   // file.
-  while ((text.size() + 28) % 8 != 0) text += ' ';
+  text.add(std::string((8 - (text.size() + 28) % 8) % 8, ' '));
 
   const std::uint64_t binary_size = s.binary.size();
   const std::uint64_t total = 12 + 8 + text.size() + (binary_size == 0 ? 0 : 8 + binary_size);
@@ -426,7 +487,7 @@ void SceneWriter::finish(const Georeference& georeference) {
   };
   words({gltf::glb_magic, 2, static_cast<std::uint32_t>(total)});
   words({static_cast<std::uint32_t>(text.size()), gltf::chunk_json});
-  file.write(text);
+  text.write(file);
   if (binary_size != 0) {
     words({static_cast<std::uint32_t>(binary_size), gltf::chunk_binary});
     s.binary.copy_to(file);

@@ -81,6 +81,31 @@ TEST(LightFileWriter, LightsThatComeOneByOneMakeTheSameFile) {
   EXPECT_EQ(test::read_text(folder / "streamed.lights"), test::read_text(folder / "whole.lights"));
 }
 
+TEST(LightFileWriter, SchedulesThatComeOneByOneStandBeforeThoseOfTheRest) {
+  const TempFolder folder;
+  Sample sample;
+  {
+    LightFileWriter writer(folder / "a.lights");
+    EXPECT_EQ(writer.add_schedule(std::vector<uint>{18000, 36000}), 0u);
+    EXPECT_EQ(writer.add_schedule({}), 1u);
+    EXPECT_EQ(writer.add_schedule(std::vector<uint>{100, 200, 86399}), 2u);
+    EXPECT_THROW(writer.add_schedule(std::vector<uint>{200, 100}), Error);
+    EXPECT_THROW(writer.add_schedule(std::vector<uint>{86400}), Error);
+    writer.finish(sample.content());
+  }
+  const LightFile file = LightFile::open(folder / "a.lights");
+  file.verify();
+  ASSERT_EQ(file.schedules().size(), 3 + sample.schedules.size());
+  EXPECT_EQ(file.schedules()[2].first, 2u);
+  EXPECT_EQ(file.schedules()[2].count, 3u);
+  EXPECT_EQ(file.switches()[4], 86399u);
+  for (std::size_t n = 0; n < sample.schedules.size(); ++n) {
+    EXPECT_EQ(file.schedules()[3 + n].first, 5 + sample.schedules[n].first);
+    EXPECT_EQ(file.schedules()[3 + n].count, sample.schedules[n].count);
+  }
+  EXPECT_EQ(file.switches().size(), 5 + sample.switches.size());
+}
+
 TEST(LightFileWriter, RefusesUnfitLightsAndLeavesNothing) {
   const TempFolder folder;
   const Sample sample;
