@@ -51,14 +51,15 @@ class Fitter {
     for (std::size_t s = 0; s < plans_.size(); ++s)
       if (plans_[s].left_to_mapped > lamps[s])
         ++report.notes["stretches left to mapped lamps"];
-      else if (!fields_[s].points.empty() && fields_[s].by_new)
+      else if (fields_[s].length_m > 0 && fields_[s].by_new)
         tell(s, lamps[s], report);
     sum_up(report);
   }
 
  private:
   struct Field {
-    std::vector<glm::dvec2> points;
+    std::vector<bool>
+        in_model;  // each place along: the points themselves would be a city's road area in memory
     double length_m = 0;
     double by_mapped_lx = 0;                  // average
     std::map<std::size_t, double> per_lumen;  // average by the street whose lamps give it
@@ -79,26 +80,38 @@ class Fitter {
     Field& field = fields_[s];
     const double step = std::min(3.0, plans_[s].design.spacing_m / 10), length = street.length_m();
     const int along = std::max(1, static_cast<int>(std::ceil(length / step)));
-    const int across = points_across(street.road.width_m);
     int inside = 0;
     for (int i = 0; i < along; ++i) {
-      const Street::Place place = street.place((i + 0.5) * length / along);
-      if (!height_at(place.point)) continue;
-      ++inside;
-      const glm::dvec2 left(-place.along.y, place.along.x);
-      for (int j = 0; j < across; ++j)
-        field.points.push_back(place.point + left * (((j + 0.5) / across - 0.5) * street.road.width_m));
+      field.in_model.push_back(height_at(street.place((i + 0.5) * length / along).point).has_value());
+      inside += field.in_model.back();
     }
     field.length_m = length * inside / along;
-    const auto share = 1 / static_cast<double>(std::max<std::size_t>(1, field.points.size()));
-    for (const glm::dvec2& p : field.points)
+    const auto share = 1.0 / std::max(1, inside * points_across(street.road.width_m));
+    each_point(s, [&](const glm::dvec2& p) {
       each_lamp(p, [&](std::uint32_t n, double lx) {
         if (n < first_new_)
           field.by_mapped_lx += lx * share;
         else
           field.per_lumen[street_of_lamp_[n - first_new_]] += lx * share;
       });
+    });
     field.by_new = !field.per_lumen.empty();
+  }
+
+  /// The points of a street's field.
+  template <class Visit>
+  void each_point(std::size_t s, const Visit& visit) const {
+    const Street& street = network_.streets[s];
+    const std::vector<bool>& in_model = fields_[s].in_model;
+    const int across = points_across(street.road.width_m);
+    for (std::size_t i = 0; i < in_model.size(); ++i) {
+      if (!in_model[i]) continue;
+      const Street::Place place = street.place((static_cast<double>(i) + 0.5) * street.length_m() /
+                                               static_cast<double>(in_model.size()));
+      const glm::dvec2 left(-place.along.y, place.along.x);
+      for (int j = 0; j < across; ++j)
+        visit(place.point + left * (((j + 0.5) / across - 0.5) * street.road.width_m));
+    }
   }
 
   double average(const Field& field) const {
@@ -146,13 +159,13 @@ class Fitter {
     out.lamps = lamps;
     out.wanted_lx = plan.wanted.average_lx;
     out.field = {average(field), std::numeric_limits<double>::infinity()};
-    for (const glm::dvec2& p : field.points) {
+    each_point(s, [&](const glm::dvec2& p) {
       double sum = 0;
       each_lamp(p, [&](std::uint32_t n, double lx) {
         sum += n < first_new_ ? lx : lx * flux_[street_of_lamp_[n - first_new_]];
       });
       out.field.least_lx = std::min(out.field.least_lx, sum);
-    }
+    });
     report.streets.push_back(std::move(out));
   }
 
