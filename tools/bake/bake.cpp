@@ -10,24 +10,29 @@
 #include "tools/bake/city_ground.h"
 #include "tools/bake/city_stage.h"
 #include "tools/bake/ground_stage.h"
+#include "tools/bake/hidden_surfaces.h"
 #include "tools/bake/lamp_stage.h"
 #include "tools/bake/light_stage.h"
 #include "tools/bake/materials.h"
 #include "tools/bake/output_folder.h"
+#include "tools/bake/peak_memory.h"
 #include "tools/bake/tile_store.h"
 #include "tools/bake/traffic_stage.h"
+#include "tools/in_order.h"
 #include "tools/osm/osm_data.h"
 #include "tools/terrain/terrain.h"
 
 namespace nightcity {
 namespace {
 
+constexpr double hidden_below_m = 0.1;  // under the ground's surface, which is no more exact
+
 class Stopwatch {
  public:
   explicit Stopwatch(BakeReport& report) : report_(report) {}
   void lap(const char* stage) {
     const auto now = std::chrono::steady_clock::now();
-    report_.seconds.emplace_back(stage, std::chrono::duration<double>(now - start_).count());
+    report_.stages.push_back({stage, std::chrono::duration<double>(now - start_).count(), peak_memory_mb()});
     start_ = now;
   }
 
@@ -49,7 +54,7 @@ OsmData read_maps(const Recipe& recipe) {
 }
 
 // The middle of the city, to the metre: far objects must not move it, so the median of the tiles is taken.
-Georeference georeference_amid(const Recipe& recipe, const CityFrames& frames, const TileStore& tiles) {
+Georeference georeference_amid(const Recipe& recipe, const CityFrames& frames, TileStore& tiles) {
   Georeference result = georeference_of(recipe, frames);
   std::vector<double> eastings, northings;
   for (const TileKey& key : tiles.tiles()) {
@@ -67,11 +72,36 @@ Georeference georeference_amid(const Recipe& recipe, const CityFrames& frames, c
 }
 
 void write_tiles(SceneWriter& writer, MaterialTable& materials, TileStore& tiles,
-                 const Georeference& georeference, BakeReport& report, const ProgressSink& progress) {
-  std::size_t done = 0;
-  for (const TileKey& key : tiles.tiles()) {
-    SceneMesh mesh = tiles.mesh(key);
-    if (mesh.primitives.empty()) continue;
+                 const Georeference& georeference, const Terrain* hide_by, unsigned threads,
+                 BakeReport& report, const ProgressSink& progress) {
+  struct Tile {
+    TileKey key;
+    SceneMesh mesh;
+    HiddenCounts hidden;
+  };
+  HiddenCounts hidden;
+  const std::vector<TileKey> keys = tiles.tiles();
+  std::size_t begun = 0, done = 0;
+  const auto next = [&] { return begun < keys.size() ? std::optional(keys[begun++]) : std::nullopt; };
+  const auto build = [&](const TileKey& key) {
+    Tile tile{key, {}, {}};
+    const glm::dvec3 corner = tiles.origin(key);
+    const auto below = [&](const glm::vec3& p) {
+      const auto ground =
+          hide_by->height_of(Footing::terrain, {corner.x + double{p.x}, corner.y - double{p.z}});
+      return ground && corner.z + double{p.y} < *ground - hidden_below_m;
+    };
+    const auto leave_out = [&](std::span<const TileStore::StoredTriangle> triangles) {
+      return hidden_triangles(triangles, below, tile.hidden);
+    };
+    tile.mesh = tiles.mesh(key, hide_by ? TileStore::LeaveOut(leave_out) : TileStore::LeaveOut());
+    return tile;
+  };
+  const auto write = [&](Tile&& tile) {
+    hidden.between += tile.hidden.between;
+    hidden.below += tile.hidden.below;
+    SceneMesh& mesh = tile.mesh;
+    if (mesh.primitives.empty()) return;
     for (ScenePrimitive& primitive : mesh.primitives) {
       const MaterialCode code = primitive.material;
       report.triangles[bake_materials()[static_cast<std::size_t>(kind_of(code))].name] +=
@@ -79,10 +109,13 @@ void write_tiles(SceneWriter& writer, MaterialTable& materials, TileStore& tiles
       primitive.material = materials.index_of(code);
     }
     SceneInstance instance;
-    instance.to_model[3] = glm::vec4(glm::vec3(georeference.to_model(tiles.origin(key))), 1);
-    writer.add_node({mesh.name, name_of(key.kind), writer.add_mesh(mesh), true, {instance}});
+    instance.to_model[3] = glm::vec4(glm::vec3(georeference.to_model(tiles.origin(tile.key))), 1);
+    writer.add_node({mesh.name, name_of(tile.key.kind), writer.add_mesh(mesh), true, {instance}});
     if (progress) progress({"writing tiles", ++done, "tiles"});
-  }
+  };
+  in_order(threads, next, build, write);
+  if (hidden.between > 0) report.left_out["triangles between two buildings"] = hidden.between;
+  if (hidden.below > 0) report.left_out["triangles of buildings below the ground"] = hidden.below;
 }
 
 }  // namespace
@@ -118,21 +151,28 @@ BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder, const
   watch.lap("terrain");
 
   const Georeference georeference = georeference_amid(recipe, frames, tiles);
-  write_tiles(writer, materials, tiles, georeference, report, progress);
+  write_tiles(writer, materials, tiles, georeference, recipe.city.drop_hidden ? &terrain : nullptr,
+              recipe.city.read.threads, report, progress);
   report.colours = materials.colours();
   watch.lap("tiles");
 
   if (progress) progress({"placing lights", 0, ""});
-  bake_lights(recipe, osm, frames, terrain, std::move(windows), georeference, writer, lights_path, report);
+  LightFileWriter lights(lights_path);
+  const LampProfiles lamps = bake_lights(recipe, osm, frames, terrain, std::move(windows), georeference,
+                                         writer, lights, lights_path, report);
   watch.lap("lights");
 
+  traffic::TrafficSet traffic;
   if (recipe.traffic.drives) {
-    const auto traffic = make_city_traffic(recipe, osm, frames, terrain, georeference, progress);
-    write_with_traffic(lights_path, content_of(LightFile::open(lights_path)), traffic);
+    traffic = make_city_traffic(recipe, osm, frames, terrain, georeference, progress);
     add_vehicle_models(writer, traffic, 3600 * 5 + 60 * recipe.night.minute);
     report.traffic = traffic.report;
     watch.lap("traffic");
   }
+  finish_with_traffic(lights,
+                      {.georeference = georeference, .profiles = lamps.profiles, .profile_data = lamps.data},
+                      traffic);
+  watch.lap("writing city.lights");
 
   writer.finish(georeference);
   report.scene = writer.statistics();

@@ -19,7 +19,7 @@ using Counts = std::map<std::string, std::size_t>;
 
 double total_seconds(const BakeReport& report) {
   double total = 0;
-  for (const auto& [stage, seconds] : report.seconds) total += seconds;
+  for (const BakeReport::Stage& stage : report.stages) total += stage.seconds;
   return total;
 }
 
@@ -29,11 +29,20 @@ std::size_t sum(const Counts& counts) {
   return total;
 }
 
+std::string break_edges_in_words(const Terrain::BreakEdges& edges) {
+  if (edges.used + edges.unused == 0) return {};
+  return fmt::format(", {} edges of break lines kept, {} not, for they cross too many others", edges.used,
+                     edges.unused);
+}
+
 }  // namespace
 
 json to_json(const BakeReport& report) {
-  json seconds = json::object();
-  for (const auto& [stage, value] : report.seconds) seconds[stage] = std::round(value * 1000) / 1000;
+  json seconds = json::object(), peak_mb = json::object();
+  for (const BakeReport::Stage& stage : report.stages) {
+    seconds[stage.name] = std::round(stage.seconds * 1000) / 1000;
+    peak_mb[stage.name] = std::round(stage.peak_mb);
+  }
   const MeshReport& mesh = report.mesh;
   return {
       {"input_bytes", report.input_bytes},
@@ -71,6 +80,8 @@ json to_json(const BakeReport& report) {
       {"terrain", report.ground.source},
       {"dem", report.ground.dem},
       {"relief_points", report.relief_points},
+      {"break_edges",
+       {{"used", report.ground.break_edges.used}, {"unused", report.ground.break_edges.unused}}},
       {"colours", report.colours},
       {"draped_triangles", report.draped},
       {"lamps", to_json(report.lamps)},
@@ -90,6 +101,7 @@ json to_json(const BakeReport& report) {
         {"draco_error_m", report.scene.greatest_draco_error_m}}},
       {"lights", {{"bytes", report.lights_bytes}, {"schedules", report.schedules}}},
       {"seconds", seconds},
+      {"peak_mb", peak_mb},
   };
 }
 
@@ -133,7 +145,8 @@ std::string to_text(const BakeReport& report) {
     line("", fmt::format("and {} more warnings in bake_report.json", warnings.size() - shown));
   line("triangles", fmt::format("{}: {}", sum(report.triangles), in_words(report.triangles)));
   line("terrain",
-       report.ground.source + (report.ground.dem.empty() ? "" : ", dem " + report.ground.dem) +
+       report.ground.source + break_edges_in_words(report.ground.break_edges) +
+           (report.ground.dem.empty() ? "" : ", dem " + report.ground.dem) +
            (report.draped ? fmt::format(", {} triangles without heights laid onto it", report.draped) : ""));
   if (report.colours) line("colours", fmt::format("{} of the model's own materials", report.colours));
   text += to_text(report.lamps);
@@ -150,11 +163,12 @@ std::string to_text(const BakeReport& report) {
   line("city.lights", fmt::format("{:.1f} kB, {} schedules", static_cast<double>(report.lights_bytes) / 1e3,
                                   report.schedules));
   std::string stages;
-  for (const auto& [stage, seconds] : report.seconds)
-    stages += fmt::format("{}{} {:.2f}", stages.empty() ? "" : ", ", stage, seconds);
+  for (const BakeReport::Stage& stage : report.stages)
+    stages += fmt::format("{}{} {:.2f}", stages.empty() ? "" : ", ", stage.name, stage.seconds);
   const double total = total_seconds(report);
   line("time", fmt::format("{:.1f} s ({:.1f} MB/s of CityGML): {}", total,
                            total > 0 ? static_cast<double>(report.input_bytes) / 1e6 / total : 0.0, stages));
+  if (!report.stages.empty()) line("memory", fmt::format("{:.0f} MB at most", report.stages.back().peak_mb));
   return text;
 }
 

@@ -36,7 +36,12 @@ struct BakeReport {
   std::optional<traffic::TrafficReport> traffic;
   SceneWriter::Statistics scene;
   std::uint64_t scene_bytes = 0, lights_bytes = 0, input_bytes = 0;
-  std::vector<std::pair<std::string, double>> seconds;  // by stage, in order
+  struct Stage {
+    std::string name;
+    double seconds = 0;
+    double peak_mb = 0;  // of memory, from the program's start to the stage's end
+  };
+  std::vector<Stage> stages;  // in order
 };
 
 nlohmann::json to_json(const BakeReport& report);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -40,10 +41,10 @@ struct Prepared {
   std::size_t identity = 0;        // of its id and first vertex; 0 = it has no id
   const char* left_out = nullptr;  // why
   bool flat = false;               // lacks heights: goes onto the terrain later
-  TriangleMesh mesh;               // of a flat object
   std::vector<TileStore::Triangle> triangles;
   std::size_t dropped = 0;            // triangles, on the recipe's request
   std::array<TriangleMesh, 4> parts;  // of it by Footing
+  WindowLayout::Laid windows;
   MeshReport report;
 };
 
@@ -99,25 +100,26 @@ class CityReader {
       for (Ring& ring : polygon.interiors) frames_.to_city(file_, ring);
     }
     frames_.to_city(file_, object.points);
+    for (Ring& line : object.lines) frames_.to_city(file_, line);
     if (object.polygons.empty()) {
-      if (object.points.empty()) out.left_out = "without geometry";
+      if (object.points.empty() && object.lines.empty()) out.left_out = "without geometry";
     } else if (far_away(object)) {
       out.left_out = "far from the city";
     } else {
       // Shells first: which way is out decides what is a roof and which side of a wall has windows.
       repair_shells(object, out.report);
       classify_unknown_surfaces(object);
-      out.mesh = triangulate(object, out.report);
-      if (out.mesh.triangles.empty()) out.left_out = "without area";
-      find_footing(object.type, out);
-      if (!out.flat) {
-        const bool drop = drop_ground_ && object.type == ObjectType::building;
-        out.triangles = tile_triangles(out.mesh, object, drop);
-        out.dropped = out.mesh.triangles.size() - out.triangles.size();
-        out.mesh = {};
-      }
+      const TriangleMesh mesh = triangulate(object, out.report);
+      if (mesh.triangles.empty()) out.left_out = "without area";
+      find_footing(object.type, mesh, out);
+      const bool drop = drop_ground_ && object.type == ObjectType::building;
+      out.triangles = tile_triangles(mesh, object, drop);
+      out.dropped = mesh.triangles.size() - out.triangles.size();
     }
-    if (!sinks_.windows) object.polygons = {};
+    if (sinks_.windows && !out.left_out)
+      out.windows = sinks_.windows->lay(object);
+    else
+      object.polygons = {};
     out.object = std::move(object);
     return out;
   }
@@ -140,14 +142,19 @@ class CityReader {
     }
     sinks_.terrain.add_points(object.points);
     report_.relief_points += object.points.size();
+    for (const Ring& line : object.lines) {
+      report_.relief_points += line.size();
+      if (!sinks_.terrain.add_break_line(line))
+        ++report_.left_out["break lines of which the vertices alone are used"];
+    }
     if (prepared.dropped > 0) report_.left_out["triangles of ground under buildings"] += prepared.dropped;
-    if (prepared.dropped == 0 && prepared.triangles.empty() && prepared.mesh.triangles.empty())
-      return;  // points alone
-    if (sinks_.windows) sinks_.windows->add(object);
+    if (prepared.dropped == 0 && prepared.triangles.empty()) return;  // points alone
+    if (sinks_.windows) sinks_.windows->add(object, std::move(prepared.windows));
     if (!continues) last_feature_ = add_feature(object);
     last_id_ = object.id;
-    if (prepared.flat) return sinks_.drape.add(prepared.mesh, object.type, last_feature_);
-    sinks_.tiles.add(prepared.triangles, last_feature_);
+    if (prepared.flat) return sinks_.drape.add(prepared.triangles, last_feature_);
+    const bool solid = object.type == ObjectType::building && prepared.report.open_objects == 0;
+    sinks_.tiles.add(prepared.triangles, last_feature_, solid);
     for (std::size_t n = 0; n < prepared.parts.size(); ++n)
       if (!prepared.parts[n].triangles.empty())
         sinks_.terrain.add(prepared.parts[n], static_cast<Footing>(n));
@@ -175,13 +182,13 @@ class CityReader {
     return sinks_.writer.add_feature(feature);
   }
 
-  static void find_footing(ObjectType type, Prepared& out) {
-    for (const MeshTriangle& triangle : out.mesh.triangles) {
+  static void find_footing(ObjectType type, const TriangleMesh& mesh, Prepared& out) {
+    for (const MeshTriangle& triangle : mesh.triangles) {
       const auto footing = footing_of(type, triangle.surface);
       if (!footing) continue;
       TriangleMesh& part = out.parts[static_cast<std::size_t>(*footing)];
       const auto first = static_cast<std::uint32_t>(part.positions.size());
-      for (const std::uint32_t v : triangle.vertex) part.positions.push_back(out.mesh.positions[v]);
+      for (const std::uint32_t v : triangle.vertex) part.positions.push_back(mesh.positions[v]);
       part.triangles.push_back({{first, first + 1, first + 2}, triangle.surface, 0});
     }
   }
@@ -208,13 +215,18 @@ void read_city(const Recipe& recipe, const CityFrames& frames, const CitySinks& 
                const ProgressSink& progress) {
   const auto& files = recipe.city.files;
   CityReader reader(recipe, frames, sinks, report);
+  ReadOptions options = recipe.city.read;
+  std::set<std::filesystem::path> neighbours;
+  for (const auto& file : files) neighbours.insert(file.lexically_normal());
+  if (files.size() > 1)
+    options.neighbours = std::make_shared<const std::set<std::filesystem::path>>(neighbours);
   std::size_t objects = 0;
   for (std::size_t i = 0; i < files.size(); ++i) {
     reader.begin_file(i);
     const std::string stage = "reading " + std::to_string(i + 1) + " of " + std::to_string(files.size()) +
                               ": " + files[i].filename().string();
-    report.read.merge(read_citygml_staged(
-        files[i], recipe.city.read, [&](std::vector<CityObject>&& read) -> std::function<void()> {
+    report.read.merge(
+        read_citygml_staged(files[i], options, [&](std::vector<CityObject>&& read) -> std::function<void()> {
           const auto prepared =
               std::make_shared<std::vector<Prepared>>();  // std::function copies what it holds
           prepared->reserve(read.size());

@@ -58,19 +58,13 @@ void subdivide(const glm::dvec3 (&corners)[3], double longest_m,
 }
 
 struct DrapeStore::Record {
-  glm::dvec3 corners[3];
+  TileStore::Triangle triangle;
   std::uint32_t feature;
-  ObjectType type;
-  SurfaceType surface;
 };
 
-void DrapeStore::add(const TriangleMesh& mesh, ObjectType type, std::uint32_t feature) {
-  for (const MeshTriangle& triangle : mesh.triangles) {
-    Record record{};
-    for (int k = 0; k < 3; ++k) record.corners[k] = mesh.positions[triangle.vertex[k]];
-    record.feature = feature;
-    record.type = type;
-    record.surface = triangle.surface;
+void DrapeStore::add(std::span<const TileStore::Triangle> triangles, std::uint32_t feature) {
+  for (const TileStore::Triangle& triangle : triangles) {
+    const Record record{triangle, feature};
     file_.write(&record, sizeof record);
   }
 }
@@ -99,9 +93,9 @@ std::size_t DrapeStore::lay(const std::function<std::optional<double>(const glm:
     file_.read(offset, &record, sizeof record);
     if (record.feature != feature) flush();
     feature = record.feature;
-    const SurfaceUse use = use_of(record.type, record.surface);
-    subdivide(record.corners, longest_edge_m, [&](const glm::dvec3(&corners)[3]) {
-      TileStore::Triangle piece{{corners[0], corners[1], corners[2]}, code_of(use.material), use.kind};
+    subdivide(record.triangle.corners, longest_edge_m, [&](const glm::dvec3(&corners)[3]) {
+      TileStore::Triangle piece{
+          {corners[0], corners[1], corners[2]}, record.triangle.material, record.triangle.kind};
       for (glm::dvec3& p : piece.corners) p.z = height_of(p);
       pieces.push_back(piece);
     });

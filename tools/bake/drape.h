@@ -7,11 +7,11 @@
 #include <functional>
 #include <glm/vec2.hpp>
 #include <optional>
+#include <span>
 
 #include "formats/atomic_file.h"
 #include "tools/bake/tile_store.h"
 #include "tools/citygml/city_model.h"
-#include "tools/mesh/triangle_mesh.h"
 
 namespace nightcity {
 
@@ -29,7 +29,7 @@ class DrapeStore {
  public:
   explicit DrapeStore(const std::filesystem::path& path) : file_(path) {}
 
-  void add(const TriangleMesh& mesh, ObjectType type, std::uint32_t feature);
+  void add(std::span<const TileStore::Triangle> triangles, std::uint32_t feature);
   /// Cuts the triangles fine enough to follow the ground and hands them to `tiles`, each vertex a hand's
   /// breadth above it. Where there is no ground a vertex keeps height 0. Returns how many triangles were
   /// laid.

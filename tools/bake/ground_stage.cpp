@@ -57,7 +57,7 @@ class Heights {
 };
 
 // The tiles that hold something, and those within `margin_m` of them.
-std::set<Tile> ground_tiles(const TileStore& tiles, double tile_m, double margin_m) {
+std::set<Tile> ground_tiles(TileStore& tiles, double tile_m, double margin_m) {
   const auto reach = static_cast<std::int32_t>(std::ceil(margin_m / tile_m));
   std::set<Tile> result;
   for (const TileKey& key : tiles.tiles())
@@ -151,6 +151,7 @@ GroundReport lay_ground(const Recipe& recipe, const CityFrames& frames, Terrain&
     }
   }
   terrain.build(recipe.terrain.margin_m);
+  report.break_edges = terrain.break_edges();
   const bool surface = !terrain.made_surface().triangles.empty();
   if (report.source.empty())
     report.source = given ? (surface ? "points" : "given") : surface ? "made" : "none";

@@ -13,6 +13,7 @@ namespace nightcity {
 struct GroundReport {
   /// "given" (triangles of the model), "points" (its mass points and break lines), "dem", "made", "none".
   std::string source;
+  Terrain::BreakEdges break_edges;
   std::string dem;  // how an elevation model was used, or why not; "" = the recipe names none
 };
 

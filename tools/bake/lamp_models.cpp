@@ -1,18 +1,23 @@
 #include "tools/bake/lamp_models.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <tuple>
+#include <vector>
 
 namespace nightcity {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr std::size_t batch = 8'192;  // lamps a node
 
 // Sizes of common street furniture, m: they decide what a lamp looks like from the street, no light.
 constexpr float post_radius = 0.06f;
@@ -84,41 +89,69 @@ Look look_of(const PlacedLamp& lamp) {
           lamp.colour.z};
 }
 
-void add_balls(SceneWriter& writer, std::span<const PlacedLamp> lamps, std::span<const glm::mat4> places) {
+// Lamps of one batch are one node a shape, so that memory does not grow with the map. Shapes are written
+// once.
+class LampModels {
+ public:
+  LampModels(SceneWriter& writer, const Georeference& georeference, std::uint32_t post_material)
+      : writer_(writer), georeference_(georeference), post_material_(post_material) {}
+
+  /// `first`: the number of lamps[0] in city.lights.
+  void add(std::span<const PlacedLamp> lamps, std::size_t first);
+
+ private:
+  void add_balls(std::span<const PlacedLamp> lamps, std::size_t first, std::span<const glm::mat4> places);
+  void add_node(SceneNode& node, std::optional<std::uint32_t>& mesh, const char* name,
+                const std::function<ScenePrimitive()>& shape) {
+    if (node.instances.empty()) return;
+    if (!mesh) mesh = writer_.add_mesh({name, {shape()}});
+    node.mesh = *mesh;
+    writer_.add_node(node);
+  }
+
+  SceneWriter& writer_;
+  const Georeference& georeference_;
+  std::uint32_t post_material_;
+  std::optional<std::uint32_t> post_, arm_, housing_;
+  std::map<Look, std::uint32_t> balls_;
+};
+
+void LampModels::add_balls(std::span<const PlacedLamp> lamps, std::size_t first,
+                           std::span<const glm::mat4> places) {
   std::map<Look, SceneNode> nodes;
   for (std::size_t i = 0; i < lamps.size(); ++i)
     if (lamps[i].radius_m > 0)  // a point has no size to show
       nodes[look_of(lamps[i])].instances.push_back(
           {glm::scale(places[i], glm::vec3(static_cast<float>(lamps[i].radius_m))),
-           static_cast<std::uint32_t>(i)});
+           static_cast<std::uint32_t>(first + i)});
   for (auto& [look, node] : nodes) {
-    const auto [flux, radius, r, g, b] = look;
-    const double luminance = double{flux} / (4 * pi * pi * double{radius} * double{radius});
-    const SceneMaterial material{.name = "luminaire",
-                                 .base_colour = glm::vec3(0.8f),
-                                 .emission_cd_m2 = glm::vec3(r, g, b) * static_cast<float>(luminance),
-                                 .double_sided = false};
+    const auto [known, is_new] = balls_.try_emplace(look, 0);
+    if (is_new) {
+      const auto [flux, radius, r, g, b] = look;
+      const double luminance = double{flux} / (4 * pi * pi * double{radius} * double{radius});
+      const SceneMaterial material{.name = "luminaire",
+                                   .base_colour = glm::vec3(0.8f),
+                                   .emission_cd_m2 = glm::vec3(r, g, b) * static_cast<float>(luminance),
+                                   .double_sided = false};
+      known->second = writer_.add_mesh({"luminaire", {ball(writer_.add_material(material))}});
+    }
     node.name = "luminaires";
     node.kind = "lamp";
     node.casts_shadow = false;
-    node.mesh = writer.add_mesh({"luminaire", {ball(writer.add_material(material))}});
-    writer.add_node(node);
+    node.mesh = known->second;
+    writer_.add_node(node);
   }
 }
 
-}  // namespace
-
-void add_lamp_models(SceneWriter& writer, std::span<const PlacedLamp> lamps, const Georeference& georeference,
-                     std::uint32_t post_material) {
-  if (lamps.empty()) return;
+void LampModels::add(std::span<const PlacedLamp> lamps, std::size_t first) {
   SceneNode posts{"lamp posts", "lamp", 0, true, {}}, arms{"lamp arms", "lamp", 0, true, {}};
   SceneNode housings{"lamp housings", "lamp", 0, false, {}};
   std::vector<glm::mat4> centres;
   std::set<std::tuple<double, double, float>> known_posts;
   for (const PlacedLamp& lamp : lamps) {
-    const glm::vec3 foot(georeference.to_model(lamp.foot));
+    const glm::vec3 foot(georeference_.to_model(lamp.foot));
     const glm::dvec3 luminous = lamp.foot + glm::dvec3(lamp.outreach, lamp.mounting_height_m);
-    centres.push_back(glm::translate(glm::mat4(1), glm::vec3(georeference.to_model(luminous))));
+    centres.push_back(glm::translate(glm::mat4(1), glm::vec3(georeference_.to_model(luminous))));
     // The housing sits on the ball, so that the ball shows beneath it; an arm meets it from behind. Without
     // an arm the post ends under the ball: a light inside its post would shine nowhere.
     const auto radius = static_cast<float>(std::max(lamp.radius_m, 0.0));
@@ -142,15 +175,25 @@ void add_lamp_models(SceneWriter& writer, std::span<const PlacedLamp> lamps, con
     housing = glm::translate(housing, {-housing_length / 2, clearance, 0});
     housings.instances.push_back({housing, no_id});
   }
-  const auto add = [&](SceneNode& node, const char* name, ScenePrimitive shape) {
-    if (node.instances.empty()) return;
-    node.mesh = writer.add_mesh({name, {std::move(shape)}});
-    writer.add_node(node);
-  };
-  add(posts, "lamp post", prism(post_radius, 8, post_material));
-  add(arms, "lamp arm", box(1, 2 * arm_radius, 2 * arm_radius, post_material));
-  add(housings, "lamp housing", box(housing_length, housing_height, housing_width, post_material));
-  add_balls(writer, lamps, centres);
+  add_node(posts, post_, "lamp post", [&] { return prism(post_radius, 8, post_material_); });
+  add_node(arms, arm_, "lamp arm", [&] { return box(1, 2 * arm_radius, 2 * arm_radius, post_material_); });
+  add_node(housings, housing_, "lamp housing",
+           [&] { return box(housing_length, housing_height, housing_width, post_material_); });
+  add_balls(lamps, first, centres);
+}
+
+}  // namespace
+
+void add_lamp_models(SceneWriter& writer, std::span<const PlacedLamp> lamps, const Georeference& georeference,
+                     std::uint32_t post_material) {
+  LampModels models(writer, georeference, post_material);
+  for (std::size_t first = 0; first < lamps.size();) {
+    std::size_t end = std::min(lamps.size(), first + batch);
+    while (end < lamps.size() && lamps[end].foot == lamps[end - 1].foot)
+      ++end;  // one post, several luminaires
+    models.add(lamps.subspan(first, end - first), first);
+    first = end;
+  }
 }
 
 }  // namespace nightcity

@@ -4,19 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/bake/light_tables.h"
 #include "tools/layout/lighting_class.h"
 
 namespace nightcity {
 namespace {
 
 using nlohmann::json;
-
-std::string in_words(const std::map<std::string, std::size_t>& counts) {
-  std::string text;
-  for (const auto& [name, count] : counts)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
-  return text;
-}
 
 json row(const layout::RoadClassReport& sum) {
   return {{"class", sum.wanted},

@@ -1,6 +1,5 @@
 #include "tools/bake/light_stage.h"
 
-#include "formats/light_file_writer.h"
 #include "tools/bake/lamp_models.h"
 #include "tools/bake/lamp_stage.h"
 #include "tools/bake/light_places.h"
@@ -9,15 +8,20 @@
 #include "tools/bake/window_models.h"
 
 namespace nightcity {
-void bake_lights(const Recipe& recipe, const OsmData& osm, const CityFrames& frames, const Terrain& terrain,
-                 std::optional<WindowLayout> windows, const Georeference& georeference, SceneWriter& writer,
-                 const std::filesystem::path& lights_path, BakeReport& report) {
+
+ScheduleTable schedules_of(LightFileWriter& lights) {
+  return ScheduleTable([&lights](std::span<const uint> switches) { return lights.add_schedule(switches); });
+}
+
+LampProfiles bake_lights(const Recipe& recipe, const OsmData& osm, const CityFrames& frames,
+                         const Terrain& terrain, std::optional<WindowLayout> windows,
+                         const Georeference& georeference, SceneWriter& writer, LightFileWriter& lights,
+                         const std::filesystem::path& scratch, BakeReport& report) {
   CityLamps placed = place_city_lamps(recipe, osm, frames, terrain);
-  const LampSet& lamps = placed.set;
+  LampSet& lamps = placed.set;
   report.lamps = report_of(lamps, osm.lamps.size());
   report.layout = std::move(placed.layout);
-  ScheduleTable schedules;
-  LightFileWriter lights(lights_path);
+  ScheduleTable schedules = schedules_of(lights);
   BrightestLights brightest(recipe.output.punctual);
   // Lamps first, then windows: the models name their lights by this order.
   for (const PlacedLamp& lamp : lamps.lamps) {
@@ -26,27 +30,22 @@ void bake_lights(const Recipe& recipe, const OsmData& osm, const CityFrames& fra
     if (!lamp.hours || lamp.hours->lit_at(recipe.night.minute)) brightest.add(light);
   }
   add_lamp_models(writer, lamps.lamps, georeference, static_cast<std::uint32_t>(BakeMaterial::lamp_post));
+  lamps.lamps = {};
   if (windows) {
-    WindowModels models(lights_path, recipe.city.tile_m);
+    WindowModels models(scratch, recipe.city.tile_m);
     const auto inside = [&](const glm::dvec3& place) { return inside_building(terrain, place); };
     const auto place = [&](const LitRectangle& window) {
       const Light light = to_light(window, georeference, schedules);
       models.add(window, lights.add(light, window.provenance));
       if (window.hours.lit_at(recipe.night.minute)) brightest.add(light);
     };
-    report.windows = std::move(*windows).finish(height_on(terrain), place, inside);
+    report.windows = std::move(*windows).finish(height_on(terrain), place, inside, recipe.city.read.threads);
     models.write(writer, georeference);
   }
   for (const Light& light : std::move(brightest).take())
     writer.add_punctual(punctual_of(light, lamps.profiles, lamps.profile_data));
-  report.schedules = schedules.schedules().size();
-  LightFileContent rest;
-  rest.georeference = georeference;
-  rest.profiles = lamps.profiles;
-  rest.profile_data = lamps.profile_data;
-  rest.schedules = schedules.schedules();
-  rest.switches = schedules.switches();
-  lights.finish(rest);
+  report.schedules = schedules.size();
+  return {std::move(lamps.profiles), std::move(lamps.profile_data)};
 }
 
 }  // namespace nightcity

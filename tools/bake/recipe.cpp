@@ -106,6 +106,7 @@ std::map<std::string, Table> tables_of(Recipe& recipe) {
          [&city](const Setting& s) { city.read.threads = static_cast<unsigned>(s.integer(0, 1024)); }},
         {"tile_m", [&city](const Setting& s) { city.tile_m = s.number(10, 10000); }},
         {"drop_ground", [&city](const Setting& s) { city.drop_ground = s.boolean(); }},
+        {"drop_hidden", [&city](const Setting& s) { city.drop_hidden = s.boolean(); }},
         {"licence", [&city](const Setting& s) { city.licences = s.texts(); }},
         {"reader",
          [&city](const Setting& s) {

@@ -26,6 +26,7 @@ struct Recipe {
     ReadOptions read;                             // lod = 2, reader = "stream" | "libcitygml", threads = 0
     double tile_m = 250;
     bool drop_ground = false;           // leave out the ground surfaces under buildings: nothing sees them
+    bool drop_hidden = false;           // leave out walls between houses and what lies below the ground
     std::vector<std::string> licences;  // licence = "..." or [...]
   } city;
 

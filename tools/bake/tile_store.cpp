@@ -5,17 +5,11 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
+#include <map>
 #include <span>
 
 namespace nightcity {
 namespace {
-
-// As stored: positions already relative to the tile, in model axes.
-struct StoredTriangle {
-  glm::vec3 corners[3];
-  std::uint32_t material;
-};
-static_assert(sizeof(StoredTriangle) == 40);
 
 // FNV-1a's multiplier over the words, and a final mix for the low bits.
 std::size_t hash_of(const glm::vec3& position) {
@@ -67,13 +61,8 @@ class Welder {
 
 }  // namespace
 
-struct TileStore::Record {
-  std::uint64_t previous;  // offset + 1 of this tile's record before; 0 = none
-  std::uint32_t feature, triangle_count;
-};
-
 TileStore::TileStore(const std::filesystem::path& path, double size_m, double base_height)
-    : size_m_(size_m), base_height_(base_height), file_(path) {}
+    : size_m_(size_m), base_height_(base_height), tiles_(path) {}
 
 TileKey TileStore::key_of(const glm::dvec3& point, NodeKind kind) const {
   return {static_cast<std::int32_t>(std::floor(point.x / size_m_)),
@@ -84,7 +73,7 @@ glm::dvec3 TileStore::origin(const TileKey& tile) const {
   return {tile.column * size_m_, tile.row * size_m_, base_height_};
 }
 
-void TileStore::add(std::span<const Triangle> triangles, std::uint32_t feature) {
+void TileStore::add(std::span<const Triangle> triangles, std::uint32_t feature, bool solid) {
   if (triangles.empty()) return;
   glm::dvec2 least(std::numeric_limits<double>::infinity()), greatest(-least);
   for (const Triangle& triangle : triangles)
@@ -95,63 +84,38 @@ void TileStore::add(std::span<const Triangle> triangles, std::uint32_t feature) 
   const glm::dvec2 extent = greatest - least;
   const bool whole = std::max(extent.x, extent.y) <= size_m_;
   const glm::dvec3 centre((least + greatest) / 2.0, 0);
-  // An ordered map, so that the file does not depend on hashing.
-  std::map<TileKey, std::vector<const Triangle*>> parts;
   for (const Triangle& triangle : triangles) {
     const glm::dvec3 place =
         whole ? centre : (triangle.corners[0] + triangle.corners[1] + triangle.corners[2]) / 3.0;
-    parts[key_of(place, triangle.kind)].push_back(&triangle);
-  }
-  for (const auto& [key, part] : parts) append(key, part, feature);
-}
-
-void TileStore::append(const TileKey& key, std::span<const Triangle* const> triangles,
-                       std::uint32_t feature) {
-  Tile& tile = tiles_[key];
-  const Record record{tile.last_record, feature, static_cast<std::uint32_t>(triangles.size())};
-  tile.last_record = file_.size() + 1;
-  file_.write(&record, sizeof record);
-  const glm::dvec3 corner = origin(key);
-  std::vector<StoredTriangle> stored(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const TileKey key = key_of(place, triangle.kind);
+    const glm::dvec3 corner = origin(key);
+    StoredTriangle stored{{}, triangle.material, feature, solid};
     for (int i = 0; i < 3; ++i) {
-      const glm::dvec3 local = triangles[t]->corners[i] - corner;
-      stored[t].corners[i] = glm::vec3(glm::dvec3(local.x, local.z, -local.y));
+      const glm::dvec3 local = triangle.corners[i] - corner;
+      stored.corners[i] = glm::vec3(glm::dvec3(local.x, local.z, -local.y));
     }
-    stored[t].material = triangles[t]->material;
+    tiles_.add(key, stored);
   }
-  file_.write(stored.data(), stored.size() * sizeof(StoredTriangle));
 }
 
-std::vector<TileKey> TileStore::tiles() const {
-  std::vector<TileKey> keys;
-  for (const auto& [key, tile] : tiles_) keys.push_back(key);
-  return keys;
+std::vector<TileKey> TileStore::tiles() {
+  return tiles_.keys();
 }
 
-SceneMesh TileStore::mesh(const TileKey& key) {
-  std::vector<std::pair<std::uint64_t, Record>> records;
-  for (std::uint64_t next = tiles_.at(key).last_record; next != 0;) {
-    Record record;
-    file_.read(next - 1, &record, sizeof record);
-    records.emplace_back(next - 1, record);
-    next = record.previous;
-  }
-  std::reverse(records.begin(), records.end());
-
+SceneMesh TileStore::mesh(const TileKey& key, const LeaveOut& leave_out) {
+  const std::vector<StoredTriangle> triangles = tiles_.read(key);
+  const std::vector<bool> left_out =
+      leave_out ? leave_out(triangles) : std::vector<bool>(triangles.size(), false);
   std::map<MaterialCode, Welder> welders;
-  std::vector<StoredTriangle> triangles;
-  for (const auto& [offset, record] : records) {
-    triangles.resize(record.triangle_count);
-    file_.read(offset + sizeof record, triangles.data(), triangles.size() * sizeof(StoredTriangle));
-    for (const StoredTriangle& triangle : triangles) {
-      Welder& welder = welders[triangle.material];
-      std::uint32_t index[3];
-      for (int i = 0; i < 3; ++i) index[i] = welder.index_of(triangle.corners[i], record.feature);
-      // Rounding to float can join corners: such a triangle has no area.
-      if (index[0] == index[1] || index[1] == index[2] || index[2] == index[0]) continue;
-      welder.primitive.indices.insert(welder.primitive.indices.end(), index, index + 3);
-    }
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (left_out[t]) continue;
+    const StoredTriangle& triangle = triangles[t];
+    Welder& welder = welders[triangle.material];
+    std::uint32_t index[3];
+    for (int i = 0; i < 3; ++i) index[i] = welder.index_of(triangle.corners[i], triangle.feature);
+    // Rounding to float can join corners: such a triangle has no area.
+    if (index[0] == index[1] || index[1] == index[2] || index[2] == index[0]) continue;
+    welder.primitive.indices.insert(welder.primitive.indices.end(), index, index + 3);
   }
   SceneMesh mesh;
   mesh.name =

@@ -5,14 +5,14 @@
 #include <compare>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <glm/vec3.hpp>
-#include <map>
 #include <span>
 #include <vector>
 
-#include "formats/atomic_file.h"
 #include "formats/scene_file.h"
 #include "tools/bake/materials.h"
+#include "tools/cell_file.h"
 
 namespace nightcity {
 
@@ -35,28 +35,34 @@ class TileStore {
     NodeKind kind;
   };
   /// Adds an object's triangles, feature `feature`. An object goes whole into the tile of its centre unless
-  /// it is larger than a tile (terrain, long roads): then each triangle goes by its own.
-  void add(std::span<const Triangle> triangles, std::uint32_t feature);
+  /// it is larger than a tile (terrain, long roads): then each triangle goes by its own. `solid`: they bound
+  /// a closed building.
+  void add(std::span<const Triangle> triangles, std::uint32_t feature, bool solid = false);
 
-  std::vector<TileKey> tiles() const;
+  std::vector<TileKey> tiles();
   /// South-west corner at the base height: E, N, H. Positions of mesh() are relative to it, in model axes
   /// (x east, y up, z south).
   glm::dvec3 origin(const TileKey& tile) const;
+  /// A triangle of a tile: corners relative to its origin(), in model axes.
+  struct StoredTriangle {
+    glm::vec3 corners[3];
+    MaterialCode material;
+    std::uint32_t feature;
+    std::uint32_t solid;
+  };
+  /// Which of a tile's triangles are to be left out.
+  using LeaveOut = std::function<std::vector<bool>(std::span<const StoredTriangle>)>;
+
   /// All triangles of a tile in the order in which they came, one primitive a material, equal vertices
   /// welded. A primitive's `material` is a MaterialCode: whoever writes it asks a MaterialTable.
-  SceneMesh mesh(const TileKey& tile);
+  /// May be asked from many threads once tiles() has been, and until something is added.
+  SceneMesh mesh(const TileKey& tile, const LeaveOut& leave_out = {});
 
  private:
-  struct Record;
-  struct Tile {
-    std::uint64_t last_record = 0;  // offset + 1 of the latest record; each record names the one before it
-  };
   TileKey key_of(const glm::dvec3& point, NodeKind kind) const;
-  void append(const TileKey& key, std::span<const Triangle* const> triangles, std::uint32_t feature);
 
   double size_m_, base_height_;
-  ScratchFile file_;
-  std::map<TileKey, Tile> tiles_;
+  CellFile<TileKey, StoredTriangle> tiles_;
 };
 
 }  // namespace nightcity

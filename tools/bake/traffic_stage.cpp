@@ -52,8 +52,8 @@ LightFileContent content_of(const LightFile& file) {
   return content;
 }
 
-void write_with_traffic(const std::filesystem::path& path, LightFileContent content,
-                        const traffic::TrafficSet& traffic) {
+void finish_with_traffic(LightFileWriter& writer, LightFileContent content,
+                         const traffic::TrafficSet& traffic) {
   std::vector<LightProfile> profiles(content.profiles.begin(), content.profiles.end());
   std::vector<float> data(content.profile_data.begin(), content.profile_data.end());
   const auto first_profile = static_cast<uint>(profiles.size()), first_value = static_cast<uint>(data.size());
@@ -69,7 +69,13 @@ void write_with_traffic(const std::filesystem::path& path, LightFileContent cont
   content.traffic = traffic.trips.empty() ? TrafficContent{} : traffic.content();
   content.traffic.vehicle_lights =
       traffic.trips.empty() ? std::span<const Light>() : std::span<const Light>(lights);
-  write_light_file(path, content);
+  writer.finish(content);
+}
+
+void write_with_traffic(const std::filesystem::path& path, LightFileContent content,
+                        const traffic::TrafficSet& traffic) {
+  LightFileWriter writer(path);
+  finish_with_traffic(writer, std::move(content), traffic);
 }
 
 void add_vehicle_models(SceneWriter& writer, const traffic::TrafficSet& traffic, double t) {

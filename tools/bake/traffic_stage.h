@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "formats/light_file_writer.h"
 #include "formats/scene_file.h"
 #include "tools/bake/city_frames.h"
 #include "tools/bake/progress.h"
@@ -20,6 +21,10 @@ traffic::TrafficSet make_city_traffic(const Recipe& recipe, const OsmData& osm, 
 
 /// All that a light file holds, to be written again; spans into `file`.
 LightFileContent content_of(const LightFile& file);
+
+/// Ends a light file with this traffic in it, in place of any that `rest` has. The vehicles' profiles follow
+/// those of `rest`. Throws Error.
+void finish_with_traffic(LightFileWriter& lights, LightFileContent rest, const traffic::TrafficSet& traffic);
 
 /// Writes `content` with this traffic in place of any it has. It may lie in the file that is replaced. Throws
 /// Error.

@@ -1,6 +1,8 @@
 #include "tools/bake/window_models.h"
 
 #include <cmath>
+#include <map>
+#include <vector>
 
 #include "tools/lights/colour.h"
 
@@ -9,7 +11,7 @@ namespace {
 
 constexpr double steps_a_stop = 4, cct_step_k = 250;
 
-using Look = std::pair<int, int>;
+using Look = std::pair<int, int>;  // brightness and colour as an index into steps
 
 Look look_of(const LitRectangle& window) {
   return {static_cast<int>(std::lround(steps_a_stop * std::log2(double{window.luminance_cd_m2}))),
@@ -46,37 +48,25 @@ void add_quad(ScenePrimitive& primitive, const LitRectangle& window, const glm::
 
 }  // namespace
 
-struct WindowModels::Record {
-  LitRectangle window;
-  std::uint32_t light;
-};
-
 void WindowModels::add(const LitRectangle& window, std::uint32_t light) {
   const glm::dvec2 place = glm::dvec2(window.centre) / tile_m_;
-  const Tile tile{static_cast<int>(std::floor(place.x)), static_cast<int>(std::floor(place.y))};
-  tiles_[tile][look_of(window)].push_back(count_++);
-  Record record{};
-  record.window = window;
-  record.light = light;
-  file_.write(&record, sizeof record);
+  tiles_.add({static_cast<int>(std::floor(place.x)), static_cast<int>(std::floor(place.y))}, {window, light});
 }
 
 void WindowModels::write(SceneWriter& writer, const Georeference& georeference) {
   std::map<Look, std::uint32_t> materials;
-  for (const auto& [tile, looks] : tiles_) {
+  for (const Tile& tile : tiles_.keys()) {
     const glm::dvec3 origin(tile.first * tile_m_, tile.second * tile_m_, georeference.origin.z);
+    std::map<Look, ScenePrimitive> primitives;
+    for (const Record& record : tiles_.read(tile))
+      add_quad(primitives[look_of(record.window)], record.window, origin, record.light);
     SceneMesh mesh;
     mesh.name = "windows " + std::to_string(tile.first) + " " + std::to_string(tile.second);
-    for (const auto& [look, members] : looks) {
+    for (auto& [look, primitive] : primitives) {
       const auto [material, is_new] = materials.try_emplace(look, 0);
       if (is_new) material->second = writer.add_material(material_of(look));
-      ScenePrimitive& primitive = mesh.primitives.emplace_back();
       primitive.material = material->second;
-      for (const std::uint32_t i : members) {
-        Record record;
-        file_.read(std::uint64_t{i} * sizeof record, &record, sizeof record);
-        add_quad(primitive, record.window, origin, record.light);
-      }
+      mesh.primitives.push_back(std::move(primitive));
     }
     SceneInstance instance;
     instance.to_model[3] = glm::vec4(glm::vec3(georeference.to_model(origin)), 1);

@@ -3,13 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <utility>
-#include <vector>
 
-#include "formats/atomic_file.h"
 #include "formats/georeference.h"
 #include "formats/scene_file.h"
+#include "tools/cell_file.h"
 #include "tools/lights/windows.h"
 
 namespace nightcity {
@@ -20,8 +18,8 @@ namespace nightcity {
 /// whatever its hours: those are in city.lights alone.
 class WindowModels {
  public:
-  /// Keeps a scratch file beside `scratch`; 4 bytes a window in memory.
-  WindowModels(const std::filesystem::path& scratch, double tile_m) : file_(scratch), tile_m_(tile_m) {}
+  /// Keeps them in a scratch file beside `scratch`, so that memory does not grow with the city.
+  WindowModels(const std::filesystem::path& scratch, double tile_m) : tiles_(scratch), tile_m_(tile_m) {}
 
   /// `light`: its number in city.lights, which each vertex names.
   void add(const LitRectangle& window, std::uint32_t light);
@@ -29,13 +27,13 @@ class WindowModels {
 
  private:
   using Tile = std::pair<int, int>;
-  using Look = std::pair<int, int>;  // brightness and colour as an index into steps
-  struct Record;
+  struct Record {
+    LitRectangle window;
+    std::uint32_t light;
+  };
 
-  ScratchFile file_;
+  CellFile<Tile, Record> tiles_;
   double tile_m_;
-  std::uint32_t count_ = 0;
-  std::map<Tile, std::map<Look, std::vector<std::uint32_t>>> tiles_;
 };
 
 }  // namespace nightcity

@@ -1,6 +1,7 @@
 #include "tools/citygml/appearances.h"
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 #include "tools/citygml/attributes.h"
@@ -8,6 +9,15 @@
 #include "tools/citygml/tag_scanner.h"
 
 namespace nightcity {
+namespace {
+
+constexpr std::size_t most_targets = 2'000'000;  // 100 MB
+
+std::size_t hash(std::string_view id) {
+  return std::hash<std::string_view>()(id);
+}
+
+}  // namespace
 
 void Materials::read(const pugi::xml_node& appearance, SkipCounter& skipped) {
   read_below(appearance, 0, skipped);
@@ -35,8 +45,13 @@ void Materials::read_below(const pugi::xml_node& element, int depth, SkipCounter
         else if (kind == "isFront")
           front = trimmed(property.child_value()) != "false" && trimmed(property.child_value()) != "0";
       }
-      for (const std::string_view target : targets)
-        if (front && target.starts_with('#')) colours_.emplace(target.substr(1), colour);
+      for (const std::string_view target : targets) {
+        if (!front || !target.starts_with('#')) continue;
+        if (colours_.size() < most_targets)
+          colours_.emplace(hash(target.substr(1)), colour);
+        else
+          skipped.add("app:target: beyond the two million whose colours are kept");
+      }
     } else if (child.type() == pugi::node_element && name != "theme") {
       skipped.add(child.name());
     }
@@ -44,7 +59,7 @@ void Materials::read_below(const pugi::xml_node& element, int depth, SkipCounter
 }
 
 const glm::vec3* Materials::find(std::string_view id) const {
-  const auto at = colours_.find(id);
+  const auto at = colours_.find(hash(id));
   return at == colours_.end() ? nullptr : &at->second;
 }
 

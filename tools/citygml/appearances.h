@@ -3,7 +3,6 @@
 
 #include <glm/vec3.hpp>
 #include <pugixml.hpp>
-#include <string>
 #include <string_view>
 #include <unordered_map>
 
@@ -19,16 +18,11 @@ class Materials {
   /// sRGB as in the file; null when the id has none. The first material of an id wins.
   const glm::vec3* find(std::string_view id) const;
   bool empty() const { return colours_.empty(); }
-  void merge(const Materials& other) { colours_.insert(other.colours_.begin(), other.colours_.end()); }
 
  private:
   void read_below(const pugi::xml_node& element, int depth, SkipCounter& skipped);
 
-  struct Hash {
-    using is_transparent = void;
-    std::size_t operator()(std::string_view s) const { return std::hash<std::string_view>()(s); }
-  };
-  std::unordered_map<std::string, glm::vec3, Hash, std::equal_to<>> colours_;
+  std::unordered_map<std::size_t, glm::vec3> colours_;  // by the id's hash: a city's ids would fill memory
 };
 
 }  // namespace nightcity

@@ -35,16 +35,6 @@ class PlainSource : public ByteSource {
     }
   }
 
-  std::string tail(std::size_t size) const {
-    const off_t length = ::lseek(descriptor_, 0, SEEK_END);
-    if (length <= 0) return {};
-    std::string text(std::min(size, static_cast<std::size_t>(length)), '\0');
-    const ssize_t got =
-        ::pread(descriptor_, text.data(), text.size(), length - static_cast<off_t>(text.size()));
-    text.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
-    return text;
-  }
-
  private:
   int descriptor_;
   std::string name_;
@@ -115,18 +105,6 @@ bool is_document(std::string_view entry) {
   return lower.ends_with(".gml") || lower.ends_with(".xml") || lower.ends_with(".citygml");
 }
 
-// The last bytes of what can only be read from its beginning.
-std::string tail_of(ByteSource& source, std::size_t size) {
-  constexpr std::size_t block = std::size_t{1} << 18;
-  std::string kept;
-  for (std::string next(block, '\0');;) {
-    const std::size_t got = source.read(next.data(), next.size());
-    if (got == 0) return kept;
-    kept.append(next, 0, got);
-    if (kept.size() > size) kept.erase(0, kept.size() - size);
-  }
-}
-
 std::vector<Document> documents_in_archive(const std::string& path) {
   const auto archive = open_archive(path);
   std::vector<Document> documents;
@@ -136,11 +114,7 @@ std::vector<Document> documents_in_archive(const std::string& path) {
     const char* entry = zip_get_name(archive.get(), index, ZIP_FL_ENC_GUESS);
     if (!entry || !is_document(entry)) continue;
     const std::string name = path + "/" + entry;
-    documents.push_back({name, [=] { return std::make_unique<ZipSource>(path, index, name); },
-                         [=](std::size_t size) {
-                           ZipSource source(path, index, name);
-                           return tail_of(source, size);
-                         }});
+    documents.push_back({name, [=] { return std::make_unique<ZipSource>(path, index, name); }});
   }
   if (documents.empty()) throw Error(path, "the archive holds no .gml, .xml or .citygml");
   return documents;
@@ -156,13 +130,22 @@ std::vector<Document> documents_in(const std::filesystem::path& file) {
   if (got == 0) throw Error(path, "is empty");
   if (got == 4 && std::memcmp(magic, "PK\x03\x04", 4) == 0) return documents_in_archive(path);
   if (got >= 2 && std::memcmp(magic, "\x1f\x8b", 2) == 0)
-    return {{path, [=] { return std::make_unique<GzipSource>(path); },
-             [=](std::size_t size) {
-               GzipSource source(path);
-               return tail_of(source, size);
-             }}};
-  return {{path, [=] { return std::make_unique<PlainSource>(path); },
-           [=](std::size_t size) { return PlainSource(path).tail(size); }}};
+    return {{path, [=] { return std::make_unique<GzipSource>(path); }}};
+  return {{path, [=] { return std::make_unique<PlainSource>(path); }}};
+}
+
+bool mentions(const Document& document, std::string_view text) {
+  constexpr std::size_t block = std::size_t{1} << 19;  // stays in the second cache
+  const auto source = document.open();
+  std::vector<char> window(text.size() + block);
+  for (std::size_t kept = 0;;) {
+    const std::size_t got = source->read(window.data() + kept, block);
+    if (got == 0) return false;
+    const std::size_t size = kept + got;
+    if (::memmem(window.data(), size, text.data(), text.size())) return true;
+    kept = std::min(size, text.size() - 1);  // the text may lie across the border
+    std::memmove(window.data(), window.data() + size - kept, kept);
+  }
 }
 
 }  // namespace nightcity

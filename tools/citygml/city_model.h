@@ -8,7 +8,9 @@
 #include <functional>
 #include <glm/vec3.hpp>
 #include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -68,7 +70,8 @@ struct CityObject {
   std::vector<double> storey_heights_m;
   int lod = -1;
   std::vector<Polygon> polygons;
-  std::vector<glm::dvec3> points;  // relief given as mass points and break lines: for a surface through them
+  std::vector<glm::dvec3> points;  // relief given as mass points: for a surface through them
+  std::vector<Ring> lines;         // its break lines and ridges, open: edges of that surface
 };
 
 /// What a file held and what was not used of it. Silence means that nothing was lost.
@@ -89,6 +92,8 @@ struct ReadOptions {
   int highest_lod = 2;  // the highest LoD up to this is taken per object, falling back to lower ones
   Reader reader = Reader::stream;
   unsigned threads = 0;  // 0 = as many as there are cores; the objects and their order do not depend on it
+  /// Files of the same city, in normal form: xlinks to geometry lead into these and no others.
+  std::shared_ptr<const std::set<std::filesystem::path>> neighbours{};
 };
 
 /// Called on one thread at a time, in file order; objects that refer to geometry of other members come behind

@@ -133,17 +133,18 @@ void GeometryWalk::walk(const pugi::xml_node& element, const GeometryContext& co
 }
 
 void GeometryWalk::follow(const pugi::xml_node& link, std::string_view href, const GeometryContext& context) {
-  if (!href.starts_with('#')) {
+  const bool here = href.starts_with('#');
+  const std::string id = here ? std::string(href.substr(1)) : library_.elsewhere(href);
+  if (id.empty()) {
     skipped_.add("xlink: to another file");
     return;
   }
-  const std::string id(href.substr(1));
   GeometryContext there = context;
   if (++there.links > most_links) {
     skipped_.add("xlink: a chain too long, or a cycle");
     return;
   }
-  if (const pugi::xml_node target = ids_.find(id)) {
+  if (const pugi::xml_node target = here ? ids_.find(id) : pugi::xml_node()) {
     const std::string_view kind = local_name(target.name());
     if (!is_geometry(kind)) skipped_.add("xlink: to what is no geometry");
     // A target passed before has all its polygons taken: this ends cycles, and trees of links to links.
@@ -151,8 +152,8 @@ void GeometryWalk::follow(const pugi::xml_node& link, std::string_view href, con
       walk(target, there);
     return;
   }
-  const auto shared = library_.find(id);
-  if (shared == library_.end()) {
+  const auto shared = library_.polygons.find(id);
+  if (shared == library_.polygons.end()) {
     unresolved_.push_back(id);
     skipped_.add("xlink: target not in the file (" + std::string(link.name()) + ")");
     return;
@@ -241,7 +242,8 @@ void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryCo
           matrix[column][row] = numbers[static_cast<std::size_t>(4 * row + column)];
     } else if (name == "referencePoint") {
       std::vector<glm::dvec3> points;
-      read_points(child, context, points);
+      std::vector<Ring> lines;
+      read_points(child, context, points, lines);
       if (!points.empty()) reference = points.front();
     } else if (name == "relativeGMLGeometry" || name == "relativeGeometry") {
       shapes.push_back(child);
@@ -264,7 +266,7 @@ void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryCo
 }
 
 void GeometryWalk::read_points(const pugi::xml_node& property, const GeometryContext& context,
-                               std::vector<glm::dvec3>& out) {
+                               std::vector<glm::dvec3>& points, std::vector<Ring>& lines) {
   GeometryContext inside = context;
   inside.dimension = dimension_said(property, context.dimension);
   if (++inside.depth > deepest_nesting) {
@@ -273,8 +275,14 @@ void GeometryWalk::read_points(const pugi::xml_node& property, const GeometryCon
   }
   const std::string_view name = local_name(property.name());
   if (name != "pos" && name != "posList") {
+    const bool is_line = name == "LineString" || name == "LineStringSegment" || name == "LinearRing";
+    Ring line;
     for (const pugi::xml_node& child : property.children())
-      if (child.type() == pugi::node_element) read_points(child, inside, out);
+      if (child.type() == pugi::node_element) read_points(child, inside, is_line ? line : points, lines);
+    if (line.size() > 1)
+      lines.push_back(std::move(line));
+    else
+      points.insert(points.end(), line.begin(), line.end());
     return;
   }
   std::vector<double> numbers;
@@ -284,7 +292,7 @@ void GeometryWalk::read_points(const pugi::xml_node& property, const GeometryCon
     return;
   }
   for (std::size_t i = 0; i < numbers.size(); i += d)
-    out.emplace_back(numbers[i], numbers[i + 1], d == 3 ? numbers[i + 2] : 0.0);
+    points.emplace_back(numbers[i], numbers[i + 1], d == 3 ? numbers[i + 2] : 0.0);
 }
 
 }  // namespace nightcity

@@ -49,9 +49,9 @@ class GeometryWalk {
   /// The same for a geometry element itself.
   void read_element(const pugi::xml_node& geometry, const GeometryContext& context,
                     std::vector<RawPolygon>& out);
-  /// Every vertex below `property`: mass points, break lines.
+  /// Every vertex below `property`: break lines into `lines`, what lies alone into `points`.
   void read_points(const pugi::xml_node& property, const GeometryContext& context,
-                   std::vector<glm::dvec3>& out);
+                   std::vector<glm::dvec3>& points, std::vector<Ring>& lines);
 
   Materials& local_materials() { return local_materials_; }
   void set_file_materials(const Materials* materials) { file_materials_ = materials; }

@@ -154,7 +154,8 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
     if (local_name(property.name()) == "lod0FootPrint") here.surface = SurfaceType::ground;
     geometry_.read(property, here, raw.polygons);
   }
-  for (const pugi::xml_node& property : points) geometry_.read_points(property, context, raw.object.points);
+  for (const pugi::xml_node& property : points)
+    geometry_.read_points(property, context, raw.object.points, raw.object.lines);
 }
 
 void MemberParser::read_child_features(const pugi::xml_node& property, const GeometryContext& context,

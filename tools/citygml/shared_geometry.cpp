@@ -1,5 +1,6 @@
 #include "tools/citygml/shared_geometry.h"
 
+#include <algorithm>
 #include <pugixml.hpp>
 #include <utility>
 #include <vector>
@@ -11,8 +12,7 @@
 namespace nightcity {
 namespace {
 
-constexpr int most_rounds = 4;                    // links to links to links across members
-constexpr std::size_t most_vertices = 8'000'000;  // 200 MB
+constexpr int most_rounds = 4;  // links to links to links across members
 
 std::size_t vertices_of(const std::vector<Polygon>& polygons) {
   std::size_t count = 0;
@@ -25,10 +25,10 @@ std::size_t vertices_of(const std::vector<Polygon>& polygons) {
 
 // Every wanted geometry the member holds, and the ids that it refers to without holding them.
 void fetch_from(const pugi::xml_node& member, const std::unordered_set<std::string>& wanted,
-                GeometryLibrary& library, std::size_t& vertices, std::unordered_set<std::string>& missing) {
+                GeometryLibrary& library, std::size_t& room, std::unordered_set<std::string>& missing) {
   IdIndex ids(member);
   for (const std::string& id : wanted) {
-    if (library.contains(id) || vertices > most_vertices) continue;
+    if (library.polygons.contains(id) || room == 0) continue;
     const pugi::xml_node element = ids.find(id);
     if (!element) continue;
     SkipCounter counted_where_it_stands;
@@ -40,17 +40,17 @@ void fetch_from(const pugi::xml_node& member, const std::unordered_set<std::stri
       missing.insert(id);
       continue;
     }
-    std::vector<Polygon>& polygons = library[id];
+    std::vector<Polygon>& polygons = library.polygons[id];
     for (RawPolygon& raw : raws) polygons.push_back(std::move(raw.polygon));
-    vertices += vertices_of(polygons);
+    room -= std::min(room, vertices_of(polygons));
   }
 }
 
 }  // namespace
 
-GeometryLibrary fetch_geometry(const Document& document, std::unordered_set<std::string> wanted) {
+GeometryLibrary fetch_geometry(const Document& document, std::unordered_set<std::string> wanted,
+                               std::size_t& room) {
   GeometryLibrary library;
-  std::size_t vertices = 0;
   for (int round = 0; round < most_rounds && !wanted.empty(); ++round) {
     std::unordered_set<std::string> missing;
     const auto source = document.open();
@@ -60,7 +60,7 @@ GeometryLibrary fetch_geometry(const Document& document, std::unordered_set<std:
       for (const MemberBatch::Member& member : batch.members) {
         pugi::xml_document xml;
         if (xml.load_buffer_inplace(batch.bytes.get() + member.begin, member.size, gml_parse_flags))
-          fetch_from(xml, wanted, library, vertices, missing);
+          fetch_from(xml, wanted, library, room, missing);
       }
     }
     wanted = std::move(missing);

@@ -9,8 +9,12 @@
 
 namespace nightcity {
 
-/// Reads the document for the geometry with these ids (and what that refers to in turn). Ids it does not
-/// hold, and those beyond the few million vertices kept at most, are not in the library.
-GeometryLibrary fetch_geometry(const Document& document, std::unordered_set<std::string> wanted);
+/// Vertices kept at most, of all that one document's links lead to: 200 MB.
+constexpr std::size_t most_shared_vertices = 8'000'000;
+
+/// Reads the document for the geometry with these ids (and what that refers to in turn within it). Ids it
+/// does not hold, and those beyond `room` vertices, are not in the library; what is in it comes off `room`.
+GeometryLibrary fetch_geometry(const Document& document, std::unordered_set<std::string> wanted,
+                               std::size_t& room);
 
 }  // namespace nightcity

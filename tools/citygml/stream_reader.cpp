@@ -1,9 +1,8 @@
 // The stream reader: members parsed in place, several batches at a time, delivered in file order.
-#include <oneapi/tbb/parallel_pipeline.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <algorithm>
-#include <memory>
+#include <filesystem>
+#include <map>
+#include <optional>
 #include <pugixml.hpp>
 #include <unordered_set>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "tools/citygml/member_parser.h"
 #include "tools/citygml/rings.h"
 #include "tools/citygml/shared_geometry.h"
+#include "tools/in_order.h"
 
 namespace nightcity {
 namespace {
@@ -35,7 +35,10 @@ struct BatchResult {
 class StreamReader {
  public:
   StreamReader(const Document& document, const ReadOptions& options, const ObjectStage& stage)
-      : document_(document), options_(options), stage_(stage) {}
+      : document_(document), options_(options), stage_(stage) {
+    library_.folder = std::filesystem::path(document.name).parent_path();
+    library_.neighbours = options.neighbours;
+  }
 
   ReadReport read() {
     read_file_materials();
@@ -43,7 +46,7 @@ class StreamReader {
     report_.srs_name = srs_name_;
     if (deferred_.empty()) return std::move(report_);
     // Some members refer to geometry that others hold: fetch it, then read those members again.
-    library_ = fetch_geometry(document_, wanted_);
+    fetch_wanted();
     library_complete_ = true;
     const std::unordered_set<std::size_t> again(deferred_.begin(), deferred_.end());
     run(&again);
@@ -51,29 +54,45 @@ class StreamReader {
   }
 
  private:
-  // The document's own appearances stand before or behind all objects; where they are is seen at both ends of
-  // the file. Without any, this costs two looks.
+  // The document's own appearances may stand behind the objects they colour, so they are read first. A
+  // document without any costs a look for the word.
   void read_file_materials() {
     constexpr std::string_view element = "appearanceMember";
-    constexpr std::size_t end_bytes = std::size_t{1} << 18;
     const auto source = document_.open();
     MemberSplitter splitter(*source, document_.name, {});
     require_citygml(splitter.head(), document_.name);
-    const bool at_end = document_.tail(end_bytes).find(element) != std::string::npos;
+    if (!mentions(document_, element)) return;
     MemberBatch batch;
     SkipCounter textures;
-    bool any = at_end;
-    for (bool first = true; splitter.next(batch) && (first || any); first = false) {
+    while (splitter.next(batch))
       for (const MemberBatch::Member& member : batch.members) {
         if (member.name != element) continue;
-        any = true;
         pugi::xml_document xml;
         load(splitter.head(), batch, member, xml);
         file_materials_.read(xml.document_element(), textures);
       }
-    }
-    materials_read_ = any;
     textures.merge_into(report_.skipped);
+  }
+
+  void fetch_wanted() {
+    std::map<std::filesystem::path, std::unordered_set<std::string>> by_file;  // "" = this one
+    for (const std::string& name : wanted_) {
+      auto [file, id] = library_.parts(name);
+      by_file[std::move(file)].insert(std::move(id));
+    }
+    std::size_t room = most_shared_vertices;
+    for (const auto& [file, ids] : by_file) {
+      if (file.empty()) {
+        library_.polygons.merge(fetch_geometry(document_, ids, room).polygons);
+      } else if (read_citygml_head(file).srs_name != srs_name_) {
+        report_.warnings.push_back(document_.name + ": xlinks into " + file.string() +
+                                   " are not followed: it is in another CRS");
+      } else {
+        for (const Document& neighbour : documents_in(file))
+          for (auto& [id, polygons] : fetch_geometry(neighbour, ids, room).polygons)
+            library_.polygons.emplace(file.string() + "#" + id, std::move(polygons));
+      }
+    }
   }
 
   void load(const DocumentHead& head, const MemberBatch& batch, const MemberBatch::Member& member,
@@ -95,7 +114,7 @@ class StreamReader {
       const std::size_t number = batch.first_member + i;
       if (only && !only->contains(number)) continue;
       if (!is_object_member(member)) {
-        if (member.name != "boundedBy" && !(materials_read_ && member.name == "appearanceMember"))
+        if (member.name != "boundedBy" && member.name != "appearanceMember")
           ++out.report.skipped[member.name];
         continue;
       }
@@ -110,7 +129,7 @@ class StreamReader {
       }
       for (const std::string& id : parser.unresolved())
         out.report.warnings.push_back(document_.name + ": line " + std::to_string(member.line) +
-                                      ": xlink to #" + id + ", which the file does not hold");
+                                      ": xlink to " + id + ", which is not there");
       parser.skipped().merge_into(out.report.skipped);
       for (RawObject& raw : raws) {
         raw.continued = member.continued;
@@ -142,33 +161,15 @@ class StreamReader {
     MemberSplitter splitter(*source, document_.name, {});
     report_.version = splitter.head().version;
     const DocumentHead& head = splitter.head();
-    const int cores = oneapi::tbb::this_task_arena::max_concurrency();
-    const int threads = options_.threads > 0 ? std::min(static_cast<int>(options_.threads), cores) : cores;
-    if (threads == 1) {
-      MemberBatch batch;
-      while (next(splitter, batch)) take(parse(head, batch, only));
-      return;
-    }
-    using BatchPtr = std::shared_ptr<MemberBatch>;
-    using ResultPtr = std::shared_ptr<BatchResult>;
-    namespace tbb = oneapi::tbb;
-    const auto split = [&](tbb::flow_control& flow) -> BatchPtr {
-      auto batch = std::make_shared<MemberBatch>();
-      if (!next(splitter, *batch)) flow.stop();
-      return batch;
-    };
-    const auto parse_one = [&](const BatchPtr& batch) {
-      return std::make_shared<BatchResult>(parse(head, *batch, only));
-    };
-    const auto deliver = [&](const ResultPtr& result) { take(std::move(*result)); };
-    tbb::task_arena arena(threads);
-    arena.execute([&] {
-      tbb::parallel_pipeline(
-          static_cast<std::size_t>(2 * threads),
-          tbb::make_filter<void, BatchPtr>(tbb::filter_mode::serial_in_order, split) &
-              tbb::make_filter<BatchPtr, ResultPtr>(tbb::filter_mode::parallel, parse_one) &
-              tbb::make_filter<ResultPtr, void>(tbb::filter_mode::serial_in_order, deliver));
-    });
+    in_order(
+        options_.threads,
+        [&]() -> std::optional<MemberBatch> {
+          std::optional<MemberBatch> batch(std::in_place);
+          if (!next(splitter, *batch)) batch.reset();
+          return batch;
+        },
+        [&](MemberBatch&& batch) { return parse(head, batch, only); },
+        [&](BatchResult&& result) { take(std::move(result)); });
   }
 
   const Document& document_;
@@ -177,7 +178,6 @@ class StreamReader {
   ReadReport report_;
   std::string srs_name_;
   Materials file_materials_;
-  bool materials_read_ = false;
   GeometryLibrary library_;
   bool library_complete_ = false;
   std::vector<std::size_t> deferred_;

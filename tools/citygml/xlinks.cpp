@@ -30,4 +30,19 @@ pugi::xml_node IdIndex::find(std::string_view id) {
   return at == nodes_.end() ? pugi::xml_node() : at->second;
 }
 
+std::string GeometryLibrary::elsewhere(std::string_view href) const {
+  const std::size_t hash = href.find('#');
+  if (!neighbours || hash == 0 || hash == std::string_view::npos) return {};
+  const std::filesystem::path file = (folder / href.substr(0, hash)).lexically_normal();
+  if (!neighbours->contains(file)) return {};
+  return file.string() + std::string(href.substr(hash));
+}
+
+std::pair<std::filesystem::path, std::string> GeometryLibrary::parts(const std::string& name) const {
+  const std::size_t hash = name.rfind('#');
+  if (!neighbours || hash == std::string::npos || !neighbours->contains(name.substr(0, hash)))
+    return {{}, name};
+  return {name.substr(0, hash), name.substr(hash + 1)};
+}
+
 }  // namespace nightcity

@@ -112,18 +112,19 @@ std::size_t ScheduleTable::Hash::operator()(const NightSchedule& schedule) const
 }
 
 std::uint32_t ScheduleTable::add(const NightSchedule& schedule) {
-  const auto [known, is_new] = known_.try_emplace(schedule, static_cast<std::uint32_t>(schedules_.size()));
-  if (is_new) {
-    Schedule stored{static_cast<uint>(switches_.size()), 0};
-    for (std::size_t n = 0; n < schedule.on.size(); ++n) {
-      if (schedule.on[n] >= schedule.off[n]) continue;
-      switches_.push_back(second_of(schedule.on[n]));
-      switches_.push_back(second_of(schedule.off[n]));
-      stored.count += 2;
-    }
-    schedules_.push_back(stored);
+  if (const auto known = known_.find(schedule); known != known_.end()) return known->second;
+  std::array<uint, 2 * std::tuple_size_v<decltype(schedule.on)>> switches;
+  std::size_t count = 0;
+  for (std::size_t n = 0; n < schedule.on.size(); ++n) {
+    if (schedule.on[n] >= schedule.off[n]) continue;
+    switches[count++] = second_of(schedule.on[n]);
+    switches[count++] = second_of(schedule.off[n]);
   }
-  return known->second;
+  const std::uint32_t number = store_(std::span(switches).first(count));
+  ++size_;
+  if (known_.size() >= most_known_) known_.clear();
+  known_.emplace(schedule, number);
+  return number;
 }
 
 bool shines_at(const Schedule& schedule, const uint* switches, uint seconds) {

@@ -5,10 +5,12 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <unordered_map>
-#include <vector>
+#include <utility>
 
 #include "formats/night.h"
 
@@ -45,22 +47,29 @@ std::optional<NightSpan> parse_night_span(std::string_view text);
 /// the night it means. Nothing where the text tells no hours ("yes", "automatic") or cannot be read.
 std::optional<NightSchedule> parse_lit_hours(std::string_view text);
 
-/// The schedules of a light file under construction; equal ones are stored once, in the order of coming.
+/// The schedules of a light file under construction, in the order of coming: equal ones are stored once. Of
+/// a city's hundreds of thousands it remembers `most_known` at a time, so that memory does not grow with the
+/// city: one that comes again after so many others is stored again.
 class ScheduleTable {
  public:
+  /// Stores a schedule, as its switch times in s since noon, and says its number:
+  /// LightFileWriter::add_schedule.
+  using Store = std::function<std::uint32_t(std::span<const uint> switches)>;
+  explicit ScheduleTable(Store store, std::size_t most_known = 100'000)
+      : store_(std::move(store)), most_known_(most_known) {}
+
   /// The number of a schedule that is not never().
   std::uint32_t add(const NightSchedule& schedule);
-
-  const std::vector<Schedule>& schedules() const { return schedules_; }
-  const std::vector<uint>& switches() const { return switches_; }  // s since noon
+  /// How many have been stored.
+  std::size_t size() const { return size_; }
 
  private:
   struct Hash {
     std::size_t operator()(const NightSchedule& schedule) const;
   };
+  Store store_;
+  std::size_t most_known_, size_ = 0;
   std::unordered_map<NightSchedule, std::uint32_t, Hash> known_;
-  std::vector<Schedule> schedules_;
-  std::vector<uint> switches_;
 };
 
 /// Whether a light of a file with these switch times shines `seconds` after noon.

@@ -4,24 +4,29 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
+#include <vector>
 
 #include "tools/lights/wall_plane.h"
 
 namespace nightcity {
 namespace {
 
-constexpr double cell_m = 16;
+constexpr double bucket_m = 16;
+constexpr std::int32_t buckets = 8;          // a cell's side in them
+constexpr std::size_t most_cached = 60'000;  // walls, 32 bytes each
 constexpr double behind_m = 0.05;
 constexpr double looked_through_m = 30;
 constexpr double most_lean = 0.3;
 constexpr double longest_m = 2000;  // a longer wall is a broken coordinate
 
-std::int64_t cell_of(double v) {
-  return static_cast<std::int64_t>(std::floor(v / cell_m));
+// Clamped, so that a stray coordinate overflows nothing.
+std::int32_t bucket_of(double v) {
+  return static_cast<std::int32_t>(std::floor(std::clamp(v / bucket_m, -1e9, 1e9)));
 }
 
-std::uint64_t key(std::int64_t x, std::int64_t y) {
-  return static_cast<std::uint64_t>(x) << 32 ^ (static_cast<std::uint64_t>(y) & 0xFFFFFFFFu);
+std::int32_t cell_of(std::int32_t bucket) {
+  return bucket >= 0 ? bucket / buckets : -((buckets - 1 - bucket) / buckets);
 }
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) {
@@ -30,41 +35,97 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
 
 }  // namespace
 
-void WallIndex::add(const CityObject& object, std::uint32_t owner) {
+// A cell's walls by bucket.
+struct WallIndex::Loaded {
+  std::vector<Wall> walls;
+  std::vector<std::uint32_t> first, inside;
+
+  Loaded(std::vector<Wall> read, const CellKey& key) : walls(std::move(read)) {
+    first.assign(std::size_t{buckets} * buckets + 1, 0);
+    for (const Wall& wall : walls) visit(wall, key, [&](std::size_t b) { ++first[b + 1]; });
+    for (std::size_t b = 1; b < first.size(); ++b) first[b] += first[b - 1];
+    inside.resize(first.back());
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for (std::uint32_t i = 0; i < walls.size(); ++i)
+      visit(walls[i], key, [&](std::size_t b) { inside[next[b]++] = i; });
+  }
+
+  /// Of memory, in walls.
+  std::size_t cost() const { return walls.size() + inside.size() / 8 + 16; }
+
+  // A grid walk would visit fewer buckets; walls are short.
+  template <class Visit>
+  static void visit(const Wall& wall, const CellKey& key, const Visit& each) {
+    const auto range = [](float a, float b, std::int32_t cell) {
+      const std::int32_t begin = cell * buckets;
+      return std::pair(std::max(bucket_of(std::min(a, b)), begin) - begin,
+                       std::min(bucket_of(std::max(a, b)), begin + buckets - 1) - begin);
+    };
+    const auto [left, right] = range(wall.ax, wall.bx, key.column);
+    const auto [low, high] = range(wall.ay, wall.by, key.row);
+    for (std::int32_t y = low; y <= high; ++y)
+      for (std::int32_t x = left; x <= right; ++x) each(static_cast<std::size_t>(y * buckets + x));
+  }
+};
+
+WallIndex::WallIndex(const std::filesystem::path& scratch)
+    : cells_(scratch), cache_(std::make_unique<CellCache<CellKey, Loaded>>(most_cached)) {}
+WallIndex::~WallIndex() = default;
+WallIndex::WallIndex(WallIndex&&) noexcept = default;
+
+std::vector<WallIndex::Upright> WallIndex::upright_walls(const CityObject& object) {
+  std::vector<Upright> walls;
   for (const Polygon& polygon : object.polygons) {
     if (polygon.surface != SurfaceType::wall) continue;
     const auto frame = wall_frame(polygon, most_lean);
     if (!frame) continue;
-    if (!origin_) origin_ = frame->origin;
     const WallOutline outline = outline_in(*frame, polygon);
     if (!(outline.high.x - outline.low.x < longest_m)) continue;
-    const glm::dvec3 a = frame->from_plane({outline.low.x, outline.low.y}) - *origin_;
-    const glm::dvec3 b = frame->from_plane({outline.high.x, outline.low.y}) - *origin_;
-    const double top = frame->from_plane({0, outline.high.y}).z - origin_->z;
-    const auto index = static_cast<std::uint32_t>(walls_.size());
-    walls_.push_back({static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(b.x),
-                      static_cast<float>(b.y), static_cast<float>(a.z), static_cast<float>(top),
-                      static_cast<float>(std::atan2(frame->normal.y, frame->normal.x)), owner});
-    // A grid walk would visit fewer cells; walls are short.
-    const glm::dvec2 low = glm::min(glm::dvec2(a), glm::dvec2(b)),
-                     high = glm::max(glm::dvec2(a), glm::dvec2(b));
-    for (std::int64_t x = cell_of(low.x); x <= cell_of(high.x); ++x)
-      for (std::int64_t y = cell_of(low.y); y <= cell_of(high.y); ++y) cells_[key(x, y)].push_back(index);
+    const glm::dvec3 a = frame->from_plane({outline.low.x, outline.low.y});
+    const glm::dvec3 b = frame->from_plane({outline.high.x, outline.low.y});
+    const double top = frame->from_plane({0, outline.high.y}).z;
+    walls.push_back({glm::dvec2(a), glm::dvec2(b), a.z, top, glm::dvec2(frame->normal)});
+  }
+  return walls;
+}
+
+void WallIndex::add(std::span<const Upright> walls, std::uint32_t owner) {
+  for (const Upright& upright : walls) {
+    if (!origin_) origin_ = glm::dvec3(upright.from, upright.low);
+    const glm::dvec2 a = upright.from - glm::dvec2(*origin_), b = upright.to - glm::dvec2(*origin_);
+    const Wall wall{static_cast<float>(a.x),
+                    static_cast<float>(a.y),
+                    static_cast<float>(b.x),
+                    static_cast<float>(b.y),
+                    static_cast<float>(upright.low - origin_->z),
+                    static_cast<float>(upright.high - origin_->z),
+                    static_cast<float>(std::atan2(upright.normal.y, upright.normal.x)),
+                    owner};
+    const auto cell = [](float v) { return cell_of(bucket_of(static_cast<double>(v))); };
+    for (std::int32_t x = cell(std::min(wall.ax, wall.bx)); x <= cell(std::max(wall.ax, wall.bx)); ++x)
+      for (std::int32_t y = cell(std::min(wall.ay, wall.by)); y <= cell(std::max(wall.ay, wall.by)); ++y)
+        cells_.add({x, y}, wall);
   }
 }
 
 template <class Visit>
 void WallIndex::crossings(const glm::dvec3& local, const glm::dvec2& from, const glm::dvec2& line,
-                          const Visit& visit) const {
+                          const Visit& visit) {
   const glm::dvec2 to = from + line;
   const double direction = std::atan2(line.y, line.x);
   const glm::dvec2 low = glm::min(from, to), high = glm::max(from, to);
-  for (std::int64_t x = cell_of(low.x); x <= cell_of(high.x); ++x)
-    for (std::int64_t y = cell_of(low.y); y <= cell_of(high.y); ++y) {
-      const auto cell = cells_.find(key(x, y));
-      if (cell == cells_.end()) continue;
-      for (const std::uint32_t index : cell->second) {
-        const Wall& wall = walls_[index];
+  std::optional<CellKey> at;
+  std::shared_ptr<const Loaded> cell;
+  for (std::int32_t x = bucket_of(low.x); x <= bucket_of(high.x); ++x)
+    for (std::int32_t y = bucket_of(low.y); y <= bucket_of(high.y); ++y) {
+      const CellKey key{cell_of(x), cell_of(y)};
+      if (at != key) {
+        cell = cache_->get(key, [&] { return Loaded(cells_.read(key), key); });
+        at = key;
+      }
+      const auto b = static_cast<std::size_t>((y - key.row * buckets) * buckets + x - key.column * buckets);
+      for (std::uint32_t i = cell->first[b]; i < cell->first[b + 1]; ++i) {
+        const Wall& wall = cell->walls[cell->inside[i]];
         if (local.z < wall.low || local.z > wall.high) continue;
         const glm::dvec2 a(wall.ax, wall.ay), edge = glm::dvec2(wall.bx, wall.by) - a;
         const double denominator = cross(line, edge);
@@ -75,8 +136,7 @@ void WallIndex::crossings(const glm::dvec3& local, const glm::dvec2& from, const
     }
 }
 
-bool WallIndex::blocked(const glm::dvec3& p, const glm::dvec3& normal, double reach_m,
-                        std::uint32_t owner) const {
+bool WallIndex::blocked(const glm::dvec3& p, const glm::dvec3& normal, double reach_m, std::uint32_t owner) {
   if (!origin_) return false;
   const glm::dvec3 local = p - *origin_;
   const glm::dvec2 forward = glm::normalize(glm::dvec2(normal));
@@ -92,7 +152,7 @@ bool WallIndex::blocked(const glm::dvec3& p, const glm::dvec3& normal, double re
   return found;
 }
 
-bool WallIndex::inside_another(const glm::dvec3& p, const glm::dvec3& normal, std::uint32_t owner) const {
+bool WallIndex::inside_another(const glm::dvec3& p, const glm::dvec3& normal, std::uint32_t owner) {
   if (!origin_) return false;
   const glm::dvec3 local = p - *origin_;
   const glm::dvec2 forward = glm::normalize(glm::dvec2(normal)) * looked_through_m;

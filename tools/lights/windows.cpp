@@ -4,8 +4,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "formats/rgb9e5.h"
+#include "tools/in_order.h"
 #include "tools/lights/colour.h"
 
 namespace nightcity {
@@ -37,37 +40,47 @@ double LitRectangle::flux_lm() const {
   return std::numbers::pi * luminance_cd_m2 * 4.0 * half_width * half_height;
 }
 
-/// A window that waits for the rest of the city.
-struct WindowLayout::Record {
-  LitRectangle window;
-  std::uint32_t owner;  // as WallIndex knows it
-  BuildingUse use;
-};
-
 WindowLayout::WindowLayout(const WindowOptions& options, const std::filesystem::path& scratch)
-    : options_(options), pending_(scratch) {}
+    : options_(options), pending_(scratch), walls_(scratch) {}
 
-void WindowLayout::add(const CityObject& object) {
-  // A large object comes in pieces under one id; what has no id is named by its place.
-  piece_ = !object.id.empty() && object.id == last_id_ ? piece_ + 1 : 0;
-  last_id_ = object.id;
-  if (piece_ == 0) ++owners_;
-  walls_.add(object, owners_);
-  if (object.type != ObjectType::building) return;
-  std::uint64_t name = mix(hash_text(object.id) ^ piece_);
+WindowLayout::Laid WindowLayout::lay(const CityObject& object, std::uint64_t piece) const {
+  Laid laid;
+  laid.walls = WallIndex::upright_walls(object);
+  if (object.type != ObjectType::building) return laid;
+  // What has no id is named by its place.
+  std::uint64_t name = mix(hash_text(object.id) ^ piece);
   if (object.id.empty() && !object.polygons.empty() && !object.polygons.front().exterior.empty()) {
     const glm::dvec3& p = object.polygons.front().exterior.front();
     for (int axis = 0; axis < 3; ++axis)
       name = mix(name ^ static_cast<std::uint64_t>(std::llround(p[axis] * 100)));
   }
   const KnownUse use = use_of(object, options_.use_at);
-  ++report_.sources["use"][std::string(name_of(use.use)) + (use.stated     ? ", stated"
-                                                            : use.from_map ? ", by the map"
-                                                                           : ", assumed")];
-  light(name, lay_windows(object, use.use, options_.seed, facades_), use.use);
+  laid.use = std::string(name_of(use.use)) + (use.stated     ? ", stated"
+                                              : use.from_map ? ", by the map"
+                                                             : ", assumed");
+  light(name, lay_windows(object, use.use, options_.seed, laid.facades), use.use, laid);
+  return laid;
 }
 
-void WindowLayout::light(std::uint64_t name, const std::vector<WindowPlace>& places, BuildingUse use) {
+void WindowLayout::add(const CityObject& object, Laid laid) {
+  // A large object comes in pieces under one id.
+  piece_ = !object.id.empty() && object.id == last_id_ ? piece_ + 1 : 0;
+  last_id_ = object.id;
+  if (piece_ == 0)
+    ++owners_;
+  else
+    laid = lay(object, piece_);
+  walls_.add(laid.walls, owners_);
+  if (!laid.use.empty()) ++report_.sources["use"][laid.use];
+  if (laid.dark > 0) report_.dropped["dark all night"] += laid.dark;
+  facades_.storeys_from_attribute += laid.facades.storeys_from_attribute;
+  facades_.storeys_from_height += laid.facades.storeys_from_height;
+  for (Record& record : laid.windows) record.owner = owners_;
+  pending_.write(laid.windows.data(), laid.windows.size() * sizeof(Record));
+}
+
+void WindowLayout::light(std::uint64_t name, const std::vector<WindowPlace>& places, BuildingUse use,
+                         Laid& laid) const {
   std::uint16_t top = 0;
   for (const WindowPlace& place : places) top = std::max(top, place.storey);
   const bool one_family = use == BuildingUse::residential && top < 2 && places.size() < 40;
@@ -83,10 +96,10 @@ void WindowLayout::light(std::uint64_t name, const std::vector<WindowPlace>& pla
     Random random{seed, key, one_room ? home : spot, one_room ? 3 : 1 + place.modelled};
     const LitWindow lit = draw_window(household, place.kind, random);
     if (lit.schedule.never()) {
-      ++report_.dropped["dark all night"];
+      ++laid.dark;
       continue;
     }
-    Record record{};
+    Record& record = laid.windows.emplace_back();
     LitRectangle& window = record.window;
     window.centre = place.centre + place.normal * before_wall_m;
     window.normal = glm::vec3(place.normal);
@@ -104,14 +117,12 @@ void WindowLayout::light(std::uint64_t name, const std::vector<WindowPlace>& pla
     window.provenance.flux = window.provenance.colour = window.provenance.profile = ValueSource::rule;
     window.provenance.schedule = ValueSource::rule;
     window.provenance.family = static_cast<std::uint8_t>(LightFamily::window);
-    record.owner = owners_;
     record.use = use;
-    pending_.write(&record, sizeof record);
   }
 }
 
 /// Why the window cannot be where it is; null where it can.
-const char* WindowLayout::fault(const Record& record, const HeightAt& ground) const {
+const char* WindowLayout::fault(const Record& record, const HeightAt& ground, const Inside& inside) {
   const LitRectangle& window = record.window;
   const glm::dvec3 normal(window.normal);
   const glm::dvec3 before = window.centre + normal * 0.3;
@@ -126,27 +137,39 @@ const char* WindowLayout::fault(const Record& record, const HeightAt& ground) co
     for (const double y : {0.0, -0.95, 0.95})
       if (walls_.blocked(on_wall + along * x + up * y, normal, options_.obstacle_m, record.owner))
         return "something before it";
-  if (walls_.inside_another(on_wall, normal, record.owner)) return "inside another building";
+  if (walls_.inside_another(on_wall, normal, record.owner) || (inside && inside(window.centre)))
+    return "inside another building";
   return nullptr;
 }
 
-WindowReport WindowLayout::finish(const HeightAt& ground,
-                                  const std::function<void(const LitRectangle&)>& sink,
-                                  const std::function<bool(const glm::dvec3&)>& inside) && {
-  std::vector<Record> block(4096);
+WindowReport WindowLayout::finish(const HeightAt& ground, const Sink& sink, const Inside& inside,
+                                  unsigned threads) && {
+  constexpr std::uint64_t most_together = 2048;
+  struct Judged {
+    std::vector<Record> records;
+    std::vector<const char*> faults;
+  };
   const std::uint64_t total = pending_.size() / sizeof(Record);
-  for (std::uint64_t first = 0; first < total; first += block.size()) {
-    block.resize(static_cast<std::size_t>(std::min<std::uint64_t>(block.size(), total - first)));
-    pending_.read(first * sizeof(Record), block.data(), block.size() * sizeof(Record));
-    for (const Record& record : block) {
-      if (const char* reason = fault(record, ground)) {
-        ++report_.dropped[reason];
+  std::uint64_t read = 0;
+  const auto next = [&]() -> std::optional<std::vector<Record>> {
+    if (read == total) return std::nullopt;
+    std::vector<Record> block(static_cast<std::size_t>(std::min(most_together, total - read)));
+    pending_.read(read * sizeof(Record), block.data(), block.size() * sizeof(Record));
+    read += block.size();
+    return block;
+  };
+  const auto judge = [&](std::vector<Record>&& records) {
+    Judged judged{std::move(records), {}};
+    for (const Record& record : judged.records) judged.faults.push_back(fault(record, ground, inside));
+    return judged;
+  };
+  const auto take = [&](Judged&& judged) {
+    for (std::size_t i = 0; i < judged.records.size(); ++i) {
+      if (judged.faults[i]) {
+        ++report_.dropped[judged.faults[i]];
         continue;
       }
-      if (inside && inside(record.window.centre)) {
-        ++report_.dropped["inside another building"];
-        continue;
-      }
+      const Record& record = judged.records[i];
       const bool modelled = record.window.provenance.position == ValueSource::attribute;
       ++report_.sources["position"][modelled ? "attribute" : "rule"];
       WindowReport::Use& use = report_.by_use[name_of(record.use)];
@@ -156,7 +179,8 @@ WindowReport WindowLayout::finish(const HeightAt& ground,
       report_.flux_lm += record.window.flux_lm();
       sink(record.window);
     }
-  }
+  };
+  in_order(threads, next, judge, take);
   report_.sources["storeys"]["attribute"] = facades_.storeys_from_attribute;
   report_.sources["storeys"]["rule"] = facades_.storeys_from_height;
   return std::move(report_);

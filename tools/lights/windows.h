@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "formats/atomic_file.h"
 #include "formats/georeference.h"
@@ -54,25 +55,50 @@ struct WindowReport {
 };
 
 /// Takes buildings one by one, then looks at what stands before each window. The same building, id and seed
-/// give the same windows, whatever else is in the city (but for what stands before them). Windows wait on
-/// disk in between, so memory grows with the city's walls alone.
+/// give the same windows, whatever else is in the city (but for what stands before them). Windows and walls
+/// wait on disk in between, so memory does not grow with the city.
 class WindowLayout {
+ private:
+  struct Record {
+    LitRectangle window;
+    std::uint32_t owner;  // as WallIndex knows it
+    BuildingUse use;
+  };
+
  public:
-  /// Keeps a scratch file beside `scratch`. Throws Error where it cannot be made.
+  /// Keeps scratch files beside `scratch`. Throws Error where it cannot be made.
   WindowLayout(const WindowOptions& options, const std::filesystem::path& scratch);
 
-  /// Coordinates E, N, H in metres; walls as SurfaceType::wall. Windows are laid on buildings; walls of
-  /// anything else may stand in their way.
-  void add(const CityObject& object);
+  /// One object's walls and windows, found without regard to any other.
+  class Laid {
+    friend class WindowLayout;
+    std::vector<WallIndex::Upright> walls;
+    std::vector<Record> windows;
+    std::size_t dark = 0;  // windows that never have light
+    FacadeReport facades;
+    std::string use;  // of a building, and who says so
+  };
+
+  /// The costly part of adding an object: may be asked from many threads. Coordinates E, N, H in metres;
+  /// walls as SurfaceType::wall. Windows are laid on buildings; walls of anything else may stand in their
+  /// way.
+  Laid lay(const CityObject& object) const { return lay(object, 0); }
+  /// `laid` is of `object`.
+  void add(const CityObject& object, Laid laid);
+  void add(const CityObject& object) { add(object, lay(object)); }
+
+  using Inside = std::function<bool(const glm::dvec3&)>;
+  using Sink = std::function<void(const LitRectangle&)>;
   /// Hands every window that stays to `sink`, in the order of the buildings. `ground` may be empty: then
-  /// nothing is known to be below it. `inside`, where given, tells places (E, N, H) inside buildings.
-  WindowReport finish(const HeightAt& ground, const std::function<void(const LitRectangle&)>& sink,
-                      const std::function<bool(const glm::dvec3&)>& inside = {}) &&;
+  /// nothing is known to be below it. `inside`, where given, tells places (E, N, H) inside buildings. Both
+  /// are asked from up to `threads` threads (0 = one a core).
+  WindowReport finish(const HeightAt& ground, const Sink& sink, const Inside& inside = {},
+                      unsigned threads = 0) &&;
 
  private:
-  struct Record;
-  void light(std::uint64_t name, const std::vector<WindowPlace>& places, BuildingUse use);
-  const char* fault(const Record& record, const HeightAt& ground) const;
+  Laid lay(const CityObject& object, std::uint64_t piece) const;
+  void light(std::uint64_t name, const std::vector<WindowPlace>& places, BuildingUse use, Laid& laid) const;
+  const char* fault(const Record& record, const HeightAt& ground, const Inside& inside);
 
   WindowOptions options_;
   ScratchFile pending_;

@@ -14,6 +14,7 @@
 #include "tools/bake/city_ground.h"
 #include "tools/bake/lamp_stage.h"
 #include "tools/bake/layout_tables.h"
+#include "tools/bake/light_stage.h"
 #include "tools/layout/lamp_osm.h"
 #include "tools/nightbake/commands.h"
 #include "tools/nightbake/progress_line.h"
@@ -29,16 +30,10 @@ struct Arguments {
 
 void write_lights(const std::filesystem::path& path, const LampSet& set, const Georeference& georeference) {
   LightFileWriter lights(path);
-  ScheduleTable schedules;
+  ScheduleTable schedules = schedules_of(lights);
   for (const PlacedLamp& lamp : set.lamps)
     lights.add(to_light(lamp, georeference, schedules), lamp.provenance);
-  LightFileContent rest;
-  rest.georeference = georeference;
-  rest.profiles = set.profiles;
-  rest.profile_data = set.profile_data;
-  rest.schedules = schedules.schedules();
-  rest.switches = schedules.switches();
-  lights.finish(rest);
+  lights.finish({.georeference = georeference, .profiles = set.profiles, .profile_data = set.profile_data});
 }
 
 void run(const Arguments& arguments) {

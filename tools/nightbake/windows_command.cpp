@@ -12,6 +12,7 @@
 #include "tools/bake/city_ground.h"
 #include "tools/bake/lamp_stage.h"
 #include "tools/bake/light_places.h"
+#include "tools/bake/light_stage.h"
 #include "tools/nightbake/commands.h"
 #include "tools/nightbake/progress_line.h"
 
@@ -40,18 +41,14 @@ WindowReport lay(const Arguments& arguments, std::size_t& schedule_count) {
   windows.emplace(options, arguments.out);
   ProgressLine progress;
   read_ground(recipe, frames, terrain, windows, progress.sink());
-  ScheduleTable schedules;
+  ScheduleTable schedules = schedules_of(lights);
   const auto place = [&](const LitRectangle& window) {
     lights.add(to_light(window, georeference, schedules), window.provenance);
   };
   const auto inside = [&](const glm::dvec3& p) { return inside_building(terrain, p); };
-  const WindowReport report = std::move(*windows).finish(height_on(terrain), place, inside);
-  LightFileContent rest;
-  rest.georeference = georeference;
-  rest.schedules = schedules.schedules();
-  rest.switches = schedules.switches();
-  lights.finish(rest);
-  schedule_count = schedules.schedules().size();
+  const WindowReport report = std::move(*windows).finish(height_on(terrain), place, inside, recipe.city.read.threads);
+  lights.finish({.georeference = georeference});
+  schedule_count = schedules.size();
   return report;
 }
 

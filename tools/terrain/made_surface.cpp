@@ -1,6 +1,7 @@
 #include "tools/terrain/made_surface.h"
 
 // CGAL lives in this file and terrain.cpp alone: its headers are large.
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Projection_traits_xy_3.h>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <glm/vec2.hpp>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace nightcity {
@@ -21,6 +23,13 @@ using Traits = CGAL::Projection_traits_xy_3<Kernel>;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Traits>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase>;
 using Delaunay = CGAL::Delaunay_triangulation_2<Traits, Structure>;
+using ConstrainedStructure =
+    CGAL::Triangulation_data_structure_2<VertexBase, CGAL::Constrained_triangulation_face_base_2<Traits>>;
+// The tag splits lines that cross; without it they would throw.
+using Constrained =
+    CGAL::Constrained_Delaunay_triangulation_2<Traits, ConstrainedStructure, CGAL::Exact_predicates_tag>;
+
+constexpr int rim_points = 32;
 
 bool finite(const glm::dvec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
@@ -45,7 +54,7 @@ void add_rim(std::vector<glm::dvec3>& points, double margin) {
   margin = std::max(margin, 1.0);
   low -= margin;
   high += margin;
-  constexpr int pieces = 8;  // a side
+  constexpr int pieces = rim_points / 4;  // a side
   std::vector<glm::dvec2> rim;
   for (int n = 0; n < pieces; ++n) {
     const double f = static_cast<double>(n) / pieces, g = 1 - f;
@@ -61,12 +70,10 @@ void add_rim(std::vector<glm::dvec3>& points, double margin) {
   for (std::size_t n = 0; n < rim.size(); ++n) points.emplace_back(rim[n], heights[n]);
 }
 
-}  // namespace
-
-TriangleMesh make_surface(std::vector<glm::dvec3> points, double margin_m) {
+// In order of their place, one a place, with the rim at the end.
+void prepare(std::vector<glm::dvec3>& points, double margin_m) {
   std::erase_if(points, [](const glm::dvec3& p) { return !finite(p); });
-  TriangleMesh mesh;
-  if (points.empty()) return mesh;
+  if (points.empty()) return;
   std::sort(points.begin(), points.end(), [](const glm::dvec3& a, const glm::dvec3& b) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
   });
@@ -74,21 +81,78 @@ TriangleMesh make_surface(std::vector<glm::dvec3> points, double margin_m) {
                            [](const glm::dvec3& a, const glm::dvec3& b) { return a.x == b.x && a.y == b.y; }),
                points.end());
   add_rim(points, margin_m);
+}
 
+template <class Triangulation>
+void insert_points(Triangulation& triangulation, const std::vector<glm::dvec3>& points) {
   std::vector<std::pair<Kernel::Point_3, std::uint32_t>> input;
   input.reserve(points.size());
   for (std::size_t n = 0; n < points.size(); ++n)
     input.emplace_back(Kernel::Point_3(points[n].x, points[n].y, points[n].z), static_cast<std::uint32_t>(n));
-  Delaunay delaunay;
-  delaunay.insert(input.begin(), input.end());  // in space-filling order: 1.1 M points/s instead of 6 k
+  triangulation.insert(input.begin(), input.end());  // in space-filling order: 1.1 M points/s instead of 6 k
+}
 
-  mesh.positions = std::move(points);
-  mesh.triangles.reserve(delaunay.number_of_faces());
-  for (auto face = delaunay.finite_faces_begin(); face != delaunay.finite_faces_end(); ++face)
+template <class Triangulation>
+TriangleMesh mesh_of(const Triangulation& triangulation, std::vector<glm::dvec3> positions) {
+  TriangleMesh mesh;
+  mesh.positions = std::move(positions);
+  mesh.triangles.reserve(triangulation.number_of_faces());
+  for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end(); ++face)
     mesh.triangles.push_back({{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()},
                               SurfaceType::terrain,
                               0});
   return mesh;
+}
+
+}  // namespace
+
+TriangleMesh make_surface(std::vector<glm::dvec3> points, double margin_m) {
+  prepare(points, margin_m);
+  if (points.empty()) return {};
+  Delaunay delaunay;
+  insert_points(delaunay, points);
+  return mesh_of(delaunay, std::move(points));
+}
+
+BreakSurface make_surface(std::vector<glm::dvec3> points, std::span<const std::vector<glm::dvec3>> lines,
+                          double margin_m) {
+  for (const auto& line : lines) points.insert(points.end(), line.begin(), line.end());
+  prepare(points, margin_m);
+  BreakSurface result;
+  if (points.empty()) return result;
+  Constrained surface;
+  insert_points(surface, points);
+  std::vector<Constrained::Vertex_handle> vertices(points.size());
+  for (auto v = surface.finite_vertices_begin(); v != surface.finite_vertices_end(); ++v)
+    vertices[v->info()] = v;
+  const auto inner_end = points.end() - rim_points;
+  const auto vertex_at = [&](const glm::dvec3& p) -> Constrained::Vertex_handle {
+    if (!finite(p)) return {};
+    const auto found = std::lower_bound(
+        points.begin(), inner_end, p,
+        [](const glm::dvec3& a, const glm::dvec3& b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); });
+    return vertices[static_cast<std::size_t>(found - points.begin())];
+  };
+  // n lines may cross n^2 times: a file's few crossings are kept, a hostile one's end.
+  const std::size_t most_vertices = 2 * points.size() + 1000;
+  for (const auto& line : lines)
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      const auto a = vertex_at(line[k]), b = vertex_at(line[k + 1]);
+      if (a == Constrained::Vertex_handle{} || b == Constrained::Vertex_handle{} || a == b) continue;
+      if (surface.number_of_vertices() > most_vertices) {
+        ++result.unused_edges;
+        continue;
+      }
+      surface.insert_constraint(a, b);
+      ++result.edges;
+    }
+  std::vector<glm::dvec3> positions;
+  for (auto v = surface.finite_vertices_begin(); v != surface.finite_vertices_end(); ++v) {
+    v->info() = static_cast<std::uint32_t>(positions.size());
+    positions.emplace_back(v->point().x(), v->point().y(), v->point().z());
+  }
+  result.mesh = mesh_of(surface, std::move(positions));
+  return result;
 }
 
 }  // namespace nightcity

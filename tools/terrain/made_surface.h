@@ -1,7 +1,9 @@
 // A ground for cities that come without one.
 #pragma once
 
+#include <cstddef>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "tools/mesh/triangle_mesh.h"
@@ -12,5 +14,17 @@ namespace nightcity {
 /// the nearest point. Of points with the same plan position the lowest counts. Empty for fewer than one
 /// finite point.
 TriangleMesh make_surface(std::vector<glm::dvec3> points, double margin_m);
+
+struct BreakSurface {
+  TriangleMesh mesh;
+  std::size_t edges = 0;         // of break lines that are edges of the surface
+  std::size_t unused_edges = 0;  // that are not: the lines cross each other beyond reason
+};
+
+/// The same through break lines as well: every piece of a line is an edge of the surface, or several in a row
+/// (constrained Delaunay); no triangle reaches across. Where lines cross a vertex is added, at the height of
+/// one of them.
+BreakSurface make_surface(std::vector<glm::dvec3> points, std::span<const std::vector<glm::dvec3>> lines,
+                          double margin_m);
 
 }  // namespace nightcity

@@ -8,11 +8,10 @@
 namespace nightcity {
 namespace {
 
-constexpr double finest_cell_m = 64;
-constexpr std::size_t most_pending = 100'000;  // triangles, 72 bytes each
-constexpr std::size_t most_cached = 150'000;   // likewise
-constexpr double least_plan_area_m2 = 1e-8;    // below it a triangle is a wall or a line
-constexpr double edge_m = 1e-6;                // a point so near an edge is on it, whatever the rounding
+constexpr double finest_cell_m = 128;
+constexpr std::size_t most_cached = 40'000;  // triangles, 72 bytes each
+constexpr double least_plan_area_m2 = 1e-8;  // below it a triangle is a wall or a line
+constexpr double edge_m = 1e-6;              // a point so near an edge is on it, whatever the rounding
 constexpr double beyond_any_frame_m = 1e9;
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) {
@@ -20,11 +19,6 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
 }
 
 }  // namespace
-
-struct SurfaceStore::Record {
-  std::uint64_t previous;
-  std::uint64_t count;
-};
 
 // A cell's triangles with a grid of their own: some two to a bucket.
 struct SurfaceStore::Loaded {
@@ -83,6 +77,10 @@ struct SurfaceStore::Loaded {
   }
 };
 
+SurfaceStore::SurfaceStore(const std::filesystem::path& path)
+    : cells_(path), cache_(std::make_unique<CellCache<CellKey, Loaded>>(most_cached)) {}
+SurfaceStore::~SurfaceStore() = default;
+
 double SurfaceStore::cell_size(int level) {
   return std::ldexp(finest_cell_m, level);
 }
@@ -106,52 +104,9 @@ bool SurfaceStore::add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec
   ++count_;
   const auto cell = [size](double v) { return static_cast<std::int32_t>(std::floor(v / size)); };
   for (std::int32_t column = cell(low.x); column <= cell(high.x); ++column)
-    for (std::int32_t row = cell(low.y); row <= cell(high.y); ++row) {
-      cells_[{level, column, row}].pending.push_back(triangle);
-      ++pending_;
-    }
-  if (pending_ >= most_pending) flush();
+    for (std::int32_t row = cell(low.y); row <= cell(high.y); ++row)
+      cells_.add({level, column, row}, triangle);
   return true;
-}
-
-void SurfaceStore::flush() {
-  for (auto& [key, cell] : cells_) {
-    if (cell.pending.empty()) continue;
-    const Record record{cell.last_record, cell.pending.size()};
-    cell.last_record = file_.size() + 1;
-    file_.write(&record, sizeof record);
-    file_.write(cell.pending.data(), cell.pending.size() * sizeof(Triangle));
-    cell.stored += static_cast<std::uint32_t>(cell.pending.size());
-    cell.pending = {};
-  }
-  pending_ = 0;
-}
-
-std::shared_ptr<const SurfaceStore::Loaded> SurfaceStore::load(const CellKey& key, const Cell& cell) {
-  std::vector<Triangle> triangles(cell.stored);
-  std::size_t end = triangles.size();
-  for (std::uint64_t next = cell.last_record; next != 0;) {
-    Record record;
-    file_.read(next - 1, &record, sizeof record);
-    end -= record.count;
-    file_.read(next - 1 + sizeof record, triangles.data() + end, record.count * sizeof(Triangle));
-    next = record.previous;
-  }
-  const double size = cell_size(key.level);
-  return std::make_shared<const Loaded>(std::move(triangles), glm::dvec2(key.column, key.row) * size, size);
-}
-
-// Half at a time, so that looking for the oldest costs nothing on average.
-void SurfaceStore::forget_older_half() {
-  std::vector<std::uint64_t> uses;
-  for (const auto& [key, cell] : cache_) uses.push_back(cell.second);
-  const auto middle = uses.begin() + static_cast<std::ptrdiff_t>(uses.size() / 2);
-  std::nth_element(uses.begin(), middle, uses.end());
-  std::erase_if(cache_, [&](const auto& cell) {
-    if (cell.second.second >= *middle) return false;
-    cached_cost_ -= cell.second.first->cost();
-    return true;
-  });
 }
 
 std::optional<double> SurfaceStore::highest_at(const glm::dvec2& p) {
@@ -164,21 +119,8 @@ std::optional<double> SurfaceStore::highest_at(const glm::dvec2& p) {
     const glm::dvec2 place = glm::floor(local / size);
     if (!(std::abs(place.x) < 1e9 && std::abs(place.y) < 1e9)) continue;
     const CellKey key{level, static_cast<std::int32_t>(place.x), static_cast<std::int32_t>(place.y)};
-    const auto cell = cells_.find(key);
-    if (cell == cells_.end()) continue;
-    std::shared_ptr<const Loaded> loaded;
-    {
-      const std::lock_guard lock(mutex_);
-      if (pending_ > 0) flush();
-      auto& [cached, last_use] = cache_[key];
-      if (!cached) {
-        cached = load(key, cell->second);
-        cached_cost_ += cached->cost();
-      }
-      loaded = cached;
-      last_use = ++clock_;
-      if (cached_cost_ > most_cached) forget_older_half();
-    }
+    const auto loaded = cache_->get(
+        key, [&] { return Loaded(cells_.read(key), glm::dvec2(key.column, key.row) * size, size); });
     loaded->raise(local, best);
   }
   return best;

@@ -2,12 +2,18 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 #include "tools/terrain/ground_points.h"
 #include "tools/terrain/made_surface.h"
 #include "tools/terrain/surface_store.h"
 
 namespace nightcity {
+namespace {
+
+constexpr std::size_t most_line_vertices = 200'000;
+
+}  // namespace
 
 struct Terrain::State {
   explicit State(const std::filesystem::path& scratch)
@@ -17,6 +23,9 @@ struct Terrain::State {
 
   std::array<SurfaceStore, 4> layers;
   GroundPoints relief_points, ground_points, road_points;
+  std::vector<std::vector<glm::dvec3>> break_lines;
+  std::size_t line_vertices = 0;
+  BreakEdges break_edges;
   TriangleMesh made;
 };
 
@@ -27,9 +36,11 @@ Terrain& Terrain::operator=(Terrain&&) noexcept = default;
 
 void Terrain::add(const TriangleMesh& mesh, Footing footing) {
   SurfaceStore& layer = state_->layer(footing);
-  GroundPoints* const points = footing == Footing::ground_surface ? &state_->ground_points
-                               : footing == Footing::road         ? &state_->road_points
-                                                                  : nullptr;
+  // What a surface is made through, should none be given.
+  GroundPoints* const points = !state_->layer(Footing::terrain).empty() ? nullptr
+                               : footing == Footing::ground_surface     ? &state_->ground_points
+                               : footing == Footing::road               ? &state_->road_points
+                                                                        : nullptr;
   for (const MeshTriangle& triangle : mesh.triangles) {
     const auto corner = [&](std::size_t k) -> const glm::dvec3& {
       return mesh.positions[triangle.vertex[k]];
@@ -43,8 +54,23 @@ void Terrain::add_points(std::span<const glm::dvec3> points) {
   for (const glm::dvec3& p : points) state_->relief_points.add(p);
 }
 
+bool Terrain::add_break_line(const std::vector<glm::dvec3>& line) {
+  if (state_->line_vertices + line.size() > most_line_vertices) {
+    add_points(line);
+    return false;
+  }
+  state_->line_vertices += line.size();
+  state_->break_lines.push_back(line);
+  return true;
+}
+
 bool Terrain::has_relief() const {
-  return !state_->layer(Footing::terrain).empty() || !state_->relief_points.empty();
+  return !state_->layer(Footing::terrain).empty() || !state_->relief_points.empty() ||
+         !state_->break_lines.empty();
+}
+
+Terrain::BreakEdges Terrain::break_edges() const {
+  return state_->break_edges;
 }
 
 const std::vector<glm::dvec3>& Terrain::feet() const {
@@ -54,12 +80,19 @@ const std::vector<glm::dvec3>& Terrain::feet() const {
 void Terrain::build(double margin_m) {
   State& state = *state_;
   if (state.layer(Footing::terrain).empty()) {
-    GroundPoints& from = !state.relief_points.empty()   ? state.relief_points
-                         : !state.ground_points.empty() ? state.ground_points
-                                                        : state.road_points;
-    state.made = make_surface(from.take(), margin_m);
+    if (!state.break_lines.empty()) {
+      BreakSurface surface = make_surface(state.relief_points.take(), state.break_lines, margin_m);
+      state.break_edges = {surface.edges, surface.unused_edges};
+      state.made = std::move(surface.mesh);
+    } else {
+      GroundPoints& from = !state.relief_points.empty()   ? state.relief_points
+                           : !state.ground_points.empty() ? state.ground_points
+                                                          : state.road_points;
+      state.made = make_surface(from.take(), margin_m);
+    }
     add(state.made, Footing::terrain);
   }
+  state.break_lines = {};
   for (GroundPoints* points : {&state.relief_points, &state.ground_points, &state.road_points})
     points->take();
 }

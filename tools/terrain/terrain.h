@@ -28,8 +28,11 @@ class Terrain {
   /// Adds triangles (E, N, H in metres) of one class. Call before build(). Vertical, degenerate and
   /// non-finite triangles carry nobody and are left out.
   void add(const TriangleMesh& mesh, Footing footing);
-  /// Adds mass points and vertices of break lines of the model's relief.
+  /// Adds mass points of the model's relief.
   void add_points(std::span<const glm::dvec3> points);
+  /// Adds a break line of the model's relief: what build() makes has its pieces for edges. False where more
+  /// have come than are kept, and only its vertices count, as mass points.
+  bool add_break_line(const std::vector<glm::dvec3>& line);
 
   /// Whether the model brings its own ground: triangles of terrain, or points of it.
   bool has_relief() const;
@@ -52,6 +55,13 @@ class Terrain {
   std::optional<double> height_of(Footing footing, const glm::dvec2& east_north) const;
   /// Whether a roof or a building's ground surface lies on the vertical line through (E, N).
   bool inside_building(const glm::dvec2& east_north) const;
+
+  /// How many pieces of break lines are edges of the made surface, and how many are not, for they cross
+  /// others too often.
+  struct BreakEdges {
+    std::size_t used = 0, unused = 0;
+  };
+  BreakEdges break_edges() const;
 
   /// The surface made by build() where none was given; empty mesh otherwise.
   const TriangleMesh& made_surface() const;

@@ -251,13 +251,13 @@ TEST(Bake, AnElevationModelOfAnotherPlaceIsAnError) {
   EXPECT_THROW(bake(recipe, folder / "out"), Error);
 }
 
-TEST(Bake, MassPointsOfTheModelBecomeItsGround) {
-  const TempFolder folder;
+/// The sample's cube on mass points, 49 of them, at one height.
+std::string on_mass_points(const std::string& height) {
   std::string points;
   for (int x = -20; x <= 40; x += 10)
     for (int y = -20; y <= 40; y += 10)
       points += "<gml:pointMember><gml:Point><gml:pos>" + std::to_string(391000 + x) + " " +
-                std::to_string(5819000 + y) + " 33</gml:pos></gml:Point></gml:pointMember>";
+                std::to_string(5819000 + y) + " " + height + "</gml:pos></gml:Point></gml:pointMember>";
   std::string text = without_relief(sample_gml());
   text.insert(
       text.find("</core:CityModel>"),
@@ -266,13 +266,29 @@ TEST(Bake, MassPointsOfTheModelBecomeItsGround) {
           points +
           "</gml:MultiPoint></dem:reliefPoints></dem:MassPointRelief></dem:reliefComponent>"
           "</dem:ReliefFeature></core:cityObjectMember>");
-  write_text(folder / "cube.gml", text);
+  return text;
+}
+
+TEST(Bake, MassPointsOfTheModelBecomeItsGround) {
+  const TempFolder folder;
+  write_text(folder / "cube.gml", on_mass_points("33"));
   const BakeReport report = bake(recipe_of({folder / "cube.gml"}), folder / "out");
   EXPECT_EQ(report.ground.source, "points");
   EXPECT_EQ(report.relief_points, 49u);
   const Box terrain = boxes(folder / "out/city.glb").at("terrain");
   EXPECT_NEAR(terrain.least.z, 33, 1e-3) << "not the buildings' feet, which stand at 35 m";
   EXPECT_NEAR(terrain.greatest.z, 33, 1e-3);
+}
+
+TEST(Bake, HiddenSurfacesAreLeftOutOnRequestOnly) {
+  const TempFolder folder;
+  write_text(folder / "cube.gml", on_mass_points("80"));  // the cube lies under the ground, all of it
+  Recipe recipe = recipe_of({folder / "cube.gml"});
+  EXPECT_EQ(bake(recipe, folder / "out").triangles.at("roof"), 2u);
+  recipe.city.drop_hidden = true;
+  const BakeReport report = bake(recipe, folder / "out");
+  EXPECT_EQ(report.triangles.count("roof"), 0u);
+  EXPECT_EQ(report.left_out.at("triangles of buildings below the ground"), 12u);
 }
 
 TEST(Bake, ColoursOfTheModelAreMaterialsOfTheScene) {

@@ -66,19 +66,19 @@ TEST(Drape, SubdividingKeepsTheAreaAndOpensNoCracks) {
   EXPECT_NEAR(rim, perimeter, 1e-9 * perimeter) << "an edge cut on one side only would count as rim";
 }
 
-TEST(Drape, EveryVertexLiesJustAboveTheGround) {
+TEST(Drape, EveryVertexLiesJustAboveTheGroundAndKeepsItsColour) {
   const test::TempFolder folder;
   DrapeStore store(folder / "x");
-  TriangleMesh mesh;
-  mesh.positions = {{0, 0, 0}, {200, 0, 0}, {200, 8, 0}, {0, 8, 0}};
-  mesh.triangles = {{{0, 1, 2}, SurfaceType::traffic_area, 0}, {{0, 2, 3}, SurfaceType::traffic_area, 0}};
-  store.add(mesh, ObjectType::road, 5);
+  const MaterialCode red = code_of(BakeMaterial::road, glm::vec3(1, 0, 0));  // the model's own colour
+  const TileStore::Triangle triangles[] = {{{{0, 0, 0}, {200, 0, 0}, {200, 8, 0}}, red, NodeKind::road},
+                                           {{{0, 0, 0}, {200, 8, 0}, {0, 8, 0}}, red, NodeKind::road}};
+  store.add(triangles, 5);
   TileStore tiles(folder / "x", 1000, 0);
   const auto ground = [](const glm::dvec2& p) { return std::optional(40 + 0.1 * p.x); };
   EXPECT_GT(store.lay(ground, tiles), 40u);
   const SceneMesh laid = tiles.mesh(tiles.tiles().at(0));
   ASSERT_EQ(laid.primitives.size(), 1u);
-  EXPECT_EQ(laid.primitives[0].material, static_cast<std::uint32_t>(BakeMaterial::road));
+  EXPECT_EQ(laid.primitives[0].material, red);
   for (const glm::vec3& p : laid.primitives[0].positions) {
     const double above = double{p.y} - (40 + 0.1 * double{p.x});
     EXPECT_GT(above, 0.02);

@@ -41,6 +41,31 @@ const SceneNode* node_named(const Scene& scene, const std::string& name) {
   return nullptr;
 }
 
+TEST(LampModels, OfAWholeCityEveryLampHasOnePostAndShowsItsOwnLight) {
+  std::vector<PlacedLamp> lamps;
+  for (int n = 0; n < 20'000; ++n) {
+    lamps.push_back(lamp(n / 2, n % 3 == 0 ? 5000 : 3000));  // two luminaires a post
+    if (n % 2) lamps.back().outreach = {0, -1.5};
+  }
+  const Scene scene = written(lamps);
+  std::vector<int> shown(lamps.size(), 0);
+  std::size_t posts = 0, housings = 0;
+  for (const SceneNode& node : scene.nodes) {
+    if (node.name == "lamp posts") posts += node.instances.size();
+    if (node.name == "lamp housings") housings += node.instances.size();
+    if (node.name != "luminaires") continue;
+    for (const SceneInstance& instance : node.instances) {
+      ASSERT_LT(instance.light, shown.size());
+      ++shown[instance.light];
+      EXPECT_NEAR(instance.to_model[3].x, static_cast<float>(instance.light / 2), 1e-2f);
+    }
+  }
+  EXPECT_EQ(shown, std::vector<int>(lamps.size(), 1));
+  EXPECT_EQ(posts, lamps.size() / 2);
+  EXPECT_EQ(housings, lamps.size());
+  EXPECT_EQ(scene.meshes.size(), 5u) << "a post, an arm, a housing and two looks of balls";
+}
+
 TEST(LampModels, StandOnTheirFeetAndReachOverTheRoad) {
   const Scene scene = written({lamp(20, 5000)});
   const SceneNode* posts = node_named(scene, "lamp posts");

@@ -38,6 +38,7 @@ reader = "libcitygml"
 threads = 3
 tile_m = 500
 drop_ground = true
+drop_hidden = true
 licence = ["one", "two"]
 [terrain]
 dem = ["a.tif", "b.tif"]
@@ -69,6 +70,7 @@ punctual = 50
   EXPECT_EQ(recipe.city.read.threads, 3u);
   EXPECT_EQ(recipe.city.tile_m, 500);
   EXPECT_TRUE(recipe.city.drop_ground);
+  EXPECT_TRUE(recipe.city.drop_hidden);
   EXPECT_EQ(recipe.city.licences, (std::vector<std::string>{"one", "two"}));
   EXPECT_EQ(recipe.terrain.dem, (std::vector<std::filesystem::path>{folder / "a.tif", folder / "b.tif"}));
   EXPECT_FALSE(recipe.terrain.make_surface);

@@ -27,8 +27,7 @@ class MemorySource : public ByteSource {
 
 /// `text` must outlive the document.
 inline Document memory_document(const std::string& text) {
-  return {"memory", [&text] { return std::make_unique<MemorySource>(text); },
-          [&text](std::size_t size) { return text.substr(text.size() - std::min(size, text.size())); }};
+  return {"memory", [&text] { return std::make_unique<MemorySource>(text); }};
 }
 
 }  // namespace nightcity::test

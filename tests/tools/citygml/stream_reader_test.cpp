@@ -58,6 +58,21 @@ std::string numbered(std::string prefix, int number) {
   return prefix;
 }
 
+void pack_gzip(const std::filesystem::path& path, const std::string& text) {
+  const gzFile out = gzopen(path.c_str(), "wb");
+  gzwrite(out, text.data(), static_cast<unsigned>(text.size()));
+  gzclose(out);
+}
+
+void pack_zip(const std::filesystem::path& path,
+              const std::vector<std::pair<const char*, std::string>>& entries) {
+  std::filesystem::remove(path);
+  zip_t* zip = zip_open(path.c_str(), ZIP_CREATE, nullptr);
+  for (const auto& [name, text] : entries)
+    zip_file_add(zip, name, zip_source_buffer(zip, text.data(), text.size(), 0), 0);
+  ASSERT_EQ(zip_close(zip), 0);
+}
+
 glm::dvec3 area(const Ring& ring) {
   glm::dvec3 sum{0};
   for (std::size_t i = 1; i + 1 < ring.size(); ++i)
@@ -188,7 +203,36 @@ TEST(StreamReader, ImplicitGeometryIsSetDownByMatrixAndReferencePoint) {
             (Ring{{1100, 2000, 35}, {1100, 2002, 35}, {1098, 2002, 35}}));
 }
 
-TEST(StreamReader, MaterialsColourPolygonsFromWithinAndFromTheFilesEnd) {
+TEST(StreamReader, XlinksLeadIntoFilesOfTheSameCityAndNoOthers) {
+  const TemporaryFile owner(city_model(member(
+      building_of("owner", boundary("RoofSurface", surface_member(polygon("shared", square_at_one)))))));
+  std::string text = city_model(
+      member(building_of("far", boundary("RoofSurface", surface_member(polygon("p", square_at_one))))));
+  text.replace(text.find("EPSG:25833"), 10, "EPSG:3879");
+  const TemporaryFile other_crs(text);
+  const auto link = [](const TemporaryFile& file, const std::string& id) {
+    return "<gml:surfaceMember xlink:href=\"./" + file.path().filename().string() + "#" + id + "\"/>";
+  };
+  const TemporaryFile user(city_model(member(building_of(
+      "user", lod2_solid(link(owner, "shared") + link(owner, "absent") + link(other_crs, "p"))))));
+  City city = read_file(user.path());
+  EXPECT_EQ(city.find("user")->polygons.size(), 0u);
+  EXPECT_EQ(city.report.skipped.at("xlink: to another file"), 3u);
+
+  ReadOptions options;
+  options.neighbours = std::make_shared<const std::set<std::filesystem::path>>(
+      std::set{owner.path(), other_crs.path(), user.path()});
+  city = read_file(user.path(), options);
+  ASSERT_EQ(city.objects.size(), 1u);
+  ASSERT_EQ(city.find("user")->polygons.size(), 1u);
+  EXPECT_EQ(city.find("user")->polygons[0].surface, SurfaceType::unknown);
+  EXPECT_EQ(city.find("user")->polygons[0].exterior,
+            read_file(owner.path()).find("owner")->polygons[0].exterior);
+  EXPECT_EQ(city.report.skipped.count("xlink: to another file"), 0u);
+  EXPECT_EQ(city.report.warnings.size(), 3u) << "the absent one, the other CRS, and the one in it";
+}
+
+TEST(StreamReader, MaterialsColourPolygonsFromWithinAndFromAnywhereInTheFile) {
   const auto material = [](const std::string& target, const std::string& colour) {
     return "<app:Appearance><app:surfaceDataMember><app:X3DMaterial><app:diffuseColor>" + colour +
            "</app:diffuseColor><app:target>#" + target +
@@ -207,6 +251,22 @@ TEST(StreamReader, MaterialsColourPolygonsFromWithinAndFromTheFilesEnd) {
   ASSERT_EQ(city.objects.size(), 2u);
   EXPECT_EQ(city.find("A")->polygons.at(0).diffuse_colour, glm::vec3(1, 0.5, 0));
   EXPECT_EQ(city.find("B")->polygons.at(0).diffuse_colour, glm::vec3(0.25, 0.5, 0.75));
+
+  // In the middle of a file whose ends, a megabyte away, know nothing of appearances: plain, gzipped and in
+  // an archive behind a document without any.
+  std::string buildings;
+  for (int n = 0; buildings.size() < 1'200'000; ++n) buildings += member(building("F" + std::to_string(n)));
+  const std::string text =
+      city_model(member(building_of("B", surface)) + buildings + "<app:appearanceMember>" +
+                 material("m", "0.25 0.5 0.75") + "</app:appearanceMember>" + buildings);
+  const TemporaryFile gz("", ".gml.gz"), archive("", ".zip");
+  pack_gzip(gz.path(), text);
+  pack_zip(archive.path(), {{"first.gml", city_model(member(building("A")))}, {"second.gml", text}});
+  for (const City& found : {read(text), read_file(gz.path()), read_file(archive.path())}) {
+    EXPECT_EQ(found.find("B")->polygons.at(0).diffuse_colour, glm::vec3(0.25, 0.5, 0.75));
+    EXPECT_EQ(found.find("F0")->polygons.at(0).diffuse_colour, std::nullopt);
+    EXPECT_EQ(found.report.skipped.count("appearanceMember"), 0u);
+  }
 }
 
 TEST(StreamReader, CityGml3IsReadUnderAnyPrefix) {
@@ -309,7 +369,8 @@ TEST(StreamReader, MassPointsBreakLinesAndGmlTinAreRead) {
       "</gml:exterior></gml:Triangle></gml:trianglePatches></gml:Tin></dem:tin></dem:TINRelief></"
       "dem:reliefComponent></dem:ReliefFeature>");
   ASSERT_EQ(city.objects.size(), 1u);
-  EXPECT_EQ(city.objects[0].points, (std::vector<glm::dvec3>{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}));
+  EXPECT_EQ(city.objects[0].points, (std::vector<glm::dvec3>{{1, 2, 3}}));
+  EXPECT_EQ(city.objects[0].lines, (std::vector<Ring>{{{4, 5, 6}, {7, 8, 9}}}));
   EXPECT_EQ(city.objects[0].polygons.size(), 1u);
 }
 
@@ -335,15 +396,9 @@ TEST(StreamReader, ManyThreadsGiveTheSameCityAsOne) {
 TEST(StreamReader, GzipAndZipGiveTheSameCity) {
   const std::string text = city_model(member(building("A")) + member(building("B")));
   const TemporaryFile gz("", ".gml.gz"), archive("", ".zip");
-  const gzFile out = gzopen(gz.path().c_str(), "wb");
-  gzwrite(out, text.data(), static_cast<unsigned>(text.size()));
-  gzclose(out);
+  pack_gzip(gz.path(), text);
   EXPECT_EQ(read_file(gz.path()).report.polygons, 6u);
-  std::filesystem::remove(archive.path());
-  zip_t* zip = zip_open(archive.path().c_str(), ZIP_CREATE, nullptr);
-  for (const char* name : {"one.gml", "notes.txt", "two.xml"})
-    zip_file_add(zip, name, zip_source_buffer(zip, text.data(), text.size(), 0), 0);
-  ASSERT_EQ(zip_close(zip), 0);
+  pack_zip(archive.path(), {{"one.gml", text}, {"notes.txt", text}, {"two.xml", text}});
   const City city = read_file(archive.path());
   EXPECT_EQ(city.objects.size(), 4u);
   EXPECT_EQ(city.report.polygons, 12u);
@@ -352,9 +407,7 @@ TEST(StreamReader, GzipAndZipGiveTheSameCity) {
 TEST(StreamReader, CutArchivesAreErrors) {
   const std::string text = city_model(member(building("A")));
   const TemporaryFile gz("", ".gml.gz");
-  const gzFile out = gzopen(gz.path().c_str(), "wb");
-  gzwrite(out, text.data(), static_cast<unsigned>(text.size()));
-  gzclose(out);
+  pack_gzip(gz.path(), text);
   std::filesystem::resize_file(gz.path(), std::filesystem::file_size(gz.path()) - 12);
   EXPECT_THROW(read_file(gz.path()), Error);
   EXPECT_THROW(read_file(TemporaryFile("PK\x03\x04 and no more", ".zip").path()), Error);

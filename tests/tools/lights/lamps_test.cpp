@@ -11,6 +11,7 @@
 
 #include "formats/rgb9e5.h"
 #include "support/data.h"
+#include "tools/lights/kept_schedules.h"
 #include "tools/lights/lamp_defaults.h"
 #include "tools/lights/lamp_hours.h"
 #include "tools/lights/road_index.h"
@@ -179,8 +180,8 @@ TEST(Lamps, LightStandsInModelSpaceWithItsAxisDown) {
   const LampSet set = place({lamp_at(10, 5)}, {road({{"highway", "residential"}})});
   Georeference georeference;
   georeference.origin = {1, 2, 30};
-  ScheduleTable schedules;
-  const Light light = to_light(set.lamps.at(0), georeference, schedules);
+  test::KeptSchedules kept;
+  const Light light = to_light(set.lamps.at(0), georeference, kept.table);
   const RoadDefaults defaults = *road_defaults("residential");
   EXPECT_NEAR(light.position.x, 9, 1e-4);
   EXPECT_NEAR(light.position.y, 10 + defaults.mounting_m, 1e-4);
@@ -195,8 +196,8 @@ TEST(Lamps, LightStandsInModelSpaceWithItsAxisDown) {
 
 TEST(Lamps, TiltTurnsTheAxisTowardsTheAimAndKeepsTheFrameSquare) {
   const LampSet set = place({lamp_at(10, 5, {{"light:tilt", "-60"}})}, {road({{"highway", "residential"}})});
-  ScheduleTable schedules;
-  const Light light = to_light(set.lamps.at(0), {}, schedules);
+  test::KeptSchedules kept;
+  const Light light = to_light(set.lamps.at(0), {}, kept.table);
   EXPECT_NEAR(light.axis.y, -std::cos(glm::radians(30.0)), 1e-5);
   EXPECT_NEAR(light.axis.z, 0.5, 1e-5);
   EXPECT_NEAR(glm::dot(light.axis, light.tangent), 0, 1e-6);
@@ -261,9 +262,9 @@ TEST(LampHours, TagsTellHoursAndOtherLampsAreAlwaysOn) {
   EXPECT_FALSE(set.lamps[2].hours);
   EXPECT_FALSE(set.lamps[3].hours);
   EXPECT_EQ(set.notes.at("tag not understood: lit=when wet"), 1u);
-  ScheduleTable schedules;
-  EXPECT_EQ(to_light(set.lamps[2], {}, schedules).schedule, LIGHT_ALWAYS_ON);
-  EXPECT_EQ(to_light(set.lamps[0], {}, schedules).schedule, 0u);
+  test::KeptSchedules kept;
+  EXPECT_EQ(to_light(set.lamps[2], {}, kept.table).schedule, LIGHT_ALWAYS_ON);
+  EXPECT_EQ(to_light(set.lamps[0], {}, kept.table).schedule, 0u);
 }
 
 TEST(LampHours, EverySecondLampOfAHalfNightStreetGoesDarkWhateverTheOrderOfTheFile) {

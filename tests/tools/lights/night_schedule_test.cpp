@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "formats/night_check.h"
+#include "tests/tools/lights/kept_schedules.h"
 #include "tools/random.h"
 
 namespace nightcity {
@@ -20,18 +21,30 @@ NightSchedule night(std::initializer_list<std::pair<int, int>> times) {
 }
 
 TEST(ScheduleTable, EqualNightsAreStoredOnceAndKeepTheirNumbers) {
-  ScheduleTable table;
+  test::KeptSchedules kept;
   const auto evening = night({{0, 300}}), both = night({{0, 300}, {720, 800}});
-  EXPECT_EQ(table.add(evening), 0u);
-  EXPECT_EQ(table.add(both), 1u);
-  EXPECT_EQ(table.add(evening), 0u);
-  EXPECT_EQ(table.schedules().size(), 2u);
+  EXPECT_EQ(kept.table.add(evening), 0u);
+  EXPECT_EQ(kept.table.add(both), 1u);
+  EXPECT_EQ(kept.table.add(evening), 0u);
+  EXPECT_EQ(kept.table.size(), 2u);
+  EXPECT_EQ(kept.schedules.size(), 2u);
   // 17:00, 22:00; 17:00, 22:00, 05:00 and 06:20 as seconds since noon.
-  EXPECT_EQ(table.switches(), (std::vector<uint>{18000, 36000, 18000, 36000, 61200, 66000}));
+  EXPECT_EQ(kept.switches, (std::vector<uint>{18000, 36000, 18000, 36000, 61200, 66000}));
+}
+
+TEST(ScheduleTable, BeyondWhatItRemembersANumberStillMeansItsNight) {
+  test::KeptSchedules kept(10);
+  for (int n = 0; n < 200; ++n) {
+    const int on = n % 25;  // in turn: all are forgotten before they come again
+    const Schedule& stored = kept.schedules[kept.table.add(night({{on, on + 1}}))];
+    EXPECT_EQ(stored.count, 2u);
+    EXPECT_EQ(kept.switches[stored.first], 18000 + 60 * static_cast<uint>(on));
+  }
+  EXPECT_EQ(kept.table.size(), 200u);
 }
 
 TEST(ScheduleTable, FilesShineWhenTheNightDoesMinuteByMinute) {
-  ScheduleTable table;
+  test::KeptSchedules kept;
   for (int n = 0; n < 300; ++n) {
     Random random{n};
     NightSchedule schedule;
@@ -42,15 +55,16 @@ TEST(ScheduleTable, FilesShineWhenTheNightDoesMinuteByMinute) {
       at += random.integer(1, 90);
       schedule.off[k] = static_cast<std::uint16_t>(at);
     }
-    const Schedule& stored = table.schedules()[table.add(schedule)];
-    ASSERT_FALSE(schedule_fault(stored, table.switches())) << n;
+    const std::uint32_t number = kept.table.add(schedule);
+    const Schedule& stored = kept.schedules[number];
+    ASSERT_FALSE(schedule_fault(stored, kept.switches)) << n;
     for (int minute = 0; minute < night_minutes; ++minute)
       for (const uint second : {0u, 59u})
-        ASSERT_EQ(shines_at(stored, table.switches().data(), 18000 + 60 * static_cast<uint>(minute) + second),
+        ASSERT_EQ(shines_at(stored, kept.switches.data(), 18000 + 60 * static_cast<uint>(minute) + second),
                   schedule.lit_at(minute))
             << n << " " << minute;
-    EXPECT_FALSE(shines_at(stored, table.switches().data(), 0));       // noon
-    EXPECT_FALSE(shines_at(stored, table.switches().data(), 86'399));  // and the moment before the next
+    EXPECT_FALSE(shines_at(stored, kept.switches.data(), 0));       // noon
+    EXPECT_FALSE(shines_at(stored, kept.switches.data(), 86'399));  // and the moment before the next
   }
 }
 

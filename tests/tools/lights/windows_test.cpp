@@ -13,6 +13,7 @@
 #include "formats/rgb9e5.h"
 #include "support/data.h"
 #include "support/temp_folder.h"
+#include "tools/lights/kept_schedules.h"
 #include "tools/lights/osm_uses.h"
 #include "tools/lights/wall_plane.h"
 
@@ -271,12 +272,12 @@ TEST(Windows, LightIsOneSidedLambertianOfItsLuminance) {
   const WindowSet set = windows_of({box(0, 0, 14, 10, 9.8)});
   Georeference georeference;
   georeference.origin = {east, north, ground_z};
-  ScheduleTable schedules;
+  test::KeptSchedules kept;
   for (const LitRectangle& w : set.windows) {
-    const Light light = to_light(w, georeference, schedules);
-    ASSERT_LT(light.schedule, schedules.schedules().size());
+    const Light light = to_light(w, georeference, kept.table);
+    ASSERT_LT(light.schedule, kept.schedules.size());
     for (int minute = 0; minute < night_minutes; minute += 5)
-      EXPECT_EQ(shines_at(schedules.schedules()[light.schedule], schedules.switches().data(),
+      EXPECT_EQ(shines_at(kept.schedules[light.schedule], kept.switches.data(),
                           18000 + 60 * static_cast<uint>(minute)),
                 w.hours.lit_at(minute));
     const double area = 4.0 * w.half_width * w.half_height;

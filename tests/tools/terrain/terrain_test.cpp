@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
+#include <vector>
 
 #include "tools/terrain/made_surface.h"
 
@@ -123,6 +125,52 @@ TEST(Terrain, MadeSurfacePassesThroughGroundSurfacesAndReachesItsMargin) {
     EXPECT_GE(p.z, plane(0, 0) - 1e-9);
     EXPECT_LE(p.z, plane(130, 130) + 1e-9);
   }
+}
+
+TEST(Terrain, NoTriangleReachesAcrossABreakLine) {
+  // A dyke's crest between meadows: the points beside it are nearer to each other than the crest's ends.
+  Terrain terrain;
+  std::vector<glm::dvec3> meadow;
+  for (int x = 0; x <= 100; x += 10)
+    for (const int y : {-2, 2}) meadow.push_back({east + x, north + y, 1});
+  terrain.add_points(meadow);
+  EXPECT_TRUE(terrain.add_break_line({{east + 1, north, 6}, {east + 99, north, 8}}));
+  terrain.build(5);
+  for (double x = 1; x <= 99; x += 0.7)
+    EXPECT_NEAR(terrain.height_at({east + x, north})->height_m, 6 + 2 * (x - 1) / 98, 1e-6) << x;
+  EXPECT_NEAR(terrain.height_at({east + 50, north + 2})->height_m, 1, 1e-6);
+  EXPECT_EQ(terrain.break_edges().used, 1u);
+  EXPECT_EQ(terrain.break_edges().unused, 0u);
+}
+
+TEST(Terrain, BreakLinesThatCrossMeetInAVertex) {
+  const BreakSurface surface = make_surface(
+      {}, std::vector<std::vector<glm::dvec3>>{{{0, 0, 4}, {10, 10, 4}}, {{0, 10, 4}, {10, 0, 4}}}, 5);
+  EXPECT_EQ(surface.edges, 2u);
+  double area = 0;
+  bool met = false;
+  for (const MeshTriangle& t : surface.mesh.triangles) {
+    const auto p = [&](int k) { return glm::dvec2(surface.mesh.positions.at(t.vertex[k])); };
+    const glm::dvec2 u = p(1) - p(0), v = p(2) - p(0);
+    EXPECT_GT(u.x * v.y - u.y * v.x, 0);
+    area += (u.x * v.y - u.y * v.x) / 2;
+    for (int k = 0; k < 3; ++k) met |= glm::distance(p(k), glm::dvec2(5, 5)) < 1e-9;
+  }
+  EXPECT_NEAR(area, 400, 1e-9);
+  EXPECT_TRUE(met);
+}
+
+TEST(Terrain, LinesThatCrossBeyondReasonAreCountedNotFollowed) {
+  std::vector<std::vector<glm::dvec3>> lines;
+  for (int n = 0; n < 100; ++n) {
+    lines.push_back({{-1, n, 0}, {100, n + 0.5, 0}});
+    lines.push_back({{n, -1, 0}, {n + 0.5, 100, 0}});
+  }
+  lines.push_back({{NAN, 0, 0}, {1, 1, 1}, {1, 1, 1}});
+  const BreakSurface surface = make_surface({}, lines, 5);
+  EXPECT_GT(surface.unused_edges, 0u);
+  EXPECT_EQ(surface.edges + surface.unused_edges, 200u);
+  EXPECT_LT(surface.mesh.positions.size(), 5000u);
 }
 
 TEST(Terrain, MadeSurfaceLooksUpAndTakesTheLowestOfCoincidentPoints) {

@@ -1,0 +1,27 @@
+// A table of schedules whose times stay in memory, to be looked at.
+#pragma once
+
+#include <vector>
+
+#include "formats/night.h"
+#include "tools/lights/night_schedule.h"
+
+namespace nightcity::test {
+
+struct KeptSchedules {
+  explicit KeptSchedules(std::size_t most_known = 100'000)
+      : table(
+            [this](std::span<const uint> times) {
+              schedules.push_back({static_cast<uint>(switches.size()), static_cast<uint>(times.size())});
+              switches.insert(switches.end(), times.begin(), times.end());
+              return static_cast<std::uint32_t>(schedules.size() - 1);
+            },
+            most_known) {}
+  KeptSchedules(const KeptSchedules&) = delete;
+
+  std::vector<Schedule> schedules;
+  std::vector<uint> switches;
+  ScheduleTable table;
+};
+
+}  // namespace nightcity::test

@@ -1,0 +1,61 @@
+// Cells of a CellFile in the form in which they are asked, kept as long as they are asked often enough.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace nightcity {
+
+/// `Loaded` has cost() const, in whatever unit `most` is. Safe to ask from many threads.
+template <class Key, class Loaded>
+class CellCache {
+ public:
+  explicit CellCache(std::size_t most) : most_(most) {}
+
+  /// The cell, by `load()` where it is not at hand; one load at a time.
+  template <class Load>
+  std::shared_ptr<const Loaded> get(const Key& key, const Load& load) {
+    const std::lock_guard lock(mutex_);
+    Entry& entry = entries_[key];
+    if (!entry.loaded) {
+      entry.loaded = std::make_shared<const Loaded>(load());
+      cost_ += entry.loaded->cost();
+    }
+    entry.last_use = ++clock_;
+    auto result = entry.loaded;
+    if (cost_ > most_) forget_older_half();
+    return result;
+  }
+
+ private:
+  struct Entry {
+    std::shared_ptr<const Loaded> loaded;
+    std::uint64_t last_use = 0;
+  };
+
+  // Half at a time, so that looking for the oldest costs nothing on average.
+  void forget_older_half() {
+    std::vector<std::uint64_t> uses;
+    for (const auto& [key, entry] : entries_) uses.push_back(entry.last_use);
+    const auto middle = uses.begin() + static_cast<std::ptrdiff_t>(uses.size() / 2);
+    std::nth_element(uses.begin(), middle, uses.end());
+    std::erase_if(entries_, [&](const auto& item) {
+      if (item.second.last_use >= *middle) return false;
+      cost_ -= item.second.loaded->cost();
+      return true;
+    });
+  }
+
+  std::mutex mutex_;
+  std::map<Key, Entry> entries_;
+  std::size_t most_, cost_ = 0;
+  std::uint64_t clock_ = 0;
+};
+
+}  // namespace nightcity

@@ -1,0 +1,113 @@
+// Records of many places kept on disk: added in any order, fetched again place by place. What a city has most
+// of (triangles under vertical rays, walls, windows) thus takes no memory.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <type_traits>
+#include <vector>
+
+#include "formats/atomic_file.h"
+
+namespace nightcity {
+
+/// Memory: `most_pending` records, and some thirty bytes a key. `Key` is ordered by <.
+template <class Key, class Record>
+class CellFile {
+  static_assert(std::is_trivially_copyable_v<Record>, "records are stored as their bytes");
+
+ public:
+  /// Scratch file beside `path`.
+  explicit CellFile(const std::filesystem::path& path, std::size_t most_pending = 16'384)
+      : file_(path), most_pending_(most_pending) {}
+
+  void add(const Key& key, const Record& record) {
+    pending_.push_back({key, record});
+    if (pending_.size() >= most_pending_) flush();
+  }
+
+  /// All that was added under the key, in the order in which it came. Many threads may ask once keys() has
+  /// been asked, until something is added.
+  std::vector<Record> read(const Key& key) {
+    flush();
+    const auto cell = find(key);
+    if (cell == cells_.end() || key < cell->key) return {};
+    std::vector<Record> records(cell->count);
+    std::size_t end = records.size();
+    for (std::uint64_t next = cell->last_block; next != nowhere;) {
+      Block block;
+      file_.read(next, &block, sizeof block);
+      end -= block.count;
+      file_.read(next + sizeof block, records.data() + end, block.count * sizeof(Record));
+      next = block.previous;
+    }
+    return records;
+  }
+
+  /// In order.
+  std::vector<Key> keys() {
+    flush();
+    std::vector<Key> result;
+    for (const Cell& cell : cells_) result.push_back(cell.key);
+    return result;
+  }
+
+ private:
+  static constexpr std::uint64_t nowhere = ~std::uint64_t{0};
+
+  struct Pending {
+    Key key;
+    Record record;
+  };
+  /// Before records of one cell; each names the block before it.
+  struct Block {
+    std::uint64_t previous;
+    std::uint64_t count;
+  };
+  struct Cell {
+    Key key;
+    std::uint32_t count;
+    std::uint64_t last_block;
+  };
+
+  auto find(const Key& key) {
+    return std::lower_bound(cells_.begin(), cells_.end(), key,
+                            [](const Cell& cell, const Key& wanted) { return cell.key < wanted; });
+  }
+
+  void flush() {
+    if (pending_.empty()) return;
+    std::vector<std::uint32_t> order(pending_.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return pending_[a].key < pending_[b].key; });
+    const auto known = static_cast<std::ptrdiff_t>(cells_.size());
+    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+      const Key& key = pending_[order[begin]].key;
+      while (end < order.size() && !(key < pending_[order[end]].key)) ++end;
+      // New cells gather behind the known ones, which stay in order for find().
+      const auto cell = std::lower_bound(cells_.begin(), cells_.begin() + known, key,
+                                         [](const Cell& c, const Key& wanted) { return c.key < wanted; });
+      const bool is_new = cell == cells_.begin() + known || key < cell->key;
+      Cell& taken = is_new ? cells_.emplace_back(Cell{key, 0, nowhere}) : *cell;
+      const Block block{taken.last_block, end - begin};
+      taken.last_block = file_.size();
+      taken.count += static_cast<std::uint32_t>(block.count);
+      file_.write(&block, sizeof block);
+      for (std::size_t i = begin; i < end; ++i) file_.write(&pending_[order[i]].record, sizeof(Record));
+    }
+    std::inplace_merge(cells_.begin(), cells_.begin() + known, cells_.end(),
+                       [](const Cell& a, const Cell& b) { return a.key < b.key; });
+    pending_.clear();
+    file_.flush();
+  }
+
+  ScratchFile file_;
+  std::size_t most_pending_;
+  std::vector<Pending> pending_;
+  std::vector<Cell> cells_;
+};
+
+}  // namespace nightcity
