@@ -8,6 +8,13 @@
 #include "tools/bake/window_models.h"
 
 namespace nightcity {
+namespace {
+
+// A tile's windows come in a hundred looks, a primitive each: of the size of other tiles, a city's JSON would
+// be a fifth of its file.
+constexpr double tiles_a_batch = 4;  // along a side
+
+}  // namespace
 
 ScheduleTable schedules_of(LightFileWriter& lights) {
   return ScheduleTable([&lights](std::span<const uint> switches) { return lights.add_schedule(switches); });
@@ -32,7 +39,7 @@ LampProfiles bake_lights(const Recipe& recipe, const OsmData& osm, const CityFra
   add_lamp_models(writer, lamps.lamps, georeference, static_cast<std::uint32_t>(BakeMaterial::lamp_post));
   lamps.lamps = {};
   if (windows) {
-    WindowModels models(scratch, recipe.city.tile_m);
+    WindowModels models(scratch, tiles_a_batch * recipe.city.tile_m);
     const auto inside = [&](const glm::dvec3& place) { return inside_building(terrain, place); };
     const auto place = [&](const LitRectangle& window) {
       const Light light = to_light(window, georeference, schedules);
