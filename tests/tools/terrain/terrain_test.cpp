@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <vector>
@@ -158,6 +159,35 @@ TEST(Terrain, BreakLinesThatCrossMeetInAVertex) {
   }
   EXPECT_NEAR(area, 400, 1e-9);
   EXPECT_TRUE(met);
+}
+
+// Places of a small grid, so that lines run through vertices, lie on each other and go back on themselves.
+TEST(Terrain, WhateverTheBreakLinesTheSurfaceCoversItsRectangleOnce) {
+  unsigned state = 1;
+  const auto random = [&state](unsigned below) {
+    state = state * 1664525u + 1013904223u;
+    return static_cast<double>((state >> 16) % below);
+  };
+  for (int round = 0; round < 200; ++round) {
+    std::vector<std::vector<glm::dvec3>> lines(1 + static_cast<std::size_t>(random(12)));
+    for (auto& line : lines)
+      for (int n = 0; n < 6; ++n) line.emplace_back(east + random(7), north + random(7), random(20));
+    const BreakSurface surface = make_surface({{east + 3, north + 3, 1}}, lines, 4);
+    glm::dvec2 low(1e9), high(-1e9);
+    for (const glm::dvec3& p : surface.mesh.positions) {
+      EXPECT_TRUE(std::isfinite(p.z) && p.z >= 0 && p.z <= 20);
+      low = glm::min(low, glm::dvec2(p));
+      high = glm::max(high, glm::dvec2(p));
+    }
+    double area = 0;
+    for (const MeshTriangle& t : surface.mesh.triangles) {
+      const auto p = [&](int k) { return glm::dvec2(surface.mesh.positions.at(t.vertex[k])); };
+      const glm::dvec2 u = p(1) - p(0), v = p(2) - p(0);
+      EXPECT_GE(u.x * v.y - u.y * v.x, -1e-6);
+      area += (u.x * v.y - u.y * v.x) / 2;
+    }
+    EXPECT_NEAR(area, (high.x - low.x) * (high.y - low.y), 1e-4);
+  }
 }
 
 TEST(Terrain, LinesThatCrossBeyondReasonAreCountedNotFollowed) {
