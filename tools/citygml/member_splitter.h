@@ -43,7 +43,7 @@ class MemberSplitter {
     std::size_t batch_bytes = std::size_t{1} << 20;
     /// A longer member is cut between the triangles of its TIN, each piece wrapped in the tags open at the
     /// cut, so that terrain of any size passes in bounded memory.
-    std::size_t piece_bytes = std::size_t{16} << 20;
+    std::size_t piece_bytes = std::size_t{4} << 20;
     std::size_t member_bytes = std::size_t{1} << 30;  // longer ones are refused
     std::size_t depth = 200;                          // deeper nesting is refused
     /// Follow every tag. Without, a member's inside is left to whoever parses it: it may be ill-formed or too
