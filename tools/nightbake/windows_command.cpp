@@ -46,7 +46,8 @@ WindowReport lay(const Arguments& arguments, std::size_t& schedule_count) {
     lights.add(to_light(window, georeference, schedules), window.provenance);
   };
   const auto inside = [&](const glm::dvec3& p) { return inside_building(terrain, p); };
-  const WindowReport report = std::move(*windows).finish(height_on(terrain), place, inside, recipe.city.read.threads);
+  const WindowReport report =
+      std::move(*windows).finish(height_on(terrain), place, inside, recipe.city.read.threads);
   lights.finish({.georeference = georeference});
   schedule_count = schedules.size();
   return report;
