@@ -130,7 +130,7 @@ BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder, const
   // Small inputs first, so that their faults show before a large city has been read.
   const CityFrames frames(recipe);
   report.crs = frames.descriptions();
-  const OsmData osm = read_maps(recipe);
+  OsmData osm = read_maps(recipe);
   watch.lap("reading maps");
 
   SceneWriter writer(scene_path, {recipe.output.draco, recipe.output.draco_tolerance_m});
@@ -140,8 +140,15 @@ BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder, const
   DrapeStore drape(scene_path);
   std::optional<WindowLayout> windows;
   if (recipe.windows.lit) windows.emplace(window_options(recipe, osm, frames), lights_path);
-  read_city(recipe, frames, {writer, tiles, drape, terrain, windows}, report, progress);
+  streets::RoadSurfaces roads;
+  const bool model_streets = wants_model_streets(recipe, osm, frames);
+  read_city(recipe, frames, {writer, tiles, drape, terrain, windows, model_streets ? &roads : nullptr},
+            report, progress);
   watch.lap("reading the city");
+  if (model_streets) {
+    report.streets = add_model_streets(roads, frames, osm);
+    watch.lap("streets");
+  }
 
   if (progress) progress({"building the terrain", 0, ""});
   report.ground = lay_ground(recipe, frames, terrain, tiles);

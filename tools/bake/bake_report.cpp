@@ -84,6 +84,7 @@ json to_json(const BakeReport& report) {
        {{"used", report.ground.break_edges.used}, {"unused", report.ground.break_edges.unused}}},
       {"colours", report.colours},
       {"draped_triangles", report.draped},
+      {"streets", to_json(report.streets)},
       {"lamps", to_json(report.lamps)},
       {"layout", to_json(report.layout, true)},
       {"windows", to_json(report.windows)},
@@ -149,6 +150,7 @@ std::string to_text(const BakeReport& report) {
            (report.ground.dem.empty() ? "" : ", dem " + report.ground.dem) +
            (report.draped ? fmt::format(", {} triangles without heights laid onto it", report.draped) : ""));
   if (report.colours) line("colours", fmt::format("{} of the model's own materials", report.colours));
+  text += to_text(report.streets);
   text += to_text(report.lamps);
   text += to_text(report.layout, false);
   text += to_text(report.windows);

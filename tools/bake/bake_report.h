@@ -11,6 +11,7 @@
 #include "formats/scene_file.h"
 #include "tools/bake/ground_stage.h"
 #include "tools/bake/light_tables.h"
+#include "tools/bake/street_stage.h"
 #include "tools/citygml/city_model.h"
 #include "tools/layout/layout.h"
 #include "tools/mesh/triangle_mesh.h"
@@ -29,6 +30,7 @@ struct BakeReport {
   std::size_t relief_points = 0;  // mass points and vertices of break lines
   std::size_t colours = 0;        // materials the model itself names
   std::size_t draped = 0;         // triangles without heights laid onto it
+  StreetReport streets;           // of the model, where the map has none
   LampReport lamps;
   WindowReport windows;
   std::size_t schedules = 0;    // different ones in city.lights

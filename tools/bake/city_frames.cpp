@@ -38,6 +38,8 @@ std::vector<CityFrame::ControlPoint> corners_at(const std::array<double, 4>& bou
 }  // namespace
 
 CityFrames::CityFrames(const Recipe& recipe) {
+  if (recipe.city.files.empty())
+    throw UsageError(recipe.path.string(), "names no city: [city] files = [\"...\"] is missing");
   std::vector<CityGmlHead> heads;
   for (const auto& file : recipe.city.files) heads.push_back(read_citygml_head(file));
   const auto has_geometry = [](const CityGmlHead& head) { return !head.sample.empty(); };

@@ -14,8 +14,9 @@ namespace nightcity {
 
 class CityFrames {
  public:
-  /// Looks at the head of every file. The first one with geometry gives the city its frame. Throws Error: a
-  /// file that is missing or no CityGML, an unknown CRS, no geometry anywhere.
+  /// Looks at the head of every file. The first one with geometry gives the city its frame. Throws UsageError
+  /// where the recipe names none, Error: a file that is missing or no CityGML, an unknown CRS, no geometry
+  /// anywhere.
   explicit CityFrames(const Recipe& recipe);
 
   /// The city's own frame.

@@ -13,13 +13,14 @@
 namespace nightcity {
 
 void read_ground(const Recipe& recipe, const CityFrames& frames, Terrain& terrain,
-                 std::optional<WindowLayout>& windows, const ProgressSink& progress) {
+                 std::optional<WindowLayout>& windows, const ProgressSink& progress,
+                 streets::RoadSurfaces* roads) {
   const auto nowhere = std::filesystem::temp_directory_path() / "nightbake";
   SceneWriter writer(nowhere, {});
   TileStore tiles(nowhere, recipe.city.tile_m, std::round(frames.reference().z));
   DrapeStore drape(nowhere);
   BakeReport unused;
-  read_city(recipe, frames, {writer, tiles, drape, terrain, windows}, unused, progress);
+  read_city(recipe, frames, {writer, tiles, drape, terrain, windows, roads}, unused, progress);
   lay_ground(recipe, frames, terrain, tiles);
 }
 

@@ -10,14 +10,17 @@
 #include "tools/bake/recipe.h"
 #include "tools/lights/windows.h"
 #include "tools/osm/osm_data.h"
+#include "tools/streets/road_surfaces.h"
 #include "tools/terrain/terrain.h"
 
 namespace nightcity {
 
 /// Reads the recipe's city into `terrain`, which is built, and its buildings into `windows` where that holds
-/// something. What a bake would show goes to a scratch file and is forgotten. Throws Error as bake() does.
+/// something, its roads into `roads`. What a bake would show goes to a scratch file and is forgotten. Throws
+/// Error as bake() does.
 void read_ground(const Recipe& recipe, const CityFrames& frames, Terrain& terrain,
-                 std::optional<WindowLayout>& windows, const ProgressSink& progress);
+                 std::optional<WindowLayout>& windows, const ProgressSink& progress,
+                 streets::RoadSurfaces* roads = nullptr);
 
 /// How windows are to be laid: by the recipe, with the uses that the map's buildings tell.
 WindowOptions window_options(const Recipe& recipe, const OsmData& osm, const CityFrames& frames);

@@ -116,10 +116,8 @@ class CityReader {
       out.triangles = tile_triangles(mesh, object, drop);
       out.dropped = mesh.triangles.size() - out.triangles.size();
     }
-    if (sinks_.windows && !out.left_out)
-      out.windows = sinks_.windows->lay(object);
-    else
-      object.polygons = {};
+    if (sinks_.windows && !out.left_out) out.windows = sinks_.windows->lay(object);
+    if (!sinks_.roads) object.polygons = {};
     out.object = std::move(object);
     return out;
   }
@@ -150,6 +148,7 @@ class CityReader {
     if (prepared.dropped > 0) report_.left_out["triangles of ground under buildings"] += prepared.dropped;
     if (prepared.dropped == 0 && prepared.triangles.empty()) return;  // points alone
     if (sinks_.windows) sinks_.windows->add(object, std::move(prepared.windows));
+    if (sinks_.roads) sinks_.roads->add(object);
     if (!continues) last_feature_ = add_feature(object);
     last_id_ = object.id;
     if (prepared.flat) return sinks_.drape.add(prepared.triangles, last_feature_);

@@ -12,6 +12,7 @@
 #include "tools/bake/recipe.h"
 #include "tools/bake/tile_store.h"
 #include "tools/lights/windows.h"
+#include "tools/streets/road_surfaces.h"
 #include "tools/terrain/terrain.h"
 
 namespace nightcity {
@@ -22,7 +23,8 @@ struct CitySinks {
   TileStore& tiles;
   DrapeStore& drape;  // objects without heights
   Terrain& terrain;
-  std::optional<WindowLayout>& windows;  // empty: no windows are wanted
+  std::optional<WindowLayout>& windows;    // empty: no windows are wanted
+  streets::RoadSurfaces* roads = nullptr;  // null: no streets are wanted of the model
 };
 
 /// Each object becomes a feature of the writer as it is read; memory does not grow with the city but for what

@@ -204,7 +204,8 @@ Recipe read_recipe(const fs::path& path) {
   }
   if (recipe.city.bounds && !recipe.city.frame.control_points.empty())
     throw UsageError(file, "[city] bounds and control_points both place the model: one of them is enough");
-  if (recipe.city.files.empty()) throw UsageError(file, "names no city: [city] files = [\"...\"] is missing");
+  if (recipe.city.files.empty() && recipe.osm.files.empty())
+    throw UsageError(file, "names no city: [city] files = [\"...\"] is missing");
   return recipe;
 }
 

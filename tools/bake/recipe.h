@@ -78,7 +78,8 @@ struct Recipe {
   } output;
 };
 
-/// Throws Error where the file is missing or no TOML, UsageError (with line and the nearest known key) where
+/// One of [city] and [osm] files is there; CityFrames asks for the first. Throws Error where the file is
+/// missing or no TOML, UsageError (with line and the nearest known key) where
 /// a table, key or value is not one of ours.
 Recipe read_recipe(const std::filesystem::path& path);
 

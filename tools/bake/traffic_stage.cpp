@@ -19,6 +19,17 @@ HeightAt road_height_on(const Terrain& terrain) {
   };
 }
 
+traffic::TrafficSet drive_on(const Recipe& recipe, const OsmData& osm, const CityFrame& frame,
+                             const HeightAt& height, const InsideBuilding& inside,
+                             const Georeference& georeference, const ProgressSink& progress) {
+  return traffic::make_traffic(
+      osm.highways, [&](const glm::dvec2& lon_lat) { return frame.from_lon_lat(lon_lat); }, height, inside,
+      recipe.traffic.options, georeference,
+      [&](const char* step, double share) {
+        if (progress) progress({std::string("traffic: ") + step, static_cast<std::size_t>(share * 100), "%"});
+      });
+}
+
 }  // namespace
 
 traffic::TrafficSet make_city_traffic(const Recipe& recipe, const OsmData& osm, const CityFrames& frames,
@@ -28,15 +39,16 @@ traffic::TrafficSet make_city_traffic(const Recipe& recipe, const OsmData& osm, 
   if (!frames.city().has_lon_lat())
     throw Error("", "[city] crs",
                 "the city names no CRS: streets cannot be placed without crs or control_points");
-  const auto to_frame = [&](const glm::dvec2& lon_lat) { return frames.city().from_lon_lat(lon_lat); };
   const auto inside = [&](const glm::dvec2& p) {
     return terrain.height_of(Footing::ground_surface, p).has_value();
   };
-  return traffic::make_traffic(
-      osm.highways, to_frame, road_height_on(terrain), inside, recipe.traffic.options, georeference,
-      [&](const char* step, double share) {
-        if (progress) progress({std::string("traffic: ") + step, static_cast<std::size_t>(share * 100), "%"});
-      });
+  return drive_on(recipe, osm, frames.city(), road_height_on(terrain), inside, georeference, progress);
+}
+
+traffic::TrafficSet make_map_traffic(const Recipe& recipe, const OsmData& osm, const CityFrame& frame,
+                                     const Georeference& georeference, const ProgressSink& progress) {
+  const HeightAt flat = [](const glm::dvec2&) { return std::optional(0.0); };
+  return drive_on(recipe, osm, frame, flat, {}, georeference, progress);
 }
 
 LightFileContent content_of(const LightFile& file) {

@@ -19,6 +19,10 @@ traffic::TrafficSet make_city_traffic(const Recipe& recipe, const OsmData& osm, 
                                       const Terrain& terrain, const Georeference& georeference,
                                       const ProgressSink& progress);
 
+/// The same for a map without a city, on a plane at height 0: for a look at what streets can bear.
+traffic::TrafficSet make_map_traffic(const Recipe& recipe, const OsmData& osm, const CityFrame& frame,
+                                     const Georeference& georeference, const ProgressSink& progress);
+
 /// All that a light file holds, to be written again; spans into `file`.
 LightFileContent content_of(const LightFile& file);
 

@@ -54,6 +54,10 @@ json to_json(const traffic::TrafficReport& report) {
       {"brakings", report.brakings},
       {"knot_error", {{"m", report.knot_error.position_m}, {"degrees", report.knot_error.heading_degrees}}},
       {"rejected_routes", report.routes.rejected},
+      {"routes_through_buildings", report.routes.through_buildings},
+      {"links_km", report.links_km},
+      {"links_in_buildings_km", report.links_in_buildings_km},
+      {"most_at_once", report.simulation.most_at_once},
       {"never_started", report.simulation.never_started},
       {"stuck", report.simulation.stuck},
       {"waited_at_start_s", report.simulation.waited_s},
@@ -85,6 +89,9 @@ std::string to_text(const traffic::TrafficReport& report) {
                "{:.4f} % of vehicles overlapped another: {} drives left out for it; {} stuck, {} not started",
                100 * overlap_share(report), report.overlap_dropped, report.simulation.stuck,
                report.simulation.never_started));
+  if (report.links_in_buildings_km > 0)
+    line("", fmt::format("{:.2f} of {:.1f} km of lanes and turns touch a building: nobody drives there",
+                         report.links_in_buildings_km, report.links_km));
   line("", "ways left out: " + in_words(report.left_out));
   return text;
 }

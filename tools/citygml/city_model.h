@@ -57,6 +57,7 @@ struct Polygon {
   Ring exterior;
   std::vector<Ring> interiors;
   std::optional<glm::vec3> diffuse_colour;  // X3DMaterial, sRGB as in the file
+  std::uint16_t area_function = 0;          // code of the traffic area it lies in; 0 = none, or no number
 };
 
 /// A top-level city object with its parts and installations folded in: each building is one object.

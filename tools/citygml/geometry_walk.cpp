@@ -164,6 +164,7 @@ void GeometryWalk::follow(const pugi::xml_node& link, std::string_view href, con
       for (Ring& ring : copy.interiors) std::reverse(ring.begin(), ring.end());
     }
     if (copy.surface == SurfaceType::unknown) copy.surface = there.surface;
+    if (copy.area_function == 0) copy.area_function = there.area_function;
     add(std::move(copy), there);
   }
 }
@@ -174,6 +175,7 @@ void GeometryWalk::read_polygon(const pugi::xml_node& element, const GeometryCon
   Polygon polygon;
   polygon.id = attribute_named(element, "id");
   polygon.surface = context.surface;
+  polygon.area_function = context.area_function;
   const glm::vec3* colour = colour_of(element);
   if (!colour) colour = context.colour;
   if (colour) polygon.diffuse_colour = *colour;

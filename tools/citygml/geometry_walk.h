@@ -27,6 +27,7 @@ struct GeometryContext {
   int lod = -1;
   std::uint32_t space = 0;
   SurfaceType surface = SurfaceType::unknown;
+  std::uint16_t area_function = 0;     // of the traffic area
   int dimension = 0;                   // srsDimension said further up; 0 = none
   bool reversed = false;               // below an OrientableSurface '-'
   int depth = 0;                       // of elements and links, from the member

@@ -39,6 +39,16 @@ void adopt_attributes(CityObject& whole, const CityObject& part) {
   whole.storeys_above_ground = std::max(whole.storeys_above_ground, part.storeys_above_ground);
 }
 
+// The first function of a traffic area that is a code: who may go there.
+bool read_area_function(const FeatureClass& what, std::string_view name, const pugi::xml_node& property,
+                        GeometryContext& context) {
+  if (what.surface != SurfaceType::traffic_area || name != "function") return false;
+  const auto code = parse_number(property.child_value());
+  if (context.area_function == 0 && code && *code >= 1 && *code <= 65535)
+    context.area_function = static_cast<std::uint16_t>(*code);
+  return true;
+}
+
 bool is_space(ClassKind kind) {
   return kind == ClassKind::top || kind == ClassKind::part;
 }
@@ -111,7 +121,7 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
       case PropertyKind::attribute:
         if (is_space(what.kind))
           set_attribute(said, lower(name), property.child_value());
-        else
+        else if (!read_area_function(what, name, property, context))
           skipped_.add(property.name());
         break;
       case PropertyKind::features:

@@ -7,31 +7,52 @@ namespace {
 
 // Heights: Global Street Design Guide (NACTO 2016): footways and cycle tracks 3-6 m, narrow streets 6-10 m,
 // wide streets 10-12 m; spacing 2.5-3 heights. Outreach: 1-2 m brackets where the post stands behind the kerb
-// (CEN/TR 13201-1's worked examples). Flux: what the class in the last column asks for at that spacing, flux
-// = E W S / (utilisation 0.4 x maintenance 0.8), E by EN 13201-2: M3 1.0, M4 0.75, M5 0.5 cd/m2 (about 15,
-// 10, 7.5 lx on asphalt of R3), P3 7.5, P4 5, P5 3 lx. Colour: 4000 K on main roads, 3000 K where people live
-// (EU green public procurement criteria, SWD(2018) 494). Widths: 3.5 m lanes on main roads, 3.0 m elsewhere.
+// (CEN/TR 13201-1's worked examples). Colour: 4000 K on main roads, 3000 K where people live (EU green public
+// procurement criteria, SWD(2018) 494). Widths: 3.5 m lanes on main roads, 3.0 m elsewhere.
+// Flux, to the next 100 lm: what the class in the last column asks for at a spacing S of three heights, E W S
+// / (utilisation 0.4 x maintenance 0.8), with E as tools/layout/lighting_class.cpp has it (EN 13201-2; M
+// classes by the C class of comparable level). Mapped lamps stand so: the median gap along Berlin's
+// residential streets is 21 m, along secondary ones 25 m. Luminaires on posts give 800 lm at least: smaller
+// ones are bollards.
+constexpr double least_on_posts_lm = 800;
+
+constexpr double class_lx(std::string_view target) {
+  if (target == "M2") return 20;
+  if (target == "M3") return 15;
+  if (target == "M4") return 10;
+  if (target == "M5" || target == "P3") return 7.5;
+  return target == "P4" ? 5 : 3;
+}
+
+constexpr RoadDefaults row(const char* highway, RoadTier tier, double width_m, double mounting_m,
+                           double outreach_m, double cct_k, Optic optic, const char* target) {
+  const double needed = class_lx(target) * width_m * 3 * mounting_m / (0.4 * 0.8);
+  const auto hundreds = static_cast<int>(needed / 100 + 0.5);
+  const double flux = hundreds * 100 > least_on_posts_lm ? hundreds * 100 : least_on_posts_lm;
+  return {highway, tier, width_m, mounting_m, outreach_m, flux, cct_k, optic, target};
+}
+
 constexpr std::array<RoadDefaults, 20> roads = {{
-    {"motorway", RoadTier::main, 11.5, 12.0, 2.0, 20000, 4000, Optic::street, "M2"},
-    {"trunk", RoadTier::main, 10.5, 12.0, 2.0, 18000, 4000, Optic::street, "M2"},
-    {"primary", RoadTier::main, 10.0, 10.0, 1.5, 13500, 4000, Optic::street, "M3"},
-    {"secondary", RoadTier::main, 8.5, 9.0, 1.5, 9000, 4000, Optic::street, "M4"},
-    {"tertiary", RoadTier::local, 7.0, 8.0, 1.0, 6000, 3500, Optic::street, "M5"},
-    {"unclassified", RoadTier::local, 6.0, 7.0, 1.0, 4500, 3000, Optic::street, "P4"},
-    {"residential", RoadTier::local, 6.0, 6.0, 0.8, 3500, 3000, Optic::street, "P4"},
-    {"road", RoadTier::local, 6.0, 6.0, 0.8, 3500, 3000, Optic::street, "P4"},
-    {"living_street", RoadTier::local, 5.5, 5.0, 0.5, 2500, 3000, Optic::street, "P5"},
-    {"service", RoadTier::local, 4.0, 6.0, 0.5, 2500, 3000, Optic::street, "P5"},
-    {"busway", RoadTier::main, 6.5, 9.0, 1.5, 9000, 4000, Optic::street, "M4"},
-    {"pedestrian", RoadTier::path, 7.0, 4.5, 0.0, 3000, 3000, Optic::lantern, "P3"},
-    {"footway", RoadTier::path, 2.5, 4.0, 0.0, 1500, 3000, Optic::lantern, "P5"},
-    {"path", RoadTier::path, 2.0, 4.0, 0.0, 1500, 3000, Optic::lantern, "P5"},
-    {"steps", RoadTier::path, 2.5, 4.0, 0.0, 1500, 3000, Optic::lantern, "P5"},
-    {"cycleway", RoadTier::path, 2.5, 5.0, 0.3, 2000, 3000, Optic::street, "P5"},
-    {"bridleway", RoadTier::path, 2.5, 4.0, 0.0, 1500, 3000, Optic::lantern, "P5"},
-    {"track", RoadTier::path, 3.0, 5.0, 0.3, 2000, 3000, Optic::street, "P5"},
-    {"platform", RoadTier::path, 3.0, 4.5, 0.0, 2500, 4000, Optic::lantern, "P3"},
-    {"corridor", RoadTier::path, 2.5, 3.5, 0.0, 1500, 4000, Optic::lantern, "P5"},
+    row("motorway", RoadTier::main, 11.5, 12.0, 2.0, 4000, Optic::street, "M2"),
+    row("trunk", RoadTier::main, 10.5, 12.0, 2.0, 4000, Optic::street, "M2"),
+    row("primary", RoadTier::main, 10.0, 10.0, 1.5, 4000, Optic::street, "M3"),
+    row("secondary", RoadTier::main, 8.5, 9.0, 1.5, 4000, Optic::street, "M4"),
+    row("tertiary", RoadTier::local, 7.0, 8.0, 1.0, 3500, Optic::street, "M5"),
+    row("unclassified", RoadTier::local, 6.0, 7.0, 1.0, 3000, Optic::street, "P4"),
+    row("residential", RoadTier::local, 6.0, 6.0, 0.8, 3000, Optic::street, "P4"),
+    row("road", RoadTier::local, 6.0, 6.0, 0.8, 3000, Optic::street, "P4"),
+    row("living_street", RoadTier::local, 5.5, 5.0, 0.5, 3000, Optic::street, "P5"),
+    row("service", RoadTier::local, 4.0, 6.0, 0.5, 3000, Optic::street, "P5"),
+    row("busway", RoadTier::main, 6.5, 9.0, 1.5, 4000, Optic::street, "M4"),
+    row("pedestrian", RoadTier::path, 7.0, 4.5, 0.0, 3000, Optic::lantern, "P3"),
+    row("footway", RoadTier::path, 2.5, 4.0, 0.0, 3000, Optic::lantern, "P5"),
+    row("path", RoadTier::path, 2.0, 4.0, 0.0, 3000, Optic::lantern, "P5"),
+    row("steps", RoadTier::path, 2.5, 4.0, 0.0, 3000, Optic::lantern, "P5"),
+    row("cycleway", RoadTier::path, 2.5, 5.0, 0.3, 3000, Optic::street, "P5"),
+    row("bridleway", RoadTier::path, 2.5, 4.0, 0.0, 3000, Optic::lantern, "P5"),
+    row("track", RoadTier::path, 3.0, 5.0, 0.3, 3000, Optic::street, "P5"),
+    row("platform", RoadTier::path, 3.0, 4.5, 0.0, 4000, Optic::lantern, "P3"),
+    row("corridor", RoadTier::path, 2.5, 3.5, 0.0, 4000, Optic::lantern, "P5"),
 }};
 
 constexpr RoadDefaults open_space = {"", RoadTier::path, 0, 4.5, 0, 2500, 3000, Optic::lantern, "P4"};

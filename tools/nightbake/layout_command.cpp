@@ -11,6 +11,7 @@
 #include "tools/bake/city_ground.h"
 #include "tools/bake/lamp_stage.h"
 #include "tools/bake/layout_tables.h"
+#include "tools/bake/street_stage.h"
 #include "tools/layout/lamp_osm.h"
 #include "tools/nightbake/commands.h"
 #include "tools/nightbake/progress_line.h"
@@ -33,7 +34,10 @@ void run(const Arguments& arguments) {
   {
     ProgressLine progress;
     std::optional<WindowLayout> no_windows;
-    read_ground(recipe, frames, terrain, no_windows, progress.sink());
+    streets::RoadSurfaces roads;
+    const bool model_streets = wants_model_streets(recipe, osm, frames);
+    read_ground(recipe, frames, terrain, no_windows, progress.sink(), model_streets ? &roads : nullptr);
+    if (model_streets) add_model_streets(roads, frames, osm);
     lamps = place_city_lamps(recipe, osm, frames, terrain);
   }
   if (!arguments.osm.empty()) {

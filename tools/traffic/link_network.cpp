@@ -8,6 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "tools/traffic/vehicle_types.h"
+
 namespace nightcity::traffic {
 namespace {
 
@@ -18,6 +20,7 @@ constexpr double corner_m = 2.5;            // between a junction's corner and w
 constexpr double bend_radius_m = 4.5;       // where a street bends at a node between two ways
 constexpr double half_axle_m = 1.4;  // a vehicle stands on two axles this far before and behind its middle
 constexpr double slowest_m_s = 1.5;  // in the tightest bend
+constexpr double tightest_bend_m = 1.6;  // of a vehicle's middle, for a moment
 
 double angle_between(const dvec2& a, const dvec2& b) {
   return std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
@@ -33,8 +36,8 @@ dvec2 end_direction(const RoadEdge& edge) {
 
 }  // namespace
 
-LinkNetwork::LinkNetwork(const RoadGraph& graph, HeightAt height_at)
-    : graph_(graph), height_at_(std::move(height_at)) {
+LinkNetwork::LinkNetwork(const RoadGraph& graph, HeightAt height_at, InsideBuilding inside)
+    : graph_(graph), height_at_(std::move(height_at)), inside_(std::move(inside)) {
   middles_.resize(graph.edges.size());
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     Middle& middle = middles_[e];
@@ -114,6 +117,23 @@ void LinkNetwork::limit_speed(Link& link, double limit) const {
   }
 }
 
+double LinkNetwork::in_buildings(const Curve& curve) const {
+  constexpr double step_m = 1.5;
+  if (!inside_) return 0;
+  const double half_length = vehicle_types[0].length_m / 2, half_width = vehicle_types[0].width_m / 2;
+  const int steps = std::max(1, static_cast<int>(std::ceil(curve.length() / step_m)));
+  int touching = 0;
+  for (int k = 0; k <= steps; ++k) {
+    const Curve::Place place = curve.at(curve.length() * k / steps);
+    const dvec2 middle(place.point),
+        ahead = glm::normalize(dvec2(place.along)) * half_length,
+        right = glm::normalize(dvec2(place.along.y, -place.along.x)) * half_width;
+    touching += inside_(middle + ahead + right) || inside_(middle + ahead - right) ||
+                inside_(middle - ahead + right) || inside_(middle - ahead - right);
+  }
+  return curve.length() * touching / (steps + 1);
+}
+
 std::size_t LinkNetwork::lane(std::size_t edge, int lane) {
   const auto [found, is_new] = lanes_.try_emplace({edge, lane}, links_.size());
   if (!is_new) return found->second;
@@ -138,6 +158,7 @@ std::size_t LinkNetwork::lane(std::size_t edge, int lane) {
   link.edge = edge;
   link.lane = lane;
   limit_speed(link, road.speed_m_s);
+  if (!road.structure) link.in_buildings_m = in_buildings(link.curve);
   links_.push_back(std::move(link));
   return found->second;
 }
@@ -174,9 +195,26 @@ std::size_t LinkNetwork::turn(std::size_t edge, int lane_from, std::size_t next_
   heights.back() = {b.point.z, b.along.z};
   link.curve = Curve(line, heights);
   limit_speed(link, std::min(in.speed_m_s, out.speed_m_s));
+  if (!in.structure && !out.structure) link.in_buildings_m = in_buildings(link.curve);
   turns_[key] = links_.size();
   links_.push_back(std::move(link));
   return links_.size() - 1;
+}
+
+bool LinkNetwork::can_turn(std::size_t edge, int lane_from, std::size_t next_edge, int lane_to) {
+  if (turns_.contains({edge, lane_from, next_edge, lane_to})) return true;
+  const std::size_t from = lane(edge, lane_from), to = lane(next_edge, lane_to);
+  const Curve::Sample &a = links_[from].curve.samples().back(), &b = links_[to].curve.samples().front();
+  const dvec2 chord = dvec2(b.point - a.point);
+  const double ahead = 0.25 * glm::length(chord);  // 75 degrees aside
+  if (glm::dot(chord, dvec2(a.along)) <= ahead || glm::dot(chord, dvec2(b.along)) <= ahead) return false;
+  const PlanLine line = turn_between({dvec2(a.point), dvec2(a.along)}, {dvec2(b.point), dvec2(b.along)});
+  for (std::size_t n = 1; n < line.size(); ++n) {
+    const double turned = std::abs(angle_between(line[n - 1].along, line[n].along));
+    if (turned * tightest_bend_m > std::max(glm::distance(line[n - 1].point, line[n].point), 0.02))
+      return false;
+  }
+  return true;
 }
 
 Movement LinkNetwork::movement(std::size_t edge, std::size_t next_edge) const {

@@ -34,6 +34,7 @@ struct Link {
       allowed_m_s;  // at each sample: limit, bends, and braking for what lies ahead on this link
   std::vector<Conflict> conflicts;  // a turn's
   bool junction = false;            // a turn that meets others: one is told when one may go
+  double in_buildings_m = 0;        // on so much of it a car would stand with a corner in a building
 };
 
 /// Comfortable driving, m/s2: ITE's Traffic Engineering Handbook has 1.5-2 for braking and at most 2.5
@@ -42,12 +43,15 @@ constexpr double comfortable_braking = 1.6, sideways_acceleration = 2.3;
 
 class LinkNetwork {
  public:
-  /// Refers to `graph`.
-  LinkNetwork(const RoadGraph& graph, HeightAt height_at);
+  /// Refers to `graph`. `inside` may be empty: there are no buildings then.
+  LinkNetwork(const RoadGraph& graph, HeightAt height_at, InsideBuilding inside = {});
 
   /// Links are made when they are first asked for: most of a map's turns nobody takes.
   std::size_t lane(std::size_t edge, int lane);
   std::size_t turn(std::size_t edge, int lane, std::size_t next_edge, int next_lane);
+  /// Whether one can steer from one lane into the other: where the second begins beside or behind the end of
+  /// the first (lanes that overlap at acute corners) there is no way but a loop.
+  bool can_turn(std::size_t edge, int lane, std::size_t next_edge, int next_lane);
   /// Finds the conflicts of all links made so far.
   void find_conflicts();
 
@@ -69,11 +73,13 @@ class LinkNetwork {
   double setback(std::size_t edge, bool at_start) const;
   std::vector<Curve::Height> ground(const PlanLine& line, double last) const;
   void limit_speed(Link& link, double limit) const;
+  double in_buildings(const Curve& curve) const;
   bool yields(const Link& a, const Link& b) const;
   void conflict(std::size_t a, std::size_t b);
 
   const RoadGraph& graph_;
   HeightAt height_at_;
+  InsideBuilding inside_;
   std::vector<Middle> middles_;
   std::deque<Link> links_;
   std::map<std::pair<std::size_t, int>, std::size_t> lanes_;

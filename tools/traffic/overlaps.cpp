@@ -1,10 +1,12 @@
 #include "tools/traffic/overlaps.h"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <set>
-#include <unordered_map>
 #include <utility>
 
 #include "formats/traffic_pose.h"
@@ -33,13 +35,82 @@ bool overlap(const Body& a, const Body& b) {
   return true;
 }
 
-constexpr double cell_m = 14;  // no shorter than the longest body, so that neighbours share or touch cells
+constexpr double longest_m = 14;  // no shorter than the longest body
 
-std::uint64_t cell(double x, double z, int dx, int dz) {
-  const auto i = static_cast<std::int64_t>(std::floor(x / cell_m)) + dx;
-  const auto k = static_cast<std::int64_t>(std::floor(z / cell_m)) + dz;
-  return static_cast<std::uint64_t>(i) << 32 ^ (static_cast<std::uint64_t>(k) & 0xFFFFFFFFu);
-}
+/// What a stretch of the cycle shows.
+struct Found {
+  std::size_t samples = 0, overlapping = 0;
+  std::set<std::pair<std::size_t, std::size_t>> pairs;
+};
+
+class Stretch {
+ public:
+  Stretch(const TrafficContent& traffic, double slack_m, Found& found)
+      : traffic_(traffic), cycle_(double{traffic.cycle.cycle_s}), slack_m_(slack_m), found_(found) {}
+
+  void begin(double t) {
+    for (std::size_t n = 0; n < traffic_.trips.size(); ++n)
+      if (on_drive(n, t)) driving_.push_back(n);
+  }
+
+  void add(std::span<const std::size_t> starting) {
+    driving_.insert(driving_.end(), starting.begin(), starting.end());
+  }
+
+  void look(double t) {
+    bodies_.clear();
+    std::erase_if(driving_, [&](std::size_t n) {
+      const auto u = on_drive(n, t);
+      if (!u) return true;
+      const Trip& trip = traffic_.trips[n];
+      const VehiclePose pose = pose_on_drive(knots_of(trip), *u);
+      const glm::vec3 half = traffic_.vehicles[trip.vehicle].half_size;
+      bodies_.push_back({n,
+                         {pose.position.x, pose.position.z},
+                         {std::cos(pose.yaw), -std::sin(pose.yaw)},
+                         pose.position.y,
+                         double{half.x} - slack_m_,
+                         double{half.z} - slack_m_});
+      return false;
+    });
+    found_.samples += bodies_.size();
+    // From west to east: those near in x are near in the list.
+    std::sort(bodies_.begin(), bodies_.end(), [](const Body& a, const Body& b) {
+      return a.middle.x != b.middle.x ? a.middle.x < b.middle.x : a.trip < b.trip;
+    });
+    hit_.assign(bodies_.size(), false);
+    for (std::size_t a = 0; a < bodies_.size(); ++a)
+      for (std::size_t b = a + 1; b < bodies_.size(); ++b) {
+        if (bodies_[b].middle.x - bodies_[a].middle.x > longest_m) break;
+        if (std::abs(bodies_[b].middle.y - bodies_[a].middle.y) > longest_m) continue;
+        if (!overlap(bodies_[a], bodies_[b])) continue;
+        hit_[a] = hit_[b] = true;
+        found_.pairs.insert(std::minmax(bodies_[a].trip, bodies_[b].trip));
+      }
+    found_.overlapping += static_cast<std::size_t>(std::count(hit_.begin(), hit_.end(), true));
+  }
+
+ private:
+  std::span<const TripKnot> knots_of(const Trip& trip) const {
+    return traffic_.knots.subspan(trip.first_knot, trip.knot_count);
+  }
+
+  /// Seconds since its start, of a trip that is on the road at `t`.
+  std::optional<double> on_drive(std::size_t n, double t) const {
+    const Trip& trip = traffic_.trips[n];
+    double u = t - double{trip.start_s};
+    if (u < 0) u += cycle_;
+    if (u >= double{knots_of(trip).back().time_s}) return std::nullopt;
+    return u;
+  }
+
+  const TrafficContent& traffic_;
+  double cycle_, slack_m_;
+  Found& found_;
+  std::vector<std::size_t> driving_;
+  std::vector<Body> bodies_;
+  std::vector<bool> hit_;
+};
 
 }  // namespace
 
@@ -48,6 +119,9 @@ OverlapReport find_overlaps(const TrafficContent& traffic, double step_s, double
   report.drop.assign(traffic.trips.size(), false);
   const double cycle = double{traffic.cycle.cycle_s};
   const auto steps = static_cast<std::size_t>(std::ceil(cycle / step_s));
+  const auto moment = [&](std::size_t step) {
+    return cycle * static_cast<double>(step) / static_cast<double>(steps);
+  };
   // Trips by the moment at which they start, so that a moment looks at those on the road only.
   std::vector<std::vector<std::size_t>> starting(steps);
   for (std::size_t n = 0; n < traffic.trips.size(); ++n) {
@@ -55,49 +129,23 @@ OverlapReport find_overlaps(const TrafficContent& traffic, double step_s, double
         std::ceil(double{traffic.trips[n].start_s} / cycle * static_cast<double>(steps)));
     starting[at % steps].push_back(n);
   }
-  std::vector<std::size_t> driving;
+  // Stretches of the cycle side by side; what they find is put together in order.
+  constexpr std::size_t stretch_steps = 64;
+  std::vector<Found> found((steps + stretch_steps - 1) / stretch_steps);
+  oneapi::tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t k) {
+    Stretch stretch(traffic, slack_m, found[k]);
+    const std::size_t first = k * stretch_steps;
+    stretch.begin(moment(first));
+    for (std::size_t step = first; step < std::min(first + stretch_steps, steps); ++step) {
+      if (step > first) stretch.add(starting[step]);
+      stretch.look(moment(step));
+    }
+  });
   std::set<std::pair<std::size_t, std::size_t>> pairs;
-  std::vector<Body> bodies;
-  std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells;
-  for (std::size_t round = 0; round < 2 * steps; ++round) {  // the first cycle only fills the roads
-    const std::size_t step = round % steps;
-    const double t = cycle * static_cast<double>(step) / static_cast<double>(steps);
-    driving.insert(driving.end(), starting[step].begin(), starting[step].end());
-    bodies.clear();
-    cells.clear();
-    std::erase_if(driving, [&](std::size_t n) {
-      const Trip& trip = traffic.trips[n];
-      const auto knots = traffic.knots.subspan(trip.first_knot, trip.knot_count);
-      double u = t - double{trip.start_s};
-      if (u < 0) u += cycle;
-      if (u >= double{knots.back().time_s}) return true;
-      if (round < steps) return false;
-      const VehiclePose pose = pose_on_drive(knots, u);
-      const glm::vec3 half = traffic.vehicles[trip.vehicle].half_size;
-      bodies.push_back({n,
-                        {pose.position.x, pose.position.z},
-                        {std::cos(pose.yaw), -std::sin(pose.yaw)},
-                        pose.position.y,
-                        double{half.x} - slack_m,
-                        double{half.z} - slack_m});
-      return false;
-    });
-    report.vehicle_samples += bodies.size();
-    for (std::size_t n = 0; n < bodies.size(); ++n)
-      cells[cell(bodies[n].middle.x, bodies[n].middle.y, 0, 0)].push_back(n);
-    std::vector<bool> hit(bodies.size(), false);
-    for (std::size_t n = 0; n < bodies.size(); ++n)
-      for (int dx = -1; dx <= 1; ++dx)
-        for (int dz = -1; dz <= 1; ++dz) {
-          const auto found = cells.find(cell(bodies[n].middle.x, bodies[n].middle.y, dx, dz));
-          if (found == cells.end()) continue;
-          for (const std::size_t m : found->second) {
-            if (m <= n || !overlap(bodies[n], bodies[m])) continue;
-            hit[n] = hit[m] = true;
-            pairs.insert(std::minmax(bodies[n].trip, bodies[m].trip));
-          }
-        }
-    report.overlapping += static_cast<std::size_t>(std::count(hit.begin(), hit.end(), true));
+  for (Found& one : found) {
+    report.vehicle_samples += one.samples;
+    report.overlapping += one.overlapping;
+    pairs.merge(one.pairs);
   }
   // Those with most overlaps go first, until no pair is left whole.
   std::vector<std::size_t> blame(traffic.trips.size(), 0);

@@ -168,7 +168,7 @@ class RouteMaker {
     if (!to_kerb && last.streets != 1) return std::nullopt;
     if (!to_kerb && edges.size() == 1 && route.from_kerb) return std::nullopt;
     route.to_stop = to_kerb || !last.border;
-    lay(route, edges, to_kerb, random);
+    if (!lay(route, edges, to_kerb, random)) return std::nullopt;
     for (const std::size_t e : edges) {
       const double time = time_on(graph_.edges[e], graph_.edges[e].length_m) / route.speed_factor;
       tallies_[graph_.edges[e].road].given += time;
@@ -178,8 +178,9 @@ class RouteMaker {
   }
 
   /// Lanes from the end backwards: what the next turn asks for decides; who goes straight on keeps the lane,
-  /// so that lanes are changed in turns only.
-  void lay(Route& route, const std::vector<std::size_t>& edges, bool to_kerb, Random& random) {
+  /// so that lanes are changed in turns only. False where two lanes on the way have no turn between them, or
+  /// a wall stands on it.
+  bool lay(Route& route, const std::vector<std::size_t>& edges, bool to_kerb, Random& random) {
     std::vector<int> lanes(edges.size());
     const bool right_hand = graph_.side == Side::right;
     for (std::size_t n = edges.size(); n-- > 0;) {
@@ -194,9 +195,16 @@ class RouteMaker {
       else
         lanes[n] = (movement == Movement::right) == right_hand ? 0 : count - 1;
     }
+    for (std::size_t n = 1; n < edges.size(); ++n)
+      if (!network_.can_turn(edges[n - 1], lanes[n - 1], edges[n], lanes[n])) return false;
     for (std::size_t n = 0; n < edges.size(); ++n) {
       if (n > 0) route.links.push_back(network_.turn(edges[n - 1], lanes[n - 1], edges[n], lanes[n]));
       route.links.push_back(network_.lane(edges[n], lanes[n]));
+    }
+    const auto through_wall = [&](std::size_t link) { return network_.links()[link].in_buildings_m > 0; };
+    if (std::any_of(route.links.begin(), route.links.end(), through_wall)) {
+      ++report_.through_buildings;
+      return false;
     }
     const VehicleType& type = vehicle_types[route.type];
     const double half = type.length_m / 2;
@@ -218,6 +226,7 @@ class RouteMaker {
       route.end_s = random.range(std::min(15.0, last / 2), std::max(last - stop_margin_m, last / 2));
       route.end_aside_m = aside(graph_.edges[edges.back()], lanes.back());
     }
+    return true;
   }
 
   LinkNetwork& network_;

@@ -33,7 +33,8 @@ struct Demand {
 struct RouteReport {
   std::map<std::string, double> lane_km;        // by class of road
   std::map<std::string, double> wanted, given;  // vehicles at once, by class
-  std::size_t rejected = 0;                     // drives that led nowhere in time
+  std::size_t rejected = 0;                     // drives that led nowhere in time, or could not be driven:
+  std::size_t through_buildings = 0;            // of them: a wall stood in the way
 };
 
 /// Vehicles at once at the table's hour, by the table of densities.

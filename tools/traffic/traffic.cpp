@@ -1,9 +1,13 @@
 #include "tools/traffic/traffic.h"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
+#include "formats/error.h"
 #include "formats/traffic_pose.h"
 #include "tools/random.h"
 #include "tools/traffic/lamps.h"
@@ -38,39 +42,109 @@ double busiest_vehicles(const RoadGraph& graph, const TrafficOptions& options) {
   return at_table_hour > 0 ? wanted * most / at_table_hour : wanted;
 }
 
-/// Trips in the order of their routes, whatever order they ended in.
-struct PendingTrip {
-  std::size_t route;
-  Trip trip;
-  std::vector<TripKnot> knots;
-  double driven_m;
-};
-
-void keep(TrafficSet& set, const std::vector<PendingTrip>& pending, const std::vector<bool>& drop) {
-  set.trips.clear();
-  set.knots.clear();
-  // Ranks spread evenly: any hour's share is that share, not a draw of lots. The order is by identity, so a
-  // trip keeps about its rank when others go.
-  std::vector<std::size_t> order;
-  for (std::size_t n = 0; n < pending.size(); ++n)
-    if (drop.empty() || !drop[n]) order.push_back(n);
-  std::vector<std::size_t> by_lot = order;
-  std::stable_sort(by_lot.begin(), by_lot.end(), [&](std::size_t a, std::size_t b) {
-    return mix(pending[a].trip.id) < mix(pending[b].trip.id);
-  });
-  std::vector<float> rank(pending.size(), 0);
+/// Ranks spread evenly: any hour's share is that share, not a draw of lots. The order is by identity, so a
+/// trip keeps about its rank when others go.
+void rank_trips(std::vector<Trip>& trips) {
+  std::vector<std::size_t> by_lot(trips.size());
+  for (std::size_t n = 0; n < trips.size(); ++n) by_lot[n] = n;
+  std::stable_sort(by_lot.begin(), by_lot.end(),
+                   [&](std::size_t a, std::size_t b) { return mix(trips[a].id) < mix(trips[b].id); });
   for (std::size_t k = 0; k < by_lot.size(); ++k)
-    rank[by_lot[k]] = std::min(
+    trips[by_lot[k]].rank = std::min(
         static_cast<float>((static_cast<double>(k) + 0.5) / static_cast<double>(by_lot.size())), 0.99999994f);
-  for (const std::size_t n : order) {
-    Trip trip = pending[n].trip;
-    trip.rank = rank[n];
-    trip.first_knot = static_cast<uint>(set.knots.size());
-    trip.knot_count = static_cast<uint>(pending[n].knots.size());
-    set.knots.insert(set.knots.end(), pending[n].knots.begin(), pending[n].knots.end());
-    set.trips.push_back(trip);
-  }
 }
+
+/// Takes trips out in place, with their knots.
+void leave_out(TrafficSet& set, const std::vector<bool>& drop) {
+  std::size_t trips = 0, knots = 0;
+  for (std::size_t n = 0; n < set.trips.size(); ++n) {
+    if (drop[n]) continue;
+    Trip trip = set.trips[n];
+    const auto first = set.knots.begin() + static_cast<std::ptrdiff_t>(trip.first_knot);
+    std::copy(first, first + static_cast<std::ptrdiff_t>(trip.knot_count),
+              set.knots.begin() + static_cast<std::ptrdiff_t>(knots));
+    trip.first_knot = static_cast<uint>(knots);
+    knots += trip.knot_count;
+    set.trips[trips++] = trip;
+  }
+  set.trips.resize(trips);
+  set.knots.resize(knots);
+}
+
+/// Turns drives into trips, many at once and side by side; their order is that in which they came.
+class TripMaker {
+ public:
+  TripMaker(const LinkNetwork& network, std::span<const Route> routes, const Georeference& georeference,
+            const TrafficOptions& options, TrafficReport& report)
+      : network_(network), routes_(routes), georeference_(georeference), options_(options), report_(report) {}
+
+  void add(Drive&& drive) {
+    waiting_.push_back(std::move(drive));
+    if (waiting_.size() >= together) fit();
+  }
+
+  /// Into `set`, in the order of their routes, whatever order they ended in.
+  void finish(TrafficSet& set) {
+    fit();
+    std::stable_sort(made_.begin(), made_.end(),
+                     [](const Made& a, const Made& b) { return a.route < b.route; });
+    std::size_t knots = 0;
+    for (const Made& one : made_) knots += one.knots.size();
+    if (knots > std::numeric_limits<uint>::max())
+      throw Error("", "traffic", "more drives than a light file counts: ask for fewer vehicles");
+    set.knots.reserve(knots);
+    set.trips.reserve(made_.size());
+    for (Made& one : made_) {
+      one.trip.first_knot = static_cast<uint>(set.knots.size());
+      one.trip.knot_count = static_cast<uint>(one.knots.size());
+      set.knots.insert(set.knots.end(), one.knots.begin(), one.knots.end());
+      one.knots = {};  // two copies of all knots at once would be too many
+      set.trips.push_back(one.trip);
+    }
+    made_ = {};
+  }
+
+ private:
+  static constexpr std::size_t together = 512;  // drives that wait as steps, at 8 bytes a step
+
+  struct Made {
+    std::size_t route;
+    Trip trip;
+    std::vector<TripKnot> knots;
+    KnotError error;
+  };
+
+  void fit() {
+    std::vector<Made> batch(waiting_.size());
+    oneapi::tbb::parallel_for(std::size_t{0}, waiting_.size(), [&](std::size_t n) {
+      const Drive& drive = waiting_[n];
+      const Route& route = routes_[drive.route];
+      Made& one = batch[n];
+      one.route = drive.route;
+      one.knots = make_knots(RoutePath(network_, route), drive, georeference_, options_.tolerance, one.error);
+      const auto start = static_cast<float>(drive.start_time_s);
+      one.trip.start_s = start < static_cast<float>(options_.cycle_s) ? start : 0.0f;
+      one.trip.vehicle = static_cast<uint>(route.type);
+      one.trip.id = route.id;
+    });
+    for (Made& one : batch) {
+      if (one.knots.empty()) continue;
+      report_.knot_error.position_m = std::max(report_.knot_error.position_m, one.error.position_m);
+      report_.knot_error.heading_degrees =
+          std::max(report_.knot_error.heading_degrees, one.error.heading_degrees);
+      made_.push_back(std::move(one));
+    }
+    waiting_.clear();
+  }
+
+  const LinkNetwork& network_;
+  std::span<const Route> routes_;
+  const Georeference& georeference_;
+  const TrafficOptions& options_;
+  TrafficReport& report_;
+  std::vector<Drive> waiting_;
+  std::vector<Made> made_;
+};
 
 void sum_up(TrafficSet& set) {
   TrafficReport& report = set.report;
@@ -125,11 +199,15 @@ TrafficSet make_traffic(const std::vector<OsmWay>& highways, const LonLatToFrame
   clock.lap("streets");
 
   tell("routes", 0);
-  LinkNetwork network(graph, height_at);
+  LinkNetwork network(graph, height_at, inside);
   const Demand demand{busiest_vehicles(graph, options), options.cycle_s, options.seed};
   const std::vector<Route> routes = make_routes(network, demand, report.routes);
   network.find_conflicts();
   report.links = network.links().size();
+  for (const Link& link : network.links()) {
+    report.links_km += link.curve.length() / 1000;
+    if (link.in_buildings_m > 0) report.links_in_buildings_km += link.curve.length() / 1000;
+  }
   clock.lap("routes");
 
   const auto most = *std::max_element(options.hours.begin(), options.hours.end());
@@ -137,37 +215,28 @@ TrafficSet make_traffic(const std::vector<OsmWay>& highways, const LonLatToFrame
   for (std::size_t hour = 0; hour < 24; ++hour)
     set.cycle.density[hour] = most > 0 ? std::clamp(options.hours[hour] / most, 0.0f, 1.0f) : 0.0f;
 
-  std::vector<PendingTrip> pending;
-  const auto sink = [&](Drive&& drive) {
-    const Route& route = routes[drive.route];
-    const RoutePath path(network, route);
-    PendingTrip one{
-        drive.route, {}, make_knots(path, drive, georeference, options.tolerance, report.knot_error), 0};
-    if (one.knots.empty()) return;
-    const auto start = static_cast<float>(drive.start_time_s);
-    one.trip.start_s = start < set.cycle.cycle_s ? start : 0.0f;
-    one.trip.vehicle = static_cast<uint>(route.type);
-    one.trip.id = route.id;
-    pending.push_back(std::move(one));
-  };
-  report.simulation =
-      simulate(network, routes, options.cycle_s, sink, [&](double share) { tell("driving", share); });
-  std::stable_sort(pending.begin(), pending.end(),
-                   [](const PendingTrip& a, const PendingTrip& b) { return a.route < b.route; });
+  TripMaker trips(network, routes, georeference, options, report);
+  report.simulation = simulate(
+      network, routes, options.cycle_s, [&](Drive&& drive) { trips.add(std::move(drive)); },
+      [&](double share) { tell("driving", share); });
+  trips.finish(set);
+  rank_trips(set.trips);
   clock.lap("driving");
-  if (pending.empty()) return set;
+  if (set.trips.empty()) return set;
 
   VehicleLamps lamps = make_vehicle_lamps(graph.side, set.profiles);
   set.vehicles = std::move(lamps.kinds);
   set.vehicle_lights = std::move(lamps.lights);
 
   tell("overlaps", 0);
-  keep(set, pending, {});
   const OverlapReport overlaps = find_overlaps(set.content(), overlap_step_s, overlap_slack_m);
   report.overlap_samples = overlaps.vehicle_samples;
   report.overlapping = overlaps.overlapping;
   report.overlap_dropped = overlaps.dropped;
-  if (overlaps.dropped > 0) keep(set, pending, overlaps.drop);
+  if (overlaps.dropped > 0) {
+    leave_out(set, overlaps.drop);
+    rank_trips(set.trips);
+  }
   clock.lap("overlaps");
   sum_up(set);
   return set;

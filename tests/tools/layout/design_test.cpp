@@ -140,5 +140,23 @@ TEST(LampDesign, EveryRoadOfTheTableReachesTheAverageOfItsClassAndNotTheNextOne)
   }
 }
 
+TEST(LampDesign, MappedLampsOfTheTableReachTheirClassAtThreeHeightsAndDoNotDoubleIt) {
+  for (const char* highway :
+       {"motorway", "primary", "secondary", "tertiary", "unclassified", "residential"}) {
+    const RoadDefaults road = *road_defaults(highway);
+    const Photometry profile = one_lumen(make_optic(road.optic));
+    LampRow row;
+    row.width_m = road.width_m;
+    row.spacing_m = 3 * road.mounting_m;
+    row.height_m = road.mounting_m;
+    row.overhang_m = road.outreach_m - setback_m(road);
+    row.flux_lm = road.flux_lm;
+    row.profile = &profile;
+    const double maintained = row_illuminance(row).average_lx * maintenance_factor;
+    EXPECT_GE(maintained, lighting_class(road.target)->average_lx) << highway;
+    EXPECT_LE(maintained, 2 * lighting_class(road.target)->average_lx) << highway;
+  }
+}
+
 }  // namespace
 }  // namespace nightcity::layout

@@ -97,7 +97,7 @@ TEST(Lamps, EveryRoadClassOfTheTableGivesPlausibleLamps) {
     ASSERT_EQ(set.lamps.size(), 1u) << highway;
     EXPECT_GE(set.lamps[0].mounting_height_m, 3) << highway;
     EXPECT_LE(set.lamps[0].mounting_height_m, 15) << highway;
-    EXPECT_GE(set.lamps[0].flux_lm, 1000) << highway;
+    EXPECT_GE(set.lamps[0].flux_lm, 800) << highway;
     EXPECT_LE(set.lamps[0].flux_lm, 30000) << highway;
   }
   for (const char* highway : {"proposed", "construction", "raceway", "rest_area", ""})

@@ -89,6 +89,40 @@ TEST(TrafficCommand, ReplacesTheTrafficOfALightFileAndKeepsItsLights) {
   EXPECT_LE(file.profiles().size(), profiles + 2);
 }
 
+TEST(TrafficCommand, TheModelsOwnRoadsAreStreetsWhereThereIsNoMap) {
+  const TempFolder folder;
+  const auto recipe = small_town(folder, "[traffic]\nvehicles = 8\ncycle_s = 240\n");
+  const auto out = folder.path() / "traffic.lights";
+  const auto report_of = [&] {
+    const Outcome outcome =
+        test::run_program("nightbake", "traffic" + quoted(recipe) + "--json --out" + quoted(out));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(outcome.out);
+  };
+  const json with_map = report_of();
+  write_text(recipe, "[city]\nfiles = [\"town.gml\"]\n[traffic]\nvehicles = 8\ncycle_s = 240\n");
+  const json without = report_of();
+  EXPECT_EQ(with_map["streets"]["surfaces"], 0);
+  EXPECT_GT(without["streets"]["surfaces"], 20);
+  EXPECT_GT(without["trips"], 5);
+  // The same town: as many junctions within a third, since the map's paths and alleys are no carriageways.
+  EXPECT_GT(without["edges"].get<double>(), 0.5 * with_map["edges"].get<double>());
+  EXPECT_LT(without["edges"].get<double>(), 1.5 * with_map["edges"].get<double>());
+}
+
+TEST(TrafficCommand, AMapAloneIsDrivenOnAPlane) {
+  const TempFolder folder;
+  small_town(folder, "");
+  const auto out = folder.path() / "traffic.lights";
+  const Outcome outcome = test::run_program("nightbake", "traffic" + quoted(folder.path() / "town.osm") +
+                                                             "--vehicles 6 --json --out" + quoted(out));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_GT(json::parse(outcome.out)["trips"], 5);
+  const LightFile file = LightFile::open(out);
+  EXPECT_EQ(file.georeference().crs, "EPSG:32633");
+  for (const TripKnot& knot : file.traffic().knots) EXPECT_EQ(knot.position.y, 0);
+}
+
 TEST(TrafficCommand, SaysWhatIsWrong) {
   const TempFolder folder;
   const auto recipe = small_town(folder, "[traffic]\nside = \"middle\"\n");
@@ -98,10 +132,10 @@ TEST(TrafficCommand, SaysWhatIsWrong) {
   write_text(recipe,
              "[city]\nfiles = [\"town.gml\"]\n[osm]\nfiles = [\"town.osm\"]\n[traffic]\nhours = [1, 2]\n");
   EXPECT_EQ(test::run_program("nightbake", "traffic" + quoted(recipe) + "--out x.lights").exit_code, 2);
-  write_text(recipe, "[city]\nfiles = [\"town.gml\"]\n[traffic]\n");
-  const Outcome map = test::run_program("nightbake", "traffic" + quoted(recipe) + "--out x.lights");
-  EXPECT_EQ(map.exit_code, 2);
-  EXPECT_NE(map.err.find("osm"), std::string::npos);
+  write_text(recipe, "[traffic]\n");
+  const Outcome nothing = test::run_program("nightbake", "traffic" + quoted(recipe) + "--out x.lights");
+  EXPECT_EQ(nothing.exit_code, 2);
+  EXPECT_NE(nothing.err.find("city"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,69 @@
+#include "tools/streets/street_ways.h"
+
+#include <gtest/gtest.h>
+
+#include "tools/streets/road_shapes.h"
+#include "tools/traffic/road_graph.h"
+
+namespace nightcity::streets {
+namespace {
+
+using glm::dvec2;
+
+CityObject road(const PlanRing& ring, const char* function, std::uint16_t area) {
+  CityObject object;
+  object.type = ObjectType::road;
+  object.function = function;
+  Polygon polygon;
+  polygon.surface = area ? SurfaceType::traffic_area : SurfaceType::unknown;
+  polygon.area_function = area;
+  for (const dvec2& p : ring) polygon.exterior.emplace_back(p, 3.0);
+  object.polygons.push_back(polygon);
+  return object;
+}
+
+constexpr double degrees = 1e-5;
+dvec2 to_lon_lat(const dvec2& p) {
+  return p * degrees;
+}
+
+TEST(StreetWays, ClassByCodeElseByWidth) {
+  RoadSurfaces roads;
+  roads.add(road(test::strip({0, 0}, {100, 0}, 6).exterior, "2", 1));
+  roads.add(road(test::strip({0, 100}, {100, 100}, 6).exterior, "", 1));
+  roads.add(road(test::strip({0, 200}, {100, 200}, 14).exterior, "9020", 0));
+  const StreetWays streets = street_ways(roads, to_lon_lat);
+  ASSERT_EQ(streets.ways.size(), 3u);
+  std::map<int, OsmTags> by_place;
+  for (const OsmWay& way : streets.ways)
+    by_place[static_cast<int>(std::lround(way.lon_lat[0].y / degrees / 100))] = way.tags;
+  EXPECT_EQ(by_place.at(0).at("highway"), "primary");
+  EXPECT_EQ(by_place.at(0).at("width"), "6.0");
+  EXPECT_EQ(by_place.at(1).at("highway"), "residential");
+  // A whole street of 14 m: two pavements of 2 m leave 10 m.
+  EXPECT_EQ(by_place.at(2).at("highway"), "secondary");
+  EXPECT_EQ(by_place.at(2).at("width"), "10.0");
+  EXPECT_NEAR(streets.km_by_code, 0.1, 0.001);
+}
+
+TEST(StreetWays, MakeAGraphToDriveOn) {
+  RoadSurfaces roads;
+  roads.add(road(test::strip({0, 50}, {200, 50}, 7).exterior, "3", 1));
+  roads.add(road(test::strip({90, 0}, {90, 150}, 5).exterior, "", 1));
+  const StreetWays streets = street_ways(roads, to_lon_lat);
+  EXPECT_EQ(streets.junctions, 1u);
+  EXPECT_EQ(streets.ends, 4u);
+  const auto graph = traffic::make_road_graph(
+      streets.ways, [](const dvec2& p) { return p / degrees; },
+      [](const dvec2&) { return std::optional(0.0); }, {});
+  EXPECT_EQ(graph.nodes.size(), 5u);
+  EXPECT_EQ(graph.edges.size(), 8u);  // four streets, both directions
+  EXPECT_NEAR(graph.lane_km(), 2 * 0.35, 0.01);
+}
+
+TEST(StreetWays, NoRoadsNoWays) {
+  EXPECT_TRUE(street_ways({}, to_lon_lat).ways.empty());
+}
+
+}  // namespace
+}  // namespace nightcity::streets

@@ -1,0 +1,33 @@
+// The chordal axis of an outline (Prasad 1997): the middles of the chords that a constrained Delaunay
+// triangulation lays across it. Of a straight street it is the middle line, exactly.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "tools/streets/road_outline.h"
+
+namespace nightcity::streets {
+
+constexpr std::size_t no_node = std::numeric_limits<std::size_t>::max();
+
+struct Axis {
+  struct Node {
+    glm::dvec2 place{0, 0};
+    double reach_m = 0;            // of a junction: how wide it is
+    std::vector<glm::dvec2> tips;  // of an end: corners of the outline beyond it
+  };
+  struct Branch {
+    std::size_t from = no_node, to = no_node;  // nodes; the same one for a ring
+    std::vector<glm::dvec2> line;
+    std::vector<double> width_m;  // of the outline, between each two points of the line; 0: amid a junction
+  };
+  std::vector<Node> nodes;
+  std::vector<Branch> branches;
+};
+
+/// The outline's edges are cut to `step_m` first: chords should lie across.
+Axis chordal_axis(std::span<const OutlineEdge> outline, double step_m);
+
+}  // namespace nightcity::streets

@@ -1,0 +1,182 @@
+// A constrained triangulation of all rings tells for each of its faces which surfaces cover it: whoever
+// crosses an edge of a ring goes into or out of that ring's surface.
+#include "tools/streets/road_outline.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_plus_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <map>
+
+namespace nightcity::streets {
+namespace {
+
+struct FaceInfo {
+  bool seen = false, road = false;
+  bool counted = false;  // into an island
+};
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_2<Kernel>;
+using FaceBase =
+    CGAL::Constrained_triangulation_face_base_2<Kernel,
+                                                CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>>;
+using DataStructure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
+using Delaunay =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, DataStructure, CGAL::Exact_predicates_tag>;
+using Triangulation = CGAL::Constrained_triangulation_plus_2<Delaunay>;
+using Face = Triangulation::Face_handle;
+using Vertex = Triangulation::Vertex_handle;
+
+constexpr double grid_m = 0.01;  // corners that neighbours share differ by less
+
+glm::dvec2 plan(const Vertex& v) {
+  return {v->point().x(), v->point().y()};
+}
+
+double area(const Face& face) {
+  const glm::dvec2 a = plan(face->vertex(0)), b = plan(face->vertex(1)) - a, c = plan(face->vertex(2)) - a;
+  return (b.x * c.y - b.y * c.x) / 2;
+}
+
+double longest_edge(const Face& face) {
+  double longest = 0;
+  for (int i = 0; i < 3; ++i)
+    longest = std::max(longest, glm::distance(plan(face->vertex(i)), plan(face->vertex((i + 1) % 3))));
+  return longest;
+}
+
+class Outliner {
+ public:
+  explicit Outliner(std::span<const RoadSurface> surfaces) {
+    // From coordinates of millions of metres the triangulation's own corners would be coarse.
+    origin_ = surfaces.front().exterior.front();
+    for (std::uint32_t n = 0; n < surfaces.size(); ++n) {
+      insert(surfaces[n].exterior, n);
+      for (const PlanRing& hole : surfaces[n].interiors) insert(hole, n);
+    }
+  }
+
+  std::vector<OutlineEdge> run() {
+    if (triangulation_.dimension() < 2) return {};
+    mark_roads();
+    close_gaps();
+    fill_islands();
+    std::vector<OutlineEdge> outline;
+    for (const Face face : triangulation_.finite_face_handles()) {
+      if (!face->info().road) continue;
+      for (int i = 0; i < 3; ++i)
+        if (!face->neighbor(i)->info().road)
+          outline.emplace_back(plan(face->vertex(Triangulation::ccw(i))) + origin_,
+                               plan(face->vertex(Triangulation::cw(i))) + origin_);
+    }
+    return outline;
+  }
+
+ private:
+  using Cover = std::vector<std::uint32_t>;  // surfaces, ascending
+
+  void insert(const PlanRing& ring, std::uint32_t surface) {
+    std::vector<Vertex> vertices;
+    for (const glm::dvec2& p : ring) {
+      const glm::dvec2 place = glm::round((p - origin_) / grid_m) * grid_m;
+      const Vertex v = triangulation_.insert(Kernel::Point_2(place.x, place.y),
+                                             last_ == Vertex{} ? Face{} : last_->face());
+      last_ = v;
+      vertices.push_back(v);
+    }
+    for (std::size_t n = 0; n < vertices.size(); ++n) {
+      const Vertex a = vertices[n], b = vertices[(n + 1) % vertices.size()];
+      if (a != b) surface_of_[triangulation_.insert_constraint(a, b)] = surface;
+    }
+  }
+
+  /// Which surfaces' rings run along an edge an odd number of times.
+  void cross(const Face& face, int i, Cover& cover) const {
+    const Vertex a = face->vertex(Triangulation::ccw(i)), b = face->vertex(Triangulation::cw(i));
+    for (auto context = triangulation_.contexts_begin(a, b); context != triangulation_.contexts_end(a, b);
+         ++context) {
+      const std::uint32_t surface = surface_of_.at(context->id());
+      const auto place = std::lower_bound(cover.begin(), cover.end(), surface);
+      if (place != cover.end() && *place == surface)
+        cover.erase(place);
+      else
+        cover.insert(place, surface);
+    }
+  }
+
+  void mark_roads() {
+    std::vector<std::pair<Face, Cover>> open{{triangulation_.infinite_face(), {}}};
+    open.back().first->info().seen = true;
+    while (!open.empty()) {
+      const auto [face, cover] = std::move(open.back());
+      open.pop_back();
+      for (int i = 0; i < 3; ++i) {
+        const Face next = face->neighbor(i);
+        if (next->info().seen) continue;
+        Cover of_next = cover;
+        if (face->is_constrained(i)) cross(face, i, of_next);
+        next->info().seen = true;
+        next->info().road = !of_next.empty();
+        open.emplace_back(next, std::move(of_next));
+      }
+    }
+  }
+
+  /// Thin faces between roads become road; elsewhere they shift an outline by less than the gap.
+  void close_gaps() {
+    for (const Face face : triangulation_.finite_face_handles())
+      if (!face->info().road && 2 * area(face) < gap_m * longest_edge(face)) face->info().road = true;
+  }
+
+  void fill_islands() {
+    std::vector<Face> open, island;
+    const auto gather = [&](const Face& first) {
+      open.assign(1, first);
+      island.clear();
+      first->info().counted = true;
+      double sum = 0;
+      bool finite = true;
+      while (!open.empty()) {
+        const Face face = open.back();
+        open.pop_back();
+        island.push_back(face);
+        if (triangulation_.is_infinite(face))
+          finite = false;
+        else
+          sum += area(face);
+        for (int i = 0; i < 3; ++i) {
+          const Face next = face->neighbor(i);
+          if (next->info().road || next->info().counted) continue;
+          next->info().counted = true;
+          open.push_back(next);
+        }
+      }
+      return finite && sum < island_m2;
+    };
+    gather(triangulation_.infinite_face());
+    for (const Face face : triangulation_.finite_face_handles())
+      if (!face->info().road && !face->info().counted && gather(face))
+        for (const Face part : island) part->info().road = true;
+  }
+
+  Triangulation triangulation_;
+  std::map<Triangulation::Constraint_id, std::uint32_t> surface_of_;
+  glm::dvec2 origin_{0, 0};
+  Vertex last_{};
+};
+
+}  // namespace
+
+std::vector<OutlineEdge> road_outline(std::span<const RoadSurface> surfaces) {
+  if (surfaces.empty()) return {};
+  return Outliner(surfaces).run();
+}
+
+}  // namespace nightcity::streets

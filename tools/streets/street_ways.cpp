@@ -1,0 +1,142 @@
+#include "tools/streets/street_ways.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <unordered_map>
+
+#include "tools/streets/axis_cleaning.h"
+
+namespace nightcity::streets {
+namespace {
+
+constexpr double chord_step_m = 2.5;
+// A surface that is not told to be a carriageway has pavements on both sides where it is wide enough for
+// them: 2 m each is the least that road codes ask for (RASt 06; Japan's Road Structure Ordinance, article
+// 11).
+constexpr double pavement_m = 2.0, with_pavements_m = 9.0;
+
+/// The surface under a place, by a grid over the surfaces' boxes.
+class SurfaceIndex {
+ public:
+  explicit SurfaceIndex(const std::vector<RoadSurface>& surfaces) : surfaces_(surfaces) {
+    for (std::uint32_t n = 0; n < surfaces.size(); ++n) {
+      glm::dvec2 low = surfaces[n].exterior.front(), high = low;
+      for (const glm::dvec2& p : surfaces[n].exterior) low = glm::min(low, p), high = glm::max(high, p);
+      if (glm::distance(low, high) > largest_m) continue;  // a district as one road: nothing to be told apart
+      for (std::int64_t x = cell(low.x); x <= cell(high.x); ++x)
+        for (std::int64_t y = cell(low.y); y <= cell(high.y); ++y) cells_[key(x, y)].push_back(n);
+    }
+  }
+
+  const RoadSurface* at(const glm::dvec2& p) const {
+    const auto found = cells_.find(key(cell(p.x), cell(p.y)));
+    if (found == cells_.end()) return nullptr;
+    for (const std::uint32_t n : found->second)
+      if (holds(surfaces_[n].exterior, p)) return &surfaces_[n];
+    return nullptr;
+  }
+
+ private:
+  static constexpr double cell_m = 25, largest_m = 5000;
+
+  static std::int64_t cell(double x) { return static_cast<std::int64_t>(std::floor(x / cell_m)); }
+  static std::uint64_t key(std::int64_t x, std::int64_t y) {
+    return static_cast<std::uint64_t>(x) << 32 ^ (static_cast<std::uint64_t>(y) & 0xFFFFFFFFu);
+  }
+
+  static bool holds(const PlanRing& ring, const glm::dvec2& p) {
+    bool inside = false;
+    for (std::size_t a = 0, b = ring.size() - 1; a < ring.size(); b = a++)
+      if ((ring[a].y > p.y) != (ring[b].y > p.y) &&
+          p.x < (ring[b].x - ring[a].x) * (p.y - ring[a].y) / (ring[b].y - ring[a].y) + ring[a].x)
+        inside = !inside;
+    return inside;
+  }
+
+  const std::vector<RoadSurface>& surfaces_;
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
+};
+
+/// What the surfaces below a line say, by the length they say it for.
+struct Said {
+  std::string highway;  // "": nothing
+  bool carriageway = false;
+};
+Said ask(const SurfaceIndex& index, const std::vector<glm::dvec2>& line) {
+  constexpr double step_m = 3;
+  std::map<std::string, double> votes;
+  double carriageway = 0, all = 0;
+  for (std::size_t n = 1; n < line.size(); ++n) {
+    const double length = glm::distance(line[n - 1], line[n]);
+    const int steps = std::max(1, static_cast<int>(std::ceil(length / step_m)));
+    for (int k = 0; k < steps; ++k) {
+      const RoadSurface* surface = index.at(line[n - 1] + (line[n] - line[n - 1]) * ((k + 0.5) / steps));
+      if (!surface) continue;
+      const double weight = length / steps;
+      votes[surface->highway ? surface->highway : ""] += weight;
+      carriageway += surface->carriageway ? weight : 0;
+      all += weight;
+    }
+  }
+  Said said;
+  said.carriageway = carriageway > all / 2;
+  for (const auto& [highway, weight] : votes)
+    if (weight > all / 2) said.highway = highway;
+  return said;
+}
+
+}  // namespace
+
+const char* highway_by_width(double carriageway_m) {
+  // RASt 06 by width of carriageway: lanes of 3.25 m and more on main streets, 6.5 m on collecting ones with
+  // buses, 4.5 to 5.5 m where people live, less where two cars do not pass.
+  if (carriageway_m < 4) return "service";
+  if (carriageway_m < 6.3) return "residential";
+  if (carriageway_m < 8) return "tertiary";
+  if (carriageway_m < 12) return "secondary";
+  return "primary";
+}
+
+StreetWays street_ways(const RoadSurfaces& roads,
+                       const std::function<glm::dvec2(const glm::dvec2&)>& to_lon_lat) {
+  StreetWays result;
+  if (roads.surfaces().empty()) return result;
+  const auto lines = middle_lines(chordal_axis(road_outline(roads.surfaces()), chord_step_m));
+  const SurfaceIndex index(roads.surfaces());
+  std::map<std::size_t, int> ends;
+  for (const MiddleLine& street : lines) {
+    const Said said = ask(index, street.line);
+    double width = street.width_m;
+    if (!said.carriageway && width >= with_pavements_m) width -= 2 * pavement_m;
+    const std::string highway = said.highway.empty() ? highway_by_width(width) : said.highway;
+    OsmWay way;
+    way.id = -1 - static_cast<std::int64_t>(result.ways.size());  // OSM's own are greater than 0
+    way.tags = {{"highway", highway}, {"width", fmt::format("{:.1f}", width)}};
+    if (width >= 12) way.tags.emplace("lanes", "4");
+    for (const glm::dvec2& p : street.line) way.lon_lat.push_back(to_lon_lat(p));
+    const bool finite = std::all_of(way.lon_lat.begin(), way.lon_lat.end(), [](const glm::dvec2& p) {
+      return std::isfinite(p.x) && std::isfinite(p.y);
+    });
+    if (!finite) continue;
+    double km = 0;
+    for (std::size_t n = 1; n < street.line.size(); ++n)
+      km += glm::distance(street.line[n - 1], street.line[n]) / 1000;
+    result.km[highway] += km;
+    if (!said.highway.empty()) result.km_by_code += km;
+    ++ends[street.from];
+    ++ends[street.to];
+    result.ways.push_back(std::move(way));
+  }
+  for (const auto& [node, count] : ends) {
+    result.junctions += count > 2;
+    result.ends += count == 1;
+  }
+  return result;
+}
+
+}  // namespace nightcity::streets
