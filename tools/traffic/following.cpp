@@ -95,8 +95,9 @@ double speed_cap(const RoadState& roads, const Car& car) {
 
 double next_speed(const RoadState& roads, std::uint32_t number) {
   const Car& car = roads.cars[number];
-  const double cap = speed_cap(roads, car);
   const Leader leader = leader_of(roads, number);
+  if (car.v == 0 && leader.gap <= standstill_gap_m) return 0;  // in a queue: as all below would say
+  const double cap = speed_cap(roads, car);
   const double a = car.type->acceleration;
   const double wish = car.way->speed_factor * std::max(roads.links[car.way->links[car.leg]].entry_m_s, cap);
   const double share = car.v / std::max(wish, 1.0), free = 1 - share * share * share * share;

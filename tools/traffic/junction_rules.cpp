@@ -104,8 +104,8 @@ bool may_go(const RoadState& roads, std::uint32_t number, std::size_t leg) {
       const Car& other = roads.cars[coming.car];
       if (coming.car == number) continue;
       if (roads.now - other.standing_since > patience_s) continue;  // something else keeps it
-      const bool at_line = coming.distance < other.half + 8;
-      if (!at_line && (lost_patience || other.v < 1)) continue;  // or stands in a queue itself
+      const bool at_line = coming.distance < other.half + line_m;
+      if (!at_line && (lost_patience || other.v < standing_m_s)) continue;  // or stands in a queue itself
       if (!comes_late(other, coming.distance + conflict.other_begin - other.half, clear)) return false;
     }
   }

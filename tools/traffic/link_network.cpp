@@ -117,6 +117,18 @@ void LinkNetwork::limit_speed(Link& link, double limit) const {
   }
 }
 
+bool LinkNetwork::steerable(const Curve& curve) {
+  constexpr double step_m = 0.25;
+  const int steps = std::max(1, static_cast<int>(std::ceil(curve.length() / step_m)));
+  dvec2 last = dvec2(curve.at(0).along);
+  for (int k = 1; k <= steps; ++k) {
+    const dvec2 along = dvec2(curve.at(curve.length() * k / steps).along);
+    if (std::abs(angle_between(last, along)) * tightest_bend_m > curve.length() / steps) return false;
+    last = along;
+  }
+  return true;
+}
+
 double LinkNetwork::in_buildings(const Curve& curve) const {
   constexpr double step_m = 1.5;
   if (!inside_) return 0;
@@ -158,6 +170,7 @@ std::size_t LinkNetwork::lane(std::size_t edge, int lane) {
   link.edge = edge;
   link.lane = lane;
   limit_speed(link, road.speed_m_s);
+  link.steerable = steerable(link.curve);
   if (!road.structure) link.in_buildings_m = in_buildings(link.curve);
   links_.push_back(std::move(link));
   return found->second;
@@ -195,6 +208,7 @@ std::size_t LinkNetwork::turn(std::size_t edge, int lane_from, std::size_t next_
   heights.back() = {b.point.z, b.along.z};
   link.curve = Curve(line, heights);
   limit_speed(link, std::min(in.speed_m_s, out.speed_m_s));
+  link.steerable = steerable(link.curve);
   if (!in.structure && !out.structure) link.in_buildings_m = in_buildings(link.curve);
   turns_[key] = links_.size();
   links_.push_back(std::move(link));
@@ -207,14 +221,7 @@ bool LinkNetwork::can_turn(std::size_t edge, int lane_from, std::size_t next_edg
   const Curve::Sample &a = links_[from].curve.samples().back(), &b = links_[to].curve.samples().front();
   const dvec2 chord = dvec2(b.point - a.point);
   const double ahead = 0.25 * glm::length(chord);  // 75 degrees aside
-  if (glm::dot(chord, dvec2(a.along)) <= ahead || glm::dot(chord, dvec2(b.along)) <= ahead) return false;
-  const PlanLine line = turn_between({dvec2(a.point), dvec2(a.along)}, {dvec2(b.point), dvec2(b.along)});
-  for (std::size_t n = 1; n < line.size(); ++n) {
-    const double turned = std::abs(angle_between(line[n - 1].along, line[n].along));
-    if (turned * tightest_bend_m > std::max(glm::distance(line[n - 1].point, line[n].point), 0.02))
-      return false;
-  }
-  return true;
+  return glm::dot(chord, dvec2(a.along)) > ahead && glm::dot(chord, dvec2(b.along)) > ahead;
 }
 
 Movement LinkNetwork::movement(std::size_t edge, std::size_t next_edge) const {

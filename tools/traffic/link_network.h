@@ -34,6 +34,7 @@ struct Link {
       allowed_m_s;  // at each sample: limit, bends, and braking for what lies ahead on this link
   std::vector<Conflict> conflicts;  // a turn's
   bool junction = false;            // a turn that meets others: one is told when one may go
+  bool steerable = true;            // no bend of it is tighter than steering wheels allow
   double in_buildings_m = 0;        // on so much of it a car would stand with a corner in a building
 };
 
@@ -73,6 +74,7 @@ class LinkNetwork {
   double setback(std::size_t edge, bool at_start) const;
   std::vector<Curve::Height> ground(const PlanLine& line, double last) const;
   void limit_speed(Link& link, double limit) const;
+  static bool steerable(const Curve& curve);
   double in_buildings(const Curve& curve) const;
   bool yields(const Link& a, const Link& b) const;
   void conflict(std::size_t a, std::size_t b);

@@ -102,7 +102,8 @@ void RoadState::look_ahead() {
   touched_.clear();
   for (const std::uint32_t number : active) {
     const Car& car = cars[number];
-    const double far = sight_m(car);
+    // Nobody waits for one who stands in a queue.
+    const double far = car.v < standing_m_s ? car.half + line_m : sight_m(car);
     for (std::size_t leg = car.leg + 1; leg < car.way->links.size() && car.way_to(leg) < far; ++leg) {
       const std::size_t link = car.way->links[leg];
       if (!links[link].junction) continue;

@@ -10,6 +10,8 @@
 namespace nightcity::traffic {
 
 constexpr double not_standing = 1e18;
+constexpr double standing_m_s = 1;  // slower ones stand,
+constexpr double line_m = 8;        // at a line where their bumper is no farther from it
 
 struct Car {
   const Route* way = nullptr;

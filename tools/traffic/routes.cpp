@@ -178,8 +178,8 @@ class RouteMaker {
   }
 
   /// Lanes from the end backwards: what the next turn asks for decides; who goes straight on keeps the lane,
-  /// so that lanes are changed in turns only. False where two lanes on the way have no turn between them, or
-  /// a wall stands on it.
+  /// so that lanes are changed in turns only. False where two lanes on the way have no turn between them
+  /// but a loop, where a bend is too tight, and where a wall stands on the way.
   bool lay(Route& route, const std::vector<std::size_t>& edges, bool to_kerb, Random& random) {
     std::vector<int> lanes(edges.size());
     const bool right_hand = graph_.side == Side::right;
@@ -201,10 +201,10 @@ class RouteMaker {
       if (n > 0) route.links.push_back(network_.turn(edges[n - 1], lanes[n - 1], edges[n], lanes[n]));
       route.links.push_back(network_.lane(edges[n], lanes[n]));
     }
-    const auto through_wall = [&](std::size_t link) { return network_.links()[link].in_buildings_m > 0; };
-    if (std::any_of(route.links.begin(), route.links.end(), through_wall)) {
-      ++report_.through_buildings;
-      return false;
+    for (const std::size_t number : route.links) {
+      const Link& link = network_.links()[number];
+      if (link.in_buildings_m > 0) ++report_.through_buildings;
+      if (link.in_buildings_m > 0 || !link.steerable) return false;
     }
     const VehicleType& type = vehicle_types[route.type];
     const double half = type.length_m / 2;

@@ -66,8 +66,11 @@ class Simulator {
         ++next_cycle_;
       }
     }
+    ++moment_;
     std::erase_if(waiting_, [&](const Waiting& one) {
-      if (try_start(one)) return true;
+      // Who does not get away at once looks again every second.
+      const bool looks = roads_.now < one.wish + step_s || (moment_ + one.route) % 4 == 0;
+      if (looks && try_start(one)) return true;
       if (roads_.now < one.wish + cycle_s_) return false;
       if (one.kept) {
         ++report_.never_started;
@@ -157,6 +160,7 @@ class Simulator {
   std::vector<std::optional<Drive>> drives_;  // of a car, where it is to be kept
   std::vector<std::uint32_t> finished_;
   std::deque<Waiting> waiting_;
+  std::size_t moment_ = 0;
   std::size_t next_ = 0;  // into by_start_
   std::size_t kept_ = 0;  // drives of the kept cycle that wait or drive
   int next_cycle_ = -1;

@@ -6,6 +6,7 @@
 
 #include "tools/traffic/link_network.h"
 #include "tools/traffic/road_graph.h"
+#include "tools/traffic/routes.h"
 #include "tools/traffic/street_grid.h"
 
 namespace nightcity::traffic {
@@ -211,6 +212,54 @@ TEST(RightOfWay, OppositeStraightsDoNotConflict) {
   network.find_conflicts();
   ASSERT_EQ(straight.size(), 4u);
   for (const std::size_t turn : straight) EXPECT_EQ(network.links()[turn].conflicts.size(), 2u);
+}
+
+TEST(LinkNetwork, NobodyTurnsRoundAnAcuteCornerInALoop) {
+  // Two short wide streets that leave each other at 12 degrees: their lanes overlap where they begin.
+  const HeightAt plane = test::plane;
+  const RoadGraph graph =
+      graph_of({street(1, {{30, 0}, {0, 0}}, primary), street(2, {{0, 0}, {29, 6}}, primary),
+                street(3, {{0, 0}, {-90, 0}}, primary)});
+  LinkNetwork network(graph, plane);
+  for (std::size_t e = 0; e < graph.edges.size(); ++e)
+    for (const std::size_t next : graph.nodes[graph.edges[e].to].out) {
+      if (next == graph.edges[e].opposite || !network.can_turn(e, 0, next, 0)) continue;
+      const Curve::Sample &a = network.links()[network.lane(e, 0)].curve.samples().back(),
+                          &b = network.links()[network.lane(next, 0)].curve.samples().front();
+      const glm::dvec2 chord = glm::dvec2(b.point - a.point);
+      EXPECT_GT(glm::dot(chord, glm::dvec2(a.along)), 0);
+      EXPECT_GT(glm::dot(chord, glm::dvec2(b.along)), 0);
+      EXPECT_NE(std::min(graph.edges[e].way_id, graph.edges[next].way_id) +
+                    std::max(graph.edges[e].way_id, graph.edges[next].way_id),
+                1 + 2)
+          << "from one acute street into the other";
+    }
+}
+
+TEST(Routes, NobodyIsSentThroughAWall) {
+  // A house whose corner stands on the kerb lane of the only main road's eastern half.
+  const InsideBuilding house = [](const glm::dvec2& p) {
+    return p.x > 40 && p.x < 50 && p.y < -1.5 && p.y > -9;
+  };
+  const HeightAt plane = test::plane;
+  const RoadGraph graph = graph_of(
+      {street(1, {{-300, 0}, {0, 0}, {300, 0}}, primary), street(2, {{0, -300}, {0, 0}, {0, 300}}, primary)});
+  LinkNetwork network(graph, plane, house);
+  RouteReport report;
+  const auto routes = make_routes(network, {20, 300, 5}, report);
+  ASSERT_GT(routes.size(), 20u);
+  EXPECT_GT(report.through_buildings, 0u);
+  std::size_t westward = 0;
+  for (const Route& route : routes)
+    for (const std::size_t number : route.links) {
+      const Link& link = network.links()[number];
+      EXPECT_EQ(link.in_buildings_m, 0);
+      for (const Curve::Sample& sample : link.curve.samples()) {
+        EXPECT_FALSE(house(glm::dvec2(sample.point)));
+        westward += sample.point.x > 60;
+      }
+    }
+  EXPECT_GT(westward, 0u) << "the other side of that street is free";
 }
 
 }  // namespace

@@ -2,9 +2,12 @@
 #include "tools/traffic/traffic.h"
 
 #include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -218,6 +221,28 @@ TEST(Traffic, AnotherSeedIsAnotherTrafficAndTheSameSeedTheSame) {
       }));
   ASSERT_FALSE(c.trips.empty());
   EXPECT_NE(a.trips.front().id, c.trips.front().id);
+}
+
+TEST(Traffic, IsTheSameOnOneThreadAndOnFour) {
+  const auto make = [](int threads) {
+    const oneapi::tbb::global_control allowed(oneapi::tbb::global_control::max_allowed_parallelism,
+                                              static_cast<std::size_t>(threads));
+    oneapi::tbb::task_arena arena(threads);
+    return arena.execute([] {
+      TrafficOptions options;
+      options.vehicles = 40;  // so many that they wait for each other
+      options.cycle_s = 180;
+      return make_traffic(test::street_grid(3, size_m, tail_m), test::to_plane, test::hills, {}, options,
+                          origin);
+    });
+  };
+  const TrafficSet one = make(1), four = make(4);
+  ASSERT_GT(one.trips.size(), 50u);
+  ASSERT_EQ(one.trips.size(), four.trips.size());
+  ASSERT_EQ(one.knots.size(), four.knots.size());
+  EXPECT_EQ(std::memcmp(one.trips.data(), four.trips.data(), one.trips.size() * sizeof(Trip)), 0);
+  EXPECT_EQ(std::memcmp(one.knots.data(), four.knots.data(), one.knots.size() * sizeof(TripKnot)), 0);
+  EXPECT_EQ(one.report.simulation.steps, four.report.simulation.steps);
 }
 
 TEST(Traffic, NoStreetsNoTraffic) {
