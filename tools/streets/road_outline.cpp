@@ -45,13 +45,6 @@ double area(const Face& face) {
   return (b.x * c.y - b.y * c.x) / 2;
 }
 
-double longest_edge(const Face& face) {
-  double longest = 0;
-  for (int i = 0; i < 3; ++i)
-    longest = std::max(longest, glm::distance(plan(face->vertex(i)), plan(face->vertex((i + 1) % 3))));
-  return longest;
-}
-
 class Outliner {
  public:
   explicit Outliner(std::span<const RoadSurface> surfaces) {
@@ -129,10 +122,29 @@ class Outliner {
     }
   }
 
-  /// Thin faces between roads become road; elsewhere they shift an outline by less than the gap.
+  /// Thin faces with road on both sides become road.
   void close_gaps() {
+    std::vector<Face> gaps;
     for (const Face face : triangulation_.finite_face_handles())
-      if (!face->info().road && 2 * area(face) < gap_m * longest_edge(face)) face->info().road = true;
+      if (!face->info().road && is_gap(face)) gaps.push_back(face);
+    for (const Face face : gaps) face->info().road = true;
+  }
+
+  bool is_gap(const Face& face) const {
+    const glm::dvec2 corners[] = {plan(face->vertex(0)), plan(face->vertex(1)), plan(face->vertex(2))};
+    glm::dvec2 longest(0);
+    for (int i = 0; i < 3; ++i) {
+      const glm::dvec2 edge = corners[(i + 1) % 3] - corners[i];
+      if (glm::length(edge) > glm::length(longest)) longest = edge;
+    }
+    const double length = glm::length(longest);
+    if (2 * area(face) >= gap_m * length) return false;
+    const glm::dvec2 middle = (corners[0] + corners[1] + corners[2]) / 3.0,
+                     aside = glm::dvec2(-longest.y, longest.x) * (1.5 * gap_m / length);
+    const auto road_at = [&](const glm::dvec2& p) {
+      return triangulation_.locate(Kernel::Point_2(p.x, p.y), face)->info().road;
+    };
+    return road_at(middle + aside) && road_at(middle - aside);
   }
 
   void fill_islands() {

@@ -15,6 +15,7 @@ namespace nightcity::streets {
 namespace {
 
 constexpr double chord_step_m = 2.5;
+constexpr double narrowest_m = 2.2;  // a car needs as much
 // A surface that is not told to be a carriageway has pavements on both sides where it is wide enough for
 // them: 2 m each is the least that road codes ask for (RASt 06; Japan's Road Structure Ordinance, article
 // 11).
@@ -110,6 +111,7 @@ StreetWays street_ways(const RoadSurfaces& roads,
   const SurfaceIndex index(roads.surfaces());
   std::map<std::size_t, int> ends;
   for (const MiddleLine& street : lines) {
+    if (street.width_m < narrowest_m) continue;
     const Said said = ask(index, street.line);
     double width = street.width_m;
     if (!said.carriageway && width >= with_pavements_m) width -= 2 * pavement_m;

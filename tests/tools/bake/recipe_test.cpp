@@ -4,6 +4,7 @@
 
 #include "formats/error.h"
 #include "support/temp_folder.h"
+#include "tools/bake/city_frames.h"
 
 namespace nightcity {
 namespace {
@@ -158,7 +159,10 @@ TEST(Recipe, WrongValuesAreUsageErrors) {
   for (const char* time : {"12:00", "07:00", "24:00", "22:60", "22", "2200", "aa:bb"})
     EXPECT_THROW(read(folder, std::string("[city]\nfiles = ['a.gml']\n[night]\ntime = '") + time + "'\n"),
                  UsageError);
-  EXPECT_THROW(read(folder, "[osm]\nfiles = ['a.osm']\n"), UsageError);
+  EXPECT_THROW(read(folder, "[traffic]\n"), UsageError);
+  // A map without a city will do for what goes along streets; a bake asks for the city.
+  EXPECT_TRUE(read(folder, "[osm]\nfiles = ['a.osm']\n").city.files.empty());
+  EXPECT_THROW(CityFrames(read(folder, "[osm]\nfiles = ['a.osm']\n")), UsageError);
 }
 
 TEST(NearestWord, FindsTyposAndKeepsSilentOtherwise) {

@@ -71,6 +71,14 @@ TEST(MiddleLines, SurfacesSideBySideAreOneRoad) {
   for (const dvec2& p : lines[0].line) EXPECT_NEAR(p.y, 1.52, 0.15);
 }
 
+TEST(MiddleLines, NearlyStraightOuterEdgesGetNoHairOfTheirOwn) {
+  // A street whose outer edge bends in by 20 cm: the hull's thin triangle there is no gap.
+  const RoadSurface street{{{0, 0}, {100, 0.2}, {200, 0}, {200, 7}, {0, 7}}, {}, nullptr, true};
+  const auto lines = lines_of({street});
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_NEAR(length_of(lines[0].line), 200, 0.2);
+}
+
 TEST(MiddleLines, SurfacesThatOverlapAreOneRoad) {
   const auto lines = lines_of({strip({0, 0}, {80, 0}, 6), strip({50, 0}, {140, 0}, 6)});
   ASSERT_EQ(lines.size(), 1u);
