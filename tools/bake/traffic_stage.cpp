@@ -1,5 +1,7 @@
 #include "tools/bake/traffic_stage.h"
 
+#include <algorithm>
+
 #include "formats/error.h"
 #include "formats/traffic_pose.h"
 #include "tools/bake/lamp_stage.h"
@@ -17,6 +19,10 @@ HeightAt road_height_on(const Terrain& terrain) {
     const auto road = terrain.height_of(Footing::road, place);
     return road && *road > ground->height_m && *road < ground->height_m + on_it_m ? *road : ground->height_m;
   };
+}
+
+std::optional<double> flat(const glm::dvec2&) {
+  return 0.0;
 }
 
 traffic::TrafficSet drive_on(const Recipe& recipe, const OsmData& osm, const CityFrame& frame,
@@ -42,12 +48,20 @@ traffic::TrafficSet make_city_traffic(const Recipe& recipe, const OsmData& osm, 
   const auto inside = [&](const glm::dvec2& p) {
     return terrain.height_of(Footing::ground_surface, p).has_value();
   };
-  return drive_on(recipe, osm, frames.city(), road_height_on(terrain), inside, georeference, progress);
+  // Roads published without heights, in a model without any ground: a bake leaves them at 0, and so do we.
+  const auto has_ground = [&](const OsmWay& way) {
+    return std::any_of(way.lon_lat.begin(), way.lon_lat.end(), [&](const glm::dvec2& lon_lat) {
+      return terrain.height_at(frames.city().from_lon_lat(lon_lat)).has_value();
+    });
+  };
+  const bool groundless =
+      recipe.osm.files.empty() && std::none_of(osm.highways.begin(), osm.highways.end(), has_ground);
+  return drive_on(recipe, osm, frames.city(), groundless ? HeightAt(flat) : road_height_on(terrain), inside,
+                  georeference, progress);
 }
 
 traffic::TrafficSet make_map_traffic(const Recipe& recipe, const OsmData& osm, const CityFrame& frame,
                                      const Georeference& georeference, const ProgressSink& progress) {
-  const HeightAt flat = [](const glm::dvec2&) { return std::optional(0.0); };
   return drive_on(recipe, osm, frame, flat, {}, georeference, progress);
 }
 

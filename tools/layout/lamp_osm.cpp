@@ -54,7 +54,8 @@ std::size_t write_lamp_osm(const std::filesystem::path& path, std::span<const Pl
     tag("light:colour", fmt::format("{:.0f} K", lamp.cct_k));
     tag("light:direction", fmt::format("{:.0f}", bearing_degrees(at, ahead)));
     if (lamp.hung) tag("lamp_mount", "suspended");
-    tag("ele", fmt::format("{:.2f}", lamp.foot.z));
+    if (lamp.foot.z != 0)  // where no ground is known lamps stand at 0: that is no height to hand on
+      tag("ele", fmt::format("{:.2f}", lamp.foot.z));
     if (lamp.hours) tag("lit", lit_hours(*lamp.hours));
     const auto source = static_cast<std::int64_t>(lamp.provenance.source_id);
     const bool laid_out = lamp.provenance.flux == ValueSource::standard;  // see layout.h

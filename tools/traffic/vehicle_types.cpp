@@ -21,7 +21,7 @@ const std::array<VehicleType, vehicle_type_count> vehicle_types = {{
      1.25,
      3200,
      0.85,
-     {0.30f, 0.05f, 0.05f}},
+     {0.36f, 0.37f, 0.38f}},
     {"car",
      Shape::car,
      4.6,

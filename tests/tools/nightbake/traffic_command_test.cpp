@@ -112,10 +112,10 @@ TEST(TrafficCommand, TheModelsOwnRoadsAreStreetsWhereThereIsNoMap) {
 
 TEST(TrafficCommand, AMapAloneIsDrivenOnAPlane) {
   const TempFolder folder;
-  small_town(folder, "");
+  const auto town = small_town(folder, "").parent_path();
   const auto out = folder.path() / "traffic.lights";
-  const Outcome outcome = test::run_program("nightbake", "traffic" + quoted(folder.path() / "town.osm") +
-                                                             "--vehicles 6 --json --out" + quoted(out));
+  const Outcome outcome = test::run_program(
+      "nightbake", "traffic" + quoted(town / "town.osm") + "--vehicles 6 --json --out" + quoted(out));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_GT(json::parse(outcome.out)["trips"], 5);
   const LightFile file = LightFile::open(out);
