@@ -50,6 +50,7 @@ using uvec2 = glm::uvec2;
 #define REFERENCE_CHUNK 128u
 
 #define NO_HIT 0xFFFFFFFFu
+#define NO_PERMUTATION 0xFFFFFFFFu
 
 // A node of the bounding volume hierarchy: up to four children, their boxes quantised to 8 bits about `origin` with a
 // power-of-two step an axis. Rounded outwards, so a child's box holds the child. 64 bytes: four 16-byte loads.
@@ -323,6 +324,8 @@ struct Frame {
   uint neighbours;
   float neighbour_radius;  // pixels
   float history_cap;       // M of the history at most this many times the candidates' M
+  uint boost;              // neighbours of a pixel that has no history, where that is more
+  uint permutation;        // of the history: corner of the blocks, x | y << 2, or NO_PERMUTATION
   float uniform_share;     // of candidates picked uniformly
   float local_share;       // of candidates picked from the cell's lights; the rest by flux
   float fleet_share;       // of all candidates, picked from vehicles' lights; the shares above are of the others

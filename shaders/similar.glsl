@@ -9,7 +9,9 @@ bool similar(Surface a, Surface b) {
 }
 
 // The pixel, by index, that showed this very place of this surface in the frame before; false where there was none.
-bool previous_pixel(Surface surface, out uint index) {
+// `permuted`: one beside it where that shows the same surface, by blocks of 4 x 4 pixels that are turned round, another
+// division into blocks in every frame. Pixels then do not hand the same sample down for long (Wyman, Panteleev 2021).
+bool previous_pixel(Surface surface, bool permuted, out uint index) {
   index = 0u;
   if (FRAME.has_history == 0u || surface.depth <= 0.0) return false;
   const Camera camera = FRAME.previous_camera;
@@ -23,6 +25,14 @@ bool previous_pixel(Surface surface, out uint index) {
   const vec2 screen = vec2(dot(d, camera.right) / camera.aspect, -dot(d, camera.up)) / (z * camera.tan_half_height);
   const vec2 at = (screen * 0.5 + 0.5) * vec2(FRAME.size);
   if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, vec2(FRAME.size)))) return false;
-  index = uint(at.y) * FRAME.size.x + uint(at.x);
+  uvec2 there = uvec2(at);
+  if (permuted) {
+    const uvec2 corner = uvec2(FRAME.permutation & 3u, FRAME.permutation >> 2u & 3u);
+    const uvec2 turned = ((there + corner) ^ 3u) - corner;  // beyond the picture below 0 as above
+    if (all(lessThan(turned, FRAME.size)) &&
+        similar(expected, FRAME.previous_surfaces.at[turned.y * FRAME.size.x + turned.x]))
+      there = turned;
+  }
+  index = there.y * FRAME.size.x + there.x;
   return similar(expected, FRAME.previous_surfaces.at[index]);
 }

@@ -30,7 +30,9 @@ void main() {
   uint neighbour[MAX_NEIGHBOURS];
   uint found = 0u;
   float others_M = 0.0;
-  const uint wanted = min(FRAME.neighbours, MAX_NEIGHBOURS);
+  // Disocclusion boost (Wyman, Panteleev 2021): what history would have given, more neighbours give.
+  const bool without_history = FRAME.history_cap > 0.0 && canonical.M <= float(FRAME.candidates);
+  const uint wanted = min(without_history ? max(FRAME.neighbours, FRAME.boost) : FRAME.neighbours, MAX_NEIGHBOURS);
   for (uint i = 0u; i < wanted; ++i) {
     const float radius = FRAME.neighbour_radius * sqrt(random_float());
     const float angle = 2.0 * PI * random_float();

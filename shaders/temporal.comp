@@ -17,7 +17,7 @@ void main() {
   if (!pixel_of_invocation(pixel, index)) return;
   const Surface surface = FRAME.surfaces.at[index];
   uint before;
-  if (!previous_pixel(surface, before)) return;
+  if (!previous_pixel(surface, FRAME.permutation != NO_PERMUTATION, before)) return;
 
   Reservoir history = guarded(FRAME.previous_reservoirs.at[before]);
   const Reservoir canonical = FRAME.reservoirs.at[index];

@@ -92,6 +92,14 @@ void RenderOptions::declare(CLI::App& command) {
       ->capture_default_str()
       ->check(CLI::Range(0.0f, 1000.0f));
   command
+      .add_option(
+          "--boost", settings.boost,
+          "Pixels reused by a pixel that has no history (just come into view), where more than --neighbours")
+      ->capture_default_str()
+      ->check(CLI::Range(0u, max_neighbours));
+  command.add_flag("--permute", settings.permute,
+                   "Reuse the history in an order that changes from frame to frame: less alike noise");
+  command
       .add_option("--local-share", settings.local_share,
                   "Share of candidates picked from the lights that are strong near the place")
       ->capture_default_str()

@@ -14,18 +14,18 @@ namespace {
 // A knob that an estimator does not have stands at one value, so that equal settings are measured once.
 KnobValues canonical(KnobValues values) {
   const std::string& estimator = values["estimator"];
-  const auto unused = [&](const char* knob) {
-    values[knob] = std::string(1, '-');
-  };  // "-": a warning of g++ 12
+  const auto unused = [&](std::initializer_list<const char*> knobs) {
+    for (const char* knob : knobs) values[knob] = std::string(1, '-');  // "-": a warning of g++ 12
+  };
   if (estimator == "paper")
-    unused("local-share"), unused("uniform-share"), unused("fleet-share"), unused("visibility-reuse");
-  if (estimator == "ris")
-    unused("neighbours"), unused("radius"), unused("history"), unused("visibility-reuse");
-  if (estimator == "traced") unused("visibility-reuse");
-  if (values["neighbours"] == "0") unused("radius");
+    unused({"local-share", "uniform-share", "fleet-share", "visibility-reuse", "boost", "permute"});
+  if (estimator == "ris") unused({"neighbours", "radius", "history", "visibility-reuse", "boost", "permute"});
+  if (estimator == "traced") unused({"visibility-reuse"});
+  if (values["neighbours"] == "0") unused({"radius", "boost"});
+  if (values["history"] == "0") unused({"boost", "permute"});
   if (estimator == "reference")
     for (const Knob& knob : knobs())
-      if (knob.name != std::string("estimator")) unused(knob.name);
+      if (knob.name != std::string("estimator")) unused({knob.name});
   return values;
 }
 

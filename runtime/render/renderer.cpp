@@ -23,10 +23,11 @@ bool same_view(const CameraPose& a, const CameraPose& b) {
 bool same_estimate(const RenderSettings& a, const RenderSettings& b) {
   return a.estimator == b.estimator && a.candidates == b.candidates && a.neighbours == b.neighbours &&
          a.neighbour_radius_px == b.neighbour_radius_px && a.history_cap == b.history_cap &&
-         a.uniform_share == b.uniform_share && a.fleet_share == b.fleet_share &&
-         a.local_share == b.local_share && a.visibility_reuse == b.visibility_reuse && a.jitter == b.jitter &&
-         a.seed == b.seed && a.sky_cd_m2 == b.sky_cd_m2 && a.layers == b.layers &&
-         a.moon_direction == b.moon_direction && a.moon_lux == b.moon_lux && a.wetness == b.wetness;
+         a.boost == b.boost && a.permute == b.permute && a.uniform_share == b.uniform_share &&
+         a.fleet_share == b.fleet_share && a.local_share == b.local_share &&
+         a.visibility_reuse == b.visibility_reuse && a.jitter == b.jitter && a.seed == b.seed &&
+         a.sky_cd_m2 == b.sky_cd_m2 && a.layers == b.layers && a.moon_direction == b.moon_direction &&
+         a.moon_lux == b.moon_lux && a.wetness == b.wetness;
 }
 
 // Sub-pixel positions: the R2 sequence (Roberts 2018), starting at the pixel's centre.
@@ -183,8 +184,12 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
   frame.neighbours = settings.neighbours;
   frame.neighbour_radius = settings.neighbour_radius_px;
   frame.history_cap = settings.history_cap;
-  // The paper picks uniformly.
+  // As published: uniform picks, no boost, no permutation.
   const bool as_published = settings.estimator == Estimator::paper;
+  frame.boost = as_published ? 0 : settings.boost;
+  // Fibonacci hashing: neighbouring frames get distant corners.
+  frame.permutation =
+      settings.permute && !as_published ? (frame_number_ * 2654435769u) >> 28 : NO_PERMUTATION;
   frame.local_share = as_published ? 0.0f : std::clamp(settings.local_share, 0.0f, 1.0f);
   frame.uniform_share =
       as_published ? 1.0f : std::clamp(settings.uniform_share, 0.0f, 1.0f - frame.local_share);

@@ -124,6 +124,20 @@ TEST_F(Estimators, AMovingCameraReusesItsHistoryWithoutBias) {
   EXPECT_NEAR(mean, 0.0, 0.03);
 }
 
+// In the first frame no pixel has a history.
+TEST_F(Estimators, MoreNeighboursMakeUpForAMissingHistory) {
+  RenderSettings settings = with_estimator(Estimator::traced);
+  const auto error = [&](std::uint32_t boost) {
+    settings.boost = boost;
+    const Image image = render(scene_, pose, settings, side, side, 1);
+    double sum = 0;
+    for (std::size_t i = 0; i < image.pixels(); ++i)
+      sum += std::abs(luminance(image, i) - luminance(truth_, i));
+    return sum;
+  };
+  EXPECT_LT(error(16), 0.9 * error(0));
+}
+
 TEST_F(Estimators, TheSameSeedGivesTheSamePictureAndAnotherSeedAnother) {
   RenderSettings settings = with_estimator(Estimator::traced);
   const Image a = render(scene_, pose, settings, 32, 32, 3), b = render(scene_, pose, settings, 32, 32, 3);
