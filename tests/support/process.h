@@ -17,6 +17,11 @@ struct Outcome {
   std::string out, err;
 };
 
+/// A shell word, with room on both sides.
+inline std::string quoted(const std::filesystem::path& path) {
+  return " '" + path.string() + "' ";
+}
+
 /// `program` of this build with `arguments` (shell words).
 inline Outcome run_program(const std::string& program, const std::string& arguments) {
   const TempFolder folder;

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/bake/light_tables.h"
-#include "tools/layout/lighting_class.h"
+#include "tools/lights/lighting_class.h"
 
 namespace nightcity {
 namespace {
@@ -45,7 +45,7 @@ json row(const layout::StreetReport& street) {
 
 json to_json(const layout::LayoutReport& report, bool streets) {
   json result = {{"lamps", report.lamps},
-                 {"maintenance_factor", layout::maintenance_factor},
+                 {"maintenance_factor", maintenance_factor},
                  {"arrangements", report.arrangements},
                  {"left_out", report.left_out},
                  {"notes", report.notes},
@@ -70,11 +70,11 @@ std::string to_text(const layout::LayoutReport& report, bool streets) {
   text += fmt::format("{:<14}{:>6}{:>7}{:>8}{:>7}{:>7}{:>9}{:>8}{:>8}{:>7}{:>10}\n", "road", "class", "lx",
                       "km", "lamps", "per km", "Eav lx", "x 0.8", "Emin lx", "Uo", "in class");
   for (const auto& [highway, sum] : report.classes)
-    text += fmt::format("{:<14}{:>6}{:>7.1f}{:>8.2f}{:>7}{:>7.0f}{:>9.2f}{:>8.2f}{:>8.2f}{:>7.2f}{:>9.0f}%\n",
-                        highway, sum.wanted, sum.wanted_lx, sum.length_m / 1000, sum.lamps,
-                        static_cast<double>(sum.lamps) / (sum.length_m / 1000), sum.average_lx,
-                        sum.average_lx * layout::maintenance_factor, sum.least_lx, sum.uniformity,
-                        100 * sum.in_class);
+    text +=
+        fmt::format("{:<14}{:>6}{:>7.1f}{:>8.2f}{:>7}{:>7.0f}{:>9.2f}{:>8.2f}{:>8.2f}{:>7.2f}{:>9.0f}%\n",
+                    highway, sum.wanted, sum.wanted_lx, sum.length_m / 1000, sum.lamps,
+                    static_cast<double>(sum.lamps) / (sum.length_m / 1000), sum.average_lx,
+                    sum.average_lx * maintenance_factor, sum.least_lx, sum.uniformity, 100 * sum.in_class);
   text +=
       "Eav over all of a class; Emin and Uo: medians of its stretches; in class: share of the length whose\n"
       "Eav x 0.8 (maintained) lies between the class's value and 1.5 times it.\n";
@@ -88,7 +88,7 @@ std::string to_text(const layout::LayoutReport& report, bool streets) {
     text += fmt::format(
         "{:<14}{:>6}{:>9.0f}{:>8.1f}{:>7}{:>7.0f}{:>9.2f}{:>8.2f}{:>8.2f}{:>7.2f}  {:<13} {}{}\n",
         street.highway, street.wanted, street.length_m, street.width_m, street.lamps, street.flux_lm,
-        street.field.average_lx, street.field.average_lx * layout::maintenance_factor, street.field.least_lx,
+        street.field.average_lx, street.field.average_lx * maintenance_factor, street.field.least_lx,
         street.field.uniformity(), layout::name_of(street.arrangement), street.name, ways);
   }
   return text;

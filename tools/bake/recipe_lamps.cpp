@@ -1,8 +1,8 @@
 #include "tools/bake/recipe_lamps.h"
 
-#include "tools/layout/lighting_class.h"
 #include "tools/lights/lamp_defaults.h"
 #include "tools/lights/lamp_tags.h"
+#include "tools/lights/lighting_class.h"
 
 namespace nightcity::recipe {
 namespace {
@@ -29,7 +29,7 @@ std::map<std::string, std::string> lighting_classes(const Setting& setting) {
     const std::string highway(key.str());
     const Setting row{setting.file, setting.name + "." + highway, node};
     check_road(row, highway);
-    if (!layout::lighting_class(row.text()))
+    if (!lighting_class(row.text()))
       row.refuse("is no lighting class of EN 13201-2: P1 to P6, C0 to C5, M1 to M6");
     result[highway] = row.text();
   }

@@ -1,9 +1,9 @@
 // What lamps a stretch of road gets: arrangement, spacing and flux that bring it to its lighting class.
 #pragma once
 
-#include "tools/layout/lighting_class.h"
 #include "tools/layout/road_illuminance.h"
 #include "tools/lights/lamp_defaults.h"
+#include "tools/lights/lighting_class.h"
 
 namespace nightcity::layout {
 

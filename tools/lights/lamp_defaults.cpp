@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "tools/lights/lighting_class.h"
+
 namespace nightcity {
 namespace {
 
@@ -10,23 +12,15 @@ namespace {
 // (CEN/TR 13201-1's worked examples). Colour: 4000 K on main roads, 3000 K where people live (EU green public
 // procurement criteria, SWD(2018) 494). Widths: 3.5 m lanes on main roads, 3.0 m elsewhere.
 // Flux, to the next 100 lm: what the class in the last column asks for at a spacing S of three heights, E W S
-// / (utilisation 0.4 x maintenance 0.8), with E as tools/layout/lighting_class.cpp has it (EN 13201-2; M
-// classes by the C class of comparable level). Mapped lamps stand so: the median gap along Berlin's
-// residential streets is 21 m, along secondary ones 25 m. Luminaires on posts give 800 lm at least: smaller
-// ones are bollards.
-constexpr double least_on_posts_lm = 800;
-
-constexpr double class_lx(std::string_view target) {
-  if (target == "M2") return 20;
-  if (target == "M3") return 15;
-  if (target == "M4") return 10;
-  if (target == "M5" || target == "P3") return 7.5;
-  return target == "P4" ? 5 : 3;
-}
+// / (utilisation x maintenance), with E as lighting_class.h has it. Mapped lamps stand so: the median gap
+// along Berlin's residential streets is 21 m, along secondary ones 25 m. Luminaires on posts give 800 lm at
+// least: smaller ones are bollards.
+constexpr double least_on_posts_lm = 800, utilisation = 0.4;
 
 constexpr RoadDefaults row(const char* highway, RoadTier tier, double width_m, double mounting_m,
                            double outreach_m, double cct_k, Optic optic, const char* target) {
-  const double needed = class_lx(target) * width_m * 3 * mounting_m / (0.4 * 0.8);
+  const double average_lx = lighting_class(target)->average_lx;
+  const double needed = average_lx * width_m * 3 * mounting_m / (utilisation * maintenance_factor);
   const auto hundreds = static_cast<int>(needed / 100 + 0.5);
   const double flux = hundreds * 100 > least_on_posts_lm ? hundreds * 100 : least_on_posts_lm;
   return {highway, tier, width_m, mounting_m, outreach_m, flux, cct_k, optic, target};

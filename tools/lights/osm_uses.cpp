@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "tools/in_ring.h"
 #include "tools/osm/osm_selection.h"
 
 namespace nightcity {
@@ -112,15 +113,6 @@ std::uint64_t key(std::int64_t x, std::int64_t y) {
   return static_cast<std::uint64_t>(x) << 32 ^ (static_cast<std::uint64_t>(y) & 0xFFFFFFFFu);
 }
 
-bool inside(const std::vector<glm::dvec2>& ring, const glm::dvec2& p) {
-  bool odd = false;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const glm::dvec2 &a = ring[k], &b = ring[(k + 1) % ring.size()];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) odd = !odd;
-  }
-  return odd;
-}
-
 }  // namespace
 
 std::optional<BuildingUse> use_from_tags(const OsmTags& tags) {
@@ -168,7 +160,7 @@ std::optional<BuildingUse> OsmUses::at(const glm::dvec2& place) const {
   const Outline* smallest = nullptr;
   for (const std::uint32_t number : cell->second) {
     const Outline& outline = outlines_[number];
-    if ((!smallest || outline.area_m2 < smallest->area_m2) && inside(outline.ring, place))
+    if ((!smallest || outline.area_m2 < smallest->area_m2) && in_ring(outline.ring, place))
       smallest = &outline;
   }
   return smallest ? std::optional(smallest->use) : std::nullopt;

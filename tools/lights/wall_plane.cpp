@@ -5,20 +5,13 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "tools/in_ring.h"
+
 namespace nightcity {
 namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-
-bool inside(const std::vector<dvec2>& ring, const dvec2& p) {
-  bool odd = false;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const dvec2 &a = ring[k], &b = ring[(k + 1) % ring.size()];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) odd = !odd;
-  }
-  return odd;
-}
 
 /// Whether the segment a-b touches the rectangle's inside (Liang and Barsky's clipping).
 bool crosses(const dvec2& a, const dvec2& b, const dvec2& low, const dvec2& high) {
@@ -91,9 +84,9 @@ bool contains(const WallOutline& outline, const dvec2& low, const dvec2& high) {
   // No edge enters the rectangle, so all of it is where its middle is.
   if (crosses(outline.exterior, low, high)) return false;
   const dvec2 middle = (low + high) * 0.5;
-  if (!inside(outline.exterior, middle)) return false;
+  if (!in_ring(outline.exterior, middle)) return false;
   for (const auto& hole : outline.interiors)
-    if (crosses(hole, low, high) || inside(hole, middle)) return false;
+    if (crosses(hole, low, high) || in_ring(hole, middle)) return false;
   return true;
 }
 

@@ -4,14 +4,13 @@
 // the parity does not change across it. (Plain nesting depth gets that case wrong.)
 #include "tools/mesh/constrained.h"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_plus_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <limits>
 #include <utility>
+
+#include "tools/mesh/constrained_delaunay.h"
 
 namespace nightcity {
 namespace {
@@ -27,15 +26,9 @@ struct FaceInfo {
   Side side = Side::unknown;
 };
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, Kernel>;
-using FaceBase =
-    CGAL::Constrained_triangulation_face_base_2<Kernel,
-                                                CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>>;
-using DataStructure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
-using Delaunay =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, DataStructure, CGAL::Exact_predicates_tag>;
-using Triangulation = CGAL::Constrained_triangulation_plus_2<Delaunay>;
+using Kernel = PlaneKernel;
+using Triangulation = CGAL::Constrained_triangulation_plus_2<
+    ConstrainedDelaunay<FaceInfo, CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, PlaneKernel>>>;
 using Face = Triangulation::Face_handle;
 using Vertex = Triangulation::Vertex_handle;
 

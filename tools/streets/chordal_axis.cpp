@@ -1,12 +1,10 @@
 #include "tools/streets/chordal_axis.h"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+
+#include "tools/mesh/constrained_delaunay.h"
 
 namespace nightcity::streets {
 namespace {
@@ -16,14 +14,8 @@ struct FaceInfo {
   std::size_t node = no_node;
 };
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_2<Kernel>;
-using FaceBase =
-    CGAL::Constrained_triangulation_face_base_2<Kernel,
-                                                CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>>;
-using DataStructure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
-using Delaunay =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, DataStructure, CGAL::Exact_predicates_tag>;
+using Kernel = PlaneKernel;
+using Delaunay = ConstrainedDelaunay<FaceInfo>;
 using Face = Delaunay::Face_handle;
 using Vertex = Delaunay::Vertex_handle;
 

@@ -2,10 +2,7 @@
 // crosses an edge of a ring goes into or out of that ring's surface.
 #include "tools/streets/road_outline.h"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_plus_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +10,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
+
+#include "tools/mesh/constrained_delaunay.h"
 
 namespace nightcity::streets {
 namespace {
@@ -22,15 +21,8 @@ struct FaceInfo {
   bool counted = false;  // into an island
 };
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_2<Kernel>;
-using FaceBase =
-    CGAL::Constrained_triangulation_face_base_2<Kernel,
-                                                CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>>;
-using DataStructure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
-using Delaunay =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, DataStructure, CGAL::Exact_predicates_tag>;
-using Triangulation = CGAL::Constrained_triangulation_plus_2<Delaunay>;
+using Kernel = PlaneKernel;
+using Triangulation = CGAL::Constrained_triangulation_plus_2<ConstrainedDelaunay<FaceInfo>>;
 using Face = Triangulation::Face_handle;
 using Vertex = Triangulation::Vertex_handle;
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "tools/in_ring.h"
 #include "tools/random.h"
 
 namespace nightcity::town {
@@ -46,19 +47,10 @@ double distance_to_edge(const std::vector<dvec2>& outline, const dvec2& p) {
   return best;
 }
 
-bool inside(const std::vector<dvec2>& outline, const dvec2& p) {
-  bool odd = false;
-  for (std::size_t k = 0; k < outline.size(); ++k) {
-    const dvec2 &a = outline[k], &b = outline[(k + 1) % outline.size()];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) odd = !odd;
-  }
-  return odd;
-}
-
 bool clear_of(const BuildingPlan& house, const dvec2& p, double clearance) {
   if (distance_to_edge(house.outline, p) < clearance) return false;
   if (!house.hole.empty() && distance_to_edge(house.hole, p) < clearance) return false;
-  return !inside(house.outline, p) || (!house.hole.empty() && inside(house.hole, p));
+  return !in_ring(house.outline, p) || (!house.hole.empty() && in_ring(house.hole, p));
 }
 
 }  // namespace
@@ -82,7 +74,7 @@ std::vector<TreePlan> plan_trees(const StreetPlan& streets, const Hills& hills,
       tree.height_m = random.range(6, 12);
       tree.crown_radius_m = 0.24 * tree.height_m;
       const double clearance = tree.crown_radius_m + 1.2;
-      if (!random.chance(share) || !inside(edge, tree.foot) ||
+      if (!random.chance(share) || !in_ring(edge, tree.foot) ||
           distance_to_edge(edge, tree.foot) < clearance + 1.5)
         continue;
       if (use == BlockUse::park && distance_to_edge(path, tree.foot) < clearance + 1.5) continue;

@@ -97,16 +97,6 @@ TEST(Illuminance, TwoSidesGiveTwiceTheLightOfOneAndStaggeringKeepsTheAverage) {
   EXPECT_NEAR(staggered.average_lx, single.average_lx, 0.02 * single.average_lx);
 }
 
-TEST(LightingClass, HoldsTheStandardsFigures) {
-  EXPECT_EQ(lighting_class("P1")->average_lx, 15);
-  EXPECT_EQ(lighting_class("P4")->average_lx, 5);
-  EXPECT_EQ(lighting_class("P4")->least_lx, 1);
-  EXPECT_EQ(lighting_class("C5")->uniformity, 0.4);
-  EXPECT_EQ(lighting_class("M3")->average_lx, lighting_class("C3")->average_lx);
-  EXPECT_FALSE(lighting_class("P7"));
-  EXPECT_FALSE(lighting_class(""));
-}
-
 TEST(LampDesign, WiderRoadsGetLampsOnBothSides) {
   EXPECT_EQ(arrangement_for(6, 6), Arrangement::single);
   EXPECT_EQ(arrangement_for(9, 6), Arrangement::staggered);

@@ -15,16 +15,12 @@ namespace {
 
 using nlohmann::json;
 using test::Outcome;
+using test::quoted;
 using test::TempFolder;
 using test::write_text;
 
 Outcome nightbake(const std::string& arguments) {
   return test::run_program("nightbake", arguments);
-}
-
-std::string quoted(const std::filesystem::path& path) {
-  std::string text("'");
-  return text.append(path.string()).append("' ");
 }
 
 TEST(LampsCommand, PlacesTheMapsLampsOnACityAndWritesThem) {

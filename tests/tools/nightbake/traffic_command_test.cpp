@@ -13,6 +13,7 @@ namespace {
 
 using nlohmann::json;
 using test::Outcome;
+using test::quoted;
 using test::TempFolder;
 using test::write_text;
 
@@ -24,10 +25,6 @@ std::filesystem::path small_town(const TempFolder& folder, const std::string& tr
       path / "town.toml",
       "[city]\nfiles = [\"town.gml\"]\n[osm]\nfiles = [\"town.osm\"]\n[windows]\nlit = false\n" + traffic);
   return path / "town.toml";
-}
-
-std::string quoted(const std::filesystem::path& path) {
-  return " '" + path.string() + "' ";
 }
 
 TEST(TrafficCommand, WritesDrivesThatInspectShows) {

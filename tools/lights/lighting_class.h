@@ -1,0 +1,55 @@
+// How much light a road is to have: the classes of EN 13201-2 as horizontal illuminance.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace nightcity {
+
+struct LightingClass {
+  const char* name;
+  double average_lx;  // maintained
+  double least_lx;    // P classes: the darkest point; 0 where uniformity rules
+  double uniformity;  // C and M classes: least over average; 0 where least_lx rules
+};
+
+// EN 13201-2:2015, tables 2 (C) and 3 (P). The M classes are luminances (2, 1.5, 1, 0.75, 0.5, 0.3 cd/m2);
+// their rows hold the illuminance class of comparable level in CEN/TR 13201-1:2014 (M1 to M5: C1 to C5, M6:
+// P4).
+constexpr std::array<LightingClass, 18> en13201_classes = {{
+    {"P1", 15, 3, 0},
+    {"P2", 10, 2, 0},
+    {"P3", 7.5, 1.5, 0},
+    {"P4", 5, 1, 0},
+    {"P5", 3, 0.6, 0},
+    {"P6", 2, 0.4, 0},
+    {"C0", 50, 0, 0.4},
+    {"C1", 30, 0, 0.4},
+    {"C2", 20, 0, 0.4},
+    {"C3", 15, 0, 0.4},
+    {"C4", 10, 0, 0.4},
+    {"C5", 7.5, 0, 0.4},
+    {"M1", 30, 0, 0.4},
+    {"M2", 20, 0, 0.4},
+    {"M3", 15, 0, 0.4},
+    {"M4", 10, 0, 0.4},
+    {"M5", 7.5, 0, 0.35},
+    {"M6", 5, 0, 0.35},
+}};
+
+/// "P1".."P6", "C0".."C5", and "M1".."M6" by the C or P class of comparable level; nothing for another name.
+constexpr std::optional<LightingClass> lighting_class(std::string_view name) {
+  for (const LightingClass& row : en13201_classes)
+    if (row.name == name) return row;
+  return std::nullopt;
+}
+
+/// Light left when luminaires are due for cleaning and replacement: what a class asks for must still be
+/// there.
+constexpr double maintenance_factor = 0.8;
+
+/// A P class may be exceeded by half before it is another class (EN 13201-2, 6).
+constexpr double greatest_excess = 1.5;
+
+}  // namespace nightcity
