@@ -12,6 +12,7 @@ cd "$root"
 options=()
 if command -v ccache >/dev/null; then
   options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  export CCACHE_SLOPPINESS=pch_defines,time_macros  # its manual's condition for precompiled headers
   # A service account may have no home to keep a cache in.
   if [ ! -w "${HOME:-/nonexistent}" ]; then export CCACHE_DIR=${CCACHE_DIR:-$root/build/ccache}; fi
 fi

@@ -328,6 +328,7 @@ struct Frame {
   uint permutation;        // of the history: corner of the blocks, x | y << 2, or NO_PERMUTATION
   float uniform_share;     // of candidates picked uniformly
   float local_share;       // of candidates picked from the cell's lights; the rest by flux
+  float own_share;         // of candidates for a lamp's housing that are this lamp; the shares above are of the others
   float fleet_share;       // of all candidates, picked from vehicles' lights; the shares above are of the others
   float time_s, previous_time_s;              // since noon
   float cycle_time_s, previous_cycle_time_s;  // within the traffic's cycle

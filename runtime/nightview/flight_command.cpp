@@ -56,7 +56,7 @@ void fly(FlightCommand& command) {
 
   Table table{
       {"frame", "x", "y", "z", "ms", "rmse8", "relative_mse", "relative_mean_signed_error", "fireflies"}, {}};
-  std::vector<double> ms, errors, fireflies;
+  std::vector<double> ms, rmse8, relative_mse, fireflies;
   for (std::uint32_t i = 0; i < command.frames; ++i) {
     const CameraPose pose = path.at(command.frames > 1 ? double(i) / (command.frames - 1) : 0.0);
     experiment.renderer().render_frame(pose, options.settings);
@@ -72,7 +72,8 @@ void fly(FlightCommand& command) {
       const Comparison c = compare(picture, truth);
       for (const double value : {c.rmse8, c.relative_mse, c.relative_mean_signed_error, c.fireflies})
         row.push_back(fmt::format("{:.5g}", value));
-      errors.push_back(c.relative_mse);
+      rmse8.push_back(c.rmse8);
+      relative_mse.push_back(c.relative_mse);
       fireflies.push_back(c.fireflies);
     }
     row.resize(table.columns.size());
@@ -90,8 +91,8 @@ void fly(FlightCommand& command) {
   fmt::print("{} frames of {} along {}, {} on {}\n", command.frames, options.scene, command.path,
              name_of(options.settings.estimator), experiment.device_name());
   if (!ms.empty()) fmt::print("{}", summary("time", " ms", ms));
-  if (errors.empty()) return;
-  fmt::print("{}", summary("relative MSE", "", errors));
+  if (rmse8.empty()) return;
+  fmt::print("{}{}", summary("RMSE (8-bit)", "", rmse8), summary("relative MSE", "", relative_mse));
   const double most = *std::max_element(fireflies.begin(), fireflies.end());
   fmt::print("fireflies      {:.4f} % of the pixels in the worst frame: {} the budget of {:.4f} %\n",
              100 * most, most <= command.firefly_budget ? "within" : "OVER", 100 * command.firefly_budget);

@@ -54,6 +54,8 @@ const std::vector<Knob>& knobs() {
       {"local-share", "Share of candidates from the lights near the place", "0.7",
        number<&S::local_share, 0, 1>},
       {"uniform-share", "Share of candidates picked uniformly", "0.1", number<&S::uniform_share, 0, 1>},
+      {"own-share", "Share of candidates for a lamp's housing that are this lamp",
+       fmt::format("{}", S{}.own_share), number<&S::own_share, 0, 1>},
       {"fleet-share", "Share of candidates from vehicles' lights", "0.3", number<&S::fleet_share, 0, 1>},
       {"visibility-reuse", "Drop shadowed candidates before reuse, yes or no", "no",
        yes_or_no<&S::visibility_reuse>},

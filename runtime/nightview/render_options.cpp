@@ -110,6 +110,11 @@ void RenderOptions::declare(CLI::App& command) {
       ->capture_default_str()
       ->check(CLI::Range(0.0f, 1.0f));
   command
+      .add_option("--own-share", settings.own_share,
+                  "Share of candidates for a lamp's housing and post that are this lamp")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0f, 1.0f));
+  command
       .add_option("--fleet-share", settings.fleet_share,
                   "Share of all candidates picked from vehicles' lights, where any shine")
       ->capture_default_str()

@@ -24,7 +24,7 @@ bool same_estimate(const RenderSettings& a, const RenderSettings& b) {
   return a.estimator == b.estimator && a.candidates == b.candidates && a.neighbours == b.neighbours &&
          a.neighbour_radius_px == b.neighbour_radius_px && a.history_cap == b.history_cap &&
          a.boost == b.boost && a.permute == b.permute && a.uniform_share == b.uniform_share &&
-         a.fleet_share == b.fleet_share && a.local_share == b.local_share &&
+         a.fleet_share == b.fleet_share && a.local_share == b.local_share && a.own_share == b.own_share &&
          a.visibility_reuse == b.visibility_reuse && a.jitter == b.jitter && a.seed == b.seed &&
          a.sky_cd_m2 == b.sky_cd_m2 && a.layers == b.layers && a.moon_direction == b.moon_direction &&
          a.moon_lux == b.moon_lux && a.wetness == b.wetness;
@@ -193,6 +193,7 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
   frame.local_share = as_published ? 0.0f : std::clamp(settings.local_share, 0.0f, 1.0f);
   frame.uniform_share =
       as_published ? 1.0f : std::clamp(settings.uniform_share, 0.0f, 1.0f - frame.local_share);
+  frame.own_share = as_published ? 0.0f : settings.own_share;
   // As published, candidates are uniform over all lights: each set has its share of them.
   const double moving = double(frame.scene.light_count - frame.scene.standing_lights);
   frame.fleet_share =

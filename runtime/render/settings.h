@@ -45,6 +45,7 @@ struct RenderSettings {
   bool permute = false;      // reuse the history in an order that changes from frame to frame
   float local_share = 0.7f;  // of candidates picked from the lights that are strong near the place
   float uniform_share = 0.1f;  // of candidates picked uniformly over lights, the rest by flux
+  float own_share = 0.1f;      // of candidates for a lamp's housing that are this lamp
   float fleet_share = 0.3f;    // of all candidates picked from vehicles' lights, where any shine
   double time_s = 8 * 3600;    // since noon
   bool visibility_reuse =

@@ -20,7 +20,7 @@ namespace {
 
 using nlohmann::json;
 
-struct Arguments {
+struct ElevateArguments {
   std::vector<std::filesystem::path> inputs;
   std::filesystem::path out, dem;
   ElevationServiceOptions service;
@@ -33,7 +33,7 @@ struct Outcome {
   Elevations elevations;
 };
 
-Outcome elevate(const Arguments& arguments) {
+Outcome elevate(const ElevateArguments& arguments) {
   const Recipe recipe = recipe_of(arguments.inputs);
   if (recipe.osm.files.size() != 1)
     throw UsageError("", "give one OSM file: its lamps get heights and it is written anew");
@@ -69,7 +69,7 @@ Outcome elevate(const Arguments& arguments) {
   return outcome;
 }
 
-json to_json(const HeightOffset& offset) {
+json offset_json(const HeightOffset& offset) {
   return {{"m", offset.metres}, {"deviation_m", offset.deviation}, {"samples", offset.samples}};
 }
 
@@ -94,7 +94,7 @@ void print(const Outcome& outcome) {
   if (outcome.written) fmt::print("{} nodes written\n", outcome.written);
 }
 
-void run(const Arguments& arguments) {
+void run(const ElevateArguments& arguments) {
   const Outcome outcome = elevate(arguments);
   if (!arguments.json) return print(outcome);
   const Elevations& found = outcome.elevations;
@@ -104,8 +104,8 @@ void run(const Arguments& arguments) {
                        {"outside_model", found.outside_model},
                        {"inside_buildings", found.inside_buildings},
                        {"duplicates", found.duplicates},
-                       {"raster_offset", to_json(found.raster_offset)},
-                       {"service_offset", to_json(found.service_offset)},
+                       {"raster_offset", offset_json(found.raster_offset)},
+                       {"service_offset", offset_json(found.service_offset)},
                        {"service",
                         {{"requests", found.service.requests},
                          {"retries", found.service.retries},
@@ -120,7 +120,7 @@ void run(const Arguments& arguments) {
 void add_elevate_command(CLI::App& app) {
   auto* command =
       app.add_subcommand("elevate", "Find the ground's height under a map's lamps and write it there");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ElevateArguments>();
   command
       ->add_option("input", arguments->inputs,
                    "One OSM file and the CityGML it belongs to, or a recipe (TOML)")

@@ -12,7 +12,7 @@
 namespace nightcity {
 namespace {
 
-struct Arguments {
+struct InspectArguments {
   std::string file;
   bool json = false;
   int lod = 2;
@@ -48,7 +48,7 @@ std::string in_words(const Inspection& value) {
   return text.empty() ? "none" : text;
 }
 
-void run(const Arguments& arguments) {
+void run(const InspectArguments& arguments) {
   const Inspection inspection = inspect(arguments.file, arguments.lod);
   if (arguments.json) {
     // Ids and names come from files that may hold anything.
@@ -63,7 +63,7 @@ void run(const Arguments& arguments) {
 void add_inspect_command(CLI::App& app) {
   auto* command = app.add_subcommand(
       "inspect", "Tell what a CityGML, OSM, .glb/.gltf, .lights, IES or EULUMDAT file holds");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<InspectArguments>();
   command->add_option("file", arguments->file, "The file; its kind is found by its content")->required();
   command->add_flag("--json", arguments->json,
                     "Print JSON: kind, buildings, polygons, triangles, lights, crs, bbox, skipped, ...");

@@ -22,7 +22,7 @@
 namespace nightcity {
 namespace {
 
-struct Arguments {
+struct LampsArguments {
   std::vector<std::filesystem::path> inputs;
   std::filesystem::path out;
   bool lay_out = false, json = false;
@@ -36,7 +36,7 @@ void write_lights(const std::filesystem::path& path, const LampSet& set, const G
   lights.finish({.georeference = georeference, .profiles = set.profiles, .profile_data = set.profile_data});
 }
 
-void run(const Arguments& arguments) {
+void run(const LampsArguments& arguments) {
   const std::string extension = arguments.out.extension().string();
   if (!arguments.out.empty() && extension != ".lights" && extension != ".osm")
     throw UsageError(arguments.out.string(), "is named neither .lights nor .osm");
@@ -85,7 +85,7 @@ void run(const Arguments& arguments) {
 void add_lamps_command(CLI::App& app) {
   auto* command = app.add_subcommand(
       "lamps", "Place a map's street lamps, on a city or without one, and tell their values");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<LampsArguments>();
   command
       ->add_option(
           "input", arguments->inputs,

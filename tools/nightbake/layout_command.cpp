@@ -19,12 +19,12 @@
 namespace nightcity {
 namespace {
 
-struct Arguments {
+struct LayoutArguments {
   std::string recipe, osm;
   bool json = false;
 };
 
-void run(const Arguments& arguments) {
+void run(const LayoutArguments& arguments) {
   const Recipe recipe = read_recipe(arguments.recipe);
   const CityFrames frames(recipe);
   OsmData osm;
@@ -61,7 +61,7 @@ void run(const Arguments& arguments) {
 void add_layout_command(CLI::App& app) {
   auto* command = app.add_subcommand(
       "layout", "Lay street lamps along the streets of a recipe and tell what light each class of road gets");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<LayoutArguments>();
   command->add_option("recipe", arguments->recipe, "Recipe (TOML); [lamps] layout and class say how")
       ->required();
   command->add_option("--osm", arguments->osm, "Write the laid-out lamps as an OSM file, for [osm] files");

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-struct Arguments {
+struct LightsArguments {
   std::string file, scene;
   bool json = false;
 };
@@ -25,7 +25,7 @@ std::string hour_name(std::size_t index) {
   return fmt::format("{:02}:00", clock_hour(index));
 }
 
-json to_json(const LightFile& file, const LightCensus& census) {
+json census_json(const LightFile& file, const LightCensus& census) {
   json families = json::object();
   for (const auto& [name, family] : census.families) {
     json hours = json::object();
@@ -77,13 +77,13 @@ void print(const LightFile& file, const LightCensus& census) {
   fmt::print("\nfaults: {}\n", in_words(census.faults));
 }
 
-void run(const Arguments& arguments) {
+void run(const LightsArguments& arguments) {
   const LightFile file = LightFile::open(arguments.file);
   PlaceFault place_fault;
   if (!arguments.scene.empty()) place_fault = place_faults_in(arguments.scene);
   const LightCensus census = count_lights(file, place_fault);
   if (arguments.json)
-    fmt::print("{}\n", to_json(file, census).dump(2, ' ', false, json::error_handler_t::replace));
+    fmt::print("{}\n", census_json(file, census).dump(2, ' ', false, json::error_handler_t::replace));
   else
     print(file, census);
 }
@@ -93,7 +93,7 @@ void run(const Arguments& arguments) {
 void add_lights_command(CLI::App& app) {
   auto* command =
       app.add_subcommand("lights", "Sum up a light file: kinds, lumens, hours, sources of values");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<LightsArguments>();
   command->add_option("file,--report", arguments->file, "The light file (.lights)")->required();
   command->add_option("--scene", arguments->scene,
                       "Its city.glb: also count lights below the ground and inside buildings");

@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-struct Arguments {
+struct ReadersArguments {
   std::vector<std::string> files;
   int lod = 2;
   bool json = false, all = false;
@@ -26,29 +26,29 @@ struct Arguments {
 
 constexpr std::size_t shown_ids = 5;  // of those only one reader has; --json has all
 
-ordered_json to_json(const ReaderTally& tally) {
+ordered_json tally_json(const ReaderTally& tally) {
   return {{"objects", tally.objects}, {"polygons", tally.polygons}, {"area", tally.area}};
 }
 
-ordered_json to_json(const ReadReport& report) {
+ordered_json reading_json(const ReadReport& report) {
   return {{"objects", report.objects},
           {"polygons", report.polygons},
           {"skipped", report.skipped},
           {"warnings", report.warnings}};
 }
 
-ordered_json to_json(const std::filesystem::path& file, const ReaderComparison& comparison) {
+ordered_json comparison_json(const std::filesystem::path& file, const ReaderComparison& comparison) {
   ordered_json result = {{"file", file.string()}, {"agree", comparison.agree()}};
   for (const auto& [name, tallies] :
        {std::pair{"objects", &comparison.objects}, std::pair{"surfaces", &comparison.surfaces}}) {
     result[name] = ordered_json::object();
     for (const auto& [type, both] : *tallies)
-      result[name][type] = {{"stream", to_json(both.first)}, {"libcitygml", to_json(both.second)}};
+      result[name][type] = {{"stream", tally_json(both.first)}, {"libcitygml", tally_json(both.second)}};
   }
   result["only_in_stream"] = comparison.only_in_stream;
   result["only_in_libcitygml"] = comparison.only_in_libcitygml;
-  result["stream"] = to_json(comparison.stream);
-  result["libcitygml"] = to_json(comparison.libcitygml);
+  result["stream"] = reading_json(comparison.stream);
+  result["libcitygml"] = reading_json(comparison.libcitygml);
   return result;
 }
 
@@ -100,7 +100,7 @@ void print(const std::filesystem::path& file, const ReaderComparison& comparison
   print_skipped("libcitygml", other);
 }
 
-void run(const Arguments& arguments) {
+void run(const ReadersArguments& arguments) {
   ordered_json documents = ordered_json::array();
   std::size_t disagreeing = 0, count = 0;
   for (const std::string& name : arguments.files) {
@@ -109,7 +109,7 @@ void run(const Arguments& arguments) {
       ++count;
       disagreeing += !comparison.agree();
       if (arguments.json)
-        documents.push_back(to_json(file, comparison));
+        documents.push_back(comparison_json(file, comparison));
       else
         print(file, comparison, arguments.all);
     }
@@ -126,7 +126,7 @@ void add_readers_command(CLI::App& app) {
   auto* command = app.add_subcommand(
       "readers",
       "Read CityGML with both readers and tell where they disagree: objects, polygons, area by type");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ReadersArguments>();
   command->add_option("files", arguments->files, "CityGML files, or folders of them")->required();
   command->add_option("--lod", arguments->lod, "The highest level of detail looked at")
       ->capture_default_str()

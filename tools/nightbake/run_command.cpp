@@ -13,13 +13,13 @@
 namespace nightcity {
 namespace {
 
-struct Arguments {
+struct RunArguments {
   std::string recipe, folder;
   bool json = false;
   unsigned threads = 0;
 };
 
-void run(const Arguments& arguments) {
+void run(const RunArguments& arguments) {
   Recipe recipe = read_recipe(arguments.recipe);
   if (arguments.threads > 0) recipe.city.read.threads = arguments.threads;
   BakeReport report;
@@ -37,7 +37,7 @@ void run(const Arguments& arguments) {
 
 void add_run_command(CLI::App& app) {
   auto* command = app.add_subcommand("run", "Bake a city by its recipe: DIR/city.glb and DIR/city.lights");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RunArguments>();
   command->add_option("recipe", arguments->recipe, "Recipe (TOML): [city] files, [osm] files, options")
       ->required();
   command->add_option("-o,--out", arguments->folder, "Folder for the results; made where absent")->required();

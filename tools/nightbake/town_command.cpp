@@ -11,13 +11,13 @@
 namespace nightcity {
 namespace {
 
-struct Arguments {
+struct TownArguments {
   town::TownOptions town;
   std::string folder;
   std::size_t blocks = 0, buildings = 0, triangles = 0;
 };
 
-void run_town(Arguments& arguments) {
+void run(TownArguments& arguments) {
   if (arguments.blocks) town::size_for_blocks(arguments.town, arguments.blocks);
   if (arguments.buildings) town::size_for_buildings(arguments.town, arguments.buildings);
   if (arguments.triangles) town::size_for_triangles(arguments.town, arguments.triangles);
@@ -31,7 +31,7 @@ void run_town(Arguments& arguments) {
 
 void add_town_command(CLI::App& app) {
   auto* command = app.add_subcommand("town", "Write a synthetic town: town.gml, town.osm and town.toml");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<TownArguments>();
   command->add_option("-o,--out", arguments->folder, "Folder to write into")->required();
   command->add_option("--seed", arguments->town.seed, "Another seed, another town")->capture_default_str();
   auto* size = command->add_option_group("size", "At most one; the default is a town of 56 blocks");
@@ -43,7 +43,7 @@ void add_town_command(CLI::App& app) {
       ->check(CLI::PositiveNumber);
   command->add_option("--hills", arguments->town.hills_m, "Height from valley to hilltop, m")
       ->capture_default_str();
-  command->callback([arguments] { run_town(*arguments); });
+  command->callback([arguments] { run(*arguments); });
 }
 
 }  // namespace nightcity

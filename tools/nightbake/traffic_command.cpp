@@ -20,7 +20,7 @@
 namespace nightcity {
 namespace {
 
-struct Arguments {
+struct TrafficArguments {
   std::vector<std::filesystem::path> inputs;
   std::string out, lights;
   std::optional<double> vehicles;
@@ -35,7 +35,7 @@ struct Made {
 
 /// Of the light file that the drives are to go into, where there is one.
 Georeference placed(const Georeference& own, const std::optional<LightFile>& lights,
-                    const Arguments& arguments) {
+                    const TrafficArguments& arguments) {
   if (!lights) return own;
   if (lights->georeference().crs != own.crs)
     throw Error(arguments.lights, "is in " + lights->georeference().crs + ", the streets in " + own.crs);
@@ -43,7 +43,7 @@ Georeference placed(const Georeference& own, const std::optional<LightFile>& lig
 }
 
 Made drive_through_city(const Recipe& recipe, OsmData& osm, const std::optional<LightFile>& lights,
-                        const Arguments& arguments) {
+                        const TrafficArguments& arguments) {
   const CityFrames frames(recipe);
   Made made;
   made.georeference = placed(georeference_of(recipe, frames), lights, arguments);
@@ -59,7 +59,7 @@ Made drive_through_city(const Recipe& recipe, OsmData& osm, const std::optional<
 }
 
 Made drive_through_map(const Recipe& recipe, const OsmData& osm, const std::optional<LightFile>& lights,
-                       const Arguments& arguments) {
+                       const TrafficArguments& arguments) {
   const MapFrame map(osm);
   Made made;
   made.georeference = placed(map.georeference(recipe), lights, arguments);
@@ -68,7 +68,7 @@ Made drive_through_map(const Recipe& recipe, const OsmData& osm, const std::opti
   return made;
 }
 
-void run(const Arguments& arguments) {
+void run(const TrafficArguments& arguments) {
   Recipe recipe = recipe_of(arguments.inputs);
   recipe.traffic.drives = true;
   if (arguments.vehicles) recipe.traffic.options.vehicles = arguments.vehicles;
@@ -98,7 +98,7 @@ void run(const Arguments& arguments) {
 void add_traffic_command(CLI::App& app) {
   auto* command = app.add_subcommand(
       "traffic", "Drive vehicles through a city's or a map's streets and write their drives to a light file");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<TrafficArguments>();
   command
       ->add_option("input", arguments->inputs,
                    "Recipe (TOML): [city] files for the ground, [osm] files for the streets, [traffic]; or "

@@ -19,14 +19,14 @@
 namespace nightcity {
 namespace {
 
-struct Arguments {
+struct WindowsArguments {
   std::vector<std::filesystem::path> inputs;
   std::string out;
   std::uint64_t seed = 1;
   bool seed_given = false, json = false;
 };
 
-WindowReport lay(const Arguments& arguments, std::size_t& schedule_count) {
+WindowReport lay(const WindowsArguments& arguments, std::size_t& schedule_count) {
   const Recipe recipe = recipe_of(arguments.inputs);
   if (recipe.city.files.empty()) throw UsageError("", "no CityGML among the inputs: windows sit on walls");
   LightFileWriter lights(arguments.out);
@@ -53,7 +53,7 @@ WindowReport lay(const Arguments& arguments, std::size_t& schedule_count) {
   return report;
 }
 
-void run(const Arguments& arguments) {
+void run(const WindowsArguments& arguments) {
   std::size_t schedules = 0;
   const WindowReport report = lay(arguments, schedules);
   if (arguments.json) {
@@ -70,7 +70,7 @@ void run(const Arguments& arguments) {
 void add_windows_command(CLI::App& app) {
   auto* command =
       app.add_subcommand("windows", "Lay windows on a city's walls and tell who has light on when");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<WindowsArguments>();
   command
       ->add_option("input", arguments->inputs,
                    "CityGML files and folders, OSM files for the use of buildings, or a recipe (TOML)")
