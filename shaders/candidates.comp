@@ -15,7 +15,7 @@ void main() {
   uint index;
   if (!pixel_of_invocation(pixel, index)) return;
   const Surface surface = FRAME.surfaces.at[index];
-  const Picker picker = picker_at(surface);
+  const Picker picker = picker_at(surface.position);
   if (surface.depth <= 0.0 || (SCENE.grid.width == 0u && picker.fleet_share <= 0.0)) {
     FRAME.reservoirs.at[index] = EMPTY_RESERVOIR;
     return;

@@ -128,7 +128,7 @@ struct LocalEntry {
   float keep;
   uint alias_light;
 };
-#define LOCAL_LIGHTS 64  // listed a cell, at most
+#define LOCAL_LIGHTS 256  // listed a cell, at most
 
 // A kind of vehicle's bottom-level hierarchy and its box in the vehicle frame. 32 bytes.
 struct VehicleBody {
@@ -324,11 +324,11 @@ struct Frame {
   uint neighbours;
   float neighbour_radius;  // pixels
   float history_cap;       // M of the history at most this many times the candidates' M
+  float reach_falloff;     // 1/m^2: how fast the history's M fades with the way to the place it was gathered at, 0 = not
   uint boost;              // neighbours of a pixel that has no history, where that is more
   uint permutation;        // of the history: corner of the blocks, x | y << 2, or NO_PERMUTATION
   float uniform_share;     // of candidates picked uniformly
   float local_share;       // of candidates picked from the cell's lights; the rest by flux
-  float own_share;         // of candidates for a lamp's housing that are this lamp; the shares above are of the others
   float fleet_share;       // of all candidates, picked from vehicles' lights; the shares above are of the others
   float time_s, previous_time_s;              // since noon
   float cycle_time_s, previous_cycle_time_s;  // within the traffic's cycle

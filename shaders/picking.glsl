@@ -1,6 +1,6 @@
-// Picking lights: standing ones by a mixture of uniform, flux-proportional and local picks, and on a lamp's own housing that
-// lamp; vehicles' lights by going down the fleet's tree (after Conty Estevez, Kulla: Importance Sampling of Many Lights,
-// 2018). The two sets are disjoint, so a pick's density is that of its own set's technique.
+// Picking lights: standing ones by a mixture of uniform, flux-proportional and local picks; vehicles' lights by going down
+// the fleet's tree (after Conty Estevez, Kulla: Importance Sampling of Many Lights, 2018). The two sets are disjoint, so a
+// pick's density is that of its own set's technique.
 //
 // Which technique makes a pick is stratified over a pixel's candidates: candidate i of n gets a number in
 // [i / n, (i + 1) / n). Their mean density is the mixture's, so weights by the mixture stay exact (the balance heuristic;
@@ -10,10 +10,8 @@ struct Picker {
   LightCell cell;
   vec2 cell_centre;
   float fleet_share;    // of all candidates
-  float own_share;      // of those from standing lights
-  float local_share;
+  float local_share;    // of those from standing lights
   float uniform_share;
-  uint own;             // the lamp whose housing this is
 };
 
 struct Pick {
@@ -22,26 +20,18 @@ struct Pick {
   float pdf;  // 0: none
 };
 
-Picker picker_at(Surface surface) {
+Picker picker_at(vec3 position) {
   Picker p;
   const LightGridShape grid = SCENE.grid;
-  p.own = surface.light;
-  p.own_share = 0.0;
   p.local_share = 0.0;
+  p.uniform_share = FRAME.uniform_share;
   if (grid.width != 0u) {
-    const vec2 at = clamp(floor((surface.position.xz - vec2(grid.origin_x, grid.origin_z)) / grid.cell_m), vec2(0.0),
+    const vec2 at = clamp(floor((position.xz - vec2(grid.origin_x, grid.origin_z)) / grid.cell_m), vec2(0.0),
                           vec2(grid.width, grid.depth) - 1.0);
     p.cell_centre = vec2(grid.origin_x, grid.origin_z) + (at + 0.5) * grid.cell_m;
     p.cell = SCENE.cells.at[uint(at.y) * grid.width + uint(at.x)];
     if (p.cell.count > 0u) p.local_share = FRAME.local_share;
-    // A window's pane is not lit by itself.
-    if (p.own < SCENE.standing_lights) {
-      const Light own = light_at(p.own);
-      if (own.flux_lm > 0.0 && (own.kind_profile & 255u) == LIGHT_SPHERE) p.own_share = FRAME.own_share;
-    }
   }
-  p.local_share *= 1.0 - p.own_share;
-  p.uniform_share = (1.0 - p.own_share) * FRAME.uniform_share;
   p.fleet_share = HAS_TRAFFIC != 0u ? FRAME.fleet_share : 0.0;
   // Where one of the two sets is dark, the other has all candidates.
   if (grid.width == 0u) p.fleet_share = HAS_TRAFFIC != 0u ? 1.0 : 0.0;
@@ -59,13 +49,10 @@ float local_pdf(Picker p, Light light) {
 
 Pick pick_standing(Picker p, float technique) {
   Pick pick;
-  const float to_local = p.own_share + p.local_share, to_uniform = to_local + p.uniform_share;
-  if (technique < p.own_share) {
-    pick.light = p.own;
-  } else if (technique < to_local) {
+  if (technique < p.local_share) {
     const LocalEntry entry = SCENE.local_entries.at[p.cell.first + random_below(p.cell.count)];
     pick.light = random_float() < entry.keep ? entry.light : entry.alias_light;
-  } else if (technique < to_uniform) {
+  } else if (technique < p.local_share + p.uniform_share) {
     pick.light = random_below(SCENE.lit_count);
     if (HAS_SCHEDULES != 0u) pick.light = SCENE.lit_list.at[pick.light];
   } else {
@@ -76,8 +63,7 @@ Pick pick_standing(Picker p, float technique) {
   pick.sampled = light_at(pick.light);
   // The mixture's density, whichever technique made the pick.
   pick.pdf = p.uniform_share / float(SCENE.lit_count) +
-             max(1.0 - to_uniform, 0.0) * SCENE.alias.at[pick.light].pdf;
-  if (pick.light == p.own) pick.pdf += p.own_share;
+             max(1.0 - p.local_share - p.uniform_share, 0.0) * SCENE.alias.at[pick.light].pdf;
   if (p.local_share > 0.0) pick.pdf += p.local_share * local_pdf(p, pick.sampled);
   return pick;
 }

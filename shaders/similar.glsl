@@ -8,6 +8,14 @@ bool similar(Surface a, Surface b) {
          abs(a.depth - b.depth) < 0.2 * a.depth;
 }
 
+// How much of the history's M counts where it was gathered at another place, 0 .. 1. Where that place had little of a light
+// and this one has much, the weights hand the sample on with up to the ratio of the two Ms, some 20: from a camera that
+// moves, far ground, metres a pixel, then shows bright single pixels. Geometry only, as above.
+float confidence(Surface now, Surface before) {
+  const vec3 d = before.position - now.position;
+  return 1.0 / (1.0 + FRAME.reach_falloff * dot(d, d));
+}
+
 // The pixel, by index, that showed this very place of this surface in the frame before; false where there was none.
 // `permuted`: one beside it where that shows the same surface, by blocks of 4 x 4 pixels that are turned round, another
 // division into blocks in every frame. Pixels then do not hand the same sample down for long (Wyman, Panteleev 2021).

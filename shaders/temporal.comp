@@ -21,13 +21,15 @@ void main() {
 
   Reservoir history = guarded(FRAME.previous_reservoirs.at[before]);
   const Reservoir canonical = FRAME.reservoirs.at[index];
+  const Surface surface_before = FRAME.previous_surfaces.at[before];
   // Old samples fade: without a cap the history would outvote every new candidate.
   history.M = min(history.M, FRAME.history_cap * canonical.M);
+  history.M *= confidence(surface, surface_before);
   if (history.M <= 0.0) return;
 
   seed_random(pixel, STREAM_TEMPORAL);
   const Receiver receiver = receiver_of(surface);
-  const Receiver there = receiver_of(FRAME.previous_surfaces.at[before], true);
+  const Receiver there = receiver_of(surface_before, true);
   Reuse reuse = begin_reuse(receiver, canonical, history.M);
   add_other(reuse, receiver, canonical, history, there, 1u);
   add_canonical(reuse, canonical);

@@ -92,6 +92,12 @@ void RenderOptions::declare(CLI::App& command) {
       ->capture_default_str()
       ->check(CLI::Range(0.0f, 1000.0f));
   command
+      .add_option("--reach", settings.reach_m,
+                  "Distance between a place and where its history was gathered at which half of it counts, "
+                  "m; 0 = all")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0f, 100000.0f));
+  command
       .add_option(
           "--boost", settings.boost,
           "Pixels reused by a pixel that has no history (just come into view), where more than --neighbours")
@@ -107,11 +113,6 @@ void RenderOptions::declare(CLI::App& command) {
   command
       .add_option("--uniform-share", settings.uniform_share,
                   "Share of candidates picked uniformly; what is left is picked by flux")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0f, 1.0f));
-  command
-      .add_option("--own-share", settings.own_share,
-                  "Share of candidates for a lamp's housing and post that are this lamp")
       ->capture_default_str()
       ->check(CLI::Range(0.0f, 1.0f));
   command

@@ -25,7 +25,6 @@ struct StrategiesCommand {
 struct Strategy {
   const char* name;
   float local_share, uniform_share;  // the rest by flux
-  float own_share = 0;
 };
 
 // Every mixture but the first two keeps a share over all lights: a cell lists its strongest only.
@@ -35,7 +34,6 @@ constexpr std::array strategies{Strategy{"uniform", 0, 1},
                                 Strategy{"local 0.9, uniform 0.1", 0.9f, 0.1f},
                                 Strategy{"local 0.9, power 0.1", 0.9f, 0},
                                 Strategy{"local 0.7, uniform 0.1, power 0.2", 0.7f, 0.1f},
-                                Strategy{"the same; on housings 0.1 own lamp", 0.7f, 0.1f, 0.1f},
                                 Strategy{"local 0.5, uniform 0.25, power 0.25", 0.5f, 0.25f}};
 
 void compare_strategies(const StrategiesCommand& command) {
@@ -70,7 +68,6 @@ void compare_strategies(const StrategiesCommand& command) {
         settings.estimator = estimator;
         settings.local_share = strategy.local_share;
         settings.uniform_share = strategy.uniform_share;
-        settings.own_share = strategy.own_share;
         const auto counts_of_frames = command.frames > 1 ? std::vector{1u, command.frames} : std::vector{1u};
         const auto m = experiment.measure(pose, settings, truth, counts_of_frames, 8, 1);
         table.rows.push_back(

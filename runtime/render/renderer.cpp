@@ -23,11 +23,11 @@ bool same_view(const CameraPose& a, const CameraPose& b) {
 bool same_estimate(const RenderSettings& a, const RenderSettings& b) {
   return a.estimator == b.estimator && a.candidates == b.candidates && a.neighbours == b.neighbours &&
          a.neighbour_radius_px == b.neighbour_radius_px && a.history_cap == b.history_cap &&
-         a.boost == b.boost && a.permute == b.permute && a.uniform_share == b.uniform_share &&
-         a.fleet_share == b.fleet_share && a.local_share == b.local_share && a.own_share == b.own_share &&
-         a.visibility_reuse == b.visibility_reuse && a.jitter == b.jitter && a.seed == b.seed &&
-         a.sky_cd_m2 == b.sky_cd_m2 && a.layers == b.layers && a.moon_direction == b.moon_direction &&
-         a.moon_lux == b.moon_lux && a.wetness == b.wetness;
+         a.reach_m == b.reach_m && a.boost == b.boost && a.permute == b.permute &&
+         a.uniform_share == b.uniform_share && a.fleet_share == b.fleet_share &&
+         a.local_share == b.local_share && a.visibility_reuse == b.visibility_reuse && a.jitter == b.jitter &&
+         a.seed == b.seed && a.sky_cd_m2 == b.sky_cd_m2 && a.layers == b.layers &&
+         a.moon_direction == b.moon_direction && a.moon_lux == b.moon_lux && a.wetness == b.wetness;
 }
 
 // Sub-pixel positions: the R2 sequence (Roberts 2018), starting at the pixel's centre.
@@ -184,8 +184,9 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
   frame.neighbours = settings.neighbours;
   frame.neighbour_radius = settings.neighbour_radius_px;
   frame.history_cap = settings.history_cap;
-  // As published: uniform picks, no boost, no permutation.
+  // As published: uniform picks, no boost, no permutation, every M in full.
   const bool as_published = settings.estimator == Estimator::paper;
+  frame.reach_falloff = as_published || settings.reach_m <= 0 ? 0 : 1 / (settings.reach_m * settings.reach_m);
   frame.boost = as_published ? 0 : settings.boost;
   // Fibonacci hashing: neighbouring frames get distant corners.
   frame.permutation =
@@ -193,7 +194,6 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
   frame.local_share = as_published ? 0.0f : std::clamp(settings.local_share, 0.0f, 1.0f);
   frame.uniform_share =
       as_published ? 1.0f : std::clamp(settings.uniform_share, 0.0f, 1.0f - frame.local_share);
-  frame.own_share = as_published ? 0.0f : settings.own_share;
   // As published, candidates are uniform over all lights: each set has its share of them.
   const double moving = double(frame.scene.light_count - frame.scene.standing_lights);
   frame.fleet_share =

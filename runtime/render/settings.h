@@ -41,11 +41,11 @@ struct RenderSettings {
   std::uint32_t neighbours = 5;             // spatial reuse, 0 .. max_neighbours
   float neighbour_radius_px = 10;
   float history_cap = 20;    // M of the history, in multiples of a frame's candidates; 0 = no temporal reuse
+  float reach_m = 1.5f;      // half of the history's M counts where it was gathered so far away; 0 = all
   std::uint32_t boost = 0;   // neighbours of a pixel without history, where more than `neighbours`
   bool permute = false;      // reuse the history in an order that changes from frame to frame
   float local_share = 0.7f;  // of candidates picked from the lights that are strong near the place
   float uniform_share = 0.1f;  // of candidates picked uniformly over lights, the rest by flux
-  float own_share = 0.1f;      // of candidates for a lamp's housing that are this lamp
   float fleet_share = 0.3f;    // of all candidates picked from vehicles' lights, where any shine
   double time_s = 8 * 3600;    // since noon
   bool visibility_reuse =
