@@ -24,7 +24,7 @@ int add_attribute(draco::Mesh& mesh, draco::GeometryAttribute::Type type, std::s
                   int components) {
   draco::GeometryAttribute attribute;
   const auto stride = static_cast<std::int64_t>(sizeof(float)) * components;
-  attribute.Init(type, nullptr, static_cast<std::int8_t>(components), draco::DT_FLOAT32, false, stride, 0);
+  attribute.Init(type, nullptr, static_cast<std::uint8_t>(components), draco::DT_FLOAT32, false, stride, 0);
   const auto count = values.size() / static_cast<std::size_t>(components);
   const int id = mesh.AddAttribute(attribute, true, static_cast<std::uint32_t>(count));
   for (std::size_t i = 0; i < count; ++i)

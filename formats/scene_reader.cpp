@@ -23,7 +23,7 @@ using gltf::extension;
 using gltf::Json;
 using gltf::member;
 
-constexpr std::size_t mode_triangles = 4, mode_strip = 5, mode_fan = 6;
+constexpr std::size_t mode_triangles = 4, mode_fan = 6;  // 5: a strip
 
 std::string numbered(const char* what, std::size_t number) {
   return what + (" " + std::to_string(number));

@@ -65,7 +65,7 @@ TEST(SceneFile, KeepsGeometryMaterialsFeaturesAndInstances) {
   EXPECT_FALSE(scene.features[1].measured_height_m);
   EXPECT_FALSE(scene.features[1].storeys_above_ground);
   ASSERT_EQ(scene.meshes.size(), 1u);
-  for (int p = 0; p < 2; ++p) {
+  for (std::size_t p = 0; p < 2; ++p) {
     EXPECT_EQ(scene.meshes[0].primitives[p].positions, mesh.primitives[p].positions);
     EXPECT_EQ(scene.meshes[0].primitives[p].indices, mesh.primitives[p].indices);
     EXPECT_EQ(scene.meshes[0].primitives[p].feature_ids, mesh.primitives[p].feature_ids);
