@@ -103,8 +103,10 @@ inline SceneBuilder random_town(int count, float half, unsigned seed) {
   SceneBuilder builder;
   builder.ground(half);
   for (int i = 0; i < count; ++i) {
-    const glm::vec3 lo(uniform(-half, half), 0, uniform(-half, half));
-    builder.box(lo, lo + glm::vec3(uniform(3, 9), uniform(5, 20), uniform(3, 9)));
+    // One draw a statement: the order in which arguments are evaluated is the compiler's.
+    const float z = uniform(-half, half), x = uniform(-half, half);
+    const float depth = uniform(3, 9), height = uniform(5, 20), width = uniform(3, 9);
+    builder.box({x, 0, z}, {x + width, height, z + depth});
   }
   return builder;
 }
@@ -113,9 +115,11 @@ inline std::vector<Light> random_lamps(int count, float half, unsigned seed) {
   std::mt19937 random(seed);
   const auto uniform = [&](float a, float b) { return a + (b - a) * float(random() >> 8) / 16777216.0f; };
   std::vector<Light> lights;
-  for (int i = 0; i < count; ++i)
-    lights.push_back(lamp({uniform(-half, half), uniform(4, 9), uniform(-half, half)}, uniform(1000, 8000),
-                          uniform(0.05f, 0.3f)));
+  for (int i = 0; i < count; ++i) {
+    const float radius = uniform(0.05f, 0.3f), flux_lm = uniform(1000, 8000);
+    const float x = uniform(-half, half), y = uniform(4, 9), z = uniform(-half, half);
+    lights.push_back(lamp({x, y, z}, flux_lm, radius));
+  }
   return lights;
 }
 

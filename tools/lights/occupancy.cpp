@@ -48,21 +48,33 @@ Room draw_room(Random& random) {
   return pick < 0.38 ? Room::living : pick < 0.60 ? Room::kitchen : pick < 0.88 ? Room::bedroom : Room::bath;
 }
 
+// One draw a statement: the order in which arguments are evaluated is the compiler's.
 void dwelling(const Household& home, Random& random, Times& times) {
   if (!home.present) return;
   const double from = home.from, to = home.to, awake = to - from;
   switch (draw_room(random)) {
     case Room::living:
-      if (random.chance(0.92)) times.add(from + random.range(0, 40), to - random.range(0, 20));
+      if (random.chance(0.92)) {
+        const double off = to - random.range(0, 20), on = from + random.range(0, 40);
+        times.add(on, off);
+      }
       break;
     case Room::kitchen:
       if (random.chance(0.85)) times.add(from, from + random.range(100, 260));
-      if (random.chance(0.35)) times.add(to - random.range(60, 120), to - random.range(10, 50));
+      if (random.chance(0.35)) {
+        const double off = to - random.range(10, 50), on = to - random.range(60, 120);
+        times.add(on, off);
+      }
       break;
     case Room::bedroom:
-      if (random.chance(0.55))
-        times.add(from + awake * random.range(0.0, 0.4), from + awake * random.range(0.45, 0.9));
-      times.add(to - random.range(15, 70), to + random.range(0, 25));
+      if (random.chance(0.55)) {
+        const double off = from + awake * random.range(0.45, 0.9), on = from + awake * random.range(0.0, 0.4);
+        times.add(on, off);
+      }
+      {
+        const double off = to + random.range(0, 25), on = to - random.range(15, 70);
+        times.add(on, off);
+      }
       break;
     case Room::bath:
       for (int n = 0; n < 2; ++n) {
@@ -72,7 +84,10 @@ void dwelling(const Household& home, Random& random, Times& times) {
       times.add(to - 25, to - 5);
       break;
   }
-  if (random.chance(0.85)) times.add(home.morning + random.range(0, 15), home.morning + random.range(30, 80));
+  if (random.chance(0.85)) {
+    const double off = home.morning + random.range(30, 80), on = home.morning + random.range(0, 15);
+    times.add(on, off);
+  }
   if (home.all_night && random.chance(0.6)) times.add(from, night_minutes);
 }
 
@@ -162,7 +177,8 @@ LitWindow draw_window(const Household& household, WindowKind kind, Random& rando
   } else if (dwelling_like) {
     dwelling(household, random, times);
     // Half of the windows have something drawn across that lets a third of the light through.
-    window.luminance_cd_m2 = random.range(10, 50) * (random.chance(0.5) ? 0.35 : 1.0);
+    window.luminance_cd_m2 = random.range(10, 50);
+    if (random.chance(0.5)) window.luminance_cd_m2 *= 0.35;
     window.cct_k = random.chance(0.8) ? random.range(2600, 3000) : random.range(3000, 4200);
   } else if (use == BuildingUse::industrial || use == BuildingUse::retail) {
     if (household.present) times.add(0, household.all_night ? night_minutes : household.to);
@@ -170,7 +186,8 @@ LitWindow draw_window(const Household& household, WindowKind kind, Random& rando
     window.cct_k = 4000;
   } else {
     workplace(household, random, times);
-    window.luminance_cd_m2 = random.range(50, 100) * (random.chance(0.2) ? 0.4 : 1.0);
+    window.luminance_cd_m2 = random.range(50, 100);
+    if (random.chance(0.2)) window.luminance_cd_m2 *= 0.4;
     window.cct_k = random.range(3800, 4200);
   }
   window.schedule = times.schedule();

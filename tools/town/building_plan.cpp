@@ -144,7 +144,8 @@ class Block {
     plan.function = core_function();
     plan.year = old_year();
     stand(plan, old_town ? 3.5 : 3.0, 0.8);
-    roof_over(plan, random_.chance(0.8) ? Roof::gabled : Roof::flat, depth, random_.range(35, 45));
+    const double slope_deg = random_.range(35, 45);
+    roof_over(plan, random_.chance(0.8) ? Roof::gabled : Roof::flat, depth, slope_deg);
     plans_.push_back(std::move(plan));
   }
 
@@ -212,7 +213,8 @@ class Block {
     plan.function = uses[random_.integer(0, 3)];  // town hall, school, museum, offices
     plan.year = random_.integer(1880, 1980);
     stand(plan, 4.0, 1.0);
-    roof_over(plan, random_.chance(0.6) ? Roof::gabled : Roof::flat, depth, random_.range(30, 40));
+    const double slope_deg = random_.range(30, 40);
+    roof_over(plan, random_.chance(0.6) ? Roof::gabled : Roof::flat, depth, slope_deg);
     plans_.push_back(std::move(plan));
   }
 

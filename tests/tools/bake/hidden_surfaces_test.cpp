@@ -20,7 +20,7 @@ void add_box(std::vector<Stored>& out, const glm::vec3& low, const glm::vec3& hi
     return glm::vec3(k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z);
   };
   for (const auto& f : faces) {
-    const int k = turn ? 1 : 0;
+    const std::size_t k = turn ? 1 : 0;
     out.push_back({{corner(f[k]), corner(f[k + 1]), corner(f[k + 2])}, 0, feature, solid});
     out.push_back({{corner(f[k]), corner(f[k + 2]), corner(f[(k + 3) % 4])}, 0, feature, solid});
   }

@@ -59,7 +59,7 @@ const std::string awkward =
 
 TEST(MemberSplitter, CommentsCdataQuotesAndInstructionsDoNotMislead) {
   const std::string text = awkward.substr(0, awkward.find(" a=")) + awkward.substr(awkward.find("\">\n") + 1);
-  for (const std::size_t step : {1, 2, 3, 7, 65536}) {
+  for (const std::size_t step : {1u, 2u, 3u, 7u, 65536u}) {
     const Cut c = cut(text, {}, step);
     EXPECT_EQ(c.names, (std::vector<std::string>{"boundedBy", "m", "n"})) << step;
     EXPECT_EQ(c.texts,
@@ -79,7 +79,7 @@ TEST(MemberSplitter, JumpingToAMembersEndFindsTheSameAsFollowingEveryTag) {
   const Cut slow = cut(text, every);
   ASSERT_EQ(slow.texts.size(), 10u);
   EXPECT_EQ(slow.texts[4], "<m><m>nested</m></m>");
-  for (const std::size_t step : {1, 2, 5, 65536}) {
+  for (const std::size_t step : {1u, 2u, 5u, 65536u}) {
     const Cut fast = cut(text, {}, step);
     EXPECT_EQ(fast.texts, slow.texts) << step;
     EXPECT_EQ(fast.lines, slow.lines) << step;
@@ -96,7 +96,7 @@ TEST(MemberSplitter, BatchesOfAnySizeHoldTheSameMembers) {
   const Cut whole = cut(text);
   ASSERT_EQ(whole.texts.size(), 100u);
   EXPECT_EQ(whole.lines[99], 101u);
-  for (const std::size_t batch : {1, 50, 1000}) {
+  for (const std::size_t batch : {1u, 50u, 1000u}) {
     MemberSplitter::Limits limits;
     limits.batch_bytes = batch;
     const Cut c = cut(text, limits, 13);
