@@ -42,7 +42,9 @@ double layer_luminance(const Image& image, const char* name, std::size_t pixel) 
 
 TEST(Layers, SumToThePictureAndHoldTheirOwnKindOnly) {
   const std::vector<Light> lights{lamp({3, 6, 0}, 4000), window({-6, 3, 0}, {1, 0, 0}, 1, 1, 800)};
-  for (const Estimator estimator : {Estimator::reference, Estimator::pairwise}) {
+  // Of those with reservoirs the one whose pixels share nothing: how much of a picture comes from which light
+  // varies by 4 % from one run of the others to the next.
+  for (const Estimator estimator : {Estimator::reference, Estimator::ris}) {
     RenderSettings settings = reference();
     settings.estimator = estimator;
     settings.layers = true;
