@@ -16,7 +16,7 @@ void main() {
   if (!pixel_of_invocation(pixel, index)) return;
   const Surface surface = FRAME.surfaces.at[index];
   const Picker picker = picker_at(surface.position);
-  if (surface.depth <= 0.0 || (SCENE.grid.width == 0u && picker.fleet_share <= 0.0)) {
+  if (surface.depth <= 0.0 || (SCENE.local_grid.shape.width == 0u && picker.fleet_share <= 0.0)) {
     FRAME.reservoirs.at[index] = EMPTY_RESERVOIR;
     return;
   }

@@ -128,7 +128,6 @@ struct LocalEntry {
   float keep;
   uint alias_light;
 };
-#define LOCAL_LIGHTS 256  // listed a cell, at most
 
 // A kind of vehicle's bottom-level hierarchy and its box in the vehicle frame. 32 bytes.
 struct VehicleBody {
@@ -261,6 +260,12 @@ struct FleetBuffers {
   TrafficCycle cycle;
 };
 
+struct LightGridBuffers {
+  LightGridShape shape;
+  BUFFER(Cells) cells;           // row by row along Z, then X
+  BUFFER(LocalEntries) entries;
+};
+
 // The scene on the device; changes when another scene is loaded or lights are switched.
 struct SceneBuffers {
   BUFFER(Nodes) nodes;
@@ -271,13 +276,12 @@ struct SceneBuffers {
   BUFFER(Profiles) profiles;
   BUFFER(Floats) profile_data;
   BUFFER(AliasTable) alias;
-  BUFFER(Cells) cells;
-  BUFFER(LocalEntries) local_entries;
   BUFFER(Floats) sky_map;       // latitude-longitude, RGB, cd/m^2; row 0 is the zenith, its middle column the north
   uint sky_width, sky_height;
   BUFFER(Words) lit;            // a bit a light: shines now
   BUFFER(Words) lit_list;       // indices of those
-  LightGridShape grid;
+  LightGridBuffers local_grid;  // lights that are strong near a place
+  LightGridBuffers wide_grid;   // lights of its quarter
   uint root;         // of the top-level hierarchy, or BVH_EMPTY
   uint light_count;  // standing lights, then VEHICLE_LIGHTS a trip
   uint standing_lights;
@@ -328,7 +332,8 @@ struct Frame {
   uint boost;              // neighbours of a pixel that has no history, where that is more
   uint permutation;        // of the history: corner of the blocks, x | y << 2, or NO_PERMUTATION
   float uniform_share;     // of candidates picked uniformly
-  float local_share;       // of candidates picked from the cell's lights; the rest by flux
+  float local_share;       // of candidates picked from the local grid's cell
+  float wide_share;        // of candidates picked from the wide grid's; the rest by flux
   float fleet_share;       // of all candidates, picked from vehicles' lights; the shares above are of the others
   float time_s, previous_time_s;              // since noon
   float cycle_time_s, previous_cycle_time_s;  // within the traffic's cycle

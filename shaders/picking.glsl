@@ -1,4 +1,5 @@
-// Picking lights: standing ones by a mixture of uniform, flux-proportional and local picks; vehicles' lights by going down
+// Picking lights: standing ones by a mixture of uniform, flux-proportional and local picks, these from two grids: the lights
+// strong near a place, and those of the quarter around it, which the first has no room for. Vehicles' lights by going down
 // the fleet's tree (after Conty Estevez, Kulla: Importance Sampling of Many Lights, 2018). The two sets are disjoint, so a
 // pick's density is that of its own set's technique.
 //
@@ -6,12 +7,19 @@
 // [i / n, (i + 1) / n). Their mean density is the mixture's, so weights by the mixture stay exact (the balance heuristic;
 // Veach 1997), and lanes that run in lockstep mostly take the same branch.
 
-struct Picker {
+// A grid's cell at a place.
+struct PickedCell {
   LightCell cell;
-  vec2 cell_centre;
+  vec2 centre;
+  float share;  // of the candidates from standing lights
+};
+
+struct Picker {
+  PickedCell near;
+  PickedCell wide;
+  float uniform_share;  // of the candidates from standing lights
+  float power_share;
   float fleet_share;    // of all candidates
-  float local_share;    // of those from standing lights
-  float uniform_share;
 };
 
 struct Pick {
@@ -20,39 +28,57 @@ struct Pick {
   float pdf;  // 0: none
 };
 
+PickedCell cell_at(LightGridBuffers grid, vec3 position, float share) {
+  PickedCell p;
+  const LightGridShape shape = grid.shape;
+  const vec2 origin = vec2(shape.origin_x, shape.origin_z);
+  const vec2 at =
+      clamp(floor((position.xz - origin) / shape.cell_m), vec2(0.0), vec2(shape.width, shape.depth) - 1.0);
+  p.centre = origin + (at + 0.5) * shape.cell_m;
+  p.cell = grid.cells.at[uint(at.y) * shape.width + uint(at.x)];
+  p.share = p.cell.count > 0u ? share : 0.0;
+  return p;
+}
+
 Picker picker_at(vec3 position) {
   Picker p;
-  const LightGridShape grid = SCENE.grid;
-  p.local_share = 0.0;
-  p.uniform_share = FRAME.uniform_share;
-  if (grid.width != 0u) {
-    const vec2 at = clamp(floor((position.xz - vec2(grid.origin_x, grid.origin_z)) / grid.cell_m), vec2(0.0),
-                          vec2(grid.width, grid.depth) - 1.0);
-    p.cell_centre = vec2(grid.origin_x, grid.origin_z) + (at + 0.5) * grid.cell_m;
-    p.cell = SCENE.cells.at[uint(at.y) * grid.width + uint(at.x)];
-    if (p.cell.count > 0u) p.local_share = FRAME.local_share;
+  const bool any_standing = SCENE.local_grid.shape.width != 0u;
+  p.near.share = p.wide.share = 0.0;
+  if (any_standing) {
+    p.near = cell_at(SCENE.local_grid, position, FRAME.local_share);
+    p.wide = cell_at(SCENE.wide_grid, position, FRAME.wide_share);
   }
+  p.uniform_share = FRAME.uniform_share;
+  p.power_share = max(1.0 - p.near.share - p.wide.share - p.uniform_share, 0.0);
   p.fleet_share = HAS_TRAFFIC != 0u ? FRAME.fleet_share : 0.0;
   // Where one of the two sets is dark, the other has all candidates.
-  if (grid.width == 0u) p.fleet_share = HAS_TRAFFIC != 0u ? 1.0 : 0.0;
+  if (!any_standing) p.fleet_share = HAS_TRAFFIC != 0u ? 1.0 : 0.0;
   else if (HAS_TRAFFIC != 0u && FRAME.fleet_nodes.at[SCENE.fleet.level_first[SCENE.fleet.levels - 1u]].flux_lm <= 0.0)
     p.fleet_share = 0.0;
   return p;
 }
 
-// Probability that the cell's list gives this light: membership is decided by strength, so no list is searched.
-float local_pdf(Picker p, Light light) {
-  const vec2 d = light.position.xz - p.cell_centre;
-  const float strength = light.flux_lm / (dot(d, d) + SCENE.grid.softening_m2);
-  return strength >= p.cell.threshold && strength > 0.0 ? strength / p.cell.strength_sum : 0.0;
+// Density of this light among the picks from a cell's list, times the list's share. Membership is decided by strength, so
+// no list is searched.
+float list_density(PickedCell p, LightGridShape shape, Light light) {
+  if (!(p.share > 0.0)) return 0.0;
+  const vec2 d = light.position.xz - p.centre;
+  const float strength = light.flux_lm / (dot(d, d) + shape.softening_m2);
+  return strength >= p.cell.threshold && strength > 0.0 ? p.share * strength / p.cell.strength_sum : 0.0;
+}
+
+uint pick_from(PickedCell p, LightGridBuffers grid) {
+  const LocalEntry entry = grid.entries.at[p.cell.first + random_below(p.cell.count)];
+  return random_float() < entry.keep ? entry.light : entry.alias_light;
 }
 
 Pick pick_standing(Picker p, float technique) {
   Pick pick;
-  if (technique < p.local_share) {
-    const LocalEntry entry = SCENE.local_entries.at[p.cell.first + random_below(p.cell.count)];
-    pick.light = random_float() < entry.keep ? entry.light : entry.alias_light;
-  } else if (technique < p.local_share + p.uniform_share) {
+  if (technique < p.near.share) {
+    pick.light = pick_from(p.near, SCENE.local_grid);
+  } else if (technique < p.near.share + p.wide.share) {
+    pick.light = pick_from(p.wide, SCENE.wide_grid);
+  } else if (technique < p.near.share + p.wide.share + p.uniform_share) {
     pick.light = random_below(SCENE.lit_count);
     if (HAS_SCHEDULES != 0u) pick.light = SCENE.lit_list.at[pick.light];
   } else {
@@ -62,9 +88,9 @@ Pick pick_standing(Picker p, float technique) {
   }
   pick.sampled = light_at(pick.light);
   // The mixture's density, whichever technique made the pick.
-  pick.pdf = p.uniform_share / float(SCENE.lit_count) +
-             max(1.0 - p.local_share - p.uniform_share, 0.0) * SCENE.alias.at[pick.light].pdf;
-  if (p.local_share > 0.0) pick.pdf += p.local_share * local_pdf(p, pick.sampled);
+  pick.pdf = p.uniform_share / float(SCENE.lit_count) + p.power_share * SCENE.alias.at[pick.light].pdf +
+             list_density(p.near, SCENE.local_grid.shape, pick.sampled) +
+             list_density(p.wide, SCENE.wide_grid.shape, pick.sampled);
   return pick;
 }
 

@@ -111,6 +111,11 @@ void RenderOptions::declare(CLI::App& command) {
       ->capture_default_str()
       ->check(CLI::Range(0.0f, 1.0f));
   command
+      .add_option("--wide-share", settings.wide_share,
+                  "Share of candidates picked from the lights of the quarter around the place")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0f, 1.0f));
+  command
       .add_option("--uniform-share", settings.uniform_share,
                   "Share of candidates picked uniformly; what is left is picked by flux")
       ->capture_default_str()

@@ -24,17 +24,18 @@ struct StrategiesCommand {
 
 struct Strategy {
   const char* name;
-  float local_share, uniform_share;  // the rest by flux
+  float local_share, wide_share, uniform_share;  // the rest by flux
 };
 
 // Every mixture but the first two keeps a share over all lights: a cell lists its strongest only.
-constexpr std::array strategies{Strategy{"uniform", 0, 1},
-                                Strategy{"power", 0, 0},
-                                Strategy{"half uniform, half power", 0, 0.5f},
-                                Strategy{"local 0.9, uniform 0.1", 0.9f, 0.1f},
-                                Strategy{"local 0.9, power 0.1", 0.9f, 0},
-                                Strategy{"local 0.7, uniform 0.1, power 0.2", 0.7f, 0.1f},
-                                Strategy{"local 0.5, uniform 0.25, power 0.25", 0.5f, 0.25f}};
+constexpr std::array strategies{Strategy{"uniform", 0, 0, 1},
+                                Strategy{"power", 0, 0, 0},
+                                Strategy{"half uniform, half power", 0, 0, 0.5f},
+                                Strategy{"local 0.9, power 0.1", 0.9f, 0, 0},
+                                Strategy{"local 0.7, uniform 0.1, power 0.2", 0.7f, 0, 0.1f},
+                                Strategy{"wide 0.8, uniform 0.05, power 0.15", 0, 0.8f, 0.05f},
+                                Strategy{"local 0.7, wide 0.2, uniform 0.05, power 0.05", 0.7f, 0.2f, 0.05f},
+                                Strategy{"local 0.5, wide 0.3, uniform 0.05, power 0.15", 0.5f, 0.3f, 0.05f}};
 
 void compare_strategies(const StrategiesCommand& command) {
   RenderOptions size;
@@ -67,6 +68,7 @@ void compare_strategies(const StrategiesCommand& command) {
       for (const Strategy& strategy : strategies) {
         settings.estimator = estimator;
         settings.local_share = strategy.local_share;
+        settings.wide_share = strategy.wide_share;
         settings.uniform_share = strategy.uniform_share;
         const auto counts_of_frames = command.frames > 1 ? std::vector{1u, command.frames} : std::vector{1u};
         const auto m = experiment.measure(pose, settings, truth, counts_of_frames, 8, 1);

@@ -111,18 +111,21 @@ void DeviceScene::upload_lit(LitLights lit) {
   lit_bits_[lit_parity_] = gpu::Buffer::of(device_, std::span<const std::uint32_t>(lit_.bits));
   lit_list_ = gpu::Buffer::of(device_, std::span<const std::uint32_t>(lit_.list));
   alias_ = gpu::Buffer::of(device_, std::span<const gpu::AliasEntry>(lit_.alias));
-  cells_ = gpu::Buffer::of(device_, std::span<const gpu::LightCell>(lit_.grid.cells));
-  entries_ = gpu::Buffer::of(device_, std::span<const gpu::LocalEntry>(lit_.grid.entries));
+  addresses_.local_grid = upload_grid(0, lit_.local_grid);
+  addresses_.wide_grid = upload_grid(1, lit_.wide_grid);
   addresses_.lit = lit_bits_[lit_parity_].address();
   addresses_.lit_list = lit_list_.address();
   addresses_.lit_count = static_cast<std::uint32_t>(lit_.list.size());
   addresses_.alias = alias_.address();
-  addresses_.cells = cells_.address();
-  addresses_.local_entries = entries_.address();
-  addresses_.grid = lit_.grid.shape;
   // The device has the tables now; only what tells one moment from another stays here.
   lit_.alias = {};
-  lit_.grid = {};
+  lit_.local_grid = lit_.wide_grid = {};
+}
+
+gpu::LightGridBuffers DeviceScene::upload_grid(std::size_t which, const LightGrid& grid) {
+  cells_[which] = gpu::Buffer::of(device_, std::span<const gpu::LightCell>(grid.cells));
+  entries_[which] = gpu::Buffer::of(device_, std::span<const gpu::LocalEntry>(grid.entries));
+  return {grid.shape, cells_[which].address(), entries_[which].address()};
 }
 
 std::vector<double> DeviceScene::flux_now() const {
@@ -134,7 +137,8 @@ std::vector<double> DeviceScene::flux_now() const {
 std::uint64_t DeviceScene::bytes() const {
   std::uint64_t total = 0;
   for (const gpu::Buffer& buffer : storage_) total += buffer.bytes();
-  for (const gpu::Buffer* buffer : {&lit_bits_[0], &lit_bits_[1], &lit_list_, &alias_, &cells_, &entries_})
+  for (const gpu::Buffer* buffer : {&lit_bits_[0], &lit_bits_[1], &lit_list_, &alias_, &cells_[0], &cells_[1],
+                                    &entries_[0], &entries_[1]})
     total += buffer->bytes();
   return total;
 }

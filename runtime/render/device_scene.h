@@ -41,6 +41,7 @@ class DeviceScene {
   std::uint64_t store(std::span<const T> values);
   void store_fleet(const RenderScene& scene);
   void upload_lit(LitLights lit);
+  gpu::LightGridBuffers upload_grid(std::size_t which, const LightGrid& grid);
 
   gpu::Device& device_;
   std::vector<gpu::Buffer> storage_;
@@ -58,7 +59,7 @@ class DeviceScene {
   Box bounds_;
   gpu::Buffer lit_bits_[2];  // of now and of before the last switch: the frame before may have used the other
   int lit_parity_ = 0;
-  gpu::Buffer lit_list_, alias_, cells_, entries_;
+  gpu::Buffer lit_list_, alias_, cells_[2], entries_[2];  // of the grids: local, wide
 };
 
 }  // namespace nightcity

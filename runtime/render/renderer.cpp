@@ -25,9 +25,10 @@ bool same_estimate(const RenderSettings& a, const RenderSettings& b) {
          a.neighbour_radius_px == b.neighbour_radius_px && a.history_cap == b.history_cap &&
          a.reach_m == b.reach_m && a.boost == b.boost && a.permute == b.permute &&
          a.uniform_share == b.uniform_share && a.fleet_share == b.fleet_share &&
-         a.local_share == b.local_share && a.visibility_reuse == b.visibility_reuse && a.jitter == b.jitter &&
-         a.seed == b.seed && a.sky_cd_m2 == b.sky_cd_m2 && a.layers == b.layers &&
-         a.moon_direction == b.moon_direction && a.moon_lux == b.moon_lux && a.wetness == b.wetness;
+         a.local_share == b.local_share && a.wide_share == b.wide_share &&
+         a.visibility_reuse == b.visibility_reuse && a.jitter == b.jitter && a.seed == b.seed &&
+         a.sky_cd_m2 == b.sky_cd_m2 && a.layers == b.layers && a.moon_direction == b.moon_direction &&
+         a.moon_lux == b.moon_lux && a.wetness == b.wetness;
 }
 
 // Sub-pixel positions: the R2 sequence (Roberts 2018), starting at the pixel's centre.
@@ -192,8 +193,10 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
   frame.permutation =
       settings.permute && !as_published ? (frame_number_ * 2654435769u) >> 28 : NO_PERMUTATION;
   frame.local_share = as_published ? 0.0f : std::clamp(settings.local_share, 0.0f, 1.0f);
+  frame.wide_share = as_published ? 0.0f : std::clamp(settings.wide_share, 0.0f, 1.0f - frame.local_share);
   frame.uniform_share =
-      as_published ? 1.0f : std::clamp(settings.uniform_share, 0.0f, 1.0f - frame.local_share);
+      as_published ? 1.0f
+                   : std::clamp(settings.uniform_share, 0.0f, 1.0f - frame.local_share - frame.wide_share);
   // As published, candidates are uniform over all lights: each set has its share of them.
   const double moving = double(frame.scene.light_count - frame.scene.standing_lights);
   frame.fleet_share =

@@ -44,10 +44,11 @@ struct RenderSettings {
   float reach_m = 1.5f;      // half of the history's M counts where it was gathered so far away; 0 = all
   std::uint32_t boost = 0;   // neighbours of a pixel without history, where more than `neighbours`
   bool permute = false;      // reuse the history in an order that changes from frame to frame
-  float local_share = 0.7f;  // of candidates picked from the lights that are strong near the place
-  float uniform_share = 0.1f;  // of candidates picked uniformly over lights, the rest by flux
-  float fleet_share = 0.3f;    // of all candidates picked from vehicles' lights, where any shine
-  double time_s = 8 * 3600;    // since noon
+  float local_share = 0.5f;  // of candidates picked from the lights that are strong near the place
+  float wide_share = 0.3f;   // of candidates picked from those of the quarter around it
+  float uniform_share = 0.05f;  // of candidates picked uniformly over lights, the rest by flux
+  float fleet_share = 0.3f;     // of all candidates picked from vehicles' lights, where any shine
+  double time_s = 8 * 3600;     // since noon
   bool visibility_reuse =
       false;               // drop shadowed candidates before reuse: less noise, biased (basic, pairwise)
   bool accumulate = true;  // mean of frames; else every frame stands alone

@@ -1,7 +1,12 @@
 #include "runtime/scene/light_grid.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
+#include <cstddef>
+#include <future>
+#include <thread>
 #include <utility>
 
 #include "runtime/scene/alias_table.h"
@@ -9,13 +14,23 @@
 namespace nightcity {
 namespace {
 
-constexpr float least_cell_m = 16.0f;
-constexpr float most_cells = 65536.0f;
+constexpr float most_entries = 16777216.0f;  // of all cells' lists
 // Strengths nearer than this cannot be told apart by a shader whose rounding differs from ours.
 constexpr float least_gap = 1.0001f;
 
-// How far around a cell lights are looked for, in cells: a lamp 400 m off is never a place's own light.
+// How far around a cell lights are looked for, in bins of their class.
 constexpr int most_rings = 24;
+
+// Lights are searched by classes of flux, each four times the one below it and in bins twice as wide, for as
+// far as a light is strong enough to be listed goes with the root of its flux. One class for all would end
+// the search for windows where the strongest floodlight beyond could still outdo them, and leave their lists
+// short. The median light is of class 0.
+constexpr int most_classes = 5;
+
+std::pair<float, float> cell_centre(const gpu::LightGridShape& shape, std::uint32_t x, std::uint32_t z) {
+  return {shape.origin_x + (float(x) + 0.5f) * shape.cell_m,
+          shape.origin_z + (float(z) + 0.5f) * shape.cell_m};
+}
 
 struct Strength {
   float value;
@@ -25,95 +40,166 @@ struct Strength {
   }
 };
 
-// Lights by the cell they stand over.
+int class_of(float flux_lm, float median_lm) {
+  const double fours = std::log2(double(flux_lm) / double(median_lm)) / 2;
+  return std::clamp(int(std::floor(fours)), 0, most_classes - 1);
+}
+
+// The lights of one class, by the square of the map they stand over.
 class Bins {
  public:
-  Bins(std::span<const Light> lights, const gpu::LightGridShape& shape)
-      : shape_(shape), starts_(shape.width * shape.depth + 1) {
-    std::vector<std::uint32_t> cell(lights.size());
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-      if (!(lights[i].flux_lm > 0)) continue;
-      const auto at = [&](float p, float origin, std::uint32_t count) {
-        return std::min(static_cast<std::uint32_t>(std::max(0.0f, (p - origin) / shape.cell_m)), count - 1);
-      };
-      cell[i] = at(lights[i].position.z, shape.origin_z, shape.depth) * shape.width +
-                at(lights[i].position.x, shape.origin_x, shape.width);
-      ++starts_[cell[i] + 1];
-      greatest_flux_ = std::max(greatest_flux_, lights[i].flux_lm);
+  Bins(std::span<const Light> lights, std::vector<std::uint32_t> members, const gpu::LightGridShape& shape,
+       float side_m)
+      : shape_(shape), side_m_(side_m), order_(std::move(members)) {
+    width_ = int(float(shape.width) * shape.cell_m / side_m) + 1;
+    depth_ = int(float(shape.depth) * shape.cell_m / side_m) + 1;
+    starts_.resize(std::size_t(width_) * std::size_t(depth_) + 1);
+    const auto bin = [&](std::uint32_t light) {
+      const glm::vec3& p = lights[light].position;
+      return std::size_t(row(p.z)) * std::size_t(width_) + std::size_t(column(p.x));
+    };
+    for (const std::uint32_t light : order_) {
+      ++starts_[bin(light) + 1];
+      greatest_flux_ = std::max(greatest_flux_, lights[light].flux_lm);
     }
     for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
-    order_.resize(starts_.back());
-    std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-    for (std::size_t i = 0; i < lights.size(); ++i)
-      if (lights[i].flux_lm > 0) order_[next[cell[i]]++] = static_cast<std::uint32_t>(i);
+    std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1), sorted(order_.size());
+    for (const std::uint32_t light : order_) sorted[next[bin(light)]++] = light;
+    order_ = std::move(sorted);
+  }
+
+  int column(float x) const { return place(x - shape_.origin_x, width_); }
+  int row(float z) const { return place(z - shape_.origin_z, depth_); }
+  int rings() const { return std::max(width_, depth_); }
+  float greatest_flux() const { return greatest_flux_; }
+
+  // The most strength a light may have for one who stands in a bin, if it is in none of the rings up to this
+  // one.
+  float strength_beyond(int ring) const {
+    const float beyond = float(ring) * side_m_;
+    return greatest_flux_ / (beyond * beyond + shape_.softening_m2);
   }
 
   std::span<const std::uint32_t> at(int x, int z) const {
-    if (x < 0 || z < 0 || x >= int(shape_.width) || z >= int(shape_.depth)) return {};
-    const std::size_t c = std::size_t(z) * shape_.width + std::size_t(x);
+    if (x < 0 || z < 0 || x >= width_ || z >= depth_) return {};
+    const std::size_t c = std::size_t(z) * std::size_t(width_) + std::size_t(x);
     return std::span(order_).subspan(starts_[c], starts_[c + 1] - starts_[c]);
   }
-  float greatest_flux() const { return greatest_flux_; }
 
  private:
+  int place(float along, int count) const {
+    return std::clamp(int(std::max(0.0f, along / side_m_)), 0, count - 1);
+  }
+
   const gpu::LightGridShape& shape_;
+  float side_m_;
+  int width_, depth_;
   std::vector<std::uint32_t> starts_, order_;
   float greatest_flux_ = 0;
 };
+
+// All lights that shine, class by class.
+std::vector<Bins> by_class(std::span<const Light> lights, const gpu::LightGridShape& shape) {
+  std::vector<float> flux;
+  for (const Light& light : lights)
+    if (light.flux_lm > 0) flux.push_back(light.flux_lm);
+  const auto median = flux.begin() + std::ptrdiff_t(flux.size() / 2);
+  std::nth_element(flux.begin(), median, flux.end());
+  std::array<std::vector<std::uint32_t>, most_classes> members;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    if (lights[i].flux_lm > 0)
+      members[std::size_t(class_of(lights[i].flux_lm, *median))].push_back(std::uint32_t(i));
+  std::vector<Bins> classes;
+  for (int c = 0; c < most_classes; ++c)
+    if (!members[std::size_t(c)].empty())
+      classes.emplace_back(lights, std::move(members[std::size_t(c)]), shape, shape.cell_m * float(1 << c));
+  return classes;
+}
 
 struct Strongest {
   std::vector<Strength> found;  // strongest first, at most one more than can be listed
   float unseen = 0;             // no light that is not in `found` is stronger than this, or than its last
 };
 
-// The strongest lights of a cell: rings of bins outwards until nothing farther could be among them.
-Strongest strongest(std::span<const Light> lights, const Bins& bins, const gpu::LightGridShape& shape, int x,
-                    int z) {
-  std::vector<Strength> found;
-  const int last_ring = int(std::max(shape.width, shape.depth));
-  float unseen = 0;
-  for (int ring = 0; ring <= last_ring; ++ring) {
-    if (ring > most_rings) {
-      const float beyond = (float(ring) - 0.5f) * shape.cell_m;
-      unseen = bins.greatest_flux() / (beyond * beyond + shape.softening_m2);
-      break;
-    }
-    const auto take = [&](int bx, int bz) {
-      for (const std::uint32_t light : bins.at(bx, bz))
-        found.push_back({local_strength(shape, std::uint32_t(x), std::uint32_t(z), lights[light]), light});
-    };
-    for (int dx = -ring; dx <= ring; ++dx) {
-      take(x + dx, z - ring);
-      if (ring > 0) take(x + dx, z + ring);
-    }
-    for (int dz = -ring + 1; dz < ring; ++dz) {
-      take(x - ring, z + dz);
-      take(x + ring, z + dz);
-    }
-    if (found.size() > LOCAL_LIGHTS) {
-      std::nth_element(found.begin(), found.begin() + LOCAL_LIGHTS, found.end());
-      found.resize(LOCAL_LIGHTS + 1);
-      const float beyond =
-          (float(ring) + 0.5f) * shape.cell_m;  // nothing in a later ring is nearer to the centre
-      const float weakest = std::max_element(found.begin(), found.end())->value;
-      if (bins.greatest_flux() / (beyond * beyond + shape.softening_m2) < weakest) break;
+// The strongest lights of a cell: of each class, rings of bins outwards until nothing farther could be among
+// them.
+Strongest strongest(std::span<const Light> lights, const std::vector<Bins>& classes,
+                    const gpu::LightGridShape& shape, std::size_t listed, std::uint32_t x, std::uint32_t z) {
+  Strongest cell;
+  std::vector<Strength>& found = cell.found;
+  const auto [centre_x, centre_z] = cell_centre(shape, x, z);
+  for (const Bins& bins : classes) {
+    const int column = bins.column(centre_x), row = bins.row(centre_z);
+    for (int ring = 0; ring <= bins.rings(); ++ring) {
+      if (ring > most_rings) {
+        cell.unseen = std::max(cell.unseen, bins.strength_beyond(ring - 1));
+        break;
+      }
+      const auto take = [&](int bx, int bz) {
+        for (const std::uint32_t light : bins.at(bx, bz))
+          found.push_back({local_strength(shape, x, z, lights[light]), light});
+      };
+      for (int dx = -ring; dx <= ring; ++dx) {
+        take(column + dx, row - ring);
+        if (ring > 0) take(column + dx, row + ring);
+      }
+      for (int dz = -ring + 1; dz < ring; ++dz) {
+        take(column - ring, row + dz);
+        take(column + ring, row + dz);
+      }
+      if (found.size() > listed) {
+        const auto last = found.begin() + std::ptrdiff_t(listed);
+        std::nth_element(found.begin(), last, found.end());
+        found.erase(last + 1, found.end());
+        if (bins.strength_beyond(ring) < last->value) break;
+      }
     }
   }
-  std::erase_if(found, [&](const Strength& s) { return !(s.value > unseen * least_gap); });
+  std::erase_if(found, [&](const Strength& s) { return !(s.value > cell.unseen * least_gap); });
   std::sort(found.begin(), found.end());
-  return {std::move(found), unseen};
+  return cell;
+}
+
+// Some cells and their lists, entries counted from the first of them.
+struct Row {
+  std::vector<gpu::LightCell> cells;
+  std::vector<gpu::LocalEntry> entries;
+};
+
+void add_cell(Row& row, const Strongest& strongest, std::size_t listed) {
+  const auto& [found, unseen] = strongest;
+  std::size_t count = std::min(found.size(), listed);
+  while (count > 0 && count < found.size() && !(found[count - 1].value > found[count].value * least_gap))
+    --count;
+  const float outside = std::max(unseen, count < found.size() ? found[count].value : 0.0f);
+  gpu::LightCell cell{};
+  cell.first = static_cast<std::uint32_t>(row.entries.size());
+  cell.count = static_cast<std::uint32_t>(count);
+  // Between the weakest inside and the strongest outside.
+  cell.threshold = count > 0 ? std::sqrt(found[count - 1].value) * std::sqrt(outside) : 0.0f;
+  std::vector<float> weights;
+  double sum = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    weights.push_back(found[i].value);
+    sum += double(found[i].value);
+  }
+  cell.strength_sum = static_cast<float>(sum);
+  const std::vector<gpu::AliasEntry> alias = build_alias_table(weights);
+  for (std::size_t i = 0; i < count; ++i)
+    row.entries.push_back({found[i].light, alias[i].keep, found[alias[i].alias].light});
+  row.cells.push_back(cell);
 }
 
 }  // namespace
 
 float local_strength(const gpu::LightGridShape& shape, std::uint32_t cell_x, std::uint32_t cell_z,
                      const Light& light) {
-  const float dx = light.position.x - (shape.origin_x + (float(cell_x) + 0.5f) * shape.cell_m);
-  const float dz = light.position.z - (shape.origin_z + (float(cell_z) + 0.5f) * shape.cell_m);
+  const auto [centre_x, centre_z] = cell_centre(shape, cell_x, cell_z);
+  const float dx = light.position.x - centre_x, dz = light.position.z - centre_z;
   return light.flux_lm / (dx * dx + dz * dz + shape.softening_m2);
 }
 
-LightGrid build_light_grid(std::span<const Light> lights) {
+LightGrid build_light_grid(std::span<const Light> lights, LightLists lists) {
   LightGrid grid;
   float lower_x = INFINITY, lower_z = INFINITY, upper_x = -INFINITY, upper_z = -INFINITY;
   for (const Light& light : lights) {
@@ -127,40 +213,35 @@ LightGrid build_light_grid(std::span<const Light> lights) {
 
   gpu::LightGridShape& shape = grid.shape;
   const float extent_x = upper_x - lower_x, extent_z = upper_z - lower_z;
-  shape.cell_m =
-      std::max({least_cell_m, std::sqrt(extent_x / most_cells * extent_z), extent_x / 4096, extent_z / 4096});
+  const float most_cells = most_entries / float(lists.listed);
+  shape.cell_m = std::max(
+      {lists.least_cell_m, std::sqrt(extent_x / most_cells * extent_z), extent_x / 4096, extent_z / 4096});
   shape.origin_x = lower_x;
   shape.origin_z = lower_z;
   shape.width = static_cast<std::uint32_t>(extent_x / shape.cell_m) + 1;
   shape.depth = static_cast<std::uint32_t>(extent_z / shape.cell_m) + 1;
   shape.softening_m2 = shape.cell_m * shape.cell_m / 4;  // a lamp right above the cell's centre stays finite
 
-  const Bins bins(lights, shape);
-  grid.cells.reserve(std::size_t{shape.width} * shape.depth);
-  for (std::uint32_t z = 0; z < shape.depth; ++z)
-    for (std::uint32_t x = 0; x < shape.width; ++x) {
-      const auto [found, unseen] = strongest(lights, bins, shape, int(x), int(z));
-      std::size_t count = std::min<std::size_t>(found.size(), LOCAL_LIGHTS);
-      while (count > 0 && count < found.size() && !(found[count - 1].value > found[count].value * least_gap))
-        --count;
-      const float outside = std::max(unseen, count < found.size() ? found[count].value : 0.0f);
-      gpu::LightCell cell{};
-      cell.first = static_cast<std::uint32_t>(grid.entries.size());
-      cell.count = static_cast<std::uint32_t>(count);
-      // Between the weakest inside and the strongest outside.
-      cell.threshold = count > 0 ? std::sqrt(found[count - 1].value) * std::sqrt(outside) : 0.0f;
-      std::vector<float> weights;
-      double sum = 0;
-      for (std::size_t i = 0; i < count; ++i) {
-        weights.push_back(found[i].value);
-        sum += double(found[i].value);
-      }
-      cell.strength_sum = static_cast<float>(sum);
-      const std::vector<gpu::AliasEntry> alias = build_alias_table(weights);
-      for (std::size_t i = 0; i < count; ++i)
-        grid.entries.push_back({found[i].light, alias[i].keep, found[alias[i].alias].light});
-      grid.cells.push_back(cell);
-    }
+  const std::vector<Bins> classes = by_class(lights, shape);
+  std::vector<Row> rows(shape.depth);
+  std::atomic<std::uint32_t> next{0};
+  const auto work = [&] {
+    for (std::uint32_t z = next++; z < shape.depth; z = next++)
+      for (std::uint32_t x = 0; x < shape.width; ++x)
+        add_cell(rows[z], strongest(lights, classes, shape, lists.listed, x, z), lists.listed);
+  };
+  std::vector<std::future<void>> others;
+  for (unsigned t = 1; t < std::min(std::thread::hardware_concurrency(), shape.depth); ++t)
+    others.push_back(std::async(std::launch::async, work));
+  work();
+  for (std::future<void>& other : others) other.get();
+  for (Row& row : rows) {
+    const auto before = static_cast<std::uint32_t>(grid.entries.size());
+    for (gpu::LightCell& cell : row.cells) cell.first += before;
+    grid.cells.insert(grid.cells.end(), row.cells.begin(), row.cells.end());
+    grid.entries.insert(grid.entries.end(), row.entries.begin(), row.entries.end());
+    row = {};
+  }
   return grid;
 }
 

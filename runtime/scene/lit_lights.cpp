@@ -40,7 +40,8 @@ void build_tables(LitLights& lit, std::span<const Light> lights) {
     flux[i] = shining[i].flux_lm;
   }
   lit.alias = build_alias_table(flux);
-  lit.grid = build_light_grid(shining);
+  lit.local_grid = build_light_grid(shining, local_lists);
+  lit.wide_grid = build_light_grid(shining, wide_lists);
 }
 
 }  // namespace nightcity

@@ -129,7 +129,7 @@ TEST_F(MeasuringCommands, StrategiesMeasuresEverySourceOfCandidates) {
   const test::Outcome outcome =
       nightview("strategies", "--lights 3 --size 8x6 --frames 1 --reference-frames 1");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_EQ(read_csv(folder / "out/strategies.csv").rows.size(), 14u);
+  EXPECT_EQ(read_csv(folder / "out/strategies.csv").rows.size(), 16u);
 }
 
 TEST_F(MeasuringCommands, FleetTellsTheCostOfMovingVehiclesApart) {

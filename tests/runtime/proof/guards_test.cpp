@@ -146,7 +146,7 @@ TEST(Guard, OneFrameThatIsNoNumberDoesNotStayInThePicture) {
 TEST(Guard, WeightsBeyondHalfFloatsAreKept) {
   std::vector<Light> lights(80000, lamp({0, 8, 0}, 0.0625f));
   Shot shot{SceneBuilder().ground(100).with(lights), looking_down, with_estimator(Estimator::pairwise), 8, 2};
-  shot.settings.local_share = 0;
+  shot.settings.local_share = shot.settings.wide_share = 0;
   shot.settings.uniform_share = 1;
   expect_guarded([&](PassLibrary& passes) { return obeys_the_inverse_square_law(taken(passes, shot), 5000); },
                  {{"reservoir.glsl", "r.W = finite(W) ? W : 0.0;",
