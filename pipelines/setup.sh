@@ -54,8 +54,8 @@ fi
 
 echo "setup.sh: installing ${#missing[@]} of ${#packages[@]} packages: ${missing[*]}"
 apt() {
-  # Another apt on the machine (unattended upgrades) is waited for; nothing is asked; files are not flushed to disk one by one.
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 -o Dpkg::Options::=--force-unsafe-io -q "$@"
+  # Another apt on the machine (unattended upgrades) is waited for; nothing is asked.
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 -q "$@"
 }
 known() {
   local package

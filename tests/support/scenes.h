@@ -103,7 +103,7 @@ inline SceneBuilder random_town(int count, float half, unsigned seed) {
   SceneBuilder builder;
   builder.ground(half);
   for (int i = 0; i < count; ++i) {
-    // One draw a statement: the order in which arguments are evaluated is the compiler's.
+    // One draw after the other, not as arguments: the order of those is the compiler's.
     const float z = uniform(-half, half), x = uniform(-half, half);
     const float depth = uniform(3, 9), height = uniform(5, 20), width = uniform(3, 9);
     builder.box({x, 0, z}, {x + width, height, z + depth});

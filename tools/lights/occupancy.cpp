@@ -48,7 +48,7 @@ Room draw_room(Random& random) {
   return pick < 0.38 ? Room::living : pick < 0.60 ? Room::kitchen : pick < 0.88 ? Room::bedroom : Room::bath;
 }
 
-// One draw a statement: the order in which arguments are evaluated is the compiler's.
+// One draw after the other, not as arguments: the order of those is the compiler's.
 void dwelling(const Household& home, Random& random, Times& times) {
   if (!home.present) return;
   const double from = home.from, to = home.to, awake = to - from;

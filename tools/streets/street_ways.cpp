@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <unordered_map>
 
+#include "tools/in_ring.h"
 #include "tools/streets/axis_cleaning.h"
 
 namespace nightcity::streets {
@@ -38,7 +39,7 @@ class SurfaceIndex {
     const auto found = cells_.find(key(cell(p.x), cell(p.y)));
     if (found == cells_.end()) return nullptr;
     for (const std::uint32_t n : found->second)
-      if (holds(surfaces_[n].exterior, p)) return &surfaces_[n];
+      if (in_ring(surfaces_[n].exterior, p)) return &surfaces_[n];
     return nullptr;
   }
 
@@ -48,15 +49,6 @@ class SurfaceIndex {
   static std::int64_t cell(double x) { return static_cast<std::int64_t>(std::floor(x / cell_m)); }
   static std::uint64_t key(std::int64_t x, std::int64_t y) {
     return static_cast<std::uint64_t>(x) << 32 ^ (static_cast<std::uint64_t>(y) & 0xFFFFFFFFu);
-  }
-
-  static bool holds(const PlanRing& ring, const glm::dvec2& p) {
-    bool inside = false;
-    for (std::size_t a = 0, b = ring.size() - 1; a < ring.size(); b = a++)
-      if ((ring[a].y > p.y) != (ring[b].y > p.y) &&
-          p.x < (ring[b].x - ring[a].x) * (p.y - ring[a].y) / (ring[b].y - ring[a].y) + ring[a].x)
-        inside = !inside;
-    return inside;
   }
 
   const std::vector<RoadSurface>& surfaces_;
