@@ -18,11 +18,13 @@ KnobValues canonical(KnobValues values) {
     for (const char* knob : knobs) values[knob] = std::string(1, '-');  // "-": a warning of g++ 12
   };
   if (estimator == "paper")
-    unused({"local-share", "uniform-share", "fleet-share", "visibility-reuse", "boost", "permute"});
-  if (estimator == "ris") unused({"neighbours", "radius", "history", "visibility-reuse", "boost", "permute"});
+    unused({"reach", "local-share", "wide-share", "uniform-share", "fleet-share", "visibility-reuse", "boost",
+            "permute"});
+  if (estimator == "ris")
+    unused({"neighbours", "radius", "history", "reach", "visibility-reuse", "boost", "permute"});
   if (estimator == "traced") unused({"visibility-reuse"});
   if (values["neighbours"] == "0") unused({"radius", "boost"});
-  if (values["history"] == "0") unused({"boost", "permute"});
+  if (values["history"] == "0") unused({"reach", "boost", "permute"});
   if (estimator == "reference")
     for (const Knob& knob : knobs())
       if (knob.name != std::string("estimator")) unused({knob.name});

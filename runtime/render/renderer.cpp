@@ -139,6 +139,12 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
     throw UsageError("--candidates", "1 to " + std::to_string(max_candidates));
   if (settings.neighbours > max_neighbours)
     throw UsageError("--neighbours", "0 to " + std::to_string(max_neighbours));
+  // A light that is never picked is missing from the picture, and nothing in it says so.
+  if (settings.local_share + settings.wide_share > 0.999f)
+    throw UsageError("--local-share",
+                     "and --wide-share: together at most 0.999, lights that no list holds want a share too");
+  if (scene_.has_fleet() && !(settings.fleet_share > 0 && settings.fleet_share < 1))
+    throw UsageError("--fleet-share", "above 0 and below 1: vehicles and what stands want a share each");
 
   const bool same_settings = same_estimate(settings, settings_);
   const bool switched = scene_.set_time(settings.time_s);

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "formats/error.h"
 #include "support/gpu.h"
 #include "support/scenes.h"
 
@@ -136,6 +137,18 @@ TEST_F(Estimators, MoreNeighboursMakeUpForAMissingHistory) {
     return sum;
   };
   EXPECT_LT(error(16), 0.9 * error(0));
+}
+
+// Some light would never be picked, and the picture would be darker without a word.
+TEST(Shares, ThatLeaveSomeLightOutAreRefused) {
+  RenderSettings settings;
+  settings.local_share = 0.7f;
+  settings.wide_share = 0.3f;
+  EXPECT_THROW(render(SceneBuilder().ground(30).with({lamp({3, 6, 0}, 4000)}), pose, settings, 4, 4, 1),
+               UsageError);
+  settings.wide_share = 0.2f;
+  settings.fleet_share = 0;  // no vehicles: nobody misses them
+  EXPECT_NO_THROW(render(SceneBuilder().ground(30).with({lamp({3, 6, 0}, 4000)}), pose, settings, 4, 4, 1));
 }
 
 TEST_F(Estimators, TheSameSeedGivesTheSamePictureAndAnotherSeedAnother) {

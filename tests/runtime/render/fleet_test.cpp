@@ -201,6 +201,14 @@ TEST(Fleet, APictureDependsOnTheTimeOnlyNotOnTheFramesBefore) {
   EXPECT_LT(difference / sum, 0.01);
 }
 
+TEST(Fleet, AShareOfCandidatesThatLosesItsLightIsRefused) {
+  RenderSettings settings;
+  for (const float share : {0.0f, 1.0f}) {
+    settings.fleet_share = share;
+    EXPECT_THROW(render(with_fleet(crowd(3)), above, settings, 4, 4, 1), UsageError);
+  }
+}
+
 TEST(Fleet, ABrokenTripIsRefused) {
   Fleet fleet = one_kind();
   add_trip(fleet, {knot({0, 0, 0}, 0, {0, 0, 0}), knot({0, 0, 0}, 200, {0, 0, 0})});  // longer than the cycle
