@@ -8,8 +8,10 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "runtime/nightview/commands.h"
+#include "runtime/nightview/experiment.h"
 #include "runtime/nightview/render_options.h"
 #include "runtime/render/renderer.h"
 
@@ -19,7 +21,7 @@ namespace {
 struct BenchCommand {
   RenderOptions options;
   std::uint32_t frames = 32, warm_up = 4;
-  bool json = false;
+  bool json = false, needless = false;
 };
 
 struct Spread {
@@ -29,6 +31,34 @@ struct Spread {
 Spread spread(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return {values.front(), values[values.size() / 2], values.back()};
+}
+
+// What the passes would cost if they could do what the scene lacks: frames with and without, turn by turn.
+void price_what_is_not_needed(const BenchCommand& command, Renderer& renderer, const CameraPose& pose) {
+  const RenderSettings& plain = command.options.settings;
+  const std::vector<Feature> features = renderer.not_needed(plain);
+  std::vector<std::pair<std::string, std::uint32_t>> rows;
+  std::uint32_t all = 0;
+  for (const Feature& feature : features) {
+    rows.emplace_back(feature.name, 1u << feature.constant);
+    all |= 1u << feature.constant;
+  }
+  if (features.size() > 1) rows.emplace_back("all of these", all);
+  fmt::print("\n| not needed here | ms without | ms with | ratio |\n|---|---:|---:|---:|\n");
+  for (const auto& [name, needless] : rows) {
+    RenderSettings settings = plain;
+    settings.needless = needless;
+    std::vector<double> without, with;
+    for (std::uint32_t i = 0; i < command.warm_up; ++i) renderer.render_frame(pose, settings);
+    for (std::uint32_t i = 0; i < command.frames; ++i) {
+      renderer.render_frame(pose, plain);
+      without.push_back(gpu_ms(renderer));
+      renderer.render_frame(pose, settings);
+      with.push_back(gpu_ms(renderer));
+    }
+    const double a = median(without), b = median(with);
+    fmt::print("| {} | {:.3g} | {:.3g} | {:.2f} |\n", name, a, b, b / a);
+  }
 }
 
 void bench(BenchCommand& command) {
@@ -98,6 +128,7 @@ void bench(BenchCommand& command) {
   const Spread total = spread(gpu_ms), wall = spread(wall_ms);
   fmt::print("{:<12} {:>10.3f} {:>10.3f} {:>10.3f}\n", "GPU", total.min, total.median, total.max);
   fmt::print("{:<12} {:>10.3f} {:>10.3f} {:>10.3f}\n", "wall clock", wall.min, wall.median, wall.max);
+  if (command.needless) price_what_is_not_needed(command, renderer, pose);
 }
 
 }  // namespace
@@ -106,13 +137,17 @@ void add_bench_command(CLI::App& app) {
   auto command = std::make_shared<BenchCommand>();
   CLI::App* sub = app.add_subcommand("bench", "Time every pass of a frame by the device's clock");
   sub->footer(
-      "Example:\n  nightview bench city.glb --json --estimator paper --candidates 32 --size 1920x1080");
+      "Examples:\n  nightview bench city.glb --json --estimator paper --candidates 32 --size 1920x1080\n"
+      "  nightview bench city.glb --needless");
   command->options.declare(*sub);
   sub->add_option("--frames", command->frames, "Frames timed")
       ->capture_default_str()
       ->check(CLI::Range(1u, 100000u));
   sub->add_option("--warm-up", command->warm_up, "Frames before the first timed one")->capture_default_str();
-  sub->add_flag("--json", command->json, "Machine-readable");
+  auto* json = sub->add_flag("--json", command->json, "Machine-readable");
+  sub->add_flag("--needless", command->needless,
+                "Also time passes compiled for what this scene lacks: what leaving it out saves")
+      ->excludes(json);
   sub->callback([command] { bench(*command); });
 }
 

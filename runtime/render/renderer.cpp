@@ -75,7 +75,7 @@ Renderer::Renderer(gpu::Device& device, PassLibrary& passes, DeviceScene& scene,
   display_ = gpu::Buffer(device, pixels * 4);
 }
 
-void Renderer::select_passes(const RenderSettings& settings) {
+PassConstants Renderer::constants_of(const RenderSettings& settings) const {
   PassConstants constants{};
   constants[CONSTANT_ESTIMATOR] = static_cast<std::uint32_t>(settings.estimator);
   constants[CONSTANT_PROFILES] = scene_.has_profiles();
@@ -87,7 +87,18 @@ void Renderer::select_passes(const RenderSettings& settings) {
   constants[CONSTANT_LAYERS] = settings.layers;
   constants[CONSTANT_SCHEDULES] = scene_.has_schedules();
   constants[CONSTANT_TRAFFIC] = scene_.has_fleet();
-  passes_ = &library_.get(constants);
+  for (const Feature& feature : needless_features())
+    if ((settings.needless >> feature.constant & 1u) != 0 && constants[feature.constant] == 0)
+      constants[feature.constant] = 1;
+  return constants;
+}
+
+std::vector<Feature> Renderer::not_needed(const RenderSettings& settings) const {
+  const PassConstants constants = constants_of(settings);
+  std::vector<Feature> features;
+  for (const Feature& feature : needless_features())
+    if (constants[feature.constant] == 0) features.push_back(feature);
+  return features;
 }
 
 void Renderer::run_pass(VkCommandBuffer commands, const gpu::ComputePass& pass, const char* name,
@@ -156,7 +167,7 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
     frames_ = 0;
   // Reservoirs of another estimator mean something else; those of another view are reprojected.
   if (!same_settings) has_history_ = false;
-  select_passes(settings);
+  passes_ = &library_.get(constants_of(settings));
   parity_ ^= 1;
 
   gpu::Frame frame{};

@@ -32,6 +32,9 @@ class Renderer {
   /// where only the camera or the time did. Switches the scene's lights to the settings' time.
   void render_frame(const CameraPose& pose, const RenderSettings& settings);
 
+  /// Features that neither the scene nor the settings need: the passes are compiled without them.
+  std::vector<Feature> not_needed(const RenderSettings& settings) const;
+
   /// Frames in the mean.
   std::uint32_t frames() const { return frames_; }
   /// GPU milliseconds of the last frame's passes; empty where the queue has no timestamps.
@@ -47,7 +50,7 @@ class Renderer {
   std::uint32_t height() const { return height_; }
 
  private:
-  void select_passes(const RenderSettings& settings);
+  PassConstants constants_of(const RenderSettings& settings) const;
   void record_fleet(VkCommandBuffer commands);
   void record_reference(VkCommandBuffer commands, std::uint32_t first, std::uint32_t end);
   void record_restir(VkCommandBuffer commands, const RenderSettings& settings);

@@ -35,4 +35,13 @@ Estimator estimator_from_name(const std::string& name) {
   throw UsageError("--estimator", "no estimator '" + name + "' (there are " + known + ")");
 }
 
+const std::vector<Feature>& needless_features() {
+  static const std::vector<Feature> all{{CONSTANT_PROFILES, "profiles of lamps"},
+                                        {CONSTANT_RECTANGLES, "windows"},
+                                        {CONSTANT_SCHEDULES, "schedules"},
+                                        {CONSTANT_SKY, "sky"},
+                                        {CONSTANT_GLOSS, "wet streets"}};
+  return all;
+}
+
 }  // namespace nightcity

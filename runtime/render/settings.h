@@ -64,6 +64,17 @@ struct RenderSettings {
   glm::vec3 moon_lux{0};              // on a surface that faces it; 0 = no moon
   float ev100 = 2;                    // of the displayed picture
   std::uint32_t tone = TONEMAP_FILMIC;
+  // Passes compiled for features all the same that scene and settings do not need: bits 1 << CONSTANT_*, of
+  // needless_features(). The picture is the same; what it costs is what leaving them out saves.
+  std::uint32_t needless = 0;
 };
+
+struct Feature {
+  std::uint32_t constant;  // CONSTANT_*
+  const char* name;
+};
+
+/// What a picture can do without: lamps' profiles, windows, schedules, the sky, wet streets.
+const std::vector<Feature>& needless_features();
 
 }  // namespace nightcity

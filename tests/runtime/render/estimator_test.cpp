@@ -151,6 +151,16 @@ TEST(Shares, ThatLeaveSomeLightOutAreRefused) {
   EXPECT_NO_THROW(render(SceneBuilder().ground(30).with({lamp({3, 6, 0}, 4000)}), pose, settings, 4, 4, 1));
 }
 
+// Passes leave out what a scene lacks: that is to change their cost alone.
+TEST_F(Estimators, PassesThatCouldDoWhatTheSceneLacksMakeTheSamePicture) {
+  RenderSettings settings = with_estimator(Estimator::traced);
+  const Image plain = render(scene_, pose, settings, 32, 32, 3);
+  for (const Feature& feature : needless_features()) {
+    settings.needless = 1u << feature.constant;
+    EXPECT_EQ(plain.rgb, render(scene_, pose, settings, 32, 32, 3).rgb) << feature.name;
+  }
+}
+
 TEST_F(Estimators, TheSameSeedGivesTheSamePictureAndAnotherSeedAnother) {
   RenderSettings settings = with_estimator(Estimator::traced);
   const Image a = render(scene_, pose, settings, 32, 32, 3), b = render(scene_, pose, settings, 32, 32, 3);
