@@ -42,11 +42,13 @@ double layer_luminance(const Image& image, const char* name, std::size_t pixel) 
 
 TEST(Layers, SumToThePictureAndHoldTheirOwnKindOnly) {
   const std::vector<Light> lights{lamp({3, 6, 0}, 4000), window({-6, 3, 0}, {1, 0, 0}, 1, 1, 800)};
-  // Of those with reservoirs the one whose pixels share nothing: how much of a picture comes from which light
-  // varies by 4 % from one run of the others to the next.
-  for (const Estimator estimator : {Estimator::reference, Estimator::ris}) {
+  for (const Estimator estimator : {Estimator::reference, Estimator::ris, Estimator::pairwise}) {
     RenderSettings settings = reference();
     settings.estimator = estimator;
+    // Reuse near by and not for long, as in estimator_test.cpp: all of this small picture would share a few
+    // samples, and how much of it comes from which light vary by 4 % from run to run.
+    settings.neighbour_radius_px = 2;
+    settings.history_cap = 2;
     settings.layers = true;
     settings.sky_cd_m2 = glm::vec3(0.05f);
     const Image both = render(SceneBuilder().ground(30).with(lights), down, settings, 24, 24, 40);
