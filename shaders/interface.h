@@ -313,7 +313,7 @@ struct Frame {
   BUFFER(Reservoirs) reservoirs;        // candidates', then temporal's result
   BUFFER(Reservoirs) spatial;           // spatial's result: shaded, and next frame's history
   BUFFER(Reservoirs) previous_reservoirs;
-  BUFFER(Accumulations) radiance;       // this frame's estimate; the reference's sum over chunks of lights
+  BUFFER(Accumulations) radiance;       // this frame's estimate; the reference's sums over chunks of lights, slice by slice
   BUFFER(Accumulations) accumulation;
   BUFFER(Accumulations) previous_accumulation;
   BUFFER(Layers) layers;
@@ -341,6 +341,7 @@ struct Frame {
   float jitter_x, jitter_y;  // sub-pixel offset of this frame's rays, in [0, 1)
   float exposure;          // display: exposed value of 1 cd/m^2
   uint reset;              // 1: this frame starts a new accumulation
+  uint slices;             // pictures in `radiance` to be added up: chunks of lights that one dispatch works at side by side
   uint window;             // mean of at most so many frames, carried along by motion; 0 = of all, while nothing moves
   float wetness;           // of surfaces that face up, 0 .. 1
   vec3 sky;                // luminance of directions that leave the scene, cd/m^2 per channel: uniform, or the map's factor
@@ -355,7 +356,7 @@ struct Frame {
 // As the push constants in common.glsl.
 struct Push {
   std::uint64_t frame;
-  std::uint32_t first, count;  // reference: the chunk of lights
+  std::uint32_t first, count;  // reference: the lights of the dispatch
 };
 
 static_assert(sizeof(BvhNode) == 64 && sizeof(Triangle) == 48 && sizeof(Instance) == 64 && sizeof(Material) == 32);

@@ -79,7 +79,9 @@ LightSample sample_sphere(Light light, vec2 uv, vec3 receiver) {
   s.value = vec3(0.0);
   const vec3 to_centre = light.position - receiver;
   const float radius = max(light.radius, MIN_RADIUS);
-  const float d2 = max(dot(to_centre, to_centre), radius * radius);
+  const float d2 = dot(to_centre, to_centre);
+  // Inside the lamp: its own globe, whose flat faces lie within the sphere, is not lit by it.
+  if (d2 <= radius * radius) return s;
   const float d = sqrt(d2);
   const vec3 axis = to_centre / d;
   const float sin2_max = radius * radius / d2;

@@ -1,6 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The reference: every light, one stratified sample each a frame, a chunk of lights a dispatch (push.first, push.count).
+// The reference: every light, one stratified sample each a frame. A dispatch works at the lights from push.first to before
+// push.first + push.count, REFERENCE_CHUNK of them an invocation: chunks side by side in slices (z), so that a small picture
+// fills a large device too.
 #include "shaders/common.glsl"
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"
@@ -14,10 +16,15 @@ void main() {
   uvec2 pixel;
   uint index;
   if (!pixel_of_invocation(pixel, index)) return;
+  const uint slice = gl_GlobalInvocationID.z;
+  const uint sum_index = slice * FRAME.size.x * FRAME.size.y + index;
+  const uint chunk = push.first + slice * REFERENCE_CHUNK;
+  const uint end = min(push.first + push.count, chunk + REFERENCE_CHUNK);
   const Surface surface = FRAME.surfaces.at[index];
-  Accumulation total = FRAME.radiance.at[index];
+  Accumulation total = FRAME.radiance.at[sum_index];
   LightLayers layers = LightLayers(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-  if (push.first == 0u) {
+  if (push.first == 0u) total = Accumulation(vec3(0.0), 1.0, vec3(0.0), 0.0);
+  if (chunk == 0u) {
     layers.emitted = surface.depth > 0.0 ? emitted(surface) : seen_sky(pixel);
     if (HAS_SKY != SKY_DARK && surface.depth > 0.0) {
       seed_random(pixel, STREAM_SKY);
@@ -25,13 +32,12 @@ void main() {
       layers.sky = reflected_sky(receiver, vec2(random_float(), random_float())) +
                    reflected_moon(receiver, vec2(random_float(), random_float()));
     }
-    total = Accumulation(layers.emitted + layers.sky, 1.0, vec3(0.0), 0.0);
+    total.sum = layers.emitted + layers.sky;
   }
   if (surface.depth > 0.0) {
     const Receiver receiver = receiver_of(surface);
     vec3 sum = vec3(0.0);
-    for (uint i = 0u; i < min(push.count, REFERENCE_CHUNK); ++i) {
-      const uint index_of_light = push.first + i;
+    for (uint index_of_light = chunk; index_of_light < end; ++index_of_light) {
       const Light light = light_at(index_of_light);
       // Stratified over frames: the R2 sequence (Roberts 2018) from a start of its own for each pixel and light.
       const uvec4 start = pcg4d(uvec4(pixel, index_of_light, FRAME.seed * 16u + STREAM_REFERENCE));
@@ -51,6 +57,6 @@ void main() {
     total.compensation = lost;
     total.sum = t;
   }
-  FRAME.radiance.at[index] = total;
-  keep_layers(index, layers, push.first == 0u && FRAME.reset != 0u);
+  FRAME.radiance.at[sum_index] = total;
+  keep_layers(index, layers, chunk == 0u && FRAME.reset != 0u);
 }

@@ -65,10 +65,10 @@ ComputePass& ComputePass::operator=(ComputePass&& other) noexcept {
 }
 
 void ComputePass::dispatch(VkCommandBuffer commands, const void* push, std::uint32_t groups_x,
-                           std::uint32_t groups_y) const {
+                           std::uint32_t groups_y, std::uint32_t groups_z) const {
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
   vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, push_bytes_, push);
-  vkCmdDispatch(commands, groups_x, groups_y, 1);
+  vkCmdDispatch(commands, groups_x, groups_y, groups_z);
 }
 
 }  // namespace nightcity::gpu

@@ -21,7 +21,7 @@ class ComputePass {
   ComputePass& operator=(ComputePass&& other) noexcept;
 
   void dispatch(VkCommandBuffer commands, const void* push, std::uint32_t groups_x,
-                std::uint32_t groups_y = 1) const;
+                std::uint32_t groups_y = 1, std::uint32_t groups_z = 1) const;
 
  private:
   Device* device_ = nullptr;

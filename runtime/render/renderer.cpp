@@ -15,6 +15,10 @@ namespace {
 // system or driver watchdog does not take the device for hung.
 constexpr std::uint32_t chunks_a_submission = 16;
 
+// Invocations that fill the largest devices twice, and pictures that may lie in slices beside each other.
+constexpr std::size_t busy_invocations = std::size_t{1} << 19;
+constexpr std::size_t max_slices = 32;
+
 bool same_view(const CameraPose& a, const CameraPose& b) {
   return a.position == b.position && a.target == b.target && a.up == b.up && a.fov_deg == b.fov_deg;
 }
@@ -102,10 +106,10 @@ std::vector<Feature> Renderer::not_needed(const RenderSettings& settings) const 
 }
 
 void Renderer::run_pass(VkCommandBuffer commands, const gpu::ComputePass& pass, const char* name,
-                        std::uint32_t first, std::uint32_t count) {
+                        std::uint32_t first, std::uint32_t count, std::uint32_t slices) {
   const gpu::Push push{frame_.address(), first, count};
   pass.dispatch(commands, &push, (width_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE,
-                (height_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE);
+                (height_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE, slices);
   gpu::full_barrier(commands);
   timer_.mark(commands, name);
 }
@@ -137,12 +141,40 @@ void Renderer::record_end(VkCommandBuffer commands, const RenderSettings& settin
     run_pass(commands, passes_->denoise, "denoise", level);
 }
 
-void Renderer::record_reference(VkCommandBuffer commands, std::uint32_t first, std::uint32_t end) {
-  std::uint32_t at = first;
+void Renderer::submit(const std::function<void(VkCommandBuffer)>& record) {
+  device_.run([&](VkCommandBuffer commands) {
+    timer_.start(commands);
+    record(commands);
+  });
+  const auto spans = timer_.collect();
+  timings_.insert(timings_.end(), spans.begin(), spans.end());
+}
+
+// Few pixels leave most of a GPU idle. Layers have one picture to add to.
+std::uint32_t Renderer::reference_slices(const RenderSettings& settings) const {
+  if (settings.estimator != Estimator::reference || settings.layers) return 1;
+  const std::size_t pixels = std::size_t{width_} * height_;
+  return static_cast<std::uint32_t>(std::clamp(busy_invocations / pixels, std::size_t{1}, max_slices));
+}
+
+void Renderer::render_reference(const RenderSettings& settings, std::uint32_t slices) {
+  submit([&](VkCommandBuffer commands) {
+    record_fleet(commands);
+    run_pass(commands, passes_->primary, "primary");
+  });
+  const std::uint32_t lights = scene_.buffers().light_count;
+  const std::uint32_t a_dispatch = REFERENCE_CHUNK * slices;
+  std::uint32_t first = 0;
   do {  // a chunk of no lights still writes what surfaces emit
-    run_pass(commands, passes_->reference, "reference", at, std::min(REFERENCE_CHUNK, end - at));
-    at += REFERENCE_CHUNK;
-  } while (at < end);
+    submit([&](VkCommandBuffer commands) {
+      for (std::uint32_t i = 0; i < chunks_a_submission && (first < lights || first == 0); ++i) {
+        run_pass(commands, passes_->reference, "reference", first, std::min(a_dispatch, lights - first),
+                 slices);
+        first += a_dispatch;
+      }
+    });
+  } while (first < lights);
+  submit([&](VkCommandBuffer commands) { record_end(commands, settings); });
 }
 
 void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settings) {
@@ -179,6 +211,9 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
   frame.reservoirs = reservoirs_.address();
   frame.spatial = spatial_[parity_].address();
   frame.previous_reservoirs = spatial_[parity_ ^ 1].address();
+  frame.slices = reference_slices(settings);
+  const std::size_t radiance_bytes = frame.slices * std::size_t{width_} * height_ * sizeof(gpu::Accumulation);
+  if (radiance_.bytes() < radiance_bytes) radiance_ = gpu::Buffer(device_, radiance_bytes);
   frame.radiance = radiance_.address();
   frame.accumulation = accumulation_[parity_].address();
   frame.previous_accumulation = accumulation_[parity_ ^ 1].address();
@@ -241,29 +276,8 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
 
   lit_ = frame.scene.lit;
   timings_.clear();
-  const auto submit = [&](auto&& record) {
-    device_.run([&](VkCommandBuffer commands) {
-      timer_.start(commands);
-      record(commands);
-    });
-    const auto spans = timer_.collect();
-    timings_.insert(timings_.end(), spans.begin(), spans.end());
-  };
   if (settings.estimator == Estimator::reference) {
-    submit([&](VkCommandBuffer commands) {
-      record_fleet(commands);
-      run_pass(commands, passes_->primary, "primary");
-    });
-    const std::uint32_t lights = scene_.buffers().light_count;
-    constexpr std::uint32_t batch = REFERENCE_CHUNK * chunks_a_submission;
-    std::uint32_t first = 0;
-    do {
-      submit([&](VkCommandBuffer commands) {
-        record_reference(commands, first, std::min(first + batch, lights));
-      });
-      first += batch;
-    } while (first < lights);
-    submit([&](VkCommandBuffer commands) { record_end(commands, settings); });
+    render_reference(settings, frame.slices);
   } else {
     submit([&](VkCommandBuffer commands) {
       record_fleet(commands);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,12 +53,14 @@ class Renderer {
  private:
   PassConstants constants_of(const RenderSettings& settings) const;
   void record_fleet(VkCommandBuffer commands);
-  void record_reference(VkCommandBuffer commands, std::uint32_t first, std::uint32_t end);
+  std::uint32_t reference_slices(const RenderSettings& settings) const;
+  void render_reference(const RenderSettings& settings, std::uint32_t slices);
+  void submit(const std::function<void(VkCommandBuffer)>& record);
   void record_restir(VkCommandBuffer commands, const RenderSettings& settings);
   void record_end(VkCommandBuffer commands, const RenderSettings& settings);
   void add_layers(Image& image) const;
   void run_pass(VkCommandBuffer commands, const gpu::ComputePass& pass, const char* name,
-                std::uint32_t first = 0, std::uint32_t count = 0);
+                std::uint32_t first = 0, std::uint32_t count = 0, std::uint32_t slices = 1);
 
   gpu::Device& device_;
   PassLibrary& library_;
