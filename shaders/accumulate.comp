@@ -12,7 +12,7 @@ void main() {
   if (!pixel_of_invocation(pixel, index)) return;
   vec3 radiance = FRAME.radiance.at[index].sum;
   for (uint slice = 1u; slice < FRAME.slices; ++slice)
-    radiance += FRAME.radiance.at[slice * FRAME.size.x * FRAME.size.y + index].sum;
+    radiance += FRAME.radiance.at[slice * pixels_of_picture() + index].sum;
   // The last guard: no NaN or Inf reaches a pixel, and none stays in a sum.
   if (!(finite(radiance.x) && finite(radiance.y) && finite(radiance.z))) radiance = vec3(0.0);
 

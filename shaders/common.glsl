@@ -40,6 +40,14 @@ bool pixel_of_invocation(out uvec2 pixel, out uint index) {
   return all(lessThan(pixel, FRAME.size));
 }
 
+// The size as a whole: where a component of a vector is taken straight from a buffer, Mesa 22.3's CPU driver reads x for y
+// (seen in
+// Slices/Reference.*).
+uint pixels_of_picture() {
+  const uvec2 size = FRAME.size;
+  return size.x * size.y;
+}
+
 // Photometric weight of linear Rec. 709 (ITU-R BT.709).
 float luminance(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }
 

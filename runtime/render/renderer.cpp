@@ -154,7 +154,10 @@ void Renderer::submit(const std::function<void(VkCommandBuffer)>& record) {
 std::uint32_t Renderer::reference_slices(const RenderSettings& settings) const {
   if (settings.estimator != Estimator::reference || settings.layers) return 1;
   const std::size_t pixels = std::size_t{width_} * height_;
-  return static_cast<std::uint32_t>(std::clamp(busy_invocations / pixels, std::size_t{1}, max_slices));
+  const std::size_t chunks =
+      (std::size_t{scene_.buffers().light_count} + REFERENCE_CHUNK - 1) / REFERENCE_CHUNK;
+  return static_cast<std::uint32_t>(
+      std::clamp(std::min(busy_invocations / pixels, chunks), std::size_t{1}, max_slices));
 }
 
 void Renderer::render_reference(const RenderSettings& settings, std::uint32_t slices) {
@@ -168,8 +171,9 @@ void Renderer::render_reference(const RenderSettings& settings, std::uint32_t sl
   do {  // a chunk of no lights still writes what surfaces emit
     submit([&](VkCommandBuffer commands) {
       for (std::uint32_t i = 0; i < chunks_a_submission && (first < lights || first == 0); ++i) {
-        run_pass(commands, passes_->reference, "reference", first, std::min(a_dispatch, lights - first),
-                 slices);
+        const std::uint32_t count = std::min(a_dispatch, lights - first);
+        run_pass(commands, passes_->reference, "reference", first, count,
+                 std::max((count + REFERENCE_CHUNK - 1) / REFERENCE_CHUNK, 1u));
         first += a_dispatch;
       }
     });

@@ -77,6 +77,26 @@ TEST_P(EveryEstimator, ABigSphereLightsAFacingPlaneAsItsCentreWould) {
   EXPECT_NEAR(sum / expected, 1.0, 0.01);
 }
 
+// A lamp's globe is made of flat faces within its sphere: they are seen by their own light, not lit by it.
+TEST_P(EveryEstimator, NothingWithinALampIsLitByIt) {
+  const float radius = 2.0f, height = 1.0f;
+  const RenderScene scene = SceneBuilder(0.4f).ground(100).with({lamp({0, height, 0}, 5000, radius)});
+  const Image image = render(scene, looking_down, with_estimator(GetParam().estimator), 64, 36, 4);
+  const auto& points = image.layer("position")->values;
+  int within = 0;
+  double beyond = 0;
+  for (std::size_t i = 0; i < image.pixels(); ++i) {
+    const double d = glm::length(glm::dvec3(0, height, 0) -
+                                 glm::dvec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]));
+    if (d > radius) beyond += luminance(image, i);
+    if (d > 0.999 * radius) continue;
+    ++within;
+    EXPECT_EQ(luminance(image, i), 0.0) << "pixel " << i;
+  }
+  EXPECT_GT(within, 10);
+  EXPECT_GT(beyond, 0);
+}
+
 // A small window of luminance L: I = flux / pi * cos(theta_l), one side only.
 TEST_P(EveryEstimator, AWindowShinesByTheCosineLawAndOnOneSide) {
   const float flux = 300;

@@ -50,11 +50,15 @@ double oracle_luminance(const RenderScene& scene, const glm::dvec3& point, const
 }
 
 // More lights than one chunk, and enough steps that an unchunked loop on Debian 12's CPU driver would be cut
-// short.
-TEST(Reference, EqualsABruteForceOracleWithShadows) {
+// short. Chunks lie in slices side by side, and one after the other where layers are kept.
+class Reference : public testing::TestWithParam<bool> {};
+
+TEST_P(Reference, EqualsABruteForceOracleWithShadows) {
   const RenderScene scene = random_town(50, 50, 11).with(point_lamps(300, 50, 5));
-  const std::uint32_t side = 24;
-  const Image image = render(scene, pose, with_estimator(Estimator::reference), side, side, 1);
+  RenderSettings settings = with_estimator(Estimator::reference);
+  settings.layers = GetParam();
+  // Higher than wide: a width taken for the height would show.
+  const Image image = render(scene, pose, settings, 20, 28, 1);
   const auto& points = image.layer("position")->values;
   const auto& normals = image.layer("normal")->values;
   const auto& depths = image.layer("depth")->values;
@@ -74,6 +78,9 @@ TEST(Reference, EqualsABruteForceOracleWithShadows) {
   EXPECT_NEAR(sum / expected_sum, 1.0, 0.002);
   EXPECT_LE(wrong, pixels / 100);  // shadow edges within rounding
 }
+
+INSTANTIATE_TEST_SUITE_P(Slices, Reference, testing::Bool(),
+                         [](const auto& info) { return info.param ? "OneAfterTheOther" : "SideBySide"; });
 
 // Mean luminance of the pixels that are not among the brightest tenth of `truth`. Where a lamp nearly touches
 // a wall the estimate's tail is so long that a mean over those pixels tells nothing; the choice does not
