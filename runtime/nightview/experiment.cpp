@@ -4,6 +4,7 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 
 #include "formats/error.h"
@@ -63,6 +64,15 @@ Image Experiment::reference(const CameraPose& pose, RenderSettings settings, std
   truth.info.ev100.reset();  // to be metered
   if (!cache.empty()) write_exr(cache, truth);
   return truth;
+}
+
+void Experiment::warm_up(const CameraPose& pose, const RenderSettings& settings) {
+  Renderer renderer(*device_, *passes_, *device_scene_, renderer_->width(), renderer_->height());
+  for (int i = 0; i < 2; ++i) renderer.render_frame(pose, settings);  // the second has a history
+  if (device_->info().kind == "cpu") return;
+  const auto start = std::chrono::steady_clock::now();
+  do renderer.render_frame(pose, settings);
+  while (std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
 }
 
 std::vector<Measurement> Experiment::measure(const CameraPose& pose, RenderSettings settings,

@@ -48,6 +48,10 @@ class Experiment {
                   const std::filesystem::path& cache,
                   const std::function<void(std::uint32_t)>& progress = {});
 
+  /// Compiles the passes of the settings and keeps the device at work for a second: a GPU at rest runs at a
+  /// fraction of its clock, and frames of a millisecond do not wake it. Leaves no trace in the renderer.
+  void warm_up(const CameraPose& pose, const RenderSettings& settings);
+
   /// Pictures of `repeats` seeds, each after `warm_up` frames that fill the history, taken at every count of
   /// `frames` (ascending) and compared with `truth`.
   std::vector<Measurement> measure(const CameraPose& pose, RenderSettings settings, const Image& truth,

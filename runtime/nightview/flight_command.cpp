@@ -54,9 +54,7 @@ void fly(FlightCommand& command) {
   if (!std::filesystem::is_directory(folder))
     throw Error(command.folder, "is not a folder that can be written to");
 
-  // A GPU at rest runs at a fraction of its clock, and frames of a millisecond do not wake it.
-  if (command.every < command.frames)
-    experiment.reference(path.at(0), options.settings, command.reference_frames, {});
+  experiment.warm_up(path.at(0), options.settings);
 
   Table table{
       {"frame", "x", "y", "z", "ms", "rmse8", "relative_mse", "relative_mean_signed_error", "fireflies"}, {}};

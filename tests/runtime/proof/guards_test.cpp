@@ -260,17 +260,20 @@ TEST(Guard, RandomNumbersStayBelowOne) {
                  {{"random.glsl", "return (word >> 22u) ^ word;", "return 0xFFFFFFFFu | word;"}});
 }
 
-// A point lamp 10^-20 m over the ground: d^2 is zero in float. Its size bounds what the ground gets.
+// A point lamp has the least radius there is, a millimetre. Half of it over the ground and so near that d^2
+// is zero in float, the ground is inside it; just beyond, its size bounds what the ground gets.
 TEST(Guard, AtTheLampItselfLightIsBoundedByItsSize) {
-  Shot shot{SceneBuilder().ground(100).with({lamp({0, 1e-20f, 0}, 5000, 0)}), looking_down,
-            with_estimator(Estimator::reference), 1, 8};
-  const Property bounded = [&](PassLibrary& passes) {
-    const double seen = luminance(taken(passes, shot), 0);
-    return seen > 0 && seen < 0.5 / pi * 5000 / (4 * pi) * 2e6;
+  const auto over_ground = [](float height) {
+    return Shot{SceneBuilder().ground(100).with({lamp({0, height, 0}, 5000, 0)}), looking_down,
+                with_estimator(Estimator::reference), 1, 8};
   };
-  expect_guarded(bounded,
-                 {{"lights.glsl", "const float d2 = max(dot(to_centre, to_centre), radius * radius);",
-                   "const float d2 = dot(to_centre, to_centre);"}});
+  const Shot within = over_ground(5e-4f), at_centre = over_ground(1e-20f), beyond = over_ground(1.1e-3f);
+  const Property bounded = [&](PassLibrary& passes) {
+    const double most = 0.5 / pi * 5000 / (4 * pi) * 2e6, seen = luminance(taken(passes, beyond), 0);
+    return luminance(taken(passes, within), 0) == 0 && luminance(taken(passes, at_centre), 0) == 0 &&
+           seen > 0 && seen < most;
+  };
+  expect_guarded(bounded, {{"lights.glsl", "if (d2 <= radius * radius) return s;", ""}});
 }
 
 TEST(Guard, AWindowWithoutAreaShinesAsASmallOne) {
