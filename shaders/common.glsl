@@ -40,9 +40,7 @@ bool pixel_of_invocation(out uvec2 pixel, out uint index) {
   return all(lessThan(pixel, FRAME.size));
 }
 
-// The size as a whole: where a component of a vector is taken straight from a buffer, Mesa 22.3's CPU driver reads x for y
-// (seen in
-// Slices/Reference.*).
+// The size as a whole: of FRAME.size.y Mesa 22.3's CPU driver makes FRAME.size.x (Slices/Reference.* fails).
 uint pixels_of_picture() {
   const uvec2 size = FRAME.size;
   return size.x * size.y;

@@ -48,7 +48,8 @@ using uvec2 = glm::uvec2;
 // The all-lights reference is dispatched in chunks: Mesa's CPU driver of Debian 12 silently ends loops after 65,535
 // iterations summed over one invocation (measured), and a shadow ray takes some tens of them.
 #define REFERENCE_CHUNK 128u
-#define REFERENCE_CLOSE 4u  // points on a light that is within four of its radii; few are, and the rays there are short
+#define REFERENCE_CLOSE 4u        // points on a light that is within four of its radii,
+#define REFERENCE_MOST_CLOSE 32u  // on so many of a chunk: the steps above stay bounded
 
 #define NO_HIT 0xFFFFFFFFu
 #define NO_PERMUTATION 0xFFFFFFFFu

@@ -43,11 +43,16 @@ void main() {
   if (surface.depth > 0.0) {
     const Receiver receiver = receiver_of(surface);
     vec3 sum = vec3(0.0);
+    uint close_left = REFERENCE_MOST_CLOSE;
     for (uint index_of_light = chunk; index_of_light < end; ++index_of_light) {
       const Light light = light_at(index_of_light);
       // Stratified over frames: the R2 sequence (Roberts 2018) from a start of its own for each pixel and light.
       const uvec4 start = pcg4d(uvec4(pixel, index_of_light, FRAME.seed * 16u + STREAM_REFERENCE));
-      const uint points = is_close(light, receiver.position) ? REFERENCE_CLOSE : 1u;
+      uint points = 1u;
+      if (close_left > 0u && is_close(light, receiver.position)) {
+        points = REFERENCE_CLOSE;
+        --close_left;
+      }
       for (uint i = 0u; i < points; ++i) {
         const uvec2 uv = start.xy + (FRAME.frame * points + i) * uvec2(3242174889u, 2447445414u);
         const vec2 unit = vec2(uv >> 8u) * (1.0 / 16777216.0);
