@@ -11,13 +11,17 @@
 namespace nightcity {
 namespace {
 
-// Chunks of lights recorded into one submission: long enough to hide its cost, short enough that a window
-// system or driver watchdog does not take the device for hung.
-constexpr std::uint32_t chunks_a_submission = 16;
+// Dispatches of the reference recorded into one submission: long enough to hide its cost, short enough that a
+// window system or driver watchdog does not take the device for hung.
+constexpr std::uint32_t dispatches_a_submission = 16;
 
 // Invocations that fill the largest devices twice, and pictures that may lie in slices beside each other.
 constexpr std::size_t busy_invocations = std::size_t{1} << 19;
 constexpr std::size_t max_slices = 32;
+
+constexpr std::uint32_t chunks_of(std::uint32_t lights) {
+  return lights / REFERENCE_CHUNK + (lights % REFERENCE_CHUNK != 0);
+}
 
 bool same_view(const CameraPose& a, const CameraPose& b) {
   return a.position == b.position && a.target == b.target && a.up == b.up && a.fov_deg == b.fov_deg;
@@ -154,8 +158,7 @@ void Renderer::submit(const std::function<void(VkCommandBuffer)>& record) {
 std::uint32_t Renderer::reference_slices(const RenderSettings& settings) const {
   if (settings.estimator != Estimator::reference || settings.layers) return 1;
   const std::size_t pixels = std::size_t{width_} * height_;
-  const std::size_t chunks =
-      (std::size_t{scene_.buffers().light_count} + REFERENCE_CHUNK - 1) / REFERENCE_CHUNK;
+  const std::size_t chunks = chunks_of(scene_.buffers().light_count);
   return static_cast<std::uint32_t>(
       std::clamp(std::min(busy_invocations / pixels, chunks), std::size_t{1}, max_slices));
 }
@@ -170,10 +173,9 @@ void Renderer::render_reference(const RenderSettings& settings, std::uint32_t sl
   std::uint32_t first = 0;
   do {  // a chunk of no lights still writes what surfaces emit
     submit([&](VkCommandBuffer commands) {
-      for (std::uint32_t i = 0; i < chunks_a_submission && (first < lights || first == 0); ++i) {
+      for (std::uint32_t i = 0; i < dispatches_a_submission && (first < lights || first == 0); ++i) {
         const std::uint32_t count = std::min(a_dispatch, lights - first);
-        run_pass(commands, passes_->reference, "reference", first, count,
-                 std::max((count + REFERENCE_CHUNK - 1) / REFERENCE_CHUNK, 1u));
+        run_pass(commands, passes_->reference, "reference", first, count, std::max(chunks_of(count), 1u));
         first += a_dispatch;
       }
     });
@@ -216,12 +218,12 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
   frame.spatial = spatial_[parity_].address();
   frame.previous_reservoirs = spatial_[parity_ ^ 1].address();
   frame.slices = reference_slices(settings);
-  const std::size_t radiance_bytes = frame.slices * std::size_t{width_} * height_ * sizeof(gpu::Accumulation);
+  const std::size_t pixels = std::size_t{width_} * height_;
+  const std::size_t radiance_bytes = frame.slices * pixels * sizeof(gpu::Accumulation);
   if (radiance_.bytes() < radiance_bytes) radiance_ = gpu::Buffer(device_, radiance_bytes);
   frame.radiance = radiance_.address();
   frame.accumulation = accumulation_[parity_].address();
   frame.previous_accumulation = accumulation_[parity_ ^ 1].address();
-  const std::size_t pixels = std::size_t{width_} * height_;
   if (settings.layers && layers_.bytes() == 0)
     layers_ = gpu::Buffer(device_, pixels * sizeof(gpu::LightLayers));
   frame.layers = layers_.address();
