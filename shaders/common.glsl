@@ -2,6 +2,12 @@
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_control_flow_attributes : require
+#ifdef TRACE_PIPELINE  // the pass is a ray generation shader: trace.glsl
+#extension GL_EXT_ray_tracing : require
+#define INVOCATION gl_LaunchIDEXT
+#else
+#define INVOCATION gl_GlobalInvocationID
+#endif
 
 #include "shaders/interface.h"
 
@@ -16,7 +22,8 @@ layout(constant_id = CONSTANT_TRAFFIC) const uint HAS_TRAFFIC = 0u;
 layout(constant_id = CONSTANT_GLOSS) const uint HAS_GLOSS = 0u;
 layout(constant_id = CONSTANT_LAYERS) const uint HAS_LAYERS = 0u;
 
-#ifndef WORKGROUP_IS_A_ROW  // passes over pixels; those over lists declare their own
+#ifdef TRACE_PIPELINE
+#elif !defined(WORKGROUP_IS_A_ROW)  // passes over pixels; those over lists declare their own
 layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
 #else
 layout(local_size_x = WORKGROUP_ROW) in;
@@ -35,7 +42,7 @@ layout(push_constant, scalar) uniform PushConstants {
 const float PI = 3.14159265358979;
 
 bool pixel_of_invocation(out uvec2 pixel, out uint index) {
-  pixel = gl_GlobalInvocationID.xy;
+  pixel = INVOCATION.xy;
   index = pixel.y * FRAME.size.x + pixel.x;
   return all(lessThan(pixel, FRAME.size));
 }

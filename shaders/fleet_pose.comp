@@ -50,6 +50,17 @@ void main() {
   instance.light = SCENE.standing_lights + trip * VEHICLE_LIGHTS;
   instance.feature = NO_HIT;
   FLEET.instances.at[trip] = instance;
+  if (FLEET.has_tree != 0u) {
+    const uint at = trip * TREE_INSTANCE_WORDS;
+    for (uint row = 0u; row < 3u; ++row) {
+      const vec4 to_model = vec4(pose.axes[0][row], pose.axes[1][row], pose.axes[2][row], pose.position[row]);
+      for (uint i = 0u; i < 4u; ++i) FLEET.tree_instances.at[at + 4u * row + i] = floatBitsToUint(to_model[i]);
+    }
+    FLEET.tree_instances.at[at + 12u] = (SCENE.fleet.first_instance + trip) | instance.mask << 24u;
+    FLEET.tree_instances.at[at + 13u] = 0u;
+    FLEET.tree_instances.at[at + 14u] = FLEET.body_trees.at[2u * kind];
+    FLEET.tree_instances.at[at + 15u] = FLEET.body_trees.at[2u * kind + 1u];
+  }
 
   FleetNode box = FleetNode(vec3(1e30), 0.0, vec3(-1e30), trip);
   uint cell = FLEET_ABSENT;

@@ -85,7 +85,7 @@ struct Triangle {
 // One placing of a bottom-level hierarchy. Rows of the affine map from model space to the mesh's frame.
 struct Instance {
   vec4 to_object[3];
-  uint root;      // node index of the mesh's hierarchy
+  uint root;      // node index of the mesh's hierarchy; with a ray tracing pipeline, its first triangle
   uint mask;      // MASK_*
   uint light;     // whose luminous part it shows, or NO_HIT: then the triangles' own light (counted from here: MASK_FLEET)
   uint feature;   // or NO_HIT: then the triangles' own
@@ -260,7 +260,11 @@ struct FleetBuffers {
   uint level_count[FLEET_LEVELS];
   uint levels;
   TrafficCycle cycle;
+  BUFFER(Words) tree_instances;   // TREE_INSTANCE_WORDS a trip of the acceleration structure, where rays go through one
+  BUFFER(Words) body_trees;       // addresses of the bodies' acceleration structures, two words each
+  uint has_tree;
 };
+#define TREE_INSTANCE_WORDS 16u  // of VkAccelerationStructureInstanceKHR
 
 struct LightGridBuffers {
   LightGridShape shape;
@@ -284,7 +288,8 @@ struct SceneBuffers {
   BUFFER(Words) lit_list;       // indices of those
   LightGridBuffers local_grid;  // lights that are strong near a place
   LightGridBuffers wide_grid;   // lights of its quarter
-  uint root;         // of the top-level hierarchy, or BVH_EMPTY
+  uvec2 tree;        // address of the top-level acceleration structure, where rays go through one
+  uint root;         // of our own top-level hierarchy, or BVH_EMPTY
   uint light_count;  // standing lights, then VEHICLE_LIGHTS a trip
   uint standing_lights;
   uint lit_count;    // standing lights that shine now

@@ -22,7 +22,7 @@ void main() {
   uvec2 pixel;
   uint index;
   if (!pixel_of_invocation(pixel, index)) return;
-  const uint slice = gl_GlobalInvocationID.z;
+  const uint slice = INVOCATION.z;
   const uint sum_index = slice * pixels_of_picture() + index;
   const uint chunk = push.first + slice * REFERENCE_CHUNK;
   const uint end = min(push.first + push.count, chunk + REFERENCE_CHUNK);

@@ -1,10 +1,26 @@
-// Rays against the scene: closest hit and occlusion, over two levels of quantised four-wide nodes.
+// Rays against the scene: closest hit and occlusion. By the driver's acceleration structures in a ray tracing pipeline
+// (TRACE_PIPELINE), else over two levels of quantised four-wide nodes of our own.
 
-struct Hit {
-  float t;
-  uint triangle;
-  uint instance;
-};
+#include "shaders/hit_record.glsl"
+
+#ifdef TRACE_PIPELINE
+
+layout(location = 0) rayPayloadEXT Hit met_by_ray;  // its triangle counts from the instance's first
+
+// As below; where any hit will do, `hit` says nothing of it.
+bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, bool any, out Hit hit) {
+  met_by_ray = Hit(t_max, 0u, 0u);  // trace.rmiss takes the instance away
+  // Of a shadow ray nobody asks where it ended: trace.rchit need not run.
+  const uint flags = any ? gl_RayFlagsOpaqueEXT | gl_RayFlagsTerminateOnFirstHitEXT | gl_RayFlagsSkipClosestHitShaderEXT
+                         : gl_RayFlagsOpaqueEXT;
+  traceRayEXT(accelerationStructureEXT(SCENE.tree), flags, mask, 0, 0, 0, origin, t_min, direction, t_max, 0);
+  hit = met_by_ray;
+  if (hit.instance == NO_HIT) return false;
+  if (!any) hit.triangle += SCENE.instances.at[hit.instance].root;
+  return true;
+}
+
+#else
 
 struct Ray {
   vec3 origin;
@@ -149,6 +165,8 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
   }
   return hit.triangle != NO_HIT;
 }
+
+#endif
 
 bool closest_hit(vec3 origin, vec3 direction, out Hit hit) {
   return trace(origin, direction, 0.0, 1e30, MASK_VISIBLE, false, hit);

@@ -20,7 +20,7 @@ void count_at(vec3 place, float lumen) {
 }
 
 void main() {
-  const uint index = push.first + gl_GlobalInvocationID.x;
+  const uint index = push.first + INVOCATION.x;
   if (index >= SCENE.light_count) return;
   const Light light = light_at(index);
   if (!(light.flux_lm > 0.0)) return;

@@ -279,13 +279,34 @@ Device::Device(const Options& options) {
     features.pNext = &v12;
     features.features.shaderInt64 = VK_TRUE;
 
+    std::vector<const char*> extensions = options.device_extensions;
+    VkPhysicalDeviceAccelerationStructureFeaturesKHR trees{};
+    trees.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR;
+    trees.accelerationStructure = VK_TRUE;
+    VkPhysicalDeviceRayTracingPipelineFeaturesKHR rays{};
+    rays.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_TRACING_PIPELINE_FEATURES_KHR;
+    rays.rayTracingPipeline = VK_TRUE;
+    rays.pNext = &trees;
+    if (options.ray_tracing) {
+      if (!info_.ray_pipeline)
+        throw UsageError("--trace",
+                         "device '" + info_.name +
+                             "' has no ray tracing pipelines (nightview devices lists those that have)");
+      ray_tracing_ = true;
+      v12.pNext = &rays;
+      for (const char* name :
+           {VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME, VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME,
+            VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME})
+        extensions.push_back(name);
+    }
+
     VkDeviceCreateInfo device_info{};
     device_info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
     device_info.pNext = &features;
     device_info.queueCreateInfoCount = 1;
     device_info.pQueueCreateInfos = &queue_info;
-    device_info.enabledExtensionCount = static_cast<std::uint32_t>(options.device_extensions.size());
-    device_info.ppEnabledExtensionNames = options.device_extensions.data();
+    device_info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+    device_info.ppEnabledExtensionNames = extensions.data();
     VK_CHECK(vkCreateDevice(physical_, &device_info, nullptr, &device_));
     vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
 
@@ -353,16 +374,20 @@ void Device::end(VkCommandBuffer commands) {
   VK_CHECK(vkResetFences(device_, 1, &fence_));
 }
 
+void Device::check_validation() const {
+  if (messages_.empty()) return;
+  throw Error("vulkan", "the validation layer found fault " + std::to_string(messages_.size()) +
+                            " times, first: " + messages_.front());
+}
+
 void full_barrier(VkCommandBuffer commands) {
   VkMemoryBarrier barrier{};
   barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
-  barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT;
-  barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT |
-                          VK_ACCESS_TRANSFER_READ_BIT | VK_ACCESS_TRANSFER_WRITE_BIT |
-                          VK_ACCESS_HOST_READ_BIT;
-  constexpr VkPipelineStageFlags work = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT;
-  vkCmdPipelineBarrier(commands, work, work | VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier, 0, nullptr, 0,
-                       nullptr);
+  barrier.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
+  barrier.dstAccessMask = VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT | VK_ACCESS_HOST_READ_BIT;
+  vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
+                       VK_PIPELINE_STAGE_ALL_COMMANDS_BIT | VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier, 0,
+                       nullptr, 0, nullptr);
 }
 
 }  // namespace nightcity::gpu

@@ -32,6 +32,8 @@ class Device {
   struct Options {
     std::string select;  // "" = best usable one; an index, or part of a name in any case
     bool validation = false;
+    bool ray_tracing = false;  // acceleration structures and ray tracing pipelines; refused where there are
+                               // none
     std::vector<const char*> instance_extensions;  // what a window system asks for
     std::vector<const char*> device_extensions;
   };
@@ -47,10 +49,15 @@ class Device {
   VkDevice handle() const { return device_; }
   VkQueue queue() const { return queue_; }
   std::uint32_t queue_family() const { return queue_family_; }
+  bool ray_tracing() const { return ray_tracing_; }  // made with Options::ray_tracing
+  /// For people and tables: its name, and the way that rays take where that is not the usual one.
+  std::string label() const { return info_.name + (ray_tracing_ ? ", ray tracing pipelines" : ""); }
   float timestamp_period_ns() const { return timestamp_period_ns_; }  // 0 = the queue has no timestamps
 
   /// What the validation layer has said so far (warnings and errors); empty without validation.
   const std::vector<std::string>& validation_messages() const { return messages_; }
+  /// Throws Error where it found fault.
+  void check_validation() const;
 
   /// Memory type with `wanted` properties among `allowed`; throws Error where there is none.
   std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted) const;
@@ -75,6 +82,7 @@ class Device {
   VkPhysicalDeviceMemoryProperties memory_{};
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;
+  bool ray_tracing_ = false;
   std::uint32_t queue_family_ = 0;
   float timestamp_period_ns_ = 0;
   VkCommandPool pool_ = VK_NULL_HANDLE;

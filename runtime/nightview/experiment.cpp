@@ -25,12 +25,16 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+void wake(const gpu::Device& device, const std::function<void()>& render) {
+  if (device.info().kind == "cpu") return;
+  const auto start = std::chrono::steady_clock::now();
+  do render();
+  while (std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
+}
+
 Experiment::Experiment(RenderScene scene, const Options& options)
     : scene_(std::move(scene)),
-      device_(std::make_unique<gpu::Device>(gpu::Device::Options{.select = options.device,
-                                                                 .validation = options.validation,
-                                                                 .instance_extensions = {},
-                                                                 .device_extensions = {}})),
+      device_(std::make_unique<gpu::Device>(options.device)),
       device_scene_(std::make_unique<DeviceScene>(*device_, scene_)),
       passes_(std::make_unique<PassLibrary>(*device_)),
       renderer_(
@@ -40,7 +44,7 @@ Experiment::Experiment(RenderScene scene, const Options& options)
 }
 
 void Experiment::check_validation() const {
-  if (!device_->validation_messages().empty()) throw Error("vulkan", device_->validation_messages().front());
+  device_->check_validation();
 }
 
 Image Experiment::reference(const CameraPose& pose, RenderSettings settings, std::uint32_t frames,
@@ -69,10 +73,7 @@ Image Experiment::reference(const CameraPose& pose, RenderSettings settings, std
 void Experiment::warm_up(const CameraPose& pose, const RenderSettings& settings) {
   Renderer renderer(*device_, *passes_, *device_scene_, renderer_->width(), renderer_->height());
   for (int i = 0; i < 2; ++i) renderer.render_frame(pose, settings);  // the second has a history
-  if (device_->info().kind == "cpu") return;
-  const auto start = std::chrono::steady_clock::now();
-  do renderer.render_frame(pose, settings);
-  while (std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
+  wake(*device_, [&] { renderer.render_frame(pose, settings); });
 }
 
 std::vector<Measurement> Experiment::measure(const CameraPose& pose, RenderSettings settings,
@@ -80,6 +81,8 @@ std::vector<Measurement> Experiment::measure(const CameraPose& pose, RenderSetti
                                              std::uint32_t warm_up, std::uint32_t repeats) {
   std::vector<Measurement> results(frames.size());
   std::vector<double> ms;
+  settings.seed = 0;
+  wake(*device_, [&] { renderer_->render_frame(pose, settings); });
   for (std::uint32_t repeat = 0; repeat < repeats; ++repeat) {
     settings.seed = 1 + repeat;  // starts mean and history anew
     settings.accumulate = false;

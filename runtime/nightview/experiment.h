@@ -26,18 +26,21 @@ double gpu_ms(const Renderer& renderer);
 
 double median(std::vector<double> values);
 
+/// Keeps a GPU at work for a second, by `render`: at rest it runs at a fraction of its clock, and frames of a
+/// millisecond do not wake it. A CPU is left alone.
+void wake(const gpu::Device& device, const std::function<void()>& render);
+
 class Experiment {
  public:
   struct Options {
-    std::string device;  // as --device
-    bool validation = false;
+    gpu::Device::Options device;
     std::uint32_t width = 640, height = 360;
   };
   /// Throws Error where there is no device, or its queue has no timestamps.
   Experiment(RenderScene scene, const Options& options);
 
   const RenderScene& scene() const { return scene_; }
-  const std::string& device_name() const { return device_->info().name; }
+  std::string device_name() const { return device_->label(); }
   /// Throws Error where the validation layer found fault.
   void check_validation() const;
 
@@ -48,8 +51,7 @@ class Experiment {
                   const std::filesystem::path& cache,
                   const std::function<void(std::uint32_t)>& progress = {});
 
-  /// Compiles the passes of the settings and keeps the device at work for a second: a GPU at rest runs at a
-  /// fraction of its clock, and frames of a millisecond do not wake it. Leaves no trace in the renderer.
+  /// Compiles the passes of the settings and wakes the device. Leaves no trace in the renderer.
   void warm_up(const CameraPose& pose, const RenderSettings& settings);
 
   /// Pictures of `repeats` seeds, each after `warm_up` frames that fill the history, taken at every count of

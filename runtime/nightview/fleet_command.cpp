@@ -9,6 +9,7 @@
 #include "formats/error.h"
 #include "runtime/measure/table.h"
 #include "runtime/nightview/commands.h"
+#include "runtime/nightview/device_options.h"
 #include "runtime/nightview/experiment.h"
 #include "runtime/nightview/knobs.h"
 #include "runtime/nightview/lamp_field.h"
@@ -18,7 +19,8 @@ namespace nightcity {
 namespace {
 
 struct FleetCommand {
-  std::string device, size = "1280x720", estimator = name_of(RenderSettings{}.estimator);
+  gpu::Device::Options device;
+  std::string size = "1280x720", estimator = name_of(RenderSettings{}.estimator);
   std::string vehicles = "0,100,1000,10000";
   std::size_t lamps = 10'000;
   std::uint32_t frames = 32;
@@ -32,19 +34,21 @@ void measure_fleets(FleetCommand& command) {
   size.resolve();
   RenderSettings settings;
   settings.estimator = estimator_from_name(command.estimator);
-  const std::vector<std::string> fleet_passes{"fleet poses", "fleet tree"};
+  std::vector<std::string> fleet_passes{"fleet poses", "fleet tree"};
+  if (command.device.ray_tracing) fleet_passes.push_back("top level");
   Table table{{"vehicles", "lights", "ms"}, {}};
   for (const std::string& pass : fleet_passes) table.columns.push_back(pass + ", ms");
   table.columns.push_back("others, ms");
   for (const std::string& word : split_list("--vehicles", command.vehicles)) {
     const std::size_t vehicles = count_of("--vehicles", word, 0, 1'000'000);
-    Experiment experiment(lamp_field(command.lamps, vehicles),
-                          {command.device, false, size.width, size.height});
+    Experiment experiment(lamp_field(command.lamps, vehicles), {command.device, size.width, size.height});
     spdlog::info("{} vehicles on {}", vehicles, experiment.device_name());
     Renderer& renderer = experiment.renderer();
     std::map<std::string, std::vector<double>> passes;
     std::vector<double> all;
     constexpr std::uint32_t warm_up = 4;
+    settings.time_s = 8 * 3600;
+    experiment.warm_up(lamp_field_camera(), settings);
     for (std::uint32_t i = 0; i < command.frames + warm_up; ++i) {
       settings.time_s = 8 * 3600 + 10 + frame_s * i;
       renderer.render_frame(lamp_field_camera(), settings);
@@ -54,6 +58,7 @@ void measure_fleets(FleetCommand& command) {
       for (const auto& [name, ms] : frame) passes[name].push_back(ms);
       all.push_back(gpu_ms(renderer));
     }
+    experiment.check_validation();
     double others = median(all);
     std::vector<std::string> row{fmt::to_string(vehicles),
                                  fmt::to_string(experiment.scene().lights.size() +
@@ -82,8 +87,7 @@ void add_fleet_command(CLI::App& app) {
       "Example:\n  nightview fleet --vehicles 0,1000,10000 --size 1920x1080 --estimator traced");
   sub->add_option("--size", command->size, "Picture size in pixels, WIDTHxHEIGHT")->capture_default_str();
   sub->add_option("--estimator", command->estimator, "As of nightview render")->capture_default_str();
-  sub->add_option("--device", command->device,
-                  "Vulkan device: index or part of its name (see nightview devices)");
+  declare_device(*sub, command->device);
   sub->add_option("--vehicles", command->vehicles, "Numbers of vehicles")->capture_default_str();
   sub->add_option("--lamps", command->lamps, "Street lamps: the size of the field")
       ->capture_default_str()

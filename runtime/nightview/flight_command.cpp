@@ -45,8 +45,7 @@ void fly(FlightCommand& command) {
   RenderOptions& options = command.options;
   options.resolve();
   options.settings.jitter = false;  // as the reference has it: edges are not what is measured
-  Experiment experiment(load_render_scene(options.scene),
-                        {options.device, options.validation, options.width, options.height});
+  Experiment experiment(load_render_scene(options.scene), {options.device, options.width, options.height});
   const CameraPath path = find_path(command.path, experiment.scene());
   const std::filesystem::path folder = command.folder;
   std::error_code failed;

@@ -123,16 +123,13 @@ void render(RenderCommand& command) {
   const RenderScene scene = options.load();
   const CameraPose pose = find_camera(options.camera, scene);
   if (!command.save_camera.empty()) write_camera(command.save_camera, pose);
-  gpu::Device device({.select = options.device,
-                      .validation = options.validation,
-                      .instance_extensions = {},
-                      .device_extensions = {}});
+  gpu::Device device(options.device);
   DeviceScene device_scene(device, scene);
   PassLibrary passes(device);
   Renderer renderer(device, passes, device_scene, options.width, options.height);
   spdlog::info("{}: {} triangles, {} lights, loaded in {:.2f} s; rendering on {}", options.scene,
                scene.triangles.size(), scene.lights.size(),
-               std::chrono::duration<double>(Clock::now() - load_start).count(), device.info().name);
+               std::chrono::duration<double>(Clock::now() - load_start).count(), device.label());
   if (scene.lights.empty())
     spdlog::warn("{}: no lights; only what shines by itself will be seen", options.scene);
   if (scene.bad_lights)
@@ -144,8 +141,7 @@ void render(RenderCommand& command) {
     show_progress(i + 1, command.frames, start);
   }
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  for (const std::string& message : device.validation_messages()) spdlog::error("{}", message);
-  if (!device.validation_messages().empty()) throw Error("vulkan", "the validation layer found fault");
+  device.check_validation();
 
   Image image = renderer.download(options.settings.layers);
   const float ev100 = exposure_of(command.exposure, image);

@@ -9,6 +9,7 @@
 #include "formats/error.h"
 #include "runtime/measure/exr.h"
 #include "runtime/measure/image.h"
+#include "runtime/nightview/device_options.h"
 #include "runtime/scene/camera.h"
 
 namespace nightcity {
@@ -132,7 +133,7 @@ void RenderOptions::declare(CLI::App& command) {
   command.add_flag("--jitter,!--no-jitter", settings.jitter,
                    "Sub-pixel offsets from frame to frame (on by default)");
   command.add_option("--seed", settings.seed, "Of all random numbers")->capture_default_str();
-  command.add_option("--device", device, "Vulkan device: index or part of its name (see nightview devices)");
+  declare_device(command, device);
   command.add_option("--camera", camera, "Camera file (JSON) or preset: " + presets)->capture_default_str();
   command
       .add_option("--sky", settings.sky_cd_m2[0],
@@ -150,8 +151,6 @@ void RenderOptions::declare(CLI::App& command) {
       ->capture_default_str()
       ->check(CLI::Range(0.0f, 1.0f));
   command.add_flag("--denoise", settings.denoise, "Filter the picture: for the eye, not for figures");
-  command.add_flag("--validation", validation,
-                   "Run under the Vulkan validation layer; its messages end the run with 1");
 }
 
 void RenderOptions::resolve() {

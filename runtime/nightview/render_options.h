@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "runtime/gpu/device.h"
 #include "runtime/render/settings.h"
 #include "runtime/scene/render_scene.h"
 
@@ -15,16 +16,16 @@ double parse_time(const std::string& text);
 
 struct RenderOptions {
   std::string scene;
-  std::string device;
+  gpu::Device::Options device;
   std::string camera = "overview";
   std::string size = "1280x720";
   std::string estimator = name_of(RenderSettings{}.estimator);
   std::string time = "20:00";
   std::string sky_map, moon;
-  bool validation = false;
   RenderSettings settings;
 
-  /// Declares --size, --estimator, --candidates, --neighbours, --seed, --device, --camera and the finer ones.
+  /// Declares --size, --estimator, --candidates, --neighbours, --seed, --device, --trace, --camera and the
+  /// finer ones.
   void declare(CLI::App& command);
   /// After parsing: names to settings. Throws UsageError.
   void resolve();

@@ -9,6 +9,7 @@
 #include "formats/error.h"
 #include "runtime/measure/table.h"
 #include "runtime/nightview/commands.h"
+#include "runtime/nightview/device_options.h"
 #include "runtime/nightview/experiment.h"
 #include "runtime/nightview/knobs.h"
 #include "runtime/nightview/lamp_field.h"
@@ -18,7 +19,8 @@ namespace nightcity {
 namespace {
 
 struct StrategiesCommand {
-  std::string folder, device, size = "320x180", lights = "10,1000,100000,1000000";
+  gpu::Device::Options device;
+  std::string folder, size = "320x180", lights = "10,1000,100000,1000000";
   std::uint32_t candidates = 32, reference_frames = 8, frames = 16;
 };
 
@@ -54,7 +56,7 @@ void compare_strategies(const StrategiesCommand& command) {
                fmt::format("of the mean of {}", command.frames), "mean error, %"},
               {}};
   for (const std::size_t count : counts) {
-    Experiment experiment(lamp_field(count), {command.device, false, size.width, size.height});
+    Experiment experiment(lamp_field(count), {command.device, size.width, size.height});
     spdlog::info("{} lights, {} triangles on {}: reference", count, experiment.scene().triangles.size(),
                  experiment.device_name());
     RenderSettings settings;
@@ -78,6 +80,7 @@ void compare_strategies(const StrategiesCommand& command) {
              fmt::format("{:+.2f}", 100 * m.back().relative_mean_signed_error)});
         write_csv(folder / "strategies.csv", table);
       }
+    experiment.check_validation();
   }
   fmt::print("{}", to_markdown(table));
 }
@@ -105,8 +108,7 @@ void add_strategies_command(CLI::App& app) {
   sub->add_option("--reference-frames", command->reference_frames, "Frames of each reference picture")
       ->capture_default_str()
       ->check(CLI::Range(1u, 100000u));
-  sub->add_option("--device", command->device,
-                  "Vulkan device: index or part of its name (see nightview devices)");
+  declare_device(*sub, command->device);
   sub->callback([command] { compare_strategies(*command); });
 }
 

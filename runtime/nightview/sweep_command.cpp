@@ -11,6 +11,7 @@
 #include "formats/atomic_file.h"
 #include "formats/error.h"
 #include "runtime/nightview/commands.h"
+#include "runtime/nightview/device_options.h"
 #include "runtime/nightview/experiment.h"
 #include "runtime/nightview/render_options.h"
 #include "runtime/nightview/sweep.h"
@@ -19,11 +20,11 @@ namespace nightcity {
 namespace {
 
 struct SweepCommand {
-  std::string scene, device, folder, size = "640x360", views = "overview", frames = "1,16";
+  gpu::Device::Options device;
+  std::string scene, folder, size = "640x360", views = "overview", frames = "1,16";
   std::map<std::string, std::string> lists;  // by knob
   std::uint32_t reference_frames = 64, warm_up = 8, repeats = 1;
   double minutes = 0;
-  bool validation = false;
 };
 
 std::vector<std::uint32_t> frame_counts(const std::string& text) {
@@ -87,8 +88,7 @@ void sweep(const SweepCommand& command) {
   const auto frames = frame_counts(command.frames);
   const auto all = combinations(command.lists);
 
-  Experiment experiment(load_render_scene(command.scene),
-                        {command.device, command.validation, size.width, size.height});
+  Experiment experiment(load_render_scene(command.scene), {command.device, size.width, size.height});
   std::vector<CameraPose> poses;
   for (const std::string& view : views) poses.push_back(find_camera(view, experiment.scene()));
   const std::size_t keys = columns().size() - 6;  // up to and with the frames
@@ -193,9 +193,7 @@ void add_sweep_command(CLI::App& app) {
                   "Stop after the setting that takes longer than this; 0 = never")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1e6));
-  sub->add_option("--device", command->device,
-                  "Vulkan device: index or part of its name (see nightview devices)");
-  sub->add_flag("--validation", command->validation, "Run under the Vulkan validation layer");
+  declare_device(*sub, command->device);
   sub->callback([command] { sweep(*command); });
 }
 

@@ -14,6 +14,7 @@
 #include "runtime/measure/false_colour.h"
 #include "runtime/measure/png.h"
 #include "runtime/nightview/commands.h"
+#include "runtime/nightview/device_options.h"
 #include "runtime/nightview/render_options.h"
 #include "runtime/render/upward_flux.h"
 
@@ -21,7 +22,8 @@ namespace nightcity {
 namespace {
 
 struct UpwardCommand {
-  std::string scene, out, device, time = "20:00";
+  std::string scene, out, time = "20:00";
+  gpu::Device::Options device;
   UpwardSettings settings;
   bool json = false;
 };
@@ -86,11 +88,11 @@ void upward(UpwardCommand& command) {
   if (!std::filesystem::is_directory(command.out))
     throw Error(command.out, "is not a folder that can be written to");
   const RenderScene scene = load_render_scene(command.scene);
-  gpu::Device device(
-      {.select = command.device, .validation = false, .instance_extensions = {}, .device_extensions = {}});
+  gpu::Device device(command.device);
   DeviceScene device_scene(device, scene);
   PassLibrary passes(device);
   const UpwardFlux flux = upward_flux(device, passes, device_scene, command.settings);
+  device.check_validation();
 
   std::array<Sums, family_names.size()> families{};
   Sums all;
@@ -160,8 +162,7 @@ void add_upward_command(CLI::App& app) {
       ->capture_default_str()
       ->check(CLI::Range(0.1f, 10'000.0f));
   sub->add_option("--seed", command->settings.seed, "Of all random numbers")->capture_default_str();
-  sub->add_option("--device", command->device,
-                  "Vulkan device: index or part of its name (see nightview devices)");
+  declare_device(*sub, command->device);
   sub->add_flag("--json", command->json, "Results as JSON");
   sub->callback([command] { upward(*command); });
 }

@@ -30,7 +30,6 @@ void view(ViewCommand& command) {
   options.width = render.width;
   options.height = render.height;
   options.settings = render.settings;
-  options.validation = render.validation;
   const ViewReport report = run_viewer(render.load(), options);
   fmt::print("{} frames shown, the last {} of them averaged, estimator {}\n", report.shown, report.frames,
              report.estimator);

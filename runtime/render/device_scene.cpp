@@ -27,11 +27,18 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
   addresses_.root = scene.root;
   addresses_.standing_lights = static_cast<std::uint32_t>(scene.lights.size());
   addresses_.light_count = addresses_.standing_lights;
+  std::vector<gpu::Instance> instances = scene.instances;
+  if (device.ray_tracing()) {
+    trees_.emplace(device, scene, addresses_.triangles);
+    for (gpu::Instance& instance : instances) instance.root = trees_->first_triangle(instance.root);
+    addresses_.tree = {static_cast<std::uint32_t>(trees_->address()),
+                       static_cast<std::uint32_t>(trees_->address() >> 32)};
+  }
   if (scene.fleet.trips.empty()) {
     addresses_.nodes = store(std::span(scene.nodes));
-    addresses_.instances = store(std::span(scene.instances));
+    addresses_.instances = store(std::span<const gpu::Instance>(instances));
   } else {
-    store_fleet(scene);
+    store_fleet(scene, instances);
   }
   const auto any_light = [&](auto&& is) {
     return std::any_of(scene.lights.begin(), scene.lights.end(), is) ||
@@ -53,12 +60,19 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
   if (schedules_.empty()) lights_ = {};
 }
 
-void DeviceScene::store_fleet(const RenderScene& scene) {
+void DeviceScene::store_fleet(const RenderScene& scene, std::span<const gpu::Instance> instances) {
   const Fleet& fleet = scene.fleet;
   const auto trips = static_cast<std::uint32_t>(fleet.trips.size());
   gpu::FleetBuffers& to = addresses_.fleet;
   to.vehicles = store(std::span(fleet.vehicles));
-  to.bodies = store(std::span(fleet.bodies));
+  std::vector<gpu::VehicleBody> bodies = fleet.bodies;
+  if (trees_) {
+    for (gpu::VehicleBody& body : bodies) body.root = trees_->first_triangle(body.root);
+    to.tree_instances = trees_->trip_instances();
+    to.body_trees = trees_->body_trees();
+    to.has_tree = 1;
+  }
+  to.bodies = store(std::span<const gpu::VehicleBody>(bodies));
   // One record more, so that a kind without lights has something to read.
   std::vector<Light> vehicle_lights = fleet.vehicle_lights;
   vehicle_lights.push_back({});
@@ -88,7 +102,7 @@ void DeviceScene::store_fleet(const RenderScene& scene) {
     if (!values.empty()) storage_.back().upload(values.data(), values.size_bytes());
     return storage_.back().address();
   };
-  addresses_.instances = with_room(std::span(scene.instances), trips);
+  addresses_.instances = with_room(instances, trips);
   addresses_.nodes = with_room(std::span(scene.nodes), inner + 1);
   to.instances = addresses_.instances + std::uint64_t{to.first_instance} * sizeof(gpu::Instance);
   to.bvh = addresses_.nodes + std::uint64_t{to.first_bvh_node} * sizeof(gpu::BvhNode);
@@ -140,7 +154,7 @@ std::uint64_t DeviceScene::bytes() const {
   for (const gpu::Buffer* buffer : {&lit_bits_[0], &lit_bits_[1], &lit_list_, &alias_, &cells_[0], &cells_[1],
                                     &entries_[0], &entries_[1]})
     total += buffer->bytes();
-  return total;
+  return total + (trees_ ? trees_->bytes() : 0);
 }
 
 }  // namespace nightcity

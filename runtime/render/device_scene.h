@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "runtime/gpu/buffer.h"
+#include "runtime/render/ray_trees.h"
 #include "runtime/scene/lit_lights.h"
 #include "runtime/scene/render_scene.h"
 
@@ -35,11 +37,13 @@ class DeviceScene {
   /// Of what stands and can be seen, model space.
   const Box& bounds() const { return bounds_; }
   std::uint64_t bytes() const;
+  /// Where rays go through a ray tracing pipeline; else null.
+  const RayTrees* trees() const { return trees_ ? &*trees_ : nullptr; }
 
  private:
   template <class T>
   std::uint64_t store(std::span<const T> values);
-  void store_fleet(const RenderScene& scene);
+  void store_fleet(const RenderScene& scene, std::span<const gpu::Instance> instances);
   void upload_lit(LitLights lit);
   gpu::LightGridBuffers upload_grid(std::size_t which, const LightGrid& grid);
 
@@ -49,6 +53,7 @@ class DeviceScene {
   bool has_profiles_ = false, has_rectangles_ = false;
 
   std::vector<glm::vec3> albedos_;
+  std::optional<RayTrees> trees_;
 
   // Kept for set_time where lights have schedules.
   std::vector<Light> lights_;

@@ -52,6 +52,9 @@ void FleetPasses::record(VkCommandBuffer commands, const PassSet& passes, std::u
   for (std::uint32_t level = 1; level <= fleet.levels; ++level)
     run(passes.fleet_tree, level < fleet.levels ? fleet.level_count[level] : 1, level);
   finished("fleet tree");
+  if (!scene_.trees()) return;
+  scene_.trees()->build(commands);
+  finished("top level");
 }
 
 std::vector<Light> FleetPasses::lights() const {

@@ -4,6 +4,7 @@
 
 #include "spirv/accumulate.h"
 #include "spirv/candidates.h"
+#include "spirv/candidates_rays.h"
 #include "spirv/demodulate.h"
 #include "spirv/denoise.h"
 #include "spirv/fleet_offsets.h"
@@ -12,11 +13,19 @@
 #include "spirv/fleet_settle.h"
 #include "spirv/fleet_tree.h"
 #include "spirv/primary.h"
+#include "spirv/primary_rays.h"
 #include "spirv/reference.h"
+#include "spirv/reference_rays.h"
 #include "spirv/shade.h"
+#include "spirv/shade_rays.h"
 #include "spirv/spatial.h"
+#include "spirv/spatial_rays.h"
 #include "spirv/temporal.h"
+#include "spirv/temporal_rays.h"
+#include "spirv/trace_hit.h"
+#include "spirv/trace_miss.h"
 #include "spirv/upward.h"
+#include "spirv/upward_rays.h"
 
 namespace nightcity {
 
@@ -27,7 +36,7 @@ const PassSet& PassLibrary::get(const PassConstants& constants) {
     return gpu::ComputePass(device_, spirv, constants, sizeof(gpu::Push));
   };
   PassSet set;
-  set.primary = make(primary_spirv);
+  set.primary = make_trace(constants, primary_spirv, primary_rays_spirv);
   set.accumulate = make(accumulate_spirv);
   set.demodulate = make(demodulate_spirv);
   set.denoise = make(denoise_spirv);
@@ -39,21 +48,30 @@ const PassSet& PassLibrary::get(const PassConstants& constants) {
     set.fleet_tree = make(fleet_tree_spirv);
   }
   if (constants[CONSTANT_ESTIMATOR] == ESTIMATOR_REFERENCE) {
-    set.reference = make(reference_spirv);
+    set.reference = make_trace(constants, reference_spirv, reference_rays_spirv);
   } else {
-    set.candidates = make(candidates_spirv);
-    set.temporal = make(temporal_spirv);
-    set.spatial = make(spatial_spirv);
-    set.shade = make(shade_spirv);
+    set.candidates = make_trace(constants, candidates_spirv, candidates_rays_spirv);
+    set.temporal = make_trace(constants, temporal_spirv, temporal_rays_spirv);
+    set.spatial = make_trace(constants, spatial_spirv, spatial_rays_spirv);
+    set.shade = make_trace(constants, shade_spirv, shade_rays_spirv);
   }
   return sets_.emplace(constants, std::move(set)).first->second;
 }
 
-const gpu::ComputePass& PassLibrary::upward(const PassConstants& constants) {
+const TracePass& PassLibrary::upward(const PassConstants& constants) {
   const auto known = upward_.find(constants);
   if (known != upward_.end()) return known->second;
-  return upward_.try_emplace(constants, device_, upward_spirv, constants, std::uint32_t{sizeof(gpu::Push)})
+  return upward_.emplace(constants, make_trace(constants, upward_spirv, upward_rays_spirv, WORKGROUP_ROW, 1))
       .first->second;
+}
+
+TracePass PassLibrary::make_trace(const PassConstants& constants, std::span<const std::uint32_t> compute,
+                                  std::span<const std::uint32_t> rays, std::uint32_t group_width,
+                                  std::uint32_t group_height) {
+  if (device_.ray_tracing())
+    return TracePass(
+        gpu::RayPass(device_, {rays, trace_miss_spirv, trace_hit_spirv}, constants, sizeof(gpu::Push)));
+  return {gpu::ComputePass(device_, compute, constants, sizeof(gpu::Push)), group_width, group_height};
 }
 
 }  // namespace nightcity

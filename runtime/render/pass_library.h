@@ -5,9 +5,11 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <span>
 
 #include "runtime/gpu/compute_pass.h"
 #include "runtime/gpu/device.h"
+#include "runtime/render/trace_pass.h"
 #include "shaders/interface.h"
 
 namespace nightcity {
@@ -15,10 +17,11 @@ namespace nightcity {
 using PassConstants = std::array<std::uint32_t, CONSTANT_COUNT>;
 
 struct PassSet {
-  gpu::ComputePass primary, accumulate, demodulate, denoise;
+  gpu::ComputePass accumulate, demodulate, denoise;
   gpu::ComputePass fleet_pose, fleet_offsets, fleet_order, fleet_settle, fleet_tree;  // only with traffic
-  gpu::ComputePass reference;                             // only where the estimator is the reference
-  gpu::ComputePass candidates, temporal, spatial, shade;  // only where it is not
+  TracePass primary;
+  TracePass reference;                             // only where the estimator is the reference
+  TracePass candidates, temporal, spatial, shade;  // only where it is not
 };
 
 class PassLibrary {
@@ -28,12 +31,16 @@ class PassLibrary {
 
   /// Compiled on first use; the reference stays good as long as the library.
   const PassSet& get(const PassConstants& constants);
-  const gpu::ComputePass& upward(const PassConstants& constants);
+  const TracePass& upward(const PassConstants& constants);
 
  private:
+  TracePass make_trace(const PassConstants& constants, std::span<const std::uint32_t> compute,
+                       std::span<const std::uint32_t> rays, std::uint32_t group_width = WORKGROUP_SIZE,
+                       std::uint32_t group_height = WORKGROUP_SIZE);
+
   gpu::Device& device_;
   std::map<PassConstants, PassSet> sets_;
-  std::map<PassConstants, gpu::ComputePass> upward_;
+  std::map<PassConstants, TracePass> upward_;
 };
 
 }  // namespace nightcity

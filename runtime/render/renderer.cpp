@@ -110,10 +110,17 @@ std::vector<Feature> Renderer::not_needed(const RenderSettings& settings) const 
 }
 
 void Renderer::run_pass(VkCommandBuffer commands, const gpu::ComputePass& pass, const char* name,
-                        std::uint32_t first, std::uint32_t count, std::uint32_t slices) {
+                        std::uint32_t first, std::uint32_t count) {
   const gpu::Push push{frame_.address(), first, count};
   pass.dispatch(commands, &push, (width_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE,
-                (height_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE, slices);
+                (height_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE);
+  gpu::full_barrier(commands);
+  timer_.mark(commands, name);
+}
+
+void Renderer::run_pass(VkCommandBuffer commands, const TracePass& pass, const char* name,
+                        std::uint32_t first, std::uint32_t count, std::uint32_t slices) {
+  pass.record(commands, {frame_.address(), first, count}, width_, height_, slices);
   gpu::full_barrier(commands);
   timer_.mark(commands, name);
 }
@@ -319,7 +326,7 @@ Image Renderer::download(bool layers) const {
   image.info.neighbours = settings_.neighbours;
   image.info.seed = settings_.seed;
   image.info.ev100 = settings_.ev100;
-  image.info.device = device_.info().name;
+  image.info.device = device_.label();
   if (layers) add_layers(image);
   return image;
 }

@@ -23,7 +23,7 @@ UpwardFlux upward_flux(gpu::Device& device, PassLibrary& library, DeviceScene& s
   constants[CONSTANT_RECTANGLES] = scene.has_rectangles();
   constants[CONSTANT_SCHEDULES] = scene.has_schedules();
   constants[CONSTANT_TRAFFIC] = scene.has_fleet();
-  const gpu::ComputePass& pass = library.upward(constants);
+  const TracePass& pass = library.upward(constants);
 
   gpu::Frame frame{};
   frame.scene = scene.buffers();
@@ -65,8 +65,7 @@ UpwardFlux upward_flux(gpu::Device& device, PassLibrary& library, DeviceScene& s
     device.run([&](VkCommandBuffer commands) {
       for (std::uint32_t first = 0; first < lights; first += lights_a_dispatch) {
         const gpu::Push push{frame_buffer.address(), first, rays_a_dispatch};
-        pass.dispatch(commands, &push,
-                      (std::min(lights_a_dispatch, lights - first) + WORKGROUP_ROW - 1) / WORKGROUP_ROW);
+        pass.record(commands, push, std::min(lights_a_dispatch, lights - first));
         gpu::full_barrier(commands);
       }
     });

@@ -71,6 +71,9 @@ std::pair<std::uint32_t, Box> add_hierarchy(RenderScene& scene, const std::vecto
     throw Error("", "more than 134 million triangles in one scene");
   rebase(bvh, static_cast<std::uint32_t>(scene.nodes.size()),
          static_cast<std::uint32_t>(scene.triangles.size()));
+  if (!triangles.empty())
+    scene.meshes.push_back({bvh.root, static_cast<std::uint32_t>(scene.triangles.size()),
+                            static_cast<std::uint32_t>(triangles.size())});
   for (const std::uint32_t i : bvh.order) scene.triangles.push_back(triangles[i]);
   scene.nodes.insert(scene.nodes.end(), bvh.nodes.begin(), bvh.nodes.end());
   return {bvh.root, all};

@@ -32,10 +32,17 @@ struct SkyMap {
   std::vector<float> rgb;  // cd/m^2, finite, >= 0; 3 * width * height
 };
 
+/// Triangles that are placed together.
+struct Mesh {
+  std::uint32_t root;  // of their hierarchy: as instances and vehicle bodies name the mesh
+  std::uint32_t first_triangle, triangles;
+};
+
 struct RenderScene {
   std::vector<gpu::BvhNode> nodes;  // every mesh's hierarchy, then the top level's
   std::uint32_t root = BVH_EMPTY;   // of the top level
   std::vector<gpu::Triangle> triangles;
+  std::vector<Mesh> meshes{};  // none is empty
   std::vector<gpu::Instance> instances;
   std::vector<gpu::Material> materials;  // at least one
   std::vector<Light> lights;

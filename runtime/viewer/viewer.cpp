@@ -41,16 +41,19 @@ bool is_power_of_four(std::uint32_t n) {
   return n == 1;
 }
 
+gpu::Device::Options for_window(gpu::Device::Options options, const Window& window) {
+  options.instance_extensions = window.instance_extensions();
+  options.device_extensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME};
+  return options;
+}
+
 class Viewer {
  public:
   Viewer(RenderScene scene, const ViewOptions& options)
       : options_(options),
         scene_(std::move(scene)),
         window_(options.width, options.height, "nightview"),
-        device_({.select = options.device,
-                 .validation = options.validation,
-                 .instance_extensions = window_.instance_extensions(),
-                 .device_extensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME}}),
+        device_(for_window(options.device, window_)),
         swapchain_(device_, window_.create_surface(device_.instance())),
         device_scene_(device_, scene_),
         passes_(device_),
@@ -62,7 +65,7 @@ class Viewer {
     state_.auto_exposure = !options.ev100;
     if (options.ev100) state_.settings.ev100 = *options.ev100;
     figures_.scene = std::filesystem::path(options.scene).filename().string();
-    figures_.device = device_.info().name;
+    figures_.device = device_.label();
     figures_.triangles = scene_.triangles.size();
     figures_.lights = scene_.lights.size();
     state_.night_changes = !scene_.fleet.trips.empty() || !scene_.schedules.empty();
@@ -74,8 +77,7 @@ class Viewer {
   ViewReport run() {
     while (!window_.closing() && (options_.quit_after == 0 || shown_ < options_.quit_after)) step();
     if (!options_.save_camera.empty()) write_camera(options_.save_camera, state_.pose);
-    for (const std::string& message : device_.validation_messages()) spdlog::error("{}", message);
-    if (!device_.validation_messages().empty()) throw Error("vulkan", "the validation layer found fault");
+    device_.check_validation();
     return {shown_, figures_.frames, name_of(state_.settings.estimator)};
   }
 

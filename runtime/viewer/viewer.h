@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "runtime/gpu/device.h"
 #include "runtime/render/settings.h"
 #include "runtime/scene/render_scene.h"
 
@@ -13,15 +14,14 @@ namespace nightcity {
 struct ViewOptions {
   std::string scene;                         // name of its file, to be shown
   std::string camera;                        // preset or file, as find_camera has it
-  std::string device;                        // as gpu::Device::Options has it
+  gpu::Device::Options device;               // the window adds the extensions that it needs
   std::uint32_t width = 1280, height = 720;  // of the window, pixels
   RenderSettings settings;
   std::optional<float> ev100;  // left out: metered from the picture as it goes
   int divisor = 0;  // the picture has 1 / divisor of the window's pixels along each side; 0 = as many as
                     // still answer hands at once
   bool markers = false;
-  bool play = false;  // start with the clock running
-  bool validation = false;
+  bool play = false;                 // start with the clock running
   std::uint32_t most_frames = 4096;  // in the mean; then only changes are rendered
   std::uint32_t quit_after = 0;      // frames shown; 0 = when the user closes the window
   std::string screenshot;            // PNG of the window, panel and all, at the end; "" = none

@@ -11,11 +11,14 @@
 
 namespace nightcity::test {
 
-/// NIGHTCITY_TEST_DEVICE chooses another device. One for all tests of a program.
+/// NIGHTCITY_TEST_DEVICE chooses another device, NIGHTCITY_TEST_TRACE=pipeline its ray tracing pipelines. One
+/// for all tests of a program.
 inline gpu::Device& test_device() {
   static gpu::Device device([] {
     gpu::Device::Options options;
     if (const char* name = std::getenv("NIGHTCITY_TEST_DEVICE")) options.select = name;
+    if (const char* trace = std::getenv("NIGHTCITY_TEST_TRACE"))
+      options.ray_tracing = std::string(trace) == "pipeline";
     options.validation = std::getenv("NIGHTCITY_TEST_NO_VALIDATION") == nullptr;
     return options;
   }());

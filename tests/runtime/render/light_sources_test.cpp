@@ -174,7 +174,9 @@ TEST(WetStreet, MirrorsALampByItsMicrofacetsAndDarkensTheRest) {
   const RenderScene wall =
       SceneBuilder().quad({-9, 0, -5}, {9, 0, -5}, {9, 9, -5}, {-9, 9, -5}).with({lamp({0, 4, 3}, 5000)});
   const CameraPose facing{{0, 4, 2}, {0, 4, -5}, {0, 1, 0}, 40};
-  EXPECT_EQ(render(wall, facing, settings, 9, 9, 1).rgb, render(wall, facing, reference(), 9, 9, 1).rgb);
+  const Image wet = render(wall, facing, settings, 9, 9, 1), dry = render(wall, facing, reference(), 9, 9, 1);
+  // Two compiled passes: a GPU may round each its own way.
+  for (std::size_t i = 0; i < dry.rgb.size(); ++i) EXPECT_NEAR(wet.rgb[i], dry.rgb[i], 1e-5f * dry.rgb[i]);
 }
 
 TEST(WetStreet, EstimatorsAgreeOnIt) {

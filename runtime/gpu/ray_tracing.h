@@ -1,0 +1,71 @@
+// Acceleration structures and ray tracing pipelines (VK_KHR_acceleration_structure,
+// VK_KHR_ray_tracing_pipeline), on a device made with Options::ray_tracing.
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <span>
+
+#include "runtime/gpu/buffer.h"
+#include "runtime/gpu/device.h"
+
+namespace nightcity::gpu {
+
+class AccelerationStructure {
+ public:
+  AccelerationStructure() = default;
+  /// Bottom level over `count` triangles of gpu::Triangle at `address`; built when it returns.
+  static AccelerationStructure of_triangles(Device& device, std::uint64_t address, std::uint32_t count);
+  /// Top level over `count` records of VkAccelerationStructureInstanceKHR at `address`; build() reads them.
+  static AccelerationStructure of_instances(Device& device, std::uint64_t address, std::uint32_t count);
+  ~AccelerationStructure();
+  AccelerationStructure(AccelerationStructure&& other) noexcept;
+  AccelerationStructure& operator=(AccelerationStructure&& other) noexcept;
+
+  /// Records the build, with barriers before and after.
+  void build(VkCommandBuffer commands) const;
+  std::uint64_t address() const { return address_; }
+  std::uint64_t bytes() const { return storage_.bytes() + scratch_.bytes(); }
+
+ private:
+  AccelerationStructure(Device& device, VkAccelerationStructureTypeKHR type,
+                        const VkAccelerationStructureGeometryKHR& geometry, std::uint32_t count);
+
+  Device* device_ = nullptr;
+  VkAccelerationStructureKHR handle_ = VK_NULL_HANDLE;
+  VkAccelerationStructureTypeKHR type_{};
+  VkAccelerationStructureGeometryKHR geometry_{};
+  std::uint32_t count_ = 0;
+  Buffer storage_, scratch_;
+  std::uint64_t address_ = 0;
+};
+
+/// A ray generation shader with one miss and one closest-hit shader.
+class RayPass {
+ public:
+  RayPass() = default;
+  struct Shaders {
+    std::span<const std::uint32_t> generation, miss, hit;
+  };
+  /// Specialization constant i of the ray generation shader takes constants[i].
+  RayPass(Device& device, const Shaders& shaders, std::span<const std::uint32_t> constants,
+          std::uint32_t push_bytes);
+  ~RayPass();
+  RayPass(RayPass&& other) noexcept;
+  RayPass& operator=(RayPass&& other) noexcept;
+
+  void trace(VkCommandBuffer commands, const void* push, std::uint32_t width, std::uint32_t height,
+             std::uint32_t depth) const;
+
+ private:
+  Device* device_ = nullptr;
+  VkPipelineLayout layout_ = VK_NULL_HANDLE;
+  VkPipeline pipeline_ = VK_NULL_HANDLE;
+  Buffer table_;            // of the shaders: generation, miss, hit
+  std::uint64_t base_ = 0;  // of the first record, aligned as the device asks
+  VkDeviceSize record_bytes_ = 0;
+  std::uint32_t push_bytes_ = 0;
+};
+
+}  // namespace nightcity::gpu

@@ -1,0 +1,9 @@
+#version 460
+#extension GL_EXT_ray_tracing : require
+#extension GL_GOOGLE_include_directive : require
+// Says what a ray met; trace.glsl does the rest.
+#include "shaders/hit_record.glsl"
+
+layout(location = 0) rayPayloadInEXT Hit hit;
+
+void main() { hit = Hit(gl_HitTEXT, gl_PrimitiveID, gl_InstanceCustomIndexEXT); }

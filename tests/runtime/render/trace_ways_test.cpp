@@ -1,0 +1,102 @@
+// Ray tracing pipelines against our own traversal, on devices that have both. All tests of the renderer go
+// through the pipelines with NIGHTCITY_TEST_TRACE=pipeline.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "formats/error.h"
+#include "support/gpu.h"
+#include "support/scenes.h"
+
+namespace nightcity::test {
+namespace {
+
+bool has_pipelines() {
+  return test_device().info().ray_pipeline;
+}
+
+gpu::Device::Options with_pipelines() {
+  gpu::Device::Options options;
+  options.select = test_device().info().name;
+  options.ray_tracing = true;
+  return options;
+}
+
+TEST(TraceWays, PipelinesAreRefusedWhereThereAreNone) {
+  if (has_pipelines()) GTEST_SKIP() << "this device has them";
+  EXPECT_THROW(gpu::Device{with_pipelines()}, UsageError);
+}
+
+// Houses, posts placed 40 times, a glass that casts no shadow, and a vehicle on its way past them.
+RenderScene street() {
+  SceneBuilder builder = random_town(40, 50, 5), post, glass;
+  post.box({-0.5f, 0, -0.5f}, {0.5f, 4, 0.5f});
+  glass.quad({-4, 9, -4}, {-4, 9, 4}, {4, 9, 4}, {4, 9, -4});
+  Scene& scene = builder.scene();
+  scene.meshes.push_back(post.scene().meshes[0]);
+  scene.meshes.push_back(glass.scene().meshes[0]);
+  SceneNode posts{"posts", "lamp", 1, true, {}};
+  for (int i = 0; i < 40; ++i) {
+    const glm::mat4 place =
+        glm::translate(glm::mat4(1.0f), glm::vec3(float(i % 8) * 9 - 31, 0, float(i / 8) * 9 - 18));
+    posts.instances.push_back({glm::rotate(place, float(i), glm::vec3(0, 1, 0)), no_id});
+  }
+  scene.nodes.push_back(posts);
+  scene.nodes.push_back({"glass", "lamp", 2, false, {SceneInstance{}}});
+  SceneLights lights;
+  lights.lights = random_lamps(60, 50, 6);
+  Fleet& fleet = lights.fleet;
+  fleet.cycle.cycle_s = 100;
+  for (float& share : fleet.cycle.density) share = 1;
+  fleet.vehicles = {{{2, 0.8f, 1}, 0, 0, {}}};
+  fleet.knots = {{{-30, 0, 24}, 0, {6, 0, 0}, 0}, {{30, 0, 24}, 10, {6, 0, 0}, 0}};
+  fleet.trips = {{0, 2, 0, 0, 0, 0, {}}};
+  return make_render_scene(scene, std::move(lights));
+}
+
+Image seen_by(gpu::Device& device, const RenderScene& scene, Estimator estimator, std::uint32_t frames) {
+  RenderSettings settings;
+  settings.estimator = estimator;
+  settings.jitter = false;
+  settings.layers = true;
+  PassLibrary passes(device);
+  DeviceScene device_scene(device, scene);
+  Renderer renderer(device, passes, device_scene, 160, 90);
+  for (std::uint32_t i = 0; i < frames; ++i) {
+    settings.time_s = 8 * 3600 + 5 + 0.05 * i;
+    renderer.render_frame({{-45, 25, 60}, {0, 3, 10}, {0, 1, 0}, 50}, settings);
+  }
+  return renderer.download(true);
+}
+
+// Only rays that graze an edge may fall either way.
+TEST(TraceWays, PipelinesAndComputeMeetTheSameSurfacesAndShadows) {
+  if (!has_pipelines()) GTEST_SKIP() << test_device().info().name << " has no ray tracing pipelines";
+  gpu::Device pipelines(with_pipelines());
+  gpu::Device::Options options = with_pipelines();
+  options.ray_tracing = false;
+  gpu::Device compute(options);
+  const RenderScene scene = street();
+  for (const Estimator estimator : {Estimator::reference, Estimator::traced}) {
+    const Image a = seen_by(pipelines, scene, estimator, 3), b = seen_by(compute, scene, estimator, 3);
+    int depths = 0, normals = 0, bright = 0;
+    const auto differ = [](double x, double y) { return std::abs(x - y) > 1e-3 * std::abs(y); };
+    for (std::size_t i = 0; i < a.pixels(); ++i) {
+      depths += differ(double(a.layer("depth")->values[i]), double(b.layer("depth")->values[i]));
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        normals += std::abs(a.layer("normal")->values[3 * i + axis] -
+                            b.layer("normal")->values[3 * i + axis]) > 1e-3f;
+      bright += differ(luminance(a, i), luminance(b, i));
+    }
+    EXPECT_LE(depths, 15) << name_of(estimator);  // a thousandth of the pixels
+    EXPECT_LE(normals, 3 * 15) << name_of(estimator);
+    if (estimator == Estimator::reference) {
+      EXPECT_LE(bright, 150);  // 60 shadow rays each
+    }
+    EXPECT_NEAR(mean_luminance(a) / mean_luminance(b), 1, 1e-3) << name_of(estimator);
+  }
+}
+
+}  // namespace
+}  // namespace nightcity::test
