@@ -19,8 +19,11 @@ BvhNode quantised(Children c, vec3 lower, vec3 upper) {
   BvhNode node;
   node.origin = lower;
   node.exponents = 0u;
-  node.pad[0] = node.pad[1] = 0u;
-  for (uint i = 0u; i < 4u; ++i) node.child[i] = c.child[i];
+  node.masks = node.pad = 0u;
+  for (uint i = 0u; i < 4u; ++i) {
+    node.child[i] = c.child[i];
+    if (c.child[i] != BVH_EMPTY) node.masks |= 0xFFu << (8u * i);
+  }
   for (uint axis = 0u; axis < 3u; ++axis) {
     int exponent = clamp(int(ceil(log2(max((upper[axis] - lower[axis]) / 254.0, 1e-20)))), -100, 120);
     const float step = uintBitsToFloat(uint(exponent + 127) << 23u);

@@ -63,14 +63,15 @@ struct BvhNode {
   uint lower[3];    // x, y, z: one byte a child
   uint upper[3];
   uint child[4];    // BVH_EMPTY, an inner node's index, or a leaf: BVH_LEAF | (count - 1) << 27 | first
-  uint pad[2];
+  uint masks;       // one byte a child: MASK_* of the instances below, every bit within a mesh, 0 where there is no child
+  uint pad;
 };
 #define BVH_EMPTY 0xFFFFFFFFu
 #define BVH_LEAF 0x80000000u
 #define BVH_LEAF_COUNT_SHIFT 27
 #define BVH_LEAF_FIRST_MASK 0x07FFFFFFu  // 134 million triangles
 #define BVH_MAX_LEAF 8
-#define BVH_STACK 64  // entries a ray may defer; the builder refuses deeper trees
+#define BVH_STACK 80  // entries a ray may defer; the builder keeps to it
 
 // Three corners in the mesh's own frame and what they belong to.
 struct Triangle {

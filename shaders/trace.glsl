@@ -49,8 +49,8 @@ vec4 bytes(uint word) {
   return vec4(word & 255u, (word >> 8u) & 255u, (word >> 16u) & 255u, word >> 24u);
 }
 
-// Distances at which the ray enters the four children, 1e30 where it misses.
-vec4 enter_children(uvec4 w0, uvec4 w1, uvec2 upper_yz, uvec4 child, Ray ray, float t_min, float t_max) {
+// Distances at which the ray enters the four children, 1e30 where it misses or nothing with a bit of `mask` is below.
+vec4 enter_children(uvec4 w0, uvec4 w1, uvec2 upper_yz, uint masks, uint mask, Ray ray, float t_min, float t_max) {
   const vec3 origin = uintBitsToFloat(w0.xyz);
   const vec3 size = uintBitsToFloat((uvec3(w0.w, w0.w >> 8u, w0.w >> 16u) & 255u) << 23u);
   // Subtracting the ray's origin last keeps the sign of a plane's distance right when the ray lies on the plane.
@@ -64,7 +64,7 @@ vec4 enter_children(uvec4 w0, uvec4 w1, uvec2 upper_yz, uvec4 child, Ray ray, fl
   // 1 + 4 ulp: the slab test stays conservative under rounding (Ize: Robust BVH Ray Traversal, JCGT 2013).
   const vec4 far = min(min(max(x0, x1), max(y0, y1)), min(max(z0, z1), vec4(t_max))) * 1.0000005;
   const bvec4 hit = lessThanEqual(near, far);
-  const bvec4 there = notEqual(child, uvec4(BVH_EMPTY));
+  const bvec4 there = notEqual(uvec4(masks, masks >> 8u, masks >> 16u, masks >> 24u) & mask, uvec4(0u));
   return mix(vec4(1e30), near, bvec4(hit.x && there.x, hit.y && there.y, hit.z && there.z, hit.w && there.w));
 }
 
@@ -115,8 +115,8 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
       const uvec4 w2 = SCENE.nodes.at[node * 4u + 2u];
       const uvec4 w3 = SCENE.nodes.at[node * 4u + 3u];
       uvec4 child = uvec4(w2.zw, w3.xy);
-      vec4 t = enter_children(w0, w1, w2.xy, child, ray, t_min, hit.t);
-      if (!any) {  // nearest first; for a shadow, any order will do
+      vec4 t = enter_children(w0, w1, w2.xy, w3.z, mask, ray, t_min, hit.t);
+      if (!any) {  // nearest first; for a shadow largest first, as the builder left them
         swap_if_farther(t.x, child.x, t.y, child.y);
         swap_if_farther(t.z, child.z, t.w, child.w);
         swap_if_farther(t.x, child.x, t.z, child.z);

@@ -78,15 +78,14 @@ void Experiment::warm_up(const CameraPose& pose, const RenderSettings& settings)
 
 std::vector<Measurement> Experiment::measure(const CameraPose& pose, RenderSettings settings,
                                              const Image& truth, const std::vector<std::uint32_t>& frames,
-                                             std::uint32_t warm_up, std::uint32_t repeats) {
+                                             std::uint32_t lead, std::uint32_t repeats) {
   std::vector<Measurement> results(frames.size());
   std::vector<double> ms;
-  settings.seed = 0;
-  wake(*device_, [&] { renderer_->render_frame(pose, settings); });
+  if (device_->info().kind != "cpu") warm_up(pose, settings);
   for (std::uint32_t repeat = 0; repeat < repeats; ++repeat) {
     settings.seed = 1 + repeat;  // starts mean and history anew
     settings.accumulate = false;
-    for (std::uint32_t i = 0; i <= warm_up; ++i) renderer_->render_frame(pose, settings);
+    for (std::uint32_t i = 0; i <= lead; ++i) renderer_->render_frame(pose, settings);
     settings.accumulate = true;
     for (std::size_t i = 0; i < frames.size(); ++i) {
       while (renderer_->frames() < frames[i]) {

@@ -51,13 +51,14 @@ class Experiment {
                   const std::filesystem::path& cache,
                   const std::function<void(std::uint32_t)>& progress = {});
 
-  /// Compiles the passes of the settings and wakes the device. Leaves no trace in the renderer.
+  /// Compiles the passes of the settings and wakes the device. By a renderer of its own: the frames that are
+  /// measured draw the same random numbers however long it took.
   void warm_up(const CameraPose& pose, const RenderSettings& settings);
 
-  /// Pictures of `repeats` seeds, each after `warm_up` frames that fill the history, taken at every count of
+  /// Pictures of `repeats` seeds, each after `lead` frames that fill the history, taken at every count of
   /// `frames` (ascending) and compared with `truth`.
   std::vector<Measurement> measure(const CameraPose& pose, RenderSettings settings, const Image& truth,
-                                   const std::vector<std::uint32_t>& frames, std::uint32_t warm_up,
+                                   const std::vector<std::uint32_t>& frames, std::uint32_t lead,
                                    std::uint32_t repeats);
 
   Renderer& renderer() { return *renderer_; }

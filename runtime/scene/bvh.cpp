@@ -20,24 +20,27 @@ constexpr int bin_count = 16;
 struct Range {
   std::uint32_t begin, end;
   Box box;
+  std::uint32_t mask = 0;  // of all in it
+  bool mixed = false;      // some of it casts shadows and some does not
   std::uint32_t size() const { return end - begin; }
 };
 
 class Builder {
  public:
-  Builder(std::span<const Box> boxes, std::uint32_t max_leaf, bool median_only)
-      : boxes_(boxes), max_leaf_(max_leaf), median_only_(median_only) {
+  Builder(std::span<const Box> boxes, std::span<const std::uint8_t> masks, std::uint32_t max_leaf)
+      : boxes_(boxes), masks_(masks), max_leaf_(max_leaf) {
     order_.resize(boxes.size());
     std::iota(order_.begin(), order_.end(), 0u);
     centres_.reserve(boxes.size());
     for (const Box& box : boxes) centres_.push_back(0.5f * box.lower + 0.5f * box.upper);
   }
 
-  Bvh build() {
+  // `stack` >= needed_stack(boxes).
+  Bvh build(std::uint32_t stack) {
     Bvh bvh;
     if (!boxes_.empty()) {
       const Range all = range(0, static_cast<std::uint32_t>(boxes_.size()));
-      bvh.root = build(all, bvh.stack_need);
+      bvh.root = build(all, stack, bvh.stack_need);
     }
     bvh.nodes = std::move(nodes_);
     bvh.order = std::move(order_);
@@ -47,27 +50,35 @@ class Builder {
  private:
   Range range(std::uint32_t begin, std::uint32_t end) const {
     Range r{begin, end, {}};
-    for (std::uint32_t i = begin; i < end; ++i) r.box.grow(boxes_[order_[i]]);
+    std::uint32_t casting = 0;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      r.box.grow(boxes_[order_[i]]);
+      r.mask |= mask_of(order_[i]);
+      casting += casts_shadow(order_[i]);
+    }
+    r.mixed = casting > 0 && casting < r.size();
     return r;
   }
 
-  // Which of two ranges a node's next child comes from: the bigger box, or, for the shallowest tree, more
-  // primitives.
-  bool more_to_split(const Range& a, const Range& b) const {
-    return median_only_ ? a.size() > b.size() : a.box.half_area() > b.box.half_area();
-  }
+  std::uint32_t mask_of(std::uint32_t primitive) const { return masks_.empty() ? 0xFFu : masks_[primitive]; }
+  bool casts_shadow(std::uint32_t primitive) const { return (mask_of(primitive) & MASK_SHADOW) != 0; }
 
   static std::uint32_t leaf(const Range& r) {
     return BVH_LEAF | ((r.size() - 1) << BVH_LEAF_COUNT_SHIFT) | r.begin;
   }
 
   // Position of the first primitive of the right half.
-  std::uint32_t split(const Range& r) {
+  std::uint32_t split(const Range& r, bool median) {
+    if (r.mixed && !median) {  // a shadow ray then never sees the boxes of what casts none
+      const auto middle = std::stable_partition(order_.begin() + r.begin, order_.begin() + r.end,
+                                                [&](std::uint32_t i) { return casts_shadow(i); });
+      return static_cast<std::uint32_t>(middle - order_.begin());
+    }
     Box centre_box;
     for (std::uint32_t i = r.begin; i < r.end; ++i) centre_box.grow(centres_[order_[i]]);
     const glm::vec3 size = centre_box.upper - centre_box.lower;
     const int longest = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
-    if (!median_only_ && size[longest] > 0) {
+    if (!median && size[longest] > 0) {
       const std::uint32_t at = split_by_area(r, centre_box);
       if (at != r.begin && at != r.end) return at;
     }
@@ -128,9 +139,11 @@ class Builder {
     return std::clamp(static_cast<int>((centre - lower) / extent * bin_count), 0, bin_count - 1);
   }
 
-  std::uint32_t build(const Range& r, std::uint32_t& stack_need) {
+  std::uint32_t build(const Range& r, std::uint32_t stack, std::uint32_t& stack_need) {
     stack_need = 0;
     if (r.size() <= max_leaf_) return leaf(r);
+    // A child may get nearly all: where the stack cannot bear that, all four get as many.
+    const bool median = needed_stack(r.size(), max_leaf_) + 3 > stack;
     std::array<Range, 4> children{r, {}, {}, {}};
     std::size_t count = 1;
     while (count < 4) {
@@ -138,20 +151,26 @@ class Builder {
       for (std::size_t i = 0; i < count; ++i) {
         // A range worth opening: too big for a leaf, or cheaper in two than as one leaf.
         if (children[i].size() <= (count == 1 ? max_leaf_ : std::max(1u, max_leaf_ / 2))) continue;
-        if (widest == count || more_to_split(children[i], children[widest])) widest = i;
+        const auto larger = [&](const Range& a, const Range& b) {
+          return median ? a.size() > b.size() : a.box.half_area() > b.box.half_area();
+        };
+        if (widest == count || larger(children[i], children[widest])) widest = i;
       }
       if (widest == count) break;
-      const std::uint32_t at = split(children[widest]);
+      const std::uint32_t at = split(children[widest], median);
       const Range right = range(at, children[widest].end);
       children[widest] = range(children[widest].begin, at);
       children[count++] = right;
     }
+    // Shadow rays take the children as they come: what fills more of the view is likelier to end them.
+    std::stable_sort(children.begin(), children.begin() + count,
+                     [](const Range& a, const Range& b) { return a.box.half_area() > b.box.half_area(); });
     const auto index = static_cast<std::uint32_t>(nodes_.size());
     nodes_.push_back(quantised(r.box, std::span(children.data(), count)));
     std::uint32_t deepest = 0;
     for (std::size_t i = 0; i < count; ++i) {
       std::uint32_t need = 0;
-      const std::uint32_t child = build(children[i], need);
+      const std::uint32_t child = build(children[i], stack - (static_cast<std::uint32_t>(count) - 1), need);
       nodes_[index].child[i] = child;
       deepest = std::max(deepest, need);
     }
@@ -165,6 +184,7 @@ class Builder {
   static gpu::BvhNode quantised(const Box& box, std::span<const Range> children) {
     gpu::BvhNode node{};
     std::fill(std::begin(node.child), std::end(node.child), BVH_EMPTY);
+    for (std::size_t i = 0; i < children.size(); ++i) node.masks |= children[i].mask << (8 * i);
     for (int axis = 0; axis < 3; ++axis) {
       const float origin = down(box.lower[axis]);
       // The least power of two whose 255 steps reach the far side, as the shader will compute it.
@@ -189,8 +209,8 @@ class Builder {
   }
 
   std::span<const Box> boxes_;
+  std::span<const std::uint8_t> masks_;
   std::uint32_t max_leaf_;
-  bool median_only_;
   std::vector<glm::vec3> centres_;
   std::vector<std::uint32_t> order_;
   std::vector<gpu::BvhNode> nodes_;
@@ -214,12 +234,18 @@ float Box::half_area() const {
   return s.x * s.y + s.y * s.z + s.z * s.x;
 }
 
-Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t max_stack) {
+std::uint32_t needed_stack(std::size_t boxes, std::uint32_t max_leaf) {
+  std::uint32_t need = 0;
+  for (; boxes > max_leaf; boxes = (boxes + 3) / 4) need += 3;
+  return need;
+}
+
+Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t max_stack,
+              std::span<const std::uint8_t> masks) {
   if (boxes.size() > BVH_LEAF_FIRST_MASK) throw Error("", "more than 134 million triangles in one scene");
-  Bvh bvh = Builder(boxes, max_leaf, false).build();
-  if (bvh.stack_need > max_stack) bvh = Builder(boxes, max_leaf, true).build();
-  if (bvh.stack_need > max_stack) throw Error("", "the scene has too many instances for the traversal stack");
-  return bvh;
+  if (needed_stack(boxes.size(), max_leaf) > max_stack)
+    throw Error("", "the scene has too many triangles in a mesh, or instances, for the traversal stack");
+  return Builder(boxes, masks, max_leaf).build(max_stack);
 }
 
 void rebase(Bvh& bvh, std::uint32_t node_base, std::uint32_t first_base) {

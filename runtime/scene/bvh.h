@@ -27,11 +27,16 @@ struct Bvh {
   std::uint32_t stack_need = 0;      // entries a ray may have to defer
 };
 
-/// Binned surface-area heuristic, split straight into four; falls back to object-median splits, whose depth
-/// is logarithmic, when the result would need more than `max_stack` deferred entries. Throws Error when even
-/// that is too deep or there are more than 134 million boxes. Boxes must be finite. `max_leaf` <=
-/// BVH_MAX_LEAF.
-Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t max_stack);
+/// Binned surface-area heuristic, split straight into four, largest child first; object-median splits, whose
+/// depth is logarithmic, wherever the rest would else need more than `max_stack` deferred entries. `masks`,
+/// where there are any, one a box: what casts shadows is kept apart from what does not, and each node says
+/// what is below. Throws Error when medians alone are too deep (needed_stack) or there are more than 134
+/// million boxes. Boxes must be finite. `max_leaf` <= BVH_MAX_LEAF.
+Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t max_stack,
+              std::span<const std::uint8_t> masks = {});
+
+/// Entries that a hierarchy of object medians over so many boxes needs: the least that build_bvh can do with.
+std::uint32_t needed_stack(std::size_t boxes, std::uint32_t max_leaf);
 
 /// Adds `node_base` to inner children and `first_base` to leaf ranges, so that hierarchies can share one
 /// buffer.

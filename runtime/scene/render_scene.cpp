@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t triangle_leaf = 4;
 // Of the BVH_STACK entries a ray has: the top level's share and the meshes'.
-constexpr std::uint32_t top_level_stack = 24;
+constexpr std::uint32_t top_level_stack = 33;
 // One entry is the other child of the root that the standing scene and the fleet share.
 constexpr std::uint32_t mesh_stack = BVH_STACK - top_level_stack - 1;
 constexpr std::uint32_t body_stack = BVH_STACK - 3 * FLEET_LEVELS - 2;
@@ -150,7 +150,11 @@ void add_geometry(RenderScene& out, const Scene& scene) {
       place(mesh->first, mesh->second, glm::dmat4(instance.to_model), node.casts_shadow, instance.light);
   }
 
-  Bvh top = build_bvh(instance_boxes, 1, top_level_stack);
+  std::vector<std::uint8_t> masks;
+  masks.reserve(out.instances.size());
+  for (const gpu::Instance& instance : out.instances)
+    masks.push_back(static_cast<std::uint8_t>(instance.mask));
+  Bvh top = build_bvh(instance_boxes, 1, top_level_stack, masks);
   std::vector<gpu::Instance> ordered;
   ordered.reserve(top.order.size());
   for (const std::uint32_t i : top.order) ordered.push_back(out.instances[i]);

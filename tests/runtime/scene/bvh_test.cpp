@@ -73,6 +73,42 @@ void expect_sound(const Bvh& bvh, std::span<const Box> boxes, std::uint32_t max_
   EXPECT_GE(deepest, bvh.stack_need);
 }
 
+// Half surface of all inner nodes by that of the root: as many of them a ray that crosses the root enters.
+double nodes_a_ray_enters(const Bvh& bvh) {
+  double sum = 0, root = 0;
+  for (std::size_t n = 0; n < bvh.nodes.size(); ++n) {
+    const gpu::BvhNode& node = bvh.nodes[n];
+    Box box;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (node.child[i] == BVH_EMPTY) continue;
+      for (int axis = 0; axis < 3; ++axis) {
+        const float step = std::ldexp(1.0f, int((node.exponents >> (8 * axis)) & 255u) - 127);
+        box.lower[axis] =
+            std::min(box.lower[axis], node.origin[axis] + float((node.lower[axis] >> (8 * i)) & 255u) * step);
+        box.upper[axis] =
+            std::max(box.upper[axis], node.origin[axis] + float((node.upper[axis] >> (8 * i)) & 255u) * step);
+      }
+    }
+    sum += double(box.half_area());
+    if (n == bvh.root) root = double(box.half_area());
+  }
+  return sum / root;
+}
+
+// What lies below a child, by walking there.
+std::uint32_t mask_below(const Bvh& bvh, std::uint32_t child, std::span<const std::uint8_t> masks) {
+  std::uint32_t mask = 0;
+  if (child & BVH_LEAF) {
+    const std::uint32_t first = child & BVH_LEAF_FIRST_MASK;
+    const std::uint32_t count = ((child & ~BVH_LEAF) >> BVH_LEAF_COUNT_SHIFT) + 1;
+    for (std::uint32_t i = first; i < first + count; ++i) mask |= masks[bvh.order[i]];
+    return mask;
+  }
+  for (const std::uint32_t below : bvh.nodes[child].child)
+    if (below != BVH_EMPTY) mask |= mask_below(bvh, below, masks);
+  return mask;
+}
+
 TEST(Bvh, HoldsEveryBoxOnceAndInsideItsParents) {
   for (const std::size_t count : {1u, 2u, 4u, 5u, 17u, 3000u}) {
     const auto boxes = random_boxes(count, 500, unsigned(count));
@@ -107,6 +143,54 @@ TEST(Bvh, SizesAcrossManyMagnitudesStayWithinTheStack) {
   const Bvh bvh = build_bvh(boxes, 1, 24);
   EXPECT_LE(bvh.stack_need, 24u);
   expect_sound(bvh, boxes, 1);
+}
+
+// A few boxes that want a deep tree once took the surface-area heuristic from the whole of a city.
+TEST(Bvh, WhatNeedsADeepTreeDoesNotSpoilTheRest) {
+  auto boxes = random_boxes(20'000, 500, 4);
+  const double without = nodes_a_ray_enters(build_bvh(boxes, 4, 40));
+  for (int i = 0; i < 200; ++i) {
+    Box box;
+    box.grow(glm::vec3(0));
+    box.grow(glm::vec3(std::pow(10.0f, 2.0f - 6.0f * float(i) / 200)));
+    boxes.push_back(box);
+  }
+  EXPECT_GT(build_bvh(boxes, 4, 400).stack_need, 40u);  // so deep a tree it would be
+  const Bvh bvh = build_bvh(boxes, 4, 40);
+  EXPECT_LE(bvh.stack_need, 40u);
+  expect_sound(bvh, boxes, 4);
+  EXPECT_LT(nodes_a_ray_enters(bvh), 1.1 * without);
+}
+
+TEST(Bvh, AnyStackThatSufficesForMediansSuffices) {
+  for (const std::size_t count : {2u, 5u, 64u, 65u, 1000u, 4097u}) {
+    const auto boxes = random_boxes(count, 300, unsigned(count));
+    const std::uint32_t stack = needed_stack(count, 1);
+    const Bvh bvh = build_bvh(boxes, 1, stack);
+    EXPECT_LE(bvh.stack_need, stack);
+    expect_sound(bvh, boxes, 1);
+    EXPECT_THROW(build_bvh(boxes, 1, stack - 1), Error);
+  }
+}
+
+TEST(Bvh, KeepsWhatCastsShadowsApartAndSaysWhatIsBelow) {
+  const auto boxes = random_boxes(3000, 300, 9);
+  std::vector<std::uint8_t> masks(boxes.size(), MASK_VISIBLE);
+  for (std::size_t i = 0; i < masks.size(); i += 3) masks[i] |= MASK_SHADOW;
+  const Bvh bvh = build_bvh(boxes, 1, 33, masks);
+  expect_sound(bvh, boxes, 1);
+  for (std::size_t n = 0; n < bvh.nodes.size(); ++n)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::uint32_t child = bvh.nodes[n].child[i], mask = (bvh.nodes[n].masks >> (8 * i)) & 255u;
+      ASSERT_EQ(mask, child == BVH_EMPTY ? 0u : mask_below(bvh, child, masks));
+      // With the shadow's bit: everything below has it.
+      if ((mask & MASK_SHADOW) == 0 || (child & BVH_LEAF) != 0) continue;
+      for (std::size_t below = 0; below < 4; ++below) {
+        if (bvh.nodes[child].child[below] != BVH_EMPTY) {
+          EXPECT_NE((bvh.nodes[child].masks >> (8 * below)) & MASK_SHADOW, 0u);
+        }
+      }
+    }
 }
 
 TEST(Bvh, RefusesWhatTheStackCannotHold) {
