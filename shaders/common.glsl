@@ -2,7 +2,10 @@
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_control_flow_attributes : require
-#ifdef TRACE_PIPELINE  // the pass is a ray generation shader: trace.glsl
+#ifdef TRACE_QUERY
+#extension GL_EXT_ray_query : require
+#endif
+#ifdef TRACE_PIPELINE  // the pass is a ray generation shader
 #extension GL_EXT_ray_tracing : require
 #define INVOCATION gl_LaunchIDEXT
 #else

@@ -86,7 +86,7 @@ struct Triangle {
 // One placing of a bottom-level hierarchy. Rows of the affine map from model space to the mesh's frame.
 struct Instance {
   vec4 to_object[3];
-  uint root;      // node index of the mesh's hierarchy; with a ray tracing pipeline, its first triangle
+  uint root;      // node index of the mesh's hierarchy; where rays go through acceleration structures, its first triangle
   uint mask;      // MASK_*
   uint light;     // whose luminous part it shows, or NO_HIT: then the triangles' own light (counted from here: MASK_FLEET)
   uint feature;   // or NO_HIT: then the triangles' own

@@ -1,13 +1,33 @@
-// Rays against the scene: closest hit and occlusion. By the driver's acceleration structures in a ray tracing pipeline
-// (TRACE_PIPELINE), else over two levels of quantised four-wide nodes of our own.
+// Rays against the scene: closest hit and occlusion, in three ways that --trace chooses from. Over two levels of quantised
+// four-wide nodes of our own; or through the device's acceleration structures, by ray queries (TRACE_QUERY) or in a ray
+// tracing pipeline (TRACE_PIPELINE).
 
 #include "shaders/hit_record.glsl"
 
-#ifdef TRACE_PIPELINE
+// trace(): closest hit in (t_min, t_max), or any hit; t is in units of |direction|. Only instances with a bit of `mask`.
+// Where any hit will do, `hit` says nothing of it.
+#if defined(TRACE_QUERY)
+
+bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, bool any, out Hit hit) {
+  hit = Hit(t_max, NO_HIT, NO_HIT);
+  const uint flags = any ? gl_RayFlagsOpaqueEXT | gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsOpaqueEXT;
+  rayQueryEXT query;
+  rayQueryInitializeEXT(query, accelerationStructureEXT(SCENE.tree), flags, mask, origin, t_min, direction, t_max);
+  while (rayQueryProceedEXT(query)) {
+  }
+  // Of a ray that met nothing nothing may be asked.
+  if (rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionNoneEXT) return false;
+  if (any) return true;
+  hit.t = rayQueryGetIntersectionTEXT(query, true);
+  hit.instance = rayQueryGetIntersectionInstanceCustomIndexEXT(query, true);
+  hit.triangle = SCENE.instances.at[hit.instance].root + rayQueryGetIntersectionPrimitiveIndexEXT(query, true);
+  return true;
+}
+
+#elif defined(TRACE_PIPELINE)
 
 layout(location = 0) rayPayloadEXT Hit met_by_ray;  // its triangle counts from the instance's first
 
-// As below; where any hit will do, `hit` says nothing of it.
 bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, bool any, out Hit hit) {
   met_by_ray = Hit(t_max, 0u, 0u);  // trace.rmiss takes the instance away
   // Of a shadow ray nobody asks where it ended: trace.rchit need not run.
@@ -94,7 +114,6 @@ void swap_if_farther(inout float ta, inout uint a, inout float tb, inout uint b)
   }
 }
 
-// Closest hit in (t_min, t_max), or any hit; t is in units of |direction|. Only instances with a bit of `mask`.
 bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, bool any, out Hit hit) {
   hit = Hit(t_max, NO_HIT, NO_HIT);
   uint node = SCENE.root;

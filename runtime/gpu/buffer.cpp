@@ -18,10 +18,10 @@ Buffer::Buffer(Device& device, std::size_t bytes, Memory memory) : device_(&devi
   info.size = std::max<std::size_t>(bytes, 16);
   info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
                VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
-  if (device.ray_tracing())
+  if (device.trace() != Trace::compute)
     info.usage |= VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR |
-                  VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR |
-                  VK_BUFFER_USAGE_SHADER_BINDING_TABLE_BIT_KHR;
+                  VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR;
+  if (device.trace() == Trace::pipeline) info.usage |= VK_BUFFER_USAGE_SHADER_BINDING_TABLE_BIT_KHR;
   VK_CHECK(vkCreateBuffer(device.handle(), &info, nullptr, &buffer_));
   VkMemoryRequirements requirements{};
   vkGetBufferMemoryRequirements(device.handle(), buffer_, &requirements);

@@ -286,18 +286,21 @@ Device::Device(const Options& options) {
     VkPhysicalDeviceRayTracingPipelineFeaturesKHR rays{};
     rays.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_TRACING_PIPELINE_FEATURES_KHR;
     rays.rayTracingPipeline = VK_TRUE;
-    rays.pNext = &trees;
-    if (options.ray_tracing) {
-      if (!info_.ray_pipeline)
-        throw UsageError("--trace",
-                         "device '" + info_.name +
-                             "' has no ray tracing pipelines (nightview devices lists those that have)");
-      ray_tracing_ = true;
-      v12.pNext = &rays;
-      for (const char* name :
-           {VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME, VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME,
-            VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME})
-        extensions.push_back(name);
+    VkPhysicalDeviceRayQueryFeaturesKHR queries{};
+    queries.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR;
+    queries.rayQuery = VK_TRUE;
+    if (!has(info_, options.trace))
+      throw UsageError("--trace", "device '" + info_.name + "' lacks what '" + name_of(options.trace) +
+                                      "' needs (nightview devices tells which have it)");
+    trace_ = options.trace;
+    if (trace_ != Trace::compute) {
+      const bool query = trace_ == Trace::query;
+      v12.pNext = &trees;
+      trees.pNext = query ? static_cast<void*>(&queries) : &rays;
+      extensions.insert(
+          extensions.end(),
+          {VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME, VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME,
+           query ? VK_KHR_RAY_QUERY_EXTENSION_NAME : VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME});
     }
 
     VkDeviceCreateInfo device_info{};
@@ -372,6 +375,26 @@ void Device::end(VkCommandBuffer commands) {
   VK_CHECK(vkQueueSubmit(queue_, 1, &submit, fence_));
   VK_CHECK(vkWaitForFences(device_, 1, &fence_, VK_TRUE, UINT64_MAX));
   VK_CHECK(vkResetFences(device_, 1, &fence_));
+}
+
+const char* name_of(Trace trace) {
+  switch (trace) {
+    case Trace::compute:
+      return "compute";
+    case Trace::query:
+      return "query";
+    case Trace::pipeline:
+      return "pipeline";
+  }
+  return "?";
+}
+
+bool has(const DeviceInfo& device, Trace trace) {
+  return trace == Trace::compute || (trace == Trace::query ? device.ray_query : device.ray_pipeline);
+}
+
+std::string Device::label() const {
+  return info_.name + (trace_ == Trace::compute ? "" : std::string(", --trace ") + name_of(trace_));
 }
 
 void Device::check_validation() const {

@@ -24,6 +24,16 @@ struct DeviceInfo {
   bool ray_pipeline = false;  // VK_KHR_ray_tracing_pipeline
 };
 
+/// How rays meet a scene. All but the first go through the device's acceleration structures.
+enum class Trace {
+  compute,   // our own hierarchy: every device
+  query,     // VK_KHR_ray_query
+  pipeline,  // VK_KHR_ray_tracing_pipeline
+};
+
+const char* name_of(Trace trace);
+bool has(const DeviceInfo& device, Trace trace);
+
 /// Every Vulkan device of this machine, in the loader's order. Throws Error when there is no Vulkan at all.
 std::vector<DeviceInfo> list_devices();
 
@@ -32,8 +42,7 @@ class Device {
   struct Options {
     std::string select;  // "" = best usable one; an index, or part of a name in any case
     bool validation = false;
-    bool ray_tracing = false;  // acceleration structures and ray tracing pipelines; refused where there are
-                               // none
+    Trace trace = Trace::compute;                  // refused where the device lacks it
     std::vector<const char*> instance_extensions;  // what a window system asks for
     std::vector<const char*> device_extensions;
   };
@@ -49,9 +58,9 @@ class Device {
   VkDevice handle() const { return device_; }
   VkQueue queue() const { return queue_; }
   std::uint32_t queue_family() const { return queue_family_; }
-  bool ray_tracing() const { return ray_tracing_; }  // made with Options::ray_tracing
+  Trace trace() const { return trace_; }
   /// For people and tables: its name, and the way that rays take where that is not the usual one.
-  std::string label() const { return info_.name + (ray_tracing_ ? ", ray tracing pipelines" : ""); }
+  std::string label() const;
   float timestamp_period_ns() const { return timestamp_period_ns_; }  // 0 = the queue has no timestamps
 
   /// What the validation layer has said so far (warnings and errors); empty without validation.
@@ -82,7 +91,7 @@ class Device {
   VkPhysicalDeviceMemoryProperties memory_{};
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;
-  bool ray_tracing_ = false;
+  Trace trace_ = Trace::compute;
   std::uint32_t queue_family_ = 0;
   float timestamp_period_ns_ = 0;
   VkCommandPool pool_ = VK_NULL_HANDLE;

@@ -1,5 +1,5 @@
-// Acceleration structures and ray tracing pipelines (VK_KHR_acceleration_structure,
-// VK_KHR_ray_tracing_pipeline), on a device made with Options::ray_tracing.
+// Acceleration structures (VK_KHR_acceleration_structure), on a device whose Options::trace is not compute,
+// and ray tracing pipelines (VK_KHR_ray_tracing_pipeline).
 #pragma once
 
 #include <vulkan/vulkan.h>

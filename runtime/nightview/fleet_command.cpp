@@ -35,7 +35,7 @@ void measure_fleets(FleetCommand& command) {
   RenderSettings settings;
   settings.estimator = estimator_from_name(command.estimator);
   std::vector<std::string> fleet_passes{"fleet poses", "fleet tree"};
-  if (command.device.ray_tracing) fleet_passes.push_back("top level");
+  if (command.device.trace != gpu::Trace::compute) fleet_passes.push_back("top level");
   Table table{{"vehicles", "lights", "ms"}, {}};
   for (const std::string& pass : fleet_passes) table.columns.push_back(pass + ", ms");
   table.columns.push_back("others, ms");

@@ -28,7 +28,7 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
   addresses_.standing_lights = static_cast<std::uint32_t>(scene.lights.size());
   addresses_.light_count = addresses_.standing_lights;
   std::vector<gpu::Instance> instances = scene.instances;
-  if (device.ray_tracing()) {
+  if (device.trace() != gpu::Trace::compute) {
     trees_.emplace(device, scene, addresses_.triangles);
     for (gpu::Instance& instance : instances) instance.root = trees_->first_triangle(instance.root);
     addresses_.tree = {static_cast<std::uint32_t>(trees_->address()),

@@ -37,7 +37,7 @@ class DeviceScene {
   /// Of what stands and can be seen, model space.
   const Box& bounds() const { return bounds_; }
   std::uint64_t bytes() const;
-  /// Where rays go through a ray tracing pipeline; else null.
+  /// Where rays go through the device's acceleration structures; else null.
   const RayTrees* trees() const { return trees_ ? &*trees_ : nullptr; }
 
  private:

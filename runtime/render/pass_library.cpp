@@ -4,7 +4,8 @@
 
 #include "spirv/accumulate.h"
 #include "spirv/candidates.h"
-#include "spirv/candidates_rays.h"
+#include "spirv/candidates_pipeline.h"
+#include "spirv/candidates_query.h"
 #include "spirv/demodulate.h"
 #include "spirv/denoise.h"
 #include "spirv/fleet_offsets.h"
@@ -13,19 +14,25 @@
 #include "spirv/fleet_settle.h"
 #include "spirv/fleet_tree.h"
 #include "spirv/primary.h"
-#include "spirv/primary_rays.h"
+#include "spirv/primary_pipeline.h"
+#include "spirv/primary_query.h"
 #include "spirv/reference.h"
-#include "spirv/reference_rays.h"
+#include "spirv/reference_pipeline.h"
+#include "spirv/reference_query.h"
 #include "spirv/shade.h"
-#include "spirv/shade_rays.h"
+#include "spirv/shade_pipeline.h"
+#include "spirv/shade_query.h"
 #include "spirv/spatial.h"
-#include "spirv/spatial_rays.h"
+#include "spirv/spatial_pipeline.h"
+#include "spirv/spatial_query.h"
 #include "spirv/temporal.h"
-#include "spirv/temporal_rays.h"
+#include "spirv/temporal_pipeline.h"
+#include "spirv/temporal_query.h"
 #include "spirv/trace_hit.h"
 #include "spirv/trace_miss.h"
 #include "spirv/upward.h"
-#include "spirv/upward_rays.h"
+#include "spirv/upward_pipeline.h"
+#include "spirv/upward_query.h"
 
 namespace nightcity {
 
@@ -36,7 +43,7 @@ const PassSet& PassLibrary::get(const PassConstants& constants) {
     return gpu::ComputePass(device_, spirv, constants, sizeof(gpu::Push));
   };
   PassSet set;
-  set.primary = make_trace(constants, primary_spirv, primary_rays_spirv);
+  set.primary = make_trace(constants, {primary_spirv, primary_query_spirv, primary_pipeline_spirv});
   set.accumulate = make(accumulate_spirv);
   set.demodulate = make(demodulate_spirv);
   set.denoise = make(denoise_spirv);
@@ -48,12 +55,13 @@ const PassSet& PassLibrary::get(const PassConstants& constants) {
     set.fleet_tree = make(fleet_tree_spirv);
   }
   if (constants[CONSTANT_ESTIMATOR] == ESTIMATOR_REFERENCE) {
-    set.reference = make_trace(constants, reference_spirv, reference_rays_spirv);
+    set.reference = make_trace(constants, {reference_spirv, reference_query_spirv, reference_pipeline_spirv});
   } else {
-    set.candidates = make_trace(constants, candidates_spirv, candidates_rays_spirv);
-    set.temporal = make_trace(constants, temporal_spirv, temporal_rays_spirv);
-    set.spatial = make_trace(constants, spatial_spirv, spatial_rays_spirv);
-    set.shade = make_trace(constants, shade_spirv, shade_rays_spirv);
+    set.candidates =
+        make_trace(constants, {candidates_spirv, candidates_query_spirv, candidates_pipeline_spirv});
+    set.temporal = make_trace(constants, {temporal_spirv, temporal_query_spirv, temporal_pipeline_spirv});
+    set.spatial = make_trace(constants, {spatial_spirv, spatial_query_spirv, spatial_pipeline_spirv});
+    set.shade = make_trace(constants, {shade_spirv, shade_query_spirv, shade_pipeline_spirv});
   }
   return sets_.emplace(constants, std::move(set)).first->second;
 }
@@ -61,17 +69,20 @@ const PassSet& PassLibrary::get(const PassConstants& constants) {
 const TracePass& PassLibrary::upward(const PassConstants& constants) {
   const auto known = upward_.find(constants);
   if (known != upward_.end()) return known->second;
-  return upward_.emplace(constants, make_trace(constants, upward_spirv, upward_rays_spirv, WORKGROUP_ROW, 1))
+  return upward_
+      .emplace(constants, make_trace(constants, {upward_spirv, upward_query_spirv, upward_pipeline_spirv},
+                                     WORKGROUP_ROW, 1))
       .first->second;
 }
 
-TracePass PassLibrary::make_trace(const PassConstants& constants, std::span<const std::uint32_t> compute,
-                                  std::span<const std::uint32_t> rays, std::uint32_t group_width,
-                                  std::uint32_t group_height) {
-  if (device_.ray_tracing())
-    return TracePass(
-        gpu::RayPass(device_, {rays, trace_miss_spirv, trace_hit_spirv}, constants, sizeof(gpu::Push)));
-  return {gpu::ComputePass(device_, compute, constants, sizeof(gpu::Push)), group_width, group_height};
+TracePass PassLibrary::make_trace(const PassConstants& constants, const TraceShader& shader,
+                                  std::uint32_t group_width, std::uint32_t group_height) {
+  const gpu::Trace trace = device_.trace();
+  if (trace == gpu::Trace::pipeline)
+    return TracePass(gpu::RayPass(device_, {shader.pipeline, trace_miss_spirv, trace_hit_spirv}, constants,
+                                  sizeof(gpu::Push)));
+  const auto words = trace == gpu::Trace::query ? shader.query : shader.compute;
+  return {gpu::ComputePass(device_, words, constants, sizeof(gpu::Push)), group_width, group_height};
 }
 
 }  // namespace nightcity

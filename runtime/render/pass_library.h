@@ -34,8 +34,12 @@ class PassLibrary {
   const TracePass& upward(const PassConstants& constants);
 
  private:
-  TracePass make_trace(const PassConstants& constants, std::span<const std::uint32_t> compute,
-                       std::span<const std::uint32_t> rays, std::uint32_t group_width = WORKGROUP_SIZE,
+  // One pass, compiled for each way of tracing.
+  struct TraceShader {
+    std::span<const std::uint32_t> compute, query, pipeline;
+  };
+  TracePass make_trace(const PassConstants& constants, const TraceShader& shader,
+                       std::uint32_t group_width = WORKGROUP_SIZE,
                        std::uint32_t group_height = WORKGROUP_SIZE);
 
   gpu::Device& device_;

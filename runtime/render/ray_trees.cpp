@@ -33,7 +33,7 @@ VkAccelerationStructureInstanceKHR record_of(const gpu::Instance& instance, std:
 RayTrees::RayTrees(gpu::Device& device, const RenderScene& scene, std::uint64_t triangles) {
   const std::size_t trips = scene.fleet.trips.size(), placed = scene.instances.size() + trips;
   if (placed > 0xFFFFFFu)
-    throw Error("scene", "more than 16 million instances: too many for --trace pipeline");
+    throw Error("scene", "more than 16 million instances: too many for any --trace but compute");
   for (const Mesh& mesh : scene.meshes)
     meshes_.insert_or_assign(
         mesh.root, Placed{mesh.first_triangle,

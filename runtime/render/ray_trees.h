@@ -1,5 +1,5 @@
-// A scene's acceleration structures, where rays go through a ray tracing pipeline: one a mesh, and one over
-// what is placed.
+// A scene's acceleration structures on the device, for rays that do not go through our own hierarchy: one a
+// mesh, and one over what is placed.
 #pragma once
 
 #include <cstdint>

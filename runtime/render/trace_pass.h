@@ -1,5 +1,5 @@
-// A pass that traces rays: by our own hierarchy in a compute shader, or in a ray tracing pipeline. Both come
-// from one source (shaders/trace.glsl).
+// A pass that traces rays: a compute shader, by our own hierarchy or by ray queries, or a ray tracing
+// pipeline. All come from one source (shaders/trace.glsl).
 #pragma once
 
 #include <variant>

@@ -11,14 +11,15 @@
 
 namespace nightcity::test {
 
-/// NIGHTCITY_TEST_DEVICE chooses another device, NIGHTCITY_TEST_TRACE=pipeline its ray tracing pipelines. One
-/// for all tests of a program.
+/// NIGHTCITY_TEST_DEVICE chooses another device, NIGHTCITY_TEST_TRACE (query, pipeline) how its rays meet the
+/// scene. One for all tests of a program.
 inline gpu::Device& test_device() {
   static gpu::Device device([] {
     gpu::Device::Options options;
     if (const char* name = std::getenv("NIGHTCITY_TEST_DEVICE")) options.select = name;
-    if (const char* trace = std::getenv("NIGHTCITY_TEST_TRACE"))
-      options.ray_tracing = std::string(trace) == "pipeline";
+    if (const char* name = std::getenv("NIGHTCITY_TEST_TRACE"))
+      for (const gpu::Trace trace : {gpu::Trace::query, gpu::Trace::pipeline})
+        if (std::string(name) == name_of(trace)) options.trace = trace;
     options.validation = std::getenv("NIGHTCITY_TEST_NO_VALIDATION") == nullptr;
     return options;
   }());

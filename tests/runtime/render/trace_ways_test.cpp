@@ -1,5 +1,5 @@
-// Ray tracing pipelines against our own traversal, on devices that have both. All tests of the renderer go
-// through the pipelines with NIGHTCITY_TEST_TRACE=pipeline.
+// Ray queries and ray tracing pipelines against our own traversal, on devices that have them. All tests of
+// the renderer go through them with NIGHTCITY_TEST_TRACE=query and =pipeline.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,20 +12,20 @@
 namespace nightcity::test {
 namespace {
 
-bool has_pipelines() {
-  return test_device().info().ray_pipeline;
-}
+using gpu::Trace;
 
-gpu::Device::Options with_pipelines() {
+gpu::Device::Options by(Trace trace) {
   gpu::Device::Options options;
   options.select = test_device().info().name;
-  options.ray_tracing = true;
+  options.trace = trace;
   return options;
 }
 
-TEST(TraceWays, PipelinesAreRefusedWhereThereAreNone) {
-  if (has_pipelines()) GTEST_SKIP() << "this device has them";
-  EXPECT_THROW(gpu::Device{with_pipelines()}, UsageError);
+class TraceWays : public ::testing::TestWithParam<Trace> {};
+
+TEST_P(TraceWays, AreRefusedWhereTheDeviceLacksThem) {
+  if (has(test_device().info(), GetParam())) GTEST_SKIP() << "this device has it";
+  EXPECT_THROW(gpu::Device{by(GetParam())}, UsageError);
 }
 
 // Houses, posts placed 40 times, a glass that casts no shadow, and a vehicle on its way past them.
@@ -71,15 +71,12 @@ Image seen_by(gpu::Device& device, const RenderScene& scene, Estimator estimator
 }
 
 // Only rays that graze an edge may fall either way.
-TEST(TraceWays, PipelinesAndComputeMeetTheSameSurfacesAndShadows) {
-  if (!has_pipelines()) GTEST_SKIP() << test_device().info().name << " has no ray tracing pipelines";
-  gpu::Device pipelines(with_pipelines());
-  gpu::Device::Options options = with_pipelines();
-  options.ray_tracing = false;
-  gpu::Device compute(options);
+TEST_P(TraceWays, MeetTheSurfacesAndShadowsThatOurOwnTraversalMeets) {
+  if (!has(test_device().info(), GetParam())) GTEST_SKIP() << test_device().info().name << " lacks it";
+  gpu::Device other(by(GetParam())), compute(by(Trace::compute));
   const RenderScene scene = street();
   for (const Estimator estimator : {Estimator::reference, Estimator::traced}) {
-    const Image a = seen_by(pipelines, scene, estimator, 3), b = seen_by(compute, scene, estimator, 3);
+    const Image a = seen_by(other, scene, estimator, 3), b = seen_by(compute, scene, estimator, 3);
     int depths = 0, normals = 0, bright = 0;
     const auto differ = [](double x, double y) { return std::abs(x - y) > 1e-3 * std::abs(y); };
     for (std::size_t i = 0; i < a.pixels(); ++i) {
@@ -97,6 +94,9 @@ TEST(TraceWays, PipelinesAndComputeMeetTheSameSurfacesAndShadows) {
     EXPECT_NEAR(mean_luminance(a) / mean_luminance(b), 1, 1e-3) << name_of(estimator);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(All, TraceWays, ::testing::Values(Trace::query, Trace::pipeline),
+                         [](const auto& info) { return name_of(info.param); });
 
 }  // namespace
 }  // namespace nightcity::test
