@@ -16,8 +16,7 @@ void declare_device(CLI::App& command, gpu::Device::Options& options) {
               if (name == name_of(trace)) options.trace = trace;
           },
           "How rays meet the scene. compute: our own hierarchy, on every device; query, pipeline: the "
-          "device's, by "
-          "ray queries or ray tracing pipelines")
+          "device's own, by ray queries or ray tracing pipelines")
       ->default_str(name_of(options.trace))
       ->check(CLI::IsMember({name_of(Trace::compute), name_of(Trace::query), name_of(Trace::pipeline)}));
   command.add_flag("--validation", options.validation,
