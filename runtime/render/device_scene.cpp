@@ -1,6 +1,8 @@
 #include "runtime/render/device_scene.h"
 
 #include <algorithm>
+#include <chrono>
+#include <utility>
 
 #include "formats/error.h"
 
@@ -56,7 +58,9 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
     schedules_ = scene.schedules;
     switches_ = scene.switches;
   }
-  upload_lit(lit_lights(lights_, schedules_, switches_, 0));
+  LitLights lit = lit_lights(lights_, schedules_, switches_, 0);
+  build_tables(lit, lights_);
+  upload_lit(std::move(lit));
   if (schedules_.empty()) lights_ = {};
 }
 
@@ -112,14 +116,26 @@ void DeviceScene::store_fleet(const RenderScene& scene, std::span<const gpu::Ins
 
 bool DeviceScene::set_time(double time_s) {
   if (schedules_.empty()) return false;
+  if (next_lit_.valid()) {
+    if (next_lit_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
+    upload_lit(next_lit_.get());
+    return true;
+  }
   LitLights lit = lit_lights(lights_, schedules_, switches_, time_s);
   if (lit.same_lights(lit_)) return false;
-  upload_lit(std::move(lit));
+  const auto with_tables = [this](LitLights of) {
+    build_tables(of, lights_);
+    return of;
+  };
+  if (when_ready_) {
+    next_lit_ = std::async(std::launch::async, with_tables, std::move(lit));
+    return false;
+  }
+  upload_lit(with_tables(std::move(lit)));
   return true;
 }
 
 void DeviceScene::upload_lit(LitLights lit) {
-  build_tables(lit, lights_);
   lit_ = std::move(lit);
   lit_parity_ ^= 1;
   lit_bits_[lit_parity_] = gpu::Buffer::of(device_, std::span<const std::uint32_t>(lit_.bits));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <future>
 #include <optional>
 #include <vector>
 
@@ -17,10 +18,17 @@ class DeviceScene {
   /// Keeps what set_time needs of `scene`; the scene itself may go. Throws Error when the device's memory
   /// does not suffice.
   DeviceScene(gpu::Device& device, const RenderScene& scene);
+  DeviceScene(const DeviceScene&) = delete;
+  DeviceScene& operator=(const DeviceScene&) = delete;
 
   /// Switches lights as their schedules say for `time_s` seconds after noon; returns whether any changed. Not
-  /// while a frame is being rendered. Linear in the lights only where some were switched.
+  /// while a frame is being rendered. Where some change, the tables they are picked from are made anew, which
+  /// takes a second where tens of thousands shine.
   bool set_time(double time_s);
+  /// From here on set_time does not wait for those tables: lights change at the call that finds them made.
+  void switch_when_ready() { when_ready_ = true; }
+  /// Are tables being made?
+  bool switching() const { return next_lit_.valid(); }
 
   const gpu::SceneBuffers& buffers() const { return addresses_; }
   bool has_profiles() const { return has_profiles_; }
@@ -65,6 +73,8 @@ class DeviceScene {
   gpu::Buffer lit_bits_[2];  // of now and of before the last switch: the frame before may have used the other
   int lit_parity_ = 0;
   gpu::Buffer lit_list_, alias_, cells_[2], entries_[2];  // of the grids: local, wide
+  bool when_ready_ = false;
+  std::future<LitLights> next_lit_;  // reads lights_, so it goes first
 };
 
 }  // namespace nightcity

@@ -127,6 +127,14 @@ Strongest strongest(std::span<const Light> lights, const std::vector<Bins>& clas
                     const gpu::LightGridShape& shape, std::size_t listed, std::uint32_t x, std::uint32_t z) {
   Strongest cell;
   std::vector<Strength>& found = cell.found;
+  // Weaker ones than this do not matter any more. It is looked for again once half as many have come.
+  float bar = 0;
+  const auto keep_strongest = [&] {
+    const auto last = found.begin() + std::ptrdiff_t(listed);
+    std::nth_element(found.begin(), last, found.end());
+    bar = last->value;
+    found.erase(last + 1, found.end());
+  };
   const auto [centre_x, centre_z] = cell_centre(shape, x, z);
   for (const Bins& bins : classes) {
     const int column = bins.column(centre_x), row = bins.row(centre_z);
@@ -136,8 +144,10 @@ Strongest strongest(std::span<const Light> lights, const std::vector<Bins>& clas
         break;
       }
       const auto take = [&](int bx, int bz) {
-        for (const std::uint32_t light : bins.at(bx, bz))
-          found.push_back({local_strength(shape, x, z, lights[light]), light});
+        for (const std::uint32_t light : bins.at(bx, bz)) {
+          const float value = local_strength(shape, x, z, lights[light]);
+          if (value > bar) found.push_back({value, light});
+        }
       };
       for (int dx = -ring; dx <= ring; ++dx) {
         take(column + dx, row - ring);
@@ -147,14 +157,11 @@ Strongest strongest(std::span<const Light> lights, const std::vector<Bins>& clas
         take(column - ring, row + dz);
         take(column + ring, row + dz);
       }
-      if (found.size() > listed) {
-        const auto last = found.begin() + std::ptrdiff_t(listed);
-        std::nth_element(found.begin(), last, found.end());
-        found.erase(last + 1, found.end());
-        if (bins.strength_beyond(ring) < last->value) break;
-      }
+      if (found.size() > (bar > 0 ? listed + listed / 2 : listed)) keep_strongest();
+      if (bins.strength_beyond(ring) < bar) break;
     }
   }
+  if (found.size() > listed) keep_strongest();
   std::erase_if(found, [&](const Strength& s) { return !(s.value > cell.unseen * least_gap); });
   std::sort(found.begin(), found.end());
   return cell;

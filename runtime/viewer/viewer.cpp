@@ -70,6 +70,9 @@ class Viewer {
     figures_.lights = scene_.lights.size();
     state_.night_changes = !scene_.fleet.trips.empty() || !scene_.schedules.empty();
     state_.play = options.play;
+    // The clock never stops the window; the first lights are there from the first frame on.
+    device_scene_.set_time(options.settings.time_s);
+    device_scene_.switch_when_ready();
     swapchain_.resize(window_.size());
     overlay_ = std::make_unique<Overlay>(device_, window_, swapchain_);
   }
@@ -85,7 +88,7 @@ class Viewer {
   void step() {
     const auto start = Clock::now();
     // Nothing to render: sleep until hands move, but keep the panel alive.
-    const bool idle = !restart_ && figures_.frames >= options_.most_frames;
+    const bool idle = !restart_ && figures_.frames >= options_.most_frames && !device_scene_.switching();
     const Hands hands = window_.poll(idle ? 0.05 : 0.0);
     handle_keys(hands);
     const double elapsed_s = std::min(seconds_between(last_step_, start), 0.25);
