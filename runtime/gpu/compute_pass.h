@@ -7,27 +7,31 @@
 #include <span>
 
 #include "runtime/gpu/device.h"
+#include "runtime/gpu/pipeline.h"
 
 namespace nightcity::gpu {
+
+/// Of a compute shader's local size, as the shader declares it; depth is 1.
+struct Workgroup {
+  std::uint32_t width = 1, height = 1;
+};
 
 class ComputePass {
  public:
   ComputePass() = default;
   /// Specialization constant i takes constants[i].
-  ComputePass(Device& device, std::span<const std::uint32_t> spirv, std::span<const std::uint32_t> constants,
-              std::uint32_t push_bytes);
-  ~ComputePass();
-  ComputePass(ComputePass&& other) noexcept;
-  ComputePass& operator=(ComputePass&& other) noexcept;
+  ComputePass(const Device& device, std::span<const std::uint32_t> spirv,
+              std::span<const std::uint32_t> constants, std::uint32_t push_bytes, Workgroup workgroup = {});
 
-  void dispatch(VkCommandBuffer commands, const void* push, std::uint32_t groups_x,
-                std::uint32_t groups_y = 1, std::uint32_t groups_z = 1) const;
+  /// Records width x height x depth invocations, up to the next whole workgroup.
+  void dispatch(VkCommandBuffer commands, const void* push, std::uint32_t width, std::uint32_t height = 1,
+                std::uint32_t depth = 1) const;
 
  private:
-  Device* device_ = nullptr;
-  VkPipelineLayout layout_ = VK_NULL_HANDLE;
-  VkPipeline pipeline_ = VK_NULL_HANDLE;
+  PipelineLayout layout_;
+  Pipeline pipeline_;
   std::uint32_t push_bytes_ = 0;
+  Workgroup workgroup_;
 };
 
 }  // namespace nightcity::gpu

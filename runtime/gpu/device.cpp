@@ -389,6 +389,12 @@ const char* name_of(Trace trace) {
   return "?";
 }
 
+Trace trace_from_name(const std::string& name) {
+  for (const Trace trace : {Trace::compute, Trace::query, Trace::pipeline})
+    if (name == name_of(trace)) return trace;
+  throw UsageError("--trace", "expected compute, query or pipeline, not '" + name + "'");
+}
+
 bool has(const DeviceInfo& device, Trace trace) {
   return trace == Trace::compute || (trace == Trace::query ? device.ray_query : device.ray_pipeline);
 }
@@ -399,8 +405,9 @@ std::string Device::label() const {
 
 void Device::check_validation() const {
   if (messages_.empty()) return;
-  throw Error("vulkan", "the validation layer found fault " + std::to_string(messages_.size()) +
-                            " times, first: " + messages_.front());
+  std::string all = "the validation layer found fault";
+  for (const std::string& message : messages_) all += "\n" + message;
+  throw Error("vulkan", all);
 }
 
 void full_barrier(VkCommandBuffer commands) {

@@ -32,6 +32,8 @@ enum class Trace {
 };
 
 const char* name_of(Trace trace);
+/// Throws UsageError where there is no such way.
+Trace trace_from_name(const std::string& name);
 bool has(const DeviceInfo& device, Trace trace);
 
 /// Every Vulkan device of this machine, in the loader's order. Throws Error when there is no Vulkan at all.
@@ -65,7 +67,7 @@ class Device {
 
   /// What the validation layer has said so far (warnings and errors); empty without validation.
   const std::vector<std::string>& validation_messages() const { return messages_; }
-  /// Throws Error where it found fault.
+  /// Throws Error with all of it where there is any.
   void check_validation() const;
 
   /// Memory type with `wanted` properties among `allowed`; throws Error where there is none.

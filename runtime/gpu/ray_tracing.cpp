@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstring>
-#include <utility>
 #include <vector>
 
 #include "runtime/gpu/vulkan_check.h"
@@ -22,29 +21,13 @@ VkDeviceSize up_to(VkDeviceSize value, VkDeviceSize alignment) {
 
 constexpr VkDeviceSize scratch_alignment = 256;  // no device asks for more
 
-VkShaderModule make_module(const Device& device, std::span<const std::uint32_t> spirv) {
-  VkShaderModuleCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-  info.codeSize = spirv.size_bytes();
-  info.pCode = spirv.data();
-  VkShaderModule module = VK_NULL_HANDLE;
-  VK_CHECK(vkCreateShaderModule(device.handle(), &info, nullptr, &module));
-  return module;
-}
-
 }  // namespace
 
 AccelerationStructure::AccelerationStructure(Device& device, VkAccelerationStructureTypeKHR type,
                                              const VkAccelerationStructureGeometryKHR& geometry,
                                              std::uint32_t count)
     : device_(&device), type_(type), geometry_(geometry), count_(count) {
-  VkAccelerationStructureBuildGeometryInfoKHR info{};
-  info.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_GEOMETRY_INFO_KHR;
-  info.type = type;
-  info.flags = VK_BUILD_ACCELERATION_STRUCTURE_PREFER_FAST_TRACE_BIT_KHR;
-  info.mode = VK_BUILD_ACCELERATION_STRUCTURE_MODE_BUILD_KHR;
-  info.geometryCount = 1;
-  info.pGeometries = &geometry_;
+  const VkAccelerationStructureBuildGeometryInfoKHR info = build_info();
   VkAccelerationStructureBuildSizesInfoKHR sizes{};
   sizes.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_SIZES_INFO_KHR;
   load<PFN_vkGetAccelerationStructureBuildSizesKHR>(device, "vkGetAccelerationStructureBuildSizesKHR")(
@@ -57,11 +40,13 @@ AccelerationStructure::AccelerationStructure(Device& device, VkAccelerationStruc
   create.buffer = storage_.handle();
   create.size = sizes.accelerationStructureSize;
   create.type = type;
+  VkAccelerationStructureKHR handle = VK_NULL_HANDLE;
   VK_CHECK(load<PFN_vkCreateAccelerationStructureKHR>(device, "vkCreateAccelerationStructureKHR")(
-      device.handle(), &create, nullptr, &handle_));
+      device.handle(), &create, nullptr, &handle));
+  handle_ = {handle, {&device}};
   VkAccelerationStructureDeviceAddressInfoKHR address{};
   address.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_DEVICE_ADDRESS_INFO_KHR;
-  address.accelerationStructure = handle_;
+  address.accelerationStructure = handle;
   address_ = load<PFN_vkGetAccelerationStructureDeviceAddressKHR>(
       device, "vkGetAccelerationStructureDeviceAddressKHR")(device.handle(), &address);
 }
@@ -99,37 +84,25 @@ AccelerationStructure AccelerationStructure::of_instances(Device& device, std::u
   return {device, VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR, geometry, count};
 }
 
-AccelerationStructure::~AccelerationStructure() {
-  if (handle_ != VK_NULL_HANDLE)
-    load<PFN_vkDestroyAccelerationStructureKHR>(*device_, "vkDestroyAccelerationStructureKHR")(
-        device_->handle(), handle_, nullptr);
+void DestroyAccelerationStructure::operator()(VkAccelerationStructureKHR handle) const {
+  load<PFN_vkDestroyAccelerationStructureKHR>(*device, "vkDestroyAccelerationStructureKHR")(device->handle(),
+                                                                                            handle, nullptr);
 }
 
-AccelerationStructure::AccelerationStructure(AccelerationStructure&& other) noexcept {
-  *this = std::move(other);
-}
-
-AccelerationStructure& AccelerationStructure::operator=(AccelerationStructure&& other) noexcept {
-  std::swap(device_, other.device_);
-  std::swap(handle_, other.handle_);
-  std::swap(type_, other.type_);
-  std::swap(geometry_, other.geometry_);
-  std::swap(count_, other.count_);
-  std::swap(storage_, other.storage_);
-  std::swap(scratch_, other.scratch_);
-  std::swap(address_, other.address_);
-  return *this;
-}
-
-void AccelerationStructure::build(VkCommandBuffer commands) const {
+VkAccelerationStructureBuildGeometryInfoKHR AccelerationStructure::build_info() const {
   VkAccelerationStructureBuildGeometryInfoKHR info{};
   info.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_GEOMETRY_INFO_KHR;
   info.type = type_;
   info.flags = VK_BUILD_ACCELERATION_STRUCTURE_PREFER_FAST_TRACE_BIT_KHR;
   info.mode = VK_BUILD_ACCELERATION_STRUCTURE_MODE_BUILD_KHR;
-  info.dstAccelerationStructure = handle_;
   info.geometryCount = 1;
   info.pGeometries = &geometry_;
+  return info;
+}
+
+void AccelerationStructure::build(VkCommandBuffer commands) const {
+  VkAccelerationStructureBuildGeometryInfoKHR info = build_info();
+  info.dstAccelerationStructure = handle_.get();
   info.scratchData.deviceAddress = up_to(scratch_.address(), scratch_alignment);
   VkAccelerationStructureBuildRangeInfoKHR range{};
   range.primitiveCount = count_;
@@ -142,27 +115,21 @@ void AccelerationStructure::build(VkCommandBuffer commands) const {
 
 RayPass::RayPass(Device& device, const Shaders& shaders, std::span<const std::uint32_t> constants,
                  std::uint32_t push_bytes)
-    : device_(&device), push_bytes_(push_bytes) {
-  const VkPushConstantRange range{VK_SHADER_STAGE_RAYGEN_BIT_KHR, 0, push_bytes};
-  VkPipelineLayoutCreateInfo layout{};
-  layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-  layout.pushConstantRangeCount = 1;
-  layout.pPushConstantRanges = &range;
-  VK_CHECK(vkCreatePipelineLayout(device.handle(), &layout, nullptr, &layout_));
-
-  std::vector<VkSpecializationMapEntry> entries;
-  for (std::uint32_t i = 0; i < constants.size(); ++i) entries.push_back({i, i * 4, 4});
-  const VkSpecializationInfo specialization{static_cast<std::uint32_t>(entries.size()), entries.data(),
-                                            constants.size_bytes(), constants.data()};
+    : device_(&device),
+      layout_(make_layout(device, VK_SHADER_STAGE_RAYGEN_BIT_KHR, push_bytes)),
+      push_bytes_(push_bytes) {
+  const Specialization specialization(constants);
   std::array<VkPipelineShaderStageCreateInfo, 3> stages{};
   std::array<VkRayTracingShaderGroupCreateInfoKHR, 3> groups{};
   const std::array<VkShaderStageFlagBits, 3> kinds{
       VK_SHADER_STAGE_RAYGEN_BIT_KHR, VK_SHADER_STAGE_MISS_BIT_KHR, VK_SHADER_STAGE_CLOSEST_HIT_BIT_KHR};
-  const std::array<std::span<const std::uint32_t>, 3> words{shaders.generation, shaders.miss, shaders.hit};
+  const std::array<ShaderModule, 3> modules{make_shader(device, shaders.generation),
+                                            make_shader(device, shaders.miss),
+                                            make_shader(device, shaders.hit)};
   for (std::uint32_t i = 0; i < 3; ++i) {
     stages[i].sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
     stages[i].stage = kinds[i];
-    stages[i].module = make_module(device, words[i]);
+    stages[i].module = modules[i].get();
     stages[i].pName = "main";
     groups[i].sType = VK_STRUCTURE_TYPE_RAY_TRACING_SHADER_GROUP_CREATE_INFO_KHR;
     groups[i].type = i < 2 ? VK_RAY_TRACING_SHADER_GROUP_TYPE_GENERAL_KHR
@@ -171,7 +138,7 @@ RayPass::RayPass(Device& device, const Shaders& shaders, std::span<const std::ui
     groups[i].closestHitShader = i < 2 ? VK_SHADER_UNUSED_KHR : i;
     groups[i].anyHitShader = groups[i].intersectionShader = VK_SHADER_UNUSED_KHR;
   }
-  stages[0].pSpecializationInfo = &specialization;
+  stages[0].pSpecializationInfo = specialization.info();
   VkRayTracingPipelineCreateInfoKHR info{};
   info.sType = VK_STRUCTURE_TYPE_RAY_TRACING_PIPELINE_CREATE_INFO_KHR;
   info.stageCount = 3;
@@ -179,11 +146,11 @@ RayPass::RayPass(Device& device, const Shaders& shaders, std::span<const std::ui
   info.groupCount = 3;
   info.pGroups = groups.data();
   info.maxPipelineRayRecursionDepth = 1;
-  info.layout = layout_;
-  const VkResult result = load<PFN_vkCreateRayTracingPipelinesKHR>(device, "vkCreateRayTracingPipelinesKHR")(
-      device.handle(), VK_NULL_HANDLE, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_);
-  for (const auto& stage : stages) vkDestroyShaderModule(device.handle(), stage.module, nullptr);
-  check(result, "vkCreateRayTracingPipelinesKHR");
+  info.layout = layout_.get();
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  VK_CHECK(load<PFN_vkCreateRayTracingPipelinesKHR>(device, "vkCreateRayTracingPipelinesKHR")(
+      device.handle(), VK_NULL_HANDLE, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline));
+  pipeline_ = {pipeline, {device.handle()}};
 
   VkPhysicalDeviceRayTracingPipelinePropertiesKHR rays{};
   rays.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_TRACING_PIPELINE_PROPERTIES_KHR;
@@ -195,7 +162,7 @@ RayPass::RayPass(Device& device, const Shaders& shaders, std::span<const std::ui
   record_bytes_ = up_to(up_to(handle_bytes, rays.shaderGroupHandleAlignment), rays.shaderGroupBaseAlignment);
   std::vector<std::uint8_t> handles(3 * handle_bytes);
   VK_CHECK(load<PFN_vkGetRayTracingShaderGroupHandlesKHR>(device, "vkGetRayTracingShaderGroupHandlesKHR")(
-      device.handle(), pipeline_, 0, 3, handles.size(), handles.data()));
+      device.handle(), pipeline, 0, 3, handles.size(), handles.data()));
   std::vector<std::uint8_t> table(3 * record_bytes_);
   for (std::size_t i = 0; i < 3; ++i)
     std::memcpy(table.data() + i * record_bytes_, handles.data() + i * handle_bytes, handle_bytes);
@@ -206,31 +173,10 @@ RayPass::RayPass(Device& device, const Shaders& shaders, std::span<const std::ui
   base_ = up_to(table_.address(), rays.shaderGroupBaseAlignment);
 }
 
-RayPass::~RayPass() {
-  if (!device_) return;
-  vkDestroyPipeline(device_->handle(), pipeline_, nullptr);
-  vkDestroyPipelineLayout(device_->handle(), layout_, nullptr);
-}
-
-RayPass::RayPass(RayPass&& other) noexcept {
-  *this = std::move(other);
-}
-
-RayPass& RayPass::operator=(RayPass&& other) noexcept {
-  std::swap(device_, other.device_);
-  std::swap(layout_, other.layout_);
-  std::swap(pipeline_, other.pipeline_);
-  std::swap(table_, other.table_);
-  std::swap(base_, other.base_);
-  std::swap(record_bytes_, other.record_bytes_);
-  std::swap(push_bytes_, other.push_bytes_);
-  return *this;
-}
-
-void RayPass::trace(VkCommandBuffer commands, const void* push, std::uint32_t width, std::uint32_t height,
-                    std::uint32_t depth) const {
-  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_RAY_TRACING_KHR, pipeline_);
-  vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_RAYGEN_BIT_KHR, 0, push_bytes_, push);
+void RayPass::dispatch(VkCommandBuffer commands, const void* push, std::uint32_t width, std::uint32_t height,
+                       std::uint32_t depth) const {
+  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_RAY_TRACING_KHR, pipeline_.get());
+  vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_RAYGEN_BIT_KHR, 0, push_bytes_, push);
   const auto record = [&](VkDeviceSize i) {
     return VkStridedDeviceAddressRegionKHR{base_ + i * record_bytes_, record_bytes_, record_bytes_};
   };

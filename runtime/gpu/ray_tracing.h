@@ -5,12 +5,20 @@
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <type_traits>
 
 #include "runtime/gpu/buffer.h"
 #include "runtime/gpu/device.h"
+#include "runtime/gpu/pipeline.h"
 
 namespace nightcity::gpu {
+
+struct DestroyAccelerationStructure {  // DestroyedBy cannot: the loader exports no extension's functions
+  const Device* device = nullptr;
+  void operator()(VkAccelerationStructureKHR handle) const;
+};
 
 class AccelerationStructure {
  public:
@@ -19,9 +27,6 @@ class AccelerationStructure {
   static AccelerationStructure of_triangles(Device& device, std::uint64_t address, std::uint32_t count);
   /// Top level over `count` records of VkAccelerationStructureInstanceKHR at `address`; build() reads them.
   static AccelerationStructure of_instances(Device& device, std::uint64_t address, std::uint32_t count);
-  ~AccelerationStructure();
-  AccelerationStructure(AccelerationStructure&& other) noexcept;
-  AccelerationStructure& operator=(AccelerationStructure&& other) noexcept;
 
   /// Records the build, with barriers before and after.
   void build(VkCommandBuffer commands) const;
@@ -32,12 +37,15 @@ class AccelerationStructure {
   AccelerationStructure(Device& device, VkAccelerationStructureTypeKHR type,
                         const VkAccelerationStructureGeometryKHR& geometry, std::uint32_t count);
 
+  VkAccelerationStructureBuildGeometryInfoKHR build_info() const;
+
   Device* device_ = nullptr;
-  VkAccelerationStructureKHR handle_ = VK_NULL_HANDLE;
   VkAccelerationStructureTypeKHR type_{};
   VkAccelerationStructureGeometryKHR geometry_{};
   std::uint32_t count_ = 0;
   Buffer storage_, scratch_;
+  std::unique_ptr<std::remove_pointer_t<VkAccelerationStructureKHR>, DestroyAccelerationStructure>
+      handle_;  // lies in storage_
   std::uint64_t address_ = 0;
 };
 
@@ -51,17 +59,15 @@ class RayPass {
   /// Specialization constant i of the ray generation shader takes constants[i].
   RayPass(Device& device, const Shaders& shaders, std::span<const std::uint32_t> constants,
           std::uint32_t push_bytes);
-  ~RayPass();
-  RayPass(RayPass&& other) noexcept;
-  RayPass& operator=(RayPass&& other) noexcept;
 
-  void trace(VkCommandBuffer commands, const void* push, std::uint32_t width, std::uint32_t height,
-             std::uint32_t depth) const;
+  /// Records width x height x depth invocations of the ray generation shader.
+  void dispatch(VkCommandBuffer commands, const void* push, std::uint32_t width, std::uint32_t height = 1,
+                std::uint32_t depth = 1) const;
 
  private:
   Device* device_ = nullptr;
-  VkPipelineLayout layout_ = VK_NULL_HANDLE;
-  VkPipeline pipeline_ = VK_NULL_HANDLE;
+  PipelineLayout layout_;
+  Pipeline pipeline_;
   Buffer table_;            // of the shaders: generation, miss, hit
   std::uint64_t base_ = 0;  // of the first record, aligned as the device asks
   VkDeviceSize record_bytes_ = 0;

@@ -29,16 +29,19 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
   addresses_.root = scene.root;
   addresses_.standing_lights = static_cast<std::uint32_t>(scene.lights.size());
   addresses_.light_count = addresses_.standing_lights;
-  std::vector<gpu::Instance> instances = scene.instances;
+  std::span<const gpu::Instance> instances = scene.instances;
+  std::vector<gpu::Instance> with_trees;
   if (device.trace() != gpu::Trace::compute) {
     trees_.emplace(device, scene, addresses_.triangles);
-    for (gpu::Instance& instance : instances) instance.root = trees_->first_triangle(instance.root);
+    with_trees = scene.instances;
+    instances = with_trees;
+    for (gpu::Instance& instance : with_trees) instance.root = trees_->first_triangle(instance.root);
     addresses_.tree = {static_cast<std::uint32_t>(trees_->address()),
                        static_cast<std::uint32_t>(trees_->address() >> 32)};
   }
   if (scene.fleet.trips.empty()) {
     addresses_.nodes = store(std::span(scene.nodes));
-    addresses_.instances = store(std::span<const gpu::Instance>(instances));
+    addresses_.instances = store(instances);
   } else {
     store_fleet(scene, instances);
   }

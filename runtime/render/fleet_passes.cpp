@@ -38,7 +38,7 @@ void FleetPasses::record(VkCommandBuffer commands, const PassSet& passes, std::u
   const gpu::FleetBuffers& fleet = scene_.buffers().fleet;
   const auto run = [&](const gpu::ComputePass& pass, std::uint32_t invocations, std::uint32_t level = 0) {
     const gpu::Push push{frame_address, level, 0};
-    pass.dispatch(commands, &push, (invocations + WORKGROUP_ROW - 1) / WORKGROUP_ROW);
+    pass.dispatch(commands, &push, invocations);
     gpu::full_barrier(commands);
   };
   vkCmdFillBuffer(commands, counts_.handle(), 0, VK_WHOLE_SIZE, 0);

@@ -35,33 +35,41 @@
 #include "spirv/upward_query.h"
 
 namespace nightcity {
+namespace {
+
+constexpr gpu::Workgroup over_pixels{WORKGROUP_SIZE, WORKGROUP_SIZE};
+constexpr gpu::Workgroup over_a_list{WORKGROUP_ROW, 1};
+
+}  // namespace
 
 const PassSet& PassLibrary::get(const PassConstants& constants) {
   const auto known = sets_.find(constants);
   if (known != sets_.end()) return known->second;
-  const auto make = [&](std::span<const std::uint32_t> spirv) {
-    return gpu::ComputePass(device_, spirv, constants, sizeof(gpu::Push));
+  const auto make = [&](std::span<const std::uint32_t> spirv, gpu::Workgroup workgroup) {
+    return gpu::ComputePass(device_, spirv, constants, sizeof(gpu::Push), workgroup);
+  };
+  const auto make_trace = [&](const TraceShader& shader) {
+    return this->make_trace(constants, shader, over_pixels);
   };
   PassSet set;
-  set.primary = make_trace(constants, {primary_spirv, primary_query_spirv, primary_pipeline_spirv});
-  set.accumulate = make(accumulate_spirv);
-  set.demodulate = make(demodulate_spirv);
-  set.denoise = make(denoise_spirv);
+  set.primary = make_trace({primary_spirv, primary_query_spirv, primary_pipeline_spirv});
+  set.accumulate = make(accumulate_spirv, over_pixels);
+  set.demodulate = make(demodulate_spirv, over_pixels);
+  set.denoise = make(denoise_spirv, over_pixels);
   if (constants[CONSTANT_TRAFFIC] != 0) {
-    set.fleet_pose = make(fleet_pose_spirv);
-    set.fleet_offsets = make(fleet_offsets_spirv);
-    set.fleet_order = make(fleet_order_spirv);
-    set.fleet_settle = make(fleet_settle_spirv);
-    set.fleet_tree = make(fleet_tree_spirv);
+    set.fleet_pose = make(fleet_pose_spirv, over_a_list);
+    set.fleet_offsets = make(fleet_offsets_spirv, over_a_list);
+    set.fleet_order = make(fleet_order_spirv, over_a_list);
+    set.fleet_settle = make(fleet_settle_spirv, over_a_list);
+    set.fleet_tree = make(fleet_tree_spirv, over_a_list);
   }
   if (constants[CONSTANT_ESTIMATOR] == ESTIMATOR_REFERENCE) {
-    set.reference = make_trace(constants, {reference_spirv, reference_query_spirv, reference_pipeline_spirv});
+    set.reference = make_trace({reference_spirv, reference_query_spirv, reference_pipeline_spirv});
   } else {
-    set.candidates =
-        make_trace(constants, {candidates_spirv, candidates_query_spirv, candidates_pipeline_spirv});
-    set.temporal = make_trace(constants, {temporal_spirv, temporal_query_spirv, temporal_pipeline_spirv});
-    set.spatial = make_trace(constants, {spatial_spirv, spatial_query_spirv, spatial_pipeline_spirv});
-    set.shade = make_trace(constants, {shade_spirv, shade_query_spirv, shade_pipeline_spirv});
+    set.candidates = make_trace({candidates_spirv, candidates_query_spirv, candidates_pipeline_spirv});
+    set.temporal = make_trace({temporal_spirv, temporal_query_spirv, temporal_pipeline_spirv});
+    set.spatial = make_trace({spatial_spirv, spatial_query_spirv, spatial_pipeline_spirv});
+    set.shade = make_trace({shade_spirv, shade_query_spirv, shade_pipeline_spirv});
   }
   return sets_.emplace(constants, std::move(set)).first->second;
 }
@@ -70,19 +78,19 @@ const TracePass& PassLibrary::upward(const PassConstants& constants) {
   const auto known = upward_.find(constants);
   if (known != upward_.end()) return known->second;
   return upward_
-      .emplace(constants, make_trace(constants, {upward_spirv, upward_query_spirv, upward_pipeline_spirv},
-                                     WORKGROUP_ROW, 1))
+      .emplace(constants,
+               make_trace(constants, {upward_spirv, upward_query_spirv, upward_pipeline_spirv}, over_a_list))
       .first->second;
 }
 
 TracePass PassLibrary::make_trace(const PassConstants& constants, const TraceShader& shader,
-                                  std::uint32_t group_width, std::uint32_t group_height) {
+                                  gpu::Workgroup workgroup) {
   const gpu::Trace trace = device_.trace();
   if (trace == gpu::Trace::pipeline)
     return TracePass(gpu::RayPass(device_, {shader.pipeline, trace_miss_spirv, trace_hit_spirv}, constants,
                                   sizeof(gpu::Push)));
   const auto words = trace == gpu::Trace::query ? shader.query : shader.compute;
-  return {gpu::ComputePass(device_, words, constants, sizeof(gpu::Push)), group_width, group_height};
+  return TracePass(gpu::ComputePass(device_, words, constants, sizeof(gpu::Push), workgroup));
 }
 
 }  // namespace nightcity

@@ -38,9 +38,7 @@ class PassLibrary {
   struct TraceShader {
     std::span<const std::uint32_t> compute, query, pipeline;
   };
-  TracePass make_trace(const PassConstants& constants, const TraceShader& shader,
-                       std::uint32_t group_width = WORKGROUP_SIZE,
-                       std::uint32_t group_height = WORKGROUP_SIZE);
+  TracePass make_trace(const PassConstants& constants, const TraceShader& shader, gpu::Workgroup workgroup);
 
   gpu::Device& device_;
   std::map<PassConstants, PassSet> sets_;

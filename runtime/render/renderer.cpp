@@ -109,18 +109,11 @@ std::vector<Feature> Renderer::not_needed(const RenderSettings& settings) const 
   return features;
 }
 
-void Renderer::run_pass(VkCommandBuffer commands, const gpu::ComputePass& pass, const char* name,
-                        std::uint32_t first, std::uint32_t count) {
+template <class Pass>
+void Renderer::run_pass(VkCommandBuffer commands, const Pass& pass, const char* name, std::uint32_t first,
+                        std::uint32_t count, std::uint32_t slices) {
   const gpu::Push push{frame_.address(), first, count};
-  pass.dispatch(commands, &push, (width_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE,
-                (height_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE);
-  gpu::full_barrier(commands);
-  timer_.mark(commands, name);
-}
-
-void Renderer::run_pass(VkCommandBuffer commands, const TracePass& pass, const char* name,
-                        std::uint32_t first, std::uint32_t count, std::uint32_t slices) {
-  pass.record(commands, {frame_.address(), first, count}, width_, height_, slices);
+  pass.dispatch(commands, &push, width_, height_, slices);
   gpu::full_barrier(commands);
   timer_.mark(commands, name);
 }

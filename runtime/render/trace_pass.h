@@ -2,28 +2,28 @@
 // pipeline. All come from one source (shaders/trace.glsl).
 #pragma once
 
+#include <utility>
 #include <variant>
 
 #include "runtime/gpu/compute_pass.h"
 #include "runtime/gpu/ray_tracing.h"
-#include "shaders/interface.h"
 
 namespace nightcity {
 
 class TracePass {
  public:
   TracePass() = default;
-  /// Of workgroups of group_width x group_height x 1.
-  TracePass(gpu::ComputePass pass, std::uint32_t group_width, std::uint32_t group_height);
-  explicit TracePass(gpu::RayPass pass);
+  explicit TracePass(gpu::ComputePass pass) : pass_(std::move(pass)) {}
+  explicit TracePass(gpu::RayPass pass) : pass_(std::move(pass)) {}
 
-  /// Records width x height x depth invocations; with compute, up to the next whole workgroup.
-  void record(VkCommandBuffer commands, const gpu::Push& push, std::uint32_t width, std::uint32_t height = 1,
-              std::uint32_t depth = 1) const;
+  /// Records width x height x depth invocations, as the passes have it.
+  void dispatch(VkCommandBuffer commands, const void* push, std::uint32_t width, std::uint32_t height = 1,
+                std::uint32_t depth = 1) const {
+    std::visit([&](const auto& pass) { pass.dispatch(commands, push, width, height, depth); }, pass_);
+  }
 
  private:
   std::variant<gpu::ComputePass, gpu::RayPass> pass_;
-  std::uint32_t group_width_ = 1, group_height_ = 1;
 };
 
 }  // namespace nightcity

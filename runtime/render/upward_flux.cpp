@@ -65,7 +65,7 @@ UpwardFlux upward_flux(gpu::Device& device, PassLibrary& library, DeviceScene& s
     device.run([&](VkCommandBuffer commands) {
       for (std::uint32_t first = 0; first < lights; first += lights_a_dispatch) {
         const gpu::Push push{frame_buffer.address(), first, rays_a_dispatch};
-        pass.record(commands, push, std::min(lights_a_dispatch, lights - first));
+        pass.dispatch(commands, &push, std::min(lights_a_dispatch, lights - first));
         gpu::full_barrier(commands);
       }
     });

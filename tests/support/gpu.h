@@ -17,9 +17,7 @@ inline gpu::Device& test_device() {
   static gpu::Device device([] {
     gpu::Device::Options options;
     if (const char* name = std::getenv("NIGHTCITY_TEST_DEVICE")) options.select = name;
-    if (const char* name = std::getenv("NIGHTCITY_TEST_TRACE"))
-      for (const gpu::Trace trace : {gpu::Trace::query, gpu::Trace::pipeline})
-        if (std::string(name) == name_of(trace)) options.trace = trace;
+    if (const char* name = std::getenv("NIGHTCITY_TEST_TRACE")) options.trace = gpu::trace_from_name(name);
     options.validation = std::getenv("NIGHTCITY_TEST_NO_VALIDATION") == nullptr;
     return options;
   }());
