@@ -17,7 +17,7 @@
 namespace nightcity {
 namespace {
 
-constexpr int most_bits = 30;      // Draco's own limit
+constexpr int max_bits = 30;      // Draco's own limit
 constexpr int encoding_speed = 3;  // 10 - 7: compression level 7, the knee of size against time
 
 int add_attribute(draco::Mesh& mesh, draco::GeometryAttribute::Type type, std::span<const float> values,
@@ -44,7 +44,7 @@ void quantise_whole_numbers(draco::ExpertEncoder& encoder, int attribute, std::s
 
 // Edgebreaker reorders vertices, so each original one is matched to the nearest decoded one through a hash
 // grid.
-double greatest_displacement(std::span<const glm::vec3> originals, std::span<const glm::vec3> decoded,
+double max_displacement(std::span<const glm::vec3> originals, std::span<const glm::vec3> decoded,
                              const glm::vec3& origin, double reach) {
   const double cell = 8 * reach;  // so that few look-ups touch a neighbouring cell
   const auto key = [](const glm::dvec3& c) {
@@ -78,7 +78,7 @@ double greatest_displacement(std::span<const glm::vec3> originals, std::span<con
 
 int draco_bits(double extent_m, double tolerance_m) {
   const double steps = extent_m * std::sqrt(3.0) / (2 * tolerance_m);
-  return std::clamp(static_cast<int>(std::ceil(std::log2(steps + 1))), 1, most_bits);
+  return std::clamp(static_cast<int>(std::ceil(std::log2(steps + 1))), 1, max_bits);
 }
 
 std::optional<DracoEncoded> encode_draco(const ScenePrimitive& primitive, std::span<const float> feature_ids,
@@ -148,7 +148,7 @@ std::optional<DracoEncoded> encode_draco(const ScenePrimitive& primitive, std::s
   const glm::vec3 magnitude = glm::max(glm::abs(least), glm::abs(greatest));
   const double rounding = std::max({magnitude.x, magnitude.y, magnitude.z}) * 0x1p-22;
   const double allowed = tolerance_m + rounding;
-  result.error_m = greatest_displacement(originals, positions, least, allowed);
+  result.error_m = max_displacement(originals, positions, least, allowed);
   if (!(result.error_m <= allowed)) return std::nullopt;
   return result;
 }

@@ -59,7 +59,7 @@ void FeatureTableWriter::StringColumn::add(std::string_view text) {
 
 std::uint32_t FeatureTableWriter::add(const SceneFeature& feature) {
   // Feature ids are float vertex attributes (glTF allows no 32-bit integers there): see gltf_constants.h.
-  if (count_ >= gltf::greatest_id) throw Error("", "more than 8,388,607 features");
+  if (count_ >= gltf::max_id) throw Error("", "more than 8,388,607 features");
   id_.add(feature.id);
   type_.add(feature.type);
   function_.add(feature.function);

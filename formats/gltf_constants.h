@@ -25,7 +25,7 @@ constexpr const char* scene_version = "1.0";
 
 // Ids are stored as floats. Whole numbers are exact up to 2^24, but Draco's quantiser adds 0.5 before it
 // rounds down, which floats can only follow up to 2^23.
-constexpr std::uint32_t greatest_id = (1u << 23) - 1;
+constexpr std::uint32_t max_id = (1u << 23) - 1;
 constexpr float null_feature_id = 8388607.0f, null_light = -1.0f;
 
 }  // namespace nightcity::gltf

@@ -112,7 +112,7 @@ void LightFile::Mapping::read_table() {
   if (header.file_size != bytes.size())
     throw Error(name, "byte " + std::to_string(bytes.size()),
                 "file of " + std::to_string(header.file_size) + " bytes ends here");
-  if (header.section_count > most_sections || header.table_offset % alignof(Section) != 0 ||
+  if (header.section_count > max_sections || header.table_offset % alignof(Section) != 0 ||
       header.table_offset > bytes.size() ||
       header.section_count > (bytes.size() - header.table_offset) / sizeof(Section))
     throw Error(name, "header", "section table lies outside the file");
@@ -166,11 +166,11 @@ void LightFile::Mapping::check_small_sections(std::span<const char> text) {
                 "holds " + std::to_string(provenance.size()) + " entries for " +
                     std::to_string(lights.size()) + " lights");
   if (lights.size() >= LIGHT_ALWAYS_ON) throw Error(name, "section LGHT", "holds too many lights");
-  if (profiles.size() > most_profiles) throw Error(name, "section PROF", "holds too many profiles");
+  if (profiles.size() > max_profiles) throw Error(name, "section PROF", "holds too many profiles");
   for (std::size_t i = 0; i < profiles.size(); ++i)
     if (const auto fault = profile_fault(profiles[i], profile_data.size()))
       throw Error(name, "profile " + std::to_string(i), *fault);
-  if (text.size() > most_georeference_bytes) throw Error(name, "section GEOR", "is too long");
+  if (text.size() > max_georeference_bytes) throw Error(name, "section GEOR", "is too long");
   try {
     georeference = georeference_from_json(nlohmann::json::parse(text.begin(), text.end()));
   } catch (const nlohmann::json::exception& error) {

@@ -15,9 +15,9 @@ namespace nightcity::light_file {
 inline constexpr std::array<char, 8> magic{'N', 'C', 'L', 'I', 'G', 'H', 'T', 'S'};
 constexpr std::uint16_t major_version = 1, minor_version = 0;
 constexpr std::uint64_t section_alignment = 64;
-constexpr std::uint32_t most_sections = 1024;  // bounds the work of open() on a hostile file
-constexpr std::uint64_t most_georeference_bytes = 1 << 20;
-constexpr std::uint64_t most_profiles = 65536;
+constexpr std::uint32_t max_sections = 1024;  // bounds the work of open() on a hostile file
+constexpr std::uint64_t max_georeference_bytes = 1 << 20;
+constexpr std::uint64_t max_profiles = 65536;
 
 struct Header {
   std::array<char, 8> magic;

@@ -141,10 +141,10 @@ void LightFileWriter::finish(const LightFileContent& rest) {
   if (state.profiles_named > rest.profiles.size() || state.schedules_named > state.schedules.count())
     throw Error(state.name, "a light names a profile or schedule that is not there");
   // Limits that open() enforces hold here too: what is written can be read.
-  if (rest.profiles.size() > most_profiles) throw Error(state.name, "more than 65536 profiles");
+  if (rest.profiles.size() > max_profiles) throw Error(state.name, "more than 65536 profiles");
   const std::string georeference =
       georeference_to_json(rest.georeference).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  if (georeference.size() > most_georeference_bytes)
+  if (georeference.size() > max_georeference_bytes)
     throw Error(state.name, "the list of sources is too long");
 
   AtomicFile& file = state.file;

@@ -116,8 +116,8 @@ class SceneWriter {
 
   struct Statistics {
     std::uint64_t meshes = 0, vertices = 0, triangles = 0, nodes = 0, instances = 0, features = 0;
-    int greatest_draco_bits = 0;        // quantisation of positions; 0 = no Draco
-    double greatest_draco_error_m = 0;  // greatest displacement of a vertex, measured on the decoded mesh
+    int max_draco_bits = 0;        // quantisation of positions; 0 = no Draco
+    double max_draco_error_m = 0;  // greatest displacement of a vertex, measured on the decoded mesh
   };
   const Statistics& statistics() const;
 

@@ -179,7 +179,7 @@ std::vector<std::uint32_t> triangle_list(std::size_t mode, std::vector<std::uint
 std::vector<std::uint32_t> light_ids(const std::vector<float>& values) {
   std::vector<std::uint32_t> ids(values.size(), no_id);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!(values[i] < static_cast<float>(gltf::greatest_id)))
+    if (!(values[i] < static_cast<float>(gltf::max_id)))
       throw Error("", gltf::light_attribute, "is no light id");
     if (values[i] >= 0) ids[i] = static_cast<std::uint32_t>(values[i]);
   }

@@ -117,7 +117,7 @@ void SceneWriter::State::check(const ScenePrimitive& primitive, const std::strin
   for (const std::uint32_t id : primitive.feature_ids)
     if (id != no_id && id >= features.size()) fail(place, "feature " + std::to_string(id) + " is not there");
   for (const std::uint32_t id : primitive.light_ids)
-    if (id != no_id && id >= gltf::greatest_id) fail(place, "light id is above 2^23 - 2");
+    if (id != no_id && id >= gltf::max_id) fail(place, "light id is above 2^23 - 2");
 }
 
 json SceneWriter::State::write_plain(const ScenePrimitive& primitive, std::span<const float> feature_ids,
@@ -157,8 +157,8 @@ json SceneWriter::State::write_plain(const ScenePrimitive& primitive, std::span<
 json SceneWriter::State::write_draco(const DracoEncoded& encoded) {
   extensions_used.insert(gltf::draco);
   extensions_required.insert(gltf::draco);
-  statistics.greatest_draco_bits = std::max(statistics.greatest_draco_bits, encoded.bits);
-  statistics.greatest_draco_error_m = std::max(statistics.greatest_draco_error_m, encoded.error_m);
+  statistics.max_draco_bits = std::max(statistics.max_draco_bits, encoded.bits);
+  statistics.max_draco_error_m = std::max(statistics.max_draco_error_m, encoded.error_m);
   json positions = accessor(gltf::float32, "VEC3", encoded.vertex_count);
   positions["min"] = vector_json(encoded.least);
   positions["max"] = vector_json(encoded.greatest);
@@ -221,7 +221,7 @@ json SceneWriter::State::write_instances(const SceneNode& node, const std::vecto
     rotated |= rotations.back() != glm::vec4(0, 0, 0, 1);
     scaled |= scales.back() != glm::vec3(1);
     lit |= lights.back() != no_id;
-    if (lights.back() != no_id && lights.back() >= gltf::greatest_id)
+    if (lights.back() != no_id && lights.back() >= gltf::max_id)
       fail("node " + node.name, "light id is above 2^23 - 2");
   }
   json attributes;

@@ -13,19 +13,19 @@
 
 namespace nightcity {
 
-/// Memory: `most_pending` records, and some thirty bytes a key. `Key` is ordered by <.
+/// Memory: `max_pending` records, and some thirty bytes a key. `Key` is ordered by <.
 template <class Key, class Record>
 class CellFile {
   static_assert(std::is_trivially_copyable_v<Record>, "records are stored as their bytes");
 
  public:
   /// Scratch file beside `path`.
-  explicit CellFile(const std::filesystem::path& path, std::size_t most_pending = 16'384)
-      : file_(path), most_pending_(most_pending) {}
+  explicit CellFile(const std::filesystem::path& path, std::size_t max_pending = 16'384)
+      : file_(path), max_pending_(max_pending) {}
 
   void add(const Key& key, const Record& record) {
     pending_.push_back({key, record});
-    if (pending_.size() >= most_pending_) flush();
+    if (pending_.size() >= max_pending_) flush();
   }
 
   /// All that was added under the key, in the order in which it came. Many threads may ask once keys() has
@@ -105,7 +105,7 @@ class CellFile {
   }
 
   ScratchFile file_;
-  std::size_t most_pending_;
+  std::size_t max_pending_;
   std::vector<Pending> pending_;
   std::vector<Cell> cells_;
 };

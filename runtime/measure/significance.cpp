@@ -110,9 +110,9 @@ PixelTest test_pixels(const PictureStatistics& a, const PictureStatistics& b, do
       passed_a += a.mean(i);
       passed_b += b.mean(i);
     }
-    if (p < test.least_p) {
-      test.least_p = p;
-      test.least_pixel = i;
+    if (p < test.min_p) {
+      test.min_p = p;
+      test.min_pixel = i;
     }
   }
   if (passed_b != 0) test.relative_mean_passed = passed_a / passed_b - 1;

@@ -37,8 +37,8 @@ struct PixelTest {
   std::size_t pixels = 0;
   std::size_t rejected = 0;  // pixels whose difference is no noise at the corrected level
   double level = 0;          // a pixel's own level of significance, after the correction
-  double least_p = 1;        // of all pixels
-  std::size_t least_pixel = 0;
+  double min_p = 1;        // of all pixels
+  std::size_t min_pixel = 0;
   double relative_mean = 0;         // (mean of A - mean of B) / mean of B
   double relative_mean_error = 0;   // its standard error
   double relative_mean_passed = 0;  // relative_mean of the pixels that were not rejected

@@ -50,7 +50,7 @@ void add_view_command(CLI::App& app) {
   sub->add_option("--ev", command->view.ev100, "Exposure, EV100 (default: metered as the picture goes)")
       ->check(CLI::Range(-20.0f, 40.0f));
   sub->add_option("--tone", command->tone, "Tone curve: filmic, reinhard or linear")->capture_default_str();
-  sub->add_option("--frames", command->view.most_frames, "Frames that are averaged while nothing changes")
+  sub->add_option("--frames", command->view.max_frames, "Frames that are averaged while nothing changes")
       ->capture_default_str()
       ->check(CLI::Range(1u, 1000000u));
   sub->add_option(

@@ -14,18 +14,18 @@
 namespace nightcity {
 namespace {
 
-constexpr float most_entries = 16777216.0f;  // of all cells' lists
+constexpr float max_entries = 16777216.0f;  // of all cells' lists
 // Strengths nearer than this cannot be told apart by a shader whose rounding differs from ours.
-constexpr float least_gap = 1.0001f;
+constexpr float min_gap = 1.0001f;
 
 // How far around a cell lights are looked for, in bins of their class.
-constexpr int most_rings = 24;
+constexpr int max_rings = 24;
 
 // Lights are searched by classes of flux, each four times the one below it and in bins twice as wide, for as
 // far as a light is strong enough to be listed goes with the root of its flux. One class for all would end
 // the search for windows where the strongest floodlight beyond could still outdo them, and leave their lists
 // short. The median light is of class 0.
-constexpr int most_classes = 5;
+constexpr int max_classes = 5;
 
 std::pair<float, float> cell_centre(const gpu::LightGridShape& shape, std::uint32_t x, std::uint32_t z) {
   return {shape.origin_x + (float(x) + 0.5f) * shape.cell_m,
@@ -42,7 +42,7 @@ struct Strength {
 
 int class_of(float flux_lm, float median_lm) {
   const double fours = std::log2(double(flux_lm) / double(median_lm)) / 2;
-  return std::clamp(int(std::floor(fours)), 0, most_classes - 1);
+  return std::clamp(int(std::floor(fours)), 0, max_classes - 1);
 }
 
 // The lights of one class, by the square of the map they stand over.
@@ -60,7 +60,7 @@ class Bins {
     };
     for (const std::uint32_t light : order_) {
       ++starts_[bin(light) + 1];
-      greatest_flux_ = std::max(greatest_flux_, lights[light].flux_lm);
+      max_flux_ = std::max(max_flux_, lights[light].flux_lm);
     }
     for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
     std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1), sorted(order_.size());
@@ -71,13 +71,13 @@ class Bins {
   int column(float x) const { return place(x - shape_.origin_x, width_); }
   int row(float z) const { return place(z - shape_.origin_z, depth_); }
   int rings() const { return std::max(width_, depth_); }
-  float greatest_flux() const { return greatest_flux_; }
+  float max_flux() const { return max_flux_; }
 
   // The most strength a light may have for one who stands in a bin, if it is in none of the rings up to this
   // one.
   float strength_beyond(int ring) const {
     const float beyond = float(ring) * side_m_;
-    return greatest_flux_ / (beyond * beyond + shape_.softening_m2);
+    return max_flux_ / (beyond * beyond + shape_.softening_m2);
   }
 
   std::span<const std::uint32_t> at(int x, int z) const {
@@ -95,7 +95,7 @@ class Bins {
   float side_m_;
   int width_, depth_;
   std::vector<std::uint32_t> starts_, order_;
-  float greatest_flux_ = 0;
+  float max_flux_ = 0;
 };
 
 // All lights that shine, class by class.
@@ -105,12 +105,12 @@ std::vector<Bins> by_class(std::span<const Light> lights, const gpu::LightGridSh
     if (light.flux_lm > 0) flux.push_back(light.flux_lm);
   const auto median = flux.begin() + std::ptrdiff_t(flux.size() / 2);
   std::nth_element(flux.begin(), median, flux.end());
-  std::array<std::vector<std::uint32_t>, most_classes> members;
+  std::array<std::vector<std::uint32_t>, max_classes> members;
   for (std::size_t i = 0; i < lights.size(); ++i)
     if (lights[i].flux_lm > 0)
       members[std::size_t(class_of(lights[i].flux_lm, *median))].push_back(std::uint32_t(i));
   std::vector<Bins> classes;
-  for (int c = 0; c < most_classes; ++c)
+  for (int c = 0; c < max_classes; ++c)
     if (!members[std::size_t(c)].empty())
       classes.emplace_back(lights, std::move(members[std::size_t(c)]), shape, shape.cell_m * float(1 << c));
   return classes;
@@ -139,7 +139,7 @@ Strongest strongest(std::span<const Light> lights, const std::vector<Bins>& clas
   for (const Bins& bins : classes) {
     const int column = bins.column(centre_x), row = bins.row(centre_z);
     for (int ring = 0; ring <= bins.rings(); ++ring) {
-      if (ring > most_rings) {
+      if (ring > max_rings) {
         cell.unseen = std::max(cell.unseen, bins.strength_beyond(ring - 1));
         break;
       }
@@ -162,7 +162,7 @@ Strongest strongest(std::span<const Light> lights, const std::vector<Bins>& clas
     }
   }
   if (found.size() > listed) keep_strongest();
-  std::erase_if(found, [&](const Strength& s) { return !(s.value > cell.unseen * least_gap); });
+  std::erase_if(found, [&](const Strength& s) { return !(s.value > cell.unseen * min_gap); });
   std::sort(found.begin(), found.end());
   return cell;
 }
@@ -176,7 +176,7 @@ struct Row {
 void add_cell(Row& row, const Strongest& strongest, std::size_t listed) {
   const auto& [found, unseen] = strongest;
   std::size_t count = std::min(found.size(), listed);
-  while (count > 0 && count < found.size() && !(found[count - 1].value > found[count].value * least_gap))
+  while (count > 0 && count < found.size() && !(found[count - 1].value > found[count].value * min_gap))
     --count;
   const float outside = std::max(unseen, count < found.size() ? found[count].value : 0.0f);
   gpu::LightCell cell{};
@@ -220,9 +220,9 @@ LightGrid build_light_grid(std::span<const Light> lights, LightLists lists) {
 
   gpu::LightGridShape& shape = grid.shape;
   const float extent_x = upper_x - lower_x, extent_z = upper_z - lower_z;
-  const float most_cells = most_entries / float(lists.listed);
+  const float max_cells = max_entries / float(lists.listed);
   shape.cell_m = std::max(
-      {lists.least_cell_m, std::sqrt(extent_x / most_cells * extent_z), extent_x / 4096, extent_z / 4096});
+      {lists.min_cell_m, std::sqrt(extent_x / max_cells * extent_z), extent_x / 4096, extent_z / 4096});
   shape.origin_x = lower_x;
   shape.origin_z = lower_z;
   shape.width = static_cast<std::uint32_t>(extent_x / shape.cell_m) + 1;

@@ -19,7 +19,7 @@ struct LightGrid {
 
 /// How fine a grid is, and how long its lists.
 struct LightLists {
-  float least_cell_m;
+  float min_cell_m;
   std::uint32_t listed;  // lights a cell, at most
 };
 

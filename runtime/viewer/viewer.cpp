@@ -88,7 +88,7 @@ class Viewer {
   void step() {
     const auto start = Clock::now();
     // Nothing to render: sleep until hands move, but keep the panel alive.
-    const bool idle = !restart_ && figures_.frames >= options_.most_frames && !device_scene_.switching();
+    const bool idle = !restart_ && figures_.frames >= options_.max_frames && !device_scene_.switching();
     const Hands hands = window_.poll(idle ? 0.05 : 0.0);
     handle_keys(hands);
     const double elapsed_s = std::min(seconds_between(last_step_, start), 0.25);

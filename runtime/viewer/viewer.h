@@ -22,7 +22,7 @@ struct ViewOptions {
                     // still answer hands at once
   bool markers = false;
   bool play = false;                 // start with the clock running
-  std::uint32_t most_frames = 4096;  // in the mean; then only changes are rendered
+  std::uint32_t max_frames = 4096;  // in the mean; then only changes are rendered
   std::uint32_t quit_after = 0;      // frames shown; 0 = when the user closes the window
   std::string screenshot;            // PNG of the window, panel and all, at the end; "" = none
   std::string save_camera;           // JSON of the camera at the end; "" = none

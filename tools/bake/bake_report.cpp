@@ -98,8 +98,8 @@ json to_json(const BakeReport& report) {
         {"instances", report.scene.instances},
         {"features", report.scene.features},
         {"bytes", report.scene_bytes},
-        {"draco_bits", report.scene.greatest_draco_bits},
-        {"draco_error_m", report.scene.greatest_draco_error_m}}},
+        {"draco_bits", report.scene.max_draco_bits},
+        {"draco_error_m", report.scene.max_draco_error_m}}},
       {"lights", {{"bytes", report.lights_bytes}, {"schedules", report.schedules}}},
       {"seconds", seconds},
       {"peak_mb", peak_mb},
@@ -159,9 +159,9 @@ std::string to_text(const BakeReport& report) {
   line("city.glb", fmt::format("{:.1f} MB, {} features, {} nodes, {} vertices",
                                static_cast<double>(report.scene_bytes) / 1e6, scene.features, scene.nodes,
                                scene.vertices));
-  if (scene.greatest_draco_bits)
-    line("", fmt::format("Draco: up to {} bits, worst displacement {:.4f} m", scene.greatest_draco_bits,
-                         scene.greatest_draco_error_m));
+  if (scene.max_draco_bits)
+    line("", fmt::format("Draco: up to {} bits, worst displacement {:.4f} m", scene.max_draco_bits,
+                         scene.max_draco_error_m));
   line("city.lights", fmt::format("{:.1f} kB, {} schedules", static_cast<double>(report.lights_bytes) / 1e3,
                                   report.schedules));
   std::string stages;

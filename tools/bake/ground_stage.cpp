@@ -17,8 +17,8 @@
 namespace nightcity {
 namespace {
 
-constexpr double most_quads = 1e6;  // of a ground from an elevation model
-constexpr std::size_t most_feet = 20'000;
+constexpr double max_quads = 1e6;  // of a ground from an elevation model
+constexpr std::size_t max_feet = 20'000;
 
 using Tile = std::pair<std::int32_t, std::int32_t>;
 
@@ -71,7 +71,7 @@ std::set<Tile> ground_tiles(TileStore& tiles, double tile_m, double margin_m) {
 double shift_to_city(const Heights& heights, const Terrain& terrain) {
   const auto& feet = terrain.feet();
   std::vector<double> differences;
-  const std::size_t stride = std::max<std::size_t>(1, feet.size() / most_feet);
+  const std::size_t stride = std::max<std::size_t>(1, feet.size() / max_feet);
   std::vector<glm::dvec3> some;
   for (std::size_t i = 0; i < feet.size(); i += stride) some.push_back(feet[i]);
   std::sort(some.begin(), some.end(), [](const glm::dvec3& a, const glm::dvec3& b) {
@@ -98,7 +98,7 @@ std::string lay_dem(const Recipe& recipe, const CityFrames& frames, Terrain& ter
   const double size = recipe.city.tile_m, shift = shift_to_city(heights, terrain);
   const std::set<Tile> under = ground_tiles(tiles, size, recipe.terrain.margin_m);
   const double finest = std::ceil(size / heights.finest_m()),
-               affordable = std::floor(std::sqrt(most_quads / static_cast<double>(under.size())));
+               affordable = std::floor(std::sqrt(max_quads / static_cast<double>(under.size())));
   const auto steps = static_cast<std::uint32_t>(std::clamp(std::min(finest, affordable), 1.0, 512.0));
   const double step_m = size / steps;
   std::size_t quads = 0, missing = 0;

@@ -19,7 +19,7 @@ json row(const layout::RoadClassReport& sum) {
           {"stretches", sum.streets},
           {"lamps", sum.lamps},
           {"average_lx", sum.average_lx},
-          {"median_least_lx", sum.least_lx},
+          {"median_least_lx", sum.min_lx},
           {"median_uniformity", sum.uniformity},
           {"share_in_class", sum.in_class}};
 }
@@ -37,7 +37,7 @@ json row(const layout::StreetReport& street) {
           {"flux_lm", street.flux_lm},
           {"lamps", street.lamps},
           {"average_lx", street.field.average_lx},
-          {"least_lx", street.field.least_lx},
+          {"min_lx", street.field.min_lx},
           {"uniformity", street.field.uniformity()}};
 }
 
@@ -74,7 +74,7 @@ std::string to_text(const layout::LayoutReport& report, bool streets) {
         fmt::format("{:<14}{:>6}{:>7.1f}{:>8.2f}{:>7}{:>7.0f}{:>9.2f}{:>8.2f}{:>8.2f}{:>7.2f}{:>9.0f}%\n",
                     highway, sum.wanted, sum.wanted_lx, sum.length_m / 1000, sum.lamps,
                     static_cast<double>(sum.lamps) / (sum.length_m / 1000), sum.average_lx,
-                    sum.average_lx * maintenance_factor, sum.least_lx, sum.uniformity, 100 * sum.in_class);
+                    sum.average_lx * maintenance_factor, sum.min_lx, sum.uniformity, 100 * sum.in_class);
   text +=
       "Eav over all of a class; Emin and Uo: medians of its stretches; in class: share of the length whose\n"
       "Eav x 0.8 (maintained) lies between the class's value and 1.5 times it.\n";
@@ -88,7 +88,7 @@ std::string to_text(const layout::LayoutReport& report, bool streets) {
     text += fmt::format(
         "{:<14}{:>6}{:>9.0f}{:>8.1f}{:>7}{:>7.0f}{:>9.2f}{:>8.2f}{:>8.2f}{:>7.2f}  {:<13} {}{}\n",
         street.highway, street.wanted, street.length_m, street.width_m, street.lamps, street.flux_lm,
-        street.field.average_lx, street.field.average_lx * maintenance_factor, street.field.least_lx,
+        street.field.average_lx, street.field.average_lx * maintenance_factor, street.field.min_lx,
         street.field.uniformity(), layout::name_of(street.arrangement), street.name, ways);
   }
   return text;

@@ -15,7 +15,7 @@ SceneMaterial diffuse(const char* name, float albedo, glm::vec3 hue, float rough
 }
 
 constexpr MaterialCode coloured = 0x80;
-constexpr std::size_t most_colours = 2000;
+constexpr std::size_t max_colours = 2000;
 
 glm::vec3 srgb_of(MaterialCode code) {
   return glm::vec3(code >> 8 & 0xFFu, code >> 16 & 0xFFu, code >> 24 & 0xFFu) / 255.0f;
@@ -45,7 +45,7 @@ std::uint32_t MaterialTable::index_of(MaterialCode code) {
   if ((code & coloured) == 0) return code;
   const auto found = coloured_.find(code);
   if (found != coloured_.end()) return found->second;
-  if (coloured_.size() >= most_colours) {
+  if (coloured_.size() >= max_colours) {
     const auto distance = [code](MaterialCode other) {
       const glm::vec3 d = srgb_of(code) - srgb_of(other);
       return glm::dot(d, d) + (kind_of(code) == kind_of(other) ? 0.0f : 4.0f);

@@ -57,7 +57,7 @@ json to_json(const traffic::TrafficReport& report) {
       {"routes_through_buildings", report.routes.through_buildings},
       {"links_km", report.links_km},
       {"links_in_buildings_km", report.links_in_buildings_km},
-      {"most_at_once", report.simulation.most_at_once},
+      {"max_at_once", report.simulation.max_at_once},
       {"never_started", report.simulation.never_started},
       {"stuck", report.simulation.stuck},
       {"waited_at_start_s", report.simulation.waited_s},

@@ -11,7 +11,7 @@
 namespace nightcity {
 namespace {
 
-constexpr std::size_t most_targets = 2'000'000;  // 100 MB
+constexpr std::size_t max_targets = 2'000'000;  // 100 MB
 
 std::size_t hash(std::string_view id) {
   return std::hash<std::string_view>()(id);
@@ -47,7 +47,7 @@ void Materials::read_below(const pugi::xml_node& element, int depth, SkipCounter
       }
       for (const std::string_view target : targets) {
         if (!front || !target.starts_with('#')) continue;
-        if (colours_.size() < most_targets)
+        if (colours_.size() < max_targets)
           colours_.emplace(hash(target.substr(1)), colour);
         else
           skipped.add("app:target: beyond the two million whose colours are kept");

@@ -26,9 +26,9 @@ void set_height(CityObject& object, std::string_view value) {
 }
 
 void set_storeys(CityObject& object, std::string_view value) {
-  constexpr double most_storeys = 500;
+  constexpr double max_storeys = 500;
   const auto storeys = parse_number(value);
-  if (storeys && !is_sentinel(*storeys) && *storeys >= 0 && *storeys < most_storeys)
+  if (storeys && !is_sentinel(*storeys) && *storeys >= 0 && *storeys < max_storeys)
     object.storeys_above_ground = static_cast<int>(std::lround(*storeys));
 }
 

@@ -11,9 +11,9 @@ namespace nightcity {
 namespace {
 
 // Longest chain of xlinks followed: solid to composite to orientable to polygon takes three.
-constexpr int most_links = 8;
+constexpr int max_links = 8;
 // Polygons one member may make by implicit geometry: a few shared ones placed often must not fill the memory.
-constexpr std::size_t most_placed_polygons = 1'000'000;
+constexpr std::size_t max_placed_polygons = 1'000'000;
 
 bool is_polygon(std::string_view local) {
   return local == "Polygon" || local == "PolygonPatch" || local == "Triangle" || local == "Rectangle";
@@ -140,7 +140,7 @@ void GeometryWalk::follow(const pugi::xml_node& link, std::string_view href, con
     return;
   }
   GeometryContext there = context;
-  if (++there.links > most_links) {
+  if (++there.links > max_links) {
     skipped_.add("xlink: a chain too long, or a cycle");
     return;
   }
@@ -212,7 +212,7 @@ void GeometryWalk::read_polygon(const pugi::xml_node& element, const GeometryCon
 
 void GeometryWalk::add(Polygon&& polygon, const GeometryContext& context) {
   if (context.placed) {
-    if (++placed_polygons_ > most_placed_polygons) {
+    if (++placed_polygons_ > max_placed_polygons) {
       skipped_.add("implicit geometry: more polygons than a member may have");
       return;
     }

@@ -22,7 +22,7 @@ namespace nightcity {
 namespace {
 
 constexpr std::size_t batch_bytes = std::size_t{1} << 19;  // about 100 members: full speed in 44 MB
-constexpr std::size_t most_warnings = 20;
+constexpr std::size_t max_warnings = 20;
 
 class Logger final : public citygml::CityGMLLogger {
  public:
@@ -130,7 +130,7 @@ class DocumentLoader {
   }
 
   void warn(const std::string& message) {
-    if (report.warnings.size() < most_warnings) report.warnings.push_back(name_ + ": " + message);
+    if (report.warnings.size() < max_warnings) report.warnings.push_back(name_ + ": " + message);
   }
 
   // False, with the reason, when libcitygml throws: nothing has been delivered then.

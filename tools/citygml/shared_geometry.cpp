@@ -12,7 +12,7 @@
 namespace nightcity {
 namespace {
 
-constexpr int most_rounds = 4;  // links to links to links across members
+constexpr int max_rounds = 4;  // links to links to links across members
 
 std::size_t vertices_of(const std::vector<Polygon>& polygons) {
   std::size_t count = 0;
@@ -51,7 +51,7 @@ void fetch_from(const pugi::xml_node& member, const std::unordered_set<std::stri
 GeometryLibrary fetch_geometry(const Document& document, std::unordered_set<std::string> wanted,
                                std::size_t& room) {
   GeometryLibrary library;
-  for (int round = 0; round < most_rounds && !wanted.empty(); ++round) {
+  for (int round = 0; round < max_rounds && !wanted.empty(); ++round) {
     std::unordered_set<std::string> missing;
     const auto source = document.open();
     MemberSplitter splitter(*source, document.name, {});

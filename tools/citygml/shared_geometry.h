@@ -10,7 +10,7 @@
 namespace nightcity {
 
 /// Vertices kept at most, of all that one document's links lead to: 200 MB.
-constexpr std::size_t most_shared_vertices = 8'000'000;
+constexpr std::size_t max_shared_vertices = 8'000'000;
 
 /// Reads the document for the geometry with these ids (and what that refers to in turn within it). Ids it
 /// does not hold, and those beyond `room` vertices, are not in the library; what is in it comes off `room`.

@@ -17,7 +17,7 @@
 namespace nightcity {
 namespace {
 
-constexpr std::size_t most_warnings = 50;
+constexpr std::size_t max_warnings = 50;
 
 bool is_object_member(const MemberBatch::Member& member) {
   return member.name == "cityObjectMember" || member.name == "featureMember" || member.name == "member" ||
@@ -80,7 +80,7 @@ class StreamReader {
       auto [file, id] = library_.parts(name);
       by_file[std::move(file)].insert(std::move(id));
     }
-    std::size_t room = most_shared_vertices;
+    std::size_t room = max_shared_vertices;
     for (const auto& [file, ids] : by_file) {
       if (file.empty()) {
         library_.polygons.merge(fetch_geometry(document_, ids, room).polygons);
@@ -143,7 +143,7 @@ class StreamReader {
   void take(BatchResult&& result) {
     if (result.rest) result.rest();
     result.report.version.clear();
-    const std::size_t room = most_warnings - std::min(most_warnings, report_.warnings.size());
+    const std::size_t room = max_warnings - std::min(max_warnings, report_.warnings.size());
     if (result.report.warnings.size() > room) result.report.warnings.resize(room);
     report_.merge(result.report);
     deferred_.insert(deferred_.end(), result.deferred.begin(), result.deferred.end());

@@ -7,8 +7,8 @@
 namespace nightcity {
 namespace {
 
-constexpr std::size_t least_samples = 3;
-constexpr std::size_t most_samples = 60;  // places asked of the service only to find its offset
+constexpr std::size_t min_samples = 3;
+constexpr std::size_t max_samples = 60;  // places asked of the service only to find its offset
 constexpr double same_place_degrees = 0.3 / 111'000;
 
 double median(std::vector<double> values) {
@@ -20,7 +20,7 @@ double median(std::vector<double> values) {
 HeightOffset offset_of(const std::vector<double>& differences) {
   HeightOffset offset;
   offset.samples = differences.size();
-  if (differences.size() < least_samples) return offset;
+  if (differences.size() < min_samples) return offset;
   offset.metres = median(differences);
   std::vector<double> deviations;
   for (const double difference : differences) deviations.push_back(std::abs(difference - offset.metres));
@@ -90,7 +90,7 @@ Elevations elevate_lamps(const std::vector<OsmLampNode>& lamps, const ElevationS
   if (sources.service && !open.empty()) {
     // Evenly among the lamps whose height is known, so that the samples cover the model.
     std::vector<std::size_t> asked = open;
-    const std::size_t step = std::max<std::size_t>(1, (known.size() + most_samples - 1) / most_samples);
+    const std::size_t step = std::max<std::size_t>(1, (known.size() + max_samples - 1) / max_samples);
     for (std::size_t k = 0; k < known.size(); k += step) asked.push_back(known[k]);
     std::vector<glm::dvec2> places;
     for (const std::size_t n : asked) places.push_back(lamps[n].lon_lat);

@@ -42,7 +42,7 @@ struct RoadClassReport {
   double length_m = 0;
   std::size_t streets = 0, lamps = 0;
   double average_lx = 0;                // over the area of all of them
-  double least_lx = 0, uniformity = 0;  // medians of the streets at least one spacing long
+  double min_lx = 0, uniformity = 0;  // medians of the streets at least one spacing long
   double in_class = 0;                  // share of the length whose maintained average is within its class
 };
 

@@ -17,13 +17,13 @@ Arrangement arrangement_for(double width_m, double mounting_m) {
 double luminaire_package(double flux_lm) {
   constexpr double steps[] = {1.00, 1.12, 1.25, 1.40, 1.60, 1.80, 2.00, 2.24, 2.50, 2.80,
                               3.15, 3.55, 4.00, 4.50, 5.00, 5.60, 6.30, 7.10, 8.00, 9.00};
-  for (double decade = 100; decade < greatest_package_lm; decade *= 10)
+  for (double decade = 100; decade < max_package_lm; decade *= 10)
     for (const double step : steps) {
       const double package = step * decade;
-      if (package >= least_package_lm && package >= flux_lm * (1 - 1e-9)) return package;
-      if (package >= greatest_package_lm) break;
+      if (package >= min_package_lm && package >= flux_lm * (1 - 1e-9)) return package;
+      if (package >= max_package_lm) break;
     }
-  return greatest_package_lm;
+  return max_package_lm;
 }
 
 LampDesign design_lamps(const RoadDefaults& road, double width_m, Arrangement arrangement,
@@ -41,11 +41,11 @@ LampDesign design_lamps(const RoadDefaults& road, double width_m, Arrangement ar
     const FieldSummary per_lumen = row_illuminance(row);
     LampDesign design{arrangement, row.spacing_m, 0, {}, false};
     design.flux_lm = luminaire_package(wanted.average_lx / (maintenance_factor * per_lumen.average_lx));
-    design.field = {per_lumen.average_lx * design.flux_lm, per_lumen.least_lx * design.flux_lm};
+    design.field = {per_lumen.average_lx * design.flux_lm, per_lumen.min_lx * design.flux_lm};
     const double average = design.field.average_lx * maintenance_factor;
-    const double least = design.field.least_lx * maintenance_factor;
-    design.meets_class = average >= wanted.average_lx && average <= wanted.average_lx * greatest_excess &&
-                         least >= wanted.least_lx && design.field.uniformity() >= wanted.uniformity;
+    const double least = design.field.min_lx * maintenance_factor;
+    design.meets_class = average >= wanted.average_lx && average <= wanted.average_lx * max_excess &&
+                         least >= wanted.min_lx && design.field.uniformity() >= wanted.uniformity;
     if (design.meets_class) return design;
     if (tenths >= 25 && (best.spacing_m == 0 || design.field.uniformity() > best.field.uniformity()))
       best = design;

@@ -26,7 +26,7 @@ Arrangement arrangement_for(double width_m, double mounting_m);
 /// The least luminaire of the catalogue with at least this flux. Makers set LED street luminaires at the
 /// works in steps of about an eighth: the series R20 from 500 to 63,000 lm stands for their lists.
 double luminaire_package(double flux_lm);
-constexpr double least_package_lm = 500, greatest_package_lm = 63000;
+constexpr double min_package_lm = 500, max_package_lm = 63000;
 
 /// The widest spacing of 3.0 down to 2.5 mounting heights (the guide's range; 2.0 where the class's
 /// uniformity wants it) whose least sufficient package keeps the average within the class. Where none does,

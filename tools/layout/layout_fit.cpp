@@ -164,7 +164,7 @@ class Fitter {
       each_lamp(p, [&](std::uint32_t n, double lx) {
         sum += n < first_new_ ? lx : lx * flux_[street_of_lamp_[n - first_new_]];
       });
-      out.field.least_lx = std::min(out.field.least_lx, sum);
+      out.field.min_lx = std::min(out.field.min_lx, sum);
     });
     report.streets.push_back(std::move(out));
   }
@@ -183,15 +183,15 @@ class Fitter {
       area[street.highway] += own_area;
       sum.average_lx += street.field.average_lx * own_area;
       const double maintained = street.field.average_lx * maintenance_factor / street.wanted_lx;
-      if (maintained >= 1 && maintained <= greatest_excess) sum.in_class += street.length_m;
+      if (maintained >= 1 && maintained <= max_excess) sum.in_class += street.length_m;
       if (street.length_m < street.spacing_m) continue;
-      least[street.highway].push_back(street.field.least_lx);
+      least[street.highway].push_back(street.field.min_lx);
       uniformity[street.highway].push_back(street.field.uniformity());
     }
     for (auto& [highway, sum] : report.classes) {
       sum.average_lx /= area[highway];
       sum.in_class /= sum.length_m;
-      sum.least_lx = median(least[highway]);
+      sum.min_lx = median(least[highway]);
       sum.uniformity = median(uniformity[highway]);
     }
   }

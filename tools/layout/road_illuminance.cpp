@@ -69,7 +69,7 @@ FieldSummary row_illuminance(const LampRow& row) {
       double sum = 0;
       for (const RoadLuminaire& lamp : lamps) sum += illuminance(lamp, point);
       result.average_lx += sum / (along * across);
-      result.least_lx = std::min(result.least_lx, sum);
+      result.min_lx = std::min(result.min_lx, sum);
     }
   return result;
 }

@@ -23,8 +23,8 @@ double illuminance(const RoadLuminaire& lamp, const glm::dvec2& point);
 
 /// The values over a field of points.
 struct FieldSummary {
-  double average_lx = 0, least_lx = 0;
-  double uniformity() const { return average_lx > 0 ? least_lx / average_lx : 0; }
+  double average_lx = 0, min_lx = 0;
+  double uniformity() const { return average_lx > 0 ? min_lx / average_lx : 0; }
 };
 
 enum class Arrangement {

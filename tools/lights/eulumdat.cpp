@@ -9,7 +9,7 @@
 namespace nightcity {
 namespace {
 
-constexpr int most_angles = 721;
+constexpr int max_angles = 721;
 
 /// Walks down the lines.
 class Cursor {
@@ -72,9 +72,9 @@ Luminaire read_eulumdat(const std::filesystem::path& path) {
   luminaire.manufacturer = at.text("the maker");
   at.integer("the type of luminaire", 0, 3);
   const int symmetry = at.integer("the symmetry", 0, 4);
-  const int planes = at.integer("the number of C planes", 1, most_angles);
+  const int planes = at.integer("the number of C planes", 1, max_angles);
   at.number("the distance of C planes");
-  const int gammas = at.integer("the number of gamma angles", 2, most_angles);
+  const int gammas = at.integer("the number of gamma angles", 2, max_angles);
   at.number("the distance of gamma angles");
   at.text("the report's number");
   luminaire.name = at.text("the luminaire's name");

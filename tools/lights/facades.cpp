@@ -15,12 +15,12 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double most_lean = 0.3;       // |normal.z| of a wall
+constexpr double max_lean = 0.3;       // |normal.z| of a wall
 constexpr double edge_margin_m = 0.6;   // bays begin this far from a facade's ends
 constexpr double wall_margin_m = 0.12;  // frames keep this far from any edge of their wall
-constexpr double least_facade_m = 2.0;
+constexpr double min_facade_m = 2.0;
 constexpr double plinth_m = 0.8;  // the ground floor above the lowest ground
-constexpr double least_storey_m = 2.3, most_storey_m = 5.5;
+constexpr double min_storey_m = 2.3, max_storey_m = 5.5;
 
 /// Engineering values: storey heights of European housing (2.5-3.2 m) and offices (3.3-3.8 m), window shares
 /// of 15 to 40 % of the facade.
@@ -99,7 +99,7 @@ class Builder {
     std::uint16_t number = 0;
     for (const Polygon& polygon : building_.polygons) {
       if (polygon.surface != SurfaceType::window) continue;
-      const auto frame = wall_frame(polygon, most_lean);
+      const auto frame = wall_frame(polygon, max_lean);
       if (!frame) continue;
       const WallOutline outline = outline_in(*frame, polygon);
       const dvec2 size = outline.high - outline.low, middle = (outline.high + outline.low) * 0.5;
@@ -120,7 +120,7 @@ class Builder {
   void collect_facades() {
     for (const Polygon& polygon : building_.polygons) {
       if (polygon.surface != SurfaceType::wall) continue;
-      const auto frame = wall_frame(polygon, most_lean);
+      const auto frame = wall_frame(polygon, max_lean);
       if (!frame) continue;
       bottom_ = std::min(bottom_, lowest_of(polygon));
       Facade* home = nullptr;
@@ -177,7 +177,7 @@ class Builder {
     if (building_.storeys_above_ground && *building_.storeys_above_ground > 0) {
       const int count = *building_.storeys_above_ground;
       const double upper = count > 1 && ground > 0 ? (height - ground) / (count - 1) : height / count;
-      if (upper >= least_storey_m && upper <= most_storey_m) {
+      if (upper >= min_storey_m && upper <= max_storey_m) {
         ++report.storeys_from_attribute;
         return set_storeys(base, ground > 0 && count > 1 ? ground : upper, upper);
       }
@@ -187,7 +187,7 @@ class Builder {
     const double rest = height - first;
     const int upper_count = std::max(0, static_cast<int>(std::lround(rest / style_.storey_m)));
     const double upper =
-        upper_count > 0 ? std::clamp(rest / upper_count, least_storey_m, most_storey_m) : style_.storey_m;
+        upper_count > 0 ? std::clamp(rest / upper_count, min_storey_m, max_storey_m) : style_.storey_m;
     set_storeys(base, ground > 0 ? first : upper, upper);
   }
 
@@ -201,7 +201,7 @@ class Builder {
     double top = -1e300;
     for (const WallOutline& wall : facade.walls)
       top = std::max(top, facade.frame.from_plane({0, wall.high.y}).z);
-    if (facade.to - facade.from < least_facade_m) return;
+    if (facade.to - facade.from < min_facade_m) return;
     // Windows go on into gables: whether they fit is for the wall to say.
     for (std::uint16_t storey = 0; storey < 400; ++storey) {
       const double floor = storey == 0 ? base_ : base_ + first_storey_ + (storey - 1) * upper_storey_;

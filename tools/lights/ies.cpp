@@ -10,7 +10,7 @@
 namespace nightcity {
 namespace {
 
-constexpr int most_angles = 20000;
+constexpr int max_angles = 20000;
 constexpr double foot_m = 0.3048;
 
 /// Numbers one after another, each with its line.
@@ -202,14 +202,14 @@ Luminaire read_ies(const std::filesystem::path& path) {
   if (lines.all()[tilt].text == "TILT=INCLUDE") {
     // How the lamp's output falls when the luminaire is tilted; ours hang as they were measured.
     numbers.next_integer("the lamp's position", 1, 3);
-    const int pairs = numbers.next_integer("the number of tilt angles", 1, most_angles);
+    const int pairs = numbers.next_integer("the number of tilt angles", 1, max_angles);
     for (int n = 0; n < 2 * pairs; ++n) numbers.next("the tilt table");
   }
   Header header;
   const double lamps = numbers.next("the number of lamps"), lumens = numbers.next("lumens a lamp");
   const double multiplier = numbers.next("the candela multiplier");
-  const int vertical = numbers.next_integer("the number of vertical angles", 2, most_angles);
-  const int horizontal = numbers.next_integer("the number of horizontal angles", 1, most_angles);
+  const int vertical = numbers.next_integer("the number of vertical angles", 2, max_angles);
+  const int horizontal = numbers.next_integer("the number of horizontal angles", 1, max_angles);
   if (static_cast<std::size_t>(vertical) * static_cast<std::size_t>(horizontal) > 4'000'000)
     lines.fail(numbers.line(), "more angles than any file has");
   header.type = numbers.next_integer("the photometric type", 1, 3);

@@ -15,14 +15,14 @@ namespace {
 // / (utilisation x maintenance), with E as lighting_class.h has it. Mapped lamps stand so: the median gap
 // along Berlin's residential streets is 21 m, along secondary ones 25 m. Luminaires on posts give 800 lm at
 // least: smaller ones are bollards.
-constexpr double least_on_posts_lm = 800, utilisation = 0.4;
+constexpr double min_on_posts_lm = 800, utilisation = 0.4;
 
 constexpr RoadDefaults row(const char* highway, RoadTier tier, double width_m, double mounting_m,
                            double outreach_m, double cct_k, Optic optic, const char* target) {
   const double average_lx = lighting_class(target)->average_lx;
   const double needed = average_lx * width_m * 3 * mounting_m / (utilisation * maintenance_factor);
   const auto hundreds = static_cast<int>(needed / 100 + 0.5);
-  const double flux = hundreds * 100 > least_on_posts_lm ? hundreds * 100 : least_on_posts_lm;
+  const double flux = hundreds * 100 > min_on_posts_lm ? hundreds * 100 : min_on_posts_lm;
   return {highway, tier, width_m, mounting_m, outreach_m, flux, cct_k, optic, target};
 }
 

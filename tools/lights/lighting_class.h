@@ -10,8 +10,8 @@ namespace nightcity {
 struct LightingClass {
   const char* name;
   double average_lx;  // maintained
-  double least_lx;    // P classes: the darkest point; 0 where uniformity rules
-  double uniformity;  // C and M classes: least over average; 0 where least_lx rules
+  double min_lx;    // P classes: the darkest point; 0 where uniformity rules
+  double uniformity;  // C and M classes: least over average; 0 where min_lx rules
 };
 
 // EN 13201-2:2015, tables 2 (C) and 3 (P). The M classes are luminances (2, 1.5, 1, 0.75, 0.5, 0.3 cd/m2);
@@ -50,6 +50,6 @@ constexpr std::optional<LightingClass> lighting_class(std::string_view name) {
 constexpr double maintenance_factor = 0.8;
 
 /// A P class may be exceeded by half before it is another class (EN 13201-2, 6).
-constexpr double greatest_excess = 1.5;
+constexpr double max_excess = 1.5;
 
 }  // namespace nightcity

@@ -122,7 +122,7 @@ std::uint32_t ScheduleTable::add(const NightSchedule& schedule) {
   }
   const std::uint32_t number = store_(std::span(switches).first(count));
   ++size_;
-  if (known_.size() >= most_known_) known_.clear();
+  if (known_.size() >= max_known_) known_.clear();
   known_.emplace(schedule, number);
   return number;
 }

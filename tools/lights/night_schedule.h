@@ -48,15 +48,15 @@ std::optional<NightSpan> parse_night_span(std::string_view text);
 std::optional<NightSchedule> parse_lit_hours(std::string_view text);
 
 /// The schedules of a light file under construction, in the order of coming: equal ones are stored once. Of
-/// a city's hundreds of thousands it remembers `most_known` at a time, so that memory does not grow with the
+/// a city's hundreds of thousands it remembers `max_known` at a time, so that memory does not grow with the
 /// city: one that comes again after so many others is stored again.
 class ScheduleTable {
  public:
   /// Stores a schedule, as its switch times in s since noon, and says its number:
   /// LightFileWriter::add_schedule.
   using Store = std::function<std::uint32_t(std::span<const uint> switches)>;
-  explicit ScheduleTable(Store store, std::size_t most_known = 100'000)
-      : store_(std::move(store)), most_known_(most_known) {}
+  explicit ScheduleTable(Store store, std::size_t max_known = 100'000)
+      : store_(std::move(store)), max_known_(max_known) {}
 
   /// The number of a schedule that is not never().
   std::uint32_t add(const NightSchedule& schedule);
@@ -68,7 +68,7 @@ class ScheduleTable {
     std::size_t operator()(const NightSchedule& schedule) const;
   };
   Store store_;
-  std::size_t most_known_, size_ = 0;
+  std::size_t max_known_, size_ = 0;
   std::unordered_map<NightSchedule, std::uint32_t, Hash> known_;
 };
 

@@ -14,10 +14,10 @@ namespace {
 
 constexpr double bucket_m = 16;
 constexpr std::int32_t buckets = 8;          // a cell's side in them
-constexpr std::size_t most_cached = 60'000;  // walls, 32 bytes each
+constexpr std::size_t max_cached = 60'000;  // walls, 32 bytes each
 constexpr double behind_m = 0.05;
 constexpr double looked_through_m = 30;
-constexpr double most_lean = 0.3;
+constexpr double max_lean = 0.3;
 constexpr double longest_m = 2000;  // a longer wall is a broken coordinate
 
 // Clamped, so that a stray coordinate overflows nothing.
@@ -69,7 +69,7 @@ struct WallIndex::Loaded {
 };
 
 WallIndex::WallIndex(const std::filesystem::path& scratch)
-    : cells_(scratch), cache_(std::make_unique<CellCache<CellKey, Loaded>>(most_cached)) {}
+    : cells_(scratch), cache_(std::make_unique<CellCache<CellKey, Loaded>>(max_cached)) {}
 WallIndex::~WallIndex() = default;
 WallIndex::WallIndex(WallIndex&&) noexcept = default;
 
@@ -77,7 +77,7 @@ std::vector<WallIndex::Upright> WallIndex::upright_walls(const CityObject& objec
   std::vector<Upright> walls;
   for (const Polygon& polygon : object.polygons) {
     if (polygon.surface != SurfaceType::wall) continue;
-    const auto frame = wall_frame(polygon, most_lean);
+    const auto frame = wall_frame(polygon, max_lean);
     if (!frame) continue;
     const WallOutline outline = outline_in(*frame, polygon);
     if (!(outline.high.x - outline.low.x < longest_m)) continue;

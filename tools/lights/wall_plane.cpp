@@ -45,7 +45,7 @@ dvec3 WallFrame::from_plane(const dvec2& p) const {
   return origin + along * p.x + up * p.y;
 }
 
-std::optional<WallFrame> wall_frame(const Polygon& polygon, double most_lean) {
+std::optional<WallFrame> wall_frame(const Polygon& polygon, double max_lean) {
   const Ring& ring = polygon.exterior;
   if (ring.size() < 3) return std::nullopt;
   // Newell's normal about the first vertex: grid coordinates are large, walls are small.
@@ -57,7 +57,7 @@ std::optional<WallFrame> wall_frame(const Polygon& polygon, double most_lean) {
   WallFrame frame;
   frame.origin = ring[0];
   frame.normal = sum / length;
-  if (std::abs(frame.normal.z) > most_lean) return std::nullopt;
+  if (std::abs(frame.normal.z) > max_lean) return std::nullopt;
   frame.along = glm::normalize(dvec3(-frame.normal.y, frame.normal.x, 0));  // cross(up, normal)
   frame.up = glm::cross(frame.normal, frame.along);
   return frame;

@@ -24,9 +24,9 @@ struct WallOutline {
   glm::dvec2 low{0}, high{0};
 };
 
-/// The frame of a polygon that stands upright within `most_lean` (|normal.z|); nothing for others, slivers
+/// The frame of a polygon that stands upright within `max_lean` (|normal.z|); nothing for others, slivers
 /// and broken rings. `origin` is its first vertex.
-std::optional<WallFrame> wall_frame(const Polygon& polygon, double most_lean);
+std::optional<WallFrame> wall_frame(const Polygon& polygon, double max_lean);
 
 WallOutline outline_in(const WallFrame& frame, const Polygon& polygon);
 

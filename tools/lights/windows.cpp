@@ -144,7 +144,7 @@ const char* WindowLayout::fault(const Record& record, const HeightAt& ground, co
 
 WindowReport WindowLayout::finish(const HeightAt& ground, const Sink& sink, const Inside& inside,
                                   unsigned threads) && {
-  constexpr std::uint64_t most_together = 2048;
+  constexpr std::uint64_t max_together = 2048;
   struct Judged {
     std::vector<Record> records;
     std::vector<const char*> faults;
@@ -153,7 +153,7 @@ WindowReport WindowLayout::finish(const HeightAt& ground, const Sink& sink, cons
   std::uint64_t read = 0;
   const auto next = [&]() -> std::optional<std::vector<Record>> {
     if (read == total) return std::nullopt;
-    std::vector<Record> block(static_cast<std::size_t>(std::min(most_together, total - read)));
+    std::vector<Record> block(static_cast<std::size_t>(std::min(max_together, total - read)));
     pending_.read(read * sizeof(Record), block.data(), block.size() * sizeof(Record));
     read += block.size();
     return block;

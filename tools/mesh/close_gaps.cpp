@@ -21,8 +21,8 @@ namespace nightcity {
 namespace {
 
 constexpr double crack_m = 0.01;
-constexpr double least_height_m = 0.5;           // a flat roof outline alone has no inside to be closed
-constexpr std::size_t most_open_vertices = 400;  // every pair is looked at
+constexpr double min_height_m = 0.5;           // a flat roof outline alone has no inside to be closed
+constexpr std::size_t max_open_vertices = 400;  // every pair is looked at
 
 std::vector<EdgeUse> open_edges(const EdgeTable& edges) {
   std::vector<EdgeUse> open;
@@ -39,7 +39,7 @@ std::map<std::uint32_t, std::uint32_t> joining(const EdgeTable& edges, const std
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   std::map<std::uint32_t, std::uint32_t> to;
-  if (vertices.size() > most_open_vertices) return to;
+  if (vertices.size() > max_open_vertices) return to;
   bool moved = false;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (to.contains(vertices[i])) continue;
@@ -101,7 +101,7 @@ bool is_floor(const CityObject& object, const Ring& ring) {
       low = std::min(low, p.z);
       high = std::max(high, p.z);
     }
-  if (high - low < least_height_m) return false;
+  if (high - low < min_height_m) return false;
   return std::all_of(ring.begin(), ring.end(), [low](const glm::dvec3& p) { return p.z - low <= crack_m; }) &&
          glm::length(area_vector(ring)) > crack_m;
 }

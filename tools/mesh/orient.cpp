@@ -119,8 +119,8 @@ class Orienter {
 
   // A shell within another may be its cavity, which faces the other way: nothing is shown there.
   bool is_enclosed(std::size_t i) const {
-    constexpr std::size_t most_shells = 2000;  // beyond, every pair is too many: then nothing is turned
-    if (shells_.size() > most_shells) return true;
+    constexpr std::size_t max_shells = 2000;  // beyond, every pair is too many: then nothing is turned
+    if (shells_.size() > max_shells) return true;
     const Shell& inner = shells_[i];
     for (std::size_t j = 0; j < shells_.size(); ++j) {
       const Shell& outer = shells_[j];

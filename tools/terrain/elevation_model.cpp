@@ -101,7 +101,7 @@ double ElevationModel::resolution_m() const {
 // Reads the window round the pixels; where they lie far apart, half of them at a time.
 void ElevationModel::State::sample_pixels(std::span<const glm::dvec2> pixels,
                                           std::span<double> heights) const {
-  constexpr double most_window = 4e6;
+  constexpr double max_window = 4e6;
   const int width = band->GetXSize(), height = band->GetYSize();
   const glm::dvec2 last(width - 1, height - 1);
   const auto outside = [&](const glm::dvec2& p) {
@@ -116,7 +116,7 @@ void ElevationModel::State::sample_pixels(std::span<const glm::dvec2> pixels,
   std::fill(heights.begin(), heights.end(), nothing);
   if (!(low.x <= high.x)) return;
   const glm::dvec2 extent = high - low + 1.0;
-  if (extent.x * extent.y > most_window && pixels.size() > 1) {
+  if (extent.x * extent.y > max_window && pixels.size() > 1) {
     const std::size_t half = pixels.size() / 2;
     sample_pixels(pixels.first(half), heights.first(half));
     sample_pixels(pixels.subspan(half), heights.subspan(half));

@@ -134,12 +134,12 @@ BreakSurface make_surface(std::vector<glm::dvec3> points, std::span<const std::v
     return vertices[static_cast<std::size_t>(found - points.begin())];
   };
   // n lines may cross n^2 times: a file's few crossings are kept, a hostile one's end.
-  const std::size_t most_vertices = 2 * points.size() + 1000;
+  const std::size_t max_vertices = 2 * points.size() + 1000;
   for (const auto& line : lines)
     for (std::size_t k = 0; k + 1 < line.size(); ++k) {
       const auto a = vertex_at(line[k]), b = vertex_at(line[k + 1]);
       if (a == Constrained::Vertex_handle{} || b == Constrained::Vertex_handle{} || a == b) continue;
-      if (surface.number_of_vertices() > most_vertices) {
+      if (surface.number_of_vertices() > max_vertices) {
         ++result.unused_edges;
         continue;
       }

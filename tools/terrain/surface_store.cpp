@@ -9,8 +9,8 @@ namespace nightcity {
 namespace {
 
 constexpr double finest_cell_m = 128;
-constexpr std::size_t most_cached = 40'000;  // triangles, 72 bytes each
-constexpr double least_plan_area_m2 = 1e-8;  // below it a triangle is a wall or a line
+constexpr std::size_t max_cached = 40'000;  // triangles, 72 bytes each
+constexpr double min_plan_area_m2 = 1e-8;  // below it a triangle is a wall or a line
 constexpr double edge_m = 1e-6;              // a point so near an edge is on it, whatever the rounding
 constexpr double beyond_any_frame_m = 1e9;
 
@@ -78,7 +78,7 @@ struct SurfaceStore::Loaded {
 };
 
 SurfaceStore::SurfaceStore(const std::filesystem::path& path)
-    : cells_(path), cache_(std::make_unique<CellCache<CellKey, Loaded>>(most_cached)) {}
+    : cells_(path), cache_(std::make_unique<CellCache<CellKey, Loaded>>(max_cached)) {}
 SurfaceStore::~SurfaceStore() = default;
 
 double SurfaceStore::cell_size(int level) {
@@ -88,7 +88,7 @@ double SurfaceStore::cell_size(int level) {
 bool SurfaceStore::add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const double plan = std::abs(cross(glm::dvec2(b - a), glm::dvec2(c - a))) / 2;
   // Not finite fails the comparisons too.
-  if (!(plan > least_plan_area_m2) || !(std::abs(a.z) + std::abs(b.z) + std::abs(c.z) < beyond_any_frame_m))
+  if (!(plan > min_plan_area_m2) || !(std::abs(a.z) + std::abs(b.z) + std::abs(c.z) < beyond_any_frame_m))
     return false;
   if (!origin_) origin_ = glm::floor(glm::dvec2(a));
   const glm::dvec3 shift(*origin_, 0);

@@ -11,7 +11,7 @@
 namespace nightcity {
 namespace {
 
-constexpr std::size_t most_line_vertices = 200'000;
+constexpr std::size_t max_line_vertices = 200'000;
 
 }  // namespace
 
@@ -55,7 +55,7 @@ void Terrain::add_points(std::span<const glm::dvec3> points) {
 }
 
 bool Terrain::add_break_line(const std::vector<glm::dvec3>& line) {
-  if (state_->line_vertices + line.size() > most_line_vertices) {
+  if (state_->line_vertices + line.size() > max_line_vertices) {
     add_points(line);
     return false;
   }

@@ -36,7 +36,7 @@ class Simulator {
       if (progress && n % 64 == 0) progress(static_cast<double>(n) / static_cast<double>(steps));
       start_drives();
       if (roads_.now >= cycle_s_ && kept_ == 0) break;
-      report_.most_at_once = std::max(report_.most_at_once, roads_.active.size());
+      report_.max_at_once = std::max(report_.max_at_once, roads_.active.size());
       roads_.look_ahead();
       grant_turns(roads_);
       choose_speeds(roads_);

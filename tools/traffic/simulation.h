@@ -26,7 +26,7 @@ struct SimulationReport {
   std::size_t never_started = 0;  // no room at their start for a whole cycle
   std::size_t stuck = 0;          // not at their end within a cycle
   std::size_t steps = 0;
-  std::size_t most_at_once = 0;
+  std::size_t max_at_once = 0;
   double waited_s = 0;  // at their start, all together
 };
 

@@ -64,7 +64,7 @@ TEST(Significance, AShiftedColumnIsFoundAndOnlyIt) {
   const PixelTest test = test_pixels(noisy_pictures(32, 3, 1.5), noisy_pictures(32, 4));
   EXPECT_GT(test.rejected, side / 2);
   EXPECT_LE(test.rejected, side);
-  EXPECT_EQ(test.least_pixel % side, 0u);
+  EXPECT_EQ(test.min_pixel % side, 0u);
   EXPECT_LT(std::abs(test.relative_mean_passed), test.relative_mean);
 }
 

@@ -43,7 +43,7 @@ void expect_agreement(const PixelTest& test) {
   EXPECT_NEAR(test.relative_mean_passed, 0.0, 0.002 + 2 * test.relative_mean_error);
   EXPECT_LT(test.relative_mean_error, 0.002) << "too noisy to tell";
   EXPECT_LE(test.rejected, pardoned(test))
-      << "least p " << test.least_p << " in pixel " << test.least_pixel << ", level " << test.level;
+      << "least p " << test.min_p << " in pixel " << test.min_pixel << ", level " << test.level;
 }
 
 PixelTest compare_with_oracle(const RenderScene& scene, const oracle::Oracle& oracle, const CameraPose& pose,
@@ -58,7 +58,7 @@ PixelTest compare_with_oracle(const RenderScene& scene, const oracle::Oracle& or
       "  mean %+.3f %% +- %.3f %%; %zu of %zu pixels rejected, the worst %.4g cd/m2 where the oracle has "
       "%.4g\n",
       100 * test.relative_mean_passed, 100 * test.relative_mean_error, test.rejected, test.pixels,
-      ours.mean(test.least_pixel), truth.mean(test.least_pixel));
+      ours.mean(test.min_pixel), truth.mean(test.min_pixel));
   return test;
 }
 

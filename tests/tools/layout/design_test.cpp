@@ -73,7 +73,7 @@ TEST(Illuminance, ARowOfIsotropicLampsMeetsTheSumOfCosinesCubed) {
         least = std::min(least, e);
       }
     EXPECT_NEAR(field.average_lx, average, 0.01 * average);
-    EXPECT_NEAR(field.least_lx, least, 0.01 * least);
+    EXPECT_NEAR(field.min_lx, least, 0.01 * least);
   }
 }
 
@@ -104,14 +104,14 @@ TEST(LampDesign, WiderRoadsGetLampsOnBothSides) {
 }
 
 TEST(LampDesign, PackagesNeverFallShortNorExceedByMoreThanAStep) {
-  for (double flux = least_package_lm; flux < greatest_package_lm; flux *= 1.0173) {
+  for (double flux = min_package_lm; flux < max_package_lm; flux *= 1.0173) {
     const double package = luminaire_package(flux);
     EXPECT_GE(package, flux * (1 - 1e-9));
     EXPECT_LE(package, flux * 1.15);
     EXPECT_EQ(luminaire_package(package), package);
   }
-  EXPECT_EQ(luminaire_package(1), least_package_lm);
-  EXPECT_EQ(luminaire_package(1e9), greatest_package_lm);
+  EXPECT_EQ(luminaire_package(1), min_package_lm);
+  EXPECT_EQ(luminaire_package(1e9), max_package_lm);
 }
 
 TEST(LampDesign, EveryRoadOfTheTableReachesTheAverageOfItsClassAndNotTheNextOne) {
@@ -124,7 +124,7 @@ TEST(LampDesign, EveryRoadOfTheTableReachesTheAverageOfItsClassAndNotTheNextOne)
         design_lamps(road, road.width_m, arrangement_for(road.width_m, road.mounting_m), wanted, profile);
     const double maintained = design.field.average_lx * maintenance_factor;
     EXPECT_GE(maintained, wanted.average_lx) << highway;
-    EXPECT_LE(maintained, wanted.average_lx * greatest_excess) << highway;
+    EXPECT_LE(maintained, wanted.average_lx * max_excess) << highway;
     EXPECT_GE(design.spacing_m, 2.0 * road.mounting_m - 1e-9) << highway;
     EXPECT_LE(design.spacing_m, 3.0 * road.mounting_m + 1e-9) << highway;
   }

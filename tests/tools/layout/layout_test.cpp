@@ -44,7 +44,7 @@ std::vector<double> eastings(const LampSet& set) {
   return x;
 }
 
-double least_distance(const LampSet& set) {
+double min_distance(const LampSet& set) {
   double least = 1e9;
   for (std::size_t a = 0; a < set.lamps.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)
@@ -100,7 +100,7 @@ TEST(Layout, EveryClassOfRoadLandsInItsLightingClass) {
     const Laid laid = lay_out({street(1, {{-400, 0}, {400, 0}}, tags(highway))});
     const RoadClassReport& sum = laid.report.classes.at(highway);
     EXPECT_GE(sum.average_lx * maintenance_factor, sum.wanted_lx) << highway;
-    EXPECT_LE(sum.average_lx * maintenance_factor, sum.wanted_lx * greatest_excess) << highway;
+    EXPECT_LE(sum.average_lx * maintenance_factor, sum.wanted_lx * max_excess) << highway;
     EXPECT_EQ(sum.in_class, 1) << highway;
     EXPECT_GT(sum.uniformity, 0.1) << highway;
   }
@@ -162,7 +162,7 @@ TEST(Layout, EveryJunctionIsLitOnce) {
           });
       EXPECT_EQ(lamps, 1) << x << "," << y;
     }
-  EXPECT_GT(least_distance(laid.set), 8);
+  EXPECT_GT(min_distance(laid.set), 8);
 }
 
 TEST(Layout, NoLampStandsOnACarriageway) {

@@ -17,7 +17,7 @@ Curve flat(const PlanLine& line) {
 }
 
 /// The greatest jump of direction, degrees, and of place between neighbouring looks along a curve.
-double greatest_turn(const Curve& curve, double step) {
+double max_turn(const Curve& curve, double step) {
   double worst = 0;
   for (double s = 0; s + step <= curve.length(); s += step) {
     const glm::dvec3 a = glm::normalize(curve.at(s).along), b = glm::normalize(curve.at(s + step).along);
@@ -43,7 +43,7 @@ TEST(RoundCorners, StaysWithinTheDeviationAndTurnsSmoothly) {
     worst = std::max(worst, distance_to_line(dvec2(curve.at(s).point)));
   EXPECT_LE(worst, 1.01);
   EXPECT_GT(worst, 0.8);  // the bend uses what it may
-  EXPECT_LT(greatest_turn(curve, 0.01), 1.0);
+  EXPECT_LT(max_turn(curve, 0.01), 1.0);
   EXPECT_NEAR(glm::distance(dvec2(curve.at(curve.length()).point), line.back()), 0, 1e-9);
 }
 
