@@ -23,7 +23,8 @@ constexpr std::size_t copy_size = 1 << 20;
 }
 
 // mkstemp beside the target: the same file system, so that rename is atomic.
-std::unique_ptr<std::FILE, CloseFile> create_beside(const std::filesystem::path& path, std::string& name) {
+std::unique_ptr<std::FILE, CloseFile> create_beside(const std::filesystem::path& path,
+                                                    std::string& name) {
   name = (path.parent_path() / ".").string();
   name += path.filename().string();
   name += ".XXXXXX.part";
@@ -63,7 +64,8 @@ void AtomicFile::write(const void* bytes, std::size_t size) {
 
 void AtomicFile::write_at(std::uint64_t offset, const void* bytes, std::size_t size) {
   if (offset + size > size_) throw Error(path_.string(), "write_at beyond the end");
-  if (::fseeko(file_.get(), static_cast<off_t>(offset), SEEK_SET) != 0) fail(path_, "cannot be written");
+  if (::fseeko(file_.get(), static_cast<off_t>(offset), SEEK_SET) != 0)
+    fail(path_, "cannot be written");
   put(path_, file_.get(), bytes, size);
   if (::fseeko(file_.get(), 0, SEEK_END) != 0) fail(path_, "cannot be written");
 }
@@ -72,7 +74,8 @@ void AtomicFile::commit() {
   // mkstemp makes files nobody else may read; a city is an ordinary file, under the user's mask.
   const mode_t mask = ::umask(0);
   ::umask(mask);
-  const bool written = std::fflush(file_.get()) == 0 && ::fchmod(::fileno(file_.get()), 0666 & ~mask) == 0;
+  const bool written =
+      std::fflush(file_.get()) == 0 && ::fchmod(::fileno(file_.get()), 0666 & ~mask) == 0;
   if (!written) fail(path_, "cannot be written");
   if (::rename(scratch_path_.c_str(), path_.c_str()) != 0) fail(path_, "cannot be written");
   file_.reset();
@@ -101,7 +104,8 @@ void ScratchFile::copy(Target& target) {
     fail(path_, "cannot be written");
   std::vector<char> buffer(copy_size);
   for (std::uint64_t left = size_; left > 0;) {
-    const std::size_t wanted = static_cast<std::size_t>(std::min<std::uint64_t>(left, buffer.size()));
+    const std::size_t wanted =
+        static_cast<std::size_t>(std::min<std::uint64_t>(left, buffer.size()));
     if (std::fread(buffer.data(), 1, wanted, file_.get()) != wanted)
       fail(path_, "scratch file cannot be read");
     target.write(buffer.data(), wanted);
@@ -119,8 +123,8 @@ void ScratchFile::flush() {
 void ScratchFile::read(std::uint64_t offset, void* bytes, std::size_t size) {
   flush();  // pread leaves the writing position alone; what the stream still holds must reach the file first
   for (std::size_t done = 0; done < size;) {
-    const ssize_t got = ::pread(::fileno(file_.get()), static_cast<char*>(bytes) + done, size - done,
-                                static_cast<off_t>(offset + done));
+    const ssize_t got = ::pread(::fileno(file_.get()), static_cast<char*>(bytes) + done,
+                                size - done, static_cast<off_t>(offset + done));
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) fail(path_, "scratch file cannot be read");
     done += static_cast<std::size_t>(got);

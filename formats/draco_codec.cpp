@@ -17,14 +17,15 @@
 namespace nightcity {
 namespace {
 
-constexpr int max_bits = 30;      // Draco's own limit
+constexpr int max_bits = 30;       // Draco's own limit
 constexpr int encoding_speed = 3;  // 10 - 7: compression level 7, the knee of size against time
 
-int add_attribute(draco::Mesh& mesh, draco::GeometryAttribute::Type type, std::span<const float> values,
-                  int components) {
+int add_attribute(draco::Mesh& mesh, draco::GeometryAttribute::Type type,
+                  std::span<const float> values, int components) {
   draco::GeometryAttribute attribute;
   const auto stride = static_cast<std::int64_t>(sizeof(float)) * components;
-  attribute.Init(type, nullptr, static_cast<std::uint8_t>(components), draco::DT_FLOAT32, false, stride, 0);
+  attribute.Init(type, nullptr, static_cast<std::uint8_t>(components), draco::DT_FLOAT32, false,
+                 stride, 0);
   const auto count = values.size() / static_cast<std::size_t>(components);
   const int id = mesh.AddAttribute(attribute, true, static_cast<std::uint32_t>(count));
   for (std::size_t i = 0; i < count; ++i)
@@ -34,7 +35,8 @@ int add_attribute(draco::Mesh& mesh, draco::GeometryAttribute::Type type, std::s
 }
 
 // Whole numbers quantised with a step of exactly 1 come back exactly.
-void quantise_whole_numbers(draco::ExpertEncoder& encoder, int attribute, std::span<const float> values) {
+void quantise_whole_numbers(draco::ExpertEncoder& encoder, int attribute,
+                            std::span<const float> values) {
   const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
   int bits = 1;
   while (std::ldexp(1.0, bits) - 1 < double{*greatest} - double{*least}) ++bits;
@@ -45,7 +47,7 @@ void quantise_whole_numbers(draco::ExpertEncoder& encoder, int attribute, std::s
 // Edgebreaker reorders vertices, so each original one is matched to the nearest decoded one through a hash
 // grid.
 double max_displacement(std::span<const glm::vec3> originals, std::span<const glm::vec3> decoded,
-                             const glm::vec3& origin, double reach) {
+                        const glm::vec3& origin, double reach) {
   const double cell = 8 * reach;  // so that few look-ups touch a neighbouring cell
   const auto key = [](const glm::dvec3& c) {
     const auto part = [](double v) {
@@ -53,10 +55,13 @@ double max_displacement(std::span<const glm::vec3> originals, std::span<const gl
     };
     return part(c.x) << 42 | part(c.y) << 21 | part(c.z);
   };
-  const auto cell_of = [&](const glm::dvec3& p) { return glm::floor((p - glm::dvec3(origin)) / cell); };
+  const auto cell_of = [&](const glm::dvec3& p) {
+    return glm::floor((p - glm::dvec3(origin)) / cell);
+  };
   std::unordered_multimap<std::uint64_t, std::uint32_t> grid;
   grid.reserve(decoded.size());
-  for (std::uint32_t i = 0; i < decoded.size(); ++i) grid.emplace(key(cell_of(glm::dvec3(decoded[i]))), i);
+  for (std::uint32_t i = 0; i < decoded.size(); ++i)
+    grid.emplace(key(cell_of(glm::dvec3(decoded[i]))), i);
 
   double worst = 0;
   for (const glm::vec3& original : originals) {
@@ -81,14 +86,16 @@ int draco_bits(double extent_m, double tolerance_m) {
   return std::clamp(static_cast<int>(std::ceil(std::log2(steps + 1))), 1, max_bits);
 }
 
-std::optional<DracoEncoded> encode_draco(const ScenePrimitive& primitive, std::span<const float> feature_ids,
+std::optional<DracoEncoded> encode_draco(const ScenePrimitive& primitive,
+                                         std::span<const float> feature_ids,
                                          std::span<const float> light_ids, double tolerance_m) {
   draco::Mesh mesh;
   mesh.set_num_points(static_cast<std::uint32_t>(primitive.positions.size()));
   mesh.SetNumFaces(primitive.indices.size() / 3);
   for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
     const auto point = [&](std::size_t k) { return draco::PointIndex(primitive.indices[i + k]); };
-    mesh.SetFace(draco::FaceIndex(static_cast<std::uint32_t>(i / 3)), {{point(0), point(1), point(2)}});
+    mesh.SetFace(draco::FaceIndex(static_cast<std::uint32_t>(i / 3)),
+                 {{point(0), point(1), point(2)}});
   }
   glm::vec3 least(std::numeric_limits<float>::infinity()), greatest(-least);
   for (const glm::vec3& p : primitive.positions) {
@@ -99,7 +106,8 @@ std::optional<DracoEncoded> encode_draco(const ScenePrimitive& primitive, std::s
 
   DracoEncoded result;
   result.bits = draco_bits(std::max({size.x, size.y, size.z}), tolerance_m);
-  const std::span<const float> coordinates(&primitive.positions[0].x, primitive.positions.size() * 3);
+  const std::span<const float> coordinates(&primitive.positions[0].x,
+                                           primitive.positions.size() * 3);
   const int position = add_attribute(mesh, draco::GeometryAttribute::POSITION, coordinates, 3);
   const auto add_ids = [&](std::span<const float> ids) {
     return ids.empty() ? -1 : add_attribute(mesh, draco::GeometryAttribute::GENERIC, ids, 1);
@@ -153,7 +161,8 @@ std::optional<DracoEncoded> encode_draco(const ScenePrimitive& primitive, std::s
   return result;
 }
 
-DracoDecoded decode_draco(std::span<const std::byte> bytes, std::span<const DracoAttribute> attributes) {
+DracoDecoded decode_draco(std::span<const std::byte> bytes,
+                          std::span<const DracoAttribute> attributes) {
   draco::DecoderBuffer buffer;
   buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   draco::Decoder decoder;
@@ -169,7 +178,8 @@ DracoDecoded decode_draco(std::span<const std::byte> bytes, std::span<const Drac
   for (const DracoAttribute& wanted : attributes) {
     const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(wanted.id);
     if (!attribute || attribute->num_components() != wanted.components)
-      throw Error("", "Draco", "attribute " + std::to_string(wanted.id) + " is missing or of another size");
+      throw Error("", "Draco",
+                  "attribute " + std::to_string(wanted.id) + " is missing or of another size");
     const auto components = static_cast<std::size_t>(wanted.components);
     std::vector<float> values(components * mesh.num_points());
     for (std::uint32_t p = 0; p < mesh.num_points(); ++p) {

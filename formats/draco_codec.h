@@ -31,7 +31,8 @@ struct DracoEncoded {
 /// Feature and light ids (as the floats glTF stores) are kept exactly. Empty where Draco cannot encode the
 /// mesh (every triangle degenerate) or moves a vertex by more than the tolerance: the caller then stores it
 /// plain.
-std::optional<DracoEncoded> encode_draco(const ScenePrimitive& primitive, std::span<const float> feature_ids,
+std::optional<DracoEncoded> encode_draco(const ScenePrimitive& primitive,
+                                         std::span<const float> feature_ids,
                                          std::span<const float> light_ids, double tolerance_m);
 
 struct DracoDecoded {
@@ -45,6 +46,7 @@ struct DracoAttribute {
 };
 
 /// Throws Error (no file name) where the bytes are no Draco mesh or an attribute is missing.
-DracoDecoded decode_draco(std::span<const std::byte> bytes, std::span<const DracoAttribute> attributes);
+DracoDecoded decode_draco(std::span<const std::byte> bytes,
+                          std::span<const DracoAttribute> attributes);
 
 }  // namespace nightcity

@@ -25,7 +25,8 @@ class Error : public std::runtime_error {
   virtual ExitCode exit_code() const noexcept { return ExitCode::bad_data; }
 
  private:
-  static std::string one_line(std::string_view file, std::string_view place, std::string_view message) {
+  static std::string one_line(std::string_view file, std::string_view place,
+                              std::string_view message) {
     std::string text(file);
     if (!place.empty()) {
       if (!text.empty()) text += ": ";

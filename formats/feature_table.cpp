@@ -19,7 +19,8 @@ template <class T>
 std::span<const std::byte> column(const json& property, const char* key, std::size_t count,
                                   const ViewBytes& view) {
   const auto bytes = view(property.at(key).get<std::size_t>());
-  if (bytes.size() / sizeof(T) < count) throw Error("", "property table", std::string(key) + " is too short");
+  if (bytes.size() / sizeof(T) < count)
+    throw Error("", "property table", std::string(key) + " is too short");
   return bytes.first(count * sizeof(T));
 }
 
@@ -39,8 +40,10 @@ void read_strings(const json& properties, const char* name, std::string SceneFea
   const auto offsets = column<std::uint32_t>(property, "stringOffsets", features.size() + 1, view);
   const auto text = view(property.at("values").get<std::size_t>());
   for (std::size_t i = 0; i < features.size(); ++i) {
-    const auto begin = element<std::uint32_t>(offsets, i), end = element<std::uint32_t>(offsets, i + 1);
-    if (begin > end || end > text.size()) throw Error("", "property table", "string lies outside its column");
+    const auto begin = element<std::uint32_t>(offsets, i),
+               end = element<std::uint32_t>(offsets, i + 1);
+    if (begin > end || end > text.size())
+      throw Error("", "property table", "string lies outside its column");
     (features[i].*member).assign(reinterpret_cast<const char*>(text.data()) + begin, end - begin);
   }
 }
@@ -78,8 +81,8 @@ std::uint32_t FeatureTableWriter::add(const SceneFeature& feature) {
   return count_++;
 }
 
-json FeatureTableWriter::write(ScratchFile& binary,
-                               const std::function<std::size_t(std::uint64_t, std::uint64_t)>& add_view) {
+json FeatureTableWriter::write(
+    ScratchFile& binary, const std::function<std::size_t(std::uint64_t, std::uint64_t)>& add_view) {
   const auto append = [&](ScratchFile& data) {
     binary.align(column_alignment);
     const std::uint64_t offset = binary.size();
@@ -88,7 +91,8 @@ json FeatureTableWriter::write(ScratchFile& binary,
   };
   json columns = json::object(), schema = json::object();
   const auto strings = [&](const char* name, StringColumn& column) {
-    if (column.values.size() == 0) return;  // a bufferView must not be empty, and the column says nothing
+    if (column.values.size() == 0)
+      return;  // a bufferView must not be empty, and the column says nothing
     const std::uint32_t end = static_cast<std::uint32_t>(column.values.size());
     column.offsets.write(&end, sizeof end);
     columns[name] = {{"values", append(column.values)}, {"stringOffsets", append(column.offsets)}};
@@ -109,19 +113,22 @@ json FeatureTableWriter::write(ScratchFile& binary,
   schema["storeys_above_ground"] = {
       {"type", "SCALAR"}, {"componentType", "INT32"}, {"noData", absent_storeys}};
 
-  return {
-      {"schema",
-       {{"id", "nightcity"},
-        {"classes", {{feature_class, {{"name", "City object"}, {"properties", schema}}}}}}},
-      {"propertyTables",
-       {{{"name", "City objects"}, {"class", feature_class}, {"count", count_}, {"properties", columns}}}}};
+  return {{"schema",
+           {{"id", "nightcity"},
+            {"classes", {{feature_class, {{"name", "City object"}, {"properties", schema}}}}}}},
+          {"propertyTables",
+           {{{"name", "City objects"},
+             {"class", feature_class},
+             {"count", count_},
+             {"properties", columns}}}}};
 }
 
 std::vector<SceneFeature> read_feature_table(const json& extension, std::size_t table,
                                              const ViewBytes& view) {
   try {
     const json& description = extension.at("propertyTables").at(table);
-    if (description.value("class", "") != feature_class || !description.contains("properties")) return {};
+    if (description.value("class", "") != feature_class || !description.contains("properties"))
+      return {};
     const json& properties = description.at("properties");
     if (!properties.contains("storeys_above_ground")) return {};
     const auto count = description.at("count").get<std::uint64_t>();
@@ -136,9 +143,11 @@ std::vector<SceneFeature> read_feature_table(const json& extension, std::size_t 
       if (const auto value = element<std::int32_t>(storeys, i); value != absent_storeys)
         features[i].storeys_above_ground = value;
     if (properties.contains("measured_height")) {
-      const auto heights = column<float>(properties.at("measured_height"), "values", features.size(), view);
+      const auto heights =
+          column<float>(properties.at("measured_height"), "values", features.size(), view);
       for (std::size_t i = 0; i < features.size(); ++i)
-        if (const auto value = element<float>(heights, i); value != absent_height && std::isfinite(value))
+        if (const auto value = element<float>(heights, i);
+            value != absent_height && std::isfinite(value))
           features[i].measured_height_m = value;
     }
     return features;

@@ -38,7 +38,8 @@ T load(const std::byte* bytes) {
 template <class T>
 float integer(const std::byte* bytes, bool normalized) {
   const float value = static_cast<float>(load<T>(bytes));
-  return normalized ? std::max(value / static_cast<float>(std::numeric_limits<T>::max()), -1.0f) : value;
+  return normalized ? std::max(value / static_cast<float>(std::numeric_limits<T>::max()), -1.0f)
+                    : value;
 }
 
 float as_float(const std::byte* bytes, std::size_t type, bool normalized) {
@@ -80,7 +81,8 @@ AccessorReader::Layout AccessorReader::layout(std::size_t index, int components)
   const std::string shape = components == 1 ? "SCALAR" : "VEC" + std::to_string(components);
   if (size == 0 || text(accessor, "type") != shape)
     throw Error("", place, "has another type than its use asks for");
-  if (accessor.contains("sparse")) throw Error("", place, "is sparse, which this reader does not know");
+  if (accessor.contains("sparse"))
+    throw Error("", place, "is sparse, which this reader does not know");
   const auto view_index = gltf::index(accessor, "bufferView");
   if (!view_index) throw Error("", place, "has no data");
   const auto bytes = view(*view_index);
@@ -127,7 +129,8 @@ std::vector<std::uint32_t> AccessorReader::indices(std::size_t index) const {
         values[i] = load<std::uint32_t>(bytes);
         break;
       default:
-        throw Error("", "accessor " + std::to_string(index), "holds indices that are no unsigned integers");
+        throw Error("", "accessor " + std::to_string(index),
+                    "holds indices that are no unsigned integers");
     }
   }
   return values;

@@ -19,7 +19,8 @@ constexpr const char* mesh_features = "EXT_mesh_features";
 constexpr const char* structural_metadata = "EXT_structural_metadata";
 
 constexpr const char* feature_attribute = "_FEATURE_ID_0";
-constexpr const char* light_attribute = "_LIGHT";  // vertex and instance attribute: index into city.lights
+constexpr const char* light_attribute =
+    "_LIGHT";  // vertex and instance attribute: index into city.lights
 constexpr const char* extras_key = "nightcity";
 constexpr const char* scene_version = "1.0";
 

@@ -22,7 +22,8 @@ std::optional<std::vector<std::byte>> decode_base64(std::string_view text) {
   static const auto table = [] {
     std::array<std::int8_t, 256> values;
     values.fill(-1);
-    constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    constexpr std::string_view alphabet =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (std::size_t i = 0; i < alphabet.size(); ++i)
       values[static_cast<unsigned char>(alphabet[i])] = static_cast<std::int8_t>(i);
     return values;
@@ -50,7 +51,8 @@ std::string decode_percent(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto digit = [&](std::size_t k) {
       return std::string_view("0123456789abcdef")
-          .find(static_cast<char>(text[k] >= 'A' && text[k] <= 'F' ? text[k] - 'A' + 'a' : text[k]));
+          .find(
+              static_cast<char>(text[k] >= 'A' && text[k] <= 'F' ? text[k] - 'A' + 'a' : text[k]));
     };
     if (text[i] == '%' && i + 2 < text.size() && digit(i + 1) < 16 && digit(i + 2) < 16) {
       result += static_cast<char>(digit(i + 1) * 16 + digit(i + 2));
@@ -96,7 +98,8 @@ void Document::read_json(std::span<const std::byte> bytes) {
 }
 
 void Document::read_container(std::span<const std::byte> bytes) {
-  if (bytes.size() < 20) throw Error(name_, "byte " + std::to_string(bytes.size()), "ends in the header");
+  if (bytes.size() < 20)
+    throw Error(name_, "byte " + std::to_string(bytes.size()), "ends in the header");
   if (word(bytes, 4) != 2)
     throw Error(name_, "byte 4", "glTF version " + std::to_string(word(bytes, 4)) + ", not 2");
   if (word(bytes, 8) != bytes.size())
@@ -108,7 +111,8 @@ void Document::read_container(std::span<const std::byte> bytes) {
     if (bytes.size() - offset < 8) throw Error(name_, place, "chunk header is cut off");
     const std::size_t length = word(bytes, offset);
     const std::uint32_t type = word(bytes, offset + 4);
-    if (length > bytes.size() - offset - 8) throw Error(name_, place, "chunk reaches beyond the file");
+    if (length > bytes.size() - offset - 8)
+      throw Error(name_, place, "chunk reaches beyond the file");
     if (first != (type == chunk_json))
       throw Error(name_, place, first ? "first chunk is not JSON" : "second JSON chunk");
     const auto content = bytes.subspan(offset + 8, length);
@@ -140,10 +144,12 @@ void Document::read_buffers(const std::filesystem::path& folder) {
   }
 }
 
-std::span<const std::byte> Document::external(const std::string& uri, const std::filesystem::path& folder) {
+std::span<const std::byte> Document::external(const std::string& uri,
+                                              const std::filesystem::path& folder) {
   if (uri.rfind("data:", 0) == 0) {
     const std::size_t comma = uri.find(',');
-    if (comma == std::string::npos || uri.find(";base64") > comma) throw Error("", "data URI is not base64");
+    if (comma == std::string::npos || uri.find(";base64") > comma)
+      throw Error("", "data URI is not base64");
     auto bytes = decode_base64(std::string_view(uri).substr(comma + 1));
     if (!bytes) throw Error("", "data URI is not base64");
     return decoded_.emplace_back(std::move(*bytes));

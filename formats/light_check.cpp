@@ -26,9 +26,11 @@ std::optional<std::string> light_fault(const Light& light, std::size_t profile_c
   if (!finite(light.tangent) || !unit(light.tangent)) return "tangent is not a unit vector";
   if (std::abs(glm::dot(light.axis, light.tangent)) > 1e-3f)
     return "tangent is not perpendicular to the axis";
-  if (!std::isfinite(light.radius) || !std::isfinite(light.half_height)) return "size is not finite";
+  if (!std::isfinite(light.radius) || !std::isfinite(light.half_height))
+    return "size is not finite";
   if (kind == LIGHT_SPHERE && light.radius < 0) return "radius is negative";
-  if (kind == LIGHT_RECTANGLE && !(light.radius > 0 && light.half_height > 0)) return "rectangle has no area";
+  if (kind == LIGHT_RECTANGLE && !(light.radius > 0 && light.half_height > 0))
+    return "rectangle has no area";
   if ((light.colour_rgb9e5 & 0x07FFFFFFu) == 0) return "colour is black";
   if (profile != LIGHT_NO_PROFILE && profile >= profile_count)
     return "profile " + std::to_string(profile) + " of " + std::to_string(profile_count);
@@ -37,7 +39,8 @@ std::optional<std::string> light_fault(const Light& light, std::size_t profile_c
 
 std::optional<std::string> profile_fault(const LightProfile& profile, std::size_t data_size) {
   if (profile.c_count < 1 || profile.gamma_count < 2) return "grid is too small";
-  if (!(profile.extent_deg > 0 && profile.extent_deg <= 180)) return "extent is not in (0, 180] degrees";
+  if (!(profile.extent_deg > 0 && profile.extent_deg <= 180))
+    return "extent is not in (0, 180] degrees";
   // 65536 squared fits in 64 bits: no overflow below.
   if (profile.c_count > 65536 || profile.gamma_count > 65536) return "grid is too large";
   const std::size_t values = std::size_t{profile.c_count} * profile.gamma_count;

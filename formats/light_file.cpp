@@ -13,7 +13,8 @@
 #include "formats/mapped_file.h"
 #include "formats/night_check.h"
 
-static_assert(std::endian::native == std::endian::little, "city.lights is mapped: little-endian hosts only");
+static_assert(std::endian::native == std::endian::little,
+              "city.lights is mapped: little-endian hosts only");
 
 namespace nightcity {
 
@@ -26,16 +27,18 @@ void light_file::check_content(const std::string& file, const LightFileContent& 
         throw Error(file, what + (" " + std::to_string(i)), *fault);
   };
   if (content.provenance.size() != content.lights.size())
-    throw Error(file, "provenance of " + std::to_string(content.provenance.size()) + " lights for " +
-                          std::to_string(content.lights.size()));
+    throw Error(file, "provenance of " + std::to_string(content.provenance.size()) +
+                          " lights for " + std::to_string(content.lights.size()));
   const std::size_t profiles = content.profiles.size(), schedules = content.schedules.size();
-  check("profile", profiles,
-        [&](std::size_t i) { return profile_fault(content.profiles[i], content.profile_data.size()); });
-  check("profile value", content.profile_data.size(), [&](std::size_t i) -> std::optional<std::string> {
-    const float value = content.profile_data[i];
-    if (std::isfinite(value) && value >= 0) return std::nullopt;
-    return "is negative or not finite";
+  check("profile", profiles, [&](std::size_t i) {
+    return profile_fault(content.profiles[i], content.profile_data.size());
   });
+  check("profile value", content.profile_data.size(),
+        [&](std::size_t i) -> std::optional<std::string> {
+          const float value = content.profile_data[i];
+          if (std::isfinite(value) && value >= 0) return std::nullopt;
+          return "is negative or not finite";
+        });
   check("schedule", schedules,
         [&](std::size_t i) { return schedule_fault(content.schedules[i], content.switches); });
   check("light", content.lights.size(), [&](std::size_t i) -> std::optional<std::string> {
@@ -47,8 +50,9 @@ void light_file::check_content(const std::string& file, const LightFileContent& 
   const TrafficContent& traffic = content.traffic;
   if (traffic.trips.empty()) return;
   if (const auto fault = cycle_fault(traffic.cycle)) throw Error(file, "traffic", *fault);
-  check("vehicle", traffic.vehicles.size(),
-        [&](std::size_t i) { return vehicle_fault(traffic.vehicles[i], traffic.vehicle_lights.size()); });
+  check("vehicle", traffic.vehicles.size(), [&](std::size_t i) {
+    return vehicle_fault(traffic.vehicles[i], traffic.vehicle_lights.size());
+  });
   check("vehicle light", traffic.vehicle_lights.size(),
         [&](std::size_t i) { return vehicle_light_fault(traffic.vehicle_lights[i], profiles); });
   check("trip", traffic.trips.size(), [&](std::size_t i) {
@@ -145,7 +149,8 @@ void LightFile::Mapping::take(std::array<char, 4> tag, std::span<const T>& data)
 }
 
 bool LightFile::Mapping::has(std::array<char, 4> tag) const {
-  return std::any_of(table.begin(), table.end(), [&](const Section& section) { return section.tag == tag; });
+  return std::any_of(table.begin(), table.end(),
+                     [&](const Section& section) { return section.tag == tag; });
 }
 
 void LightFile::Mapping::take_traffic() {

@@ -15,7 +15,13 @@
 namespace nightcity {
 
 /// Where each value of a light came from; one byte a value, parallel to the lights.
-enum class ValueSource : std::uint8_t { unknown = 0, tag = 1, attribute = 2, rule = 3, standard = 4 };
+enum class ValueSource : std::uint8_t {
+  unknown = 0,
+  tag = 1,
+  attribute = 2,
+  rule = 3,
+  standard = 4
+};
 
 /// Provenance of one light, 16 bytes, parallel to the lights (section PROV).
 struct LightProvenance {
@@ -32,7 +38,13 @@ struct LightProvenance {
 static_assert(sizeof(LightProvenance) == 16);
 
 /// What a light is to a person; counted by `inspect`, and a layer of the renderer's output.
-enum class LightFamily : std::uint8_t { lamp = 0, window = 1, headlamp = 2, tail_lamp = 3, other = 4 };
+enum class LightFamily : std::uint8_t {
+  lamp = 0,
+  window = 1,
+  headlamp = 2,
+  tail_lamp = 3,
+  other = 4
+};
 
 /// Vehicles on their ways; empty `trips`: no traffic.
 struct TrafficContent {

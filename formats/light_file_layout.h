@@ -39,12 +39,13 @@ struct Section {
 };
 static_assert(sizeof(Section) == 32);
 
-inline constexpr std::array<char, 4> tag_georeference{'G', 'E', 'O', 'R'}, tag_lights{'L', 'G', 'H', 'T'},
-    tag_provenance{'P', 'R', 'O', 'V'}, tag_profiles{'P', 'R', 'O', 'F'},
-    tag_profile_data{'P', 'D', 'A', 'T'};
+inline constexpr std::array<char, 4> tag_georeference{'G', 'E', 'O', 'R'},
+    tag_lights{'L', 'G', 'H', 'T'}, tag_provenance{'P', 'R', 'O', 'V'},
+    tag_profiles{'P', 'R', 'O', 'F'}, tag_profile_data{'P', 'D', 'A', 'T'};
 // Left out where a scene has none of it.
-inline constexpr std::array<char, 4> tag_schedules{'S', 'C', 'H', 'D'}, tag_switches{'S', 'W', 'C', 'H'},
-    tag_cycle{'C', 'Y', 'C', 'L'}, tag_vehicles{'V', 'E', 'H', 'I'}, tag_vehicle_lights{'V', 'L', 'G', 'T'},
+inline constexpr std::array<char, 4> tag_schedules{'S', 'C', 'H', 'D'},
+    tag_switches{'S', 'W', 'C', 'H'}, tag_cycle{'C', 'Y', 'C', 'L'},
+    tag_vehicles{'V', 'E', 'H', 'I'}, tag_vehicle_lights{'V', 'L', 'G', 'T'},
     tag_trips{'T', 'R', 'I', 'P'}, tag_knots{'K', 'N', 'O', 'T'};
 
 inline std::uint64_t checksum(const void* bytes, std::size_t size) {

@@ -34,7 +34,8 @@ class RunningChecksum {
 
 void align(AtomicFile& file) {
   constexpr std::array<char, section_alignment> zeros{};
-  file.write(zeros.data(), (section_alignment - file.size() % section_alignment) % section_alignment);
+  file.write(zeros.data(),
+             (section_alignment - file.size() % section_alignment) % section_alignment);
 }
 
 /// Records of a section that come before its place in the file is known.
@@ -66,7 +67,8 @@ template <class T>
 void write_section(AtomicFile& file, std::vector<Section>& table, std::array<char, 4> tag,
                    std::span<const T> data) {
   align(file);
-  table.push_back({tag, sizeof(T), file.size(), data.size(), checksum(data.data(), data.size_bytes())});
+  table.push_back(
+      {tag, sizeof(T), file.size(), data.size(), checksum(data.data(), data.size_bytes())});
   file.write(data.data(), data.size_bytes());
 }
 
@@ -87,7 +89,8 @@ struct LightFileWriter::State {
   }
 
   std::uint32_t add_schedule(uint first, uint count) {
-    if (schedules.count() + 1 >= LIGHT_ALWAYS_ON) throw Error(name, "more schedules than their numbers");
+    if (schedules.count() + 1 >= LIGHT_ALWAYS_ON)
+      throw Error(name, "more schedules than their numbers");
     const Schedule schedule{first, count};
     schedules.add(std::span(&schedule, 1));
     return static_cast<std::uint32_t>(schedules.count() - 1);
@@ -103,7 +106,8 @@ struct LightFileWriter::State {
   }
 };
 
-LightFileWriter::LightFileWriter(const std::filesystem::path& path) : state_(std::make_unique<State>(path)) {}
+LightFileWriter::LightFileWriter(const std::filesystem::path& path)
+    : state_(std::make_unique<State>(path)) {}
 LightFileWriter::~LightFileWriter() = default;
 
 std::uint32_t LightFileWriter::add(const Light& light, const LightProvenance& provenance) {
@@ -114,7 +118,8 @@ std::uint32_t LightFileWriter::add(const Light& light, const LightProvenance& pr
     throw Error(state.name, "light " + std::to_string(state.count), *fault);
   if (state.count + 1 >= LIGHT_ALWAYS_ON) throw Error(state.name, "more lights than their numbers");
   const std::size_t profile = light.kind_profile >> 8;
-  if (profile != LIGHT_NO_PROFILE) state.profiles_named = std::max(state.profiles_named, profile + 1);
+  if (profile != LIGHT_NO_PROFILE)
+    state.profiles_named = std::max(state.profiles_named, profile + 1);
   if (light.schedule != LIGHT_ALWAYS_ON)
     state.schedules_named = std::max(state.schedules_named, std::size_t{light.schedule} + 1);
   state.file.write(&light, sizeof light);
@@ -138,18 +143,21 @@ void LightFileWriter::finish(const LightFileContent& rest) {
   const uint first_switch = state.add_switches(rest.switches);
   for (const Schedule& schedule : rest.schedules)
     state.add_schedule(first_switch + schedule.first, schedule.count);
-  if (state.profiles_named > rest.profiles.size() || state.schedules_named > state.schedules.count())
+  if (state.profiles_named > rest.profiles.size() ||
+      state.schedules_named > state.schedules.count())
     throw Error(state.name, "a light names a profile or schedule that is not there");
   // Limits that open() enforces hold here too: what is written can be read.
   if (rest.profiles.size() > max_profiles) throw Error(state.name, "more than 65536 profiles");
   const std::string georeference =
-      georeference_to_json(rest.georeference).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+      georeference_to_json(rest.georeference)
+          .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   if (georeference.size() > max_georeference_bytes)
     throw Error(state.name, "the list of sources is too long");
 
   AtomicFile& file = state.file;
   std::vector<Section> table;
-  table.push_back({tag_lights, sizeof(Light), sizeof(Header), state.count, state.lights_sum.value()});
+  table.push_back(
+      {tag_lights, sizeof(Light), sizeof(Header), state.count, state.lights_sum.value()});
   state.provenances.write(file, table, tag_provenance, sizeof(LightProvenance));
   write_section(file, table, tag_georeference, std::span<const char>(georeference));
   write_section(file, table, tag_profiles, rest.profiles);

@@ -16,7 +16,8 @@ namespace nightcity {
 
 MappedFile::MappedFile(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw Error(path.string(), std::string("cannot be read: ") + std::strerror(errno));
+  if (descriptor < 0)
+    throw Error(path.string(), std::string("cannot be read: ") + std::strerror(errno));
   struct stat status {};
   const bool known = ::fstat(descriptor, &status) == 0;
   const char* refusal = !known                     ? "cannot be read"

@@ -23,8 +23,9 @@ struct Schedule {
 struct VehicleKind {
   vec3 half_size;  // of the body's box, m; its centre is half_size.y above the road
   uint first_light;
-  uint light_count;  // entries first_light .. first_light + light_count of the vehicle lights (at most
-                     // VEHICLE_LIGHTS)
+  uint
+      light_count;  // entries first_light .. first_light + light_count of the vehicle lights (at most
+                    // VEHICLE_LIGHTS)
   uint pad[3];
 };
 #define VEHICLE_LIGHTS 8  // a vehicle may carry, at most
@@ -53,8 +54,9 @@ struct TripKnot {
   vec3 position;  // model space, m: the vehicle frame's origin
   float time_s;   // since the drive's start; 0 first, strictly ascending, the last at most cycle_s
   vec3 velocity;  // m/s
-  uint pose;  // bits 0-15 yaw, from east towards north: turns * 65536; 16-23 pitch (nose up), signed, 1/256
-              // rad; 24 braking
+  uint
+      pose;  // bits 0-15 yaw, from east towards north: turns * 65536; 16-23 pitch (nose up), signed, 1/256
+             // rad; 24 braking
 };
 #define KNOT_BRAKING 0x01000000u
 
@@ -62,7 +64,8 @@ struct TripKnot {
 struct TrafficCycle {
   float cycle_s;  // above 0, at most 86,400
   uint pad;
-  float density[24];  // share of all trips on the road, in [0, 1], at noon, 13:00 ... 11:00; linear between
+  float density
+      [24];  // share of all trips on the road, in [0, 1], at noon, 13:00 ... 11:00; linear between
 };
 
 #ifdef __cplusplus

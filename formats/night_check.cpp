@@ -19,7 +19,8 @@ bool lies_in(std::size_t first, std::size_t count, std::size_t size) {
 
 }  // namespace
 
-std::optional<std::string> schedule_fault(const Schedule& schedule, std::span<const uint> switches) {
+std::optional<std::string> schedule_fault(const Schedule& schedule,
+                                          std::span<const uint> switches) {
   if (!lies_in(schedule.first, schedule.count, switches.size()))
     return "switch times lie outside their section";
   const auto times = switches.subspan(schedule.first, schedule.count);
@@ -48,24 +49,27 @@ std::optional<std::string> vehicle_fault(const VehicleKind& vehicle, std::size_t
 
 std::optional<std::string> vehicle_light_fault(const Light& light, std::size_t profile_count) {
   if (auto fault = light_fault(light, profile_count)) return fault;
-  if (light.schedule > VEHICLE_LIGHT_BRAKING) return "unknown condition " + std::to_string(light.schedule);
+  if (light.schedule > VEHICLE_LIGHT_BRAKING)
+    return "unknown condition " + std::to_string(light.schedule);
   if (light.id > 255) return "unknown family " + std::to_string(light.id);
   return std::nullopt;
 }
 
-std::optional<std::string> trip_fault(const Trip& trip, const TrafficCycle& cycle, std::size_t vehicle_count,
-                                      std::span<const TripKnot> knots) {
+std::optional<std::string> trip_fault(const Trip& trip, const TrafficCycle& cycle,
+                                      std::size_t vehicle_count, std::span<const TripKnot> knots) {
   if (trip.vehicle >= vehicle_count) return "unknown vehicle " + std::to_string(trip.vehicle);
   if (!(trip.start_s >= 0 && trip.start_s < cycle.cycle_s)) return "start is not within the cycle";
   if (!(trip.rank >= 0 && trip.rank < 1)) return "rank is not in [0, 1)";
   if (trip.knot_count < 2) return "has fewer than two knots";
-  if (!lies_in(trip.first_knot, trip.knot_count, knots.size())) return "knots lie outside their section";
+  if (!lies_in(trip.first_knot, trip.knot_count, knots.size()))
+    return "knots lie outside their section";
   const auto way = knots.subspan(trip.first_knot, trip.knot_count);
   if (way.front().time_s != 0) return "first knot is not at time 0";
   for (std::size_t i = 0; i < way.size(); ++i) {
     if (!finite(way[i].position) || !finite(way[i].velocity))
       return "knot " + std::to_string(i) + " is not finite";
-    if (!(way[i].time_s <= cycle.cycle_s)) return "knot " + std::to_string(i) + " is later than the cycle";
+    if (!(way[i].time_s <= cycle.cycle_s))
+      return "knot " + std::to_string(i) + " is later than the cycle";
     if (i > 0 && !(way[i].time_s > way[i - 1].time_s)) return "knot times do not ascend";
   }
   return std::nullopt;

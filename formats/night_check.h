@@ -22,7 +22,7 @@ std::optional<std::string> vehicle_fault(const VehicleKind& vehicle, std::size_t
 std::optional<std::string> vehicle_light_fault(const Light& light, std::size_t profile_count);
 
 /// Why a trip may not stand in a file; reads the trip's own knots.
-std::optional<std::string> trip_fault(const Trip& trip, const TrafficCycle& cycle, std::size_t vehicle_count,
-                                      std::span<const TripKnot> knots);
+std::optional<std::string> trip_fault(const Trip& trip, const TrafficCycle& cycle,
+                                      std::size_t vehicle_count, std::span<const TripKnot> knots);
 
 }  // namespace nightcity

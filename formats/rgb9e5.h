@@ -22,12 +22,15 @@ inline std::uint32_t encode_rgb9e5(const glm::vec3& rgb) {
   const float r = clean(rgb.x), g = clean(rgb.y), b = clean(rgb.z);
   const float largest = std::max({r, g, b});
   if (largest == 0) return 0;
-  int exponent = std::max(-16, std::ilogb(largest)) + 16;  // stored; value = mantissa * 2^(exponent - 15 - 9)
-  if (std::lround(std::ldexp(largest, 24 - exponent)) == 512) ++exponent;  // rounds up past the mantissa
+  int exponent =
+      std::max(-16, std::ilogb(largest)) + 16;  // stored; value = mantissa * 2^(exponent - 15 - 9)
+  if (std::lround(std::ldexp(largest, 24 - exponent)) == 512)
+    ++exponent;  // rounds up past the mantissa
   const auto mantissa = [exponent](float v) {
     return static_cast<std::uint32_t>(std::lround(std::ldexp(v, 24 - exponent)));
   };
-  return mantissa(r) | mantissa(g) << 9 | mantissa(b) << 18 | static_cast<std::uint32_t>(exponent) << 27;
+  return mantissa(r) | mantissa(g) << 9 | mantissa(b) << 18 |
+         static_cast<std::uint32_t>(exponent) << 27;
 }
 
 inline glm::vec3 decode_rgb9e5(std::uint32_t packed) {

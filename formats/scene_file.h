@@ -32,7 +32,8 @@ struct ScenePrimitive {
   std::vector<glm::vec3> positions;
   std::vector<std::uint32_t> indices;      // 3 a triangle, < positions.size()
   std::vector<std::uint32_t> feature_ids;  // a vertex, into Scene::features; empty = none
-  std::vector<std::uint32_t> light_ids;    // a vertex, into city.lights: emitter geometry; empty = none
+  std::vector<std::uint32_t>
+      light_ids;  // a vertex, into city.lights: emitter geometry; empty = none
 };
 
 struct SceneMesh {
@@ -48,10 +49,12 @@ struct SceneInstance {
 
 struct SceneNode {
   std::string name;
-  std::string kind;  // "city", "terrain", "road", "lamp", "window", "vehicle" (extras.nightcity.kind); "" in
-                     // foreign files
+  std::string
+      kind;  // "city", "terrain", "road", "lamp", "window", "vehicle" (extras.nightcity.kind); "" in
+             // foreign files
   std::uint32_t mesh = 0;
-  bool casts_shadow = true;  // extras.nightcity.casts_shadow; false: seen by the eye, not by shadow rays
+  bool casts_shadow =
+      true;  // extras.nightcity.casts_shadow; false: seen by the eye, not by shadow rays
   std::vector<SceneInstance> instances;
   std::uint32_t vehicle =
       no_id;  // extras.nightcity.vehicle: the mesh is this kind's body, in the vehicle frame
@@ -73,7 +76,8 @@ struct ScenePunctual {
   glm::vec3 colour{1};            // linear Rec. 709, luminance 1
   double intensity_cd = 0;        // along the axis
   double inner_rad = 0,
-         outer_rad = 0;  // half angles of the spot's cone, inner < outer <= pi / 2; outer 0: a point
+         outer_rad =
+             0;  // half angles of the spot's cone, inner < outer <= pi / 2; outer 0: a point
 };
 
 struct Scene {
@@ -95,7 +99,8 @@ class SceneWriter {
  public:
   struct Options {
     bool draco = false;
-    double draco_tolerance_m = 0.01;  // greatest displacement of a vertex; decides the quantisation bits
+    double draco_tolerance_m =
+        0.01;  // greatest displacement of a vertex; decides the quantisation bits
   };
 
   SceneWriter(std::filesystem::path path, Options options);
@@ -116,8 +121,9 @@ class SceneWriter {
 
   struct Statistics {
     std::uint64_t meshes = 0, vertices = 0, triangles = 0, nodes = 0, instances = 0, features = 0;
-    int max_draco_bits = 0;        // quantisation of positions; 0 = no Draco
-    double max_draco_error_m = 0;  // greatest displacement of a vertex, measured on the decoded mesh
+    int max_draco_bits = 0;  // quantisation of positions; 0 = no Draco
+    double max_draco_error_m =
+        0;  // greatest displacement of a vertex, measured on the decoded mesh
   };
   const Statistics& statistics() const;
 

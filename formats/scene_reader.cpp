@@ -33,8 +33,9 @@ std::string numbered(const char* what, std::size_t number) {
 std::vector<double> numbers(const Json& object, const char* key, std::vector<double> defaults) {
   const Json& array = member(object, key);
   if (array.is_null()) return defaults;
-  const bool right = array.is_array() && array.size() == defaults.size() &&
-                     std::all_of(array.begin(), array.end(), [](const Json& v) { return v.is_number(); });
+  const bool right =
+      array.is_array() && array.size() == defaults.size() &&
+      std::all_of(array.begin(), array.end(), [](const Json& v) { return v.is_number(); });
   if (!right) throw Error("", key, "is not " + std::to_string(defaults.size()) + " numbers");
   return array.get<std::vector<double>>();
 }
@@ -45,7 +46,8 @@ class Reader {
 
   Scene read() {
     check_extensions();
-    const Json& ours = member(member(member(document_.root(), "asset"), "extras"), gltf::extras_key);
+    const Json& ours =
+        member(member(member(document_.root(), "asset"), "extras"), gltf::extras_key);
     if (ours.is_object()) scene_.georeference = georeference_from_json(ours);
     read_features();
     for (std::size_t i = 0; i < document_.count("materials"); ++i) read_material(i);
@@ -70,7 +72,8 @@ class Reader {
                        std::vector<std::uint32_t>& indices) const;
   VertexIds read_draco(const Json& draco, std::vector<float>& positions,
                        std::vector<std::uint32_t>& indices) const;
-  std::vector<std::uint32_t> feature_ids(const Json& source, const std::vector<float>& values) const;
+  std::vector<std::uint32_t> feature_ids(const Json& source,
+                                         const std::vector<float>& values) const;
   std::uint32_t material(const Json& source);
   std::vector<std::size_t> roots() const;
   void read_nodes();
@@ -121,12 +124,14 @@ void Reader::read_material(std::size_t index) {
   result.name = gltf::text(source, "name");
   const auto colour = numbers(surface, "baseColorFactor", {1, 1, 1, 1});
   const auto emission = numbers(source, "emissiveFactor", {0, 0, 0});
-  const double strength = gltf::number(extension(source, gltf::emissive_strength), "emissiveStrength", 1);
+  const double strength =
+      gltf::number(extension(source, gltf::emissive_strength), "emissiveStrength", 1);
   result.base_colour = glm::dvec3(colour[0], colour[1], colour[2]);
   result.emission_cd_m2 = glm::dvec3(emission[0], emission[1], emission[2]) * strength;
   result.roughness = static_cast<float>(gltf::number(surface, "roughnessFactor", 1));
   result.double_sided = gltf::boolean(source, "doubleSided", false);
-  for (const glm::vec3& v : {result.base_colour, result.emission_cd_m2, glm::vec3(result.roughness)})
+  for (const glm::vec3& v :
+       {result.base_colour, result.emission_cd_m2, glm::vec3(result.roughness)})
     for (int i = 0; i < 3; ++i)
       if (!(std::isfinite(v[i]) && v[i] >= 0))
         throw Error("", numbered("material", index), "a value is negative or not finite");
@@ -252,15 +257,19 @@ Reader::VertexIds Reader::read_geometry(const Json& source, ScenePrimitive& targ
     if (!std::isfinite(value)) throw Error("", "POSITION", "is not finite");
   for (const std::uint32_t index : target.indices)
     if (index >= vertices)
-      throw Error("", "index " + std::to_string(index), "of " + std::to_string(vertices) + " vertices");
+      throw Error("", "index " + std::to_string(index),
+                  "of " + std::to_string(vertices) + " vertices");
   for (const auto* values : {&ids.features, &ids.lights})
-    if (!values->empty() && values->size() != vertices) throw Error("", "attributes", "differ in length");
+    if (!values->empty() && values->size() != vertices)
+      throw Error("", "attributes", "differ in length");
   target.positions.resize(vertices);
-  if (vertices != 0) std::memcpy(target.positions.data(), positions.data(), vertices * sizeof(glm::vec3));
+  if (vertices != 0)
+    std::memcpy(target.positions.data(), positions.data(), vertices * sizeof(glm::vec3));
   return ids;
 }
 
-std::vector<std::uint32_t> Reader::feature_ids(const Json& source, const std::vector<float>& values) const {
+std::vector<std::uint32_t> Reader::feature_ids(const Json& source,
+                                               const std::vector<float>& values) const {
   // Ids mean something only through a property table of ours.
   const Json& sets = member(extension(source, gltf::mesh_features), "featureIds");
   if (values.empty() || !sets.is_array() || sets.empty()) return {};
@@ -272,13 +281,15 @@ std::vector<std::uint32_t> Reader::feature_ids(const Json& source, const std::ve
     if (none && values[i] == static_cast<float>(*none)) continue;
     if (!(values[i] >= 0 && values[i] < static_cast<float>(table_size_[*table])))
       throw Error("", gltf::feature_attribute, "id lies outside its property table");
-    ids[i] = static_cast<std::uint32_t>(table_offset_[*table] + static_cast<std::size_t>(values[i]));
+    ids[i] =
+        static_cast<std::uint32_t>(table_offset_[*table] + static_cast<std::size_t>(values[i]));
   }
   return ids;
 }
 
 glm::dmat4 local_matrix(const Json& node) {
-  if (node.contains("matrix")) return glm::make_mat4(numbers(node, "matrix", std::vector<double>(16)).data());
+  if (node.contains("matrix"))
+    return glm::make_mat4(numbers(node, "matrix", std::vector<double>(16)).data());
   const auto r = numbers(node, "rotation", {0, 0, 0, 1});
   Trs trs;
   trs.translation = glm::make_vec3(numbers(node, "translation", {0, 0, 0}).data());
@@ -299,7 +310,8 @@ std::vector<std::size_t> node_indices(const Json& object, const char* key) {
   const Json& array = member(object, key);
   std::vector<std::size_t> result;
   for (const Json& element : array) {
-    if (!element.is_number_unsigned()) throw Error("", key, "holds something that is no node index");
+    if (!element.is_number_unsigned())
+      throw Error("", key, "holds something that is no node index");
     result.push_back(element.get<std::size_t>());
   }
   return result;
@@ -308,8 +320,8 @@ std::vector<std::size_t> node_indices(const Json& object, const char* key) {
 // The default scene's, or without any scene (which is allowed) the nodes that are nobody's child.
 std::vector<std::size_t> Reader::roots() const {
   if (document_.count("scenes") != 0)
-    return node_indices(document_.element("scenes", gltf::index(document_.root(), "scene").value_or(0)),
-                        "nodes");
+    return node_indices(
+        document_.element("scenes", gltf::index(document_.root(), "scene").value_or(0)), "nodes");
   const std::size_t count = document_.count("nodes");
   std::vector<bool> is_child(count);
   for (std::size_t i = 0; i < count; ++i)
@@ -365,7 +377,8 @@ void Reader::read_node(const Json& node, const glm::dmat4& to_model) {
   scene_.nodes.push_back(std::move(target));
 }
 
-std::vector<SceneInstance> Reader::read_instances(const Json& node, const glm::dmat4& to_model) const {
+std::vector<SceneInstance> Reader::read_instances(const Json& node,
+                                                  const glm::dmat4& to_model) const {
   const Json& attributes = member(extension(node, gltf::gpu_instancing), "attributes");
   if (!attributes.is_object()) return {{checked(to_model), no_id}};
   const auto read = [&](const char* name, int components) {

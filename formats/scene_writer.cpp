@@ -109,18 +109,21 @@ void SceneWriter::State::check(const ScenePrimitive& primitive, const std::strin
   if (vertices >= std::numeric_limits<std::uint32_t>::max()) fail(place, "too many vertices");
   for (const std::uint32_t index : primitive.indices)
     if (index >= vertices)
-      fail(place, "index " + std::to_string(index) + " of " + std::to_string(vertices) + " vertices");
+      fail(place,
+           "index " + std::to_string(index) + " of " + std::to_string(vertices) + " vertices");
   for (const glm::vec3& p : primitive.positions)
     if (!finite(p)) fail(place, "position is not finite");
   for (const auto* ids : {&primitive.feature_ids, &primitive.light_ids})
     if (!ids->empty() && ids->size() != vertices) fail(place, "ids do not match the vertices");
   for (const std::uint32_t id : primitive.feature_ids)
-    if (id != no_id && id >= features.size()) fail(place, "feature " + std::to_string(id) + " is not there");
+    if (id != no_id && id >= features.size())
+      fail(place, "feature " + std::to_string(id) + " is not there");
   for (const std::uint32_t id : primitive.light_ids)
     if (id != no_id && id >= gltf::max_id) fail(place, "light id is above 2^23 - 2");
 }
 
-json SceneWriter::State::write_plain(const ScenePrimitive& primitive, std::span<const float> feature_ids,
+json SceneWriter::State::write_plain(const ScenePrimitive& primitive,
+                                     std::span<const float> feature_ids,
                                      std::span<const float> light_ids) {
   const std::size_t count = primitive.positions.size();
   glm::vec3 least = primitive.positions[0], greatest = least;
@@ -131,12 +134,12 @@ json SceneWriter::State::write_plain(const ScenePrimitive& primitive, std::span<
   json positions = accessor(gltf::float32, "VEC3", count);
   positions["min"] = vector_json(least);
   positions["max"] = vector_json(greatest);
-  json attributes = {
-      {"POSITION", add_accessor(positions, write_view(std::span(primitive.positions), gltf::array_buffer))}};
+  json attributes = {{"POSITION", add_accessor(positions, write_view(std::span(primitive.positions),
+                                                                     gltf::array_buffer))}};
   const auto add_ids = [&](const char* name, std::span<const float> ids) {
     if (!ids.empty())
-      attributes[name] =
-          add_accessor(accessor(gltf::float32, "SCALAR", count), write_view(ids, gltf::array_buffer));
+      attributes[name] = add_accessor(accessor(gltf::float32, "SCALAR", count),
+                                      write_view(ids, gltf::array_buffer));
   };
   add_ids(gltf::feature_attribute, feature_ids);
   add_ids(gltf::light_attribute, light_ids);
@@ -178,12 +181,14 @@ json SceneWriter::State::write_draco(const DracoEncoded& encoded) {
           {"extensions", {{gltf::draco, {{"bufferView", view}, {"attributes", draco_ids}}}}}};
 }
 
-json SceneWriter::State::write_primitive(const ScenePrimitive& primitive, const std::string& place) {
+json SceneWriter::State::write_primitive(const ScenePrimitive& primitive,
+                                         const std::string& place) {
   check(primitive, place);
   const auto feature_ids = ids_as_floats(primitive.feature_ids, gltf::null_feature_id);
   const auto light_ids = ids_as_floats(primitive.light_ids, gltf::null_light);
   std::optional<DracoEncoded> encoded;
-  if (options.draco) encoded = encode_draco(primitive, feature_ids, light_ids, options.draco_tolerance_m);
+  if (options.draco)
+    encoded = encode_draco(primitive, feature_ids, light_ids, options.draco_tolerance_m);
   json result = encoded ? write_draco(*encoded) : write_plain(primitive, feature_ids, light_ids);
   result["material"] = primitive.material;
 
@@ -196,7 +201,8 @@ json SceneWriter::State::write_primitive(const ScenePrimitive& primitive, const 
     const bool has_null = std::binary_search(unique.begin(), unique.end(), gltf::null_feature_id);
     if (has_null) ids["nullFeatureId"] = static_cast<std::uint32_t>(gltf::null_feature_id);
     const std::size_t count = unique.size() - (has_null ? 1 : 0);
-    if (count != 0) {  // vertices without any feature need no extension, and featureCount must be above 0
+    if (count !=
+        0) {  // vertices without any feature need no extension, and featureCount must be above 0
       ids["featureCount"] = count;
       result["extensions"][gltf::mesh_features] = {{"featureIds", {ids}}};
       extensions_used.insert(gltf::mesh_features);
@@ -291,12 +297,14 @@ std::uint32_t SceneWriter::add_mesh(const SceneMesh& mesh) {
 void SceneWriter::add_node(const SceneNode& node) {
   State& s = *state_;
   const std::string place = "node " + std::to_string(s.nodes.count()) + " " + node.name;
-  if (node.mesh >= s.meshes.count()) s.fail(place, "mesh " + std::to_string(node.mesh) + " is not there");
+  if (node.mesh >= s.meshes.count())
+    s.fail(place, "mesh " + std::to_string(node.mesh) + " is not there");
   if (node.instances.empty()) return;
   std::vector<Trs> places;
   for (const SceneInstance& instance : node.instances) {
     const auto trs = decompose(glm::dmat4(instance.to_model));
-    if (!trs) s.fail(place, "instance matrix is not finite, or not translation, rotation and scale");
+    if (!trs)
+      s.fail(place, "instance matrix is not finite, or not translation, rotation and scale");
     places.push_back(*trs);
   }
   json result = {{"mesh", node.mesh}};
@@ -325,17 +333,20 @@ void SceneWriter::add_punctual(const ScenePunctual& light) {
   const std::string place = "punctual light " + std::to_string(s.nodes.count());
   const float strongest = std::max({light.colour.x, light.colour.y, light.colour.z});
   const bool spot = light.outer_rad != 0;
-  if (!finite(light.position) || !finite(light.direction) || !finite(light.colour) || !(strongest > 0) ||
-      std::min({light.colour.x, light.colour.y, light.colour.z}) < 0 || !std::isfinite(light.intensity_cd) ||
-      !(light.intensity_cd > 0))
+  if (!finite(light.position) || !finite(light.direction) || !finite(light.colour) ||
+      !(strongest > 0) || std::min({light.colour.x, light.colour.y, light.colour.z}) < 0 ||
+      !std::isfinite(light.intensity_cd) || !(light.intensity_cd > 0))
     s.fail(place, "a value is not finite or not positive");
-  if (spot && !(light.inner_rad >= 0 && light.inner_rad < light.outer_rad && light.outer_rad < 1.5708))
+  if (spot &&
+      !(light.inner_rad >= 0 && light.inner_rad < light.outer_rad && light.outer_rad < 1.5708))
     s.fail(place, "the cone's angles are out of order");
   // Channels of the extension end at 1: what is above goes into the intensity.
   json description = {{"type", spot ? "spot" : "point"},
                       {"color", vector_json(glm::dvec3(light.colour) / double{strongest})},
                       {"intensity", light.intensity_cd * double{strongest}}};
-  if (spot) description["spot"] = {{"innerConeAngle", light.inner_rad}, {"outerConeAngle", light.outer_rad}};
+  if (spot)
+    description["spot"] = {{"innerConeAngle", light.inner_rad},
+                           {"outerConeAngle", light.outer_rad}};
   const auto [known, is_new] = s.punctual_known.try_emplace(description.dump(), s.punctual.count());
   if (is_new) s.punctual.add(description);
   json node = {{"translation", vector_json(light.position)},
@@ -344,8 +355,9 @@ void SceneWriter::add_punctual(const ScenePunctual& light) {
     const glm::dvec3 from(0, 0, -1), to = glm::normalize(glm::dvec3(light.direction));
     const double cosine = glm::dot(from, to);
     const glm::dvec3 axis = glm::cross(from, to);
-    const glm::dquat r = cosine < -0.999999 ? glm::dquat(0, 0, 1, 0)
-                                            : glm::normalize(glm::dquat(1 + cosine, axis.x, axis.y, axis.z));
+    const glm::dquat r = cosine < -0.999999
+                             ? glm::dquat(0, 0, 1, 0)
+                             : glm::normalize(glm::dquat(1 + cosine, axis.x, axis.y, axis.z));
     node["rotation"] = {r.x, r.y, r.z, r.w};
   }
   s.extensions_used.insert(gltf::lights_punctual);
@@ -361,7 +373,9 @@ void SceneWriter::finish(const Georeference& georeference) {
   if (s.finished) s.fail("", "finish() was called before");
   json extensions = json::object();
   if (s.features.size() != 0) {
-    const auto add_view = [&s](std::uint64_t offset, std::uint64_t size) { return s.add_view(offset, size); };
+    const auto add_view = [&s](std::uint64_t offset, std::uint64_t size) {
+      return s.add_view(offset, size);
+    };
     extensions[gltf::structural_metadata] = s.features.write(s.binary, add_view);
     s.extensions_used.insert(gltf::structural_metadata);
   }
@@ -369,7 +383,8 @@ void SceneWriter::finish(const Georeference& georeference) {
 
   json extras = georeference_to_json(georeference);
   extras["version"] = gltf::scene_version;
-  json asset = {{"version", "2.0"}, {"generator", "nightcity"}, {"extras", {{gltf::extras_key, extras}}}};
+  json asset = {
+      {"version", "2.0"}, {"generator", "nightcity"}, {"extras", {{gltf::extras_key, extras}}}};
   std::string copyright;
   for (const std::string& licence : georeference.licences)
     copyright += (copyright.empty() ? "" : "; ") + licence;

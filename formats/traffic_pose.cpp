@@ -26,21 +26,24 @@ double density_at(const TrafficCycle& cycle, double t) {
   const double hour = wrapped(t / 3600, 24);
   const auto before = std::min<std::size_t>(static_cast<std::size_t>(hour), 23);
   const double part = hour - static_cast<double>(before);
-  return double{cycle.density[before]} * (1 - part) + double{cycle.density[(before + 1) % 24]} * part;
+  return double{cycle.density[before]} * (1 - part) +
+         double{cycle.density[(before + 1) % 24]} * part;
 }
 
 VehiclePose pose_on_drive(std::span<const TripKnot> knots, double u) {
   u = std::clamp(u, 0.0, double{knots.back().time_s});
-  const auto after = std::upper_bound(knots.begin() + 1, knots.end() - 1, u,
-                                      [](double time, const TripKnot& k) { return time < double{k.time_s}; });
+  const auto after =
+      std::upper_bound(knots.begin() + 1, knots.end() - 1, u,
+                       [](double time, const TripKnot& k) { return time < double{k.time_s}; });
   const TripKnot &a = after[-1], &b = after[0];
   const double step = double{b.time_s} - double{a.time_s}, x = (u - double{a.time_s}) / step;
   const double x2 = x * x, x3 = x2 * x;
   const glm::dvec3 p0(a.position), p1(b.position), v0(a.velocity), v1(b.velocity);
   VehiclePose pose;
-  pose.position = p0 * (2 * x3 - 3 * x2 + 1) + v0 * ((x3 - 2 * x2 + x) * step) + p1 * (3 * x2 - 2 * x3) +
-                  v1 * ((x3 - x2) * step);
-  pose.velocity = (p1 - p0) * ((6 * x - 6 * x2) / step) + v0 * (3 * x2 - 4 * x + 1) + v1 * (3 * x2 - 2 * x);
+  pose.position = p0 * (2 * x3 - 3 * x2 + 1) + v0 * ((x3 - 2 * x2 + x) * step) +
+                  p1 * (3 * x2 - 2 * x3) + v1 * ((x3 - x2) * step);
+  pose.velocity =
+      (p1 - p0) * ((6 * x - 6 * x2) / step) + v0 * (3 * x2 - 4 * x + 1) + v1 * (3 * x2 - 2 * x);
   const double turn = std::remainder(yaw_of(b) - yaw_of(a), 2 * std::numbers::pi);
   pose.yaw = yaw_of(a) + turn * x;
   pose.pitch = pitch_of(a) + (pitch_of(b) - pitch_of(a)) * x;
@@ -51,7 +54,8 @@ VehiclePose pose_on_drive(std::span<const TripKnot> knots, double u) {
 std::optional<double> on_drive_at(const TrafficContent& traffic, const Trip& trip, double t) {
   const double u = wrapped(t - double{trip.start_s}, double{traffic.cycle.cycle_s});
   const TripKnot& last = traffic.knots[trip.first_knot + trip.knot_count - 1];
-  if (u >= double{last.time_s} || density_at(traffic.cycle, t - u) <= double{trip.rank}) return std::nullopt;
+  if (u >= double{last.time_s} || density_at(traffic.cycle, t - u) <= double{trip.rank})
+    return std::nullopt;
   return u;
 }
 

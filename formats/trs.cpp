@@ -16,7 +16,8 @@ std::optional<Trs> decompose(const glm::dmat4& matrix) {
   for (int c = 0; c < 4; ++c)
     for (int r = 0; r < 4; ++r)
       if (!std::isfinite(matrix[c][r])) return std::nullopt;
-  if (matrix[0].w != 0 || matrix[1].w != 0 || matrix[2].w != 0 || matrix[3].w != 1) return std::nullopt;
+  if (matrix[0].w != 0 || matrix[1].w != 0 || matrix[2].w != 0 || matrix[3].w != 1)
+    return std::nullopt;
 
   Trs trs;
   trs.translation = glm::dvec3(matrix[3]);
@@ -28,7 +29,8 @@ std::optional<Trs> decompose(const glm::dmat4& matrix) {
   }
   // Float matrices lose perpendicularity in the seventh digit; shear anyone would see is far above this.
   constexpr double tolerance = 1e-4;
-  if (std::abs(glm::dot(axes[0], axes[1])) > tolerance || std::abs(glm::dot(axes[1], axes[2])) > tolerance ||
+  if (std::abs(glm::dot(axes[0], axes[1])) > tolerance ||
+      std::abs(glm::dot(axes[1], axes[2])) > tolerance ||
       std::abs(glm::dot(axes[2], axes[0])) > tolerance)
     return std::nullopt;
   if (glm::dot(glm::cross(axes[0], axes[1]), axes[2]) < 0) {

@@ -32,12 +32,13 @@ using uvec2 = glm::uvec2;
 #define CONSTANT_ESTIMATOR 0
 #define CONSTANT_PROFILES 1    // some lamp has a luminaire profile
 #define CONSTANT_RECTANGLES 2  // some light is a window
-#define CONSTANT_VISIBILITY_REUSE 3  // a candidate in shadow is dropped before reuse: less noise, biased
-#define CONSTANT_SKY 4               // the sky shines: SKY_*
-#define CONSTANT_SCHEDULES 5           // some light is not always on
-#define CONSTANT_TRAFFIC 6             // vehicles are on their ways
-#define CONSTANT_GLOSS 7               // surfaces that face up are wet
-#define CONSTANT_LAYERS 8              // what each kind of light gives is kept apart
+#define CONSTANT_VISIBILITY_REUSE \
+  3                           // a candidate in shadow is dropped before reuse: less noise, biased
+#define CONSTANT_SKY 4        // the sky shines: SKY_*
+#define CONSTANT_SCHEDULES 5  // some light is not always on
+#define CONSTANT_TRAFFIC 6    // vehicles are on their ways
+#define CONSTANT_GLOSS 7      // surfaces that face up are wet
+#define CONSTANT_LAYERS 8     // what each kind of light gives is kept apart
 #define CONSTANT_COUNT 9
 
 #define MOON_RADIUS 0.0045f  // as seen from the earth, radians
@@ -59,11 +60,13 @@ using uvec2 = glm::uvec2;
 // (Wide quantised nodes after Ylitie, Karras, Laine: Efficient Incoherent Ray Traversal on GPUs, HPG 2017.)
 struct BvhNode {
   vec3 origin;
-  uint exponents;   // step = 2^(byte - 127) for x, y, z in the low three bytes
-  uint lower[3];    // x, y, z: one byte a child
+  uint exponents;  // step = 2^(byte - 127) for x, y, z in the low three bytes
+  uint lower[3];   // x, y, z: one byte a child
   uint upper[3];
-  uint child[4];    // BVH_EMPTY, an inner node's index, or a leaf: BVH_LEAF | (count - 1) << 27 | first
-  uint masks;       // one byte a child: MASK_* of the instances below, every bit within a mesh, 0 where there is no child
+  uint child
+      [4];  // BVH_EMPTY, an inner node's index, or a leaf: BVH_LEAF | (count - 1) << 27 | first
+  uint
+      masks;  // one byte a child: MASK_* of the instances below, every bit within a mesh, 0 where there is no child
   uint pad;
 };
 #define BVH_EMPTY 0xFFFFFFFFu
@@ -80,16 +83,18 @@ struct Triangle {
   vec3 v1;
   uint feature;  // city object, or NO_HIT
   vec3 v2;
-  uint light;    // emitter geometry of this light, or NO_HIT
+  uint light;  // emitter geometry of this light, or NO_HIT
 };
 
 // One placing of a bottom-level hierarchy. Rows of the affine map from model space to the mesh's frame.
 struct Instance {
   vec4 to_object[3];
-  uint root;      // node index of the mesh's hierarchy; where rays go through acceleration structures, its first triangle
-  uint mask;      // MASK_*
-  uint light;     // whose luminous part it shows, or NO_HIT: then the triangles' own light (counted from here: MASK_FLEET)
-  uint feature;   // or NO_HIT: then the triangles' own
+  uint
+      root;  // node index of the mesh's hierarchy; where rays go through acceleration structures, its first triangle
+  uint mask;  // MASK_*
+  uint
+      light;  // whose luminous part it shows, or NO_HIT: then the triangles' own light (counted from here: MASK_FLEET)
+  uint feature;  // or NO_HIT: then the triangles' own
 };
 #define MASK_SHADOW 1u   // stops shadow rays
 #define MASK_VISIBLE 2u  // seen by the eye
@@ -98,15 +103,15 @@ struct Instance {
 struct Material {
   vec3 base_colour;  // linear Rec. 709 reflectance
   float roughness;
-  vec3 emission;     // cd/m^2 per channel
+  vec3 emission;  // cd/m^2 per channel
   uint flags;
 };
 
 // Alias-table entry for picking lights by flux (Walker 1977; Vose 1991).
 struct AliasEntry {
-  float keep;   // probability of keeping this column, else take `alias`
+  float keep;  // probability of keeping this column, else take `alias`
   uint alias;
-  float pdf;    // probability of this light
+  float pdf;  // probability of this light
 };
 
 // A map grid over the lights (runtime/scene/light_grid.h); width 0 = no light shines.
@@ -114,7 +119,7 @@ struct LightGridShape {
   float origin_x, origin_z;  // corner, model space, m
   float cell_m;
   float softening_m2;
-  uint width, depth;         // cells along X, Z
+  uint width, depth;  // cells along X, Z
 };
 
 // A cell's strongest lights: entries first .. first + count, those of at least `threshold` strength.
@@ -135,9 +140,9 @@ struct LocalEntry {
 // A kind of vehicle's bottom-level hierarchy and its box in the vehicle frame. 32 bytes.
 struct VehicleBody {
   vec3 lower;
-  uint root;   // or BVH_EMPTY
+  uint root;  // or BVH_EMPTY
   vec3 upper;
-  uint mask;   // MASK_*
+  uint mask;  // MASK_*
 };
 
 // A node of the tree over the vehicles that are on the road, in Morton order (shaders/fleet.glsl): the box and the flux
@@ -146,21 +151,21 @@ struct FleetNode {
   vec3 lower;  // lower > upper: nothing below
   float flux_lm;
   vec3 upper;
-  uint trip;   // of a leaf
+  uint trip;  // of a leaf
 };
-#define FLEET_LEVELS 12          // 4^11 trips
-#define FLEET_CELLS 65536u       // of the map, in Morton order: 256 x 256
-#define FLEET_ABSENT FLEET_CELLS // where those not on the road are sorted to
+#define FLEET_LEVELS 12           // 4^11 trips
+#define FLEET_CELLS 65536u        // of the map, in Morton order: 256 x 256
+#define FLEET_ABSENT FLEET_CELLS  // where those not on the road are sorted to
 
 // What the eye sees in a pixel. 44 bytes.
 struct Surface {
-  vec3 position;     // model space, m
-  uint normal;       // octahedral, 2 x 16 bits; towards the eye
-  float depth;       // distance from the eye, m; 0 = nothing hit
+  vec3 position;  // model space, m
+  uint normal;    // octahedral, 2 x 16 bits; towards the eye
+  float depth;    // distance from the eye, m; 0 = nothing hit
   uint material;
   uint feature;
-  uint light;        // emitter seen directly, or NO_HIT
-  vec3 motion;       // to where this point of the surface was a frame ago, m
+  uint light;   // emitter seen directly, or NO_HIT
+  vec3 motion;  // to where this point of the surface was a frame ago, m
 };
 
 // A reservoir keeps the point it sampled: light, and where on it. 16 bytes, as in the paper.
@@ -172,9 +177,9 @@ struct Reservoir {
 };
 
 struct Accumulation {
-  vec3 sum;           // cd/m^2 per channel, summed over frames
+  vec3 sum;  // cd/m^2 per channel, summed over frames
   float frames;
-  vec3 compensation;  // Kahan's low-order part of `sum`
+  vec3 compensation;        // Kahan's low-order part of `sum`
   float luminance_squared;  // sum of squared luminance, for the variance of the mean
 };
 
@@ -213,11 +218,17 @@ struct Camera {
 };
 
 #ifndef __cplusplus
-#define REFERENCE_TO(name, type, access) \
-  layout(buffer_reference, scalar, buffer_reference_align = 4) access buffer name { type at[]; }
+#define REFERENCE_TO(name, type, access)                                            \
+  layout(buffer_reference, scalar, buffer_reference_align = 4) access buffer name { \
+    type at[];                                                                      \
+  }
 // Traversal reads nodes and triangles as 16-byte words: four and three loads.
-layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer Nodes { uvec4 at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer Triangles { vec4 at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer Nodes {
+  uvec4 at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer Triangles {
+  vec4 at[];
+};
 REFERENCE_TO(Instances, Instance, readonly);
 REFERENCE_TO(Materials, Material, readonly);
 REFERENCE_TO(Lights, Light, readonly);
@@ -253,23 +264,25 @@ struct FleetBuffers {
   BUFFER(FleetInstances) instances;  // of the trips, behind the standing ones
   BUFFER(FleetBvhNodes) bvh;         // of the fleet, behind the standing ones
   uint trip_count;
-  uint first_instance;            // index of the first trip's instance
-  uint first_bvh_node;            // index of the fleet's first node; its root's parent, the scene's root, is the last
-  uint standing_root;             // of what does not move
-  vec3 lower, upper;              // the standing scene's box
-  uint level_first[FLEET_LEVELS]; // in the fleet's tree: leaves are level 0
+  uint first_instance;  // index of the first trip's instance
+  uint
+      first_bvh_node;  // index of the fleet's first node; its root's parent, the scene's root, is the last
+  uint standing_root;              // of what does not move
+  vec3 lower, upper;               // the standing scene's box
+  uint level_first[FLEET_LEVELS];  // in the fleet's tree: leaves are level 0
   uint level_count[FLEET_LEVELS];
   uint levels;
   TrafficCycle cycle;
-  BUFFER(Words) tree_instances;   // TREE_INSTANCE_WORDS a trip of the acceleration structure, where rays go through one
-  BUFFER(Words) body_trees;       // addresses of the bodies' acceleration structures, two words each
+  BUFFER(Words)
+  tree_instances;  // TREE_INSTANCE_WORDS a trip of the acceleration structure, where rays go through one
+  BUFFER(Words) body_trees;  // addresses of the bodies' acceleration structures, two words each
   uint has_tree;
 };
 #define TREE_INSTANCE_WORDS 16u  // of VkAccelerationStructureInstanceKHR
 
 struct LightGridBuffers {
   LightGridShape shape;
-  BUFFER(Cells) cells;           // row by row along Z, then X
+  BUFFER(Cells) cells;  // row by row along Z, then X
   BUFFER(LocalEntries) entries;
 };
 
@@ -283,7 +296,8 @@ struct SceneBuffers {
   BUFFER(Profiles) profiles;
   BUFFER(Floats) profile_data;
   BUFFER(AliasTable) alias;
-  BUFFER(Floats) sky_map;       // latitude-longitude, RGB, cd/m^2; row 0 is the zenith, its middle column the north
+  BUFFER(Floats)
+  sky_map;  // latitude-longitude, RGB, cd/m^2; row 0 is the zenith, its middle column the north
   uint sky_width, sky_height;
   BUFFER(Words) lit;            // a bit a light: shines now
   BUFFER(Words) lit_list;       // indices of those
@@ -293,72 +307,78 @@ struct SceneBuffers {
   uint root;         // of our own top-level hierarchy, or BVH_EMPTY
   uint light_count;  // standing lights, then VEHICLE_LIGHTS a trip
   uint standing_lights;
-  uint lit_count;    // standing lights that shine now
+  uint lit_count;  // standing lights that shine now
   FleetBuffers fleet;
 };
 
 // Where upward flux leaves: a map of squares, and what is counted there.
 struct UpwardMap {
   BUFFER(Escapes) escapes;  // a light
-  BUFFER(Words) cells;      // 1/1024 lumen, by place of the last surface: whole numbers, so that no order of adding changes them
+  BUFFER(Words)
+  cells;  // 1/1024 lumen, by place of the last surface: whole numbers, so that no order of adding changes them
   float origin_x, origin_z, cell_m;
   uint width, depth;
-  uint rays;                // a light in all
+  uint rays;  // a light in all
 };
 
 // Everything a frame's passes read and write.
 struct Frame {
   SceneBuffers scene;
-  BUFFER(Words) previous_lit;            // scene.lit of the frame before
-  BUFFER(FleetLights) fleet_lights;      // VEHICLE_LIGHTS a trip, in model space
+  BUFFER(Words) previous_lit;        // scene.lit of the frame before
+  BUFFER(FleetLights) fleet_lights;  // VEHICLE_LIGHTS a trip, in model space
   BUFFER(FleetLights) previous_fleet_lights;
   BUFFER(FleetNodes) fleet_nodes;
-  BUFFER(Words) fleet_cells;             // a trip's cell, and its place among those of the cell
-  BUFFER(Words) fleet_counts;            // a cell's number of vehicles, then its first place in the order
-  BUFFER(FleetNodes) fleet_boxes;        // a leaf a trip, not yet in order
-  BUFFER(Surfaces) surfaces;            // of this frame
+  BUFFER(Words) fleet_cells;       // a trip's cell, and its place among those of the cell
+  BUFFER(Words) fleet_counts;      // a cell's number of vehicles, then its first place in the order
+  BUFFER(FleetNodes) fleet_boxes;  // a leaf a trip, not yet in order
+  BUFFER(Surfaces) surfaces;       // of this frame
   BUFFER(Surfaces) previous_surfaces;
-  BUFFER(Reservoirs) reservoirs;        // candidates', then temporal's result
-  BUFFER(Reservoirs) spatial;           // spatial's result: shaded, and next frame's history
+  BUFFER(Reservoirs) reservoirs;  // candidates', then temporal's result
+  BUFFER(Reservoirs) spatial;     // spatial's result: shaded, and next frame's history
   BUFFER(Reservoirs) previous_reservoirs;
-  BUFFER(Accumulations) radiance;       // this frame's estimate; the reference's sums over chunks of lights, slice by slice
+  BUFFER(Accumulations)
+  radiance;  // this frame's estimate; the reference's sums over chunks of lights, slice by slice
   BUFFER(Accumulations) accumulation;
   BUFFER(Accumulations) previous_accumulation;
   BUFFER(Layers) layers;
   BUFFER(DemodulatedPixels) denoise[2];
-  BUFFER(Words) display;                // 8-bit sRGB, R in the low byte
+  BUFFER(Words) display;  // 8-bit sRGB, R in the low byte
   Camera camera;
   Camera previous_camera;
   uvec2 size;
-  uint frame;              // counts from 0 since the accumulation began
+  uint frame;  // counts from 0 since the accumulation began
   uint seed;
   uint candidates;
   uint neighbours;
   float neighbour_radius;  // pixels
   float history_cap;       // M of the history at most this many times the candidates' M
-  float reach_falloff;     // 1/m^2: how fast the history's M fades with the way to the place it was gathered at, 0 = not
-  uint boost;              // neighbours of a pixel that has no history, where that is more
-  uint permutation;        // of the history: corner of the blocks, x | y << 2, or NO_PERMUTATION
-  float uniform_share;     // of candidates picked uniformly
-  float local_share;       // of candidates picked from the local grid's cell
-  float wide_share;        // of candidates picked from the wide grid's; the rest by flux
-  float fleet_share;       // of all candidates, picked from vehicles' lights; the shares above are of the others
+  float
+      reach_falloff;  // 1/m^2: how fast the history's M fades with the way to the place it was gathered at, 0 = not
+  uint boost;           // neighbours of a pixel that has no history, where that is more
+  uint permutation;     // of the history: corner of the blocks, x | y << 2, or NO_PERMUTATION
+  float uniform_share;  // of candidates picked uniformly
+  float local_share;    // of candidates picked from the local grid's cell
+  float wide_share;     // of candidates picked from the wide grid's; the rest by flux
+  float
+      fleet_share;  // of all candidates, picked from vehicles' lights; the shares above are of the others
   float time_s, previous_time_s;              // since noon
   float cycle_time_s, previous_cycle_time_s;  // within the traffic's cycle
-  uint has_history;        // previous_* hold a frame of this scene
-  float jitter_x, jitter_y;  // sub-pixel offset of this frame's rays, in [0, 1)
-  float exposure;          // display: exposed value of 1 cd/m^2
-  uint reset;              // 1: this frame starts a new accumulation
-  uint slices;             // pictures in `radiance` to be added up: chunks of lights that one dispatch works at side by side
-  uint window;             // mean of at most so many frames, carried along by motion; 0 = of all, while nothing moves
-  float wetness;           // of surfaces that face up, 0 .. 1
-  vec3 sky;                // luminance of directions that leave the scene, cd/m^2 per channel: uniform, or the map's factor
-  vec3 moon_direction;     // unit, towards it
-  vec3 moon_lux;           // illuminance of a surface that faces it, per channel
-  uint tone;               // display: TONEMAP_*
+  uint has_history;                           // previous_* hold a frame of this scene
+  float jitter_x, jitter_y;                   // sub-pixel offset of this frame's rays, in [0, 1)
+  float exposure;                             // display: exposed value of 1 cd/m^2
+  uint reset;                                 // 1: this frame starts a new accumulation
+  uint
+      slices;  // pictures in `radiance` to be added up: chunks of lights that one dispatch works at side by side
+  uint
+      window;  // mean of at most so many frames, carried along by motion; 0 = of all, while nothing moves
+  float wetness;  // of surfaces that face up, 0 .. 1
+  vec3
+      sky;  // luminance of directions that leave the scene, cd/m^2 per channel: uniform, or the map's factor
+  vec3 moon_direction;  // unit, towards it
+  vec3 moon_lux;        // illuminance of a surface that faces it, per channel
+  uint tone;            // display: TONEMAP_*
   UpwardMap upward;
 };
-
 
 #ifdef __cplusplus
 // As the push constants in common.glsl.
@@ -367,8 +387,10 @@ struct Push {
   std::uint32_t first, count;  // reference: the lights of the dispatch
 };
 
-static_assert(sizeof(BvhNode) == 64 && sizeof(Triangle) == 48 && sizeof(Instance) == 64 && sizeof(Material) == 32);
-static_assert(sizeof(Surface) == 44 && sizeof(VehicleBody) == 32 && sizeof(FleetNode) == 32 && sizeof(Reservoir) == 16 && sizeof(Accumulation) == 32 && sizeof(Push) == 16);
+static_assert(sizeof(BvhNode) == 64 && sizeof(Triangle) == 48 && sizeof(Instance) == 64 &&
+              sizeof(Material) == 32);
+static_assert(sizeof(Surface) == 44 && sizeof(VehicleBody) == 32 && sizeof(FleetNode) == 32 &&
+              sizeof(Reservoir) == 16 && sizeof(Accumulation) == 32 && sizeof(Push) == 16);
 }  // namespace nightcity::gpu
 #endif
 

@@ -81,22 +81,25 @@ class CellFile {
     if (pending_.empty()) return;
     std::vector<std::uint32_t> order(pending_.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return pending_[a].key < pending_[b].key; });
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return pending_[a].key < pending_[b].key;
+    });
     const auto known = static_cast<std::ptrdiff_t>(cells_.size());
     for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
       const Key& key = pending_[order[begin]].key;
       while (end < order.size() && !(key < pending_[order[end]].key)) ++end;
       // New cells gather behind the known ones, which stay in order for find().
-      const auto cell = std::lower_bound(cells_.begin(), cells_.begin() + known, key,
-                                         [](const Cell& c, const Key& wanted) { return c.key < wanted; });
+      const auto cell =
+          std::lower_bound(cells_.begin(), cells_.begin() + known, key,
+                           [](const Cell& c, const Key& wanted) { return c.key < wanted; });
       const bool is_new = cell == cells_.begin() + known || key < cell->key;
       Cell& taken = is_new ? cells_.emplace_back(Cell{key, 0, nowhere}) : *cell;
       const Block block{taken.last_block, end - begin};
       taken.last_block = file_.size();
       taken.count += static_cast<std::uint32_t>(block.count);
       file_.write(&block, sizeof block);
-      for (std::size_t i = begin; i < end; ++i) file_.write(&pending_[order[i]].record, sizeof(Record));
+      for (std::size_t i = begin; i < end; ++i)
+        file_.write(&pending_[order[i]].record, sizeof(Record));
     }
     std::inplace_merge(cells_.begin(), cells_.begin() + known, cells_.end(),
                        [](const Cell& a, const Cell& b) { return a.key < b.key; });

@@ -20,7 +20,8 @@ void in_order(unsigned threads, const Next& next, const Work& work, const Take& 
   using Item = typename std::decay_t<decltype(next())>::value_type;
   using Result = std::decay_t<decltype(work(std::declval<Item>()))>;
   const int cores = tbb::this_task_arena::max_concurrency();
-  const int used = threads > 0 ? std::min(static_cast<int>(std::min(threads, 1024u)), cores) : cores;
+  const int used =
+      threads > 0 ? std::min(static_cast<int>(std::min(threads, 1024u)), cores) : cores;
   if (used == 1) {
     while (auto item = next()) take(work(std::move(*item)));
     return;
@@ -39,11 +40,14 @@ void in_order(unsigned threads, const Next& next, const Work& work, const Take& 
                                           flow.stop();
                                           return {};
                                         }) &
-            tbb::make_filter<ItemPtr, ResultPtr>(
-                tbb::filter_mode::parallel,
-                [&](const ItemPtr& item) { return std::make_shared<Result>(work(std::move(*item))); }) &
-            tbb::make_filter<ResultPtr, void>(tbb::filter_mode::serial_in_order,
-                                              [&](const ResultPtr& result) { take(std::move(*result)); }));
+            tbb::make_filter<ItemPtr, ResultPtr>(tbb::filter_mode::parallel,
+                                                 [&](const ItemPtr& item) {
+                                                   return std::make_shared<Result>(
+                                                       work(std::move(*item)));
+                                                 }) &
+            tbb::make_filter<ResultPtr, void>(
+                tbb::filter_mode::serial_in_order,
+                [&](const ResultPtr& result) { take(std::move(*result)); }));
   });
 }
 

@@ -33,10 +33,11 @@ Buffer::Buffer(Device& device, std::size_t bytes, Memory memory) : device_(&devi
   allocate.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
   allocate.pNext = &flags;
   allocate.allocationSize = requirements.size;
-  allocate.memoryTypeIndex = device.memory_type(
-      requirements.memoryTypeBits,
-      memory == Memory::device ? VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT
-                               : VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
+  allocate.memoryTypeIndex =
+      device.memory_type(requirements.memoryTypeBits,
+                         memory == Memory::device ? VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT
+                                                  : VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
+                                                        VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
   try {
     VK_CHECK(vkAllocateMemory(device.handle(), &allocate, nullptr, &memory_));
     VK_CHECK(vkBindBufferMemory(device.handle(), buffer_, memory_, 0));

@@ -21,11 +21,12 @@ class ComputePass {
   ComputePass() = default;
   /// Specialization constant i takes constants[i].
   ComputePass(const Device& device, std::span<const std::uint32_t> spirv,
-              std::span<const std::uint32_t> constants, std::uint32_t push_bytes, Workgroup workgroup = {});
+              std::span<const std::uint32_t> constants, std::uint32_t push_bytes,
+              Workgroup workgroup = {});
 
   /// Records width x height x depth invocations, up to the next whole workgroup.
-  void dispatch(VkCommandBuffer commands, const void* push, std::uint32_t width, std::uint32_t height = 1,
-                std::uint32_t depth = 1) const;
+  void dispatch(VkCommandBuffer commands, const void* push, std::uint32_t width,
+                std::uint32_t height = 1, std::uint32_t depth = 1) const;
 
  private:
   PipelineLayout layout_;

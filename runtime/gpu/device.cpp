@@ -14,7 +14,8 @@ constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
 
 VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT,
                                           VkDebugUtilsMessageTypeFlagsEXT,
-                                          const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
+                                          const VkDebugUtilsMessengerCallbackDataEXT* data,
+                                          void* user) {
   static_cast<std::vector<std::string>*>(user)->emplace_back(data->pMessage);
   return VK_FALSE;
 }
@@ -39,10 +40,12 @@ VkInstance create_instance(bool validation, std::vector<const char*> extensions,
   VkInstance instance = VK_NULL_HANDLE;
   const VkResult result = vkCreateInstance(&info, nullptr, &instance);
   if (result == VK_ERROR_LAYER_NOT_PRESENT)
-    throw Error("vulkan", "the validation layer is not installed (Debian package vulkan-validationlayers)");
-  if (result == VK_ERROR_INCOMPATIBLE_DRIVER || result == VK_ERROR_INITIALIZATION_FAILED)
     throw Error("vulkan",
-                "no Vulkan driver is installed (Debian package mesa-vulkan-drivers has one for the CPU)");
+                "the validation layer is not installed (Debian package vulkan-validationlayers)");
+  if (result == VK_ERROR_INCOMPATIBLE_DRIVER || result == VK_ERROR_INITIALIZATION_FAILED)
+    throw Error(
+        "vulkan",
+        "no Vulkan driver is installed (Debian package mesa-vulkan-drivers has one for the CPU)");
   check(result, "vkCreateInstance");
   return instance;
 }
@@ -79,8 +82,8 @@ std::optional<std::uint32_t> find_queue_family(VkPhysicalDevice physical) {
   std::vector<VkQueueFamilyProperties> families(count);
   vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
   // A graphics queue also presents and draws the panel; headless servers may offer compute only.
-  for (const VkQueueFlags wanted :
-       {VkQueueFlags(VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT), VkQueueFlags(VK_QUEUE_COMPUTE_BIT)})
+  for (const VkQueueFlags wanted : {VkQueueFlags(VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT),
+                                    VkQueueFlags(VK_QUEUE_COMPUTE_BIT)})
     for (std::uint32_t i = 0; i < count; ++i)
       if ((families[i].queueFlags & wanted) == wanted) return i;
   return std::nullopt;
@@ -165,7 +168,8 @@ std::size_t choose(const std::vector<DeviceInfo>& devices, const std::string& se
     return i;
   };
   if (devices.empty())
-    throw Error("vulkan", "no Vulkan device (Debian package mesa-vulkan-drivers has one for the CPU)");
+    throw Error("vulkan",
+                "no Vulkan device (Debian package mesa-vulkan-drivers has one for the CPU)");
   if (select.empty()) {
     std::size_t best = 0;
     for (std::size_t i = 1; i < devices.size(); ++i)
@@ -226,7 +230,8 @@ const char* result_name(VkResult result) {
 std::vector<DeviceInfo> list_devices() {
   const VkInstance instance = create_instance(false, {}, nullptr);
   std::vector<DeviceInfo> infos;
-  for (const VkPhysicalDevice physical : physical_devices(instance)) infos.push_back(describe(physical));
+  for (const VkPhysicalDevice physical : physical_devices(instance))
+    infos.push_back(describe(physical));
   vkDestroyInstance(instance, nullptr);
   return infos;
 }
@@ -234,10 +239,10 @@ std::vector<DeviceInfo> list_devices() {
 Device::Device(const Options& options) {
   VkDebugUtilsMessengerCreateInfoEXT messenger{};
   messenger.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
-  messenger.messageSeverity =
-      VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
-  messenger.messageType =
-      VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
+  messenger.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
+                              VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+  messenger.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT |
+                          VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
   messenger.pfnUserCallback = on_message;
   messenger.pUserData = &messages_;
 
@@ -290,17 +295,18 @@ Device::Device(const Options& options) {
     queries.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR;
     queries.rayQuery = VK_TRUE;
     if (!has(info_, options.trace))
-      throw UsageError("--trace", "device '" + info_.name + "' lacks what '" + name_of(options.trace) +
+      throw UsageError("--trace", "device '" + info_.name + "' lacks what '" +
+                                      name_of(options.trace) +
                                       "' needs (nightview devices tells which have it)");
     trace_ = options.trace;
     if (trace_ != Trace::compute) {
       const bool query = trace_ == Trace::query;
       v12.pNext = &trees;
       trees.pNext = query ? static_cast<void*>(&queries) : &rays;
-      extensions.insert(
-          extensions.end(),
-          {VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME, VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME,
-           query ? VK_KHR_RAY_QUERY_EXTENSION_NAME : VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME});
+      extensions.insert(extensions.end(), {VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
+                                           VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME,
+                                           query ? VK_KHR_RAY_QUERY_EXTENSION_NAME
+                                                 : VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME});
     }
 
     VkDeviceCreateInfo device_info{};
@@ -354,7 +360,8 @@ void Device::release() {
 
 std::uint32_t Device::memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted) const {
   for (std::uint32_t i = 0; i < memory_.memoryTypeCount; ++i)
-    if ((allowed & (1u << i)) && (memory_.memoryTypes[i].propertyFlags & wanted) == wanted) return i;
+    if ((allowed & (1u << i)) && (memory_.memoryTypes[i].propertyFlags & wanted) == wanted)
+      return i;
   throw Error("vulkan", "device '" + info_.name + "' has no memory of the kind asked for");
 }
 
@@ -396,7 +403,8 @@ Trace trace_from_name(const std::string& name) {
 }
 
 bool has(const DeviceInfo& device, Trace trace) {
-  return trace == Trace::compute || (trace == Trace::query ? device.ray_query : device.ray_pipeline);
+  return trace == Trace::compute ||
+         (trace == Trace::query ? device.ray_query : device.ray_pipeline);
 }
 
 std::string Device::label() const {
@@ -414,10 +422,11 @@ void full_barrier(VkCommandBuffer commands) {
   VkMemoryBarrier barrier{};
   barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
   barrier.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
-  barrier.dstAccessMask = VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT | VK_ACCESS_HOST_READ_BIT;
+  barrier.dstAccessMask =
+      VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT | VK_ACCESS_HOST_READ_BIT;
   vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
-                       VK_PIPELINE_STAGE_ALL_COMMANDS_BIT | VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier, 0,
-                       nullptr, 0, nullptr);
+                       VK_PIPELINE_STAGE_ALL_COMMANDS_BIT | VK_PIPELINE_STAGE_HOST_BIT, 0, 1,
+                       &barrier, 0, nullptr, 0, nullptr);
 }
 
 }  // namespace nightcity::gpu

@@ -63,7 +63,9 @@ class Device {
   Trace trace() const { return trace_; }
   /// For people and tables: its name, and the way that rays take where that is not the usual one.
   std::string label() const;
-  float timestamp_period_ns() const { return timestamp_period_ns_; }  // 0 = the queue has no timestamps
+  float timestamp_period_ns() const {
+    return timestamp_period_ns_;
+  }  // 0 = the queue has no timestamps
 
   /// What the validation layer has said so far (warnings and errors); empty without validation.
   const std::vector<std::string>& validation_messages() const { return messages_; }

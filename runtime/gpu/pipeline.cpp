@@ -4,7 +4,8 @@
 
 namespace nightcity::gpu {
 
-PipelineLayout make_layout(const Device& device, VkShaderStageFlags stage, std::uint32_t push_bytes) {
+PipelineLayout make_layout(const Device& device, VkShaderStageFlags stage,
+                           std::uint32_t push_bytes) {
   const VkPushConstantRange range{stage, 0, push_bytes};
   VkPipelineLayoutCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;

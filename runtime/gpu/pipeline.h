@@ -17,7 +17,8 @@ using PipelineLayout = Owned<VkPipelineLayout, vkDestroyPipelineLayout>;
 using ShaderModule = Owned<VkShaderModule, vkDestroyShaderModule>;
 
 /// Of push constants for one stage, and nothing to bind.
-PipelineLayout make_layout(const Device& device, VkShaderStageFlags stage, std::uint32_t push_bytes);
+PipelineLayout make_layout(const Device& device, VkShaderStageFlags stage,
+                           std::uint32_t push_bytes);
 
 ShaderModule make_shader(const Device& device, std::span<const std::uint32_t> spirv);
 

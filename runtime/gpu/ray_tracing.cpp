@@ -30,7 +30,8 @@ AccelerationStructure::AccelerationStructure(Device& device, VkAccelerationStruc
   const VkAccelerationStructureBuildGeometryInfoKHR info = build_info();
   VkAccelerationStructureBuildSizesInfoKHR sizes{};
   sizes.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_SIZES_INFO_KHR;
-  load<PFN_vkGetAccelerationStructureBuildSizesKHR>(device, "vkGetAccelerationStructureBuildSizesKHR")(
+  load<PFN_vkGetAccelerationStructureBuildSizesKHR>(device,
+                                                    "vkGetAccelerationStructureBuildSizesKHR")(
       device.handle(), VK_ACCELERATION_STRUCTURE_BUILD_TYPE_DEVICE_KHR, &info, &count_, &sizes);
   storage_ = Buffer(device, sizes.accelerationStructureSize);
   scratch_ = Buffer(device, sizes.buildScratchSize + scratch_alignment);
@@ -66,7 +67,8 @@ AccelerationStructure AccelerationStructure::of_triangles(Device& device, std::u
   triangles.vertexStride = 16;
   triangles.maxVertex = 3 * count - 1;
   triangles.indexType = VK_INDEX_TYPE_NONE_KHR;
-  AccelerationStructure made(device, VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR, geometry, count);
+  AccelerationStructure made(device, VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR, geometry,
+                             count);
   device.run([&](VkCommandBuffer commands) { made.build(commands); });
   made.scratch_ = {};
   return made;
@@ -85,8 +87,8 @@ AccelerationStructure AccelerationStructure::of_instances(Device& device, std::u
 }
 
 void DestroyAccelerationStructure::operator()(VkAccelerationStructureKHR handle) const {
-  load<PFN_vkDestroyAccelerationStructureKHR>(*device, "vkDestroyAccelerationStructureKHR")(device->handle(),
-                                                                                            handle, nullptr);
+  load<PFN_vkDestroyAccelerationStructureKHR>(*device, "vkDestroyAccelerationStructureKHR")(
+      device->handle(), handle, nullptr);
 }
 
 VkAccelerationStructureBuildGeometryInfoKHR AccelerationStructure::build_info() const {
@@ -121,8 +123,9 @@ RayPass::RayPass(Device& device, const Shaders& shaders, std::span<const std::ui
   const Specialization specialization(constants);
   std::array<VkPipelineShaderStageCreateInfo, 3> stages{};
   std::array<VkRayTracingShaderGroupCreateInfoKHR, 3> groups{};
-  const std::array<VkShaderStageFlagBits, 3> kinds{
-      VK_SHADER_STAGE_RAYGEN_BIT_KHR, VK_SHADER_STAGE_MISS_BIT_KHR, VK_SHADER_STAGE_CLOSEST_HIT_BIT_KHR};
+  const std::array<VkShaderStageFlagBits, 3> kinds{VK_SHADER_STAGE_RAYGEN_BIT_KHR,
+                                                   VK_SHADER_STAGE_MISS_BIT_KHR,
+                                                   VK_SHADER_STAGE_CLOSEST_HIT_BIT_KHR};
   const std::array<ShaderModule, 3> modules{make_shader(device, shaders.generation),
                                             make_shader(device, shaders.miss),
                                             make_shader(device, shaders.hit)};
@@ -159,10 +162,12 @@ RayPass::RayPass(Device& device, const Shaders& shaders, std::span<const std::ui
   properties.pNext = &rays;
   vkGetPhysicalDeviceProperties2(device.physical(), &properties);
   const std::size_t handle_bytes = rays.shaderGroupHandleSize;
-  record_bytes_ = up_to(up_to(handle_bytes, rays.shaderGroupHandleAlignment), rays.shaderGroupBaseAlignment);
+  record_bytes_ =
+      up_to(up_to(handle_bytes, rays.shaderGroupHandleAlignment), rays.shaderGroupBaseAlignment);
   std::vector<std::uint8_t> handles(3 * handle_bytes);
-  VK_CHECK(load<PFN_vkGetRayTracingShaderGroupHandlesKHR>(device, "vkGetRayTracingShaderGroupHandlesKHR")(
-      device.handle(), pipeline, 0, 3, handles.size(), handles.data()));
+  VK_CHECK(load<PFN_vkGetRayTracingShaderGroupHandlesKHR>(
+      device, "vkGetRayTracingShaderGroupHandlesKHR")(device.handle(), pipeline, 0, 3,
+                                                      handles.size(), handles.data()));
   std::vector<std::uint8_t> table(3 * record_bytes_);
   for (std::size_t i = 0; i < 3; ++i)
     std::memcpy(table.data() + i * record_bytes_, handles.data() + i * handle_bytes, handle_bytes);
@@ -173,16 +178,17 @@ RayPass::RayPass(Device& device, const Shaders& shaders, std::span<const std::ui
   base_ = up_to(table_.address(), rays.shaderGroupBaseAlignment);
 }
 
-void RayPass::dispatch(VkCommandBuffer commands, const void* push, std::uint32_t width, std::uint32_t height,
-                       std::uint32_t depth) const {
+void RayPass::dispatch(VkCommandBuffer commands, const void* push, std::uint32_t width,
+                       std::uint32_t height, std::uint32_t depth) const {
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_RAY_TRACING_KHR, pipeline_.get());
   vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_RAYGEN_BIT_KHR, 0, push_bytes_, push);
   const auto record = [&](VkDeviceSize i) {
     return VkStridedDeviceAddressRegionKHR{base_ + i * record_bytes_, record_bytes_, record_bytes_};
   };
-  const VkStridedDeviceAddressRegionKHR generation = record(0), miss = record(1), hit = record(2), none{};
-  load<PFN_vkCmdTraceRaysKHR>(*device_, "vkCmdTraceRaysKHR")(commands, &generation, &miss, &hit, &none, width,
-                                                             height, depth);
+  const VkStridedDeviceAddressRegionKHR generation = record(0), miss = record(1), hit = record(2),
+                                        none{};
+  load<PFN_vkCmdTraceRaysKHR>(*device_, "vkCmdTraceRaysKHR")(commands, &generation, &miss, &hit,
+                                                             &none, width, height, depth);
 }
 
 }  // namespace nightcity::gpu

@@ -15,7 +15,8 @@
 
 namespace nightcity::gpu {
 
-struct DestroyAccelerationStructure {  // DestroyedBy cannot: the loader exports no extension's functions
+struct
+    DestroyAccelerationStructure {  // DestroyedBy cannot: the loader exports no extension's functions
   const Device* device = nullptr;
   void operator()(VkAccelerationStructureKHR handle) const;
 };
@@ -24,9 +25,11 @@ class AccelerationStructure {
  public:
   AccelerationStructure() = default;
   /// Bottom level over `count` triangles of gpu::Triangle at `address`; built when it returns.
-  static AccelerationStructure of_triangles(Device& device, std::uint64_t address, std::uint32_t count);
+  static AccelerationStructure of_triangles(Device& device, std::uint64_t address,
+                                            std::uint32_t count);
   /// Top level over `count` records of VkAccelerationStructureInstanceKHR at `address`; build() reads them.
-  static AccelerationStructure of_instances(Device& device, std::uint64_t address, std::uint32_t count);
+  static AccelerationStructure of_instances(Device& device, std::uint64_t address,
+                                            std::uint32_t count);
 
   /// Records the build, with barriers before and after.
   void build(VkCommandBuffer commands) const;
@@ -61,8 +64,8 @@ class RayPass {
           std::uint32_t push_bytes);
 
   /// Records width x height x depth invocations of the ray generation shader.
-  void dispatch(VkCommandBuffer commands, const void* push, std::uint32_t width, std::uint32_t height = 1,
-                std::uint32_t depth = 1) const;
+  void dispatch(VkCommandBuffer commands, const void* push, std::uint32_t width,
+                std::uint32_t height = 1, std::uint32_t depth = 1) const;
 
  private:
   Device* device_ = nullptr;

@@ -34,13 +34,14 @@ void Timer::mark(VkCommandBuffer commands, const char* name) {
 std::vector<Timer::Span> Timer::collect() {
   if (!pool_ || names_.empty()) return {};
   std::vector<std::uint64_t> ticks(names_.size() + 1);
-  VK_CHECK(vkGetQueryPoolResults(device_.handle(), pool_, 0, static_cast<std::uint32_t>(ticks.size()),
-                                 ticks.size() * sizeof(std::uint64_t), ticks.data(), sizeof(std::uint64_t),
-                                 VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT));
+  VK_CHECK(vkGetQueryPoolResults(
+      device_.handle(), pool_, 0, static_cast<std::uint32_t>(ticks.size()),
+      ticks.size() * sizeof(std::uint64_t), ticks.data(), sizeof(std::uint64_t),
+      VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT));
   std::vector<Span> spans;
   for (std::size_t i = 0; i < names_.size(); ++i)
-    spans.push_back(
-        {names_[i], double(ticks[i + 1] - ticks[i]) * double(device_.timestamp_period_ns()) * 1e-6});
+    spans.push_back({names_[i], double(ticks[i + 1] - ticks[i]) *
+                                    double(device_.timestamp_period_ns()) * 1e-6});
   return spans;
 }
 

@@ -13,7 +13,8 @@ namespace nightcity::gpu {
 const char* result_name(VkResult result);
 
 inline void check(VkResult result, const char* call) {
-  if (result != VK_SUCCESS) throw Error("vulkan", std::string(call) + " failed with " + result_name(result));
+  if (result != VK_SUCCESS)
+    throw Error("vulkan", std::string(call) + " failed with " + result_name(result));
 }
 
 }  // namespace nightcity::gpu

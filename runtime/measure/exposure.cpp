@@ -12,14 +12,17 @@ float auto_exposure_ev100(const Image& image) {
   std::vector<float> log_luminance;
   log_luminance.reserve(image.pixels());
   for (std::size_t i = 0; i < image.pixels(); ++i) {
-    const float y = tonemap::luminance_709(image.rgb[3 * i], image.rgb[3 * i + 1], image.rgb[3 * i + 2]);
+    const float y =
+        tonemap::luminance_709(image.rgb[3 * i], image.rgb[3 * i + 1], image.rgb[3 * i + 2]);
     if (std::isfinite(y) && y > 0.0f) log_luminance.push_back(std::log2(y));
   }
   if (log_luminance.empty()) return default_ev100;
 
-  const std::size_t kept = std::max<std::size_t>(1, log_luminance.size() - log_luminance.size() / 50);
+  const std::size_t kept =
+      std::max<std::size_t>(1, log_luminance.size() - log_luminance.size() / 50);
   if (kept < log_luminance.size())
-    std::nth_element(log_luminance.begin(), log_luminance.begin() + static_cast<std::ptrdiff_t>(kept),
+    std::nth_element(log_luminance.begin(),
+                     log_luminance.begin() + static_cast<std::ptrdiff_t>(kept),
                      log_luminance.end());
   double sum = 0.0, weight_sum = 0.0;
   for (std::size_t i = 0; i < kept; ++i) {

@@ -34,7 +34,8 @@ ImageInfo get_image_info(const Imf::Header& header) {
   const auto number = [&]<typename T>(const char* name, T& target) {
     const std::string value = text(name);
     T parsed{};
-    if (std::from_chars(value.data(), value.data() + value.size(), parsed).ec == std::errc{}) target = parsed;
+    if (std::from_chars(value.data(), value.data() + value.size(), parsed).ec == std::errc{})
+      target = parsed;
   };
   ImageInfo info;
   info.estimator = text("nightcity.estimator");

@@ -74,7 +74,8 @@ std::vector<Target> targets_of(const Imf::ChannelList& channels, Image& image) {
 
   std::vector<Target> targets;
   if (colours.size() == 3) {
-    for (std::size_t i = 0; i < 3; ++i) targets.push_back({std::string(1, "RGB"[i]), &image.rgb, 3, i});
+    for (std::size_t i = 0; i < 3; ++i)
+      targets.push_back({std::string(1, "RGB"[i]), &image.rgb, 3, i});
   } else if (colours.empty() && has_y) {
     targets.push_back({"Y", &image.rgb, 3, 0});
   } else {
@@ -84,15 +85,16 @@ std::vector<Target> targets_of(const Imf::ChannelList& channels, Image& image) {
   for (auto& [name, names] : layers) {
     ImageLayer& layer = image.layers.emplace_back(ImageLayer{name, std::move(names), {}});
     for (std::size_t i = 0; i < layer.channels.size(); ++i)
-      targets.push_back({layer.name + "." + layer.channels[i], &layer.values, layer.channels.size(), i});
+      targets.push_back(
+          {layer.name + "." + layer.channels[i], &layer.values, layer.channels.size(), i});
   }
   return targets;
 }
 
 // One line at a time, each into new memory: a file that names a huge size and holds little fails before it
 // costs.
-void read_lines(Imf::InputFile& file, const std::vector<Target>& targets, const Imath::Box2i& window,
-                std::uint32_t width) {
+void read_lines(Imf::InputFile& file, const std::vector<Target>& targets,
+                const Imath::Box2i& window, std::uint32_t width) {
   std::vector<std::vector<float>> lines(targets.size(), std::vector<float>(width));
   Imf::FrameBuffer frame;
   for (std::size_t t = 0; t < targets.size(); ++t) {
@@ -105,9 +107,11 @@ void read_lines(Imf::InputFile& file, const std::vector<Target>& targets, const 
     file.readPixels(y);
     for (std::size_t t = 0; t < targets.size(); ++t) {
       const Target& target = targets[t];
-      if (target.offset == 0) target.values->resize(target.values->size() + target.channels * width);
+      if (target.offset == 0)
+        target.values->resize(target.values->size() + target.channels * width);
       float* row = target.values->data() + target.values->size() - target.channels * width;
-      for (std::size_t x = 0; x < width; ++x) row[x * target.channels + target.offset] = lines[t][x];
+      for (std::size_t x = 0; x < width; ++x)
+        row[x * target.channels + target.offset] = lines[t][x];
     }
   }
 }
@@ -120,7 +124,8 @@ Image read_stream(Imf::IStream& stream) {
   const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
   const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
   if (width < 1 || height < 1 || width > max_image_side || height > max_image_side)
-    throw Error({}, fmt::format("{} x {} pixels: a side must be 1 to {}", width, height, max_image_side));
+    throw Error(
+        {}, fmt::format("{} x {} pixels: a side must be 1 to {}", width, height, max_image_side));
 
   Image image;
   image.width = static_cast<std::uint32_t>(width);

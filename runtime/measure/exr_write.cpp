@@ -39,8 +39,8 @@ class StreamOut : public Imf::OStream {
   std::uint64_t position_ = 0;
 };
 
-void refuse_non_finite(const std::string& file, const std::string& what, std::span<const float> values,
-                       std::size_t channels, std::uint32_t width) {
+void refuse_non_finite(const std::string& file, const std::string& what,
+                       std::span<const float> values, std::size_t channels, std::uint32_t width) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::isfinite(values[i])) continue;
     const std::size_t pixel = i / channels;
@@ -54,20 +54,24 @@ std::string channel_name(const ImageLayer& layer, const std::string& channel) {
 }
 
 void check(const std::string& file, const Image& image) {
-  if (image.width == 0 || image.height == 0 || image.width > max_image_side || image.height > max_image_side)
-    throw Error(file, fmt::format("{} x {} pixels: a side must be 1 to {}", image.width, image.height,
-                                  max_image_side));
-  if (image.rgb.size() != 3 * image.pixels()) throw Error(file, "the picture's values do not fit its size");
+  if (image.width == 0 || image.height == 0 || image.width > max_image_side ||
+      image.height > max_image_side)
+    throw Error(file, fmt::format("{} x {} pixels: a side must be 1 to {}", image.width,
+                                  image.height, max_image_side));
+  if (image.rgb.size() != 3 * image.pixels())
+    throw Error(file, "the picture's values do not fit its size");
   refuse_non_finite(file, "picture", image.rgb, 3, image.width);
 
   std::set<std::string> names;
   for (const ImageLayer& layer : image.layers) {
     const std::string place = "layer \"" + layer.name + "\"";
-    if (layer.name.empty() || layer.channels.empty()) throw Error(file, place, "has no name or no channels");
+    if (layer.name.empty() || layer.channels.empty())
+      throw Error(file, place, "has no name or no channels");
     for (const std::string& channel : layer.channels) {
       if (channel.empty() || channel.find('.') != std::string::npos)
         throw Error(file, place, "a channel's name must be there and without a dot");
-      if (!names.insert(channel_name(layer, channel)).second) throw Error(file, place, "occurs twice");
+      if (!names.insert(channel_name(layer, channel)).second)
+        throw Error(file, place, "occurs twice");
     }
     if (layer.values.size() != image.pixels() * layer.channels.size())
       throw Error(file, place, "its values do not fit the picture's size");

@@ -37,7 +37,8 @@ std::array<std::uint8_t, 3> colour_at(double share) {
   return colour;
 }
 
-void put(Image8& image, std::uint32_t x, std::uint32_t y, const std::array<std::uint8_t, 3>& colour) {
+void put(Image8& image, std::uint32_t x, std::uint32_t y,
+         const std::array<std::uint8_t, 3>& colour) {
   if (x >= image.width || y >= image.height) return;
   std::copy(colour.begin(), colour.end(), &image.rgb[3 * (std::size_t{y} * image.width + x)]);
 }
@@ -57,8 +58,8 @@ void write_text(Image8& image, double x, double y, std::string text) {
     for (float py = a.y; py < b.y; ++py)
       for (float px = a.x; px < b.x; ++px)
         if (x + double(px) >= 0 && y + double(py) >= 0)
-          put(image, static_cast<std::uint32_t>(x + double(px)), static_cast<std::uint32_t>(y + double(py)),
-              {255, 255, 255});
+          put(image, static_cast<std::uint32_t>(x + double(px)),
+              static_cast<std::uint32_t>(y + double(py)), {255, 255, 255});
   }
 }
 
@@ -74,8 +75,8 @@ void draw_bar(Image8& image, std::uint32_t top, const ColourScale& scale) {
       put(image, margin + x, top + 4 + y, colour_at(double(x) / double(std::max(length - 1, 1u))));
   const double decades = std::log10(scale.highest / scale.lowest);
   double free_from = 0;  // no label over another
-  for (double decade = std::ceil(std::log10(scale.lowest) - 1e-9); decade <= std::log10(scale.highest) + 1e-9;
-       ++decade) {
+  for (double decade = std::ceil(std::log10(scale.lowest) - 1e-9);
+       decade <= std::log10(scale.highest) + 1e-9; ++decade) {
     const double share = (decade - std::log10(scale.lowest)) / decades;
     const double x = margin + share * (length - 1);
     for (std::uint32_t y = bar - 4; y < bar + 3; ++y)
@@ -97,11 +98,13 @@ ColourScale fitting_scale(std::span<const float> values, std::string unit) {
     if (v > 0 && std::isfinite(v)) positive.push_back(v);
   if (positive.empty()) return {0.01, 100, std::move(unit)};
   const auto quantile = [&](double share) {
-    const auto at = positive.begin() + static_cast<std::ptrdiff_t>(share * double(positive.size() - 1));
+    const auto at =
+        positive.begin() + static_cast<std::ptrdiff_t>(share * double(positive.size() - 1));
     std::nth_element(positive.begin(), at, positive.end());
     return std::log10(double(*at));
   };
-  const double low = std::floor(quantile(0.01)), high = std::max(std::ceil(quantile(0.99)), low + 1);
+  const double low = std::floor(quantile(0.01)),
+               high = std::max(std::ceil(quantile(0.99)), low + 1);
   return {std::pow(10.0, low), std::pow(10.0, high), std::move(unit)};
 }
 
@@ -127,7 +130,8 @@ Image8 false_colour(std::span<const float> values, std::uint32_t width, std::uin
 std::vector<float> luminance_of(const Image& image) {
   std::vector<float> values(image.pixels());
   for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = tonemap::luminance_709(image.rgb[3 * i], image.rgb[3 * i + 1], image.rgb[3 * i + 2]);
+    values[i] =
+        tonemap::luminance_709(image.rgb[3 * i], image.rgb[3 * i + 1], image.rgb[3 * i + 2]);
   return values;
 }
 
@@ -138,8 +142,8 @@ std::vector<float> illuminance_of(const Image& image) {
     return found->values;
   };
   const auto& albedo = layer("albedo");
-  const std::array parts{&layer("direct_lamps"), &layer("direct_windows"), &layer("direct_vehicles"),
-                         &layer("sky")};
+  const std::array parts{&layer("direct_lamps"), &layer("direct_windows"),
+                         &layer("direct_vehicles"), &layer("sky")};
   std::vector<float> values(image.pixels());
   for (std::size_t i = 0; i < values.size(); ++i) {
     std::array<float, 3> lux{};

@@ -14,7 +14,7 @@ namespace nightcity {
 struct ImageLayer {
   std::string name;                   // no dot; "" would be the picture itself
   std::vector<std::string> channels;  // names without the layer's: "R", "G", "B" or "X", "Y" or "Z"
-  std::vector<float> values;          // width * height * channels.size(), pixel by pixel, row 0 on top
+  std::vector<float> values;  // width * height * channels.size(), pixel by pixel, row 0 on top
 };
 
 /// How a picture was made; travels with it, so that no mode that changes its meaning can hide.

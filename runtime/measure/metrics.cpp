@@ -71,8 +71,8 @@ double share_of_fireflies(std::span<const float> a, std::span<const float> b, do
 
 Comparison compare(const Image& a, const Image& b, std::optional<float> ev100) {
   if (a.width != b.width || a.height != b.height)
-    throw Error({}, fmt::format("the pictures differ in size: {} x {} and {} x {}", a.width, a.height,
-                                b.width, b.height));
+    throw Error({}, fmt::format("the pictures differ in size: {} x {} and {} x {}", a.width,
+                                a.height, b.width, b.height));
   if (a.pixels() == 0) throw Error({}, "the pictures have no pixels");
 
   const std::vector<float> ya = luminances(a, "first picture"),
@@ -86,7 +86,8 @@ Comparison compare(const Image& a, const Image& b, std::optional<float> ev100) {
 
   const auto is_zero = [](float value) { return value == 0.0f; };
   if (!(result.reference_mean_luminance > 0.0) || !(mean(b.rgb) > 0.0)) {
-    if (std::all_of(a.rgb.begin(), a.rgb.end(), is_zero) && std::all_of(b.rgb.begin(), b.rgb.end(), is_zero))
+    if (std::all_of(a.rgb.begin(), a.rgb.end(), is_zero) &&
+        std::all_of(b.rgb.begin(), b.rgb.end(), is_zero))
       return result;
     throw Error({}, "the reference has no light: no error can be told relative to it");
   }

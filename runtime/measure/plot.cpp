@@ -39,13 +39,15 @@ struct Axis {
   double from, to;            // pixels
 
   double operator()(double value) const {
-    return from + (to - from) * (std::log10(value) - std::log10(low)) / (std::log10(high) - std::log10(low));
+    return from + (to - from) * (std::log10(value) - std::log10(low)) /
+                      (std::log10(high) - std::log10(low));
   }
   std::vector<double> ticks() const {
     std::vector<double> values;
     for (double decade = std::pow(10, std::floor(std::log10(low))); decade <= high; decade *= 10)
       for (const double step : {1.0, 2.0, 5.0})
-        if (step * decade >= low * 0.999 && step * decade <= high * 1.001) values.push_back(step * decade);
+        if (step * decade >= low * 0.999 && step * decade <= high * 1.001)
+          values.push_back(step * decade);
     return values;
   }
 };
@@ -68,10 +70,13 @@ Axis fitted(const Plot& plot, double PlotPoint::*value, double from, double to) 
 }  // namespace
 
 std::string to_svg(const Plot& plot) {
-  const Axis x = fitted(plot, &PlotPoint::x, left, right), y = fitted(plot, &PlotPoint::y, bottom, top);
+  const Axis x = fitted(plot, &PlotPoint::x, left, right),
+             y = fitted(plot, &PlotPoint::y, bottom, top);
   std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-      "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
+      "{1}\" "
+      "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"{0}\" height=\"{1}\" "
+      "fill=\"white\"/>\n"
       "<text x=\"{2}\" y=\"24\" font-size=\"14\">{3}</text>\n",
       width, height, left, escaped(plot.title));
   for (const double tick : x.ticks())
@@ -101,10 +106,12 @@ std::string to_svg(const Plot& plot) {
           x(point.x), y(point.y), colour, escaped(point.label));
     }
     const double legend = top + 14 + 18 * double(i);
-    svg += fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-opacity=\"0.5\"/>\n{}",
-                       line, colour, dots);
-    svg += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"4\" fill=\"{}\"/><text x=\"{}\" y=\"{}\">{}</text>\n",
-                       right + 14, legend - 4, colour, right + 24, legend, escaped(plot.series[i].name));
+    svg += fmt::format(
+        "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-opacity=\"0.5\"/>\n{}", line,
+        colour, dots);
+    svg += fmt::format(
+        "<circle cx=\"{}\" cy=\"{}\" r=\"4\" fill=\"{}\"/><text x=\"{}\" y=\"{}\">{}</text>\n",
+        right + 14, legend - 4, colour, right + 24, legend, escaped(plot.series[i].name));
   }
   return svg + "</svg>\n";
 }

@@ -37,14 +37,15 @@ void keep_error(png_structp png, png_const_charp message) {
 void keep_silent(png_structp, png_const_charp) {}
 
 void append_bytes(png_structp png, png_bytep data, std::size_t size) {
-  static_cast<PngWrite*>(png_get_io_ptr(png))->bytes.append(reinterpret_cast<const char*>(data), size);
+  static_cast<PngWrite*>(png_get_io_ptr(png))
+      ->bytes.append(reinterpret_cast<const char*>(data), size);
 }
 
 bool encode(PngWrite& write, const Image8& image) {
   if (setjmp(png_jmpbuf(write.png))) return false;
   png_set_write_fn(write.png, &write, append_bytes, nullptr);
-  png_set_IHDR(write.png, write.info, image.width, image.height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_IHDR(write.png, write.info, image.width, image.height, 8, PNG_COLOR_TYPE_RGB,
+               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB(write.png, write.info, PNG_sRGB_INTENT_PERCEPTUAL);
   if (!write.text.empty())
     png_set_text(write.png, write.info, write.text.data(), static_cast<int>(write.text.size()));
@@ -55,8 +56,8 @@ bool encode(PngWrite& write, const Image8& image) {
 
 void check_size(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height) {
   if (width == 0 || height == 0 || width > max_image_side || height > max_image_side)
-    throw Error(path.string(),
-                fmt::format("{} x {} pixels: a side must be 1 to {}", width, height, max_image_side));
+    throw Error(path.string(), fmt::format("{} x {} pixels: a side must be 1 to {}", width, height,
+                                           max_image_side));
 }
 
 }  // namespace

@@ -37,8 +37,8 @@ double beta_fraction(double a, double b, double x) {
 double incomplete_beta(double a, double b, double x) {
   if (x <= 0) return 0;
   if (x >= 1) return 1;
-  const double front =
-      std::exp(std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) + a * std::log(x) + b * std::log1p(-x));
+  const double front = std::exp(std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) +
+                                a * std::log(x) + b * std::log1p(-x));
   if (x < (a + 1) / (a + b + 2)) return front * beta_fraction(a, b, x) / a;
   return 1 - front * beta_fraction(b, a, 1 - x) / b;
 }
@@ -103,7 +103,8 @@ PixelTest test_pixels(const PictureStatistics& a, const PictureStatistics& b, do
     const double va = a.variance_of_mean(i), vb = b.variance_of_mean(i);
     double p = 1;
     if (difference > 0)
-      p = va + vb > 0 ? student_tails(difference / std::sqrt(va + vb), freedom_of(va, vb, a, b)) : 0.0;
+      p = va + vb > 0 ? student_tails(difference / std::sqrt(va + vb), freedom_of(va, vb, a, b))
+                      : 0.0;
     if (p < test.level) {
       ++test.rejected;
     } else {
@@ -118,7 +119,8 @@ PixelTest test_pixels(const PictureStatistics& a, const PictureStatistics& b, do
   if (passed_b != 0) test.relative_mean_passed = passed_a / passed_b - 1;
   if (mean_b != 0) {
     test.relative_mean = a.picture_mean() / mean_b - 1;
-    test.relative_mean_error = std::hypot(a.picture_mean_error(), b.picture_mean_error()) / std::abs(mean_b);
+    test.relative_mean_error =
+        std::hypot(a.picture_mean_error(), b.picture_mean_error()) / std::abs(mean_b);
   }
   return test;
 }

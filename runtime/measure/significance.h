@@ -37,7 +37,7 @@ struct PixelTest {
   std::size_t pixels = 0;
   std::size_t rejected = 0;  // pixels whose difference is no noise at the corrected level
   double level = 0;          // a pixel's own level of significance, after the correction
-  double min_p = 1;        // of all pixels
+  double min_p = 1;          // of all pixels
   std::size_t min_pixel = 0;
   double relative_mean = 0;         // (mean of A - mean of B) / mean of B
   double relative_mean_error = 0;   // its standard error
@@ -50,8 +50,8 @@ struct PixelTest {
 /// differ anywhere with a chance of `significance` (as the renderer tests of Mitsuba 3 have it; Welch instead
 /// of Z, since the variances are estimates themselves). `tolerance` is what A may differ by without noise:
 /// this share of the pixel in B plus this share of B's mean. Throws Error when the sizes differ.
-PixelTest test_pixels(const PictureStatistics& a, const PictureStatistics& b, double significance = 0.01,
-                      double tolerance = 0);
+PixelTest test_pixels(const PictureStatistics& a, const PictureStatistics& b,
+                      double significance = 0.01, double tolerance = 0);
 
 /// Chance that a Student t of `freedom` degrees lies farther from 0 than |t|.
 double student_tails(double t, double freedom);

@@ -33,7 +33,8 @@ std::string csv_line(const std::vector<std::string>& cells) {
   return line;
 }
 
-std::vector<std::vector<std::string>> parse_csv(const std::filesystem::path& path, const std::string& text) {
+std::vector<std::vector<std::string>> parse_csv(const std::filesystem::path& path,
+                                                const std::string& text) {
   std::vector<std::vector<std::string>> rows;
   std::size_t at = 0;
   while (at < text.size()) {
@@ -53,7 +54,8 @@ std::vector<std::vector<std::string>> parse_csv(const std::filesystem::path& pat
         row.back() += c;
       }
     }
-    if (quoted) throw Error(path.string(), fmt::format("row {}", rows.size() + 1), "a quote is not closed");
+    if (quoted)
+      throw Error(path.string(), fmt::format("row {}", rows.size() + 1), "a quote is not closed");
     ++at;
     rows.push_back(std::move(row));
   }
@@ -87,12 +89,13 @@ Table read_csv(const std::filesystem::path& path) {
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   auto rows = parse_csv(path, text);
   if (rows.empty()) throw Error(path.string(), "has no header");
-  Table table{rows.front(), {std::make_move_iterator(rows.begin() + 1), std::make_move_iterator(rows.end())}};
+  Table table{rows.front(),
+              {std::make_move_iterator(rows.begin() + 1), std::make_move_iterator(rows.end())}};
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     if (table.rows[i].size() != table.columns.size())
-      throw Error(
-          path.string(), fmt::format("row {}", i + 2),
-          fmt::format("{} cells where the header has {}", table.rows[i].size(), table.columns.size()));
+      throw Error(path.string(), fmt::format("row {}", i + 2),
+                  fmt::format("{} cells where the header has {}", table.rows[i].size(),
+                              table.columns.size()));
   return table;
 }
 
@@ -101,8 +104,8 @@ std::string to_markdown(const Table& table) {
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     text += " " + table.columns[i] + " |";
     const bool numbers =
-        !table.rows.empty() &&
-        std::all_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return is_number(row[i]); });
+        !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(),
+                                           [&](const auto& row) { return is_number(row[i]); });
     rule += numbers ? "---:|" : "---|";
   }
   text += "\n" + rule + "\n";

@@ -34,7 +34,8 @@ Spread spread(std::vector<double> values) {
 }
 
 // What the passes would cost if they could do what the scene lacks: frames with and without, turn by turn.
-void price_what_is_not_needed(const BenchCommand& command, Renderer& renderer, const CameraPose& pose) {
+void price_what_is_not_needed(const BenchCommand& command, Renderer& renderer,
+                              const CameraPose& pose) {
   const RenderSettings& plain = command.options.settings;
   const std::vector<Feature> features = renderer.not_needed(plain);
   std::vector<std::pair<std::string, std::uint32_t>> rows;
@@ -80,7 +81,8 @@ void bench(BenchCommand& command) {
     const auto start = std::chrono::steady_clock::now();
     renderer.render_frame(pose, options.settings);
     wall_ms.push_back(
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+            .count());
     std::map<std::string, double> frame;
     for (const auto& span : renderer.timings()) {
       if (!passes.count(span.name) && !frame.count(span.name)) order.push_back(span.name);
@@ -113,9 +115,9 @@ void bench(BenchCommand& command) {
     fmt::print("{}\n", json.dump(2));
     return;
   }
-  fmt::print("{}: {} triangles, {} lights, {}x{}, {} on {}\n", options.scene, scene.triangles.size(),
-             scene.lights.size(), options.width, options.height, name_of(options.settings.estimator),
-             device.label());
+  fmt::print("{}: {} triangles, {} lights, {}x{}, {} on {}\n", options.scene,
+             scene.triangles.size(), scene.lights.size(), options.width, options.height,
+             name_of(options.settings.estimator), device.label());
   fmt::print("{:<12} {:>10} {:>10} {:>10}   ms of {} frames\n", "pass", "min", "median", "max",
              command.frames);
   for (const std::string& name : order) {
@@ -124,7 +126,8 @@ void bench(BenchCommand& command) {
   }
   const Spread total = spread(total_ms), wall = spread(wall_ms);
   fmt::print("{:<12} {:>10.3f} {:>10.3f} {:>10.3f}\n", "GPU", total.min, total.median, total.max);
-  fmt::print("{:<12} {:>10.3f} {:>10.3f} {:>10.3f}\n", "wall clock", wall.min, wall.median, wall.max);
+  fmt::print("{:<12} {:>10.3f} {:>10.3f} {:>10.3f}\n", "wall clock", wall.min, wall.median,
+             wall.max);
   if (command.needless) price_what_is_not_needed(command, renderer, pose);
 }
 
@@ -134,7 +137,8 @@ void add_bench_command(CLI::App& app) {
   auto command = std::make_shared<BenchCommand>();
   CLI::App* sub = app.add_subcommand("bench", "Time every pass of a frame by the device's clock");
   sub->footer(
-      "Examples:\n  nightview bench city.glb --json --estimator paper --candidates 32 --size 1920x1080\n"
+      "Examples:\n  nightview bench city.glb --json --estimator paper --candidates 32 --size "
+      "1920x1080\n"
       "  nightview bench city.glb --needless");
   command->options.declare(*sub);
   sub->add_option("--frames", command->frames, "Frames timed")

@@ -45,7 +45,8 @@ struct WorstPixel {
 };
 
 // Where the two differ most, by luminance: the place to look first.
-std::vector<WorstPixel> worst_pixels(const Image& picture, const Image& reference, std::size_t most) {
+std::vector<WorstPixel> worst_pixels(const Image& picture, const Image& reference,
+                                     std::size_t most) {
   const std::vector<float> a = luminance_of(picture), b = luminance_of(reference);
   std::vector<std::size_t> order(a.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -55,8 +56,8 @@ std::vector<WorstPixel> worst_pixels(const Image& picture, const Image& referenc
       [&](std::size_t i, std::size_t j) { return std::abs(a[i] - b[i]) > std::abs(a[j] - b[j]); });
   std::vector<WorstPixel> worst;
   for (std::size_t i = 0; i < count; ++i)
-    worst.push_back(
-        {order[i] % picture.width, order[i] / picture.width, double(a[order[i]]), double(b[order[i]])});
+    worst.push_back({order[i] % picture.width, order[i] / picture.width, double(a[order[i]]),
+                     double(b[order[i]])});
   return worst;
 }
 
@@ -75,9 +76,9 @@ std::string as_text(const Comparison& c, const Image& picture, const Image& refe
       "mean_signed_error           {:+.6g} cd/m2\n"
       "relative_mean_signed_error  {:+.4f} %\n"
       "fireflies                   {:.4f} % of the pixels",
-      picture.width, picture.height, described(picture.info), described(reference.info), c.rmse8, c.ev100,
-      c.relative_mse, c.relative_mse_luminance, c.mean_signed_error, 100 * c.relative_mean_signed_error,
-      100 * c.fireflies);
+      picture.width, picture.height, described(picture.info), described(reference.info), c.rmse8,
+      c.ev100, c.relative_mse, c.relative_mse_luminance, c.mean_signed_error,
+      100 * c.relative_mean_signed_error, 100 * c.fireflies);
 }
 
 }  // namespace
@@ -86,22 +87,25 @@ void add_compare_command(CLI::App& app) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand("compare", "How far a picture is from its reference");
   command->add_option("picture", options->picture, "Picture, OpenEXR in cd/m2")->required();
-  command->add_option("reference", options->reference, "Reference of the same size, OpenEXR in cd/m2")
+  command
+      ->add_option("reference", options->reference, "Reference of the same size, OpenEXR in cd/m2")
       ->required();
+  command->add_option("--ev", options->ev100,
+                      "EV100 at which both are shown for rmse8 (default: the reference's own, else "
+                      "metered from it)");
   command->add_option(
-      "--ev", options->ev100,
-      "EV100 at which both are shown for rmse8 (default: the reference's own, else metered from it)");
-  command->add_option("--worst", options->worst,
-                      "List so many pixels that differ most, with the green of their layers of direct light");
+      "--worst", options->worst,
+      "List so many pixels that differ most, with the green of their layers of direct light");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options] {
     const Image picture = read_exr(options->picture), reference = read_exr(options->reference);
     const Comparison comparison = compare(picture, reference, options->ev100);
-    std::puts((options->json ? as_json(comparison) : as_text(comparison, picture, reference)).c_str());
+    std::puts(
+        (options->json ? as_json(comparison) : as_text(comparison, picture, reference)).c_str());
     if (options->worst == 0 || options->json) return;
     for (const WorstPixel& w : worst_pixels(picture, reference, options->worst)) {
-      fmt::print("pixel {:5} {:5}   picture {:10.4g}   reference {:10.4g} cd/m2", w.x, w.y, w.picture,
-                 w.reference);
+      fmt::print("pixel {:5} {:5}   picture {:10.4g}   reference {:10.4g} cd/m2", w.x, w.y,
+                 w.picture, w.reference);
       for (const ImageLayer& layer : picture.layers) {
         const ImageLayer* other = reference.layer(layer.name);
         if (!layer.name.starts_with("direct") || !other) continue;

@@ -9,8 +9,10 @@ void declare_device(CLI::App& command, gpu::Device::Options& options) {
                      "Vulkan device: index or part of its name (see nightview devices)");
   command
       .add_option_function<std::string>(
-          "--trace", [&options](const std::string& name) { options.trace = gpu::trace_from_name(name); },
-          "How rays meet the scene: compute, by our own hierarchy, on every device; query or pipeline, by "
+          "--trace",
+          [&options](const std::string& name) { options.trace = gpu::trace_from_name(name); },
+          "How rays meet the scene: compute, by our own hierarchy, on every device; query or "
+          "pipeline, by "
           "the "
           "device's own, with ray queries or ray tracing pipelines")
       ->default_str(name_of(options.trace));

@@ -12,7 +12,8 @@ namespace nightcity {
 namespace {
 
 std::string version_text(std::uint32_t v) {
-  return fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(v), VK_API_VERSION_MINOR(v), VK_API_VERSION_PATCH(v));
+  return fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(v), VK_API_VERSION_MINOR(v),
+                     VK_API_VERSION_PATCH(v));
 }
 
 void list(bool as_json) {
@@ -38,8 +39,9 @@ void list(bool as_json) {
   for (std::size_t i = 0; i < devices.size(); ++i) {
     const gpu::DeviceInfo& d = devices[i];
     fmt::print("{}: {} ({})\n", i, d.name, d.kind);
-    fmt::print("   Vulkan {}, driver {}, {:.1f} GiB, subgroups of {}\n", version_text(d.api_version),
-               d.driver, double(d.memory_bytes) / (1 << 30), d.subgroup_size);
+    fmt::print("   Vulkan {}, driver {}, {:.1f} GiB, subgroups of {}\n",
+               version_text(d.api_version), d.driver, double(d.memory_bytes) / (1 << 30),
+               d.subgroup_size);
     fmt::print("   {}; ray queries: {}; ray-tracing pipelines: {}\n",
                d.usable ? "usable" : "not usable: lacks " + d.missing, d.ray_query ? "yes" : "no",
                d.ray_pipeline ? "yes" : "no");

@@ -37,8 +37,8 @@ Experiment::Experiment(RenderScene scene, const Options& options)
       device_(std::make_unique<gpu::Device>(options.device)),
       device_scene_(std::make_unique<DeviceScene>(*device_, scene_)),
       passes_(std::make_unique<PassLibrary>(*device_)),
-      renderer_(
-          std::make_unique<Renderer>(*device_, *passes_, *device_scene_, options.width, options.height)) {
+      renderer_(std::make_unique<Renderer>(*device_, *passes_, *device_scene_, options.width,
+                                           options.height)) {
   if (device_->timestamp_period_ns() <= 0)
     throw Error(device_->info().name, "has no clock to time passes by");
 }
@@ -52,7 +52,8 @@ Image Experiment::reference(const CameraPose& pose, RenderSettings settings, std
                             const std::function<void(std::uint32_t)>& progress) {
   if (!cache.empty() && std::filesystem::exists(cache)) {
     Image kept = read_exr(cache);
-    if (kept.info.frames == frames && kept.width == renderer_->width() && kept.height == renderer_->height())
+    if (kept.info.frames == frames && kept.width == renderer_->width() &&
+        kept.height == renderer_->height())
       return kept;
   }
   settings.estimator = Estimator::reference;
@@ -77,7 +78,8 @@ void Experiment::warm_up(const CameraPose& pose, const RenderSettings& settings)
 }
 
 std::vector<Measurement> Experiment::measure(const CameraPose& pose, RenderSettings settings,
-                                             const Image& truth, const std::vector<std::uint32_t>& frames,
+                                             const Image& truth,
+                                             const std::vector<std::uint32_t>& frames,
                                              std::uint32_t lead, std::uint32_t repeats) {
   std::vector<Measurement> results(frames.size());
   std::vector<double> ms;
@@ -130,7 +132,8 @@ std::string pose_fingerprint(const CameraPose& pose) {
   for (const glm::vec3& v : {pose.position, pose.target, pose.up})
     values.insert(values.end(), {v.x, v.y, v.z});
   values.push_back(pose.fov_deg);
-  return fmt::format("{:08x}", XXH64(values.data(), values.size() * sizeof(float), 0) & 0xFFFFFFFFu);
+  return fmt::format("{:08x}",
+                     XXH64(values.data(), values.size() * sizeof(float), 0) & 0xFFFFFFFFu);
 }
 
 }  // namespace nightcity

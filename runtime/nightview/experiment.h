@@ -18,7 +18,8 @@ namespace nightcity {
 struct Measurement {
   std::uint32_t frames = 0;
   double ms = 0;  // median of the frames' GPU time
-  double rmse8 = 0, relative_mse = 0, mean_signed_error = 0, relative_mean_signed_error = 0, fireflies = 0;
+  double rmse8 = 0, relative_mse = 0, mean_signed_error = 0, relative_mean_signed_error = 0,
+         fireflies = 0;
 };
 
 /// Milliseconds of all passes of the renderer's last frame, by the device's clock.
@@ -57,9 +58,9 @@ class Experiment {
 
   /// Pictures of `repeats` seeds, each after `lead` frames that fill the history, taken at every count of
   /// `frames` (ascending) and compared with `truth`.
-  std::vector<Measurement> measure(const CameraPose& pose, RenderSettings settings, const Image& truth,
-                                   const std::vector<std::uint32_t>& frames, std::uint32_t lead,
-                                   std::uint32_t repeats);
+  std::vector<Measurement> measure(const CameraPose& pose, RenderSettings settings,
+                                   const Image& truth, const std::vector<std::uint32_t>& frames,
+                                   std::uint32_t lead, std::uint32_t repeats);
 
   Renderer& renderer() { return *renderer_; }
 

@@ -41,7 +41,8 @@ void measure_fleets(FleetCommand& command) {
   table.columns.push_back("others, ms");
   for (const std::string& word : split_list("--vehicles", command.vehicles)) {
     const std::size_t vehicles = count_of("--vehicles", word, 0, 1'000'000);
-    Experiment experiment(lamp_field(command.lamps, vehicles), {command.device, size.width, size.height});
+    Experiment experiment(lamp_field(command.lamps, vehicles),
+                          {command.device, size.width, size.height});
     spdlog::info("{} vehicles on {}", vehicles, experiment.device_name());
     Renderer& renderer = experiment.renderer();
     std::map<std::string, std::vector<double>> passes;
@@ -60,10 +61,11 @@ void measure_fleets(FleetCommand& command) {
     }
     experiment.check_validation();
     double others = median(all);
-    std::vector<std::string> row{fmt::to_string(vehicles),
-                                 fmt::to_string(experiment.scene().lights.size() +
-                                                vehicles * experiment.scene().fleet.vehicle_lights.size()),
-                                 fmt::format("{:.3g}", others)};
+    std::vector<std::string> row{
+        fmt::to_string(vehicles),
+        fmt::to_string(experiment.scene().lights.size() +
+                       vehicles * experiment.scene().fleet.vehicle_lights.size()),
+        fmt::format("{:.3g}", others)};
     for (const std::string& pass : fleet_passes) {
       const double ms = passes.count(pass) ? median(passes[pass]) : 0;
       others -= ms;
@@ -79,14 +81,18 @@ void measure_fleets(FleetCommand& command) {
 
 void add_fleet_command(CLI::App& app) {
   auto command = std::make_shared<FleetCommand>();
-  CLI::App* sub = app.add_subcommand("fleet", "Cost of a frame against the number of moving vehicles");
+  CLI::App* sub =
+      app.add_subcommand("fleet", "Cost of a frame against the number of moving vehicles");
   sub->footer(
-      "Synthetic streets with lamps and so many vehicles, all driving: bodies, four lights each, the trees "
+      "Synthetic streets with lamps and so many vehicles, all driving: bodies, four lights each, "
+      "the trees "
       "over both built "
       "anew\nfor every frame, 1/60 s apart. Medians by the device's clock.\n"
       "Example:\n  nightview fleet --vehicles 0,1000,10000 --size 1920x1080 --estimator traced");
-  sub->add_option("--size", command->size, "Picture size in pixels, WIDTHxHEIGHT")->capture_default_str();
-  sub->add_option("--estimator", command->estimator, "As of nightview render")->capture_default_str();
+  sub->add_option("--size", command->size, "Picture size in pixels, WIDTHxHEIGHT")
+      ->capture_default_str();
+  sub->add_option("--estimator", command->estimator, "As of nightview render")
+      ->capture_default_str();
   declare_device(*sub, command->device);
   sub->add_option("--vehicles", command->vehicles, "Numbers of vehicles")->capture_default_str();
   sub->add_option("--lamps", command->lamps, "Street lamps: the size of the field")

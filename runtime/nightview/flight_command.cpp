@@ -37,15 +37,17 @@ void show_progress(std::uint32_t done, std::uint32_t all) {
 std::string summary(const char* what, const char* unit, const std::vector<double>& values) {
   const auto worst = std::max_element(values.begin(), values.end());
   const double middle = median(values);
-  return fmt::format("{:<14} median {:.4g}{}, worst {:.4g}{} ({:.2f} x) in measured frame {}\n", what, middle,
-                     unit, *worst, unit, middle > 0 ? *worst / middle : 1.0, worst - values.begin());
+  return fmt::format("{:<14} median {:.4g}{}, worst {:.4g}{} ({:.2f} x) in measured frame {}\n",
+                     what, middle, unit, *worst, unit, middle > 0 ? *worst / middle : 1.0,
+                     worst - values.begin());
 }
 
 void fly(FlightCommand& command) {
   RenderOptions& options = command.options;
   options.resolve();
   options.settings.jitter = false;  // as the reference has it: edges are not what is measured
-  Experiment experiment(load_render_scene(options.scene), {options.device, options.width, options.height});
+  Experiment experiment(load_render_scene(options.scene),
+                        {options.device, options.width, options.height});
   const CameraPath path = find_path(command.path, experiment.scene());
   const std::filesystem::path folder = command.folder;
   std::error_code failed;
@@ -55,8 +57,9 @@ void fly(FlightCommand& command) {
 
   experiment.warm_up(path.at(0), options.settings);
 
-  Table table{
-      {"frame", "x", "y", "z", "ms", "rmse8", "relative_mse", "relative_mean_signed_error", "fireflies"}, {}};
+  Table table{{"frame", "x", "y", "z", "ms", "rmse8", "relative_mse", "relative_mean_signed_error",
+               "fireflies"},
+              {}};
   std::vector<double> ms, rmse8, relative_mse, fireflies;
   for (std::uint32_t i = 0; i < command.frames; ++i) {
     const CameraPose pose = path.at(command.frames > 1 ? double(i) / (command.frames - 1) : 0.0);
@@ -64,14 +67,17 @@ void fly(FlightCommand& command) {
     const double frame_ms = gpu_ms(experiment.renderer());
     std::vector<std::string> row{fmt::to_string(i), fmt::format("{:.3f}", pose.position.x),
                                  fmt::format("{:.3f}", pose.position.y),
-                                 fmt::format("{:.3f}", pose.position.z), fmt::format("{:.4g}", frame_ms)};
+                                 fmt::format("{:.3f}", pose.position.z),
+                                 fmt::format("{:.4g}", frame_ms)};
     // The first frame has no history and the driver compiles in it: it belongs to no flight.
     if (i > 0) ms.push_back(frame_ms);
     const Image picture = experiment.renderer().download(false);
     if (i > 0 && i % command.every == 0) {
-      const Image truth = experiment.reference(pose, options.settings, command.reference_frames, {});
+      const Image truth =
+          experiment.reference(pose, options.settings, command.reference_frames, {});
       const Comparison c = compare(picture, truth);
-      for (const double value : {c.rmse8, c.relative_mse, c.relative_mean_signed_error, c.fireflies})
+      for (const double value :
+           {c.rmse8, c.relative_mse, c.relative_mean_signed_error, c.fireflies})
         row.push_back(fmt::format("{:.5g}", value));
       rmse8.push_back(c.rmse8);
       relative_mse.push_back(c.relative_mse);
@@ -80,7 +86,8 @@ void fly(FlightCommand& command) {
     row.resize(table.columns.size());
     table.rows.push_back(std::move(row));
     if (command.pictures) {
-      if (!command.ev100) command.ev100 = auto_exposure_ev100(picture);  // one exposure for the whole flight
+      if (!command.ev100)
+        command.ev100 = auto_exposure_ev100(picture);  // one exposure for the whole flight
       write_png(folder / fmt::format("frame-{:04}.png", i), to_display(picture, *command.ev100),
                 png_text(picture.info));
     }
@@ -95,19 +102,22 @@ void fly(FlightCommand& command) {
   if (rmse8.empty()) return;
   fmt::print("{}{}", summary("RMSE (8-bit)", "", rmse8), summary("relative MSE", "", relative_mse));
   const double most = *std::max_element(fireflies.begin(), fireflies.end());
-  fmt::print("fireflies      {:.4f} % of the pixels in the worst frame: {} the budget of {:.4f} %\n",
-             100 * most, most <= command.firefly_budget ? "within" : "OVER", 100 * command.firefly_budget);
+  fmt::print(
+      "fireflies      {:.4f} % of the pixels in the worst frame: {} the budget of {:.4f} %\n",
+      100 * most, most <= command.firefly_budget ? "within" : "OVER", 100 * command.firefly_budget);
 }
 
 }  // namespace
 
 void add_flight_command(CLI::App& app) {
   auto command = std::make_shared<FlightCommand>();
-  CLI::App* sub = app.add_subcommand("flight", "Error and milliseconds of every frame of a moving camera");
+  CLI::App* sub =
+      app.add_subcommand("flight", "Error and milliseconds of every frame of a moving camera");
   std::string presets;
   for (const std::string& name : path_presets()) presets += (presets.empty() ? "" : ", ") + name;
   sub->footer(
-      "DIR gets flight.csv and, with --pictures, frame-NNNN.png. Each measured frame is compared with a "
+      "DIR gets flight.csv and, with --pictures, frame-NNNN.png. Each measured frame is compared "
+      "with a "
       "reference of its "
       "own view.\n"
       "Examples:\n"
@@ -124,7 +134,8 @@ void add_flight_command(CLI::App& app) {
   sub->add_option("--every", command->every, "Measure the error of every so manieth frame")
       ->capture_default_str()
       ->check(CLI::Range(1u, 100000u));
-  sub->add_option("--reference-frames", command->reference_frames, "Frames of each reference picture")
+  sub->add_option("--reference-frames", command->reference_frames,
+                  "Frames of each reference picture")
       ->capture_default_str()
       ->check(CLI::Range(1u, 100000u));
   sub->add_option("--firefly-budget", command->firefly_budget,

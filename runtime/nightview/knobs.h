@@ -11,8 +11,9 @@ namespace nightcity {
 struct Knob {
   const char* name;  // of the option and of the CSV's column
   const char* help;
-  std::string defaults;                                                              // comma-separated
-  void (*set)(RenderSettings& settings, const Knob& knob, const std::string& word);  // throws UsageError
+  std::string defaults;  // comma-separated
+  void (*set)(RenderSettings& settings, const Knob& knob,
+              const std::string& word);  // throws UsageError
 };
 
 /// All of them; a new one is one line in knobs.cpp.
@@ -22,6 +23,7 @@ const std::vector<Knob>& knobs();
 std::vector<std::string> split_list(const std::string& option, const std::string& text);
 
 /// A word to a number from `least` to `most`; throws UsageError naming `option` where it is none.
-std::size_t count_of(const std::string& option, const std::string& word, std::size_t least, std::size_t most);
+std::size_t count_of(const std::string& option, const std::string& word, std::size_t least,
+                     std::size_t most);
 
 }  // namespace nightcity

@@ -23,7 +23,8 @@ void append_quad(ScenePrimitive& out, const std::array<glm::vec3, 4>& corners) {
 
 // Walls and roof.
 void append_house(ScenePrimitive& out, const glm::vec3& lo, const glm::vec3& hi) {
-  const glm::vec3 a(lo.x, lo.y, hi.z), b(hi.x, lo.y, hi.z), c(hi.x, lo.y, lo.z), d(lo.x, lo.y, lo.z);
+  const glm::vec3 a(lo.x, lo.y, hi.z), b(hi.x, lo.y, hi.z), c(hi.x, lo.y, lo.z),
+      d(lo.x, lo.y, lo.z);
   const auto up = [&](const glm::vec3& p) { return glm::vec3(p.x, hi.y, p.z); };
   for (const auto& [p, q] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, d}, std::pair{d, a}})
     append_quad(out, {p, q, up(q), up(p)});
@@ -43,7 +44,8 @@ Light street_lamp(const glm::vec3& position, float flux_lm) {
   return light;
 }
 
-Light vehicle_lamp(const glm::vec3& position, const glm::vec3& axis, float flux_lm, LightFamily family) {
+Light vehicle_lamp(const glm::vec3& position, const glm::vec3& axis, float flux_lm,
+                   LightFamily family) {
   Light light = street_lamp(position, flux_lm);
   light.radius = 0.06f;
   light.axis = axis;
@@ -75,17 +77,21 @@ void add_vehicles(SceneLights& lights, std::size_t vehicles, int streets, float 
     head.tangent = glm::normalize(glm::vec3(0.02f, 1, 0));
     head.kind_profile = LIGHT_SPHERE | 0u << 8;
     fleet.vehicle_lights.push_back(head);
-    fleet.vehicle_lights.push_back(vehicle_lamp({-2.1f, 0.8f, side}, {-1, 0, 0}, 25, LightFamily::tail_lamp));
+    fleet.vehicle_lights.push_back(
+        vehicle_lamp({-2.1f, 0.8f, side}, {-1, 0, 0}, 25, LightFamily::tail_lamp));
   }
-  fleet.vehicles = {{{2, 0.75f, 0.9f}, 0, static_cast<std::uint32_t>(fleet.vehicle_lights.size()), {}}};
+  fleet.vehicles = {
+      {{2, 0.75f, 0.9f}, 0, static_cast<std::uint32_t>(fleet.vehicle_lights.size()), {}}};
   constexpr float drive_s = 99;
   const float length = std::min(8 * drive_s, 2 * half), speed = length / drive_s;
   for (std::size_t i = 0; i < vehicles; ++i) {
     const bool south = i % 2 == 0;  // +z
-    const float street = std::floor(uniform(0, float(streets))), from = uniform(-half, half - length);
+    const float street = std::floor(uniform(0, float(streets))),
+                from = uniform(-half, half - length);
     const glm::vec3 north_end(street * block_m - half + (south ? -1.75f : 1.75f), 0, from),
         south_end = north_end + glm::vec3(0, 0, length), velocity(0, 0, south ? speed : -speed);
-    const std::uint32_t yaw = south ? 3u << 14 : 1u << 14;  // turns from east towards north, times 65536
+    const std::uint32_t yaw =
+        south ? 3u << 14 : 1u << 14;  // turns from east towards north, times 65536
     const auto first = static_cast<std::uint32_t>(fleet.knots.size());
     fleet.knots.push_back({south ? north_end : south_end, 0, velocity, yaw});
     fleet.knots.push_back({south ? south_end : north_end, drive_s, velocity, yaw});
@@ -100,7 +106,9 @@ RenderScene lamp_field(std::size_t lamps, std::size_t vehicles) {
   blocks += blocks % 2;  // a street runs through the middle
   const float half = 0.5f * block_m * float(blocks);
   std::mt19937 random(7);
-  const auto uniform = [&](float a, float b) { return a + (b - a) * float(random() >> 8) / 16777216.0f; };
+  const auto uniform = [&](float a, float b) {
+    return a + (b - a) * float(random() >> 8) / 16777216.0f;
+  };
 
   Scene scene;
   scene.materials.push_back({"plain", glm::vec3(0.4f), glm::vec3(0), 1.0f, true});
@@ -113,11 +121,14 @@ RenderScene lamp_field(std::size_t lamps, std::size_t vehicles) {
     for (int x = 0; x < blocks; ++x) {
       const glm::vec3 corner(float(x) * block_m - half, 0, float(z) * block_m - half);
       for (const float at : {12.0f, 44.0f})
-        append_house(houses, corner + glm::vec3(at, 0, 12), corner + glm::vec3(at + 24, uniform(8, 24), 68));
+        append_house(houses, corner + glm::vec3(at, 0, 12),
+                     corner + glm::vec3(at + 24, uniform(8, 24), 68));
       for (int i = 0; i < lamps_a_block && lights.lights.size() < lamps; ++i) {
-        const float along = block_m * (float(i % lamps_a_side) + 0.5f) / lamps_a_side, side = uniform(2, 4);
+        const float along = block_m * (float(i % lamps_a_side) + 0.5f) / lamps_a_side,
+                    side = uniform(2, 4);
         const bool flood = lights.lights.size() % 50 == 25;
-        const glm::vec3 foot = i < lamps_a_side ? glm::vec3(along, 0, side) : glm::vec3(side, 0, along);
+        const glm::vec3 foot =
+            i < lamps_a_side ? glm::vec3(along, 0, side) : glm::vec3(side, 0, along);
         lights.lights.push_back(street_lamp(corner + foot + glm::vec3(0, flood ? 14 : 6, 0),
                                             flood ? 60000.0f : uniform(2000, 8000)));
       }

@@ -45,7 +45,8 @@ int run(int argc, char** argv) {
   app.name("nightview");
   app.set_version_flag("--version", "nightview " NIGHTCITY_VERSION);
   app.footer(
-      "Exit codes: 0 done; 1 an input is missing, broken or unusable, or an output cannot be written, or "
+      "Exit codes: 0 done; 1 an input is missing, broken or unusable, or an output cannot be "
+      "written, or "
       "there is no\n"
       "usable Vulkan device; 2 the command line is wrong.");
   app.require_subcommand(1);

@@ -37,7 +37,8 @@ struct RenderCommand {
 
 bool has_extension(const std::string& file, const char* extension) {
   std::string e = std::filesystem::path(file).extension().string();
-  std::transform(e.begin(), e.end(), e.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  std::transform(e.begin(), e.end(), e.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
   return e == extension;
 }
 
@@ -99,8 +100,8 @@ Image8 shown(const RenderCommand& command, const Image& image, const RenderScene
       for (int dx = -reach; dx <= reach; ++dx) {
         const std::int64_t px = std::int64_t{x} + dx, py = std::int64_t{y} + dy;
         if (px < 0 || py < 0 || px >= image.width || py >= image.height) continue;
-        std::uint8_t* to =
-            &result.rgb[3 * (static_cast<std::size_t>(py) * result.width + static_cast<std::size_t>(px))];
+        std::uint8_t* to = &result.rgb[3 * (static_cast<std::size_t>(py) * result.width +
+                                            static_cast<std::size_t>(px))];
         to[0] = 0;
         to[1] = window ? 120 : 255;
         to[2] = window ? 255 : 0;
@@ -115,9 +116,9 @@ void render(RenderCommand& command) {
   options.settings.tone = tone_curve_from_name(command.tone);
   if (command.exposure != "auto") exposure_of(command.exposure, Image{});
   check_outputs(command.outputs);
-  options.settings.layers =
-      command.show == "illuminance" || std::any_of(command.outputs.begin(), command.outputs.end(),
-                                                   [](auto& o) { return has_extension(o, ".exr"); });
+  options.settings.layers = command.show == "illuminance" ||
+                            std::any_of(command.outputs.begin(), command.outputs.end(),
+                                        [](auto& o) { return has_extension(o, ".exr"); });
 
   const auto load_start = Clock::now();
   const RenderScene scene = options.load();
@@ -150,9 +151,10 @@ void render(RenderCommand& command) {
     if (has_extension(output, ".exr"))
       write_exr(output, image);
     else
-      write_png(output,
-                shown(command, image, scene, make_camera(pose, float(image.width) / float(image.height))),
-                png_text(image.info));
+      write_png(
+          output,
+          shown(command, image, scene, make_camera(pose, float(image.width) / float(image.height))),
+          png_text(image.info));
   }
   spdlog::info("{} frames of {} in {:.2f} s, EV100 {:.1f}", renderer.frames(),
                name_of(options.settings.estimator), seconds, ev100);
@@ -163,12 +165,14 @@ void render(RenderCommand& command) {
 
 void add_render_command(CLI::App& app) {
   auto command = std::make_shared<RenderCommand>();
-  CLI::App* sub = app.add_subcommand("render", "Render a baked scene to a picture, without a window");
+  CLI::App* sub =
+      app.add_subcommand("render", "Render a baked scene to a picture, without a window");
   sub->footer(
       "Examples:\n"
       "  nightview render out/demo/city.glb -o night.png --camera street\n"
       "  nightview render city.glb -o truth.exr --estimator reference --frames 64 --size 960x540\n"
-      "  nightview render city.glb -o wet.png --camera street --time 23:30 --wet 0.8 --moon 160,35\n"
+      "  nightview render city.glb -o wet.png --camera street --time 23:30 --wet 0.8 --moon "
+      "160,35\n"
       "  nightview render city.glb -o lux.png --camera top --show illuminance\n"
       "  nightview render city.glb -o a.exr -o a.png --candidates 8 --neighbours 2 --ev 2.5");
   command->options.declare(*sub);
@@ -181,8 +185,9 @@ void add_render_command(CLI::App& app) {
   sub->add_option("--ev", command->exposure, "Exposure, EV100, or 'auto'")->capture_default_str();
   sub->add_option("--tone", command->tone, "Tone curve of the PNG: filmic, reinhard or linear")
       ->capture_default_str();
-  sub->add_option("--show", command->show,
-                  "What a PNG shows: picture, or in false colours with a scale luminance or illuminance")
+  sub->add_option(
+         "--show", command->show,
+         "What a PNG shows: picture, or in false colours with a scale luminance or illuminance")
       ->capture_default_str()
       ->check(CLI::IsMember({"picture", "luminance", "illuminance"}));
   sub->add_flag("--markers", command->markers, "Mark every light in the PNG, hidden ones too");

@@ -41,7 +41,8 @@ std::array<double, 3> parse_moon(const std::string& text) {
       !(value[1] > 0 && value[1] <= 90) || !(value[2] > 0 && value[2] <= 1000))
     throw UsageError(
         "--moon",
-        "expected AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,LUX with an elevation above 0, not '" + text + "'");
+        "expected AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,LUX with an elevation above 0, not '" +
+            text + "'");
   return value;
 }
 
@@ -84,7 +85,9 @@ void RenderOptions::declare(CLI::App& command) {
                   "Pixels whose reservoirs are reused, a pixel and frame")
       ->capture_default_str()
       ->check(CLI::Range(0u, max_neighbours));
-  command.add_option("--radius", settings.neighbour_radius_px, "How far neighbours are looked for, pixels")
+  command
+      .add_option("--radius", settings.neighbour_radius_px,
+                  "How far neighbours are looked for, pixels")
       ->capture_default_str()
       ->check(CLI::Range(1.0f, 1000.0f));
   command
@@ -93,19 +96,21 @@ void RenderOptions::declare(CLI::App& command) {
       ->capture_default_str()
       ->check(CLI::Range(0.0f, 1000.0f));
   command
-      .add_option("--reach", settings.reach_m,
-                  "Distance between a place and where its history was gathered at which half of it counts, "
-                  "m; 0 = all")
+      .add_option(
+          "--reach", settings.reach_m,
+          "Distance between a place and where its history was gathered at which half of it counts, "
+          "m; 0 = all")
       ->capture_default_str()
       ->check(CLI::Range(0.0f, 100000.0f));
   command
-      .add_option(
-          "--boost", settings.boost,
-          "Pixels reused by a pixel that has no history (just come into view), where more than --neighbours")
+      .add_option("--boost", settings.boost,
+                  "Pixels reused by a pixel that has no history (just come into view), where more "
+                  "than --neighbours")
       ->capture_default_str()
       ->check(CLI::Range(0u, max_neighbours));
-  command.add_flag("--permute", settings.permute,
-                   "Reuse the history in an order that changes from frame to frame: less alike noise");
+  command.add_flag(
+      "--permute", settings.permute,
+      "Reuse the history in an order that changes from frame to frame: less alike noise");
   command
       .add_option("--local-share", settings.local_share,
                   "Share of candidates picked from the lights that are strong near the place")
@@ -126,7 +131,9 @@ void RenderOptions::declare(CLI::App& command) {
                   "Share of all candidates picked from vehicles' lights, where any shine")
       ->capture_default_str()
       ->check(CLI::Range(0.0f, 1.0f));
-  command.add_option("--time", time, "Time of the night, HH:MM or HH:MM:SS (seconds may have a fraction)")
+  command
+      .add_option("--time", time,
+                  "Time of the night, HH:MM or HH:MM:SS (seconds may have a fraction)")
       ->capture_default_str();
   command.add_flag("--visibility-reuse", settings.visibility_reuse,
                    "basic, pairwise: drop shadowed candidates before reuse (less noise, biased)");
@@ -134,23 +141,27 @@ void RenderOptions::declare(CLI::App& command) {
                    "Sub-pixel offsets from frame to frame (on by default)");
   command.add_option("--seed", settings.seed, "Of all random numbers")->capture_default_str();
   declare_device(command, device);
-  command.add_option("--camera", camera, "Camera file (JSON) or preset: " + presets)->capture_default_str();
+  command.add_option("--camera", camera, "Camera file (JSON) or preset: " + presets)
+      ->capture_default_str();
   command
-      .add_option("--sky", settings.sky_cd_m2[0],
-                  "Uniform luminance of the sky, cd/m2: seen, and lighting the scene (a city's skyglow: "
-                  "0.002 to 0.02)")
+      .add_option(
+          "--sky", settings.sky_cd_m2[0],
+          "Uniform luminance of the sky, cd/m2: seen, and lighting the scene (a city's skyglow: "
+          "0.002 to 0.02)")
       ->check(CLI::Range(0.0f, 1e6f))
       ->default_str("0");
-  command.add_option("--sky-map", sky_map,
-                     "EXR of the sky's luminance by direction in cd/m2, latitude-longitude, north in its "
-                     "middle; --sky is then a factor");
   command.add_option(
-      "--moon", moon,
-      "Moon: AZIMUTH,ELEVATION in degrees (azimuth from north over east), or with ,LUX (full moon: 0.25)");
+      "--sky-map", sky_map,
+      "EXR of the sky's luminance by direction in cd/m2, latitude-longitude, north in its "
+      "middle; --sky is then a factor");
+  command.add_option("--moon", moon,
+                     "Moon: AZIMUTH,ELEVATION in degrees (azimuth from north over east), or with "
+                     ",LUX (full moon: 0.25)");
   command.add_option("--wet", settings.wetness, "How wet the streets are, 0 to 1")
       ->capture_default_str()
       ->check(CLI::Range(0.0f, 1.0f));
-  command.add_flag("--denoise", settings.denoise, "Filter the picture: for the eye, not for figures");
+  command.add_flag("--denoise", settings.denoise,
+                   "Filter the picture: for the eye, not for figures");
 }
 
 void RenderOptions::resolve() {
@@ -160,7 +171,8 @@ void RenderOptions::resolve() {
   if (!moon.empty()) {
     const auto [azimuth, elevation, lux] = parse_moon(moon);
     const double a = glm::radians(azimuth), e = glm::radians(elevation);
-    settings.moon_direction = glm::vec3(std::sin(a) * std::cos(e), std::sin(e), -std::cos(a) * std::cos(e));
+    settings.moon_direction =
+        glm::vec3(std::sin(a) * std::cos(e), std::sin(e), -std::cos(a) * std::cos(e));
     // Sunlight off its surface, of about 4,100 K; a colour of luminance 1.
     settings.moon_lux = static_cast<float>(lux) * glm::vec3(1.16f, 0.97f, 0.80f);
   }

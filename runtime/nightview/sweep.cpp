@@ -18,8 +18,8 @@ KnobValues canonical(KnobValues values) {
     for (const char* knob : knobs) values[knob] = std::string(1, '-');  // "-": a warning of g++ 12
   };
   if (estimator == "paper")
-    unused({"reach", "local-share", "wide-share", "uniform-share", "fleet-share", "visibility-reuse", "boost",
-            "permute"});
+    unused({"reach", "local-share", "wide-share", "uniform-share", "fleet-share",
+            "visibility-reuse", "boost", "permute"});
   if (estimator == "ris")
     unused({"neighbours", "radius", "history", "reach", "visibility-reuse", "boost", "permute"});
   if (estimator == "traced") unused({"visibility-reuse"});
@@ -44,7 +44,8 @@ std::vector<KnobValues> combinations(const std::map<std::string, std::string>& c
   std::vector<KnobValues> all{{}};
   for (const Knob& knob : knobs()) {
     const auto given = chosen.find(knob.name);
-    const std::string list = given == chosen.end() || given->second.empty() ? knob.defaults : given->second;
+    const std::string list =
+        given == chosen.end() || given->second.empty() ? knob.defaults : given->second;
     std::vector<KnobValues> longer;
     for (const KnobValues& so_far : all)
       for (const std::string& word : split_list(std::string("--") + knob.name, list)) {
@@ -84,7 +85,8 @@ SweepTable::SweepTable(std::filesystem::path folder, const std::string& fingerpr
     restarted_ = true;
     std::filesystem::remove(csv);
     for (const auto& entry : std::filesystem::directory_iterator(folder_))
-      if (entry.path().filename().string().starts_with("reference-")) std::filesystem::remove(entry.path());
+      if (entry.path().filename().string().starts_with("reference-"))
+        std::filesystem::remove(entry.path());
   }
   AtomicFile file(mark);
   file.write(fingerprint + "\n");
@@ -99,7 +101,8 @@ SweepTable::SweepTable(std::filesystem::path folder, const std::string& fingerpr
 
 bool SweepTable::holds(const std::vector<std::string>& key) const {
   return std::any_of(table_.rows.begin(), table_.rows.end(), [&](const auto& row) {
-    return std::equal(key.begin(), key.begin() + static_cast<std::ptrdiff_t>(key_columns_), row.begin());
+    return std::equal(key.begin(), key.begin() + static_cast<std::ptrdiff_t>(key_columns_),
+                      row.begin());
   });
 }
 
@@ -121,7 +124,8 @@ Plot sweep_plot(const Table& table, const std::string& view) {
                                [&](const PlotSeries& s) { return s.name == estimator; });
     if (series == plot.series.end()) series = plot.series.insert(series, {estimator, {}});
     std::string label;
-    for (const Knob& knob : knobs()) label += std::string(knob.name) + " " + cell(row, knob.name) + "  ";
+    for (const Knob& knob : knobs())
+      label += std::string(knob.name) + " " + cell(row, knob.name) + "  ";
     series->points.push_back(
         {std::atof(cell(row, "ms").c_str()), std::atof(cell(row, "relative_mse").c_str()), label});
   }

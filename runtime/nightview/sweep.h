@@ -29,8 +29,8 @@ class SweepTable {
  public:
   /// `fingerprint` of the scene: where that of an earlier run differs, its rows and reference pictures are
   /// removed and `restarted()` says so.
-  SweepTable(std::filesystem::path folder, const std::string& fingerprint, std::vector<std::string> columns,
-             std::size_t key_columns);
+  SweepTable(std::filesystem::path folder, const std::string& fingerprint,
+             std::vector<std::string> columns, std::size_t key_columns);
 
   bool restarted() const { return restarted_; }
   /// Is there a row that begins with `key`?

@@ -32,7 +32,8 @@ std::vector<std::uint32_t> frame_counts(const std::string& text) {
   for (const std::string& word : split_list("--frames", text)) {
     char* end = nullptr;
     const long value = std::strtol(word.c_str(), &end, 10);
-    if (*end != '\0' || value < 1 || value > 1000000 || (!counts.empty() && value <= long(counts.back())))
+    if (*end != '\0' || value < 1 || value > 1000000 ||
+        (!counts.empty() && value <= long(counts.back())))
       throw UsageError("--frames", "'" + text + "' is not a rising list of numbers from 1");
     counts.push_back(static_cast<std::uint32_t>(value));
   }
@@ -76,7 +77,8 @@ void write_summaries(const SweepCommand& command, const Table& table) {
   const std::filesystem::path folder = command.folder;
   write_text(folder / "sweep.md", to_markdown(table));
   for (const std::string& view : split_list("--views", command.views))
-    write_text(folder / ("sweep-" + view_name(view) + ".svg"), to_svg(sweep_plot(table, view_name(view))));
+    write_text(folder / ("sweep-" + view_name(view) + ".svg"),
+               to_svg(sweep_plot(table, view_name(view))));
 }
 
 void sweep(const SweepCommand& command) {
@@ -88,7 +90,8 @@ void sweep(const SweepCommand& command) {
   const auto frames = frame_counts(command.frames);
   const auto all = combinations(command.lists);
 
-  Experiment experiment(load_render_scene(command.scene), {command.device, size.width, size.height});
+  Experiment experiment(load_render_scene(command.scene),
+                        {command.device, size.width, size.height});
   std::vector<CameraPose> poses;
   for (const std::string& view : views) poses.push_back(find_camera(view, experiment.scene()));
   const std::size_t keys = columns().size() - 6;  // up to and with the frames
@@ -120,7 +123,8 @@ void sweep(const SweepCommand& command) {
         longer.push_back(fmt::to_string(n));
         return longer;
       };
-      if (!std::all_of(frames.begin(), frames.end(), [&](auto n) { return results.holds(with_frames(n)); })) {
+      if (!std::all_of(frames.begin(), frames.end(),
+                       [&](auto n) { return results.holds(with_frames(n)); })) {
         const double minutes =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / 60;
         if (command.minutes > 0 && minutes > command.minutes) {
@@ -131,9 +135,10 @@ void sweep(const SweepCommand& command) {
           const std::filesystem::path cache =
               std::filesystem::path(command.folder) /
               fmt::format("reference-{}-{}-{}.exr", view_name(views[v]), camera, command.size);
-          truth =
-              experiment.reference(poses[v], settings_of({}), command.reference_frames, cache, [&](auto n) {
-                progress.tell(done, fmt::format("reference, frame {}/{}", n, command.reference_frames));
+          truth = experiment.reference(
+              poses[v], settings_of({}), command.reference_frames, cache, [&](auto n) {
+                progress.tell(done,
+                              fmt::format("reference, frame {}/{}", n, command.reference_frames));
               });
         }
         for (const Measurement& m : experiment.measure(poses[v], settings_of(values), truth, frames,
@@ -162,31 +167,40 @@ void sweep(const SweepCommand& command) {
 void add_sweep_command(CLI::App& app) {
   auto command = std::make_shared<SweepCommand>();
   CLI::App* sub = app.add_subcommand(
-      "sweep", "Error against milliseconds for every combination of settings: CSV, Markdown and a plot");
+      "sweep",
+      "Error against milliseconds for every combination of settings: CSV, Markdown and a plot");
   sub->footer(
-      "Lists are comma-separated. DIR gets sweep.csv, sweep.md, sweep-VIEW.svg and the reference pictures; "
+      "Lists are comma-separated. DIR gets sweep.csv, sweep.md, sweep-VIEW.svg and the reference "
+      "pictures; "
       "run again, "
       "it goes on\nwhere it stopped, and anew where the scene changed.\n"
       "Examples:\n"
-      "  nightview sweep city.glb --out sweep --estimator paper,pairwise --candidates 1,2,4,8,16,32\n"
-      "  nightview sweep city.glb --out sweep --size 1920x1080 --views overview,street --frames 1,30 "
+      "  nightview sweep city.glb --out sweep --estimator paper,pairwise --candidates "
+      "1,2,4,8,16,32\n"
+      "  nightview sweep city.glb --out sweep --size 1920x1080 --views overview,street --frames "
+      "1,30 "
       "--minutes 9");
-  sub->add_option("scene", command->scene, "SCENE.glb; SCENE.lights beside it is read too")->required();
+  sub->add_option("scene", command->scene, "SCENE.glb; SCENE.lights beside it is read too")
+      ->required();
   sub->add_option("-o,--out", command->folder, "Folder of the results")->required();
   sub->add_option("--views", command->views, "Cameras: files or presets")->capture_default_str();
-  sub->add_option("--size", command->size, "Picture size in pixels, WIDTHxHEIGHT")->capture_default_str();
-  sub->add_option("--frames", command->frames, "Errors are those of the mean of so many frames; rising")
+  sub->add_option("--size", command->size, "Picture size in pixels, WIDTHxHEIGHT")
+      ->capture_default_str();
+  sub->add_option("--frames", command->frames,
+                  "Errors are those of the mean of so many frames; rising")
       ->capture_default_str();
   for (const Knob& knob : knobs())
     sub->add_option(std::string("--") + knob.name, command->lists[knob.name], knob.help)
         ->default_str(knob.defaults);
-  sub->add_option("--warm-up", command->warm_up, "Frames before the first that counts: they fill the history")
+  sub->add_option("--warm-up", command->warm_up,
+                  "Frames before the first that counts: they fill the history")
       ->capture_default_str()
       ->check(CLI::Range(0u, 100000u));
   sub->add_option("--repeats", command->repeats, "Seeds whose errors are averaged")
       ->capture_default_str()
       ->check(CLI::Range(1u, 1000u));
-  sub->add_option("--reference-frames", command->reference_frames, "Frames of the reference picture")
+  sub->add_option("--reference-frames", command->reference_frames,
+                  "Frames of the reference picture")
       ->capture_default_str()
       ->check(CLI::Range(1u, 100000u));
   sub->add_option("--minutes", command->minutes,

@@ -41,23 +41,26 @@ struct Sums {
 LightFamily family_of(const RenderScene& scene, std::size_t light) {
   if (light < scene.families.size()) return scene.families[light];
   const std::size_t moving = light - scene.families.size();
-  const VehicleKind& kind = scene.fleet.vehicles[scene.fleet.trips[moving / VEHICLE_LIGHTS].vehicle];
+  const VehicleKind& kind =
+      scene.fleet.vehicles[scene.fleet.trips[moving / VEHICLE_LIGHTS].vehicle];
   const std::size_t n = moving % VEHICLE_LIGHTS;
   if (n >= kind.light_count) return LightFamily::other;
   return static_cast<LightFamily>(scene.fleet.vehicle_lights[kind.first_light + n].id);
 }
 
-void write_lights(const std::filesystem::path& path, const RenderScene& scene, const UpwardFlux& flux) {
+void write_lights(const std::filesystem::path& path, const RenderScene& scene,
+                  const UpwardFlux& flux) {
   AtomicFile file(path);
   std::string text = "light,family,flux_lm,direct_lm,reflected_lm,sideways_lm,upward_share\n";
   for (std::size_t i = 0; i < flux.lights.size(); ++i) {
     const double lm = flux.flux_lm[i];
     if (!(lm > 0)) continue;
     const auto& s = flux.lights[i];
-    text += fmt::format(
-        "{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", i,
-        family_names[std::min<std::size_t>(std::size_t(family_of(scene, i)), family_names.size() - 1)], lm,
-        lm * s.direct, lm * s.reflected, lm * s.sideways, s.direct + s.reflected);
+    text +=
+        fmt::format("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", i,
+                    family_names[std::min<std::size_t>(std::size_t(family_of(scene, i)),
+                                                       family_names.size() - 1)],
+                    lm, lm * s.direct, lm * s.reflected, lm * s.sideways, s.direct + s.reflected);
     if (text.size() > (1 << 20)) {
       file.write(text.data(), text.size());
       text.clear();
@@ -98,7 +101,8 @@ void upward(UpwardCommand& command) {
   Sums all;
   for (std::size_t i = 0; i < flux.lights.size(); ++i) {
     if (!(flux.flux_lm[i] > 0)) continue;
-    const std::size_t family = std::min<std::size_t>(std::size_t(family_of(scene, i)), families.size() - 1);
+    const std::size_t family =
+        std::min<std::size_t>(std::size_t(family_of(scene, i)), families.size() - 1);
     for (Sums* sums : {&all, &families[family]}) {
       ++sums->lights;
       sums->flux_lm += flux.flux_lm[i];
@@ -130,8 +134,8 @@ void upward(UpwardCommand& command) {
              "reflected lm", "share up");
   const auto row = [](const char* name, const Sums& s) {
     if (s.lights > 0)
-      fmt::print("{:<10} {:>9} {:>13.0f} {:>13.0f} {:>13.0f} {:>8.2f}%\n", name, s.lights, s.flux_lm,
-                 s.direct_lm, s.reflected_lm, 100 * s.share());
+      fmt::print("{:<10} {:>9} {:>13.0f} {:>13.0f} {:>13.0f} {:>8.2f}%\n", name, s.lights,
+                 s.flux_lm, s.direct_lm, s.reflected_lm, 100 * s.share());
   };
   for (std::size_t f = 0; f < families.size(); ++f) row(family_names[f], families[f]);
   row("all", all);
@@ -152,9 +156,11 @@ void add_upward_command(CLI::App& app) {
       "Examples:\n"
       "  nightview upward out/demo/city.glb --out out/upward\n"
       "  nightview upward city.glb --out dark --time 23:00 --cell 2 --rays 4096 --json");
-  sub->add_option("scene", command->scene, "SCENE.glb; SCENE.lights beside it is read too")->required();
+  sub->add_option("scene", command->scene, "SCENE.glb; SCENE.lights beside it is read too")
+      ->required();
   sub->add_option("--out", command->out, "Folder to write to")->required();
-  sub->add_option("--time", command->time, "Time of the night, HH:MM or HH:MM:SS")->capture_default_str();
+  sub->add_option("--time", command->time, "Time of the night, HH:MM or HH:MM:SS")
+      ->capture_default_str();
   sub->add_option("--rays", command->settings.rays, "Rays a light")
       ->capture_default_str()
       ->check(CLI::Range(1u, 1u << 20));

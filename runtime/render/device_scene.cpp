@@ -35,7 +35,8 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
     trees_.emplace(device, scene, addresses_.triangles);
     with_trees = scene.instances;
     instances = with_trees;
-    for (gpu::Instance& instance : with_trees) instance.root = trees_->first_triangle(instance.root);
+    for (gpu::Instance& instance : with_trees)
+      instance.root = trees_->first_triangle(instance.root);
     addresses_.tree = {static_cast<std::uint32_t>(trees_->address()),
                        static_cast<std::uint32_t>(trees_->address() >> 32)};
   }
@@ -49,7 +50,8 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
     return std::any_of(scene.lights.begin(), scene.lights.end(), is) ||
            std::any_of(scene.fleet.vehicle_lights.begin(), scene.fleet.vehicle_lights.end(), is);
   };
-  has_profiles_ = any_light([](const Light& light) { return light.kind_profile >> 8 != LIGHT_NO_PROFILE; });
+  has_profiles_ =
+      any_light([](const Light& light) { return light.kind_profile >> 8 != LIGHT_NO_PROFILE; });
   has_rectangles_ =
       any_light([](const Light& light) { return (light.kind_profile & 255u) == LIGHT_RECTANGLE; });
 
@@ -170,8 +172,8 @@ std::vector<double> DeviceScene::flux_now() const {
 std::uint64_t DeviceScene::bytes() const {
   std::uint64_t total = 0;
   for (const gpu::Buffer& buffer : storage_) total += buffer.bytes();
-  for (const gpu::Buffer* buffer : {&lit_bits_[0], &lit_bits_[1], &lit_list_, &alias_, &cells_[0], &cells_[1],
-                                    &entries_[0], &entries_[1]})
+  for (const gpu::Buffer* buffer : {&lit_bits_[0], &lit_bits_[1], &lit_list_, &alias_, &cells_[0],
+                                    &cells_[1], &entries_[0], &entries_[1]})
     total += buffer->bytes();
   return total + (trees_ ? trees_->bytes() : 0);
 }

@@ -70,7 +70,8 @@ class DeviceScene {
   LitLights lit_;
   std::vector<float> flux_lm_;  // of the standing lights when they shine
   Box bounds_;
-  gpu::Buffer lit_bits_[2];  // of now and of before the last switch: the frame before may have used the other
+  gpu::Buffer lit_bits_
+      [2];  // of now and of before the last switch: the frame before may have used the other
   int lit_parity_ = 0;
   gpu::Buffer lit_list_, alias_, cells_[2], entries_[2];  // of the grids: local, wide
   bool when_ready_ = false;

@@ -13,10 +13,11 @@ FleetPasses::FleetPasses(gpu::Device& device, const DeviceScene& scene) : scene_
   if (!scene.has_fleet()) return;
   const gpu::FleetBuffers& fleet = scene.buffers().fleet;
   const std::size_t trips = fleet.trip_count;
-  for (gpu::Buffer& lights : lights_) lights = gpu::Buffer(device, trips * VEHICLE_LIGHTS * sizeof(Light));
+  for (gpu::Buffer& lights : lights_)
+    lights = gpu::Buffer(device, trips * VEHICLE_LIGHTS * sizeof(Light));
   const std::uint32_t last = fleet.levels - 1;
-  nodes_ = gpu::Buffer(
-      device, (fleet.level_first[last] + std::size_t{fleet.level_count[last]}) * sizeof(gpu::FleetNode));
+  nodes_ = gpu::Buffer(device, (fleet.level_first[last] + std::size_t{fleet.level_count[last]}) *
+                                   sizeof(gpu::FleetNode));
   boxes_ = gpu::Buffer(device, trips * sizeof(gpu::FleetNode));
   cells_ = gpu::Buffer(device, trips * 2 * sizeof(std::uint32_t));
   counts_ = gpu::Buffer(device, (FLEET_CELLS + 1) * sizeof(std::uint32_t));
@@ -32,11 +33,13 @@ void FleetPasses::enter(gpu::Frame& frame) {
   frame.fleet_counts = counts_.address();
 }
 
-void FleetPasses::record(VkCommandBuffer commands, const PassSet& passes, std::uint64_t frame_address,
+void FleetPasses::record(VkCommandBuffer commands, const PassSet& passes,
+                         std::uint64_t frame_address,
                          const std::function<void(const char*)>& finished) const {
   if (!scene_.has_fleet()) return;
   const gpu::FleetBuffers& fleet = scene_.buffers().fleet;
-  const auto run = [&](const gpu::ComputePass& pass, std::uint32_t invocations, std::uint32_t level = 0) {
+  const auto run = [&](const gpu::ComputePass& pass, std::uint32_t invocations,
+                       std::uint32_t level = 0) {
     const gpu::Push push{frame_address, level, 0};
     pass.dispatch(commands, &push, invocations);
     gpu::full_barrier(commands);
@@ -58,7 +61,8 @@ void FleetPasses::record(VkCommandBuffer commands, const PassSet& passes, std::u
 }
 
 std::vector<Light> FleetPasses::lights() const {
-  return lights_[parity_].read<Light>(scene_.buffers().fleet.trip_count * std::size_t{VEHICLE_LIGHTS});
+  return lights_[parity_].read<Light>(scene_.buffers().fleet.trip_count *
+                                      std::size_t{VEHICLE_LIGHTS});
 }
 
 }  // namespace nightcity

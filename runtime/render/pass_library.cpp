@@ -66,7 +66,8 @@ const PassSet& PassLibrary::get(const PassConstants& constants) {
   if (constants[CONSTANT_ESTIMATOR] == ESTIMATOR_REFERENCE) {
     set.reference = make_trace({reference_spirv, reference_query_spirv, reference_pipeline_spirv});
   } else {
-    set.candidates = make_trace({candidates_spirv, candidates_query_spirv, candidates_pipeline_spirv});
+    set.candidates =
+        make_trace({candidates_spirv, candidates_query_spirv, candidates_pipeline_spirv});
     set.temporal = make_trace({temporal_spirv, temporal_query_spirv, temporal_pipeline_spirv});
     set.spatial = make_trace({spatial_spirv, spatial_query_spirv, spatial_pipeline_spirv});
     set.shade = make_trace({shade_spirv, shade_query_spirv, shade_pipeline_spirv});
@@ -79,7 +80,8 @@ const TracePass& PassLibrary::upward(const PassConstants& constants) {
   if (known != upward_.end()) return known->second;
   return upward_
       .emplace(constants,
-               make_trace(constants, {upward_spirv, upward_query_spirv, upward_pipeline_spirv}, over_a_list))
+               make_trace(constants, {upward_spirv, upward_query_spirv, upward_pipeline_spirv},
+                          over_a_list))
       .first->second;
 }
 
@@ -87,8 +89,8 @@ TracePass PassLibrary::make_trace(const PassConstants& constants, const TraceSha
                                   gpu::Workgroup workgroup) {
   const gpu::Trace trace = device_.trace();
   if (trace == gpu::Trace::pipeline)
-    return TracePass(gpu::RayPass(device_, {shader.pipeline, trace_miss_spirv, trace_hit_spirv}, constants,
-                                  sizeof(gpu::Push)));
+    return TracePass(gpu::RayPass(device_, {shader.pipeline, trace_miss_spirv, trace_hit_spirv},
+                                  constants, sizeof(gpu::Push)));
   const auto words = trace == gpu::Trace::query ? shader.query : shader.compute;
   return TracePass(gpu::ComputePass(device_, words, constants, sizeof(gpu::Push), workgroup));
 }

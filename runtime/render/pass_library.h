@@ -18,7 +18,8 @@ using PassConstants = std::array<std::uint32_t, CONSTANT_COUNT>;
 
 struct PassSet {
   gpu::ComputePass accumulate, demodulate, denoise;
-  gpu::ComputePass fleet_pose, fleet_offsets, fleet_order, fleet_settle, fleet_tree;  // only with traffic
+  gpu::ComputePass fleet_pose, fleet_offsets, fleet_order, fleet_settle,
+      fleet_tree;  // only with traffic
   TracePass primary;
   TracePass reference;                             // only where the estimator is the reference
   TracePass candidates, temporal, spatial, shade;  // only where it is not
@@ -38,7 +39,8 @@ class PassLibrary {
   struct TraceShader {
     std::span<const std::uint32_t> compute, query, pipeline;
   };
-  TracePass make_trace(const PassConstants& constants, const TraceShader& shader, gpu::Workgroup workgroup);
+  TracePass make_trace(const PassConstants& constants, const TraceShader& shader,
+                       gpu::Workgroup workgroup);
 
   gpu::Device& device_;
   std::map<PassConstants, PassSet> sets_;

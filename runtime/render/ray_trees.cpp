@@ -36,10 +36,11 @@ RayTrees::RayTrees(gpu::Device& device, const RenderScene& scene, std::uint64_t 
     throw Error("scene", "more than 16 million instances: too many for any --trace but compute");
   for (const Mesh& mesh : scene.meshes)
     meshes_.insert_or_assign(
-        mesh.root, Placed{mesh.first_triangle,
-                          gpu::AccelerationStructure::of_triangles(
-                              device, triangles + std::uint64_t{mesh.first_triangle} * sizeof(gpu::Triangle),
-                              mesh.triangles)});
+        mesh.root,
+        Placed{mesh.first_triangle,
+               gpu::AccelerationStructure::of_triangles(
+                   device, triangles + std::uint64_t{mesh.first_triangle} * sizeof(gpu::Triangle),
+                   mesh.triangles)});
 
   // Where no trip has its vehicle on the road yet: mask 0, which no ray meets.
   std::vector<VkAccelerationStructureInstanceKHR> records(placed);
@@ -52,7 +53,8 @@ RayTrees::RayTrees(gpu::Device& device, const RenderScene& scene, std::uint64_t 
     const auto mesh = meshes_.find(body.root);
     bodies.push_back(mesh == meshes_.end() ? 0 : mesh->second.tree.address());
   }
-  instances_ = gpu::Buffer::of(device, std::span<const VkAccelerationStructureInstanceKHR>(records));
+  instances_ =
+      gpu::Buffer::of(device, std::span<const VkAccelerationStructureInstanceKHR>(records));
   bodies_ = gpu::Buffer::of(device, std::span<const std::uint64_t>(bodies));
   trip_instances_ =
       instances_.address() + scene.instances.size() * sizeof(VkAccelerationStructureInstanceKHR);

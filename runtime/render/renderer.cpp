@@ -29,14 +29,15 @@ bool same_view(const CameraPose& a, const CameraPose& b) {
 
 // Settings that only change how the mean is shown do not restart it.
 bool same_estimate(const RenderSettings& a, const RenderSettings& b) {
-  return a.estimator == b.estimator && a.candidates == b.candidates && a.neighbours == b.neighbours &&
-         a.neighbour_radius_px == b.neighbour_radius_px && a.history_cap == b.history_cap &&
-         a.reach_m == b.reach_m && a.boost == b.boost && a.permute == b.permute &&
-         a.uniform_share == b.uniform_share && a.fleet_share == b.fleet_share &&
-         a.local_share == b.local_share && a.wide_share == b.wide_share &&
-         a.visibility_reuse == b.visibility_reuse && a.jitter == b.jitter && a.seed == b.seed &&
-         a.sky_cd_m2 == b.sky_cd_m2 && a.layers == b.layers && a.moon_direction == b.moon_direction &&
-         a.moon_lux == b.moon_lux && a.wetness == b.wetness;
+  return a.estimator == b.estimator && a.candidates == b.candidates &&
+         a.neighbours == b.neighbours && a.neighbour_radius_px == b.neighbour_radius_px &&
+         a.history_cap == b.history_cap && a.reach_m == b.reach_m && a.boost == b.boost &&
+         a.permute == b.permute && a.uniform_share == b.uniform_share &&
+         a.fleet_share == b.fleet_share && a.local_share == b.local_share &&
+         a.wide_share == b.wide_share && a.visibility_reuse == b.visibility_reuse &&
+         a.jitter == b.jitter && a.seed == b.seed && a.sky_cd_m2 == b.sky_cd_m2 &&
+         a.layers == b.layers && a.moon_direction == b.moon_direction && a.moon_lux == b.moon_lux &&
+         a.wetness == b.wetness;
 }
 
 // Sub-pixel positions: the R2 sequence (Roberts 2018), starting at the pixel's centre.
@@ -60,8 +61,8 @@ glm::vec3 unpack_normal(std::uint32_t packed) {
 
 }  // namespace
 
-Renderer::Renderer(gpu::Device& device, PassLibrary& passes, DeviceScene& scene, std::uint32_t width,
-                   std::uint32_t height)
+Renderer::Renderer(gpu::Device& device, PassLibrary& passes, DeviceScene& scene,
+                   std::uint32_t width, std::uint32_t height)
     : device_(device),
       library_(passes),
       scene_(scene),
@@ -70,7 +71,8 @@ Renderer::Renderer(gpu::Device& device, PassLibrary& passes, DeviceScene& scene,
       timer_(device),
       fleet_(device, scene) {
   if (width == 0 || height == 0 || width > max_image_side || height > max_image_side)
-    throw UsageError("--size", "a picture has 1 to " + std::to_string(max_image_side) + " pixels a side");
+    throw UsageError("--size",
+                     "a picture has 1 to " + std::to_string(max_image_side) + " pixels a side");
   const std::size_t pixels = std::size_t{width} * height;
   frame_ = gpu::Buffer(device, sizeof(gpu::Frame), gpu::Memory::host);
   for (int i = 0; i < 2; ++i) {
@@ -90,7 +92,9 @@ PassConstants Renderer::constants_of(const RenderSettings& settings) const {
   constants[CONSTANT_RECTANGLES] = scene_.has_rectangles();
   constants[CONSTANT_VISIBILITY_REUSE] = settings.visibility_reuse;
   const bool sky = settings.sky_cd_m2 != glm::vec3(0), moon = settings.moon_lux != glm::vec3(0);
-  constants[CONSTANT_SKY] = sky && scene_.has_sky_map() ? SKY_MAP : sky || moon ? SKY_UNIFORM : SKY_DARK;
+  constants[CONSTANT_SKY] = sky && scene_.has_sky_map() ? SKY_MAP
+                            : sky || moon               ? SKY_UNIFORM
+                                                        : SKY_DARK;
   constants[CONSTANT_GLOSS] = settings.wetness > 0;
   constants[CONSTANT_LAYERS] = settings.layers;
   constants[CONSTANT_SCHEDULES] = scene_.has_schedules();
@@ -110,8 +114,8 @@ std::vector<Feature> Renderer::not_needed(const RenderSettings& settings) const 
 }
 
 template <class Pass>
-void Renderer::run_pass(VkCommandBuffer commands, const Pass& pass, const char* name, std::uint32_t first,
-                        std::uint32_t count, std::uint32_t slices) {
+void Renderer::run_pass(VkCommandBuffer commands, const Pass& pass, const char* name,
+                        std::uint32_t first, std::uint32_t count, std::uint32_t slices) {
   const gpu::Push push{frame_.address(), first, count};
   pass.dispatch(commands, &push, width_, height_, slices);
   gpu::full_barrier(commands);
@@ -119,7 +123,8 @@ void Renderer::run_pass(VkCommandBuffer commands, const Pass& pass, const char* 
 }
 
 void Renderer::record_fleet(VkCommandBuffer commands) {
-  fleet_.record(commands, *passes_, frame_.address(), [&](const char* name) { timer_.mark(commands, name); });
+  fleet_.record(commands, *passes_, frame_.address(),
+                [&](const char* name) { timer_.mark(commands, name); });
 }
 
 void Renderer::record_restir(VkCommandBuffer commands, const RenderSettings& settings) {
@@ -173,9 +178,11 @@ void Renderer::render_reference(const RenderSettings& settings, std::uint32_t sl
   std::uint32_t first = 0;
   do {  // a chunk of no lights still writes what surfaces emit
     submit([&](VkCommandBuffer commands) {
-      for (std::uint32_t i = 0; i < dispatches_a_submission && (first < lights || first == 0); ++i) {
+      for (std::uint32_t i = 0; i < dispatches_a_submission && (first < lights || first == 0);
+           ++i) {
         const std::uint32_t count = std::min(a_dispatch, lights - first);
-        run_pass(commands, passes_->reference, "reference", first, count, std::max(chunks_of(count), 1u));
+        run_pass(commands, passes_->reference, "reference", first, count,
+                 std::max(chunks_of(count), 1u));
         first += a_dispatch;
       }
     });
@@ -190,10 +197,12 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
     throw UsageError("--neighbours", "0 to " + std::to_string(max_neighbours));
   // A light that is never picked is missing from the picture, and nothing in it says so.
   if (settings.local_share + settings.wide_share > 0.999f)
-    throw UsageError("--local-share",
-                     "and --wide-share: together at most 0.999, lights that no list holds want a share too");
+    throw UsageError(
+        "--local-share",
+        "and --wide-share: together at most 0.999, lights that no list holds want a share too");
   if (scene_.has_fleet() && !(settings.fleet_share > 0 && settings.fleet_share < 1))
-    throw UsageError("--fleet-share", "above 0 and below 1: vehicles and what stands want a share each");
+    throw UsageError("--fleet-share",
+                     "above 0 and below 1: vehicles and what stands want a share each");
 
   const bool same_settings = same_estimate(settings, settings_);
   const bool switched = scene_.set_time(settings.time_s);
@@ -245,20 +254,22 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
   frame.history_cap = settings.history_cap;
   // As published: uniform picks, no boost, no permutation, every M in full.
   const bool as_published = settings.estimator == Estimator::paper;
-  frame.reach_falloff = as_published || settings.reach_m <= 0 ? 0 : 1 / (settings.reach_m * settings.reach_m);
+  frame.reach_falloff =
+      as_published || settings.reach_m <= 0 ? 0 : 1 / (settings.reach_m * settings.reach_m);
   frame.boost = as_published ? 0 : settings.boost;
   // Fibonacci hashing: neighbouring frames get distant corners.
   frame.permutation =
       settings.permute && !as_published ? (frame_number_ * 2654435769u) >> 28 : NO_PERMUTATION;
   frame.local_share = as_published ? 0.0f : std::clamp(settings.local_share, 0.0f, 1.0f);
-  frame.wide_share = as_published ? 0.0f : std::clamp(settings.wide_share, 0.0f, 1.0f - frame.local_share);
-  frame.uniform_share =
-      as_published ? 1.0f
-                   : std::clamp(settings.uniform_share, 0.0f, 1.0f - frame.local_share - frame.wide_share);
+  frame.wide_share =
+      as_published ? 0.0f : std::clamp(settings.wide_share, 0.0f, 1.0f - frame.local_share);
+  frame.uniform_share = as_published ? 1.0f
+                                     : std::clamp(settings.uniform_share, 0.0f,
+                                                  1.0f - frame.local_share - frame.wide_share);
   // As published, candidates are uniform over all lights: each set has its share of them.
   const double moving = double(frame.scene.light_count - frame.scene.standing_lights);
-  frame.fleet_share =
-      as_published ? float(moving / std::max(1.0, moving + frame.scene.lit_count)) : settings.fleet_share;
+  frame.fleet_share = as_published ? float(moving / std::max(1.0, moving + frame.scene.lit_count))
+                                   : settings.fleet_share;
   const double before_s = has_history_ ? settings_.time_s : settings.time_s;
   frame.time_s = float(settings.time_s);
   frame.previous_time_s = float(before_s);
@@ -313,7 +324,8 @@ Image Renderer::download(bool layers) const {
         sums[i].frames > 0 ? (sums[i].sum - sums[i].compensation) / sums[i].frames : glm::vec3(0);
     for (int c = 0; c < 3; ++c) image.rgb[3 * i + std::size_t(c)] = mean[c];
   }
-  image.info.estimator = std::string(name_of(settings_.estimator)) + (settings_.denoise ? ", denoised" : "");
+  image.info.estimator =
+      std::string(name_of(settings_.estimator)) + (settings_.denoise ? ", denoised" : "");
   image.info.frames = frames_;
   image.info.candidates = settings_.estimator == Estimator::reference ? 0 : settings_.candidates;
   image.info.neighbours = settings_.neighbours;
@@ -337,7 +349,8 @@ void Renderer::add_layers(Image& image) const {
 
   std::vector<float>& luminance = add("luminance", {"Y"});
   for (std::size_t i = 0; i < pixels; ++i)
-    luminance.push_back(tonemap::luminance_709(image.rgb[3 * i], image.rgb[3 * i + 1], image.rgb[3 * i + 2]));
+    luminance.push_back(
+        tonemap::luminance_709(image.rgb[3 * i], image.rgb[3 * i + 1], image.rgb[3 * i + 2]));
 
   // Sums of the frames of this mean: a window has no such sum.
   if (settings_.layers && settings_.window == 0) {
@@ -365,16 +378,19 @@ void Renderer::add_layers(Image& image) const {
     }
   };
   const auto hit = [](const gpu::Surface& s) { return s.depth > 0; };
-  add_seen("albedo", {"R", "G", "B"},
-           [&](const gpu::Surface& s) { return hit(s) ? scene_.albedo(s.material) : glm::vec3(0); });
+  add_seen("albedo", {"R", "G", "B"}, [&](const gpu::Surface& s) {
+    return hit(s) ? scene_.albedo(s.material) : glm::vec3(0);
+  });
   add_seen("normal", {"X", "Y", "Z"},
            [&](const gpu::Surface& s) { return hit(s) ? unpack_normal(s.normal) : glm::vec3(0); });
   add_seen("position", {"X", "Y", "Z"}, [](const gpu::Surface& s) { return s.position; });
   add_seen("motion", {"X", "Y", "Z"}, [](const gpu::Surface& s) { return s.motion; });
   add_seen("depth", {"Z"}, [](const gpu::Surface& s) { return s.depth; });
-  add_seen("material", {"id"}, [&](const gpu::Surface& s) { return hit(s) ? float(s.material) : -1.0f; });
-  add_seen("feature", {"id"},
-           [&](const gpu::Surface& s) { return hit(s) && s.feature != NO_HIT ? float(s.feature) : -1.0f; });
+  add_seen("material", {"id"},
+           [&](const gpu::Surface& s) { return hit(s) ? float(s.material) : -1.0f; });
+  add_seen("feature", {"id"}, [&](const gpu::Surface& s) {
+    return hit(s) && s.feature != NO_HIT ? float(s.feature) : -1.0f;
+  });
 }
 
 }  // namespace nightcity

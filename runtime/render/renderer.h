@@ -61,8 +61,8 @@ class Renderer {
   void add_layers(Image& image) const;
   // An invocation a pixel and slice, then a barrier; the timer gives the name to what came before.
   template <class Pass>
-  void run_pass(VkCommandBuffer commands, const Pass& pass, const char* name, std::uint32_t first = 0,
-                std::uint32_t count = 0, std::uint32_t slices = 1);
+  void run_pass(VkCommandBuffer commands, const Pass& pass, const char* name,
+                std::uint32_t first = 0, std::uint32_t count = 0, std::uint32_t slices = 1);
 
   gpu::Device& device_;
   PassLibrary& library_;

@@ -40,8 +40,10 @@ struct RenderSettings {
   std::uint32_t candidates = 32;            // a pixel and frame, 1 .. max_candidates
   std::uint32_t neighbours = 5;             // spatial reuse, 0 .. max_neighbours
   float neighbour_radius_px = 10;
-  float history_cap = 20;    // M of the history, in multiples of a frame's candidates; 0 = no temporal reuse
-  float reach_m = 1.5f;      // half of the history's M counts where it was gathered so far away; 0 = all
+  float history_cap =
+      20;  // M of the history, in multiples of a frame's candidates; 0 = no temporal reuse
+  float reach_m =
+      1.5f;  // half of the history's M counts where it was gathered so far away; 0 = all
   std::uint32_t boost = 0;   // neighbours of a pixel without history, where more than `neighbours`
   bool permute = false;      // reuse the history in an order that changes from frame to frame
   float local_share = 0.5f;  // of candidates picked from the lights that are strong near the place
@@ -50,7 +52,7 @@ struct RenderSettings {
   float fleet_share = 0.3f;     // of all candidates picked from vehicles' lights, where any shine
   double time_s = 8 * 3600;     // since noon
   bool visibility_reuse =
-      false;               // drop shadowed candidates before reuse: less noise, biased (basic, pairwise)
+      false;  // drop shadowed candidates before reuse: less noise, biased (basic, pairwise)
   bool accumulate = true;  // mean of frames; else every frame stands alone
   std::uint32_t window =
       0;  // mean of at most so many frames, carried along by motion; 0 = of all, while nothing moves
@@ -59,7 +61,8 @@ struct RenderSettings {
   float wetness = 0;     // of surfaces that face up, 0 .. 1
   bool jitter = true;    // sub-pixel offsets from frame to frame: anti-aliasing
   std::uint32_t seed = 0;
-  glm::vec3 sky_cd_m2{0};  // luminance of rays that leave the scene; with a sky map, a factor for it
+  glm::vec3 sky_cd_m2{
+      0};  // luminance of rays that leave the scene; with a sky map, a factor for it
   glm::vec3 moon_direction{0, 1, 0};  // towards it, unit
   glm::vec3 moon_lux{0};              // on a surface that faces it; 0 = no moon
   float ev100 = 2;                    // of the displayed picture

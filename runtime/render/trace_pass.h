@@ -17,9 +17,10 @@ class TracePass {
   explicit TracePass(gpu::RayPass pass) : pass_(std::move(pass)) {}
 
   /// Records width x height x depth invocations, as the passes have it.
-  void dispatch(VkCommandBuffer commands, const void* push, std::uint32_t width, std::uint32_t height = 1,
-                std::uint32_t depth = 1) const {
-    std::visit([&](const auto& pass) { pass.dispatch(commands, push, width, height, depth); }, pass_);
+  void dispatch(VkCommandBuffer commands, const void* push, std::uint32_t width,
+                std::uint32_t height = 1, std::uint32_t depth = 1) const {
+    std::visit([&](const auto& pass) { pass.dispatch(commands, push, width, height, depth); },
+               pass_);
   }
 
  private:

@@ -30,7 +30,8 @@ UpwardFlux upward_flux(gpu::Device& device, PassLibrary& library, DeviceScene& s
   fleet.enter(frame);
   frame.seed = settings.seed;
   frame.time_s = frame.previous_time_s = float(settings.time_s);
-  frame.cycle_time_s = frame.previous_cycle_time_s = cycle_time(frame.scene.fleet.cycle, settings.time_s);
+  frame.cycle_time_s = frame.previous_cycle_time_s =
+      cycle_time(frame.scene.fleet.cycle, settings.time_s);
   frame.previous_lit = frame.scene.lit;
 
   UpwardFlux result;
@@ -44,10 +45,12 @@ UpwardFlux upward_flux(gpu::Device& device, PassLibrary& library, DeviceScene& s
   result.depth = static_cast<std::uint32_t>(depth_m / result.cell_m) + 1;
   const std::size_t cells = std::size_t{result.width} * result.depth;
   const std::uint32_t lights = frame.scene.light_count;
-  gpu::Buffer map(device, cells * sizeof(std::uint32_t)), escapes(device, lights * sizeof(gpu::Escape));
+  gpu::Buffer map(device, cells * sizeof(std::uint32_t)),
+      escapes(device, lights * sizeof(gpu::Escape));
   map.fill_zero();
   escapes.fill_zero();
-  const std::uint32_t dispatches = (std::max(settings.rays, 1u) + rays_a_dispatch - 1) / rays_a_dispatch;
+  const std::uint32_t dispatches =
+      (std::max(settings.rays, 1u) + rays_a_dispatch - 1) / rays_a_dispatch;
   frame.upward = {escapes.address(), map.address(), result.origin_x, result.origin_z,
                   result.cell_m,     result.width,  result.depth,    dispatches * rays_a_dispatch};
 
@@ -73,7 +76,8 @@ UpwardFlux upward_flux(gpu::Device& device, PassLibrary& library, DeviceScene& s
 
   for (const gpu::Escape& e : escapes.read<gpu::Escape>(lights)) {
     const double rays = frame.upward.rays;
-    result.lights.push_back({double(e.direct) / rays, double(e.reflected) / rays, double(e.sideways) / rays});
+    result.lights.push_back(
+        {double(e.direct) / rays, double(e.reflected) / rays, double(e.sideways) / rays});
   }
   result.flux_lm = scene.flux_now();
   const auto moving = fleet.lights();

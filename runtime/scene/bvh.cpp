@@ -60,8 +60,12 @@ class Builder {
     return r;
   }
 
-  std::uint32_t mask_of(std::uint32_t primitive) const { return masks_.empty() ? 0xFFu : masks_[primitive]; }
-  bool casts_shadow(std::uint32_t primitive) const { return (mask_of(primitive) & MASK_SHADOW) != 0; }
+  std::uint32_t mask_of(std::uint32_t primitive) const {
+    return masks_.empty() ? 0xFFu : masks_[primitive];
+  }
+  bool casts_shadow(std::uint32_t primitive) const {
+    return (mask_of(primitive) & MASK_SHADOW) != 0;
+  }
 
   static std::uint32_t leaf(const Range& r) {
     return BVH_LEAF | ((r.size() - 1) << BVH_LEAF_COUNT_SHIFT) | r.begin;
@@ -86,7 +90,8 @@ class Builder {
     std::nth_element(order_.begin() + r.begin, order_.begin() + middle, order_.begin() + r.end,
                      [&](std::uint32_t a, std::uint32_t b) {
                        // Ties by index: the same input gives the same tree everywhere.
-                       return std::pair(centres_[a][longest], a) < std::pair(centres_[b][longest], b);
+                       return std::pair(centres_[a][longest], a) <
+                              std::pair(centres_[b][longest], b);
                      });
     return middle;
   }
@@ -128,8 +133,8 @@ class Builder {
     if (best_axis < 0) return r.begin;
     const float lower = centre_box.lower[best_axis];
     const float extent = centre_box.upper[best_axis] - lower;
-    const auto middle =
-        std::stable_partition(order_.begin() + r.begin, order_.begin() + r.end, [&](std::uint32_t primitive) {
+    const auto middle = std::stable_partition(
+        order_.begin() + r.begin, order_.begin() + r.end, [&](std::uint32_t primitive) {
           return bin_of(centres_[primitive][best_axis], lower, extent) < best_bin;
         });
     return static_cast<std::uint32_t>(middle - order_.begin());
@@ -163,14 +168,16 @@ class Builder {
       children[count++] = right;
     }
     // Shadow rays take the children as they come: what fills more of the view is likelier to end them.
-    std::stable_sort(children.begin(), children.begin() + count,
-                     [](const Range& a, const Range& b) { return a.box.half_area() > b.box.half_area(); });
+    std::stable_sort(
+        children.begin(), children.begin() + count,
+        [](const Range& a, const Range& b) { return a.box.half_area() > b.box.half_area(); });
     const auto index = static_cast<std::uint32_t>(nodes_.size());
     nodes_.push_back(quantised(r.box, std::span(children.data(), count)));
     std::uint32_t deepest = 0;
     for (std::size_t i = 0; i < count; ++i) {
       std::uint32_t need = 0;
-      const std::uint32_t child = build(children[i], stack - (static_cast<std::uint32_t>(count) - 1), need);
+      const std::uint32_t child =
+          build(children[i], stack - (static_cast<std::uint32_t>(count) - 1), need);
       nodes_[index].child[i] = child;
       deepest = std::max(deepest, need);
     }
@@ -242,9 +249,11 @@ std::uint32_t needed_stack(std::size_t boxes, std::uint32_t max_leaf) {
 
 Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t max_stack,
               std::span<const std::uint8_t> masks) {
-  if (boxes.size() > BVH_LEAF_FIRST_MASK) throw Error("", "more than 134 million triangles in one scene");
+  if (boxes.size() > BVH_LEAF_FIRST_MASK)
+    throw Error("", "more than 134 million triangles in one scene");
   if (needed_stack(boxes.size(), max_leaf) > max_stack)
-    throw Error("", "the scene has too many triangles in a mesh, or instances, for the traversal stack");
+    throw Error(
+        "", "the scene has too many triangles in a mesh, or instances, for the traversal stack");
   return Builder(boxes, masks, max_leaf).build(max_stack);
 }
 

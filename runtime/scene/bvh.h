@@ -21,7 +21,8 @@ struct Box {
 };
 
 struct Bvh {
-  std::vector<gpu::BvhNode> nodes;   // child indices are relative to this vector, leaf ranges to `order`
+  std::vector<gpu::BvhNode>
+      nodes;  // child indices are relative to this vector, leaf ranges to `order`
   std::vector<std::uint32_t> order;  // primitive at each leaf position
   std::uint32_t root = BVH_EMPTY;    // a node, a leaf, or BVH_EMPTY
   std::uint32_t stack_need = 0;      // entries a ray may have to defer

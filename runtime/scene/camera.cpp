@@ -21,8 +21,8 @@ glm::vec3 lights_median(const RenderScene& scene) {
   for (int axis = 0; axis < 3; ++axis) {
     std::transform(scene.lights.begin(), scene.lights.end(), values.begin(),
                    [&](const Light& light) { return light.position[axis]; });
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                     values.end());
+    std::nth_element(values.begin(),
+                     values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
     median[axis] = values[values.size() / 2];
   }
   return median;
@@ -39,7 +39,8 @@ Focus lit_part(const RenderScene& scene) {
   const glm::vec3 middle = 0.5f * (scene.bounds.lower + scene.bounds.upper);
   const glm::vec3 size = scene.bounds.upper - scene.bounds.lower;
   if (scene.lights.size() < 4)
-    return {{middle.x, scene.bounds.lower.y, middle.z}, std::max(1.0f, 0.5f * std::max(size.x, size.z))};
+    return {{middle.x, scene.bounds.lower.y, middle.z},
+            std::max(1.0f, 0.5f * std::max(size.x, size.z))};
   const glm::vec3 centre = lights_median(scene);
   std::vector<float> distances;
   for (const Light& light : scene.lights)
@@ -112,7 +113,8 @@ CameraPose street(const RenderScene& scene) {
     for (int turn = 0; turn < 16; ++turn) {
       const float angle = glm::radians(22.5f * float(turn));
       const glm::vec3 ahead(std::cos(angle), 0, std::sin(angle));
-      const float open = float(brute_force_hit(scene, eye, ahead, 250, MASK_SHADOW).value_or(250.0));
+      const float open =
+          float(brute_force_hit(scene, eye, ahead, 250, MASK_SHADOW).value_or(250.0));
       float lamps = 0;
       for (const Light& other : scene.lights) {
         const glm::vec3 to = other.position - eye;
@@ -168,12 +170,14 @@ CameraPose read_camera(const std::string& file) {
 gpu::Camera make_camera(const CameraPose& pose, float aspect) {
   const glm::vec3 ahead = pose.target - pose.position;
   const float distance = glm::length(ahead);
-  if (!(distance > 0) || !std::isfinite(distance)) throw Error("camera", "position and target coincide");
+  if (!(distance > 0) || !std::isfinite(distance))
+    throw Error("camera", "position and target coincide");
   const glm::vec3 forward = ahead / distance;
   const glm::vec3 side = glm::cross(forward, pose.up);
   if (!(glm::length(side) > 1e-6f * glm::length(pose.up)))
     throw Error("camera", "up is along the view direction");
-  if (!(pose.fov_deg > 0 && pose.fov_deg <= 179)) throw Error("camera", "fov_deg must be in (0, 179]");
+  if (!(pose.fov_deg > 0 && pose.fov_deg <= 179))
+    throw Error("camera", "fov_deg must be in (0, 179]");
   gpu::Camera camera{};
   camera.position = pose.position;
   camera.forward = forward;

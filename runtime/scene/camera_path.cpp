@@ -12,9 +12,10 @@ namespace nightcity {
 namespace {
 
 // Catmull, Rom: A class of local interpolating splines, 1974; uniform, ends doubled.
-glm::dvec3 on_curve(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d,
-                    double t) {
-  return 0.5 * (2.0 * b + t * (c - a + t * (2.0 * a - 5.0 * b + 4.0 * c - d + t * (3.0 * (b - c) + d - a))));
+glm::dvec3 on_curve(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+                    const glm::dvec3& d, double t) {
+  return 0.5 * (2.0 * b +
+                t * (c - a + t * (2.0 * a - 5.0 * b + 4.0 * c - d + t * (3.0 * (b - c) + d - a))));
 }
 
 std::vector<CameraPose> orbit(const CameraPose& start) {
@@ -24,7 +25,8 @@ std::vector<CameraPose> orbit(const CameraPose& start) {
   for (int i = 0; i <= steps; ++i) {
     const float angle = 1.5707963f * float(i) / steps, c = std::cos(angle), s = std::sin(angle);
     poses.push_back(start);
-    poses.back().position = start.target + glm::vec3(c * arm.x + s * arm.z, arm.y, c * arm.z - s * arm.x);
+    poses.back().position =
+        start.target + glm::vec3(c * arm.x + s * arm.z, arm.y, c * arm.z - s * arm.x);
   }
   return poses;
 }
@@ -75,7 +77,8 @@ CameraPath::CameraPath(std::vector<CameraPose> poses) : poses_(std::move(poses))
 CameraPose CameraPath::at(double u) const {
   const auto last = static_cast<std::ptrdiff_t>(poses_.size()) - 1;
   const double along = std::clamp(u, 0.0, 1.0) * double(last);
-  const auto i = std::min(static_cast<std::ptrdiff_t>(along), std::max<std::ptrdiff_t>(0, last - 1));
+  const auto i =
+      std::min(static_cast<std::ptrdiff_t>(along), std::max<std::ptrdiff_t>(0, last - 1));
   const double t = along - double(i);
   const auto pose = [&](std::ptrdiff_t k) -> const CameraPose& {
     return poses_[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(k, 0, last))];
@@ -94,7 +97,8 @@ CameraPath find_path(const std::string& preset_or_file, const RenderScene& scene
   if (preset_or_file == "orbit") return CameraPath(orbit(find_camera("overview", scene)));
   if (preset_or_file == "dive")
     return CameraPath({find_camera("overview", scene), find_camera("street", scene)});
-  if (preset_or_file == "street") return CameraPath(along_the_view(find_camera("street", scene), scene));
+  if (preset_or_file == "street")
+    return CameraPath(along_the_view(find_camera("street", scene), scene));
   return CameraPath(from_file(preset_or_file));
 }
 

@@ -27,7 +27,8 @@ constexpr int max_rings = 24;
 // short. The median light is of class 0.
 constexpr int max_classes = 5;
 
-std::pair<float, float> cell_centre(const gpu::LightGridShape& shape, std::uint32_t x, std::uint32_t z) {
+std::pair<float, float> cell_centre(const gpu::LightGridShape& shape, std::uint32_t x,
+                                    std::uint32_t z) {
   return {shape.origin_x + (float(x) + 0.5f) * shape.cell_m,
           shape.origin_z + (float(z) + 0.5f) * shape.cell_m};
 }
@@ -48,8 +49,8 @@ int class_of(float flux_lm, float median_lm) {
 // The lights of one class, by the square of the map they stand over.
 class Bins {
  public:
-  Bins(std::span<const Light> lights, std::vector<std::uint32_t> members, const gpu::LightGridShape& shape,
-       float side_m)
+  Bins(std::span<const Light> lights, std::vector<std::uint32_t> members,
+       const gpu::LightGridShape& shape, float side_m)
       : shape_(shape), side_m_(side_m), order_(std::move(members)) {
     width_ = int(float(shape.width) * shape.cell_m / side_m) + 1;
     depth_ = int(float(shape.depth) * shape.cell_m / side_m) + 1;
@@ -112,19 +113,21 @@ std::vector<Bins> by_class(std::span<const Light> lights, const gpu::LightGridSh
   std::vector<Bins> classes;
   for (int c = 0; c < max_classes; ++c)
     if (!members[std::size_t(c)].empty())
-      classes.emplace_back(lights, std::move(members[std::size_t(c)]), shape, shape.cell_m * float(1 << c));
+      classes.emplace_back(lights, std::move(members[std::size_t(c)]), shape,
+                           shape.cell_m * float(1 << c));
   return classes;
 }
 
 struct Strongest {
   std::vector<Strength> found;  // strongest first, at most one more than can be listed
-  float unseen = 0;             // no light that is not in `found` is stronger than this, or than its last
+  float unseen = 0;  // no light that is not in `found` is stronger than this, or than its last
 };
 
 // The strongest lights of a cell: of each class, rings of bins outwards until nothing farther could be among
 // them.
 Strongest strongest(std::span<const Light> lights, const std::vector<Bins>& classes,
-                    const gpu::LightGridShape& shape, std::size_t listed, std::uint32_t x, std::uint32_t z) {
+                    const gpu::LightGridShape& shape, std::size_t listed, std::uint32_t x,
+                    std::uint32_t z) {
   Strongest cell;
   std::vector<Strength>& found = cell.found;
   // Weaker ones than this do not matter any more. It is looked for again once half as many have come.
@@ -176,7 +179,8 @@ struct Row {
 void add_cell(Row& row, const Strongest& strongest, std::size_t listed) {
   const auto& [found, unseen] = strongest;
   std::size_t count = std::min(found.size(), listed);
-  while (count > 0 && count < found.size() && !(found[count - 1].value > found[count].value * min_gap))
+  while (count > 0 && count < found.size() &&
+         !(found[count - 1].value > found[count].value * min_gap))
     --count;
   const float outside = std::max(unseen, count < found.size() ? found[count].value : 0.0f);
   gpu::LightCell cell{};
@@ -221,13 +225,14 @@ LightGrid build_light_grid(std::span<const Light> lights, LightLists lists) {
   gpu::LightGridShape& shape = grid.shape;
   const float extent_x = upper_x - lower_x, extent_z = upper_z - lower_z;
   const float max_cells = max_entries / float(lists.listed);
-  shape.cell_m = std::max(
-      {lists.min_cell_m, std::sqrt(extent_x / max_cells * extent_z), extent_x / 4096, extent_z / 4096});
+  shape.cell_m = std::max({lists.min_cell_m, std::sqrt(extent_x / max_cells * extent_z),
+                           extent_x / 4096, extent_z / 4096});
   shape.origin_x = lower_x;
   shape.origin_z = lower_z;
   shape.width = static_cast<std::uint32_t>(extent_x / shape.cell_m) + 1;
   shape.depth = static_cast<std::uint32_t>(extent_z / shape.cell_m) + 1;
-  shape.softening_m2 = shape.cell_m * shape.cell_m / 4;  // a lamp right above the cell's centre stays finite
+  shape.softening_m2 =
+      shape.cell_m * shape.cell_m / 4;  // a lamp right above the cell's centre stays finite
 
   const std::vector<Bins> classes = by_class(lights, shape);
   std::vector<Row> rows(shape.depth);

@@ -15,7 +15,8 @@ std::optional<glm::vec2> project(const gpu::Camera& camera, const glm::vec3& pos
                    0.5f - 0.5f * glm::dot(offset, camera.up) / half_height);
 }
 
-std::vector<Marker> find_markers(const gpu::Camera& camera, std::span<const Light> lights, std::size_t most) {
+std::vector<Marker> find_markers(const gpu::Camera& camera, std::span<const Light> lights,
+                                 std::size_t most) {
   std::vector<Marker> markers;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const std::optional<glm::vec2> at = project(camera, lights[i].position);
@@ -24,11 +25,12 @@ std::vector<Marker> find_markers(const gpu::Camera& camera, std::span<const Ligh
   }
   const auto nearer = [](const Marker& a, const Marker& b) { return a.distance < b.distance; };
   if (markers.size() > most) {
-    std::nth_element(markers.begin(), markers.begin() + static_cast<std::ptrdiff_t>(most), markers.end(),
-                     nearer);
+    std::nth_element(markers.begin(), markers.begin() + static_cast<std::ptrdiff_t>(most),
+                     markers.end(), nearer);
     markers.resize(most);
   }
-  std::sort(markers.begin(), markers.end(), [&](const Marker& a, const Marker& b) { return nearer(b, a); });
+  std::sort(markers.begin(), markers.end(),
+            [&](const Marker& a, const Marker& b) { return nearer(b, a); });
   return markers;
 }
 

@@ -22,6 +22,7 @@ struct Marker {
 };
 
 /// Lights within the window, the nearest `most` of them, nearest last so that it is drawn on top.
-std::vector<Marker> find_markers(const gpu::Camera& camera, std::span<const Light> lights, std::size_t most);
+std::vector<Marker> find_markers(const gpu::Camera& camera, std::span<const Light> lights,
+                                 std::size_t most);
 
 }  // namespace nightcity

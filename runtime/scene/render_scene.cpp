@@ -57,7 +57,8 @@ void append_mesh(const SceneMesh& mesh, const glm::mat4& to_model, std::vector<g
 
 // Appends a mesh's triangles, ordered by its hierarchy, and the hierarchy; returns the root and the mesh's
 // box.
-std::pair<std::uint32_t, Box> add_hierarchy(RenderScene& scene, const std::vector<gpu::Triangle>& triangles,
+std::pair<std::uint32_t, Box> add_hierarchy(RenderScene& scene,
+                                            const std::vector<gpu::Triangle>& triangles,
                                             std::uint32_t stack = mesh_stack) {
   std::vector<Box> boxes;
   boxes.reserve(triangles.size());
@@ -83,8 +84,8 @@ gpu::Instance make_instance(const glm::dmat4& to_object, std::uint32_t root, boo
                             std::uint32_t light) {
   gpu::Instance instance{};
   for (int row = 0; row < 3; ++row)
-    instance.to_object[row] =
-        glm::vec4(glm::dvec4(to_object[0][row], to_object[1][row], to_object[2][row], to_object[3][row]));
+    instance.to_object[row] = glm::vec4(
+        glm::dvec4(to_object[0][row], to_object[1][row], to_object[2][row], to_object[3][row]));
   instance.root = root;
   instance.mask = MASK_VISIBLE | (casts_shadow ? MASK_SHADOW : 0u);
   instance.light = light;
@@ -95,7 +96,8 @@ gpu::Instance make_instance(const glm::dmat4& to_object, std::uint32_t root, boo
 Box transformed(const Box& box, const glm::dmat4& m) {
   Box out;
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 p((corner & 1) ? box.upper.x : box.lower.x, (corner & 2) ? box.upper.y : box.lower.y,
+    const glm::dvec4 p((corner & 1) ? box.upper.x : box.lower.x,
+                       (corner & 2) ? box.upper.y : box.lower.y,
                        (corner & 4) ? box.upper.z : box.lower.z, 1.0);
     out.grow(glm::vec3(m * p));
   }
@@ -108,8 +110,8 @@ Box transformed(const Box& box, const glm::dmat4& m) {
 
 void add_geometry(RenderScene& out, const Scene& scene) {
   std::vector<Box> instance_boxes;
-  const auto place = [&](std::uint32_t root, const Box& box, const glm::dmat4& to_model, bool shadow,
-                         std::uint32_t light) {
+  const auto place = [&](std::uint32_t root, const Box& box, const glm::dmat4& to_model,
+                         bool shadow, std::uint32_t light) {
     const double determinant = glm::determinant(glm::dmat3(to_model));
     if (root == BVH_EMPTY) return;
     if (!std::isfinite(determinant) || std::abs(determinant) < 1e-18) {
@@ -133,13 +135,15 @@ void add_geometry(RenderScene& out, const Scene& scene) {
     for (const SceneNode& node : scene.nodes)
       if (!is_fleet(node) && node.instances.size() == 1 && node.instances[0].light == no_id &&
           node.casts_shadow == shadow)
-        append_mesh(scene.meshes[node.mesh], node.instances[0].to_model, triangles, out.dropped_triangles);
+        append_mesh(scene.meshes[node.mesh], node.instances[0].to_model, triangles,
+                    out.dropped_triangles);
     const auto [root, box] = add_hierarchy(out, triangles);
     place(root, box, glm::dmat4(1.0), shadow, NO_HIT);
   }
   std::vector<std::optional<std::pair<std::uint32_t, Box>>> built(scene.meshes.size());
   for (const SceneNode& node : scene.nodes) {
-    if (is_fleet(node) || (node.instances.size() == 1 && node.instances[0].light == no_id)) continue;
+    if (is_fleet(node) || (node.instances.size() == 1 && node.instances[0].light == no_id))
+      continue;
     auto& mesh = built[node.mesh];
     if (!mesh) {
       std::vector<gpu::Triangle> triangles;
@@ -147,7 +151,8 @@ void add_geometry(RenderScene& out, const Scene& scene) {
       mesh = add_hierarchy(out, triangles);
     }
     for (const SceneInstance& instance : node.instances)
-      place(mesh->first, mesh->second, glm::dmat4(instance.to_model), node.casts_shadow, instance.light);
+      place(mesh->first, mesh->second, glm::dmat4(instance.to_model), node.casts_shadow,
+            instance.light);
   }
 
   std::vector<std::uint8_t> masks;
@@ -208,7 +213,8 @@ void add_bodies(RenderScene& out, const Scene& scene) {
 // Trips, vehicles and their lights go to the device as they are, so whatever is unfit goes no further.
 void check_fleet(const Fleet& fleet, std::size_t profiles) {
   if (fleet.trips.empty()) return;
-  const auto refuse = [](const std::string& what, std::size_t i, const std::optional<std::string>& fault) {
+  const auto refuse = [](const std::string& what, std::size_t i,
+                         const std::optional<std::string>& fault) {
     if (fault) throw Error("traffic", what + " " + std::to_string(i), *fault);
   };
   refuse("cycle", 0, cycle_fault(fleet.cycle));
@@ -224,8 +230,9 @@ bool usable(const Light& light, std::size_t profiles) {
   for (const glm::vec3& v : {light.position, light.axis, light.tangent})
     if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) return false;
   const std::uint32_t profile = light.kind_profile >> 8;
-  return std::isfinite(light.radius) && std::isfinite(light.half_height) && std::isfinite(light.flux_lm) &&
-         light.flux_lm > 0 && (profile == LIGHT_NO_PROFILE || profile < profiles);
+  return std::isfinite(light.radius) && std::isfinite(light.half_height) &&
+         std::isfinite(light.flux_lm) && light.flux_lm > 0 &&
+         (profile == LIGHT_NO_PROFILE || profile < profiles);
 }
 
 }  // namespace
@@ -282,7 +289,8 @@ RenderScene load_render_scene(const std::filesystem::path& glb) {
     const TrafficContent traffic = file.traffic();
     lights.fleet.cycle = traffic.cycle;
     lights.fleet.vehicles.assign(traffic.vehicles.begin(), traffic.vehicles.end());
-    lights.fleet.vehicle_lights.assign(traffic.vehicle_lights.begin(), traffic.vehicle_lights.end());
+    lights.fleet.vehicle_lights.assign(traffic.vehicle_lights.begin(),
+                                       traffic.vehicle_lights.end());
     lights.fleet.trips.assign(traffic.trips.begin(), traffic.trips.end());
     lights.fleet.knots.assign(traffic.knots.begin(), traffic.knots.end());
   }
@@ -290,11 +298,13 @@ RenderScene load_render_scene(const std::filesystem::path& glb) {
 }
 
 std::optional<double> brute_force_hit(const RenderScene& scene, const glm::dvec3& origin,
-                                      const glm::dvec3& direction, double t_max, std::uint32_t mask) {
+                                      const glm::dvec3& direction, double t_max,
+                                      std::uint32_t mask) {
   double nearest = t_max;
   bool found = false;
   const auto test = [&](const gpu::Triangle& triangle, const glm::dvec3& o, const glm::dvec3& d) {
-    const glm::dvec3 v0(triangle.v0), e1 = glm::dvec3(triangle.v1) - v0, e2 = glm::dvec3(triangle.v2) - v0;
+    const glm::dvec3 v0(triangle.v0), e1 = glm::dvec3(triangle.v1) - v0,
+                                      e2 = glm::dvec3(triangle.v2) - v0;
     const glm::dvec3 p = glm::cross(d, e2);
     const double determinant = glm::dot(e1, p);
     if (determinant == 0) return;

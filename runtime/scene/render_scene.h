@@ -79,6 +79,7 @@ RenderScene load_render_scene(const std::filesystem::path& glb);
 /// Distance along unit `direction` to the nearest triangle of an instance with a bit of `mask`; brute force
 /// over all triangles in double, for a few rays (camera placing) and as the oracle of the traversal tests.
 std::optional<double> brute_force_hit(const RenderScene& scene, const glm::dvec3& origin,
-                                      const glm::dvec3& direction, double t_max, std::uint32_t mask);
+                                      const glm::dvec3& direction, double t_max,
+                                      std::uint32_t mask);
 
 }  // namespace nightcity

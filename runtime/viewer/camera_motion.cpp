@@ -58,7 +58,8 @@ CameraPose moved(const CameraPose& pose, const glm::vec3& right_up_forward) {
   const glm::vec3 forward = glm::normalize(pose.target - pose.position);
   const glm::vec3 right = glm::normalize(glm::cross(forward, pose.up));
   const glm::vec3 up = glm::cross(right, forward);
-  const glm::vec3 step = right_up_forward.x * right + right_up_forward.y * up + right_up_forward.z * forward;
+  const glm::vec3 step =
+      right_up_forward.x * right + right_up_forward.y * up + right_up_forward.z * forward;
   CameraPose result = pose;
   result.position += step;
   result.target += step;

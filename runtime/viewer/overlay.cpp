@@ -15,7 +15,8 @@ void check_result(VkResult result) {
 
 }  // namespace
 
-Overlay::Overlay(gpu::Device& device, const Window& window, const Swapchain& swapchain) : device_(device) {
+Overlay::Overlay(gpu::Device& device, const Window& window, const Swapchain& swapchain)
+    : device_(device) {
   const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1};  // the font
   VkDescriptorPoolCreateInfo pool{};
   pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
@@ -26,7 +27,7 @@ Overlay::Overlay(gpu::Device& device, const Window& window, const Swapchain& swa
   VK_CHECK(vkCreateDescriptorPool(device.handle(), &pool, nullptr, &descriptors_));
 
   ImGui::CreateContext();
-  ImGui::GetIO().IniFilename = nullptr;                 // no files of ours in whatever folder the user stands
+  ImGui::GetIO().IniFilename = nullptr;  // no files of ours in whatever folder the user stands
   ImGui_ImplGlfw_InitForVulkan(window.handle(), true);  // chains our callbacks
   ImGui_ImplVulkan_InitInfo info{};
   info.Instance = device.instance();

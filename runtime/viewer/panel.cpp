@@ -78,13 +78,16 @@ void camera(ViewerState& state, PanelRequests& requests) {
     if (ImGui::SmallButton(preset.c_str())) requests.camera_preset = preset;
   }
   if (state.fly)
-    ImGui::SliderFloat("speed", &state.speed_m_s, 0.5f, 500, "%.1f m/s", ImGuiSliderFlags_Logarithmic);
+    ImGui::SliderFloat("speed", &state.speed_m_s, 0.5f, 500, "%.1f m/s",
+                       ImGuiSliderFlags_Logarithmic);
 }
 
 bool resolution(ViewerState& state) {
   constexpr int divisors[] = {0, 1, 2, 4, 8};
-  int index = static_cast<int>(std::find(std::begin(divisors), std::end(divisors), state.divisor) - divisors);
-  if (!ImGui::Combo("pixels", &index, "as many as are quick\0every\0every 2nd\0every 4th\0every 8th\0"))
+  int index = static_cast<int>(std::find(std::begin(divisors), std::end(divisors), state.divisor) -
+                               divisors);
+  if (!ImGui::Combo("pixels", &index,
+                    "as many as are quick\0every\0every 2nd\0every 4th\0every 8th\0"))
     return false;
   state.divisor = divisors[index];
   return true;
@@ -96,20 +99,23 @@ bool night(ViewerState& state) {
   ImGui::BeginDisabled(!state.night_changes);
   int minutes = static_cast<int>(state.settings.time_s / 60);
   const std::string shown = clock_text(state.settings.time_s);
-  if (ImGui::SliderInt("clock", &minutes, 5 * 60, 19 * 60, shown.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
+  if (ImGui::SliderInt("clock", &minutes, 5 * 60, 19 * 60, shown.c_str(),
+                       ImGuiSliderFlags_AlwaysClamp)) {
     state.settings.time_s = minutes * 60.0;
     changed = true;
   }
   ImGui::Checkbox("run", &state.play);
   ImGui::SameLine();
-  ImGui::SliderFloat("##speed", &state.clock_speed, 1, 3600, "%.0f times", ImGuiSliderFlags_Logarithmic);
+  ImGui::SliderFloat("##speed", &state.clock_speed, 1, 3600, "%.0f times",
+                     ImGuiSliderFlags_Logarithmic);
   ImGui::EndDisabled();
   changed |= ImGui::SliderFloat("wet streets", &state.settings.wetness, 0, 1, "%.2f");
   return changed;
 }
 
 void report(const ViewerFigures& figures) {
-  ImGui::Text("%u x %u, frame %u, %.1f ms", figures.width, figures.height, figures.frames, figures.frame_ms);
+  ImGui::Text("%u x %u, frame %u, %.1f ms", figures.width, figures.height, figures.frames,
+              figures.frame_ms);
   double sum = 0;
   for (const gpu::Timer::Span& pass : figures.passes) sum += pass.ms;
   if (figures.passes.empty() || !ImGui::TreeNode("passes", "GPU %.2f ms", sum)) return;
@@ -156,7 +162,8 @@ std::string caption(const ViewerState& state, const ViewerFigures& figures) {
   std::string text = name_of(settings.estimator);
   if (settings.estimator != Estimator::reference) {
     text += fmt::format(", {} candidates", settings.candidates);
-    if (settings.estimator != Estimator::ris) text += fmt::format(", {} neighbours", settings.neighbours);
+    if (settings.estimator != Estimator::ris)
+      text += fmt::format(", {} neighbours", settings.neighbours);
   }
   if (settings.denoise) text += ", denoised";
   if (state.night_changes) text += ", " + clock_text(settings.time_s);

@@ -19,8 +19,8 @@ void change_layout(VkCommandBuffer commands, VkImage image, VkImageLayout from, 
   barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   barrier.image = image;
   barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-  vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0,
-                       nullptr, 0, nullptr, 1, &barrier);
+  vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
+                       VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0, nullptr, 1, &barrier);
 }
 
 VkBufferImageCopy whole(glm::uvec2 size) {
@@ -82,7 +82,8 @@ void Screen::hold(glm::uvec2 size) {
   VkMemoryAllocateInfo allocate{};
   allocate.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
   allocate.allocationSize = needs.size;
-  allocate.memoryTypeIndex = device_.memory_type(needs.memoryTypeBits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+  allocate.memoryTypeIndex =
+      device_.memory_type(needs.memoryTypeBits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
   VK_CHECK(vkAllocateMemory(device_.handle(), &allocate, nullptr, &memory_));
   VK_CHECK(vkBindImageMemory(device_.handle(), image_, memory_, 0));
 }
@@ -102,7 +103,8 @@ bool Screen::show(Swapchain& swapchain, const gpu::Buffer& picture, glm::uvec2 s
 
   change_layout(commands_, image_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
   const VkBufferImageCopy copy = whole(size);
-  vkCmdCopyBufferToImage(commands_, picture.handle(), image_, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
+  vkCmdCopyBufferToImage(commands_, picture.handle(), image_, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                         1, &copy);
   change_layout(commands_, image_, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                 VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
   change_layout(commands_, target, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
@@ -126,11 +128,13 @@ bool Screen::show(Swapchain& swapchain, const gpu::Buffer& picture, glm::uvec2 s
   vkCmdEndRenderPass(commands_);
 
   if (grab) {
-    change_layout(commands_, target, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    change_layout(commands_, target, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR,
+                  VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
     const VkBufferImageCopy back = whole(window);
-    vkCmdCopyImageToBuffer(commands_, target, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, grabbed.handle(), 1,
-                           &back);
-    change_layout(commands_, target, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR);
+    vkCmdCopyImageToBuffer(commands_, target, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                           grabbed.handle(), 1, &back);
+    change_layout(commands_, target, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                  VK_IMAGE_LAYOUT_PRESENT_SRC_KHR);
     gpu::full_barrier(commands_);
   }
   VK_CHECK(vkEndCommandBuffer(commands_));
@@ -142,7 +146,8 @@ bool Screen::show(Swapchain& swapchain, const gpu::Buffer& picture, glm::uvec2 s
     *grab = {window.x, window.y, std::vector<std::uint8_t>(3 * words.size())};
     for (std::size_t i = 0; i < words.size(); ++i)
       for (std::size_t c = 0; c < 3; ++c)
-        grab->rgb[3 * i + (blue_first ? 2 - c : c)] = static_cast<std::uint8_t>(words[i] >> (8 * c));
+        grab->rgb[3 * i + (blue_first ? 2 - c : c)] =
+            static_cast<std::uint8_t>(words[i] >> (8 * c));
   }
   return good;
 }

@@ -8,8 +8,9 @@
 namespace nightcity {
 namespace {
 
-constexpr VkImageUsageFlags usage =
-    VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+constexpr VkImageUsageFlags usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
+                                    VK_IMAGE_USAGE_TRANSFER_DST_BIT |
+                                    VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
 
 VkSurfaceFormatKHR choose_format(VkPhysicalDevice physical, VkSurfaceKHR surface) {
   std::uint32_t count = 0;
@@ -18,24 +19,27 @@ VkSurfaceFormatKHR choose_format(VkPhysicalDevice physical, VkSurfaceKHR surface
   VK_CHECK(vkGetPhysicalDeviceSurfaceFormatsKHR(physical, surface, &count, formats.data()));
   // The picture comes with its sRGB code values, so the format must not encode once more.
   for (const VkSurfaceFormatKHR& format : formats)
-    if (format.format == VK_FORMAT_B8G8R8A8_UNORM || format.format == VK_FORMAT_R8G8B8A8_UNORM) return format;
+    if (format.format == VK_FORMAT_B8G8R8A8_UNORM || format.format == VK_FORMAT_R8G8B8A8_UNORM)
+      return format;
   throw Error("window", "the window system takes no 8-bit pictures");
 }
 
 void check_support(gpu::Device& device, VkSurfaceKHR surface) {
   VkBool32 presents = VK_FALSE;
-  VK_CHECK(
-      vkGetPhysicalDeviceSurfaceSupportKHR(device.physical(), device.queue_family(), surface, &presents));
+  VK_CHECK(vkGetPhysicalDeviceSurfaceSupportKHR(device.physical(), device.queue_family(), surface,
+                                                &presents));
   if (!presents)
-    throw Error("window",
-                "device '" + device.info().name +
-                    "' cannot show pictures in this window; --device chooses another (see nightview "
-                    "devices)");
+    throw Error(
+        "window",
+        "device '" + device.info().name +
+            "' cannot show pictures in this window; --device chooses another (see nightview "
+            "devices)");
 }
 
 }  // namespace
 
-Swapchain::Swapchain(gpu::Device& device, VkSurfaceKHR surface) : device_(device), surface_(surface) {
+Swapchain::Swapchain(gpu::Device& device, VkSurfaceKHR surface)
+    : device_(device), surface_(surface) {
   try {
     check_support(device, surface);
     format_ = choose_format(device.physical(), surface);
@@ -92,7 +96,8 @@ void Swapchain::release_images() {
   for (const VkFramebuffer framebuffer : framebuffers_)
     vkDestroyFramebuffer(device_.handle(), framebuffer, nullptr);
   for (const VkImageView view : views_) vkDestroyImageView(device_.handle(), view, nullptr);
-  for (const VkSemaphore semaphore : drawn_) vkDestroySemaphore(device_.handle(), semaphore, nullptr);
+  for (const VkSemaphore semaphore : drawn_)
+    vkDestroySemaphore(device_.handle(), semaphore, nullptr);
   framebuffers_.clear();
   views_.clear();
   drawn_.clear();
@@ -103,9 +108,11 @@ void Swapchain::resize(glm::uvec2 size) {
   VkSurfaceCapabilitiesKHR able{};
   VK_CHECK(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), surface_, &able));
   if ((able.supportedUsageFlags & usage) != usage)
-    throw Error("window", "device '" + device_.info().name + "' cannot copy pictures into this window");
+    throw Error("window",
+                "device '" + device_.info().name + "' cannot copy pictures into this window");
   // Most window systems dictate the size; some leave it to us.
-  if (able.currentExtent.width != 0xFFFFFFFFu) size = {able.currentExtent.width, able.currentExtent.height};
+  if (able.currentExtent.width != 0xFFFFFFFFu)
+    size = {able.currentExtent.width, able.currentExtent.height};
   size_ = {std::clamp(size.x, able.minImageExtent.width, able.maxImageExtent.width),
            std::clamp(size.y, able.minImageExtent.height, able.maxImageExtent.height)};
 
@@ -161,8 +168,8 @@ void Swapchain::resize(glm::uvec2 size) {
 
 bool Swapchain::acquire() {
   if (!swapchain_) return false;
-  const VkResult result =
-      vkAcquireNextImageKHR(device_.handle(), swapchain_, UINT64_MAX, VK_NULL_HANDLE, acquired_, &current_);
+  const VkResult result = vkAcquireNextImageKHR(device_.handle(), swapchain_, UINT64_MAX,
+                                                VK_NULL_HANDLE, acquired_, &current_);
   if (result == VK_ERROR_OUT_OF_DATE_KHR) return false;
   if (result != VK_SUBOPTIMAL_KHR) gpu::check(result, "vkAcquireNextImageKHR");
   VK_CHECK(vkWaitForFences(device_.handle(), 1, &acquired_, VK_TRUE, UINT64_MAX));

@@ -51,7 +51,8 @@ class Swapchain {
   std::vector<VkImage> images_;
   std::vector<VkImageView> views_;
   std::vector<VkFramebuffer> framebuffers_;
-  std::vector<VkSemaphore> drawn_;  // one an image: the window system holds it until the image comes back
+  std::vector<VkSemaphore>
+      drawn_;  // one an image: the window system holds it until the image comes back
   VkFence acquired_ = VK_NULL_HANDLE;
   VkFence finished_ = VK_NULL_HANDLE;
   std::uint32_t current_ = 0;

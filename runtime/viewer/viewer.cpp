@@ -88,7 +88,8 @@ class Viewer {
   void step() {
     const auto start = Clock::now();
     // Nothing to render: sleep until hands move, but keep the panel alive.
-    const bool idle = !restart_ && figures_.frames >= options_.max_frames && !device_scene_.switching();
+    const bool idle =
+        !restart_ && figures_.frames >= options_.max_frames && !device_scene_.switching();
     const Hands hands = window_.poll(idle ? 0.05 : 0.0);
     handle_keys(hands);
     const double elapsed_s = std::min(seconds_between(last_step_, start), 0.25);
@@ -138,17 +139,20 @@ class Viewer {
       const float reach =
           2 * std::tan(glm::radians(pose.fov_deg) / 2) * glm::distance(pose.position, pose.target);
       const float metres = reach / static_cast<float>(std::max(1u, window_.size().y));
-      if (hands.pan != glm::vec2(0)) pose = moved(pose, {-hands.pan.x * metres, hands.pan.y * metres, 0});
+      if (hands.pan != glm::vec2(0))
+        pose = moved(pose, {-hands.pan.x * metres, hands.pan.y * metres, 0});
       if (hands.scroll != 0) {
         if (state_.fly) {
-          state_.speed_m_s = std::clamp(state_.speed_m_s * std::pow(1.2f, hands.scroll), 0.5f, 500.0f);
+          state_.speed_m_s =
+              std::clamp(state_.speed_m_s * std::pow(1.2f, hands.scroll), 0.5f, 500.0f);
         } else {
           pose = dollied(pose, std::pow(0.9f, hands.scroll));
         }
       }
     }
     if (!overlay_->wants_keys() && hands.fly != glm::vec3(0)) {
-      const float metres = state_.speed_m_s * (hands.fast ? 5.0f : 1.0f) * static_cast<float>(seconds);
+      const float metres =
+          state_.speed_m_s * (hands.fast ? 5.0f : 1.0f) * static_cast<float>(seconds);
       pose = moved(pose, metres * glm::normalize(hands.fly));
     }
     restart_ |= pose.position != before.position || pose.target != before.target;
@@ -164,7 +168,8 @@ class Viewer {
   }
 
   void render() {
-    const auto divisor = static_cast<std::uint32_t>(state_.divisor > 0 ? state_.divisor : auto_divisor_);
+    const auto divisor =
+        static_cast<std::uint32_t>(state_.divisor > 0 ? state_.divisor : auto_divisor_);
     const glm::uvec2 size = glm::max(swapchain_.size() / divisor, glm::uvec2(1));
     if (!renderer_ || renderer_->width() != size.x || renderer_->height() != size.y) {
       renderer_.reset();  // its memory first
@@ -270,7 +275,8 @@ class Viewer {
     std::string stem;
     for (int i = 1; stem.empty(); ++i) {
       const std::string name = fmt::format("night-{:03}", i);
-      if (!std::filesystem::exists(name + ".png") && !std::filesystem::exists(name + ".exr")) stem = name;
+      if (!std::filesystem::exists(name + ".png") && !std::filesystem::exists(name + ".exr"))
+        stem = name;
     }
     const Image image = renderer_->download();
     try {

@@ -18,14 +18,15 @@ struct ViewOptions {
   std::uint32_t width = 1280, height = 720;  // of the window, pixels
   RenderSettings settings;
   std::optional<float> ev100;  // left out: metered from the picture as it goes
-  int divisor = 0;  // the picture has 1 / divisor of the window's pixels along each side; 0 = as many as
-                    // still answer hands at once
+  int divisor =
+      0;  // the picture has 1 / divisor of the window's pixels along each side; 0 = as many as
+          // still answer hands at once
   bool markers = false;
-  bool play = false;                 // start with the clock running
+  bool play = false;                // start with the clock running
   std::uint32_t max_frames = 4096;  // in the mean; then only changes are rendered
-  std::uint32_t quit_after = 0;      // frames shown; 0 = when the user closes the window
-  std::string screenshot;            // PNG of the window, panel and all, at the end; "" = none
-  std::string save_camera;           // JSON of the camera at the end; "" = none
+  std::uint32_t quit_after = 0;     // frames shown; 0 = when the user closes the window
+  std::string screenshot;           // PNG of the window, panel and all, at the end; "" = none
+  std::string save_camera;          // JSON of the camera at the end; "" = none
 };
 
 /// What the window showed last.

@@ -27,8 +27,8 @@ Window::Window(std::uint32_t width, std::uint32_t height, const std::string& tit
   try {
     if (!glfwVulkanSupported()) throw no_window("the window system has no Vulkan");
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
-    window_ =
-        glfwCreateWindow(static_cast<int>(width), static_cast<int>(height), title.c_str(), nullptr, nullptr);
+    window_ = glfwCreateWindow(static_cast<int>(width), static_cast<int>(height), title.c_str(),
+                               nullptr, nullptr);
     if (!window_) throw no_window("cannot open one");
   } catch (...) {
     glfwTerminate();
@@ -49,7 +49,8 @@ Window::Window(std::uint32_t width, std::uint32_t height, const std::string& tit
     if (self.panning_) self.events_.pan += step;
   });
   glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double notches) {
-    static_cast<Window*>(glfwGetWindowUserPointer(window))->events_.scroll += static_cast<float>(notches);
+    static_cast<Window*>(glfwGetWindowUserPointer(window))->events_.scroll +=
+        static_cast<float>(notches);
   });
   glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
     if (action == GLFW_PRESS)

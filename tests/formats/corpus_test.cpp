@@ -36,7 +36,8 @@ TEST(Corpus, EveryGlbIsReadOrRefused) {
     const Scene scene = read_scene(file);
     for (const SceneMesh& mesh : scene.meshes)
       for (const ScenePrimitive& primitive : mesh.primitives)
-        for (const glm::vec3& p : primitive.positions) EXPECT_TRUE(std::isfinite(p.x + p.y + p.z)) << file;
+        for (const glm::vec3& p : primitive.positions)
+          EXPECT_TRUE(std::isfinite(p.x + p.y + p.z)) << file;
   });
 }
 

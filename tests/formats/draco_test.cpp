@@ -15,7 +15,9 @@ TEST(Draco, BitsKeepTheToleranceAndNoMore) {
   for (const double extent : {1.0, 250.0, 500.0, 3000.0})
     for (const double tolerance : {0.001, 0.01, 0.1}) {
       const int bits = draco_bits(extent, tolerance);
-      const auto moved = [&](int b) { return std::sqrt(3.0) / 2 * extent / (std::ldexp(1.0, b) - 1); };
+      const auto moved = [&](int b) {
+        return std::sqrt(3.0) / 2 * extent / (std::ldexp(1.0, b) - 1);
+      };
       EXPECT_LE(moved(bits), tolerance) << extent << " " << tolerance;
       EXPECT_GT(moved(bits - 1), tolerance) << extent << " " << tolerance;
     }
@@ -26,7 +28,8 @@ TEST(Draco, BitsKeepTheToleranceAndNoMore) {
 TEST(Draco, MovesNoVertexBeyondTheToleranceAndKeepsIdsExactly) {
   ScenePrimitive primitive = test::field(900);
   std::vector<float> features(primitive.positions.size());
-  for (std::size_t i = 0; i < features.size(); ++i) features[i] = static_cast<float>(100'000 + i / 4 * 7);
+  for (std::size_t i = 0; i < features.size(); ++i)
+    features[i] = static_cast<float>(100'000 + i / 4 * 7);
   features[0] = gltf::null_feature_id;
   for (auto& p : primitive.positions) p = p * 1.37f + glm::vec3(0.123f, 31.7f, -400.05f);
   for (const double tolerance : {0.001, 0.01, 0.2}) {

@@ -76,7 +76,8 @@ void run(std::uint32_t count, const std::filesystem::path& file) {
 int main(int argc, char** argv) {
   const std::uint32_t count =
       argc > 1 ? static_cast<std::uint32_t>(std::strtoul(argv[1], nullptr, 10)) : 1'000'000;
-  const std::filesystem::path folder = argc > 2 ? argv[2] : std::filesystem::temp_directory_path().string();
+  const std::filesystem::path folder =
+      argc > 2 ? argv[2] : std::filesystem::temp_directory_path().string();
   try {
     run(count, folder / "light_bench.lights");
     std::filesystem::remove(folder / "light_bench.lights");

@@ -72,7 +72,8 @@ TEST(LightFileWriter, LightsThatComeOneByOneMakeTheSameFile) {
   const Sample sample;
   write_light_file(folder / "whole.lights", sample.content());
   LightFileWriter writer(folder / "streamed.lights");
-  for (std::uint32_t n = 0; n < 2; ++n) EXPECT_EQ(writer.add(sample.lights[n], sample.provenance[n]), n);
+  for (std::uint32_t n = 0; n < 2; ++n)
+    EXPECT_EQ(writer.add(sample.lights[n], sample.provenance[n]), n);
   LightFileContent rest = sample.content();
   rest.lights = rest.lights.subspan(2);
   rest.provenance = rest.provenance.subspan(2);
@@ -119,7 +120,8 @@ TEST(LightFileWriter, RefusesUnfitLightsAndLeavesNothing) {
     LightFileWriter writer(folder / "b.lights");
     Light light = sample.lights[0];
     if (profile)
-      light.kind_profile = LIGHT_SPHERE | 2u << 8;  // the sample has two profiles and three schedules
+      light.kind_profile =
+          LIGHT_SPHERE | 2u << 8;  // the sample has two profiles and three schedules
     else
       light.schedule = 3;
     writer.add(light, {});
@@ -150,9 +152,13 @@ TEST(LightFile, KeepsEveryByte) {
   EXPECT_EQ(file.georeference().licences, std::vector<std::string>{"ODbL 1.0"});
   ASSERT_EQ(file.lights().size(), 3u);
   EXPECT_EQ(std::memcmp(file.lights().data(), sample.lights.data(), 3 * sizeof(Light)), 0);
-  EXPECT_EQ(std::memcmp(file.provenance().data(), sample.provenance.data(), 3 * sizeof(LightProvenance)), 0);
-  EXPECT_EQ(std::memcmp(file.profiles().data(), sample.profiles.data(), 2 * sizeof(LightProfile)), 0);
-  EXPECT_EQ(std::vector<float>(file.profile_data().begin(), file.profile_data().end()), sample.data);
+  EXPECT_EQ(
+      std::memcmp(file.provenance().data(), sample.provenance.data(), 3 * sizeof(LightProvenance)),
+      0);
+  EXPECT_EQ(std::memcmp(file.profiles().data(), sample.profiles.data(), 2 * sizeof(LightProfile)),
+            0);
+  EXPECT_EQ(std::vector<float>(file.profile_data().begin(), file.profile_data().end()),
+            sample.data);
   const auto same = [](auto read, const auto& written) {
     return read.size() == written.size() &&
            std::memcmp(read.data(), written.data(), written.size() * sizeof(written[0])) == 0;
@@ -182,7 +188,8 @@ TEST(LightFile, WriterRefusesUnphysicalLightsAndLeavesNothing) {
     spoil(sample);
     EXPECT_THROW(write_light_file(folder / "city.lights", sample.content()), Error);
   };
-  const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+  const float nan = std::numeric_limits<float>::quiet_NaN(),
+              inf = std::numeric_limits<float>::infinity();
   refused([&](Sample& s) { s.lights[1].flux_lm = 0; });
   refused([&](Sample& s) { s.lights[1].flux_lm = -5; });
   refused([&](Sample& s) { s.lights[1].flux_lm = nan; });
@@ -194,8 +201,11 @@ TEST(LightFile, WriterRefusesUnphysicalLightsAndLeavesNothing) {
   refused([&](Sample& s) { s.lights[1].tangent = {0, 1, 0}; });  // along the axis
   refused([&](Sample& s) { s.lights[1].colour_rgb9e5 = 0; });
   refused([&](Sample& s) { s.lights[1].kind_profile = 9; });
-  refused([&](Sample& s) { s.lights[1].kind_profile = LIGHT_SPHERE | 2u << 8; });  // no such profile
-  refused([&](Sample& s) { s.lights[1].kind_profile = LIGHT_RECTANGLE | LIGHT_NO_PROFILE << 8; });  // no area
+  refused(
+      [&](Sample& s) { s.lights[1].kind_profile = LIGHT_SPHERE | 2u << 8; });  // no such profile
+  refused([&](Sample& s) {
+    s.lights[1].kind_profile = LIGHT_RECTANGLE | LIGHT_NO_PROFILE << 8;
+  });  // no area
   refused([&](Sample& s) { s.profiles[1].data_offset = 3; });
   refused([&](Sample& s) { s.profiles[1].gamma_count = 0xFFFFFFFFu; });
   refused([&](Sample& s) { s.profiles[1].extent_deg = 0; });
@@ -254,7 +264,9 @@ TEST(LightFile, FindsEveryChangedByte) {
 
 // Adds a section to the table, as a later version of the format might, by the layout in SPEC.md.
 std::string with_section(std::string bytes, const char* tag) {
-  const auto put = [&bytes](std::size_t at, std::uint64_t value) { std::memcpy(&bytes[at], &value, 8); };
+  const auto put = [&bytes](std::size_t at, std::uint64_t value) {
+    std::memcpy(&bytes[at], &value, 8);
+  };
   std::uint64_t table = 0;
   std::memcpy(&table, &bytes[24], 8);
   std::string entry(32, '\0');
@@ -302,8 +314,8 @@ TEST(LightFile, SaysWhatIsWrongWithAFileOfAnotherKind) {
 
 TEST(Rgb9e5, KeepsColoursToNineBits) {
   for (const glm::vec3 colour :
-       {glm::vec3(1, 1, 1), glm::vec3(3.1f, 0.9f, 0.01f), glm::vec3(1e-3f, 2e-4f, 0), glm::vec3(511.9f, 3, 4),
-        glm::vec3(65000, 1, 0), glm::vec3(0.99999f, 0.5f, 0.25f)}) {
+       {glm::vec3(1, 1, 1), glm::vec3(3.1f, 0.9f, 0.01f), glm::vec3(1e-3f, 2e-4f, 0),
+        glm::vec3(511.9f, 3, 4), glm::vec3(65000, 1, 0), glm::vec3(0.99999f, 0.5f, 0.25f)}) {
     const glm::vec3 back = decode_rgb9e5(encode_rgb9e5(colour));
     const float largest = std::max({colour.x, colour.y, colour.z});
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(back[i], colour[i], largest / 511) << largest;
@@ -311,7 +323,8 @@ TEST(Rgb9e5, KeepsColoursToNineBits) {
   EXPECT_EQ(encode_rgb9e5({0, 0, 0}), 0u);
   EXPECT_EQ(encode_rgb9e5({-1, std::nanf(""), 0}), 0u);
   EXPECT_EQ(decode_rgb9e5(encode_rgb9e5({1e9f, 0, 0})).x, 65408.0f);
-  EXPECT_EQ(encode_rgb9e5({1, 1, 1}), 0x84020100u);  // the extension's own layout: mantissas 256, exponent 16
+  EXPECT_EQ(encode_rgb9e5({1, 1, 1}),
+            0x84020100u);  // the extension's own layout: mantissas 256, exponent 16
 }
 
 }  // namespace

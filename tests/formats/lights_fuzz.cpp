@@ -19,7 +19,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     lights.verify();
     if (lights.provenance().size() != lights.lights().size()) std::abort();
     for (const Light& light : lights.lights())
-      if (!(light.flux_lm > 0) || !std::isfinite(light.position.x + light.position.y + light.position.z))
+      if (!(light.flux_lm > 0) ||
+          !std::isfinite(light.position.x + light.position.y + light.position.z))
         std::abort();
     for (const LightProfile& profile : lights.profiles())
       if (profile.data_offset + std::uint64_t{profile.c_count} * profile.gamma_count >

@@ -18,21 +18,26 @@ using test::square;
 using test::TempFolder;
 
 Georeference berlin() {
-  return {"EPSG:25833", {391000.25, 5819000.5, 34.125}, {"a.gml"}, {"OpenStreetMap contributors, ODbL 1.0"}};
+  return {"EPSG:25833",
+          {391000.25, 5819000.5, 34.125},
+          {"a.gml"},
+          {"OpenStreetMap contributors, ODbL 1.0"}};
 }
 
 TEST(SceneFile, KeepsGeometryMaterialsFeaturesAndInstances) {
   const TempFolder folder;
   SceneWriter writer(folder / "city.glb", {});
   writer.add_material({.name = "wall", .base_colour = {0.5f, 0.25f, 0.125f}, .roughness = 0.75f});
-  writer.add_material({.name = "lamp", .emission_cd_m2 = {1000, 20000, 500}, .double_sided = false});
+  writer.add_material(
+      {.name = "lamp", .emission_cd_m2 = {1000, 20000, 500}, .double_sided = false});
   writer.add_feature({"house \"ü\"", "Building", "31001_1010", 12.5, 4});
   writer.add_feature({"road", "Road", "", {}, {}});
   SceneMesh mesh{"tile", {square(10), square(1, 1)}};
   mesh.primitives[0].feature_ids = {0, 0, 1, no_id};
   mesh.primitives[1].light_ids = {7, 7, no_id, 7};
   const auto tile = writer.add_mesh(mesh);
-  writer.add_node({"tile 0 0", "city", tile, true, {{glm::translate(glm::mat4(1), {100, 2, -50}), no_id}}});
+  writer.add_node(
+      {"tile 0 0", "city", tile, true, {{glm::translate(glm::mat4(1), {100, 2, -50}), no_id}}});
   SceneNode lamps{"lamps", "lamp", tile, false, {}};
   for (std::uint32_t i = 0; i < 3; ++i) {
     glm::mat4 place = glm::translate(glm::mat4(1), {float(i), 0, 0});
@@ -84,7 +89,8 @@ TEST(SceneFile, KeepsGeometryMaterialsFeaturesAndInstances) {
     EXPECT_EQ(scene.nodes[1].instances[i].light, lamps.instances[i].light);
     for (int c = 0; c < 4; ++c)
       for (int r = 0; r < 4; ++r)
-        EXPECT_NEAR(scene.nodes[1].instances[i].to_model[c][r], lamps.instances[i].to_model[c][r], 1e-6);
+        EXPECT_NEAR(scene.nodes[1].instances[i].to_model[c][r], lamps.instances[i].to_model[c][r],
+                    1e-6);
   }
 }
 

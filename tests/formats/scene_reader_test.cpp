@@ -17,7 +17,8 @@ using nlohmann::json;
 using test::TempFolder;
 
 std::string base64(std::string_view bytes) {
-  constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  constexpr std::string_view alphabet =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     std::uint32_t bits = 0;
@@ -39,13 +40,16 @@ json foreign(std::string data = bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1
                                 bytes_of<std::uint8_t>({0, 1, 2, 3})) {
   return {{"asset", {{"version", "2.0"}}},
           {"buffers",
-           {{{"byteLength", data.size()}, {"uri", "data:application/octet-stream;base64," + base64(data)}}}},
+           {{{"byteLength", data.size()},
+             {"uri", "data:application/octet-stream;base64," + base64(data)}}}},
           {"bufferViews",
-           {{{"buffer", 0}, {"byteLength", 48}}, {{"buffer", 0}, {"byteOffset", 48}, {"byteLength", 4}}}},
+           {{{"buffer", 0}, {"byteLength", 48}},
+            {{"buffer", 0}, {"byteOffset", 48}, {"byteLength", 4}}}},
           {"accessors",
            {{{"bufferView", 0}, {"componentType", 5126}, {"count", 4}, {"type", "VEC3"}},
             {{"bufferView", 1}, {"componentType", 5121}, {"count", 4}, {"type", "SCALAR"}}}},
-          {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}, {"mode", 5}}}}}}},
+          {"meshes",
+           {{{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}, {"mode", 5}}}}}}},
           {"nodes", {{{"mesh", 0}}}},
           {"scenes", {{{"nodes", {0}}}}},
           {"scene", 0}};
@@ -100,9 +104,9 @@ TEST(SceneReader, JoinsTheTransformsOfAHierarchy) {
 }
 
 TEST(SceneReader, ReadsQuantisedPositionsAndStrides) {
-  json document =
-      foreign(bytes_of<std::int16_t>({0, 0, 0, 99, 32767, 0, 0, 99, 0, -32767, 0, 99, 1, 2, 3, 99}) +
-              std::string(16, '\0') + bytes_of<std::uint8_t>({0, 1, 2, 3}));
+  json document = foreign(
+      bytes_of<std::int16_t>({0, 0, 0, 99, 32767, 0, 0, 99, 0, -32767, 0, 99, 1, 2, 3, 99}) +
+      std::string(16, '\0') + bytes_of<std::uint8_t>({0, 1, 2, 3}));
   document["extensionsRequired"] = {"KHR_mesh_quantization"};
   document["bufferViews"][0]["byteStride"] = 8;
   document["accessors"][0]["componentType"] = 5122;
@@ -120,7 +124,8 @@ TEST(SceneReader, FindsBuffersBesideTheFile) {
   test::write_text(folder / "a buffer.bin", data);
   document["buffers"][0]["uri"] = "a%20buffer.bin";
   test::write_text(folder / "file.gltf", document.dump());
-  EXPECT_EQ(read_scene(folder / "file.gltf").meshes[0].primitives[0].positions[3], glm::vec3(1, 1, 0));
+  EXPECT_EQ(read_scene(folder / "file.gltf").meshes[0].primitives[0].positions[3],
+            glm::vec3(1, 1, 0));
   std::filesystem::remove(folder / "a buffer.bin");
   EXPECT_THROW(read_scene(folder / "file.gltf"), Error);
 }
@@ -177,8 +182,8 @@ TEST(SceneReader, RefusesDocumentsThatContradictThemselves) {
 TEST(SceneReader, SurvivesNestingAndChainsOfAMillion) {
   const TempFolder folder;
   const std::size_t deep = 1'000'000;
-  test::write_text(folder / "deep.gltf", R"({"asset":{"version":"2.0"},"extras":)" + std::string(deep, '[') +
-                                             std::string(deep, ']') + "}");
+  test::write_text(folder / "deep.gltf", R"({"asset":{"version":"2.0"},"extras":)" +
+                                             std::string(deep, '[') + std::string(deep, ']') + "}");
   EXPECT_NO_THROW(read_scene(folder / "deep.gltf"));  // means nothing to us, harms nothing
   test::write_text(folder / "open.gltf", R"({"asset":)" + std::string(deep, '['));
   EXPECT_THROW(read_scene(folder / "open.gltf"), Error);
@@ -241,7 +246,8 @@ TEST(SceneReader, SurvivesDamage) {
 
 TEST(SceneReader, SaysWhatAFileOfAnotherKindIs) {
   const TempFolder folder;
-  for (const char* content : {"", " ", "x", "glTF", "<CityModel/>", "[]", "null", "{}", "{\"asset\":{}}"}) {
+  for (const char* content :
+       {"", " ", "x", "glTF", "<CityModel/>", "[]", "null", "{}", "{\"asset\":{}}"}) {
     test::write_text(folder / "file", content);
     EXPECT_THROW(read_scene(folder / "file"), Error) << content;
   }

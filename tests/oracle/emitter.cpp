@@ -26,10 +26,12 @@ double intensity(const Lights& lights, const Light& light, const glm::dvec3& to)
   const glm::dvec3 axis(light.axis), tangent(light.tangent);
   const double gamma_deg = std::acos(std::clamp(glm::dot(to, axis), -1.0, 1.0)) * 180 / pi;
   if (gamma_deg > double(profile.extent_deg)) return 0;
-  double c_deg = std::atan2(glm::dot(to, glm::cross(axis, tangent)), glm::dot(to, tangent)) * 180 / pi;
+  double c_deg =
+      std::atan2(glm::dot(to, glm::cross(axis, tangent)), glm::dot(to, tangent)) * 180 / pi;
   if (c_deg < 0) c_deg += 360;
   const auto value = [&](std::uint32_t c, std::uint32_t g) {
-    return double(lights.profile_data[profile.data_offset + c % profile.c_count * profile.gamma_count + g]);
+    return double(
+        lights.profile_data[profile.data_offset + c % profile.c_count * profile.gamma_count + g]);
   };
   const double row = gamma_deg / double(profile.extent_deg) * (profile.gamma_count - 1);
   const double plane = c_deg / 360 * profile.c_count;
@@ -56,8 +58,8 @@ struct Strata {
 };
 
 // By area over the cap that the receiver sees: not the cone of directions that the shaders sample.
-void append_sphere(const Lights& lights, const Light& light, const glm::dvec3& receiver, const Strata& strata,
-                   std::vector<LightPoint>& out) {
+void append_sphere(const Lights& lights, const Light& light, const glm::dvec3& receiver,
+                   const Strata& strata, std::vector<LightPoint>& out) {
   const glm::dvec3 centre(light.position), away = receiver - centre;
   const double distance = glm::length(away), radius = double(light.radius);
   if (distance <= radius) return;  // inside the lamp
@@ -94,8 +96,8 @@ void append_rectangle(const Light& light, const glm::dvec3& receiver, const Stra
     const glm::dvec3 to = receiver - point;
     const double d2 = glm::dot(to, to), cosine = glm::dot(normal, to) / std::sqrt(d2);
     if (cosine > 0)
-      out.push_back(
-          {point, colour_of(light.colour_rgb9e5) * (double(light.flux_lm) / pi * share * cosine / d2)});
+      out.push_back({point, colour_of(light.colour_rgb9e5) *
+                                (double(light.flux_lm) / pi * share * cosine / d2)});
   });
 }
 

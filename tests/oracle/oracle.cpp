@@ -105,7 +105,8 @@ struct Oracle::Geometry {
   }
 
  private:
-  static void set_ray(RTCRay& ray, const glm::dvec3& origin, const glm::dvec3& direction, double far) {
+  static void set_ray(RTCRay& ray, const glm::dvec3& origin, const glm::dvec3& direction,
+                      double far) {
     ray.org_x = float(origin.x), ray.org_y = float(origin.y), ray.org_z = float(origin.z);
     ray.dir_x = float(direction.x), ray.dir_y = float(direction.y), ray.dir_z = float(direction.z);
     ray.tnear = 0;
@@ -120,7 +121,8 @@ Oracle::Oracle(const Scene& scene, Lights lights)
   for (const SceneNode& node : scene.nodes)
     for (const SceneInstance& instance : node.instances) {
       Geometry::append(geometry_->seen, scene.meshes[node.mesh], instance);
-      if (node.casts_shadow) Geometry::append(geometry_->casting, scene.meshes[node.mesh], instance);
+      if (node.casts_shadow)
+        Geometry::append(geometry_->casting, scene.meshes[node.mesh], instance);
     }
   geometry_->commit(geometry_->seen);
   geometry_->commit(geometry_->casting);
@@ -149,7 +151,8 @@ Image Oracle::render(const CameraPose& pose, std::uint32_t width, std::uint32_t 
           glm::normalize(forward + right * (sx * half_width) + up * (sy * half_height));
       glm::dvec3 radiance(0);
       if (const auto hit = geometry_->first_hit(eye, direction)) {
-        const SceneMaterial& material = geometry_->materials[geometry_->seen.materials[hit->triangle]];
+        const SceneMaterial& material =
+            geometry_->materials[geometry_->seen.materials[hit->triangle]];
         const glm::dvec3 place = eye + direction * hit->distance;
         glm::dvec3 normal = geometry_->normal(hit->triangle);
         if (glm::dot(normal, direction) > 0) normal = -normal;

@@ -15,8 +15,8 @@ inline bool bake_berlin(const TempFolder& folder, bool windows) {
              "[city]\nfiles = [\"" + (data / "berlin_open_data_sample_data.citygml").string() +
                  "\"]\n[osm]\nfiles = [\"" + (data / "berlin_dev_box.osm.pbf").string() +
                  "\"]\n[windows]\nlit = " + (windows ? "true" : "false") + "\n");
-  const Outcome outcome = run_program(
-      "nightbake", "run '" + (folder / "berlin.toml").string() + "' --out '" + folder.path().string() + "'");
+  const Outcome outcome = run_program("nightbake", "run '" + (folder / "berlin.toml").string() +
+                                                       "' --out '" + folder.path().string() + "'");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   return outcome.exit_code == 0;
 }

@@ -13,7 +13,8 @@ namespace nightcity::test {
 
 class FuzzFile {
  public:
-  FuzzFile(const std::uint8_t* data, std::size_t size) : descriptor_(::memfd_create("fuzz", MFD_CLOEXEC)) {
+  FuzzFile(const std::uint8_t* data, std::size_t size)
+      : descriptor_(::memfd_create("fuzz", MFD_CLOEXEC)) {
     if (descriptor_ < 0) std::abort();
     for (std::size_t done = 0; done < size;) {
       const ssize_t n = ::write(descriptor_, data + done, size - done);

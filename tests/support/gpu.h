@@ -17,7 +17,8 @@ inline gpu::Device& test_device() {
   static gpu::Device device([] {
     gpu::Device::Options options;
     if (const char* name = std::getenv("NIGHTCITY_TEST_DEVICE")) options.select = name;
-    if (const char* name = std::getenv("NIGHTCITY_TEST_TRACE")) options.trace = gpu::trace_from_name(name);
+    if (const char* name = std::getenv("NIGHTCITY_TEST_TRACE"))
+      options.trace = gpu::trace_from_name(name);
     options.validation = std::getenv("NIGHTCITY_TEST_NO_VALIDATION") == nullptr;
     return options;
   }());
@@ -31,8 +32,9 @@ inline PassLibrary& test_passes() {
 }
 
 /// Renders under validation and fails the test when the layer speaks.
-inline Image render(const RenderScene& scene, const CameraPose& pose, const RenderSettings& settings,
-                    std::uint32_t width, std::uint32_t height, std::uint32_t frames) {
+inline Image render(const RenderScene& scene, const CameraPose& pose,
+                    const RenderSettings& settings, std::uint32_t width, std::uint32_t height,
+                    std::uint32_t frames) {
   gpu::Device& device = test_device();
   const std::size_t before = device.validation_messages().size();
   DeviceScene device_scene(device, scene);

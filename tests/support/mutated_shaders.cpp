@@ -31,8 +31,9 @@ std::vector<Replacement> replacements;
 
 const std::map<std::string, Words>& built_in_passes() {
   static const std::map<std::string, Words> passes{
-      {"accumulate", accumulate_spirv}, {"candidates", candidates_spirv}, {"primary", primary_spirv},
-      {"reference", reference_spirv},   {"shade", shade_spirv},           {"spatial", spatial_spirv},
+      {"accumulate", accumulate_spirv}, {"candidates", candidates_spirv},
+      {"primary", primary_spirv},       {"reference", reference_spirv},
+      {"shade", shade_spirv},           {"spatial", spatial_spirv},
       {"temporal", temporal_spirv}};
   return passes;
 }
@@ -59,7 +60,8 @@ MutatedShaders::MutatedShaders(const std::vector<ShaderEdit>& edits) {
   for (const char* folder : {"shaders", "formats"}) {
     fs::create_directory(copy / folder);
     for (const auto& entry : fs::directory_iterator(source / folder))
-      if (entry.is_regular_file()) fs::copy_file(entry.path(), copy / folder / entry.path().filename());
+      if (entry.is_regular_file())
+        fs::copy_file(entry.path(), copy / folder / entry.path().filename());
   }
   const fs::path shaders = copy / "shaders";
   std::set<std::string> files;
@@ -67,7 +69,8 @@ MutatedShaders::MutatedShaders(const std::vector<ShaderEdit>& edits) {
     std::string text = read_text(shaders / edit.file);
     const std::size_t at = text.find(edit.guard);
     if (at == std::string::npos || text.find(edit.guard, at + 1) != std::string::npos)
-      throw std::runtime_error("shaders/" + edit.file + " does not hold exactly once: " + edit.guard);
+      throw std::runtime_error("shaders/" + edit.file +
+                               " does not hold exactly once: " + edit.guard);
     write_text(shaders / edit.file, text.replace(at, edit.guard.size(), edit.without));
     files.insert(edit.file);
   }
@@ -76,8 +79,9 @@ MutatedShaders::MutatedShaders(const std::vector<ShaderEdit>& edits) {
     if (!concerns(shaders, pass + ".comp", files)) continue;
     const fs::path out = copy / (pass + ".spv");
     const std::string command = std::string("'") + NIGHTCITY_GLSLANG +
-                                "' --quiet -V --target-env vulkan1.2 -I'" + copy.path().string() + "' -o '" +
-                                out.string() + "' '" + (shaders / (pass + ".comp")).string() + "' >&2";
+                                "' --quiet -V --target-env vulkan1.2 -I'" + copy.path().string() +
+                                "' -o '" + out.string() + "' '" +
+                                (shaders / (pass + ".comp")).string() + "' >&2";
     if (std::system(command.c_str()) != 0)
       throw std::runtime_error(pass + ".comp as edited does not compile");
     const std::string bytes = read_text(out);
@@ -95,11 +99,12 @@ MutatedShaders::~MutatedShaders() {
 
 extern "C" {
 
-VkResult __real_vkCreateShaderModule(VkDevice, const VkShaderModuleCreateInfo*, const VkAllocationCallbacks*,
-                                     VkShaderModule*);
+VkResult __real_vkCreateShaderModule(VkDevice, const VkShaderModuleCreateInfo*,
+                                     const VkAllocationCallbacks*, VkShaderModule*);
 
 VkResult __wrap_vkCreateShaderModule(VkDevice device, const VkShaderModuleCreateInfo* info,
-                                     const VkAllocationCallbacks* allocator, VkShaderModule* module) {
+                                     const VkAllocationCallbacks* allocator,
+                                     VkShaderModule* module) {
   VkShaderModuleCreateInfo edited = *info;
   for (const auto& [built_in, words] : nightcity::test::replacements)
     if (info->codeSize == built_in.size_bytes() &&

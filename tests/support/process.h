@@ -25,11 +25,12 @@ inline std::string quoted(const std::filesystem::path& path) {
 /// `program` of this build with `arguments` (shell words).
 inline Outcome run_program(const std::string& program, const std::string& arguments) {
   const TempFolder folder;
-  const std::string command = std::string("'") + NIGHTCITY_BUILD_DIR + "/" + program + "' " + arguments +
-                              " >'" + (folder / "out").string() + "' 2>'" + (folder / "err").string() +
-                              "' </dev/null";
+  const std::string command = std::string("'") + NIGHTCITY_BUILD_DIR + "/" + program + "' " +
+                              arguments + " >'" + (folder / "out").string() + "' 2>'" +
+                              (folder / "err").string() + "' </dev/null";
   const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(folder / "out"), read_text(folder / "err")};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(folder / "out"),
+          read_text(folder / "err")};
 }
 
 }  // namespace nightcity::test

@@ -27,8 +27,8 @@ inline Light lamp(const glm::vec3& position, float flux_lm, float radius = 0.05f
 }
 
 /// A one-sided window facing `normal`, with horizontal first edge.
-inline Light window(const glm::vec3& centre, const glm::vec3& normal, float half_width, float half_height,
-                    float flux_lm) {
+inline Light window(const glm::vec3& centre, const glm::vec3& normal, float half_width,
+                    float half_height, float flux_lm) {
   Light light = lamp(centre, flux_lm, half_width);
   light.axis = normal;
   light.tangent = glm::normalize(glm::cross(glm::vec3(0, 1, 0), normal));
@@ -55,7 +55,9 @@ class SceneBuilder {
   }
 
   /// Horizontal square of half side `s` at height y.
-  SceneBuilder& ground(float s, float y = 0) { return quad({-s, y, -s}, {-s, y, s}, {s, y, s}, {s, y, -s}); }
+  SceneBuilder& ground(float s, float y = 0) {
+    return quad({-s, y, -s}, {-s, y, s}, {s, y, s}, {s, y, -s});
+  }
 
   SceneBuilder& box(const glm::vec3& lo, const glm::vec3& hi) {
     const auto at = [&](int i) {
@@ -81,7 +83,8 @@ class SceneBuilder {
 inline std::vector<Light> under_open_sky(const SceneBuilder& builder, std::vector<Light> lights) {
   const RenderScene scene = builder.with({});
   std::erase_if(lights, [&](const Light& light) {
-    return brute_force_hit(scene, glm::dvec3(light.position), {0.0, 1.0, 0.0}, 1e30, MASK_SHADOW).has_value();
+    return brute_force_hit(scene, glm::dvec3(light.position), {0.0, 1.0, 0.0}, 1e30, MASK_SHADOW)
+        .has_value();
   });
   return lights;
 }
@@ -99,7 +102,9 @@ inline SceneBuilder boxes_on_a_plane() {
 /// A ground with `count` boxes of 5 to 20 m in a square of half side `half`, seeded.
 inline SceneBuilder random_town(int count, float half, unsigned seed) {
   std::mt19937 random(seed);
-  const auto uniform = [&](float a, float b) { return a + (b - a) * float(random() >> 8) / 16777216.0f; };
+  const auto uniform = [&](float a, float b) {
+    return a + (b - a) * float(random() >> 8) / 16777216.0f;
+  };
   SceneBuilder builder;
   builder.ground(half);
   for (int i = 0; i < count; ++i) {
@@ -113,7 +118,9 @@ inline SceneBuilder random_town(int count, float half, unsigned seed) {
 
 inline std::vector<Light> random_lamps(int count, float half, unsigned seed) {
   std::mt19937 random(seed);
-  const auto uniform = [&](float a, float b) { return a + (b - a) * float(random() >> 8) / 16777216.0f; };
+  const auto uniform = [&](float a, float b) {
+    return a + (b - a) * float(random() >> 8) / 16777216.0f;
+  };
   std::vector<Light> lights;
   for (int i = 0; i < count; ++i) {
     const float radius = uniform(0.05f, 0.3f), flux_lm = uniform(1000, 8000);

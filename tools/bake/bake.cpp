@@ -32,7 +32,8 @@ class Stopwatch {
   explicit Stopwatch(BakeReport& report) : report_(report) {}
   void lap(const char* stage) {
     const auto now = std::chrono::steady_clock::now();
-    report_.stages.push_back({stage, std::chrono::duration<double>(now - start_).count(), peak_memory_mb()});
+    report_.stages.push_back(
+        {stage, std::chrono::duration<double>(now - start_).count(), peak_memory_mb()});
     start_ = now;
   }
 
@@ -82,7 +83,9 @@ void write_tiles(SceneWriter& writer, MaterialTable& materials, TileStore& tiles
   HiddenCounts hidden;
   const std::vector<TileKey> keys = tiles.tiles();
   std::size_t begun = 0, done = 0;
-  const auto next = [&] { return begun < keys.size() ? std::optional(keys[begun++]) : std::nullopt; };
+  const auto next = [&] {
+    return begun < keys.size() ? std::optional(keys[begun++]) : std::nullopt;
+  };
   const auto build = [&](const TileKey& key) {
     Tile tile{key, {}, {}};
     const glm::dvec3 corner = tiles.origin(key);
@@ -120,11 +123,13 @@ void write_tiles(SceneWriter& writer, MaterialTable& materials, TileStore& tiles
 
 }  // namespace
 
-BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder, const ProgressSink& progress) {
+BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder,
+                const ProgressSink& progress) {
   BakeReport report;
   Stopwatch watch(report);
   for (const auto& file : recipe.city.files) report.input_bytes += size_of(file);
-  OutputFolder output(folder);  // before the long work: an output that cannot be written is known at once
+  OutputFolder output(
+      folder);  // before the long work: an output that cannot be written is known at once
   const auto scene_path = output.staged("city.glb"), lights_path = output.staged("city.lights");
 
   // Small inputs first, so that their faults show before a large city has been read.
@@ -142,8 +147,9 @@ BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder, const
   if (recipe.windows.lit) windows.emplace(window_options(recipe, osm, frames), lights_path);
   streets::RoadSurfaces roads;
   const bool model_streets = wants_model_streets(recipe, osm, frames);
-  read_city(recipe, frames, {writer, tiles, drape, terrain, windows, model_streets ? &roads : nullptr},
-            report, progress);
+  read_city(recipe, frames,
+            {writer, tiles, drape, terrain, windows, model_streets ? &roads : nullptr}, report,
+            progress);
   watch.lap("reading the city");
   if (model_streets) {
     report.streets = add_model_streets(roads, frames, osm);
@@ -165,8 +171,8 @@ BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder, const
 
   if (progress) progress({"placing lights", 0, ""});
   LightFileWriter lights(lights_path);
-  const LampProfiles lamps = bake_lights(recipe, osm, frames, terrain, std::move(windows), georeference,
-                                         writer, lights, lights_path, report);
+  const LampProfiles lamps = bake_lights(recipe, osm, frames, terrain, std::move(windows),
+                                         georeference, writer, lights, lights_path, report);
   watch.lap("lights");
 
   traffic::TrafficSet traffic;
@@ -176,9 +182,10 @@ BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder, const
     report.traffic = traffic.report;
     watch.lap("traffic");
   }
-  finish_with_traffic(lights,
-                      {.georeference = georeference, .profiles = lamps.profiles, .profile_data = lamps.data},
-                      traffic);
+  finish_with_traffic(
+      lights,
+      {.georeference = georeference, .profiles = lamps.profiles, .profile_data = lamps.data},
+      traffic);
   watch.lap("writing city.lights");
 
   writer.finish(georeference);
@@ -187,7 +194,8 @@ BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder, const
   report.lights_bytes = size_of(lights_path);
   watch.lap("writing city.glb");
   AtomicFile report_file(output.staged("bake_report.json"));
-  report_file.write(to_json(report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  report_file.write(to_json(report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
+                    "\n");
   report_file.commit();
   output.commit();
   return report;

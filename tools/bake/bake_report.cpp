@@ -31,8 +31,8 @@ std::size_t sum(const Counts& counts) {
 
 std::string break_edges_in_words(const Terrain::BreakEdges& edges) {
   if (edges.used + edges.unused == 0) return {};
-  return fmt::format(", {} edges of break lines kept, {} not, for they cross too many others", edges.used,
-                     edges.unused);
+  return fmt::format(", {} edges of break lines kept, {} not, for they cross too many others",
+                     edges.used, edges.unused);
 }
 
 }  // namespace
@@ -60,7 +60,8 @@ json to_json(const BakeReport& report) {
         {"triangles", mesh.triangles},
         {"fast_path", mesh.fast_path},
         {"zero_area", mesh.zero_area},
-        {"worst_zero_area", {{"id", mesh.worst_zero_area}, {"perimeter_m", mesh.worst_zero_area_m}}},
+        {"worst_zero_area",
+         {{"id", mesh.worst_zero_area}, {"perimeter_m", mesh.worst_zero_area_m}}},
         {"slivers", mesh.slivers},
         {"worst_sliver", {{"id", mesh.worst_sliver}, {"width_m", mesh.worst_sliver_m}}},
         {"turned", mesh.turned},
@@ -115,8 +116,8 @@ std::string to_text(const BakeReport& report) {
   for (const std::string& crs : report.crs) line("crs", crs);
   line("objects", in_words(report.objects));
   if (!report.left_out.empty()) line("left out", in_words(report.left_out));
-  line("polygons", fmt::format("{} read, {} triangulated ({} at once)", report.read.polygons, mesh.polygons,
-                               mesh.fast_path));
+  line("polygons", fmt::format("{} read, {} triangulated ({} at once)", report.read.polygons,
+                               mesh.polygons, mesh.fast_path));
   if (mesh.non_planar)
     line("", fmt::format("{} not planar beyond 1 cm, worst {:.2f} m ({})", mesh.non_planar,
                          mesh.worst_non_planar_m, mesh.worst_non_planar));
@@ -124,20 +125,20 @@ std::string to_text(const BakeReport& report) {
     line("", fmt::format("{} self-intersecting, worst {:.2f} m2 ({})", mesh.self_intersecting,
                          mesh.worst_self_intersecting_m2, mesh.worst_self_intersecting));
   if (mesh.slivers)
-    line("", fmt::format("{} slivers under 1 cm, narrowest {:.5f} m ({})", mesh.slivers, mesh.worst_sliver_m,
-                         mesh.worst_sliver));
+    line("", fmt::format("{} slivers under 1 cm, narrowest {:.5f} m ({})", mesh.slivers,
+                         mesh.worst_sliver_m, mesh.worst_sliver));
   if (mesh.turned)
     line("", fmt::format("{} faced inward, turned (first {})", mesh.turned, mesh.first_turned));
   if (mesh.cracks_closed + mesh.floors_added)
-    line("", fmt::format("{} objects had cracks closed, {} a floor added (first {})", mesh.cracks_closed,
-                         mesh.floors_added, mesh.first_repaired));
+    line("", fmt::format("{} objects had cracks closed, {} a floor added (first {})",
+                         mesh.cracks_closed, mesh.floors_added, mesh.first_repaired));
   if (mesh.open_objects)
     line("", fmt::format("{} objects are no closed shells, as published", mesh.open_objects));
   if (const std::size_t dropped = mesh.zero_area + mesh.not_finite + mesh.not_triangulated)
-    line("",
-         fmt::format("{} dropped: {} without area{}, {} not finite, {} not triangulated", dropped,
-                     mesh.zero_area, mesh.zero_area ? fmt::format(" (longest {})", mesh.worst_zero_area) : "",
-                     mesh.not_finite, mesh.not_triangulated));
+    line("", fmt::format("{} dropped: {} without area{}, {} not finite, {} not triangulated",
+                         dropped, mesh.zero_area,
+                         mesh.zero_area ? fmt::format(" (longest {})", mesh.worst_zero_area) : "",
+                         mesh.not_finite, mesh.not_triangulated));
   line("skipped", in_words(report.read.skipped));
   const auto& warnings = report.read.warnings;
   constexpr std::size_t shown = 3;
@@ -145,11 +146,13 @@ std::string to_text(const BakeReport& report) {
   if (warnings.size() > shown)
     line("", fmt::format("and {} more warnings in bake_report.json", warnings.size() - shown));
   line("triangles", fmt::format("{}: {}", sum(report.triangles), in_words(report.triangles)));
-  line("terrain",
-       report.ground.source + break_edges_in_words(report.ground.break_edges) +
-           (report.ground.dem.empty() ? "" : ", dem " + report.ground.dem) +
-           (report.draped ? fmt::format(", {} triangles without heights laid onto it", report.draped) : ""));
-  if (report.colours) line("colours", fmt::format("{} of the model's own materials", report.colours));
+  line("terrain", report.ground.source + break_edges_in_words(report.ground.break_edges) +
+                      (report.ground.dem.empty() ? "" : ", dem " + report.ground.dem) +
+                      (report.draped ? fmt::format(", {} triangles without heights laid onto it",
+                                                   report.draped)
+                                     : ""));
+  if (report.colours)
+    line("colours", fmt::format("{} of the model's own materials", report.colours));
   text += to_text(report.streets);
   text += to_text(report.lamps);
   text += to_text(report.layout, false);
@@ -157,20 +160,23 @@ std::string to_text(const BakeReport& report) {
   if (report.traffic) text += to_text(*report.traffic);
   const SceneWriter::Statistics& scene = report.scene;
   line("city.glb", fmt::format("{:.1f} MB, {} features, {} nodes, {} vertices",
-                               static_cast<double>(report.scene_bytes) / 1e6, scene.features, scene.nodes,
-                               scene.vertices));
+                               static_cast<double>(report.scene_bytes) / 1e6, scene.features,
+                               scene.nodes, scene.vertices));
   if (scene.max_draco_bits)
     line("", fmt::format("Draco: up to {} bits, worst displacement {:.4f} m", scene.max_draco_bits,
                          scene.max_draco_error_m));
-  line("city.lights", fmt::format("{:.1f} kB, {} schedules", static_cast<double>(report.lights_bytes) / 1e3,
-                                  report.schedules));
+  line("city.lights",
+       fmt::format("{:.1f} kB, {} schedules", static_cast<double>(report.lights_bytes) / 1e3,
+                   report.schedules));
   std::string stages;
   for (const BakeReport::Stage& stage : report.stages)
     stages += fmt::format("{}{} {:.2f}", stages.empty() ? "" : ", ", stage.name, stage.seconds);
   const double total = total_seconds(report);
   line("time", fmt::format("{:.1f} s ({:.1f} MB/s of CityGML): {}", total,
-                           total > 0 ? static_cast<double>(report.input_bytes) / 1e6 / total : 0.0, stages));
-  if (!report.stages.empty()) line("memory", fmt::format("{:.0f} MB at most", report.stages.back().peak_mb));
+                           total > 0 ? static_cast<double>(report.input_bytes) / 1e6 / total : 0.0,
+                           stages));
+  if (!report.stages.empty())
+    line("memory", fmt::format("{:.0f} MB at most", report.stages.back().peak_mb));
   return text;
 }
 

@@ -24,8 +24,9 @@ struct BakeReport {
   MeshReport mesh;
   std::map<std::string, std::size_t> objects;    // by type
   std::map<std::string, std::size_t> triangles;  // by material, as written
-  std::map<std::string, std::size_t> left_out;   // objects not baked, by reason; triangles where it says so
-  std::vector<std::string> crs;                  // descriptions of the frames
+  std::map<std::string, std::size_t>
+      left_out;                  // objects not baked, by reason; triangles where it says so
+  std::vector<std::string> crs;  // descriptions of the frames
   GroundReport ground;
   std::size_t relief_points = 0;  // mass points and vertices of break lines
   std::size_t colours = 0;        // materials the model itself names

@@ -19,7 +19,8 @@ bool is_city_file(const fs::path& path) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   constexpr std::array<std::string_view, 7> endings{".gml",    ".xml",        ".citygml", ".gml.gz",
                                                     ".xml.gz", ".citygml.gz", ".zip"};
-  return std::any_of(endings.begin(), endings.end(), [&](std::string_view e) { return name.ends_with(e); });
+  return std::any_of(endings.begin(), endings.end(),
+                     [&](std::string_view e) { return name.ends_with(e); });
 }
 
 }  // namespace
@@ -33,12 +34,14 @@ std::vector<fs::path> city_files(const fs::path& path) {
   for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
     std::error_code unknown;  // a dangling link is no file
     folders |= entry->is_directory(unknown);
-    if (entry->is_regular_file(unknown) && is_city_file(entry->path())) found.push_back(entry->path());
+    if (entry->is_regular_file(unknown) && is_city_file(entry->path()))
+      found.push_back(entry->path());
   }
   if (error) throw Error(path.string(), "the folder cannot be read: " + error.message());
   if (found.empty())
-    throw Error(path.string(), std::string("no .gml, .xml, .citygml (also .gz) or .zip in this folder") +
-                                   (folders ? "; folders inside it are not entered: name them" : ""));
+    throw Error(path.string(),
+                std::string("no .gml, .xml, .citygml (also .gz) or .zip in this folder") +
+                    (folders ? "; folders inside it are not entered: name them" : ""));
   std::sort(found.begin(), found.end());
   return found;
 }

@@ -28,14 +28,16 @@ WindowOptions window_options(const Recipe& recipe, const OsmData& osm, const Cit
   WindowOptions options;
   options.seed = recipe.windows.seed;
   if (osm.buildings.empty() || !frames.city().has_lon_lat()) return options;
-  const auto uses = std::make_shared<const OsmUses>(
-      osm.buildings, [&](const glm::dvec2& lon_lat) { return frames.city().from_lon_lat(lon_lat); });
+  const auto uses = std::make_shared<const OsmUses>(osm.buildings, [&](const glm::dvec2& lon_lat) {
+    return frames.city().from_lon_lat(lon_lat);
+  });
   options.use_at = [uses](const glm::dvec2& place) { return uses->at(place); };
   return options;
 }
 
 Recipe recipe_of(const std::vector<std::filesystem::path>& inputs) {
-  if (inputs.size() == 1 && inputs.front().extension() == ".toml") return read_recipe(inputs.front());
+  if (inputs.size() == 1 && inputs.front().extension() == ".toml")
+    return read_recipe(inputs.front());
   Recipe recipe;
   for (const auto& input : inputs) {
     std::error_code error;

@@ -77,7 +77,8 @@ std::vector<TileStore::Triangle> tile_triangles(const TriangleMesh& mesh, const 
 
 class CityReader {
  public:
-  CityReader(const Recipe& recipe, const CityFrames& frames, const CitySinks& sinks, BakeReport& report)
+  CityReader(const Recipe& recipe, const CityFrames& frames, const CitySinks& sinks,
+             BakeReport& report)
       : frames_(frames),
         sinks_(sinks),
         report_(report),
@@ -145,7 +146,8 @@ class CityReader {
       if (!sinks_.terrain.add_break_line(line))
         ++report_.left_out["break lines of which the vertices alone are used"];
     }
-    if (prepared.dropped > 0) report_.left_out["triangles of ground under buildings"] += prepared.dropped;
+    if (prepared.dropped > 0)
+      report_.left_out["triangles of ground under buildings"] += prepared.dropped;
     if (prepared.dropped == 0 && prepared.triangles.empty()) return;  // points alone
     if (sinks_.windows) sinks_.windows->add(object, std::move(prepared.windows));
     if (sinks_.roads) sinks_.roads->add(object);
@@ -199,7 +201,8 @@ class CityReader {
   std::size_t file_ = 0;
   std::string last_id_;
   std::uint32_t last_feature_ = no_id;
-  std::unordered_map<std::size_t, std::size_t> seen_;  // identity of an object, the file that brought it
+  std::unordered_map<std::size_t, std::size_t>
+      seen_;  // identity of an object, the file that brought it
 };
 
 }  // namespace
@@ -210,8 +213,8 @@ void add_mesh(TileStore& tiles, const TriangleMesh& mesh, ObjectType type, std::
   tiles.add(tile_triangles(mesh, plain), feature);
 }
 
-void read_city(const Recipe& recipe, const CityFrames& frames, const CitySinks& sinks, BakeReport& report,
-               const ProgressSink& progress) {
+void read_city(const Recipe& recipe, const CityFrames& frames, const CitySinks& sinks,
+               BakeReport& report, const ProgressSink& progress) {
   const auto& files = recipe.city.files;
   CityReader reader(recipe, frames, sinks, report);
   ReadOptions options = recipe.city.read;
@@ -222,10 +225,10 @@ void read_city(const Recipe& recipe, const CityFrames& frames, const CitySinks& 
   std::size_t objects = 0;
   for (std::size_t i = 0; i < files.size(); ++i) {
     reader.begin_file(i);
-    const std::string stage = "reading " + std::to_string(i + 1) + " of " + std::to_string(files.size()) +
-                              ": " + files[i].filename().string();
-    report.read.merge(
-        read_citygml_staged(files[i], options, [&](std::vector<CityObject>&& read) -> std::function<void()> {
+    const std::string stage = "reading " + std::to_string(i + 1) + " of " +
+                              std::to_string(files.size()) + ": " + files[i].filename().string();
+    report.read.merge(read_citygml_staged(
+        files[i], options, [&](std::vector<CityObject>&& read) -> std::function<void()> {
           const auto prepared =
               std::make_shared<std::vector<Prepared>>();  // std::function copies what it holds
           prepared->reserve(read.size());

@@ -30,8 +30,8 @@ struct CitySinks {
 /// Each object becomes a feature of the writer as it is read; memory does not grow with the city but for what
 /// the terrain keeps. Objects over 100 km from the city's first file and objects that an earlier file has
 /// brought are left out and counted. Throws Error as read_citygml does.
-void read_city(const Recipe& recipe, const CityFrames& frames, const CitySinks& sinks, BakeReport& report,
-               const ProgressSink& progress);
+void read_city(const Recipe& recipe, const CityFrames& frames, const CitySinks& sinks,
+               BakeReport& report, const ProgressSink& progress);
 
 /// Puts a mesh that belongs to no object (a made terrain) into the tiles.
 void add_mesh(TileStore& tiles, const TriangleMesh& mesh, ObjectType type, std::uint32_t feature);

@@ -9,8 +9,10 @@
 namespace nightcity {
 namespace {
 
-constexpr double longest_edge_m = 10;  // ground between points of a 10 m grid is flat enough for a street
-constexpr double clearance_m = 0.1;    // above the ground, so that the two do not fight over what is seen
+constexpr double longest_edge_m =
+    10;  // ground between points of a 10 m grid is flat enough for a street
+constexpr double clearance_m =
+    0.1;  // above the ground, so that the two do not fight over what is seen
 
 using Corners = std::array<glm::dvec3, 3>;
 
@@ -45,13 +47,15 @@ void subdivide(const glm::dvec3 (&corners)[3], double longest_m,
     stack.pop_back();
     std::size_t longest = 0;  // edge k runs from corner k to the next
     for (std::size_t k = 1; k < 3; ++k)
-      if (plan_distance(t[k], t[(k + 1) % 3]) > plan_distance(t[longest], t[(longest + 1) % 3])) longest = k;
+      if (plan_distance(t[k], t[(k + 1) % 3]) > plan_distance(t[longest], t[(longest + 1) % 3]))
+        longest = k;
     const glm::dvec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
     if (!(plan_distance(a, b) > longest_m)) {
       sink({t[0], t[1], t[2]});
       continue;
     }
-    const glm::dvec3 middle = (a + b) / 2.0;  // the same bits whichever way the neighbour walks the edge
+    const glm::dvec3 middle =
+        (a + b) / 2.0;  // the same bits whichever way the neighbour walks the edge
     stack.push_back({a, middle, c});
     stack.push_back({middle, b, c});
   }
@@ -69,8 +73,8 @@ void DrapeStore::add(std::span<const TileStore::Triangle> triangles, std::uint32
   }
 }
 
-std::size_t DrapeStore::lay(const std::function<std::optional<double>(const glm::dvec2&)>& height_at,
-                            TileStore& tiles) {
+std::size_t DrapeStore::lay(
+    const std::function<std::optional<double>(const glm::dvec2&)>& height_at, TileStore& tiles) {
   std::vector<TileStore::Triangle> pieces;
   std::map<std::pair<double, double>, double>
       known;  // heights of the feature's points: each serves several pieces

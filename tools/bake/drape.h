@@ -33,7 +33,8 @@ class DrapeStore {
   /// Cuts the triangles fine enough to follow the ground and hands them to `tiles`, each vertex a hand's
   /// breadth above it. Where there is no ground a vertex keeps height 0. Returns how many triangles were
   /// laid.
-  std::size_t lay(const std::function<std::optional<double>(const glm::dvec2&)>& height_at, TileStore& tiles);
+  std::size_t lay(const std::function<std::optional<double>(const glm::dvec2&)>& height_at,
+                  TileStore& tiles);
 
  private:
   struct Record;

@@ -16,18 +16,23 @@ FileKind file_kind(const std::filesystem::path& path) {
   constexpr std::size_t enough = 65536;  // XML may begin with long comments
   const std::string_view start(reinterpret_cast<const char*>(file.bytes().data()),
                                std::min(file.bytes().size(), enough));
-  const auto has = [start](std::string_view text) { return start.find(text) != std::string_view::npos; };
+  const auto has = [start](std::string_view text) {
+    return start.find(text) != std::string_view::npos;
+  };
   if (start.starts_with("glTF")) return FileKind::scene;
   if (start.starts_with("NCLIGHTS")) return FileKind::lights;
-  if (start.substr(0, 64).find("OSMHeader") != std::string_view::npos) return FileKind::osm;  // .osm.pbf
+  if (start.substr(0, 64).find("OSMHeader") != std::string_view::npos)
+    return FileKind::osm;  // .osm.pbf
   const bool compressed =
       start.starts_with("\x1f\x8b") || start.starts_with("BZh") || start.starts_with("PK\x03\x04");
   if (compressed)
-    return path.filename().string().find(".osm") != std::string::npos ? FileKind::osm : FileKind::citygml;
+    return path.filename().string().find(".osm") != std::string::npos ? FileKind::osm
+                                                                      : FileKind::citygml;
   if (has("<osm ") || has("<osm>")) return FileKind::osm;
   if (has("CityModel")) return FileKind::citygml;
   const std::size_t first = start.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  if (first != std::string_view::npos && start[first] == '{' && has("\"asset\"")) return FileKind::scene;
+  if (first != std::string_view::npos && start[first] == '{' && has("\"asset\""))
+    return FileKind::scene;
   // A large glTF may name its asset last.
   if (first != std::string_view::npos && start[first] == '{' && path.extension() == ".gltf")
     return FileKind::scene;

@@ -37,10 +37,12 @@ class Heights {
   double finest_m() const { return finest_; }
 
   std::vector<double> at(std::span<const glm::dvec2> places) const {
-    std::vector<double> heights(places.size(), std::numeric_limits<double>::quiet_NaN()), next(places.size());
+    std::vector<double> heights(places.size(), std::numeric_limits<double>::quiet_NaN()),
+        next(places.size());
     std::vector<glm::dvec2> lon_lat;
     for (const ElevationModel& model : models_) {
-      if (std::none_of(heights.begin(), heights.end(), [](double h) { return std::isnan(h); })) break;
+      if (std::none_of(heights.begin(), heights.end(), [](double h) { return std::isnan(h); }))
+        break;
       if (model.has_crs() && lon_lat.empty())
         for (const glm::dvec2& p : places) lon_lat.push_back(city_.to_lon_lat(p));
       model.sample(model.has_crs() ? std::span<const glm::dvec2>(lon_lat) : places, next);
@@ -62,7 +64,8 @@ std::set<Tile> ground_tiles(TileStore& tiles, double tile_m, double margin_m) {
   std::set<Tile> result;
   for (const TileKey& key : tiles.tiles())
     for (std::int32_t column = key.column - reach; column <= key.column + reach; ++column)
-      for (std::int32_t row = key.row - reach; row <= key.row + reach; ++row) result.insert({column, row});
+      for (std::int32_t row = key.row - reach; row <= key.row + reach; ++row)
+        result.insert({column, row});
   return result;
 }
 
@@ -93,13 +96,15 @@ double shift_to_city(const Heights& heights, const Terrain& terrain) {
   return *middle;
 }
 
-std::string lay_dem(const Recipe& recipe, const CityFrames& frames, Terrain& terrain, TileStore& tiles) {
+std::string lay_dem(const Recipe& recipe, const CityFrames& frames, Terrain& terrain,
+                    TileStore& tiles) {
   const Heights heights(recipe, frames);
   const double size = recipe.city.tile_m, shift = shift_to_city(heights, terrain);
   const std::set<Tile> under = ground_tiles(tiles, size, recipe.terrain.margin_m);
   const double finest = std::ceil(size / heights.finest_m()),
                affordable = std::floor(std::sqrt(max_quads / static_cast<double>(under.size())));
-  const auto steps = static_cast<std::uint32_t>(std::clamp(std::min(finest, affordable), 1.0, 512.0));
+  const auto steps =
+      static_cast<std::uint32_t>(std::clamp(std::min(finest, affordable), 1.0, 512.0));
   const double step_m = size / steps;
   std::size_t quads = 0, missing = 0;
   for (const auto& [column, row] : under) {
@@ -112,7 +117,8 @@ std::string lay_dem(const Recipe& recipe, const CityFrames& frames, Terrain& ter
       for (std::uint32_t i = 0; i <= steps; ++i) places.emplace_back(line(column, i), line(row, j));
     const std::vector<double> z = heights.at(places);
     TriangleMesh mesh;
-    for (std::size_t i = 0; i < places.size(); ++i) mesh.positions.emplace_back(places[i], z[i] + shift);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      mesh.positions.emplace_back(places[i], z[i] + shift);
     for (std::uint32_t j = 0; j < steps; ++j)
       for (std::uint32_t i = 0; i < steps; ++i) {
         const std::uint32_t a = j * (steps + 1) + i, b = a + 1, c = b + steps + 1, d = c - 1;
@@ -139,7 +145,8 @@ std::string lay_dem(const Recipe& recipe, const CityFrames& frames, Terrain& ter
 
 }  // namespace
 
-GroundReport lay_ground(const Recipe& recipe, const CityFrames& frames, Terrain& terrain, TileStore& tiles) {
+GroundReport lay_ground(const Recipe& recipe, const CityFrames& frames, Terrain& terrain,
+                        TileStore& tiles) {
   GroundReport report;
   const bool given = terrain.has_relief();
   if (!recipe.terrain.dem.empty() && !tiles.tiles().empty()) {

@@ -20,6 +20,7 @@ struct GroundReport {
 /// Call when every object has been read. Adds the ground's triangles to `terrain` and builds it; those that
 /// are to be seen go to `tiles`. Throws Error where an elevation model cannot be read or covers nothing of
 /// the city.
-GroundReport lay_ground(const Recipe& recipe, const CityFrames& frames, Terrain& terrain, TileStore& tiles);
+GroundReport lay_ground(const Recipe& recipe, const CityFrames& frames, Terrain& terrain,
+                        TileStore& tiles);
 
 }  // namespace nightcity

@@ -42,7 +42,8 @@ Outline left_of(const Outline& outline, const glm::dvec2& a, const glm::dvec2& b
     const glm::dvec2 &p = outline[k], &q = outline[(k + 1) % outline.size()];
     const double side_p = cross(b - a, p - a), side_q = cross(b - a, q - a);
     if (side_p >= 0) result.push_back(p);
-    if ((side_p >= 0) != (side_q >= 0)) result.push_back(p + (q - p) * (side_p / (side_p - side_q)));
+    if ((side_p >= 0) != (side_q >= 0))
+      result.push_back(p + (q - p) * (side_p / (side_p - side_q)));
   }
   return result;
 }
@@ -75,7 +76,8 @@ class Search {
     std::vector<std::uint32_t> near;
     each_cell(face, [&](std::uint64_t cell) {
       const auto found = cells_.find(cell);
-      if (found != cells_.end()) near.insert(near.end(), found->second.begin(), found->second.end());
+      if (found != cells_.end())
+        near.insert(near.end(), found->second.begin(), found->second.end());
     });
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
@@ -83,16 +85,18 @@ class Search {
     for (const std::uint32_t other : near)
       if (triangles_[other].feature != triangles_[i].feature && touches(face, faces_[other]))
         by_feature[triangles_[other].feature] += overlap(face, faces_[other]);
-    return std::any_of(by_feature.begin(), by_feature.end(),
-                       [&](const auto& part) { return part.second >= (1 - uncovered) * face.area; });
+    return std::any_of(by_feature.begin(), by_feature.end(), [&](const auto& part) {
+      return part.second >= (1 - uncovered) * face.area;
+    });
   }
 
  private:
   template <class Visit>
   static void each_cell(const Face& face, const Visit& visit) {
-    const glm::dvec3 low = glm::min(glm::min(face.corners[0], face.corners[1]), face.corners[2]) - together_m,
-                     high =
-                         glm::max(glm::max(face.corners[0], face.corners[1]), face.corners[2]) + together_m;
+    const glm::dvec3 low = glm::min(glm::min(face.corners[0], face.corners[1]), face.corners[2]) -
+                           together_m,
+                     high = glm::max(glm::max(face.corners[0], face.corners[1]), face.corners[2]) +
+                            together_m;
     const auto cell = [](double v) { return static_cast<std::int32_t>(std::floor(v / cell_m)); };
     for (std::int32_t x = cell(low.x); x <= cell(high.x); ++x)
       for (std::int32_t z = cell(low.z); z <= cell(high.z); ++z)
@@ -113,7 +117,8 @@ class Search {
     const auto flat = [&](const glm::dvec3& p) {
       return glm::dvec2(glm::dot(p - a.corners[0], u), glm::dot(p - a.corners[0], v));
     };
-    Outline common{flat(b.corners[2]), flat(b.corners[1]), flat(b.corners[0])};  // b faces the other way
+    Outline common{flat(b.corners[2]), flat(b.corners[1]),
+                   flat(b.corners[0])};  // b faces the other way
     for (int k = 0; k < 3 && !common.empty(); ++k)
       common = left_of(common, flat(a.corners[k]), flat(a.corners[(k + 1) % 3]));
     return common.size() < 3 ? 0 : area(common);

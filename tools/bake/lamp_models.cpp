@@ -79,14 +79,15 @@ ScenePrimitive ball(std::uint32_t material) {
 
 // Rotation about the vertical that takes +x to the horizontal direction (east, north).
 glm::mat4 heading(const glm::dvec2& direction) {
-  return glm::rotate(glm::mat4(1), static_cast<float>(std::atan2(direction.y, direction.x)), {0, 1, 0});
+  return glm::rotate(glm::mat4(1), static_cast<float>(std::atan2(direction.y, direction.x)),
+                     {0, 1, 0});
 }
 
 // Lamps whose balls look alike share a mesh and a material.
 using Look = std::tuple<float, float, float, float, float>;  // flux, radius, colour
 Look look_of(const PlacedLamp& lamp) {
-  return {static_cast<float>(lamp.flux_lm), static_cast<float>(lamp.radius_m), lamp.colour.x, lamp.colour.y,
-          lamp.colour.z};
+  return {static_cast<float>(lamp.flux_lm), static_cast<float>(lamp.radius_m), lamp.colour.x,
+          lamp.colour.y, lamp.colour.z};
 }
 
 // Lamps of one batch are one node a shape, so that memory does not grow with the map. Shapes are written
@@ -100,7 +101,8 @@ class LampModels {
   void add(std::span<const PlacedLamp> lamps, std::size_t first);
 
  private:
-  void add_balls(std::span<const PlacedLamp> lamps, std::size_t first, std::span<const glm::mat4> places);
+  void add_balls(std::span<const PlacedLamp> lamps, std::size_t first,
+                 std::span<const glm::mat4> places);
   void add_node(SceneNode& node, std::optional<std::uint32_t>& mesh, const char* name,
                 const std::function<ScenePrimitive()>& shape) {
     if (node.instances.empty()) return;
@@ -129,10 +131,11 @@ void LampModels::add_balls(std::span<const PlacedLamp> lamps, std::size_t first,
     if (is_new) {
       const auto [flux, radius, r, g, b] = look;
       const double luminance = double{flux} / (4 * pi * pi * double{radius} * double{radius});
-      const SceneMaterial material{.name = "luminaire",
-                                   .base_colour = glm::vec3(0.8f),
-                                   .emission_cd_m2 = glm::vec3(r, g, b) * static_cast<float>(luminance),
-                                   .double_sided = false};
+      const SceneMaterial material{
+          .name = "luminaire",
+          .base_colour = glm::vec3(0.8f),
+          .emission_cd_m2 = glm::vec3(r, g, b) * static_cast<float>(luminance),
+          .double_sided = false};
       known->second = writer_.add_mesh({"luminaire", {ball(writer_.add_material(material))}});
     }
     node.name = "luminaires";
@@ -164,7 +167,8 @@ void LampModels::add(std::span<const PlacedLamp> lamps, std::size_t first) {
         has_arm ? arm_height : static_cast<float>(lamp.mounting_height_m - arm_clearance) - radius;
     const bool new_post = known_posts.emplace(lamp.foot.x, lamp.foot.y, height).second;
     if (height > 0 && new_post && !lamp.hung)  // several luminaires may share a post
-      posts.instances.push_back({glm::scale(glm::translate(glm::mat4(1), foot), {1, height, 1}), no_id});
+      posts.instances.push_back(
+          {glm::scale(glm::translate(glm::mat4(1), foot), {1, height, 1}), no_id});
     if (has_arm) {
       const glm::mat4 place =
           glm::translate(glm::mat4(1), foot + glm::vec3(0, height, 0)) * heading(direction);
@@ -176,7 +180,8 @@ void LampModels::add(std::span<const PlacedLamp> lamps, std::size_t first) {
     housings.instances.push_back({housing, no_id});
   }
   add_node(posts, post_, "lamp post", [&] { return prism(post_radius, 8, post_material_); });
-  add_node(arms, arm_, "lamp arm", [&] { return box(1, 2 * arm_radius, 2 * arm_radius, post_material_); });
+  add_node(arms, arm_, "lamp arm",
+           [&] { return box(1, 2 * arm_radius, 2 * arm_radius, post_material_); });
   add_node(housings, housing_, "lamp housing",
            [&] { return box(housing_length, housing_height, housing_width, post_material_); });
   add_balls(lamps, first, centres);
@@ -184,8 +189,8 @@ void LampModels::add(std::span<const PlacedLamp> lamps, std::size_t first) {
 
 }  // namespace
 
-void add_lamp_models(SceneWriter& writer, std::span<const PlacedLamp> lamps, const Georeference& georeference,
-                     std::uint32_t post_material) {
+void add_lamp_models(SceneWriter& writer, std::span<const PlacedLamp> lamps,
+                     const Georeference& georeference, std::uint32_t post_material) {
   LampModels models(writer, georeference, post_material);
   for (std::size_t first = 0; first < lamps.size();) {
     std::size_t end = std::min(lamps.size(), first + batch);

@@ -14,7 +14,7 @@ namespace nightcity {
 /// already. The balls emit the luminance that a sphere of the lamp's radius needs for its flux, L = flux / (4
 /// pi^2 r^2), and name their light: lamp i is light i of city.lights. `post_material` is a material of
 /// `writer`.
-void add_lamp_models(SceneWriter& writer, std::span<const PlacedLamp> lamps, const Georeference& georeference,
-                     std::uint32_t post_material);
+void add_lamp_models(SceneWriter& writer, std::span<const PlacedLamp> lamps,
+                     const Georeference& georeference, std::uint32_t post_material);
 
 }  // namespace nightcity

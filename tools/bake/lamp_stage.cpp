@@ -21,8 +21,8 @@ LampOptions lamp_options(const Recipe::Lamps& lamps) {
   LampOptions options;
   for (const Recipe::Lamps::LuminaireFile& choice : lamps.luminaires) {
     const Luminaire luminaire = read_luminaire(choice.file);
-    options.luminaires.push_back({choice.file.string(), luminaire.photometry(), choice.highways, choice.types,
-                                  choice.take_flux, luminaire.flux_lm});
+    options.luminaires.push_back({choice.file.string(), luminaire.photometry(), choice.highways,
+                                  choice.types, choice.take_flux, luminaire.flux_lm});
   }
   return options;
 }
@@ -30,8 +30,8 @@ LampOptions lamp_options(const Recipe::Lamps& lamps) {
 namespace {
 
 /// The lamps of a map in a frame, on a ground.
-CityLamps place_on(const Recipe& recipe, const OsmData& osm, const CityFrame& frame, const HeightAt& height,
-                   const InsideBuilding& inside, LampOptions luminaires) {
+CityLamps place_on(const Recipe& recipe, const OsmData& osm, const CityFrame& frame,
+                   const HeightAt& height, const InsideBuilding& inside, LampOptions luminaires) {
   using Mode = layout::LayoutOptions::Mode;
   const layout::LayoutOptions& options = recipe.lamps.layout;
   const auto to_frame = [&](const glm::dvec2& lon_lat) { return frame.from_lon_lat(lon_lat); };
@@ -41,7 +41,8 @@ CityLamps place_on(const Recipe& recipe, const OsmData& osm, const CityFrame& fr
   else
     result.set = place_lamps(osm, to_frame, height, inside, luminaires);
   if (options.mode != Mode::never && !osm.highways.empty())
-    result.layout = layout::lay_out_lamps(osm, to_frame, height, inside, luminaires, options, result.set);
+    result.layout =
+        layout::lay_out_lamps(osm, to_frame, height, inside, luminaires, options, result.set);
   switch_lamps(recipe.lamps.hours, result.set);
   return result;
 }

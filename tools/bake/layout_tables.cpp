@@ -54,7 +54,8 @@ json to_json(const layout::LayoutReport& report, bool streets) {
   for (const auto& [highway, sum] : report.classes) result["classes"][highway] = row(sum);
   if (!streets) return result;
   result["streets"] = json::array();
-  for (const layout::StreetReport& street : report.streets) result["streets"].push_back(row(street));
+  for (const layout::StreetReport& street : report.streets)
+    result["streets"].push_back(row(street));
   return result;
 }
 
@@ -67,29 +68,32 @@ std::string to_text(const layout::LayoutReport& report, bool streets) {
   if (!report.notes.empty()) text += "notes: " + in_words(report.notes) + "\n";
   if (!report.unlit_ways.empty()) text += "ways not lit: " + in_words(report.unlit_ways) + "\n";
   if (report.classes.empty()) return text;
-  text += fmt::format("{:<14}{:>6}{:>7}{:>8}{:>7}{:>7}{:>9}{:>8}{:>8}{:>7}{:>10}\n", "road", "class", "lx",
-                      "km", "lamps", "per km", "Eav lx", "x 0.8", "Emin lx", "Uo", "in class");
-  for (const auto& [highway, sum] : report.classes)
-    text +=
-        fmt::format("{:<14}{:>6}{:>7.1f}{:>8.2f}{:>7}{:>7.0f}{:>9.2f}{:>8.2f}{:>8.2f}{:>7.2f}{:>9.0f}%\n",
-                    highway, sum.wanted, sum.wanted_lx, sum.length_m / 1000, sum.lamps,
-                    static_cast<double>(sum.lamps) / (sum.length_m / 1000), sum.average_lx,
-                    sum.average_lx * maintenance_factor, sum.min_lx, sum.uniformity, 100 * sum.in_class);
   text +=
-      "Eav over all of a class; Emin and Uo: medians of its stretches; in class: share of the length whose\n"
+      fmt::format("{:<14}{:>6}{:>7}{:>8}{:>7}{:>7}{:>9}{:>8}{:>8}{:>7}{:>10}\n", "road", "class",
+                  "lx", "km", "lamps", "per km", "Eav lx", "x 0.8", "Emin lx", "Uo", "in class");
+  for (const auto& [highway, sum] : report.classes)
+    text += fmt::format(
+        "{:<14}{:>6}{:>7.1f}{:>8.2f}{:>7}{:>7.0f}{:>9.2f}{:>8.2f}{:>8.2f}{:>7.2f}{:>9.0f}%\n",
+        highway, sum.wanted, sum.wanted_lx, sum.length_m / 1000, sum.lamps,
+        static_cast<double>(sum.lamps) / (sum.length_m / 1000), sum.average_lx,
+        sum.average_lx * maintenance_factor, sum.min_lx, sum.uniformity, 100 * sum.in_class);
+  text +=
+      "Eav over all of a class; Emin and Uo: medians of its stretches; in class: share of the "
+      "length whose\n"
       "Eav x 0.8 (maintained) lies between the class's value and 1.5 times it.\n";
   if (!streets) return text;
-  text += fmt::format("\n{:<14}{:>6}{:>9}{:>8}{:>7}{:>7}{:>9}{:>8}{:>8}{:>7}  {:<13} {}\n", "road", "class",
-                      "length m", "width m", "lamps", "lm", "Eav lx", "x 0.8", "Emin lx", "Uo", "arrangement",
-                      "name and ways");
+  text += fmt::format("\n{:<14}{:>6}{:>9}{:>8}{:>7}{:>7}{:>9}{:>8}{:>8}{:>7}  {:<13} {}\n", "road",
+                      "class", "length m", "width m", "lamps", "lm", "Eav lx", "x 0.8", "Emin lx",
+                      "Uo", "arrangement", "name and ways");
   for (const layout::StreetReport& street : report.streets) {
     std::string ways;
     for (const std::int64_t way : street.ways) ways += fmt::format(" {}", way);
     text += fmt::format(
         "{:<14}{:>6}{:>9.0f}{:>8.1f}{:>7}{:>7.0f}{:>9.2f}{:>8.2f}{:>8.2f}{:>7.2f}  {:<13} {}{}\n",
-        street.highway, street.wanted, street.length_m, street.width_m, street.lamps, street.flux_lm,
-        street.field.average_lx, street.field.average_lx * maintenance_factor, street.field.min_lx,
-        street.field.uniformity(), layout::name_of(street.arrangement), street.name, ways);
+        street.highway, street.wanted, street.length_m, street.width_m, street.lamps,
+        street.flux_lm, street.field.average_lx, street.field.average_lx * maintenance_factor,
+        street.field.min_lx, street.field.uniformity(), layout::name_of(street.arrangement),
+        street.name, ways);
   }
   return text;
 }

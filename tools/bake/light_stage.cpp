@@ -17,13 +17,15 @@ constexpr double tiles_a_batch = 4;  // along a side
 }  // namespace
 
 ScheduleTable schedules_of(LightFileWriter& lights) {
-  return ScheduleTable([&lights](std::span<const uint> switches) { return lights.add_schedule(switches); });
+  return ScheduleTable(
+      [&lights](std::span<const uint> switches) { return lights.add_schedule(switches); });
 }
 
 LampProfiles bake_lights(const Recipe& recipe, const OsmData& osm, const CityFrames& frames,
                          const Terrain& terrain, std::optional<WindowLayout> windows,
-                         const Georeference& georeference, SceneWriter& writer, LightFileWriter& lights,
-                         const std::filesystem::path& scratch, BakeReport& report) {
+                         const Georeference& georeference, SceneWriter& writer,
+                         LightFileWriter& lights, const std::filesystem::path& scratch,
+                         BakeReport& report) {
   CityLamps placed = place_city_lamps(recipe, osm, frames, terrain);
   LampSet& lamps = placed.set;
   report.lamps = report_of(lamps, osm.lamps.size());
@@ -36,7 +38,8 @@ LampProfiles bake_lights(const Recipe& recipe, const OsmData& osm, const CityFra
     lights.add(light, lamp.provenance);
     if (!lamp.hours || lamp.hours->lit_at(recipe.night.minute)) brightest.add(light);
   }
-  add_lamp_models(writer, lamps.lamps, georeference, static_cast<std::uint32_t>(BakeMaterial::lamp_post));
+  add_lamp_models(writer, lamps.lamps, georeference,
+                  static_cast<std::uint32_t>(BakeMaterial::lamp_post));
   lamps.lamps = {};
   if (windows) {
     WindowModels models(scratch, tiles_a_batch * recipe.city.tile_m);
@@ -46,7 +49,8 @@ LampProfiles bake_lights(const Recipe& recipe, const OsmData& osm, const CityFra
       models.add(window, lights.add(light, window.provenance));
       if (window.hours.lit_at(recipe.night.minute)) brightest.add(light);
     };
-    report.windows = std::move(*windows).finish(height_on(terrain), place, inside, recipe.city.read.threads);
+    report.windows =
+        std::move(*windows).finish(height_on(terrain), place, inside, recipe.city.read.threads);
     models.write(writer, georeference);
   }
   for (const Light& light : std::move(brightest).take())

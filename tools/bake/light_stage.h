@@ -30,7 +30,8 @@ struct LampProfiles {
 /// lamps, not with the windows. Throws Error when the map has lamps and the city no CRS.
 LampProfiles bake_lights(const Recipe& recipe, const OsmData& osm, const CityFrames& frames,
                          const Terrain& terrain, std::optional<WindowLayout> windows,
-                         const Georeference& georeference, SceneWriter& writer, LightFileWriter& lights,
-                         const std::filesystem::path& scratch, BakeReport& report);
+                         const Georeference& georeference, SceneWriter& writer,
+                         LightFileWriter& lights, const std::filesystem::path& scratch,
+                         BakeReport& report);
 
 }  // namespace nightcity

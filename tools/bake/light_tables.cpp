@@ -15,12 +15,14 @@ using nlohmann::json;
 std::string hours_in_words(const WindowReport& windows) {
   if (windows.placed == 0) return {};
   std::string text = fmt::format("{:<12}{:>8}", "% lit at", "windows");
-  for (std::size_t hour = 0; hour < night_hours; ++hour) text += fmt::format("{:>4}", clock_hour(hour));
+  for (std::size_t hour = 0; hour < night_hours; ++hour)
+    text += fmt::format("{:>4}", clock_hour(hour));
   text += "\n";
   const auto row = [&text](const std::string& name, const WindowReport::Use& use) {
     text += fmt::format("{:<12}{:>8}", name, use.placed);
     for (const std::size_t lit : use.lit)
-      text += fmt::format("{:>4.0f}", 100 * static_cast<double>(lit) / static_cast<double>(use.placed));
+      text +=
+          fmt::format("{:>4.0f}", 100 * static_cast<double>(lit) / static_cast<double>(use.placed));
     text += "\n";
   };
   WindowReport::Use all;
@@ -51,8 +53,9 @@ LampReport report_of(const LampSet& set, std::size_t mapped) {
 }
 
 json to_json(const LampReport& lamps) {
-  return {{"mapped", lamps.mapped},   {"placed", lamps.placed}, {"total_flux_lm", lamps.total_flux_lm},
-          {"dropped", lamps.dropped}, {"notes", lamps.notes},   {"sources", lamps.sources}};
+  return {
+      {"mapped", lamps.mapped},   {"placed", lamps.placed}, {"total_flux_lm", lamps.total_flux_lm},
+      {"dropped", lamps.dropped}, {"notes", lamps.notes},   {"sources", lamps.sources}};
 }
 
 json to_json(const WindowReport& windows) {
@@ -71,16 +74,17 @@ json to_json(const WindowReport& windows) {
 
 std::string to_text(const LampReport& lamps) {
   std::string text =
-      report_line("lamps", fmt::format("{} luminaires of {} mapped lamps, {:.0f} klm in all", lamps.placed,
-                                       lamps.mapped, lamps.total_flux_lm / 1000)) +
+      report_line("lamps", fmt::format("{} luminaires of {} mapped lamps, {:.0f} klm in all",
+                                       lamps.placed, lamps.mapped, lamps.total_flux_lm / 1000)) +
       counts_in_words(lamps);
   if (!lamps.notes.empty()) text += report_line("", "notes: " + in_words(lamps.notes));
   return text;
 }
 
 std::string to_text(const WindowReport& windows) {
-  return report_line("windows", fmt::format("{} with light at some time of the night, {:.0f} klm in all",
-                                            windows.placed, windows.flux_lm / 1000)) +
+  return report_line("windows",
+                     fmt::format("{} with light at some time of the night, {:.0f} klm in all",
+                                 windows.placed, windows.flux_lm / 1000)) +
          counts_in_words(windows) + hours_in_words(windows);
 }
 

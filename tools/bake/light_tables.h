@@ -13,8 +13,8 @@ namespace nightcity {
 struct LampReport {
   std::size_t mapped = 0, placed = 0;  // nodes in the OSM files; luminaires
   double total_flux_lm = 0;
-  std::map<std::string, std::size_t> dropped;                         // by reason
-  std::map<std::string, std::size_t> notes;                           // what was mended or could not be read
+  std::map<std::string, std::size_t> dropped;  // by reason
+  std::map<std::string, std::size_t> notes;    // what was mended or could not be read
   std::map<std::string, std::map<std::string, std::size_t>> sources;  // value, source, count
 };
 LampReport report_of(const LampSet& set, std::size_t mapped);

@@ -21,7 +21,8 @@ class OutputFolder {
   void commit();
 
  private:
-  std::filesystem::path folder_, staging_, made_;  // made_: the topmost folder that did not exist before
+  std::filesystem::path folder_, staging_,
+      made_;  // made_: the topmost folder that did not exist before
   std::vector<std::filesystem::path> names_;
 };
 

@@ -78,7 +78,8 @@ void BrightestLights::add(const Light& light) {
 }
 
 std::vector<Light> BrightestLights::take() && {
-  std::sort(heap_.begin(), heap_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::sort(heap_.begin(), heap_.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Light> lights;
   for (const auto& [number, light] : heap_) lights.push_back(light);
   return lights;

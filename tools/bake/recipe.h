@@ -16,17 +16,19 @@
 namespace nightcity {
 
 struct Recipe {
-  std::filesystem::path path;  // of the recipe itself; files below are already relative to the working folder
+  std::filesystem::path
+      path;  // of the recipe itself; files below are already relative to the working folder
 
   struct City {
     std::vector<std::filesystem::path>
-        files;                 // CityGML; a folder stands for the files in it that city_files() names
+        files;  // CityGML; a folder stands for the files in it that city_files() names
     CityFrame::Options frame;  // crs = "EPSG:...", control_points = [[lon, lat, x, y], ...]
-    std::optional<std::array<double, 4>> bounds;  // of a model without CRS: west, south, east, north, degrees
-    ReadOptions read;                             // lod = 2, reader = "stream" | "libcitygml", threads = 0
+    std::optional<std::array<double, 4>>
+        bounds;        // of a model without CRS: west, south, east, north, degrees
+    ReadOptions read;  // lod = 2, reader = "stream" | "libcitygml", threads = 0
     double tile_m = 250;
-    bool drop_ground = false;           // leave out the ground surfaces under buildings: nothing sees them
-    bool drop_hidden = false;           // leave out walls between houses and what lies below the ground
+    bool drop_ground = false;  // leave out the ground surfaces under buildings: nothing sees them
+    bool drop_hidden = false;  // leave out walls between houses and what lies below the ground
     std::vector<std::string> licences;  // licence = "..." or [...]
   } city;
 
@@ -42,15 +44,18 @@ struct Recipe {
       std::vector<LampType> types;        // types = ["led", ...]; absent: every type
       bool take_flux = true;              // flux = false: the table's lumens stay
     };
-    layout::LayoutOptions layout;  // layout = "auto" | "never" | "always", class = {residential = "P4", ...}
-    LampHours hours;               // off, half_night = {residential = "23:00-05:00", ...}
-    std::vector<LuminaireFile> luminaires;  // luminaires = [{file = "street.ldt", roads = [...]}, ...]
+    layout::LayoutOptions
+        layout;       // layout = "auto" | "never" | "always", class = {residential = "P4", ...}
+    LampHours hours;  // off, half_night = {residential = "23:00-05:00", ...}
+    std::vector<LuminaireFile>
+        luminaires;  // luminaires = [{file = "street.ldt", roads = [...]}, ...]
   } lamps;
 
   struct Terrain {
-    std::vector<std::filesystem::path> dem;  // elevation models (GDAL), for a city without relief of its own
-    bool make_surface = true;                // where there is neither: a surface through the buildings' feet
-    double margin_m = 50;                    // how far that surface reaches beyond the buildings
+    std::vector<std::filesystem::path>
+        dem;                   // elevation models (GDAL), for a city without relief of its own
+    bool make_surface = true;  // where there is neither: a surface through the buildings' feet
+    double margin_m = 50;      // how far that surface reaches beyond the buildings
   } terrain;
 
   struct Origin {  // of model space, in the city's CRS; what is absent is chosen from the data
@@ -63,12 +68,14 @@ struct Recipe {
   } windows;
 
   struct Traffic {
-    bool drives = false;              // the table is there, and does not say drives = false
-    traffic::TrafficOptions options;  // vehicles = N | per_km, cycle_s, side = "left" | "right", hours, seed
+    bool drives = false;  // the table is there, and does not say drives = false
+    traffic::TrafficOptions
+        options;  // vehicles = N | per_km, cycle_s, side = "left" | "right", hours, seed
   } traffic;
 
   struct Night {
-    int minute = 5 * 60;  // after 17:00 (time = "22:00"): of what city.glb shows programs that know no clock
+    int minute =
+        5 * 60;  // after 17:00 (time = "22:00"): of what city.glb shows programs that know no clock
   } night;
 
   struct Output {

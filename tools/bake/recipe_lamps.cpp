@@ -9,7 +9,8 @@ namespace {
 
 void check_road(const Setting& setting, const std::string& highway) {
   const auto road = road_defaults(highway);
-  if (!road || road->highway != highway) setting.refuse("names no class of road that may have lamps");
+  if (!road || road->highway != highway)
+    setting.refuse("names no class of road that may have lamps");
 }
 
 layout::LayoutOptions::Mode layout_mode(const Setting& setting) {
@@ -51,10 +52,12 @@ std::map<std::string, NightSpan> night_spans(const Setting& setting) {
   return result;
 }
 
-Recipe::Lamps::LuminaireFile luminaire_file(const Setting& setting, const std::filesystem::path& folder) {
+Recipe::Lamps::LuminaireFile luminaire_file(const Setting& setting,
+                                            const std::filesystem::path& folder) {
   const toml::table* keys = setting.node.as_table();
   if (!keys)
-    setting.refuse("is not a list of tables like {file = \"street.ldt\", roads = [\"residential\"]}");
+    setting.refuse(
+        "is not a list of tables like {file = \"street.ldt\", roads = [\"residential\"]}");
   Recipe::Lamps::LuminaireFile result;
   for (const auto& [key, node] : *keys) {
     const std::string name(key.str());
@@ -86,7 +89,8 @@ std::vector<Recipe::Lamps::LuminaireFile> luminaire_files(const Setting& setting
                                                           const std::filesystem::path& folder) {
   const toml::array* rows = setting.node.as_array();
   if (!rows)
-    setting.refuse("is not a list of tables like {file = \"street.ldt\", roads = [\"residential\"]}");
+    setting.refuse(
+        "is not a list of tables like {file = \"street.ldt\", roads = [\"residential\"]}");
   std::vector<Recipe::Lamps::LuminaireFile> result;
   for (const toml::node& row : *rows)
     result.push_back(luminaire_file({setting.file, setting.name, row}, folder));
@@ -101,7 +105,8 @@ Table lamp_settings(Recipe::Lamps& lamps, const std::filesystem::path& folder) {
       {"class", [&lamps](const Setting& s) { lamps.layout.class_of = lighting_classes(s); }},
       {"off", [&lamps](const Setting& s) { lamps.hours.off = night_spans(s); }},
       {"half_night", [&lamps](const Setting& s) { lamps.hours.half_night = night_spans(s); }},
-      {"luminaires", [&lamps, folder](const Setting& s) { lamps.luminaires = luminaire_files(s, folder); }},
+      {"luminaires",
+       [&lamps, folder](const Setting& s) { lamps.luminaires = luminaire_files(s, folder); }},
   };
 }
 

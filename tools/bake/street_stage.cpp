@@ -12,7 +12,8 @@ bool wants_model_streets(const Recipe& recipe, const OsmData& osm, const CityFra
   return osm.highways.empty() && along_streets && frames.city().has_lon_lat();
 }
 
-StreetReport add_model_streets(const streets::RoadSurfaces& roads, const CityFrames& frames, OsmData& osm) {
+StreetReport add_model_streets(const streets::RoadSurfaces& roads, const CityFrames& frames,
+                               OsmData& osm) {
   streets::StreetWays streets =
       streets::street_ways(roads, [&](const glm::dvec2& p) { return frames.city().to_lon_lat(p); });
   for (OsmWay& way : streets.ways) osm.highways.push_back(std::move(way));
@@ -38,7 +39,8 @@ std::string to_text(const StreetReport& report) {
     classes += fmt::format("{}{} {:.1f}", classes.empty() ? "" : ", ", highway, km);
   }
   return fmt::format(
-      "{:<12}{:.1f} km in the middle of {} road surfaces of the model: {} ({:.1f} km by code, else by "
+      "{:<12}{:.1f} km in the middle of {} road surfaces of the model: {} ({:.1f} km by code, else "
+      "by "
       "width); {} "
       "junctions, {} ends\n",
       "streets", sum, report.surfaces, classes, report.km_by_code, report.junctions, report.ends);

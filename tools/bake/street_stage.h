@@ -25,7 +25,8 @@ struct StreetReport {
 };
 
 /// Adds the streets as ways of the map.
-StreetReport add_model_streets(const streets::RoadSurfaces& roads, const CityFrames& frames, OsmData& osm);
+StreetReport add_model_streets(const streets::RoadSurfaces& roads, const CityFrames& frames,
+                               OsmData& osm);
 
 nlohmann::json to_json(const StreetReport& report);
 /// "" where the model has no roads.

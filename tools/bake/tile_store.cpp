@@ -14,7 +14,8 @@ namespace {
 // FNV-1a's multiplier over the words, and a final mix for the low bits.
 std::size_t hash_of(const glm::vec3& position) {
   std::uint64_t hash = 0xCBF29CE484222325u;
-  for (int i = 0; i < 3; ++i) hash = (hash ^ std::bit_cast<std::uint32_t>(position[i])) * 0x100000001B3u;
+  for (int i = 0; i < 3; ++i)
+    hash = (hash ^ std::bit_cast<std::uint32_t>(position[i])) * 0x100000001B3u;
   return static_cast<std::size_t>(hash ^ hash >> 29);
 }
 
@@ -118,8 +119,8 @@ SceneMesh TileStore::mesh(const TileKey& key, const LeaveOut& leave_out) {
     welder.primitive.indices.insert(welder.primitive.indices.end(), index, index + 3);
   }
   SceneMesh mesh;
-  mesh.name =
-      std::string(name_of(key.kind)) + " " + std::to_string(key.column) + " " + std::to_string(key.row);
+  mesh.name = std::string(name_of(key.kind)) + " " + std::to_string(key.column) + " " +
+              std::to_string(key.row);
   for (auto& [code, welder] : welders) {
     if (welder.primitive.indices.empty()) continue;
     welder.primitive.material = code;

@@ -17,7 +17,8 @@
 namespace nightcity {
 
 struct TileKey {
-  std::int32_t column, row;  // the tile spans [column, column + 1) * size in easting, likewise northing
+  std::int32_t column,
+      row;  // the tile spans [column, column + 1) * size in easting, likewise northing
   NodeKind kind;
   auto operator<=>(const TileKey&) const = default;
 };

@@ -17,7 +17,9 @@ HeightAt road_height_on(const Terrain& terrain) {
     const auto ground = terrain.height_at(place);
     if (!ground || ground->footing == Footing::roof) return std::nullopt;
     const auto road = terrain.height_of(Footing::road, place);
-    return road && *road > ground->height_m && *road < ground->height_m + on_it_m ? *road : ground->height_m;
+    return road && *road > ground->height_m && *road < ground->height_m + on_it_m
+               ? *road
+               : ground->height_m;
   };
 }
 
@@ -29,17 +31,19 @@ traffic::TrafficSet drive_on(const Recipe& recipe, const OsmData& osm, const Cit
                              const HeightAt& height, const InsideBuilding& inside,
                              const Georeference& georeference, const ProgressSink& progress) {
   return traffic::make_traffic(
-      osm.highways, [&](const glm::dvec2& lon_lat) { return frame.from_lon_lat(lon_lat); }, height, inside,
-      recipe.traffic.options, georeference,
+      osm.highways, [&](const glm::dvec2& lon_lat) { return frame.from_lon_lat(lon_lat); }, height,
+      inside, recipe.traffic.options, georeference,
       [&](const char* step, double share) {
-        if (progress) progress({std::string("traffic: ") + step, static_cast<std::size_t>(share * 100), "%"});
+        if (progress)
+          progress({std::string("traffic: ") + step, static_cast<std::size_t>(share * 100), "%"});
       });
 }
 
 }  // namespace
 
-traffic::TrafficSet make_city_traffic(const Recipe& recipe, const OsmData& osm, const CityFrames& frames,
-                                      const Terrain& terrain, const Georeference& georeference,
+traffic::TrafficSet make_city_traffic(const Recipe& recipe, const OsmData& osm,
+                                      const CityFrames& frames, const Terrain& terrain,
+                                      const Georeference& georeference,
                                       const ProgressSink& progress) {
   if (osm.highways.empty()) return {};
   if (!frames.city().has_lon_lat())
@@ -54,14 +58,15 @@ traffic::TrafficSet make_city_traffic(const Recipe& recipe, const OsmData& osm, 
       return terrain.height_at(frames.city().from_lon_lat(lon_lat)).has_value();
     });
   };
-  const bool groundless =
-      recipe.osm.files.empty() && std::none_of(osm.highways.begin(), osm.highways.end(), has_ground);
-  return drive_on(recipe, osm, frames.city(), groundless ? HeightAt(flat) : road_height_on(terrain), inside,
-                  georeference, progress);
+  const bool groundless = recipe.osm.files.empty() &&
+                          std::none_of(osm.highways.begin(), osm.highways.end(), has_ground);
+  return drive_on(recipe, osm, frames.city(), groundless ? HeightAt(flat) : road_height_on(terrain),
+                  inside, georeference, progress);
 }
 
-traffic::TrafficSet make_map_traffic(const Recipe& recipe, const OsmData& osm, const CityFrame& frame,
-                                     const Georeference& georeference, const ProgressSink& progress) {
+traffic::TrafficSet make_map_traffic(const Recipe& recipe, const OsmData& osm,
+                                     const CityFrame& frame, const Georeference& georeference,
+                                     const ProgressSink& progress) {
   return drive_on(recipe, osm, frame, flat, {}, georeference, progress);
 }
 
@@ -82,7 +87,8 @@ void finish_with_traffic(LightFileWriter& writer, LightFileContent content,
                          const traffic::TrafficSet& traffic) {
   std::vector<LightProfile> profiles(content.profiles.begin(), content.profiles.end());
   std::vector<float> data(content.profile_data.begin(), content.profile_data.end());
-  const auto first_profile = static_cast<uint>(profiles.size()), first_value = static_cast<uint>(data.size());
+  const auto first_profile = static_cast<uint>(profiles.size()),
+             first_value = static_cast<uint>(data.size());
   for (LightProfile profile : traffic.profiles.profiles) {
     profile.data_offset += first_value;
     profiles.push_back(profile);
@@ -127,8 +133,8 @@ void add_vehicle_models(SceneWriter& writer, const traffic::TrafficSet& traffic,
     std::vector<std::uint32_t> materials;
     for (const SceneMaterial& material : traffic::body_materials(type))
       materials.push_back(writer.add_material(material));
-    node.mesh = writer.add_mesh(
-        traffic::make_body(type, {materials[0], materials[1], materials[2], materials[3], materials[4]}));
+    node.mesh = writer.add_mesh(traffic::make_body(
+        type, {materials[0], materials[1], materials[2], materials[3], materials[4]}));
     writer.add_node(node);
   }
 }

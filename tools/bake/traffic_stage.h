@@ -15,20 +15,23 @@
 namespace nightcity {
 
 /// As [traffic] of the recipe wants it. Throws Error when the map has streets and the city no CRS.
-traffic::TrafficSet make_city_traffic(const Recipe& recipe, const OsmData& osm, const CityFrames& frames,
-                                      const Terrain& terrain, const Georeference& georeference,
+traffic::TrafficSet make_city_traffic(const Recipe& recipe, const OsmData& osm,
+                                      const CityFrames& frames, const Terrain& terrain,
+                                      const Georeference& georeference,
                                       const ProgressSink& progress);
 
 /// The same for a map without a city, on a plane at height 0: for a look at what streets can bear.
-traffic::TrafficSet make_map_traffic(const Recipe& recipe, const OsmData& osm, const CityFrame& frame,
-                                     const Georeference& georeference, const ProgressSink& progress);
+traffic::TrafficSet make_map_traffic(const Recipe& recipe, const OsmData& osm,
+                                     const CityFrame& frame, const Georeference& georeference,
+                                     const ProgressSink& progress);
 
 /// All that a light file holds, to be written again; spans into `file`.
 LightFileContent content_of(const LightFile& file);
 
 /// Ends a light file with this traffic in it, in place of any that `rest` has. The vehicles' profiles follow
 /// those of `rest`. Throws Error.
-void finish_with_traffic(LightFileWriter& lights, LightFileContent rest, const traffic::TrafficSet& traffic);
+void finish_with_traffic(LightFileWriter& lights, LightFileContent rest,
+                         const traffic::TrafficSet& traffic);
 
 /// Writes `content` with this traffic in place of any it has. It may lie in the file that is replaced. Throws
 /// Error.

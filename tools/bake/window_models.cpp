@@ -50,7 +50,8 @@ void add_quad(ScenePrimitive& primitive, const LitRectangle& window, const glm::
 
 void WindowModels::add(const LitRectangle& window, std::uint32_t light) {
   const glm::dvec2 place = glm::dvec2(window.centre) / tile_m_;
-  tiles_.add({static_cast<int>(std::floor(place.x)), static_cast<int>(std::floor(place.y))}, {window, light});
+  tiles_.add({static_cast<int>(std::floor(place.x)), static_cast<int>(std::floor(place.y))},
+             {window, light});
 }
 
 void WindowModels::write(SceneWriter& writer, const Georeference& georeference) {

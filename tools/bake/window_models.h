@@ -19,7 +19,8 @@ namespace nightcity {
 class WindowModels {
  public:
   /// Keeps them in a scratch file beside `scratch`, so that memory does not grow with the city.
-  WindowModels(const std::filesystem::path& scratch, double tile_m) : tiles_(scratch), tile_m_(tile_m) {}
+  WindowModels(const std::filesystem::path& scratch, double tile_m)
+      : tiles_(scratch), tile_m_(tile_m) {}
 
   /// `light`: its number in city.lights, which each vertex names.
   void add(const LitRectangle& window, std::uint32_t light);

@@ -27,7 +27,8 @@ void Materials::read_below(const pugi::xml_node& element, int depth, SkipCounter
   constexpr int deepest = 8;  // member, Appearance, surfaceDataMember
   for (const pugi::xml_node& child : element.children()) {
     const std::string_view name = local_name(child.name());
-    if (depth < deepest && (name == "Appearance" || name == "surfaceDataMember" || name == "surfaceData")) {
+    if (depth < deepest &&
+        (name == "Appearance" || name == "surfaceDataMember" || name == "surfaceData")) {
       read_below(child, depth + 1, skipped);
     } else if (name == "X3DMaterial") {
       glm::vec3 colour{0.8f};  // X3D's own default
@@ -43,7 +44,8 @@ void Materials::read_below(const pugi::xml_node& element, int depth, SkipCounter
         else if (kind == "target")
           targets.push_back(trimmed(property.child_value()));
         else if (kind == "isFront")
-          front = trimmed(property.child_value()) != "false" && trimmed(property.child_value()) != "0";
+          front =
+              trimmed(property.child_value()) != "false" && trimmed(property.child_value()) != "0";
       }
       for (const std::string_view target : targets) {
         if (!front || !target.starts_with('#')) continue;

@@ -22,7 +22,8 @@ class Materials {
  private:
   void read_below(const pugi::xml_node& element, int depth, SkipCounter& skipped);
 
-  std::unordered_map<std::size_t, glm::vec3> colours_;  // by the id's hash: a city's ids would fill memory
+  std::unordered_map<std::size_t, glm::vec3>
+      colours_;  // by the id's hash: a city's ids would fill memory
 };
 
 }  // namespace nightcity

@@ -42,7 +42,8 @@ class PlainSource : public ByteSource {
 
 class GzipSource : public ByteSource {
  public:
-  explicit GzipSource(std::string name) : file_(gzopen(name.c_str(), "rb")), name_(std::move(name)) {
+  explicit GzipSource(std::string name)
+      : file_(gzopen(name.c_str(), "rb")), name_(std::move(name)) {
     if (!file_) throw Error(name_, "cannot open the gzip stream");
     gzbuffer(file_, 1u << 18);
   }
@@ -51,12 +52,14 @@ class GzipSource : public ByteSource {
   GzipSource& operator=(const GzipSource&) = delete;
 
   std::size_t read(char* out, std::size_t size) override {
-    const int got = gzread(file_, out, static_cast<unsigned>(std::min<std::size_t>(size, 1u << 30)));
+    const int got =
+        gzread(file_, out, static_cast<unsigned>(std::min<std::size_t>(size, 1u << 30)));
     int status = Z_OK;
     const char* message = gzerror(file_, &status);
     // A stream cut short gives its last bytes first and the error with them.
     if (got < 0 || (status != Z_OK && status != Z_STREAM_END))
-      throw Error(name_, std::string("broken gzip stream: ") + (message && *message ? message : "truncated"));
+      throw Error(name_, std::string("broken gzip stream: ") +
+                             (message && *message ? message : "truncated"));
     return static_cast<std::size_t>(got);
   }
 
@@ -84,7 +87,8 @@ class ZipSource : public ByteSource {
         entry_(zip_fopen_index(archive_.get(), index, 0)),
         name_(std::move(name)) {
     if (!entry_)
-      throw Error(name_, std::string("cannot open the archive's entry: ") + zip_strerror(archive_.get()));
+      throw Error(name_,
+                  std::string("cannot open the archive's entry: ") + zip_strerror(archive_.get()));
   }
   std::size_t read(char* out, std::size_t size) override {
     const zip_int64_t got = zip_fread(entry_.get(), out, size);
@@ -100,8 +104,9 @@ class ZipSource : public ByteSource {
 
 bool is_document(std::string_view entry) {
   std::string lower(entry);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
   return lower.ends_with(".gml") || lower.ends_with(".xml") || lower.ends_with(".citygml");
 }
 

@@ -57,7 +57,7 @@ struct Polygon {
   Ring exterior;
   std::vector<Ring> interiors;
   std::optional<glm::vec3> diffuse_colour;  // X3DMaterial, sRGB as in the file
-  std::uint16_t area_function = 0;          // code of the traffic area it lies in; 0 = none, or no number
+  std::uint16_t area_function = 0;  // code of the traffic area it lies in; 0 = none, or no number
 };
 
 /// A top-level city object with its parts and installations folded in: each building is one object.
@@ -90,9 +90,11 @@ struct ReadReport {
 enum class Reader : std::uint8_t { stream, libcitygml };
 
 struct ReadOptions {
-  int highest_lod = 2;  // the highest LoD up to this is taken per object, falling back to lower ones
+  int highest_lod =
+      2;  // the highest LoD up to this is taken per object, falling back to lower ones
   Reader reader = Reader::stream;
-  unsigned threads = 0;  // 0 = as many as there are cores; the objects and their order do not depend on it
+  unsigned threads =
+      0;  // 0 = as many as there are cores; the objects and their order do not depend on it
   /// Files of the same city, in normal form: xlinks to geometry lead into these and no others.
   std::shared_ptr<const std::set<std::filesystem::path>> neighbours{};
 };
@@ -108,9 +110,10 @@ using ObjectStage = std::function<std::function<void()>(std::vector<CityObject>&
 
 /// What a frame needs before the first object is placed: a cheap look at the file's beginning.
 struct CityGmlHead {
-  std::string version;             // "1.0", "2.0", "3.0"; "" = not said
-  std::string srs_name;            // first one in the file, as written; "" = none
-  std::vector<glm::dvec3> sample;  // of its first rings, as written; empty = a file without geometry
+  std::string version;   // "1.0", "2.0", "3.0"; "" = not said
+  std::string srs_name;  // first one in the file, as written; "" = none
+  std::vector<glm::dvec3>
+      sample;  // of its first rings, as written; empty = a file without geometry
 };
 
 /// "Building", "wall", ...: the names used in reports.

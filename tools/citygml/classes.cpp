@@ -172,8 +172,9 @@ FeatureClass feature_class(std::string_view local) {
 }
 
 int lod_in(std::string_view local) {
-  return local.size() > 4 && local.starts_with("lod") && local[3] >= '0' && local[3] <= '4' ? local[3] - '0'
-                                                                                            : -1;
+  return local.size() > 4 && local.starts_with("lod") && local[3] >= '0' && local[3] <= '4'
+             ? local[3] - '0'
+             : -1;
 }
 
 PropertyKind property_kind(std::string_view local) {

@@ -10,12 +10,12 @@ namespace nightcity {
 
 /// How a feature class stands in its parent.
 enum class ClassKind : std::uint8_t {
-  top,       // a city object of its own; inside another of its kind it is a part of it
-  part,      // BuildingPart, BridgePart, ...: a space of its own
-  detail,    // installations and construction elements: they add to their parent
-  surface,   // thematic surfaces, openings
-  passage,   // holds features, has no geometry of its own kind: Section, TrafficSpace, ReliefFeature's
-             // components
+  top,      // a city object of its own; inside another of its kind it is a part of it
+  part,     // BuildingPart, BridgePart, ...: a space of its own
+  detail,   // installations and construction elements: they add to their parent
+  surface,  // thematic surfaces, openings
+  passage,  // holds features, has no geometry of its own kind: Section, TrafficSpace, ReliefFeature's
+            // components
   interior,  // rooms, furniture, inner walls: no light or eye of ours gets in
   unknown,
 };

@@ -26,12 +26,13 @@ double area_of(const Polygon& polygon) {
 using Tallies = std::map<std::string, std::pair<ReaderTally, ReaderTally>>;
 
 bool all_alike(const Tallies& tallies) {
-  return std::all_of(tallies.begin(), tallies.end(),
-                     [](const auto& entry) { return alike(entry.second.first, entry.second.second); });
+  return std::all_of(tallies.begin(), tallies.end(), [](const auto& entry) {
+    return alike(entry.second.first, entry.second.second);
+  });
 }
 
-ReadReport tally(const std::filesystem::path& file, Reader reader, int highest_lod, ReaderComparison& out,
-                 std::set<std::string>& ids) {
+ReadReport tally(const std::filesystem::path& file, Reader reader, int highest_lod,
+                 ReaderComparison& out, std::set<std::string>& ids) {
   ReadOptions options;
   options.reader = reader;
   options.highest_lod = highest_lod;
@@ -65,7 +66,8 @@ bool alike(const ReaderTally& a, const ReaderTally& b) {
 }
 
 bool ReaderComparison::agree() const {
-  return all_alike(objects) && all_alike(surfaces) && only_in_stream.empty() && only_in_libcitygml.empty();
+  return all_alike(objects) && all_alike(surfaces) && only_in_stream.empty() &&
+         only_in_libcitygml.empty();
 }
 
 ReaderComparison compare_readers(const std::filesystem::path& file, int highest_lod) {
@@ -73,10 +75,10 @@ ReaderComparison compare_readers(const std::filesystem::path& file, int highest_
   std::set<std::string> stream_ids, libcitygml_ids;
   out.stream = tally(file, Reader::stream, highest_lod, out, stream_ids);
   out.libcitygml = tally(file, Reader::libcitygml, highest_lod, out, libcitygml_ids);
-  std::set_difference(stream_ids.begin(), stream_ids.end(), libcitygml_ids.begin(), libcitygml_ids.end(),
-                      std::back_inserter(out.only_in_stream));
-  std::set_difference(libcitygml_ids.begin(), libcitygml_ids.end(), stream_ids.begin(), stream_ids.end(),
-                      std::back_inserter(out.only_in_libcitygml));
+  std::set_difference(stream_ids.begin(), stream_ids.end(), libcitygml_ids.begin(),
+                      libcitygml_ids.end(), std::back_inserter(out.only_in_stream));
+  std::set_difference(libcitygml_ids.begin(), libcitygml_ids.end(), stream_ids.begin(),
+                      stream_ids.end(), std::back_inserter(out.only_in_libcitygml));
   return out;
 }
 

@@ -15,8 +15,10 @@ void require_citygml(const DocumentHead& head, const std::string& name);
 /// The first srsName in the batch's members, as written; "" = none.
 std::string first_srs_name(const MemberBatch& batch);
 
-ReadReport read_with_libcitygml(const Document& document, const ReadOptions& options, const ObjectSink& sink);
-ReadReport read_with_stream(const Document& document, const ReadOptions& options, const ObjectStage& stage);
+ReadReport read_with_libcitygml(const Document& document, const ReadOptions& options,
+                                const ObjectSink& sink);
+ReadReport read_with_stream(const Document& document, const ReadOptions& options,
+                            const ObjectStage& stage);
 
 /// A stage that does nothing but deliver.
 ObjectStage deliver_to(const ObjectSink& sink);

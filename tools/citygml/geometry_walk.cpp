@@ -16,7 +16,8 @@ constexpr int max_links = 8;
 constexpr std::size_t max_placed_polygons = 1'000'000;
 
 bool is_polygon(std::string_view local) {
-  return local == "Polygon" || local == "PolygonPatch" || local == "Triangle" || local == "Rectangle";
+  return local == "Polygon" || local == "PolygonPatch" || local == "Triangle" ||
+         local == "Rectangle";
 }
 
 // Elements that only hold what they are made of.
@@ -132,7 +133,8 @@ void GeometryWalk::walk(const pugi::xml_node& element, const GeometryContext& co
   }
 }
 
-void GeometryWalk::follow(const pugi::xml_node& link, std::string_view href, const GeometryContext& context) {
+void GeometryWalk::follow(const pugi::xml_node& link, std::string_view href,
+                          const GeometryContext& context) {
   const bool here = href.starts_with('#');
   const std::string id = here ? std::string(href.substr(1)) : library_.elsewhere(href);
   if (id.empty()) {
@@ -277,10 +279,12 @@ void GeometryWalk::read_points(const pugi::xml_node& property, const GeometryCon
   }
   const std::string_view name = local_name(property.name());
   if (name != "pos" && name != "posList") {
-    const bool is_line = name == "LineString" || name == "LineStringSegment" || name == "LinearRing";
+    const bool is_line =
+        name == "LineString" || name == "LineStringSegment" || name == "LinearRing";
     Ring line;
     for (const pugi::xml_node& child : property.children())
-      if (child.type() == pugi::node_element) read_points(child, inside, is_line ? line : points, lines);
+      if (child.type() == pugi::node_element)
+        read_points(child, inside, is_line ? line : points, lines);
     if (line.size() > 1)
       lines.push_back(std::move(line));
     else

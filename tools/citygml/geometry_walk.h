@@ -46,7 +46,8 @@ class GeometryWalk {
 
   /// Adds every polygon below `property` (lod2Solid, tin, ...) to `out`; what cannot be used is counted. A
   /// polygon reached twice (a solid's xlink to a wall) is added once.
-  void read(const pugi::xml_node& property, const GeometryContext& context, std::vector<RawPolygon>& out);
+  void read(const pugi::xml_node& property, const GeometryContext& context,
+            std::vector<RawPolygon>& out);
   /// The same for a geometry element itself.
   void read_element(const pugi::xml_node& geometry, const GeometryContext& context,
                     std::vector<RawPolygon>& out);

@@ -133,8 +133,8 @@ struct Converter {
     }
     if (const citygml::Address* a = object.address(); a && out.raw.object.address.empty()) {
       std::string text;
-      for (const std::string* part : {&a->thoroughfareName(), &a->thoroughfareNumber(), &a->postalCode(),
-                                      &a->locality(), &a->country()}) {
+      for (const std::string* part : {&a->thoroughfareName(), &a->thoroughfareNumber(),
+                                      &a->postalCode(), &a->locality(), &a->country()}) {
         if (part->empty()) continue;
         if (!text.empty()) text += ' ';
         text += restore_entities(*part);
@@ -178,7 +178,8 @@ struct Converter {
     raw.space = context.space;
     raw.polygon.id = polygon.getId();
     raw.polygon.surface = context.surface;
-    if (const auto exterior = polygon.exteriorRing()) raw.polygon.exterior = ring_of(*exterior, context);
+    if (const auto exterior = polygon.exteriorRing())
+      raw.polygon.exterior = ring_of(*exterior, context);
     for (const auto& interior : polygon.interiorRings())
       if (interior) raw.polygon.interiors.push_back(ring_of(*interior, context));
     if (polygon.negNormal()) {
@@ -205,7 +206,8 @@ struct Converter {
       if (const auto polygon = geometry.getPolygon(i)) take(*polygon, lod, context);
     for (unsigned i = 0; i < geometry.getGeometriesCount(); ++i)
       walk_geometry(geometry.getGeometry(i), lod, context);
-    if (geometry.getLineStringCount() > 0) out.skipped["LineString"] += geometry.getLineStringCount();
+    if (geometry.getLineStringCount() > 0)
+      out.skipped["LineString"] += geometry.getLineStringCount();
   }
 
   void walk(const citygml::CityObject& object, Context context) {
@@ -228,7 +230,8 @@ struct Converter {
       const TVec3d r = implicit.getReferencePoint();
       placed.reference = {r.x, r.y, r.z};
       for (unsigned g = 0; g < implicit.getGeometriesCount(); ++g)
-        walk_geometry(implicit.getGeometry(g), static_cast<int>(implicit.getGeometry(g).getLOD()), placed);
+        walk_geometry(implicit.getGeometry(g), static_cast<int>(implicit.getGeometry(g).getLOD()),
+                      placed);
     }
     for (unsigned i = 0; i < object.getChildCityObjectsCount(); ++i)
       walk(object.getChildCityObject(i), context);
@@ -244,8 +247,9 @@ LibcitygmlObject convert(const citygml::CityObject& root, const std::vector<std:
   object.type = object_type(root.getType());
   object.class_name = root.getTypeAsString();
   converter.read_attributes(root);
-  converter.walk(root,
-                 {0, object.type == ObjectType::relief ? SurfaceType::terrain : SurfaceType::unknown, false});
+  converter.walk(
+      root,
+      {0, object.type == ObjectType::relief ? SurfaceType::terrain : SurfaceType::unknown, false});
   return std::move(converter.out);
 }
 

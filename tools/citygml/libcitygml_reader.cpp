@@ -59,7 +59,8 @@ std::size_t count_polygons(std::string_view text) {
     std::size_t end = at + 1;
     while (end < text.size() && !ends_name(text[end])) ++end;
     const std::string_view name = local_name(text.substr(at + 1, end - at - 1));
-    count += name == "Polygon" || name == "Triangle" || name == "Rectangle" || name == "PolygonPatch";
+    count +=
+        name == "Polygon" || name == "Triangle" || name == "Rectangle" || name == "PolygonPatch";
   }
   return count;
 }
@@ -96,7 +97,8 @@ class DocumentLoader {
     }
     if (members.empty()) return;
     std::size_t polygons = 0;
-    for (const MemberBatch::Member* member : members) polygons += count_polygons(batch.text(*member));
+    for (const MemberBatch::Member* member : members)
+      polygons += count_polygons(batch.text(*member));
     std::string why;
     if (load_text(text, polygons, why)) return;
     for (const MemberBatch::Member* member : members) {

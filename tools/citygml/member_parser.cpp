@@ -22,7 +22,8 @@ void read_height(const pugi::xml_node& property, CityObject& object) {
       if (local_name(part.name()) != "value") continue;
       CityObject one;
       set_attribute(one, "measuredheight", part.child_value());
-      if (one.measured_height_m > object.measured_height_m) object.measured_height_m = one.measured_height_m;
+      if (one.measured_height_m > object.measured_height_m)
+        object.measured_height_m = one.measured_height_m;
     }
   }
 }
@@ -40,8 +41,8 @@ void adopt_attributes(CityObject& whole, const CityObject& part) {
 }
 
 // The first function of a traffic area that is a code: who may go there.
-bool read_area_function(const FeatureClass& what, std::string_view name, const pugi::xml_node& property,
-                        GeometryContext& context) {
+bool read_area_function(const FeatureClass& what, std::string_view name,
+                        const pugi::xml_node& property, GeometryContext& context) {
   if (what.surface != SurfaceType::traffic_area || name != "function") return false;
   const auto code = parse_number(property.child_value());
   if (context.area_function == 0 && code && *code >= 1 && *code <= 65535)
@@ -55,8 +56,8 @@ bool is_space(ClassKind kind) {
 
 }  // namespace
 
-MemberParser::MemberParser(const pugi::xml_node& member, std::size_t line, const GeometryLibrary& library,
-                           const Materials& file_materials)
+MemberParser::MemberParser(const pugi::xml_node& member, std::size_t line,
+                           const GeometryLibrary& library, const Materials& file_materials)
     : member_(member), line_(line), geometry_(member, library, skipped_) {
   geometry_.set_file_materials(&file_materials);
 }
@@ -86,7 +87,8 @@ void MemberParser::read_top(const pugi::xml_node& element, std::vector<RawObject
     skip(element);
     return;
   }
-  if (name == "CityObjectGroup") {  // its members are objects of their own; the group itself is a list
+  if (name ==
+      "CityObjectGroup") {  // its members are objects of their own; the group itself is a list
     skipped_.add(element.name());
     for (const pugi::xml_node& property : element.children())
       if (local_name(property.name()) == "groupMember")
@@ -109,8 +111,9 @@ void MemberParser::read_top(const pugi::xml_node& element, std::vector<RawObject
 
 void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClass& what,
                                 GeometryContext context, RawObject& raw) {
-  context.surface = what.surface != SurfaceType::unknown || what.kind != ClassKind::surface ? what.surface
-                                                                                            : context.surface;
+  context.surface = what.surface != SurfaceType::unknown || what.kind != ClassKind::surface
+                        ? what.surface
+                        : context.surface;
   CityObject said;
   std::vector<pugi::xml_node> children, geometries, points;
   int relief_lod = -1;
@@ -168,17 +171,19 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
     geometry_.read_points(property, context, raw.object.points, raw.object.lines);
 }
 
-void MemberParser::read_child_features(const pugi::xml_node& property, const GeometryContext& context,
-                                       RawObject& raw) {
+void MemberParser::read_child_features(const pugi::xml_node& property,
+                                       const GeometryContext& context, RawObject& raw) {
   if (!property.first_child()) {
-    if (!attribute_named(property, "href").empty()) skipped_.add("xlink: " + std::string(property.name()));
+    if (!attribute_named(property, "href").empty())
+      skipped_.add("xlink: " + std::string(property.name()));
     return;
   }
   for (const pugi::xml_node& child : property.children())
     if (child.type() == pugi::node_element) read_child(child, context, raw);
 }
 
-void MemberParser::read_child(const pugi::xml_node& element, const GeometryContext& context, RawObject& raw) {
+void MemberParser::read_child(const pugi::xml_node& element, const GeometryContext& context,
+                              RawObject& raw) {
   const std::string_view name = local_name(element.name());
   if (name == "Envelope" || name == "Null")
     return;  // gml:boundedBy: an extent, known better from the vertices

@@ -28,9 +28,10 @@ class MemberParser {
 
  private:
   void read_top(const pugi::xml_node& element, std::vector<RawObject>& out);
-  void read_feature(const pugi::xml_node& element, const FeatureClass& what, GeometryContext context,
-                    RawObject& raw);
-  void read_child_features(const pugi::xml_node& property, const GeometryContext& context, RawObject& raw);
+  void read_feature(const pugi::xml_node& element, const FeatureClass& what,
+                    GeometryContext context, RawObject& raw);
+  void read_child_features(const pugi::xml_node& property, const GeometryContext& context,
+                           RawObject& raw);
   void read_child(const pugi::xml_node& element, const GeometryContext& context, RawObject& raw);
   void skip(const pugi::xml_node& element);
 

@@ -33,7 +33,8 @@ std::string newest_version(std::string_view root_tag) {
     const std::string_view uri = root_tag.substr(at, end - at);
     for (std::size_t i = 1; i + 2 < uri.size(); ++i) {
       const bool digits = uri[i] >= '0' && uri[i] <= '9' && uri[i + 2] >= '0' && uri[i + 2] <= '9';
-      if (!digits || uri[i + 1] != '.' || uri[i - 1] != '/' || (i + 3 < uri.size() && uri[i + 3] != '/'))
+      if (!digits || uri[i + 1] != '.' || uri[i - 1] != '/' ||
+          (i + 3 < uri.size() && uri[i + 3] != '/'))
         continue;
       best = std::max(best, std::string(uri.substr(i, 3)));
     }
@@ -56,8 +57,9 @@ void MemberSplitter::read_head() {
   head_.root_name = root.name;
   head_.version = newest_version(head_.root_tag);
   std::string declaration(scanner_.window().substr(0, root.begin));
-  std::transform(declaration.begin(), declaration.end(), declaration.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  std::transform(declaration.begin(), declaration.end(), declaration.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
   head_.latin1 = declaration.find("iso-8859-1") != std::string::npos ||
                  declaration.find("windows-1252") != std::string::npos;
   finished_ = root.kind == Tag::Kind::empty;
@@ -68,8 +70,8 @@ void MemberSplitter::close_tag(const Tag& tag) {
   const auto [begin, end] = open_.back();
   const std::string_view expected = name_in(scanner_.window().substr(begin, end - begin));
   if (expected != tag.name)
-    scanner_.fail(tag.begin,
-                  "not XML: <" + std::string(expected) + "> is closed by </" + std::string(tag.name) + ">");
+    scanner_.fail(tag.begin, "not XML: <" + std::string(expected) + "> is closed by </" +
+                                 std::string(tag.name) + ">");
   open_.pop_back();
 }
 
@@ -82,7 +84,8 @@ bool MemberSplitter::scan_tag(MemberBatch& batch) {
   if (tag.kind == Tag::Kind::close && outside) {
     const std::string& expected = list_.empty() ? head_.root_name : list_;
     if (tag.name != expected)
-      scanner_.fail(tag.begin, "not XML: <" + expected + "> is closed by </" + std::string(tag.name) + ">");
+      scanner_.fail(tag.begin,
+                    "not XML: <" + expected + "> is closed by </" + std::string(tag.name) + ">");
     if (list_.empty()) return false;
     list_.clear();
     return true;
@@ -100,7 +103,8 @@ bool MemberSplitter::scan_tag(MemberBatch& batch) {
         return true;
       }
     }
-    if (open_.size() >= limits_.depth) scanner_.fail(tag.begin, "elements nest deeper than any CityGML does");
+    if (open_.size() >= limits_.depth)
+      scanner_.fail(tag.begin, "elements nest deeper than any CityGML does");
     open_.emplace_back(tag.begin, tag.end);
     return true;
   }
@@ -151,7 +155,8 @@ bool MemberSplitter::next(MemberBatch& batch) {
   batch.first_member = delivered_;
   while (!finished_ && cut_ == 0) {
     finished_ = !scan_tag(batch);
-    const bool full = !batch.members.empty() && open_.empty() && scanner_.position() >= limits_.batch_bytes;
+    const bool full =
+        !batch.members.empty() && open_.empty() && scanner_.position() >= limits_.batch_bytes;
     if (full) break;
   }
   if (!batch.members.empty()) {

@@ -34,7 +34,9 @@ struct MemberBatch {
   std::vector<Member> members;
   std::size_t first_member = 0;  // number in the document of members[0]; pieces count
 
-  std::string_view text(const Member& member) const { return {bytes.get() + member.begin, member.size}; }
+  std::string_view text(const Member& member) const {
+    return {bytes.get() + member.begin, member.size};
+  }
 };
 
 class MemberSplitter {

@@ -41,7 +41,8 @@ LodChoice choose_lods(const RawObject& raw, const ReadOptions& options) {
   for (std::size_t i = 0; i < raw.spaces.size(); ++i) {
     std::optional<int> lod = choose(present[i], options.highest_lod);
     // A detail of a higher LoD than the object is shown at would hang on walls that are not there.
-    if (raw.spaces[i].detail && lod && best && *lod > std::max(*best, options.highest_lod)) lod.reset();
+    if (raw.spaces[i].detail && lod && best && *lod > std::max(*best, options.highest_lod))
+      lod.reset();
     // A building whose parts have a better LoD: its own coarse block would stand inside or around them.
     if (i == 0 && lod && best && *lod < *best) lod.reset();
     choice.of_space.push_back(lod);

@@ -23,7 +23,8 @@ bool parse_numbers(const char* at, const char* end, std::vector<double>& numbers
     if (*at == '+') ++at;
     double value = 0;
     const auto [rest, error] = std::from_chars(at, end, value);
-    if (error != std::errc() || !std::isfinite(value) || (rest < end && !is_space(*rest))) return false;
+    if (error != std::errc() || !std::isfinite(value) || (rest < end && !is_space(*rest)))
+      return false;
     numbers.push_back(value);
     at = rest;
   }
@@ -66,7 +67,8 @@ RingFault read_coordinates(const pugi::xml_node& element, Ring& ring) {
     std::string tuple = text.substr(at, end - at);
     for (char& c : tuple) c = c == within ? ' ' : c == decimal ? '.' : c;
     numbers.clear();
-    if (!parse_numbers(tuple.data(), tuple.data() + tuple.size(), numbers)) return RingFault::not_numbers;
+    if (!parse_numbers(tuple.data(), tuple.data() + tuple.size(), numbers))
+      return RingFault::not_numbers;
     if (numbers.size() != 2 && numbers.size() != 3) return RingFault::wrong_count;
     append_vertices(numbers, static_cast<int>(numbers.size()), ring);
     at = end;
@@ -112,12 +114,14 @@ RingFault read_ring(const pugi::xml_node& linear_ring, int dimension, Ring& ring
     const std::string_view kind = local_name(holder.name());
     if (kind == "coordinates") {
       any = true;
-      if (const RingFault fault = read_coordinates(holder, ring); fault != RingFault::none) return fault;
+      if (const RingFault fault = read_coordinates(holder, ring); fault != RingFault::none)
+        return fault;
     } else if (kind == "posList" || kind == "pos") {
       any = true;
       numbers.clear();
       if (!read_numbers(holder, numbers)) return RingFault::not_numbers;
-      if (!append_vertices(numbers, dimension_of(holder, inherited), ring)) return RingFault::wrong_count;
+      if (!append_vertices(numbers, dimension_of(holder, inherited), ring))
+        return RingFault::wrong_count;
     }
   }
   if (!any) return RingFault::no_coordinates;

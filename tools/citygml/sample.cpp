@@ -43,7 +43,8 @@ CityGmlHead read_citygml_head(const std::filesystem::path& file) {
     while (out.sample.size() < enough_points && splitter.next(batch)) {
       for (const MemberBatch::Member& member : batch.members) {
         pugi::xml_document document;
-        if (!document.load_buffer_inplace(batch.bytes.get() + member.begin, member.size, gml_parse_flags))
+        if (!document.load_buffer_inplace(batch.bytes.get() + member.begin, member.size,
+                                          gml_parse_flags))
           continue;
         Sampler sampler(out);
         document.traverse(sampler);

@@ -25,7 +25,8 @@ std::size_t vertices_of(const std::vector<Polygon>& polygons) {
 
 // Every wanted geometry the member holds, and the ids that it refers to without holding them.
 void fetch_from(const pugi::xml_node& member, const std::unordered_set<std::string>& wanted,
-                GeometryLibrary& library, std::size_t& room, std::unordered_set<std::string>& missing) {
+                GeometryLibrary& library, std::size_t& room,
+                std::unordered_set<std::string>& missing) {
   IdIndex ids(member);
   for (const std::string& id : wanted) {
     if (library.polygons.contains(id) || room == 0) continue;

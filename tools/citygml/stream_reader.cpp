@@ -20,8 +20,8 @@ namespace {
 constexpr std::size_t max_warnings = 50;
 
 bool is_object_member(const MemberBatch::Member& member) {
-  return member.name == "cityObjectMember" || member.name == "featureMember" || member.name == "member" ||
-         feature_class(member.name).kind != ClassKind::unknown;
+  return member.name == "cityObjectMember" || member.name == "featureMember" ||
+         member.name == "member" || feature_class(member.name).kind != ClassKind::unknown;
 }
 
 struct BatchResult {
@@ -152,7 +152,8 @@ class StreamReader {
 
   bool next(MemberSplitter& splitter, MemberBatch& batch) {
     if (!splitter.next(batch)) return false;
-    if (srs_name_.empty()) srs_name_ = first_srs_name(batch);  // before parsing, which changes the text
+    if (srs_name_.empty())
+      srs_name_ = first_srs_name(batch);  // before parsing, which changes the text
     return true;
   }
 
@@ -186,7 +187,8 @@ class StreamReader {
 
 }  // namespace
 
-ReadReport read_with_stream(const Document& document, const ReadOptions& options, const ObjectStage& stage) {
+ReadReport read_with_stream(const Document& document, const ReadOptions& options,
+                            const ObjectStage& stage) {
   return StreamReader(document, options, stage).read();
 }
 

@@ -64,7 +64,8 @@ std::size_t TagScanner::line_of(std::size_t at) {
 // Reads as much again as is pending, at least a block: scanning a long construct anew stays linear in all.
 bool TagScanner::fill() {
   if (size_ > longest_window_)
-    fail(position_, "an element longer than " + std::to_string(longest_window_ >> 20) + " MB is refused");
+    fail(position_,
+         "an element longer than " + std::to_string(longest_window_ >> 20) + " MB is refused");
   const std::size_t want = std::max(read_block, size_ - position_);
   if (size_ + want > capacity_) {
     capacity_ = std::max(size_ + want, capacity_ + capacity_ / 2);
@@ -179,7 +180,8 @@ std::size_t TagScanner::skip_element(const Tag& open, std::size_t longest) {
     }
   }
   const char* const text = bytes_.get();
-  for (const char mark : {'!', '?'}) {  // "<!--", "<![CDATA[", "<?": rare enough to look for one by one
+  for (const char mark :
+       {'!', '?'}) {  // "<!--", "<![CDATA[", "<?": rare enough to look for one by one
     for (std::size_t at = open.end; at < end; ++at) {
       const void* found = std::memchr(text + at, mark, end - at);
       if (!found) break;

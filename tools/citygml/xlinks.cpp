@@ -5,7 +5,8 @@ namespace nightcity {
 std::string_view attribute_named(const pugi::xml_node& element, std::string_view local) {
   for (pugi::xml_attribute a = element.first_attribute(); a; a = a.next_attribute()) {
     const std::string_view name = a.name();
-    if (name.ends_with(local) && (name.size() == local.size() || name[name.size() - local.size() - 1] == ':'))
+    if (name.ends_with(local) &&
+        (name.size() == local.size() || name[name.size() - local.size() - 1] == ':'))
       return a.value();
   }
   return {};
@@ -38,7 +39,8 @@ std::string GeometryLibrary::elsewhere(std::string_view href) const {
   return file.string() + std::string(href.substr(hash));
 }
 
-std::pair<std::filesystem::path, std::string> GeometryLibrary::parts(const std::string& name) const {
+std::pair<std::filesystem::path, std::string> GeometryLibrary::parts(
+    const std::string& name) const {
   const std::size_t hash = name.rfind('#');
   if (!neighbours || hash == std::string::npos || !neighbours->contains(name.substr(0, hash)))
     return {{}, name};

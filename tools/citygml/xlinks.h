@@ -25,7 +25,8 @@ std::string_view attribute_named(const pugi::xml_node& element, std::string_view
 struct GeometryLibrary {
   std::unordered_map<std::string, std::vector<Polygon>> polygons{};
   std::filesystem::path folder{};  // of the document, from which file names in links count
-  std::shared_ptr<const std::set<std::filesystem::path>> neighbours{};  // files that links may lead into
+  std::shared_ptr<const std::set<std::filesystem::path>>
+      neighbours{};  // files that links may lead into
 
   /// The name of what "../there.gml#id" leads to, "path#id"; "" where it leads out of the city.
   std::string elsewhere(std::string_view href) const;

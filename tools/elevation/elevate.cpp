@@ -23,7 +23,8 @@ HeightOffset offset_of(const std::vector<double>& differences) {
   if (differences.size() < min_samples) return offset;
   offset.metres = median(differences);
   std::vector<double> deviations;
-  for (const double difference : differences) deviations.push_back(std::abs(difference - offset.metres));
+  for (const double difference : differences)
+    deviations.push_back(std::abs(difference - offset.metres));
   offset.deviation = median(std::move(deviations));
   return offset;
 }
@@ -39,9 +40,11 @@ std::size_t count_duplicates(const std::vector<OsmLampNode>& lamps) {
   std::size_t duplicates = 0;
   for (const OsmLampNode& lamp : lamps) {
     const double shrink = std::max(0.01, std::cos(lamp.lon_lat.y * 0.017453292519943295));
-    const auto x = static_cast<std::int64_t>(std::llround(lamp.lon_lat.x * shrink / same_place_degrees));
+    const auto x =
+        static_cast<std::int64_t>(std::llround(lamp.lon_lat.x * shrink / same_place_degrees));
     const auto y = static_cast<std::int64_t>(std::llround(lamp.lon_lat.y / same_place_degrees));
-    duplicates += !places.insert(static_cast<std::uint64_t>(x) << 32 ^ static_cast<std::uint32_t>(y)).second;
+    duplicates +=
+        !places.insert(static_cast<std::uint64_t>(x) << 32 ^ static_cast<std::uint32_t>(y)).second;
   }
   return duplicates;
 }
@@ -90,7 +93,8 @@ Elevations elevate_lamps(const std::vector<OsmLampNode>& lamps, const ElevationS
   if (sources.service && !open.empty()) {
     // Evenly among the lamps whose height is known, so that the samples cover the model.
     std::vector<std::size_t> asked = open;
-    const std::size_t step = std::max<std::size_t>(1, (known.size() + max_samples - 1) / max_samples);
+    const std::size_t step =
+        std::max<std::size_t>(1, (known.size() + max_samples - 1) / max_samples);
     for (std::size_t k = 0; k < known.size(); k += step) asked.push_back(known[k]);
     std::vector<glm::dvec2> places;
     for (const std::size_t n : asked) places.push_back(lamps[n].lon_lat);
@@ -103,7 +107,8 @@ Elevations elevate_lamps(const std::vector<OsmLampNode>& lamps, const ElevationS
     std::vector<std::size_t> still_open;
     for (std::size_t k = 0; k < open.size(); ++k)
       if (result.service.heights[k]) {
-        result.heights[lamps[open[k]].id] = *result.service.heights[k] + result.service_offset.metres;
+        result.heights[lamps[open[k]].id] =
+            *result.service.heights[k] + result.service_offset.metres;
         ++result.sources["service"];
       } else {
         still_open.push_back(open[k]);

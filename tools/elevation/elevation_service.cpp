@@ -39,7 +39,8 @@ class Cache {
       if (tab == std::string::npos) continue;
       const char *first = line.data() + tab + 1, *last = line.data() + line.size();
       const auto [end, error] = std::from_chars(first, last, height);
-      if (error == std::errc() && end == last && std::isfinite(height)) known_[line.substr(0, tab)] = height;
+      if (error == std::errc() && end == last && std::isfinite(height))
+        known_[line.substr(0, tab)] = height;
     }
   }
 
@@ -78,7 +79,8 @@ HttpAnswer ask(HttpClient& client, const std::string& body, const ElevationServi
     ++answers.retries;
     std::chrono::milliseconds pause = wait;
     if (answer.retry_after_s)
-      pause = std::max<std::chrono::milliseconds>(pause, std::chrono::seconds(*answer.retry_after_s));
+      pause =
+          std::max<std::chrono::milliseconds>(pause, std::chrono::seconds(*answer.retry_after_s));
     std::this_thread::sleep_for(std::min<std::chrono::milliseconds>(pause, options.longest_wait));
     wait *= 2;
   }
@@ -87,22 +89,26 @@ HttpAnswer ask(HttpClient& client, const std::string& body, const ElevationServi
 /// The heights of an answer to `count` places; null means no data.
 std::vector<std::optional<double>> read_answer(const HttpAnswer& answer, std::size_t count,
                                                const std::string& url) {
-  if (answer.status != 200) throw Error(url, "answers with status " + std::to_string(answer.status));
+  if (answer.status != 200)
+    throw Error(url, "answers with status " + std::to_string(answer.status));
   const json document = json::parse(answer.body, nullptr, false);
   if (document.is_discarded() || !document.is_object() || !document.contains("results") ||
       !document["results"].is_array())
     throw Error(url, "answers without a list of results");
   const json& results = document["results"];
   if (results.size() != count)
-    throw Error(url,
-                "answers for " + std::to_string(results.size()) + " of " + std::to_string(count) + " places");
+    throw Error(url, "answers for " + std::to_string(results.size()) + " of " +
+                         std::to_string(count) + " places");
   std::vector<std::optional<double>> heights;
   for (const json& result : results) {
     const auto elevation = result.is_object() ? result.find("elevation") : result.end();
-    if (!result.is_object() || elevation == result.end() || !(elevation->is_number() || elevation->is_null()))
+    if (!result.is_object() || elevation == result.end() ||
+        !(elevation->is_number() || elevation->is_null()))
       throw Error(url, "answers without an elevation");
-    heights.push_back(elevation->is_null() ? std::nullopt : std::optional(elevation->get<double>()));
-    if (heights.back() && !(*heights.back() > -500 && *heights.back() < 9000)) heights.back().reset();
+    heights.push_back(elevation->is_null() ? std::nullopt
+                                           : std::optional(elevation->get<double>()));
+    if (heights.back() && !(*heights.back() > -500 && *heights.back() < 9000))
+      heights.back().reset();
   }
   return heights;
 }
@@ -125,7 +131,8 @@ void refuse_zeros(ElevationAnswers& answers) {
 
 }  // namespace
 
-ElevationAnswers ask_elevations(std::span<const glm::dvec2> lon_lat, const ElevationServiceOptions& options) {
+ElevationAnswers ask_elevations(std::span<const glm::dvec2> lon_lat,
+                                const ElevationServiceOptions& options) {
   ElevationAnswers answers;
   answers.heights.resize(lon_lat.size());
   Cache cache(options.cache);

@@ -81,7 +81,8 @@ HttpAnswer HttpClient::post_json(const std::string& url, const std::string& body
   const CURLcode code = curl_easy_perform(curl);
   curl_easy_setopt(curl, CURLOPT_ERRORBUFFER, nullptr);
   if (code != CURLE_OK)
-    throw Error(url, "cannot be asked: " + std::string(*reason ? reason : curl_easy_strerror(code)));
+    throw Error(url,
+                "cannot be asked: " + std::string(*reason ? reason : curl_easy_strerror(code)));
   curl_easy_getinfo(curl, CURLINFO_RESPONSE_CODE, &answer.status);
   return answer;
 }

@@ -107,7 +107,8 @@ std::size_t copy_packed(const fs::path& input, const fs::path& output, const std
     osmium::io::Writer writer(osmium::io::File(scratch.string(), format), reader.header(),
                               osmium::io::overwrite::allow);
     while (osmium::memory::Buffer buffer = reader.read()) {
-      osmium::memory::Buffer changed(buffer.committed() + 1024, osmium::memory::Buffer::auto_grow::yes);
+      osmium::memory::Buffer changed(buffer.committed() + 1024,
+                                     osmium::memory::Buffer::auto_grow::yes);
       for (const osmium::OSMEntity& entity : buffer.select<osmium::OSMEntity>()) {
         const auto height = entity.type() == osmium::item_type::node
                                 ? heights.find(static_cast<const osmium::Node&>(entity).id())
@@ -128,7 +129,8 @@ std::size_t copy_packed(const fs::path& input, const fs::path& output, const std
   } catch (const std::exception& error) {
     std::error_code ignored;
     fs::remove(scratch, ignored);
-    throw Error(output.string(), std::string("cannot be made of ") + input.string() + ": " + error.what());
+    throw Error(output.string(),
+                std::string("cannot be made of ") + input.string() + ": " + error.what());
   }
   return written;
 }

@@ -12,7 +12,8 @@ namespace nightcity {
 /// other kinds, by the names of the files (.osm, .osm.pbf, .osm.gz, .osm.bz2), keep every element with its
 /// tags and history. Returns how many nodes were given a height. Throws Error: broken input, an output that
 /// cannot be written or is named like no OSM file.
-std::size_t write_elevations(const std::filesystem::path& input, const std::filesystem::path& output,
+std::size_t write_elevations(const std::filesystem::path& input,
+                             const std::filesystem::path& output,
                              const std::map<std::int64_t, double>& heights);
 
 }  // namespace nightcity

@@ -67,10 +67,11 @@ struct LocalMercator {
   }
   std::string proj_string() const {
     char text[200];
-    std::snprintf(text, sizeof text,
-                  "+proj=tmerc +lat_0=%.10g +lon_0=%.10g +k=1 +x_0=0 +y_0=0 +a=%.12g +rf=%.15g +units=m "
-                  "+no_defs +type=crs",
-                  lat0, lon0, a, inverse_f);
+    std::snprintf(
+        text, sizeof text,
+        "+proj=tmerc +lat_0=%.10g +lon_0=%.10g +k=1 +x_0=0 +y_0=0 +a=%.12g +rf=%.15g +units=m "
+        "+no_defs +type=crs",
+        lat0, lon0, a, inverse_f);
     return text;
   }
 };
@@ -111,9 +112,10 @@ int fit_of(const SourceCrs& crs, const glm::dvec2& lon_lat) {
 Choice choose_axis_order(std::unique_ptr<SourceCrs> crs, std::span<const glm::dvec3> sample,
                          bool by_register) {
   const AxisOrder expected{by_register && crs->north_first(), 1};
-  const std::string promise = by_register ? "as the register has it" : "as names of this form have it";
-  const std::array<AxisOrder, 4> orders{expected, AxisOrder{!expected.swapped, 1}, AxisOrder{false, -1},
-                                        AxisOrder{true, -1}};
+  const std::string promise =
+      by_register ? "as the register has it" : "as names of this form have it";
+  const std::array<AxisOrder, 4> orders{expected, AxisOrder{!expected.swapped, 1},
+                                        AxisOrder{false, -1}, AxisOrder{true, -1}};
   Choice choice;
   if (sample.empty()) {
     choice.order = expected;
@@ -138,8 +140,9 @@ Choice choose_axis_order(std::unique_ptr<SourceCrs> crs, std::span<const glm::dv
       best = fits[i];
       choice.order = orders[i];
       choice.centre = places[i];
-      choice.why =
-          i == 0 ? promise : "against the order its name promises: only so it lies in the area of use";
+      choice.why = i == 0
+                       ? promise
+                       : "against the order its name promises: only so it lies in the area of use";
     }
   }
   choice.inside = best > 0;
@@ -264,8 +267,8 @@ CityFrame CityFrame::from_srs_name(const std::string& srs_name, std::span<const 
     known = true;
     Choice choice = choose_axis_order(std::move(crs), sample, promises_register_axis_order(name));
     if (!choice.inside && !overridden) {
-      why = "no axis order puts its coordinates (" + sample_text(sample) + ") into the area of use of " +
-            choice.crs->name();
+      why = "no axis order puts its coordinates (" + sample_text(sample) +
+            ") into the area of use of " + choice.crs->name();
       if (!choice.crs->area_name().empty()) why += " (" + choice.crs->area_name() + ")";
       continue;
     }
@@ -273,9 +276,11 @@ CityFrame CityFrame::from_srs_name(const std::string& srs_name, std::span<const 
     state->place_in(std::move(choice), definition, sample);
     return CityFrame(std::move(state));
   }
-  throw Error("", "CRS \"" + name + "\": " + why +
-                      (known ? "; name the right one with --crs, or --crs none to use coordinates as they are"
-                             : "; name the CRS with --crs EPSG:<code>, or --crs none"));
+  throw Error(
+      "",
+      "CRS \"" + name + "\": " + why +
+          (known ? "; name the right one with --crs, or --crs none to use coordinates as they are"
+                 : "; name the CRS with --crs EPSG:<code>, or --crs none"));
 }
 
 void CityFrame::to_projected(std::span<glm::dvec3> coordinates) const {
@@ -291,10 +296,10 @@ void CityFrame::to_projected(std::span<glm::dvec3> coordinates) const {
 glm::dvec2 CityFrame::from_lon_lat(const glm::dvec2& lon_lat) const {
   const State& s = *state_;
   if (!has_lon_lat())
-    throw Error(
-        "",
-        "the city has no CRS: lamps and roads by longitude and latitude cannot be placed; give --crs or "
-        "control points");
+    throw Error("",
+                "the city has no CRS: lamps and roads by longitude and latitude cannot be placed; "
+                "give --crs or "
+                "control points");
   if (!s.source) return s.similarity->apply(s.plane->forward(lon_lat));
   glm::dvec2 p;
   {

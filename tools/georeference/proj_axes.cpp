@@ -12,7 +12,8 @@ bool is_geographic(const PJ* crs) {
 }
 
 std::optional<ProjAxes> ProjAxes::of(PJ_CONTEXT* context, const PJ* crs) {
-  constexpr double degrees_per_radian = 57.29577951308232;  // PROJ states an angular unit in radians
+  constexpr double degrees_per_radian =
+      57.29577951308232;  // PROJ states an angular unit in radians
   const PjPtr system{proj_crs_get_coordinate_system(context, crs)};
   if (!system || proj_cs_get_axis_count(context, system.get()) < 2) return {};
   ProjAxes axes;
@@ -20,8 +21,8 @@ std::optional<ProjAxes> ProjAxes::of(PJ_CONTEXT* context, const PJ* crs) {
   for (int i = 0; i < 2; ++i) {
     const char* direction = nullptr;
     double factor = 1;
-    proj_cs_get_axis_info(context, system.get(), i, nullptr, nullptr, &direction, &factor, nullptr, nullptr,
-                          nullptr);
+    proj_cs_get_axis_info(context, system.get(), i, nullptr, nullptr, &direction, &factor, nullptr,
+                          nullptr, nullptr);
     const double scale = is_geographic(crs) ? factor * degrees_per_radian : factor;
     const std::string_view d = direction ? direction : "";
     if (d == "east" || d == "west") {

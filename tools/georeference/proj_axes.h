@@ -19,7 +19,8 @@ using PjContextPtr = std::unique_ptr<PJ_CONTEXT, PjDeleter>;
 /// Between a CRS's own coordinates and (east, north) in metres or (longitude, latitude) in degrees.
 struct ProjAxes {
   int east_axis = 0, north_axis = 1;
-  double east_scale = 1, north_scale = 1;  // metres or degrees per unit; negative for axes west or south
+  double east_scale = 1,
+         north_scale = 1;  // metres or degrees per unit; negative for axes west or south
 
   PJ_COORD to_native(const glm::dvec2& east_north) const;
   glm::dvec2 from_native(const PJ_COORD& native) const;  // NaN where PROJ had no answer

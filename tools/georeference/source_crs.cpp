@@ -34,10 +34,11 @@ struct SourceCrs::State {
 
 void SourceCrs::State::read_vertical(const PJ* compound) {
   const PjPtr vertical{proj_crs_get_sub_crs(context.get(), compound, 1)};
-  const PjPtr system{vertical ? proj_crs_get_coordinate_system(context.get(), vertical.get()) : nullptr};
+  const PjPtr system{vertical ? proj_crs_get_coordinate_system(context.get(), vertical.get())
+                              : nullptr};
   double factor = 0;
-  if (system && proj_cs_get_axis_info(context.get(), system.get(), 0, nullptr, nullptr, nullptr, &factor,
-                                      nullptr, nullptr, nullptr))
+  if (system && proj_cs_get_axis_info(context.get(), system.get(), 0, nullptr, nullptr, nullptr,
+                                      &factor, nullptr, nullptr, nullptr))
     height_scale = factor;
 }
 
@@ -52,7 +53,8 @@ bool SourceCrs::State::read_axes(std::string& why) {
   const PjPtr base{proj_crs_get_geodetic_crs(context.get(), crs.get())};
   const auto base_axes = base ? ProjAxes::of(context.get(), base.get()) : std::nullopt;
   if (base_axes)
-    to_degrees.reset(proj_create_crs_to_crs_from_pj(context.get(), crs.get(), base.get(), nullptr, nullptr));
+    to_degrees.reset(
+        proj_create_crs_to_crs_from_pj(context.get(), crs.get(), base.get(), nullptr, nullptr));
   if (!to_degrees) {
     why = "PROJ cannot turn it into degrees";
     return false;
@@ -66,7 +68,8 @@ void SourceCrs::State::read_identity(const std::string& definition) {
   const char* code = proj_get_id_code(crs.get(), 0);
   identity = authority && code ? std::string(authority) + ":" + code : definition;
   if (geographic || (axes.east_scale == 1 && axes.north_scale == 1)) return;
-  if (identity == "EPSG:5513") {  // Krovak south, west: the same grid with axes east, north has its own code
+  if (identity ==
+      "EPSG:5513") {  // Krovak south, west: the same grid with axes east, north has its own code
     identity = "EPSG:5514";
     return;
   }
@@ -79,7 +82,8 @@ void SourceCrs::State::read_identity(const std::string& definition) {
     const auto at = in_units.find(key);
     if (at == std::string::npos) continue;
     const auto end = in_units.find(' ', at);
-    identity = in_units.substr(0, at) + "+units=m" + (end == std::string::npos ? "" : in_units.substr(end));
+    identity = in_units.substr(0, at) + "+units=m" +
+               (end == std::string::npos ? "" : in_units.substr(end));
     return;
   }
 }
@@ -180,7 +184,8 @@ glm::dvec2 SourceCrs::from_wgs84(const glm::dvec2& lon_lat) const {
 
 glm::dvec2 SourceCrs::to_wgs84(const glm::dvec2& east_north) const {
   if (!std::isfinite(east_north.x) || !std::isfinite(east_north.y)) return no_answer;
-  const PJ_COORD c = proj_trans(state_->operation.get(), PJ_INV, state_->axes.to_native(east_north));
+  const PJ_COORD c =
+      proj_trans(state_->operation.get(), PJ_INV, state_->axes.to_native(east_north));
   if (!std::isfinite(c.xy.x) || !std::isfinite(c.xy.y)) return no_answer;
   return {c.xy.x, c.xy.y};
 }
@@ -190,7 +195,8 @@ glm::dvec2 SourceCrs::to_own_lon_lat(const glm::dvec2& east_north) const {
   if (!std::isfinite(east_north.x) || !std::isfinite(east_north.y)) return no_answer;
   if (s.geographic)
     return std::abs(east_north.y) <= 90 && std::abs(east_north.x) <= 360 ? east_north : no_answer;
-  return s.degree_axes.from_native(proj_trans(s.to_degrees.get(), PJ_FWD, s.axes.to_native(east_north)));
+  return s.degree_axes.from_native(
+      proj_trans(s.to_degrees.get(), PJ_FWD, s.axes.to_native(east_north)));
 }
 
 bool SourceCrs::area_contains(const glm::dvec2& lon_lat, double margin_deg) const {
@@ -198,7 +204,8 @@ bool SourceCrs::area_contains(const glm::dvec2& lon_lat, double margin_deg) cons
   if (std::isnan(lon_lat.x) || std::isnan(lon_lat.y)) return false;
   if (s.west < -999) return true;
   if (lon_lat.y < s.south - margin_deg || lon_lat.y > s.north + margin_deg) return false;
-  const double width = s.east >= s.west ? s.east - s.west : s.east - s.west + 360;  // across the date line
+  const double width =
+      s.east >= s.west ? s.east - s.west : s.east - s.west + 360;  // across the date line
   const double from_west = std::fmod(lon_lat.x - s.west + margin_deg + 720, 360);
   return from_west <= width + 2 * margin_deg;
 }

@@ -84,7 +84,8 @@ std::vector<std::string> crs_definitions(std::string_view srs_name) {
   std::vector<std::string> definitions;
   if (name.empty()) return definitions;
   std::string key = lower(name);
-  if (constexpr std::string_view adv = "urn:adv:crs:"; key.starts_with(adv)) key.erase(0, adv.size());
+  if (constexpr std::string_view adv = "urn:adv:crs:"; key.starts_with(adv))
+    key.erase(0, adv.size());
   if (const auto star = key.find('*'); star != std::string::npos) key.erase(star);
   const Alias* alias = find_alias(key);
   if (alias) definitions.emplace_back(alias->definition);

@@ -37,14 +37,17 @@ std::string lit_hours(const NightSchedule& hours) {
 std::size_t write_lamp_osm(const std::filesystem::path& path, std::span<const PlacedLamp> lamps,
                            const std::function<glm::dvec2(const glm::dvec2&)>& to_lon_lat) {
   AtomicFile file(path);
-  file.write("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<osm version=\"0.6\" generator=\"nightbake\">\n");
+  file.write(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<osm version=\"0.6\" "
+      "generator=\"nightbake\">\n");
   std::size_t written = 0;
   std::string text;
   const auto tag = [&text](const char* key, const std::string& value) {
     text += fmt::format("<tag k=\"{}\" v=\"{}\"/>\n", key, value);
   };
   for (const PlacedLamp& lamp : lamps) {
-    const glm::dvec2 foot(lamp.foot), at = to_lon_lat(foot), ahead = to_lon_lat(foot + lamp.aim * 10.0);
+    const glm::dvec2 foot(lamp.foot), at = to_lon_lat(foot),
+                                      ahead = to_lon_lat(foot + lamp.aim * 10.0);
     if (!std::isfinite(at.x + at.y + ahead.x + ahead.y)) continue;
     text = fmt::format("<node id=\"{}\" version=\"1\" lat=\"{:.7f}\" lon=\"{:.7f}\">\n",
                        -1 - std::int64_t{lamp.id}, at.y, at.x);
@@ -54,7 +57,8 @@ std::size_t write_lamp_osm(const std::filesystem::path& path, std::span<const Pl
     tag("light:colour", fmt::format("{:.0f} K", lamp.cct_k));
     tag("light:direction", fmt::format("{:.0f}", bearing_degrees(at, ahead)));
     if (lamp.hung) tag("lamp_mount", "suspended");
-    if (lamp.foot.z != 0)  // where no ground is known lamps stand at 0: that is no height to hand on
+    if (lamp.foot.z !=
+        0)  // where no ground is known lamps stand at 0: that is no height to hand on
       tag("ele", fmt::format("{:.2f}", lamp.foot.z));
     if (lamp.hours) tag("lit", lit_hours(*lamp.hours));
     const auto source = static_cast<std::int64_t>(lamp.provenance.source_id);

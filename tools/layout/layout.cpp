@@ -25,7 +25,8 @@ constexpr double median_m = 8;      // a carriageway this near beyond the post i
 constexpr double looked_at_m = 10;  // how often a street is tried for lying in the model
 
 const char* name_of(SiteFault fault) {
-  constexpr const char* names[] = {"outside the model", "no room before a building", "in a carriageway"};
+  constexpr const char* names[] = {"outside the model", "no room before a building",
+                                   "in a carriageway"};
   return names[static_cast<int>(fault)];
 }
 
@@ -38,7 +39,8 @@ auto rank(const Street& street) {
 class Layouter {
  public:
   Layouter(const OsmData& osm, const LonLatToFrame& to_frame, const HeightAt& height_at,
-           const InsideBuilding& inside, const LampOptions& lamps, const LayoutOptions& options, LampSet& set)
+           const InsideBuilding& inside, const LampOptions& lamps, const LayoutOptions& options,
+           LampSet& set)
       : height_at_(height_at), lamp_options_(lamps), options_(options), set_(set) {
     std::vector<const OsmWay*> lit, unlit;
     for (const OsmWay& way : osm.highways) {
@@ -48,7 +50,8 @@ class Layouter {
       if (!reason.empty() && in_model(way, to_frame)) ++report_.unlit_ways[reason];
     }
     // The order of the file must not matter.
-    std::sort(lit.begin(), lit.end(), [](const OsmWay* a, const OsmWay* b) { return a->id < b->id; });
+    std::sort(lit.begin(), lit.end(),
+              [](const OsmWay* a, const OsmWay* b) { return a->id < b->id; });
     network_ = make_street_network(lit, to_frame);
     sites_.emplace(network_, unlit, to_frame, height_at, inside);
     for (std::uint32_t n = 0; n < first_new_; ++n) {
@@ -96,7 +99,8 @@ class Layouter {
     const RoadDefaults& road = street.road.defaults;
     StreetPlanned& plan = plans_[s];
     const auto own = options_.class_of.find(road.highway);
-    const auto wanted = lighting_class(own == options_.class_of.end() ? road.target : own->second.c_str());
+    const auto wanted =
+        lighting_class(own == options_.class_of.end() ? road.target : own->second.c_str());
     if (!wanted) throw std::invalid_argument("no lighting class of EN 13201-2: " + own->second);
     plan.wanted = *wanted;
     plan.design = design(street, arrangement_for(street.road.width_m, road.mounting_m), *wanted);
@@ -115,7 +119,8 @@ class Layouter {
         if (!site && fault == SiteFault::outside_model) continue;
         by_building[side > 0] = !site && fault == SiteFault::building;
         const bool interior = i > 0 && i < parts;
-        if (!site || (interior && sites_->near_other_carriageway(s, glm::dvec2(site->foot), median_m)))
+        if (!site ||
+            (interior && sites_->near_other_carriageway(s, glm::dvec2(site->foot), median_m)))
           ++faults[side > 0];
       }
       if (height_at_(street.place(along).point)) ++tried;
@@ -132,12 +137,14 @@ class Layouter {
         std::tuple(std::string(road.highway), std::lround(street.road.width_m * 10), arrangement);
     const auto known = designs_.find(key);
     if (known != designs_.end()) return known->second;
-    const Photometry profile = profile_of(set_, profile_for(road, arrangement == Arrangement::central));
+    const Photometry profile =
+        profile_of(set_, profile_for(road, arrangement == Arrangement::central));
     return designs_[key] = design_lamps(road, street.road.width_m, arrangement, wanted, profile);
   }
 
   static int parts_of(const Street& street, const LampDesign& design) {
-    constexpr double slack = 0.2;  // a street a little longer than a spacing needs no lamp in its middle
+    constexpr double slack =
+        0.2;  // a street a little longer than a spacing needs no lamp in its middle
     return std::max(1, static_cast<int>(std::ceil(street.length_m() / design.spacing_m - slack)));
   }
 
@@ -149,11 +156,13 @@ class Layouter {
     double widest_other = 0;
     for (const Joint::End& end : joint.ends) {
       if (!plans_[end.street].lit) continue;
-      if (!best || rank(network_.streets[end.street]) < rank(network_.streets[best->street])) best = &end;
+      if (!best || rank(network_.streets[end.street]) < rank(network_.streets[best->street]))
+        best = &end;
     }
     if (!best) return;
     for (const Joint::End& end : joint.ends)
-      if (&end != best) widest_other = std::max(widest_other, network_.streets[end.street].road.width_m);
+      if (&end != best)
+        widest_other = std::max(widest_other, network_.streets[end.street].road.width_m);
     const Street& street = network_.streets[best->street];
     const double length = street.length_m();
     const double corner =
@@ -162,7 +171,8 @@ class Layouter {
             : std::min(widest_other / 2 + setback_m(street.road.defaults) + 0.5, length / 3);
     const StreetPlanned& plan = plans_[best->street];
     const double near = 0.6 * plan.design.spacing_m;
-    if (placed_.any_near(joint.point, near, [](const glm::dvec2&, std::uint32_t) { return true; })) {
+    if (placed_.any_near(joint.point, near,
+                         [](const glm::dvec2&, std::uint32_t) { return true; })) {
       ++report_.left_out["another lamp at the junction"];
       return;
     }
@@ -241,11 +251,11 @@ class Layouter {
 
   bool mapped_near(const Street& street, const Street::Place& centre, double spacing_m) const {
     const double beside = street.road.width_m / 2 + mapped_beside_m;
-    return mapped_.any_near(centre.point, mapped_reach_spacings * spacing_m,
-                            [&](const glm::dvec2& p, std::uint32_t) {
-                              const glm::dvec2 d = p - centre.point;
-                              return std::abs(d.x * centre.along.y - d.y * centre.along.x) <= beside;
-                            });
+    return mapped_.any_near(
+        centre.point, mapped_reach_spacings * spacing_m, [&](const glm::dvec2& p, std::uint32_t) {
+          const glm::dvec2 d = p - centre.point;
+          return std::abs(d.x * centre.along.y - d.y * centre.along.x) <= beside;
+        });
   }
 
   void put(std::size_t s, const PostSite& site) {
@@ -262,20 +272,23 @@ class Layouter {
     lamp.flux_lm = plans_[s].design.flux_lm;
     lamp.cct_k = road.cct_k;
     lamp.colour = rec709_from_xy(planckian_xy(road.cct_k));
-    lamp.radius_m = road.optic == Optic::lantern && !lamp.hung ? lantern_radius_m : luminous_radius_m;
+    lamp.radius_m =
+        road.optic == Optic::lantern && !lamp.hung ? lantern_radius_m : luminous_radius_m;
     lamp.profile = profile_for(road, lamp.hung);
     lamp.highway = road.highway;
     lamp.way_id = place.way_id;
     lamp.along_m = place.on_way_m;
     lamp.id = unused_id(place, site.side);
     lamp.provenance.source_id = static_cast<std::uint64_t>(place.way_id);
-    lamp.provenance.position = lamp.provenance.height = lamp.provenance.colour = lamp.provenance.schedule =
-        ValueSource::rule;
+    lamp.provenance.position = lamp.provenance.height = lamp.provenance.colour =
+        lamp.provenance.schedule = ValueSource::rule;
     lamp.provenance.flux = ValueSource::standard;
-    lamp.provenance.profile = measured(road, lamp.hung) ? ValueSource::attribute : ValueSource::rule;
+    lamp.provenance.profile =
+        measured(road, lamp.hung) ? ValueSource::attribute : ValueSource::rule;
     lamp.provenance.family = static_cast<std::uint8_t>(LightFamily::lamp);
     if (site.moved) ++report_.notes["moved away from a building"];
-    ++report_.arrangements[layout::name_of(lamp.hung ? Arrangement::central : plans_[s].design.arrangement)];
+    ++report_.arrangements[layout::name_of(lamp.hung ? Arrangement::central
+                                                     : plans_[s].design.arrangement)];
     placed_.add(glm::dvec2(site.foot), static_cast<std::uint32_t>(set_.lamps.size()));
     street_of_lamp_.push_back(s);
     set_.lamps.push_back(lamp);
@@ -308,9 +321,11 @@ class Layouter {
       const PlacedLamp& lamp = set_.lamps[n];
       for (const char* value : {"position", "height", "colour"}) ++set_.sources[value]["rule"];
       ++set_.sources["flux"]["standard"];
-      ++set_.sources["profile"][lamp.provenance.profile == ValueSource::rule ? "rule" : "attribute"];
+      ++set_.sources["profile"]
+                    [lamp.provenance.profile == ValueSource::rule ? "rule" : "attribute"];
       ++set_.sources["aim"]["layout"];
-      ++set_.sources["road class"][network_.streets[street_of_lamp_[n - first_new_]].road.defaults.highway];
+      ++set_.sources["road class"]
+                    [network_.streets[street_of_lamp_[n - first_new_]].road.defaults.highway];
     }
   }
 
@@ -333,9 +348,9 @@ class Layouter {
 
 }  // namespace
 
-LayoutReport lay_out_lamps(const OsmData& osm, const LonLatToFrame& to_frame, const HeightAt& height_at,
-                           const InsideBuilding& inside, const LampOptions& lamps,
-                           const LayoutOptions& options, LampSet& set) {
+LayoutReport lay_out_lamps(const OsmData& osm, const LonLatToFrame& to_frame,
+                           const HeightAt& height_at, const InsideBuilding& inside,
+                           const LampOptions& lamps, const LayoutOptions& options, LampSet& set) {
   if (options.mode == LayoutOptions::Mode::never) return {};
   return Layouter(osm, to_frame, height_at, inside, lamps, options, set).run();
 }

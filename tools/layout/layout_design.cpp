@@ -40,14 +40,17 @@ LampDesign design_lamps(const RoadDefaults& road, double width_m, Arrangement ar
     row.spacing_m = road.mounting_m * tenths / 10;
     const FieldSummary per_lumen = row_illuminance(row);
     LampDesign design{arrangement, row.spacing_m, 0, {}, false};
-    design.flux_lm = luminaire_package(wanted.average_lx / (maintenance_factor * per_lumen.average_lx));
+    design.flux_lm =
+        luminaire_package(wanted.average_lx / (maintenance_factor * per_lumen.average_lx));
     design.field = {per_lumen.average_lx * design.flux_lm, per_lumen.min_lx * design.flux_lm};
     const double average = design.field.average_lx * maintenance_factor;
     const double least = design.field.min_lx * maintenance_factor;
-    design.meets_class = average >= wanted.average_lx && average <= wanted.average_lx * max_excess &&
-                         least >= wanted.min_lx && design.field.uniformity() >= wanted.uniformity;
+    design.meets_class = average >= wanted.average_lx &&
+                         average <= wanted.average_lx * max_excess && least >= wanted.min_lx &&
+                         design.field.uniformity() >= wanted.uniformity;
     if (design.meets_class) return design;
-    if (tenths >= 25 && (best.spacing_m == 0 || design.field.uniformity() > best.field.uniformity()))
+    if (tenths >= 25 &&
+        (best.spacing_m == 0 || design.field.uniformity() > best.field.uniformity()))
       best = design;
   }
   return best;

@@ -23,14 +23,19 @@ class Fitter {
  public:
   Fitter(const StreetNetwork& network, const std::vector<StreetPlanned>& plans, LampSet& set,
          std::size_t first_new, const std::vector<std::size_t>& street_of_lamp)
-      : network_(network), plans_(plans), set_(set), first_new_(first_new), street_of_lamp_(street_of_lamp) {
+      : network_(network),
+        plans_(plans),
+        set_(set),
+        first_new_(first_new),
+        street_of_lamp_(street_of_lamp) {
     for (std::uint32_t n = 0; n < set.profiles.size(); ++n) profiles_.push_back(profile_of(set, n));
     for (std::size_t n = 0; n < set.lamps.size(); ++n) {
       const PlacedLamp& lamp = set.lamps[n];
       // Mapped lamps shine with their flux, new ones with one lumen that is to be multiplied.
-      luminaires_.push_back({glm::dvec2(lamp.foot) + lamp.outreach, lamp.mounting_height_m, lamp.aim,
-                             lamp.tilt_degrees, n < first_new ? lamp.flux_lm : 1.0,
-                             lamp.profile == LIGHT_NO_PROFILE ? nullptr : &profiles_[lamp.profile]});
+      luminaires_.push_back(
+          {glm::dvec2(lamp.foot) + lamp.outreach, lamp.mounting_height_m, lamp.aim,
+           lamp.tilt_degrees, n < first_new ? lamp.flux_lm : 1.0,
+           lamp.profile == LIGHT_NO_PROFILE ? nullptr : &profiles_[lamp.profile]});
       grid_.add(luminaires_.back().centre, static_cast<std::uint32_t>(n));
       highest_m_ = std::max(highest_m_, lamp.mounting_height_m);
     }
@@ -82,7 +87,8 @@ class Fitter {
     const int along = std::max(1, static_cast<int>(std::ceil(length / step)));
     int inside = 0;
     for (int i = 0; i < along; ++i) {
-      field.in_model.push_back(height_at(street.place((i + 0.5) * length / along).point).has_value());
+      field.in_model.push_back(
+          height_at(street.place((i + 0.5) * length / along).point).has_value());
       inside += field.in_model.back();
     }
     field.length_m = length * inside / along;
@@ -132,8 +138,8 @@ class Fitter {
         const double others = average(field) - own->second * flux_[s];
         const double wanted = aim * plans_[s].wanted.average_lx / maintenance_factor;
         const double design = plans_[s].design.flux_lm;
-        flux_[s] =
-            std::clamp((wanted - others) / own->second, design / widest_change, design * widest_change);
+        flux_[s] = std::clamp((wanted - others) / own->second, design / widest_change,
+                              design * widest_change);
       }
     for (double& flux : flux_)
       if (flux > 0) flux = luminaire_package(flux);
@@ -231,7 +237,8 @@ std::uint32_t add_profile(LampSet& set, const Photometry& photometry) {
   for (std::uint32_t n = 0; n < set.profiles.size(); ++n) {
     const LightProfile& known = set.profiles[n];
     if (known.c_count == profile.c_count && known.gamma_count == profile.gamma_count &&
-        std::equal(table.data.begin(), table.data.end(), set.profile_data.begin() + known.data_offset))
+        std::equal(table.data.begin(), table.data.end(),
+                   set.profile_data.begin() + known.data_offset))
       return n;
   }
   profile.data_offset = static_cast<std::uint32_t>(set.profile_data.size());

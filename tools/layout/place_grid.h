@@ -30,7 +30,8 @@ class PlaceGrid {
         const auto found = cells_.find(key(x, y));
         if (found == cells_.end()) continue;
         for (const Entry& entry : found->second)
-          if (glm::distance(entry.place, p) <= radius && visit(entry.place, entry.number)) return true;
+          if (glm::distance(entry.place, p) <= radius && visit(entry.place, entry.number))
+            return true;
       }
     return false;
   }

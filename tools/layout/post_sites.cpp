@@ -17,12 +17,14 @@ constexpr double sample_m = 2;
 }  // namespace
 
 PostSites::PostSites(const StreetNetwork& network, const std::vector<const OsmWay*>& unlit,
-                     const LonLatToFrame& to_frame, const HeightAt& height_at, const InsideBuilding& inside)
+                     const LonLatToFrame& to_frame, const HeightAt& height_at,
+                     const InsideBuilding& inside)
     : network_(network), height_at_(height_at), inside_(inside) {
   // Paths are no obstacle: lamps stand on pavements.
   for (const Street& street : network.streets)
-    add_carriageway(street.road.defaults.tier == RoadTier::path ? std::vector<glm::dvec2>() : street.line,
-                    street.road.width_m);
+    add_carriageway(
+        street.road.defaults.tier == RoadTier::path ? std::vector<glm::dvec2>() : street.line,
+        street.road.width_m);
   for (const OsmWay* way : unlit) {
     const auto road = RoadIndex::describe(*way);
     if (!road || road->defaults.tier == RoadTier::path) continue;
@@ -49,10 +51,12 @@ void PostSites::add_carriageway(const std::vector<glm::dvec2>& line, double widt
   }
 }
 
-bool PostSites::near_other_carriageway(std::size_t street, const glm::dvec2& p, double clearance_m) const {
-  return carriageways_.any_near(p, widest_half_m_ + clearance_m, [&](const glm::dvec2& q, std::uint32_t n) {
-    return n != street && glm::distance(p, q) < half_widths_m_[n] + clearance_m;
-  });
+bool PostSites::near_other_carriageway(std::size_t street, const glm::dvec2& p,
+                                       double clearance_m) const {
+  return carriageways_.any_near(
+      p, widest_half_m_ + clearance_m, [&](const glm::dvec2& q, std::uint32_t n) {
+        return n != street && glm::distance(p, q) < half_widths_m_[n] + clearance_m;
+      });
 }
 
 bool PostSites::clear_of_buildings(const glm::dvec2& p) const {
@@ -60,7 +64,8 @@ bool PostSites::clear_of_buildings(const glm::dvec2& p) const {
   if (inside_(p)) return false;
   for (int n = 0; n < 16; ++n) {
     const double angle = std::numbers::pi * n / 8;
-    if (inside_(p + building_clearance_m * glm::dvec2(std::cos(angle), std::sin(angle)))) return false;
+    if (inside_(p + building_clearance_m * glm::dvec2(std::cos(angle), std::sin(angle))))
+      return false;
   }
   return true;
 }
@@ -86,7 +91,8 @@ std::optional<PostSite> PostSites::beside(std::size_t street, double along_m, in
   return std::nullopt;
 }
 
-std::optional<PostSite> PostSites::above(std::size_t street, double along_m, SiteFault& fault) const {
+std::optional<PostSite> PostSites::above(std::size_t street, double along_m,
+                                         SiteFault& fault) const {
   const Street::Place place = network_.streets[street].place(along_m);
   fault = SiteFault::outside_model;
   const auto height = height_at_(place.point);

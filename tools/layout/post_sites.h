@@ -28,7 +28,8 @@ class PostSites {
 
   /// The place beside street `street` at `along_m`; where a building stands too near, it moves towards the
   /// kerb. Otherwise nothing and why not.
-  std::optional<PostSite> beside(std::size_t street, double along_m, int side, SiteFault& fault) const;
+  std::optional<PostSite> beside(std::size_t street, double along_m, int side,
+                                 SiteFault& fault) const;
   /// Over the middle line, where the sky is free.
   std::optional<PostSite> above(std::size_t street, double along_m, SiteFault& fault) const;
   /// Whether another carriageway begins within `clearance_m` of p.

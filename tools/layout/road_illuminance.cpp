@@ -19,7 +19,8 @@ double illuminance(const RoadLuminaire& lamp, const glm::dvec2& point) {
   double candela_per_lumen = 1 / (4 * pi);
   if (lamp.profile) {
     // C turns from the aim towards cross(axis, aim): to the right of it, seen from above.
-    const double along = glm::dot(away, lamp.aim), right = away.x * lamp.aim.y - away.y * lamp.aim.x;
+    const double along = glm::dot(away, lamp.aim),
+                 right = away.x * lamp.aim.y - away.y * lamp.aim.x;
     const double t = glm::radians(lamp.tilt_degrees), c = std::cos(t), s = std::sin(t);
     const double on_axis = (h * c + along * s) / distance;
     candela_per_lumen = intensity_at(*lamp.profile, std::atan2(right, along * c - h * s),

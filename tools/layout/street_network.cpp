@@ -11,8 +11,10 @@
 namespace nightcity::layout {
 namespace {
 
-using NodeKey = std::pair<std::int64_t, std::int64_t>;  // OSM's own resolution: equal keys are one node
-constexpr double shortest_m = 0.01, longest_m = 1e5;    // longer jumps between nodes are a broken extract
+using NodeKey =
+    std::pair<std::int64_t, std::int64_t>;  // OSM's own resolution: equal keys are one node
+constexpr double shortest_m = 0.01,
+                 longest_m = 1e5;  // longer jumps between nodes are a broken extract
 
 NodeKey key_of(const glm::dvec2& lon_lat) {
   return {std::llround(lon_lat.x * 1e7), std::llround(lon_lat.y * 1e7)};
@@ -34,7 +36,8 @@ struct Run {
 };
 
 bool same_road(const RoadIndex::Road& a, const RoadIndex::Road& b) {
-  return std::string_view(a.defaults.highway) == b.defaults.highway && std::abs(a.width_m - b.width_m) <= 1;
+  return std::string_view(a.defaults.highway) == b.defaults.highway &&
+         std::abs(a.width_m - b.width_m) <= 1;
 }
 
 void reverse(Run& run) {
@@ -53,7 +56,8 @@ void append(Run& to, const Run& next) {
   to.street.line.insert(to.street.line.end(), next.street.line.begin() + 1, next.street.line.end());
   for (std::size_t n = 1; n < next.street.at_m.size(); ++n)
     to.street.at_m.push_back(length + next.street.at_m[n]);
-  to.street.pieces.insert(to.street.pieces.end(), next.street.pieces.begin(), next.street.pieces.end());
+  to.street.pieces.insert(to.street.pieces.end(), next.street.pieces.begin(),
+                          next.street.pieces.end());
   to.street.bridge |= next.street.bridge;
   if (to.street.name.empty()) to.street.name = next.street.name;
   to.last = next.last;
@@ -131,7 +135,8 @@ class NetworkBuilder {
         const auto [joint, is_new] =
             joints.try_emplace(at_start ? run.first : run.last, network.joints.size());
         if (is_new)
-          network.joints.push_back({at_start ? run.street.line.front() : run.street.line.back(), {}});
+          network.joints.push_back(
+              {at_start ? run.street.line.front() : run.street.line.back(), {}});
         network.joints[joint->second].ends.push_back({index, at_start});
         run.street.joints[at_start ? 0 : 1] = joint->second;
       }
@@ -194,7 +199,8 @@ std::string why_unlit(const OsmWay& way) {
   const std::string lit = tag(way, "lit"), highway = tag(way, "highway");
   if (one_of(lit, {"no", "disused", "never"})) return "lit=no";
   if (!one_of(tag(way, "tunnel"), {"", "no"}) || !one_of(tag(way, "covered"), {"", "no"}) ||
-      !one_of(tag(way, "indoor"), {"", "no"}) || highway == "corridor" || tag(way, "layer").starts_with("_"))
+      !one_of(tag(way, "indoor"), {"", "no"}) || highway == "corridor" ||
+      tag(way, "layer").starts_with("_"))
     return "tunnel or under cover";
   if (tag(way, "area") == "yes") return "square mapped as an area";
   if (one_of(tag(way, "footway"), {"sidewalk", "crossing", "traffic_island", "access_aisle"}) ||

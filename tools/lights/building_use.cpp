@@ -28,16 +28,20 @@ using enum BuildingUse;
 
 // ALKIS object type 31001, attribute GFK (AdV, GeoInfoDok 6 and 7). First match wins.
 constexpr std::array<Range, 40> alkis = {{
-    {1000, 1099, residential}, {1110, 1131, mixed},     {1220, 1223, residential}, {1310, 1312, residential},
-    {1313, 1313, dark},        {2010, 2010, retail},    {2020, 2040, office},      {2050, 2056, retail},
-    {2060, 2060, civic},       {2070, 2075, hotel},     {2080, 2083, retail},      {2090, 2094, civic},
-    {2100, 2129, industrial},  {2130, 2131, retail},    {2140, 2143, industrial},  {2150, 2180, industrial},
-    {2200, 2213, industrial},  {2220, 2220, dark},      {2310, 2310, mixed},       {2320, 2320, mixed},
-    {2400, 2431, civic},       {2440, 2459, dark},      {2460, 2465, dark},        {2500, 2523, dark},
-    {2540, 2623, dark},        {2700, 2729, dark},      {2740, 2742, dark},        {3010, 3019, civic},
-    {3020, 3024, education},   {3030, 3038, civic},     {3040, 3048, dark},        {3050, 3052, civic},
-    {3060, 3062, civic},       {3065, 3065, education}, {3070, 3075, civic},       {3080, 3082, dark},
-    {3090, 3098, civic},       {3100, 3100, mixed},     {3200, 3290, civic},       {9998, 9998, residential},
+    {1000, 1099, residential}, {1110, 1131, mixed},      {1220, 1223, residential},
+    {1310, 1312, residential}, {1313, 1313, dark},       {2010, 2010, retail},
+    {2020, 2040, office},      {2050, 2056, retail},     {2060, 2060, civic},
+    {2070, 2075, hotel},       {2080, 2083, retail},     {2090, 2094, civic},
+    {2100, 2129, industrial},  {2130, 2131, retail},     {2140, 2143, industrial},
+    {2150, 2180, industrial},  {2200, 2213, industrial}, {2220, 2220, dark},
+    {2310, 2310, mixed},       {2320, 2320, mixed},      {2400, 2431, civic},
+    {2440, 2459, dark},        {2460, 2465, dark},       {2500, 2523, dark},
+    {2540, 2623, dark},        {2700, 2729, dark},       {2740, 2742, dark},
+    {3010, 3019, civic},       {3020, 3024, education},  {3030, 3038, civic},
+    {3040, 3048, dark},        {3050, 3052, civic},      {3060, 3062, civic},
+    {3065, 3065, education},   {3070, 3075, civic},      {3080, 3082, dark},
+    {3090, 3098, civic},       {3100, 3100, mixed},      {3200, 3290, civic},
+    {9998, 9998, residential},
 }};
 
 // PLATEAU Building_usage.
@@ -129,8 +133,8 @@ KnownUse use_from_code(std::string_view code) {
   // "31001_1010": the object type, then the value.
   const std::size_t underscore = code.rfind('_');
   std::string_view digits = code;
-  const bool adv =
-      underscore != std::string_view::npos && (code.starts_with("31001") || code.starts_with("99999"));
+  const bool adv = underscore != std::string_view::npos &&
+                   (code.starts_with("31001") || code.starts_with("99999"));
   if (adv) digits = code.substr(underscore + 1);
   int number = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
@@ -152,7 +156,8 @@ KnownUse use_of(const CityObject& building, const UseAt& map) {
   for (const Polygon& polygon : building.polygons) {
     double twice = 0;
     for (std::size_t k = 0; k < polygon.exterior.size(); ++k) {
-      const glm::dvec3 &a = polygon.exterior[k], &b = polygon.exterior[(k + 1) % polygon.exterior.size()];
+      const glm::dvec3 &a = polygon.exterior[k],
+                       &b = polygon.exterior[(k + 1) % polygon.exterior.size()];
       const glm::dvec3& o = polygon.exterior.front();
       twice += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
       west_south = glm::min(west_south, glm::dvec2(a));

@@ -36,7 +36,8 @@ std::optional<glm::vec3> rec709_from_hex(std::string_view text) {
     const auto [end, error] = std::from_chars(from, from + 2, value, 16);
     if (error != std::errc() || end != from + 2) return std::nullopt;
     const double encoded = value / 255.0;  // IEC 61966-2-1
-    linear[channel] = encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+    linear[channel] =
+        encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
   }
   const double luminance = 0.2126 * linear.r + 0.7152 * linear.g + 0.0722 * linear.b;
   if (luminance <= 0) return std::nullopt;

@@ -18,7 +18,8 @@ class Cursor {
 
   std::string_view text(std::string_view what) {
     if (next_ >= lines_.all().size())
-      lines_.fail(lines_.all().size(), "the file ends where " + std::string(what) + " should stand");
+      lines_.fail(lines_.all().size(),
+                  "the file ends where " + std::string(what) + " should stand");
     line_ = lines_.all()[next_].number;
     return lines_.all()[next_++].text;
   }
@@ -34,7 +35,8 @@ class Cursor {
     std::vector<double> result;
     for (int n = 0; n < count; ++n) {
       result.push_back(number(what));
-      if (result.back() < 0 || result.back() > high || (n > 0 && result.back() <= result[result.size() - 2]))
+      if (result.back() < 0 || result.back() > high ||
+          (n > 0 && result.back() <= result[result.size() - 2]))
         lines_.fail(line_, std::string(what) + " do not ascend from 0");
     }
     return result;
@@ -54,7 +56,8 @@ double fold(int symmetry, double c) {
     case 2:
       return c > 180 ? 360 - c : c;  // about the plane C0-C180
     case 3:
-      return c > 90 && c < 270 ? (c <= 180 ? 180 - c : 540 - c) : c;  // about C90-C270: lists C270 to C90
+      return c > 90 && c < 270 ? (c <= 180 ? 180 - c : 540 - c)
+                               : c;  // about C90-C270: lists C270 to C90
     case 4:
       c = c > 180 ? 360 - c : c;
       return c > 90 ? 180 - c : c;
@@ -127,17 +130,19 @@ Luminaire read_eulumdat(const std::filesystem::path& path) {
 
   luminaire.grid.c_degrees = symmetry == 1 ? std::vector<double>{0} : listed;
   if (luminaire.grid.c_degrees.back() > 360 - 1e-6) luminaire.grid.c_degrees.pop_back();
-  if (std::abs(luminaire.grid.c_degrees.front()) > 1e-6) lines.fail(at.line(), "C angles do not begin at 0");
+  if (std::abs(luminaire.grid.c_degrees.front()) > 1e-6)
+    lines.fail(at.line(), "C angles do not begin at 0");
   for (const double plane : luminaire.grid.c_degrees) {
     const double wanted = fold(symmetry, plane);
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& r) {
-      return symmetry == 1 || std::abs(r.first - wanted) < 1e-6 || std::abs(r.first - wanted - 360) < 1e-6;
+      return symmetry == 1 || std::abs(r.first - wanted) < 1e-6 ||
+             std::abs(r.first - wanted - 360) < 1e-6;
     });
     if (row == rows.end())
-      lines.fail(at.line(),
-                 "the C planes are not symmetric as symmetry " + std::to_string(symmetry) + " says");
-    const auto from =
-        values.begin() + static_cast<std::ptrdiff_t>(row->second * static_cast<std::size_t>(gammas));
+      lines.fail(at.line(), "the C planes are not symmetric as symmetry " +
+                                std::to_string(symmetry) + " says");
+    const auto from = values.begin() +
+                      static_cast<std::ptrdiff_t>(row->second * static_cast<std::size_t>(gammas));
     luminaire.grid.candela.insert(luminaire.grid.candela.end(), from, from + gammas);
   }
   luminaire.flux_lm = integrated_flux(luminaire.grid);

@@ -15,7 +15,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double max_lean = 0.3;       // |normal.z| of a wall
+constexpr double max_lean = 0.3;        // |normal.z| of a wall
 constexpr double edge_margin_m = 0.6;   // bays begin this far from a facade's ends
 constexpr double wall_margin_m = 0.12;  // frames keep this far from any edge of their wall
 constexpr double min_facade_m = 2.0;
@@ -25,7 +25,8 @@ constexpr double min_storey_m = 2.3, max_storey_m = 5.5;
 /// Engineering values: storey heights of European housing (2.5-3.2 m) and offices (3.3-3.8 m), window shares
 /// of 15 to 40 % of the facade.
 struct Style {
-  double storey_m, ground_storey_m;  // where the model does not tell; ground_storey_m 0 = as the others
+  double storey_m,
+      ground_storey_m;  // where the model does not tell; ground_storey_m 0 = as the others
   double width_m, height_m, sill_m;
   double pitch_low_m, pitch_high_m;  // of the bays
 };
@@ -78,7 +79,8 @@ class Builder {
       : building_(building),
         use_(use),
         style_(style_of(use)),
-        random_{static_cast<std::int64_t>(seed), static_cast<std::int64_t>(hash_text(building.id))} {}
+        random_{static_cast<std::int64_t>(seed),
+                static_cast<std::int64_t>(hash_text(building.id))} {}
 
   std::vector<WindowPlace> lay(FacadeReport& report) {
     if (use_ == BuildingUse::dark) return {};
@@ -127,7 +129,8 @@ class Builder {
       for (Facade& facade : facades_) {
         // As one where the planes agree and the walls touch.
         if (glm::dot(facade.frame.normal, frame->normal) < 0.9994) continue;
-        if (std::abs(glm::dot(facade.frame.normal, frame->origin - facade.frame.origin)) > 0.05) continue;
+        if (std::abs(glm::dot(facade.frame.normal, frame->origin - facade.frame.origin)) > 0.05)
+          continue;
         const WallOutline outline = outline_in(facade.frame, polygon);
         if (outline.low.x > facade.to + 0.1 || outline.high.x < facade.from - 0.1) continue;
         home = &facade;
@@ -176,7 +179,8 @@ class Builder {
         style_.ground_storey_m > 0 && height > style_.ground_storey_m ? style_.ground_storey_m : 0;
     if (building_.storeys_above_ground && *building_.storeys_above_ground > 0) {
       const int count = *building_.storeys_above_ground;
-      const double upper = count > 1 && ground > 0 ? (height - ground) / (count - 1) : height / count;
+      const double upper =
+          count > 1 && ground > 0 ? (height - ground) / (count - 1) : height / count;
       if (upper >= min_storey_m && upper <= max_storey_m) {
         ++report.storeys_from_attribute;
         return set_storeys(base, ground > 0 && count > 1 ? ground : upper, upper);
@@ -186,8 +190,9 @@ class Builder {
     const double first = ground > 0 ? ground : style_.storey_m;
     const double rest = height - first;
     const int upper_count = std::max(0, static_cast<int>(std::lround(rest / style_.storey_m)));
-    const double upper =
-        upper_count > 0 ? std::clamp(rest / upper_count, min_storey_m, max_storey_m) : style_.storey_m;
+    const double upper = upper_count > 0
+                             ? std::clamp(rest / upper_count, min_storey_m, max_storey_m)
+                             : style_.storey_m;
     set_storeys(base, ground > 0 ? first : upper, upper);
   }
 
@@ -204,7 +209,8 @@ class Builder {
     if (facade.to - facade.from < min_facade_m) return;
     // Windows go on into gables: whether they fit is for the wall to say.
     for (std::uint16_t storey = 0; storey < 400; ++storey) {
-      const double floor = storey == 0 ? base_ : base_ + first_storey_ + (storey - 1) * upper_storey_;
+      const double floor =
+          storey == 0 ? base_ : base_ + first_storey_ + (storey - 1) * upper_storey_;
       if (floor + 1.5 > top) break;
       const bool shops = storey == 0 && has_shops(use_);
       fill_storey(facade, number, storey, floor, shops ? shop_front : style_, shops);
@@ -234,8 +240,9 @@ class Builder {
       const double y = (z - facade.frame.origin.z) / facade.frame.up.z;
       const dvec2 half(width / 2, height / 2), margin(wall_margin_m);
       const dvec2 low = dvec2(x, y) - half - margin, high = dvec2(x, y) + half + margin;
-      const bool fits = std::any_of(facade.walls.begin(), facade.walls.end(),
-                                    [&](const WallOutline& wall) { return contains(wall, low, high); });
+      const bool fits =
+          std::any_of(facade.walls.begin(), facade.walls.end(),
+                      [&](const WallOutline& wall) { return contains(wall, low, high); });
       if (!fits) continue;
       WindowPlace place;
       place.centre = facade.frame.from_plane({x, y});
@@ -247,8 +254,8 @@ class Builder {
       place.storey = storey;
       place.bay = static_cast<std::uint16_t>(bay);
       place.bays = static_cast<std::uint16_t>(bays);
-      place.kind = shops                                                         ? WindowKind::shop
-                   : bay == stairs                                               ? WindowKind::stairs
+      place.kind = shops           ? WindowKind::shop
+                   : bay == stairs ? WindowKind::stairs
                    : lobby && 6 * bay + 3 >= 2 * bays && 6 * bay + 3 <= 4 * bays ? WindowKind::lobby
                    : use_ == BuildingUse::industrial                             ? WindowKind::hall
                                                                                  : WindowKind::room;
@@ -268,8 +275,8 @@ class Builder {
 
 }  // namespace
 
-std::vector<WindowPlace> lay_windows(const CityObject& building, BuildingUse use, std::uint64_t seed,
-                                     FacadeReport& report) {
+std::vector<WindowPlace> lay_windows(const CityObject& building, BuildingUse use,
+                                     std::uint64_t seed, FacadeReport& report) {
   return Builder(building, use, seed).lay(report);
 }
 

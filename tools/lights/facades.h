@@ -31,7 +31,7 @@ struct FacadeReport {
 /// spread evenly, their storeys are the building's. A window lies wholly inside its wall, away from its edges
 /// and holes. Where the model has windows of its own (LoD3), those and no others. `seed` varies window sizes
 /// between buildings.
-std::vector<WindowPlace> lay_windows(const CityObject& building, BuildingUse use, std::uint64_t seed,
-                                     FacadeReport& report);
+std::vector<WindowPlace> lay_windows(const CityObject& building, BuildingUse use,
+                                     std::uint64_t seed, FacadeReport& report);
 
 }  // namespace nightcity

@@ -52,7 +52,8 @@ class Numbers {
         return text;
       }
       if (line_ >= lines_.all().size())
-        lines_.fail(lines_.all().size(), "the file ends where " + std::string(what) + " should stand");
+        lines_.fail(lines_.all().size(),
+                    "the file ends where " + std::string(what) + " should stand");
       rest_ = lines_.all()[line_].text;
       at_ = lines_.all()[line_].number;
       ++line_;
@@ -67,7 +68,8 @@ class Numbers {
 struct Header {
   int type;  // 1 = C, 2 = B, 3 = A
   double stated_flux_lm, scale;
-  std::vector<double> vertical, horizontal, values;  // values: horizontal * vertical count + vertical
+  std::vector<double> vertical, horizontal,
+      values;  // values: horizontal * vertical count + vertical
   std::size_t angles_line;
 };
 
@@ -81,7 +83,8 @@ double sample(const Header& file, double horizontal, double vertical) {
     return index;
   };
   double th, tv;
-  const std::size_t h = place(file.horizontal, horizontal, th), v = place(file.vertical, vertical, tv);
+  const std::size_t h = place(file.horizontal, horizontal, th),
+                    v = place(file.vertical, vertical, tv);
   const auto at = [&](std::size_t i, std::size_t j) {
     i = std::min(i, file.horizontal.size() - 1);
     j = std::min(j, file.vertical.size() - 1);
@@ -129,11 +132,13 @@ IntensityGrid unfold_c(const TextLines& lines, const Header& file) {
   for (double& plane : planes)
     if (plane > 360 - 1e-6) plane -= 360;
   std::sort(planes.begin(), planes.end());
-  planes.erase(std::unique(planes.begin(), planes.end(), [](double a, double b) { return b - a < 1e-6; }),
-               planes.end());
+  planes.erase(
+      std::unique(planes.begin(), planes.end(), [](double a, double b) { return b - a < 1e-6; }),
+      planes.end());
   grid.c_degrees = planes;
   for (const double plane : planes)
-    for (const double gamma : file.vertical) grid.candela.push_back(sample(file, fold(plane), gamma));
+    for (const double gamma : file.vertical)
+      grid.candela.push_back(sample(file, fold(plane), gamma));
   return grid;
 }
 
@@ -142,9 +147,11 @@ IntensityGrid unfold_c(const TextLines& lines, const Header& file) {
 /// Right is C = 270, anticlockwise from above as a file of type C counts.
 IntensityGrid resample_ab(const TextLines& lines, const Header& file) {
   constexpr double degree = std::numbers::pi / 180;
-  const auto in_range = [&](const std::vector<double>& angles, double low, double high, const char* what) {
+  const auto in_range = [&](const std::vector<double>& angles, double low, double high,
+                            const char* what) {
     if (angles.front() < low - 1e-6 || angles.back() > high + 1e-6)
-      lines.fail(file.angles_line, std::string(what) + " angles of types A and B lie between -90 and 90");
+      lines.fail(file.angles_line,
+                 std::string(what) + " angles of types A and B lie between -90 and 90");
   };
   in_range(file.vertical, -90, 90, "vertical");
   in_range(file.horizontal, -90, 90, "horizontal");
@@ -170,7 +177,8 @@ IntensityGrid resample_ab(const TextLines& lines, const Header& file) {
       v /= degree;
       if (mirror_h) h = std::abs(h);
       if (mirror_v) v = std::abs(v);
-      const bool covered = h >= file.horizontal.front() - 1e-6 && h <= file.horizontal.back() + 1e-6 &&
+      const bool covered = h >= file.horizontal.front() - 1e-6 &&
+                           h <= file.horizontal.back() + 1e-6 &&
                            v >= file.vertical.front() - 1e-6 && v <= file.vertical.back() + 1e-6;
       grid.candela.push_back(covered || file.horizontal.size() == 1 ? sample(file, h, v) : 0);
     }

@@ -49,7 +49,8 @@ constexpr std::array<RoadDefaults, 20> roads = {{
     row("corridor", RoadTier::path, 2.5, 3.5, 0.0, 4000, Optic::lantern, "P5"),
 }};
 
-constexpr RoadDefaults open_space = {"", RoadTier::path, 0, 4.5, 0, 2500, 3000, Optic::lantern, "P4"};
+constexpr RoadDefaults open_space = {"",   RoadTier::path, 0,   4.5, 0, 2500,
+                                     3000, Optic::lantern, "P4"};
 constexpr RoadDefaults mast = {"", RoadTier::main, 0, 15, 0.5, 30000, 4000, Optic::floodlight, ""};
 
 // Lamp flux by makers' standard wattages (HPS 150/70/50 W: 17,500/6,600/4,400 lm; SOX 90/55/35 W:

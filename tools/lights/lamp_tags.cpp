@@ -114,11 +114,13 @@ std::optional<double> parse_length_m(string_view text) {
     return value;
   if (unit == "cm") return *value / 100;
   if (unit == "mm") return *value / 1000;
-  if (unit == "ft" || unit == "feet" || unit == "foot" || unit == "'" || unit == "ft.") return *value * foot;
+  if (unit == "ft" || unit == "feet" || unit == "foot" || unit == "'" || unit == "ft.")
+    return *value * foot;
   if (rest.front() == '\'') {  // feet and inches
     rest.remove_prefix(1);
     const auto inches = take_number(rest);
-    if (inches && (rest == "\"" || rest == "''" || rest.empty())) return (*value + *inches / 12) * foot;
+    if (inches && (rest == "\"" || rest == "''" || rest.empty()))
+      return (*value + *inches / 12) * foot;
   }
   return std::nullopt;
 }
@@ -141,7 +143,8 @@ std::optional<double> parse_cct_k(string_view text) {
     if (const auto known = look_up(normalise_tag(part), words)) return known;
     const auto value = take_number(part);
     const std::string unit = normalise_tag(part);
-    if (value && (unit.empty() || unit == "k" || unit == "kelvin") && *value >= 1000 && *value <= 20000)
+    if (value && (unit.empty() || unit == "k" || unit == "kelvin") && *value >= 1000 &&
+        *value <= 20000)
       return value;
   }
   return std::nullopt;
@@ -149,16 +152,18 @@ std::optional<double> parse_cct_k(string_view text) {
 
 std::optional<double> parse_direction_degrees(string_view text) {
   static constexpr std::array<std::pair<string_view, double>, 24> points = {
-      {{"n", 0},           {"nne", 22.5},       {"ne", 45},          {"ene", 67.5},      {"e", 90},
-       {"ese", 112.5},     {"se", 135},         {"sse", 157.5},      {"s", 180},         {"ssw", 202.5},
-       {"sw", 225},        {"wsw", 247.5},      {"w", 270},          {"wnw", 292.5},     {"nw", 315},
-       {"nnw", 337.5},     {"north", 0},        {"east", 90},        {"south", 180},     {"west", 270},
+      {{"n", 0},           {"nne", 22.5},       {"ne", 45},          {"ene", 67.5},
+       {"e", 90},          {"ese", 112.5},      {"se", 135},         {"sse", 157.5},
+       {"s", 180},         {"ssw", 202.5},      {"sw", 225},         {"wsw", 247.5},
+       {"w", 270},         {"wnw", 292.5},      {"nw", 315},         {"nnw", 337.5},
+       {"north", 0},       {"east", 90},        {"south", 180},      {"west", 270},
        {"north_east", 45}, {"south_east", 135}, {"south_west", 225}, {"north_west", 315}}};
   if (const auto known = look_up(normalise_tag(text), points)) return known;
   const auto value = take_number(text);
   const std::string unit = normalise_tag(text);
   if (!value || *value < -360 || *value > 360) return std::nullopt;
-  if (!unit.empty() && unit != "\xc2\xb0" && unit != "deg" && unit != "degrees") return std::nullopt;
+  if (!unit.empty() && unit != "\xc2\xb0" && unit != "deg" && unit != "degrees")
+    return std::nullopt;
   return *value < 0 ? *value + 360 : *value == 360 ? 0 : *value;
 }
 
@@ -254,14 +259,16 @@ LampTags read_lamp_tags(const OsmTags& tags) {
       ++lamp.unread[std::string(key) + "=" + *text];
     }
   }
-  lamp.mast = says("tower:type", {"lighting"}) || says("light_source", {"floodlight", "flood_light"}) ||
+  lamp.mast = says("tower:type", {"lighting"}) ||
+              says("light_source", {"floodlight", "flood_light"}) ||
               says("man_made", {"floodlight", "light_mast", "lighting_mast"});
 
-  lamp.height_m = first_of({"light:height", "height", "est_height"}, between(0.3, 60, parse_length_m));
+  lamp.height_m =
+      first_of({"light:height", "height", "est_height"}, between(0.3, 60, parse_length_m));
   lamp.ele_m = first_of({"ele"}, between(-500, 9000, parse_length_m));
-  lamp.flux_lm =
-      first_of({"light:luminous_flux", "luminous_flux", "light:lumen", "light:lumens", "lumen", "lumens"},
-               between(10, 200000, plain({"lm", "lumen", "lumens"})));
+  lamp.flux_lm = first_of(
+      {"light:luminous_flux", "luminous_flux", "light:lumen", "light:lumens", "lumen", "lumens"},
+      between(10, 200000, plain({"lm", "lumen", "lumens"})));
   lamp.power_w = first_of({"light:power", "lamp_power", "lamp:power", "wattage", "power:rating"},
                           between(1, 2000, plain({"w", "watt", "watts"})));
   lamp.type = first_of({"light:method", "lamp_type", "light:type", "light_type"},
@@ -274,8 +281,9 @@ LampTags read_lamp_tags(const OsmTags& tags) {
     lamp.type = LampType::gas;
     if (!lamp.flux_lm) lamp.flux_lm = *flames * gas_lumen_per_flame;
   }
-  lamp.mount = first_of({"light:mount", "lamp_mount", "lamp:mount", "support"},
-                        [](string_view text) -> std::optional<LampMount> { return parse_mount(text); });
+  lamp.mount =
+      first_of({"light:mount", "lamp_mount", "lamp:mount", "support"},
+               [](string_view text) -> std::optional<LampMount> { return parse_mount(text); });
   // Berlin numbers its mounts' arms here; that is a count, not a mount.
   std::erase_if(lamp.unread, [](const auto& entry) {
     return entry.first.starts_with("light:mount=") && entry.first.size() == 13;
@@ -310,7 +318,8 @@ LampTags read_lamp_tags(const OsmTags& tags) {
     }
   }
   lamp.tilt_degrees = first_of({"light:tilt"}, between(-90, 90, plain({"\xc2\xb0", "deg"})));
-  if (lamp.tilt_degrees) *lamp.tilt_degrees += 90;  // OSM counts from the horizon, -90 straight down
+  if (lamp.tilt_degrees)
+    *lamp.tilt_degrees += 90;  // OSM counts from the horizon, -90 straight down
 
   const auto count = first_of({"light:count", "lamp_count"}, between(1, 12, plain({})));
   if (count)

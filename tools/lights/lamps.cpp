@@ -68,7 +68,9 @@ class TakenPlaces {
   }
 
  private:
-  static std::int64_t cell(double v) { return static_cast<std::int64_t>(std::floor(v / same_place_m)); }
+  static std::int64_t cell(double v) {
+    return static_cast<std::int64_t>(std::floor(v / same_place_m));
+  }
   static std::uint64_t key(std::int64_t x, std::int64_t y) {
     return static_cast<std::uint64_t>(x) << 32 ^ (static_cast<std::uint64_t>(y) & 0xFFFFFFFFu);
   }
@@ -98,7 +100,8 @@ class Placer {
 
   void place(const OsmLampNode& node) {
     const LampTags tags = read_lamp_tags(node.tags);
-    for (const auto& [text, count] : tags.unread) set_.notes["tag not understood: " + text] += count;
+    for (const auto& [text, count] : tags.unread)
+      set_.notes["tag not understood: " + text] += count;
     if (tags.unlit) return drop("lit=no");
     glm::dvec2 at = to_frame_(node.lon_lat);
     if (!std::isfinite(at.x) || !std::isfinite(at.y)) return drop("outside the projection");
@@ -135,15 +138,16 @@ class Placer {
     return road ? road->road->defaults : open_space_defaults();
   }
 
-  void post(const OsmLampNode& node, const LampTags& tags, const glm::dvec3& foot, ValueSource position,
-            const std::optional<RoadIndex::Nearest>& road) {
+  void post(const OsmLampNode& node, const LampTags& tags, const glm::dvec3& foot,
+            ValueSource position, const std::optional<RoadIndex::Nearest>& road) {
     const RoadDefaults& defaults = defaults_for(tags, road);
     const LampTypeDefaults* type = tags.type ? &lamp_type_defaults(*tags.type) : nullptr;
 
     Known<double> mounting{defaults.mounting_m};
     if (tags.mount == LampMount::wall) mounting.value = std::min(mounting.value, wall_mounting_m);
     if (tags.mount == LampMount::bollard) mounting.value = bollard_mounting_m;
-    if (type && type->lantern) mounting.value = std::min(mounting.value, open_space_defaults().mounting_m);
+    if (type && type->lantern)
+      mounting.value = std::min(mounting.value, open_space_defaults().mounting_m);
     mounting.tagged(tags.height_m);
 
     Known<Optic> optic{defaults.optic};
@@ -166,9 +170,10 @@ class Placer {
     }
     colour.tagged(tags.colour);
 
-    const LuminaireChoice* choice = optic.value == Optic::street || optic.value == Optic::central
-                                        ? luminaire_for(options_, defaults, tags.type.value_or(LampType::led))
-                                        : nullptr;
+    const LuminaireChoice* choice =
+        optic.value == Optic::street || optic.value == Optic::central
+            ? luminaire_for(options_, defaults, tags.type.value_or(LampType::led))
+            : nullptr;
     if (choice) {
       optic.source = ValueSource::attribute;
       if (choice->take_flux && flux.source == ValueSource::rule)
@@ -183,7 +188,8 @@ class Placer {
     lamp.cct_k = cct.value;
     lamp.colour = colour.value;
     lamp.radius_m = optic.value == Optic::lantern ? lantern_radius_m : luminous_radius_m;
-    lamp.profile = choice ? profiles_.add(choice->name, choice->photometry) : profile_of(optic.value);
+    lamp.profile =
+        choice ? profiles_.add(choice->name, choice->photometry) : profile_of(optic.value);
     if (optic.value == Optic::floodlight) lamp.tilt_degrees = 55;
     if (tags.tilt_degrees) lamp.tilt_degrees = *tags.tilt_degrees;
     lamp.provenance = {static_cast<std::uint64_t>(node.id),
@@ -208,8 +214,8 @@ class Placer {
       lamp.flux_lm *= 2.0 / static_cast<double>(aims.size());  // clusters share two lamps' light
     for (std::size_t n = 0; n < aims.size(); ++n) {
       lamp.aim = aims[n];
-      lamp.outreach =
-          clear_of_walls(glm::dvec2(foot), lamp.aim * outreach_of(tags, defaults, type, road, aims.size()));
+      lamp.outreach = clear_of_walls(
+          glm::dvec2(foot), lamp.aim * outreach_of(tags, defaults, type, road, aims.size()));
       lamp.id = unused_id(node.id, static_cast<int>(n));
       set_.lamps.push_back(lamp);
       count_sources(lamp.provenance, tags, road);
@@ -235,7 +241,8 @@ class Placer {
   }
 
   /// How far the luminous centre stands before its post. Nothing reaches beyond the middle of its road.
-  static double outreach_of(const LampTags& tags, const RoadDefaults& defaults, const LampTypeDefaults* type,
+  static double outreach_of(const LampTags& tags, const RoadDefaults& defaults,
+                            const LampTypeDefaults* type,
                             const std::optional<RoadIndex::Nearest>& road, std::size_t luminaires) {
     double outreach = defaults.outreach_m;
     if (tags.mount == LampMount::straight_mast) outreach = std::min(outreach, 0.3);
@@ -253,13 +260,15 @@ class Placer {
     constexpr int steps = 8;
     ++set_.notes["luminaire drawn back from a building"];
     for (int n = steps - 1; n > 0; --n)
-      if (const glm::dvec2 shorter = outreach * (static_cast<double>(n) / steps); !inside_(foot + shorter))
+      if (const glm::dvec2 shorter = outreach * (static_cast<double>(n) / steps);
+          !inside_(foot + shorter))
         return shorter;
     return glm::dvec2(0);
   }
 
   /// One direction a luminaire: as tagged; else towards the road; several spread evenly round the post.
-  std::vector<glm::dvec2> aims_of(const OsmLampNode& node, const LampTags& tags, const glm::dvec3& foot,
+  std::vector<glm::dvec2> aims_of(const OsmLampNode& node, const LampTags& tags,
+                                  const glm::dvec3& foot,
                                   const std::optional<RoadIndex::Nearest>& road) const {
     std::vector<glm::dvec2> aims;
     for (const double degrees : tags.directions_degrees)
@@ -280,8 +289,8 @@ class Placer {
       const glm::dvec2 first = aims.front();
       aims.clear();
       for (std::size_t n = 0; n < wanted; ++n)
-        aims.push_back(
-            rotated(first, 2 * std::numbers::pi * static_cast<double>(n) / static_cast<double>(wanted)));
+        aims.push_back(rotated(
+            first, 2 * std::numbers::pi * static_cast<double>(n) / static_cast<double>(wanted)));
     }
     return aims;
   }
@@ -309,13 +318,17 @@ class Placer {
 
   void count_sources(const LightProvenance& from, const LampTags& tags,
                      const std::optional<RoadIndex::Nearest>& road) {
-    const auto count = [&](const char* value, ValueSource source) { ++set_.sources[value][name_of(source)]; };
+    const auto count = [&](const char* value, ValueSource source) {
+      ++set_.sources[value][name_of(source)];
+    };
     count("position", from.position);
     count("height", from.height);
     count("flux", from.flux);
     count("colour", from.colour);
     count("profile", from.profile);
-    ++set_.sources["aim"][!tags.directions_degrees.empty() ? "tag" : road ? "road beside" : "no road near"];
+    ++set_.sources["aim"][!tags.directions_degrees.empty() ? "tag"
+                          : road                           ? "road beside"
+                                                           : "no road near"];
     ++set_.sources["road class"][tags.mast ? "lighting mast"
                                  : road    ? road->road->defaults.highway
                                            : "open space"];
@@ -336,7 +349,8 @@ class Placer {
 
 }  // namespace
 
-const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadDefaults& road, LampType type) {
+const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadDefaults& road,
+                                     LampType type) {
   const auto serves = [](const auto& list, const auto& value) {
     return list.empty() || std::find(list.begin(), list.end(), value) != list.end();
   };
@@ -355,7 +369,8 @@ Light to_light(const PlacedLamp& lamp, const Georeference& georeference, Schedul
                           lamp.foot.z + lamp.mounting_height_m);
   // Model space: X east, Y up, Z south. The tilt turns axis and tangent together about the horizontal.
   const glm::dvec3 down(0, -1, 0), aim(lamp.aim.x, 0, -lamp.aim.y);
-  const double c = std::cos(glm::radians(lamp.tilt_degrees)), s = std::sin(glm::radians(lamp.tilt_degrees));
+  const double c = std::cos(glm::radians(lamp.tilt_degrees)),
+               s = std::sin(glm::radians(lamp.tilt_degrees));
   Light light{};
   light.position = glm::vec3(georeference.to_model(centre));
   light.radius = static_cast<float>(lamp.radius_m);

@@ -33,8 +33,8 @@ struct PlacedLamp {
   double radius_m = 0;  // luminous radius
   std::uint32_t profile = LIGHT_NO_PROFILE;
   std::optional<NightSchedule> hours;  // none: always on
-  std::string_view highway;            // of the road it lights, "" = none; from the table of defaults
-  std::int64_t way_id = 0;             // that road, and how far along it
+  std::string_view highway;  // of the road it lights, "" = none; from the table of defaults
+  std::int64_t way_id = 0;   // that road, and how far along it
   double along_m = 0;
   std::uint32_t id = 0;
   LightProvenance provenance;
@@ -68,7 +68,7 @@ struct LuminaireChoice {
 
 struct LampOptions {
   std::vector<LuminaireChoice>
-      luminaires;                  // the first that serves a road wins; lanterns and floodlights stay
+      luminaires;  // the first that serves a road wins; lanterns and floodlights stay
   bool heights_from_tags = false;  // a lamp's tag ele, where it has one, wins over the ground
 };
 

@@ -20,7 +20,8 @@ void count_hours(const Light& light, const LightFile& file, FamilyCensus& family
   const Schedule& schedule = file.schedules()[light.schedule];
   for (std::size_t hour = 0; hour < night_hours; ++hour) {
     // At 07:00 what was on a moment before: there the night ends.
-    const uint second = first_hour_s + static_cast<uint>(hour) * hour_s - (hour + 1 == night_hours ? 60 : 0);
+    const uint second =
+        first_hour_s + static_cast<uint>(hour) * hour_s - (hour + 1 == night_hours ? 60 : 0);
     family.lit[hour] += shines_at(schedule, file.switches().data(), second);
   }
 }

@@ -10,7 +10,7 @@ namespace nightcity {
 struct LightingClass {
   const char* name;
   double average_lx;  // maintained
-  double min_lx;    // P classes: the darkest point; 0 where uniformity rules
+  double min_lx;      // P classes: the darkest point; 0 where uniformity rules
   double uniformity;  // C and M classes: least over average; 0 where min_lx rules
 };
 

@@ -45,7 +45,8 @@ double mirror_error(const IntensityGrid& grid, double c) {
   double difference = 0, sum = 0;
   for (int turn = 3; turn < 180; turn += 3)
     for (int gamma = 1; gamma < 90; gamma += 2) {
-      const double left = intensity_at(grid, c + turn, gamma), right = intensity_at(grid, c - turn, gamma);
+      const double left = intensity_at(grid, c + turn, gamma),
+                   right = intensity_at(grid, c - turn, gamma);
       difference += std::abs(left - right) * std::sin(radians(gamma));
       sum += (left + right) * std::sin(radians(gamma));
     }
@@ -88,8 +89,8 @@ double integrated_flux(const IntensityGrid& grid) {
     for (std::size_t g = 0; g + 1 < count; ++g) {
       const double a = radians(grid.gamma_degrees[g]), b = radians(grid.gamma_degrees[g + 1]);
       const double fa = grid.candela[row * count + g], fb = grid.candela[row * count + g + 1];
-      sum +=
-          weight * (fa * std::cos(a) - fb * std::cos(b) + (fb - fa) / (b - a) * (std::sin(b) - std::sin(a)));
+      sum += weight * (fa * std::cos(a) - fb * std::cos(b) +
+                       (fb - fa) / (b - a) * (std::sin(b) - std::sin(a)));
     }
   }
   return sum;

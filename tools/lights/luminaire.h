@@ -12,9 +12,10 @@ namespace nightcity {
 /// A measured distribution, unfolded to the whole turn: candela at every pair of angles, bilinear between.
 /// C counts anticlockwise seen from above the luminaire, gamma from its photometric axis (nadir).
 struct IntensityGrid {
-  std::vector<double> c_degrees;      // ascending from 0; 360 stands for 0 again and is not listed
-  std::vector<double> gamma_degrees;  // ascending within 0..180; outside their range there is no light
-  std::vector<double> candela;        // c * gamma_degrees.size() + gamma
+  std::vector<double> c_degrees;  // ascending from 0; 360 stands for 0 again and is not listed
+  std::vector<double>
+      gamma_degrees;            // ascending within 0..180; outside their range there is no light
+  std::vector<double> candela;  // c * gamma_degrees.size() + gamma
 };
 
 struct Luminaire {

@@ -96,7 +96,8 @@ std::optional<NightSchedule> parse_lit_hours(std::string_view text) {
     if (*from > night_minutes) from = 0;
     to = std::min(*to, night_minutes);
     if (*from >= *to) continue;
-    if (used == schedule.on.size() || (used > 0 && *from <= int{schedule.off[used - 1]})) return std::nullopt;
+    if (used == schedule.on.size() || (used > 0 && *from <= int{schedule.off[used - 1]}))
+      return std::nullopt;
     schedule.on[used] = static_cast<std::uint16_t>(*from);
     schedule.off[used++] = static_cast<std::uint16_t>(*to);
   }

@@ -45,7 +45,10 @@ enum class Room { living, kitchen, bedroom, bath };
 
 Room draw_room(Random& random) {
   const double pick = random.uniform();
-  return pick < 0.38 ? Room::living : pick < 0.60 ? Room::kitchen : pick < 0.88 ? Room::bedroom : Room::bath;
+  return pick < 0.38   ? Room::living
+         : pick < 0.60 ? Room::kitchen
+         : pick < 0.88 ? Room::bedroom
+                       : Room::bath;
 }
 
 // One draw after the other, not as arguments: the order of those is the compiler's.
@@ -68,7 +71,8 @@ void dwelling(const Household& home, Random& random, Times& times) {
       break;
     case Room::bedroom:
       if (random.chance(0.55)) {
-        const double off = from + awake * random.range(0.45, 0.9), on = from + awake * random.range(0.0, 0.4);
+        const double off = from + awake * random.range(0.45, 0.9),
+                     on = from + awake * random.range(0.0, 0.4);
         times.add(on, off);
       }
       {
@@ -99,7 +103,8 @@ void workplace(const Household& floor, Random& random, Times& times) {
   }
   if (floor.cleaned >= 0) times.add(floor.cleaned, floor.cleaned + random.range(10, 25));
   if (floor.all_night && random.chance(0.7)) times.add(0, night_minutes);
-  if (random.chance(0.25)) times.add(random.range(minute_of(6, 10), minute_of(6, 55)), night_minutes);
+  if (random.chance(0.25))
+    times.add(random.range(minute_of(6, 10), minute_of(6, 55)), night_minutes);
 }
 
 }  // namespace
@@ -120,8 +125,8 @@ Household draw_household(BuildingUse use, Random& random, Random storey) {
       home.all_night = random.chance(0.06);
       // Three storeys in ten are cleaned tonight, their rooms within an hour and a half.
       if (storey.chance(0.3))
-        home.cleaned =
-            static_cast<int>(storey.range(minute_of(19, 15), minute_of(20, 15)) + random.range(0, 90));
+        home.cleaned = static_cast<int>(storey.range(minute_of(19, 15), minute_of(20, 15)) +
+                                        random.range(0, 90));
       break;
     case BuildingUse::retail:
       home.to = static_cast<int>(around(random, minute_of(20, 0), 45));

@@ -17,9 +17,11 @@ namespace {
 double street(double c, double gamma, double forward) {
   constexpr double across = 0.85, along = 2.2, near_along = 0.9, near_share = 0.6;
   if (gamma >= std::numbers::pi / 2 - 1e-9) return 0;
-  const double reach = std::tan(gamma), x = (reach * std::cos(c) - forward) / across, y = reach * std::sin(c);
+  const double reach = std::tan(gamma), x = (reach * std::cos(c) - forward) / across,
+               y = reach * std::sin(c);
   const double far = y / along, near = y / near_along, cosine = std::cos(gamma);
-  const double bells = (1 - near_share) * std::exp(-far * far) + near_share * std::exp(-near * near);
+  const double bells =
+      (1 - near_share) * std::exp(-far * far) + near_share * std::exp(-near * near);
   return std::exp(-x * x) * bells / (cosine * cosine * cosine);
 }
 

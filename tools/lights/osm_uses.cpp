@@ -98,8 +98,8 @@ constexpr std::array<std::pair<std::string_view, BuildingUse>, 12> amenities = {
 }};
 
 template <std::size_t N>
-std::optional<BuildingUse> look_up(const std::array<std::pair<std::string_view, BuildingUse>, N>& table,
-                                   const std::string& word) {
+std::optional<BuildingUse> look_up(
+    const std::array<std::pair<std::string_view, BuildingUse>, N>& table, const std::string& word) {
   for (const auto& [name, use] : table)
     if (word == name) return use;
   return std::nullopt;
@@ -134,7 +134,8 @@ OsmUses::OsmUses(const std::vector<OsmWay>& ways,
     const auto use = use_from_tags(way.tags);
     if (!use || way.lon_lat.size() < 4 || way.lon_lat.front() != way.lon_lat.back()) continue;
     Outline outline{{}, 0, *use};
-    for (std::size_t n = 0; n + 1 < way.lon_lat.size(); ++n) outline.ring.push_back(to_frame(way.lon_lat[n]));
+    for (std::size_t n = 0; n + 1 < way.lon_lat.size(); ++n)
+      outline.ring.push_back(to_frame(way.lon_lat[n]));
     glm::dvec2 low = outline.ring.front(), high = low;
     double twice = 0;
     for (std::size_t n = 0; n < outline.ring.size(); ++n) {
@@ -149,7 +150,8 @@ OsmUses::OsmUses(const std::vector<OsmWay>& ways,
     if (!(outline.area_m2 > 0 && high.x - low.x < widest_m && high.y - low.y < widest_m)) continue;
     const auto number = static_cast<std::uint32_t>(outlines_.size());
     for (std::int64_t x = cell_of(low.x); x <= cell_of(high.x); ++x)
-      for (std::int64_t y = cell_of(low.y); y <= cell_of(high.y); ++y) cells_[key(x, y)].push_back(number);
+      for (std::int64_t y = cell_of(low.y); y <= cell_of(high.y); ++y)
+        cells_[key(x, y)].push_back(number);
     outlines_.push_back(std::move(outline));
   }
 }

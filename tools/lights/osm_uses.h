@@ -21,7 +21,8 @@ std::optional<BuildingUse> use_from_tags(const OsmTags& tags);
 class OsmUses {
  public:
   /// `to_frame` as place_lamps takes it. Outlines that are open, broken or wider than 2 km are left out.
-  OsmUses(const std::vector<OsmWay>& buildings, const std::function<glm::dvec2(const glm::dvec2&)>& to_frame);
+  OsmUses(const std::vector<OsmWay>& buildings,
+          const std::function<glm::dvec2(const glm::dvec2&)>& to_frame);
 
   /// Of the smallest outline around the place; nothing where there is none.
   std::optional<BuildingUse> at(const glm::dvec2& place) const;

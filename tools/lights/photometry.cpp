@@ -9,8 +9,8 @@ namespace nightcity {
 
 using std::numbers::pi;
 
-Photometry sample_intensity(const Intensity& intensity, std::uint32_t c_count, std::uint32_t gamma_count,
-                            double extent_degrees) {
+Photometry sample_intensity(const Intensity& intensity, std::uint32_t c_count,
+                            std::uint32_t gamma_count, double extent_degrees) {
   Photometry result{c_count, gamma_count, {}, extent_degrees};
   const double extent = extent_degrees * pi / 180;
   result.values.reserve(static_cast<std::size_t>(c_count) * gamma_count);
@@ -29,7 +29,8 @@ double integrated_flux(const Photometry& photometry) {
   for (std::size_t row = 0; row < photometry.c_count; ++row)
     for (std::size_t g = 0; g + 1 < count; ++g) {
       const double a = step * static_cast<double>(g), b = step * static_cast<double>(g + 1);
-      const double fa = photometry.values[row * count + g], fb = photometry.values[row * count + g + 1];
+      const double fa = photometry.values[row * count + g],
+                   fb = photometry.values[row * count + g + 1];
       sum += fa * std::cos(a) - fb * std::cos(b) + (fb - fa) / step * (std::sin(b) - std::sin(a));
     }
   return sum * 2 * pi / photometry.c_count;
@@ -42,7 +43,8 @@ double intensity_at(const Photometry& photometry, double c, double gamma) {
   const double row = turns * photometry.c_count;
   const double column = std::clamp(gamma / extent, 0.0, 1.0) * (photometry.gamma_count - 1);
   const auto r = static_cast<std::size_t>(row);
-  const auto g = std::min<std::size_t>(static_cast<std::size_t>(column), photometry.gamma_count - 2);
+  const auto g =
+      std::min<std::size_t>(static_cast<std::size_t>(column), photometry.gamma_count - 2);
   const double fr = row - static_cast<double>(r), fg = column - static_cast<double>(g);
   const auto at = [&](std::size_t i, std::size_t j) {
     return photometry.values[i % photometry.c_count * photometry.gamma_count + j];
@@ -55,10 +57,12 @@ std::uint32_t ProfileTable::add(std::string_view name, const Photometry& photome
   const auto known = std::find(names_.begin(), names_.end(), name);
   if (known != names_.end()) return static_cast<std::uint32_t>(known - names_.begin());
   for (const double value : photometry.values)
-    if (!(value >= 0 && std::isfinite(value))) throw std::invalid_argument("negative or infinite intensity");
+    if (!(value >= 0 && std::isfinite(value)))
+      throw std::invalid_argument("negative or infinite intensity");
   const double flux = integrated_flux(photometry);
   if (!(flux > 0 && std::isfinite(flux))) throw std::invalid_argument("a luminaire without flux");
-  profiles.push_back({photometry.c_count, photometry.gamma_count, static_cast<std::uint32_t>(data.size()),
+  profiles.push_back({photometry.c_count, photometry.gamma_count,
+                      static_cast<std::uint32_t>(data.size()),
                       static_cast<float>(photometry.extent_degrees)});
   for (const double value : photometry.values) data.push_back(static_cast<float>(value / flux));
   names_.emplace_back(name);

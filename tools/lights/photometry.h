@@ -24,8 +24,8 @@ struct Photometry {
 };
 
 /// Samples a function on the grid.
-Photometry sample_intensity(const Intensity& intensity, std::uint32_t c_count, std::uint32_t gamma_count,
-                            double extent_degrees = 180);
+Photometry sample_intensity(const Intensity& intensity, std::uint32_t c_count,
+                            std::uint32_t gamma_count, double extent_degrees = 180);
 
 /// Flux of the bilinear interpolant, in closed form (no quadrature error): lumen if the values are candela.
 double integrated_flux(const Photometry& photometry);

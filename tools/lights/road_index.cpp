@@ -60,8 +60,8 @@ void RoadIndex::add(const OsmWay& way, const std::vector<glm::dvec2>& line) {
     const int parts = static_cast<int>(std::ceil(length / cell_m));
     for (int part = 0; part < parts; ++part) {
       const Piece piece{glm::mix(line[n], line[n + 1], static_cast<double>(part) / parts),
-                        glm::mix(line[n], line[n + 1], static_cast<double>(part + 1) / parts), number,
-                        along + length * part / parts};
+                        glm::mix(line[n], line[n + 1], static_cast<double>(part + 1) / parts),
+                        number, along + length * part / parts};
       const auto index = static_cast<std::uint32_t>(pieces_.size());
       pieces_.push_back(piece);
       const glm::dvec2 low = glm::min(piece.a, piece.b), high = glm::max(piece.a, piece.b);
@@ -88,11 +88,12 @@ std::optional<RoadIndex::Nearest> RoadIndex::nearest(const glm::dvec2& p) const 
         const glm::dvec2 point = piece.a + edge * t;
         const double distance = glm::distance(p, point);
         if (distance > nearest_road_m) continue;
-        const double score =
-            distance - road.width_m / 2 + (road.defaults.tier == RoadTier::path ? path_handicap_m : 0);
+        const double score = distance - road.width_m / 2 +
+                             (road.defaults.tier == RoadTier::path ? path_handicap_m : 0);
         if (score >= best_score) continue;
         best_score = score;
-        best = Nearest{&road, point, glm::normalize(edge), distance, piece.from_m + t * glm::length(edge)};
+        best = Nearest{&road, point, glm::normalize(edge), distance,
+                       piece.from_m + t * glm::length(edge)};
       }
     }
   return best;

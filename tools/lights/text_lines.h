@@ -27,7 +27,8 @@ class TextLines {
   /// The whole text as a finite number; a decimal comma counts as a point.
   double number(std::string_view text, std::size_t line, std::string_view what) const;
   /// The same, whole and within low..high.
-  int integer(std::string_view text, std::size_t line, std::string_view what, int low, int high) const;
+  int integer(std::string_view text, std::size_t line, std::string_view what, int low,
+              int high) const;
 
  private:
   std::string name_, content_;

@@ -13,7 +13,7 @@ namespace nightcity {
 namespace {
 
 constexpr double bucket_m = 16;
-constexpr std::int32_t buckets = 8;          // a cell's side in them
+constexpr std::int32_t buckets = 8;         // a cell's side in them
 constexpr std::size_t max_cached = 60'000;  // walls, 32 bytes each
 constexpr double behind_m = 0.05;
 constexpr double looked_through_m = 30;
@@ -102,8 +102,10 @@ void WallIndex::add(std::span<const Upright> walls, std::uint32_t owner) {
                     static_cast<float>(std::atan2(upright.normal.y, upright.normal.x)),
                     owner};
     const auto cell = [](float v) { return cell_of(bucket_of(static_cast<double>(v))); };
-    for (std::int32_t x = cell(std::min(wall.ax, wall.bx)); x <= cell(std::max(wall.ax, wall.bx)); ++x)
-      for (std::int32_t y = cell(std::min(wall.ay, wall.by)); y <= cell(std::max(wall.ay, wall.by)); ++y)
+    for (std::int32_t x = cell(std::min(wall.ax, wall.bx)); x <= cell(std::max(wall.ax, wall.bx));
+         ++x)
+      for (std::int32_t y = cell(std::min(wall.ay, wall.by)); y <= cell(std::max(wall.ay, wall.by));
+           ++y)
         cells_.add({x, y}, wall);
   }
 }
@@ -123,20 +125,23 @@ void WallIndex::crossings(const glm::dvec3& local, const glm::dvec2& from, const
         cell = cache_->get(key, [&] { return Loaded(cells_.read(key), key); });
         at = key;
       }
-      const auto b = static_cast<std::size_t>((y - key.row * buckets) * buckets + x - key.column * buckets);
+      const auto b =
+          static_cast<std::size_t>((y - key.row * buckets) * buckets + x - key.column * buckets);
       for (std::uint32_t i = cell->first[b]; i < cell->first[b + 1]; ++i) {
         const Wall& wall = cell->walls[cell->inside[i]];
         if (local.z < wall.low || local.z > wall.high) continue;
         const glm::dvec2 a(wall.ax, wall.ay), edge = glm::dvec2(wall.bx, wall.by) - a;
         const double denominator = cross(line, edge);
         if (std::abs(denominator) < 1e-9) continue;
-        const double t = cross(a - from, edge) / denominator, s = cross(a - from, line) / denominator;
+        const double t = cross(a - from, edge) / denominator,
+                     s = cross(a - from, line) / denominator;
         if (t >= 0 && t <= 1 && s >= 0 && s <= 1) visit(wall, t, std::cos(wall.facing - direction));
       }
     }
 }
 
-bool WallIndex::blocked(const glm::dvec3& p, const glm::dvec3& normal, double reach_m, std::uint32_t owner) {
+bool WallIndex::blocked(const glm::dvec3& p, const glm::dvec3& normal, double reach_m,
+                        std::uint32_t owner) {
   if (!origin_) return false;
   const glm::dvec3 local = p - *origin_;
   const glm::dvec2 forward = glm::normalize(glm::dvec2(normal));

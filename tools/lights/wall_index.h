@@ -62,7 +62,8 @@ class WallIndex {
   /// Calls visit(wall, t, same_way) for every wall that crosses the line, t in [0, 1] along it; for some more
   /// than once.
   template <class Visit>
-  void crossings(const glm::dvec3& local, const glm::dvec2& from, const glm::dvec2& line, const Visit& visit);
+  void crossings(const glm::dvec3& local, const glm::dvec2& from, const glm::dvec2& line,
+                 const Visit& visit);
 
   std::optional<glm::dvec3> origin_;
   CellFile<CellKey, Wall> cells_;

@@ -79,7 +79,8 @@ WallOutline outline_in(const WallFrame& frame, const Polygon& polygon) {
 }
 
 bool contains(const WallOutline& outline, const dvec2& low, const dvec2& high) {
-  if (low.x < outline.low.x || low.y < outline.low.y || high.x > outline.high.x || high.y > outline.high.y)
+  if (low.x < outline.low.x || low.y < outline.low.y || high.x > outline.high.x ||
+      high.y > outline.high.y)
     return false;
   // No edge enters the rectangle, so all of it is where its middle is.
   if (crosses(outline.exterior, low, high)) return false;

@@ -26,12 +26,12 @@ std::int64_t household_of(const WindowPlace& place, bool one_family, std::uint64
   // Flats of two to four bays: cuts wherever the bay's hash says so.
   std::int64_t run = 0;
   for (int bay = 1, length = 1; bay <= place.bay; ++bay, ++length) {
-    const std::uint64_t hash =
-        mix(building ^ (static_cast<std::uint64_t>(place.facade) << 32 | static_cast<std::uint64_t>(bay)));
+    const std::uint64_t hash = mix(building ^ (static_cast<std::uint64_t>(place.facade) << 32 |
+                                               static_cast<std::uint64_t>(bay)));
     if (length >= 4 || (length >= 2 && hash % 2 == 0)) ++run, length = 0;
   }
-  return 1 + (static_cast<std::int64_t>(place.facade) << 40 | static_cast<std::int64_t>(place.storey) << 20 |
-              run);
+  return 1 + (static_cast<std::int64_t>(place.facade) << 40 |
+              static_cast<std::int64_t>(place.storey) << 20 | run);
 }
 
 }  // namespace
@@ -79,20 +79,22 @@ void WindowLayout::add(const CityObject& object, Laid laid) {
   pending_.write(laid.windows.data(), laid.windows.size() * sizeof(Record));
 }
 
-void WindowLayout::light(std::uint64_t name, const std::vector<WindowPlace>& places, BuildingUse use,
-                         Laid& laid) const {
+void WindowLayout::light(std::uint64_t name, const std::vector<WindowPlace>& places,
+                         BuildingUse use, Laid& laid) const {
   std::uint16_t top = 0;
   for (const WindowPlace& place : places) top = std::max(top, place.storey);
   const bool one_family = use == BuildingUse::residential && top < 2 && places.size() < 40;
   for (const WindowPlace& place : places) {
-    const auto seed = static_cast<std::int64_t>(options_.seed), key = static_cast<std::int64_t>(name);
+    const auto seed = static_cast<std::int64_t>(options_.seed),
+               key = static_cast<std::int64_t>(name);
     const std::int64_t home = household_of(place, one_family, name);
     Random people{seed, key, home};
-    const Household household = draw_household(use, people, Random{seed, key, -1 - place.storey, 2});
+    const Household household =
+        draw_household(use, people, Random{seed, key, -1 - place.storey, 2});
     const std::int64_t spot = static_cast<std::int64_t>(place.facade) << 32 |
                               static_cast<std::int64_t>(place.storey) << 16 | place.bay;
-    const bool one_room =
-        place.kind == WindowKind::stairs || place.kind == WindowKind::lobby || place.kind == WindowKind::shop;
+    const bool one_room = place.kind == WindowKind::stairs || place.kind == WindowKind::lobby ||
+                          place.kind == WindowKind::shop;
     Random random{seed, key, one_room ? home : spot, one_room ? 3 : 1 + place.modelled};
     const LitWindow lit = draw_window(household, place.kind, random);
     if (lit.schedule.never()) {
@@ -114,7 +116,8 @@ void WindowLayout::light(std::uint64_t name, const std::vector<WindowPlace>& pla
     window.provenance.source_id = name;
     window.provenance.position = place.modelled ? ValueSource::attribute : ValueSource::rule;
     window.provenance.height = window.provenance.position;
-    window.provenance.flux = window.provenance.colour = window.provenance.profile = ValueSource::rule;
+    window.provenance.flux = window.provenance.colour = window.provenance.profile =
+        ValueSource::rule;
     window.provenance.schedule = ValueSource::rule;
     window.provenance.family = static_cast<std::uint8_t>(LightFamily::window);
     record.use = use;
@@ -122,12 +125,14 @@ void WindowLayout::light(std::uint64_t name, const std::vector<WindowPlace>& pla
 }
 
 /// Why the window cannot be where it is; null where it can.
-const char* WindowLayout::fault(const Record& record, const HeightAt& ground, const Inside& inside) {
+const char* WindowLayout::fault(const Record& record, const HeightAt& ground,
+                                const Inside& inside) {
   const LitRectangle& window = record.window;
   const glm::dvec3 normal(window.normal);
   const glm::dvec3 before = window.centre + normal * 0.3;
   const auto height = ground ? ground(glm::dvec2(before)) : std::nullopt;
-  if (height && window.centre.z - static_cast<double>(window.half_height) < *height + above_ground_m)
+  if (height &&
+      window.centre.z - static_cast<double>(window.half_height) < *height + above_ground_m)
     return "below the ground";
   const glm::dvec3 along = glm::dvec3(window.along) * static_cast<double>(window.half_width);
   const glm::dvec3 up =
@@ -160,7 +165,8 @@ WindowReport WindowLayout::finish(const HeightAt& ground, const Sink& sink, cons
   };
   const auto judge = [&](std::vector<Record>&& records) {
     Judged judged{std::move(records), {}};
-    for (const Record& record : judged.records) judged.faults.push_back(fault(record, ground, inside));
+    for (const Record& record : judged.records)
+      judged.faults.push_back(fault(record, ground, inside));
     return judged;
   };
   const auto take = [&](Judged&& judged) {
@@ -186,7 +192,8 @@ WindowReport WindowLayout::finish(const HeightAt& ground, const Sink& sink, cons
   return std::move(report_);
 }
 
-Light to_light(const LitRectangle& window, const Georeference& georeference, ScheduleTable& schedules) {
+Light to_light(const LitRectangle& window, const Georeference& georeference,
+               ScheduleTable& schedules) {
   const auto turned = [](const glm::vec3& v) { return glm::normalize(glm::vec3(v.x, v.z, -v.y)); };
   Light light{};
   light.position = glm::vec3(georeference.to_model(window.centre));
@@ -195,7 +202,8 @@ Light to_light(const LitRectangle& window, const Georeference& georeference, Sch
   light.radius = window.half_width;
   light.half_height = window.half_height;
   light.flux_lm = static_cast<float>(window.flux_lm());
-  light.colour_rgb9e5 = encode_rgb9e5(rec709_from_xy(planckian_xy(static_cast<double>(window.cct_k))));
+  light.colour_rgb9e5 =
+      encode_rgb9e5(rec709_from_xy(planckian_xy(static_cast<double>(window.cct_k))));
   light.kind_profile = LIGHT_RECTANGLE | LIGHT_NO_PROFILE << 8;
   light.schedule = schedules.add(window.hours);
   light.id = window.id;

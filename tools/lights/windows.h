@@ -97,7 +97,8 @@ class WindowLayout {
 
  private:
   Laid lay(const CityObject& object, std::uint64_t piece) const;
-  void light(std::uint64_t name, const std::vector<WindowPlace>& places, BuildingUse use, Laid& laid) const;
+  void light(std::uint64_t name, const std::vector<WindowPlace>& places, BuildingUse use,
+             Laid& laid) const;
   const char* fault(const Record& record, const HeightAt& ground, const Inside& inside);
 
   WindowOptions options_;
@@ -111,6 +112,7 @@ class WindowLayout {
 };
 
 /// The window as a light of model space; its hours go into `schedules`.
-Light to_light(const LitRectangle& window, const Georeference& georeference, ScheduleTable& schedules);
+Light to_light(const LitRectangle& window, const Georeference& georeference,
+               ScheduleTable& schedules);
 
 }  // namespace nightcity

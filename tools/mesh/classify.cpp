@@ -40,8 +40,9 @@ void classify_unknown_surfaces(CityObject& object) {
     else if (up > 0)  // a footprint drawn face up, or a block without height
       polygon.surface = top > base ? SurfaceType::ground : SurfaceType::roof;
     else
-      polygon.surface = lowest(polygon.exterior) - base > 0.1 * (top - base) ? SurfaceType::outer_ceiling
-                                                                             : SurfaceType::ground;
+      polygon.surface = lowest(polygon.exterior) - base > 0.1 * (top - base)
+                            ? SurfaceType::outer_ceiling
+                            : SurfaceType::ground;
   }
 }
 

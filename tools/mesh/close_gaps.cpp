@@ -21,7 +21,7 @@ namespace nightcity {
 namespace {
 
 constexpr double crack_m = 0.01;
-constexpr double min_height_m = 0.5;           // a flat roof outline alone has no inside to be closed
+constexpr double min_height_m = 0.5;  // a flat roof outline alone has no inside to be closed
 constexpr std::size_t max_open_vertices = 400;  // every pair is looked at
 
 std::vector<EdgeUse> open_edges(const EdgeTable& edges) {
@@ -33,7 +33,8 @@ std::vector<EdgeUse> open_edges(const EdgeTable& edges) {
 
 // For each vertex the one it is moved to: the first of those within reach. Empty where the open edges do not
 // pair up by that.
-std::map<std::uint32_t, std::uint32_t> joining(const EdgeTable& edges, const std::vector<EdgeUse>& open) {
+std::map<std::uint32_t, std::uint32_t> joining(const EdgeTable& edges,
+                                               const std::vector<EdgeUse>& open) {
   std::vector<std::uint32_t> vertices;
   for (const EdgeUse& use : open) vertices.insert(vertices.end(), {use.low, use.high});
   std::sort(vertices.begin(), vertices.end());
@@ -56,12 +57,14 @@ std::map<std::uint32_t, std::uint32_t> joining(const EdgeTable& edges, const std
     const auto [a, b] = std::minmax(to.at(use.low), to.at(use.high));
     if (a != b) ++uses[{a, b}];
   }
-  const bool closed = std::all_of(uses.begin(), uses.end(), [](const auto& use) { return use.second == 2; });
+  const bool closed =
+      std::all_of(uses.begin(), uses.end(), [](const auto& use) { return use.second == 2; });
   if (!moved || !closed) to.clear();
   return to;
 }
 
-void join(CityObject& object, const EdgeTable& edges, const std::map<std::uint32_t, std::uint32_t>& to) {
+void join(CityObject& object, const EdgeTable& edges,
+          const std::map<std::uint32_t, std::uint32_t>& to) {
   const auto move = [&](Ring& ring) {
     for (glm::dvec3& p : ring)
       for (const auto& [from, target] : to)
@@ -102,7 +105,8 @@ bool is_floor(const CityObject& object, const Ring& ring) {
       high = std::max(high, p.z);
     }
   if (high - low < min_height_m) return false;
-  return std::all_of(ring.begin(), ring.end(), [low](const glm::dvec3& p) { return p.z - low <= crack_m; }) &&
+  return std::all_of(ring.begin(), ring.end(),
+                     [low](const glm::dvec3& p) { return p.z - low <= crack_m; }) &&
          glm::length(area_vector(ring)) > crack_m;
 }
 

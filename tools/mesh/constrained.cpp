@@ -27,8 +27,8 @@ struct FaceInfo {
 };
 
 using Kernel = PlaneKernel;
-using Triangulation = CGAL::Constrained_triangulation_plus_2<
-    ConstrainedDelaunay<FaceInfo, CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, PlaneKernel>>>;
+using Triangulation = CGAL::Constrained_triangulation_plus_2<ConstrainedDelaunay<
+    FaceInfo, CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, PlaneKernel>>>;
 using Face = Triangulation::Face_handle;
 using Vertex = Triangulation::Vertex_handle;
 
@@ -93,8 +93,8 @@ FlatTriangulation triangulate_flat(std::span<const glm::dvec2> points,
   mark_sides(triangulation);
   for (const Face face : triangulation.finite_face_handles()) {
     if (face->info().side != Side::inside) continue;
-    out.triangles.push_back(
-        {face->vertex(0)->info().index, face->vertex(1)->info().index, face->vertex(2)->info().index});
+    out.triangles.push_back({face->vertex(0)->info().index, face->vertex(1)->info().index,
+                             face->vertex(2)->info().index});
   }
   return out;
 }

@@ -15,8 +15,9 @@ template <class FaceInfo, class VertexBase = CGAL::Triangulation_vertex_base_2<P
 using ConstrainedDelaunay = CGAL::Constrained_Delaunay_triangulation_2<
     PlaneKernel,
     CGAL::Triangulation_data_structure_2<
-        VertexBase, CGAL::Constrained_triangulation_face_base_2<
-                        PlaneKernel, CGAL::Triangulation_face_base_with_info_2<FaceInfo, PlaneKernel>>>,
+        VertexBase,
+        CGAL::Constrained_triangulation_face_base_2<
+            PlaneKernel, CGAL::Triangulation_face_base_with_info_2<FaceInfo, PlaneKernel>>>,
     CGAL::Exact_predicates_tag>;
 
 }  // namespace nightcity

@@ -32,9 +32,9 @@ void EdgeTable::number(const CityObject& object) {
   const auto add = [&](const Ring& ring) {
     for (const glm::dvec3& p : ring) {
       constexpr double per_metre = 1000;
-      corners.push_back(
-          {{std::llround(p.x * per_metre), std::llround(p.y * per_metre), std::llround(p.z * per_metre)},
-           static_cast<std::uint32_t>(points.size())});
+      corners.push_back({{std::llround(p.x * per_metre), std::llround(p.y * per_metre),
+                          std::llround(p.z * per_metre)},
+                         static_cast<std::uint32_t>(points.size())});
       points.push_back(p);
     }
   };
@@ -47,7 +47,8 @@ void EdgeTable::number(const CityObject& object) {
   });
   std::vector<std::uint32_t> vertex(corners.size());
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (i == 0 || corners[i].cell != corners[i - 1].cell) places_.push_back(points[corners[i].index]);
+    if (i == 0 || corners[i].cell != corners[i - 1].cell)
+      places_.push_back(points[corners[i].index]);
     vertex[corners[i].index] = static_cast<std::uint32_t>(places_.size() - 1);
   }
   std::size_t at = 0;
@@ -66,13 +67,15 @@ void EdgeTable::number(const CityObject& object) {
     if (polygon.interiors.empty()) continue;
     // A hole runs against its shell, or is taken to.
     const glm::dvec3 normal = area_vector(polygon.exterior);
-    for (const Ring& hole : polygon.interiors) add_edges(hole, i, glm::dot(area_vector(hole), normal) > 0);
+    for (const Ring& hole : polygon.interiors)
+      add_edges(hole, i, glm::dot(area_vector(hole), normal) > 0);
   }
 }
 
 void EdgeTable::index(std::size_t polygons) {
   std::sort(uses_.begin(), uses_.end(), [](const EdgeUse& a, const EdgeUse& b) {
-    return std::tie(a.low, a.high, a.polygon, a.forward) < std::tie(b.low, b.high, b.polygon, b.forward);
+    return std::tie(a.low, a.high, a.polygon, a.forward) <
+           std::tie(b.low, b.high, b.polygon, b.forward);
   });
   begin_.resize(uses_.size());
   end_.resize(uses_.size());
@@ -99,8 +102,8 @@ void EdgeTable::leave_out_inner_walls(std::size_t polygons) {
   bool any = false;
   for (std::uint32_t p = 0; p < polygons; ++p) {
     const auto own = of_polygon(p);
-    inner[p] = !own.empty() &&
-               std::all_of(own.begin(), own.end(), [&](std::uint32_t i) { return edge_of(i).size() > 2; });
+    inner[p] = !own.empty() && std::all_of(own.begin(), own.end(),
+                                           [&](std::uint32_t i) { return edge_of(i).size() > 2; });
     any = any || inner[p];
   }
   if (!any) return;

@@ -29,7 +29,9 @@ class EdgeTable {
   /// All uses, those of one edge side by side.
   std::span<const EdgeUse> uses() const { return uses_; }
   /// Uses of the edge that uses()[i] belongs to.
-  std::span<const EdgeUse> edge_of(std::size_t i) const { return {&uses_[begin_[i]], end_[i] - begin_[i]}; }
+  std::span<const EdgeUse> edge_of(std::size_t i) const {
+    return {&uses_[begin_[i]], end_[i] - begin_[i]};
+  }
   /// Indices into uses() of one polygon's, in no order that means anything.
   std::span<const std::uint32_t> of_polygon(std::uint32_t polygon) const {
     return {of_polygon_.data() + first_[polygon], first_[polygon + 1] - first_[polygon]};

@@ -20,7 +20,8 @@ struct Shell {
   bool consistent = true;  // no polygon had to face both ways
   bool closed = true;
   double volume = 0;  // with its polygons turned
-  glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+  glm::dvec3 low{std::numeric_limits<double>::infinity()},
+      high{-std::numeric_limits<double>::infinity()};
 };
 
 class Orienter {
@@ -103,7 +104,8 @@ class Orienter {
         vector -= glm::dot(h, vector) > 0 ? h : -h;
       }
       // Divergence theorem: a third of each face's area vector times any point of it.
-      shell.volume += glm::dot(vector, polygon.exterior.front() - origin) / 3 * (turned_[i] ? -1 : 1);
+      shell.volume +=
+          glm::dot(vector, polygon.exterior.front() - origin) / 3 * (turned_[i] ? -1 : 1);
       for (const glm::dvec3& p : polygon.exterior) {
         shell.low = glm::min(shell.low, p);
         shell.high = glm::max(shell.high, p);
@@ -119,7 +121,8 @@ class Orienter {
 
   // A shell within another may be its cavity, which faces the other way: nothing is shown there.
   bool is_enclosed(std::size_t i) const {
-    constexpr std::size_t max_shells = 2000;  // beyond, every pair is too many: then nothing is turned
+    constexpr std::size_t max_shells =
+        2000;  // beyond, every pair is too many: then nothing is turned
     if (shells_.size() > max_shells) return true;
     const Shell& inner = shells_[i];
     for (std::size_t j = 0; j < shells_.size(); ++j) {

@@ -33,21 +33,23 @@ struct MeshReport {
   std::size_t self_intersecting = 0;  // kept, by parity; their area is not that of their rings
   std::size_t not_finite = 0;         // dropped: NaN, Inf or beyond any frame
   std::size_t not_triangulated = 0;   // dropped: CGAL gave up
-  std::size_t dropped_holes = 0;      // holes of fewer than three distinct vertices: they have no area
-  std::size_t turned = 0;             // polygons that orient_outward has turned
-  std::string first_turned;           // id of the first object with such
-  std::size_t cracks_closed = 0;      // objects that repair_shells has closed by moving vertices together
-  std::size_t floors_added = 0;       // ... by adding the ground surface they were published without
-  std::string first_repaired;         // id of the first object with such
-  std::size_t open_objects = 0;       // buildings whose surfaces form no closed shell, left as they are
-  std::string worst_zero_area;        // the longest
-  double worst_zero_area_m = 0;       // its perimeter
-  std::string worst_sliver;           // the narrowest
-  double worst_sliver_m = 0;          // its mean width
+  std::size_t dropped_holes = 0;  // holes of fewer than three distinct vertices: they have no area
+  std::size_t turned = 0;         // polygons that orient_outward has turned
+  std::string first_turned;       // id of the first object with such
+  std::size_t cracks_closed =
+      0;  // objects that repair_shells has closed by moving vertices together
+  std::size_t floors_added = 0;  // ... by adding the ground surface they were published without
+  std::string first_repaired;    // id of the first object with such
+  std::size_t open_objects = 0;  // buildings whose surfaces form no closed shell, left as they are
+  std::string worst_zero_area;   // the longest
+  double worst_zero_area_m = 0;  // its perimeter
+  std::string worst_sliver;      // the narrowest
+  double worst_sliver_m = 0;     // its mean width
   std::string worst_non_planar;
   double worst_non_planar_m = 0;
   std::string worst_self_intersecting;
-  double worst_self_intersecting_m2 = 0;  // between the rings' own area vector and what parity leaves
+  double worst_self_intersecting_m2 =
+      0;  // between the rings' own area vector and what parity leaves
 
   void merge(const MeshReport& other);
 };

@@ -28,7 +28,8 @@ bool is_usable(const Ring& ring) {
 
 double perimeter(const Ring& ring) {
   double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) sum += glm::distance(ring[i], ring[(i + 1) % ring.size()]);
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    sum += glm::distance(ring[i], ring[(i + 1) % ring.size()]);
   return sum;
 }
 
@@ -160,7 +161,8 @@ struct Triangulator {
         off > area_tolerance * glm::length(ring_vector))
       count_self_intersecting(off, name_of(object.polygons[polygon], object));
     const std::uint32_t first = add_positions(corners);
-    for (const auto& t : flat.triangles) add_triangle(first + t[0], first + t[1], first + t[2], polygon);
+    for (const auto& t : flat.triangles)
+      add_triangle(first + t[0], first + t[1], first + t[2], polygon);
   }
 
   void add(std::size_t index) {
@@ -191,7 +193,8 @@ struct Triangulator {
     }
     normal = glm::normalize(normal);
     glm::dvec3 middle{0};
-    for (const glm::dvec3& p : rings[0]) middle += (p - rings[0][0]) / static_cast<double>(rings[0].size());
+    for (const glm::dvec3& p : rings[0])
+      middle += (p - rings[0][0]) / static_cast<double>(rings[0].size());
     const Plane plane = plane_at(rings[0][0] + middle, normal);
     check_planarity(plane, rings, name_of(polygon, object));
     if (rings.size() == 1 && glm::length(vector) > tiny && fast_path(rings[0], normal, index)) {

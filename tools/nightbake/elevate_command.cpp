@@ -54,7 +54,9 @@ Outcome elevate(const ElevateArguments& arguments) {
     std::optional<WindowLayout> no_windows;
     read_ground(recipe, *frames, terrain, no_windows, progress.sink());
     sources.terrain = &terrain;
-    sources.to_frame = [&](const glm::dvec2& lon_lat) { return frames->city().from_lon_lat(lon_lat); };
+    sources.to_frame = [&](const glm::dvec2& lon_lat) {
+      return frames->city().from_lon_lat(lon_lat);
+    };
   }
   ElevationServiceOptions service = arguments.service;
   service.first_wait = std::chrono::milliseconds(arguments.wait_ms);
@@ -81,15 +83,16 @@ void print(const Outcome& outcome) {
              found.inside_buildings, found.duplicates);
   const auto offset = [](const char* name, const HeightOffset& value) {
     if (value.samples)
-      fmt::print("{}: {:+.2f} m to the model's heights (deviation {:.2f} m, {} places)\n", name, value.metres,
-                 value.deviation, value.samples);
+      fmt::print("{}: {:+.2f} m to the model's heights (deviation {:.2f} m, {} places)\n", name,
+                 value.metres, value.deviation, value.samples);
   };
   offset("raster", found.raster_offset);
   offset("service", found.service_offset);
   const ElevationAnswers& service = found.service;
   if (!service.heights.empty())
     fmt::print(
-        "service: {} requests, {} of them again, {} places from the cache, {} answers of 0 m refused\n",
+        "service: {} requests, {} of them again, {} places from the cache, {} answers of 0 m "
+        "refused\n",
         service.requests, service.retries, service.from_cache, service.zeros_refused);
   if (outcome.written) fmt::print("{} nodes written\n", outcome.written);
 }
@@ -118,8 +121,8 @@ void run(const ElevateArguments& arguments) {
 }  // namespace
 
 void add_elevate_command(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("elevate", "Find the ground's height under a map's lamps and write it there");
+  auto* command = app.add_subcommand(
+      "elevate", "Find the ground's height under a map's lamps and write it there");
   auto arguments = std::make_shared<ElevateArguments>();
   command
       ->add_option("input", arguments->inputs,
@@ -129,21 +132,26 @@ void add_elevate_command(CLI::App& app) {
                       "The map with a tag ele on its lamps (.osm, .osm.pbf, ...)");
   command->add_option("--dem", arguments->dem,
                       "Raster of heights (GeoTIFF, ...) for lamps outside the model");
-  command->add_option("--service", arguments->service.url,
-                      "Open-Elevation-compatible service for those still left: http://.../api/v1/lookup");
+  command->add_option(
+      "--service", arguments->service.url,
+      "Open-Elevation-compatible service for those still left: http://.../api/v1/lookup");
   command->add_option("--cache", arguments->service.cache, "File that keeps the service's answers");
   command->add_option("--batch", arguments->service.batch, "Places a request")
       ->capture_default_str()
       ->check(CLI::Range(1, 10000));
-  command->add_option("--attempts", arguments->service.attempts, "Of a request while the service is busy")
+  command
+      ->add_option("--attempts", arguments->service.attempts,
+                   "Of a request while the service is busy")
       ->capture_default_str()
       ->check(CLI::Range(1, 20));
-  command->add_option("--wait-ms", arguments->wait_ms, "Before the second attempt; doubled after each")
+  command
+      ->add_option("--wait-ms", arguments->wait_ms, "Before the second attempt; doubled after each")
       ->capture_default_str()
       ->check(CLI::Range(1, 60000));
   command->add_flag("--json", arguments->json, "Print the report as JSON");
   command->footer(
-      "The model's terrain and roads win, then its buildings' ground; then the raster, then the service, "
+      "The model's terrain and roads win, then its buildings' ground; then the raster, then the "
+      "service, "
       "both\n"
       "moved to the model's heights by one number.\n"
       "Example: nightbake elevate lamps.osm city.gml --dem dem.tif -o lamps_with_ele.osm");

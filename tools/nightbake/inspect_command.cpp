@@ -55,7 +55,8 @@ void run(const InspectArguments& arguments) {
     fmt::print("{}\n", inspection.dump(2, ' ', false, Inspection::error_handler_t::replace));
     return;
   }
-  for (const auto& [key, value] : inspection.items()) fmt::print("{:<22}{}\n", key, in_words(value));
+  for (const auto& [key, value] : inspection.items())
+    fmt::print("{:<22}{}\n", key, in_words(value));
 }
 
 }  // namespace
@@ -64,9 +65,11 @@ void add_inspect_command(CLI::App& app) {
   auto* command = app.add_subcommand(
       "inspect", "Tell what a CityGML, OSM, .glb/.gltf, .lights, IES or EULUMDAT file holds");
   auto arguments = std::make_shared<InspectArguments>();
-  command->add_option("file", arguments->file, "The file; its kind is found by its content")->required();
-  command->add_flag("--json", arguments->json,
-                    "Print JSON: kind, buildings, polygons, triangles, lights, crs, bbox, skipped, ...");
+  command->add_option("file", arguments->file, "The file; its kind is found by its content")
+      ->required();
+  command->add_flag(
+      "--json", arguments->json,
+      "Print JSON: kind, buildings, polygons, triangles, lights, crs, bbox, skipped, ...");
   command->add_option("--lod", arguments->lod, "CityGML: the highest level of detail looked at")
       ->capture_default_str()
       ->check(CLI::Range(0, 4));

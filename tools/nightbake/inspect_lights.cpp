@@ -12,7 +12,8 @@ namespace {
 /// What drives: kinds and trips, and how many are on the road on average in each hour of the night.
 Inspection inspect_traffic(const TrafficContent& traffic) {
   std::map<std::string, std::size_t> lamps;
-  for (const Light& light : traffic.vehicle_lights) ++lamps[name_of(static_cast<LightFamily>(light.id))];
+  for (const Light& light : traffic.vehicle_lights)
+    ++lamps[name_of(static_cast<LightFamily>(light.id))];
   double metres = 0, seconds = 0;
   std::size_t brakings = 0;
   std::array<double, 24> on_road{};
@@ -21,7 +22,8 @@ Inspection inspect_traffic(const TrafficContent& traffic) {
     const double duration = double{knots.back().time_s};
     seconds += duration;
     for (std::size_t hour = 0; hour < on_road.size(); ++hour)
-      if (traffic.cycle.density[hour] > trip.rank) on_road[hour] += duration / double{traffic.cycle.cycle_s};
+      if (traffic.cycle.density[hour] > trip.rank)
+        on_road[hour] += duration / double{traffic.cycle.cycle_s};
     for (std::size_t n = 1; n < knots.size(); ++n) {
       metres += double{glm::distance(knots[n].position, knots[n - 1].position)};
       brakings += (knots[n].pose & KNOT_BRAKING) != 0 && (knots[n - 1].pose & KNOT_BRAKING) == 0;

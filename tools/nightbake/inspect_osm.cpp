@@ -18,7 +18,8 @@ Inspection inspect_osm(const std::filesystem::path& file) {
   }
   for (const OsmWay& way : data.highways) {
     for (const glm::dvec2& p : way.lon_lat) bounds.add(glm::dvec3(p, 0));
-    if (const auto kind = way.tags.find("highway"); kind != way.tags.end()) ++highways[kind->second];
+    if (const auto kind = way.tags.find("highway"); kind != way.tags.end())
+      ++highways[kind->second];
     if (way.tags.contains("lit")) ++lit;
   }
   for (const OsmWay& way : data.buildings)

@@ -28,12 +28,14 @@ struct LampsArguments {
   bool lay_out = false, json = false;
 };
 
-void write_lights(const std::filesystem::path& path, const LampSet& set, const Georeference& georeference) {
+void write_lights(const std::filesystem::path& path, const LampSet& set,
+                  const Georeference& georeference) {
   LightFileWriter lights(path);
   ScheduleTable schedules = schedules_of(lights);
   for (const PlacedLamp& lamp : set.lamps)
     lights.add(to_light(lamp, georeference, schedules), lamp.provenance);
-  lights.finish({.georeference = georeference, .profiles = set.profiles, .profile_data = set.profile_data});
+  lights.finish(
+      {.georeference = georeference, .profiles = set.profiles, .profile_data = set.profile_data});
 }
 
 void run(const LampsArguments& arguments) {
@@ -41,7 +43,8 @@ void run(const LampsArguments& arguments) {
   if (!arguments.out.empty() && extension != ".lights" && extension != ".osm")
     throw UsageError(arguments.out.string(), "is named neither .lights nor .osm");
   Recipe recipe = recipe_of(arguments.inputs);
-  if (recipe.osm.files.empty()) throw UsageError("", "no OSM file among the inputs: lamps come from the map");
+  if (recipe.osm.files.empty())
+    throw UsageError("", "no OSM file among the inputs: lamps come from the map");
   if (recipe.path.empty() && !arguments.lay_out)  // files alone: what the map has and no more
     recipe.lamps.layout.mode = layout::LayoutOptions::Mode::never;
   OsmData osm;
@@ -87,19 +90,20 @@ void add_lamps_command(CLI::App& app) {
       "lamps", "Place a map's street lamps, on a city or without one, and tell their values");
   auto arguments = std::make_shared<LampsArguments>();
   command
-      ->add_option(
-          "input", arguments->inputs,
-          "OSM files (.osm, .osm.pbf, .osm.gz, .osm.bz2), with CityGML to stand on, or a recipe (TOML)")
+      ->add_option("input", arguments->inputs,
+                   "OSM files (.osm, .osm.pbf, .osm.gz, .osm.bz2), with CityGML to stand on, or a "
+                   "recipe (TOML)")
       ->required();
   command->add_option(
       "-o,--out", arguments->out,
       "What to write: lamps.lights, or lamps.osm with heights, lumens, colours and aims as tags");
-  command->add_flag(
-      "--lay-out", arguments->lay_out,
-      "With files: also lay lamps along streets where the map has none (recipes say it themselves)");
+  command->add_flag("--lay-out", arguments->lay_out,
+                    "With files: also lay lamps along streets where the map has none (recipes say "
+                    "it themselves)");
   command->add_flag("--json", arguments->json, "Print the report as JSON");
   command->footer(
-      "Without CityGML lamps stand at the height of their tag ele (nightbake elevate writes it), else at 0.\n"
+      "Without CityGML lamps stand at the height of their tag ele (nightbake elevate writes it), "
+      "else at 0.\n"
       "Example: nightbake lamps map.osm.pbf city.gml -o lamps.lights");
   command->callback([arguments] { run(*arguments); });
 }

@@ -36,7 +36,8 @@ void run(const LayoutArguments& arguments) {
     std::optional<WindowLayout> no_windows;
     streets::RoadSurfaces roads;
     const bool model_streets = wants_model_streets(recipe, osm, frames);
-    read_ground(recipe, frames, terrain, no_windows, progress.sink(), model_streets ? &roads : nullptr);
+    read_ground(recipe, frames, terrain, no_windows, progress.sink(),
+                model_streets ? &roads : nullptr);
     if (model_streets) add_model_streets(roads, frames, osm);
     lamps = place_city_lamps(recipe, osm, frames, terrain);
   }
@@ -49,8 +50,8 @@ void run(const LayoutArguments& arguments) {
   }
   const bool streets = spdlog::should_log(spdlog::level::debug);
   if (arguments.json)
-    fmt::print("{}\n",
-               to_json(lamps.layout, streets).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print("{}\n", to_json(lamps.layout, streets)
+                           .dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   else
     fmt::print("{} lamps mapped\n{}", lamps.set.lamps.size() - lamps.layout.lamps,
                to_text(lamps.layout, streets));
@@ -60,15 +61,19 @@ void run(const LayoutArguments& arguments) {
 
 void add_layout_command(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "layout", "Lay street lamps along the streets of a recipe and tell what light each class of road gets");
+      "layout",
+      "Lay street lamps along the streets of a recipe and tell what light each class of road gets");
   auto arguments = std::make_shared<LayoutArguments>();
-  command->add_option("recipe", arguments->recipe, "Recipe (TOML); [lamps] layout and class say how")
+  command
+      ->add_option("recipe", arguments->recipe, "Recipe (TOML); [lamps] layout and class say how")
       ->required();
-  command->add_option("--osm", arguments->osm, "Write the laid-out lamps as an OSM file, for [osm] files");
+  command->add_option("--osm", arguments->osm,
+                      "Write the laid-out lamps as an OSM file, for [osm] files");
   command->add_flag("--json", arguments->json,
                     "Print JSON; with --verbose a row for each street, as in text");
   command->footer(
-      "Illuminances are of new luminaires; x 0.8 is what is left when the class (EN 13201-2) must still be "
+      "Illuminances are of new luminaires; x 0.8 is what is left when the class (EN 13201-2) must "
+      "still be "
       "met.");
   command->callback([arguments] { run(*arguments); });
 }

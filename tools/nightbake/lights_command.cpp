@@ -29,9 +29,11 @@ json census_json(const LightFile& file, const LightCensus& census) {
   json families = json::object();
   for (const auto& [name, family] : census.families) {
     json hours = json::object();
-    for (std::size_t hour = 0; hour < night_hours; ++hour) hours[hour_name(hour)] = family.lit[hour];
-    families[name] = {{"count", family.count},     {"flux_lm", family.flux_lm},     {"kinds", family.kinds},
-                      {"sources", family.sources}, {"always_on", family.always_on}, {"lit", hours}};
+    for (std::size_t hour = 0; hour < night_hours; ++hour)
+      hours[hour_name(hour)] = family.lit[hour];
+    families[name] = {{"count", family.count},         {"flux_lm", family.flux_lm},
+                      {"kinds", family.kinds},         {"sources", family.sources},
+                      {"always_on", family.always_on}, {"lit", hours}};
   }
   return {{"lights", file.lights().size()},
           {"profiles", file.profiles().size()},
@@ -51,10 +53,10 @@ void print(const LightFile& file, const LightCensus& census) {
     std::string kinds;
     for (const auto& [kind, count] : family.kinds)
       kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, kind);
-    fmt::print("\n{}: {} ({}), {:.1f} klm, {} always on\n", name, family.count, kinds, family.flux_lm / 1000,
-               family.always_on);
-    fmt::print("{:<10}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "from", "tag", "attribute", "rule", "standard",
-               "unknown");
+    fmt::print("\n{}: {} ({}), {:.1f} klm, {} always on\n", name, family.count, kinds,
+               family.flux_lm / 1000, family.always_on);
+    fmt::print("{:<10}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "from", "tag", "attribute", "rule",
+               "standard", "unknown");
     for (const auto& [value, sources] : family.sources) {
       fmt::print("{:<10}", value);
       for (const char* source : {"tag", "attribute", "rule", "standard", "unknown"}) {
@@ -66,8 +68,8 @@ void print(const LightFile& file, const LightCensus& census) {
     std::string hours = fmt::format("{:<10}", "hour"), shares = fmt::format("{:<10}", "% lit");
     for (std::size_t hour = 0; hour < night_hours; ++hour) {
       hours += fmt::format("{:>4}", clock_hour(hour));
-      shares += fmt::format("{:>4.0f}",
-                            100 * static_cast<double>(family.lit[hour]) / static_cast<double>(family.count));
+      shares += fmt::format("{:>4.0f}", 100 * static_cast<double>(family.lit[hour]) /
+                                            static_cast<double>(family.count));
     }
     fmt::print("{}\n{}\n", hours, shares);
   }
@@ -83,7 +85,8 @@ void run(const LightsArguments& arguments) {
   if (!arguments.scene.empty()) place_fault = place_faults_in(arguments.scene);
   const LightCensus census = count_lights(file, place_fault);
   if (arguments.json)
-    fmt::print("{}\n", census_json(file, census).dump(2, ' ', false, json::error_handler_t::replace));
+    fmt::print("{}\n",
+               census_json(file, census).dump(2, ' ', false, json::error_handler_t::replace));
   else
     print(file, census);
 }

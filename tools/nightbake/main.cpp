@@ -20,11 +20,13 @@ void start_log() {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"nightbake: open city data (CityGML, OpenStreetMap) in, a photometric night scene out"};
+  CLI::App app{
+      "nightbake: open city data (CityGML, OpenStreetMap) in, a photometric night scene out"};
   app.name("nightbake");
   app.set_version_flag("--version", "nightbake " NIGHTCITY_VERSION);
   app.footer(
-      "Exit codes: 0 done; 1 an input is missing, broken or unusable, or an output cannot be written;\n"
+      "Exit codes: 0 done; 1 an input is missing, broken or unusable, or an output cannot be "
+      "written;\n"
       "2 the command line or a recipe's keys are wrong.");
   app.require_subcommand(1);
   app.fallthrough();  // so that --quiet works after the subcommand's name too

@@ -8,7 +8,8 @@
 
 namespace nightcity {
 
-ProgressLine::ProgressLine() : active_(::isatty(STDERR_FILENO) && spdlog::should_log(spdlog::level::info)) {}
+ProgressLine::ProgressLine()
+    : active_(::isatty(STDERR_FILENO) && spdlog::should_log(spdlog::level::info)) {}
 
 ProgressSink ProgressLine::sink() {
   if (!active_) return {};

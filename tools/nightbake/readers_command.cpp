@@ -37,13 +37,15 @@ ordered_json reading_json(const ReadReport& report) {
           {"warnings", report.warnings}};
 }
 
-ordered_json comparison_json(const std::filesystem::path& file, const ReaderComparison& comparison) {
+ordered_json comparison_json(const std::filesystem::path& file,
+                             const ReaderComparison& comparison) {
   ordered_json result = {{"file", file.string()}, {"agree", comparison.agree()}};
   for (const auto& [name, tallies] :
        {std::pair{"objects", &comparison.objects}, std::pair{"surfaces", &comparison.surfaces}}) {
     result[name] = ordered_json::object();
     for (const auto& [type, both] : *tallies)
-      result[name][type] = {{"stream", tally_json(both.first)}, {"libcitygml", tally_json(both.second)}};
+      result[name][type] = {{"stream", tally_json(both.first)},
+                            {"libcitygml", tally_json(both.second)}};
   }
   result["only_in_stream"] = comparison.only_in_stream;
   result["only_in_libcitygml"] = comparison.only_in_libcitygml;
@@ -61,7 +63,8 @@ void print_ids(const char* reader, const std::vector<std::string>& ids) {
 }
 
 void print_skipped(const char* reader, const ReadReport& report) {
-  std::vector<std::pair<std::string, std::size_t>> sorted(report.skipped.begin(), report.skipped.end());
+  std::vector<std::pair<std::string, std::size_t>> sorted(report.skipped.begin(),
+                                                          report.skipped.end());
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
   std::string text;
@@ -72,22 +75,23 @@ void print_skipped(const char* reader, const ReadReport& report) {
 
 // One line a type: where the readers agree one of figures, where not both.
 void print_tallies(const char* what,
-                   const std::map<std::string, std::pair<ReaderTally, ReaderTally>>& tallies, bool all) {
+                   const std::map<std::string, std::pair<ReaderTally, ReaderTally>>& tallies,
+                   bool all) {
   for (const auto& [type, both] : tallies) {
     const auto& [stream, other] = both;
     if (alike(stream, other) && !all) continue;
-    fmt::print("  {:<9}{:<24}{:>9}{:>9}  {:>10}{:>10}  {:>14.3f}{:>14.3f}{}\n", what, type, stream.objects,
-               other.objects, stream.polygons, other.polygons, stream.area, other.area,
-               alike(stream, other) ? "" : "  differ");
+    fmt::print("  {:<9}{:<24}{:>9}{:>9}  {:>10}{:>10}  {:>14.3f}{:>14.3f}{}\n", what, type,
+               stream.objects, other.objects, stream.polygons, other.polygons, stream.area,
+               other.area, alike(stream, other) ? "" : "  differ");
   }
 }
 
 void print(const std::filesystem::path& file, const ReaderComparison& comparison, bool all) {
   const ReadReport &stream = comparison.stream, &other = comparison.libcitygml;
   fmt::print("{}: {}\n", file.string(),
-             comparison.agree()
-                 ? fmt::format("the readers agree: {} objects, {} polygons", stream.objects, stream.polygons)
-                 : "the readers disagree");
+             comparison.agree() ? fmt::format("the readers agree: {} objects, {} polygons",
+                                              stream.objects, stream.polygons)
+                                : "the readers disagree");
   if (comparison.agree() && !all) return;
   fmt::print("  {:<33}{:>18}  {:>20}  {:>28}\n", "", "objects", "polygons", "area, file's units^2");
   fmt::print("  {:<33}{:>9}{:>9}  {:>10}{:>10}  {:>14}{:>14}\n", "", "stream", "libcity.", "stream",
@@ -123,9 +127,9 @@ void run(const ReadersArguments& arguments) {
 }  // namespace
 
 void add_readers_command(CLI::App& app) {
-  auto* command = app.add_subcommand(
-      "readers",
-      "Read CityGML with both readers and tell where they disagree: objects, polygons, area by type");
+  auto* command = app.add_subcommand("readers",
+                                     "Read CityGML with both readers and tell where they disagree: "
+                                     "objects, polygons, area by type");
   auto arguments = std::make_shared<ReadersArguments>();
   command->add_option("files", arguments->files, "CityGML files, or folders of them")->required();
   command->add_option("--lod", arguments->lod, "The highest level of detail looked at")
@@ -134,7 +138,8 @@ void add_readers_command(CLI::App& app) {
   command->add_flag("--all", arguments->all, "Show what they agree on too");
   command->add_flag("--json", arguments->json, "Print JSON: one object a file");
   command->footer(
-      "The stream reader is the one bakes use; libcitygml 2.4.3 is the second opinion. A disagreement is no\n"
+      "The stream reader is the one bakes use; libcitygml 2.4.3 is the second opinion. A "
+      "disagreement is no\n"
       "failure: the exit code is 0.\n\nExamples:\n  nightbake readers berlin/3910_5819.gml\n"
       "  nightbake readers --json tiles/ | jq '.[] | select(.agree | not) | .file'");
   command->callback([arguments] { run(*arguments); });

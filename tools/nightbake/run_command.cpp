@@ -28,7 +28,8 @@ void run(const RunArguments& arguments) {
     report = bake(recipe, arguments.folder, progress.sink());
   }
   if (arguments.json)
-    fmt::print("{}\n", to_json(report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print("{}\n",
+               to_json(report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   else
     fmt::print("{}", to_text(report));
 }
@@ -36,18 +37,21 @@ void run(const RunArguments& arguments) {
 }  // namespace
 
 void add_run_command(CLI::App& app) {
-  auto* command = app.add_subcommand("run", "Bake a city by its recipe: DIR/city.glb and DIR/city.lights");
+  auto* command =
+      app.add_subcommand("run", "Bake a city by its recipe: DIR/city.glb and DIR/city.lights");
   auto arguments = std::make_shared<RunArguments>();
-  command->add_option("recipe", arguments->recipe, "Recipe (TOML): [city] files, [osm] files, options")
+  command
+      ->add_option("recipe", arguments->recipe, "Recipe (TOML): [city] files, [osm] files, options")
       ->required();
-  command->add_option("-o,--out", arguments->folder, "Folder for the results; made where absent")->required();
+  command->add_option("-o,--out", arguments->folder, "Folder for the results; made where absent")
+      ->required();
   command->add_flag("--json", arguments->json,
                     "Print the report as JSON (it is in DIR/bake_report.json too)");
   command
-      ->add_option(
-          "--threads", arguments->threads,
-          "Threads to use, in place of the recipe's (default: one a core); the results do not depend "
-          "on it")
+      ->add_option("--threads", arguments->threads,
+                   "Threads to use, in place of the recipe's (default: one a core); the results do "
+                   "not depend "
+                   "on it")
       ->check(CLI::Range(1, 1024));
   command->footer(
       "Examples:\n  nightbake run pipelines/berlin.toml --out berlin\n"

@@ -30,16 +30,23 @@ void run(TownArguments& arguments) {
 }  // namespace
 
 void add_town_command(CLI::App& app) {
-  auto* command = app.add_subcommand("town", "Write a synthetic town: town.gml, town.osm and town.toml");
+  auto* command =
+      app.add_subcommand("town", "Write a synthetic town: town.gml, town.osm and town.toml");
   auto arguments = std::make_shared<TownArguments>();
   command->add_option("-o,--out", arguments->folder, "Folder to write into")->required();
-  command->add_option("--seed", arguments->town.seed, "Another seed, another town")->capture_default_str();
+  command->add_option("--seed", arguments->town.seed, "Another seed, another town")
+      ->capture_default_str();
   auto* size = command->add_option_group("size", "At most one; the default is a town of 56 blocks");
-  size->add_option("--blocks", arguments->blocks, "Blocks of houses, about")->check(CLI::PositiveNumber);
-  size->add_option("--buildings", arguments->buildings, "Buildings, about")->check(CLI::PositiveNumber);
-  size->add_option("--triangles", arguments->triangles, "Triangles, about")->check(CLI::PositiveNumber);
+  size->add_option("--blocks", arguments->blocks, "Blocks of houses, about")
+      ->check(CLI::PositiveNumber);
+  size->add_option("--buildings", arguments->buildings, "Buildings, about")
+      ->check(CLI::PositiveNumber);
+  size->add_option("--triangles", arguments->triangles, "Triangles, about")
+      ->check(CLI::PositiveNumber);
   size->require_option(0, 1);
-  command->add_option("--lamps", arguments->town.lamps, "Luminaires, exactly (default: as streets need)")
+  command
+      ->add_option("--lamps", arguments->town.lamps,
+                   "Luminaires, exactly (default: as streets need)")
       ->check(CLI::PositiveNumber);
   command->add_option("--hills", arguments->town.hills_m, "Height from valley to hilltop, m")
       ->capture_default_str();

@@ -38,7 +38,8 @@ Georeference placed(const Georeference& own, const std::optional<LightFile>& lig
                     const TrafficArguments& arguments) {
   if (!lights) return own;
   if (lights->georeference().crs != own.crs)
-    throw Error(arguments.lights, "is in " + lights->georeference().crs + ", the streets in " + own.crs);
+    throw Error(arguments.lights,
+                "is in " + lights->georeference().crs + ", the streets in " + own.crs);
   return lights->georeference();
 }
 
@@ -52,14 +53,16 @@ Made drive_through_city(const Recipe& recipe, OsmData& osm, const std::optional<
   std::optional<WindowLayout> no_windows;
   streets::RoadSurfaces roads;
   const bool model_streets = wants_model_streets(recipe, osm, frames);
-  read_ground(recipe, frames, terrain, no_windows, progress.sink(), model_streets ? &roads : nullptr);
+  read_ground(recipe, frames, terrain, no_windows, progress.sink(),
+              model_streets ? &roads : nullptr);
   if (model_streets) made.streets = add_model_streets(roads, frames, osm);
-  made.traffic = make_city_traffic(recipe, osm, frames, terrain, made.georeference, progress.sink());
+  made.traffic =
+      make_city_traffic(recipe, osm, frames, terrain, made.georeference, progress.sink());
   return made;
 }
 
-Made drive_through_map(const Recipe& recipe, const OsmData& osm, const std::optional<LightFile>& lights,
-                       const TrafficArguments& arguments) {
+Made drive_through_map(const Recipe& recipe, const OsmData& osm,
+                       const std::optional<LightFile>& lights, const TrafficArguments& arguments) {
   const MapFrame map(osm);
   Made made;
   made.georeference = placed(map.georeference(recipe), lights, arguments);
@@ -97,26 +100,32 @@ void run(const TrafficArguments& arguments) {
 
 void add_traffic_command(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "traffic", "Drive vehicles through a city's or a map's streets and write their drives to a light file");
+      "traffic",
+      "Drive vehicles through a city's or a map's streets and write their drives to a light file");
   auto arguments = std::make_shared<TrafficArguments>();
   command
-      ->add_option("input", arguments->inputs,
-                   "Recipe (TOML): [city] files for the ground, [osm] files for the streets, [traffic]; or "
-                   "the files themselves")
+      ->add_option(
+          "input", arguments->inputs,
+          "Recipe (TOML): [city] files for the ground, [osm] files for the streets, [traffic]; or "
+          "the files themselves")
       ->required();
   command->add_option("-o,--out", arguments->out, "Light file to write")->required();
   command->add_option("--lights", arguments->lights,
                       "Light file whose lights go into it too; the traffic it has is replaced");
   command
-      ->add_option("--vehicles", arguments->vehicles,
-                   "On the road at 22:00 (default: as the recipe says, else by the table of densities)")
+      ->add_option(
+          "--vehicles", arguments->vehicles,
+          "On the road at 22:00 (default: as the recipe says, else by the table of densities)")
       ->check(CLI::Range(0.0, 1e6));
   command->add_flag("--json", arguments->json, "Print the report as JSON");
   command->footer(
-      "[traffic] may say vehicles = N (at 22:00) or per_km = X (of lane), cycle_s, side = \"left\" or "
+      "[traffic] may say vehicles = N (at 22:00) or per_km = X (of lane), cycle_s, side = \"left\" "
+      "or "
       "\"right\",\n"
-      "hours = [24 shares from noon on] and seed. `nightbake run` bakes the same traffic, with bodies.\n"
-      "Where there is no map, streets are the middles of the model's roads; a map without CityGML is driven "
+      "hours = [24 shares from noon on] and seed. `nightbake run` bakes the same traffic, with "
+      "bodies.\n"
+      "Where there is no map, streets are the middles of the model's roads; a map without CityGML "
+      "is driven "
       "on\n"
       "a plane at height 0.\n"
       "Examples: nightbake traffic town.toml --out traffic.lights\n"

@@ -28,7 +28,8 @@ struct WindowsArguments {
 
 WindowReport lay(const WindowsArguments& arguments, std::size_t& schedule_count) {
   const Recipe recipe = recipe_of(arguments.inputs);
-  if (recipe.city.files.empty()) throw UsageError("", "no CityGML among the inputs: windows sit on walls");
+  if (recipe.city.files.empty())
+    throw UsageError("", "no CityGML among the inputs: windows sit on walls");
   LightFileWriter lights(arguments.out);
   const CityFrames frames(recipe);
   const Georeference georeference = georeference_of(recipe, frames);
@@ -72,11 +73,13 @@ void add_windows_command(CLI::App& app) {
       app.add_subcommand("windows", "Lay windows on a city's walls and tell who has light on when");
   auto arguments = std::make_shared<WindowsArguments>();
   command
-      ->add_option("input", arguments->inputs,
-                   "CityGML files and folders, OSM files for the use of buildings, or a recipe (TOML)")
+      ->add_option(
+          "input", arguments->inputs,
+          "CityGML files and folders, OSM files for the use of buildings, or a recipe (TOML)")
       ->required();
   command->add_option("-o,--out", arguments->out, "Light file to write (.lights)")->required();
-  auto* seed = command->add_option("--seed", arguments->seed, "Who is at home (default: the recipe's, or 1)");
+  auto* seed = command->add_option("--seed", arguments->seed,
+                                   "Who is at home (default: the recipe's, or 1)");
   command->add_flag("--json", arguments->json, "Print the report as JSON");
   command->footer("Example: nightbake windows city.gml -o windows.lights");
   command->callback([arguments, seed] {

@@ -14,8 +14,9 @@ constexpr double resolution = 1e-7;
 
 template <class Element>
 std::size_t drop_repeated(std::vector<Element>& elements, std::unordered_set<std::int64_t>& seen) {
-  const auto kept = std::remove_if(elements.begin(), elements.end(),
-                                   [&](const Element& element) { return !seen.insert(element.id).second; });
+  const auto kept = std::remove_if(elements.begin(), elements.end(), [&](const Element& element) {
+    return !seen.insert(element.id).second;
+  });
   const auto dropped = static_cast<std::size_t>(elements.end() - kept);
   elements.erase(kept, elements.end());
   return dropped;
@@ -54,8 +55,9 @@ OsmData OsmCollector::finish() && {
                    [](const Place& a, const Place& b) { return a.id < b.id; });
   for (PendingWay& pending : pending_) {
     for (const std::int64_t id : pending.nodes) {
-      const auto place = std::lower_bound(places_.begin(), places_.end(), id,
-                                          [](const Place& p, std::int64_t wanted) { return p.id < wanted; });
+      const auto place =
+          std::lower_bound(places_.begin(), places_.end(), id,
+                           [](const Place& p, std::int64_t wanted) { return p.id < wanted; });
       if (place == places_.end() || place->id != id)
         ++data_.missing_nodes;
       else

@@ -22,7 +22,8 @@ struct OsmLampNode {
 
 struct OsmWay {
   std::int64_t id = 0;
-  std::vector<glm::dvec2> lon_lat;  // degrees; nodes missing from the extract are left out and counted
+  std::vector<glm::dvec2>
+      lon_lat;  // degrees; nodes missing from the extract are left out and counted
   OsmTags tags;
 };
 

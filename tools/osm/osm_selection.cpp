@@ -16,12 +16,12 @@ bool one_of(const std::string& value, const std::array<std::string_view, N>& nam
   return std::find(names.begin(), names.end(), value) != names.end();
 }
 
-constexpr std::array<std::string_view, 8> street_lamps = {"street_lamp", "streetlamp",   "street_light",
-                                                          "streetlight", "street_lamps", "street_lights",
-                                                          "lamp_post",   "lamppost"};
-constexpr std::array<std::string_view, 8> light_sources = {"lantern",       "floodlight",   "flood_light",
-                                                           "street_lamp",   "street_light", "lamp",
-                                                           "electric_lamp", "gas_lamp"};
+constexpr std::array<std::string_view, 8> street_lamps = {
+    "street_lamp",  "streetlamp",    "street_light", "streetlight",
+    "street_lamps", "street_lights", "lamp_post",    "lamppost"};
+constexpr std::array<std::string_view, 8> light_sources = {
+    "lantern",      "floodlight", "flood_light",   "street_lamp",
+    "street_light", "lamp",       "electric_lamp", "gas_lamp"};
 constexpr std::array<std::string_view, 4> masts = {"floodlight", "flood_light", "light_mast",
                                                    "lighting_mast"};
 
@@ -42,8 +42,8 @@ std::string normalise_tag(std::string_view value) {
 bool is_lamp(const OsmTags& tags) {
   for (const char* key : {"highway", "man_made", "amenity"})
     if (one_of(value_of(tags, key), street_lamps)) return true;
-  return one_of(value_of(tags, "light_source"), light_sources) || one_of(value_of(tags, "man_made"), masts) ||
-         value_of(tags, "tower:type") == "lighting";
+  return one_of(value_of(tags, "light_source"), light_sources) ||
+         one_of(value_of(tags, "man_made"), masts) || value_of(tags, "tower:type") == "lighting";
 }
 
 bool is_highway(const OsmTags& tags) {

@@ -41,7 +41,8 @@ std::string line_at(const std::filesystem::path& file, std::ptrdiff_t offset) {
   std::ifstream stream(file, std::ios::binary);
   std::string text(static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)), '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  return "line " + std::to_string(1 + std::count(text.begin(), text.begin() + stream.gcount(), '\n'));
+  return "line " +
+         std::to_string(1 + std::count(text.begin(), text.begin() + stream.gcount(), '\n'));
 }
 
 }  // namespace
@@ -52,7 +53,8 @@ OsmData read_osm_xml(const std::filesystem::path& file) {
       document.load_file(file.c_str(), pugi::parse_default | pugi::parse_doctype);
   if (!parsed) throw Error(file.string(), line_at(file, parsed.offset), parsed.description());
   for (const pugi::xml_node& node : document)
-    if (node.type() == pugi::node_doctype) throw Error(file.string(), "a DOCTYPE has no place in OSM data");
+    if (node.type() == pugi::node_doctype)
+      throw Error(file.string(), "a DOCTYPE has no place in OSM data");
   const pugi::xml_node root = document.child("osm");
   if (!root) throw Error(file.string(), "not OSM XML: the root element is not <osm>");
 
@@ -72,7 +74,8 @@ OsmData read_osm_xml(const std::filesystem::path& file) {
       std::vector<std::int64_t> nodes;
       for (const pugi::xml_node& reference : element.children("nd"))
         // An unreadable reference is a node that no extract has.
-        nodes.push_back(number<std::int64_t>(reference.attribute("ref").value()).value_or(INT64_MIN));
+        nodes.push_back(
+            number<std::int64_t>(reference.attribute("ref").value()).value_or(INT64_MIN));
       if (id) collector.way(*id, std::move(nodes), tags_of(element));
     } else if (name == "relation") {
       collector.relation();

@@ -24,7 +24,8 @@ OsmData read_osm(const std::filesystem::path& file) {
   if (head.starts_with("BZh")) return read_osm_packed(file, "osm.bz2");
   if (head.starts_with("\xff\xe0")) return read_osm_packed(file, "o5m");
   // A PBF begins with the length of a blob header whose first field is the text "OSMHeader".
-  if (head.size() > 16 && head.substr(4, 11) == "\x0a\x09OSMHeader") return read_osm_packed(file, "pbf");
+  if (head.size() > 16 && head.substr(4, 11) == "\x0a\x09OSMHeader")
+    return read_osm_packed(file, "pbf");
   if (head.starts_with("\xef\xbb\xbf")) head.remove_prefix(3);
   const std::size_t text = head.find_first_not_of(" \t\r\n");
   if (text != std::string_view::npos && head[text] == '<') return read_osm_xml(file);

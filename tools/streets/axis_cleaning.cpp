@@ -11,7 +11,8 @@ namespace {
 using glm::dvec2;
 using Branch = Axis::Branch;
 
-constexpr double shortest_stub_m = 8;  // beyond the edge of the street it leaves: less is a bay or a corner
+constexpr double shortest_stub_m =
+    8;  // beyond the edge of the street it leaves: less is a bay or a corner
 constexpr double straight_within_m = 0.4;  // points a line may lose
 constexpr double widest_m = 60;
 
@@ -55,13 +56,15 @@ double median_width(const Branch& branch) {
 }
 
 /// Douglas and Peucker.
-void simplify(const std::vector<dvec2>& line, std::size_t a, std::size_t b, std::vector<dvec2>& result) {
+void simplify(const std::vector<dvec2>& line, std::size_t a, std::size_t b,
+              std::vector<dvec2>& result) {
   double worst = straight_within_m;
   std::size_t at = a;
   const dvec2 chord = line[b] - line[a];
   const double length2 = glm::dot(chord, chord);
   for (std::size_t n = a + 1; n < b; ++n) {
-    const double t = length2 > 0 ? std::clamp(glm::dot(line[n] - line[a], chord) / length2, 0.0, 1.0) : 0;
+    const double t =
+        length2 > 0 ? std::clamp(glm::dot(line[n] - line[a], chord) / length2, 0.0, 1.0) : 0;
     const double off = glm::distance(line[n], line[a] + chord * t);
     if (off > worst) worst = off, at = n;
   }
@@ -75,7 +78,8 @@ void simplify(const std::vector<dvec2>& line, std::size_t a, std::size_t b, std:
 
 class Cleaner {
  public:
-  explicit Cleaner(Axis&& axis) : nodes_(std::move(axis.nodes)), branches_(std::move(axis.branches)) {
+  explicit Cleaner(Axis&& axis)
+      : nodes_(std::move(axis.nodes)), branches_(std::move(axis.branches)) {
     std::erase_if(branches_, [](const Branch& branch) { return branch.line.size() < 2; });
   }
 
@@ -86,7 +90,8 @@ class Cleaner {
     while (prune() + join() > 0) {
     }
     close_rings();
-    for (const Branch& branch : branches_) widths_.push_back(std::min(median_width(branch), widest_m));
+    for (const Branch& branch : branches_)
+      widths_.push_back(std::min(median_width(branch), widest_m));
     find_places();
     std::vector<MiddleLine> result;
     for (std::size_t b = 0; b < branches_.size(); ++b) {
@@ -174,7 +179,8 @@ class Cleaner {
   void close_rings() {
     const auto at = branches_at();
     for (Branch& branch : branches_) {
-      if (branch.from != branch.to || at[branch.from].size() != 2 || branch.line.size() < 5) continue;
+      if (branch.from != branch.to || at[branch.from].size() != 2 || branch.line.size() < 5)
+        continue;
       Axis::Node& node = nodes_[branch.from];
       if (node.reach_m == 0) continue;
       branch.line.erase(branch.line.begin());
@@ -258,7 +264,8 @@ class Cleaner {
         double beyond = 0;
         for (const dvec2& tip : node.tips)
           beyond = std::max(beyond, glm::dot(tip - arms[0].point, -arms[0].away));
-        node.place = arms[0].point - arms[0].away * std::clamp(beyond, 0.0, arms[0].cut + widest_m / 2);
+        node.place =
+            arms[0].point - arms[0].away * std::clamp(beyond, 0.0, arms[0].cut + widest_m / 2);
       } else if (at[n].size() > 2) {
         node.place = meeting(arms, node.place, node.reach_m);
       }

@@ -29,7 +29,9 @@ class AxisMaker {
       Vertex last{};
       for (int k = 0; k <= parts; ++k) {
         // The same points whichever way the edge runs, and the ends to the bit.
-        const glm::dvec2 p = k == 0 ? a : k == parts ? b : a + (b - a) * (static_cast<double>(k) / parts);
+        const glm::dvec2 p = k == 0       ? a
+                             : k == parts ? b
+                                          : a + (b - a) * (static_cast<double>(k) / parts);
         const Vertex v = triangulation_.insert(Kernel::Point_2(p.x, p.y), hint);
         if (k > 0 && v != last) triangulation_.insert_constraint(last, v);
         last = v;
@@ -49,7 +51,8 @@ class AxisMaker {
           if (is_chord(face, i)) walk(face, i);
     // What no walk has met runs in a ring.
     for (const Face face : triangulation_.finite_face_handles())
-      if (face->info().inside && face->info().node == no_node && !face->info().walked) walk_ring(face);
+      if (face->info().inside && face->info().node == no_node && !face->info().walked)
+        walk_ring(face);
     for (Axis::Node& node : axis_.nodes) {
       node.place += origin_;
       for (glm::dvec2& tip : node.tips) tip += origin_;
@@ -94,7 +97,8 @@ class AxisMaker {
     const int count = chords(face);
     if (count != 1 && count != 3) return;
     Axis::Node node;
-    const glm::dvec2 a = plan(face->vertex(0)), b = plan(face->vertex(1)), c = plan(face->vertex(2));
+    const glm::dvec2 a = plan(face->vertex(0)), b = plan(face->vertex(1)),
+                     c = plan(face->vertex(2));
     if (count == 3) {
       node.place = (a + b + c) / 3.0;
       node.reach_m = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
@@ -113,8 +117,8 @@ class AxisMaker {
   static double width_at(const Face& face) {
     for (int i = 0; i < 3; ++i)
       if (!is_chord(face, i)) {
-        const glm::dvec2 a = plan(face->vertex(Delaunay::ccw(i))), b = plan(face->vertex(Delaunay::cw(i))),
-                         c = plan(face->vertex(i));
+        const glm::dvec2 a = plan(face->vertex(Delaunay::ccw(i))),
+                         b = plan(face->vertex(Delaunay::cw(i))), c = plan(face->vertex(i));
         const glm::dvec2 edge = b - a, to = c - a;
         const double length = glm::length(edge);
         return length > 0 ? std::abs(edge.x * to.y - edge.y * to.x) / length : 0;

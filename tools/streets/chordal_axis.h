@@ -21,7 +21,8 @@ struct Axis {
   struct Branch {
     std::size_t from = no_node, to = no_node;  // nodes; the same one for a ring
     std::vector<glm::dvec2> line;
-    std::vector<double> width_m;  // of the outline, between each two points of the line; 0: amid a junction
+    std::vector<double>
+        width_m;  // of the outline, between each two points of the line; 0: amid a junction
   };
   std::vector<Node> nodes;
   std::vector<Branch> branches;

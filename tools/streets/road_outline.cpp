@@ -33,7 +33,8 @@ glm::dvec2 plan(const Vertex& v) {
 }
 
 double area(const Face& face) {
-  const glm::dvec2 a = plan(face->vertex(0)), b = plan(face->vertex(1)) - a, c = plan(face->vertex(2)) - a;
+  const glm::dvec2 a = plan(face->vertex(0)), b = plan(face->vertex(1)) - a,
+                   c = plan(face->vertex(2)) - a;
   return (b.x * c.y - b.y * c.x) / 2;
 }
 
@@ -85,8 +86,8 @@ class Outliner {
   /// Which surfaces' rings run along an edge an odd number of times.
   void cross(const Face& face, int i, Cover& cover) const {
     const Vertex a = face->vertex(Triangulation::ccw(i)), b = face->vertex(Triangulation::cw(i));
-    for (auto context = triangulation_.contexts_begin(a, b); context != triangulation_.contexts_end(a, b);
-         ++context) {
+    for (auto context = triangulation_.contexts_begin(a, b);
+         context != triangulation_.contexts_end(a, b); ++context) {
       const std::uint32_t surface = surface_of_.at(context->id());
       const auto place = std::lower_bound(cover.begin(), cover.end(), surface);
       if (place != cover.end() && *place == surface)
@@ -123,7 +124,8 @@ class Outliner {
   }
 
   bool is_gap(const Face& face) const {
-    const glm::dvec2 corners[] = {plan(face->vertex(0)), plan(face->vertex(1)), plan(face->vertex(2))};
+    const glm::dvec2 corners[] = {plan(face->vertex(0)), plan(face->vertex(1)),
+                                  plan(face->vertex(2))};
     glm::dvec2 longest(0);
     for (int i = 0; i < 3; ++i) {
       const glm::dvec2 edge = corners[(i + 1) % 3] - corners[i];

@@ -25,7 +25,8 @@ AreaUse use_of(int function) {
   }
   if (function == 1 || function == 9 || function == 20 || function == 24 || function == 32)
     return AreaUse::vehicles;
-  if ((function >= 14 && function <= 17) || (function >= 33 && function <= 36)) return AreaUse::vehicles;
+  if ((function >= 14 && function <= 17) || (function >= 33 && function <= 36))
+    return AreaUse::vehicles;
   return AreaUse::others;
 }
 
@@ -83,7 +84,8 @@ void RoadSurfaces::add(const CityObject& object) {
     return;
   }
   const auto said = [](const Polygon& polygon) {
-    return polygon.surface == SurfaceType::traffic_area ? use_of(polygon.area_function) : AreaUse::unsaid;
+    return polygon.surface == SurfaceType::traffic_area ? use_of(polygon.area_function)
+                                                        : AreaUse::unsaid;
   };
   const bool carriageways =
       std::any_of(object.polygons.begin(), object.polygons.end(),

@@ -28,8 +28,10 @@ class SurfaceIndex {
   explicit SurfaceIndex(const std::vector<RoadSurface>& surfaces) : surfaces_(surfaces) {
     for (std::uint32_t n = 0; n < surfaces.size(); ++n) {
       glm::dvec2 low = surfaces[n].exterior.front(), high = low;
-      for (const glm::dvec2& p : surfaces[n].exterior) low = glm::min(low, p), high = glm::max(high, p);
-      if (glm::distance(low, high) > largest_m) continue;  // a district as one road: nothing to be told apart
+      for (const glm::dvec2& p : surfaces[n].exterior)
+        low = glm::min(low, p), high = glm::max(high, p);
+      if (glm::distance(low, high) > largest_m)
+        continue;  // a district as one road: nothing to be told apart
       for (std::int64_t x = cell(low.x); x <= cell(high.x); ++x)
         for (std::int64_t y = cell(low.y); y <= cell(high.y); ++y) cells_[key(x, y)].push_back(n);
     }
@@ -68,7 +70,8 @@ Said ask(const SurfaceIndex& index, const std::vector<glm::dvec2>& line) {
     const double length = glm::distance(line[n - 1], line[n]);
     const int steps = std::max(1, static_cast<int>(std::ceil(length / step_m)));
     for (int k = 0; k < steps; ++k) {
-      const RoadSurface* surface = index.at(line[n - 1] + (line[n] - line[n - 1]) * ((k + 0.5) / steps));
+      const RoadSurface* surface =
+          index.at(line[n - 1] + (line[n] - line[n - 1]) * ((k + 0.5) / steps));
       if (!surface) continue;
       const double weight = length / steps;
       votes[surface->highway ? surface->highway : ""] += weight;
@@ -113,9 +116,9 @@ StreetWays street_ways(const RoadSurfaces& roads,
     way.tags = {{"highway", highway}, {"width", fmt::format("{:.1f}", width)}};
     if (width >= 12) way.tags.emplace("lanes", "4");
     for (const glm::dvec2& p : street.line) way.lon_lat.push_back(to_lon_lat(p));
-    const bool finite = std::all_of(way.lon_lat.begin(), way.lon_lat.end(), [](const glm::dvec2& p) {
-      return std::isfinite(p.x) && std::isfinite(p.y);
-    });
+    const bool finite =
+        std::all_of(way.lon_lat.begin(), way.lon_lat.end(),
+                    [](const glm::dvec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
     if (!finite) continue;
     double km = 0;
     for (std::size_t n = 1; n < street.line.size(); ++n)

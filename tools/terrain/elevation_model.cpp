@@ -52,7 +52,8 @@ struct ElevationModel::State {
   void sample_pixels(std::span<const glm::dvec2> pixels, std::span<double> heights) const;
 };
 
-ElevationModel::ElevationModel(const std::filesystem::path& file) : state_(std::make_unique<State>()) {
+ElevationModel::ElevationModel(const std::filesystem::path& file)
+    : state_(std::make_unique<State>()) {
   static std::once_flag registered;
   std::call_once(registered, GDALAllRegister);
   const Silence silence;
@@ -65,7 +66,8 @@ ElevationModel::ElevationModel(const std::filesystem::path& file) : state_(std::
     throw Error(s.name, "is no raster of heights: " + reason());
   s.band = s.dataset->GetRasterBand(1);
   double from_pixel[6];
-  if (s.dataset->GetGeoTransform(from_pixel) != CE_None || !GDALInvGeoTransform(from_pixel, s.to_pixel))
+  if (s.dataset->GetGeoTransform(from_pixel) != CE_None ||
+      !GDALInvGeoTransform(from_pixel, s.to_pixel))
     throw Error(s.name, "names no place on earth: it has no geotransform");
   int said = 0;
   if (const double value = s.band->GetNoDataValue(&said); said) s.no_data = value;
@@ -124,22 +126,25 @@ void ElevationModel::State::sample_pixels(std::span<const glm::dvec2> pixels,
   }
   const int columns = static_cast<int>(extent.x), rows = static_cast<int>(extent.y);
   std::vector<double> window(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  if (band->RasterIO(GF_Read, static_cast<int>(low.x), static_cast<int>(low.y), columns, rows, window.data(),
-                     columns, rows, GDT_Float64, 0, 0) != CE_None)
+  if (band->RasterIO(GF_Read, static_cast<int>(low.x), static_cast<int>(low.y), columns, rows,
+                     window.data(), columns, rows, GDT_Float64, 0, 0) != CE_None)
     throw Error(name, "cannot be read: " + reason());
   const auto value = [&](double x, double y) {
-    const double v = window[static_cast<std::size_t>(y - low.y) * static_cast<std::size_t>(columns) +
-                            static_cast<std::size_t>(x - low.x)];
+    const double v =
+        window[static_cast<std::size_t>(y - low.y) * static_cast<std::size_t>(columns) +
+               static_cast<std::size_t>(x - low.x)];
     const double metres = v * scale + offset;
     // Beyond any height on the Earth: a fill value that the raster does not declare.
     return v == no_data || !(metres > -12'000 && metres < 9'000) ? nothing : metres;
   };
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     if (outside(pixels[i])) continue;
-    const glm::dvec2 p = glm::clamp(pixels[i], glm::dvec2(0), last), a = glm::floor(p), b = glm::ceil(p),
-                     f = p - a;
+    const glm::dvec2 p = glm::clamp(pixels[i], glm::dvec2(0), last), a = glm::floor(p),
+                     b = glm::ceil(p), f = p - a;
     // A weight of zero must not let a pixel without data in.
-    const auto mix = [](double from, double to, double t) { return t == 0 ? from : from + t * (to - from); };
+    const auto mix = [](double from, double to, double t) {
+      return t == 0 ? from : from + t * (to - from);
+    };
     const double upper = mix(value(a.x, a.y), value(b.x, a.y), f.x);
     heights[i] = f.y == 0 ? upper : mix(upper, mix(value(a.x, b.y), value(b.x, b.y), f.x), f.y);
   }

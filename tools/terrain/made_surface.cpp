@@ -24,10 +24,11 @@ using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Tr
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase>;
 using Delaunay = CGAL::Delaunay_triangulation_2<Traits, Structure>;
 using ConstrainedStructure =
-    CGAL::Triangulation_data_structure_2<VertexBase, CGAL::Constrained_triangulation_face_base_2<Traits>>;
+    CGAL::Triangulation_data_structure_2<VertexBase,
+                                         CGAL::Constrained_triangulation_face_base_2<Traits>>;
 // The tag splits lines that cross; without it they would throw.
-using Constrained =
-    CGAL::Constrained_Delaunay_triangulation_2<Traits, ConstrainedStructure, CGAL::Exact_predicates_tag>;
+using Constrained = CGAL::Constrained_Delaunay_triangulation_2<Traits, ConstrainedStructure,
+                                                               CGAL::Exact_predicates_tag>;
 
 constexpr int rim_points = 32;
 
@@ -78,7 +79,9 @@ void prepare(std::vector<glm::dvec3>& points, double margin_m) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
   });
   points.erase(std::unique(points.begin(), points.end(),
-                           [](const glm::dvec3& a, const glm::dvec3& b) { return a.x == b.x && a.y == b.y; }),
+                           [](const glm::dvec3& a, const glm::dvec3& b) {
+                             return a.x == b.x && a.y == b.y;
+                           }),
                points.end());
   add_rim(points, margin_m);
 }
@@ -88,8 +91,10 @@ void insert_points(Triangulation& triangulation, const std::vector<glm::dvec3>& 
   std::vector<std::pair<Kernel::Point_3, std::uint32_t>> input;
   input.reserve(points.size());
   for (std::size_t n = 0; n < points.size(); ++n)
-    input.emplace_back(Kernel::Point_3(points[n].x, points[n].y, points[n].z), static_cast<std::uint32_t>(n));
-  triangulation.insert(input.begin(), input.end());  // in space-filling order: 1.1 M points/s instead of 6 k
+    input.emplace_back(Kernel::Point_3(points[n].x, points[n].y, points[n].z),
+                       static_cast<std::uint32_t>(n));
+  triangulation.insert(input.begin(),
+                       input.end());  // in space-filling order: 1.1 M points/s instead of 6 k
 }
 
 template <class Triangulation>
@@ -97,10 +102,12 @@ TriangleMesh mesh_of(const Triangulation& triangulation, std::vector<glm::dvec3>
   TriangleMesh mesh;
   mesh.positions = std::move(positions);
   mesh.triangles.reserve(triangulation.number_of_faces());
-  for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end(); ++face)
-    mesh.triangles.push_back({{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()},
-                              SurfaceType::terrain,
-                              0});
+  for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end();
+       ++face)
+    mesh.triangles.push_back(
+        {{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()},
+         SurfaceType::terrain,
+         0});
   return mesh;
 }
 
@@ -114,8 +121,8 @@ TriangleMesh make_surface(std::vector<glm::dvec3> points, double margin_m) {
   return mesh_of(delaunay, std::move(points));
 }
 
-BreakSurface make_surface(std::vector<glm::dvec3> points, std::span<const std::vector<glm::dvec3>> lines,
-                          double margin_m) {
+BreakSurface make_surface(std::vector<glm::dvec3> points,
+                          std::span<const std::vector<glm::dvec3>> lines, double margin_m) {
   for (const auto& line : lines) points.insert(points.end(), line.begin(), line.end());
   prepare(points, margin_m);
   BreakSurface result;
@@ -128,9 +135,10 @@ BreakSurface make_surface(std::vector<glm::dvec3> points, std::span<const std::v
   const auto inner_end = points.end() - rim_points;
   const auto vertex_at = [&](const glm::dvec3& p) -> Constrained::Vertex_handle {
     if (!finite(p)) return {};
-    const auto found = std::lower_bound(
-        points.begin(), inner_end, p,
-        [](const glm::dvec3& a, const glm::dvec3& b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); });
+    const auto found = std::lower_bound(points.begin(), inner_end, p,
+                                        [](const glm::dvec3& a, const glm::dvec3& b) {
+                                          return std::tie(a.x, a.y) < std::tie(b.x, b.y);
+                                        });
     return vertices[static_cast<std::size_t>(found - points.begin())];
   };
   // n lines may cross n^2 times: a file's few crossings are kept, a hostile one's end.
@@ -138,7 +146,8 @@ BreakSurface make_surface(std::vector<glm::dvec3> points, std::span<const std::v
   for (const auto& line : lines)
     for (std::size_t k = 0; k + 1 < line.size(); ++k) {
       const auto a = vertex_at(line[k]), b = vertex_at(line[k + 1]);
-      if (a == Constrained::Vertex_handle{} || b == Constrained::Vertex_handle{} || a == b) continue;
+      if (a == Constrained::Vertex_handle{} || b == Constrained::Vertex_handle{} || a == b)
+        continue;
       if (surface.number_of_vertices() > max_vertices) {
         ++result.unused_edges;
         continue;

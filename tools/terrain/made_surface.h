@@ -24,7 +24,7 @@ struct BreakSurface {
 /// The same through break lines as well: every piece of a line is an edge of the surface, or several in a row
 /// (constrained Delaunay); no triangle reaches across. Where lines cross a vertex is added, at the height of
 /// one of them.
-BreakSurface make_surface(std::vector<glm::dvec3> points, std::span<const std::vector<glm::dvec3>> lines,
-                          double margin_m);
+BreakSurface make_surface(std::vector<glm::dvec3> points,
+                          std::span<const std::vector<glm::dvec3>> lines, double margin_m);
 
 }  // namespace nightcity

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double finest_cell_m = 128;
 constexpr std::size_t max_cached = 40'000;  // triangles, 72 bytes each
-constexpr double min_plan_area_m2 = 1e-8;  // below it a triangle is a wall or a line
-constexpr double edge_m = 1e-6;              // a point so near an edge is on it, whatever the rounding
+constexpr double min_plan_area_m2 = 1e-8;   // below it a triangle is a wall or a line
+constexpr double edge_m = 1e-6;  // a point so near an edge is on it, whatever the rounding
 constexpr double beyond_any_frame_m = 1e9;
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) {
@@ -28,8 +28,10 @@ struct SurfaceStore::Loaded {
   int side = 1;
   std::vector<std::uint32_t> first, inside;
 
-  Loaded(std::vector<Triangle> t, const glm::dvec2& low, double size) : triangles(std::move(t)), corner(low) {
-    side = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(triangles.size()) / 2)), 1, 256);
+  Loaded(std::vector<Triangle> t, const glm::dvec2& low, double size)
+      : triangles(std::move(t)), corner(low) {
+    side =
+        std::clamp(static_cast<int>(std::sqrt(static_cast<double>(triangles.size()) / 2)), 1, 256);
     bucket = size / side;
     first.assign(static_cast<std::size_t>(side) * static_cast<std::size_t>(side) + 1, 0);
     for (std::uint32_t i = 0; i < triangles.size(); ++i)
@@ -45,10 +47,12 @@ struct SurfaceStore::Loaded {
   std::size_t cost() const { return triangles.size() + 8; }
 
   int index(double along) const {
-    return static_cast<int>(std::clamp(std::floor(along / bucket), 0.0, static_cast<double>(side - 1)));
+    return static_cast<int>(
+        std::clamp(std::floor(along / bucket), 0.0, static_cast<double>(side - 1)));
   }
   std::size_t bucket_at(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(side) + static_cast<std::size_t>(column);
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(side) +
+           static_cast<std::size_t>(column);
   }
   template <class Visitor>
   void visit(const Triangle& t, const Visitor& visitor) const {
@@ -56,14 +60,16 @@ struct SurfaceStore::Loaded {
     const glm::dvec2 low = glm::min(glm::min(a, b), c) - corner - edge_m,
                      high = glm::max(glm::max(a, b), c) - corner + edge_m;
     for (int row = index(low.y); row <= index(high.y); ++row)
-      for (int column = index(low.x); column <= index(high.x); ++column) visitor(bucket_at(column, row));
+      for (int column = index(low.x); column <= index(high.x); ++column)
+        visitor(bucket_at(column, row));
   }
 
   static std::optional<double> height(const Triangle& t, const glm::dvec2& p) {
-    const glm::dvec2 a(t.corners[0]), u = glm::dvec2(t.corners[1]) - a, v = glm::dvec2(t.corners[2]) - a,
-                                      w = v - u, q = p - a;
+    const glm::dvec2 a(t.corners[0]), u = glm::dvec2(t.corners[1]) - a,
+                                      v = glm::dvec2(t.corners[2]) - a, w = v - u, q = p - a;
     const double twice = cross(u, v), side = twice > 0 ? 1 : -1;
-    if (side * cross(u, q) < -edge_m * glm::length(u) || side * cross(q, v) < -edge_m * glm::length(v) ||
+    if (side * cross(u, q) < -edge_m * glm::length(u) ||
+        side * cross(q, v) < -edge_m * glm::length(v) ||
         side * cross(w, q - u) < -edge_m * glm::length(w))
       return std::nullopt;
     const double s = cross(q, v) / twice, r = cross(u, q) / twice, z = t.corners[0].z;
@@ -88,18 +94,21 @@ double SurfaceStore::cell_size(int level) {
 bool SurfaceStore::add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const double plan = std::abs(cross(glm::dvec2(b - a), glm::dvec2(c - a))) / 2;
   // Not finite fails the comparisons too.
-  if (!(plan > min_plan_area_m2) || !(std::abs(a.z) + std::abs(b.z) + std::abs(c.z) < beyond_any_frame_m))
+  if (!(plan > min_plan_area_m2) ||
+      !(std::abs(a.z) + std::abs(b.z) + std::abs(c.z) < beyond_any_frame_m))
     return false;
   if (!origin_) origin_ = glm::floor(glm::dvec2(a));
   const glm::dvec3 shift(*origin_, 0);
   const Triangle triangle{{a - shift, b - shift, c - shift}};
   const glm::dvec2 p(triangle.corners[0]), q(triangle.corners[1]), r(triangle.corners[2]);
-  const glm::dvec2 low = glm::min(glm::min(p, q), r) - edge_m, high = glm::max(glm::max(p, q), r) + edge_m;
+  const glm::dvec2 low = glm::min(glm::min(p, q), r) - edge_m,
+                   high = glm::max(glm::max(p, q), r) + edge_m;
   const double extent = std::max(high.x - low.x, high.y - low.y);
   int level = 0;
   while (level + 1 < levels && cell_size(level) < extent) ++level;
   const double size = cell_size(level);
-  if (!(std::max(glm::length(low), glm::length(high)) / size < 1e9)) return false;  // no place of any frame
+  if (!(std::max(glm::length(low), glm::length(high)) / size < 1e9))
+    return false;  // no place of any frame
   used_[static_cast<std::size_t>(level)] = true;
   ++count_;
   const auto cell = [size](double v) { return static_cast<std::int32_t>(std::floor(v / size)); };
@@ -118,9 +127,11 @@ std::optional<double> SurfaceStore::highest_at(const glm::dvec2& p) {
     const double size = cell_size(level);
     const glm::dvec2 place = glm::floor(local / size);
     if (!(std::abs(place.x) < 1e9 && std::abs(place.y) < 1e9)) continue;
-    const CellKey key{level, static_cast<std::int32_t>(place.x), static_cast<std::int32_t>(place.y)};
-    const auto loaded = cache_->get(
-        key, [&] { return Loaded(cells_.read(key), glm::dvec2(key.column, key.row) * size, size); });
+    const CellKey key{level, static_cast<std::int32_t>(place.x),
+                      static_cast<std::int32_t>(place.y)};
+    const auto loaded = cache_->get(key, [&] {
+      return Loaded(cells_.read(key), glm::dvec2(key.column, key.row) * size, size);
+    });
     loaded->raise(local, best);
   }
   return best;

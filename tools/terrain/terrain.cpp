@@ -17,7 +17,8 @@ constexpr std::size_t max_line_vertices = 200'000;
 
 struct Terrain::State {
   explicit State(const std::filesystem::path& scratch)
-      : layers{SurfaceStore(scratch), SurfaceStore(scratch), SurfaceStore(scratch), SurfaceStore(scratch)} {}
+      : layers{SurfaceStore(scratch), SurfaceStore(scratch), SurfaceStore(scratch),
+               SurfaceStore(scratch)} {}
 
   SurfaceStore& layer(Footing footing) { return layers[static_cast<std::size_t>(footing)]; }
 

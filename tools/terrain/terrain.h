@@ -20,7 +20,8 @@ class Terrain {
  public:
   /// Triangles lie in scratch files beside `scratch` (by default in the system's folder for such), so that
   /// memory does not grow with the city.
-  explicit Terrain(const std::filesystem::path& scratch = std::filesystem::temp_directory_path() / "terrain");
+  explicit Terrain(const std::filesystem::path& scratch = std::filesystem::temp_directory_path() /
+                                                          "terrain");
   ~Terrain();
   Terrain(Terrain&&) noexcept;
   Terrain& operator=(Terrain&&) noexcept;

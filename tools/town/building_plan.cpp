@@ -76,7 +76,8 @@ class Block {
       sum += z;
     }
     plan.ground_m = lowest - 0.3;
-    plan.eave_m = sum / static_cast<double>(plan.outline.size()) + plinth_m + plan.storeys * storey_m;
+    plan.eave_m =
+        sum / static_cast<double>(plan.outline.size()) + plinth_m + plan.storeys * storey_m;
   }
 
   void roof_over(BuildingPlan& plan, Roof roof, double depth_m, double pitch_degrees) {
@@ -107,7 +108,9 @@ class Block {
     return "31001_1010";                           // dwellings
   }
 
-  int old_year() { return random_.chance(0.7) ? random_.integer(1870, 1914) : random_.integer(1920, 2015); }
+  int old_year() {
+    return random_.chance(0.7) ? random_.integer(1870, 1914) : random_.integer(1920, 2015);
+  }
 
   /// Houses wall to wall round the block with a yard inside. False where the block is too small or too skew.
   bool perimeter() {
@@ -189,7 +192,8 @@ class Block {
     plans_.push_back(std::move(plan));
   }
 
-  static BuildingPlan rectangle(const dvec2& corner, const dvec2& along, double length, double depth) {
+  static BuildingPlan rectangle(const dvec2& corner, const dvec2& along, double length,
+                                double depth) {
     const dvec2 u = along * length, v = dvec2(-along.y, along.x) * depth;
     BuildingPlan plan;
     plan.outline = {corner, corner + u, corner + u + v, corner + v};
@@ -221,13 +225,15 @@ class Block {
   /// Detached and semi-detached houses in gardens along all four sides.
   void houses() {
     const double setback = random_.range(3.5, 6), deepest = 12.5, gap = 3.2;
-    const double clear = setback + deepest + gap;  // the strip beside a street that its own houses may use
+    const double clear =
+        setback + deepest + gap;  // the strip beside a street that its own houses may use
     for (std::size_t k = 0; k < 4; ++k) {
       const bool first_choice = k % 2 == 0;  // sides 0 and 2 build up to the corners
       double s = setback;
       while (s < side_[k].length - setback - 9) {
         const double lot = random_.range(13, 19);
-        const double width = std::min(random_.range(9, 14), lot - gap), depth = random_.range(8.5, deepest);
+        const double width = std::min(random_.range(9, 14), lot - gap),
+                     depth = random_.range(8.5, deepest);
         const double front = setback + random_.range(0, deepest - depth);
         BuildingPlan plan = rectangle(side_[k].at(s, front), side_[k].along, width, depth);
         s += lot;
@@ -285,8 +291,8 @@ class Block {
     double room = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < 4; ++k) room = std::min(room, side_[k].depth_of(centre));
     const double half = (room - 3) / std::numbers::sqrt2;
-    BuildingPlan plan = rectangle(centre - side_[0].along * half - side_[0].inward * half, side_[0].along,
-                                  2 * half, 2 * half);
+    BuildingPlan plan = rectangle(centre - side_[0].along * half - side_[0].inward * half,
+                                  side_[0].along, 2 * half, 2 * half);
     plan.storeys = 1;
     plan.year = random_.integer(1975, 2020);
     plan.function = random_.chance(0.6) ? "31001_2050" : "31001_2111";  // shop, factory
@@ -320,7 +326,8 @@ class Block {
       const double angle = -std::numbers::pi / 2 + std::numbers::pi * n / 6;
       apse.outline.push_back(east + u * (5.0 * std::cos(angle)) + v * (5.0 * std::sin(angle)));
     }
-    std::rotate(apse.outline.begin(), apse.outline.end() - 1, apse.outline.end());  // edge 0 on the gable
+    std::rotate(apse.outline.begin(), apse.outline.end() - 1,
+                apse.outline.end());  // edge 0 on the gable
     stand(apse, 9, 0.5);
     apse.ridge_m = apse.eave_m + 4;
     for (BuildingPlan* part : {&tower, &apse}) {
@@ -341,8 +348,8 @@ class Block {
 
 }  // namespace
 
-std::vector<BuildingPlan> plan_block(const StreetPlan& streets, const Hills& hills, std::uint64_t seed, int i,
-                                     int j) {
+std::vector<BuildingPlan> plan_block(const StreetPlan& streets, const Hills& hills,
+                                     std::uint64_t seed, int i, int j) {
   return Block(streets, hills, seed, i, j).build(streets.use(i, j));
 }
 

@@ -12,10 +12,10 @@
 namespace nightcity::town {
 
 enum class Shape {
-  quad,       // outline of 4, edge 0 on the street; edges 0 and 2 parallel
-  corner,     // outline of 6: an L with its outer corner at 1 and its inner corner at 4; wings equally deep
+  quad,  // outline of 4, edge 0 on the street; edges 0 and 2 parallel
+  corner,  // outline of 6: an L with its outer corner at 1 and its inner corner at 4; wings equally deep
   courtyard,  // outline of 4 around a hole of 4 with sides parallel to it, equally deep all round
-  apse        // outline of n; edge 0 stands against another wall and carries the apex of a half cone
+  apse  // outline of n; edge 0 stands against another wall and carries the apex of a half cone
 };
 
 enum class Roof { flat, shed, gabled, hipped, pyramid, mansard };
@@ -23,8 +23,8 @@ enum class Roof { flat, shed, gabled, hipped, pyramid, mansard };
 struct BuildingPlan {
   Shape shape = Shape::quad;
   Roof roof = Roof::gabled;
-  std::vector<glm::dvec2> outline;               // counter-clockwise, m from the town's origin
-  std::vector<glm::dvec2> hole;                  // counter-clockwise, corner for corner with the outline
+  std::vector<glm::dvec2> outline;  // counter-clockwise, m from the town's origin
+  std::vector<glm::dvec2> hole;     // counter-clockwise, corner for corner with the outline
   double ground_m = 0, eave_m = 0, ridge_m = 0;  // absolute heights
   int storeys = 1;
   int year = 1900;
@@ -34,7 +34,7 @@ struct BuildingPlan {
 
 /// Every building of block (i, j), in a fixed order. None leaves the parcel, none touches another but along
 /// shared (party) walls.
-std::vector<BuildingPlan> plan_block(const StreetPlan& streets, const Hills& hills, std::uint64_t seed, int i,
-                                     int j);
+std::vector<BuildingPlan> plan_block(const StreetPlan& streets, const Hills& hills,
+                                     std::uint64_t seed, int i, int j);
 
 }  // namespace nightcity::town

@@ -60,12 +60,15 @@ class Body {
     ring.push_back(lift(a, top_a));
     add(SurfaceType::wall, std::move(ring));
   }
-  void eave_wall(std::size_t k) { wall(p_[k], p_[(k + 1) % p_.size()], plan_.eave_m, plan_.eave_m); }
+  void eave_wall(std::size_t k) {
+    wall(p_[k], p_[(k + 1) % p_.size()], plan_.eave_m, plan_.eave_m);
+  }
 
   void ground() {
     Polygon polygon;
     polygon.surface = SurfaceType::ground;  // seen from below: clockwise from above
-    for (auto p = p_.rbegin(); p != p_.rend(); ++p) polygon.exterior.push_back(lift(*p, plan_.ground_m));
+    for (auto p = p_.rbegin(); p != p_.rend(); ++p)
+      polygon.exterior.push_back(lift(*p, plan_.ground_m));
     if (!plan_.hole.empty()) {
       Ring hole;
       for (const dvec2& p : plan_.hole) hole.push_back(lift(p, plan_.ground_m));
@@ -137,7 +140,9 @@ class Body {
   void mansard(const dvec2& west, const dvec2& east) {
     constexpr double step_in = 0.12;  // of the depth
     const double knee = plan_.eave_m + 0.72 * (plan_.ridge_m - plan_.eave_m);
-    const auto inwards = [](const dvec2& from, const dvec2& to) { return from + (to - from) * step_in; };
+    const auto inwards = [](const dvec2& from, const dvec2& to) {
+      return from + (to - from) * step_in;
+    };
     const dvec3 a = lift(inwards(p_[0], p_[3]), knee), b = lift(inwards(p_[1], p_[2]), knee);
     const dvec3 c = lift(inwards(p_[2], p_[1]), knee), d = lift(inwards(p_[3], p_[0]), knee);
     eave_wall(0);
@@ -156,7 +161,8 @@ class Body {
       for (std::size_t k = 0; k < 6; ++k) eave_wall(k);
       return flat_roof();
     }
-    const dvec2 end_a = middle(p_[0], p_[5]), end_b = middle(p_[2], p_[3]), turn = middle(p_[1], p_[4]);
+    const dvec2 end_a = middle(p_[0], p_[5]), end_b = middle(p_[2], p_[3]),
+                turn = middle(p_[1], p_[4]);
     for (const std::size_t k : {0u, 1u, 3u, 4u}) eave_wall(k);
     wall(p_[2], p_[3], plan_.eave_m, plan_.eave_m, {ridge(end_b)});
     wall(p_[5], p_[0], plan_.eave_m, plan_.eave_m, {ridge(end_a)});

@@ -46,7 +46,8 @@ std::size_t fan_triangles(const Polygon& polygon) {
 
 }  // namespace
 
-GmlWriter::GmlWriter(TextFile& out, const glm::dvec2& origin, const glm::dvec3& low, const glm::dvec3& high)
+GmlWriter::GmlWriter(TextFile& out, const glm::dvec2& origin, const glm::dvec3& low,
+                     const glm::dvec3& high)
     : out_(out), origin_(origin) {
   out_ << R"(<?xml version="1.0" encoding="UTF-8"?>
 <core:CityModel xmlns:core="http://www.opengis.net/citygml/2.0")"
@@ -104,14 +105,16 @@ void GmlWriter::relief(const Hills& hills, int x0, int y0, int x1, int y1) {
       triangle({corner(x, y), corner(x + 1, y), corner(x + 1, y + 1)});
       triangle({corner(x, y), corner(x + 1, y + 1), corner(x, y + 1)});
     }
-  out_ << "</gml:trianglePatches></gml:TriangulatedSurface></dem:tin></dem:TINRelief></dem:reliefComponent>"
+  out_ << "</gml:trianglePatches></gml:TriangulatedSurface></dem:tin></dem:TINRelief></"
+          "dem:reliefComponent>"
           "</dem:ReliefFeature></core:cityObjectMember>\n";
 }
 
 void GmlWriter::road(const RoadPlan& road) {
   const std::string id = std::string(road.kind) + "_" + std::to_string(road.axis) + "_" +
                          std::to_string(road.i) + "_" + std::to_string(road.j);
-  out_ << "<core:cityObjectMember><tran:Road gml:id=\"" << id << "\"><tran:class>1040</tran:class>\n";
+  out_ << "<core:cityObjectMember><tran:Road gml:id=\"" << id
+       << "\"><tran:class>1040</tran:class>\n";
   for (const RoadArea& area : road.areas) {
     out_ << "<tran:trafficArea><tran:TrafficArea><tran:function>" << area.function
          << "</tran:function><tran:lod2MultiSurface><gml:MultiSurface>\n";
@@ -154,8 +157,8 @@ void GmlWriter::surface(const std::string& id, const Polygon& surface) {
 void GmlWriter::details(const BuildingPlan& plan, const std::string& id, std::uint64_t seed) {
   std::size_t number = 0;
   for (const RoofDetail& detail : roof_details(plan, seed, counts_.buildings)) {
-    out_ << "<bldg:outerBuildingInstallation><bldg:BuildingInstallation gml:id=\"" << id << "_on_roof_"
-         << number++ << "\"><bldg:function>" << (detail.chimney ? "1030" : "1070")
+    out_ << "<bldg:outerBuildingInstallation><bldg:BuildingInstallation gml:id=\"" << id
+         << "_on_roof_" << number++ << "\"><bldg:function>" << (detail.chimney ? "1030" : "1070")
          << "</bldg:function><bldg:lod2Geometry><gml:MultiSurface>\n";
     for (const Polygon& surface : detail.surfaces) {
       polygon(surface, "");
@@ -170,14 +173,16 @@ void GmlWriter::tree(const TreePlan& tree) {
   out_ << "<core:cityObjectMember><veg:SolitaryVegetationObject gml:id=\"tree_" << counts_.trees
        << "\"><veg:class>1070</veg:class><veg:height uom=\"m\">";
   out_.fixed(tree.height_m, 2) << "</veg:height><veg:crownDiameter uom=\"m\">";
-  out_.fixed(2 * tree.crown_radius_m, 2) << "</veg:crownDiameter><veg:lod2Geometry><gml:MultiSurface>\n";
+  out_.fixed(2 * tree.crown_radius_m, 2)
+      << "</veg:crownDiameter><veg:lod2Geometry><gml:MultiSurface>\n";
   for (Ring& corners : tree_surfaces(tree)) {
     Polygon surface;
     surface.exterior = std::move(corners);
     polygon(surface, "");
     out_ << "\n";
   }
-  out_ << "</gml:MultiSurface></veg:lod2Geometry></veg:SolitaryVegetationObject></core:cityObjectMember>\n";
+  out_ << "</gml:MultiSurface></veg:lod2Geometry></veg:SolitaryVegetationObject></"
+          "core:cityObjectMember>\n";
   ++counts_.trees;
 }
 
@@ -185,11 +190,13 @@ void GmlWriter::attributes(const BuildingPlan& plan, std::uint64_t seed) {
   // Real registers leave gaps and put sentinels into them: a reader has to take 9999 for "unknown".
   Random random{static_cast<std::int64_t>(seed), 10, static_cast<std::int64_t>(counts_.buildings)};
   out_ << "<bldg:function>" << plan.function << "</bldg:function>\n";
-  if (random.chance(0.7)) out_ << "<bldg:yearOfConstruction>" << plan.year << "</bldg:yearOfConstruction>\n";
+  if (random.chance(0.7))
+    out_ << "<bldg:yearOfConstruction>" << plan.year << "</bldg:yearOfConstruction>\n";
   out_ << "<bldg:roofType>" << roof_code(plan) << "</bldg:roofType>\n";
   if (random.chance(0.97)) {
     out_ << "<bldg:measuredHeight uom=\"m\">";
-    out_.fixed(std::max(plan.eave_m, plan.ridge_m) - plan.ground_m, 3) << "</bldg:measuredHeight>\n";
+    out_.fixed(std::max(plan.eave_m, plan.ridge_m) - plan.ground_m, 3)
+        << "</bldg:measuredHeight>\n";
   }
   const double pick = random.uniform();
   if (pick < 0.80)
@@ -200,7 +207,8 @@ void GmlWriter::attributes(const BuildingPlan& plan, std::uint64_t seed) {
 
 void GmlWriter::body(const BuildingPlan& plan, const std::string& id) {
   std::size_t number = 0;
-  for (const Polygon& polygon : surfaces_of(plan)) surface(id + "_" + std::to_string(number++), polygon);
+  for (const Polygon& polygon : surfaces_of(plan))
+    surface(id + "_" + std::to_string(number++), polygon);
 }
 
 void GmlWriter::building(const BuildingPlan& plan, std::uint64_t seed) {
@@ -211,8 +219,8 @@ void GmlWriter::building(const BuildingPlan& plan, std::uint64_t seed) {
   body(plan, id);
   for (std::size_t n = 0; n < plan.parts.size(); ++n) {
     const std::string part = id + "_part_" + std::to_string(n);
-    out_ << "<bldg:consistsOfBuildingPart><bldg:BuildingPart gml:id=\"" << part << "\">\n<bldg:roofType>"
-         << roof_code(plan.parts[n]) << "</bldg:roofType>\n";
+    out_ << "<bldg:consistsOfBuildingPart><bldg:BuildingPart gml:id=\"" << part
+         << "\">\n<bldg:roofType>" << roof_code(plan.parts[n]) << "</bldg:roofType>\n";
     body(plan.parts[n], part);
     out_ << "</bldg:BuildingPart></bldg:consistsOfBuildingPart>\n";
   }

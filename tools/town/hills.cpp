@@ -41,7 +41,9 @@ double Hills::smooth(const glm::dvec2& p) const {
 double Hills::height(const glm::dvec2& p) const {
   const glm::dvec2 cell = glm::floor(p / spacing_m);
   const glm::dvec2 f = p / spacing_m - cell;
-  const auto corner = [&](double x, double y) { return smooth((cell + glm::dvec2(x, y)) * spacing_m); };
+  const auto corner = [&](double x, double y) {
+    return smooth((cell + glm::dvec2(x, y)) * spacing_m);
+  };
   // Each square is cut from its south-west to its north-east corner.
   const double z00 = corner(0, 0), z11 = corner(1, 1);
   if (f.x >= f.y) {

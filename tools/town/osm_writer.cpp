@@ -32,8 +32,8 @@ class OsmWriter {
       : out_(out), streets_(streets), options_(options) {}
 
   std::size_t write() {
-    out_
-        << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<osm version=\"0.6\" generator=\"nightbake town\">\n";
+    out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<osm version=\"0.6\" "
+            "generator=\"nightbake town\">\n";
     for (int j = 0; j <= streets_.rows(); ++j)
       for (int i = 0; i <= streets_.columns(); ++i)
         open_node(crossing_id(i, j), streets_.node(i, j)) << "/>\n";
@@ -58,8 +58,8 @@ class OsmWriter {
 
   TextFile& open_node(std::int64_t id, const dvec2& p) {
     double latitude, longitude;
-    GeographicLib::UTMUPS::Reverse(33, true, p.x + options_.origin_east_m, p.y + options_.origin_north_m,
-                                   latitude, longitude);
+    GeographicLib::UTMUPS::Reverse(33, true, p.x + options_.origin_east_m,
+                                   p.y + options_.origin_north_m, latitude, longitude);
     out_ << "<node id=\"" << id << "\" version=\"1\" lat=\"";
     out_.fixed(latitude, 7) << "\" lon=\"";
     return out_.fixed(longitude, 7) << "\"";
@@ -77,7 +77,8 @@ class OsmWriter {
   std::size_t write_lamps() {
     double wishes = 0;
     for_each_stretch(streets_, [&](const Stretch& s) { wishes += wish(s); });
-    const auto total = options_.lamps ? options_.lamps : static_cast<std::size_t>(std::llround(wishes));
+    const auto total =
+        options_.lamps ? options_.lamps : static_cast<std::size_t>(std::llround(wishes));
     // Stretches share the lamps by their wishes: rounding the running sum hands out exactly `total`.
     double sum = 0;
     std::int64_t given = 0, number = 0;
@@ -106,7 +107,8 @@ class OsmWriter {
       const dvec2 outward = left ? dvec2(-along.y, along.x) : dvec2(along.y, -along.x);
       const double wobble = random.range(-0.8, 0.8);  // surveyed from aerial pictures
       Post post;
-      post.at = kerb[0] + (kerb[1] - kerb[0]) * f + along * wobble + outward * random.range(0.45, 0.75);
+      post.at =
+          kerb[0] + (kerb[1] - kerb[0]) * f + along * wobble + outward * random.range(0.45, 0.75);
       const double bearing = std::atan2(-outward.x, -outward.y) * 180 / std::numbers::pi;
       post.bearing_degrees = bearing < 0 ? bearing + 360 : bearing;
       post.street = s.street;
@@ -122,12 +124,14 @@ class OsmWriter {
     Random random{static_cast<std::int64_t>(options_.seed), 12, post.number};
     open_node(first_lamp_id + post.number, post.at) << ">\n";
     tag("highway", "street_lamp");
-    const bool old_lantern = post.street == StreetClass::pedestrian || post.street == StreetClass::footway ||
+    const bool old_lantern = post.street == StreetClass::pedestrian ||
+                             post.street == StreetClass::footway ||
                              post.street == StreetClass::living_street;
     if (post.luminaires > 1) tag("light:count", std::to_string(post.luminaires));
     if (random.chance(0.15)) {
       constexpr const char* electric[] = {
-          "LED", "led", "high_pressure_sodium", "electric", "High Pressure Sodium", "SON", "metal_halide"};
+          "LED", "led",         "high_pressure_sodium", "electric", "High Pressure Sodium",
+          "SON", "metal_halide"};
       constexpr const char* gas[] = {"gaslight", "gas", "LED", "electric"};
       tag("lamp_type", old_lantern ? gas[random.integer(0, 3)] : electric[random.integer(0, 6)]);
     }
@@ -141,7 +145,8 @@ class OsmWriter {
       tag("height", old_lantern ? low[random.integer(0, 3)] : high[random.integer(0, 4)]);
     }
     if (random.chance(0.03)) {
-      constexpr const char* colours[] = {"warm_white", "3000 K", "orange", "white", "4000K", "#ffd9a0"};
+      constexpr const char* colours[] = {"warm_white", "3000 K", "orange",
+                                         "white",      "4000K",  "#ffd9a0"};
       tag("light:colour", colours[random.integer(0, 5)]);
     }
     if (random.chance(0.05)) {
@@ -198,10 +203,12 @@ class OsmWriter {
     const StreetSize size = size_of(street);
     if (random.chance(0.12)) {
       const auto decimetres = static_cast<int>(std::lround(size.carriageway_m * 10));
-      const std::string metres = std::to_string(decimetres / 10) + "." + std::to_string(decimetres % 10);
+      const std::string metres =
+          std::to_string(decimetres / 10) + "." + std::to_string(decimetres % 10);
       tag("width", random.chance(0.6) ? metres : metres + " m");
     }
-    if (random.chance(0.2)) tag("lanes", size.carriageway_m > 10 ? "3" : size.carriageway_m > 5 ? "2" : "1");
+    if (random.chance(0.2))
+      tag("lanes", size.carriageway_m > 10 ? "3" : size.carriageway_m > 5 ? "2" : "1");
     if (random.chance(0.35) && street != StreetClass::pedestrian) {
       constexpr const char* fast[] = {"50", "50 km/h", "30 mph", "DE:urban", "50;30"};
       constexpr const char* slow[] = {"30", "20 mph", "DE:zone:30", "walk", "30"};

@@ -35,7 +35,8 @@ class Drape {
 
   /// The upright face below the edge a-b, seen from its right: a kerb, without which one looks under the
   /// pavement.
-  void face(RoadArea& area, const dvec2& a, const dvec2& b, double bottom_lift, double top_lift) const {
+  void face(RoadArea& area, const dvec2& a, const dvec2& b, double bottom_lift,
+            double top_lift) const {
     const int n = pieces(glm::distance(a, b));
     const auto at = [&](int u, double lift) {
       const dvec2 p = glm::mix(a, b, static_cast<double>(u) / n);
@@ -47,7 +48,9 @@ class Drape {
   }
 
  private:
-  static int pieces(double length) { return std::max(1, static_cast<int>(std::ceil(length / 8.0))); }
+  static int pieces(double length) {
+    return std::max(1, static_cast<int>(std::ceil(length / 8.0)));
+  }
   const Hills& hills_;
 };
 
@@ -57,7 +60,8 @@ Stretch stretch_of(const StreetPlan& streets, int i, int j, int axis) {
   s.i = i;
   s.j = j;
   s.axis = axis;
-  if (axis == 0) {  // row street (i, j) to (i + 1, j): block (i, j) on the left, (i, j - 1) on the right
+  if (axis ==
+      0) {  // row street (i, j) to (i + 1, j): block (i, j) on the left, (i, j - 1) on the right
     const Quad left = streets.kerb(i, j), right = streets.kerb(i, j - 1);
     s.kerb_left[0] = left[0], s.kerb_left[1] = left[1];
     s.kerb_right[0] = right[3], s.kerb_right[1] = right[2];
@@ -121,7 +125,8 @@ void for_each_road(const StreetPlan& streets, const Hills& hills,
     RoadPlan road = road_of(s, s.axis == 2 ? "path" : "road");
     RoadArea lane;
     lane.function = s.street == StreetClass::footway || s.street == StreetClass::pedestrian ? 2 : 1;
-    drape.quad(lane, s.kerb_right[0], s.kerb_right[1], s.kerb_left[1], s.kerb_left[0], Hills::road_lift_m);
+    drape.quad(lane, s.kerb_right[0], s.kerb_right[1], s.kerb_left[1], s.kerb_left[0],
+               Hills::road_lift_m);
     road.areas.push_back(std::move(lane));
     visit(road);
   });
@@ -132,8 +137,8 @@ void for_each_road(const StreetPlan& streets, const Hills& hills,
       road.i = i;
       road.j = j;
       RoadArea lane;
-      drape.quad(lane, streets.kerb(i - 1, j - 1)[2], streets.kerb(i, j - 1)[3], streets.kerb(i, j)[0],
-                 streets.kerb(i - 1, j)[1], Hills::road_lift_m);
+      drape.quad(lane, streets.kerb(i - 1, j - 1)[2], streets.kerb(i, j - 1)[3],
+                 streets.kerb(i, j)[0], streets.kerb(i - 1, j)[1], Hills::road_lift_m);
       road.areas.push_back(std::move(lane));
       visit(road);
     }
@@ -146,7 +151,8 @@ void for_each_road(const StreetPlan& streets, const Hills& hills,
       road.j = j;
       RoadArea paving;
       paving.function = 2;
-      const bool market = streets.use(i, j) == BlockUse::market;  // paved on, so without an inner edge
+      const bool market =
+          streets.use(i, j) == BlockUse::market;  // paved on, so without an inner edge
       for (std::size_t k = 0; k < 4; ++k) {
         const std::size_t next = (k + 1) % 4;
         drape.quad(paving, kerb[k], kerb[next], parcel[next], parcel[k], Hills::pavement_lift_m);

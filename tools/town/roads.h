@@ -12,9 +12,10 @@
 namespace nightcity::town {
 
 struct RoadArea {
-  int function = 1;         // CityGML TrafficArea function code: 1 driving lane, 2 footpath, 5 square
-  std::vector<Ring> rings;  // triangles, counter-clockwise from above, and upright kerb faces of 4, m from
-                            // the town's origin
+  int function = 1;  // CityGML TrafficArea function code: 1 driving lane, 2 footpath, 5 square
+  std::vector<Ring>
+      rings;  // triangles, counter-clockwise from above, and upright kerb faces of 4, m from
+              // the town's origin
 };
 
 struct RoadPlan {

@@ -37,7 +37,8 @@ RoofDetail dormer(const Slope& slope, double x, double reach) {
   RoofDetail detail;
   const auto at = [&](double across, double y, double z) { return slope.at(across, y, z); };
   detail.surfaces = {
-      surface(SurfaceType::wall, {at(x0, y0, foot), at(x1, y0, foot), at(x1, y0, top), at(x0, y0, top)}),
+      surface(SurfaceType::wall,
+              {at(x0, y0, foot), at(x1, y0, foot), at(x1, y0, top), at(x0, y0, top)}),
       surface(SurfaceType::wall, {at(x1, y0, foot), at(x1, reach, back), at(x1, y0, top)}),
       surface(SurfaceType::wall, {at(x0, y0, foot), at(x0, y0, top), at(x0, reach, back)}),
       surface(SurfaceType::roof,
@@ -53,7 +54,8 @@ RoofDetail chimney(const dvec2& centre, const dvec2& along, double low, double h
   Ring top;
   for (int k = 0; k < 4; ++k) {
     const dvec2 &a = corners[k], &b = corners[(k + 1) % 4];
-    detail.surfaces.push_back(surface(SurfaceType::wall, {{a, low}, {b, low}, {b, high}, {a, high}}));
+    detail.surfaces.push_back(
+        surface(SurfaceType::wall, {{a, low}, {b, low}, {b, high}, {a, high}}));
     top.emplace_back(a, high);
   }
   detail.surfaces.push_back(surface(SurfaceType::roof, std::move(top)));
@@ -62,7 +64,8 @@ RoofDetail chimney(const dvec2& centre, const dvec2& along, double low, double h
 
 }  // namespace
 
-std::vector<RoofDetail> roof_details(const BuildingPlan& plan, std::uint64_t seed, std::size_t number) {
+std::vector<RoofDetail> roof_details(const BuildingPlan& plan, std::uint64_t seed,
+                                     std::size_t number) {
   std::vector<RoofDetail> details;
   const bool church = std::string_view(plan.function) == "31001_3041";
   if (plan.shape != Shape::quad || plan.roof == Roof::flat || plan.roof == Roof::shed || church)
@@ -81,17 +84,20 @@ std::vector<RoofDetail> roof_details(const BuildingPlan& plan, std::uint64_t see
       for (int side = 0; side < 2; ++side) {
         const dvec2 start = side == 0 ? p[0] : p[2], direction = side == 0 ? along : -along;
         const Slope slope{start, direction, {-direction.y, direction.x}, plan.eave_m, rise};
-        for (int n = 0; n < count; ++n) details.push_back(dormer(slope, width * (n + 0.5) / count, reach));
+        for (int n = 0; n < count; ++n)
+          details.push_back(dormer(slope, width * (n + 0.5) / count, reach));
       }
     }
   }
   // Chimneys stand on the ridge; a pyramid has none to stand on.
-  const bool ridge = plan.roof == Roof::gabled || plan.roof == Roof::mansard || width > 2 * half + 3;
+  const bool ridge =
+      plan.roof == Roof::gabled || plan.roof == Roof::mansard || width > 2 * half + 3;
   if (ridge) {
     const dvec2 west = (p[0] + p[3]) * 0.5;
     const double low = plan.ridge_m - 0.8, high = plan.ridge_m + chimney_above_m;
     details.push_back(chimney(west + along * (width * random.range(0.35, 0.65)), along, low, high));
-    if (plan.storeys > 2) details.push_back(chimney(west + along * (width - 1.0), along, low, high));
+    if (plan.storeys > 2)
+      details.push_back(chimney(west + along * (width - 1.0), along, low, high));
   }
   return details;
 }

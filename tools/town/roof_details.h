@@ -15,6 +15,7 @@ struct RoofDetail {
 };
 
 /// Details of one body; none on flat and shed roofs and on churches. `number` tells bodies of one seed apart.
-std::vector<RoofDetail> roof_details(const BuildingPlan& plan, std::uint64_t seed, std::size_t number);
+std::vector<RoofDetail> roof_details(const BuildingPlan& plan, std::uint64_t seed,
+                                     std::size_t number);
 
 }  // namespace nightcity::town

@@ -10,7 +10,8 @@
 namespace nightcity::town {
 namespace {
 
-constexpr double bend_m = 15, bend_wave_m = 520;  // streets swing by this much: shear below 11 degrees
+constexpr double bend_m = 15,
+                 bend_wave_m = 520;  // streets swing by this much: shear below 11 degrees
 constexpr double jitter_m = 4;
 
 std::vector<double> spaced(std::uint64_t seed, int purpose, int count, double low, double high) {
@@ -18,7 +19,8 @@ std::vector<double> spaced(std::uint64_t seed, int purpose, int count, double lo
   std::vector<double> at(static_cast<std::size_t>(count) + 3, 0);
   for (std::size_t i = 1; i < at.size(); ++i)
     at[i] = at[i - 1] +
-            Random{static_cast<std::int64_t>(seed), purpose, static_cast<std::int64_t>(i)}.range(low, high);
+            Random{static_cast<std::int64_t>(seed), purpose, static_cast<std::int64_t>(i)}.range(
+                low, high);
   const double middle = (at[1] + at[at.size() - 2]) / 2;
   for (double& value : at) value -= middle;
   return at;
@@ -56,7 +58,8 @@ const char* osm_name(StreetClass street) {
   return names[static_cast<int>(street)];
 }
 
-glm::dvec2 meet(const glm::dvec2& a, const glm::dvec2& u, const glm::dvec2& b, const glm::dvec2& v) {
+glm::dvec2 meet(const glm::dvec2& a, const glm::dvec2& u, const glm::dvec2& b,
+                const glm::dvec2& v) {
   return a + u * (cross(b - a, v) / cross(u, v));
 }
 
@@ -82,15 +85,18 @@ StreetPlan::StreetPlan(const TownOptions& options)
   phase_.x = random.range(0, 2 * std::numbers::pi);
   phase_.y = random.range(0, 2 * std::numbers::pi);
   low_ = glm::dvec2(column_x_[1], row_y_[1]) - (bend_m + jitter_m + 20);
-  high_ = glm::dvec2(column_x_[column_x_.size() - 2], row_y_[row_y_.size() - 2]) + (bend_m + jitter_m + 20);
+  high_ = glm::dvec2(column_x_[column_x_.size() - 2], row_y_[row_y_.size() - 2]) +
+          (bend_m + jitter_m + 20);
 }
 
 glm::dvec2 StreetPlan::node(int i, int j) const {
-  const glm::dvec2 p(column_x_[static_cast<std::size_t>(i + 1)], row_y_[static_cast<std::size_t>(j + 1)]);
+  const glm::dvec2 p(column_x_[static_cast<std::size_t>(i + 1)],
+                     row_y_[static_cast<std::size_t>(j + 1)]);
   Random random{static_cast<std::int64_t>(seed_), 5, i, j};
   const double dx = random.range(-jitter_m, jitter_m), dy = random.range(-jitter_m, jitter_m);
   const double k = 2 * std::numbers::pi / bend_wave_m;
-  return {p.x + bend_m * std::sin(k * p.y + phase_.x) + dx, p.y + bend_m * std::sin(k * p.x + phase_.y) + dy};
+  return {p.x + bend_m * std::sin(k * p.y + phase_.x) + dx,
+          p.y + bend_m * std::sin(k * p.x + phase_.y) + dy};
 }
 
 StreetClass StreetPlan::row_street(int i, int j) const {
@@ -104,7 +110,8 @@ StreetClass StreetPlan::row_street(int i, int j) const {
 }
 
 StreetClass StreetPlan::column_street(int i, int j) const {
-  if (j == rows_ / 2 && (i == columns_ / 2 || i == columns_ / 2 + 1)) return StreetClass::pedestrian;
+  if (j == rows_ / 2 && (i == columns_ / 2 || i == columns_ / 2 + 1))
+    return StreetClass::pedestrian;
   if (std::abs(i - columns_ / 2) % 4 == 2) return StreetClass::secondary;
   Random random{static_cast<std::int64_t>(seed_), 7, i};
   return random.chance(0.25) ? StreetClass::tertiary : StreetClass::residential;
@@ -146,7 +153,8 @@ BlockUse StreetPlan::use(int i, int j) const {
   const double pick = random.uniform();
   if (pick < 0.06) return BlockUse::park;
   if (r < 0.7) return pick < 0.16 ? BlockUse::courtyard : BlockUse::perimeter;
-  if (r < 0.9) return pick < 0.5 ? BlockUse::perimeter : pick < 0.68 ? BlockUse::slabs : BlockUse::houses;
+  if (r < 0.9)
+    return pick < 0.5 ? BlockUse::perimeter : pick < 0.68 ? BlockUse::slabs : BlockUse::houses;
   return pick < 0.16 ? BlockUse::hall : pick < 0.24 ? BlockUse::slabs : BlockUse::houses;
 }
 

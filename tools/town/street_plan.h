@@ -11,7 +11,15 @@
 
 namespace nightcity::town {
 
-enum class StreetClass { primary, secondary, tertiary, residential, living_street, pedestrian, footway };
+enum class StreetClass {
+  primary,
+  secondary,
+  tertiary,
+  residential,
+  living_street,
+  pedestrian,
+  footway
+};
 
 struct StreetSize {
   double carriageway_m;  // kerb to kerb

@@ -37,13 +37,15 @@ TownCounts write_gml(const TownOptions& options, const StreetPlan& streets, cons
                 {glm::dvec2(last) * Hills::spacing_m, std::ceil(hills.highest() + tallest_m)});
   for (int y = first.y; y < last.y; y += relief_cells)
     for (int x = first.x; x < last.x; x += relief_cells)
-      gml.relief(hills, x, y, std::min(x + relief_cells, last.x), std::min(y + relief_cells, last.y));
+      gml.relief(hills, x, y, std::min(x + relief_cells, last.x),
+                 std::min(y + relief_cells, last.y));
   for_each_road(streets, hills, [&](const RoadPlan& road) { gml.road(road); });
   for (int j = 0; j < streets.rows(); ++j)
     for (int i = 0; i < streets.columns(); ++i) {
       const std::vector<BuildingPlan> houses = plan_block(streets, hills, options.seed, i, j);
       for (const BuildingPlan& house : houses) gml.building(house, options.seed);
-      for (const TreePlan& tree : plan_trees(streets, hills, houses, options.seed, i, j)) gml.tree(tree);
+      for (const TreePlan& tree : plan_trees(streets, hills, houses, options.seed, i, j))
+        gml.tree(tree);
     }
   gml.finish();
   out.finish();
@@ -52,7 +54,8 @@ TownCounts write_gml(const TownOptions& options, const StreetPlan& streets, cons
 
 void write_recipe(const std::filesystem::path& path) {
   TextFile out(path);
-  out << "# A synthetic town, made by `nightbake town`. Bake it: nightbake run town.toml --out DIR\n"
+  out << "# A synthetic town, made by `nightbake town`. Bake it: nightbake run town.toml --out "
+         "DIR\n"
          "[city]\nfiles = [\"town.gml\"]\n\n[osm]\nfiles = [\"town.osm\"]\n\n"
          "[traffic]\n";
   out.finish();
@@ -71,7 +74,8 @@ void size_for_blocks(TownOptions& options, std::size_t blocks) {
 }
 
 void size_for_buildings(TownOptions& options, std::size_t buildings) {
-  size_for_blocks(options, static_cast<std::size_t>(static_cast<double>(buildings) / buildings_per_block));
+  size_for_blocks(options,
+                  static_cast<std::size_t>(static_cast<double>(buildings) / buildings_per_block));
 }
 
 void size_for_triangles(TownOptions& options, std::size_t triangles) {
@@ -104,7 +108,8 @@ TownCounts write_town(const TownOptions& options, const std::filesystem::path& f
     out.finish();
   }
   write_recipe(folder / "town.toml");
-  counts.blocks = static_cast<std::size_t>(options.columns) * static_cast<std::size_t>(options.rows);
+  counts.blocks =
+      static_cast<std::size_t>(options.columns) * static_cast<std::size_t>(options.rows);
   return counts;
 }
 

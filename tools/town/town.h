@@ -20,7 +20,8 @@ struct TownOptions {
 /// What a town holds; triangles counted as fans and holes bridged, which is what a triangulator makes of
 /// them.
 struct TownCounts {
-  std::size_t blocks = 0, buildings = 0, polygons = 0, triangles = 0, lamps = 0, streets = 0, trees = 0;
+  std::size_t blocks = 0, buildings = 0, polygons = 0, triangles = 0, lamps = 0, streets = 0,
+              trees = 0;
 };
 
 /// Blocks needed for about this many buildings or triangles, as nearly square as the default town.

@@ -56,7 +56,8 @@ bool clear_of(const BuildingPlan& house, const dvec2& p, double clearance) {
 }  // namespace
 
 std::vector<TreePlan> plan_trees(const StreetPlan& streets, const Hills& hills,
-                                 const std::vector<BuildingPlan>& houses, std::uint64_t seed, int i, int j) {
+                                 const std::vector<BuildingPlan>& houses, std::uint64_t seed, int i,
+                                 int j) {
   std::vector<TreePlan> trees;
   const BlockUse use = streets.use(i, j);
   const double share = density(use);
@@ -78,8 +79,9 @@ std::vector<TreePlan> plan_trees(const StreetPlan& streets, const Hills& hills,
           distance_to_edge(edge, tree.foot) < clearance + 1.5)
         continue;
       if (use == BlockUse::park && distance_to_edge(path, tree.foot) < clearance + 1.5) continue;
-      if (!std::all_of(houses.begin(), houses.end(),
-                       [&](const BuildingPlan& house) { return clear_of(house, tree.foot, clearance); }))
+      if (!std::all_of(houses.begin(), houses.end(), [&](const BuildingPlan& house) {
+            return clear_of(house, tree.foot, clearance);
+          }))
         continue;
       tree.ground_m = hills.height(tree.foot);
       trees.push_back(tree);
@@ -104,7 +106,8 @@ std::vector<Ring> tree_surfaces(const TreePlan& tree) {
   const dvec2 corners[4] = {{-trunk, -trunk}, {trunk, -trunk}, {trunk, trunk}, {-trunk, trunk}};
   for (int n = 0; n < 4; ++n) {
     const dvec2 a = tree.foot + corners[n], b = tree.foot + corners[(n + 1) % 4];
-    rings.push_back({{a, tree.ground_m - 0.2}, {b, tree.ground_m - 0.2}, {b, fork + 0.5}, {a, fork + 0.5}});
+    rings.push_back(
+        {{a, tree.ground_m - 0.2}, {b, tree.ground_m - 0.2}, {b, fork + 0.5}, {a, fork + 0.5}});
   }
   // A crown of two rings between a lower and an upper point.
   const auto lower = ring(0.85 * tree.crown_radius_m, fork + 0.2 * tree.height_m);

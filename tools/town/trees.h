@@ -19,7 +19,8 @@ struct TreePlan {
 
 /// The trees of block (i, j); crowns keep clear of the block's houses, kerbs and park path.
 std::vector<TreePlan> plan_trees(const StreetPlan& streets, const Hills& hills,
-                                 const std::vector<BuildingPlan>& houses, std::uint64_t seed, int i, int j);
+                                 const std::vector<BuildingPlan>& houses, std::uint64_t seed, int i,
+                                 int j);
 
 /// Trunk and crown, 32 triangles.
 std::vector<Ring> tree_surfaces(const TreePlan& tree);

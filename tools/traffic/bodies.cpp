@@ -60,7 +60,8 @@ void wheel(Part& part, float x, float radius, float z0, float z1) {
     const double angle = (static_cast<double>(k) + 0.5) * std::numbers::pi / 4;
     // The lowest points touch the road.
     const double r = static_cast<double>(radius) / std::cos(std::numbers::pi / 8);
-    rim[k] = {static_cast<float>(x + r * std::cos(angle)), static_cast<float>(radius + r * std::sin(angle))};
+    rim[k] = {static_cast<float>(x + r * std::cos(angle)),
+              static_cast<float>(radius + r * std::sin(angle))};
   }
   for (std::size_t k = 0; k < 8; ++k) {
     const glm::vec2 p = rim[k], q = rim[(k + 1) % 8];
@@ -75,8 +76,8 @@ void wheel(Part& part, float x, float radius, float z0, float z1) {
 
 void lens(Part& part, float x, float y, float z) {
   const float dy = static_cast<float>(lens_height_m / 2), dz = static_cast<float>(lens_width_m / 2);
-  part.quad({glm::vec3(x, y - dy, z - dz), glm::vec3(x, y - dy, z + dz), glm::vec3(x, y + dy, z + dz),
-             glm::vec3(x, y + dy, z - dz)},
+  part.quad({glm::vec3(x, y - dy, z - dz), glm::vec3(x, y - dy, z + dz),
+             glm::vec3(x, y + dy, z + dz), glm::vec3(x, y + dy, z - dz)},
             {0, y, z});
 }
 
@@ -88,36 +89,41 @@ void add_car(Parts& p, float l, float w, float h) {
   const float belt = 0.58f * h;
   block(p.paint, p.paint, {-l, l, w}, 0.16f * h, {-l, l, w}, 0.40f * h);
   block(p.paint, p.paint, {-l, l, w}, 0.40f * h, {-0.97f * l, 0.93f * l, 0.97f * w}, belt);
-  block(p.glass, p.paint, {-0.85f * l, 0.45f * l, 0.93f * w}, belt, {-0.60f * l, 0.12f * l, 0.76f * w}, h);
+  block(p.glass, p.paint, {-0.85f * l, 0.45f * l, 0.93f * w}, belt,
+        {-0.60f * l, 0.12f * l, 0.76f * w}, h);
 }
 
 void add_box_body(Parts& p, float l, float w, float h, float floor, float nose) {
   // Nose and windscreen first, the box behind it.
   const float belt = floor + 0.42f * (h - floor);
   block(p.paint, p.paint, {-l, l, w}, floor, {-l, l, w}, belt);
-  block(p.glass, p.paint, {l - 1.6f * nose, l, w}, belt, {l - 1.6f * nose, l - nose, 0.95f * w}, 0.94f * h);
+  block(p.glass, p.paint, {l - 1.6f * nose, l, w}, belt, {l - 1.6f * nose, l - nose, 0.95f * w},
+        0.94f * h);
   block(p.paint, p.paint, {-l, l - 1.6f * nose, w}, belt, {-l, l - 1.6f * nose, w}, h);
 }
 
 void add_bus(Parts& p, float l, float w, float h) {
   block(p.paint, p.paint, {-l, l, w}, 0.3f, {-l, l, w}, 1.1f);
-  block(p.glass, p.glass, {-l + 0.05f, l - 0.02f, w - 0.03f}, 1.1f, {-l + 0.05f, l - 0.15f, w - 0.03f},
-        h - 0.5f);
+  block(p.glass, p.glass, {-l + 0.05f, l - 0.02f, w - 0.03f}, 1.1f,
+        {-l + 0.05f, l - 0.15f, w - 0.03f}, h - 0.5f);
   block(p.paint, p.paint, {-l, l - 0.1f, w}, h - 0.5f, {-l, l - 0.15f, w - 0.05f}, h);
 }
 
 void add_lorry(Parts& p, float l, float w, float h) {
   const float cab = 2.2f;
   block(p.paint, p.paint, {l - cab, l, w}, 0.5f, {l - cab, l, w}, 1.6f);
-  block(p.glass, p.paint, {l - cab, l - 0.02f, w - 0.05f}, 1.6f, {l - cab, l - 0.15f, w - 0.1f}, 2.6f);
+  block(p.glass, p.paint, {l - cab, l - 0.02f, w - 0.05f}, 1.6f, {l - cab, l - 0.15f, w - 0.1f},
+        2.6f);
   block(p.tyre, p.tyre, {-l, l - cab, 0.4f * w}, 0.6f, {-l, l - cab, 0.4f * w}, 1.0f);
   block(p.paint, p.paint, {-l, l - cab - 0.2f, w}, 1.0f, {-l, l - cab - 0.2f, w}, h);
 }
 
 void add_motorcycle(Parts& p, float l, float w, float h) {
   block(p.paint, p.paint, {-0.7f * l, 0.95f * l, 0.18f}, 0.45f, {-0.9f * l, l, 0.22f}, 0.95f);
-  block(p.tyre, p.tyre, {-0.45f * l, 0.1f * l, 0.25f}, 0.8f, {-0.35f * l, 0.2f * l, w}, 1.2f);      // rider
-  block(p.glass, p.glass, {-0.1f * l, 0.15f * l, 0.13f}, 1.2f, {-0.05f * l, 0.12f * l, 0.10f}, h);  // helmet
+  block(p.tyre, p.tyre, {-0.45f * l, 0.1f * l, 0.25f}, 0.8f, {-0.35f * l, 0.2f * l, w},
+        1.2f);  // rider
+  block(p.glass, p.glass, {-0.1f * l, 0.15f * l, 0.13f}, 1.2f, {-0.05f * l, 0.12f * l, 0.10f},
+        h);  // helmet
   wheel(p.tyre, 0.68f * l, 0.3f, -0.08f, 0.08f);
   wheel(p.tyre, -0.68f * l, 0.3f, -0.08f, 0.08f);
 }
@@ -131,18 +137,19 @@ std::vector<SceneMaterial> body_materials(const VehicleType& type) {
   const auto head = static_cast<float>(low_beam_flux_lm() / (std::numbers::pi * area));
   const auto tail = static_cast<float>(tail_lamp_cd / area);
   const std::string name = type.name;
-  return {{.name = name + " paint",
-           .base_colour = {type.paint[0], type.paint[1], type.paint[2]},
-           .roughness = 0.5f},
-          {.name = "vehicle glass", .base_colour = glm::vec3(0.04f), .roughness = 0.2f},
-          {.name = "tyre", .base_colour = glm::vec3(0.03f)},
-          {.name = name + " headlamp", .base_colour = glm::vec3(0.5f), .emission_cd_m2 = white * head},
-          {.name = "tail lamp", .base_colour = {0.3f, 0.02f, 0.02f}, .emission_cd_m2 = red * tail}};
+  return {
+      {.name = name + " paint",
+       .base_colour = {type.paint[0], type.paint[1], type.paint[2]},
+       .roughness = 0.5f},
+      {.name = "vehicle glass", .base_colour = glm::vec3(0.04f), .roughness = 0.2f},
+      {.name = "tyre", .base_colour = glm::vec3(0.03f)},
+      {.name = name + " headlamp", .base_colour = glm::vec3(0.5f), .emission_cd_m2 = white * head},
+      {.name = "tail lamp", .base_colour = {0.3f, 0.02f, 0.02f}, .emission_cd_m2 = red * tail}};
 }
 
 SceneMesh make_body(const VehicleType& type, const BodyMaterials& materials) {
-  Parts parts{Part(materials.paint), Part(materials.glass), Part(materials.tyre), Part(materials.headlamp),
-              Part(materials.tail_lamp)};
+  Parts parts{Part(materials.paint), Part(materials.glass), Part(materials.tyre),
+              Part(materials.headlamp), Part(materials.tail_lamp)};
   const auto l = static_cast<float>(type.length_m / 2), w = static_cast<float>(type.width_m / 2),
              h = static_cast<float>(type.height_m);
   switch (type.shape) {

@@ -12,7 +12,8 @@ constexpr double longest_m = 1e5;  // a longer jump between two nodes is a broke
 
 class Clipper {
  public:
-  Clipper(const OsmWay& way, const LonLatToFrame& to_frame, const HeightAt& height_at, ClippedWays& result)
+  Clipper(const OsmWay& way, const LonLatToFrame& to_frame, const HeightAt& height_at,
+          ClippedWays& result)
       : way_(way), to_frame_(to_frame), height_at_(height_at), result_(result) {}
 
   void run(double step_m) {
@@ -56,7 +57,8 @@ class Clipper {
     }
   }
 
-  glm::dvec2 border(const glm::dvec2& a, const glm::dvec2& b, double low, double high, bool low_in) const {
+  glm::dvec2 border(const glm::dvec2& a, const glm::dvec2& b, double low, double high,
+                    bool low_in) const {
     for (int k = 0; k < 12; ++k) {
       const double middle = (low + high) / 2;
       (ground(glm::mix(a, b, middle)) == low_in ? low : high) = middle;
@@ -88,8 +90,8 @@ std::pair<std::int64_t, std::int64_t> osm_units(const glm::dvec2& lon_lat) {
   return {std::llround(lon_lat.x * 1e7), std::llround(lon_lat.y * 1e7)};
 }
 
-void clip_way(const OsmWay& way, const LonLatToFrame& to_frame, const HeightAt& height_at, double step_m,
-              ClippedWays& result) {
+void clip_way(const OsmWay& way, const LonLatToFrame& to_frame, const HeightAt& height_at,
+              double step_m, ClippedWays& result) {
   Clipper(way, to_frame, height_at, result).run(step_m);
 }
 

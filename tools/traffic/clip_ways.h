@@ -20,7 +20,7 @@ std::pair<std::int64_t, std::int64_t> osm_units(const glm::dvec2& lon_lat);
 
 /// Keeps what of `way` has ground below it, looking every `step_m`; appends to `result`. Ground that is
 /// missing under less than a step goes unnoticed, as under a bridge it may.
-void clip_way(const OsmWay& way, const LonLatToFrame& to_frame, const HeightAt& height_at, double step_m,
-              ClippedWays& result);
+void clip_way(const OsmWay& way, const LonLatToFrame& to_frame, const HeightAt& height_at,
+              double step_m, ClippedWays& result);
 
 }  // namespace nightcity::traffic

@@ -10,8 +10,9 @@ namespace {
 
 using glm::dvec2;
 
-constexpr double straight_step_m = 4;      // between points: hills have to show
-constexpr double bend_step_radians = 0.1;  // 6 degrees: Hermite arcs keep a circle to 1e-5 of its radius
+constexpr double straight_step_m = 4;  // between points: hills have to show
+constexpr double bend_step_radians =
+    0.1;  // 6 degrees: Hermite arcs keep a circle to 1e-5 of its radius
 
 double cross(const dvec2& a, const dvec2& b) {
   return a.x * b.y - a.y * b.x;
@@ -40,7 +41,8 @@ void add_point(PlanLine& line, const PlanPoint& point) {
 
 double length_of(const PlanLine& line) {
   double sum = 0;
-  for (std::size_t n = 1; n < line.size(); ++n) sum += glm::distance(line[n - 1].point, line[n].point);
+  for (std::size_t n = 1; n < line.size(); ++n)
+    sum += glm::distance(line[n - 1].point, line[n].point);
   return sum;
 }
 
@@ -116,18 +118,23 @@ PlanLine shifted(const PlanLine& line, double right_m) {
   // neighbours.
   for (std::size_t n = 0; result.size() > 1 && n < result.size(); ++n) {
     const std::size_t a = n == 0 ? 0 : n - 1, b = std::min(n + 1, result.size() - 1);
-    const dvec2 in = glm::normalize(result[std::max<std::size_t>(n, 1)].point - result[a == n ? 0 : a].point);
+    const dvec2 in =
+        glm::normalize(result[std::max<std::size_t>(n, 1)].point - result[a == n ? 0 : a].point);
     const dvec2 out = glm::normalize(result[b].point - result[b == n ? n - 1 : n].point);
     PlanPoint& here = result[n];
     const double off =
         std::max(std::abs(angle_between(here.along, in)), std::abs(angle_between(here.along, out)));
-    if (off > bend_step_radians && glm::length(in + out) > 0.1) here.along = glm::normalize(in + out);
+    if (off > bend_step_radians && glm::length(in + out) > 0.1)
+      here.along = glm::normalize(in + out);
   }
   if (result.size() > 1) return result;
   // Nothing left between the bends: straight from end to end.
-  const auto end = [&](const PlanPoint& p) { return p.point + dvec2(p.along.y, -p.along.x) * right_m; };
+  const auto end = [&](const PlanPoint& p) {
+    return p.point + dvec2(p.along.y, -p.along.x) * right_m;
+  };
   const dvec2 from = end(line.front()), along = line.front().along;
-  return {{from, along}, {from + along * std::max(glm::dot(end(line.back()) - from, along), 0.1), along}};
+  return {{from, along},
+          {from + along * std::max(glm::dot(end(line.back()) - from, along), 0.1), along}};
 }
 
 PlanLine turn_between(const PlanPoint& from, const PlanPoint& to) {
@@ -136,13 +143,15 @@ PlanLine turn_between(const PlanPoint& from, const PlanPoint& to) {
   // For a circle's arc the handles are 4/3 tan(turn / 4) radii, and its chord is 2 sin(turn / 2) radii.
   const double quarter = std::cos(std::min(turn, 3.0) / 4);
   const double handle = chord / (3 * quarter * quarter);
-  const dvec2 p0 = from.point, p1 = p0 + from.along * handle, p3 = to.point, p2 = p3 - to.along * handle;
-  const int steps =
-      std::clamp(static_cast<int>(std::ceil(std::max(turn / bend_step_radians, chord / 1.5))), 2, 64);
+  const dvec2 p0 = from.point, p1 = p0 + from.along * handle, p3 = to.point,
+              p2 = p3 - to.along * handle;
+  const int steps = std::clamp(
+      static_cast<int>(std::ceil(std::max(turn / bend_step_radians, chord / 1.5))), 2, 64);
   PlanLine result;
   for (int k = 0; k <= steps; ++k) {
     const double t = static_cast<double>(k) / steps, r = 1 - t;
-    const dvec2 p = p0 * (r * r * r) + p1 * (3 * r * r * t) + p2 * (3 * r * t * t) + p3 * (t * t * t);
+    const dvec2 p =
+        p0 * (r * r * r) + p1 * (3 * r * r * t) + p2 * (3 * r * t * t) + p3 * (t * t * t);
     const dvec2 d = (p1 - p0) * (r * r) + (p2 - p1) * (2 * r * t) + (p3 - p2) * (t * t);
     add_point(result, {p, glm::length(d) > 1e-9 ? glm::normalize(d) : from.along});
   }
@@ -159,7 +168,8 @@ Curve::Curve(const PlanLine& line, std::span<const Height> heights) {
       const double turn = angle_between(line[n - 1].along, line[n].along);
       s += glm::distance(line[n - 1].point, line[n].point) * (1 + turn * turn / 24);
     }
-    samples_.push_back({{line[n].point, heights[n].height_m}, {line[n].along, heights[n].slope}, s, 0});
+    samples_.push_back(
+        {{line[n].point, heights[n].height_m}, {line[n].along, heights[n].slope}, s, 0});
   }
   for (std::size_t n = 0; n < samples_.size(); ++n) {
     const std::size_t a = n == 0 ? 0 : n - 1, b = std::min(n + 1, samples_.size() - 1);
@@ -169,8 +179,9 @@ Curve::Curve(const PlanLine& line, std::span<const Height> heights) {
 }
 
 std::size_t Curve::before(double s) const {
-  const auto after = std::upper_bound(samples_.begin() + 1, samples_.end() - 1, s,
-                                      [](double value, const Sample& sample) { return value < sample.s; });
+  const auto after =
+      std::upper_bound(samples_.begin() + 1, samples_.end() - 1, s,
+                       [](double value, const Sample& sample) { return value < sample.s; });
   return static_cast<std::size_t>(after - samples_.begin()) - 1;
 }
 

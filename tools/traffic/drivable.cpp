@@ -29,7 +29,8 @@ bool one_of(std::string_view value, std::initializer_list<std::string_view> name
 std::optional<int> whole(const std::string& text, int least, int greatest) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end == text.data() || value < least || value > greatest) return std::nullopt;
+  if (error != std::errc() || end == text.data() || value < least || value > greatest)
+    return std::nullopt;
   return value;
 }
 
@@ -37,8 +38,8 @@ std::optional<int> whole(const std::string& text, int least, int greatest) {
 bool closed(const OsmWay& way) {
   for (const char* key : {"motorcar", "motor_vehicle", "vehicle", "access"})
     if (const std::string value = tag(way, key); !value.empty())
-      return one_of(value,
-                    {"no", "private", "agricultural", "forestry", "delivery", "emergency", "military"});
+      return one_of(value, {"no", "private", "agricultural", "forestry", "delivery", "emergency",
+                            "military"});
   return false;
 }
 
@@ -77,7 +78,8 @@ void read_lanes(const OsmWay& way, Drivable& result) {
     return;
   }
   const int all = std::max(2, total.value_or(result.road->lanes));
-  auto forward = whole(raw(way, "lanes:forward"), 1, 6), backward = whole(raw(way, "lanes:backward"), 1, 6);
+  auto forward = whole(raw(way, "lanes:forward"), 1, 6),
+       backward = whole(raw(way, "lanes:backward"), 1, 6);
   if (!forward && backward) forward = all - *backward;
   if (!backward && forward) backward = all - *forward;
   // An odd lane left over: nobody says whose, so nobody's (often it is for turning or for parking).
@@ -117,7 +119,8 @@ std::optional<double> parse_speed_kmh(std::string_view text) {
     const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
     if (error != std::errc()) return std::nullopt;
     const std::string unit = normalise_tag(std::string_view(end, value.data() + value.size()));
-    if (unit.empty() || one_of(unit, {"km/h", "kmh", "kph", "_km/h", "_kmh", "_kph"})) speed = number;
+    if (unit.empty() || one_of(unit, {"km/h", "kmh", "kph", "_km/h", "_kmh", "_kph"}))
+      speed = number;
     if (one_of(unit, {"mph", "_mph"})) speed = number * mile_km;
   } else if (value == "walk" || value.ends_with(":walk")) {
     speed = 7;
@@ -159,7 +162,8 @@ std::optional<Drivable> read_drivable(const OsmWay& way, const Country& country,
   read_lanes(way, result);
   read_width(way, result);
   read_speed(way, country, result);
-  result.structure = !one_of(tag(way, "bridge"), {"", "no"}) || !one_of(tag(way, "tunnel"), {"", "no"});
+  result.structure =
+      !one_of(tag(way, "bridge"), {"", "no"}) || !one_of(tag(way, "tunnel"), {"", "no"});
   const std::string layer = raw(way, "layer");
   if (const auto value = whole(layer, -5, 5)) result.layer = *value;
   return result;

@@ -49,8 +49,8 @@ std::vector<bool> braking_of(const Drive& drive) {
       std::size_t end = n;
       while (end < count && on[end] == on[n]) ++end;
       if (on[n] == value && n > 0 && end < count && end - n < static_cast<std::size_t>(shortest))
-        std::fill(on.begin() + static_cast<std::ptrdiff_t>(n), on.begin() + static_cast<std::ptrdiff_t>(end),
-                  !value);
+        std::fill(on.begin() + static_cast<std::ptrdiff_t>(n),
+                  on.begin() + static_cast<std::ptrdiff_t>(end), !value);
       n = end;
     }
   };
@@ -78,18 +78,22 @@ class KnotFitter {
         const double way = v0 + v1 > 0 ? (2 * v0 * x + (v1 - v0) * x * x) / (v0 + v1) : x;
         return path.at(s0 + (s1 - s0) * way);
       };
-      const auto heading = [](const Curve::Place& place) { return std::atan2(place.along.y, place.along.x); };
+      const auto heading = [](const Curve::Place& place) {
+        return std::atan2(place.along.y, place.along.x);
+      };
       const Curve::Place middle = at(0.5);
-      const double turn = std::max(std::abs(std::remainder(heading(middle) - heading(before), 2 * pi)),
-                                   std::abs(std::remainder(heading(after) - heading(middle), 2 * pi)));
-      const glm::dvec3 hermite =
-          (before.point + after.point) / 2.0 + (before.along * v0 - after.along * v1) * (step_s / 8);
-      const bool rough = turn > quick_turn || glm::distance(hermite, middle.point) > tolerance.position_m / 2;
+      const double turn =
+          std::max(std::abs(std::remainder(heading(middle) - heading(before), 2 * pi)),
+                   std::abs(std::remainder(heading(after) - heading(middle), 2 * pi)));
+      const glm::dvec3 hermite = (before.point + after.point) / 2.0 +
+                                 (before.along * v0 - after.along * v1) * (step_s / 8);
+      const bool rough =
+          turn > quick_turn || glm::distance(hermite, middle.point) > tolerance.position_m / 2;
       const int parts = rough ? 8 : 2;
       for (int k = 0; k < parts; ++k) {
         const double x = static_cast<double>(k) / parts;
-        moments_.push_back(
-            {(static_cast<double>(n) + x) * step_s, v0 + (v1 - v0) * x, braking[n], k == 0 ? before : at(x)});
+        moments_.push_back({(static_cast<double>(n) + x) * step_s, v0 + (v1 - v0) * x, braking[n],
+                            k == 0 ? before : at(x)});
       }
       before = after;
     }
@@ -102,7 +106,8 @@ class KnotFitter {
     std::vector<TripKnot> knots = {knot(0)};
     for (std::size_t from = 0; from < last;) {
       std::size_t most = from + 2;
-      while (most < last && most - from < longest_moments && moments_[most].braking == moments_[from].braking)
+      while (most < last && most - from < longest_moments &&
+             moments_[most].braking == moments_[from].braking)
         most += 2;
       std::size_t good = from + 2;
       KnotError error = error_between(from, good);
@@ -141,7 +146,8 @@ class KnotFitter {
   }
 
   bool fits(const KnotError& error) const {
-    return error.position_m <= tolerance_.position_m && error.heading_degrees <= tolerance_.heading_degrees;
+    return error.position_m <= tolerance_.position_m &&
+           error.heading_degrees <= tolerance_.heading_degrees;
   }
 
   KnotError error_between(std::size_t from, std::size_t to) const {
@@ -154,7 +160,8 @@ class KnotFitter {
       const VehiclePose pose = pose_on_drive(pair, moments_[n].time - begin);
       const Curve::Place& place = moments_[n].place;
       const double off = glm::distance(pose.position, georeference_.to_model(place.point));
-      const double turned = std::remainder(pose.yaw - std::atan2(place.along.y, place.along.x), 2 * pi);
+      const double turned =
+          std::remainder(pose.yaw - std::atan2(place.along.y, place.along.x), 2 * pi);
       error.position_m = std::max(error.position_m, off);
       error.heading_degrees = std::max(error.heading_degrees, std::abs(turned) * 180 / pi);
       if (!fits(error)) break;
@@ -169,9 +176,11 @@ class KnotFitter {
 
 }  // namespace
 
-std::vector<TripKnot> make_knots(const RoutePath& path, const Drive& drive, const Georeference& georeference,
-                                 const KnotTolerance& tolerance, KnotError& worst) {
-  if (drive.speed_m_s.size() < 9 || drive.distance_m.back() - drive.distance_m.front() < 5) return {};
+std::vector<TripKnot> make_knots(const RoutePath& path, const Drive& drive,
+                                 const Georeference& georeference, const KnotTolerance& tolerance,
+                                 KnotError& worst) {
+  if (drive.speed_m_s.size() < 9 || drive.distance_m.back() - drive.distance_m.front() < 5)
+    return {};
   return KnotFitter(path, drive, georeference, tolerance).fit(worst);
 }
 

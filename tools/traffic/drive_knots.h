@@ -22,7 +22,8 @@ struct KnotError {
 
 /// As few knots as the tolerance allows (greedily: each as late as may be). Braking from the drive's own
 /// deceleration. Empty for a drive of less than two seconds or one that goes nowhere.
-std::vector<TripKnot> make_knots(const RoutePath& path, const Drive& drive, const Georeference& georeference,
-                                 const KnotTolerance& tolerance, KnotError& worst);
+std::vector<TripKnot> make_knots(const RoutePath& path, const Drive& drive,
+                                 const Georeference& georeference, const KnotTolerance& tolerance,
+                                 KnotError& worst);
 
 }  // namespace nightcity::traffic

@@ -31,7 +31,8 @@ void beside(const RoadState& roads, const Car& car, std::size_t turn, double way
       const double s = other.on_leg();
       if (conflict.kind == Conflict::Kind::cross) {
         const double before = way + conflict.begin - car.half;
-        if (before > 0 && s + other.half > conflict.other_begin && s - other.half < conflict.other_end)
+        if (before > 0 && s + other.half > conflict.other_begin &&
+            s - other.half < conflict.other_end)
           leader.consider(before, 0);
       } else if (conflict.kind == Conflict::Kind::diverge) {
         if (s - other.half > conflict.other_end || way + s <= 0.01) continue;
@@ -86,9 +87,11 @@ double speed_cap(const RoadState& roads, const Car& car) {
     if (leg > car.leg) {
       const double entry = factor * link.entry_m_s;
       cap = std::min(cap, std::sqrt(entry * entry + 2 * comfortable_braking * std::max(way, 0.0)));
-      if (link.turn && leg >= car.granted) return std::min(cap, stopping(way - car.half - line_gap_m));
+      if (link.turn && leg >= car.granted)
+        return std::min(cap, stopping(way - car.half - line_gap_m));
     }
-    if (leg + 1 == legs.size() && car.way->to_stop) cap = std::min(cap, stopping(way + car.way->end_s));
+    if (leg + 1 == legs.size() && car.way->to_stop)
+      cap = std::min(cap, stopping(way + car.way->end_s));
   }
   return cap;
 }
@@ -99,7 +102,8 @@ double next_speed(const RoadState& roads, std::uint32_t number) {
   if (car.v == 0 && leader.gap <= standstill_gap_m) return 0;  // in a queue: as all below would say
   const double cap = speed_cap(roads, car);
   const double a = car.type->acceleration;
-  const double wish = car.way->speed_factor * std::max(roads.links[car.way->links[car.leg]].entry_m_s, cap);
+  const double wish =
+      car.way->speed_factor * std::max(roads.links[car.way->links[car.leg]].entry_m_s, cap);
   const double share = car.v / std::max(wish, 1.0), free = 1 - share * share * share * share;
   double interaction = 0;
   if (leader.gap < 1e8) {

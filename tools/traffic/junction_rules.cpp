@@ -53,8 +53,8 @@ bool room_behind(const RoadState& roads, std::uint32_t number, std::size_t leg) 
 /// Whether a car that is `way` before the conflict comes so late that one who is through after `clear`
 /// seconds does not hinder it.
 bool comes_late(const Car& other, double way, double clear) {
-  return way > 0 &&
-         travel_time(way, other.v, other.type->acceleration, std::max(other.v, 5.0)) > clear + clear_margin_s;
+  return way > 0 && travel_time(way, other.v, other.type->acceleration, std::max(other.v, 5.0)) >
+                        clear + clear_margin_s;
 }
 
 /// Grants what needs no one's leave; asks for the first junction, which `ask` grants or not.
@@ -89,14 +89,16 @@ bool may_go(const RoadState& roads, std::uint32_t number, std::size_t leg) {
     const auto& holders = roads.holders[conflict.other];
     const bool waits = conflict.yields && !roads.coming[conflict.other].empty();
     if (holders.empty() && !waits) continue;
-    const double clear = travel_time(way + conflict.end + car.half, car.v, car.type->acceleration, most);
+    const double clear =
+        travel_time(way + conflict.end + car.half, car.v, car.type->acceleration, most);
     for (const Hold& hold : holders) {
       const Car& other = roads.cars[hold.car];
       const double at = -other.way_to(hold.leg);
       if (at - other.half > conflict.other_end) continue;
       // Into one lane: behind it, as one follows on a lane.
       const double left = roads.links[conflict.other].length_m - at;
-      if (conflict.kind == Conflict::Kind::merge && at > 0 && left < link.length_m + way - 1.0) continue;
+      if (conflict.kind == Conflict::Kind::merge && at > 0 && left < link.length_m + way - 1.0)
+        continue;
       if (!comes_late(other, conflict.other_begin - other.half - at, clear)) return false;
     }
     if (!waits) continue;
@@ -105,8 +107,10 @@ bool may_go(const RoadState& roads, std::uint32_t number, std::size_t leg) {
       if (coming.car == number) continue;
       if (roads.now - other.standing_since > patience_s) continue;  // something else keeps it
       const bool at_line = coming.distance < other.half + line_m;
-      if (!at_line && (lost_patience || other.v < standing_m_s)) continue;  // or stands in a queue itself
-      if (!comes_late(other, coming.distance + conflict.other_begin - other.half, clear)) return false;
+      if (!at_line && (lost_patience || other.v < standing_m_s))
+        continue;  // or stands in a queue itself
+      if (!comes_late(other, coming.distance + conflict.other_begin - other.half, clear))
+        return false;
     }
   }
   return true;
@@ -142,7 +146,8 @@ void grant_turns(RoadState& roads) {
   }
   // Told at the end: what one decides does not hang on who was asked before.
   for (const std::uint32_t number : roads.active)
-    if (roads.cars[number].wish != Car::Wish::stands) roads.cars[number].standing_since = not_standing;
+    if (roads.cars[number].wish != Car::Wish::stands)
+      roads.cars[number].standing_since = not_standing;
   for (const std::uint32_t number : waiting)
     roads.cars[number].standing_since = std::min(roads.cars[number].standing_since, roads.now);
 }

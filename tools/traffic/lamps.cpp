@@ -35,8 +35,8 @@ double signal(double gamma) {
   return cosine > 0 ? 0.92 * std::pow(cosine, 31) + 0.08 * cosine : 0;
 }
 
-Light lamp(const glm::vec3& place, const glm::vec3& axis, double radius, double flux, const glm::vec3& colour,
-           std::uint32_t profile, uint condition, LightFamily family) {
+Light lamp(const glm::vec3& place, const glm::vec3& axis, double radius, double flux,
+           const glm::vec3& colour, std::uint32_t profile, uint condition, LightFamily family) {
   Light light{};
   light.position = place;
   light.radius = static_cast<float>(radius);
@@ -53,7 +53,8 @@ Light lamp(const glm::vec3& place, const glm::vec3& axis, double radius, double 
 }  // namespace
 
 double low_beam_cd(double h, double v) {
-  const double cut = h <= 0 ? cut_off_degrees : std::min(cut_off_degrees + kink_slope * h, kink_top_degrees);
+  const double cut =
+      h <= 0 ? cut_off_degrees : std::min(cut_off_degrees + kink_slope * h, kink_top_degrees);
   const double below = cut - v;  // degrees under the cut-off
   // Real cut-offs go from dark to bright within a few tenths of a degree.
   const double under = 1 / (1 + std::exp(-std::clamp(below / 0.09, -40.0, 40.0)));
@@ -72,7 +73,8 @@ Photometry low_beam(Side side) {
       [side](double c, double gamma) {
         // C = 0 right, 90 degrees down.
         const double right = std::sin(gamma) * std::cos(c), up = -std::sin(gamma) * std::sin(c);
-        const double h = std::atan2(right, std::cos(gamma)) * 180 / pi, v = std::asin(up) * 180 / pi;
+        const double h = std::atan2(right, std::cos(gamma)) * 180 / pi,
+                     v = std::asin(up) * 180 / pi;
         return low_beam_cd(side == Side::right ? h : -h, v);
       },
       beam_planes, beam_rows, beam_extent_degrees);
@@ -114,12 +116,12 @@ VehicleLamps make_vehicle_lamps(Side side, ProfileTable& profiles) {
     const double tails = single ? 0 : type.width_m - 0.4;
     for (const double z : pairs(tails))
       result.lights.push_back(lamp({-rear, type.tail_lamp_height_m, z}, {-1, 0, 0}, signal_radius_m,
-                                   tail_lamp_cd * per_candela, red, signal_profile, VEHICLE_LIGHT_ALWAYS,
-                                   LightFamily::tail_lamp));
+                                   tail_lamp_cd * per_candela, red, signal_profile,
+                                   VEHICLE_LIGHT_ALWAYS, LightFamily::tail_lamp));
     for (const double z : pairs(tails))
-      result.lights.push_back(lamp({-rear, type.tail_lamp_height_m - 0.1, z}, {-1, 0, 0}, signal_radius_m,
-                                   brake_lamp_cd * per_candela, red, signal_profile, VEHICLE_LIGHT_BRAKING,
-                                   LightFamily::tail_lamp));
+      result.lights.push_back(lamp({-rear, type.tail_lamp_height_m - 0.1, z}, {-1, 0, 0},
+                                   signal_radius_m, brake_lamp_cd * per_candela, red,
+                                   signal_profile, VEHICLE_LIGHT_BRAKING, LightFamily::tail_lamp));
     kind.light_count = static_cast<uint>(result.lights.size()) - kind.first_light;
     result.kinds.push_back(kind);
   }

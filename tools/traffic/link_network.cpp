@@ -15,11 +15,13 @@ namespace {
 
 using glm::dvec2;
 
-constexpr double corner_deviation_m = 1.0;  // how far the driven line may leave the mapped one in a bend
-constexpr double corner_m = 2.5;            // between a junction's corner and where its turns begin
-constexpr double bend_radius_m = 4.5;       // where a street bends at a node between two ways
-constexpr double half_axle_m = 1.4;  // a vehicle stands on two axles this far before and behind its middle
-constexpr double slowest_m_s = 1.5;  // in the tightest bend
+constexpr double corner_deviation_m =
+    1.0;                               // how far the driven line may leave the mapped one in a bend
+constexpr double corner_m = 2.5;       // between a junction's corner and where its turns begin
+constexpr double bend_radius_m = 4.5;  // where a street bends at a node between two ways
+constexpr double half_axle_m =
+    1.4;  // a vehicle stands on two axles this far before and behind its middle
+constexpr double slowest_m_s = 1.5;      // in the tightest bend
 constexpr double tightest_bend_m = 1.6;  // of a vehicle's middle, for a moment
 
 double angle_between(const dvec2& a, const dvec2& b) {
@@ -69,14 +71,16 @@ double LinkNetwork::setback(std::size_t edge, bool at_start) const {
     if (node.streets <= 2) {
       // The street goes on: round the bend, and shift to where its lanes lie.
       const double bend = std::numbers::pi - angle;
-      const double aside = std::abs(own.lane_offset(0, graph_.side) - other.lane_offset(0, graph_.side)) +
-                           (own.lanes != other.lanes ? 1.5 : 0);
+      const double aside =
+          std::abs(own.lane_offset(0, graph_.side) - other.lane_offset(0, graph_.side)) +
+          (own.lanes != other.lanes ? 1.5 : 0);
       result = std::max({result, 2 * corner_deviation_m / std::max(std::sin(bend / 2), 0.1),
                          bend_radius_m * std::tan(std::min(bend, 2.4) / 2), 5 * aside});
     } else if (angle < 2.6) {
       const double least = std::max(angle, 0.25);
-      const double clear = (other.half_width_m + own.half_width_m * std::max(std::cos(least), 0.0)) /
-                           std::sin(std::min(least, 1.5708));
+      const double clear =
+          (other.half_width_m + own.half_width_m * std::max(std::cos(least), 0.0)) /
+          std::sin(std::min(least, 1.5708));
       result = std::max(result, clear + corner_m);
     }
   };
@@ -123,7 +127,8 @@ bool LinkNetwork::steerable(const Curve& curve) {
   dvec2 last = dvec2(curve.at(0).along);
   for (int k = 1; k <= steps; ++k) {
     const dvec2 along = dvec2(curve.at(curve.length() * k / steps).along);
-    if (std::abs(angle_between(last, along)) * tightest_bend_m > curve.length() / steps) return false;
+    if (std::abs(angle_between(last, along)) * tightest_bend_m > curve.length() / steps)
+      return false;
     last = along;
   }
   return true;
@@ -132,7 +137,8 @@ bool LinkNetwork::steerable(const Curve& curve) {
 double LinkNetwork::in_buildings(const Curve& curve) const {
   constexpr double step_m = 1.5;
   if (!inside_) return 0;
-  const double half_length = vehicle_types[0].length_m / 2, half_width = vehicle_types[0].width_m / 2;
+  const double half_length = vehicle_types[0].length_m / 2,
+               half_width = vehicle_types[0].width_m / 2;
   const int steps = std::max(1, static_cast<int>(std::ceil(curve.length() / step_m)));
   int touching = 0;
   for (int k = 0; k <= steps; ++k) {
@@ -189,7 +195,8 @@ std::size_t LinkNetwork::turn(std::size_t edge, int lane_from, std::size_t next_
   const RoadEdge &in = graph_.edges[edge], &out = graph_.edges[next_edge];
   const Curve::Sample &a = links_[link.from].curve.samples().back(),
                       &b = links_[link.to].curve.samples().front();
-  const PlanLine line = turn_between({dvec2(a.point), dvec2(a.along)}, {dvec2(b.point), dvec2(b.along)});
+  const PlanLine line =
+      turn_between({dvec2(a.point), dvec2(a.along)}, {dvec2(b.point), dvec2(b.along)});
   std::vector<Curve::Height> heights;
   if (in.structure || out.structure) {
     const double length = length_of(line);
@@ -218,7 +225,8 @@ std::size_t LinkNetwork::turn(std::size_t edge, int lane_from, std::size_t next_
 bool LinkNetwork::can_turn(std::size_t edge, int lane_from, std::size_t next_edge, int lane_to) {
   if (turns_.contains({edge, lane_from, next_edge, lane_to})) return true;
   const std::size_t from = lane(edge, lane_from), to = lane(next_edge, lane_to);
-  const Curve::Sample &a = links_[from].curve.samples().back(), &b = links_[to].curve.samples().front();
+  const Curve::Sample &a = links_[from].curve.samples().back(),
+                      &b = links_[to].curve.samples().front();
   const dvec2 chord = dvec2(b.point - a.point);
   const double ahead = 0.25 * glm::length(chord);  // 75 degrees aside
   return glm::dot(chord, dvec2(a.along)) > ahead && glm::dot(chord, dvec2(b.along)) > ahead;
@@ -236,8 +244,9 @@ double LinkNetwork::turn_radius(std::size_t edge, std::size_t next_edge) const {
     const Middle& middle = middles_[e];
     const PlanLine piece = trimmed(middle.line, s - 0.05, s + 0.05);
     const dvec2 along = piece.front().along;
-    return PlanPoint{
-        piece.front().point + dvec2(along.y, -along.x) * graph_.edges[e].lane_offset(0, graph_.side), along};
+    return PlanPoint{piece.front().point +
+                         dvec2(along.y, -along.x) * graph_.edges[e].lane_offset(0, graph_.side),
+                     along};
   };
   const PlanPoint from = lane_end(edge, middles_[edge].end),
                   to = lane_end(next_edge, middles_[next_edge].begin);
@@ -274,7 +283,8 @@ void LinkNetwork::conflict(std::size_t number, std::size_t other_number) {
   for (const Curve::Sample& p : sa)
     for (const Curve::Sample& q : sb) {
       const double cosine = std::abs(glm::dot(dvec2(p.along), dvec2(q.along)));
-      const double clear = cosine > 0.87 ? 2.1 : 2.9;  // side by side, or across: corners reach farther
+      const double clear =
+          cosine > 0.87 ? 2.1 : 2.9;  // side by side, or across: corners reach farther
       const dvec2 apart = dvec2(p.point - q.point);
       if (glm::dot(apart, apart) >= clear * clear || std::abs(p.point.z - q.point.z) > 3) continue;
       begin[0] = std::min(begin[0], p.s), end[0] = std::max(end[0], p.s);
@@ -303,8 +313,9 @@ void LinkNetwork::find_conflicts() {
     for (std::size_t a = 0; a < turns.size(); ++a)
       for (std::size_t b = a + 1; b < turns.size(); ++b) conflict(turns[a], turns[b]);
   for (Link& link : links_)
-    link.junction = std::any_of(link.conflicts.begin(), link.conflicts.end(),
-                                [](const Conflict& c) { return c.kind != Conflict::Kind::diverge; });
+    link.junction =
+        std::any_of(link.conflicts.begin(), link.conflicts.end(),
+                    [](const Conflict& c) { return c.kind != Conflict::Kind::diverge; });
 }
 
 }  // namespace nightcity::traffic

@@ -35,7 +35,7 @@ struct Link {
   std::vector<Conflict> conflicts;  // a turn's
   bool junction = false;            // a turn that meets others: one is told when one may go
   bool steerable = true;            // no bend of it is tighter than steering wheels allow
-  double in_buildings_m = 0;        // on so much of it a car would stand with a corner in a building
+  double in_buildings_m = 0;  // on so much of it a car would stand with a corner in a building
 };
 
 /// Comfortable driving, m/s2: ITE's Traffic Engineering Handbook has 1.5-2 for braking and at most 2.5

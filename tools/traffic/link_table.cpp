@@ -26,10 +26,12 @@ LinkTable::LinkTable(const LinkNetwork& network) {
 }
 
 double LinkTable::speed_allowed(std::size_t link, double s) const {
-  const auto limits = std::span(limits_).subspan(facts_[link].first_limit, facts_[link].limit_count);
+  const auto limits =
+      std::span(limits_).subspan(facts_[link].first_limit, facts_[link].limit_count);
   s = std::clamp(s, 0.0, facts_[link].length_m);
-  const auto after = std::upper_bound(limits.begin() + 1, limits.end() - 1, s,
-                                      [](double value, const Limit& limit) { return value < limit.s; });
+  const auto after =
+      std::upper_bound(limits.begin() + 1, limits.end() - 1, s,
+                       [](double value, const Limit& limit) { return value < limit.s; });
   const Limit &a = after[-1], &b = *after;
   const double step = b.s - a.s, x = step > 0 ? (s - a.s) / step : 0;
   return std::sqrt(a.square + (b.square - a.square) * x);

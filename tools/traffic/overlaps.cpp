@@ -46,7 +46,10 @@ struct Found {
 class Stretch {
  public:
   Stretch(const TrafficContent& traffic, double slack_m, Found& found)
-      : traffic_(traffic), cycle_(double{traffic.cycle.cycle_s}), slack_m_(slack_m), found_(found) {}
+      : traffic_(traffic),
+        cycle_(double{traffic.cycle.cycle_s}),
+        slack_m_(slack_m),
+        found_(found) {}
 
   void begin(double t) {
     for (std::size_t n = 0; n < traffic_.trips.size(); ++n)

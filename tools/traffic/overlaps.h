@@ -10,7 +10,7 @@ namespace nightcity::traffic {
 struct OverlapReport {
   std::size_t vehicle_samples = 0;  // vehicles looked at, over all moments
   std::size_t overlapping = 0;      // of them, in another body
-  std::vector<bool> drop;           // by trip: without these nobody overlaps (at the moments looked at)
+  std::vector<bool> drop;  // by trip: without these nobody overlaps (at the moments looked at)
   std::size_t dropped = 0;
 };
 

@@ -71,7 +71,8 @@ const RoadClass* road_class(std::string_view highway) {
 
 const Country& country_at(const glm::dvec2& lon_lat) {
   for (const Box& box : boxes)
-    if (lon_lat.x >= box.west && lon_lat.x <= box.east && lon_lat.y >= box.south && lon_lat.y <= box.north)
+    if (lon_lat.x >= box.west && lon_lat.x <= box.east && lon_lat.y >= box.south &&
+        lon_lat.y <= box.north)
       return box.country;
   return continental;
 }

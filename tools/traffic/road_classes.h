@@ -11,10 +11,11 @@ namespace nightcity::traffic {
 enum class Side { right, left };
 
 struct RoadClass {
-  const char* highway;  // value of the OSM tag; "_link" classes have rows of their own where they differ
-  int rank;             // who gives way: the lower one
-  int lanes;            // of a two-way road, both directions together; of a one-way road the half of it
-  double lane_m;        // width of a lane
+  const char*
+      highway;    // value of the OSM tag; "_link" classes have rows of their own where they differ
+  int rank;       // who gives way: the lower one
+  int lanes;      // of a two-way road, both directions together; of a one-way road the half of it
+  double lane_m;  // width of a lane
   double density_per_km_lane;  // vehicles at 22 h
   bool large_vehicles;         // buses and lorries come here
   bool parking;                // drives may start and end at its kerb
@@ -27,7 +28,8 @@ const RoadClass* road_class(std::string_view highway);
 struct Country {
   const char* name;
   Side side;
-  double residential_kmh, main_kmh, trunk_kmh, motorway_kmh;  // in towns; trunk and motorway outside them
+  double residential_kmh, main_kmh, trunk_kmh,
+      motorway_kmh;  // in towns; trunk and motorway outside them
 };
 
 /// Of a place in WGS 84 degrees. Boxes, so wrong within some kilometres of a few borders: the recipe's `side`

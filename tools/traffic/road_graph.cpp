@@ -27,7 +27,8 @@ bool runs_through_building(const RoadEdge& edge, const InsideBuilding& inside) {
     const double reach = std::max(0.0, edge.half_width_m - 0.5);
     for (int k = 0; k <= looks; ++k)
       for (const double side : {-reach, 0.0, reach})
-        if (inside(edge.line[n] + step * (static_cast<double>(k) / looks) + right * side)) return true;
+        if (inside(edge.line[n] + step * (static_cast<double>(k) / looks) + right * side))
+          return true;
   }
   return false;
 }
@@ -40,7 +41,8 @@ class GraphBuilder {
   void add_streets(const layout::StreetNetwork& network,
                    const std::unordered_map<std::int64_t, Drivable>& drivable) {
     graph.nodes.resize(network.joints.size());
-    for (std::size_t n = 0; n < network.joints.size(); ++n) graph.nodes[n].place = network.joints[n].point;
+    for (std::size_t n = 0; n < network.joints.size(); ++n)
+      graph.nodes[n].place = network.joints[n].point;
     for (const layout::Street& street : network.streets) {
       const std::int64_t way = street.pieces.front().way_id;
       add_street(street, drivable.at(way), way);
@@ -106,8 +108,10 @@ class GraphBuilder {
           sum += graph.nodes[other].height_m / length;
           weight += 1 / length;
         };
-        for (const std::size_t e : graph.nodes[n].in) pull(graph.edges[e].from, graph.edges[e].length_m);
-        for (const std::size_t e : graph.nodes[n].out) pull(graph.edges[e].to, graph.edges[e].length_m);
+        for (const std::size_t e : graph.nodes[n].in)
+          pull(graph.edges[e].from, graph.edges[e].length_m);
+        for (const std::size_t e : graph.nodes[n].out)
+          pull(graph.edges[e].to, graph.edges[e].length_m);
         if (weight == 0) continue;
         change = std::max(change, std::abs(sum / weight - graph.nodes[n].height_m));
         graph.nodes[n].height_m = sum / weight;
@@ -147,7 +151,8 @@ double RoadGraph::lane_km() const {
 }
 
 RoadGraph make_road_graph(const std::vector<OsmWay>& highways, const LonLatToFrame& to_frame,
-                          const HeightAt& height_at, const InsideBuilding& inside, std::optional<Side> side) {
+                          const HeightAt& height_at, const InsideBuilding& inside,
+                          std::optional<Side> side) {
   GraphBuilder builder(height_at, inside);
   const Country* country = nullptr;
   std::unordered_map<std::int64_t, Drivable> drivable;

@@ -54,8 +54,9 @@ void RoadState::enter(std::uint32_t number) {
   const std::size_t link = car.way->links[car.leg];
   auto& row = on_link[link];
   const double s = car.on_leg();
-  row.insert(std::find_if(row.begin(), row.end(), [&](std::uint32_t n) { return cars[n].on_leg() < s; }),
-             number);
+  row.insert(
+      std::find_if(row.begin(), row.end(), [&](std::uint32_t n) { return cars[n].on_leg() < s; }),
+      number);
   if (links[link].turn) ++turning[links[link].node];
 }
 
@@ -87,13 +88,15 @@ void RoadState::hold(std::uint32_t number, std::size_t leg) {
 void RoadState::drop(std::uint32_t number, std::size_t leg) {
   const std::size_t link = cars[number].way->links[leg];
   if (links[link].junction)
-    std::erase_if(holders[link], [&](const Hold& hold) { return hold.car == number && hold.leg == leg; });
+    std::erase_if(holders[link],
+                  [&](const Hold& hold) { return hold.car == number && hold.leg == leg; });
 }
 
 void RoadState::release(std::uint32_t number, bool all) {
   Car& car = cars[number];
-  while (car.held_from < car.granted &&
-         (all || (car.held_from < car.leg && car.distance - car.half > car.starts[car.held_from + 1])))
+  while (
+      car.held_from < car.granted &&
+      (all || (car.held_from < car.leg && car.distance - car.half > car.starts[car.held_from + 1])))
     drop(number, car.held_from++);
 }
 
@@ -104,7 +107,8 @@ void RoadState::look_ahead() {
     const Car& car = cars[number];
     // Nobody waits for one who stands in a queue.
     const double far = car.v < standing_m_s ? car.half + line_m : sight_m(car);
-    for (std::size_t leg = car.leg + 1; leg < car.way->links.size() && car.way_to(leg) < far; ++leg) {
+    for (std::size_t leg = car.leg + 1; leg < car.way->links.size() && car.way_to(leg) < far;
+         ++leg) {
       const std::size_t link = car.way->links[leg];
       if (!links[link].junction) continue;
       if (coming[link].empty()) touched_.push_back(link);

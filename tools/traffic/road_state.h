@@ -16,9 +16,10 @@ constexpr double line_m = 8;        // at a line where their bumper is no farthe
 struct Car {
   const Route* way = nullptr;
   const VehicleType* type = nullptr;
-  std::vector<double> starts;  // of each leg (one of way->links) along the route, and the end of the last
-  std::size_t leg = 0;         // the one it is on
-  double distance = 0;         // of its middle along the route
+  std::vector<double>
+      starts;           // of each leg (one of way->links) along the route, and the end of the last
+  std::size_t leg = 0;  // the one it is on
+  double distance = 0;  // of its middle along the route
   double v = 0, next_v = 0;
   double half = 0;
   std::size_t granted = 0;               // turns before this leg may be driven

@@ -19,7 +19,8 @@ Ramp ramp(double x) {
 
 }  // namespace
 
-RoutePath::RoutePath(const LinkNetwork& network, const Route& route) : network_(network), route_(route) {
+RoutePath::RoutePath(const LinkNetwork& network, const Route& route)
+    : network_(network), route_(route) {
   double sum = 0;
   for (const std::size_t link : route.links) {
     starts_.push_back(sum);

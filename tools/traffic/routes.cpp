@@ -10,7 +10,7 @@ namespace {
 
 constexpr double hindered = 0.7;  // mean speed over limit in a town: bends, junctions
 constexpr double parking_margin_m =
-    28;                              // from a junction to where one pulls out: room for the others to brake
+    28;  // from a junction to where one pulls out: room for the others to brake
 constexpr double stop_margin_m = 8;  // from where one stops to the next junction
 constexpr double kerb_gap_m = 0.25;
 constexpr double tightest_m = 2.2, tightest_large_m = 5;  // turns: what a steering wheel can do
@@ -100,7 +100,9 @@ class RouteMaker {
     return edge.road->density_per_km_lane * 1e-3 * edge.lanes * edge.speed_m_s;
   }
 
-  static double time_on(const RoadEdge& edge, double length) { return length / (edge.speed_m_s * hindered); }
+  static double time_on(const RoadEdge& edge, double length) {
+    return length / (edge.speed_m_s * hindered);
+  }
 
   bool may_park(std::size_t e) const {
     const RoadEdge& edge = graph_.edges[e];
@@ -134,7 +136,8 @@ class RouteMaker {
       if (e == graph_.edges[edge].opposite || (large && !out.road->large_vehicles)) continue;
       if (network_.turn_radius(edge, e) < (large ? tightest_large_m : tightest_m)) continue;
       options.push_back(e);
-      choice.add(flow(out) * lack(out) * (network_.movement(edge, e) == Movement::straight ? 2.5 : 1));
+      choice.add(flow(out) * lack(out) *
+                 (network_.movement(edge, e) == Movement::straight ? 2.5 : 1));
     }
     return options.empty() || !(choice.total() > 0) ? none : options[choice.pick(random)];
   }
@@ -198,7 +201,8 @@ class RouteMaker {
     for (std::size_t n = 1; n < edges.size(); ++n)
       if (!network_.can_turn(edges[n - 1], lanes[n - 1], edges[n], lanes[n])) return false;
     for (std::size_t n = 0; n < edges.size(); ++n) {
-      if (n > 0) route.links.push_back(network_.turn(edges[n - 1], lanes[n - 1], edges[n], lanes[n]));
+      if (n > 0)
+        route.links.push_back(network_.turn(edges[n - 1], lanes[n - 1], edges[n], lanes[n]));
       route.links.push_back(network_.lane(edges[n], lanes[n]));
     }
     for (const std::size_t number : route.links) {
@@ -217,13 +221,14 @@ class RouteMaker {
     const double last = network_.links()[route.links.back()].curve.length();
     route.start_s = std::min(half, first / 2);
     if (route.from_kerb) {
-      route.start_s =
-          random.range(std::min(parking_margin_m, first / 2), std::max(first - stop_margin_m, first / 2));
+      route.start_s = random.range(std::min(parking_margin_m, first / 2),
+                                   std::max(first - stop_margin_m, first / 2));
       route.start_aside_m = aside(graph_.edges[edges.front()], lanes.front());
     }
     route.end_s = std::max(last - half, last / 2);
     if (to_kerb) {
-      route.end_s = random.range(std::min(15.0, last / 2), std::max(last - stop_margin_m, last / 2));
+      route.end_s =
+          random.range(std::min(15.0, last / 2), std::max(last - stop_margin_m, last / 2));
       route.end_aside_m = aside(graph_.edges[edges.back()], lanes.back());
     }
     return true;

@@ -14,8 +14,8 @@ namespace nightcity::traffic {
 struct Route {
   std::vector<std::size_t> links;  // lane, turn, lane, ... lane
   double start_s = 0, end_s = 0;   // the vehicle's middle, on the first and the last link
-  bool from_kerb = false;          // starts parked; else it drives in over the border or out of a dead end
-  bool to_stop = false;            // ends standing; else it drives out over the border
+  bool from_kerb = false;  // starts parked; else it drives in over the border or out of a dead end
+  bool to_stop = false;    // ends standing; else it drives out over the border
   double start_aside_m = 0, end_aside_m = 0;  // to the right of the lane's middle, where parked
   std::size_t type = 0;                       // into vehicle_types
   double speed_factor = 1;
@@ -33,8 +33,8 @@ struct Demand {
 struct RouteReport {
   std::map<std::string, double> lane_km;        // by class of road
   std::map<std::string, double> wanted, given;  // vehicles at once, by class
-  std::size_t rejected = 0;                     // drives that led nowhere in time, or could not be driven:
-  std::size_t through_buildings = 0;            // of them: a wall stood in the way
+  std::size_t rejected = 0;           // drives that led nowhere in time, or could not be driven:
+  std::size_t through_buildings = 0;  // of them: a wall stood in the way
 };
 
 /// Vehicles at once at the table's hour, by the table of densities.

@@ -12,7 +12,8 @@
 namespace nightcity::traffic {
 namespace {
 
-constexpr double gives_up_s = 90;  // standing first at a line: a jam that locks itself; the drive is given up
+constexpr double gives_up_s =
+    90;  // standing first at a line: a jam that locks itself; the drive is given up
 constexpr double warm_up_share = 1.0;  // of a cycle, before the drives are kept
 
 class Simulator {
@@ -84,15 +85,18 @@ class Simulator {
     const Route& route = routes_[one.route];
     const std::size_t link = route.links.front();
     const double half = vehicle_types[route.type].length_m / 2;
-    double v = route.from_kerb ? 0 : roads_.links.speed_allowed(link, route.start_s) * route.speed_factor;
+    double v =
+        route.from_kerb ? 0 : roads_.links.speed_allowed(link, route.start_s) * route.speed_factor;
     for (const std::uint32_t number : roads_.on_link[link]) {
       const Car& other = roads_.cars[number];
       const double s = other.on_leg(), gap = std::abs(s - route.start_s) - other.half - half;
       if (s > route.start_s) {  // ahead
         if (gap < standstill_gap_m) return false;
-        v = std::min(v, std::sqrt(other.v * other.v + 2 * comfortable_braking * (gap - standstill_gap_m)));
+        v = std::min(
+            v, std::sqrt(other.v * other.v + 2 * comfortable_braking * (gap - standstill_gap_m)));
         if (!route.from_kerb && gap < standstill_gap_m + 0.8 * v) return false;
-      } else if (gap < standstill_gap_m + 1.5 * other.v + other.v * other.v / (2 * comfortable_braking)) {
+      } else if (gap <
+                 standstill_gap_m + 1.5 * other.v + other.v * other.v / (2 * comfortable_braking)) {
         return false;
       }
     }
@@ -126,15 +130,17 @@ class Simulator {
       roads_.release(number, false);
       const double s = car.on_leg();
       const bool there =
-          car.leg == last && (car.way->to_stop ? s > car.way->end_s - 0.6 && car.v < 0.3
-                                               : car.distance + car.v * step_s + 0.3 > car.starts.back());
+          car.leg == last &&
+          (car.way->to_stop ? s > car.way->end_s - 0.6 && car.v < 0.3
+                            : car.distance + car.v * step_s + 0.3 > car.starts.back());
       if (there || lost(car)) finished_.push_back(number);
     }
     for (const std::uint32_t number : finished_) finish(number);
   }
 
   bool lost(const Car& car) const {
-    return roads_.now - car.born > cycle_s_ - 2 * step_s || roads_.now - car.standing_since > gives_up_s;
+    return roads_.now - car.born > cycle_s_ - 2 * step_s ||
+           roads_.now - car.standing_since > gives_up_s;
   }
 
   void finish(std::uint32_t number) {

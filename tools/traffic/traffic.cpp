@@ -47,11 +47,13 @@ double busiest_vehicles(const RoadGraph& graph, const TrafficOptions& options) {
 void rank_trips(std::vector<Trip>& trips) {
   std::vector<std::size_t> by_lot(trips.size());
   for (std::size_t n = 0; n < trips.size(); ++n) by_lot[n] = n;
-  std::stable_sort(by_lot.begin(), by_lot.end(),
-                   [&](std::size_t a, std::size_t b) { return mix(trips[a].id) < mix(trips[b].id); });
+  std::stable_sort(by_lot.begin(), by_lot.end(), [&](std::size_t a, std::size_t b) {
+    return mix(trips[a].id) < mix(trips[b].id);
+  });
   for (std::size_t k = 0; k < by_lot.size(); ++k)
     trips[by_lot[k]].rank = std::min(
-        static_cast<float>((static_cast<double>(k) + 0.5) / static_cast<double>(by_lot.size())), 0.99999994f);
+        static_cast<float>((static_cast<double>(k) + 0.5) / static_cast<double>(by_lot.size())),
+        0.99999994f);
 }
 
 /// Takes trips out in place, with their knots.
@@ -74,9 +76,13 @@ void leave_out(TrafficSet& set, const std::vector<bool>& drop) {
 /// Turns drives into trips, many at once and side by side; their order is that in which they came.
 class TripMaker {
  public:
-  TripMaker(const LinkNetwork& network, std::span<const Route> routes, const Georeference& georeference,
-            const TrafficOptions& options, TrafficReport& report)
-      : network_(network), routes_(routes), georeference_(georeference), options_(options), report_(report) {}
+  TripMaker(const LinkNetwork& network, std::span<const Route> routes,
+            const Georeference& georeference, const TrafficOptions& options, TrafficReport& report)
+      : network_(network),
+        routes_(routes),
+        georeference_(georeference),
+        options_(options),
+        report_(report) {}
 
   void add(Drive&& drive) {
     waiting_.push_back(std::move(drive));
@@ -121,7 +127,8 @@ class TripMaker {
       const Route& route = routes_[drive.route];
       Made& one = batch[n];
       one.route = drive.route;
-      one.knots = make_knots(RoutePath(network_, route), drive, georeference_, options_.tolerance, one.error);
+      one.knots = make_knots(RoutePath(network_, route), drive, georeference_, options_.tolerance,
+                             one.error);
       const auto start = static_cast<float>(drive.start_time_s);
       one.trip.start_s = start < static_cast<float>(options_.cycle_s) ? start : 0.0f;
       one.trip.vehicle = static_cast<uint>(route.type);

@@ -42,8 +42,8 @@ struct TrafficReport {
   std::size_t trips = 0, knots = 0, brakings = 0;
   double driven_km = 0, cycle_s = 0;
   double links_km = 0,
-         links_in_buildings_km = 0;            // of lanes and turns looked at; the latter nobody drives on
-  double mean_vehicles = 0;                    // with every trip on the road
+         links_in_buildings_km = 0;  // of lanes and turns looked at; the latter nobody drives on
+  double mean_vehicles = 0;          // with every trip on the road
   std::array<double, 24> vehicles_by_hour{};   // from noon
   std::map<std::string, std::size_t> by_type;  // trips
   std::size_t overlap_samples = 0, overlapping = 0, overlap_dropped = 0;

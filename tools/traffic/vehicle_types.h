@@ -15,8 +15,8 @@ struct VehicleType {
   double share;         // of the traffic on a main road
   bool large;           // keeps to the classes of road that large vehicles use
   double acceleration;  // comfortable, m/s2
-  double
-      speed_factor[2];  // of the limit (and the comfortable speed in bends) that its drivers keep, from - to
+  double speed_factor
+      [2];  // of the limit (and the comfortable speed in bends) that its drivers keep, from - to
   double headlamp_height_m, headlamp_apart_m;  // apart 0: one headlamp
   double headlamp_cct_k;
   double tail_lamp_height_m;

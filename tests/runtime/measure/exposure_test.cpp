@@ -30,7 +30,8 @@ TEST(Exposure, MeteredGreyLandsAtTheMetersReflectance) {
 }
 
 TEST(Exposure, TenTimesTheLightIsTenTimesLessExposure) {
-  const float low = auto_exposure_ev100(grey(3, 3, 0.1f)), high = auto_exposure_ev100(grey(3, 3, 1.0f));
+  const float low = auto_exposure_ev100(grey(3, 3, 0.1f)),
+              high = auto_exposure_ev100(grey(3, 3, 1.0f));
   EXPECT_NEAR(high - low, std::log2(10.0f), 1e-4);
 }
 
@@ -39,14 +40,16 @@ TEST(Exposure, LampsAndSkyHaveNoSay) {
   for (std::uint32_t y = 0; y < 40; ++y)
     for (std::uint32_t x = 0; x < 100; ++x) set_pixel(street, x, y, 1e-4f);  // the unlit two fifths
   const float without = auto_exposure_ev100(street);
-  for (std::uint32_t i = 0; i < 100; ++i) set_pixel(street, i, 99, 5e4f);  // one pixel in a hundred is a lamp
+  for (std::uint32_t i = 0; i < 100; ++i)
+    set_pixel(street, i, 99, 5e4f);  // one pixel in a hundred is a lamp
   EXPECT_NEAR(auto_exposure_ev100(street), without, 0.01f);
   EXPECT_NEAR(without, auto_exposure_ev100(grey(1, 1, 0.5f)), 0.01f);
 }
 
 TEST(Exposure, PictureWithoutLightGetsTheDefault) {
   EXPECT_EQ(auto_exposure_ev100(grey(4, 4, 0.0f)), default_ev100);
-  EXPECT_EQ(auto_exposure_ev100(grey(4, 4, std::numeric_limits<float>::quiet_NaN())), default_ev100);
+  EXPECT_EQ(auto_exposure_ev100(grey(4, 4, std::numeric_limits<float>::quiet_NaN())),
+            default_ev100);
   EXPECT_EQ(auto_exposure_ev100(Image()), default_ev100);
   Image one_light = grey(4, 4, 0.0f);
   set_pixel(one_light, 0, 0, 3.0f);
@@ -96,7 +99,8 @@ TEST(ToneCurve, ReinhardReachesWhiteAtItsWhite) {
 }
 
 TEST(ToneCurve, NamesComeBack) {
-  for (const std::uint32_t curve : all_curves) EXPECT_EQ(tone_curve_from_name(tone_curve_name(curve)), curve);
+  for (const std::uint32_t curve : all_curves)
+    EXPECT_EQ(tone_curve_from_name(tone_curve_name(curve)), curve);
   EXPECT_THROW(tone_curve_from_name("Filmic"), UsageError);
 }
 

@@ -16,10 +16,12 @@ class Exr : public testing::Test {
  protected:
   Image sample() const {
     Image image = test::grey(5, 3, 0.0f);
-    for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = 0.1f * static_cast<float>(i) + 1e-6f;
+    for (std::size_t i = 0; i < image.rgb.size(); ++i)
+      image.rgb[i] = 0.1f * static_cast<float>(i) + 1e-6f;
     image.layers.push_back({"albedo", {"R", "G", "B"}, std::vector<float>(45, 0.25f)});
     image.layers.push_back({"depth", {"Z"}, std::vector<float>(15)});
-    for (std::size_t i = 0; i < 15; ++i) image.layers[1].values[i] = 1000.0f + static_cast<float>(i);
+    for (std::size_t i = 0; i < 15; ++i)
+      image.layers[1].values[i] = 1000.0f + static_cast<float>(i);
     image.info = {"pairwise", 64, 32, 5, 0xFFFFFFFFFFFFFFFFu, 3.25f, "a device"};
     return image;
   }
@@ -78,7 +80,8 @@ TEST_F(Exr, NonFiniteValueIsNotWritten) {
 TEST_F(Exr, ImpossibleLayersAreRefused) {
   for (const ImageLayer& layer :
        {ImageLayer{"", {"X"}, std::vector<float>(15)}, ImageLayer{"a", {}, {}},
-        ImageLayer{"a", {"x.y"}, std::vector<float>(15)}, ImageLayer{"depth", {"Z"}, std::vector<float>(15)},
+        ImageLayer{"a", {"x.y"}, std::vector<float>(15)},
+        ImageLayer{"depth", {"Z"}, std::vector<float>(15)},
         ImageLayer{"a", {"X"}, std::vector<float>(14)}}) {
     Image image = sample();
     image.layers.push_back(layer);

@@ -44,7 +44,8 @@ TEST(FalseColour, BarHasLettersAndTheColoursOfTheScale) {
     white += image.rgb[i] == 255 && image.rgb[i + 1] == 255 && image.rgb[i + 2] == 255;
   EXPECT_GT(white, 60u) << "0.1 lx, 1 lx and 10 lx";
   // The middle of a scale of two decades is the colour of 1.
-  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(image.rgb[3 * (400 * 8 + 199) + c], image.rgb[c], 3) << c;
+  for (std::size_t c = 0; c < 3; ++c)
+    EXPECT_NEAR(image.rgb[3 * (400 * 8 + 199) + c], image.rgb[c], 3) << c;
 }
 
 TEST(FalseColour, IlluminanceNeedsItsLayers) {

@@ -15,7 +15,8 @@ class Png : public testing::Test {
  protected:
   void SetUp() override {
     image = {17, 9, std::vector<std::uint8_t>(3 * 17 * 9)};
-    for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = static_cast<std::uint8_t>(i * 37);
+    for (std::size_t i = 0; i < image.rgb.size(); ++i)
+      image.rgb[i] = static_cast<std::uint8_t>(i * 37);
   }
 
   test::TempFolder folder;

@@ -29,8 +29,8 @@ TEST(Table, BrokenCsvIsRefusedWithItsRow) {
   test::write_text(folder / "quote.csv", "a,b\n1,\"2\n");
   test::write_text(folder / "empty.csv", "");
   for (const auto& [file, place] :
-       {std::pair{"ragged.csv", "row 3"}, std::pair{"quote.csv", "row 2"}, std::pair{"empty.csv", "header"},
-        std::pair{"none.csv", "cannot be read"}}) {
+       {std::pair{"ragged.csv", "row 3"}, std::pair{"quote.csv", "row 2"},
+        std::pair{"empty.csv", "header"}, std::pair{"none.csv", "cannot be read"}}) {
     try {
       read_csv(folder / file);
       FAIL() << file;

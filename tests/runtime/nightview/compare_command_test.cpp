@@ -20,9 +20,10 @@ class CompareCommand : public testing::Test {
     write_exr(folder / "wide.exr", test::grey(6, 2, 2.0f));
   }
 
-  test::Outcome compare(const std::string& a, const std::string& b, const std::string& options = "") const {
-    return test::run_program("nightview", "compare " + options + " '" + (folder / a).string() + "' '" +
-                                              (folder / b).string() + "'");
+  test::Outcome compare(const std::string& a, const std::string& b,
+                        const std::string& options = "") const {
+    return test::run_program("nightview", "compare " + options + " '" + (folder / a).string() +
+                                              "' '" + (folder / b).string() + "'");
   }
 
   test::TempFolder folder;

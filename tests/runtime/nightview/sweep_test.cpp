@@ -26,8 +26,8 @@ TEST(Sweep, DefaultsOfEveryKnobAreValuesItTakes) {
 }
 
 TEST(Sweep, EverySettingComesOnceAndNoKnobThatAnEstimatorLacks) {
-  const auto all =
-      combinations({{"estimator", "ris,pairwise"}, {"candidates", "1,2,4"}, {"neighbours", "0,3,5"}});
+  const auto all = combinations(
+      {{"estimator", "ris,pairwise"}, {"candidates", "1,2,4"}, {"neighbours", "0,3,5"}});
   EXPECT_EQ(all.size(), 3u + 9u);  // ris has no neighbours
   EXPECT_EQ(std::set<KnobValues>(all.begin(), all.end()).size(), all.size());
   for (const KnobValues& values : all) {
@@ -85,8 +85,8 @@ class MeasuringCommands : public testing::Test {
     write_light_file(folder / "city.lights", {{}, lights, provenance, {}, {}});
   }
   test::Outcome nightview(const std::string& command, const std::string& options) const {
-    return test::run_program("nightview",
-                             "-q " + command + " " + options + " --out '" + (folder / "out").string() + "'");
+    return test::run_program("nightview", "-q " + command + " " + options + " --out '" +
+                                              (folder / "out").string() + "'");
   }
   std::string scene() const { return "'" + (folder / "city.glb").string() + "'"; }
   test::TempFolder folder;
@@ -114,8 +114,8 @@ TEST_F(MeasuringCommands, SweepWritesTableAndPlotAndGoesOnWhereItStopped) {
 }
 
 TEST_F(MeasuringCommands, FlightMeasuresEveryFrameItIsAskedTo) {
-  const test::Outcome outcome =
-      nightview("flight", scene() + " --size 16x12 --frames 5 --every 2 --reference-frames 1 --pictures");
+  const test::Outcome outcome = nightview(
+      "flight", scene() + " --size 16x12 --frames 5 --every 2 --reference-frames 1 --pictures");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const Table table = read_csv(folder / "out/flight.csv");
   ASSERT_EQ(table.rows.size(), 5u);
@@ -137,7 +137,8 @@ TEST_F(MeasuringCommands, FleetTellsTheCostOfMovingVehiclesApart) {
       test::run_program("nightview", "-q fleet --vehicles 0,30 --lamps 20 --size 8x6 --frames 1");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("| 0 | 20 | "), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("| 30 | 140 | "), std::string::npos) << "four lights each: " << outcome.out;
+  EXPECT_NE(outcome.out.find("| 30 | 140 | "), std::string::npos)
+      << "four lights each: " << outcome.out;
 }
 
 TEST_F(MeasuringCommands, WrongUsageEndsWith2AndBadDataWith1) {

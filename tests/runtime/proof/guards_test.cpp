@@ -70,13 +70,14 @@ bool obeys_the_inverse_square_law(const Image& image, double flux) {
 }
 
 Shot one_lamp(Estimator estimator, float flux = 5000, std::uint32_t frames = 2) {
-  return {SceneBuilder().ground(100).with({lamp({0, 8, 0}, flux)}), looking_down, with_estimator(estimator),
-          16, frames};
+  return {SceneBuilder().ground(100).with({lamp({0, 8, 0}, flux)}), looking_down,
+          with_estimator(estimator), 16, frames};
 }
 
 Property lamp_law(Estimator estimator, float flux = 5000, std::uint32_t frames = 2) {
   return [=](PassLibrary& passes) {
-    return obeys_the_inverse_square_law(taken(passes, one_lamp(estimator, flux, frames)), double(flux));
+    return obeys_the_inverse_square_law(taken(passes, one_lamp(estimator, flux, frames)),
+                                        double(flux));
   };
 }
 
@@ -86,9 +87,9 @@ const ShaderEdit finished_guard{"reservoir.glsl",
 
 // A target of zero is no sample; a clamped divisor instead would dim whatever is fainter than the clamp.
 TEST(Guard, FaintLightIsNotClampedAway) {
-  expect_guarded(
-      lamp_law(Estimator::pairwise, 1e-5f),
-      {{finished_guard.file, finished_guard.guard, "normalisation * s.weight_sum / max(s.target, 1.0e-8)"}});
+  expect_guarded(lamp_law(Estimator::pairwise, 1e-5f),
+                 {{finished_guard.file, finished_guard.guard,
+                   "normalisation * s.weight_sum / max(s.target, 1.0e-8)"}});
 }
 
 // A window lights one side only: on the other every target is zero, W would be 0 / 0.
@@ -108,7 +109,8 @@ TEST(Guard, WhereNoLightReachesThePictureIsBlackAndNotNaN) {
       dark_half_is_dark,
       {finished_guard,
        {"reservoir.glsl", "r.W = finite(W) ? W : 0.0;", "r.W = W;"},
-       {"shade.comp", "reservoir.W > 0.0 && reservoir.light < SCENE.light_count", "reservoir.M > 0.0"},
+       {"shade.comp", "reservoir.W > 0.0 && reservoir.light < SCENE.light_count",
+        "reservoir.M > 0.0"},
        {"accumulate.comp", "if (!(finite(radiance.x)", "if (false && !(finite(radiance.x)"}});
 }
 
@@ -123,8 +125,9 @@ TEST(Guard, AHistoryThatIsNoNumberIsForgotten) {
   Shot shot = one_lamp(Estimator::pairwise, 5000, 4);
   shot.settings.neighbours = 0;
   shot.settings.accumulate = false;
-  expect_guarded([&](PassLibrary& passes) { return obeys_the_inverse_square_law(taken(passes, shot), 5000); },
-                 {{"reservoir.glsl", "if (!sound) return EMPTY_RESERVOIR;", ""}}, {poisoned_history});
+  expect_guarded(
+      [&](PassLibrary& passes) { return obeys_the_inverse_square_law(taken(passes, shot), 5000); },
+      {{"reservoir.glsl", "if (!sound) return EMPTY_RESERVOIR;", ""}}, {poisoned_history});
 }
 
 // What is not finite may come from anywhere: none of it may stay in the sum.
@@ -136,21 +139,25 @@ TEST(Guard, OneFrameThatIsNoNumberDoesNotStayInThePicture) {
     return true;
   };
   expect_guarded(
-      finite_mean, {{"accumulate.comp", "if (!(finite(radiance.x)", "if (false && !(finite(radiance.x)"}},
+      finite_mean,
+      {{"accumulate.comp", "if (!(finite(radiance.x)", "if (false && !(finite(radiance.x)"}},
       {{"shade.comp", "FRAME.radiance.at[index] = Accumulation(radiance,",
-        "if (FRAME.frame == 1u) radiance += uintBitsToFloat(0x7FC00000u);\n  FRAME.radiance.at[index] = "
+        "if (FRAME.frame == 1u) radiance += uintBitsToFloat(0x7FC00000u);\n  "
+        "FRAME.radiance.at[index] = "
         "Accumulation(radiance,"}});
 }
 
 // 80,000 lamps picked uniformly: W is 80,000, and half floats end at 65,504.
 TEST(Guard, WeightsBeyondHalfFloatsAreKept) {
   std::vector<Light> lights(80000, lamp({0, 8, 0}, 0.0625f));
-  Shot shot{SceneBuilder().ground(100).with(lights), looking_down, with_estimator(Estimator::pairwise), 8, 2};
+  Shot shot{SceneBuilder().ground(100).with(lights), looking_down,
+            with_estimator(Estimator::pairwise), 8, 2};
   shot.settings.local_share = shot.settings.wide_share = 0;
   shot.settings.uniform_share = 1;
-  expect_guarded([&](PassLibrary& passes) { return obeys_the_inverse_square_law(taken(passes, shot), 5000); },
-                 {{"reservoir.glsl", "r.W = finite(W) ? W : 0.0;",
-                   "r.W = unpackHalf2x16(packHalf2x16(vec2(W, 0.0))).x;"}});
+  expect_guarded(
+      [&](PassLibrary& passes) { return obeys_the_inverse_square_law(taken(passes, shot), 5000); },
+      {{"reservoir.glsl", "r.W = finite(W) ? W : 0.0;",
+        "r.W = unpackHalf2x16(packHalf2x16(vec2(W, 0.0))).x;"}});
 }
 
 // Lamps told apart by their colour, time alone reuses: how many pixels show another lamp 12 frames later?
@@ -158,7 +165,8 @@ TEST(Guard, HistoryFadesThroughTheCapOnM) {
   std::vector<Light> lights = random_lamps(60, 20, 4);
   for (std::size_t i = 0; i < lights.size(); ++i)
     lights[i].colour_rgb9e5 = encode_rgb9e5({1, 0.1f + 0.015f * float(i), 0});
-  Shot shot{SceneBuilder().ground(100).with(lights), looking_down, with_estimator(Estimator::pairwise)};
+  Shot shot{SceneBuilder().ground(100).with(lights), looking_down,
+            with_estimator(Estimator::pairwise)};
   shot.settings.neighbours = 0;
   shot.settings.history_cap = 4;
   shot.settings.accumulate = false;
@@ -172,11 +180,13 @@ TEST(Guard, HistoryFadesThroughTheCapOnM) {
     const Image a = after(150), b = after(12);
     std::size_t same = 0;
     for (std::size_t i = 0; i < 3 * a.pixels(); i += 3)
-      same += std::abs(a.rgb[i] * b.rgb[i + 1] - b.rgb[i] * a.rgb[i + 1]) <= 1e-4f * a.rgb[i] * b.rgb[i + 1];
+      same += std::abs(a.rgb[i] * b.rgb[i + 1] - b.rgb[i] * a.rgb[i + 1]) <=
+              1e-4f * a.rgb[i] * b.rgb[i + 1];
     return same < a.pixels() / 2;
   };
-  expect_guarded(lamps_change,
-                 {{"temporal.comp", "history.M = min(history.M, FRAME.history_cap * canonical.M);", ""}});
+  expect_guarded(
+      lamps_change,
+      {{"temporal.comp", "history.M = min(history.M, FRAME.history_cap * canonical.M);", ""}});
 }
 
 // One lamp, a checker of steps: a neighbour on another step is not similar, and must not dilute the weights.
@@ -205,7 +215,8 @@ TEST(Guard, NeighboursThatCannotContributeDoNotCount) {
 TEST(Guard, TargetsAreEvaluatedAtTheReceiver) {
   expect_guarded(
       lamp_law(Estimator::pairwise, 5000, 4),
-      {{"reuse.glsl", "other.W > 0.0 ? estimator_target(receiver, other.light, other.uv, false) : 0.0;",
+      {{"reuse.glsl",
+        "other.W > 0.0 ? estimator_target(receiver, other.light, other.uv, false) : 0.0;",
         "other.W > 0.0 ? estimator_target(there, other.light, other.uv, false) : 0.0;"}});
 }
 
@@ -232,8 +243,9 @@ TEST(Guard, WhatWasHiddenHasNoHistory) {
       different += std::abs(luminance(a, i) - luminance(b, i)) > 0.02 * luminance(b, i) + 1e-6;
     return different < a.pixels() / 200;
   };
-  expect_guarded(no_smear, {{"similar.glsl", "return similar(expected, FRAME.previous_surfaces.at[index]);",
-                             "return FRAME.previous_surfaces.at[index].depth > 0.0;"}});
+  expect_guarded(no_smear,
+                 {{"similar.glsl", "return similar(expected, FRAME.previous_surfaces.at[index]);",
+                   "return FRAME.previous_surfaces.at[index].depth > 0.0;"}});
 }
 
 // An index beyond the lights: the sample is dropped. Without the guards the shader reads beyond the buffer,
@@ -267,11 +279,13 @@ TEST(Guard, AtTheLampItselfLightIsBoundedByItsSize) {
     return Shot{SceneBuilder().ground(100).with({lamp({0, height, 0}, 5000, 0)}), looking_down,
                 with_estimator(Estimator::reference), 1, 8};
   };
-  const Shot within = over_ground(5e-4f), at_centre = over_ground(1e-20f), beyond = over_ground(1.1e-3f);
+  const Shot within = over_ground(5e-4f), at_centre = over_ground(1e-20f),
+             beyond = over_ground(1.1e-3f);
   const Property bounded = [&](PassLibrary& passes) {
-    const double most = 0.5 / pi * 5000 / (4 * pi) * 2e6, seen = luminance(taken(passes, beyond), 0);
-    return luminance(taken(passes, within), 0) == 0 && luminance(taken(passes, at_centre), 0) == 0 &&
-           seen > 0 && seen < most;
+    const double most = 0.5 / pi * 5000 / (4 * pi) * 2e6,
+                 seen = luminance(taken(passes, beyond), 0);
+    return luminance(taken(passes, within), 0) == 0 &&
+           luminance(taken(passes, at_centre), 0) == 0 && seen > 0 && seen < most;
   };
   expect_guarded(bounded, {{"lights.glsl", "if (d2 <= radius * radius) return s;", ""}});
 }
@@ -280,22 +294,24 @@ TEST(Guard, AWindowWithoutAreaShinesAsASmallOne) {
   Light light = window({0, 8, 0}, {0, 0, 1}, 0, 0, 5000);
   light.axis = {0, -1, 0};
   light.tangent = {1, 0, 0};
-  const Shot shot{SceneBuilder().ground(100).with({light}), looking_down, with_estimator(Estimator::pairwise),
-                  16, 2};
+  const Shot shot{SceneBuilder().ground(100).with({light}), looking_down,
+                  with_estimator(Estimator::pairwise), 16, 2};
   const Property as_a_point = [&](PassLibrary& passes) {
     const Image image = taken(passes, shot);
     const auto& points = image.layer("position")->values;
     for (std::size_t i = 0; i < image.pixels(); ++i) {
-      const double x = double(points[3 * i]), z = double(points[3 * i + 2]), d2 = x * x + z * z + 64;
+      const double x = double(points[3 * i]), z = double(points[3 * i + 2]),
+                   d2 = x * x + z * z + 64;
       const double expected = 0.5 / pi * 5000 / pi * 64 / d2 / d2;
       if (!(std::abs(luminance(image, i) - expected) < 0.01 * expected)) return false;
     }
     return true;
   };
-  expect_guarded(as_a_point,
-                 {{"lights.glsl", "(light.flux_lm * cos_light / (PI * d2))",
-                   "(light.flux_lm / (PI * 4.0 * light.radius * light.half_height) * cos_light * 4.0 * "
-                   "light.radius * light.half_height / d2)"}});
+  expect_guarded(
+      as_a_point,
+      {{"lights.glsl", "(light.flux_lm * cos_light / (PI * d2))",
+        "(light.flux_lm / (PI * 4.0 * light.radius * light.half_height) * cos_light * 4.0 * "
+        "light.radius * light.half_height / d2)"}});
 }
 
 // Rays exactly along an axis that run in a side of a box: 0 * infinity. The boxes clear what they hold, which
@@ -308,8 +324,10 @@ TEST(Guard, RaysInThePlaneOfABoxHit) {
   DeviceScene device_scene(test_device(), scene);
   Renderer renderer(test_device(), test_passes(), device_scene, 1, 1);
   for (int i = -7; i < 8; ++i)
-    for (const float x : {float(i), std::nextafter(float(i), -99.0f), std::nextafter(float(i), 99.0f)}) {
-      renderer.render_frame({{x, 0.5f, 10}, {x, 0.5f, 0}, {0, 1, 0}, 1}, with_estimator(Estimator::ris));
+    for (const float x :
+         {float(i), std::nextafter(float(i), -99.0f), std::nextafter(float(i), 99.0f)}) {
+      renderer.render_frame({{x, 0.5f, 10}, {x, 0.5f, 0}, {0, 1, 0}, 1},
+                            with_estimator(Estimator::ris));
       EXPECT_NEAR(renderer.download().layer("depth")->values[0], 10.0f, 1e-4f) << x;
     }
 }
@@ -317,7 +335,8 @@ TEST(Guard, RaysInThePlaneOfABoxHit) {
 // A slanting wall 8 km from the origin, where floats are half a millimetre apart, lit by a lamp that grazes
 // it: a start that clears the surface near the origin lies behind it here.
 TEST(Guard, FarFromTheOriginASurfaceDoesNotShadowItself) {
-  const glm::vec3 middle(8000.3f, 0, 8000.7f), along(20, 0, 13), up(0, 20, 0), out(-0.545f, 0, 0.8384f);
+  const glm::vec3 middle(8000.3f, 0, 8000.7f), along(20, 0, 13), up(0, 20, 0),
+      out(-0.545f, 0, 0.8384f);
   SceneBuilder builder;
   builder.quad(middle - along - up, middle + along - up, middle + along + up, middle - along + up);
   const Shot shot{builder.with({lamp(middle + 0.1f * out, 5000, 0)}),
@@ -345,7 +364,8 @@ TEST(Guard, AVastGroundDoesNotShadowItself) {
   const Property lit = [&](PassLibrary& passes) {
     return obeys_the_inverse_square_law(taken(passes, shot), 5000);
   };
-  expect_guarded(lit, {{"trace.glsl", "const float NEAREST_M = 0.005;", "const float NEAREST_M = 0.0;"}});
+  expect_guarded(
+      lit, {{"trace.glsl", "const float NEAREST_M = 0.005;", "const float NEAREST_M = 0.0;"}});
 }
 
 // A red and a blue lamp in one place, one candidate: in frame 0 of seed 0 half the pixels must take either.
@@ -353,7 +373,8 @@ TEST(Guard, TheFirstFrameOfSeedZeroIsRandom) {
   std::vector<Light> lights{lamp({0, 8, 0}, 5000), lamp({0, 8, 0}, 5000)};
   lights[0].colour_rgb9e5 = encode_rgb9e5({1, 0, 0});
   lights[1].colour_rgb9e5 = encode_rgb9e5({0, 0, 1});
-  Shot shot{SceneBuilder().ground(100).with(lights), looking_down, with_estimator(Estimator::ris), 32, 1};
+  Shot shot{SceneBuilder().ground(100).with(lights), looking_down, with_estimator(Estimator::ris),
+            32, 1};
   shot.settings.candidates = 1;
   const Property half_is_red = [&](PassLibrary& passes) {
     const Image image = taken(passes, shot);

@@ -21,10 +21,11 @@ RenderSettings reference() {
   return settings;
 }
 
-PictureStatistics oracle_runs(const oracle::Oracle& oracle, const CameraPose& pose, std::uint32_t side,
-                              std::uint32_t runs, int strata) {
+PictureStatistics oracle_runs(const oracle::Oracle& oracle, const CameraPose& pose,
+                              std::uint32_t side, std::uint32_t runs, int strata) {
   PictureStatistics statistics;
-  for (std::uint32_t run = 0; run < runs; ++run) statistics.add(oracle.render(pose, side, side, strata, run));
+  for (std::uint32_t run = 0; run < runs; ++run)
+    statistics.add(oracle.render(pose, side, side, strata, run));
   return statistics;
 }
 
@@ -46,8 +47,9 @@ void expect_agreement(const PixelTest& test) {
       << "least p " << test.min_p << " in pixel " << test.min_pixel << ", level " << test.level;
 }
 
-PixelTest compare_with_oracle(const RenderScene& scene, const oracle::Oracle& oracle, const CameraPose& pose,
-                              std::uint32_t side, std::uint32_t runs, int strata, std::uint32_t frames = 4) {
+PixelTest compare_with_oracle(const RenderScene& scene, const oracle::Oracle& oracle,
+                              const CameraPose& pose, std::uint32_t side, std::uint32_t runs,
+                              int strata, std::uint32_t frames = 4) {
   DeviceScene device_scene(test_device(), scene);
   Renderer renderer(test_device(), test_passes(), device_scene, side, side);
   const PictureStatistics ours = independent_runs(renderer, pose, reference(), runs, frames);
@@ -55,7 +57,8 @@ PixelTest compare_with_oracle(const RenderScene& scene, const oracle::Oracle& or
   const PictureStatistics truth = oracle_runs(oracle, pose, side, runs, strata);
   const PixelTest test = test_pixels(ours, truth, 0.01, rounding);
   std::printf(
-      "  mean %+.3f %% +- %.3f %%; %zu of %zu pixels rejected, the worst %.4g cd/m2 where the oracle has "
+      "  mean %+.3f %% +- %.3f %%; %zu of %zu pixels rejected, the worst %.4g cd/m2 where the "
+      "oracle has "
       "%.4g\n",
       100 * test.relative_mean_passed, 100 * test.relative_mean_error, test.rejected, test.pixels,
       ours.mean(test.min_pixel), truth.mean(test.min_pixel));
@@ -79,7 +82,8 @@ TEST(Oracle, OneLampOverAPlaneIsInverseSquareTimesCosine) {
 // Lamps, a profile, windows and boxes: every kind of light and shadow in a picture small enough to look into.
 SceneLights every_kind_of_light() {
   SceneLights lights;
-  lights.lights = {lamp({-6, 7, 0}, 6000, 0.3f), lamp({5, 5, 6}, 3000, 0), lamp({0, 9, -6}, 8000, 1.0f),
+  lights.lights = {lamp({-6, 7, 0}, 6000, 0.3f), lamp({5, 5, 6}, 3000, 0),
+                   lamp({0, 9, -6}, 8000, 1.0f),
                    window({-4.9f, 3, -9.9f}, {0, 0, 1}, 0.6f, 0.9f, 400),
                    window({9.9f, 2, 0}, {-1, 0, 0}, 2.0f, 0.5f, 900)};
   lights.lights[1].colour_rgb9e5 = encode_rgb9e5({1.0f, 0.6f, 0.2f});
@@ -87,7 +91,8 @@ SceneLights every_kind_of_light() {
   lights.profiles = {{4, 19, 0, 90}};
   for (int c = 0; c < 4; ++c)
     for (int g = 0; g < 19; ++g)
-      lights.profile_data.push_back(float((0.2 + 0.1 * c) * std::cos(g * 5 * std::numbers::pi / 180)));
+      lights.profile_data.push_back(
+          float((0.2 + 0.1 * c) * std::cos(g * 5 * std::numbers::pi / 180)));
   return lights;
 }
 
@@ -96,9 +101,10 @@ const CameraPose over_boxes{{-9, 10, 17}, {0, 1, 0}, {0, 1, 0}, 50};
 TEST(Reference, EqualsTheOracleOnEveryKindOfLight) {
   const SceneBuilder builder = boxes_on_a_plane();
   const SceneLights lights = every_kind_of_light();
-  const oracle::Oracle oracle(builder.scene(), {lights.lights, lights.profiles, lights.profile_data});
-  expect_agreement(
-      compare_with_oracle(make_render_scene(builder.scene(), lights), oracle, over_boxes, 64, 8, 2));
+  const oracle::Oracle oracle(builder.scene(),
+                              {lights.lights, lights.profiles, lights.profile_data});
+  expect_agreement(compare_with_oracle(make_render_scene(builder.scene(), lights), oracle,
+                                       over_boxes, 64, 8, 2));
 }
 
 // Lamps shrunk to points and windows to a thousandth, so that neither side has any noise: what is left is
@@ -135,10 +141,11 @@ TEST(Reference, EqualsTheOracleInATown) {
 TEST(Reference, ADimmedLampIsNoticedByTheOracle) {
   const SceneBuilder builder = boxes_on_a_plane();
   SceneLights lights = every_kind_of_light();
-  const oracle::Oracle oracle(builder.scene(), {lights.lights, lights.profiles, lights.profile_data});
+  const oracle::Oracle oracle(builder.scene(),
+                              {lights.lights, lights.profiles, lights.profile_data});
   lights.lights[2].flux_lm *= 0.8f;
-  const PixelTest test =
-      compare_with_oracle(make_render_scene(builder.scene(), lights), oracle, over_boxes, 32, 12, 2);
+  const PixelTest test = compare_with_oracle(make_render_scene(builder.scene(), lights), oracle,
+                                             over_boxes, 32, 12, 2);
   EXPECT_LT(test.relative_mean, -0.005);
   EXPECT_GT(test.rejected, pardoned(test));
 }
@@ -149,7 +156,8 @@ void expect_equal_in(const TempFolder& berlin, const char* view, std::uint32_t s
   shrink(scene.lights);
   oracle::Lights lights = oracle::read_lights(berlin / "city.lights", reference().time_s);
   shrink(lights.lights);
-  expect_equal(scene, oracle::Oracle(read_scene(berlin / "city.glb"), std::move(lights)), pose, side);
+  expect_equal(scene, oracle::Oracle(read_scene(berlin / "city.glb"), std::move(lights)), pose,
+               side);
 }
 
 TEST(Reference, EqualsTheOracleAmongTheLampsOfBerlin) {

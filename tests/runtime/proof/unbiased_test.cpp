@@ -36,7 +36,8 @@ struct Verdict {
   double z = 0;  // of the picture's mean
 };
 
-Verdict judge(const Place& place, const RenderSettings& settings, std::uint32_t runs, std::uint32_t frames) {
+Verdict judge(const Place& place, const RenderSettings& settings, std::uint32_t runs,
+              std::uint32_t frames) {
   DeviceScene device_scene(test_device(), place.scene);
   Renderer renderer(test_device(), test_passes(), device_scene, place.side, place.side);
   const PictureStatistics truth =
@@ -45,8 +46,9 @@ Verdict judge(const Place& place, const RenderSettings& settings, std::uint32_t 
   Verdict verdict{test_pixels(ours, truth, 0.01, 1e-4), 0};
   verdict.z = verdict.pixels.relative_mean / verdict.pixels.relative_mean_error;
   testing::Test::RecordProperty("rejected", int(verdict.pixels.rejected));
-  std::printf("  %-10s %6.2f %% of %zu pixels pass, mean %+.3f %% +- %.3f %%\n", name_of(settings.estimator),
-              100 * verdict.pixels.passed_share(), verdict.pixels.pixels, 100 * verdict.pixels.relative_mean,
+  std::printf("  %-10s %6.2f %% of %zu pixels pass, mean %+.3f %% +- %.3f %%\n",
+              name_of(settings.estimator), 100 * verdict.pixels.passed_share(),
+              verdict.pixels.pixels, 100 * verdict.pixels.relative_mean,
               100 * verdict.pixels.relative_mean_error);
   return verdict;
 }

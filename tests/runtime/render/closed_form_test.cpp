@@ -43,7 +43,8 @@ TEST_P(EveryEstimator, OneLampOverAPlaneIsInverseSquareTimesCosine) {
   const auto& points = image.layer("position")->values;
   double sum = 0, expected_sum = 0;
   for (std::size_t i = 0; i < image.pixels(); ++i) {
-    const glm::dvec3 to = position - glm::dvec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
+    const glm::dvec3 to =
+        position - glm::dvec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
     const double d2 = glm::dot(to, to);
     const double illuminance = flux / (4 * pi) * (to.y / std::sqrt(d2)) / d2;
     const double expected = 0.4 / pi * illuminance;
@@ -61,7 +62,8 @@ TEST_P(EveryEstimator, ABigSphereLightsAFacingPlaneAsItsCentreWould) {
   const float flux = 5000;
   const RenderScene scene = SceneBuilder(0.4f).ground(100).with({lamp({0, 3, 0}, flux, 2.0f)});
   CameraPose pose = looking_down;
-  pose.position = {0, 2.5, 0.001f};  // below the lamp's centre: there is no geometry to hide the ground
+  pose.position = {0, 2.5,
+                   0.001f};  // below the lamp's centre: there is no geometry to hide the ground
   pose.fov_deg = 40;
   const Image image = render(scene, pose, with_estimator(GetParam().estimator), 32, 32, 64);
   double sum = 0, expected = 0;
@@ -80,7 +82,8 @@ TEST_P(EveryEstimator, ABigSphereLightsAFacingPlaneAsItsCentreWould) {
 // A lamp's globe is made of flat faces within its sphere: they are seen by their own light, not lit by it.
 TEST_P(EveryEstimator, NothingWithinALampIsLitByIt) {
   const float radius = 2.0f, height = 1.0f;
-  const RenderScene scene = SceneBuilder(0.4f).ground(100).with({lamp({0, height, 0}, 5000, radius)});
+  const RenderScene scene =
+      SceneBuilder(0.4f).ground(100).with({lamp({0, height, 0}, 5000, radius)});
   const Image image = render(scene, looking_down, with_estimator(GetParam().estimator), 64, 36, 4);
   const auto& points = image.layer("position")->values;
   int within = 0;
@@ -101,8 +104,8 @@ TEST_P(EveryEstimator, NothingWithinALampIsLitByIt) {
 TEST_P(EveryEstimator, AWindowShinesByTheCosineLawAndOnOneSide) {
   const float flux = 300;
   const glm::dvec3 centre(0, 6, -8);
-  const RenderScene scene =
-      SceneBuilder(0.4f).ground(100).with({window(glm::vec3(centre), {0, 0, 1}, 0.05f, 0.05f, flux)});
+  const RenderScene scene = SceneBuilder(0.4f).ground(100).with(
+      {window(glm::vec3(centre), {0, 0, 1}, 0.05f, 0.05f, flux)});
   const Image image = render(scene, looking_down, with_estimator(GetParam().estimator), 64, 64, 2);
   const auto& points = image.layer("position")->values;
   int lit = 0, dark = 0;

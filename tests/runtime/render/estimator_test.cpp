@@ -37,13 +37,15 @@ std::vector<Light> point_lamps(int count, float half, unsigned seed) {
 double oracle_luminance(const RenderScene& scene, const glm::dvec3& point, const glm::dvec3& normal,
                         double depth) {
   const glm::dvec3 origin =
-      point + normal * 4e-6 * std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z), depth, 1.0});
+      point + normal * 4e-6 *
+                  std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z), depth, 1.0});
   double sum = 0;
   for (const Light& light : scene.lights) {
     const glm::dvec3 to = glm::dvec3(light.position) - point;
     const double d2 = glm::dot(to, to), cosine = glm::dot(normal, to) / std::sqrt(d2);
     if (cosine <= 0) continue;
-    if (brute_force_hit(scene, origin, glm::dvec3(light.position) - origin, 0.99999, MASK_SHADOW)) continue;
+    if (brute_force_hit(scene, origin, glm::dvec3(light.position) - origin, 0.99999, MASK_SHADOW))
+      continue;
     sum += 0.5 / std::numbers::pi * double(light.flux_lm) / (4 * std::numbers::pi) * cosine / d2;
   }
   return sum;
@@ -67,9 +69,9 @@ TEST_P(Reference, EqualsABruteForceOracleWithShadows) {
   for (std::size_t i = 0; i < image.pixels(); ++i) {
     if (depths[i] <= 0) continue;
     ++pixels;
-    const double expected =
-        oracle_luminance(scene, {points[3 * i], points[3 * i + 1], points[3 * i + 2]},
-                         {normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]}, double(depths[i]));
+    const double expected = oracle_luminance(
+        scene, {points[3 * i], points[3 * i + 1], points[3 * i + 2]},
+        {normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]}, double(depths[i]));
     sum += luminance(image, i);
     expected_sum += expected;
     if (std::abs(luminance(image, i) - expected) > 0.002 * expected + 1e-6) ++wrong;
@@ -79,8 +81,9 @@ TEST_P(Reference, EqualsABruteForceOracleWithShadows) {
   EXPECT_LE(wrong, pixels / 100);  // shadow edges within rounding
 }
 
-INSTANTIATE_TEST_SUITE_P(Slices, Reference, testing::Bool(),
-                         [](const auto& info) { return info.param ? "OneAfterTheOther" : "SideBySide"; });
+INSTANTIATE_TEST_SUITE_P(Slices, Reference, testing::Bool(), [](const auto& info) {
+  return info.param ? "OneAfterTheOther" : "SideBySide";
+});
 
 // Mean luminance of the pixels that are not among the brightest tenth of `truth`. Where a lamp nearly touches
 // a wall the estimate's tail is so long that a mean over those pixels tells nothing; the choice does not
@@ -88,7 +91,8 @@ INSTANTIATE_TEST_SUITE_P(Slices, Reference, testing::Bool(),
 double body_mean(const Image& image, const Image& truth) {
   std::vector<double> sorted;
   for (std::size_t i = 0; i < truth.pixels(); ++i) sorted.push_back(luminance(truth, i));
-  std::nth_element(sorted.begin(), sorted.begin() + std::ptrdiff_t(sorted.size() * 9 / 10), sorted.end());
+  std::nth_element(sorted.begin(), sorted.begin() + std::ptrdiff_t(sorted.size() * 9 / 10),
+                   sorted.end());
   const double limit = sorted[sorted.size() * 9 / 10];
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < truth.pixels(); ++i)
@@ -103,7 +107,9 @@ double body_mean(const Image& image, const Image& truth) {
 class Estimators : public testing::Test {
  protected:
   static constexpr std::uint32_t side = 48;
-  Estimators() { truth_ = render(scene_, pose, with_estimator(Estimator::reference), side, side, 4); }
+  Estimators() {
+    truth_ = render(scene_, pose, with_estimator(Estimator::reference), side, side, 4);
+  }
   // A lamp inside a wall would be every unshadowed target's favourite and never be seen: noise no real city
   // has.
   SceneBuilder town_ = random_town(120, 50, 11);
@@ -151,11 +157,13 @@ TEST(Shares, ThatLeaveSomeLightOutAreRefused) {
   RenderSettings settings;
   settings.local_share = 0.7f;
   settings.wide_share = 0.3f;
-  EXPECT_THROW(render(SceneBuilder().ground(30).with({lamp({3, 6, 0}, 4000)}), pose, settings, 4, 4, 1),
-               UsageError);
+  EXPECT_THROW(
+      render(SceneBuilder().ground(30).with({lamp({3, 6, 0}, 4000)}), pose, settings, 4, 4, 1),
+      UsageError);
   settings.wide_share = 0.2f;
   settings.fleet_share = 0;  // no vehicles: nobody misses them
-  EXPECT_NO_THROW(render(SceneBuilder().ground(30).with({lamp({3, 6, 0}, 4000)}), pose, settings, 4, 4, 1));
+  EXPECT_NO_THROW(
+      render(SceneBuilder().ground(30).with({lamp({3, 6, 0}, 4000)}), pose, settings, 4, 4, 1));
 }
 
 // Passes leave out what a scene lacks: that is to change their cost alone. A GPU's compiler may round
@@ -179,7 +187,8 @@ TEST_F(Estimators, PassesThatCouldDoWhatTheSceneLacksMakeTheSamePicture) {
 
 TEST_F(Estimators, TheSameSeedGivesTheSamePictureAndAnotherSeedAnother) {
   RenderSettings settings = with_estimator(Estimator::traced);
-  const Image a = render(scene_, pose, settings, 32, 32, 3), b = render(scene_, pose, settings, 32, 32, 3);
+  const Image a = render(scene_, pose, settings, 32, 32, 3),
+              b = render(scene_, pose, settings, 32, 32, 3);
   EXPECT_EQ(a.rgb, b.rgb);
   settings.seed = 1;
   EXPECT_NE(a.rgb, render(scene_, pose, settings, 32, 32, 3).rgb);

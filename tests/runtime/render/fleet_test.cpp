@@ -38,7 +38,8 @@ Fleet one_kind() {
 }
 
 void add_trip(Fleet& fleet, const std::vector<TripKnot>& knots, float start_s = 0, float rank = 0) {
-  const auto first = static_cast<uint>(fleet.knots.size()), id = static_cast<uint>(fleet.trips.size());
+  const auto first = static_cast<uint>(fleet.knots.size()),
+             id = static_cast<uint>(fleet.trips.size());
   fleet.knots.insert(fleet.knots.end(), knots.begin(), knots.end());
   fleet.trips.push_back({first, static_cast<uint>(knots.size()), start_s, rank, 0, id, {}});
 }
@@ -82,8 +83,8 @@ TEST(Fleet, AVehicleIsWhereItsKnotsSayWithItsLightsAndShadow) {
   add_trip(fleet, {knot({-10, 0, 0}, 0, {1, 0, 0}), knot({10, 0, 0}, 20, {1, 0, 0})}, 5);
   // 400 cycles of 100 s make up noon + 40,000 s; 9 s into the drive.
   const Image moving = render(with_fleet(fleet), above, reference_at(40'000 + 5 + 9), 48, 48, 1);
-  const Image placed =
-      render(standing({-3, 0, -1}, {1, 1.6f, 1}, {lamp({2, 1, 0}, 1000)}), above, reference_at(0), 48, 48, 1);
+  const Image placed = render(standing({-3, 0, -1}, {1, 1.6f, 1}, {lamp({2, 1, 0}, 1000)}), above,
+                              reference_at(0), 48, 48, 1);
   EXPECT_GT(test::mean_luminance(placed), 0.01);
   EXPECT_LT(relative_difference(moving, placed), 0.002);
 }
@@ -91,19 +92,20 @@ TEST(Fleet, AVehicleIsWhereItsKnotsSayWithItsLightsAndShadow) {
 TEST(Fleet, HeadingTurnsTheShortWayAndRearLampShinesWhileBraking) {
   Fleet fleet = one_kind();
   // Stands and turns from 10 degrees right of east to 10 degrees left of it: at half time it looks east.
-  add_trip(fleet,
-           {knot({0, 0, 0}, 0, {0, 0, 0}, -10.0 / 360, true), knot({0, 0, 0}, 20, {0, 0, 0}, 10.0 / 360)});
+  add_trip(fleet, {knot({0, 0, 0}, 0, {0, 0, 0}, -10.0 / 360, true),
+                   knot({0, 0, 0}, 20, {0, 0, 0}, 10.0 / 360)});
   const Image moving = render(with_fleet(fleet), above, reference_at(10), 48, 48, 1);
   const Image placed =
-      render(standing({-2, 0, -1}, {2, 1.6f, 1}, {lamp({3, 1, 0}, 1000), lamp({-3, 1, 0}, 500)}), above,
-             reference_at(0), 48, 48, 1);
+      render(standing({-2, 0, -1}, {2, 1.6f, 1}, {lamp({3, 1, 0}, 1000), lamp({-3, 1, 0}, 500)}),
+             above, reference_at(0), 48, 48, 1);
   EXPECT_LT(relative_difference(moving, placed), 0.002);
 }
 
 TEST(Fleet, IsDarkBeforeADriveAfterItAndWhereTheHourHasNoTraffic) {
   Fleet fleet = one_kind();
   add_trip(fleet, {knot({-10, 0, 0}, 0, {1, 0, 0}), knot({10, 0, 0}, 20, {1, 0, 0})}, 50, 0.5f);
-  fleet.cycle.density[3] = 0.4f;  // below the trip's rank from somewhere before 15:00 to somewhere after
+  fleet.cycle.density[3] =
+      0.4f;  // below the trip's rank from somewhere before 15:00 to somewhere after
   const auto mean = [&](double time_s) {
     return test::mean_luminance(render(with_fleet(fleet), above, reference_at(time_s), 16, 16, 1));
   };
@@ -122,16 +124,18 @@ Fleet crowd(int count) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> place(-50, 50), turn(0, 1), speed(-3, 3);
   for (int i = 0; i < count; ++i) {
-    const glm::vec3 from(place(random), 0, place(random)), velocity(speed(random), 0, speed(random));
+    const glm::vec3 from(place(random), 0, place(random)),
+        velocity(speed(random), 0, speed(random));
     const double yaw = double(turn(random));
-    add_trip(fleet,
-             {knot(from, 0, velocity, yaw, i % 3 == 0), knot(from + 40.0f * velocity, 40, velocity, yaw)});
+    add_trip(fleet, {knot(from, 0, velocity, yaw, i % 3 == 0),
+                     knot(from + 40.0f * velocity, 40, velocity, yaw)});
   }
   return fleet;
 }
 
 TEST(Fleet, PickedLightsGiveTheReferenceWithoutBias) {
-  const RenderScene scene = with_fleet(crowd(90), {lamp({20, 8, 10}, 5000), lamp({-20, 8, -10}, 5000)});
+  const RenderScene scene =
+      with_fleet(crowd(90), {lamp({20, 8, 10}, 5000), lamp({-20, 8, -10}, 5000)});
   const CameraPose pose{{0, 60, 40}, {0, 0, 0}, {0, 1, 0}, 60};
   const Image truth = render(scene, pose, reference_at(17), 24, 24, 4);
   for (const Estimator estimator : {Estimator::ris, Estimator::pairwise}) {
@@ -141,8 +145,8 @@ TEST(Fleet, PickedLightsGiveTheReferenceWithoutBias) {
     constexpr unsigned runs = 10;
     double sum = 0, squares = 0;
     for (settings.seed = 1; settings.seed <= runs; ++settings.seed) {
-      const double ratio =
-          test::mean_luminance(render(scene, pose, settings, 24, 24, 6)) / test::mean_luminance(truth);
+      const double ratio = test::mean_luminance(render(scene, pose, settings, 24, 24, 6)) /
+                           test::mean_luminance(truth);
       sum += ratio;
       squares += ratio * ratio;
     }
@@ -211,7 +215,8 @@ TEST(Fleet, AShareOfCandidatesThatLosesItsLightIsRefused) {
 
 TEST(Fleet, ABrokenTripIsRefused) {
   Fleet fleet = one_kind();
-  add_trip(fleet, {knot({0, 0, 0}, 0, {0, 0, 0}), knot({0, 0, 0}, 200, {0, 0, 0})});  // longer than the cycle
+  add_trip(fleet, {knot({0, 0, 0}, 0, {0, 0, 0}),
+                   knot({0, 0, 0}, 200, {0, 0, 0})});  // longer than the cycle
   EXPECT_THROW(with_fleet(fleet), Error);
 }
 

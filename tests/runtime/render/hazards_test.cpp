@@ -52,8 +52,8 @@ TEST_P(Hazard, LightsThatAreNotFiniteAreSwitchedOffAndCounted) {
   s.candidates = 64;
   const Image image = render(scene, looking_down, s, 16, 16, 4);
   expect_all_finite(image);
-  const double good =
-      mean_luminance(render(SceneBuilder().ground(100).with({lights[0]}), looking_down, s, 16, 16, 4));
+  const double good = mean_luminance(
+      render(SceneBuilder().ground(100).with({lights[0]}), looking_down, s, 16, 16, 4));
   EXPECT_NEAR(mean_luminance(image) / good, 1.0, 0.05);
 }
 

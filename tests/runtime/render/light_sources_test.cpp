@@ -56,7 +56,8 @@ TEST(Layers, SumToThePictureAndHoldTheirOwnKindOnly) {
     for (std::size_t i = 0; i < both.pixels(); ++i) {
       const double whole = test::luminance(both, i);
       double parts = 0;
-      for (const char* part : {"direct_lamps", "direct_windows", "direct_vehicles", "sky", "emitted"})
+      for (const char* part :
+           {"direct_lamps", "direct_windows", "direct_vehicles", "sky", "emitted"})
         parts += layer_luminance(both, part, i);
       difference += std::abs(parts - whole);
       sum += whole;
@@ -77,8 +78,8 @@ TEST(Layers, SumToThePictureAndHoldTheirOwnKindOnly) {
 TEST(Layers, IlluminanceIsTheClosedFormsWhateverTheSurface) {
   RenderSettings settings = reference();
   settings.layers = true;
-  const Image image =
-      render(SceneBuilder(0.3f).ground(30).with({lamp({0, 8, 0}, 5000)}), down, settings, 25, 25, 1);
+  const Image image = render(SceneBuilder(0.3f).ground(30).with({lamp({0, 8, 0}, 5000)}), down,
+                             settings, 25, 25, 1);
   const auto lux = illuminance_of(image);
   EXPECT_NEAR(double(lux[12 * 25 + 12]), 5000 / (4 * pi) / 64, 0.01 * 5000 / (4 * pi) / 64);
 }
@@ -110,8 +111,8 @@ TEST(Moon, LightsAsItsIlluminanceSaysAndCastsShadows) {
     settings.moon_direction = {0, std::sqrt(0.5f), std::sqrt(0.5f)};
     settings.moon_lux = glm::vec3(0.25f);
     const double expected = albedo / pi * 0.25 * std::sqrt(0.5);
-    EXPECT_NEAR(at_centre(render(SceneBuilder().ground(30).with({}), down, settings, 9, 9, 1)), expected,
-                0.005 * expected);
+    EXPECT_NEAR(at_centre(render(SceneBuilder().ground(30).with({}), down, settings, 9, 9, 1)),
+                expected, 0.005 * expected);
     // A wall to the south of the place, as high as it is far, and some more.
     const RenderScene walled = SceneBuilder().ground(30).box({-9, 0, 4}, {9, 9, 5}).with({});
     EXPECT_EQ(at_centre(render(walled, down, settings, 9, 9, 1)), 0);
@@ -161,29 +162,33 @@ TEST(SkyMap, KnowsNorthFromSouthAndUpFromDown) {
 TEST(WetStreet, MirrorsALampByItsMicrofacetsAndDarkensTheRest) {
   // Eye and lamp in one vertical: half vector, light and normal coincide, so that D = 1 / (pi alpha^2),
   // shadowing and Fresnel are those of normal incidence.
-  constexpr double roughness = 0.25, alpha2 = roughness * roughness * roughness * roughness, f0 = 0.02,
-                   kept = 0.6;
+  constexpr double roughness = 0.25, alpha2 = roughness * roughness * roughness * roughness,
+                   f0 = 0.02, kept = 0.6;
   const double illuminance = 5000 / (4 * pi) / 64;
   RenderSettings settings = reference();
   settings.wetness = 1;
   const RenderScene scene = SceneBuilder().ground(30).with({lamp({0, 8, 0}, 5000, 0.01f)});
   const double expected = illuminance * (kept * albedo / pi + f0 / (4 * pi * alpha2));
-  EXPECT_NEAR(at_centre(render(scene, {{0, 12, 0}, {0, 0, 0}, {0, 0, -1}, 5}, settings, 33, 33, 1)), expected,
-              0.02 * expected);
+  EXPECT_NEAR(at_centre(render(scene, {{0, 12, 0}, {0, 0, 0}, {0, 0, -1}, 5}, settings, 33, 33, 1)),
+              expected, 0.02 * expected);
   // A wall stays dry.
-  const RenderScene wall =
-      SceneBuilder().quad({-9, 0, -5}, {9, 0, -5}, {9, 9, -5}, {-9, 9, -5}).with({lamp({0, 4, 3}, 5000)});
+  const RenderScene wall = SceneBuilder()
+                               .quad({-9, 0, -5}, {9, 0, -5}, {9, 9, -5}, {-9, 9, -5})
+                               .with({lamp({0, 4, 3}, 5000)});
   const CameraPose facing{{0, 4, 2}, {0, 4, -5}, {0, 1, 0}, 40};
-  const Image wet = render(wall, facing, settings, 9, 9, 1), dry = render(wall, facing, reference(), 9, 9, 1);
+  const Image wet = render(wall, facing, settings, 9, 9, 1),
+              dry = render(wall, facing, reference(), 9, 9, 1);
   if (test::test_device().info().kind == "cpu") {
     EXPECT_EQ(wet.rgb, dry.rgb);
   }
   // Two compiled passes: a GPU may round each its own way.
-  for (std::size_t i = 0; i < dry.rgb.size(); ++i) EXPECT_NEAR(wet.rgb[i], dry.rgb[i], 1e-5f * dry.rgb[i]);
+  for (std::size_t i = 0; i < dry.rgb.size(); ++i)
+    EXPECT_NEAR(wet.rgb[i], dry.rgb[i], 1e-5f * dry.rgb[i]);
 }
 
 TEST(WetStreet, EstimatorsAgreeOnIt) {
-  const RenderScene scene = SceneBuilder().ground(30).with({lamp({4, 6, -8}, 5000), lamp({-5, 6, -3}, 3000)});
+  const RenderScene scene =
+      SceneBuilder().ground(30).with({lamp({4, 6, -8}, 5000), lamp({-5, 6, -3}, 3000)});
   const CameraPose pose{{0, 3, 12}, {0, 0, -5}, {0, 1, 0}, 60};
   RenderSettings settings = reference();
   settings.wetness = 0.8f;
@@ -204,7 +209,8 @@ TEST(Upward, ABareLampSendsHalfUpAndTheGroundSendsItsAlbedoAfterIt) {
   ASSERT_EQ(flux.lights.size(), 1u);
   EXPECT_NEAR(flux.lights[0].direct, 0.5, 0.01);
   EXPECT_NEAR(flux.lights[0].reflected, 0.5 * albedo, 0.01);
-  EXPECT_NEAR(flux.lights[0].direct + flux.lights[0].sideways + flux.lights[0].reflected / albedo, 1, 0.01);
+  EXPECT_NEAR(flux.lights[0].direct + flux.lights[0].sideways + flux.lights[0].reflected / albedo,
+              1, 0.01);
   EXPECT_EQ(flux.flux_lm[0], 1000);
   double map = 0;
   for (const double lm : flux.cells_lm) map += lm;

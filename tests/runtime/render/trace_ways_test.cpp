@@ -55,7 +55,8 @@ RenderScene street() {
   return make_render_scene(scene, std::move(lights));
 }
 
-Image seen_by(gpu::Device& device, const RenderScene& scene, Estimator estimator, std::uint32_t frames) {
+Image seen_by(gpu::Device& device, const RenderScene& scene, Estimator estimator,
+              std::uint32_t frames) {
   RenderSettings settings;
   settings.estimator = estimator;
   settings.jitter = false;
@@ -72,7 +73,8 @@ Image seen_by(gpu::Device& device, const RenderScene& scene, Estimator estimator
 
 // Only rays that graze an edge may fall either way.
 TEST_P(TraceWays, MeetTheSurfacesAndShadowsThatOurOwnTraversalMeets) {
-  if (!has(test_device().info(), GetParam())) GTEST_SKIP() << test_device().info().name << " lacks it";
+  if (!has(test_device().info(), GetParam()))
+    GTEST_SKIP() << test_device().info().name << " lacks it";
   gpu::Device other(by(GetParam())), compute(by(Trace::compute));
   const RenderScene scene = street();
   for (const Estimator estimator : {Estimator::reference, Estimator::traced}) {

@@ -19,7 +19,8 @@ RenderSettings plain() {
   return settings;
 }
 
-void expect_depths_like_brute_force(const RenderScene& scene, const CameraPose& pose, std::uint32_t side) {
+void expect_depths_like_brute_force(const RenderScene& scene, const CameraPose& pose,
+                                    std::uint32_t side) {
   const Image image = render(scene, pose, plain(), side, side, 1);
   const gpu::Camera camera = make_camera(pose, 1.0f);
   const auto& depth = image.layer("depth")->values;
@@ -27,13 +28,16 @@ void expect_depths_like_brute_force(const RenderScene& scene, const CameraPose& 
   for (std::uint32_t y = 0; y < side; ++y)
     for (std::uint32_t x = 0; x < side; ++x) {
       const double sx = (x + 0.5) / side * 2 - 1, sy = (y + 0.5) / side * 2 - 1;
-      const glm::dvec3 direction = glm::normalize(
-          glm::dvec3(camera.forward) + glm::dvec3(camera.right) * (sx * double(camera.tan_half_height)) -
-          glm::dvec3(camera.up) * (sy * double(camera.tan_half_height)));
-      const auto truth = brute_force_hit(scene, glm::dvec3(camera.position), direction, 1e30, MASK_VISIBLE);
+      const glm::dvec3 direction =
+          glm::normalize(glm::dvec3(camera.forward) +
+                         glm::dvec3(camera.right) * (sx * double(camera.tan_half_height)) -
+                         glm::dvec3(camera.up) * (sy * double(camera.tan_half_height)));
+      const auto truth =
+          brute_force_hit(scene, glm::dvec3(camera.position), direction, 1e30, MASK_VISIBLE);
       const double seen = double(depth[y * side + x]);
       if (truth) ++hits;
-      if (truth.has_value() != (seen > 0) || (truth && std::abs(seen - *truth) > 1e-4 * *truth)) ++wrong;
+      if (truth.has_value() != (seen > 0) || (truth && std::abs(seen - *truth) > 1e-4 * *truth))
+        ++wrong;
     }
   EXPECT_GT(hits, int(side * side / 8));
   // Rays that graze an edge may fall either way in float and double.
@@ -49,7 +53,8 @@ TEST(Traversal, HoldsFarFromTheOrigin) {
   SceneBuilder builder;
   builder.quad({7990, 0, 7990}, {7990, 0, 8010}, {8010, 0, 8010}, {8010, 0, 7990});
   builder.box({7998, 0, 7998}, {8002, 6, 8001});
-  expect_depths_like_brute_force(builder.with({}), {{7985, 12, 8015}, {8000, 2, 8000}, {0, 1, 0}, 50}, 64);
+  expect_depths_like_brute_force(builder.with({}),
+                                 {{7985, 12, 8015}, {8000, 2, 8000}, {0, 1, 0}, 50}, 64);
 }
 
 TEST(Traversal, RaysAlongAnAxisHitWhatTheyShould) {
@@ -67,7 +72,8 @@ TEST(Traversal, InstancesStandWhereTheirMatricesSay) {
   scene.meshes.push_back(post.scene().meshes[0]);
   SceneNode node{"lamps", "lamp", 1, true, {}};
   for (int i = 0; i < 40; ++i) {
-    glm::mat4 m = glm::translate(glm::mat4(1.0f), glm::vec3(float(i % 8) * 5 - 18, 0, float(i / 8) * 6 - 15));
+    glm::mat4 m =
+        glm::translate(glm::mat4(1.0f), glm::vec3(float(i % 8) * 5 - 18, 0, float(i / 8) * 6 - 15));
     m = glm::rotate(m, float(i), glm::vec3(0, 1, 0));
     m = glm::scale(m, glm::vec3(1.0f, 0.5f + 0.05f * float(i), 1.0f));
     node.instances.push_back({m, no_id});
@@ -88,14 +94,16 @@ TEST(Traversal, WhatCastsNoShadowIsSeenAndLetsLightThrough) {
   const CameraPose below{{0, 2, 0}, {0, 0, 0}, {0, 0, -1}, 60};
   EXPECT_GT(mean_luminance(render(builder.with(lights), below, plain(), 8, 8, 1)), 0.5);
   const CameraPose above{{0, 20, 0}, {0, 0, 0}, {0, 0, -1}, 10};
-  EXPECT_NEAR(render(builder.with(lights), above, plain(), 8, 8, 1).layer("depth")->values[27], 16.0, 0.1);
+  EXPECT_NEAR(render(builder.with(lights), above, plain(), 8, 8, 1).layer("depth")->values[27],
+              16.0, 0.1);
   scene.nodes.back().casts_shadow = true;
   EXPECT_EQ(mean_luminance(render(builder.with(lights), below, plain(), 8, 8, 1)), 0.0);
 }
 
 TEST(Traversal, AnEmptySceneIsDarkAndNoError) {
   const RenderScene scene = make_render_scene(Scene{}, {});
-  EXPECT_EQ(mean_luminance(render(scene, {{0, 5, 0}, {0, 0, 1}, {0, 1, 0}, 50}, plain(), 8, 8, 1)), 0.0);
+  EXPECT_EQ(mean_luminance(render(scene, {{0, 5, 0}, {0, 0, 1}, {0, 1, 0}, 50}, plain(), 8, 8, 1)),
+            0.0);
 }
 
 }  // namespace

@@ -12,7 +12,9 @@ namespace {
 
 std::vector<Box> random_boxes(std::size_t count, float spread, unsigned seed) {
   std::mt19937 random(seed);
-  const auto uniform = [&](float a, float b) { return a + (b - a) * float(random() >> 8) / 16777216.0f; };
+  const auto uniform = [&](float a, float b) {
+    return a + (b - a) * float(random() >> 8) / 16777216.0f;
+  };
   std::vector<Box> boxes(count);
   for (Box& box : boxes) {
     const glm::vec3 p(uniform(-spread, spread), uniform(0, 30), uniform(-spread, spread));
@@ -84,9 +86,11 @@ double nodes_a_ray_enters(const Bvh& bvh) {
       for (int axis = 0; axis < 3; ++axis) {
         const float step = std::ldexp(1.0f, int((node.exponents >> (8 * axis)) & 255u) - 127);
         box.lower[axis] =
-            std::min(box.lower[axis], node.origin[axis] + float((node.lower[axis] >> (8 * i)) & 255u) * step);
+            std::min(box.lower[axis],
+                     node.origin[axis] + float((node.lower[axis] >> (8 * i)) & 255u) * step);
         box.upper[axis] =
-            std::max(box.upper[axis], node.origin[axis] + float((node.upper[axis] >> (8 * i)) & 255u) * step);
+            std::max(box.upper[axis],
+                     node.origin[axis] + float((node.upper[axis] >> (8 * i)) & 255u) * step);
       }
     }
     sum += double(box.half_area());
@@ -148,7 +152,9 @@ TEST(Bvh, SizesAcrossManyMagnitudesStayWithinTheStack) {
 // Houses of 60 parts each, some small and some large, with gaps between them, on ground of wide flat pieces.
 std::vector<Box> boxes_of_a_city(int houses) {
   std::mt19937 random(4);
-  const auto uniform = [&](float a, float b) { return a + (b - a) * float(random() >> 8) / 16777216.0f; };
+  const auto uniform = [&](float a, float b) {
+    return a + (b - a) * float(random() >> 8) / 16777216.0f;
+  };
   std::vector<Box> boxes;
   const auto add = [&](const glm::vec3& p, const glm::vec3& size) {
     boxes.emplace_back();
@@ -206,7 +212,8 @@ TEST(Bvh, KeepsWhatCastsShadowsApartAndSaysWhatIsBelow) {
   expect_sound(bvh, boxes, 1);
   for (std::size_t n = 0; n < bvh.nodes.size(); ++n)
     for (std::size_t i = 0; i < 4; ++i) {
-      const std::uint32_t child = bvh.nodes[n].child[i], mask = (bvh.nodes[n].masks >> (8 * i)) & 255u;
+      const std::uint32_t child = bvh.nodes[n].child[i],
+                          mask = (bvh.nodes[n].masks >> (8 * i)) & 255u;
       ASSERT_EQ(mask, child == BVH_EMPTY ? 0u : mask_below(bvh, child, masks));
       // With the shadow's bit: everything below has it.
       if ((mask & MASK_SHADOW) == 0 || (child & BVH_LEAF) != 0) continue;

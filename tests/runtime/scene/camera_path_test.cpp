@@ -45,8 +45,9 @@ TEST(CameraPath, AnOrbitKeepsHeightAndDistance) {
     const CameraPose pose = path.at(u);
     EXPECT_EQ(pose.target, first.target);
     EXPECT_NEAR(pose.position.y, first.position.y, 1e-3f);
-    EXPECT_NEAR(glm::distance(pose.position, pose.target) / glm::distance(first.position, first.target), 1,
-                0.01);
+    EXPECT_NEAR(
+        glm::distance(pose.position, pose.target) / glm::distance(first.position, first.target), 1,
+        0.01);
   }
 }
 

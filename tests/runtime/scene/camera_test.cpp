@@ -60,14 +60,16 @@ TEST(Camera, BrokenFilesAreNamed) {
 TEST(Camera, StreetStandsOnTheGroundUnderALampAndOutsideWalls) {
   const RenderScene scene = random_town(40, 80, 5).with(random_lamps(60, 80, 6));
   const CameraPose pose = find_camera("street", scene);
-  const auto below = brute_force_hit(scene, glm::dvec3(pose.position), {0, -1, 0}, 100, MASK_SHADOW);
+  const auto below =
+      brute_force_hit(scene, glm::dvec3(pose.position), {0, -1, 0}, 100, MASK_SHADOW);
   ASSERT_TRUE(below);
   EXPECT_NEAR(*below, 1.7, 0.3);
 }
 
 TEST(Camera, PresetsWorkWithoutLightsAndWithoutAnything) {
   for (const std::string& preset : camera_presets()) {
-    EXPECT_NO_THROW(make_camera(find_camera(preset, SceneBuilder().ground(10).with({})), 1.5f)) << preset;
+    EXPECT_NO_THROW(make_camera(find_camera(preset, SceneBuilder().ground(10).with({})), 1.5f))
+        << preset;
     EXPECT_NO_THROW(make_camera(find_camera(preset, RenderScene{}), 1.5f)) << preset;
   }
 }

@@ -77,7 +77,8 @@ TEST(LightGrid, MembershipByThresholdIsMembershipInTheList) {
         const float strength = local_strength(grid.shape, x, z, lights[light]);
         const bool member = cell.count > 0 && strength >= cell.threshold;
         const auto listed = probability.find(light);
-        ASSERT_EQ(member, listed != probability.end()) << "cell " << x << ", " << z << " light " << light;
+        ASSERT_EQ(member, listed != probability.end())
+            << "cell " << x << ", " << z << " light " << light;
         if (member) {
           ASSERT_NEAR(listed->second, double(strength / cell.strength_sum), 1e-5);
         }
@@ -92,7 +93,8 @@ TEST(LightGrid, ACellListsItsStrongestLights) {
   const gpu::LightCell& cell = grid.cells[z * grid.shape.width + x];
   EXPECT_GT(cell.count, local_lists.listed / 2u);
   std::size_t stronger = 0;
-  for (const Light& light : lights) stronger += local_strength(grid.shape, x, z, light) >= cell.threshold;
+  for (const Light& light : lights)
+    stronger += local_strength(grid.shape, x, z, light) >= cell.threshold;
   EXPECT_EQ(stronger, cell.count);
 }
 

@@ -8,7 +8,8 @@ namespace nightcity {
 namespace {
 
 TEST(LitLights, AScheduleTogglesAtEachOfItsTimes) {
-  const std::vector<std::uint32_t> switches{7, 3600, 7200, 80'000};  // the first belongs to nobody here
+  const std::vector<std::uint32_t> switches{7, 3600, 7200,
+                                            80'000};  // the first belongs to nobody here
   const Schedule schedule{1, 3};
   EXPECT_FALSE(is_lit(schedule, switches, 0));
   EXPECT_FALSE(is_lit(schedule, switches, 3599.9));

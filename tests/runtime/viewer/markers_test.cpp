@@ -29,7 +29,8 @@ TEST(Markers, PointAheadIsInTheMiddle) {
 
 TEST(Markers, CornersOfTheViewAreCornersOfTheWindow) {
   // tan(45 deg) = 1: at depth 5 the view is 10 m high and 20 m wide.
-  const auto upper_left = project(camera(), {-10, 5, -5}), lower_right = project(camera(), {10, -5, -5});
+  const auto upper_left = project(camera(), {-10, 5, -5}),
+             lower_right = project(camera(), {10, -5, -5});
   ASSERT_TRUE(upper_left && lower_right);
   EXPECT_NEAR(upper_left->x, 0.0f, 1e-5);
   EXPECT_NEAR(upper_left->y, 0.0f, 1e-5);

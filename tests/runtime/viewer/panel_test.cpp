@@ -84,7 +84,8 @@ TEST_F(Panel, ClickOnAccumulateTurnsItOffAndAsksForARender) {
 
 TEST_F(Panel, ClickOnASliderChangesCandidates) {
   const std::uint32_t before = state.settings.candidates;
-  EXPECT_TRUE(click_through(200, [&](const PanelRequests&) { return state.settings.candidates != before; }));
+  EXPECT_TRUE(click_through(
+      200, [&](const PanelRequests&) { return state.settings.candidates != before; }));
   EXPECT_GE(state.settings.candidates, 1u);
   EXPECT_LE(state.settings.candidates, max_candidates);
 }
@@ -92,7 +93,8 @@ TEST_F(Panel, ClickOnASliderChangesCandidates) {
 TEST_F(Panel, MovingTheExposureEndsItsMetering) {
   ASSERT_TRUE(state.auto_exposure);
   const float before = state.settings.ev100;
-  EXPECT_TRUE(click_through(200, [&](const PanelRequests&) { return state.settings.ev100 != before; }));
+  EXPECT_TRUE(
+      click_through(200, [&](const PanelRequests&) { return state.settings.ev100 != before; }));
   EXPECT_FALSE(state.auto_exposure);
 }
 
@@ -102,7 +104,8 @@ TEST_F(Panel, CameraPresetIsAskedForByName) {
     preset = requests.camera_preset;
     return !preset.empty();
   }));
-  EXPECT_NE(std::find(camera_presets().begin(), camera_presets().end(), preset), camera_presets().end());
+  EXPECT_NE(std::find(camera_presets().begin(), camera_presets().end(), preset),
+            camera_presets().end());
 }
 
 TEST_F(Panel, CaptionNamesWhatMadeThePicture) {

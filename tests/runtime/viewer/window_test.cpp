@@ -51,7 +51,8 @@ class ViewerWindow : public testing::Test {
     test::write_text(folder / "script.sh", text + script);
     std::string command = "cd ";
     command += folder.path().string();
-    command += " && timeout 120 xvfb-run -a -s '-screen 0 800x600x24' sh script.sh > out.txt 2> err.txt";
+    command +=
+        " && timeout 120 xvfb-run -a -s '-screen 0 800x600x24' sh script.sh > out.txt 2> err.txt";
     return std::system(command.c_str());
   }
   std::string text(const char* name) const { return test::read_text(folder / name); }
@@ -84,7 +85,8 @@ TEST_F(ViewerWindow, ShowsThePictureAndSaysWhichEstimatorMadeIt) {
 
 TEST_F(ViewerWindow, PanelAndMarkersAreDrawnOverThePicture) {
   // The same picture with and without marks: what differs is theirs.
-  ASSERT_EQ(run("$V $S --quit-after 3 --ev 3 --screenshot plain.png && $V $S --quit-after 3 --ev 3 --markers "
+  ASSERT_EQ(run("$V $S --quit-after 3 --ev 3 --screenshot plain.png && $V $S --quit-after 3 --ev 3 "
+                "--markers "
                 "--screenshot marked.png\n"),
             0)
       << text("err.txt");
@@ -110,13 +112,14 @@ TEST_F(ViewerWindow, KeysChooseTheEstimatorAndQuit) {
 
 TEST_F(ViewerWindow, DraggingMovesTheCamera) {
   if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no hands";
-  ASSERT_EQ(run("V=\"$V --size 700x300 --every 8\"\n"  // wide: the panel covers the left
-                "$V --quit-after 1 --save-camera before.json\n"
-                "$V --save-camera after.json & viewer=$!\n"
-                "xdotool search --sync --onlyvisible --name nightview > window.txt\n"
-                "xdotool mousemove 500 150 mousedown 1 mousemove_relative 40 0 mouseup 1 key Escape\n"
-                "wait $viewer\n"),
-            0)
+  ASSERT_EQ(
+      run("V=\"$V --size 700x300 --every 8\"\n"  // wide: the panel covers the left
+          "$V --quit-after 1 --save-camera before.json\n"
+          "$V --save-camera after.json & viewer=$!\n"
+          "xdotool search --sync --onlyvisible --name nightview > window.txt\n"
+          "xdotool mousemove 500 150 mousedown 1 mousemove_relative 40 0 mouseup 1 key Escape\n"
+          "wait $viewer\n"),
+      0)
       << text("err.txt");
   EXPECT_NE(text("before.json"), "");
   EXPECT_NE(text("before.json"), text("after.json"));

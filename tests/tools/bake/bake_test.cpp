@@ -45,8 +45,8 @@ std::map<std::string, Box> boxes(const std::filesystem::path& glb) {
   for (const SceneNode& node : scene.nodes)
     for (const ScenePrimitive& primitive : scene.meshes[node.mesh].primitives)
       for (const glm::vec3& p : primitive.positions)
-        result[scene.materials[primitive.material].name].add(
-            scene.georeference.from_model(glm::dvec3(node.instances.at(0).to_model * glm::vec4(p, 1))));
+        result[scene.materials[primitive.material].name].add(scene.georeference.from_model(
+            glm::dvec3(node.instances.at(0).to_model * glm::vec4(p, 1))));
   return result;
 }
 
@@ -59,9 +59,9 @@ std::string roof_city(const std::string& srs_name, const std::vector<glm::dvec3>
     std::snprintf(text, sizeof text, "%.6f %.6f %.3f ", p.x, p.y, p.z);
     positions += text;
   }
-  std::string city = city_model(member("<bldg:Building gml:id=\"" + srs_name + "\">" +
-                                       boundary("RoofSurface", surface_member(polygon("", positions))) +
-                                       "</bldg:Building>"));
+  std::string city = city_model(
+      member("<bldg:Building gml:id=\"" + srs_name + "\">" +
+             boundary("RoofSurface", surface_member(polygon("", positions))) + "</bldg:Building>"));
   return city.replace(city.find("EPSG:25833"), 10, srs_name);
 }
 
@@ -94,7 +94,8 @@ TEST(Bake, FilesOfTwoZonesShareOneFrame) {
 TEST(Bake, AFileWithoutACrsBesideOneWithIsRefusedByName) {
   const TempFolder folder;
   write_text(folder / "a.gml",
-             roof_city("EPSG:25833", {{391000, 5819000, 40}, {391010, 5819000, 40}, {391010, 5819010, 40}}));
+             roof_city("EPSG:25833",
+                       {{391000, 5819000, 40}, {391010, 5819000, 40}, {391010, 5819010, 40}}));
   write_text(folder / "b.gml", roof_city("", {{0, 0, 40}, {10, 0, 40}, {10, 10, 40}}));
   try {
     bake(recipe_of({folder / "a.gml", folder / "b.gml"}), folder / "out");
@@ -110,20 +111,23 @@ TEST(Bake, AModelWithoutACrsIsPlacedByTheBoundsItFills) {
   const TempFolder folder;
   // A square of 100 model units; 0.01 degrees of latitude are 1112.6 m at 52 north (WGS 84), and longitude is
   // chosen so that east to west is as long.
-  write_text(folder / "a.gml", roof_city("", {{500, 500, 4}, {600, 500, 4}, {600, 600, 4}, {500, 600, 4}}));
+  write_text(folder / "a.gml",
+             roof_city("", {{500, 500, 4}, {600, 500, 4}, {600, 600, 4}, {500, 600, 4}}));
   Recipe recipe = recipe_of({folder / "a.gml"});
   const double east = 13.4 + 0.01 * 1112.6 / 686.9;
   recipe.city.bounds = std::array{13.4, 52.0, east, 52.01};
   recipe.terrain.make_surface = false;
   bake(recipe, folder / "out");
-  const CityFrame frame =
-      CityFrame::from_srs_name("", {}, {"none", {{{13.4, 52.0}, {500, 500}}, {{east, 52.01}, {600, 600}}}});
+  const CityFrame frame = CityFrame::from_srs_name(
+      "", {}, {"none", {{{13.4, 52.0}, {500, 500}}, {{east, 52.01}, {600, 600}}}});
   const glm::dvec2 middle = frame.to_lon_lat({550, 550});
   EXPECT_NEAR(middle.x, (13.4 + east) / 2, 1e-5);
   EXPECT_NEAR(middle.y, 52.005, 1e-5);
   const Box roof = boxes(folder / "out/city.glb").at("roof");
-  const auto [low, high] = std::pair(frame.from_lon_lat({13.4, 52.0}), frame.from_lon_lat({east, 52.01}));
-  EXPECT_NEAR(roof.least.x, low.x, 0.01) << "what the map says of a corner falls on the model's corner";
+  const auto [low, high] =
+      std::pair(frame.from_lon_lat({13.4, 52.0}), frame.from_lon_lat({east, 52.01}));
+  EXPECT_NEAR(roof.least.x, low.x, 0.01)
+      << "what the map says of a corner falls on the model's corner";
   EXPECT_NEAR(roof.greatest.y, high.y, 0.01);
 }
 
@@ -182,8 +186,8 @@ TEST(Bake, GroundUnderBuildingsIsLeftOutOnRequestOnly) {
 void write_slope(const std::filesystem::path& path, double moved_by) {
   GDALAllRegister();
   constexpr int size = 80;
-  GDALDatasetUniquePtr set(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(path.c_str(), size, size,
-                                                                                    1, GDT_Float32, nullptr));
+  GDALDatasetUniquePtr set(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+      path.c_str(), size, size, 1, GDT_Float32, nullptr));
   double transform[6] = {390600, 10, 0, 5819400, 0, -10};
   set->SetGeoTransform(transform);
   OGRSpatialReference crs;
@@ -199,7 +203,8 @@ void write_slope(const std::filesystem::path& path, double moved_by) {
 }
 
 std::string without_relief(std::string text) {
-  const auto begin = text.find("<core:cityObjectMember><dem:"), end = text.find("</core:CityModel>");
+  const auto begin = text.find("<core:cityObjectMember><dem:"),
+             end = text.find("</core:CityModel>");
   return text.erase(begin, end - begin);
 }
 
@@ -218,8 +223,8 @@ TEST(Bake, AnElevationModelIsTheGroundAndMeetsTheBuildings) {
     if (node.kind != "terrain") continue;
     for (const ScenePrimitive& primitive : scene.meshes[node.mesh].primitives)
       for (const glm::vec3& p : primitive.positions) {
-        const glm::dvec3 place =
-            scene.georeference.from_model(glm::dvec3(node.instances.at(0).to_model * glm::vec4(p, 1)));
+        const glm::dvec3 place = scene.georeference.from_model(
+            glm::dvec3(node.instances.at(0).to_model * glm::vec4(p, 1)));
         // The feet stand at 35 m about x = 391005: the median of the differences is taken there.
         EXPECT_NEAR(place.z, 35 + (place.x - 391005) / 100, 0.06);
         ++vertices;
@@ -257,11 +262,13 @@ std::string on_mass_points(const std::string& height) {
   for (int x = -20; x <= 40; x += 10)
     for (int y = -20; y <= 40; y += 10)
       points += "<gml:pointMember><gml:Point><gml:pos>" + std::to_string(391000 + x) + " " +
-                std::to_string(5819000 + y) + " " + height + "</gml:pos></gml:Point></gml:pointMember>";
+                std::to_string(5819000 + y) + " " + height +
+                "</gml:pos></gml:Point></gml:pointMember>";
   std::string text = without_relief(sample_gml());
   text.insert(
       text.find("</core:CityModel>"),
-      "<core:cityObjectMember><dem:ReliefFeature gml:id=\"r\"><dem:lod>2</dem:lod><dem:reliefComponent>"
+      "<core:cityObjectMember><dem:ReliefFeature "
+      "gml:id=\"r\"><dem:lod>2</dem:lod><dem:reliefComponent>"
       "<dem:MassPointRelief gml:id=\"m\"><dem:lod>2</dem:lod><dem:reliefPoints><gml:MultiPoint>" +
           points +
           "</gml:MultiPoint></dem:reliefPoints></dem:MassPointRelief></dem:reliefComponent>"
@@ -282,7 +289,8 @@ TEST(Bake, MassPointsOfTheModelBecomeItsGround) {
 
 TEST(Bake, HiddenSurfacesAreLeftOutOnRequestOnly) {
   const TempFolder folder;
-  write_text(folder / "cube.gml", on_mass_points("80"));  // the cube lies under the ground, all of it
+  write_text(folder / "cube.gml",
+             on_mass_points("80"));  // the cube lies under the ground, all of it
   Recipe recipe = recipe_of({folder / "cube.gml"});
   EXPECT_EQ(bake(recipe, folder / "out").triangles.at("roof"), 2u);
   recipe.city.drop_hidden = true;
@@ -295,12 +303,14 @@ TEST(Bake, ColoursOfTheModelAreMaterialsOfTheScene) {
   const TempFolder folder;
   std::string text = sample_gml();
   const std::string first = "<gml:Polygon>";
-  text.insert(text.find("<bldg:RoofSurface>") + text.substr(text.find("<bldg:RoofSurface>")).find(first) + 12,
+  text.insert(text.find("<bldg:RoofSurface>") +
+                  text.substr(text.find("<bldg:RoofSurface>")).find(first) + 12,
               " gml:id=\"red\"");
   text.replace(text.find("<core:CityModel "), 16,
                "<core:CityModel xmlns:app=\"http://www.opengis.net/citygml/appearance/2.0\" ");
   const std::string tail =
-      "<app:appearanceMember><app:Appearance><app:surfaceDataMember><app:X3DMaterial><app:diffuseColor>0.5 "
+      "<app:appearanceMember><app:Appearance><app:surfaceDataMember><app:X3DMaterial><app:"
+      "diffuseColor>0.5 "
       "0.25 0"
       "</app:diffuseColor><app:target>#red</app:target></app:X3DMaterial></app:surfaceDataMember></"
       "app:Appearance>"
@@ -309,7 +319,8 @@ TEST(Bake, ColoursOfTheModelAreMaterialsOfTheScene) {
   write_text(folder / "cube.gml", text);
   // The same gzipped: the appearance stands at the end of what must be unpacked to be seen.
   const gzFile packed = gzopen((folder / "cube.gml.gz").c_str(), "wb");
-  ASSERT_EQ(gzwrite(packed, text.data(), static_cast<unsigned>(text.size())), static_cast<int>(text.size()));
+  ASSERT_EQ(gzwrite(packed, text.data(), static_cast<unsigned>(text.size())),
+            static_cast<int>(text.size()));
   gzclose(packed);
   for (const char* name : {"cube.gml", "cube.gml.gz"}) {
     const BakeReport report = bake(recipe_of({folder / name}), folder / "out");

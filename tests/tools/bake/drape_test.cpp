@@ -62,16 +62,20 @@ TEST(Drape, SubdividingKeepsTheAreaAndOpensNoCracks) {
       rim += std::hypot(std::get<0>(edge.first) - std::get<0>(edge.second),
                         std::get<1>(edge.first) - std::get<1>(edge.second));
   }
-  const double perimeter = std::hypot(97, 13) + std::hypot(17, 58) + std::hypot(100, 11) + std::hypot(20, 60);
-  EXPECT_NEAR(rim, perimeter, 1e-9 * perimeter) << "an edge cut on one side only would count as rim";
+  const double perimeter =
+      std::hypot(97, 13) + std::hypot(17, 58) + std::hypot(100, 11) + std::hypot(20, 60);
+  EXPECT_NEAR(rim, perimeter, 1e-9 * perimeter)
+      << "an edge cut on one side only would count as rim";
 }
 
 TEST(Drape, EveryVertexLiesJustAboveTheGroundAndKeepsItsColour) {
   const test::TempFolder folder;
   DrapeStore store(folder / "x");
-  const MaterialCode red = code_of(BakeMaterial::road, glm::vec3(1, 0, 0));  // the model's own colour
-  const TileStore::Triangle triangles[] = {{{{0, 0, 0}, {200, 0, 0}, {200, 8, 0}}, red, NodeKind::road},
-                                           {{{0, 0, 0}, {200, 8, 0}, {0, 8, 0}}, red, NodeKind::road}};
+  const MaterialCode red =
+      code_of(BakeMaterial::road, glm::vec3(1, 0, 0));  // the model's own colour
+  const TileStore::Triangle triangles[] = {
+      {{{0, 0, 0}, {200, 0, 0}, {200, 8, 0}}, red, NodeKind::road},
+      {{{0, 0, 0}, {200, 8, 0}, {0, 8, 0}}, red, NodeKind::road}};
   store.add(triangles, 5);
   TileStore tiles(folder / "x", 1000, 0);
   const auto ground = [](const glm::dvec2& p) { return std::optional(40 + 0.1 * p.x); };

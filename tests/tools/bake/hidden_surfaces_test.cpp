@@ -12,8 +12,8 @@ namespace {
 using Stored = TileStore::StoredTriangle;
 
 /// A box with outward faces. `turn`: which of its quads' diagonals, so that neighbours are cut differently.
-void add_box(std::vector<Stored>& out, const glm::vec3& low, const glm::vec3& high, std::uint32_t feature,
-             bool turn = false, bool solid = true) {
+void add_box(std::vector<Stored>& out, const glm::vec3& low, const glm::vec3& high,
+             std::uint32_t feature, bool turn = false, bool solid = true) {
   constexpr std::array<std::array<int, 4>, 6> faces{
       {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
   const auto corner = [&](int k) {
@@ -27,11 +27,12 @@ void add_box(std::vector<Stored>& out, const glm::vec3& low, const glm::vec3& hi
 }
 
 double area(const Stored& t) {
-  return 0.5 * double{glm::length(glm::cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]))};
+  return 0.5 *
+         double{glm::length(glm::cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]))};
 }
 
-std::map<std::uint32_t, double> hidden_area(const std::vector<Stored>& triangles, const BelowGround& below,
-                                            HiddenCounts& counts) {
+std::map<std::uint32_t, double> hidden_area(const std::vector<Stored>& triangles,
+                                            const BelowGround& below, HiddenCounts& counts) {
   const std::vector<bool> hidden = hidden_triangles(triangles, below, counts);
   std::map<std::uint32_t, double> result;
   for (std::size_t i = 0; i < triangles.size(); ++i)
@@ -75,7 +76,8 @@ TEST(HiddenSurfaces, NeitherAGapNorAnOpenNeighbourNorTheOwnHouseHides) {
   for (const int what : {0, 1, 2}) {
     std::vector<Stored> row;
     add_box(row, {0, 0, 0}, {10, 8, 12}, 1);
-    add_box(row, {what == 0 ? 10.1f : 10.0f, 0, 0}, {20, 8, 12}, what == 2 ? 1 : 2, false, what != 1);
+    add_box(row, {what == 0 ? 10.1f : 10.0f, 0, 0}, {20, 8, 12}, what == 2 ? 1 : 2, false,
+            what != 1);
     HiddenCounts counts;
     EXPECT_TRUE(hidden_area(row, nowhere, counts).empty()) << what;
   }
@@ -83,7 +85,9 @@ TEST(HiddenSurfaces, NeitherAGapNorAnOpenNeighbourNorTheOwnHouseHides) {
 
 TEST(HiddenSurfaces, WhatLiesWhollyBelowTheGroundIsHidden) {
   // The ground: 2 m high but for a pit of 4 m at x = 30, deeper than the cellars.
-  const auto below = [](const glm::vec3& p) { return p.y < (std::abs(p.x - 30) < 2 ? -10.0f : 2.0f); };
+  const auto below = [](const glm::vec3& p) {
+    return p.y < (std::abs(p.x - 30) < 2 ? -10.0f : 2.0f);
+  };
   std::vector<Stored> houses;
   add_box(houses, {0, 0, 0}, {10, 1, 10}, 1);     // all of it
   add_box(houses, {100, 0, 0}, {110, 9, 10}, 2);  // its floor

@@ -111,7 +111,8 @@ TEST(LampModels, EachBallNamesItsLightAndEmitsItsFlux) {
   for (const SceneNode& node : scene.nodes)
     for (const SceneInstance& instance : node.instances) {
       if (instance.light == no_id) continue;
-      const glm::dvec3 e(scene.materials[scene.meshes[node.mesh].primitives.at(0).material].emission_cd_m2);
+      const glm::dvec3 e(
+          scene.materials[scene.meshes[node.mesh].primitives.at(0).material].emission_cd_m2);
       const double radius = double{glm::length(glm::vec3(instance.to_model[0]))};
       // The colour's luminance is 1.2 * 0.2126 + 0.7152 + 0.6 * 0.0722, not 1: compare by the green channel,
       // which is 1.

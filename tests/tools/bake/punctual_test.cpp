@@ -45,8 +45,9 @@ TEST(Punctual, EveryKindOfLightKeepsItsLumens) {
   ProfileTable table;
   const uint street = table.add("street", make_optic(Optic::street)),
              lantern = table.add("lantern", make_optic(Optic::lantern));
-  for (const Light& light : {light_of(LIGHT_SPHERE, LIGHT_NO_PROFILE), light_of(LIGHT_SPHERE, street),
-                             light_of(LIGHT_SPHERE, lantern), light_of(LIGHT_RECTANGLE, LIGHT_NO_PROFILE)})
+  for (const Light& light :
+       {light_of(LIGHT_SPHERE, LIGHT_NO_PROFILE), light_of(LIGHT_SPHERE, street),
+        light_of(LIGHT_SPHERE, lantern), light_of(LIGHT_RECTANGLE, LIGHT_NO_PROFILE)})
     EXPECT_NEAR(flux_of(punctual_of(light, table.profiles, table.data)), 5000, 5000 * 0.002);
 }
 

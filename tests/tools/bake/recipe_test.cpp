@@ -20,7 +20,8 @@ TEST(Recipe, TwoKeysSufficeAndPathsAreRelativeToIt) {
   const TempFolder folder;
   const Recipe recipe =
       read(folder, "[city]\nfiles = ['a.gml', 'sub/../b.gml']\n[osm]\nfiles = 'm.osm.pbf'\n");
-  EXPECT_EQ(recipe.city.files, (std::vector<std::filesystem::path>{folder / "a.gml", folder / "b.gml"}));
+  EXPECT_EQ(recipe.city.files,
+            (std::vector<std::filesystem::path>{folder / "a.gml", folder / "b.gml"}));
   EXPECT_EQ(recipe.osm.files, (std::vector<std::filesystem::path>{folder / "m.osm.pbf"}));
   EXPECT_EQ(recipe.city.tile_m, 250);
   EXPECT_FALSE(recipe.output.draco);
@@ -73,7 +74,8 @@ punctual = 50
   EXPECT_TRUE(recipe.city.drop_ground);
   EXPECT_TRUE(recipe.city.drop_hidden);
   EXPECT_EQ(recipe.city.licences, (std::vector<std::string>{"one", "two"}));
-  EXPECT_EQ(recipe.terrain.dem, (std::vector<std::filesystem::path>{folder / "a.tif", folder / "b.tif"}));
+  EXPECT_EQ(recipe.terrain.dem,
+            (std::vector<std::filesystem::path>{folder / "a.tif", folder / "b.tif"}));
   EXPECT_FALSE(recipe.terrain.make_surface);
   EXPECT_EQ(recipe.terrain.margin_m, 12.5);
   EXPECT_EQ(recipe.origin.easting, 1.0);
@@ -86,7 +88,8 @@ punctual = 50
   EXPECT_EQ(recipe.lamps.hours.half_night.at("residential").to, minute_of(5, 0));
   ASSERT_EQ(recipe.lamps.luminaires.size(), 2u);
   EXPECT_EQ(recipe.lamps.luminaires[0].file, folder / "s.ldt");
-  EXPECT_EQ(recipe.lamps.luminaires[0].highways, (std::vector<std::string>{"primary", "secondary"}));
+  EXPECT_EQ(recipe.lamps.luminaires[0].highways,
+            (std::vector<std::string>{"primary", "secondary"}));
   EXPECT_EQ(recipe.lamps.luminaires[0].types, std::vector<LampType>{LampType::led});
   EXPECT_FALSE(recipe.lamps.luminaires[0].take_flux);
   EXPECT_TRUE(recipe.lamps.luminaires[1].highways.empty());
@@ -108,19 +111,22 @@ TEST(Recipe, TrafficDrivesWhereItsTableIsThere) {
   EXPECT_EQ(recipe.traffic.options.cycle_s, 300);
   EXPECT_EQ(recipe.traffic.options.side, traffic::Side::left);
   EXPECT_EQ(recipe.traffic.options.seed, 4u);
-  for (const char* wrong : {"side = 'up'", "cycle_s = 5", "vehicles = -1", "hours = [1.0]", "speed = 3"})
+  for (const char* wrong :
+       {"side = 'up'", "cycle_s = 5", "vehicles = -1", "hours = [1.0]", "speed = 3"})
     EXPECT_THROW(read(folder, files + "[traffic]\n" + wrong + "\n"), UsageError) << wrong;
 }
 
 TEST(Recipe, AFolderStandsForItsCityFilesInTheOrderOfTheirNames) {
   const TempFolder folder;
   std::filesystem::create_directory(folder / "tiles");
-  for (const char* name : {"b.GML", "a.gml", "c.xml", "d.gml.gz", "e.zip", "read.me", "a.png", "f.gz"})
+  for (const char* name :
+       {"b.GML", "a.gml", "c.xml", "d.gml.gz", "e.zip", "read.me", "a.png", "f.gz"})
     test::write_text(folder / "tiles" / name, "x");
   const Recipe recipe = read(folder, "[city]\nfiles = ['tiles']\n");
-  EXPECT_EQ(recipe.city.files, (std::vector<std::filesystem::path>{
-                                   folder / "tiles/a.gml", folder / "tiles/b.GML", folder / "tiles/c.xml",
-                                   folder / "tiles/d.gml.gz", folder / "tiles/e.zip"}));
+  EXPECT_EQ(recipe.city.files,
+            (std::vector<std::filesystem::path>{folder / "tiles/a.gml", folder / "tiles/b.GML",
+                                                folder / "tiles/c.xml", folder / "tiles/d.gml.gz",
+                                                folder / "tiles/e.zip"}));
   std::filesystem::create_directory(folder / "none");
   EXPECT_THROW(read(folder, "[city]\nfiles = ['none']\n"), Error);
 }
@@ -141,24 +147,29 @@ TEST(Recipe, AFolderOfFoldersSaysThatTheyMustBeNamed) {
 TEST(Recipe, WrongValuesAreUsageErrors) {
   const TempFolder folder;
   for (const char* line :
-       {"lod = 5", "lod = 1.5", "lod = '2'", "tile_m = 0", "tile_m = inf", "tile_m = nan", "crs = 25833",
-        "reader = 'sax'", "threads = -1", "licence = [1]", "control_points = [[1, 2, 3, 4]]",
-        "control_points = [[1, 2, 3], [1, 2, 3]]", "files = ['']", "unknown = 1", "bounds = [1, 2, 3]",
-        "bounds = [13.1, 52, 13, 52.1]", "bounds = [13, 52, 13.1, 91]",
+       {"lod = 5", "lod = 1.5", "lod = '2'", "tile_m = 0", "tile_m = inf", "tile_m = nan",
+        "crs = 25833", "reader = 'sax'", "threads = -1", "licence = [1]",
+        "control_points = [[1, 2, 3, 4]]", "control_points = [[1, 2, 3], [1, 2, 3]]",
+        "files = ['']", "unknown = 1", "bounds = [1, 2, 3]", "bounds = [13.1, 52, 13, 52.1]",
+        "bounds = [13, 52, 13.1, 91]",
         "bounds = [13, 52, 14, 53]\ncontrol_points = [[13, 52, 0, 0], [14, 53, 1, 1]]"})
-    EXPECT_THROW(read(folder, std::string("[city]\nfiles = ['a.gml']\n") + line + "\n"), Error) << line;
+    EXPECT_THROW(read(folder, std::string("[city]\nfiles = ['a.gml']\n") + line + "\n"), Error)
+        << line;
   EXPECT_THROW(read(folder, "[city]\nfiles = ['a.gml']\n[output]\ndraco = 1\n"), UsageError);
   EXPECT_THROW(read(folder, "city = 3\n"), UsageError);
-  for (const char* line :
-       {"off = '23:00-05:00'", "off = {residential = '05:00-23:00'}", "off = {raceway = '23:00-05:00'}",
-        "half_night = {residential = 23}", "luminaires = 's.ldt'", "luminaires = [{roads = ['primary']}]",
-        "luminaires = [{file = 's.ldt', roads = ['raceway']}]",
-        "luminaires = [{file = 's.ldt', types = ['?']}]", "luminaires = [{file = 's.ldt', colour = 3000}]"})
-    EXPECT_THROW(read(folder, std::string("[city]\nfiles = ['a.gml']\n[lamps]\n") + line + "\n"), UsageError)
+  for (const char* line : {"off = '23:00-05:00'", "off = {residential = '05:00-23:00'}",
+                           "off = {raceway = '23:00-05:00'}", "half_night = {residential = 23}",
+                           "luminaires = 's.ldt'", "luminaires = [{roads = ['primary']}]",
+                           "luminaires = [{file = 's.ldt', roads = ['raceway']}]",
+                           "luminaires = [{file = 's.ldt', types = ['?']}]",
+                           "luminaires = [{file = 's.ldt', colour = 3000}]"})
+    EXPECT_THROW(read(folder, std::string("[city]\nfiles = ['a.gml']\n[lamps]\n") + line + "\n"),
+                 UsageError)
         << line;
   for (const char* time : {"12:00", "07:00", "24:00", "22:60", "22", "2200", "aa:bb"})
-    EXPECT_THROW(read(folder, std::string("[city]\nfiles = ['a.gml']\n[night]\ntime = '") + time + "'\n"),
-                 UsageError);
+    EXPECT_THROW(
+        read(folder, std::string("[city]\nfiles = ['a.gml']\n[night]\ntime = '") + time + "'\n"),
+        UsageError);
   EXPECT_THROW(read(folder, "[traffic]\n"), UsageError);
   // A map without a city will do for what goes along streets; a bake asks for the city.
   EXPECT_TRUE(read(folder, "[osm]\nfiles = ['a.osm']\n").city.files.empty());

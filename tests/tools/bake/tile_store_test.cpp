@@ -32,16 +32,18 @@ TEST(TileStore, KeepsCoordinatesToATenthOfAMillimetreFarFromTheOrigin) {
   const SceneMesh mesh = store.mesh(key);
   ASSERT_EQ(mesh.primitives.size(), 1u);
   for (int i = 0; i < 3; ++i)
-    EXPECT_LT(glm::distance(place(store, key, mesh.primitives[0].positions[static_cast<std::size_t>(i)]),
-                            one.corners[i]),
-              1e-4);
+    EXPECT_LT(
+        glm::distance(place(store, key, mesh.primitives[0].positions[static_cast<std::size_t>(i)]),
+                      one.corners[i]),
+        1e-4);
   EXPECT_EQ(mesh.primitives[0].feature_ids, (std::vector<std::uint32_t>{3, 3, 3}));
 }
 
 TEST(TileStore, AnObjectSmallerThanATileStaysWholeALargerOneIsShared) {
   const test::TempFolder folder;
   TileStore store(folder / "x", 100, 0);
-  const std::vector<Triangle> house{triangle({95, 50, 0}, 4), triangle({103, 50, 0}, 4)};  // astride x = 100
+  const std::vector<Triangle> house{triangle({95, 50, 0}, 4),
+                                    triangle({103, 50, 0}, 4)};  // astride x = 100
   store.add(house, 0);
   EXPECT_EQ(store.tiles().size(), 1u);
   const std::vector<Triangle> relief{
@@ -58,8 +60,9 @@ TEST(TileStore, LosesNoTriangleAndKeepsTheirOrder) {
   for (std::uint32_t object = 0; object < 500; ++object) {
     std::vector<Triangle> triangles;
     for (int t = 0; t < 3; ++t)
-      triangles.push_back(triangle({(object * 37) % 300 - 100.0, (object * 53) % 300 - 100.0, t * 2.0}, 1 + t,
-                                   object % 2 ? code_of(BakeMaterial::roof) : code_of(BakeMaterial::wall)));
+      triangles.push_back(
+          triangle({(object * 37) % 300 - 100.0, (object * 53) % 300 - 100.0, t * 2.0}, 1 + t,
+                   object % 2 ? code_of(BakeMaterial::roof) : code_of(BakeMaterial::wall)));
     added += triangles.size();
     store.add(triangles, object);
   }

@@ -46,7 +46,8 @@ struct DrivenTown {
     for (const Trip& trip : content.trips)
       for (double t = 0; t < 200; t += 0.9)
         if (const auto pose = pose_at(content, trip, t))
-          visit(*pose, content.vehicles[trip.vehicle].half_size, georeference.from_model(pose->position));
+          visit(*pose, content.vehicles[trip.vehicle].half_size,
+                georeference.from_model(pose->position));
   }
 };
 
@@ -72,17 +73,18 @@ TEST_P(TownTraffic, FillsTheStreets) {
 
 TEST_P(TownTraffic, NobodyDrivesThroughAWall) {
   std::size_t bodies = 0, in_walls = 0;
-  town().for_each_body([&](const VehiclePose& pose, const glm::vec3& half, const glm::dvec3& place) {
+  town().for_each_body([&](const VehiclePose& pose, const glm::vec3& half,
+                           const glm::dvec3& place) {
     ++bodies;
     const glm::dvec2 ahead(std::cos(pose.yaw), std::sin(pose.yaw)), right(ahead.y, -ahead.x);
     for (const double along : {-1.0, -0.5, 0.0, 0.5, 1.0})
       for (const double aside : {-1.0, 1.0})
-        in_walls +=
-            town()
-                .terrain
-                .height_of(Footing::ground_surface, glm::dvec2(place) + ahead * (along * double{half.x}) +
-                                                        right * (aside * double{half.z}))
-                .has_value();
+        in_walls += town()
+                        .terrain
+                        .height_of(Footing::ground_surface, glm::dvec2(place) +
+                                                                ahead * (along * double{half.x}) +
+                                                                right * (aside * double{half.z}))
+                        .has_value();
   });
   EXPECT_GT(bodies, 5000u);
   EXPECT_EQ(in_walls, 0u);
@@ -96,7 +98,8 @@ TEST_P(TownTraffic, WheelsStandOnTheGroundOrTheRoadOnIt) {
                road = town().terrain.height_of(Footing::road, glm::dvec2(place));
     ASSERT_TRUE(ground);
     // Kerbs are a step of 12 cm beside the carriageway, the road itself lies on the ground.
-    const double height = std::max(*ground, road.value_or(*ground)), error = std::abs(place.z - height);
+    const double height = std::max(*ground, road.value_or(*ground)),
+                 error = std::abs(place.z - height);
     ++bodies;
     off += error > 0.12;
     worst = std::max(worst, error);
@@ -114,7 +117,8 @@ TEST(ModelStreets, AreAsLongAsTheMaps) {
   town::write_town({}, folder.path());
   double map_km = 0, model_km = 0;
   for (const OsmWay& way : read_osm(folder / "town.osm").highways)
-    if (const std::string& highway = way.tags.at("highway"); highway != "footway" && highway != "pedestrian")
+    if (const std::string& highway = way.tags.at("highway");
+        highway != "footway" && highway != "pedestrian")
       for (std::size_t n = 1; n < way.lon_lat.size(); ++n) {
         const glm::dvec2 d = (way.lon_lat[n] - way.lon_lat[n - 1]) * 111.2;  // km a degree
         map_km += std::hypot(d.x * std::cos(way.lon_lat[n].y * 3.14159 / 180), d.y);

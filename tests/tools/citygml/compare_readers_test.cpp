@@ -12,8 +12,8 @@ namespace {
 using namespace test;
 
 TEST(CompareReaders, AgreeOnWhatBothUnderstand) {
-  const ReaderComparison c =
-      compare_readers(TemporaryFile(city_model(member(building("A")) + member(building("B")))).path(), 2);
+  const ReaderComparison c = compare_readers(
+      TemporaryFile(city_model(member(building("A")) + member(building("B")))).path(), 2);
   EXPECT_TRUE(c.agree());
   EXPECT_EQ(c.objects.at("building").first.objects, 2u);
   EXPECT_EQ(c.surfaces.at("wall").second.polygons, 2u);
@@ -25,10 +25,12 @@ TEST(CompareReaders, NameWhatOnlyOneHasRead) {
                                 multi_surface(surface_member(polygon("p", square_at_zero))) +
                                 "</bldg:lod0FootPrint></bldg:Building>";
   const std::string zone =
-      "<bldg:Building gml:id=\"odd\"><bldg:boundedBy><x:Party xmlns:x=\"x\"><x:y><x:z/></x:y></x:Party>"
+      "<bldg:Building gml:id=\"odd\"><bldg:boundedBy><x:Party "
+      "xmlns:x=\"x\"><x:y><x:z/></x:y></x:Party>"
       "</bldg:boundedBy></bldg:Building>";
   const ReaderComparison c = compare_readers(
-      TemporaryFile(city_model(member(building("A")) + member(footprint) + member(zone))).path(), 2);
+      TemporaryFile(city_model(member(building("A")) + member(footprint) + member(zone))).path(),
+      2);
   EXPECT_FALSE(c.agree());
   EXPECT_EQ(c.surfaces.at("ground").first.polygons, 2u);  // libcitygml skips lod0
   EXPECT_EQ(c.surfaces.at("ground").second.polygons, 1u);

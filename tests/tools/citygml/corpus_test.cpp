@@ -25,7 +25,8 @@ TEST_P(Corpus, EveryDocumentIsReadOrRefused) {
           for (const glm::dvec3& p : polygon.exterior) EXPECT_TRUE(std::isfinite(p.x + p.y + p.z));
       });
     } catch (const Error& e) {
-      EXPECT_NE(std::string(e.what()).find(entry.path().filename().string()), std::string::npos) << e.what();
+      EXPECT_NE(std::string(e.what()).find(entry.path().filename().string()), std::string::npos)
+          << e.what();
     }
   }
   EXPECT_GE(files, 8u);
@@ -34,7 +35,8 @@ TEST_P(Corpus, EveryDocumentIsReadOrRefused) {
 std::string reader_name(const testing::TestParamInfo<Reader>& info) {
   return info.param == Reader::libcitygml ? "libcitygml" : "stream";
 }
-INSTANTIATE_TEST_SUITE_P(CityGml, Corpus, testing::Values(Reader::stream, Reader::libcitygml), reader_name);
+INSTANTIATE_TEST_SUITE_P(CityGml, Corpus, testing::Values(Reader::stream, Reader::libcitygml),
+                         reader_name);
 
 }  // namespace
 }  // namespace nightcity

@@ -56,12 +56,14 @@ TEST_P(Hostile, DoctypeAnywhereIsRefused) {
 }
 
 TEST_P(Hostile, UnknownEntityNeverReadsAnything) {
-  EXPECT_NE(read(city_model(member(building("A", "<bldg:function>&xxe;&#0;&#99999999;&;</bldg:function>")))),
+  EXPECT_NE(read(city_model(
+                member(building("A", "<bldg:function>&xxe;&#0;&#99999999;&;</bldg:function>")))),
             0);
 }
 
 TEST_P(Hostile, DeepNestingIsRefusedOrSkipped) {
-  const auto nested = [](const std::string& open, const std::string& inner, const std::string& close) {
+  const auto nested = [](const std::string& open, const std::string& inner,
+                         const std::string& close) {
     std::string text;
     for (int i = 0; i < 100000; ++i) text += open;
     text += inner;
@@ -71,22 +73,26 @@ TEST_P(Hostile, DeepNestingIsRefusedOrSkipped) {
   const std::string surfaces =
       nested("<gml:surfaceMember><gml:CompositeSurface>", polygon("p", square_at_one),
              "</gml:CompositeSurface></gml:surfaceMember>");
-  const std::string parts = nested("<bldg:consistsOfBuildingPart><bldg:BuildingPart>",
-                                   boundary("RoofSurface", surface_member(polygon("p", square_at_one))),
-                                   "</bldg:BuildingPart></bldg:consistsOfBuildingPart>");
-  const std::string appearances =
-      nested("<app:Appearance><app:surfaceDataMember>", "", "</app:surfaceDataMember></app:Appearance>");
+  const std::string parts =
+      nested("<bldg:consistsOfBuildingPart><bldg:BuildingPart>",
+             boundary("RoofSurface", surface_member(polygon("p", square_at_one))),
+             "</bldg:BuildingPart></bldg:consistsOfBuildingPart>");
+  const std::string appearances = nested("<app:Appearance><app:surfaceDataMember>", "",
+                                         "</app:surfaceDataMember></app:Appearance>");
   const std::string groups = nested("<grp:CityObjectGroup><grp:groupMember>", building("A"),
                                     "</grp:groupMember></grp:CityObjectGroup>");
   const std::string unknown = nested("<a>", polygon("p", square_at_one), "</a>");
-  const std::string points = nested("<gml:MultiPoint>", "<gml:pos>1 2 3</gml:pos>", "</gml:MultiPoint>");
+  const std::string points =
+      nested("<gml:MultiPoint>", "<gml:pos>1 2 3</gml:pos>", "</gml:MultiPoint>");
   const auto in_building = [](const std::string& inner) {
     return city_model(member("<bldg:Building>" + inner + "</bldg:Building>"));
   };
-  EXPECT_LE(read(in_building("<bldg:lod2MultiSurface>" + surfaces + "</bldg:lod2MultiSurface>")), 0);
+  EXPECT_LE(read(in_building("<bldg:lod2MultiSurface>" + surfaces + "</bldg:lod2MultiSurface>")),
+            0);
   EXPECT_LE(read(in_building(parts)), 0);
   EXPECT_LE(read(in_building("<bldg:appearance>" + appearances + "</bldg:appearance>")), 0);
-  EXPECT_LE(read(city_model("<app:appearanceMember>" + appearances + "</app:appearanceMember>")), 0);
+  EXPECT_LE(read(city_model("<app:appearanceMember>" + appearances + "</app:appearanceMember>")),
+            0);
   EXPECT_LE(read(city_model(member(groups))), 0);
   EXPECT_LE(read(in_building(unknown)), 0);
   EXPECT_LE(read(city_model(member(unknown))), 0);
@@ -98,8 +104,8 @@ TEST_P(Hostile, DeepNestingIsRefusedOrSkipped) {
 TEST_P(Hostile, BadNumbersNeverBecomeVertices) {
   for (const char* list :
        {"0 0 NaN 1 0 0 1 1 0 0 0 0", "0 0 Inf 1 0 0 1 1 0", "0 0 -inf 1 0 0 1 1 0 0 0 0",
-        "1e999 0 0 1 0 0 1 1 0 0 0 0", "0,5 0 0 1,5 0 0 1 1 0", "abc", "0x10 0 0 1 0 0 1 1 0", "1 2", "", " ",
-        "0 0 0 1 0 0 1 1 0 \x01", "- - - - - - - - -"})
+        "1e999 0 0 1 0 0 1 1 0 0 0 0", "0,5 0 0 1,5 0 0 1 1 0", "abc", "0x10 0 0 1 0 0 1 1 0",
+        "1 2", "", " ", "0 0 0 1 0 0 1 1 0 \x01", "- - - - - - - - -"})
     EXPECT_LE(read(city_model(member("<bldg:Building gml:id=\"A\">" +
                                      boundary("RoofSurface", surface_member(polygon("p", list))) +
                                      "</bldg:Building>"))),
@@ -116,8 +122,9 @@ TEST_P(Hostile, MisplacedElementsDoNoHarm) {
         std::string("<core:ImplicitGeometry><core:transformationMatrix>1 "
                     "2</core:transformationMatrix></core:ImplicitGeometry>"),
         xlink_member(""), xlink_member("#"), std::string("<gml:surfaceMember xlink:href=\"\"/>"),
-        std::string("<gml:surfaceMember xlink:href=\"http://a/b#c\"/>"), std::string("<bldg:Building/>"),
-        std::string("<core:cityObjectMember/>"), std::string("<:/>")})
+        std::string("<gml:surfaceMember xlink:href=\"http://a/b#c\"/>"),
+        std::string("<bldg:Building/>"), std::string("<core:cityObjectMember/>"),
+        std::string("<:/>")})
     read(city_model(member("<bldg:Building gml:id=\"A\"><bldg:lod2MultiSurface>" + inner +
                            "</bldg:lod2MultiSurface></bldg:Building>") +
                     member(inner) + inner));
@@ -127,12 +134,14 @@ TEST_P(Hostile, FileCutAtAnyByteIsAnError) {
   const std::string text = city_model(member(building("A")));
   const std::size_t end = text.rfind('>');
   const std::size_t step = GetParam() == Reader::stream ? 1 : 37;
-  for (std::size_t size = 0; size < end; size += step) ASSERT_EQ(read(text.substr(0, size)), -1) << size;
+  for (std::size_t size = 0; size < end; size += step)
+    ASSERT_EQ(read(text.substr(0, size)), -1) << size;
 }
 
 TEST_P(Hostile, FlippedBytesNeverCrash) {
-  const std::string text = city_model(member(building("A", "<bldg:measuredHeight>3</bldg:measuredHeight>")) +
-                                      member(building("B")));
+  const std::string text =
+      city_model(member(building("A", "<bldg:measuredHeight>3</bldg:measuredHeight>")) +
+                 member(building("B")));
   std::mt19937 random(3);
   const int rounds = GetParam() == Reader::stream ? 3000 : 200;
   for (int round = 0; round < rounds; ++round) {
@@ -151,7 +160,8 @@ TEST_P(Hostile, ShuffledElementsNeverCrash) {
   const int rounds = GetParam() == Reader::stream ? 1000 : 100;
   for (int round = 0; round < rounds; ++round) {
     std::string broken = text;
-    const std::size_t from = random() % broken.size(), length = random() % 200, to = random() % broken.size();
+    const std::size_t from = random() % broken.size(), length = random() % 200,
+                      to = random() % broken.size();
     broken.insert(to, text.substr(from, length));
     read(broken);
   }
@@ -160,7 +170,8 @@ TEST_P(Hostile, ShuffledElementsNeverCrash) {
 std::string reader_name(const testing::TestParamInfo<Reader>& info) {
   return info.param == Reader::libcitygml ? "libcitygml" : "stream";
 }
-INSTANTIATE_TEST_SUITE_P(CityGml, Hostile, testing::Values(Reader::stream, Reader::libcitygml), reader_name);
+INSTANTIATE_TEST_SUITE_P(CityGml, Hostile, testing::Values(Reader::stream, Reader::libcitygml),
+                         reader_name);
 
 }  // namespace
 }  // namespace nightcity

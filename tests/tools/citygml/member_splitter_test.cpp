@@ -52,19 +52,21 @@ Cut cut(const std::string& text, MemberSplitter::Limits limits = {}, std::size_t
 }
 
 const std::string awkward =
-    "<?xml version='1.0'?>\n<!-- <a> -->\n<c:CityModel xmlns:c='http://www.opengis.net/citygml/2.0' "
+    "<?xml version='1.0'?>\n<!-- <a> -->\n<c:CityModel "
+    "xmlns:c='http://www.opengis.net/citygml/2.0' "
     "a=\">'<\">\n"
     "<boundedBy/>\n<!-- <m></m> --><c:m x='/>'>\n<m>1</m><![CDATA[</c:m>]]></c:m>\n<?pi </c:m> "
     "?><n\n>t</n\n></c:CityModel>";
 
 TEST(MemberSplitter, CommentsCdataQuotesAndInstructionsDoNotMislead) {
-  const std::string text = awkward.substr(0, awkward.find(" a=")) + awkward.substr(awkward.find("\">\n") + 1);
+  const std::string text =
+      awkward.substr(0, awkward.find(" a=")) + awkward.substr(awkward.find("\">\n") + 1);
   for (const std::size_t step : {1u, 2u, 3u, 7u, 65536u}) {
     const Cut c = cut(text, {}, step);
     EXPECT_EQ(c.names, (std::vector<std::string>{"boundedBy", "m", "n"})) << step;
-    EXPECT_EQ(c.texts,
-              (std::vector<std::string>{"<boundedBy/>", "<c:m x='/>'>\n<m>1</m><![CDATA[</c:m>]]></c:m>",
-                                        "<n\n>t</n\n>"}));
+    EXPECT_EQ(c.texts, (std::vector<std::string>{"<boundedBy/>",
+                                                 "<c:m x='/>'>\n<m>1</m><![CDATA[</c:m>]]></c:m>",
+                                                 "<n\n>t</n\n>"}));
     EXPECT_EQ(c.lines, (std::vector<std::size_t>{4, 5, 7}));
   }
 }
@@ -90,8 +92,8 @@ TEST(MemberSplitter, JumpingToAMembersEndFindsTheSameAsFollowingEveryTag) {
 TEST(MemberSplitter, BatchesOfAnySizeHoldTheSameMembers) {
   std::string text = "<CityModel>";
   for (int i = 0; i < 100; ++i)
-    text += "\n<m><k id=\"" + std::to_string(i) + "\">" + std::string(static_cast<std::size_t>(i), 'x') +
-            "</k></m>";
+    text += "\n<m><k id=\"" + std::to_string(i) + "\">" +
+            std::string(static_cast<std::size_t>(i), 'x') + "</k></m>";
   text += "\n</CityModel>";
   const Cut whole = cut(text);
   ASSERT_EQ(whole.texts.size(), 100u);
@@ -106,7 +108,8 @@ TEST(MemberSplitter, BatchesOfAnySizeHoldTheSameMembers) {
 }
 
 TEST(MemberSplitter, MemberListsAreEntered) {
-  const Cut c = cut("<CityModel><a/><gml:featureMembers><b/><c>1</c></gml:featureMembers><d/></CityModel>");
+  const Cut c =
+      cut("<CityModel><a/><gml:featureMembers><b/><c>1</c></gml:featureMembers><d/></CityModel>");
   EXPECT_EQ(c.texts, (std::vector<std::string>{"<a/>", "<b/>", "<c>1</c>", "<d/>"}));
 }
 
@@ -123,7 +126,8 @@ TEST(MemberSplitter, LongTinIsCutBetweenTrianglesAndEachPieceIsWhole) {
   std::string joined;
   for (std::size_t i = 1; i + 1 < c.texts.size(); ++i) {
     EXPECT_EQ(c.continued[i], i > 1);
-    ASSERT_TRUE(c.texts[i].starts_with("<m><R id=\"r\"><tin>") && c.texts[i].ends_with("</tin></R></m>"))
+    ASSERT_TRUE(c.texts[i].starts_with("<m><R id=\"r\"><tin>") &&
+                c.texts[i].ends_with("</tin></R></m>"))
         << c.texts[i];
     EXPECT_LT(c.texts[i].size(), 400u);
     joined += c.texts[i].substr(18, c.texts[i].size() - 18 - 14);
@@ -134,10 +138,10 @@ TEST(MemberSplitter, LongTinIsCutBetweenTrianglesAndEachPieceIsWhole) {
 
 TEST(MemberSplitter, BrokenDocumentsAreErrorsWithALine) {
   for (const std::string text :
-       {"<CityModel>\n<a></b></CityModel>", "<CityModel>\n<a>", "<CityModel>\n<a", "<CityModel>\n<!-- ",
-        "<CityModel>\n<![CDATA[ ", "<CityModel>\n<?pi ", "<CityModel>\n<a b=\"", "<CityModel>\n</a>",
-        "<CityModel>\n<!ELEMENT a>", "<CityModel>\n< a/></CityModel>", "<CityModel>\n<a <b/></CityModel>",
-        "<CityModel>\n"}) {
+       {"<CityModel>\n<a></b></CityModel>", "<CityModel>\n<a>", "<CityModel>\n<a",
+        "<CityModel>\n<!-- ", "<CityModel>\n<![CDATA[ ", "<CityModel>\n<?pi ",
+        "<CityModel>\n<a b=\"", "<CityModel>\n</a>", "<CityModel>\n<!ELEMENT a>",
+        "<CityModel>\n< a/></CityModel>", "<CityModel>\n<a <b/></CityModel>", "<CityModel>\n"}) {
     try {
       cut(text);
       ADD_FAILURE() << text;
@@ -154,7 +158,8 @@ TEST(MemberSplitter, DeepNestingAndOverlongMembersAreRefused) {
   EXPECT_THROW(cut(deep), Error);
   MemberSplitter::Limits limits;
   limits.member_bytes = 1 << 20;
-  EXPECT_THROW(cut("<CityModel><m>" + std::string(8 << 20, ' ') + "</m></CityModel>", limits), Error);
+  EXPECT_THROW(cut("<CityModel><m>" + std::string(8 << 20, ' ') + "</m></CityModel>", limits),
+               Error);
 }
 
 TEST(MemberSplitter, VersionIsTheNewestNamedAndBomIsSkipped) {
@@ -166,7 +171,8 @@ TEST(MemberSplitter, VersionIsTheNewestNamedAndBomIsSkipped) {
   EXPECT_EQ(version("\xef\xbb\xbf<CityModel xmlns:b='http://www.opengis.net/citygml/building/2.0' "
                     "xmlns='http://www.opengis.net/citygml/1.1'/>"),
             "2.0");
-  EXPECT_EQ(version("<CityModel xmlns='http://www.citygml.org/citygml/profiles/base/1.0'/>"), "1.0");
+  EXPECT_EQ(version("<CityModel xmlns='http://www.citygml.org/citygml/profiles/base/1.0'/>"),
+            "1.0");
   EXPECT_EQ(version("<CityModel/>"), "");
 }
 

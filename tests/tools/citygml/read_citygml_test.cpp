@@ -29,15 +29,16 @@ class BothReaders : public testing::TestWithParam<Reader> {
     ReadOptions options;
     options.reader = GetParam();
     options.highest_lod = highest_lod;
-    city.report =
-        read_citygml(file.path(), options, [&](CityObject&& o) { city.objects.push_back(std::move(o)); });
+    city.report = read_citygml(file.path(), options,
+                               [&](CityObject&& o) { city.objects.push_back(std::move(o)); });
     return city;
   }
 };
 
 std::size_t count_of(const CityObject& object, SurfaceType surface) {
-  return static_cast<std::size_t>(std::count_if(object.polygons.begin(), object.polygons.end(),
-                                                [&](const Polygon& p) { return p.surface == surface; }));
+  return static_cast<std::size_t>(
+      std::count_if(object.polygons.begin(), object.polygons.end(),
+                    [&](const Polygon& p) { return p.surface == surface; }));
 }
 
 TEST_P(BothReaders, BuildingIsOneObjectWithItsSurfacesAndNothingTwice) {
@@ -60,13 +61,13 @@ TEST_P(BothReaders, BuildingIsOneObjectWithItsSurfacesAndNothingTwice) {
 }
 
 TEST_P(BothReaders, RingsComeOpenAndInDouble) {
-  const City city = read(city_model(
-      member("<bldg:Building gml:id=\"A\">" +
-             boundary("RoofSurface",
-                      surface_member(polygon("p",
-                                             "33395123.125 5819000.0625 1 33395124.125 5819000.0625 1 "
-                                             "33395124.125 5819001.0625 1 33395123.125 5819000.0625 1"))) +
-             "</bldg:Building>")));
+  const City city = read(city_model(member(
+      "<bldg:Building gml:id=\"A\">" +
+      boundary("RoofSurface",
+               surface_member(polygon("p",
+                                      "33395123.125 5819000.0625 1 33395124.125 5819000.0625 1 "
+                                      "33395124.125 5819001.0625 1 33395123.125 5819000.0625 1"))) +
+      "</bldg:Building>")));
   ASSERT_EQ(city.objects.size(), 1u);
   const Ring& ring = city.objects[0].polygons.at(0).exterior;
   ASSERT_EQ(ring.size(), 3u);
@@ -79,26 +80,28 @@ TEST_P(BothReaders, PartsAndInstallationsFoldIntoTheirBuilding) {
                            boundary("WallSurface", surface_member(polygon("w", south_wall))) +
                            "</bldg:BuildingPart></bldg:consistsOfBuildingPart>";
   const std::string installation =
-      "<bldg:outerBuildingInstallation><bldg:BuildingInstallation gml:id=\"A2\"><bldg:lod2Geometry>" +
+      "<bldg:outerBuildingInstallation><bldg:BuildingInstallation "
+      "gml:id=\"A2\"><bldg:lod2Geometry>" +
       multi_surface(surface_member(polygon("i", square_at_one))) +
       "</bldg:lod2Geometry></bldg:BuildingInstallation></bldg:outerBuildingInstallation>";
-  const City city = read(city_model(member(
-      "<bldg:Building gml:id=\"A\">" + installation +
-      boundary("GroundSurface", surface_member(polygon("g", square_at_zero))) + part + "</bldg:Building>")));
+  const City city = read(
+      city_model(member("<bldg:Building gml:id=\"A\">" + installation +
+                        boundary("GroundSurface", surface_member(polygon("g", square_at_zero))) +
+                        part + "</bldg:Building>")));
   ASSERT_EQ(city.objects.size(), 1u);
   EXPECT_EQ(city.objects[0].polygons.size(), 3u);
 }
 
 TEST_P(BothReaders, AttributesAreReadAndSentinelsAreAbsent) {
   const City city = read(city_model(
-      member(
-          building("A",
-                   "<bldg:class>1000</bldg:class><bldg:function>31001_1010</bldg:function>"
-                   "<bldg:usage>Wohnhaus &amp; Laden</bldg:usage>"
-                   "<bldg:yearOfConstruction>1924</bldg:yearOfConstruction>"
-                   "<bldg:measuredHeight uom=\"m\">12.5</bldg:measuredHeight>"
-                   "<bldg:storeysAboveGround>4</bldg:storeysAboveGround>"
-                   "<bldg:storeyHeightsAboveGround uom=\"m\">3.5 3 9999 3</bldg:storeyHeightsAboveGround>")) +
+      member(building("A",
+                      "<bldg:class>1000</bldg:class><bldg:function>31001_1010</bldg:function>"
+                      "<bldg:usage>Wohnhaus &amp; Laden</bldg:usage>"
+                      "<bldg:yearOfConstruction>1924</bldg:yearOfConstruction>"
+                      "<bldg:measuredHeight uom=\"m\">12.5</bldg:measuredHeight>"
+                      "<bldg:storeysAboveGround>4</bldg:storeysAboveGround>"
+                      "<bldg:storeyHeightsAboveGround uom=\"m\">3.5 3 9999 "
+                      "3</bldg:storeyHeightsAboveGround>")) +
       member(building("B",
                       "<bldg:measuredHeight uom=\"m\">-9999</bldg:measuredHeight>"
                       "<bldg:storeysAboveGround>9999</bldg:storeysAboveGround>"))));
@@ -120,9 +123,9 @@ TEST_P(BothReaders, HighestLodUpToTheLimitIsTakenAndTheRestCounted) {
                            surface_member(polygon("s1", square_at_zero)) +
                            surface_member(polygon("s2", square_at_one)) +
                            "</gml:CompositeSurface></gml:exterior></gml:Solid></bldg:lod1Solid>";
-  const std::string text = city_model(
-      member("<bldg:Building gml:id=\"A\">" + lod1 +
-             boundary("WallSurface", surface_member(polygon("w2", south_wall)), 2) + "</bldg:Building>"));
+  const std::string text = city_model(member(
+      "<bldg:Building gml:id=\"A\">" + lod1 +
+      boundary("WallSurface", surface_member(polygon("w2", south_wall)), 2) + "</bldg:Building>"));
   const City two = read(text, 2);
   ASSERT_EQ(two.objects.size(), 1u);
   EXPECT_EQ(two.objects[0].lod, 2);
@@ -137,11 +140,12 @@ TEST_P(BothReaders, HighestLodUpToTheLimitIsTakenAndTheRestCounted) {
 
 TEST_P(BothReaders, HolesComeAlong) {
   const std::string with_hole = "<gml:Polygon gml:id=\"p\"><gml:exterior>" +
-                                ring("0 0 1 9 0 1 9 9 1 0 9 1 0 0 1") + "</gml:exterior><gml:interior>" +
-                                ring("2 2 1 2 4 1 4 4 1 2 2 1") + "</gml:interior></gml:Polygon>";
-  const City city =
-      read(city_model(member("<bldg:Building gml:id=\"A\">" +
-                             boundary("RoofSurface", surface_member(with_hole)) + "</bldg:Building>")));
+                                ring("0 0 1 9 0 1 9 9 1 0 9 1 0 0 1") +
+                                "</gml:exterior><gml:interior>" + ring("2 2 1 2 4 1 4 4 1 2 2 1") +
+                                "</gml:interior></gml:Polygon>";
+  const City city = read(
+      city_model(member("<bldg:Building gml:id=\"A\">" +
+                        boundary("RoofSurface", surface_member(with_hole)) + "</bldg:Building>")));
   ASSERT_EQ(city.objects.at(0).polygons.size(), 1u);
   ASSERT_EQ(city.objects[0].polygons[0].interiors.size(), 1u);
   EXPECT_EQ(city.objects[0].polygons[0].interiors[0].size(), 3u);
@@ -158,11 +162,13 @@ TEST_P(BothReaders, TerrainAndRoadsKnowWhatTheyAre) {
       "<gml:Triangle><gml:exterior>" +
       ring("9 0 0 9 9 0 0 9 0 9 0 0") +
       "</gml:exterior></gml:Triangle>"
-      "</gml:trianglePatches></gml:TriangulatedSurface></dem:tin></dem:TINRelief></dem:reliefComponent></"
+      "</gml:trianglePatches></gml:TriangulatedSurface></dem:tin></dem:TINRelief></"
+      "dem:reliefComponent></"
       "dem:ReliefFeature>";
-  const std::string road = "<tran:Road gml:id=\"S\"><tran:function>1</tran:function><tran:lod1MultiSurface>" +
-                           multi_surface(surface_member(polygon("q", square_at_one))) +
-                           "</tran:lod1MultiSurface></tran:Road>";
+  const std::string road =
+      "<tran:Road gml:id=\"S\"><tran:function>1</tran:function><tran:lod1MultiSurface>" +
+      multi_surface(surface_member(polygon("q", square_at_one))) +
+      "</tran:lod1MultiSurface></tran:Road>";
   const City city = read(city_model(member(relief) + member(road)));
   ASSERT_EQ(city.objects.size(), 2u);
   EXPECT_EQ(city.objects[0].type, ObjectType::relief);
@@ -174,12 +180,12 @@ TEST_P(BothReaders, TerrainAndRoadsKnowWhatTheyAre) {
 }
 
 TEST_P(BothReaders, UnknownMemberIsCountedAndTheNextIsRead) {
-  const City city =
-      read(city_model(member(building("A")) +
-                      member("<urf:UseDistrict xmlns:urf=\"u\" gml:id=\"U\"><urf:lod1MultiSurface>" +
-                             multi_surface(surface_member(polygon("z", square_at_one))) +
-                             "</urf:lod1MultiSurface></urf:UseDistrict>") +
-                      member(building("B"))));
+  const City city = read(
+      city_model(member(building("A")) +
+                 member("<urf:UseDistrict xmlns:urf=\"u\" gml:id=\"U\"><urf:lod1MultiSurface>" +
+                        multi_surface(surface_member(polygon("z", square_at_one))) +
+                        "</urf:lod1MultiSurface></urf:UseDistrict>") +
+                 member(building("B"))));
   std::vector<std::string> ids;
   for (const CityObject& o : city.objects)
     if (o.type == ObjectType::building) ids.push_back(o.id);
@@ -189,7 +195,8 @@ TEST_P(BothReaders, UnknownMemberIsCountedAndTheNextIsRead) {
 TEST_P(BothReaders, CommentInsideCoordinatesLosesNothing) {
   const City city = read(city_model(
       member("<bldg:Building gml:id=\"A\">" +
-             boundary("RoofSurface", surface_member(polygon("p", "0 0 1 <!-- note --> 1 0 1 1 1 1 0 0 1"))) +
+             boundary("RoofSurface",
+                      surface_member(polygon("p", "0 0 1 <!-- note --> 1 0 1 1 1 1 0 0 1"))) +
              "</bldg:Building>")));
   ASSERT_EQ(city.objects.at(0).polygons.size(), 1u);
   EXPECT_EQ(city.objects[0].polygons[0].exterior.size(), 3u);
@@ -203,10 +210,11 @@ TEST_P(BothReaders, HugeRingIsReadWholeOrCounted) {
     coordinates += std::to_string(33395000 + 100 * std::cos(a)) + " " +
                    std::to_string(5819000 + 100 * std::sin(a)) + " 1 ";
   }
-  const City city = read(city_model(
-      member("<bldg:Building gml:id=\"A\">" +
-             boundary("RoofSurface", surface_member(polygon("p", coordinates))) + "</bldg:Building>") +
-      member(building("B"))));
+  const City city =
+      read(city_model(member("<bldg:Building gml:id=\"A\">" +
+                             boundary("RoofSurface", surface_member(polygon("p", coordinates))) +
+                             "</bldg:Building>") +
+                      member(building("B"))));
   EXPECT_EQ(city.objects.back().id, "B");
   if (city.objects.size() == 2) {
     EXPECT_EQ(city.objects[0].polygons.at(0).exterior.size(), static_cast<std::size_t>(n));
@@ -229,16 +237,17 @@ TEST_P(BothReaders, DoctypeIsRefusedWithItsLine) {
 }
 
 TEST_P(BothReaders, WhatIsNotCityGmlIsAnError) {
-  for (const std::string text :
-       {"", "   ", "hello", "<a>", "<html></html>", "<a",
-        "\x7f"
-        "ELF\0\0",
-        "\xff\xfe<\0a\0", "<core:CityModel>", "<core:CityModel><cityObjectMember></core:CityModel>"})
+  for (const std::string text : {"", "   ", "hello", "<a>", "<html></html>", "<a",
+                                 "\x7f"
+                                 "ELF\0\0",
+                                 "\xff\xfe<\0a\0", "<core:CityModel>",
+                                 "<core:CityModel><cityObjectMember></core:CityModel>"})
     EXPECT_THROW(read(text), Error) << text;
   ReadOptions options;
   options.reader = GetParam();
   EXPECT_THROW(read_citygml("/nowhere/at/all.gml", options, [](CityObject&&) {}), Error);
-  EXPECT_THROW(read_citygml(std::filesystem::temp_directory_path(), options, [](CityObject&&) {}), Error);
+  EXPECT_THROW(read_citygml(std::filesystem::temp_directory_path(), options, [](CityObject&&) {}),
+               Error);
 }
 
 TEST_P(BothReaders, FileCutOffAnywhereIsAnErrorNeverASmallerCity) {

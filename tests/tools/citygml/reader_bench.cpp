@@ -34,12 +34,14 @@ struct Measured {
   double cpu_seconds = 0;  // of all threads: what a busy machine does not disturb
   double peak_mb = 0;
   std::size_t objects = 0, polygons = 0, polygons_skipped = 0;
-  char version[8] = {}, skipped[200] = {};  // the most frequent names; plain arrays travel through a pipe
+  char version[8] = {},
+       skipped[200] = {};  // the most frequent names; plain arrays travel through a pipe
 };
 
 // "12 app:theme, 3 gen:value", the most frequent first.
 std::string in_words(const ReadReport& report) {
-  std::vector<std::pair<std::string, std::size_t>> sorted(report.skipped.begin(), report.skipped.end());
+  std::vector<std::pair<std::string, std::size_t>> sorted(report.skipped.begin(),
+                                                          report.skipped.end());
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
   std::string text;
@@ -50,14 +52,15 @@ std::string in_words(const ReadReport& report) {
     text += next;
     ++shown;
   }
-  if (shown < sorted.size()) text += " and " + std::to_string(sorted.size() - shown) + " more kinds";
+  if (shown < sorted.size())
+    text += " and " + std::to_string(sorted.size() - shown) + " more kinds";
   return text;
 }
 
 // Writes the file's members `copies` times between one root's tags. Ids repeat: readers keep members apart.
 std::filesystem::path multiply(const std::filesystem::path& file, int copies) {
-  const auto path =
-      std::filesystem::temp_directory_path() / ("reader_bench_" + std::to_string(::getpid()) + ".gml");
+  const auto path = std::filesystem::temp_directory_path() /
+                    ("reader_bench_" + std::to_string(::getpid()) + ".gml");
   std::ofstream out(path, std::ios::binary);
   const std::vector<Document> documents = documents_in(file);
   std::string root;
@@ -93,7 +96,8 @@ Measured measure_here(const std::filesystem::path& file, const ReadOptions& opti
     const ReadReport report = read_citygml(file, options, [](CityObject&&) {});
     const double cpu = cpu_seconds() - cpu_start;
     best.cpu_seconds = std::min(best.cpu_seconds, cpu);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     total += cpu;
     best.seconds = std::min(best.seconds, seconds);
     best.objects = report.objects;
@@ -151,11 +155,14 @@ void print_row(const std::filesystem::path& file, int rounds) {
   try {
     const Measured other = measure(file, options_for(Reader::libcitygml, 1), rounds);
     const Measured one = measure(file, options_for(Reader::stream, 1), rounds);
-    const std::string name = file.parent_path().filename().string() + "/" + file.filename().string();
-    std::printf("| %s | %.2f | %s | %zu | %zu | %zu | %.1f | %.1f | %.1f | %.0f | %.0f | %zu | %s |\n",
-                name.c_str(), megabytes_of(file), one.version, one.objects, one.polygons,
-                one.polygons_skipped, 1e3 * one.cpu_seconds, megabytes_of(file) / one.cpu_seconds,
-                other.cpu_seconds / one.cpu_seconds, one.peak_mb, other.peak_mb, other.polygons, one.skipped);
+    const std::string name =
+        file.parent_path().filename().string() + "/" + file.filename().string();
+    std::printf(
+        "| %s | %.2f | %s | %zu | %zu | %zu | %.1f | %.1f | %.1f | %.0f | %.0f | %zu | %s |\n",
+        name.c_str(), megabytes_of(file), one.version, one.objects, one.polygons,
+        one.polygons_skipped, 1e3 * one.cpu_seconds, megabytes_of(file) / one.cpu_seconds,
+        other.cpu_seconds / one.cpu_seconds, one.peak_mb, other.peak_mb, other.polygons,
+        one.skipped);
   } catch (const std::exception& error) {
     std::printf("| %s | %.2f | | | | | | | | | | | refused: %s |\n", file.filename().c_str(),
                 megabytes_of(file), error.what());
@@ -163,10 +170,11 @@ void print_row(const std::filesystem::path& file, int rounds) {
   std::fflush(stdout);
 }
 
-void print_table(const std::filesystem::path& file, unsigned threads, int rounds, bool stream_only) {
+void print_table(const std::filesystem::path& file, unsigned threads, int rounds,
+                 bool stream_only) {
   const double megabytes = megabytes_of(file);
-  std::printf("%s: %.1f MB\n%-22s %9s %9s %9s %9s %10s %10s\n", file.c_str(), megabytes, "reader", "s",
-              "CPU s", "MB/s", "peak MB", "objects", "polygons");
+  std::printf("%s: %.1f MB\n%-22s %9s %9s %9s %9s %10s %10s\n", file.c_str(), megabytes, "reader",
+              "s", "CPU s", "MB/s", "peak MB", "objects", "polygons");
   const auto line = [&](const char* name, Reader reader, unsigned n) {
     const Measured m = measure(file, options_for(reader, n), rounds);
     std::printf("%-22s %9.3f %9.3f %9.1f %9.1f %10zu %10zu\n", name, m.seconds, m.cpu_seconds,
@@ -180,7 +188,8 @@ void print_table(const std::filesystem::path& file, unsigned threads, int rounds
   const Measured all = line("stream, all threads", Reader::stream, threads);
   if (second_opinion)
     std::printf("stream / libcitygml on one core: %.2f times as fast (CPU time: %.2f); ",
-                second_opinion->seconds / one.seconds, second_opinion->cpu_seconds / one.cpu_seconds);
+                second_opinion->seconds / one.seconds,
+                second_opinion->cpu_seconds / one.cpu_seconds);
   std::printf("all threads / one thread: %.2f\n", one.seconds / all.seconds);
 }
 

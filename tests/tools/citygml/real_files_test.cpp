@@ -20,7 +20,8 @@ std::vector<std::filesystem::path> city_files(const std::filesystem::path& root)
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
     const std::string extension = entry.path().extension();
-    if (entry.is_regular_file() && (extension == ".gml" || extension == ".xml" || extension == ".citygml"))
+    if (entry.is_regular_file() &&
+        (extension == ".gml" || extension == ".xml" || extension == ".citygml"))
       files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
@@ -35,8 +36,8 @@ std::size_t polygons_in(const std::string& text) {
     std::size_t end = at + 1;
     while (end < text.size() && !ends_name(text[end])) ++end;
     const std::string_view name = local_name(std::string_view(text).substr(at + 1, end - at - 1));
-    count += text[at + 1] != '/' &&
-             (name == "Polygon" || name == "PolygonPatch" || name == "Triangle" || name == "Rectangle");
+    count += text[at + 1] != '/' && (name == "Polygon" || name == "PolygonPatch" ||
+                                     name == "Triangle" || name == "Rectangle");
   }
   return count;
 }
@@ -81,7 +82,8 @@ class RealFiles : public testing::TestWithParam<Reader> {};
 TEST_P(RealFiles, EveryPolygonIsDeliveredOrReported) {
   REAL_DATA(root, ".");
   // The second opinion is slow: the small files show every producer.
-  const Tally tally = read_all(root, GetParam(), GetParam() == Reader::stream ? UINTMAX_MAX : 500'000);
+  const Tally tally =
+      read_all(root, GetParam(), GetParam() == Reader::stream ? UINTMAX_MAX : 500'000);
   EXPECT_GT(tally.files, 100u);
   EXPECT_LE(tally.refused, 1u);  // the one IndoorGML file
   std::printf("%zu files, %zu refused; %zu polygons: %zu delivered, %zu reported\n", tally.files,
@@ -100,10 +102,9 @@ TEST(RealFile, MunichCrossingOfCityGml3HasItsTrafficAreas) {
   std::size_t areas = 0, roads = 0;
   read_citygml(file, {}, [&](CityObject&& o) {
     roads += o.type == ObjectType::road;
-    areas +=
-        static_cast<std::size_t>(std::count_if(o.polygons.begin(), o.polygons.end(), [](const Polygon& p) {
-          return p.surface == SurfaceType::traffic_area;
-        }));
+    areas += static_cast<std::size_t>(
+        std::count_if(o.polygons.begin(), o.polygons.end(),
+                      [](const Polygon& p) { return p.surface == SurfaceType::traffic_area; }));
   });
   EXPECT_EQ(roads, 4u);
   EXPECT_EQ(areas, 141u);

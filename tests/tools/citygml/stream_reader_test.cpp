@@ -32,7 +32,8 @@ struct City {
 City read_file(const std::filesystem::path& path, ReadOptions options = {}) {
   City city;
   options.reader = Reader::stream;
-  city.report = read_citygml(path, options, [&](CityObject&& o) { city.objects.push_back(std::move(o)); });
+  city.report =
+      read_citygml(path, options, [&](CityObject&& o) { city.objects.push_back(std::move(o)); });
   return city;
 }
 
@@ -81,8 +82,8 @@ glm::dvec3 area(const Ring& ring) {
 }
 
 TEST(StreamReader, XlinkToAPolygonOfAnotherMemberIsFollowedInBothDirections) {
-  const std::string owner =
-      building_of("owner", boundary("RoofSurface", surface_member(polygon("shared", square_at_one))));
+  const std::string owner = building_of(
+      "owner", boundary("RoofSurface", surface_member(polygon("shared", square_at_one))));
   const std::string user = building_of("user", lod2_solid(xlink_member("shared")));
   for (const std::string& text :
        {city_model(member(user) + member(owner)), city_model(member(owner) + member(user))}) {
@@ -107,8 +108,8 @@ TEST(StreamReader, ChainsOfXlinksAcrossMembersAreFollowed) {
 }
 
 TEST(StreamReader, XlinkToNothingIsCountedAndNamed) {
-  const City city = read_member(
-      building_of("A", lod2_solid(xlink_member("ghost") + surface_member(polygon("p", square_at_one)))));
+  const City city = read_member(building_of(
+      "A", lod2_solid(xlink_member("ghost") + surface_member(polygon("p", square_at_one)))));
   ASSERT_EQ(city.objects.size(), 1u);
   EXPECT_EQ(city.objects[0].polygons.size(), 1u);
   EXPECT_EQ(city.report.skipped.at("xlink: target not in the file (gml:surfaceMember)"), 1u);
@@ -122,8 +123,9 @@ TEST(StreamReader, CyclesOfXlinksEnd) {
            "</gml:CompositeSurface></gml:surfaceMember>";
   };
   const City within = read_member(building_of(
-      "A", lod2_solid(composite("a", xlink_member("b")) +
-                      composite("b", xlink_member("a") + surface_member(polygon("p", square_at_one))))));
+      "A",
+      lod2_solid(composite("a", xlink_member("b")) +
+                 composite("b", xlink_member("a") + surface_member(polygon("p", square_at_one))))));
   EXPECT_EQ(within.objects.at(0).polygons.size(), 1u);
   const City across =
       read(city_model(member(building_of("A", lod2_solid(composite("a", xlink_member("b"))))) +
@@ -137,15 +139,17 @@ TEST(StreamReader, TreesOfXlinksDoNotMultiply) {
   for (int level = 1; level <= 10; ++level) {
     std::string links;
     for (int i = 0; i < 10; ++i) links += xlink_member(numbered("l", level - 1));
-    levels += "<gml:surfaceMember><gml:CompositeSurface gml:id=\"" + numbered("l", level) + "\">" + links +
-              "</gml:CompositeSurface></gml:surfaceMember>";
+    levels += "<gml:surfaceMember><gml:CompositeSurface gml:id=\"" + numbered("l", level) + "\">" +
+              links + "</gml:CompositeSurface></gml:surfaceMember>";
   }
-  EXPECT_EQ(
-      read_member(building_of("A", lod2_solid(levels + xlink_member("l10")))).objects.at(0).polygons.size(),
-      1u);
+  EXPECT_EQ(read_member(building_of("A", lod2_solid(levels + xlink_member("l10"))))
+                .objects.at(0)
+                .polygons.size(),
+            1u);
   const std::string implicit =
       "<frn:CityFurniture "
-      "gml:id=\"F\"><frn:lod2ImplicitRepresentation><core:ImplicitGeometry><core:relativeGMLGeometry>" +
+      "gml:id=\"F\"><frn:lod2ImplicitRepresentation><core:ImplicitGeometry><core:"
+      "relativeGMLGeometry>" +
       multi_surface(levels + xlink_member("l10")) +
       "</core:relativeGMLGeometry></core:ImplicitGeometry></frn:lod2ImplicitRepresentation></"
       "frn:CityFurniture>";
@@ -159,42 +163,47 @@ TEST(StreamReader, OrientableSurfaceMinusTurnsDirectAndLinkedPolygons) {
   };
   const std::string direct =
       oriented("<gml:baseSurface>" + polygon("p", square_at_one) + "</gml:baseSurface>");
-  EXPECT_LT(area(read_member(building_of("A", lod2_solid(direct))).objects.at(0).polygons.at(0).exterior).z,
-            0);
-  const City linked = read(city_model(
-      member(building_of("A", lod2_solid(oriented("<gml:baseSurface xlink:href=\"#q\"/>")))) +
-      member(building_of("B", boundary("RoofSurface", surface_member(polygon("q", square_at_one)))))));
-  EXPECT_LT(area(linked.find("A")->polygons.at(0).exterior).z, 0);
-  EXPECT_GT(area(linked.find("B")->polygons.at(0).exterior).z, 0);
-  EXPECT_GT(
-      area(read_member(building_of("A", lod2_solid(oriented(
-                                            "<gml:baseSurface><gml:OrientableSurface orientation=\"-\">"
-                                            "<gml:baseSurface>" +
-                                            polygon("p", square_at_one) +
-                                            "</gml:baseSurface></gml:OrientableSurface></gml:baseSurface>"))))
-               .objects.at(0)
-               .polygons.at(0)
-               .exterior)
+  EXPECT_LT(
+      area(read_member(building_of("A", lod2_solid(direct))).objects.at(0).polygons.at(0).exterior)
           .z,
       0);
+  const City linked = read(city_model(
+      member(building_of("A", lod2_solid(oriented("<gml:baseSurface xlink:href=\"#q\"/>")))) +
+      member(
+          building_of("B", boundary("RoofSurface", surface_member(polygon("q", square_at_one)))))));
+  EXPECT_LT(area(linked.find("A")->polygons.at(0).exterior).z, 0);
+  EXPECT_GT(area(linked.find("B")->polygons.at(0).exterior).z, 0);
+  EXPECT_GT(area(read_member(
+                     building_of(
+                         "A", lod2_solid(oriented(
+                                  "<gml:baseSurface><gml:OrientableSurface orientation=\"-\">"
+                                  "<gml:baseSurface>" +
+                                  polygon("p", square_at_one) +
+                                  "</gml:baseSurface></gml:OrientableSurface></gml:baseSurface>"))))
+                     .objects.at(0)
+                     .polygons.at(0)
+                     .exterior)
+                .z,
+            0);
 }
 
 TEST(StreamReader, ImplicitGeometryIsSetDownByMatrixAndReferencePoint) {
   const auto lamp = [](const std::string& id, const std::string& shape, const std::string& place) {
-    return member("<frn:CityFurniture gml:id=\"" + id +
-                  "\"><frn:lod2ImplicitRepresentation><core:ImplicitGeometry>"
-                  "<core:transformationMatrix>0 -2 0 0 2 0 0 0 0 0 2 5 0 0 0 1</core:transformationMatrix>" +
-                  shape + "<core:referencePoint><gml:Point><gml:pos>" + place +
-                  "</gml:pos></gml:Point></core:referencePoint>"
-                  "</core:ImplicitGeometry></frn:lod2ImplicitRepresentation></frn:CityFurniture>");
+    return member(
+        "<frn:CityFurniture gml:id=\"" + id +
+        "\"><frn:lod2ImplicitRepresentation><core:ImplicitGeometry>"
+        "<core:transformationMatrix>0 -2 0 0 2 0 0 0 0 0 2 5 0 0 0 1</core:transformationMatrix>" +
+        shape + "<core:referencePoint><gml:Point><gml:pos>" + place +
+        "</gml:pos></gml:Point></core:referencePoint>"
+        "</core:ImplicitGeometry></frn:lod2ImplicitRepresentation></frn:CityFurniture>");
   };
-  const City city =
-      read(city_model(lamp("one",
-                           "<core:relativeGMLGeometry><gml:MultiSurface gml:id=\"shape\">" +
-                               surface_member(polygon("p", "0 0 0 1 0 0 1 1 0 0 0 0")) +
-                               "</gml:MultiSurface></core:relativeGMLGeometry>",
-                           "1000 2000 30") +
-                      lamp("two", "<core:relativeGMLGeometry xlink:href=\"#shape\"/>", "1100 2000 30")));
+  const City city = read(
+      city_model(lamp("one",
+                      "<core:relativeGMLGeometry><gml:MultiSurface gml:id=\"shape\">" +
+                          surface_member(polygon("p", "0 0 0 1 0 0 1 1 0 0 0 0")) +
+                          "</gml:MultiSurface></core:relativeGMLGeometry>",
+                      "1000 2000 30") +
+                 lamp("two", "<core:relativeGMLGeometry xlink:href=\"#shape\"/>", "1100 2000 30")));
   ASSERT_EQ(city.objects.size(), 2u);
   // A quarter turn (x to y), twice as large, 5 up, then to the reference point.
   EXPECT_EQ(city.find("one")->polygons.at(0).exterior,
@@ -204,14 +213,15 @@ TEST(StreamReader, ImplicitGeometryIsSetDownByMatrixAndReferencePoint) {
 }
 
 TEST(StreamReader, XlinksLeadIntoFilesOfTheSameCityAndNoOthers) {
-  const TemporaryFile owner(city_model(member(
-      building_of("owner", boundary("RoofSurface", surface_member(polygon("shared", square_at_one)))))));
-  std::string text = city_model(
-      member(building_of("far", boundary("RoofSurface", surface_member(polygon("p", square_at_one))))));
+  const TemporaryFile owner(city_model(member(building_of(
+      "owner", boundary("RoofSurface", surface_member(polygon("shared", square_at_one)))))));
+  std::string text = city_model(member(
+      building_of("far", boundary("RoofSurface", surface_member(polygon("p", square_at_one))))));
   text.replace(text.find("EPSG:25833"), 10, "EPSG:3879");
   const TemporaryFile other_crs(text);
   const auto link = [](const TemporaryFile& file, const std::string& id) {
-    return "<gml:surfaceMember xlink:href=\"./" + file.path().filename().string() + "#" + id + "\"/>";
+    return "<gml:surfaceMember xlink:href=\"./" + file.path().filename().string() + "#" + id +
+           "\"/>";
   };
   const TemporaryFile user(city_model(member(building_of(
       "user", lod2_solid(link(owner, "shared") + link(owner, "absent") + link(other_crs, "p"))))));
@@ -255,13 +265,15 @@ TEST(StreamReader, MaterialsColourPolygonsFromWithinAndFromAnywhereInTheFile) {
   // In the middle of a file whose ends, a megabyte away, know nothing of appearances: plain, gzipped and in
   // an archive behind a document without any.
   std::string buildings;
-  for (int n = 0; buildings.size() < 1'200'000; ++n) buildings += member(building("F" + std::to_string(n)));
+  for (int n = 0; buildings.size() < 1'200'000; ++n)
+    buildings += member(building("F" + std::to_string(n)));
   const std::string text =
       city_model(member(building_of("B", surface)) + buildings + "<app:appearanceMember>" +
                  material("m", "0.25 0.5 0.75") + "</app:appearanceMember>" + buildings);
   const TemporaryFile gz("", ".gml.gz"), archive("", ".zip");
   pack_gzip(gz.path(), text);
-  pack_zip(archive.path(), {{"first.gml", city_model(member(building("A")))}, {"second.gml", text}});
+  pack_zip(archive.path(),
+           {{"first.gml", city_model(member(building("A")))}, {"second.gml", text}});
   for (const City& found : {read(text), read_file(gz.path()), read_file(archive.path())}) {
     EXPECT_EQ(found.find("B")->polygons.at(0).diffuse_colour, glm::vec3(0.25, 0.5, 0.75));
     EXPECT_EQ(found.find("F0")->polygons.at(0).diffuse_colour, std::nullopt);
@@ -278,9 +290,11 @@ TEST(StreamReader, CityGml3IsReadUnderAnyPrefix) {
       " xmlns:tran=\"http://www.opengis.net/citygml/transportation/3.0\">"
       "<cityObjectMember><b:Building g:id=\"A\"><boundary><con:WallSurface "
       "g:id=\"w\"><lod2MultiSurface><g:MultiSurface>"
-      "<g:surfaceMember><g:Polygon g:id=\"p\"><g:exterior><g:LinearRing><g:posList>0 0 0 1 0 0 1 0 1 0 0 1 0 "
+      "<g:surfaceMember><g:Polygon g:id=\"p\"><g:exterior><g:LinearRing><g:posList>0 0 0 1 0 0 1 0 "
+      "1 0 0 1 0 "
       "0 0</g:posList>"
-      "</g:LinearRing></g:exterior></g:Polygon></g:surfaceMember></g:MultiSurface></lod2MultiSurface></"
+      "</g:LinearRing></g:exterior></g:Polygon></g:surfaceMember></g:MultiSurface></"
+      "lod2MultiSurface></"
       "con:WallSurface></boundary>"
       "<con:height><con:Height><con:value uom=\"m\">17.5</con:value></con:Height></con:height>"
       "<con:dateOfConstruction>1987-01-01</con:dateOfConstruction><b:storeysAboveGround>5</"
@@ -288,7 +302,8 @@ TEST(StreamReader, CityGml3IsReadUnderAnyPrefix) {
       "</b:Building></cityObjectMember>"
       "<cityObjectMember><tran:Road "
       "g:id=\"R\"><tran:section><tran:Section><tran:trafficSpace><tran:TrafficSpace><boundary>"
-      "<tran:TrafficArea><lod2MultiSurface><g:MultiSurface><g:surfaceMember><g:Polygon><g:exterior><g:"
+      "<tran:TrafficArea><lod2MultiSurface><g:MultiSurface><g:surfaceMember><g:Polygon><g:exterior>"
+      "<g:"
       "LinearRing>"
       "<g:pos>0 0 0</g:pos><g:pos>1 0 0</g:pos><g:pos>1 1 0</g:pos><g:pos>0 0 "
       "0</g:pos></g:LinearRing></g:exterior></g:Polygon>"
@@ -307,21 +322,21 @@ TEST(StreamReader, CityGml3IsReadUnderAnyPrefix) {
 }
 
 TEST(StreamReader, EveryElementNotUsedIsCountedByName) {
-  const City city = read_member(
-      building_of("A",
-                  "<bldg:roofType>1000</bldg:roofType><gen:stringAttribute "
-                  "name=\"x\"><gen:value>1</gen:value></gen:stringAttribute>"
-                  "<uro:thing xmlns:uro=\"u\"><uro:lod0Geometry>" +
-                      multi_surface(surface_member(polygon("z", square_at_zero))) +
-                      "</uro:lod0Geometry></uro:thing>"
-                      "<bldg:interiorRoom><bldg:Room><bldg:lod4MultiSurface>" +
-                      multi_surface(surface_member(polygon("y", square_at_zero))) +
-                      "</bldg:lod4MultiSurface></bldg:Room></bldg:interiorRoom>" +
-                      boundary("RoofSurface", surface_member(polygon("p", square_at_one)) +
-                                                  surface_member(polygon("n", "0 0 NaN 1 0 0 1 1 0 0 0 0")) +
-                                                  surface_member(polygon("c", "0,5 0 0 1 0 0 1 1 0 0 0 0")) +
-                                                  surface_member(polygon("i", "0 0 0 1 0 0 1 1")) +
-                                                  surface_member(polygon("s", "0 0 0 1 0 0 0 0 0")))));
+  const City city = read_member(building_of(
+      "A",
+      "<bldg:roofType>1000</bldg:roofType><gen:stringAttribute "
+      "name=\"x\"><gen:value>1</gen:value></gen:stringAttribute>"
+      "<uro:thing xmlns:uro=\"u\"><uro:lod0Geometry>" +
+          multi_surface(surface_member(polygon("z", square_at_zero))) +
+          "</uro:lod0Geometry></uro:thing>"
+          "<bldg:interiorRoom><bldg:Room><bldg:lod4MultiSurface>" +
+          multi_surface(surface_member(polygon("y", square_at_zero))) +
+          "</bldg:lod4MultiSurface></bldg:Room></bldg:interiorRoom>" +
+          boundary("RoofSurface", surface_member(polygon("p", square_at_one)) +
+                                      surface_member(polygon("n", "0 0 NaN 1 0 0 1 1 0 0 0 0")) +
+                                      surface_member(polygon("c", "0,5 0 0 1 0 0 1 1 0 0 0 0")) +
+                                      surface_member(polygon("i", "0 0 0 1 0 0 1 1")) +
+                                      surface_member(polygon("s", "0 0 0 1 0 0 0 0 0")))));
   const auto& skipped = city.report.skipped;
   EXPECT_EQ(city.report.polygons, 1u);
   EXPECT_EQ(skipped.at("bldg:roofType"), 1u);
@@ -341,10 +356,12 @@ TEST(StreamReader, Gml2CoordinatesPointsAndTwoDimensionsAreRead) {
       boundary(
           "RoofSurface",
           surface_member(
-              "<gml:Polygon><gml:outerBoundaryIs><gml:LinearRing><gml:coordinates>0,0,1 1,0,1 1,1,1 0,0,1"
+              "<gml:Polygon><gml:outerBoundaryIs><gml:LinearRing><gml:coordinates>0,0,1 1,0,1 "
+              "1,1,1 0,0,1"
               "</gml:coordinates></gml:LinearRing></gml:outerBoundaryIs></gml:Polygon>") +
               surface_member(
-                  "<gml:Polygon srsDimension=\"2\"><gml:exterior><gml:LinearRing><gml:posList>0 0 5 0 5 5 0 0"
+                  "<gml:Polygon srsDimension=\"2\"><gml:exterior><gml:LinearRing><gml:posList>0 0 "
+                  "5 0 5 5 0 0"
                   "</gml:posList></gml:LinearRing></gml:exterior></gml:Polygon>"))));
   ASSERT_EQ(city.objects.at(0).polygons.size(), 2u);
   EXPECT_EQ(city.objects[0].polygons[0].exterior, (Ring{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}}));
@@ -357,13 +374,15 @@ TEST(StreamReader, MassPointsBreakLinesAndGmlTinAreRead) {
       "<dem:reliefComponent><dem:MassPointRelief><dem:lod>1</"
       "dem:lod><dem:reliefPoints><gml:MultiPoint><gml:pointMember>"
       "<gml:Point><gml:pos>1 2 "
-      "3</gml:pos></gml:Point></gml:pointMember></gml:MultiPoint></dem:reliefPoints></dem:MassPointRelief>"
+      "3</gml:pos></gml:Point></gml:pointMember></gml:MultiPoint></dem:reliefPoints></"
+      "dem:MassPointRelief>"
       "</dem:reliefComponent><dem:reliefComponent><dem:BreaklineRelief><dem:lod>1</"
       "dem:lod><dem:breaklines><gml:MultiCurve>"
       "<gml:curveMember><gml:LineString><gml:posList>4 5 6 7 8 "
       "9</gml:posList></gml:LineString></gml:curveMember>"
       "</gml:MultiCurve></dem:breaklines></dem:BreaklineRelief></dem:reliefComponent>"
-      "<dem:reliefComponent><dem:TINRelief><dem:tin><gml:Tin><gml:trianglePatches><gml:Triangle><gml:"
+      "<dem:reliefComponent><dem:TINRelief><dem:tin><gml:Tin><gml:trianglePatches><gml:Triangle><"
+      "gml:"
       "exterior>" +
       ring("0 0 0 9 0 0 0 9 0 0 0 0") +
       "</gml:exterior></gml:Triangle></gml:trianglePatches></gml:Tin></dem:tin></dem:TINRelief></"
@@ -377,12 +396,15 @@ TEST(StreamReader, MassPointsBreakLinesAndGmlTinAreRead) {
 TEST(StreamReader, ManyThreadsGiveTheSameCityAsOne) {
   std::string members;
   for (int i = 0; i < 3000; ++i)
-    members += member(i % 500 == 7 ? building_of(numbered("far", i), lod2_solid(xlink_member("b0_r")))
-                                   : building(numbered("b", i), "<bldg:roofType>1</bldg:roofType>"));
+    members +=
+        member(i % 500 == 7 ? building_of(numbered("far", i), lod2_solid(xlink_member("b0_r")))
+                            : building(numbered("b", i), "<bldg:roofType>1</bldg:roofType>"));
   const TemporaryFile file(city_model(members));
-  const City one = read_file(file.path(), {.highest_lod = 2, .reader = Reader::stream, .threads = 1});
+  const City one =
+      read_file(file.path(), {.highest_lod = 2, .reader = Reader::stream, .threads = 1});
   for (int round = 0; round < 3; ++round) {
-    const City four = read_file(file.path(), {.highest_lod = 2, .reader = Reader::stream, .threads = 4});
+    const City four =
+        read_file(file.path(), {.highest_lod = 2, .reader = Reader::stream, .threads = 4});
     ASSERT_EQ(one.objects.size(), four.objects.size());
     for (std::size_t i = 0; i < one.objects.size(); ++i) {
       ASSERT_EQ(one.objects[i].id, four.objects[i].id);
@@ -424,15 +446,15 @@ TEST(StreamReader, Latin1TextBecomesUtf8) {
 }
 
 TEST(StreamReader, AddressIsPutTogether) {
-  const City city = read_member(
-      building("A",
-               "<bldg:address><core:Address><core:xalAddress><xAL:AddressDetails "
-               "xmlns:xAL=\"x\"><xAL:Country><xAL:CountryName>Germany"
-               "</xAL:CountryName><xAL:Locality><xAL:LocalityName>Berlin</"
-               "xAL:LocalityName><xAL:Thoroughfare><xAL:ThoroughfareNumber>12"
-               "</xAL:ThoroughfareNumber><xAL:ThoroughfareName>Unter den "
-               "Linden</xAL:ThoroughfareName></xAL:Thoroughfare></xAL:Locality>"
-               "</xAL:Country></xAL:AddressDetails></core:xalAddress></core:Address></bldg:address>"));
+  const City city = read_member(building(
+      "A",
+      "<bldg:address><core:Address><core:xalAddress><xAL:AddressDetails "
+      "xmlns:xAL=\"x\"><xAL:Country><xAL:CountryName>Germany"
+      "</xAL:CountryName><xAL:Locality><xAL:LocalityName>Berlin</"
+      "xAL:LocalityName><xAL:Thoroughfare><xAL:ThoroughfareNumber>12"
+      "</xAL:ThoroughfareNumber><xAL:ThoroughfareName>Unter den "
+      "Linden</xAL:ThoroughfareName></xAL:Thoroughfare></xAL:Locality>"
+      "</xAL:Country></xAL:AddressDetails></core:xalAddress></core:Address></bldg:address>"));
   EXPECT_EQ(city.objects.at(0).address, "Unter den Linden 12, Berlin, Germany");
 }
 
@@ -442,7 +464,8 @@ TEST(StreamReader, PartsWithBetterLodReplaceTheBlockOfTheirBuilding) {
                             "</gml:CompositeSurface></gml:exterior></gml:Solid></bldg:lod1Solid>";
   const City city = read_member(building_of(
       "A", block +
-               "<bldg:measuredHeight>3</bldg:measuredHeight><bldg:consistsOfBuildingPart><bldg:BuildingPart>"
+               "<bldg:measuredHeight>3</"
+               "bldg:measuredHeight><bldg:consistsOfBuildingPart><bldg:BuildingPart>"
                "<bldg:measuredHeight>9</bldg:measuredHeight><bldg:function>x</bldg:function>" +
                boundary("WallSurface", surface_member(polygon("w", south_wall))) +
                "</bldg:BuildingPart></bldg:consistsOfBuildingPart>"));
@@ -468,7 +491,8 @@ TEST(StreamReader, ObjectsInFeatureMembersAndWithoutIdAreRead) {
 }
 
 TEST(CityGmlHead, TellsCrsVersionAndClosedRings) {
-  const CityGmlHead head = read_citygml_head(TemporaryFile(city_model(member(building("A")))).path());
+  const CityGmlHead head =
+      read_citygml_head(TemporaryFile(city_model(member(building("A")))).path());
   EXPECT_EQ(head.version, "2.0");
   EXPECT_EQ(head.srs_name, "EPSG:25833");
   ASSERT_EQ(head.sample.size(), 15u);  // three rings of four, each closed again

@@ -15,8 +15,8 @@ class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& content, const std::string& extension = ".gml") {
     static std::atomic<int> counter{0};
-    path_ = std::filesystem::temp_directory_path() /
-            ("nightcity_" + std::to_string(::getpid()) + "_" + std::to_string(counter++) + extension);
+    path_ = std::filesystem::temp_directory_path() / ("nightcity_" + std::to_string(::getpid()) +
+                                                      "_" + std::to_string(counter++) + extension);
     std::ofstream(path_, std::ios::binary) << content;
   }
   ~TemporaryFile() {

@@ -51,8 +51,8 @@ TEST(Elevate, TerrainAndRoadsWinOverBuildings) {
   EXPECT_NEAR(found.heights.at(3), 33, 1e-9);
   EXPECT_NEAR(found.heights.at(4), 50, 1e-9);
   EXPECT_FALSE(found.heights.contains(5));
-  EXPECT_EQ(found.sources,
-            (std::map<std::string, std::size_t>{{"nothing", 1}, {"road", 1}, {"roof", 1}, {"terrain", 3}}));
+  EXPECT_EQ(found.sources, (std::map<std::string, std::size_t>{
+                               {"nothing", 1}, {"road", 1}, {"roof", 1}, {"terrain", 3}}));
   EXPECT_EQ(found.outside_model, 1u);
   EXPECT_EQ(found.inside_buildings, 3u);
   EXPECT_EQ(found.duplicates, 1u);
@@ -98,7 +98,8 @@ TEST(Elevate, WithoutAModelHeightsStayAsTheSourceHasThem) {
   });
   ElevationServiceOptions service;
   service.url = server.url();
-  const Elevations found = elevate_lamps({lamp(1, 0, 0), lamp(2, 100, 0)}, {nullptr, {}, nullptr, &service});
+  const Elevations found =
+      elevate_lamps({lamp(1, 0, 0), lamp(2, 100, 0)}, {nullptr, {}, nullptr, &service});
   EXPECT_EQ(found.heights.at(2), 42);
   EXPECT_EQ(found.service_offset.samples, 0u);
   EXPECT_EQ(found.outside_model, 0u);

@@ -17,7 +17,8 @@ using test::StandIn;
 
 std::vector<glm::dvec2> places(std::size_t count) {
   std::vector<glm::dvec2> result;
-  for (std::size_t n = 0; n < count; ++n) result.emplace_back(13.0 + 0.001 * static_cast<double>(n), 52.5);
+  for (std::size_t n = 0; n < count; ++n)
+    result.emplace_back(13.0 + 0.001 * static_cast<double>(n), 52.5);
   return result;
 }
 
@@ -65,7 +66,8 @@ TEST(ElevationService, ABusyServiceIsAskedAgainAndThenGivenUp) {
 TEST(ElevationService, APauseTheServiceAsksForIsCutToTheLongestWait) {
   std::atomic<int> calls = 0;
   const StandIn server([&](const std::string& body) {
-    return ++calls <= 2 ? StandIn::Reply{429, "", "Retry-After: 1\r\n"} : StandIn::heights(body, slope);
+    return ++calls <= 2 ? StandIn::Reply{429, "", "Retry-After: 1\r\n"}
+                        : StandIn::heights(body, slope);
   });
   auto options = quick(server);
   options.longest_wait = std::chrono::seconds(0);  // no test waits: a longer pause is cut to this
@@ -78,7 +80,8 @@ TEST(ElevationService, WhatWasAskedOnceIsNotAskedAgain) {
   auto options = quick(server);
   options.cache = folder / "heights";
   ask_elevations(places(12), options);
-  test::write_text(folder / "heights", test::read_text(folder / "heights") + "broken line\n\n\t\t\n");
+  test::write_text(folder / "heights",
+                   test::read_text(folder / "heights") + "broken line\n\n\t\t\n");
   const auto answers = ask_elevations(places(15), options);
   EXPECT_EQ(answers.from_cache, 12u);
   EXPECT_EQ(answers.requests, 1u);
@@ -141,8 +144,9 @@ TEST(ElevationService, NullAndImpossibleHeightsAreNoData) {
 }
 
 TEST(ElevationService, NonsenseIsAnErrorThatNamesTheService) {
-  for (const char* body : {"", "null", "[]", "{}", "{\"results\": 3}", "{\"results\": []}",
-                           "{\"results\": [{\"elevation\": \"high\"}]}", "{\"results\": [7]}", "<html>"}) {
+  for (const char* body :
+       {"", "null", "[]", "{}", "{\"results\": 3}", "{\"results\": []}",
+        "{\"results\": [{\"elevation\": \"high\"}]}", "{\"results\": [7]}", "<html>"}) {
     const StandIn server([body](const std::string&) { return StandIn::Reply{200, body, ""}; });
     try {
       ask_elevations(places(1), quick(server));

@@ -30,14 +30,16 @@ std::string ele_of(const OsmData& data, std::int64_t id) {
 TEST(OsmElevations, XmlKeepsEverythingElse) {
   const test::TempFolder folder;
   test::write_text(folder / "in.osm", map);
-  EXPECT_EQ(write_elevations(folder / "in.osm", folder / "out.osm", {{1, 34.567}, {2, -1}, {77, 5}}), 2u);
+  EXPECT_EQ(
+      write_elevations(folder / "in.osm", folder / "out.osm", {{1, 34.567}, {2, -1}, {77, 5}}), 2u);
   const OsmData data = read_osm(folder / "out.osm");
   EXPECT_EQ(ele_of(data, 1), "34.57");
   EXPECT_EQ(ele_of(data, 2), "-1.00");
   EXPECT_EQ(ele_of(data, 3), "");
   EXPECT_EQ(data.highways.size(), 1u);
   const std::string text = test::read_text(folder / "out.osm");
-  for (const char* kept : {"<!-- a note -->", "user=\"Jörg\"", "action=\"modify\"", "generator=\"somebody\""})
+  for (const char* kept :
+       {"<!-- a note -->", "user=\"Jörg\"", "action=\"modify\"", "generator=\"somebody\""})
     EXPECT_NE(text.find(kept), std::string::npos) << kept;
   EXPECT_EQ(text.find("wrong"), std::string::npos);
   // The same onto itself.
@@ -49,7 +51,8 @@ TEST(OsmElevations, PackedFilesKeepElementsAndTags) {
   const test::TempFolder folder;
   test::write_text(folder / "in.osm", map);
   for (const char* name : {"out.osm.pbf", "out.osm.gz", "out.osm.bz2"}) {
-    EXPECT_EQ(write_elevations(folder / "in.osm", folder / name, {{1, 34.567}, {2, 8}}), 2u) << name;
+    EXPECT_EQ(write_elevations(folder / "in.osm", folder / name, {{1, 34.567}, {2, 8}}), 2u)
+        << name;
     const OsmData data = read_osm(folder / name);
     EXPECT_EQ(ele_of(data, 1), "34.57") << name;
     EXPECT_EQ(ele_of(data, 2), "8.00") << name;

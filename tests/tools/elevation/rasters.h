@@ -11,9 +11,9 @@
 namespace nightcity::test {
 
 /// A GeoTIFF of doubles: `height` of column and row, cells of `step` from the north-west corner (x, y).
-inline void write_raster(const std::filesystem::path& path, int epsg, double x, double y, double step,
-                         int columns, int rows, const std::function<double(int, int)>& height,
-                         double no_data) {
+inline void write_raster(const std::filesystem::path& path, int epsg, double x, double y,
+                         double step, int columns, int rows,
+                         const std::function<double(int, int)>& height, double no_data) {
   GDALAllRegister();
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
   GDALDatasetUniquePtr data(driver->Create(path.c_str(), columns, rows, 1, GDT_Float64, nullptr));
@@ -29,8 +29,8 @@ inline void write_raster(const std::filesystem::path& path, int epsg, double x, 
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
       double value = height(column, row);
-      if (data->GetRasterBand(1)->RasterIO(GF_Write, column, row, 1, 1, &value, 1, 1, GDT_Float64, 0, 0) !=
-          CE_None)
+      if (data->GetRasterBand(1)->RasterIO(GF_Write, column, row, 1, 1, &value, 1, 1, GDT_Float64,
+                                           0, 0) != CE_None)
         throw std::runtime_error("no cell");
     }
 }

@@ -66,7 +66,8 @@ class StandIn {
 
  private:
   void serve() {
-    for (int connection; (connection = ::accept(socket_, nullptr, nullptr)) >= 0; ::close(connection)) {
+    for (int connection; (connection = ::accept(socket_, nullptr, nullptr)) >= 0;
+         ::close(connection)) {
       std::string text;
       std::size_t body = std::string::npos, length = 0;
       char block[65536];
@@ -88,9 +89,10 @@ class StandIn {
       }
       const Reply reply = handler_(request);
       const std::string answer = "HTTP/1.1 " + std::to_string(reply.status) +
-                                 " x\r\nContent-Length: " + std::to_string(reply.body.size()) + "\r\n" +
-                                 reply.headers + "Connection: close\r\n\r\n" + reply.body;
-      [[maybe_unused]] const auto sent = ::send(connection, answer.data(), answer.size(), MSG_NOSIGNAL);
+                                 " x\r\nContent-Length: " + std::to_string(reply.body.size()) +
+                                 "\r\n" + reply.headers + "Connection: close\r\n\r\n" + reply.body;
+      [[maybe_unused]] const auto sent =
+          ::send(connection, answer.data(), answer.size(), MSG_NOSIGNAL);
     }
   }
 

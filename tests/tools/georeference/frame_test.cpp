@@ -90,7 +90,8 @@ TEST(Frame, RingsDecideTheAxisOrderWhereTheAreaAllowsBoth) {
   const Points east_north = box_rings(504537, 532287, 60, 10);
   const CityFrame a = frame_of("urn:ogc:def:crs,crs:EPSG::2180,crs:PL-EVRF2007-NH", east_north);
   EXPECT_EQ(project(a, {504537, 532287, 60}), glm::dvec3(504537, 532287, 60));
-  const CityFrame b = frame_of("urn:ogc:def:crs,crs:EPSG::2180,crs:PL-EVRF2007-NH", swapped(east_north));
+  const CityFrame b =
+      frame_of("urn:ogc:def:crs,crs:EPSG::2180,crs:PL-EVRF2007-NH", swapped(east_north));
   EXPECT_EQ(project(b, {532287, 504537, 60}), glm::dvec3(504537, 532287, 60));
 }
 
@@ -151,8 +152,8 @@ TEST(Frame, CoordinatesOutsideTheAreaOfUseAreAnErrorThatNamesTheWayOut) {
     EXPECT_NE(std::string(e.what()).find("area of use"), std::string::npos);
     EXPECT_NE(std::string(e.what()).find("--crs"), std::string::npos);
   }
-  EXPECT_NO_THROW(
-      frame_of("EPSG:28992", {{12.5, 41.9, 3}}, {.crs_override = "EPSG:28992", .control_points = {}}));
+  EXPECT_NO_THROW(frame_of("EPSG:28992", {{12.5, 41.9, 3}},
+                           {.crs_override = "EPSG:28992", .control_points = {}}));
 }
 
 TEST(Frame, UnknownNameIsAnErrorAndNotANumber) {
@@ -168,8 +169,8 @@ TEST(Frame, NoNamePassesCoordinatesThroughAndRefusesLonLat) {
   EXPECT_FALSE(frame.has_lon_lat());
   EXPECT_THROW(frame.from_lon_lat({13, 52}), Error);
   EXPECT_THROW(frame.to_lon_lat({1, 2}), Error);
-  EXPECT_FALSE(
-      frame_of("EPSG:25833", {{1, 2, 3}}, {.crs_override = "none", .control_points = {}}).has_lon_lat());
+  EXPECT_FALSE(frame_of("EPSG:25833", {{1, 2, 3}}, {.crs_override = "none", .control_points = {}})
+                   .has_lon_lat());
 }
 
 TEST(Frame, ControlPointsPlaceAModelWithoutCrs) {
@@ -186,11 +187,13 @@ TEST(Frame, ControlPointsPlaceAModelWithoutCrs) {
   EXPECT_TRUE(frame.has_lon_lat());
   expect_near(frame.from_lon_lat(between), model(between), 0.01);
   expect_near(frame.to_lon_lat(model(between)), between, 1e-7);
-  EXPECT_THROW(frame_of("", {}, {.crs_override = "", .control_points = {{p, {1, 1}}, {p, {1, 1}}}}), Error);
+  EXPECT_THROW(frame_of("", {}, {.crs_override = "", .control_points = {{p, {1, 1}}, {p, {1, 1}}}}),
+               Error);
 }
 
 TEST(Frame, BrokenCoordinatesAnswerNanAndNeverThrow) {
-  const CityFrame frame = frame_of("http://www.opengis.net/def/crs/EPSG/0/6697", {{34.65, 135.5, 0}});
+  const CityFrame frame =
+      frame_of("http://www.opengis.net/def/crs/EPSG/0/6697", {{34.65, 135.5, 0}});
   EXPECT_TRUE(std::isnan(project(frame, {1e300, 135, 0}).x));
   EXPECT_TRUE(std::isnan(project(frame, {NAN, NAN, 0}).x));
   EXPECT_TRUE(std::isnan(frame.from_lon_lat({NAN, 0}).x));

@@ -46,11 +46,12 @@ TEST_P(RealPlaces, FileLandsInItsCityAndComesBack) {
   frame.to_projected(points);
   for (std::size_t i = 0; i < points.size(); i += 97) {
     const glm::dvec2 lon_lat = frame.to_lon_lat({points[i].x, points[i].y});
-    EXPECT_TRUE(lon_lat.x > GetParam().west && lon_lat.x < GetParam().east && lon_lat.y > GetParam().south &&
-                lon_lat.y < GetParam().north)
+    EXPECT_TRUE(lon_lat.x > GetParam().west && lon_lat.x < GetParam().east &&
+                lon_lat.y > GetParam().south && lon_lat.y < GetParam().north)
         << lon_lat.x << ", " << lon_lat.y << "; " << frame.description();
     const glm::dvec2 back = frame.from_lon_lat(lon_lat);
-    constexpr double tolerance_m = 2e-3;  // a datum's small-angle rotation, undone, leaves a millimetre
+    constexpr double tolerance_m =
+        2e-3;  // a datum's small-angle rotation, undone, leaves a millimetre
     EXPECT_NEAR(back.x, points[i].x, tolerance_m);
     EXPECT_NEAR(back.y, points[i].y, tolerance_m);
   }

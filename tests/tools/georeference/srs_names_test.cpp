@@ -15,7 +15,8 @@ bool offers(const char* name, const char* definition) {
 TEST(SrsNames, GermanStateNamesBecomeTheirEpsgCodeFirst) {
   EXPECT_EQ(crs_definitions("urn:adv:crs:ETRS89_UTM32*DE_DHHN2016_NH").front(), "EPSG:25832");
   EXPECT_EQ(crs_definitions("urn:adv:crs:ETRS89_UTM33*DE_DHHN92_NH").front(), "EPSG:25833");
-  EXPECT_EQ(crs_definitions("urn:adv:crs:ETRS89_UTM32*DE_DHHN2016_NH*GCG2016").front(), "EPSG:25832");
+  EXPECT_EQ(crs_definitions("urn:adv:crs:ETRS89_UTM32*DE_DHHN2016_NH*GCG2016").front(),
+            "EPSG:25832");
   EXPECT_EQ(crs_definitions("urn:adv:crs:DE_DHDN_3GK4*DE_DHN92_NH").front(), "EPSG:31468");
   EXPECT_EQ(crs_definitions("urn:adv:crs:DE_DHDN_3GK4_BY120").front(), "EPSG:31468");
 }

@@ -21,7 +21,8 @@ Photometry one_lumen(Photometry photometry) {
 
 /// I = I0 cos(gamma) below the horizontal: a Lambertian disc of one lumen, I0 = 1 / pi.
 Photometry cosine() {
-  return sample_intensity([](double, double gamma) { return std::max(0.0, std::cos(gamma)) / pi; }, 1, 721);
+  return sample_intensity([](double, double gamma) { return std::max(0.0, std::cos(gamma)) / pi; },
+                          1, 721);
 }
 
 TEST(Illuminance, BelowALampItIsIntensityOverHeightSquared) {
@@ -34,7 +35,8 @@ TEST(Illuminance, BelowALampItIsIntensityOverHeightSquared) {
 
 TEST(Illuminance, ATiltedLampIsBrightestWhereItPoints) {
   const Photometry profile = one_lumen(sample_intensity(
-      [](double, double gamma) { return gamma < pi / 2 ? std::pow(std::cos(gamma), 20) : 0; }, 4, 361));
+      [](double, double gamma) { return gamma < pi / 2 ? std::pow(std::cos(gamma), 20) : 0; }, 4,
+      361));
   const RoadLuminaire lamp{{0, 0}, 10, {1, 0}, 30, 1000, &profile};
   const double there = std::tan(pi / 6) * 10;
   EXPECT_GT(illuminance(lamp, {there, 0}), 5 * illuminance(lamp, {-there, 0}));
@@ -82,7 +84,8 @@ TEST(Illuminance, TheAverageOfADenseRowIsThatOfALine) {
   // (y^2 + h^2); its mean over a road of half width b is phi / (2 pi b) atan(b / h).
   const double h = 6, width = 9.75, spacing = 1;
   LampRow row{Arrangement::central, width, spacing, h, 0, 200, nullptr};
-  EXPECT_NEAR(row_illuminance(row).average_lx, 200 / (2 * pi * width / 2) * std::atan(width / 2 / h),
+  EXPECT_NEAR(row_illuminance(row).average_lx,
+              200 / (2 * pi * width / 2) * std::atan(width / 2 / h),
               0.01 * 200 / (2 * pi * width / 2) * std::atan(width / 2 / h));
 }
 
@@ -115,13 +118,14 @@ TEST(LampDesign, PackagesNeverFallShortNorExceedByMoreThanAStep) {
 }
 
 TEST(LampDesign, EveryRoadOfTheTableReachesTheAverageOfItsClassAndNotTheNextOne) {
-  for (const char* highway : {"motorway", "primary", "secondary", "tertiary", "unclassified", "residential",
-                              "living_street", "service", "pedestrian", "footway", "cycleway"}) {
+  for (const char* highway :
+       {"motorway", "primary", "secondary", "tertiary", "unclassified", "residential",
+        "living_street", "service", "pedestrian", "footway", "cycleway"}) {
     const RoadDefaults road = *road_defaults(highway);
     const LightingClass wanted = *lighting_class(road.target);
     const Photometry profile = one_lumen(make_optic(road.optic));
-    const LampDesign design =
-        design_lamps(road, road.width_m, arrangement_for(road.width_m, road.mounting_m), wanted, profile);
+    const LampDesign design = design_lamps(
+        road, road.width_m, arrangement_for(road.width_m, road.mounting_m), wanted, profile);
     const double maintained = design.field.average_lx * maintenance_factor;
     EXPECT_GE(maintained, wanted.average_lx) << highway;
     EXPECT_LE(maintained, wanted.average_lx * max_excess) << highway;

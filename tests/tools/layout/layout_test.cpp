@@ -21,8 +21,8 @@ struct Laid {
   LayoutReport report;
 };
 
-Laid lay_out(std::vector<OsmWay> ways, const InsideBuilding& inside = {}, const LayoutOptions& options = {},
-             std::vector<OsmLampNode> mapped = {}) {
+Laid lay_out(std::vector<OsmWay> ways, const InsideBuilding& inside = {},
+             const LayoutOptions& options = {}, std::vector<OsmLampNode> mapped = {}) {
   OsmData osm;
   osm.highways = std::move(ways);
   osm.lamps = std::move(mapped);
@@ -80,14 +80,15 @@ TEST(Layout, LampsStandEvenlyBehindOneKerbAndLookAtTheRoad) {
 
 TEST(Layout, WideStreetsHaveLampsOnBothSides) {
   const double mounting = road_defaults("primary")->mounting_m;
-  const Laid staggered = lay_out(
-      {street(1, {{-300, 0}, {300, 0}}, tags("primary", {{"width", std::to_string(mounting * 1.5)}}))});
+  const Laid staggered = lay_out({street(
+      1, {{-300, 0}, {300, 0}}, tags("primary", {{"width", std::to_string(mounting * 1.5)}}))});
   EXPECT_EQ(staggered.report.streets[0].arrangement, Arrangement::staggered);
   const auto left = std::count_if(staggered.set.lamps.begin(), staggered.set.lamps.end(),
                                   [](const PlacedLamp& l) { return l.foot.y > 0; });
-  EXPECT_NEAR(static_cast<double>(left) / static_cast<double>(staggered.set.lamps.size()), 0.5, 0.1);
-  const Laid opposite =
-      lay_out({street(1, {{-300, 0}, {300, 0}}, tags("primary", {{"width", std::to_string(mounting * 2)}}))});
+  EXPECT_NEAR(static_cast<double>(left) / static_cast<double>(staggered.set.lamps.size()), 0.5,
+              0.1);
+  const Laid opposite = lay_out({street(
+      1, {{-300, 0}, {300, 0}}, tags("primary", {{"width", std::to_string(mounting * 2)}}))});
   EXPECT_EQ(opposite.report.streets[0].arrangement, Arrangement::opposite);
   const std::vector<double> x = eastings(opposite.set);
   ASSERT_EQ(x.size() % 2, 0u);
@@ -117,7 +118,9 @@ TEST(Layout, TheRecipesClassReplacesTheTables) {
 }
 
 TEST(Layout, UnlitStreetsStayDark) {
-  EXPECT_EQ(lay_out({street(1, {{0, 0}, {300, 0}}, tags("residential", {{"lit", "no"}}))}).report.lamps, 0u);
+  EXPECT_EQ(
+      lay_out({street(1, {{0, 0}, {300, 0}}, tags("residential", {{"lit", "no"}}))}).report.lamps,
+      0u);
   const Laid laid = lay_out({street(1, {{0, 0}, {300, 0}}, tags("primary", {{"tunnel", "yes"}}))});
   EXPECT_EQ(laid.report.lamps, 0u);
   EXPECT_EQ(laid.report.unlit_ways.at("tunnel or under cover"), 1u);
@@ -126,7 +129,8 @@ TEST(Layout, UnlitStreetsStayDark) {
 TEST(Layout, NeverMeansNever) {
   LayoutOptions options;
   options.mode = LayoutOptions::Mode::never;
-  EXPECT_TRUE(lay_out({street(1, {{0, 0}, {300, 0}}, tags("residential"))}, {}, options).set.lamps.empty());
+  EXPECT_TRUE(
+      lay_out({street(1, {{0, 0}, {300, 0}}, tags("residential"))}, {}, options).set.lamps.empty());
 }
 
 /// A town of blocks, its streets mapped as ways of two blocks each.
@@ -222,8 +226,10 @@ TEST(Layout, ANarrowLaneHasItsLampsHungOverItsMiddle) {
 TEST(Layout, MappedLampsWinWithinOneAndAHalfSpacings) {
   std::vector<OsmLampNode> mapped;
   for (int n = 0; n < 12; ++n)
-    mapped.push_back({100 + n, glm::dvec2(-300 + 25 * n, 4) / test::metres_per_degree, tags("street_lamp")});
-  const Laid laid = lay_out({street(1, {{-300, 0}, {300, 0}}, tags("residential"))}, {}, {}, mapped);
+    mapped.push_back(
+        {100 + n, glm::dvec2(-300 + 25 * n, 4) / test::metres_per_degree, tags("street_lamp")});
+  const Laid laid =
+      lay_out({street(1, {{-300, 0}, {300, 0}}, tags("residential"))}, {}, {}, mapped);
   const double spacing = laid.report.streets[0].spacing_m;
   std::size_t laid_out = 0;
   for (const PlacedLamp& lamp : laid.set.lamps)
@@ -238,9 +244,9 @@ TEST(Layout, MappedLampsWinWithinOneAndAHalfSpacings) {
 
 TEST(Layout, TwinCarriagewaysHaveTheirLampsOutside) {
   // A median of 2 m: no lamp stands on it.
-  const Laid laid =
-      lay_out({street(1, {{-300, 0}, {300, 0}}, tags("primary", {{"oneway", "yes"}, {"lanes", "2"}})),
-               street(2, {{300, 9}, {-300, 9}}, tags("primary", {{"oneway", "yes"}, {"lanes", "2"}}))});
+  const Laid laid = lay_out(
+      {street(1, {{-300, 0}, {300, 0}}, tags("primary", {{"oneway", "yes"}, {"lanes", "2"}})),
+       street(2, {{300, 9}, {-300, 9}}, tags("primary", {{"oneway", "yes"}, {"lanes", "2"}}))});
   for (const PlacedLamp& lamp : laid.set.lamps)
     if (std::abs(lamp.foot.x) < 299) {
       EXPECT_TRUE(lamp.foot.y < -3 || lamp.foot.y > 12) << lamp.foot.y;
@@ -297,8 +303,8 @@ TEST(Layout, TheReportsAverageIsThatOfTheLampsWritten) {
   for (int i = 0; i < along; ++i)
     for (int j = 0; j < across; ++j)
       for (const PlacedLamp& lamp : laid.set.lamps)
-        sum += illuminance({glm::dvec2(lamp.foot) + lamp.outreach, lamp.mounting_height_m, lamp.aim, 0,
-                            lamp.flux_lm, &profile},
+        sum += illuminance({glm::dvec2(lamp.foot) + lamp.outreach, lamp.mounting_height_m, lamp.aim,
+                            0, lamp.flux_lm, &profile},
                            {-300 + i + 0.5, ((j + 0.5) / across - 0.5) * report.width_m});
   EXPECT_NEAR(report.field.average_lx, sum / (along * across), 0.02 * report.field.average_lx);
 }

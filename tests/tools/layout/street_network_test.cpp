@@ -28,8 +28,8 @@ double total_length(const StreetNetwork& network) {
 }
 
 TEST(StreetNetwork, AWayIsCutWhereAnotherEndsOnIt) {
-  const StreetNetwork network = network_of(
-      {street(1, {{0, 0}, {100, 0}, {250, 0}}, residential), street(2, {{100, 0}, {100, 80}}, residential)});
+  const StreetNetwork network = network_of({street(1, {{0, 0}, {100, 0}, {250, 0}}, residential),
+                                            street(2, {{100, 0}, {100, 80}}, residential)});
   ASSERT_EQ(network.streets.size(), 3u);
   EXPECT_EQ(network.joints.size(), 4u);
   EXPECT_NEAR(total_length(network), 330, 1e-6);
@@ -39,9 +39,9 @@ TEST(StreetNetwork, AWayIsCutWhereAnotherEndsOnIt) {
 }
 
 TEST(StreetNetwork, PiecesOfOneStreetAreJoinedWhicheverWayTheyAreDrawn) {
-  const StreetNetwork network =
-      network_of({street(1, {{0, 0}, {50, 0}}, residential), street(2, {{120, 0}, {50, 0}}, residential),
-                  street(3, {{120, 0}, {120, 30}}, residential)});
+  const StreetNetwork network = network_of({street(1, {{0, 0}, {50, 0}}, residential),
+                                            street(2, {{120, 0}, {50, 0}}, residential),
+                                            street(3, {{120, 0}, {120, 30}}, residential)});
   ASSERT_EQ(network.streets.size(), 1u);
   EXPECT_NEAR(network.streets[0].length_m(), 150, 1e-6);
   EXPECT_EQ(network.joints.size(), 2u);
@@ -55,8 +55,9 @@ TEST(StreetNetwork, PiecesOfOneStreetAreJoinedWhicheverWayTheyAreDrawn) {
 }
 
 TEST(StreetNetwork, AChangeOfClassEndsAStreet) {
-  const StreetNetwork network = network_of(
-      {street(1, {{0, 0}, {50, 0}}, residential), street(2, {{50, 0}, {120, 0}}, {{"highway", "tertiary"}})});
+  const StreetNetwork network =
+      network_of({street(1, {{0, 0}, {50, 0}}, residential),
+                  street(2, {{50, 0}, {120, 0}}, {{"highway", "tertiary"}})});
   EXPECT_EQ(network.streets.size(), 2u);
   EXPECT_EQ(network.joints.size(), 3u);
 }
@@ -70,16 +71,19 @@ TEST(StreetNetwork, ARingWithoutJunctionsIsOneStreet) {
 }
 
 TEST(StreetNetwork, RepeatedNodesAndBrokenPlacesDoNoHarm) {
-  const StreetNetwork network = network_of(
-      {street(1, {{0, 0}, {0, 0}, {40, 0}, {40, 0}}, residential), street(2, {{5, 5}}, residential),
-       street(3, {{7, 7}, {7, 7}}, residential), street(4, {{NAN, 0}, {0, 90}, {0, 120}}, residential)});
+  const StreetNetwork network =
+      network_of({street(1, {{0, 0}, {0, 0}, {40, 0}, {40, 0}}, residential),
+                  street(2, {{5, 5}}, residential), street(3, {{7, 7}, {7, 7}}, residential),
+                  street(4, {{NAN, 0}, {0, 90}, {0, 120}}, residential)});
   EXPECT_NEAR(total_length(network), 70, 1e-6);
   for (const Street& s : network.streets)
     for (std::size_t n = 1; n < s.at_m.size(); ++n) EXPECT_GT(s.at_m[n], s.at_m[n - 1]);
 }
 
 TEST(WhyUnlit, TagsDecideAndClassesDoWhereTheySayNothing) {
-  const auto why = [](OsmTags tags) { return why_unlit(street(1, {{0, 0}, {9, 0}}, std::move(tags))); };
+  const auto why = [](OsmTags tags) {
+    return why_unlit(street(1, {{0, 0}, {9, 0}}, std::move(tags)));
+  };
   EXPECT_EQ(why({{"highway", "residential"}}), "");
   EXPECT_EQ(why({{"highway", "residential"}, {"lit", "no"}}), "lit=no");
   EXPECT_EQ(why({{"highway", "footway"}, {"lit", "yes"}}), "");

@@ -11,7 +11,8 @@
 
 namespace nightcity::test {
 
-constexpr double metres_per_degree = 100000;  // so that a metre is 100 of OSM's units: nodes stay exact
+constexpr double metres_per_degree =
+    100000;  // so that a metre is 100 of OSM's units: nodes stay exact
 
 inline glm::dvec2 to_plane(const glm::dvec2& lon_lat) {
   return lon_lat * metres_per_degree;

@@ -12,7 +12,8 @@ struct KeptSchedules {
   explicit KeptSchedules(std::size_t max_known = 100'000)
       : table(
             [this](std::span<const uint> times) {
-              schedules.push_back({static_cast<uint>(switches.size()), static_cast<uint>(times.size())});
+              schedules.push_back(
+                  {static_cast<uint>(switches.size()), static_cast<uint>(times.size())});
               switches.insert(switches.end(), times.begin(), times.end());
               return static_cast<std::uint32_t>(schedules.size() - 1);
             },

@@ -11,10 +11,11 @@ TEST(LampTags, LengthsInEveryUnitAndSpelling) {
   const struct {
     const char* text;
     double metres;
-  } known[] = {{"6", 6},        {"6 m", 6},       {"6m", 6},       {" 6.5 m ", 6.5}, {"6,5", 6.5},
-               {"20'", 6.096},  {"20 ft", 6.096}, {"20ft", 6.096}, {"12'6\"", 3.81}, {"600 cm", 6},
-               {"~6 m", 6},     {"6;8", 6},       {"5-7", 6},      {"5-7 m", 6},     {"6 meters", 6},
-               {"6 Metres", 6}, {"ca. 6 m", 6},   {"4 m; 5 m", 4}};
+  } known[] = {{"6", 6},         {"6 m", 6},     {"6m", 6},        {" 6.5 m ", 6.5},
+               {"6,5", 6.5},     {"20'", 6.096}, {"20 ft", 6.096}, {"20ft", 6.096},
+               {"12'6\"", 3.81}, {"600 cm", 6},  {"~6 m", 6},      {"6;8", 6},
+               {"5-7", 6},       {"5-7 m", 6},   {"6 meters", 6},  {"6 Metres", 6},
+               {"ca. 6 m", 6},   {"4 m; 5 m", 4}};
   for (const auto& [text, metres] : known) {
     const auto length = parse_length_m(text);
     ASSERT_TRUE(length) << text;
@@ -30,7 +31,8 @@ TEST(LampTags, ColourTemperaturesAsNumbersAndWords) {
   EXPECT_EQ(parse_cct_k("3000k"), 3000);
   EXPECT_EQ(parse_cct_k("Warm White"), 2850);
   EXPECT_EQ(parse_cct_k("nonsense;4000 K"), 4000);
-  for (const char* text : {"", "3 K", "560 nm", "30000000", "blue"}) EXPECT_FALSE(parse_cct_k(text)) << text;
+  for (const char* text : {"", "3 K", "560 nm", "30000000", "blue"})
+    EXPECT_FALSE(parse_cct_k(text)) << text;
 }
 
 TEST(LampTags, DirectionsAsDegreesAndCompassPoints) {
@@ -56,8 +58,10 @@ TEST(LampTags, LampTypesAsPeopleSpellThem) {
 }
 
 TEST(LampTags, WholeLampsFromRealExtracts) {
-  const LampTags gas = read_lamp_tags(
-      {{"highway", "street_lamp"}, {"lamp_type", "gaslight"}, {"lamp_flames", "4"}, {"height", "4"}});
+  const LampTags gas = read_lamp_tags({{"highway", "street_lamp"},
+                                       {"lamp_type", "gaslight"},
+                                       {"lamp_flames", "4"},
+                                       {"height", "4"}});
   EXPECT_EQ(gas.type, LampType::gas);
   EXPECT_EQ(gas.flux_lm, 4 * gas_lumen_per_flame);
   EXPECT_EQ(gas.height_m, 4);

@@ -77,9 +77,9 @@ TEST(Lamps, BareLampTakesItsValuesFromTheRoadBesideAndSaysSo) {
 }
 
 TEST(Lamps, TagsWinOverTheRoadAndSaySo) {
-  const LampSet set =
-      place({lamp_at(0, 5, {{"height", "7.5 m"}, {"lamp_type", "SON"}, {"lamp_mount", "straight_mast"}})},
-            {road({{"highway", "residential"}})});
+  const LampSet set = place(
+      {lamp_at(0, 5, {{"height", "7.5 m"}, {"lamp_type", "SON"}, {"lamp_mount", "straight_mast"}})},
+      {road({{"highway", "residential"}})});
   const PlacedLamp& lamp = set.lamps.at(0);
   EXPECT_EQ(lamp.mounting_height_m, 7.5);
   EXPECT_EQ(lamp.provenance.height, ValueSource::tag);
@@ -90,9 +90,9 @@ TEST(Lamps, TagsWinOverTheRoadAndSaySo) {
 }
 
 TEST(Lamps, EveryRoadClassOfTheTableGivesPlausibleLamps) {
-  for (const char* highway :
-       {"motorway", "trunk_link", "primary", "secondary", "tertiary", "unclassified", "residential",
-        "living_street", "service", "pedestrian", "footway", "cycleway", "path", "steps", "track"}) {
+  for (const char* highway : {"motorway", "trunk_link", "primary", "secondary", "tertiary",
+                              "unclassified", "residential", "living_street", "service",
+                              "pedestrian", "footway", "cycleway", "path", "steps", "track"}) {
     const LampSet set = place({lamp_at(0, 4)}, {road({{"highway", highway}})});
     ASSERT_EQ(set.lamps.size(), 1u) << highway;
     EXPECT_GE(set.lamps[0].mounting_height_m, 3) << highway;
@@ -112,8 +112,9 @@ TEST(Lamps, LampWithoutARoadStandsInTheOpen) {
 }
 
 TEST(Lamps, PavementMappedAsItsOwnWayDoesNotClaimTheStreetsLamps) {
-  const std::vector<OsmWay> roads = {road({{"highway", "secondary"}}),
-                                     road({{"highway", "footway"}}, {degrees(-300, 6.5), degrees(300, 6.5)})};
+  const std::vector<OsmWay> roads = {
+      road({{"highway", "secondary"}}),
+      road({{"highway", "footway"}}, {degrees(-300, 6.5), degrees(300, 6.5)})};
   EXPECT_EQ(place({lamp_at(0, 5.3)}, roads).sources.at("road class").count("secondary"), 1u);
   EXPECT_EQ(place({lamp_at(0, 25)},
                   {roads[0], road({{"highway", "footway"}}, {degrees(-300, 26), degrees(300, 26)})})
@@ -123,12 +124,15 @@ TEST(Lamps, PavementMappedAsItsOwnWayDoesNotClaimTheStreetsLamps) {
 }
 
 TEST(Lamps, SeveralLuminairesOnOnePostPointApart) {
-  const LampSet twin = place({lamp_at(0, 5, {{"light:count", "2"}})}, {road({{"highway", "secondary"}})});
+  const LampSet twin =
+      place({lamp_at(0, 5, {{"light:count", "2"}})}, {road({{"highway", "secondary"}})});
   ASSERT_EQ(twin.lamps.size(), 2u);
   EXPECT_NEAR(glm::dot(twin.lamps[0].aim, twin.lamps[1].aim), -1, 1e-9);
   EXPECT_NE(twin.lamps[0].id, twin.lamps[1].id);
-  EXPECT_GT(glm::distance(twin.lamps[0].outreach, twin.lamps[1].outreach), twin.lamps[0].radius_m * 2);
-  const LampSet four = place({lamp_at(0, 5, {{"light:count", "4"}})}, {road({{"highway", "secondary"}})});
+  EXPECT_GT(glm::distance(twin.lamps[0].outreach, twin.lamps[1].outreach),
+            twin.lamps[0].radius_m * 2);
+  const LampSet four =
+      place({lamp_at(0, 5, {{"light:count", "4"}})}, {road({{"highway", "secondary"}})});
   ASSERT_EQ(four.lamps.size(), 4u);
   EXPECT_NEAR(four.lamps[0].flux_lm * 4, twin.lamps[0].flux_lm * 2, 1e-6);
 }
@@ -142,9 +146,9 @@ TEST(Lamps, TaggedDirectionCountsFromTrueNorth) {
 }
 
 TEST(Lamps, WhatIsNotPlacedIsCountedByReason) {
-  const LampSet set =
-      place({lamp_at(0, 5), lamp_at(0.1, 5.1, {}, 2), lamp_at(20, 5, {{"lit", "no"}}, 3),
-             lamp_at(2000, 5, {}, 4), lamp_at(0, NAN, {}, 5), lamp_at(40, 5, {{"height", "tall"}}, 6)});
+  const LampSet set = place({lamp_at(0, 5), lamp_at(0.1, 5.1, {}, 2),
+                             lamp_at(20, 5, {{"lit", "no"}}, 3), lamp_at(2000, 5, {}, 4),
+                             lamp_at(0, NAN, {}, 5), lamp_at(40, 5, {{"height", "tall"}}, 6)});
   EXPECT_EQ(set.lamps.size(), 2u);
   EXPECT_EQ(set.dropped.at("duplicate"), 1u);
   EXPECT_EQ(set.dropped.at("lit=no"), 1u);
@@ -157,7 +161,8 @@ TEST(Lamps, LampInsideABuildingStepsOutTowardsItsRoad) {
   OsmData osm;
   osm.lamps = {lamp_at(0, 9)};
   osm.highways = {road({{"highway", "residential"}})};
-  const LampSet set = place_lamps(osm, flat_earth(), ground, [](const glm::dvec2& p) { return p.y > 6.1; });
+  const LampSet set =
+      place_lamps(osm, flat_earth(), ground, [](const glm::dvec2& p) { return p.y > 6.1; });
   ASSERT_EQ(set.lamps.size(), 1u);
   EXPECT_LE(set.lamps[0].foot.y, 6.1);
   EXPECT_GE(set.lamps[0].foot.y, 5.8);
@@ -170,7 +175,8 @@ TEST(Lamps, IdentitiesStayWhateverElseIsInTheFile) {
   const LampSet two = place({lamp_at(50, 5, {}, 12), lamp_at(0, 5, {}, 77)});
   EXPECT_EQ(one.lamps.at(0).id, two.lamps.at(1).id);
   std::vector<OsmLampNode> many;
-  for (int n = 0; n < 5000; ++n) many.push_back(lamp_at(n % 100 * 5 - 250, n / 100 * 5 - 100, {}, 1000 + n));
+  for (int n = 0; n < 5000; ++n)
+    many.push_back(lamp_at(n % 100 * 5 - 250, n / 100 * 5 - 100, {}, 1000 + n));
   std::set<std::uint32_t> ids;
   for (const PlacedLamp& lamp : place(many).lamps) ids.insert(lamp.id);
   EXPECT_EQ(ids.size(), 5000u);
@@ -195,7 +201,8 @@ TEST(Lamps, LightStandsInModelSpaceWithItsAxisDown) {
 }
 
 TEST(Lamps, TiltTurnsTheAxisTowardsTheAimAndKeepsTheFrameSquare) {
-  const LampSet set = place({lamp_at(10, 5, {{"light:tilt", "-60"}})}, {road({{"highway", "residential"}})});
+  const LampSet set =
+      place({lamp_at(10, 5, {{"light:tilt", "-60"}})}, {road({{"highway", "residential"}})});
   test::KeptSchedules kept;
   const Light light = to_light(set.lamps.at(0), {}, kept.table);
   EXPECT_NEAR(light.axis.y, -std::cos(glm::radians(30.0)), 1e-5);
@@ -209,8 +216,12 @@ TEST(Lamps, MeasuredLuminaireServesTheRoadsItIsChosenFor) {
   osm.highways = {road({{"highway", "primary"}}),
                   road({{"highway", "residential"}}, {degrees(-300, 100), degrees(300, 100)})};
   LampOptions options;
-  options.luminaires.push_back(
-      {"measured", sample_intensity([](double, double) { return 1; }, 4, 19), {"primary"}, {}, true, 12345});
+  options.luminaires.push_back({"measured",
+                                sample_intensity([](double, double) { return 1; }, 4, 19),
+                                {"primary"},
+                                {},
+                                true,
+                                12345});
   const LampSet set = place_lamps(osm, flat_earth(), ground, {}, options);
   ASSERT_EQ(set.lamps.size(), 3u);
   EXPECT_EQ(set.lamps[0].flux_lm, 12345);
@@ -239,7 +250,9 @@ TEST(Lamps, MeasuredLuminaireServesTheTypesOfLampItIsChosenFor) {
 TEST(Lamps, LuminaireDoesNotReachIntoABuilding) {
   OsmData osm;
   osm.lamps = {lamp_at(0, 0, {{"direction", "180"}, {"lamp_mount", "bent_mast"}})};
-  const InsideBuilding house = [](const glm::dvec2& p) { return p.y < -0.8; };  // nearer than the arm is long
+  const InsideBuilding house = [](const glm::dvec2& p) {
+    return p.y < -0.8;
+  };  // nearer than the arm is long
   const LampSet set = place_lamps(osm, flat_earth(), ground, house);
   ASSERT_EQ(set.lamps.size(), 1u);
   const glm::dvec2 centre = glm::dvec2(set.lamps[0].foot) + set.lamps[0].outreach;
@@ -269,10 +282,12 @@ TEST(LampHours, TagsTellHoursAndOtherLampsAreAlwaysOn) {
 
 TEST(LampHours, EverySecondLampOfAHalfNightStreetGoesDarkWhateverTheOrderOfTheFile) {
   std::vector<OsmLampNode> lamps;
-  for (int n = 0; n < 9; ++n) lamps.push_back(lamp_at(-200 + 30 * ((n * 4) % 9), 5, {}, 10 + (n * 4) % 9));
+  for (int n = 0; n < 9; ++n)
+    lamps.push_back(lamp_at(-200 + 30 * ((n * 4) % 9), 5, {}, 10 + (n * 4) % 9));
   lamps.push_back(lamp_at(0, 105, {}, 50));
-  LampSet set = place(lamps, {road({{"highway", "residential"}}),
-                              {2, {degrees(-300, 100), degrees(300, 100)}, {{"highway", "service"}}}});
+  LampSet set =
+      place(lamps, {road({{"highway", "residential"}}),
+                    {2, {degrees(-300, 100), degrees(300, 100)}, {{"highway", "service"}}}});
   LampHours hours;
   hours.half_night["residential"] = {minute_of(23, 0), minute_of(5, 0)};
   hours.off["service"] = {minute_of(0, 30), minute_of(4, 0)};
@@ -308,7 +323,9 @@ TEST(LampHours, LuminairesOfOnePostGoTogether) {
 TEST(RoadIndex, AgreesWithBruteForce) {
   std::vector<OsmWay> ways;
   std::uint32_t state = 1;
-  const auto random = [&] { return (state = state * 1664525u + 1013904223u) / 4294967296.0 * 800 - 400; };
+  const auto random = [&] {
+    return (state = state * 1664525u + 1013904223u) / 4294967296.0 * 800 - 400;
+  };
   for (int n = 0; n < 60; ++n)
     ways.push_back({n,
                     {{random(), random()}, {random(), random()}, {random(), random()}},
@@ -336,7 +353,8 @@ TEST(RoadIndex, AgreesWithBruteForce) {
 
 TEST(RoadIndex, WidthsComeFromTagsThenLanesThenTheClass) {
   const auto width = [](OsmTags tags) {
-    const RoadIndex index({{1, {{0, 0}, {10, 0}}, std::move(tags)}}, [](const glm::dvec2& p) { return p; });
+    const RoadIndex index({{1, {{0, 0}, {10, 0}}, std::move(tags)}},
+                          [](const glm::dvec2& p) { return p; });
     return index.nearest({5, 1})->road->width_m;
   };
   EXPECT_EQ(width({{"highway", "residential"}}), road_defaults("residential")->width_m);

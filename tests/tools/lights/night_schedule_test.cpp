@@ -60,11 +60,13 @@ TEST(ScheduleTable, FilesShineWhenTheNightDoesMinuteByMinute) {
     ASSERT_FALSE(schedule_fault(stored, kept.switches)) << n;
     for (int minute = 0; minute < night_minutes; ++minute)
       for (const uint second : {0u, 59u})
-        ASSERT_EQ(shines_at(stored, kept.switches.data(), 18000 + 60 * static_cast<uint>(minute) + second),
+        ASSERT_EQ(shines_at(stored, kept.switches.data(),
+                            18000 + 60 * static_cast<uint>(minute) + second),
                   schedule.lit_at(minute))
             << n << " " << minute;
-    EXPECT_FALSE(shines_at(stored, kept.switches.data(), 0));       // noon
-    EXPECT_FALSE(shines_at(stored, kept.switches.data(), 86'399));  // and the moment before the next
+    EXPECT_FALSE(shines_at(stored, kept.switches.data(), 0));  // noon
+    EXPECT_FALSE(
+        shines_at(stored, kept.switches.data(), 86'399));  // and the moment before the next
   }
 }
 

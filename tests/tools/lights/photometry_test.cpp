@@ -28,8 +28,10 @@ TEST(Colour, PlanckianLocusPassesThroughPublishedPoints) {
   // 15:2004).
   const struct {
     double kelvin, x, y;
-  } points[] = {
-      {2856, 0.4476, 0.4075}, {2000, 0.5267, 0.4133}, {4000, 0.3805, 0.3768}, {6500, 0.3135, 0.3237}};
+  } points[] = {{2856, 0.4476, 0.4075},
+                {2000, 0.5267, 0.4133},
+                {4000, 0.3805, 0.3768},
+                {6500, 0.3135, 0.3237}};
   for (const auto& point : points) {
     const glm::dvec2 xy = planckian_xy(point.kelvin);
     EXPECT_NEAR(xy.x, point.x, 5e-4) << point.kelvin;
@@ -63,7 +65,8 @@ TEST(Colour, WhiteIsWhiteAndSodiumIsOrange) {
   EXPECT_GT(sodium.r, 1.5f * sodium.g);
   EXPECT_NEAR(sodium.b, 0, 1e-6);
   EXPECT_GT(glm::distance(sodium, candle), 0.02f);
-  const glm::vec3 warm = rec709_from_xy(planckian_xy(3000)), cool = rec709_from_xy(planckian_xy(4000));
+  const glm::vec3 warm = rec709_from_xy(planckian_xy(3000)),
+                  cool = rec709_from_xy(planckian_xy(4000));
   EXPECT_GT(warm.r / warm.b, cool.r / cool.b);
 }
 
@@ -90,15 +93,16 @@ double quadrature(const Photometry& photometry) {
 }
 
 TEST(Photometry, FluxOfKnownDistributionsIsTheClosedForm) {
-  EXPECT_NEAR(integrated_flux(sample_intensity([](double, double) { return 1; }, 1, 2)), 4 * pi, 1e-9);
+  EXPECT_NEAR(integrated_flux(sample_intensity([](double, double) { return 1; }, 1, 2)), 4 * pi,
+              1e-9);
   // Lambert: I0 pi; only the grid's own interpolation stands between.
-  EXPECT_NEAR(
-      integrated_flux(sample_intensity([](double, double g) { return std::max(0.0, std::cos(g)); }, 8, 181)),
-      pi, pi * 1e-3);
+  EXPECT_NEAR(integrated_flux(sample_intensity(
+                  [](double, double g) { return std::max(0.0, std::cos(g)); }, 8, 181)),
+              pi, pi * 1e-3);
   // cos^2(C) averages to a half.
-  EXPECT_NEAR(
-      integrated_flux(sample_intensity([](double c, double) { return std::cos(c) * std::cos(c); }, 36, 19)),
-      2 * pi, 1e-9);
+  EXPECT_NEAR(integrated_flux(sample_intensity(
+                  [](double c, double) { return std::cos(c) * std::cos(c); }, 36, 19)),
+              2 * pi, 1e-9);
 }
 
 TEST(Photometry, InterpolationMeetsTheGridAndWraps) {
@@ -118,7 +122,8 @@ TEST(Photometry, EveryOpticIsOneLumenWithinHalfAPercentByIndependentQuadrature) 
     const LightProfile& profile = table.profiles[index];
     Photometry stored{profile.c_count, profile.gamma_count, {}};
     const float* first = table.data.data() + profile.data_offset;
-    stored.values.assign(first, first + static_cast<std::size_t>(profile.c_count) * profile.gamma_count);
+    stored.values.assign(first,
+                         first + static_cast<std::size_t>(profile.c_count) * profile.gamma_count);
     EXPECT_NEAR(quadrature(stored), 1, 0.005) << name_of(optic);
     for (const double value : stored.values) EXPECT_GE(value, 0);
   }
@@ -130,7 +135,8 @@ TEST(Photometry, StreetOpticsSendNoLightUpAndThrowAlongAndOverTheRoad) {
   for (const Optic optic : {Optic::street, Optic::central}) {
     const Photometry street = make_optic(optic);
     for (double c = 0; c < 2 * pi; c += 0.1)
-      for (double gamma = pi / 2; gamma <= pi; gamma += 0.05) EXPECT_EQ(intensity_at(street, c, gamma), 0);
+      for (double gamma = pi / 2; gamma <= pi; gamma += 0.05)
+        EXPECT_EQ(intensity_at(street, c, gamma), 0);
     double peak = 0, peak_gamma = 0;
     for (double gamma = 0; gamma < pi / 2; gamma += 0.01)
       if (const double value = intensity_at(street, pi / 2, gamma); value > peak)
@@ -138,14 +144,16 @@ TEST(Photometry, StreetOpticsSendNoLightUpAndThrowAlongAndOverTheRoad) {
     EXPECT_GT(peak_gamma * 180 / pi, 55);
     EXPECT_LT(peak_gamma * 180 / pi, 72);
     EXPECT_GT(peak, intensity_at(street, pi / 2, 0));
-    const double klm = peak / integrated_flux(street) * 1000;  // real street luminaires: 300 to 800 cd/klm
+    const double klm =
+        peak / integrated_flux(street) * 1000;  // real street luminaires: 300 to 800 cd/klm
     EXPECT_GT(klm, 250);
     EXPECT_LT(klm, 900);
     for (double gamma = 0; gamma < 1.5; gamma += 0.1)
       EXPECT_NEAR(intensity_at(street, 1, gamma), intensity_at(street, 2 * pi - 1, gamma), 1e-9);
   }
   const Photometry over = make_optic(Optic::street);
-  EXPECT_GT(intensity_at(over, 0, pi / 4), 3 * intensity_at(over, pi, pi / 4));  // little goes to the houses
+  EXPECT_GT(intensity_at(over, 0, pi / 4),
+            3 * intensity_at(over, pi, pi / 4));  // little goes to the houses
 }
 
 struct RoadFigures {
@@ -164,7 +172,8 @@ RoadFigures light_a_road(const Photometry& photometry) {
         const double forward = y - 0.6, along = x - n * spacing,
                      square = forward * forward + along * along + height * height;
         const double cosine = height / std::sqrt(square);
-        lux += intensity_at(photometry, std::atan2(along, forward), std::acos(cosine)) * cosine / square;
+        lux += intensity_at(photometry, std::atan2(along, forward), std::acos(cosine)) * cosine /
+               square;
       }
       sum += lux;
       least = std::min(least, lux);

@@ -33,7 +33,8 @@ Polygon wall(std::vector<glm::dvec2> plan, std::vector<double> bottom, std::vect
 }
 
 /// A flat-roofed box from (x0, y0) to (x1, y1), `height` above the ground.
-CityObject box(double x0, double y0, double x1, double y1, double height, const char* id = "house") {
+CityObject box(double x0, double y0, double x1, double y1, double height,
+               const char* id = "house") {
   CityObject building;
   building.id = id;
   building.type = ObjectType::building;
@@ -43,12 +44,14 @@ CityObject box(double x0, double y0, double x1, double y1, double height, const 
     building.polygons.push_back(wall({corners[k], corners[(k + 1) % 4]}, {0, 0}, {height, height}));
   Polygon roof;
   roof.surface = SurfaceType::roof;
-  for (const glm::dvec2& c : corners) roof.exterior.emplace_back(east + c.x, north + c.y, ground_z + height);
+  for (const glm::dvec2& c : corners)
+    roof.exterior.emplace_back(east + c.x, north + c.y, ground_z + height);
   building.polygons.push_back(roof);
   return building;
 }
 
-std::vector<WindowPlace> lay(const CityObject& building, BuildingUse use = BuildingUse::residential) {
+std::vector<WindowPlace> lay(const CityObject& building,
+                             BuildingUse use = BuildingUse::residential) {
   FacadeReport report;
   return lay_windows(building, use, 1, report);
 }
@@ -140,7 +143,8 @@ TEST(Facades, HolesSliversRoofsAndLeaningWallsStayFree) {
   house.polygons[0].interiors.push_back(hole);
   for (const WindowPlace& p : lay(house)) {
     if (p.normal.y > -0.9) continue;
-    const bool beside = p.centre.x + p.half_width < east + 8 || p.centre.x - p.half_width > east + 12;
+    const bool beside =
+        p.centre.x + p.half_width < east + 8 || p.centre.x - p.half_width > east + 12;
     const bool above = p.centre.z - p.half_height > ground_z + 6;
     EXPECT_TRUE(beside || above);
   }
@@ -162,7 +166,8 @@ TEST(Facades, GablesHoldWindowsOnlyWhereTheyFit) {
   for (const WindowPlace& p : lay(house)) {
     if (p.normal.x < 0.9) continue;
     const double top = ground_z + 12 - std::abs(p.centre.y - north - 5) / 5 * 6;
-    const double shoulder = ground_z + 12 - (std::abs(p.centre.y - north - 5) + p.half_width) / 5 * 6;
+    const double shoulder =
+        ground_z + 12 - (std::abs(p.centre.y - north - 5) + p.half_width) / 5 * 6;
     EXPECT_LT(p.centre.z + p.half_height, std::min(top, shoulder));
     in_gable += p.centre.z > ground_z + 6;
   }
@@ -202,7 +207,8 @@ WindowSet windows_of(std::vector<CityObject> objects, const HeightAt& ground = {
   WindowLayout layout({}, folder / "scratch");
   for (const CityObject& object : objects) layout.add(object);
   WindowSet set;
-  set.report = std::move(layout).finish(ground, [&](const LitRectangle& w) { set.windows.push_back(w); });
+  set.report =
+      std::move(layout).finish(ground, [&](const LitRectangle& w) { set.windows.push_back(w); });
   EXPECT_EQ(set.report.placed, set.windows.size());
   return set;
 }
@@ -212,12 +218,12 @@ TEST(Windows, PartyWallsAndWallsNearbyHaveNoneAndTheRestStay) {
                         double above = 0) {
     std::size_t count = 0;
     for (const LitRectangle& w : set.windows)
-      count += glm::dot(w.normal, normal) > 0.99f && w.centre.x > east + x_from && w.centre.x < east + x_to &&
-               w.centre.z > ground_z + above;
+      count += glm::dot(w.normal, normal) > 0.99f && w.centre.x > east + x_from &&
+               w.centre.x < east + x_to && w.centre.z > ground_z + above;
     return count;
   };
-  const WindowSet row =
-      windows_of({box(0, 0, 12, 10, 9.8, "a"), box(12, 0, 24, 10, 9.8, "b"), box(24.3, 0, 36, 10, 9.8, "c")});
+  const WindowSet row = windows_of(
+      {box(0, 0, 12, 10, 9.8, "a"), box(12, 0, 24, 10, 9.8, "b"), box(24.3, 0, 36, 10, 9.8, "c")});
   EXPECT_GT(faces(row, {-1, 0, 0}, -1, 1), 0u);    // the free end of a
   EXPECT_EQ(faces(row, {1, 0, 0}, 11, 13), 0u);    // a's wall to b
   EXPECT_EQ(faces(row, {-1, 0, 0}, 11, 13), 0u);   // b's wall to a
@@ -245,18 +251,22 @@ TEST(Windows, ModelledWindowsMaySitDeepInTheirWalls) {
 }
 
 TEST(Windows, NoneIsBelowTheGround) {
-  const HeightAt slope = [](const glm::dvec2& p) { return std::optional(ground_z + (p.x - east) * 0.5); };
+  const HeightAt slope = [](const glm::dvec2& p) {
+    return std::optional(ground_z + (p.x - east) * 0.5);
+  };
   const WindowSet set = windows_of({box(0, 0, 20, 10, 12.8)}, slope);
   EXPECT_GT(set.report.dropped.at("below the ground"), 0u);
   ASSERT_GT(set.windows.size(), 0u);
   for (const LitRectangle& w : set.windows)
-    EXPECT_GT(w.centre.z - static_cast<double>(w.half_height), ground_z + (w.centre.x - east) * 0.5 - 0.2);
+    EXPECT_GT(w.centre.z - static_cast<double>(w.half_height),
+              ground_z + (w.centre.x - east) * 0.5 - 0.2);
 }
 
 TEST(Windows, SameBuildingSameWindowsWhateverElseIsThere) {
   const WindowSet alone = windows_of({box(0, 0, 14, 10, 9.8, "same")});
-  const WindowSet among = windows_of(
-      {box(100, 0, 130, 20, 12, "other"), box(0, 0, 14, 10, 9.8, "same"), box(200, 0, 230, 20, 12, "third")});
+  const WindowSet among =
+      windows_of({box(100, 0, 130, 20, 12, "other"), box(0, 0, 14, 10, 9.8, "same"),
+                  box(200, 0, 230, 20, 12, "third")});
   std::map<std::uint32_t, const LitRectangle*> by_id;
   for (const LitRectangle& w : among.windows) by_id[w.id] = &w;
   ASSERT_GT(alone.windows.size(), 5u);
@@ -292,8 +302,8 @@ TEST(Windows, LightIsOneSidedLambertianOfItsLuminance) {
     EXPECT_NEAR(light.axis.z, -w.normal.y, 1e-5);
     EXPECT_NEAR(luminance(decode_rgb9e5(light.colour_rgb9e5)), 1, 0.01);
     // Before its wall, not in it.
-    const bool outside =
-        w.centre.x < east || w.centre.x > east + 14 || w.centre.y < north || w.centre.y > north + 10;
+    const bool outside = w.centre.x < east || w.centre.x > east + 14 || w.centre.y < north ||
+                         w.centre.y > north + 10;
     EXPECT_TRUE(outside);
   }
 }
@@ -445,12 +455,13 @@ TEST(Windows, WallsOfOtherThingsStandInTheWayToo) {
 
 TEST(Windows, NoneLiesInsideABuildingThatOverlapsItsOwn) {
   // An extension drawn into the house: no wall of it within half a metre before the house's east wall.
-  const WindowSet set = windows_of({box(0, 0, 20, 20, 12, "house"), box(15, 2, 28, 18, 12, "extension")});
+  const WindowSet set =
+      windows_of({box(0, 0, 20, 20, 12, "house"), box(15, 2, 28, 18, 12, "extension")});
   for (const LitRectangle& w : set.windows) {
-    const bool in_extension =
-        w.centre.x > east + 15 && w.centre.x < east + 28 && w.centre.y > north + 2 && w.centre.y < north + 18;
-    const bool in_house =
-        w.centre.x < east + 20 && w.centre.x > east && w.centre.y > north && w.centre.y < north + 20;
+    const bool in_extension = w.centre.x > east + 15 && w.centre.x < east + 28 &&
+                              w.centre.y > north + 2 && w.centre.y < north + 18;
+    const bool in_house = w.centre.x < east + 20 && w.centre.x > east && w.centre.y > north &&
+                          w.centre.y < north + 20;
     EXPECT_FALSE(in_extension || in_house) << w.centre.x - east << " " << w.centre.y - north;
   }
   EXPECT_GT(set.report.dropped.at("inside another building"), 0u);

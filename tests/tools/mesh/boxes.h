@@ -12,10 +12,12 @@ namespace nightcity::test {
 // Six faces outward, side `s`, corner at (x, y, z).
 inline std::vector<Polygon> box(double x, double y, double z, double s) {
   const auto p = [&](int i, int j, int k) { return glm::dvec3{x + i * s, y + j * s, z + k * s}; };
-  const std::vector<Ring> faces{
-      {p(0, 0, 0), p(0, 1, 0), p(1, 1, 0), p(1, 0, 0)}, {p(0, 0, 1), p(1, 0, 1), p(1, 1, 1), p(0, 1, 1)},
-      {p(0, 0, 0), p(1, 0, 0), p(1, 0, 1), p(0, 0, 1)}, {p(1, 0, 0), p(1, 1, 0), p(1, 1, 1), p(1, 0, 1)},
-      {p(1, 1, 0), p(0, 1, 0), p(0, 1, 1), p(1, 1, 1)}, {p(0, 1, 0), p(0, 0, 0), p(0, 0, 1), p(0, 1, 1)}};
+  const std::vector<Ring> faces{{p(0, 0, 0), p(0, 1, 0), p(1, 1, 0), p(1, 0, 0)},
+                                {p(0, 0, 1), p(1, 0, 1), p(1, 1, 1), p(0, 1, 1)},
+                                {p(0, 0, 0), p(1, 0, 0), p(1, 0, 1), p(0, 0, 1)},
+                                {p(1, 0, 0), p(1, 1, 0), p(1, 1, 1), p(1, 0, 1)},
+                                {p(1, 1, 0), p(0, 1, 0), p(0, 1, 1), p(1, 1, 1)},
+                                {p(0, 1, 0), p(0, 0, 0), p(0, 0, 1), p(0, 1, 1)}};
   std::vector<Polygon> out;
   for (const Ring& face : faces) {
     Polygon& polygon = out.emplace_back();

@@ -73,7 +73,9 @@ TEST(Orient, PartsThatShareAWallAreTurnedOutwardRoundBoth) {
   EXPECT_EQ(oriented(object), 6u);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     if (i == 3 || i == 11) continue;  // the wall between them, once from each side: nobody sees it
-    EXPECT_GT(glm::dot(area_vector(object.polygons[i].exterior), area_vector(right.polygons[i].exterior)), 0)
+    EXPECT_GT(
+        glm::dot(area_vector(object.polygons[i].exterior), area_vector(right.polygons[i].exterior)),
+        0)
         << i;
   }
 }

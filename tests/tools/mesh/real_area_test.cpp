@@ -61,7 +61,8 @@ struct BuildingAreas {
   std::array<double, 3> rings{}, triangles{};
   void add(SurfaceType surface, double of_rings, double of_triangles) {
     for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
-      if ((i == 1 && surface != SurfaceType::wall) || (i == 2 && surface != SurfaceType::roof)) continue;
+      if ((i == 1 && surface != SurfaceType::wall) || (i == 2 && surface != SurfaceType::roof))
+        continue;
       rings[i] += of_rings;
       triangles[i] += of_triangles;
     }
@@ -98,7 +99,8 @@ void compare(const CityObject& object, MeshReport& report, Tally& tally) {
     // most.
     double perimeter = 0;
     for (std::size_t i = 0; i < polygon.exterior.size(); ++i)
-      perimeter += glm::distance(polygon.exterior[i], polygon.exterior[(i + 1) % polygon.exterior.size()]);
+      perimeter +=
+          glm::distance(polygon.exterior[i], polygon.exterior[(i + 1) % polygon.exterior.size()]);
     if (own.non_planar == 0) {
       EXPECT_LE(area, glm::length(truth) + 0.01 * perimeter) << polygon.id;
     }
@@ -111,7 +113,8 @@ void compare(const CityObject& object, MeshReport& report, Tally& tally) {
   double worst = 0;
   for (std::size_t i = 0; i < 3; ++i)
     if (building.rings[i] > 0)
-      worst = std::max(worst, std::abs(building.triangles[i] - building.rings[i]) / building.rings[i]);
+      worst =
+          std::max(worst, std::abs(building.triangles[i] - building.rings[i]) / building.rings[i]);
   tally.worst_building = std::max(tally.worst_building, worst);
   tally.wrong_buildings += !(worst <= 1e-6);
 }
@@ -147,12 +150,13 @@ TEST(RealAreas, TrianglesKeepTheAreaOfEveryPolygonToAMillionth) {
   EXPECT_EQ(report.not_triangulated, 0u);
   EXPECT_LT(report.self_intersecting, tally.polygons / 1000);
   std::printf(
-      "%zu files, %zu polygons, worst %.1e; %zu buildings, worst %.1e of whole, walls or roofs; fast path "
+      "%zu files, %zu polygons, worst %.1e; %zu buildings, worst %.1e of whole, walls or roofs; "
+      "fast path "
       "%zu, zero area %zu, off plane %zu (worst %.3f m: %s), "
       "self-intersecting %zu\n",
-      tally.files, tally.polygons, tally.worst, tally.buildings, tally.worst_building, report.fast_path,
-      report.zero_area, report.non_planar, report.worst_non_planar_m, report.worst_non_planar.c_str(),
-      report.self_intersecting);
+      tally.files, tally.polygons, tally.worst, tally.buildings, tally.worst_building,
+      report.fast_path, report.zero_area, report.non_planar, report.worst_non_planar_m,
+      report.worst_non_planar.c_str(), report.self_intersecting);
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ Result run(std::vector<Polygon> polygons) {
   r.mesh = triangulate(object, r.report);
   for (const MeshTriangle& t : r.mesh.triangles) {
     const glm::dvec3& a = r.mesh.positions.at(t.vertex[0]);
-    const glm::dvec3 half =
-        0.5 * glm::cross(r.mesh.positions.at(t.vertex[1]) - a, r.mesh.positions.at(t.vertex[2]) - a);
+    const glm::dvec3 half = 0.5 * glm::cross(r.mesh.positions.at(t.vertex[1]) - a,
+                                             r.mesh.positions.at(t.vertex[2]) - a);
     r.vector += half;
     r.area += glm::length(half);
   }
@@ -118,9 +118,9 @@ TEST(Triangulate, CrossingHoleIsCountedAndLeavesParity) {
 }
 
 TEST(Triangulate, CollinearAndEmptyRingsAreDroppedAndCounted) {
-  const Result r =
-      run({polygon({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}), polygon({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}),
-           polygon({}), polygon({{1, 2, 3}}), polygon({{5, 5, 5}, {5, 5, 5}, {5, 5, 5}})});
+  const Result r = run({polygon({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}),
+                        polygon({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}), polygon({}),
+                        polygon({{1, 2, 3}}), polygon({{5, 5, 5}, {5, 5, 5}, {5, 5, 5}})});
   EXPECT_TRUE(r.mesh.triangles.empty());
   EXPECT_EQ(r.report.zero_area, 5u);
   EXPECT_EQ(r.report.polygons, 5u);
@@ -136,7 +136,8 @@ TEST(Triangulate, DuplicatesAndCollinearVerticesChangeNothing) {
 TEST(Triangulate, SliverKeepsItsAreaFarFromTheOrigin) {
   // 1 mm by 30 m, standing upright at 10^7 m: 0.03 m2.
   const double e = 32500000, n = 5800000;
-  const Result r = run({polygon({{e, n, 10}, {e + 30, n, 10}, {e + 30, n, 10.001}, {e, n, 10.001}})});
+  const Result r =
+      run({polygon({{e, n, 10}, {e + 30, n, 10}, {e + 30, n, 10.001}, {e, n, 10.001}})});
   EXPECT_NEAR(r.area, 30 * (10.001 - 10.0), 1e-6);
   EXPECT_EQ(r.report.zero_area, 0u);
 }
@@ -162,10 +163,12 @@ TEST(Triangulate, OffPlaneRingIsCountedWithItsDistanceAndKeepsItsAreaVector) {
 }
 
 TEST(Triangulate, NotFiniteIsDroppedAndCountedAndNothingElseIs) {
-  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  const Result r = run({polygon({{0, 0, 0}, {1, nan, 0}, {0, 1, 0}}),
-                        polygon(square(0, 0, 2), {{{0, 0, inf}, {1, 0, 0}, {0, 1, 0}}}),
-                        polygon({{0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}}), polygon(square(0, 0, 2))});
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               inf = std::numeric_limits<double>::infinity();
+  const Result r =
+      run({polygon({{0, 0, 0}, {1, nan, 0}, {0, 1, 0}}),
+           polygon(square(0, 0, 2), {{{0, 0, inf}, {1, 0, 0}, {0, 1, 0}}}),
+           polygon({{0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}}), polygon(square(0, 0, 2))});
   EXPECT_EQ(r.report.not_finite, 3u);
   expect_area(r, 4);
   EXPECT_EQ(r.mesh.triangles.front().polygon, 3u);
@@ -205,7 +208,8 @@ TEST(Triangulate, RandomScribblesNeverThrowAndNeverLeaveNan) {
 }
 
 TEST(Triangulate, SurfaceAndPolygonIndexComeAlong) {
-  Polygon wall = polygon({{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}), roof = polygon(square(0, 0, 1, 1));
+  Polygon wall = polygon({{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}),
+          roof = polygon(square(0, 0, 1, 1));
   wall.surface = SurfaceType::wall;
   roof.surface = SurfaceType::roof;
   const Result r = run({wall, roof});
@@ -219,7 +223,8 @@ TEST(Classify, BlockGetsRoofWallsAndGround) {
   CityObject block;
   block.type = ObjectType::building;
   block.polygons = {polygon(reversed(square(0, 0, 5))), polygon(square(0, 0, 5, 8)),
-                    polygon({{0, 0, 0}, {5, 0, 0}, {5, 0, 8}, {0, 0, 8}}), polygon(square(0, 0, 5, 0))};
+                    polygon({{0, 0, 0}, {5, 0, 0}, {5, 0, 8}, {0, 0, 8}}),
+                    polygon(square(0, 0, 5, 0))};
   block.polygons[3].surface = SurfaceType::closure;
   classify_unknown_surfaces(block);
   EXPECT_EQ(block.polygons[0].surface, SurfaceType::ground);

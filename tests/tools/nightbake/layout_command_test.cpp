@@ -64,8 +64,8 @@ TEST(LayoutCommand, ARecipeNamesTheClassOfItsRoads) {
 TEST(LayoutCommand, WhatARecipeMayNotSayIsAUsageErrorWithItsLine) {
   const TempFolder folder;
   for (const char* lamps :
-       {"layout = \"sometimes\"\n", "class = {residential = \"P9\"}\n", "class = {raceway = \"P4\"}\n",
-        "class = \"P4\"\n", "class = {residential = 4}\n"}) {
+       {"layout = \"sometimes\"\n", "class = {residential = \"P9\"}\n",
+        "class = {raceway = \"P4\"}\n", "class = \"P4\"\n", "class = {residential = 4}\n"}) {
     const Outcome outcome = lay_out(dark_sample(folder, lamps));
     EXPECT_EQ(outcome.exit_code, 2) << lamps << outcome.err;
     EXPECT_NE(outcome.err.find("line 6"), std::string::npos) << outcome.err;

@@ -26,8 +26,9 @@ Outcome nightbake(const std::string& arguments) {
 TEST(LampsCommand, PlacesTheMapsLampsOnACityAndWritesThem) {
   const TempFolder folder;
   test::write_sample(folder);
-  const Outcome outcome = nightbake("lamps " + quoted(folder / "map.osm") + quoted(folder / "city.gml") +
-                                    "--json -o " + quoted(folder / "lamps.lights"));
+  const Outcome outcome =
+      nightbake("lamps " + quoted(folder / "map.osm") + quoted(folder / "city.gml") + "--json -o " +
+                quoted(folder / "lamps.lights"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json report = json::parse(outcome.out);
   EXPECT_EQ(report["mapped"], 2);
@@ -48,7 +49,8 @@ TEST(LampsCommand, WithoutACityLampsStandAtTheirTaggedHeight) {
 <node id="1" lat="52.5103" lon="13.3941"><tag k="highway" v="street_lamp"/><tag k="ele" v="35.5"/><tag k="height" v="6"/></node>
 <node id="2" lat="52.5104" lon="13.3941"><tag k="highway" v="street_lamp"/><tag k="height" v="6"/></node>
 </osm>)");
-  ASSERT_EQ(nightbake("lamps " + quoted(folder / "map.osm") + "-o " + quoted(folder / "l.lights")).exit_code,
+  ASSERT_EQ(nightbake("lamps " + quoted(folder / "map.osm") + "-o " + quoted(folder / "l.lights"))
+                .exit_code,
             0);
   const LightFile file = LightFile::open(folder / "l.lights");
   ASSERT_EQ(file.lights().size(), 2u);
@@ -62,7 +64,8 @@ TEST(LampsCommand, ItsOsmFileReadsBackAsTheSameLamps) {
   test::write_sample(folder);
   const std::string city = quoted(folder / "city.gml");
   ASSERT_EQ(
-      nightbake("lamps " + quoted(folder / "map.osm") + city + "-o " + quoted(folder / "l.osm")).exit_code,
+      nightbake("lamps " + quoted(folder / "map.osm") + city + "-o " + quoted(folder / "l.osm"))
+          .exit_code,
       0);
   const Outcome again = nightbake("lamps --json " + quoted(folder / "l.osm") + city);
   ASSERT_EQ(again.exit_code, 0) << again.err;
@@ -76,19 +79,24 @@ TEST(LampsCommand, WrongUseIsToldApartFromBrokenData) {
   const TempFolder folder;
   test::write_sample(folder);
   EXPECT_EQ(nightbake("lamps " + quoted(folder / "city.gml")).exit_code, 2);
-  EXPECT_EQ(nightbake("lamps " + quoted(folder / "map.osm") + "-o " + quoted(folder / "l.txt")).exit_code, 2);
-  EXPECT_EQ(nightbake("lamps " + quoted(folder / "recipe.toml") + quoted(folder / "map.osm")).exit_code, 2);
-  EXPECT_EQ(nightbake("lamps " + quoted(folder / "absent.osm")).exit_code, 1);
   EXPECT_EQ(
-      nightbake("windows " + quoted(folder / "map.osm") + "-o " + quoted(folder / "w.lights")).exit_code, 2);
+      nightbake("lamps " + quoted(folder / "map.osm") + "-o " + quoted(folder / "l.txt")).exit_code,
+      2);
+  EXPECT_EQ(
+      nightbake("lamps " + quoted(folder / "recipe.toml") + quoted(folder / "map.osm")).exit_code,
+      2);
+  EXPECT_EQ(nightbake("lamps " + quoted(folder / "absent.osm")).exit_code, 1);
+  EXPECT_EQ(nightbake("windows " + quoted(folder / "map.osm") + "-o " + quoted(folder / "w.lights"))
+                .exit_code,
+            2);
   EXPECT_FALSE(std::filesystem::exists(folder / "w.lights"));
 }
 
 TEST(WindowsCommand, LaysWindowsWithTheirHours) {
   const TempFolder folder;
   test::write_sample(folder);
-  const Outcome outcome = nightbake("windows " + quoted(folder / "city.gml") + "--json --seed 3 -o " +
-                                    quoted(folder / "w.lights"));
+  const Outcome outcome = nightbake("windows " + quoted(folder / "city.gml") +
+                                    "--json --seed 3 -o " + quoted(folder / "w.lights"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json report = json::parse(outcome.out);
   const LightFile file = LightFile::open(folder / "w.lights");
@@ -107,7 +115,8 @@ TEST(WindowsCommand, LaysWindowsWithTheirHours) {
   }
   // The same windows as a bake with that seed has.
   write_text(folder / "r.toml", "[city]\nfiles = [\"city.gml\"]\n[windows]\nseed = 3\n");
-  ASSERT_EQ(nightbake("run " + quoted(folder / "r.toml") + "-o " + quoted(folder / "out")).exit_code, 0);
+  ASSERT_EQ(
+      nightbake("run " + quoted(folder / "r.toml") + "-o " + quoted(folder / "out")).exit_code, 0);
   const LightFile baked = LightFile::open(folder / "out/city.lights");
   ASSERT_EQ(baked.lights().size(), file.lights().size());
   for (std::size_t n = 0; n < baked.lights().size(); ++n)
@@ -116,10 +125,11 @@ TEST(WindowsCommand, LaysWindowsWithTheirHours) {
 
 TEST(LightsCommand, SumsUpKindsLumensHoursAndSources) {
   const TempFolder folder;
-  ASSERT_EQ(nightbake("run " + quoted(test::write_sample(folder)) + "-o " + quoted(folder / "out")).exit_code,
+  ASSERT_EQ(nightbake("run " + quoted(test::write_sample(folder)) + "-o " + quoted(folder / "out"))
+                .exit_code,
             0);
-  const Outcome outcome = nightbake("lights --report " + quoted(folder / "out/city.lights") + "--scene " +
-                                    quoted(folder / "out/city.glb") + "--json");
+  const Outcome outcome = nightbake("lights --report " + quoted(folder / "out/city.lights") +
+                                    "--scene " + quoted(folder / "out/city.glb") + "--json");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json report = json::parse(outcome.out);
   const LightFile file = LightFile::open(folder / "out/city.lights");
@@ -147,7 +157,8 @@ TEST(LightsCommand, SumsUpKindsLumensHoursAndSources) {
 
 TEST(LightsCommand, CountsLightsThatAreWhereNoneMayBe) {
   const TempFolder folder;
-  ASSERT_EQ(nightbake("run " + quoted(test::write_sample(folder)) + "-o " + quoted(folder / "out")).exit_code,
+  ASSERT_EQ(nightbake("run " + quoted(test::write_sample(folder)) + "-o " + quoted(folder / "out"))
+                .exit_code,
             0);
   const LightFile file = LightFile::open(folder / "out/city.lights");
   const Georeference& geo = file.georeference();
@@ -164,8 +175,8 @@ TEST(LightsCommand, CountsLightsThatAreWhereNoneMayBe) {
   content.schedules = file.schedules();
   content.switches = file.switches();
   write_light_file(folder / "moved.lights", content);
-  const json report = json::parse(nightbake("lights --json " + quoted(folder / "moved.lights") + "--scene " +
-                                            quoted(folder / "out/city.glb"))
+  const json report = json::parse(nightbake("lights --json " + quoted(folder / "moved.lights") +
+                                            "--scene " + quoted(folder / "out/city.glb"))
                                       .out);
   EXPECT_EQ(report["faults"]["inside a building"], 1);
   EXPECT_EQ(report["faults"]["below the ground"], 1);
@@ -174,8 +185,9 @@ TEST(LightsCommand, CountsLightsThatAreWhereNoneMayBe) {
 TEST(ElevateCommand, WritesTheModelsHeightsIntoTheMap) {
   const TempFolder folder;
   test::write_sample(folder);
-  const Outcome outcome = nightbake("elevate " + quoted(folder / "map.osm") + quoted(folder / "city.gml") +
-                                    "--json -o " + quoted(folder / "high.osm"));
+  const Outcome outcome =
+      nightbake("elevate " + quoted(folder / "map.osm") + quoted(folder / "city.gml") +
+                "--json -o " + quoted(folder / "high.osm"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json report = json::parse(outcome.out);
   EXPECT_EQ(report["lamps"], 2);
@@ -187,18 +199,21 @@ TEST(ElevateCommand, WritesTheModelsHeightsIntoTheMap) {
   EXPECT_EQ(nightbake("elevate " + quoted(folder / "map.osm")).exit_code, 2);
   EXPECT_EQ(nightbake("elevate " + quoted(folder / "city.gml")).exit_code, 2);
   EXPECT_EQ(
-      nightbake("elevate " + quoted(folder / "map.osm") + "--dem " + quoted(folder / "city.gml")).exit_code,
+      nightbake("elevate " + quoted(folder / "map.osm") + "--dem " + quoted(folder / "city.gml"))
+          .exit_code,
       1);
 }
 
 TEST(InspectCommand, TellsALuminairesFluxAndPeak) {
   const TempFolder folder;
   // Lambertian to 90 degrees: 1000 cd straight down are 1000 pi lumens of a dense grid.
-  std::string text = "IESNA:LM-63-2002\n[LUMINAIRE] test\nTILT=NONE\n1 -1 1 91 1 1 2 0 0 0\n1 1 100\n";
+  std::string text =
+      "IESNA:LM-63-2002\n[LUMINAIRE] test\nTILT=NONE\n1 -1 1 91 1 1 2 0 0 0\n1 1 100\n";
   for (int n = 0; n <= 90; ++n) text += std::to_string(n) + (n % 10 == 9 ? "\n" : " ");
   text += "\n0\n";
   for (int n = 0; n <= 90; ++n)
-    text += std::to_string(1000 * std::cos(n * 3.14159265358979 / 180)) + (n % 10 == 9 ? "\n" : " ");
+    text +=
+        std::to_string(1000 * std::cos(n * 3.14159265358979 / 180)) + (n % 10 == 9 ? "\n" : " ");
   write_text(folder / "lambert.ies", text + "\n");
   const Outcome outcome = nightbake("inspect --json " + quoted(folder / "lambert.ies"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -218,20 +233,25 @@ TEST(PunctualLights, TheRecipesBrightestAreInTheSceneAndOursReadItAllTheSame) {
   test::write_sample(folder);
   const std::string inputs = "[city]\nfiles = [\"city.gml\"]\n[osm]\nfiles = [\"map.osm\"]\n";
   write_text(folder / "p.toml", inputs + "[output]\npunctual = 2\n");
-  ASSERT_EQ(nightbake("run " + quoted(folder / "p.toml") + "-o " + quoted(folder / "p")).exit_code, 0);
-  ASSERT_EQ(nightbake("run " + quoted(folder / "recipe.toml") + "-o " + quoted(folder / "n")).exit_code, 0);
+  ASSERT_EQ(nightbake("run " + quoted(folder / "p.toml") + "-o " + quoted(folder / "p")).exit_code,
+            0);
+  ASSERT_EQ(
+      nightbake("run " + quoted(folder / "recipe.toml") + "-o " + quoted(folder / "n")).exit_code,
+      0);
   const std::string with = test::read_text(folder / "p/city.glb"),
                     without = test::read_text(folder / "n/city.glb");
   EXPECT_EQ(without.find("KHR_lights_punctual"), std::string::npos);
   EXPECT_NE(with.find("KHR_lights_punctual"), std::string::npos);
   const std::size_t first = with.find('{');
-  const json document = json::parse(with.substr(first, with.find("BIN", first) - 4 - first), nullptr, false);
+  const json document =
+      json::parse(with.substr(first, with.find("BIN", first) - 4 - first), nullptr, false);
   std::size_t placed = 0;
   if (!document.is_discarded())
     for (const json& node : document["nodes"])
       placed += node.contains("extensions") && node["extensions"].contains("KHR_lights_punctual");
   EXPECT_EQ(placed, 2u);
-  EXPECT_EQ(read_scene(folder / "p/city.glb").nodes.size(), read_scene(folder / "n/city.glb").nodes.size());
+  EXPECT_EQ(read_scene(folder / "p/city.glb").nodes.size(),
+            read_scene(folder / "n/city.glb").nodes.size());
 }
 
 }  // namespace

@@ -66,8 +66,8 @@ TEST(Nightbake, BakesTheSampleCityTrueToItsMeasures) {
       const std::string& material = scene.materials[primitive.material].name;
       std::vector<glm::dvec3> places;
       for (const glm::vec3& p : primitive.positions)
-        places.push_back(
-            scene.georeference.from_model(glm::dvec3(node.instances.at(0).to_model * glm::vec4(p, 1))));
+        places.push_back(scene.georeference.from_model(
+            glm::dvec3(node.instances.at(0).to_model * glm::vec4(p, 1))));
       for (std::size_t i = 0; i < primitive.indices.size(); i += 3) {
         const auto corner = [&](std::size_t k) { return places[primitive.indices[i + k]]; };
         area[material] += glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0))) / 2;
@@ -119,7 +119,8 @@ TEST(Nightbake, PutsTheLampWhereTheMapHasItAndOnTheGround) {
         const double luminance = 0.2126 * e.x + 0.7152 * e.y + 0.0722 * e.z,
                      radius = double{file.lights()[0].radius};
         const double pi = std::acos(-1.0);
-        EXPECT_NEAR(luminance * 4 * pi * pi * radius * radius / double{file.lights()[0].flux_lm}, 1, 1e-3);
+        EXPECT_NEAR(luminance * 4 * pi * pi * radius * radius / double{file.lights()[0].flux_lm}, 1,
+                    1e-3);
       }
   EXPECT_EQ(balls, 1u);
 }
@@ -160,12 +161,15 @@ TEST(Nightbake, DracoKeepsTheTolerance) {
 TEST(Nightbake, InspectTellsEveryKindInTheSameKeys) {
   const TempFolder folder;
   ASSERT_EQ(bake(test::write_sample(folder), folder / "out").exit_code, 0);
-  const std::pair<const char*, const char*> files[]{
-      {"city.gml", "citygml"}, {"map.osm", "osm"}, {"out/city.glb", "scene"}, {"out/city.lights", "lights"}};
+  const std::pair<const char*, const char*> files[]{{"city.gml", "citygml"},
+                                                    {"map.osm", "osm"},
+                                                    {"out/city.glb", "scene"},
+                                                    {"out/city.lights", "lights"}};
   for (const auto& [name, kind] : files) {
     const json holds = inspect(folder / name);
     EXPECT_EQ(holds["kind"], kind);
-    for (const char* key : {"buildings", "polygons", "triangles", "lights", "crs", "bbox", "skipped"})
+    for (const char* key :
+         {"buildings", "polygons", "triangles", "lights", "crs", "bbox", "skipped"})
       EXPECT_TRUE(holds.contains(key)) << kind << " " << key;
     EXPECT_TRUE(holds["lights"].is_object());
     EXPECT_TRUE(holds["skipped"].is_object());
@@ -188,7 +192,8 @@ TEST(Nightbake, InspectTellsEveryKindInTheSameKeys) {
 }
 
 TEST(Nightbake, HelpAndVersionSucceed) {
-  for (const char* arguments : {"--help", "run --help", "inspect --help", "town --help", "--version"}) {
+  for (const char* arguments :
+       {"--help", "run --help", "inspect --help", "town --help", "--version"}) {
     const Outcome outcome = nightbake(arguments);
     EXPECT_EQ(outcome.exit_code, 0) << arguments;
     EXPECT_NE(outcome.out, "") << arguments;
@@ -197,8 +202,8 @@ TEST(Nightbake, HelpAndVersionSucceed) {
 }
 
 TEST(Nightbake, WrongUsageEndsWith2) {
-  for (const char* arguments : {"", "fly", "run", "run recipe.toml", "inspect", "inspect --colour x",
-                                "run a b c --out d", "-v -q town --out x"}) {
+  for (const char* arguments : {"", "fly", "run", "run recipe.toml", "inspect",
+                                "inspect --colour x", "run a b c --out d", "-v -q town --out x"}) {
     const Outcome outcome = nightbake(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << arguments << outcome.err;
     EXPECT_NE(outcome.err, "") << arguments;
@@ -262,10 +267,12 @@ TEST(Nightbake, ARecipesFaultsAreNamedByLine) {
     expect_failure(bake(folder / "bad.toml", folder / "new"), exit_code, what);
     EXPECT_FALSE(std::filesystem::exists(folder / "new")) << recipe;
   };
-  fails("[city]\nflies = [\"city.gml\"]\n", 2, "line 2: unknown key [city] flies; did you mean \"files\"?");
+  fails("[city]\nflies = [\"city.gml\"]\n", 2,
+        "line 2: unknown key [city] flies; did you mean \"files\"?");
   fails("[city]\nfiles = [\"city.gml\"]\n\n[ciy]\n", 2,
         "line 4: unknown table [ciy]; did you mean \"city\"?");
-  fails("[city]\nfiles = [\"city.gml\"]\ntile_m = \"wide\"\n", 2, "line 3: [city] tile_m is not a number");
+  fails("[city]\nfiles = [\"city.gml\"]\ntile_m = \"wide\"\n", 2,
+        "line 3: [city] tile_m is not a number");
   fails("[city]\nfiles = [\"city.gml\"]\ntile_m = -4\n", 2, "line 3");
   fails("[city]\nfiles = [\"city.gml\"]\nreader = \"fast\"\n", 2, "line 3");
   fails("[city]\nfiles = 3\n", 2, "line 2");
@@ -285,7 +292,8 @@ TEST(Nightbake, AnOutputFolderThatCannotBeIsSaidAtOnce) {
   std::filesystem::create_directories(folder / "taken/city.glb");
   expect_failure(bake(recipe, folder / "taken"), 1, "city.glb");
   std::size_t entries = 0;
-  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder / "taken")) ++entries;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder / "taken"))
+    ++entries;
   EXPECT_EQ(entries, 1u);
 }
 

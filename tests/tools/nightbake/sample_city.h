@@ -11,8 +11,10 @@ namespace nightcity::test {
 /// A cube of 10 m on a 60 m square of terrain at 35 m, EPSG:25833, about (391020, 5819010).
 inline std::string sample_gml() {
   const auto polygon = [](const std::string& positions) {
-    return "<gml:surfaceMember><gml:Polygon><gml:exterior><gml:LinearRing><gml:posList srsDimension=\"3\">" +
-           positions + "</gml:posList></gml:LinearRing></gml:exterior></gml:Polygon></gml:surfaceMember>";
+    return "<gml:surfaceMember><gml:Polygon><gml:exterior><gml:LinearRing><gml:posList "
+           "srsDimension=\"3\">" +
+           positions +
+           "</gml:posList></gml:LinearRing></gml:exterior></gml:Polygon></gml:surfaceMember>";
   };
   const auto surface = [&polygon](const std::string& type, const std::string& positions) {
     return "<bldg:boundedBy><bldg:" + type + "><bldg:lod2MultiSurface><gml:MultiSurface>" +
@@ -69,10 +71,12 @@ inline std::string sample_osm() {
 inline std::filesystem::path write_sample(const TempFolder& folder) {
   write_text(folder / "city.gml", sample_gml());
   write_text(folder / "map.osm", sample_osm());
-  write_text(folder / "recipe.toml", "[city]\nfiles = [\"city.gml\"]\n[osm]\nfiles = [\"map.osm\"]\n");
-  write_text(folder / "mapped.toml",
-             "[city]\nfiles = [\"city.gml\"]\n[osm]\nfiles = [\"map.osm\"]\n[lamps]\nlayout = \"never\"\n"
-             "[windows]\nlit = false\n");
+  write_text(folder / "recipe.toml",
+             "[city]\nfiles = [\"city.gml\"]\n[osm]\nfiles = [\"map.osm\"]\n");
+  write_text(
+      folder / "mapped.toml",
+      "[city]\nfiles = [\"city.gml\"]\n[osm]\nfiles = [\"map.osm\"]\n[lamps]\nlayout = \"never\"\n"
+      "[windows]\nlit = false\n");
   return folder / "recipe.toml";
 }
 

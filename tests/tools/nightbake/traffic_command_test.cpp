@@ -20,10 +20,12 @@ using test::write_text;
 /// A town of few blocks; `traffic` replaces what its recipe says of traffic.
 std::filesystem::path small_town(const TempFolder& folder, const std::string& traffic) {
   const auto path = folder.path() / "town";
-  EXPECT_EQ(test::run_program("nightbake", "town --blocks 9 --out '" + path.string() + "'").exit_code, 0);
+  EXPECT_EQ(
+      test::run_program("nightbake", "town --blocks 9 --out '" + path.string() + "'").exit_code, 0);
   write_text(
       path / "town.toml",
-      "[city]\nfiles = [\"town.gml\"]\n[osm]\nfiles = [\"town.osm\"]\n[windows]\nlit = false\n" + traffic);
+      "[city]\nfiles = [\"town.gml\"]\n[osm]\nfiles = [\"town.osm\"]\n[windows]\nlit = false\n" +
+          traffic);
   return path / "town.toml";
 }
 
@@ -40,7 +42,8 @@ TEST(TrafficCommand, WritesDrivesThatInspectShows) {
   const LightFile file = LightFile::open(out);
   file.verify();
   EXPECT_EQ(file.traffic().trips.size(), report["trips"]);
-  const json shown = json::parse(test::run_program("nightbake", "inspect --json" + quoted(out)).out);
+  const json shown =
+      json::parse(test::run_program("nightbake", "inspect --json" + quoted(out)).out);
   EXPECT_EQ(shown["traffic"]["trips"], report["trips"]);
   EXPECT_EQ(shown["traffic"]["cycle_s"], 240);
   EXPECT_NEAR(shown["traffic"]["vehicles_by_hour_from_noon"][5].get<double>(),
@@ -51,7 +54,9 @@ TEST(TrafficCommand, ReplacesTheTrafficOfALightFileAndKeepsItsLights) {
   const TempFolder folder;
   const auto recipe = small_town(folder, "[traffic]\nvehicles = 8\ncycle_s = 240\n");
   const auto baked = folder.path() / "baked";
-  ASSERT_EQ(test::run_program("nightbake", "run" + quoted(recipe) + "--out" + quoted(baked)).exit_code, 0);
+  ASSERT_EQ(
+      test::run_program("nightbake", "run" + quoted(recipe) + "--out" + quoted(baked)).exit_code,
+      0);
   const auto lights = baked / "city.lights";
   std::size_t lamps, profiles;
   uint first_trip;
@@ -75,8 +80,9 @@ TEST(TrafficCommand, ReplacesTheTrafficOfALightFileAndKeepsItsLights) {
   write_text(recipe,
              "[city]\nfiles = [\"town.gml\"]\n[osm]\nfiles = [\"town.osm\"]\n"
              "[traffic]\nvehicles = 4\nseed = 9\nside = \"left\"\n");
-  const Outcome outcome = test::run_program(
-      "nightbake", "traffic" + quoted(recipe) + "--lights" + quoted(lights) + "--out" + quoted(lights));
+  const Outcome outcome =
+      test::run_program("nightbake", "traffic" + quoted(recipe) + "--lights" + quoted(lights) +
+                                         "--out" + quoted(lights));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("on the left"), std::string::npos);
   const LightFile file = LightFile::open(lights);
@@ -111,8 +117,9 @@ TEST(TrafficCommand, AMapAloneIsDrivenOnAPlane) {
   const TempFolder folder;
   const auto town = small_town(folder, "").parent_path();
   const auto out = folder.path() / "traffic.lights";
-  const Outcome outcome = test::run_program(
-      "nightbake", "traffic" + quoted(town / "town.osm") + "--vehicles 6 --json --out" + quoted(out));
+  const Outcome outcome =
+      test::run_program("nightbake", "traffic" + quoted(town / "town.osm") +
+                                         "--vehicles 6 --json --out" + quoted(out));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_GT(json::parse(outcome.out)["trips"], 5);
   const LightFile file = LightFile::open(out);
@@ -123,14 +130,18 @@ TEST(TrafficCommand, AMapAloneIsDrivenOnAPlane) {
 TEST(TrafficCommand, SaysWhatIsWrong) {
   const TempFolder folder;
   const auto recipe = small_town(folder, "[traffic]\nside = \"middle\"\n");
-  const Outcome side = test::run_program("nightbake", "traffic" + quoted(recipe) + "--out x.lights");
+  const Outcome side =
+      test::run_program("nightbake", "traffic" + quoted(recipe) + "--out x.lights");
   EXPECT_EQ(side.exit_code, 2);
   EXPECT_NE(side.err.find("side"), std::string::npos);
-  write_text(recipe,
-             "[city]\nfiles = [\"town.gml\"]\n[osm]\nfiles = [\"town.osm\"]\n[traffic]\nhours = [1, 2]\n");
-  EXPECT_EQ(test::run_program("nightbake", "traffic" + quoted(recipe) + "--out x.lights").exit_code, 2);
+  write_text(
+      recipe,
+      "[city]\nfiles = [\"town.gml\"]\n[osm]\nfiles = [\"town.osm\"]\n[traffic]\nhours = [1, 2]\n");
+  EXPECT_EQ(test::run_program("nightbake", "traffic" + quoted(recipe) + "--out x.lights").exit_code,
+            2);
   write_text(recipe, "[traffic]\n");
-  const Outcome nothing = test::run_program("nightbake", "traffic" + quoted(recipe) + "--out x.lights");
+  const Outcome nothing =
+      test::run_program("nightbake", "traffic" + quoted(recipe) + "--out x.lights");
   EXPECT_EQ(nothing.exit_code, 2);
   EXPECT_NE(nothing.err.find("city"), std::string::npos);
 }

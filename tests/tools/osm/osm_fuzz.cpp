@@ -10,7 +10,9 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace nightcity;
   const test::FuzzFile file(data, size);
-  const auto on_earth = [](const glm::dvec2& p) { return std::abs(p.x) <= 180 && std::abs(p.y) <= 90; };
+  const auto on_earth = [](const glm::dvec2& p) {
+    return std::abs(p.x) <= 180 && std::abs(p.y) <= 90;
+  };
   try {
     const OsmData osm = read_osm(file.path());
     for (const OsmLampNode& lamp : osm.lamps)

@@ -15,7 +15,8 @@ namespace {
 class OsmFile : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("nightcity_osm_" + std::to_string(::getpid()));
+    folder_ =
+        std::filesystem::temp_directory_path() / ("nightcity_osm_" + std::to_string(::getpid()));
     std::filesystem::create_directories(folder_);
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
@@ -90,7 +91,8 @@ TEST_F(OsmFile, BrokenNumbersMissingNodesDeletedAndRepeatedElementsAreCounted) {
 }
 
 TEST_F(OsmFile, MergeKeepsEachElementOnce) {
-  const std::string lamp = R"(<node id="1" lat="1" lon="1"><tag k="highway" v="street_lamp"/></node>)";
+  const std::string lamp =
+      R"(<node id="1" lat="1" lon="1"><tag k="highway" v="street_lamp"/></node>)";
   OsmData a = read(lamp);
   a.merge(read(lamp + R"(<node id="2" lat="1" lon="1"><tag k="highway" v="street_lamp"/></node>)"));
   EXPECT_EQ(a.lamps.size(), 2u);
@@ -106,13 +108,15 @@ TEST_F(OsmFile, EveryUnusableFileIsAnErrorThatNamesIt) {
   EXPECT_NE(error_of(write("<html></html>")).find("<osm>"), std::string::npos);
   EXPECT_NE(error_of(write("<osm>\n<node id='1'\n")).find("line 2"), std::string::npos);
   EXPECT_NE(error_of(write("<osm><node></osm>")).find("line 1"), std::string::npos);
-  EXPECT_NE(error_of(write("<!DOCTYPE osm [<!ENTITY a SYSTEM 'file:///etc/passwd'>]><osm/>")).find("DOCTYPE"),
+  EXPECT_NE(error_of(write("<!DOCTYPE osm [<!ENTITY a SYSTEM 'file:///etc/passwd'>]><osm/>"))
+                .find("DOCTYPE"),
             std::string::npos);
-  EXPECT_NE(error_of(write("\x1f\x8b rubbish", "a.osm.gz")).find("broken osm.gz"), std::string::npos);
+  EXPECT_NE(error_of(write("\x1f\x8b rubbish", "a.osm.gz")).find("broken osm.gz"),
+            std::string::npos);
   EXPECT_NE(error_of(write("BZh9 rubbish", "a.osm.bz2")).find("broken osm.bz2"), std::string::npos);
-  EXPECT_NE(
-      error_of(write(std::string("\0\0\0\x0d\x0a\x09OSMHeader rubbish", 23), "a.osm.pbf")).find("broken pbf"),
-      std::string::npos);
+  EXPECT_NE(error_of(write(std::string("\0\0\0\x0d\x0a\x09OSMHeader rubbish", 23), "a.osm.pbf"))
+                .find("broken pbf"),
+            std::string::npos);
 }
 
 TEST_F(OsmFile, GzipAndBzip2GiveTheSameAsPlain) {
@@ -131,17 +135,19 @@ TEST_F(OsmFile, GzipAndBzip2GiveTheSameAsPlain) {
 }
 
 TEST(OsmSelection, LampsAsPeopleSpellThem) {
-  for (const OsmTags& tags : std::vector<OsmTags>{{{"highway", "street_lamp"}},
-                                                  {{"highway", "Street Lamp"}},
-                                                  {{"man_made", "street-light"}},
-                                                  {{"light_source", "lantern"}},
-                                                  {{"light_source", "floodlight"}},
-                                                  {{"man_made", "tower"}, {"tower:type", "lighting"}}})
+  for (const OsmTags& tags :
+       std::vector<OsmTags>{{{"highway", "street_lamp"}},
+                            {{"highway", "Street Lamp"}},
+                            {{"man_made", "street-light"}},
+                            {{"light_source", "lantern"}},
+                            {{"light_source", "floodlight"}},
+                            {{"man_made", "tower"}, {"tower:type", "lighting"}}})
     EXPECT_TRUE(is_lamp(tags));
-  for (const OsmTags& tags : std::vector<OsmTags>{{},
-                                                  {{"highway", "traffic_signals"}},
-                                                  {{"light_source", "warning"}},
-                                                  {{"man_made", "tower"}, {"tower:type", "communication"}}})
+  for (const OsmTags& tags :
+       std::vector<OsmTags>{{},
+                            {{"highway", "traffic_signals"}},
+                            {{"light_source", "warning"}},
+                            {{"man_made", "tower"}, {"tower:type", "communication"}}})
     EXPECT_FALSE(is_lamp(tags));
   EXPECT_FALSE(is_highway({{"highway", "street_lamp"}}));
   EXPECT_TRUE(is_highway({{"highway", "footway"}}));

@@ -48,14 +48,19 @@ class StraightRoad : public testing::TestWithParam<double> {};
 
 TEST_P(StraightRoad, GivesItsMiddleLineFromEndToEndAndItsWidth) {
   const double width = GetParam();
-  const dvec2 a(400123.4, 5800456.7), b = a + dvec2(90, 50);  // as far from zero as real eastings are
+  const dvec2 a(400123.4, 5800456.7),
+      b = a + dvec2(90, 50);  // as far from zero as real eastings are
   const auto lines = lines_of({strip(a, b, width)});
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_NEAR(lines[0].width_m, width, 0.05);
   EXPECT_NEAR(length_of(lines[0].line), glm::distance(a, b), 0.1);
   for (const dvec2& p : lines[0].line) EXPECT_LT(from_segment(p, a, b), 0.1);
-  EXPECT_LT(std::min(glm::distance(lines[0].line.front(), a), glm::distance(lines[0].line.back(), a)), 0.1);
-  EXPECT_LT(std::min(glm::distance(lines[0].line.front(), b), glm::distance(lines[0].line.back(), b)), 0.1);
+  EXPECT_LT(
+      std::min(glm::distance(lines[0].line.front(), a), glm::distance(lines[0].line.back(), a)),
+      0.1);
+  EXPECT_LT(
+      std::min(glm::distance(lines[0].line.front(), b), glm::distance(lines[0].line.back(), b)),
+      0.1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Widths, StraightRoad, testing::Values(2.8, 4.0, 6.0, 11.0, 22.0));
@@ -95,7 +100,8 @@ TEST(MiddleLines, ACrossIsOneJunctionWithFourArms) {
     for (const MiddleLine& line : lines) {
       const bool at_start = ends.at(line.from) == 4;
       EXPECT_EQ(ends.at(at_start ? line.from : line.to), 4);
-      EXPECT_LT(glm::distance(at_start ? line.line.front() : line.line.back(), dvec2(10, 0)), 0.5) << minor;
+      EXPECT_LT(glm::distance(at_start ? line.line.front() : line.line.back(), dvec2(10, 0)), 0.5)
+          << minor;
       for (const dvec2& p : line.line)
         EXPECT_LT(std::min(std::abs(p.y), std::abs(p.x - 10)), 0.5) << "at " << p.x << ", " << p.y;
     }
@@ -113,8 +119,8 @@ TEST(MiddleLines, LinesThatMeetShareTheirEndsToTheBit) {
   std::map<std::size_t, dvec2> places;
   for (const MiddleLine& line : lines)
     for (const bool start : {true, false}) {
-      const auto [found, is_new] =
-          places.try_emplace(start ? line.from : line.to, start ? line.line.front() : line.line.back());
+      const auto [found, is_new] = places.try_emplace(start ? line.from : line.to,
+                                                      start ? line.line.front() : line.line.back());
       EXPECT_EQ(found->second, start ? line.line.front() : line.line.back());
     }
 }
@@ -131,7 +137,8 @@ TEST(MiddleLines, ARingGivesALoop) {
 }
 
 TEST(MiddleLines, ARoundaboutWithThreeRoadsHasThreeJunctions) {
-  std::vector<RoadSurface> surfaces = {{circle({0, 0}, 23, 60), {circle({0, 0}, 16, 60)}, nullptr, true}};
+  std::vector<RoadSurface> surfaces = {
+      {circle({0, 0}, 23, 60), {circle({0, 0}, 16, 60)}, nullptr, true}};
   for (const double angle : {0.3, 2.2, 4.4}) {
     const dvec2 out(std::cos(angle), std::sin(angle));
     surfaces.push_back(strip(out * 20.0, out * 100.0, 6));

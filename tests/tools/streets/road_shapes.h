@@ -11,7 +11,8 @@ namespace nightcity::test {
 
 /// A rectangle round the straight from a to b.
 inline streets::RoadSurface strip(const glm::dvec2& a, const glm::dvec2& b, double width) {
-  const glm::dvec2 along = glm::normalize(b - a), side = glm::dvec2(-along.y, along.x) * (width / 2);
+  const glm::dvec2 along = glm::normalize(b - a),
+                   side = glm::dvec2(-along.y, along.x) * (width / 2);
   return {{a - side, b - side, b + side, a + side}, {}, nullptr, true};
 }
 

@@ -75,7 +75,8 @@ TEST(CellCache, ServesManyThreads) {
     threads.emplace_back([&, t] {
       for (int n = 0; n < 20'000; ++n) {
         const int key = (n * (t + 1)) % 61;
-        wrong[static_cast<std::size_t>(t)] += cache.get(key, [&] { return Cell{-key}; })->value != -key;
+        wrong[static_cast<std::size_t>(t)] +=
+            cache.get(key, [&] { return Cell{-key}; })->value != -key;
       }
     });
   for (std::thread& thread : threads) thread.join();

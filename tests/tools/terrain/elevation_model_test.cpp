@@ -46,8 +46,8 @@ void write_raster(const std::filesystem::path& path, const Raster& r, const Hole
     for (int i = 0; i < r.width; ++i)
       values.push_back(hole(i, j) ? -9999 : plane((i + 0.5) * r.step, -(j + 0.5) * r.step));
   set->GetRasterBand(1)->SetNoDataValue(-9999);
-  ASSERT_EQ(set->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, r.width, r.height, values.data(), r.width,
-                                            r.height, GDT_Float64, 0, 0),
+  ASSERT_EQ(set->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, r.width, r.height, values.data(),
+                                            r.width, r.height, GDT_Float64, 0, 0),
             CE_None);
 }
 
@@ -90,10 +90,12 @@ TEST(ElevationModel, GoesThroughItsOwnCrs) {
 
 TEST(ElevationModel, BesidePixelsWithoutDataThereIsNothing) {
   const TempFolder folder;
-  write_raster(folder / "hole.tif", {0, 100, 10, 10, 10, 0}, [](int i, int j) { return i == 4 && j == 4; });
+  write_raster(folder / "hole.tif", {0, 100, 10, 10, 10, 0},
+               [](int i, int j) { return i == 4 && j == 4; });
   const ElevationModel model(folder / "hole.tif");
   EXPECT_TRUE(std::isnan(sample(model, {{45, 55}})[0]));
-  EXPECT_TRUE(std::isnan(sample(model, {{40, 55}})[0])) << "between a pixel with data and one without";
+  EXPECT_TRUE(std::isnan(sample(model, {{40, 55}})[0]))
+      << "between a pixel with data and one without";
   EXPECT_NEAR(sample(model, {{35, 55}})[0], plane(35, -45), 1e-9)
       << "on a centre its neighbours do not count";
 }

@@ -57,7 +57,9 @@ TEST(SurfaceStore, FindsWhatABruteForceSearchFinds) {
   for (int i = 0; i < 3000; ++i) {
     const double size = std::pow(10.0, random() * 3.5);
     const glm::dvec3 at(412000 + random() * 3000, 5762000 + random() * 3000, random() * 50);
-    const auto corner = [&] { return at + glm::dvec3(random() * size, random() * size, random() * 10); };
+    const auto corner = [&] {
+      return at + glm::dvec3(random() * size, random() * size, random() * 10);
+    };
     all.push_back({corner(), corner(), corner()});
     store.add(all.back()[0], all.back()[1], all.back()[2]);
   }
@@ -65,11 +67,14 @@ TEST(SurfaceStore, FindsWhatABruteForceSearchFinds) {
     const glm::dvec2 p(412000 + random() * 3500, 5762000 + random() * 3500);
     double best = -1;
     for (const auto& [a, b, c] : all) {
-      const auto cross = [](const glm::dvec3& u, const glm::dvec3& v) { return u.x * v.y - u.y * v.x; };
+      const auto cross = [](const glm::dvec3& u, const glm::dvec3& v) {
+        return u.x * v.y - u.y * v.x;
+      };
       const glm::dvec3 q(p, 0);
       const double whole = cross(b - a, c - a), s = cross(q - a, c - a) / whole,
                    t = cross(b - a, q - a) / whole;
-      if (s >= 0 && t >= 0 && s + t <= 1) best = std::max(best, a.z + s * (b.z - a.z) + t * (c.z - a.z));
+      if (s >= 0 && t >= 0 && s + t <= 1)
+        best = std::max(best, a.z + s * (b.z - a.z) + t * (c.z - a.z));
     }
     const auto found = store.highest_at(p);
     EXPECT_EQ(found.has_value(), best >= 0);

@@ -41,7 +41,8 @@ TEST(Terrain, InclinedPlaneIsReproducedToMicrometresOnEdgesAndCornersToo) {
   const auto plane = [](double x, double y) { return 50 + 0.1 * x - 0.05 * y; };
   TriangleMesh mesh;
   for (int i = 0; i < 10; ++i)
-    for (int j = 0; j < 10; ++j) add_rectangle(mesh, i * 10, j * 10, i * 10 + 10, j * 10 + 10, plane);
+    for (int j = 0; j < 10; ++j)
+      add_rectangle(mesh, i * 10, j * 10, i * 10 + 10, j * 10 + 10, plane);
   Terrain terrain;
   terrain.add(mesh, Footing::terrain);
   terrain.build(100);
@@ -93,11 +94,14 @@ TEST(Terrain, TerrainWinsOverRoadOverGroundOverRoofWhateverTheHeights) {
     terrain.build(0);
     return terrain.height_at({east + 3, north + 4});
   };
-  EXPECT_EQ(
-      hit({{Footing::roof, 30}, {Footing::ground_surface, 5}, {Footing::road, 6}, {Footing::terrain, 4}})
-          ->height_m,
-      4);
-  EXPECT_EQ(hit({{Footing::roof, 30}, {Footing::ground_surface, 5}, {Footing::road, 6}})->height_m, 6);
+  EXPECT_EQ(hit({{Footing::roof, 30},
+                 {Footing::ground_surface, 5},
+                 {Footing::road, 6},
+                 {Footing::terrain, 4}})
+                ->height_m,
+            4);
+  EXPECT_EQ(hit({{Footing::roof, 30}, {Footing::ground_surface, 5}, {Footing::road, 6}})->height_m,
+            6);
   EXPECT_EQ(hit({{Footing::roof, 30}, {Footing::ground_surface, 5}})->height_m, 5);
   EXPECT_EQ(hit({{Footing::roof, 30}})->footing, Footing::roof);
   EXPECT_FALSE(hit({}));
@@ -108,7 +112,8 @@ TEST(Terrain, MadeSurfacePassesThroughGroundSurfacesAndReachesItsMargin) {
   Terrain terrain;
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j)
-      terrain.add(rectangle(i * 30, j * 30, i * 30 + 10, j * 30 + 10, plane), Footing::ground_surface);
+      terrain.add(rectangle(i * 30, j * 30, i * 30 + 10, j * 30 + 10, plane),
+                  Footing::ground_surface);
   terrain.add(flat(0, 0, 10, 10, 40), Footing::roof);
   terrain.build(200);
   EXPECT_FALSE(terrain.made_surface().triangles.empty());
@@ -146,7 +151,8 @@ TEST(Terrain, NoTriangleReachesAcrossABreakLine) {
 
 TEST(Terrain, BreakLinesThatCrossMeetInAVertex) {
   const BreakSurface surface = make_surface(
-      {}, std::vector<std::vector<glm::dvec3>>{{{0, 0, 4}, {10, 10, 4}}, {{0, 10, 4}, {10, 0, 4}}}, 5);
+      {}, std::vector<std::vector<glm::dvec3>>{{{0, 0, 4}, {10, 10, 4}}, {{0, 10, 4}, {10, 0, 4}}},
+      5);
   EXPECT_EQ(surface.edges, 2u);
   double area = 0;
   bool met = false;
@@ -171,7 +177,8 @@ TEST(Terrain, WhateverTheBreakLinesTheSurfaceCoversItsRectangleOnce) {
   for (int round = 0; round < 200; ++round) {
     std::vector<std::vector<glm::dvec3>> lines(1 + static_cast<std::size_t>(random(12)));
     for (auto& line : lines)
-      for (int n = 0; n < 6; ++n) line.emplace_back(east + random(7), north + random(7), random(20));
+      for (int n = 0; n < 6; ++n)
+        line.emplace_back(east + random(7), north + random(7), random(20));
     const BreakSurface surface = make_surface({{east + 3, north + 3, 1}}, lines, 4);
     glm::dvec2 low(1e9), high(-1e9);
     for (const glm::dvec3& p : surface.mesh.positions) {

@@ -40,7 +40,8 @@ bool inside(const Outline& outline, const dvec2& p) {
     const dvec2 &a = outline[k], &b = outline[(k + 1) % outline.size()];
     const double t = glm::clamp(glm::dot(p - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
     if (glm::distance(p, a + (b - a) * t) < 1e-3) return false;
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) odd = !odd;
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+      odd = !odd;
   }
   return odd;
 }
@@ -100,7 +101,8 @@ TEST(Plan, FootprintsStayInTheirParcelAndOverlapNoOther) {
       for (const dvec2& p : all[m].outline)
         for (std::size_t k = 0; k < 4; ++k)
           EXPECT_GT(cross(glm::normalize(parcel[(k + 1) % 4] - parcel[k]), p - parcel[k]), -1e-6);
-      for (std::size_t n = m + 1; n < all.size(); ++n) ASSERT_FALSE(overlap(all[m].outline, all[n].outline));
+      for (std::size_t n = m + 1; n < all.size(); ++n)
+        ASSERT_FALSE(overlap(all[m].outline, all[n].outline));
       ++seen;
     }
   });
@@ -138,7 +140,8 @@ TEST(Plan, EveryBodyIsClosedPlanarAndHoldsAVolume) {
           else
             --edges[std::tuple_cat(to, from)];
           const dvec3 base = ring[0];
-          volume += glm::dot(glm::cross(ring[k] - base, b - base), base - dvec3(plan.outline[0], 0)) / 6;
+          volume +=
+              glm::dot(glm::cross(ring[k] - base, b - base), base - dvec3(plan.outline[0], 0)) / 6;
           EXPECT_NEAR(glm::dot(normal, a - base), 0, 1e-6);
         }
       };
@@ -178,8 +181,9 @@ TEST(Plan, RoofDetailsStandOnTheirRoofWithinTheHouse) {
         ++(detail.chimney ? chimneys : dormers);
         for (const Polygon& polygon : detail.surfaces) {
           ASSERT_GE(polygon.exterior.size(), 3u);
-          const dvec3 normal = glm::normalize(glm::cross(polygon.exterior[1] - polygon.exterior[0],
-                                                         polygon.exterior[2] - polygon.exterior[0]));
+          const dvec3 normal =
+              glm::normalize(glm::cross(polygon.exterior[1] - polygon.exterior[0],
+                                        polygon.exterior[2] - polygon.exterior[0]));
           if (polygon.surface == SurfaceType::roof) {
             EXPECT_GT(normal.z, 0.9);
           }
@@ -212,13 +216,15 @@ TEST(Plan, TreesKeepClearOfHousesKerbsAndEachStandsOnTheGround) {
           ++trees;
           for (int n = 0; n < 12; ++n) {
             const double angle = n * 0.5236;
-            const dvec2 rim = tree.foot + tree.crown_radius_m * dvec2(std::cos(angle), std::sin(angle));
+            const dvec2 rim =
+                tree.foot + tree.crown_radius_m * dvec2(std::cos(angle), std::sin(angle));
             for (const BuildingPlan& house : houses) {
               const bool yard = !house.hole.empty() && inside(house.hole, rim);
               EXPECT_TRUE(yard || !inside(house.outline, rim));
             }
             for (std::size_t k = 0; k < 4; ++k)
-              EXPECT_GT(cross(glm::normalize(parcel[(k + 1) % 4] - parcel[k]), rim - parcel[k]), 1.0);
+              EXPECT_GT(cross(glm::normalize(parcel[(k + 1) % 4] - parcel[k]), rim - parcel[k]),
+                        1.0);
           }
           double low = 1e9, high = -1e9;
           std::size_t triangles = 0;

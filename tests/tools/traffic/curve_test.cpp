@@ -20,7 +20,8 @@ Curve flat(const PlanLine& line) {
 double max_turn(const Curve& curve, double step) {
   double worst = 0;
   for (double s = 0; s + step <= curve.length(); s += step) {
-    const glm::dvec3 a = glm::normalize(curve.at(s).along), b = glm::normalize(curve.at(s + step).along);
+    const glm::dvec3 a = glm::normalize(curve.at(s).along),
+                     b = glm::normalize(curve.at(s + step).along);
     worst = std::max(worst, std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0)) * 180 / pi);
   }
   return worst;
@@ -62,7 +63,8 @@ TEST(Curve, ArcLengthOfACircleIsExact) {
     EXPECT_NEAR(std::atan2(place.point.y, place.point.x) * radius, s, 1e-3);
     EXPECT_NEAR(glm::length(place.along), 1, 1e-4);
   }
-  for (const Curve::Sample& sample : curve.samples()) EXPECT_NEAR(sample.curvature, 1 / radius, 1e-6);
+  for (const Curve::Sample& sample : curve.samples())
+    EXPECT_NEAR(sample.curvature, 1 / radius, 1e-6);
 }
 
 TEST(Shifted, KeepsItsDistanceAndDoesNotTurnBack) {
@@ -75,7 +77,8 @@ TEST(Shifted, KeepsItsDistanceAndDoesNotTurnBack) {
       double nearest = 1e9;
       for (std::size_t n = 0; n + 1 < middle.size(); ++n) {
         const dvec2 e = middle[n + 1].point - middle[n].point;
-        const double t = std::clamp(glm::dot(p.point - middle[n].point, e) / glm::dot(e, e), 0.0, 1.0);
+        const double t =
+            std::clamp(glm::dot(p.point - middle[n].point, e) / glm::dot(e, e), 0.0, 1.0);
         nearest = std::min(nearest, glm::distance(p.point, middle[n].point + e * t));
       }
       EXPECT_LE(nearest, std::abs(right) + 0.01);

@@ -61,18 +61,22 @@ TEST(Drivable, LanesAreSharedOut) {
   const Drivable oneway = read({{"highway", "primary"}, {"lanes", "3"}, {"oneway", "yes"}});
   EXPECT_EQ(oneway.lanes[0], 3);
   EXPECT_EQ(oneway.lanes[1], 0);
-  const Drivable silly = read({{"highway", "residential"}, {"lanes", "999999999999"}, {"width", "-3"}});
+  const Drivable silly =
+      read({{"highway", "residential"}, {"lanes", "999999999999"}, {"width", "-3"}});
   EXPECT_EQ(silly.lanes[0] + silly.lanes[1], 2);
   EXPECT_GT(silly.lane_width(), 2);
 }
 
 TEST(Drivable, SpeedsComeFromTagsOrTheCountry) {
   EXPECT_NEAR(read({{"highway", "residential"}}).speed_m_s[0] * 3.6, 50, 1e-9);
-  const Drivable both = read({{"highway", "primary"}, {"maxspeed", "70"}, {"maxspeed:backward", "50"}});
+  const Drivable both =
+      read({{"highway", "primary"}, {"maxspeed", "70"}, {"maxspeed:backward", "50"}});
   EXPECT_NEAR(both.speed_m_s[0] * 3.6, 70, 1e-9);
   EXPECT_NEAR(both.speed_m_s[1] * 3.6, 50, 1e-9);
-  EXPECT_NEAR(read({{"highway", "residential"}}, country_at({135.5, 34.7})).speed_m_s[0] * 3.6, 30, 1e-9);
-  EXPECT_NEAR(read({{"highway", "motorway"}}, country_at({-0.1, 51.5})).speed_m_s[0] * 3.6, 113, 1e-9);
+  EXPECT_NEAR(read({{"highway", "residential"}}, country_at({135.5, 34.7})).speed_m_s[0] * 3.6, 30,
+              1e-9);
+  EXPECT_NEAR(read({{"highway", "motorway"}}, country_at({-0.1, 51.5})).speed_m_s[0] * 3.6, 113,
+              1e-9);
 }
 
 TEST(Drivable, WhatIsNotForThePublicIsLeftOut) {
@@ -81,7 +85,8 @@ TEST(Drivable, WhatIsNotForThePublicIsLeftOut) {
   EXPECT_EQ(refusal({{"highway", "residential"}, {"access", "private"}}), "no access");
   EXPECT_EQ(refusal({{"highway", "residential"}, {"motor_vehicle", "no"}}), "no access");
   EXPECT_EQ(refusal({{"highway", "service"}, {"service", "driveway"}}), "driveway or aisle");
-  EXPECT_EQ(refusal({{"highway", "service"}, {"tunnel", "building_passage"}}), "through a building");
+  EXPECT_EQ(refusal({{"highway", "service"}, {"tunnel", "building_passage"}}),
+            "through a building");
   // The more special tag wins.
   read({{"highway", "residential"}, {"access", "no"}, {"motor_vehicle", "yes"}});
 }
@@ -94,7 +99,8 @@ TEST(Country, SideOfTheRoadByPlace) {
       {"Sydney", 151.2, -33.9, Side::left},   {"Helsinki", 24.9, 60.2, Side::right},
       {"Paris", 2.35, 48.85, Side::right},    {"Busan", 129.0, 35.2, Side::right},
       {"Singapore", 103.8, 1.35, Side::left}, {"Fukuoka", 130.4, 33.6, Side::left}};
-  for (const auto& [name, lon, lat, side] : places) EXPECT_EQ(country_at({lon, lat}).side, side) << name;
+  for (const auto& [name, lon, lat, side] : places)
+    EXPECT_EQ(country_at({lon, lat}).side, side) << name;
 }
 
 TEST(Tables, AreWithinReason) {

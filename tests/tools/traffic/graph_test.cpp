@@ -31,8 +31,8 @@ const RoadEdge* edge_between(const RoadGraph& graph, const glm::dvec2& from, con
 TEST(RoadGraph, OneWayStreetsHaveOneEdgeAndTheRightOne) {
   auto against = residential;
   against["oneway"] = "-1";
-  const RoadGraph graph =
-      graph_of({street(1, {{0, 0}, {100, 0}}, residential), street(2, {{100, 0}, {200, 0}}, against)});
+  const RoadGraph graph = graph_of(
+      {street(1, {{0, 0}, {100, 0}}, residential), street(2, {{100, 0}, {200, 0}}, against)});
   EXPECT_TRUE(edge_between(graph, {0, 0}, {100, 0}));
   EXPECT_TRUE(edge_between(graph, {100, 0}, {0, 0}));
   EXPECT_TRUE(edge_between(graph, {200, 0}, {100, 0}));
@@ -40,7 +40,8 @@ TEST(RoadGraph, OneWayStreetsHaveOneEdgeAndTheRightOne) {
 }
 
 TEST(RoadGraph, LanesLieOnTheirSide) {
-  const std::vector<OsmWay> ways = {street(1, {{0, 0}, {100, 0}}, {{"highway", "primary"}, {"lanes", "4"}})};
+  const std::vector<OsmWay> ways = {
+      street(1, {{0, 0}, {100, 0}}, {{"highway", "primary"}, {"lanes", "4"}})};
   for (const Side side : {Side::right, Side::left}) {
     const RoadGraph graph = make_road_graph(ways, test::to_plane, test::plane, {}, side);
     LinkNetwork network(graph, test::plane);
@@ -70,13 +71,17 @@ TEST(RoadGraph, EndsWhereTheGroundEnds) {
   for (const RoadNode& node : graph.nodes) most = std::max(most, node.place.x);
   EXPECT_NEAR(most, 333, 0.1);
   for (const RoadNode& node : graph.nodes) EXPECT_EQ(node.border, node.place.x > 300);
-  EXPECT_EQ(graph_of({street(1, {{500, 0}, {800, 0}}, residential)}, west).left_out.at("outside the model"),
+  EXPECT_EQ(graph_of({street(1, {{500, 0}, {800, 0}}, residential)}, west)
+                .left_out.at("outside the model"),
             1u);
 }
 
 TEST(RoadGraph, RoadsThroughBuildingsAreLeftOutAndTunnelsAreNot) {
-  const InsideBuilding house = [](const glm::dvec2& p) { return p.x > 40 && p.x < 50 && std::abs(p.y) < 8; };
-  EXPECT_TRUE(graph_of({street(1, {{0, 0}, {100, 0}}, residential)}, test::plane, house).edges.empty());
+  const InsideBuilding house = [](const glm::dvec2& p) {
+    return p.x > 40 && p.x < 50 && std::abs(p.y) < 8;
+  };
+  EXPECT_TRUE(
+      graph_of({street(1, {{0, 0}, {100, 0}}, residential)}, test::plane, house).edges.empty());
   auto tunnel = residential;
   tunnel["tunnel"] = "yes";
   EXPECT_EQ(graph_of({street(1, {{0, 0}, {100, 0}}, tunnel)}, test::plane, house).edges.size(), 2u);
@@ -90,10 +95,10 @@ TEST(RoadGraph, BridgesGoEvenlyFromAbutmentToAbutment) {
   auto bridge = residential;
   bridge["bridge"] = "yes";
   bridge["layer"] = "1";
-  const RoadGraph graph =
-      graph_of({street(1, {{0, 0}, {95, 0}}, residential), street(2, {{95, 0}, {130, 0}}, bridge),
-                street(3, {{130, 0}, {205, 0}}, bridge), street(4, {{205, 0}, {300, 0}}, residential)},
-               valley);
+  const RoadGraph graph = graph_of(
+      {street(1, {{0, 0}, {95, 0}}, residential), street(2, {{95, 0}, {130, 0}}, bridge),
+       street(3, {{130, 0}, {205, 0}}, bridge), street(4, {{205, 0}, {300, 0}}, residential)},
+      valley);
   LinkNetwork network(graph, valley);
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     if (!graph.edges[e].structure) continue;
@@ -116,13 +121,14 @@ TEST(LinkNetwork, TurnsJoinTheirLanesSmoothly) {
       if (next == graph.edges[e].opposite) continue;
       const Link& turn = network.links()[network.turn(e, 0, next, 0)];
       const Curve &from = network.links()[turn.from].curve, &to = network.links()[turn.to].curve;
-      const auto a = from.at(from.length()), b = turn.curve.at(0), c = turn.curve.at(turn.curve.length()),
-                 d = to.at(0);
+      const auto a = from.at(from.length()), b = turn.curve.at(0),
+                 c = turn.curve.at(turn.curve.length()), d = to.at(0);
       EXPECT_NEAR(glm::distance(a.point, b.point), 0, 1e-6);
       EXPECT_NEAR(glm::distance(c.point, d.point), 0, 1e-6);
       EXPECT_NEAR(glm::distance(a.along, b.along), 0, 1e-6);
       EXPECT_NEAR(glm::distance(c.along, d.along), 0, 1e-6);
-      for (const Curve::Sample& sample : turn.curve.samples()) EXPECT_LT(std::abs(sample.curvature), 0.5);
+      for (const Curve::Sample& sample : turn.curve.samples())
+        EXPECT_LT(std::abs(sample.curvature), 0.5);
       ++turns;
     }
   EXPECT_GT(turns, 50u);
@@ -141,7 +147,8 @@ TEST(LinkNetwork, SpeedKeepsLimitsAndBends) {
       EXPECT_LE(v * v * std::abs(sample.curvature), sideways_acceleration * 1.001);
     }
     if (n > 0) {
-      const double step = sample.s - link.curve.samples()[n - 1].s, before = link.allowed_m_s[n - 1];
+      const double step = sample.s - link.curve.samples()[n - 1].s,
+                   before = link.allowed_m_s[n - 1];
       EXPECT_LE(before * before - v * v, 2 * comfortable_braking * step * 1.001);
     }
   }
@@ -242,8 +249,8 @@ TEST(Routes, NobodyIsSentThroughAWall) {
     return p.x > 40 && p.x < 50 && p.y < -1.5 && p.y > -9;
   };
   const HeightAt plane = test::plane;
-  const RoadGraph graph = graph_of(
-      {street(1, {{-300, 0}, {0, 0}, {300, 0}}, primary), street(2, {{0, -300}, {0, 0}, {0, 300}}, primary)});
+  const RoadGraph graph = graph_of({street(1, {{-300, 0}, {0, 0}, {300, 0}}, primary),
+                                    street(2, {{0, -300}, {0, 0}, {0, 300}}, primary)});
   LinkNetwork network(graph, plane, house);
   RouteReport report;
   const auto routes = make_routes(network, {20, 300, 5}, report);

@@ -28,15 +28,18 @@ class Beam {
 
   double at(double h_degrees, double v_degrees) const {
     const double h = h_degrees * pi / 180, v = v_degrees * pi / 180;
-    const double forward = std::cos(v) * std::cos(h), right = std::cos(v) * std::sin(h), up = std::sin(v);
+    const double forward = std::cos(v) * std::cos(h), right = std::cos(v) * std::sin(h),
+                 up = std::sin(v);
     const double gamma = std::acos(forward) * 180 / pi, c = std::atan2(-up, right) * 180 / pi;
     if (gamma > double{profile_.extent_deg}) return 0;
     const double column = gamma / double{profile_.extent_deg} * (profile_.gamma_count - 1);
     const double row = (c < 0 ? c + 360 : c) / 360 * profile_.c_count;
-    const auto g = std::min(static_cast<std::size_t>(column), std::size_t{profile_.gamma_count} - 2);
+    const auto g =
+        std::min(static_cast<std::size_t>(column), std::size_t{profile_.gamma_count} - 2);
     const auto r = static_cast<std::size_t>(row);
     const auto value = [&](std::size_t i, std::size_t j) {
-      return double{profiles_.data[profile_.data_offset + i % profile_.c_count * profile_.gamma_count + j]};
+      return double{
+          profiles_.data[profile_.data_offset + i % profile_.c_count * profile_.gamma_count + j]};
     };
     const double x = column - static_cast<double>(g), y = row - static_cast<double>(r);
     return flux_ * ((value(r, g) * (1 - x) + value(r, g + 1) * x) * (1 - y) +
@@ -57,10 +60,12 @@ struct TestPoint {
 
 // UN Regulation 112, class B, traffic on the right.
 constexpr TestPoint points[] = {
-    {"B50L", -3.43, 0.57, 0, 350},   {"BR", 2.5, 1.0, 0, 1750},       {"75R", 1.15, -0.57, 10100, 0},
-    {"75L", -3.43, -0.57, 0, 10600}, {"50L", -3.43, -0.86, 0, 13200}, {"50R", 1.72, -0.86, 10100, 0},
-    {"50V", 0, -0.86, 5100, 0},      {"25L", -9, -1.72, 1700, 0},     {"25R", 9, -1.72, 1700, 0},
-    {"point 7", -8, 0, 65, 0},       {"point 8", -4, 0, 125, 0},
+    {"B50L", -3.43, 0.57, 0, 350},   {"BR", 2.5, 1.0, 0, 1750},
+    {"75R", 1.15, -0.57, 10100, 0},  {"75L", -3.43, -0.57, 0, 10600},
+    {"50L", -3.43, -0.86, 0, 13200}, {"50R", 1.72, -0.86, 10100, 0},
+    {"50V", 0, -0.86, 5100, 0},      {"25L", -9, -1.72, 1700, 0},
+    {"25R", 9, -1.72, 1700, 0},      {"point 7", -8, 0, 65, 0},
+    {"point 8", -4, 0, 125, 0},
 };
 
 TEST(LowBeam, KeepsRegulation112AtItsTestPoints) {
@@ -84,8 +89,8 @@ bool in_zone_three(double h, double v) {
   if (h < -8 || h > 8 || v > 4) return false;
   for (std::size_t n = 0; n + 1 < std::size(line); ++n)
     if (h >= line[n][0] && h <= line[n + 1][0])
-      return v >=
-             line[n][1] + (line[n + 1][1] - line[n][1]) * (h - line[n][0]) / (line[n + 1][0] - line[n][0]);
+      return v >= line[n][1] + (line[n + 1][1] - line[n][1]) * (h - line[n][0]) /
+                                   (line[n + 1][0] - line[n][0]);
   return false;
 }
 
@@ -125,7 +130,8 @@ TEST(LowBeam, CutOffAndKinkAreHeldByTheGrid) {
 }
 
 TEST(LowBeam, FluxIsTheProfilesIntegral) {
-  EXPECT_NEAR(integrated_flux(low_beam(Side::left)), low_beam_flux_lm(), 0.005 * low_beam_flux_lm());
+  EXPECT_NEAR(integrated_flux(low_beam(Side::left)), low_beam_flux_lm(),
+              0.005 * low_beam_flux_lm());
   // What a halogen headlamp leaves on the road; notes of makers have 400 to 1000.
   EXPECT_GT(low_beam_flux_lm(), 350);
   EXPECT_LT(low_beam_flux_lm(), 1000);

@@ -18,7 +18,8 @@ using test::street;
 class Drives {
  public:
   explicit Drives(const std::vector<OsmWay>& ways)
-      : graph(make_road_graph(ways, test::to_plane, height, {}, Side::right)), network(graph, height) {}
+      : graph(make_road_graph(ways, test::to_plane, height, {}, Side::right)),
+        network(graph, height) {}
 
   std::size_t edge(const glm::dvec2& from, const glm::dvec2& to) const {
     for (std::size_t e = 0; e < graph.edges.size(); ++e)
@@ -44,7 +45,8 @@ class Drives {
 
   void run(double cycle_s) {
     network.find_conflicts();
-    report = simulate(network, routes, cycle_s, [&](Drive&& drive) { drives[drive.route] = drive; });
+    report =
+        simulate(network, routes, cycle_s, [&](Drive&& drive) { drives[drive.route] = drive; });
   }
 
   const HeightAt height = test::plane;
@@ -77,15 +79,18 @@ TEST(Simulation, AFollowerKeepsTheEquilibriumGapOfTheModel) {
   town.run(400);
   ASSERT_EQ(town.drives.size(), 2u);
   const Drive &first = town.drives[0], &second = town.drives[1];
-  const auto lag = static_cast<std::size_t>(std::lround((second.start_time_s - first.start_time_s) / step_s));
+  const auto lag =
+      static_cast<std::size_t>(std::lround((second.start_time_s - first.start_time_s) / step_s));
   const double length = vehicle_types[0].length_m, v = 0.5 * 50 / 3.6;
   double least = 1e9;
   for (std::size_t n = 0; n < second.distance_m.size() && n + lag < first.distance_m.size(); ++n)
-    least = std::min(least, double{first.distance_m[n + lag]} - double{second.distance_m[n]} - length);
+    least =
+        std::min(least, double{first.distance_m[n + lag]} - double{second.distance_m[n]} - length);
   EXPECT_GT(least, standstill_gap_m);
   // Treiber's equilibrium: s_e(v) = (s0 + v T) / sqrt(1 - (v / v0)^4), within what 900 m of road settle.
   const std::size_t late = second.distance_m.size() - 60;
-  const double gap = double{first.distance_m[late + lag]} - double{second.distance_m[late]} - length;
+  const double gap =
+      double{first.distance_m[late + lag]} - double{second.distance_m[late]} - length;
   EXPECT_NEAR(gap, (standstill_gap_m + v * headway_s) / std::sqrt(1 - std::pow(0.5, 4)), 1.0);
   EXPECT_NEAR(second.speed_m_s[late], v, 0.3);
 }

@@ -29,8 +29,8 @@ const TrafficSet& town() {
     TrafficOptions options;
     options.vehicles = 20;  // at 22 h
     options.cycle_s = 300;
-    return make_traffic(test::street_grid(blocks, size_m, tail_m), test::to_plane, test::hills, {}, options,
-                        origin);
+    return make_traffic(test::street_grid(blocks, size_m, tail_m), test::to_plane, test::hills, {},
+                        options, origin);
   }();
   return set;
 }
@@ -81,7 +81,8 @@ TEST(Traffic, GoesOnOverTheWrapOfTheCycle) {
   const double cycle = double{content.cycle.cycle_s};
   std::size_t over = 0;
   for (const Trip& trip : content.trips) {
-    if (double{trip.start_s} + double{knots_of(content, trip).back().time_s} <= cycle + 0.1) continue;
+    if (double{trip.start_s} + double{knots_of(content, trip).back().time_s} <= cycle + 0.1)
+      continue;
     const auto before = pose_at(content, trip, 5 * cycle - 1e-3),
                after = pose_at(content, trip, 5 * cycle + 1e-3);
     ASSERT_TRUE(before && after);
@@ -99,7 +100,8 @@ TEST(Traffic, HeadsWhereItDrives) {
       const double speed = pose ? std::hypot(pose->velocity.x, pose->velocity.z) : 0;
       if (speed < 2) continue;
       const double course = std::atan2(-pose->velocity.z, pose->velocity.x);
-      ASSERT_LE(std::abs(std::remainder(course - pose->yaw, 2 * pi)), 4 * pi / 180) << "speed " << speed;
+      ASSERT_LE(std::abs(std::remainder(course - pose->yaw, 2 * pi)), 4 * pi / 180)
+          << "speed " << speed;
       ASSERT_NEAR(pose->pitch, std::atan2(pose->velocity.y, speed), 0.03);
     }
 }
@@ -147,8 +149,8 @@ TEST(Traffic, KeepsToItsSideOfTheStreet) {
       if (std::abs(along_x ? dx : dy) < 16) continue;
       const double east = std::cos(pose->yaw), north = std::sin(pose->yaw);
       const double to_right = along_x ? -dy * (east > 0 ? 1 : -1) : dx * (north > 0 ? 1 : -1);
-      const int line =
-          static_cast<int>(std::lround(std::clamp((along_x ? p.y : p.x) / size_m, 0.0, 1.0 * blocks)));
+      const int line = static_cast<int>(
+          std::lround(std::clamp((along_x ? p.y : p.x) / size_m, 0.0, 1.0 * blocks)));
       const double half_width = line == blocks / 2 ? 3.25 : 2.75;
       const double half_body = double{content.vehicles[trip.vehicle].half_size.z};
       ASSERT_LE(std::abs(to_right) + half_body, half_width + 0.15) << "at " << p.x << ", " << p.y;
@@ -193,7 +195,8 @@ TEST(Traffic, SharesOfTheHoursAreOnTheRoad) {
   const auto on_road = [&](double hour) {
     double sum = 0;
     for (int k = 0; k < 60; ++k)
-      for (const Trip& trip : content.trips) sum += pose_at(content, trip, hour * 3600 + k * 5.0).has_value();
+      for (const Trip& trip : content.trips)
+        sum += pose_at(content, trip, hour * 3600 + k * 5.0).has_value();
     return sum / 60;
   };
   const double evening = on_road(5), late = on_road(10), night = on_road(15);
@@ -210,13 +213,13 @@ TEST(Traffic, AnotherSeedIsAnotherTrafficAndTheSameSeedTheSame) {
     options.vehicles = 6;
     options.cycle_s = 120;
     options.seed = seed;
-    return make_traffic(test::street_grid(2, size_m, tail_m), test::to_plane, test::plane, {}, options,
-                        origin);
+    return make_traffic(test::street_grid(2, size_m, tail_m), test::to_plane, test::plane, {},
+                        options, origin);
   };
   const TrafficSet a = make(1), b = make(1), c = make(2);
   ASSERT_EQ(a.knots.size(), b.knots.size());
-  EXPECT_TRUE(
-      std::equal(a.knots.begin(), a.knots.end(), b.knots.begin(), [](const TripKnot& p, const TripKnot& q) {
+  EXPECT_TRUE(std::equal(
+      a.knots.begin(), a.knots.end(), b.knots.begin(), [](const TripKnot& p, const TripKnot& q) {
         return p.position == q.position && p.pose == q.pose && p.time_s == q.time_s;
       }));
   ASSERT_FALSE(c.trips.empty());
@@ -232,8 +235,8 @@ TEST(Traffic, IsTheSameOnOneThreadAndOnFour) {
       TrafficOptions options;
       options.vehicles = 40;  // so many that they wait for each other
       options.cycle_s = 180;
-      return make_traffic(test::street_grid(3, size_m, tail_m), test::to_plane, test::hills, {}, options,
-                          origin);
+      return make_traffic(test::street_grid(3, size_m, tail_m), test::to_plane, test::hills, {},
+                          options, origin);
     });
   };
   const TrafficSet one = make(1), four = make(4);
@@ -241,7 +244,8 @@ TEST(Traffic, IsTheSameOnOneThreadAndOnFour) {
   ASSERT_EQ(one.trips.size(), four.trips.size());
   ASSERT_EQ(one.knots.size(), four.knots.size());
   EXPECT_EQ(std::memcmp(one.trips.data(), four.trips.data(), one.trips.size() * sizeof(Trip)), 0);
-  EXPECT_EQ(std::memcmp(one.knots.data(), four.knots.data(), one.knots.size() * sizeof(TripKnot)), 0);
+  EXPECT_EQ(std::memcmp(one.knots.data(), four.knots.data(), one.knots.size() * sizeof(TripKnot)),
+            0);
   EXPECT_EQ(one.report.simulation.steps, four.report.simulation.steps);
 }
 
@@ -253,15 +257,16 @@ TEST(Traffic, NoStreetsNoTraffic) {
 
 TEST(Traffic, HostileMapsAreSurvived) {
   std::vector<OsmWay> ways;
-  const OsmTags tags = {{"highway", "primary"}, {"lanes", "12"}, {"width", "0.5"}, {"maxspeed", "3"}};
+  const OsmTags tags = {
+      {"highway", "primary"}, {"lanes", "12"}, {"width", "0.5"}, {"maxspeed", "3"}};
   ways.push_back({1, {}, tags});
   ways.push_back({2, {{0, 0}}, tags});
   ways.push_back({3, {{0, 0}, {0, 0}, {0, 0}}, tags});
   ways.push_back({4, {{NAN, 0}, {0, INFINITY}, {0, 0.001}}, tags});
   ways.push_back(test::street(5, {{0, 0}, {30, 0}, {0, 0}, {30, 0}, {60, 1}, {0, 0}}, tags));
   ways.push_back(test::street(6, {{0, 0}, {0.02, 0}, {0.04, 0}, {200, 3}}, tags));
-  ways.push_back(
-      test::street(7, {{30, 0}, {30, 400}, {30.01, 0}}, {{"highway", "residential"}, {"oneway", "-1"}}));
+  ways.push_back(test::street(7, {{30, 0}, {30, 400}, {30.01, 0}},
+                              {{"highway", "residential"}, {"oneway", "-1"}}));
   TrafficOptions options;
   options.vehicles = 10;
   options.cycle_s = 120;
