@@ -5,7 +5,7 @@
 
 #include "tools/bake/bake_report.h"
 #include "tools/bake/progress.h"
-#include "tools/bake/recipe.h"
+#include "tools/bake/recipe/recipe.h"
 
 namespace nightcity {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/bake/recipe.h"
+#include "tools/bake/recipe/recipe.h"
 #include "tools/georeference/frame.h"
 
 namespace nightcity {

@@ -7,7 +7,7 @@
 #include "tools/bake/bake_report.h"
 #include "tools/bake/city_frames.h"
 #include "tools/bake/progress.h"
-#include "tools/bake/recipe.h"
+#include "tools/bake/recipe/recipe.h"
 #include "tools/lights/windows.h"
 #include "tools/osm/osm_data.h"
 #include "tools/streets/road_surfaces.h"

@@ -9,7 +9,7 @@
 #include "tools/bake/city_frames.h"
 #include "tools/bake/drape.h"
 #include "tools/bake/progress.h"
-#include "tools/bake/recipe.h"
+#include "tools/bake/recipe/recipe.h"
 #include "tools/bake/tile_store.h"
 #include "tools/lights/windows.h"
 #include "tools/streets/road_surfaces.h"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "tools/bake/city_frames.h"
-#include "tools/bake/recipe.h"
+#include "tools/bake/recipe/recipe.h"
 #include "tools/bake/tile_store.h"
 #include "tools/terrain/terrain.h"
 

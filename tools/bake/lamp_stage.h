@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tools/bake/city_frames.h"
-#include "tools/bake/recipe.h"
+#include "tools/bake/recipe/recipe.h"
 #include "tools/layout/layout.h"
 #include "tools/lights/lamps.h"
 #include "tools/osm/osm_data.h"

@@ -9,7 +9,7 @@
 #include "formats/scene_file.h"
 #include "tools/bake/bake_report.h"
 #include "tools/bake/city_frames.h"
-#include "tools/bake/recipe.h"
+#include "tools/bake/recipe/recipe.h"
 #include "tools/lights/night_schedule.h"
 #include "tools/lights/windows.h"
 #include "tools/osm/osm_data.h"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tools/bake/city_frames.h"
-#include "tools/bake/recipe.h"
+#include "tools/bake/recipe/recipe.h"
 #include "tools/osm/osm_data.h"
 #include "tools/streets/street_ways.h"
 

@@ -7,7 +7,7 @@
 #include "formats/scene_file.h"
 #include "tools/bake/city_frames.h"
 #include "tools/bake/progress.h"
-#include "tools/bake/recipe.h"
+#include "tools/bake/recipe/recipe.h"
 #include "tools/osm/osm_data.h"
 #include "tools/terrain/terrain.h"
 #include "tools/traffic/traffic.h"

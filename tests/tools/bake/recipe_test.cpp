@@ -1,4 +1,4 @@
-#include "tools/bake/recipe.h"
+#include "tools/bake/recipe/recipe.h"
 
 #include <gtest/gtest.h>
 

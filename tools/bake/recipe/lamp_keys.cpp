@@ -1,4 +1,4 @@
-#include "tools/bake/recipe_lamps.h"
+#include "tools/bake/recipe/lamp_keys.h"
 
 #include "tools/lights/lamp_defaults.h"
 #include "tools/lights/lamp_tags.h"

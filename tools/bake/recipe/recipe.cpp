@@ -1,4 +1,4 @@
-#include "tools/bake/recipe.h"
+#include "tools/bake/recipe/recipe.h"
 
 #include <toml++/toml.h>
 #include <algorithm>
@@ -8,8 +8,8 @@
 #include "formats/error.h"
 #include "formats/mapped_file.h"
 #include "tools/bake/city_files.h"
-#include "tools/bake/recipe_lamps.h"
-#include "tools/bake/recipe_setting.h"
+#include "tools/bake/recipe/lamp_keys.h"
+#include "tools/bake/recipe/value.h"
 #include "tools/lights/night_schedule.h"
 
 namespace nightcity {

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "tools/bake/recipe.h"
-#include "tools/bake/recipe_setting.h"
+#include "tools/bake/recipe/recipe.h"
+#include "tools/bake/recipe/value.h"
 
 namespace nightcity::recipe {
 
