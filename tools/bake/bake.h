@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include "tools/bake/bake_report.h"
 #include "tools/bake/progress.h"
 #include "tools/bake/recipe/recipe.h"
+#include "tools/bake/report/bake_report.h"
 
 namespace nightcity {
 

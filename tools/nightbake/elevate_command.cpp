@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "formats/error.h"
-#include "tools/bake/city_ground.h"
+#include "tools/bake/city/city_ground.h"
 #include "tools/elevation/elevate.h"
 #include "tools/elevation/osm_elevations.h"
 #include "tools/nightbake/commands.h"

@@ -8,10 +8,10 @@
 #include <optional>
 #include <string>
 
-#include "tools/bake/city_ground.h"
-#include "tools/bake/lamp_stage.h"
-#include "tools/bake/layout_tables.h"
-#include "tools/bake/street_stage.h"
+#include "tools/bake/city/city_ground.h"
+#include "tools/bake/city/model_streets.h"
+#include "tools/bake/report/layout_report.h"
+#include "tools/bake/stages/lamp_stage.h"
 #include "tools/layout/lamp_osm.h"
 #include "tools/nightbake/commands.h"
 #include "tools/nightbake/progress_line.h"

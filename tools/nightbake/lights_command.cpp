@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tools/bake/light_places.h"
-#include "tools/bake/light_tables.h"
+#include "tools/bake/report/light_report.h"
+#include "tools/bake/scene/light_places.h"
 #include "tools/lights/light_census.h"
 #include "tools/nightbake/commands.h"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/bake/city_files.h"
+#include "tools/bake/city/city_files.h"
 #include "tools/citygml/compare_readers.h"
 #include "tools/nightbake/commands.h"
 

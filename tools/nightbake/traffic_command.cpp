@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "formats/error.h"
-#include "tools/bake/city_ground.h"
-#include "tools/bake/lamp_stage.h"
-#include "tools/bake/street_stage.h"
-#include "tools/bake/traffic_stage.h"
-#include "tools/bake/traffic_tables.h"
+#include "tools/bake/city/city_ground.h"
+#include "tools/bake/city/model_streets.h"
+#include "tools/bake/report/traffic_report.h"
+#include "tools/bake/stages/lamp_stage.h"
+#include "tools/bake/stages/traffic_stage.h"
 #include "tools/nightbake/commands.h"
 #include "tools/nightbake/progress_line.h"
 

@@ -9,10 +9,10 @@
 
 #include "formats/error.h"
 #include "formats/light_file_writer.h"
-#include "tools/bake/city_ground.h"
-#include "tools/bake/lamp_stage.h"
-#include "tools/bake/light_places.h"
-#include "tools/bake/light_stage.h"
+#include "tools/bake/city/city_ground.h"
+#include "tools/bake/scene/light_places.h"
+#include "tools/bake/stages/lamp_stage.h"
+#include "tools/bake/stages/light_stage.h"
 #include "tools/nightbake/commands.h"
 #include "tools/nightbake/progress_line.h"
 

@@ -1,4 +1,4 @@
-#include "tools/bake/drape.h"
+#include "tools/bake/scene/drape.h"
 
 #include <gtest/gtest.h>
 

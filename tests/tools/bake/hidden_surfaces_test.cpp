@@ -1,4 +1,4 @@
-#include "tools/bake/hidden_surfaces.h"
+#include "tools/bake/scene/hidden_surfaces.h"
 
 #include <gtest/gtest.h>
 

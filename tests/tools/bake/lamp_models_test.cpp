@@ -1,4 +1,4 @@
-#include "tools/bake/lamp_models.h"
+#include "tools/bake/scene/lamp_models.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "support/temp_folder.h"
-#include "tools/bake/materials.h"
+#include "tools/bake/scene/materials.h"
 
 namespace nightcity {
 namespace {

@@ -1,5 +1,5 @@
 // Copies for other programs keep the light's lumens under the falloff those programs use.
-#include "tools/bake/punctual.h"
+#include "tools/bake/scene/punctual.h"
 
 #include <gtest/gtest.h>
 

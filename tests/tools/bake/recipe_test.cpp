@@ -4,7 +4,7 @@
 
 #include "formats/error.h"
 #include "support/temp_folder.h"
-#include "tools/bake/city_frames.h"
+#include "tools/bake/city/city_frames.h"
 
 namespace nightcity {
 namespace {

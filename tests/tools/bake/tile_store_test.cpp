@@ -1,4 +1,4 @@
-#include "tools/bake/tile_store.h"
+#include "tools/bake/scene/tile_store.h"
 
 #include <gtest/gtest.h>
 

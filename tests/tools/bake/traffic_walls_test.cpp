@@ -6,10 +6,10 @@
 
 #include "formats/traffic_pose.h"
 #include "support/temp_folder.h"
-#include "tools/bake/city_ground.h"
-#include "tools/bake/lamp_stage.h"
-#include "tools/bake/street_stage.h"
-#include "tools/bake/traffic_stage.h"
+#include "tools/bake/city/city_ground.h"
+#include "tools/bake/city/model_streets.h"
+#include "tools/bake/stages/lamp_stage.h"
+#include "tools/bake/stages/traffic_stage.h"
 #include "tools/town/town.h"
 
 namespace nightcity {

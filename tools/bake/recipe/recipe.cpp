@@ -7,7 +7,7 @@
 
 #include "formats/error.h"
 #include "formats/mapped_file.h"
-#include "tools/bake/city_files.h"
+#include "tools/bake/city/city_files.h"
 #include "tools/bake/recipe/lamp_keys.h"
 #include "tools/bake/recipe/value.h"
 #include "tools/lights/night_schedule.h"

@@ -1,0 +1,103 @@
+#include "tools/bake/report/traffic_report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace nightcity {
+namespace {
+
+using nlohmann::json;
+
+std::string in_words(const std::map<std::string, std::size_t>& counts) {
+  std::string text;
+  for (const auto& [name, count] : counts)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
+  return text.empty() ? "none" : text;
+}
+
+const char* name_of(traffic::Side side) {
+  return side == traffic::Side::left ? "left" : "right";
+}
+
+double overlap_share(const traffic::TrafficReport& report) {
+  return report.overlap_samples
+             ? static_cast<double>(report.overlapping) / static_cast<double>(report.overlap_samples)
+             : 0;
+}
+
+}  // namespace
+
+json to_json(const traffic::TrafficReport& report) {
+  json classes = json::object(), seconds = json::object();
+  for (const auto& [highway, km] : report.routes.lane_km)
+    classes[highway] = {{"lane_km", km},
+                        {"vehicles_wanted", report.routes.wanted.at(highway)},
+                        {"vehicles_given", report.routes.given.at(highway)}};
+  for (const auto& [step, value] : report.seconds) seconds[step] = value;
+  return {{"country", report.country},
+          {"side", name_of(report.side)},
+          {"ways_left_out", report.left_out},
+          {"nodes", report.nodes},
+          {"edges", report.edges},
+          {"links", report.links},
+          {"classes", classes},
+          {"cycle_s", report.cycle_s},
+          {"trips", report.trips},
+          {"trips_by_vehicle", report.by_type},
+          {"knots", report.knots},
+          {"driven_km", report.driven_km},
+          {"mean_speed_m_s", report.mean_speed_m_s},
+          {"vehicles_on_the_road", report.mean_vehicles},
+          {"vehicles_by_hour_from_noon", report.vehicles_by_hour},
+          {"brakings", report.brakings},
+          {"knot_error",
+           {{"m", report.knot_error.position_m}, {"degrees", report.knot_error.heading_degrees}}},
+          {"rejected_routes", report.routes.rejected},
+          {"routes_through_buildings", report.routes.through_buildings},
+          {"links_km", report.links_km},
+          {"links_in_buildings_km", report.links_in_buildings_km},
+          {"max_at_once", report.simulation.max_at_once},
+          {"never_started", report.simulation.never_started},
+          {"stuck", report.simulation.stuck},
+          {"waited_at_start_s", report.simulation.waited_s},
+          {"overlaps",
+           {{"share_of_vehicle_moments", overlap_share(report)},
+            {"trips_left_out", report.overlap_dropped}}},
+          {"seconds", seconds}};
+}
+
+std::string to_text(const traffic::TrafficReport& report) {
+  std::string text;
+  const auto line = [&text](const char* name, const std::string& value) {
+    text += fmt::format("{:<12}{}\n", name, value);
+  };
+  line("traffic",
+       fmt::format(
+           "{} drives a cycle of {:.0f} s, {:.1f} km, {:.0f} vehicles at once in the busiest hour",
+           report.trips, report.cycle_s, report.driven_km, report.mean_vehicles));
+  if (report.edges == 0) return text;
+  line("", fmt::format("{}, on the {}; {} lanes and turns; {}", report.country,
+                       name_of(report.side), report.links, in_words(report.by_type)));
+  std::string hours;
+  for (const std::size_t hour : {5u, 6u, 8u, 10u, 11u, 12u, 15u, 18u})
+    hours += fmt::format("{}{:02}h {:.0f}", hours.empty() ? "" : ", ", (hour + 12) % 24,
+                         report.vehicles_by_hour[hour]);
+  line("", "on the road at " + hours);
+  line("", fmt::format(
+               "{} brakings, mean speed {:.1f} km/h; {} knots, within {:.3f} m and {:.2f} degrees",
+               report.brakings, report.mean_speed_m_s * 3.6, report.knots,
+               report.knot_error.position_m, report.knot_error.heading_degrees));
+  line("", fmt::format("{:.4f} % of vehicles overlapped another: {} drives left out for it; {} "
+                       "stuck, {} not started",
+                       100 * overlap_share(report), report.overlap_dropped, report.simulation.stuck,
+                       report.simulation.never_started));
+  if (report.links_in_buildings_km > 0)
+    line("",
+         fmt::format("{:.2f} of {:.1f} km of lanes and turns touch a building: nobody drives there",
+                     report.links_in_buildings_km, report.links_km));
+  line("", "ways left out: " + in_words(report.left_out));
+  return text;
+}
+
+}  // namespace nightcity

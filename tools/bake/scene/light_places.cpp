@@ -1,0 +1,64 @@
+#include "tools/bake/scene/light_places.h"
+
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "formats/scene_file.h"
+
+namespace nightcity {
+namespace {
+
+constexpr double below_m = 0.1;
+
+std::optional<Footing> footing_of(const SceneNode& node, std::string_view material) {
+  if (node.kind == "terrain") return Footing::terrain;
+  if (node.kind == "road") return Footing::road;
+  if (node.kind != "city") return std::nullopt;
+  if (material == "ground") return Footing::ground_surface;
+  if (material == "roof") return Footing::roof;
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool inside_building(const Terrain& terrain, const glm::dvec3& place) {
+  const auto floor = terrain.height_of(Footing::ground_surface, glm::dvec2(place));
+  if (!floor || place.z <= *floor) return false;
+  const auto roof = terrain.height_of(Footing::roof, glm::dvec2(place));
+  return roof && place.z < *roof - below_m;
+}
+
+PlaceFault place_faults_in(const std::filesystem::path& path) {
+  const Scene scene = read_scene(path);
+  const auto terrain = std::make_shared<Terrain>();
+  for (const SceneNode& node : scene.nodes)
+    for (const ScenePrimitive& primitive : scene.meshes[node.mesh].primitives) {
+      const auto footing = footing_of(node, scene.materials[primitive.material].name);
+      if (!footing) continue;
+      for (const SceneInstance& instance : node.instances) {
+        TriangleMesh mesh;
+        for (const glm::vec3& p : primitive.positions)
+          mesh.positions.push_back(
+              scene.georeference.from_model(glm::dvec3(instance.to_model * glm::vec4(p, 1))));
+        for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+          MeshTriangle triangle{};
+          for (std::size_t k = 0; k < 3; ++k) triangle.vertex[k] = primitive.indices[i + k];
+          mesh.triangles.push_back(triangle);
+        }
+        terrain->add(mesh, *footing);
+      }
+    }
+  terrain->build(0);
+  return [terrain, georeference = scene.georeference](const Light& light) -> std::string {
+    const glm::dvec3 place = georeference.from_model(glm::dvec3(light.position));
+    const glm::dvec2 plan(place);
+    if (const auto ground = terrain->height_at(plan);
+        ground && ground->footing <= Footing::road && place.z < ground->height_m - below_m)
+      return "below the ground";
+    if (inside_building(*terrain, place)) return "inside a building";
+    return {};
+  };
+}
+
+}  // namespace nightcity

@@ -1,0 +1,155 @@
+#include "tools/bake/scene/materials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+
+namespace nightcity {
+namespace {
+
+// `albedo` is the luminance of the colour; `hue` gives its tint (any scale).
+SceneMaterial diffuse(const char* name, float albedo, glm::vec3 hue, float roughness) {
+  const float luminance = 0.2126f * hue.x + 0.7152f * hue.y + 0.0722f * hue.z;  // Rec. 709
+  return {.name = name, .base_colour = hue * (albedo / luminance), .roughness = roughness};
+}
+
+constexpr MaterialCode coloured = 0x80;
+constexpr std::size_t max_colours = 2000;
+
+glm::vec3 srgb_of(MaterialCode code) {
+  return glm::vec3(code >> 8 & 0xFFu, code >> 16 & 0xFFu, code >> 24 & 0xFFu) / 255.0f;
+}
+
+// IEC 61966-2-1.
+float linear(float srgb) {
+  return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
+}
+
+}  // namespace
+
+MaterialCode code_of(BakeMaterial kind, const glm::vec3& colour) {
+  MaterialCode code = code_of(kind) | coloured;
+  for (int i = 0; i < 3; ++i) {
+    const float value = std::clamp(colour[i], 0.0f, 1.0f);  // NaN becomes 0
+    code |= static_cast<MaterialCode>(std::lround((value > 0 ? value : 0) * 255)) << (8 + 8 * i);
+  }
+  return code;
+}
+
+MaterialTable::MaterialTable(SceneWriter& writer) : writer_(writer) {
+  for (const SceneMaterial& material : bake_materials()) writer_.add_material(material);
+}
+
+std::uint32_t MaterialTable::index_of(MaterialCode code) {
+  if ((code & coloured) == 0) return code;
+  const auto found = coloured_.find(code);
+  if (found != coloured_.end()) return found->second;
+  if (coloured_.size() >= max_colours) {
+    const auto distance = [code](MaterialCode other) {
+      const glm::vec3 d = srgb_of(code) - srgb_of(other);
+      return glm::dot(d, d) + (kind_of(code) == kind_of(other) ? 0.0f : 4.0f);
+    };
+    return std::min_element(
+               coloured_.begin(), coloured_.end(),
+               [&](const auto& a, const auto& b) { return distance(a.first) < distance(b.first); })
+        ->second;
+  }
+  const glm::vec3 srgb = srgb_of(code);
+  SceneMaterial material = bake_materials()[static_cast<std::size_t>(kind_of(code))];
+  char name[16];
+  std::snprintf(name, sizeof name, " #%02X%02X%02X", code >> 8 & 0xFFu, code >> 16 & 0xFFu,
+                code >> 24 & 0xFFu);
+  material.name += name;
+  material.base_colour = {linear(srgb.x), linear(srgb.y), linear(srgb.z)};
+  return coloured_[code] = writer_.add_material(material);
+}
+
+// Albedos: T. R. Oke, Boundary Layer Climates, 2nd ed. (1987), tables 1.1 and 8.2, which give ranges; the
+// value taken stands in the middle unless said otherwise. Hues and roughness are ours: a city by night shows
+// little of either.
+const std::array<SceneMaterial, bake_material_count>& bake_materials() {
+  static const std::array<SceneMaterial, bake_material_count> materials{
+      diffuse("wall", 0.35f, {1.0f, 0.94f, 0.85f},
+              0.9f),  // brick 0.20-0.40, stone 0.20-0.35, white paint 0.50-0.90
+      diffuse("roof", 0.20f, {1.0f, 0.78f, 0.68f},
+              0.9f),  // tile 0.10-0.35, tar and gravel 0.08-0.18
+      diffuse("ground", 0.20f, {1.0f, 0.98f, 0.95f}, 0.95f),  // concrete 0.10-0.35
+      diffuse("window", 0.08f, {0.9f, 1.0f, 1.05f},
+              0.1f),  // clear glass, zenith angle under 40 degrees
+      diffuse("door", 0.25f, {1.0f, 0.85f, 0.7f}, 0.8f),  // red, brown, green paint 0.20-0.35
+      diffuse("road", 0.10f, {1.0f, 1.0f, 1.0f},
+              0.85f),  // asphalt 0.05-0.20, worn town streets in the lower half
+      diffuse("pavement", 0.20f, {1.0f, 0.98f, 0.95f}, 0.9f),  // concrete 0.10-0.35
+      diffuse("terrain", 0.18f, {0.85f, 1.0f, 0.65f},
+              1.0f),  // grass 0.16-0.26, dark wet soil 0.05, dry 0.40
+      diffuse("water", 0.05f, {0.8f, 1.0f, 1.1f}, 0.05f),      // small zenith angle 0.03-0.10
+      diffuse("vegetation", 0.18f, {0.7f, 1.0f, 0.5f}, 1.0f),  // deciduous forest 0.15-0.20
+      diffuse("furniture", 0.20f, {1.0f, 1.0f, 1.0f}, 0.7f),   // as painted metal, below
+      diffuse("other", 0.25f, {1.0f, 1.0f, 1.0f}, 0.9f),       // urban areas 0.10-0.27
+      diffuse("lamp post", 0.20f, {0.95f, 1.0f, 1.0f}, 0.6f),  // red, brown, green paint 0.20-0.35
+  };
+  return materials;
+}
+
+const char* name_of(NodeKind kind) {
+  switch (kind) {
+    case NodeKind::city:
+      return "city";
+    case NodeKind::terrain:
+      return "terrain";
+    case NodeKind::road:
+      return "road";
+  }
+  return "";
+}
+
+SurfaceUse use_of(ObjectType object, SurfaceType surface) {
+  using M = BakeMaterial;
+  switch (object) {
+    case ObjectType::relief:
+    case ObjectType::land_use:
+      return {M::terrain, NodeKind::terrain};
+    case ObjectType::water:
+      return {M::water, NodeKind::terrain};
+    case ObjectType::road:
+      return {surface == SurfaceType::auxiliary_traffic_area ? M::pavement : M::road,
+              NodeKind::road};
+    case ObjectType::railway:
+      return {M::pavement, NodeKind::road};
+    case ObjectType::vegetation:
+      return {M::vegetation, NodeKind::city};
+    case ObjectType::furniture:
+      return {M::furniture, NodeKind::city};
+    default:
+      break;
+  }
+  switch (surface) {
+    case SurfaceType::wall:
+    case SurfaceType::closure:
+    case SurfaceType::outer_ceiling:
+      return {M::wall, NodeKind::city};
+    case SurfaceType::roof:
+    case SurfaceType::outer_floor:
+      return {M::roof, NodeKind::city};
+    case SurfaceType::ground:
+      return {M::ground, NodeKind::city};
+    case SurfaceType::window:
+      return {M::window, NodeKind::city};
+    case SurfaceType::door:
+      return {M::door, NodeKind::city};
+    case SurfaceType::traffic_area:
+      return {M::road, NodeKind::city};  // a bridge's carriageway: the bridge is one piece
+    case SurfaceType::auxiliary_traffic_area:
+      return {M::pavement, NodeKind::city};
+    case SurfaceType::terrain:
+      return {M::terrain, NodeKind::terrain};
+    case SurfaceType::water:
+      return {M::water, NodeKind::terrain};
+    case SurfaceType::unknown:
+      break;
+  }
+  return {M::other, NodeKind::city};
+}
+
+}  // namespace nightcity

@@ -1,0 +1,132 @@
+#include "tools/bake/scene/tile_store.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+#include <map>
+#include <span>
+
+namespace nightcity {
+namespace {
+
+// FNV-1a's multiplier over the words, and a final mix for the low bits.
+std::size_t hash_of(const glm::vec3& position) {
+  std::uint64_t hash = 0xCBF29CE484222325u;
+  for (int i = 0; i < 3; ++i)
+    hash = (hash ^ std::bit_cast<std::uint32_t>(position[i])) * 0x100000001B3u;
+  return static_cast<std::size_t>(hash ^ hash >> 29);
+}
+
+// Joins equal vertices of one feature. Features follow each other, so only the present one's are looked up: a
+// small table that stays in the cache, where one for the whole tile would not.
+class Welder {
+ public:
+  ScenePrimitive primitive;
+
+  std::uint32_t index_of(const glm::vec3& position, std::uint32_t feature) {
+    if (primitive.positions.empty() || feature != feature_) {
+      feature_ = feature;
+      first_ = primitive.positions.size();
+      slots_.assign(64, 0);
+    }
+    std::size_t slot = find(position);
+    if (slots_[slot] != 0) return slots_[slot] - 1;
+    primitive.positions.push_back(position);
+    primitive.feature_ids.push_back(feature);
+    const auto index = static_cast<std::uint32_t>(primitive.positions.size() - 1);
+    slots_[slot] = index + 1;
+    if (2 * (primitive.positions.size() - first_) > slots_.size()) grow();
+    return index;
+  }
+
+ private:
+  // Where `position` is or belongs: linear probing in a table whose size is a power of two.
+  std::size_t find(const glm::vec3& position) const {
+    std::size_t slot = hash_of(position) & (slots_.size() - 1);
+    while (slots_[slot] != 0 && primitive.positions[slots_[slot] - 1] != position)
+      slot = (slot + 1) & (slots_.size() - 1);
+    return slot;
+  }
+  void grow() {
+    slots_.assign(4 * slots_.size(), 0);
+    for (std::size_t i = first_; i < primitive.positions.size(); ++i)
+      slots_[find(primitive.positions[i])] = static_cast<std::uint32_t>(i + 1);
+  }
+
+  std::uint32_t feature_ = 0;
+  std::size_t first_ = 0;             // of the present feature's vertices
+  std::vector<std::uint32_t> slots_;  // index + 1; 0 = free
+};
+
+}  // namespace
+
+TileStore::TileStore(const std::filesystem::path& path, double size_m, double base_height)
+    : size_m_(size_m), base_height_(base_height), tiles_(path) {}
+
+TileKey TileStore::key_of(const glm::dvec3& point, NodeKind kind) const {
+  return {static_cast<std::int32_t>(std::floor(point.x / size_m_)),
+          static_cast<std::int32_t>(std::floor(point.y / size_m_)), kind};
+}
+
+glm::dvec3 TileStore::origin(const TileKey& tile) const {
+  return {tile.column * size_m_, tile.row * size_m_, base_height_};
+}
+
+void TileStore::add(std::span<const Triangle> triangles, std::uint32_t feature, bool solid) {
+  if (triangles.empty()) return;
+  glm::dvec2 least(std::numeric_limits<double>::infinity()), greatest(-least);
+  for (const Triangle& triangle : triangles)
+    for (const glm::dvec3& corner : triangle.corners) {
+      least = glm::min(least, glm::dvec2(corner));
+      greatest = glm::max(greatest, glm::dvec2(corner));
+    }
+  const glm::dvec2 extent = greatest - least;
+  const bool whole = std::max(extent.x, extent.y) <= size_m_;
+  const glm::dvec3 centre((least + greatest) / 2.0, 0);
+  for (const Triangle& triangle : triangles) {
+    const glm::dvec3 place =
+        whole ? centre : (triangle.corners[0] + triangle.corners[1] + triangle.corners[2]) / 3.0;
+    const TileKey key = key_of(place, triangle.kind);
+    const glm::dvec3 corner = origin(key);
+    StoredTriangle stored{{}, triangle.material, feature, solid};
+    for (int i = 0; i < 3; ++i) {
+      const glm::dvec3 local = triangle.corners[i] - corner;
+      stored.corners[i] = glm::vec3(glm::dvec3(local.x, local.z, -local.y));
+    }
+    tiles_.add(key, stored);
+  }
+}
+
+std::vector<TileKey> TileStore::tiles() {
+  return tiles_.keys();
+}
+
+SceneMesh TileStore::mesh(const TileKey& key, const LeaveOut& leave_out) {
+  const std::vector<StoredTriangle> triangles = tiles_.read(key);
+  const std::vector<bool> left_out =
+      leave_out ? leave_out(triangles) : std::vector<bool>(triangles.size(), false);
+  std::map<MaterialCode, Welder> welders;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (left_out[t]) continue;
+    const StoredTriangle& triangle = triangles[t];
+    Welder& welder = welders[triangle.material];
+    std::uint32_t index[3];
+    for (int i = 0; i < 3; ++i) index[i] = welder.index_of(triangle.corners[i], triangle.feature);
+    // Rounding to float can join corners: such a triangle has no area.
+    if (index[0] == index[1] || index[1] == index[2] || index[2] == index[0]) continue;
+    welder.primitive.indices.insert(welder.primitive.indices.end(), index, index + 3);
+  }
+  SceneMesh mesh;
+  mesh.name = std::string(name_of(key.kind)) + " " + std::to_string(key.column) + " " +
+              std::to_string(key.row);
+  for (auto& [code, welder] : welders) {
+    if (welder.primitive.indices.empty()) continue;
+    welder.primitive.material = code;
+    mesh.primitives.push_back(std::move(welder.primitive));
+  }
+  return mesh;
+}
+
+}  // namespace nightcity
