@@ -1,5 +1,4 @@
-// Real cities for tests: present on a developer's machine, absent elsewhere. Tests that use them skip with a
-// message.
+// Real cities for tests. Tests that use them are skipped, with a message, on machines without them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,9 +8,13 @@
 
 namespace nightcity::test {
 
+/// Returns the folder of real data: NIGHTCITY_DATA where it is set, else data/ in the repository,
+/// else the one that several checkouts beside each other share (pipelines/README.md).
 inline std::filesystem::path data_root() {
   if (const char* root = std::getenv("NIGHTCITY_DATA")) return root;
-  return std::filesystem::path(NIGHTCITY_SOURCE_DIR) / ".." / "shared" / "data";
+  const std::filesystem::path source = NIGHTCITY_SOURCE_DIR;
+  if (std::filesystem::exists(source / "data")) return source / "data";
+  return source / ".." / "shared" / "data";
 }
 
 }  // namespace nightcity::test
