@@ -6,7 +6,7 @@
 #include "shaders/geometry.glsl"
 #include "shaders/trace.glsl"
 #include "shaders/lights.glsl"
-#include "shaders/picking.glsl"
+#include "shaders/light_sampling.glsl"
 #include "shaders/shading.glsl"
 #include "shaders/reservoir.glsl"
 
@@ -15,25 +15,25 @@ void main() {
   uint index;
   if (!pixel_of_invocation(pixel, index)) return;
   const Surface surface = FRAME.surfaces.at[index];
-  const Picker picker = picker_at(surface.position);
-  if (surface.depth <= 0.0 || (SCENE.local_grid.shape.width == 0u && picker.fleet_share <= 0.0)) {
+  const LightSampler light_sampler = light_sampler_at(surface.position);
+  if (surface.depth <= 0.0 || (SCENE.near_grid.shape.width == 0u && light_sampler.vehicle_share <= 0.0)) {
     FRAME.reservoirs.at[index] = EMPTY_RESERVOIR;
     return;
   }
   seed_random(pixel, STREAM_CANDIDATES);
   const Receiver receiver = receiver_of(surface);
 
-  Selection selection = EMPTY_SELECTION;
+  ReservoirBuilder builder = EMPTY_BUILDER;
   for (uint i = 0u; i < FRAME.candidates; ++i) {
     const float technique = min((float(i) + random_float()) / float(FRAME.candidates), BELOW_ONE);
-    const Pick pick = pick_light(picker, surface.position, technique);
+    const SampledLight chosen = sample_light(light_sampler, surface.position, technique);
     const uint uv = random_uint();
-    if (!(pick.pdf > 0.0)) continue;
-    const float p = target_of(receiver, pick.sampled, uv);
-    consider(selection, pick.light, uv, p, p / (pick.pdf * float(FRAME.candidates)));
+    if (!(chosen.pdf > 0.0)) continue;
+    const float p = target_of(receiver, chosen.light, uv);
+    update(builder, chosen.index, uv, p, p / (chosen.pdf * float(FRAME.candidates)));
   }
-  selection.M = float(FRAME.candidates);
-  Reservoir reservoir = finished(selection, 1.0);
+  builder.M = float(FRAME.candidates);
+  Reservoir reservoir = finalize(builder, 1.0);
 
   // Visibility reuse: a shadowed candidate is not handed on. Its M stays: it was seen, and contributes nothing.
   // `traced` has shadowed targets, so this is its exact W; for the others it is the bias the paper accepts.

@@ -93,12 +93,12 @@ struct Instance {
       root;  // node index of the mesh's hierarchy; where rays go through acceleration structures, its first triangle
   uint mask;  // MASK_*
   uint
-      light;  // whose luminous part it shows, or NO_HIT: then the triangles' own light (counted from here: MASK_FLEET)
+      light;  // whose luminous part it shows, or NO_HIT: then the triangles' own light (counted from here: MASK_VEHICLE)
   uint feature;  // or NO_HIT: then the triangles' own
 };
 #define MASK_SHADOW 1u   // stops shadow rays
 #define MASK_VISIBLE 2u  // seen by the eye
-#define MASK_FLEET 4u    // a vehicle: its triangles' lights count from the instance's
+#define MASK_VEHICLE 4u    // a vehicle: its triangles' lights count from the instance's
 
 struct Material {
   vec3 base_colour;  // linear Rec. 709 reflectance
@@ -131,7 +131,7 @@ struct LightCell {
 };
 
 // A column of a cell's alias table, with lights for indices.
-struct LocalEntry {
+struct GridEntry {
   uint light;
   float keep;
   uint alias_light;
@@ -145,17 +145,17 @@ struct VehicleBody {
   uint mask;  // MASK_*
 };
 
-// A node of the tree over the vehicles that are on the road, in Morton order (shaders/fleet.glsl): the box and the flux
+// A node of the tree over the vehicles that are on the road, in Morton order (shaders/trip_pose.glsl): the box and the flux
 // of what is below. The first entries, one a trip, are its leaves. 32 bytes.
-struct FleetNode {
+struct VehicleNode {
   vec3 lower;  // lower > upper: nothing below
   float flux_lm;
   vec3 upper;
   uint trip;  // of a leaf
 };
-#define FLEET_LEVELS 12           // 4^11 trips
-#define FLEET_CELLS 65536u        // of the map, in Morton order: 256 x 256
-#define FLEET_ABSENT FLEET_CELLS  // where those not on the road are sorted to
+#define VEHICLE_LEVELS 12           // 4^11 trips
+#define VEHICLE_CELLS 65536u        // of the map, in Morton order: 256 x 256
+#define VEHICLE_ABSENT VEHICLE_CELLS  // where those not on the road are sorted to
 
 // What the eye sees in a pixel. 44 bytes.
 struct Surface {
@@ -236,15 +236,15 @@ REFERENCE_TO(Profiles, LightProfile, readonly);
 REFERENCE_TO(Floats, float, readonly);
 REFERENCE_TO(AliasTable, AliasEntry, readonly);
 REFERENCE_TO(Cells, LightCell, readonly);
-REFERENCE_TO(LocalEntries, LocalEntry, readonly);
+REFERENCE_TO(GridEntries, GridEntry, readonly);
 REFERENCE_TO(Vehicles, VehicleKind, readonly);
 REFERENCE_TO(Bodies, VehicleBody, readonly);
 REFERENCE_TO(Trips, Trip, readonly);
 REFERENCE_TO(Knots, TripKnot, readonly);
-REFERENCE_TO(FleetNodes, FleetNode, );
-REFERENCE_TO(FleetLights, Light, );
-REFERENCE_TO(FleetInstances, Instance, writeonly);
-REFERENCE_TO(FleetBvhNodes, BvhNode, writeonly);
+REFERENCE_TO(VehicleNodes, VehicleNode, );
+REFERENCE_TO(VehicleLights, Light, );
+REFERENCE_TO(VehicleInstances, Instance, writeonly);
+REFERENCE_TO(VehicleBvhNodes, BvhNode, writeonly);
 REFERENCE_TO(Surfaces, Surface, );
 REFERENCE_TO(Reservoirs, Reservoir, );
 REFERENCE_TO(Accumulations, Accumulation, );
@@ -255,35 +255,35 @@ REFERENCE_TO(Words, uint, );
 #endif
 
 // The vehicles of a scene and where what they become each frame is put.
-struct FleetBuffers {
+struct TrafficBuffers {
   BUFFER(Vehicles) vehicles;
   BUFFER(Bodies) bodies;          // parallel to vehicles
   BUFFER(Lights) vehicle_lights;  // in vehicle frames
   BUFFER(Trips) trips;
   BUFFER(Knots) knots;
-  BUFFER(FleetInstances) instances;  // of the trips, behind the standing ones
-  BUFFER(FleetBvhNodes) bvh;         // of the fleet, behind the standing ones
+  BUFFER(VehicleInstances) instances;  // of the trips, behind the standing ones
+  BUFFER(VehicleBvhNodes) bvh;         // of the fleet, behind the standing ones
   uint trip_count;
   uint first_instance;  // index of the first trip's instance
   uint
       first_bvh_node;  // index of the fleet's first node; its root's parent, the scene's root, is the last
-  uint standing_root;              // of what does not move
+  uint static_root;              // of what does not move
   vec3 lower, upper;               // the standing scene's box
-  uint level_first[FLEET_LEVELS];  // in the fleet's tree: leaves are level 0
-  uint level_count[FLEET_LEVELS];
+  uint level_first[VEHICLE_LEVELS];  // in the fleet's tree: leaves are level 0
+  uint level_count[VEHICLE_LEVELS];
   uint levels;
   TrafficCycle cycle;
   BUFFER(Words)
-  tree_instances;  // TREE_INSTANCE_WORDS a trip of the acceleration structure, where rays go through one
-  BUFFER(Words) body_trees;  // addresses of the bodies' acceleration structures, two words each
-  uint has_tree;
+  tlas_instances;  // TLAS_INSTANCE_WORDS a trip of the acceleration structure, where rays go through one
+  BUFFER(Words) body_blas;  // addresses of the bodies' acceleration structures, two words each
+  uint has_tlas;
 };
-#define TREE_INSTANCE_WORDS 16u  // of VkAccelerationStructureInstanceKHR
+#define TLAS_INSTANCE_WORDS 16u  // of VkAccelerationStructureInstanceKHR
 
 struct LightGridBuffers {
   LightGridShape shape;
   BUFFER(Cells) cells;  // row by row along Z, then X
-  BUFFER(LocalEntries) entries;
+  BUFFER(GridEntries) entries;
 };
 
 // The scene on the device; changes when another scene is loaded or lights are switched.
@@ -301,14 +301,14 @@ struct SceneBuffers {
   uint sky_width, sky_height;
   BUFFER(Words) lit;            // a bit a light: shines now
   BUFFER(Words) lit_list;       // indices of those
-  LightGridBuffers local_grid;  // lights that are strong near a place
-  LightGridBuffers wide_grid;   // lights of its quarter
-  uvec2 tree;        // address of the top-level acceleration structure, where rays go through one
+  LightGridBuffers near_grid;  // lights that are strong near a place
+  LightGridBuffers far_grid;   // lights of its quarter
+  uvec2 tlas;        // address of the top-level acceleration structure, where rays go through one
   uint root;         // of our own top-level hierarchy, or BVH_EMPTY
   uint light_count;  // standing lights, then VEHICLE_LIGHTS a trip
-  uint standing_lights;
+  uint static_lights;
   uint lit_count;  // standing lights that shine now
-  FleetBuffers fleet;
+  TrafficBuffers traffic;
 };
 
 // Where upward flux leaves: a map of squares, and what is counted there.
@@ -325,12 +325,12 @@ struct UpwardMap {
 struct Frame {
   SceneBuffers scene;
   BUFFER(Words) previous_lit;        // scene.lit of the frame before
-  BUFFER(FleetLights) fleet_lights;  // VEHICLE_LIGHTS a trip, in model space
-  BUFFER(FleetLights) previous_fleet_lights;
-  BUFFER(FleetNodes) fleet_nodes;
-  BUFFER(Words) fleet_cells;       // a trip's cell, and its place among those of the cell
-  BUFFER(Words) fleet_counts;      // a cell's number of vehicles, then its first place in the order
-  BUFFER(FleetNodes) fleet_boxes;  // a leaf a trip, not yet in order
+  BUFFER(VehicleLights) vehicle_lights;  // VEHICLE_LIGHTS a trip, in model space
+  BUFFER(VehicleLights) previous_vehicle_lights;
+  BUFFER(VehicleNodes) vehicle_nodes;
+  BUFFER(Words) vehicle_cells;       // a trip's cell, and its place among those of the cell
+  BUFFER(Words) vehicle_counts;      // a cell's number of vehicles, then its first place in the order
+  BUFFER(VehicleNodes) vehicle_boxes;  // a leaf a trip, not yet in order
   BUFFER(Surfaces) surfaces;       // of this frame
   BUFFER(Surfaces) previous_surfaces;
   BUFFER(Reservoirs) reservoirs;  // candidates', then temporal's result
@@ -351,16 +351,16 @@ struct Frame {
   uint candidates;
   uint neighbours;
   float neighbour_radius;  // pixels
-  float history_cap;       // M of the history at most this many times the candidates' M
+  float max_history;       // M of the history at most this many times the candidates' M
   float
-      reach_falloff;  // 1/m^2: how fast the history's M fades with the way to the place it was gathered at, 0 = not
-  uint boost;           // neighbours of a pixel that has no history, where that is more
+      history_falloff;  // 1/m^2: how fast the history's M fades with the way to the place it was gathered at, 0 = not
+  uint disocclusion_boost;           // neighbours of a pixel that has no history, where that is more
   uint permutation;     // of the history: corner of the blocks, x | y << 2, or NO_PERMUTATION
   float uniform_share;  // of candidates picked uniformly
-  float local_share;    // of candidates picked from the local grid's cell
-  float wide_share;     // of candidates picked from the wide grid's; the rest by flux
+  float near_share;    // of candidates picked from the local grid's cell
+  float far_share;     // of candidates picked from the wide grid's; the rest by flux
   float
-      fleet_share;  // of all candidates, picked from vehicles' lights; the shares above are of the others
+      vehicle_share;  // of all candidates, picked from vehicles' lights; the shares above are of the others
   float time_s, previous_time_s;              // since noon
   float cycle_time_s, previous_cycle_time_s;  // within the traffic's cycle
   uint has_history;                           // previous_* hold a frame of this scene
@@ -389,7 +389,7 @@ struct Push {
 
 static_assert(sizeof(BvhNode) == 64 && sizeof(Triangle) == 48 && sizeof(Instance) == 64 &&
               sizeof(Material) == 32);
-static_assert(sizeof(Surface) == 44 && sizeof(VehicleBody) == 32 && sizeof(FleetNode) == 32 &&
+static_assert(sizeof(Surface) == 44 && sizeof(VehicleBody) == 32 && sizeof(VehicleNode) == 32 &&
               sizeof(Reservoir) == 16 && sizeof(Accumulation) == 32 && sizeof(Push) == 16);
 }  // namespace nightcity::gpu
 #endif

@@ -2,7 +2,7 @@
 
 void add_direct(inout LightLayers layers, uint index, Light light, vec3 direct) {
   if (HAS_LAYERS == 0u) return;
-  if (index >= SCENE.standing_lights) layers.vehicles += direct;
+  if (index >= SCENE.static_lights) layers.vehicles += direct;
   else if ((light.kind_profile & 255u) == LIGHT_RECTANGLE) layers.windows += direct;
   else layers.lamps += direct;
 }
@@ -24,7 +24,7 @@ void keep_layers(uint index, LightLayers layers, bool anew) {
 
 vec3 seen_sky(uvec2 pixel) {
   if (HAS_SKY == SKY_DARK) return vec3(0.0);
-  const vec3 direction = eye_direction(pixel);
+  const vec3 direction = camera_direction(pixel);
   const vec3 sky = sky_luminance(direction);
   const bool on_moon = dot(direction, FRAME.moon_direction) > 1.0 - 0.5 * MOON_RADIUS * MOON_RADIUS;
   return on_moon ? sky + FRAME.moon_lux / (PI * MOON_RADIUS * MOON_RADIUS) : sky;

@@ -24,10 +24,10 @@ bool is_lit(Words bits, uint light) { return (bits.at[light >> 5u] >> (light & 3
 
 // Light `index` as it shines in this frame, or in the one before; without flux where it does not. index < light_count.
 Light light_at(uint index, bool before) {
-  if (HAS_TRAFFIC != 0u && index >= SCENE.standing_lights) {
-    const uint moving = index - SCENE.standing_lights;
-    if (before) return FRAME.previous_fleet_lights.at[moving];
-    return FRAME.fleet_lights.at[moving];
+  if (HAS_TRAFFIC != 0u && index >= SCENE.static_lights) {
+    const uint moving = index - SCENE.static_lights;
+    if (before) return FRAME.previous_vehicle_lights.at[moving];
+    return FRAME.vehicle_lights.at[moving];
   }
   Light light = SCENE.lights.at[index];
   if (HAS_SCHEDULES != 0u && !is_lit(before ? FRAME.previous_lit : SCENE.lit, index)) light.flux_lm = 0.0;
@@ -117,7 +117,7 @@ LightSample sample_rectangle(Light light, vec2 uv, vec3 receiver) {
   return s;
 }
 
-LightSample sample_light(Light light, vec2 uv, vec3 receiver) {
+LightSample sample_point(Light light, vec2 uv, vec3 receiver) {
   if (HAS_RECTANGLES != 0u && (light.kind_profile & 255u) == LIGHT_RECTANGLE)
     return sample_rectangle(light, uv, receiver);
   return sample_sphere(light, uv, receiver);

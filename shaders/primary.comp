@@ -4,9 +4,9 @@
 #include "shaders/common.glsl"
 #include "shaders/geometry.glsl"
 #include "shaders/trace.glsl"
-#include "shaders/hit.glsl"
-#include "shaders/eye.glsl"
-#include "shaders/fleet.glsl"
+#include "shaders/surface_hit.glsl"
+#include "shaders/camera.glsl"
+#include "shaders/trip_pose.glsl"
 
 void main() {
   uvec2 pixel;
@@ -14,26 +14,26 @@ void main() {
   if (!pixel_of_invocation(pixel, index)) return;
 
   const Camera camera = FRAME.camera;
-  const vec3 direction = eye_direction(pixel);
+  const vec3 direction = camera_direction(pixel);
   Surface surface = Surface(vec3(0.0), 0u, 0.0, 0u, NO_HIT, NO_HIT, vec3(0.0));
   Hit hit;
   if (closest_hit(camera.position, direction, hit)) {
     const Instance instance = SCENE.instances.at[hit.instance];
-    const Met met = met_by(hit, instance, direction);
+    const SurfaceHit hit_surface = surface_at(hit, instance, direction);
     surface.position = camera.position + direction * hit.t;
-    surface.normal = pack_normal(met.normal);
+    surface.normal = pack_normal(hit_surface.normal);
     surface.depth = hit.t;
-    surface.material = met.material;
-    surface.feature = instance.feature != NO_HIT ? instance.feature : met.feature;
-    if (HAS_TRAFFIC != 0u && (instance.mask & MASK_FLEET) != 0u) {
-      surface.light = met.light < VEHICLE_LIGHTS ? instance.light + met.light : NO_HIT;
+    surface.material = hit_surface.material;
+    surface.feature = instance.feature != NO_HIT ? instance.feature : hit_surface.feature;
+    if (HAS_TRAFFIC != 0u && (instance.mask & MASK_VEHICLE) != 0u) {
+      surface.light = hit_surface.light < VEHICLE_LIGHTS ? instance.light + hit_surface.light : NO_HIT;
       const vec3 local = vec3(dot(instance.to_object[0], vec4(surface.position, 1.0)),
                               dot(instance.to_object[1], vec4(surface.position, 1.0)),
                               dot(instance.to_object[2], vec4(surface.position, 1.0)));
-      const Pose before = trip_pose(hit.instance - SCENE.fleet.first_instance, FRAME.previous_cycle_time_s, FRAME.previous_time_s);
+      const Pose before = trip_pose(hit.instance - SCENE.traffic.first_instance, FRAME.previous_cycle_time_s, FRAME.previous_time_s);
       surface.motion = before.on_road ? before.position + before.axes * local - surface.position : vec3(0.0);
     } else {
-      surface.light = instance.light != NO_HIT ? instance.light : met.light;
+      surface.light = instance.light != NO_HIT ? instance.light : hit_surface.light;
     }
   }
   FRAME.surfaces.at[index] = surface;

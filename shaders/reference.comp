@@ -9,7 +9,7 @@
 #include "shaders/trace.glsl"
 #include "shaders/lights.glsl"
 #include "shaders/shading.glsl"
-#include "shaders/eye.glsl"
+#include "shaders/camera.glsl"
 #include "shaders/layers.glsl"
 
 // A light that fills much of a hemisphere, half of it behind the surface: the top of a lamp's own post.
@@ -56,7 +56,7 @@ void main() {
       for (uint i = 0u; i < points; ++i) {
         const uvec2 uv = start.xy + (FRAME.frame * points + i) * uvec2(3242174889u, 2447445414u);
         const vec2 unit = vec2(uv >> 8u) * (1.0 / 16777216.0);
-        const LightSample s = sample_light(light, unit, receiver.position);
+        const LightSample s = sample_point(light, unit, receiver.position);
         const vec3 f = reflected(receiver, s) / float(points);
         if (luminance(f) > 0.0 && !occluded(receiver.origin, s.point)) {
           add_direct(layers, index_of_light, light, f);

@@ -4,7 +4,7 @@ const Reservoir EMPTY_RESERVOIR = Reservoir(NO_HIT, 0u, 0.0, 0.0);
 
 // A reservoir from memory: anything that is not a finite, non-negative weight is emptied, so that one bad value
 // cannot live on in the history.
-Reservoir guarded(Reservoir r) {
+Reservoir sanitized(Reservoir r) {
   const bool sound = r.W >= 0.0 && finite(r.W) && r.M >= 0.0 && finite(r.M);
   if (!sound) return EMPTY_RESERVOIR;
   if (r.light >= SCENE.light_count) r.W = 0.0;
@@ -12,7 +12,7 @@ Reservoir guarded(Reservoir r) {
 }
 
 // A stream of weighted samples being resampled into one.
-struct Selection {
+struct ReservoirBuilder {
   uint light;
   uint uv;
   float target;      // of the chosen sample, at the receiver
@@ -20,10 +20,10 @@ struct Selection {
   float M;
 };
 
-const Selection EMPTY_SELECTION = Selection(NO_HIT, 0u, 0.0, 0.0, 0.0);
+const ReservoirBuilder EMPTY_BUILDER = ReservoirBuilder(NO_HIT, 0u, 0.0, 0.0, 0.0);
 
 // Chooses the new sample with probability weight / weight_sum. Zero, NaN and infinite weights never win.
-bool consider(inout Selection s, uint light, uint uv, float p, float weight) {
+bool update(inout ReservoirBuilder s, uint light, uint uv, float p, float weight) {
   if (!(weight > 0.0) || !finite(weight)) return false;
   s.weight_sum += weight;
   if (random_float() * s.weight_sum >= weight) return false;
@@ -34,7 +34,7 @@ bool consider(inout Selection s, uint light, uint uv, float p, float weight) {
 }
 
 // W = normalisation * weight_sum / target; an empty or impossible choice has W = 0, never a clamped divisor.
-Reservoir finished(Selection s, float normalisation) {
+Reservoir finalize(ReservoirBuilder s, float normalisation) {
   Reservoir r;
   r.light = s.light;
   r.uv = s.uv;

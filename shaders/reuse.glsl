@@ -24,7 +24,7 @@ float estimator_target(Receiver r, uint light, uint uv, bool known_visible) {
 }
 
 struct Reuse {
-  Selection selection;
+  ReservoirBuilder builder;
   float canonical_M;
   float canonical_target;  // of the canonical sample at its own pixel
   float canonical_share;   // running sum of s_i (1 - h_i) at the canonical sample
@@ -34,7 +34,7 @@ struct Reuse {
 
 Reuse begin_reuse(Receiver receiver, Reservoir canonical, float others_M) {
   Reuse reuse;
-  reuse.selection = EMPTY_SELECTION;
+  reuse.builder = EMPTY_BUILDER;
   reuse.canonical_M = canonical.M;
   reuse.canonical_target = canonical.W > 0.0 ? target(receiver, canonical.light, canonical.uv) : 0.0;
   reuse.canonical_share = 0.0;
@@ -66,7 +66,7 @@ void add_other(inout Reuse reuse, Receiver receiver, Reservoir canonical, Reserv
           share * (1.0 - pair_share(c_there, reuse.others_M, reuse.canonical_target, reuse.canonical_M));
     }
   }
-  if (consider(reuse.selection, other.light, other.uv, p, m * p * other.W)) reuse.chosen = i;
+  if (update(reuse.builder, other.light, other.uv, p, m * p * other.W)) reuse.chosen = i;
 }
 
 // Adds the canonical sample last, when its share is known.
@@ -77,6 +77,6 @@ void add_canonical(inout Reuse reuse, Reservoir canonical) {
     m = (reuse.canonical_M + reuse.others_M * reuse.canonical_share) / total;
   }
   const float weight = m * reuse.canonical_target * canonical.W;
-  if (consider(reuse.selection, canonical.light, canonical.uv, reuse.canonical_target, weight)) reuse.chosen = 0u;
-  reuse.selection.M = reuse.canonical_M + reuse.others_M;
+  if (update(reuse.builder, canonical.light, canonical.uv, reuse.canonical_target, weight)) reuse.chosen = 0u;
+  reuse.builder.M = reuse.canonical_M + reuse.others_M;
 }

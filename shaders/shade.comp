@@ -5,7 +5,7 @@
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"
 #include "shaders/trace.glsl"
-#include "shaders/eye.glsl"
+#include "shaders/camera.glsl"
 #include "shaders/lights.glsl"
 #include "shaders/shading.glsl"
 #include "shaders/reservoir.glsl"
@@ -30,7 +30,7 @@ void main() {
     const Reservoir reservoir = FRAME.spatial.at[index];
     if (reservoir.W > 0.0 && reservoir.light < SCENE.light_count) {
       const Light light = light_at(reservoir.light);
-      const LightSample s = sample_light(light, uv_of(reservoir.uv), receiver.position);
+      const LightSample s = sample_point(light, uv_of(reservoir.uv), receiver.position);
       // `traced` knows its sample to be visible: an occluded one has W = 0.
       if (ESTIMATOR == ESTIMATOR_TRACED || !occluded(receiver.origin, s.point)) {
         const vec3 direct = reflected(receiver, s) * reservoir.W;

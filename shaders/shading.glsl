@@ -5,7 +5,7 @@ struct Receiver {
   vec3 normal;
   vec3 origin;      // of shadow rays
   vec3 reflectance; // base colour / pi
-  vec3 to_eye;      // unit
+  vec3 to_camera;      // unit
   float wetness;    // of its water film, 0 .. 1
   bool before;      // of the frame before, lit by its lights
 };
@@ -23,13 +23,13 @@ Receiver receiver_of(Surface surface, bool before) {
   r.normal = unpack_normal(surface.normal);
   r.origin = offset_origin(surface.position, r.normal, surface.depth);
   r.reflectance = SCENE.materials.at[surface.material].base_colour * (1.0 / PI);
-  r.to_eye = r.normal;
+  r.to_camera = r.normal;
   r.wetness = 0.0;
   r.before = before;
   if (HAS_GLOSS != 0u) {
     // Rain stays where a surface faces up.
     r.wetness = FRAME.wetness * smoothstep(0.7, 0.95, r.normal.y);
-    r.to_eye = normalize((before ? FRAME.previous_camera.position : FRAME.camera.position) - surface.position);
+    r.to_camera = normalize((before ? FRAME.previous_camera.position : FRAME.camera.position) - surface.position);
     r.reflectance *= mix(1.0, WET_DIFFUSE, r.wetness);
   }
   return r;
@@ -39,8 +39,8 @@ Receiver receiver_of(Surface surface) { return receiver_of(surface, false); }
 
 // Of the water film: GGX with Smith's height-correlated shadowing (Heitz 2014) and Schlick's Fresnel term.
 float film_brdf(Receiver r, vec3 to_light) {
-  const vec3 h = normalize(to_light + r.to_eye);
-  const float n_l = dot(r.normal, to_light), n_v = max(dot(r.normal, r.to_eye), 1e-4), n_h = dot(r.normal, h);
+  const vec3 h = normalize(to_light + r.to_camera);
+  const float n_l = dot(r.normal, to_light), n_v = max(dot(r.normal, r.to_camera), 1e-4), n_h = dot(r.normal, h);
   const float alpha2 = WET_ROUGHNESS * WET_ROUGHNESS * WET_ROUGHNESS * WET_ROUGHNESS;
   const float d = n_h * n_h * (alpha2 - 1.0) + 1.0;
   const float distribution = alpha2 / (PI * d * d);
@@ -60,7 +60,7 @@ vec3 reflected(Receiver r, LightSample s) {
 
 // The target function p^: unshadowed, >= 0, finite. A light that is gone or out of range has none.
 float target_of(Receiver r, Light light, uint uv) {
-  const float p = luminance(reflected(r, sample_light(light, uv_of(uv), r.position)));
+  const float p = luminance(reflected(r, sample_point(light, uv_of(uv), r.position)));
   return p > 0.0 && finite(p) ? p : 0.0;
 }
 
@@ -69,7 +69,7 @@ float target(Receiver r, uint light, uint uv) {
 }
 
 bool sees(Receiver r, uint light, uint uv) {
-  return !occluded(r.origin, sample_light(light_at(light, r.before), uv_of(uv), r.position).point);
+  return !occluded(r.origin, sample_point(light_at(light, r.before), uv_of(uv), r.position).point);
 }
 
 // Luminance of the sky towards unit `direction`, cd/m^2 per channel.

@@ -13,7 +13,7 @@ bool similar(Surface a, Surface b) {
 // moves, far ground, metres a pixel, then shows bright single pixels. Geometry only, as above.
 float confidence(Surface now, Surface before) {
   const vec3 d = before.position - now.position;
-  return 1.0 / (1.0 + FRAME.reach_falloff * dot(d, d));
+  return 1.0 / (1.0 + FRAME.history_falloff * dot(d, d));
 }
 
 // The pixel, by index, that showed this very place of this surface in the frame before; false where there was none.

@@ -31,8 +31,8 @@ void main() {
   uint found = 0u;
   float others_M = 0.0;
   // Disocclusion boost (Wyman, Panteleev 2021): what history would have given, more neighbours give.
-  const bool without_history = FRAME.history_cap > 0.0 && canonical.M <= float(FRAME.candidates);
-  const uint wanted = min(without_history ? max(FRAME.neighbours, FRAME.boost) : FRAME.neighbours, MAX_NEIGHBOURS);
+  const bool without_history = FRAME.max_history > 0.0 && canonical.M <= float(FRAME.candidates);
+  const uint wanted = min(without_history ? max(FRAME.neighbours, FRAME.disocclusion_boost) : FRAME.neighbours, MAX_NEIGHBOURS);
   for (uint i = 0u; i < wanted; ++i) {
     const float radius = FRAME.neighbour_radius * sqrt(random_float());
     const float angle = 2.0 * PI * random_float();
@@ -60,9 +60,9 @@ void main() {
 
   float normalisation = 1.0;
   if (ESTIMATOR == ESTIMATOR_PAPER) {
-    normalisation = 1.0 / reuse.selection.M;
+    normalisation = 1.0 / reuse.builder.M;
   } else if (ESTIMATOR == ESTIMATOR_BASIC) {
-    const Selection s = reuse.selection;
+    const ReservoirBuilder s = reuse.builder;
     float p_source = s.target;
     float sum = canonical.M * s.target;
     for (uint i = 0u; i < found; ++i) {
@@ -72,5 +72,5 @@ void main() {
     }
     normalisation = sum > 0.0 ? p_source / sum : 0.0;
   }
-  FRAME.spatial.at[index] = finished(reuse.selection, normalisation);
+  FRAME.spatial.at[index] = finalize(reuse.builder, normalisation);
 }

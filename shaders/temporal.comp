@@ -19,11 +19,11 @@ void main() {
   uint before;
   if (!previous_pixel(surface, FRAME.permutation != NO_PERMUTATION, before)) return;
 
-  Reservoir history = guarded(FRAME.previous_reservoirs.at[before]);
+  Reservoir history = sanitized(FRAME.previous_reservoirs.at[before]);
   const Reservoir canonical = FRAME.reservoirs.at[index];
   const Surface surface_before = FRAME.previous_surfaces.at[before];
   // Old samples fade: without a cap the history would outvote every new candidate.
-  history.M = min(history.M, FRAME.history_cap * canonical.M);
+  history.M = min(history.M, FRAME.max_history * canonical.M);
   history.M *= confidence(surface, surface_before);
   if (history.M <= 0.0) return;
 
@@ -36,13 +36,13 @@ void main() {
 
   float normalisation = 1.0;
   if (ESTIMATOR == ESTIMATOR_PAPER) {
-    normalisation = 1.0 / reuse.selection.M;
+    normalisation = 1.0 / reuse.builder.M;
   } else if (ESTIMATOR == ESTIMATOR_BASIC) {
-    const Selection s = reuse.selection;
+    const ReservoirBuilder s = reuse.builder;
     const float p_there = target(there, s.light, s.uv);
     const float p_source = reuse.chosen == 0u ? s.target : p_there;
     const float sum = canonical.M * s.target + history.M * p_there;
     normalisation = sum > 0.0 ? p_source / sum : 0.0;
   }
-  FRAME.reservoirs.at[index] = finished(reuse.selection, normalisation);
+  FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation);
 }

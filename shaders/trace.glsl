@@ -12,7 +12,7 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
   hit = Hit(t_max, NO_HIT, NO_HIT);
   const uint flags = any ? gl_RayFlagsOpaqueEXT | gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsOpaqueEXT;
   rayQueryEXT query;
-  rayQueryInitializeEXT(query, accelerationStructureEXT(SCENE.tree), flags, mask, origin, t_min, direction, t_max);
+  rayQueryInitializeEXT(query, accelerationStructureEXT(SCENE.tlas), flags, mask, origin, t_min, direction, t_max);
   while (rayQueryProceedEXT(query)) {
   }
   // Of a ray that met nothing nothing may be asked.
@@ -26,15 +26,15 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
 
 #elif defined(TRACE_PIPELINE)
 
-layout(location = 0) rayPayloadEXT Hit met_by_ray;  // its triangle counts from the instance's first
+layout(location = 0) rayPayloadEXT Hit ray_hit;  // its triangle counts from the instance's first
 
 bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, bool any, out Hit hit) {
-  met_by_ray = Hit(t_max, 0u, 0u);  // trace.rmiss takes the instance away
+  ray_hit = Hit(t_max, 0u, 0u);  // trace.rmiss takes the instance away
   // Of a shadow ray nobody asks where it ended: trace.rchit need not run.
   const uint flags = any ? gl_RayFlagsOpaqueEXT | gl_RayFlagsTerminateOnFirstHitEXT | gl_RayFlagsSkipClosestHitShaderEXT
                          : gl_RayFlagsOpaqueEXT;
-  traceRayEXT(accelerationStructureEXT(SCENE.tree), flags, mask, 0, 0, 0, origin, t_min, direction, t_max, 0);
-  hit = met_by_ray;
+  traceRayEXT(accelerationStructureEXT(SCENE.tlas), flags, mask, 0, 0, 0, origin, t_min, direction, t_max, 0);
+  hit = ray_hit;
   if (hit.instance == NO_HIT) return false;
   if (!any) hit.triangle += SCENE.instances.at[hit.instance].root;
   return true;

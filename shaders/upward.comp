@@ -7,7 +7,7 @@
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"
 #include "shaders/trace.glsl"
-#include "shaders/hit.glsl"
+#include "shaders/surface_hit.glsl"
 #include "shaders/lights.glsl"
 
 void count_at(vec3 place, float lumen) {
@@ -58,10 +58,10 @@ void main() {
         }
         break;
       }
-      const Met met = met_by(hit, SCENE.instances.at[hit.instance], direction);
-      albedo = luminance(SCENE.materials.at[met.material].base_colour * light_colour(light.colour_rgb9e5));
-      origin = offset_origin(origin + direction * hit.t, met.normal, hit.t);
-      direction = cosine_direction(met.normal, vec2(random_float(), random_float()));
+      const SurfaceHit hit_surface = surface_at(hit, SCENE.instances.at[hit.instance], direction);
+      albedo = luminance(SCENE.materials.at[hit_surface.material].base_colour * light_colour(light.colour_rgb9e5));
+      origin = offset_origin(origin + direction * hit.t, hit_surface.normal, hit.t);
+      direction = cosine_direction(hit_surface.normal, vec2(random_float(), random_float()));
     }
   }
   Escape total = FRAME.upward.escapes.at[index];

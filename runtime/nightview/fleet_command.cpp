@@ -64,7 +64,7 @@ void measure_fleets(FleetCommand& command) {
     std::vector<std::string> row{
         fmt::to_string(vehicles),
         fmt::to_string(experiment.scene().lights.size() +
-                       vehicles * experiment.scene().fleet.vehicle_lights.size()),
+                       vehicles * experiment.scene().traffic.vehicle_lights.size()),
         fmt::format("{:.3g}", others)};
     for (const std::string& pass : fleet_passes) {
       const double ms = passes.count(pass) ? median(passes[pass]) : 0;

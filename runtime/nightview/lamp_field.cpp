@@ -58,9 +58,9 @@ Light vehicle_lamp(const glm::vec3& position, const glm::vec3& axis, float flux_
 // One kind of car along the streets that run in z, on the right.
 void add_vehicles(SceneLights& lights, std::size_t vehicles, int streets, float half,
                   const std::function<float(float, float)>& uniform) {
-  Fleet& fleet = lights.fleet;
-  fleet.cycle.cycle_s = 100;
-  for (float& share : fleet.cycle.density) share = 1;
+  Traffic& traffic = lights.traffic;
+  traffic.cycle.cycle_s = 100;
+  for (float& share : traffic.cycle.density) share = 1;
   // A cosine to the tenth power within 40 degrees of the axis, cd for a lumen.
   constexpr std::uint32_t rows = 41;
   lights.profiles = {{1, rows, 0, 40}};
@@ -76,12 +76,12 @@ void add_vehicles(SceneLights& lights, std::size_t vehicles, int streets, float 
     head.axis = glm::normalize(head.axis);
     head.tangent = glm::normalize(glm::vec3(0.02f, 1, 0));
     head.kind_profile = LIGHT_SPHERE | 0u << 8;
-    fleet.vehicle_lights.push_back(head);
-    fleet.vehicle_lights.push_back(
+    traffic.vehicle_lights.push_back(head);
+    traffic.vehicle_lights.push_back(
         vehicle_lamp({-2.1f, 0.8f, side}, {-1, 0, 0}, 25, LightFamily::tail_lamp));
   }
-  fleet.vehicles = {
-      {{2, 0.75f, 0.9f}, 0, static_cast<std::uint32_t>(fleet.vehicle_lights.size()), {}}};
+  traffic.vehicles = {
+      {{2, 0.75f, 0.9f}, 0, static_cast<std::uint32_t>(traffic.vehicle_lights.size()), {}}};
   constexpr float drive_s = 99;
   const float length = std::min(8 * drive_s, 2 * half), speed = length / drive_s;
   for (std::size_t i = 0; i < vehicles; ++i) {
@@ -92,10 +92,10 @@ void add_vehicles(SceneLights& lights, std::size_t vehicles, int streets, float 
         south_end = north_end + glm::vec3(0, 0, length), velocity(0, 0, south ? speed : -speed);
     const std::uint32_t yaw =
         south ? 3u << 14 : 1u << 14;  // turns from east towards north, times 65536
-    const auto first = static_cast<std::uint32_t>(fleet.knots.size());
-    fleet.knots.push_back({south ? north_end : south_end, 0, velocity, yaw});
-    fleet.knots.push_back({south ? south_end : north_end, drive_s, velocity, yaw});
-    fleet.trips.push_back({first, 2, 0, 0, 0, static_cast<std::uint32_t>(i), {}});
+    const auto first = static_cast<std::uint32_t>(traffic.knots.size());
+    traffic.knots.push_back({south ? north_end : south_end, 0, velocity, yaw});
+    traffic.knots.push_back({south ? south_end : north_end, drive_s, velocity, yaw});
+    traffic.trips.push_back({first, 2, 0, 0, 0, static_cast<std::uint32_t>(i), {}});
   }
 }
 

@@ -42,10 +42,10 @@ LightFamily family_of(const RenderScene& scene, std::size_t light) {
   if (light < scene.families.size()) return scene.families[light];
   const std::size_t moving = light - scene.families.size();
   const VehicleKind& kind =
-      scene.fleet.vehicles[scene.fleet.trips[moving / VEHICLE_LIGHTS].vehicle];
+      scene.traffic.vehicles[scene.traffic.trips[moving / VEHICLE_LIGHTS].vehicle];
   const std::size_t n = moving % VEHICLE_LIGHTS;
   if (n >= kind.light_count) return LightFamily::other;
-  return static_cast<LightFamily>(scene.fleet.vehicle_lights[kind.first_light + n].id);
+  return static_cast<LightFamily>(scene.traffic.vehicle_lights[kind.first_light + n].id);
 }
 
 void write_lights(const std::filesystem::path& path, const RenderScene& scene,

@@ -27,8 +27,8 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
     addresses_.sky_height = scene.sky_map.height;
   }
   addresses_.root = scene.root;
-  addresses_.standing_lights = static_cast<std::uint32_t>(scene.lights.size());
-  addresses_.light_count = addresses_.standing_lights;
+  addresses_.static_lights = static_cast<std::uint32_t>(scene.lights.size());
+  addresses_.light_count = addresses_.static_lights;
   std::span<const gpu::Instance> instances = scene.instances;
   std::vector<gpu::Instance> with_trees;
   if (device.trace() != gpu::Trace::compute) {
@@ -37,10 +37,10 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
     instances = with_trees;
     for (gpu::Instance& instance : with_trees)
       instance.root = trees_->first_triangle(instance.root);
-    addresses_.tree = {static_cast<std::uint32_t>(trees_->address()),
+    addresses_.tlas = {static_cast<std::uint32_t>(trees_->address()),
                        static_cast<std::uint32_t>(trees_->address() >> 32)};
   }
-  if (scene.fleet.trips.empty()) {
+  if (scene.traffic.trips.empty()) {
     addresses_.nodes = store(std::span(scene.nodes));
     addresses_.instances = store(instances);
   } else {
@@ -48,7 +48,8 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
   }
   const auto any_light = [&](auto&& is) {
     return std::any_of(scene.lights.begin(), scene.lights.end(), is) ||
-           std::any_of(scene.fleet.vehicle_lights.begin(), scene.fleet.vehicle_lights.end(), is);
+           std::any_of(scene.traffic.vehicle_lights.begin(), scene.traffic.vehicle_lights.end(),
+                       is);
   };
   has_profiles_ =
       any_light([](const Light& light) { return light.kind_profile >> 8 != LIGHT_NO_PROFILE; });
@@ -70,36 +71,36 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
 }
 
 void DeviceScene::store_fleet(const RenderScene& scene, std::span<const gpu::Instance> instances) {
-  const Fleet& fleet = scene.fleet;
-  const auto trips = static_cast<std::uint32_t>(fleet.trips.size());
-  gpu::FleetBuffers& to = addresses_.fleet;
-  to.vehicles = store(std::span(fleet.vehicles));
-  std::vector<gpu::VehicleBody> bodies = fleet.bodies;
+  const Traffic& traffic = scene.traffic;
+  const auto trips = static_cast<std::uint32_t>(traffic.trips.size());
+  gpu::TrafficBuffers& to = addresses_.traffic;
+  to.vehicles = store(std::span(traffic.vehicles));
+  std::vector<gpu::VehicleBody> bodies = traffic.bodies;
   if (trees_) {
     for (gpu::VehicleBody& body : bodies) body.root = trees_->first_triangle(body.root);
-    to.tree_instances = trees_->trip_instances();
-    to.body_trees = trees_->body_trees();
-    to.has_tree = 1;
+    to.tlas_instances = trees_->trip_instances();
+    to.body_blas = trees_->body_blas();
+    to.has_tlas = 1;
   }
   to.bodies = store(std::span<const gpu::VehicleBody>(bodies));
   // One record more, so that a kind without lights has something to read.
-  std::vector<Light> vehicle_lights = fleet.vehicle_lights;
+  std::vector<Light> vehicle_lights = traffic.vehicle_lights;
   vehicle_lights.push_back({});
   to.vehicle_lights = store(std::span<const Light>(vehicle_lights));
-  to.trips = store(std::span(fleet.trips));
-  to.knots = store(std::span(fleet.knots));
-  to.cycle = fleet.cycle;
+  to.trips = store(std::span(traffic.trips));
+  to.knots = store(std::span(traffic.knots));
+  to.cycle = traffic.cycle;
   to.trip_count = trips;
 
   to.level_count[0] = trips;
   std::uint32_t inner = 0;
   for (to.levels = 1; to.levels < 2 || to.level_count[to.levels - 1] > 1; ++to.levels) {
-    if (to.levels == FLEET_LEVELS) throw Error("traffic", "more than 4 million trips");
+    if (to.levels == VEHICLE_LEVELS) throw Error("traffic", "more than 4 million trips");
     to.level_first[to.levels] = to.level_first[to.levels - 1] + to.level_count[to.levels - 1];
     to.level_count[to.levels] = (to.level_count[to.levels - 1] + 3) / 4;
     inner += to.level_count[to.levels];
   }
-  to.standing_root = scene.root;
+  to.static_root = scene.root;
   to.lower = scene.bounds.lower;
   to.upper = scene.bounds.upper;
   to.first_instance = static_cast<std::uint32_t>(scene.instances.size());
@@ -146,20 +147,20 @@ void DeviceScene::upload_lit(LitLights lit) {
   lit_bits_[lit_parity_] = gpu::Buffer::of(device_, std::span<const std::uint32_t>(lit_.bits));
   lit_list_ = gpu::Buffer::of(device_, std::span<const std::uint32_t>(lit_.list));
   alias_ = gpu::Buffer::of(device_, std::span<const gpu::AliasEntry>(lit_.alias));
-  addresses_.local_grid = upload_grid(0, lit_.local_grid);
-  addresses_.wide_grid = upload_grid(1, lit_.wide_grid);
+  addresses_.near_grid = upload_grid(0, lit_.near_grid);
+  addresses_.far_grid = upload_grid(1, lit_.far_grid);
   addresses_.lit = lit_bits_[lit_parity_].address();
   addresses_.lit_list = lit_list_.address();
   addresses_.lit_count = static_cast<std::uint32_t>(lit_.list.size());
   addresses_.alias = alias_.address();
   // The device has the tables now; only what tells one moment from another stays here.
   lit_.alias = {};
-  lit_.local_grid = lit_.wide_grid = {};
+  lit_.near_grid = lit_.far_grid = {};
 }
 
 gpu::LightGridBuffers DeviceScene::upload_grid(std::size_t which, const LightGrid& grid) {
   cells_[which] = gpu::Buffer::of(device_, std::span<const gpu::LightCell>(grid.cells));
-  entries_[which] = gpu::Buffer::of(device_, std::span<const gpu::LocalEntry>(grid.entries));
+  entries_[which] = gpu::Buffer::of(device_, std::span<const gpu::GridEntry>(grid.entries));
   return {grid.shape, cells_[which].address(), entries_[which].address()};
 }
 

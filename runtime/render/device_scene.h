@@ -34,7 +34,7 @@ class DeviceScene {
   bool has_profiles() const { return has_profiles_; }
   bool has_rectangles() const { return has_rectangles_; }
   bool has_schedules() const { return !schedules_.empty(); }
-  bool has_fleet() const { return addresses_.fleet.trip_count > 0; }
+  bool has_fleet() const { return addresses_.traffic.trip_count > 0; }
   bool has_sky_map() const { return addresses_.sky_width > 0; }
   /// Base colour of a material; black for one that is not there.
   glm::vec3 albedo(std::uint32_t material) const {

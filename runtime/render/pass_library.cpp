@@ -8,11 +8,6 @@
 #include "spirv/candidates_query.h"
 #include "spirv/demodulate.h"
 #include "spirv/denoise.h"
-#include "spirv/fleet_offsets.h"
-#include "spirv/fleet_order.h"
-#include "spirv/fleet_pose.h"
-#include "spirv/fleet_settle.h"
-#include "spirv/fleet_tree.h"
 #include "spirv/primary.h"
 #include "spirv/primary_pipeline.h"
 #include "spirv/primary_query.h"
@@ -33,6 +28,11 @@
 #include "spirv/upward.h"
 #include "spirv/upward_pipeline.h"
 #include "spirv/upward_query.h"
+#include "spirv/vehicle_bvh.h"
+#include "spirv/vehicle_offsets.h"
+#include "spirv/vehicle_order.h"
+#include "spirv/vehicle_pose.h"
+#include "spirv/vehicle_sort_cells.h"
 
 namespace nightcity {
 namespace {
@@ -57,11 +57,11 @@ const PassSet& PassLibrary::get(const PassConstants& constants) {
   set.demodulate = make(demodulate_spirv, over_pixels);
   set.denoise = make(denoise_spirv, over_pixels);
   if (constants[CONSTANT_TRAFFIC] != 0) {
-    set.fleet_pose = make(fleet_pose_spirv, over_a_list);
-    set.fleet_offsets = make(fleet_offsets_spirv, over_a_list);
-    set.fleet_order = make(fleet_order_spirv, over_a_list);
-    set.fleet_settle = make(fleet_settle_spirv, over_a_list);
-    set.fleet_tree = make(fleet_tree_spirv, over_a_list);
+    set.vehicle_pose = make(vehicle_pose_spirv, over_a_list);
+    set.vehicle_offsets = make(vehicle_offsets_spirv, over_a_list);
+    set.vehicle_order = make(vehicle_order_spirv, over_a_list);
+    set.vehicle_sort_cells = make(vehicle_sort_cells_spirv, over_a_list);
+    set.vehicle_bvh = make(vehicle_bvh_spirv, over_a_list);
   }
   if (constants[CONSTANT_ESTIMATOR] == ESTIMATOR_REFERENCE) {
     set.reference = make_trace({reference_spirv, reference_query_spirv, reference_pipeline_spirv});

@@ -18,8 +18,8 @@ using PassConstants = std::array<std::uint32_t, CONSTANT_COUNT>;
 
 struct PassSet {
   gpu::ComputePass accumulate, demodulate, denoise;
-  gpu::ComputePass fleet_pose, fleet_offsets, fleet_order, fleet_settle,
-      fleet_tree;  // only with traffic
+  gpu::ComputePass vehicle_pose, vehicle_offsets, vehicle_order, vehicle_sort_cells,
+      vehicle_bvh;  // only with traffic
   TracePass primary;
   TracePass reference;                             // only where the estimator is the reference
   TracePass candidates, temporal, spatial, shade;  // only where it is not

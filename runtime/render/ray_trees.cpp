@@ -9,7 +9,7 @@
 namespace nightcity {
 namespace {
 
-static_assert(sizeof(VkAccelerationStructureInstanceKHR) == 4 * TREE_INSTANCE_WORDS);
+static_assert(sizeof(VkAccelerationStructureInstanceKHR) == 4 * TLAS_INSTANCE_WORDS);
 
 VkAccelerationStructureInstanceKHR record_of(const gpu::Instance& instance, std::uint32_t index,
                                              std::uint64_t tree) {
@@ -31,7 +31,7 @@ VkAccelerationStructureInstanceKHR record_of(const gpu::Instance& instance, std:
 }  // namespace
 
 RayTrees::RayTrees(gpu::Device& device, const RenderScene& scene, std::uint64_t triangles) {
-  const std::size_t trips = scene.fleet.trips.size(), placed = scene.instances.size() + trips;
+  const std::size_t trips = scene.traffic.trips.size(), placed = scene.instances.size() + trips;
   if (placed > 0xFFFFFFu)
     throw Error("scene", "more than 16 million instances: too many for any --trace but compute");
   for (const Mesh& mesh : scene.meshes)
@@ -49,7 +49,7 @@ RayTrees::RayTrees(gpu::Device& device, const RenderScene& scene, std::uint64_t 
     records[i] = record_of(instance, i, meshes_.at(instance.root).tree.address());
   }
   std::vector<std::uint64_t> bodies;
-  for (const gpu::VehicleBody& body : scene.fleet.bodies) {
+  for (const gpu::VehicleBody& body : scene.traffic.bodies) {
     const auto mesh = meshes_.find(body.root);
     bodies.push_back(mesh == meshes_.end() ? 0 : mesh->second.tree.address());
   }

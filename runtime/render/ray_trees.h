@@ -24,7 +24,7 @@ class RayTrees {
   /// Of the first trip's record among those that the top level is built from.
   std::uint64_t trip_instances() const { return trip_instances_; }
   /// Addresses of the vehicle bodies' structures, one a kind.
-  std::uint64_t body_trees() const { return bodies_.address(); }
+  std::uint64_t body_blas() const { return bodies_.address(); }
   std::uint64_t bytes() const;
 
  private:

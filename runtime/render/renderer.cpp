@@ -251,30 +251,30 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
   frame.candidates = settings.candidates;
   frame.neighbours = settings.neighbours;
   frame.neighbour_radius = settings.neighbour_radius_px;
-  frame.history_cap = settings.history_cap;
+  frame.max_history = settings.history_cap;
   // As published: uniform picks, no boost, no permutation, every M in full.
   const bool as_published = settings.estimator == Estimator::paper;
-  frame.reach_falloff =
+  frame.history_falloff =
       as_published || settings.reach_m <= 0 ? 0 : 1 / (settings.reach_m * settings.reach_m);
-  frame.boost = as_published ? 0 : settings.boost;
+  frame.disocclusion_boost = as_published ? 0 : settings.boost;
   // Fibonacci hashing: neighbouring frames get distant corners.
   frame.permutation =
       settings.permute && !as_published ? (frame_number_ * 2654435769u) >> 28 : NO_PERMUTATION;
-  frame.local_share = as_published ? 0.0f : std::clamp(settings.local_share, 0.0f, 1.0f);
-  frame.wide_share =
-      as_published ? 0.0f : std::clamp(settings.wide_share, 0.0f, 1.0f - frame.local_share);
+  frame.near_share = as_published ? 0.0f : std::clamp(settings.local_share, 0.0f, 1.0f);
+  frame.far_share =
+      as_published ? 0.0f : std::clamp(settings.wide_share, 0.0f, 1.0f - frame.near_share);
   frame.uniform_share = as_published ? 1.0f
                                      : std::clamp(settings.uniform_share, 0.0f,
-                                                  1.0f - frame.local_share - frame.wide_share);
+                                                  1.0f - frame.near_share - frame.far_share);
   // As published, candidates are uniform over all lights: each set has its share of them.
-  const double moving = double(frame.scene.light_count - frame.scene.standing_lights);
-  frame.fleet_share = as_published ? float(moving / std::max(1.0, moving + frame.scene.lit_count))
-                                   : settings.fleet_share;
+  const double moving = double(frame.scene.light_count - frame.scene.static_lights);
+  frame.vehicle_share = as_published ? float(moving / std::max(1.0, moving + frame.scene.lit_count))
+                                     : settings.fleet_share;
   const double before_s = has_history_ ? settings_.time_s : settings.time_s;
   frame.time_s = float(settings.time_s);
   frame.previous_time_s = float(before_s);
-  frame.cycle_time_s = cycle_time(frame.scene.fleet.cycle, settings.time_s);
-  frame.previous_cycle_time_s = cycle_time(frame.scene.fleet.cycle, before_s);
+  frame.cycle_time_s = cycle_time(frame.scene.traffic.cycle, settings.time_s);
+  frame.previous_cycle_time_s = cycle_time(frame.scene.traffic.cycle, before_s);
   frame.has_history = has_history_;
   // By frames in the mean, not by frame number: every estimator then sees the same sub-pixels.
   const std::uint32_t sub_pixel = settings.window == 0 ? frames_ : frame_number_;

@@ -31,7 +31,7 @@ UpwardFlux upward_flux(gpu::Device& device, PassLibrary& library, DeviceScene& s
   frame.seed = settings.seed;
   frame.time_s = frame.previous_time_s = float(settings.time_s);
   frame.cycle_time_s = frame.previous_cycle_time_s =
-      cycle_time(frame.scene.fleet.cycle, settings.time_s);
+      cycle_time(frame.scene.traffic.cycle, settings.time_s);
   frame.previous_lit = frame.scene.lit;
 
   UpwardFlux result;

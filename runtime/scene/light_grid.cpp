@@ -148,7 +148,7 @@ Strongest strongest(std::span<const Light> lights, const std::vector<Bins>& clas
       }
       const auto take = [&](int bx, int bz) {
         for (const std::uint32_t light : bins.at(bx, bz)) {
-          const float value = local_strength(shape, x, z, lights[light]);
+          const float value = light_strength(shape, x, z, lights[light]);
           if (value > bar) found.push_back({value, light});
         }
       };
@@ -173,7 +173,7 @@ Strongest strongest(std::span<const Light> lights, const std::vector<Bins>& clas
 // Some cells and their lists, entries counted from the first of them.
 struct Row {
   std::vector<gpu::LightCell> cells;
-  std::vector<gpu::LocalEntry> entries;
+  std::vector<gpu::GridEntry> entries;
 };
 
 void add_cell(Row& row, const Strongest& strongest, std::size_t listed) {
@@ -203,7 +203,7 @@ void add_cell(Row& row, const Strongest& strongest, std::size_t listed) {
 
 }  // namespace
 
-float local_strength(const gpu::LightGridShape& shape, std::uint32_t cell_x, std::uint32_t cell_z,
+float light_strength(const gpu::LightGridShape& shape, std::uint32_t cell_x, std::uint32_t cell_z,
                      const Light& light) {
   const auto [centre_x, centre_z] = cell_centre(shape, cell_x, cell_z);
   const float dx = light.position.x - centre_x, dz = light.position.z - centre_z;

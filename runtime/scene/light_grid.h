@@ -13,8 +13,8 @@ namespace nightcity {
 
 struct LightGrid {
   gpu::LightGridShape shape{};
-  std::vector<gpu::LightCell> cells;     // row by row along Z, then X
-  std::vector<gpu::LocalEntry> entries;  // an alias table a cell
+  std::vector<gpu::LightCell> cells;    // row by row along Z, then X
+  std::vector<gpu::GridEntry> entries;  // an alias table a cell
 };
 
 /// How fine a grid is, and how long its lists.
@@ -24,10 +24,10 @@ struct LightLists {
 };
 
 /// The lights a place is mostly lit by.
-constexpr LightLists local_lists{16, 256};
+constexpr LightLists near_lists{16, 256};
 /// Lights that matter only together: each of thousands of windows around. Without them, one that the first
 /// grid has no room for is picked so seldom that its light comes as single bright pixels.
-constexpr LightLists wide_lists{128, 4096};
+constexpr LightLists far_lists{128, 4096};
 
 /// The strength of a light in a cell is flux / (horizontal distance of the cell's centre^2 +
 /// shape.softening_m2): the density candidates are drawn with. A cell lists its strongest, fewer
@@ -37,7 +37,7 @@ constexpr LightLists wide_lists{128, 4096};
 LightGrid build_light_grid(std::span<const Light> lights, LightLists lists);
 
 /// flux / (d^2 + softening) as the shader computes it.
-float local_strength(const gpu::LightGridShape& shape, std::uint32_t cell_x, std::uint32_t cell_z,
+float light_strength(const gpu::LightGridShape& shape, std::uint32_t cell_x, std::uint32_t cell_z,
                      const Light& light);
 
 }  // namespace nightcity

@@ -41,8 +41,8 @@ void build_tables(LitLights& lit, std::span<const Light> lights) {
     flux[i] = shining[i].flux_lm;
   }
   lit.alias = build_alias_table(flux);
-  lit.local_grid = build_light_grid(shining, local_lists);
-  lit.wide_grid = build_light_grid(shining, wide_lists);
+  lit.near_grid = build_light_grid(shining, near_lists);
+  lit.far_grid = build_light_grid(shining, far_lists);
 }
 
 }  // namespace nightcity

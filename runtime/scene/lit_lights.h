@@ -17,8 +17,8 @@ struct LitLights {
   std::vector<std::uint32_t> bits;     // a bit a light, 32 a word
   std::vector<std::uint32_t> list;     // indices of those that shine, ascending
   std::vector<gpu::AliasEntry> alias;  // over flux, parallel to the lights
-  LightGrid local_grid;                // the strongest near each place
-  LightGrid wide_grid;                 // those of the quarter around it
+  LightGrid near_grid;                 // the strongest near each place
+  LightGrid far_grid;                  // those of the quarter around it
 
   bool same_lights(const LitLights& other) const { return bits == other.bits; }
 };

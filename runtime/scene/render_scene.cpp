@@ -18,7 +18,7 @@ constexpr std::uint32_t triangle_leaf = 4;
 constexpr std::uint32_t top_level_stack = 33;
 // One entry is the other child of the root that the standing scene and the fleet share.
 constexpr std::uint32_t mesh_stack = BVH_STACK - top_level_stack - 1;
-constexpr std::uint32_t body_stack = BVH_STACK - 3 * FLEET_LEVELS - 2;
+constexpr std::uint32_t body_stack = BVH_STACK - 3 * VEHICLE_LEVELS - 2;
 
 Box box_of(const gpu::Triangle& t) {
   Box box;
@@ -124,8 +124,8 @@ void add_geometry(RenderScene& out, const Scene& scene) {
   };
 
   // Where there is traffic, the vehicles of the file, which show one moment, make way for it.
-  const auto is_fleet = [&](const SceneNode& node) {
-    return !out.fleet.trips.empty() && node.vehicle != no_id;
+  const auto is_vehicle = [&](const SceneNode& node) {
+    return !out.traffic.trips.empty() && node.vehicle != no_id;
   };
 
   // Whatever stands once becomes one static hierarchy (one for what casts shadows, one for what does not): a
@@ -133,7 +133,7 @@ void add_geometry(RenderScene& out, const Scene& scene) {
   for (const bool shadow : {true, false}) {
     std::vector<gpu::Triangle> triangles;
     for (const SceneNode& node : scene.nodes)
-      if (!is_fleet(node) && node.instances.size() == 1 && node.instances[0].light == no_id &&
+      if (!is_vehicle(node) && node.instances.size() == 1 && node.instances[0].light == no_id &&
           node.casts_shadow == shadow)
         append_mesh(scene.meshes[node.mesh], node.instances[0].to_model, triangles,
                     out.dropped_triangles);
@@ -142,7 +142,7 @@ void add_geometry(RenderScene& out, const Scene& scene) {
   }
   std::vector<std::optional<std::pair<std::uint32_t, Box>>> built(scene.meshes.size());
   for (const SceneNode& node : scene.nodes) {
-    if (is_fleet(node) || (node.instances.size() == 1 && node.instances[0].light == no_id))
+    if (is_vehicle(node) || (node.instances.size() == 1 && node.instances[0].light == no_id))
       continue;
     auto& mesh = built[node.mesh];
     if (!mesh) {
@@ -192,7 +192,7 @@ std::vector<gpu::Triangle> box_mesh(const glm::vec3& lower, const glm::vec3& upp
 
 // A body for each kind of vehicle: the scene's mesh, or a plain box where it has none.
 void add_bodies(RenderScene& out, const Scene& scene) {
-  for (std::uint32_t kind = 0; kind < out.fleet.vehicles.size(); ++kind) {
+  for (std::uint32_t kind = 0; kind < out.traffic.vehicles.size(); ++kind) {
     std::vector<gpu::Triangle> triangles;
     std::uint32_t mask = MASK_VISIBLE;
     for (const SceneNode& node : scene.nodes) {
@@ -201,29 +201,30 @@ void add_bodies(RenderScene& out, const Scene& scene) {
       if (node.casts_shadow) mask |= MASK_SHADOW;
     }
     if (triangles.empty()) {
-      const glm::vec3 size = out.fleet.vehicles[kind].half_size;
+      const glm::vec3 size = out.traffic.vehicles[kind].half_size;
       triangles = box_mesh({-size.x, 0.0f, -size.z}, {size.x, 2 * size.y, size.z});
       mask |= MASK_SHADOW;
     }
     const auto [root, box] = add_hierarchy(out, triangles, body_stack);
-    out.fleet.bodies.push_back({box.lower, root, box.upper, mask});
+    out.traffic.bodies.push_back({box.lower, root, box.upper, mask});
   }
 }
 
 // Trips, vehicles and their lights go to the device as they are, so whatever is unfit goes no further.
-void check_fleet(const Fleet& fleet, std::size_t profiles) {
-  if (fleet.trips.empty()) return;
+void check_traffic(const Traffic& traffic, std::size_t profiles) {
+  if (traffic.trips.empty()) return;
   const auto refuse = [](const std::string& what, std::size_t i,
                          const std::optional<std::string>& fault) {
     if (fault) throw Error("traffic", what + " " + std::to_string(i), *fault);
   };
-  refuse("cycle", 0, cycle_fault(fleet.cycle));
-  for (std::size_t i = 0; i < fleet.vehicles.size(); ++i)
-    refuse("vehicle", i, vehicle_fault(fleet.vehicles[i], fleet.vehicle_lights.size()));
-  for (std::size_t i = 0; i < fleet.vehicle_lights.size(); ++i)
-    refuse("vehicle light", i, vehicle_light_fault(fleet.vehicle_lights[i], profiles));
-  for (std::size_t i = 0; i < fleet.trips.size(); ++i)
-    refuse("trip", i, trip_fault(fleet.trips[i], fleet.cycle, fleet.vehicles.size(), fleet.knots));
+  refuse("cycle", 0, cycle_fault(traffic.cycle));
+  for (std::size_t i = 0; i < traffic.vehicles.size(); ++i)
+    refuse("vehicle", i, vehicle_fault(traffic.vehicles[i], traffic.vehicle_lights.size()));
+  for (std::size_t i = 0; i < traffic.vehicle_lights.size(); ++i)
+    refuse("vehicle light", i, vehicle_light_fault(traffic.vehicle_lights[i], profiles));
+  for (std::size_t i = 0; i < traffic.trips.size(); ++i)
+    refuse("trip", i,
+           trip_fault(traffic.trips[i], traffic.cycle, traffic.vehicles.size(), traffic.knots));
 }
 
 bool usable(const Light& light, std::size_t profiles) {
@@ -244,8 +245,8 @@ RenderScene make_render_scene(const Scene& scene, SceneLights lights) {
   if (out.materials.empty()) out.materials.push_back({glm::vec3(0.5f), 1.0f, glm::vec3(0.0f), 0});
   out.profiles = std::move(lights.profiles);
   out.profile_data = std::move(lights.profile_data);
-  out.fleet = std::move(lights.fleet);
-  check_fleet(out.fleet, out.profiles.size());
+  out.traffic = std::move(lights.traffic);
+  check_traffic(out.traffic, out.profiles.size());
   add_bodies(out, scene);
   add_geometry(out, scene);
 
@@ -287,12 +288,12 @@ RenderScene load_render_scene(const std::filesystem::path& glb) {
     lights.schedules.assign(file.schedules().begin(), file.schedules().end());
     lights.switches.assign(file.switches().begin(), file.switches().end());
     const TrafficContent traffic = file.traffic();
-    lights.fleet.cycle = traffic.cycle;
-    lights.fleet.vehicles.assign(traffic.vehicles.begin(), traffic.vehicles.end());
-    lights.fleet.vehicle_lights.assign(traffic.vehicle_lights.begin(),
-                                       traffic.vehicle_lights.end());
-    lights.fleet.trips.assign(traffic.trips.begin(), traffic.trips.end());
-    lights.fleet.knots.assign(traffic.knots.begin(), traffic.knots.end());
+    lights.traffic.cycle = traffic.cycle;
+    lights.traffic.vehicles.assign(traffic.vehicles.begin(), traffic.vehicles.end());
+    lights.traffic.vehicle_lights.assign(traffic.vehicle_lights.begin(),
+                                         traffic.vehicle_lights.end());
+    lights.traffic.trips.assign(traffic.trips.begin(), traffic.trips.end());
+    lights.traffic.knots.assign(traffic.knots.begin(), traffic.knots.end());
   }
   return make_render_scene(scene, std::move(lights));
 }

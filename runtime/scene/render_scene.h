@@ -16,7 +16,7 @@
 namespace nightcity {
 
 /// Vehicles as the light file has them, and their bodies.
-struct Fleet {
+struct Traffic {
   TrafficCycle cycle{};
   std::vector<VehicleKind> vehicles;
   std::vector<gpu::VehicleBody> bodies;  // parallel to vehicles
@@ -51,7 +51,7 @@ struct RenderScene {
   std::vector<float> profile_data;
   std::vector<Schedule> schedules{};
   std::vector<std::uint32_t> switches;  // s since noon
-  Fleet fleet;
+  Traffic traffic;
   SkyMap sky_map;
   Box bounds;  // of everything visible that stands
 
@@ -68,7 +68,7 @@ struct SceneLights {
   std::vector<float> profile_data;
   std::vector<Schedule> schedules{};
   std::vector<std::uint32_t> switches{};
-  Fleet fleet{};  // without bodies: those are the scene's
+  Traffic traffic{};  // without bodies: those are the scene's
 };
 
 RenderScene make_render_scene(const Scene& scene, SceneLights lights);

@@ -68,7 +68,7 @@ class Viewer {
     figures_.device = device_.label();
     figures_.triangles = scene_.triangles.size();
     figures_.lights = scene_.lights.size();
-    state_.night_changes = !scene_.fleet.trips.empty() || !scene_.schedules.empty();
+    state_.night_changes = !scene_.traffic.trips.empty() || !scene_.schedules.empty();
     state_.play = options.play;
     // The clock never stops the window; the first lights are there from the first frame on.
     device_scene_.set_time(options.settings.time_s);

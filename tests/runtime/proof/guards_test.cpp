@@ -81,14 +81,14 @@ Property lamp_law(Estimator estimator, float flux = 5000, std::uint32_t frames =
   };
 }
 
-const ShaderEdit finished_guard{"reservoir.glsl",
+const ShaderEdit finalize_guard{"reservoir.glsl",
                                 "s.target > 0.0 ? normalisation * s.weight_sum / s.target : 0.0",
                                 "normalisation * s.weight_sum / s.target"};
 
 // A target of zero is no sample; a clamped divisor instead would dim whatever is fainter than the clamp.
 TEST(Guard, FaintLightIsNotClampedAway) {
   expect_guarded(lamp_law(Estimator::pairwise, 1e-5f),
-                 {{finished_guard.file, finished_guard.guard,
+                 {{finalize_guard.file, finalize_guard.guard,
                    "normalisation * s.weight_sum / max(s.target, 1.0e-8)"}});
 }
 
@@ -107,7 +107,7 @@ TEST(Guard, WhereNoLightReachesThePictureIsBlackAndNotNaN) {
   };
   expect_guarded(
       dark_half_is_dark,
-      {finished_guard,
+      {finalize_guard,
        {"reservoir.glsl", "r.W = finite(W) ? W : 0.0;", "r.W = W;"},
        {"shade.comp", "reservoir.W > 0.0 && reservoir.light < SCENE.light_count",
         "reservoir.M > 0.0"},
@@ -115,8 +115,8 @@ TEST(Guard, WhereNoLightReachesThePictureIsBlackAndNotNaN) {
 }
 
 const ShaderEdit poisoned_history{
-    "temporal.comp", "FRAME.reservoirs.at[index] = finished(reuse.selection, normalisation);",
-    "FRAME.reservoirs.at[index] = finished(reuse.selection, normalisation);\n"
+    "temporal.comp", "FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation);",
+    "FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation);\n"
     "  if (FRAME.frame == 2u) FRAME.reservoirs.at[index].W = uintBitsToFloat(0x7FC00000u);"};
 
 // A reservoir that holds no number: emptied when it is loaded, else the history never recovers. Infinite M is
@@ -186,7 +186,7 @@ TEST(Guard, HistoryFadesThroughTheCapOnM) {
   };
   expect_guarded(
       lamps_change,
-      {{"temporal.comp", "history.M = min(history.M, FRAME.history_cap * canonical.M);", ""}});
+      {{"temporal.comp", "history.M = min(history.M, FRAME.max_history * canonical.M);", ""}});
 }
 
 // One lamp, a checker of steps: a neighbour on another step is not similar, and must not dilute the weights.
@@ -252,8 +252,8 @@ TEST(Guard, WhatWasHiddenHasNoHistory) {
 // which no test should do, so only the guarded half is run.
 TEST(Guard, ALightIndexOutOfRangeIsDropped) {
   const MutatedShaders poisoned(
-      {{"temporal.comp", "FRAME.reservoirs.at[index] = finished(reuse.selection, normalisation);",
-        "FRAME.reservoirs.at[index] = finished(reuse.selection, normalisation);\n"
+      {{"temporal.comp", "FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation);",
+        "FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation);\n"
         "  if (FRAME.frame % 2u == 0u) FRAME.reservoirs.at[index].light = 0x7FFFFFF0u;"}});
   PassLibrary passes(test_device());
   Shot shot = one_lamp(Estimator::pairwise, 5000, 5);

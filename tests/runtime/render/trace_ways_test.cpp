@@ -46,12 +46,12 @@ RenderScene street() {
   scene.nodes.push_back({"glass", "lamp", 2, false, {SceneInstance{}}});
   SceneLights lights;
   lights.lights = random_lamps(60, 50, 6);
-  Fleet& fleet = lights.fleet;
-  fleet.cycle.cycle_s = 100;
-  for (float& share : fleet.cycle.density) share = 1;
-  fleet.vehicles = {{{2, 0.8f, 1}, 0, 0, {}}};
-  fleet.knots = {{{-30, 0, 24}, 0, {6, 0, 0}, 0}, {{30, 0, 24}, 10, {6, 0, 0}, 0}};
-  fleet.trips = {{0, 2, 0, 0, 0, 0, {}}};
+  Traffic& traffic = lights.traffic;
+  traffic.cycle.cycle_s = 100;
+  for (float& share : traffic.cycle.density) share = 1;
+  traffic.vehicles = {{{2, 0.8f, 1}, 0, 0, {}}};
+  traffic.knots = {{{-30, 0, 24}, 0, {6, 0, 0}, 0}, {{30, 0, 24}, 10, {6, 0, 0}, 0}};
+  traffic.trips = {{0, 2, 0, 0, 0, 0, {}}};
   return make_render_scene(scene, std::move(lights));
 }
 

@@ -39,7 +39,7 @@ TEST(LitLights, TablesHoldExactlyTheLightsThatShine) {
       EXPECT_EQ(std::count(lit.list.begin(), lit.list.end(), i), shines) << i;
       EXPECT_EQ(lit.alias[i].pdf > 0, shines) << i;
       pdf += double(lit.alias[i].pdf);
-      for (const gpu::LocalEntry& entry : lit.local_grid.entries)
+      for (const gpu::GridEntry& entry : lit.near_grid.entries)
         EXPECT_TRUE(shines || (entry.light != i && entry.alias_light != i)) << i;
     }
     EXPECT_NEAR(pdf, 1, 1e-5);

@@ -12,15 +12,15 @@ float traffic_density(float time_s) {
   float hour = time_s / 3600.0;
   hour -= 24.0 * floor(hour / 24.0);
   const uint whole = min(uint(hour), 23u);
-  return mix(SCENE.fleet.cycle.density[whole], SCENE.fleet.cycle.density[(whole + 1u) % 24u], hour - float(whole));
+  return mix(SCENE.traffic.cycle.density[whole], SCENE.traffic.cycle.density[(whole + 1u) % 24u], hour - float(whole));
 }
 
 float yaw_turns(uint pose) { return float(pose & 0xFFFFu) / 65536.0; }
 float pitch_of(uint pose) { return float(int(pose << 8u) >> 24) / 256.0; }
 
 Pose trip_pose(uint index, float cycle_time_s, float time_s) {
-  const Trip trip = SCENE.fleet.trips.at[index];
-  const float cycle = SCENE.fleet.cycle.cycle_s;
+  const Trip trip = SCENE.traffic.trips.at[index];
+  const float cycle = SCENE.traffic.cycle.cycle_s;
   float u = cycle_time_s - trip.start_s;
   if (u < 0.0) u += cycle;
   Pose pose;
@@ -28,14 +28,14 @@ Pose trip_pose(uint index, float cycle_time_s, float time_s) {
   pose.axes = mat3(1.0);
   pose.braking = false;
   uint low = trip.first_knot, high = trip.first_knot + trip.knot_count - 1u;
-  pose.on_road = u < SCENE.fleet.knots.at[high].time_s && traffic_density(time_s - u) > trip.rank;
+  pose.on_road = u < SCENE.traffic.knots.at[high].time_s && traffic_density(time_s - u) > trip.rank;
   if (!pose.on_road) return pose;
   while (high - low > 1u) {  // the knots around u
     const uint middle = (low + high) / 2u;
-    if (SCENE.fleet.knots.at[middle].time_s <= u) low = middle; else high = middle;
+    if (SCENE.traffic.knots.at[middle].time_s <= u) low = middle; else high = middle;
   }
-  const TripKnot a = SCENE.fleet.knots.at[low];
-  const TripKnot b = SCENE.fleet.knots.at[high];
+  const TripKnot a = SCENE.traffic.knots.at[low];
+  const TripKnot b = SCENE.traffic.knots.at[high];
   const float span = b.time_s - a.time_s;
   const float s = clamp((u - a.time_s) / span, 0.0, 1.0);
   const float s2 = s * s, s3 = s2 * s;

@@ -1,13 +1,13 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Fleet, step 5 of 5, a dispatch a level (push.first, from 1), an invocation a node: every four neighbours in the order become a node of the
-// next level, for rays (BvhNode) and for picking lights (FleetNode). Neighbours on a Morton curve are neighbours on the
+// next level, for rays (BvhNode) and for picking lights (VehicleNode). Neighbours on a Morton curve are neighbours on the
 // map, so the tree is a fair one without a search (Lauterbach et al.: Fast BVH Construction on GPUs, 2009).
 // The last level's one node and the standing scene become the scene's root.
 #define WORKGROUP_IS_A_ROW
 #include "shaders/common.glsl"
 
-#define FLEET SCENE.fleet
+#define TRAFFIC SCENE.traffic
 
 struct Children {
   vec3 lower[4], upper[4];
@@ -46,49 +46,49 @@ BvhNode quantised(Children c, vec3 lower, vec3 upper) {
 void main() {
   const uint level = push.first;
   const uint place = gl_GlobalInvocationID.x;
-  if (level < FLEET.levels) {
-    if (place >= FLEET.level_count[level]) return;
+  if (level < TRAFFIC.levels) {
+    if (place >= TRAFFIC.level_count[level]) return;
     Children c;
-    FleetNode all = FleetNode(vec3(1e30), 0.0, vec3(-1e30), NO_HIT);
+    VehicleNode all = VehicleNode(vec3(1e30), 0.0, vec3(-1e30), NO_HIT);
     for (uint i = 0u; i < 4u; ++i) {
       const uint below = 4u * place + i;
       c.lower[i] = c.upper[i] = vec3(0.0);
       c.child[i] = BVH_EMPTY;
-      if (below >= FLEET.level_count[level - 1u]) continue;
-      const FleetNode node = FRAME.fleet_nodes.at[FLEET.level_first[level - 1u] + below];
+      if (below >= TRAFFIC.level_count[level - 1u]) continue;
+      const VehicleNode node = FRAME.vehicle_nodes.at[TRAFFIC.level_first[level - 1u] + below];
       if (node.lower.x > node.upper.x) continue;
       c.lower[i] = node.lower;
       c.upper[i] = node.upper;
-      c.child[i] = level == 1u ? BVH_LEAF | (FLEET.first_instance + node.trip)
-                               : FLEET.first_bvh_node + FLEET.level_first[level - 1u] - FLEET.trip_count + below;
+      c.child[i] = level == 1u ? BVH_LEAF | (TRAFFIC.first_instance + node.trip)
+                               : TRAFFIC.first_bvh_node + TRAFFIC.level_first[level - 1u] - TRAFFIC.trip_count + below;
       all.lower = min(all.lower, node.lower);
       all.upper = max(all.upper, node.upper);
       all.flux_lm += node.flux_lm;
     }
-    const uint at = FLEET.level_first[level] + place;
-    FRAME.fleet_nodes.at[at] = all;
-    FLEET.bvh.at[at - FLEET.trip_count] = quantised(c, all.lower, all.upper);
+    const uint at = TRAFFIC.level_first[level] + place;
+    FRAME.vehicle_nodes.at[at] = all;
+    TRAFFIC.bvh.at[at - TRAFFIC.trip_count] = quantised(c, all.lower, all.upper);
   } else if (place == 0u) {
-    const uint fleet_root = FLEET.level_first[FLEET.levels - 1u];
-    const FleetNode fleet = FRAME.fleet_nodes.at[fleet_root];
+    const uint vehicle_root = TRAFFIC.level_first[TRAFFIC.levels - 1u];
+    const VehicleNode all_vehicles = FRAME.vehicle_nodes.at[vehicle_root];
     Children c;
     for (uint i = 0u; i < 4u; ++i) {
       c.lower[i] = c.upper[i] = vec3(0.0);
       c.child[i] = BVH_EMPTY;
     }
     vec3 lower = vec3(1e30), upper = vec3(-1e30);
-    if (FLEET.standing_root != BVH_EMPTY) {
-      c.lower[0] = lower = FLEET.lower;
-      c.upper[0] = upper = FLEET.upper;
-      c.child[0] = FLEET.standing_root;
+    if (TRAFFIC.static_root != BVH_EMPTY) {
+      c.lower[0] = lower = TRAFFIC.lower;
+      c.upper[0] = upper = TRAFFIC.upper;
+      c.child[0] = TRAFFIC.static_root;
     }
-    if (fleet.lower.x <= fleet.upper.x) {
-      c.lower[1] = fleet.lower;
-      c.upper[1] = fleet.upper;
-      c.child[1] = FLEET.first_bvh_node + fleet_root - FLEET.trip_count;
-      lower = min(lower, fleet.lower);
-      upper = max(upper, fleet.upper);
+    if (all_vehicles.lower.x <= all_vehicles.upper.x) {
+      c.lower[1] = all_vehicles.lower;
+      c.upper[1] = all_vehicles.upper;
+      c.child[1] = TRAFFIC.first_bvh_node + vehicle_root - TRAFFIC.trip_count;
+      lower = min(lower, all_vehicles.lower);
+      upper = max(upper, all_vehicles.upper);
     }
-    FLEET.bvh.at[fleet_root - FLEET.trip_count + 1u] = quantised(c, lower, upper);
+    TRAFFIC.bvh.at[vehicle_root - TRAFFIC.trip_count + 1u] = quantised(c, lower, upper);
   }
 }

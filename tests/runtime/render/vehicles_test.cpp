@@ -23,31 +23,32 @@ TripKnot knot(glm::vec3 position, float time_s, glm::vec3 velocity, double yaw_t
 }
 
 // A vehicle of 4 x 1.6 x 2 m with a lamp 1 m before its nose and one that shines while it brakes behind it.
-Fleet one_kind() {
-  Fleet fleet;
-  fleet.cycle.cycle_s = 100;
-  for (float& share : fleet.cycle.density) share = 1;
+Traffic one_kind() {
+  Traffic traffic;
+  traffic.cycle.cycle_s = 100;
+  for (float& share : traffic.cycle.density) share = 1;
   Light front = lamp({3, 1, 0}, 1000), rear = lamp({-3, 1, 0}, 500);
   front.schedule = VEHICLE_LIGHT_ALWAYS;
   front.id = uint(LightFamily::headlamp);
   rear.schedule = VEHICLE_LIGHT_BRAKING;
   rear.id = uint(LightFamily::tail_lamp);
-  fleet.vehicle_lights = {front, rear};
-  fleet.vehicles = {{{2, 0.8f, 1}, 0, 2, {}}};
-  return fleet;
+  traffic.vehicle_lights = {front, rear};
+  traffic.vehicles = {{{2, 0.8f, 1}, 0, 2, {}}};
+  return traffic;
 }
 
-void add_trip(Fleet& fleet, const std::vector<TripKnot>& knots, float start_s = 0, float rank = 0) {
-  const auto first = static_cast<uint>(fleet.knots.size()),
-             id = static_cast<uint>(fleet.trips.size());
-  fleet.knots.insert(fleet.knots.end(), knots.begin(), knots.end());
-  fleet.trips.push_back({first, static_cast<uint>(knots.size()), start_s, rank, 0, id, {}});
+void add_trip(Traffic& traffic, const std::vector<TripKnot>& knots, float start_s = 0,
+              float rank = 0) {
+  const auto first = static_cast<uint>(traffic.knots.size()),
+             id = static_cast<uint>(traffic.trips.size());
+  traffic.knots.insert(traffic.knots.end(), knots.begin(), knots.end());
+  traffic.trips.push_back({first, static_cast<uint>(knots.size()), start_s, rank, 0, id, {}});
 }
 
-RenderScene with_fleet(Fleet fleet, std::vector<Light> lights = {}) {
+RenderScene with_traffic(Traffic traffic, std::vector<Light> lights = {}) {
   SceneLights all;
   all.lights = std::move(lights);
-  all.fleet = std::move(fleet);
+  all.traffic = std::move(traffic);
   return make_render_scene(SceneBuilder().ground(60).scene(), std::move(all));
 }
 
@@ -77,37 +78,39 @@ double relative_difference(const Image& a, const Image& b) {
   return difference / sum;
 }
 
-TEST(Fleet, AVehicleIsWhereItsKnotsSayWithItsLightsAndShadow) {
-  Fleet fleet = one_kind();
+TEST(Vehicles, AVehicleIsWhereItsKnotsSayWithItsLightsAndShadow) {
+  Traffic traffic = one_kind();
   // East at 1 m/s from x = -10; the materials are the ground's.
-  add_trip(fleet, {knot({-10, 0, 0}, 0, {1, 0, 0}), knot({10, 0, 0}, 20, {1, 0, 0})}, 5);
+  add_trip(traffic, {knot({-10, 0, 0}, 0, {1, 0, 0}), knot({10, 0, 0}, 20, {1, 0, 0})}, 5);
   // 400 cycles of 100 s make up noon + 40,000 s; 9 s into the drive.
-  const Image moving = render(with_fleet(fleet), above, reference_at(40'000 + 5 + 9), 48, 48, 1);
+  const Image moving =
+      render(with_traffic(traffic), above, reference_at(40'000 + 5 + 9), 48, 48, 1);
   const Image placed = render(standing({-3, 0, -1}, {1, 1.6f, 1}, {lamp({2, 1, 0}, 1000)}), above,
                               reference_at(0), 48, 48, 1);
   EXPECT_GT(test::mean_luminance(placed), 0.01);
   EXPECT_LT(relative_difference(moving, placed), 0.002);
 }
 
-TEST(Fleet, HeadingTurnsTheShortWayAndRearLampShinesWhileBraking) {
-  Fleet fleet = one_kind();
+TEST(Vehicles, HeadingTurnsTheShortWayAndRearLampShinesWhileBraking) {
+  Traffic traffic = one_kind();
   // Stands and turns from 10 degrees right of east to 10 degrees left of it: at half time it looks east.
-  add_trip(fleet, {knot({0, 0, 0}, 0, {0, 0, 0}, -10.0 / 360, true),
-                   knot({0, 0, 0}, 20, {0, 0, 0}, 10.0 / 360)});
-  const Image moving = render(with_fleet(fleet), above, reference_at(10), 48, 48, 1);
+  add_trip(traffic, {knot({0, 0, 0}, 0, {0, 0, 0}, -10.0 / 360, true),
+                     knot({0, 0, 0}, 20, {0, 0, 0}, 10.0 / 360)});
+  const Image moving = render(with_traffic(traffic), above, reference_at(10), 48, 48, 1);
   const Image placed =
       render(standing({-2, 0, -1}, {2, 1.6f, 1}, {lamp({3, 1, 0}, 1000), lamp({-3, 1, 0}, 500)}),
              above, reference_at(0), 48, 48, 1);
   EXPECT_LT(relative_difference(moving, placed), 0.002);
 }
 
-TEST(Fleet, IsDarkBeforeADriveAfterItAndWhereTheHourHasNoTraffic) {
-  Fleet fleet = one_kind();
-  add_trip(fleet, {knot({-10, 0, 0}, 0, {1, 0, 0}), knot({10, 0, 0}, 20, {1, 0, 0})}, 50, 0.5f);
-  fleet.cycle.density[3] =
+TEST(Vehicles, IsDarkBeforeADriveAfterItAndWhereTheHourHasNoTraffic) {
+  Traffic traffic = one_kind();
+  add_trip(traffic, {knot({-10, 0, 0}, 0, {1, 0, 0}), knot({10, 0, 0}, 20, {1, 0, 0})}, 50, 0.5f);
+  traffic.cycle.density[3] =
       0.4f;  // below the trip's rank from somewhere before 15:00 to somewhere after
   const auto mean = [&](double time_s) {
-    return test::mean_luminance(render(with_fleet(fleet), above, reference_at(time_s), 16, 16, 1));
+    return test::mean_luminance(
+        render(with_traffic(traffic), above, reference_at(time_s), 16, 16, 1));
   };
   EXPECT_EQ(mean(noon_to_eight + 49), 0) << "28,800 s are 288 cycles";
   EXPECT_GT(mean(noon_to_eight + 51), 0);
@@ -118,24 +121,24 @@ TEST(Fleet, IsDarkBeforeADriveAfterItAndWhereTheHourHasNoTraffic) {
 
 // Enough vehicles for several levels of the tree, all over the ground. Their lamps hang high, so that no few
 // pixels close to one hold most of a picture's light.
-Fleet crowd(int count) {
-  Fleet fleet = one_kind();
-  for (Light& light : fleet.vehicle_lights) light.position.y = 5;
+Traffic crowd(int count) {
+  Traffic traffic = one_kind();
+  for (Light& light : traffic.vehicle_lights) light.position.y = 5;
   std::mt19937 random(7);
   std::uniform_real_distribution<float> place(-50, 50), turn(0, 1), speed(-3, 3);
   for (int i = 0; i < count; ++i) {
     const glm::vec3 from(place(random), 0, place(random)),
         velocity(speed(random), 0, speed(random));
     const double yaw = double(turn(random));
-    add_trip(fleet, {knot(from, 0, velocity, yaw, i % 3 == 0),
-                     knot(from + 40.0f * velocity, 40, velocity, yaw)});
+    add_trip(traffic, {knot(from, 0, velocity, yaw, i % 3 == 0),
+                       knot(from + 40.0f * velocity, 40, velocity, yaw)});
   }
-  return fleet;
+  return traffic;
 }
 
-TEST(Fleet, PickedLightsGiveTheReferenceWithoutBias) {
+TEST(Vehicles, PickedLightsGiveTheReferenceWithoutBias) {
   const RenderScene scene =
-      with_fleet(crowd(90), {lamp({20, 8, 10}, 5000), lamp({-20, 8, -10}, 5000)});
+      with_traffic(crowd(90), {lamp({20, 8, 10}, 5000), lamp({-20, 8, -10}, 5000)});
   const CameraPose pose{{0, 60, 40}, {0, 0, 0}, {0, 1, 0}, 60};
   const Image truth = render(scene, pose, reference_at(17), 24, 24, 4);
   for (const Estimator estimator : {Estimator::ris, Estimator::pairwise}) {
@@ -157,8 +160,8 @@ TEST(Fleet, PickedLightsGiveTheReferenceWithoutBias) {
   }
 }
 
-TEST(Fleet, HistoryOfMovingLightsBringsNoBias) {
-  const RenderScene scene = with_fleet(crowd(60));
+TEST(Vehicles, HistoryOfMovingLightsBringsNoBias) {
+  const RenderScene scene = with_traffic(crowd(60));
   const CameraPose pose{{0, 60, 40}, {0, 0, 0}, {0, 1, 0}, 60};
   gpu::Device& device = test::test_device();
   DeviceScene device_scene(device, scene);
@@ -186,8 +189,8 @@ TEST(Fleet, HistoryOfMovingLightsBringsNoBias) {
   EXPECT_NEAR(estimated / truth, 1, 0.02);
 }
 
-TEST(Fleet, APictureDependsOnTheTimeOnlyNotOnTheFramesBefore) {
-  const RenderScene scene = with_fleet(crowd(60));
+TEST(Vehicles, APictureDependsOnTheTimeOnlyNotOnTheFramesBefore) {
+  const RenderScene scene = with_traffic(crowd(60));
   gpu::Device& device = test::test_device();
   DeviceScene device_scene(device, scene);
   std::vector<float> pictures[2];
@@ -205,19 +208,19 @@ TEST(Fleet, APictureDependsOnTheTimeOnlyNotOnTheFramesBefore) {
   EXPECT_LT(difference / sum, 0.01);
 }
 
-TEST(Fleet, AShareOfCandidatesThatLosesItsLightIsRefused) {
+TEST(Vehicles, AShareOfCandidatesThatLosesItsLightIsRefused) {
   RenderSettings settings;
   for (const float share : {0.0f, 1.0f}) {
     settings.fleet_share = share;
-    EXPECT_THROW(render(with_fleet(crowd(3)), above, settings, 4, 4, 1), UsageError);
+    EXPECT_THROW(render(with_traffic(crowd(3)), above, settings, 4, 4, 1), UsageError);
   }
 }
 
-TEST(Fleet, ABrokenTripIsRefused) {
-  Fleet fleet = one_kind();
-  add_trip(fleet, {knot({0, 0, 0}, 0, {0, 0, 0}),
-                   knot({0, 0, 0}, 200, {0, 0, 0})});  // longer than the cycle
-  EXPECT_THROW(with_fleet(fleet), Error);
+TEST(Vehicles, ABrokenTripIsRefused) {
+  Traffic traffic = one_kind();
+  add_trip(traffic, {knot({0, 0, 0}, 0, {0, 0, 0}),
+                     knot({0, 0, 0}, 200, {0, 0, 0})});  // longer than the cycle
+  EXPECT_THROW(with_traffic(traffic), Error);
 }
 
 }  // namespace

@@ -62,19 +62,19 @@ TEST(LightGrid, MembershipByThresholdIsMembershipInTheList) {
   std::vector<Light> lights = random_lamps(700, 300, 9);
   for (int i = 0; i < 200; ++i)
     lights.push_back(lamp({float(i % 20) * 16, 6, float(i / 20) * 16}, 3000));  // many ties
-  const LightGrid grid = build_light_grid(lights, local_lists);
+  const LightGrid grid = build_light_grid(lights, near_lists);
   ASSERT_EQ(grid.cells.size(), std::size_t{grid.shape.width} * grid.shape.depth);
   for (std::uint32_t z = 0; z < grid.shape.depth; ++z)
     for (std::uint32_t x = 0; x < grid.shape.width; ++x) {
       const gpu::LightCell& cell = grid.cells[z * grid.shape.width + x];
       std::map<std::uint32_t, double> probability;
       for (std::uint32_t i = 0; i < cell.count; ++i) {
-        const gpu::LocalEntry& entry = grid.entries[cell.first + i];
+        const gpu::GridEntry& entry = grid.entries[cell.first + i];
         probability[entry.light] += double(entry.keep) / cell.count;
         probability[entry.alias_light] += (1.0 - double(entry.keep)) / cell.count;
       }
       for (std::uint32_t light = 0; light < lights.size(); ++light) {
-        const float strength = local_strength(grid.shape, x, z, lights[light]);
+        const float strength = light_strength(grid.shape, x, z, lights[light]);
         const bool member = cell.count > 0 && strength >= cell.threshold;
         const auto listed = probability.find(light);
         ASSERT_EQ(member, listed != probability.end())
@@ -88,13 +88,13 @@ TEST(LightGrid, MembershipByThresholdIsMembershipInTheList) {
 
 TEST(LightGrid, ACellListsItsStrongestLights) {
   const std::vector<Light> lights = random_lamps(2000, 400, 4);
-  const LightGrid grid = build_light_grid(lights, local_lists);
+  const LightGrid grid = build_light_grid(lights, near_lists);
   const std::uint32_t x = grid.shape.width / 2, z = grid.shape.depth / 2;
   const gpu::LightCell& cell = grid.cells[z * grid.shape.width + x];
-  EXPECT_GT(cell.count, local_lists.listed / 2u);
+  EXPECT_GT(cell.count, near_lists.listed / 2u);
   std::size_t stronger = 0;
   for (const Light& light : lights)
-    stronger += local_strength(grid.shape, x, z, light) >= cell.threshold;
+    stronger += light_strength(grid.shape, x, z, light) >= cell.threshold;
   EXPECT_EQ(stronger, cell.count);
 }
 
@@ -103,7 +103,7 @@ TEST(LightGrid, AStrongLightFarAwayDoesNotShortenTheListsOfWeakOnes) {
   std::vector<Light> lights = random_lamps(2500, 600, 3);
   for (Light& light : lights) light.flux_lm = 40;
   lights.push_back(lamp({590, 20, 590}, 200'000));
-  for (const LightLists lists : {local_lists, wide_lists}) {
+  for (const LightLists lists : {near_lists, far_lists}) {
     const LightGrid grid = build_light_grid(lights, lists);
     for (const gpu::LightCell& cell : grid.cells)
       ASSERT_GE(cell.count, std::min<std::size_t>(lists.listed, lights.size()) / 2);
@@ -113,15 +113,15 @@ TEST(LightGrid, AStrongLightFarAwayDoesNotShortenTheListsOfWeakOnes) {
 TEST(LightGrid, LightsWithoutFluxAreInNoCell) {
   std::vector<Light> lights = random_lamps(10, 50, 2);
   lights[3].flux_lm = 0;
-  const LightGrid grid = build_light_grid(lights, local_lists);
-  for (const gpu::LocalEntry& entry : grid.entries) EXPECT_NE(entry.light, 3u);
-  EXPECT_EQ(build_light_grid({}, local_lists).shape.width, 0u);
+  const LightGrid grid = build_light_grid(lights, near_lists);
+  for (const gpu::GridEntry& entry : grid.entries) EXPECT_NE(entry.light, 3u);
+  EXPECT_EQ(build_light_grid({}, near_lists).shape.width, 0u);
 }
 
 TEST(LightGrid, AContinentOfLightsKeepsItsCellsCountable) {
   std::vector<Light> lights = random_lamps(1000, 100, 2);
   lights.push_back(lamp({900000, 5, 900000}, 3000));
-  const LightGrid grid = build_light_grid(lights, local_lists);
+  const LightGrid grid = build_light_grid(lights, near_lists);
   EXPECT_LE(grid.cells.size(), 70000u);
   // A cell in the empty middle lists nothing, and never a light that is not strong enough for its threshold.
   for (std::uint32_t z = 0; z < grid.shape.depth; z += 7)
@@ -129,7 +129,7 @@ TEST(LightGrid, AContinentOfLightsKeepsItsCellsCountable) {
       const gpu::LightCell& cell = grid.cells[z * grid.shape.width + x];
       std::size_t members = 0;
       for (const Light& light : lights)
-        members += cell.count > 0 && local_strength(grid.shape, x, z, light) >= cell.threshold;
+        members += cell.count > 0 && light_strength(grid.shape, x, z, light) >= cell.threshold;
       ASSERT_EQ(members, cell.count);
     }
 }

@@ -7,16 +7,16 @@
 
 void main() {
   const uint cell = gl_GlobalInvocationID.x;
-  if (cell >= FLEET_CELLS) return;
-  const uint first = FRAME.fleet_counts.at[cell], end = FRAME.fleet_counts.at[cell + 1u];
+  if (cell >= VEHICLE_CELLS) return;
+  const uint first = FRAME.vehicle_counts.at[cell], end = FRAME.vehicle_counts.at[cell + 1u];
   if (end - first > 128u) return;  // sorted by insertion: a crowd on one spot costs its square
   for (uint i = first + 1u; i < end; ++i) {
-    const FleetNode node = FRAME.fleet_nodes.at[i];
+    const VehicleNode node = FRAME.vehicle_nodes.at[i];
     uint to = i;
-    while (to > first && FRAME.fleet_nodes.at[to - 1u].trip > node.trip) {
-      FRAME.fleet_nodes.at[to] = FRAME.fleet_nodes.at[to - 1u];
+    while (to > first && FRAME.vehicle_nodes.at[to - 1u].trip > node.trip) {
+      FRAME.vehicle_nodes.at[to] = FRAME.vehicle_nodes.at[to - 1u];
       --to;
     }
-    FRAME.fleet_nodes.at[to] = node;
+    FRAME.vehicle_nodes.at[to] = node;
   }
 }

@@ -1,13 +1,13 @@
-// What a ray met.
+// What a ray hit.
 
-struct Met {
+struct SurfaceHit {
   vec3 normal;     // unit, model space, on the side the ray came from
   uint material;
   uint feature;    // of the triangle, or NO_HIT
   uint light;      // of the triangle, or NO_HIT
 };
 
-Met met_by(Hit hit, Instance instance, vec3 direction) {
+SurfaceHit surface_at(Hit hit, Instance instance, vec3 direction) {
   const vec4 a = SCENE.triangles.at[hit.triangle * 3u];
   const vec4 b = SCENE.triangles.at[hit.triangle * 3u + 1u];
   const vec4 c = SCENE.triangles.at[hit.triangle * 3u + 2u];
@@ -16,5 +16,5 @@ Met met_by(Hit hit, Instance instance, vec3 direction) {
   const vec3 normal = instance.to_object[0].xyz * n.x + instance.to_object[1].xyz * n.y + instance.to_object[2].xyz * n.z;
   const float size2 = dot(normal, normal);
   const vec3 unit = size2 > 0.0 ? normal * inversesqrt(size2) : -direction;
-  return Met(dot(unit, direction) > 0.0 ? -unit : unit, floatBitsToUint(a.w), floatBitsToUint(b.w), floatBitsToUint(c.w));
+  return SurfaceHit(dot(unit, direction) > 0.0 ? -unit : unit, floatBitsToUint(a.w), floatBitsToUint(b.w), floatBitsToUint(c.w));
 }

@@ -8,18 +8,18 @@ shared uint sums[WORKGROUP_ROW];
 
 void main() {
   const uint lane = gl_LocalInvocationID.x;
-  const uint cells = FLEET_CELLS + 1u;
+  const uint cells = VEHICLE_CELLS + 1u;
   const uint stretch = (cells + WORKGROUP_ROW - 1u) / WORKGROUP_ROW;
   const uint first = lane * stretch, end = min(first + stretch, cells);
   uint sum = 0u;
-  for (uint cell = first; cell < end; ++cell) sum += FRAME.fleet_counts.at[cell];
+  for (uint cell = first; cell < end; ++cell) sum += FRAME.vehicle_counts.at[cell];
   sums[lane] = sum;
   barrier();
   uint place = 0u;
   for (uint i = 0u; i < lane; ++i) place += sums[i];
   for (uint cell = first; cell < end; ++cell) {
-    const uint count = FRAME.fleet_counts.at[cell];
-    FRAME.fleet_counts.at[cell] = place;
+    const uint count = FRAME.vehicle_counts.at[cell];
+    FRAME.vehicle_counts.at[cell] = place;
     place += count;
   }
 }

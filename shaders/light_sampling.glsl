@@ -1,0 +1,157 @@
+// Picking lights: standing ones by a mixture of uniform, flux-proportional and local picks, these from two grids: the lights
+// strong near a place, and those of the quarter around it, which the first has no room for. Vehicles' lights by going down
+// the fleet's tree (after Conty Estevez, Kulla: Importance Sampling of Many Lights, 2018). The two sets are disjoint, so a
+// pick's density is that of its own set's technique.
+//
+// Which technique makes a pick is stratified over a pixel's candidates: candidate i of n gets a number in
+// [i / n, (i + 1) / n). Their mean density is the mixture's, so weights by the mixture stay exact (the balance heuristic;
+// Veach 1997), and lanes that run in lockstep mostly take the same branch.
+
+// A grid's cell at a place.
+struct GridCell {
+  LightCell cell;
+  vec2 centre;
+  float share;  // of the candidates from standing lights
+};
+
+struct LightSampler {
+  GridCell near;
+  GridCell far;
+  float uniform_share;  // of the candidates from standing lights
+  float power_share;
+  float vehicle_share;    // of all candidates
+};
+
+struct SampledLight {
+  uint index;
+  Light light;
+  float pdf;  // 0: none
+};
+
+GridCell cell_at(LightGridBuffers grid, vec3 position, float share) {
+  GridCell p;
+  const LightGridShape shape = grid.shape;
+  const vec2 origin = vec2(shape.origin_x, shape.origin_z);
+  const vec2 at =
+      clamp(floor((position.xz - origin) / shape.cell_m), vec2(0.0), vec2(shape.width, shape.depth) - 1.0);
+  p.centre = origin + (at + 0.5) * shape.cell_m;
+  p.cell = grid.cells.at[uint(at.y) * shape.width + uint(at.x)];
+  p.share = p.cell.count > 0u ? share : 0.0;
+  return p;
+}
+
+LightSampler light_sampler_at(vec3 position) {
+  LightSampler p;
+  const bool any_static = SCENE.near_grid.shape.width != 0u;
+  p.near.share = p.far.share = 0.0;
+  if (any_static) {
+    p.near = cell_at(SCENE.near_grid, position, FRAME.near_share);
+    p.far = cell_at(SCENE.far_grid, position, FRAME.far_share);
+  }
+  p.uniform_share = FRAME.uniform_share;
+  p.power_share = max(1.0 - p.near.share - p.far.share - p.uniform_share, 0.0);
+  p.vehicle_share = HAS_TRAFFIC != 0u ? FRAME.vehicle_share : 0.0;
+  // Where one of the two sets is dark, the other has all candidates.
+  if (!any_static) p.vehicle_share = HAS_TRAFFIC != 0u ? 1.0 : 0.0;
+  else if (HAS_TRAFFIC != 0u && FRAME.vehicle_nodes.at[SCENE.traffic.level_first[SCENE.traffic.levels - 1u]].flux_lm <= 0.0)
+    p.vehicle_share = 0.0;
+  return p;
+}
+
+// Density of this light among the picks from a cell's list, times the list's share. Membership is decided by strength, so
+// no list is searched.
+float cell_density(GridCell p, LightGridShape shape, Light light) {
+  if (!(p.share > 0.0)) return 0.0;
+  const vec2 d = light.position.xz - p.centre;
+  const float strength = light.flux_lm / (dot(d, d) + shape.softening_m2);
+  return strength >= p.cell.threshold && strength > 0.0 ? p.share * strength / p.cell.strength_sum : 0.0;
+}
+
+uint sample_cell(GridCell p, LightGridBuffers grid) {
+  const GridEntry entry = grid.entries.at[p.cell.first + random_below(p.cell.count)];
+  return random_float() < entry.keep ? entry.light : entry.alias_light;
+}
+
+SampledLight sample_static_light(LightSampler p, float technique) {
+  SampledLight chosen;
+  if (technique < p.near.share) {
+    chosen.index = sample_cell(p.near, SCENE.near_grid);
+  } else if (technique < p.near.share + p.far.share) {
+    chosen.index = sample_cell(p.far, SCENE.far_grid);
+  } else if (technique < p.near.share + p.far.share + p.uniform_share) {
+    chosen.index = random_below(SCENE.lit_count);
+    if (HAS_SCHEDULES != 0u) chosen.index = SCENE.lit_list.at[chosen.index];
+  } else {
+    chosen.index = random_below(SCENE.static_lights);
+    const AliasEntry entry = SCENE.alias.at[chosen.index];
+    if (random_float() >= entry.keep) chosen.index = entry.alias;
+  }
+  chosen.light = light_at(chosen.index);
+  // The mixture's density, whichever technique made the pick.
+  chosen.pdf = p.uniform_share / float(SCENE.lit_count) + p.power_share * SCENE.alias.at[chosen.index].pdf +
+             cell_density(p.near, SCENE.near_grid.shape, chosen.light) +
+             cell_density(p.far, SCENE.far_grid.shape, chosen.light);
+  return chosen;
+}
+
+// What a node's lights may give here, but for their directions.
+float importance(VehicleNode node, vec3 position) {
+  if (node.lower.x > node.upper.x) return 0.0;
+  const vec3 d = 0.5 * (node.lower + node.upper) - position;
+  const vec3 extent = node.upper - node.lower;
+  return node.flux_lm / max(dot(d, d), 0.25 * dot(extent, extent) + 1.0);
+}
+
+SampledLight sample_vehicle_light(vec3 position) {
+  SampledLight chosen = SampledLight(0u, SCENE.lights.at[0], 0.0);
+  float pdf = 1.0;
+  uint place = 0u;
+  for (uint level = SCENE.traffic.levels - 1u; level > 0u; --level) {
+    float weight[4];
+    float sum = 0.0;
+    for (uint i = 0u; i < 4u; ++i) {
+      const uint below = 4u * place + i;
+      weight[i] = below < SCENE.traffic.level_count[level - 1u]
+                      ? importance(FRAME.vehicle_nodes.at[SCENE.traffic.level_first[level - 1u] + below], position)
+                      : 0.0;
+      sum += weight[i];
+    }
+    if (!(sum > 0.0)) return chosen;
+    float at = random_float() * sum;
+    uint chosen = 4u;
+    for (uint i = 0u; i < 4u; ++i) {
+      if (weight[i] <= 0.0) continue;
+      chosen = i;  // the last with weight, where rounding lets `at` run past the end
+      if (at < weight[i]) break;
+      at -= weight[i];
+    }
+    pdf *= weight[chosen] / sum;
+    place = 4u * place + chosen;
+  }
+  const VehicleNode leaf = FRAME.vehicle_nodes.at[place];
+  float at = random_float() * leaf.flux_lm;
+  for (uint i = 0u; i < VEHICLE_LIGHTS; ++i) {
+    const float flux = FRAME.vehicle_lights.at[leaf.trip * VEHICLE_LIGHTS + i].flux_lm;
+    if (flux <= 0.0) continue;
+    chosen.index = leaf.trip * VEHICLE_LIGHTS + i;
+    chosen.pdf = pdf * flux / leaf.flux_lm;
+    if (at < flux) break;
+    at -= flux;
+  }
+  chosen.light = FRAME.vehicle_lights.at[chosen.index];
+  chosen.index += SCENE.static_lights;
+  return chosen;
+}
+
+// `technique` in [0, 1): stratified, as said above.
+SampledLight sample_light(LightSampler p, vec3 position, float technique) {
+  SampledLight chosen;
+  if (technique < p.vehicle_share) {
+    chosen = sample_vehicle_light(position);
+    chosen.pdf *= p.vehicle_share;
+  } else {
+    chosen = sample_static_light(p, (technique - p.vehicle_share) / (1.0 - p.vehicle_share));
+    chosen.pdf *= 1.0 - p.vehicle_share;
+  }
+  return chosen;
+}
