@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
   app.fallthrough();  // so that --quiet works after the subcommand's name too
 
   add_run_command(app);
+  add_recipe_command(app);
   add_inspect_command(app);
   add_readers_command(app);
   add_town_command(app);

@@ -176,14 +176,5 @@ TEST(Recipe, WrongValuesAreUsageErrors) {
   EXPECT_THROW(CityFrames(read(folder, "[osm]\nfiles = ['a.osm']\n")), UsageError);
 }
 
-TEST(NearestWord, FindsTyposAndKeepsSilentOtherwise) {
-  const std::vector<std::string> words{"files", "crs", "tile_m", "licence"};
-  EXPECT_EQ(nearest_word("flies", words), "files");
-  EXPECT_EQ(nearest_word("file", words), "files");
-  EXPECT_EQ(nearest_word("license", words), "licence");
-  EXPECT_EQ(nearest_word("tilem", words), "tile_m");
-  EXPECT_EQ(nearest_word("atmosphere", words), "");
-}
-
 }  // namespace
 }  // namespace nightcity

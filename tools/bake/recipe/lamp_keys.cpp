@@ -1,5 +1,4 @@
-#include "tools/bake/recipe/lamp_keys.h"
-
+#include "tools/bake/recipe/tables.h"
 #include "tools/lights/lamp_defaults.h"
 #include "tools/lights/lamp_tags.h"
 #include "tools/lights/lighting_class.h"
@@ -7,28 +6,14 @@
 namespace nightcity::recipe {
 namespace {
 
-void check_road(const Setting& setting, const std::string& highway) {
+void check_road(const Value& value, const std::string& highway) {
   const auto road = road_defaults(highway);
-  if (!road || road->highway != highway)
-    setting.refuse("names no class of road that may have lamps");
+  if (!road || road->highway != highway) value.refuse("names no class of road that may have lamps");
 }
 
-layout::LayoutOptions::Mode layout_mode(const Setting& setting) {
-  using Mode = layout::LayoutOptions::Mode;
-  const std::string name = setting.text();
-  if (name == "auto") return Mode::automatic;
-  if (name == "never") return Mode::never;
-  if (name == "always") return Mode::always;
-  setting.refuse("is none of \"auto\", \"never\" and \"always\"");
-}
-
-std::map<std::string, std::string> lighting_classes(const Setting& setting) {
-  const toml::table* rows = setting.node.as_table();
-  if (!rows) setting.refuse("is not a table like {residential = \"P4\"}");
+std::map<std::string, std::string> to_lighting_classes(const Value& value) {
   std::map<std::string, std::string> result;
-  for (const auto& [key, node] : *rows) {
-    const std::string highway(key.str());
-    const Setting row{setting.file, setting.name + "." + highway, node};
+  for (const auto& [highway, row] : value.rows("a table like {residential = \"P4\"}")) {
     check_road(row, highway);
     if (!lighting_class(row.text()))
       row.refuse("is no lighting class of EN 13201-2: P1 to P6, C0 to C5, M1 to M6");
@@ -37,13 +22,9 @@ std::map<std::string, std::string> lighting_classes(const Setting& setting) {
   return result;
 }
 
-std::map<std::string, NightSpan> night_spans(const Setting& setting) {
-  const toml::table* rows = setting.node.as_table();
-  if (!rows) setting.refuse("is not a table like {residential = \"23:00-05:00\"}");
+std::map<std::string, NightSpan> to_night_spans(const Value& value) {
   std::map<std::string, NightSpan> result;
-  for (const auto& [key, node] : *rows) {
-    const std::string highway(key.str());
-    const Setting row{setting.file, setting.name + "." + highway, node};
+  for (const auto& [highway, row] : value.rows("a table like {residential = \"23:00-05:00\"}")) {
     check_road(row, highway);
     const auto span = parse_night_span(row.text());
     if (!span) row.refuse("is no span of the night like \"23:00-05:00\", between 17:00 and 07:00");
@@ -52,62 +33,99 @@ std::map<std::string, NightSpan> night_spans(const Setting& setting) {
   return result;
 }
 
-Recipe::Lamps::LuminaireFile luminaire_file(const Setting& setting,
-                                            const std::filesystem::path& folder) {
-  const toml::table* keys = setting.node.as_table();
-  if (!keys)
-    setting.refuse(
-        "is not a list of tables like {file = \"street.ldt\", roads = [\"residential\"]}");
-  Recipe::Lamps::LuminaireFile result;
-  for (const auto& [key, node] : *keys) {
-    const std::string name(key.str());
-    const Setting value{setting.file, setting.name + "." + name, node};
-    if (name == "file") {
-      result.file = (folder / value.text()).lexically_normal();
-    } else if (name == "roads") {
-      for (const std::string& road : value.texts()) {
-        check_road(value, road);
-        result.highways.push_back(road);
-      }
-    } else if (name == "types") {
-      for (const std::string& type : value.texts()) {
-        const auto known = parse_lamp_type(type);
-        if (!known) value.refuse("holds no type of lamp: \"" + type + "\"");
-        result.types.push_back(*known);
-      }
-    } else if (name == "flux") {
-      result.take_flux = value.boolean();
-    } else {
-      value.refuse("is none of file, roads, types and flux");
-    }
+std::vector<Recipe::Lamps::LuminaireFile> to_luminaires(const Value& value,
+                                                        const std::filesystem::path& folder) {
+  const std::string what =
+      "a list of tables like {file = \"street.ldt\", roads = [\"residential\"]}";
+  std::vector<Recipe::Lamps::LuminaireFile> result;
+  for (const Value& element : value.elements(0, what)) {
+    const toml::table* settings = element.node.as_table();
+    if (!settings) element.refuse("is not " + what);
+    Recipe::Lamps::LuminaireFile& luminaire = result.emplace_back();
+    read_keys(value.file, value.name + ".", *settings,
+              make_luminaire_table(luminaire, folder).keys);
+    if (luminaire.file.empty()) element.refuse("names no file");
   }
-  if (result.file.empty()) setting.refuse("names no file");
   return result;
 }
 
-std::vector<Recipe::Lamps::LuminaireFile> luminaire_files(const Setting& setting,
-                                                          const std::filesystem::path& folder) {
-  const toml::array* rows = setting.node.as_array();
-  if (!rows)
-    setting.refuse(
-        "is not a list of tables like {file = \"street.ldt\", roads = [\"residential\"]}");
-  std::vector<Recipe::Lamps::LuminaireFile> result;
-  for (const toml::node& row : *rows)
-    result.push_back(luminaire_file({setting.file, setting.name, row}, folder));
-  return result;
+Key layout_key(layout::LayoutOptions::Mode& mode) {
+  using Mode = layout::LayoutOptions::Mode;
+  return choice_key<Mode>(
+      "layout", mode, {{"auto", Mode::automatic}, {"never", Mode::never}, {"always", Mode::always}},
+      "Whether to lay out lamps along lit streets. `auto`: where no mapped lamp stands within 1.5 "
+      "spacings on the same street. `always`: everywhere, and mapped lamps are not used.");
+}
+
+Key night_spans_key(std::string name, std::map<std::string, NightSpan>& spans, std::string example,
+                    std::string help) {
+  return {std::move(name),
+          "table: highway = \"HH:MM-HH:MM\"",
+          "",
+          "local time",
+          "within 17:00 to 07:00",
+          std::move(example),
+          std::move(help),
+          [&spans](const Value& value) { spans = to_night_spans(value); }};
 }
 
 }  // namespace
 
-Table lamp_settings(Recipe::Lamps& lamps, const std::filesystem::path& folder) {
+Table make_lamp_table(Recipe::Lamps& lamps, const std::filesystem::path& folder) {
   return {
-      {"layout", [&lamps](const Setting& s) { lamps.layout.mode = layout_mode(s); }},
-      {"class", [&lamps](const Setting& s) { lamps.layout.class_of = lighting_classes(s); }},
-      {"off", [&lamps](const Setting& s) { lamps.hours.off = night_spans(s); }},
-      {"half_night", [&lamps](const Setting& s) { lamps.hours.half_night = night_spans(s); }},
-      {"luminaires",
-       [&lamps, folder](const Setting& s) { lamps.luminaires = luminaire_files(s, folder); }},
-  };
+      "lamps",
+      "Street lamps. Keys of the inner tables are values of OSM's `highway`: `motorway`, `trunk`, "
+      "`primary`, `secondary`, `tertiary`, `unclassified`, `residential`, `living_street`, "
+      "`service`, `pedestrian`, `footway`, `path`, `steps`, `cycleway` and others that may have "
+      "lamps.",
+      {layout_key(lamps.layout.mode),
+       {"class", "table: highway = lighting class", "", "", "M1 to M6, C0 to C5, P1 to P6",
+        R"({residential = "P4"})",
+        "Lighting class of EN 13201-2 for a class of road, in place of the built-in one. The light "
+        "of lamps laid out is chosen to meet it.",
+        [&lamps](const Value& value) { lamps.layout.class_of = to_lighting_classes(value); }},
+       night_spans_key("off", lamps.hours.off, R"({service = "00:30-04:30"})",
+                       "Every lamp along these classes of road is dark in the span, unless its own "
+                       "tags say otherwise."),
+       night_spans_key("half_night", lamps.hours.half_night, R"({residential = "23:00-05:00"})",
+                       "Every second lamp along each of these roads is dark in the span."),
+       {"luminaires", "list of tables", "", "", "",
+        R"([{file = "street.ldt", roads = ["residential"]}])",
+        "Measured luminaires to use in place of the built-in distributions; the first row that "
+        "fits a lamp counts.",
+        [&lamps, folder](const Value& value) {
+          lamps.luminaires = to_luminaires(value, folder);
+        }}}};
+}
+
+Table make_luminaire_table(Recipe::Lamps::LuminaireFile& row, const std::filesystem::path& folder) {
+  return {"lamps.luminaires",
+          "One measured luminaire: a row of `[lamps] luminaires`.",
+          {{"file", "path", "", "", "", "\"street.ldt\"",
+            "Photometric file: IES LM-63 or EULUMDAT. Required.",
+            [&row, folder](const Value& value) {
+              row.file = (folder / value.text()).lexically_normal();
+            }},
+           {"roads", "list of strings", "", "", "values of OSM's `highway`", R"(["residential"])",
+            "Only for lamps beside these classes of road. Without it: beside every road.",
+            [&row](const Value& value) {
+              for (const std::string& road : value.texts()) {
+                check_road(value, road);
+                row.highways.push_back(road);
+              }
+            }},
+           {"types", "list of strings", "", "", "values of OSM's `lamp_type`", R"(["led"])",
+            "Only for lamps of these types. Without it: for every type.",
+            [&row](const Value& value) {
+              for (const std::string& type : value.texts()) {
+                const auto known = parse_lamp_type(type);
+                if (!known) value.refuse("holds no type of lamp: \"" + type + "\"");
+                row.types.push_back(*known);
+              }
+            }},
+           flag_key("flux", row.take_flux,
+                    "Takes the luminous flux from the file too, for lamps whose tags name none. "
+                    "`false` takes only the distribution.")}};
 }
 
 }  // namespace nightcity::recipe

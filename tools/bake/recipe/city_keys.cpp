@@ -1,0 +1,96 @@
+#include <array>
+
+#include "tools/bake/recipe/tables.h"
+
+namespace nightcity::recipe {
+namespace {
+
+std::vector<CityFrame::ControlPoint> to_control_points(const Value& value) {
+  const std::vector<Value> rows = value.elements(0, "a list of two or more [lon, lat, x, y]");
+  if (rows.size() < 2) value.refuse("is not a list of two or more [lon, lat, x, y]");
+  std::vector<CityFrame::ControlPoint> result;
+  for (const Value& row : rows) {
+    std::array<double, 4> v{};
+    const std::vector<Value> numbers = row.elements(4, "a list of rows [lon, lat, x, y]");
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] = numbers[i].number(-1e9, 1e9);
+    result.push_back({{v[0], v[1]}, {v[2], v[3]}});
+  }
+  return result;
+}
+
+std::array<double, 4> to_bounds(const Value& value) {
+  const std::vector<Value> numbers = value.elements(4, "[west, south, east, north]");
+  std::array<double, 4> result{};
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const double max = i % 2 == 0 ? 180 : 90;
+    result[i] = numbers[i].number(-max, max);
+  }
+  if (!(result[0] < result[2] && result[1] < result[3])) value.refuse("has no extent");
+  return result;
+}
+
+Key control_points_key(CityFrame::Options& frame) {
+  return {
+      "control_points",
+      "list of [lon, lat, x, y]",
+      "",
+      "degrees, m",
+      "two or more rows",
+      "[[13.0, 52.0, 0, 0], [13.1, 52.1, 6900, 11100]]",
+      "Places a model that has no coordinate reference system: WGS 84 longitude and latitude of "
+      "points whose x and y in the model are known. Excludes `bounds`.",
+      [&frame](const Value& value) { frame.control_points = to_control_points(value); }};
+}
+
+Key bounds_key(std::optional<std::array<double, 4>>& bounds) {
+  return {"bounds",
+          "[west, south, east, north]",
+          "",
+          "degrees",
+          "within -180 to 180, -90 to 90",
+          "[13.385, 52.498, 13.409, 52.523]",
+          "Places a model that has no coordinate reference system: the WGS 84 box that its "
+          "geometry fills. All files are read once more to find their extent. Unless `crs` says "
+          "otherwise, a system named by the files is ignored. Excludes `control_points`.",
+          [&bounds](const Value& value) { bounds = to_bounds(value); }};
+}
+
+}  // namespace
+
+Table make_city_table(Recipe::City& city, const std::filesystem::path& folder) {
+  return {
+      "city",
+      "The city model.",
+      {paths_key("files", city.files, folder, true, R"(["buildings", "terrain.gml.gz"])",
+                 "CityGML 1, 2 or 3 files, plain, gzipped or zipped. Paths are relative to the "
+                 "recipe. A folder stands for the CityGML files in it, but not in its "
+                 "subfolders."),
+       text_key("crs", city.frame.crs_override, "\"EPSG:25833\"",
+                "Coordinate reference system of the files, in place of the one they name: an EPSG "
+                "code or any text that PROJ understands. `\"none\"`: coordinates are metres of an "
+                "unknown system."),
+       control_points_key(city.frame), bounds_key(city.bounds),
+       integer_key("lod", city.read.highest_lod, 0, 4,
+                   "The highest level of detail to use. Each object takes its highest one up to "
+                   "this, or its lowest one if all are higher."),
+       choice_key<Reader>(
+           "reader", city.read.reader,
+           {{"stream", Reader::stream}, {"libcitygml", Reader::libcitygml}},
+           "Which CityGML reader to use. `stream` is faster, needs little memory and understands "
+           "more; `libcitygml` is there to compare with (`nightbake readers`)."),
+       integer_key("threads", city.read.threads, 0, 1024,
+                   "Number of threads; 0 stands for one per core. The results do not depend on it. "
+                   "`nightbake run --threads` overrides it."),
+       number_key("tile_m", city.tile_m, {10, 10000}, "m",
+                  "Edge of the square tiles that the geometry is batched into."),
+       flag_key("drop_ground", city.drop_ground,
+                "Leaves out the ground surfaces under buildings, which nobody sees."),
+       flag_key("drop_hidden", city.drop_hidden,
+                "Leaves out walls between two closed buildings, and parts of buildings that lie "
+                "below the ground."),
+       texts_key(
+           "licence", city.licences, "\"Geoportal Berlin, dl-de/by-2-0\"",
+           "The attribution of the model, one line or several. Both output files carry it.")}};
+}
+
+}  // namespace nightcity::recipe

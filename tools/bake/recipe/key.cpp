@@ -1,0 +1,127 @@
+#include "tools/bake/recipe/key.h"
+
+#include <algorithm>
+
+#include "formats/error.h"
+#include "tools/bake/city/city_files.h"
+#include "tools/bake/recipe/nearest_word.h"
+
+namespace nightcity::recipe {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string to_range(const Limits& limits) {
+  return to_short_text(limits.min) + " to " + to_short_text(limits.max);
+}
+
+std::vector<fs::path> read_paths(const Value& value, const fs::path& folder, bool expand_folders) {
+  std::vector<fs::path> result;
+  for (const std::string& name : value.texts()) {
+    if (name.empty()) value.refuse("holds an empty name");
+    const fs::path path = (folder / name).lexically_normal();
+    const auto found = expand_folders ? city_files(path) : std::vector<fs::path>{path};
+    result.insert(result.end(), found.begin(), found.end());
+  }
+  if (result.empty()) value.refuse("names no file");
+  return result;
+}
+
+}  // namespace
+
+Key number_key(std::string name, double& target, Limits limits, std::string unit,
+               std::string help) {
+  return {std::move(name),
+          "number",
+          to_short_text(target),
+          std::move(unit),
+          to_range(limits),
+          "",
+          std::move(help),
+          [&target, limits](const Value& value) { target = value.number(limits.min, limits.max); }};
+}
+
+Key number_key(std::string name, std::optional<double>& target, Limits limits, std::string unit,
+               std::string example, std::string help) {
+  return {std::move(name),
+          "number",
+          "",
+          std::move(unit),
+          to_range(limits),
+          std::move(example),
+          std::move(help),
+          [&target, limits](const Value& value) { target = value.number(limits.min, limits.max); }};
+}
+
+Key flag_key(std::string name, bool& target, std::string help) {
+  return {std::move(name),
+          "boolean",
+          target ? "true" : "false",
+          "",
+          "",
+          "",
+          std::move(help),
+          [&target](const Value& value) { target = value.boolean(); }};
+}
+
+Key text_key(std::string name, std::string& target, std::string example, std::string help) {
+  return {std::move(name),
+          "string",
+          target.empty() ? "" : "\"" + target + "\"",
+          "",
+          "",
+          std::move(example),
+          std::move(help),
+          [&target](const Value& value) { target = value.text(); }};
+}
+
+Key texts_key(std::string name, std::vector<std::string>& target, std::string example,
+              std::string help) {
+  return {std::move(name),
+          "string or list of strings",
+          "",
+          "",
+          "",
+          std::move(example),
+          std::move(help),
+          [&target](const Value& value) { target = value.texts(); }};
+}
+
+Key paths_key(std::string name, std::vector<fs::path>& target, const fs::path& folder,
+              bool expand_folders, std::string example, std::string help) {
+  return {std::move(name),
+          "path or list of paths",
+          "",
+          "",
+          "",
+          std::move(example),
+          std::move(help),
+          [&target, folder, expand_folders](const Value& value) {
+            target = read_paths(value, folder, expand_folders);
+          }};
+}
+
+void read_keys(const std::string& file, const std::string& prefix, const toml::table& settings,
+               const std::vector<Key>& keys) {
+  for (const auto& [name, node] : settings) {
+    const std::string full_name = prefix + std::string(name.str());
+    const auto key = std::find_if(keys.begin(), keys.end(),
+                                  [&](const Key& each) { return each.name == name.str(); });
+    if (key == keys.end()) {
+      std::vector<std::string> known;
+      for (const Key& each : keys) known.push_back(each.name);
+      refuse_unknown(file, name, "key " + full_name, known);
+    }
+    key->read(Value{file, full_name, node});
+  }
+}
+
+void refuse_unknown(const std::string& file, const toml::key& key, const std::string& what,
+                    const std::vector<std::string>& known) {
+  std::string message = "unknown " + what;
+  const std::string nearest = find_nearest_word(std::string(key.str()), known);
+  if (!nearest.empty()) message += "; did you mean \"" + nearest + "\"?";
+  throw UsageError(file, "line " + std::to_string(key.source().begin.line), message);
+}
+
+}  // namespace nightcity::recipe

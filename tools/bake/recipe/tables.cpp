@@ -1,0 +1,112 @@
+#include "tools/bake/recipe/tables.h"
+
+#include <limits>
+
+#include "tools/lights/night_schedule.h"
+
+namespace nightcity::recipe {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Turns "22:00" into minutes after 17:00. The night ends at 07:00.
+int to_minute_of_night(const Value& value) {
+  const std::string text = value.text();
+  const auto is_digit = [&text](std::size_t i) { return text[i] >= '0' && text[i] <= '9'; };
+  if (text.size() != 5 || text[2] != ':' || !is_digit(0) || !is_digit(1) || !is_digit(3) ||
+      !is_digit(4))
+    value.refuse("is not a time like \"22:00\"");
+  const int hour = (text[0] - '0') * 10 + text[1] - '0';
+  const int minute = (text[3] - '0') * 10 + text[4] - '0';
+  if (hour > 23 || minute > 59) value.refuse("is not a time like \"22:00\"");
+  const int minute_of_night = minute_of(hour, minute);
+  if (minute_of_night >= night_minutes) value.refuse("is not between 17:00 and 07:00");
+  return minute_of_night;
+}
+
+Table make_osm_table(Recipe::Osm& osm, const fs::path& folder) {
+  return {"osm",
+          "The map: street lamps, streets, and outlines that say what a building is used for.",
+          {paths_key("files", osm.files, folder, false, R"(["streets.osm.pbf"])",
+                     "OpenStreetMap extracts: .osm, .osm.pbf, .osm.gz or .osm.bz2. Paths are "
+                     "relative to the recipe. Several extracts are merged; an object that is in "
+                     "more than one is taken from the first."),
+           text_key("licence", osm.licence, "\"OpenStreetMap contributors, ODbL 1.0\"",
+                    "The attribution that both output files carry.")}};
+}
+
+Table make_terrain_table(Recipe::Terrain& terrain, const fs::path& folder) {
+  return {"terrain",
+          "The ground of a city whose model has no relief.",
+          {paths_key("dem", terrain.dem, folder, false, R"(["heights.tif"])",
+                     "Digital elevation models in any raster format that GDAL reads. They are not "
+                     "used where the city model has a relief of its own."),
+           flag_key("make_surface", terrain.make_surface,
+                    "Where there is neither a relief nor an elevation model, makes a ground "
+                    "surface through the footprints of the buildings."),
+           number_key("margin_m", terrain.margin_m, {0, 10000}, "m",
+                      "How far a ground made by this program reaches beyond the buildings.")}};
+}
+
+Table make_origin_table(Recipe::Origin& origin) {
+  const Limits limits{-1e8, 1e8};
+  return {"origin",
+          "The origin of model space, in the city's projected coordinate reference system. Name it "
+          "to bake neighbouring areas into one frame. A coordinate left out is chosen from the "
+          "data. Keep the city within 20 km of the origin: coordinates in model space are 32-bit "
+          "floats.",
+          {number_key("easting", origin.easting, limits, "m", "391000",
+                      "Easting of the origin. Without it: the median of the city's tiles."),
+           number_key("northing", origin.northing, limits, "m", "5819000",
+                      "Northing of the origin. Without it: the median of the city's tiles."),
+           number_key("height", origin.height, limits, "m", "30",
+                      "Height of the origin. Without it: the median height of the points at the "
+                      "beginning of the first file.")}};
+}
+
+Table make_window_table(Recipe::Windows& windows) {
+  return {"windows",
+          "Lit windows.",
+          {flag_key("lit", windows.lit, "Whether the city gets lit windows at all."),
+           integer_key("seed", windows.seed, 0, std::numeric_limits<int>::max(),
+                       "Seed of the random draws that decide which windows are lit and when. "
+                       "Another seed gives other evenings of the same statistics.")}};
+}
+
+Table make_night_table(Recipe::Night& night) {
+  return {"night",
+          "The one moment that `city.glb` shows to programs that cannot read schedules. "
+          "`city.lights` always holds the whole night.",
+          {{"time", "string", "\"22:00\"", "local time", "\"17:00\" to \"06:59\"", "\"22:00\"",
+            "Decides which windows are bright and where the vehicles stand in `city.glb`.",
+            [&night](const Value& value) { night.minute = to_minute_of_night(value); }}}};
+}
+
+Table make_output_table(Recipe::Output& output) {
+  return {"output",
+          "How `city.glb` is written.",
+          {flag_key("draco", output.draco,
+                    "Compresses meshes with Draco (`KHR_draco_mesh_compression`)."),
+           number_key("draco_tolerance_m", output.draco_tolerance_m, {1e-5, 10}, "m",
+                      "With `draco`: the distance that no vertex moves by more than."),
+           integer_key("punctual", output.punctual, 0, 1'000'000,
+                       "Copies this many of the lights that are brightest at `[night] time` into "
+                       "`city.glb` as `KHR_lights_punctual`, for programs that do not read "
+                       "`city.lights`.")}};
+}
+
+}  // namespace
+
+std::vector<Table> make_tables(Recipe& recipe, const fs::path& folder) {
+  return {make_city_table(recipe.city, folder),
+          make_osm_table(recipe.osm, folder),
+          make_terrain_table(recipe.terrain, folder),
+          make_lamp_table(recipe.lamps, folder),
+          make_window_table(recipe.windows),
+          make_traffic_table(recipe.traffic),
+          make_night_table(recipe.night),
+          make_origin_table(recipe.origin),
+          make_output_table(recipe.output)};
+}
+
+}  // namespace nightcity::recipe

@@ -1,0 +1,23 @@
+// The tables of a recipe with their keys. A new key is one row in one of these functions.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "tools/bake/recipe/key.h"
+#include "tools/bake/recipe/recipe.h"
+
+namespace nightcity::recipe {
+
+/// Returns all tables of a recipe. Their keys write into `recipe`, which must outlive them, and
+/// take names of files relative to `folder`.
+std::vector<Table> make_tables(Recipe& recipe, const std::filesystem::path& folder);
+
+Table make_city_table(Recipe::City& city, const std::filesystem::path& folder);
+Table make_lamp_table(Recipe::Lamps& lamps, const std::filesystem::path& folder);
+Table make_traffic_table(Recipe::Traffic& traffic);
+
+/// Returns the keys of one row of `[lamps] luminaires`.
+Table make_luminaire_table(Recipe::Lamps::LuminaireFile& row, const std::filesystem::path& folder);
+
+}  // namespace nightcity::recipe
