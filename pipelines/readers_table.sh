@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Makes docs/readers.md: what the CityGML readers do with every real file, how fast they and whole bakes are, and in how
+# Makes docs/measurements/DATE-readers.md: what the CityGML readers do with every real file, how fast they and whole bakes are, and in how
 # much memory.
-#   pipelines/readers_table.sh BUILD_FOLDER DATA_FOLDER > docs/readers.md
+#   pipelines/readers_table.sh BUILD_FOLDER DATA_FOLDER > docs/measurements/DATE-readers.md
 # BUILD_FOLDER holds nightbake and reader_bench. Wants an idle machine, some ten minutes, and 4 GB below $TMPDIR for the
 # synthetic cities, which it removes. Says on stderr what it is at.
 # SIZES="buildings..." of the synthetic cities; SIZES="" leaves them out. The first is read by libcitygml too.
@@ -45,7 +45,7 @@ PYTHON
 cat <<TEXT
 # What the readers do with every real file
 
-Made by \`pipelines/readers_table.sh BUILD DATA > docs/readers.md\` on $(date -u +%F): $(nproc) cores of
+Made by \`pipelines/readers_table.sh BUILD DATA > docs/measurements/DATE-readers.md\` on $(date -u +%F): $(nproc) cores of
 $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1), $(uname -m), load average $(load) when it began.
 
 ## Every file, both readers
@@ -85,10 +85,10 @@ cat <<'TEXT'
 ## Whole bakes
 
 From CityGML and map to city.glb and city.lights; `nightbake run RECIPE --threads N`. The synthetic cities with lamps and
-lit windows, and once as "geometry": without windows; all without traffic, which `docs/traffic.md` measures. "peak MB" is
+lit windows, and once as "geometry": without windows; all without traffic, which `DATE-traffic.md` measures. "peak MB" is
 the most memory resident at any time. A city gives the same bytes on one thread and on two: "md5" is of both files.
 What grows with a city is its map and the lamps along its streets, which are held in memory; CityGML, walls, windows and
-triangles are not. Without any map, streets are made out of the model's own roads, all at once: 820 MB for 2.5 GB of town (`docs/traffic.md`).
+triangles are not. Without any map, streets are made out of the model's own roads, all at once: 820 MB for 2.5 GB of town (`DATE-traffic.md`).
 
 | city | MB of CityGML | threads | objects | triangles | lamps and windows | s | CPU s | MB/s | peak MB | city.glb, MB | md5 |
 |---|---|---|---|---|---|---|---|---|---|---|---|
