@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Configures and builds a preset, with what a fresh machine has: pipelines/build.sh [PRESET [TARGET...]]
-# PRESET: release (default), debug or asan; the programs land in build/PRESET. Quick where all stands.
+# Configures and builds a preset: pipelines/build.sh [PRESET [TARGET...]]
+# PRESET is release (the default), debug or asan; the programs are written to build/PRESET.
 set -euo pipefail
 # shellcheck source=pipelines/steps.sh
 source "$(dirname "${BASH_SOURCE[0]}")/steps.sh"
@@ -13,13 +13,13 @@ options=()
 if command -v ccache >/dev/null; then
   options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   export CCACHE_SLOPPINESS=pch_defines,time_macros  # its manual's condition for precompiled headers
-  # A service account may have no home to keep a cache in.
+  # A service account may have no home folder for the cache.
   if [ ! -w "${HOME:-/nonexistent}" ]; then export CCACHE_DIR=${CCACHE_DIR:-$root/build/ccache}; fi
 fi
 # Ninja runs CMake again by itself when a CMakeLists.txt changes.
 if [ ! -e "build/$preset/build.ninja" ]; then cmake --preset "$preset" "${options[@]}"; fi
 
-# CGAL's templates take about 1.5 GB a compiler: as many at once as the memory holds, one a core at most.
+# Compiling CGAL's templates takes about 1.5 GB of memory per job: run as many as fit, at most one per core.
 memory_gb=$(awk '/^MemAvailable:/ { print int($2 / 1048576) }' /proc/meminfo)
 jobs=$(nproc)
 if [ $((memory_gb / 2)) -lt "$jobs" ]; then jobs=$((memory_gb / 2)); fi

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Makes docs/measurements/DATE-readers.md: what the CityGML readers do with every real file, how fast they and whole bakes are, and in how
-# much memory.
+# Makes docs/measurements/DATE-readers.md: what both CityGML readers do with every real file, and time and memory of the
+# readers and of whole bakes.
 #   pipelines/readers_table.sh BUILD_FOLDER DATA_FOLDER > docs/measurements/DATE-readers.md
-# BUILD_FOLDER holds nightbake and reader_bench. Wants an idle machine, some ten minutes, and 4 GB below $TMPDIR for the
-# synthetic cities, which it removes. Says on stderr what it is at.
-# SIZES="buildings..." of the synthetic cities; SIZES="" leaves them out. The first is read by libcitygml too.
+# BUILD_FOLDER holds nightbake and reader_bench. Needs an idle machine, some ten minutes, and 4 GB below $TMPDIR for the
+# synthetic cities, which it removes. Prints its progress on stderr. SIZES sets the numbers of buildings of the synthetic
+# cities (SIZES="" leaves them out); libcitygml reads only the first of them.
 set -euo pipefail
 
 if (($# != 2)); then
@@ -21,7 +21,7 @@ say() { printf '%4d s  %s\n' "$SECONDS" "$*" >&2; }
 load() { cut -d' ' -f1 /proc/loadavg; }
 megabytes() { stat -Lc %s "$@" | awk '{ sum += $1 } END { printf "%.0f", sum / 1e6 }'; }
 
-# One row of a bake, with the checksum of what it made.
+# Prints one row of the table of bakes, with the checksum of both files.
 bake_row() {
   local name=$1 recipe=$2 threads=$3
   say "bake: $name, $threads threads"
@@ -51,9 +51,9 @@ $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1), $(uname -m), load a
 ## Every file, both readers
 
 One thread, warm cache, best of several rounds; ms and MB/s are of CPU time, which other work on the machine disturbs
-little. "not used" polygons are each in the report with their reason; "times libcitygml" is its time over the stream
-reader's. The last column is what else the file held and nobody used, most frequent
-first: \`nightbake inspect FILE\` has all of it.
+little. Each "not used" polygon is in the report with its reason; "times libcitygml" is its time divided by the stream
+reader's. The last column lists what else the file holds and is not used, most frequent first: \`nightbake inspect FILE\`
+has all of it.
 
 | file | MB | version | objects | polygons | not used | CPU ms | MB/s | times libcitygml | peak MB | peak MB, libcitygml | polygons, libcitygml | skipped |
 |---|---|---|---|---|---|---|---|---|---|---|---|---|
@@ -66,7 +66,7 @@ cat <<'TEXT'
 
 ## Large files, one thread and two
 
-The same with cities that `nightbake town` writes (LoD2, terrain, roads, trees); MB/s by the clock.
+The same with cities that `nightbake town` writes (LoD2, terrain, roads, trees); MB/s of wall time.
 
 TEXT
 stream_only=
@@ -88,7 +88,7 @@ From CityGML and map to city.glb and city.lights; `nightbake run RECIPE --thread
 lit windows, and once as "geometry": without windows; all without traffic, which `DATE-traffic.md` measures. "peak MB" is
 the most memory resident at any time. A city gives the same bytes on one thread and on two: "md5" is of both files.
 What grows with a city is its map and the lamps along its streets, which are held in memory; CityGML, walls, windows and
-triangles are not. Without any map, streets are made out of the model's own roads, all at once: 820 MB for 2.5 GB of town (`DATE-traffic.md`).
+triangles are not. Without a map, streets are made from the model's own roads, all at once: 820 MB for 2.5 GB of town (`DATE-traffic.md`).
 
 | city | MB of CityGML | threads | objects | triangles | lamps and windows | s | CPU s | MB/s | peak MB | city.glb, MB | md5 |
 |---|---|---|---|---|---|---|---|---|---|---|---|

@@ -1,7 +1,7 @@
-# Sourced by the scripts beside it: steps that say what they do and how long they took.
+# Functions for the scripts of this folder, which source this file.
 # shellcheck shell=bash
 
-# shellcheck disable=SC2034  # for the script that sources this
+# shellcheck disable=SC2034  # used by the script that sources this
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { printf '\n== %s\n' "$*"; }
@@ -13,7 +13,7 @@ fail() { # fail CODE MESSAGE...
   exit "$code"
 }
 
-# timed NAME COMMAND...: announces, runs, and gives the time; ends the script where the command fails.
+# timed NAME COMMAND...: runs the command, prints its name and time, and ends the script when it fails.
 timed() {
   local name=$1 start=$SECONDS code=0
   shift
@@ -23,8 +23,8 @@ timed() {
   printf '== %s: %d s\n' "$name" $((SECONDS - start))
 }
 
-# stands OUTPUT INPUT...: true where OUTPUT is there and no input is newer.
-stands() {
+# up_to_date OUTPUT INPUT...: true when OUTPUT exists and no input is newer.
+up_to_date() {
   local output=$1 input
   shift
   [ -e "$output" ] || return 1

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Table 1 of "Rendering Night Cities" (CESCG 2025), remade: 1 to 40 candidates, 5 neighbours, with the paper's weights and
-# with our default, on two towns of about the size of its scenes (304,000 triangles and 337 lamps; 311,000 and 913; ours
-# have 303,000 triangles each).
+# Makes Table 1 of "Rendering Night Cities" (CESCG 2025) anew: 1 to 40 candidates and 5 neighbours, with the paper's
+# weights and with our default estimator. The two towns are about as large as the paper's scenes (304,000 triangles and
+# 337 lamps; 311,000 and 913); ours have 303,000 triangles each.
 #   pipelines/table1.sh [--out DIR] [--size WIDTHxHEIGHT] [--minutes N] [--device NAME] [--build DIR]
 #                       [--reference-frames N]
-# Stopped or out of its minutes, it goes on where it was when run again. Where nightbake is not built, DIR/small and
-# DIR/large must hold the baked towns. DIR gets table1.md, and sweep.csv, sweep.md and a plot for each town.
+# When it was stopped, or its minutes were used up, the next run continues. If nightbake is not built, DIR/small and
+# DIR/large must hold the baked towns. Writes DIR/table1.md, and sweep.csv, sweep.md and a plot for each town.
 set -euo pipefail
 # shellcheck source=pipelines/steps.sh
 source "$(dirname "${BASH_SOURCE[0]}")/steps.sh"
@@ -30,17 +30,17 @@ while [ $# -gt 0 ]; do
 done
 mkdir -p "$out"
 
-# town NAME TRIANGLES LAMPS: asked for TRIANGLES, a town has some 6 % fewer once it is baked.
+# town NAME TRIANGLES LAMPS: a baked town has some 6 % fewer triangles than asked for.
 town() {
   local folder=$out/$1
-  if stands "$folder/city.glb"; then return; fi
+  if up_to_date "$folder/city.glb"; then return; fi
   "$build/nightbake" town --out "$folder" --triangles "$2" --lamps "$3"
-  # The recipe ends in [traffic]; the paper's scenes have neither traffic nor windows.
+  # The recipe ends with [traffic]. The paper's scenes have neither traffic nor windows.
   printf 'drives = false\n[lamps]\nlayout = "never"\n[windows]\nlit = false\n' >>"$folder/town.toml"
   "$build/nightbake" run "$folder/town.toml" --out "$folder"
 }
 
-# sweep NAME: half of the time each.
+# sweep NAME: each town gets half of the time.
 sweep() {
   "$build/nightview" sweep "$out/$1/city.glb" --out "$out/$1/sweep" --size "$size" --views overview --frames 30 \
     --estimator paper,traced --candidates 1,2,4,8,16,24,32,40 --neighbours 5 \
@@ -48,7 +48,7 @@ sweep() {
     --minutes "$(awk "BEGIN { print $minutes / 2 }")" ${device:+--device "$device"}
 }
 
-# table NAME TITLE: one line a number of candidates, the paper's figures beside ours.
+# table NAME TITLE: one line for each number of candidates, the paper's weights beside our default.
 table() {
   printf '\n%s, %s, mean of 30 frames, on %s\n\n' "$2" "$size" \
     "$(awk -F, 'NR == 2 { print $4 }' "$out/$1/sweep/sweep.csv")"

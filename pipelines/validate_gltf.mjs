@@ -1,7 +1,7 @@
-// Judges glTF files by the Khronos validator, the npm package gltf-validator, which is a library without a program:
+// Checks glTF files with the Khronos validator (the npm package gltf-validator, a library without a program):
 //   npm install --prefix SOME_FOLDER gltf-validator
 //   NODE_MODULES=SOME_FOLDER/node_modules node pipelines/validate_gltf.mjs [--all] city.glb...
-// Prints one line a file and its errors and warnings (--all: infos and hints too). Exit code 1 with any error.
+// Prints one line per file, then its errors and warnings (--all: infos and hints too). Exit code 1 on any error.
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import path from 'node:path';

@@ -30,14 +30,14 @@ def run(*command, environment=None):
 
 
 def cpu_seconds():
-    """Of all processes run so far, their threads summed."""
+    """Returns the CPU seconds of all processes run so far, summed over their threads."""
     spent = os.times()
     return spent.children_user + spent.children_system
 
 
 def time_to(error, points):
-    """Seconds at which the log-log line through (seconds, error) points reaches `error`; beyond the last point by the
-    law of Monte Carlo, error proportional to 1 / time."""
+    """Returns the seconds at which the log-log line through (seconds, error) points reaches `error`. Beyond the last
+    point, error is taken to be proportional to 1 / time, as for every Monte Carlo estimate."""
     points = sorted(points)
     for (t0, e0), (t1, e1) in zip(points, points[1:]):
         if e1 <= error <= e0 and e0 > e1:
@@ -55,8 +55,8 @@ def main():
     parser.add_argument("--camera", default="street", help="preset or file")
     parser.add_argument("--size", default="480x270")
     parser.add_argument("--threads", default="2")
-    parser.add_argument("--samples", default="4,16,64,256", help="of Cycles, a pixel")
-    parser.add_argument("--frames", default="1,4,16,64", help="of nightview")
+    parser.add_argument("--samples", default="4,16,64,256", help="samples per pixel of Cycles")
+    parser.add_argument("--frames", default="1,4,16,64", help="frames of nightview")
     parser.add_argument("--reference-frames", default="64")
     options = parser.parse_args()
     width, height = options.size.split("x")

@@ -1,4 +1,4 @@
-"""Reads city.lights (formats/SPEC.md, section 3): what Blender needs of it, with the standard library alone."""
+"""Reads from city.lights (formats/SPEC.md, section 3) what Blender needs, with the standard library alone."""
 import json
 import struct
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ class Light:
 @dataclass
 class Profile:
     extent_deg: float
-    rows: list  # of each C plane, candela per lumen
+    rows: list  # one list of candela per lumen for each C plane
 
 
 def _colour(packed):
@@ -32,7 +32,7 @@ def _colour(packed):
 
 
 def read(path):
-    """(lights, profiles); raises ValueError where the file is no city.lights of major version 1."""
+    """Returns (lights, profiles). Raises ValueError when the file is not a city.lights of major version 1."""
     with open(path, "rb") as file:
         data = file.read()
     magic, major, _, count, size, table = struct.unpack_from("<8sHHIQQ", data)
@@ -62,11 +62,11 @@ def read(path):
 
 
 def as_ies(profile):
-    """The profile as an IES LM-63-2002 text, in candela per 1000 lumens."""
+    """Returns the profile as an IES LM-63-2002 text, in candela per 1000 lumens."""
     gammas = len(profile.rows[0])
     step = profile.extent_deg / (gammas - 1)
     angles = [g * step for g in range(gammas)]
-    if profile.extent_deg < 180:  # dark beyond: the format wants to hear of it
+    if profile.extent_deg < 180:  # the format requires an explicit dark row beyond
         angles += [min(180.0, profile.extent_deg + 1e-3), 180.0]
     planes = profile.rows + [profile.rows[0]] if len(profile.rows) > 1 else profile.rows
     turns = [360.0 * c / len(profile.rows) for c in range(len(planes))]
@@ -79,7 +79,7 @@ def as_ies(profile):
 
 
 def without_instances(glb, out):
-    """Copies a .glb without the nodes that show meshes by EXT_mesh_gpu_instancing: Blender 3.4 does not know it."""
+    """Copies a .glb without the nodes that use EXT_mesh_gpu_instancing, which Blender 3.4 does not know."""
     with open(glb, "rb") as file:
         data = file.read()
     length = struct.unpack_from("<I", data, 12)[0]

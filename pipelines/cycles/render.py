@@ -16,17 +16,17 @@ numpy.bool = bool  # Blender 3.4's glTF importer uses a name that numpy 1.24 dro
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import lights as city_lights  # noqa: E402
 
-# Cycles takes an IES value of one candela for 1 / 177.83 W/sr a watt of the lamp.
+# Cycles turns an IES value of one candela into 1 / 177.83 W/sr per watt of the lamp.
 IES_LUMENS_A_WATT = 177.83
 
 
 def to_blender(v):
-    """glTF is y up, Blender z up."""
+    """Converts from glTF, which is y up, to Blender, which is z up."""
     return Vector((v[0], -v[2], v[1]))
 
 
 def make_diffuse(material):
-    """What both programs show: Lambert's law with the base colour, and emission. No gloss."""
+    """Makes a material that both programs show alike: Lambertian with the base colour, and emission. No gloss."""
     tree = material.node_tree
     colour, emission, strength = (0.5, 0.5, 0.5, 1.0), (0, 0, 0, 1), 0.0
     for node in tree.nodes:
@@ -90,10 +90,10 @@ def set_up(width, height, threads):
     scene.cycles.device = "CPU"
     scene.render.threads_mode, scene.render.threads = "FIXED", threads
     scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = width, height, 100
-    scene.render.use_persistent_data = True  # the hierarchy is built once, and not timed
+    scene.render.use_persistent_data = True  # the BVH is built once, and not timed
     scene.cycles.pixel_filter_type, scene.cycles.filter_width = "BOX", 1.0
     scene.cycles.use_adaptive_sampling = scene.cycles.use_denoising = False
-    scene.cycles.max_bounces = 0  # direct light, as nightview
+    scene.cycles.max_bounces = 0  # direct light, as in nightview
     scene.cycles.sample_clamp_direct = scene.cycles.sample_clamp_indirect = 0
     scene.cycles.light_sampling_threshold = 0
     world = bpy.data.worlds.new("night")
@@ -123,7 +123,7 @@ def main(glb, camera, width, height, threads, out, *samples):
     set_up(int(width), int(height), int(threads))
     scene = bpy.context.scene
     scene.cycles.samples = 1
-    bpy.ops.render.render()  # builds the hierarchy
+    bpy.ops.render.render()  # builds the BVH
     for count in samples:
         scene.cycles.samples = int(count)
         scene.render.filepath = os.path.abspath(f"{out}-{count}.exr")

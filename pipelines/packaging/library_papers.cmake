@@ -1,10 +1,10 @@
-# Run while the TGZ is put together: beside every library it brings, that library's own licence, as Debian ships it.
-# In: libraries_of (the program), library_papers (folder below the prefix).
+# Runs while a TGZ is assembled: adds the licence of every library that it brings, as Debian ships it.
+# Input: libraries_of (the program), library_papers (a folder below the prefix).
 set(prefix "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}")
 file(GLOB libraries RELATIVE "${prefix}/lib" "${prefix}/lib/*.so*")
 set(packages)
 foreach(library IN LISTS libraries)
-  if(IS_SYMLINK "${prefix}/lib/${library}")  # some are the administrator's; what they point to is there too
+  if(IS_SYMLINK "${prefix}/lib/${library}")  # links may be the administrator's; their targets are there too
     continue()
   endif()
   execute_process(COMMAND dpkg-query -S "*/${library}" OUTPUT_VARIABLE owners ERROR_QUIET)

@@ -1,5 +1,5 @@
-# What `cmake --install` and `cpack` make: two components, nightbake and nightview, so that nightview's package needs
-# neither CGAL nor GDAL. DEB leaves libraries to the system; TGZ brings its own, to run where nothing is installed.
+# `cmake --install` and `cpack` make two components, nightbake and nightview, so that nightview's package needs neither
+# CGAL nor GDAL. A DEB takes its libraries from the system; a TGZ brings them, to run where nothing is installed.
 
 set(packaging ${CMAKE_SOURCE_DIR}/pipelines/packaging)
 
@@ -13,8 +13,8 @@ function(nightcity_install program)
   install(FILES README.md CHANGELOG.md NOTICE LICENSE formats/SPEC.md DESTINATION ${papers} COMPONENT ${program})
   install(FILES ${packaging}/copyright.${program} DESTINATION ${papers} RENAME copyright COMPONENT ${program})
 
-  # The C++ runtime and what graphics drivers bring along must be the system's: an older copy of ours would be loaded
-  # into the driver. Excluded from plain `cmake --install`: only the TGZ wants it.
+  # The C++ runtime and the libraries of graphics drivers must be the system's: an older copy of ours would be loaded
+  # into the driver. Plain `cmake --install` leaves libraries out: only the TGZ needs them.
   set(system_libraries "^ld-linux" "^lib(c|m|dl|rt|pthread|resolv|stdc\\+\\+|gcc_s)\\.so")
   if(program STREQUAL "nightview")
     list(APPEND system_libraries "^libvulkan" "^lib(z|expat|zstd|drm|X|xcb|wayland|ffi|elf|LLVM)")

@@ -1,7 +1,7 @@
-// Opens a .glb with three.js's GLTFLoader, in node, and counts what is in it:
+// Opens a .glb with three.js's GLTFLoader, in node, and counts meshes and triangles:
 //   NODE_MODULES=FOLDER/node_modules node open_in_three.mjs city.glb
-// FOLDER: npm install --prefix FOLDER three draco3dgltf. Prints "meshes M triangles T least x y z greatest x y z" in
-// glTF's axes (y up). Exit code 2 where the modules are absent.
+// Install the modules with npm install --prefix FOLDER three draco3dgltf. Prints "meshes M triangles T min x y z max x y z"
+// in glTF's axes (y up). Exit code 2 when the modules are missing.
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import path from 'node:path';
@@ -9,7 +9,7 @@ import { pathToFileURL } from 'node:url';
 
 const modules = path.resolve(process.env.NODE_MODULES ?? 'node_modules');
 const load = (file) => import(pathToFileURL(path.join(modules, file)).href);
-globalThis.self = globalThis; // the loader is written for a browser
+globalThis.self = globalThis; // the loader expects a browser
 let three, loader, draco;
 try {
   three = await load('three/build/three.module.js');
@@ -20,7 +20,8 @@ try {
   process.exit(2);
 }
 
-// DRACOLoader decodes in a browser's worker; the same decoder called directly does for node. What GLTFLoader asks of it:
+// DRACOLoader decodes in a worker of a browser. In node, the same decoder is called directly, behind the methods that
+// GLTFLoader uses.
 const dracoLoader = {
   preload() {},
   async decodeDracoFile(bytes, done, ids, types) {
@@ -62,4 +63,4 @@ gltf.scene.traverse((thing) => {
   box.union((thing.isInstancedMesh ? thing.boundingBox : thing.geometry.boundingBox).clone().applyMatrix4(thing.matrixWorld));
 });
 const text = (v) => v.toArray().map((x) => x.toFixed(3)).join(' ');
-console.log(`meshes ${meshes} triangles ${triangles} least ${text(box.min)} greatest ${text(box.max)}`);
+console.log(`meshes ${meshes} triangles ${triangles} min ${text(box.min)} max ${text(box.max)}`);

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# setup.sh leaves a machine that has everything alone, and stops with the packages' names where it does not know it.
+# setup.sh changes nothing on a machine that has everything, and names the packages on one that it does not know.
 set -uo pipefail
 cd "$(dirname "$0")/../.." || exit 1
 scratch=$(mktemp -d)
@@ -27,7 +27,7 @@ pipelines/setup.sh no-such-section >/dev/null 2>"$scratch/err"
 check "an unknown section ends with 2" test $? -eq 2
 check "the message names the section" grep -q 'no-such-section' "$scratch/err"
 
-# Debian 12 with stand-ins for the programs that ask and change the system: nothing is installed by a test.
+# Debian 12, with stubs in place of the programs that query and change the system: the test installs nothing.
 printf 'ID=debian\nVERSION_ID="12"\n' >"$scratch/debian"
 mkdir "$scratch/bin"
 cat >"$scratch/bin/dpkg-query" <<'STUB'
@@ -46,13 +46,13 @@ export CALLS=$scratch/calls NIGHTCITY_OS_RELEASE=$scratch/debian
 touch "$CALLS"
 
 ABSENT=no PATH=$scratch/bin:$PATH pipelines/setup.sh >"$scratch/out" 2>&1
-check "a run where all is there ends with 0" test $? -eq 0
+check "a run with nothing missing ends with 0" test $? -eq 0
 check "and calls no apt-get" test ! -s "$CALLS"
 
 ABSENT=yes PATH=$scratch/bin:$PATH pipelines/setup.sh >"$scratch/out" 2>&1
-check "a run where two are missing ends with 0" test $? -eq 0
+check "a run with two missing packages ends with 0" test $? -eq 0
 check "apt-get is called once, without an update" test "$(wc -l <"$CALLS")" -eq 1
-check "for exactly the two, one of them removed with its settings left" \
+check "with exactly the two, one of which was removed but not purged" \
   grep -q -- '--no-install-recommends cmake libgtest-dev$' "$CALLS"
 
 printf '#!/bin/sh\nexit 100\n' >"$scratch/bin/apt-get"

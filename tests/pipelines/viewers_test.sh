@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# What others make of a baked city: the Khronos validator finds no error, three.js and Blender open it whole.
+# Other programs open a baked city: the Khronos validator finds no error, three.js and Blender show all of it.
 #   viewers_test.sh NIGHTBAKE [RECIPE...]
-# Always with a small town; recipes are baked besides, as they are and with Draco.
-# NODE_MODULES names a folder with gltf-validator, three and draco3dgltf (npm install --prefix FOLDER ...); BLENDER a
-# Blender (default: blender, where there is one). What is absent is left out; with nothing there the test is skipped (77).
+# A small town is always tested; RECIPEs are baked in addition, as they are and with Draco.
+# NODE_MODULES names a folder with gltf-validator, three and draco3dgltf (npm install --prefix FOLDER ...), BLENDER a
+# Blender (default: blender). Programs that are missing are left out; without any of them the test is skipped (77).
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 nightbake=$1
@@ -18,7 +18,7 @@ if [[ $has_node = no && $has_blender = no ]]; then
   exit 77
 fi
 scratch=$(mktemp -d)
-beside=() # recipes made beside those given, whose paths are relative
+beside=() # temporary recipes beside the given ones, because paths in them are relative
 trap 'rm -rf "$scratch" "${beside[@]}"' EXIT
 failures=0
 fail() {
@@ -26,7 +26,7 @@ fail() {
   failures=$((failures + 1))
 }
 
-# Three places: geometry alone, with its lamps and windows, and geometry by Draco.
+# Three scenes: geometry alone, with lamps and windows, and geometry with Draco.
 "$nightbake" --quiet town --blocks 4 --out "$scratch" >/dev/null || exit 1
 head="[city]\nfiles = [\"town.gml\"]\n"
 printf '%b[windows]\nlit = false\n' "$head" >"$scratch/plain.toml"
@@ -39,13 +39,13 @@ for name in plain draco lights; do
 done
 value() { python3 -c 'import json, sys; print(json.load(sys.stdin)[sys.argv[1]])' "$2" <<<"${inspected[$1]}"; }
 
-# same_box NAME OUTPUT: the bounds at the end of OUTPUT ("least x y z greatest x y z", y up) are inspect's, to 2 cm.
+# same_box NAME OUTPUT: the bounds at the end of OUTPUT ("min x y z max x y z", y up) are those of inspect, within 2 cm.
 same_box() {
   python3 -c '
 import json, sys
 expected = json.load(sys.stdin)["bbox_model"]
 words = sys.argv[1].split()
-found = [float(v) for v in words[words.index("least") + 1:][:3] + words[words.index("greatest") + 1:][:3]]
+found = [float(v) for v in words[words.index("min") + 1:][:3] + words[words.index("max") + 1:][:3]]
 if "z-up" in sys.argv[2:]:  # Blender: x, -z, y of glTF
     found = [found[0], found[2], -found[4], found[3], found[5], -found[1]]
 sys.exit(any(abs(a - b) > 0.02 for a, b in zip(expected, found)))' "${@:2}" <<<"${inspected[$1]}"
@@ -58,7 +58,7 @@ if [[ $has_node = yes ]]; then
     beside+=("$folder/.viewers-$name.toml")
     { cat "$recipe" && printf '\n[output]\ndraco = true\n'; } >"$folder/.viewers-$name.toml"
     "$nightbake" --quiet run "$recipe" --out "$scratch/$name" >/dev/null || fail "$name cannot be baked"
-    "$nightbake" --quiet run "$folder/.viewers-$name.toml" --out "$scratch/$name-draco" >/dev/null || fail "$name by Draco"
+    "$nightbake" --quiet run "$folder/.viewers-$name.toml" --out "$scratch/$name-draco" >/dev/null || fail "$name with Draco cannot be baked"
     node "$here/../../pipelines/validate_gltf.mjs" "$scratch/$name"{,-draco}/city.glb || fail "the validator finds errors in $name"
     for file in "$scratch/$name"{,-draco}/city.glb; do
       NODE_MODULES=$modules node "$here/open_in_three.mjs" "$file" || fail "three.js refuses $file"
@@ -76,7 +76,7 @@ else
 fi
 
 if [[ $has_blender = yes ]]; then
-  # Debian's Blender has no Draco decoder, and 3.4 shows one of a node's instances (EXT_mesh_gpu_instancing is newer).
+  # Debian's Blender has no Draco decoder, and 3.4 shows one instance per node (EXT_mesh_gpu_instancing is newer).
   for name in plain lights; do
     out=$("$blender" --background --factory-startup --python-exit-code 3 --python "$here/open_in_blender.py" -- \
       "$scratch/$name/city.glb" 2>"$scratch/err" | grep '^meshes') || fail "Blender refuses $name: $(tail -3 "$scratch/err")"
