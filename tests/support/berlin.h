@@ -8,7 +8,8 @@
 
 namespace nightcity::test {
 
-/// Bakes into `folder`; false (and a failed test) when nightbake did not do it. `windows`: lit ones too.
+/// Bakes into `folder`, with lit windows if `windows` is set. Returns false, and fails the test, when
+/// nightbake fails.
 inline bool bake_berlin(const TempFolder& folder, bool windows) {
   const std::filesystem::path data = std::filesystem::absolute(data_root()) / "berlin";
   write_text(folder / "berlin.toml",
@@ -23,7 +24,8 @@ inline bool bake_berlin(const TempFolder& folder, bool windows) {
 
 }  // namespace nightcity::test
 
-/// Skips the test where the city or the tool that bakes it is absent.
+/// Bakes Berlin into a new TempFolder called `folder`, or skips the test when the data or nightbake is
+/// missing.
 #define BAKED_BERLIN(folder, windows)                                                     \
   REAL_DATA(folder##_city, "berlin/berlin_open_data_sample_data.citygml");                \
   REAL_DATA(folder##_map, "berlin/berlin_dev_box.osm.pbf");                               \

@@ -1,4 +1,4 @@
-// Bytes of a fuzzer as a file, for readers that take paths: no disk is touched.
+// Makes a file in memory from a fuzzer's bytes, for readers that take paths.
 #pragma once
 
 #include <sys/mman.h>

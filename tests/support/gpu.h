@@ -1,5 +1,5 @@
-// A Vulkan device for tests: the CPU driver by preference, under the validation layer, which must stay
-// silent.
+// A Vulkan device for tests: by default the CPU driver, under the validation layer, which must report
+// nothing.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@
 
 namespace nightcity::test {
 
-/// NIGHTCITY_TEST_DEVICE chooses another device, NIGHTCITY_TEST_TRACE (query, pipeline) how its rays meet the
-/// scene. One for all tests of a program.
+/// Returns the device that all tests of a program share. NIGHTCITY_TEST_DEVICE names another device,
+/// NIGHTCITY_TEST_TRACE (query, pipeline) another way to trace rays.
 inline gpu::Device& test_device() {
   static gpu::Device device([] {
     gpu::Device::Options options;
@@ -25,13 +25,14 @@ inline gpu::Device& test_device() {
   return device;
 }
 
-/// Shared by all tests of a program: compiling takes longer than most tests.
+/// Returns the compiled passes, which all tests of a program share: compiling takes longer than most
+/// tests.
 inline PassLibrary& test_passes() {
   static PassLibrary passes(test_device());
   return passes;
 }
 
-/// Renders under validation and fails the test when the layer speaks.
+/// Returns the mean of `frames` frames. Fails the test when the validation layer reports anything.
 inline Image render(const RenderScene& scene, const CameraPose& pose,
                     const RenderSettings& settings, std::uint32_t width, std::uint32_t height,
                     std::uint32_t frames) {

@@ -1,4 +1,4 @@
-// Pictures that share no sample: the runs a test of bias may average.
+// Pictures that share no sample, as a test of bias needs them.
 #pragma once
 
 #include "runtime/measure/significance.h"
@@ -6,8 +6,9 @@
 
 namespace nightcity::test {
 
-/// `runs` pictures of `frames` frames each, of seeds `first_seed`, first_seed + 1, ...: another seed starts
-/// the mean and the history anew, so the pictures are independent however much the frames of one share.
+/// Returns the statistics of `runs` pictures of `frames` frames each, with seeds `first_seed`,
+/// first_seed + 1, ... A new seed restarts mean and history, so the pictures are independent, although
+/// the frames of one picture share samples.
 inline PictureStatistics independent_runs(Renderer& renderer, const CameraPose& pose,
                                           RenderSettings settings, std::uint32_t runs,
                                           std::uint32_t frames, std::uint32_t first_seed = 1) {

@@ -1,4 +1,4 @@
-// Runs a program of ours as a user would.
+// Runs a program of this build as a user would.
 #pragma once
 
 #include <stdlib.h>
@@ -13,16 +13,17 @@
 namespace nightcity::test {
 
 struct Outcome {
-  int exit_code;  // -1: it did not end by itself
+  int exit_code;  // -1: ended by a signal
   std::string out, err;
 };
 
-/// A shell word, with room on both sides.
+/// Returns the path as a shell word, with a space on either side.
 inline std::string quoted(const std::filesystem::path& path) {
   return " '" + path.string() + "' ";
 }
 
-/// `program` of this build with `arguments` (shell words).
+/// Runs `program` of this build with `arguments` (shell words), and returns how it ended and what it
+/// printed.
 inline Outcome run_program(const std::string& program, const std::string& arguments) {
   const TempFolder folder;
   const std::string command = std::string("'") + NIGHTCITY_BUILD_DIR + "/" + program + "' " +

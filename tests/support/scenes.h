@@ -11,7 +11,7 @@
 
 namespace nightcity::test {
 
-/// A lamp at `position`, aimed down; radius in m, flux in lumen.
+/// Returns a lamp without a profile at `position`, aimed down; radius in m, flux in lumen.
 inline Light lamp(const glm::vec3& position, float flux_lm, float radius = 0.05f) {
   Light light{};
   light.position = position;
@@ -26,7 +26,7 @@ inline Light lamp(const glm::vec3& position, float flux_lm, float radius = 0.05f
   return light;
 }
 
-/// A one-sided window facing `normal`, with horizontal first edge.
+/// Returns a one-sided window that faces `normal` and whose first edge is horizontal; lengths in m.
 inline Light window(const glm::vec3& centre, const glm::vec3& normal, float half_width,
                     float half_height, float flux_lm) {
   Light light = lamp(centre, flux_lm, half_width);
@@ -37,7 +37,7 @@ inline Light window(const glm::vec3& centre, const glm::vec3& normal, float half
   return light;
 }
 
-/// Collects quads and boxes of one material each into a Scene.
+/// Collects quads and boxes of one material into a Scene.
 class SceneBuilder {
  public:
   explicit SceneBuilder(float reflectance = 0.5f) {
@@ -54,7 +54,7 @@ class SceneBuilder {
     return *this;
   }
 
-  /// Horizontal square of half side `s` at height y.
+  /// Adds a horizontal square of half side `s` at height y.
   SceneBuilder& ground(float s, float y = 0) {
     return quad({-s, y, -s}, {-s, y, s}, {s, y, s}, {s, y, -s});
   }
@@ -79,7 +79,7 @@ class SceneBuilder {
   Scene scene_;
 };
 
-/// Those of `lights` that have open sky above: none inside or under a box.
+/// Returns those of `lights` that have open sky above, so none inside or under a box.
 inline std::vector<Light> under_open_sky(const SceneBuilder& builder, std::vector<Light> lights) {
   const RenderScene scene = builder.with({});
   std::erase_if(lights, [&](const Light& light) {
@@ -89,7 +89,7 @@ inline std::vector<Light> under_open_sky(const SceneBuilder& builder, std::vecto
   return lights;
 }
 
-/// Three boxes on a plane, with room between them for lamps and a wall (z = -10) for windows.
+/// Returns three boxes on a plane, with room between them for lamps and a wall (z = -10) for windows.
 inline SceneBuilder boxes_on_a_plane() {
   SceneBuilder builder;
   builder.ground(40)
@@ -99,7 +99,7 @@ inline SceneBuilder boxes_on_a_plane() {
   return builder;
 }
 
-/// A ground with `count` boxes of 5 to 20 m in a square of half side `half`, seeded.
+/// Returns a ground with `count` boxes, 5 to 20 m high, in a square of half side `half`.
 inline SceneBuilder random_town(int count, float half, unsigned seed) {
   std::mt19937 random(seed);
   const auto uniform = [&](float a, float b) {
@@ -108,7 +108,7 @@ inline SceneBuilder random_town(int count, float half, unsigned seed) {
   SceneBuilder builder;
   builder.ground(half);
   for (int i = 0; i < count; ++i) {
-    // One draw after the other, not as arguments: the order of those is the compiler's.
+    // Draws in separate statements: the order of evaluation of arguments is up to the compiler.
     const float z = uniform(-half, half), x = uniform(-half, half);
     const float depth = uniform(3, 9), height = uniform(5, 20), width = uniform(3, 9);
     builder.box({x, 0, z}, {x + width, height, z + depth});

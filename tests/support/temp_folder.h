@@ -1,4 +1,4 @@
-// A folder of a test's own, removed with it.
+// A temporary folder of one test, removed at its end.
 #pragma once
 
 #include <stdlib.h>
@@ -28,7 +28,7 @@ class TempFolder {
 
   std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
   const std::filesystem::path& path() const { return path_; }
-  /// How many files lie in it: none may be left behind by a failed write.
+  /// Returns the number of files in it: a failed write must leave none behind.
   std::size_t entries() const {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_),
                                                   std::filesystem::directory_iterator()));
