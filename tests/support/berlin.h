@@ -1,4 +1,5 @@
-// A real place, small: 61 buildings of Berlin and the lamps around them, baked by nightbake as its users do.
+// A real place, small: 61 buildings of Berlin and the lamps around them, baked by nightbake as its
+// users do.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,8 +9,8 @@
 
 namespace nightcity::test {
 
-/// Bakes into `folder`, with lit windows if `windows` is set. Returns false, and fails the test, when
-/// nightbake fails.
+/// Bakes into `folder`, with lit windows if `windows` is set. Returns false, and fails the test,
+/// when nightbake fails.
 inline bool bake_berlin(const TempFolder& folder, bool windows) {
   const std::filesystem::path data = std::filesystem::absolute(data_root()) / "berlin";
   write_text(folder / "berlin.toml",
@@ -24,8 +25,8 @@ inline bool bake_berlin(const TempFolder& folder, bool windows) {
 
 }  // namespace nightcity::test
 
-/// Bakes Berlin into a new TempFolder called `folder`, or skips the test when the data or nightbake is
-/// missing.
+/// Bakes Berlin into a new TempFolder called `folder`, or skips the test when the data or nightbake
+/// is missing.
 #define BAKED_BERLIN(folder, windows)                                                     \
   REAL_DATA(folder##_city, "berlin/berlin_open_data_sample_data.citygml");                \
   REAL_DATA(folder##_map, "berlin/berlin_dev_box.osm.pbf");                               \

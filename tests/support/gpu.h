@@ -1,5 +1,5 @@
-// A Vulkan device for tests: by default the CPU driver, under the validation layer, which must report
-// nothing.
+// A Vulkan device for tests: by default the CPU driver, under the validation layer, which must
+// report nothing.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@
 
 namespace nightcity::test {
 
-/// Returns the device that all tests of a program share. NIGHTCITY_TEST_DEVICE names another device,
-/// NIGHTCITY_TEST_TRACE (query, pipeline) another way to trace rays.
+/// Returns the device that all tests of a program share. NIGHTCITY_TEST_DEVICE names another
+/// device, NIGHTCITY_TEST_TRACE (query, pipeline) another way to trace rays.
 inline gpu::Device& test_device() {
   static gpu::Device device([] {
     gpu::Device::Options options;
@@ -25,8 +25,7 @@ inline gpu::Device& test_device() {
   return device;
 }
 
-/// Returns the compiled passes, which all tests of a program share: compiling takes longer than most
-/// tests.
+/// Returns the compiled passes, which all tests of a program share: compiling takes a while.
 inline PassLibrary& test_passes() {
   static PassLibrary passes(test_device());
   return passes;

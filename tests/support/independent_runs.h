@@ -7,8 +7,8 @@
 namespace nightcity::test {
 
 /// Returns the statistics of `runs` pictures of `frames` frames each, with seeds `first_seed`,
-/// first_seed + 1, ... A new seed restarts mean and history, so the pictures are independent, although
-/// the frames of one picture share samples.
+/// first_seed + 1, ... A new seed restarts mean and history, so the pictures are independent,
+/// although the frames of one picture share samples.
 inline PictureStatistics independent_runs(Renderer& renderer, const CameraPose& pose,
                                           RenderSettings settings, std::uint32_t runs,
                                           std::uint32_t frames, std::uint32_t first_seed = 1) {

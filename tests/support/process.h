@@ -22,8 +22,8 @@ inline std::string quoted(const std::filesystem::path& path) {
   return " '" + path.string() + "' ";
 }
 
-/// Runs `program` of this build with `arguments` (shell words), and returns how it ended and what it
-/// printed.
+/// Runs `program` of this build with `arguments` (shell words), and returns how it ended and what
+/// it printed.
 inline Outcome run_program(const std::string& program, const std::string& arguments) {
   const TempFolder folder;
   const std::string command = std::string("'") + NIGHTCITY_BUILD_DIR + "/" + program + "' " +

@@ -89,7 +89,8 @@ inline std::vector<Light> under_open_sky(const SceneBuilder& builder, std::vecto
   return lights;
 }
 
-/// Returns three boxes on a plane, with room between them for lamps and a wall (z = -10) for windows.
+/// Returns three boxes on a plane, with room for lamps between them; the wall at z = -10 is for
+/// windows.
 inline SceneBuilder boxes_on_a_plane() {
   SceneBuilder builder;
   builder.ground(40)

@@ -86,7 +86,7 @@ TEST(RecipeReference, ATableOrAKeyCanBeAskedFor) {
   EXPECT_NE(seeds.find("[windows]"), std::string::npos);
   EXPECT_NE(seeds.find("[traffic]"), std::string::npos);
   try {
-    make_text_reference("tile");
+    make_text_reference("tle_m");
     FAIL();
   } catch (const UsageError& error) {
     EXPECT_NE(std::string(error.what()).find("tile_m"), std::string::npos) << error.what();
