@@ -176,5 +176,23 @@ TEST(Recipe, WrongValuesAreUsageErrors) {
   EXPECT_THROW(CityFrames(read(folder, "[osm]\nfiles = ['a.osm']\n")), UsageError);
 }
 
+TEST(Recipe, RecipesOfRealCitiesTakeTheirDataFromTheDataFolderAndAreListed) {
+  const std::filesystem::path source = NIGHTCITY_SOURCE_DIR;
+  const std::string page = test::read_text(source / "pipelines/README.md");
+  std::size_t recipes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(source / "pipelines")) {
+    if (entry.path().extension() != ".toml") continue;
+    ++recipes;
+    const Recipe recipe = read_recipe(entry.path());
+    const std::string data = (source / "data").string() + "/";
+    for (const auto* files : {&recipe.city.files, &recipe.osm.files})
+      for (const std::filesystem::path& file : *files)
+        EXPECT_TRUE(file.string().starts_with(data)) << file;
+    EXPECT_NE(page.find("| `" + entry.path().stem().string() + "` |"), std::string::npos)
+        << entry.path();
+  }
+  EXPECT_EQ(recipes, 6u);
+}
+
 }  // namespace
 }  // namespace nightcity
