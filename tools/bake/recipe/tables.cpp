@@ -88,7 +88,7 @@ Table make_output_table(Recipe::Output& output) {
           {flag_key("draco", output.draco,
                     "Compresses meshes with Draco (`KHR_draco_mesh_compression`)."),
            number_key("draco_tolerance_m", output.draco_tolerance_m, {1e-5, 10}, "m",
-                      "With `draco`: the distance that no vertex moves by more than."),
+                      "With `draco`: the largest distance that a vertex may move."),
            integer_key("punctual", output.punctual, 0, 1'000'000,
                        "Copies this many of the lights that are brightest at `[night] time` into "
                        "`city.glb` as `KHR_lights_punctual`, for programs that do not read "
