@@ -6,6 +6,8 @@
 #include <iterator>
 #include <set>
 
+#include "tools/citygml/read_citygml.h"
+
 namespace nightcity {
 namespace {
 

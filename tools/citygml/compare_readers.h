@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/citygml/city_model.h"
+#include "tools/city/city_reader.h"
 
 namespace nightcity {
 

@@ -84,7 +84,7 @@ const glm::vec3* GeometryWalk::colour_of(const pugi::xml_node& element) const {
 }
 
 void GeometryWalk::read(const pugi::xml_node& property, const GeometryContext& context,
-                        std::vector<RawPolygon>& out) {
+                        std::vector<city::RawPolygon>& out) {
   out_ = &out;
   const std::string_view href = attribute_named(property, "href");
   if (!href.empty() && !property.first_child()) follow(property, href, context);
@@ -92,7 +92,7 @@ void GeometryWalk::read(const pugi::xml_node& property, const GeometryContext& c
 }
 
 void GeometryWalk::read_element(const pugi::xml_node& geometry, const GeometryContext& context,
-                                std::vector<RawPolygon>& out) {
+                                std::vector<city::RawPolygon>& out) {
   out_ = &out;
   walk(geometry, context);
 }

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "tools/citygml/appearances.h"
-#include "tools/citygml/object_fold.h"
+#include "tools/city/merge_parts.h"
 #include "tools/citygml/skip_counter.h"
 #include "tools/citygml/xlinks.h"
 
@@ -47,10 +47,10 @@ class GeometryWalk {
   /// Adds every polygon below `property` (lod2Solid, tin, ...) to `out`; what cannot be used is counted. A
   /// polygon reached twice (a solid's xlink to a wall) is added once.
   void read(const pugi::xml_node& property, const GeometryContext& context,
-            std::vector<RawPolygon>& out);
+            std::vector<city::RawPolygon>& out);
   /// The same for a geometry element itself.
   void read_element(const pugi::xml_node& geometry, const GeometryContext& context,
-                    std::vector<RawPolygon>& out);
+                    std::vector<city::RawPolygon>& out);
   /// Every vertex below `property`: break lines into `lines`, what lies alone into `points`.
   void read_points(const pugi::xml_node& property, const GeometryContext& context,
                    std::vector<glm::dvec3>& points, std::vector<Ring>& lines);
@@ -85,7 +85,7 @@ class GeometryWalk {
   SkipCounter& skipped_;
   Materials local_materials_;
   const Materials* file_materials_ = nullptr;
-  std::vector<RawPolygon>* out_ = nullptr;
+  std::vector<city::RawPolygon>* out_ = nullptr;
   std::unordered_set<Visit, VisitHash> visited_;
   std::vector<std::string> unresolved_;
   std::size_t placed_polygons_ = 0;

@@ -173,7 +173,7 @@ struct Converter {
       ++out.skipped["polygon: inside a building"];
       return;
     }
-    RawPolygon raw;
+    city::RawPolygon raw;
     raw.lod = lod;
     raw.space = context.space;
     raw.polygon.id = polygon.getId();

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "tools/citygml/object_fold.h"
+#include "tools/city/merge_parts.h"
 
 namespace nightcity {
 
 struct LibcitygmlObject {
-  RawObject raw;
+  city::RawObject raw;
   std::size_t polygons_seen = 0;               // distinct ones
   std::map<std::string, std::size_t> skipped;  // what was seen and not taken
 };

@@ -1,6 +1,8 @@
 // libcitygml 2.4.3 as a second opinion, kept from what it cannot bear: it is fed a batch of members at a
 // time, one by one where a batch fails, and never sees comments, entities or a DOCTYPE. What it drops is
 // counted.
+#include "tools/citygml/libcitygml_reader.h"
+
 #include <citygml/address.h>
 #include <citygml/citygml.h>
 #include <citygml/citygmllogger.h>
@@ -14,7 +16,7 @@
 #include <sstream>
 
 #include "formats/error.h"
-#include "tools/citygml/document_reader.h"
+#include "tools/citygml/citygml_head.h"
 #include "tools/citygml/libcitygml_convert.h"
 #include "tools/citygml/libcitygml_text.h"
 
@@ -161,7 +163,7 @@ class DocumentLoader {
       LibcitygmlObject converted = convert(*root, model->themes());
       seen += converted.polygons_seen;
       for (const auto& [what, count] : converted.skipped) report.skipped[what] += count;
-      sink_(fold(std::move(converted.raw), options_, report));
+      sink_(city::merge_parts(std::move(converted.raw), options_, report));
     }
     if (polygons_in_text > seen)
       report.skipped["polygon: not delivered by libcitygml"] += polygons_in_text - seen;
@@ -176,7 +178,7 @@ class DocumentLoader {
 
 }  // namespace
 
-ReadReport read_with_libcitygml(const Document& document, const ReadOptions& options,
+ReadReport read_with_libcitygml(const city::Document& document, const ReadOptions& options,
                                 const ObjectSink& sink) {
   warm_up();
   MemberSplitter::Limits limits;

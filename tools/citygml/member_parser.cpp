@@ -62,8 +62,8 @@ MemberParser::MemberParser(const pugi::xml_node& member, std::size_t line,
   geometry_.set_file_materials(&file_materials);
 }
 
-std::vector<RawObject> MemberParser::parse() {
-  std::vector<RawObject> out;
+std::vector<city::RawObject> MemberParser::parse() {
+  std::vector<city::RawObject> out;
   if (feature_class(local_name(member_.name())).kind != ClassKind::unknown) {
     read_top(member_, out);
     return out;
@@ -80,7 +80,7 @@ void MemberParser::skip(const pugi::xml_node& element) {
     skipped_.add("polygon: in " + std::string(element.name()), polygons);
 }
 
-void MemberParser::read_top(const pugi::xml_node& element, std::vector<RawObject>& out) {
+void MemberParser::read_top(const pugi::xml_node& element, std::vector<city::RawObject>& out) {
   const std::string_view name = local_name(element.name());
   const FeatureClass what = feature_class(name);
   if (what.kind == ClassKind::unknown || what.kind == ClassKind::interior) {
@@ -101,7 +101,7 @@ void MemberParser::read_top(const pugi::xml_node& element, std::vector<RawObject
           }
     return;
   }
-  RawObject& raw = out.emplace_back();
+  city::RawObject& raw = out.emplace_back();
   raw.object.id = attribute_named(element, "id");
   if (raw.object.id.empty()) raw.object.id = std::string(name) + "@" + std::to_string(line_);
   raw.object.class_name = name;
@@ -110,7 +110,7 @@ void MemberParser::read_top(const pugi::xml_node& element, std::vector<RawObject
 }
 
 void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClass& what,
-                                GeometryContext context, RawObject& raw) {
+                                GeometryContext context, city::RawObject& raw) {
   context.surface = what.surface != SurfaceType::unknown || what.kind != ClassKind::surface
                         ? what.surface
                         : context.surface;
@@ -172,7 +172,7 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
 }
 
 void MemberParser::read_child_features(const pugi::xml_node& property,
-                                       const GeometryContext& context, RawObject& raw) {
+                                       const GeometryContext& context, city::RawObject& raw) {
   if (!property.first_child()) {
     if (!attribute_named(property, "href").empty())
       skipped_.add("xlink: " + std::string(property.name()));
@@ -183,7 +183,7 @@ void MemberParser::read_child_features(const pugi::xml_node& property,
 }
 
 void MemberParser::read_child(const pugi::xml_node& element, const GeometryContext& context,
-                              RawObject& raw) {
+                              city::RawObject& raw) {
   const std::string_view name = local_name(element.name());
   if (name == "Envelope" || name == "Null")
     return;  // gml:boundedBy: an extent, known better from the vertices

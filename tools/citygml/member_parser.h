@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/citygml/classes.h"
+#include "tools/citygml/citygml_schema.h"
 #include "tools/citygml/geometry_walk.h"
-#include "tools/citygml/object_fold.h"
+#include "tools/city/merge_parts.h"
 #include "tools/citygml/skip_counter.h"
 
 namespace nightcity {
@@ -21,18 +21,18 @@ class MemberParser {
                const Materials& file_materials);
 
   /// Every city object of the member; what is not used goes to skipped().
-  std::vector<RawObject> parse();
+  std::vector<city::RawObject> parse();
 
   const SkipCounter& skipped() const { return skipped_; }
   const std::vector<std::string>& unresolved() const { return geometry_.unresolved(); }
 
  private:
-  void read_top(const pugi::xml_node& element, std::vector<RawObject>& out);
+  void read_top(const pugi::xml_node& element, std::vector<city::RawObject>& out);
   void read_feature(const pugi::xml_node& element, const FeatureClass& what,
-                    GeometryContext context, RawObject& raw);
+                    GeometryContext context, city::RawObject& raw);
   void read_child_features(const pugi::xml_node& property, const GeometryContext& context,
-                           RawObject& raw);
-  void read_child(const pugi::xml_node& element, const GeometryContext& context, RawObject& raw);
+                           city::RawObject& raw);
+  void read_child(const pugi::xml_node& element, const GeometryContext& context, city::RawObject& raw);
   void skip(const pugi::xml_node& element);
 
   pugi::xml_node member_;

@@ -44,7 +44,7 @@ std::string newest_version(std::string_view root_tag) {
 
 }  // namespace
 
-MemberSplitter::MemberSplitter(ByteSource& source, std::string name, const Limits& limits)
+MemberSplitter::MemberSplitter(city::ByteSource& source, std::string name, const Limits& limits)
     : scanner_(source, std::move(name), limits.member_bytes), limits_(limits) {
   read_head();
 }

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/citygml/byte_source.h"
+#include "tools/city/byte_source.h"
 #include "tools/citygml/tag_scanner.h"
 
 namespace nightcity {
@@ -54,7 +54,7 @@ class MemberSplitter {
   };
 
   /// Reads up to the root's start tag. Throws Error: not XML, DOCTYPE, UTF-16, truncated.
-  MemberSplitter(ByteSource& source, std::string name, const Limits& limits);
+  MemberSplitter(city::ByteSource& source, std::string name, const Limits& limits);
 
   const DocumentHead& head() const { return head_; }
   /// The next members, in order; false behind the last. Throws Error where tags do not nest or the file ends

@@ -34,7 +34,7 @@ void fetch_from(const pugi::xml_node& member, const std::unordered_set<std::stri
     if (!element) continue;
     SkipCounter counted_where_it_stands;
     GeometryWalk walk(member, library, counted_where_it_stands);
-    std::vector<RawPolygon> raws;
+    std::vector<city::RawPolygon> raws;
     walk.read_element(element, {}, raws);
     if (!walk.unresolved().empty()) {  // again when those are here
       missing.insert(walk.unresolved().begin(), walk.unresolved().end());
@@ -42,14 +42,14 @@ void fetch_from(const pugi::xml_node& member, const std::unordered_set<std::stri
       continue;
     }
     std::vector<Polygon>& polygons = library.polygons[id];
-    for (RawPolygon& raw : raws) polygons.push_back(std::move(raw.polygon));
+    for (city::RawPolygon& raw : raws) polygons.push_back(std::move(raw.polygon));
     room -= std::min(room, vertices_of(polygons));
   }
 }
 
 }  // namespace
 
-GeometryLibrary fetch_geometry(const Document& document, std::unordered_set<std::string> wanted,
+GeometryLibrary fetch_geometry(const city::Document& document, std::unordered_set<std::string> wanted,
                                std::size_t& room) {
   GeometryLibrary library;
   for (int round = 0; round < max_rounds && !wanted.empty(); ++round) {

@@ -1,4 +1,5 @@
-// The stream reader: members parsed in place, several batches at a time, delivered in file order.
+#include "tools/citygml/stream_reader.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -8,8 +9,9 @@
 #include <utility>
 
 #include "formats/error.h"
-#include "tools/citygml/document_reader.h"
+#include "tools/citygml/citygml_head.h"
 #include "tools/citygml/member_parser.h"
+#include "tools/citygml/read_citygml.h"
 #include "tools/citygml/rings.h"
 #include "tools/citygml/shared_geometry.h"
 #include "tools/in_order.h"
@@ -34,7 +36,7 @@ struct BatchResult {
 
 class StreamReader {
  public:
-  StreamReader(const Document& document, const ReadOptions& options, const ObjectStage& stage)
+  StreamReader(const city::Document& document, const ReadOptions& options, const ObjectStage& stage)
       : document_(document), options_(options), stage_(stage) {
     library_.folder = std::filesystem::path(document.name).parent_path();
     library_.neighbours = options.neighbours;
@@ -61,7 +63,7 @@ class StreamReader {
     const auto source = document_.open();
     MemberSplitter splitter(*source, document_.name, {});
     require_citygml(splitter.head(), document_.name);
-    if (!mentions(document_, element)) return;
+    if (!city::mentions(document_, element)) return;
     MemberBatch batch;
     SkipCounter textures;
     while (splitter.next(batch))
@@ -88,7 +90,7 @@ class StreamReader {
         report_.warnings.push_back(document_.name + ": xlinks into " + file.string() +
                                    " are not followed: it is in another CRS");
       } else {
-        for (const Document& neighbour : documents_in(file))
+        for (const city::Document& neighbour : city::documents_in(file, citygml_endings))
           for (auto& [id, polygons] : fetch_geometry(neighbour, ids, room).polygons)
             library_.polygons.emplace(file.string() + "#" + id, std::move(polygons));
       }
@@ -121,7 +123,7 @@ class StreamReader {
       pugi::xml_document xml;
       load(head, batch, member, xml);
       MemberParser parser(xml.document_element(), member.line, library_, file_materials_);
-      std::vector<RawObject> raws = parser.parse();
+      std::vector<city::RawObject> raws = parser.parse();
       if (!parser.unresolved().empty() && !library_complete_) {
         out.deferred.push_back(number);
         out.wanted.insert(parser.unresolved().begin(), parser.unresolved().end());
@@ -131,9 +133,9 @@ class StreamReader {
         out.report.warnings.push_back(document_.name + ": line " + std::to_string(member.line) +
                                       ": xlink to " + id + ", which is not there");
       parser.skipped().merge_into(out.report.skipped);
-      for (RawObject& raw : raws) {
+      for (city::RawObject& raw : raws) {
         raw.continued = member.continued;
-        out.objects.push_back(fold(std::move(raw), options_, out.report));
+        out.objects.push_back(city::merge_parts(std::move(raw), options_, out.report));
       }
     }
     if (!out.objects.empty()) out.rest = stage_(std::exchange(out.objects, {}));
@@ -173,7 +175,7 @@ class StreamReader {
         [&](BatchResult&& result) { take(std::move(result)); });
   }
 
-  const Document& document_;
+  const city::Document& document_;
   const ReadOptions& options_;
   const ObjectStage& stage_;
   ReadReport report_;
@@ -187,7 +189,7 @@ class StreamReader {
 
 }  // namespace
 
-ReadReport read_with_stream(const Document& document, const ReadOptions& options,
+ReadReport read_with_stream(const city::Document& document, const ReadOptions& options,
                             const ObjectStage& stage) {
   return StreamReader(document, options, stage).read();
 }

@@ -31,7 +31,7 @@ bool ends_name(char c) {
   return c == '>' || c == '/' || is_space(c);
 }
 
-TagScanner::TagScanner(ByteSource& source, std::string name, std::size_t longest_window)
+TagScanner::TagScanner(city::ByteSource& source, std::string name, std::size_t longest_window)
     : source_(source), name_(std::move(name)), longest_window_(longest_window) {
   skip_byte_order_mark();
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "tools/citygml/byte_source.h"
+#include "tools/city/byte_source.h"
 
 namespace nightcity {
 
@@ -26,7 +26,7 @@ bool ends_name(char c);
 class TagScanner {
  public:
   /// `longest_window`: what must be kept at once (one member) may not be longer.
-  TagScanner(ByteSource& source, std::string name, std::size_t longest_window);
+  TagScanner(city::ByteSource& source, std::string name, std::size_t longest_window);
 
   /// Skips text, comments, CDATA and processing instructions. Throws Error on a DOCTYPE, on markup that is no
   /// XML and where the file ends inside markup.
@@ -59,7 +59,7 @@ class TagScanner {
   void skip_byte_order_mark();
   std::unique_ptr<char[]> rebase(std::size_t end, std::string_view in_front);
 
-  ByteSource& source_;
+  city::ByteSource& source_;
   std::string name_;
   std::size_t longest_window_;
   std::unique_ptr<char[]> bytes_;

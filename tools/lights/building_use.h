@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "tools/citygml/city_model.h"
+#include "tools/city/city_model.h"
 
 namespace nightcity {
 

@@ -14,7 +14,7 @@
 
 #include "tools/cell_cache.h"
 #include "tools/cell_file.h"
-#include "tools/citygml/city_model.h"
+#include "tools/city/city_model.h"
 
 namespace nightcity {
 

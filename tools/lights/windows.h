@@ -13,7 +13,7 @@
 #include "formats/atomic_file.h"
 #include "formats/georeference.h"
 #include "formats/light_file.h"
-#include "tools/citygml/city_model.h"
+#include "tools/city/city_model.h"
 #include "tools/lights/facades.h"
 #include "tools/lights/lamps.h"
 #include "tools/lights/night_schedule.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "tools/citygml/city_model.h"
+#include "tools/city/city_model.h"
 
 namespace nightcity {
 

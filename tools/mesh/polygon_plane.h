@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "tools/citygml/city_model.h"
+#include "tools/city/city_model.h"
 
 namespace nightcity {
 

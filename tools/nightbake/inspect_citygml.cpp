@@ -2,8 +2,8 @@
 #include <optional>
 
 #include "formats/error.h"
-#include "tools/citygml/city_model.h"
 #include "tools/georeference/frame.h"
+#include "tools/inputs/read_city.h"
 #include "tools/mesh/triangle_mesh.h"
 #include "tools/nightbake/inspect.h"
 
@@ -11,7 +11,7 @@ namespace nightcity {
 
 Inspection inspect_citygml(const std::filesystem::path& file, int highest_lod) {
   Inspection result = empty_inspection("citygml");
-  const CityGmlHead head = read_citygml_head(file);
+  const CityHead head = inputs::read_city_head(file);
   // A file whose CRS nobody knows still has things to tell; its coordinates are then taken as they are.
   std::optional<CityFrame> frame;
   std::string trouble;
@@ -28,7 +28,7 @@ Inspection inspect_citygml(const std::filesystem::path& file, int highest_lod) {
   std::string last_id;
   ReadOptions options;
   options.highest_lod = highest_lod;
-  const ReadReport report = read_citygml(file, options, [&](CityObject&& object) {
+  const ReadReport report = inputs::read_city(file, options, [&](CityObject&& object) {
     // Large objects come in pieces under one id.
     if (object.id.empty() || object.id != last_id) {
       ++objects[name_of(object.type)];

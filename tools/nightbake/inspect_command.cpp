@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "tools/bake/file_kind.h"
+#include "tools/inputs/file_format.h"
 #include "tools/nightbake/commands.h"
 #include "tools/nightbake/inspect.h"
 
@@ -19,16 +19,16 @@ struct InspectArguments {
 };
 
 Inspection inspect(const std::filesystem::path& file, int lod) {
-  switch (file_kind(file)) {
-    case FileKind::citygml:
+  switch (inputs::find_format(file).kind) {
+    case inputs::FileKind::city:
       return inspect_citygml(file, lod);
-    case FileKind::osm:
+    case inputs::FileKind::osm:
       return inspect_osm(file);
-    case FileKind::scene:
+    case inputs::FileKind::scene:
       return inspect_scene(file);
-    case FileKind::lights:
+    case inputs::FileKind::lights:
       return inspect_lights(file);
-    case FileKind::luminaire:
+    case inputs::FileKind::luminaire:
       break;
   }
   return inspect_luminaire(file);

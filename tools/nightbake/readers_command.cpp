@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/bake/city/city_files.h"
 #include "tools/citygml/compare_readers.h"
+#include "tools/inputs/city_files.h"
 #include "tools/nightbake/commands.h"
 
 namespace nightcity {
@@ -108,7 +108,7 @@ void run(const ReadersArguments& arguments) {
   ordered_json documents = ordered_json::array();
   std::size_t disagreeing = 0, count = 0;
   for (const std::string& name : arguments.files) {
-    for (const auto& file : city_files(name)) {
+    for (const auto& file : inputs::city_files(name)) {
       const ReaderComparison comparison = compare_readers(file, arguments.lod);
       ++count;
       disagreeing += !comparison.agree();

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/citygml/city_model.h"
+#include "tools/city/city_model.h"
 
 namespace nightcity::streets {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "tools/citygml/city_model.h"
+#include "tools/city/city_model.h"
 #include "tools/town/hills.h"
 #include "tools/town/street_plan.h"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tools/citygml/city_model.h"
+#include "tools/city/city_model.h"
 #include "tools/town/building_plan.h"
 
 namespace nightcity::town {

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "formats/error.h"
-#include "tools/citygml/city_model.h"
+#include "tools/citygml/read_citygml.h"
 
 namespace nightcity {
 namespace {

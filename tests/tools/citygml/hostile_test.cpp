@@ -8,7 +8,7 @@
 #include "formats/error.h"
 #include "tests/tools/citygml/small_city.h"
 #include "tests/tools/citygml/temporary_file.h"
-#include "tools/citygml/city_model.h"
+#include "tools/citygml/read_citygml.h"
 
 namespace nightcity {
 namespace {

@@ -6,11 +6,11 @@
 #include <memory>
 #include <string>
 
-#include "tools/citygml/byte_source.h"
+#include "tools/city/byte_source.h"
 
 namespace nightcity::test {
 
-class MemorySource : public ByteSource {
+class MemorySource : public city::ByteSource {
  public:
   explicit MemorySource(const std::string& text) : text_(text) {}
   std::size_t read(char* out, std::size_t size) override {
@@ -26,8 +26,8 @@ class MemorySource : public ByteSource {
 };
 
 /// `text` must outlive the document.
-inline Document memory_document(const std::string& text) {
-  return {"memory", [&text] { return std::make_unique<MemorySource>(text); }};
+inline city::Document memory_document(const std::string& text) {
+  return {"memory", false, [&text] { return std::make_unique<MemorySource>(text); }};
 }
 
 }  // namespace nightcity::test

@@ -22,8 +22,8 @@
 #include <vector>
 
 #include "formats/error.h"
-#include "tools/citygml/byte_source.h"
-#include "tools/citygml/city_model.h"
+#include "tools/city/byte_source.h"
+#include "tools/citygml/read_citygml.h"
 #include "tools/citygml/member_splitter.h"
 
 namespace nightcity {
@@ -62,7 +62,8 @@ std::filesystem::path multiply(const std::filesystem::path& file, int copies) {
   const auto path = std::filesystem::temp_directory_path() /
                     ("reader_bench_" + std::to_string(::getpid()) + ".gml");
   std::ofstream out(path, std::ios::binary);
-  const std::vector<Document> documents = documents_in(file);
+  const std::vector<city::Document> documents =
+      city::documents_in(file, citygml_endings);
   std::string root;
   for (int copy = 0; copy < copies; ++copy) {
     const auto source = documents.front().open();

@@ -10,7 +10,7 @@
 
 #include "formats/error.h"
 #include "support/data.h"
-#include "tools/citygml/city_model.h"
+#include "tools/citygml/read_citygml.h"
 #include "tools/citygml/tag_scanner.h"
 
 namespace nightcity {

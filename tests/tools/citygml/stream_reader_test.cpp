@@ -12,7 +12,8 @@
 #include "formats/error.h"
 #include "tests/tools/citygml/small_city.h"
 #include "tests/tools/citygml/temporary_file.h"
-#include "tools/citygml/city_model.h"
+#include "tools/citygml/citygml_head.h"
+#include "tools/citygml/read_citygml.h"
 
 namespace nightcity {
 namespace {
@@ -491,7 +492,7 @@ TEST(StreamReader, ObjectsInFeatureMembersAndWithoutIdAreRead) {
 }
 
 TEST(CityGmlHead, TellsCrsVersionAndClosedRings) {
-  const CityGmlHead head =
+  const CityHead head =
       read_citygml_head(TemporaryFile(city_model(member(building("A")))).path());
   EXPECT_EQ(head.version, "2.0");
   EXPECT_EQ(head.srs_name, "EPSG:25833");

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "support/data.h"
-#include "tools/citygml/city_model.h"
+#include "tools/city/city_model.h"
 #include "tools/georeference/frame.h"
 
 namespace nightcity {
@@ -38,7 +38,7 @@ class RealPlaces : public testing::TestWithParam<Place> {};
 
 TEST_P(RealPlaces, FileLandsInItsCityAndComesBack) {
   REAL_DATA(file, GetParam().file);
-  const CityGmlHead head = read_citygml_head(file);
+  const CityHead head = read_citygml_head(file);
   ASSERT_FALSE(head.sample.empty());
   const CityFrame frame = CityFrame::from_srs_name(head.srs_name, head.sample, {});
   EXPECT_EQ(frame.crs().rfind(GetParam().crs, 0), 0u) << frame.crs();

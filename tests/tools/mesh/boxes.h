@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "tools/citygml/city_model.h"
+#include "tools/city/city_model.h"
 #include "tools/mesh/polygon_plane.h"
 
 namespace nightcity::test {

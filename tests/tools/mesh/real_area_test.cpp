@@ -13,7 +13,8 @@
 
 #include "formats/error.h"
 #include "support/data.h"
-#include "tools/citygml/city_model.h"
+#include "tools/citygml/citygml_head.h"
+#include "tools/citygml/read_citygml.h"
 #include "tools/georeference/frame.h"
 #include "tools/mesh/polygon_plane.h"
 #include "tools/mesh/triangle_mesh.h"
@@ -22,7 +23,7 @@ namespace nightcity {
 namespace {
 
 CityFrame frame_of(const std::filesystem::path& file) {
-  const CityGmlHead head = read_citygml_head(file);
+  const CityHead head = read_citygml_head(file);
   try {
     return CityFrame::from_srs_name(head.srs_name, head.sample, {});
   } catch (const Error&) {  // made-up coordinates under a real CRS: as they are

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "formats/error.h"
+#include "tools/inputs/read_city.h"
 
 namespace nightcity {
 namespace {
@@ -27,7 +28,7 @@ std::vector<CityFrame::ControlPoint> corners_at(const std::array<double, 4>& bou
                                                 const Recipe& recipe) {
   glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
   for (const auto& file : recipe.city.files)
-    read_citygml(file, recipe.city.read, [&](CityObject&& object) {
+    inputs::read_city(file, recipe.city.read, [&](CityObject&& object) {
       for (const Polygon& polygon : object.polygons)
         for (const glm::dvec3& p : polygon.exterior) {
           low = glm::min(low, glm::dvec2(p));
@@ -42,9 +43,9 @@ std::vector<CityFrame::ControlPoint> corners_at(const std::array<double, 4>& bou
 CityFrames::CityFrames(const Recipe& recipe) {
   if (recipe.city.files.empty())
     throw UsageError(recipe.path.string(), "names no city: [city] files = [\"...\"] is missing");
-  std::vector<CityGmlHead> heads;
-  for (const auto& file : recipe.city.files) heads.push_back(read_citygml_head(file));
-  const auto has_geometry = [](const CityGmlHead& head) { return !head.sample.empty(); };
+  std::vector<CityHead> heads;
+  for (const auto& file : recipe.city.files) heads.push_back(inputs::read_city_head(file));
+  const auto has_geometry = [](const CityHead& head) { return !head.sample.empty(); };
   const auto first = std::find_if(heads.begin(), heads.end(), has_geometry);
   if (first == heads.end())
     throw Error(recipe.city.files.front().string(), "no geometry in any file of the city");

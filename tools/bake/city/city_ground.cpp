@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "formats/error.h"
-#include "tools/bake/city/city_files.h"
+#include "tools/inputs/city_files.h"
 #include "tools/bake/city/city_reader.h"
 #include "tools/bake/city/ground_builder.h"
-#include "tools/bake/file_kind.h"
+#include "tools/inputs/file_format.h"
 #include "tools/lights/osm_uses.h"
 
 namespace nightcity {
@@ -44,19 +44,19 @@ Recipe recipe_of(const std::vector<std::filesystem::path>& inputs) {
     if (input.extension() == ".toml")
       throw UsageError(input.string(), "a recipe stands alone: other files belong into it");
     if (std::filesystem::is_directory(input, error)) {
-      const auto found = city_files(input);
+      const auto found = inputs::city_files(input);
       recipe.city.files.insert(recipe.city.files.end(), found.begin(), found.end());
       continue;
     }
-    switch (file_kind(input)) {
-      case FileKind::citygml:
+    switch (inputs::find_format(input).kind) {
+      case inputs::FileKind::city:
         recipe.city.files.push_back(input);
         break;
-      case FileKind::osm:
+      case inputs::FileKind::osm:
         recipe.osm.files.push_back(input);
         break;
       default:
-        throw Error(input.string(), "is neither CityGML nor OSM");
+        throw Error(input.string(), "is neither a city model nor OSM");
     }
   }
   return recipe;

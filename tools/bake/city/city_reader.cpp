@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "tools/inputs/read_city.h"
+
 namespace nightcity {
 namespace {
 
@@ -227,7 +229,7 @@ void read_city(const Recipe& recipe, const CityFrames& frames, const CitySinks& 
     reader.begin_file(i);
     const std::string stage = "reading " + std::to_string(i + 1) + " of " +
                               std::to_string(files.size()) + ": " + files[i].filename().string();
-    report.read.merge(read_citygml_staged(
+    report.read.merge(inputs::read_city_staged(
         files[i], options, [&](std::vector<CityObject>&& read) -> std::function<void()> {
           const auto prepared =
               std::make_shared<std::vector<Prepared>>();  // std::function copies what it holds

@@ -29,7 +29,7 @@ struct CitySinks {
 
 /// Each object becomes a feature of the writer as it is read; memory does not grow with the city but for what
 /// the terrain keeps. Objects over 100 km from the city's first file and objects that an earlier file has
-/// brought are left out and counted. Throws Error as read_citygml does.
+/// brought are left out and counted. Throws Error as inputs::read_city does.
 void read_city(const Recipe& recipe, const CityFrames& frames, const CitySinks& sinks,
                BakeReport& report, const ProgressSink& progress);
 

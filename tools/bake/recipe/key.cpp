@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "formats/error.h"
-#include "tools/bake/city/city_files.h"
+#include "tools/inputs/city_files.h"
 #include "tools/bake/recipe/nearest_word.h"
 
 namespace nightcity::recipe {
@@ -20,7 +20,7 @@ std::vector<fs::path> read_paths(const Value& value, const fs::path& folder, boo
   for (const std::string& name : value.texts()) {
     if (name.empty()) value.refuse("holds an empty name");
     const fs::path path = (folder / name).lexically_normal();
-    const auto found = expand_folders ? city_files(path) : std::vector<fs::path>{path};
+    const auto found = expand_folders ? inputs::city_files(path) : std::vector<fs::path>{path};
     result.insert(result.end(), found.begin(), found.end());
   }
   if (result.empty()) value.refuse("names no file");

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/citygml/city_model.h"
+#include "tools/city/city_reader.h"
 #include "tools/georeference/frame.h"
 #include "tools/layout/layout.h"
 #include "tools/lights/lamp_hours.h"

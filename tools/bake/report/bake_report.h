@@ -12,7 +12,7 @@
 #include "tools/bake/city/ground_builder.h"
 #include "tools/bake/city/model_streets.h"
 #include "tools/bake/report/light_report.h"
-#include "tools/citygml/city_model.h"
+#include "tools/city/city_reader.h"
 #include "tools/layout/layout.h"
 #include "tools/mesh/triangle_mesh.h"
 #include "tools/traffic/traffic.h"

@@ -11,7 +11,7 @@
 
 #include "formats/atomic_file.h"
 #include "tools/bake/scene/tile_store.h"
-#include "tools/citygml/city_model.h"
+#include "tools/city/city_model.h"
 
 namespace nightcity {
 

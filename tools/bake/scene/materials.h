@@ -7,7 +7,7 @@
 #include <map>
 
 #include "formats/scene_file.h"
-#include "tools/citygml/city_model.h"
+#include "tools/city/city_model.h"
 
 namespace nightcity {
 

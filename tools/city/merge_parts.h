@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "tools/citygml/city_model.h"
+#include "tools/city/city_reader.h"
 
-namespace nightcity {
+namespace nightcity::city {
 
 struct RawPolygon {
   Polygon polygon;
@@ -30,6 +30,6 @@ struct RawObject {
 /// Takes of every space its highest LoD up to `options.highest_lod` (a space that has only higher ones: the
 /// lowest of them), drops polygons that repeat another's vertices (a solid's copy of a wall), and counts in
 /// `report.skipped` every polygon left out, by reason.
-CityObject fold(RawObject&& raw, const ReadOptions& options, ReadReport& report);
+CityObject merge_parts(RawObject&& raw, const ReadOptions& options, ReadReport& report);
 
-}  // namespace nightcity
+}  // namespace nightcity::city

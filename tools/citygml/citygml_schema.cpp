@@ -1,4 +1,4 @@
-#include "tools/citygml/classes.h"
+#include "tools/citygml/citygml_schema.h"
 
 #include <string>
 #include <unordered_map>

@@ -1,4 +1,4 @@
-#include "tools/citygml/byte_source.h"
+#include "tools/city/byte_source.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -14,7 +14,7 @@
 
 #include "formats/error.h"
 
-namespace nightcity {
+namespace nightcity::city {
 namespace {
 
 class PlainSource : public ByteSource {
@@ -102,41 +102,54 @@ class ZipSource : public ByteSource {
   std::string name_;
 };
 
-bool is_document(std::string_view entry) {
-  std::string lower(entry);
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return lower.ends_with(".gml") || lower.ends_with(".xml") || lower.ends_with(".citygml");
-}
-
-std::vector<Document> documents_in_archive(const std::string& path) {
+std::vector<Document> documents_in_archive(const std::string& path,
+                                           std::span<const std::string_view> endings) {
   const auto archive = open_archive(path);
   std::vector<Document> documents;
   const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
   for (zip_int64_t i = 0; i < count; ++i) {
     const auto index = static_cast<zip_uint64_t>(i);
     const char* entry = zip_get_name(archive.get(), index, ZIP_FL_ENC_GUESS);
-    if (!entry || !is_document(entry)) continue;
+    if (!entry || !ends_with_any(to_lower(entry), endings)) continue;
     const std::string name = path + "/" + entry;
-    documents.push_back({name, [=] { return std::make_unique<ZipSource>(path, index, name); }});
+    documents.push_back({name, true, [=] { return std::make_unique<ZipSource>(path, index, name); }});
   }
-  if (documents.empty()) throw Error(path, "the archive holds no .gml, .xml or .citygml");
+  if (documents.empty()) throw Error(path, "the archive holds no " + join_endings(endings));
   return documents;
 }
 
 }  // namespace
 
-std::vector<Document> documents_in(const std::filesystem::path& file) {
+std::string to_lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return text;
+}
+
+bool ends_with_any(std::string_view name, std::span<const std::string_view> endings) {
+  return std::any_of(endings.begin(), endings.end(),
+                     [name](std::string_view ending) { return name.ends_with(ending); });
+}
+
+std::string join_endings(std::span<const std::string_view> endings) {
+  std::string all;
+  for (const std::string_view ending : endings)
+    all += std::string(all.empty() ? "" : ", ").append(ending);
+  return all;
+}
+
+std::vector<Document> documents_in(const std::filesystem::path& file,
+                                   std::span<const std::string_view> endings) {
   const std::string path = file.string();
-  if (std::filesystem::is_directory(file)) throw Error(path, "is a folder, not a CityGML file");
+  if (std::filesystem::is_directory(file)) throw Error(path, "is a folder, not a file");
   char magic[4] = {};
   const std::size_t got = PlainSource(path).read(magic, sizeof magic);
   if (got == 0) throw Error(path, "is empty");
-  if (got == 4 && std::memcmp(magic, "PK\x03\x04", 4) == 0) return documents_in_archive(path);
+  if (got == 4 && std::memcmp(magic, "PK\x03\x04", 4) == 0) return documents_in_archive(path, endings);
   if (got >= 2 && std::memcmp(magic, "\x1f\x8b", 2) == 0)
-    return {{path, [=] { return std::make_unique<GzipSource>(path); }}};
-  return {{path, [=] { return std::make_unique<PlainSource>(path); }}};
+    return {{path, true, [=] { return std::make_unique<GzipSource>(path); }}};
+  return {{path, false, [=] { return std::make_unique<PlainSource>(path); }}};
 }
 
 bool mentions(const Document& document, std::string_view text) {
@@ -153,4 +166,4 @@ bool mentions(const Document& document, std::string_view text) {
   }
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::city

@@ -1,29 +1,32 @@
-#include "tools/bake/city/city_files.h"
+#include "tools/inputs/city_files.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
-#include <string>
-#include <string_view>
 
 #include "formats/error.h"
+#include "tools/city/byte_source.h"
+#include "tools/inputs/file_format.h"
 
-namespace nightcity {
+namespace nightcity::inputs {
 namespace {
 
 namespace fs = std::filesystem;
 
 bool is_city_file(const fs::path& path) {
-  std::string name = path.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  constexpr std::array<std::string_view, 7> endings{".gml",    ".xml",        ".citygml", ".gml.gz",
-                                                    ".xml.gz", ".citygml.gz", ".zip"};
-  return std::any_of(endings.begin(), endings.end(),
-                     [&](std::string_view e) { return name.ends_with(e); });
+  const std::string name = city::to_lower(path.filename().string());
+  if (name.ends_with(".zip")) return true;
+  const std::string_view plain = std::string_view(name).substr(
+      0, name.size() - (name.ends_with(".gz") ? std::string_view(".gz").size() : 0));
+  return city::ends_with_any(plain, city_endings());
 }
 
 }  // namespace
+
+std::vector<std::string_view> city_endings() {
+  std::vector<std::string_view> endings;
+  for (const FileFormat& format : file_formats())
+    endings.insert(endings.end(), format.endings.begin(), format.endings.end());
+  return endings;
+}
 
 std::vector<fs::path> city_files(const fs::path& path) {
   std::error_code error;
@@ -40,10 +43,10 @@ std::vector<fs::path> city_files(const fs::path& path) {
   if (error) throw Error(path.string(), "the folder cannot be read: " + error.message());
   if (found.empty())
     throw Error(path.string(),
-                std::string("no .gml, .xml, .citygml (also .gz) or .zip in this folder") +
+                "no " + city::join_endings(city_endings()) + " (also .gz) or .zip in this folder" +
                     (folders ? "; folders inside it are not entered: name them" : ""));
   std::sort(found.begin(), found.end());
   return found;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::inputs

@@ -1,4 +1,4 @@
-#include "tools/citygml/object_fold.h"
+#include "tools/city/merge_parts.h"
 
 #include <algorithm>
 #include <bit>
@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace nightcity {
+namespace nightcity::city {
 namespace {
 
 constexpr int unsaid_lod = -1;
@@ -91,7 +91,7 @@ bool same_vertices(const Polygon& a, const Polygon& b) {
 
 }  // namespace
 
-CityObject fold(RawObject&& raw, const ReadOptions& options, ReadReport& report) {
+CityObject merge_parts(RawObject&& raw, const ReadOptions& options, ReadReport& report) {
   CityObject object = std::move(raw.object);
   const LodChoice choice = choose_lods(raw, options);
   object.lod = choice.of_object;
@@ -119,4 +119,4 @@ CityObject fold(RawObject&& raw, const ReadOptions& options, ReadReport& report)
   return object;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::city

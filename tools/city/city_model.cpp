@@ -1,6 +1,6 @@
-#include "tools/citygml/city_model.h"
+#include "tools/city/city_model.h"
 
-namespace nightcity {
+namespace nightcity::city {
 
 const char* name_of(ObjectType type) {
   switch (type) {
@@ -64,13 +64,4 @@ const char* name_of(SurfaceType type) {
   return "unknown";
 }
 
-void ReadReport::merge(const ReadReport& other) {
-  if (version.empty()) version = other.version;
-  if (srs_name.empty()) srs_name = other.srs_name;
-  objects += other.objects;
-  polygons += other.polygons;
-  for (const auto& [name, count] : other.skipped) skipped[name] += count;
-  warnings.insert(warnings.end(), other.warnings.begin(), other.warnings.end());
-}
-
-}  // namespace nightcity
+}  // namespace nightcity::city

@@ -1,0 +1,101 @@
+#include "tools/inputs/file_format.h"
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <set>
+#include <string>
+
+#include "formats/error.h"
+#include "tests/tools/citygml/small_city.h"
+#include "tests/tools/citygml/temporary_file.h"
+#include "tools/inputs/city_files.h"
+#include "tools/inputs/read_city.h"
+
+namespace nightcity::inputs {
+namespace {
+
+using test::TemporaryFile;
+
+const std::string city_text = test::city_model(test::member(test::building("A")));
+const std::string osm_text = "<?xml version=\"1.0\"?>\n<osm version=\"0.6\"></osm>";
+
+std::string name_of_format(const std::string& content, const std::string& ending) {
+  return find_format(TemporaryFile(content, ending).path()).name;
+}
+
+std::string gzipped(const std::string& text) {
+  const TemporaryFile file("", ".gz");
+  const gzFile out = gzopen(file.path().c_str(), "wb");
+  gzwrite(out, text.data(), static_cast<unsigned>(text.size()));
+  gzclose(out);
+  std::ifstream in(file.path(), std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(FileFormat, ContentDecidesAndNotTheName) {
+  EXPECT_EQ(name_of_format(city_text, ".txt"), "CityGML");
+  EXPECT_EQ(name_of_format(city_text, ".osm"), "CityGML");
+  EXPECT_EQ(name_of_format(osm_text, ".gml"), "OSM");
+  EXPECT_EQ(name_of_format("glTF\x02", ".gml"), "glTF");
+  EXPECT_EQ(name_of_format("  {\"asset\": {}}", ".txt"), "glTF");
+  EXPECT_EQ(name_of_format("NCLIGHTS", ".xml"), "light file");
+  EXPECT_EQ(name_of_format("IESNA:LM-63-2002\n", ".txt"), "IES");
+  EXPECT_EQ(name_of_format("a lamp\nTILT=NONE\n", ".txt"), "IES");
+  EXPECT_EQ(name_of_format("no mark at all", ".LDT"), "EULUMDAT");
+}
+
+TEST(FileFormat, ContentDecidesInPackedFilesToo) {
+  EXPECT_EQ(name_of_format(gzipped(city_text), ".osm.gz"), "CityGML");
+  EXPECT_EQ(name_of_format(gzipped(osm_text), ".gml.gz"), "OSM");
+  EXPECT_EQ(name_of_format("BZh91AY", ".bz2"), "OSM");
+  EXPECT_THROW(name_of_format(gzipped("glTF\x02"), ".glb.gz"), Error);  // no reader unpacks it
+}
+
+TEST(FileFormat, CityGmlIsRecognisedByItsRootElement) {
+  EXPECT_EQ(name_of_format("<!-- <osm2city> -->\n<?pi x?><core:CityModel/>", ".gml"), "CityGML");
+  EXPECT_EQ(name_of_format("\xEF\xBB\xBF<wfs:FeatureCollection a='1'>", ".gml"), "CityGML");
+  for (const char* text : {"<Codelist><!-- CityModel --></Codelist>", "<CityModels/>", "<", "<!--",
+                           "<!-- <CityModel> ", "x"})
+    EXPECT_THROW(name_of_format(text, ".gml"), Error) << text;
+}
+
+TEST(FileFormat, EveryCityFormatHasAReaderAndEndingsOfItsOwn) {
+  std::set<std::string_view> endings;
+  for (const FileFormat& format : file_formats()) {
+    EXPECT_EQ(format.reader != nullptr, format.kind == FileKind::city) << format.name;
+    EXPECT_EQ(!format.endings.empty(), format.kind == FileKind::city) << format.name;
+    for (const std::string_view ending : format.endings)
+      EXPECT_TRUE(endings.insert(ending).second) << ending;
+  }
+}
+
+TEST(FileFormat, MissingAndEmptyFilesAndFoldersAreErrors) {
+  EXPECT_THROW(find_format("/nowhere/at/all.gml"), Error);
+  EXPECT_THROW(find_format(std::filesystem::temp_directory_path()), Error);
+  EXPECT_THROW(name_of_format("", ".gml"), Error);
+}
+
+TEST(ReadCity, GoesToTheReaderOfTheFormat) {
+  const TemporaryFile file(city_text);
+  EXPECT_EQ(read_city_head(file.path()).version, "2.0");
+  std::size_t objects = 0;
+  const city::ReadReport report =
+      read_city(file.path(), {}, [&](city::CityObject&&) { ++objects; });
+  EXPECT_EQ(objects, 1u);
+  EXPECT_EQ(report.objects, 1u);
+}
+
+TEST(ReadCity, AnOsmFileIsNoCity) {
+  const TemporaryFile file(osm_text, ".gml");
+  try {
+    read_city_head(file.path());
+    FAIL() << "read";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("is no city model but OSM"), std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace nightcity::inputs

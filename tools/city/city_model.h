@@ -1,0 +1,86 @@
+// The city model that every reader delivers and every stage takes, whatever format the file has.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace nightcity::city {
+
+/// A closed polygon's vertices, with the closing one left out: the last differs from the first.
+/// Coordinates as in the file, its axis order too, until a frame turns them into E, N, H in metres.
+using Ring = std::vector<glm::dvec3>;
+
+enum class SurfaceType : std::uint8_t {
+  unknown,
+  wall,
+  roof,
+  ground,
+  closure,
+  outer_ceiling,
+  outer_floor,
+  window,
+  door,
+  traffic_area,
+  auxiliary_traffic_area,
+  terrain,
+  water
+};
+
+enum class ObjectType : std::uint8_t {
+  building,
+  bridge,
+  tunnel,
+  relief,
+  road,
+  railway,
+  water,
+  vegetation,
+  furniture,
+  land_use,
+  generic,
+  other
+};
+
+struct Polygon {
+  std::string id;  // as in the file; "" = none
+  SurfaceType surface = SurfaceType::unknown;
+  Ring exterior;
+  std::vector<Ring> interiors;
+  std::optional<glm::vec3> diffuse_colour;  // sRGB as in the file
+  /// Code of the traffic area that the polygon lies in; 0 = none, or the file's code is no number.
+  std::uint16_t area_function = 0;
+};
+
+/// A top-level city object with the geometry of its parts and installations: each building is one
+/// object.
+struct CityObject {
+  std::string id;  // as in the file, or a stable substitute
+  ObjectType type = ObjectType::other;
+  std::string class_name;  // the format's own name for it: "Building", "TINRelief", ...
+  std::string function, usage, building_class, address, year;  // "" = absent
+  std::optional<double> measured_height_m;                     // absent for 9999, -9999 and the like
+  std::optional<int> storeys_above_ground;
+  std::vector<double> storey_heights_m;
+  int lod = -1;  // level of detail; -1 = the file does not say
+  std::vector<Polygon> polygons;
+  std::vector<glm::dvec3> points;  // mass points of a relief: its surface goes through them
+  std::vector<Ring> lines;         // its break lines and ridges, open: edges of that surface
+};
+
+/// "building", "wall", ...: the names used in reports.
+const char* name_of(ObjectType type);
+const char* name_of(SurfaceType type);
+
+}  // namespace nightcity::city
+
+namespace nightcity {
+// The names under which folders that still share the namespace `nightcity` use the model.
+using city::CityObject;
+using city::ObjectType;
+using city::Polygon;
+using city::Ring;
+using city::SurfaceType;
+}  // namespace nightcity

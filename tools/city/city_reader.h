@@ -1,0 +1,84 @@
+// What every reader of city files has in common: its options, its report and how it delivers objects.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tools/city/city_model.h"
+
+namespace nightcity::city {
+
+/// What a file held and what was not used of it. Silence means that nothing was lost.
+struct ReadReport {
+  std::string version;   // of the format: "1.0", "2.0", "3.0"
+  std::string srs_name;  // the coordinate reference system as written; "" = none
+  std::size_t objects = 0, polygons = 0;
+  std::map<std::string, std::size_t> skipped;  // what, by name, and how often
+  std::vector<std::string> warnings;           // each names file and place
+
+  void merge(const ReadReport& other);
+};
+
+/// Which parser reads CityGML. Both deliver the same model; the second is a second opinion.
+enum class Reader : std::uint8_t { stream, libcitygml };
+
+struct ReadOptions {
+  /// Of each object the highest LoD up to this one is taken, and where it has none, the lowest above.
+  int highest_lod = 2;
+  Reader reader = Reader::stream;
+  /// 0 = one per core. The objects and their order do not depend on it.
+  unsigned threads = 0;
+  /// The files of the same city, lexically normal: links to geometry lead into these and no others.
+  std::shared_ptr<const std::set<std::filesystem::path>> neighbours{};
+};
+
+/// Called on one thread at a time, in file order; objects that refer to geometry of other objects
+/// come after all others. An object too large for one piece (a terrain of millions of triangles) comes
+/// in several calls, one after the other, with the same id.
+using ObjectSink = std::function<void(CityObject&&)>;
+
+/// Work on objects that would hold up the reading: called on many threads at once, each time with some
+/// objects in file order. What it returns is then called on one thread at a time, in file order.
+using ObjectStage = std::function<std::function<void()>(std::vector<CityObject>&&)>;
+
+/// Returns a stage that only passes objects on to `sink`, which must outlive it.
+ObjectStage deliver_to(const ObjectSink& sink);
+
+/// What a frame needs before the first object is placed: a cheap look at the file's beginning.
+struct CityHead {
+  std::string version;   // of the format; "" = the file does not say
+  std::string srs_name;  // the first one in the file, as written; "" = none
+  /// Vertices of the first rings, as written; empty = a file without geometry.
+  std::vector<glm::dvec3> sample;
+};
+
+/// A format's reader. Both functions throw Error: the file is missing, empty, broken or of another
+/// format.
+struct FileReader {
+  /// Reads until it has a sample or the file ends.
+  CityHead (*read_head)(const std::filesystem::path& file);
+  /// Streams the objects through `stage` in file order, in memory that does not grow with the file.
+  ReadReport (*read)(const std::filesystem::path& file, const ReadOptions& options,
+                     const ObjectStage& stage);
+};
+
+}  // namespace nightcity::city
+
+namespace nightcity {
+// As in city_model.h.
+using city::CityHead;
+using city::deliver_to;
+using city::ObjectSink;
+using city::ObjectStage;
+using city::Reader;
+using city::ReadOptions;
+using city::ReadReport;
+}  // namespace nightcity

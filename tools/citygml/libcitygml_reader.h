@@ -1,0 +1,13 @@
+// CityGML documents read by libcitygml, as a second opinion.
+#pragma once
+
+#include "tools/city/byte_source.h"
+#include "tools/city/city_reader.h"
+
+namespace nightcity {
+
+/// Reads one document, on one thread. Throws Error as read_citygml does.
+ReadReport read_with_libcitygml(const city::Document& document, const ReadOptions& options,
+                                const ObjectSink& sink);
+
+}  // namespace nightcity

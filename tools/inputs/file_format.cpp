@@ -1,0 +1,106 @@
+#include "tools/inputs/file_format.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "formats/error.h"
+#include "tools/city/byte_source.h"
+#include "tools/citygml/citygml_head.h"
+#include "tools/citygml/read_citygml.h"
+#include "tools/inputs/city_files.h"
+
+namespace nightcity::inputs {
+namespace {
+
+constexpr std::size_t start_bytes = 65536;  // XML may begin with long comments
+
+bool holds(const FileStart& start, std::string_view text) {
+  return start.bytes.find(text) != std::string_view::npos;
+}
+
+bool is_citygml(const FileStart& start) {
+  return begins_as_citygml(start.bytes);
+}
+
+bool is_osm(const FileStart& start) {
+  constexpr std::size_t pbf_header_bytes = 64;
+  return start.bytes.substr(0, pbf_header_bytes).find("OSMHeader") != std::string_view::npos ||
+         holds(start, "<osm ") || holds(start, "<osm>") ||
+         start.bytes.starts_with("BZh");  // bzip2: only the OSM reader unpacks it
+}
+
+bool is_gltf(const FileStart& start) {
+  if (start.bytes.starts_with("glTF")) return true;
+  const std::size_t first = start.bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  const bool json = first != std::string_view::npos && start.bytes[first] == '{';
+  // A large glTF may name its asset last.
+  return json && (holds(start, "\"asset\"") || start.name.ends_with(".gltf"));
+}
+
+bool is_light_file(const FileStart& start) {
+  return start.bytes.starts_with("NCLIGHTS");
+}
+
+// Files before LM-63-1991 have no mark but the TILT line.
+bool is_ies(const FileStart& start) {
+  return start.bytes.starts_with("IESNA") || holds(start, "\nTILT=") ||
+         start.name.ends_with(".ies");
+}
+
+bool is_eulumdat(const FileStart& start) {
+  return start.name.ends_with(".ldt");
+}
+
+constexpr city::FileReader citygml_reader{read_citygml_head, read_citygml_staged};
+
+constexpr std::array formats{
+    FileFormat{"glTF", FileKind::scene, is_gltf},
+    FileFormat{"light file", FileKind::lights, is_light_file},
+    FileFormat{"OSM", FileKind::osm, is_osm, true},
+    FileFormat{"CityGML", FileKind::city, is_citygml, true, citygml_endings, &citygml_reader},
+    FileFormat{"IES", FileKind::luminaire, is_ies},
+    FileFormat{"EULUMDAT", FileKind::luminaire, is_eulumdat},
+};
+
+std::string read_start(const city::Document& document) {
+  std::string bytes(start_bytes, '\0');
+  std::size_t size = 0;
+  const auto source = document.open();
+  while (size < bytes.size()) {
+    const std::size_t got = source->read(bytes.data() + size, bytes.size() - size);
+    if (got == 0) break;
+    size += got;
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
+std::string list_names() {
+  std::string names;
+  for (const FileFormat& format : formats)
+    names += std::string(names.empty() ? "" : ", ") + format.name;
+  return names;
+}
+
+}  // namespace
+
+std::span<const FileFormat> file_formats() {
+  return formats;
+}
+
+const FileFormat& find_format(const std::filesystem::path& path) {
+  const city::Document document = city::documents_in(path, city_endings()).front();
+  const std::string bytes = read_start(document);
+  const std::string name = city::to_lower(path.filename().string());
+  const FileStart start{bytes, name, document.packed};
+  const auto format = std::find_if(formats.begin(), formats.end(), [&](const FileFormat& f) {
+    return (f.may_be_packed || !start.packed) && f.recognises(start);
+  });
+  if (format == formats.end())
+    throw Error(path.string(), "is of no format that is read here: " + list_names());
+  return *format;
+}
+
+}  // namespace nightcity::inputs

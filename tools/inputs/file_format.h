@@ -1,0 +1,44 @@
+// What kind of file a path names. This table is the one place that decides it: recipes, the inputs of
+// commands and `inspect` all ask here. A new reader joins by one row.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+#include "tools/city/city_reader.h"
+
+namespace nightcity::inputs {
+
+/// What a file is read as.
+enum class FileKind { city, osm, scene, lights, luminaire };
+
+/// The beginning of a file.
+struct FileStart {
+  std::string_view bytes;      // of the content, unpacked; at most 64 KiB
+  std::string_view name;       // of the file without its folder, in lower case
+  bool packed = false;         // the file is gzipped or a zip archive
+};
+
+struct FileFormat {
+  const char* name;  // as in messages: "CityGML"
+  FileKind kind;
+  bool (*recognises)(const FileStart& start);
+  /// Its reader unpacks gzip (and, of a city, zip).
+  bool may_be_packed = false;
+  /// City formats: how the names of files end that a folder or an archive is searched for, in lower case
+  /// and without .gz.
+  std::span<const std::string_view> endings{};
+  /// City formats alone; null for the others.
+  const city::FileReader* reader = nullptr;
+};
+
+/// All formats, in the order in which they are tried: those with a sure mark first.
+std::span<const FileFormat> file_formats();
+
+/// Returns the format of the file at `path` by its first bytes; a name decides only where a format has no
+/// mark of its own (EULUMDAT). Throws Error: missing, empty, a folder, broken gzip or zip, or of no format
+/// in the table.
+const FileFormat& find_format(const std::filesystem::path& path);
+
+}  // namespace nightcity::inputs

@@ -1,0 +1,24 @@
+// What a stage asks about a place of the city: where it is, how high the ground, whether a house is there.
+#pragma once
+
+#include <functional>
+#include <glm/vec2.hpp>
+#include <optional>
+
+namespace nightcity::place {
+
+/// WGS 84 longitude and latitude, degrees, to E, N of the city's frame, m.
+using LonLatToFrame = std::function<glm::dvec2(const glm::dvec2& lon_lat)>;
+/// Height of the ground at E, N of the city's frame, m; none outside the model.
+using HeightAt = std::function<std::optional<double>(const glm::dvec2& place)>;
+/// Whether E, N of the city's frame, m, lies within a building's footprint.
+using InsideBuilding = std::function<bool(const glm::dvec2& place)>;
+
+}  // namespace nightcity::place
+
+namespace nightcity {
+// The names under which folders that still share the namespace `nightcity` use them.
+using place::HeightAt;
+using place::InsideBuilding;
+using place::LonLatToFrame;
+}  // namespace nightcity
