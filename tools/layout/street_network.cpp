@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "tools/osm/osm_selection.h"
+#include "tools/osm/tag_values.h"
 
 namespace nightcity::layout {
 namespace {

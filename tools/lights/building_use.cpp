@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "tools/osm/osm_selection.h"
+#include "tools/osm/tag_values.h"
 
 namespace nightcity {
 namespace {

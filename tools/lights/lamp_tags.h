@@ -33,9 +33,6 @@ struct LampTags {
 
 LampTags read_lamp_tags(const OsmTags& tags);
 
-/// "6", "6 m", "6,5", "20'", "12'6\"", "20 ft", "600 cm", "~6 m", the first of "6;8", the middle of "5-7":
-/// metres.
-std::optional<double> parse_length_m(std::string_view text);
 /// "3000", "3000 K", "3000k", "warm_white", the first of a list: kelvin, 1000 to 20000.
 std::optional<double> parse_cct_k(std::string_view text);
 /// "90", "NNE", "south-west": degrees clockwise from north, 0 to 360.

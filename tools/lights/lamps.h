@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <map>
@@ -16,6 +15,7 @@
 #include "tools/lights/night_schedule.h"
 #include "tools/lights/photometry.h"
 #include "tools/osm/osm_data.h"
+#include "tools/place/site.h"
 
 namespace nightcity {
 
@@ -50,11 +50,6 @@ struct LampSet {
       sources;                               // value name, source, count: for the report
   std::map<std::string, std::size_t> notes;  // what was mended or could not be read, and how often
 };
-
-using LonLatToFrame = std::function<glm::dvec2(const glm::dvec2&)>;
-using HeightAt = std::function<std::optional<double>(const glm::dvec2&)>;
-
-using InsideBuilding = std::function<bool(const glm::dvec2&)>;
 
 /// A measured luminaire for the lamps of some roads, instead of the analytic optics.
 struct LuminaireChoice {

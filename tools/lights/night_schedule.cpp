@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "tools/osm/osm_selection.h"
+#include "tools/osm/tag_values.h"
 #include "tools/random.h"
 
 namespace nightcity {

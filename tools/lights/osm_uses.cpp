@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "tools/in_ring.h"
-#include "tools/osm/osm_selection.h"
+#include "tools/osm/tag_values.h"
 
 namespace nightcity {
 namespace {

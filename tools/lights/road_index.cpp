@@ -6,8 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "tools/lights/lamp_tags.h"
-#include "tools/osm/osm_selection.h"
+#include "tools/osm/tag_values.h"
 
 namespace nightcity {
 namespace {

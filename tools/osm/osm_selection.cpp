@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "tools/osm/tag_values.h"
+
 namespace nightcity {
 namespace {
 
@@ -26,18 +28,6 @@ constexpr std::array<std::string_view, 4> masts = {"floodlight", "flood_light", 
                                                    "lighting_mast"};
 
 }  // namespace
-
-std::string normalise_tag(std::string_view value) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
-  while (!value.empty() && blank(value.front())) value.remove_prefix(1);
-  while (!value.empty() && blank(value.back())) value.remove_suffix(1);
-  std::string result(value);
-  for (char& c : result) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    if (blank(c) || c == '-') c = '_';
-  }
-  return result;
-}
 
 bool is_lamp(const OsmTags& tags) {
   for (const char* key : {"highway", "man_made", "amenity"})

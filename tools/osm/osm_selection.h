@@ -9,10 +9,6 @@
 
 namespace nightcity {
 
-/// Lower case, with blanks and hyphens as underscores and without blanks at the ends: "High-Pressure Sodium "
-/// becomes "high_pressure_sodium".
-std::string normalise_tag(std::string_view value);
-
 /// A lamp that lights its surroundings: highway=street_lamp (and its misspellings),
 /// light_source=lantern|floodlight| street_lamp|lamp|electric_lamp, tower:type=lighting,
 /// man_made=street_lamp|floodlight|light_mast... Not signals, beacons and warning lights.

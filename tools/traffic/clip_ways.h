@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/lights/lamps.h"
+#include "tools/place/site.h"
 #include "tools/osm/osm_data.h"
 
 namespace nightcity::traffic {

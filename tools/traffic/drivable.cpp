@@ -4,8 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "tools/lights/lamp_tags.h"
-#include "tools/osm/osm_selection.h"
+#include "tools/osm/tag_values.h"
 
 namespace nightcity::traffic {
 namespace {

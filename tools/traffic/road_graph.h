@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/lights/lamps.h"
+#include "tools/place/site.h"
 #include "tools/osm/osm_data.h"
 #include "tools/traffic/drivable.h"
 

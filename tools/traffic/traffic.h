@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "formats/light_file.h"
-#include "tools/lights/lamps.h"
+#include "tools/place/site.h"
 #include "tools/lights/photometry.h"
 #include "tools/osm/osm_data.h"
 #include "tools/traffic/drive_knots.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "support/data.h"
-#include "tools/city/city_model.h"
+#include "tools/citygml/citygml_head.h"
 #include "tools/georeference/frame.h"
 
 namespace nightcity {

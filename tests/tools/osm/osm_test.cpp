@@ -152,7 +152,6 @@ TEST(OsmSelection, LampsAsPeopleSpellThem) {
   EXPECT_FALSE(is_highway({{"highway", "street_lamp"}}));
   EXPECT_TRUE(is_highway({{"highway", "footway"}}));
   EXPECT_FALSE(is_building({{"building", "no"}}));
-  EXPECT_EQ(normalise_tag(" High-Pressure Sodium\t"), "high_pressure_sodium");
 }
 
 // Counts found by another reader (the index of the data; a building there may be a relation, here it is a

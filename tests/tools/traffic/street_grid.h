@@ -5,7 +5,7 @@
 #include <string>
 
 #include "tools/layout/street_plane.h"
-#include "tools/lights/lamps.h"
+#include "tools/place/site.h"
 
 namespace nightcity::test {
 
