@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "formats/error.h"
+#include "formats/light_file_edit.h"
 #include "formats/light_file_writer.h"
 #include "formats/rgb9e5.h"
 #include "support/temp_folder.h"
@@ -325,6 +326,48 @@ TEST(Rgb9e5, KeepsColoursToNineBits) {
   EXPECT_EQ(decode_rgb9e5(encode_rgb9e5({1e9f, 0, 0})).x, 65408.0f);
   EXPECT_EQ(encode_rgb9e5({1, 1, 1}),
             0x84020100u);  // the extension's own layout: mantissas 256, exponent 16
+}
+
+TEST(LightFileEdit, ContentIsAllThatTheFileHolds) {
+  const TempFolder folder;
+  write_light_file(folder / "a.lights", Sample().content());
+  const LightFile file = LightFile::open(folder / "a.lights");
+  write_light_file(folder / "b.lights", to_content(file));
+  EXPECT_EQ(test::read_text(folder / "b.lights"), test::read_text(folder / "a.lights"));
+}
+
+TEST(LightFileEdit, TrafficTakesThePlaceOfTheOldAndItsProfilesFollowTheOthers) {
+  const TempFolder folder;
+  write_light_file(folder / "a.lights", Sample().content());
+  Sample added;
+  added.vehicle_lights[1].kind_profile = LIGHT_SPHERE | 1u << 8;
+  added.trips.pop_back();
+  added.knots.resize(2);
+  {
+    const LightFile file = LightFile::open(folder / "a.lights");
+    write_with_traffic(folder / "a.lights", to_content(file),
+                       {added.content().traffic, added.profiles, added.data});
+  }
+  const LightFile file = LightFile::open(folder / "a.lights");
+  file.verify();
+  EXPECT_EQ(file.lights().size(), 3u);
+  ASSERT_EQ(file.profiles().size(), 4u);
+  EXPECT_EQ(file.profiles()[3].data_offset, 8u + added.profiles[1].data_offset);
+  EXPECT_EQ(file.profile_data().size(), 16u);
+  EXPECT_EQ(file.traffic().trips.size(), 1u);
+  ASSERT_EQ(file.traffic().vehicle_lights.size(), 2u);
+  EXPECT_EQ(file.traffic().vehicle_lights[1].kind_profile >> 8, 3u);
+}
+
+TEST(LightFileEdit, TrafficWithoutATripLeavesNone) {
+  const TempFolder folder;
+  const Sample sample;
+  write_with_traffic(folder / "a.lights", sample.content(), {});
+  const LightFile file = LightFile::open(folder / "a.lights");
+  file.verify();
+  EXPECT_TRUE(file.traffic().trips.empty());
+  EXPECT_TRUE(file.traffic().vehicles.empty());
+  EXPECT_EQ(file.profiles().size(), 2u);
 }
 
 }  // namespace
