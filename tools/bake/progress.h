@@ -1,4 +1,4 @@
-// How far a long piece of work has come; whoever shows it decides how and how often.
+// How far a long piece of work has come. The receiver decides how to show it, and how often.
 #pragma once
 
 #include <functional>
@@ -6,11 +6,11 @@
 
 namespace nightcity {
 
-/// `stage` in words ("reading 2 of 9: 3910_5820.gml"), `count` of what it has done so far ("objects").
 struct Progress {
-  std::string stage;
-  std::size_t count = 0;
-  std::string unit;
+  std::string stage;      // in words: "reading 2 of 9: 3910_5820.gml"
+  std::size_t count = 0;  // what the stage has done so far, in units
+  std::string unit;       // "objects"
+  std::size_t total = 0;  // of `count`, at the end; 0: unknown
 };
 using ProgressSink = std::function<void(const Progress&)>;
 

@@ -1,6 +1,6 @@
-// The subcommands of nightbake, one a file. Each function declares a subcommand's options and returns: it
-// opens nothing and does nothing until its callback runs. Callbacks throw nightcity::Error (exit code 1,
-// UsageError 2) and print results to stdout; progress and messages go to stderr through spdlog.
+// The subcommands of nightbake, each in its own file. Each function declares the options of a
+// subcommand and returns; the work is done by the callback. Callbacks throw nightcity::Error (exit
+// code 1, UsageError 2) and print results to stdout; progress and messages go to stderr.
 #pragma once
 
 namespace CLI {
@@ -14,7 +14,6 @@ void add_recipe_command(CLI::App& app);
 void add_inspect_command(CLI::App& app);
 void add_town_command(CLI::App& app);
 void add_readers_command(CLI::App& app);
-void add_layout_command(CLI::App& app);
 void add_traffic_command(CLI::App& app);
 void add_elevate_command(CLI::App& app);
 void add_lamps_command(CLI::App& app);

@@ -1,4 +1,4 @@
-// nightbake elevate: the ground's height under each lamp of a map, written back into the map.
+// nightbake elevate: the ground's height under each lamp of a map, written into the map.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,11 +9,16 @@
 #include <vector>
 
 #include "formats/error.h"
-#include "tools/bake/city/city_ground.h"
+#include "formats/program/output.h"
+#include "formats/program/print_json.h"
+#include "tools/bake/bake_options.h"
+#include "tools/bake/city/city.h"
+#include "tools/bake/read_inputs.h"
+#include "tools/bake/report/report_text.h"
 #include "tools/elevation/elevate.h"
 #include "tools/elevation/osm_elevations.h"
 #include "tools/nightbake/commands.h"
-#include "tools/nightbake/progress_line.h"
+#include "tools/nightbake/shown_progress.h"
 
 namespace nightcity {
 namespace {
@@ -33,41 +38,42 @@ struct Outcome {
   Elevations elevations;
 };
 
+BakeOptions read_options(const ElevateArguments& arguments) {
+  BakeOptions options = to_bake_options(read_inputs(arguments.inputs));
+  if (options.city.maps.size() != 1)
+    throw UsageError(options.city.name(),
+                     "give exactly one OSM file: its lamps get heights and it is written anew");
+  if (options.city.files.empty() && arguments.dem.empty() && arguments.service.url.empty())
+    throw UsageError(options.city.name(),
+                     "nothing to take heights from: give CityGML, --dem or --service");
+  return options;
+}
+
 Outcome elevate(const ElevateArguments& arguments) {
-  const Recipe recipe = recipe_of(arguments.inputs);
-  if (recipe.osm.files.size() != 1)
-    throw UsageError("", "give one OSM file: its lamps get heights and it is written anew");
-  if (recipe.city.files.empty() && arguments.dem.empty() && arguments.service.url.empty())
-    throw UsageError("", "nothing knows heights: give CityGML, --dem or --service");
-  const auto& map = recipe.osm.files.front();
-  const OsmData osm = read_osm(map);
+  const BakeOptions options = read_options(arguments);
+  City city(options.city);
   ElevationSources sources;
   std::optional<DemRaster> dem;
   if (!arguments.dem.empty()) sources.dem = &dem.emplace(arguments.dem);
-  std::optional<CityFrames> frames;
-  Terrain terrain;
-  ProgressLine progress;
-  if (!recipe.city.files.empty()) {
-    frames.emplace(recipe);
-    if (!frames->city().has_lon_lat())
-      throw Error("", "[city] crs", "the city names no CRS: lamps have no place in it");
-    std::optional<WindowLayout> no_windows;
-    read_ground(recipe, *frames, terrain, no_windows, progress.sink());
-    sources.terrain = &terrain;
-    sources.to_frame = [&](const glm::dvec2& lon_lat) {
-      return frames->city().from_lon_lat(lon_lat);
-    };
+  ShownProgress progress;
+  if (city.has_model()) {
+    city.require_lon_lat("lamps have no place in it");
+    city.read({}, progress.sink());
+    city.build_ground();
+    sources.terrain = &city.terrain();
+    sources.to_frame = city.to_frame();
   }
   ElevationServiceOptions service = arguments.service;
   service.first_wait = std::chrono::milliseconds(arguments.wait_ms);
-  if (const ProgressSink sink = progress.sink())
-    service.progress = [sink](std::size_t done, std::size_t) {
-      sink({"asking the service", done, "places"});
-    };
+  service.progress = [sink = progress.sink()](std::size_t done, std::size_t total) {
+    sink({"asking the service", done, "places", total});
+  };
   if (!service.url.empty()) sources.service = &service;
-  Outcome outcome{osm.lamps.size(), 0, elevate_lamps(osm.lamps, sources)};
+  const std::vector<OsmLampNode>& lamps = city.map().lamps;
+  Outcome outcome{lamps.size(), 0, elevate_lamps(lamps, sources)};
   if (!arguments.out.empty())
-    outcome.written = write_elevations(map, arguments.out, outcome.elevations.heights);
+    outcome.written =
+        write_elevations(options.city.maps.front(), arguments.out, outcome.elevations.heights);
   return outcome;
 }
 
@@ -115,45 +121,45 @@ void run(const ElevateArguments& arguments) {
                          {"from_cache", found.service.from_cache},
                          {"zeros_refused", found.service.zeros_refused}}},
                        {"written", outcome.written}};
-  fmt::print("{}\n", result.dump(2));
+  program::print_json(result);
 }
 
 }  // namespace
 
 void add_elevate_command(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "elevate", "Find the ground's height under a map's lamps and write it there");
+      "elevate", "Find the ground's height under the lamps of a map and write it into the map");
   auto arguments = std::make_shared<ElevateArguments>();
   command
       ->add_option("input", arguments->inputs,
                    "One OSM file and the CityGML it belongs to, or a recipe (TOML)")
       ->required();
-  command->add_option("-o,--out", arguments->out,
-                      "The map with a tag ele on its lamps (.osm, .osm.pbf, ...)");
+  program::add_output_option(*command, arguments->out,
+                             "The map with a tag ele on its lamps (.osm, .osm.pbf, ...)");
   command->add_option("--dem", arguments->dem,
                       "Raster of heights (GeoTIFF, ...) for lamps outside the model");
-  command->add_option(
-      "--service", arguments->service.url,
-      "Open-Elevation-compatible service for those still left: http://.../api/v1/lookup");
+  command->add_option("--service", arguments->service.url,
+                      "Service for the lamps that are still without a height, compatible with "
+                      "Open-Elevation: http://.../api/v1/lookup");
   command->add_option("--cache", arguments->service.cache, "File that keeps the service's answers");
-  command->add_option("--batch", arguments->service.batch, "Places a request")
+  command->add_option("--batch", arguments->service.batch, "Places in one request")
       ->capture_default_str()
       ->check(CLI::Range(1, 10000));
   command
       ->add_option("--attempts", arguments->service.attempts,
-                   "Of a request while the service is busy")
+                   "How often a request is sent while the service is busy")
       ->capture_default_str()
       ->check(CLI::Range(1, 20));
   command
-      ->add_option("--wait-ms", arguments->wait_ms, "Before the second attempt; doubled after each")
+      ->add_option("--wait-ms", arguments->wait_ms,
+                   "Wait before the second attempt, in ms; doubled after each")
       ->capture_default_str()
       ->check(CLI::Range(1, 60000));
   command->add_flag("--json", arguments->json, "Print the report as JSON");
   command->footer(
-      "The model's terrain and roads win, then its buildings' ground; then the raster, then the "
-      "service, "
-      "both\n"
-      "moved to the model's heights by one number.\n"
+      "The model's terrain and roads are asked first, then its buildings' ground, then the raster, "
+      "then the service.\n"
+      "One number each moves the heights of raster and service to the model's.\n"
       "Example: nightbake elevate lamps.osm city.gml --dem dem.tif -o lamps_with_ele.osm");
   command->callback([arguments] { run(*arguments); });
 }

@@ -1,5 +1,5 @@
-// What a file holds, as JSON. Every kind has the keys kind, buildings, polygons, triangles, lights, crs,
-// bbox, skipped (null or empty where they mean nothing), then its own.
+// What a file holds, as JSON. Every kind of file has the keys kind, buildings, polygons, triangles,
+// lights, crs, bbox and skipped (null or empty where they mean nothing), then its own.
 #pragma once
 
 #include <filesystem>
@@ -12,26 +12,26 @@ namespace nightcity {
 
 using Inspection = nlohmann::ordered_json;
 
-/// All throw Error as the readers of these files do.
+/// These throw Error as the readers of the files do.
 Inspection inspect_citygml(const std::filesystem::path& file, int highest_lod);
 Inspection inspect_osm(const std::filesystem::path& file);
 Inspection inspect_scene(const std::filesystem::path& file);
 Inspection inspect_lights(const std::filesystem::path& file);
 Inspection inspect_luminaire(const std::filesystem::path& file);
 
-/// The common keys, in their order, empty.
-Inspection empty_inspection(const char* kind);
+/// Returns the common keys, in their order and without values.
+Inspection make_empty_inspection(const char* kind);
 
 struct Bounds {
-  glm::dvec3 least{std::numeric_limits<double>::infinity()},
-      greatest{-std::numeric_limits<double>::infinity()};
+  glm::dvec3 min{std::numeric_limits<double>::infinity()},
+      max{-std::numeric_limits<double>::infinity()};
   void add(const glm::dvec3& p) {
-    least = glm::min(least, p);
-    greatest = glm::max(greatest, p);
+    min = glm::min(min, p);
+    max = glm::max(max, p);
   }
-  /// [x0, y0, z0, x1, y1, z1] (2 dimensions: four numbers), as GeoJSON orders them; null where nothing was
-  /// added.
-  Inspection json(int dimensions) const;
+  /// Returns [x0, y0, z0, x1, y1, z1], in two dimensions [x0, y0, x1, y1], which is GeoJSON's
+  /// order; null where nothing was added.
+  Inspection to_json(int dimensions) const;
 };
 
 }  // namespace nightcity

@@ -2,23 +2,23 @@
 #include <optional>
 
 #include "formats/error.h"
-#include "tools/georeference/frame.h"
 #include "tools/inputs/read_city.h"
+#include "tools/georeference/frame.h"
 #include "tools/mesh/triangle_mesh.h"
 #include "tools/nightbake/inspect.h"
 
 namespace nightcity {
 
 Inspection inspect_citygml(const std::filesystem::path& file, int highest_lod) {
-  Inspection result = empty_inspection("citygml");
+  Inspection result = make_empty_inspection("citygml");
   const CityHead head = inputs::read_city_head(file);
-  // A file whose CRS nobody knows still has things to tell; its coordinates are then taken as they are.
+  // A file with an unknown CRS is inspected too; its coordinates are then taken as they are.
   std::optional<CityFrame> frame;
-  std::string trouble;
+  std::string frame_error;
   try {
     frame = CityFrame::from_srs_name(head.srs_name, head.sample, {});
   } catch (const Error& error) {
-    trouble = error.what();
+    frame_error = error.what();
   }
 
   std::map<std::string, std::size_t> objects, lods;
@@ -53,18 +53,18 @@ Inspection inspect_citygml(const std::filesystem::path& file, int highest_lod) {
     result["crs"] = frame->crs();
   else if (!head.srs_name.empty())
     result["crs"] = head.srs_name;
-  result["bbox"] = bounds.json(3);
+  result["bbox"] = bounds.to_json(3);
   if (frame && frame->has_lon_lat() && !result["bbox"].is_null()) {
     Bounds degrees;  // of the four corners: exact enough to find the place on a map
-    for (const double x : {bounds.least.x, bounds.greatest.x})
-      for (const double y : {bounds.least.y, bounds.greatest.y})
+    for (const double x : {bounds.min.x, bounds.max.x})
+      for (const double y : {bounds.min.y, bounds.max.y})
         degrees.add(glm::dvec3(frame->to_lon_lat({x, y}), 0));
-    result["bbox_wgs84"] = degrees.json(2);
+    result["bbox_wgs84"] = degrees.to_json(2);
   }
   for (const auto& [what, count] : report.skipped) result["skipped"][what] = count;
   result["version"] = report.version;
   result["srs_name"] = head.srs_name;
-  result["crs_description"] = frame ? frame->description() : trouble;
+  result["crs_description"] = frame ? frame->description() : frame_error;
   result["objects"] = objects;
   result["lods"] = lods;
   result["mesh"] = {{"zero_area", mesh.zero_area},

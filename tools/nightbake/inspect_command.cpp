@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "formats/program/print_json.h"
 #include "tools/inputs/file_format.h"
 #include "tools/nightbake/commands.h"
 #include "tools/nightbake/inspect.h"
@@ -34,7 +35,7 @@ Inspection inspect(const std::filesystem::path& file, int lod) {
   return inspect_luminaire(file);
 }
 
-std::string in_words(const Inspection& value) {
+std::string describe(const Inspection& value) {
   if (value.is_null()) return "-";
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_float()) return fmt::format("{:.3f}", value.get<double>());
@@ -43,34 +44,30 @@ std::string in_words(const Inspection& value) {
   for (const auto& [key, element] : value.items()) {
     if (!text.empty()) text += ", ";
     if (value.is_object()) text += key + (element.is_structured() ? ": " : " ");
-    text += element.is_structured() ? "(" + in_words(element) + ")" : in_words(element);
+    text += element.is_structured() ? "(" + describe(element) + ")" : describe(element);
   }
   return text.empty() ? "none" : text;
 }
 
 void run(const InspectArguments& arguments) {
   const Inspection inspection = inspect(arguments.file, arguments.lod);
-  if (arguments.json) {
-    // Ids and names come from files that may hold anything.
-    fmt::print("{}\n", inspection.dump(2, ' ', false, Inspection::error_handler_t::replace));
-    return;
-  }
+  if (arguments.json) return program::print_json(inspection);
   for (const auto& [key, value] : inspection.items())
-    fmt::print("{:<22}{}\n", key, in_words(value));
+    fmt::print("{:<22}{}\n", key, describe(value));
 }
 
 }  // namespace
 
 void add_inspect_command(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "inspect", "Tell what a CityGML, OSM, .glb/.gltf, .lights, IES or EULUMDAT file holds");
+      "inspect", "Print what a CityGML, OSM, .glb/.gltf, .lights, IES or EULUMDAT file holds");
   auto arguments = std::make_shared<InspectArguments>();
-  command->add_option("file", arguments->file, "The file; its kind is found by its content")
+  command->add_option("file", arguments->file, "The file; its content decides what kind it is")
       ->required();
   command->add_flag(
       "--json", arguments->json,
       "Print JSON: kind, buildings, polygons, triangles, lights, crs, bbox, skipped, ...");
-  command->add_option("--lod", arguments->lod, "CityGML: the highest level of detail looked at")
+  command->add_option("--lod", arguments->lod, "CityGML: the highest level of detail to use")
       ->capture_default_str()
       ->check(CLI::Range(0, 4));
   command->callback([arguments] { run(*arguments); });

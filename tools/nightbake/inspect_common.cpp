@@ -2,7 +2,7 @@
 
 namespace nightcity {
 
-Inspection empty_inspection(const char* kind) {
+Inspection make_empty_inspection(const char* kind) {
   Inspection result;
   result["kind"] = kind;
   for (const char* key : {"buildings", "polygons", "triangles"}) result[key] = nullptr;
@@ -13,10 +13,10 @@ Inspection empty_inspection(const char* kind) {
   return result;
 }
 
-Inspection Bounds::json(int dimensions) const {
-  if (!(least.x <= greatest.x)) return nullptr;
+Inspection Bounds::to_json(int dimensions) const {
+  if (!(min.x <= max.x)) return nullptr;
   Inspection result = Inspection::array();
-  for (const glm::dvec3& corner : {least, greatest})
+  for (const glm::dvec3& corner : {min, max})
     for (int i = 0; i < dimensions; ++i) result.push_back(corner[i]);
   return result;
 }

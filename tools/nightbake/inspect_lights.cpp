@@ -9,7 +9,8 @@
 namespace nightcity {
 namespace {
 
-/// What drives: kinds and trips, and how many are on the road on average in each hour of the night.
+// Counts kinds of vehicle and trips, and how many vehicles are on the road on average in each hour
+// of the night.
 Inspection inspect_traffic(const TrafficContent& traffic) {
   std::map<std::string, std::size_t> lamps;
   for (const Light& light : traffic.vehicle_lights)
@@ -45,7 +46,7 @@ Inspection inspect_traffic(const TrafficContent& traffic) {
 Inspection inspect_lights(const std::filesystem::path& file) {
   const LightFile lights = LightFile::open(file);
   lights.verify();
-  Inspection result = empty_inspection("lights");
+  Inspection result = make_empty_inspection("lights");
   const Georeference& geo = lights.georeference();
   std::map<std::string, std::size_t> kinds;
   std::map<std::string, double> flux;
@@ -62,7 +63,7 @@ Inspection inspect_lights(const std::filesystem::path& file) {
   Bounds bounds;
   for (const Light& light : lights.lights()) bounds.add(geo.from_model(glm::dvec3(light.position)));
   if (!geo.crs.empty()) result["crs"] = geo.crs;
-  result["bbox"] = bounds.json(3);
+  result["bbox"] = bounds.to_json(3);
   result["origin"] = {geo.origin.x, geo.origin.y, geo.origin.z};
   result["kinds"] = kinds;
   result["flux_lm"] = flux;

@@ -7,7 +7,7 @@ namespace nightcity {
 
 Inspection inspect_luminaire(const std::filesystem::path& file) {
   const Luminaire luminaire = read_luminaire(file);
-  Inspection result = empty_inspection("luminaire");
+  Inspection result = make_empty_inspection("luminaire");
   result["lights"] = {{"luminaire", 1}};
   result["name"] = luminaire.name;
   result["manufacturer"] = luminaire.manufacturer;

@@ -7,7 +7,7 @@ namespace nightcity {
 
 Inspection inspect_osm(const std::filesystem::path& file) {
   const OsmData data = read_osm(file);
-  Inspection result = empty_inspection("osm");
+  Inspection result = make_empty_inspection("osm");
   Bounds bounds, lamp_bounds;
   std::map<std::string, std::size_t> lamp_tags, highways;
   std::size_t lit = 0;
@@ -27,14 +27,14 @@ Inspection inspect_osm(const std::filesystem::path& file) {
   result["buildings"] = data.buildings.size();
   result["lights"] = {{"lamp", data.lamps.size()}};
   result["crs"] = "EPSG:4326";
-  result["bbox"] = bounds.json(2);
+  result["bbox"] = bounds.to_json(2);
   result["skipped"] = {{"missing nodes", data.missing_nodes},
                        {"bad coordinates", data.bad_coordinates},
                        {"duplicates", data.duplicates}};
   result["nodes"] = data.nodes;
   result["ways"] = data.ways;
   result["relations"] = data.relations;
-  result["bbox_lamps"] = lamp_bounds.json(2);
+  result["bbox_lamps"] = lamp_bounds.to_json(2);
   result["lamp_tags"] = lamp_tags;
   result["highways"] = highways;
   result["highways_with_lit_tag"] = lit;

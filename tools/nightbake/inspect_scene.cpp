@@ -8,7 +8,7 @@ namespace nightcity {
 
 Inspection inspect_scene(const std::filesystem::path& file) {
   const Scene scene = read_scene(file);
-  Inspection result = empty_inspection("scene");
+  Inspection result = make_empty_inspection("scene");
   const auto triangles_of = [](const SceneMesh& mesh) {
     std::size_t count = 0;
     for (const ScenePrimitive& primitive : mesh.primitives) count += primitive.indices.size() / 3;
@@ -53,12 +53,12 @@ Inspection inspect_scene(const std::filesystem::path& file) {
   for (const auto& [kind, ids] : lights) result["lights"][kind] = ids.size();
   if (!geo.crs.empty()) result["crs"] = geo.crs;
   Bounds placed;  // in the CRS: easting, northing, height
-  if (bounds.least.x <= bounds.greatest.x) {
-    placed.add(geo.from_model(bounds.least));
-    placed.add(geo.from_model(bounds.greatest));
+  if (bounds.min.x <= bounds.max.x) {
+    placed.add(geo.from_model(bounds.min));
+    placed.add(geo.from_model(bounds.max));
   }
-  result["bbox"] = placed.json(3);
-  result["bbox_model"] = bounds.json(3);
+  result["bbox"] = placed.to_json(3);
+  result["bbox_model"] = bounds.to_json(3);
   result["origin"] = {geo.origin.x, geo.origin.y, geo.origin.z};
   result["vertices"] = vertices;
   result["triangles_shown"] = shown;  // every instance counted

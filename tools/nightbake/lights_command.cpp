@@ -1,4 +1,4 @@
-// nightbake lights: what the lights of a city.lights are, and where their values came from.
+// nightbake lights: what the lights of a light file are, and where their values come from.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -6,7 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tools/bake/report/light_report.h"
+#include "formats/program/print_json.h"
+#include "tools/bake/report/report_text.h"
 #include "tools/bake/scene/light_places.h"
 #include "tools/lights/light_census.h"
 #include "tools/nightbake/commands.h"
@@ -74,7 +75,7 @@ void print(const LightFile& file, const LightCensus& census) {
     fmt::print("{}\n{}\n", hours, shares);
   }
   if (const TrafficContent traffic = file.traffic(); !traffic.trips.empty())
-    fmt::print("\ntraffic: {} drives in {:.0f} s, {} kinds of vehicle\n", traffic.trips.size(),
+    fmt::print("\ntraffic: {} trips in {:.0f} s, {} kinds of vehicle\n", traffic.trips.size(),
                traffic.cycle.cycle_s, traffic.vehicles.size());
   fmt::print("\nfaults: {}\n", in_words(census.faults));
 }
@@ -82,11 +83,10 @@ void print(const LightFile& file, const LightCensus& census) {
 void run(const LightsArguments& arguments) {
   const LightFile file = LightFile::open(arguments.file);
   PlaceFault place_fault;
-  if (!arguments.scene.empty()) place_fault = place_faults_in(arguments.scene);
+  if (!arguments.scene.empty()) place_fault = find_place_faults(arguments.scene);
   const LightCensus census = count_lights(file, place_fault);
   if (arguments.json)
-    fmt::print("{}\n",
-               census_json(file, census).dump(2, ' ', false, json::error_handler_t::replace));
+    program::print_json(census_json(file, census));
   else
     print(file, census);
 }
@@ -94,14 +94,14 @@ void run(const LightsArguments& arguments) {
 }  // namespace
 
 void add_lights_command(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("lights", "Sum up a light file: kinds, lumens, hours, sources of values");
+  auto* command = app.add_subcommand(
+      "lights", "Summarise a light file: kinds, lumens, hours, sources of the values");
   auto arguments = std::make_shared<LightsArguments>();
   command->add_option("file,--report", arguments->file, "The light file (.lights)")->required();
   command->add_option("--scene", arguments->scene,
                       "Its city.glb: also count lights below the ground and inside buildings");
   command->add_flag("--json", arguments->json, "Print JSON");
-  command->footer("Example: nightbake lights --report out/city.lights --scene out/city.glb");
+  command->footer("Example: nightbake lights out/city.lights --scene out/city.glb");
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -1,4 +1,5 @@
-// nightbake readers: both CityGML readers over the same files, and where they disagree.
+// nightbake readers: reads the same files with both CityGML readers and reports where they
+// disagree.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,8 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "tools/citygml/compare_readers.h"
+#include "formats/program/print_json.h"
 #include "tools/inputs/city_files.h"
+#include "tools/bake/report/report_text.h"
+#include "tools/citygml/compare_readers.h"
 #include "tools/nightbake/commands.h"
 
 namespace nightcity {
@@ -24,7 +27,8 @@ struct ReadersArguments {
   bool json = false, all = false;
 };
 
-constexpr std::size_t shown_ids = 5;  // of those only one reader has; --json has all
+// How many ids of objects that only one reader has are printed; --json has all.
+constexpr std::size_t shown_ids = 5;
 
 ordered_json tally_json(const ReaderTally& tally) {
   return {{"objects", tally.objects}, {"polygons", tally.polygons}, {"area", tally.area}};
@@ -63,17 +67,10 @@ void print_ids(const char* reader, const std::vector<std::string>& ids) {
 }
 
 void print_skipped(const char* reader, const ReadReport& report) {
-  std::vector<std::pair<std::string, std::size_t>> sorted(report.skipped.begin(),
-                                                          report.skipped.end());
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
-  std::string text;
-  for (const auto& [name, count] : sorted)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
-  fmt::print("  {} did not use: {}\n", reader, text.empty() ? "nothing" : text);
+  fmt::print("  {} skipped: {}\n", reader, in_words(report.skipped));
 }
 
-// One line a type: where the readers agree one of figures, where not both.
+// Prints one line for each type on which the readers disagree; with `all`, for every type.
 void print_tallies(const char* what,
                    const std::map<std::string, std::pair<ReaderTally, ReaderTally>>& tallies,
                    bool all) {
@@ -119,7 +116,7 @@ void run(const ReadersArguments& arguments) {
     }
   }
   if (arguments.json)
-    fmt::print("{}\n", documents.dump(2, ' ', false, ordered_json::error_handler_t::replace));
+    program::print_json(documents);
   else if (count > 1)
     fmt::print("{} files, the readers disagree on {}\n", count, disagreeing);
 }
@@ -127,20 +124,21 @@ void run(const ReadersArguments& arguments) {
 }  // namespace
 
 void add_readers_command(CLI::App& app) {
-  auto* command = app.add_subcommand("readers",
-                                     "Read CityGML with both readers and tell where they disagree: "
-                                     "objects, polygons, area by type");
+  auto* command =
+      app.add_subcommand("readers",
+                         "Read CityGML with both readers and print where they disagree: "
+                         "objects, polygons, area by type");
   auto arguments = std::make_shared<ReadersArguments>();
   command->add_option("files", arguments->files, "CityGML files, or folders of them")->required();
-  command->add_option("--lod", arguments->lod, "The highest level of detail looked at")
+  command->add_option("--lod", arguments->lod, "The highest level of detail to use")
       ->capture_default_str()
       ->check(CLI::Range(0, 4));
-  command->add_flag("--all", arguments->all, "Show what they agree on too");
-  command->add_flag("--json", arguments->json, "Print JSON: one object a file");
+  command->add_flag("--all", arguments->all, "Print what they agree on too");
+  command->add_flag("--json", arguments->json, "Print JSON: one object per file");
   command->footer(
-      "The stream reader is the one bakes use; libcitygml 2.4.3 is the second opinion. A "
-      "disagreement is no\n"
-      "failure: the exit code is 0.\n\nExamples:\n  nightbake readers berlin/3910_5819.gml\n"
+      "The bake uses the stream reader; libcitygml 2.4.3 is the second opinion. Where they "
+      "disagree the "
+      "exit code is 0 all the same.\n\nExamples:\n  nightbake readers berlin/3910_5819.gml\n"
       "  nightbake readers --json tiles/ | jq '.[] | select(.agree | not) | .file'");
   command->callback([arguments] { run(*arguments); });
 }

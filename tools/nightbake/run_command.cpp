@@ -6,9 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "formats/program/output.h"
+#include "formats/program/print_json.h"
 #include "tools/bake/bake.h"
 #include "tools/nightbake/commands.h"
-#include "tools/nightbake/progress_line.h"
+#include "tools/nightbake/shown_progress.h"
 
 namespace nightcity {
 namespace {
@@ -24,12 +26,11 @@ void run(const RunArguments& arguments) {
   if (arguments.threads > 0) recipe.city.read.threads = arguments.threads;
   BakeReport report;
   {
-    ProgressLine progress;
+    ShownProgress progress;
     report = bake(recipe, arguments.folder, progress.sink());
   }
   if (arguments.json)
-    fmt::print("{}\n",
-               to_json(report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    program::print_json(to_json(report));
   else
     fmt::print("{}", to_text(report));
 }
@@ -43,15 +44,15 @@ void add_run_command(CLI::App& app) {
   command
       ->add_option("recipe", arguments->recipe, "Recipe (TOML): [city] files, [osm] files, options")
       ->required();
-  command->add_option("-o,--out", arguments->folder, "Folder for the results; made where absent")
+  program::add_output_option(*command, arguments->folder,
+                             "Folder for the results; made where it is absent")
       ->required();
   command->add_flag("--json", arguments->json,
                     "Print the report as JSON (it is in DIR/bake_report.json too)");
   command
       ->add_option("--threads", arguments->threads,
-                   "Threads to use, in place of the recipe's (default: one a core); the results do "
-                   "not depend "
-                   "on it")
+                   "Number of threads, in place of the recipe's (default: one per core); the "
+                   "results do not depend on it")
       ->check(CLI::Range(1, 1024));
   command->footer(
       "Examples:\n  nightbake run pipelines/berlin.toml --out berlin\n"

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "formats/program/output.h"
 #include "tools/nightbake/commands.h"
 #include "tools/town/town.h"
 
@@ -33,20 +34,21 @@ void add_town_command(CLI::App& app) {
   auto* command =
       app.add_subcommand("town", "Write a synthetic town: town.gml, town.osm and town.toml");
   auto arguments = std::make_shared<TownArguments>();
-  command->add_option("-o,--out", arguments->folder, "Folder to write into")->required();
-  command->add_option("--seed", arguments->town.seed, "Another seed, another town")
+  program::add_output_option(*command, arguments->folder, "Folder to write into")->required();
+  command->add_option("--seed", arguments->town.seed, "Number that decides which town is made")
       ->capture_default_str();
-  auto* size = command->add_option_group("size", "At most one; the default is a town of 56 blocks");
-  size->add_option("--blocks", arguments->blocks, "Blocks of houses, about")
+  auto* size = command->add_option_group(
+      "size", "Size of the town: at most one of these; the default is 56 blocks");
+  size->add_option("--blocks", arguments->blocks, "Approximate number of blocks of houses")
       ->check(CLI::PositiveNumber);
-  size->add_option("--buildings", arguments->buildings, "Buildings, about")
+  size->add_option("--buildings", arguments->buildings, "Approximate number of buildings")
       ->check(CLI::PositiveNumber);
-  size->add_option("--triangles", arguments->triangles, "Triangles, about")
+  size->add_option("--triangles", arguments->triangles, "Approximate number of triangles")
       ->check(CLI::PositiveNumber);
   size->require_option(0, 1);
   command
       ->add_option("--lamps", arguments->town.lamps,
-                   "Luminaires, exactly (default: as streets need)")
+                   "Exact number of luminaires (default: as many as the streets need)")
       ->check(CLI::PositiveNumber);
   command->add_option("--hills", arguments->town.hills_m, "Height from valley to hilltop, m")
       ->capture_default_str();

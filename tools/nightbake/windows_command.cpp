@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -9,12 +10,15 @@
 
 #include "formats/error.h"
 #include "formats/light_file_writer.h"
-#include "tools/bake/city/city_ground.h"
-#include "tools/bake/scene/light_places.h"
-#include "tools/bake/stages/lamp_stage.h"
+#include "formats/program/output.h"
+#include "formats/program/print_json.h"
+#include "tools/bake/bake_options.h"
+#include "tools/bake/read_inputs.h"
+#include "tools/bake/report/light_report.h"
+#include "tools/bake/report/report_text.h"
 #include "tools/bake/stages/light_stage.h"
 #include "tools/nightbake/commands.h"
-#include "tools/nightbake/progress_line.h"
+#include "tools/nightbake/shown_progress.h"
 
 namespace nightcity {
 namespace {
@@ -26,60 +30,47 @@ struct WindowsArguments {
   bool seed_given = false, json = false;
 };
 
-WindowReport lay(const WindowsArguments& arguments, std::size_t& schedule_count) {
-  const Recipe recipe = recipe_of(arguments.inputs);
-  if (recipe.city.files.empty())
-    throw UsageError("", "no CityGML among the inputs: windows sit on walls");
+LightsReport write_windows(const WindowsArguments& arguments) {
+  BakeOptions options = to_bake_options(read_inputs(arguments.inputs));
+  if (options.city.files.empty())
+    throw UsageError(options.city.name(), "no CityGML among the inputs: windows are on walls");
+  if (arguments.seed_given) options.windows.seed = arguments.seed;
+  // First: an output that cannot be written is known before the long work.
   LightFileWriter lights(arguments.out);
-  const CityFrames frames(recipe);
-  const Georeference georeference = georeference_of(recipe, frames);
-  Terrain terrain;
-  std::optional<WindowLayout> windows;
-  OsmData osm;
-  for (const auto& file : recipe.osm.files) osm.merge(read_osm(file));
-  WindowOptions options = window_options(recipe, osm, frames);
-  if (arguments.seed_given) options.seed = arguments.seed;
-  windows.emplace(options, arguments.out);
-  ProgressLine progress;
-  read_ground(recipe, frames, terrain, windows, progress.sink());
-  ScheduleTable schedules = schedules_of(lights);
-  const auto place = [&](const LitRectangle& window) {
-    lights.add(to_light(window, georeference, schedules), window.provenance);
-  };
-  const auto inside = [&](const glm::dvec3& p) { return inside_building(terrain, p); };
-  const WindowReport report =
-      std::move(*windows).finish(height_on(terrain), place, inside, recipe.city.read.threads);
-  lights.finish({.georeference = georeference});
-  schedule_count = schedules.size();
-  return report;
+  City city(options.city);
+  WindowConsumer windows(city, options.windows, arguments.out);
+  ShownProgress progress;
+  city.read({&windows}, progress.sink());
+  city.build_ground();
+  return write_window_lights(lights, city, windows);
 }
 
 void run(const WindowsArguments& arguments) {
-  std::size_t schedules = 0;
-  const WindowReport report = lay(arguments, schedules);
+  const LightsReport report = write_windows(arguments);
   if (arguments.json) {
-    nlohmann::json result = to_json(report);
-    result["schedules"] = schedules;
-    fmt::print("{}\n", result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    nlohmann::json result = to_json(report.windows);
+    result["schedules"] = report.schedules;
+    program::print_json(result);
   } else {
-    fmt::print("{}{}", to_text(report), report_line("schedules", std::to_string(schedules)));
+    fmt::print("{}{}", to_text(report.windows),
+               report_line("schedules", std::to_string(report.schedules)));
   }
 }
 
 }  // namespace
 
 void add_windows_command(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("windows", "Lay windows on a city's walls and tell who has light on when");
+  auto* command = app.add_subcommand(
+      "windows", "Place windows on the walls of a city and print how many are lit at each hour");
   auto arguments = std::make_shared<WindowsArguments>();
   command
       ->add_option(
           "input", arguments->inputs,
           "CityGML files and folders, OSM files for the use of buildings, or a recipe (TOML)")
       ->required();
-  command->add_option("-o,--out", arguments->out, "Light file to write (.lights)")->required();
+  program::add_output_option(*command, arguments->out, "Light file to write (.lights)")->required();
   auto* seed = command->add_option("--seed", arguments->seed,
-                                   "Who is at home (default: the recipe's, or 1)");
+                                   "Decides who is at home (default: the recipe's, else 1)");
   command->add_flag("--json", arguments->json, "Print the report as JSON");
   command->footer("Example: nightbake windows city.gml -o windows.lights");
   command->callback([arguments, seed] {

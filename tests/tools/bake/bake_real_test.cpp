@@ -20,13 +20,13 @@ TEST(BakeReal, BerlinsLampsStandOnItsGround) {
   recipe.city.files = {city};
   recipe.osm.files = {map};
   const BakeReport report = bake(recipe, folder / "out");
-  EXPECT_EQ(report.objects.at("building"), 35u);
-  EXPECT_GE(report.lamps.placed, 29u);  // those inside the buildings' box
+  EXPECT_EQ(report.city.objects.at("building"), 35u);
+  EXPECT_GE(report.lights.lamps.placed, 29u);  // those inside the buildings' box
   const LightFile lights = LightFile::open(folder / "out/city.lights");
   lights.verify();
-  EXPECT_EQ(lights.lights().size(), report.lamps.placed + report.windows.placed);
-  EXPECT_GT(report.windows.placed, 100u);
-  for (std::size_t i = 0; i < report.lamps.placed; ++i) {  // lamps come first
+  EXPECT_EQ(lights.lights().size(), report.lights.lamps.placed + report.lights.windows.placed);
+  EXPECT_GT(report.lights.windows.placed, 100u);
+  for (std::size_t i = 0; i < report.lights.lamps.placed; ++i) {  // lamps come first
     const Light& light = lights.lights()[i];
     // Berlin's Mitte lies at 34 m; luminaires hang 3 to 20 m above.
     const double height = lights.georeference().from_model(glm::dvec3(light.position)).z;
@@ -56,9 +56,9 @@ TEST(BakeReal, DegreesBecomeMetres) {
   Recipe recipe;
   recipe.city.files = {city};
   const BakeReport report = bake(recipe, folder / "out");
-  EXPECT_EQ(report.objects.at("building"), 25u);
-  // 139.7125 to 139.7156 degrees of longitude at 35.54 north are about 280 m; 35.5407 to 35.5423 of latitude
-  // 178 m.
+  EXPECT_EQ(report.city.objects.at("building"), 25u);
+  // 139.7125 to 139.7156 degrees of longitude at 35.54 north are about 280 m; 35.5407 to 35.5423 of
+  // latitude 178 m.
   const Scene scene = read_scene(folder / "out/city.glb");
   glm::vec3 least(1e9f), greatest(-1e9f);
   for (const SceneNode& node : scene.nodes) {

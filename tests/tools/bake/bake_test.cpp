@@ -23,7 +23,7 @@ namespace {
 
 using namespace test;
 
-Recipe recipe_of(std::vector<std::filesystem::path> files) {
+Recipe make_recipe(std::vector<std::filesystem::path> files) {
   Recipe recipe;
   recipe.city.files = std::move(files);
   recipe.windows.lit = false;
@@ -79,10 +79,10 @@ TEST(Bake, FilesOfTwoZonesShareOneFrame) {
   ASSERT_GT(there[0].x, 750000) << "it looks quite different";
   write_text(folder / "a.gml", roof_city("EPSG:25833", here));
   write_text(folder / "b.gml", roof_city("EPSG:25832", there));
-  Recipe recipe = recipe_of({folder / "a.gml", folder / "b.gml"});
+  Recipe recipe = make_recipe({folder / "a.gml", folder / "b.gml"});
   recipe.terrain.make_surface = false;
   const BakeReport report = bake(recipe, folder / "out");
-  EXPECT_EQ(report.objects.at("building"), 2u);
+  EXPECT_EQ(report.city.objects.at("building"), 2u);
   EXPECT_EQ(report.crs.size(), 2u) << "both frames are told";
   const Box roof = boxes(folder / "out/city.glb").at("roof");
   EXPECT_NEAR(roof.least.x, 391000, 0.002);
@@ -98,7 +98,7 @@ TEST(Bake, AFileWithoutACrsBesideOneWithIsRefusedByName) {
                        {{391000, 5819000, 40}, {391010, 5819000, 40}, {391010, 5819010, 40}}));
   write_text(folder / "b.gml", roof_city("", {{0, 0, 40}, {10, 0, 40}, {10, 10, 40}}));
   try {
-    bake(recipe_of({folder / "a.gml", folder / "b.gml"}), folder / "out");
+    bake(make_recipe({folder / "a.gml", folder / "b.gml"}), folder / "out");
     FAIL();
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("b.gml"), std::string::npos) << error.what();
@@ -109,11 +109,11 @@ TEST(Bake, AFileWithoutACrsBesideOneWithIsRefusedByName) {
 
 TEST(Bake, AModelWithoutACrsIsPlacedByTheBoundsItFills) {
   const TempFolder folder;
-  // A square of 100 model units; 0.01 degrees of latitude are 1112.6 m at 52 north (WGS 84), and longitude is
-  // chosen so that east to west is as long.
+  // A square of 100 model units; 0.01 degrees of latitude are 1112.6 m at 52 north (WGS 84), and
+  // longitude is chosen so that east to west is as long.
   write_text(folder / "a.gml",
              roof_city("", {{500, 500, 4}, {600, 500, 4}, {600, 600, 4}, {500, 600, 4}}));
-  Recipe recipe = recipe_of({folder / "a.gml"});
+  Recipe recipe = make_recipe({folder / "a.gml"});
   const double east = 13.4 + 0.01 * 1112.6 / 686.9;
   recipe.city.bounds = std::array{13.4, 52.0, east, 52.01};
   recipe.terrain.make_surface = false;
@@ -147,10 +147,10 @@ std::string broken_cube() {
 TEST(Bake, ShellsAreClosedAndTurnedOutward) {
   const TempFolder folder;
   write_text(folder / "cube.gml", broken_cube());
-  const BakeReport report = bake(recipe_of({folder / "cube.gml"}), folder / "out");
-  EXPECT_EQ(report.mesh.floors_added, 1u);
-  EXPECT_EQ(report.mesh.turned, 1u);
-  EXPECT_EQ(report.mesh.first_turned, "cube");
+  const BakeReport report = bake(make_recipe({folder / "cube.gml"}), folder / "out");
+  EXPECT_EQ(report.city.mesh.floors_added, 1u);
+  EXPECT_EQ(report.city.mesh.turned, 1u);
+  EXPECT_EQ(report.city.mesh.first_turned, "cube");
   const std::string words = to_text(report);
   EXPECT_NE(words.find("1 faced inward"), std::string::npos) << words;
   EXPECT_NE(words.find("1 a floor added"), std::string::npos) << words;
@@ -173,13 +173,13 @@ TEST(Bake, ShellsAreClosedAndTurnedOutward) {
 TEST(Bake, GroundUnderBuildingsIsLeftOutOnRequestOnly) {
   const TempFolder folder;
   write_text(folder / "cube.gml", sample_gml());
-  Recipe recipe = recipe_of({folder / "cube.gml"});
-  EXPECT_EQ(bake(recipe, folder / "out").triangles.at("ground"), 2u);
+  Recipe recipe = make_recipe({folder / "cube.gml"});
+  EXPECT_EQ(bake(recipe, folder / "out").tiles.triangles.at("ground"), 2u);
   recipe.city.drop_ground = true;
   const BakeReport report = bake(recipe, folder / "out");
-  EXPECT_EQ(report.triangles.count("ground"), 0u);
-  EXPECT_EQ(report.left_out.at("triangles of ground under buildings"), 2u);
-  EXPECT_EQ(report.triangles.at("roof"), 2u);
+  EXPECT_EQ(report.tiles.triangles.count("ground"), 0u);
+  EXPECT_EQ(report.left_out().at("triangles of ground under buildings"), 2u);
+  EXPECT_EQ(report.tiles.triangles.at("roof"), 2u);
 }
 
 /// Heights 30 + (x - 391000) / 100 around the cube, as a raster in the city's CRS.
@@ -212,7 +212,7 @@ TEST(Bake, AnElevationModelIsTheGroundAndMeetsTheBuildings) {
   const TempFolder folder;
   write_text(folder / "cube.gml", without_relief(sample_gml()));
   write_slope(folder / "slope.tif", 46);  // heights over another datum
-  Recipe recipe = recipe_of({folder / "cube.gml"});
+  Recipe recipe = make_recipe({folder / "cube.gml"});
   recipe.terrain.dem = {folder / "slope.tif"};
   const BakeReport report = bake(recipe, folder / "out");
   EXPECT_EQ(report.ground.source, "dem");
@@ -237,7 +237,7 @@ TEST(Bake, TheCitysOwnReliefGoesBeforeAnElevationModel) {
   const TempFolder folder;
   write_text(folder / "cube.gml", sample_gml());
   write_slope(folder / "slope.tif", 0);
-  Recipe recipe = recipe_of({folder / "cube.gml"});
+  Recipe recipe = make_recipe({folder / "cube.gml"});
   recipe.terrain.dem = {folder / "slope.tif"};
   const BakeReport report = bake(recipe, folder / "out");
   EXPECT_EQ(report.ground.source, "given");
@@ -251,7 +251,7 @@ TEST(Bake, AnElevationModelOfAnotherPlaceIsAnError) {
     far.replace(at, 4, "5829");
   write_text(folder / "cube.gml", far);
   write_slope(folder / "slope.tif", 0);
-  Recipe recipe = recipe_of({folder / "cube.gml"});
+  Recipe recipe = make_recipe({folder / "cube.gml"});
   recipe.terrain.dem = {folder / "slope.tif"};
   EXPECT_THROW(bake(recipe, folder / "out"), Error);
 }
@@ -279,9 +279,9 @@ std::string on_mass_points(const std::string& height) {
 TEST(Bake, MassPointsOfTheModelBecomeItsGround) {
   const TempFolder folder;
   write_text(folder / "cube.gml", on_mass_points("33"));
-  const BakeReport report = bake(recipe_of({folder / "cube.gml"}), folder / "out");
+  const BakeReport report = bake(make_recipe({folder / "cube.gml"}), folder / "out");
   EXPECT_EQ(report.ground.source, "points");
-  EXPECT_EQ(report.relief_points, 49u);
+  EXPECT_EQ(report.ground.relief_points, 49u);
   const Box terrain = boxes(folder / "out/city.glb").at("terrain");
   EXPECT_NEAR(terrain.least.z, 33, 1e-3) << "not the buildings' feet, which stand at 35 m";
   EXPECT_NEAR(terrain.greatest.z, 33, 1e-3);
@@ -291,12 +291,12 @@ TEST(Bake, HiddenSurfacesAreLeftOutOnRequestOnly) {
   const TempFolder folder;
   write_text(folder / "cube.gml",
              on_mass_points("80"));  // the cube lies under the ground, all of it
-  Recipe recipe = recipe_of({folder / "cube.gml"});
-  EXPECT_EQ(bake(recipe, folder / "out").triangles.at("roof"), 2u);
+  Recipe recipe = make_recipe({folder / "cube.gml"});
+  EXPECT_EQ(bake(recipe, folder / "out").tiles.triangles.at("roof"), 2u);
   recipe.city.drop_hidden = true;
   const BakeReport report = bake(recipe, folder / "out");
-  EXPECT_EQ(report.triangles.count("roof"), 0u);
-  EXPECT_EQ(report.left_out.at("triangles of buildings below the ground"), 12u);
+  EXPECT_EQ(report.tiles.triangles.count("roof"), 0u);
+  EXPECT_EQ(report.left_out().at("triangles of buildings below the ground"), 12u);
 }
 
 TEST(Bake, ColoursOfTheModelAreMaterialsOfTheScene) {
@@ -323,8 +323,8 @@ TEST(Bake, ColoursOfTheModelAreMaterialsOfTheScene) {
             static_cast<int>(text.size()));
   gzclose(packed);
   for (const char* name : {"cube.gml", "cube.gml.gz"}) {
-    const BakeReport report = bake(recipe_of({folder / name}), folder / "out");
-    EXPECT_EQ(report.colours, 1u) << name;
+    const BakeReport report = bake(make_recipe({folder / name}), folder / "out");
+    EXPECT_EQ(report.tiles.colours, 1u) << name;
     const Scene scene = read_scene(folder / "out/city.glb");
     std::size_t found = 0;
     for (const SceneMesh& mesh : scene.meshes)
@@ -350,7 +350,7 @@ TEST(Bake, OneThreadAndManyGiveTheSameBytes) {
   const TempFolder folder;
   std::map<std::string, std::string> bytes;
   for (const unsigned threads : {1u, 2u, 7u, 7u}) {
-    Recipe recipe = recipe_of({first, second});
+    Recipe recipe = make_recipe({first, second});
     recipe.osm.files = {map};
     recipe.windows.lit = true;
     recipe.city.read.threads = threads;

@@ -1,4 +1,5 @@
 #include "tools/bake/scene/drape.h"
+#include "tools/bake/city/prepared_objects.h"
 
 #include <gtest/gtest.h>
 
@@ -79,7 +80,7 @@ TEST(Drape, EveryVertexLiesJustAboveTheGroundAndKeepsItsColour) {
   store.add(triangles, 5);
   TileStore tiles(folder / "x", 1000, 0);
   const auto ground = [](const glm::dvec2& p) { return std::optional(40 + 0.1 * p.x); };
-  EXPECT_GT(store.lay(ground, tiles), 40u);
+  EXPECT_GT(store.drape(ground, tiles), 40u);
   const SceneMesh laid = tiles.mesh(tiles.tiles().at(0));
   ASSERT_EQ(laid.primitives.size(), 1u);
   EXPECT_EQ(laid.primitives[0].material, red);

@@ -11,7 +11,8 @@ namespace {
 
 using Stored = TileStore::StoredTriangle;
 
-/// A box with outward faces. `turn`: which of its quads' diagonals, so that neighbours are cut differently.
+/// A box with outward faces. `turn`: which of its quads' diagonals, so that neighbours are cut
+/// differently.
 void add_box(std::vector<Stored>& out, const glm::vec3& low, const glm::vec3& high,
              std::uint32_t feature, bool turn = false, bool solid = true) {
   constexpr std::array<std::array<int, 4>, 6> faces{
@@ -33,7 +34,7 @@ double area(const Stored& t) {
 
 std::map<std::uint32_t, double> hidden_area(const std::vector<Stored>& triangles,
                                             const BelowGround& below, HiddenCounts& counts) {
-  const std::vector<bool> hidden = hidden_triangles(triangles, below, counts);
+  const std::vector<bool> hidden = find_hidden_triangles(triangles, below, counts);
   std::map<std::uint32_t, double> result;
   for (std::size_t i = 0; i < triangles.size(); ++i)
     if (hidden[i]) result[triangles[i].feature] += area(triangles[i]);

@@ -114,8 +114,8 @@ TEST(LampModels, EachBallNamesItsLightAndEmitsItsFlux) {
       const glm::dvec3 e(
           scene.materials[scene.meshes[node.mesh].primitives.at(0).material].emission_cd_m2);
       const double radius = double{glm::length(glm::vec3(instance.to_model[0]))};
-      // The colour's luminance is 1.2 * 0.2126 + 0.7152 + 0.6 * 0.0722, not 1: compare by the green channel,
-      // which is 1.
+      // The colour's luminance is 1.2 * 0.2126 + 0.7152 + 0.6 * 0.0722, not 1: compare by the green
+      // channel, which is 1.
       flux_of[instance.light] = e.y * 4 * std::numbers::pi * std::numbers::pi * radius * radius;
       EXPECT_NEAR(instance.to_model[3].x, lamps[instance.light].foot.x - 391000, 1e-3);
     }

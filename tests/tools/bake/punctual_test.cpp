@@ -48,7 +48,7 @@ TEST(Punctual, EveryKindOfLightKeepsItsLumens) {
   for (const Light& light :
        {light_of(LIGHT_SPHERE, LIGHT_NO_PROFILE), light_of(LIGHT_SPHERE, street),
         light_of(LIGHT_SPHERE, lantern), light_of(LIGHT_RECTANGLE, LIGHT_NO_PROFILE)})
-    EXPECT_NEAR(flux_of(punctual_of(light, table.profiles, table.data)), 5000, 5000 * 0.002);
+    EXPECT_NEAR(flux_of(to_punctual(light, table.profiles, table.data)), 5000, 5000 * 0.002);
 }
 
 TEST(Punctual, WhatShinesDownIsASpotAndWhatShinesAroundAPoint) {
@@ -56,14 +56,14 @@ TEST(Punctual, WhatShinesDownIsASpotAndWhatShinesAroundAPoint) {
   const uint street = table.add("street", make_optic(Optic::street)),
              lantern = table.add("lantern", make_optic(Optic::lantern));
   const auto outer = [&](const Light& light) {
-    return punctual_of(light, table.profiles, table.data).outer_rad;
+    return to_punctual(light, table.profiles, table.data).outer_rad;
   };
   EXPECT_GT(outer(light_of(LIGHT_SPHERE, street)), pi / 4);
   EXPECT_LT(outer(light_of(LIGHT_SPHERE, street)), pi / 2);
   EXPECT_EQ(outer(light_of(LIGHT_SPHERE, lantern)), 0);
   EXPECT_EQ(outer(light_of(LIGHT_SPHERE, LIGHT_NO_PROFILE)), 0);
   // A window's axis has a Lambertian's candela.
-  const ScenePunctual window = punctual_of(light_of(LIGHT_RECTANGLE, LIGHT_NO_PROFILE), {}, {});
+  const ScenePunctual window = to_punctual(light_of(LIGHT_RECTANGLE, LIGHT_NO_PROFILE), {}, {});
   EXPECT_NEAR(window.intensity_cd, 5000 / pi, 5000 / pi * 0.005);
 }
 

@@ -1,4 +1,5 @@
 #include "tools/bake/recipe/recipe.h"
+#include "tools/bake/bake_options.h"
 
 #include <gtest/gtest.h>
 
@@ -173,7 +174,8 @@ TEST(Recipe, WrongValuesAreUsageErrors) {
   EXPECT_THROW(read(folder, "[traffic]\n"), UsageError);
   // A map without a city will do for what goes along streets; a bake asks for the city.
   EXPECT_TRUE(read(folder, "[osm]\nfiles = ['a.osm']\n").city.files.empty());
-  EXPECT_THROW(CityFrames(read(folder, "[osm]\nfiles = ['a.osm']\n")), UsageError);
+  EXPECT_THROW(CityFrames(to_bake_options(read(folder, "[osm]\nfiles = ['a.osm']\n")).city),
+               UsageError);
 }
 
 TEST(Recipe, RecipesOfRealCitiesTakeTheirDataFromTheDataFolderAndAreListed) {

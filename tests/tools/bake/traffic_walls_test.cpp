@@ -1,42 +1,40 @@
-// The default town's traffic against the town itself: nobody drives through a wall, or above or below the
-// ground.
+// The default town's traffic against the town itself: nobody drives through a wall, or above or
+// below the ground.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "formats/traffic_pose.h"
 #include "support/temp_folder.h"
-#include "tools/bake/city/city_ground.h"
-#include "tools/bake/city/model_streets.h"
-#include "tools/bake/stages/lamp_stage.h"
+#include "tools/bake/bake_options.h"
+#include "tools/bake/city/road_consumer.h"
 #include "tools/bake/stages/traffic_stage.h"
 #include "tools/town/town.h"
 
 namespace nightcity {
 namespace {
 
-struct DrivenTown {
-  Terrain terrain;
+struct TownWithTraffic {
+  std::unique_ptr<City> city;
   Georeference georeference;
   StreetReport streets;
   traffic::TrafficSet traffic;
 
-  explicit DrivenTown(bool with_map) {
+  explicit TownWithTraffic(bool with_map) {
     const test::TempFolder folder;
     town::write_town({}, folder.path());
-    Recipe recipe = read_recipe(folder / "town.toml");
-    recipe.traffic.options.vehicles = 80;
-    recipe.traffic.options.cycle_s = 200;
-    const CityFrames frames(recipe);
-    OsmData osm;
-    if (with_map) osm = read_osm(folder / "town.osm");
-    std::optional<WindowLayout> no_windows;
-    streets::RoadSurfaces roads;
-    read_ground(recipe, frames, terrain, no_windows, {}, &roads);
-    if (!with_map) streets = add_model_streets(roads, frames, osm);
-    georeference = georeference_of(recipe, frames);
-    traffic = make_city_traffic(recipe, osm, frames, terrain, georeference, {});
+    BakeOptions options = to_bake_options(read_recipe(folder / "town.toml"));
+    options.traffic.vehicles = 80;
+    options.traffic.cycle_s = 200;
+    if (!with_map) options.city.maps.clear();
+    city = std::make_unique<City>(options.city);
+    streets = read_ground_and_streets(*city, true, {});
+    georeference = city->georeference();
+    traffic = make_city_traffic(*city, options.traffic, georeference, {});
   }
+
+  const Terrain& terrain() const { return city->terrain(); }
 
   /// Calls with every body at moments 0.9 s apart.
   template <class Visit>
@@ -51,19 +49,21 @@ struct DrivenTown {
   }
 };
 
-const DrivenTown& town_by_its_roads() {
-  static const DrivenTown town(false);
+const TownWithTraffic& town_by_its_roads() {
+  static const TownWithTraffic town(false);
   return town;
 }
 
-const DrivenTown& town_by_its_map() {
-  static const DrivenTown town(true);
+const TownWithTraffic& town_by_its_map() {
+  static const TownWithTraffic town(true);
   return town;
 }
 
 class TownTraffic : public testing::TestWithParam<bool> {
  protected:
-  static const DrivenTown& town() { return GetParam() ? town_by_its_map() : town_by_its_roads(); }
+  static const TownWithTraffic& town() {
+    return GetParam() ? town_by_its_map() : town_by_its_roads();
+  }
 };
 
 TEST_P(TownTraffic, FillsTheStreets) {
@@ -80,7 +80,7 @@ TEST_P(TownTraffic, NobodyDrivesThroughAWall) {
     for (const double along : {-1.0, -0.5, 0.0, 0.5, 1.0})
       for (const double aside : {-1.0, 1.0})
         in_walls += town()
-                        .terrain
+                        .terrain()
                         .height_of(Footing::ground_surface, glm::dvec2(place) +
                                                                 ahead * (along * double{half.x}) +
                                                                 right * (aside * double{half.z}))
@@ -94,8 +94,8 @@ TEST_P(TownTraffic, WheelsStandOnTheGroundOrTheRoadOnIt) {
   std::size_t bodies = 0, off = 0;
   double worst = 0;
   town().for_each_body([&](const VehiclePose&, const glm::vec3&, const glm::dvec3& place) {
-    const auto ground = town().terrain.height_of(Footing::terrain, glm::dvec2(place)),
-               road = town().terrain.height_of(Footing::road, glm::dvec2(place));
+    const auto ground = town().terrain().height_of(Footing::terrain, glm::dvec2(place)),
+               road = town().terrain().height_of(Footing::road, glm::dvec2(place));
     ASSERT_TRUE(ground);
     // Kerbs are a step of 12 cm beside the carriageway, the road itself lies on the ground.
     const double height = std::max(*ground, road.value_or(*ground)),

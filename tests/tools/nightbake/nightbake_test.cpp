@@ -1,4 +1,5 @@
-// The program as its users meet it: commands, exit codes, messages, and what lies in the folder afterwards.
+// The program as its users meet it: commands, exit codes, messages, and what lies in the folder
+// afterwards.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -108,7 +108,8 @@ TEST(TrafficCommand, TheModelsOwnRoadsAreStreetsWhereThereIsNoMap) {
   EXPECT_EQ(with_map["streets"]["surfaces"], 0);
   EXPECT_GT(without["streets"]["surfaces"], 20);
   EXPECT_GT(without["trips"], 5);
-  // The same town: as many junctions within a third, since the map's paths and alleys are no carriageways.
+  // The same town: as many junctions within a third, since the map's paths and alleys are no
+  // carriageways.
   EXPECT_GT(without["edges"].get<double>(), 0.5 * with_map["edges"].get<double>());
   EXPECT_LT(without["edges"].get<double>(), 1.5 * with_map["edges"].get<double>());
 }

@@ -7,28 +7,32 @@
 
 #include "formats/error.h"
 #include "tools/inputs/read_city.h"
+#include "tools/median.h"
 
 namespace nightcity {
 namespace {
 
-glm::dvec3 median_of(std::vector<glm::dvec3> points) {
+glm::dvec3 median_of(const std::vector<glm::dvec3>& points) {
   glm::dvec3 result;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto middle = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
-    std::nth_element(
-        points.begin(), middle, points.end(),
-        [axis](const glm::dvec3& a, const glm::dvec3& b) { return a[axis] < b[axis]; });
-    result[axis] = (*middle)[axis];
+    std::vector<double> values;
+    for (const glm::dvec3& p : points) values.push_back(p[axis]);
+    result[axis] = median(std::move(values));
   }
   return result;
 }
 
-// Two control points: the corners of all the files' geometry at the corners of the bounds. Costs a reading.
+bool has_geometry(const CityHead& head) {
+  return !head.sample.empty();
+}
+
+// Returns two control points: the corners of all the files' geometry at the corners of the bounds.
+// Reads every file once more.
 std::vector<CityFrame::ControlPoint> corners_at(const std::array<double, 4>& bounds,
-                                                const Recipe& recipe) {
+                                                const CityInputs& inputs) {
   glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
-  for (const auto& file : recipe.city.files)
-    inputs::read_city(file, recipe.city.read, [&](CityObject&& object) {
+  for (const auto& file : inputs.files)
+    inputs::read_city(file, inputs.read, [&](CityObject&& object) {
       for (const Polygon& polygon : object.polygons)
         for (const glm::dvec3& p : polygon.exterior) {
           low = glm::min(low, glm::dvec2(p));
@@ -38,66 +42,66 @@ std::vector<CityFrame::ControlPoint> corners_at(const std::array<double, 4>& bou
   return {{{bounds[0], bounds[1]}, low}, {{bounds[2], bounds[3]}, high}};
 }
 
+CityFrame frame_of(const std::filesystem::path& file, const CityHead& head,
+                   const CityFrame::Options& options) {
+  try {
+    return CityFrame::from_srs_name(head.srs_name, head.sample, options);
+  } catch (const UsageError&) {
+    throw;
+  } catch (const Error& error) {
+    throw Error(file.string(), error.what());
+  }
+}
+
 }  // namespace
 
-CityFrames::CityFrames(const Recipe& recipe) {
-  if (recipe.city.files.empty())
-    throw UsageError(recipe.path.string(), "names no city: [city] files = [\"...\"] is missing");
+CityFrames::CityFrames(const CityInputs& inputs) {
+  if (inputs.files.empty())
+    throw UsageError(inputs.name(), "names no city: [city] files = [\"...\"] is missing");
   std::vector<CityHead> heads;
-  for (const auto& file : recipe.city.files) heads.push_back(inputs::read_city_head(file));
-  const auto has_geometry = [](const CityHead& head) { return !head.sample.empty(); };
+  for (const auto& file : inputs.files) heads.push_back(inputs::read_city_head(file));
   const auto first = std::find_if(heads.begin(), heads.end(), has_geometry);
   if (first == heads.end())
-    throw Error(recipe.city.files.front().string(), "no geometry in any file of the city");
-  const auto add_place = [&](std::size_t file, auto&& make) {
-    try {
-      return make();
-    } catch (const UsageError&) {
-      throw;
-    } catch (const Error& error) {
-      throw Error(recipe.city.files[file].string(), error.what());
-    }
-  };
+    throw Error(inputs.files.front().string(), "no geometry in any file of the city");
 
-  CityFrame::Options options = recipe.city.frame;
-  if (recipe.city.bounds) {
-    options.control_points = corners_at(*recipe.city.bounds, recipe);
+  CityFrame::Options options = inputs.frame;
+  if (inputs.bounds) {
+    options.control_points = corners_at(*inputs.bounds, inputs);
     if (options.crs_override.empty())
       options.crs_override = "none";  // the user knows better than the file
   }
-
-  const auto first_index = static_cast<std::size_t>(first - heads.begin());
-  city_ = add_place(first_index, [&] {
-    return CityFrame::from_srs_name(first->srs_name, first->sample, options);
-  });
+  const auto number = static_cast<std::size_t>(first - heads.begin());
+  city_ = frame_of(inputs.files[number], *first, options);
   descriptions_.push_back(city_->description());
   std::vector<glm::dvec3> sample = first->sample;
   city_->to_projected(sample);
-  reference_ = median_of(std::move(sample));
+  reference_ = median_of(sample);
 
-  // An override or control points speak for every file.
-  const bool one_crs = !options.crs_override.empty() || !options.control_points.empty();
   foreign_of_file_.resize(heads.size());
+  // An override or control points apply to every file.
+  if (options.crs_override.empty() && options.control_points.empty())
+    add_foreign(inputs, heads, number, options);
+}
+
+void CityFrames::add_foreign(const CityInputs& inputs, const std::vector<CityHead>& heads,
+                             std::size_t first, const CityFrame::Options& options) {
   for (std::size_t i = 0; i < heads.size(); ++i) {
-    if (one_crs || !has_geometry(heads[i]) || heads[i].srs_name == first->srs_name) continue;
+    if (!has_geometry(heads[i]) || heads[i].srs_name == heads[first].srs_name) continue;
     const auto known = std::find_if(foreign_.begin(), foreign_.end(), [&](const Foreign& f) {
       return f.srs_name == heads[i].srs_name;
     });
     foreign_of_file_[i] = static_cast<std::size_t>(known - foreign_.begin());
     if (known != foreign_.end()) continue;
-    CityFrame frame = add_place(
-        i, [&] { return CityFrame::from_srs_name(heads[i].srs_name, heads[i].sample, options); });
+    CityFrame frame = frame_of(inputs.files[i], heads[i], options);
     const bool same_crs = frame.crs() == city_->crs();
-    if (same_crs) {
-      foreign_.push_back({heads[i].srs_name, std::move(frame), true});
-      continue;
+    if (!same_crs) {
+      if (!frame.has_lon_lat() || !city_->has_lon_lat())
+        throw Error(inputs.files[i].string(),
+                    "has another CRS than the city's first file, and one of the two is unknown: "
+                    "set [city] crs");
+      descriptions_.push_back(frame.description());
     }
-    if (!frame.has_lon_lat() || !city_->has_lon_lat())
-      throw Error(recipe.city.files[i].string(),
-                  "has another CRS than the city's first file, and one of the two is unknown: set "
-                  "[city] crs");
-    descriptions_.push_back(frame.description());
-    foreign_.push_back({heads[i].srs_name, std::move(frame), false});
+    foreign_.push_back({heads[i].srs_name, std::move(frame), same_crs});
   }
 }
 

@@ -1,4 +1,4 @@
-// One frame for a city of many files, which may differ in their coordinate reference systems.
+// One frame for a city of many files, which may differ in their coordinate reference systems (CRS).
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -7,26 +7,27 @@
 #include <string>
 #include <vector>
 
-#include "tools/bake/recipe/recipe.h"
+#include "tools/bake/city/city_inputs.h"
+#include "tools/city/city_reader.h"
 #include "tools/georeference/frame.h"
 
 namespace nightcity {
 
 class CityFrames {
  public:
-  /// Looks at the head of every file. The first one with geometry gives the city its frame. Throws UsageError
-  /// where the recipe names none, Error: a file that is missing or no CityGML, an unknown CRS, no geometry
-  /// anywhere.
-  explicit CityFrames(const Recipe& recipe);
+  /// Reads the head of every file. The first one with geometry gives the city its frame. Throws
+  /// UsageError where the inputs name no file; Error where a file is missing or no city model, a CRS
+  /// is unknown or no file has geometry.
+  explicit CityFrames(const CityInputs& inputs);
 
-  /// The city's own frame.
+  /// Returns the city's own frame.
   const CityFrame& city() const { return *city_; }
-  /// Coordinates as in file `file` of the recipe to E, N, H of the city, in place. A file in another CRS goes
-  /// through longitude and latitude, its heights unchanged.
+  /// Turns coordinates as they are in the input file of that number into E, N, H of the city, in
+  /// place. Those of another CRS go through longitude and latitude; their heights stay.
   void to_city(std::size_t file, std::span<glm::dvec3> coordinates) const;
-  /// A place amid the first file's sample: E, N, H, each the median.
+  /// Returns a place in the middle of the first file's beginning: E, N, H, each the median.
   const glm::dvec3& reference() const { return reference_; }
-  /// One line for each CRS met, for the report.
+  /// Returns one line for each CRS of the files, for the report.
   const std::vector<std::string>& descriptions() const { return descriptions_; }
 
  private:
@@ -35,6 +36,9 @@ class CityFrames {
     CityFrame frame;
     bool same_crs;  // another name or axis order for the city's own CRS
   };
+  void add_foreign(const CityInputs& inputs, const std::vector<CityHead>& heads,
+                   std::size_t first, const CityFrame::Options& options);
+
   std::optional<CityFrame> city_;
   std::vector<Foreign> foreign_;
   std::vector<std::optional<std::size_t>> foreign_of_file_;  // empty: the city's own

@@ -3,15 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <set>
+#include <optional>
+#include <span>
+#include <string>
 #include <utility>
-#include <vector>
 
 #include "formats/error.h"
-#include "tools/bake/city/city_reader.h"
+#include "tools/median.h"
 #include "tools/terrain/elevation_model.h"
 
 namespace nightcity {
@@ -20,22 +22,81 @@ namespace {
 constexpr double max_quads = 1e6;  // of a ground from an elevation model
 constexpr std::size_t max_feet = 20'000;
 
-using Tile = std::pair<std::int32_t, std::int32_t>;
+// What an object's surfaces are to someone who stands on, under or within them.
+std::optional<Footing> footing_of(ObjectType type, SurfaceType surface) {
+  switch (type) {
+    case ObjectType::relief:
+      return Footing::terrain;
+    case ObjectType::road:
+    case ObjectType::railway:
+      return Footing::road;
+    case ObjectType::building:
+      if (surface == SurfaceType::ground) return Footing::ground_surface;
+      if (surface == SurfaceType::roof) return Footing::roof;
+      return std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
 
-// The elevation models asked in the city's coordinates: the first that has a height says it.
+using Parts = std::array<TriangleMesh, 4>;  // of an object, by Footing
+
+Parts parts_of(const PreparedObject& prepared) {
+  Parts parts;
+  for (const MeshTriangle& triangle : prepared.mesh.triangles) {
+    const auto footing = footing_of(prepared.object.type, triangle.surface);
+    if (!footing) continue;
+    TriangleMesh& part = parts[static_cast<std::size_t>(*footing)];
+    const auto first = static_cast<std::uint32_t>(part.positions.size());
+    for (const std::uint32_t v : triangle.vertex)
+      part.positions.push_back(prepared.mesh.positions[v]);
+    part.triangles.push_back({{first, first + 1, first + 2}, triangle.surface, 0});
+  }
+  return parts;
+}
+
+std::set<Tile> tiles_of(const TriangleMesh& mesh, double tile_m) {
+  ObjectTiles tiles(tile_m);
+  const auto for_each = [&](const auto& visit) {
+    for (const MeshTriangle& triangle : mesh.triangles) {
+      const auto& p = mesh.positions;
+      visit({p[triangle.vertex[0]], p[triangle.vertex[1]], p[triangle.vertex[2]]});
+    }
+  };
+  for_each([&](const glm::dvec3(&corners)[3]) { tiles.add(corners); });
+  std::set<Tile> result;
+  for_each([&](const glm::dvec3(&corners)[3]) { result.insert(tiles.tile_of(corners)); });
+  return result;
+}
+
+// Returns the tiles that hold something, and those within `margin_m` of them.
+std::set<Tile> widened(const std::set<Tile>& occupied, double tile_m, double margin_m) {
+  const auto reach = static_cast<std::int32_t>(std::ceil(margin_m / tile_m));
+  std::set<Tile> result;
+  for (const Tile& tile : occupied)
+    for (std::int32_t column = tile.column - reach; column <= tile.column + reach; ++column)
+      for (std::int32_t row = tile.row - reach; row <= tile.row + reach; ++row)
+        result.insert({column, row});
+  return result;
+}
+
+// Elevation models, asked in the city's coordinates: the first that has a height at a place decides
+// it.
 class Heights {
  public:
-  Heights(const Recipe& recipe, const CityFrames& frames) : city_(frames.city()) {
-    for (const auto& file : recipe.terrain.dem) {
+  Heights(const std::vector<std::filesystem::path>& files, const CityFrame& city) : city_(city) {
+    for (const auto& file : files) {
       models_.emplace_back(file);
       if (models_.back().has_crs() && !city_.has_lon_lat())
-        throw Error(file.string(), "cannot be laid under a city that names no CRS: set [city] crs");
+        throw Error(file.string(),
+                    "cannot be placed under a city that names no CRS: set [city] crs");
       finest_ = std::min(finest_, models_.back().resolution_m());
     }
   }
 
   double finest_m() const { return finest_; }
 
+  // Returns a height for each place, NaN where no model has one.
   std::vector<double> at(std::span<const glm::dvec2> places) const {
     std::vector<double> heights(places.size(), std::numeric_limits<double>::quiet_NaN()),
         next(places.size());
@@ -58,19 +119,9 @@ class Heights {
   double finest_ = std::numeric_limits<double>::infinity();
 };
 
-// The tiles that hold something, and those within `margin_m` of them.
-std::set<Tile> ground_tiles(TileStore& tiles, double tile_m, double margin_m) {
-  const auto reach = static_cast<std::int32_t>(std::ceil(margin_m / tile_m));
-  std::set<Tile> result;
-  for (const TileKey& key : tiles.tiles())
-    for (std::int32_t column = key.column - reach; column <= key.column + reach; ++column)
-      for (std::int32_t row = key.row - reach; row <= key.row + reach; ++row)
-        result.insert({column, row});
-  return result;
-}
-
-// Elevation models and city models differ in what height they count from (geoid, ellipsoid, a national datum)
-// and by the model's own error: the median over the buildings' feet takes that out.
+// Elevation models and city models differ in what their heights count from (geoid, ellipsoid, a
+// national datum) and by the model's own error. The median over the buildings' footprints removes
+// both.
 double shift_to_city(const Heights& heights, const Terrain& terrain) {
   const auto& feet = terrain.feet();
   std::vector<double> differences;
@@ -90,83 +141,121 @@ double shift_to_city(const Heights& heights, const Terrain& terrain) {
     for (std::size_t i = 0; i < dem.size(); ++i)
       if (std::isfinite(dem[i])) differences.push_back(some[begin + i].z - dem[i]);
   }
-  if (differences.empty()) return 0;
-  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-  std::nth_element(differences.begin(), middle, differences.end());
-  return *middle;
+  return differences.empty() ? 0 : median(std::move(differences));
 }
 
-std::string lay_dem(const Recipe& recipe, const CityFrames& frames, Terrain& terrain,
-                    TileStore& tiles) {
-  const Heights heights(recipe, frames);
-  const double size = recipe.city.tile_m, shift = shift_to_city(heights, terrain);
-  const std::set<Tile> under = ground_tiles(tiles, size, recipe.terrain.margin_m);
-  const double finest = std::ceil(size / heights.finest_m()),
-               affordable = std::floor(std::sqrt(max_quads / static_cast<double>(under.size())));
-  const auto steps =
-      static_cast<std::uint32_t>(std::clamp(std::min(finest, affordable), 1.0, 512.0));
-  const double step_m = size / steps;
-  std::size_t quads = 0, missing = 0;
-  for (const auto& [column, row] : under) {
+// A tile's ground: a regular grid of heights, two triangles a square.
+class GridGround {
+ public:
+  GridGround(const Heights& heights, double tile_m, std::size_t tiles, double shift_m)
+      : heights_(heights), shift_m_(shift_m) {
+    const double finest = std::ceil(tile_m / heights.finest_m()),
+                 affordable = std::floor(std::sqrt(max_quads / static_cast<double>(tiles)));
+    steps_ = static_cast<std::uint32_t>(std::clamp(std::min(finest, affordable), 1.0, 512.0));
+    step_m_ = tile_m / steps_;
+  }
+
+  double step_m() const { return step_m_; }
+  bool covers_nothing() const { return missing_ == quads_; }
+  double missing_percent() const {
+    return 100.0 * static_cast<double>(missing_) / static_cast<double>(quads_);
+  }
+
+  TriangleMesh make(const Tile& tile) {
     std::vector<glm::dvec2> places;
     // Counted from the frame's origin, so that neighbouring tiles have the very same vertices.
-    const auto line = [&](std::int32_t tile, std::uint32_t i) {
-      return static_cast<double>(std::int64_t{tile} * steps + i) * step_m;
+    const auto line = [&](std::int32_t number, std::uint32_t i) {
+      return static_cast<double>(std::int64_t{number} * steps_ + i) * step_m_;
     };
-    for (std::uint32_t j = 0; j <= steps; ++j)
-      for (std::uint32_t i = 0; i <= steps; ++i) places.emplace_back(line(column, i), line(row, j));
-    const std::vector<double> z = heights.at(places);
+    for (std::uint32_t j = 0; j <= steps_; ++j)
+      for (std::uint32_t i = 0; i <= steps_; ++i)
+        places.emplace_back(line(tile.column, i), line(tile.row, j));
+    const std::vector<double> z = heights_.at(places);
     TriangleMesh mesh;
     for (std::size_t i = 0; i < places.size(); ++i)
-      mesh.positions.emplace_back(places[i], z[i] + shift);
-    for (std::uint32_t j = 0; j < steps; ++j)
-      for (std::uint32_t i = 0; i < steps; ++i) {
-        const std::uint32_t a = j * (steps + 1) + i, b = a + 1, c = b + steps + 1, d = c - 1;
-        ++quads;
+      mesh.positions.emplace_back(places[i], z[i] + shift_m_);
+    for (std::uint32_t j = 0; j < steps_; ++j)
+      for (std::uint32_t i = 0; i < steps_; ++i) {
+        const std::uint32_t a = j * (steps_ + 1) + i, b = a + 1, c = b + steps_ + 1, d = c - 1;
+        ++quads_;
         if (!std::isfinite(z[a] + z[b] + z[c] + z[d])) {
-          ++missing;
+          ++missing_;
           continue;
         }
         mesh.triangles.push_back({{a, b, c}, SurfaceType::terrain, 0});
         mesh.triangles.push_back({{a, c, d}, SurfaceType::terrain, 0});
       }
-    terrain.add(mesh, Footing::terrain);
-    add_mesh(tiles, mesh, ObjectType::relief, no_id);
+    return mesh;
   }
-  if (missing == quads)
-    throw Error(recipe.terrain.dem.front().string(),
+
+ private:
+  const Heights& heights_;
+  double shift_m_, step_m_ = 0;
+  std::uint32_t steps_ = 1;  // squares along a tile's side
+  std::size_t quads_ = 0, missing_ = 0;
+};
+
+}  // namespace
+
+CityConsumer::Turn GroundBuilder::prepare(const std::shared_ptr<const PreparedObject>& prepared) {
+  std::set<Tile> tiles;
+  Parts parts;
+  if (!prepared->lacks_heights) {
+    tiles = tiles_of(prepared->mesh, options_.tile_m);
+    parts = parts_of(*prepared);
+  }
+  return [this, prepared, parts = std::move(parts), tiles = std::move(tiles)](bool) {
+    terrain_.add_points(prepared->object.points);
+    report_.relief_points += prepared->object.points.size();
+    for (const Ring& line : prepared->object.lines) {
+      report_.relief_points += line.size();
+      if (!terrain_.add_break_line(line)) ++report_.lone_vertices;
+    }
+    occupied_.insert(tiles.begin(), tiles.end());
+    for (std::size_t n = 0; n < parts.size(); ++n)
+      if (!parts[n].triangles.empty()) terrain_.add(parts[n], static_cast<Footing>(n));
+  };
+}
+
+GroundReport GroundBuilder::build(const CityFrame& frame, const ShowGround& show) {
+  const bool given = terrain_.has_relief();
+  if (!options_.elevation_models.empty() && !occupied_.empty()) {
+    if (given) {
+      report_.dem = "not used: the city brings its own relief";
+    } else {
+      report_.dem = build_dem_ground(frame, show);
+      report_.source = "dem";
+    }
+  }
+  terrain_.build(options_.margin_m);
+  report_.break_edges = terrain_.break_edges();
+  const bool surface = !terrain_.made_surface().triangles.empty();
+  if (report_.source.empty())
+    report_.source = given ? (surface ? "points" : "given") : surface ? "made" : "none";
+  // Relief given as points is the model's own: it is shown whatever the options say of made
+  // surfaces.
+  if (show && surface && (given || options_.make_surface)) show(terrain_.made_surface());
+  terrain_.drop_made_surface();
+  return report_;
+}
+
+std::string GroundBuilder::build_dem_ground(const CityFrame& frame, const ShowGround& show) {
+  const Heights heights(options_.elevation_models, frame);
+  const double shift_m = shift_to_city(heights, terrain_);
+  const std::set<Tile> under = widened(occupied_, options_.tile_m, options_.margin_m);
+  GridGround ground(heights, options_.tile_m, under.size(), shift_m);
+  for (const Tile& tile : under) {
+    const TriangleMesh mesh = ground.make(tile);
+    terrain_.add(mesh, Footing::terrain);
+    if (show) show(mesh);
+  }
+  if (ground.covers_nothing())
+    throw Error(options_.elevation_models.front().string(),
                 "no elevation model of the recipe covers any of the city");
   return fmt::format(
       "{} models, a height every {:.1f} m, moved by {:+.2f} m to meet the buildings, {:.1f} % of "
       "the ground without data",
-      recipe.terrain.dem.size(), step_m, shift,
-      100.0 * static_cast<double>(missing) / static_cast<double>(quads));
-}
-
-}  // namespace
-
-GroundReport lay_ground(const Recipe& recipe, const CityFrames& frames, Terrain& terrain,
-                        TileStore& tiles) {
-  GroundReport report;
-  const bool given = terrain.has_relief();
-  if (!recipe.terrain.dem.empty() && !tiles.tiles().empty()) {
-    if (given) {
-      report.dem = "not used: the city brings its own relief";
-    } else {
-      report.dem = lay_dem(recipe, frames, terrain, tiles);
-      report.source = "dem";
-    }
-  }
-  terrain.build(recipe.terrain.margin_m);
-  report.break_edges = terrain.break_edges();
-  const bool surface = !terrain.made_surface().triangles.empty();
-  if (report.source.empty())
-    report.source = given ? (surface ? "points" : "given") : surface ? "made" : "none";
-  // Relief given as points is the model's own: it is shown whatever the recipe says of made surfaces.
-  if (surface && (given || recipe.terrain.make_surface))
-    add_mesh(tiles, terrain.made_surface(), ObjectType::relief, no_id);
-  terrain.drop_made_surface();
-  return report;
+      options_.elevation_models.size(), ground.step_m(), shift_m, ground.missing_percent());
 }
 
 }  // namespace nightcity

@@ -1,26 +1,52 @@
-// What the city stands on: its own relief, else elevation models, else a surface through the buildings' feet.
+// The ground of a city: its own relief, else elevation models, else a surface through the
+// buildings' footprints.
 #pragma once
 
-#include <string>
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <vector>
 
-#include "tools/bake/city/city_frames.h"
-#include "tools/bake/recipe/recipe.h"
-#include "tools/bake/scene/tile_store.h"
+#include "tools/bake/city/city_consumer.h"
+#include "tools/bake/city/tile_grid.h"
+#include "tools/bake/report/city_report.h"
+#include "tools/georeference/frame.h"
 #include "tools/terrain/terrain.h"
 
 namespace nightcity {
 
-struct GroundReport {
-  /// "given" (triangles of the model), "points" (its mass points and break lines), "dem", "made", "none".
-  std::string source;
-  Terrain::BreakEdges break_edges;
-  std::string dem;  // how an elevation model was used, or why not; "" = the recipe names none
+struct GroundOptions {
+  /// Elevation models (any raster that GDAL reads) for a city without relief of its own. The first
+  /// that has a height at a place decides it.
+  std::vector<std::filesystem::path> elevation_models;
+  bool make_surface = true;  // show the surface that is made where there is neither
+  double margin_m = 50;      // how far made ground reaches beyond the city
+  double tile_m = 250;       // side of the tiles that the ground comes in
 };
 
-/// Call when every object has been read. Adds the ground's triangles to `terrain` and builds it; those that
-/// are to be seen go to `tiles`. Throws Error where an elevation model cannot be read or covers nothing of
-/// the city.
-GroundReport lay_ground(const Recipe& recipe, const CityFrames& frames, Terrain& terrain,
-                        TileStore& tiles);
+/// Gathers what one may stand on while the city is read, then builds the ground.
+class GroundBuilder final : public CityConsumer {
+ public:
+  /// Fills `terrain`, which must outlive the builder.
+  GroundBuilder(Terrain& terrain, GroundOptions options)
+      : terrain_(terrain), options_(std::move(options)) {}
+
+  Turn prepare(const std::shared_ptr<const PreparedObject>& prepared) override;
+
+  /// Gets the ground's triangles that are to be seen and belong to no object. E, N, H in metres.
+  using ShowGround = std::function<void(const TriangleMesh&)>;
+
+  /// Builds the terrain; call when every object has been read. Throws Error where an elevation
+  /// model cannot be read or covers nothing of the city.
+  GroundReport build(const CityFrame& frame, const ShowGround& show = {});
+
+ private:
+  std::string build_dem_ground(const CityFrame& frame, const ShowGround& show);
+
+  Terrain& terrain_;
+  GroundOptions options_;
+  std::set<Tile> occupied_;  // tiles that hold some of the city
+  GroundReport report_;
+};
 
 }  // namespace nightcity

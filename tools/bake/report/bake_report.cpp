@@ -9,6 +9,7 @@
 
 #include "tools/bake/report/layout_report.h"
 #include "tools/bake/report/light_report.h"
+#include "tools/bake/report/report_text.h"
 #include "tools/bake/report/traffic_report.h"
 
 namespace nightcity {
@@ -19,7 +20,7 @@ using Counts = std::map<std::string, std::size_t>;
 
 double total_seconds(const BakeReport& report) {
   double total = 0;
-  for (const BakeReport::Stage& stage : report.stages) total += stage.seconds;
+  for (const StageCost& stage : report.stages) total += stage.seconds;
   return total;
 }
 
@@ -31,153 +32,197 @@ std::size_t sum(const Counts& counts) {
 
 std::string break_edges_in_words(const Terrain::BreakEdges& edges) {
   if (edges.used + edges.unused == 0) return {};
-  return fmt::format(", {} edges of break lines kept, {} not, for they cross too many others",
+  return fmt::format(", {} edges of break lines kept, {} not, because they cross too many others",
                      edges.used, edges.unused);
+}
+
+// The faults of the model's polygons, found while they were triangulated.
+json mesh_json(const MeshReport& mesh) {
+  return {
+      {"polygons", mesh.polygons},
+      {"triangles", mesh.triangles},
+      {"fast_path", mesh.fast_path},
+      {"zero_area", mesh.zero_area},
+      {"worst_zero_area", {{"id", mesh.worst_zero_area}, {"perimeter_m", mesh.worst_zero_area_m}}},
+      {"slivers", mesh.slivers},
+      {"worst_sliver", {{"id", mesh.worst_sliver}, {"width_m", mesh.worst_sliver_m}}},
+      {"turned", mesh.turned},
+      {"first_turned", mesh.first_turned},
+      {"cracks_closed", mesh.cracks_closed},
+      {"floors_added", mesh.floors_added},
+      {"first_repaired", mesh.first_repaired},
+      {"open_objects", mesh.open_objects},
+      {"non_planar", mesh.non_planar},
+      {"worst_non_planar", {{"id", mesh.worst_non_planar}, {"m", mesh.worst_non_planar_m}}},
+      {"self_intersecting", mesh.self_intersecting},
+      {"worst_self_intersecting",
+       {{"id", mesh.worst_self_intersecting}, {"m2", mesh.worst_self_intersecting_m2}}},
+      {"not_finite", mesh.not_finite},
+      {"not_triangulated", mesh.not_triangulated},
+      {"dropped_holes", mesh.dropped_holes}};
+}
+
+std::string mesh_in_words(const MeshReport& mesh) {
+  std::string text;
+  const auto line = [&text](const std::string& value) { text += report_line("", value); };
+  if (mesh.non_planar)
+    line(fmt::format("{} not planar beyond 1 cm, worst {:.2f} m ({})", mesh.non_planar,
+                     mesh.worst_non_planar_m, mesh.worst_non_planar));
+  if (mesh.self_intersecting)
+    line(fmt::format("{} self-intersecting, worst {:.2f} m2 ({})", mesh.self_intersecting,
+                     mesh.worst_self_intersecting_m2, mesh.worst_self_intersecting));
+  if (mesh.slivers)
+    line(fmt::format("{} slivers under 1 cm, narrowest {:.5f} m ({})", mesh.slivers,
+                     mesh.worst_sliver_m, mesh.worst_sliver));
+  if (mesh.turned)
+    line(fmt::format("{} faced inward, turned (first {})", mesh.turned, mesh.first_turned));
+  if (mesh.cracks_closed + mesh.floors_added)
+    line(fmt::format("{} objects had cracks closed, {} a floor added (first {})",
+                     mesh.cracks_closed, mesh.floors_added, mesh.first_repaired));
+  if (mesh.open_objects)
+    line(fmt::format("{} objects are no closed shells, as published", mesh.open_objects));
+  if (const std::size_t left_out = mesh.zero_area + mesh.not_finite + mesh.not_triangulated)
+    line(fmt::format("{} left out: {} without area{}, {} not finite, {} not triangulated", left_out,
+                     mesh.zero_area,
+                     mesh.zero_area ? fmt::format(" (longest {})", mesh.worst_zero_area) : "",
+                     mesh.not_finite, mesh.not_triangulated));
+  return text;
+}
+
+std::string reading_in_words(const BakeReport& report) {
+  std::string text;
+  const CityReport& city = report.city;
+  for (const std::string& crs : report.crs) text += report_line("crs", crs);
+  text += report_line("objects", in_words(city.objects));
+  if (const Counts left_out = report.left_out(); !left_out.empty())
+    text += report_line("left out", in_words(left_out));
+  text += report_line("polygons",
+                      fmt::format("{} read, {} triangulated ({} at once)", city.read.polygons,
+                                  city.mesh.polygons, city.mesh.fast_path));
+  text += mesh_in_words(city.mesh);
+  text += report_line("skipped", in_words(city.read.skipped));
+  const auto& warnings = city.read.warnings;
+  constexpr std::size_t shown = 3;
+  for (std::size_t i = 0; i < std::min(shown, warnings.size()); ++i)
+    text += report_line("warning", warnings[i]);
+  if (warnings.size() > shown)
+    text += report_line(
+        "", fmt::format("and {} more warnings in bake_report.json", warnings.size() - shown));
+  return text;
+}
+
+std::string surfaces_in_words(const BakeReport& report) {
+  const SceneTilesReport& tiles = report.tiles;
+  const GroundReport& ground = report.ground;
+  std::string text = report_line(
+      "triangles", fmt::format("{}: {}", sum(tiles.triangles), in_words(tiles.triangles)));
+  text += report_line(
+      "terrain",
+      ground.source + break_edges_in_words(ground.break_edges) +
+          (ground.dem.empty() ? "" : ", dem " + ground.dem) +
+          (tiles.draped ? fmt::format(", {} triangles without heights put onto it", tiles.draped)
+                        : ""));
+  if (tiles.colours)
+    text += report_line("colours", fmt::format("{} of the model's own materials", tiles.colours));
+  return text;
+}
+
+std::string outputs_in_words(const BakeReport& report) {
+  const SceneWriter::Statistics& scene = report.scene;
+  std::string text =
+      report_line("city.glb", fmt::format("{:.1f} MB, {} features, {} nodes, {} vertices",
+                                          static_cast<double>(report.scene_bytes) / 1e6,
+                                          scene.features, scene.nodes, scene.vertices));
+  if (scene.max_draco_bits)
+    text += report_line("", fmt::format("Draco: up to {} bits, worst displacement {:.4f} m",
+                                        scene.max_draco_bits, scene.max_draco_error_m));
+  return text +
+         report_line("city.lights", fmt::format("{:.1f} kB, {} schedules",
+                                                static_cast<double>(report.lights_bytes) / 1e3,
+                                                report.lights.schedules));
+}
+
+std::string costs_in_words(const BakeReport& report) {
+  std::string stages;
+  for (const StageCost& stage : report.stages)
+    stages += fmt::format("{}{} {:.2f}", stages.empty() ? "" : ", ", stage.name, stage.seconds);
+  const double total = total_seconds(report);
+  std::string text = report_line(
+      "time",
+      fmt::format("{:.1f} s ({:.1f} MB/s of CityGML): {}", total,
+                  total > 0 ? static_cast<double>(report.input_bytes) / 1e6 / total : 0.0, stages));
+  if (!report.stages.empty())
+    text += report_line("memory", fmt::format("{:.0f} MB at most", report.stages.back().peak_mb));
+  return text;
 }
 
 }  // namespace
 
+std::map<std::string, std::size_t> BakeReport::left_out() const {
+  Counts all = city.left_out;
+  for (const auto& [reason, count] : tiles.left_out) all[reason] += count;
+  if (ground.lone_vertices > 0)
+    all["break lines of which the vertices alone are used"] = ground.lone_vertices;
+  return all;
+}
+
 json to_json(const BakeReport& report) {
   json seconds = json::object(), peak_mb = json::object();
-  for (const BakeReport::Stage& stage : report.stages) {
+  for (const StageCost& stage : report.stages) {
     seconds[stage.name] = std::round(stage.seconds * 1000) / 1000;
     peak_mb[stage.name] = std::round(stage.peak_mb);
   }
-  const MeshReport& mesh = report.mesh;
+  const CityReport& city = report.city;
+  const GroundReport& ground = report.ground;
+  const SceneWriter::Statistics& scene = report.scene;
   return {
       {"input_bytes", report.input_bytes},
       {"crs", report.crs},
       {"citygml",
-       {{"version", report.read.version},
-        {"objects", report.read.objects},
-        {"polygons", report.read.polygons},
-        {"objects_by_type", report.objects},
-        {"left_out", report.left_out},
-        {"skipped", report.read.skipped},
-        {"warnings", report.read.warnings}}},
-      {"mesh",
-       {{"polygons", mesh.polygons},
-        {"triangles", mesh.triangles},
-        {"fast_path", mesh.fast_path},
-        {"zero_area", mesh.zero_area},
-        {"worst_zero_area",
-         {{"id", mesh.worst_zero_area}, {"perimeter_m", mesh.worst_zero_area_m}}},
-        {"slivers", mesh.slivers},
-        {"worst_sliver", {{"id", mesh.worst_sliver}, {"width_m", mesh.worst_sliver_m}}},
-        {"turned", mesh.turned},
-        {"first_turned", mesh.first_turned},
-        {"cracks_closed", mesh.cracks_closed},
-        {"floors_added", mesh.floors_added},
-        {"first_repaired", mesh.first_repaired},
-        {"open_objects", mesh.open_objects},
-        {"non_planar", mesh.non_planar},
-        {"worst_non_planar", {{"id", mesh.worst_non_planar}, {"m", mesh.worst_non_planar_m}}},
-        {"self_intersecting", mesh.self_intersecting},
-        {"worst_self_intersecting",
-         {{"id", mesh.worst_self_intersecting}, {"m2", mesh.worst_self_intersecting_m2}}},
-        {"not_finite", mesh.not_finite},
-        {"not_triangulated", mesh.not_triangulated},
-        {"dropped_holes", mesh.dropped_holes}}},
-      {"terrain", report.ground.source},
-      {"dem", report.ground.dem},
-      {"relief_points", report.relief_points},
-      {"break_edges",
-       {{"used", report.ground.break_edges.used}, {"unused", report.ground.break_edges.unused}}},
-      {"colours", report.colours},
-      {"draped_triangles", report.draped},
+       {{"version", city.read.version},
+        {"objects", city.read.objects},
+        {"polygons", city.read.polygons},
+        {"objects_by_type", city.objects},
+        {"left_out", report.left_out()},
+        {"skipped", city.read.skipped},
+        {"warnings", city.read.warnings}}},
+      {"mesh", mesh_json(city.mesh)},
+      {"terrain", ground.source},
+      {"dem", ground.dem},
+      {"relief_points", ground.relief_points},
+      {"break_edges", {{"used", ground.break_edges.used}, {"unused", ground.break_edges.unused}}},
+      {"colours", report.tiles.colours},
+      {"draped_triangles", report.tiles.draped},
       {"streets", to_json(report.streets)},
-      {"lamps", to_json(report.lamps)},
-      {"layout", to_json(report.layout, true)},
-      {"windows", to_json(report.windows)},
+      {"lamps", to_json(report.lights.lamps)},
+      {"layout", to_json(report.lights.layout, true)},
+      {"windows", to_json(report.lights.windows)},
       {"traffic", report.traffic ? to_json(*report.traffic) : json()},
       {"scene",
-       {{"meshes", report.scene.meshes},
-        {"vertices", report.scene.vertices},
-        {"triangles", report.scene.triangles},
-        {"triangles_by_material", report.triangles},
-        {"nodes", report.scene.nodes},
-        {"instances", report.scene.instances},
-        {"features", report.scene.features},
+       {{"meshes", scene.meshes},
+        {"vertices", scene.vertices},
+        {"triangles", scene.triangles},
+        {"triangles_by_material", report.tiles.triangles},
+        {"nodes", scene.nodes},
+        {"instances", scene.instances},
+        {"features", scene.features},
         {"bytes", report.scene_bytes},
-        {"draco_bits", report.scene.max_draco_bits},
-        {"draco_error_m", report.scene.max_draco_error_m}}},
-      {"lights", {{"bytes", report.lights_bytes}, {"schedules", report.schedules}}},
+        {"draco_bits", scene.max_draco_bits},
+        {"draco_error_m", scene.max_draco_error_m}}},
+      {"lights", {{"bytes", report.lights_bytes}, {"schedules", report.lights.schedules}}},
       {"seconds", seconds},
       {"peak_mb", peak_mb},
   };
 }
 
 std::string to_text(const BakeReport& report) {
-  std::string text;
-  const auto line = [&text](const char* name, const std::string& value) {
-    text += fmt::format("{:<12}{}\n", name, value);
-  };
-  const MeshReport& mesh = report.mesh;
-  for (const std::string& crs : report.crs) line("crs", crs);
-  line("objects", in_words(report.objects));
-  if (!report.left_out.empty()) line("left out", in_words(report.left_out));
-  line("polygons", fmt::format("{} read, {} triangulated ({} at once)", report.read.polygons,
-                               mesh.polygons, mesh.fast_path));
-  if (mesh.non_planar)
-    line("", fmt::format("{} not planar beyond 1 cm, worst {:.2f} m ({})", mesh.non_planar,
-                         mesh.worst_non_planar_m, mesh.worst_non_planar));
-  if (mesh.self_intersecting)
-    line("", fmt::format("{} self-intersecting, worst {:.2f} m2 ({})", mesh.self_intersecting,
-                         mesh.worst_self_intersecting_m2, mesh.worst_self_intersecting));
-  if (mesh.slivers)
-    line("", fmt::format("{} slivers under 1 cm, narrowest {:.5f} m ({})", mesh.slivers,
-                         mesh.worst_sliver_m, mesh.worst_sliver));
-  if (mesh.turned)
-    line("", fmt::format("{} faced inward, turned (first {})", mesh.turned, mesh.first_turned));
-  if (mesh.cracks_closed + mesh.floors_added)
-    line("", fmt::format("{} objects had cracks closed, {} a floor added (first {})",
-                         mesh.cracks_closed, mesh.floors_added, mesh.first_repaired));
-  if (mesh.open_objects)
-    line("", fmt::format("{} objects are no closed shells, as published", mesh.open_objects));
-  if (const std::size_t dropped = mesh.zero_area + mesh.not_finite + mesh.not_triangulated)
-    line("", fmt::format("{} dropped: {} without area{}, {} not finite, {} not triangulated",
-                         dropped, mesh.zero_area,
-                         mesh.zero_area ? fmt::format(" (longest {})", mesh.worst_zero_area) : "",
-                         mesh.not_finite, mesh.not_triangulated));
-  line("skipped", in_words(report.read.skipped));
-  const auto& warnings = report.read.warnings;
-  constexpr std::size_t shown = 3;
-  for (std::size_t i = 0; i < std::min(shown, warnings.size()); ++i) line("warning", warnings[i]);
-  if (warnings.size() > shown)
-    line("", fmt::format("and {} more warnings in bake_report.json", warnings.size() - shown));
-  line("triangles", fmt::format("{}: {}", sum(report.triangles), in_words(report.triangles)));
-  line("terrain", report.ground.source + break_edges_in_words(report.ground.break_edges) +
-                      (report.ground.dem.empty() ? "" : ", dem " + report.ground.dem) +
-                      (report.draped ? fmt::format(", {} triangles without heights laid onto it",
-                                                   report.draped)
-                                     : ""));
-  if (report.colours)
-    line("colours", fmt::format("{} of the model's own materials", report.colours));
+  std::string text = reading_in_words(report) + surfaces_in_words(report);
   text += to_text(report.streets);
-  text += to_text(report.lamps);
-  text += to_text(report.layout, false);
-  text += to_text(report.windows);
+  text += to_text(report.lights.lamps);
+  text += to_text(report.lights.layout, false);
+  text += to_text(report.lights.windows);
   if (report.traffic) text += to_text(*report.traffic);
-  const SceneWriter::Statistics& scene = report.scene;
-  line("city.glb", fmt::format("{:.1f} MB, {} features, {} nodes, {} vertices",
-                               static_cast<double>(report.scene_bytes) / 1e6, scene.features,
-                               scene.nodes, scene.vertices));
-  if (scene.max_draco_bits)
-    line("", fmt::format("Draco: up to {} bits, worst displacement {:.4f} m", scene.max_draco_bits,
-                         scene.max_draco_error_m));
-  line("city.lights",
-       fmt::format("{:.1f} kB, {} schedules", static_cast<double>(report.lights_bytes) / 1e3,
-                   report.schedules));
-  std::string stages;
-  for (const BakeReport::Stage& stage : report.stages)
-    stages += fmt::format("{}{} {:.2f}", stages.empty() ? "" : ", ", stage.name, stage.seconds);
-  const double total = total_seconds(report);
-  line("time", fmt::format("{:.1f} s ({:.1f} MB/s of CityGML): {}", total,
-                           total > 0 ? static_cast<double>(report.input_bytes) / 1e6 / total : 0.0,
-                           stages));
-  if (!report.stages.empty())
-    line("memory", fmt::format("{:.0f} MB at most", report.stages.back().peak_mb));
-  return text;
+  return text + outputs_in_words(report) + costs_in_words(report);
 }
 
 }  // namespace nightcity

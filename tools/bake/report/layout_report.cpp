@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/bake/report/light_report.h"
+#include "tools/bake/report/report_text.h"
 #include "tools/lights/lighting_class.h"
 
 namespace nightcity {

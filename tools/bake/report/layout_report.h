@@ -1,4 +1,4 @@
-// What a layout has reached, as JSON and in words.
+// What lamps were laid out and what illuminance they give, as JSON and in words.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,11 +8,11 @@
 
 namespace nightcity {
 
-/// Counts and classes; with `streets` a row for each stretch too.
+/// Returns counts and classes; with `streets` also a row for each stretch.
 nlohmann::json to_json(const layout::LayoutReport& report, bool streets);
 
-/// A table with a row for each class of road; with `streets` for each stretch too. "" where nothing was laid
-/// out.
+/// Returns a table with a row for each class of road; with `streets` also for each stretch. ""
+/// where no lamp was laid out.
 std::string to_text(const layout::LayoutReport& report, bool streets);
 
 }  // namespace nightcity

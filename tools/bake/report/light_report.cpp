@@ -2,16 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <vector>
+
+#include "tools/bake/report/report_text.h"
 
 namespace nightcity {
 namespace {
 
 using nlohmann::json;
 
-// One row a use: how many of its windows have light at each full hour.
+// Returns one row a use: how many of its windows have light at each full hour.
 std::string hours_in_words(const WindowReport& windows) {
   if (windows.placed == 0) return {};
   std::string text = fmt::format("{:<12}{:>8}", "% lit at", "windows");
@@ -35,18 +35,19 @@ std::string hours_in_words(const WindowReport& windows) {
   return text;
 }
 
-template <class Part>
-std::string counts_in_words(const Part& part) {
+using Counts = std::map<std::string, std::size_t>;
+
+std::string counts_in_words(const Counts& left_out, const std::map<std::string, Counts>& sources) {
   std::string text;
-  if (!part.dropped.empty()) text += report_line("", "dropped: " + in_words(part.dropped));
-  for (const auto& [value, sources] : part.sources)
-    text += report_line("", fmt::format("{} from {}", value, in_words(sources)));
+  if (!left_out.empty()) text += report_line("", "left out: " + in_words(left_out));
+  for (const auto& [value, counts] : sources)
+    text += report_line("", fmt::format("{} from {}", value, in_words(counts)));
   return text;
 }
 
 }  // namespace
 
-LampReport report_of(const LampSet& set, std::size_t mapped) {
+LampReport to_report(const LampSet& set, std::size_t mapped) {
   LampReport report{mapped, set.lamps.size(), 0, set.dropped, set.notes, set.sources};
   for (const PlacedLamp& lamp : set.lamps) report.total_flux_lm += lamp.flux_lm;
   return report;
@@ -54,8 +55,8 @@ LampReport report_of(const LampSet& set, std::size_t mapped) {
 
 json to_json(const LampReport& lamps) {
   return {
-      {"mapped", lamps.mapped},   {"placed", lamps.placed}, {"total_flux_lm", lamps.total_flux_lm},
-      {"dropped", lamps.dropped}, {"notes", lamps.notes},   {"sources", lamps.sources}};
+      {"mapped", lamps.mapped},    {"placed", lamps.placed}, {"total_flux_lm", lamps.total_flux_lm},
+      {"dropped", lamps.left_out}, {"notes", lamps.notes},   {"sources", lamps.sources}};
 }
 
 json to_json(const WindowReport& windows) {
@@ -76,7 +77,7 @@ std::string to_text(const LampReport& lamps) {
   std::string text =
       report_line("lamps", fmt::format("{} luminaires of {} mapped lamps, {:.0f} klm in all",
                                        lamps.placed, lamps.mapped, lamps.total_flux_lm / 1000)) +
-      counts_in_words(lamps);
+      counts_in_words(lamps.left_out, lamps.sources);
   if (!lamps.notes.empty()) text += report_line("", "notes: " + in_words(lamps.notes));
   return text;
 }
@@ -85,21 +86,7 @@ std::string to_text(const WindowReport& windows) {
   return report_line("windows",
                      fmt::format("{} with light at some time of the night, {:.0f} klm in all",
                                  windows.placed, windows.flux_lm / 1000)) +
-         counts_in_words(windows) + hours_in_words(windows);
-}
-
-std::string report_line(const char* name, const std::string& value) {
-  return fmt::format("{:<12}{}\n", name, value);
-}
-
-std::string in_words(const std::map<std::string, std::size_t>& counts) {
-  std::vector<std::pair<std::string, std::size_t>> sorted(counts.begin(), counts.end());
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
-  std::string text;
-  for (const auto& [name, count] : sorted)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
-  return text.empty() ? "none" : text;
+         counts_in_words(windows.dropped, windows.sources) + hours_in_words(windows);
 }
 
 }  // namespace nightcity

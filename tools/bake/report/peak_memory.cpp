@@ -5,8 +5,8 @@
 
 namespace nightcity {
 
-// Not getrusage(): its figure begins with what the parent process had when it started this one.
-double peak_memory_mb() {
+// Not getrusage(): its figure includes what the parent process had when it started this one.
+double find_peak_memory_mb() {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;)
     if (double kilobytes = 0; word == "VmHWM:" && status >> kilobytes) return kilobytes / 1024;

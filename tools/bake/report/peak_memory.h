@@ -1,9 +1,10 @@
-// How much memory the program has taken so far.
+// The greatest amount of memory that the program has used so far.
 #pragma once
 
 namespace nightcity {
 
-/// The most that has been resident at any time, in MB (2^20 bytes); 0 where the system does not tell.
-double peak_memory_mb();
+/// Returns the maximum of resident memory so far, in MB (2^20 bytes); 0 where the system does not
+/// report it.
+double find_peak_memory_mb();
 
 }  // namespace nightcity

@@ -4,17 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/bake/report/report_text.h"
+
 namespace nightcity {
 namespace {
 
 using nlohmann::json;
-
-std::string in_words(const std::map<std::string, std::size_t>& counts) {
-  std::string text;
-  for (const auto& [name, count] : counts)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
-  return text.empty() ? "none" : text;
-}
 
 const char* name_of(traffic::Side side) {
   return side == traffic::Side::left ? "left" : "right";
@@ -72,10 +67,11 @@ std::string to_text(const traffic::TrafficReport& report) {
   const auto line = [&text](const char* name, const std::string& value) {
     text += fmt::format("{:<12}{}\n", name, value);
   };
-  line("traffic",
-       fmt::format(
-           "{} drives a cycle of {:.0f} s, {:.1f} km, {:.0f} vehicles at once in the busiest hour",
-           report.trips, report.cycle_s, report.driven_km, report.mean_vehicles));
+  line(
+      "traffic",
+      fmt::format(
+          "{} trips in a cycle of {:.0f} s, {:.1f} km, {:.0f} vehicles at once in the busiest hour",
+          report.trips, report.cycle_s, report.driven_km, report.mean_vehicles));
   if (report.edges == 0) return text;
   line("", fmt::format("{}, on the {}; {} lanes and turns; {}", report.country,
                        name_of(report.side), report.links, in_words(report.by_type)));
@@ -88,13 +84,13 @@ std::string to_text(const traffic::TrafficReport& report) {
                "{} brakings, mean speed {:.1f} km/h; {} knots, within {:.3f} m and {:.2f} degrees",
                report.brakings, report.mean_speed_m_s * 3.6, report.knots,
                report.knot_error.position_m, report.knot_error.heading_degrees));
-  line("", fmt::format("{:.4f} % of vehicles overlapped another: {} drives left out for it; {} "
+  line("", fmt::format("{:.4f} % of vehicles overlapped another: {} trips left out for it; {} "
                        "stuck, {} not started",
                        100 * overlap_share(report), report.overlap_dropped, report.simulation.stuck,
                        report.simulation.never_started));
   if (report.links_in_buildings_km > 0)
     line("",
-         fmt::format("{:.2f} of {:.1f} km of lanes and turns touch a building: nobody drives there",
+         fmt::format("{:.2f} of {:.1f} km of lanes and turns touch a building: no trip uses them",
                      report.links_in_buildings_km, report.links_km));
   line("", "ways left out: " + in_words(report.left_out));
   return text;

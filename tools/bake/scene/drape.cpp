@@ -9,10 +9,10 @@
 namespace nightcity {
 namespace {
 
-constexpr double longest_edge_m =
-    10;  // ground between points of a 10 m grid is flat enough for a street
-constexpr double clearance_m =
-    0.1;  // above the ground, so that the two do not fight over what is seen
+// Ground between the points of a 10 m grid is flat enough for a street.
+constexpr double max_edge_m = 10;
+// Above the ground, so that the two surfaces do not lie in one place.
+constexpr double clearance_m = 0.1;
 
 using Corners = std::array<glm::dvec3, 3>;
 
@@ -21,23 +21,6 @@ double plan_distance(const glm::dvec3& a, const glm::dvec3& b) {
 }
 
 }  // namespace
-
-bool lacks_heights(const CityObject& object) {
-  switch (object.type) {
-    case ObjectType::road:
-    case ObjectType::railway:
-    case ObjectType::land_use:
-    case ObjectType::water:
-    case ObjectType::vegetation:
-      break;
-    default:
-      return false;
-  }
-  for (const Polygon& polygon : object.polygons)
-    for (const glm::dvec3& p : polygon.exterior)
-      if (p.z != 0) return false;
-  return true;
-}
 
 void subdivide(const glm::dvec3 (&corners)[3], double longest_m,
                const std::function<void(const glm::dvec3 (&)[3])>& sink) {
@@ -55,7 +38,7 @@ void subdivide(const glm::dvec3 (&corners)[3], double longest_m,
       continue;
     }
     const glm::dvec3 middle =
-        (a + b) / 2.0;  // the same bits whichever way the neighbour walks the edge
+        (a + b) / 2.0;  // the same bits in whichever direction the neighbour has the edge
     stack.push_back({a, middle, c});
     stack.push_back({middle, b, c});
   }
@@ -73,16 +56,16 @@ void DrapeStore::add(std::span<const TileStore::Triangle> triangles, std::uint32
   }
 }
 
-std::size_t DrapeStore::lay(
+std::size_t DrapeStore::drape(
     const std::function<std::optional<double>(const glm::dvec2&)>& height_at, TileStore& tiles) {
   std::vector<TileStore::Triangle> pieces;
-  std::map<std::pair<double, double>, double>
-      known;  // heights of the feature's points: each serves several pieces
+  // Heights of the feature's points: each belongs to several pieces.
+  std::map<std::pair<double, double>, double> known;
   std::uint32_t feature = no_id;
-  std::size_t laid = 0;
+  std::size_t added = 0;
   const auto flush = [&] {
     tiles.add(pieces, feature);
-    laid += pieces.size();
+    added += pieces.size();
     pieces.clear();
     known.clear();
   };
@@ -97,7 +80,7 @@ std::size_t DrapeStore::lay(
     file_.read(offset, &record, sizeof record);
     if (record.feature != feature) flush();
     feature = record.feature;
-    subdivide(record.triangle.corners, longest_edge_m, [&](const glm::dvec3(&corners)[3]) {
+    subdivide(record.triangle.corners, max_edge_m, [&](const glm::dvec3(&corners)[3]) {
       TileStore::Triangle piece{
           {corners[0], corners[1], corners[2]}, record.triangle.material, record.triangle.kind};
       for (glm::dvec3& p : piece.corners) p.z = height_of(p);
@@ -105,7 +88,7 @@ std::size_t DrapeStore::lay(
     });
   }
   flush();
-  return laid;
+  return added;
 }
 
 }  // namespace nightcity

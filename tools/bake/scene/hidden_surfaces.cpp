@@ -15,12 +15,12 @@
 namespace nightcity {
 namespace {
 
-constexpr double together_m = 0.01;  // apart less than this, two surfaces touch
-constexpr double facing = -0.9998;   // cosine of their normals: opposite within a degree
+constexpr double together_m = 0.01;     // two surfaces that are less than this apart touch
+constexpr double max_facing = -0.9998;  // cosine between their normals: opposite within a degree
 constexpr double min_area_m2 = 1e-4;
 constexpr double uncovered = 1e-3;  // share of a triangle that rounding may leave open
 constexpr double cell_m = 4;
-constexpr double look_every_m = 5;
+constexpr double sample_every_m = 5;
 
 using Outline = std::vector<glm::dvec2>;
 
@@ -35,7 +35,7 @@ double area(const Outline& outline) {
   return twice / 2;
 }
 
-/// The part of a convex outline left of a-b (Sutherland and Hodgman).
+// Returns the part of a convex outline to the left of the line a-b (Sutherland and Hodgman 1974).
 Outline left_of(const Outline& outline, const glm::dvec2& a, const glm::dvec2& b) {
   Outline result;
   for (std::size_t k = 0; k < outline.size(); ++k) {
@@ -70,7 +70,7 @@ class Search {
     }
   }
 
-  bool covered(std::uint32_t i) const {
+  bool is_covered(std::uint32_t i) const {
     const Face& face = faces_[i];
     if (!triangles_[i].solid || !(face.area > min_area_m2)) return false;
     std::vector<std::uint32_t> near;
@@ -105,13 +105,13 @@ class Search {
   }
 
   static bool touches(const Face& a, const Face& b) {
-    if (glm::dot(a.normal, b.normal) > facing) return false;
+    if (glm::dot(a.normal, b.normal) > max_facing) return false;
     for (const glm::dvec3& p : b.corners)
       if (std::abs(glm::dot(a.normal, p - a.corners[0])) > together_m) return false;
     return true;
   }
 
-  /// Area of what two faces in one plane have in common.
+  // Returns the area that two faces in one plane have in common.
   static double overlap(const Face& a, const Face& b) {
     const glm::dvec3 u = glm::normalize(a.corners[1] - a.corners[0]), v = glm::cross(a.normal, u);
     const auto flat = [&](const glm::dvec3& p) {
@@ -129,17 +129,17 @@ class Search {
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
 };
 
-/// Cut in plan: the vertical is model y there, height in the frame that subdivide() knows.
-bool all_below(const TileStore::StoredTriangle& triangle, const BelowGround& below) {
+// The triangles have model axes, where y is the height; subdivide() takes E, N, H and cuts in plan.
+bool is_all_below(const TileStore::StoredTriangle& triangle, const BelowGround& below) {
   for (const glm::vec3& corner : triangle.corners)
-    if (!below(corner)) return false;  // of most triangles the first
+    if (!below(corner)) return false;  // for most triangles the first corner decides
   glm::dvec3 corners[3];
   for (int k = 0; k < 3; ++k) {
     const glm::vec3& p = triangle.corners[k];
     corners[k] = glm::dvec3(p.x, p.z, p.y);
   }
   bool all = true;
-  subdivide(corners, look_every_m, [&](const glm::dvec3(&piece)[3]) {
+  subdivide(corners, sample_every_m, [&](const glm::dvec3(&piece)[3]) {
     const glm::dvec3 middle = (piece[0] + piece[1] + piece[2]) / 3.0;
     for (const glm::dvec3& p : {piece[0], piece[1], piece[2], middle})
       all = all && below(glm::vec3(glm::dvec3(p.x, p.z, p.y)));
@@ -149,14 +149,14 @@ bool all_below(const TileStore::StoredTriangle& triangle, const BelowGround& bel
 
 }  // namespace
 
-std::vector<bool> hidden_triangles(std::span<const TileStore::StoredTriangle> triangles,
-                                   const BelowGround& below, HiddenCounts& counts) {
+std::vector<bool> find_hidden_triangles(std::span<const TileStore::StoredTriangle> triangles,
+                                        const BelowGround& below, HiddenCounts& counts) {
   const Search search(triangles);
   std::vector<bool> hidden(triangles.size(), false);
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
     if (!triangles[i].solid) continue;
-    const bool between = search.covered(i);
-    hidden[i] = between || all_below(triangles[i], below);
+    const bool between = search.is_covered(i);
+    hidden[i] = between || is_all_below(triangles[i], below);
     counts.between += between;
     counts.below += hidden[i] && !between;
   }

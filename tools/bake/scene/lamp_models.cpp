@@ -17,9 +17,10 @@ namespace nightcity {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr std::size_t batch = 8'192;  // lamps a node
+constexpr std::size_t batch = 8'192;  // lamps in one node
 
-// Sizes of common street furniture, m: they decide what a lamp looks like from the street, no light.
+// Sizes of common street furniture, m. They decide what a lamp looks like, and have no effect on
+// its light.
 constexpr float post_radius = 0.06f;
 constexpr float arm_radius = 0.03f;
 constexpr float housing_length = 0.55f, housing_height = 0.10f, housing_width = 0.26f;
@@ -56,7 +57,8 @@ ScenePrimitive box(float length, float height, float width, std::uint32_t materi
   return p;
 }
 
-// Octahedron, every face split in four and pushed out to the unit sphere: 32 triangles, 18 vertices.
+// Octahedron, every face split in four and pushed out to the unit sphere: 32 triangles, 18
+// vertices.
 ScenePrimitive ball(std::uint32_t material) {
   ScenePrimitive p;
   p.material = material;
@@ -85,19 +87,19 @@ glm::mat4 heading(const glm::dvec2& direction) {
 
 // Lamps whose balls look alike share a mesh and a material.
 using Look = std::tuple<float, float, float, float, float>;  // flux, radius, colour
-Look look_of(const PlacedLamp& lamp) {
+Look to_look(const PlacedLamp& lamp) {
   return {static_cast<float>(lamp.flux_lm), static_cast<float>(lamp.radius_m), lamp.colour.x,
           lamp.colour.y, lamp.colour.z};
 }
 
-// Lamps of one batch are one node a shape, so that memory does not grow with the map. Shapes are written
-// once.
+// The lamps of one batch make one node for each shape, so that memory does not grow with the map.
+// Each shape is written once.
 class LampModels {
  public:
   LampModels(SceneWriter& writer, const Georeference& georeference, std::uint32_t post_material)
       : writer_(writer), georeference_(georeference), post_material_(post_material) {}
 
-  /// `first`: the number of lamps[0] in city.lights.
+  // `first` is the number of lamps[0] in city.lights.
   void add(std::span<const PlacedLamp> lamps, std::size_t first);
 
  private:
@@ -123,7 +125,7 @@ void LampModels::add_balls(std::span<const PlacedLamp> lamps, std::size_t first,
   std::map<Look, SceneNode> nodes;
   for (std::size_t i = 0; i < lamps.size(); ++i)
     if (lamps[i].radius_m > 0)  // a point has no size to show
-      nodes[look_of(lamps[i])].instances.push_back(
+      nodes[to_look(lamps[i])].instances.push_back(
           {glm::scale(places[i], glm::vec3(static_cast<float>(lamps[i].radius_m))),
            static_cast<std::uint32_t>(first + i)});
   for (auto& [look, node] : nodes) {
@@ -155,8 +157,9 @@ void LampModels::add(std::span<const PlacedLamp> lamps, std::size_t first) {
     const glm::vec3 foot(georeference_.to_model(lamp.foot));
     const glm::dvec3 luminous = lamp.foot + glm::dvec3(lamp.outreach, lamp.mounting_height_m);
     centres.push_back(glm::translate(glm::mat4(1), glm::vec3(georeference_.to_model(luminous))));
-    // The housing sits on the ball, so that the ball shows beneath it; an arm meets it from behind. Without
-    // an arm the post ends under the ball: a light inside its post would shine nowhere.
+    // The housing lies on the ball, so that the ball is seen below it; an arm meets it from behind.
+    // Without an arm the post ends under the ball, because a light inside its post would light
+    // nothing.
     const auto radius = static_cast<float>(std::max(lamp.radius_m, 0.0));
     const double reach = glm::length(lamp.outreach);
     const bool has_arm = reach > double{post_radius} + double{radius} + arm_clearance;

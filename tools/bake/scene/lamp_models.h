@@ -1,4 +1,5 @@
-// What a street lamp looks like: post, arm, housing and the luminous ball, few triangles each, instanced.
+// What a street lamp looks like: post, arm, housing and a luminous ball, of a few triangles each,
+// instanced.
 #pragma once
 
 #include <span>
@@ -9,11 +10,11 @@
 
 namespace nightcity {
 
-/// Adds the lamps to `writer` as instanced nodes of kind "lamp". Posts and arms cast shadows; housings and
-/// luminous balls do not: a lamp's light is that of its luminaire's profile, which its housing has shaped
-/// already. The balls emit the luminance that a sphere of the lamp's radius needs for its flux, L = flux / (4
-/// pi^2 r^2), and name their light: lamp i is light i of city.lights. `post_material` is a material of
-/// `writer`.
+/// Adds the lamps to `writer` as instanced nodes of kind "lamp". Posts and arms cast shadows.
+/// Housings and luminous balls do not, because the profile of the luminaire already includes the
+/// effect of its housing. The balls emit the luminance that a sphere of the lamp's radius needs for
+/// its flux, L = flux / (4 pi^2 r^2), and name their light: lamp i is light i of city.lights.
+/// `post_material` is a material of `writer`.
 void add_lamp_models(SceneWriter& writer, std::span<const PlacedLamp> lamps,
                      const Georeference& georeference, std::uint32_t post_material);
 

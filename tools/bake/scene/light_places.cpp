@@ -9,7 +9,7 @@
 namespace nightcity {
 namespace {
 
-constexpr double below_m = 0.1;
+constexpr double tolerance_m = 0.1;
 
 std::optional<Footing> footing_of(const SceneNode& node, std::string_view material) {
   if (node.kind == "terrain") return Footing::terrain;
@@ -26,10 +26,10 @@ bool inside_building(const Terrain& terrain, const glm::dvec3& place) {
   const auto floor = terrain.height_of(Footing::ground_surface, glm::dvec2(place));
   if (!floor || place.z <= *floor) return false;
   const auto roof = terrain.height_of(Footing::roof, glm::dvec2(place));
-  return roof && place.z < *roof - below_m;
+  return roof && place.z < *roof - tolerance_m;
 }
 
-PlaceFault place_faults_in(const std::filesystem::path& path) {
+PlaceFault find_place_faults(const std::filesystem::path& path) {
   const Scene scene = read_scene(path);
   const auto terrain = std::make_shared<Terrain>();
   for (const SceneNode& node : scene.nodes)
@@ -54,7 +54,7 @@ PlaceFault place_faults_in(const std::filesystem::path& path) {
     const glm::dvec3 place = georeference.from_model(glm::dvec3(light.position));
     const glm::dvec2 plan(place);
     if (const auto ground = terrain->height_at(plan);
-        ground && ground->footing <= Footing::road && place.z < ground->height_m - below_m)
+        ground && ground->footing <= Footing::road && place.z < ground->height_m - tolerance_m)
       return "below the ground";
     if (inside_building(*terrain, place)) return "inside a building";
     return {};

@@ -8,7 +8,7 @@
 namespace nightcity {
 namespace {
 
-// `albedo` is the luminance of the colour; `hue` gives its tint (any scale).
+// `albedo` is the luminance of the colour; `hue` gives its tint, on any scale.
 SceneMaterial diffuse(const char* name, float albedo, glm::vec3 hue, float roughness) {
   const float luminance = 0.2126f * hue.x + 0.7152f * hue.y + 0.0722f * hue.z;  // Rec. 709
   return {.name = name, .base_colour = hue * (albedo / luminance), .roughness = roughness};
@@ -65,9 +65,9 @@ std::uint32_t MaterialTable::index_of(MaterialCode code) {
   return coloured_[code] = writer_.add_material(material);
 }
 
-// Albedos: T. R. Oke, Boundary Layer Climates, 2nd ed. (1987), tables 1.1 and 8.2, which give ranges; the
-// value taken stands in the middle unless said otherwise. Hues and roughness are ours: a city by night shows
-// little of either.
+// Albedos: T. R. Oke, Boundary Layer Climates, 2nd ed. (1987), tables 1.1 and 8.2, which give
+// ranges; the value here is the middle of the range unless a comment says otherwise. Hues and
+// roughness are assumptions: a city by night shows little of either.
 const std::array<SceneMaterial, bake_material_count>& bake_materials() {
   static const std::array<SceneMaterial, bake_material_count> materials{
       diffuse("wall", 0.35f, {1.0f, 0.94f, 0.85f},

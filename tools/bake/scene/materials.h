@@ -1,4 +1,4 @@
-// What the surfaces of a city are made of by night: one table of reflectances with their sources.
+// What the surfaces of a city are made of: one table of reflectances with their sources.
 #pragma once
 
 #include <array>
@@ -29,29 +29,31 @@ enum class BakeMaterial : std::uint8_t {
 };
 constexpr std::size_t bake_material_count = static_cast<std::size_t>(BakeMaterial::count);
 
-/// The scene material of each BakeMaterial, in order. Reflectances are diffuse, for visible light.
+/// Returns the scene material of each BakeMaterial, in order. Reflectances are diffuse, for visible
+/// light.
 const std::array<SceneMaterial, bake_material_count>& bake_materials();
 
-/// A material with the colour that the model gives it, packed: kind in the low 7 bits, bit 7 = has a colour,
-/// 8 bits each of red, green, blue (sRGB) above.
+/// A material with the colour that the model gives it, packed: the kind in the low 7 bits, bit 7
+/// set where there is a colour, and above them 8 bits each of red, green and blue (sRGB).
 using MaterialCode = std::uint32_t;
 
 constexpr MaterialCode code_of(BakeMaterial kind) {
   return static_cast<MaterialCode>(kind);
 }
-/// `colour`: sRGB in [0, 1], as X3DMaterial has it.
+/// `colour`: sRGB in [0, 1], as in X3DMaterial (CityGML 2.0, appearance).
 MaterialCode code_of(BakeMaterial kind, const glm::vec3& colour);
 constexpr BakeMaterial kind_of(MaterialCode code) {
   return static_cast<BakeMaterial>(code & 0x7Fu);
 }
 
-/// The materials of a scene as they come to be needed: those of the table, and one for each colour.
+/// The materials of a scene: those of the table, and one for each colour, added when it is first
+/// used.
 class MaterialTable {
  public:
   /// Adds bake_materials() to `writer`, in order.
   explicit MaterialTable(SceneWriter& writer);
-  /// The writer's index. Beyond some thousand colours the nearest of those there are is taken: a model that
-  /// has a colour of its own for each polygon is a photograph in disguise.
+  /// Returns the writer's index. When there are 2000 colours, the nearest of these is taken for any
+  /// other: a model with a colour for each polygon stores a photograph in this way.
   std::uint32_t index_of(MaterialCode code);
   std::size_t colours() const { return coloured_.size(); }
 
@@ -60,7 +62,7 @@ class MaterialTable {
   std::map<MaterialCode, std::uint32_t> coloured_;
 };
 
-/// The kind of scene node a surface belongs to: batches of one kind share a node in a tile.
+/// The kind of scene node that a surface belongs to: surfaces of one kind share a node in a tile.
 enum class NodeKind : std::uint8_t { city, terrain, road };
 const char* name_of(NodeKind kind);
 
@@ -69,7 +71,7 @@ struct SurfaceUse {
   NodeKind kind;
 };
 
-/// What a surface of an object is made of and belongs to.
+/// Returns what a surface of an object is made of, and the kind of node it belongs to.
 SurfaceUse use_of(ObjectType object, SurfaceType surface);
 
 }  // namespace nightcity

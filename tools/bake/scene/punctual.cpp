@@ -11,10 +11,10 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double widest_spot = pi / 2 - 1e-3;  // the extension ends at a right angle
+constexpr double max_spot_rad = pi / 2 - 1e-3;  // the extension ends at a right angle
 
-/// The angle from the axis that holds `share` of a profile's flux.
-double angle_holding(double share, const LightProfile& profile, std::span<const float> data) {
+// Returns the angle from the axis within which `share` of a profile's flux lies.
+double find_angle_with(double share, const LightProfile& profile, std::span<const float> data) {
   const std::size_t count = profile.gamma_count;
   const double step = double{profile.extent_deg} * pi / 180 / static_cast<double>(count - 1);
   std::vector<double> flux(count, 0.0);  // up to each row
@@ -40,12 +40,12 @@ bool brighter(const std::pair<std::size_t, Light>& a, const std::pair<std::size_
 
 }  // namespace
 
-double spot_solid_angle(double inner_rad, double outer_rad) {
+double find_spot_solid_angle(double inner_rad, double outer_rad) {
   const double inner = std::cos(inner_rad), outer = std::cos(outer_rad);
   return 2 * pi * (1 - inner + (inner - outer) / 3);
 }
 
-ScenePunctual punctual_of(const Light& light, std::span<const LightProfile> profiles,
+ScenePunctual to_punctual(const Light& light, std::span<const LightProfile> profiles,
                           std::span<const float> profile_data) {
   ScenePunctual result;
   result.position = light.position;
@@ -54,25 +54,26 @@ ScenePunctual punctual_of(const Light& light, std::span<const LightProfile> prof
   const double flux = double{light.flux_lm};
   const uint profile = light.kind_profile >> 8;
   if ((light.kind_profile & 0xFFu) == LIGHT_RECTANGLE) {
-    result.outer_rad = widest_spot;
+    result.outer_rad = max_spot_rad;
     result.inner_rad = std::acos(0.75);  // makes the falloff's integral pi
   } else if (profile != LIGHT_NO_PROFILE) {
-    const double wide = angle_holding(0.99, profiles[profile], profile_data);
+    const double wide = find_angle_with(0.99, profiles[profile], profile_data);
     if (wide <= pi / 2 + 1e-9) {
-      result.outer_rad = std::clamp(wide, 0.01, widest_spot);
+      result.outer_rad = std::clamp(wide, 0.01, max_spot_rad);
       result.inner_rad = 0.8 * result.outer_rad;
     }
   }
   result.intensity_cd =
-      flux / (result.outer_rad > 0 ? spot_solid_angle(result.inner_rad, result.outer_rad) : 4 * pi);
+      flux /
+      (result.outer_rad > 0 ? find_spot_solid_angle(result.inner_rad, result.outer_rad) : 4 * pi);
   return result;
 }
 
 void BrightestLights::add(const Light& light) {
-  if (most_ == 0) return;
+  if (max_lights_ == 0) return;
   heap_.emplace_back(count_++, light);
   std::push_heap(heap_.begin(), heap_.end(), brighter);
-  if (heap_.size() <= most_) return;
+  if (heap_.size() <= max_lights_) return;
   std::pop_heap(heap_.begin(), heap_.end(), brighter);
   heap_.pop_back();
 }

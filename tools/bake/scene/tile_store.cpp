@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
-#include <glm/common.hpp>
-#include <limits>
 #include <map>
 #include <span>
+
+#include "tools/bake/city/tile_grid.h"
 
 namespace nightcity {
 namespace {
@@ -19,8 +18,8 @@ std::size_t hash_of(const glm::vec3& position) {
   return static_cast<std::size_t>(hash ^ hash >> 29);
 }
 
-// Joins equal vertices of one feature. Features follow each other, so only the present one's are looked up: a
-// small table that stays in the cache, where one for the whole tile would not.
+// Joins equal vertices of one feature. Features follow each other, so only those of the present one
+// are looked up: in a small table, which stays in the cache, as one for the whole tile would not.
 class Welder {
  public:
   ScenePrimitive primitive;
@@ -42,7 +41,8 @@ class Welder {
   }
 
  private:
-  // Where `position` is or belongs: linear probing in a table whose size is a power of two.
+  // Returns the slot where `position` is or belongs: linear probing in a table whose size is a
+  // power of two.
   std::size_t find(const glm::vec3& position) const {
     std::size_t slot = hash_of(position) & (slots_.size() - 1);
     while (slots_[slot] != 0 && primitive.positions[slots_[slot] - 1] != position)
@@ -62,13 +62,33 @@ class Welder {
 
 }  // namespace
 
+std::vector<TileStore::Triangle> make_tile_triangles(const TriangleMesh& mesh,
+                                                     const CityObject& object,
+                                                     bool leave_out_ground) {
+  std::vector<TileStore::Triangle> triangles;
+  triangles.reserve(mesh.triangles.size());
+  for (const MeshTriangle& triangle : mesh.triangles) {
+    if (leave_out_ground && triangle.surface == SurfaceType::ground) continue;
+    const SurfaceUse use = use_of(object.type, triangle.surface);
+    TileStore::Triangle& made = triangles.emplace_back();
+    for (int k = 0; k < 3; ++k) made.corners[k] = mesh.positions[triangle.vertex[k]];
+    made.material = code_of(use.material);
+    made.kind = use.kind;
+    if (triangle.polygon < object.polygons.size())
+      if (const auto& colour = object.polygons[triangle.polygon].diffuse_colour)
+        made.material = code_of(use.material, *colour);
+  }
+  return triangles;
+}
+
+void add_mesh(TileStore& tiles, const TriangleMesh& mesh, ObjectType type, std::uint32_t feature) {
+  CityObject plain;
+  plain.type = type;
+  tiles.add(make_tile_triangles(mesh, plain), feature);
+}
+
 TileStore::TileStore(const std::filesystem::path& path, double size_m, double base_height)
     : size_m_(size_m), base_height_(base_height), tiles_(path) {}
-
-TileKey TileStore::key_of(const glm::dvec3& point, NodeKind kind) const {
-  return {static_cast<std::int32_t>(std::floor(point.x / size_m_)),
-          static_cast<std::int32_t>(std::floor(point.y / size_m_)), kind};
-}
 
 glm::dvec3 TileStore::origin(const TileKey& tile) const {
   return {tile.column * size_m_, tile.row * size_m_, base_height_};
@@ -76,19 +96,11 @@ glm::dvec3 TileStore::origin(const TileKey& tile) const {
 
 void TileStore::add(std::span<const Triangle> triangles, std::uint32_t feature, bool solid) {
   if (triangles.empty()) return;
-  glm::dvec2 least(std::numeric_limits<double>::infinity()), greatest(-least);
-  for (const Triangle& triangle : triangles)
-    for (const glm::dvec3& corner : triangle.corners) {
-      least = glm::min(least, glm::dvec2(corner));
-      greatest = glm::max(greatest, glm::dvec2(corner));
-    }
-  const glm::dvec2 extent = greatest - least;
-  const bool whole = std::max(extent.x, extent.y) <= size_m_;
-  const glm::dvec3 centre((least + greatest) / 2.0, 0);
+  ObjectTiles tiles(size_m_);
+  for (const Triangle& triangle : triangles) tiles.add(triangle.corners);
   for (const Triangle& triangle : triangles) {
-    const glm::dvec3 place =
-        whole ? centre : (triangle.corners[0] + triangle.corners[1] + triangle.corners[2]) / 3.0;
-    const TileKey key = key_of(place, triangle.kind);
+    const Tile tile = tiles.tile_of(triangle.corners);
+    const TileKey key{tile.column, tile.row, triangle.kind};
     const glm::dvec3 corner = origin(key);
     StoredTriangle stored{{}, triangle.material, feature, solid};
     for (int i = 0; i < 3; ++i) {

@@ -1,5 +1,5 @@
-// Triangles sorted into tiles without keeping them in memory: a city larger than the memory is baked in the
-// order in which it is read, and written tile by tile.
+// Triangles sorted into tiles on disk: a city larger than the memory is baked in the order in which
+// it is read, and written tile by tile.
 #pragma once
 
 #include <compare>
@@ -13,20 +13,21 @@
 #include "formats/scene_file.h"
 #include "tools/bake/scene/materials.h"
 #include "tools/cell_file.h"
+#include "tools/city/city_model.h"
+#include "tools/mesh/triangle_mesh.h"
 
 namespace nightcity {
 
 struct TileKey {
-  std::int32_t column,
-      row;  // the tile spans [column, column + 1) * size in easting, likewise northing
+  std::int32_t column, row;  // as of Tile (tile_grid.h)
   NodeKind kind;
   auto operator<=>(const TileKey&) const = default;
 };
 
 class TileStore {
  public:
-  /// Scratch file beside `path`. `size_m`: of a tile. `base_height`: subtracted, so that floats keep
-  /// millimetres.
+  /// Makes a scratch file beside `path`. `size_m` is the side of a tile. `base_height` is
+  /// subtracted from heights, so that floats keep millimetres.
   TileStore(const std::filesystem::path& path, double size_m, double base_height);
 
   /// One corner of the triangle: E, N, H in metres.
@@ -35,14 +36,13 @@ class TileStore {
     MaterialCode material;
     NodeKind kind;
   };
-  /// Adds an object's triangles, feature `feature`. An object goes whole into the tile of its centre unless
-  /// it is larger than a tile (terrain, long roads): then each triangle goes by its own. `solid`: they bound
-  /// a closed building.
+  /// Adds the triangles of one object, which is that feature of the scene. ObjectTiles decides
+  /// which tile each goes to. `solid`: they bound a closed building.
   void add(std::span<const Triangle> triangles, std::uint32_t feature, bool solid = false);
 
   std::vector<TileKey> tiles();
-  /// South-west corner at the base height: E, N, H. Positions of mesh() are relative to it, in model axes
-  /// (x east, y up, z south).
+  /// Returns the tile's south-west corner at the base height: E, N, H. Positions of mesh() are
+  /// relative to it, in model axes (x east, y up, z south).
   glm::dvec3 origin(const TileKey& tile) const;
   /// A triangle of a tile: corners relative to its origin(), in model axes.
   struct StoredTriangle {
@@ -51,19 +51,27 @@ class TileStore {
     std::uint32_t feature;
     std::uint32_t solid;
   };
-  /// Which of a tile's triangles are to be left out.
+  /// Returns which of a tile's triangles are to be left out.
   using LeaveOut = std::function<std::vector<bool>(std::span<const StoredTriangle>)>;
 
-  /// All triangles of a tile in the order in which they came, one primitive a material, equal vertices
-  /// welded. A primitive's `material` is a MaterialCode: whoever writes it asks a MaterialTable.
-  /// May be asked from many threads once tiles() has been, and until something is added.
+  /// Returns the triangles of a tile in the order in which they came, one primitive a material,
+  /// equal vertices welded. A primitive's `material` is a MaterialCode, which a MaterialTable turns
+  /// into an index. May be called from many threads after tiles(), until something is added.
   SceneMesh mesh(const TileKey& tile, const LeaveOut& leave_out = {});
 
  private:
-  TileKey key_of(const glm::dvec3& point, NodeKind kind) const;
-
   double size_m_, base_height_;
   CellFile<TileKey, StoredTriangle> tiles_;
 };
+
+/// Returns the triangles of an object's mesh with their materials. `leave_out_ground`: without its
+/// ground surfaces.
+std::vector<TileStore::Triangle> make_tile_triangles(const TriangleMesh& mesh,
+                                                     const CityObject& object,
+                                                     bool leave_out_ground = false);
+
+/// Adds a mesh that belongs to no object of the model (made ground), with the material of that
+/// type.
+void add_mesh(TileStore& tiles, const TriangleMesh& mesh, ObjectType type, std::uint32_t feature);
 
 }  // namespace nightcity

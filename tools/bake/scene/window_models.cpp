@@ -9,17 +9,17 @@
 namespace nightcity {
 namespace {
 
-constexpr double steps_a_stop = 4, cct_step_k = 250;
+constexpr double steps_per_stop = 4, cct_step_k = 250;
 
 using Look = std::pair<int, int>;  // brightness and colour as an index into steps
 
-Look look_of(const LitRectangle& window) {
-  return {static_cast<int>(std::lround(steps_a_stop * std::log2(double{window.luminance_cd_m2}))),
+Look to_look(const LitRectangle& window) {
+  return {static_cast<int>(std::lround(steps_per_stop * std::log2(double{window.luminance_cd_m2}))),
           static_cast<int>(std::lround(double{window.cct_k} / cct_step_k))};
 }
 
-SceneMaterial material_of(const Look& look) {
-  const auto luminance = static_cast<float>(std::exp2(look.first / steps_a_stop));
+SceneMaterial to_material(const Look& look) {
+  const auto luminance = static_cast<float>(std::exp2(look.first / steps_per_stop));
   const glm::vec3 colour = rec709_from_xy(planckian_xy(look.second * cct_step_k));
   return {.name = "lit window",
           .base_colour = glm::vec3(0.1f),
@@ -28,7 +28,7 @@ SceneMaterial material_of(const Look& look) {
           .double_sided = false};
 }
 
-glm::vec3 in_model_axes(const glm::vec3& enh) {
+glm::vec3 to_model_axes(const glm::vec3& enh) {
   return {enh.x, enh.z, -enh.y};
 }
 
@@ -36,9 +36,9 @@ glm::vec3 in_model_axes(const glm::vec3& enh) {
 void add_quad(ScenePrimitive& primitive, const LitRectangle& window, const glm::dvec3& origin,
               std::uint32_t light) {
   const auto first = static_cast<std::uint32_t>(primitive.positions.size());
-  const glm::vec3 centre = in_model_axes(glm::vec3(window.centre - origin));
-  const glm::vec3 along = in_model_axes(window.along) * window.half_width;
-  const glm::vec3 up = in_model_axes(glm::cross(window.normal, window.along)) * window.half_height;
+  const glm::vec3 centre = to_model_axes(glm::vec3(window.centre - origin));
+  const glm::vec3 along = to_model_axes(window.along) * window.half_width;
+  const glm::vec3 up = to_model_axes(glm::cross(window.normal, window.along)) * window.half_height;
   primitive.positions.insert(primitive.positions.end(), {centre - along - up, centre + along - up,
                                                          centre + along + up, centre - along + up});
   primitive.indices.insert(primitive.indices.end(),
@@ -60,12 +60,12 @@ void WindowModels::write(SceneWriter& writer, const Georeference& georeference) 
     const glm::dvec3 origin(tile.first * tile_m_, tile.second * tile_m_, georeference.origin.z);
     std::map<Look, ScenePrimitive> primitives;
     for (const Record& record : tiles_.read(tile))
-      add_quad(primitives[look_of(record.window)], record.window, origin, record.light);
+      add_quad(primitives[to_look(record.window)], record.window, origin, record.light);
     SceneMesh mesh;
     mesh.name = "windows " + std::to_string(tile.first) + " " + std::to_string(tile.second);
     for (auto& [look, primitive] : primitives) {
       const auto [material, is_new] = materials.try_emplace(look, 0);
-      if (is_new) material->second = writer.add_material(material_of(look));
+      if (is_new) material->second = writer.add_material(to_material(look));
       primitive.material = material->second;
       mesh.primitives.push_back(std::move(primitive));
     }

@@ -1,4 +1,5 @@
-// What windows look like: one quad each, batched by tile and brightness.
+// What windows look like: one quad each, in one mesh for each tile, with a primitive for each
+// brightness and colour.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +13,18 @@
 
 namespace nightcity {
 
-/// Gathers windows and writes them as nodes of kind "window" that cast no shadow (their quads lie where their
-/// light starts). Materials hold the luminance to a quarter of a stop and the colour to 250 K, which is for
-/// the eye of other programs; the lights themselves are exact. Every window has its light's luminance,
-/// whatever its hours: those are in city.lights alone.
+/// Gathers windows and writes them as nodes of kind "window" that cast no shadow, because their
+/// quads lie where their light starts. Materials round the luminance to a quarter of a stop and the
+/// colour to 250 K: other programs show them; the lights themselves are exact. Every window has its
+/// light's luminance at all hours: the hours are in city.lights alone.
 class WindowModels {
  public:
-  /// Keeps them in a scratch file beside `scratch`, so that memory does not grow with the city.
+  /// Keeps the windows in a scratch file beside `scratch`, so that memory does not grow with the
+  /// city. `tile_m` is the side of a tile.
   WindowModels(const std::filesystem::path& scratch, double tile_m)
       : tiles_(scratch), tile_m_(tile_m) {}
 
-  /// `light`: its number in city.lights, which each vertex names.
+  /// `light` is the window's number in city.lights, which each vertex names.
   void add(const LitRectangle& window, std::uint32_t light);
   void write(SceneWriter& writer, const Georeference& georeference);
 

@@ -1,37 +1,54 @@
-// Every light of the city: placed, shown in city.glb and written to city.lights.
+// Every light of the city that stands still: placed, shown in city.glb and written to city.lights.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
-#include <optional>
 #include <vector>
 
 #include "formats/light_file_writer.h"
 #include "formats/scene_file.h"
-#include "tools/bake/city/city_frames.h"
-#include "tools/bake/recipe/recipe.h"
-#include "tools/bake/report/bake_report.h"
+#include "tools/bake/city/city.h"
+#include "tools/bake/report/light_report.h"
+#include "tools/bake/stages/lamp_stage.h"
+#include "tools/bake/stages/window_stage.h"
 #include "tools/lights/night_schedule.h"
-#include "tools/lights/windows.h"
-#include "tools/osm/osm_data.h"
-#include "tools/terrain/terrain.h"
 
 namespace nightcity {
 
-/// The schedules of lights that go into `lights` one by one.
-ScheduleTable schedules_of(LightFileWriter& lights);
-
-/// What the caller finishes a file of lights with.
-struct LampProfiles {
-  std::vector<LightProfile> profiles;
-  std::vector<float> data;
+struct LightStageOptions {
+  LampStageOptions lamps;
+  int shown_minute = 5 * 60;  // after 17:00: the time that KHR_lights_punctual shows
+  std::size_t punctual = 0;   // how many of the brightest lights are written as KHR_lights_punctual
+  double tile_m = 250;        // side of the scene's tiles
 };
 
-/// `windows`: empty where the recipe wants none; they wait in a file beside `scratch`. Memory grows with the
-/// lamps, not with the windows. Throws Error when the map has lamps and the city no CRS.
-LampProfiles bake_lights(const Recipe& recipe, const OsmData& osm, const CityFrames& frames,
-                         const Terrain& terrain, std::optional<WindowLayout> windows,
-                         const Georeference& georeference, SceneWriter& writer,
-                         LightFileWriter& lights, const std::filesystem::path& scratch,
-                         BakeReport& report);
+/// Where the lights go.
+struct LightOutputs {
+  SceneWriter& scene;
+  LightFileWriter& lights;  // gets lights and schedules; the caller finishes it
+  const Georeference& georeference;
+  std::filesystem::path scratch;  // scratch files lie beside it
+};
+
+/// What the caller finishes the file of lights with, and the report.
+struct BakedLights {
+  std::vector<LightProfile> profiles;
+  std::vector<float> profile_data;
+  LightsReport report;
+};
+
+/// Writes the lamps, then the windows that `windows` has gathered (null: none). Memory grows with
+/// the lamps, not with the windows. Throws Error when the map has lamps and the city no CRS.
+BakedLights bake_lights(const City& city, WindowConsumer* windows, const LightStageOptions& options,
+                        const LightOutputs& outputs);
+
+/// Writes lamps alone to a light file. Throws Error.
+void write_lamp_lights(const std::filesystem::path& path, const LampSet& lamps,
+                       const Georeference& georeference);
+
+/// Writes the windows that `windows` has gathered, and nothing else, to a light file that is open.
+/// Throws Error.
+LightsReport write_window_lights(LightFileWriter& lights, const City& city,
+                                 WindowConsumer& windows);
 
 }  // namespace nightcity

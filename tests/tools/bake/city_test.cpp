@@ -1,0 +1,152 @@
+// What a city passes on while it is read, and what it answers afterwards.
+#include "tools/bake/city/city.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "formats/error.h"
+#include "support/temp_folder.h"
+#include "tools/bake/city/tile_grid.h"
+#include "tools/nightbake/sample_city.h"
+
+namespace nightcity {
+namespace {
+
+using test::TempFolder;
+using test::write_text;
+
+/// Writes down the objects whose turn has come.
+class Listener final : public CityConsumer {
+ public:
+  Turn prepare(const std::shared_ptr<const PreparedObject>& prepared) override {
+    return [this, prepared](bool continues) {
+      ids.push_back(prepared->object.id);
+      pieces += continues;
+      closed += prepared->closed;
+      triangles += prepared->mesh.triangles.size();
+    };
+  }
+
+  std::vector<std::string> ids;
+  std::size_t pieces = 0, closed = 0, triangles = 0;
+};
+
+CityInputs two_files(const TempFolder& folder) {
+  write_text(folder / "a.gml", test::sample_gml());
+  write_text(folder / "b.gml", test::sample_gml());
+  CityInputs inputs;
+  inputs.files = {folder / "a.gml", folder / "b.gml"};
+  return inputs;
+}
+
+std::string message_of(const auto& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(City, EveryConsumerGetsEachObjectOnceInTheOrderOfTheFiles) {
+  const TempFolder folder;
+  City city(two_files(folder), folder / "scratch");
+  Listener one, other;
+  const CityReport report = city.read({&one, nullptr, &other}, {});
+  EXPECT_EQ(one.ids, (std::vector<std::string>{"cube", "relief"}));
+  EXPECT_EQ(other.ids, one.ids);
+  EXPECT_EQ(one.pieces, 0u);
+  EXPECT_EQ(one.closed, 1u) << "the cube";
+  EXPECT_EQ(one.triangles, 14u);
+  EXPECT_EQ(report.objects.at("building"), 2u);
+  EXPECT_EQ(report.left_out.at("in two files"), 2u);
+}
+
+TEST(City, AnswersQueriesOfPlacesOnceItsGroundIsBuilt) {
+  const TempFolder folder;
+  City city(two_files(folder), folder / "scratch");
+  city.read({}, {});
+  std::size_t shown = 0;
+  const GroundReport ground =
+      city.build_ground([&](const TriangleMesh& mesh) { shown += mesh.triangles.size(); });
+  EXPECT_EQ(ground.source, "given");
+  EXPECT_EQ(shown, 0u) << "the model's own relief is an object of it";
+  EXPECT_NEAR(city.height_at()({391030, 5819010}).value(), 35, 1e-6);
+  EXPECT_FALSE(city.height_at()({391100, 5819010}));
+  EXPECT_TRUE(city.inside_footprint()({391005, 5819005}));
+  EXPECT_FALSE(city.inside_footprint()({391030, 5819010}));
+  const glm::dvec2 place(391005, 5819005);
+  const glm::dvec2 again = city.to_frame()(city.frame().to_lon_lat(place));
+  EXPECT_NEAR(again.x, place.x, 1e-3);
+  EXPECT_NEAR(again.y, place.y, 1e-3);
+}
+
+TEST(City, AMapAloneStandsOnAPlaneInItsUtmZone) {
+  const TempFolder folder;
+  write_text(folder / "map.osm", test::sample_osm());
+  CityInputs inputs;
+  inputs.maps = {folder / "map.osm"};
+  City city(inputs, folder / "scratch");
+  EXPECT_FALSE(city.has_model());
+  EXPECT_TRUE(city.read({}, {}).objects.empty());
+  EXPECT_EQ(city.build_ground().source, "");
+  EXPECT_EQ(city.frame().crs(), "EPSG:32633");
+  EXPECT_EQ(city.height_at()({0, 0}), 0.0);
+  EXPECT_FALSE(city.inside_footprint());
+  const Georeference georeference = city.georeference();
+  EXPECT_EQ(georeference.crs, "EPSG:32633");
+  EXPECT_EQ(georeference.sources, std::vector<std::string>{"map.osm"});
+  EXPECT_EQ(georeference.licences, std::vector<std::string>{inputs.map_licence});
+  EXPECT_EQ(georeference.origin.x, std::round(georeference.origin.x));
+  EXPECT_THROW(city.frames(), UsageError);
+}
+
+TEST(City, TheOriginIsTheInputsThenTheCallersThenTheMiddle) {
+  const TempFolder folder;
+  CityInputs inputs = two_files(folder);
+  inputs.origin_northing = 5819123.25;
+  const City city(inputs, folder / "scratch");
+  EXPECT_EQ(city.georeference(glm::dvec2(391777, 5)).origin.x, 391777);
+  EXPECT_EQ(city.georeference(glm::dvec2(391777, 5)).origin.y, 5819123.25);
+  EXPECT_NEAR(city.georeference().origin.x, 391005, 50);
+}
+
+TEST(City, ErrorsNameAFile) {
+  const TempFolder folder;
+  write_text(folder / "empty.osm", "<osm version=\"0.6\"></osm>");
+  CityInputs inputs;
+  inputs.maps = {folder / "empty.osm"};
+  const City empty(inputs, folder / "scratch");
+  EXPECT_NE(message_of([&] { empty.frame(); }).find("empty.osm"), std::string::npos);
+
+  inputs = two_files(folder);
+  inputs.frame.crs_override = "none";
+  inputs.recipe = "town.toml";
+  const City city(inputs, folder / "scratch");
+  const std::string message = message_of([&] { city.require_lon_lat("lamps cannot be placed"); });
+  EXPECT_NE(message.find("town.toml"), std::string::npos) << message;
+  EXPECT_NE(message.find("[city] crs"), std::string::npos) << message;
+  EXPECT_NE(message.find("lamps cannot be placed"), std::string::npos) << message;
+}
+
+TEST(ObjectTiles, AnObjectSmallerThanATileStaysWholeALargerOneIsDivided) {
+  const glm::dvec3 west[3] = {{95, 5, 0}, {99, 5, 0}, {99, 9, 0}},
+                   east[3] = {{102, 5, 0}, {104, 5, 0}, {104, 9, 0}},
+                   far[3] = {{-250, 5, 0}, {-240, 5, 0}, {-245, 9, 0}};
+  ObjectTiles house(100);
+  house.add(west);
+  house.add(east);
+  EXPECT_EQ(house.tile_of(west), (Tile{0, 0}));
+  EXPECT_EQ(house.tile_of(east), (Tile{0, 0}));
+  ObjectTiles street = house;
+  street.add(far);
+  EXPECT_EQ(street.tile_of(west), (Tile{0, 0}));
+  EXPECT_EQ(street.tile_of(east), (Tile{1, 0}));
+  EXPECT_EQ(street.tile_of(far), (Tile{-3, 0}));
+}
+
+}  // namespace
+}  // namespace nightcity

@@ -1,0 +1,48 @@
+#include "tools/bake/bake_options.h"
+
+namespace nightcity {
+namespace {
+
+CityInputs to_city_inputs(const Recipe& recipe) {
+  CityInputs inputs;
+  inputs.recipe = recipe.path;
+  inputs.files = recipe.city.files;
+  inputs.maps = recipe.osm.files;
+  inputs.read = recipe.city.read;
+  inputs.frame = recipe.city.frame;
+  inputs.bounds = recipe.city.bounds;
+  inputs.origin_easting = recipe.origin.easting;
+  inputs.origin_northing = recipe.origin.northing;
+  inputs.origin_height = recipe.origin.height;
+  inputs.licences = recipe.city.licences;
+  inputs.map_licence = recipe.osm.licence;
+  inputs.ground = {recipe.terrain.dem, recipe.terrain.make_surface, recipe.terrain.margin_m,
+                   recipe.city.tile_m};
+  return inputs;
+}
+
+LampStageOptions to_lamp_options(const Recipe::Lamps& lamps) {
+  LampStageOptions options{lamps.layout, lamps.hours, {}};
+  for (const Recipe::Lamps::LuminaireFile& luminaire : lamps.luminaires)
+    options.luminaires.push_back(
+        {luminaire.file, luminaire.highways, luminaire.types, luminaire.take_flux});
+  return options;
+}
+
+}  // namespace
+
+BakeOptions to_bake_options(const Recipe& recipe) {
+  BakeOptions options;
+  options.city = to_city_inputs(recipe);
+  options.scene = {recipe.output.draco, recipe.output.draco_tolerance_m};
+  options.tiles = {recipe.city.tile_m, recipe.city.drop_ground, recipe.city.drop_hidden,
+                   recipe.city.read.threads};
+  options.lights = {to_lamp_options(recipe.lamps), recipe.night.minute, recipe.output.punctual,
+                    recipe.city.tile_m};
+  options.windows = {recipe.windows.lit, recipe.windows.seed};
+  options.drives = recipe.traffic.drives;
+  options.traffic = recipe.traffic.options;
+  return options;
+}
+
+}  // namespace nightcity

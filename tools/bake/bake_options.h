@@ -1,0 +1,31 @@
+// What each stage of a bake is to do.
+#pragma once
+
+#include "formats/scene_file.h"
+#include "tools/bake/city/city_inputs.h"
+#include "tools/bake/recipe/recipe.h"
+#include "tools/bake/scene/scene_tiles.h"
+#include "tools/bake/stages/light_stage.h"
+#include "tools/bake/stages/window_stage.h"
+#include "tools/traffic/traffic.h"
+
+namespace nightcity {
+
+struct BakeOptions {
+  CityInputs city;
+  SceneWriter::Options scene;
+  SceneTileOptions tiles;
+  LightStageOptions lights;
+  WindowStageOptions windows;
+  bool drives = false;  // whether the bake makes traffic
+  traffic::TrafficOptions traffic;
+
+  /// Returns whether something goes along streets, so that a map without streets needs those of the
+  /// model.
+  bool uses_streets() const { return drives || lights.lamps.lays_out(); }
+};
+
+/// Sorts a recipe's settings by the stage that uses them. No stage knows the recipe itself.
+BakeOptions to_bake_options(const Recipe& recipe);
+
+}  // namespace nightcity

@@ -1,0 +1,145 @@
+#include "tools/bake/city/city.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <utility>
+
+#include "formats/error.h"
+#include "tools/bake/city/prepared_objects.h"
+#include "tools/median.h"
+#include "tools/streets/street_ways.h"
+
+namespace nightcity {
+namespace {
+
+std::string utm_zone(const glm::dvec2& lon_lat) {
+  const int zone = std::clamp(static_cast<int>(std::floor((lon_lat.x + 180) / 6)) + 1, 1, 60);
+  return "EPSG:" + std::to_string((lon_lat.y < 0 ? 32700 : 32600) + zone);
+}
+
+void add_names(const std::vector<std::filesystem::path>& files, std::vector<std::string>& names) {
+  for (const auto& file : files) names.push_back(file.filename().string());
+}
+
+}  // namespace
+
+std::string CityInputs::name() const {
+  if (!recipe.empty()) return recipe.string();
+  if (!files.empty()) return files.front().string();
+  return maps.empty() ? std::string() : maps.front().string();
+}
+
+OsmData read_maps(const std::vector<std::filesystem::path>& files) {
+  OsmData map;
+  for (const auto& file : files) map.merge(read_osm(file));
+  return map;
+}
+
+City::City(CityInputs inputs, const std::filesystem::path& scratch)
+    : inputs_(std::move(inputs)), terrain_(scratch), ground_(terrain_, inputs_.ground) {
+  if (!inputs_.files.empty()) frames_.emplace(inputs_);
+  map_ = read_maps(inputs_.maps);
+  if (!has_model()) map_frame_ = find_map_frame(map_);
+}
+
+// The middle of the lamps, else of the streets' ends.
+std::optional<City::MapFrame> City::find_map_frame(const OsmData& map) {
+  std::vector<double> lon, lat;
+  const auto add = [&](const glm::dvec2& p) {
+    lon.push_back(p.x);
+    lat.push_back(p.y);
+  };
+  for (const OsmLampNode& lamp : map.lamps) add(lamp.lon_lat);
+  if (lon.empty())
+    for (const OsmWay& way : map.highways)
+      if (!way.lon_lat.empty()) add(way.lon_lat.front());
+  if (lon.empty()) return std::nullopt;
+  const glm::dvec2 middle(median(std::move(lon)), median(std::move(lat)));
+  return MapFrame{middle, CityFrame::from_srs_name(utm_zone(middle), {}, {})};
+}
+
+CityReport City::read(std::initializer_list<CityConsumer*> consumers,
+                      const ProgressSink& progress) {
+  if (!has_model()) return {};
+  std::vector<CityConsumer*> all{&ground_};
+  for (CityConsumer* consumer : consumers)
+    if (consumer) all.push_back(consumer);
+  return read_prepared_objects(inputs_, *frames_, all, progress);
+}
+
+GroundReport City::build_ground(const GroundBuilder::ShowGround& show) {
+  return has_model() ? ground_.build(frame(), show) : GroundReport{};
+}
+
+const CityFrames& City::frames() const {
+  if (!frames_)
+    throw UsageError(inputs_.name(), "names no city: [city] files = [\"...\"] is missing");
+  return *frames_;
+}
+
+const CityFrame& City::frame() const {
+  if (frames_) return frames_->city();
+  if (!map_frame_) throw Error(inputs_.name(), "the map has neither lamps nor streets");
+  return map_frame_->frame;
+}
+
+void City::require_lon_lat(const std::string& consequence) const {
+  if (!frame().has_lon_lat())
+    throw Error(inputs_.name(), "[city] crs",
+                "the city names no CRS: " + consequence + " without crs or control_points");
+}
+
+Georeference City::georeference(const std::optional<glm::dvec2>& middle) const {
+  Georeference result;
+  result.crs = frame().crs();
+  add_names(inputs_.files, result.sources);
+  add_names(inputs_.maps, result.sources);
+  if (!has_model()) {
+    const glm::dvec2 origin = glm::round(frame().from_lon_lat(map_frame_->middle));
+    result.origin = {origin.x, origin.y, 0};
+    result.licences = {inputs_.map_licence};
+    return result;
+  }
+  const glm::dvec3& reference = frames_->reference();
+  const glm::dvec2 plan = middle.value_or(glm::dvec2(reference));
+  result.origin = {inputs_.origin_easting.value_or(std::round(plan.x)),
+                   inputs_.origin_northing.value_or(std::round(plan.y)),
+                   inputs_.origin_height.value_or(std::round(reference.z))};
+  result.licences = inputs_.licences;
+  if (!inputs_.maps.empty()) result.licences.push_back(inputs_.map_licence);
+  return result;
+}
+
+bool City::wants_model_streets() const {
+  return has_model() && map_.highways.empty() && frame().has_lon_lat();
+}
+
+StreetReport City::add_model_streets(const streets::RoadSurfaces& roads) {
+  streets::StreetWays streets =
+      streets::street_ways(roads, [this](const glm::dvec2& p) { return frame().to_lon_lat(p); });
+  for (OsmWay& way : streets.ways) map_.highways.push_back(std::move(way));
+  return {roads.surfaces().size(), roads.left_out(),  streets.km,
+          streets.km_by_code,      streets.junctions, streets.ends};
+}
+
+LonLatToFrame City::to_frame() const {
+  return [this](const glm::dvec2& lon_lat) { return frame().from_lon_lat(lon_lat); };
+}
+
+HeightAt City::height_at() const {
+  if (!has_model()) return [](const glm::dvec2&) { return std::optional(0.0); };
+  return [this](const glm::dvec2& place) -> std::optional<double> {
+    const auto hit = terrain_.height_at(place);
+    return hit && hit->footing != Footing::roof ? std::optional(hit->height_m) : std::nullopt;
+  };
+}
+
+InsideBuilding City::inside_footprint() const {
+  if (!has_model()) return {};
+  return [this](const glm::dvec2& place) {
+    return terrain_.height_of(Footing::ground_surface, place).has_value();
+  };
+}
+
+}  // namespace nightcity

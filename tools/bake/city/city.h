@@ -1,0 +1,92 @@
+// A city, opened once: its frame, its map, and, when it has been read, its ground.
+#pragma once
+
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formats/georeference.h"
+#include "tools/bake/city/city_frames.h"
+#include "tools/bake/city/city_inputs.h"
+#include "tools/bake/city/ground_builder.h"
+#include "tools/bake/progress.h"
+#include "tools/bake/report/city_report.h"
+#include "tools/bake/report/street_report.h"
+#include "tools/place/site.h"
+#include "tools/osm/osm_data.h"
+#include "tools/streets/road_surfaces.h"
+#include "tools/terrain/terrain.h"
+
+namespace nightcity {
+
+/// Reads the maps and merges them into one. Throws Error as read_osm does.
+OsmData read_maps(const std::vector<std::filesystem::path>& files);
+
+/// Without a city model, the map stands on a plane at height 0, in the UTM zone of its middle.
+class City {
+ public:
+  /// Reads the maps and the heads of the city's files. Scratch files lie beside `scratch`. Throws
+  /// Error, or UsageError where the inputs contradict each other.
+  explicit City(CityInputs inputs,
+                const std::filesystem::path& scratch = std::filesystem::temp_directory_path() /
+                                                       "nightbake");
+  City(const City&) = delete;
+  City& operator=(const City&) = delete;
+
+  /// Reads the city model and passes each object to the ground and to `consumers`. Throws Error as
+  /// the reader of its files does.
+  CityReport read(std::initializer_list<CityConsumer*> consumers, const ProgressSink& progress);
+  /// Builds the ground from what has been read; `show` gets what is to be seen of it. Throws Error
+  /// where an elevation model cannot be read or covers nothing of the city.
+  GroundReport build_ground(const GroundBuilder::ShowGround& show = {});
+
+  const CityInputs& inputs() const { return inputs_; }
+  /// False for a map without a city model.
+  bool has_model() const { return frames_.has_value(); }
+  /// Returns the frames of the city model's files. Throws UsageError where there is no model.
+  const CityFrames& frames() const;
+  /// Returns the frame of model and map. Throws Error where there is no model and the map has
+  /// neither a lamp nor a street.
+  const CityFrame& frame() const;
+  const OsmData& map() const { return map_; }
+  const Terrain& terrain() const { return terrain_; }
+
+  /// Throws Error where the city has no coordinate reference system: then longitude and latitude
+  /// have no place in it. `consequence` ends the message ("lamps cannot be placed").
+  void require_lon_lat(const std::string& consequence) const;
+
+  /// Returns the city's CRS, sources and licences. The origin is the inputs' own; what they do not
+  /// say is `middle` (easting, northing), else a place in the middle of the city.
+  Georeference georeference(const std::optional<glm::dvec2>& middle = {}) const;
+
+  /// Returns whether streets can come from the model's roads alone: the map has none.
+  bool wants_model_streets() const;
+  /// Adds the centrelines of the model's roads to the map, as its streets.
+  StreetReport add_model_streets(const streets::RoadSurfaces& roads);
+
+  /// Place queries. They refer to the city, and need its ground where it has a model.
+  LonLatToFrame to_frame() const;
+  /// Height of the terrain, a road or a building's ground surface; a roof has none.
+  HeightAt height_at() const;
+  /// Whether a place lies on a building's ground surface. Empty where there is no model.
+  InsideBuilding inside_footprint() const;
+
+ private:
+  struct MapFrame {
+    glm::dvec2 middle{0, 0};  // longitude, latitude
+    CityFrame frame;
+  };
+  static std::optional<MapFrame> find_map_frame(const OsmData& map);
+
+  CityInputs inputs_;
+  std::optional<CityFrames> frames_;
+  OsmData map_;
+  std::optional<MapFrame> map_frame_;  // where there is no model
+  Terrain terrain_;
+  GroundBuilder ground_;
+};
+
+}  // namespace nightcity

@@ -1,0 +1,36 @@
+// What gets the objects of a city while the city is read: the ground, the scene's tiles, windows,
+// roads.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "tools/city/city_model.h"
+#include "tools/mesh/triangle_mesh.h"
+
+namespace nightcity {
+
+/// One object of the city, ready for use. Coordinates are E, N, H of the city's frame, in metres;
+/// shells are repaired, unknown surfaces classified.
+struct PreparedObject {
+  CityObject object;
+  TriangleMesh mesh;           // without triangles where the object has points or lines alone
+  bool lacks_heights = false;  // published at height 0: the ground decides how high it lies
+  bool closed = false;         // a building whose surfaces bound a volume without a gap
+};
+
+class CityConsumer {
+ public:
+  virtual ~CityConsumer() = default;
+
+  /// What is left to do once the object's turn has come. `continues`: the object is a further piece
+  /// of the one before it (a large object comes in pieces under one id).
+  using Turn = std::function<void(bool continues)>;
+
+  /// Called on many threads at once, so it must not change the consumer; it does what needs no
+  /// other object. The function that it returns is called in the order of the files, one at a time,
+  /// unless the object turns out to be a duplicate. It may be empty.
+  virtual Turn prepare(const std::shared_ptr<const PreparedObject>& prepared) = 0;
+};
+
+}  // namespace nightcity

@@ -1,0 +1,35 @@
+// The files that a city is read from, and how they are to be understood.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/bake/city/ground_builder.h"
+#include "tools/city/city_reader.h"
+#include "tools/georeference/frame.h"
+
+namespace nightcity {
+
+struct CityInputs {
+  std::filesystem::path recipe;              // that names the files; empty: they were given alone
+  std::vector<std::filesystem::path> files;  // CityGML; empty: a map without a city model
+  std::vector<std::filesystem::path> maps;   // OpenStreetMap
+  ReadOptions read;                          // of the CityGML
+  CityFrame::Options frame;
+  /// Where a model without a CRS lies: west, south, east, north, degrees (WGS 84).
+  std::optional<std::array<double, 4>> bounds;
+  /// Of model space, in the city's CRS, in metres; an absent value is chosen from the data.
+  std::optional<double> origin_easting, origin_northing, origin_height;
+  std::vector<std::string> licences;  // of the CityGML
+  std::string map_licence = "OpenStreetMap contributors, ODbL 1.0";
+  GroundOptions ground;
+
+  /// Returns the file to name in a message about the inputs as a whole: the recipe, else the first
+  /// file.
+  std::string name() const;
+};
+
+}  // namespace nightcity

@@ -1,0 +1,38 @@
+#include "tools/bake/read_inputs.h"
+
+#include <system_error>
+
+#include "formats/error.h"
+#include "tools/inputs/city_files.h"
+#include "tools/inputs/file_format.h"
+
+namespace nightcity {
+
+Recipe read_inputs(const std::vector<std::filesystem::path>& inputs) {
+  if (inputs.size() == 1 && inputs.front().extension() == ".toml")
+    return read_recipe(inputs.front());
+  Recipe recipe;
+  for (const auto& input : inputs) {
+    std::error_code error;
+    if (input.extension() == ".toml")
+      throw UsageError(input.string(), "a recipe is given alone: name the other files in it");
+    if (std::filesystem::is_directory(input, error)) {
+      const auto found = inputs::city_files(input);
+      recipe.city.files.insert(recipe.city.files.end(), found.begin(), found.end());
+      continue;
+    }
+    switch (inputs::find_format(input).kind) {
+      case inputs::FileKind::city:
+        recipe.city.files.push_back(input);
+        break;
+      case inputs::FileKind::osm:
+        recipe.osm.files.push_back(input);
+        break;
+      default:
+        throw Error(input.string(), "is neither a city model nor OSM");
+    }
+  }
+  return recipe;
+}
+
+}  // namespace nightcity

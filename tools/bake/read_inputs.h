@@ -1,0 +1,17 @@
+// The files that a user names: a recipe, or the city's files themselves.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "tools/bake/recipe/recipe.h"
+
+namespace nightcity {
+
+/// Returns the recipe, where one is given alone; else a recipe of defaults with the CityGML and OSM
+/// files among `inputs`, which are told apart by their content. A folder stands for the CityGML in
+/// it. Throws Error for a file of another kind, UsageError where a recipe is given among other
+/// files.
+Recipe read_inputs(const std::vector<std::filesystem::path>& inputs);
+
+}  // namespace nightcity

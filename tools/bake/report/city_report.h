@@ -1,0 +1,31 @@
+// What was found while a city was read, and what it stands on.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+#include "tools/city/city_reader.h"
+#include "tools/mesh/triangle_mesh.h"
+#include "tools/terrain/terrain.h"
+
+namespace nightcity {
+
+struct CityReport {
+  ReadReport read;
+  MeshReport mesh;
+  std::map<std::string, std::size_t> objects;   // by type
+  std::map<std::string, std::size_t> left_out;  // objects, by reason
+};
+
+struct GroundReport {
+  /// "given" (triangles of the model), "points" (its mass points and break lines), "dem", "made",
+  /// "none".
+  std::string source;
+  Terrain::BreakEdges break_edges;
+  std::size_t relief_points = 0;  // mass points and vertices of break lines
+  std::size_t lone_vertices = 0;  // break lines of which the vertices alone are used
+  std::string dem;  // how an elevation model was used, or why not; "" = none was given
+};
+
+}  // namespace nightcity

@@ -1,0 +1,16 @@
+// How reports are written in words.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+namespace nightcity {
+
+/// Returns a line of a report: its name, padded to a column, then the value.
+std::string report_line(const char* name, const std::string& value);
+
+/// Returns "12 wall, 3 roof", the most frequent first, or "none".
+std::string in_words(const std::map<std::string, std::size_t>& counts);
+
+}  // namespace nightcity

@@ -1,0 +1,27 @@
+// The time and the memory that each stage of a bake takes.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace nightcity {
+
+struct StageCost {
+  std::string name;
+  double seconds = 0;
+  double peak_mb = 0;  // of memory, from the program's start to the stage's end
+};
+
+class StageClock {
+ public:
+  /// Ends the stage that began with the last call, or with the clock.
+  void end_stage(const char* name);
+  const std::vector<StageCost>& stages() const { return stages_; }
+
+ private:
+  std::vector<StageCost> stages_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace nightcity

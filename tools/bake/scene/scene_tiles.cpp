@@ -1,0 +1,125 @@
+#include "tools/bake/scene/scene_tiles.h"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "tools/bake/scene/hidden_surfaces.h"
+#include "tools/in_order.h"
+#include "tools/median.h"
+
+namespace nightcity {
+namespace {
+
+// How far below the ground's surface something lies that is hidden: the surface is no more exact.
+constexpr double hidden_below_m = 0.1;
+
+void count(std::map<std::string, std::size_t>& counts, const char* name, std::size_t number) {
+  if (number > 0) counts[name] += number;
+}
+
+}  // namespace
+
+struct SceneTiles::WrittenTile {
+  TileKey key;
+  SceneMesh mesh;
+  HiddenCounts hidden;
+};
+
+SceneTiles::SceneTiles(SceneWriter& writer, const std::filesystem::path& scratch,
+                       const SceneTileOptions& options, double base_height)
+    : writer_(writer),
+      options_(options),
+      materials_(writer),
+      tiles_(scratch, options.tile_m, base_height),
+      drape_(scratch) {}
+
+CityConsumer::Turn SceneTiles::prepare(const std::shared_ptr<const PreparedObject>& prepared) {
+  if (prepared->mesh.triangles.empty()) return {};  // points or lines alone
+  const bool drop = options_.drop_ground && prepared->object.type == ObjectType::building;
+  return [this, prepared,
+          triangles = make_tile_triangles(prepared->mesh, prepared->object, drop)](bool continues) {
+    count(report_.left_out, "triangles of ground under buildings",
+          prepared->mesh.triangles.size() - triangles.size());
+    if (!continues) last_feature_ = add_feature(prepared->object);
+    if (prepared->lacks_heights)
+      drape_.add(triangles, last_feature_);
+    else
+      tiles_.add(triangles, last_feature_, prepared->closed);
+  };
+}
+
+void SceneTiles::add_ground(const TriangleMesh& mesh) {
+  add_mesh(tiles_, mesh, ObjectType::relief, no_id);
+}
+
+glm::dvec2 SceneTiles::middle() {
+  std::vector<double> eastings, northings;
+  for (const TileKey& key : tiles_.tiles()) {
+    eastings.push_back(tiles_.origin(key).x);
+    northings.push_back(tiles_.origin(key).y);
+  }
+  return {std::round(median(std::move(eastings))), std::round(median(std::move(northings)))};
+}
+
+SceneTilesReport SceneTiles::write(const Georeference& georeference, const Terrain& terrain,
+                                   const ProgressSink& progress) {
+  const std::vector<TileKey> keys = tiles_.tiles();
+  HiddenCounts hidden;
+  std::size_t begun = 0, done = 0;
+  const auto next = [&] {
+    return begun < keys.size() ? std::optional(keys[begun++]) : std::nullopt;
+  };
+  in_order(
+      options_.threads, next, [&](const TileKey& key) { return build(key, terrain); },
+      [&](WrittenTile&& tile) {
+        hidden.between += tile.hidden.between;
+        hidden.below += tile.hidden.below;
+        if (tile.mesh.primitives.empty()) return;
+        write(std::move(tile), georeference);
+        if (progress) progress({"writing tiles", ++done, "tiles", keys.size()});
+      });
+  count(report_.left_out, "triangles between two buildings", hidden.between);
+  count(report_.left_out, "triangles of buildings below the ground", hidden.below);
+  report_.colours = materials_.colours();
+  return report_;
+}
+
+SceneTiles::WrittenTile SceneTiles::build(const TileKey& key, const Terrain& terrain) {
+  WrittenTile tile{key, {}, {}};
+  const glm::dvec3 corner = tiles_.origin(key);
+  const auto is_below = [&](const glm::vec3& p) {
+    const auto ground =
+        terrain.height_of(Footing::terrain, {corner.x + double{p.x}, corner.y - double{p.z}});
+    return ground && corner.z + double{p.y} < *ground - hidden_below_m;
+  };
+  const auto find_hidden = [&](std::span<const TileStore::StoredTriangle> triangles) {
+    return find_hidden_triangles(triangles, is_below, tile.hidden);
+  };
+  tile.mesh = tiles_.mesh(
+      key, options_.drop_hidden ? TileStore::LeaveOut(find_hidden) : TileStore::LeaveOut());
+  return tile;
+}
+
+void SceneTiles::write(WrittenTile&& tile, const Georeference& georeference) {
+  SceneMesh& mesh = tile.mesh;
+  for (ScenePrimitive& primitive : mesh.primitives) {
+    const MaterialCode code = primitive.material;
+    report_.triangles[bake_materials()[static_cast<std::size_t>(kind_of(code))].name] +=
+        primitive.indices.size() / 3;
+    primitive.material = materials_.index_of(code);
+  }
+  SceneInstance instance;
+  instance.to_model[3] = glm::vec4(glm::vec3(georeference.to_model(tiles_.origin(tile.key))), 1);
+  writer_.add_node({mesh.name, name_of(tile.key.kind), writer_.add_mesh(mesh), true, {instance}});
+}
+
+std::uint32_t SceneTiles::add_feature(const CityObject& object) {
+  SceneFeature feature{object.id, object.class_name, object.function, object.measured_height_m,
+                       object.storeys_above_ground};
+  if (feature.function.empty()) feature.function = object.usage;
+  return writer_.add_feature(feature);
+}
+
+}  // namespace nightcity

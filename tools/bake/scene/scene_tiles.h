@@ -1,0 +1,67 @@
+// What city.glb shows of the city itself: its surfaces, gathered while it is read and written tile
+// by tile.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "formats/scene_file.h"
+#include "tools/bake/city/city.h"
+#include "tools/bake/city/city_consumer.h"
+#include "tools/bake/progress.h"
+#include "tools/bake/report/scene_report.h"
+#include "tools/bake/scene/drape.h"
+#include "tools/bake/scene/materials.h"
+#include "tools/bake/scene/tile_store.h"
+
+namespace nightcity {
+
+struct SceneTileOptions {
+  double tile_m = 250;       // side of a tile
+  bool drop_ground = false;  // leave out the ground surfaces under buildings: nothing sees them
+  bool drop_hidden = false;  // leave out walls between houses and what lies below the ground
+  unsigned threads = 0;      // 0: one a core
+};
+
+/// Each object becomes a feature of the writer, and its triangles wait on disk, sorted into tiles.
+class SceneTiles final : public CityConsumer {
+ public:
+  /// Adds the table of materials to `writer`, which must outlive the tiles. Scratch files lie
+  /// beside `scratch`. `base_height` is subtracted from heights, so that floats keep millimetres.
+  SceneTiles(SceneWriter& writer, const std::filesystem::path& scratch,
+             const SceneTileOptions& options, double base_height);
+
+  Turn prepare(const std::shared_ptr<const PreparedObject>& prepared) override;
+  /// Adds ground that belongs to no object. E, N, H in metres.
+  void add_ground(const TriangleMesh& mesh);
+
+  /// Puts the objects that were published without heights onto the ground.
+  void drape(const HeightAt& height_at) { report_.draped = drape_.drape(height_at, tiles_); }
+  bool empty() { return tiles_.tiles().empty(); }
+  /// Returns easting and northing of the city's middle, to the metre: the median of the tiles, so
+  /// that far objects do not move it. There must be tiles.
+  glm::dvec2 middle();
+
+  /// Writes one mesh a tile and kind. `terrain` says what lies below the ground, for the option
+  /// drop_hidden. Throws Error.
+  SceneTilesReport write(const Georeference& georeference, const Terrain& terrain,
+                         const ProgressSink& progress);
+
+ private:
+  struct WrittenTile;
+  WrittenTile build(const TileKey& key, const Terrain& terrain);
+  void write(WrittenTile&& tile, const Georeference& georeference);
+  std::uint32_t add_feature(const CityObject& object);
+
+  SceneWriter& writer_;
+  SceneTileOptions options_;
+  MaterialTable materials_;
+  TileStore tiles_;
+  DrapeStore drape_;
+  std::uint32_t last_feature_ = no_id;
+  SceneTilesReport report_;
+};
+
+}  // namespace nightcity

@@ -1,0 +1,39 @@
+#include "tools/bake/stages/window_stage.h"
+
+#include <memory>
+#include <utility>
+
+#include "tools/bake/scene/light_places.h"
+#include "tools/lights/osm_uses.h"
+
+namespace nightcity {
+namespace {
+
+WindowOptions to_window_options(const City& city, const WindowStageOptions& stage) {
+  WindowOptions options;
+  options.seed = stage.seed;
+  if (city.map().buildings.empty() || !city.frame().has_lon_lat()) return options;
+  const auto uses = std::make_shared<const OsmUses>(city.map().buildings, city.to_frame());
+  options.use_at = [uses](const glm::dvec2& place) { return uses->at(place); };
+  return options;
+}
+
+}  // namespace
+
+WindowConsumer::WindowConsumer(const City& city, const WindowStageOptions& options,
+                               const std::filesystem::path& scratch)
+    : layout_(to_window_options(city, options), scratch) {}
+
+CityConsumer::Turn WindowConsumer::prepare(const std::shared_ptr<const PreparedObject>& prepared) {
+  if (prepared->mesh.triangles.empty()) return {};
+  return [this, prepared, found = layout_.lay(prepared->object)](bool) mutable {
+    layout_.add(prepared->object, std::move(found));
+  };
+}
+
+WindowReport WindowConsumer::finish(const City& city, const WindowLayout::Sink& sink) {
+  const auto inside = [&](const glm::dvec3& p) { return inside_building(city.terrain(), p); };
+  return std::move(layout_).finish(city.height_at(), sink, inside, city.inputs().read.threads);
+}
+
+}  // namespace nightcity

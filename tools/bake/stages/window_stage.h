@@ -1,0 +1,36 @@
+// The windows of a city that have light at some time of the night.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "tools/bake/city/city.h"
+#include "tools/bake/city/city_consumer.h"
+#include "tools/lights/windows.h"
+
+namespace nightcity {
+
+struct WindowStageOptions {
+  bool lit = true;         // false: there are none
+  std::uint64_t seed = 1;  // decides who is at home
+};
+
+/// Lays windows on the walls of a city while it is read. Their places wait on disk.
+class WindowConsumer final : public CityConsumer {
+ public:
+  /// The map's buildings tell the use of those whose model does not. Scratch files lie beside
+  /// `scratch`. Throws Error where they cannot be made.
+  WindowConsumer(const City& city, const WindowStageOptions& options,
+                 const std::filesystem::path& scratch);
+
+  Turn prepare(const std::shared_ptr<const PreparedObject>& prepared) override;
+
+  /// Passes every window that can be where it is to `sink`, in the order of the buildings; call
+  /// once, when the city's ground has been built.
+  WindowReport finish(const City& city, const WindowLayout::Sink& sink);
+
+ private:
+  WindowLayout layout_;
+};
+
+}  // namespace nightcity
