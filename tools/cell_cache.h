@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "tools/median.h"
+
 namespace nightcity {
 
 /// `Loaded` has cost() const, in whatever unit `most` is. Safe to ask from many threads.
@@ -43,10 +45,9 @@ class CellCache {
   void forget_older_half() {
     std::vector<std::uint64_t> uses;
     for (const auto& [key, entry] : entries_) uses.push_back(entry.last_use);
-    const auto middle = uses.begin() + static_cast<std::ptrdiff_t>(uses.size() / 2);
-    std::nth_element(uses.begin(), middle, uses.end());
+    const std::uint64_t middle = median(std::move(uses));
     std::erase_if(entries_, [&](const auto& item) {
-      if (item.second.last_use >= *middle) return false;
+      if (item.second.last_use >= middle) return false;
       cost_ -= item.second.loaded->cost();
       return true;
     });

@@ -8,9 +8,10 @@
 namespace nightcity {
 
 /// Returns the value in the middle of the sorted order (of an even number, the greater of the two middle
-/// ones). `values` must not be empty; the function takes its own copy, since it changes the order.
+/// ones), or `if_empty` where there are no values.
 template <class Value>
-Value median(std::vector<Value> values) {
+Value median(std::vector<Value> values, Value if_empty = {}) {
+  if (values.empty()) return if_empty;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;

@@ -4,18 +4,14 @@
 #include <cmath>
 #include <unordered_set>
 
+#include "tools/median.h"
+
 namespace nightcity {
 namespace {
 
 constexpr std::size_t min_samples = 3;
 constexpr std::size_t max_samples = 60;  // places asked of the service only to find its offset
 constexpr double same_place_degrees = 0.3 / 111'000;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 HeightOffset offset_of(const std::vector<double>& differences) {
   HeightOffset offset;

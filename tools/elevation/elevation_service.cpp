@@ -11,6 +11,7 @@
 
 #include "formats/error.h"
 #include "tools/elevation/http_post.h"
+#include "tools/median.h"
 
 namespace nightcity {
 namespace {
@@ -117,11 +118,7 @@ void refuse_zeros(ElevationAnswers& answers) {
   std::vector<double> others;
   for (const auto& height : answers.heights)
     if (height && *height != 0) others.push_back(*height);
-  if (!others.empty()) {
-    const auto middle = others.begin() + static_cast<std::ptrdiff_t>(others.size() / 2);
-    std::nth_element(others.begin(), middle, others.end());
-    if (std::abs(*middle) <= sea_level_m) return;
-  }
+  if (!others.empty() && std::abs(median(std::move(others))) <= sea_level_m) return;
   for (auto& height : answers.heights)
     if (height && *height == 0) {
       height.reset();

@@ -14,6 +14,7 @@
 #include "tools/georeference/placement.h"
 #include "tools/georeference/source_crs.h"
 #include "tools/georeference/srs_names.h"
+#include "tools/median.h"
 
 namespace nightcity {
 namespace {
@@ -76,13 +77,6 @@ struct LocalMercator {
   }
 };
 
-double median(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // The component-wise median: one broken coordinate does not move it.
 glm::dvec2 median_of(std::span<const glm::dvec2> points) {
   std::vector<double> x, y;
@@ -91,7 +85,8 @@ glm::dvec2 median_of(std::span<const glm::dvec2> points) {
     x.push_back(p.x);
     y.push_back(p.y);
   }
-  return {median(std::move(x)), median(std::move(y))};
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  return {median(std::move(x), none), median(std::move(y), none)};
 }
 
 struct Choice {

@@ -6,18 +6,12 @@
 #include <set>
 
 #include "tools/layout/place_grid.h"
+#include "tools/median.h"
 
 namespace nightcity::layout {
 namespace {
 
 constexpr double reach_heights = 5;  // EN 13201-3, 8.3: lamps farther away do not count
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 class Fitter {
  public:

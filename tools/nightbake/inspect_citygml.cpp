@@ -2,8 +2,8 @@
 #include <optional>
 
 #include "formats/error.h"
-#include "tools/inputs/read_city.h"
 #include "tools/georeference/frame.h"
+#include "tools/inputs/read_city.h"
 #include "tools/mesh/triangle_mesh.h"
 #include "tools/nightbake/inspect.h"
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "formats/program/print_json.h"
-#include "tools/inputs/city_files.h"
 #include "tools/bake/report/report_text.h"
 #include "tools/citygml/compare_readers.h"
+#include "tools/inputs/city_files.h"
 #include "tools/nightbake/commands.h"
 
 namespace nightcity {

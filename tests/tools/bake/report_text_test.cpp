@@ -24,6 +24,7 @@ TEST(BakeReport, WhatIsLeftOutComesFromEveryPartOfIt) {
 }
 
 TEST(Median, IsTheGreaterOfTheTwoMiddleValues) {
+  EXPECT_EQ(median(std::vector<double>{}, -1.0), -1);
   EXPECT_EQ(median(std::vector<double>{5}), 5);
   EXPECT_EQ(median(std::vector<double>{9, 1, 5}), 5);
   EXPECT_EQ(median(std::vector<int>{4, 1, 3, 2}), 3);

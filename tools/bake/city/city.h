@@ -15,8 +15,8 @@
 #include "tools/bake/progress.h"
 #include "tools/bake/report/city_report.h"
 #include "tools/bake/report/street_report.h"
-#include "tools/place/site.h"
 #include "tools/osm/osm_data.h"
+#include "tools/place/site.h"
 #include "tools/streets/road_surfaces.h"
 #include "tools/terrain/terrain.h"
 

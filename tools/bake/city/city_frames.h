@@ -16,8 +16,8 @@ namespace nightcity {
 class CityFrames {
  public:
   /// Reads the head of every file. The first one with geometry gives the city its frame. Throws
-  /// UsageError where the inputs name no file; Error where a file is missing or no city model, a CRS
-  /// is unknown or no file has geometry.
+  /// UsageError where the inputs name no file; Error where a file is missing or no city model, a
+  /// CRS is unknown or no file has geometry.
   explicit CityFrames(const CityInputs& inputs);
 
   /// Returns the city's own frame.
@@ -36,8 +36,8 @@ class CityFrames {
     CityFrame frame;
     bool same_crs;  // another name or axis order for the city's own CRS
   };
-  void add_foreign(const CityInputs& inputs, const std::vector<CityHead>& heads,
-                   std::size_t first, const CityFrame::Options& options);
+  void add_foreign(const CityInputs& inputs, const std::vector<CityHead>& heads, std::size_t first,
+                   const CityFrame::Options& options);
 
   std::optional<CityFrame> city_;
   std::vector<Foreign> foreign_;

@@ -150,7 +150,8 @@ bool lacks_heights(const CityObject& object) {
 }
 
 CityReport read_prepared_objects(const CityInputs& inputs, const CityFrames& frames,
-                     std::span<CityConsumer* const> consumers, const ProgressSink& progress) {
+                                 std::span<CityConsumer* const> consumers,
+                                 const ProgressSink& progress) {
   const auto& files = inputs.files;
   CityReader reader(frames, consumers, files.size() > 1);
   ReadOptions options = inputs.read;

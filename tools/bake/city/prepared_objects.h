@@ -15,7 +15,8 @@ namespace nightcity {
 /// the city's first file and objects that an earlier file has brought are left out and counted.
 /// Throws Error as the reader of the files does.
 CityReport read_prepared_objects(const CityInputs& inputs, const CityFrames& frames,
-                     std::span<CityConsumer* const> consumers, const ProgressSink& progress);
+                                 std::span<CityConsumer* const> consumers,
+                                 const ProgressSink& progress);
 
 /// Returns whether `object` is of a kind that lies on the ground and every vertex of it has height
 /// 0 exactly, as in the file: it was published without heights (PLATEAU's roads in LoD1).
