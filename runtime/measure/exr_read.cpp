@@ -16,6 +16,7 @@
 #include "formats/mapped_file.h"
 #include "runtime/measure/exr.h"
 #include "runtime/measure/exr_info.h"
+#include "runtime/measure/limits.h"
 
 namespace nightcity {
 namespace {

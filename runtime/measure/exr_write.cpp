@@ -14,6 +14,7 @@
 #include "formats/error.h"
 #include "runtime/measure/exr.h"
 #include "runtime/measure/exr_info.h"
+#include "runtime/measure/limits.h"
 
 namespace nightcity {
 namespace {

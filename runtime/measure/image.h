@@ -52,8 +52,4 @@ struct Image8 {
   std::vector<std::uint8_t> rgb;  // 3 * width * height, row 0 on top
 };
 
-/// Greatest side of a picture that is read or written, in pixels: a hostile header must not choose our
-/// memory.
-constexpr std::uint32_t max_image_side = 32768;
-
 }  // namespace nightcity

@@ -9,6 +9,7 @@
 #include "formats/atomic_file.h"
 #include "formats/error.h"
 #include "formats/mapped_file.h"
+#include "runtime/measure/limits.h"
 
 namespace nightcity {
 namespace {

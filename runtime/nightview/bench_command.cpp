@@ -1,6 +1,5 @@
 // nightview bench SCENE.glb: GPU time of every pass, by the device's own clock.
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -10,8 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "formats/program/print_json.h"
+#include "runtime/experiments/experiment.h"
+#include "runtime/measure/median.h"
 #include "runtime/nightview/commands.h"
-#include "runtime/nightview/experiment.h"
 #include "runtime/nightview/render_options.h"
 #include "runtime/render/renderer.h"
 
@@ -21,7 +22,14 @@ namespace {
 struct BenchCommand {
   RenderOptions options;
   std::uint32_t frames = 32, warm_up = 4;
-  bool json = false, needless = false;
+  bool json = false, forced = false;
+};
+
+// Milliseconds of the timed frames.
+struct FrameTimes {
+  std::vector<std::string> order;  // of the passes in a frame
+  std::map<std::string, std::vector<double>> passes;
+  std::vector<double> gpu, wall;
 };
 
 struct Spread {
@@ -33,11 +41,32 @@ Spread spread(std::vector<double> values) {
   return {values.front(), values[values.size() / 2], values.back()};
 }
 
-// What the passes would cost if they could do what the scene lacks: frames with and without, turn by turn.
-void price_what_is_not_needed(const BenchCommand& command, Renderer& renderer,
-                              const CameraPose& pose) {
-  const RenderSettings& plain = command.options.settings;
-  const std::vector<Feature> features = renderer.not_needed(plain);
+FrameTimes time_frames(Renderer& renderer, const CameraPose& pose, const RenderSettings& settings,
+                       std::uint32_t frames) {
+  FrameTimes times;
+  for (std::uint32_t i = 0; i < frames; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    renderer.render_frame(pose, settings);
+    const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
+    times.wall.push_back(wall.count());
+    std::map<std::string, double> frame;
+    for (const auto& span : renderer.timings()) {
+      if (!times.passes.count(span.name) && !frame.count(span.name))
+        times.order.push_back(span.name);
+      frame[span.name] += span.ms;
+    }
+    for (const auto& [name, ms] : frame) times.passes[name].push_back(ms);
+    times.gpu.push_back(experiments::sum_gpu_ms(renderer));
+  }
+  return times;
+}
+
+// What the passes would cost if they could do what the scene lacks. Frames with and without the feature
+// alternate, so that a drifting clock rate affects both alike.
+void price_forced_features(const BenchCommand& command, Renderer& renderer,
+                           const CameraPose& pose) {
+  const RenderSettings& needed = command.options.settings;
+  const std::vector<Feature> features = renderer.list_unneeded(needed);
   std::vector<std::pair<std::string, std::uint32_t>> rows;
   std::uint32_t all = 0;
   for (const Feature& feature : features) {
@@ -46,20 +75,62 @@ void price_what_is_not_needed(const BenchCommand& command, Renderer& renderer,
   }
   if (features.size() > 1) rows.emplace_back("all of these", all);
   fmt::print("\n| not needed here | ms without | ms with | ratio |\n|---|---:|---:|---:|\n");
-  for (const auto& [name, needless] : rows) {
-    RenderSettings settings = plain;
-    settings.needless = needless;
+  for (const auto& [name, forced] : rows) {
+    RenderSettings settings = needed;
+    settings.forced_features = forced;
     std::vector<double> without, with;
     for (std::uint32_t i = 0; i < command.warm_up; ++i) renderer.render_frame(pose, settings);
     for (std::uint32_t i = 0; i < command.frames; ++i) {
-      renderer.render_frame(pose, plain);
-      without.push_back(gpu_ms(renderer));
+      renderer.render_frame(pose, needed);
+      without.push_back(experiments::sum_gpu_ms(renderer));
       renderer.render_frame(pose, settings);
-      with.push_back(gpu_ms(renderer));
+      with.push_back(experiments::sum_gpu_ms(renderer));
     }
     const double a = median(without), b = median(with);
     fmt::print("| {} | {:.3g} | {:.3g} | {:.2f} |\n", name, a, b, b / a);
   }
+}
+
+nlohmann::ordered_json to_json(const std::vector<double>& ms) {
+  const Spread s = spread(ms);
+  return {{"min", s.min}, {"median", s.median}, {"max", s.max}};
+}
+
+void print_as_json(const RenderOptions& options, const RenderScene& scene,
+                   const gpu::Device& device, std::size_t scene_bytes, const FrameTimes& times) {
+  nlohmann::ordered_json json{{"device", device.label()},
+                              {"driver", device.info().driver},
+                              {"scene", options.scene},
+                              {"triangles", scene.triangles.size()},
+                              {"instances", scene.instances.size()},
+                              {"lights", scene.lights.size()},
+                              {"scene_bytes", scene_bytes},
+                              {"size", {options.width, options.height}},
+                              {"estimator", name_of(options.settings.sampling.estimator)},
+                              {"candidates", options.settings.sampling.candidates},
+                              {"neighbours", options.settings.reuse.neighbours},
+                              {"frames", times.gpu.size()},
+                              {"gpu_ms", to_json(times.gpu)},
+                              {"wall_ms", to_json(times.wall)}};
+  for (const std::string& name : times.order)
+    json["passes_ms"][name] = to_json(times.passes.at(name));
+  program::print_json(json);
+}
+
+void print_as_table(const RenderOptions& options, const RenderScene& scene,
+                    const gpu::Device& device, const FrameTimes& times) {
+  fmt::print("{}: {} triangles, {} lights, {}x{}, {} on {}\n", options.scene,
+             scene.triangles.size(), scene.lights.size(), options.width, options.height,
+             name_of(options.settings.sampling.estimator), device.label());
+  fmt::print("{:<12} {:>10} {:>10} {:>10}   ms of {} frames\n", "pass", "min", "median", "max",
+             times.gpu.size());
+  const auto print_row = [](const std::string& name, const std::vector<double>& ms) {
+    const Spread s = spread(ms);
+    fmt::print("{:<12} {:>10.3f} {:>10.3f} {:>10.3f}\n", name, s.min, s.median, s.max);
+  };
+  for (const std::string& name : times.order) print_row(name, times.passes.at(name));
+  print_row("GPU", times.gpu);
+  print_row("wall clock", times.wall);
 }
 
 void bench(BenchCommand& command) {
@@ -72,63 +143,16 @@ void bench(BenchCommand& command) {
   PassLibrary library(device);
   Renderer renderer(device, library, device_scene, options.width, options.height);
   for (std::uint32_t i = 0; i < command.warm_up; ++i) renderer.render_frame(pose, options.settings);
-  wake(device, [&] { renderer.render_frame(pose, options.settings); });
+  experiments::wake(device, [&] { renderer.render_frame(pose, options.settings); });
 
-  std::vector<std::string> order;
-  std::map<std::string, std::vector<double>> passes;
-  std::vector<double> total_ms, wall_ms;
-  for (std::uint32_t i = 0; i < command.frames; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    renderer.render_frame(pose, options.settings);
-    wall_ms.push_back(
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-            .count());
-    std::map<std::string, double> frame;
-    for (const auto& span : renderer.timings()) {
-      if (!passes.count(span.name) && !frame.count(span.name)) order.push_back(span.name);
-      frame[span.name] += span.ms;
-    }
-    for (const auto& [name, ms] : frame) passes[name].push_back(ms);
-    total_ms.push_back(gpu_ms(renderer));
-  }
+  const FrameTimes times = time_frames(renderer, pose, options.settings, command.frames);
   device.check_validation();
-
-  const auto as_json = [](const Spread& s) {
-    return nlohmann::ordered_json{{"min", s.min}, {"median", s.median}, {"max", s.max}};
-  };
   if (command.json) {
-    nlohmann::ordered_json json{{"device", device.label()},
-                                {"driver", device.info().driver},
-                                {"scene", options.scene},
-                                {"triangles", scene.triangles.size()},
-                                {"instances", scene.instances.size()},
-                                {"lights", scene.lights.size()},
-                                {"scene_bytes", device_scene.bytes()},
-                                {"size", {options.width, options.height}},
-                                {"estimator", name_of(options.settings.estimator)},
-                                {"candidates", options.settings.candidates},
-                                {"neighbours", options.settings.neighbours},
-                                {"frames", command.frames},
-                                {"gpu_ms", as_json(spread(total_ms))},
-                                {"wall_ms", as_json(spread(wall_ms))}};
-    for (const std::string& name : order) json["passes_ms"][name] = as_json(spread(passes[name]));
-    fmt::print("{}\n", json.dump(2));
+    print_as_json(options, scene, device, device_scene.bytes(), times);
     return;
   }
-  fmt::print("{}: {} triangles, {} lights, {}x{}, {} on {}\n", options.scene,
-             scene.triangles.size(), scene.lights.size(), options.width, options.height,
-             name_of(options.settings.estimator), device.label());
-  fmt::print("{:<12} {:>10} {:>10} {:>10}   ms of {} frames\n", "pass", "min", "median", "max",
-             command.frames);
-  for (const std::string& name : order) {
-    const Spread s = spread(passes[name]);
-    fmt::print("{:<12} {:>10.3f} {:>10.3f} {:>10.3f}\n", name, s.min, s.median, s.max);
-  }
-  const Spread total = spread(total_ms), wall = spread(wall_ms);
-  fmt::print("{:<12} {:>10.3f} {:>10.3f} {:>10.3f}\n", "GPU", total.min, total.median, total.max);
-  fmt::print("{:<12} {:>10.3f} {:>10.3f} {:>10.3f}\n", "wall clock", wall.min, wall.median,
-             wall.max);
-  if (command.needless) price_what_is_not_needed(command, renderer, pose);
+  print_as_table(options, scene, device, times);
+  if (command.forced) price_forced_features(command, renderer, pose);
 }
 
 }  // namespace
@@ -137,19 +161,21 @@ void add_bench_command(CLI::App& app) {
   auto command = std::make_shared<BenchCommand>();
   CLI::App* sub = app.add_subcommand("bench", "Time every pass of a frame by the device's clock");
   sub->footer(
-      "Examples:\n  nightview bench city.glb --json --estimator paper --candidates 32 --size "
-      "1920x1080\n"
-      "  nightview bench city.glb --needless");
+      "Examples:\n"
+      "  nightview bench city.glb --json --estimator paper --candidates 32 --size 1920x1080\n"
+      "  nightview bench city.glb --forced");
   command->options.declare(*sub);
   sub->add_option("--frames", command->frames, "Frames timed")
       ->capture_default_str()
       ->check(CLI::Range(1u, 100000u));
   sub->add_option("--warm-up", command->warm_up,
-                  "Frames before the first timed one; on a GPU, those of a second besides")
-      ->capture_default_str();
-  auto* json = sub->add_flag("--json", command->json, "Machine-readable");
-  sub->add_flag("--needless", command->needless,
-                "Also time passes compiled for what this scene lacks: what leaving it out saves")
+                  "Frames before the first timed one; on a GPU, one more second of frames follows")
+      ->capture_default_str()
+      ->check(CLI::Range(0u, 100000u));
+  auto* json = sub->add_flag("--json", command->json, "Print the results as JSON");
+  sub->add_flag("--forced,--needless", command->forced,
+                "Also time passes with features compiled in that this scene does not need: what "
+                "leaving them out saves")
       ->excludes(json);
   sub->callback([command] { bench(*command); });
 }

@@ -1,6 +1,6 @@
-// The subcommands of nightview, one a file. Each function declares a subcommand's options and returns: it
-// opens nothing and does nothing until its callback runs. Callbacks throw nightcity::Error (exit code 1,
-// UsageError 2) and print results to stdout; progress and messages go to stderr through spdlog.
+// The subcommands of nightview, one per file. Each function declares a subcommand and its options; the
+// subcommand's callback does the work. Callbacks throw nightcity::Error (exit code 1, UsageError 2) and print
+// results to stdout; progress and messages go to stderr.
 #pragma once
 
 namespace CLI {
@@ -18,6 +18,6 @@ void add_devices_command(CLI::App& app);
 void add_sweep_command(CLI::App& app);
 void add_flight_command(CLI::App& app);
 void add_strategies_command(CLI::App& app);
-void add_fleet_command(CLI::App& app);
+void add_vehicles_command(CLI::App& app);
 
 }  // namespace nightcity

@@ -1,4 +1,4 @@
-// nightview compare A.exr B.exr: how far A is from its reference B.
+// nightview compare A.exr B.exr: the error of picture A against its reference B.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -8,13 +8,16 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "formats/program/print_json.h"
 #include "runtime/measure/exr.h"
 #include "runtime/measure/false_colour.h"
 #include "runtime/measure/metrics.h"
 #include "runtime/nightview/commands.h"
+#include "runtime/nightview/number_check.h"
 
 namespace nightcity {
 namespace {
@@ -26,17 +29,17 @@ struct CompareOptions {
   bool json = false;
 };
 
-std::string as_json(const Comparison& c) {
-  const nlohmann::ordered_json json{{"rmse8", c.rmse8},
-                                    {"relative_mse", c.relative_mse},
-                                    {"relative_mse_luminance", c.relative_mse_luminance},
-                                    {"mean_signed_error", c.mean_signed_error},
-                                    {"relative_mean_signed_error", c.relative_mean_signed_error},
-                                    {"fireflies", c.fireflies},
-                                    {"mean_luminance", c.mean_luminance},
-                                    {"reference_mean_luminance", c.reference_mean_luminance},
-                                    {"ev100", c.ev100}};
-  return json.dump(2);
+void print_as_json(const Comparison& c) {
+  program::print_json(
+      nlohmann::ordered_json{{"rmse8", c.rmse8},
+                             {"relative_mse", c.relative_mse},
+                             {"relative_mse_luminance", c.relative_mse_luminance},
+                             {"mean_signed_error", c.mean_signed_error},
+                             {"relative_mean_signed_error", c.relative_mean_signed_error},
+                             {"fireflies", c.fireflies},
+                             {"mean_luminance", c.mean_luminance},
+                             {"reference_mean_luminance", c.reference_mean_luminance},
+                             {"ev100", c.ev100}});
 }
 
 struct WorstPixel {
@@ -44,13 +47,13 @@ struct WorstPixel {
   double picture, reference;  // luminance, cd/m2
 };
 
-// Where the two differ most, by luminance: the place to look first.
-std::vector<WorstPixel> worst_pixels(const Image& picture, const Image& reference,
-                                     std::size_t most) {
+// Returns the pixels whose luminance differs most, worst first.
+std::vector<WorstPixel> find_worst_pixels(const Image& picture, const Image& reference,
+                                          std::size_t max_count) {
   const std::vector<float> a = luminance_of(picture), b = luminance_of(reference);
   std::vector<std::size_t> order(a.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const std::size_t count = std::min(most, order.size());
+  const std::size_t count = std::min(max_count, order.size());
   std::partial_sort(
       order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
       [&](std::size_t i, std::size_t j) { return std::abs(a[i] - b[i]) > std::abs(a[j] - b[j]); });
@@ -61,9 +64,8 @@ std::vector<WorstPixel> worst_pixels(const Image& picture, const Image& referenc
   return worst;
 }
 
-// A foreign file does not say how it was made.
-std::string described(const ImageInfo& info) {
-  if (info.estimator.empty()) return "estimator not stated";
+std::string describe(const ImageInfo& info) {
+  if (info.estimator.empty()) return "estimator not stated";  // another program made the file
   return fmt::format("{}, {} frames", info.estimator, info.frames);
 }
 
@@ -76,45 +78,58 @@ std::string as_text(const Comparison& c, const Image& picture, const Image& refe
       "mean_signed_error           {:+.6g} cd/m2\n"
       "relative_mean_signed_error  {:+.4f} %\n"
       "fireflies                   {:.4f} % of the pixels",
-      picture.width, picture.height, described(picture.info), described(reference.info), c.rmse8,
+      picture.width, picture.height, describe(picture.info), describe(reference.info), c.rmse8,
       c.ev100, c.relative_mse, c.relative_mse_luminance, c.mean_signed_error,
       100 * c.relative_mean_signed_error, 100 * c.fireflies);
+}
+
+void print_worst_pixels(const Image& picture, const Image& reference, std::size_t max_count) {
+  for (const WorstPixel& w : find_worst_pixels(picture, reference, max_count)) {
+    fmt::print("pixel {:5} {:5}   picture {:10.4g}   reference {:10.4g} cd/m2", w.x, w.y, w.picture,
+               w.reference);
+    for (const ImageLayer& layer : picture.layers) {
+      const ImageLayer* other = reference.layer(layer.name);
+      if (!layer.name.starts_with("direct") || !other) continue;
+      const std::size_t at = 3 * (w.y * picture.width + w.x) + 1;
+      fmt::print("   {} {:.4g} {:.4g}", layer.name, layer.values[at], other->values[at]);
+    }
+    fmt::print("\n");
+  }
+}
+
+void compare_pictures(const CompareOptions& options) {
+  const Image picture = read_exr(options.picture), reference = read_exr(options.reference);
+  const Comparison comparison = compare(picture, reference, options.ev100);
+  if (options.json) {
+    print_as_json(comparison);
+    return;
+  }
+  std::puts(as_text(comparison, picture, reference).c_str());
+  if (options.worst > 0) print_worst_pixels(picture, reference, options.worst);
 }
 
 }  // namespace
 
 void add_compare_command(CLI::App& app) {
   auto options = std::make_shared<CompareOptions>();
-  CLI::App* command = app.add_subcommand("compare", "How far a picture is from its reference");
+  CLI::App* command =
+      app.add_subcommand("compare", "Measure how far a picture is from its reference");
   command->add_option("picture", options->picture, "Picture, OpenEXR in cd/m2")->required();
   command
       ->add_option("reference", options->reference, "Reference of the same size, OpenEXR in cd/m2")
       ->required();
-  command->add_option("--ev", options->ev100,
-                      "EV100 at which both are shown for rmse8 (default: the reference's own, else "
-                      "metered from it)");
-  command->add_option(
-      "--worst", options->worst,
-      "List so many pixels that differ most, with the green of their layers of direct light");
-  command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options] {
-    const Image picture = read_exr(options->picture), reference = read_exr(options->reference);
-    const Comparison comparison = compare(picture, reference, options->ev100);
-    std::puts(
-        (options->json ? as_json(comparison) : as_text(comparison, picture, reference)).c_str());
-    if (options->worst == 0 || options->json) return;
-    for (const WorstPixel& w : worst_pixels(picture, reference, options->worst)) {
-      fmt::print("pixel {:5} {:5}   picture {:10.4g}   reference {:10.4g} cd/m2", w.x, w.y,
-                 w.picture, w.reference);
-      for (const ImageLayer& layer : picture.layers) {
-        const ImageLayer* other = reference.layer(layer.name);
-        if (!layer.name.starts_with("direct") || !other) continue;
-        const std::size_t at = 3 * (w.y * picture.width + w.x) + 1;
-        fmt::print("   {} {:.4g} {:.4g}", layer.name, layer.values[at], other->values[at]);
-      }
-      fmt::print("\n");
-    }
-  });
+  command
+      ->add_option("--ev", options->ev100,
+                   "Exposure of both for rmse8, EV100 (default: the reference's own, else metered "
+                   "from it)")
+      ->check(exposure_check());
+  command
+      ->add_option("--worst", options->worst,
+                   "List this many of the pixels that differ most, with the green channel of their "
+                   "layers of direct light")
+      ->check(CLI::Range(std::size_t(0), std::size_t(1'000'000)));
+  command->add_flag("--json", options->json, "Print the results as JSON");
+  command->callback([options] { compare_pictures(*options); });
 }
 
 }  // namespace nightcity

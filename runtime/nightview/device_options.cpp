@@ -11,13 +11,13 @@ void declare_device(CLI::App& command, gpu::Device::Options& options) {
       .add_option_function<std::string>(
           "--trace",
           [&options](const std::string& name) { options.trace = gpu::trace_from_name(name); },
-          "How rays meet the scene: compute, by our own hierarchy, on every device; query or "
-          "pipeline, by "
-          "the "
-          "device's own, with ray queries or ray tracing pipelines")
+          "How rays are traced: compute, through BVHs of our own on every device; query or "
+          "pipeline, through the device's acceleration structures by ray queries or ray tracing "
+          "pipelines")
       ->default_str(name_of(options.trace));
-  command.add_flag("--validation", options.validation,
-                   "Run under the Vulkan validation layer; its messages end the run with 1");
+  command.add_flag(
+      "--validation", options.validation,
+      "Run under the Vulkan validation layer; any message of it makes the exit code 1");
 }
 
 }  // namespace nightcity

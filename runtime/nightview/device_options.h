@@ -1,4 +1,4 @@
-// Which device a command renders on, and how its rays meet the scene: declared once for all commands.
+// The options of the device that a command renders on, and of how it traces rays: declared once.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,10 +1,11 @@
-// nightview devices: the Vulkan devices of this machine and what each offers.
+// nightview devices: lists the Vulkan devices of this machine and what each offers.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "formats/program/print_json.h"
 #include "runtime/gpu/device.h"
 #include "runtime/nightview/commands.h"
 
@@ -16,7 +17,7 @@ std::string version_text(std::uint32_t v) {
                      VK_API_VERSION_PATCH(v));
 }
 
-void list(bool as_json) {
+void print_devices(bool as_json) {
   const auto devices = gpu::list_devices();
   if (as_json) {
     auto json = nlohmann::ordered_json::array();
@@ -31,18 +32,19 @@ void list(bool as_json) {
                       {"missing", d.missing},
                       {"ray_query", d.ray_query},
                       {"ray_pipeline", d.ray_pipeline}});
-    fmt::print("{}\n", json.dump(2));
+    program::print_json(json);
     return;
   }
   if (devices.empty())
-    fmt::print("no Vulkan device (Debian package mesa-vulkan-drivers has one for the CPU)\n");
+    fmt::print(
+        "no Vulkan device (the Debian package mesa-vulkan-drivers has one that runs on the CPU)\n");
   for (std::size_t i = 0; i < devices.size(); ++i) {
     const gpu::DeviceInfo& d = devices[i];
     fmt::print("{}: {} ({})\n", i, d.name, d.kind);
     fmt::print("   Vulkan {}, driver {}, {:.1f} GiB, subgroups of {}\n",
                version_text(d.api_version), d.driver, double(d.memory_bytes) / (1 << 30),
                d.subgroup_size);
-    fmt::print("   {}; ray queries: {}; ray-tracing pipelines: {}\n",
+    fmt::print("   {}; ray queries: {}; ray tracing pipelines: {}\n",
                d.usable ? "usable" : "not usable: lacks " + d.missing, d.ray_query ? "yes" : "no",
                d.ray_pipeline ? "yes" : "no");
   }
@@ -53,8 +55,8 @@ void list(bool as_json) {
 void add_devices_command(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("devices", "List Vulkan devices and what each offers");
   auto json = std::make_shared<bool>(false);
-  sub->add_flag("--json", *json, "Machine-readable");
-  sub->callback([json] { list(*json); });
+  sub->add_flag("--json", *json, "Print the list as JSON");
+  sub->callback([json] { print_devices(*json); });
 }
 
 }  // namespace nightcity

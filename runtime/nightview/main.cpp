@@ -68,7 +68,7 @@ int run(int argc, char** argv) {
   add_sweep_command(app);
   add_flight_command(app);
   add_strategies_command(app);
-  add_fleet_command(app);
+  add_vehicles_command(app);
 
   try {
     std::vector<std::string> arguments = with_default_command(app, argc, argv);

@@ -6,34 +6,38 @@
 #include <string>
 
 #include "runtime/gpu/device.h"
-#include "runtime/render/settings.h"
+#include "runtime/render/setting_table.h"
 #include "runtime/scene/render_scene.h"
 
 namespace nightcity {
 
-/// "HH:MM" or "HH:MM:SS" to seconds since noon. Throws UsageError.
-double parse_time(const std::string& text);
+/// Declares the option of a setting with its range, under its name and its older names.
+void declare_setting(CLI::App& command, const Setting& setting, RenderSettings& settings);
+
+/// Declares the argument "scene".
+void declare_scene(CLI::App& command, std::string& scene);
+
+/// Declares --size.
+void declare_size(CLI::App& command, std::string& size);
 
 struct RenderOptions {
   std::string scene;
   gpu::Device::Options device;
   std::string camera = "overview";
   std::string size = "1280x720";
-  std::string estimator = name_of(RenderSettings{}.estimator);
   std::string time = "20:00";
   std::string sky_map, moon;
   RenderSettings settings;
 
-  /// Declares --size, --estimator, --candidates, --neighbours, --seed, --device, --trace, --camera and the
-  /// finer ones.
+  /// Declares the scene, --size, --time, --camera, --device, --trace, --sky-map, --moon and all settings.
   void declare(CLI::App& command);
-  /// After parsing: names to settings. Throws UsageError.
+  /// Converts the parsed text to settings, width and height. Throws UsageError.
   void resolve();
 
-  /// The scene, with the sky map that the options name. Throws Error.
+  /// Returns the scene with the sky map that the options name. Throws Error.
   RenderScene load() const;
 
-  std::uint32_t width = 0, height = 0;  // after resolve()
+  std::uint32_t width = 0, height = 0;  // set by resolve()
 };
 
 }  // namespace nightcity

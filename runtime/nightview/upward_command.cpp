@@ -1,6 +1,5 @@
-// nightview upward SCENE.glb --out DIR: how much of the city's light leaves it upwards.
+// nightview upward SCENE.glb --out DIR: measures how much of the city's light leaves it upwards.
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
 #include <array>
@@ -9,13 +8,16 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/atomic_file.h"
-#include "formats/error.h"
+#include "formats/program/output.h"
+#include "formats/program/print_json.h"
 #include "runtime/measure/exr.h"
 #include "runtime/measure/false_colour.h"
 #include "runtime/measure/png.h"
 #include "runtime/nightview/commands.h"
 #include "runtime/nightview/device_options.h"
+#include "runtime/nightview/number_check.h"
 #include "runtime/nightview/render_options.h"
+#include "runtime/render/parse.h"
 #include "runtime/render/upward_flux.h"
 
 namespace nightcity {
@@ -37,8 +39,11 @@ struct Sums {
   double share() const { return flux_lm > 0 ? upward_lm() / flux_lm : 0; }
 };
 
-// What a light is: standing ones have it in the file, vehicles' in their kind.
-LightFamily family_of(const RenderScene& scene, std::size_t light) {
+using FamilySums = std::array<Sums, family_names.size()>;
+
+// Returns the family of a light: the light file names those of static lights, a vehicle's kind those of its
+// lights.
+LightFamily find_family(const RenderScene& scene, std::size_t light) {
   if (light < scene.families.size()) return scene.families[light];
   const std::size_t moving = light - scene.families.size();
   const VehicleKind& kind =
@@ -58,7 +63,7 @@ void write_lights(const std::filesystem::path& path, const RenderScene& scene,
     const auto& s = flux.lights[i];
     text +=
         fmt::format("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", i,
-                    family_names[std::min<std::size_t>(std::size_t(family_of(scene, i)),
+                    family_names[std::min<std::size_t>(std::size_t(find_family(scene, i)),
                                                        family_names.size() - 1)],
                     lm, lm * s.direct, lm * s.reflected, lm * s.sideways, s.direct + s.reflected);
     if (text.size() > (1 << 20)) {
@@ -84,12 +89,37 @@ void write_map(const std::filesystem::path& folder, const UpwardFlux& flux) {
             false_colour(density, map.width, map.height, fitting_scale(density, "lm/m2")));
 }
 
+nlohmann::ordered_json to_json(const Sums& s) {
+  return {{"lights", s.lights},           {"flux_lm", s.flux_lm},
+          {"direct_lm", s.direct_lm},     {"reflected_lm", s.reflected_lm},
+          {"sideways_lm", s.sideways_lm}, {"upward_share", s.share()}};
+}
+
+void print_as_json(const UpwardCommand& command, const Sums& all, const FamilySums& families) {
+  nlohmann::ordered_json json{{"scene", command.scene},
+                              {"time", command.time},
+                              {"rays", command.settings.rays},
+                              {"all", to_json(all)}};
+  for (std::size_t f = 0; f < families.size(); ++f)
+    if (families[f].lights > 0) json[family_names[f]] = to_json(families[f]);
+  program::print_json(json);
+}
+
+void print_as_table(const Sums& all, const FamilySums& families) {
+  fmt::print("{:<10} {:>9} {:>13} {:>13} {:>13} {:>9}\n", "", "lights", "flux lm", "direct up lm",
+             "reflected lm", "share up");
+  const auto print_row = [](const char* name, const Sums& s) {
+    if (s.lights > 0)
+      fmt::print("{:<10} {:>9} {:>13.0f} {:>13.0f} {:>13.0f} {:>8.2f}%\n", name, s.lights,
+                 s.flux_lm, s.direct_lm, s.reflected_lm, 100 * s.share());
+  };
+  for (std::size_t f = 0; f < families.size(); ++f) print_row(family_names[f], families[f]);
+  print_row("all", all);
+}
+
 void upward(UpwardCommand& command) {
   command.settings.time_s = parse_time(command.time);
-  std::error_code ignored;
-  std::filesystem::create_directories(command.out, ignored);
-  if (!std::filesystem::is_directory(command.out))
-    throw Error(command.out, "is not a folder that can be written to");
+  program::require_writable_folder(command.out);
   const RenderScene scene = load_render_scene(command.scene);
   gpu::Device device(command.device);
   DeviceScene device_scene(device, scene);
@@ -97,12 +127,12 @@ void upward(UpwardCommand& command) {
   const UpwardFlux flux = upward_flux(device, passes, device_scene, command.settings);
   device.check_validation();
 
-  std::array<Sums, family_names.size()> families{};
+  FamilySums families{};
   Sums all;
   for (std::size_t i = 0; i < flux.lights.size(); ++i) {
     if (!(flux.flux_lm[i] > 0)) continue;
     const std::size_t family =
-        std::min<std::size_t>(std::size_t(family_of(scene, i)), families.size() - 1);
+        std::min<std::size_t>(std::size_t(find_family(scene, i)), families.size() - 1);
     for (Sums* sums : {&all, &families[family]}) {
       ++sums->lights;
       sums->flux_lm += flux.flux_lm[i];
@@ -115,32 +145,13 @@ void upward(UpwardCommand& command) {
   write_lights(folder / "upward.csv", scene, flux);
   write_map(folder, flux);
 
-  const auto as_json = [](const Sums& s) {
-    return nlohmann::ordered_json{{"lights", s.lights},           {"flux_lm", s.flux_lm},
-                                  {"direct_lm", s.direct_lm},     {"reflected_lm", s.reflected_lm},
-                                  {"sideways_lm", s.sideways_lm}, {"upward_share", s.share()}};
-  };
   if (command.json) {
-    nlohmann::ordered_json json{{"scene", command.scene},
-                                {"time", command.time},
-                                {"rays", command.settings.rays},
-                                {"all", as_json(all)}};
-    for (std::size_t f = 0; f < families.size(); ++f)
-      if (families[f].lights > 0) json[family_names[f]] = as_json(families[f]);
-    fmt::print("{}\n", json.dump(2));
-    return;
+    print_as_json(command, all, families);
+  } else {
+    print_as_table(all, families);
+    for (const char* name : {"upward.csv", "upward.png", "upward.exr"})
+      fmt::print("{}\n", (folder / name).string());
   }
-  fmt::print("{:<10} {:>9} {:>13} {:>13} {:>13} {:>9}\n", "", "lights", "flux lm", "direct up lm",
-             "reflected lm", "share up");
-  const auto row = [](const char* name, const Sums& s) {
-    if (s.lights > 0)
-      fmt::print("{:<10} {:>9} {:>13.0f} {:>13.0f} {:>13.0f} {:>8.2f}%\n", name, s.lights,
-                 s.flux_lm, s.direct_lm, s.reflected_lm, 100 * s.share());
-  };
-  for (std::size_t f = 0; f < families.size(); ++f) row(family_names[f], families[f]);
-  row("all", all);
-  for (const char* name : {"upward.csv", "upward.png", "upward.exr"})
-    fmt::print("{}\n", (folder / name).string());
 }
 
 }  // namespace
@@ -148,28 +159,28 @@ void upward(UpwardCommand& command) {
 void add_upward_command(CLI::App& app) {
   auto command = std::make_shared<UpwardCommand>();
   CLI::App* sub = app.add_subcommand(
-      "upward", "Tell how much of each lamp's light leaves the city upwards, and map where");
+      "upward", "Measure how much of each lamp's light leaves the city upwards, and map where");
   sub->footer(
-      "Writes upward.csv (each light's lumens straight up and off the first surface it meets), and "
-      "upward.png and .exr (a\n"
-      "map from above, lumen per square metre).\n"
+      "Writes upward.csv (each light's lumens that go straight up, and up off the first surface), "
+      "and\n"
+      "upward.png and .exr (a map from above, in lumens per square metre).\n"
       "Examples:\n"
       "  nightview upward out/demo/city.glb --out out/upward\n"
       "  nightview upward city.glb --out dark --time 23:00 --cell 2 --rays 4096 --json");
-  sub->add_option("scene", command->scene, "SCENE.glb; SCENE.lights beside it is read too")
-      ->required();
-  sub->add_option("--out", command->out, "Folder to write to")->required();
+  declare_scene(*sub, command->scene);
+  program::add_output_option(*sub, command->out, "Folder of the results")->required();
   sub->add_option("--time", command->time, "Time of the night, HH:MM or HH:MM:SS")
       ->capture_default_str();
-  sub->add_option("--rays", command->settings.rays, "Rays a light")
+  sub->add_option("--rays", command->settings.rays, "Rays per light")
       ->capture_default_str()
       ->check(CLI::Range(1u, 1u << 20));
   sub->add_option("--cell", command->settings.cell_m, "Side of the map's squares, m")
       ->capture_default_str()
-      ->check(CLI::Range(0.1f, 10'000.0f));
-  sub->add_option("--seed", command->settings.seed, "Of all random numbers")->capture_default_str();
+      ->check(number_from(0.1, 10'000));
+  sub->add_option("--seed", command->settings.seed, "Seed of all random numbers")
+      ->capture_default_str();
   declare_device(*sub, command->device);
-  sub->add_flag("--json", command->json, "Results as JSON");
+  sub->add_flag("--json", command->json, "Print the results as JSON");
   sub->callback([command] { upward(*command); });
 }
 

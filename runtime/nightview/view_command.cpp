@@ -1,4 +1,4 @@
-// nightview SCENE.glb: a window on the scene.
+// nightview view SCENE.glb: shows the scene in a window.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -7,6 +7,7 @@
 
 #include "runtime/measure/exposure.h"
 #include "runtime/nightview/commands.h"
+#include "runtime/nightview/number_check.h"
 #include "runtime/nightview/render_options.h"
 #include "runtime/viewer/viewer.h"
 
@@ -22,7 +23,7 @@ struct ViewCommand {
 void view(ViewCommand& command) {
   RenderOptions& render = command.render;
   render.resolve();
-  render.settings.tone = tone_curve_from_name(command.tone);
+  render.settings.display.tone = tone_curve_from_name(command.tone);
   ViewOptions& options = command.view;
   options.scene = render.scene;
   options.camera = render.camera;
@@ -40,34 +41,38 @@ void view(ViewCommand& command) {
 void add_view_command(CLI::App& app) {
   auto command = std::make_shared<ViewCommand>();
   CLI::App* sub = app.add_subcommand(
-      "view", "Open a window on a baked scene; \"nightview SCENE.glb\" is short for it");
+      "view", "Show a baked scene in a window; \"nightview SCENE.glb\" is short for it");
   sub->footer(
-      "Mouse: left button orbits or looks round, right button moves, wheel comes nearer (flying: "
-      "faster).\n"
-      "Keys: W A S D E Q fly, Shift faster; 1 to 6 estimator; M lamp markers; F orbit or fly; "
-      "Space lets the "
-      "clock run;\n"
-      "P saves the picture as night-NNN.png and .exr; Tab panel; Esc quits.");
+      "Mouse: the left button orbits or looks around, the right button moves, the wheel comes "
+      "nearer\n"
+      "(when flying: changes the speed).\n"
+      "Keys: W A S D E Q fly, with Shift faster; 1 to " +
+      std::to_string(list_estimators().size()) +
+      " choose the estimator; M shows lamp markers;\n"
+      "F switches between orbiting and flying; Space starts and stops the clock; P saves the "
+      "picture as\n"
+      "night-NNN.png and .exr; Tab shows or hides the panel; Esc quits.");
   command->render.declare(*sub);
   sub->add_option("--ev", command->view.ev100,
-                  "Exposure, EV100 (default: metered as the picture goes)")
-      ->check(CLI::Range(-20.0f, 40.0f));
+                  "Exposure, EV100 (default: metered from the picture again and again)")
+      ->check(exposure_check());
   sub->add_option("--tone", command->tone, "Tone curve: filmic, reinhard or linear")
       ->capture_default_str();
   sub->add_option("--frames", command->view.max_frames,
                   "Frames that are averaged while nothing changes")
       ->capture_default_str()
       ->check(CLI::Range(1u, 1000000u));
-  sub->add_option("--every", command->view.divisor,
-                  "Render every Nth pixel along each side of the window: 1, 2, 4, 8, or 0: as many "
-                  "as are quick")
+  sub->add_option(
+         "--every", command->view.divisor,
+         "Render every Nth pixel along each side of the window: 1, 2, 4 or 8; 0 chooses by "
+         "the device's speed")
       ->capture_default_str()
       ->check(CLI::IsMember({0, 1, 2, 4, 8}));
   sub->add_flag("--markers", command->view.markers, "Start with lamp markers drawn");
   sub->add_flag("--play", command->view.play, "Start with the clock running");
   sub->add_option("--quit-after", command->view.quit_after, "Close after showing this many frames");
   sub->add_option("--screenshot", command->view.screenshot,
-                  "With --quit-after: PNG of the window's last frame, panel and all");
+                  "With --quit-after: write the window's last frame to this PNG, with the panel");
   sub->add_option("--save-camera", command->view.save_camera,
                   "Write the last camera to a JSON file");
   sub->callback([command] { view(*command); });

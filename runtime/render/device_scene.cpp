@@ -44,7 +44,7 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
     addresses_.nodes = store(std::span(scene.nodes));
     addresses_.instances = store(instances);
   } else {
-    store_fleet(scene, instances);
+    store_traffic(scene, instances);
   }
   const auto any_light = [&](auto&& is) {
     return std::any_of(scene.lights.begin(), scene.lights.end(), is) ||
@@ -70,7 +70,8 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
   if (schedules_.empty()) lights_ = {};
 }
 
-void DeviceScene::store_fleet(const RenderScene& scene, std::span<const gpu::Instance> instances) {
+void DeviceScene::store_traffic(const RenderScene& scene,
+                                std::span<const gpu::Instance> instances) {
   const Traffic& traffic = scene.traffic;
   const auto trips = static_cast<std::uint32_t>(traffic.trips.size());
   gpu::TrafficBuffers& to = addresses_.traffic;

@@ -34,7 +34,7 @@ class DeviceScene {
   bool has_profiles() const { return has_profiles_; }
   bool has_rectangles() const { return has_rectangles_; }
   bool has_schedules() const { return !schedules_.empty(); }
-  bool has_fleet() const { return addresses_.traffic.trip_count > 0; }
+  bool has_traffic() const { return addresses_.traffic.trip_count > 0; }
   bool has_sky_map() const { return addresses_.sky_width > 0; }
   /// Base colour of a material; black for one that is not there.
   glm::vec3 albedo(std::uint32_t material) const {
@@ -51,7 +51,7 @@ class DeviceScene {
  private:
   template <class T>
   std::uint64_t store(std::span<const T> values);
-  void store_fleet(const RenderScene& scene, std::span<const gpu::Instance> instances);
+  void store_traffic(const RenderScene& scene, std::span<const gpu::Instance> instances);
   void upload_lit(LitLights lit);
   gpu::LightGridBuffers upload_grid(std::size_t which, const LightGrid& grid);
 

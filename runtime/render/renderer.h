@@ -14,52 +14,64 @@
 #include "runtime/gpu/timer.h"
 #include "runtime/measure/image.h"
 #include "runtime/render/device_scene.h"
-#include "runtime/render/fleet_passes.h"
 #include "runtime/render/pass_library.h"
 #include "runtime/render/settings.h"
+#include "runtime/render/vehicle_passes.h"
 #include "runtime/scene/camera.h"
 
 namespace nightcity {
 
 class Renderer {
  public:
-  /// Device, passes and scene must outlive the renderer. Throws Error when the device's memory does not
-  /// suffice.
+  /// Device, passes and scene must outlive the renderer. Throws Error when the device has too little memory,
+  /// UsageError when a side is 0 or above max_image_side.
   Renderer(gpu::Device& device, PassLibrary& passes, DeviceScene& scene, std::uint32_t width,
            std::uint32_t height);
 
   /// Renders one frame and adds it to the mean. The mean starts anew when the camera, the time or a setting
-  /// that changes the picture's meaning changed since the last frame; reservoirs carry over by reprojection
-  /// where only the camera or the time did. Switches the scene's lights to the settings' time.
+  /// that have_same_estimate compares has changed since the last frame. Reservoirs are reprojected where only
+  /// the camera or the time changed, else discarded. Switches the scene's lights to the settings' time.
+  /// Throws UsageError when a setting is out of range.
   void render_frame(const CameraPose& pose, const RenderSettings& settings);
 
-  /// Features that neither the scene nor the settings need: the passes are compiled without them.
-  std::vector<Feature> not_needed(const RenderSettings& settings) const;
+  /// Returns the features that neither the scene nor the settings need: passes are compiled without them.
+  std::vector<Feature> list_unneeded(const RenderSettings& settings) const;
 
-  /// Frames in the mean.
+  /// Returns the number of frames in the mean.
   std::uint32_t frames() const { return frames_; }
-  /// GPU milliseconds of the last frame's passes; empty where the queue has no timestamps.
+  /// Returns the GPU milliseconds of the last frame's passes; empty where the queue has no timestamps.
   const std::vector<gpu::Timer::Span>& timings() const { return timings_; }
 
-  /// The mean so far, cd/m^2 (denoised, where the settings say so); info filled in. Its layers: luminance;
-  /// where the settings keep layers, direct_lamps, direct_windows, direct_vehicles, sky and emitted; and of
-  /// the last frame albedo, normal, depth, motion, position, material and feature (ids, -1 = none).
+  /// Returns the mean so far in cd/m^2, denoised where the settings ask for it, with its ImageInfo. With
+  /// `layers`, adds the layer "luminance"; where the settings keep layers, "direct_lamps", "direct_windows",
+  /// "direct_vehicles", "sky" and "emitted"; and of the last frame "albedo", "normal", "depth" (m), "motion",
+  /// "position" (m), "material" and "feature" (ids, -1 = none).
   Image download(bool layers = true) const;
-  /// The displayed picture: width * height words, R in the low byte, written by every frame.
+  /// Returns the displayed picture, which every frame writes: width * height words, R in the low byte.
   const gpu::Buffer& display() const { return display_; }
   std::uint32_t width() const { return width_; }
   std::uint32_t height() const { return height_; }
 
  private:
   PassConstants constants_of(const RenderSettings& settings) const;
-  void record_fleet(VkCommandBuffer commands);
+  // The steps of render_frame. check throws UsageError.
+  void check(const RenderSettings& settings) const;
+  void restart_if_changed(const CameraPose& pose, const RenderSettings& settings);
+  void fill_buffers(gpu::Frame& frame, const RenderSettings& settings);
+  void fill_view(gpu::Frame& frame, const CameraPose& pose, const RenderSettings& settings);
+  void fill_sampling(gpu::Frame& frame, const RenderSettings& settings) const;
+  void record(const RenderSettings& settings, std::uint32_t slices);
+  void record_vehicles(VkCommandBuffer commands);
   std::uint32_t reference_slices(const RenderSettings& settings) const;
   void render_reference(const RenderSettings& settings, std::uint32_t slices);
   void submit(const std::function<void(VkCommandBuffer)>& record);
   void record_restir(VkCommandBuffer commands, const RenderSettings& settings);
   void record_end(VkCommandBuffer commands, const RenderSettings& settings);
   void add_layers(Image& image) const;
-  // An invocation a pixel and slice, then a barrier; the timer gives the name to what came before.
+  void add_light_layers(Image& image) const;
+  void add_surface_layers(Image& image) const;
+  // Runs one invocation per pixel and slice, then a barrier. The timer books the time since its last mark
+  // under `name`.
   template <class Pass>
   void run_pass(VkCommandBuffer commands, const Pass& pass, const char* name,
                 std::uint32_t first = 0, std::uint32_t count = 0, std::uint32_t slices = 1);
@@ -69,11 +81,11 @@ class Renderer {
   DeviceScene& scene_;
   std::uint32_t width_, height_;
   gpu::Timer timer_;
-  FleetPasses fleet_;
+  VehiclePasses vehicle_passes_;
   gpu::Buffer frame_;
   gpu::Buffer surfaces_[2], reservoirs_, spatial_[2], radiance_, accumulation_[2], display_;
-  gpu::Buffer layers_, denoise_[2];  // made when first asked for
-  const PassSet* passes_ = nullptr;  // of the current settings
+  gpu::Buffer layers_, denoise_[2];  // allocated when first needed
+  const PassSet* passes_ = nullptr;  // for the current settings
   std::optional<CameraPose> pose_;
   gpu::Camera camera_{};
   RenderSettings settings_;

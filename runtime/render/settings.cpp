@@ -4,44 +4,70 @@
 
 namespace nightcity {
 
-const std::vector<EstimatorName>& estimator_names() {
-  static const std::vector<EstimatorName> names{
+const std::vector<EstimatorTraits>& list_estimators() {
+  // The flags are: samples, reuses, shadowed target, as published.
+  static const std::vector<EstimatorTraits> estimators{
       {Estimator::reference, "reference",
-       "every light, every frame: the truth the others are measured against"},
-      {Estimator::ris, "ris", "resampled candidates, no reuse: unbiased, noisy"},
+       "every light in every frame: the ground truth of all measurements", false, false, false,
+       false},
+      {Estimator::ris, "ris", "resampled candidates without reuse: unbiased, noisy", true, false,
+       false, false},
       {Estimator::paper, "paper",
-       "temporal and spatial reuse with 1/M weights, as published: biased, darker"},
+       "temporal and spatial reuse with 1/M weights, as published: biased, darker", true, true,
+       false, true},
       {Estimator::basic, "basic",
-       "reuse with balance-heuristic normalisation of unshadowed targets: unbiased"},
-      {Estimator::pairwise, "pairwise", "reuse with pairwise MIS of unshadowed targets: unbiased"},
+       "reuse with balance-heuristic normalisation of unshadowed targets: unbiased", true, true,
+       false, false},
+      {Estimator::pairwise, "pairwise", "reuse with pairwise MIS of unshadowed targets: unbiased",
+       true, true, false, false},
       {Estimator::traced, "traced",
-       "reuse with pairwise MIS of shadowed targets: unbiased, more shadow rays"},
+       "reuse with pairwise MIS of shadowed targets: unbiased, more shadow rays", true, true, true,
+       false},
   };
-  return names;
+  return estimators;
+}
+
+const EstimatorTraits& traits_of(Estimator estimator) {
+  for (const EstimatorTraits& traits : list_estimators())
+    if (traits.estimator == estimator) return traits;
+  throw UsageError("--estimator", "no estimator has the number " +
+                                      std::to_string(static_cast<std::uint32_t>(estimator)));
 }
 
 const char* name_of(Estimator estimator) {
-  for (const EstimatorName& entry : estimator_names())
-    if (entry.estimator == estimator) return entry.name;
-  return "unknown";
+  return traits_of(estimator).name;
 }
 
-Estimator estimator_from_name(const std::string& name) {
+Estimator find_estimator(const std::string& name) {
   std::string known;
-  for (const EstimatorName& entry : estimator_names()) {
-    if (name == entry.name) return entry.estimator;
-    known += (known.empty() ? "" : ", ") + std::string(entry.name);
+  for (const EstimatorTraits& traits : list_estimators()) {
+    if (name == traits.name) return traits.estimator;
+    known += (known.empty() ? "" : ", ") + std::string(traits.name);
   }
   throw UsageError("--estimator", "no estimator '" + name + "' (there are " + known + ")");
 }
 
-const std::vector<Feature>& needless_features() {
-  static const std::vector<Feature> all{{CONSTANT_PROFILES, "profiles of lamps"},
-                                        {CONSTANT_RECTANGLES, "windows"},
-                                        {CONSTANT_SCHEDULES, "schedules"},
-                                        {CONSTANT_SKY, "sky"},
-                                        {CONSTANT_GLOSS, "wet streets"}};
-  return all;
+bool have_same_estimate(const RenderSettings& a, const RenderSettings& b) {
+  return a.sampling == b.sampling && a.reuse == b.reuse && a.environment == b.environment;
+}
+
+RenderSettings to_published(RenderSettings settings) {
+  settings.sampling.near_share = 0;
+  settings.sampling.far_share = 0;
+  settings.sampling.uniform_share = 1;
+  settings.reuse.history_falloff_m = 0;
+  settings.reuse.disocclusion_boost = 0;
+  settings.reuse.permute = false;
+  return settings;
+}
+
+const std::vector<Feature>& optional_features() {
+  static const std::vector<Feature> features{{CONSTANT_PROFILES, "lamp profiles"},
+                                             {CONSTANT_RECTANGLES, "windows"},
+                                             {CONSTANT_SCHEDULES, "schedules"},
+                                             {CONSTANT_SKY, "sky"},
+                                             {CONSTANT_GLOSS, "wet streets"}};
+  return features;
 }
 
 }  // namespace nightcity

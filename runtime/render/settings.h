@@ -1,4 +1,4 @@
-// What the user may choose about the renderer, and the names those choices go by.
+// The renderer's settings, grouped by what they change, and the estimators by name.
 #pragma once
 
 #include <cstdint>
@@ -20,64 +20,112 @@ enum class Estimator : std::uint32_t {
   traced = ESTIMATOR_TRACED,
 };
 
-struct EstimatorName {
+/// What an estimator is. A new one is a row in settings.cpp.
+struct EstimatorTraits {
   Estimator estimator;
   const char* name;
   const char* description;
+  bool samples;          // draws light candidates; the reference sums over all lights instead
+  bool reuses;           // takes samples over from other frames and pixels
+  bool shadowed_target;  // its target function includes visibility
+  bool as_published;     // keeps to the published settings: see to_published()
 };
 
-/// Every estimator, in the order of DESIGN's ladder.
-const std::vector<EstimatorName>& estimator_names();
+/// All estimators, from the reference over the published one to the unbiased ones.
+const std::vector<EstimatorTraits>& list_estimators();
+const EstimatorTraits& traits_of(Estimator estimator);
 const char* name_of(Estimator estimator);
-/// Throws UsageError naming the estimators there are.
-Estimator estimator_from_name(const std::string& name);
+/// Throws UsageError with the names of all estimators.
+Estimator find_estimator(const std::string& name);
 
 constexpr std::uint32_t max_candidates = 1024;
-constexpr std::uint32_t max_neighbours = 32;  // spatial.comp's array
+constexpr std::uint32_t max_neighbours = 32;  // length of an array in spatial.comp
+
+/// How light is sampled. The shares divide the candidates; what they leave is sampled by flux.
+struct SamplingSettings {
+  Estimator estimator = Estimator::traced;  // chosen by measurement: docs/accuracy.md
+  std::uint32_t candidates = 32;            // per pixel and frame, 1 .. max_candidates
+  float near_share = 0.5f;                  // sampled from the near grid's cell
+  float far_share = 0.3f;                   // sampled from the far grid's cell, the neighbourhood
+  float uniform_share = 0.05f;              // sampled uniformly over all lights
+  float vehicle_share = 0.3f;  // of all candidates, sampled from vehicles' lights where any shine
+  bool jitter = true;          // sub-pixel offsets from frame to frame: anti-aliasing
+  bool layers = false;         // keeps the light of each kind of source apart, too
+  std::uint32_t seed = 0;
+
+  bool operator==(const SamplingSettings&) const = default;
+};
+
+/// How samples of earlier frames and of other pixels are reused.
+struct ReuseSettings {
+  std::uint32_t neighbours = 5;    // pixels reused by a pixel, 0 .. max_neighbours
+  float neighbour_radius_px = 10;  // distance within which they lie
+  // Bound of the history's M, in multiples of a frame's candidates; 0 = no temporal reuse.
+  float max_history = 20;
+  // Distance between a surface point and where its history was gathered at which half of the history's M
+  // counts, m; 0 = all of it counts at any distance.
+  float history_falloff_m = 1.5f;
+  // Neighbours of a pixel without history, where that is more than `neighbours`.
+  std::uint32_t disocclusion_boost = 0;
+  bool permute = false;  // reuses the history in an order that changes from frame to frame
+  // Drops shadowed candidates before reuse: less noise, biased (basic, pairwise).
+  bool visibility_reuse = false;
+
+  bool operator==(const ReuseSettings&) const = default;
+};
+
+/// What shines besides the scene's lights, and the weather.
+struct EnvironmentSettings {
+  // Luminance of rays that leave the scene, cd/m^2; where there is a sky map, a factor for it.
+  glm::vec3 sky_cd_m2{0};
+  glm::vec3 moon_direction{0, 1, 0};  // unit vector towards the moon
+  glm::vec3 moon_lux{0};              // illuminance of a surface that faces it; 0 = no moon
+  float wetness = 0;                  // of surfaces that face up, 0 .. 1
+
+  bool operator==(const EnvironmentSettings&) const = default;
+};
+
+/// Which frames the picture is the mean of.
+struct AveragingSettings {
+  bool accumulate = true;  // mean of frames; else every frame stands alone
+  // Mean of at most this many frames, which follows motion; 0 = of all frames since anything moved.
+  std::uint32_t window = 0;
+};
+
+/// How the mean is shown.
+struct DisplaySettings {
+  bool denoise = false;  // filters the mean: for viewing, never for measurements
+  float ev100 = 2;       // exposure
+  std::uint32_t tone = TONEMAP_FILMIC;
+};
 
 struct RenderSettings {
-  Estimator estimator = Estimator::traced;  // chosen by measurement: docs/accuracy.md
-  std::uint32_t candidates = 32;            // a pixel and frame, 1 .. max_candidates
-  std::uint32_t neighbours = 5;             // spatial reuse, 0 .. max_neighbours
-  float neighbour_radius_px = 10;
-  float history_cap =
-      20;  // M of the history, in multiples of a frame's candidates; 0 = no temporal reuse
-  float reach_m =
-      1.5f;  // half of the history's M counts where it was gathered so far away; 0 = all
-  std::uint32_t boost = 0;   // neighbours of a pixel without history, where more than `neighbours`
-  bool permute = false;      // reuse the history in an order that changes from frame to frame
-  float local_share = 0.5f;  // of candidates picked from the lights that are strong near the place
-  float wide_share = 0.3f;   // of candidates picked from those of the quarter around it
-  float uniform_share = 0.05f;  // of candidates picked uniformly over lights, the rest by flux
-  float fleet_share = 0.3f;     // of all candidates picked from vehicles' lights, where any shine
-  double time_s = 8 * 3600;     // since noon
-  bool visibility_reuse =
-      false;  // drop shadowed candidates before reuse: less noise, biased (basic, pairwise)
-  bool accumulate = true;  // mean of frames; else every frame stands alone
-  std::uint32_t window =
-      0;  // mean of at most so many frames, carried along by motion; 0 = of all, while nothing moves
-  bool denoise = false;  // filter the mean: for the eye, never for figures
-  bool layers = false;   // keep what each kind of light gives apart
-  float wetness = 0;     // of surfaces that face up, 0 .. 1
-  bool jitter = true;    // sub-pixel offsets from frame to frame: anti-aliasing
-  std::uint32_t seed = 0;
-  glm::vec3 sky_cd_m2{
-      0};  // luminance of rays that leave the scene; with a sky map, a factor for it
-  glm::vec3 moon_direction{0, 1, 0};  // towards it, unit
-  glm::vec3 moon_lux{0};              // on a surface that faces it; 0 = no moon
-  float ev100 = 2;                    // of the displayed picture
-  std::uint32_t tone = TONEMAP_FILMIC;
-  // Passes compiled for features all the same that scene and settings do not need: bits 1 << CONSTANT_*, of
-  // needless_features(). The picture is the same; what it costs is what leaving them out saves.
-  std::uint32_t needless = 0;
+  SamplingSettings sampling;
+  ReuseSettings reuse;
+  EnvironmentSettings environment;
+  AveragingSettings averaging;
+  DisplaySettings display;
+  double time_s = 8 * 3600;  // since noon
+  // Features compiled into the passes although neither scene nor settings need them, to measure their cost:
+  // bits 1 << CONSTANT_* of optional_features(). The picture stays the same.
+  std::uint32_t forced_features = 0;
 };
+
+/// Returns whether frames of both settings may go into one mean: only their display, averaging, time and
+/// forced features may differ.
+bool have_same_estimate(const RenderSettings& a, const RenderSettings& b);
+
+/// Returns the settings that the paper published: uniform candidates, every M in full, neither boost nor
+/// permutation (Bitterli et al.: Spatiotemporal reservoir resampling for real-time ray tracing with dynamic
+/// direct lighting, SIGGRAPH 2020). The share of vehicles' lights depends on the scene; the renderer sets it.
+RenderSettings to_published(RenderSettings settings);
 
 struct Feature {
   std::uint32_t constant;  // CONSTANT_*
   const char* name;
 };
 
-/// What a picture can do without: lamps' profiles, windows, schedules, the sky, wet streets.
-const std::vector<Feature>& needless_features();
+/// What passes can leave out: lamps' profiles, windows, schedules, the sky, wet streets.
+const std::vector<Feature>& optional_features();
 
 }  // namespace nightcity

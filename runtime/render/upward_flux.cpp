@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/render/fleet_passes.h"
+#include "runtime/render/vehicle_passes.h"
 
 namespace nightcity {
 namespace {
@@ -17,17 +17,17 @@ constexpr std::uint32_t lights_a_dispatch = 1u << 16;
 UpwardFlux upward_flux(gpu::Device& device, PassLibrary& library, DeviceScene& scene,
                        const UpwardSettings& settings) {
   scene.set_time(settings.time_s);
-  FleetPasses fleet(device, scene);
+  VehiclePasses vehicle_passes(device, scene);
   PassConstants constants{};
   constants[CONSTANT_PROFILES] = scene.has_profiles();
   constants[CONSTANT_RECTANGLES] = scene.has_rectangles();
   constants[CONSTANT_SCHEDULES] = scene.has_schedules();
-  constants[CONSTANT_TRAFFIC] = scene.has_fleet();
+  constants[CONSTANT_TRAFFIC] = scene.has_traffic();
   const TracePass& pass = library.upward(constants);
 
   gpu::Frame frame{};
   frame.scene = scene.buffers();
-  fleet.enter(frame);
+  vehicle_passes.enter(frame);
   frame.seed = settings.seed;
   frame.time_s = frame.previous_time_s = float(settings.time_s);
   frame.cycle_time_s = frame.previous_cycle_time_s =
@@ -56,10 +56,10 @@ UpwardFlux upward_flux(gpu::Device& device, PassLibrary& library, DeviceScene& s
 
   gpu::Buffer frame_buffer(device, sizeof frame, gpu::Memory::host);
   frame_buffer.upload(&frame, sizeof frame);
-  if (scene.has_fleet()) {
+  if (scene.has_traffic()) {
     const PassSet& passes = library.get(constants);
     device.run([&](VkCommandBuffer commands) {
-      fleet.record(commands, passes, frame_buffer.address(), [](const char*) {});
+      vehicle_passes.record(commands, passes, frame_buffer.address(), [](const char*) {});
     });
   }
   for (std::uint32_t i = 0; i < dispatches; ++i) {
@@ -80,7 +80,7 @@ UpwardFlux upward_flux(gpu::Device& device, PassLibrary& library, DeviceScene& s
         {double(e.direct) / rays, double(e.reflected) / rays, double(e.sideways) / rays});
   }
   result.flux_lm = scene.flux_now();
-  const auto moving = fleet.lights();
+  const auto moving = vehicle_passes.lights();
   for (const Light& light : moving) result.flux_lm.push_back(double(light.flux_lm));
   for (const std::uint32_t count : map.read<std::uint32_t>(cells))
     result.cells_lm.push_back(double(count) / 1024);

@@ -8,65 +8,82 @@
 #include <iterator>
 
 #include "runtime/measure/exposure.h"
+#include "runtime/render/setting_table.h"
 
 namespace nightcity {
 namespace {
 
-bool slider(const char* label, std::uint32_t& value, std::uint32_t low, std::uint32_t high,
-            ImGuiSliderFlags flags = 0) {
-  return ImGui::SliderScalar(label, ImGuiDataType_U32, &value, &low, &high, "%u",
-                             flags | ImGuiSliderFlags_AlwaysClamp);
+// Draws the slider of a setting, greyed where the setting makes no difference. Returns whether it changed.
+bool draw_slider(const Setting& setting, RenderSettings& settings) {
+  const SettingSlider& slider = *setting.slider;
+  const ImGuiSliderFlags flags =
+      ImGuiSliderFlags_AlwaysClamp | (slider.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  bool changed = false;
+  ImGui::BeginDisabled(!setting.applies(settings));
+  const Setting::Value value = setting.value(settings);
+  if (const auto count = std::get_if<std::uint32_t*>(&value)) {
+    const auto low = std::uint32_t(setting.min), high = std::uint32_t(slider.max);
+    changed = ImGui::SliderScalar(slider.label, ImGuiDataType_U32, *count, &low, &high,
+                                  slider.format, flags);
+  } else if (const auto number = std::get_if<float*>(&value)) {
+    changed = ImGui::SliderFloat(slider.label, *number, float(setting.min), float(slider.max),
+                                 slider.format, flags);
+  }
+  ImGui::EndDisabled();
+  return changed;
 }
 
-bool estimator_choice(RenderSettings& settings) {
+bool draw_sliders(SettingGroup group, RenderSettings& settings) {
   bool changed = false;
-  if (ImGui::BeginCombo("estimator", name_of(settings.estimator))) {
-    for (const EstimatorName& entry : estimator_names()) {
-      const bool chosen = entry.estimator == settings.estimator;
-      if (ImGui::Selectable(entry.name, chosen) && !chosen) {
-        settings.estimator = entry.estimator;
+  for (const Setting& setting : list_settings())
+    if (setting.group == group && setting.slider) changed |= draw_slider(setting, settings);
+  return changed;
+}
+
+bool draw_estimators(RenderSettings& settings) {
+  bool changed = false;
+  Estimator& current = settings.sampling.estimator;
+  if (ImGui::BeginCombo("estimator", name_of(current))) {
+    for (const EstimatorTraits& estimator : list_estimators()) {
+      const bool chosen = estimator.estimator == current;
+      if (ImGui::Selectable(estimator.name, chosen) && !chosen) {
+        current = estimator.estimator;
         changed = true;
       }
-      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", entry.description);
+      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", estimator.description);
     }
     ImGui::EndCombo();
   }
   return changed;
 }
 
-bool sampling(ViewerState& state) {
+bool draw_sampling(ViewerState& state) {
   RenderSettings& settings = state.settings;
-  bool changed = estimator_choice(settings);
-  const bool reference = settings.estimator == Estimator::reference;
-  ImGui::BeginDisabled(reference);
-  changed |= slider("candidates", settings.candidates, 1, 128, ImGuiSliderFlags_Logarithmic);
-  ImGui::BeginDisabled(settings.estimator == Estimator::ris);
-  changed |= slider("neighbours", settings.neighbours, 0, max_neighbours);
-  changed |= ImGui::SliderFloat("history", &settings.history_cap, 0, 40, "%.0f frames");
-  ImGui::EndDisabled();
-  ImGui::EndDisabled();
+  bool changed = draw_estimators(settings);
+  changed |= draw_sliders(SettingGroup::sampling, settings);
+  changed |= draw_sliders(SettingGroup::reuse, settings);
   changed |= ImGui::Checkbox("accumulate", &state.accumulate);
   ImGui::SameLine();
-  changed |= ImGui::Checkbox("denoise", &state.settings.denoise);
+  changed |= ImGui::Checkbox("denoise", &settings.display.denoise);
   return changed;
 }
 
-bool exposure(ViewerState& state) {
+bool draw_exposure(ViewerState& state) {
   bool changed = ImGui::Checkbox("auto", &state.auto_exposure);
   ImGui::SameLine();
-  if (ImGui::SliderFloat("EV100", &state.settings.ev100, -6, 16, "%.1f")) {
+  if (ImGui::SliderFloat("EV100", &state.settings.display.ev100, -6, 16, "%.1f")) {
     state.auto_exposure = false;
     changed = true;
   }
-  int tone = static_cast<int>(state.settings.tone);
+  int tone = static_cast<int>(state.settings.display.tone);
   if (ImGui::Combo("curve", &tone, "linear\0reinhard\0filmic\0")) {
-    state.settings.tone = static_cast<std::uint32_t>(tone);
+    state.settings.display.tone = static_cast<std::uint32_t>(tone);
     changed = true;
   }
   return changed;
 }
 
-void camera(ViewerState& state, PanelRequests& requests) {
+void draw_camera(ViewerState& state, PanelRequests& requests) {
   int mode = state.fly;
   ImGui::RadioButton("orbit", &mode, 0);
   ImGui::SameLine();
@@ -82,19 +99,18 @@ void camera(ViewerState& state, PanelRequests& requests) {
                        ImGuiSliderFlags_Logarithmic);
 }
 
-bool resolution(ViewerState& state) {
+bool draw_resolution(ViewerState& state) {
   constexpr int divisors[] = {0, 1, 2, 4, 8};
   int index = static_cast<int>(std::find(std::begin(divisors), std::end(divisors), state.divisor) -
                                divisors);
-  if (!ImGui::Combo("pixels", &index,
-                    "as many as are quick\0every\0every 2nd\0every 4th\0every 8th\0"))
+  if (!ImGui::Combo("pixels", &index, "by speed\0every\0every 2nd\0every 4th\0every 8th\0"))
     return false;
   state.divisor = divisors[index];
   return true;
 }
 
-// 17:00 to 07:00, in minutes after noon.
-bool night(ViewerState& state) {
+// The clock runs from 17:00 to 07:00, which is 5 to 19 hours after noon.
+bool draw_night(ViewerState& state) {
   bool changed = false;
   ImGui::BeginDisabled(!state.night_changes);
   int minutes = static_cast<int>(state.settings.time_s / 60);
@@ -109,41 +125,41 @@ bool night(ViewerState& state) {
   ImGui::SliderFloat("##speed", &state.clock_speed, 1, 3600, "%.0f times",
                      ImGuiSliderFlags_Logarithmic);
   ImGui::EndDisabled();
-  changed |= ImGui::SliderFloat("wet streets", &state.settings.wetness, 0, 1, "%.2f");
+  changed |= draw_sliders(SettingGroup::environment, state.settings);
   return changed;
 }
 
-void report(const ViewerFigures& figures) {
-  ImGui::Text("%u x %u, frame %u, %.1f ms", figures.width, figures.height, figures.frames,
-              figures.frame_ms);
+void draw_report(const FrameStats& stats) {
+  ImGui::Text("%u x %u, frame %u, %.1f ms", stats.width, stats.height, stats.frames,
+              stats.frame_ms);
   double sum = 0;
-  for (const gpu::Timer::Span& pass : figures.passes) sum += pass.ms;
-  if (figures.passes.empty() || !ImGui::TreeNode("passes", "GPU %.2f ms", sum)) return;
-  for (const gpu::Timer::Span& pass : figures.passes)
+  for (const gpu::Timer::Span& pass : stats.passes) sum += pass.ms;
+  if (stats.passes.empty() || !ImGui::TreeNode("passes", "GPU %.2f ms", sum)) return;
+  for (const gpu::Timer::Span& pass : stats.passes)
     ImGui::Text("%-12s %8.2f ms", pass.name.c_str(), pass.ms);
   ImGui::TreePop();
 }
 
 }  // namespace
 
-PanelRequests draw_panel(ViewerState& state, const ViewerFigures& figures) {
+PanelRequests draw_panel(ViewerState& state, const FrameStats& stats) {
   PanelRequests requests;
   ImGui::SetNextWindowPos({10, 10}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSize({320, 0}, ImGuiCond_FirstUseEver);
   if (ImGui::Begin("nightview", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
-    ImGui::Text("%s", figures.scene.c_str());
-    ImGui::Text("%zu triangles, %zu lights", figures.triangles, figures.lights);
-    ImGui::TextDisabled("%s", figures.device.c_str());
-    report(figures);
+    ImGui::Text("%s", stats.scene.c_str());
+    ImGui::Text("%zu triangles, %zu lights", stats.triangles, stats.lights);
+    ImGui::TextDisabled("%s", stats.device.c_str());
+    draw_report(stats);
     ImGui::Separator();
-    requests.restart |= sampling(state);
+    requests.restart |= draw_sampling(state);
     ImGui::Separator();
-    requests.restart |= exposure(state);
+    requests.restart |= draw_exposure(state);
     ImGui::Separator();
-    requests.restart |= night(state);
+    requests.restart |= draw_night(state);
     ImGui::Separator();
-    camera(state, requests);
-    requests.restart |= resolution(state);
+    draw_camera(state, requests);
+    requests.restart |= draw_resolution(state);
     ImGui::Checkbox("lamp markers", &state.markers);
     ImGui::SameLine();
     requests.save = ImGui::Button("save picture");
@@ -157,17 +173,15 @@ std::string clock_text(double time_s) {
   return fmt::format("{:02}:{:02}", minute / 60 % 24, minute % 60);
 }
 
-std::string caption(const ViewerState& state, const ViewerFigures& figures) {
+std::string caption(const ViewerState& state, const FrameStats& stats) {
   const RenderSettings& settings = state.settings;
-  std::string text = name_of(settings.estimator);
-  if (settings.estimator != Estimator::reference) {
-    text += fmt::format(", {} candidates", settings.candidates);
-    if (settings.estimator != Estimator::ris)
-      text += fmt::format(", {} neighbours", settings.neighbours);
-  }
-  if (settings.denoise) text += ", denoised";
+  const EstimatorTraits& estimator = traits_of(settings.sampling.estimator);
+  std::string text = estimator.name;
+  if (estimator.samples) text += fmt::format(", {} candidates", settings.sampling.candidates);
+  if (estimator.reuses) text += fmt::format(", {} neighbours", settings.reuse.neighbours);
+  if (settings.display.denoise) text += ", denoised";
   if (state.night_changes) text += ", " + clock_text(settings.time_s);
-  return text + fmt::format(", mean of {} frame{}", figures.frames, figures.frames == 1 ? "" : "s");
+  return text + fmt::format(", mean of {} frame{}", stats.frames, stats.frames == 1 ? "" : "s");
 }
 
 }  // namespace nightcity

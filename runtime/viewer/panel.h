@@ -1,4 +1,4 @@
-// The panel over the picture: what the user may change, and what the renderer says.
+// The panel over the picture: what the user may change, and what the renderer reports.
 #pragma once
 
 #include <span>
@@ -13,25 +13,26 @@ struct ImDrawList;
 
 namespace nightcity {
 
-/// What the window shows; changed by panel, mouse and keys.
+/// What the window shows. The panel, the mouse and the keys change it.
 struct ViewerState {
   RenderSettings settings;
   CameraPose pose;
-  bool fly = false;        // else orbit
-  float speed_m_s = 10;    // of flying
+  bool fly = false;        // else the camera orbits
+  float speed_m_s = 10;    // when flying
   bool accumulate = true;  // else each frame stands alone
   bool auto_exposure = true;
   bool markers = false;
   bool play = false;           // the clock runs
-  float clock_speed = 1;       // seconds of the night a second
+  float clock_speed = 1;       // seconds of the night per second
   bool night_changes = false;  // the scene has schedules or traffic, so that the clock matters
-  int divisor =
-      0;  // 1, 2, 4 or 8: the picture has 1 / divisor of the window's pixels along each side; 0 = found out
+  // 1, 2, 4 or 8: the picture has 1 / divisor of the window's pixels along each side. 0 = chosen by the
+  // device's speed.
+  int divisor = 0;
   bool show_panel = true;
 };
 
-/// What the panel reports.
-struct ViewerFigures {
+/// What the panel reports of the scene and the last frame.
+struct FrameStats {
   std::string scene, device;
   std::size_t triangles = 0, lights = 0;
   std::uint32_t width = 0, height = 0;  // of the rendered picture
@@ -40,21 +41,21 @@ struct ViewerFigures {
   std::span<const gpu::Timer::Span> passes;
 };
 
-/// What the user asked for with the last panel.
+/// What the user asked for in the panel.
 struct PanelRequests {
-  bool restart = false;       // something changed the picture: it is to be rendered again
+  bool restart = false;       // something changed the picture, which must be rendered again
   std::string camera_preset;  // a name of camera_presets(), or ""
   bool save = false;          // the picture, as PNG and EXR
 };
 
 /// Draws the panel into the current ImGui frame.
-PanelRequests draw_panel(ViewerState& state, const ViewerFigures& figures);
+PanelRequests draw_panel(ViewerState& state, const FrameStats& stats);
 
-/// "23:05", of seconds since noon.
+/// Converts seconds since noon to "23:05".
 std::string clock_text(double time_s);
 
-/// "paper, 32 candidates, 5 neighbours, mean of 64 frames": stands in the window whether or not the panel is
-/// shown.
-std::string caption(const ViewerState& state, const ViewerFigures& figures);
+/// Returns "paper, 32 candidates, 5 neighbours, mean of 64 frames": the window shows it with and without the
+/// panel.
+std::string caption(const ViewerState& state, const FrameStats& stats);
 
 }  // namespace nightcity

@@ -63,11 +63,11 @@ class Viewer {
     state_.markers = options.markers;
     state_.divisor = options.divisor;
     state_.auto_exposure = !options.ev100;
-    if (options.ev100) state_.settings.ev100 = *options.ev100;
-    figures_.scene = std::filesystem::path(options.scene).filename().string();
-    figures_.device = device_.label();
-    figures_.triangles = scene_.triangles.size();
-    figures_.lights = scene_.lights.size();
+    if (options.ev100) state_.settings.display.ev100 = *options.ev100;
+    stats_.scene = std::filesystem::path(options.scene).filename().string();
+    stats_.device = device_.label();
+    stats_.triangles = scene_.triangles.size();
+    stats_.lights = scene_.lights.size();
     state_.night_changes = !scene_.traffic.trips.empty() || !scene_.schedules.empty();
     state_.play = options.play;
     // The clock never stops the window; the first lights are there from the first frame on.
@@ -81,7 +81,7 @@ class Viewer {
     while (!window_.closing() && (options_.quit_after == 0 || shown_ < options_.quit_after)) step();
     if (!options_.save_camera.empty()) write_camera(options_.save_camera, state_.pose);
     device_.check_validation();
-    return {shown_, figures_.frames, name_of(state_.settings.estimator)};
+    return {shown_, stats_.frames, name_of(state_.settings.sampling.estimator)};
   }
 
  private:
@@ -89,7 +89,7 @@ class Viewer {
     const auto start = Clock::now();
     // Nothing to render: sleep until hands move, but keep the panel alive.
     const bool idle =
-        !restart_ && figures_.frames >= options_.max_frames && !device_scene_.switching();
+        !restart_ && stats_.frames >= options_.max_frames && !device_scene_.switching();
     const Hands hands = window_.poll(idle ? 0.05 : 0.0);
     handle_keys(hands);
     const double elapsed_s = std::min(seconds_between(last_step_, start), 0.25);
@@ -106,16 +106,16 @@ class Viewer {
     outdated_ = false;
     if (!idle || restart_) render();
     show();
-    figures_.frame_ms = 1000 * seconds_between(start, Clock::now());
+    stats_.frame_ms = 1000 * seconds_between(start, Clock::now());
   }
 
   void handle_keys(const Hands& hands) {
     if (overlay_->wants_keys()) return;
     for (const int key : hands.pressed) {
-      const auto& names = estimator_names();
+      const auto& names = list_estimators();
       const auto number = static_cast<std::size_t>(key - GLFW_KEY_1);
       if (key >= GLFW_KEY_1 && number < names.size()) {
-        state_.settings.estimator = names[number].estimator;
+        state_.settings.sampling.estimator = names[number].estimator;
         restart_ = true;
       }
       if (key == GLFW_KEY_M) state_.markers = !state_.markers;
@@ -175,18 +175,18 @@ class Viewer {
       renderer_.reset();  // its memory first
       renderer_ = std::make_unique<Renderer>(device_, passes_, device_scene_, size.x, size.y);
     }
-    state_.settings.accumulate = state_.accumulate;
+    state_.settings.averaging.accumulate = state_.accumulate;
     // While the clock runs, the mean is of the last few frames and goes along with what moves.
     constexpr std::uint32_t frames_in_motion = 8;
-    state_.settings.window = state_.play && state_.night_changes ? frames_in_motion : 0;
+    state_.settings.averaging.window = state_.play && state_.night_changes ? frames_in_motion : 0;
     restart_ = false;
     const auto start = Clock::now();
     renderer_->render_frame(state_.pose, state_.settings);
     if (state_.divisor == 0) adapt(seconds_between(start, Clock::now()));
-    figures_.width = size.x;
-    figures_.height = size.y;
-    figures_.frames = renderer_->frames();
-    figures_.passes = renderer_->timings();
+    stats_.width = size.x;
+    stats_.height = size.y;
+    stats_.frames = renderer_->frames();
+    stats_.passes = renderer_->timings();
     meter();
   }
 
@@ -207,17 +207,17 @@ class Viewer {
   // The mean gets better as it goes, so meter it now and then, not at every step of a moving camera.
   void meter() {
     const auto now = Clock::now();
-    if (!state_.auto_exposure || !is_power_of_four(figures_.frames)) return;
+    if (!state_.auto_exposure || !is_power_of_four(stats_.frames)) return;
     if (metered_ && seconds_between(*metered_, now) < 0.25) return;
     metered_ = now;
-    state_.settings.ev100 = auto_exposure_ev100(renderer_->download(false));
+    state_.settings.display.ev100 = auto_exposure_ev100(renderer_->download(false));
     restart_ = true;  // shown with it once more, even where the mean is full
   }
 
   void show() {
     overlay_->begin();
     PanelRequests requests;
-    if (state_.show_panel) requests = draw_panel(state_, figures_);
+    if (state_.show_panel) requests = draw_panel(state_, stats_);
     if (state_.markers) draw_markers();
     draw_caption();
     overlay_->end();
@@ -261,12 +261,12 @@ class Viewer {
   }
 
   void draw_caption() {
-    const std::string text = caption(state_, figures_);
+    const std::string text = caption(state_, stats_);
     ImDrawList* list = ImGui::GetForegroundDrawList();
     const ImVec2 at{12, static_cast<float>(swapchain_.size().y) - 24};
     list->AddText({at.x + 1, at.y + 1}, IM_COL32(0, 0, 0, 255), text.c_str());
     list->AddText(at, IM_COL32(255, 255, 255, 255), text.c_str());
-    window_.set_title(fmt::format("{} - {} - nightview", figures_.scene, text));
+    window_.set_title(fmt::format("{} - {} - nightview", stats_.scene, text));
   }
 
   // night-001.png and .exr in the current folder, the first number that is free.
@@ -281,9 +281,10 @@ class Viewer {
     const Image image = renderer_->download();
     try {
       write_exr(stem + ".exr", image);
-      write_png(stem + ".png", to_display(image, state_.settings.ev100, state_.settings.tone),
+      write_png(stem + ".png",
+                to_display(image, state_.settings.display.ev100, state_.settings.display.tone),
                 png_text(image.info));
-      spdlog::info("{0}.png and {0}.exr: {1}", stem, caption(state_, figures_));
+      spdlog::info("{0}.png and {0}.exr: {1}", stem, caption(state_, stats_));
     } catch (const Error& error) {
       spdlog::error("{}", error.what());  // a full disk is no reason to close the window
     }
@@ -300,7 +301,7 @@ class Viewer {
   std::unique_ptr<Overlay> overlay_;
   std::unique_ptr<Renderer> renderer_;
   ViewerState state_;
-  ViewerFigures figures_;
+  FrameStats stats_;
   int auto_divisor_ = 8;   // where state_.divisor leaves the choice to us
   bool restart_ = true;    // something changed: render, whatever the mean holds
   bool outdated_ = false;  // the swapchain no longer fits the window

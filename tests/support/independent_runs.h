@@ -14,7 +14,7 @@ inline PictureStatistics independent_runs(Renderer& renderer, const CameraPose& 
                                           std::uint32_t frames, std::uint32_t first_seed = 1) {
   PictureStatistics statistics;
   for (std::uint32_t run = 0; run < runs; ++run) {
-    settings.seed = first_seed + run;
+    settings.sampling.seed = first_seed + run;
     for (std::uint32_t frame = 0; frame < frames; ++frame) renderer.render_frame(pose, settings);
     EXPECT_EQ(renderer.frames(), frames);
     statistics.add(renderer.download(false));

@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 
+#include "support/estimators.h"
 #include "support/gpu.h"
 #include "support/mutated_shaders.h"
 #include "support/scenes.h"
@@ -17,13 +18,9 @@ constexpr double pi = std::numbers::pi;
 
 const CameraPose looking_down{{0, 30, 0}, {0, 0, 0}, {0, 0, -1}, 40};
 
-RenderSettings with_estimator(Estimator estimator) {
-  RenderSettings settings;
-  settings.estimator = estimator;
-  settings.jitter = false;
-  settings.candidates = 8;
-  settings.neighbour_radius_px = 6;
-  return settings;
+// Few candidates and neighbours near by, so that each guard matters.
+RenderSettings settings_for(Estimator estimator) {
+  return with_estimator(estimator, 8, 6);
 }
 
 struct Shot {
@@ -71,7 +68,7 @@ bool obeys_the_inverse_square_law(const Image& image, double flux) {
 
 Shot one_lamp(Estimator estimator, float flux = 5000, std::uint32_t frames = 2) {
   return {SceneBuilder().ground(100).with({lamp({0, 8, 0}, flux)}), looking_down,
-          with_estimator(estimator), 16, frames};
+          settings_for(estimator), 16, frames};
 }
 
 Property lamp_law(Estimator estimator, float flux = 5000, std::uint32_t frames = 2) {
@@ -97,7 +94,7 @@ TEST(Guard, WhereNoLightReachesThePictureIsBlackAndNotNaN) {
   const Property dark_half_is_dark = [](PassLibrary& passes) {
     const Image image =
         taken(passes, {SceneBuilder().ground(100).with({window({0, 4, 0}, {0, 0, 1}, 1, 1, 500)}),
-                       looking_down, with_estimator(Estimator::ris), 16, 2});
+                       looking_down, settings_for(Estimator::ris), 16, 2});
     const auto& points = image.layer("position")->values;
     for (std::size_t i = 0; i < image.pixels(); ++i) {
       if (!std::isfinite(luminance(image, i))) return false;
@@ -123,8 +120,8 @@ const ShaderEdit poisoned_history{
 // the case that no later test of W > 0 catches.
 TEST(Guard, AHistoryThatIsNoNumberIsForgotten) {
   Shot shot = one_lamp(Estimator::pairwise, 5000, 4);
-  shot.settings.neighbours = 0;
-  shot.settings.accumulate = false;
+  shot.settings.reuse.neighbours = 0;
+  shot.settings.averaging.accumulate = false;
   expect_guarded(
       [&](PassLibrary& passes) { return obeys_the_inverse_square_law(taken(passes, shot), 5000); },
       {{"reservoir.glsl", "if (!sound) return EMPTY_RESERVOIR;", ""}}, {poisoned_history});
@@ -151,9 +148,9 @@ TEST(Guard, OneFrameThatIsNoNumberDoesNotStayInThePicture) {
 TEST(Guard, WeightsBeyondHalfFloatsAreKept) {
   std::vector<Light> lights(80000, lamp({0, 8, 0}, 0.0625f));
   Shot shot{SceneBuilder().ground(100).with(lights), looking_down,
-            with_estimator(Estimator::pairwise), 8, 2};
-  shot.settings.local_share = shot.settings.wide_share = 0;
-  shot.settings.uniform_share = 1;
+            settings_for(Estimator::pairwise), 8, 2};
+  shot.settings.sampling.near_share = shot.settings.sampling.far_share = 0;
+  shot.settings.sampling.uniform_share = 1;
   expect_guarded(
       [&](PassLibrary& passes) { return obeys_the_inverse_square_law(taken(passes, shot), 5000); },
       {{"reservoir.glsl", "r.W = finite(W) ? W : 0.0;",
@@ -166,10 +163,10 @@ TEST(Guard, HistoryFadesThroughTheCapOnM) {
   for (std::size_t i = 0; i < lights.size(); ++i)
     lights[i].colour_rgb9e5 = encode_rgb9e5({1, 0.1f + 0.015f * float(i), 0});
   Shot shot{SceneBuilder().ground(100).with(lights), looking_down,
-            with_estimator(Estimator::pairwise)};
-  shot.settings.neighbours = 0;
-  shot.settings.history_cap = 4;
-  shot.settings.accumulate = false;
+            settings_for(Estimator::pairwise)};
+  shot.settings.reuse.neighbours = 0;
+  shot.settings.reuse.max_history = 4;
+  shot.settings.averaging.accumulate = false;
   const Property lamps_change = [&](PassLibrary& passes) {
     DeviceScene device_scene(test_device(), shot.scene);
     Renderer renderer(test_device(), passes, device_scene, shot.side, shot.side);
@@ -197,10 +194,10 @@ TEST(Guard, NeighboursThatCannotContributeDoNotCount) {
       steps.ground(0).box({float(x) * 2, -1, float(z) * 2},
                           {float(x) * 2 + 2, (x + z) % 2 ? 0.0f : -0.9f, float(z) * 2 + 2});
   const std::vector<Light> lights{lamp({0, 200, 0}, 5e6f)};
-  Shot shot{steps.with(lights), looking_down, with_estimator(Estimator::pairwise), 32, 1};
+  Shot shot{steps.with(lights), looking_down, settings_for(Estimator::pairwise), 32, 1};
   const Image truth = [&] {
     Shot reference = shot;
-    reference.settings.estimator = Estimator::reference;
+    reference.settings.sampling.estimator = Estimator::reference;
     return taken(test_passes(), reference);
   }();
   expect_guarded(
@@ -225,9 +222,9 @@ TEST(Guard, WhatWasHiddenHasNoHistory) {
   SceneBuilder builder;
   builder.ground(100).box({-8, 0, 4}, {8, 10, 5});
   const RenderScene scene = builder.with({lamp({0, 8, 0}, 5000)});
-  RenderSettings settings = with_estimator(Estimator::paper);
-  settings.neighbours = 0;
-  settings.accumulate = false;
+  RenderSettings settings = settings_for(Estimator::paper);
+  settings.reuse.neighbours = 0;
+  settings.averaging.accumulate = false;
   const CameraPose before{{-6, 14, 30}, {0, 0, 0}, {0, 1, 0}, 50},
       after{{6, 22, 26}, {0, 0, 0}, {0, 1, 0}, 50};
   const Property no_smear = [&](PassLibrary& passes) {
@@ -257,7 +254,7 @@ TEST(Guard, ALightIndexOutOfRangeIsDropped) {
         "  if (FRAME.frame % 2u == 0u) FRAME.reservoirs.at[index].light = 0x7FFFFFF0u;"}});
   PassLibrary passes(test_device());
   Shot shot = one_lamp(Estimator::pairwise, 5000, 5);
-  shot.settings.accumulate = false;
+  shot.settings.averaging.accumulate = false;
   for (std::uint32_t frames : {3u, 4u}) {
     shot.frames = frames;
     for (const float value : taken(passes, shot).rgb) ASSERT_TRUE(std::isfinite(value));
@@ -277,7 +274,7 @@ TEST(Guard, RandomNumbersStayBelowOne) {
 TEST(Guard, AtTheLampItselfLightIsBoundedByItsSize) {
   const auto over_ground = [](float height) {
     return Shot{SceneBuilder().ground(100).with({lamp({0, height, 0}, 5000, 0)}), looking_down,
-                with_estimator(Estimator::reference), 1, 8};
+                settings_for(Estimator::reference), 1, 8};
   };
   const Shot within = over_ground(5e-4f), at_centre = over_ground(1e-20f),
              beyond = over_ground(1.1e-3f);
@@ -295,7 +292,7 @@ TEST(Guard, AWindowWithoutAreaShinesAsASmallOne) {
   light.axis = {0, -1, 0};
   light.tangent = {1, 0, 0};
   const Shot shot{SceneBuilder().ground(100).with({light}), looking_down,
-                  with_estimator(Estimator::pairwise), 16, 2};
+                  settings_for(Estimator::pairwise), 16, 2};
   const Property as_a_point = [&](PassLibrary& passes) {
     const Image image = taken(passes, shot);
     const auto& points = image.layer("position")->values;
@@ -327,7 +324,7 @@ TEST(Guard, RaysInThePlaneOfABoxHit) {
     for (const float x :
          {float(i), std::nextafter(float(i), -99.0f), std::nextafter(float(i), 99.0f)}) {
       renderer.render_frame({{x, 0.5f, 10}, {x, 0.5f, 0}, {0, 1, 0}, 1},
-                            with_estimator(Estimator::ris));
+                            settings_for(Estimator::ris));
       EXPECT_NEAR(renderer.download().layer("depth")->values[0], 10.0f, 1e-4f) << x;
     }
 }
@@ -341,7 +338,7 @@ TEST(Guard, FarFromTheOriginASurfaceDoesNotShadowItself) {
   builder.quad(middle - along - up, middle + along - up, middle + along + up, middle - along + up);
   const Shot shot{builder.with({lamp(middle + 0.1f * out, 5000, 0)}),
                   {middle + 20.0f * out, middle, {0, 1, 0}, 60},
-                  with_estimator(Estimator::reference),
+                  settings_for(Estimator::reference),
                   32,
                   1};
   const Property all_lit = [&](PassLibrary& passes) {
@@ -358,7 +355,7 @@ TEST(Guard, FarFromTheOriginASurfaceDoesNotShadowItself) {
 TEST(Guard, AVastGroundDoesNotShadowItself) {
   const Shot shot{SceneBuilder().ground(8000).with({lamp({0, 8, 0}, 5000)}),
                   {{0, 20, 0}, {0, 0, 0}, {0, 0, -1}, 90},
-                  with_estimator(Estimator::reference),
+                  settings_for(Estimator::reference),
                   32,
                   1};
   const Property lit = [&](PassLibrary& passes) {
@@ -373,9 +370,9 @@ TEST(Guard, TheFirstFrameOfSeedZeroIsRandom) {
   std::vector<Light> lights{lamp({0, 8, 0}, 5000), lamp({0, 8, 0}, 5000)};
   lights[0].colour_rgb9e5 = encode_rgb9e5({1, 0, 0});
   lights[1].colour_rgb9e5 = encode_rgb9e5({0, 0, 1});
-  Shot shot{SceneBuilder().ground(100).with(lights), looking_down, with_estimator(Estimator::ris),
-            32, 1};
-  shot.settings.candidates = 1;
+  Shot shot{SceneBuilder().ground(100).with(lights), looking_down, settings_for(Estimator::ris), 32,
+            1};
+  shot.settings.sampling.candidates = 1;
   const Property half_is_red = [&](PassLibrary& passes) {
     const Image image = taken(passes, shot);
     double red = 0;

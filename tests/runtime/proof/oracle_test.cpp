@@ -8,6 +8,7 @@
 
 #include "runtime/scene/camera.h"
 #include "support/berlin.h"
+#include "support/estimators.h"
 #include "support/independent_runs.h"
 #include "support/scenes.h"
 
@@ -15,10 +16,7 @@ namespace nightcity::test {
 namespace {
 
 RenderSettings reference() {
-  RenderSettings settings;
-  settings.estimator = Estimator::reference;
-  settings.jitter = false;  // the oracle looks through the pixels' centres
-  return settings;
+  return with_estimator(Estimator::reference);
 }
 
 PictureStatistics oracle_runs(const oracle::Oracle& oracle, const CameraPose& pose,

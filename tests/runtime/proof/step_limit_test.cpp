@@ -52,8 +52,8 @@ TEST(StepLimit, FiveThousandLightsIn300000TrianglesEqualTheOracle) {
   const RenderScene scene = town.with(lights);
   EXPECT_GE(scene.triangles.size(), 300000u);
   RenderSettings settings;
-  settings.estimator = Estimator::reference;
-  settings.jitter = false;
+  settings.sampling.estimator = Estimator::reference;
+  settings.sampling.jitter = false;
   const CameraPose pose{{-300, 120, 300}, {0, 0, 0}, {0, 1, 0}, 50};
   constexpr std::uint32_t side = 12;
   PictureStatistics ours, truth;

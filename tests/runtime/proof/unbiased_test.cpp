@@ -6,19 +6,15 @@
 #include <cstdio>
 
 #include "support/berlin.h"
+#include "support/estimators.h"
 #include "support/independent_runs.h"
 #include "support/scenes.h"
 
 namespace nightcity::test {
 namespace {
 
-RenderSettings with_estimator(Estimator estimator) {
-  RenderSettings settings;
-  settings.estimator = estimator;
-  settings.jitter = false;
-  settings.candidates = 16;
-  settings.neighbour_radius_px = 8;  // of pictures this small
-  return settings;
+RenderSettings settings_for(Estimator estimator) {
+  return with_estimator(estimator, 16, 8);  // a radius for pictures this small
 }
 
 struct Place {
@@ -41,13 +37,13 @@ Verdict judge(const Place& place, const RenderSettings& settings, std::uint32_t 
   DeviceScene device_scene(test_device(), place.scene);
   Renderer renderer(test_device(), test_passes(), device_scene, place.side, place.side);
   const PictureStatistics truth =
-      independent_runs(renderer, place.pose, with_estimator(Estimator::reference), 16, 4, 5000);
+      independent_runs(renderer, place.pose, settings_for(Estimator::reference), 16, 4, 5000);
   const PictureStatistics ours = independent_runs(renderer, place.pose, settings, runs, frames);
   Verdict verdict{test_pixels(ours, truth, 0.01, 1e-4), 0};
   verdict.z = verdict.pixels.relative_mean / verdict.pixels.relative_mean_error;
   testing::Test::RecordProperty("rejected", int(verdict.pixels.rejected));
   std::printf("  %-10s %6.2f %% of %zu pixels pass, mean %+.3f %% +- %.3f %%\n",
-              name_of(settings.estimator), 100 * verdict.pixels.passed_share(),
+              name_of(settings.sampling.estimator), 100 * verdict.pixels.passed_share(),
               verdict.pixels.pixels, 100 * verdict.pixels.relative_mean,
               100 * verdict.pixels.relative_mean_error);
   return verdict;
@@ -63,12 +59,12 @@ void expect_unbiased(const Place& place, const RenderSettings& settings, std::ui
 
 void expect_unbiased(const Place& place, Estimator estimator, std::uint32_t runs = 48,
                      std::uint32_t frames = 6) {
-  expect_unbiased(place, with_estimator(estimator), runs, frames);
+  expect_unbiased(place, settings_for(estimator), runs, frames);
 }
 
 void expect_biased(const Place& place, Estimator estimator, std::uint32_t runs = 144,
                    std::uint32_t frames = 6) {
-  const Verdict verdict = judge(place, with_estimator(estimator), runs, frames);
+  const Verdict verdict = judge(place, settings_for(estimator), runs, frames);
   EXPECT_LT(verdict.pixels.passed_share(), enough);
   EXPECT_LT(verdict.z, -3);
 }
@@ -93,7 +89,7 @@ Place town() {
 }
 
 TEST(Unbiased, TheDefaultOnAnAnalyticScene) {
-  expect_unbiased(analytic(), RenderSettings{}.estimator);
+  expect_unbiased(analytic(), RenderSettings{}.sampling.estimator);
 }
 TEST(Unbiased, RisOnAnAnalyticScene) {
   expect_unbiased(analytic(), Estimator::ris);
@@ -109,7 +105,7 @@ TEST(Unbiased, ThePapersWeightsAreNotOnAnAnalyticScene) {
 }
 
 TEST(Unbiased, TheDefaultInATown) {
-  expect_unbiased(town(), RenderSettings{}.estimator);
+  expect_unbiased(town(), RenderSettings{}.sampling.estimator);
 }
 TEST(Unbiased, ThePapersWeightsAreNotInATown) {
   expect_biased(town(), Estimator::paper);
@@ -117,9 +113,9 @@ TEST(Unbiased, ThePapersWeightsAreNotInATown) {
 
 // Which pixels share is decided by surfaces alone, so neither brings bias.
 TEST(Unbiased, WithBoostAndPermutationInATown) {
-  RenderSettings settings = with_estimator(RenderSettings{}.estimator);
-  settings.boost = 12;
-  settings.permute = true;
+  RenderSettings settings = settings_for(RenderSettings{}.sampling.estimator);
+  settings.reuse.disocclusion_boost = 12;
+  settings.reuse.permute = true;
   expect_unbiased(town(), settings);
 }
 
@@ -127,11 +123,11 @@ TEST(Unbiased, TheDefaultInBerlinAndThePapersWeightsNot) {
   BAKED_BERLIN(berlin, false);
   Place place{load_render_scene(berlin / "city.glb"), {}, 24};
   place.pose = find_camera("overview", place.scene);
-  expect_unbiased(place, RenderSettings{}.estimator, 64);
+  expect_unbiased(place, RenderSettings{}.sampling.estimator, 64);
   expect_biased(place, Estimator::paper);
   // And where a pixel is a metre, not forty.
   place.pose.fov_deg = 5;
-  expect_unbiased(place, RenderSettings{}.estimator);
+  expect_unbiased(place, RenderSettings{}.sampling.estimator);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "support/estimators.h"
 #include "support/gpu.h"
 #include "support/scenes.h"
 
@@ -15,14 +16,9 @@ constexpr double pi = std::numbers::pi;
 
 const CameraPose looking_down{{0, 30, 0}, {0, 0, 0}, {0, 0, -1}, 40};
 
-RenderSettings with_estimator(Estimator estimator) {
-  RenderSettings settings;
-  settings.estimator = estimator;
-  settings.jitter = false;  // the position layer is then the very point that was shaded
-  // Pixels that share few samples: the mean of so small a picture then has little noise.
-  settings.neighbour_radius_px = 30;
-  settings.history_cap = 4;
-  return settings;
+// Pixels that share few samples: the mean of so small a picture then has little noise.
+RenderSettings settings_for(Estimator estimator) {
+  return with_estimator(estimator, SamplingSettings{}.candidates, 30, 4);
 }
 
 // Even a single light leaves `basic` some variance: its normalisation depends on which pixel's sample was
@@ -31,14 +27,14 @@ bool noisy(Estimator estimator) {
   return estimator == Estimator::basic;
 }
 
-class EveryEstimator : public testing::TestWithParam<EstimatorName> {};
+class EveryEstimator : public testing::TestWithParam<EstimatorTraits> {};
 
 // E = I cos(theta) / d^2 on the ground, I = flux / (4 pi), and L = reflectance / pi * E.
 TEST_P(EveryEstimator, OneLampOverAPlaneIsInverseSquareTimesCosine) {
   const float flux = 5000;
   const glm::dvec3 position(1.5, 8, -2);
   const RenderScene scene = SceneBuilder(0.4f).ground(100).with({lamp(glm::vec3(position), flux)});
-  const Image image = render(scene, looking_down, with_estimator(GetParam().estimator), 64, 36,
+  const Image image = render(scene, looking_down, settings_for(GetParam().estimator), 64, 36,
                              noisy(GetParam().estimator) ? 16 : 2);
   const auto& points = image.layer("position")->values;
   double sum = 0, expected_sum = 0;
@@ -65,7 +61,7 @@ TEST_P(EveryEstimator, ABigSphereLightsAFacingPlaneAsItsCentreWould) {
   pose.position = {0, 2.5,
                    0.001f};  // below the lamp's centre: there is no geometry to hide the ground
   pose.fov_deg = 40;
-  const Image image = render(scene, pose, with_estimator(GetParam().estimator), 32, 32, 64);
+  const Image image = render(scene, pose, settings_for(GetParam().estimator), 32, 32, 64);
   double sum = 0, expected = 0;
   const auto& points = image.layer("position")->values;
   for (std::size_t i = 0; i < image.pixels(); ++i) {
@@ -84,7 +80,7 @@ TEST_P(EveryEstimator, NothingWithinALampIsLitByIt) {
   const float radius = 2.0f, height = 1.0f;
   const RenderScene scene =
       SceneBuilder(0.4f).ground(100).with({lamp({0, height, 0}, 5000, radius)});
-  const Image image = render(scene, looking_down, with_estimator(GetParam().estimator), 64, 36, 4);
+  const Image image = render(scene, looking_down, settings_for(GetParam().estimator), 64, 36, 4);
   const auto& points = image.layer("position")->values;
   int within = 0;
   double beyond = 0;
@@ -106,7 +102,7 @@ TEST_P(EveryEstimator, AWindowShinesByTheCosineLawAndOnOneSide) {
   const glm::dvec3 centre(0, 6, -8);
   const RenderScene scene = SceneBuilder(0.4f).ground(100).with(
       {window(glm::vec3(centre), {0, 0, 1}, 0.05f, 0.05f, flux)});
-  const Image image = render(scene, looking_down, with_estimator(GetParam().estimator), 64, 64, 2);
+  const Image image = render(scene, looking_down, settings_for(GetParam().estimator), 64, 64, 2);
   const auto& points = image.layer("position")->values;
   int lit = 0, dark = 0;
   for (std::size_t i = 0; i < image.pixels(); ++i) {
@@ -124,7 +120,7 @@ TEST_P(EveryEstimator, AWindowShinesByTheCosineLawAndOnOneSide) {
   EXPECT_GT(dark, 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ladder, EveryEstimator, testing::ValuesIn(estimator_names()),
+INSTANTIATE_TEST_SUITE_P(Ladder, EveryEstimator, testing::ValuesIn(list_estimators()),
                          [](const auto& parameter) { return std::string(parameter.param.name); });
 
 TEST(ClosedForm, AProfileScalesTheIntensityByDirection) {
@@ -139,7 +135,7 @@ TEST(ClosedForm, AProfileScalesTheIntensityByDirection) {
   SceneBuilder builder(0.4f);
   builder.ground(100);
   const RenderScene scene = make_render_scene(builder.scene(), lights);
-  const Image image = render(scene, looking_down, with_estimator(Estimator::reference), 64, 36, 1);
+  const Image image = render(scene, looking_down, settings_for(Estimator::reference), 64, 36, 1);
   const auto& points = image.layer("position")->values;
   for (std::size_t i = 0; i < image.pixels(); ++i) {
     const glm::dvec3 to =
@@ -151,8 +147,8 @@ TEST(ClosedForm, AProfileScalesTheIntensityByDirection) {
 }
 
 TEST(ClosedForm, RaysThatLeaveTheSceneSeeTheSky) {
-  RenderSettings settings = with_estimator(Estimator::ris);
-  settings.sky_cd_m2 = {0.01f, 0.02f, 0.03f};
+  RenderSettings settings = settings_for(Estimator::ris);
+  settings.environment.sky_cd_m2 = {0.01f, 0.02f, 0.03f};
   const RenderScene scene = SceneBuilder().ground(1).with({});
   const Image image = render(scene, {{0, 5, 0}, {0, 10, -1}, {0, 1, 0}, 40}, settings, 8, 8, 3);
   for (std::size_t i = 0; i < image.pixels(); ++i) {

@@ -24,7 +24,7 @@ RenderScene two_lamps() {
 
 double brightness(DeviceScene& scene, double time_s) {
   RenderSettings settings;
-  settings.estimator = Estimator::reference;
+  settings.sampling.estimator = Estimator::reference;
   settings.time_s = time_s;
   Renderer renderer(test_device(), test_passes(), scene, 16, 12);
   renderer.render_frame({{0, 15, 10}, {0, 0, 0}, {0, 1, 0}, 60}, settings);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "formats/error.h"
+#include "support/estimators.h"
 #include "support/gpu.h"
 #include "support/scenes.h"
 
@@ -15,16 +16,10 @@ namespace {
 
 const CameraPose pose{{-45, 25, 50}, {0, 2, 0}, {0, 1, 0}, 50};
 
-RenderSettings with_estimator(Estimator estimator) {
-  RenderSettings settings;
-  settings.estimator = estimator;
-  settings.jitter = false;
-  settings.candidates = 16;
-  // Reuse near by and not for long: else the pixels of so small a picture all share a few samples, and its
-  // mean is noise.
-  settings.neighbour_radius_px = 6;
-  settings.history_cap = 4;
-  return settings;
+// Reuses from near by and not for long: else the pixels of so small a picture all share a few samples, and its
+// mean is noise.
+RenderSettings settings_for(Estimator estimator) {
+  return with_estimator(estimator, 16, 6, 4);
 }
 
 // Lights small enough to be points: the oracle then needs no area sampling.
@@ -57,8 +52,8 @@ class Reference : public testing::TestWithParam<bool> {};
 
 TEST_P(Reference, EqualsABruteForceOracleWithShadows) {
   const RenderScene scene = random_town(50, 50, 11).with(point_lamps(300, 50, 5));
-  RenderSettings settings = with_estimator(Estimator::reference);
-  settings.layers = GetParam();
+  RenderSettings settings = settings_for(Estimator::reference);
+  settings.sampling.layers = GetParam();
   // Higher than wide: a width taken for the height would show.
   const Image image = render(scene, pose, settings, 20, 28, 1);
   const auto& points = image.layer("position")->values;
@@ -107,9 +102,7 @@ double body_mean(const Image& image, const Image& truth) {
 class Estimators : public testing::Test {
  protected:
   static constexpr std::uint32_t side = 48;
-  Estimators() {
-    truth_ = render(scene_, pose, with_estimator(Estimator::reference), side, side, 4);
-  }
+  Estimators() { truth_ = render(scene_, pose, settings_for(Estimator::reference), side, side, 4); }
   // A lamp inside a wall would be every unshadowed target's favourite and never be seen: noise no real city
   // has.
   SceneBuilder town_ = random_town(120, 50, 11);
@@ -120,10 +113,10 @@ class Estimators : public testing::Test {
 TEST_F(Estimators, AMovingCameraReusesItsHistoryWithoutBias) {
   gpu::Device& device = test_device();
   DeviceScene device_scene(device, scene_);
-  RenderSettings settings = with_estimator(Estimator::traced);
+  RenderSettings settings = settings_for(Estimator::traced);
   std::vector<double> ratios;
   for (std::uint32_t run = 0; run < 8; ++run) {
-    settings.seed = run;
+    settings.sampling.seed = run;
     Renderer renderer(device, test_passes(), device_scene, side, side);
     CameraPose moving = pose;
     for (int i = 8; i >= 0; --i) {
@@ -140,9 +133,9 @@ TEST_F(Estimators, AMovingCameraReusesItsHistoryWithoutBias) {
 
 // In the first frame no pixel has a history.
 TEST_F(Estimators, MoreNeighboursMakeUpForAMissingHistory) {
-  RenderSettings settings = with_estimator(Estimator::traced);
+  RenderSettings settings = settings_for(Estimator::traced);
   const auto error = [&](std::uint32_t boost) {
-    settings.boost = boost;
+    settings.reuse.disocclusion_boost = boost;
     const Image image = render(scene_, pose, settings, side, side, 1);
     double sum = 0;
     for (std::size_t i = 0; i < image.pixels(); ++i)
@@ -155,24 +148,35 @@ TEST_F(Estimators, MoreNeighboursMakeUpForAMissingHistory) {
 // Some light would never be picked, and the picture would be darker without a word.
 TEST(Shares, ThatLeaveSomeLightOutAreRefused) {
   RenderSettings settings;
-  settings.local_share = 0.7f;
-  settings.wide_share = 0.3f;
+  settings.sampling.near_share = 0.7f;
+  settings.sampling.far_share = 0.3f;
   EXPECT_THROW(
       render(SceneBuilder().ground(30).with({lamp({3, 6, 0}, 4000)}), pose, settings, 4, 4, 1),
       UsageError);
-  settings.wide_share = 0.2f;
-  settings.fleet_share = 0;  // no vehicles: nobody misses them
+  settings.sampling.far_share = 0.2f;
+  settings.sampling.vehicle_share = 0;  // no vehicles: nobody misses them
   EXPECT_NO_THROW(
       render(SceneBuilder().ground(30).with({lamp({3, 6, 0}, 4000)}), pose, settings, 4, 4, 1));
+}
+
+// 1 / falloff^2 of so short a distance would be infinite, and the picture NaN.
+TEST(Falloff, TheShortestOneCountsAsAMillimetre) {
+  RenderSettings settings = settings_for(Estimator::traced);
+  settings.reuse.history_falloff_m = 1e-30f;
+  const RenderScene scene = SceneBuilder().ground(30).with({lamp({3, 6, 0}, 4000)});
+  const Image shortest = render(scene, pose, settings, 8, 8, 3);
+  settings.reuse.history_falloff_m = 0.001f;
+  EXPECT_EQ(shortest.rgb, render(scene, pose, settings, 8, 8, 3).rgb);
+  for (const float value : shortest.rgb) EXPECT_TRUE(std::isfinite(value));
 }
 
 // Passes leave out what a scene lacks: that is to change their cost alone. A GPU's compiler may round
 // differently in the longer pass, and a choice by chance then falls the other way in a pixel here and there.
 TEST_F(Estimators, PassesThatCouldDoWhatTheSceneLacksMakeTheSamePicture) {
-  RenderSettings settings = with_estimator(Estimator::traced);
+  RenderSettings settings = settings_for(Estimator::traced);
   const Image plain = render(scene_, pose, settings, 32, 32, 3);
-  for (const Feature& feature : needless_features()) {
-    settings.needless = 1u << feature.constant;
+  for (const Feature& feature : optional_features()) {
+    settings.forced_features = 1u << feature.constant;
     const Image other = render(scene_, pose, settings, 32, 32, 3);
     if (test_device().info().kind == "cpu") {
       EXPECT_EQ(plain.rgb, other.rgb) << feature.name;
@@ -186,11 +190,11 @@ TEST_F(Estimators, PassesThatCouldDoWhatTheSceneLacksMakeTheSamePicture) {
 }
 
 TEST_F(Estimators, TheSameSeedGivesTheSamePictureAndAnotherSeedAnother) {
-  RenderSettings settings = with_estimator(Estimator::traced);
+  RenderSettings settings = settings_for(Estimator::traced);
   const Image a = render(scene_, pose, settings, 32, 32, 3),
               b = render(scene_, pose, settings, 32, 32, 3);
   EXPECT_EQ(a.rgb, b.rgb);
-  settings.seed = 1;
+  settings.sampling.seed = 1;
   EXPECT_NE(a.rgb, render(scene_, pose, settings, 32, 32, 3).rgb);
 }
 

@@ -16,12 +16,12 @@ void expect_all_finite(const Image& image) {
   for (const float value : image.rgb) ASSERT_TRUE(std::isfinite(value) && value >= 0) << value;
 }
 
-class Hazard : public testing::TestWithParam<EstimatorName> {
+class Hazard : public testing::TestWithParam<EstimatorTraits> {
  protected:
   RenderSettings settings() const {
     RenderSettings s;
-    s.estimator = GetParam().estimator;
-    s.candidates = 4;
+    s.sampling.estimator = GetParam().estimator;
+    s.sampling.candidates = 4;
     return s;
   }
 };
@@ -49,7 +49,7 @@ TEST_P(Hazard, LightsThatAreNotFiniteAreSwitchedOffAndCounted) {
   const RenderScene scene = SceneBuilder().ground(100).with(lights);
   EXPECT_EQ(scene.bad_lights, 3u);
   RenderSettings s = settings();
-  s.candidates = 64;
+  s.sampling.candidates = 64;
   const Image image = render(scene, looking_down, s, 16, 16, 4);
   expect_all_finite(image);
   const double good = mean_luminance(
@@ -75,7 +75,7 @@ TEST_P(Hazard, SliverAndZeroAreaTrianglesNeitherBlockNorBreak) {
   EXPECT_GT(mean_luminance(image), 0.1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ladder, Hazard, testing::ValuesIn(estimator_names()),
+INSTANTIATE_TEST_SUITE_P(Ladder, Hazard, testing::ValuesIn(list_estimators()),
                          [](const auto& parameter) { return std::string(parameter.param.name); });
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "runtime/measure/exposure.h"
 #include "runtime/measure/false_colour.h"
 #include "runtime/render/upward_flux.h"
+#include "support/estimators.h"
 #include "support/gpu.h"
 #include "support/scenes.h"
 
@@ -23,10 +24,7 @@ constexpr double albedo = 0.5;  // SceneBuilder's
 const CameraPose down{{0, 10, 0}, {0, 0, 0}, {0, 0, -1}, 60};
 
 RenderSettings reference() {
-  RenderSettings settings;
-  settings.estimator = Estimator::reference;
-  settings.jitter = false;
-  return settings;
+  return test::with_estimator(Estimator::reference);
 }
 
 double at_centre(const Image& image) {
@@ -44,13 +42,13 @@ TEST(Layers, SumToThePictureAndHoldTheirOwnKindOnly) {
   const std::vector<Light> lights{lamp({3, 6, 0}, 4000), window({-6, 3, 0}, {1, 0, 0}, 1, 1, 800)};
   for (const Estimator estimator : {Estimator::reference, Estimator::ris, Estimator::pairwise}) {
     RenderSettings settings = reference();
-    settings.estimator = estimator;
+    settings.sampling.estimator = estimator;
     // Reuse near by and not for long, as in estimator_test.cpp: all of this small picture would share a few
     // samples, and how much of it comes from which light vary by 4 % from run to run.
-    settings.neighbour_radius_px = 2;
-    settings.history_cap = 2;
-    settings.layers = true;
-    settings.sky_cd_m2 = glm::vec3(0.05f);
+    settings.reuse.neighbour_radius_px = 2;
+    settings.reuse.max_history = 2;
+    settings.sampling.layers = true;
+    settings.environment.sky_cd_m2 = glm::vec3(0.05f);
     const Image both = render(SceneBuilder().ground(30).with(lights), down, settings, 24, 24, 40);
     double difference = 0, sum = 0, lamps = 0, windows = 0;
     for (std::size_t i = 0; i < both.pixels(); ++i) {
@@ -77,7 +75,7 @@ TEST(Layers, SumToThePictureAndHoldTheirOwnKindOnly) {
 
 TEST(Layers, IlluminanceIsTheClosedFormsWhateverTheSurface) {
   RenderSettings settings = reference();
-  settings.layers = true;
+  settings.sampling.layers = true;
   const Image image = render(SceneBuilder(0.3f).ground(30).with({lamp({0, 8, 0}, 5000)}), down,
                              settings, 25, 25, 1);
   const auto lux = illuminance_of(image);
@@ -94,9 +92,9 @@ TEST(Display, ShowsWhatThePngShowsFromTheDarkToALampSeenDirectly) {
     DeviceScene device_scene(device, scene);
     Renderer renderer(device, test::test_passes(), device_scene, 8, 8);
     RenderSettings settings = reference();
-    settings.ev100 = ev100;
+    settings.display.ev100 = ev100;
     renderer.render_frame(down, settings);
-    const Image8 png = to_display(renderer.download(false), ev100, settings.tone);
+    const Image8 png = to_display(renderer.download(false), ev100, settings.display.tone);
     const auto words = renderer.display().read<std::uint32_t>(64);
     for (std::size_t c = 0; c < 3; ++c)
       EXPECT_NEAR(double(words[27] >> (8 * c) & 255u), double(png.rgb[3 * 27 + c]), 1)
@@ -107,9 +105,9 @@ TEST(Display, ShowsWhatThePngShowsFromTheDarkToALampSeenDirectly) {
 TEST(Moon, LightsAsItsIlluminanceSaysAndCastsShadows) {
   for (const Estimator estimator : {Estimator::reference, Estimator::pairwise}) {
     RenderSettings settings = reference();
-    settings.estimator = estimator;
-    settings.moon_direction = {0, std::sqrt(0.5f), std::sqrt(0.5f)};
-    settings.moon_lux = glm::vec3(0.25f);
+    settings.sampling.estimator = estimator;
+    settings.environment.moon_direction = {0, std::sqrt(0.5f), std::sqrt(0.5f)};
+    settings.environment.moon_lux = glm::vec3(0.25f);
     const double expected = albedo / pi * 0.25 * std::sqrt(0.5);
     EXPECT_NEAR(at_centre(render(SceneBuilder().ground(30).with({}), down, settings, 9, 9, 1)),
                 expected, 0.005 * expected);
@@ -121,10 +119,10 @@ TEST(Moon, LightsAsItsIlluminanceSaysAndCastsShadows) {
 
 TEST(Moon, IsSeenWhereItStandsAndAsBrightAsItLights) {
   RenderSettings settings = reference();
-  settings.moon_direction = glm::normalize(glm::vec3(0, 0.3f, -1));
-  settings.moon_lux = glm::vec3(0.25f);
+  settings.environment.moon_direction = glm::normalize(glm::vec3(0, 0.3f, -1));
+  settings.environment.moon_lux = glm::vec3(0.25f);
   const CameraPose up{{0, 2, 0},
-                      glm::vec3(0, 2, 0) + settings.moon_direction,
+                      glm::vec3(0, 2, 0) + settings.environment.moon_direction,
                       {0, 1, 0},
                       1};  // one degree: the moon fills half
   const Image image = render(SceneBuilder().ground(30).with({}), up, settings, 65, 65, 1);
@@ -136,10 +134,10 @@ TEST(Moon, IsSeenWhereItStandsAndAsBrightAsItLights) {
 TEST(SkyMap, AnEvenOneIsAUniformSky) {
   RenderScene scene = SceneBuilder().ground(30).box({-3, 0, -6}, {3, 6, -5}).with({});
   RenderSettings settings = reference();
-  settings.sky_cd_m2 = glm::vec3(0.2f);
+  settings.environment.sky_cd_m2 = glm::vec3(0.2f);
   const double uniform = test::mean_luminance(render(scene, down, settings, 24, 24, 32));
   scene.sky_map = {8, 4, std::vector<float>(96, 0.2f)};
-  settings.sky_cd_m2 = glm::vec3(1);
+  settings.environment.sky_cd_m2 = glm::vec3(1);
   EXPECT_NEAR(test::mean_luminance(render(scene, down, settings, 24, 24, 32)) / uniform, 1, 1e-4);
 }
 
@@ -149,7 +147,7 @@ TEST(SkyMap, KnowsNorthFromSouthAndUpFromDown) {
   // Upper row: columns from -180 to 180 degrees of azimuth; the third is from north to east.
   for (int c = 0; c < 3; ++c) scene.sky_map.rgb[std::size_t(3 * 2 + c)] = 7;
   RenderSettings settings = reference();
-  settings.sky_cd_m2 = glm::vec3(1);
+  settings.environment.sky_cd_m2 = glm::vec3(1);
   const auto seen = [&](glm::vec3 towards) {
     const CameraPose pose{{0, 2, 0}, glm::vec3(0, 2, 0) + towards, {0, 1, 0}, 10};
     return at_centre(render(scene, pose, settings, 9, 9, 1));
@@ -166,7 +164,7 @@ TEST(WetStreet, MirrorsALampByItsMicrofacetsAndDarkensTheRest) {
                    f0 = 0.02, kept = 0.6;
   const double illuminance = 5000 / (4 * pi) / 64;
   RenderSettings settings = reference();
-  settings.wetness = 1;
+  settings.environment.wetness = 1;
   const RenderScene scene = SceneBuilder().ground(30).with({lamp({0, 8, 0}, 5000, 0.01f)});
   const double expected = illuminance * (kept * albedo / pi + f0 / (4 * pi * alpha2));
   EXPECT_NEAR(at_centre(render(scene, {{0, 12, 0}, {0, 0, 0}, {0, 0, -1}, 5}, settings, 33, 33, 1)),
@@ -191,9 +189,9 @@ TEST(WetStreet, EstimatorsAgreeOnIt) {
       SceneBuilder().ground(30).with({lamp({4, 6, -8}, 5000), lamp({-5, 6, -3}, 3000)});
   const CameraPose pose{{0, 3, 12}, {0, 0, -5}, {0, 1, 0}, 60};
   RenderSettings settings = reference();
-  settings.wetness = 0.8f;
+  settings.environment.wetness = 0.8f;
   const double truth = test::mean_luminance(render(scene, pose, settings, 24, 24, 8));
-  settings.estimator = Estimator::pairwise;
+  settings.sampling.estimator = Estimator::pairwise;
   EXPECT_NEAR(test::mean_luminance(render(scene, pose, settings, 24, 24, 64)) / truth, 1, 0.02);
 }
 
@@ -238,10 +236,10 @@ TEST(Denoiser, KeepsTheMeanAndTheEdgesAndTakesTheNoise) {
   const CameraPose pose{{-20, 14, 25}, {0, 2, 0}, {0, 1, 0}, 50};
   RenderSettings settings = reference();
   const Image truth = render(scene, pose, settings, 64, 48, 16);
-  settings.estimator = Estimator::ris;
-  settings.candidates = 4;
+  settings.sampling.estimator = Estimator::ris;
+  settings.sampling.candidates = 4;
   const Image noisy = render(scene, pose, settings, 64, 48, 8);
-  settings.denoise = true;
+  settings.display.denoise = true;
   const Image filtered = render(scene, pose, settings, 64, 48, 8);
   const auto error = [&](const Image& image) {
     double sum = 0;
@@ -260,17 +258,17 @@ TEST(Window, AMovingCameraKeepsTheMeanOfTheLastFramesWithoutBias) {
   gpu::Device& device = test::test_device();
   DeviceScene device_scene(device, scene);
   RenderSettings settings = reference();
-  settings.estimator = Estimator::ris;
-  settings.window = 8;
+  settings.sampling.estimator = Estimator::ris;
+  settings.averaging.window = 8;
   const auto pose_at = [](int i) {
     return CameraPose{{-20 + 0.1f * float(i), 14, 25}, {0.1f * float(i), 2, 0}, {0, 1, 0}, 50};
   };
   Renderer with(device, test::test_passes(), device_scene, 48, 36),
       without(device, test::test_passes(), device_scene, 48, 36);
   for (int i = 0; i <= 12; ++i) {
-    settings.window = 8;
+    settings.averaging.window = 8;
     with.render_frame(pose_at(i), settings);
-    settings.window = 0;
+    settings.averaging.window = 0;
     without.render_frame(pose_at(i), settings);
   }
   const Image truth = render(scene, pose_at(12), reference(), 48, 36, 8);

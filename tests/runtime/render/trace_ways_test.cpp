@@ -58,9 +58,9 @@ RenderScene street() {
 Image seen_by(gpu::Device& device, const RenderScene& scene, Estimator estimator,
               std::uint32_t frames) {
   RenderSettings settings;
-  settings.estimator = estimator;
-  settings.jitter = false;
-  settings.layers = true;
+  settings.sampling.estimator = estimator;
+  settings.sampling.jitter = false;
+  settings.sampling.layers = true;
   PassLibrary passes(device);
   DeviceScene device_scene(device, scene);
   Renderer renderer(device, passes, device_scene, 160, 90);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "support/estimators.h"
 #include "support/gpu.h"
 #include "support/scenes.h"
 
@@ -12,11 +13,7 @@ namespace nightcity::test {
 namespace {
 
 RenderSettings plain() {
-  RenderSettings settings;
-  settings.estimator = Estimator::ris;
-  settings.candidates = 1;
-  settings.jitter = false;
-  return settings;
+  return with_estimator(Estimator::ris, 1);
 }
 
 void expect_depths_like_brute_force(const RenderScene& scene, const CameraPose& pose,

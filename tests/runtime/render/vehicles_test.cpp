@@ -63,9 +63,9 @@ const CameraPose above{{0, 25, 12}, {0, 0, 0}, {0, 1, 0}, 60};
 
 RenderSettings reference_at(double time_s) {
   RenderSettings settings;
-  settings.estimator = Estimator::reference;
+  settings.sampling.estimator = Estimator::reference;
   settings.time_s = time_s;
-  settings.jitter = false;
+  settings.sampling.jitter = false;
   return settings;
 }
 
@@ -143,11 +143,11 @@ TEST(Vehicles, PickedLightsGiveTheReferenceWithoutBias) {
   const Image truth = render(scene, pose, reference_at(17), 24, 24, 4);
   for (const Estimator estimator : {Estimator::ris, Estimator::pairwise}) {
     RenderSettings settings = reference_at(17);
-    settings.estimator = estimator;
+    settings.sampling.estimator = estimator;
     // Frames of one run share samples: the error of the mean is that of the means of independent runs.
     constexpr unsigned runs = 10;
     double sum = 0, squares = 0;
-    for (settings.seed = 1; settings.seed <= runs; ++settings.seed) {
+    for (settings.sampling.seed = 1; settings.sampling.seed <= runs; ++settings.sampling.seed) {
       const double ratio = test::mean_luminance(render(scene, pose, settings, 24, 24, 6)) /
                            test::mean_luminance(truth);
       sum += ratio;
@@ -167,10 +167,10 @@ TEST(Vehicles, HistoryOfMovingLightsBringsNoBias) {
   DeviceScene device_scene(device, scene);
   Renderer moving(device, test::test_passes(), device_scene, 20, 20);
   RenderSettings settings = reference_at(0);
-  settings.estimator = Estimator::pairwise;
+  settings.sampling.estimator = Estimator::pairwise;
   // Neighbours far away and a short history: frames that share few samples, so that few frames tell.
-  settings.neighbour_radius_px = 30;
-  settings.history_cap = 4;
+  settings.reuse.neighbour_radius_px = 30;
+  settings.reuse.max_history = 4;
   double estimated = 0, truth = 0;
   std::vector<double> times;
   for (int i = 0; i < 48; ++i) {
@@ -211,7 +211,7 @@ TEST(Vehicles, APictureDependsOnTheTimeOnlyNotOnTheFramesBefore) {
 TEST(Vehicles, AShareOfCandidatesThatLosesItsLightIsRefused) {
   RenderSettings settings;
   for (const float share : {0.0f, 1.0f}) {
-    settings.fleet_share = share;
+    settings.sampling.vehicle_share = share;
     EXPECT_THROW(render(with_traffic(crowd(3)), above, settings, 4, 4, 1), UsageError);
   }
 }

@@ -22,15 +22,15 @@ class Panel : public testing::Test {
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-    figures.scene = "town.glb";
-    figures.device = "a device";
+    stats.scene = "town.glb";
+    stats.device = "a device";
     for (int i = 0; i < 3; ++i) frame();  // the panel finds its size
   }
   void TearDown() override { ImGui::DestroyContext(); }
 
   PanelRequests frame() {
     ImGui::NewFrame();
-    const PanelRequests requests = draw_panel(state, figures);
+    const PanelRequests requests = draw_panel(state, stats);
     ImGui::Render();
     return requests;
   }
@@ -52,7 +52,7 @@ class Panel : public testing::Test {
   }
 
   ViewerState state;
-  ViewerFigures figures;
+  FrameStats stats;
 };
 
 TEST_F(Panel, DrawsSomethingAndChangesNothingByItself) {
@@ -62,9 +62,9 @@ TEST_F(Panel, DrawsSomethingAndChangesNothingByItself) {
   EXPECT_FALSE(requests.restart);
   EXPECT_FALSE(requests.save);
   EXPECT_EQ(requests.camera_preset, "");
-  EXPECT_EQ(state.settings.candidates, before.settings.candidates);
-  EXPECT_EQ(state.settings.neighbours, before.settings.neighbours);
-  EXPECT_EQ(state.settings.ev100, before.settings.ev100);
+  EXPECT_EQ(state.settings.sampling.candidates, before.settings.sampling.candidates);
+  EXPECT_EQ(state.settings.reuse.neighbours, before.settings.reuse.neighbours);
+  EXPECT_EQ(state.settings.display.ev100, before.settings.display.ev100);
   EXPECT_EQ(state.divisor, before.divisor);
 }
 
@@ -83,18 +83,18 @@ TEST_F(Panel, ClickOnAccumulateTurnsItOffAndAsksForARender) {
 }
 
 TEST_F(Panel, ClickOnASliderChangesCandidates) {
-  const std::uint32_t before = state.settings.candidates;
+  const std::uint32_t before = state.settings.sampling.candidates;
   EXPECT_TRUE(click_through(
-      200, [&](const PanelRequests&) { return state.settings.candidates != before; }));
-  EXPECT_GE(state.settings.candidates, 1u);
-  EXPECT_LE(state.settings.candidates, max_candidates);
+      200, [&](const PanelRequests&) { return state.settings.sampling.candidates != before; }));
+  EXPECT_GE(state.settings.sampling.candidates, 1u);
+  EXPECT_LE(state.settings.sampling.candidates, max_candidates);
 }
 
 TEST_F(Panel, MovingTheExposureEndsItsMetering) {
   ASSERT_TRUE(state.auto_exposure);
-  const float before = state.settings.ev100;
-  EXPECT_TRUE(
-      click_through(200, [&](const PanelRequests&) { return state.settings.ev100 != before; }));
+  const float before = state.settings.display.ev100;
+  EXPECT_TRUE(click_through(
+      200, [&](const PanelRequests&) { return state.settings.display.ev100 != before; }));
   EXPECT_FALSE(state.auto_exposure);
 }
 
@@ -109,14 +109,14 @@ TEST_F(Panel, CameraPresetIsAskedForByName) {
 }
 
 TEST_F(Panel, CaptionNamesWhatMadeThePicture) {
-  figures.frames = 64;
-  state.settings.estimator = Estimator::paper;
-  EXPECT_EQ(caption(state, figures), "paper, 32 candidates, 5 neighbours, mean of 64 frames");
-  state.settings.estimator = Estimator::ris;
-  EXPECT_EQ(caption(state, figures), "ris, 32 candidates, mean of 64 frames");
-  state.settings.estimator = Estimator::reference;
-  figures.frames = 1;
-  EXPECT_EQ(caption(state, figures), "reference, mean of 1 frame");
+  stats.frames = 64;
+  state.settings.sampling.estimator = Estimator::paper;
+  EXPECT_EQ(caption(state, stats), "paper, 32 candidates, 5 neighbours, mean of 64 frames");
+  state.settings.sampling.estimator = Estimator::ris;
+  EXPECT_EQ(caption(state, stats), "ris, 32 candidates, mean of 64 frames");
+  state.settings.sampling.estimator = Estimator::reference;
+  stats.frames = 1;
+  EXPECT_EQ(caption(state, stats), "reference, mean of 1 frame");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "runtime/render/fleet_passes.h"
+#include "runtime/render/vehicle_passes.h"
 
 #include <cmath>
 
@@ -9,8 +9,8 @@ float cycle_time(const TrafficCycle& cycle, double time_s) {
   return length > 0 ? float(time_s - std::floor(time_s / length) * length) : 0.0f;
 }
 
-FleetPasses::FleetPasses(gpu::Device& device, const DeviceScene& scene) : scene_(scene) {
-  if (!scene.has_fleet()) return;
+VehiclePasses::VehiclePasses(gpu::Device& device, const DeviceScene& scene) : scene_(scene) {
+  if (!scene.has_traffic()) return;
   const gpu::TrafficBuffers& traffic = scene.buffers().traffic;
   const std::size_t trips = traffic.trip_count;
   for (gpu::Buffer& lights : lights_)
@@ -24,7 +24,7 @@ FleetPasses::FleetPasses(gpu::Device& device, const DeviceScene& scene) : scene_
   counts_ = gpu::Buffer(device, (VEHICLE_CELLS + 1) * sizeof(std::uint32_t));
 }
 
-void FleetPasses::enter(gpu::Frame& frame) {
+void VehiclePasses::enter(gpu::Frame& frame) {
   parity_ ^= 1;
   frame.vehicle_lights = lights_[parity_].address();
   frame.previous_vehicle_lights = lights_[parity_ ^ 1].address();
@@ -34,10 +34,10 @@ void FleetPasses::enter(gpu::Frame& frame) {
   frame.vehicle_counts = counts_.address();
 }
 
-void FleetPasses::record(VkCommandBuffer commands, const PassSet& passes,
-                         std::uint64_t frame_address,
-                         const std::function<void(const char*)>& finished) const {
-  if (!scene_.has_fleet()) return;
+void VehiclePasses::record(VkCommandBuffer commands, const PassSet& passes,
+                           std::uint64_t frame_address,
+                           const std::function<void(const char*)>& finished) const {
+  if (!scene_.has_traffic()) return;
   const gpu::TrafficBuffers& traffic = scene_.buffers().traffic;
   const auto run = [&](const gpu::ComputePass& pass, std::uint32_t invocations,
                        std::uint32_t level = 0) {
@@ -61,7 +61,7 @@ void FleetPasses::record(VkCommandBuffer commands, const PassSet& passes,
   finished("top level");
 }
 
-std::vector<Light> FleetPasses::lights() const {
+std::vector<Light> VehiclePasses::lights() const {
   return lights_[parity_].read<Light>(scene_.buffers().traffic.trip_count *
                                       std::size_t{VEHICLE_LIGHTS});
 }

@@ -1,4 +1,4 @@
-#include "runtime/nightview/lamp_field.h"
+#include "runtime/experiments/lamp_field.h"
 
 #include <array>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include "formats/rgb9e5.h"
 
-namespace nightcity {
+namespace nightcity::experiments {
 namespace {
 
 constexpr float block_m = 80;
@@ -55,13 +55,13 @@ Light vehicle_lamp(const glm::vec3& position, const glm::vec3& axis, float flux_
   return light;
 }
 
-// One kind of car along the streets that run in z, on the right.
+// Adds vehicles of one kind that drive along the streets in z, on the right.
 void add_vehicles(SceneLights& lights, std::size_t vehicles, int streets, float half,
                   const std::function<float(float, float)>& uniform) {
   Traffic& traffic = lights.traffic;
   traffic.cycle.cycle_s = 100;
   for (float& share : traffic.cycle.density) share = 1;
-  // A cosine to the tenth power within 40 degrees of the axis, cd for a lumen.
+  // The cosine to the tenth power within 40 degrees of the axis, in cd per lumen.
   constexpr std::uint32_t rows = 41;
   lights.profiles = {{1, rows, 0, 40}};
   double flux = 0;
@@ -82,8 +82,8 @@ void add_vehicles(SceneLights& lights, std::size_t vehicles, int streets, float 
   }
   traffic.vehicles = {
       {{2, 0.75f, 0.9f}, 0, static_cast<std::uint32_t>(traffic.vehicle_lights.size()), {}}};
-  constexpr float drive_s = 99;
-  const float length = std::min(8 * drive_s, 2 * half), speed = length / drive_s;
+  constexpr float trip_s = 99;
+  const float length = std::min(8 * trip_s, 2 * half), speed = length / trip_s;
   for (std::size_t i = 0; i < vehicles; ++i) {
     const bool south = i % 2 == 0;  // +z
     const float street = std::floor(uniform(0, float(streets))),
@@ -94,16 +94,16 @@ void add_vehicles(SceneLights& lights, std::size_t vehicles, int streets, float 
         south ? 3u << 14 : 1u << 14;  // turns from east towards north, times 65536
     const auto first = static_cast<std::uint32_t>(traffic.knots.size());
     traffic.knots.push_back({south ? north_end : south_end, 0, velocity, yaw});
-    traffic.knots.push_back({south ? south_end : north_end, drive_s, velocity, yaw});
+    traffic.knots.push_back({south ? south_end : north_end, trip_s, velocity, yaw});
     traffic.trips.push_back({first, 2, 0, 0, 0, static_cast<std::uint32_t>(i), {}});
   }
 }
 
 }  // namespace
 
-RenderScene lamp_field(std::size_t lamps, std::size_t vehicles) {
+RenderScene make_lamp_field(std::size_t lamps, std::size_t vehicles) {
   auto blocks = static_cast<int>(std::ceil(std::sqrt(double(lamps) / lamps_a_block)));
-  blocks += blocks % 2;  // a street runs through the middle
+  blocks += blocks % 2;  // so that a street runs through the middle
   const float half = 0.5f * block_m * float(blocks);
   std::mt19937 random(7);
   const auto uniform = [&](float a, float b) {
@@ -116,7 +116,7 @@ RenderScene lamp_field(std::size_t lamps, std::size_t vehicles) {
   const float edge = half + block_m;
   append_quad(houses, {{{-edge, 0, -edge}, {-edge, 0, edge}, {edge, 0, edge}, {edge, 0, -edge}}});
   SceneLights lights;
-  // From the middle outwards would be prettier; row by row is as good, since only whole fields are compared.
+  // Lamps fill the field row by row: only whole fields are compared, so the order does not matter.
   for (int z = 0; z < blocks; ++z)
     for (int x = 0; x < blocks; ++x) {
       const glm::vec3 corner(float(x) * block_m - half, 0, float(z) * block_m - half);
@@ -147,4 +147,4 @@ CameraPose lamp_field_camera() {
   return pose;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::experiments

@@ -15,9 +15,9 @@ namespace nightcity {
 /// than a float.
 float cycle_time(const TrafficCycle& cycle, double time_s);
 
-class FleetPasses {
+class VehiclePasses {
  public:
-  FleetPasses(gpu::Device& device, const DeviceScene& scene);
+  VehiclePasses(gpu::Device& device, const DeviceScene& scene);
 
   /// Enters this frame's buffers, and swaps those of the frame before.
   void enter(gpu::Frame& frame);

@@ -1,72 +1,14 @@
-// The price list: combinations, a table that survives being stopped, and the commands that measure, as users
-// meet them.
-#include "runtime/nightview/sweep.h"
-
+// sweep, flight, strategies and vehicles as their users call them.
 #include <gtest/gtest.h>
 
-#include <set>
-
-#include "formats/error.h"
 #include "formats/light_file.h"
-#include "runtime/nightview/lamp_field.h"
+#include "formats/scene_file.h"
+#include "runtime/measure/table.h"
 #include "support/process.h"
 #include "support/scenes.h"
 
-namespace nightcity {
+namespace nightcity::experiments {
 namespace {
-
-TEST(Sweep, DefaultsOfEveryKnobAreValuesItTakes) {
-  for (const Knob& knob : knobs())
-    for (const std::string& word : split_list(knob.name, knob.defaults)) {
-      RenderSettings settings;
-      EXPECT_NO_THROW(knob.set(settings, knob, word)) << knob.name;
-      EXPECT_THROW(knob.set(settings, knob, "many"), UsageError) << knob.name;
-    }
-  EXPECT_THROW(split_list("--candidates", "1,,2"), UsageError);
-}
-
-TEST(Sweep, EverySettingComesOnceAndNoKnobThatAnEstimatorLacks) {
-  const auto all = combinations(
-      {{"estimator", "ris,pairwise"}, {"candidates", "1,2,4"}, {"neighbours", "0,3,5"}});
-  EXPECT_EQ(all.size(), 3u + 9u);  // ris has no neighbours
-  EXPECT_EQ(std::set<KnobValues>(all.begin(), all.end()).size(), all.size());
-  for (const KnobValues& values : all) {
-    EXPECT_EQ(values.size(), knobs().size());
-    const RenderSettings settings = settings_of(values);
-    EXPECT_EQ(name_of(settings.estimator), values.at("estimator"));
-    EXPECT_EQ(std::to_string(settings.candidates), values.at("candidates"));
-  }
-  EXPECT_THROW(combinations({{"candidates", "0"}}), UsageError);
-  EXPECT_THROW(combinations({{"estimator", "magic"}}), UsageError);
-}
-
-TEST(Sweep, RowsAreKeptUntilTheSceneChanges) {
-  const test::TempFolder folder;
-  const std::vector<std::string> columns{"view", "frames", "ms"};
-  {
-    SweepTable table(folder.path(), "one", columns, 2);
-    EXPECT_FALSE(table.restarted());
-    table.add({"top", "1", "0.5"});
-  }
-  test::write_text(folder / "reference-top.exr", "");
-  {
-    const SweepTable table(folder.path(), "one", columns, 2);
-    EXPECT_TRUE(table.holds({"top", "1"}));
-    EXPECT_FALSE(table.holds({"top", "2"}));
-  }
-  const SweepTable table(folder.path(), "two", columns, 2);
-  EXPECT_TRUE(table.restarted());
-  EXPECT_FALSE(table.holds({"top", "1"}));
-  EXPECT_FALSE(std::filesystem::exists(folder / "reference-top.exr"));
-}
-
-TEST(LampField, HasTheLampsAskedForAndAllShine) {
-  for (const std::size_t lamps : {1ul, 10ul, 1000ul}) {
-    const RenderScene scene = lamp_field(lamps);
-    EXPECT_EQ(scene.lights.size(), lamps);
-    EXPECT_EQ(scene.bad_lights, 0u);
-  }
-}
 
 // A plane, a box and two lamps as the two files of a scene.
 class MeasuringCommands : public testing::Test {
@@ -132,10 +74,14 @@ TEST_F(MeasuringCommands, StrategiesMeasuresEverySourceOfCandidates) {
   EXPECT_EQ(read_csv(folder / "out/strategies.csv").rows.size(), 16u);
 }
 
-TEST_F(MeasuringCommands, FleetTellsTheCostOfMovingVehiclesApart) {
-  const test::Outcome outcome =
-      test::run_program("nightview", "-q fleet --vehicles 0,30 --lamps 20 --size 8x6 --frames 1");
+TEST_F(MeasuringCommands, VehiclesSeparatesTheCostOfMovingThem) {
+  const test::Outcome outcome = test::run_program(
+      "nightview", "-q vehicles --vehicles 0,30 --lamps 20 --size 8x6 --frames 1");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(test::run_program("nightview", "-q fleet --vehicles 0 --lamps 20 --size 8x6 --frames 1")
+                .exit_code,
+            0)
+      << "the command's old name";
   EXPECT_NE(outcome.out.find("| 0 | 20 | "), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("| 30 | 140 | "), std::string::npos)
       << "four lights each: " << outcome.out;
@@ -150,4 +96,4 @@ TEST_F(MeasuringCommands, WrongUsageEndsWith2AndBadDataWith1) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::experiments

@@ -1,0 +1,38 @@
+// Error and cost of every frame of a moving camera.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formats/program/progress_display.h"
+#include "runtime/experiments/experiment.h"
+
+namespace nightcity::experiments {
+
+struct FlightOptions {
+  std::filesystem::path folder;         // gets flight.csv and the pictures
+  std::string path = "orbit";           // preset or file: see find_path
+  std::uint32_t frames = 120;           // along the path
+  std::uint32_t every = 1;              // the error of every Nth frame is measured
+  std::uint32_t reference_frames = 16;  // of each reference picture
+  std::optional<float> ev100;           // of the pictures; not set: metered from the first
+  bool pictures = false;                // writes every frame as PNG
+};
+
+/// What a flight measured. The first frame is left out: it has no history, and the driver compiles in it.
+struct FlightReport {
+  std::string device;
+  std::vector<double> ms;                              // of every frame
+  std::vector<double> rmse8, relative_mse, fireflies;  // of the measured frames
+};
+
+/// Flies along the path and compares the measured frames with references of their own views. Writes flight.csv
+/// and, where asked for, frame-NNNN.png. Throws Error.
+FlightReport fly(const FlightOptions& options, Experiment& experiment, RenderSettings settings,
+                 program::ProgressDisplay& progress);
+
+}  // namespace nightcity::experiments

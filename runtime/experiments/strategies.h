@@ -1,0 +1,27 @@
+// Which source of light candidates is worth its time at which number of lights.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "runtime/gpu/device.h"
+#include "runtime/measure/table.h"
+
+namespace nightcity::experiments {
+
+struct StrategiesOptions {
+  gpu::Device::Options device;
+  std::filesystem::path folder;  // gets strategies.csv and the reference pictures
+  std::uint32_t width = 320, height = 180;
+  std::vector<std::size_t> lights;  // numbers of lamps
+  std::uint32_t candidates = 32, reference_frames = 8;
+  std::uint32_t frames = 16;  // whose mean is measured, beside a single frame
+};
+
+/// Renders synthetic streets with each number of lamps and each mixture of sources, by `ris` and by the default
+/// estimator. Returns error and cost, a row per combination. Throws Error.
+Table compare_strategies(const StrategiesOptions& options);
+
+}  // namespace nightcity::experiments

@@ -1,0 +1,63 @@
+#include "runtime/experiments/sweep_points.h"
+
+#include <set>
+
+#include "runtime/render/parse.h"
+
+namespace nightcity::experiments {
+namespace {
+
+// Settings that make no difference stand at "-", so that equal settings are measured once.
+SweepPoint without_unused(SweepPoint point) {
+  const RenderSettings settings = to_settings(point);
+  for (const Setting& setting : list_swept_settings())
+    // A string made of one character: assigning "-" draws a false warning from g++ 12.
+    if (!setting.applies(settings)) point[setting.name] = std::string(1, '-');
+  return point;
+}
+
+}  // namespace
+
+std::vector<Setting> list_swept_settings() {
+  std::vector<Setting> swept;
+  for (const Setting& setting : list_settings())
+    if (setting.is_swept) swept.push_back(setting);
+  return swept;
+}
+
+std::vector<SweepPoint> list_combinations(const std::map<std::string, std::string>& chosen) {
+  std::vector<SweepPoint> all{{}};
+  for (const Setting& setting : list_swept_settings()) {
+    const auto given = chosen.find(setting.name);
+    const std::string list =
+        given == chosen.end() || given->second.empty() ? default_list(setting) : given->second;
+    std::vector<SweepPoint> longer;
+    for (const SweepPoint& so_far : all)
+      for (const std::string& word : split_list(option_of(setting), list)) {
+        RenderSettings ignored;
+        set_from_text(setting, ignored, word);
+        longer.push_back(so_far);
+        longer.back()[setting.name] = word;
+      }
+    all = std::move(longer);
+  }
+  std::set<SweepPoint> seen;
+  std::vector<SweepPoint> unique;
+  for (SweepPoint& point : all)
+    if (SweepPoint once = without_unused(std::move(point)); seen.insert(once).second)
+      unique.push_back(std::move(once));
+  return unique;
+}
+
+RenderSettings to_settings(const SweepPoint& point) {
+  RenderSettings settings;
+  settings.sampling.jitter = false;  // measures the error of light, not of edges
+  for (const Setting& setting : list_swept_settings()) {
+    const auto given = point.find(setting.name);
+    if (given != point.end() && given->second != "-")
+      set_from_text(setting, settings, given->second);
+  }
+  return settings;
+}
+
+}  // namespace nightcity::experiments

@@ -1,0 +1,61 @@
+// nightview vehicles: what a frame costs against the number of vehicles that move in it.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "runtime/experiments/vehicles.h"
+#include "runtime/nightview/commands.h"
+#include "runtime/nightview/device_options.h"
+#include "runtime/nightview/render_options.h"
+#include "runtime/render/parse.h"
+
+namespace nightcity {
+namespace {
+
+struct VehiclesCommand {
+  experiments::VehiclesOptions options;
+  RenderSettings settings;
+  std::string size = "1280x720", vehicles = "0,100,1000,10000";
+};
+
+void time_traffic(VehiclesCommand& command) {
+  experiments::VehiclesOptions& options = command.options;
+  const PictureSize size = parse_size(command.size);
+  options.width = size.width;
+  options.height = size.height;
+  options.estimator = command.settings.sampling.estimator;
+  options.vehicles = parse_counts("--vehicles", command.vehicles, 0, 1'000'000);
+  fmt::print("{}", to_markdown(time_vehicles(options)));
+}
+
+}  // namespace
+
+void add_vehicles_command(CLI::App& app) {
+  auto command = std::make_shared<VehiclesCommand>();
+  experiments::VehiclesOptions& options = command->options;
+  CLI::App* sub =
+      app.add_subcommand("vehicles", "Time a frame against the number of moving vehicles")
+          ->alias("fleet");
+  sub->footer(
+      "Renders synthetic streets with lamps and each number of vehicles, all driving: bodies with "
+      "four\n"
+      "lights each, and the BVHs over both built for every frame, 1/60 s apart. Prints medians by "
+      "the\n"
+      "device's clock.\n"
+      "Example:\n  nightview vehicles --vehicles 0,1000,10000 --size 1920x1080 --estimator traced");
+  declare_size(*sub, command->size);
+  declare_setting(*sub, list_settings().front(), command->settings);
+  declare_device(*sub, options.device);
+  sub->add_option("--vehicles", command->vehicles, "Numbers of vehicles, comma-separated")
+      ->capture_default_str();
+  sub->add_option("--lamps", options.lamps, "Street lamps: the size of the field")
+      ->capture_default_str()
+      ->check(CLI::Range(std::size_t(1), std::size_t(10'000'000)));
+  sub->add_option("--frames", options.frames, "Frames timed")
+      ->capture_default_str()
+      ->check(CLI::Range(1u, 100000u));
+  sub->callback([command] { time_traffic(*command); });
+}
+
+}  // namespace nightcity

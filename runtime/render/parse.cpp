@@ -1,0 +1,122 @@
+#include "runtime/render/parse.h"
+
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+
+#include "formats/error.h"
+#include "runtime/measure/limits.h"
+
+namespace nightcity {
+namespace {
+
+// Takes all of the text or nothing, in every locale. Spaces and a plus may lead.
+template <typename Number>
+bool read_all(const std::string& text, Number& value) {
+  const char *begin = text.data(), *end = begin + text.size();
+  while (begin != end && *begin == ' ') ++begin;
+  if (begin != end && *begin == '+') ++begin;
+  const auto [rest, error] = std::from_chars(begin, end, value);
+  return error == std::errc() && rest == end;
+}
+
+// Two digits at most, as in a clock's time.
+bool read_two_digits(const std::string& text, unsigned max, unsigned& value) {
+  return text.size() <= 2 && read_all(text, value) && value <= max;
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, at), text.size());
+    words.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return words;
+}
+
+std::string to_text(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+}  // namespace
+
+double parse_number(const std::string& option, const std::string& word, double min, double max) {
+  double value = 0;
+  // Written so that NaN fails.
+  if (!read_all(word, value) || !(value >= min && value <= max))
+    throw UsageError(option,
+                     "'" + word + "' is not a number from " + to_text(min) + " to " + to_text(max));
+  return value;
+}
+
+std::size_t parse_count(const std::string& option, const std::string& word, std::size_t min,
+                        std::size_t max) {
+  std::size_t value = 0;
+  if (!read_all(word, value) || value < min || value > max)
+    throw UsageError(option, "'" + word + "' is not a whole number from " + std::to_string(min) +
+                                 " to " + std::to_string(max));
+  return value;
+}
+
+bool parse_yes_or_no(const std::string& option, const std::string& word) {
+  if (word != "yes" && word != "no")
+    throw UsageError(option, "'" + word + "' is neither yes nor no");
+  return word == "yes";
+}
+
+std::vector<std::string> split_list(const std::string& option, const std::string& text) {
+  const std::vector<std::string> words = split(text, ',');
+  if (std::find(words.begin(), words.end(), "") != words.end())
+    throw UsageError(option, "'" + text + "' has an empty entry");
+  return words;
+}
+
+std::vector<std::size_t> parse_counts(const std::string& option, const std::string& text,
+                                      std::size_t min, std::size_t max) {
+  std::vector<std::size_t> counts;
+  for (const std::string& word : split_list(option, text))
+    counts.push_back(parse_count(option, word, min, max));
+  return counts;
+}
+
+double parse_time(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ':');
+  unsigned hours = 0, minutes = 0;
+  double seconds = 0;
+  bool good = (parts.size() == 2 || parts.size() == 3) && read_two_digits(parts[0], 23, hours) &&
+              read_two_digits(parts[1], 59, minutes);
+  if (good && parts.size() == 3) good = read_all(parts[2], seconds) && seconds >= 0 && seconds < 60;
+  if (!good) throw UsageError("--time", "expected HH:MM or HH:MM:SS, not '" + text + "'");
+  return ((hours + 12) % 24) * 3600.0 + minutes * 60.0 + seconds;
+}
+
+PictureSize parse_size(const std::string& text) {
+  PictureSize size;
+  const std::vector<std::string> parts = split(text, 'x');
+  const auto is_side = [](std::uint32_t side) { return side >= 1 && side <= max_image_side; };
+  if (parts.size() != 2 || !read_all(parts[0], size.width) || !read_all(parts[1], size.height) ||
+      !is_side(size.width) || !is_side(size.height))
+    throw UsageError("--size", "expected WIDTHxHEIGHT with 1 to " + std::to_string(max_image_side) +
+                                   " pixels a side, not '" + text + "'");
+  return size;
+}
+
+MoonPosition parse_moon(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  MoonPosition moon;
+  bool good = (parts.size() == 2 || parts.size() == 3) && read_all(parts[0], moon.azimuth_deg) &&
+              read_all(parts[1], moon.elevation_deg);
+  if (good && parts.size() == 3) good = read_all(parts[2], moon.lux);
+  if (!good || !(moon.azimuth_deg >= -360 && moon.azimuth_deg <= 360) ||
+      !(moon.elevation_deg > 0 && moon.elevation_deg <= 90) || !(moon.lux > 0 && moon.lux <= 1000))
+    throw UsageError(
+        "--moon",
+        "expected AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,LUX with an elevation above 0, not '" +
+            text + "'");
+  return moon;
+}
+
+}  // namespace nightcity

@@ -1,0 +1,314 @@
+#include "runtime/render/setting_table.h"
+
+#include <charconv>
+#include <limits>
+#include <type_traits>
+
+#include "formats/error.h"
+#include "runtime/render/parse.h"
+
+namespace nightcity {
+namespace {
+
+using Settings = RenderSettings;
+
+const EstimatorTraits& traits(const Settings& s) {
+  return traits_of(s.sampling.estimator);
+}
+
+bool samples(const Settings& s) {
+  return traits(s).samples;
+}
+
+bool chooses_shares(const Settings& s) {
+  return traits(s).samples && !traits(s).as_published;
+}
+
+bool reuses(const Settings& s) {
+  return traits(s).reuses;
+}
+
+bool reuses_neighbours(const Settings& s) {
+  return traits(s).reuses && s.reuse.neighbours > 0;
+}
+
+bool tunes_history(const Settings& s) {
+  return traits(s).reuses && !traits(s).as_published && s.reuse.max_history > 0;
+}
+
+bool tunes_history_and_neighbours(const Settings& s) {
+  return tunes_history(s) && s.reuse.neighbours > 0;
+}
+
+bool reuses_unshadowed(const Settings& s) {
+  return traits(s).reuses && !traits(s).as_published && !traits(s).shadowed_target;
+}
+
+std::string describe_estimators() {
+  std::string text = "How light is estimated:";
+  for (const EstimatorTraits& estimator : list_estimators())
+    text += std::string("\n  ") + estimator.name + ": " + estimator.description;
+  return text;
+}
+
+template <auto group, auto member>
+Setting::Value at(Settings& s) {
+  return &(s.*group.*member);
+}
+
+constexpr auto sampling = &Settings::sampling;
+constexpr auto reuse = &Settings::reuse;
+constexpr auto environment = &Settings::environment;
+constexpr auto display = &Settings::display;
+
+using Sampling = SamplingSettings;
+using Reuse = ReuseSettings;
+using Group = SettingGroup;
+
+constexpr double max_seed = std::numeric_limits<std::uint32_t>::max();
+
+// The sky is grey: its first channel stands for all three.
+Setting::Value find_sky(Settings& s) {
+  return &s.environment.sky_cd_m2.x;
+}
+
+std::vector<Setting> make_first_settings() {
+  return {
+      {.name = "estimator",
+       .group = Group::sampling,
+       .help = describe_estimators(),
+       .value = at<sampling, &Sampling::estimator>,
+       .is_swept = true,
+       .sweep_values = "ris,paper,basic,pairwise,traced"},
+      {.name = "candidates",
+       .group = Group::sampling,
+       .min = 1,
+       .max = max_candidates,
+       .help = "Light candidates per pixel and frame",
+       .value = at<sampling, &Sampling::candidates>,
+       .applies = samples,
+       .is_swept = true,
+       .sweep_values = "4,16,32",
+       .slider = SettingSlider{"candidates", 128, "%u", true}},
+  };
+}
+
+std::vector<Setting> make_reuse_settings() {
+  return {
+      {.name = "neighbours",
+       .group = Group::reuse,
+       .max = max_neighbours,
+       .help = "Pixels whose reservoirs are reused by a pixel in a frame",
+       .value = at<reuse, &Reuse::neighbours>,
+       .applies = reuses,
+       .is_swept = true,
+       .sweep_values = "1,5",
+       .slider = SettingSlider{"neighbours", max_neighbours, "%u"}},
+      {.name = "radius",
+       .group = Group::reuse,
+       .unit = "pixels",
+       .min = 1,
+       .max = 1000,
+       .help = "Distance within which reused pixels lie",
+       .value = at<reuse, &Reuse::neighbour_radius_px>,
+       .applies = reuses_neighbours,
+       .is_swept = true},
+      {.name = "max-history",
+       .aliases = {"history"},
+       .column = "history",
+       .group = Group::reuse,
+       .unit = "frames",
+       .max = 1000,
+       .help = "Greatest weight of earlier frames; 0 turns temporal reuse off",
+       .value = at<reuse, &Reuse::max_history>,
+       .applies = reuses,
+       .is_swept = true,
+       .slider = SettingSlider{"history", 40, "%.0f frames"}},
+      {.name = "history-falloff",
+       .aliases = {"reach"},
+       .column = "reach",
+       .group = Group::reuse,
+       .unit = "m",
+       .max = 100000,
+       .help = "Distance between a surface point and where its history was gathered at which half "
+               "of the "
+               "history counts; 0 = all counts at any distance, less than 0.001 counts as 0.001",
+       .value = at<reuse, &Reuse::history_falloff_m>,
+       .applies = tunes_history,
+       .is_swept = true},
+      {.name = "disocclusion-boost",
+       .aliases = {"boost"},
+       .column = "boost",
+       .group = Group::reuse,
+       .max = max_neighbours,
+       .help = "Pixels reused by a pixel without history (just come into view), where that is more "
+               "than "
+               "--neighbours",
+       .value = at<reuse, &Reuse::disocclusion_boost>,
+       .applies = tunes_history_and_neighbours,
+       .is_swept = true},
+      {.name = "permute",
+       .group = Group::reuse,
+       .help =
+           "Reuse the history in an order that changes from frame to frame: less correlated noise",
+       .value = at<reuse, &Reuse::permute>,
+       .applies = tunes_history,
+       .is_swept = true},
+  };
+}
+
+std::vector<Setting> make_sampling_settings() {
+  return {
+      {.name = "near-share",
+       .aliases = {"local-share"},
+       .column = "local-share",
+       .group = Group::sampling,
+       .help =
+           "Share of the candidates sampled from the lights that are strong near the surface point",
+       .value = at<sampling, &Sampling::near_share>,
+       .applies = chooses_shares,
+       .is_swept = true},
+      {.name = "far-share",
+       .aliases = {"wide-share"},
+       .column = "wide-share",
+       .group = Group::sampling,
+       .help = "Share of the candidates sampled from the lights of the neighbourhood",
+       .value = at<sampling, &Sampling::far_share>,
+       .applies = chooses_shares,
+       .is_swept = true},
+      {.name = "uniform-share",
+       .group = Group::sampling,
+       .help = "Share of the candidates sampled uniformly; the rest is sampled by flux",
+       .value = at<sampling, &Sampling::uniform_share>,
+       .applies = chooses_shares,
+       .is_swept = true},
+      {.name = "vehicle-share",
+       .aliases = {"fleet-share"},
+       .column = "fleet-share",
+       .group = Group::sampling,
+       .help = "Share of all candidates sampled from vehicles' lights, where any shine",
+       .value = at<sampling, &Sampling::vehicle_share>,
+       .applies = chooses_shares,
+       .is_swept = true},
+      {.name = "visibility-reuse",
+       .group = Group::reuse,
+       .help = "Drop shadowed candidates before reuse (basic, pairwise): less noise, biased",
+       .value = at<reuse, &Reuse::visibility_reuse>,
+       .applies = reuses_unshadowed,
+       .is_swept = true},
+      {.name = "jitter",
+       .group = Group::sampling,
+       .help = "Offset the rays within their pixel from frame to frame (on by default)",
+       .value = at<sampling, &Sampling::jitter>},
+      {.name = "seed",
+       .group = Group::sampling,
+       .max = max_seed,
+       .help = "Seed of all random numbers",
+       .value = at<sampling, &Sampling::seed>},
+  };
+}
+
+std::vector<Setting> make_other_settings() {
+  return {
+      {.name = "sky",
+       .group = Group::environment,
+       .unit = "cd/m2",
+       .max = 1e6,
+       .help = "Uniform luminance of the sky, which is seen and lights the scene (a city's "
+               "skyglow: 0.002 "
+               "to 0.02)",
+       .value = find_sky},
+      {.name = "wet",
+       .group = Group::environment,
+       .help = "How wet the streets are, 0 to 1",
+       .value = at<environment, &EnvironmentSettings::wetness>,
+       .slider = SettingSlider{"wet streets", 1, "%.2f"}},
+      {.name = "denoise",
+       .group = Group::display,
+       .help = "Filter the picture: for viewing, never for measurements",
+       .value = at<display, &DisplaySettings::denoise>},
+  };
+}
+
+}  // namespace
+
+const std::vector<Setting>& list_settings() {
+  static const std::vector<Setting> settings = [] {
+    std::vector<Setting> all;
+    // In this order they are the columns of sweep.csv.
+    for (const auto& part : {make_first_settings(), make_reuse_settings(), make_sampling_settings(),
+                             make_other_settings()})
+      all.insert(all.end(), part.begin(), part.end());
+    return all;
+  }();
+  return settings;
+}
+
+std::string describe(const Setting& setting) {
+  const std::string unit = setting.unit;
+  return setting.help + (unit.empty() ? "" : " (" + unit + ")");
+}
+
+std::string column_of(const Setting& setting) {
+  return setting.column ? setting.column : setting.name;
+}
+
+std::string option_of(const Setting& setting) {
+  return std::string("--") + setting.name;
+}
+
+void set_from_text(const Setting& setting, RenderSettings& settings, const std::string& word) {
+  const std::string option = option_of(setting);
+  const Setting::Value value = setting.value(settings);
+  if (const auto flag = std::get_if<bool*>(&value)) {
+    **flag = parse_yes_or_no(option, word);
+  } else if (const auto count = std::get_if<std::uint32_t*>(&value)) {
+    **count = static_cast<std::uint32_t>(
+        parse_count(option, word, std::size_t(setting.min), std::size_t(setting.max)));
+  } else if (const auto number = std::get_if<float*>(&value)) {
+    **number = static_cast<float>(parse_number(option, word, setting.min, setting.max));
+  } else {
+    *std::get<Estimator*>(value) = find_estimator(word);
+  }
+}
+
+std::string text_of(const Setting& setting, RenderSettings settings) {
+  const auto to_text = [](auto* value) -> std::string {
+    using Value = std::remove_pointer_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, bool>) {
+      return *value ? "yes" : "no";
+    } else if constexpr (std::is_same_v<Value, Estimator>) {
+      return name_of(*value);
+    } else {
+      char text[32];
+      return {text, std::to_chars(text, text + sizeof text, *value).ptr};
+    }
+  };
+  return std::visit(to_text, setting.value(settings));
+}
+
+std::string default_list(const Setting& setting) {
+  return setting.sweep_values.empty() ? text_of(setting, {}) : setting.sweep_values;
+}
+
+void check_settings(const RenderSettings& settings) {
+  RenderSettings copy = settings;
+  for (const Setting& setting : list_settings()) {
+    const auto is_in_range = [&](auto* value) {
+      if constexpr (std::is_same_v<decltype(value), Estimator*>)
+        return true;
+      else  // written so that NaN fails
+        return double(*value) >= setting.min && double(*value) <= setting.max;
+    };
+    if (!std::visit(is_in_range, setting.value(copy)))
+      throw UsageError(option_of(setting), "must be from " + std::to_string(setting.min) + " to " +
+                                               std::to_string(setting.max));
+  }
+  // A light that is never sampled is missing from the picture, and nothing in the picture shows it.
+  if (!(settings.sampling.near_share + settings.sampling.far_share <= 0.999f))
+    throw UsageError("--near-share",
+                     "and --far-share may be 0.999 together: lights that no grid cell lists need a "
+                     "share too");
+}
+
+}  // namespace nightcity
