@@ -16,17 +16,9 @@ CityInputs to_city_inputs(const Recipe& recipe) {
   inputs.origin_height = recipe.origin.height;
   inputs.licences = recipe.city.licences;
   inputs.map_licence = recipe.osm.licence;
-  inputs.ground = {recipe.terrain.dem, recipe.terrain.make_surface, recipe.terrain.margin_m,
-                   recipe.city.tile_m};
+  inputs.ground = recipe.terrain;
+  inputs.ground.tile_m = recipe.city.tile_m;
   return inputs;
-}
-
-LampStageOptions to_lamp_options(const Recipe::Lamps& lamps) {
-  LampStageOptions options{lamps.layout, lamps.hours, {}};
-  for (const Recipe::Lamps::LuminaireFile& luminaire : lamps.luminaires)
-    options.luminaires.push_back(
-        {luminaire.file, luminaire.highways, luminaire.types, luminaire.take_flux});
-  return options;
 }
 
 }  // namespace
@@ -37,9 +29,8 @@ BakeOptions to_bake_options(const Recipe& recipe) {
   options.scene = {recipe.output.draco, recipe.output.draco_tolerance_m};
   options.tiles = {recipe.city.tile_m, recipe.city.drop_ground, recipe.city.drop_hidden,
                    recipe.city.read.threads};
-  options.lights = {to_lamp_options(recipe.lamps), recipe.night.minute, recipe.output.punctual,
-                    recipe.city.tile_m};
-  options.windows = {recipe.windows.lit, recipe.windows.seed};
+  options.lights = {recipe.lamps, recipe.night.minute, recipe.output.punctual, recipe.city.tile_m};
+  options.windows = recipe.windows;
   options.drives = recipe.traffic.drives;
   options.traffic = recipe.traffic.options;
   return options;

@@ -213,7 +213,7 @@ TEST(Bake, AnElevationModelIsTheGroundAndMeetsTheBuildings) {
   write_text(folder / "cube.gml", without_relief(sample_gml()));
   write_slope(folder / "slope.tif", 46);  // heights over another datum
   Recipe recipe = make_recipe({folder / "cube.gml"});
-  recipe.terrain.dem = {folder / "slope.tif"};
+  recipe.terrain.elevation_models = {folder / "slope.tif"};
   const BakeReport report = bake(recipe, folder / "out");
   EXPECT_EQ(report.ground.source, "dem");
   EXPECT_NE(report.ground.dem.find("moved by -41"), std::string::npos) << report.ground.dem;
@@ -238,7 +238,7 @@ TEST(Bake, TheCitysOwnReliefGoesBeforeAnElevationModel) {
   write_text(folder / "cube.gml", sample_gml());
   write_slope(folder / "slope.tif", 0);
   Recipe recipe = make_recipe({folder / "cube.gml"});
-  recipe.terrain.dem = {folder / "slope.tif"};
+  recipe.terrain.elevation_models = {folder / "slope.tif"};
   const BakeReport report = bake(recipe, folder / "out");
   EXPECT_EQ(report.ground.source, "given");
   EXPECT_NE(report.ground.dem.find("not used"), std::string::npos);
@@ -252,7 +252,7 @@ TEST(Bake, AnElevationModelOfAnotherPlaceIsAnError) {
   write_text(folder / "cube.gml", far);
   write_slope(folder / "slope.tif", 0);
   Recipe recipe = make_recipe({folder / "cube.gml"});
-  recipe.terrain.dem = {folder / "slope.tif"};
+  recipe.terrain.elevation_models = {folder / "slope.tif"};
   EXPECT_THROW(bake(recipe, folder / "out"), Error);
 }
 

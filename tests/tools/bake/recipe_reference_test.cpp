@@ -12,7 +12,7 @@ namespace {
 using test::TempFolder;
 
 // All tables, those of rows included, with keys that write into `recipe` and `luminaire`.
-std::vector<Table> all_tables(Recipe& recipe, Recipe::Lamps::LuminaireFile& luminaire) {
+std::vector<Table> all_tables(Recipe& recipe, LuminaireFile& luminaire) {
   std::vector<Table> tables = make_tables(recipe, {});
   tables.push_back(make_luminaire_table(luminaire, {}));
   return tables;
@@ -37,7 +37,7 @@ TEST(RecipeReference, ThePageHoldsIt) {
 
 TEST(RecipeReference, EveryKeyHasWordsAndAnExample) {
   Recipe recipe;
-  Recipe::Lamps::LuminaireFile luminaire;
+  LuminaireFile luminaire;
   for (const Table& table : all_tables(recipe, luminaire)) {
     EXPECT_GT(table.help.size(), 10u) << table.name;
     for (const Key& key : table.keys) {
@@ -51,7 +51,7 @@ TEST(RecipeReference, EveryKeyHasWordsAndAnExample) {
 TEST(RecipeReference, EveryExampleAndDefaultCanBeRead) {
   const TempFolder folder;
   Recipe recipe;
-  Recipe::Lamps::LuminaireFile luminaire;
+  LuminaireFile luminaire;
   for (const Table& table : all_tables(recipe, luminaire))
     for (const Key& key : table.keys)
       for (const std::string& value : {key.example, key.default_value}) {
@@ -64,7 +64,7 @@ TEST(RecipeReference, EveryExampleAndDefaultCanBeRead) {
 TEST(RecipeReference, NumbersBeyondTheStatedRangeAreRefused) {
   const TempFolder folder;
   Recipe recipe;
-  Recipe::Lamps::LuminaireFile luminaire;
+  LuminaireFile luminaire;
   std::size_t tried = 0;
   for (const Table& table : all_tables(recipe, luminaire))
     for (const Key& key : table.keys) {

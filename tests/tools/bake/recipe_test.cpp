@@ -75,7 +75,7 @@ punctual = 50
   EXPECT_TRUE(recipe.city.drop_ground);
   EXPECT_TRUE(recipe.city.drop_hidden);
   EXPECT_EQ(recipe.city.licences, (std::vector<std::string>{"one", "two"}));
-  EXPECT_EQ(recipe.terrain.dem,
+  EXPECT_EQ(recipe.terrain.elevation_models,
             (std::vector<std::filesystem::path>{folder / "a.tif", folder / "b.tif"}));
   EXPECT_FALSE(recipe.terrain.make_surface);
   EXPECT_EQ(recipe.terrain.margin_m, 12.5);

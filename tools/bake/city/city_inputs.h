@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/bake/city/ground_builder.h"
+#include "tools/bake/city/ground_options.h"
 #include "tools/city/city_reader.h"
 #include "tools/georeference/frame.h"
 

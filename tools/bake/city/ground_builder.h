@@ -8,21 +8,13 @@
 #include <vector>
 
 #include "tools/bake/city/city_consumer.h"
+#include "tools/bake/city/ground_options.h"
 #include "tools/bake/city/tile_grid.h"
 #include "tools/bake/report/city_report.h"
 #include "tools/georeference/frame.h"
 #include "tools/terrain/terrain.h"
 
 namespace nightcity {
-
-struct GroundOptions {
-  /// Elevation models (any raster that GDAL reads) for a city without relief of its own. The first
-  /// that has a height at a place decides it.
-  std::vector<std::filesystem::path> elevation_models;
-  bool make_surface = true;  // show the surface that is made where there is neither
-  double margin_m = 50;      // how far made ground reaches beyond the city
-  double tile_m = 250;       // side of the tiles that the ground comes in
-};
 
 /// Gathers what one may stand on while the city is read, then builds the ground.
 class GroundBuilder final : public CityConsumer {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "formats/error.h"
-#include "tools/inputs/city_files.h"
 #include "tools/bake/recipe/nearest_word.h"
+#include "tools/inputs/city_files.h"
 
 namespace nightcity::recipe {
 namespace {

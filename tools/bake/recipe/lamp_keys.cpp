@@ -33,15 +33,14 @@ std::map<std::string, NightSpan> to_night_spans(const Value& value) {
   return result;
 }
 
-std::vector<Recipe::Lamps::LuminaireFile> to_luminaires(const Value& value,
-                                                        const std::filesystem::path& folder) {
+std::vector<LuminaireFile> to_luminaires(const Value& value, const std::filesystem::path& folder) {
   const std::string what =
       "a list of tables like {file = \"street.ldt\", roads = [\"residential\"]}";
-  std::vector<Recipe::Lamps::LuminaireFile> result;
+  std::vector<LuminaireFile> result;
   for (const Value& element : value.elements(0, what)) {
     const toml::table* settings = element.node.as_table();
     if (!settings) element.refuse("is not " + what);
-    Recipe::Lamps::LuminaireFile& luminaire = result.emplace_back();
+    LuminaireFile& luminaire = result.emplace_back();
     read_keys(value.file, value.name + ".", *settings,
               make_luminaire_table(luminaire, folder).keys);
     if (luminaire.file.empty()) element.refuse("names no file");
@@ -71,7 +70,7 @@ Key night_spans_key(std::string name, std::map<std::string, NightSpan>& spans, s
 
 }  // namespace
 
-Table make_lamp_table(Recipe::Lamps& lamps, const std::filesystem::path& folder) {
+Table make_lamp_table(LampStageOptions& lamps, const std::filesystem::path& folder) {
   return {
       "lamps",
       "Street lamps. Keys of the inner tables are values of OSM's `highway`: `motorway`, `trunk`, "
@@ -98,7 +97,7 @@ Table make_lamp_table(Recipe::Lamps& lamps, const std::filesystem::path& folder)
         }}}};
 }
 
-Table make_luminaire_table(Recipe::Lamps::LuminaireFile& row, const std::filesystem::path& folder) {
+Table make_luminaire_table(LuminaireFile& row, const std::filesystem::path& folder) {
   return {"lamps.luminaires",
           "One measured luminaire: a row of `[lamps] luminaires`.",
           {{"file", "path", "", "", "", "\"street.ldt\"",

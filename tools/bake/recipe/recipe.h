@@ -8,14 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "tools/bake/city/ground_options.h"
+#include "tools/bake/stages/lamp_options.h"
+#include "tools/bake/stages/window_options.h"
 #include "tools/city/city_reader.h"
 #include "tools/georeference/frame.h"
-#include "tools/layout/layout.h"
-#include "tools/lights/lamp_hours.h"
 #include "tools/traffic/traffic.h"
 
 namespace nightcity {
 
+/// Where a stage of the bake has options of its own, the recipe holds those.
 struct Recipe {
   /// Path of the recipe itself. All paths below are relative to the working folder.
   std::filesystem::path path;
@@ -38,37 +40,16 @@ struct Recipe {
     std::string licence = "OpenStreetMap contributors, ODbL 1.0";
   } osm;
 
-  struct Lamps {
-    struct LuminaireFile {
-      /// IES LM-63 or EULUMDAT.
-      std::filesystem::path file;
-      /// Values of OSM's highway; empty: every road.
-      std::vector<std::string> highways;
-      /// Empty: every type.
-      std::vector<LampType> types;
-      /// False: only the distribution comes from the file.
-      bool take_flux = true;
-    };
-    layout::LayoutOptions layout;
-    LampHours hours;
-    std::vector<LuminaireFile> luminaires;
-  } lamps;
-
-  struct Terrain {
-    std::vector<std::filesystem::path> dem;
-    bool make_surface = true;
-    double margin_m = 50;
-  } terrain;
+  LampStageOptions lamps;
+  /// Its tile_m is the city's.
+  GroundOptions terrain;
 
   /// Origin of model space in the city's CRS, m; what is absent is chosen from the data.
   struct Origin {
     std::optional<double> easting, northing, height;
   } origin;
 
-  struct Windows {
-    bool lit = true;
-    std::uint64_t seed = 1;
-  } windows;
+  WindowStageOptions windows;
 
   struct Traffic {
     /// True where the recipe has the table [traffic] and does not say drives = false.

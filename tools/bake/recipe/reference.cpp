@@ -16,7 +16,7 @@ constexpr std::size_t text_width = 80;
 template <class Use>
 void with_tables(const Use& use) {
   Recipe recipe;
-  Recipe::Lamps::LuminaireFile luminaire;
+  LuminaireFile luminaire;
   std::vector<Table> tables = make_tables(recipe, {});
   const auto lamps = std::find_if(tables.begin(), tables.end(),
                                   [](const Table& table) { return table.name == "lamps"; });

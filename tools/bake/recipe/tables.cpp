@@ -35,10 +35,10 @@ Table make_osm_table(Recipe::Osm& osm, const fs::path& folder) {
                     "The attribution that both output files carry.")}};
 }
 
-Table make_terrain_table(Recipe::Terrain& terrain, const fs::path& folder) {
+Table make_terrain_table(GroundOptions& terrain, const fs::path& folder) {
   return {"terrain",
           "The ground of a city whose model has no relief.",
-          {paths_key("dem", terrain.dem, folder, false, R"(["heights.tif"])",
+          {paths_key("dem", terrain.elevation_models, folder, false, R"(["heights.tif"])",
                      "Digital elevation models in any raster format that GDAL reads. They are not "
                      "used where the city model has a relief of its own."),
            flag_key("make_surface", terrain.make_surface,
@@ -64,7 +64,7 @@ Table make_origin_table(Recipe::Origin& origin) {
                       "beginning of the first file.")}};
 }
 
-Table make_window_table(Recipe::Windows& windows) {
+Table make_window_table(WindowStageOptions& windows) {
   return {"windows",
           "Lit windows.",
           {flag_key("lit", windows.lit, "Whether the city gets lit windows at all."),

@@ -14,10 +14,10 @@ namespace nightcity::recipe {
 std::vector<Table> make_tables(Recipe& recipe, const std::filesystem::path& folder);
 
 Table make_city_table(Recipe::City& city, const std::filesystem::path& folder);
-Table make_lamp_table(Recipe::Lamps& lamps, const std::filesystem::path& folder);
+Table make_lamp_table(LampStageOptions& lamps, const std::filesystem::path& folder);
 Table make_traffic_table(Recipe::Traffic& traffic);
 
 /// Returns the keys of one row of `[lamps] luminaires`.
-Table make_luminaire_table(Recipe::Lamps::LuminaireFile& row, const std::filesystem::path& folder);
+Table make_luminaire_table(LuminaireFile& row, const std::filesystem::path& folder);
 
 }  // namespace nightcity::recipe

@@ -1,32 +1,12 @@
 // The street lamps of a city: those that the map has, and laid-out ones where it has streets only.
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "tools/bake/city/city.h"
+#include "tools/bake/stages/lamp_options.h"
 #include "tools/layout/layout.h"
-#include "tools/lights/lamp_hours.h"
 #include "tools/lights/lamps.h"
 
 namespace nightcity {
-
-/// A measured luminaire and the lamps that get it.
-struct LuminaireFile {
-  std::filesystem::path file;         // IES LM-63 or EULUMDAT
-  std::vector<std::string> highways;  // OSM classes of road; empty: every road
-  std::vector<LampType> types;        // empty: every type
-  bool take_flux = true;              // false: the lumens stay those of the table of defaults
-};
-
-struct LampStageOptions {
-  layout::LayoutOptions layout;
-  LampHours hours;
-  std::vector<LuminaireFile> luminaires;  // the first that serves a lamp is taken
-
-  bool lays_out() const { return layout.mode != layout::LayoutOptions::Mode::never; }
-};
 
 struct CityLamps {
   LampSet set;

@@ -1,19 +1,14 @@
 // The windows of a city that have light at some time of the night.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 
 #include "tools/bake/city/city.h"
 #include "tools/bake/city/city_consumer.h"
+#include "tools/bake/stages/window_options.h"
 #include "tools/lights/windows.h"
 
 namespace nightcity {
-
-struct WindowStageOptions {
-  bool lit = true;         // false: there are none
-  std::uint64_t seed = 1;  // decides who is at home
-};
 
 /// Lays windows on the walls of a city while it is read. Their places wait on disk.
 class WindowConsumer final : public CityConsumer {

@@ -1,0 +1,13 @@
+// Which windows of a city have light.
+#pragma once
+
+#include <cstdint>
+
+namespace nightcity {
+
+struct WindowStageOptions {
+  bool lit = true;         // false: there are none
+  std::uint64_t seed = 1;  // decides who is at home
+};
+
+}  // namespace nightcity
