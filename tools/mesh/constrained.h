@@ -19,7 +19,8 @@ struct FlatTriangulation {
 };
 
 /// `outlines[i]` holds indices into `points`, not closed. A place is inside when it is enclosed by an odd
-/// number of outlines: right for holes, also those touching the shell, whatever their direction.
+/// number of outlines: right for holes, also those touching the shell, whatever their direction. Throws Error where
+/// outlines cross more than 16 times as often as they have points.
 FlatTriangulation triangulate_flat(std::span<const glm::dvec2> points,
                                    std::span<const std::vector<std::uint32_t>> outlines);
 

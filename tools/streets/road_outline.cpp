@@ -3,6 +3,7 @@
 #include "tools/streets/road_outline.h"
 
 #include <CGAL/Constrained_triangulation_plus_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,25 +22,29 @@ struct FaceInfo {
   bool counted = false;  // into an island
 };
 
-using Kernel = PlaneKernel;
-using Triangulation = CGAL::Constrained_triangulation_plus_2<ConstrainedDelaunay<FaceInfo>>;
-using Face = Triangulation::Face_handle;
-using Vertex = Triangulation::Vertex_handle;
-
 constexpr double grid_m = 0.01;  // corners that neighbours share differ by less
 
-glm::dvec2 plan(const Vertex& v) {
-  return {v->point().x(), v->point().y()};
+template <class Vertex>
+const glm::dvec2& plan(const Vertex& v) {
+  return v->info();
 }
 
+template <class Face>
 double area(const Face& face) {
   const glm::dvec2 a = plan(face->vertex(0)), b = plan(face->vertex(1)) - a,
                    c = plan(face->vertex(2)) - a;
   return (b.x * c.y - b.y * c.x) / 2;
 }
 
+template <class Outlines>
 class Outliner {
+  using Kernel = typename Outlines::Kernel;
+  using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<glm::dvec2, Kernel>;
+
  public:
+  using Triangulation = CGAL::Constrained_triangulation_plus_2<
+      ConstrainedDelaunay<FaceInfo, VertexBase, Kernel, typename Outlines::Tag>>;
+
   explicit Outliner(std::span<const RoadSurface> surfaces) {
     // From coordinates of millions of metres the triangulation's own corners would be coarse.
     origin_ = surfaces.front().exterior.front();
@@ -47,6 +52,7 @@ class Outliner {
       insert(surfaces[n].exterior, n);
       for (const PlanRing& hole : surfaces[n].interiors) insert(hole, n);
     }
+    for (const Vertex v : triangulation_.finite_vertex_handles()) v->info() = to_plan(v->point());
   }
 
   std::vector<OutlineEdge> run() {
@@ -66,13 +72,15 @@ class Outliner {
   }
 
  private:
+  using Face = typename Triangulation::Face_handle;
+  using Vertex = typename Triangulation::Vertex_handle;
   using Cover = std::vector<std::uint32_t>;  // surfaces, ascending
 
   void insert(const PlanRing& ring, std::uint32_t surface) {
     std::vector<Vertex> vertices;
     for (const glm::dvec2& p : ring) {
       const glm::dvec2 place = glm::round((p - origin_) / grid_m) * grid_m;
-      const Vertex v = triangulation_.insert(Kernel::Point_2(place.x, place.y),
+      const Vertex v = triangulation_.insert(typename Kernel::Point_2(place.x, place.y),
                                              last_ == Vertex{} ? Face{} : last_->face());
       last_ = v;
       vertices.push_back(v);
@@ -136,7 +144,7 @@ class Outliner {
     const glm::dvec2 middle = (corners[0] + corners[1] + corners[2]) / 3.0,
                      aside = glm::dvec2(-longest.y, longest.x) * (1.5 * gap_m / length);
     const auto road_at = [&](const glm::dvec2& p) {
-      return triangulation_.locate(Kernel::Point_2(p.x, p.y), face)->info().road;
+      return triangulation_.locate(typename Kernel::Point_2(p.x, p.y), face)->info().road;
     };
     return road_at(middle + aside) && road_at(middle - aside);
   }
@@ -173,7 +181,7 @@ class Outliner {
   }
 
   Triangulation triangulation_;
-  std::map<Triangulation::Constraint_id, std::uint32_t> surface_of_;
+  std::map<typename Triangulation::Constraint_id, std::uint32_t> surface_of_;
   glm::dvec2 origin_{0, 0};
   Vertex last_{};
 };
@@ -182,7 +190,12 @@ class Outliner {
 
 std::vector<OutlineEdge> road_outline(std::span<const RoadSurface> surfaces) {
   if (surfaces.empty()) return {};
-  return Outliner(surfaces).run();
+  using Uncrossed = Outliner<UncrossedOutlines>;
+  try {
+    return Uncrossed(surfaces).run();
+  } catch (const Uncrossed::Triangulation::Intersection_of_constraints_exception&) {
+    return Outliner<CrossedOutlines>(surfaces).run();
+  }
 }
 
 }  // namespace nightcity::streets
