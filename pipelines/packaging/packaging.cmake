@@ -5,7 +5,9 @@ set(packaging ${CMAKE_SOURCE_DIR}/pipelines/packaging)
 
 # DT_RPATH, not DT_RUNPATH: only the former also serves the libraries of the libraries.
 function(nightcity_install program)
-  set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/../lib")
+  # In the build folder too: otherwise CMake reserves room for it there with empty elements, and an empty element is the
+  # current folder, whose libz.so.1 would be loaded.
+  set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/../lib" BUILD_WITH_INSTALL_RPATH ON)
   target_link_options(${program} PRIVATE -Wl,--disable-new-dtags)
   install(TARGETS ${program} RUNTIME_DEPENDENCY_SET ${program}_dependencies
           RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${program})
