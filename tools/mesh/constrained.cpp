@@ -1,6 +1,6 @@
-// Constrained Delaunay triangulation of outlines that may cross. Constrained_triangulation_plus_2 knows how many outlines run
-// along an edge: a hole that shares an edge with the shell counts twice there, so the parity does not change across it.
-// (Plain nesting depth gets that case wrong.)
+// Constrained Delaunay triangulation of outlines that may cross. Constrained_triangulation_plus_2
+// knows how many outlines run along an edge: a hole that shares an edge with the shell counts twice
+// there, so the parity does not change across it. (Plain nesting depth gets that case wrong.)
 #include "tools/mesh/constrained.h"
 
 #include <CGAL/Constrained_triangulation_plus_2.h>
@@ -27,7 +27,8 @@ struct FaceInfo {
   Side side = Side::unknown;
 };
 
-// n edges may cross n^2 / 2 times. Real rings cross a few times; a hostile one must not take minutes.
+// n edges may cross n^2 / 2 times. Real rings cross a few times; a hostile one must not take
+// minutes.
 constexpr std::size_t max_crossings_a_point = 16;
 
 template <class Outlines>
@@ -64,8 +65,8 @@ class Flattener {
 
   void insert(std::span<const std::vector<std::uint32_t>> outlines) {
     const std::size_t max_vertices = (1 + max_crossings_a_point) * out_.points.size();
-    // Where the last vertex lies is where the next one's search begins. (The vertex stays; its face may be
-    // replaced.)
+    // Where the last vertex lies is where the next one's search begins. (The vertex stays; its face
+    // may be replaced.)
     Vertex last{};
     for (const std::vector<std::uint32_t>& outline : outlines) {
       std::vector<Vertex> vertices;

@@ -1,5 +1,5 @@
-// Constrained Delaunay triangulations in the plane, with the caller's data on faces and vertices. CGAL's headers are
-// large: for .cpp files alone.
+// Constrained Delaunay triangulations in the plane, with the caller's data on faces and vertices.
+// CGAL's headers are large: for .cpp files alone.
 #pragma once
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -13,7 +13,8 @@ namespace nightcity {
 
 using PlaneKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// `FaceInfo` is default-constructible: face->info(). Where constraints cross, `Tag` decides what happens.
+/// `FaceInfo` is default-constructible: face->info(). Where constraints cross, `Tag` decides what
+/// happens.
 template <class FaceInfo, class VertexBase = CGAL::Triangulation_vertex_base_2<PlaneKernel>,
           class Kernel = PlaneKernel, class Tag = CGAL::Exact_predicates_tag>
 using ConstrainedDelaunay = CGAL::Constrained_Delaunay_triangulation_2<
@@ -24,10 +25,11 @@ using ConstrainedDelaunay = CGAL::Constrained_Delaunay_triangulation_2<
     Tag>;
 
 /// The two ways to triangulate outlines and to ask which of them run along an edge
-/// (CGAL::Constrained_triangulation_plus_2). A crossing that is rounded to doubles lies on neither of its lines: the
-/// record of constraints then misses edges, and asking for one reads invalid memory. So nothing is ever rounded.
-/// With UncrossedOutlines, which is fast and enough for nearly all rings, insert_constraint() throws
-/// Intersection_of_constraints_exception at the first crossing; CrossedOutlines computes crossings exactly.
+/// (CGAL::Constrained_triangulation_plus_2). A crossing that is rounded to doubles lies on neither
+/// of its lines: the record of constraints then misses edges, and asking for one reads invalid
+/// memory. So nothing is ever rounded. With UncrossedOutlines, which is fast and enough for nearly
+/// all rings, insert_constraint() throws Intersection_of_constraints_exception at the first
+/// crossing; CrossedOutlines computes crossings exactly.
 struct UncrossedOutlines {
   using Kernel = PlaneKernel;
   using Tag = CGAL::No_constraint_intersection_requiring_constructions_tag;

@@ -1,5 +1,5 @@
-// A constrained triangulation of all rings tells for each of its faces which surfaces cover it: whoever
-// crosses an edge of a ring goes into or out of that ring's surface.
+// A constrained triangulation of all rings tells for each of its faces which surfaces cover it:
+// whoever crosses an edge of a ring goes into or out of that ring's surface.
 #include "tools/streets/road_outline.h"
 
 #include <CGAL/Constrained_triangulation_plus_2.h>

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <random>
+
+#include "tools/streets/road_outline.h"
 
 namespace nightcity::streets {
 namespace {
@@ -79,6 +84,46 @@ TEST(RoadSurfaces, CodesTellTheClass) {
   EXPECT_EQ(highway_of("4"), nullptr);
   EXPECT_EQ(highway_of(""), nullptr);
   EXPECT_EQ(highway_of(";;"), nullptr);
+}
+
+// Roads that lie across each other at all angles: crossings rounded to doubles ended the program by
+// a signal.
+TEST(RoadOutline, SurfacesThatCrossAreOne) {
+  std::mt19937 random(20);
+  for (int n = 0; n < 200; ++n) {
+    std::vector<RoadSurface> surfaces(2 + random() % 8);
+    for (RoadSurface& surface : surfaces)
+      for (int k = 0; k < 10; ++k)
+        surface.exterior.emplace_back(random() % 7 * 0.01, random() % 7 * 0.01);
+    EXPECT_NO_THROW(road_outline(surfaces));
+  }
+}
+
+TEST(RoadOutline, TheAreaOfAStarOfRoadsIsThatOfTheirUnion) {
+  // Strips of 100 m by 10 m through one point, at a right angle and at odd ones, counted by
+  // sampling.
+  std::vector<RoadSurface> surfaces;
+  const auto strip = [](double angle) {
+    const glm::dvec2 along(std::cos(angle), std::sin(angle)), across(-along.y, along.x);
+    return PlanRing{-50.0 * along - 5.0 * across, 50.0 * along - 5.0 * across,
+                    50.0 * along + 5.0 * across, -50.0 * along + 5.0 * across};
+  };
+  const std::vector<double> angles{0.1, 0.1 + std::acos(0.0), 0.8, 2.3, 2.7};
+  for (const double angle : angles) surfaces.push_back({strip(angle), {}, nullptr, true});
+  double area = 0;
+  for (const auto& [a, b] : road_outline(surfaces)) area += (a.x * b.y - a.y * b.x) / 2;
+  const auto covered = [&](const glm::dvec2& p) {
+    return std::any_of(angles.begin(), angles.end(), [&](double angle) {
+      const glm::dvec2 along(std::cos(angle), std::sin(angle));
+      return std::abs(p.x * along.x + p.y * along.y) < 50 &&
+             std::abs(p.y * along.x - p.x * along.y) < 5;
+    });
+  };
+  double expected = 0;
+  constexpr double step = 0.1;
+  for (double x = -60; x < 60; x += step)
+    for (double y = -60; y < 60; y += step) expected += covered({x, y}) ? step * step : 0;
+  EXPECT_NEAR(std::abs(area), expected, 0.01 * expected);
 }
 
 }  // namespace
