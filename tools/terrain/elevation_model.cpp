@@ -1,18 +1,23 @@
 #include "tools/terrain/elevation_model.h"
 
 #include <cpl_error.h>
+#include <cpl_vsi_virtual.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "formats/error.h"
+#include "formats/input_file.h"
 
 namespace nightcity {
 namespace {
@@ -28,9 +33,72 @@ class Silence {
   Silence& operator=(const Silence&) = delete;
 };
 
+// Formats whose file is the raster itself. GDAL has others that are programs in all but name: a VRT
+// or WMS file names any other file of this machine, or addresses that GDAL then asks.
+constexpr std::array raster_formats{
+    "GTiff",       "AAIGrid", "GRASSASCIIGrid", "ISG",       "XYZ",
+    "ZMap",        "SRTMHGT", "USGSDEM",        "DTED",      "JDEM",
+    "HFA",         "EHdr",    "ENVI",           "AIG",       "GSAG",
+    "GSBG",        "GS7BG",   "SAGA",           "RST",       "PCRaster",
+    "ILWIS",       "NWT_GRD", "SDTS",           "GXF",       "BT",
+    "HF2",         "ACE2",    "SNODAS",         "ROI_PAC",   "ISCE",
+    "BYN",         "GTX",     "NGSGEOID",       "Terragen",  "Leveller",
+    "SIGDEM",      "RRASTER", "GPKG",           "PNG",       "JPEG",
+    "JP2OpenJPEG", "netCDF",  "HDF4",           "HDF4Image", "HDF5",
+    "HDF5Image",   "BAG",     "GRIB",           "FITS",      "VICAR",
+    "PDS4"};
+
+// Stands in for the file systems by which GDAL reads from the network: overviews and masks can be
+// named there too.
+class NoNetwork : public VSIFilesystemHandler {
+ public:
+  VSIVirtualHandle* Open(const char*, const char*, bool, CSLConstList) override { return refuse(); }
+  int Stat(const char*, VSIStatBufL*, int) override {
+    refuse();
+    return -1;
+  }
+
+ private:
+  static VSIVirtualHandle* refuse() {
+    errno = EACCES;
+    return nullptr;
+  }
+};
+
+void register_formats() {
+  GDALAllRegister();
+  for (const char* name : {"curl", "s3", "gs", "az", "adls", "oss", "swift"}) {
+    const std::string prefix = std::string("/vsi") + name;
+    VSIFileManager::InstallHandler(prefix + "/", new NoNetwork);  // GDAL owns it
+    VSIFileManager::InstallHandler(prefix + "_streaming/", new NoNetwork);
+  }
+  for (const char* prefix : {"/vsicurl?", "/vsiwebhdfs/", "/vsihdfs/"})
+    VSIFileManager::InstallHandler(prefix, new NoNetwork);
+}
+
+// Null-terminated, as GDAL wants it.
+const char* const* allowed_drivers() {
+  static const auto names = [] {
+    std::array<const char*, raster_formats.size() + 1> list{};
+    std::copy(raster_formats.begin(), raster_formats.end(), list.begin());
+    return list;
+  }();
+  return names.data();
+}
+
 std::string reason() {
   const std::string message = CPLGetLastErrorMsg();
   return message.empty() ? "GDAL gives no reason" : message;
+}
+
+// Returns the format of a raster that GDAL could open and we do not; null for others.
+const char* find_refused_format(const std::string& file) {
+  const GDALDriverH driver = GDALIdentifyDriverEx(file.c_str(), GDAL_OF_RASTER, nullptr, nullptr);
+  if (!driver) return nullptr;
+  const std::string_view name = GDALGetDriverShortName(driver);
+  const bool is_allowed =
+      std::find(raster_formats.begin(), raster_formats.end(), name) != raster_formats.end();
+  return is_allowed ? nullptr : GDALGetDriverShortName(driver);
 }
 
 }  // namespace
@@ -55,13 +123,18 @@ struct ElevationModel::State {
 ElevationModel::ElevationModel(const std::filesystem::path& file)
     : state_(std::make_unique<State>()) {
   static std::once_flag registered;
-  std::call_once(registered, GDALAllRegister);
+  std::call_once(registered, register_formats);
   const Silence silence;
   State& s = *state_;
   s.name = file.string();
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) throw Error(s.name, "does not exist");
-  s.dataset.reset(GDALDataset::Open(s.name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+  refuse_special_file(file);
+  if (const char* format = find_refused_format(s.name))
+    throw Error(s.name, std::string("is of the raster format ") + format +
+                            ", which is not read: it may lead to other files or to the network");
+  s.dataset.reset(
+      GDALDataset::Open(s.name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, allowed_drivers()));
   if (!s.dataset || s.dataset->GetRasterCount() < 1)
     throw Error(s.name, "is no raster of heights: " + reason());
   s.band = s.dataset->GetRasterBand(1);

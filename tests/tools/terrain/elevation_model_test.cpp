@@ -4,7 +4,9 @@
 #include <gdal_priv.h>
 #include <gtest/gtest.h>
 #include <ogr_spatialref.h>
+#include <sys/stat.h>
 
+#include <cerrno>
 #include <cmath>
 #include <vector>
 
@@ -122,6 +124,55 @@ TEST(ElevationModel, ReadsASrtmTile) {
   EXPECT_TRUE(model.has_crs());
   // Bayreuth's market place lies at some 340 m.
   EXPECT_NEAR(sample(model, {{11.5753, 49.9440}})[0], 345, 15);
+}
+
+TEST(ElevationModel, FormatsThatLeadElsewhereAreRefused) {
+  const TempFolder folder;
+  write_raster(folder / "inner.tif", {391000, 5819000, 10, 8, 6, 25833}, whole);
+  const auto refuses = [&](const char* name, const std::string& text, const char* format) {
+    test::write_text(folder / name, text);
+    try {
+      ElevationModel model(folder / name);
+      ADD_FAILURE() << name << " was opened";
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(format), std::string::npos) << error.what();
+    }
+  };
+  refuses(
+      "dem.vrt",
+      "<VRTDataset rasterXSize=\"8\" rasterYSize=\"6\"><GeoTransform>391000, 10, 0, 5819000, 0, "
+      "-10</GeoTransform><VRTRasterBand dataType=\"Float64\" band=\"1\"><SimpleSource>"
+      "<SourceFilename relativeToVRT=\"1\">inner.tif</SourceFilename><SourceBand>1</SourceBand>"
+      "</SimpleSource></VRTRasterBand></VRTDataset>",
+      "VRT");
+  refuses(
+      "dem.tif",  // whatever its name says
+      "<GDAL_WMS><Service name=\"TMS\"><ServerUrl>http://127.0.0.1:9/${z}/${x}/${y}.png</ServerUrl>"
+      "</Service><DataWindow><UpperLeftX>0</UpperLeftX><UpperLeftY>0</UpperLeftY><LowerRightX>1"
+      "</LowerRightX><LowerRightY>-1</LowerRightY><SizeX>8</SizeX><SizeY>8</SizeY></DataWindow>"
+      "<BandsCount>1</BandsCount></GDAL_WMS>",
+      "WMS");
+}
+
+TEST(ElevationModel, NothingIsReadFromTheNetwork) {
+  const TempFolder folder;
+  write_raster(folder / "dem.tif", {391000, 5819000, 10, 8, 6, 25833}, whole);
+  const ElevationModel model(folder / "dem.tif");  // the first one sets GDAL up
+  for (const char* name :
+       {"/vsicurl/http://127.0.0.1:9/a.tif", "/vsis3/bucket/a.tif", "/vsigs_streaming/bucket/a.tif",
+        "/vsicurl?url=http://127.0.0.1:9/a.tif"}) {
+    VSIStatBufL status;
+    errno = 0;
+    EXPECT_NE(VSIStatL(name, &status), 0);
+    EXPECT_EQ(errno, EACCES) << name << " was asked for";
+    EXPECT_EQ(VSIFOpenL(name, "rb"), nullptr);
+  }
+}
+
+TEST(ElevationModel, AFifoIsRefusedAtOnce) {
+  const TempFolder folder;
+  ASSERT_EQ(::mkfifo((folder / "dem.tif").c_str(), 0600), 0);
+  EXPECT_THROW(ElevationModel(folder / "dem.tif"), Error);
 }
 
 }  // namespace
