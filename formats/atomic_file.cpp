@@ -1,5 +1,7 @@
 #include "formats/atomic_file.h"
 
+#include <fcntl.h>
+#include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -8,7 +10,10 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <random>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "formats/error.h"
@@ -16,45 +21,168 @@
 namespace nightcity {
 namespace {
 
-constexpr std::size_t copy_size = 1 << 20;
+namespace fs = std::filesystem;
+using FilePointer = std::unique_ptr<std::FILE, CloseFile>;
 
-[[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
+constexpr std::size_t copy_size = 1 << 20;
+constexpr mode_t file_mode = 0666;  // less the user's mask, as any file
+
+[[noreturn]] void fail(const fs::path& path, const char* what) {
   throw Error(path.string(), std::string(what) + ": " + std::strerror(errno));
 }
 
-// mkstemp beside the target: the same file system, so that rename is atomic.
-std::unique_ptr<std::FILE, CloseFile> create_beside(const std::filesystem::path& path,
-                                                    std::string& name) {
-  name = (path.parent_path() / ".").string();
-  name += path.filename().string();
-  name += ".XXXXXX.part";
-  const int descriptor = ::mkstemps(name.data(), 5);
-  if (descriptor < 0) fail(path, "cannot be written");
-  std::unique_ptr<std::FILE, CloseFile> file(::fdopen(descriptor, "w+b"));
-  if (!file) {
-    ::close(descriptor);
-    ::unlink(name.c_str());
-    fail(path, "cannot be written");
-  }
-  return file;
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-void put(const std::filesystem::path& path, std::FILE* file, const void* bytes, std::size_t size) {
+// Returns where a chain of symbolic links ends; that file need not exist.
+fs::path follow_links(const fs::path& path) {
+  constexpr int max_links = 40;  // as the kernel
+  fs::path end = path;
+  for (int links = 0; links <= max_links; ++links) {
+    std::error_code error;
+    const fs::path next = fs::read_symlink(end, error);
+    if (error) return end;
+    end = next.is_absolute() ? next : end.parent_path() / next;
+  }
+  errno = ELOOP;
+  fail(path, "cannot be written");
+}
+
+enum class Target { file, stream };  // a file is replaced, a device or FIFO is written into
+
+Target classify_target(const fs::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode)) return Target::file;
+  const char* refusal = S_ISDIR(status.st_mode)    ? "it is a folder"
+                        : S_ISBLK(status.st_mode)  ? "it is a block device"
+                        : S_ISSOCK(status.st_mode) ? "it is a socket"
+                                                   : nullptr;
+  if (refusal) throw Error(path.string(), std::string("cannot be written: ") + refusal);
+  if (::access(path.c_str(), W_OK) != 0) fail(path, "cannot be written");
+  return Target::stream;
+}
+
+// Returns -1 where the file system, or a system without /proc, has no files that get their names
+// later.
+int open_nameless(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, file_mode);
+  if (descriptor < 0) return -1;
+  const std::string link = "/proc/self/fd/" + std::to_string(descriptor);
+  if (::access(link.c_str(), F_OK) == 0) return descriptor;
+  ::close(descriptor);
+  return -1;
+}
+
+// Calls `make(name)` with hidden names beside `path` until one is free. Returns the name and what
+// `make` returned, or an empty name and -1 with errno set.
+template <class Make>
+std::pair<fs::path, int> make_beside(const fs::path& path, const Make& make) {
+  constexpr char letters[] = "abcdefghijklmnopqrstuvwxyz0123456789";
+  constexpr std::size_t max_name = 200;  // a file name has 255 bytes
+  std::random_device random;
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    std::string name = "." + path.filename().string().substr(0, max_name) + ".";
+    for (int i = 0; i < 6; ++i) name += letters[random() % (sizeof letters - 1)];
+    const fs::path result = folder_of(path) / (name + ".part");
+    const int made = make(result);
+    if (made >= 0) return {result, made};
+    if (errno != EEXIST) break;
+  }
+  return {fs::path(), -1};
+}
+
+std::pair<fs::path, int> open_named(const fs::path& target) {
+  return make_beside(target, [](const fs::path& name) {
+    return ::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, file_mode);
+  });
+}
+
+FilePointer to_stream(int descriptor, const fs::path& path) {
+  FilePointer file(::fdopen(descriptor, "w+b"));
+  if (file) return file;
+  ::close(descriptor);
+  fail(path, "cannot be written");
+}
+
+void put(const fs::path& path, std::FILE* file, const void* bytes, std::size_t size) {
   if (size != 0 && std::fwrite(bytes, 1, size, file) != size) fail(path, "cannot be written");
+}
+
+// Reads what is left of `source`, block by block.
+template <class Sink>
+void read_blocks(std::FILE* source, const fs::path& path, const Sink& sink) {
+  std::vector<char> buffer(copy_size);
+  for (;;) {
+    const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), source);
+    if (got > 0) sink(buffer.data(), got);
+    if (got < buffer.size()) break;
+  }
+  if (std::ferror(source)) fail(path, "cannot be read");
+}
+
+// O_NOCTTY: a terminal must not become the one whose Ctrl-C ends us. Opening a FIFO waits for its
+// reader.
+void write_into_stream(std::FILE* source, const fs::path& path) {
+  FilePointer stream;
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  if (descriptor < 0) fail(path, "cannot be written");
+  stream.reset(::fdopen(descriptor, "wb"));
+  if (!stream) {
+    ::close(descriptor);
+    fail(path, "cannot be written");
+  }
+  std::rewind(source);
+  read_blocks(source, path,
+              [&](const char* bytes, std::size_t size) { put(path, stream.get(), bytes, size); });
+  if (std::fflush(stream.get()) != 0) fail(path, "cannot be written");
+}
+
+void replace(const fs::path& scratch, const fs::path& target, const fs::path& path) {
+  if (::rename(scratch.c_str(), target.c_str()) != 0) fail(path, "cannot be written");
+  sync_folder(folder_of(target));
 }
 
 }  // namespace
 
-AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)) {
-  if (std::error_code ignored; std::filesystem::is_directory(path_, ignored))
-    throw Error(path_.string(), "cannot be written: it is a folder");
-  std::string name;
-  file_ = create_beside(path_, name);
-  scratch_path_ = name;
+fs::path scratch_folder() {
+  const char* named = std::getenv("TMPDIR");
+  const fs::path folder = named && *named ? named : "/tmp";
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored) || ::access(folder.c_str(), W_OK | X_OK) != 0)
+    throw Error(folder.string(),
+                "is no folder that temporary files can be written into; TMPDIR names another");
+  return folder;
+}
+
+void sync_folder(const fs::path& folder) noexcept {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+void copy_file(const fs::path& source, AtomicFile& target) {
+  const FilePointer file(std::fopen(source.c_str(), "rbe"));
+  if (!file) fail(source, "cannot be read");
+  read_blocks(file.get(), source,
+              [&](const char* bytes, std::size_t size) { target.write(bytes, size); });
+}
+
+AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
+  is_stream_ = classify_target(path_) == Target::stream;
+  target_ = is_stream_ ? path_ : follow_links(path_);
+  int descriptor = open_nameless(is_stream_ ? scratch_folder() : folder_of(target_));
+  if (descriptor < 0) {
+    std::tie(scratch_, descriptor) = open_named(is_stream_ ? scratch_folder() / "stream" : target_);
+    if (descriptor < 0) fail(path_, "cannot be written");
+    leftover_ = Leftover(scratch_, Leftover::Kind::file);
+  }
+  file_ = to_stream(descriptor, path_);
 }
 
 AtomicFile::~AtomicFile() {
-  if (file_) ::unlink(scratch_path_.c_str());
+  if (!scratch_.empty()) ::unlink(scratch_.c_str());
 }
 
 void AtomicFile::write(const void* bytes, std::size_t size) {
@@ -71,20 +199,63 @@ void AtomicFile::write_at(std::uint64_t offset, const void* bytes, std::size_t s
 }
 
 void AtomicFile::commit() {
-  // mkstemp makes files nobody else may read; a city is an ordinary file, under the user's mask.
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  const bool written =
-      std::fflush(file_.get()) == 0 && ::fchmod(::fileno(file_.get()), 0666 & ~mask) == 0;
-  if (!written) fail(path_, "cannot be written");
-  if (::rename(scratch_path_.c_str(), path_.c_str()) != 0) fail(path_, "cannot be written");
+  if (std::fflush(file_.get()) != 0) fail(path_, "cannot be written");
+  if (is_stream_) {
+    write_into_stream(file_.get(), path_);
+    file_.reset();
+    return;
+  }
+  if (::fsync(::fileno(file_.get())) != 0) fail(path_, "cannot be written");
+  const SignalHold hold;  // between the hidden name and the real one
+  if (scratch_.empty()) {
+    const std::string link = "/proc/self/fd/" + std::to_string(::fileno(file_.get()));
+    const auto give_name = [&](const fs::path& name) {
+      return ::linkat(AT_FDCWD, link.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW);
+    };
+    scratch_ = make_beside(target_, give_name).first;
+    if (scratch_.empty()) fail(path_, "cannot be written");
+  }
+  replace(scratch_, target_, path_);
+  scratch_.clear();
   file_.reset();
 }
 
-ScratchFile::ScratchFile(const std::filesystem::path& path) : path_(path) {
-  std::string name;
-  file_ = create_beside(path, name);
-  ::unlink(name.c_str());
+AtomicPath::AtomicPath(fs::path target) : path_(std::move(target)) {
+  is_stream_ = classify_target(path_) == Target::stream;
+  target_ = is_stream_ ? scratch_folder() / path_.filename() : follow_links(path_);
+  int descriptor = -1;
+  std::tie(scratch_, descriptor) = open_named(target_);
+  if (descriptor < 0) fail(path_, "cannot be written");
+  ::close(descriptor);
+  leftover_ = Leftover(scratch_, Leftover::Kind::file);
+}
+
+AtomicPath::~AtomicPath() {
+  if (!is_committed_) ::unlink(scratch_.c_str());
+}
+
+void AtomicPath::commit() {
+  const FilePointer file(std::fopen(scratch_.c_str(), "rbe"));
+  if (!file) fail(path_, "cannot be written");
+  if (is_stream_) return write_into_stream(file.get(), path_);
+  if (::fsync(::fileno(file.get())) != 0) fail(path_, "cannot be written");
+  replace(scratch_, target_, path_);
+  is_committed_ = true;
+}
+
+ScratchFile::ScratchFile(const fs::path& path) : path_(path) {
+  // Beside a device there may be no room, and no business, for our files.
+  std::error_code ignored;
+  const bool is_beside = !fs::exists(path, ignored) || fs::is_regular_file(path, ignored);
+  const fs::path folder = is_beside ? folder_of(path) : scratch_folder();
+  int descriptor = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+  if (descriptor < 0) {
+    fs::path name;
+    std::tie(name, descriptor) = open_named(folder / path.filename());
+    if (descriptor < 0) fail(path, "cannot be written");
+    ::unlink(name.c_str());
+  }
+  file_ = to_stream(descriptor, path);
 }
 
 void ScratchFile::write(const void* bytes, std::size_t size) {

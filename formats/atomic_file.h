@@ -1,4 +1,4 @@
-// A file that appears under its name whole or not at all.
+// Files that appear under their names whole or not at all, and files without names.
 #pragma once
 
 #include <cstddef>
@@ -8,36 +8,81 @@
 #include <memory>
 #include <string_view>
 
+#include "formats/signals.h"
+
 namespace nightcity {
 
 struct CloseFile {
   void operator()(std::FILE* file) const noexcept { std::fclose(file); }
 };
 
-/// Written beside `path` as ".NAME.XXXXXX.part" and renamed by commit(); removed when destroyed before that.
+/// Returns the folder for files that belong to no output: the one that TMPDIR names, or /tmp.
+/// Throws Error where that is no folder that can be written into.
+std::filesystem::path scratch_folder();
+
+/// A file that appears under its name when commit() is called, and not at all when it is destroyed
+/// before that.
+///
+/// Until then its bytes lie in a file without a name in the same folder, so that not even a kill
+/// leaves anything behind. (Where the file system has no such files, in ".NAME.XXXXXX.part", which
+/// signals remove as well.) commit() waits until the disk has them before it gives them the name,
+/// so a power cut leaves the old file or the new one, whole.
+///
+/// A symbolic link stays, and the file that it points to is replaced. A character device or FIFO
+/// gets the bytes written into it, by commit(). A folder, a block device or a socket is refused.
 /// All functions throw Error with the file's name and the system's reason.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);
-  ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
+  ~AtomicFile();
 
   void write(const void* bytes, std::size_t size);
   void write(std::string_view text) { write(text.data(), text.size()); }
-  /// Overwrites bytes already written (a header whose figures are known last), then goes on at the end.
+  /// Overwrites bytes already written (a header whose figures are known last), then goes on at the
+  /// end.
   void write_at(std::uint64_t offset, const void* bytes, std::size_t size);
   std::uint64_t size() const { return size_; }
   void commit();
 
  private:
-  std::filesystem::path path_, scratch_path_;
+  std::filesystem::path path_;     // as the caller named it, for messages
+  std::filesystem::path target_;   // where links lead to
+  std::filesystem::path scratch_;  // empty: the file has no name yet
+  Leftover leftover_;
+  bool is_stream_ = false;  // the target is a device or FIFO
   std::unique_ptr<std::FILE, CloseFile> file_;
   std::uint64_t size_ = 0;
 };
 
-/// Bytes kept out of memory until they are wanted: a file beside `path` that has no name, so that nothing can
-/// be left behind even when the program is killed.
+/// The same for a library that opens its output by name: an empty file ".NAME.XXXXXX.part" of our
+/// own, that commit() turns into the target. Same promises, but a kill leaves the hidden file
+/// behind.
+class AtomicPath {
+ public:
+  explicit AtomicPath(std::filesystem::path target);
+  AtomicPath(const AtomicPath&) = delete;
+  AtomicPath& operator=(const AtomicPath&) = delete;
+  ~AtomicPath();
+
+  const std::filesystem::path& scratch() const { return scratch_; }
+  void commit();
+
+ private:
+  std::filesystem::path path_, target_, scratch_;
+  Leftover leftover_;
+  bool is_stream_ = false, is_committed_ = false;
+};
+
+/// Waits until the disk has the names in `folder`, where the file system can do that.
+void sync_folder(const std::filesystem::path& folder) noexcept;
+
+/// Appends the bytes of `source` to `target`.
+void copy_file(const std::filesystem::path& source, AtomicFile& target);
+
+/// Bytes kept out of memory until they are wanted: a file without a name in the folder of `path`,
+/// so that nothing can be left behind even when the program is killed.
 class ScratchFile {
  public:
   explicit ScratchFile(const std::filesystem::path& path);
@@ -46,7 +91,8 @@ class ScratchFile {
   /// Zero bytes up to the next multiple of `alignment`.
   void align(std::size_t alignment);
   std::uint64_t size() const { return size_; }
-  /// What has been written reaches the file: from then on, until the next write, many threads may read.
+  /// What has been written reaches the file: from then on, until the next write, many threads may
+  /// read.
   void flush();
   void read(std::uint64_t offset, void* bytes, std::size_t size);
   void copy_to(AtomicFile& target);

@@ -15,7 +15,8 @@
 namespace nightcity {
 
 MappedFile::MappedFile(const std::filesystem::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int descriptor =
+      ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // a FIFO must not keep us waiting
   if (descriptor < 0)
     throw Error(path.string(), std::string("cannot be read: ") + std::strerror(errno));
   struct stat status {};
@@ -35,16 +36,19 @@ MappedFile::MappedFile(const std::filesystem::path& path) {
   if (memory == MAP_FAILED)
     throw Error(path.string(), std::string("cannot be mapped: ") + std::strerror(mapping_error));
   bytes_ = {static_cast<const std::byte*>(memory), size};
+  if (size != 0) range_ = MappedRange(bytes_, path);
 }
 
 MappedFile::~MappedFile() {
   if (!bytes_.empty()) ::munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
 }
 
-MappedFile::MappedFile(MappedFile&& other) noexcept : bytes_(std::exchange(other.bytes_, {})) {}
+MappedFile::MappedFile(MappedFile&& other) noexcept
+    : bytes_(std::exchange(other.bytes_, {})), range_(std::move(other.range_)) {}
 
 MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
   std::swap(bytes_, other.bytes_);
+  std::swap(range_, other.range_);
   return *this;
 }
 

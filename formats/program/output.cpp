@@ -16,6 +16,11 @@ void require_writable_folder(const std::filesystem::path& folder) {
 }
 
 void require_writable_folder_of(const std::filesystem::path& file) {
+  // Nothing is made beside a device or FIFO (/dev/null, /dev/stdout).
+  std::error_code ignored;
+  if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored) &&
+      !std::filesystem::is_directory(file, ignored))
+    return;
   require_writable_folder(std::filesystem::absolute(file).parent_path());
 }
 

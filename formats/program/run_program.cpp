@@ -10,6 +10,7 @@
 #include <new>
 
 #include "formats/error.h"
+#include "formats/signals.h"
 
 namespace nightcity::program {
 namespace {
@@ -74,6 +75,7 @@ ExitCode parse_and_run(const Program& program, int argc, const char* const* argv
 
 int run_program(const Program& program, int argc, const char* const* argv) {
   ExitCode code = ExitCode::bad_data;
+  install_signal_handlers(program.name.c_str());
   try {
     start_log(program.name);
     code = parse_and_run(program, argc, argv);

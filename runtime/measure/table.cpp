@@ -9,6 +9,7 @@
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
+#include "formats/input_file.h"
 
 namespace nightcity {
 namespace {
@@ -84,6 +85,7 @@ void write_csv(const std::filesystem::path& path, const Table& table) {
 }
 
 Table read_csv(const std::filesystem::path& path) {
+  refuse_special_file(path);
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw Error(path.string(), "cannot be read");
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};

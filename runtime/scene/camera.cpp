@@ -9,6 +9,7 @@
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
+#include "formats/input_file.h"
 
 namespace nightcity {
 namespace {
@@ -145,6 +146,7 @@ glm::vec3 vector_of(const nlohmann::json& json, const char* key, const std::stri
 }
 
 CameraPose read_camera(const std::string& file) {
+  refuse_special_file(file);
   std::ifstream in(file);
   if (!in) {
     std::string names;

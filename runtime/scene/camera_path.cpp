@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/error.h"
+#include "formats/input_file.h"
 
 namespace nightcity {
 namespace {
@@ -43,6 +44,7 @@ std::vector<CameraPose> along_the_view(const CameraPose& start, const RenderScen
 }
 
 std::vector<CameraPose> from_file(const std::string& path) {
+  refuse_special_file(path);
   std::ifstream stream(path);
   if (!stream) throw Error(path, "is neither a path file nor one of orbit, dive, street");
   try {

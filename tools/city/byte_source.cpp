@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "formats/error.h"
+#include "formats/input_file.h"
 
 namespace nightcity::city {
 namespace {
@@ -143,6 +144,7 @@ std::vector<Document> documents_in(const std::filesystem::path& file,
                                    std::span<const std::string_view> endings) {
   const std::string path = file.string();
   if (std::filesystem::is_directory(file)) throw Error(path, "is a folder, not a file");
+  refuse_special_file(file);
   char magic[4] = {};
   const std::size_t got = PlainSource(path).read(magic, sizeof magic);
   if (got == 0) throw Error(path, "is empty");

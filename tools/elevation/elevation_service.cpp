@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "formats/error.h"
+#include "formats/input_file.h"
 #include "tools/elevation/http_post.h"
 #include "tools/median.h"
 
@@ -33,6 +34,7 @@ class Cache {
  public:
   explicit Cache(const std::filesystem::path& path) : path_(path) {
     if (path.empty()) return;
+    refuse_special_file(path);
     std::ifstream file(path);
     for (std::string line; std::getline(file, line);) {
       const std::size_t tab = line.rfind('\t');

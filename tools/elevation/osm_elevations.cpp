@@ -14,6 +14,7 @@
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
+#include "formats/input_file.h"
 
 namespace nightcity {
 namespace {
@@ -36,6 +37,7 @@ std::string format_of(const fs::path& path) {
 }
 
 bool is_text(const fs::path& path) {
+  refuse_special_file(path);
   std::ifstream file(path, std::ios::binary);
   std::array<char, 64> bytes{};
   file.read(bytes.data(), bytes.size());
@@ -100,11 +102,10 @@ void add_node(osmium::memory::Buffer& buffer, const osmium::Node& node, double h
 std::size_t copy_packed(const fs::path& input, const fs::path& output, const std::string& format,
                         const std::map<std::int64_t, double>& heights) {
   std::size_t written = 0;
-  fs::path scratch = output;
-  scratch += ".part";
+  AtomicPath file(output);
   try {
     osmium::io::Reader reader(input.string());
-    osmium::io::Writer writer(osmium::io::File(scratch.string(), format), reader.header(),
+    osmium::io::Writer writer(osmium::io::File(file.scratch().string(), format), reader.header(),
                               osmium::io::overwrite::allow);
     while (osmium::memory::Buffer buffer = reader.read()) {
       osmium::memory::Buffer changed(buffer.committed() + 1024,
@@ -125,10 +126,8 @@ std::size_t copy_packed(const fs::path& input, const fs::path& output, const std
     }
     writer.close();
     reader.close();
-    fs::rename(scratch, output);
+    file.commit();
   } catch (const std::exception& error) {
-    std::error_code ignored;
-    fs::remove(scratch, ignored);
     throw Error(output.string(),
                 std::string("cannot be made of ") + input.string() + ": " + error.what());
   }

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "formats/error.h"
+#include "formats/input_file.h"
 
 namespace nightcity {
 
@@ -15,6 +16,7 @@ TextLines::TextLines(std::filesystem::path file) : name_(file.string()) {
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) throw Error(name_, "no such file");
   if (size > largest) throw Error(name_, "too large for a luminaire file");
+  refuse_special_file(file);
   std::ifstream stream(file, std::ios::binary);
   content_.assign(std::istreambuf_iterator<char>(stream), {});
   if (content_.empty()) throw Error(name_, "the file is empty");

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "formats/atomic_file.h"
 #include "tools/mesh/triangle_mesh.h"
 
 namespace nightcity {
@@ -20,7 +21,7 @@ class Terrain {
  public:
   /// Triangles lie in scratch files beside `scratch` (by default in the system's folder for such), so that
   /// memory does not grow with the city.
-  explicit Terrain(const std::filesystem::path& scratch = std::filesystem::temp_directory_path() /
+  explicit Terrain(const std::filesystem::path& scratch = scratch_folder() /
                                                           "terrain");
   ~Terrain();
   Terrain(Terrain&&) noexcept;

@@ -1,0 +1,124 @@
+#!/usr/bin/env bash
+# interruption_test.sh NIGHTBAKE [NIGHTVIEW]: kill -9, signals, full disks, and inputs and outputs that are no files.
+set -uo pipefail
+nightbake=$(realpath "$1")
+nightview=${2:+$(realpath "$2")}
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+failures=0
+
+check() { # check WHAT CONDITION...
+  if ! "${@:2}"; then
+    echo "FAILED: $1"
+    failures=$((failures + 1))
+  fi
+}
+same() { [[ $1 == "$2" ]]; }
+has() { grep -q -- "$2" "$1"; } # has FILE TEXT
+lists() { [[ $(ls -A "$1" 2>/dev/null | tr '\n' ' ') == "$2" ]]; } # lists FOLDER "NAMES "
+
+"$nightbake" -q town --blocks 4 --out town >/dev/null || exit 1
+"$nightbake" -q run town/town.toml --out whole >/dev/null || exit 1
+city="bake_report.json city.glb city.lights "
+check "a bake leaves three files" lists whole "$city"
+
+# until_staged FOLDER: waits until a bake works in a hidden folder of FOLDER.
+until_staged() {
+  for _ in $(seq 1000); do
+    compgen -G "$1/.nightbake-*" >/dev/null && return 0
+    sleep 0.01
+  done
+  return 1
+}
+
+# Signals that can be caught: nothing is left, not even the folders that the bake has made.
+for signal in INT TERM HUP; do
+  # Bash starts background jobs with INT ignored; a subshell of env undoes that.
+  env --default-signal "$nightbake" -q run town/town.toml --out "made/by/$signal" >out 2>err &
+  child=$!
+  until_staged "made/by/$signal" || check "the bake began ($signal)" false
+  kill -s "$signal" "$child"
+  wait "$child"
+  check "$signal ends the bake with 128 and its number" same $? $((128 + $(kill -l "$signal")))
+  check "$signal leaves nothing" test ! -e made
+done
+
+# The same into a folder with a city in it: the old one stays whole.
+cp -r whole kept
+env --default-signal "$nightbake" -q run town/town.toml --out kept >out 2>err &
+child=$!
+until_staged kept
+kill -s TERM "$child"
+wait "$child"
+check "TERM leaves the old city" lists kept "$city"
+check "and all of it" diff -r whole kept
+
+# kill -9, at ten moments: the old city or the new one, and the next bake removes what was left.
+mkdir nine
+for moment in 0 0.02 0.05 0.1 0.2 0.4 0.6 0.8 1 1.5; do
+  "$nightbake" -q run town/town.toml --out nine >/dev/null 2>&1 &
+  child=$!
+  sleep "$moment"
+  kill -9 "$child" 2>/dev/null
+  wait "$child" 2>/dev/null
+  if [[ -e nine/city.glb ]]; then
+    check "after kill -9 at $moment s, a city.glb has its lights" cmp -s whole/city.lights nine/city.lights
+    check "and is whole" cmp -s whole/city.glb nine/city.glb
+  fi
+done
+"$nightbake" -q run town/town.toml --out nine >/dev/null || check "the next bake works" false
+check "the next bake removes what kill -9 left" lists nine "$city"
+
+# A full disk: stdout and files. /dev/full takes nothing; ulimit stops files at 100 kB.
+for arguments in "--help" "--version" "inspect whole/city.glb" "inspect --json whole/city.lights" "run town/town.toml --out full"; do
+  # shellcheck disable=SC2086
+  "$nightbake" $arguments >/dev/full 2>err
+  check "results of nightbake $arguments to a full disk are an error" same $? 1
+  check "and it says so: $(cat err)" has err "standard output\|No space left\|cannot write"
+done
+rm -rf full
+(ulimit -f 100 && "$nightbake" -q run town/town.toml --out full >/dev/null 2>err)
+check "a bake to a full disk ends with 1" same $? 1
+check "and says why: $(cat err)" has err "cannot be written: File too large"
+check "and leaves nothing" test ! -e full
+"$nightbake" -q layout town/town.toml --osm /dev/full >/dev/null 2>err
+check "lamps to a full device are an error" same $? 1
+check "/dev/full stays a device" test -c /dev/full
+
+# Outputs that are no files, or lead to one.
+"$nightbake" -q layout town/town.toml --osm /dev/null >/dev/null 2>err
+check "lamps to /dev/null succeed: $(cat err)" same $? 0
+check "/dev/null stays a device" test -c /dev/null
+mkfifo pipe.osm
+timeout 60 cat pipe.osm >got &
+timeout 60 "$nightbake" -q layout town/town.toml --osm pipe.osm >/dev/null 2>err
+check "lamps into a FIFO succeed: $(cat err)" same $? 0
+wait $!
+check "its reader gets them" has got "street_lamp"
+check "it stays a FIFO" test -p pipe.osm
+mkdir elsewhere linked
+ln -s ../elsewhere/city.glb linked/city.glb
+"$nightbake" -q run town/town.toml --out linked >/dev/null || check "a bake through a link works" false
+check "a link stays" test -L linked/city.glb
+check "and the scene is where it leads" cmp -s whole/city.glb elsewhere/city.glb
+
+# Inputs that would be waited for.
+mkfifo fifo.gml fifo.toml fifo.ies
+for arguments in "inspect fifo.gml" "run fifo.toml --out no" "inspect fifo.ies" "inspect /dev/null"; do
+  # shellcheck disable=SC2086
+  timeout 20 "$nightbake" $arguments >out 2>err
+  check "nightbake $arguments is refused at once: $(cat err)" same $? 1
+done
+TMPDIR=$scratch/absent "$nightbake" -q layout town/town.toml --osm lamps.osm >out 2>err
+check "a missing TMPDIR is named: $(cat err)" has err "TMPDIR"
+
+if [[ -n $nightview ]]; then
+  for arguments in "--help" "--version"; do
+    "$nightview" "$arguments" >/dev/full 2>err
+    check "results of nightview $arguments to a full disk are an error" same $? 1
+  done
+  timeout 20 "$nightview" render fifo.gml --output a.png >out 2>err
+  check "nightview refuses a FIFO at once: $(cat err)" same $? 1
+fi
+exit "$failures"
