@@ -196,5 +196,26 @@ TEST(Recipe, RecipesOfRealCitiesTakeTheirDataFromTheDataFolderAndAreListed) {
   EXPECT_EQ(recipes, 6u);
 }
 
+TEST(Recipe, KeysOfManyPartsAreRefusedBeforeTheyExhaustTheStack) {
+  const TempFolder folder;
+  std::string deep = "a";
+  for (int i = 0; i < 200'000; ++i) deep += i % 2 ? ".a" : " . \"=\"";
+  for (const std::string& text :
+       {deep + " = 1", "[" + deep + "]", "a = {" + deep + " = 1}",
+        "x = \"\"\" ' \" \"\"\"\n# \" '\n" + deep + " = 1", "x = '\\'\n" + deep + " = 1"}) {
+    try {
+      read(folder, text);
+      ADD_FAILURE() << text.substr(0, 40);
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("more than 32 parts"), std::string::npos)
+          << error.what();
+    }
+  }
+  const std::string dots(1000, '.');
+  const Recipe recipe = read(folder, "# " + dots + "\n[city]\nfiles = ['" + dots + "', \"\"\"" +
+                                         dots + "\"\"\"]\n[origin]\nheight = 1.5\n");
+  EXPECT_EQ(recipe.city.files.size(), 2u);
+}
+
 }  // namespace
 }  // namespace nightcity

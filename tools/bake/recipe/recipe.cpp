@@ -8,6 +8,7 @@
 #include "formats/mapped_file.h"
 #include "tools/bake/recipe/key.h"
 #include "tools/bake/recipe/tables.h"
+#include "tools/bake/recipe/toml_depth.h"
 #include "tools/bake/recipe/value.h"
 
 namespace nightcity {
@@ -19,6 +20,10 @@ toml::table parse(const fs::path& path) {
   const MappedFile mapped(path);
   const std::string_view text(reinterpret_cast<const char*>(mapped.bytes().data()),
                               mapped.bytes().size());
+  constexpr std::size_t max_key_parts = 32;
+  if (const auto line = find_deep_key(text, max_key_parts))
+    throw Error(path.string(), "line " + std::to_string(*line),
+                "a key has more than " + std::to_string(max_key_parts) + " parts");
   try {
     return toml::parse(text, path.string());
   } catch (const toml::parse_error& error) {
