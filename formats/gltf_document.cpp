@@ -158,6 +158,8 @@ std::span<const std::byte> Document::external(const std::string& uri,
   const std::filesystem::path relative = decode_percent(uri);
   if (uri.find("://") != std::string::npos || relative.is_absolute())
     throw Error("", "URI is not relative: " + uri);
+  if (!relative.empty() && *relative.lexically_normal().begin() == "..")
+    throw Error("", "URI leaves the scene's folder: " + uri);
   return files_.emplace_back(folder / relative).bytes();
 }
 

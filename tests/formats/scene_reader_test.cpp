@@ -149,6 +149,8 @@ TEST(SceneReader, RefusesDocumentsThatContradictThemselves) {
   refused([](json& d) { d["buffers"][0]["uri"] = "data:application/octet-stream;base64,@@@@"; });
   refused([](json& d) { d["buffers"][0]["uri"] = "https://example.org/a.bin"; });
   refused([](json& d) { d["buffers"][0]["uri"] = "/etc/hostname"; });
+  refused([](json& d) { d["buffers"][0]["uri"] = "../a.bin"; });
+  refused([](json& d) { d["buffers"][0]["uri"] = "a/%2e%2e/../../b.bin"; });
   refused([](json& d) { d["buffers"][0].erase("uri"); });
   refused([](json& d) { d["bufferViews"][0]["byteOffset"] = 8; });
   refused([](json& d) { d["bufferViews"][0]["byteOffset"] = 18446744073709551615u; });
