@@ -50,5 +50,22 @@ TEST(Corpus, EveryLightFileIsReadOrRefused) {
   });
 }
 
+TEST(Corpus, HoldsWholeFilesWithEverythingInThem) {
+  const auto corpus = std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/formats/corpus";
+  const Scene scene = read_scene(corpus / "glb/everything.glb");
+  EXPECT_EQ(scene.features.size(), 2u);
+  EXPECT_EQ(scene.nodes.at(1).instances.size(), 3u);
+  EXPECT_NE(scene.nodes.at(1).vehicle, no_id);
+  for (const char* name : {"glb/house.glb", "glb/house_draco.glb"})
+    EXPECT_GE(read_scene(corpus / name).meshes.size(), 2u) << name;
+  const LightFile lights = LightFile::open(corpus / "lights/traffic.lights");
+  lights.verify();
+  EXPECT_EQ(lights.lights().size(), 3u);
+  EXPECT_EQ(lights.profiles().size(), 2u);
+  EXPECT_EQ(lights.schedules().size(), 3u);
+  EXPECT_EQ(lights.traffic().trips.size(), 2u);
+  LightFile::open(corpus / "lights/windows.lights").verify();
+}
+
 }  // namespace
 }  // namespace nightcity

@@ -155,10 +155,13 @@ std::vector<Document> documents_in(const std::filesystem::path& file,
 }
 
 bool mentions(const Document& document, std::string_view text) {
-  constexpr std::size_t block = std::size_t{1} << 19;  // stays in the second cache
+  constexpr std::size_t first_block = std::size_t{1} << 15;
+  constexpr std::size_t max_block = std::size_t{1} << 19;  // stays in the second cache
   const auto source = document.open();
-  std::vector<char> window(text.size() + block);
-  for (std::size_t kept = 0;;) {
+  std::vector<char> window;
+  std::size_t kept = 0;
+  for (std::size_t block = first_block;; block = std::min(2 * block, max_block)) {
+    window.resize(std::max(window.size(), kept + block));
     const std::size_t got = source->read(window.data() + kept, block);
     if (got == 0) return false;
     const std::size_t size = kept + got;

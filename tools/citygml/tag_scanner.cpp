@@ -9,7 +9,8 @@ namespace nightcity {
 namespace {
 
 constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
-constexpr std::size_t read_block = std::size_t{1} << 20;
+// Read at once: a large document's block, which a small document's first ones lead up to.
+constexpr std::size_t first_block = std::size_t{1} << 15, read_block = std::size_t{1} << 20;
 
 bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';
@@ -32,7 +33,10 @@ bool ends_name(char c) {
 }
 
 TagScanner::TagScanner(city::ByteSource& source, std::string name, std::size_t longest_window)
-    : source_(source), name_(std::move(name)), longest_window_(longest_window) {
+    : source_(source),
+      name_(std::move(name)),
+      longest_window_(longest_window),
+      block_(first_block) {
   skip_byte_order_mark();
 }
 
@@ -61,12 +65,14 @@ std::size_t TagScanner::line_of(std::size_t at) {
   return line_;
 }
 
-// Reads as much again as is pending, at least a block: scanning a long construct anew stays linear in all.
+// Reads as much again as is pending, at least a block: scanning a long construct anew stays linear
+// in all.
 bool TagScanner::fill() {
   if (size_ > longest_window_)
     fail(position_,
          "an element longer than " + std::to_string(longest_window_ >> 20) + " MB is refused");
-  const std::size_t want = std::max(read_block, size_ - position_);
+  const std::size_t want = std::max(block_, size_ - position_);
+  block_ = std::min(2 * block_, read_block);
   if (size_ + want > capacity_) {
     capacity_ = std::max(size_ + want, capacity_ + capacity_ / 2);
     auto larger = std::make_unique_for_overwrite<char[]>(capacity_);
@@ -199,7 +205,7 @@ std::size_t TagScanner::skip_element(const Tag& open, std::size_t longest) {
 std::unique_ptr<char[]> TagScanner::rebase(std::size_t end, std::string_view in_front) {
   line_of(end);
   const std::size_t rest = size_ - end;
-  capacity_ = in_front.size() + rest + 2 * read_block;
+  capacity_ = in_front.size() + rest + 2 * block_;
   auto next = std::make_unique_for_overwrite<char[]>(capacity_);
   if (!in_front.empty()) std::memcpy(next.get(), in_front.data(), in_front.size());
   std::memcpy(next.get() + in_front.size(), bytes_.get() + end, rest);

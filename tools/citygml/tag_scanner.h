@@ -1,4 +1,5 @@
-// Finds the tags of an XML document in a moving window over its bytes. No tree, no attributes, no text.
+// Finds the tags of an XML document in a moving window over its bytes. No tree, no attributes, no
+// text.
 #pragma once
 
 #include <cstddef>
@@ -28,13 +29,13 @@ class TagScanner {
   /// `longest_window`: what must be kept at once (one member) may not be longer.
   TagScanner(city::ByteSource& source, std::string name, std::size_t longest_window);
 
-  /// Skips text, comments, CDATA and processing instructions. Throws Error on a DOCTYPE, on markup that is no
-  /// XML and where the file ends inside markup.
+  /// Skips text, comments, CDATA and processing instructions. Throws Error on a DOCTYPE, on markup
+  /// that is no XML and where the file ends inside markup.
   Tag next();
 
-  /// Behind the element that `open` (just returned) starts, found by its end tag alone, many times as fast as
-  /// tag by tag. 0, and nothing moved, where only the tags can tell: comments, CDATA or an element of the
-  /// same name inside, or no end within `longest` bytes.
+  /// Behind the element that `open` (just returned) starts, found by its end tag alone, many times
+  /// as fast as tag by tag. 0, and nothing moved, where only the tags can tell: comments, CDATA or
+  /// an element of the same name inside, or no end within `longest` bytes.
   std::size_t skip_element(const Tag& open, std::size_t longest);
 
   /// The window: from what was dropped last to what has been read.
@@ -62,6 +63,7 @@ class TagScanner {
   city::ByteSource& source_;
   std::string name_;
   std::size_t longest_window_;
+  std::size_t block_;  // to be read next
   std::unique_ptr<char[]> bytes_;
   std::size_t size_ = 0, capacity_ = 0;
   std::size_t position_ = 0;

@@ -1,0 +1,33 @@
+// Every recipe that the fuzzer starts from or has found, read in each test run: an Error or a
+// recipe, never a crash.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "support/temp_folder.h"
+#include "tools/bake/recipe/recipe.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace nightcity {
+namespace {
+
+const auto corpus = std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/tools/bake/corpus";
+
+TEST(Corpus, EveryRecipeIsReadOrRefused) {
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(corpus)) {
+    const std::string text = test::read_text(entry.path());
+    LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+    ++files;
+  }
+  EXPECT_GE(files, 6u);
+}
+
+TEST(Corpus, HoldsWholeRecipes) {
+  for (const char* name : {"berlin.toml", "everything.toml"})
+    EXPECT_NO_THROW(read_recipe(corpus / name)) << name;
+}
+
+}  // namespace
+}  // namespace nightcity
