@@ -231,6 +231,8 @@ void OutputFolder::commit() {
     throw;
   }
   made_.clear();
+  std::error_code ignored;
+  fs::remove_all(staging_, ignored);
 }
 
 }  // namespace nightcity

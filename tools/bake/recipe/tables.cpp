@@ -39,7 +39,8 @@ Table make_terrain_table(GroundOptions& terrain, const fs::path& folder) {
   return {"terrain",
           "The ground of a city whose model has no relief.",
           {paths_key("dem", terrain.elevation_models, folder, false, R"(["heights.tif"])",
-                     "Digital elevation models in any raster format that GDAL reads. They are not "
+                     "Digital elevation models in a raster format that GDAL reads, except those "
+                     "that lead to other files or the network (VRT, WMS). They are not "
                      "used where the city model has a relief of its own."),
            flag_key("make_surface", terrain.make_surface,
                     "Where there is neither a relief nor an elevation model, makes a ground "
