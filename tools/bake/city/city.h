@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "formats/atomic_file.h"
 #include "formats/georeference.h"
 #include "tools/bake/city/city_frames.h"
 #include "tools/bake/city/city_inputs.h"
@@ -31,8 +32,7 @@ class City {
   /// Reads the maps and the heads of the city's files. Scratch files lie beside `scratch`. Throws
   /// Error, or UsageError where the inputs contradict each other.
   explicit City(CityInputs inputs,
-                const std::filesystem::path& scratch = std::filesystem::temp_directory_path() /
-                                                       "nightbake");
+                const std::filesystem::path& scratch = scratch_folder() / "nightbake");
   City(const City&) = delete;
   City& operator=(const City&) = delete;
 
