@@ -6,6 +6,7 @@
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
+#include "formats/input_file.h"
 #include "formats/program/output.h"
 #include "runtime/experiments/sweep_points.h"
 
@@ -14,6 +15,7 @@ namespace {
 
 std::string first_line(const std::filesystem::path& path) {
   std::string line;
+  refuse_special_file(path);
   std::ifstream file(path);
   std::getline(file, line);
   return line;
