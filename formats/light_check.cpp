@@ -15,23 +15,32 @@ bool unit(const glm::vec3& v) {
   return std::abs(glm::dot(v, v) - 1.0f) < 1e-3f;
 }
 
+std::optional<std::string> shape_fault(const Light& light) {
+  if (!std::isfinite(light.radius) || !std::isfinite(light.half_height))
+    return "size is not finite";
+  switch (light_kind(light)) {
+    case LightKind::sphere:
+      if (light.radius < 0) return "radius is negative";
+      return std::nullopt;
+    case LightKind::rectangle:
+      if (!(half_width(light) > 0 && light.half_height > 0)) return "rectangle has no area";
+      return std::nullopt;
+  }
+  return "unknown kind " + std::to_string(uint(light_kind(light)));
+}
+
 }  // namespace
 
 std::optional<std::string> light_fault(const Light& light, std::size_t profile_count) {
-  const uint kind = light.kind_profile & 0xFFu, profile = light.kind_profile >> 8;
-  if (kind > LIGHT_RECTANGLE) return "unknown kind " + std::to_string(kind);
+  if (auto fault = shape_fault(light)) return fault;
   if (!finite(light.position)) return "position is not finite";
   if (!(std::isfinite(light.flux_lm) && light.flux_lm > 0)) return "flux is not a positive number";
   if (!finite(light.axis) || !unit(light.axis)) return "axis is not a unit vector";
   if (!finite(light.tangent) || !unit(light.tangent)) return "tangent is not a unit vector";
   if (std::abs(glm::dot(light.axis, light.tangent)) > 1e-3f)
     return "tangent is not perpendicular to the axis";
-  if (!std::isfinite(light.radius) || !std::isfinite(light.half_height))
-    return "size is not finite";
-  if (kind == LIGHT_SPHERE && light.radius < 0) return "radius is negative";
-  if (kind == LIGHT_RECTANGLE && !(light.radius > 0 && light.half_height > 0))
-    return "rectangle has no area";
   if ((light.colour_rgb9e5 & 0x07FFFFFFu) == 0) return "colour is black";
+  const uint profile = light_profile(light);
   if (profile != LIGHT_NO_PROFILE && profile >= profile_count)
     return "profile " + std::to_string(profile) + " of " + std::to_string(profile_count);
   return std::nullopt;

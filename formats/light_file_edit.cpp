@@ -31,7 +31,8 @@ void finish_with_traffic(LightFileWriter& writer, LightFileContent rest,
   data.insert(data.end(), addition.profile_data.begin(), addition.profile_data.end());
   std::vector<Light> lights(addition.traffic.vehicle_lights.begin(),
                             addition.traffic.vehicle_lights.end());
-  for (Light& light : lights) light.kind_profile += first_profile << 8;
+  for (Light& light : lights)
+    light.kind_profile = pack_kind_profile(light_kind(light), light_profile(light) + first_profile);
   rest.profiles = profiles;
   rest.profile_data = data;
   rest.traffic = {};

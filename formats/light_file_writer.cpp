@@ -117,7 +117,7 @@ std::uint32_t LightFileWriter::add(const Light& light, const LightProvenance& pr
   if (const auto fault = light_fault(light, any_profile))
     throw Error(state.name, "light " + std::to_string(state.count), *fault);
   if (state.count + 1 >= LIGHT_ALWAYS_ON) throw Error(state.name, "more lights than their numbers");
-  const std::size_t profile = light.kind_profile >> 8;
+  const std::size_t profile = light_profile(light);
   if (profile != LIGHT_NO_PROFILE)
     state.profiles_named = std::max(state.profiles_named, profile + 1);
   if (light.schedule != LIGHT_ALWAYS_ON)

@@ -39,7 +39,7 @@ Light street_lamp(const glm::vec3& position, float flux_lm) {
   light.tangent = {1, 0, 0};
   light.flux_lm = flux_lm;
   light.colour_rgb9e5 = encode_rgb9e5({1, 1, 1});
-  light.kind_profile = LIGHT_SPHERE | LIGHT_NO_PROFILE << 8;
+  light.kind_profile = pack_kind_profile(LightKind::sphere, LIGHT_NO_PROFILE);
   light.schedule = LIGHT_ALWAYS_ON;
   return light;
 }
@@ -75,7 +75,7 @@ void add_vehicles(SceneLights& lights, std::size_t vehicles, int streets, float 
     Light head = vehicle_lamp({2.1f, 0.7f, side}, {1, -0.02f, 0}, 460, LightFamily::headlamp);
     head.axis = glm::normalize(head.axis);
     head.tangent = glm::normalize(glm::vec3(0.02f, 1, 0));
-    head.kind_profile = LIGHT_SPHERE | 0u << 8;
+    head.kind_profile = pack_kind_profile(LightKind::sphere, 0);
     traffic.vehicle_lights.push_back(head);
     traffic.vehicle_lights.push_back(
         vehicle_lamp({-2.1f, 0.8f, side}, {-1, 0, 0}, 25, LightFamily::tail_lamp));

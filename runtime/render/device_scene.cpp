@@ -52,9 +52,9 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
                        is);
   };
   has_profiles_ =
-      any_light([](const Light& light) { return light.kind_profile >> 8 != LIGHT_NO_PROFILE; });
+      any_light([](const Light& light) { return light_profile(light) != LIGHT_NO_PROFILE; });
   has_rectangles_ =
-      any_light([](const Light& light) { return (light.kind_profile & 255u) == LIGHT_RECTANGLE; });
+      any_light([](const Light& light) { return light_kind(light) == LightKind::rectangle; });
 
   bounds_ = scene.bounds;
   for (const Light& light : scene.lights) flux_lm_.push_back(light.flux_lm);

@@ -73,8 +73,19 @@ CameraPose top(const RenderScene& scene) {
   return pose;
 }
 
+// Beside a lamp one stands in the street; below a window one would stand in the house.
+bool is_in_the_street(LightKind kind) {
+  switch (kind) {
+    case LightKind::sphere:
+      return true;
+    case LightKind::rectangle:
+      return false;
+  }
+  return false;
+}
+
 bool is_lamp(const Light& light) {
-  return (light.kind_profile & 255u) == LIGHT_SPHERE && light.flux_lm > 0;
+  return is_in_the_street(light_kind(light)) && light.flux_lm > 0;
 }
 
 // Nothing overhead: neither under a tree nor inside a house.
@@ -87,8 +98,7 @@ CameraPose street(const RenderScene& scene) {
   if (scene.lights.empty()) return overview(scene);
   const Focus focus = lit_part(scene);
   std::vector<const Light*> nearest;
-  // Beside a lamp one stands in the street; below a window one would stand in the house. Without lamps, any
-  // light.
+  // Where there are no lamps, any light will do.
   const bool lamps_there = std::any_of(scene.lights.begin(), scene.lights.end(), is_lamp);
   for (const Light& light : scene.lights)
     if (light.flux_lm > 0 && (!lamps_there || is_lamp(light))) nearest.push_back(&light);

@@ -230,7 +230,7 @@ void check_traffic(const Traffic& traffic, std::size_t profiles) {
 bool usable(const Light& light, std::size_t profiles) {
   for (const glm::vec3& v : {light.position, light.axis, light.tangent})
     if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) return false;
-  const std::uint32_t profile = light.kind_profile >> 8;
+  const std::uint32_t profile = light_profile(light);
   return std::isfinite(light.radius) && std::isfinite(light.half_height) &&
          std::isfinite(light.flux_lm) && light.flux_lm > 0 &&
          (profile == LIGHT_NO_PROFILE || profile < profiles);
@@ -266,7 +266,7 @@ RenderScene make_render_scene(const Scene& scene, SceneLights lights) {
     light = Light{};
     light.axis = {0, -1, 0};
     light.tangent = {1, 0, 0};
-    light.kind_profile = LIGHT_SPHERE | LIGHT_NO_PROFILE << 8;
+    light.kind_profile = pack_kind_profile(LightKind::sphere, LIGHT_NO_PROFILE);
     light.schedule = LIGHT_ALWAYS_ON;
     light.id = id;
   }

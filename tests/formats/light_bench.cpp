@@ -27,11 +27,11 @@ Light window(std::uint32_t n) {
   light.position = {static_cast<float>(n % 1000) * 4, 10, static_cast<float>(n / 1000) * 4};
   light.axis = {0, 0, 1};
   light.tangent = {1, 0, 0};
-  light.radius = 0.6f;
+  set_half_width(light, 0.6f);
   light.half_height = 0.7f;
   light.flux_lm = 100;
   light.colour_rgb9e5 = encode_rgb9e5({1.2f, 1, 0.6f});
-  light.kind_profile = LIGHT_RECTANGLE | LIGHT_NO_PROFILE << 8;
+  light.kind_profile = pack_kind_profile(LightKind::rectangle, LIGHT_NO_PROFILE);
   light.schedule = n % 1000;
   light.id = n;
   return light;

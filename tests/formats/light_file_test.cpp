@@ -26,7 +26,7 @@ Light lamp(float x) {
           {1, 0, 0},
           5000,
           encode_rgb9e5({1.2f, 1, 0.6f}),
-          LIGHT_SPHERE | LIGHT_NO_PROFILE << 8,
+          pack_kind_profile(LightKind::sphere, LIGHT_NO_PROFILE),
           LIGHT_ALWAYS_ON,
           17};
 }
@@ -121,8 +121,8 @@ TEST(LightFileWriter, RefusesUnfitLightsAndLeavesNothing) {
     LightFileWriter writer(folder / "b.lights");
     Light light = sample.lights[0];
     if (profile)
-      light.kind_profile =
-          LIGHT_SPHERE | 2u << 8;  // the sample has two profiles and three schedules
+      light.kind_profile = pack_kind_profile(LightKind::sphere,
+                                             2);  // the sample has two profiles and three schedules
     else
       light.schedule = 3;
     writer.add(light, {});
@@ -134,7 +134,7 @@ TEST(LightFileWriter, RefusesUnfitLightsAndLeavesNothing) {
 TEST(LightFile, KeepsEveryByte) {
   const TempFolder folder;
   Sample sample;
-  sample.lights[1].kind_profile = LIGHT_RECTANGLE | 1u << 8;
+  sample.lights[1].kind_profile = pack_kind_profile(LightKind::rectangle, 1);
   sample.lights[1].half_height = 0.7f;
   sample.provenance[2] = {123456789012,
                           ValueSource::tag,
@@ -202,10 +202,11 @@ TEST(LightFile, WriterRefusesUnphysicalLightsAndLeavesNothing) {
   refused([&](Sample& s) { s.lights[1].tangent = {0, 1, 0}; });  // along the axis
   refused([&](Sample& s) { s.lights[1].colour_rgb9e5 = 0; });
   refused([&](Sample& s) { s.lights[1].kind_profile = 9; });
-  refused(
-      [&](Sample& s) { s.lights[1].kind_profile = LIGHT_SPHERE | 2u << 8; });  // no such profile
   refused([&](Sample& s) {
-    s.lights[1].kind_profile = LIGHT_RECTANGLE | LIGHT_NO_PROFILE << 8;
+    s.lights[1].kind_profile = pack_kind_profile(LightKind::sphere, 2);
+  });  // no such profile
+  refused([&](Sample& s) {
+    s.lights[1].kind_profile = pack_kind_profile(LightKind::rectangle, LIGHT_NO_PROFILE);
   });  // no area
   refused([&](Sample& s) { s.profiles[1].data_offset = 3; });
   refused([&](Sample& s) { s.profiles[1].gamma_count = 0xFFFFFFFFu; });
@@ -356,7 +357,7 @@ TEST(LightFileEdit, TrafficTakesThePlaceOfTheOldAndItsProfilesFollowTheOthers) {
   EXPECT_EQ(file.profile_data().size(), 16u);
   EXPECT_EQ(file.traffic().trips.size(), 1u);
   ASSERT_EQ(file.traffic().vehicle_lights.size(), 2u);
-  EXPECT_EQ(file.traffic().vehicle_lights[1].kind_profile >> 8, 3u);
+  EXPECT_EQ(light_profile(file.traffic().vehicle_lights[1]), 3u);
 }
 
 TEST(LightFileEdit, TrafficWithoutATripLeavesNone) {

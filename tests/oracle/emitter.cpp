@@ -20,7 +20,7 @@ glm::dvec3 colour_of(std::uint32_t packed) {
 
 // SPEC.md 3.4: candela towards unit `to`.
 double intensity(const Lights& lights, const Light& light, const glm::dvec3& to) {
-  const std::uint32_t index = light.kind_profile >> 8;
+  const std::uint32_t index = light_profile(light);
   if (index == LIGHT_NO_PROFILE) return double(light.flux_lm) / (4 * pi);
   const LightProfile& profile = lights.profiles[index];
   const glm::dvec3 axis(light.axis), tangent(light.tangent);
@@ -91,7 +91,7 @@ void append_rectangle(const Light& light, const glm::dvec3& receiver, const Stra
   const double share = 1.0 / (strata.side * strata.side);
   if (glm::dot(normal, receiver - centre) <= 0) return;
   strata.each([&](double u, double v) {
-    const glm::dvec3 point = centre + first * (double(light.radius) * (2 * u - 1)) +
+    const glm::dvec3 point = centre + first * (double(half_width(light)) * (2 * u - 1)) +
                              second * (double(light.half_height) * (2 * v - 1));
     const glm::dvec3 to = receiver - point;
     const double d2 = glm::dot(to, to), cosine = glm::dot(normal, to) / std::sqrt(d2);
@@ -106,21 +106,29 @@ void append_rectangle(const Light& light, const glm::dvec3& receiver, const Stra
 void append_points(const Lights& lights, const Light& light, const glm::dvec3& receiver, int strata,
                    std::mt19937& random, std::vector<LightPoint>& out) {
   const Strata grid{strata, random};
-  if ((light.kind_profile & 255) == LIGHT_RECTANGLE)
-    append_rectangle(light, receiver, grid, out);
-  else
-    append_sphere(lights, light, receiver, grid, out);
+  switch (light_kind(light)) {
+    case LightKind::sphere:
+      return append_sphere(lights, light, receiver, grid, out);
+    case LightKind::rectangle:
+      return append_rectangle(light, receiver, grid, out);
+  }
 }
 
 glm::dvec3 seen_luminance(const Lights& lights, const Light& light, const glm::dvec3& to) {
-  const double radius = double(light.radius);
-  if ((light.kind_profile & 255) == LIGHT_RECTANGLE) {
-    const double area = 4 * radius * double(light.half_height);
-    const bool front = glm::dot(glm::dvec3(light.axis), to) > 0;
-    return colour_of(light.colour_rgb9e5) * (front ? double(light.flux_lm) / (pi * area) : 0.0);
+  const glm::dvec3 colour = colour_of(light.colour_rgb9e5);
+  switch (light_kind(light)) {
+    case LightKind::sphere: {
+      const double radius = double(light.radius);
+      if (radius == 0) return glm::dvec3(0);  // a point has no surface to be seen
+      return colour * (intensity(lights, light, to) / (pi * radius * radius));
+    }
+    case LightKind::rectangle: {
+      const double area = 4 * double(half_width(light)) * double(light.half_height);
+      const bool front = glm::dot(glm::dvec3(light.axis), to) > 0;
+      return colour * (front ? double(light.flux_lm) / (pi * area) : 0.0);
+    }
   }
-  if (radius == 0) return glm::dvec3(0);  // a point has no surface to be seen
-  return colour_of(light.colour_rgb9e5) * (intensity(lights, light, to) / (pi * radius * radius));
+  return glm::dvec3(0);
 }
 
 }  // namespace nightcity::oracle

@@ -20,7 +20,7 @@ inline Light lamp(const glm::vec3& position, float flux_lm, float radius = 0.05f
   light.tangent = {1, 0, 0};
   light.flux_lm = flux_lm;
   light.colour_rgb9e5 = encode_rgb9e5({1, 1, 1});
-  light.kind_profile = LIGHT_SPHERE | LIGHT_NO_PROFILE << 8;
+  light.kind_profile = pack_kind_profile(LightKind::sphere, LIGHT_NO_PROFILE);
   light.schedule = LIGHT_ALWAYS_ON;
   light.id = 1;
   return light;
@@ -33,7 +33,7 @@ inline Light window(const glm::vec3& centre, const glm::vec3& normal, float half
   light.axis = normal;
   light.tangent = glm::normalize(glm::cross(glm::vec3(0, 1, 0), normal));
   light.half_height = half_height;
-  light.kind_profile = LIGHT_RECTANGLE | LIGHT_NO_PROFILE << 8;
+  light.kind_profile = pack_kind_profile(LightKind::rectangle, LIGHT_NO_PROFILE);
   return light;
 }
 

@@ -378,7 +378,7 @@ Light to_light(const PlacedLamp& lamp, const Georeference& georeference, Schedul
   light.tangent = glm::normalize(glm::vec3(aim * c - down * s));
   light.flux_lm = static_cast<float>(lamp.flux_lm);
   light.colour_rgb9e5 = encode_rgb9e5(lamp.colour);
-  light.kind_profile = LIGHT_SPHERE | lamp.profile << 8;
+  light.kind_profile = pack_kind_profile(LightKind::sphere, lamp.profile);
   light.schedule = lamp.hours ? schedules.add(*lamp.hours) : LIGHT_ALWAYS_ON;
   light.id = lamp.id;
   return light;

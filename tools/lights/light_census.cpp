@@ -49,7 +49,7 @@ LightCensus count_lights(const LightFile& file, const PlaceFault& place_fault) {
     FamilyCensus& family = census.families[name_of(static_cast<LightFamily>(from.family))];
     ++family.count;
     family.flux_lm += double{light.flux_lm};
-    ++family.kinds[(light.kind_profile & 0xFFu) == LIGHT_SPHERE ? "sphere" : "rectangle"];
+    ++family.kinds[name_of(light_kind(light))];
     count_hours(light, file, family);
     const std::pair<const char*, ValueSource> values[] = {
         {"position", from.position}, {"height", from.height},   {"flux", from.flux},

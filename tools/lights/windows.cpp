@@ -199,12 +199,12 @@ Light to_light(const LitRectangle& window, const Georeference& georeference,
   light.position = glm::vec3(georeference.to_model(window.centre));
   light.axis = turned(window.normal);
   light.tangent = turned(window.along);
-  light.radius = window.half_width;
+  set_half_width(light, window.half_width);
   light.half_height = window.half_height;
   light.flux_lm = static_cast<float>(window.flux_lm());
   light.colour_rgb9e5 =
       encode_rgb9e5(rec709_from_xy(planckian_xy(static_cast<double>(window.cct_k))));
-  light.kind_profile = LIGHT_RECTANGLE | LIGHT_NO_PROFILE << 8;
+  light.kind_profile = pack_kind_profile(LightKind::rectangle, LIGHT_NO_PROFILE);
   light.schedule = schedules.add(window.hours);
   light.id = window.id;
   return light;

@@ -44,7 +44,7 @@ Light lamp(const glm::vec3& place, const glm::vec3& axis, double radius, double 
   light.tangent = {0, 0, 1};
   light.flux_lm = static_cast<float>(flux);
   light.colour_rgb9e5 = encode_rgb9e5(colour);
-  light.kind_profile = LIGHT_SPHERE | profile << 8;
+  light.kind_profile = pack_kind_profile(LightKind::sphere, profile);
   light.schedule = condition;
   light.id = static_cast<uint>(family);
   return light;

@@ -85,7 +85,7 @@ SceneLights every_kind_of_light() {
                    window({-4.9f, 3, -9.9f}, {0, 0, 1}, 0.6f, 0.9f, 400),
                    window({9.9f, 2, 0}, {-1, 0, 0}, 2.0f, 0.5f, 900)};
   lights.lights[1].colour_rgb9e5 = encode_rgb9e5({1.0f, 0.6f, 0.2f});
-  lights.lights[0].kind_profile = LIGHT_SPHERE | 0u << 8;
+  lights.lights[0].kind_profile = pack_kind_profile(LightKind::sphere, 0);
   lights.profiles = {{4, 19, 0, 90}};
   for (int c = 0; c < 4; ++c)
     for (int g = 0; g < 19; ++g)
@@ -109,7 +109,7 @@ TEST(Reference, EqualsTheOracleOnEveryKindOfLight) {
 // geometry, profiles and shadows. Hard shadows: a pixel may stand on the edge of one light's, and some do.
 void shrink(std::vector<Light>& lights) {
   for (Light& light : lights) {
-    light.radius *= (light.kind_profile & 255) == LIGHT_RECTANGLE ? 1e-3f : 0;
+    light.radius *= light_kind(light) == LightKind::rectangle ? 1e-3f : 0;
     light.half_height *= 1e-3f;
   }
 }

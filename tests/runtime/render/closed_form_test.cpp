@@ -127,7 +127,7 @@ TEST(ClosedForm, AProfileScalesTheIntensityByDirection) {
   // I(gamma) proportional to cos(gamma) below the horizon: 1/pi cd per lumen downwards.
   SceneLights lights;
   lights.lights = {lamp({0, 8, 0}, 5000)};
-  lights.lights[0].kind_profile = LIGHT_SPHERE | 0u << 8;
+  lights.lights[0].kind_profile = pack_kind_profile(LightKind::sphere, 0);
   const std::uint32_t gammas = 181;
   lights.profiles = {{1, gammas, 0, 180}};
   for (std::uint32_t g = 0; g < gammas; ++g)

@@ -45,7 +45,7 @@ TEST_P(Hazard, LightsThatAreNotFiniteAreSwitchedOffAndCounted) {
                             lamp({3, 5, 0}, 5000)};
   lights[1].position.x = std::numeric_limits<float>::quiet_NaN();
   lights[2].flux_lm = std::numeric_limits<float>::infinity();
-  lights[3].kind_profile = LIGHT_SPHERE | 77u << 8;  // no such profile
+  lights[3].kind_profile = pack_kind_profile(LightKind::sphere, 77);  // no such profile
   const RenderScene scene = SceneBuilder().ground(100).with(lights);
   EXPECT_EQ(scene.bad_lights, 3u);
   RenderSettings s = settings();

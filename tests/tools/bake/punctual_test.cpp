@@ -29,7 +29,7 @@ double flux_of(const ScenePunctual& light) {
   return sum;
 }
 
-Light light_of(uint kind, uint profile) {
+Light light_of(LightKind kind, uint profile) {
   Light light{};
   light.axis = {0, -1, 0};
   light.tangent = {1, 0, 0};
@@ -37,7 +37,7 @@ Light light_of(uint kind, uint profile) {
   light.half_height = 0.5f;
   light.flux_lm = 5000;
   light.colour_rgb9e5 = encode_rgb9e5({1.6f, 0.9f, 0.2f});
-  light.kind_profile = kind | profile << 8;
+  light.kind_profile = pack_kind_profile(kind, profile);
   return light;
 }
 
@@ -46,8 +46,8 @@ TEST(Punctual, EveryKindOfLightKeepsItsLumens) {
   const uint street = table.add("street", make_optic(Optic::street)),
              lantern = table.add("lantern", make_optic(Optic::lantern));
   for (const Light& light :
-       {light_of(LIGHT_SPHERE, LIGHT_NO_PROFILE), light_of(LIGHT_SPHERE, street),
-        light_of(LIGHT_SPHERE, lantern), light_of(LIGHT_RECTANGLE, LIGHT_NO_PROFILE)})
+       {light_of(LightKind::sphere, LIGHT_NO_PROFILE), light_of(LightKind::sphere, street),
+        light_of(LightKind::sphere, lantern), light_of(LightKind::rectangle, LIGHT_NO_PROFILE)})
     EXPECT_NEAR(flux_of(to_punctual(light, table.profiles, table.data)), 5000, 5000 * 0.002);
 }
 
@@ -58,19 +58,20 @@ TEST(Punctual, WhatShinesDownIsASpotAndWhatShinesAroundAPoint) {
   const auto outer = [&](const Light& light) {
     return to_punctual(light, table.profiles, table.data).outer_rad;
   };
-  EXPECT_GT(outer(light_of(LIGHT_SPHERE, street)), pi / 4);
-  EXPECT_LT(outer(light_of(LIGHT_SPHERE, street)), pi / 2);
-  EXPECT_EQ(outer(light_of(LIGHT_SPHERE, lantern)), 0);
-  EXPECT_EQ(outer(light_of(LIGHT_SPHERE, LIGHT_NO_PROFILE)), 0);
+  EXPECT_GT(outer(light_of(LightKind::sphere, street)), pi / 4);
+  EXPECT_LT(outer(light_of(LightKind::sphere, street)), pi / 2);
+  EXPECT_EQ(outer(light_of(LightKind::sphere, lantern)), 0);
+  EXPECT_EQ(outer(light_of(LightKind::sphere, LIGHT_NO_PROFILE)), 0);
   // A window's axis has a Lambertian's candela.
-  const ScenePunctual window = to_punctual(light_of(LIGHT_RECTANGLE, LIGHT_NO_PROFILE), {}, {});
+  const ScenePunctual window =
+      to_punctual(light_of(LightKind::rectangle, LIGHT_NO_PROFILE), {}, {});
   EXPECT_NEAR(window.intensity_cd, 5000 / pi, 5000 / pi * 0.005);
 }
 
 TEST(Punctual, TheBrightestAreKeptInTheirOrder) {
   BrightestLights brightest(3);
   for (const float flux : {5.0f, 1.0f, 9.0f, 7.0f, 2.0f, 7.0f, 3.0f}) {
-    Light light = light_of(LIGHT_SPHERE, LIGHT_NO_PROFILE);
+    Light light = light_of(LightKind::sphere, LIGHT_NO_PROFILE);
     light.flux_lm = flux;
     brightest.add(light);
   }
@@ -80,7 +81,7 @@ TEST(Punctual, TheBrightestAreKeptInTheirOrder) {
   EXPECT_EQ(kept[1].flux_lm, 7);
   EXPECT_EQ(kept[2].flux_lm, 7);
   BrightestLights none(0);
-  none.add(light_of(LIGHT_SPHERE, LIGHT_NO_PROFILE));
+  none.add(light_of(LightKind::sphere, LIGHT_NO_PROFILE));
   EXPECT_TRUE(std::move(none).take().empty());
 }
 

@@ -194,8 +194,8 @@ TEST(Lamps, LightStandsInModelSpaceWithItsAxisDown) {
   EXPECT_NEAR(light.position.z, -(5 - defaults.outreach_m - 2), 1e-4);
   EXPECT_NEAR(glm::distance(light.axis, glm::vec3(0, -1, 0)), 0, 1e-6);
   EXPECT_NEAR(glm::distance(light.tangent, glm::vec3(0, 0, 1)), 0, 1e-5);  // south, to the road
-  EXPECT_EQ(light.kind_profile & 255u, LIGHT_SPHERE);
-  EXPECT_LT(light.kind_profile >> 8, set.profiles.size());
+  EXPECT_EQ(light_kind(light), LightKind::sphere);
+  EXPECT_LT(light_profile(light), set.profiles.size());
   EXPECT_FLOAT_EQ(light.flux_lm, static_cast<float>(defaults.flux_lm));
   EXPECT_NEAR(luminance(decode_rgb9e5(light.colour_rgb9e5)), 1, 0.01);
 }

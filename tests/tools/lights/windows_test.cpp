@@ -292,8 +292,8 @@ TEST(Windows, LightIsOneSidedLambertianOfItsLuminance) {
                 w.hours.lit_at(minute));
     const double area = 4.0 * w.half_width * w.half_height;
     EXPECT_NEAR(light.flux_lm, std::numbers::pi * w.luminance_cd_m2 * area, 1e-3 * light.flux_lm);
-    EXPECT_EQ(light.kind_profile & 255u, LIGHT_RECTANGLE);
-    EXPECT_EQ(light.kind_profile >> 8, LIGHT_NO_PROFILE);
+    EXPECT_EQ(light_kind(light), LightKind::rectangle);
+    EXPECT_EQ(light_profile(light), LIGHT_NO_PROFILE);
     EXPECT_NEAR(glm::length(light.axis), 1, 1e-5);
     EXPECT_NEAR(glm::dot(light.axis, light.tangent), 0, 1e-5);
     EXPECT_NEAR(light.axis.y, 0, 1e-5);

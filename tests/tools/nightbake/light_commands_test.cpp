@@ -107,7 +107,7 @@ TEST(WindowsCommand, LaysWindowsWithTheirHours) {
   EXPECT_EQ(report["by_use"]["residential"]["placed"], file.lights().size());
   for (const Light& light : file.lights()) {
     ASSERT_LT(light.schedule, file.schedules().size());
-    EXPECT_EQ(light.kind_profile & 255u, LIGHT_RECTANGLE);
+    EXPECT_EQ(light_kind(light), LightKind::rectangle);
     const Schedule& schedule = file.schedules()[light.schedule];
     EXPECT_GE(schedule.count, 2u);
     EXPECT_GE(file.switches()[schedule.first], 18'000u);                       // 17:00

@@ -22,7 +22,7 @@ class Beam {
   explicit Beam(Side side) {
     const VehicleLamps lamps = make_vehicle_lamps(side, profiles_);
     const Light& headlamp = lamps.lights[lamps.kinds[0].first_light];
-    profile_ = profiles_.profiles[headlamp.kind_profile >> 8];
+    profile_ = profiles_.profiles[light_profile(headlamp)];
     flux_ = double{headlamp.flux_lm};
   }
 

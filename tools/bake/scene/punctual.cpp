@@ -52,15 +52,19 @@ ScenePunctual to_punctual(const Light& light, std::span<const LightProfile> prof
   result.direction = light.axis;
   result.colour = decode_rgb9e5(light.colour_rgb9e5);
   const double flux = double{light.flux_lm};
-  const uint profile = light.kind_profile >> 8;
-  if ((light.kind_profile & 0xFFu) == LIGHT_RECTANGLE) {
-    result.outer_rad = max_spot_rad;
-    result.inner_rad = std::acos(0.75);  // makes the falloff's integral pi
-  } else if (profile != LIGHT_NO_PROFILE) {
-    const double wide = find_angle_with(0.99, profiles[profile], profile_data);
-    if (wide <= pi / 2 + 1e-9) {
+  switch (light_kind(light)) {
+    case LightKind::rectangle:
+      result.outer_rad = max_spot_rad;
+      result.inner_rad = std::acos(0.75);  // makes the falloff's integral pi
+      break;
+    case LightKind::sphere: {
+      const uint profile = light_profile(light);
+      if (profile == LIGHT_NO_PROFILE) break;
+      const double wide = find_angle_with(0.99, profiles[profile], profile_data);
+      if (wide > pi / 2 + 1e-9) break;
       result.outer_rad = std::clamp(wide, 0.01, max_spot_rad);
       result.inner_rad = 0.8 * result.outer_rad;
+      break;
     }
   }
   result.intensity_cd =
