@@ -4,6 +4,7 @@
 #include "shaders/common.glsl"
 #include "shaders/geometry.glsl"
 #include "shaders/similar.glsl"
+#include "shaders/accumulation.glsl"
 #include "shaders/display.glsl"
 
 void main() {
@@ -14,13 +15,14 @@ void main() {
   for (uint slice = 1u; slice < FRAME.slices; ++slice)
     radiance += FRAME.radiance.at[slice * pixels_of_picture() + index].sum;
   // The last guard: no NaN or Inf reaches a pixel, and none stays in a sum.
-  if (!(finite(radiance.x) && finite(radiance.y) && finite(radiance.z))) radiance = vec3(0.0);
+  if (!all_finite(radiance)) radiance = vec3(0.0);
 
-  Accumulation total = Accumulation(vec3(0.0), 0.0, vec3(0.0), 0.0);
+  Accumulation total = NO_ACCUMULATION;
   if (FRAME.window == 0u) {
     if (FRAME.reset == 0u) total = FRAME.previous_accumulation.at[index];
   } else {
-    // The mean of the last frames goes along with the surface it is of; where there is none to go along, it starts anew.
+    // The mean moves with its surface. A surface that was not visible in the frame before starts a
+    // new mean.
     const Surface surface = FRAME.surfaces.at[index];
     uint before = index;
     const bool sky = surface.depth <= 0.0 && FRAME.previous_surfaces.at[index].depth <= 0.0 && FRAME.has_history != 0u;
@@ -31,11 +33,7 @@ void main() {
       total = Accumulation(total.sum * share, most, total.compensation * share, total.luminance_squared * share);
     }
   }
-  precise const vec3 y = radiance - total.compensation;
-  precise const vec3 t = total.sum + y;
-  precise const vec3 lost = (t - total.sum) - y;
-  total.compensation = lost;
-  total.sum = t;
+  add_compensated(total, radiance);
   total.frames += 1.0;
   total.luminance_squared += luminance(radiance) * luminance(radiance);
   FRAME.accumulation.at[index] = total;

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Initial candidates: RIS over light picks (after Bitterli et al. 2020, Alg. 3).
+// Initial candidates: resampled importance sampling (RIS) over sampled lights (after Bitterli et
+// al. 2020, Alg. 3).
 #include "shaders/common.glsl"
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"
@@ -35,9 +36,10 @@ void main() {
   builder.M = float(FRAME.candidates);
   Reservoir reservoir = finalize(builder, 1.0);
 
-  // Visibility reuse: a shadowed candidate is not handed on. Its M stays: it was seen, and contributes nothing.
-  // `traced` has shadowed targets, so this is its exact W; for the others it is the bias the paper accepts.
-  const bool test = ESTIMATOR == ESTIMATOR_PAPER || ESTIMATOR == ESTIMATOR_TRACED || VISIBILITY_REUSE != 0u;
+  // Visibility reuse: a shadowed candidate is not passed on. Its M stays, because the candidates
+  // were drawn, and contribute nothing. With shadowed targets W = 0 is exact; otherwise this is the
+  // bias that the paper accepts.
+  const bool test = drops_shadowed_candidates(ESTIMATOR) || VISIBILITY_REUSE != 0u;
   if (test && reservoir.W > 0.0 && !sees(receiver, reservoir.light, reservoir.uv)) reservoir.W = 0.0;
   FRAME.reservoirs.at[index] = reservoir;
 }

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Denoiser, first step: the mean without its emission, over the albedo, and the variance of its luminance.
+// The denoiser's first step: takes the emission off the mean and divides it by the albedo, and
+// estimates the variance of its luminance.
 #include "shaders/common.glsl"
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"
@@ -8,12 +9,8 @@
 #include "shaders/lights.glsl"
 #include "shaders/shading.glsl"
 #include "shaders/similar.glsl"
+#include "shaders/accumulation.glsl"
 #include "shaders/denoise.glsl"
-
-vec3 mean_of(uint index) {
-  const Accumulation a = FRAME.accumulation.at[index];
-  return a.sum / max(a.frames, 1.0);
-}
 
 void main() {
   uvec2 pixel;
@@ -24,8 +21,9 @@ void main() {
   if (surface.depth > 0.0 && surface.light == NO_HIT) {
     const Accumulation a = FRAME.accumulation.at[index];
     const vec3 albedo = albedo_of(surface);
-    result.irradiance = max(mean_of(index) - emitted(surface), vec3(0.0)) / albedo;
-    // Of the mean, from the spread of the frames; few frames do not tell, so then from the spread around the pixel.
+    result.irradiance = max(mean_of(a) - emitted(surface), vec3(0.0)) / albedo;
+    // The variance of the mean, from the spread of the frames. A few frames say too little: then
+    // also from the spread of the pixels around.
     const float l = luminance(a.sum) / max(a.frames, 1.0);
     float variance = max(a.luminance_squared / max(a.frames, 1.0) - l * l, 0.0) / max(a.frames - 1.0, 1.0);
     if (a.frames < 4.0) {
@@ -33,10 +31,10 @@ void main() {
       for (int dy = -3; dy <= 3; ++dy)
         for (int dx = -3; dx <= 3; ++dx) {
           const ivec2 at = ivec2(pixel) + ivec2(dx, dy);
-          if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, ivec2(FRAME.size)))) continue;
+          if (!in_picture(at)) continue;
           const uint there = uint(at.y) * FRAME.size.x + uint(at.x);
           if (!similar(surface, FRAME.surfaces.at[there])) continue;
-          const float value = luminance(mean_of(there));
+          const float value = luminance(mean_of(FRAME.accumulation.at[there]));
           sum += value;
           squares += value * value;
           count += 1.0;

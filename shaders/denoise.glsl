@@ -1,5 +1,7 @@
-// An edge-avoiding a-trous filter guided by variance (Dammertz et al., HPG 2010; Schied et al.: Spatiotemporal
-// Variance-Guided Filtering, HPG 2017), on light over albedo.
+// The denoiser is an edge-avoiding a-trous filter guided by variance (Dammertz et al., HPG 2010;
+// Schied et al.: Spatiotemporal Variance-Guided Filtering, HPG 2017). It works on light divided by
+// albedo.
 
-// Never so dark that dividing by it blows up what little light there is.
+// Returns a surface's albedo, bounded below so that dividing by it does not blow up what little
+// light there is.
 vec3 albedo_of(Surface surface) { return max(SCENE.materials.at[surface.material].base_colour, vec3(0.01)); }

@@ -1,4 +1,4 @@
-// Where a ray ended: what the stages of a ray tracing pipeline hand to each other.
+// Where a ray ended. It is also what the stages of a ray tracing pipeline pass to each other.
 struct Hit {
   float t;        // in units of the ray's direction
   uint triangle;

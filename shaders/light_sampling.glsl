@@ -1,23 +1,26 @@
-// Picking lights: standing ones by a mixture of uniform, flux-proportional and local picks, these from two grids: the lights
-// strong near a place, and those of the quarter around it, which the first has no room for. Vehicles' lights by going down
-// the fleet's tree (after Conty Estevez, Kulla: Importance Sampling of Many Lights, 2018). The two sets are disjoint, so a
-// pick's density is that of its own set's technique.
+// Samples lights. Static lights are sampled by a mixture of four techniques: uniformly, in
+// proportion to flux, and from the cells of two grids. The near grid lists the lights that are
+// strong at a place; the far grid lists those of its neighbourhood, for which the near grid has no
+// room. Vehicles' lights are sampled by descending the light BVH over the vehicles (after Conty
+// Estevez, Kulla: Importance Sampling of Many Lights, 2018). The two sets are disjoint, so the
+// density of a sample is the density of its own set's technique.
 //
-// Which technique makes a pick is stratified over a pixel's candidates: candidate i of n gets a number in
-// [i / n, (i + 1) / n). Their mean density is the mixture's, so weights by the mixture stay exact (the balance heuristic;
-// Veach 1997), and lanes that run in lockstep mostly take the same branch.
+// The choice of technique is stratified over a pixel's candidates: candidate i of n gets a number
+// in [i / n, (i + 1) / n). The mean of the candidates' densities is the mixture's density, so
+// weights by the mixture stay exact (the balance heuristic; Veach 1997), and lanes in lockstep
+// mostly take the same branch.
 
-// A grid's cell at a place.
+// The cell of a grid at a place.
 struct GridCell {
   LightCell cell;
   vec2 centre;
-  float share;  // of the candidates from standing lights
+  float share;  // of the candidates from static lights
 };
 
 struct LightSampler {
   GridCell near;
   GridCell far;
-  float uniform_share;  // of the candidates from standing lights
+  float uniform_share;  // of the candidates from static lights
   float power_share;
   float vehicle_share;    // of all candidates
 };
@@ -25,7 +28,7 @@ struct LightSampler {
 struct SampledLight {
   uint index;
   Light light;
-  float pdf;  // 0: none
+  float pdf;  // 0 = no light was found
 };
 
 GridCell cell_at(LightGridBuffers grid, vec3 position, float share) {
@@ -40,6 +43,7 @@ GridCell cell_at(LightGridBuffers grid, vec3 position, float share) {
   return p;
 }
 
+// Returns the sampler for a receiver's place.
 LightSampler light_sampler_at(vec3 position) {
   LightSampler p;
   const bool any_static = SCENE.near_grid.shape.width != 0u;
@@ -51,15 +55,16 @@ LightSampler light_sampler_at(vec3 position) {
   p.uniform_share = FRAME.uniform_share;
   p.power_share = max(1.0 - p.near.share - p.far.share - p.uniform_share, 0.0);
   p.vehicle_share = HAS_TRAFFIC != 0u ? FRAME.vehicle_share : 0.0;
-  // Where one of the two sets is dark, the other has all candidates.
+  // Where one of the two sets is dark, the other gets all candidates.
   if (!any_static) p.vehicle_share = HAS_TRAFFIC != 0u ? 1.0 : 0.0;
   else if (HAS_TRAFFIC != 0u && FRAME.vehicle_nodes.at[SCENE.traffic.level_first[SCENE.traffic.levels - 1u]].flux_lm <= 0.0)
     p.vehicle_share = 0.0;
   return p;
 }
 
-// Density of this light among the picks from a cell's list, times the list's share. Membership is decided by strength, so
-// no list is searched.
+// Returns the density of this light among the samples from a cell's list, times the list's share. A
+// light is in the list if its strength reaches the cell's threshold, so that the list need not be
+// searched.
 float cell_density(GridCell p, LightGridShape shape, Light light) {
   if (!(p.share > 0.0)) return 0.0;
   const vec2 d = light.position.xz - p.centre;
@@ -87,14 +92,14 @@ SampledLight sample_static_light(LightSampler p, float technique) {
     if (random_float() >= entry.keep) chosen.index = entry.alias;
   }
   chosen.light = light_at(chosen.index);
-  // The mixture's density, whichever technique made the pick.
+  // The density of the mixture, whichever technique took the sample.
   chosen.pdf = p.uniform_share / float(SCENE.lit_count) + p.power_share * SCENE.alias.at[chosen.index].pdf +
              cell_density(p.near, SCENE.near_grid.shape, chosen.light) +
              cell_density(p.far, SCENE.far_grid.shape, chosen.light);
   return chosen;
 }
 
-// What a node's lights may give here, but for their directions.
+// Returns an estimate of what a node's lights contribute here, whatever their directions.
 float importance(VehicleNode node, vec3 position) {
   if (node.lower.x > node.upper.x) return 0.0;
   const vec3 d = 0.5 * (node.lower + node.upper) - position;
@@ -121,7 +126,7 @@ SampledLight sample_vehicle_light(vec3 position) {
     uint chosen = 4u;
     for (uint i = 0u; i < 4u; ++i) {
       if (weight[i] <= 0.0) continue;
-      chosen = i;  // the last with weight, where rounding lets `at` run past the end
+      chosen = i;  // the last one with weight, if rounding lets `at` run past the end
       if (at < weight[i]) break;
       at -= weight[i];
     }
@@ -143,7 +148,7 @@ SampledLight sample_vehicle_light(vec3 position) {
   return chosen;
 }
 
-// `technique` in [0, 1): stratified, as said above.
+// Returns one light for a receiver. `technique` in [0, 1) is stratified as described above.
 SampledLight sample_light(LightSampler p, vec3 position, float technique) {
   SampledLight chosen;
   if (technique < p.vehicle_share) {

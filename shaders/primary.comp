@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Primary visibility: what the eye sees in each pixel.
+// Primary visibility: the surface that the camera sees in each pixel.
 #include "shaders/common.glsl"
 #include "shaders/geometry.glsl"
 #include "shaders/trace.glsl"
@@ -19,21 +19,21 @@ void main() {
   Hit hit;
   if (closest_hit(camera.position, direction, hit)) {
     const Instance instance = SCENE.instances.at[hit.instance];
-    const SurfaceHit hit_surface = surface_at(hit, instance, direction);
+    const SurfaceHit seen = surface_at(hit, instance, direction);
     surface.position = camera.position + direction * hit.t;
-    surface.normal = pack_normal(hit_surface.normal);
+    surface.normal = pack_normal(seen.normal);
     surface.depth = hit.t;
-    surface.material = hit_surface.material;
-    surface.feature = instance.feature != NO_HIT ? instance.feature : hit_surface.feature;
+    surface.material = seen.material;
+    surface.feature = instance.feature != NO_HIT ? instance.feature : seen.feature;
     if (HAS_TRAFFIC != 0u && (instance.mask & MASK_VEHICLE) != 0u) {
-      surface.light = hit_surface.light < VEHICLE_LIGHTS ? instance.light + hit_surface.light : NO_HIT;
+      surface.light = seen.light < VEHICLE_LIGHTS ? instance.light + seen.light : NO_HIT;
       const vec3 local = vec3(dot(instance.to_object[0], vec4(surface.position, 1.0)),
                               dot(instance.to_object[1], vec4(surface.position, 1.0)),
                               dot(instance.to_object[2], vec4(surface.position, 1.0)));
       const Pose before = trip_pose(hit.instance - SCENE.traffic.first_instance, FRAME.previous_cycle_time_s, FRAME.previous_time_s);
       surface.motion = before.on_road ? before.position + before.axes * local - surface.position : vec3(0.0);
     } else {
-      surface.light = instance.light != NO_HIT ? instance.light : hit_surface.light;
+      surface.light = instance.light != NO_HIT ? instance.light : seen.light;
     }
   }
   FRAME.surfaces.at[index] = surface;

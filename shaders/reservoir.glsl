@@ -2,8 +2,8 @@
 
 const Reservoir EMPTY_RESERVOIR = Reservoir(NO_HIT, 0u, 0.0, 0.0);
 
-// A reservoir from memory: anything that is not a finite, non-negative weight is emptied, so that one bad value
-// cannot live on in the history.
+// Returns a reservoir read from memory, emptied where M or W is not a finite, non-negative number:
+// one bad value must not live on in the history.
 Reservoir sanitized(Reservoir r) {
   const bool sound = r.W >= 0.0 && finite(r.W) && r.M >= 0.0 && finite(r.M);
   if (!sound) return EMPTY_RESERVOIR;
@@ -11,7 +11,7 @@ Reservoir sanitized(Reservoir r) {
   return r;
 }
 
-// A stream of weighted samples being resampled into one.
+// A reservoir in the making: a stream of weighted samples, resampled into one.
 struct ReservoirBuilder {
   uint light;
   uint uv;
@@ -22,24 +22,26 @@ struct ReservoirBuilder {
 
 const ReservoirBuilder EMPTY_BUILDER = ReservoirBuilder(NO_HIT, 0u, 0.0, 0.0, 0.0);
 
-// Chooses the new sample with probability weight / weight_sum. Zero, NaN and infinite weights never win.
-bool update(inout ReservoirBuilder s, uint light, uint uv, float p, float weight) {
+// Chooses the new sample with probability weight / weight_sum, and returns whether it did. Zero,
+// NaN and infinite weights never win.
+bool update(inout ReservoirBuilder builder, uint light, uint uv, float p, float weight) {
   if (!(weight > 0.0) || !finite(weight)) return false;
-  s.weight_sum += weight;
-  if (random_float() * s.weight_sum >= weight) return false;
-  s.light = light;
-  s.uv = uv;
-  s.target = p;
+  builder.weight_sum += weight;
+  if (random_float() * builder.weight_sum >= weight) return false;
+  builder.light = light;
+  builder.uv = uv;
+  builder.target = p;
   return true;
 }
 
-// W = normalisation * weight_sum / target; an empty or impossible choice has W = 0, never a clamped divisor.
-Reservoir finalize(ReservoirBuilder s, float normalisation) {
+// Returns the reservoir, W = normalisation * weight_sum / target. An empty or impossible choice has
+// W = 0; a clamped divisor would instead dim whatever is fainter than the clamp.
+Reservoir finalize(ReservoirBuilder builder, float normalisation) {
   Reservoir r;
-  r.light = s.light;
-  r.uv = s.uv;
-  r.M = s.M;
-  const float W = s.target > 0.0 ? normalisation * s.weight_sum / s.target : 0.0;
+  r.light = builder.light;
+  r.uv = builder.uv;
+  r.M = builder.M;
+  const float W = builder.target > 0.0 ? normalisation * builder.weight_sum / builder.target : 0.0;
   r.W = finite(W) ? W : 0.0;
   return r;
 }

@@ -1,4 +1,5 @@
-// What a visible surface makes of a light sample: the integrand f(y), and its luminance, the target function.
+// Reflection of a light sample by a visible surface: the integrand f(y), and its luminance, the
+// target function.
 
 struct Receiver {
   vec3 position;
@@ -7,12 +8,13 @@ struct Receiver {
   vec3 reflectance; // base colour / pi
   vec3 to_camera;      // unit
   float wetness;    // of its water film, 0 .. 1
-  bool before;      // of the frame before, lit by its lights
+  bool before;      // a point of the frame before, lit by that frame's lights
 };
 
-// Wet asphalt: a film of water over it. Water's reflectance at normal incidence ((1.33 - 1) / (1.33 + 1))^2, a roughness
-// that a street's puddles and grain have between them, and the share of its diffuse light that a soaked porous surface
-// keeps (measured values of 0.4 to 0.7: Lekner, Dorf: Why some things are darker when wet, 1988).
+// Wet asphalt is asphalt under a film of water: water's reflectance at normal incidence ((1.33 - 1)
+// / (1.33 + 1))^2, a roughness between that of puddles and of the street's grain, and the share of
+// its diffuse light that a soaked porous surface keeps (measured: 0.4 to 0.7; Lekner, Dorf: Why
+// some things are darker when wet, 1988).
 const float WATER_F0 = 0.02;
 const float WET_ROUGHNESS = 0.25;  // alpha = roughness^2
 const float WET_DIFFUSE = 0.6;
@@ -37,7 +39,8 @@ Receiver receiver_of(Surface surface, bool before) {
 
 Receiver receiver_of(Surface surface) { return receiver_of(surface, false); }
 
-// Of the water film: GGX with Smith's height-correlated shadowing (Heitz 2014) and Schlick's Fresnel term.
+// Returns the water film's BRDF: GGX with Smith's height-correlated shadowing (Heitz 2014) and
+// Schlick's Fresnel term.
 float film_brdf(Receiver r, vec3 to_light) {
   const vec3 h = normalize(to_light + r.to_camera);
   const float n_l = dot(r.normal, to_light), n_v = max(dot(r.normal, r.to_camera), 1e-4), n_h = dot(r.normal, h);
@@ -49,7 +52,7 @@ float film_brdf(Receiver r, vec3 to_light) {
   return distribution * shadowing * fresnel;
 }
 
-// Unshadowed reflected light per unit of uv, cd/m^2 per channel.
+// Returns the reflected light per unit of uv, without shadows, cd/m^2 per channel.
 vec3 reflected(Receiver r, LightSample s) {
   const float cosine = dot(r.normal, s.direction);
   if (!(cosine > 0.0)) return vec3(0.0);
@@ -58,54 +61,27 @@ vec3 reflected(Receiver r, LightSample s) {
   return brdf * s.value * cosine;
 }
 
-// The target function p^: unshadowed, >= 0, finite. A light that is gone or out of range has none.
+// Returns the target function p^: without shadows, >= 0 and finite.
 float target_of(Receiver r, Light light, uint uv) {
   const float p = luminance(reflected(r, sample_point(light, uv_of(uv), r.position)));
   return p > 0.0 && finite(p) ? p : 0.0;
 }
 
+// As above, by the light's index; 0 for an index out of range.
 float target(Receiver r, uint light, uint uv) {
   return light < SCENE.light_count ? target_of(r, light_at(light, r.before), uv) : 0.0;
 }
 
+// Returns whether nothing casts a shadow between the receiver and the sample.
 bool sees(Receiver r, uint light, uint uv) {
   return !occluded(r.origin, sample_point(light_at(light, r.before), uv_of(uv), r.position).point);
 }
 
-// Luminance of the sky towards unit `direction`, cd/m^2 per channel.
-vec3 sky_luminance(vec3 direction) {
-  if (HAS_SKY != SKY_MAP) return FRAME.sky;
-  const float turn = atan(direction.x, -direction.z) / (2.0 * PI) + 0.5;  // north in the middle, east to its right
-  const float height = acos(clamp(direction.y, -1.0, 1.0)) / PI;
-  const uint x = min(uint(turn * float(SCENE.sky_width)), SCENE.sky_width - 1u);
-  const uint y = min(uint(height * float(SCENE.sky_height)), SCENE.sky_height - 1u);
-  const uint at = 3u * (y * SCENE.sky_width + x);
-  return FRAME.sky * vec3(SCENE.sky_map.at[at], SCENE.sky_map.at[at + 1u], SCENE.sky_map.at[at + 2u]);
-}
-
-// The moon's: a point of its disc, and what the wet street mirrors of it too.
-vec3 reflected_moon(Receiver r, vec2 u) {
-  if (luminance(FRAME.moon_lux) <= 0.0) return vec3(0.0);
-  vec3 t, b;
-  make_frame(FRAME.moon_direction, t, b);
-  const float radius = MOON_RADIUS * sqrt(u.x), phi = 2.0 * PI * u.y;
-  const vec3 direction = normalize(FRAME.moon_direction + t * (radius * cos(phi)) + b * (radius * sin(phi)));
-  const vec3 light = reflected(r, LightSample(vec3(0.0), direction, FRAME.moon_lux));
-  return luminance(light) > 0.0 && escapes(r.origin, direction) ? light : vec3(0.0);
-}
-
-// One cosine-weighted sample of the sky: reflectance * sky where the ray leaves the scene, cd/m^2 per channel. The film of
-// a wet street is left out: a dark sky adds nothing to see in it.
-vec3 reflected_sky(Receiver r, vec2 u) {
-  const vec3 direction = cosine_direction(r.normal, u);
-  const vec3 sky = sky_luminance(direction);
-  return luminance(sky) > 0.0 && escapes(r.origin, direction) ? r.reflectance * PI * sky : vec3(0.0);
-}
-
-// Light the surface sends out by itself towards the eye, cd/m^2 per channel.
+// Returns the light that a surface emits towards the camera, cd/m^2 per channel.
 vec3 emitted(Surface surface) {
   const vec3 own = SCENE.materials.at[surface.material].emission;
   if (surface.light >= SCENE.light_count || luminance(own) <= 0.0) return own;
-  // Emitter geometry: the light's own luminance, so that what is seen is what lights the street.
+  // A light's emitting surface shows the light's own luminance, so that what is seen is what lights
+  // the street.
   return seen_luminance(light_at(surface.light), normalize(FRAME.camera.position - surface.position));
 }

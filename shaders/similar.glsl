@@ -1,6 +1,8 @@
-// Which pixels may share what they know: neighbours, and a pixel and itself a frame ago.
+// Decides which pixels may share their samples: neighbours, and a pixel with itself one frame
+// before.
 
-// May this neighbour's sample be of use here? Geometry only, so the choice is independent of the samples.
+// Returns whether a sample of pixel b may be of use to pixel a. It looks at geometry only, so that
+// the choice is independent of the samples.
 bool similar(Surface a, Surface b) {
   if (b.depth <= 0.0 || a.depth <= 0.0) return false;
   const vec3 n = unpack_normal(a.normal);
@@ -8,22 +10,26 @@ bool similar(Surface a, Surface b) {
          abs(a.depth - b.depth) < 0.2 * a.depth;
 }
 
-// How much of the history's M counts where it was gathered at another place, 0 .. 1. Where that place had little of a light
-// and this one has much, the weights hand the sample on with up to the ratio of the two Ms, some 20: from a camera that
-// moves, far ground, metres a pixel, then shows bright single pixels. Geometry only, as above.
-float confidence(Surface now, Surface before) {
+// Returns the share of the history's M that counts, 0 .. 1, by how far from here the history was
+// gathered. A light may be faint at that place and bright at this one; the reuse weights then
+// multiply its sample by up to the ratio of the two Ms, about 20. Under a moving camera, distant
+// ground, where a pixel covers metres, would show single bright pixels. It looks at geometry only,
+// as above.
+float history_confidence(Surface now, Surface before) {
   const vec3 d = before.position - now.position;
   return 1.0 / (1.0 + FRAME.history_falloff * dot(d, d));
 }
 
-// The pixel, by index, that showed this very place of this surface in the frame before; false where there was none.
-// `permuted`: one beside it where that shows the same surface, by blocks of 4 x 4 pixels that are turned round, another
-// division into blocks in every frame. Pixels then do not hand the same sample down for long (Wyman, Panteleev 2021).
+// Finds the pixel that showed this point of this surface in the frame before; returns false where
+// there was none. `permuted`: takes a pixel beside it instead, where that shows the same surface.
+// Pixels are mirrored within blocks of 4 x 4, and the blocks' corner changes from frame to frame,
+// so that pixels do not pass on the same sample for long (Wyman, Panteleev 2021).
 bool previous_pixel(Surface surface, bool permuted, out uint index) {
   index = 0u;
   if (FRAME.has_history == 0u || surface.depth <= 0.0) return false;
   const Camera camera = FRAME.previous_camera;
-  // As the eye saw it then, so that neither its own motion nor the camera's makes it look like another surface.
+  // The surface as the camera saw it then, so that neither its own motion nor the camera's makes it
+  // look like another.
   Surface expected = surface;
   expected.position += surface.motion;
   const vec3 d = expected.position - camera.position;
@@ -36,7 +42,7 @@ bool previous_pixel(Surface surface, bool permuted, out uint index) {
   uvec2 there = uvec2(at);
   if (permuted) {
     const uvec2 corner = uvec2(FRAME.permutation & 3u, FRAME.permutation >> 2u & 3u);
-    const uvec2 turned = ((there + corner) ^ 3u) - corner;  // beyond the picture below 0 as above
+    const uvec2 turned = ((there + corner) ^ 3u) - corner;  // wraps below 0, which is outside the picture too
     if (all(lessThan(turned, FRAME.size)) &&
         similar(expected, FRAME.previous_surfaces.at[turned.y * FRAME.size.x + turned.x]))
       there = turned;

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Spatial reuse: the pixel's reservoir with those of some similar pixels around it.
+// Spatial reuse: combines the pixel's reservoir with those of some similar pixels around it.
 #include "shaders/common.glsl"
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"
@@ -10,8 +10,6 @@
 #include "shaders/reservoir.glsl"
 #include "shaders/similar.glsl"
 #include "shaders/reuse.glsl"
-
-const uint MAX_NEIGHBOURS = 32u;
 
 void main() {
   uvec2 pixel;
@@ -25,19 +23,20 @@ void main() {
   }
   seed_random(pixel, STREAM_SPATIAL);
 
-  // Neighbours first, so that the sum of their M is known when the pairwise weights need it. One that is not
-  // similar is not counted at all: it could not have contributed.
+  // Neighbours first, so that the sum of their M is known when the pairwise weights need it. A
+  // pixel that is not similar is not counted at all: it could not have contributed.
   uint neighbour[MAX_NEIGHBOURS];
   uint found = 0u;
   float others_M = 0.0;
-  // Disocclusion boost (Wyman, Panteleev 2021): what history would have given, more neighbours give.
+  // Disocclusion boost (Wyman, Panteleev 2021): more neighbours replace a history that is missing.
   const bool without_history = FRAME.max_history > 0.0 && canonical.M <= float(FRAME.candidates);
-  const uint wanted = min(without_history ? max(FRAME.neighbours, FRAME.disocclusion_boost) : FRAME.neighbours, MAX_NEIGHBOURS);
+  const uint wanted =
+      min(without_history ? max(FRAME.neighbours, FRAME.disocclusion_boost) : FRAME.neighbours, MAX_NEIGHBOURS);
   for (uint i = 0u; i < wanted; ++i) {
     const float radius = FRAME.neighbour_radius * sqrt(random_float());
     const float angle = 2.0 * PI * random_float();
     const ivec2 at = ivec2(pixel) + ivec2(round(radius * vec2(cos(angle), sin(angle))));
-    if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, ivec2(FRAME.size))) || at == ivec2(pixel)) continue;
+    if (!in_picture(at) || at == ivec2(pixel)) continue;
     const uint at_index = uint(at.y) * FRAME.size.x + uint(at.x);
     if (!similar(surface, FRAME.surfaces.at[at_index])) continue;
     const float M = FRAME.reservoirs.at[at_index].M;
@@ -58,19 +57,11 @@ void main() {
   }
   add_canonical(reuse, canonical);
 
-  float normalisation = 1.0;
-  if (ESTIMATOR == ESTIMATOR_PAPER) {
-    normalisation = 1.0 / reuse.builder.M;
-  } else if (ESTIMATOR == ESTIMATOR_BASIC) {
-    const ReservoirBuilder s = reuse.builder;
-    float p_source = s.target;
-    float sum = canonical.M * s.target;
+  Balance balance = begin_balance(reuse);
+  if (reuse_weights(ESTIMATOR) == WEIGHTS_BALANCE)
     for (uint i = 0u; i < found; ++i) {
-      const float p = target(receiver_of(FRAME.surfaces.at[neighbour[i]]), s.light, s.uv);
-      sum += FRAME.reservoirs.at[neighbour[i]].M * p;
-      if (reuse.chosen == i + 1u) p_source = p;
+      const Receiver there = receiver_of(FRAME.surfaces.at[neighbour[i]]);
+      add_balance(balance, reuse, FRAME.reservoirs.at[neighbour[i]].M, there, i + 1u);
     }
-    normalisation = sum > 0.0 ? p_source / sum : 0.0;
-  }
-  FRAME.spatial.at[index] = finalize(reuse.builder, normalisation);
+  FRAME.spatial.at[index] = finalize(reuse.builder, normalisation(reuse, balance));
 }

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Temporal reuse: the pixel's own reservoir with the one its surface had in the frame before.
+// Temporal reuse: combines the pixel's reservoir with the one its surface had in the frame before.
 #include "shaders/common.glsl"
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"
@@ -22,9 +22,9 @@ void main() {
   Reservoir history = sanitized(FRAME.previous_reservoirs.at[before]);
   const Reservoir canonical = FRAME.reservoirs.at[index];
   const Surface surface_before = FRAME.previous_surfaces.at[before];
-  // Old samples fade: without a cap the history would outvote every new candidate.
+  // The cap makes old samples fade: without it the history would outvote every new candidate.
   history.M = min(history.M, FRAME.max_history * canonical.M);
-  history.M *= confidence(surface, surface_before);
+  history.M *= history_confidence(surface, surface_before);
   if (history.M <= 0.0) return;
 
   seed_random(pixel, STREAM_TEMPORAL);
@@ -34,15 +34,7 @@ void main() {
   add_other(reuse, receiver, canonical, history, there, 1u);
   add_canonical(reuse, canonical);
 
-  float normalisation = 1.0;
-  if (ESTIMATOR == ESTIMATOR_PAPER) {
-    normalisation = 1.0 / reuse.builder.M;
-  } else if (ESTIMATOR == ESTIMATOR_BASIC) {
-    const ReservoirBuilder s = reuse.builder;
-    const float p_there = target(there, s.light, s.uv);
-    const float p_source = reuse.chosen == 0u ? s.target : p_there;
-    const float sum = canonical.M * s.target + history.M * p_there;
-    normalisation = sum > 0.0 ? p_source / sum : 0.0;
-  }
-  FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation);
+  Balance balance = begin_balance(reuse);
+  if (reuse_weights(ESTIMATOR) == WEIGHTS_BALANCE) add_balance(balance, reuse, history.M, there, 1u);
+  FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation(reuse, balance));
 }

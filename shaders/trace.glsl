@@ -1,11 +1,13 @@
-// Rays against the scene: closest hit and occlusion, in three ways that --trace chooses from. Over two levels of quantised
-// four-wide nodes of our own; or through the device's acceleration structures, by ray queries (TRACE_QUERY) or in a ray
-// tracing pipeline (TRACE_PIPELINE).
+// Traces rays through the scene, for the closest hit or for occlusion. There are three backends,
+// chosen by --trace: our own two-level BVH of quantised four-wide nodes; and the device's
+// acceleration structures, either by ray queries (TRACE_QUERY) or in a ray tracing pipeline
+// (TRACE_PIPELINE).
 
 #include "shaders/hit_record.glsl"
 
-// trace(): closest hit in (t_min, t_max), or any hit; t is in units of |direction|. Only instances with a bit of `mask`.
-// Where any hit will do, `hit` says nothing of it.
+// trace() returns whether the ray hits anything in (t_min, t_max), where t is in units of
+// |direction|. Only instances that share a bit with `mask` count. `hit` is the closest hit; with
+// `any`, tracing stops at the first hit found, and `hit` is undefined.
 #if defined(TRACE_QUERY)
 
 bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, bool any, out Hit hit) {
@@ -15,7 +17,7 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
   rayQueryInitializeEXT(query, accelerationStructureEXT(SCENE.tlas), flags, mask, origin, t_min, direction, t_max);
   while (rayQueryProceedEXT(query)) {
   }
-  // Of a ray that met nothing nothing may be asked.
+  // A miss has no committed intersection to query.
   if (rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionNoneEXT) return false;
   if (any) return true;
   hit.t = rayQueryGetIntersectionTEXT(query, true);
@@ -29,8 +31,8 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
 layout(location = 0) rayPayloadEXT Hit ray_hit;  // its triangle counts from the instance's first
 
 bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, bool any, out Hit hit) {
-  ray_hit = Hit(t_max, 0u, 0u);  // trace.rmiss takes the instance away
-  // Of a shadow ray nobody asks where it ended: trace.rchit need not run.
+  ray_hit = Hit(t_max, 0u, 0u);  // trace.rmiss sets the instance to NO_HIT
+  // Nothing reads where a shadow ray ended, so trace.rchit need not run.
   const uint flags = any ? gl_RayFlagsOpaqueEXT | gl_RayFlagsTerminateOnFirstHitEXT | gl_RayFlagsSkipClosestHitShaderEXT
                          : gl_RayFlagsOpaqueEXT;
   traceRayEXT(accelerationStructureEXT(SCENE.tlas), flags, mask, 0, 0, 0, origin, t_min, direction, t_max, 0);
@@ -57,7 +59,8 @@ Ray make_ray(vec3 origin, vec3 direction) {
   ray.origin = origin;
   ray.direction = direction;
   const vec3 size = abs(direction);
-  // A zero component would give 0 * inf = NaN on a box's plane: a huge finite slope decides by sign instead.
+  // A zero component would give 0 * inf = NaN on a box's plane. A huge finite slope decides by its
+  // sign instead.
   ray.inverse = 1.0 / mix(direction, vec3(1e-20), lessThan(size, vec3(1e-20)));
   ray.axis = size.x > size.y ? (size.x > size.z ? 0u : 2u) : (size.y > size.z ? 1u : 2u);
   const vec3 d = rotate_axis(direction, ray.axis);
@@ -69,11 +72,13 @@ vec4 bytes(uint word) {
   return vec4(word & 255u, (word >> 8u) & 255u, (word >> 16u) & 255u, word >> 24u);
 }
 
-// Distances at which the ray enters the four children, 1e30 where it misses or nothing with a bit of `mask` is below.
+// Returns the distances at which the ray enters the four children; 1e30 where it misses one, or
+// where nothing below shares a bit with `mask`.
 vec4 enter_children(uvec4 w0, uvec4 w1, uvec2 upper_yz, uint masks, uint mask, Ray ray, float t_min, float t_max) {
   const vec3 origin = uintBitsToFloat(w0.xyz);
   const vec3 size = uintBitsToFloat((uvec3(w0.w, w0.w >> 8u, w0.w >> 16u) & 255u) << 23u);
-  // Subtracting the ray's origin last keeps the sign of a plane's distance right when the ray lies on the plane.
+  // Subtracting the ray's origin last keeps the sign of a plane's distance right when the ray lies
+  // on the plane.
   const vec4 x0 = (origin.x + bytes(w1.x) * size.x - ray.origin.x) * ray.inverse.x;
   const vec4 x1 = (origin.x + bytes(w1.w) * size.x - ray.origin.x) * ray.inverse.x;
   const vec4 y0 = (origin.y + bytes(w1.y) * size.y - ray.origin.y) * ray.inverse.y;
@@ -81,14 +86,15 @@ vec4 enter_children(uvec4 w0, uvec4 w1, uvec2 upper_yz, uint masks, uint mask, R
   const vec4 z0 = (origin.z + bytes(w1.z) * size.z - ray.origin.z) * ray.inverse.z;
   const vec4 z1 = (origin.z + bytes(upper_yz.y) * size.z - ray.origin.z) * ray.inverse.z;
   const vec4 near = max(max(min(x0, x1), min(y0, y1)), max(min(z0, z1), vec4(t_min)));
-  // 1 + 4 ulp: the slab test stays conservative under rounding (Ize: Robust BVH Ray Traversal, JCGT 2013).
+  // 1 + 4 ulp: the slab test stays conservative under rounding (Ize: Robust BVH Ray Traversal, JCGT
+  // 2013).
   const vec4 far = min(min(max(x0, x1), max(y0, y1)), min(max(z0, z1), vec4(t_max))) * 1.0000005;
   const bvec4 hit = lessThanEqual(near, far);
   const bvec4 there = notEqual(uvec4(masks, masks >> 8u, masks >> 16u, masks >> 24u) & mask, uvec4(0u));
   return mix(vec4(1e30), near, bvec4(hit.x && there.x, hit.y && there.y, hit.z && there.z, hit.w && there.w));
 }
 
-// Watertight: edges shared by two triangles give both the same answer.
+// Watertight: both triangles at a shared edge compute the same answer for it.
 bool intersect_triangle(vec3 v0, vec3 v1, vec3 v2, Ray ray, float t_min, float t_max, out float t) {
   const vec3 a = rotate_axis(v0 - ray.origin, ray.axis);
   const vec3 b = rotate_axis(v1 - ray.origin, ray.axis);
@@ -120,13 +126,14 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
   if (node == BVH_EMPTY) return false;
   uint stack[BVH_STACK];
   int top = 0;
-  int floor_of_level = 0;     // stack height at which the current hierarchy is done
-  uint instance = NO_HIT;     // NO_HIT: in the top level
+  int floor_of_level = 0;     // stack height at which the current BLAS or TLAS is done
+  uint instance = NO_HIT;     // NO_HIT: in the TLAS
   Ray ray = make_ray(origin, direction);
 
-  // Inner nodes in a loop of their own: lanes that run in lockstep then pay for leaves only when one has reached a leaf
-  // (Aila, Laine: Understanding the efficiency of ray traversal on GPUs, HPG 2009). BVH_EMPTY, a leaf by its top bit,
-  // stands for "nothing left in this hierarchy".
+  // Inner nodes have a loop of their own, so that lanes in lockstep pay for leaves only once one of
+  // them has reached a leaf (Aila, Laine: Understanding the efficiency of ray traversal on GPUs,
+  // HPG 2009). BVH_EMPTY counts as a leaf by its top bit, and means that nothing is left in this
+  // BLAS or TLAS.
   while (true) {
     while ((node & BVH_LEAF) == 0u) {
       const uvec4 w0 = SCENE.nodes.at[node * 4u];
@@ -135,7 +142,7 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
       const uvec4 w3 = SCENE.nodes.at[node * 4u + 3u];
       uvec4 child = uvec4(w2.zw, w3.xy);
       vec4 t = enter_children(w0, w1, w2.xy, w3.z, mask, ray, t_min, hit.t);
-      if (!any) {  // nearest first; for a shadow largest first, as the builder left them
+      if (!any) {  // nearest first; shadow rays keep the builder's order, largest first
         swap_if_farther(t.x, child.x, t.y, child.y);
         swap_if_farther(t.z, child.z, t.w, child.w);
         swap_if_farther(t.x, child.x, t.z, child.z);
@@ -191,18 +198,20 @@ bool closest_hit(vec3 origin, vec3 direction, out Hit hit) {
   return trace(origin, direction, 0.0, 1e30, MASK_VISIBLE, false, hit);
 }
 
-// The barycentric t of a triangle is off by about a millionth of the triangle's size: a ray that starts on ground of kilometres
-// may find it before itself. What is nearer than this casts no shadow.
+// The barycentric t of a triangle is off by about a millionth of the triangle's size, so a ray that
+// starts on a triangle of kilometres may hit that triangle. Nothing nearer than this casts a
+// shadow.
 const float NEAREST_M = 0.005;
 
-// Is anything that casts shadows between two points? The margin spares what the light itself is mounted on.
+// Returns whether anything between two points casts a shadow. The margin at the far end spares the
+// surface that the light is mounted on.
 bool occluded(vec3 from, vec3 to) {
   Hit hit;
   const vec3 way = to - from;
   return trace(from, way, NEAREST_M / max(length(way), 2.0 * NEAREST_M), 0.99999, MASK_SHADOW, true, hit);
 }
 
-// Does a ray reach the sky?
+// Returns whether a ray reaches the sky.
 bool escapes(vec3 from, vec3 direction) {
   Hit hit;
   return !trace(from, direction, NEAREST_M, 1e30, MASK_SHADOW, true, hit);

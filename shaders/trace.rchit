@@ -1,7 +1,7 @@
 #version 460
 #extension GL_EXT_ray_tracing : require
 #extension GL_GOOGLE_include_directive : require
-// Says what a ray met; trace.glsl does the rest.
+// Records the closest hit; trace.glsl does the rest.
 #include "shaders/hit_record.glsl"
 
 layout(location = 0) rayPayloadInEXT Hit hit;

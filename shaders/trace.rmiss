@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_scalar_block_layout : require
-// The ray met nothing.
+// Records that the ray hit nothing.
 #include "shaders/interface.h"
 #include "shaders/hit_record.glsl"
 

@@ -1,4 +1,5 @@
-// Vehicles on their ways: where each is at a moment (formats/night.h).
+// Where a trip's vehicle is at a given time (formats/night.h). formats/traffic_pose.h is the same
+// in C++.
 
 struct Pose {
   vec3 position;  // of the vehicle frame's origin, model space
@@ -7,7 +8,7 @@ struct Pose {
   bool braking;
 };
 
-// Share of all trips that are on the road, at a time since noon.
+// Returns the share of all trips that are on the road at a time since noon.
 float traffic_density(float time_s) {
   float hour = time_s / 3600.0;
   hour -= 24.0 * floor(hour / 24.0);
@@ -18,6 +19,8 @@ float traffic_density(float time_s) {
 float yaw_turns(uint pose) { return float(pose & 0xFFFFu) / 65536.0; }
 float pitch_of(uint pose) { return float(int(pose << 8u) >> 24) / 256.0; }
 
+// Returns the pose at `cycle_time_s` within the traffic's cycle; `time_s` since noon decides
+// whether the trip is driven.
 Pose trip_pose(uint index, float cycle_time_s, float time_s) {
   const Trip trip = SCENE.traffic.trips.at[index];
   const float cycle = SCENE.traffic.cycle.cycle_s;
@@ -39,7 +42,7 @@ Pose trip_pose(uint index, float cycle_time_s, float time_s) {
   const float span = b.time_s - a.time_s;
   const float s = clamp((u - a.time_s) / span, 0.0, 1.0);
   const float s2 = s * s, s3 = s2 * s;
-  // Hermite about `a`, so that the sum of large coordinates costs no precision.
+  // A Hermite curve relative to `a`, so that sums of large coordinates cost no precision.
   pose.position = a.position + (b.position - a.position) * (3.0 * s2 - 2.0 * s3) +
                   (a.velocity * (s3 - 2.0 * s2 + s) + b.velocity * (s3 - s2)) * span;
   float turn = yaw_turns(b.pose) - yaw_turns(a.pose);

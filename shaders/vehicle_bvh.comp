@@ -1,9 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Fleet, step 5 of 5, a dispatch a level (push.first, from 1), an invocation a node: every four neighbours in the order become a node of the
-// next level, for rays (BvhNode) and for picking lights (VehicleNode). Neighbours on a Morton curve are neighbours on the
-// map, so the tree is a fair one without a search (Lauterbach et al.: Fast BVH Construction on GPUs, 2009).
-// The last level's one node and the standing scene become the scene's root.
+// Vehicles, step 5 of 5, one dispatch per level (push.first, from 1), one invocation per node:
+// every four neighbours in the order become a node of the next level, both for rays (BvhNode) and
+// for sampling lights (VehicleNode). Neighbours on a Morton curve are neighbours on the map, so the
+// hierarchy is a fair one without a search (Lauterbach et al.: Fast BVH Construction on GPUs,
+// 2009). The last dispatch joins the top node and the static scene under the scene's root.
 #define WORKGROUP_IS_A_ROW
 #include "shaders/common.glsl"
 
@@ -14,7 +15,8 @@ struct Children {
   uint child[4];  // as in BvhNode
 };
 
-// Boxes in 8 bits about the node's corner, rounded outwards; as runtime/scene/bvh.cpp does it.
+// Returns the node with its children's boxes in 8 bits about its corner, rounded outwards, as
+// runtime/scene/bvh_node.cpp does.
 BvhNode quantised(Children c, vec3 lower, vec3 upper) {
   BvhNode node;
   node.origin = lower;
@@ -33,7 +35,7 @@ BvhNode quantised(Children c, vec3 lower, vec3 upper) {
       if (c.child[i] == BVH_EMPTY) continue;
       float low = clamp(floor((c.lower[i][axis] - lower[axis]) / step), 0.0, 255.0);
       float high = clamp(ceil((c.upper[i][axis] - lower[axis]) / step), 0.0, 255.0);
-      // What rounding in the sum took away is given back.
+      // Makes up for rounding in the sums that the traversal computes.
       if (lower[axis] + low * step > c.lower[i][axis]) low = max(low - 1.0, 0.0);
       if (lower[axis] + high * step < c.upper[i][axis]) high = min(high + 1.0, 255.0);
       node.lower[axis] |= uint(low) << (8u * i);

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Fleet, step 2 of 5, one work group: from each cell's number of vehicles to its first place in the order.
+// Vehicles, step 2 of 5, one work group: turns each cell's number of vehicles into its first place
+// in the order (a prefix sum).
 #define WORKGROUP_IS_A_ROW
 #include "shaders/common.glsl"
 

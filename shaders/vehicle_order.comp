@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Fleet, step 3 of 5, an invocation a trip: to its place in the order.
+// Vehicles, step 3 of 5, one invocation per trip: copies the trip's box to its place in the order.
 #define WORKGROUP_IS_A_ROW
 #include "shaders/common.glsl"
 

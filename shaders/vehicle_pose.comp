@@ -1,7 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Fleet, step 1 of 5, an invocation a trip: where the vehicle is now, its instance, its lights, its box, and the cell of the map it
-// is sorted by. vehicle_counts must be zero.
+// Vehicles, step 1 of 5, one invocation per trip: finds where the vehicle is now, and writes its
+// instance, its lights, its box, and the cell of the map that it is sorted by. vehicle_counts must
+// be zero.
 #define WORKGROUP_IS_A_ROW
 #include "shaders/common.glsl"
 #include "shaders/trip_pose.glsl"
@@ -68,7 +69,7 @@ void main() {
     const vec3 centre = pose.position + pose.axes * (0.5 * (body.lower + body.upper));
     const vec3 half_size = 0.5 * (body.upper - body.lower);
     const vec3 reach = abs(pose.axes[0]) * half_size.x + abs(pose.axes[1]) * half_size.y + abs(pose.axes[2]) * half_size.z;
-    // As for standing instances, the box makes up for what its corners were rounded by.
+    // As for static instances, the margin makes up for the rounding of the box's corners.
     const vec3 margin = 1e-6 * max(abs(centre - reach), abs(centre + reach)) + 1e-6;
     box = VehicleNode(centre - reach - margin, flux, centre + reach + margin, trip);
     cell = morton_cell(pose.position);

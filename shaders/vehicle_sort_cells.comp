@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Fleet, step 4 of 5, an invocation a cell: those of one cell by trip. Step 1 numbered them in the order in which the device
-// came to them, and a picture must not depend on that.
+// Vehicles, step 4 of 5, one invocation per cell: sorts the vehicles of a cell by trip. Step 1
+// numbered them in the order in which the device ran, and a picture must not depend on that.
 #define WORKGROUP_IS_A_ROW
 #include "shaders/common.glsl"
 
@@ -9,7 +9,7 @@ void main() {
   const uint cell = gl_GlobalInvocationID.x;
   if (cell >= VEHICLE_CELLS) return;
   const uint first = FRAME.vehicle_counts.at[cell], end = FRAME.vehicle_counts.at[cell + 1u];
-  if (end - first > 128u) return;  // sorted by insertion: a crowd on one spot costs its square
+  if (end - first > 128u) return;  // insertion sort: its cost is the square of a crowd on one spot
   for (uint i = first + 1u; i < end; ++i) {
     const VehicleNode node = FRAME.vehicle_nodes.at[i];
     uint to = i;

@@ -2,37 +2,7 @@
 
 #include <span>
 
-#include "spirv/accumulate.h"
-#include "spirv/candidates.h"
-#include "spirv/candidates_pipeline.h"
-#include "spirv/candidates_query.h"
-#include "spirv/demodulate.h"
-#include "spirv/denoise.h"
-#include "spirv/primary.h"
-#include "spirv/primary_pipeline.h"
-#include "spirv/primary_query.h"
-#include "spirv/reference.h"
-#include "spirv/reference_pipeline.h"
-#include "spirv/reference_query.h"
-#include "spirv/shade.h"
-#include "spirv/shade_pipeline.h"
-#include "spirv/shade_query.h"
-#include "spirv/spatial.h"
-#include "spirv/spatial_pipeline.h"
-#include "spirv/spatial_query.h"
-#include "spirv/temporal.h"
-#include "spirv/temporal_pipeline.h"
-#include "spirv/temporal_query.h"
-#include "spirv/trace_hit.h"
-#include "spirv/trace_miss.h"
-#include "spirv/upward.h"
-#include "spirv/upward_pipeline.h"
-#include "spirv/upward_query.h"
-#include "spirv/vehicle_bvh.h"
-#include "spirv/vehicle_offsets.h"
-#include "spirv/vehicle_order.h"
-#include "spirv/vehicle_pose.h"
-#include "spirv/vehicle_sort_cells.h"
+#include "spirv/passes.h"
 
 namespace nightcity {
 namespace {

@@ -9,13 +9,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "spirv/accumulate.h"
-#include "spirv/candidates.h"
-#include "spirv/primary.h"
-#include "spirv/reference.h"
-#include "spirv/shade.h"
-#include "spirv/spatial.h"
-#include "spirv/temporal.h"
+#include "spirv/passes.h"
 #include "support/temp_folder.h"
 
 namespace nightcity::test {

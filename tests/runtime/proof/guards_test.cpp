@@ -78,15 +78,16 @@ Property lamp_law(Estimator estimator, float flux = 5000, std::uint32_t frames =
   };
 }
 
-const ShaderEdit finalize_guard{"reservoir.glsl",
-                                "s.target > 0.0 ? normalisation * s.weight_sum / s.target : 0.0",
-                                "normalisation * s.weight_sum / s.target"};
+const ShaderEdit finalize_guard{
+    "reservoir.glsl",
+    "builder.target > 0.0 ? normalisation * builder.weight_sum / builder.target : 0.0",
+    "normalisation * builder.weight_sum / builder.target"};
 
 // A target of zero is no sample; a clamped divisor instead would dim whatever is fainter than the clamp.
 TEST(Guard, FaintLightIsNotClampedAway) {
   expect_guarded(lamp_law(Estimator::pairwise, 1e-5f),
                  {{finalize_guard.file, finalize_guard.guard,
-                   "normalisation * s.weight_sum / max(s.target, 1.0e-8)"}});
+                   "normalisation * builder.weight_sum / max(builder.target, 1.0e-8)"}});
 }
 
 // A window lights one side only: on the other every target is zero, W would be 0 / 0.
@@ -102,18 +103,18 @@ TEST(Guard, WhereNoLightReachesThePictureIsBlackAndNotNaN) {
     }
     return true;
   };
-  expect_guarded(
-      dark_half_is_dark,
-      {finalize_guard,
-       {"reservoir.glsl", "r.W = finite(W) ? W : 0.0;", "r.W = W;"},
-       {"shade.comp", "reservoir.W > 0.0 && reservoir.light < SCENE.light_count",
-        "reservoir.M > 0.0"},
-       {"accumulate.comp", "if (!(finite(radiance.x)", "if (false && !(finite(radiance.x)"}});
+  expect_guarded(dark_half_is_dark,
+                 {finalize_guard,
+                  {"reservoir.glsl", "r.W = finite(W) ? W : 0.0;", "r.W = W;"},
+                  {"shade.comp", "reservoir.W > 0.0 && reservoir.light < SCENE.light_count",
+                   "reservoir.M > 0.0"},
+                  {"accumulate.comp", "if (!all_finite(radiance))", "if (false)"}});
 }
 
 const ShaderEdit poisoned_history{
-    "temporal.comp", "FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation);",
-    "FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation);\n"
+    "temporal.comp",
+    "FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation(reuse, balance));",
+    "FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation(reuse, balance));\n"
     "  if (FRAME.frame == 2u) FRAME.reservoirs.at[index].W = uintBitsToFloat(0x7FC00000u);"};
 
 // A reservoir that holds no number: emptied when it is loaded, else the history never recovers. Infinite M is
@@ -135,13 +136,10 @@ TEST(Guard, OneFrameThatIsNoNumberDoesNotStayInThePicture) {
       if (!std::isfinite(value) || value == 0) return false;
     return true;
   };
-  expect_guarded(
-      finite_mean,
-      {{"accumulate.comp", "if (!(finite(radiance.x)", "if (false && !(finite(radiance.x)"}},
-      {{"shade.comp", "FRAME.radiance.at[index] = Accumulation(radiance,",
-        "if (FRAME.frame == 1u) radiance += uintBitsToFloat(0x7FC00000u);\n  "
-        "FRAME.radiance.at[index] = "
-        "Accumulation(radiance,"}});
+  expect_guarded(finite_mean, {{"accumulate.comp", "if (!all_finite(radiance))", "if (false)"}},
+                 {{"shade.comp", "FRAME.radiance.at[index] = single_frame(",
+                   "if (FRAME.frame == 1u) radiance += uintBitsToFloat(0x7FC00000u);\n  "
+                   "FRAME.radiance.at[index] = single_frame("}});
 }
 
 // 80,000 lamps picked uniformly: W is 80,000, and half floats end at 65,504.
@@ -249,8 +247,9 @@ TEST(Guard, WhatWasHiddenHasNoHistory) {
 // which no test should do, so only the guarded half is run.
 TEST(Guard, ALightIndexOutOfRangeIsDropped) {
   const MutatedShaders poisoned(
-      {{"temporal.comp", "FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation);",
-        "FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation);\n"
+      {{"temporal.comp",
+        "FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation(reuse, balance));",
+        "FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation(reuse, balance));\n"
         "  if (FRAME.frame % 2u == 0u) FRAME.reservoirs.at[index].light = 0x7FFFFFF0u;"}});
   PassLibrary passes(test_device());
   Shot shot = one_lamp(Estimator::pairwise, 5000, 5);
@@ -284,7 +283,7 @@ TEST(Guard, AtTheLampItselfLightIsBoundedByItsSize) {
     return luminance(taken(passes, within), 0) == 0 &&
            luminance(taken(passes, at_centre), 0) == 0 && seen > 0 && seen < most;
   };
-  expect_guarded(bounded, {{"lights.glsl", "if (d2 <= radius * radius) return s;", ""}});
+  expect_guarded(bounded, {{"light_kinds.glsl", "if (d2 <= radius * radius) return s;", ""}});
 }
 
 TEST(Guard, AWindowWithoutAreaShinesAsASmallOne) {
@@ -306,7 +305,7 @@ TEST(Guard, AWindowWithoutAreaShinesAsASmallOne) {
   };
   expect_guarded(
       as_a_point,
-      {{"lights.glsl", "(light.flux_lm * cos_light / (PI * d2))",
+      {{"light_kinds.glsl", "(light.flux_lm * cos_light / (PI * d2))",
         "(light.flux_lm / (PI * 4.0 * light.radius * light.half_height) * cos_light * 4.0 * "
         "light.radius * light.half_height / d2)"}});
 }

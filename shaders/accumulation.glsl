@@ -1,0 +1,18 @@
+// Sums over many frames, or over many lights.
+
+const Accumulation NO_ACCUMULATION = Accumulation(vec3(0.0), 0.0, vec3(0.0), 0.0);
+
+// Returns an estimate that stands alone.
+Accumulation single_frame(vec3 radiance) { return Accumulation(radiance, 1.0, vec3(0.0), 0.0); }
+
+vec3 mean_of(Accumulation a) { return a.sum / max(a.frames, 1.0); }
+
+// Adds a value with Kahan's compensation. Without it, a late small value is lost against a large
+// sum: 10^6 lights are thousands of chunks, and a picture may be the mean of thousands of frames.
+void add_compensated(inout Accumulation total, vec3 value) {
+  precise const vec3 y = value - total.compensation;
+  precise const vec3 t = total.sum + y;
+  precise const vec3 lost = (t - total.sum) - y;
+  total.compensation = lost;
+  total.sum = t;
+}

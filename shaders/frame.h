@@ -1,0 +1,174 @@
+// Everything one frame's passes read and write: the records of a pixel, the camera, and the
+// settings.
+#ifndef NIGHTCITY_SHADERS_FRAME_H
+#define NIGHTCITY_SHADERS_FRAME_H
+
+#include "shaders/scene_types.h"
+
+#ifdef __cplusplus
+namespace nightcity::gpu {
+#endif
+
+// What the camera sees in a pixel. 44 bytes.
+struct Surface {
+  vec3 position;  // model space, m
+  uint normal;    // octahedral, 2 x 16 bits (octahedral.glsl.h); towards the camera
+  float depth;    // distance from the camera, m; 0 = nothing hit
+  uint material;
+  uint feature;
+  uint light;   // light whose emitting surface is seen, or NO_HIT
+  vec3 motion;  // from this point of the surface to where it was one frame ago, m
+};
+
+// A reservoir keeps the sample it selected: a light, and a point on it. 16 bytes, as in the paper.
+struct Reservoir {
+  uint light;  // NO_HIT = empty
+  uint uv;     // 2 x 16 bits; cell centres of a 65536 x 65536 grid
+  float M;     // confidence: number of candidates seen, capped
+  float W;     // unbiased contribution weight
+};
+
+// A pixel's sum over frames, compensated after Kahan (accumulation.glsl).
+struct Accumulation {
+  vec3 sum;  // cd/m^2 per channel
+  float frames;
+  vec3 compensation;        // low-order part that `sum` has no room for
+  float luminance_squared;  // sum of squared luminance, for the variance of the mean
+};
+
+// A pixel's light by where it comes from, cd/m^2 per channel, summed over frames.
+struct LightLayers {
+  vec3 lamps;
+  vec3 windows;
+  vec3 vehicles;
+  vec3 sky;
+  vec3 emitted;  // by the surface itself
+};
+
+// A pixel inside the denoiser: light divided by albedo, so that the filter keeps what is drawn on
+// the surfaces.
+struct Demodulated {
+  vec3 irradiance;
+  float variance;  // of its luminance
+};
+
+// The flux of a light that leaves the scene, as shares of its flux, summed over rays (upward.comp).
+struct Escape {
+  float direct;     // upwards, without touching anything
+  float reflected;  // upwards, off the first surface that was hit
+  float sideways;   // level or downwards past the scene's edge: neither up nor onto the ground
+};
+
+struct Camera {
+  vec3 position;
+  float tan_half_height;  // of the vertical field of view
+  vec3 right;             // unit, right-handed: cross(forward, up)
+  float aspect;           // width / height
+  vec3 up;
+  float pad0;
+  vec3 forward;
+  float pad1;
+};
+
+#define NO_PERMUTATION 0xFFFFFFFFu
+
+#ifdef __cplusplus
+static_assert(sizeof(Surface) == 44 && sizeof(Reservoir) == 16 && sizeof(Accumulation) == 32);
+}  // namespace nightcity::gpu
+#endif
+
+ARRAY_REFERENCE(Surfaces, Surface, )
+ARRAY_REFERENCE(Reservoirs, Reservoir, )
+ARRAY_REFERENCE(Accumulations, Accumulation, )
+ARRAY_REFERENCE(Layers, LightLayers, )
+ARRAY_REFERENCE(Escapes, Escape, )
+ARRAY_REFERENCE(DemodulatedPixels, Demodulated, )
+
+#ifdef __cplusplus
+namespace nightcity::gpu {
+#endif
+
+// Where upward flux leaves the scene: a map of squares, and what is counted there.
+struct UpwardMap {
+  BUFFER(Escapes) escapes;  // one per light
+  // 1/1024 lumen, by the place of the last surface. Whole numbers, so that the order of adding
+  // changes nothing.
+  BUFFER(Words) cells;
+  float origin_x, origin_z, cell_m;
+  uint width, depth;
+  uint rays;  // per light, over all dispatches
+};
+
+struct Frame {
+  SceneBuffers scene;
+  BUFFER(Words) previous_lit;            // scene.lit of the frame before
+  BUFFER(VehicleLights) vehicle_lights;  // VEHICLE_LIGHTS per trip, in model space
+  BUFFER(VehicleLights) previous_vehicle_lights;
+  BUFFER(VehicleNodes) vehicle_nodes;  // the light BVH over the vehicles
+  BUFFER(Words) vehicle_cells;         // per trip: its cell, and its place among that cell's trips
+  BUFFER(Words) vehicle_counts;  // per cell: number of vehicles, then first place in the order
+  BUFFER(VehicleNodes) vehicle_boxes;  // one leaf per trip, not yet in order
+  BUFFER(Surfaces) surfaces;           // of this frame
+  BUFFER(Surfaces) previous_surfaces;
+  BUFFER(Reservoirs) reservoirs;  // result of the candidates, then of temporal reuse
+  BUFFER(Reservoirs) spatial;     // result of spatial reuse: shaded, and the next frame's history
+  BUFFER(Reservoirs) previous_reservoirs;
+  // This frame's estimate. The reference's: sums over chunks of lights, one picture per slice.
+  BUFFER(Accumulations) radiance;
+  BUFFER(Accumulations) accumulation;
+  BUFFER(Accumulations) previous_accumulation;
+  BUFFER(Layers) layers;
+  BUFFER(DemodulatedPixels) denoise[2];
+  BUFFER(Words) display;  // 8-bit sRGB, R in the low byte
+  Camera camera;
+  Camera previous_camera;
+  uvec2 size;
+  // Number of the frame since the renderer was made. It never repeats, so that random numbers
+  // differ in every frame.
+  uint frame;
+  uint seed;
+  uint candidates;
+  uint neighbours;
+  float neighbour_radius;  // pixels
+  float max_history;       // the history's M is at most this many times the candidates' M
+  // How fast the history's M fades with the distance to where it was gathered, 1/m^2; 0 = never.
+  float history_falloff;
+  // Neighbours of a pixel without history, where that is more than `neighbours`.
+  uint disocclusion_boost;
+  uint permutation;  // of the history: corner of the blocks, x | y << 2, or NO_PERMUTATION
+  // Shares of candidates by how they are sampled. vehicle_share is a share of all, sampled from
+  // vehicles' lights. The others are shares of the rest: uniformly, from the near grid's cell, from
+  // the far grid's cell; what then remains is sampled by flux.
+  float uniform_share, near_share, far_share;
+  float vehicle_share;
+  float time_s, previous_time_s;              // since noon
+  float cycle_time_s, previous_cycle_time_s;  // within the traffic's cycle
+  uint has_history;                           // previous_* hold a frame of this scene
+  float jitter_x, jitter_y;                   // sub-pixel offset of this frame's rays, in [0, 1)
+  float exposure;                             // display: exposed value of 1 cd/m^2
+  uint reset;                                 // 1: this frame starts a new accumulation
+  // Pictures in `radiance` to be summed: chunks of lights that one dispatch works on side by side.
+  uint slices;
+  // The mean is over at most this many frames and moves with the surface; 0 = over all frames,
+  // while nothing moves.
+  uint window;
+  float wetness;  // of surfaces that face up, 0 .. 1
+  // Luminance of directions that leave the scene, cd/m^2 per channel; with a sky map, its factor.
+  vec3 sky;
+  vec3 moon_direction;  // unit, towards the moon
+  vec3 moon_lux;        // illuminance of a surface that faces the moon, per channel
+  uint tone;            // display: TONEMAP_*
+  UpwardMap upward;
+};
+
+#ifdef __cplusplus
+// The push constants of every pass, as common.glsl declares them.
+struct Push {
+  std::uint64_t frame;
+  std::uint32_t first, count;  // by pass: the lights of a dispatch, or the level of a filter or BVH
+};
+static_assert(sizeof(Push) == 16);
+}  // namespace nightcity::gpu
+#endif
+
+#endif

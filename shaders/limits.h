@@ -1,0 +1,25 @@
+// Bounds that C++ and GLSL have to agree on: sizes of work groups, of arrays in shaders, and of one
+// dispatch.
+#ifndef NIGHTCITY_SHADERS_LIMITS_H
+#define NIGHTCITY_SHADERS_LIMITS_H
+
+#define WORKGROUP_SIZE 8  // a pass over pixels runs in groups of 8 x 8
+#define WORKGROUP_ROW 64  // a pass over a list runs in groups of 64
+
+#define MAX_NEIGHBOURS 32u  // pixels that one pixel reuses at most: the size of an array
+
+// The reference adds up the lights in chunks, one per invocation. Mesa's CPU driver of Debian 12
+// silently ends loops after 65,535 iterations summed over one invocation (measured), and a shadow
+// ray takes some tens of them.
+#define REFERENCE_CHUNK 128u
+
+// A light is close to a point within CLOSE_RADII times its radius: it then fills much of the
+// hemisphere. The reference samples CLOSE_POINTS points on a close light instead of one, on at most
+// MAX_CLOSE_LIGHTS lights of a chunk, so that the number of iterations above stays bounded.
+#define CLOSE_RADII 4.0
+#define CLOSE_POINTS 4u
+#define MAX_CLOSE_LIGHTS 32u
+
+#define DENOISE_LEVELS 5
+
+#endif

@@ -1,0 +1,160 @@
+// The scene on the device: materials, lights and the tables they are sampled from, vehicles, the
+// sky.
+#ifndef NIGHTCITY_SHADERS_SCENE_TYPES_H
+#define NIGHTCITY_SHADERS_SCENE_TYPES_H
+
+#include "formats/night.h"
+#include "shaders/bvh_types.h"
+
+#ifdef __cplusplus
+namespace nightcity::gpu {
+#endif
+
+#define MOON_RADIUS 0.0045f  // seen from the earth, radians
+
+struct Material {
+  vec3 base_colour;  // linear Rec. 709 reflectance
+  float roughness;
+  vec3 emission;  // cd/m^2 per channel
+  uint flags;
+};
+
+// Entry of an alias table, which samples lights by flux (Walker 1977; Vose 1991).
+struct AliasEntry {
+  float keep;  // probability of keeping this column; else `alias` is taken
+  uint alias;
+  float pdf;  // probability of this light
+};
+
+// A map grid over the lights (runtime/scene/light_grid.h); width 0 = no light shines.
+struct LightGridShape {
+  float origin_x, origin_z;  // corner, model space, m
+  float cell_m;
+  float softening_m2;
+  uint width, depth;  // cells along X, Z
+};
+
+// A cell's strongest lights: entries first .. first + count, all those whose strength is at least
+// `threshold`.
+struct LightCell {
+  uint first;
+  uint count;
+  float strength_sum;
+  float threshold;
+};
+
+// A column of a cell's alias table, with indices of lights.
+struct GridEntry {
+  uint light;
+  float keep;
+  uint alias_light;
+};
+
+// A kind of vehicle: its BLAS and its box in the vehicle frame. 32 bytes.
+struct VehicleBody {
+  vec3 lower;
+  uint root;  // or BVH_EMPTY
+  vec3 upper;
+  uint mask;  // MASK_*
+};
+
+// A node of the light BVH over the vehicles that are on the road, in Morton order
+// (vehicle_bvh.comp): the box and the flux of everything below it. Its leaves, one per trip, come
+// first. 32 bytes.
+struct VehicleNode {
+  vec3 lower;  // lower > upper: nothing below
+  float flux_lm;
+  vec3 upper;
+  uint trip;  // of a leaf
+};
+#define VEHICLE_LEVELS 12             // 4^11 trips
+#define VEHICLE_CELLS 65536u          // cells of the map in Morton order: 256 x 256
+#define VEHICLE_ABSENT VEHICLE_CELLS  // the cell of vehicles that are not on the road
+
+#ifdef __cplusplus
+static_assert(sizeof(Material) == 32 && sizeof(VehicleBody) == 32 && sizeof(VehicleNode) == 32);
+}  // namespace nightcity::gpu
+#endif
+
+ARRAY_REFERENCE(Materials, Material, readonly)
+ARRAY_REFERENCE(Lights, Light, readonly)
+ARRAY_REFERENCE(Profiles, LightProfile, readonly)
+ARRAY_REFERENCE(Floats, float, readonly)
+ARRAY_REFERENCE(Words, uint, )
+ARRAY_REFERENCE(AliasTable, AliasEntry, readonly)
+ARRAY_REFERENCE(Cells, LightCell, readonly)
+ARRAY_REFERENCE(GridEntries, GridEntry, readonly)
+ARRAY_REFERENCE(Vehicles, VehicleKind, readonly)
+ARRAY_REFERENCE(Bodies, VehicleBody, readonly)
+ARRAY_REFERENCE(Trips, Trip, readonly)
+ARRAY_REFERENCE(Knots, TripKnot, readonly)
+ARRAY_REFERENCE(VehicleNodes, VehicleNode, )
+ARRAY_REFERENCE(VehicleLights, Light, )
+
+#ifdef __cplusplus
+namespace nightcity::gpu {
+#endif
+
+// The vehicles of a scene, and where each frame writes what becomes of them.
+struct TrafficBuffers {
+  BUFFER(Vehicles) vehicles;
+  BUFFER(Bodies) bodies;          // parallel to vehicles
+  BUFFER(Lights) vehicle_lights;  // in vehicle frames
+  BUFFER(Trips) trips;
+  BUFFER(Knots) knots;
+  BUFFER(VehicleInstances) instances;  // one per trip, behind the static instances
+  BUFFER(VehicleBvhNodes) bvh;         // over the vehicles, behind the static nodes
+  uint trip_count;
+  uint first_instance;  // index of the first trip's instance
+  // Index of the first node over the vehicles. The last of these nodes is the root of the whole
+  // scene.
+  uint first_bvh_node;
+  uint static_root;   // root of the TLAS over what does not move
+  vec3 lower, upper;  // box of the static scene
+  // Levels of the light BVH over the vehicles; level 0 holds the leaves.
+  uint level_first[VEHICLE_LEVELS];
+  uint level_count[VEHICLE_LEVELS];
+  uint levels;
+  TrafficCycle cycle;
+  // Where the device's own structures are traced: TLAS_INSTANCE_WORDS per trip.
+  BUFFER(Words) tlas_instances;
+  BUFFER(Words) body_blas;  // addresses of the bodies' own structures, two words each
+  uint has_tlas;
+};
+
+struct LightGridBuffers {
+  LightGridShape shape;
+  BUFFER(Cells) cells;  // row by row along Z, then X
+  BUFFER(GridEntries) entries;
+};
+
+// The scene on the device. It changes when another scene is loaded or lights are switched.
+struct SceneBuffers {
+  BUFFER(Nodes) nodes;
+  BUFFER(Triangles) triangles;
+  BUFFER(Instances) instances;
+  BUFFER(Materials) materials;
+  BUFFER(Lights) lights;
+  BUFFER(Profiles) profiles;
+  BUFFER(Floats) profile_data;
+  BUFFER(AliasTable) alias;
+  // Latitude-longitude, RGB, cd/m^2; row 0 is the zenith, the middle column the north.
+  BUFFER(Floats) sky_map;
+  uint sky_width, sky_height;
+  BUFFER(Words) lit;           // one bit per light: it shines now
+  BUFFER(Words) lit_list;      // indices of the lights that shine now
+  LightGridBuffers near_grid;  // lights that are strong near a place
+  LightGridBuffers far_grid;   // lights of its neighbourhood
+  uvec2 tlas;                  // address of the device's own TLAS, where that is traced
+  uint root;                   // root of our own TLAS, or BVH_EMPTY
+  uint light_count;            // static lights, then VEHICLE_LIGHTS per trip
+  uint static_lights;          // lights that do not move
+  uint lit_count;              // static lights that shine now
+  TrafficBuffers traffic;
+};
+
+#ifdef __cplusplus
+}  // namespace nightcity::gpu
+#endif
+
+#endif

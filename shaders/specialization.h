@@ -1,0 +1,22 @@
+// Specialization constants: what the scene contains and what the user asked for, known before a
+// shader is compiled.
+#ifndef NIGHTCITY_SHADERS_SPECIALIZATION_H
+#define NIGHTCITY_SHADERS_SPECIALIZATION_H
+
+#define CONSTANT_ESTIMATOR 0         // ESTIMATOR_*
+#define CONSTANT_PROFILES 1          // some lamp has a luminaire profile
+#define CONSTANT_RECTANGLES 2        // some light is a window
+#define CONSTANT_VISIBILITY_REUSE 3  // candidates in shadow are dropped before reuse
+#define CONSTANT_SKY 4               // SKY_*
+#define CONSTANT_SCHEDULES 5         // some light is not always on
+#define CONSTANT_TRAFFIC 6           // the scene has vehicles
+#define CONSTANT_GLOSS 7             // surfaces that face up are wet
+#define CONSTANT_LAYERS 8            // the light of each kind of source is kept apart
+#define CONSTANT_COUNT 9
+
+// Values of CONSTANT_SKY.
+#define SKY_DARK 0u     // neither sky nor moon gives light
+#define SKY_UNIFORM 1u  // one luminance everywhere; zero where only the moon shines
+#define SKY_MAP 2u      // a luminance by direction
+
+#endif
