@@ -7,48 +7,22 @@
 #include <string>
 #include <vector>
 
+#include "runtime/gpu/device_info.h"
+
 namespace nightcity::gpu {
-
-/// What one Vulkan device offers, as far as we care.
-struct DeviceInfo {
-  std::string name;
-  std::string driver;  // driver name and version text
-  std::string kind;    // "discrete", "integrated", "virtual", "cpu", "other"
-  std::uint32_t api_version = 0;
-  std::uint64_t memory_bytes = 0;  // the largest device-local heap
-  std::uint32_t subgroup_size = 0;
-  bool usable =
-      false;  // has all we need: Vulkan 1.2, buffer device addresses, scalar layout, 64-bit integers
-  std::string missing;        // why not usable; "" = usable
-  bool ray_query = false;     // VK_KHR_ray_query
-  bool ray_pipeline = false;  // VK_KHR_ray_tracing_pipeline
-};
-
-/// How rays meet a scene. All but the first go through the device's acceleration structures.
-enum class Trace {
-  compute,   // our own hierarchy: every device
-  query,     // VK_KHR_ray_query
-  pipeline,  // VK_KHR_ray_tracing_pipeline
-};
-
-const char* name_of(Trace trace);
-/// Throws UsageError where there is no such way.
-Trace trace_from_name(const std::string& name);
-bool has(const DeviceInfo& device, Trace trace);
-
-/// Every Vulkan device of this machine, in the loader's order. Throws Error when there is no Vulkan at all.
-std::vector<DeviceInfo> list_devices();
 
 class Device {
  public:
   struct Options {
-    std::string select;  // "" = best usable one; an index, or part of a name in any case
+    std::string
+        select;  // "" = the best usable device; else an index, or part of a name in any case
     bool validation = false;
-    Trace trace = Trace::compute;                  // refused where the device lacks it
-    std::vector<const char*> instance_extensions;  // what a window system asks for
+    Trace trace = Trace::compute;                  // refused if the device lacks it
+    std::vector<const char*> instance_extensions;  // required by a window system
     std::vector<const char*> device_extensions;
   };
 
+  /// Throws UsageError if no device matches or it cannot trace that way, Error if Vulkan fails.
   explicit Device(const Options& options);
   ~Device();
   Device(const Device&) = delete;
@@ -61,21 +35,21 @@ class Device {
   VkQueue queue() const { return queue_; }
   std::uint32_t queue_family() const { return queue_family_; }
   Trace trace() const { return trace_; }
-  /// For people and tables: its name, and the way that rays take where that is not the usual one.
+  /// Returns the device's name, plus the tracing backend unless it is `compute`: for people and tables.
   std::string label() const;
-  float timestamp_period_ns() const {
-    return timestamp_period_ns_;
-  }  // 0 = the queue has no timestamps
+  /// Nanoseconds per timestamp tick; 0 = the queue has no timestamps.
+  float timestamp_period_ns() const { return timestamp_period_ns_; }
 
-  /// What the validation layer has said so far (warnings and errors); empty without validation.
+  /// Warnings and errors of the validation layer so far; empty without validation.
   const std::vector<std::string>& validation_messages() const { return messages_; }
-  /// Throws Error with all of it where there is any.
+  /// Throws Error with all of them if there are any.
   void check_validation() const;
 
-  /// Memory type with `wanted` properties among `allowed`; throws Error where there is none.
+  /// Returns a memory type among `allowed` that has the `wanted` properties; throws Error if there is
+  /// none.
   std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted) const;
 
-  /// Records with `record(VkCommandBuffer)`, submits, and waits until the queue is done.
+  /// Records commands with `record(VkCommandBuffer)`, submits them, and waits until they are done.
   template <class Record>
   void run(Record&& record) {
     VkCommandBuffer commands = begin();
@@ -84,6 +58,10 @@ class Device {
   }
 
  private:
+  void create_instance_for(const Options& options);
+  void choose_physical(const std::string& select);
+  void create_device(const Options& options);
+  void create_commands();
   void release();
   VkCommandBuffer begin();
   void end(VkCommandBuffer commands);
@@ -104,8 +82,8 @@ class Device {
   std::vector<std::string> messages_;
 };
 
-/// All writes of shaders and transfers before are visible to all reads after: the one barrier a chain of
-/// passes needs.
+/// Makes all earlier writes of shaders and transfers visible to all later reads: the one barrier that a
+/// chain of passes needs.
 void full_barrier(VkCommandBuffer commands);
 
 }  // namespace nightcity::gpu
