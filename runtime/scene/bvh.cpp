@@ -1,33 +1,33 @@
-// Binned SAH: Wald, On fast construction of SAH-based bounding volume hierarchies, 2007. Quantised wide
-// nodes: Ylitie, Karras, Laine, Efficient incoherent ray traversal on GPUs through compressed wide BVHs, HPG
-// 2017.
+// Binned surface-area heuristic (SAH): Wald, On fast construction of SAH-based bounding volume
+// hierarchies, 2007.
 #include "runtime/scene/bvh.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <glm/common.hpp>
 #include <numeric>
 
 #include "formats/error.h"
+#include "runtime/scene/bvh_node.h"
 
 namespace nightcity {
 namespace {
 
 constexpr int bin_count = 16;
 
+// Consecutive primitives in the order being made.
 struct Range {
   std::uint32_t begin, end;
   Box box;
-  std::uint32_t mask = 0;  // of all in it
-  bool mixed = false;      // some of it casts shadows and some does not
+  std::uint32_t mask = 0;  // of all its primitives
+  bool mixed = false;      // some of them cast shadows and some do not
   std::uint32_t size() const { return end - begin; }
 };
 
-class Builder {
+class BinnedSahBuilder {
  public:
-  Builder(std::span<const Box> boxes, std::span<const std::uint8_t> masks, std::uint32_t max_leaf)
+  BinnedSahBuilder(std::span<const Box> boxes, std::span<const std::uint8_t> masks,
+                   std::uint32_t max_leaf)
       : boxes_(boxes), masks_(masks), max_leaf_(max_leaf) {
     order_.resize(boxes.size());
     std::iota(order_.begin(), order_.end(), 0u);
@@ -71,9 +71,9 @@ class Builder {
     return BVH_LEAF | ((r.size() - 1) << BVH_LEAF_COUNT_SHIFT) | r.begin;
   }
 
-  // Position of the first primitive of the right half.
+  // Splits a range in two and returns the position of the right half's first primitive.
   std::uint32_t split(const Range& r, bool median) {
-    if (r.mixed && !median) {  // a shadow ray then never sees the boxes of what casts none
+    if (r.mixed && !median) {  // then no shadow ray tests boxes of what casts none
       const auto middle = std::stable_partition(order_.begin() + r.begin, order_.begin() + r.end,
                                                 [&](std::uint32_t i) { return casts_shadow(i); });
       return static_cast<std::uint32_t>(middle - order_.begin());
@@ -89,13 +89,15 @@ class Builder {
     const std::uint32_t middle = r.begin + r.size() / 2;
     std::nth_element(order_.begin() + r.begin, order_.begin() + middle, order_.begin() + r.end,
                      [&](std::uint32_t a, std::uint32_t b) {
-                       // Ties by index: the same input gives the same tree everywhere.
+                       // Ties by index, so that the same input gives the same BVH everywhere.
                        return std::pair(centres_[a][longest], a) <
                               std::pair(centres_[b][longest], b);
                      });
     return middle;
   }
 
+  // Splits where the sum of area times number over both halves is smallest; returns r.begin if no split
+  // is possible.
   std::uint32_t split_by_area(const Range& r, const Box& centre_box) {
     float best_cost = INFINITY;
     int best_axis = -1, best_bin = 0;
@@ -147,14 +149,14 @@ class Builder {
   std::uint32_t build(const Range& r, std::uint32_t stack, std::uint32_t& stack_need) {
     stack_need = 0;
     if (r.size() <= max_leaf_) return leaf(r);
-    // A child may get nearly all: where the stack cannot bear that, all four get as many.
+    // A child may get nearly everything. Where the stack is too small for that, all four get equally many.
     const bool median = needed_stack(r.size(), max_leaf_) + 3 > stack;
     std::array<Range, 4> children{r, {}, {}, {}};
     std::size_t count = 1;
     while (count < 4) {
       std::size_t widest = count;
       for (std::size_t i = 0; i < count; ++i) {
-        // A range worth opening: too big for a leaf, or cheaper in two than as one leaf.
+        // A range is worth splitting if it is too big for a leaf, or cheaper as two leaves than as one.
         if (children[i].size() <= (count == 1 ? max_leaf_ : std::max(1u, max_leaf_ / 2))) continue;
         const auto larger = [&](const Range& a, const Range& b) {
           return median ? a.size() > b.size() : a.box.half_area() > b.box.half_area();
@@ -167,12 +169,14 @@ class Builder {
       children[widest] = range(children[widest].begin, at);
       children[count++] = right;
     }
-    // Shadow rays take the children as they come: what fills more of the view is likelier to end them.
+    // Shadow rays visit the children in this order: a larger one is likelier to end them.
     std::stable_sort(
         children.begin(), children.begin() + count,
         [](const Range& a, const Range& b) { return a.box.half_area() > b.box.half_area(); });
     const auto index = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.push_back(quantised(r.box, std::span(children.data(), count)));
+    std::array<BvhChild, 4> quantised;
+    for (std::size_t i = 0; i < count; ++i) quantised[i] = {children[i].box, children[i].mask};
+    nodes_.push_back(quantise_node(r.box, std::span(quantised.data(), count)));
     std::uint32_t deepest = 0;
     for (std::size_t i = 0; i < count; ++i) {
       std::uint32_t need = 0;
@@ -185,36 +189,6 @@ class Builder {
     return index;
   }
 
-  static float down(float x) { return std::nextafter(x, -INFINITY); }
-  static float up(float x) { return std::nextafter(x, INFINITY); }
-
-  static gpu::BvhNode quantised(const Box& box, std::span<const Range> children) {
-    gpu::BvhNode node{};
-    std::fill(std::begin(node.child), std::end(node.child), BVH_EMPTY);
-    for (std::size_t i = 0; i < children.size(); ++i) node.masks |= children[i].mask << (8 * i);
-    for (int axis = 0; axis < 3; ++axis) {
-      const float origin = down(box.lower[axis]);
-      // The least power of two whose 255 steps reach the far side, as the shader will compute it.
-      const float extent = up(box.upper[axis]) - origin;
-      int exponent = std::clamp(std::ilogb(std::max(extent / 255.0f, 1e-30f)), -100, 120);
-      while (origin + 255.0f * std::ldexp(1.0f, exponent) < up(box.upper[axis])) ++exponent;
-      const float step = std::ldexp(1.0f, exponent);
-      node.origin[axis] = origin;
-      node.exponents |= static_cast<std::uint32_t>(exponent + 127) << (8 * axis);
-      for (std::size_t i = 0; i < children.size(); ++i) {
-        const float lower = down(children[i].box.lower[axis]);
-        const float upper = up(children[i].box.upper[axis]);
-        int q0 = std::clamp(static_cast<int>(std::floor((lower - origin) / step)), 0, 255);
-        int q1 = std::clamp(static_cast<int>(std::ceil((upper - origin) / step)), 0, 255);
-        while (q0 > 0 && origin + static_cast<float>(q0) * step > lower) --q0;
-        while (q1 < 255 && origin + static_cast<float>(q1) * step < upper) ++q1;
-        node.lower[axis] |= static_cast<std::uint32_t>(q0) << (8 * i);
-        node.upper[axis] |= static_cast<std::uint32_t>(q1) << (8 * i);
-      }
-    }
-    return node;
-  }
-
   std::span<const Box> boxes_;
   std::span<const std::uint8_t> masks_;
   std::uint32_t max_leaf_;
@@ -224,22 +198,6 @@ class Builder {
 };
 
 }  // namespace
-
-void Box::grow(const glm::vec3& p) {
-  lower = glm::min(lower, p);
-  upper = glm::max(upper, p);
-}
-
-void Box::grow(const Box& b) {
-  lower = glm::min(lower, b.lower);
-  upper = glm::max(upper, b.upper);
-}
-
-float Box::half_area() const {
-  if (empty()) return 0;
-  const glm::vec3 s = upper - lower;
-  return s.x * s.y + s.y * s.z + s.z * s.x;
-}
 
 std::uint32_t needed_stack(std::size_t boxes, std::uint32_t max_leaf) {
   std::uint32_t need = 0;
@@ -254,7 +212,7 @@ Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t 
   if (needed_stack(boxes.size(), max_leaf) > max_stack)
     throw Error(
         "", "the scene has too many triangles in a mesh, or instances, for the traversal stack");
-  return Builder(boxes, masks, max_leaf).build(max_stack);
+  return BinnedSahBuilder(boxes, masks, max_leaf).build(max_stack);
 }
 
 void rebase(Bvh& bvh, std::uint32_t node_base, std::uint32_t first_base) {

@@ -1,46 +1,39 @@
-// Bounding volume hierarchies of the shaders' kind (BvhNode): built once for a mesh, and for the instances.
+// Builds bounding volume hierarchies (BVH) of the shaders' nodes: a BLAS over a mesh's triangles, the TLAS
+// over the instances.
 #pragma once
 
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
-#include "shaders/interface.h"
+#include "runtime/scene/box.h"
+#include "shaders/bvh_types.h"
 
 namespace nightcity {
 
-struct Box {
-  glm::vec3 lower{3.4e38f};
-  glm::vec3 upper{-3.4e38f};
-
-  void grow(const glm::vec3& p);
-  void grow(const Box& b);
-  float half_area() const;  // of a grown box; 0 for an empty one
-  bool empty() const { return lower.x > upper.x; }
-};
-
 struct Bvh {
-  std::vector<gpu::BvhNode>
-      nodes;  // child indices are relative to this vector, leaf ranges to `order`
-  std::vector<std::uint32_t> order;  // primitive at each leaf position
+  // Indices of children count within this vector, ranges of leaves within `order`.
+  std::vector<gpu::BvhNode> nodes;
+  std::vector<std::uint32_t> order;  // primitive at each position of the leaves
   std::uint32_t root = BVH_EMPTY;    // a node, a leaf, or BVH_EMPTY
-  std::uint32_t stack_need = 0;      // entries a ray may have to defer
+  std::uint32_t stack_need = 0;      // entries that a ray may have to defer
 };
 
-/// Binned surface-area heuristic, split straight into four, largest child first; object-median splits, whose
-/// depth is logarithmic, wherever the rest would else need more than `max_stack` deferred entries. `masks`,
-/// where there are any, one a box: what casts shadows is kept apart from what does not, and each node says
-/// what is below. Throws Error when medians alone are too deep (needed_stack) or there are more than 134
-/// million boxes. Boxes must be finite. `max_leaf` <= BVH_MAX_LEAF.
+/// Builds a BVH over `boxes`, which are finite, with at most `max_leaf` (<= BVH_MAX_LEAF) of them per leaf.
+/// Ranges are split straight into four by the binned surface-area heuristic, the largest child first. Where
+/// the rest would need more than `max_stack` deferred entries, they are split at the object median, whose
+/// depth is logarithmic. `masks` is empty or holds one MASK_* per box; what casts shadows is then kept apart
+/// from what does not. Throws Error if medians alone are too deep (needed_stack), or for more than 134
+/// million boxes.
 Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t max_stack,
               std::span<const std::uint8_t> masks = {});
 
-/// Entries that a hierarchy of object medians over so many boxes needs: the least that build_bvh can do with.
+/// Returns the deferred entries that a BVH of object medians over `boxes` boxes needs: the smallest
+/// `max_stack` that build_bvh accepts.
 std::uint32_t needed_stack(std::size_t boxes, std::uint32_t max_leaf);
 
-/// Adds `node_base` to inner children and `first_base` to leaf ranges, so that hierarchies can share one
-/// buffer.
+/// Adds `node_base` to the indices of inner children and `first_base` to leaf ranges, so that several BVHs
+/// can share one buffer.
 void rebase(Bvh& bvh, std::uint32_t node_base, std::uint32_t first_base);
 
 }  // namespace nightcity

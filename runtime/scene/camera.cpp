@@ -10,6 +10,7 @@
 #include "formats/atomic_file.h"
 #include "formats/error.h"
 #include "formats/input_file.h"
+#include "runtime/scene/brute_force.h"
 
 namespace nightcity {
 namespace {

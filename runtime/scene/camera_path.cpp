@@ -8,6 +8,7 @@
 
 #include "formats/error.h"
 #include "formats/input_file.h"
+#include "runtime/scene/brute_force.h"
 
 namespace nightcity {
 namespace {

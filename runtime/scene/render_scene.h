@@ -1,11 +1,9 @@
-// A scene as the renderer wants it: flat arrays in the shaders' records. Pure CPU; the device copy is
-// render's business.
+// A scene in the form that the renderer uploads: flat arrays of the shaders' records.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +13,7 @@
 
 namespace nightcity {
 
-/// Vehicles as the light file has them, and their bodies.
+/// The traffic of a light file, and the bodies of its vehicles.
 struct Traffic {
   TrafficCycle cycle{};
   std::vector<VehicleKind> vehicles;
@@ -25,22 +23,22 @@ struct Traffic {
   std::vector<TripKnot> knots;
 };
 
-/// Luminance of the sky by direction, latitude-longitude: row 0 is the zenith, the middle column the north.
-/// Empty: none.
+/// Luminance of the sky by direction, latitude-longitude: row 0 is the zenith, the middle column the
+/// north. Empty if there is no map.
 struct SkyMap {
   std::uint32_t width = 0, height = 0;
   std::vector<float> rgb;  // cd/m^2, finite, >= 0; 3 * width * height
 };
 
-/// Triangles that are placed together.
+/// The triangles below one BLAS.
 struct Mesh {
-  std::uint32_t root;  // of their hierarchy: as instances and vehicle bodies name the mesh
+  std::uint32_t root;  // of the BLAS; instances and vehicle bodies name the mesh by it
   std::uint32_t first_triangle, triangles;
 };
 
 struct RenderScene {
-  std::vector<gpu::BvhNode> nodes;  // every mesh's hierarchy, then the top level's
-  std::uint32_t root = BVH_EMPTY;   // of the top level
+  std::vector<gpu::BvhNode> nodes;  // every BLAS, then the TLAS
+  std::uint32_t root = BVH_EMPTY;   // of the TLAS
   std::vector<gpu::Triangle> triangles;
   std::vector<Mesh> meshes{};  // none is empty
   std::vector<gpu::Instance> instances;
@@ -53,14 +51,14 @@ struct RenderScene {
   std::vector<std::uint32_t> switches;  // s since noon
   Traffic traffic;
   SkyMap sky_map;
-  Box bounds;  // of everything visible that stands
+  Box bounds;  // of all static geometry
 
-  std::size_t bad_lights = 0;         // switched off: not finite, no flux, profile out of range
+  std::size_t bad_lights = 0;         // switched off: not finite, no flux, or profile out of range
   std::size_t dropped_triangles = 0;  // zero area
   std::size_t dropped_instances = 0;  // singular matrix
 };
 
-/// Lights given, or none.
+/// The lights of a scene.
 struct SceneLights {
   std::vector<Light> lights;
   std::vector<LightFamily> families;  // empty or parallel to lights
@@ -71,15 +69,11 @@ struct SceneLights {
   Traffic traffic{};  // without bodies: those are the scene's
 };
 
+/// Builds the hierarchies and checks lights and traffic. Throws Error for unfit traffic or schedules; unfit
+/// lights are counted and never shine.
 RenderScene make_render_scene(const Scene& scene, SceneLights lights);
 
-/// Reads SCENE.glb and, where it exists, the light file beside it (SCENE.lights). Throws Error.
+/// Reads SCENE.glb and, if it exists, the light file beside it (SCENE.lights). Throws Error.
 RenderScene load_render_scene(const std::filesystem::path& glb);
-
-/// Distance along unit `direction` to the nearest triangle of an instance with a bit of `mask`; brute force
-/// over all triangles in double, for a few rays (camera placing) and as the oracle of the traversal tests.
-std::optional<double> brute_force_hit(const RenderScene& scene, const glm::dvec3& origin,
-                                      const glm::dvec3& direction, double t_max,
-                                      std::uint32_t mask);
 
 }  // namespace nightcity

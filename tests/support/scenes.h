@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "formats/rgb9e5.h"
+#include "runtime/scene/brute_force.h"
 #include "runtime/scene/render_scene.h"
 
 namespace nightcity::test {

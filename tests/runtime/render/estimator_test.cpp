@@ -8,6 +8,7 @@
 
 #include "formats/error.h"
 #include "support/estimators.h"
+#include "runtime/scene/brute_force.h"
 #include "support/gpu.h"
 #include "support/scenes.h"
 

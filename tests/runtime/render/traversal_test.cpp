@@ -7,6 +7,7 @@
 
 #include "support/estimators.h"
 #include "support/gpu.h"
+#include "runtime/scene/brute_force.h"
 #include "support/scenes.h"
 
 namespace nightcity::test {

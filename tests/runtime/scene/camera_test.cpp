@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "formats/error.h"
+#include "runtime/scene/brute_force.h"
 #include "support/scenes.h"
 
 namespace nightcity::test {
