@@ -12,8 +12,8 @@ namespace nightcity {
 /// Returns why `light` may not be in a file with `profile_count` profiles; empty if it may.
 std::optional<std::string> light_fault(const Light& light, std::size_t profile_count);
 
-/// Returns why `profile` may not be in a file whose profile data has `data_size` floats; empty if it
-/// may.
+/// Returns why `profile` may not be in a file whose profile data has `data_size` floats; empty if
+/// it may.
 std::optional<std::string> profile_fault(const LightProfile& profile, std::size_t data_size);
 
 }  // namespace nightcity

@@ -25,12 +25,15 @@ void main() {
     // new mean.
     const Surface surface = FRAME.surfaces.at[index];
     uint before = index;
-    const bool sky = surface.depth <= 0.0 && FRAME.previous_surfaces.at[index].depth <= 0.0 && FRAME.has_history != 0u;
-    if (sky || previous_pixel(surface, false, before)) total = FRAME.previous_accumulation.at[before];
+    const bool sky = surface.depth <= 0.0 && FRAME.previous_surfaces.at[index].depth <= 0.0 &&
+                     FRAME.has_history != 0u;
+    if (sky || previous_pixel(surface, false, before))
+      total = FRAME.previous_accumulation.at[before];
     const float most = float(FRAME.window - 1u);
     if (total.frames > most) {
       const float share = most / total.frames;
-      total = Accumulation(total.sum * share, most, total.compensation * share, total.luminance_squared * share);
+      total = Accumulation(total.sum * share, most, total.compensation * share,
+                           total.luminance_squared * share);
     }
   }
   add_compensated(total, radiance);

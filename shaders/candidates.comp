@@ -17,7 +17,8 @@ void main() {
   if (!pixel_of_invocation(pixel, index)) return;
   const Surface surface = FRAME.surfaces.at[index];
   const LightSampler light_sampler = light_sampler_at(surface.position);
-  if (surface.depth <= 0.0 || (SCENE.near_grid.shape.width == 0u && light_sampler.vehicle_share <= 0.0)) {
+  if (surface.depth <= 0.0 ||
+      (SCENE.near_grid.shape.width == 0u && light_sampler.vehicle_share <= 0.0)) {
     FRAME.reservoirs.at[index] = EMPTY_RESERVOIR;
     return;
   }
@@ -40,6 +41,7 @@ void main() {
   // were drawn, and contribute nothing. With shadowed targets W = 0 is exact; otherwise this is the
   // bias that the paper accepts.
   const bool test = drops_shadowed_candidates(ESTIMATOR) || VISIBILITY_REUSE != 0u;
-  if (test && reservoir.W > 0.0 && !sees(receiver, reservoir.light, reservoir.uv)) reservoir.W = 0.0;
+  if (test && reservoir.W > 0.0 && !sees(receiver, reservoir.light, reservoir.uv))
+    reservoir.W = 0.0;
   FRAME.reservoirs.at[index] = reservoir;
 }

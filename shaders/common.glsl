@@ -33,7 +33,9 @@ layout(local_size_x = WORKGROUP_SIZE, local_size_y = WORKGROUP_SIZE) in;
 layout(local_size_x = WORKGROUP_ROW) in;
 #endif
 
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer FrameReference { Frame it; };
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer FrameReference {
+  Frame it;
+};
 layout(push_constant, scalar) uniform PushConstants {
   FrameReference frame;
   uint first;

@@ -25,7 +25,8 @@ void main() {
     // The variance of the mean, from the spread of the frames. A few frames say too little: then
     // also from the spread of the pixels around.
     const float l = luminance(a.sum) / max(a.frames, 1.0);
-    float variance = max(a.luminance_squared / max(a.frames, 1.0) - l * l, 0.0) / max(a.frames - 1.0, 1.0);
+    float variance =
+        max(a.luminance_squared / max(a.frames, 1.0) - l * l, 0.0) / max(a.frames - 1.0, 1.0);
     if (a.frames < 4.0) {
       float sum = 0.0, squares = 0.0, count = 0.0;
       for (int dy = -3; dy <= 3; ++dy)
@@ -39,7 +40,8 @@ void main() {
           squares += value * value;
           count += 1.0;
         }
-      if (count > 1.0) variance = max(variance, max(squares / count - sum * sum / (count * count), 0.0));
+      if (count > 1.0)
+        variance = max(variance, max(squares / count - sum * sum / (count * count), 0.0));
     }
     const float scale = luminance(albedo);
     result.variance = variance / (scale * scale);

@@ -13,7 +13,8 @@
 #include "shaders/accumulation.glsl"
 #include "shaders/denoise.glsl"
 
-const float LUMINANCE_TOLERANCE = 4.0;  // in standard deviations of the filtered light (Schied et al.)
+// In standard deviations of the filtered light (Schied et al.).
+const float LUMINANCE_TOLERANCE = 4.0;
 const float SPLINE[3] = float[](3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0);
 
 void main() {
@@ -56,7 +57,8 @@ void main() {
   if (level + 1u < DENOISE_LEVELS) return;
 
   vec3 radiance = mean_of(FRAME.accumulation.at[index]);
-  if (surface.depth > 0.0 && surface.light == NO_HIT) radiance = result.irradiance * albedo_of(surface) + emitted(surface);
+  if (surface.depth > 0.0 && surface.light == NO_HIT)
+    radiance = result.irradiance * albedo_of(surface) + emitted(surface);
   FRAME.radiance.at[index] = single_frame(radiance);
   FRAME.display.at[index] = displayed(radiance);
 }

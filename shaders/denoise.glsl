@@ -4,4 +4,6 @@
 
 // Returns a surface's albedo, bounded below so that dividing by it does not blow up what little
 // light there is.
-vec3 albedo_of(Surface surface) { return max(SCENE.materials.at[surface.material].base_colour, vec3(0.01)); }
+vec3 albedo_of(Surface surface) {
+  return max(SCENE.materials.at[surface.material].base_colour, vec3(0.01));
+}

@@ -7,15 +7,17 @@
 // (primary sample space; GRIS, Lin et al. 2022).
 
 #if LIGHT_KIND_COUNT != 2
-#error "A kind of light is new: every switch in shaders/light_kinds.glsl needs a case for it, and this count."
+#error "Each switch in shaders/light_kinds.glsl needs a case for the new kind of light."
 #endif
 
-const float MIN_RADIUS = 0.001;  // m: no lamp is smaller, so 1/d^2 has a physical bound at the lamp itself
+// m: no lamp is smaller, so 1/d^2 has a physical bound at the lamp itself.
+const float MIN_RADIUS = 0.001;
 
 struct LightSample {
   vec3 point;      // on the light
   vec3 direction;  // unit, from the receiver to the point
-  vec3 value;      // luminance * d(solid angle)/d(uv), cd/m^2 * sr per channel: illuminance of a facing surface
+  // Luminance * d(solid angle)/d(uv), cd/m^2 * sr per channel: illuminance of a facing surface.
+  vec3 value;
 };
 
 // Returns the kind of a light; the compiler knows it where the scene has no windows.
@@ -46,7 +48,8 @@ LightSample sample_sphere(Light light, vec2 uv, vec3 receiver) {
   // Luminance I / (pi r^2) times the cone's solid angle 2 pi (1 - cos): tends to I / d^2 as r tends
   // to 0.
   const float per_candela = 2.0 / (d2 * (1.0 + cos_max));
-  s.value = light_colour(light.colour_rgb9e5) * (light.flux_lm * intensity_per_lumen(light, -axis) * per_candela);
+  s.value = light_colour(light.colour_rgb9e5) *
+            (light.flux_lm * intensity_per_lumen(light, -axis) * per_candela);
   return s;
 }
 
@@ -61,7 +64,9 @@ LightSample sample_rectangle(Light light, vec2 uv, vec3 receiver) {
   const float cos_light = -dot(s.direction, light.axis);
   // Luminance flux / (pi area), times area * cos / d^2: the area cancels, so a zero-area window is
   // no hazard.
-  s.value = cos_light > 0.0 ? light_colour(light.colour_rgb9e5) * (light.flux_lm * cos_light / (PI * d2)) : vec3(0.0);
+  s.value = cos_light > 0.0
+                ? light_colour(light.colour_rgb9e5) * (light.flux_lm * cos_light / (PI * d2))
+                : vec3(0.0);
   return s;
 }
 
@@ -85,7 +90,8 @@ vec3 seen_luminance(Light light, vec3 to) {
     }
     case LIGHT_RECTANGLE: {
       const float area = 4.0 * half_width(light) * light.half_height;
-      return dot(light.axis, to) > 0.0 && area > 0.0 ? colour * light.flux_lm / (PI * area) : vec3(0.0);
+      return dot(light.axis, to) > 0.0 && area > 0.0 ? colour * light.flux_lm / (PI * area)
+                                                     : vec3(0.0);
     }
   }
   return vec3(0.0);
@@ -95,7 +101,8 @@ vec3 seen_luminance(Light light, vec3 to) {
 float bounding_radius2(Light light) {
   switch (kind_here(light)) {
     case LIGHT_SPHERE: return light.radius * light.radius;
-    case LIGHT_RECTANGLE: return half_width(light) * half_width(light) + light.half_height * light.half_height;
+    case LIGHT_RECTANGLE:
+      return half_width(light) * half_width(light) + light.half_height * light.half_height;
   }
   return 0.0;
 }
@@ -104,21 +111,25 @@ float bounding_radius2(Light light) {
 struct EmittedRay {
   vec3 origin;
   vec3 direction;  // unit
-  float share;     // of the light's flux, times the number of rays; 0 = the light is dark in this direction
+  // Of the light's flux, times the number of rays; 0 = the light is dark in this direction.
+  float share;
 };
 
 // Returns a ray that leaves a light, its direction sampled from u in [0, 1)^2.
 EmittedRay emit_ray(Light light, vec2 u) {
   switch (kind_here(light)) {
     case LIGHT_SPHERE: {
-      const float height = 1.0 - 2.0 * u.x, radius = sqrt(max(1.0 - height * height, 0.0)), phi = 2.0 * PI * u.y;
+      const float height = 1.0 - 2.0 * u.x, radius = sqrt(max(1.0 - height * height, 0.0)),
+                  phi = 2.0 * PI * u.y;
       const vec3 direction = vec3(radius * cos(phi), height, radius * sin(phi));
-      return EmittedRay(light.position, direction, 4.0 * PI * intensity_per_lumen(light, direction));
+      return EmittedRay(light.position, direction,
+                        4.0 * PI * intensity_per_lumen(light, direction));
     }
     case LIGHT_RECTANGLE: {
       vec3 origin = light.position;
-      origin += light.tangent * (half_width(light) * (2.0 * random_float() - 1.0)) +
-                cross(light.axis, light.tangent) * (light.half_height * (2.0 * random_float() - 1.0));
+      origin +=
+          light.tangent * (half_width(light) * (2.0 * random_float() - 1.0)) +
+          cross(light.axis, light.tangent) * (light.half_height * (2.0 * random_float() - 1.0));
       const vec3 direction = cosine_direction(light.axis, u);
       return EmittedRay(offset_origin(origin, light.axis, 1.0), direction, 1.0);
     }

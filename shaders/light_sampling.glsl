@@ -35,8 +35,8 @@ GridCell cell_at(LightGridBuffers grid, vec3 position, float share) {
   GridCell p;
   const LightGridShape shape = grid.shape;
   const vec2 origin = vec2(shape.origin_x, shape.origin_z);
-  const vec2 at =
-      clamp(floor((position.xz - origin) / shape.cell_m), vec2(0.0), vec2(shape.width, shape.depth) - 1.0);
+  const vec2 at = clamp(floor((position.xz - origin) / shape.cell_m), vec2(0.0),
+                        vec2(shape.width, shape.depth) - 1.0);
   p.centre = origin + (at + 0.5) * shape.cell_m;
   p.cell = grid.cells.at[uint(at.y) * shape.width + uint(at.x)];
   p.share = p.cell.count > 0u ? share : 0.0;
@@ -57,7 +57,9 @@ LightSampler light_sampler_at(vec3 position) {
   p.vehicle_share = HAS_TRAFFIC != 0u ? FRAME.vehicle_share : 0.0;
   // Where one of the two sets is dark, the other gets all candidates.
   if (!any_static) p.vehicle_share = HAS_TRAFFIC != 0u ? 1.0 : 0.0;
-  else if (HAS_TRAFFIC != 0u && FRAME.vehicle_nodes.at[SCENE.traffic.level_first[SCENE.traffic.levels - 1u]].flux_lm <= 0.0)
+  else if (HAS_TRAFFIC != 0u &&
+           FRAME.vehicle_nodes.at[SCENE.traffic.level_first[SCENE.traffic.levels - 1u]].flux_lm <=
+               0.0)
     p.vehicle_share = 0.0;
   return p;
 }
@@ -69,7 +71,8 @@ float cell_density(GridCell p, LightGridShape shape, Light light) {
   if (!(p.share > 0.0)) return 0.0;
   const vec2 d = light.position.xz - p.centre;
   const float strength = light.flux_lm / (dot(d, d) + shape.softening_m2);
-  return strength >= p.cell.threshold && strength > 0.0 ? p.share * strength / p.cell.strength_sum : 0.0;
+  return strength >= p.cell.threshold && strength > 0.0 ? p.share * strength / p.cell.strength_sum
+                                                        : 0.0;
 }
 
 uint sample_cell(GridCell p, LightGridBuffers grid) {
@@ -93,9 +96,10 @@ SampledLight sample_static_light(LightSampler p, float technique) {
   }
   chosen.light = light_at(chosen.index);
   // The density of the mixture, whichever technique took the sample.
-  chosen.pdf = p.uniform_share / float(SCENE.lit_count) + p.power_share * SCENE.alias.at[chosen.index].pdf +
-             cell_density(p.near, SCENE.near_grid.shape, chosen.light) +
-             cell_density(p.far, SCENE.far_grid.shape, chosen.light);
+  chosen.pdf = p.uniform_share / float(SCENE.lit_count) +
+               p.power_share * SCENE.alias.at[chosen.index].pdf +
+               cell_density(p.near, SCENE.near_grid.shape, chosen.light) +
+               cell_density(p.far, SCENE.far_grid.shape, chosen.light);
   return chosen;
 }
 
@@ -116,9 +120,11 @@ SampledLight sample_vehicle_light(vec3 position) {
     float sum = 0.0;
     for (uint i = 0u; i < 4u; ++i) {
       const uint below = 4u * place + i;
-      weight[i] = below < SCENE.traffic.level_count[level - 1u]
-                      ? importance(FRAME.vehicle_nodes.at[SCENE.traffic.level_first[level - 1u] + below], position)
-                      : 0.0;
+      weight[i] =
+          below < SCENE.traffic.level_count[level - 1u]
+              ? importance(FRAME.vehicle_nodes.at[SCENE.traffic.level_first[level - 1u] + below],
+                           position)
+              : 0.0;
       sum += weight[i];
     }
     if (!(sum > 0.0)) return chosen;

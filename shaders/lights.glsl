@@ -20,7 +20,8 @@ Light light_at(uint index, bool before) {
     return FRAME.vehicle_lights.at[moving];
   }
   Light light = SCENE.lights.at[index];
-  if (HAS_SCHEDULES != 0u && !is_lit(before ? FRAME.previous_lit : SCENE.lit, index)) light.flux_lm = 0.0;
+  if (HAS_SCHEDULES != 0u && !is_lit(before ? FRAME.previous_lit : SCENE.lit, index))
+    light.flux_lm = 0.0;
   return light;
 }
 

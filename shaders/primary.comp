@@ -30,8 +30,10 @@ void main() {
       const vec3 local = vec3(dot(instance.to_object[0], vec4(surface.position, 1.0)),
                               dot(instance.to_object[1], vec4(surface.position, 1.0)),
                               dot(instance.to_object[2], vec4(surface.position, 1.0)));
-      const Pose before = trip_pose(hit.instance - SCENE.traffic.first_instance, FRAME.previous_cycle_time_s, FRAME.previous_time_s);
-      surface.motion = before.on_road ? before.position + before.axes * local - surface.position : vec3(0.0);
+      const Pose before = trip_pose(hit.instance - SCENE.traffic.first_instance,
+                                    FRAME.previous_cycle_time_s, FRAME.previous_time_s);
+      surface.motion =
+          before.on_road ? before.position + before.axes * local - surface.position : vec3(0.0);
     } else {
       surface.light = instance.light != NO_HIT ? instance.light : seen.light;
     }

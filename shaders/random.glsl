@@ -37,7 +37,8 @@ uint random_uint() {
 // Returns a number in [0, 1): 24 bits, so that rounding never reaches 1.
 float random_float() { return float(random_uint() >> 8u) * (1.0 / 16777216.0); }
 
-const float BELOW_ONE = 0.99999994;  // the largest float below 1: sums of random numbers may round up to 1
+// The largest float below 1: sums of random numbers may round up to 1.
+const float BELOW_ONE = 0.99999994;
 
 // Returns a uniform whole number in [0, n), n > 0; never n.
 uint random_below(uint n) { return min(uint(random_float() * float(n)), n - 1u); }

@@ -36,7 +36,8 @@ void main() {
   if (push.first == 0u) total = single_frame(vec3(0.0));
   if (chunk == 0u) {
     layers.emitted = surface.depth > 0.0 ? emitted(surface) : seen_sky(pixel);
-    if (SKY_MODE != SKY_DARK && surface.depth > 0.0) layers.sky = reflected_sky_and_moon(receiver_of(surface), pixel);
+    if (SKY_MODE != SKY_DARK && surface.depth > 0.0)
+      layers.sky = reflected_sky_and_moon(receiver_of(surface), pixel);
     total.sum = layers.emitted + layers.sky;
   }
   if (surface.depth > 0.0) {

@@ -4,8 +4,8 @@
 //             sample, and so darkens the picture.
 //   basic     1/M resampling, normalised by the balance heuristic of the chosen sample
 //             (Bitterli et al. 2020, Alg. 6)
-//   pairwise  each other reservoir against the canonical one, with confidence weights and a defensive
-//             share for the canonical sample (after GRIS, Lin et al. 2022, sec. 7.1.3)
+//   pairwise  each other reservoir against the canonical one, with confidence weights and a
+//             defensive share for the canonical sample (after GRIS, Lin et al. 2022, sec. 7.1.3)
 //   traced    pairwise, with visibility inside every target: unbiased with any shadows
 //
 // The pairwise weights sum to 1. With C = sum of the others' M, c = the canonical M, s_i = M_i / C:
@@ -41,7 +41,8 @@ Reuse begin_reuse(Receiver receiver, Reservoir canonical, float others_M) {
   Reuse reuse;
   reuse.builder = EMPTY_BUILDER;
   reuse.canonical_M = canonical.M;
-  reuse.canonical_target = canonical.W > 0.0 ? target(receiver, canonical.light, canonical.uv) : 0.0;
+  reuse.canonical_target =
+      canonical.W > 0.0 ? target(receiver, canonical.light, canonical.uv) : 0.0;
   reuse.canonical_share = 0.0;
   reuse.others_M = others_M;
   reuse.chosen = 0u;
@@ -52,12 +53,14 @@ Reuse begin_reuse(Receiver receiver, Reservoir canonical, float others_M) {
 // could not.
 float pair_share(float p_other, float M_other, float p_canonical, float M_canonical) {
   if (!(p_other > 0.0)) return 0.0;
-  const float ratio = p_canonical / p_other;  // squares of the targets alone could leave the range of floats
+  // Squares of the targets alone could leave the range of floats.
+  const float ratio = p_canonical / p_other;
   return 1.0 / (1.0 + M_canonical / M_other * ratio * ratio);
 }
 
 // Adds the i-th other reservoir (i from 1), of a pixel whose surface is `there`.
-void add_other(inout Reuse reuse, Receiver receiver, Reservoir canonical, Reservoir other, Receiver there, uint i) {
+void add_other(inout Reuse reuse, Receiver receiver, Reservoir canonical, Reservoir other,
+               Receiver there, uint i) {
   const float p = other.W > 0.0 ? estimator_target(receiver, other.light, other.uv, false) : 0.0;
   float m = other.M;  // the other weights are normalised at the end
   if (reuse_weights(ESTIMATOR) == WEIGHTS_PAIRWISE) {
@@ -69,7 +72,8 @@ void add_other(inout Reuse reuse, Receiver receiver, Reservoir canonical, Reserv
     if (reuse.canonical_target > 0.0) {
       const float c_there = estimator_target(there, canonical.light, canonical.uv, false);
       reuse.canonical_share +=
-          share * (1.0 - pair_share(c_there, reuse.others_M, reuse.canonical_target, reuse.canonical_M));
+          share *
+          (1.0 - pair_share(c_there, reuse.others_M, reuse.canonical_target, reuse.canonical_M));
     }
   }
   if (update(reuse.builder, other.light, other.uv, p, m * p * other.W)) reuse.chosen = i;
@@ -83,7 +87,8 @@ void add_canonical(inout Reuse reuse, Reservoir canonical) {
     m = (reuse.canonical_M + reuse.others_M * reuse.canonical_share) / total;
   }
   const float weight = m * reuse.canonical_target * canonical.W;
-  if (update(reuse.builder, canonical.light, canonical.uv, reuse.canonical_target, weight)) reuse.chosen = 0u;
+  if (update(reuse.builder, canonical.light, canonical.uv, reuse.canonical_target, weight))
+    reuse.chosen = 0u;
   reuse.builder.M = reuse.canonical_M + reuse.others_M;
 }
 

@@ -31,7 +31,8 @@ Receiver receiver_of(Surface surface, bool before) {
   if (HAS_GLOSS != 0u) {
     // Rain stays where a surface faces up.
     r.wetness = FRAME.wetness * smoothstep(0.7, 0.95, r.normal.y);
-    r.to_camera = normalize((before ? FRAME.previous_camera.position : FRAME.camera.position) - surface.position);
+    r.to_camera = normalize((before ? FRAME.previous_camera.position : FRAME.camera.position) -
+                            surface.position);
     r.reflectance *= mix(1.0, WET_DIFFUSE, r.wetness);
   }
   return r;
@@ -43,12 +44,15 @@ Receiver receiver_of(Surface surface) { return receiver_of(surface, false); }
 // Schlick's Fresnel term.
 float film_brdf(Receiver r, vec3 to_light) {
   const vec3 h = normalize(to_light + r.to_camera);
-  const float n_l = dot(r.normal, to_light), n_v = max(dot(r.normal, r.to_camera), 1e-4), n_h = dot(r.normal, h);
+  const float n_l = dot(r.normal, to_light), n_v = max(dot(r.normal, r.to_camera), 1e-4),
+              n_h = dot(r.normal, h);
   const float alpha2 = WET_ROUGHNESS * WET_ROUGHNESS * WET_ROUGHNESS * WET_ROUGHNESS;
   const float d = n_h * n_h * (alpha2 - 1.0) + 1.0;
   const float distribution = alpha2 / (PI * d * d);
-  const float shadowing = 0.5 / (n_l * sqrt(n_v * n_v * (1.0 - alpha2) + alpha2) + n_v * sqrt(n_l * n_l * (1.0 - alpha2) + alpha2));
-  const float fresnel = WATER_F0 + (1.0 - WATER_F0) * pow(1.0 - clamp(dot(to_light, h), 0.0, 1.0), 5.0);
+  const float shadowing = 0.5 / (n_l * sqrt(n_v * n_v * (1.0 - alpha2) + alpha2) +
+                                 n_v * sqrt(n_l * n_l * (1.0 - alpha2) + alpha2));
+  const float fresnel =
+      WATER_F0 + (1.0 - WATER_F0) * pow(1.0 - clamp(dot(to_light, h), 0.0, 1.0), 5.0);
   return distribution * shadowing * fresnel;
 }
 
@@ -83,5 +87,6 @@ vec3 emitted(Surface surface) {
   if (surface.light >= SCENE.light_count || luminance(own) <= 0.0) return own;
   // A light's emitting surface shows the light's own luminance, so that what is seen is what lights
   // the street.
-  return seen_luminance(light_at(surface.light), normalize(FRAME.camera.position - surface.position));
+  return seen_luminance(light_at(surface.light),
+                        normalize(FRAME.camera.position - surface.position));
 }

@@ -6,7 +6,8 @@
 bool similar(Surface a, Surface b) {
   if (b.depth <= 0.0 || a.depth <= 0.0) return false;
   const vec3 n = unpack_normal(a.normal);
-  return dot(n, unpack_normal(b.normal)) > 0.9 && abs(dot(n, b.position - a.position)) < 0.02 * a.depth + 0.01 &&
+  return dot(n, unpack_normal(b.normal)) > 0.9 &&
+         abs(dot(n, b.position - a.position)) < 0.02 * a.depth + 0.01 &&
          abs(a.depth - b.depth) < 0.2 * a.depth;
 }
 
@@ -36,13 +37,15 @@ bool previous_pixel(Surface surface, bool permuted, out uint index) {
   expected.depth = length(d);
   const float z = dot(d, camera.forward);
   if (z <= 0.0) return false;
-  const vec2 screen = vec2(dot(d, camera.right) / camera.aspect, -dot(d, camera.up)) / (z * camera.tan_half_height);
+  const vec2 screen =
+      vec2(dot(d, camera.right) / camera.aspect, -dot(d, camera.up)) / (z * camera.tan_half_height);
   const vec2 at = (screen * 0.5 + 0.5) * vec2(FRAME.size);
   if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, vec2(FRAME.size)))) return false;
   uvec2 there = uvec2(at);
   if (permuted) {
     const uvec2 corner = uvec2(FRAME.permutation & 3u, FRAME.permutation >> 2u & 3u);
-    const uvec2 turned = ((there + corner) ^ 3u) - corner;  // wraps below 0, which is outside the picture too
+    // Wraps below 0, which is outside the picture too.
+    const uvec2 turned = ((there + corner) ^ 3u) - corner;
     if (all(lessThan(turned, FRAME.size)) &&
         similar(expected, FRAME.previous_surfaces.at[turned.y * FRAME.size.x + turned.x]))
       there = turned;

@@ -3,12 +3,14 @@
 // Returns the luminance of the sky towards unit `direction`, cd/m^2 per channel.
 vec3 sky_luminance(vec3 direction) {
   if (SKY_MODE != SKY_MAP) return FRAME.sky;
-  const float turn = atan(direction.x, -direction.z) / (2.0 * PI) + 0.5;  // north in the middle, east to its right
+  // North in the middle, east to its right.
+  const float turn = atan(direction.x, -direction.z) / (2.0 * PI) + 0.5;
   const float height = acos(clamp(direction.y, -1.0, 1.0)) / PI;
   const uint x = min(uint(turn * float(SCENE.sky_width)), SCENE.sky_width - 1u);
   const uint y = min(uint(height * float(SCENE.sky_height)), SCENE.sky_height - 1u);
   const uint at = 3u * (y * SCENE.sky_width + x);
-  return FRAME.sky * vec3(SCENE.sky_map.at[at], SCENE.sky_map.at[at + 1u], SCENE.sky_map.at[at + 2u]);
+  return FRAME.sky *
+         vec3(SCENE.sky_map.at[at], SCENE.sky_map.at[at + 1u], SCENE.sky_map.at[at + 2u]);
 }
 
 // Returns what a pixel without a surface shows: the sky, and the moon's disc in it.
@@ -27,7 +29,8 @@ vec3 reflected_moon(Receiver r, vec2 u) {
   vec3 t, b;
   make_frame(FRAME.moon_direction, t, b);
   const float radius = MOON_RADIUS * sqrt(u.x), phi = 2.0 * PI * u.y;
-  const vec3 direction = normalize(FRAME.moon_direction + t * (radius * cos(phi)) + b * (radius * sin(phi)));
+  const vec3 direction =
+      normalize(FRAME.moon_direction + t * (radius * cos(phi)) + b * (radius * sin(phi)));
   const vec3 light = reflected(r, LightSample(vec3(0.0), direction, FRAME.moon_lux));
   return luminance(light) > 0.0 && escapes(r.origin, direction) ? light : vec3(0.0);
 }
@@ -38,7 +41,8 @@ vec3 reflected_moon(Receiver r, vec2 u) {
 vec3 reflected_sky(Receiver r, vec2 u) {
   const vec3 direction = cosine_direction(r.normal, u);
   const vec3 sky = sky_luminance(direction);
-  return luminance(sky) > 0.0 && escapes(r.origin, direction) ? r.reflectance * PI * sky : vec3(0.0);
+  return luminance(sky) > 0.0 && escapes(r.origin, direction) ? r.reflectance * PI * sky
+                                                              : vec3(0.0);
 }
 
 // Returns one sample of sky and moon together, reflected by a surface. Draws from the pixel's

@@ -31,7 +31,8 @@ void main() {
   // Disocclusion boost (Wyman, Panteleev 2021): more neighbours replace a history that is missing.
   const bool without_history = FRAME.max_history > 0.0 && canonical.M <= float(FRAME.candidates);
   const uint wanted =
-      min(without_history ? max(FRAME.neighbours, FRAME.disocclusion_boost) : FRAME.neighbours, MAX_NEIGHBOURS);
+      min(without_history ? max(FRAME.neighbours, FRAME.disocclusion_boost) : FRAME.neighbours,
+          MAX_NEIGHBOURS);
   for (uint i = 0u; i < wanted; ++i) {
     const float radius = FRAME.neighbour_radius * sqrt(random_float());
     const float angle = 2.0 * PI * random_float();

@@ -35,6 +35,7 @@ void main() {
   add_canonical(reuse, canonical);
 
   Balance balance = begin_balance(reuse);
-  if (reuse_weights(ESTIMATOR) == WEIGHTS_BALANCE) add_balance(balance, reuse, history.M, there, 1u);
+  if (reuse_weights(ESTIMATOR) == WEIGHTS_BALANCE)
+    add_balance(balance, reuse, history.M, there, 1u);
   FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation(reuse, balance));
 }

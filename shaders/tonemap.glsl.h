@@ -23,17 +23,17 @@ using uint = std::uint32_t;
   1u  // x / (1 + x), with x = REINHARD_WHITE reaching 1: keeps lamps apart from each other
 #define TONEMAP_FILMIC 2u  // toe and shoulder, deep blacks: the default
 
-// How far above saturation Reinhard's curve still tells two luminances apart (his L_white, in
-// exposed units).
+// How far above saturation Reinhard's curve still separates two luminances (his L_white, in exposed
+// units).
 #define REINHARD_WHITE 16.0f
 
-/// Exposed value of 1 cd/m2 at `ev100`: 1 / L_max, L_max = 78 / (100 q) * 2^EV100 = 1.2 * 2^EV100
-/// cd/m2 with the lens factor q = 0.65 (ISO 12232, saturation-based speed).
+/// Returns the exposed value of 1 cd/m2 at `ev100`: 1 / L_max, L_max = 78 / (100 q) * 2^EV100 = 1.2
+/// * 2^EV100 cd/m2 with the lens factor q = 0.65 (ISO 12232, saturation-based speed).
 TONEMAP_FUNCTION float exposure_scale(float ev100) {
   return 1.0f / (1.2f * exp2(ev100));
 }
 
-/// Luminance of linear Rec. 709 light (ITU-R BT.709-6, 3.2).
+/// Returns the luminance of linear Rec. 709 light (ITU-R BT.709-6, 3.2).
 TONEMAP_FUNCTION float luminance_709(float r, float g, float b) {
   return 0.2126f * r + 0.7152f * g + 0.0722f * b;
 }
@@ -55,7 +55,7 @@ TONEMAP_FUNCTION float filmic_curve(float x) {
   return y < 1.0f ? y : 1.0f;
 }
 
-/// One channel of exposed linear light through `curve`; negative light counts as none.
+/// Returns one channel of exposed linear light through `curve`; negative light counts as none.
 TONEMAP_FUNCTION float tone_curve(uint curve, float exposed) {
   float x = exposed > 0.0f ? exposed : 0.0f;
   if (curve == TONEMAP_FILMIC) return filmic_curve(x);
@@ -63,7 +63,7 @@ TONEMAP_FUNCTION float tone_curve(uint curve, float exposed) {
   return x < 1.0f ? x : 1.0f;
 }
 
-/// Display light 0..1 to sRGB code value 0..1 (IEC 61966-2-1).
+/// Converts display light 0..1 to an sRGB code value 0..1 (IEC 61966-2-1).
 TONEMAP_FUNCTION float srgb_encode(float x) {
   return x <= 0.0031308f ? 12.92f * x : 1.055f * pow(x, 1.0f / 2.4f) - 0.055f;
 }

@@ -10,19 +10,24 @@
 // `any`, tracing stops at the first hit found, and `hit` is undefined.
 #if defined(TRACE_QUERY)
 
-bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, bool any, out Hit hit) {
+bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, bool any,
+           out Hit hit) {
   hit = Hit(t_max, NO_HIT, NO_HIT);
-  const uint flags = any ? gl_RayFlagsOpaqueEXT | gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsOpaqueEXT;
+  const uint flags =
+      any ? gl_RayFlagsOpaqueEXT | gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsOpaqueEXT;
   rayQueryEXT query;
-  rayQueryInitializeEXT(query, accelerationStructureEXT(SCENE.tlas), flags, mask, origin, t_min, direction, t_max);
+  rayQueryInitializeEXT(query, accelerationStructureEXT(SCENE.tlas), flags, mask, origin, t_min,
+                        direction, t_max);
   while (rayQueryProceedEXT(query)) {
   }
   // A miss has no committed intersection to query.
-  if (rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionNoneEXT) return false;
+  if (rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionNoneEXT)
+    return false;
   if (any) return true;
   hit.t = rayQueryGetIntersectionTEXT(query, true);
   hit.instance = rayQueryGetIntersectionInstanceCustomIndexEXT(query, true);
-  hit.triangle = SCENE.instances.at[hit.instance].root + rayQueryGetIntersectionPrimitiveIndexEXT(query, true);
+  hit.triangle =
+      SCENE.instances.at[hit.instance].root + rayQueryGetIntersectionPrimitiveIndexEXT(query, true);
   return true;
 }
 
@@ -30,12 +35,15 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
 
 layout(location = 0) rayPayloadEXT Hit ray_hit;  // its triangle counts from the instance's first
 
-bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, bool any, out Hit hit) {
+bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, bool any,
+           out Hit hit) {
   ray_hit = Hit(t_max, 0u, 0u);  // trace.rmiss sets the instance to NO_HIT
   // Nothing reads where a shadow ray ended, so trace.rchit need not run.
-  const uint flags = any ? gl_RayFlagsOpaqueEXT | gl_RayFlagsTerminateOnFirstHitEXT | gl_RayFlagsSkipClosestHitShaderEXT
+  const uint flags = any ? gl_RayFlagsOpaqueEXT | gl_RayFlagsTerminateOnFirstHitEXT |
+                               gl_RayFlagsSkipClosestHitShaderEXT
                          : gl_RayFlagsOpaqueEXT;
-  traceRayEXT(accelerationStructureEXT(SCENE.tlas), flags, mask, 0, 0, 0, origin, t_min, direction, t_max, 0);
+  traceRayEXT(accelerationStructureEXT(SCENE.tlas), flags, mask, 0, 0, 0, origin, t_min, direction,
+              t_max, 0);
   hit = ray_hit;
   if (hit.instance == NO_HIT) return false;
   if (!any) hit.triangle += SCENE.instances.at[hit.instance].root;
@@ -48,7 +56,8 @@ struct Ray {
   vec3 origin;
   vec3 direction;
   vec3 inverse;   // 1 / direction, finite
-  vec3 shear;     // x, y: shear, z: scale (Woop, Benthin, Wald: Watertight Ray/Triangle Intersection, JCGT 2013)
+  // x, y: shear, z: scale (Woop, Benthin, Wald: Watertight Ray/Triangle Intersection, JCGT 2013).
+  vec3 shear;
   uint axis;      // of the direction's largest component
 };
 
@@ -74,7 +83,8 @@ vec4 bytes(uint word) {
 
 // Returns the distances at which the ray enters the four children; 1e30 where it misses one, or
 // where nothing below shares a bit with `mask`.
-vec4 enter_children(uvec4 w0, uvec4 w1, uvec2 upper_yz, uint masks, uint mask, Ray ray, float t_min, float t_max) {
+vec4 enter_children(uvec4 w0, uvec4 w1, uvec2 upper_yz, uint masks, uint mask, Ray ray, float t_min,
+                    float t_max) {
   const vec3 origin = uintBitsToFloat(w0.xyz);
   const vec3 size = uintBitsToFloat((uvec3(w0.w, w0.w >> 8u, w0.w >> 16u) & 255u) << 23u);
   // Subtracting the ray's origin last keeps the sign of a plane's distance right when the ray lies
@@ -90,8 +100,10 @@ vec4 enter_children(uvec4 w0, uvec4 w1, uvec2 upper_yz, uint masks, uint mask, R
   // 2013).
   const vec4 far = min(min(max(x0, x1), max(y0, y1)), min(max(z0, z1), vec4(t_max))) * 1.0000005;
   const bvec4 hit = lessThanEqual(near, far);
-  const bvec4 there = notEqual(uvec4(masks, masks >> 8u, masks >> 16u, masks >> 24u) & mask, uvec4(0u));
-  return mix(vec4(1e30), near, bvec4(hit.x && there.x, hit.y && there.y, hit.z && there.z, hit.w && there.w));
+  const bvec4 there =
+      notEqual(uvec4(masks, masks >> 8u, masks >> 16u, masks >> 24u) & mask, uvec4(0u));
+  return mix(vec4(1e30), near,
+             bvec4(hit.x && there.x, hit.y && there.y, hit.z && there.z, hit.w && there.w));
 }
 
 // Watertight: both triangles at a shared edge compute the same answer for it.
@@ -120,7 +132,8 @@ void swap_if_farther(inout float ta, inout uint a, inout float tb, inout uint b)
   }
 }
 
-bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, bool any, out Hit hit) {
+bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, bool any,
+           out Hit hit) {
   hit = Hit(t_max, NO_HIT, NO_HIT);
   uint node = SCENE.root;
   if (node == BVH_EMPTY) return false;
@@ -162,8 +175,10 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
           const vec4 r0 = SCENE.instances.at[first].to_object[0];
           const vec4 r1 = SCENE.instances.at[first].to_object[1];
           const vec4 r2 = SCENE.instances.at[first].to_object[2];
-          ray = make_ray(vec3(dot(r0.xyz, origin), dot(r1.xyz, origin), dot(r2.xyz, origin)) + vec3(r0.w, r1.w, r2.w),
-                         vec3(dot(r0.xyz, direction), dot(r1.xyz, direction), dot(r2.xyz, direction)));
+          ray = make_ray(
+              vec3(dot(r0.xyz, origin), dot(r1.xyz, origin), dot(r2.xyz, origin)) +
+                  vec3(r0.w, r1.w, r2.w),
+              vec3(dot(r0.xyz, direction), dot(r1.xyz, direction), dot(r2.xyz, direction)));
           instance = first;
           floor_of_level = top;
           node = SCENE.instances.at[first].root;
@@ -173,7 +188,8 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
         const uint count = ((node & ~BVH_LEAF) >> BVH_LEAF_COUNT_SHIFT) + 1u;
         for (uint i = first; i < first + count; ++i) {
           float t;
-          if (intersect_triangle(SCENE.triangles.at[i * 3u].xyz, SCENE.triangles.at[i * 3u + 1u].xyz,
+          if (intersect_triangle(SCENE.triangles.at[i * 3u].xyz,
+                                 SCENE.triangles.at[i * 3u + 1u].xyz,
                                  SCENE.triangles.at[i * 3u + 2u].xyz, ray, t_min, hit.t, t)) {
             hit = Hit(t, i, instance);
             if (any) return true;
@@ -208,7 +224,8 @@ const float NEAREST_M = 0.005;
 bool occluded(vec3 from, vec3 to) {
   Hit hit;
   const vec3 way = to - from;
-  return trace(from, way, NEAREST_M / max(length(way), 2.0 * NEAREST_M), 0.99999, MASK_SHADOW, true, hit);
+  return trace(from, way, NEAREST_M / max(length(way), 2.0 * NEAREST_M), 0.99999, MASK_SHADOW, true,
+               hit);
 }
 
 // Returns whether a ray reaches the sky.

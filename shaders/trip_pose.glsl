@@ -13,7 +13,8 @@ float traffic_density(float time_s) {
   float hour = time_s / 3600.0;
   hour -= 24.0 * floor(hour / 24.0);
   const uint whole = min(uint(hour), 23u);
-  return mix(SCENE.traffic.cycle.density[whole], SCENE.traffic.cycle.density[(whole + 1u) % 24u], hour - float(whole));
+  return mix(SCENE.traffic.cycle.density[whole], SCENE.traffic.cycle.density[(whole + 1u) % 24u],
+             hour - float(whole));
 }
 
 float yaw_turns(uint pose) { return float(pose & 0xFFFFu) / 65536.0; }

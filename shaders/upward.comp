@@ -13,12 +13,14 @@
 #include "shaders/lights.glsl"
 
 void count_at(vec3 place, float lumen) {
-  const vec2 at = floor((place.xz - vec2(FRAME.upward.origin_x, FRAME.upward.origin_z)) / FRAME.upward.cell_m);
+  const vec2 at =
+      floor((place.xz - vec2(FRAME.upward.origin_x, FRAME.upward.origin_z)) / FRAME.upward.cell_m);
   const vec2 last = vec2(FRAME.upward.width, FRAME.upward.depth) - 1.0;
   const uvec2 cell = uvec2(clamp(at, vec2(0.0), last));
   if (at != vec2(cell)) return;  // outside the map
   // Rounded up or down at random, so that the expected sum is right however little a ray carries.
-  atomicAdd(FRAME.upward.cells.at[cell.y * FRAME.upward.width + cell.x], uint(lumen * 1024.0 + random_float()));
+  atomicAdd(FRAME.upward.cells.at[cell.y * FRAME.upward.width + cell.x],
+            uint(lumen * 1024.0 + random_float()));
 }
 
 void main() {
@@ -38,7 +40,8 @@ void main() {
     float albedo = 1.0;
     for (uint bounce = 0u; bounce < 2u; ++bounce) {
       Hit hit;
-      if (!trace(origin, direction, bounce == 0u ? 0.0 : NEAREST_M, 1e30, MASK_SHADOW, false, hit)) {
+      if (!trace(origin, direction, bounce == 0u ? 0.0 : NEAREST_M, 1e30, MASK_SHADOW, false,
+                 hit)) {
         if (direction.y > 0.0) {
           if (bounce == 0u) sum.direct += ray.share; else sum.reflected += ray.share * albedo;
           count_at(origin, light.flux_lm * ray.share * albedo / float(FRAME.upward.rays));
@@ -48,7 +51,8 @@ void main() {
         break;
       }
       const SurfaceHit surface = surface_at(hit, SCENE.instances.at[hit.instance], direction);
-      albedo = luminance(SCENE.materials.at[surface.material].base_colour * light_colour(light.colour_rgb9e5));
+      albedo = luminance(SCENE.materials.at[surface.material].base_colour *
+                         light_colour(light.colour_rgb9e5));
       origin = offset_origin(origin + direction * hit.t, surface.normal, hit.t);
       direction = cosine_direction(surface.normal, vec2(random_float(), random_float()));
     }

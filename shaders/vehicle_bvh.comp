@@ -27,7 +27,8 @@ BvhNode quantised(Children c, vec3 lower, vec3 upper) {
     if (c.child[i] != BVH_EMPTY) node.masks |= 0xFFu << (8u * i);
   }
   for (uint axis = 0u; axis < 3u; ++axis) {
-    int exponent = clamp(int(ceil(log2(max((upper[axis] - lower[axis]) / 254.0, 1e-20)))), -100, 120);
+    int exponent =
+        clamp(int(ceil(log2(max((upper[axis] - lower[axis]) / 254.0, 1e-20)))), -100, 120);
     const float step = uintBitsToFloat(uint(exponent + 127) << 23u);
     node.exponents |= uint(exponent + 127) << (8u * axis);
     node.lower[axis] = node.upper[axis] = 0u;
@@ -62,7 +63,8 @@ void main() {
       c.lower[i] = node.lower;
       c.upper[i] = node.upper;
       c.child[i] = level == 1u ? BVH_LEAF | (TRAFFIC.first_instance + node.trip)
-                               : TRAFFIC.first_bvh_node + TRAFFIC.level_first[level - 1u] - TRAFFIC.trip_count + below;
+                               : TRAFFIC.first_bvh_node + TRAFFIC.level_first[level - 1u] -
+                                     TRAFFIC.trip_count + below;
       all.lower = min(all.lower, node.lower);
       all.upper = max(all.upper, node.upper);
       all.flux_lm += node.flux_lm;

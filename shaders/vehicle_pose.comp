@@ -31,7 +31,8 @@ void main() {
 
   float flux = 0.0;
   for (uint i = 0u; i < VEHICLE_LIGHTS; ++i) {
-    Light light = TRAFFIC.vehicle_lights.at[vehicle.first_light + min(i, max(vehicle.light_count, 1u) - 1u)];
+    Light light =
+        TRAFFIC.vehicle_lights.at[vehicle.first_light + min(i, max(vehicle.light_count, 1u) - 1u)];
     const bool shines = pose.on_road && i < vehicle.light_count &&
                         (light.schedule == VEHICLE_LIGHT_ALWAYS || pose.braking);
     light.position = pose.position + pose.axes * light.position;
@@ -54,10 +55,13 @@ void main() {
   if (TRAFFIC.has_tlas != 0u) {
     const uint at = trip * TLAS_INSTANCE_WORDS;
     for (uint row = 0u; row < 3u; ++row) {
-      const vec4 to_model = vec4(pose.axes[0][row], pose.axes[1][row], pose.axes[2][row], pose.position[row]);
-      for (uint i = 0u; i < 4u; ++i) TRAFFIC.tlas_instances.at[at + 4u * row + i] = floatBitsToUint(to_model[i]);
+      const vec4 to_model =
+          vec4(pose.axes[0][row], pose.axes[1][row], pose.axes[2][row], pose.position[row]);
+      for (uint i = 0u; i < 4u; ++i)
+        TRAFFIC.tlas_instances.at[at + 4u * row + i] = floatBitsToUint(to_model[i]);
     }
-    TRAFFIC.tlas_instances.at[at + 12u] = (SCENE.traffic.first_instance + trip) | instance.mask << 24u;
+    TRAFFIC.tlas_instances.at[at + 12u] = (SCENE.traffic.first_instance + trip) | instance.mask
+                                                                                      << 24u;
     TRAFFIC.tlas_instances.at[at + 13u] = 0u;
     TRAFFIC.tlas_instances.at[at + 14u] = TRAFFIC.body_blas.at[2u * kind];
     TRAFFIC.tlas_instances.at[at + 15u] = TRAFFIC.body_blas.at[2u * kind + 1u];
@@ -68,7 +72,8 @@ void main() {
   if (pose.on_road) {
     const vec3 centre = pose.position + pose.axes * (0.5 * (body.lower + body.upper));
     const vec3 half_size = 0.5 * (body.upper - body.lower);
-    const vec3 reach = abs(pose.axes[0]) * half_size.x + abs(pose.axes[1]) * half_size.y + abs(pose.axes[2]) * half_size.z;
+    const vec3 reach = abs(pose.axes[0]) * half_size.x + abs(pose.axes[1]) * half_size.y +
+                       abs(pose.axes[2]) * half_size.z;
     // As for static instances, the margin makes up for the rounding of the box's corners.
     const vec3 margin = 1e-6 * max(abs(centre - reach), abs(centre + reach)) + 1e-6;
     box = VehicleNode(centre - reach - margin, flux, centre + reach + margin, trip);

@@ -8,7 +8,7 @@
 
 namespace nightcity::gpu {
 namespace {
-// Transfers go in pieces: a whole city need not lie in host-visible memory a second time.
+// Transfers go in pieces, so that a whole city need not lie in host-visible memory a second time.
 constexpr std::size_t staging_bytes = std::size_t{64} << 20;
 }  // namespace
 

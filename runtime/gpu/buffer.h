@@ -1,5 +1,5 @@
-// Buffers that shaders reach by address. No descriptor sets anywhere: a pass gets one address in its push
-// constants.
+// Buffers that shaders reach by address. There are no descriptor sets: a pass gets one address in
+// its push constants.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -22,12 +22,13 @@ class Buffer {
  public:
   Buffer() = default;
   /// `bytes` may be 0: such a buffer still has an address, so that shaders need no null checks.
+  /// Throws Error if there is not enough memory.
   Buffer(Device& device, std::size_t bytes, Memory memory = Memory::device);
   ~Buffer();
   Buffer(Buffer&& other) noexcept;
   Buffer& operator=(Buffer&& other) noexcept;
 
-  /// A device buffer holding `values`.
+  /// Returns a device buffer that holds `values`.
   template <class T>
   static Buffer of(Device& device, std::span<const T> values) {
     Buffer buffer(device, values.size_bytes());

@@ -1,4 +1,4 @@
-// One compute shader: SPIR-V, specialization constants, push constants, and nothing else to bind.
+// A compute shader with specialization constants and push constants, and nothing else to bind.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -11,7 +11,7 @@
 
 namespace nightcity::gpu {
 
-/// Of a compute shader's local size, as the shader declares it; depth is 1.
+/// A compute shader's local size, as the shader declares it; its depth is 1.
 struct Workgroup {
   std::uint32_t width = 1, height = 1;
 };
@@ -19,12 +19,12 @@ struct Workgroup {
 class ComputePass {
  public:
   ComputePass() = default;
-  /// Specialization constant i takes constants[i].
+  /// Specialization constant i takes constants[i]; `push_bytes` is the size of the push constants.
   ComputePass(const Device& device, std::span<const std::uint32_t> spirv,
               std::span<const std::uint32_t> constants, std::uint32_t push_bytes,
               Workgroup workgroup = {});
 
-  /// Records width x height x depth invocations, up to the next whole workgroup.
+  /// Records width x height x depth invocations, rounded up to whole workgroups.
   void dispatch(VkCommandBuffer commands, const void* push, std::uint32_t width,
                 std::uint32_t height = 1, std::uint32_t depth = 1) const;
 

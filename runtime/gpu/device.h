@@ -35,7 +35,8 @@ class Device {
   VkQueue queue() const { return queue_; }
   std::uint32_t queue_family() const { return queue_family_; }
   Trace trace() const { return trace_; }
-  /// Returns the device's name, plus the tracing backend unless it is `compute`: for people and tables.
+  /// Returns the device's name, plus the tracing backend unless it is `compute`: for people and
+  /// tables.
   std::string label() const;
   /// Nanoseconds per timestamp tick; 0 = the queue has no timestamps.
   float timestamp_period_ns() const { return timestamp_period_ns_; }
@@ -45,8 +46,8 @@ class Device {
   /// Throws Error with all of them if there are any.
   void check_validation() const;
 
-  /// Returns a memory type among `allowed` that has the `wanted` properties; throws Error if there is
-  /// none.
+  /// Returns a memory type among `allowed` that has the `wanted` properties; throws Error if there
+  /// is none.
   std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted) const;
 
   /// Records commands with `record(VkCommandBuffer)`, submits them, and waits until they are done.
@@ -82,8 +83,8 @@ class Device {
   std::vector<std::string> messages_;
 };
 
-/// Makes all earlier writes of shaders and transfers visible to all later reads: the one barrier that a
-/// chain of passes needs.
+/// Makes all earlier writes of shaders and transfers visible to all later reads: the one barrier
+/// that a chain of passes needs.
 void full_barrier(VkCommandBuffer commands);
 
 }  // namespace nightcity::gpu

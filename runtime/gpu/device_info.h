@@ -45,8 +45,8 @@ std::vector<DeviceInfo> list_devices();
 
 DeviceInfo describe_device(VkPhysicalDevice physical);
 
-/// Returns the index of the device that `select` names: an index, part of a name in any case, or "" for
-/// the best usable one. Throws UsageError if none matches, Error if it is not usable.
+/// Returns the index of the device that `select` names: an index, part of a name in any case, or ""
+/// for the best usable one. Throws UsageError if none matches, Error if it is not usable.
 std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::string& select);
 
 /// Returns a queue family for compute, preferably one for graphics too.

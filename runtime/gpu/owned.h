@@ -1,4 +1,4 @@
-// Vulkan handles that go with their owner: moved, not copied.
+// Vulkan handles that are destroyed with their owner. They are moved, not copied.
 #pragma once
 
 #include <vulkan/vulkan.h>

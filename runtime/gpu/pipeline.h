@@ -1,4 +1,4 @@
-// What compute and ray tracing pipelines are made of.
+// The parts that compute and ray tracing pipelines share.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -16,13 +16,13 @@ using Pipeline = Owned<VkPipeline, vkDestroyPipeline>;
 using PipelineLayout = Owned<VkPipelineLayout, vkDestroyPipelineLayout>;
 using ShaderModule = Owned<VkShaderModule, vkDestroyShaderModule>;
 
-/// Of push constants for one stage, and nothing to bind.
+/// Returns a layout with push constants for one stage, and nothing to bind.
 PipelineLayout make_layout(const Device& device, VkShaderStageFlags stage,
                            std::uint32_t push_bytes);
 
 ShaderModule make_shader(const Device& device, std::span<const std::uint32_t> spirv);
 
-/// Specialization constant i takes values[i]; refers to them, and stays where it is.
+/// Specialization constant i takes values[i]. It refers to `values`, which must outlive it.
 class Specialization {
  public:
   explicit Specialization(std::span<const std::uint32_t> values);

@@ -19,7 +19,7 @@ VkDeviceSize up_to(VkDeviceSize value, VkDeviceSize alignment) {
   return (value + alignment - 1) / alignment * alignment;
 }
 
-constexpr VkDeviceSize scratch_alignment = 256;  // no device asks for more
+constexpr VkDeviceSize scratch_alignment = 256;  // no device requires more
 
 }  // namespace
 
@@ -54,7 +54,7 @@ AccelerationStructure::AccelerationStructure(Device& device, VkAccelerationStruc
 
 AccelerationStructure AccelerationStructure::of_triangles(Device& device, std::uint64_t address,
                                                           std::uint32_t count) {
-  // A record is three corners, each followed by a word of its own: vertices of 16 bytes without indices.
+  // A record is three corners, each followed by one word: vertices of 16 bytes without indices.
   static_assert(sizeof(Triangle) == 48);
   VkAccelerationStructureGeometryKHR geometry{};
   geometry.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR;
@@ -171,7 +171,7 @@ RayPass::RayPass(Device& device, const Shaders& shaders, std::span<const std::ui
   std::vector<std::uint8_t> table(3 * record_bytes_);
   for (std::size_t i = 0; i < 3; ++i)
     std::memcpy(table.data() + i * record_bytes_, handles.data() + i * handle_bytes, handle_bytes);
-  // Buffers are aligned to what a storage buffer asks for; the table may ask for more.
+  // Buffers are aligned as a storage buffer requires; the table may require more.
   table_ = Buffer(device, table.size() + rays.shaderGroupBaseAlignment);
   table_.upload(table.data(), table.size(),
                 up_to(table_.address(), rays.shaderGroupBaseAlignment) - table_.address());

@@ -1,5 +1,5 @@
-// Acceleration structures (VK_KHR_acceleration_structure), on a device whose Options::trace is not compute,
-// and ray tracing pipelines (VK_KHR_ray_tracing_pipeline).
+// Acceleration structures (VK_KHR_acceleration_structure) and ray tracing pipelines
+// (VK_KHR_ray_tracing_pipeline), on a device whose Options::trace is not compute.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -15,8 +15,8 @@
 
 namespace nightcity::gpu {
 
-struct
-    DestroyAccelerationStructure {  // DestroyedBy cannot: the loader exports no extension's functions
+// DestroyedBy would not do here, because the loader exports no functions of extensions.
+struct DestroyAccelerationStructure {
   const Device* device = nullptr;
   void operator()(VkAccelerationStructureKHR handle) const;
 };
@@ -24,10 +24,11 @@ struct
 class AccelerationStructure {
  public:
   AccelerationStructure() = default;
-  /// Bottom level over `count` triangles of gpu::Triangle at `address`; built when it returns.
+  /// Builds and returns a BLAS over `count` triangles (gpu::Triangle) at `address`.
   static AccelerationStructure of_triangles(Device& device, std::uint64_t address,
                                             std::uint32_t count);
-  /// Top level over `count` records of VkAccelerationStructureInstanceKHR at `address`; build() reads them.
+  /// Returns a TLAS over `count` records of VkAccelerationStructureInstanceKHR at `address`. It is
+  /// not built yet: build() reads them.
   static AccelerationStructure of_instances(Device& device, std::uint64_t address,
                                             std::uint32_t count);
 
@@ -71,8 +72,8 @@ class RayPass {
   Device* device_ = nullptr;
   PipelineLayout layout_;
   Pipeline pipeline_;
-  Buffer table_;            // of the shaders: generation, miss, hit
-  std::uint64_t base_ = 0;  // of the first record, aligned as the device asks
+  Buffer table_;            // shader binding table: generation, miss, hit
+  std::uint64_t base_ = 0;  // address of the first record, aligned as the device requires
   VkDeviceSize record_bytes_ = 0;
   std::uint32_t push_bytes_ = 0;
 };

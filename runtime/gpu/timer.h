@@ -1,4 +1,4 @@
-// GPU time of passes by timestamp queries, summed over frames by name.
+// GPU times of passes, by timestamp queries.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -18,11 +18,11 @@ class Timer {
   Timer(const Timer&) = delete;
   Timer& operator=(const Timer&) = delete;
 
-  /// Call first in a command buffer, then mark(name) after each pass.
+  /// Starts a command buffer's timing: call it first, then mark(name) after each pass.
   void start(VkCommandBuffer commands);
   void mark(VkCommandBuffer commands, const char* name);
-  /// After the commands have run: milliseconds of each mark since the one before. Empty on queues without
-  /// timestamps.
+  /// Returns, after the commands have run, the milliseconds from one mark to the next. Empty on
+  /// queues without timestamps.
   struct Span {
     std::string name;
     double ms;

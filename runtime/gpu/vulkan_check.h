@@ -1,4 +1,4 @@
-// Vulkan's result codes as errors that carry the call.
+// Turns Vulkan's result codes into errors that name the call.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -9,7 +9,7 @@
 
 namespace nightcity::gpu {
 
-/// The name of a result code, "VK_ERROR_DEVICE_LOST" for example.
+/// Returns the name of a result code, "VK_ERROR_DEVICE_LOST" for example.
 const char* result_name(VkResult result);
 
 inline void check(VkResult result, const char* call) {

@@ -31,7 +31,7 @@ std::vector<gpu::AliasEntry> build_alias_table(std::span<const float> weights) {
       small.push_back(l);
     }
   }
-  // What is left differs from 1 by rounding only and keeps itself.
+  // The columns that are left differ from 1 by rounding only, and keep themselves.
   return table;
 }
 

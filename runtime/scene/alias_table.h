@@ -1,4 +1,4 @@
-// Picking an index with given weights in constant time.
+// Sampling an index with given weights in constant time.
 #pragma once
 
 #include <span>
@@ -8,8 +8,9 @@
 
 namespace nightcity {
 
-/// Alias table (Walker 1977; construction after Vose 1991) over non-negative weights, summed in double. Zero
-/// weights get pdf 0; if all are zero the table is uniform. Non-finite and negative weights count as zero.
+/// Returns an alias table (Walker 1977; construction after Vose 1991) over non-negative weights,
+/// summed in double. Zero weights get pdf 0; if all are zero, the table is uniform. Non-finite and
+/// negative weights count as zero.
 std::vector<gpu::AliasEntry> build_alias_table(std::span<const float> weights);
 
 }  // namespace nightcity

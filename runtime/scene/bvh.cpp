@@ -96,8 +96,8 @@ class BinnedSahBuilder {
     return middle;
   }
 
-  // Splits where the sum of area times number over both halves is smallest; returns r.begin if no split
-  // is possible.
+  // Splits where the sum of area times number over both halves is smallest; returns r.begin if no
+  // split is possible.
   std::uint32_t split_by_area(const Range& r, const Box& centre_box) {
     float best_cost = INFINITY;
     int best_axis = -1, best_bin = 0;
@@ -149,14 +149,16 @@ class BinnedSahBuilder {
   std::uint32_t build(const Range& r, std::uint32_t stack, std::uint32_t& stack_need) {
     stack_need = 0;
     if (r.size() <= max_leaf_) return leaf(r);
-    // A child may get nearly everything. Where the stack is too small for that, all four get equally many.
+    // A child may get nearly everything. Where the stack is too small for that, all four get
+    // equally many.
     const bool median = needed_stack(r.size(), max_leaf_) + 3 > stack;
     std::array<Range, 4> children{r, {}, {}, {}};
     std::size_t count = 1;
     while (count < 4) {
       std::size_t widest = count;
       for (std::size_t i = 0; i < count; ++i) {
-        // A range is worth splitting if it is too big for a leaf, or cheaper as two leaves than as one.
+        // A range is worth splitting if it is too big for a leaf, or cheaper as two leaves than as
+        // one.
         if (children[i].size() <= (count == 1 ? max_leaf_ : std::max(1u, max_leaf_ / 2))) continue;
         const auto larger = [&](const Range& a, const Range& b) {
           return median ? a.size() > b.size() : a.box.half_area() > b.box.half_area();

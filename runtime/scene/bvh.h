@@ -1,5 +1,5 @@
-// Builds bounding volume hierarchies (BVH) of the shaders' nodes: a BLAS over a mesh's triangles, the TLAS
-// over the instances.
+// Builds bounding volume hierarchies (BVH) of the shaders' nodes: a BLAS over a mesh's triangles,
+// the TLAS over the instances.
 #pragma once
 
 #include <cstdint>
@@ -19,12 +19,12 @@ struct Bvh {
   std::uint32_t stack_need = 0;      // entries that a ray may have to defer
 };
 
-/// Builds a BVH over `boxes`, which are finite, with at most `max_leaf` (<= BVH_MAX_LEAF) of them per leaf.
-/// Ranges are split straight into four by the binned surface-area heuristic, the largest child first. Where
-/// the rest would need more than `max_stack` deferred entries, they are split at the object median, whose
-/// depth is logarithmic. `masks` is empty or holds one MASK_* per box; what casts shadows is then kept apart
-/// from what does not. Throws Error if medians alone are too deep (needed_stack), or for more than 134
-/// million boxes.
+/// Builds a BVH over `boxes`, which are finite, with at most `max_leaf` (<= BVH_MAX_LEAF) of them
+/// per leaf. Ranges are split straight into four by the binned surface-area heuristic, the largest
+/// child first. Where the rest would need more than `max_stack` deferred entries, they are split at
+/// the object median, whose depth is logarithmic. `masks` is empty or holds one MASK_* per box;
+/// what casts shadows is then kept apart from what does not. Throws Error if medians alone are too
+/// deep (needed_stack), or for more than 134 million boxes.
 Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t max_stack,
               std::span<const std::uint8_t> masks = {});
 
@@ -32,8 +32,8 @@ Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t 
 /// `max_stack` that build_bvh accepts.
 std::uint32_t needed_stack(std::size_t boxes, std::uint32_t max_leaf);
 
-/// Adds `node_base` to the indices of inner children and `first_base` to leaf ranges, so that several BVHs
-/// can share one buffer.
+/// Adds `node_base` to the indices of inner children and `first_base` to leaf ranges, so that
+/// several BVHs can share one buffer.
 void rebase(Bvh& bvh, std::uint32_t node_base, std::uint32_t first_base);
 
 }  // namespace nightcity

@@ -32,10 +32,11 @@ glm::vec3 lights_median(const RenderScene& scene) {
 
 struct Focus {
   glm::vec3 centre;
-  float radius;  // horizontal, of what is worth seeing, m
+  float radius;  // horizontal extent of the part worth seeing, m
 };
 
-// The lit part of the city: around the median lamp, as far as nine tenths of the lamps reach.
+// Returns the lit part of the city: around the median lamp, out to the distance that contains nine
+// tenths of the lamps.
 Focus lit_part(const RenderScene& scene) {
   if (scene.bounds.empty()) return {glm::vec3(0), 10};
   const glm::vec3 middle = 0.5f * (scene.bounds.lower + scene.bounds.upper);
@@ -89,12 +90,13 @@ bool is_lamp(const Light& light) {
   return is_in_the_street(light_kind(light)) && light.flux_lm > 0;
 }
 
-// Nothing overhead: neither under a tree nor inside a house.
+// Returns whether nothing is overhead: the place is neither under a tree nor inside a house.
 bool open_sky(const RenderScene& scene, const glm::vec3& eye) {
   return !brute_force_hit(scene, glm::dvec3(eye), {0.0, 1.0, 0.0}, 1e30, MASK_SHADOW).has_value();
 }
 
-// A pedestrian near a lamp who looks towards the farthest open direction along which other lamps stand.
+// Returns a pedestrian's view near a lamp, towards the farthest open direction along which other
+// lamps stand.
 CameraPose street(const RenderScene& scene) {
   if (scene.lights.empty()) return overview(scene);
   const Focus focus = lit_part(scene);
@@ -171,7 +173,7 @@ CameraPose read_camera(const std::string& file) {
     pose.target = vector_of(json, "target", file);
     if (json.contains("up")) pose.up = vector_of(json, "up", file);
     if (json.contains("fov_deg")) pose.fov_deg = json["fov_deg"].get<float>();
-    make_camera(pose, 1.0f);  // refuses what cannot be a view
+    make_camera(pose, 1.0f);  // throws if it is no view
     return pose;
   } catch (const nlohmann::json::exception& e) {
     throw Error(file, std::string("not a camera: ") + e.what());

@@ -1,4 +1,4 @@
-// Where the eye stands: from a file, or a preset found from the scene itself.
+// The camera's pose: from a file, or a preset that is found from the scene itself.
 #pragma once
 
 #include <filesystem>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/scene/render_scene.h"
+#include "shaders/frame.h"
 
 namespace nightcity {
 
@@ -17,16 +18,16 @@ struct CameraPose {
   float fov_deg = 60;  // vertical
 };
 
-/// The shaders' camera. Throws Error when position and target coincide, `up` is along the view, or fov is not
-/// in (0, 179].
+/// Returns the shaders' camera. Throws Error if position and target coincide, `up` is along the
+/// view, or the field of view is not in (0, 179] degrees.
 gpu::Camera make_camera(const CameraPose& pose, float aspect);
 
-/// "overview" (the lit part of the city, from the south-west), "street" (a pedestrian's eye between lamps) or
-/// "top" (a map); anything else is a JSON file {"position": [x, y, z], "target": [...], "up": [...],
-/// "fov_deg": f}. Throws Error.
+/// Returns a preset's pose: "overview" (the lit part of the city, from the south-west), "street" (a
+/// pedestrian's view between lamps) or "top" (a map). Any other name is a JSON file {"position":
+/// [x, y, z], "target": [...], "up": [...], "fov_deg": f}. Throws Error.
 CameraPose find_camera(const std::string& preset_or_file, const RenderScene& scene);
 
-/// Names find_camera knows.
+/// Returns the names of the presets.
 const std::vector<std::string>& camera_presets();
 
 void write_camera(const std::filesystem::path& file, const CameraPose& pose);

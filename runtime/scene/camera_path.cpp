@@ -13,7 +13,8 @@
 namespace nightcity {
 namespace {
 
-// Catmull, Rom: A class of local interpolating splines, 1974; uniform, ends doubled.
+// Returns a point between b and c (Catmull, Rom: A class of local interpolating splines, 1974;
+// uniform).
 glm::dvec3 on_curve(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                     const glm::dvec3& d, double t) {
   return 0.5 * (2.0 * b +
@@ -33,7 +34,7 @@ std::vector<CameraPose> orbit(const CameraPose& start) {
   return poses;
 }
 
-// As far as the view is free, 60 m at most, and stopping short of what ends it.
+// Returns a path straight ahead: 60 m at most, or four fifths of the way to what blocks the view.
 std::vector<CameraPose> along_the_view(const CameraPose& start, const RenderScene& scene) {
   const glm::dvec3 forward = glm::normalize(glm::dvec3(start.target - start.position));
   const auto wall = brute_force_hit(scene, glm::dvec3(start.position), forward, 75, MASK_VISIBLE);
@@ -62,7 +63,7 @@ std::vector<CameraPose> from_file(const std::string& path) {
       vector("target", pose.target);
       vector("up", pose.up);
       pose.fov_deg = entry.value("fov_deg", pose.fov_deg);
-      make_camera(pose, 1);  // throws on a pose that sees nothing
+      make_camera(pose, 1);  // throws if it is no view
       poses.push_back(pose);
     }
     return poses;

@@ -1,4 +1,4 @@
-// A way through a scene for the eye: a smooth curve through poses.
+// A camera's path through a scene: a smooth curve through poses.
 #pragma once
 
 #include <string>
@@ -10,23 +10,25 @@ namespace nightcity {
 
 class CameraPath {
  public:
-  /// At least one pose; passed one after the other at equal shares of the way. Throws Error without any.
+  /// The path passes the poses one after the other at equal steps of u. Throws Error if there are
+  /// none.
   explicit CameraPath(std::vector<CameraPose> poses);
 
-  /// u in [0, 1], clamped: positions and targets on a Catmull-Rom curve, `up` and field of view of the
-  /// nearest pose.
+  /// Returns the pose at u, clamped to [0, 1]: position and target on a Catmull-Rom curve, `up` and
+  /// field of view of the nearest pose.
   CameraPose at(double u) const;
 
  private:
   std::vector<CameraPose> poses_;
 };
 
-/// "orbit" (round the lit part of the city, a quarter turn), "dive" (from the overview down to the street) or
-/// "street" (along the street of the preset of that name); anything else is a JSON file {"poses": [pose,
-/// ...]}, each pose as find_camera has it. Throws Error.
+/// Returns a preset's path: "orbit" (a quarter turn around the lit part of the city), "dive" (from
+/// the overview down to the street) or "street" (along the street of the camera preset of that
+/// name). Any other name is a JSON file {"poses": [pose, ...]} with poses as in find_camera's
+/// files. Throws Error.
 CameraPath find_path(const std::string& preset_or_file, const RenderScene& scene);
 
-/// Names find_path knows.
+/// Returns the names of the presets.
 const std::vector<std::string>& path_presets();
 
 }  // namespace nightcity

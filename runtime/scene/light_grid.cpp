@@ -14,17 +14,18 @@
 namespace nightcity {
 namespace {
 
-constexpr float max_entries = 16777216.0f;  // of all cells' lists
-// Strengths nearer than this cannot be told apart by a shader whose rounding differs from ours.
+constexpr float max_entries = 16777216.0f;  // in the lists of all cells
+// A shader, whose rounding differs from ours, may confuse strengths whose ratio is below this.
 constexpr float min_gap = 1.0001f;
 
-// How far around a cell lights are looked for, in bins of their class.
+// How far around a cell lights are searched, in bins of their class.
 constexpr int max_rings = 24;
 
-// Lights are searched by classes of flux, each four times the one below it and in bins twice as wide, for as
-// far as a light is strong enough to be listed goes with the root of its flux. One class for all would end
-// the search for windows where the strongest floodlight beyond could still outdo them, and leave their lists
-// short. The median light is of class 0.
+// Lights are searched by classes of flux. Each class has four times the flux of the one below it
+// and bins twice as wide, because the distance at which a light is strong enough to be listed grows
+// with the square root of its flux. With one class for all, the search for windows would have to
+// end where the strongest floodlight beyond could still outdo them, and their lists would be short.
+// The median light is in class 0.
 constexpr int max_classes = 5;
 
 std::pair<float, float> cell_centre(const gpu::LightGridShape& shape, std::uint32_t x,
@@ -46,7 +47,7 @@ int class_of(float flux_lm, float median_lm) {
   return std::clamp(int(std::floor(fours)), 0, max_classes - 1);
 }
 
-// The lights of one class, by the square of the map they stand over.
+// The lights of one class, sorted into square bins of the map.
 class Bins {
  public:
   Bins(std::span<const Light> lights, std::vector<std::uint32_t> members,
@@ -74,8 +75,8 @@ class Bins {
   int rings() const { return std::max(width_, depth_); }
   float max_flux() const { return max_flux_; }
 
-  // The most strength a light may have for one who stands in a bin, if it is in none of the rings up to this
-  // one.
+  // Returns an upper bound of a light's strength for a place in some bin, if the light is in none
+  // of the rings around that bin up to this one.
   float strength_beyond(int ring) const {
     const float beyond = float(ring) * side_m_;
     return max_flux_ / (beyond * beyond + shape_.softening_m2);
@@ -99,7 +100,7 @@ class Bins {
   float max_flux_ = 0;
 };
 
-// All lights that shine, class by class.
+// Returns all lights that shine, class by class.
 std::vector<Bins> by_class(std::span<const Light> lights, const gpu::LightGridShape& shape) {
   std::vector<float> flux;
   for (const Light& light : lights)
@@ -120,17 +121,19 @@ std::vector<Bins> by_class(std::span<const Light> lights, const gpu::LightGridSh
 
 struct Strongest {
   std::vector<Strength> found;  // strongest first, at most one more than can be listed
-  float unseen = 0;  // no light that is not in `found` is stronger than this, or than its last
+  // An upper bound of the lights that are not in `found`, where they are weaker than its last.
+  float unseen = 0;
 };
 
-// The strongest lights of a cell: of each class, rings of bins outwards until nothing farther could be among
-// them.
+// Finds the strongest lights of a cell. In each class it searches rings of bins outwards, until
+// nothing farther could be among them.
 Strongest strongest(std::span<const Light> lights, const std::vector<Bins>& classes,
                     const gpu::LightGridShape& shape, std::size_t listed, std::uint32_t x,
                     std::uint32_t z) {
   Strongest cell;
   std::vector<Strength>& found = cell.found;
-  // Weaker ones than this do not matter any more. It is looked for again once half as many have come.
+  // Lights weaker than this no longer matter. It is raised whenever half as many again have been
+  // found.
   float bar = 0;
   const auto keep_strongest = [&] {
     const auto last = found.begin() + std::ptrdiff_t(listed);
@@ -170,7 +173,7 @@ Strongest strongest(std::span<const Light> lights, const std::vector<Bins>& clas
   return cell;
 }
 
-// Some cells and their lists, entries counted from the first of them.
+// A row of cells and their lists; entries count from the row's first.
 struct Row {
   std::vector<gpu::LightCell> cells;
   std::vector<gpu::GridEntry> entries;
@@ -186,7 +189,7 @@ void add_cell(Row& row, const Strongest& strongest, std::size_t listed) {
   gpu::LightCell cell{};
   cell.first = static_cast<std::uint32_t>(row.entries.size());
   cell.count = static_cast<std::uint32_t>(count);
-  // Between the weakest inside and the strongest outside.
+  // The threshold lies between the weakest light inside and the strongest outside.
   cell.threshold = count > 0 ? std::sqrt(found[count - 1].value) * std::sqrt(outside) : 0.0f;
   std::vector<float> weights;
   double sum = 0;

@@ -20,7 +20,7 @@ bool is_lit(const Schedule& schedule, std::span<const std::uint32_t> switches, d
 LitLights lit_lights(std::span<const Light> lights, std::span<const Schedule> schedules,
                      std::span<const std::uint32_t> switches, double time_s) {
   LitLights lit;
-  // Lights share schedules: each is looked up once.
+  // Lights share schedules, so each schedule is looked up once.
   std::vector<bool> on(schedules.size());
   for (std::size_t i = 0; i < schedules.size(); ++i) on[i] = is_lit(schedules[i], switches, time_s);
   lit.bits.resize((lights.size() + 31) / 32);

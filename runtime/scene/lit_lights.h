@@ -1,4 +1,4 @@
-// Which lights shine at a moment of the night, and the tables they are picked from.
+// The lights that shine at a given time, and the tables that they are sampled from.
 #pragma once
 
 #include <cstdint>
@@ -10,24 +10,25 @@
 
 namespace nightcity {
 
-/// Does a light of this schedule shine `time_s` seconds after noon? Times outside a day wrap round.
+/// Returns whether a light of this schedule shines `time_s` seconds after noon. Times outside a day
+/// wrap.
 bool is_lit(const Schedule& schedule, std::span<const std::uint32_t> switches, double time_s);
 
 struct LitLights {
-  std::vector<std::uint32_t> bits;     // a bit a light, 32 a word
-  std::vector<std::uint32_t> list;     // indices of those that shine, ascending
+  std::vector<std::uint32_t> bits;     // one bit per light, 32 per word
+  std::vector<std::uint32_t> list;     // indices of the lights that shine, ascending
   std::vector<gpu::AliasEntry> alias;  // over flux, parallel to the lights
   LightGrid near_grid;                 // the strongest near each place
-  LightGrid far_grid;                  // those of the quarter around it
+  LightGrid far_grid;                  // those of its neighbourhood
 
   bool same_lights(const LitLights& other) const { return bits == other.bits; }
 };
 
-/// Bits and list only: cheap enough to ask at every step of a clock.
+/// Returns bits and list only, which is cheap enough for every step of a clock.
 LitLights lit_lights(std::span<const Light> lights, std::span<const Schedule> schedules,
                      std::span<const std::uint32_t> switches, double time_s);
 
-/// Fills in the tables. A light without flux never shines.
+/// Fills in the alias table and the grids. A light without flux never shines.
 void build_tables(LitLights& lit, std::span<const Light> lights);
 
 }  // namespace nightcity

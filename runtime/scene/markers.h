@@ -1,5 +1,5 @@
-// Where lights lie on a picture: drawn over the picture, so that one sees what shines and what is dark for
-// want of a lamp.
+// Where lights lie in a picture. Markers drawn over it show what shines, and what is dark because
+// there is no lamp.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -12,16 +12,18 @@
 
 namespace nightcity {
 
-/// Position in the window, (0, 0) its upper left corner and (1, 1) its lower right; nothing behind the eye.
+/// Returns the position in the picture, from (0, 0) in the upper left corner to (1, 1) in the lower
+/// right; nothing for a place behind the camera.
 std::optional<glm::vec2> project(const gpu::Camera& camera, const glm::vec3& position);
 
 struct Marker {
-  glm::vec2 at;       // as project() has it, within 0 .. 1
-  float distance;     // from the eye, m
+  glm::vec2 at;       // as project() returns it, within 0 .. 1
+  float distance;     // from the camera, m
   std::size_t light;  // index
 };
 
-/// Lights within the window, the nearest `most` of them, nearest last so that it is drawn on top.
+/// Returns the nearest `most` of the lights within the picture, the nearest last, so that it is
+/// drawn on top.
 std::vector<Marker> find_markers(const gpu::Camera& camera, std::span<const Light> lights,
                                  std::size_t most);
 

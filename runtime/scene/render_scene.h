@@ -10,6 +10,7 @@
 #include "formats/light_file.h"
 #include "formats/scene_file.h"
 #include "runtime/scene/bvh.h"
+#include "shaders/scene_types.h"
 
 namespace nightcity {
 
@@ -23,8 +24,8 @@ struct Traffic {
   std::vector<TripKnot> knots;
 };
 
-/// Luminance of the sky by direction, latitude-longitude: row 0 is the zenith, the middle column the
-/// north. Empty if there is no map.
+/// Luminance of the sky by direction, latitude-longitude: row 0 is the zenith, the middle column
+/// the north. Empty if there is no map.
 struct SkyMap {
   std::uint32_t width = 0, height = 0;
   std::vector<float> rgb;  // cd/m^2, finite, >= 0; 3 * width * height
@@ -69,8 +70,8 @@ struct SceneLights {
   Traffic traffic{};  // without bodies: those are the scene's
 };
 
-/// Builds the hierarchies and checks lights and traffic. Throws Error for unfit traffic or schedules; unfit
-/// lights are counted and never shine.
+/// Builds the hierarchies and checks lights and traffic. Throws Error for unfit traffic or
+/// schedules; unfit lights are counted and never shine.
 RenderScene make_render_scene(const Scene& scene, SceneLights lights);
 
 /// Reads SCENE.glb and, if it exists, the light file beside it (SCENE.lights). Throws Error.

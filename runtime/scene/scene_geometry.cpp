@@ -54,8 +54,8 @@ void append_mesh(const SceneMesh& mesh, const glm::mat4& to_model, std::vector<g
   }
 }
 
-// Builds a mesh's BLAS and appends it, with the triangles in its order; returns the root and the mesh's
-// box.
+// Builds a mesh's BLAS and appends it, with the triangles in its order; returns the root and the
+// mesh's box.
 std::pair<std::uint32_t, Box> add_blas(RenderScene& scene,
                                        const std::vector<gpu::Triangle>& triangles,
                                        std::uint32_t stack = mesh_stack) {
@@ -166,8 +166,8 @@ void add_geometry(RenderScene& out, const Scene& scene) {
     return !out.traffic.trips.empty() && node.vehicle != no_id;
   };
 
-  // Everything that is placed once and does not move becomes one BLAS (one for what casts shadows, one for
-  // what does not): a ray then crosses the city without leaving and entering instances.
+  // Everything that is placed once and does not move becomes one BLAS (one for what casts shadows,
+  // one for what does not): a ray then crosses the city without leaving and entering instances.
   for (const bool shadow : {true, false}) {
     std::vector<gpu::Triangle> triangles;
     for (const SceneNode& node : scene.nodes)

@@ -5,12 +5,13 @@
 
 namespace nightcity {
 
-/// Appends the meshes of `scene`, their BLASes and instances, and builds the TLAS over these. Triangles
-/// without area and instances whose matrix is singular are left out and counted. Vehicles are left out
-/// where `out` has traffic.
+/// Appends the meshes of `scene`, their BLASes and instances, and builds the TLAS over these.
+/// Triangles without area and instances whose matrix is singular are left out and counted. Vehicles
+/// are left out where `out` has traffic.
 void add_geometry(RenderScene& out, const Scene& scene);
 
-/// Appends a body for every kind of vehicle in `out`: its mesh in `scene`, or a plain box if it has none.
+/// Appends a body for every kind of vehicle in `out`: its mesh in `scene`, or a plain box if it has
+/// none.
 void add_bodies(RenderScene& out, const Scene& scene);
 
 }  // namespace nightcity

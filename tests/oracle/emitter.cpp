@@ -57,7 +57,8 @@ struct Strata {
   }
 };
 
-// By area over the cap that the receiver sees: not the cone of directions that the shaders sample.
+// Samples by area over the cap that the receiver sees, where the shaders sample the cone of
+// directions.
 void append_sphere(const Lights& lights, const Light& light, const glm::dvec3& receiver,
                    const Strata& strata, std::vector<LightPoint>& out) {
   const glm::dvec3 centre(light.position), away = receiver - centre;

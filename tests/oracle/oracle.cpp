@@ -13,7 +13,7 @@
 
 namespace nightcity::oracle {
 
-// Every triangle of the file in model space: once for the eye, once for shadow rays.
+// Every triangle of the file in model space: once for the camera, once for shadow rays.
 struct Oracle::Geometry {
   struct Triangles {
     std::vector<glm::vec3> corners;  // three a triangle
@@ -71,7 +71,8 @@ struct Oracle::Geometry {
     std::uint32_t triangle;
   };
 
-  // Along unit `direction`; the distance is computed anew in double from the triangle's plane.
+  // Returns the first hit along unit `direction`, its distance recomputed in double from the
+  // triangle's plane.
   std::optional<Hit> first_hit(const glm::dvec3& origin, const glm::dvec3& direction) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
@@ -92,7 +93,7 @@ struct Oracle::Geometry {
     RTCRay ray{};
     const glm::dvec3 way = to - from;
     const double length = glm::length(way);
-    // A tenth of a millimetre short of the light: what it is mounted on lies behind it.
+    // Stops a tenth of a millimetre short of the light, because its mount lies behind it.
     set_ray(ray, from, way / length, length - 1e-4);
     rtcOccluded1(casting.scene, &context, &ray);
     return ray.tfar < 0;
@@ -156,7 +157,8 @@ Image Oracle::render(const CameraPose& pose, std::uint32_t width, std::uint32_t 
         const glm::dvec3 place = eye + direction * hit->distance;
         glm::dvec3 normal = geometry_->normal(hit->triangle);
         if (glm::dot(normal, direction) > 0) normal = -normal;
-        // Embree works in float: start clear of the surface by what float leaves uncertain there, and 0.1 mm.
+        // Embree works in float, so shadow rays start off the surface by its rounding error and 0.1
+        // mm.
         const double size =
             std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z), hit->distance});
         const glm::dvec3 start = place + normal * (1e-4 + 2e-6 * size);
@@ -192,8 +194,8 @@ Lights read_lights(const std::filesystem::path& path, double time_s) {
                 {file.profile_data().begin(), file.profile_data().end()}};
   for (Light& light : lights.lights) {
     if (light.schedule == LIGHT_ALWAYS_ON) continue;
-    // SPEC.md 3.6: on where the number of switch times up to now is odd. Indices stay: geometry refers to
-    // them.
+    // SPEC.md 3.6: a light is on if the number of switch times up to now is odd. Indices stay,
+    // because geometry refers to them.
     const Schedule& schedule = file.schedules()[light.schedule];
     bool on = false;
     for (std::uint32_t i = 0; i < schedule.count; ++i)

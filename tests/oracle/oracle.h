@@ -1,5 +1,6 @@
-// Direct light by other code than the renderer's: geometry straight from the scene file, Embree for
-// visibility, light sampling written from SPEC.md in double. What both agree on is not one program's mistake.
+// Direct light computed by other code than the renderer's: geometry straight from the scene file,
+// Embree for visibility, light sampling written from SPEC.md in double. Where both agree, the
+// result is not one program's mistake.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +15,7 @@
 
 namespace nightcity::oracle {
 
-/// What SPEC.md's light file says about light, as far as one moment needs it.
+/// The lights of a light file (SPEC.md) at one moment.
 struct Lights {
   std::vector<Light> lights;
   std::vector<LightProfile> profiles;
@@ -28,9 +29,9 @@ class Oracle {
   Oracle(const Oracle&) = delete;
   Oracle& operator=(const Oracle&) = delete;
 
-  /// The picture through the pixels' centres, cd/m2: light of every lamp and window reflected by diffuse
-  /// surfaces, and what surfaces emit. Each light is sampled with `strata` x `strata` jittered points;
-  /// another seed gives an independent picture.
+  /// Returns the picture through the pixels' centres, cd/m2: the light of every lamp and window
+  /// that diffuse surfaces reflect, and what surfaces emit. Each light is sampled at `strata` x
+  /// `strata` jittered points; another seed gives an independent picture.
   Image render(const CameraPose& pose, std::uint32_t width, std::uint32_t height, int strata,
                unsigned seed) const;
 
@@ -40,8 +41,8 @@ class Oracle {
   Lights lights_;
 };
 
-/// A light file with the lights that shine `time_s` seconds after noon; the others keep their index, without
-/// flux. Vehicles are left out.
+/// Reads a light file. Lights that do not shine `time_s` seconds after noon keep their index,
+/// without flux. Vehicles are left out.
 Lights read_lights(const std::filesystem::path& path, double time_s);
 
 }  // namespace nightcity::oracle

@@ -1,5 +1,5 @@
-// Each numerical hazard of DESIGN.md, section 4: a property that holds, and no longer holds once the guard is
-// taken out of the shaders. docs/accuracy.md has the table.
+// For each numerical hazard (docs/accuracy.md has the table): a property that holds, and no longer holds
+// once the guard is taken out of the shaders.
 #include <gtest/gtest.h>
 
 #include <cmath>
