@@ -9,6 +9,7 @@
 #include "runtime/measure/exposure.h"
 #include "runtime/measure/limits.h"
 #include "runtime/render/setting_table.h"
+#include "shaders/octahedral.glsl.h"
 
 namespace nightcity {
 namespace {
@@ -36,19 +37,6 @@ bool same_view(const CameraPose& a, const CameraPose& b) {
 float radical(double step, std::uint32_t frame) {
   const double x = 0.5 + step * double(frame);
   return static_cast<float>(std::min(x - std::floor(x), 0.99999994));
-}
-
-glm::vec3 unpack_normal(std::uint32_t packed) {
-  const auto snorm = [](std::uint32_t bits) {
-    return std::clamp(float(static_cast<std::int16_t>(bits)) / 32767.0f, -1.0f, 1.0f);
-  };
-  const float x = snorm(packed & 0xFFFFu), y = snorm(packed >> 16);
-  glm::vec3 n(x, y, 1.0f - std::abs(x) - std::abs(y));
-  if (n.z < 0) {
-    n.x = (1.0f - std::abs(y)) * (x >= 0 ? 1.0f : -1.0f);
-    n.y = (1.0f - std::abs(x)) * (y >= 0 ? 1.0f : -1.0f);
-  }
-  return glm::normalize(n);
 }
 
 void append(std::vector<float>& values, float value) {
@@ -397,8 +385,9 @@ void Renderer::add_surface_layers(Image& image) const {
   const auto is_hit = [](const gpu::Surface& s) { return s.depth > 0; };
   add("albedo", {"R", "G", "B"},
       [&](const gpu::Surface& s) { return is_hit(s) ? scene_.albedo(s.material) : glm::vec3(0); });
-  add("normal", {"X", "Y", "Z"},
-      [&](const gpu::Surface& s) { return is_hit(s) ? unpack_normal(s.normal) : glm::vec3(0); });
+  add("normal", {"X", "Y", "Z"}, [&](const gpu::Surface& s) {
+    return is_hit(s) ? octahedral::unpack_normal(s.normal) : glm::vec3(0);
+  });
   add("position", {"X", "Y", "Z"}, [](const gpu::Surface& s) { return s.position; });
   add("motion", {"X", "Y", "Z"}, [](const gpu::Surface& s) { return s.motion; });
   add("depth", {"Z"}, [](const gpu::Surface& s) { return s.depth; });

@@ -4,25 +4,34 @@
 
 namespace nightcity {
 
+namespace {
+
+EstimatorTraits describe(Estimator estimator, const char* name, const char* description) {
+  const auto number = static_cast<std::uint32_t>(estimator);
+  return {estimator,
+          name,
+          description,
+          gpu::samples_lights(number),
+          gpu::reuses_reservoirs(number),
+          gpu::has_shadowed_target(number),
+          gpu::has_published_settings(number)};
+}
+
+}  // namespace
+
 const std::vector<EstimatorTraits>& list_estimators() {
-  // The flags are: samples, reuses, shadowed target, as published.
   static const std::vector<EstimatorTraits> estimators{
-      {Estimator::reference, "reference",
-       "every light in every frame: the ground truth of all measurements", false, false, false,
-       false},
-      {Estimator::ris, "ris", "resampled candidates without reuse: unbiased, noisy", true, false,
-       false, false},
-      {Estimator::paper, "paper",
-       "temporal and spatial reuse with 1/M weights, as published: biased, darker", true, true,
-       false, true},
-      {Estimator::basic, "basic",
-       "reuse with balance-heuristic normalisation of unshadowed targets: unbiased", true, true,
-       false, false},
-      {Estimator::pairwise, "pairwise", "reuse with pairwise MIS of unshadowed targets: unbiased",
-       true, true, false, false},
-      {Estimator::traced, "traced",
-       "reuse with pairwise MIS of shadowed targets: unbiased, more shadow rays", true, true, true,
-       false},
+      describe(Estimator::reference, "reference",
+               "every light in every frame: the ground truth of all measurements"),
+      describe(Estimator::ris, "ris", "resampled candidates without reuse: unbiased, noisy"),
+      describe(Estimator::paper, "paper",
+               "temporal and spatial reuse with 1/M weights, as published: biased, darker"),
+      describe(Estimator::basic, "basic",
+               "reuse with balance-heuristic normalisation of unshadowed targets: unbiased"),
+      describe(Estimator::pairwise, "pairwise",
+               "reuse with pairwise MIS of unshadowed targets: unbiased"),
+      describe(Estimator::traced, "traced",
+               "reuse with pairwise MIS of shadowed targets: unbiased, more shadow rays"),
   };
   return estimators;
 }

@@ -20,7 +20,8 @@ enum class Estimator : std::uint32_t {
   traced = ESTIMATOR_TRACED,
 };
 
-/// What an estimator is. A new one is a row in settings.cpp.
+/// What an estimator is. A new one is a row in settings.cpp; its traits are in
+/// shaders/estimators.glsl.h, which the shaders read too.
 struct EstimatorTraits {
   Estimator estimator;
   const char* name;
@@ -39,7 +40,7 @@ const char* name_of(Estimator estimator);
 Estimator find_estimator(const std::string& name);
 
 constexpr std::uint32_t max_candidates = 1024;
-constexpr std::uint32_t max_neighbours = 32;  // length of an array in spatial.comp
+constexpr std::uint32_t max_neighbours = MAX_NEIGHBOURS;
 
 /// How light is sampled. The shares divide the candidates; what they leave is sampled by flux.
 struct SamplingSettings {

@@ -108,6 +108,23 @@ TEST(LightFileWriter, SchedulesThatComeOneByOneStandBeforeThoseOfTheRest) {
   EXPECT_EQ(file.switches().size(), 5 + sample.switches.size());
 }
 
+// A kind that is counted but not named, or named but not counted, would be taken for another somewhere.
+TEST(LightKind, EveryKindThatIsCountedHasANameAndNoOther) {
+  for (uint kind = 0; kind < LIGHT_KIND_COUNT; ++kind)
+    EXPECT_STRNE(name_of(LightKind(kind)), "unknown") << kind;
+  EXPECT_STREQ(name_of(LightKind(LIGHT_KIND_COUNT)), "unknown");
+}
+
+TEST(LightKind, KindAndProfileSurviveTheirPacking) {
+  for (const uint profile : {0u, 77u, LIGHT_NO_PROFILE})
+    for (const LightKind kind : {LightKind::sphere, LightKind::rectangle}) {
+      Light light{};
+      light.kind_profile = pack_kind_profile(kind, profile);
+      EXPECT_EQ(light_kind(light), kind);
+      EXPECT_EQ(light_profile(light), profile);
+    }
+}
+
 TEST(LightFileWriter, RefusesUnfitLightsAndLeavesNothing) {
   const TempFolder folder;
   const Sample sample;

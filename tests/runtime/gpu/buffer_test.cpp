@@ -22,7 +22,7 @@ TEST(Device, ANameThatNoDeviceHasIsAUsageError) {
   EXPECT_THROW(gpu::Device{options}, UsageError);
 }
 
-// More than one staging piece, with an offset.
+// A transfer of more than one piece, with an offset.
 TEST(Buffer, UploadsAndDownloadsInPieces) {
   std::vector<std::uint32_t> values((std::size_t{70} << 20) / 4);
   std::iota(values.begin(), values.end(), 0u);

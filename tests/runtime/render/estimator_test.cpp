@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "formats/error.h"
-#include "support/estimators.h"
 #include "runtime/scene/brute_force.h"
+#include "support/estimators.h"
 #include "support/gpu.h"
 #include "support/scenes.h"
 

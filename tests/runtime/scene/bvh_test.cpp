@@ -24,7 +24,8 @@ std::vector<Box> random_boxes(std::size_t count, float spread, unsigned seed) {
   return boxes;
 }
 
-// Every leaf's boxes lie inside the dequantised box its parent has for it, and each primitive is in one leaf.
+// Every leaf's boxes lie inside the dequantised box that its parent holds for it, and each primitive is in
+// exactly one leaf.
 void expect_sound(const Bvh& bvh, std::span<const Box> boxes, std::uint32_t max_leaf) {
   std::vector<int> seen(boxes.size());
   struct Visit {
@@ -48,7 +49,8 @@ void expect_sound(const Bvh& bvh, std::span<const Box> boxes, std::uint32_t max_
         const Box& box = boxes[bvh.order[i]];
         ++seen[bvh.order[i]];
         for (int axis = 0; axis < 3; ++axis) {
-          // Not even on its sides: a ray that runs in a side, 0 * infinity to the slab test, misses nothing.
+          // Not even on its sides: a ray in the plane of a side is 0 * infinity to the slab test, and must
+          // miss nothing.
           EXPECT_LT(visit.bound.lower[axis], box.lower[axis]);
           EXPECT_GT(visit.bound.upper[axis], box.upper[axis]);
         }
@@ -75,7 +77,8 @@ void expect_sound(const Bvh& bvh, std::span<const Box> boxes, std::uint32_t max_
   EXPECT_GE(deepest, bvh.stack_need);
 }
 
-// Half surface of all inner nodes by that of the root: as many of them a ray that crosses the root enters.
+// The area of all inner nodes divided by that of the root: the number of them that a ray through the root
+// enters on average.
 double nodes_a_ray_enters(const Bvh& bvh) {
   double sum = 0, root = 0;
   for (std::size_t n = 0; n < bvh.nodes.size(); ++n) {
@@ -99,7 +102,7 @@ double nodes_a_ray_enters(const Bvh& bvh) {
   return sum / root;
 }
 
-// What lies below a child, by walking there.
+// Returns the masks of everything below a child, by visiting it.
 std::uint32_t mask_below(const Bvh& bvh, std::uint32_t child, std::span<const std::uint8_t> masks) {
   std::uint32_t mask = 0;
   if (child & BVH_LEAF) {
@@ -136,7 +139,7 @@ TEST(Bvh, FlatAndIdenticalBoxesStillSplit) {
 }
 
 TEST(Bvh, SizesAcrossManyMagnitudesStayWithinTheStack) {
-  // Each box a tenth the size of the one before and inside it: the worst for a tree by area.
+  // Each box a tenth the size of the one before and inside it: the worst case for splits by area.
   std::vector<Box> boxes;
   for (int i = 0; i < 2000; ++i) {
     Box box;
@@ -177,8 +180,8 @@ std::vector<Box> boxes_of_a_city(int houses) {
   return boxes;
 }
 
-// A few boxes that want a deep tree once took the surface-area heuristic from the whole of a city.
-TEST(Bvh, WhatNeedsADeepTreeDoesNotSpoilTheRest) {
+// A few boxes that need a deep BVH once cost a whole city its surface-area heuristic.
+TEST(Bvh, BoxesThatNeedADeepBvhDoNotSpoilTheRest) {
   auto boxes = boxes_of_a_city(400);
   for (int i = 0; i < 200; ++i) {
     Box box;
@@ -215,7 +218,7 @@ TEST(Bvh, KeepsWhatCastsShadowsApartAndSaysWhatIsBelow) {
       const std::uint32_t child = bvh.nodes[n].child[i],
                           mask = (bvh.nodes[n].masks >> (8 * i)) & 255u;
       ASSERT_EQ(mask, child == BVH_EMPTY ? 0u : mask_below(bvh, child, masks));
-      // With the shadow's bit: everything below has it.
+      // A child with the shadow bit: everything below it has the bit.
       if ((mask & MASK_SHADOW) == 0 || (child & BVH_LEAF) != 0) continue;
       for (std::size_t below = 0; below < 4; ++below) {
         if (bvh.nodes[child].child[below] != BVH_EMPTY) {

@@ -1,4 +1,4 @@
-// Ways for the eye.
+// Camera paths.
 #include "runtime/scene/camera_path.h"
 
 #include <gtest/gtest.h>

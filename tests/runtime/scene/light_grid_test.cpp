@@ -1,4 +1,4 @@
-// Densities that candidates are drawn with: alias table and light grid.
+// The tables that candidates are sampled from: alias table and light grid.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -57,7 +57,7 @@ TEST(AliasTable, WithoutAnyWeightItIsUniform) {
   EXPECT_TRUE(build_alias_table({}).empty());
 }
 
-// The shader decides by the threshold whether a light is in a cell's list; it must agree with the list.
+// The shader decides by the threshold whether a light is in a cell's list, and must agree with the list.
 TEST(LightGrid, MembershipByThresholdIsMembershipInTheList) {
   std::vector<Light> lights = random_lamps(700, 300, 9);
   for (int i = 0; i < 200; ++i)
@@ -123,7 +123,7 @@ TEST(LightGrid, AContinentOfLightsKeepsItsCellsCountable) {
   lights.push_back(lamp({900000, 5, 900000}, 3000));
   const LightGrid grid = build_light_grid(lights, near_lists);
   EXPECT_LE(grid.cells.size(), 70000u);
-  // A cell in the empty middle lists nothing, and never a light that is not strong enough for its threshold.
+  // A cell in the empty middle lists nothing, and no cell lists a light below its threshold.
   for (std::uint32_t z = 0; z < grid.shape.depth; z += 7)
     for (std::uint32_t x = 0; x < grid.shape.width; x += 7) {
       const gpu::LightCell& cell = grid.cells[z * grid.shape.width + x];

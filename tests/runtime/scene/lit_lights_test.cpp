@@ -9,7 +9,7 @@ namespace {
 
 TEST(LitLights, AScheduleTogglesAtEachOfItsTimes) {
   const std::vector<std::uint32_t> switches{7, 3600, 7200,
-                                            80'000};  // the first belongs to nobody here
+                                            80'000};  // no schedule here uses the first
   const Schedule schedule{1, 3};
   EXPECT_FALSE(is_lit(schedule, switches, 0));
   EXPECT_FALSE(is_lit(schedule, switches, 3599.9));
