@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 #include <span>
 
-#include "tools/lights/lamps.h"
+#include "tools/lights/place_lamps.h"
 
 namespace nightcity::layout {
 

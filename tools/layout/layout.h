@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tools/layout/road_illuminance.h"
-#include "tools/lights/lamps.h"
+#include "tools/lights/place_lamps.h"
 
 namespace nightcity::layout {
 

@@ -4,7 +4,7 @@
 
 #include "tools/layout/layout.h"
 #include "tools/layout/layout_design.h"
-#include "tools/layout/street_network.h"
+#include "tools/streets/street_network.h"
 
 namespace nightcity::layout {
 

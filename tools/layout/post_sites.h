@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "tools/layout/place_grid.h"
-#include "tools/layout/street_network.h"
-#include "tools/lights/lamps.h"
+#include "tools/streets/street_network.h"
+#include "tools/lights/place_lamps.h"
 
 namespace nightcity::layout {
 

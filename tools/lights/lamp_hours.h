@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "tools/lights/lamps.h"
+#include "tools/lights/place_lamps.h"
 
 namespace nightcity {
 

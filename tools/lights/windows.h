@@ -15,10 +15,10 @@
 #include "formats/light_file.h"
 #include "tools/city/city_model.h"
 #include "tools/lights/facades.h"
-#include "tools/place/site.h"
 #include "tools/lights/night_schedule.h"
 #include "tools/lights/occupancy.h"
 #include "tools/lights/wall_index.h"
+#include "tools/place/site.h"
 
 namespace nightcity {
 

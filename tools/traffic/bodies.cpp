@@ -7,7 +7,7 @@
 #include <string>
 
 #include "tools/lights/colour.h"
-#include "tools/traffic/lamps.h"
+#include "tools/traffic/vehicle_lamps.h"
 
 namespace nightcity::traffic {
 namespace {
@@ -153,7 +153,7 @@ SceneMesh make_body(const VehicleType& type, const BodyMaterials& materials) {
   const auto l = static_cast<float>(type.length_m / 2), w = static_cast<float>(type.width_m / 2),
              h = static_cast<float>(type.height_m);
   switch (type.shape) {
-    case Shape::car:
+    case Shape::vehicle:
       add_car(parts, l, w, h);
       break;
     case Shape::van:

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "tools/place/site.h"
 #include "tools/osm/osm_data.h"
+#include "tools/place/site.h"
 
 namespace nightcity::traffic {
 

@@ -24,48 +24,48 @@ struct Leader {
 
 /// Those who leave the same lane by another turn, or come into the same lane from another: as long as their
 /// bodies are in the way they are followed as if they drove ahead. And for whoever is late across one stops.
-void beside(const RoadState& roads, const Car& car, std::size_t turn, double way, Leader& leader) {
+void beside(const RoadState& roads, const Vehicle& vehicle, std::size_t turn, double way, Leader& leader) {
   for (const Conflict& conflict : roads.links.conflicts(turn)) {
     for (const std::uint32_t number : roads.on_link[conflict.other]) {
-      const Car& other = roads.cars[number];
+      const Vehicle& other = roads.vehicles[number];
       const double s = other.on_leg();
       if (conflict.kind == Conflict::Kind::cross) {
-        const double before = way + conflict.begin - car.half;
+        const double before = way + conflict.begin - vehicle.half;
         if (before > 0 && s + other.half > conflict.other_begin &&
             s - other.half < conflict.other_end)
           leader.consider(before, 0);
       } else if (conflict.kind == Conflict::Kind::diverge) {
         if (s - other.half > conflict.other_end || way + s <= 0.01) continue;
-        leader.consider(way + s - other.half - car.half, other.v);
+        leader.consider(way + s - other.half - vehicle.half, other.v);
       } else {
         const double left = roads.links[conflict.other].length_m - s;
         const double own_left = way + roads.links[turn].length_m;
         if (left >= own_left) continue;
-        leader.consider(own_left - left - other.half - car.half, other.v);
+        leader.consider(own_left - left - other.half - vehicle.half, other.v);
       }
     }
   }
 }
 
 Leader leader_of(const RoadState& roads, std::uint32_t number) {
-  const Car& car = roads.cars[number];
-  const auto& legs = car.way->links;
+  const Vehicle& vehicle = roads.vehicles[number];
+  const auto& legs = vehicle.plan->links;
   Leader leader;
-  const double far = sight_m(car);
-  for (std::size_t leg = car.leg; leg < legs.size() && car.way_to(leg) < far; ++leg) {
+  const double far = sight_m(vehicle);
+  for (std::size_t leg = vehicle.leg; leg < legs.size() && vehicle.way_to(leg) < far; ++leg) {
     const std::size_t link = legs[leg];
-    const double way = car.way_to(leg);
+    const double way = vehicle.way_to(leg);
     const auto& row = roads.on_link[link];
-    const Car* next = nullptr;
-    if (leg == car.leg) {
+    const Vehicle* next = nullptr;
+    if (leg == vehicle.leg) {
       const auto own = std::find(row.begin(), row.end(), number);
-      if (own != row.begin()) next = &roads.cars[own[-1]];
+      if (own != row.begin()) next = &roads.vehicles[own[-1]];
     } else if (!row.empty()) {
-      next = &roads.cars[row.back()];
+      next = &roads.vehicles[row.back()];
     }
-    if (next) leader.consider(way + next->on_leg() - next->half - car.half, next->v);
+    if (next) leader.consider(way + next->on_leg() - next->half - vehicle.half, next->v);
     const LinkFacts& facts = roads.links[link];
-    if (facts.turn && roads.turning[facts.node] > 0) beside(roads, car, link, way, leader);
+    if (facts.turn && roads.turning[facts.node] > 0) beside(roads, vehicle, link, way, leader);
     if (next) break;
   }
   return leader;
@@ -77,48 +77,48 @@ double stopping(double way) {
 }
 
 /// What bends, lines and the drive's end allow a step from here.
-double speed_cap(const RoadState& roads, const Car& car) {
-  const auto& legs = car.way->links;
-  const double factor = car.way->speed_factor, step = car.v * step_s, far = sight_m(car);
-  double cap = factor * roads.links.speed_allowed(legs[car.leg], car.on_leg() + step);
-  for (std::size_t leg = car.leg; leg < legs.size() && car.way_to(leg) - step < far; ++leg) {
+double speed_cap(const RoadState& roads, const Vehicle& vehicle) {
+  const auto& legs = vehicle.plan->links;
+  const double factor = vehicle.plan->speed_factor, step = vehicle.v * step_s, far = sight_m(vehicle);
+  double cap = factor * roads.links.speed_allowed(legs[vehicle.leg], vehicle.on_leg() + step);
+  for (std::size_t leg = vehicle.leg; leg < legs.size() && vehicle.way_to(leg) - step < far; ++leg) {
     const LinkFacts& link = roads.links[legs[leg]];
-    const double way = car.way_to(leg) - step;
-    if (leg > car.leg) {
+    const double way = vehicle.way_to(leg) - step;
+    if (leg > vehicle.leg) {
       const double entry = factor * link.entry_m_s;
       cap = std::min(cap, std::sqrt(entry * entry + 2 * comfortable_braking * std::max(way, 0.0)));
-      if (link.turn && leg >= car.granted)
-        return std::min(cap, stopping(way - car.half - line_gap_m));
+      if (link.turn && leg >= vehicle.granted)
+        return std::min(cap, stopping(way - vehicle.half - line_gap_m));
     }
-    if (leg + 1 == legs.size() && car.way->to_stop)
-      cap = std::min(cap, stopping(way + car.way->end_s));
+    if (leg + 1 == legs.size() && vehicle.plan->to_stop)
+      cap = std::min(cap, stopping(way + vehicle.plan->end_s));
   }
   return cap;
 }
 
 double next_speed(const RoadState& roads, std::uint32_t number) {
-  const Car& car = roads.cars[number];
+  const Vehicle& vehicle = roads.vehicles[number];
   const Leader leader = leader_of(roads, number);
-  if (car.v == 0 && leader.gap <= standstill_gap_m) return 0;  // in a queue: as all below would say
-  const double cap = speed_cap(roads, car);
-  const double a = car.type->acceleration;
+  if (vehicle.v == 0 && leader.gap <= standstill_gap_m) return 0;  // in a queue: as all below would say
+  const double cap = speed_cap(roads, vehicle);
+  const double a = vehicle.type->acceleration;
   const double wish =
-      car.way->speed_factor * std::max(roads.links[car.way->links[car.leg]].entry_m_s, cap);
-  const double share = car.v / std::max(wish, 1.0), free = 1 - share * share * share * share;
+      vehicle.plan->speed_factor * std::max(roads.links[vehicle.plan->links[vehicle.leg]].entry_m_s, cap);
+  const double share = vehicle.v / std::max(wish, 1.0), free = 1 - share * share * share * share;
   double interaction = 0;
   if (leader.gap < 1e8) {
-    const double dv = car.v - leader.speed;
+    const double dv = vehicle.v - leader.speed;
     const double desired =
         standstill_gap_m +
-        std::max(0.0, car.v * headway_s + car.v * dv / (2 * std::sqrt(a * comfortable_braking)));
+        std::max(0.0, vehicle.v * headway_s + vehicle.v * dv / (2 * std::sqrt(a * comfortable_braking)));
     const double ratio = desired / std::max(leader.gap, 0.1);
     interaction = ratio * ratio;
   }
-  double next = car.v + a * (std::max(free, -1.0) - interaction) * step_s;
+  double next = vehicle.v + a * (std::max(free, -1.0) - interaction) * step_s;
   next = std::min(next, cap);
   // Never farther than the bumper ahead, whatever the model says.
   if (leader.gap < 0.5) next = std::min(next, leader.speed * 0.5);
-  return std::max({next, car.v - hardest_braking * step_s, 0.0});
+  return std::max({next, vehicle.v - hardest_braking * step_s, 0.0});
 }
 
 }  // namespace
@@ -126,7 +126,7 @@ double next_speed(const RoadState& roads, std::uint32_t number) {
 void choose_speeds(RoadState& roads) {
   oneapi::tbb::parallel_for(std::size_t{0}, roads.active.size(), [&](std::size_t n) {
     const std::uint32_t number = roads.active[n];
-    roads.cars[number].next_v = next_speed(roads, number);
+    roads.vehicles[number].next_v = next_speed(roads, number);
   });
 }
 

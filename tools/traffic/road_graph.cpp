@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <unordered_map>
 
-#include "tools/layout/street_network.h"
+#include "tools/streets/street_network.h"
 #include "tools/traffic/clip_ways.h"
 
 namespace nightcity::traffic {

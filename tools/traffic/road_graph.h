@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/place/site.h"
 #include "tools/osm/osm_data.h"
+#include "tools/place/site.h"
 #include "tools/traffic/drivable.h"
 
 namespace nightcity::traffic {

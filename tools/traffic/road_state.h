@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tools/traffic/link_table.h"
-#include "tools/traffic/routes.h"
+#include "tools/traffic/trip_plans.h"
 
 namespace nightcity::traffic {
 
@@ -13,8 +13,8 @@ constexpr double not_standing = 1e18;
 constexpr double standing_m_s = 1;  // slower ones stand,
 constexpr double line_m = 8;        // at a line where their bumper is no farther from it
 
-struct Car {
-  const Route* way = nullptr;
+struct Vehicle {
+  const TripPlan* plan = nullptr;
   const VehicleType* type = nullptr;
   std::vector<double>
       starts;           // of each leg (one of way->links) along the route, and the end of the last
@@ -34,24 +34,24 @@ struct Car {
 };
 
 /// Drivers look `seconds` ahead in their own time, and at least so far.
-double sight_m(const Car& car);
+double sight_m(const Vehicle& vehicle);
 
 /// A turn that a car may drive and has not left.
 struct Hold {
-  std::uint32_t car;
+  std::uint32_t vehicle;
   std::uint32_t leg;
 };
 
 /// Who comes to a turn, and how far its middle is from the turn's start.
 struct Coming {
-  std::uint32_t car;
+  std::uint32_t vehicle;
   double distance;
 };
 
 struct RoadState {
   explicit RoadState(const LinkNetwork& network);
 
-  std::uint32_t add(const Route& route, double v);
+  std::uint32_t add(const TripPlan& plan, double v);
   /// From the lane or turn it is on to the next of its legs.
   void go_on(std::uint32_t number);
   void remove(std::uint32_t number);
@@ -63,7 +63,7 @@ struct RoadState {
 
   LinkTable links;
   double now = 0;
-  std::vector<Car> cars;
+  std::vector<Vehicle> vehicles;
   std::vector<std::uint32_t> active;                // ascending: the order in which cars are asked
   std::vector<std::vector<std::uint32_t>> on_link;  // the foremost first
   std::vector<std::vector<Hold>> holders;           // of a turn, in the order they got it

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "tools/traffic/link_network.h"
-#include "tools/traffic/routes.h"
+#include "tools/traffic/trip_plans.h"
 
 namespace nightcity::traffic {
 
@@ -15,8 +15,8 @@ constexpr double standstill_gap_m = 2.0, headway_s = 1.3, hardest_braking = 7.0;
 constexpr double step_s = 0.25;
 
 /// One route driven: distance along the route's links (from the start of the first) and speed, every step_s.
-struct Drive {
-  std::size_t route;
+struct DrivenTrip {
+  std::size_t plan;
   double start_time_s;  // in [0, cycle)
   std::vector<float> distance_m, speed_m_s;
 };
@@ -33,8 +33,8 @@ struct SimulationReport {
 /// Every route starts once a cycle. Simulated until the traffic repeats itself, then one cycle of starts is
 /// handed to `sink`, each drive when it ends. Deterministic. A drive that meets the next cycle's traffic may
 /// differ from that traffic as handed out; whoever plays them back checks for bodies that overlap.
-SimulationReport simulate(const LinkNetwork& network, std::span<const Route> routes, double cycle_s,
-                          const std::function<void(Drive&&)>& sink,
+SimulationReport simulate(const LinkNetwork& network, std::span<const TripPlan> plans,
+                          double cycle_s, const std::function<void(DrivenTrip&&)>& sink,
                           const std::function<void(double done)>& progress = {});
 
 }  // namespace nightcity::traffic

@@ -10,7 +10,7 @@
 #include "formats/error.h"
 #include "formats/traffic_pose.h"
 #include "tools/random.h"
-#include "tools/traffic/lamps.h"
+#include "tools/traffic/vehicle_lamps.h"
 #include "tools/traffic/link_network.h"
 
 namespace nightcity::traffic {
@@ -76,16 +76,16 @@ void leave_out(TrafficSet& set, const std::vector<bool>& drop) {
 /// Turns drives into trips, many at once and side by side; their order is that in which they came.
 class TripMaker {
  public:
-  TripMaker(const LinkNetwork& network, std::span<const Route> routes,
+  TripMaker(const LinkNetwork& network, std::span<const TripPlan> plans,
             const Georeference& georeference, const TrafficOptions& options, TrafficReport& report)
       : network_(network),
-        routes_(routes),
+        plans_(plans),
         georeference_(georeference),
         options_(options),
         report_(report) {}
 
-  void add(Drive&& drive) {
-    waiting_.push_back(std::move(drive));
+  void add(DrivenTrip&& trip) {
+    waiting_.push_back(std::move(trip));
     if (waiting_.size() >= together) fit();
   }
 
@@ -93,7 +93,7 @@ class TripMaker {
   void finish(TrafficSet& set) {
     fit();
     std::stable_sort(made_.begin(), made_.end(),
-                     [](const Made& a, const Made& b) { return a.route < b.route; });
+                     [](const Made& a, const Made& b) { return a.plan < b.plan; });
     std::size_t knots = 0;
     for (const Made& one : made_) knots += one.knots.size();
     if (knots > std::numeric_limits<uint>::max())
@@ -114,7 +114,7 @@ class TripMaker {
   static constexpr std::size_t together = 512;  // drives that wait as steps, at 8 bytes a step
 
   struct Made {
-    std::size_t route;
+    std::size_t plan;
     Trip trip;
     std::vector<TripKnot> knots;
     KnotError error;
@@ -123,16 +123,16 @@ class TripMaker {
   void fit() {
     std::vector<Made> batch(waiting_.size());
     oneapi::tbb::parallel_for(std::size_t{0}, waiting_.size(), [&](std::size_t n) {
-      const Drive& drive = waiting_[n];
-      const Route& route = routes_[drive.route];
+      const DrivenTrip& trip = waiting_[n];
+      const TripPlan& plan = plans_[trip.plan];
       Made& one = batch[n];
-      one.route = drive.route;
-      one.knots = make_knots(RoutePath(network_, route), drive, georeference_, options_.tolerance,
+      one.plan = trip.plan;
+      one.knots = make_knots(TripPath(network_, plan), trip, georeference_, options_.tolerance,
                              one.error);
-      const auto start = static_cast<float>(drive.start_time_s);
+      const auto start = static_cast<float>(trip.start_time_s);
       one.trip.start_s = start < static_cast<float>(options_.cycle_s) ? start : 0.0f;
-      one.trip.vehicle = static_cast<uint>(route.type);
-      one.trip.id = route.id;
+      one.trip.vehicle = static_cast<uint>(plan.type);
+      one.trip.id = plan.id;
     });
     for (Made& one : batch) {
       if (one.knots.empty()) continue;
@@ -145,11 +145,11 @@ class TripMaker {
   }
 
   const LinkNetwork& network_;
-  std::span<const Route> routes_;
+  std::span<const TripPlan> plans_;
   const Georeference& georeference_;
   const TrafficOptions& options_;
   TrafficReport& report_;
-  std::vector<Drive> waiting_;
+  std::vector<DrivenTrip> waiting_;
   std::vector<Made> made_;
 };
 
@@ -208,7 +208,7 @@ TrafficSet make_traffic(const std::vector<OsmWay>& highways, const LonLatToFrame
   tell("routes", 0);
   LinkNetwork network(graph, height_at, inside);
   const Demand demand{busiest_vehicles(graph, options), options.cycle_s, options.seed};
-  const std::vector<Route> routes = make_routes(network, demand, report.routes);
+  const std::vector<TripPlan> plans = plan_trips(network, demand, report.plans);
   network.find_conflicts();
   report.links = network.links().size();
   for (const Link& link : network.links()) {
@@ -222,9 +222,9 @@ TrafficSet make_traffic(const std::vector<OsmWay>& highways, const LonLatToFrame
   for (std::size_t hour = 0; hour < 24; ++hour)
     set.cycle.density[hour] = most > 0 ? std::clamp(options.hours[hour] / most, 0.0f, 1.0f) : 0.0f;
 
-  TripMaker trips(network, routes, georeference, options, report);
+  TripMaker trips(network, plans, georeference, options, report);
   report.simulation = simulate(
-      network, routes, options.cycle_s, [&](Drive&& drive) { trips.add(std::move(drive)); },
+      network, plans, options.cycle_s, [&](DrivenTrip&& trip) { trips.add(std::move(trip)); },
       [&](double share) { tell("driving", share); });
   trips.finish(set);
   rank_trips(set.trips);

@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "formats/light_file.h"
-#include "tools/place/site.h"
 #include "tools/lights/photometry.h"
 #include "tools/osm/osm_data.h"
-#include "tools/traffic/drive_knots.h"
+#include "tools/place/site.h"
 #include "tools/traffic/overlaps.h"
 #include "tools/traffic/road_graph.h"
-#include "tools/traffic/routes.h"
 #include "tools/traffic/simulation.h"
+#include "tools/traffic/trip_knots.h"
+#include "tools/traffic/trip_plans.h"
 
 namespace nightcity::traffic {
 
@@ -35,7 +35,7 @@ struct TrafficReport {
   std::size_t nodes = 0, edges = 0, links = 0;
   std::string country;
   Side side = Side::right;
-  RouteReport routes;
+  TripPlanReport plans;
   SimulationReport simulation;
   KnotError knot_error;
   KnotTolerance tolerance;

@@ -9,7 +9,7 @@ namespace nightcity::traffic {
 // K, LED 5500 K.
 const std::array<VehicleType, vehicle_type_count> vehicle_types = {{
     {"small car",
-     Shape::car,
+     Shape::vehicle,
      4.0,
      1.75,
      1.5,
@@ -23,7 +23,7 @@ const std::array<VehicleType, vehicle_type_count> vehicle_types = {{
      0.85,
      {0.36f, 0.37f, 0.38f}},
     {"car",
-     Shape::car,
+     Shape::vehicle,
      4.6,
      1.82,
      1.45,

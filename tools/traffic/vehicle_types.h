@@ -6,7 +6,7 @@
 
 namespace nightcity::traffic {
 
-enum class Shape { car, van, bus, motorcycle, lorry };
+enum class Shape { vehicle, van, bus, motorcycle, lorry };
 
 struct VehicleType {
   const char* name;

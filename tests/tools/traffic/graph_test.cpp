@@ -6,7 +6,7 @@
 
 #include "tools/traffic/link_network.h"
 #include "tools/traffic/road_graph.h"
-#include "tools/traffic/routes.h"
+#include "tools/traffic/trip_plans.h"
 #include "tools/traffic/street_grid.h"
 
 namespace nightcity::traffic {
@@ -252,13 +252,13 @@ TEST(Routes, NobodyIsSentThroughAWall) {
   const RoadGraph graph = graph_of({street(1, {{-300, 0}, {0, 0}, {300, 0}}, primary),
                                     street(2, {{0, -300}, {0, 0}, {0, 300}}, primary)});
   LinkNetwork network(graph, plane, house);
-  RouteReport report;
-  const auto routes = make_routes(network, {20, 300, 5}, report);
-  ASSERT_GT(routes.size(), 20u);
+  TripPlanReport report;
+  const auto plans = plan_trips(network, {20, 300, 5}, report);
+  ASSERT_GT(plans.size(), 20u);
   EXPECT_GT(report.through_buildings, 0u);
   std::size_t westward = 0;
-  for (const Route& route : routes)
-    for (const std::size_t number : route.links) {
+  for (const TripPlan& plan : plans)
+    for (const std::size_t number : plan.links) {
       const Link& link = network.links()[number];
       EXPECT_EQ(link.in_buildings_m, 0);
       for (const Curve::Sample& sample : link.curve.samples()) {

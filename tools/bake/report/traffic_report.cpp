@@ -25,10 +25,10 @@ double overlap_share(const traffic::TrafficReport& report) {
 
 json to_json(const traffic::TrafficReport& report) {
   json classes = json::object(), seconds = json::object();
-  for (const auto& [highway, km] : report.routes.lane_km)
+  for (const auto& [highway, km] : report.plans.lane_km)
     classes[highway] = {{"lane_km", km},
-                        {"vehicles_wanted", report.routes.wanted.at(highway)},
-                        {"vehicles_given", report.routes.given.at(highway)}};
+                        {"vehicles_wanted", report.plans.wanted.at(highway)},
+                        {"vehicles_given", report.plans.given.at(highway)}};
   for (const auto& [step, value] : report.seconds) seconds[step] = value;
   return {{"country", report.country},
           {"side", name_of(report.side)},
@@ -48,8 +48,8 @@ json to_json(const traffic::TrafficReport& report) {
           {"brakings", report.brakings},
           {"knot_error",
            {{"m", report.knot_error.position_m}, {"degrees", report.knot_error.heading_degrees}}},
-          {"rejected_routes", report.routes.rejected},
-          {"routes_through_buildings", report.routes.through_buildings},
+          {"rejected_routes", report.plans.rejected},
+          {"routes_through_buildings", report.plans.through_buildings},
           {"links_km", report.links_km},
           {"links_in_buildings_km", report.links_in_buildings_km},
           {"max_at_once", report.simulation.max_at_once},

@@ -1,4 +1,4 @@
-#include "tools/traffic/lamps.h"
+#include "tools/traffic/vehicle_lamps.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "tools/traffic/link_network.h"
-#include "tools/traffic/routes.h"
+#include "tools/traffic/trip_plans.h"
 
 namespace nightcity::traffic {
 
-class RoutePath {
+class TripPath {
  public:
   /// Refers to the network and the route.
-  RoutePath(const LinkNetwork& network, const Route& route);
+  TripPath(const LinkNetwork& network, const TripPlan& plan);
 
   /// Of the vehicle's middle, `distance_m` from the start of the first link: E, N, H and d point / d
   /// distance.
@@ -25,7 +25,7 @@ class RoutePath {
   Aside aside(double distance_m) const;
 
   const LinkNetwork& network_;
-  const Route& route_;
+  const TripPlan& plan_;
   std::vector<double> starts_;  // of each link, and the end
 };
 

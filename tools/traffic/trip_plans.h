@@ -11,7 +11,7 @@
 
 namespace nightcity::traffic {
 
-struct Route {
+struct TripPlan {
   std::vector<std::size_t> links;  // lane, turn, lane, ... lane
   double start_s = 0, end_s = 0;   // the vehicle's middle, on the first and the last link
   bool from_kerb = false;  // starts parked; else it drives in over the border or out of a dead end
@@ -30,7 +30,7 @@ struct Demand {
   std::uint64_t seed = 1;
 };
 
-struct RouteReport {
+struct TripPlanReport {
   std::map<std::string, double> lane_km;        // by class of road
   std::map<std::string, double> wanted, given;  // vehicles at once, by class
   std::size_t rejected = 0;           // drives that led nowhere in time, or could not be driven:
@@ -42,6 +42,7 @@ double vehicles_by_table(const RoadGraph& graph);
 
 /// Drives whose free driving times add up to demand.vehicles * demand.cycle_s. They start and end at the
 /// map's border, in dead ends and at kerbs where one may park. Deterministic.
-std::vector<Route> make_routes(LinkNetwork& network, const Demand& demand, RouteReport& report);
+std::vector<TripPlan> plan_trips(LinkNetwork& network, const Demand& demand,
+                                 TripPlanReport& report);
 
 }  // namespace nightcity::traffic

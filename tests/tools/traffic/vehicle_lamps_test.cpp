@@ -1,5 +1,5 @@
 // Dipped beams and signal lamps held to their regulations, through the profile as a renderer reads it.
-#include "tools/traffic/lamps.h"
+#include "tools/traffic/vehicle_lamps.h"
 
 #include <gtest/gtest.h>
 

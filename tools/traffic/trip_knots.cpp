@@ -1,4 +1,4 @@
-#include "tools/traffic/drive_knots.h"
+#include "tools/traffic/trip_knots.h"
 
 #include <algorithm>
 #include <array>
@@ -37,12 +37,12 @@ TripKnot knot_at(const Curve::Place& place, double speed, double time, bool brak
 }
 
 /// Braking during the step after each sample.
-std::vector<bool> braking_of(const Drive& drive) {
-  const std::size_t count = drive.speed_m_s.size();
+std::vector<bool> braking_of(const DrivenTrip& trip) {
+  const std::size_t count = trip.speed_m_s.size();
   std::vector<bool> on(count, false);
   for (std::size_t n = 0; n + 1 < count; ++n) {
-    const double a = (double{drive.speed_m_s[n + 1]} - double{drive.speed_m_s[n]}) / step_s;
-    on[n] = a < -pedal_m_s2 || (drive.speed_m_s[n] < 0.1f && drive.speed_m_s[n + 1] < 0.1f);
+    const double a = (double{trip.speed_m_s[n + 1]} - double{trip.speed_m_s[n]}) / step_s;
+    on[n] = a < -pedal_m_s2 || (trip.speed_m_s[n] < 0.1f && trip.speed_m_s[n + 1] < 0.1f);
   }
   const auto smooth = [&](bool value, int shortest) {
     for (std::size_t n = 0; n < count;) {
@@ -61,17 +61,17 @@ std::vector<bool> braking_of(const Drive& drive) {
 
 class KnotFitter {
  public:
-  KnotFitter(const RoutePath& path, const Drive& drive, const Georeference& georeference,
+  KnotFitter(const TripPath& path, const DrivenTrip& trip, const Georeference& georeference,
              const KnotTolerance& tolerance)
       : georeference_(georeference), tolerance_(tolerance) {
-    const std::vector<bool> braking = braking_of(drive);
-    const std::size_t last = drive.speed_m_s.size() - 1;
+    const std::vector<bool> braking = braking_of(trip);
+    const std::size_t last = trip.speed_m_s.size() - 1;
     // Moments at which a knot may lie, and between them those at which the fit is only looked at. A step in
     // which the heading turns fast has more of them.
-    Curve::Place before = path.at(double{drive.distance_m[0]});
+    Curve::Place before = path.at(double{trip.distance_m[0]});
     for (std::size_t n = 0; n < last; ++n) {
-      const double s0 = double{drive.distance_m[n]}, s1 = double{drive.distance_m[n + 1]};
-      const double v0 = double{drive.speed_m_s[n]}, v1 = double{drive.speed_m_s[n + 1]};
+      const double s0 = double{trip.distance_m[n]}, s1 = double{trip.distance_m[n + 1]};
+      const double v0 = double{trip.speed_m_s[n]}, v1 = double{trip.speed_m_s[n + 1]};
       const Curve::Place after = path.at(s1);
       // Evenly accelerated within a step, as it was driven.
       const auto at = [&](double x) {
@@ -98,7 +98,7 @@ class KnotFitter {
       before = after;
     }
     moments_.push_back(
-        {static_cast<double>(last) * step_s, double{drive.speed_m_s[last]}, braking[last], before});
+        {static_cast<double>(last) * step_s, double{trip.speed_m_s[last]}, braking[last], before});
   }
 
   std::vector<TripKnot> fit(KnotError& worst) const {
@@ -176,12 +176,12 @@ class KnotFitter {
 
 }  // namespace
 
-std::vector<TripKnot> make_knots(const RoutePath& path, const Drive& drive,
+std::vector<TripKnot> make_knots(const TripPath& path, const DrivenTrip& trip,
                                  const Georeference& georeference, const KnotTolerance& tolerance,
                                  KnotError& worst) {
-  if (drive.speed_m_s.size() < 9 || drive.distance_m.back() - drive.distance_m.front() < 5)
+  if (trip.speed_m_s.size() < 9 || trip.distance_m.back() - trip.distance_m.front() < 5)
     return {};
-  return KnotFitter(path, drive, georeference, tolerance).fit(worst);
+  return KnotFitter(path, trip, georeference, tolerance).fit(worst);
 }
 
 }  // namespace nightcity::traffic

@@ -1,5 +1,5 @@
 // Lamps on a plane beside a straight road: everything about them is known beforehand.
-#include "tools/lights/lamps.h"
+#include "tools/lights/place_lamps.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tools/traffic/routes.h"
+#include "tools/traffic/trip_plans.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,9 +30,9 @@ class WeightedChoice {
   std::vector<double> sums_;
 };
 
-class RouteMaker {
+class TripPlanner {
  public:
-  RouteMaker(LinkNetwork& network, const Demand& demand, RouteReport& report)
+  TripPlanner(LinkNetwork& network, const Demand& demand, TripPlanReport& report)
       : network_(network), graph_(network.graph()), demand_(demand), report_(report) {
     for (const RoadEdge& edge : graph_.edges) {
       const double amount = edge.road->density_per_km_lane * edge.length_m * edge.lanes;
@@ -55,37 +55,37 @@ class RouteMaker {
     }
     // As many drives begin inside the map as its size and the drives' length ask for, beside those that come
     // in.
-    const double starts_per_s = demand.vehicles / mean_drive_s();
+    const double starts_per_s = demand.vehicles / mean_trip_s();
     const double incoming = gate_choice_.total() * demand.vehicles / std::max(wanted_, 1e-9);
     gate_share_ = kerbs_.empty()   ? 1
                   : gates_.empty() ? 0
                                    : std::clamp(incoming / std::max(starts_per_s, 1e-9), 0.1, 0.8);
   }
 
-  std::vector<Route> make() {
-    std::vector<Route> routes;
-    if (wanted_ <= 0 || (gates_.empty() && kerbs_.empty())) return routes;
+  std::vector<TripPlan> make() {
+    std::vector<TripPlan> plans;
+    if (wanted_ <= 0 || (gates_.empty() && kerbs_.empty())) return plans;
     const double budget = demand_.vehicles * demand_.cycle_s;
     double spent = 0;
     std::size_t failures = 0;
     for (std::uint32_t number = 0; spent < budget && failures < 1000; ++number) {
       Random random{static_cast<std::int64_t>(demand_.seed), 71, number};
-      auto route = try_one(random);
-      if (!route) {
+      auto plan = try_one(random);
+      if (!plan) {
         ++report_.rejected;
         ++failures;
         continue;
       }
       failures = 0;
-      route->id = static_cast<std::uint32_t>(mix(demand_.seed * 1000003 + number));
-      spent += route->free_time_s;
-      routes.push_back(std::move(*route));
+      plan->id = static_cast<std::uint32_t>(mix(demand_.seed * 1000003 + number));
+      spent += plan->free_time_s;
+      plans.push_back(std::move(*plan));
     }
     for (const auto& [road, tally] : tallies_) {
       report_.wanted[road->highway] = demand_.vehicles * tally.wanted / wanted_;
       report_.given[road->highway] = tally.given / demand_.cycle_s;
     }
-    return routes;
+    return plans;
   }
 
  private:
@@ -93,8 +93,8 @@ class RouteMaker {
     double wanted = 0, given = 0;
   };
 
-  double mean_drive_s() const { return std::min(150.0, 0.35 * demand_.cycle_s); }
-  double longest_drive_s() const { return 0.7 * demand_.cycle_s; }
+  double mean_trip_s() const { return std::min(150.0, 0.35 * demand_.cycle_s); }
+  double longest_trip_s() const { return 0.7 * demand_.cycle_s; }
 
   static double flow(const RoadEdge& edge) {
     return edge.road->density_per_km_lane * 1e-3 * edge.lanes * edge.speed_m_s;
@@ -142,23 +142,23 @@ class RouteMaker {
     return options.empty() || !(choice.total() > 0) ? none : options[choice.pick(random)];
   }
 
-  std::optional<Route> try_one(Random& random) {
-    Route route;
-    route.from_kerb = random.uniform() >= gate_share_;
-    std::vector<std::size_t> edges = {route.from_kerb ? kerbs_[kerb_choice_.pick(random)]
+  std::optional<TripPlan> try_one(Random& random) {
+    TripPlan plan;
+    plan.from_kerb = random.uniform() >= gate_share_;
+    std::vector<std::size_t> edges = {plan.from_kerb ? kerbs_[kerb_choice_.pick(random)]
                                                       : gates_[gate_choice_.pick(random)]};
-    route.type = pick_type(graph_.edges[edges[0]], random);
-    const VehicleType& type = vehicle_types[route.type];
-    if (route.from_kerb && type.large) return std::nullopt;
-    route.speed_factor = random.range(type.speed_factor[0], type.speed_factor[1]);
-    route.start_time_s = random.uniform() * demand_.cycle_s;
-    const double enough = mean_drive_s() * random.range(0.5, 1.5);
+    plan.type = pick_type(graph_.edges[edges[0]], random);
+    const VehicleType& type = vehicle_types[plan.type];
+    if (plan.from_kerb && type.large) return std::nullopt;
+    plan.speed_factor = random.range(type.speed_factor[0], type.speed_factor[1]);
+    plan.start_time_s = random.uniform() * demand_.cycle_s;
+    const double enough = mean_trip_s() * random.range(0.5, 1.5);
     bool to_kerb = false;
     for (;;) {
       const RoadEdge& edge = graph_.edges[edges.back()];
-      route.free_time_s += time_on(edge, edge.length_m) / route.speed_factor;
-      if (route.free_time_s > longest_drive_s()) return std::nullopt;
-      if (route.free_time_s > enough && edges.size() > 1 && !type.large && may_park(edges.back())) {
+      plan.free_time_s += time_on(edge, edge.length_m) / plan.speed_factor;
+      if (plan.free_time_s > longest_trip_s()) return std::nullopt;
+      if (plan.free_time_s > enough && edges.size() > 1 && !type.large && may_park(edges.back())) {
         to_kerb = true;
         break;
       }
@@ -169,21 +169,21 @@ class RouteMaker {
     // Only where a street really ends may a drive end without parking.
     const RoadNode& last = graph_.nodes[graph_.edges[edges.back()].to];
     if (!to_kerb && last.streets != 1) return std::nullopt;
-    if (!to_kerb && edges.size() == 1 && route.from_kerb) return std::nullopt;
-    route.to_stop = to_kerb || !last.border;
-    if (!lay(route, edges, to_kerb, random)) return std::nullopt;
+    if (!to_kerb && edges.size() == 1 && plan.from_kerb) return std::nullopt;
+    plan.to_stop = to_kerb || !last.border;
+    if (!lay(plan, edges, to_kerb, random)) return std::nullopt;
     for (const std::size_t e : edges) {
-      const double time = time_on(graph_.edges[e], graph_.edges[e].length_m) / route.speed_factor;
+      const double time = time_on(graph_.edges[e], graph_.edges[e].length_m) / plan.speed_factor;
       tallies_[graph_.edges[e].road].given += time;
       given_ += time;
     }
-    return route;
+    return plan;
   }
 
   /// Lanes from the end backwards: what the next turn asks for decides; who goes straight on keeps the lane,
   /// so that lanes are changed in turns only. False where two lanes on the way have no turn between them
   /// but a loop, where a bend is too tight, and where a wall stands on the way.
-  bool lay(Route& route, const std::vector<std::size_t>& edges, bool to_kerb, Random& random) {
+  bool lay(TripPlan& plan, const std::vector<std::size_t>& edges, bool to_kerb, Random& random) {
     std::vector<int> lanes(edges.size());
     const bool right_hand = graph_.side == Side::right;
     for (std::size_t n = edges.size(); n-- > 0;) {
@@ -202,34 +202,34 @@ class RouteMaker {
       if (!network_.can_turn(edges[n - 1], lanes[n - 1], edges[n], lanes[n])) return false;
     for (std::size_t n = 0; n < edges.size(); ++n) {
       if (n > 0)
-        route.links.push_back(network_.turn(edges[n - 1], lanes[n - 1], edges[n], lanes[n]));
-      route.links.push_back(network_.lane(edges[n], lanes[n]));
+        plan.links.push_back(network_.turn(edges[n - 1], lanes[n - 1], edges[n], lanes[n]));
+      plan.links.push_back(network_.lane(edges[n], lanes[n]));
     }
-    for (const std::size_t number : route.links) {
+    for (const std::size_t number : plan.links) {
       const Link& link = network_.links()[number];
       if (link.in_buildings_m > 0) ++report_.through_buildings;
       if (link.in_buildings_m > 0 || !link.steerable) return false;
     }
-    const VehicleType& type = vehicle_types[route.type];
+    const VehicleType& type = vehicle_types[plan.type];
     const double half = type.length_m / 2;
     const auto aside = [&](const RoadEdge& edge, int lane) {
       if (lane != 0) return 0.0;
       const double room = edge.lane_m / 2 - type.width_m / 2 - kerb_gap_m;
       return (right_hand ? 1 : -1) * std::max(0.0, room);
     };
-    const double first = network_.links()[route.links.front()].curve.length();
-    const double last = network_.links()[route.links.back()].curve.length();
-    route.start_s = std::min(half, first / 2);
-    if (route.from_kerb) {
-      route.start_s = random.range(std::min(parking_margin_m, first / 2),
+    const double first = network_.links()[plan.links.front()].curve.length();
+    const double last = network_.links()[plan.links.back()].curve.length();
+    plan.start_s = std::min(half, first / 2);
+    if (plan.from_kerb) {
+      plan.start_s = random.range(std::min(parking_margin_m, first / 2),
                                    std::max(first - stop_margin_m, first / 2));
-      route.start_aside_m = aside(graph_.edges[edges.front()], lanes.front());
+      plan.start_aside_m = aside(graph_.edges[edges.front()], lanes.front());
     }
-    route.end_s = std::max(last - half, last / 2);
+    plan.end_s = std::max(last - half, last / 2);
     if (to_kerb) {
-      route.end_s =
+      plan.end_s =
           random.range(std::min(15.0, last / 2), std::max(last - stop_margin_m, last / 2));
-      route.end_aside_m = aside(graph_.edges[edges.back()], lanes.back());
+      plan.end_aside_m = aside(graph_.edges[edges.back()], lanes.back());
     }
     return true;
   }
@@ -237,7 +237,7 @@ class RouteMaker {
   LinkNetwork& network_;
   const RoadGraph& graph_;
   const Demand& demand_;
-  RouteReport& report_;
+  TripPlanReport& report_;
   std::map<const RoadClass*, Tally> tallies_;
   double wanted_ = 0, given_ = 0, gate_share_ = 0;
   std::vector<std::size_t> gates_, kerbs_;
@@ -253,8 +253,8 @@ double vehicles_by_table(const RoadGraph& graph) {
   return sum;
 }
 
-std::vector<Route> make_routes(LinkNetwork& network, const Demand& demand, RouteReport& report) {
-  return RouteMaker(network, demand, report).make();
+std::vector<TripPlan> plan_trips(LinkNetwork& network, const Demand& demand, TripPlanReport& report) {
+  return TripPlanner(network, demand, report).make();
 }
 
 }  // namespace nightcity::traffic

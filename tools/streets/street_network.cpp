@@ -1,4 +1,4 @@
-#include "tools/layout/street_network.h"
+#include "tools/streets/street_network.h"
 
 #include <algorithm>
 #include <cmath>

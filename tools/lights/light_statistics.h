@@ -13,7 +13,7 @@
 
 namespace nightcity {
 
-struct FamilyCensus {
+struct FamilyStatistics {
   std::size_t count = 0, always_on = 0;
   double flux_lm = 0;
   std::map<std::string, std::size_t> kinds;                           // "sphere", "rectangle"
@@ -21,8 +21,8 @@ struct FamilyCensus {
   std::array<std::size_t, night_hours> lit{};                         // at each full hour
 };
 
-struct LightCensus {
-  std::map<std::string, FamilyCensus> families;  // "lamp", "window", ...
+struct LightStatistics {
+  std::map<std::string, FamilyStatistics> families;  // "lamp", "window", ...
   std::map<std::string, std::size_t> faults;     // why lights are unfit, and how many
 };
 
@@ -30,7 +30,7 @@ struct LightCensus {
 using PlaceFault = std::function<std::string(const Light&)>;
 
 /// Looks at every light once. Broken ones are counted in `faults` and nowhere else.
-LightCensus count_lights(const LightFile& file, const PlaceFault& place_fault = {});
+LightStatistics count_lights(const LightFile& file, const PlaceFault& place_fault = {});
 
 const char* name_of(LightFamily family);
 const char* name_of(ValueSource source);

@@ -1,4 +1,4 @@
-#include "tools/lights/lamps.h"
+#include "tools/lights/place_lamps.h"
 
 #include <algorithm>
 #include <array>

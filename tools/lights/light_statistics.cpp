@@ -1,4 +1,4 @@
-#include "tools/lights/light_census.h"
+#include "tools/lights/light_statistics.h"
 
 #include <algorithm>
 #include <optional>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr uint hour_s = 3600, first_hour_s = 5 * hour_s;  // 17:00, since noon
 
-void count_hours(const Light& light, const LightFile& file, FamilyCensus& family) {
+void count_hours(const Light& light, const LightFile& file, FamilyStatistics& family) {
   if (light.schedule == LIGHT_ALWAYS_ON) {
     ++family.always_on;
     for (std::size_t& lit : family.lit) ++lit;
@@ -35,18 +35,18 @@ std::optional<std::string> fault_of(const Light& light, const LightFile& file) {
 
 }  // namespace
 
-LightCensus count_lights(const LightFile& file, const PlaceFault& place_fault) {
-  LightCensus census;
+LightStatistics count_lights(const LightFile& file, const PlaceFault& place_fault) {
+  LightStatistics statistics;
   for (std::size_t i = 0; i < file.lights().size(); ++i) {
     const Light& light = file.lights()[i];
     if (const auto fault = fault_of(light, file)) {
-      ++census.faults[*fault];
+      ++statistics.faults[*fault];
       continue;
     }
     if (place_fault)
-      if (const std::string fault = place_fault(light); !fault.empty()) ++census.faults[fault];
+      if (const std::string fault = place_fault(light); !fault.empty()) ++statistics.faults[fault];
     const LightProvenance& from = file.provenance()[i];
-    FamilyCensus& family = census.families[name_of(static_cast<LightFamily>(from.family))];
+    FamilyStatistics& family = statistics.families[name_of(static_cast<LightFamily>(from.family))];
     ++family.count;
     family.flux_lm += double{light.flux_lm};
     ++family.kinds[(light.kind_profile & 0xFFu) == LIGHT_SPHERE ? "sphere" : "rectangle"];
@@ -56,7 +56,7 @@ LightCensus count_lights(const LightFile& file, const PlaceFault& place_fault) {
         {"colour", from.colour},     {"profile", from.profile}, {"hours", from.schedule}};
     for (const auto& [value, source] : values) ++family.sources[value][name_of(source)];
   }
-  return census;
+  return statistics;
 }
 
 const char* name_of(LightFamily family) {

@@ -5,8 +5,8 @@
 
 #include "formats/georeference.h"
 #include "formats/night.h"
-#include "tools/traffic/route_path.h"
 #include "tools/traffic/simulation.h"
+#include "tools/traffic/trip_path.h"
 
 namespace nightcity::traffic {
 
@@ -22,7 +22,7 @@ struct KnotError {
 
 /// As few knots as the tolerance allows (greedily: each as late as may be). Braking from the drive's own
 /// deceleration. Empty for a drive of less than two seconds or one that goes nowhere.
-std::vector<TripKnot> make_knots(const RoutePath& path, const Drive& drive,
+std::vector<TripKnot> make_knots(const TripPath& path, const DrivenTrip& trip,
                                  const Georeference& georeference, const KnotTolerance& tolerance,
                                  KnotError& worst);
 
