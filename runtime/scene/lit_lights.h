@@ -10,9 +10,6 @@
 
 namespace nightcity {
 
-/// Does a light of this schedule shine `time_s` seconds after noon? Times outside a day wrap round.
-bool is_lit(const Schedule& schedule, std::span<const std::uint32_t> switches, double time_s);
-
 struct LitLights {
   std::vector<std::uint32_t> bits;     // a bit a light, 32 a word
   std::vector<std::uint32_t> list;     // indices of those that shine, ascending

@@ -22,7 +22,7 @@ double bearing_degrees(const glm::dvec2& from, const glm::dvec2& to) {
 std::string lit_hours(const NightSchedule& hours) {
   std::string text;
   const auto clock = [](int minute) {
-    return fmt::format("{:02}:{:02}", (17 + minute / 60) % 24, minute % 60);
+    return fmt::format("{:02}:{:02}", (night_begin_hour + minute / 60) % 24, minute % 60);
   };
   for (std::size_t n = 0; n < hours.on.size(); ++n) {
     if (hours.on[n] >= hours.off[n]) continue;

@@ -4,6 +4,7 @@
 #include "tools/layout/road_illuminance.h"
 #include "tools/lights/lamp_defaults.h"
 #include "tools/lights/lighting_class.h"
+#include "tools/streets/street_network.h"
 
 namespace nightcity::layout {
 
@@ -15,8 +16,11 @@ struct LampDesign {
   bool meets_class = false;
 };
 
+/// Returns what lamps make of a street's class.
+const RoadLighting& lighting_of(const streets::Street& street);
+
 /// Behind the kerb: the clearance of 0.5 m that a kerb gives at town speeds (RASt 06, 4.2), less by paths.
-double setback_m(const RoadDefaults& road);
+double setback_m(const RoadLighting& road);
 
 /// From the width over the mounting height (Global Street Design Guide): one side up to about the height,
 /// staggered up to about 1.5 times, both sides beyond. Halfway between the guide's values is where it
@@ -31,7 +35,7 @@ constexpr double min_package_lm = 500, max_package_lm = 63000;
 /// The widest spacing of 3.0 down to 2.5 mounting heights (the guide's range; 2.0 where the class's
 /// uniformity wants it) whose least sufficient package keeps the average within the class. Where none does,
 /// the most even. `profile` in candela per lumen.
-LampDesign design_lamps(const RoadDefaults& road, double width_m, Arrangement arrangement,
+LampDesign design_lamps(const RoadLighting& road, double width_m, Arrangement arrangement,
                         const LightingClass& wanted, const Photometry& profile);
 
 }  // namespace nightcity::layout

@@ -21,7 +21,7 @@ struct StreetPlanned {
 /// of its design; then the next greater package. Fills report.streets and report.classes; a street most of
 /// whose places are left to mapped lamps is only counted, for their light is not the layout's doing. `plans`
 /// parallel to the network's streets.
-void fit_flux(const StreetNetwork& network, const std::vector<StreetPlanned>& plans,
+void fit_flux(const streets::StreetNetwork& network, const std::vector<StreetPlanned>& plans,
               const HeightAt& height_at, LampSet& set, std::size_t first_new,
               const std::vector<std::size_t>& street_of_lamp, LayoutReport& report);
 constexpr double widest_change = 2.5;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "tools/layout/place_grid.h"
-#include "tools/streets/street_network.h"
 #include "tools/lights/place_lamps.h"
+#include "tools/streets/street_network.h"
 
 namespace nightcity::layout {
 
@@ -23,7 +23,7 @@ enum class SiteFault { outside_model, building, carriageway };
 class PostSites {
  public:
   /// All arguments must live as long as this. `unlit` roads are carriageways too.
-  PostSites(const StreetNetwork& network, const std::vector<const OsmWay*>& unlit,
+  PostSites(const streets::StreetNetwork& network, const std::vector<const OsmWay*>& unlit,
             const LonLatToFrame& to_frame, const HeightAt& height_at, const InsideBuilding& inside);
 
   /// The place beside street `street` at `along_m`; where a building stands too near, it moves towards the
@@ -39,7 +39,7 @@ class PostSites {
   void add_carriageway(const std::vector<glm::dvec2>& line, double width_m);
   bool clear_of_buildings(const glm::dvec2& p) const;
 
-  const StreetNetwork& network_;
+  const streets::StreetNetwork& network_;
   const HeightAt& height_at_;
   const InsideBuilding& inside_;
   PlaceGrid carriageways_{20};         // middle lines, every other metre

@@ -7,6 +7,7 @@
 
 #include "tools/lights/colour.h"
 #include "tools/osm/tag_values.h"
+#include "tools/osm/tag_values.h"
 
 namespace nightcity {
 namespace {

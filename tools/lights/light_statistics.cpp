@@ -5,11 +5,10 @@
 
 #include "formats/light_check.h"
 #include "formats/night_check.h"
+#include "formats/schedule.h"
 
 namespace nightcity {
 namespace {
-
-constexpr uint hour_s = 3600, first_hour_s = 5 * hour_s;  // 17:00, since noon
 
 void count_hours(const Light& light, const LightFile& file, FamilyStatistics& family) {
   if (light.schedule == LIGHT_ALWAYS_ON) {
@@ -19,10 +18,10 @@ void count_hours(const Light& light, const LightFile& file, FamilyStatistics& fa
   }
   const Schedule& schedule = file.schedules()[light.schedule];
   for (std::size_t hour = 0; hour < night_hours; ++hour) {
-    // At 07:00 what was on a moment before: there the night ends.
+    // The night ends at 07:00, so its last hour counts what was lit a minute earlier.
     const uint second =
-        first_hour_s + static_cast<uint>(hour) * hour_s - (hour + 1 == night_hours ? 60 : 0);
-    family.lit[hour] += shines_at(schedule, file.switches().data(), second);
+        night_begin_s + static_cast<uint>(hour) * 3600 - (hour + 1 == night_hours ? 60 : 0);
+    family.lit[hour] += is_lit(schedule, file.switches(), second);
   }
 }
 
@@ -57,38 +56,6 @@ LightStatistics count_lights(const LightFile& file, const PlaceFault& place_faul
     for (const auto& [value, source] : values) ++family.sources[value][name_of(source)];
   }
   return statistics;
-}
-
-const char* name_of(LightFamily family) {
-  switch (family) {
-    case LightFamily::lamp:
-      return "lamp";
-    case LightFamily::window:
-      return "window";
-    case LightFamily::headlamp:
-      return "headlamp";
-    case LightFamily::tail_lamp:
-      return "tail_lamp";
-    case LightFamily::other:
-      break;
-  }
-  return "other";
-}
-
-const char* name_of(ValueSource source) {
-  switch (source) {
-    case ValueSource::tag:
-      return "tag";
-    case ValueSource::attribute:
-      return "attribute";
-    case ValueSource::rule:
-      return "rule";
-    case ValueSource::standard:
-      return "standard";
-    case ValueSource::unknown:
-      break;
-  }
-  return "unknown";
 }
 
 }  // namespace nightcity

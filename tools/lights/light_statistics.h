@@ -23,7 +23,7 @@ struct FamilyStatistics {
 
 struct LightStatistics {
   std::map<std::string, FamilyStatistics> families;  // "lamp", "window", ...
-  std::map<std::string, std::size_t> faults;     // why lights are unfit, and how many
+  std::map<std::string, std::size_t> faults;         // why lights are unfit, and how many
 };
 
 /// Why a light should not be where it is ("below the ground"), "" where it may; model space.
@@ -31,8 +31,5 @@ using PlaceFault = std::function<std::string(const Light&)>;
 
 /// Looks at every light once. Broken ones are counted in `faults` and nowhere else.
 LightStatistics count_lights(const LightFile& file, const PlaceFault& place_fault = {});
-
-const char* name_of(LightFamily family);
-const char* name_of(ValueSource source);
 
 }  // namespace nightcity

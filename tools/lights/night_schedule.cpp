@@ -9,10 +9,8 @@
 namespace nightcity {
 namespace {
 
-constexpr uint first_second = 5 * 3600;  // 17:00, since noon
-
 uint second_of(int minute) {
-  return first_second + 60 * static_cast<uint>(minute);
+  return night_begin_s + 60 * static_cast<uint>(minute);
 }
 
 /// "23:00", "7:05", "0:30": minutes after 17:00. Nothing for another text or an hour of the day.
@@ -126,11 +124,6 @@ std::uint32_t ScheduleTable::add(const NightSchedule& schedule) {
   if (known_.size() >= max_known_) known_.clear();
   known_.emplace(schedule, number);
   return number;
-}
-
-bool shines_at(const Schedule& schedule, const uint* switches, uint seconds) {
-  const uint* first = switches + schedule.first;
-  return (std::upper_bound(first, first + schedule.count, seconds) - first) % 2 == 1;
 }
 
 void count_hours(const NightSchedule& schedule, HourCounts& counts) {

@@ -16,11 +16,12 @@
 
 namespace nightcity {
 
-constexpr int night_minutes = 14 * 60;  // from 17:00 to 07:00
+constexpr int night_minutes = (night_end_s - night_begin_s) / 60;  // from 17:00 to 07:00
+constexpr int night_begin_hour = 12 + night_begin_s / 3600;        // on the clock: 17
 
 /// Minutes after 17:00 of a clock time, e.g. (23, 30) or (3, 0).
 constexpr int minute_of(int hour, int minute) {
-  return ((hour + 24 - 17) % 24) * 60 + minute;
+  return ((hour + 24 - night_begin_hour) % 24) * 60 + minute;
 }
 
 /// Up to four times of light, in minutes after 17:00, ascending and apart; on == off: not used.
@@ -72,9 +73,6 @@ class ScheduleTable {
   std::unordered_map<NightSchedule, std::uint32_t, Hash> known_;
 };
 
-/// Whether a light of a file with these switch times shines `seconds` after noon.
-bool shines_at(const Schedule& schedule, const uint* switches, uint seconds);
-
 /// Full hours of the night, 17:00 to 07:00, at which shares are counted.
 constexpr std::size_t night_hours = 15;
 /// Counts lights that are on at each full hour; at 07:00 those that were on a moment before.
@@ -82,7 +80,7 @@ using HourCounts = std::array<std::size_t, night_hours>;
 void count_hours(const NightSchedule& schedule, HourCounts& counts);
 /// The hour of such a count: 17, 18, ..., 0, ... 7.
 constexpr int clock_hour(std::size_t index) {
-  return static_cast<int>((17 + index) % 24);
+  return static_cast<int>((night_begin_hour + index) % 24);
 }
 
 }  // namespace nightcity

@@ -23,11 +23,6 @@ namespace {
 constexpr double same_place_m = 0.3;  // two posts nearer than this are one post mapped twice
 constexpr double step_out_m = 0.25, farthest_out_m = 12;
 
-const char* name_of(ValueSource source) {
-  constexpr const char* names[] = {"unknown", "tag", "attribute", "rule", "standard"};
-  return names[static_cast<int>(source)];
-}
-
 /// A value and where it came from.
 template <class T>
 struct Known {
@@ -132,15 +127,15 @@ class Placer {
     return false;
   }
 
-  const RoadDefaults& defaults_for(const LampTags& tags,
+  const RoadLighting& defaults_for(const LampTags& tags,
                                    const std::optional<RoadIndex::Nearest>& road) const {
     if (tags.mast) return lighting_mast_defaults();
-    return road ? road->road->defaults : open_space_defaults();
+    return road ? *road->road->lighting : open_space_defaults();
   }
 
   void post(const OsmLampNode& node, const LampTags& tags, const glm::dvec3& foot,
             ValueSource position, const std::optional<RoadIndex::Nearest>& road) {
-    const RoadDefaults& defaults = defaults_for(tags, road);
+    const RoadLighting& defaults = defaults_for(tags, road);
     const LampTypeDefaults* type = tags.type ? &lamp_type_defaults(*tags.type) : nullptr;
 
     Known<double> mounting{defaults.mounting_m};
@@ -228,7 +223,7 @@ class Placer {
     return *known;
   }
 
-  static Known<double> flux_of(const LampTags& tags, const RoadDefaults& defaults,
+  static Known<double> flux_of(const LampTags& tags, const RoadLighting& defaults,
                                const LampTypeDefaults* type) {
     Known<double> flux{defaults.flux_lm};
     const double of_type = type ? type->flux_lm[static_cast<int>(defaults.tier)] : 0;
@@ -241,7 +236,7 @@ class Placer {
   }
 
   /// How far the luminous centre stands before its post. Nothing reaches beyond the middle of its road.
-  static double outreach_of(const LampTags& tags, const RoadDefaults& defaults,
+  static double outreach_of(const LampTags& tags, const RoadLighting& defaults,
                             const LampTypeDefaults* type,
                             const std::optional<RoadIndex::Nearest>& road, std::size_t luminaires) {
     double outreach = defaults.outreach_m;
@@ -330,7 +325,7 @@ class Placer {
                           : road                           ? "road beside"
                                                            : "no road near"];
     ++set_.sources["road class"][tags.mast ? "lighting mast"
-                                 : road    ? road->road->defaults.highway
+                                 : road    ? road->road->lighting->highway
                                            : "open space"];
   }
 
@@ -349,7 +344,7 @@ class Placer {
 
 }  // namespace
 
-const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadDefaults& road,
+const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadLighting& road,
                                      LampType type) {
   const auto serves = [](const auto& list, const auto& value) {
     return list.empty() || std::find(list.begin(), list.end(), value) != list.end();

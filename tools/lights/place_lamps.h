@@ -68,7 +68,7 @@ struct LampOptions {
 };
 
 /// The measured luminaire for a lamp of that type beside a road, or none. Lamps of unknown type are LED.
-const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadDefaults& road,
+const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadLighting& road,
                                      LampType type = LampType::led);
 
 /// Every value a tag gives is taken; the rest comes from the road beside and the table of defaults

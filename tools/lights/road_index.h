@@ -17,13 +17,10 @@ namespace nightcity {
 class RoadIndex {
  public:
   struct Road {
-    RoadDefaults defaults;
+    const RoadLighting* lighting;
     double width_m;  // carriageway
-    bool width_tagged;
     std::int64_t way_id;
   };
-  /// Class and width of a way; nothing where no lamp belongs (proposed, ...) and for crossings.
-  static std::optional<Road> describe(const OsmWay& way);
 
   struct Nearest {
     const Road* road;

@@ -8,7 +8,7 @@
 
 #include "tools/osm/tag_values.h"
 
-namespace nightcity::layout {
+namespace nightcity::streets {
 namespace {
 
 using NodeKey =
@@ -35,9 +35,8 @@ struct Run {
   NodeKey first, last;
 };
 
-bool same_road(const RoadIndex::Road& a, const RoadIndex::Road& b) {
-  return std::string_view(a.defaults.highway) == b.defaults.highway &&
-         std::abs(a.width_m - b.width_m) <= 1;
+bool same_road(const roads::Carriageway& a, const roads::Carriageway& b) {
+  return a.road_class == b.road_class && std::abs(a.width_m - b.width_m) <= 1;
 }
 
 void reverse(Run& run) {
@@ -73,7 +72,7 @@ class NetworkBuilder {
     }
   }
 
-  void cut(const OsmWay& way, const RoadIndex::Road& road,
+  void cut(const OsmWay& way, const roads::Carriageway& road,
            const std::function<glm::dvec2(const glm::dvec2&)>& to_frame) {
     Street fresh;
     fresh.road = road;
@@ -210,10 +209,10 @@ std::string why_unlit(const OsmWay& way) {
   if (!lit.empty()) return {};
   // What towns light unasked: streets with houses or through traffic. Motorways are lit at few junctions,
   // paths where somebody says so, service roads where they are more than a way in.
-  const auto defaults = road_defaults(highway);
-  if (!defaults) return "unlit by class";
+  const roads::RoadClass* road_class = roads::find_road_class(highway);
+  if (!road_class) return "unlit by class";
   if (one_of(tag(way, "access"), {"private", "no"})) return "private";
-  const bool street = defaults->tier != RoadTier::path || highway == "pedestrian";
+  const bool street = road_class->tier != roads::RoadTier::path || highway == "pedestrian";
   const bool way_in = highway == "service" && !one_of(tag(way, "service"), {"", "alley", "bus"});
   if (!street || way_in || highway.starts_with("motorway") || highway.starts_with("trunk"))
     return "unlit by class";
@@ -225,10 +224,10 @@ StreetNetwork make_street_network(const std::vector<const OsmWay*>& ways,
                                   Joining joining) {
   NetworkBuilder builder;
   for (const OsmWay* way : ways)
-    if (RoadIndex::describe(*way)) builder.count(*way);
+    if (roads::read_carriageway(way->tags)) builder.count(*way);
   for (const OsmWay* way : ways)
-    if (const auto road = RoadIndex::describe(*way)) builder.cut(*way, *road, to_frame);
+    if (const auto road = roads::read_carriageway(way->tags)) builder.cut(*way, *road, to_frame);
   return builder.build(joining);
 }
 
-}  // namespace nightcity::layout
+}  // namespace nightcity::streets

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "tools/lights/road_index.h"
 #include "tools/osm/osm_data.h"
+#include "tools/roads/carriageway.h"
 
-namespace nightcity::layout {
+namespace nightcity::streets {
 
 struct Street {
   /// Where on which way a piece of the line lies: lamps are named after it.
@@ -28,7 +28,7 @@ struct Street {
     double on_way_m;
   };
 
-  RoadIndex::Road road;
+  roads::Carriageway road;
   std::string name;
   bool bridge = false;  // some of it
   std::vector<glm::dvec2> line;
@@ -70,4 +70,4 @@ StreetNetwork make_street_network(const std::vector<const OsmWay*>& ways,
                                   const std::function<glm::dvec2(const glm::dvec2&)>& to_frame,
                                   Joining joining = Joining::same_road);
 
-}  // namespace nightcity::layout
+}  // namespace nightcity::streets

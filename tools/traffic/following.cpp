@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/traffic/simulation.h"
+#include "tools/traffic/driver_model.h"
 
 namespace nightcity::traffic {
 namespace {
@@ -24,7 +24,8 @@ struct Leader {
 
 /// Those who leave the same lane by another turn, or come into the same lane from another: as long as their
 /// bodies are in the way they are followed as if they drove ahead. And for whoever is late across one stops.
-void beside(const RoadState& roads, const Vehicle& vehicle, std::size_t turn, double way, Leader& leader) {
+void beside(const RoadState& roads, const Vehicle& vehicle, std::size_t turn, double way,
+            Leader& leader) {
   for (const Conflict& conflict : roads.links.conflicts(turn)) {
     for (const std::uint32_t number : roads.on_link[conflict.other]) {
       const Vehicle& other = roads.vehicles[number];
@@ -79,9 +80,11 @@ double stopping(double way) {
 /// What bends, lines and the drive's end allow a step from here.
 double speed_cap(const RoadState& roads, const Vehicle& vehicle) {
   const auto& legs = vehicle.plan->links;
-  const double factor = vehicle.plan->speed_factor, step = vehicle.v * step_s, far = sight_m(vehicle);
+  const double factor = vehicle.plan->speed_factor, step = vehicle.v * step_s,
+               far = sight_m(vehicle);
   double cap = factor * roads.links.speed_allowed(legs[vehicle.leg], vehicle.on_leg() + step);
-  for (std::size_t leg = vehicle.leg; leg < legs.size() && vehicle.way_to(leg) - step < far; ++leg) {
+  for (std::size_t leg = vehicle.leg; leg < legs.size() && vehicle.way_to(leg) - step < far;
+       ++leg) {
     const LinkFacts& link = roads.links[legs[leg]];
     const double way = vehicle.way_to(leg) - step;
     if (leg > vehicle.leg) {
@@ -99,18 +102,20 @@ double speed_cap(const RoadState& roads, const Vehicle& vehicle) {
 double next_speed(const RoadState& roads, std::uint32_t number) {
   const Vehicle& vehicle = roads.vehicles[number];
   const Leader leader = leader_of(roads, number);
-  if (vehicle.v == 0 && leader.gap <= standstill_gap_m) return 0;  // in a queue: as all below would say
+  if (vehicle.v == 0 && leader.gap <= standstill_gap_m)
+    return 0;  // in a queue: as all below would say
   const double cap = speed_cap(roads, vehicle);
   const double a = vehicle.type->acceleration;
-  const double wish =
-      vehicle.plan->speed_factor * std::max(roads.links[vehicle.plan->links[vehicle.leg]].entry_m_s, cap);
+  const double wish = vehicle.plan->speed_factor *
+                      std::max(roads.links[vehicle.plan->links[vehicle.leg]].entry_m_s, cap);
   const double share = vehicle.v / std::max(wish, 1.0), free = 1 - share * share * share * share;
   double interaction = 0;
   if (leader.gap < 1e8) {
     const double dv = vehicle.v - leader.speed;
     const double desired =
         standstill_gap_m +
-        std::max(0.0, vehicle.v * headway_s + vehicle.v * dv / (2 * std::sqrt(a * comfortable_braking)));
+        std::max(0.0,
+                 vehicle.v * headway_s + vehicle.v * dv / (2 * std::sqrt(a * comfortable_braking)));
     const double ratio = desired / std::max(leader.gap, 0.1);
     interaction = ratio * ratio;
   }

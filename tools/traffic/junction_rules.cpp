@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/traffic/simulation.h"
+#include "tools/traffic/driver_model.h"
 
 namespace nightcity::traffic {
 namespace {
@@ -63,7 +63,8 @@ void go_through(RoadState& roads, std::uint32_t number, const Ask& ask) {
   Vehicle& vehicle = roads.vehicles[number];
   const auto& legs = vehicle.plan->links;
   vehicle.wish = Vehicle::Wish::nothing;
-  const double needed = vehicle.v * vehicle.v / (2 * comfortable_braking) + vehicle.v * 1.0 + vehicle.half + 4;
+  const double needed =
+      vehicle.v * vehicle.v / (2 * comfortable_braking) + vehicle.v * 1.0 + vehicle.half + 4;
   for (std::size_t leg = std::max(vehicle.leg + 1, vehicle.granted); leg < legs.size(); ++leg) {
     const LinkFacts& link = roads.links[legs[leg]];
     if (!link.turn) continue;
@@ -83,7 +84,8 @@ bool may_go(const RoadState& roads, std::uint32_t number, std::size_t leg) {
   const double way = vehicle.way_to(leg);
   if (!room_behind(roads, number, leg)) return false;
   const bool lost_patience = roads.now - vehicle.standing_since > lost_patience_s;
-  const double most = vehicle.plan->speed_factor * roads.links.speed_allowed(turn, link.length_m / 2);
+  const double most =
+      vehicle.plan->speed_factor * roads.links.speed_allowed(turn, link.length_m / 2);
   for (const Conflict& conflict : roads.links.conflicts(turn)) {
     if (conflict.kind == Conflict::Kind::diverge) continue;
     const auto& holders = roads.holders[conflict.other];
@@ -125,8 +127,8 @@ void grant_turns(RoadState& roads) {
       Vehicle& vehicle = roads.vehicles[number];
       const bool stands = vehicle.v < 0.5 && way < vehicle.half + 6;
       vehicle.wish = may_go(roads, number, leg) ? Vehicle::Wish::turn
-                 : stands                   ? Vehicle::Wish::stands
-                                            : Vehicle::Wish::nothing;
+                     : stands                   ? Vehicle::Wish::stands
+                                                : Vehicle::Wish::nothing;
       return false;
     });
   });
@@ -149,7 +151,8 @@ void grant_turns(RoadState& roads) {
     if (roads.vehicles[number].wish != Vehicle::Wish::stands)
       roads.vehicles[number].standing_since = not_standing;
   for (const std::uint32_t number : waiting)
-    roads.vehicles[number].standing_since = std::min(roads.vehicles[number].standing_since, roads.now);
+    roads.vehicles[number].standing_since =
+        std::min(roads.vehicles[number].standing_since, roads.now);
 }
 
 }  // namespace nightcity::traffic

@@ -38,18 +38,18 @@ class GraphBuilder {
   GraphBuilder(const HeightAt& height_at, const InsideBuilding& inside)
       : height_at_(height_at), inside_(inside) {}
 
-  void add_streets(const layout::StreetNetwork& network,
+  void add_streets(const streets::StreetNetwork& network,
                    const std::unordered_map<std::int64_t, Drivable>& drivable) {
     graph.nodes.resize(network.joints.size());
     for (std::size_t n = 0; n < network.joints.size(); ++n)
       graph.nodes[n].place = network.joints[n].point;
-    for (const layout::Street& street : network.streets) {
+    for (const streets::Street& street : network.streets) {
       const std::int64_t way = street.pieces.front().way_id;
       add_street(street, drivable.at(way), way);
     }
   }
 
-  void add_street(const layout::Street& street, const Drivable& way, std::int64_t way_id) {
+  void add_street(const streets::Street& street, const Drivable& way, std::int64_t way_id) {
     if (street.length_m() < shortest_m && street.joints[0] == street.joints[1]) return;
     RoadEdge along;
     along.from = street.joints[0];
@@ -181,8 +181,8 @@ RoadGraph make_road_graph(const std::vector<OsmWay>& highways, const LonLatToFra
 
   std::vector<const OsmWay*> pointers;
   for (const OsmWay& way : clipped.ways) pointers.push_back(&way);
-  const layout::StreetNetwork network =
-      layout::make_street_network(pointers, to_frame, layout::Joining::never);
+  const streets::StreetNetwork network =
+      streets::make_street_network(pointers, to_frame, streets::Joining::never);
   builder.add_streets(network, drivable);
 
   std::vector<bool> was_cut(network.joints.size(), false);

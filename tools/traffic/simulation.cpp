@@ -5,6 +5,7 @@
 #include <deque>
 #include <optional>
 
+#include "tools/traffic/driver_model.h"
 #include "tools/traffic/following.h"
 #include "tools/traffic/junction_rules.h"
 #include "tools/traffic/road_state.h"
@@ -125,14 +126,15 @@ class Simulator {
       vehicle.distance += (vehicle.v + vehicle.next_v) / 2 * step_s;
       vehicle.v = vehicle.next_v;
       const std::size_t last = vehicle.plan->links.size() - 1;
-      while (vehicle.leg < last && vehicle.distance >= vehicle.starts[vehicle.leg + 1]) roads_.go_on(number);
+      while (vehicle.leg < last && vehicle.distance >= vehicle.starts[vehicle.leg + 1])
+        roads_.go_on(number);
       record(number);
       roads_.release(number, false);
       const double s = vehicle.on_leg();
-      const bool there =
-          vehicle.leg == last &&
-          (vehicle.plan->to_stop ? s > vehicle.plan->end_s - 0.6 && vehicle.v < 0.3
-                            : vehicle.distance + vehicle.v * step_s + 0.3 > vehicle.starts.back());
+      const bool there = vehicle.leg == last &&
+                         (vehicle.plan->to_stop ? s > vehicle.plan->end_s - 0.6 && vehicle.v < 0.3
+                                                : vehicle.distance + vehicle.v * step_s + 0.3 >
+                                                      vehicle.starts.back());
       if (there || lost(vehicle)) finished_.push_back(number);
     }
     for (const std::uint32_t number : finished_) finish(number);
@@ -162,7 +164,7 @@ class Simulator {
   double cycle_s_;
   const std::function<void(DrivenTrip&&)>& sink_;
   SimulationReport report_;
-  std::vector<std::size_t> by_start_;         // routes
+  std::vector<std::size_t> by_start_;              // routes
   std::vector<std::optional<DrivenTrip>> driven_;  // of a car, where it is to be kept
   std::vector<std::uint32_t> finished_;
   std::deque<Waiting> waiting_;
@@ -174,8 +176,8 @@ class Simulator {
 
 }  // namespace
 
-SimulationReport simulate(const LinkNetwork& network, std::span<const TripPlan> plans, double cycle_s,
-                          const std::function<void(DrivenTrip&&)>& sink,
+SimulationReport simulate(const LinkNetwork& network, std::span<const TripPlan> plans,
+                          double cycle_s, const std::function<void(DrivenTrip&&)>& sink,
                           const std::function<void(double)>& progress) {
   if (plans.empty()) return {};
   return Simulator(network, plans, cycle_s, sink).run(progress);

@@ -9,11 +9,6 @@
 
 namespace nightcity::traffic {
 
-/// Intelligent Driver Model (Treiber, Hennecke, Helbing 2000): standstill gap and time headway; acceleration
-/// by type. Braking beyond `comfortable_braking` happens only when somebody cuts in.
-constexpr double standstill_gap_m = 2.0, headway_s = 1.3, hardest_braking = 7.0;
-constexpr double step_s = 0.25;
-
 /// One route driven: distance along the route's links (from the start of the first) and speed, every step_s.
 struct DrivenTrip {
   std::size_t plan;

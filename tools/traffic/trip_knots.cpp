@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "formats/traffic_pose.h"
+#include "tools/traffic/driver_model.h"
 
 namespace nightcity::traffic {
 namespace {
@@ -179,8 +180,7 @@ class KnotFitter {
 std::vector<TripKnot> make_knots(const TripPath& path, const DrivenTrip& trip,
                                  const Georeference& georeference, const KnotTolerance& tolerance,
                                  KnotError& worst) {
-  if (trip.speed_m_s.size() < 9 || trip.distance_m.back() - trip.distance_m.front() < 5)
-    return {};
+  if (trip.speed_m_s.size() < 9 || trip.distance_m.back() - trip.distance_m.front() < 5) return {};
   return KnotFitter(path, trip, georeference, tolerance).fit(worst);
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "formats/night.h"
+#include "formats/schedule.h"
 #include "tools/lights/night_schedule.h"
 
 namespace nightcity::test {

@@ -38,7 +38,7 @@ TEST(ScheduleTable, BeyondWhatItRemembersANumberStillMeansItsNight) {
     const int on = n % 25;  // in turn: all are forgotten before they come again
     const Schedule& stored = kept.schedules[kept.table.add(night({{on, on + 1}}))];
     EXPECT_EQ(stored.count, 2u);
-    EXPECT_EQ(kept.switches[stored.first], 18000 + 60 * static_cast<uint>(on));
+    EXPECT_EQ(kept.switches[stored.first], night_begin_s + 60 * static_cast<uint>(on));
   }
   EXPECT_EQ(kept.table.size(), 200u);
 }
@@ -60,13 +60,12 @@ TEST(ScheduleTable, FilesShineWhenTheNightDoesMinuteByMinute) {
     ASSERT_FALSE(schedule_fault(stored, kept.switches)) << n;
     for (int minute = 0; minute < night_minutes; ++minute)
       for (const uint second : {0u, 59u})
-        ASSERT_EQ(shines_at(stored, kept.switches.data(),
-                            18000 + 60 * static_cast<uint>(minute) + second),
-                  schedule.lit_at(minute))
+        ASSERT_EQ(
+            is_lit(stored, kept.switches, night_begin_s + 60 * static_cast<uint>(minute) + second),
+            schedule.lit_at(minute))
             << n << " " << minute;
-    EXPECT_FALSE(shines_at(stored, kept.switches.data(), 0));  // noon
-    EXPECT_FALSE(
-        shines_at(stored, kept.switches.data(), 86'399));  // and the moment before the next
+    EXPECT_FALSE(is_lit(stored, kept.switches, 0));       // noon
+    EXPECT_FALSE(is_lit(stored, kept.switches, 86'399));  // and the moment before the next
   }
 }
 

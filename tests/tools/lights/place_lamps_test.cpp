@@ -58,7 +58,7 @@ TEST(Lamps, BareLampTakesItsValuesFromTheRoadBesideAndSaysSo) {
   const LampSet set = place({lamp_at(10, 5)}, {road({{"highway", "residential"}})});
   ASSERT_EQ(set.lamps.size(), 1u);
   const PlacedLamp& lamp = set.lamps[0];
-  const RoadDefaults defaults = *road_defaults("residential");
+  const RoadLighting defaults = *find_road_lighting("residential");
   EXPECT_NEAR(lamp.foot.x, 10, 1e-6);
   EXPECT_NEAR(lamp.foot.y, 5, 1e-6);
   EXPECT_EQ(lamp.foot.z, 40);
@@ -101,7 +101,7 @@ TEST(Lamps, EveryRoadClassOfTheTableGivesPlausibleLamps) {
     EXPECT_LE(set.lamps[0].flux_lm, 30000) << highway;
   }
   for (const char* highway : {"proposed", "construction", "raceway", "rest_area", ""})
-    EXPECT_FALSE(road_defaults(highway)) << highway;
+    EXPECT_FALSE(find_road_lighting(highway)) << highway;
 }
 
 TEST(Lamps, LampWithoutARoadStandsInTheOpen) {
@@ -188,7 +188,7 @@ TEST(Lamps, LightStandsInModelSpaceWithItsAxisDown) {
   georeference.origin = {1, 2, 30};
   test::KeptSchedules kept;
   const Light light = to_light(set.lamps.at(0), georeference, kept.table);
-  const RoadDefaults defaults = *road_defaults("residential");
+  const RoadLighting defaults = *find_road_lighting("residential");
   EXPECT_NEAR(light.position.x, 9, 1e-4);
   EXPECT_NEAR(light.position.y, 10 + defaults.mounting_m, 1e-4);
   EXPECT_NEAR(light.position.z, -(5 - defaults.outreach_m - 2), 1e-4);
@@ -244,7 +244,7 @@ TEST(Lamps, MeasuredLuminaireServesTheTypesOfLampItIsChosenFor) {
   const LampSet set = place_lamps(osm, flat_earth(), ground, {}, options);
   EXPECT_EQ(set.lamps[0].profile, set.lamps[2].profile);  // what nobody named is LED
   EXPECT_NE(set.lamps[0].profile, set.lamps[1].profile);
-  EXPECT_EQ(set.lamps[0].flux_lm, road_defaults("primary")->flux_lm);  // flux = false
+  EXPECT_EQ(set.lamps[0].flux_lm, find_road_lighting("primary")->flux_lm);  // flux = false
 }
 
 TEST(Lamps, LuminaireDoesNotReachIntoABuilding) {
@@ -349,19 +349,6 @@ TEST(RoadIndex, AgreesWithBruteForce) {
     }
   }
   EXPECT_GT(found, 500);
-}
-
-TEST(RoadIndex, WidthsComeFromTagsThenLanesThenTheClass) {
-  const auto width = [](OsmTags tags) {
-    const RoadIndex index({{1, {{0, 0}, {10, 0}}, std::move(tags)}},
-                          [](const glm::dvec2& p) { return p; });
-    return index.nearest({5, 1})->road->width_m;
-  };
-  EXPECT_EQ(width({{"highway", "residential"}}), road_defaults("residential")->width_m);
-  EXPECT_EQ(width({{"highway", "residential"}, {"lanes", "3"}}), 9);
-  EXPECT_EQ(width({{"highway", "primary"}, {"lanes", "4"}, {"width", "15.5 m"}}), 15.5);
-  EXPECT_EQ(width({{"highway", "residential"}, {"width", "9999"}, {"lanes", "many"}}),
-            road_defaults("residential")->width_m);
 }
 
 TEST(LampsReal, EveryBerlinLampIsPlacedOrCounted) {

@@ -287,8 +287,8 @@ TEST(Windows, LightIsOneSidedLambertianOfItsLuminance) {
     const Light light = to_light(w, georeference, kept.table);
     ASSERT_LT(light.schedule, kept.schedules.size());
     for (int minute = 0; minute < night_minutes; minute += 5)
-      EXPECT_EQ(shines_at(kept.schedules[light.schedule], kept.switches.data(),
-                          18000 + 60 * static_cast<uint>(minute)),
+      EXPECT_EQ(is_lit(kept.schedules[light.schedule], kept.switches,
+                       night_begin_s + 60 * static_cast<uint>(minute)),
                 w.hours.lit_at(minute));
     const double area = 4.0 * w.half_width * w.half_height;
     EXPECT_NEAR(light.flux_lm, std::numbers::pi * w.luminance_cd_m2 * area, 1e-3 * light.flux_lm);

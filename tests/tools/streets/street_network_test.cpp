@@ -8,7 +8,7 @@
 
 #include "tools/layout/street_plane.h"
 
-namespace nightcity::layout {
+namespace nightcity::streets {
 namespace {
 
 using test::street;
@@ -100,4 +100,4 @@ TEST(WhyUnlit, TagsDecideAndClassesDoWhereTheySayNothing) {
 }
 
 }  // namespace
-}  // namespace nightcity::layout
+}  // namespace nightcity::streets

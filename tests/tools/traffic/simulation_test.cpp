@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "tools/traffic/driver_model.h"
 #include "tools/traffic/street_grid.h"
 
 namespace nightcity::traffic {
