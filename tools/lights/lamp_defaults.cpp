@@ -4,6 +4,7 @@
 #include <array>
 
 #include "tools/lights/lighting_class.h"
+#include "tools/roads/carriageway.h"
 
 namespace nightcity {
 namespace {
@@ -50,9 +51,10 @@ constexpr std::array<Row, 20> rows = {{
 
 RoadLighting to_road_lighting(const Row& row) {
   const roads::RoadClass& road = *roads::find_road_class(row.highway);
+  const double width_m = roads::carriageway_width({{"highway", row.highway}});
   const double average_lx = lighting_class(row.target)->average_lx;
   const double needed =
-      average_lx * road.width_m * 3 * row.mounting_m / (utilisation * maintenance_factor);
+      average_lx * width_m * 3 * row.mounting_m / (utilisation * maintenance_factor);
   const auto hundreds = static_cast<int>(needed / 100 + 0.5);
   const double flux = hundreds * 100 > min_on_posts_lm ? hundreds * 100 : min_on_posts_lm;
   return {row.highway, road.tier, row.mounting_m, row.outreach_m,
@@ -98,10 +100,9 @@ const RoadLighting& find_road_lighting(const roads::RoadClass& road_class) {
 }
 
 const RoadLighting* find_road_lighting(std::string_view highway) {
-  constexpr std::string_view link = "_link";
-  if (highway.ends_with(link)) highway.remove_suffix(link.size());
+  const std::string_view main = roads::main_highway(highway);
   for (const RoadLighting& row : road_lighting())
-    if (row.highway == highway) return &row;
+    if (row.highway == main) return &row;
   return nullptr;
 }
 

@@ -36,7 +36,8 @@ struct Run {
 };
 
 bool same_road(const roads::Carriageway& a, const roads::Carriageway& b) {
-  return a.road_class == b.road_class && std::abs(a.width_m - b.width_m) <= 1;
+  return roads::main_highway(a.road_class->highway) == roads::main_highway(b.road_class->highway) &&
+         std::abs(a.width_m - b.width_m) <= 1;
 }
 
 void reverse(Run& run) {
@@ -57,6 +58,8 @@ void append(Run& to, const Run& next) {
     to.street.at_m.push_back(length + next.street.at_m[n]);
   to.street.pieces.insert(to.street.pieces.end(), next.street.pieces.begin(),
                           next.street.pieces.end());
+  // Posts along the whole street stand behind its widest kerb.
+  to.street.road.width_m = std::max(to.street.road.width_m, next.street.road.width_m);
   to.street.bridge |= next.street.bridge;
   if (to.street.name.empty()) to.street.name = next.street.name;
   to.last = next.last;

@@ -10,13 +10,13 @@
 #include <unordered_map>
 
 #include "tools/in_ring.h"
+#include "tools/roads/carriageway.h"
 #include "tools/streets/axis_cleaning.h"
 
 namespace nightcity::streets {
 namespace {
 
 constexpr double chord_step_m = 2.5;
-constexpr double narrowest_m = 2.2;  // a car needs as much
 // A surface that is not told to be a carriageway has pavements on both sides where it is wide enough for
 // them: 2 m each is the least that road codes ask for (RASt 06; Japan's Road Structure Ordinance, article
 // 11).
@@ -88,16 +88,6 @@ Said ask(const SurfaceIndex& index, const std::vector<glm::dvec2>& line) {
 
 }  // namespace
 
-const char* highway_by_width(double carriageway_m) {
-  // RASt 06 by width of carriageway: lanes of 3.25 m and more on main streets, 6.5 m on collecting ones with
-  // buses, 4.5 to 5.5 m where people live, less where two cars do not pass.
-  if (carriageway_m < 4) return "service";
-  if (carriageway_m < 6.3) return "residential";
-  if (carriageway_m < 8) return "tertiary";
-  if (carriageway_m < 12) return "secondary";
-  return "primary";
-}
-
 StreetWays street_ways(const RoadSurfaces& roads,
                        const std::function<glm::dvec2(const glm::dvec2&)>& to_lon_lat) {
   StreetWays result;
@@ -106,11 +96,11 @@ StreetWays street_ways(const RoadSurfaces& roads,
   const SurfaceIndex index(roads.surfaces());
   std::map<std::size_t, int> ends;
   for (const MiddleLine& street : lines) {
-    if (street.width_m < narrowest_m) continue;
+    if (street.width_m < roads::min_lane_m) continue;
     const Said said = ask(index, street.line);
     double width = street.width_m;
     if (!said.carriageway && width >= with_pavements_m) width -= 2 * pavement_m;
-    const std::string highway = said.highway.empty() ? highway_by_width(width) : said.highway;
+    const std::string highway = said.highway.empty() ? roads::guess_highway(width) : said.highway;
     OsmWay way;
     way.id = -1 - static_cast<std::int64_t>(result.ways.size());  // OSM's own are greater than 0
     way.tags = {{"highway", highway}, {"width", fmt::format("{:.1f}", width)}};

@@ -19,9 +19,6 @@ struct StreetWays {
   std::size_t junctions = 0, ends = 0;
 };
 
-/// Of a street whose carriageway is so wide.
-const char* highway_by_width(double carriageway_m);
-
 /// `to_lon_lat` turns E, N into what `to_frame` of those who read the ways turns back.
 StreetWays street_ways(const RoadSurfaces& roads,
                        const std::function<glm::dvec2(const glm::dvec2&)>& to_lon_lat);

@@ -56,11 +56,13 @@ class GraphBuilder {
     along.to = street.joints[1];
     along.line = street.line;
     along.length_m = street.length_m();
-    along.road = way.road;
-    along.lane_m = way.lane_width();
-    along.half_width_m = way.width_m / 2;
+    const roads::Carriageway& carriageway = way.carriageway;
+    along.road = carriageway.road_class;
+    along.traffic = way.traffic;
+    along.lane_m = carriageway.lane_m();
+    along.half_width_m = along.lane_m * (carriageway.lanes[0] + carriageway.lanes[1]) / 2;
     along.one_way = !way.both_ways();
-    along.roundabout = way.roundabout;
+    along.roundabout = carriageway.roundabout;
     along.structure = way.structure;
     along.way_id = way_id;
     along.name = street.name;
@@ -75,9 +77,9 @@ class GraphBuilder {
     std::reverse(against.line.begin(), against.line.end());
     std::size_t numbers[2] = {none, none};
     for (std::size_t d = 0; d < 2; ++d) {
-      if (way.lanes[d] == 0) continue;
+      if (carriageway.lanes[d] == 0) continue;
       RoadEdge& edge = d == 0 ? along : against;
-      edge.lanes = way.lanes[d];
+      edge.lanes = carriageway.lanes[d];
       edge.speed_m_s = way.speed_m_s[d];
       numbers[d] = graph.edges.size();
       graph.nodes[edge.from].out.push_back(numbers[d]);

@@ -21,11 +21,14 @@ struct RoadEdge {
   std::size_t opposite = none;         // the other direction of the same street
   std::vector<glm::dvec2> line;        // middle line of the street in driving direction; E, N, m
   double length_m = 0;
-  const RoadClass* road = nullptr;
+  const roads::RoadClass* road = nullptr;
+  const TrafficClass* traffic = nullptr;
   int lanes = 1;
-  double lane_m = 3;        // width of a lane
-  double half_width_m = 3;  // of the whole carriageway
-  double speed_m_s = 0;     // limit
+  double lane_m = 3;  // width of a lane
+  // Half the width of all lanes, both directions together: vehicles keep within it, and it is never more than
+  // half the carriageway.
+  double half_width_m = 3;
+  double speed_m_s = 0;  // limit
   bool one_way = false, roundabout = false;
   bool structure = false;  // bridge or tunnel: its height goes evenly from end to end
   std::int64_t way_id = 0;

@@ -35,8 +35,8 @@ class TripPlanner {
   TripPlanner(LinkNetwork& network, const Demand& demand, TripPlanReport& report)
       : network_(network), graph_(network.graph()), demand_(demand), report_(report) {
     for (const RoadEdge& edge : graph_.edges) {
-      const double amount = edge.road->density_per_km_lane * edge.length_m * edge.lanes;
-      Tally& tally = tallies_[edge.road];
+      const double amount = edge.traffic->density_per_km_lane * edge.length_m * edge.lanes;
+      Tally& tally = tallies_[edge.traffic];
       tally.wanted += amount;
       wanted_ += amount;
       report_.lane_km[edge.road->highway] += edge.length_m * edge.lanes / 1000;
@@ -50,7 +50,7 @@ class TripPlanner {
       }
       if (may_park(e)) {
         kerbs_.push_back(e);
-        kerb_choice_.add(edge.length_m * edge.road->density_per_km_lane);
+        kerb_choice_.add(edge.length_m * edge.traffic->density_per_km_lane);
       }
     }
     // As many drives begin inside the map as its size and the drives' length ask for, beside those that come
@@ -97,7 +97,7 @@ class TripPlanner {
   double longest_trip_s() const { return 0.7 * demand_.cycle_s; }
 
   static double flow(const RoadEdge& edge) {
-    return edge.road->density_per_km_lane * 1e-3 * edge.lanes * edge.speed_m_s;
+    return edge.traffic->density_per_km_lane * 1e-3 * edge.lanes * edge.speed_m_s;
   }
 
   static double time_on(const RoadEdge& edge, double length) {
@@ -106,13 +106,13 @@ class TripPlanner {
 
   bool may_park(std::size_t e) const {
     const RoadEdge& edge = graph_.edges[e];
-    return edge.road->parking && !edge.structure && !edge.roundabout &&
+    return edge.traffic->parking && !edge.structure && !edge.roundabout &&
            network_.lane_length(e) > parking_margin_m + stop_margin_m + 5;
   }
 
   /// Above 1 where a class has had less than its share so far.
   double lack(const RoadEdge& edge) const {
-    const Tally& tally = tallies_.at(edge.road);
+    const Tally& tally = tallies_.at(edge.traffic);
     const double share = tally.wanted / wanted_, have = given_ > 0 ? tally.given / given_ : share;
     const double ratio = (share + 0.002) / (have + 0.002);
     return std::clamp(ratio * ratio, 0.05, 20.0);
@@ -122,7 +122,7 @@ class TripPlanner {
     double at = random.uniform();
     for (std::size_t k = 0; k < vehicle_type_count; ++k) {
       at -= vehicle_types[k].share;
-      if (at < 0) return vehicle_types[k].large && !edge.road->large_vehicles ? 0 : k;
+      if (at < 0) return vehicle_types[k].large && !edge.traffic->large_vehicles ? 0 : k;
     }
     return 0;
   }
@@ -133,7 +133,7 @@ class TripPlanner {
     std::vector<std::size_t> options;
     for (const std::size_t e : node.out) {
       const RoadEdge& out = graph_.edges[e];
-      if (e == graph_.edges[edge].opposite || (large && !out.road->large_vehicles)) continue;
+      if (e == graph_.edges[edge].opposite || (large && !out.traffic->large_vehicles)) continue;
       if (network_.turn_radius(edge, e) < (large ? tightest_large_m : tightest_m)) continue;
       options.push_back(e);
       choice.add(flow(out) * lack(out) *
@@ -146,7 +146,7 @@ class TripPlanner {
     TripPlan plan;
     plan.from_kerb = random.uniform() >= gate_share_;
     std::vector<std::size_t> edges = {plan.from_kerb ? kerbs_[kerb_choice_.pick(random)]
-                                                      : gates_[gate_choice_.pick(random)]};
+                                                     : gates_[gate_choice_.pick(random)]};
     plan.type = pick_type(graph_.edges[edges[0]], random);
     const VehicleType& type = vehicle_types[plan.type];
     if (plan.from_kerb && type.large) return std::nullopt;
@@ -174,7 +174,7 @@ class TripPlanner {
     if (!lay(plan, edges, to_kerb, random)) return std::nullopt;
     for (const std::size_t e : edges) {
       const double time = time_on(graph_.edges[e], graph_.edges[e].length_m) / plan.speed_factor;
-      tallies_[graph_.edges[e].road].given += time;
+      tallies_[graph_.edges[e].traffic].given += time;
       given_ += time;
     }
     return plan;
@@ -222,13 +222,12 @@ class TripPlanner {
     plan.start_s = std::min(half, first / 2);
     if (plan.from_kerb) {
       plan.start_s = random.range(std::min(parking_margin_m, first / 2),
-                                   std::max(first - stop_margin_m, first / 2));
+                                  std::max(first - stop_margin_m, first / 2));
       plan.start_aside_m = aside(graph_.edges[edges.front()], lanes.front());
     }
     plan.end_s = std::max(last - half, last / 2);
     if (to_kerb) {
-      plan.end_s =
-          random.range(std::min(15.0, last / 2), std::max(last - stop_margin_m, last / 2));
+      plan.end_s = random.range(std::min(15.0, last / 2), std::max(last - stop_margin_m, last / 2));
       plan.end_aside_m = aside(graph_.edges[edges.back()], lanes.back());
     }
     return true;
@@ -238,7 +237,7 @@ class TripPlanner {
   const RoadGraph& graph_;
   const Demand& demand_;
   TripPlanReport& report_;
-  std::map<const RoadClass*, Tally> tallies_;
+  std::map<const TrafficClass*, Tally> tallies_;
   double wanted_ = 0, given_ = 0, gate_share_ = 0;
   std::vector<std::size_t> gates_, kerbs_;
   WeightedChoice gate_choice_, kerb_choice_;
@@ -249,11 +248,12 @@ class TripPlanner {
 double vehicles_by_table(const RoadGraph& graph) {
   double sum = 0;
   for (const RoadEdge& edge : graph.edges)
-    sum += edge.road->density_per_km_lane * edge.length_m / 1000 * edge.lanes;
+    sum += edge.traffic->density_per_km_lane * edge.length_m / 1000 * edge.lanes;
   return sum;
 }
 
-std::vector<TripPlan> plan_trips(LinkNetwork& network, const Demand& demand, TripPlanReport& report) {
+std::vector<TripPlan> plan_trips(LinkNetwork& network, const Demand& demand,
+                                 TripPlanReport& report) {
   return TripPlanner(network, demand, report).make();
 }
 

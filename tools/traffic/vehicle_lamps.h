@@ -6,7 +6,7 @@
 
 #include "formats/light_file.h"
 #include "tools/lights/photometry.h"
-#include "tools/traffic/road_classes.h"
+#include "tools/traffic/country.h"
 #include "tools/traffic/vehicle_types.h"
 
 namespace nightcity::traffic {
