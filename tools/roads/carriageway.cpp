@@ -89,7 +89,8 @@ std::optional<Carriageway> read_carriageway(const OsmTags& tags) {
   if (const auto width = parse_length_m(raw(tags, "width"));
       width && *width >= min_width_m && *width <= max_width_m)
     carriageway.width_m = *width;
-  // A street tagged narrower than its lanes is a street for one car, whose drivers pass each other slowly.
+  // A street tagged narrower than its lanes is a street for one car, whose drivers pass each other
+  // slowly.
   carriageway.width_m =
       std::max(carriageway.width_m, min_lane_m * (carriageway.lanes[0] + carriageway.lanes[1]));
   return carriageway;

@@ -1,6 +1,7 @@
-// The one table of road classes: what a value of OSM's `highway` tag says about a road that carries no
-// further tags. What lamps make of a class is in tools/lights/lamp_defaults.h, what traffic makes of it in
-// tools/traffic/traffic_classes.h. The sources stand beside the rows in road_class.cpp.
+// The one table of road classes: what a value of OSM's `highway` tag says about a road that
+// carries no further tags. What lamps make of a class is in tools/lights/lamp_defaults.h,
+// what traffic makes of it in tools/traffic/traffic_classes.h. The sources stand beside the
+// rows in road_class.cpp.
 #pragma once
 
 #include <span>
@@ -11,7 +12,8 @@ namespace nightcity::roads {
 /// How important a road is. Old lamp types came in three sizes, one for each tier.
 enum class RoadTier { main = 0, local = 1, path = 2 };
 
-/// Which speed limit holds where none is signed; tools/traffic/country.h has the limits of each country.
+/// Which speed limit holds where none is signed; tools/traffic/country.h has the limits of each
+/// country.
 enum class SpeedLimit { walking, service, ramp, residential, main, trunk, motorway };
 
 struct RoadClass {
@@ -29,14 +31,15 @@ struct RoadClass {
 /// Returns all rows.
 std::span<const RoadClass> road_classes();
 
-/// Returns the row of a normalised highway value; null where there is no road that people use (proposed,
-/// construction, raceway, ...).
+/// Returns the row of a normalised highway value; null where there is no road that people use
+/// (proposed, construction, raceway, ...).
 const RoadClass* find_road_class(std::string_view highway);
 
 /// Returns the highway value without the "_link" of slip roads: "primary" for "primary_link".
 std::string_view main_highway(std::string_view highway);
 
-/// Returns the highway value of a road of which nothing is known but its carriageway's width in metres.
+/// Returns the highway value of a road of which nothing is known but its carriageway's width in
+/// metres.
 const char* guess_highway(double carriageway_m);
 
 }  // namespace nightcity::roads

@@ -10,8 +10,9 @@ struct Box {
   Country country;
 };
 
-// Countries that drive on the left, after Wikipedia's "Left- and right-hand traffic", as boxes; the first
-// box that holds the place wins. Speeds: the limits of the national highway codes where none is signed.
+// Countries that drive on the left, after Wikipedia's "Left- and right-hand traffic", as boxes;
+// the first box that holds the place wins. Speeds: the limits of the national highway codes where
+// none is signed.
 constexpr Country continental = {"right-hand default", Side::right, 50, 50, 100, 130};
 constexpr std::array<Box, 21> boxes = {{
     {-5.45, 54.95, -0.5, 61.0, {"Great Britain", Side::left, 48, 48, 97, 113}},

@@ -16,8 +16,9 @@ struct Country {
   double residential_kmh, main_kmh, trunk_kmh, motorway_kmh;
 };
 
-/// Returns the country at a place in WGS 84 degrees. Countries are boxes, so the answer is wrong within some
-/// kilometres of a few borders; a recipe's `side` overrides it. Where nothing is known: right, 50 km/h.
+/// Returns the country at a place in WGS 84 degrees. Countries are boxes, so the answer is wrong
+/// within some kilometres of a few borders; a recipe's `side` overrides it. Where nothing is known:
+/// right, 50 km/h.
 const Country& country_at(const glm::dvec2& lon_lat);
 
 /// Returns the speed limit in km/h of a class of road where no limit is signed.

@@ -22,40 +22,41 @@ struct Leader {
   }
 };
 
-/// Those who leave the same lane by another turn, or come into the same lane from another: as long as their
-/// bodies are in the way they are followed as if they drove ahead. And for whoever is late across one stops.
-void beside(const RoadState& roads, const Vehicle& vehicle, std::size_t turn, double way,
-            Leader& leader) {
+/// Considers vehicles on conflicting turns. A vehicle that leaves the same lane by another turn, or
+/// enters the same lane from another, is followed as if it drove ahead while its body is in the
+/// way. For a vehicle that still stands across the turn, this one stops.
+void consider_conflicts(const RoadState& roads, const Vehicle& vehicle, std::size_t turn,
+                        double distance, Leader& leader) {
   for (const Conflict& conflict : roads.links.conflicts(turn)) {
     for (const std::uint32_t number : roads.on_link[conflict.other]) {
       const Vehicle& other = roads.vehicles[number];
       const double s = other.on_leg();
       if (conflict.kind == Conflict::Kind::cross) {
-        const double before = way + conflict.begin - vehicle.half;
-        if (before > 0 && s + other.half > conflict.other_begin &&
-            s - other.half < conflict.other_end)
+        const double before = distance + conflict.begin - vehicle.half_length;
+        if (before > 0 && s + other.half_length > conflict.other_begin &&
+            s - other.half_length < conflict.other_end)
           leader.consider(before, 0);
       } else if (conflict.kind == Conflict::Kind::diverge) {
-        if (s - other.half > conflict.other_end || way + s <= 0.01) continue;
-        leader.consider(way + s - other.half - vehicle.half, other.v);
+        if (s - other.half_length > conflict.other_end || distance + s <= 0.01) continue;
+        leader.consider(distance + s - other.half_length - vehicle.half_length, other.v);
       } else {
         const double left = roads.links[conflict.other].length_m - s;
-        const double own_left = way + roads.links[turn].length_m;
+        const double own_left = distance + roads.links[turn].length_m;
         if (left >= own_left) continue;
-        leader.consider(own_left - left - other.half - vehicle.half, other.v);
+        leader.consider(own_left - left - other.half_length - vehicle.half_length, other.v);
       }
     }
   }
 }
 
-Leader leader_of(const RoadState& roads, std::uint32_t number) {
+Leader find_leader(const RoadState& roads, std::uint32_t number) {
   const Vehicle& vehicle = roads.vehicles[number];
   const auto& legs = vehicle.plan->links;
   Leader leader;
   const double far = sight_m(vehicle);
-  for (std::size_t leg = vehicle.leg; leg < legs.size() && vehicle.way_to(leg) < far; ++leg) {
+  for (std::size_t leg = vehicle.leg; leg < legs.size() && vehicle.distance_to(leg) < far; ++leg) {
     const std::size_t link = legs[leg];
-    const double way = vehicle.way_to(leg);
+    const double distance = vehicle.distance_to(leg);
     const auto& row = roads.on_link[link];
     const Vehicle* next = nullptr;
     if (leg == vehicle.leg) {
@@ -64,51 +65,56 @@ Leader leader_of(const RoadState& roads, std::uint32_t number) {
     } else if (!row.empty()) {
       next = &roads.vehicles[row.back()];
     }
-    if (next) leader.consider(way + next->on_leg() - next->half - vehicle.half, next->v);
+    if (next)
+      leader.consider(distance + next->on_leg() - next->half_length - vehicle.half_length, next->v);
     const LinkFacts& facts = roads.links[link];
-    if (facts.turn && roads.turning[facts.node] > 0) beside(roads, vehicle, link, way, leader);
+    if (facts.turn && roads.turning[facts.node] > 0)
+      consider_conflicts(roads, vehicle, link, distance, leader);
     if (next) break;
   }
   return leader;
 }
 
-/// Speed from which one still stops comfortably `way` metres ahead.
-double stopping(double way) {
-  return way < 0.2 ? 0.0 : std::sqrt(2 * comfortable_braking * (way - 0.1));
+/// Returns the speed from which a vehicle can still stop comfortably within `distance` metres.
+double stopping_speed(double distance) {
+  return distance < 0.2 ? 0.0 : std::sqrt(2 * comfortable_braking * (distance - 0.1));
 }
 
-/// What bends, lines and the drive's end allow a step from here.
+/// Returns the speed that bends, stop lines and the trip's end allow after this step.
 double speed_cap(const RoadState& roads, const Vehicle& vehicle) {
   const auto& legs = vehicle.plan->links;
   const double factor = vehicle.plan->speed_factor, step = vehicle.v * step_s,
                far = sight_m(vehicle);
   double cap = factor * roads.links.speed_allowed(legs[vehicle.leg], vehicle.on_leg() + step);
-  for (std::size_t leg = vehicle.leg; leg < legs.size() && vehicle.way_to(leg) - step < far;
+  for (std::size_t leg = vehicle.leg; leg < legs.size() && vehicle.distance_to(leg) - step < far;
        ++leg) {
     const LinkFacts& link = roads.links[legs[leg]];
-    const double way = vehicle.way_to(leg) - step;
+    const double distance = vehicle.distance_to(leg) - step;
     if (leg > vehicle.leg) {
       const double entry = factor * link.entry_m_s;
-      cap = std::min(cap, std::sqrt(entry * entry + 2 * comfortable_braking * std::max(way, 0.0)));
+      cap = std::min(cap,
+                     std::sqrt(entry * entry + 2 * comfortable_braking * std::max(distance, 0.0)));
       if (link.turn && leg >= vehicle.granted)
-        return std::min(cap, stopping(way - vehicle.half - line_gap_m));
+        return std::min(cap, stopping_speed(distance - vehicle.half_length - line_gap_m));
     }
     if (leg + 1 == legs.size() && vehicle.plan->to_stop)
-      cap = std::min(cap, stopping(way + vehicle.plan->end_s));
+      cap = std::min(cap, stopping_speed(distance + vehicle.plan->end_s));
   }
   return cap;
 }
 
 double next_speed(const RoadState& roads, std::uint32_t number) {
   const Vehicle& vehicle = roads.vehicles[number];
-  const Leader leader = leader_of(roads, number);
+  const Leader leader = find_leader(roads, number);
   if (vehicle.v == 0 && leader.gap <= standstill_gap_m)
-    return 0;  // in a queue: as all below would say
+    return 0;  // in a queue: the rules below would say the same
   const double cap = speed_cap(roads, vehicle);
   const double a = vehicle.type->acceleration;
-  const double wish = vehicle.plan->speed_factor *
-                      std::max(roads.links[vehicle.plan->links[vehicle.leg]].entry_m_s, cap);
-  const double share = vehicle.v / std::max(wish, 1.0), free = 1 - share * share * share * share;
+  const double desired_speed =
+      vehicle.plan->speed_factor *
+      std::max(roads.links[vehicle.plan->links[vehicle.leg]].entry_m_s, cap);
+  const double share = vehicle.v / std::max(desired_speed, 1.0),
+               free = 1 - share * share * share * share;
   double interaction = 0;
   if (leader.gap < 1e8) {
     const double dv = vehicle.v - leader.speed;
@@ -121,7 +127,7 @@ double next_speed(const RoadState& roads, std::uint32_t number) {
   }
   double next = vehicle.v + a * (std::max(free, -1.0) - interaction) * step_s;
   next = std::min(next, cap);
-  // Never farther than the bumper ahead, whatever the model says.
+  // Never drive into the vehicle ahead, whatever the model says.
   if (leader.gap < 0.5) next = std::min(next, leader.speed * 0.5);
   return std::max({next, vehicle.v - hardest_braking * step_s, 0.0});
 }

@@ -12,8 +12,8 @@
 namespace nightcity::traffic {
 namespace {
 
-constexpr double look_m = 20;       // between looks for the ground below a way
-constexpr double building_m = 3;    // between looks for buildings on it
+constexpr double ground_step_m = 20;   // between samples of the ground below a way
+constexpr double building_step_m = 3;  // between samples of buildings on a way
 constexpr double shortest_m = 1.0;  // a shorter street holds no vehicle: its ends become one node
 
 bool runs_through_building(const RoadEdge& edge, const InsideBuilding& inside) {
@@ -22,8 +22,9 @@ bool runs_through_building(const RoadEdge& edge, const InsideBuilding& inside) {
     const glm::dvec2 step = edge.line[n + 1] - edge.line[n];
     const double length = glm::length(step);
     const glm::dvec2 right = glm::dvec2(step.y, -step.x) / length;
-    const int looks = std::max(1, static_cast<int>(std::ceil(length / building_m)));
-    // Where vehicles drive: not the outermost half metre, maps are no better than that.
+    const int looks = std::max(1, static_cast<int>(std::ceil(length / building_step_m)));
+    // Check where vehicles drive, without the outermost half metre: maps are no more exact than
+    // that.
     const double reach = std::max(0.0, edge.half_width_m - 0.5);
     for (int k = 0; k <= looks; ++k)
       for (const double side : {-reach, 0.0, reach})
@@ -90,8 +91,8 @@ class GraphBuilder {
       if (numbers[d] != none) graph.edges[numbers[d]].opposite = numbers[1 - d];
   }
 
-  /// Nodes take the ground's height; those inside a bridge or tunnel hang evenly between its ends (a chain of
-  /// springs: conductance 1 / length).
+  /// Nodes get the height of the ground. Nodes inside a bridge or tunnel get heights between those
+  /// of its ends, as in a network of resistors whose conductance is 1 / length.
   void find_heights() {
     std::vector<bool> hung(graph.nodes.size(), false);
     for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
@@ -129,7 +130,8 @@ class GraphBuilder {
   const InsideBuilding& inside_;
 };
 
-/// A street that ends: the map does where it was cut off, or where it is too main to end in a field.
+/// Marks the dead ends at which the map ends, not the street: streets that were cut off, and
+/// streets too important to end in a field.
 void mark_borders(RoadGraph& graph, const std::vector<bool>& was_cut) {
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     RoadNode& node = graph.nodes[n];
@@ -161,7 +163,7 @@ RoadGraph make_road_graph(const std::vector<OsmWay>& highways, const LonLatToFra
   ClippedWays clipped;
   for (const OsmWay& way : highways) {
     if (way.lon_lat.empty()) continue;
-    // One country a map: a town whose halves drive on different sides is no town.
+    // One country for the whole map: no town drives on both sides.
     if (!country) country = &country_at(way.lon_lat[way.lon_lat.size() / 2]);
     std::string why;
     const auto read = read_drivable(way, *country, why);
@@ -170,7 +172,7 @@ RoadGraph make_road_graph(const std::vector<OsmWay>& highways, const LonLatToFra
       continue;
     }
     const std::size_t before = clipped.ways.size();
-    clip_way(way, to_frame, height_at, look_m, clipped);
+    clip_way(way, to_frame, height_at, ground_step_m, clipped);
     if (clipped.ways.size() == before)
       ++builder.graph.left_out["outside the model"];
     else

@@ -5,12 +5,12 @@
 namespace nightcity::traffic {
 namespace {
 
-constexpr double see_ahead_s = 8, see_least_m = 45;
+constexpr double see_ahead_s = 8, min_sight_m = 45;
 
 }  // namespace
 
 double sight_m(const Vehicle& vehicle) {
-  return std::max(see_least_m, see_ahead_s * vehicle.v);
+  return std::max(min_sight_m, see_ahead_s * vehicle.v);
 }
 
 RoadState::RoadState(const LinkNetwork& network) : links(network) {
@@ -32,7 +32,7 @@ std::uint32_t RoadState::add(const TripPlan& plan, double v) {
   vehicle = Vehicle{};
   vehicle.plan = &plan;
   vehicle.type = &vehicle_types[plan.type];
-  vehicle.half = vehicle.type->length_m / 2;
+  vehicle.half_length = vehicle.type->length_m / 2;
   vehicle.distance = plan.start_s;
   vehicle.v = v;
   vehicle.granted = 1;
@@ -54,9 +54,9 @@ void RoadState::enter(std::uint32_t number) {
   const std::size_t link = vehicle.plan->links[vehicle.leg];
   auto& row = on_link[link];
   const double s = vehicle.on_leg();
-  row.insert(
-      std::find_if(row.begin(), row.end(), [&](std::uint32_t n) { return vehicles[n].on_leg() < s; }),
-      number);
+  row.insert(std::find_if(row.begin(), row.end(),
+                          [&](std::uint32_t n) { return vehicles[n].on_leg() < s; }),
+             number);
   if (links[link].turn) ++turning[links[link].node];
 }
 
@@ -94,9 +94,9 @@ void RoadState::drop(std::uint32_t number, std::size_t leg) {
 
 void RoadState::release(std::uint32_t number, bool all) {
   Vehicle& vehicle = vehicles[number];
-  while (
-      vehicle.held_from < vehicle.granted &&
-      (all || (vehicle.held_from < vehicle.leg && vehicle.distance - vehicle.half > vehicle.starts[vehicle.held_from + 1])))
+  while (vehicle.held_from < vehicle.granted &&
+         (all || (vehicle.held_from < vehicle.leg &&
+                  vehicle.distance - vehicle.half_length > vehicle.starts[vehicle.held_from + 1])))
     drop(number, vehicle.held_from++);
 }
 
@@ -105,14 +105,14 @@ void RoadState::look_ahead() {
   touched_.clear();
   for (const std::uint32_t number : active) {
     const Vehicle& vehicle = vehicles[number];
-    // Nobody waits for one who stands in a queue.
-    const double far = vehicle.v < standing_m_s ? vehicle.half + line_m : sight_m(vehicle);
-    for (std::size_t leg = vehicle.leg + 1; leg < vehicle.plan->links.size() && vehicle.way_to(leg) < far;
-         ++leg) {
+    // Nobody waits for a vehicle that stands in a queue.
+    const double far = vehicle.v < standing_m_s ? vehicle.half_length + line_m : sight_m(vehicle);
+    for (std::size_t leg = vehicle.leg + 1;
+         leg < vehicle.plan->links.size() && vehicle.distance_to(leg) < far; ++leg) {
       const std::size_t link = vehicle.plan->links[leg];
       if (!links[link].junction) continue;
       if (coming[link].empty()) touched_.push_back(link);
-      coming[link].push_back({number, vehicle.way_to(leg)});
+      coming[link].push_back({number, vehicle.distance_to(leg)});
     }
   }
 }

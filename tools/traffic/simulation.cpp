@@ -13,9 +13,9 @@
 namespace nightcity::traffic {
 namespace {
 
-constexpr double gives_up_s =
-    90;  // standing first at a line: a jam that locks itself; the drive is given up
-constexpr double warm_up_share = 1.0;  // of a cycle, before the drives are kept
+// A vehicle that has stood first at a line for so long is in a gridlock: its trip is given up.
+constexpr double gives_up_s = 90;
+constexpr double warm_up_share = 1.0;  // of a cycle, before trips are kept
 
 class Simulator {
  public:
@@ -29,8 +29,8 @@ class Simulator {
   }
 
   SimulationReport run(const std::function<void(double)>& progress) {
-    // From -warm-up to 0 the roads fill; starts in [0, cycle) are kept; the next cycle's starts go on
-    // meanwhile.
+    // From -warm-up to 0 the roads fill. Trips that start in [0, cycle) are kept; the trips of the
+    // next cycle keep the roads busy until the kept ones have ended.
     const double begin = -warm_up_share * cycle_s_, end = 2 * cycle_s_;
     const auto steps = static_cast<long>(std::ceil((end - begin) / step_s));
     for (long n = 0; n < steps; ++n) {
@@ -50,18 +50,20 @@ class Simulator {
   }
 
  private:
-  struct Waiting {
+  struct PendingTrip {
     std::size_t plan;
-    bool kept;  // starts in the cycle that is handed out
-    double wish;
+    bool kept;  // starts in the cycle that is passed on
+    double due_s;
   };
 
-  /// Of the next to start, s.
-  double wish() const { return next_cycle_ * cycle_s_ + plans_[by_start_[next_]].start_time_s; }
+  /// Returns when the next trip is due to start, in seconds.
+  double next_due_s() const {
+    return next_cycle_ * cycle_s_ + plans_[by_start_[next_]].start_time_s;
+  }
 
   void start_trips() {
-    while (roads_.now >= wish()) {
-      waiting_.push_back({by_start_[next_], next_cycle_ == 0, wish()});
+    while (roads_.now >= next_due_s()) {
+      waiting_.push_back({by_start_[next_], next_cycle_ == 0, next_due_s()});
       if (next_cycle_ == 0) ++kept_;
       if (++next_ == by_start_.size()) {
         next_ = 0;
@@ -69,11 +71,11 @@ class Simulator {
       }
     }
     ++moment_;
-    std::erase_if(waiting_, [&](const Waiting& one) {
-      // Who does not get away at once looks again every second.
-      const bool looks = roads_.now < one.wish + step_s || (moment_ + one.plan) % 4 == 0;
+    std::erase_if(waiting_, [&](const PendingTrip& one) {
+      // A vehicle that cannot start at once tries again every second.
+      const bool looks = roads_.now < one.due_s + step_s || (moment_ + one.plan) % 4 == 0;
       if (looks && try_start(one)) return true;
-      if (roads_.now < one.wish + cycle_s_) return false;
+      if (roads_.now < one.due_s + cycle_s_) return false;
       if (one.kept) {
         ++report_.never_started;
         --kept_;
@@ -82,7 +84,7 @@ class Simulator {
     });
   }
 
-  bool try_start(const Waiting& one) {
+  bool try_start(const PendingTrip& one) {
     const TripPlan& plan = plans_[one.plan];
     const std::size_t link = plan.links.front();
     const double half = vehicle_types[plan.type].length_m / 2;
@@ -90,7 +92,7 @@ class Simulator {
         plan.from_kerb ? 0 : roads_.links.speed_allowed(link, plan.start_s) * plan.speed_factor;
     for (const std::uint32_t number : roads_.on_link[link]) {
       const Vehicle& other = roads_.vehicles[number];
-      const double s = other.on_leg(), gap = std::abs(s - plan.start_s) - other.half - half;
+      const double s = other.on_leg(), gap = std::abs(s - plan.start_s) - other.half_length - half;
       if (s > plan.start_s) {  // ahead
         if (gap < standstill_gap_m) return false;
         v = std::min(
@@ -107,7 +109,7 @@ class Simulator {
     if (one.kept) {
       const double now = roads_.now;
       driven_[number] = DrivenTrip{one.plan, now - cycle_s_ * std::floor(now / cycle_s_), {}, {}};
-      report_.waited_s += now - one.wish;
+      report_.waited_s += now - one.due_s;
       record(number);
     }
     return true;
@@ -164,13 +166,13 @@ class Simulator {
   double cycle_s_;
   const std::function<void(DrivenTrip&&)>& sink_;
   SimulationReport report_;
-  std::vector<std::size_t> by_start_;              // routes
-  std::vector<std::optional<DrivenTrip>> driven_;  // of a car, where it is to be kept
+  std::vector<std::size_t> by_start_;              // plans, by start time
+  std::vector<std::optional<DrivenTrip>> driven_;  // by vehicle, if its trip is kept
   std::vector<std::uint32_t> finished_;
-  std::deque<Waiting> waiting_;
+  std::deque<PendingTrip> waiting_;
   std::size_t moment_ = 0;
   std::size_t next_ = 0;  // into by_start_
-  std::size_t kept_ = 0;  // drives of the kept cycle that wait or drive
+  std::size_t kept_ = 0;  // trips of the kept cycle that have not ended
   int next_cycle_ = -1;
 };
 

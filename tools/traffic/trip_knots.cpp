@@ -14,12 +14,12 @@ namespace {
 
 using std::numbers::pi;
 
-// Lamps come on with the pedal. Rolling out without it is about 0.5 m/s2; UN Regulation 13-H has them on
-// above 1.3 m/s2 where a motor brakes, off below 0.7.
+// Brake lamps come on with the pedal. Coasting decelerates by about 0.5 m/s2; where a motor brakes,
+// UN Regulation 13-H has the lamps on above 1.3 m/s2 and off below 0.7 m/s2.
 constexpr double pedal_m_s2 = 0.8;
-constexpr int shortest_on = 2, shortest_off = 3;  // steps: feet do not flicker
+constexpr int shortest_on = 2, shortest_off = 3;  // steps: a driver does not tap the pedal
 constexpr std::size_t longest_moments = 96;       // 12 s between knots
-constexpr double quick_turn = 0.03;               // radians a step
+constexpr double quick_turn = 0.03;               // radians in one step
 
 TripKnot knot_at(const Curve::Place& place, double speed, double time, bool braking,
                  const Georeference& georeference) {
@@ -37,8 +37,8 @@ TripKnot knot_at(const Curve::Place& place, double speed, double time, bool brak
   return knot;
 }
 
-/// Braking during the step after each sample.
-std::vector<bool> braking_of(const DrivenTrip& trip) {
+/// Returns for each sample whether the vehicle brakes during the step after it.
+std::vector<bool> find_braking(const DrivenTrip& trip) {
   const std::size_t count = trip.speed_m_s.size();
   std::vector<bool> on(count, false);
   for (std::size_t n = 0; n + 1 < count; ++n) {
@@ -65,16 +65,16 @@ class KnotFitter {
   KnotFitter(const TripPath& path, const DrivenTrip& trip, const Georeference& georeference,
              const KnotTolerance& tolerance)
       : georeference_(georeference), tolerance_(tolerance) {
-    const std::vector<bool> braking = braking_of(trip);
+    const std::vector<bool> braking = find_braking(trip);
     const std::size_t last = trip.speed_m_s.size() - 1;
-    // Moments at which a knot may lie, and between them those at which the fit is only looked at. A step in
-    // which the heading turns fast has more of them.
+    // Collect the moments at which a knot may lie and, between them, those at which the fit is only
+    // checked. A step in which the heading turns fast has more of them.
     Curve::Place before = path.at(double{trip.distance_m[0]});
     for (std::size_t n = 0; n < last; ++n) {
       const double s0 = double{trip.distance_m[n]}, s1 = double{trip.distance_m[n + 1]};
       const double v0 = double{trip.speed_m_s[n]}, v1 = double{trip.speed_m_s[n + 1]};
       const Curve::Place after = path.at(s1);
-      // Evenly accelerated within a step, as it was driven.
+      // The acceleration is constant within a step, as in the simulation.
       const auto at = [&](double x) {
         const double way = v0 + v1 > 0 ? (2 * v0 * x + (v1 - v0) * x * x) / (v0 + v1) : x;
         return path.at(s0 + (s1 - s0) * way);
@@ -112,7 +112,7 @@ class KnotFitter {
         most += 2;
       std::size_t good = from + 2;
       KnotError error = error_between(from, good);
-      // Galloping, then halving: the error grows with the stretch, nearly always.
+      // Exponential search, then bisection: the error nearly always grows with the stretch.
       bool growing = true;
       for (std::size_t step = 2; step > 1 && good < most;) {
         const std::size_t to = std::min(good + step, most);
@@ -172,7 +172,7 @@ class KnotFitter {
 
   const Georeference& georeference_;
   const KnotTolerance& tolerance_;
-  std::vector<Moment> moments_;  // even: a knot may lie there; odd: between two such
+  std::vector<Moment> moments_;  // a knot may lie at even ones; odd ones lie between
 };
 
 }  // namespace

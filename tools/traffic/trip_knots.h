@@ -1,4 +1,4 @@
-// A drive as few knots: what the light file keeps of it.
+// Fits a curve with few knots to a driven trip, for the light file.
 #pragma once
 
 #include <vector>
@@ -10,18 +10,19 @@
 
 namespace nightcity::traffic {
 
-/// How far the curve through the knots may leave the drive.
+/// How far the curve through the knots may deviate from the driven trip.
 struct KnotTolerance {
   double position_m = 0.04;
   double heading_degrees = 1.0;
 };
 
 struct KnotError {
-  double position_m = 0, heading_degrees = 0;  // the worst met
+  double position_m = 0, heading_degrees = 0;  // the greatest deviations
 };
 
-/// As few knots as the tolerance allows (greedily: each as late as may be). Braking from the drive's own
-/// deceleration. Empty for a drive of less than two seconds or one that goes nowhere.
+/// Returns as few knots as the tolerance allows, chosen greedily: each as late as possible. Braking
+/// follows from the deceleration of the trip. Empty for a trip of less than two seconds or less
+/// than 5 m.
 std::vector<TripKnot> make_knots(const TripPath& path, const DrivenTrip& trip,
                                  const Georeference& georeference, const KnotTolerance& tolerance,
                                  KnotError& worst);

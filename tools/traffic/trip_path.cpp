@@ -7,7 +7,7 @@ namespace {
 
 constexpr double pull_out_m = 16;  // from the kerb to the lane's middle
 
-/// 1 at x = 0, 0 from x = 1 on; value and slope continuous.
+/// A smooth step from 1 at x = 0 to 0 at x = 1 and beyond; value and slope are continuous.
 struct Ramp {
   double value, slope;
 };
@@ -50,7 +50,7 @@ Curve::Place TripPath::at(double distance_m) const {
   Curve::Place place = network_.links()[plan_.links[n]].curve.at(distance_m - starts_[n]);
   const Aside shift = aside(distance_m);
   if (shift.shift != 0 || shift.slope != 0) {
-    // The lane is all but straight where one parks: the turning of its normal is left out.
+    // A lane is nearly straight where vehicles park, so the turning of its normal is neglected.
     const glm::dvec3 right(place.along.y, -place.along.x, 0);
     place.point += right * shift.shift;
     place.along += right * shift.slope;

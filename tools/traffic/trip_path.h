@@ -1,4 +1,5 @@
-// A route as one smooth way: its links end to end, with the pulling out from the kerb and to it.
+// The path of a trip as one smooth curve: its links end to end, with pulling out from the kerb and
+// back to it.
 #pragma once
 
 #include <vector>
@@ -10,11 +11,11 @@ namespace nightcity::traffic {
 
 class TripPath {
  public:
-  /// Refers to the network and the route.
+  /// Keeps references to the network and the plan.
   TripPath(const LinkNetwork& network, const TripPlan& plan);
 
-  /// Of the vehicle's middle, `distance_m` from the start of the first link: E, N, H and d point / d
-  /// distance.
+  /// Returns where the vehicle's middle is at `distance_m` from the start of the first link: the
+  /// point (E, N, H) and its derivative by the distance.
   Curve::Place at(double distance_m) const;
   double length() const { return starts_.back(); }
 
@@ -26,7 +27,7 @@ class TripPath {
 
   const LinkNetwork& network_;
   const TripPlan& plan_;
-  std::vector<double> starts_;  // of each link, and the end
+  std::vector<double> starts_;  // of each link, and the end of the last
 };
 
 }  // namespace nightcity::traffic

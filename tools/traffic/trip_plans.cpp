@@ -8,14 +8,14 @@
 namespace nightcity::traffic {
 namespace {
 
-constexpr double hindered = 0.7;  // mean speed over limit in a town: bends, junctions
-constexpr double parking_margin_m =
-    28;  // from a junction to where one pulls out: room for the others to brake
-constexpr double stop_margin_m = 8;  // from where one stops to the next junction
+constexpr double hindered = 0.7;  // mean speed over limit in a town, because of bends and junctions
+// From a junction to where a vehicle pulls out, so that others have room to brake.
+constexpr double parking_margin_m = 28;
+constexpr double stop_margin_m = 8;  // from where a vehicle parks to the next junction
 constexpr double kerb_gap_m = 0.25;
-constexpr double tightest_m = 2.2, tightest_large_m = 5;  // turns: what a steering wheel can do
+constexpr double tightest_m = 2.2, tightest_large_m = 5;  // radii of turns that vehicles can steer
 
-/// Picks by weight; constant memory, logarithmic time.
+/// Draws an index with a probability proportional to its weight, in logarithmic time.
 class WeightedChoice {
  public:
   void add(double weight) { sums_.push_back((sums_.empty() ? 0 : sums_.back()) + weight); }
@@ -53,8 +53,8 @@ class TripPlanner {
         kerb_choice_.add(edge.length_m * edge.traffic->density_per_km_lane);
       }
     }
-    // As many drives begin inside the map as its size and the drives' length ask for, beside those that come
-    // in.
+    // Besides the trips that come over the border, as many start inside the map as keep up the
+    // number of vehicles.
     const double starts_per_s = demand.vehicles / mean_trip_s();
     const double incoming = gate_choice_.total() * demand.vehicles / std::max(wanted_, 1e-9);
     gate_share_ = kerbs_.empty()   ? 1
@@ -110,7 +110,8 @@ class TripPlanner {
            network_.lane_length(e) > parking_margin_m + stop_margin_m + 5;
   }
 
-  /// Above 1 where a class has had less than its share so far.
+  /// Returns a factor above 1 for a class of road that has had less than its share of the
+  /// traffic so far.
   double lack(const RoadEdge& edge) const {
     const Tally& tally = tallies_.at(edge.traffic);
     const double share = tally.wanted / wanted_, have = given_ > 0 ? tally.given / given_ : share;
@@ -166,12 +167,12 @@ class TripPlanner {
       if (next == none) break;
       edges.push_back(next);
     }
-    // Only where a street really ends may a drive end without parking.
+    // A trip may end without parking only where a street really ends.
     const RoadNode& last = graph_.nodes[graph_.edges[edges.back()].to];
     if (!to_kerb && last.streets != 1) return std::nullopt;
     if (!to_kerb && edges.size() == 1 && plan.from_kerb) return std::nullopt;
     plan.to_stop = to_kerb || !last.border;
-    if (!lay(plan, edges, to_kerb, random)) return std::nullopt;
+    if (!choose_lanes(plan, edges, to_kerb, random)) return std::nullopt;
     for (const std::size_t e : edges) {
       const double time = time_on(graph_.edges[e], graph_.edges[e].length_m) / plan.speed_factor;
       tallies_[graph_.edges[e].traffic].given += time;
@@ -180,10 +181,12 @@ class TripPlanner {
     return plan;
   }
 
-  /// Lanes from the end backwards: what the next turn asks for decides; who goes straight on keeps the lane,
-  /// so that lanes are changed in turns only. False where two lanes on the way have no turn between them
-  /// but a loop, where a bend is too tight, and where a wall stands on the way.
-  bool lay(TripPlan& plan, const std::vector<std::size_t>& edges, bool to_kerb, Random& random) {
+  /// Chooses the lanes, from the end backwards: the next turn decides, and a vehicle that goes
+  /// straight on keeps its lane, so that lanes change only in turns. Returns false where only a
+  /// loop leads from one lane to the next, where a bend is too tight, and where a wall stands
+  /// in the way.
+  bool choose_lanes(TripPlan& plan, const std::vector<std::size_t>& edges, bool to_kerb,
+                    Random& random) {
     std::vector<int> lanes(edges.size());
     const bool right_hand = graph_.side == Side::right;
     for (std::size_t n = edges.size(); n-- > 0;) {

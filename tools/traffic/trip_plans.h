@@ -1,4 +1,4 @@
-// Who drives where: drives through the network so that each class of road carries its share of the traffic.
+// Plans trips through the network so that each class of road carries its share of the traffic.
 #pragma once
 
 #include <cstdint>
@@ -13,19 +13,22 @@ namespace nightcity::traffic {
 
 struct TripPlan {
   std::vector<std::size_t> links;  // lane, turn, lane, ... lane
-  double start_s = 0, end_s = 0;   // the vehicle's middle, on the first and the last link
-  bool from_kerb = false;  // starts parked; else it drives in over the border or out of a dead end
-  bool to_stop = false;    // ends standing; else it drives out over the border
-  double start_aside_m = 0, end_aside_m = 0;  // to the right of the lane's middle, where parked
-  std::size_t type = 0;                       // into vehicle_types
+  // Where the vehicle's middle starts on the first link and ends on the last one, metres from
+  // the link's start.
+  double start_s = 0, end_s = 0;
+  bool from_kerb = false;  // starts parked; otherwise it comes over the border or out of a dead end
+  bool to_stop = false;    // ends standing; otherwise it leaves over the border
+  // How far to the right of the lane's middle it is parked at the start and at the end.
+  double start_aside_m = 0, end_aside_m = 0;
+  std::size_t type = 0;  // index into vehicle_types
   double speed_factor = 1;
-  double start_time_s = 0;  // wish, in [0, cycle)
-  double free_time_s = 0;   // roughly, with nobody else about
+  double start_time_s = 0;  // planned, in [0, cycle)
+  double free_time_s = 0;   // approximate duration on empty roads
   std::uint32_t id = 0;
 };
 
 struct Demand {
-  double vehicles = 0;  // on the road at once; 0 = no traffic
+  double vehicles = 0;  // on the road at once; 0: no traffic
   double cycle_s = 600;
   std::uint64_t seed = 1;
 };
@@ -33,15 +36,16 @@ struct Demand {
 struct TripPlanReport {
   std::map<std::string, double> lane_km;        // by class of road
   std::map<std::string, double> wanted, given;  // vehicles at once, by class
-  std::size_t rejected = 0;           // drives that led nowhere in time, or could not be driven:
-  std::size_t through_buildings = 0;  // of them: a wall stood in the way
+  std::size_t rejected = 0;           // plans that led nowhere in time or could not be driven
+  std::size_t through_buildings = 0;  // those of them with a wall in the way
 };
 
-/// Vehicles at once at the table's hour, by the table of densities.
+/// Returns the number of vehicles at once at table_hour, by the table of densities.
 double vehicles_by_table(const RoadGraph& graph);
 
-/// Drives whose free driving times add up to demand.vehicles * demand.cycle_s. They start and end at the
-/// map's border, in dead ends and at kerbs where one may park. Deterministic.
+/// Plans trips whose driving times on empty roads add up to demand.vehicles *
+/// demand.cycle_s. They start and end at the map's border, in dead ends and at kerbs where
+/// parking is allowed. Deterministic.
 std::vector<TripPlan> plan_trips(LinkNetwork& network, const Demand& demand,
                                  TripPlanReport& report);
 
