@@ -1,4 +1,5 @@
-// Street lamps: from OSM nodes and the roads beside them to luminaires with flux, colour, height and aim.
+// Places the street lamps of a map: from OSM nodes and the roads beside them to luminaires with
+// flux, colour, height and aim.
 #pragma once
 
 #include <cstddef>
@@ -19,22 +20,23 @@
 
 namespace nightcity {
 
-/// One lamp post with its luminaires placed, in the frame's E, N, H metres.
+/// One luminaire on its post, in the frame's E, N, H metres.
 struct PlacedLamp {
   glm::dvec3 foot{0};            // where the post meets the ground
   double mounting_height_m = 0;  // luminous centre above the foot
   glm::dvec2 outreach{0, 0};     // from the post to the luminous centre, horizontal, m
   glm::dvec2 aim{0, 1};          // unit, horizontal: towards the road (the C = 0 half-plane)
-  bool hung = false;             // on a wire between facades: no post
+  bool hung = false;             // on a wire between facades, without a post
   double tilt_degrees = 0;       // of the luminaire's axis, from straight down towards `aim`
   double flux_lm = 0;
   double cct_k = 0;
   glm::vec3 colour{1};  // linear Rec. 709, luminance 1
   double radius_m = 0;  // luminous radius
   std::uint32_t profile = LIGHT_NO_PROFILE;
-  std::optional<NightSchedule> hours;  // none: always on
-  std::string_view highway;  // of the road it lights, "" = none; from the table of defaults
-  std::int64_t way_id = 0;   // that road, and how far along it
+  std::optional<NightSchedule> hours;  // empty: always on
+  std::string_view
+      highway;  // class of the road that it lights, from the table of defaults; "": none
+  std::int64_t way_id = 0;  // that road, and how far along it the lamp stands
   double along_m = 0;
   std::uint32_t id = 0;
   LightProvenance provenance;
@@ -44,40 +46,44 @@ struct LampSet {
   std::vector<PlacedLamp> lamps;
   std::vector<LightProfile> profiles;
   std::vector<float> profile_data;
-  std::map<std::string, std::size_t>
-      dropped;  // reason and count: "outside the model", "duplicate", "lit=no", ...
-  std::map<std::string, std::map<std::string, std::size_t>>
-      sources;                               // value name, source, count: for the report
-  std::map<std::string, std::size_t> notes;  // what was mended or could not be read, and how often
+  // Number of lamps left out, by reason: "outside the model", "duplicate", "lit=no", ...
+  std::map<std::string, std::size_t> dropped;
+  // Name of a value, its source, number of lamps: for the report.
+  std::map<std::string, std::map<std::string, std::size_t>> sources;
+  // What was repaired or could not be read, and how often.
+  std::map<std::string, std::size_t> notes;
 };
 
 /// A measured luminaire for the lamps of some roads, instead of the analytic optics.
 struct LuminaireChoice {
-  std::string name;                   // of its file: stored once
+  std::string name;                   // of its file; equal names are stored once
   Photometry photometry;              // C = 0 towards the street
-  std::vector<std::string> highways;  // OSM classes it serves; empty = every road
-  std::vector<LampType> types;        // lamps it serves; empty = every type
-  bool take_flux = true;              // the luminaire's lumens too, where no tag gives them
+  std::vector<std::string> highways;  // OSM classes that it serves; empty: every road
+  std::vector<LampType> types;        // types of lamp that it serves; empty: every type
+  bool take_flux = true;              // take the luminaire's flux too, where no tag gives one
   double flux_lm = 0;
 };
 
 struct LampOptions {
-  std::vector<LuminaireChoice>
-      luminaires;  // the first that serves a road wins; lanterns and floodlights stay
-  bool heights_from_tags = false;  // a lamp's tag ele, where it has one, wins over the ground
+  // The first that serves a road wins. Lanterns and floodlights keep their analytic optics.
+  std::vector<LuminaireChoice> luminaires;
+  bool heights_from_tags =
+      false;  // the tag `ele` of a lamp, where it has one, overrides the ground
 };
 
-/// The measured luminaire for a lamp of that type beside a road, or none. Lamps of unknown type are LED.
+/// Returns the measured luminaire for a lamp of this type beside a road, or null. Lamps of unknown
+/// type count as LED.
 const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadLighting& road,
                                      LampType type = LampType::led);
 
-/// Every value a tag gives is taken; the rest comes from the road beside and the table of defaults
-/// (lamp_defaults.h). A lamp that stands inside a building (where `inside` is given and says so) is moved out
-/// towards its road.
+/// Places all lamps of a map. Values come from the tags; the rest comes from the road beside a lamp
+/// and the table of defaults (lamp_defaults.h). A lamp that stands inside a building, as far as
+/// `inside` is given, is moved out towards its road. Lamps outside the model, where `height_at` is
+/// empty, are left out and counted.
 LampSet place_lamps(const OsmData& osm, const LonLatToFrame& to_frame, const HeightAt& height_at,
                     const InsideBuilding& inside = {}, const LampOptions& options = {});
 
-/// The luminaire as a light of model space; its hours go into `schedules`.
+/// Returns the luminaire as a light in model space and adds its hours to `schedules`.
 Light to_light(const PlacedLamp& lamp, const Georeference& georeference, ScheduleTable& schedules);
 
 }  // namespace nightcity
