@@ -19,10 +19,11 @@ namespace nightcity::layout {
 namespace {
 
 constexpr double mapped_reach_spacings = 1.5;
-constexpr double mapped_beside_m = 8;  // behind the kerb a mapped lamp still belongs to the street
+constexpr double mapped_beside_m = 8;  // a mapped lamp this near to the kerb belongs to the street
 constexpr double shifts_m[] = {0, 2, -2, 4, -4};
-constexpr double median_m = 8;      // a carriageway this near beyond the post is the street's twin
-constexpr double looked_at_m = 10;  // how often a street is tried for lying in the model
+constexpr double median_m = 8;  // a carriageway this near beyond the post is the street's twin
+constexpr double model_step_m =
+    10;  // between the points at which a street is checked for lying in the model
 
 const char* name_of(SiteFault fault) {
   constexpr const char* names[] = {"outside the model", "no room before a building",
@@ -30,7 +31,7 @@ const char* name_of(SiteFault fault) {
   return names[static_cast<int>(fault)];
 }
 
-/// Main roads first, then brighter ones: they choose their places before lesser streets do.
+/// Sorts main roads first, then brighter ones: they get their places before lesser streets do.
 auto rank(const streets::Street& street) {
   return std::tuple(static_cast<int>(lighting_of(street).tier), -lighting_of(street).flux_lm,
                     street.pieces.front().way_id, street.pieces.front().from_m);
@@ -49,7 +50,7 @@ class Layouter {
       (reason.empty() ? lit : unlit).push_back(&way);
       if (!reason.empty() && in_model(way, to_frame)) ++report_.unlit_ways[reason];
     }
-    // The order of the file must not matter.
+    // The result must not depend on the order of the file.
     std::sort(lit.begin(), lit.end(),
               [](const OsmWay* a, const OsmWay* b) { return a->id < b->id; });
     network_ = streets::make_street_network(lit, to_frame);
@@ -87,13 +88,13 @@ class Layouter {
     });
   }
   bool in_model(const streets::Street& street) const {
-    const int parts = std::max(1, static_cast<int>(std::ceil(street.length_m() / looked_at_m)));
+    const int parts = std::max(1, static_cast<int>(std::ceil(street.length_m() / model_step_m)));
     for (int part = 0; part <= parts; ++part)
       if (height_at_(street.place(street.length_m() * part / parts).point)) return true;
     return false;
   }
 
-  /// Arrangement, spacing, flux and side of a street.
+  /// Chooses arrangement, spacing, flux and side of a street.
   void plan(std::size_t s) {
     const streets::Street& street = network_.streets[s];
     const RoadLighting& road = lighting_of(street);
@@ -106,8 +107,8 @@ class Layouter {
     plan.design = design(street, arrangement_for(street.road.width_m, road.mounting_m), *wanted);
     if (street.bridge) ++report_.notes["streets with a bridge: lamps on the model's ground"];
 
-    // The side with fewer obstacles; the right one if both are alike. Twin carriageways have their lamps on
-    // their outer sides.
+    // Take the side with fewer obstacles, or the right one if both are alike. Twin carriageways get
+    // their lamps on their outer sides.
     const int parts = parts_of(street, plan.design);
     int faults[2] = {0, 0}, blocked = 0, tried = 0;
     for (int i = 0; i <= parts; ++i) {
@@ -149,7 +150,7 @@ class Layouter {
     return std::max(1, static_cast<int>(std::ceil(street.length_m() / design.spacing_m - slack)));
   }
 
-  /// One lamp for a place where streets meet or end, on the best of them, at the corner.
+  /// Places one lamp where streets meet or end: on the most important of them, at the corner.
   void light_joint(std::size_t number) {
     if (!joints_done_.insert(number).second) return;
     const streets::Joint& joint = network_.joints[number];
@@ -192,12 +193,12 @@ class Layouter {
     }
   }
 
-  /// The lamp or pair of lamps of a street at `along`.
+  /// Places the lamp or pair of lamps of a street at `along`.
   void light_slot(std::size_t s, double along, int side, double near) {
     const streets::Street& street = network_.streets[s];
     const LampDesign& design = plans_[s].design;
     const streets::Street::Place centre = street.place(along);
-    if (!height_at_(centre.point)) return;  // the street goes on beyond the model
+    if (!height_at_(centre.point)) return;  // the street continues beyond the model
     if (mapped_near(street, centre, design.spacing_m)) {
       ++report_.left_out["mapped lamps near"];
       ++plans_[s].left_to_mapped;
@@ -230,7 +231,7 @@ class Layouter {
     leave_out(fault);
   }
 
-  /// Whether a lamp of another street stands near and does not turn its back.
+  /// Whether a lamp of another street stands near and points this way.
   bool lit_by_another(std::size_t s, const glm::dvec2& p, double near) const {
     return placed_.any_near(p, near, [&](const glm::dvec2& foot, std::uint32_t n) {
       const bool own = n >= first_new_ && street_of_lamp_[n - first_new_] == s;

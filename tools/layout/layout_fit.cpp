@@ -25,7 +25,7 @@ class Fitter {
     for (std::uint32_t n = 0; n < set.profiles.size(); ++n) profiles_.push_back(profile_of(set, n));
     for (std::size_t n = 0; n < set.lamps.size(); ++n) {
       const PlacedLamp& lamp = set.lamps[n];
-      // Mapped lamps shine with their flux, new ones with one lumen that is to be multiplied.
+      // Mapped lamps count with their flux, new ones with one lumen that is scaled later.
       luminaires_.push_back(
           {glm::dvec2(lamp.foot) + lamp.outreach, lamp.mounting_height_m, lamp.aim,
            lamp.tilt_degrees, n < first_new ? lamp.flux_lm : 1.0,
@@ -98,7 +98,7 @@ class Fitter {
     field.by_new = !field.per_lumen.empty();
   }
 
-  /// The points of a street's field.
+  /// Visits the points of a street's field.
   template <class Visit>
   void each_point(std::size_t s, const Visit& visit) const {
     const streets::Street& street = network_.streets[s];
@@ -122,7 +122,7 @@ class Fitter {
   }
 
   void solve() {
-    // A tenth above the class: what rounding up to a package adds keeps it within a quarter.
+    // Aim at a tenth above the class: rounding up to a package then keeps it within a quarter.
     constexpr double aim = 1.1;
     constexpr int rounds = 12;
     for (int round = 0; round < rounds; ++round)
@@ -133,8 +133,8 @@ class Fitter {
         const double others = average(field) - own->second * flux_[s];
         const double wanted = aim * plans_[s].wanted.average_lx / maintenance_factor;
         const double design = plans_[s].design.flux_lm;
-        flux_[s] = std::clamp((wanted - others) / own->second, design / widest_change,
-                              design * widest_change);
+        flux_[s] =
+            std::clamp((wanted - others) / own->second, design / max_change, design * max_change);
       }
     for (double& flux : flux_)
       if (flux > 0) flux = luminaire_package(flux);

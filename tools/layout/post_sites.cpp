@@ -20,7 +20,7 @@ PostSites::PostSites(const streets::StreetNetwork& network, const std::vector<co
                      const LonLatToFrame& to_frame, const HeightAt& height_at,
                      const InsideBuilding& inside)
     : network_(network), height_at_(height_at), inside_(inside) {
-  // Paths are no obstacle: lamps stand on pavements.
+  // Paths are no obstacles, because lamps stand on pavements.
   for (const streets::Street& street : network.streets)
     add_carriageway(
         lighting_of(street).tier == roads::RoadTier::path ? std::vector<glm::dvec2>() : street.line,

@@ -29,7 +29,7 @@ bool one_of(const std::string& value, std::initializer_list<const char*> names) 
   return std::find(names.begin(), names.end(), value) != names.end();
 }
 
-/// A run of one way's nodes between two that matter.
+/// A run of one way's nodes between two junctions or ends.
 struct Run {
   Street street;
   NodeKey first, last;
@@ -69,7 +69,7 @@ class NetworkBuilder {
  public:
   void count(const OsmWay& way) {
     for (std::size_t n = 0; n < way.lon_lat.size(); ++n) {
-      // A node inside a way is where two of its runs would end.
+      // At a node inside a way, two of its runs would end.
       const bool end = n == 0 || n + 1 == way.lon_lat.size();
       degrees_[key_of(way.lon_lat[n])] += end ? 1 : 2;
     }
@@ -148,7 +148,7 @@ class NetworkBuilder {
   }
 
  private:
-  /// Runs of one road that meet where nothing else does become one.
+  /// Joins two runs of one road if nothing else meets them at their common end.
   void join() {
     std::map<NodeKey, std::vector<std::size_t>> ends;
     for (std::size_t r = 0; r < runs_.size(); ++r) {
@@ -157,7 +157,7 @@ class NetworkBuilder {
     }
     for (std::size_t r = 0; r < runs_.size(); ++r) {
       if (joined_[r]) continue;
-      for (int side = 0; side < 2; ++side) {  // grow at the end, turn round, grow at the other end
+      for (int side = 0; side < 2; ++side) {  // grow at the end, reverse, grow at the other end
         grow(r, ends);
         reverse(runs_[r]);
       }
@@ -168,7 +168,7 @@ class NetworkBuilder {
     while (runs_[r].first != runs_[r].last) {
       const auto& here = ends.at(runs_[r].last);
       if (here.size() != 2) return;
-      // The other of the two; runs joined to r earlier are named by their old number and have lost this end.
+      // Find the other of the two. Runs joined to r earlier still have their old number here.
       std::size_t next = runs_.size();
       for (const std::size_t candidate : here)
         if (candidate != r && !joined_[candidate]) next = candidate;
@@ -210,8 +210,8 @@ std::string why_unlit(const OsmWay& way) {
       one_of(tag(way, "path"), {"crossing", "sidewalk"}) || tag(way, "is_sidepath") == "yes")
     return "crossing or pavement beside a street";
   if (!lit.empty()) return {};
-  // What towns light unasked: streets with houses or through traffic. Motorways are lit at few junctions,
-  // paths where somebody says so, service roads where they are more than a way in.
+  // Without a tag, towns light streets with houses or through traffic: few junctions of motorways,
+  // no paths, and service roads only if they are more than a driveway.
   const roads::RoadClass* road_class = roads::find_road_class(highway);
   if (!road_class) return "unlit by class";
   if (one_of(tag(way, "access"), {"private", "no"})) return "private";

@@ -16,8 +16,8 @@ using glm::dvec2;
 using test::circle;
 using test::strip;
 
-std::vector<MiddleLine> lines_of(const std::vector<RoadSurface>& surfaces) {
-  return middle_lines(chordal_axis(road_outline(surfaces), 2.5));
+std::vector<Centreline> lines_of(const std::vector<RoadSurface>& surfaces) {
+  return find_centrelines(chordal_axis(road_outline(surfaces), 2.5));
 }
 
 double length_of(const std::vector<dvec2>& line) {
@@ -32,13 +32,13 @@ double from_segment(const dvec2& p, const dvec2& a, const dvec2& b) {
 }
 
 /// How often each node is an end of a line.
-std::map<std::size_t, int> ends_of(const std::vector<MiddleLine>& lines) {
+std::map<std::size_t, int> ends_of(const std::vector<Centreline>& lines) {
   std::map<std::size_t, int> ends;
-  for (const MiddleLine& line : lines) ++ends[line.from], ++ends[line.to];
+  for (const Centreline& line : lines) ++ends[line.from], ++ends[line.to];
   return ends;
 }
 
-std::size_t junctions_of(const std::vector<MiddleLine>& lines) {
+std::size_t junctions_of(const std::vector<Centreline>& lines) {
   const auto ends = ends_of(lines);
   return static_cast<std::size_t>(
       std::count_if(ends.begin(), ends.end(), [](const auto& end) { return end.second > 2; }));
@@ -97,7 +97,7 @@ TEST(MiddleLines, ACrossIsOneJunctionWithFourArms) {
     const auto ends = ends_of(lines);
     EXPECT_EQ(ends.size(), 5u);
     EXPECT_EQ(junctions_of(lines), 1u);
-    for (const MiddleLine& line : lines) {
+    for (const Centreline& line : lines) {
       const bool at_start = ends.at(line.from) == 4;
       EXPECT_EQ(ends.at(at_start ? line.from : line.to), 4);
       EXPECT_LT(glm::distance(at_start ? line.line.front() : line.line.back(), dvec2(10, 0)), 0.5)
@@ -117,7 +117,7 @@ TEST(MiddleLines, ASideStreetMeetsInOneJunctionWithThreeArms) {
 TEST(MiddleLines, LinesThatMeetShareTheirEndsToTheBit) {
   const auto lines = lines_of({strip({-80, 0}, {80, 0}, 7), strip({10, -60}, {10, 60}, 5)});
   std::map<std::size_t, dvec2> places;
-  for (const MiddleLine& line : lines)
+  for (const Centreline& line : lines)
     for (const bool start : {true, false}) {
       const auto [found, is_new] = places.try_emplace(start ? line.from : line.to,
                                                       start ? line.line.front() : line.line.back());
@@ -171,7 +171,7 @@ TEST(MiddleLines, BrokenRingsAreSurvived) {
   for (const PlanRing& ring : {bow_tie, twice, needle}) {
     const auto lines = lines_of({{ring, {}, nullptr, true}, strip({200, 0}, {260, 0}, 6)});
     EXPECT_GE(lines.size(), 1u);
-    for (const MiddleLine& line : lines)
+    for (const Centreline& line : lines)
       for (const dvec2& p : line.line) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y));
   }
   EXPECT_TRUE(lines_of({}).empty());
