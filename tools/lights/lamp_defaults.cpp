@@ -9,14 +9,14 @@
 namespace nightcity {
 namespace {
 
-// Heights: Global Street Design Guide (NACTO 2016): footways and cycle tracks 3-6 m, narrow streets 6-10 m,
-// wide streets 10-12 m; spacing 2.5-3 heights. Outreach: 1-2 m brackets where the post stands behind the kerb
-// (CEN/TR 13201-1's worked examples). Colour: 4000 K on main roads, 3000 K where people live (EU green public
-// procurement criteria, SWD(2018) 494).
-// Flux, to the next 100 lm: what the class in the last column asks for at a spacing S of three heights, E W S
-// / (utilisation x maintenance), with E as lighting_class.h has it. Mapped lamps stand so: the median gap
-// along Berlin's residential streets is 21 m, along secondary ones 25 m. Luminaires on posts give 800 lm at
-// least: smaller ones are bollards.
+// Heights: Global Street Design Guide (NACTO 2016): footways and cycle tracks 3-6 m, narrow streets
+// 6-10 m, wide streets 10-12 m; spacing 2.5-3 heights. Outreach: 1-2 m brackets where the post
+// stands behind the kerb (CEN/TR 13201-1's worked examples). Colour: 4000 K on main roads, 3000 K
+// where people live (EU green public procurement criteria, SWD(2018) 494). Flux, rounded to 100 lm:
+// what the class in the last column asks for on an untagged road of width W at a spacing S of three
+// heights, E W S / (utilisation x maintenance), with E from lighting_class.h. Mapped lamps have
+// such spacings: the median gap is 21 m along Berlin's residential streets and 25 m along secondary
+// ones. Luminaires on posts give at least 800 lm; smaller ones are bollards.
 constexpr double min_on_posts_lm = 800, utilisation = 0.4;
 
 struct Row {
@@ -76,11 +76,12 @@ constexpr RoadLighting mast = {"",   roads::RoadTier::main, 15, 0.5, 30000,
                                4000, Optic::floodlight,     ""};
 
 // Lamp flux by makers' standard wattages (HPS 150/70/50 W: 17,500/6,600/4,400 lm; SOX 90/55/35 W:
-// 13,000/7,800/4,600; mercury 250/125/80 W: 12,700/6,200/3,600; metal halide 150/70/35 W: 14,000/6,600/3,300;
-// compact fluorescent 2x36/36/18 W) times a light output ratio of 0.75 (0.65 for lanterns). LED: the road's
-// own flux, 120 lm/W. Gas: 300-900 lm a lantern. Chromaticity: high-pressure sodium, mercury and metal halide
-// as CIE 15:2004 HP1 and HP4 and a coated mercury lamp; low-pressure sodium is the 589 nm line's point on the
-// spectral locus. They are not black bodies: 2000 K white is not the colour of sodium.
+// 13,000/7,800/4,600; mercury 250/125/80 W: 12,700/6,200/3,600; metal halide 150/70/35 W:
+// 14,000/6,600/3,300; compact fluorescent 2x36/36/18 W) times a light output ratio of 0.75 (0.65
+// for lanterns). LED: the road's own flux, 120 lm/W. Gas: 300-900 lm a lantern. Chromaticity:
+// high-pressure sodium, mercury and metal halide as CIE 15:2004 HP1 and HP4 and a coated mercury
+// lamp; low-pressure sodium is the 589 nm line's point on the spectral locus. They are not black
+// bodies: 2000 K white is not the colour of sodium.
 const std::array<LampTypeDefaults, 8> lamp_types = {{
     {"LED", {0, 0, 0}, 120, 0, std::nullopt, false},
     {"high-pressure sodium", {13100, 4950, 3300}, 75, 1959, glm::dvec2(0.5330, 0.4150), false},

@@ -1,6 +1,6 @@
-// The one table of what a lamp is when nobody wrote it down. OSM tells a height for 0.3 % and a flux for none
-// of its street lamps, so these rows light nearly every scene. Sources stand beside the rows in
-// lamp_defaults.cpp.
+// The one table of what a lamp is like where its tags do not say. OSM has a height for 0.3 % of its
+// street lamps and a flux for none, so these rows light nearly every scene. The sources are beside
+// the rows in lamp_defaults.cpp.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -26,12 +26,13 @@ struct RoadLighting {
 
 /// Returns the row of a road class. Every class of tools/roads has one.
 const RoadLighting& find_road_lighting(const roads::RoadClass& road_class);
-/// Returns the row of a highway value ("_link" classes have their main class's row); null where no lamp
-/// belongs (proposed, construction, raceway, ...).
+/// Returns the row of a highway value ("_link" classes have their main class's row); null where no
+/// lamp belongs (proposed, construction, raceway, ...).
 const RoadLighting* find_road_lighting(std::string_view highway);
-/// Lamps with no road near: squares and parks.
+/// Returns the row for lamps with no road near: squares and parks.
 const RoadLighting& open_space_defaults();
-/// A lit mast (tower:type=lighting, floodlight): car parks, yards, sports grounds.
+/// Returns the row for lit masts (tower:type=lighting, floodlight): car parks, yards, sports
+/// grounds.
 const RoadLighting& lighting_mast_defaults();
 
 enum class LampType {
@@ -47,9 +48,9 @@ enum class LampType {
 
 struct LampTypeDefaults {
   const char* name;
-  double flux_lm[3];             // out of the luminaire, by RoadTier; 0 = the road's own
+  double flux_lm[3];             // out of the luminaire, by RoadTier; 0: the road's own
   double lumen_per_watt;         // out of the luminaire, for tags that give watts
-  double cct_k;                  // 0 = the road's own
+  double cct_k;                  // 0: the road's own
   std::optional<glm::dvec2> xy;  // chromaticity where it is not on the Planckian locus
   bool lantern;                  // comes in a lantern rather than in a street luminaire
 };

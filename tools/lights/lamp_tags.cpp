@@ -7,7 +7,6 @@
 #include "tools/lights/colour.h"
 #include "tools/lights/lamp_tag_words.h"
 #include "tools/osm/tag_values.h"
-#include "tools/osm/tag_values.h"
 
 namespace nightcity {
 namespace {

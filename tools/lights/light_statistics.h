@@ -1,4 +1,4 @@
-// What a light file holds, counted: kinds, lumens, hours, and where each value came from.
+// Statistics of a light file: kinds, lumens, hours, and where each value came from.
 #pragma once
 
 #include <array>
@@ -26,10 +26,10 @@ struct LightStatistics {
   std::map<std::string, std::size_t> faults;         // why lights are unfit, and how many
 };
 
-/// Why a light should not be where it is ("below the ground"), "" where it may; model space.
+/// Returns why a light should not be where it is ("below the ground"), or ""; in model space.
 using PlaceFault = std::function<std::string(const Light&)>;
 
-/// Looks at every light once. Broken ones are counted in `faults` and nowhere else.
+/// Counts all lights of a file. Broken lights are counted in `faults` only.
 LightStatistics count_lights(const LightFile& file, const PlaceFault& place_fault = {});
 
 }  // namespace nightcity

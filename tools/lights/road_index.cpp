@@ -11,7 +11,8 @@
 namespace nightcity {
 namespace {
 
-constexpr double cell_m = nearest_road_m;  // so that a lamp's road lies in its cell or a neighbour
+constexpr double cell_m =
+    nearest_road_m;  // so that a lamp's road lies in its cell or a neighbouring one
 constexpr double path_handicap_m = 6;
 constexpr double longest_m = 1e5;  // a longer jump between two nodes is a broken extract
 

@@ -18,7 +18,7 @@ using namespace test;
 std::vector<WindowPlace> windows_on(const CityObject& building,
                                     BuildingUse use = BuildingUse::residential) {
   FacadeReport report;
-  return lay_windows(building, use, 1, report);
+  return place_windows(building, use, 1, report);
 }
 
 TEST(Facades, WindowsLieInsideTheirWallsApartFromEachOtherAndFaceOut) {
@@ -55,7 +55,7 @@ TEST(Facades, StoreysComeFromTheAttributeAndBaysAlignOverThem) {
   CityObject house = make_house(0, 0, 20, 10, 12.8);
   house.storeys_above_ground = 4;
   FacadeReport report;
-  const auto places = lay_windows(house, BuildingUse::residential, 1, report);
+  const auto places = place_windows(house, BuildingUse::residential, 1, report);
   EXPECT_EQ(report.storeys_from_attribute, 1u);
   std::map<std::uint16_t, std::set<std::uint16_t>> bays_by_storey;
   std::map<std::pair<int, int>, double> x_of_bay;
@@ -81,7 +81,7 @@ TEST(Facades, UnbelievableStoreysAreNotBelieved) {
     CityObject house = make_house(0, 0, 20, 10, 12.8);
     house.storeys_above_ground = storeys;
     FacadeReport report;
-    lay_windows(house, BuildingUse::residential, 1, report);
+    place_windows(house, BuildingUse::residential, 1, report);
     EXPECT_EQ(report.storeys_from_height, 1u) << storeys;
   }
 }

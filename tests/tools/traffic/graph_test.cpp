@@ -6,8 +6,8 @@
 
 #include "tools/traffic/link_network.h"
 #include "tools/traffic/road_graph.h"
-#include "tools/traffic/trip_plans.h"
 #include "tools/traffic/street_grid.h"
+#include "tools/traffic/trip_plans.h"
 
 namespace nightcity::traffic {
 namespace {
