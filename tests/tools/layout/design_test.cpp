@@ -1,4 +1,4 @@
-// Illuminance under rows of lamps against closed forms, and the designs that come of it.
+// Illuminance under rows of lamps against closed forms, and the designs that follow from it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ TEST(Illuminance, BelowALampItIsIntensityOverHeightSquared) {
   const Photometry profile = cosine();
   const RoadLuminaire lamp{{3, 4}, 8, {0, 1}, 0, 5000, &profile};
   EXPECT_NEAR(illuminance(lamp, {3, 4}), 5000 / pi / 64, 1e-9);
-  // At 45 degrees cos^3 and the profile's own cosine.
+  // At 45 degrees: cos^3, times the cosine of the profile.
   EXPECT_NEAR(illuminance(lamp, {11, 4}), 5000 / pi / 64 * std::pow(0.5, 2), 1e-3);
 }
 
@@ -84,8 +84,8 @@ TEST(Illuminance, ARowOfIsotropicLampsMeetsTheSumOfCosinesCubed) {
 }
 
 TEST(Illuminance, TheAverageOfADenseRowIsThatOfALine) {
-  // An endless line of isotropic emitters, phi lumens a metre, h above and y beside: E = phi / (2 pi) h /
-  // (y^2 + h^2); its mean over a road of half width b is phi / (2 pi b) atan(b / h).
+  // An endless line of isotropic emitters, phi lumens a metre, h above and y beside: E = phi / (2
+  // pi) h / (y^2 + h^2); its mean over a road of half width b is phi / (2 pi b) atan(b / h).
   const double h = 6, width = 9.75, spacing = 1;
   LampRow row{Arrangement::central, width, spacing, h, 0, 200, nullptr};
   EXPECT_NEAR(row_illuminance(row).average_lx,

@@ -1,4 +1,4 @@
-// Layouts on a plane: what is known beforehand of lamps along streets.
+// Layouts on a plane, for which the places of lamps are known.
 #include "tools/layout/layout.h"
 
 #include <gtest/gtest.h>
@@ -184,7 +184,8 @@ TEST(Layout, NoLampStandsOnACarriageway) {
 }
 
 TEST(Layout, LampsKeepClearOfBuildings) {
-  // Houses from 3.3 m off the middle line on both sides of one stretch, wholly over the street in another.
+  // Houses 3.3 m from the centreline on both sides of one stretch, and over the whole street in
+  // another.
   const InsideBuilding inside = [](const glm::dvec2& p) {
     if (p.x > 0 && p.x < 100) return p.y > 3.7 || p.y < -3.7;
     return p.x > 150 && p.x < 200;
@@ -243,7 +244,7 @@ TEST(Layout, MappedLampsWinWithinOneAndAHalfSpacings) {
 }
 
 TEST(Layout, TwinCarriagewaysHaveTheirLampsOutside) {
-  // A median of 2 m: no lamp stands on it.
+  // No lamp stands on a median of 2 m.
   const Laid laid = lay_out(
       {street(1, {{-300, 0}, {300, 0}}, tags("primary", {{"oneway", "yes"}, {"lanes", "2"}})),
        street(2, {{300, 9}, {-300, 9}}, tags("primary", {{"oneway", "yes"}, {"lanes", "2"}}))});

@@ -1,4 +1,4 @@
-// What a building is used for, by its codes and by the map.
+// The use of buildings, by their codes and by the map.
 #include "tools/lights/building_use.h"
 
 #include <gtest/gtest.h>
@@ -63,7 +63,7 @@ TEST(BuildingUse, TheMapSpeaksWhereTheModelIsSilent) {
   EXPECT_FALSE(at(-1, 50));
   CityObject house = make_house(40, 40, 60, 60, 9);
   const UseAt map = [&](const glm::dvec2& p) { return uses.at(p); };
-  EXPECT_EQ(use_of(house, map).use, BuildingUse::residential);  // the model's word comes first
+  EXPECT_EQ(use_of(house, map).use, BuildingUse::residential);  // the model comes first
   house.function.clear();
   EXPECT_EQ(use_of(house, map).use, BuildingUse::retail);
   EXPECT_TRUE(use_of(house, map).from_map);

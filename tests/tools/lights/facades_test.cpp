@@ -1,4 +1,4 @@
-// Where windows lie on boxes, rows and gables whose every wall is known.
+// Windows on boxes, rows and gables whose walls are all known.
 #include "tools/lights/facades.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(Facades, WindowsLieInsideTheirWallsApartFromEachOtherAndFaceOut) {
     EXPECT_GT(glm::dot(p.normal, p.centre - middle), 0);
     EXPECT_GT(p.centre.z - p.half_height, ground_z + 0.5);
     EXPECT_LT(p.centre.z + p.half_height, ground_z + 9.8);
-    // On its wall's plane, and its ends on the wall.
+    // It lies in the plane of its wall, with its ends on the wall.
     for (const double side : {-1.0, 1.0}) {
       const glm::dvec3 end = p.centre + p.along * (side * p.half_width);
       EXPECT_GT(end.x, east - 1e-9);

@@ -1,4 +1,4 @@
-// A table of schedules whose times stay in memory, to be looked at.
+// A table of schedules whose times are kept in memory, for tests.
 #pragma once
 
 #include <vector>

@@ -74,10 +74,16 @@ TEST(Occupancy, RoomsOfOneHomeGoDarkTogether) {
   EXPECT_GT(static_cast<double>(both) / homes, 2 * independent);
 }
 
-/// A block of flats with shops below, or an office; many storeys.
+/// Returns the windows of a house with many storeys, by its function.
+WindowSet tall(const char* function, const char* id) {
+  CityObject house = make_house(0, 0, 40, 24, 25, id);
+  house.function = function;
+  return windows_of({house});
+}
 
 TEST(Occupancy, AStaircaseIsLitOverAllItsStoreysAtOnce) {
-  // Windows above each other on one facade: those of a staircase agree, those of rooms do not.
+  // Of windows above each other on one facade, those of a staircase agree and those of rooms do
+  // not.
   std::size_t stair_columns = 0, mixed_columns = 0;
   for (int n = 0; n < 12; ++n) {
     const WindowSet set = tall("31001_1010", ("flats " + std::to_string(n)).c_str());

@@ -1,4 +1,4 @@
-// Lamps on a plane beside a straight road: everything about them is known beforehand.
+// Lamps on a plane beside a straight road, for which all values are known.
 #include "tools/lights/place_lamps.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double metres_per_degree = 111320;
 
-/// A flat Earth with north rotated by `convergence`: enough to tell true from grid north.
+/// A flat Earth whose grid north is rotated by `convergence` degrees from true north.
 LonLatToFrame flat_earth(double convergence_degrees = 0) {
   const double a = glm::radians(convergence_degrees);
   return [a](const glm::dvec2& lon_lat) {
@@ -227,7 +227,7 @@ TEST(Lamps, MeasuredLuminaireServesTheRoadsItIsChosenFor) {
   EXPECT_EQ(set.lamps[0].flux_lm, 12345);
   EXPECT_EQ(set.lamps[0].provenance.profile, ValueSource::attribute);
   EXPECT_EQ(set.profiles.at(set.lamps[0].profile).c_count, 4u);
-  EXPECT_NE(set.lamps[1].flux_lm, 12345);  // the tag knows better
+  EXPECT_NE(set.lamps[1].flux_lm, 12345);  // the tag overrides it
   EXPECT_EQ(set.lamps[1].profile, set.lamps[0].profile);
   EXPECT_NE(set.lamps[2].profile, set.lamps[0].profile);
 }
@@ -242,7 +242,7 @@ TEST(Lamps, MeasuredLuminaireServesTheTypesOfLampItIsChosenFor) {
   options.luminaires.push_back({"sodium", even, {}, {LampType::high_pressure_sodium}, true, 777});
   options.luminaires.push_back({"led", even, {}, {LampType::led}, false, 888});
   const LampSet set = place_lamps(osm, flat_earth(), ground, {}, options);
-  EXPECT_EQ(set.lamps[0].profile, set.lamps[2].profile);  // what nobody named is LED
+  EXPECT_EQ(set.lamps[0].profile, set.lamps[2].profile);  // an unknown type is LED
   EXPECT_NE(set.lamps[0].profile, set.lamps[1].profile);
   EXPECT_EQ(set.lamps[0].flux_lm, find_road_lighting("primary")->flux_lm);  // flux = false
 }
@@ -252,7 +252,7 @@ TEST(Lamps, LuminaireDoesNotReachIntoABuilding) {
   osm.lamps = {lamp_at(0, 0, {{"direction", "180"}, {"lamp_mount", "bent_mast"}})};
   const InsideBuilding house = [](const glm::dvec2& p) {
     return p.y < -0.8;
-  };  // nearer than the arm is long
+  };  // nearer than the length of the arm
   const LampSet set = place_lamps(osm, flat_earth(), ground, house);
   ASSERT_EQ(set.lamps.size(), 1u);
   const glm::dvec2 centre = glm::dvec2(set.lamps[0].foot) + set.lamps[0].outreach;

@@ -1,4 +1,4 @@
-// Windows of whole cities: what stands before them, their identities and their light.
+// Windows of several objects: what stands in front of them, their identities and their light.
 #include "tools/lights/windows.h"
 
 #include <gtest/gtest.h>
@@ -34,10 +34,10 @@ TEST(Windows, PartyWallsAndWallsNearbyHaveNoneAndTheRestStay) {
   EXPECT_GT(faces(row, {-1, 0, 0}, -1, 1), 0u);    // the free end of a
   EXPECT_EQ(faces(row, {1, 0, 0}, 11, 13), 0u);    // a's wall to b
   EXPECT_EQ(faces(row, {-1, 0, 0}, 11, 13), 0u);   // b's wall to a
-  EXPECT_EQ(faces(row, {1, 0, 0}, 23, 24.1), 0u);  // 30 cm before c
+  EXPECT_EQ(faces(row, {1, 0, 0}, 23, 24.1), 0u);  // 30 cm from c
   EXPECT_GT(faces(row, {0, -1, 0}, 0, 12), 0u);
   EXPECT_GT(row.report.dropped.at("something before it"), 0u);
-  // A low neighbour covers the low windows only.
+  // A low neighbour only covers the low windows.
   const WindowSet step =
       windows_of({make_house(0, 0, 12, 10, 16, "a"), make_house(12, 0, 24, 10, 5, "b")});
   EXPECT_GT(faces(step, {1, 0, 0}, 11, 13, 5), 0u);
@@ -46,7 +46,7 @@ TEST(Windows, PartyWallsAndWallsNearbyHaveNoneAndTheRestStay) {
 
 TEST(Windows, ModelledWindowsMaySitDeepInTheirWalls) {
   std::size_t kept = 0;
-  for (int n = 0; n < 20; ++n) {  // enough houses that somebody has light on
+  for (int n = 0; n < 20; ++n) {  // enough houses that some windows are lit
     CityObject house = make_house(0, 0, 12, 10, 6, ("house " + std::to_string(n)).c_str());
     Polygon window = make_wall({{3, 0.2}, {4.5, 0.2}}, {1, 1}, {2.2, 2.2});
     window.surface = SurfaceType::window;
@@ -109,7 +109,7 @@ TEST(Windows, LightIsOneSidedLambertianOfItsLuminance) {
     EXPECT_NEAR(light.position.z, -(w.centre.y - north), 1e-3);
     EXPECT_NEAR(light.axis.z, -w.normal.y, 1e-5);
     EXPECT_NEAR(luminance(decode_rgb9e5(light.colour_rgb9e5)), 1, 0.01);
-    // Before its wall, not in it.
+    // In front of its wall, not in it.
     const bool outside = w.centre.x < east || w.centre.x > east + 14 || w.centre.y < north ||
                          w.centre.y > north + 10;
     EXPECT_TRUE(outside);
@@ -144,7 +144,8 @@ TEST(Windows, WallsOfOtherThingsStandInTheWayToo) {
 }
 
 TEST(Windows, NoneLiesInsideABuildingThatOverlapsItsOwn) {
-  // An extension drawn into the house: no wall of it within half a metre before the house's east wall.
+  // The extension overlaps the house. None of its walls is within half a metre of the
+  // house's east wall.
   const WindowSet set = windows_of(
       {make_house(0, 0, 20, 20, 12, "house"), make_house(15, 2, 28, 18, 12, "extension")});
   for (const LitRectangle& w : set.windows) {

@@ -1,4 +1,4 @@
-// Middle lines of shapes for which anybody can say where they are.
+// Centrelines of shapes for which they are known.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ double from_segment(const dvec2& p, const dvec2& a, const dvec2& b) {
   return glm::distance(p, a + d * std::clamp(glm::dot(p - a, d) / glm::dot(d, d), 0.0, 1.0));
 }
 
-/// How often each node is an end of a line.
+/// Counts how often each node is an end of a line.
 std::map<std::size_t, int> ends_of(const std::vector<Centreline>& lines) {
   std::map<std::size_t, int> ends;
   for (const Centreline& line : lines) ++ends[line.from], ++ends[line.to];
@@ -66,7 +66,7 @@ TEST_P(StraightRoad, GivesItsMiddleLineFromEndToEndAndItsWidth) {
 INSTANTIATE_TEST_SUITE_P(Widths, StraightRoad, testing::Values(2.8, 4.0, 6.0, 11.0, 22.0));
 
 TEST(MiddleLines, SurfacesSideBySideAreOneRoad) {
-  // Two lanes along each other with a gap of 4 cm, cut into pieces at different places.
+  // Two lanes side by side with a gap of 4 cm, cut into pieces at different places.
   const std::vector<RoadSurface> surfaces = {strip({0, 0}, {60, 0}, 3), strip({60, 0}, {140, 0}, 3),
                                              strip({0, 3.04}, {33, 3.04}, 3),
                                              strip({33, 3.04}, {140, 3.04}, 3)};
@@ -77,7 +77,8 @@ TEST(MiddleLines, SurfacesSideBySideAreOneRoad) {
 }
 
 TEST(MiddleLines, NearlyStraightOuterEdgesGetNoHairOfTheirOwn) {
-  // A street whose outer edge bends in by 20 cm: the hull's thin triangle there is no gap.
+  // The outer edge of this street bends in by 20 cm. The thin triangle of the convex hull there
+  // is no gap.
   const RoadSurface street{{{0, 0}, {100, 0.2}, {200, 0}, {200, 7}, {0, 7}}, {}, nullptr, true};
   const auto lines = lines_of({street});
   ASSERT_EQ(lines.size(), 1u);

@@ -87,7 +87,7 @@ TEST(Drivable, WhatIsNotForThePublicIsLeftOut) {
   EXPECT_EQ(refusal({{"highway", "service"}, {"service", "driveway"}}), "driveway or aisle");
   EXPECT_EQ(refusal({{"highway", "service"}, {"tunnel", "building_passage"}}),
             "through a building");
-  // The more special tag wins.
+  // The more specific tag wins.
   read({{"highway", "residential"}, {"access", "no"}, {"motor_vehicle", "yes"}});
 }
 

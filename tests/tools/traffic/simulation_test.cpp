@@ -15,10 +15,10 @@ namespace {
 
 using test::street;
 
-/// A network, routes over it and what became of them.
-class Drives {
+/// A network, planned trips through it and how they were driven.
+class Town {
  public:
-  explicit Drives(const std::vector<OsmWay>& ways)
+  explicit Town(const std::vector<OsmWay>& ways)
       : graph(make_road_graph(ways, test::to_plane, height, {}, Side::right)),
         network(graph, height) {}
 
@@ -62,8 +62,8 @@ double duration(const DrivenTrip& trip) {
   return static_cast<double>(trip.speed_m_s.size() - 1) * step_s;
 }
 
-TEST(Simulation, AloneOnTheRoadOneDrivesAtTheLimit) {
-  Drives town({street(1, {{0, 0}, {500, 0}}, {{"highway", "primary"}})});
+TEST(Simulation, AVehicleAloneOnTheRoadDrivesAtTheLimit) {
+  Town town({street(1, {{0, 0}, {500, 0}}, {{"highway", "primary"}})});
   town.add({town.edge({0, 0}, {500, 0})}, 10);
   town.run(200);
   ASSERT_EQ(town.driven.size(), 1u);
@@ -73,7 +73,7 @@ TEST(Simulation, AloneOnTheRoadOneDrivesAtTheLimit) {
 }
 
 TEST(Simulation, AFollowerKeepsTheEquilibriumGapOfTheModel) {
-  Drives town({street(1, {{0, 0}, {900, 0}}, {{"highway", "primary"}})});
+  Town town({street(1, {{0, 0}, {900, 0}}, {{"highway", "primary"}})});
   const std::size_t e = town.edge({0, 0}, {900, 0});
   town.add({e}, 10).speed_factor = 0.5;
   town.add({e}, 14);
@@ -88,7 +88,8 @@ TEST(Simulation, AFollowerKeepsTheEquilibriumGapOfTheModel) {
     least =
         std::min(least, double{first.distance_m[n + lag]} - double{second.distance_m[n]} - length);
   EXPECT_GT(least, standstill_gap_m);
-  // Treiber's equilibrium: s_e(v) = (s0 + v T) / sqrt(1 - (v / v0)^4), within what 900 m of road settle.
+  // Treiber's equilibrium: s_e(v) = (s0 + v T) / sqrt(1 - (v / v0)^4), as far as it is reached on
+  // 900 m of road.
   const std::size_t late = second.distance_m.size() - 60;
   const double gap =
       double{first.distance_m[late + lag]} - double{second.distance_m[late]} - length;
@@ -97,7 +98,7 @@ TEST(Simulation, AFollowerKeepsTheEquilibriumGapOfTheModel) {
 }
 
 TEST(Simulation, NobodyExceedsTheirShareOfTheLimitOrBrakesHarderThanPossible) {
-  Drives town(test::street_grid(3, 90, 60));
+  Town town(test::street_grid(3, 90, 60));
   Demand demand{25, 240, 7};
   TripPlanReport plans;
   town.plans = plan_trips(town.network, demand, plans);
@@ -118,9 +119,9 @@ TEST(Simulation, NobodyExceedsTheirShareOfTheLimitOrBrakesHarderThanPossible) {
 }
 
 TEST(Simulation, TheSideStreetWaitsAndTheMainRoadDoesNot) {
-  Drives town({street(1, {{-200, 0}, {0, 0}, {200, 0}}, {{"highway", "primary"}}),
-               street(2, {{0, -200}, {0, 0}, {0, 200}}, {{"highway", "residential"}})});
-  // Both would be at the crossing together.
+  Town town({street(1, {{-200, 0}, {0, 0}, {200, 0}}, {{"highway", "primary"}}),
+             street(2, {{0, -200}, {0, 0}, {0, 200}}, {{"highway", "residential"}})});
+  // Both would reach the crossing at the same time.
   town.add({town.edge({-200, 0}, {0, 0}), town.edge({0, 0}, {200, 0})}, 20);
   town.add({town.edge({0, -200}, {0, 0}), town.edge({0, 0}, {0, 200})}, 20);
   town.run(120);
@@ -129,8 +130,8 @@ TEST(Simulation, TheSideStreetWaitsAndTheMainRoadDoesNot) {
   EXPECT_GT(duration(town.driven[1]), duration(town.driven[0]) + 2);
 }
 
-TEST(Simulation, OneComesToAStandWhereADriveEndsParked) {
-  Drives town({street(1, {{0, 0}, {300, 0}}, {{"highway", "residential"}})});
+TEST(Simulation, AVehicleStopsWhereItsTripEndsParked) {
+  Town town({street(1, {{0, 0}, {300, 0}}, {{"highway", "residential"}})});
   TripPlan& plan = town.add({town.edge({0, 0}, {300, 0})}, 5);
   plan.from_kerb = plan.to_stop = true;
   plan.start_s = 40;
@@ -146,7 +147,7 @@ TEST(Simulation, OneComesToAStandWhereADriveEndsParked) {
 
 TEST(Simulation, IsTheSameEveryTime) {
   const auto once = [] {
-    Drives town(test::street_grid(2, 90, 60));
+    Town town(test::street_grid(2, 90, 60));
     TripPlanReport report;
     town.plans = plan_trips(town.network, {15, 180, 3}, report);
     town.run(180);
