@@ -145,8 +145,8 @@ class Layouter {
   }
 
   static int parts_of(const streets::Street& street, const LampDesign& design) {
-    constexpr double slack =
-        0.2;  // a street a little longer than a spacing needs no lamp in its middle
+    // A street a little longer than a spacing needs no lamp in its middle.
+    constexpr double slack = 0.2;
     return std::max(1, static_cast<int>(std::ceil(street.length_m() / design.spacing_m - slack)));
   }
 
@@ -231,7 +231,7 @@ class Layouter {
     leave_out(fault);
   }
 
-  /// Whether a lamp of another street stands near and points this way.
+  /// Returns whether a lamp of another street stands near and points this way.
   bool lit_by_another(std::size_t s, const glm::dvec2& p, double near) const {
     return placed_.any_near(p, near, [&](const glm::dvec2& foot, std::uint32_t n) {
       const bool own = n >= first_new_ && street_of_lamp_[n - first_new_] == s;

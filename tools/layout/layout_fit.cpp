@@ -51,14 +51,14 @@ class Fitter {
       if (plans_[s].left_to_mapped > lamps[s])
         ++report.notes["stretches left to mapped lamps"];
       else if (fields_[s].length_m > 0 && fields_[s].by_new)
-        tell(s, lamps[s], report);
+        report_street(s, lamps[s], report);
     sum_up(report);
   }
 
  private:
   struct Field {
-    std::vector<bool>
-        in_model;  // each place along: the points themselves would be a city's road area in memory
+    // For each place along the street. The points themselves would take too much memory.
+    std::vector<bool> in_model;
     double length_m = 0;
     double by_mapped_lx = 0;                  // average
     std::map<std::size_t, double> per_lumen;  // average by the street whose lamps give it
@@ -140,7 +140,7 @@ class Fitter {
       if (flux > 0) flux = luminaire_package(flux);
   }
 
-  void tell(std::size_t s, std::size_t lamps, LayoutReport& report) const {
+  void report_street(std::size_t s, std::size_t lamps, LayoutReport& report) const {
     const streets::Street& street = network_.streets[s];
     const StreetPlanned& plan = plans_[s];
     const Field& field = fields_[s];

@@ -67,7 +67,7 @@ double fold(int symmetry, double c) {
   }
 }
 
-/// What stands before the intensities.
+/// The lines before the intensities.
 struct Head {
   Luminaire luminaire;
   int symmetry = 0, gamma_count = 0;

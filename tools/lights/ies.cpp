@@ -68,8 +68,8 @@ class Numbers {
 struct Header {
   int type;  // 1 = C, 2 = B, 3 = A
   double stated_flux_lm, scale;
-  std::vector<double> vertical, horizontal,
-      values;  // values: horizontal * vertical count + vertical
+  std::vector<double> vertical, horizontal;
+  std::vector<double> values;  // horizontal * vertical count + vertical
   std::size_t angles_line;
 };
 

@@ -12,7 +12,7 @@
 
 namespace nightcity {
 
-/// What a lamp beside a road is when its tags do not say.
+/// The lamp beside a road of a class, for all that its tags do not say.
 struct RoadLighting {
   const char* highway;  // value of the OSM tag
   roads::RoadTier tier;

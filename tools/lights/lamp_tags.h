@@ -28,8 +28,8 @@ struct LampTags {
   std::optional<NightSchedule> hours;      // when it is lit, where a tag says so
   std::vector<double> directions_degrees;  // clockwise from north
   int count = 1;                           // luminaires on the post, 1 to 12
-  std::map<std::string, std::size_t>
-      unread;  // values not understood ("height=tall"), and their number
+  // Values that were not understood ("height=tall"), and their number.
+  std::map<std::string, std::size_t> unread;
 };
 
 /// Reads all tags of a lamp. Never throws: values that are not understood are counted in `unread`.

@@ -1,4 +1,4 @@
-// How much light a road should have: the classes of EN 13201-2 as horizontal illuminance.
+// The lighting classes of EN 13201-2 as horizontal illuminance.
 #pragma once
 
 #include <array>

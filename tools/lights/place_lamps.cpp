@@ -163,7 +163,7 @@ class Placer {
     }
   }
 
-  /// What a post's luminaires are like, with the source of each value.
+  /// The values of a post's luminaires, each with its source.
   struct LampValues {
     Known<double> mounting_m;
     Known<Optic> optic;

@@ -34,8 +34,8 @@ struct PlacedLamp {
   double radius_m = 0;  // luminous radius
   std::uint32_t profile = LIGHT_NO_PROFILE;
   std::optional<NightSchedule> hours;  // empty: always on
-  std::string_view
-      highway;  // class of the road that it lights, from the table of defaults; "": none
+  // Class of the road that it lights, from the table of defaults; "": none.
+  std::string_view highway;
   std::int64_t way_id = 0;  // that road, and how far along it the lamp stands
   double along_m = 0;
   std::uint32_t id = 0;
@@ -50,7 +50,7 @@ struct LampSet {
   std::map<std::string, std::size_t> dropped;
   // Name of a value, its source, number of lamps: for the report.
   std::map<std::string, std::map<std::string, std::size_t>> sources;
-  // What was repaired or could not be read, and how often.
+  // Number of values that were repaired or could not be read, by kind.
   std::map<std::string, std::size_t> notes;
 };
 

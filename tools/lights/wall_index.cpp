@@ -50,7 +50,7 @@ struct WallIndex::Loaded {
       visit(walls[i], key, [&](std::size_t b) { inside[next[b]++] = i; });
   }
 
-  /// Of memory, in walls.
+  /// Memory used, in walls.
   std::size_t cost() const { return walls.size() + inside.size() / 8 + 16; }
 
   // A grid traversal would visit fewer buckets, but walls are short.

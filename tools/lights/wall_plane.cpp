@@ -13,7 +13,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-/// Whether the segment a-b touches the inside of the rectangle (Liang-Barsky clipping).
+/// Returns whether the segment a-b touches the inside of the rectangle (Liang-Barsky clipping).
 bool crosses(const dvec2& a, const dvec2& b, const dvec2& low, const dvec2& high) {
   double enter = 0, leave = 1;
   for (int axis = 0; axis < 2; ++axis) {

@@ -31,7 +31,7 @@ std::optional<int> count_at(const OsmTags& tags, const char* key, int max) {
   return value;
 }
 
-/// Which of the two directions are driven: along the way and against it.
+/// The directions that are driven: along the way and against it.
 struct Directions {
   bool along = true, against = true;
 };

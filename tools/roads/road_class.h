@@ -9,10 +9,10 @@
 
 namespace nightcity::roads {
 
-/// How important a road is. Old lamp types came in three sizes, one for each tier.
+/// The importance of a road. Old lamp types came in three sizes, one for each tier.
 enum class RoadTier { main = 0, local = 1, path = 2 };
 
-/// Which speed limit holds where none is signed; tools/traffic/country.h has the limits of each
+/// The kind of speed limit where none is signed; tools/traffic/country.h has the limits of each
 /// country.
 enum class SpeedLimit { walking, service, ramp, residential, main, trunk, motorway };
 

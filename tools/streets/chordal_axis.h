@@ -22,8 +22,8 @@ struct Axis {
   struct Branch {
     std::size_t from = no_node, to = no_node;  // nodes; the same one for a ring
     std::vector<glm::dvec2> line;
-    std::vector<double>
-        width_m;  // of the outline, between each two points of the line; 0: amid a junction
+    // Width of the outline between each two points of the line; 0: inside a junction.
+    std::vector<double> width_m;
   };
   std::vector<Node> nodes;
   std::vector<Branch> branches;

@@ -60,7 +60,7 @@ struct StreetNetwork {
 /// otherwise the class of road in a town.
 std::string why_unlit(const OsmWay& way);
 
-/// Whether two stretches become one street if nothing else meets them at their common end.
+/// Decides whether two stretches become one street if nothing else meets them at their common end.
 enum class Joining {
   same_road,  // if class and width agree, whatever their directions
   never       // a street is a part of one way and has its direction

@@ -32,7 +32,7 @@ std::optional<int> whole(const std::string& text, int min, int max) {
   return value;
 }
 
-/// Whether the public may not drive here: the most specific of the access tags decides.
+/// Returns whether the public may not drive here: the most specific of the access tags decides.
 bool is_closed(const OsmWay& way) {
   for (const char* key : {"motorcar", "motor_vehicle", "vehicle", "access"})
     if (const std::string value = tag(way, key); !value.empty())

@@ -1,4 +1,4 @@
-// What the tags of OSM say about driving on a way: class, directions, lanes, speed, access.
+// Reads the tags of OSM about driving on a way: class, directions, lanes, speed, access.
 #pragma once
 
 #include <optional>

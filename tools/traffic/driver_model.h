@@ -1,4 +1,4 @@
-// How drivers follow each other and brake: the constants of the simulation's driver model.
+// The constants of the simulation's driver model: how drivers follow each other and brake.
 #pragma once
 
 namespace nightcity::traffic {

@@ -1,5 +1,5 @@
-// How fast vehicles drive: the Intelligent Driver Model behind the vehicle ahead, and what bends
-// and stop lines allow.
+// The speeds of vehicles: the Intelligent Driver Model behind the vehicle ahead, and what bends and
+// stop lines allow.
 #pragma once
 
 #include "tools/traffic/road_state.h"

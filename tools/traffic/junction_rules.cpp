@@ -28,9 +28,9 @@ double travel_time(double distance, double v, double acceleration, double max_sp
   return (max_speed - v) / acceleration + (distance - until) / max_speed;
 }
 
-/// Whether the lane behind a turn has room for one more vehicle, so that nobody stops inside
-/// the junction: the free length of the lane, less what the vehicles need that are already on
-/// their way there.
+/// Returns whether the lane behind a turn has room for one more vehicle, so that nobody stops
+/// inside the junction: the free length of the lane, less what the vehicles need that are already
+/// on their way there.
 bool has_room_behind(const RoadState& roads, std::uint32_t number, std::size_t leg) {
   const Vehicle& vehicle = roads.vehicles[number];
   const std::size_t turn = vehicle.plan->links[leg], lane = vehicle.plan->links[leg + 1];
@@ -54,8 +54,8 @@ bool has_room_behind(const RoadState& roads, std::uint32_t number, std::size_t l
   return room >= needed;
 }
 
-/// Whether `other`, which is `distance` metres before the conflict, arrives there after a vehicle
-/// that has passed it in `clear` seconds.
+/// Returns whether `other`, which is `distance` metres before the conflict, arrives there after a
+/// vehicle that has passed it in `clear` seconds.
 bool comes_late(const Vehicle& other, double distance, double clear) {
   return distance > 0 && travel_time(distance, other.v, other.type->acceleration,
                                      std::max(other.v, 5.0)) > clear + clear_margin_s;

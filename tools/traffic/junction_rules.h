@@ -1,4 +1,4 @@
-// Which vehicles may enter a junction, and when.
+// Decides which vehicles may enter a junction, and when.
 #pragma once
 
 #include "tools/traffic/road_state.h"

@@ -89,7 +89,8 @@ double LinkNetwork::setback(std::size_t edge, bool at_start) const {
   return std::min(result, 25.0);
 }
 
-/// Where the ground has a hole, the last known height is used.
+/// Returns the heights of the ground along a line. In a hole of the ground the last known height
+/// continues.
 std::vector<Curve::Height> LinkNetwork::ground(const PlanLine& line, double last) const {
   std::vector<Curve::Height> heights;
   for (const PlanPoint& p : line) {
@@ -258,9 +259,9 @@ double LinkNetwork::turn_radius(std::size_t edge, std::size_t next_edge) const {
   return glm::length(chord) / (2 * std::sin(turn / 2));
 }
 
-/// Who goes first: vehicles in a roundabout before those that enter it, main road before minor
-/// road; on equal roads, oncoming traffic before a turn across it; otherwise traffic from the side
-/// of the kerb (right before left where people drive on the right).
+/// Returns whether turn a gives way to turn b. First go vehicles in a roundabout before those that
+/// enter it, main road before minor road; on equal roads, oncoming traffic before a turn across it;
+/// otherwise traffic from the side of the kerb (right before left where people drive on the right).
 bool LinkNetwork::yields(const Link& a, const Link& b) const {
   const RoadEdge &own = graph_.edges[a.edge], &other = graph_.edges[b.edge];
   if (a.edge == b.edge) return false;

@@ -20,7 +20,8 @@ struct Body {
   double height, half_length, half_width;
 };
 
-/// Whether two boxes overlap in plan (separating axis theorem) and neither lies above the other.
+/// Returns whether two boxes overlap in plan (separating axis theorem) and neither lies
+/// above the other.
 bool overlap(const Body& a, const Body& b) {
   if (std::abs(a.height - b.height) > 2.5) return false;
   const glm::dvec2 apart = b.middle - a.middle;

@@ -1,5 +1,5 @@
-// What traffic makes of each class of road: how many vehicles, which ones and when. The classes
-// themselves are in tools/roads/road_class.h. Sources stand beside the rows in traffic_classes.cpp.
+// The traffic on each class of road: how many vehicles, which ones and when. The classes themselves
+// are in tools/roads/road_class.h. Sources stand beside the rows in traffic_classes.cpp.
 #pragma once
 
 #include <array>

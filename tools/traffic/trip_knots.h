@@ -10,7 +10,7 @@
 
 namespace nightcity::traffic {
 
-/// How far the curve through the knots may deviate from the driven trip.
+/// The greatest allowed deviation of the curve through the knots from the driven trip.
 struct KnotTolerance {
   double position_m = 0.04;
   double heading_degrees = 1.0;
