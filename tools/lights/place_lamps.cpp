@@ -92,22 +92,22 @@ class Placer {
   }
 
  private:
-  void drop(const char* reason) { ++set_.dropped[reason]; }
+  void leave_out(const char* reason) { ++set_.left_out[reason]; }
 
   void place(const OsmLampNode& node) {
     const LampTags tags = read_lamp_tags(node.tags);
     for (const auto& [text, count] : tags.unread)
       set_.notes["tag not understood: " + text] += count;
-    if (tags.unlit) return drop("lit=no");
+    if (tags.unlit) return leave_out("lit=no");
     glm::dvec2 at = to_frame_(node.lon_lat);
-    if (!std::isfinite(at.x) || !std::isfinite(at.y)) return drop("outside the projection");
-    if (!height_at_(at)) return drop("outside the model");
-    if (!taken_.take(at)) return drop("duplicate");
+    if (!std::isfinite(at.x) || !std::isfinite(at.y)) return leave_out("outside the projection");
+    if (!height_at_(at)) return leave_out("outside the model");
+    if (!taken_.take(at)) return leave_out("duplicate");
 
     const auto road = roads_.nearest(at);
     const bool moved = step_out(at, road);
     const auto height = height_at_(at);
-    if (!height) return drop("outside the model");
+    if (!height) return leave_out("outside the model");
     const double foot = options_.heights_from_tags ? tags.ele_m.value_or(*height) : *height;
     add_post(node, tags, {at.x, at.y, foot}, moved ? ValueSource::rule : ValueSource::tag, road);
   }

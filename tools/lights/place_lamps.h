@@ -47,7 +47,7 @@ struct LampSet {
   std::vector<LightProfile> profiles;
   std::vector<float> profile_data;
   // Number of lamps left out, by reason: "outside the model", "duplicate", "lit=no", ...
-  std::map<std::string, std::size_t> dropped;
+  std::map<std::string, std::size_t> left_out;
   // Name of a value, its source, number of lamps: for the report.
   std::map<std::string, std::map<std::string, std::size_t>> sources;
   // Number of values that were repaired or could not be read, by kind.

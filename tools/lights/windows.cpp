@@ -74,7 +74,7 @@ void WindowLayout::add(const CityObject& object, WindowBatch batch) {
     batch = make_batch(object, piece_);
   walls_.add(batch.walls, owners_);
   if (!batch.use.empty()) ++report_.sources["use"][batch.use];
-  if (batch.dark > 0) report_.dropped["dark all night"] += batch.dark;
+  if (batch.dark > 0) report_.left_out["dark all night"] += batch.dark;
   facades_.storeys_from_attribute += batch.facades.storeys_from_attribute;
   facades_.storeys_from_height += batch.facades.storeys_from_height;
   for (Record& record : batch.windows) record.owner = owners_;
@@ -174,7 +174,7 @@ WindowReport WindowLayout::finish(const HeightAt& ground, const Sink& sink, cons
   const auto take = [&](CheckedWindows&& checked) {
     for (std::size_t i = 0; i < checked.records.size(); ++i) {
       if (checked.faults[i]) {
-        ++report_.dropped[checked.faults[i]];
+        ++report_.left_out[checked.faults[i]];
         continue;
       }
       const Record& record = checked.records[i];

@@ -48,7 +48,7 @@ struct WindowReport {
   double flux_lm = 0;  // sum over all windows, as if all were lit
   // Number of windows left out, by reason: "something before it", "below the ground", "dark all
   // night".
-  std::map<std::string, std::size_t> dropped;
+  std::map<std::string, std::size_t> left_out;
   std::map<std::string, std::map<std::string, std::size_t>> sources;  // as LampSet's
   struct Use {
     std::size_t placed = 0;

@@ -120,7 +120,7 @@ class Stretch {
 
 OverlapReport find_overlaps(const TrafficContent& traffic, double step_s, double slack_m) {
   OverlapReport report;
-  report.drop.assign(traffic.trips.size(), false);
+  report.leave_out.assign(traffic.trips.size(), false);
   const double cycle = double{traffic.cycle.cycle_s};
   const auto steps = static_cast<std::size_t>(std::ceil(cycle / step_s));
   const auto moment = [&](std::size_t step) {
@@ -151,7 +151,7 @@ OverlapReport find_overlaps(const TrafficContent& traffic, double step_s, double
     report.overlapping += one.overlapping;
     pairs.merge(one.pairs);
   }
-  // The trips with most overlaps are dropped first, until no pair overlaps.
+  // The trips with most overlaps are left out first, until no pair overlaps.
   std::vector<std::size_t> blame(traffic.trips.size(), 0);
   for (const auto& [a, b] : pairs) ++blame[a], ++blame[b];
   std::vector<std::pair<std::size_t, std::size_t>> left(pairs.begin(), pairs.end());
@@ -159,9 +159,9 @@ OverlapReport find_overlaps(const TrafficContent& traffic, double step_s, double
     return std::max(blame[p.first], blame[p.second]) > std::max(blame[q.first], blame[q.second]);
   });
   for (const auto& [a, b] : left) {
-    if (report.drop[a] || report.drop[b]) continue;
-    report.drop[blame[a] > blame[b] ? a : b] = true;
-    ++report.dropped;
+    if (report.leave_out[a] || report.leave_out[b]) continue;
+    report.leave_out[blame[a] > blame[b] ? a : b] = true;
+    ++report.left_out;
   }
   return report;
 }

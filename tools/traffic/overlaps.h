@@ -10,8 +10,9 @@ namespace nightcity::traffic {
 struct OverlapReport {
   std::size_t vehicle_samples = 0;  // vehicles checked, summed over all moments
   std::size_t overlapping = 0;      // those of them that overlap another body
-  std::vector<bool> drop;  // by trip: without these trips no bodies overlap at the moments checked
-  std::size_t dropped = 0;
+  std::vector<bool>
+      leave_out;  // by trip: without these trips no bodies overlap at the moments checked
+  std::size_t left_out = 0;
 };
 
 /// Checks one whole cycle, with every trip on the road, in steps of `step_s` seconds. A body is the

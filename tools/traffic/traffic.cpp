@@ -56,11 +56,11 @@ void rank_trips(std::vector<Trip>& trips) {
         0.99999994f);
 }
 
-/// Removes the trips marked in `drop`, and their knots, in place.
-void leave_out(TrafficSet& set, const std::vector<bool>& drop) {
+/// Removes the marked trips and their knots, in place.
+void leave_out(TrafficSet& set, const std::vector<bool>& marked) {
   std::size_t trips = 0, knots = 0;
   for (std::size_t n = 0; n < set.trips.size(); ++n) {
-    if (drop[n]) continue;
+    if (marked[n]) continue;
     Trip trip = set.trips[n];
     const auto first = set.knots.begin() + static_cast<std::ptrdiff_t>(trip.first_knot);
     std::copy(first, first + static_cast<std::ptrdiff_t>(trip.knot_count),
@@ -240,9 +240,9 @@ TrafficSet make_traffic(const std::vector<OsmWay>& highways, const LonLatToFrame
   const OverlapReport overlaps = find_overlaps(set.content(), overlap_step_s, overlap_slack_m);
   report.overlap_samples = overlaps.vehicle_samples;
   report.overlapping = overlaps.overlapping;
-  report.overlap_dropped = overlaps.dropped;
-  if (overlaps.dropped > 0) {
-    leave_out(set, overlaps.drop);
+  report.overlaps_left_out = overlaps.left_out;
+  if (overlaps.left_out > 0) {
+    leave_out(set, overlaps.leave_out);
     rank_trips(set.trips);
   }
   clock.lap("overlaps");

@@ -46,7 +46,7 @@ struct TrafficReport {
   double mean_vehicles = 0;                    // with every trip on the road
   std::array<double, 24> vehicles_by_hour{};   // from noon
   std::map<std::string, std::size_t> by_type;  // number of trips
-  std::size_t overlap_samples = 0, overlapping = 0, overlap_dropped = 0;
+  std::size_t overlap_samples = 0, overlapping = 0, overlaps_left_out = 0;
   double mean_speed_m_s = 0;
   std::vector<std::pair<std::string, double>> seconds;  // by step
 };

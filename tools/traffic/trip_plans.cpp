@@ -72,7 +72,7 @@ class TripPlanner {
       Random random{static_cast<std::int64_t>(demand_.seed), 71, number};
       auto plan = try_one(random);
       if (!plan) {
-        ++report_.rejected;
+        ++report_.left_out;
         ++failures;
         continue;
       }

@@ -36,7 +36,7 @@ struct Demand {
 struct TripPlanReport {
   std::map<std::string, double> lane_km;        // by class of road
   std::map<std::string, double> wanted, given;  // vehicles at once, by class
-  std::size_t rejected = 0;           // plans that led nowhere in time or could not be driven
+  std::size_t left_out = 0;           // plans that led nowhere in time or could not be driven
   std::size_t through_buildings = 0;  // those of them with a wall in the way
 };
 

@@ -150,10 +150,10 @@ TEST(Lamps, WhatIsNotPlacedIsCountedByReason) {
                              lamp_at(20, 5, {{"lit", "no"}}, 3), lamp_at(2000, 5, {}, 4),
                              lamp_at(0, NAN, {}, 5), lamp_at(40, 5, {{"height", "tall"}}, 6)});
   EXPECT_EQ(set.lamps.size(), 2u);
-  EXPECT_EQ(set.dropped.at("duplicate"), 1u);
-  EXPECT_EQ(set.dropped.at("lit=no"), 1u);
-  EXPECT_EQ(set.dropped.at("outside the model"), 1u);
-  EXPECT_EQ(set.dropped.at("outside the projection"), 1u);
+  EXPECT_EQ(set.left_out.at("duplicate"), 1u);
+  EXPECT_EQ(set.left_out.at("lit=no"), 1u);
+  EXPECT_EQ(set.left_out.at("outside the model"), 1u);
+  EXPECT_EQ(set.left_out.at("outside the projection"), 1u);
   EXPECT_EQ(set.notes.at("tag not understood: height=tall"), 1u);
 }
 
@@ -357,9 +357,9 @@ TEST(LampsReal, EveryBerlinLampIsPlacedOrCounted) {
   const LampSet set = place_lamps(
       osm, [](const glm::dvec2& p) { return glm::dvec2(p.x * 68000, p.y * 111000); },
       [](const glm::dvec2&) { return std::optional<double>(35); });
-  std::size_t dropped = 0;
-  for (const auto& [reason, count] : set.dropped) dropped += count;
-  EXPECT_GE(set.lamps.size() + dropped, osm.lamps.size());
+  std::size_t left_out = 0;
+  for (const auto& [reason, count] : set.left_out) left_out += count;
+  EXPECT_GE(set.lamps.size() + left_out, osm.lamps.size());
   EXPECT_GT(set.lamps.size(), 200u);
   EXPECT_GT(set.sources.at("road class").size(), 2u);
 }

@@ -36,7 +36,7 @@ TEST(Windows, PartyWallsAndWallsNearbyHaveNoneAndTheRestStay) {
   EXPECT_EQ(faces(row, {-1, 0, 0}, 11, 13), 0u);   // b's wall to a
   EXPECT_EQ(faces(row, {1, 0, 0}, 23, 24.1), 0u);  // 30 cm from c
   EXPECT_GT(faces(row, {0, -1, 0}, 0, 12), 0u);
-  EXPECT_GT(row.report.dropped.at("something before it"), 0u);
+  EXPECT_GT(row.report.left_out.at("something before it"), 0u);
   // A low neighbour only covers the low windows.
   const WindowSet step =
       windows_of({make_house(0, 0, 12, 10, 16, "a"), make_house(12, 0, 24, 10, 5, "b")});
@@ -52,7 +52,7 @@ TEST(Windows, ModelledWindowsMaySitDeepInTheirWalls) {
     window.surface = SurfaceType::window;
     house.polygons.push_back(window);
     const WindowSet set = windows_of({house});
-    EXPECT_FALSE(set.report.dropped.contains("something before it"));
+    EXPECT_FALSE(set.report.left_out.contains("something before it"));
     kept += set.windows.size();
   }
   EXPECT_GT(kept, 10u);
@@ -63,7 +63,7 @@ TEST(Windows, NoneIsBelowTheGround) {
     return std::optional(ground_z + (p.x - east) * 0.5);
   };
   const WindowSet set = windows_of({make_house(0, 0, 20, 10, 12.8)}, slope);
-  EXPECT_GT(set.report.dropped.at("below the ground"), 0u);
+  EXPECT_GT(set.report.left_out.at("below the ground"), 0u);
   ASSERT_GT(set.windows.size(), 0u);
   for (const LitRectangle& w : set.windows)
     EXPECT_GT(w.centre.z - static_cast<double>(w.half_height),
@@ -140,7 +140,7 @@ TEST(Windows, WallsOfOtherThingsStandInTheWayToo) {
     if (w.normal.y < -0.9f) {
       EXPECT_GT(w.centre.z, ground_z + 3);
     }
-  EXPECT_GT(set.report.dropped.at("something before it"), 0u);
+  EXPECT_GT(set.report.left_out.at("something before it"), 0u);
 }
 
 TEST(Windows, NoneLiesInsideABuildingThatOverlapsItsOwn) {
@@ -155,7 +155,7 @@ TEST(Windows, NoneLiesInsideABuildingThatOverlapsItsOwn) {
                           w.centre.y < north + 20;
     EXPECT_FALSE(in_extension || in_house) << w.centre.x - east << " " << w.centre.y - north;
   }
-  EXPECT_GT(set.report.dropped.at("inside another building"), 0u);
+  EXPECT_GT(set.report.left_out.at("inside another building"), 0u);
   EXPECT_GT(set.windows.size(), 40u);
 }
 
@@ -169,7 +169,7 @@ TEST(Windows, WhoeverKnowsWhatLiesInsideIsAsked) {
       [](const glm::dvec3& p) { return p.x > east + 15; });
   EXPECT_EQ(east_half, 0u);
   EXPECT_GT(report.placed, 10u);
-  EXPECT_GT(report.dropped.at("inside another building"), 10u);
+  EXPECT_GT(report.left_out.at("inside another building"), 10u);
 }
 
 TEST(Windows, BuildingsWithoutIdsDifferByTheirPlace) {

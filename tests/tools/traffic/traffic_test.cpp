@@ -166,7 +166,7 @@ TEST(Traffic, NoTwoBodiesOverlapAtAnyHour) {
   const OverlapReport report = find_overlaps(content, 0.5, 0.08);
   EXPECT_GT(report.vehicle_samples, 5000u);
   EXPECT_EQ(report.overlapping, 0u);
-  EXPECT_LT(town().report.overlap_dropped, content.trips.size() / 20);
+  EXPECT_LT(town().report.overlaps_left_out, content.trips.size() / 20);
 }
 
 TEST(Traffic, IsWithinTheToleranceItStates) {

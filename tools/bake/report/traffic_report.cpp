@@ -48,7 +48,7 @@ json to_json(const traffic::TrafficReport& report) {
           {"brakings", report.brakings},
           {"knot_error",
            {{"m", report.knot_error.position_m}, {"degrees", report.knot_error.heading_degrees}}},
-          {"rejected_routes", report.plans.rejected},
+          {"rejected_routes", report.plans.left_out},
           {"routes_through_buildings", report.plans.through_buildings},
           {"links_km", report.links_km},
           {"links_in_buildings_km", report.links_in_buildings_km},
@@ -58,7 +58,7 @@ json to_json(const traffic::TrafficReport& report) {
           {"waited_at_start_s", report.simulation.waited_s},
           {"overlaps",
            {{"share_of_vehicle_moments", overlap_share(report)},
-            {"trips_left_out", report.overlap_dropped}}},
+            {"trips_left_out", report.overlaps_left_out}}},
           {"seconds", seconds}};
 }
 
@@ -86,7 +86,7 @@ std::string to_text(const traffic::TrafficReport& report) {
                report.knot_error.position_m, report.knot_error.heading_degrees));
   line("", fmt::format("{:.4f} % of vehicles overlapped another: {} trips left out for it; {} "
                        "stuck, {} not started",
-                       100 * overlap_share(report), report.overlap_dropped, report.simulation.stuck,
+                       100 * overlap_share(report), report.overlaps_left_out, report.simulation.stuck,
                        report.simulation.never_started));
   if (report.links_in_buildings_km > 0)
     line("",
