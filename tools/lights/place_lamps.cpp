@@ -6,32 +6,21 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <numbers>
-#include <unordered_map>
 #include <unordered_set>
 
 #include "formats/rgb9e5.h"
-#include "tools/lights/colour.h"
 #include "tools/lights/lamp_defaults.h"
 #include "tools/lights/lamp_tags.h"
+#include "tools/lights/lamp_values.h"
 #include "tools/lights/optics.h"
 #include "tools/lights/photometry.h"
 #include "tools/lights/road_index.h"
+#include "tools/lights/taken_places.h"
 
 namespace nightcity {
 namespace {
 
-constexpr double same_place_m = 0.3;  // posts nearer to each other are one post mapped twice
 constexpr double step_out_m = 0.25, farthest_out_m = 12;
-
-/// A value and where it came from.
-template <class T>
-struct Known {
-  T value;
-  ValueSource source = ValueSource::rule;
-  void tagged(const std::optional<T>& tag) {
-    if (tag) value = *tag, source = ValueSource::tag;
-  }
-};
 
 /// The finaliser of splitmix64, so that neighbouring OSM ids give unrelated light ids.
 std::uint32_t hash_id(std::int64_t node, int luminaire, int attempt) {
@@ -46,32 +35,6 @@ glm::dvec2 rotated(const glm::dvec2& v, double radians) {
   const double c = std::cos(radians), s = std::sin(radians);
   return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
-
-/// Places that hold a post already, in a hash grid.
-class TakenPlaces {
- public:
-  /// Takes the place at p. Returns false if a post stands there already.
-  bool take(const glm::dvec2& p) {
-    const auto x = cell(p.x), y = cell(p.y);
-    for (std::int64_t i = x - 1; i <= x + 1; ++i)
-      for (std::int64_t j = y - 1; j <= y + 1; ++j) {
-        const auto [first, last] = places_.equal_range(key(i, j));
-        for (auto place = first; place != last; ++place)
-          if (glm::distance(place->second, p) < same_place_m) return false;
-      }
-    places_.emplace(key(x, y), p);
-    return true;
-  }
-
- private:
-  static std::int64_t cell(double v) {
-    return static_cast<std::int64_t>(std::floor(v / same_place_m));
-  }
-  static std::uint64_t key(std::int64_t x, std::int64_t y) {
-    return static_cast<std::uint64_t>(x) << 32 ^ (static_cast<std::uint64_t>(y) & 0xFFFFFFFFu);
-  }
-  std::unordered_multimap<std::uint64_t, glm::dvec2> places_;
-};
 
 class Placer {
  public:
@@ -139,8 +102,7 @@ class Placer {
   void add_post(const OsmLampNode& node, const LampTags& tags, const glm::dvec3& foot,
                 ValueSource position, const std::optional<RoadIndex::Nearest>& road) {
     const RoadLighting& defaults = defaults_for(tags, road);
-    const LampTypeDefaults* type = tags.type ? &lamp_type_defaults(*tags.type) : nullptr;
-    const LampValues values = choose_values(tags, defaults, type);
+    const LampValues values = choose_values(tags, defaults, options_);
     PlacedLamp lamp = make_lamp(tags, values);
     lamp.foot = foot;
     lamp.provenance.source_id = static_cast<std::uint64_t>(node.id);
@@ -153,78 +115,17 @@ class Placer {
     const std::vector<glm::dvec2> aims = find_aims(node, tags, foot, road);
     if (aims.size() > 2)
       lamp.flux_lm *= 2.0 / static_cast<double>(aims.size());  // clusters share two lamps' light
+    std::optional<double> to_centreline_m;
+    if (road) to_centreline_m = road->distance_m;
     for (std::size_t n = 0; n < aims.size(); ++n) {
       lamp.aim = aims[n];
-      lamp.outreach = clear_of_walls(
-          glm::dvec2(foot), lamp.aim * choose_outreach(tags, defaults, type, road, aims.size()));
+      lamp.outreach =
+          clear_of_walls(glm::dvec2(foot),
+                         lamp.aim * choose_outreach(tags, defaults, to_centreline_m, aims.size()));
       lamp.id = unused_id(node.id, static_cast<int>(n));
       set_.lamps.push_back(lamp);
       count_sources(lamp.provenance, tags, road);
     }
-  }
-
-  /// The values of a post's luminaires, each with its source.
-  struct LampValues {
-    Known<double> mounting_m;
-    Known<Optic> optic;
-    Known<double> flux_lm, cct_k;
-    Known<glm::vec3> colour;
-    const LuminaireChoice* measured = nullptr;  // instead of the optic
-  };
-
-  LampValues choose_values(const LampTags& tags, const RoadLighting& defaults,
-                           const LampTypeDefaults* type) const {
-    LampValues values{
-        choose_mounting(tags, defaults, type), {}, choose_flux(tags, defaults, type), {}, {}};
-    values.optic = choose_optic(tags, defaults, type, values.mounting_m.value);
-    choose_colour(tags, defaults, type, values);
-    const Optic optic = values.optic.value;
-    if (optic == Optic::street || optic == Optic::central)
-      values.measured = luminaire_for(options_, defaults, tags.type.value_or(LampType::led));
-    if (values.measured) {
-      values.optic.source = ValueSource::attribute;
-      if (values.measured->take_flux && values.flux_lm.source == ValueSource::rule)
-        values.flux_lm = {values.measured->flux_lm, ValueSource::attribute};
-    }
-    return values;
-  }
-
-  static Known<double> choose_mounting(const LampTags& tags, const RoadLighting& defaults,
-                                       const LampTypeDefaults* type) {
-    Known<double> mounting{defaults.mounting_m};
-    if (tags.mount == LampMount::wall) mounting.value = std::min(mounting.value, wall_mounting_m);
-    if (tags.mount == LampMount::bollard) mounting.value = bollard_mounting_m;
-    if (type && type->lantern)
-      mounting.value = std::min(mounting.value, open_space_defaults().mounting_m);
-    mounting.tagged(tags.height_m);
-    return mounting;
-  }
-
-  static Known<Optic> choose_optic(const LampTags& tags, const RoadLighting& defaults,
-                                   const LampTypeDefaults* type, double mounting_m) {
-    Known<Optic> optic{defaults.optic};
-    const bool low = mounting_m < 3 && optic.value == Optic::street;
-    if ((type && type->lantern) || tags.mount == LampMount::bollard || low)
-      optic.value = Optic::lantern;
-    else if (tags.mount == LampMount::bent_mast && optic.value == Optic::lantern)
-      optic.value = Optic::street;
-    else if (tags.mount == LampMount::suspended)
-      optic.value = Optic::central;
-    if (tags.mount || tags.type) optic.source = ValueSource::tag;
-    return optic;
-  }
-
-  static void choose_colour(const LampTags& tags, const RoadLighting& defaults,
-                            const LampTypeDefaults* type, LampValues& values) {
-    values.cct_k = {type && type->cct_k > 0 ? type->cct_k : defaults.cct_k};
-    values.colour = {
-        rec709_from_xy(type && type->xy ? *type->xy : planckian_xy(values.cct_k.value))};
-    if (type && (type->xy || type->cct_k > 0)) values.colour.source = ValueSource::tag;
-    if (tags.cct_k) {
-      values.cct_k.tagged(tags.cct_k);
-      values.colour = {rec709_from_xy(planckian_xy(*tags.cct_k)), ValueSource::tag};
-    }
-    values.colour.tagged(tags.colour);
   }
 
   PlacedLamp make_lamp(const LampTags& tags, const LampValues& values) {
@@ -255,34 +156,6 @@ class Placer {
     std::optional<std::uint32_t>& known = optics_[static_cast<std::size_t>(optic)];
     if (!known) known = profiles_.add(nightcity::name_of(optic), make_optic(optic));
     return *known;
-  }
-
-  static Known<double> choose_flux(const LampTags& tags, const RoadLighting& defaults,
-                                   const LampTypeDefaults* type) {
-    Known<double> flux{defaults.flux_lm};
-    const double of_type = type ? type->flux_lm[static_cast<int>(defaults.tier)] : 0;
-    if (of_type > 0) flux = {of_type, ValueSource::tag};
-    if (tags.power_w)
-      flux = {*tags.power_w * (type ? *type : lamp_type_defaults(LampType::led)).lumen_per_watt,
-              ValueSource::tag};
-    flux.tagged(tags.flux_lm);
-    return flux;
-  }
-
-  /// Returns how far the luminous centre is in front of its post, in metres; at most up to the
-  /// centreline of the road.
-  static double choose_outreach(const LampTags& tags, const RoadLighting& defaults,
-                                const LampTypeDefaults* type,
-                                const std::optional<RoadIndex::Nearest>& road,
-                                std::size_t luminaires) {
-    double outreach = defaults.outreach_m;
-    if (tags.mount == LampMount::straight_mast) outreach = std::min(outreach, 0.3);
-    if (tags.mount == LampMount::bent_mast) outreach = std::max(outreach, 1.5);
-    if (tags.mount == LampMount::wall) outreach = std::clamp(outreach, 0.6, 1.2);
-    if (tags.mount == LampMount::suspended || tags.mount == LampMount::bollard) outreach = 0;
-    if (type && type->lantern && tags.mount != LampMount::wall) outreach = 0;
-    if (luminaires > 1) return std::max(outreach, 0.4);  // so that they do not overlap
-    return road ? std::min(outreach, road->distance_m) : outreach;
   }
 
   /// Returns the outreach, shortened if it would bring the luminaire into a building outside which
