@@ -17,7 +17,22 @@ namespace {
 // heights, E W S / (utilisation x maintenance), with E from lighting_class.h. Mapped lamps have
 // such spacings: the median gap is 21 m along Berlin's residential streets and 25 m along secondary
 // ones. Luminaires on posts give at least 800 lm; smaller ones are bollards.
-constexpr double min_on_posts_lm = 800, utilisation = 0.4;
+constexpr double min_on_posts_lm = 800;
+
+/// Returns the share of a luminaire's flux that reaches a road of this width. It grows with the
+/// width over the mounting height (57 % where they are equal, for the street optic of optics.cpp)
+/// and is taken to be at most 0.4 for the luminaires of a whole street.
+double utilisation(double width_m, double mounting_m) {
+  return std::min(0.4, 0.5 * width_m / mounting_m);
+}
+
+/// Returns the width in metres that one lamp lights on an untagged road of this class. Two-way
+/// roads with more than one lane each way have lamps on both sides, and each side lights its half.
+double lit_width_m(const char* highway) {
+  const auto carriageway = roads::read_carriageway({{"highway", highway}});
+  const bool both_sides = carriageway->lanes[0] > 1 && carriageway->lanes[1] > 1;
+  return both_sides ? carriageway->width_m / 2 : carriageway->width_m;
+}
 
 struct Row {
   const char* highway;
@@ -51,10 +66,10 @@ constexpr std::array<Row, 20> rows = {{
 
 RoadLighting to_road_lighting(const Row& row) {
   const roads::RoadClass& road = *roads::find_road_class(row.highway);
-  const double width_m = roads::carriageway_width({{"highway", row.highway}});
+  const double width_m = lit_width_m(row.highway);
   const double average_lx = lighting_class(row.target)->average_lx;
-  const double needed =
-      average_lx * width_m * 3 * row.mounting_m / (utilisation * maintenance_factor);
+  const double needed = average_lx * width_m * 3 * row.mounting_m /
+                        (utilisation(width_m, row.mounting_m) * maintenance_factor);
   const auto hundreds = static_cast<int>(needed / 100 + 0.5);
   const double flux = hundreds * 100 > min_on_posts_lm ? hundreds * 100 : min_on_posts_lm;
   return {row.highway, road.tier, row.mounting_m, row.outreach_m,
