@@ -1,6 +1,7 @@
 // city.lights: every light of a scene, read by mapping. Layout in SPEC.md.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -22,6 +23,23 @@ enum class ValueSource : std::uint8_t {
   rule = 3,
   standard = 4
 };
+
+/// Returns the source's name in reports ("tag", "rule", ...); a value out of range is "unknown".
+constexpr const char* name_of(ValueSource source) {
+  switch (source) {
+    case ValueSource::tag:
+      return "tag";
+    case ValueSource::attribute:
+      return "attribute";
+    case ValueSource::rule:
+      return "rule";
+    case ValueSource::standard:
+      return "standard";
+    case ValueSource::unknown:
+      break;
+  }
+  return "unknown";
+}
 
 /// Provenance of one light, 16 bytes, parallel to the lights (section PROV).
 struct LightProvenance {
@@ -45,6 +63,24 @@ enum class LightFamily : std::uint8_t {
   tail_lamp = 3,
   other = 4
 };
+constexpr std::size_t light_family_count = 5;
+
+/// Returns the family's name in reports ("lamp", "tail_lamp", ...); a value out of range is "other".
+constexpr const char* name_of(LightFamily family) {
+  switch (family) {
+    case LightFamily::lamp:
+      return "lamp";
+    case LightFamily::window:
+      return "window";
+    case LightFamily::headlamp:
+      return "headlamp";
+    case LightFamily::tail_lamp:
+      return "tail_lamp";
+    case LightFamily::other:
+      break;
+  }
+  return "other";
+}
 
 /// Vehicles on their ways; empty `trips`: no traffic.
 struct TrafficContent {

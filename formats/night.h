@@ -9,6 +9,9 @@
 
 #ifdef __cplusplus
 namespace nightcity {
+
+/// Lights are lit from 17:00 to 07:00, in seconds since noon.
+constexpr int night_begin_s = 5 * 3600, night_end_s = 19 * 3600;
 #endif
 
 // A light's night: switch times first .. first + count, seconds since noon, strictly ascending, below 86,400.

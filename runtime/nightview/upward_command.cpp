@@ -30,8 +30,6 @@ struct UpwardCommand {
   bool json = false;
 };
 
-constexpr std::array family_names{"lamp", "window", "headlamp", "tail_lamp", "other"};
-
 struct Sums {
   std::size_t lights = 0;
   double flux_lm = 0, direct_lm = 0, reflected_lm = 0, sideways_lm = 0;
@@ -39,7 +37,7 @@ struct Sums {
   double share() const { return flux_lm > 0 ? upward_lm() / flux_lm : 0; }
 };
 
-using FamilySums = std::array<Sums, family_names.size()>;
+using FamilySums = std::array<Sums, light_family_count>;
 
 // Returns the family of a light: the light file names those of static lights, a vehicle's kind those of its
 // lights.
@@ -62,9 +60,7 @@ void write_lights(const std::filesystem::path& path, const RenderScene& scene,
     if (!(lm > 0)) continue;
     const auto& s = flux.lights[i];
     text +=
-        fmt::format("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", i,
-                    family_names[std::min<std::size_t>(std::size_t(find_family(scene, i)),
-                                                       family_names.size() - 1)],
+        fmt::format("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", i, name_of(find_family(scene, i)),
                     lm, lm * s.direct, lm * s.reflected, lm * s.sideways, s.direct + s.reflected);
     if (text.size() > (1 << 20)) {
       file.write(text.data(), text.size());
@@ -101,7 +97,7 @@ void print_as_json(const UpwardCommand& command, const Sums& all, const FamilySu
                               {"rays", command.settings.rays},
                               {"all", to_json(all)}};
   for (std::size_t f = 0; f < families.size(); ++f)
-    if (families[f].lights > 0) json[family_names[f]] = to_json(families[f]);
+    if (families[f].lights > 0) json[name_of(static_cast<LightFamily>(f))] = to_json(families[f]);
   program::print_json(json);
 }
 
@@ -113,7 +109,8 @@ void print_as_table(const Sums& all, const FamilySums& families) {
       fmt::print("{:<10} {:>9} {:>13.0f} {:>13.0f} {:>13.0f} {:>8.2f}%\n", name, s.lights,
                  s.flux_lm, s.direct_lm, s.reflected_lm, 100 * s.share());
   };
-  for (std::size_t f = 0; f < families.size(); ++f) print_row(family_names[f], families[f]);
+  for (std::size_t f = 0; f < families.size(); ++f)
+    print_row(name_of(static_cast<LightFamily>(f)), families[f]);
   print_row("all", all);
 }
 

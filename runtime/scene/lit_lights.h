@@ -10,10 +10,6 @@
 
 namespace nightcity {
 
-/// Returns whether a light of this schedule shines `time_s` seconds after noon. Times outside a day
-/// wrap.
-bool is_lit(const Schedule& schedule, std::span<const std::uint32_t> switches, double time_s);
-
 struct LitLights {
   std::vector<std::uint32_t> bits;     // one bit per light, 32 per word
   std::vector<std::uint32_t> list;     // indices of the lights that shine, ascending

@@ -115,7 +115,7 @@ bool draw_night(ViewerState& state) {
   ImGui::BeginDisabled(!state.night_changes);
   int minutes = static_cast<int>(state.settings.time_s / 60);
   const std::string shown = clock_text(state.settings.time_s);
-  if (ImGui::SliderInt("clock", &minutes, 5 * 60, 19 * 60, shown.c_str(),
+  if (ImGui::SliderInt("clock", &minutes, night_begin_s / 60, night_end_s / 60, shown.c_str(),
                        ImGuiSliderFlags_AlwaysClamp)) {
     state.settings.time_s = minutes * 60.0;
     changed = true;

@@ -160,10 +160,9 @@ class Viewer {
 
   void run_clock(double elapsed_s) {
     if (!state_.play || !state_.night_changes) return;
-    constexpr double dusk_s = 5 * 3600, dawn_s = 19 * 3600;  // 17:00 and 07:00, since noon
     double& time_s = state_.settings.time_s;
     time_s += elapsed_s * double(state_.clock_speed);
-    if (time_s > dawn_s || time_s < dusk_s) time_s = dusk_s;
+    if (time_s > night_end_s || time_s < night_begin_s) time_s = night_begin_s;
     restart_ = true;
   }
 

@@ -93,7 +93,7 @@ class Bake {
     traffic::TrafficSet traffic;
     if (options_.drives) {
       traffic = make_city_traffic(city_, options_.traffic, georeference, progress_);
-      add_vehicle_models(scene_, traffic, 3600 * 5 + 60 * options_.lights.shown_minute);
+      add_vehicle_models(scene_, traffic, night_begin_s + 60 * options_.lights.shown_minute);
       report_.traffic = traffic.report;
       clock_.end_stage("traffic");
     }

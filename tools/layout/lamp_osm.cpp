@@ -11,18 +11,18 @@
 namespace nightcity::layout {
 namespace {
 
-/// Clockwise from true north; the frame's own north may lie aside of it.
+/// Returns the bearing clockwise from true north, which may differ from the frame's north.
 double bearing_degrees(const glm::dvec2& from, const glm::dvec2& to) {
   const double east = (to.x - from.x) * std::cos(glm::radians(from.y)), north = to.y - from.y;
   const double degrees = glm::degrees(std::atan2(east, north));
   return degrees < 0 ? degrees + 360 : degrees;
 }
 
-/// "17:00-23:00;05:00-07:00".
+/// Returns the hours as OSM writes them: "17:00-23:00;05:00-07:00".
 std::string lit_hours(const NightSchedule& hours) {
   std::string text;
   const auto clock = [](int minute) {
-    return fmt::format("{:02}:{:02}", (17 + minute / 60) % 24, minute % 60);
+    return fmt::format("{:02}:{:02}", (night_begin_hour + minute / 60) % 24, minute % 60);
   };
   for (std::size_t n = 0; n < hours.on.size(); ++n) {
     if (hours.on[n] >= hours.off[n]) continue;
@@ -57,9 +57,8 @@ std::size_t write_lamp_osm(const std::filesystem::path& path, std::span<const Pl
     tag("light:colour", fmt::format("{:.0f} K", lamp.cct_k));
     tag("light:direction", fmt::format("{:.0f}", bearing_degrees(at, ahead)));
     if (lamp.hung) tag("lamp_mount", "suspended");
-    if (lamp.foot.z !=
-        0)  // where no ground is known lamps stand at 0: that is no height to hand on
-      tag("ele", fmt::format("{:.2f}", lamp.foot.z));
+    // A foot at exactly 0 means that no ground is known there.
+    if (lamp.foot.z != 0) tag("ele", fmt::format("{:.2f}", lamp.foot.z));
     if (lamp.hours) tag("lit", lit_hours(*lamp.hours));
     const auto source = static_cast<std::int64_t>(lamp.provenance.source_id);
     const bool laid_out = lamp.provenance.flux == ValueSource::standard;  // see layout.h

@@ -19,10 +19,11 @@ namespace nightcity::layout {
 namespace {
 
 constexpr double mapped_reach_spacings = 1.5;
-constexpr double mapped_beside_m = 8;  // behind the kerb a mapped lamp still belongs to the street
+constexpr double mapped_beside_m = 8;  // a mapped lamp this near to the kerb belongs to the street
 constexpr double shifts_m[] = {0, 2, -2, 4, -4};
-constexpr double median_m = 8;      // a carriageway this near beyond the post is the street's twin
-constexpr double looked_at_m = 10;  // how often a street is tried for lying in the model
+constexpr double median_m = 8;  // a carriageway this near beyond the post is the street's twin
+constexpr double model_step_m =
+    10;  // between the points at which a street is checked for lying in the model
 
 const char* name_of(SiteFault fault) {
   constexpr const char* names[] = {"outside the model", "no room before a building",
@@ -30,9 +31,9 @@ const char* name_of(SiteFault fault) {
   return names[static_cast<int>(fault)];
 }
 
-/// Main roads first, then brighter ones: they choose their places before lesser streets do.
-auto rank(const Street& street) {
-  return std::tuple(static_cast<int>(street.road.defaults.tier), -street.road.defaults.flux_lm,
+/// Sorts main roads first, then brighter ones: they get their places before lesser streets do.
+auto rank(const streets::Street& street) {
+  return std::tuple(static_cast<int>(lighting_of(street).tier), -lighting_of(street).flux_lm,
                     street.pieces.front().way_id, street.pieces.front().from_m);
 }
 
@@ -44,15 +45,15 @@ class Layouter {
       : height_at_(height_at), lamp_options_(lamps), options_(options), set_(set) {
     std::vector<const OsmWay*> lit, unlit;
     for (const OsmWay& way : osm.highways) {
-      if (!RoadIndex::describe(way)) continue;
-      const std::string reason = why_unlit(way);
+      if (!roads::read_carriageway(way.tags)) continue;
+      const std::string reason = streets::why_unlit(way);
       (reason.empty() ? lit : unlit).push_back(&way);
       if (!reason.empty() && in_model(way, to_frame)) ++report_.unlit_ways[reason];
     }
-    // The order of the file must not matter.
+    // The result must not depend on the order of the file.
     std::sort(lit.begin(), lit.end(),
               [](const OsmWay* a, const OsmWay* b) { return a->id < b->id; });
-    network_ = make_street_network(lit, to_frame);
+    network_ = streets::make_street_network(lit, to_frame);
     sites_.emplace(network_, unlit, to_frame, height_at, inside);
     for (std::uint32_t n = 0; n < first_new_; ++n) {
       ids_.insert(set.lamps[n].id);
@@ -86,17 +87,17 @@ class Layouter {
       return std::isfinite(p.x) && std::isfinite(p.y) && height_at_(p);
     });
   }
-  bool in_model(const Street& street) const {
-    const int parts = std::max(1, static_cast<int>(std::ceil(street.length_m() / looked_at_m)));
+  bool in_model(const streets::Street& street) const {
+    const int parts = std::max(1, static_cast<int>(std::ceil(street.length_m() / model_step_m)));
     for (int part = 0; part <= parts; ++part)
       if (height_at_(street.place(street.length_m() * part / parts).point)) return true;
     return false;
   }
 
-  /// Arrangement, spacing, flux and side of a street.
+  /// Chooses arrangement, spacing, flux and side of a street.
   void plan(std::size_t s) {
-    const Street& street = network_.streets[s];
-    const RoadDefaults& road = street.road.defaults;
+    const streets::Street& street = network_.streets[s];
+    const RoadLighting& road = lighting_of(street);
     StreetPlanned& plan = plans_[s];
     const auto own = options_.class_of.find(road.highway);
     const auto wanted =
@@ -106,8 +107,8 @@ class Layouter {
     plan.design = design(street, arrangement_for(street.road.width_m, road.mounting_m), *wanted);
     if (street.bridge) ++report_.notes["streets with a bridge: lamps on the model's ground"];
 
-    // The side with fewer obstacles; the right one if both are alike. Twin carriageways have their lamps on
-    // their outer sides.
+    // Take the side with fewer obstacles, or the right one if both are alike. Twin carriageways get
+    // their lamps on their outer sides.
     const int parts = parts_of(street, plan.design);
     int faults[2] = {0, 0}, blocked = 0, tried = 0;
     for (int i = 0; i <= parts; ++i) {
@@ -131,8 +132,9 @@ class Layouter {
     plan.lit = true;
   }
 
-  LampDesign design(const Street& street, Arrangement arrangement, const LightingClass& wanted) {
-    const RoadDefaults& road = street.road.defaults;
+  LampDesign design(const streets::Street& street, Arrangement arrangement,
+                    const LightingClass& wanted) {
+    const RoadLighting& road = lighting_of(street);
     const auto key =
         std::tuple(std::string(road.highway), std::lround(street.road.width_m * 10), arrangement);
     const auto known = designs_.find(key);
@@ -142,33 +144,33 @@ class Layouter {
     return designs_[key] = design_lamps(road, street.road.width_m, arrangement, wanted, profile);
   }
 
-  static int parts_of(const Street& street, const LampDesign& design) {
-    constexpr double slack =
-        0.2;  // a street a little longer than a spacing needs no lamp in its middle
+  static int parts_of(const streets::Street& street, const LampDesign& design) {
+    // A street a little longer than a spacing needs no lamp in its middle.
+    constexpr double slack = 0.2;
     return std::max(1, static_cast<int>(std::ceil(street.length_m() / design.spacing_m - slack)));
   }
 
-  /// One lamp for a place where streets meet or end, on the best of them, at the corner.
+  /// Places one lamp where streets meet or end: on the most important of them, at the corner.
   void light_joint(std::size_t number) {
     if (!joints_done_.insert(number).second) return;
-    const Joint& joint = network_.joints[number];
-    const Joint::End* best = nullptr;
+    const streets::Joint& joint = network_.joints[number];
+    const streets::Joint::End* best = nullptr;
     double widest_other = 0;
-    for (const Joint::End& end : joint.ends) {
+    for (const streets::Joint::End& end : joint.ends) {
       if (!plans_[end.street].lit) continue;
       if (!best || rank(network_.streets[end.street]) < rank(network_.streets[best->street]))
         best = &end;
     }
     if (!best) return;
-    for (const Joint::End& end : joint.ends)
+    for (const streets::Joint::End& end : joint.ends)
       if (&end != best)
         widest_other = std::max(widest_other, network_.streets[end.street].road.width_m);
-    const Street& street = network_.streets[best->street];
+    const streets::Street& street = network_.streets[best->street];
     const double length = street.length_m();
     const double corner =
         joint.ends.size() < 3
             ? 0
-            : std::min(widest_other / 2 + setback_m(street.road.defaults) + 0.5, length / 3);
+            : std::min(widest_other / 2 + setback_m(lighting_of(street)) + 0.5, length / 3);
     const StreetPlanned& plan = plans_[best->street];
     const double near = 0.6 * plan.design.spacing_m;
     if (placed_.any_near(joint.point, near,
@@ -180,10 +182,10 @@ class Layouter {
   }
 
   void light_between(std::size_t s) {
-    const Street& street = network_.streets[s];
+    const streets::Street& street = network_.streets[s];
     const StreetPlanned& plan = plans_[s];
     const int parts = parts_of(street, plan.design);
-    const bool path = street.road.defaults.tier == RoadTier::path;
+    const bool path = lighting_of(street).tier == roads::RoadTier::path;
     const double near = plan.design.spacing_m * (path ? 0.9 : 0.5);
     for (int i = 1; i < parts; ++i) {
       const bool other_side = plan.design.arrangement == Arrangement::staggered && i % 2 != 0;
@@ -191,12 +193,12 @@ class Layouter {
     }
   }
 
-  /// The lamp or pair of lamps of a street at `along`.
+  /// Places the lamp or pair of lamps of a street at `along`.
   void light_slot(std::size_t s, double along, int side, double near) {
-    const Street& street = network_.streets[s];
+    const streets::Street& street = network_.streets[s];
     const LampDesign& design = plans_[s].design;
-    const Street::Place centre = street.place(along);
-    if (!height_at_(centre.point)) return;  // the street goes on beyond the model
+    const streets::Street::Place centre = street.place(along);
+    if (!height_at_(centre.point)) return;  // the street continues beyond the model
     if (mapped_near(street, centre, design.spacing_m)) {
       ++report_.left_out["mapped lamps near"];
       ++plans_[s].left_to_mapped;
@@ -229,7 +231,7 @@ class Layouter {
     leave_out(fault);
   }
 
-  /// Whether a lamp of another street stands near and does not turn its back.
+  /// Returns whether a lamp of another street stands near and points this way.
   bool lit_by_another(std::size_t s, const glm::dvec2& p, double near) const {
     return placed_.any_near(p, near, [&](const glm::dvec2& foot, std::uint32_t n) {
       const bool own = n >= first_new_ && street_of_lamp_[n - first_new_] == s;
@@ -249,7 +251,8 @@ class Layouter {
     return std::nullopt;
   }
 
-  bool mapped_near(const Street& street, const Street::Place& centre, double spacing_m) const {
+  bool mapped_near(const streets::Street& street, const streets::Street::Place& centre,
+                   double spacing_m) const {
     const double beside = street.road.width_m / 2 + mapped_beside_m;
     return mapped_.any_near(
         centre.point, mapped_reach_spacings * spacing_m, [&](const glm::dvec2& p, std::uint32_t) {
@@ -259,9 +262,9 @@ class Layouter {
   }
 
   void put(std::size_t s, const PostSite& site) {
-    const Street& street = network_.streets[s];
-    const RoadDefaults& road = street.road.defaults;
-    const Street::Place place = street.place(site.along_m);
+    const streets::Street& street = network_.streets[s];
+    const RoadLighting& road = lighting_of(street);
+    const streets::Street::Place place = street.place(site.along_m);
     const glm::dvec2 left(-place.along.y, place.along.x);
     PlacedLamp lamp;
     lamp.foot = site.foot;
@@ -294,11 +297,11 @@ class Layouter {
     set_.lamps.push_back(lamp);
   }
 
-  const LuminaireChoice* measured(const RoadDefaults& road, bool hung) const {
+  const LuminaireChoice* measured(const RoadLighting& road, bool hung) const {
     return hung || road.optic == Optic::lantern ? nullptr : luminaire_for(lamp_options_, road);
   }
 
-  std::uint32_t profile_for(const RoadDefaults& road, bool hung) {
+  std::uint32_t profile_for(const RoadLighting& road, bool hung) {
     const LuminaireChoice* choice = measured(road, hung);
     const Optic optic = hung ? Optic::central : road.optic;
     const std::string name = choice ? choice->name : nightcity::name_of(optic);
@@ -307,7 +310,7 @@ class Layouter {
     return profiles_[name] = add_profile(set_, choice ? choice->photometry : make_optic(optic));
   }
 
-  std::uint32_t unused_id(const Street::Place& place, int side) {
+  std::uint32_t unused_id(const streets::Street::Place& place, int side) {
     for (std::int64_t attempt = 0;; ++attempt) {
       Random random{place.way_id, std::llround(place.on_way_m * 10), side, attempt};
       const auto id = static_cast<std::uint32_t>(random.next() >> 32);
@@ -325,7 +328,7 @@ class Layouter {
                     [lamp.provenance.profile == ValueSource::rule ? "rule" : "attribute"];
       ++set_.sources["aim"]["layout"];
       ++set_.sources["road class"]
-                    [network_.streets[street_of_lamp_[n - first_new_]].road.defaults.highway];
+                    [lighting_of(network_.streets[street_of_lamp_[n - first_new_]]).highway];
     }
   }
 
@@ -334,7 +337,7 @@ class Layouter {
   const LayoutOptions& options_;
   LampSet& set_;
   const std::size_t first_new_ = set_.lamps.size();
-  StreetNetwork network_;
+  streets::StreetNetwork network_;
   std::optional<PostSites> sites_;
   std::vector<StreetPlanned> plans_;
   std::map<std::tuple<std::string, long, Arrangement>, LampDesign> designs_;

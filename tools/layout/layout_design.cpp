@@ -5,8 +5,12 @@
 
 namespace nightcity::layout {
 
-double setback_m(const RoadDefaults& road) {
-  return road.tier == RoadTier::path ? 0.3 : 0.5;
+const RoadLighting& lighting_of(const streets::Street& street) {
+  return find_road_lighting(*street.road.road_class);
+}
+
+double setback_m(const RoadLighting& road) {
+  return road.tier == roads::RoadTier::path ? 0.3 : 0.5;
 }
 
 Arrangement arrangement_for(double width_m, double mounting_m) {
@@ -26,7 +30,7 @@ double luminaire_package(double flux_lm) {
   return max_package_lm;
 }
 
-LampDesign design_lamps(const RoadDefaults& road, double width_m, Arrangement arrangement,
+LampDesign design_lamps(const RoadLighting& road, double width_m, Arrangement arrangement,
                         const LightingClass& wanted, const Photometry& profile) {
   LampRow row;
   row.arrangement = arrangement;

@@ -15,8 +15,8 @@ constexpr double reach_heights = 5;  // EN 13201-3, 8.3: lamps farther away do n
 
 class Fitter {
  public:
-  Fitter(const StreetNetwork& network, const std::vector<StreetPlanned>& plans, LampSet& set,
-         std::size_t first_new, const std::vector<std::size_t>& street_of_lamp)
+  Fitter(const streets::StreetNetwork& network, const std::vector<StreetPlanned>& plans,
+         LampSet& set, std::size_t first_new, const std::vector<std::size_t>& street_of_lamp)
       : network_(network),
         plans_(plans),
         set_(set),
@@ -25,7 +25,7 @@ class Fitter {
     for (std::uint32_t n = 0; n < set.profiles.size(); ++n) profiles_.push_back(profile_of(set, n));
     for (std::size_t n = 0; n < set.lamps.size(); ++n) {
       const PlacedLamp& lamp = set.lamps[n];
-      // Mapped lamps shine with their flux, new ones with one lumen that is to be multiplied.
+      // Mapped lamps count with their flux, new ones with one lumen that is scaled later.
       luminaires_.push_back(
           {glm::dvec2(lamp.foot) + lamp.outreach, lamp.mounting_height_m, lamp.aim,
            lamp.tilt_degrees, n < first_new ? lamp.flux_lm : 1.0,
@@ -51,14 +51,14 @@ class Fitter {
       if (plans_[s].left_to_mapped > lamps[s])
         ++report.notes["stretches left to mapped lamps"];
       else if (fields_[s].length_m > 0 && fields_[s].by_new)
-        tell(s, lamps[s], report);
+        report_street(s, lamps[s], report);
     sum_up(report);
   }
 
  private:
   struct Field {
-    std::vector<bool>
-        in_model;  // each place along: the points themselves would be a city's road area in memory
+    // For each place along the street. The points themselves would take too much memory.
+    std::vector<bool> in_model;
     double length_m = 0;
     double by_mapped_lx = 0;                  // average
     std::map<std::size_t, double> per_lumen;  // average by the street whose lamps give it
@@ -75,7 +75,7 @@ class Fitter {
   }
 
   void lay_field(std::size_t s, const HeightAt& height_at) {
-    const Street& street = network_.streets[s];
+    const streets::Street& street = network_.streets[s];
     Field& field = fields_[s];
     const double step = std::min(3.0, plans_[s].design.spacing_m / 10), length = street.length_m();
     const int along = std::max(1, static_cast<int>(std::ceil(length / step)));
@@ -98,16 +98,17 @@ class Fitter {
     field.by_new = !field.per_lumen.empty();
   }
 
-  /// The points of a street's field.
+  /// Visits the points of a street's field.
   template <class Visit>
   void each_point(std::size_t s, const Visit& visit) const {
-    const Street& street = network_.streets[s];
+    const streets::Street& street = network_.streets[s];
     const std::vector<bool>& in_model = fields_[s].in_model;
     const int across = points_across(street.road.width_m);
     for (std::size_t i = 0; i < in_model.size(); ++i) {
       if (!in_model[i]) continue;
-      const Street::Place place = street.place((static_cast<double>(i) + 0.5) * street.length_m() /
-                                               static_cast<double>(in_model.size()));
+      const streets::Street::Place place =
+          street.place((static_cast<double>(i) + 0.5) * street.length_m() /
+                       static_cast<double>(in_model.size()));
       const glm::dvec2 left(-place.along.y, place.along.x);
       for (int j = 0; j < across; ++j)
         visit(place.point + left * (((j + 0.5) / across - 0.5) * street.road.width_m));
@@ -121,7 +122,7 @@ class Fitter {
   }
 
   void solve() {
-    // A tenth above the class: what rounding up to a package adds keeps it within a quarter.
+    // Aim at a tenth above the class: rounding up to a package then keeps it within a quarter.
     constexpr double aim = 1.1;
     constexpr int rounds = 12;
     for (int round = 0; round < rounds; ++round)
@@ -132,30 +133,30 @@ class Fitter {
         const double others = average(field) - own->second * flux_[s];
         const double wanted = aim * plans_[s].wanted.average_lx / maintenance_factor;
         const double design = plans_[s].design.flux_lm;
-        flux_[s] = std::clamp((wanted - others) / own->second, design / widest_change,
-                              design * widest_change);
+        flux_[s] =
+            std::clamp((wanted - others) / own->second, design / max_change, design * max_change);
       }
     for (double& flux : flux_)
       if (flux > 0) flux = luminaire_package(flux);
   }
 
-  void tell(std::size_t s, std::size_t lamps, LayoutReport& report) const {
-    const Street& street = network_.streets[s];
+  void report_street(std::size_t s, std::size_t lamps, LayoutReport& report) const {
+    const streets::Street& street = network_.streets[s];
     const StreetPlanned& plan = plans_[s];
     const Field& field = fields_[s];
     StreetReport out;
-    out.highway = street.road.defaults.highway;
+    out.highway = lighting_of(street).highway;
     out.name = street.name;
     out.wanted = plan.wanted.name;
     std::set<std::int64_t> ways;
-    for (const Street::Piece& piece : street.pieces)
+    for (const streets::Street::Piece& piece : street.pieces)
       if (ways.insert(piece.way_id).second) out.ways.push_back(piece.way_id);
     out.arrangement = plan.design.arrangement;
     out.length_m = field.length_m;
     out.width_m = street.road.width_m;
     out.spacing_m = plan.design.spacing_m;
     out.flux_lm = flux_[s];
-    out.mounting_m = street.road.defaults.mounting_m;
+    out.mounting_m = lighting_of(street).mounting_m;
     out.lamps = lamps;
     out.wanted_lx = plan.wanted.average_lx;
     out.field = {average(field), std::numeric_limits<double>::infinity()};
@@ -196,7 +197,7 @@ class Fitter {
     }
   }
 
-  const StreetNetwork& network_;
+  const streets::StreetNetwork& network_;
   const std::vector<StreetPlanned>& plans_;
   LampSet& set_;
   const std::size_t first_new_;
@@ -211,7 +212,7 @@ class Fitter {
 
 }  // namespace
 
-void fit_flux(const StreetNetwork& network, const std::vector<StreetPlanned>& plans,
+void fit_flux(const streets::StreetNetwork& network, const std::vector<StreetPlanned>& plans,
               const HeightAt& height_at, LampSet& set, std::size_t first_new,
               const std::vector<std::size_t>& street_of_lamp, LayoutReport& report) {
   Fitter(network, plans, set, first_new, street_of_lamp).run(height_at, report);

@@ -1,4 +1,4 @@
-// Places in the plane, found again by nearness: a hash grid.
+// A hash grid of places in the plane, to find those near a point.
 #pragma once
 
 #include <cmath>
@@ -13,16 +13,17 @@ namespace nightcity::layout {
 
 class PlaceGrid {
  public:
-  /// Searches look through (2 radius / cell_m + 2)^2 cells.
+  /// A search visits (2 radius / cell_m + 2)^2 cells.
   explicit PlaceGrid(double cell_m) : cell_m_(cell_m) {}
 
-  /// `place` finite.
+  /// Adds a place, which must be finite.
   void add(const glm::dvec2& place, std::uint32_t number) {
     cells_[key(cell(place.x), cell(place.y))].push_back({place, number});
   }
 
-  /// Calls visit(place, number) for every place within `radius`; in the order in which they came within a
-  /// cell, cells west to east. Stops when visit returns true, and returns true then.
+  /// Calls visit(place, number) for every place within `radius`: cells from west to east, the
+  /// places of a cell in the order in which they were added. Stops and returns true as soon as
+  /// visit returns true.
   template <class Visit>
   bool any_near(const glm::dvec2& p, double radius, const Visit& visit) const {
     for (std::int64_t x = cell(p.x - radius); x <= cell(p.x + radius); ++x)

@@ -16,18 +16,18 @@ constexpr double sample_m = 2;
 
 }  // namespace
 
-PostSites::PostSites(const StreetNetwork& network, const std::vector<const OsmWay*>& unlit,
+PostSites::PostSites(const streets::StreetNetwork& network, const std::vector<const OsmWay*>& unlit,
                      const LonLatToFrame& to_frame, const HeightAt& height_at,
                      const InsideBuilding& inside)
     : network_(network), height_at_(height_at), inside_(inside) {
-  // Paths are no obstacle: lamps stand on pavements.
-  for (const Street& street : network.streets)
+  // Paths are no obstacles, because lamps stand on pavements.
+  for (const streets::Street& street : network.streets)
     add_carriageway(
-        street.road.defaults.tier == RoadTier::path ? std::vector<glm::dvec2>() : street.line,
+        lighting_of(street).tier == roads::RoadTier::path ? std::vector<glm::dvec2>() : street.line,
         street.road.width_m);
   for (const OsmWay* way : unlit) {
-    const auto road = RoadIndex::describe(*way);
-    if (!road || road->defaults.tier == RoadTier::path) continue;
+    const auto road = roads::read_carriageway(way->tags);
+    if (!road || road->road_class->tier == roads::RoadTier::path) continue;
     std::vector<glm::dvec2> line;
     for (const glm::dvec2& lon_lat : way->lon_lat) {
       const glm::dvec2 p = to_frame(lon_lat);
@@ -72,14 +72,14 @@ bool PostSites::clear_of_buildings(const glm::dvec2& p) const {
 
 std::optional<PostSite> PostSites::beside(std::size_t street, double along_m, int side,
                                           SiteFault& fault) const {
-  const Street& road = network_.streets[street];
-  const Street::Place place = road.place(along_m);
+  const streets::Street& road = network_.streets[street];
+  const streets::Street::Place place = road.place(along_m);
   fault = SiteFault::outside_model;
   if (!height_at_(place.point)) return std::nullopt;
   fault = SiteFault::building;
   if (inside_ && inside_(place.point)) return std::nullopt;  // a passage under a building
   const glm::dvec2 left(-place.along.y, place.along.x);
-  const double kerb = road.road.width_m / 2, wanted = kerb + setback_m(road.road.defaults);
+  const double kerb = road.road.width_m / 2, wanted = kerb + setback_m(lighting_of(road));
   for (double offset = wanted; offset >= kerb + kerb_clearance_m - 1e-9; offset -= step_m) {
     const glm::dvec2 p = place.point + left * (side * offset);
     if (!clear_of_buildings(p)) continue;
@@ -93,7 +93,7 @@ std::optional<PostSite> PostSites::beside(std::size_t street, double along_m, in
 
 std::optional<PostSite> PostSites::above(std::size_t street, double along_m,
                                          SiteFault& fault) const {
-  const Street::Place place = network_.streets[street].place(along_m);
+  const streets::Street::Place place = network_.streets[street].place(along_m);
   fault = SiteFault::outside_model;
   const auto height = height_at_(place.point);
   if (!height) return std::nullopt;

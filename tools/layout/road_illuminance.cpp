@@ -35,7 +35,7 @@ const char* name_of(Arrangement arrangement) {
 }
 
 int points_across(double width_m) {
-  constexpr double lane_m = 3.25;  // between the 3.0 m and 3.5 m of the table of roads
+  constexpr double lane_m = 3.25;  // of through roads, tools/roads/road_class.cpp
   return 3 * std::max(1, static_cast<int>(std::lround(width_m / lane_m)));
 }
 

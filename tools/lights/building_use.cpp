@@ -130,7 +130,7 @@ const char* name_of(BuildingUse use) {
 }
 
 KnownUse use_from_code(std::string_view code) {
-  // "31001_1010": the object type, then the value.
+  // "31001_1010" is the object type and the value.
   const std::size_t underscore = code.rfind('_');
   std::string_view digits = code;
   const bool adv = underscore != std::string_view::npos &&

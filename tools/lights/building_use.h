@@ -1,4 +1,4 @@
-// What a building is used for, out of the codes and words that cities publish.
+// The use of a building, from the codes and words that cities publish.
 #pragma once
 
 #include <functional>
@@ -24,22 +24,23 @@ enum class BuildingUse {
 
 struct KnownUse {
   BuildingUse use = BuildingUse::residential;
-  bool stated = false;    // by the model
-  bool from_map = false;  // by the map, where the model says nothing; neither: a guess
+  bool stated = false;    // the model says so
+  bool from_map = false;  // the map says so, where the model says nothing; neither: assumed
 };
 
-/// What the map says at a place, where it says anything (OsmUses).
+/// Returns the use that the map gives at a place; empty where it gives none (OsmUses).
 using UseAt = std::function<std::optional<BuildingUse>(const glm::dvec2&)>;
 
 const char* name_of(BuildingUse use);
 
-/// One code or word: ALKIS/AdV building functions ("31001_1120", "99999_2020"), PLATEAU usages ("411"), the
-/// four-digit code list of CityGML 2.0, or words ("Wohnhaus", "office"). Unknown: not stated.
+/// Returns the use for one code or word: ALKIS/AdV building functions ("31001_1120", "99999_2020"),
+/// PLATEAU usages ("411"), the four-digit code list of CityGML 2.0, or words ("Wohnhaus",
+/// "office"). For an unknown code the result is not `stated`.
 KnownUse use_from_code(std::string_view code);
 
-/// From function, usage and class, in that order, then from the map at the middle of its footprint (where
-/// `map` is given; coordinates E, N). Unknown buildings are dwellings, unknown huts (under 3 m or 25 m2)
-/// dark.
+/// Returns the use of a building from its function, usage and class, in that order, then from the
+/// map at the middle of its footprint (if `map` is given; coordinates E, N). Unknown buildings are
+/// dwellings, and unknown huts (under 3 m or 25 m2) are dark.
 KnownUse use_of(const CityObject& building, const UseAt& map = {});
 
 }  // namespace nightcity

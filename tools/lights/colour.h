@@ -8,17 +8,17 @@
 
 namespace nightcity {
 
-/// CIE 1931 chromaticity (x, y) of a black body. Krystek's rational approximation of the Planckian locus
-/// (Color Res. Appl. 10, 1985), good to 1e-4 in (u, v) from 1000 to 15000 K; temperatures outside are clamped
-/// to that range.
+/// Returns the CIE 1931 chromaticity (x, y) of a black body at a temperature in kelvin, by
+/// Krystek's rational approximation of the Planckian locus (Color Res. Appl. 10, 1985). It is exact
+/// to 1e-4 in (u, v) from 1000 to 15000 K; other temperatures are clamped to that range.
 glm::dvec2 planckian_xy(double kelvin);
 
-/// Linear Rec. 709 of luminance 1 for a chromaticity. Colours outside the gamut (sodium, signal red) lose
-/// their negative channels. Mixed with white instead, a signal red would have blue, and shine magenta where
-/// exposed beyond white.
+/// Returns linear Rec. 709 of luminance 1 for a chromaticity. Colours outside the gamut (sodium,
+/// signal red) lose their negative channels. Mixing them with white instead would add blue to a
+/// signal red, which would then look magenta where it is overexposed.
 glm::vec3 rec709_from_xy(const glm::dvec2& xy);
 
-/// "#rrggbb" (sRGB) as linear Rec. 709 of luminance 1; nothing for another text or black.
+/// Returns "#rrggbb" (sRGB) as linear Rec. 709 of luminance 1; empty for other texts and for black.
 std::optional<glm::vec3> rec709_from_hex(std::string_view text);
 
 }  // namespace nightcity

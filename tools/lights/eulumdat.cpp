@@ -1,4 +1,5 @@
-// EULUMDAT (Stockmar 1990): one value a line, in a fixed order, candela per 1000 lumens of the lamps.
+// EULUMDAT (Stockmar 1990): one value on each line, in a fixed order; candela per 1000 lumens
+// of the lamps.
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -11,7 +12,7 @@ namespace {
 
 constexpr int max_angles = 721;
 
-/// Walks down the lines.
+/// Reads one line after the other.
 class Cursor {
  public:
   explicit Cursor(const TextLines& lines) : lines_(lines) {}
@@ -48,7 +49,7 @@ class Cursor {
   std::size_t next_ = 0, line_ = 0;
 };
 
-/// The listed plane that stands for the plane at `c`, by the file's symmetry.
+/// Returns the listed plane that stands for the plane at `c`, by the symmetry of the file.
 double fold(int symmetry, double c) {
   switch (symmetry) {
     case 1:
@@ -66,18 +67,23 @@ double fold(int symmetry, double c) {
   }
 }
 
-}  // namespace
-
-Luminaire read_eulumdat(const std::filesystem::path& path) {
-  const TextLines lines(path);
-  Cursor at(lines);
+/// The lines before the intensities.
+struct Head {
   Luminaire luminaire;
+  int symmetry = 0, gamma_count = 0;
+  std::vector<double> planes_degrees;  // all C planes, listed or not
+  double lamp_flux_lm = 0, output_ratio = 0, factor = 1;
+};
+
+Head read_head(const TextLines& lines, Cursor& at) {
+  Head head;
+  Luminaire& luminaire = head.luminaire;
   luminaire.manufacturer = at.text("the maker");
   at.integer("the type of luminaire", 0, 3);
-  const int symmetry = at.integer("the symmetry", 0, 4);
+  head.symmetry = at.integer("the symmetry", 0, 4);
   const int planes = at.integer("the number of C planes", 1, max_angles);
   at.number("the distance of C planes");
-  const int gammas = at.integer("the number of gamma angles", 2, max_angles);
+  head.gamma_count = at.integer("the number of gamma angles", 2, max_angles);
   at.number("the distance of gamma angles");
   at.text("the report's number");
   luminaire.name = at.text("the luminaire's name");
@@ -88,26 +94,34 @@ Luminaire read_eulumdat(const std::filesystem::path& path) {
   luminaire.height_m = at.number("the luminous height") / 1000;
   at.skip(3, "the luminous heights");
   at.number("the downward flux fraction");
-  const double output_ratio = at.number("the light output ratio") / 100;
-  double factor = at.number("the conversion factor");
+  head.output_ratio = at.number("the light output ratio") / 100;
+  head.factor = at.number("the conversion factor");
+  if (head.factor <= 0) head.factor = 1;
   at.number("the tilt");
   const int sets = at.integer("the number of lamp sets", 1, 20);
-  double lamp_flux = 0;
   for (int n = 0; n < sets; ++n) {
-    at.number("the number of lamps");  // the flux below is the whole set's
+    at.number("the number of lamps");  // the flux below is that of the whole set
     at.text("the type of lamps");
     const double flux = at.number("the lamps' flux");
-    if (n == 0) lamp_flux = flux;  // further sets are alternatives
+    if (n == 0) head.lamp_flux_lm = flux;  // further sets are alternatives
     at.skip(3, "colour, rendering and power of the lamps");
   }
-  if (!(lamp_flux > 0)) lines.fail(at.line(), "the lamps' flux must be above zero");
-  if (factor <= 0) factor = 1;
+  if (!(head.lamp_flux_lm > 0)) lines.fail(at.line(), "the lamps' flux must be above zero");
   at.skip(10, "the direct ratios");
-  const std::vector<double> listed = at.angles(planes, 360, "C angles");
-  luminaire.grid.gamma_degrees = at.angles(gammas, 180, "gamma angles");
+  head.planes_degrees = at.angles(planes, 360, "C angles");
+  luminaire.grid.gamma_degrees = at.angles(head.gamma_count, 180, "gamma angles");
+  return head;
+}
 
-  // Only the planes of one symmetry sector follow.
-  const std::size_t count = static_cast<std::size_t>(planes);
+/// The planes of one symmetry sector: the only ones whose intensities a file lists.
+struct Sector {
+  std::vector<double> planes_degrees;
+  std::vector<double> candela;  // planes * gamma_count, gamma fastest
+};
+
+Sector read_sector(const TextLines& lines, Cursor& at, const Head& head) {
+  const std::size_t count = head.planes_degrees.size();
+  const int symmetry = head.symmetry;
   std::size_t first = 0, last = count;
   if (symmetry == 1) last = 1;
   if (symmetry == 2) last = count / 2 + 1;
@@ -117,39 +131,54 @@ Luminaire read_eulumdat(const std::filesystem::path& path) {
   if ((symmetry == 2 && !is_multiple(2)) || (symmetry > 2 && !is_multiple(4)))
     lines.fail(at.line(),
                std::to_string(count) + " C planes do not fit symmetry " + std::to_string(symmetry));
-  std::vector<std::pair<double, std::size_t>> rows;  // angle of the plane, row of values
-  std::vector<double> values;
+  Sector sector;
   for (std::size_t n = first; n < last; ++n) {
-    rows.emplace_back(listed[n % count], rows.size());
-    for (int g = 0; g < gammas; ++g) {
+    sector.planes_degrees.push_back(head.planes_degrees[n % count]);
+    for (int g = 0; g < head.gamma_count; ++g) {
       const double value = at.number("intensities");
       if (value < 0) lines.fail(at.line(), "negative intensity");
-      values.push_back(value * factor * lamp_flux / 1000);
+      sector.candela.push_back(value * head.factor * head.lamp_flux_lm / 1000);
     }
   }
+  return sector;
+}
 
-  luminaire.grid.c_degrees = symmetry == 1 ? std::vector<double>{0} : listed;
-  if (luminaire.grid.c_degrees.back() > 360 - 1e-6) luminaire.grid.c_degrees.pop_back();
-  if (std::abs(luminaire.grid.c_degrees.front()) > 1e-6)
-    lines.fail(at.line(), "C angles do not begin at 0");
-  for (const double plane : luminaire.grid.c_degrees) {
-    const double wanted = fold(symmetry, plane);
-    const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& r) {
-      return symmetry == 1 || std::abs(r.first - wanted) < 1e-6 ||
-             std::abs(r.first - wanted - 360) < 1e-6;
-    });
-    if (row == rows.end())
+/// Fills the grid with the whole turn.
+void unfold(const TextLines& lines, const Cursor& at, const Head& head, const Sector& sector,
+            IntensityGrid& grid) {
+  grid.c_degrees = head.symmetry == 1 ? std::vector<double>{0} : head.planes_degrees;
+  if (grid.c_degrees.back() > 360 - 1e-6) grid.c_degrees.pop_back();
+  if (std::abs(grid.c_degrees.front()) > 1e-6) lines.fail(at.line(), "C angles do not begin at 0");
+  for (const double plane : grid.c_degrees) {
+    const double wanted = fold(head.symmetry, plane);
+    const auto found = std::find_if(
+        sector.planes_degrees.begin(), sector.planes_degrees.end(), [&](double listed) {
+          return head.symmetry == 1 || std::abs(listed - wanted) < 1e-6 ||
+                 std::abs(listed - wanted - 360) < 1e-6;
+        });
+    if (found == sector.planes_degrees.end())
       lines.fail(at.line(), "the C planes are not symmetric as symmetry " +
-                                std::to_string(symmetry) + " says");
-    const auto from = values.begin() +
-                      static_cast<std::ptrdiff_t>(row->second * static_cast<std::size_t>(gammas));
-    luminaire.grid.candela.insert(luminaire.grid.candela.end(), from, from + gammas);
+                                std::to_string(head.symmetry) + " says");
+    const auto from =
+        sector.candela.begin() + (found - sector.planes_degrees.begin()) * head.gamma_count;
+    grid.candela.insert(grid.candela.end(), from, from + head.gamma_count);
   }
+}
+
+}  // namespace
+
+Luminaire read_eulumdat(const std::filesystem::path& path) {
+  const TextLines lines(path);
+  Cursor at(lines);
+  Head head = read_head(lines, at);
+  const Sector sector = read_sector(lines, at, head);
+  Luminaire& luminaire = head.luminaire;
+  unfold(lines, at, head, sector, luminaire.grid);
   luminaire.flux_lm = integrated_flux(luminaire.grid);
   if (!(luminaire.flux_lm > 0)) lines.fail(at.line(), "the luminaire gives no light");
-  luminaire.stated_flux_lm = lamp_flux * output_ratio;
+  luminaire.stated_flux_lm = head.lamp_flux_lm * head.output_ratio;
   luminaire.street_side_degrees = guess_street_side(luminaire.grid, 90);
-  return luminaire;
+  return std::move(luminaire);
 }
 
 }  // namespace nightcity

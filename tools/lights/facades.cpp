@@ -19,14 +19,14 @@ constexpr double max_lean = 0.3;        // |normal.z| of a wall
 constexpr double edge_margin_m = 0.6;   // bays begin this far from a facade's ends
 constexpr double wall_margin_m = 0.12;  // frames keep this far from any edge of their wall
 constexpr double min_facade_m = 2.0;
-constexpr double plinth_m = 0.8;  // the ground floor above the lowest ground
+constexpr double plinth_m = 0.8;  // height of the ground floor above the lowest ground
 constexpr double min_storey_m = 2.3, max_storey_m = 5.5;
 
-/// Engineering values: storey heights of European housing (2.5-3.2 m) and offices (3.3-3.8 m), window shares
-/// of 15 to 40 % of the facade.
+/// Engineering values: storey heights of European housing (2.5 to 3.2 m) and offices (3.3 to 3.8
+/// m), and window shares of 15 to 40 % of the facade.
 struct Style {
-  double storey_m,
-      ground_storey_m;  // where the model does not tell; ground_storey_m 0 = as the others
+  // Where the model gives no storeys. ground_storey_m 0: the same as the others.
+  double storey_m, ground_storey_m;
   double width_m, height_m, sill_m;
   double pitch_low_m, pitch_high_m;  // of the bays
 };
@@ -61,7 +61,7 @@ bool has_shops(BuildingUse use) {
   return use == BuildingUse::mixed || use == BuildingUse::retail;
 }
 
-/// Behind the middle third of the ground floor.
+/// Returns whether the bay lies in the middle third of the ground floor.
 bool has_lobby(BuildingUse use) {
   return use == BuildingUse::hotel || use == BuildingUse::office || use == BuildingUse::civic;
 }
@@ -89,7 +89,7 @@ class Builder {
     collect_facades();
     if (facades_.empty()) return {};
     find_storeys(report);
-    const double stretch = random_.range(0.9, 1.15);  // every house a little different
+    const double stretch = random_.range(0.9, 1.15);  // houses differ a little
     style_.width_m *= stretch;
     for (std::size_t n = 0; n < facades_.size() && n < 65535; ++n)
       fill(facades_[n], static_cast<std::uint16_t>(n));
@@ -127,7 +127,7 @@ class Builder {
       bottom_ = std::min(bottom_, lowest_of(polygon));
       Facade* home = nullptr;
       for (Facade& facade : facades_) {
-        // As one where the planes agree and the walls touch.
+        // Join the walls if their planes agree and they touch.
         if (glm::dot(facade.frame.normal, frame->normal) < 0.9994) continue;
         if (std::abs(glm::dot(facade.frame.normal, frame->origin - facade.frame.origin)) > 0.05)
           continue;
@@ -150,8 +150,8 @@ class Builder {
     return low;
   }
 
-  /// Where the walls end and the roof begins: gables rise above their shoulders, so each wall counts with the
-  /// lower of its upper corners; the longest walls decide.
+  /// Returns the height at which the walls end and the roof begins. Gables rise above it, so each
+  /// wall counts with the lower of its upper corners, and the longest walls decide.
   double eave() const {
     std::vector<std::pair<double, double>> shoulders;  // height, width
     double total = 0;
@@ -207,7 +207,7 @@ class Builder {
     for (const WallOutline& wall : facade.walls)
       top = std::max(top, facade.frame.from_plane({0, wall.high.y}).z);
     if (facade.to - facade.from < min_facade_m) return;
-    // Windows go on into gables: whether they fit is for the wall to say.
+    // Windows continue into gables; each wall decides whether they fit.
     for (std::uint16_t storey = 0; storey < 400; ++storey) {
       const double floor =
           storey == 0 ? base_ : base_ + first_storey_ + (storey - 1) * upper_storey_;
@@ -223,7 +223,8 @@ class Builder {
     const double room = storey == 0 ? first_storey_ : upper_storey_;
     const double height = std::min(style.height_m, room - style.sill_m - 0.3);
     if (height < 0.5 || usable < style.width_m) return;
-    // One pitch for all storeys of a facade, from its width alone, so that windows stand above each other.
+    // All storeys of a facade have one pitch, which follows from its width alone, so that windows
+    // stand above each other.
     Random random{static_cast<std::int64_t>(hash_text(building_.id)), number, shops};
     const double pitch = random.range(style.pitch_low_m, style.pitch_high_m);
     const int bays = std::clamp(static_cast<int>(usable / pitch), 1, 5000);
@@ -236,7 +237,7 @@ class Builder {
     for (int bay = 0; bay < bays; ++bay) {
       const double x = facade.from + edge_margin_m + (bay + 0.5) * step;
       const double z = floor + style.sill_m + height / 2;
-      // Height along the wall, which may lean.
+      // The height along the wall, which may lean.
       const double y = (z - facade.frame.origin.z) / facade.frame.up.z;
       const dvec2 half(width / 2, height / 2), margin(wall_margin_m);
       const dvec2 low = dvec2(x, y) - half - margin, high = dvec2(x, y) + half + margin;
@@ -275,8 +276,8 @@ class Builder {
 
 }  // namespace
 
-std::vector<WindowPlace> lay_windows(const CityObject& building, BuildingUse use,
-                                     std::uint64_t seed, FacadeReport& report) {
+std::vector<WindowPlace> place_windows(const CityObject& building, BuildingUse use,
+                                       std::uint64_t seed, FacadeReport& report) {
   return Builder(building, use, seed).lay(report);
 }
 

@@ -1,4 +1,4 @@
-// Where windows sit: rectangles on the walls of one building, aligned over whole facades.
+// Places windows: rectangles on the walls of one building, aligned over whole facades.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace nightcity {
 
-/// lobby: of hotels and offices, on the ground floor. hall: of a works.
+/// lobby: of hotels and offices, on the ground floor. hall: of an industrial building.
 enum class WindowKind : std::uint8_t { room, shop, stairs, hall, lobby };
 
 struct WindowPlace {
@@ -20,18 +20,19 @@ struct WindowPlace {
   double half_width = 0, half_height = 0;
   std::uint16_t facade = 0, storey = 0, bay = 0, bays = 0;  // bays: of the whole facade
   WindowKind kind = WindowKind::room;
-  bool modelled = false;  // a bldg:Window of the model, not a rule
+  bool modelled = false;  // a bldg:Window of the model, not placed by rule
 };
 
 struct FacadeReport {
-  std::size_t storeys_from_attribute = 0, storeys_from_height = 0;  // buildings
+  std::size_t storeys_from_attribute = 0, storeys_from_height = 0;  // numbers of buildings
 };
 
-/// Coordinates E, N, H in metres. Facades are coplanar walls (2 degrees, 5 cm) side by side; their bays are
-/// spread evenly, their storeys are the building's. A window lies wholly inside its wall, away from its edges
-/// and holes. Where the model has windows of its own (LoD3), those and no others. `seed` varies window sizes
-/// between buildings.
-std::vector<WindowPlace> lay_windows(const CityObject& building, BuildingUse use,
-                                     std::uint64_t seed, FacadeReport& report);
+/// Returns the windows of a building; coordinates E, N, H in metres. A facade is a row of
+/// coplanar walls (within 2 degrees and 5 cm) side by side. Its bays are spread evenly; its
+/// storeys are those of the building. A window lies wholly inside its wall, away from edges and
+/// holes. If the model has windows of its own (LoD3), only those are returned. `seed` varies
+/// window sizes between buildings.
+std::vector<WindowPlace> place_windows(const CityObject& building, BuildingUse use,
+                                       std::uint64_t seed, FacadeReport& report);
 
 }  // namespace nightcity

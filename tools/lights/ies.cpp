@@ -13,7 +13,7 @@ namespace {
 constexpr int max_angles = 20000;
 constexpr double foot_m = 0.3048;
 
-/// Numbers one after another, each with its line.
+/// Reads numbers one after another, each with the number of its line.
 class Numbers {
  public:
   Numbers(const TextLines& lines, std::size_t first_line) : lines_(lines), line_(first_line) {}
@@ -26,7 +26,7 @@ class Numbers {
     const std::string_view text = token(what);
     return lines_.integer(text, at_, what, low, high);
   }
-  /// Ascending angles.
+  /// Reads ascending angles.
   std::vector<double> angles(int count, std::string_view what) {
     std::vector<double> result;
     for (int n = 0; n < count; ++n) {
@@ -40,7 +40,7 @@ class Numbers {
 
  private:
   std::string_view token(std::string_view what) {
-    // Blanks separate; so do commas in older files.
+    // Numbers are separated by blanks, in older files also by commas.
     constexpr std::string_view separators = " \t,";
     while (true) {
       const std::size_t first = rest_.find_first_not_of(separators);
@@ -68,8 +68,8 @@ class Numbers {
 struct Header {
   int type;  // 1 = C, 2 = B, 3 = A
   double stated_flux_lm, scale;
-  std::vector<double> vertical, horizontal,
-      values;  // values: horizontal * vertical count + vertical
+  std::vector<double> vertical, horizontal;
+  std::vector<double> values;  // horizontal * vertical count + vertical
   std::size_t angles_line;
 };
 
@@ -94,7 +94,7 @@ double sample(const Header& file, double horizontal, double vertical) {
          th * ((1 - tv) * at(h + 1, v) + tv * at(h + 1, v + 1));
 }
 
-/// Type C: only the planes of one symmetry sector are listed.
+/// Unfolds a file of type C, which lists only the planes of one symmetry sector.
 IntensityGrid unfold_c(const TextLines& lines, const Header& file) {
   if (file.vertical.front() < 0 || file.vertical.back() > 180)
     lines.fail(file.angles_line, "vertical angles of type C lie between 0 and 180");
@@ -112,7 +112,7 @@ IntensityGrid unfold_c(const TextLines& lines, const Header& file) {
   if (!(whole || half || quarter || turned_half))
     lines.fail(file.angles_line,
                "horizontal angles of type C run from 0 to 90, 180 or 360, or from 90 to 270");
-  // Where a plane of the whole turn is found in the file.
+  // Finds the plane of the file that stands for a plane of the whole turn.
   const auto fold = [&](double c) {
     if (quarter) {
       c = c > 180 ? 360 - c : c;
@@ -142,9 +142,10 @@ IntensityGrid unfold_c(const TextLines& lines, const Header& file) {
   return grid;
 }
 
-/// Types A and B count from an axis that stands across the beam. Resampled in steps of a degree round the
-/// beam, which is gamma = 0 here; C = 0 is "up", so that a floodlight tilted off the nadir keeps its upright.
-/// Right is C = 270, anticlockwise from above as a file of type C counts.
+/// Resamples a file of type A or B in steps of a degree round the beam. Such files count angles
+/// from an axis across the beam; here the beam is gamma = 0 and C = 0 is "up", so that a floodlight
+/// tilted off the nadir stays upright. Right is C = 270, because files of type C count
+/// anticlockwise from above.
 IntensityGrid resample_ab(const TextLines& lines, const Header& file) {
   constexpr double degree = std::numbers::pi / 180;
   const auto in_range = [&](const std::vector<double>& angles, double low, double high,
@@ -166,10 +167,10 @@ IntensityGrid resample_ab(const TextLines& lines, const Header& file) {
       const double up = std::sin(gamma * degree) * std::cos(c * degree);
       const double right = -std::sin(gamma * degree) * std::sin(c * degree);
       double h, v;
-      if (file.type == 3) {  // A: V is the height above the beam's plane, H goes round
+      if (file.type == 3) {  // A: V is the elevation above the beam's plane, H the azimuth
         v = std::asin(std::clamp(up, -1.0, 1.0));
         h = std::atan2(right, beam);
-      } else {  // B: the other way about
+      } else {  // B: H is the elevation, V the azimuth
         h = std::asin(std::clamp(right, -1.0, 1.0));
         v = std::atan2(up, beam);
       }
@@ -208,7 +209,8 @@ Luminaire read_ies(const std::filesystem::path& path) {
 
   Numbers numbers(lines, tilt + 1);
   if (lines.all()[tilt].text == "TILT=INCLUDE") {
-    // How the lamp's output falls when the luminaire is tilted; ours hang as they were measured.
+    // The TILT data say how the lamp's output falls when the luminaire is tilted. Ours hang as
+    // they were measured.
     numbers.next_integer("the lamp's position", 1, 3);
     const int pairs = numbers.next_integer("the number of tilt angles", 1, max_angles);
     for (int n = 0; n < 2 * pairs; ++n) numbers.next("the tilt table");
@@ -222,7 +224,7 @@ Luminaire read_ies(const std::filesystem::path& path) {
     lines.fail(numbers.line(), "more angles than any file has");
   header.type = numbers.next_integer("the photometric type", 1, 3);
   const double unit = numbers.next_integer("the unit (1 feet, 2 metres)", 1, 2) == 1 ? foot_m : 1;
-  // Negative sizes mean round openings (LM-63-2002).
+  // Negative sizes stand for round openings (LM-63-2002).
   luminaire.width_m = std::abs(numbers.next("the width")) * unit;
   luminaire.length_m = std::abs(numbers.next("the length")) * unit;
   luminaire.height_m = std::abs(numbers.next("the height")) * unit;

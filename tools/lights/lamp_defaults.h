@@ -1,6 +1,6 @@
-// The one table of what a lamp is when nobody wrote it down. OSM tells a height for 0.3 % and a flux for none
-// of its street lamps, so these rows light nearly every scene. Sources stand beside the rows in
-// lamp_defaults.cpp.
+// The one table of what a lamp is like where its tags do not say. OSM has a height for 0.3 % of its
+// street lamps and a flux for none, so these rows light nearly every scene. The sources are beside
+// the rows in lamp_defaults.cpp.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -8,30 +8,32 @@
 #include <string_view>
 
 #include "tools/lights/optics.h"
+#include "tools/roads/road_class.h"
 
 namespace nightcity {
 
-/// How main a road is: old lamp types came in three sizes.
-enum class RoadTier { main = 0, local = 1, path = 2 };
-
-struct RoadDefaults {
+/// The lamp beside a road of a class, for all that its tags do not say.
+struct RoadLighting {
   const char* highway;  // value of the OSM tag
-  RoadTier tier;
-  double width_m;     // carriageway, where neither width nor lanes are tagged
+  roads::RoadTier tier;
   double mounting_m;  // luminous centre above the ground
   double outreach_m;  // from the post towards the road
   double flux_lm;     // out of the luminaire: LED, today's standard
   double cct_k;
   Optic optic;
-  const char* target;  // EN 13201-2 class this flux reaches at the usual spacing
+  const char* target;  // EN 13201-2 class that this flux reaches at the usual spacing
 };
 
-/// The row of a highway value ("_link" classes as their main class); nothing where no lamp belongs (proposed,
-/// construction, raceway, ...). The last row serves lamps with no road near: squares and parks.
-std::optional<RoadDefaults> road_defaults(std::string_view highway);
-const RoadDefaults& open_space_defaults();
-/// A lit mast (tower:type=lighting, floodlight): car parks, yards, sports grounds.
-const RoadDefaults& lighting_mast_defaults();
+/// Returns the row of a road class. Every class of tools/roads has one.
+const RoadLighting& find_road_lighting(const roads::RoadClass& road_class);
+/// Returns the row of a highway value ("_link" classes have their main class's row); null where no
+/// lamp belongs (proposed, construction, raceway, ...).
+const RoadLighting* find_road_lighting(std::string_view highway);
+/// Returns the row for lamps with no road near: squares and parks.
+const RoadLighting& open_space_defaults();
+/// Returns the row for lit masts (tower:type=lighting, floodlight): car parks, yards, sports
+/// grounds.
+const RoadLighting& lighting_mast_defaults();
 
 enum class LampType {
   led,
@@ -46,9 +48,9 @@ enum class LampType {
 
 struct LampTypeDefaults {
   const char* name;
-  double flux_lm[3];             // out of the luminaire, by RoadTier; 0 = the road's own
+  double flux_lm[3];             // out of the luminaire, by RoadTier; 0: the road's own
   double lumen_per_watt;         // out of the luminaire, for tags that give watts
-  double cct_k;                  // 0 = the road's own
+  double cct_k;                  // 0: the road's own
   std::optional<glm::dvec2> xy;  // chromaticity where it is not on the Planckian locus
   bool lantern;                  // comes in a lantern rather than in a street luminaire
 };

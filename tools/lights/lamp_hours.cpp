@@ -32,7 +32,7 @@ void switch_lamps(const LampHours& hours, LampSet& set) {
   std::stable_sort(halves.begin(), halves.end(), [](const PlacedLamp* a, const PlacedLamp* b) {
     return std::tie(a->way_id, a->along_m) < std::tie(b->way_id, b->along_m);
   });
-  std::size_t rank = 0;  // of the post along its way; its luminaires go together
+  std::size_t rank = 0;  // of the post along its way; the luminaires of a post switch together
   for (std::size_t n = 0; n < halves.size(); ++n) {
     if (n > 0 && halves[n]->way_id != halves[n - 1]->way_id)
       rank = 0;

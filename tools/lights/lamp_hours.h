@@ -1,21 +1,21 @@
-// Lamps that towns switch off in the middle of the night, by class of road.
+// Switches lamps off in the middle of the night, as towns do, by class of road.
 #pragma once
 
 #include <map>
 #include <string>
 
-#include "tools/lights/lamps.h"
+#include "tools/lights/place_lamps.h"
 
 namespace nightcity {
 
 struct LampHours {
-  std::map<std::string, NightSpan> off;         // highway value: every lamp is dark in between
-  std::map<std::string, NightSpan> half_night;  // every second one along each way is
+  // By highway value: the time in which every lamp is dark, or every second lamp along each way.
+  std::map<std::string, NightSpan> off, half_night;
 };
 
-/// Gives hours to the lamps whose tags tell none and whose road is in `hours`, and counts where each lamp's
-/// hours came from in set.sources. The lamps of a way are told apart by their place along it, so the same
-/// ones stay on whatever else is in the map.
+/// Sets the hours of lamps whose tags give none and whose road is in `hours`, and counts in
+/// set.sources where the hours of each lamp come from. The lamps of a way are numbered by their
+/// place along it, so which of them stay on does not depend on the rest of the map.
 void switch_lamps(const LampHours& hours, LampSet& set);
 
 }  // namespace nightcity

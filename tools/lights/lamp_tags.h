@@ -1,4 +1,4 @@
-// What people write on street lamps in OSM, read with units, typos and lists.
+// The tags of street lamps in OSM, read with the units, typos and lists that people write.
 #pragma once
 
 #include <cstddef>
@@ -18,25 +18,29 @@ namespace nightcity {
 enum class LampMount { straight_mast, bent_mast, wall, suspended, bollard };
 
 struct LampTags {
-  bool unlit = false;  // lit=no, disused: the post gives no light
+  bool unlit = false;  // lit=no, disused: the lamp gives no light
   bool mast = false;   // tower:type=lighting, floodlight
   std::optional<double> height_m, flux_lm, power_w, cct_k, tilt_degrees;
   std::optional<double> ele_m;      // of the ground
   std::optional<glm::vec3> colour;  // linear Rec. 709, luminance 1
   std::optional<LampType> type;
   std::optional<LampMount> mount;
-  std::optional<NightSchedule> hours;         // when it is lit, where a tag tells
-  std::vector<double> directions_degrees;     // clockwise from north
-  int count = 1;                              // luminaires on the post, 1 to 12
-  std::map<std::string, std::size_t> unread;  // "height=tall": values nobody could understand
+  std::optional<NightSchedule> hours;      // when it is lit, where a tag says so
+  std::vector<double> directions_degrees;  // clockwise from north
+  int count = 1;                           // luminaires on the post, 1 to 12
+  // Values that were not understood ("height=tall"), and their number.
+  std::map<std::string, std::size_t> unread;
 };
 
+/// Reads all tags of a lamp. Never throws: values that are not understood are counted in `unread`.
 LampTags read_lamp_tags(const OsmTags& tags);
 
-/// "3000", "3000 K", "3000k", "warm_white", the first of a list: kelvin, 1000 to 20000.
+/// Returns a colour temperature in kelvin, 1000 to 20000: "3000", "3000 K", "3000k", "warm_white",
+/// the first of a list.
 std::optional<double> parse_cct_k(std::string_view text);
-/// "90", "NNE", "south-west": degrees clockwise from north, 0 to 360.
+/// Returns a bearing in degrees clockwise from north, 0 to 360: "90", "NNE", "south-west".
 std::optional<double> parse_direction_degrees(std::string_view text);
+/// Returns the type of the first word of a list that names one.
 std::optional<LampType> parse_lamp_type(std::string_view text);
 
 }  // namespace nightcity

@@ -1,4 +1,4 @@
-// How much light a road is to have: the classes of EN 13201-2 as horizontal illuminance.
+// The lighting classes of EN 13201-2 as horizontal illuminance.
 #pragma once
 
 #include <array>
@@ -14,9 +14,9 @@ struct LightingClass {
   double uniformity;  // C and M classes: least over average; 0 where min_lx rules
 };
 
-// EN 13201-2:2015, tables 2 (C) and 3 (P). The M classes are luminances (2, 1.5, 1, 0.75, 0.5, 0.3 cd/m2);
-// their rows hold the illuminance class of comparable level in CEN/TR 13201-1:2014 (M1 to M5: C1 to C5, M6:
-// P4).
+// EN 13201-2:2015, tables 2 (C) and 3 (P). The M classes are luminances (2, 1.5, 1, 0.75, 0.5, 0.3
+// cd/m2); their rows hold the illuminance class of comparable level in CEN/TR 13201-1:2014 (M1 to
+// M5: C1 to C5, M6: P4).
 constexpr std::array<LightingClass, 18> en13201_classes = {{
     {"P1", 15, 3, 0},
     {"P2", 10, 2, 0},
@@ -38,18 +38,19 @@ constexpr std::array<LightingClass, 18> en13201_classes = {{
     {"M6", 5, 0, 0.35},
 }};
 
-/// "P1".."P6", "C0".."C5", and "M1".."M6" by the C or P class of comparable level; nothing for another name.
+/// Returns the class "P1" to "P6", "C0" to "C5", or "M1" to "M6" (as the C or P class of comparable
+/// level); empty for other names.
 constexpr std::optional<LightingClass> lighting_class(std::string_view name) {
   for (const LightingClass& row : en13201_classes)
     if (row.name == name) return row;
   return std::nullopt;
 }
 
-/// Light left when luminaires are due for cleaning and replacement: what a class asks for must still be
-/// there.
+/// Share of the light that is left when luminaires are due for cleaning and replacement. It must
+/// still meet the class.
 constexpr double maintenance_factor = 0.8;
 
-/// A P class may be exceeded by half before it is another class (EN 13201-2, 6).
+/// The average may exceed a P class by half before it counts as another class (EN 13201-2, 6).
 constexpr double max_excess = 1.5;
 
 }  // namespace nightcity

@@ -17,7 +17,8 @@ constexpr double radians(double degrees) {
   return degrees * pi / 180;
 }
 
-/// The greatest step of a regular grid over `whole` degrees that holds every angle, or the finest one.
+/// Returns the greatest step of a regular grid over `whole` degrees that contains every angle, or
+/// the finest one.
 double common_step(const std::vector<double>& angles, double offset, double whole) {
   for (const double step : {90.0, 45.0, 30.0, 22.5, 15.0, 10.0, 7.5, 5.0, 2.5, 1.0, 0.5}) {
     if (step > whole) continue;
@@ -30,7 +31,7 @@ double common_step(const std::vector<double>& angles, double offset, double whol
   return 1.0;
 }
 
-/// Light of the four quarter turns round C = 0, 90, 180 and 270, below the horizon.
+/// Returns the light below the horizon in the four quarter turns round C = 0, 90, 180 and 270.
 std::array<double, 4> quarters(const IntensityGrid& grid) {
   std::array<double, 4> flux{};
   for (int c = 0; c < 360; c += 3)
@@ -40,7 +41,8 @@ std::array<double, 4> quarters(const IntensityGrid& grid) {
   return flux;
 }
 
-/// How far the light is from its mirror image in the plane of `c`, as a share of its sum.
+/// Returns how much the light differs from its mirror image in the plane of `c`, as a share
+/// of its sum.
 double mirror_error(const IntensityGrid& grid, double c) {
   double difference = 0, sum = 0;
   for (int turn = 3; turn < 180; turn += 3)
@@ -69,7 +71,7 @@ double intensity_at(const IntensityGrid& grid, double c_degrees, double gamma_de
   const auto& planes = grid.c_degrees;
   if (planes.size() == 1) return column(0, gamma_degrees);
   const double c = c_degrees - 360 * std::floor(c_degrees / 360);
-  // planes[0] is 0, so there is always a plane at or before c; after the last comes the first again.
+  // planes[0] is 0, so there is always a plane at or before c. The first follows the last.
   const auto next = std::upper_bound(planes.begin(), planes.end(), c);
   const auto before = static_cast<std::size_t>(next - planes.begin()) - 1;
   const std::size_t after = next == planes.end() ? 0 : before + 1;
@@ -82,7 +84,7 @@ double integrated_flux(const IntensityGrid& grid) {
   const std::size_t count = grid.gamma_degrees.size(), planes = grid.c_degrees.size();
   double sum = 0;
   for (std::size_t row = 0; row < planes; ++row) {
-    // Trapezoids between planes: each weighs half the angle to its neighbours on both sides.
+    // Trapezoidal rule: a plane weighs half the angle to its neighbours on both sides.
     const double before = row == 0 ? grid.c_degrees.back() - 360 : grid.c_degrees[row - 1];
     const double after = row + 1 == planes ? grid.c_degrees.front() + 360 : grid.c_degrees[row + 1];
     const double weight = radians(after - before) / 2;
@@ -100,7 +102,7 @@ double guess_street_side(const IntensityGrid& grid, double usual) {
   constexpr double clearly = 1.08, alike = 0.05;
   const auto flux = quarters(grid);
   const double along_0 = flux[0] + flux[2], along_90 = flux[1] + flux[3];
-  // Where one plane mirrors the light and the other does not, the street lies in the plane that does.
+  // If only one of two planes mirrors the light, the street lies in that plane.
   const bool mirror_0 = mirror_error(grid, 0) < alike, mirror_90 = mirror_error(grid, 90) < alike;
   std::size_t side;
   if (mirror_0 != mirror_90)
@@ -113,7 +115,8 @@ double guess_street_side(const IntensityGrid& grid, double usual) {
     return usual;
   const double one = flux[side], other = flux[side + 2];
   if (std::max(one, other) < clearly * std::min(one, other)) {
-    // Both sides alike: a luminaire for the middle of a road. Keep the usual side if it lies across.
+    // Both sides are alike: a luminaire for the middle of a road. Keep the usual side if it lies
+    // across the road.
     const bool fits = static_cast<std::size_t>(usual / 90) % 2 == side;
     return fits ? usual : 90.0 * static_cast<double>(side);
   }

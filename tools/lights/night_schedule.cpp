@@ -9,13 +9,11 @@
 namespace nightcity {
 namespace {
 
-constexpr uint first_second = 5 * 3600;  // 17:00, since noon
-
 uint second_of(int minute) {
-  return first_second + 60 * static_cast<uint>(minute);
+  return night_begin_s + 60 * static_cast<uint>(minute);
 }
 
-/// "23:00", "7:05", "0:30": minutes after 17:00. Nothing for another text or an hour of the day.
+/// Parses "23:00", "7:05" or "0:30" as minutes after 17:00. Empty for other texts.
 std::optional<int> clock_minute(std::string_view text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos || colon == 0 || colon > 2 || text.size() != colon + 3)
@@ -31,7 +29,8 @@ std::optional<int> clock_minute(std::string_view text) {
   return minute_of(parts[0], parts[1]);
 }
 
-/// The beginning or end of a span of hours. The sun sets before and rises after our night.
+/// Parses the beginning or end of a span of hours. The sun sets before our night and rises after
+/// it.
 std::optional<int> edge_of_light(std::string_view text) {
   if (text == "sunset" || text == "dusk") return 0;
   if (text == "sunrise" || text == "dawn") return night_minutes;
@@ -91,8 +90,9 @@ std::optional<NightSchedule> parse_lit_hours(std::string_view text) {
     while (end_part.starts_with("_")) end_part.remove_prefix(1);
     auto from = edge_of_light(part.substr(0, dash)), to = edge_of_light(end_part);
     if (!from || !to) return std::nullopt;
-    if (*from > night_minutes && *to > night_minutes && *from < *to) continue;  // by day alone
-    // What begins before 17:00 is on when the night begins; what ends by day shines to the night's end.
+    if (*from > night_minutes && *to > night_minutes && *from < *to) continue;  // by day only
+    // A span that begins before 17:00 is lit when the night begins; one that ends by day is lit
+    // until its end.
     if (*from > night_minutes) from = 0;
     to = std::min(*to, night_minutes);
     if (*from >= *to) continue;
@@ -126,11 +126,6 @@ std::uint32_t ScheduleTable::add(const NightSchedule& schedule) {
   if (known_.size() >= max_known_) known_.clear();
   known_.emplace(schedule, number);
   return number;
-}
-
-bool shines_at(const Schedule& schedule, const uint* switches, uint seconds) {
-  const uint* first = switches + schedule.first;
-  return (std::upper_bound(first, first + schedule.count, seconds) - first) % 2 == 1;
 }
 
 void count_hours(const NightSchedule& schedule, HourCounts& counts) {

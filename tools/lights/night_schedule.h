@@ -1,4 +1,4 @@
-// When a light is on during one night, and how city.lights keeps that: equal nights once.
+// When a light is lit during one night, and how city.lights stores it: equal nights once.
 #pragma once
 
 #include <array>
@@ -16,14 +16,16 @@
 
 namespace nightcity {
 
-constexpr int night_minutes = 14 * 60;  // from 17:00 to 07:00
+constexpr int night_minutes = (night_end_s - night_begin_s) / 60;  // from 17:00 to 07:00
+constexpr int night_begin_hour = 12 + night_begin_s / 3600;        // on the clock: 17
 
-/// Minutes after 17:00 of a clock time, e.g. (23, 30) or (3, 0).
+/// Returns the minutes after 17:00 of a clock time, e.g. (23, 30) or (3, 0).
 constexpr int minute_of(int hour, int minute) {
-  return ((hour + 24 - 17) % 24) * 60 + minute;
+  return ((hour + 24 - night_begin_hour) % 24) * 60 + minute;
 }
 
-/// Up to four times of light, in minutes after 17:00, ascending and apart; on == off: not used.
+/// Up to four spans of light, in minutes after 17:00, ascending and apart. A span with on == off
+/// is not used.
 struct NightSchedule {
   std::array<std::uint16_t, 4> on{}, off{};
 
@@ -32,35 +34,35 @@ struct NightSchedule {
   auto operator<=>(const NightSchedule&) const = default;
 };
 
-/// Lit all night but for the minutes from `off` to `on`, e.g. a street whose lamps are switched off at one
-/// and on again at half past four.
+/// Returns a night that is lit except for the minutes from `off` to `on`, e.g. of a street whose
+/// lamps are switched off at 1:00 and on again at 4:30.
 NightSchedule dark_between(int off, int on);
 
-/// "23:00-05:00" as minutes after 17:00; nothing for another text, for times outside 17:00 to 07:00 and for
-/// an end that is not after its beginning.
+/// Parses "23:00-05:00" as minutes after 17:00. Empty for other texts, for times outside 17:00 to
+/// 07:00 and for an end that is not after its beginning.
 struct NightSpan {
   int from, to;
 };
 std::optional<NightSpan> parse_night_span(std::string_view text);
 
-/// What people write of a lamp's hours (lit=sunset-23:00, "16:00-00:30;05:00-sunrise", "dusk-dawn", "24/7"):
-/// the night it means. Nothing where the text tells no hours ("yes", "automatic") or cannot be read.
+/// Returns the night that a lamp's tag means (lit=sunset-23:00, "16:00-00:30;05:00-sunrise",
+/// "dusk-dawn", "24/7"). Empty if the text gives no hours ("yes", "automatic") or cannot be read.
 std::optional<NightSchedule> parse_lit_hours(std::string_view text);
 
-/// The schedules of a light file under construction, in the order of coming: equal ones are stored once. Of
-/// a city's hundreds of thousands it remembers `max_known` at a time, so that memory does not grow with the
-/// city: one that comes again after so many others is stored again.
+/// The schedules of a light file under construction, in the order in which they are added. Equal
+/// ones are stored once, unless `max_known` others came in between: a city has hundreds of
+/// thousands, and memory must not grow with it.
 class ScheduleTable {
  public:
-  /// Stores a schedule, as its switch times in s since noon, and says its number:
+  /// Stores a schedule, given as its switch times in seconds since noon, and returns its number:
   /// LightFileWriter::add_schedule.
   using Store = std::function<std::uint32_t(std::span<const uint> switches)>;
   explicit ScheduleTable(Store store, std::size_t max_known = 100'000)
       : store_(std::move(store)), max_known_(max_known) {}
 
-  /// The number of a schedule that is not never().
+  /// Returns the number of a schedule, which must not be never().
   std::uint32_t add(const NightSchedule& schedule);
-  /// How many have been stored.
+  /// Returns the number of stored schedules.
   std::size_t size() const { return size_; }
 
  private:
@@ -72,17 +74,14 @@ class ScheduleTable {
   std::unordered_map<NightSchedule, std::uint32_t, Hash> known_;
 };
 
-/// Whether a light of a file with these switch times shines `seconds` after noon.
-bool shines_at(const Schedule& schedule, const uint* switches, uint seconds);
-
-/// Full hours of the night, 17:00 to 07:00, at which shares are counted.
+/// Number of full hours of the night, 17:00 to 07:00, at which shares are counted.
 constexpr std::size_t night_hours = 15;
-/// Counts lights that are on at each full hour; at 07:00 those that were on a moment before.
+/// Number of lights that are lit at each full hour; at 07:00, those that were lit a minute earlier.
 using HourCounts = std::array<std::size_t, night_hours>;
 void count_hours(const NightSchedule& schedule, HourCounts& counts);
-/// The hour of such a count: 17, 18, ..., 0, ... 7.
+/// Returns the hour of such a count: 17, 18, ..., 0, ... 7.
 constexpr int clock_hour(std::size_t index) {
-  return static_cast<int>((17 + index) % 24);
+  return static_cast<int>((night_begin_hour + index) % 24);
 }
 
 }  // namespace nightcity

@@ -8,7 +8,7 @@
 namespace nightcity {
 namespace {
 
-/// Collects times of light and brings them into order.
+/// Collects spans of light and sorts them.
 class Times {
  public:
   void add(double on, double off) {
@@ -51,7 +51,7 @@ Room draw_room(Random& random) {
                        : Room::bath;
 }
 
-// One draw after the other, not as arguments: the order of those is the compiler's.
+// The draws are separate statements, because the order of evaluation of arguments is unspecified.
 void dwelling(const Household& home, Random& random, Times& times) {
   if (!home.present) return;
   const double from = home.from, to = home.to, awake = to - from;
@@ -97,7 +97,7 @@ void dwelling(const Household& home, Random& random, Times& times) {
 
 void workplace(const Household& floor, Random& random, Times& times) {
   if (floor.present) {
-    // A group leaves together more often than not; the rest stay longer, or not so long.
+    // A group mostly leaves together; the others stay longer or leave earlier.
     const double leave = random.chance(0.6) ? floor.to : -120 * std::log(1 - random.uniform());
     times.add(0, leave);
   }
@@ -109,11 +109,11 @@ void workplace(const Household& floor, Random& random, Times& times) {
 
 }  // namespace
 
-// Shares aimed at (engineering values; the shape is that of Berlin's windows by Meier, lightingjournal.org
-// 82, and of Nachtlichter, Nature Cities 2025: private light fades round midnight, infrastructure stays):
-// dwellings 45 % lit at 18 h, 55 % at 20 h, 40 % at 22 h, 25 % at 23 h, 12 % at 0 h, 3 % at 3 h, 25 % at 6 h;
-// offices 65, 30, 12 % at 18, 20, 22 h and 6 % at 0 h; shop windows and lobbies half of them all night;
-// staircases 30 %.
+// Shares aimed at (engineering values; the shape is that of Berlin's windows by Meier,
+// lightingjournal.org 82, and of Nachtlichter, Nature Cities 2025: private light fades round
+// midnight, infrastructure stays): dwellings 45 % lit at 18 h, 55 % at 20 h, 40 % at 22 h, 25 % at
+// 23 h, 12 % at 0 h, 3 % at 3 h, 25 % at 6 h; offices 65, 30, 12 % at 18, 20, 22 h and 6 % at 0 h;
+// shop windows and lobbies half of them all night; staircases 30 %.
 Household draw_household(BuildingUse use, Random& random, Random storey) {
   Household home{use, true, 0, 0, night_minutes, false, -1};
   switch (use) {
@@ -123,7 +123,7 @@ Household draw_household(BuildingUse use, Random& random, Random storey) {
       home.present = random.chance(use == BuildingUse::office ? 0.95 : 0.55);
       home.to = static_cast<int>(-145 * std::log(1 - random.uniform()));
       home.all_night = random.chance(0.06);
-      // Three storeys in ten are cleaned tonight, their rooms within an hour and a half.
+      // Three storeys in ten are cleaned tonight, all their rooms within an hour and a half.
       if (storey.chance(0.3))
         home.cleaned = static_cast<int>(storey.range(minute_of(19, 15), minute_of(20, 15)) +
                                         random.range(0, 90));
@@ -155,7 +155,7 @@ LitWindow draw_window(const Household& household, WindowKind kind, Random& rando
   const bool dwelling_like =
       use == BuildingUse::residential || use == BuildingUse::mixed || use == BuildingUse::hotel;
   if (kind == WindowKind::stairs) {
-    // Lit while somebody walks, or always.
+    // Lit while somebody walks there, or always.
     if (random.chance(0.22)) times.add(0, night_minutes);
     for (int n = 0; n < 3; ++n) {
       const double at = night_minutes * random.uniform() * random.uniform();
@@ -170,7 +170,7 @@ LitWindow draw_window(const Household& household, WindowKind kind, Random& rando
     window.luminance_cd_m2 = random.range(60, 200);
     window.cct_k = random.chance(0.5) ? 3000 : 4000;
   } else if (kind == WindowKind::lobby) {
-    // Somebody sits there all night, or the last one out turns it off and the first one in on again.
+    // Lit all night, or from the first person who comes until the last one leaves.
     if (use == BuildingUse::hotel || random.chance(0.5)) {
       times.add(0, night_minutes);
     } else {
@@ -181,7 +181,7 @@ LitWindow draw_window(const Household& household, WindowKind kind, Random& rando
     window.cct_k = use == BuildingUse::hotel ? 2800 : 3500;
   } else if (dwelling_like) {
     dwelling(household, random, times);
-    // Half of the windows have something drawn across that lets a third of the light through.
+    // Half of the windows have curtains or blinds drawn, which let a third of the light through.
     window.luminance_cd_m2 = random.range(10, 50);
     if (random.chance(0.5)) window.luminance_cd_m2 *= 0.35;
     window.cct_k = random.chance(0.8) ? random.range(2600, 3000) : random.range(3000, 4200);

@@ -1,4 +1,4 @@
-// Who has light on, and when: the night of one household, office floor, shop or staircase, as on and off
+// When windows are lit: the night of one household, office floor, shop or staircase, as on and off
 // times of each window.
 #pragma once
 
@@ -9,17 +9,18 @@
 
 namespace nightcity {
 
-/// The people behind a run of neighbouring windows: what they do decides for all of their rooms.
+/// The people behind a run of neighbouring windows, who decide about all of their rooms.
 struct Household {
   BuildingUse use;
   bool present;    // tonight
   int from, to;    // awake or at work: minutes after 17:00
-  int morning;     // up again
+  int morning;     // when they get up
   bool all_night;  // night shift, security, an insomniac
   int cleaned;     // when the cleaners come to these rooms; -1: not tonight
 };
 
-/// `storey`: the stream of the whole storey, shared by all of its households (cleaners go from room to room).
+/// Draws a household. `storey` is the random stream of the whole storey, shared by its households,
+/// because cleaners go from room to room.
 Household draw_household(BuildingUse use, Random& people, Random storey);
 
 struct LitWindow {
@@ -28,8 +29,9 @@ struct LitWindow {
   double cct_k;
 };
 
-/// One window of a household. Windows of one staircase, lobby or shop are one room behind several panes: they
-/// are drawn from equal streams and come out alike; other windows have each their own.
+/// Draws one window of a household. The windows of one staircase, lobby or shop belong to one
+/// room: they are drawn from equal random streams and come out alike. Other windows have streams
+/// of their own.
 LitWindow draw_window(const Household& household, WindowKind kind, Random& random);
 
 }  // namespace nightcity

@@ -7,13 +7,13 @@
 namespace nightcity {
 namespace {
 
-/// A street luminaire is made to spread an even illuminance E over its stretch of road, and from E = I
-/// cos^3(gamma) at mounting height 1 follows I = E / cos^3. E here is a bell across the road, its middle
-/// `forward` mounting heights before the post, and along it the sum of a wide and a narrow bell. Its widths
-/// were chosen so that it lights a road as the measured road luminaires do that the tests compare it with: 57
-/// % of the flux on a road as wide as the lamps are high, overall uniformity 0.42 at a spacing of four
-/// heights, a peak of 620 cd/klm near 65 degrees. Nothing goes above 90 degrees: a lamp of this optic sends
-/// no light upwards.
+/// Intensity of a street luminaire. Such luminaires spread an even illuminance E over their stretch
+/// of road, and E = I cos^3(gamma) at mounting height 1 gives I = E / cos^3(gamma). Here E is a
+/// bell curve across the road, whose middle lies `forward` mounting heights in front of the post,
+/// times the sum of a wide and a narrow bell curve along the road. Their widths were chosen so that
+/// a road is lit as by the measured luminaires in the tests: 57 % of the flux on a road as wide as
+/// the lamps are high, overall uniformity 0.42 at a spacing of four heights, a peak of 620 cd/klm
+/// near 65 degrees. No light goes above 90 degrees.
 double street(double c, double gamma, double forward) {
   constexpr double across = 0.85, along = 2.2, near_along = 0.9, near_share = 0.6;
   if (gamma >= std::numbers::pi / 2 - 1e-9) return 0;
@@ -30,7 +30,7 @@ double smooth(double low, double high, double x) {
   return t * t * (3 - 2 * t);
 }
 
-/// An opal globe, darker below where the post stands and above where the shade is.
+/// Intensity of an opal globe, darker below because of the post and above because of the shade.
 double lantern(double gamma) {
   const double degrees = gamma * 180 / std::numbers::pi;
   const double post = 0.35 + 0.65 * smooth(5, 35, degrees);
@@ -38,7 +38,7 @@ double lantern(double gamma) {
   return post * shade;
 }
 
-/// Half the peak at 18 degrees off the axis, nothing behind.
+/// Intensity of a floodlight: half the peak at 18 degrees off the axis, no light behind.
 double floodlight(double gamma) {
   return gamma < std::numbers::pi / 2 ? std::pow(std::cos(gamma), 14) : 0;
 }

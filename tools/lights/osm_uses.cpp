@@ -146,7 +146,7 @@ OsmUses::OsmUses(const std::vector<OsmWay>& ways,
       high = glm::max(high, outline.ring[n]);
     }
     outline.area_m2 = std::abs(twice) / 2;
-    // Not finite fails the comparison too.
+    // Coordinates that are not finite fail this comparison too.
     if (!(outline.area_m2 > 0 && high.x - low.x < widest_m && high.y - low.y < widest_m)) continue;
     const auto number = static_cast<std::uint32_t>(outlines_.size());
     for (std::int64_t x = cell_of(low.x); x <= cell_of(high.x); ++x)

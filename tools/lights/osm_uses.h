@@ -1,4 +1,4 @@
-// What the map says buildings are used for, where the city model does not.
+// Uses of buildings by the map, for buildings whose city model gives none.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,19 @@
 
 namespace nightcity {
 
-/// From building=*, and where that says no more than "yes" from shop, office, amenity and tourism on the same
-/// outline. Nothing where none of them tells.
+/// Returns the use by building=*; if that is only "yes", by shop, office, amenity and tourism on
+/// the same outline. Empty if none of them gives a use.
 std::optional<BuildingUse> use_from_tags(const OsmTags& tags);
 
-/// Outlines of mapped buildings whose use is told, found by place.
+/// Outlines of mapped buildings with a known use, found by place.
 class OsmUses {
  public:
-  /// `to_frame` as place_lamps takes it. Outlines that are open, broken or wider than 2 km are left out.
+  /// `to_frame` is that of place_lamps. Outlines that are open, broken or wider than 2 km
+  /// are left out.
   OsmUses(const std::vector<OsmWay>& buildings,
           const std::function<glm::dvec2(const glm::dvec2&)>& to_frame);
 
-  /// Of the smallest outline around the place; nothing where there is none.
+  /// Returns the use of the smallest outline around the place; empty if there is none.
   std::optional<BuildingUse> at(const glm::dvec2& place) const;
 
  private:

@@ -21,8 +21,9 @@ Photometry sample_intensity(const Intensity& intensity, std::uint32_t c_count,
 }
 
 double integrated_flux(const Photometry& photometry) {
-  // Linear in C and wrapping: the mean over the rows, times 2 pi. Linear in gamma between a and b:
-  // integral of f sin = f(a) cos a - f(b) cos b + slope (sin b - sin a).
+  // The interpolant is linear and periodic in C: the integral is the mean over the rows, times 2
+  // pi. It is linear in gamma between a and b: integral of f sin = f(a) cos a - f(b) cos b + slope
+  // (sin b - sin a).
   const std::size_t count = photometry.gamma_count;
   const double step = photometry.extent_degrees * pi / 180 / static_cast<double>(count - 1);
   double sum = 0;

@@ -6,12 +6,13 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "tools/osm/tag_values.h"
+#include "tools/roads/carriageway.h"
 
 namespace nightcity {
 namespace {
 
-constexpr double cell_m = nearest_road_m;  // so that a lamp's road lies in its cell or a neighbour
+constexpr double cell_m =
+    nearest_road_m;  // so that a lamp's road lies in its cell or a neighbouring one
 constexpr double path_handicap_m = 6;
 constexpr double longest_m = 1e5;  // a longer jump between two nodes is a broken extract
 
@@ -25,32 +26,11 @@ std::int64_t cell_of(double coordinate) {
 
 }  // namespace
 
-std::optional<RoadIndex::Road> RoadIndex::describe(const OsmWay& way) {
-  const auto tag = [&](const char* key) {
-    const auto found = way.tags.find(key);
-    return found == way.tags.end() ? std::string() : found->second;
-  };
-  const auto defaults = road_defaults(normalise_tag(tag("highway")));
-  if (!defaults || normalise_tag(tag("footway")) == "crossing") return std::nullopt;
-  Road road{*defaults, defaults->width_m, false, way.id};
-  const auto width = parse_length_m(tag("width"));
-  const std::string lanes_text = tag("lanes");
-  const int lanes = std::atoi(lanes_text.c_str());
-  if (width && *width >= 1 && *width <= 60) {
-    road.width_m = *width;
-    road.width_tagged = true;
-  } else if (lanes >= 1 && lanes <= 12) {
-    road.width_m = lanes * (road.defaults.tier == RoadTier::main ? 3.5 : 3.0);
-    road.width_tagged = true;
-  }
-  return road;
-}
-
 void RoadIndex::add(const OsmWay& way, const std::vector<glm::dvec2>& line) {
-  const auto road = describe(way);
-  if (!road) return;
+  const auto carriageway = roads::read_carriageway(way.tags);
+  if (!carriageway) return;
   const auto number = static_cast<std::uint32_t>(roads_.size());
-  roads_.push_back(*road);
+  roads_.push_back({&find_road_lighting(*carriageway->road_class), carriageway->width_m, way.id});
 
   double along = 0;
   for (std::size_t n = 0; n + 1 < line.size(); ++n) {
@@ -88,7 +68,7 @@ std::optional<RoadIndex::Nearest> RoadIndex::nearest(const glm::dvec2& p) const 
         const double distance = glm::distance(p, point);
         if (distance > nearest_road_m) continue;
         const double score = distance - road.width_m / 2 +
-                             (road.defaults.tier == RoadTier::path ? path_handicap_m : 0);
+                             (road.lighting->tier == roads::RoadTier::path ? path_handicap_m : 0);
         if (score >= best_score) continue;
         best_score = score;
         best = Nearest{&road, point, glm::normalize(edge), distance,

@@ -1,5 +1,5 @@
-// The road nearest to a lamp, by a grid over short pieces of road: constant time a lamp, whatever the city's
-// size.
+// Finds the road nearest to a lamp by a grid over short pieces of road, in constant time whatever
+// the city's size.
 #pragma once
 
 #include <cstdint>
@@ -17,24 +17,21 @@ namespace nightcity {
 class RoadIndex {
  public:
   struct Road {
-    RoadDefaults defaults;
+    const RoadLighting* lighting;
     double width_m;  // carriageway
-    bool width_tagged;
     std::int64_t way_id;
   };
-  /// Class and width of a way; nothing where no lamp belongs (proposed, ...) and for crossings.
-  static std::optional<Road> describe(const OsmWay& way);
 
   struct Nearest {
     const Road* road;
-    glm::dvec2 point;   // on the middle line
+    glm::dvec2 point;   // on the centreline
     glm::dvec2 along;   // unit, the road's direction there
-    double distance_m;  // to the middle line
-    double along_m;     // of `point`, from the way's first node
+    double distance_m;  // to the centreline
+    double along_m;     // distance of `point` from the way's first node, along the way
   };
 
-  /// `to_frame` as place_lamps takes it. Ways that carry no lamps (proposed, ...) and points with no place
-  /// are left out.
+  /// `to_frame` is that of place_lamps. Ways that have no lamps (proposed, ...) and points that
+  /// have no place in the frame are left out.
   template <class ToFrame>
   RoadIndex(const std::vector<OsmWay>& highways, const ToFrame& to_frame) {
     for (const OsmWay& way : highways) {
@@ -44,15 +41,16 @@ class RoadIndex {
     }
   }
 
-  /// The road whose edge is nearest, within nearest_road_m of its middle line. Paths have to be clearly
-  /// nearer than a street: pavements mapped as ways of their own would otherwise claim the street's lamps.
+  /// Returns the road whose edge is nearest, if p lies within nearest_road_m of its centreline.
+  /// Paths must be clearly nearer than streets; otherwise pavements mapped as ways of their own
+  /// would get the street's lamps.
   std::optional<Nearest> nearest(const glm::dvec2& p) const;
 
  private:
   struct Piece {
     glm::dvec2 a, b;
     std::uint32_t road;
-    double from_m;  // of a, along the way
+    double from_m;  // where a lies along the way
   };
   void add(const OsmWay& way, const std::vector<glm::dvec2>& line);
 

@@ -1,4 +1,4 @@
-// A small text file as lines that know their numbers, for formats that are made of them.
+// A small text file as numbered lines, for line-based formats.
 #pragma once
 
 #include <cstddef>
@@ -12,21 +12,23 @@ namespace nightcity {
 class TextLines {
  public:
   struct Line {
-    std::string_view text;  // without its end and blanks around it
+    std::string_view text;  // without line end and surrounding blanks
     std::size_t number;     // from 1
   };
 
-  /// Throws Error: missing, empty, over 16 MB (no luminaire file is), holding a zero byte (not text).
+  /// Reads a file. Throws Error if it is missing, empty, larger than 16 MB (no luminaire file is)
+  /// or holds a zero byte.
   explicit TextLines(std::filesystem::path file);
 
   const std::vector<Line>& all() const { return lines_; }
   const std::string& file() const { return name_; }
 
-  /// Error at a line of this file.
+  /// Throws Error with a line of this file.
   [[noreturn]] void fail(std::size_t number, const std::string& message) const;
-  /// The whole text as a finite number; a decimal comma counts as a point.
+  /// Returns the text as a finite number; a decimal comma counts as a point. Throws Error
+  /// otherwise.
   double number(std::string_view text, std::size_t line, std::string_view what) const;
-  /// The same, whole and within low..high.
+  /// Returns the text as a whole number from low to high. Throws Error otherwise.
   int integer(std::string_view text, std::size_t line, std::string_view what, int low,
               int high) const;
 

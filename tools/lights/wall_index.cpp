@@ -13,14 +13,14 @@ namespace nightcity {
 namespace {
 
 constexpr double bucket_m = 16;
-constexpr std::int32_t buckets = 8;         // a cell's side in them
+constexpr std::int32_t buckets = 8;         // along each side of a cell
 constexpr std::size_t max_cached = 60'000;  // walls, 32 bytes each
 constexpr double behind_m = 0.05;
 constexpr double looked_through_m = 30;
 constexpr double max_lean = 0.3;
 constexpr double longest_m = 2000;  // a longer wall is a broken coordinate
 
-// Clamped, so that a stray coordinate overflows nothing.
+// Clamped, so that a wrong coordinate does not overflow.
 std::int32_t bucket_of(double v) {
   return static_cast<std::int32_t>(std::floor(std::clamp(v / bucket_m, -1e9, 1e9)));
 }
@@ -35,7 +35,7 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
 
 }  // namespace
 
-// A cell's walls by bucket.
+// The walls of a cell, by bucket.
 struct WallIndex::Loaded {
   std::vector<Wall> walls;
   std::vector<std::uint32_t> first, inside;
@@ -50,10 +50,10 @@ struct WallIndex::Loaded {
       visit(walls[i], key, [&](std::size_t b) { inside[next[b]++] = i; });
   }
 
-  /// Of memory, in walls.
+  /// Memory used, in walls.
   std::size_t cost() const { return walls.size() + inside.size() / 8 + 16; }
 
-  // A grid walk would visit fewer buckets; walls are short.
+  // A grid traversal would visit fewer buckets, but walls are short.
   template <class Visit>
   static void visit(const Wall& wall, const CellKey& key, const Visit& each) {
     const auto range = [](float a, float b, std::int32_t cell) {
@@ -73,8 +73,8 @@ WallIndex::WallIndex(const std::filesystem::path& scratch)
 WallIndex::~WallIndex() = default;
 WallIndex::WallIndex(WallIndex&&) noexcept = default;
 
-std::vector<WallIndex::Upright> WallIndex::upright_walls(const CityObject& object) {
-  std::vector<Upright> walls;
+std::vector<WallIndex::UprightWall> WallIndex::find_upright_walls(const CityObject& object) {
+  std::vector<UprightWall> walls;
   for (const Polygon& polygon : object.polygons) {
     if (polygon.surface != SurfaceType::wall) continue;
     const auto frame = wall_frame(polygon, max_lean);
@@ -89,8 +89,8 @@ std::vector<WallIndex::Upright> WallIndex::upright_walls(const CityObject& objec
   return walls;
 }
 
-void WallIndex::add(std::span<const Upright> walls, std::uint32_t owner) {
-  for (const Upright& upright : walls) {
+void WallIndex::add(std::span<const UprightWall> walls, std::uint32_t owner) {
+  for (const UprightWall& upright : walls) {
     if (!origin_) origin_ = glm::dvec3(upright.from, upright.low);
     const glm::dvec2 a = upright.from - glm::dvec2(*origin_), b = upright.to - glm::dvec2(*origin_);
     const Wall wall{static_cast<float>(a.x),
@@ -149,8 +149,9 @@ bool WallIndex::blocked(const glm::dvec3& p, const glm::dvec3& normal, double re
   crossings(local, glm::dvec2(local) - forward * behind_m, forward * (reach_m + behind_m),
             [&](const Wall& wall, double t, double same_way) {
               const bool ahead = t * (reach_m + behind_m) > 2 * behind_m;
-              // The own facade, at whatever depth the window is set into it; of another building only what
-              // stands clearly before the window, for facades of a row lie in one plane.
+              // Skip the window's own facade, at whatever depth the window lies in it. Of another
+              // building only what stands clearly in front of the window counts, because the
+              // facades of a row lie in one plane.
               const bool facade = same_way > 0.99 && (wall.owner == owner || !ahead);
               found |= !facade;
             });

@@ -1,4 +1,4 @@
-// Walls of the whole city, for one question: does something stand right before this window?
+// The walls of the whole city, to find windows with something right in front of them.
 #pragma once
 
 #include <compare>
@@ -18,33 +18,33 @@
 
 namespace nightcity {
 
-/// Walls lie on disk, in cells, so that memory does not grow with the city.
+/// Keeps the walls on disk, in cells, so that memory does not grow with the city.
 class WallIndex {
  public:
-  /// Scratch file beside `scratch`.
+  /// Keeps a scratch file beside `scratch`.
   explicit WallIndex(const std::filesystem::path& scratch);
   ~WallIndex();
   WallIndex(WallIndex&&) noexcept;
 
-  struct Upright {
+  struct UprightWall {
     glm::dvec2 from{0}, to{0};  // plan, E, N, m
     double low = 0, high = 0;
     glm::dvec2 normal{0};  // outwards
   };
-  /// Upright surfaces of any object, E, N, H in metres.
-  static std::vector<Upright> upright_walls(const CityObject& object);
-  /// `owner` tells objects apart.
-  void add(std::span<const Upright> walls, std::uint32_t owner);
+  /// Returns the upright surfaces of any object; E, N, H in metres.
+  static std::vector<UprightWall> find_upright_walls(const CityObject& object);
+  /// Adds walls of the object with the number `owner`.
+  void add(std::span<const UprightWall> walls, std::uint32_t owner);
 
-  /// Whether a wall crosses the horizontal line from 5 cm behind `p` to `reach_m` before it along `normal`,
-  /// at p's height. The owner's walls that face the same way are the window's own facade and do not count; a
-  /// party wall faces the other way and does. This and inside_another() are safe to ask from many threads
-  /// once nothing is added any more.
+  /// Returns whether a wall crosses the horizontal line along `normal` from 5 cm behind `p` to
+  /// `reach_m` in front of it, at the height of p. The owner's walls that face the same way are the
+  /// window's own facade and do not count; a party wall faces the other way and counts. This and
+  /// inside_another() may be called from many threads once all walls are added.
   bool blocked(const glm::dvec3& p, const glm::dvec3& normal, double reach_m, std::uint32_t owner);
 
-  /// Whether `p` lies inside an object that is not its owner's: whoever walks from it along `normal` comes to
-  /// the back of a wall first, and backwards to the back of another wall of the same object (a look over a
-  /// low eave onto a high back wall meets only the first). Looks 30 m either way.
+  /// Returns whether `p` lies inside an object other than its owner: both the ray along `normal`
+  /// and the ray against it first hit the back of a wall of the same object. (A ray over a low eave
+  /// onto a high back wall is only one of the two.) The rays are 30 m long.
   bool inside_another(const glm::dvec3& p, const glm::dvec3& normal, std::uint32_t owner);
 
  private:
@@ -59,8 +59,8 @@ class WallIndex {
     auto operator<=>(const CellKey&) const = default;
   };
   struct Loaded;
-  /// Calls visit(wall, t, same_way) for every wall that crosses the line, t in [0, 1] along it; for some more
-  /// than once.
+  /// Calls visit(wall, t, same_way) for every wall that crosses the line, at t in [0, 1] along it;
+  /// for some walls more than once.
   template <class Visit>
   void crossings(const glm::dvec3& local, const glm::dvec2& from, const glm::dvec2& line,
                  const Visit& visit);

@@ -13,7 +13,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-/// Whether the segment a-b touches the rectangle's inside (Liang and Barsky's clipping).
+/// Returns whether the segment a-b touches the inside of the rectangle (Liang-Barsky clipping).
 bool crosses(const dvec2& a, const dvec2& b, const dvec2& low, const dvec2& high) {
   double enter = 0, leave = 1;
   for (int axis = 0; axis < 2; ++axis) {
@@ -48,7 +48,8 @@ dvec3 WallFrame::from_plane(const dvec2& p) const {
 std::optional<WallFrame> wall_frame(const Polygon& polygon, double max_lean) {
   const Ring& ring = polygon.exterior;
   if (ring.size() < 3) return std::nullopt;
-  // Newell's normal about the first vertex: grid coordinates are large, walls are small.
+  // Newell's normal, relative to the first vertex because coordinates are large and walls are
+  // small.
   dvec3 sum(0);
   for (std::size_t k = 1; k + 1 < ring.size(); ++k)
     sum += glm::cross(ring[k] - ring[0], ring[k + 1] - ring[0]);
@@ -82,7 +83,7 @@ bool contains(const WallOutline& outline, const dvec2& low, const dvec2& high) {
   if (low.x < outline.low.x || low.y < outline.low.y || high.x > outline.high.x ||
       high.y > outline.high.y)
     return false;
-  // No edge enters the rectangle, so all of it is where its middle is.
+  // No edge enters the rectangle, so its middle decides for all of it.
   if (crosses(outline.exterior, low, high)) return false;
   const dvec2 middle = (low + high) * 0.5;
   if (!in_ring(outline.exterior, middle)) return false;

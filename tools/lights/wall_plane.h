@@ -1,4 +1,4 @@
-// Polygons of a wall in the wall's own plane.
+// Polygons of a wall in the plane of the wall.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -24,13 +24,13 @@ struct WallOutline {
   glm::dvec2 low{0}, high{0};
 };
 
-/// The frame of a polygon that stands upright within `max_lean` (|normal.z|); nothing for others, slivers
-/// and broken rings. `origin` is its first vertex.
+/// Returns the frame of a polygon that is upright within `max_lean` (|normal.z|); empty for others,
+/// slivers and broken rings. `origin` is its first vertex.
 std::optional<WallFrame> wall_frame(const Polygon& polygon, double max_lean);
 
 WallOutline outline_in(const WallFrame& frame, const Polygon& polygon);
 
-/// Whether a rectangle lies inside the outline and outside its holes, all of it.
+/// Returns whether the whole rectangle lies inside the outline and outside its holes.
 bool contains(const WallOutline& outline, const glm::dvec2& low, const glm::dvec2& high);
 
 }  // namespace nightcity

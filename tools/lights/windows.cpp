@@ -17,13 +17,14 @@ namespace {
 constexpr double before_wall_m = 0.02;
 constexpr double above_ground_m = 0.3;
 
-/// Windows of one household lie side by side on one storey; a small house is one household, a staircase
-/// another over all of its storeys, a lobby a third.
-std::int64_t household_of(const WindowPlace& place, bool one_family, std::uint64_t building) {
+/// Returns the number of a window's household. The windows of a household lie side by side on
+/// one storey. A small house is one household, and so are a staircase over all of its storeys
+/// and a lobby.
+std::int64_t find_household(const WindowPlace& place, bool one_family, std::uint64_t building) {
   if (place.kind == WindowKind::stairs) return -2 - place.facade;
   if (place.kind == WindowKind::lobby) return -1;
   if (one_family) return 0;
-  // Flats of two to four bays: cuts wherever the bay's hash says so.
+  // Flats have two to four bays; the hash of a bay decides whether a new flat begins there.
   std::int64_t run = 0;
   for (int bay = 1, length = 1; bay <= place.bay; ++bay, ++length) {
     const std::uint64_t hash = mix(building ^ (static_cast<std::uint64_t>(place.facade) << 32 |
@@ -43,11 +44,12 @@ double LitRectangle::flux_lm() const {
 WindowLayout::WindowLayout(const WindowOptions& options, const std::filesystem::path& scratch)
     : options_(options), pending_(scratch), walls_(scratch) {}
 
-WindowLayout::Laid WindowLayout::lay(const CityObject& object, std::uint64_t piece) const {
-  Laid laid;
-  laid.walls = WallIndex::upright_walls(object);
-  if (object.type != ObjectType::building) return laid;
-  // What has no id is named by its place.
+WindowLayout::WindowBatch WindowLayout::make_batch(const CityObject& object,
+                                                   std::uint64_t piece) const {
+  WindowBatch batch;
+  batch.walls = WallIndex::find_upright_walls(object);
+  if (object.type != ObjectType::building) return batch;
+  // An object without an id is identified by its place.
   std::uint64_t name = mix(hash_text(object.id) ^ piece);
   if (object.id.empty() && !object.polygons.empty() && !object.polygons.front().exterior.empty()) {
     const glm::dvec3& p = object.polygons.front().exterior.front();
@@ -55,39 +57,39 @@ WindowLayout::Laid WindowLayout::lay(const CityObject& object, std::uint64_t pie
       name = mix(name ^ static_cast<std::uint64_t>(std::llround(p[axis] * 100)));
   }
   const KnownUse use = use_of(object, options_.use_at);
-  laid.use = std::string(name_of(use.use)) + (use.stated     ? ", stated"
-                                              : use.from_map ? ", by the map"
-                                                             : ", assumed");
-  light(name, lay_windows(object, use.use, options_.seed, laid.facades), use.use, laid);
-  return laid;
+  batch.use = std::string(name_of(use.use)) + (use.stated     ? ", stated"
+                                               : use.from_map ? ", by the map"
+                                                              : ", assumed");
+  draw_lights(name, place_windows(object, use.use, options_.seed, batch.facades), use.use, batch);
+  return batch;
 }
 
-void WindowLayout::add(const CityObject& object, Laid laid) {
-  // A large object comes in pieces under one id.
+void WindowLayout::add(const CityObject& object, WindowBatch batch) {
+  // A large object may come in several pieces with one id.
   piece_ = !object.id.empty() && object.id == last_id_ ? piece_ + 1 : 0;
   last_id_ = object.id;
   if (piece_ == 0)
     ++owners_;
   else
-    laid = lay(object, piece_);
-  walls_.add(laid.walls, owners_);
-  if (!laid.use.empty()) ++report_.sources["use"][laid.use];
-  if (laid.dark > 0) report_.dropped["dark all night"] += laid.dark;
-  facades_.storeys_from_attribute += laid.facades.storeys_from_attribute;
-  facades_.storeys_from_height += laid.facades.storeys_from_height;
-  for (Record& record : laid.windows) record.owner = owners_;
-  pending_.write(laid.windows.data(), laid.windows.size() * sizeof(Record));
+    batch = make_batch(object, piece_);
+  walls_.add(batch.walls, owners_);
+  if (!batch.use.empty()) ++report_.sources["use"][batch.use];
+  if (batch.dark > 0) report_.left_out["dark all night"] += batch.dark;
+  facades_.storeys_from_attribute += batch.facades.storeys_from_attribute;
+  facades_.storeys_from_height += batch.facades.storeys_from_height;
+  for (Record& record : batch.windows) record.owner = owners_;
+  pending_.write(batch.windows.data(), batch.windows.size() * sizeof(Record));
 }
 
-void WindowLayout::light(std::uint64_t name, const std::vector<WindowPlace>& places,
-                         BuildingUse use, Laid& laid) const {
+void WindowLayout::draw_lights(std::uint64_t name, const std::vector<WindowPlace>& places,
+                               BuildingUse use, WindowBatch& batch) const {
   std::uint16_t top = 0;
   for (const WindowPlace& place : places) top = std::max(top, place.storey);
   const bool one_family = use == BuildingUse::residential && top < 2 && places.size() < 40;
   for (const WindowPlace& place : places) {
     const auto seed = static_cast<std::int64_t>(options_.seed),
                key = static_cast<std::int64_t>(name);
-    const std::int64_t home = household_of(place, one_family, name);
+    const std::int64_t home = find_household(place, one_family, name);
     Random people{seed, key, home};
     const Household household =
         draw_household(use, people, Random{seed, key, -1 - place.storey, 2});
@@ -98,10 +100,10 @@ void WindowLayout::light(std::uint64_t name, const std::vector<WindowPlace>& pla
     Random random{seed, key, one_room ? home : spot, one_room ? 3 : 1 + place.modelled};
     const LitWindow lit = draw_window(household, place.kind, random);
     if (lit.schedule.never()) {
-      ++laid.dark;
+      ++batch.dark;
       continue;
     }
-    Record& record = laid.windows.emplace_back();
+    Record& record = batch.windows.emplace_back();
     LitRectangle& window = record.window;
     window.centre = place.centre + place.normal * before_wall_m;
     window.normal = glm::vec3(place.normal);
@@ -124,7 +126,7 @@ void WindowLayout::light(std::uint64_t name, const std::vector<WindowPlace>& pla
   }
 }
 
-/// Why the window cannot be where it is; null where it can.
+/// Returns why the window cannot be where it is; null if it can.
 const char* WindowLayout::fault(const Record& record, const HeightAt& ground,
                                 const Inside& inside) {
   const LitRectangle& window = record.window;
@@ -149,8 +151,8 @@ const char* WindowLayout::fault(const Record& record, const HeightAt& ground,
 
 WindowReport WindowLayout::finish(const HeightAt& ground, const Sink& sink, const Inside& inside,
                                   unsigned threads) && {
-  constexpr std::uint64_t max_together = 2048;
-  struct Judged {
+  constexpr std::uint64_t block_size = 2048;
+  struct CheckedWindows {
     std::vector<Record> records;
     std::vector<const char*> faults;
   };
@@ -158,24 +160,24 @@ WindowReport WindowLayout::finish(const HeightAt& ground, const Sink& sink, cons
   std::uint64_t read = 0;
   const auto next = [&]() -> std::optional<std::vector<Record>> {
     if (read == total) return std::nullopt;
-    std::vector<Record> block(static_cast<std::size_t>(std::min(max_together, total - read)));
+    std::vector<Record> block(static_cast<std::size_t>(std::min(block_size, total - read)));
     pending_.read(read * sizeof(Record), block.data(), block.size() * sizeof(Record));
     read += block.size();
     return block;
   };
-  const auto judge = [&](std::vector<Record>&& records) {
-    Judged judged{std::move(records), {}};
-    for (const Record& record : judged.records)
-      judged.faults.push_back(fault(record, ground, inside));
-    return judged;
+  const auto check = [&](std::vector<Record>&& records) {
+    CheckedWindows checked{std::move(records), {}};
+    for (const Record& record : checked.records)
+      checked.faults.push_back(fault(record, ground, inside));
+    return checked;
   };
-  const auto take = [&](Judged&& judged) {
-    for (std::size_t i = 0; i < judged.records.size(); ++i) {
-      if (judged.faults[i]) {
-        ++report_.dropped[judged.faults[i]];
+  const auto take = [&](CheckedWindows&& checked) {
+    for (std::size_t i = 0; i < checked.records.size(); ++i) {
+      if (checked.faults[i]) {
+        ++report_.left_out[checked.faults[i]];
         continue;
       }
-      const Record& record = judged.records[i];
+      const Record& record = checked.records[i];
       const bool modelled = record.window.provenance.position == ValueSource::attribute;
       ++report_.sources["position"][modelled ? "attribute" : "rule"];
       WindowReport::Use& use = report_.by_use[name_of(record.use)];
@@ -186,7 +188,7 @@ WindowReport WindowLayout::finish(const HeightAt& ground, const Sink& sink, cons
       sink(record.window);
     }
   };
-  in_order(threads, next, judge, take);
+  in_order(threads, next, check, take);
   report_.sources["storeys"]["attribute"] = facades_.storeys_from_attribute;
   report_.sources["storeys"]["rule"] = facades_.storeys_from_height;
   return std::move(report_);

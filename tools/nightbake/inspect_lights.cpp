@@ -3,7 +3,7 @@
 #include <map>
 
 #include "formats/light_file.h"
-#include "tools/lights/light_census.h"
+#include "tools/lights/light_statistics.h"
 #include "tools/nightbake/inspect.h"
 
 namespace nightcity {

@@ -9,7 +9,7 @@
 #include "formats/program/print_json.h"
 #include "tools/bake/report/report_text.h"
 #include "tools/bake/scene/light_places.h"
-#include "tools/lights/light_census.h"
+#include "tools/lights/light_statistics.h"
 #include "tools/nightbake/commands.h"
 
 namespace nightcity {
@@ -26,9 +26,9 @@ std::string hour_name(std::size_t index) {
   return fmt::format("{:02}:00", clock_hour(index));
 }
 
-json census_json(const LightFile& file, const LightCensus& census) {
+json statistics_json(const LightFile& file, const LightStatistics& statistics) {
   json families = json::object();
-  for (const auto& [name, family] : census.families) {
+  for (const auto& [name, family] : statistics.families) {
     json hours = json::object();
     for (std::size_t hour = 0; hour < night_hours; ++hour)
       hours[hour_name(hour)] = family.lit[hour];
@@ -44,13 +44,13 @@ json census_json(const LightFile& file, const LightCensus& census) {
            {{"drives", file.traffic().trips.size()},
             {"kinds", file.traffic().vehicles.size()},
             {"lights", file.traffic().vehicle_lights.size()}}},
-          {"faults", census.faults}};
+          {"faults", statistics.faults}};
 }
 
-void print(const LightFile& file, const LightCensus& census) {
+void print(const LightFile& file, const LightStatistics& statistics) {
   fmt::print("{} lights, {} profiles, {} schedules\n", file.lights().size(), file.profiles().size(),
              file.schedules().size());
-  for (const auto& [name, family] : census.families) {
+  for (const auto& [name, family] : statistics.families) {
     std::string kinds;
     for (const auto& [kind, count] : family.kinds)
       kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, kind);
@@ -77,18 +77,18 @@ void print(const LightFile& file, const LightCensus& census) {
   if (const TrafficContent traffic = file.traffic(); !traffic.trips.empty())
     fmt::print("\ntraffic: {} trips in {:.0f} s, {} kinds of vehicle\n", traffic.trips.size(),
                traffic.cycle.cycle_s, traffic.vehicles.size());
-  fmt::print("\nfaults: {}\n", in_words(census.faults));
+  fmt::print("\nfaults: {}\n", in_words(statistics.faults));
 }
 
 void run(const LightsArguments& arguments) {
   const LightFile file = LightFile::open(arguments.file);
   PlaceFault place_fault;
   if (!arguments.scene.empty()) place_fault = find_place_faults(arguments.scene);
-  const LightCensus census = count_lights(file, place_fault);
+  const LightStatistics statistics = count_lights(file, place_fault);
   if (arguments.json)
-    program::print_json(census_json(file, census));
+    program::print_json(statistics_json(file, statistics));
   else
-    print(file, census);
+    print(file, statistics);
 }
 
 }  // namespace

@@ -12,8 +12,8 @@ using glm::dvec2;
 using Branch = Axis::Branch;
 
 constexpr double shortest_stub_m =
-    8;  // beyond the edge of the street it leaves: less is a bay or a corner
-constexpr double straight_within_m = 0.4;  // points a line may lose
+    8;  // beyond the edge of the street that it leaves; shorter ones are bays or corners
+constexpr double straight_within_m = 0.4;  // deviation at which points of a line are removed
 constexpr double widest_m = 60;
 
 double length_of(const std::vector<dvec2>& line) {
@@ -22,7 +22,7 @@ double length_of(const std::vector<dvec2>& line) {
   return sum;
 }
 
-/// Point `s` along a line.
+/// Returns the point at `s` along a line.
 dvec2 place_on(const std::vector<dvec2>& line, double s) {
   for (std::size_t n = 1; n < line.size(); ++n) {
     const double step = glm::distance(line[n - 1], line[n]);
@@ -38,7 +38,7 @@ void reverse(Branch& branch) {
   std::reverse(branch.width_m.begin(), branch.width_m.end());
 }
 
-/// Where half of a branch's length is no wider.
+/// The median width of a branch: half of its length is no wider.
 double median_width(const Branch& branch) {
   std::vector<std::pair<double, double>> widths;  // and the length that is so wide
   double sum = 0;
@@ -55,7 +55,7 @@ double median_width(const Branch& branch) {
   return 0;
 }
 
-/// Douglas and Peucker.
+/// Simplifies a line (Douglas and Peucker 1973).
 void simplify(const std::vector<dvec2>& line, std::size_t a, std::size_t b,
               std::vector<dvec2>& result) {
   double worst = straight_within_m;
@@ -83,7 +83,7 @@ class Cleaner {
     std::erase_if(branches_, [](const Branch& branch) { return branch.line.size() < 2; });
   }
 
-  std::vector<MiddleLine> run() {
+  std::vector<Centreline> run() {
     while (prune() + join() > 0) {
     }
     contract();
@@ -93,9 +93,9 @@ class Cleaner {
     for (const Branch& branch : branches_)
       widths_.push_back(std::min(median_width(branch), widest_m));
     find_places();
-    std::vector<MiddleLine> result;
+    std::vector<Centreline> result;
     for (std::size_t b = 0; b < branches_.size(); ++b) {
-      MiddleLine street;
+      Centreline street;
       street.from = branches_[b].from;
       street.to = branches_[b].to;
       street.width_m = widths_[b];
@@ -112,7 +112,7 @@ class Cleaner {
     std::vector<std::vector<std::size_t>> at(nodes_.size());
     for (std::size_t b = 0; b < branches_.size(); ++b) {
       at[branches_[b].from].push_back(b);
-      at[branches_[b].to].push_back(b);  // a ring stands here twice
+      at[branches_[b].to].push_back(b);  // a ring is listed twice
     }
     return at;
   }
@@ -124,8 +124,8 @@ class Cleaner {
     branches_.resize(kept);
   }
 
-  /// Takes away spurs that reach no farther than a corner of their junction does. At an end of a street all
-  /// go at once: the street then ends amid them.
+  /// Removes spurs that reach no farther than a corner of their junction. At the end of a street
+  /// all of them are removed at once, and the street ends between them.
   std::size_t prune() {
     const auto at = branches_at();
     std::vector<bool> gone(branches_.size(), false);
@@ -150,7 +150,7 @@ class Cleaner {
     return count;
   }
 
-  /// Where two branches are left at a node they become one.
+  /// Joins two branches if only they are left at a node.
   std::size_t join() {
     auto at = branches_at();
     std::vector<bool> gone(branches_.size(), false);
@@ -161,7 +161,7 @@ class Cleaner {
       Branch &a = branches_[first], &b = branches_[second];
       if (a.to != node) reverse(a);
       if (b.from != node) reverse(b);
-      // The node's own place, amid a triangle, is off the line between the chords beside it.
+      // The node itself, inside a triangle, lies off the line between the chords beside it.
       a.line.pop_back();
       a.line.insert(a.line.end(), b.line.begin() + 1, b.line.end());
       a.width_m.back() = 0;
@@ -175,7 +175,7 @@ class Cleaner {
     return count;
   }
 
-  /// A branch from a node to itself where nothing else meets has no junction.
+  /// A branch from a node to itself has no junction if nothing else meets it there.
   void close_rings() {
     const auto at = branches_at();
     for (Branch& branch : branches_) {
@@ -190,7 +190,8 @@ class Cleaner {
     }
   }
 
-  /// Junctions nearer to each other than they are wide are one: four arms never meet in one triangle.
+  /// Merges junctions that are nearer to each other than they are wide, because four arms never
+  /// meet in one triangle.
   void contract() {
     std::vector<std::size_t> into(nodes_.size());
     for (std::size_t n = 0; n < into.size(); ++n) into[n] = n;
@@ -222,7 +223,7 @@ class Cleaner {
       Branch& branch = branches_[b];
       branch.from = root(branch.from);
       branch.to = root(branch.to);
-      // Round an island within the junction.
+      // This branch runs round an island within the junction.
       if (branch.from == branch.to && at[branch.from].size() >= 3 &&
           length_of(branch.line) < 2 * nodes_[branch.from].reach_m)
         gone[b] = true;
@@ -230,8 +231,8 @@ class Cleaner {
     remove(gone);
   }
 
-  /// The straight on which a branch comes to the node at its start or end, from where the junction no longer
-  /// bends the axis.
+  /// The straight line on which a branch reaches the node at its start or end, where the junction
+  /// does not yet bend the axis.
   struct Arm {
     dvec2 point, away;  // unit, from the node
     double cut;         // along the branch, to `point`
@@ -248,7 +249,8 @@ class Cleaner {
     return {a, apart > 1e-6 ? (c - a) / apart : dvec2(1, 0), cut};
   }
 
-  /// Junctions go where their arms' straights meet (least squares), ends to the outline's end.
+  /// Moves junctions to where the straight lines of their arms meet (least squares), and dead ends
+  /// to the end of the outline.
   void find_places() {
     const auto at = branches_at();
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
@@ -273,7 +275,8 @@ class Cleaner {
   }
 
   static dvec2 meeting(const std::vector<Arm>& arms, const dvec2& middle, double reach) {
-    // Sum of (I - d d^T): a little of I keeps parallel arms from sending it far away.
+    // The sum of (I - d d^T). A small multiple of I keeps parallel arms from moving the
+    // point far away.
     double xx = 0.02, xy = 0, yy = 0.02;
     dvec2 right = middle * 0.02;
     for (const Arm& one : arms) {
@@ -311,7 +314,7 @@ class Cleaner {
 
 }  // namespace
 
-std::vector<MiddleLine> middle_lines(Axis&& axis) {
+std::vector<Centreline> find_centrelines(Axis&& axis) {
   return Cleaner(std::move(axis)).run();
 }
 

@@ -1,4 +1,5 @@
-// From the chordal axis to streets: spurs into corners go, junctions become one point where their arms meet.
+// Turns a chordal axis into streets: removes spurs into corners, and makes each junction one point
+// where its arms meet.
 #pragma once
 
 #include <span>
@@ -8,13 +9,13 @@
 
 namespace nightcity::streets {
 
-/// The middle line of a stretch between two nodes, ends or junctions.
-struct MiddleLine {
+/// The centreline of a stretch between two nodes, which are ends or junctions.
+struct Centreline {
   std::size_t from = no_node, to = no_node;
-  std::vector<glm::dvec2> line;  // streets that meet share their end points, to the bit
+  std::vector<glm::dvec2> line;  // streets that meet share exactly the same end points
   double width_m = 0;
 };
 
-std::vector<MiddleLine> middle_lines(Axis&& axis);
+std::vector<Centreline> find_centrelines(Axis&& axis);
 
 }  // namespace nightcity::streets

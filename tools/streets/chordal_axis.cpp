@@ -28,7 +28,7 @@ class AxisMaker {
       const int parts = std::max(1, static_cast<int>(std::ceil(glm::distance(a, b) / step_m)));
       Vertex last{};
       for (int k = 0; k <= parts; ++k) {
-        // The same points whichever way the edge runs, and the ends to the bit.
+        // The points do not depend on the direction of the edge, and its ends are exact.
         const glm::dvec2 p = k == 0       ? a
                              : k == parts ? b
                                           : a + (b - a) * (static_cast<double>(k) / parts);
@@ -49,7 +49,7 @@ class AxisMaker {
       if (face->info().node != no_node)
         for (int i = 0; i < 3; ++i)
           if (is_chord(face, i)) walk(face, i);
-    // What no walk has met runs in a ring.
+    // Chords that no walk has reached form rings.
     for (const Face face : triangulation_.finite_face_handles())
       if (face->info().inside && face->info().node == no_node && !face->info().walked)
         walk_ring(face);
@@ -113,7 +113,8 @@ class AxisMaker {
     axis_.nodes.push_back(std::move(node));
   }
 
-  /// Of the outline where a face with one edge on it lies: from that edge to the corner across.
+  /// Returns the width of the outline at a face with one edge on it: from that edge to the opposite
+  /// corner.
   static double width_at(const Face& face) {
     for (int i = 0; i < 3; ++i)
       if (!is_chord(face, i)) {
@@ -131,7 +132,8 @@ class AxisMaker {
     branch.line.push_back(p);
   }
 
-  /// From face to face through chords, from the one that chord `i` of `face` leads to, until a node.
+  /// Walks from face to face through chords, starting through chord `i` of `face`, until it
+  /// reaches a node.
   Face follow(Face face, int i, Axis::Branch& branch) {
     for (;;) {
       const Face next = face->neighbor(i);
@@ -151,7 +153,8 @@ class AxisMaker {
   void walk(const Face& from, int i) {
     const Face next = from->neighbor(i);
     const std::size_t start = from->info().node;
-    // Each branch is walked from one of its ends; two nodes side by side, from the lower.
+    // Each branch is walked from one end; between two neighbouring nodes, from the one with
+    // the lower number.
     if (next->info().node != no_node) {
       if (next->info().node <= start) return;
     } else if (next->info().walked) {

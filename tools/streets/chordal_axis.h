@@ -1,5 +1,6 @@
-// The chordal axis of an outline (Prasad 1997): the middles of the chords that a constrained Delaunay
-// triangulation lays across it. Of a straight street it is the middle line, exactly.
+// The chordal axis of an outline (Prasad 1997): it joins the middles of the chords that a
+// constrained Delaunay triangulation draws across the outline. For a straight street it is
+// exactly the centreline.
 #pragma once
 
 #include <limits>
@@ -15,20 +16,21 @@ constexpr std::size_t no_node = std::numeric_limits<std::size_t>::max();
 struct Axis {
   struct Node {
     glm::dvec2 place{0, 0};
-    double reach_m = 0;            // of a junction: how wide it is
-    std::vector<glm::dvec2> tips;  // of an end: corners of the outline beyond it
+    double reach_m = 0;            // size of a junction
+    std::vector<glm::dvec2> tips;  // of a dead end: corners of the outline beyond it
   };
   struct Branch {
     std::size_t from = no_node, to = no_node;  // nodes; the same one for a ring
     std::vector<glm::dvec2> line;
-    std::vector<double>
-        width_m;  // of the outline, between each two points of the line; 0: amid a junction
+    // Width of the outline between each two points of the line; 0: inside a junction.
+    std::vector<double> width_m;
   };
   std::vector<Node> nodes;
   std::vector<Branch> branches;
 };
 
-/// The outline's edges are cut to `step_m` first: chords should lie across.
+/// Returns the chordal axis. The outline's edges are first divided into pieces of at most `step_m`,
+/// so that chords lie across the street.
 Axis chordal_axis(std::span<const OutlineEdge> outline, double step_m);
 
 }  // namespace nightcity::streets

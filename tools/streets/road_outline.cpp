@@ -1,5 +1,5 @@
-// A constrained triangulation of all rings tells for each of its faces which surfaces cover it:
-// whoever crosses an edge of a ring goes into or out of that ring's surface.
+// A constrained triangulation of all rings shows for each face which surfaces cover it: crossing an
+// edge of a ring enters or leaves that ring's surface.
 #include "tools/streets/road_outline.h"
 
 #include <CGAL/Constrained_triangulation_plus_2.h>
@@ -46,7 +46,7 @@ class Outliner {
       ConstrainedDelaunay<FaceInfo, VertexBase, Kernel, typename Outlines::Tag>>;
 
   explicit Outliner(std::span<const RoadSurface> surfaces) {
-    // From coordinates of millions of metres the triangulation's own corners would be coarse.
+    // Coordinates of millions of metres would make the triangulation's own corners inexact.
     origin_ = surfaces.front().exterior.front();
     for (std::uint32_t n = 0; n < surfaces.size(); ++n) {
       insert(surfaces[n].exterior, n);
@@ -91,7 +91,7 @@ class Outliner {
     }
   }
 
-  /// Which surfaces' rings run along an edge an odd number of times.
+  /// Returns the surfaces whose rings run along an edge an odd number of times.
   void cross(const Face& face, int i, Cover& cover) const {
     const Vertex a = face->vertex(Triangulation::ccw(i)), b = face->vertex(Triangulation::cw(i));
     for (auto context = triangulation_.contexts_begin(a, b);
@@ -123,7 +123,7 @@ class Outliner {
     }
   }
 
-  /// Thin faces with road on both sides become road.
+  /// Turns thin faces with road on both sides into road.
   void close_gaps() {
     std::vector<Face> gaps;
     for (const Face face : triangulation_.finite_face_handles())

@@ -1,4 +1,5 @@
-// The outline of all road surfaces together: neighbours joined, hair gaps closed, small islands filled.
+// The outline of all road surfaces together: neighbours are joined, thin gaps closed and
+// small islands filled.
 #pragma once
 
 #include <span>
@@ -9,14 +10,14 @@
 
 namespace nightcity::streets {
 
-/// Gaps between surfaces narrower than this are faults of drawing.
+/// Narrower gaps between surfaces are errors of the model.
 constexpr double gap_m = 0.3;
-/// Islands smaller than this are driven round within one junction.
+/// Traffic drives round smaller islands within one junction.
 constexpr double island_m2 = 60;
 
 using OutlineEdge = std::pair<glm::dvec2, glm::dvec2>;
 
-/// Of the union of the surfaces; each edge once, in no order.
+/// Returns the edges of the union of the surfaces, each once, in no particular order.
 std::vector<OutlineEdge> road_outline(std::span<const RoadSurface> surfaces);
 
 }  // namespace nightcity::streets

@@ -13,10 +13,11 @@ constexpr double farthest_m = 1e8;
 
 enum class AreaUse { unsaid, vehicles, others };
 
-/// Function codes of traffic areas. Up to two digits: CityGML 2.0, annex C (1 driving lane, 9 rail and road
-/// combined, 14-20 markings and crossings, 24 filtering lane, 32 bus lay-by, 33-36 motorway and its lanes;
-/// the rest are for others). Four digits: PLATEAU's TrafficArea_function (10xx carriageway, its lanes,
-/// crossings and level crossings, 1130 service carriageway; 2xxx pavements, 6000 and 7000 parking).
+/// Function codes of traffic areas. Up to two digits: CityGML 2.0, annex C (1 driving lane, 9 rail
+/// and road combined, 14-20 markings and crossings, 24 filtering lane, 32 bus lay-by, 33-36
+/// motorway and its lanes; the rest are for others). Four digits: PLATEAU's TrafficArea_function
+/// (10xx carriageway, its lanes, crossings and level crossings, 1130 service carriageway; 2xxx
+/// pavements, 6000 and 7000 parking).
 AreaUse use_of(int function) {
   if (function <= 0 || function >= 9000) return AreaUse::unsaid;
   if (function >= 1000) {
@@ -51,8 +52,8 @@ bool in_plan(const Ring& ring, PlanRing& plan) {
 
 const char* highway_of(std::string_view function) {
   // CityGML 2.0, annex C: 1010 motorway, 1020 national, 1030 land and 1040 district road, 1060 main
-  // through-road. PLATEAU's Road_function: 1 national expressway, 2 national, 3 prefectural road. Municipal
-  // roads (1050 and 4) are of every width, and told by it.
+  // through-road. PLATEAU's Road_function: 1 national expressway, 2 national, 3 prefectural road.
+  // Municipal roads (1050 and 4) have all widths, so their width decides.
   static constexpr std::array<std::pair<std::string_view, const char*>, 8> rows = {{
       {"1010", "motorway"},
       {"1020", "primary"},
@@ -63,7 +64,7 @@ const char* highway_of(std::string_view function) {
       {"2", "primary"},
       {"3", "secondary"},
   }};
-  // Several codes stand in one text, by semicolons: the first that tells something.
+  // A text may hold several codes, separated by semicolons: the first that is known decides.
   while (!function.empty()) {
     const std::size_t end = std::min(function.find(';'), function.size());
     for (const auto& [code, highway] : rows)
@@ -78,8 +79,8 @@ void RoadSurfaces::add(const CityObject& object) {
   const char* highway = highway_of(object.function);
   if (!highway) highway = highway_of(object.usage);
   if (highway && std::string_view(highway) == "motorway") {
-    // Expressways stand on piers above other streets, and models draw them at the ground all the same: in
-    // plan the two would be one.
+    // Expressways stand on piers above other streets, but models draw them on the ground. In plan
+    // the two would merge.
     left_out_["of motorways"] += object.polygons.size();
     return;
   }

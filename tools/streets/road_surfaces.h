@@ -1,4 +1,4 @@
-// The surfaces of a city model that vehicles drive on, gathered while it is read.
+// Collects the surfaces of a city model that vehicles drive on, while it is read.
 #pragma once
 
 #include <cstddef>
@@ -17,23 +17,23 @@ using PlanRing = std::vector<glm::dvec2>;  // E, N in metres
 struct RoadSurface {
   PlanRing exterior;
   std::vector<PlanRing> interiors;
-  const char* highway = nullptr;  // value of OSM's tag, by the model's codes; null: nobody says
-  bool carriageway = false;       // else the whole street, its pavements too
+  const char* highway = nullptr;  // value of OSM's tag by the model's codes; null: unknown
+  bool carriageway = false;  // a carriageway only; otherwise the whole street with its pavements
 };
 
-/// OSM's `highway` for a road's function code (CityGML 2.0's list with four digits, PLATEAU's with one); null
-/// where the code tells nothing of the class.
+/// Returns the value of OSM's `highway` for a road's function code (CityGML 2.0's list with four
+/// digits, PLATEAU's with one); null if the code does not determine a class.
 const char* highway_of(std::string_view function);
 
 class RoadSurfaces {
  public:
-  /// Takes the surfaces of a road (other objects have none), in the city's frame: carriageways where its
-  /// traffic areas say what they are, else all that is not said to be for other users. Upright and broken
-  /// polygons carry nobody.
+  /// Adds the surfaces of a road, in the city's frame; other objects have none. Takes carriageways
+  /// where the traffic areas say what they are, otherwise all areas that are not for other users.
+  /// Upright and broken polygons are left out.
   void add(const CityObject& object);
 
   const std::vector<RoadSurface>& surfaces() const { return surfaces_; }
-  /// Polygons by the reason for which they were not taken.
+  /// Number of polygons left out, by reason.
   const std::map<std::string, std::size_t>& left_out() const { return left_out_; }
 
  private:

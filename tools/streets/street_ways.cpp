@@ -10,19 +10,19 @@
 #include <unordered_map>
 
 #include "tools/in_ring.h"
+#include "tools/roads/carriageway.h"
 #include "tools/streets/axis_cleaning.h"
 
 namespace nightcity::streets {
 namespace {
 
 constexpr double chord_step_m = 2.5;
-constexpr double narrowest_m = 2.2;  // a car needs as much
-// A surface that is not told to be a carriageway has pavements on both sides where it is wide enough for
-// them: 2 m each is the least that road codes ask for (RASt 06; Japan's Road Structure Ordinance, article
-// 11).
+// A surface that is not marked as a carriageway has pavements on both sides if it is wide enough
+// for them. The least width that road codes ask for is 2 m each (RASt 06; Japan's Road Structure
+// Ordinance, article 11).
 constexpr double pavement_m = 2.0, with_pavements_m = 9.0;
 
-/// The surface under a place, by a grid over the surfaces' boxes.
+/// Finds the surface under a place by a grid over the surfaces' bounding boxes.
 class SurfaceIndex {
  public:
   explicit SurfaceIndex(const std::vector<RoadSurface>& surfaces) : surfaces_(surfaces) {
@@ -30,8 +30,7 @@ class SurfaceIndex {
       glm::dvec2 low = surfaces[n].exterior.front(), high = low;
       for (const glm::dvec2& p : surfaces[n].exterior)
         low = glm::min(low, p), high = glm::max(high, p);
-      if (glm::distance(low, high) > largest_m)
-        continue;  // a district as one road: nothing to be told apart
+      if (glm::distance(low, high) > largest_m) continue;  // a district as one road
       for (std::int64_t x = cell(low.x); x <= cell(high.x); ++x)
         for (std::int64_t y = cell(low.y); y <= cell(high.y); ++y) cells_[key(x, y)].push_back(n);
     }
@@ -57,12 +56,13 @@ class SurfaceIndex {
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
 };
 
-/// What the surfaces below a line say, by the length they say it for.
-struct Said {
-  std::string highway;  // "": nothing
+/// The class of a line by the surfaces below it; each surface counts with the length of line over
+/// it.
+struct SurfaceVote {
+  std::string highway;  // "": unknown
   bool carriageway = false;
 };
-Said ask(const SurfaceIndex& index, const std::vector<glm::dvec2>& line) {
+SurfaceVote vote_on(const SurfaceIndex& index, const std::vector<glm::dvec2>& line) {
   constexpr double step_m = 3;
   std::map<std::string, double> votes;
   double carriageway = 0, all = 0;
@@ -79,38 +79,28 @@ Said ask(const SurfaceIndex& index, const std::vector<glm::dvec2>& line) {
       all += weight;
     }
   }
-  Said said;
-  said.carriageway = carriageway > all / 2;
+  SurfaceVote vote;
+  vote.carriageway = carriageway > all / 2;
   for (const auto& [highway, weight] : votes)
-    if (weight > all / 2) said.highway = highway;
-  return said;
+    if (weight > all / 2) vote.highway = highway;
+  return vote;
 }
 
 }  // namespace
 
-const char* highway_by_width(double carriageway_m) {
-  // RASt 06 by width of carriageway: lanes of 3.25 m and more on main streets, 6.5 m on collecting ones with
-  // buses, 4.5 to 5.5 m where people live, less where two cars do not pass.
-  if (carriageway_m < 4) return "service";
-  if (carriageway_m < 6.3) return "residential";
-  if (carriageway_m < 8) return "tertiary";
-  if (carriageway_m < 12) return "secondary";
-  return "primary";
-}
-
-StreetWays street_ways(const RoadSurfaces& roads,
-                       const std::function<glm::dvec2(const glm::dvec2&)>& to_lon_lat) {
+StreetWays find_street_ways(const RoadSurfaces& roads,
+                            const std::function<glm::dvec2(const glm::dvec2&)>& to_lon_lat) {
   StreetWays result;
   if (roads.surfaces().empty()) return result;
-  const auto lines = middle_lines(chordal_axis(road_outline(roads.surfaces()), chord_step_m));
+  const auto lines = find_centrelines(chordal_axis(road_outline(roads.surfaces()), chord_step_m));
   const SurfaceIndex index(roads.surfaces());
   std::map<std::size_t, int> ends;
-  for (const MiddleLine& street : lines) {
-    if (street.width_m < narrowest_m) continue;
-    const Said said = ask(index, street.line);
+  for (const Centreline& street : lines) {
+    if (street.width_m < roads::min_lane_m) continue;
+    const SurfaceVote vote = vote_on(index, street.line);
     double width = street.width_m;
-    if (!said.carriageway && width >= with_pavements_m) width -= 2 * pavement_m;
-    const std::string highway = said.highway.empty() ? highway_by_width(width) : said.highway;
+    if (!vote.carriageway && width >= with_pavements_m) width -= 2 * pavement_m;
+    const std::string highway = vote.highway.empty() ? roads::guess_highway(width) : vote.highway;
     OsmWay way;
     way.id = -1 - static_cast<std::int64_t>(result.ways.size());  // OSM's own are greater than 0
     way.tags = {{"highway", highway}, {"width", fmt::format("{:.1f}", width)}};
@@ -124,7 +114,7 @@ StreetWays street_ways(const RoadSurfaces& roads,
     for (std::size_t n = 1; n < street.line.size(); ++n)
       km += glm::distance(street.line[n - 1], street.line[n]) / 1000;
     result.km[highway] += km;
-    if (!said.highway.empty()) result.km_by_code += km;
+    if (!vote.highway.empty()) result.km_by_code += km;
     ++ends[street.from];
     ++ends[street.to];
     result.ways.push_back(std::move(way));

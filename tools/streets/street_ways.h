@@ -1,5 +1,4 @@
-// Streets of a city model as ways of a map: what lays lamps along streets and what drives on them then needs
-// no map.
+// Turns the streets of a city model into ways of a map, so that lamps and traffic need no map.
 #pragma once
 
 #include <functional>
@@ -13,17 +12,15 @@
 namespace nightcity::streets {
 
 struct StreetWays {
-  std::vector<OsmWay> ways;          // with highway and width, two-way
+  std::vector<OsmWay> ways;          // two-way, with the tags highway and width
   std::map<std::string, double> km;  // by highway
-  double km_by_code = 0;             // where a code told the class; else the width did
+  double km_by_code = 0;  // length whose class comes from a code; otherwise from the width
   std::size_t junctions = 0, ends = 0;
 };
 
-/// Of a street whose carriageway is so wide.
-const char* highway_by_width(double carriageway_m);
-
-/// `to_lon_lat` turns E, N into what `to_frame` of those who read the ways turns back.
-StreetWays street_ways(const RoadSurfaces& roads,
-                       const std::function<glm::dvec2(const glm::dvec2&)>& to_lon_lat);
+/// Returns the streets of these surfaces as ways. `to_lon_lat` is the inverse of the `to_frame`
+/// used by the readers of the ways.
+StreetWays find_street_ways(const RoadSurfaces& roads,
+                            const std::function<glm::dvec2(const glm::dvec2&)>& to_lon_lat);
 
 }  // namespace nightcity::streets

@@ -7,20 +7,20 @@
 #include <string>
 
 #include "tools/lights/colour.h"
-#include "tools/traffic/lamps.h"
+#include "tools/traffic/vehicle_lamps.h"
 
 namespace nightcity::traffic {
 namespace {
 
 constexpr double lens_height_m = 0.12, lens_width_m = 0.18;
-constexpr float lens_gap = 0.005f;  // before the body, so that the two do not flicker
+constexpr float lens_gap = 0.005f;  // in front of the body, so that the two do not flicker
 
 /// One material's triangles.
 class Part {
  public:
   explicit Part(std::uint32_t material) { primitive.material = material; }
 
-  /// A quad, turned so that it is seen from away of `inside`.
+  /// Adds a quad whose front faces away from `inside`.
   void quad(std::array<glm::vec3, 4> p, const glm::vec3& inside) {
     const glm::vec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
     if (glm::dot(normal, p[0] - inside) < 0) std::swap(p[1], p[3]);
@@ -52,7 +52,7 @@ void block(Part& sides, Part& top, const Slab& low, float y0, const Slab& high, 
   sides.quad({a(false, false), a(true, false), a(true, true), a(false, true)}, middle);
 }
 
-/// An eight-sided wheel, its axle along z.
+/// Adds an eight-sided wheel whose axle lies along z.
 void wheel(Part& part, float x, float radius, float z0, float z1) {
   const glm::vec3 middle(x, radius, (z0 + z1) / 2);
   std::array<glm::vec2, 8> rim;
@@ -94,7 +94,7 @@ void add_car(Parts& p, float l, float w, float h) {
 }
 
 void add_box_body(Parts& p, float l, float w, float h, float floor, float nose) {
-  // Nose and windscreen first, the box behind it.
+  // Nose and windscreen first, then the box behind them.
   const float belt = floor + 0.42f * (h - floor);
   block(p.paint, p.paint, {-l, l, w}, floor, {-l, l, w}, belt);
   block(p.glass, p.paint, {l - 1.6f * nose, l, w}, belt, {l - 1.6f * nose, l - nose, 0.95f * w},
@@ -174,7 +174,7 @@ SceneMesh make_body(const VehicleType& type, const BodyMaterials& materials) {
     for (const float x : {-0.6f * l, 0.62f * l})
       for (const float side : {-1.0f, 1.0f})
         wheel(parts.tyre, x, radius, side * (w - 0.22f), side * (w - 0.02f));
-  // One lens before each lamp of make_vehicle_lamps.
+  // One lens in front of each lamp of make_vehicle_lamps.
   const bool single = type.headlamp_apart_m == 0;
   const auto apart = static_cast<float>(type.headlamp_apart_m / 2), tails = w - 0.2f;
   const auto head_y = static_cast<float>(type.headlamp_height_m),

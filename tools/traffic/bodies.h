@@ -1,4 +1,4 @@
-// What a vehicle looks like: a few dozen triangles in its vehicle frame.
+// The body of each type of vehicle: a few dozen triangles in the vehicle frame.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,12 @@ struct BodyMaterials {
   std::uint32_t paint, glass, tyre, headlamp, tail_lamp;
 };
 
-/// The five materials in the order of BodyMaterials. Lenses glow with the mean luminance of their lamps.
+/// Returns the five materials in the order of BodyMaterials. Lenses emit the mean luminance
+/// of their lamps.
 std::vector<SceneMaterial> body_materials(const VehicleType& type);
 
-/// Inside the type's box: x forward, y up, z right, the road at y = 0.
+/// Returns a body that fits into the type's box: x forward, y up, z right, the road at y = 0;
+/// metres.
 SceneMesh make_body(const VehicleType& type, const BodyMaterials& materials);
 
 }  // namespace nightcity::traffic

@@ -35,7 +35,7 @@ class Clipper {
     return std::isfinite(p.x) && std::isfinite(p.y) && height_at_(p);
   }
 
-  /// Between two nodes, neither of them included: where the ground begins and ends.
+  /// Finds where the ground begins and ends between two nodes, without the nodes themselves.
   void cross(const glm::dvec2& a, const glm::dvec2& b, double step_m) {
     const glm::dvec2 pa = to_frame_(a), pb = to_frame_(b);
     const double length = glm::distance(pa, pb);

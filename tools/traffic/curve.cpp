@@ -10,7 +10,7 @@ namespace {
 
 using glm::dvec2;
 
-constexpr double straight_step_m = 4;  // between points: hills have to show
+constexpr double straight_step_m = 4;  // between points, so that the curve follows hills
 constexpr double bend_step_radians =
     0.1;  // 6 degrees: Hermite arcs keep a circle to 1e-5 of its radius
 
@@ -22,7 +22,8 @@ double angle_between(const dvec2& a, const dvec2& b) {
   return std::atan2(cross(a, b), glm::dot(a, b));
 }
 
-/// Appends points on the straight from the last point (which must be there) to `to`, without `to` itself.
+/// Appends points on the straight line from the last point, which must exist, to `to`,
+/// without `to` itself.
 void add_straight(PlanLine& line, const dvec2& to) {
   const dvec2 from = line.back().point;
   const double length = glm::distance(from, to);
@@ -63,8 +64,8 @@ PlanLine round_corners(std::span<const dvec2> line, double deviation_m) {
       add_point(result, {points[n], glm::normalize(u + v)});
       continue;
     }
-    // The parabola's middle lies halfway between the corner and the middle of its chord: cut * sin(turn / 2)
-    // / 2.
+    // The parabola's middle lies halfway between the corner and the middle of its chord: cut *
+    // sin(turn / 2) / 2.
     const double cut =
         std::min({0.49 * in_m, 0.49 * out_m, 2 * deviation_m / std::abs(std::sin(turn / 2)), 25.0});
     const dvec2 a = points[n] - u * cut, b = points[n] + v * cut;
@@ -114,7 +115,7 @@ PlanLine shifted(const PlanLine& line, double right_m) {
     while (result.size() > 1 && turns_back(moved)) result.pop_back();
     if (result.empty() || !turns_back(moved)) add_point(result, moved);
   }
-  // A bend cut short leaves directions that its points no longer bear out: they are taken from the
+  // Where a bend was cut short, the old directions no longer fit the points: take them from the
   // neighbours.
   for (std::size_t n = 0; result.size() > 1 && n < result.size(); ++n) {
     const std::size_t a = n == 0 ? 0 : n - 1, b = std::min(n + 1, result.size() - 1);
@@ -128,7 +129,7 @@ PlanLine shifted(const PlanLine& line, double right_m) {
       here.along = glm::normalize(in + out);
   }
   if (result.size() > 1) return result;
-  // Nothing left between the bends: straight from end to end.
+  // If nothing is left between the bends, go straight from end to end.
   const auto end = [&](const PlanPoint& p) {
     return p.point + dvec2(p.along.y, -p.along.x) * right_m;
   };
@@ -140,7 +141,8 @@ PlanLine shifted(const PlanLine& line, double right_m) {
 PlanLine turn_between(const PlanPoint& from, const PlanPoint& to) {
   const double chord = glm::distance(from.point, to.point);
   const double turn = std::abs(angle_between(from.along, to.along));
-  // For a circle's arc the handles are 4/3 tan(turn / 4) radii, and its chord is 2 sin(turn / 2) radii.
+  // For the arc of a circle, the handles are 4/3 tan(turn / 4) radii and the chord is 2
+  // sin(turn / 2) radii.
   const double quarter = std::cos(std::min(turn, 3.0) / 4);
   const double handle = chord / (3 * quarter * quarter);
   const dvec2 p0 = from.point, p1 = p0 + from.along * handle, p3 = to.point,

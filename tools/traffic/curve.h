@@ -1,4 +1,4 @@
-// Smooth ways to drive along: plan lines with directions, and curves over them with heights.
+// Smooth curves to drive along: plan lines with directions, and curves over them with heights.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -8,7 +8,8 @@
 
 namespace nightcity::traffic {
 
-/// A point of a plan line with the unit direction there; between two points goes a cubic Hermite arc.
+/// A point of a plan line and the unit direction there. Two points are joined by a cubic Hermite
+/// arc.
 struct PlanPoint {
   glm::dvec2 point, along;
 };
@@ -16,19 +17,20 @@ using PlanLine = std::vector<PlanPoint>;
 
 double length_of(const PlanLine& line);
 
-/// A polyline with its corners rounded by parabolas that leave it by no more than `deviation_m`; points a few
-/// metres apart, closer where it bends. Needs two distinct points.
+/// Returns the polyline with its corners rounded by parabolas that deviate from it by at most
+/// `deviation_m`. Its points are a few metres apart, closer where it bends. Needs two distinct
+/// points.
 PlanLine round_corners(std::span<const glm::dvec2> line, double deviation_m);
 
-/// The part from `from_m` to `to_m` along the line.
+/// Returns the part from `from_m` to `to_m` along the line.
 PlanLine trimmed(const PlanLine& line, double from_m, double to_m);
 
-/// The line `right_m` to the right (negative: to the left). Where a bend is tighter than that the inner line
-/// is cut short instead of turning back.
+/// Returns the line shifted by `right_m` to the right (negative: to the left). Where a bend is
+/// tighter than the shift, the inner line is cut short instead of turning back.
 PlanLine shifted(const PlanLine& line, double right_m);
 
-/// From one place and direction to another in one smooth turn (a cubic arc that is nearly a circle for the
-/// turns of junctions).
+/// Returns one smooth turn from a place and direction to another: a cubic arc, which is nearly a
+/// circle for the turns of junctions.
 PlanLine turn_between(const PlanPoint& from, const PlanPoint& to);
 
 /// A plan line with heights, by arc length in plan.
@@ -37,7 +39,7 @@ class Curve {
   struct Sample {
     glm::dvec3 point;  // E, N, H
     glm::dvec3 along;  // d point / d s: its plan part is unit
-    double s;          // from the start, m in plan
+    double s;          // arc length in plan from the start, m
     double curvature;  // 1 / m, greater than 0 to the left
   };
   struct Height {
@@ -50,12 +52,12 @@ class Curve {
 
   double length() const { return samples_.back().s; }
   const std::vector<Sample>& samples() const { return samples_; }
-  /// Point and direction at `s`, clamped to the curve; both continuous.
+  /// Returns point and direction at `s`, which is clamped to the curve. Both are continuous.
   struct Place {
     glm::dvec3 point, along;
   };
   Place at(double s) const;
-  /// Index of the sample before `s`, at most the last but one.
+  /// Returns the index of the sample before `s`, at most the last but one.
   std::size_t before(double s) const;
 
  private:

@@ -25,16 +25,15 @@ bool one_of(std::string_view value, std::initializer_list<std::string_view> name
   return std::find(names.begin(), names.end(), value) != names.end();
 }
 
-std::optional<int> whole(const std::string& text, int least, int greatest) {
+std::optional<int> whole(const std::string& text, int min, int max) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end == text.data() || value < least || value > greatest)
-    return std::nullopt;
+  if (error != std::errc() || end == text.data() || value < min || value > max) return std::nullopt;
   return value;
 }
 
-/// The most special of the access tags decides.
-bool closed(const OsmWay& way) {
+/// Returns whether the public may not drive here: the most specific of the access tags decides.
+bool is_closed(const OsmWay& way) {
   for (const char* key : {"motorcar", "motor_vehicle", "vehicle", "access"})
     if (const std::string value = tag(way, key); !value.empty())
       return one_of(value, {"no", "private", "agricultural", "forestry", "delivery", "emergency",
@@ -43,7 +42,7 @@ bool closed(const OsmWay& way) {
 }
 
 std::string reason_against(const OsmWay& way) {
-  if (closed(way)) return "no access";
+  if (is_closed(way)) return "no access";
   if (tag(way, "area") == "yes") return "area";
   if (tag(way, "highway") == "service" && !one_of(tag(way, "service"), {"", "alley"}))
     return "driveway or aisle";
@@ -53,51 +52,8 @@ std::string reason_against(const OsmWay& way) {
   return {};
 }
 
-void read_directions(const OsmWay& way, Drivable& result) {
-  const std::string oneway = tag(way, "oneway"), junction = tag(way, "junction");
-  result.roundabout = one_of(junction, {"roundabout", "circular"});
-  const std::string_view highway = result.road->highway;
-  const bool implied = result.roundabout || highway == "motorway" || highway == "motorway_link";
-  const bool against = one_of(oneway, {"_1", "reverse"});  // "-1", as normalise_tag leaves it
-  const bool along =
-      one_of(oneway, {"yes", "true", "1"}) || (implied && !one_of(oneway, {"no", "false", "0"}));
-  if (against)
-    result.lanes[0] = 0;
-  else if (along)
-    result.lanes[1] = 0;
-}
-
-void read_lanes(const OsmWay& way, Drivable& result) {
-  const bool both = result.both_ways();
-  const auto total = whole(raw(way, "lanes"), 1, 12);
-  if (!both) {
-    const int lanes = total.value_or(std::max(1, result.road->lanes / 2));
-    for (int& count : result.lanes)
-      if (count > 0) count = std::min(lanes, 6);
-    return;
-  }
-  const int all = std::max(2, total.value_or(result.road->lanes));
-  auto forward = whole(raw(way, "lanes:forward"), 1, 6),
-       backward = whole(raw(way, "lanes:backward"), 1, 6);
-  if (!forward && backward) forward = all - *backward;
-  if (!backward && forward) backward = all - *forward;
-  // An odd lane left over: nobody says whose, so nobody's (often it is for turning or for parking).
-  result.lanes[0] = std::clamp(forward.value_or(all / 2), 1, 6);
-  result.lanes[1] = std::clamp(backward.value_or(all / 2), 1, 6);
-}
-
-void read_width(const OsmWay& way, Drivable& result) {
-  const int lanes = result.lanes[0] + result.lanes[1];
-  // Less than 2.2 m a lane is a width of something else, or a street for one car: they pass each other
-  // slowly.
-  const double least = 2.2 * lanes;
-  result.width_m = std::max(least, lanes * result.road->lane_m);
-  if (const auto width = parse_length_m(raw(way, "width")); width && *width >= 2 && *width <= 60)
-    result.width_m = std::clamp(*width, least, 4.5 * lanes);
-}
-
 void read_speed(const OsmWay& way, const Country& country, Drivable& result) {
-  const double unsigned_limit = default_speed_kmh(*result.road, country);
+  const double unsigned_limit = default_speed_kmh(*result.carriageway.road_class, country);
   const auto both = parse_speed_kmh(raw(way, "maxspeed"));
   const char* const keys[] = {"maxspeed:forward", "maxspeed:backward"};
   for (std::size_t d = 0; d < 2; ++d) {
@@ -150,16 +106,15 @@ std::optional<double> parse_speed_kmh(std::string_view text) {
 
 std::optional<Drivable> read_drivable(const OsmWay& way, const Country& country, std::string& why) {
   Drivable result;
-  result.road = road_class(tag(way, "highway"));
-  if (!result.road) {
+  result.traffic = find_traffic_class(tag(way, "highway"));
+  const auto carriageway = roads::read_carriageway(way.tags);
+  if (!result.traffic || !carriageway) {
     why = "not for motor vehicles";
     return std::nullopt;
   }
   why = reason_against(way);
   if (!why.empty()) return std::nullopt;
-  read_directions(way, result);
-  read_lanes(way, result);
-  read_width(way, result);
+  result.carriageway = *carriageway;
   read_speed(way, country, result);
   result.structure =
       !one_of(tag(way, "bridge"), {"", "no"}) || !one_of(tag(way, "tunnel"), {"", "no"});

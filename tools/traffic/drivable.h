@@ -1,4 +1,4 @@
-// What OSM's tags say about driving on a way: class, directions, lanes, speed, access.
+// Reads the tags of OSM about driving on a way: class, directions, lanes, speed, access.
 #pragma once
 
 #include <optional>
@@ -6,29 +6,30 @@
 #include <string_view>
 
 #include "tools/osm/osm_data.h"
-#include "tools/traffic/road_classes.h"
+#include "tools/roads/carriageway.h"
+#include "tools/traffic/country.h"
+#include "tools/traffic/traffic_classes.h"
 
 namespace nightcity::traffic {
 
-/// Index 0: along the way as it is drawn; 1: against it.
+/// A way as a driver sees it. Index 0 of an array: along the way as it is drawn; 1: against it.
 struct Drivable {
-  const RoadClass* road = nullptr;
-  int lanes[2] = {1, 1};         // 0: no driving that way
-  double speed_m_s[2] = {0, 0};  // limit
-  double width_m = 0;            // carriageway
-  bool roundabout = false;
-  bool structure = false;  // bridge or tunnel: not on the ground
+  const TrafficClass* traffic = nullptr;
+  roads::Carriageway carriageway;  // a direction with no lanes is not driven
+  double speed_m_s[2] = {0, 0};    // limit
+  bool structure = false;          // bridge or tunnel: not on the ground
   int layer = 0;
 
-  bool both_ways() const { return lanes[0] > 0 && lanes[1] > 0; }
-  double lane_width() const { return width_m / (lanes[0] + lanes[1]); }
+  bool both_ways() const { return carriageway.lanes[0] > 0 && carriageway.lanes[1] > 0; }
   bool operator==(const Drivable&) const = default;
 };
 
-/// Nothing, with the reason in `why`, where motor vehicles of the public do not drive.
+/// Returns what the tags say about driving on the way. Empty, with the reason in `why`, where motor
+/// vehicles of the public do not drive.
 std::optional<Drivable> read_drivable(const OsmWay& way, const Country& country, std::string& why);
 
-/// "50", "30 mph", "walk", "none", "DE:urban", "DE:zone:30", the first of "50;30": km/h, 3 to 150.
+/// Returns a speed limit in km/h, 3 to 150: "50", "30 mph", "walk", "none", "DE:urban",
+/// "DE:zone:30", the first of "50;30". Empty if the text is no speed.
 std::optional<double> parse_speed_kmh(std::string_view text);
 
 }  // namespace nightcity::traffic

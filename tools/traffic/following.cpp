@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/traffic/simulation.h"
+#include "tools/traffic/driver_model.h"
 
 namespace nightcity::traffic {
 namespace {
@@ -22,103 +22,114 @@ struct Leader {
   }
 };
 
-/// Those who leave the same lane by another turn, or come into the same lane from another: as long as their
-/// bodies are in the way they are followed as if they drove ahead. And for whoever is late across one stops.
-void beside(const RoadState& roads, const Car& car, std::size_t turn, double way, Leader& leader) {
+/// Considers vehicles on conflicting turns. A vehicle that leaves the same lane by another turn, or
+/// enters the same lane from another, is followed as if it drove ahead while its body is in the
+/// way. For a vehicle that still stands across the turn, this one stops.
+void consider_conflicts(const RoadState& roads, const Vehicle& vehicle, std::size_t turn,
+                        double distance, Leader& leader) {
   for (const Conflict& conflict : roads.links.conflicts(turn)) {
     for (const std::uint32_t number : roads.on_link[conflict.other]) {
-      const Car& other = roads.cars[number];
+      const Vehicle& other = roads.vehicles[number];
       const double s = other.on_leg();
       if (conflict.kind == Conflict::Kind::cross) {
-        const double before = way + conflict.begin - car.half;
-        if (before > 0 && s + other.half > conflict.other_begin &&
-            s - other.half < conflict.other_end)
+        const double before = distance + conflict.begin - vehicle.half_length;
+        if (before > 0 && s + other.half_length > conflict.other_begin &&
+            s - other.half_length < conflict.other_end)
           leader.consider(before, 0);
       } else if (conflict.kind == Conflict::Kind::diverge) {
-        if (s - other.half > conflict.other_end || way + s <= 0.01) continue;
-        leader.consider(way + s - other.half - car.half, other.v);
+        if (s - other.half_length > conflict.other_end || distance + s <= 0.01) continue;
+        leader.consider(distance + s - other.half_length - vehicle.half_length, other.v);
       } else {
         const double left = roads.links[conflict.other].length_m - s;
-        const double own_left = way + roads.links[turn].length_m;
+        const double own_left = distance + roads.links[turn].length_m;
         if (left >= own_left) continue;
-        leader.consider(own_left - left - other.half - car.half, other.v);
+        leader.consider(own_left - left - other.half_length - vehicle.half_length, other.v);
       }
     }
   }
 }
 
-Leader leader_of(const RoadState& roads, std::uint32_t number) {
-  const Car& car = roads.cars[number];
-  const auto& legs = car.way->links;
+Leader find_leader(const RoadState& roads, std::uint32_t number) {
+  const Vehicle& vehicle = roads.vehicles[number];
+  const auto& legs = vehicle.plan->links;
   Leader leader;
-  const double far = sight_m(car);
-  for (std::size_t leg = car.leg; leg < legs.size() && car.way_to(leg) < far; ++leg) {
+  const double far = sight_m(vehicle);
+  for (std::size_t leg = vehicle.leg; leg < legs.size() && vehicle.distance_to(leg) < far; ++leg) {
     const std::size_t link = legs[leg];
-    const double way = car.way_to(leg);
+    const double distance = vehicle.distance_to(leg);
     const auto& row = roads.on_link[link];
-    const Car* next = nullptr;
-    if (leg == car.leg) {
+    const Vehicle* next = nullptr;
+    if (leg == vehicle.leg) {
       const auto own = std::find(row.begin(), row.end(), number);
-      if (own != row.begin()) next = &roads.cars[own[-1]];
+      if (own != row.begin()) next = &roads.vehicles[own[-1]];
     } else if (!row.empty()) {
-      next = &roads.cars[row.back()];
+      next = &roads.vehicles[row.back()];
     }
-    if (next) leader.consider(way + next->on_leg() - next->half - car.half, next->v);
+    if (next)
+      leader.consider(distance + next->on_leg() - next->half_length - vehicle.half_length, next->v);
     const LinkFacts& facts = roads.links[link];
-    if (facts.turn && roads.turning[facts.node] > 0) beside(roads, car, link, way, leader);
+    if (facts.turn && roads.turning[facts.node] > 0)
+      consider_conflicts(roads, vehicle, link, distance, leader);
     if (next) break;
   }
   return leader;
 }
 
-/// Speed from which one still stops comfortably `way` metres ahead.
-double stopping(double way) {
-  return way < 0.2 ? 0.0 : std::sqrt(2 * comfortable_braking * (way - 0.1));
+/// Returns the speed from which a vehicle can still stop comfortably within `distance` metres.
+double stopping_speed(double distance) {
+  return distance < 0.2 ? 0.0 : std::sqrt(2 * comfortable_braking * (distance - 0.1));
 }
 
-/// What bends, lines and the drive's end allow a step from here.
-double speed_cap(const RoadState& roads, const Car& car) {
-  const auto& legs = car.way->links;
-  const double factor = car.way->speed_factor, step = car.v * step_s, far = sight_m(car);
-  double cap = factor * roads.links.speed_allowed(legs[car.leg], car.on_leg() + step);
-  for (std::size_t leg = car.leg; leg < legs.size() && car.way_to(leg) - step < far; ++leg) {
+/// Returns the speed that bends, stop lines and the trip's end allow after this step.
+double speed_cap(const RoadState& roads, const Vehicle& vehicle) {
+  const auto& legs = vehicle.plan->links;
+  const double factor = vehicle.plan->speed_factor, step = vehicle.v * step_s,
+               far = sight_m(vehicle);
+  double cap = factor * roads.links.speed_allowed(legs[vehicle.leg], vehicle.on_leg() + step);
+  for (std::size_t leg = vehicle.leg; leg < legs.size() && vehicle.distance_to(leg) - step < far;
+       ++leg) {
     const LinkFacts& link = roads.links[legs[leg]];
-    const double way = car.way_to(leg) - step;
-    if (leg > car.leg) {
+    const double distance = vehicle.distance_to(leg) - step;
+    if (leg > vehicle.leg) {
       const double entry = factor * link.entry_m_s;
-      cap = std::min(cap, std::sqrt(entry * entry + 2 * comfortable_braking * std::max(way, 0.0)));
-      if (link.turn && leg >= car.granted)
-        return std::min(cap, stopping(way - car.half - line_gap_m));
+      cap = std::min(cap,
+                     std::sqrt(entry * entry + 2 * comfortable_braking * std::max(distance, 0.0)));
+      if (link.turn && leg >= vehicle.granted)
+        return std::min(cap, stopping_speed(distance - vehicle.half_length - line_gap_m));
     }
-    if (leg + 1 == legs.size() && car.way->to_stop)
-      cap = std::min(cap, stopping(way + car.way->end_s));
+    if (leg + 1 == legs.size() && vehicle.plan->to_stop)
+      cap = std::min(cap, stopping_speed(distance + vehicle.plan->end_s));
   }
   return cap;
 }
 
 double next_speed(const RoadState& roads, std::uint32_t number) {
-  const Car& car = roads.cars[number];
-  const Leader leader = leader_of(roads, number);
-  if (car.v == 0 && leader.gap <= standstill_gap_m) return 0;  // in a queue: as all below would say
-  const double cap = speed_cap(roads, car);
-  const double a = car.type->acceleration;
-  const double wish =
-      car.way->speed_factor * std::max(roads.links[car.way->links[car.leg]].entry_m_s, cap);
-  const double share = car.v / std::max(wish, 1.0), free = 1 - share * share * share * share;
+  const Vehicle& vehicle = roads.vehicles[number];
+  const Leader leader = find_leader(roads, number);
+  if (vehicle.v == 0 && leader.gap <= standstill_gap_m)
+    return 0;  // in a queue: the rules below would say the same
+  const double cap = speed_cap(roads, vehicle);
+  const double a = vehicle.type->acceleration;
+  const double desired_speed =
+      vehicle.plan->speed_factor *
+      std::max(roads.links[vehicle.plan->links[vehicle.leg]].entry_m_s, cap);
+  const double share = vehicle.v / std::max(desired_speed, 1.0),
+               free = 1 - share * share * share * share;
   double interaction = 0;
   if (leader.gap < 1e8) {
-    const double dv = car.v - leader.speed;
+    const double dv = vehicle.v - leader.speed;
     const double desired =
         standstill_gap_m +
-        std::max(0.0, car.v * headway_s + car.v * dv / (2 * std::sqrt(a * comfortable_braking)));
+        std::max(0.0,
+                 vehicle.v * headway_s + vehicle.v * dv / (2 * std::sqrt(a * comfortable_braking)));
     const double ratio = desired / std::max(leader.gap, 0.1);
     interaction = ratio * ratio;
   }
-  double next = car.v + a * (std::max(free, -1.0) - interaction) * step_s;
+  double next = vehicle.v + a * (std::max(free, -1.0) - interaction) * step_s;
   next = std::min(next, cap);
-  // Never farther than the bumper ahead, whatever the model says.
+  // Never drive into the vehicle ahead, whatever the model says.
   if (leader.gap < 0.5) next = std::min(next, leader.speed * 0.5);
-  return std::max({next, car.v - hardest_braking * step_s, 0.0});
+  return std::max({next, vehicle.v - hardest_braking * step_s, 0.0});
 }
 
 }  // namespace
@@ -126,7 +137,7 @@ double next_speed(const RoadState& roads, std::uint32_t number) {
 void choose_speeds(RoadState& roads) {
   oneapi::tbb::parallel_for(std::size_t{0}, roads.active.size(), [&](std::size_t n) {
     const std::uint32_t number = roads.active[n];
-    roads.cars[number].next_v = next_speed(roads, number);
+    roads.vehicles[number].next_v = next_speed(roads, number);
   });
 }
 

@@ -5,43 +5,47 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/traffic/simulation.h"
+#include "tools/traffic/driver_model.h"
 
 namespace nightcity::traffic {
 namespace {
 
-constexpr double clear_margin_s = 1.2;  // between two who cross
-constexpr double patience_s = 1.5;      // one who stands so long at a line is waited for no longer
-constexpr double lost_patience_s = 12;  // then one goes where there is just room
+constexpr double clear_margin_s = 1.2;  // between two vehicles whose paths cross
+// Nobody waits for a vehicle that has stood at its line for longer than this.
+constexpr double patience_s = 1.5;
+// After this time at a line, a driver no longer gives way to vehicles that are not at their line
+// yet.
+constexpr double lost_patience_s = 12;
 constexpr double grant_within_m = 80;
 
-/// Seconds for `way` metres from speed v, speeding up to `most`.
-double travel_time(double way, double v, double acceleration, double most) {
-  if (way <= 0) return 0;
-  most = std::max(most, 1.0);
-  if (v >= most) return way / v;
-  const double until = (most * most - v * v) / (2 * acceleration);
-  if (way <= until) return (std::sqrt(v * v + 2 * acceleration * way) - v) / acceleration;
-  return (most - v) / acceleration + (way - until) / most;
+/// Returns the seconds for `distance` metres, accelerating from speed v up to `max_speed`.
+double travel_time(double distance, double v, double acceleration, double max_speed) {
+  if (distance <= 0) return 0;
+  max_speed = std::max(max_speed, 1.0);
+  if (v >= max_speed) return distance / v;
+  const double until = (max_speed * max_speed - v * v) / (2 * acceleration);
+  if (distance <= until) return (std::sqrt(v * v + 2 * acceleration * distance) - v) / acceleration;
+  return (max_speed - v) / acceleration + (distance - until) / max_speed;
 }
 
-/// Room behind a junction for one more, so that nobody stops amid it: what is free of the lane the turn
-/// leads to, less those who are already on their way there.
-bool room_behind(const RoadState& roads, std::uint32_t number, std::size_t leg) {
-  const Car& car = roads.cars[number];
-  const std::size_t turn = car.way->links[leg], lane = car.way->links[leg + 1];
-  const double needed = 2 * car.half + 1.5;
+/// Returns whether the lane behind a turn has room for one more vehicle, so that nobody stops
+/// inside the junction: the free length of the lane, less what the vehicles need that are already
+/// on their way there.
+bool has_room_behind(const RoadState& roads, std::uint32_t number, std::size_t leg) {
+  const Vehicle& vehicle = roads.vehicles[number];
+  const std::size_t turn = vehicle.plan->links[leg], lane = vehicle.plan->links[leg + 1];
+  const double needed = 2 * vehicle.half_length + 1.5;
   double room = roads.links[lane].length_m;
-  if (room < needed) return true;  // too short to stand on, at any time
+  if (room < needed) return true;  // nobody can ever stand there
   if (!roads.on_link[lane].empty()) {
-    const Car& last = roads.cars[roads.on_link[lane].back()];
-    room = last.on_leg() - last.half + last.v * last.v / (2 * comfortable_braking);
+    const Vehicle& last = roads.vehicles[roads.on_link[lane].back()];
+    room = last.on_leg() - last.half_length + last.v * last.v / (2 * comfortable_braking);
   }
   const auto claim = [&](std::size_t from) {
     for (const Hold& hold : roads.holders[from]) {
-      const Car& other = roads.cars[hold.car];
-      if (hold.car != number && other.distance < other.starts[hold.leg + 1])
-        room -= 2 * other.half + standstill_gap_m;
+      const Vehicle& other = roads.vehicles[hold.vehicle];
+      if (hold.vehicle != number && other.distance < other.starts[hold.leg + 1])
+        room -= 2 * other.half_length + standstill_gap_m;
     }
   };
   claim(turn);
@@ -50,66 +54,67 @@ bool room_behind(const RoadState& roads, std::uint32_t number, std::size_t leg) 
   return room >= needed;
 }
 
-/// Whether a car that is `way` before the conflict comes so late that one who is through after `clear`
-/// seconds does not hinder it.
-bool comes_late(const Car& other, double way, double clear) {
-  return way > 0 && travel_time(way, other.v, other.type->acceleration, std::max(other.v, 5.0)) >
-                        clear + clear_margin_s;
+/// Returns whether `other`, which is `distance` metres before the conflict, arrives there after a
+/// vehicle that has passed it in `clear` seconds.
+bool comes_late(const Vehicle& other, double distance, double clear) {
+  return distance > 0 && travel_time(distance, other.v, other.type->acceleration,
+                                     std::max(other.v, 5.0)) > clear + clear_margin_s;
 }
 
-/// Grants what needs no one's leave; asks for the first junction, which `ask` grants or not.
+/// Grants the turns that conflict with none. At the first junction `ask` decides.
 template <class Ask>
-void go_through(RoadState& roads, std::uint32_t number, const Ask& ask) {
-  Car& car = roads.cars[number];
-  const auto& legs = car.way->links;
-  car.wish = Car::Wish::nothing;
-  const double needed = car.v * car.v / (2 * comfortable_braking) + car.v * 1.0 + car.half + 4;
-  for (std::size_t leg = std::max(car.leg + 1, car.granted); leg < legs.size(); ++leg) {
+void grant_turns_of(RoadState& roads, std::uint32_t number, const Ask& ask) {
+  Vehicle& vehicle = roads.vehicles[number];
+  const auto& legs = vehicle.plan->links;
+  vehicle.request = Vehicle::Request::none;
+  const double needed =
+      vehicle.v * vehicle.v / (2 * comfortable_braking) + vehicle.v * 1.0 + vehicle.half_length + 4;
+  for (std::size_t leg = std::max(vehicle.leg + 1, vehicle.granted); leg < legs.size(); ++leg) {
     const LinkFacts& link = roads.links[legs[leg]];
     if (!link.turn) continue;
-    const double way = car.way_to(leg);
-    if (way > needed || way > grant_within_m) return;
-    if (link.junction && !ask(leg, way)) return;
-    car.granted = leg + 1;
+    const double distance = vehicle.distance_to(leg);
+    if (distance > needed || distance > grant_within_m) return;
+    if (link.junction && !ask(leg, distance)) return;
+    vehicle.granted = leg + 1;
   }
 }
 
 }  // namespace
 
 bool may_go(const RoadState& roads, std::uint32_t number, std::size_t leg) {
-  const Car& car = roads.cars[number];
-  const std::size_t turn = car.way->links[leg];
+  const Vehicle& vehicle = roads.vehicles[number];
+  const std::size_t turn = vehicle.plan->links[leg];
   const LinkFacts& link = roads.links[turn];
-  const double way = car.way_to(leg);
-  if (!room_behind(roads, number, leg)) return false;
-  const bool lost_patience = roads.now - car.standing_since > lost_patience_s;
-  const double most = car.way->speed_factor * roads.links.speed_allowed(turn, link.length_m / 2);
+  const double distance = vehicle.distance_to(leg);
+  if (!has_room_behind(roads, number, leg)) return false;
+  const bool lost_patience = roads.now - vehicle.standing_since > lost_patience_s;
+  const double max_speed =
+      vehicle.plan->speed_factor * roads.links.speed_allowed(turn, link.length_m / 2);
   for (const Conflict& conflict : roads.links.conflicts(turn)) {
     if (conflict.kind == Conflict::Kind::diverge) continue;
     const auto& holders = roads.holders[conflict.other];
     const bool waits = conflict.yields && !roads.coming[conflict.other].empty();
     if (holders.empty() && !waits) continue;
-    const double clear =
-        travel_time(way + conflict.end + car.half, car.v, car.type->acceleration, most);
+    const double clear = travel_time(distance + conflict.end + vehicle.half_length, vehicle.v,
+                                     vehicle.type->acceleration, max_speed);
     for (const Hold& hold : holders) {
-      const Car& other = roads.cars[hold.car];
-      const double at = -other.way_to(hold.leg);
-      if (at - other.half > conflict.other_end) continue;
-      // Into one lane: behind it, as one follows on a lane.
+      const Vehicle& other = roads.vehicles[hold.vehicle];
+      const double at = -other.distance_to(hold.leg);
+      if (at - other.half_length > conflict.other_end) continue;
+      // Both turns lead into one lane: follow the other vehicle as on a lane.
       const double left = roads.links[conflict.other].length_m - at;
-      if (conflict.kind == Conflict::Kind::merge && at > 0 && left < link.length_m + way - 1.0)
+      if (conflict.kind == Conflict::Kind::merge && at > 0 && left < link.length_m + distance - 1.0)
         continue;
-      if (!comes_late(other, conflict.other_begin - other.half - at, clear)) return false;
+      if (!comes_late(other, conflict.other_begin - other.half_length - at, clear)) return false;
     }
     if (!waits) continue;
     for (const Coming& coming : roads.coming[conflict.other]) {
-      const Car& other = roads.cars[coming.car];
-      if (coming.car == number) continue;
-      if (roads.now - other.standing_since > patience_s) continue;  // something else keeps it
-      const bool at_line = coming.distance < other.half + line_m;
-      if (!at_line && (lost_patience || other.v < standing_m_s))
-        continue;  // or stands in a queue itself
-      if (!comes_late(other, coming.distance + conflict.other_begin - other.half, clear))
+      const Vehicle& other = roads.vehicles[coming.vehicle];
+      if (coming.vehicle == number) continue;
+      if (roads.now - other.standing_since > patience_s) continue;  // something else holds it up
+      const bool at_line = coming.distance < other.half_length + line_m;
+      if (!at_line && (lost_patience || other.v < standing_m_s)) continue;  // it stands in a queue
+      if (!comes_late(other, coming.distance + conflict.other_begin - other.half_length, clear))
         return false;
     }
   }
@@ -117,39 +122,41 @@ bool may_go(const RoadState& roads, std::uint32_t number, std::size_t leg) {
 }
 
 void grant_turns(RoadState& roads) {
-  // Most of those who ask are refused by what stood before this step: that is found side by side. The others
-  // are asked again one after the other, since who gets a turn shuts it to the next.
+  // Most requests are refused because of what was granted before this step: find those in parallel.
+  // Then decide the others one after the other, because each grant may rule out the next.
   oneapi::tbb::parallel_for(std::size_t{0}, roads.active.size(), [&](std::size_t n) {
     const std::uint32_t number = roads.active[n];
-    go_through(roads, number, [&](std::size_t leg, double way) {
-      Car& car = roads.cars[number];
-      const bool stands = car.v < 0.5 && way < car.half + 6;
-      car.wish = may_go(roads, number, leg) ? Car::Wish::turn
-                 : stands                   ? Car::Wish::stands
-                                            : Car::Wish::nothing;
+    grant_turns_of(roads, number, [&](std::size_t leg, double distance) {
+      Vehicle& vehicle = roads.vehicles[number];
+      const bool stands = vehicle.v < 0.5 && distance < vehicle.half_length + 6;
+      vehicle.request = may_go(roads, number, leg) ? Vehicle::Request::turn
+                        : stands                   ? Vehicle::Request::waits
+                                                   : Vehicle::Request::none;
       return false;
     });
   });
   std::vector<std::uint32_t> waiting;
   for (const std::uint32_t number : roads.active) {
-    Car& car = roads.cars[number];
-    if (car.wish == Car::Wish::turn)
-      go_through(roads, number, [&](std::size_t leg, double way) {
+    Vehicle& vehicle = roads.vehicles[number];
+    if (vehicle.request == Vehicle::Request::turn)
+      grant_turns_of(roads, number, [&](std::size_t leg, double distance) {
         if (may_go(roads, number, leg)) {
           roads.hold(number, leg);
           return true;
         }
-        if (car.v < 0.5 && way < car.half + 6) car.wish = Car::Wish::stands;
+        if (vehicle.v < 0.5 && distance < vehicle.half_length + 6)
+          vehicle.request = Vehicle::Request::waits;
         return false;
       });
-    if (car.wish == Car::Wish::stands) waiting.push_back(number);
+    if (vehicle.request == Vehicle::Request::waits) waiting.push_back(number);
   }
-  // Told at the end: what one decides does not hang on who was asked before.
+  // Update the waiting times at the end, so that no decision depends on the order of the requests.
   for (const std::uint32_t number : roads.active)
-    if (roads.cars[number].wish != Car::Wish::stands)
-      roads.cars[number].standing_since = not_standing;
+    if (roads.vehicles[number].request != Vehicle::Request::waits)
+      roads.vehicles[number].standing_since = not_standing;
   for (const std::uint32_t number : waiting)
-    roads.cars[number].standing_since = std::min(roads.cars[number].standing_since, roads.now);
+    roads.vehicles[number].standing_since =
+        std::min(roads.vehicles[number].standing_since, roads.now);
 }
 
 }  // namespace nightcity::traffic

@@ -1,17 +1,20 @@
-// Who may enter a junction, and when.
+// Decides which vehicles may enter a junction, and when.
 #pragma once
 
 #include "tools/traffic/road_state.h"
 
 namespace nightcity::traffic {
 
-/// Whether a car may drive the turn that is its leg `leg`: room behind it, nobody who holds a turn across it
-/// hindered, nobody hindered to whom it gives way. More holders never turn a no into a yes: who is refused at
-/// one moment is refused whatever else is granted in it.
+/// Returns whether a vehicle may drive the turn that is its leg `leg`. All of this must hold:
+/// - the lane behind the turn has room for the vehicle;
+/// - it hinders no vehicle that holds a conflicting turn;
+/// - it hinders no vehicle to which it has to give way.
+/// Monotone: granting more turns never makes a refused turn acceptable. So the order of the
+/// requests of one moment only matters for those that are accepted at first.
 bool may_go(const RoadState& roads, std::uint32_t number, std::size_t leg);
 
-/// Tells every car whether it may drive the turns before it. Decided in the order of `active`, whatever the
-/// number of threads.
+/// Grants turns to the vehicles that reach them. Requests are decided in the order of `active`, so
+/// the result does not depend on the number of threads.
 void grant_turns(RoadState& roads);
 
 }  // namespace nightcity::traffic

@@ -20,7 +20,7 @@ constexpr double corner_deviation_m =
 constexpr double corner_m = 2.5;       // between a junction's corner and where its turns begin
 constexpr double bend_radius_m = 4.5;  // where a street bends at a node between two ways
 constexpr double half_axle_m =
-    1.4;  // a vehicle stands on two axles this far before and behind its middle
+    1.4;  // the two axles are this far in front of and behind a vehicle's middle
 constexpr double slowest_m_s = 1.5;      // in the tightest bend
 constexpr double tightest_bend_m = 1.6;  // of a vehicle's middle, for a moment
 
@@ -40,23 +40,23 @@ dvec2 end_direction(const RoadEdge& edge) {
 
 LinkNetwork::LinkNetwork(const RoadGraph& graph, HeightAt height_at, InsideBuilding inside)
     : graph_(graph), height_at_(std::move(height_at)), inside_(std::move(inside)) {
-  middles_.resize(graph.edges.size());
+  centrelines_.resize(graph.edges.size());
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-    Middle& middle = middles_[e];
-    middle.line = round_corners(graph.edges[e].line, corner_deviation_m);
-    middle.length = length_of(middle.line);
-    const double most = 0.45 * middle.length;
-    middle.begin = std::min(setback(e, true), most);
-    middle.end = middle.length - std::min(setback(e, false), most);
+    Centreline& centreline = centrelines_[e];
+    centreline.line = round_corners(graph.edges[e].line, corner_deviation_m);
+    centreline.length = length_of(centreline.line);
+    const double most = 0.45 * centreline.length;
+    centreline.begin = std::min(setback(e, true), most);
+    centreline.end = centreline.length - std::min(setback(e, false), most);
   }
 }
 
 double LinkNetwork::lane_length(std::size_t edge) const {
-  return middles_[edge].end - middles_[edge].begin;
+  return centrelines_[edge].end - centrelines_[edge].begin;
 }
 
-/// How far from a node its turns begin: clear of the streets that cross, or as long as a change of lanes
-/// needs.
+/// Returns how far from a node its turns begin, in metres: clear of the streets that cross, or as
+/// far as a change of lanes needs.
 double LinkNetwork::setback(std::size_t edge, bool at_start) const {
   const RoadEdge& own = graph_.edges[edge];
   const std::size_t number = at_start ? own.from : own.to;
@@ -69,7 +69,7 @@ double LinkNetwork::setback(std::size_t edge, bool at_start) const {
     const dvec2 direction = leaves ? start_direction(other) : -end_direction(other);
     const double angle = std::abs(angle_between(away, direction));
     if (node.streets <= 2) {
-      // The street goes on: round the bend, and shift to where its lanes lie.
+      // The street continues: the turn goes round the bend and shifts to where the next lanes lie.
       const double bend = std::numbers::pi - angle;
       const double aside =
           std::abs(own.lane_offset(0, graph_.side) - other.lane_offset(0, graph_.side)) +
@@ -89,7 +89,8 @@ double LinkNetwork::setback(std::size_t edge, bool at_start) const {
   return std::min(result, 25.0);
 }
 
-/// Where the ground has a hole the height goes on as it was.
+/// Returns the heights of the ground along a line. In a hole of the ground the last known height
+/// continues.
 std::vector<Curve::Height> LinkNetwork::ground(const PlanLine& line, double last) const {
   std::vector<Curve::Height> heights;
   for (const PlanPoint& p : line) {
@@ -113,7 +114,7 @@ void LinkNetwork::limit_speed(Link& link, double limit) const {
     const double in_bend = bend > 1e-6 ? std::sqrt(sideways_acceleration / bend) : limit;
     link.allowed_m_s.push_back(std::max(std::min(limit, in_bend), slowest_m_s));
   }
-  // Backwards: nobody arrives faster than they can brake for what comes.
+  // From the end backwards: nobody may arrive faster than they can brake for what comes next.
   for (std::size_t n = samples.size() - 1; n-- > 0;) {
     const double next = link.allowed_m_s[n + 1], way = samples[n + 1].s - samples[n].s;
     link.allowed_m_s[n] =
@@ -156,14 +157,14 @@ std::size_t LinkNetwork::lane(std::size_t edge, int lane) {
   const auto [found, is_new] = lanes_.try_emplace({edge, lane}, links_.size());
   if (!is_new) return found->second;
   const RoadEdge& road = graph_.edges[edge];
-  const Middle& middle = middles_[edge];
-  const PlanLine line =
-      shifted(trimmed(middle.line, middle.begin, middle.end), road.lane_offset(lane, graph_.side));
+  const Centreline& centreline = centrelines_[edge];
+  const PlanLine line = shifted(trimmed(centreline.line, centreline.begin, centreline.end),
+                                road.lane_offset(lane, graph_.side));
   const double from = graph_.nodes[road.from].height_m, to = graph_.nodes[road.to].height_m;
   std::vector<Curve::Height> heights;
   if (road.structure) {
-    const double slope = (to - from) / middle.length;
-    double s = middle.begin;
+    const double slope = (to - from) / centreline.length;
+    double s = centreline.begin;
     for (std::size_t n = 0; n < line.size(); ++n) {
       if (n > 0) s += glm::distance(line[n - 1].point, line[n].point);
       heights.push_back({from + slope * s, slope});
@@ -210,7 +211,7 @@ std::size_t LinkNetwork::turn(std::size_t edge, int lane_from, std::size_t next_
   } else {
     heights = ground(line, a.point.z);
   }
-  // The lanes' own ends, to the bit: a drive runs over the joint.
+  // Use exactly the ends of the lanes, because trips run over the joint.
   heights.front() = {a.point.z, a.along.z};
   heights.back() = {b.point.z, b.along.z};
   link.curve = Curve(line, heights);
@@ -241,25 +242,26 @@ Movement LinkNetwork::movement(std::size_t edge, std::size_t next_edge) const {
 
 double LinkNetwork::turn_radius(std::size_t edge, std::size_t next_edge) const {
   const auto lane_end = [&](std::size_t e, double s) {
-    const Middle& middle = middles_[e];
-    const PlanLine piece = trimmed(middle.line, s - 0.05, s + 0.05);
+    const Centreline& centreline = centrelines_[e];
+    const PlanLine piece = trimmed(centreline.line, s - 0.05, s + 0.05);
     const dvec2 along = piece.front().along;
     return PlanPoint{piece.front().point +
                          dvec2(along.y, -along.x) * graph_.edges[e].lane_offset(0, graph_.side),
                      along};
   };
-  const PlanPoint from = lane_end(edge, middles_[edge].end),
-                  to = lane_end(next_edge, middles_[next_edge].begin);
+  const PlanPoint from = lane_end(edge, centrelines_[edge].end),
+                  to = lane_end(next_edge, centrelines_[next_edge].begin);
   const double turn = std::abs(angle_between(from.along, to.along));
-  // Where it begins behind the place it leads from, there is no way but a loop.
+  // Where the next lane begins behind the end of this one, only a loop would lead there.
   const dvec2 chord = to.point - from.point;
   if (glm::dot(chord, from.along) <= 0 || glm::dot(chord, to.along) <= 0) return 0;
   if (turn < 0.3) return std::numeric_limits<double>::infinity();
   return glm::length(chord) / (2 * std::sin(turn / 2));
 }
 
-/// Roundabout before approach, main before minor road; on equal roads oncoming traffic before a turn across
-/// it, and else whoever comes from the kerb's side (right before left where one drives on the right).
+/// Returns whether turn a gives way to turn b. First go vehicles in a roundabout before those that
+/// enter it, main road before minor road; on equal roads, oncoming traffic before a turn across it;
+/// otherwise traffic from the side of the kerb (right before left where people drive on the right).
 bool LinkNetwork::yields(const Link& a, const Link& b) const {
   const RoadEdge &own = graph_.edges[a.edge], &other = graph_.edges[b.edge];
   if (a.edge == b.edge) return false;
@@ -271,7 +273,7 @@ bool LinkNetwork::yields(const Link& a, const Link& b) const {
     const Movement across = right_hand ? Movement::left : Movement::right;
     return movement(a.edge, a.next_edge) == across && movement(b.edge, b.next_edge) != across;
   }
-  // Who comes from my right drives towards my left: turned against me by a positive angle.
+  // Traffic from the right drives towards the left, so its direction is turned by a positive angle.
   return right_hand ? angle > 0 : angle < 0;
 }
 
@@ -284,7 +286,8 @@ void LinkNetwork::conflict(std::size_t number, std::size_t other_number) {
     for (const Curve::Sample& q : sb) {
       const double cosine = std::abs(glm::dot(dvec2(p.along), dvec2(q.along)));
       const double clear =
-          cosine > 0.87 ? 2.1 : 2.9;  // side by side, or across: corners reach farther
+          cosine > 0.87 ? 2.1
+                        : 2.9;  // across each other, the corners reach farther than side by side
       const dvec2 apart = dvec2(p.point - q.point);
       if (glm::dot(apart, apart) >= clear * clear || std::abs(p.point.z - q.point.z) > 3) continue;
       begin[0] = std::min(begin[0], p.s), end[0] = std::max(end[0], p.s);

@@ -1,4 +1,4 @@
-// Lanes and the turns between them, as curves to drive along, with who gives way to whom.
+// Lanes and the turns between them, as curves to drive along, and which turns give way to which.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@ namespace nightcity::traffic {
 
 enum class Movement { straight, left, right };
 
-/// Two turns of one junction that cannot be driven at once.
+/// Another turn of the same junction that cannot be driven at the same time.
 struct Conflict {
   std::size_t other;  // link
-  double begin, end;  // where on this link the bodies' middles are too near to each other
+  double begin, end;  // the stretch of this link on which two vehicles would come too near
   double other_begin, other_end;
   enum class Kind { cross, merge, diverge } kind;
-  bool yields;  // this one gives way
+  bool yields;  // whether this link gives way
 };
 
 struct Link {
@@ -30,28 +30,31 @@ struct Link {
   int lane = 0;
   std::size_t next_edge = none;        // a turn: the edge it enters
   std::size_t from = none, to = none;  // a turn: its lanes
-  std::vector<double>
-      allowed_m_s;  // at each sample: limit, bends, and braking for what lies ahead on this link
+  // Speed allowed at each sample: by the limit, by bends, and by braking for what lies ahead
+  // on this link.
+  std::vector<double> allowed_m_s;
   std::vector<Conflict> conflicts;  // a turn's
-  bool junction = false;            // a turn that meets others: one is told when one may go
-  bool steerable = true;            // no bend of it is tighter than steering wheels allow
-  double in_buildings_m = 0;  // on so much of it a car would stand with a corner in a building
+  bool junction = false;            // a turn that conflicts with others: vehicles wait for a grant
+  bool steerable = true;            // no bend is tighter than a vehicle can steer
+  double in_buildings_m = 0;        // length on which a car would have a corner in a building
 };
 
-/// Comfortable driving, m/s2: ITE's Traffic Engineering Handbook has 1.5-2 for braking and at most 2.5
-/// sideways at town speeds.
+/// Comfortable driving, m/s2. The ITE's Traffic Engineering Handbook gives 1.5 to 2 for braking and
+/// at most 2.5 sideways at town speeds.
 constexpr double comfortable_braking = 1.6, sideways_acceleration = 2.3;
 
 class LinkNetwork {
  public:
-  /// Refers to `graph`. `inside` may be empty: there are no buildings then.
+  /// Keeps a reference to `graph`. An empty `inside` means that there are no buildings.
   LinkNetwork(const RoadGraph& graph, HeightAt height_at, InsideBuilding inside = {});
 
-  /// Links are made when they are first asked for: most of a map's turns nobody takes.
+  /// Returns the number of a lane's or a turn's link. Links are made when they are first asked for,
+  /// because nobody takes most turns of a map.
   std::size_t lane(std::size_t edge, int lane);
   std::size_t turn(std::size_t edge, int lane, std::size_t next_edge, int next_lane);
-  /// Whether one can steer from one lane into the other: where the second begins beside or behind the end of
-  /// the first (lanes that overlap at acute corners) there is no way but a loop.
+  /// Returns whether a vehicle can steer from one lane into the other. Where the second begins
+  /// beside or behind the end of the first (lanes that overlap at acute corners), only a loop
+  /// would lead there.
   bool can_turn(std::size_t edge, int lane, std::size_t next_edge, int next_lane);
   /// Finds the conflicts of all links made so far.
   void find_conflicts();
@@ -59,18 +62,19 @@ class LinkNetwork {
   const std::deque<Link>& links() const { return links_; }
   const RoadGraph& graph() const { return graph_; }
   Movement movement(std::size_t edge, std::size_t next_edge) const;
-  /// Of the turn from one edge's kerb lane to another's, m; infinite where it goes straight on, 0 where
-  /// none is possible.
+  /// Returns the radius in metres of the turn from one edge's kerb lane to another's: infinite
+  /// where it goes straight on, 0 where no turn is possible.
   double turn_radius(std::size_t edge, std::size_t next_edge) const;
-  /// Of a lane of the edge, roughly: between the junctions at its ends.
+  /// Returns the approximate length in metres of a lane of the edge, between the junctions
+  /// at its ends.
   double lane_length(std::size_t edge) const;
 
  private:
-  struct Middle {  // an edge's rounded middle line between its junctions
+  struct Centreline {  // of an edge, rounded, between its junctions
     PlanLine line;
     double length = 0, begin = 0, end = 0;
   };
-  const Middle& middle(std::size_t edge) const { return middles_[edge]; }
+  const Centreline& centreline(std::size_t edge) const { return centrelines_[edge]; }
   double setback(std::size_t edge, bool at_start) const;
   std::vector<Curve::Height> ground(const PlanLine& line, double last) const;
   void limit_speed(Link& link, double limit) const;
@@ -82,7 +86,7 @@ class LinkNetwork {
   const RoadGraph& graph_;
   HeightAt height_at_;
   InsideBuilding inside_;
-  std::vector<Middle> middles_;
+  std::vector<Centreline> centrelines_;
   std::deque<Link> links_;
   std::map<std::pair<std::size_t, int>, std::size_t> lanes_;
   std::map<std::tuple<std::size_t, int, std::size_t, int>, std::size_t> turns_;

@@ -1,4 +1,4 @@
-// What the simulation asks of links at every step, packed: links themselves lie all over the memory.
+// The facts about links that the simulation needs at every step, packed together for the cache.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@ namespace nightcity::traffic {
 
 struct LinkFacts {
   double length_m = 0;
-  double entry_m_s = 0;  // speed allowed at its start
+  double entry_m_s = 0;  // speed allowed at the start
   bool turn = false, junction = false;
-  std::uint32_t node = 0;  // a turn's: where it lies
+  std::uint32_t node = 0;  // of a turn: the node where it lies
   std::uint32_t first_conflict = 0, conflict_count = 0;
   std::uint32_t first_limit = 0, limit_count = 0;
 };
 
 class LinkTable {
  public:
-  /// Copies what it needs.
+  /// Copies all it needs from the network.
   explicit LinkTable(const LinkNetwork& network);
 
   std::size_t size() const { return facts_.size(); }
@@ -28,12 +28,13 @@ class LinkTable {
   std::span<const Conflict> conflicts(std::size_t link) const {
     return std::span(conflicts_).subspan(facts_[link].first_conflict, facts_[link].conflict_count);
   }
-  /// By limit, bends, and braking for what lies ahead on this link; `s` is clamped to it.
+  /// Returns the speed in m/s that the limit, the bends and the braking for what lies ahead on this
+  /// link allow at `s` metres from its start; `s` is clamped to the link.
   double speed_allowed(std::size_t link, double s) const;
 
  private:
   struct Limit {
-    double s, square;  // of the speed: braking is even along the way in v squared
+    double s, square;  // squared speed: under even braking it is linear in the distance
   };
 
   std::vector<LinkFacts> facts_;

@@ -20,7 +20,8 @@ struct Body {
   double height, half_length, half_width;
 };
 
-/// Oriented boxes in plan, by separating axes; and not one above the other.
+/// Returns whether two boxes overlap in plan (separating axis theorem) and neither lies
+/// above the other.
 bool overlap(const Body& a, const Body& b) {
   if (std::abs(a.height - b.height) > 2.5) return false;
   const glm::dvec2 apart = b.middle - a.middle;
@@ -37,7 +38,7 @@ bool overlap(const Body& a, const Body& b) {
 
 constexpr double longest_m = 14;  // no shorter than the longest body
 
-/// What a stretch of the cycle shows.
+/// The overlaps found in a stretch of the cycle.
 struct Found {
   std::size_t samples = 0, overlapping = 0;
   std::set<std::pair<std::size_t, std::size_t>> pairs;
@@ -77,7 +78,7 @@ class Stretch {
       return false;
     });
     found_.samples += bodies_.size();
-    // From west to east: those near in x are near in the list.
+    // Sort from west to east, so that neighbours in x are neighbours in the list.
     std::sort(bodies_.begin(), bodies_.end(), [](const Body& a, const Body& b) {
       return a.middle.x != b.middle.x ? a.middle.x < b.middle.x : a.trip < b.trip;
     });
@@ -98,7 +99,7 @@ class Stretch {
     return traffic_.knots.subspan(trip.first_knot, trip.knot_count);
   }
 
-  /// Seconds since its start, of a trip that is on the road at `t`.
+  /// Returns the seconds since the start of a trip that is on the road at `t`.
   std::optional<double> on_drive(std::size_t n, double t) const {
     const Trip& trip = traffic_.trips[n];
     double u = t - double{trip.start_s};
@@ -119,20 +120,20 @@ class Stretch {
 
 OverlapReport find_overlaps(const TrafficContent& traffic, double step_s, double slack_m) {
   OverlapReport report;
-  report.drop.assign(traffic.trips.size(), false);
+  report.leave_out.assign(traffic.trips.size(), false);
   const double cycle = double{traffic.cycle.cycle_s};
   const auto steps = static_cast<std::size_t>(std::ceil(cycle / step_s));
   const auto moment = [&](std::size_t step) {
     return cycle * static_cast<double>(step) / static_cast<double>(steps);
   };
-  // Trips by the moment at which they start, so that a moment looks at those on the road only.
+  // Sort trips by their start, so that each moment checks only the trips on the road.
   std::vector<std::vector<std::size_t>> starting(steps);
   for (std::size_t n = 0; n < traffic.trips.size(); ++n) {
     const auto at = static_cast<std::size_t>(
         std::ceil(double{traffic.trips[n].start_s} / cycle * static_cast<double>(steps)));
     starting[at % steps].push_back(n);
   }
-  // Stretches of the cycle side by side; what they find is put together in order.
+  // Stretches of the cycle are checked in parallel; their results are merged in order.
   constexpr std::size_t stretch_steps = 64;
   std::vector<Found> found((steps + stretch_steps - 1) / stretch_steps);
   oneapi::tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t k) {
@@ -150,7 +151,7 @@ OverlapReport find_overlaps(const TrafficContent& traffic, double step_s, double
     report.overlapping += one.overlapping;
     pairs.merge(one.pairs);
   }
-  // Those with most overlaps go first, until no pair is left whole.
+  // The trips with most overlaps are left out first, until no pair overlaps.
   std::vector<std::size_t> blame(traffic.trips.size(), 0);
   for (const auto& [a, b] : pairs) ++blame[a], ++blame[b];
   std::vector<std::pair<std::size_t, std::size_t>> left(pairs.begin(), pairs.end());
@@ -158,9 +159,9 @@ OverlapReport find_overlaps(const TrafficContent& traffic, double step_s, double
     return std::max(blame[p.first], blame[p.second]) > std::max(blame[q.first], blame[q.second]);
   });
   for (const auto& [a, b] : left) {
-    if (report.drop[a] || report.drop[b]) continue;
-    report.drop[blame[a] > blame[b] ? a : b] = true;
-    ++report.dropped;
+    if (report.leave_out[a] || report.leave_out[b]) continue;
+    report.leave_out[blame[a] > blame[b] ? a : b] = true;
+    ++report.left_out;
   }
   return report;
 }

@@ -6,14 +6,14 @@
 #include <glm/geometric.hpp>
 #include <unordered_map>
 
-#include "tools/layout/street_network.h"
+#include "tools/streets/street_network.h"
 #include "tools/traffic/clip_ways.h"
 
 namespace nightcity::traffic {
 namespace {
 
-constexpr double look_m = 20;       // between looks for the ground below a way
-constexpr double building_m = 3;    // between looks for buildings on it
+constexpr double ground_step_m = 20;   // between samples of the ground below a way
+constexpr double building_step_m = 3;  // between samples of buildings on a way
 constexpr double shortest_m = 1.0;  // a shorter street holds no vehicle: its ends become one node
 
 bool runs_through_building(const RoadEdge& edge, const InsideBuilding& inside) {
@@ -22,8 +22,9 @@ bool runs_through_building(const RoadEdge& edge, const InsideBuilding& inside) {
     const glm::dvec2 step = edge.line[n + 1] - edge.line[n];
     const double length = glm::length(step);
     const glm::dvec2 right = glm::dvec2(step.y, -step.x) / length;
-    const int looks = std::max(1, static_cast<int>(std::ceil(length / building_m)));
-    // Where vehicles drive: not the outermost half metre, maps are no better than that.
+    const int looks = std::max(1, static_cast<int>(std::ceil(length / building_step_m)));
+    // Check where vehicles drive, without the outermost half metre: maps are no more exact than
+    // that.
     const double reach = std::max(0.0, edge.half_width_m - 0.5);
     for (int k = 0; k <= looks; ++k)
       for (const double side : {-reach, 0.0, reach})
@@ -38,29 +39,31 @@ class GraphBuilder {
   GraphBuilder(const HeightAt& height_at, const InsideBuilding& inside)
       : height_at_(height_at), inside_(inside) {}
 
-  void add_streets(const layout::StreetNetwork& network,
+  void add_streets(const streets::StreetNetwork& network,
                    const std::unordered_map<std::int64_t, Drivable>& drivable) {
     graph.nodes.resize(network.joints.size());
     for (std::size_t n = 0; n < network.joints.size(); ++n)
       graph.nodes[n].place = network.joints[n].point;
-    for (const layout::Street& street : network.streets) {
+    for (const streets::Street& street : network.streets) {
       const std::int64_t way = street.pieces.front().way_id;
       add_street(street, drivable.at(way), way);
     }
   }
 
-  void add_street(const layout::Street& street, const Drivable& way, std::int64_t way_id) {
+  void add_street(const streets::Street& street, const Drivable& way, std::int64_t way_id) {
     if (street.length_m() < shortest_m && street.joints[0] == street.joints[1]) return;
     RoadEdge along;
     along.from = street.joints[0];
     along.to = street.joints[1];
     along.line = street.line;
     along.length_m = street.length_m();
-    along.road = way.road;
-    along.lane_m = way.lane_width();
-    along.half_width_m = way.width_m / 2;
+    const roads::Carriageway& carriageway = way.carriageway;
+    along.road = carriageway.road_class;
+    along.traffic = way.traffic;
+    along.lane_m = carriageway.lane_m();
+    along.half_width_m = along.lane_m * (carriageway.lanes[0] + carriageway.lanes[1]) / 2;
     along.one_way = !way.both_ways();
-    along.roundabout = way.roundabout;
+    along.roundabout = carriageway.roundabout;
     along.structure = way.structure;
     along.way_id = way_id;
     along.name = street.name;
@@ -75,9 +78,9 @@ class GraphBuilder {
     std::reverse(against.line.begin(), against.line.end());
     std::size_t numbers[2] = {none, none};
     for (std::size_t d = 0; d < 2; ++d) {
-      if (way.lanes[d] == 0) continue;
+      if (carriageway.lanes[d] == 0) continue;
       RoadEdge& edge = d == 0 ? along : against;
-      edge.lanes = way.lanes[d];
+      edge.lanes = carriageway.lanes[d];
       edge.speed_m_s = way.speed_m_s[d];
       numbers[d] = graph.edges.size();
       graph.nodes[edge.from].out.push_back(numbers[d]);
@@ -88,8 +91,8 @@ class GraphBuilder {
       if (numbers[d] != none) graph.edges[numbers[d]].opposite = numbers[1 - d];
   }
 
-  /// Nodes take the ground's height; those inside a bridge or tunnel hang evenly between its ends (a chain of
-  /// springs: conductance 1 / length).
+  /// Nodes get the height of the ground. Nodes inside a bridge or tunnel get heights between those
+  /// of its ends, as in a network of resistors whose conductance is 1 / length.
   void find_heights() {
     std::vector<bool> hung(graph.nodes.size(), false);
     for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
@@ -127,7 +130,8 @@ class GraphBuilder {
   const InsideBuilding& inside_;
 };
 
-/// A street that ends: the map does where it was cut off, or where it is too main to end in a field.
+/// Marks the dead ends at which the map ends, not the street: streets that were cut off, and
+/// streets too important to end in a field.
 void mark_borders(RoadGraph& graph, const std::vector<bool>& was_cut) {
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     RoadNode& node = graph.nodes[n];
@@ -159,7 +163,7 @@ RoadGraph make_road_graph(const std::vector<OsmWay>& highways, const LonLatToFra
   ClippedWays clipped;
   for (const OsmWay& way : highways) {
     if (way.lon_lat.empty()) continue;
-    // One country a map: a town whose halves drive on different sides is no town.
+    // One country for the whole map: no town drives on both sides.
     if (!country) country = &country_at(way.lon_lat[way.lon_lat.size() / 2]);
     std::string why;
     const auto read = read_drivable(way, *country, why);
@@ -168,7 +172,7 @@ RoadGraph make_road_graph(const std::vector<OsmWay>& highways, const LonLatToFra
       continue;
     }
     const std::size_t before = clipped.ways.size();
-    clip_way(way, to_frame, height_at, look_m, clipped);
+    clip_way(way, to_frame, height_at, ground_step_m, clipped);
     if (clipped.ways.size() == before)
       ++builder.graph.left_out["outside the model"];
     else
@@ -181,8 +185,8 @@ RoadGraph make_road_graph(const std::vector<OsmWay>& highways, const LonLatToFra
 
   std::vector<const OsmWay*> pointers;
   for (const OsmWay& way : clipped.ways) pointers.push_back(&way);
-  const layout::StreetNetwork network =
-      layout::make_street_network(pointers, to_frame, layout::Joining::never);
+  const streets::StreetNetwork network =
+      streets::make_street_network(pointers, to_frame, streets::Joining::never);
   builder.add_streets(network, drivable);
 
   std::vector<bool> was_cut(network.joints.size(), false);

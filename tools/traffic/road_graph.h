@@ -1,4 +1,5 @@
-// The streets as a driver sees them: directed edges with lanes between nodes, cut off where the ground ends.
+// The streets as a driver sees them: directed edges with lanes between nodes, cut off where
+// the ground ends.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/place/site.h"
 #include "tools/osm/osm_data.h"
+#include "tools/place/site.h"
 #include "tools/traffic/drivable.h"
 
 namespace nightcity::traffic {
@@ -19,19 +20,23 @@ constexpr std::size_t none = ~std::size_t{0};
 struct RoadEdge {
   std::size_t from = none, to = none;  // nodes
   std::size_t opposite = none;         // the other direction of the same street
-  std::vector<glm::dvec2> line;        // middle line of the street in driving direction; E, N, m
+  std::vector<glm::dvec2> line;        // centreline of the street in driving direction; E, N, m
   double length_m = 0;
-  const RoadClass* road = nullptr;
+  const roads::RoadClass* road = nullptr;
+  const TrafficClass* traffic = nullptr;
   int lanes = 1;
-  double lane_m = 3;        // width of a lane
-  double half_width_m = 3;  // of the whole carriageway
-  double speed_m_s = 0;     // limit
+  double lane_m = 3;  // width of a lane
+  // Half the width of all lanes, both directions together: vehicles keep within it, and it is never
+  // more than half the carriageway.
+  double half_width_m = 3;
+  double speed_m_s = 0;  // limit
   bool one_way = false, roundabout = false;
-  bool structure = false;  // bridge or tunnel: its height goes evenly from end to end
+  bool structure = false;  // bridge or tunnel: its height is linear from end to end
   std::int64_t way_id = 0;
   std::string name;
 
-  /// Middle of a lane, metres to the right of the middle line. Lane 0 is at the kerb of the side driven on.
+  /// Returns how far the middle of a lane lies to the right of the centreline, in metres. Lane 0 is
+  /// at the kerb of the side driven on.
   double lane_offset(int lane, Side side) const;
 };
 
@@ -39,8 +44,8 @@ struct RoadNode {
   glm::dvec2 place{0, 0};
   double height_m = 0;
   std::vector<std::size_t> in, out;  // edges
-  bool border = false;               // the map ends here, not the street
-  /// Streets that meet here; fewer than three make no junction.
+  bool border = false;               // the map ends here, but the street does not
+  /// Number of streets that meet here; fewer than three make no junction.
   int streets = 0;
 };
 
@@ -54,8 +59,9 @@ struct RoadGraph {
   double lane_km() const;
 };
 
-/// `height_at` is empty where the model has no ground: streets end there. Streets at ground level that run
-/// through a building (`inside`) are left out. `side` overrides what the place says.
+/// Makes the graph of all drivable ways. Streets end where the model has no ground (`height_at` is
+/// empty there). Streets at ground level that run through a building (`inside`) are left out.
+/// `side` overrides the side on which the country drives.
 RoadGraph make_road_graph(const std::vector<OsmWay>& highways, const LonLatToFrame& to_frame,
                           const HeightAt& height_at, const InsideBuilding& inside,
                           std::optional<Side> side = std::nullopt);

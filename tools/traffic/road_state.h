@@ -1,74 +1,76 @@
-// One moment of the simulation: who is where, and who may drive which turn.
+// One moment of the simulation: where the vehicles are, and which turns they may drive.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "tools/traffic/link_table.h"
-#include "tools/traffic/routes.h"
+#include "tools/traffic/trip_plans.h"
 
 namespace nightcity::traffic {
 
 constexpr double not_standing = 1e18;
-constexpr double standing_m_s = 1;  // slower ones stand,
-constexpr double line_m = 8;        // at a line where their bumper is no farther from it
+constexpr double standing_m_s = 1;  // a slower vehicle counts as standing
+constexpr double line_m = 8;        // a vehicle is at a stop line if its bumper is this near to it
 
-struct Car {
-  const Route* way = nullptr;
+struct Vehicle {
+  const TripPlan* plan = nullptr;
   const VehicleType* type = nullptr;
-  std::vector<double>
-      starts;           // of each leg (one of way->links) along the route, and the end of the last
-  std::size_t leg = 0;  // the one it is on
-  double distance = 0;  // of its middle along the route
-  double v = 0, next_v = 0;
-  double half = 0;
-  std::size_t granted = 0;               // turns before this leg may be driven
-  std::size_t held_from = 0;             // the first leg whose turn it may still hold
-  double standing_since = not_standing;  // first at a line
-  double born = 0;
-  enum class Wish : std::uint8_t { nothing, stands, turn } wish = Wish::nothing;
+  // Where each leg (one of plan->links) starts along the trip, and where the last one ends; metres.
+  std::vector<double> starts;
+  std::size_t leg = 0;                   // the leg that the vehicle is on
+  double distance = 0;                   // of the vehicle's middle along the trip
+  double v = 0, next_v = 0;              // now and after this step
+  double half_length = 0;                // of the body
+  std::size_t granted = 0;               // all turns before this leg may be driven
+  std::size_t held_from = 0;             // the first leg whose turn the vehicle may still hold
+  double standing_since = not_standing;  // time since which it stands first at a stop line
+  double born = 0;                       // time of its start
+  enum class Request : std::uint8_t { none, waits, turn } request = Request::none;
 
   double on_leg() const { return distance - starts[leg]; }
-  /// From its middle to where a leg starts; below 0: it is behind.
-  double way_to(std::size_t other_leg) const { return starts[other_leg] - distance; }
+  /// Returns the distance from the vehicle's middle to the start of a leg; negative once it is
+  /// behind.
+  double distance_to(std::size_t other_leg) const { return starts[other_leg] - distance; }
 };
 
-/// Drivers look `seconds` ahead in their own time, and at least so far.
-double sight_m(const Car& car);
+/// Returns how far the driver looks ahead, in metres: some seconds at the present speed, and
+/// a least distance.
+double sight_m(const Vehicle& vehicle);
 
-/// A turn that a car may drive and has not left.
+/// The right to drive a turn, from its grant until the vehicle has left the turn.
 struct Hold {
-  std::uint32_t car;
+  std::uint32_t vehicle;
   std::uint32_t leg;
 };
 
-/// Who comes to a turn, and how far its middle is from the turn's start.
+/// A vehicle that approaches a turn, and the distance from its middle to the turn's start.
 struct Coming {
-  std::uint32_t car;
+  std::uint32_t vehicle;
   double distance;
 };
 
 struct RoadState {
   explicit RoadState(const LinkNetwork& network);
 
-  std::uint32_t add(const Route& route, double v);
-  /// From the lane or turn it is on to the next of its legs.
+  std::uint32_t add(const TripPlan& plan, double v);
+  /// Moves a vehicle from the lane or turn it is on to the next of its legs.
   void go_on(std::uint32_t number);
   void remove(std::uint32_t number);
   void hold(std::uint32_t number, std::size_t leg);
-  /// Gives up turns that its whole body has left, or all of them.
+  /// Gives up the turns that the vehicle's whole body has left, or all of them.
   void release(std::uint32_t number, bool all);
-  /// Fills `coming`.
+  /// Fills `coming` for this moment.
   void look_ahead();
 
   LinkTable links;
   double now = 0;
-  std::vector<Car> cars;
-  std::vector<std::uint32_t> active;                // ascending: the order in which cars are asked
-  std::vector<std::vector<std::uint32_t>> on_link;  // the foremost first
-  std::vector<std::vector<Hold>> holders;           // of a turn, in the order they got it
-  std::vector<std::vector<Coming>> coming;          // to a junction's turn
-  std::vector<std::uint32_t> turning;               // cars on the turns of a node
+  std::vector<Vehicle> vehicles;
+  std::vector<std::uint32_t> active;                // vehicles on the road, ascending
+  std::vector<std::vector<std::uint32_t>> on_link;  // by link, the foremost vehicle first
+  std::vector<std::vector<Hold>> holders;           // by turn, in the order of the grants
+  std::vector<std::vector<Coming>> coming;          // by turn of a junction
+  std::vector<std::uint32_t> turning;               // by node: number of vehicles on its turns
 
  private:
   void enter(std::uint32_t number);

@@ -5,6 +5,7 @@
 #include <deque>
 #include <optional>
 
+#include "tools/traffic/driver_model.h"
 #include "tools/traffic/following.h"
 #include "tools/traffic/junction_rules.h"
 #include "tools/traffic/road_state.h"
@@ -12,30 +13,30 @@
 namespace nightcity::traffic {
 namespace {
 
-constexpr double gives_up_s =
-    90;  // standing first at a line: a jam that locks itself; the drive is given up
-constexpr double warm_up_share = 1.0;  // of a cycle, before the drives are kept
+// A vehicle that has stood first at a line for so long is in a gridlock: its trip is given up.
+constexpr double gives_up_s = 90;
+constexpr double warm_up_share = 1.0;  // of a cycle, before trips are kept
 
 class Simulator {
  public:
-  Simulator(const LinkNetwork& network, std::span<const Route> routes, double cycle_s,
-            const std::function<void(Drive&&)>& sink)
-      : roads_(network), routes_(routes), cycle_s_(cycle_s), sink_(sink), by_start_(routes.size()) {
-    for (std::size_t n = 0; n < routes.size(); ++n) by_start_[n] = n;
+  Simulator(const LinkNetwork& network, std::span<const TripPlan> plans, double cycle_s,
+            const std::function<void(DrivenTrip&&)>& sink)
+      : roads_(network), plans_(plans), cycle_s_(cycle_s), sink_(sink), by_start_(plans.size()) {
+    for (std::size_t n = 0; n < plans.size(); ++n) by_start_[n] = n;
     std::stable_sort(by_start_.begin(), by_start_.end(), [&](std::size_t a, std::size_t b) {
-      return routes[a].start_time_s < routes[b].start_time_s;
+      return plans[a].start_time_s < plans[b].start_time_s;
     });
   }
 
   SimulationReport run(const std::function<void(double)>& progress) {
-    // From -warm-up to 0 the roads fill; starts in [0, cycle) are kept; the next cycle's starts go on
-    // meanwhile.
+    // From -warm-up to 0 the roads fill. Trips that start in [0, cycle) are kept; the trips of the
+    // next cycle keep the roads busy until the kept ones have ended.
     const double begin = -warm_up_share * cycle_s_, end = 2 * cycle_s_;
     const auto steps = static_cast<long>(std::ceil((end - begin) / step_s));
     for (long n = 0; n < steps; ++n) {
       roads_.now = begin + static_cast<double>(n) * step_s;
       if (progress && n % 64 == 0) progress(static_cast<double>(n) / static_cast<double>(steps));
-      start_drives();
+      start_trips();
       if (roads_.now >= cycle_s_ && kept_ == 0) break;
       report_.max_at_once = std::max(report_.max_at_once, roads_.active.size());
       roads_.look_ahead();
@@ -49,18 +50,20 @@ class Simulator {
   }
 
  private:
-  struct Waiting {
-    std::size_t route;
-    bool kept;  // starts in the cycle that is handed out
-    double wish;
+  struct PendingTrip {
+    std::size_t plan;
+    bool kept;  // starts in the cycle that is passed on
+    double due_s;
   };
 
-  /// Of the next to start, s.
-  double wish() const { return next_cycle_ * cycle_s_ + routes_[by_start_[next_]].start_time_s; }
+  /// Returns when the next trip is due to start, in seconds.
+  double next_due_s() const {
+    return next_cycle_ * cycle_s_ + plans_[by_start_[next_]].start_time_s;
+  }
 
-  void start_drives() {
-    while (roads_.now >= wish()) {
-      waiting_.push_back({by_start_[next_], next_cycle_ == 0, wish()});
+  void start_trips() {
+    while (roads_.now >= next_due_s()) {
+      waiting_.push_back({by_start_[next_], next_cycle_ == 0, next_due_s()});
       if (next_cycle_ == 0) ++kept_;
       if (++next_ == by_start_.size()) {
         next_ = 0;
@@ -68,11 +71,11 @@ class Simulator {
       }
     }
     ++moment_;
-    std::erase_if(waiting_, [&](const Waiting& one) {
-      // Who does not get away at once looks again every second.
-      const bool looks = roads_.now < one.wish + step_s || (moment_ + one.route) % 4 == 0;
+    std::erase_if(waiting_, [&](const PendingTrip& one) {
+      // A vehicle that cannot start at once tries again every second.
+      const bool looks = roads_.now < one.due_s + step_s || (moment_ + one.plan) % 4 == 0;
       if (looks && try_start(one)) return true;
-      if (roads_.now < one.wish + cycle_s_) return false;
+      if (roads_.now < one.due_s + cycle_s_) return false;
       if (one.kept) {
         ++report_.never_started;
         --kept_;
@@ -81,104 +84,105 @@ class Simulator {
     });
   }
 
-  bool try_start(const Waiting& one) {
-    const Route& route = routes_[one.route];
-    const std::size_t link = route.links.front();
-    const double half = vehicle_types[route.type].length_m / 2;
+  bool try_start(const PendingTrip& one) {
+    const TripPlan& plan = plans_[one.plan];
+    const std::size_t link = plan.links.front();
+    const double half = vehicle_types[plan.type].length_m / 2;
     double v =
-        route.from_kerb ? 0 : roads_.links.speed_allowed(link, route.start_s) * route.speed_factor;
+        plan.from_kerb ? 0 : roads_.links.speed_allowed(link, plan.start_s) * plan.speed_factor;
     for (const std::uint32_t number : roads_.on_link[link]) {
-      const Car& other = roads_.cars[number];
-      const double s = other.on_leg(), gap = std::abs(s - route.start_s) - other.half - half;
-      if (s > route.start_s) {  // ahead
+      const Vehicle& other = roads_.vehicles[number];
+      const double s = other.on_leg(), gap = std::abs(s - plan.start_s) - other.half_length - half;
+      if (s > plan.start_s) {  // ahead
         if (gap < standstill_gap_m) return false;
         v = std::min(
             v, std::sqrt(other.v * other.v + 2 * comfortable_braking * (gap - standstill_gap_m)));
-        if (!route.from_kerb && gap < standstill_gap_m + 0.8 * v) return false;
+        if (!plan.from_kerb && gap < standstill_gap_m + 0.8 * v) return false;
       } else if (gap <
                  standstill_gap_m + 1.5 * other.v + other.v * other.v / (2 * comfortable_braking)) {
         return false;
       }
     }
-    const std::uint32_t number = roads_.add(route, v);
-    if (drives_.size() < roads_.cars.size()) drives_.resize(roads_.cars.size());
-    drives_[number].reset();
+    const std::uint32_t number = roads_.add(plan, v);
+    if (driven_.size() < roads_.vehicles.size()) driven_.resize(roads_.vehicles.size());
+    driven_[number].reset();
     if (one.kept) {
       const double now = roads_.now;
-      drives_[number] = Drive{one.route, now - cycle_s_ * std::floor(now / cycle_s_), {}, {}};
-      report_.waited_s += now - one.wish;
+      driven_[number] = DrivenTrip{one.plan, now - cycle_s_ * std::floor(now / cycle_s_), {}, {}};
+      report_.waited_s += now - one.due_s;
       record(number);
     }
     return true;
   }
 
   void record(std::uint32_t number) {
-    if (!drives_[number]) return;
-    drives_[number]->distance_m.push_back(static_cast<float>(roads_.cars[number].distance));
-    drives_[number]->speed_m_s.push_back(static_cast<float>(roads_.cars[number].v));
+    if (!driven_[number]) return;
+    driven_[number]->distance_m.push_back(static_cast<float>(roads_.vehicles[number].distance));
+    driven_[number]->speed_m_s.push_back(static_cast<float>(roads_.vehicles[number].v));
   }
 
   void move() {
     finished_.clear();
     for (const std::uint32_t number : roads_.active) {
-      Car& car = roads_.cars[number];
-      car.distance += (car.v + car.next_v) / 2 * step_s;
-      car.v = car.next_v;
-      const std::size_t last = car.way->links.size() - 1;
-      while (car.leg < last && car.distance >= car.starts[car.leg + 1]) roads_.go_on(number);
+      Vehicle& vehicle = roads_.vehicles[number];
+      vehicle.distance += (vehicle.v + vehicle.next_v) / 2 * step_s;
+      vehicle.v = vehicle.next_v;
+      const std::size_t last = vehicle.plan->links.size() - 1;
+      while (vehicle.leg < last && vehicle.distance >= vehicle.starts[vehicle.leg + 1])
+        roads_.go_on(number);
       record(number);
       roads_.release(number, false);
-      const double s = car.on_leg();
-      const bool there =
-          car.leg == last &&
-          (car.way->to_stop ? s > car.way->end_s - 0.6 && car.v < 0.3
-                            : car.distance + car.v * step_s + 0.3 > car.starts.back());
-      if (there || lost(car)) finished_.push_back(number);
+      const double s = vehicle.on_leg();
+      const bool there = vehicle.leg == last &&
+                         (vehicle.plan->to_stop ? s > vehicle.plan->end_s - 0.6 && vehicle.v < 0.3
+                                                : vehicle.distance + vehicle.v * step_s + 0.3 >
+                                                      vehicle.starts.back());
+      if (there || lost(vehicle)) finished_.push_back(number);
     }
     for (const std::uint32_t number : finished_) finish(number);
   }
 
-  bool lost(const Car& car) const {
-    return roads_.now - car.born > cycle_s_ - 2 * step_s ||
-           roads_.now - car.standing_since > gives_up_s;
+  bool lost(const Vehicle& vehicle) const {
+    return roads_.now - vehicle.born > cycle_s_ - 2 * step_s ||
+           roads_.now - vehicle.standing_since > gives_up_s;
   }
 
   void finish(std::uint32_t number) {
-    if (drives_[number]) {
+    if (driven_[number]) {
       --kept_;
-      if (lost(roads_.cars[number])) {
+      if (lost(roads_.vehicles[number])) {
         ++report_.stuck;
       } else {
         ++report_.driven;
-        sink_(std::move(*drives_[number]));
+        sink_(std::move(*driven_[number]));
       }
-      drives_[number].reset();
+      driven_[number].reset();
     }
     roads_.remove(number);
   }
 
   RoadState roads_;
-  std::span<const Route> routes_;
+  std::span<const TripPlan> plans_;
   double cycle_s_;
-  const std::function<void(Drive&&)>& sink_;
+  const std::function<void(DrivenTrip&&)>& sink_;
   SimulationReport report_;
-  std::vector<std::size_t> by_start_;         // routes
-  std::vector<std::optional<Drive>> drives_;  // of a car, where it is to be kept
+  std::vector<std::size_t> by_start_;              // plans, by start time
+  std::vector<std::optional<DrivenTrip>> driven_;  // by vehicle, if its trip is kept
   std::vector<std::uint32_t> finished_;
-  std::deque<Waiting> waiting_;
+  std::deque<PendingTrip> waiting_;
   std::size_t moment_ = 0;
   std::size_t next_ = 0;  // into by_start_
-  std::size_t kept_ = 0;  // drives of the kept cycle that wait or drive
+  std::size_t kept_ = 0;  // trips of the kept cycle that have not ended
   int next_cycle_ = -1;
 };
 
 }  // namespace
 
-SimulationReport simulate(const LinkNetwork& network, std::span<const Route> routes, double cycle_s,
-                          const std::function<void(Drive&&)>& sink,
+SimulationReport simulate(const LinkNetwork& network, std::span<const TripPlan> plans,
+                          double cycle_s, const std::function<void(DrivenTrip&&)>& sink,
                           const std::function<void(double)>& progress) {
-  if (routes.empty()) return {};
-  return Simulator(network, routes, cycle_s, sink).run(progress);
+  if (plans.empty()) return {};
+  return Simulator(network, plans, cycle_s, sink).run(progress);
 }
 
 }  // namespace nightcity::traffic

@@ -1,40 +1,37 @@
-// Driving: a microscopic simulation of all routes together, with following, bends and junctions.
+// A microscopic simulation that drives all trips together, with following, bends and junctions.
 #pragma once
 
 #include <functional>
 #include <span>
 
 #include "tools/traffic/link_network.h"
-#include "tools/traffic/routes.h"
+#include "tools/traffic/trip_plans.h"
 
 namespace nightcity::traffic {
 
-/// Intelligent Driver Model (Treiber, Hennecke, Helbing 2000): standstill gap and time headway; acceleration
-/// by type. Braking beyond `comfortable_braking` happens only when somebody cuts in.
-constexpr double standstill_gap_m = 2.0, headway_s = 1.3, hardest_braking = 7.0;
-constexpr double step_s = 0.25;
-
-/// One route driven: distance along the route's links (from the start of the first) and speed, every step_s.
-struct Drive {
-  std::size_t route;
+/// A trip as it was driven: distance along the plan's links, from the start of the first, and
+/// speed, every step_s seconds.
+struct DrivenTrip {
+  std::size_t plan;     // its number among the planned trips
   double start_time_s;  // in [0, cycle)
   std::vector<float> distance_m, speed_m_s;
 };
 
 struct SimulationReport {
   std::size_t driven = 0;
-  std::size_t never_started = 0;  // no room at their start for a whole cycle
-  std::size_t stuck = 0;          // not at their end within a cycle
+  std::size_t never_started = 0;  // trips with no room at their start for a whole cycle
+  std::size_t stuck = 0;          // trips that did not end within a cycle
   std::size_t steps = 0;
   std::size_t max_at_once = 0;
-  double waited_s = 0;  // at their start, all together
+  double waited_s = 0;  // at the start, summed over all trips
 };
 
-/// Every route starts once a cycle. Simulated until the traffic repeats itself, then one cycle of starts is
-/// handed to `sink`, each drive when it ends. Deterministic. A drive that meets the next cycle's traffic may
-/// differ from that traffic as handed out; whoever plays them back checks for bodies that overlap.
-SimulationReport simulate(const LinkNetwork& network, std::span<const Route> routes, double cycle_s,
-                          const std::function<void(Drive&&)>& sink,
+/// Simulates until the traffic repeats itself; every trip starts once in each cycle. Then passes
+/// the trips that start in one cycle to `sink`, each when it ends. Deterministic. A trip that
+/// reaches into the next cycle meets traffic that may differ from what was passed on, so the caller
+/// must check for bodies that overlap (overlaps.h).
+SimulationReport simulate(const LinkNetwork& network, std::span<const TripPlan> plans,
+                          double cycle_s, const std::function<void(DrivenTrip&&)>& sink,
                           const std::function<void(double done)>& progress = {});
 
 }  // namespace nightcity::traffic

@@ -10,8 +10,8 @@
 #include "formats/error.h"
 #include "formats/traffic_pose.h"
 #include "tools/random.h"
-#include "tools/traffic/lamps.h"
 #include "tools/traffic/link_network.h"
+#include "tools/traffic/vehicle_lamps.h"
 
 namespace nightcity::traffic {
 namespace {
@@ -32,18 +32,18 @@ class Clock {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Vehicles at once with every trip on the road: the table is for 22:00, the busiest hour has more.
+/// Returns the number of vehicles at once in the busiest hour; the table is for 22:00.
 double busiest_vehicles(const RoadGraph& graph, const TrafficOptions& options) {
-  const auto most = double{*std::max_element(options.hours.begin(), options.hours.end())};
+  const auto max_share = double{*std::max_element(options.hours.begin(), options.hours.end())};
   const auto at_table_hour = double{options.hours[(table_hour + 12) % 24]};
   double wanted = vehicles_by_table(graph);
   if (options.per_km) wanted = *options.per_km * graph.lane_km();
   if (options.vehicles) wanted = *options.vehicles;
-  return at_table_hour > 0 ? wanted * most / at_table_hour : wanted;
+  return at_table_hour > 0 ? wanted * max_share / at_table_hour : wanted;
 }
 
-/// Ranks spread evenly: any hour's share is that share, not a draw of lots. The order is by identity, so a
-/// trip keeps about its rank when others go.
+/// Gives trips evenly spread ranks, so that an hour's share of the trips is exact and not random.
+/// The order is by identity, so that a trip nearly keeps its rank when others are left out.
 void rank_trips(std::vector<Trip>& trips) {
   std::vector<std::size_t> by_lot(trips.size());
   for (std::size_t n = 0; n < trips.size(); ++n) by_lot[n] = n;
@@ -56,11 +56,11 @@ void rank_trips(std::vector<Trip>& trips) {
         0.99999994f);
 }
 
-/// Takes trips out in place, with their knots.
-void leave_out(TrafficSet& set, const std::vector<bool>& drop) {
+/// Removes the marked trips and their knots, in place.
+void leave_out(TrafficSet& set, const std::vector<bool>& marked) {
   std::size_t trips = 0, knots = 0;
   for (std::size_t n = 0; n < set.trips.size(); ++n) {
-    if (drop[n]) continue;
+    if (marked[n]) continue;
     Trip trip = set.trips[n];
     const auto first = set.knots.begin() + static_cast<std::ptrdiff_t>(trip.first_knot);
     std::copy(first, first + static_cast<std::ptrdiff_t>(trip.knot_count),
@@ -73,84 +73,84 @@ void leave_out(TrafficSet& set, const std::vector<bool>& drop) {
   set.knots.resize(knots);
 }
 
-/// Turns drives into trips, many at once and side by side; their order is that in which they came.
+/// Turns driven trips into records of the light file, many in parallel.
 class TripMaker {
  public:
-  TripMaker(const LinkNetwork& network, std::span<const Route> routes,
+  TripMaker(const LinkNetwork& network, std::span<const TripPlan> plans,
             const Georeference& georeference, const TrafficOptions& options, TrafficReport& report)
       : network_(network),
-        routes_(routes),
+        plans_(plans),
         georeference_(georeference),
         options_(options),
         report_(report) {}
 
-  void add(Drive&& drive) {
-    waiting_.push_back(std::move(drive));
-    if (waiting_.size() >= together) fit();
+  void add(DrivenTrip&& trip) {
+    waiting_.push_back(std::move(trip));
+    if (waiting_.size() >= batch_size) fit();
   }
 
-  /// Into `set`, in the order of their routes, whatever order they ended in.
+  /// Moves the trips into `set`, in the order of their plans, whatever order they ended in.
   void finish(TrafficSet& set) {
     fit();
-    std::stable_sort(made_.begin(), made_.end(),
-                     [](const Made& a, const Made& b) { return a.route < b.route; });
+    std::stable_sort(fitted_.begin(), fitted_.end(),
+                     [](const FittedTrip& a, const FittedTrip& b) { return a.plan < b.plan; });
     std::size_t knots = 0;
-    for (const Made& one : made_) knots += one.knots.size();
+    for (const FittedTrip& one : fitted_) knots += one.knots.size();
     if (knots > std::numeric_limits<uint>::max())
-      throw Error("", "traffic", "more drives than a light file counts: ask for fewer vehicles");
+      throw Error("", "traffic", "more trips than a light file can count: ask for fewer vehicles");
     set.knots.reserve(knots);
-    set.trips.reserve(made_.size());
-    for (Made& one : made_) {
+    set.trips.reserve(fitted_.size());
+    for (FittedTrip& one : fitted_) {
       one.trip.first_knot = static_cast<uint>(set.knots.size());
       one.trip.knot_count = static_cast<uint>(one.knots.size());
       set.knots.insert(set.knots.end(), one.knots.begin(), one.knots.end());
-      one.knots = {};  // two copies of all knots at once would be too many
+      one.knots = {};  // free it at once: two copies of all knots would take too much memory
       set.trips.push_back(one.trip);
     }
-    made_ = {};
+    fitted_ = {};
   }
 
  private:
-  static constexpr std::size_t together = 512;  // drives that wait as steps, at 8 bytes a step
+  static constexpr std::size_t batch_size = 512;  // trips kept as steps, at 8 bytes a step
 
-  struct Made {
-    std::size_t route;
+  struct FittedTrip {
+    std::size_t plan;
     Trip trip;
     std::vector<TripKnot> knots;
     KnotError error;
   };
 
   void fit() {
-    std::vector<Made> batch(waiting_.size());
+    std::vector<FittedTrip> batch(waiting_.size());
     oneapi::tbb::parallel_for(std::size_t{0}, waiting_.size(), [&](std::size_t n) {
-      const Drive& drive = waiting_[n];
-      const Route& route = routes_[drive.route];
-      Made& one = batch[n];
-      one.route = drive.route;
-      one.knots = make_knots(RoutePath(network_, route), drive, georeference_, options_.tolerance,
-                             one.error);
-      const auto start = static_cast<float>(drive.start_time_s);
+      const DrivenTrip& trip = waiting_[n];
+      const TripPlan& plan = plans_[trip.plan];
+      FittedTrip& one = batch[n];
+      one.plan = trip.plan;
+      one.knots =
+          make_knots(TripPath(network_, plan), trip, georeference_, options_.tolerance, one.error);
+      const auto start = static_cast<float>(trip.start_time_s);
       one.trip.start_s = start < static_cast<float>(options_.cycle_s) ? start : 0.0f;
-      one.trip.vehicle = static_cast<uint>(route.type);
-      one.trip.id = route.id;
+      one.trip.vehicle = static_cast<uint>(plan.type);
+      one.trip.id = plan.id;
     });
-    for (Made& one : batch) {
+    for (FittedTrip& one : batch) {
       if (one.knots.empty()) continue;
       report_.knot_error.position_m = std::max(report_.knot_error.position_m, one.error.position_m);
       report_.knot_error.heading_degrees =
           std::max(report_.knot_error.heading_degrees, one.error.heading_degrees);
-      made_.push_back(std::move(one));
+      fitted_.push_back(std::move(one));
     }
     waiting_.clear();
   }
 
   const LinkNetwork& network_;
-  std::span<const Route> routes_;
+  std::span<const TripPlan> plans_;
   const Georeference& georeference_;
   const TrafficOptions& options_;
   TrafficReport& report_;
-  std::vector<Drive> waiting_;
-  std::vector<Made> made_;
+  std::vector<DrivenTrip> waiting_;
+  std::vector<FittedTrip> fitted_;
 };
 
 void sum_up(TrafficSet& set) {
@@ -192,11 +192,11 @@ TrafficSet make_traffic(const std::vector<OsmWay>& highways, const LonLatToFrame
   report.tolerance = options.tolerance;
   report.cycle_s = options.cycle_s;
   Clock clock(report);
-  const auto tell = [&](const char* step, double share) {
+  const auto report_progress = [&](const char* step, double share) {
     if (progress) progress(step, share);
   };
 
-  tell("streets", 0);
+  report_progress("streets", 0);
   const RoadGraph graph = make_road_graph(highways, to_frame, height_at, inside, options.side);
   report.left_out = graph.left_out;
   report.nodes = graph.nodes.size();
@@ -205,10 +205,10 @@ TrafficSet make_traffic(const std::vector<OsmWay>& highways, const LonLatToFrame
   report.side = graph.side;
   clock.lap("streets");
 
-  tell("routes", 0);
+  report_progress("routes", 0);
   LinkNetwork network(graph, height_at, inside);
   const Demand demand{busiest_vehicles(graph, options), options.cycle_s, options.seed};
-  const std::vector<Route> routes = make_routes(network, demand, report.routes);
+  const std::vector<TripPlan> plans = plan_trips(network, demand, report.plans);
   network.find_conflicts();
   report.links = network.links().size();
   for (const Link& link : network.links()) {
@@ -217,15 +217,16 @@ TrafficSet make_traffic(const std::vector<OsmWay>& highways, const LonLatToFrame
   }
   clock.lap("routes");
 
-  const auto most = *std::max_element(options.hours.begin(), options.hours.end());
+  const auto max_share = *std::max_element(options.hours.begin(), options.hours.end());
   set.cycle.cycle_s = static_cast<float>(options.cycle_s);
   for (std::size_t hour = 0; hour < 24; ++hour)
-    set.cycle.density[hour] = most > 0 ? std::clamp(options.hours[hour] / most, 0.0f, 1.0f) : 0.0f;
+    set.cycle.density[hour] =
+        max_share > 0 ? std::clamp(options.hours[hour] / max_share, 0.0f, 1.0f) : 0.0f;
 
-  TripMaker trips(network, routes, georeference, options, report);
+  TripMaker trips(network, plans, georeference, options, report);
   report.simulation = simulate(
-      network, routes, options.cycle_s, [&](Drive&& drive) { trips.add(std::move(drive)); },
-      [&](double share) { tell("driving", share); });
+      network, plans, options.cycle_s, [&](DrivenTrip&& trip) { trips.add(std::move(trip)); },
+      [&](double share) { report_progress("driving", share); });
   trips.finish(set);
   rank_trips(set.trips);
   clock.lap("driving");
@@ -235,13 +236,13 @@ TrafficSet make_traffic(const std::vector<OsmWay>& highways, const LonLatToFrame
   set.vehicles = std::move(lamps.kinds);
   set.vehicle_lights = std::move(lamps.lights);
 
-  tell("overlaps", 0);
+  report_progress("overlaps", 0);
   const OverlapReport overlaps = find_overlaps(set.content(), overlap_step_s, overlap_slack_m);
   report.overlap_samples = overlaps.vehicle_samples;
   report.overlapping = overlaps.overlapping;
-  report.overlap_dropped = overlaps.dropped;
-  if (overlaps.dropped > 0) {
-    leave_out(set, overlaps.drop);
+  report.overlaps_left_out = overlaps.left_out;
+  if (overlaps.left_out > 0) {
+    leave_out(set, overlaps.leave_out);
     rank_trips(set.trips);
   }
   clock.lap("overlaps");

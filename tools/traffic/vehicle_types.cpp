@@ -2,11 +2,11 @@
 
 namespace nightcity::traffic {
 
-// Sizes: a compact and a middle-class car, a 3.5 t van, a 12 m city bus, a motorcycle with rider, a 12 t
-// lorry (makers' data, rounded). Shares: German urban counts (BASt, lorries and buses 3-6 % by day, less at
-// night). Accelerations: Treiber and Kesting, Traffic Flow Dynamics (2013), table 11.2: 1.4 for cars, 0.8 for
-// lorries. Lamp heights: UN Regulation 48: dipped beam 0.5-1.2 m, tail lamps 0.35-1.5 m. Colour: halogen 3200
-// K, LED 5500 K.
+// Sizes: a compact and a middle-class car, a 3.5 t van, a 12 m city bus, a motorcycle with rider, a
+// 12 t lorry (makers' data, rounded). Shares: German urban counts (BASt, lorries and buses 3-6 % by
+// day, less at night). Accelerations: Treiber and Kesting, Traffic Flow Dynamics (2013), table
+// 11.2: 1.4 for cars, 0.8 for lorries. Lamp heights: UN Regulation 48: dipped beam 0.5-1.2 m, tail
+// lamps 0.35-1.5 m. Colour: halogen 3200 K, LED 5500 K.
 const std::array<VehicleType, vehicle_type_count> vehicle_types = {{
     {"small car",
      Shape::car,

@@ -1,4 +1,4 @@
-// The kinds of vehicles that drive at night: sizes, manners and lamps. Sources stand in vehicle_types.cpp.
+// The types of vehicles: sizes, driving behaviour and lamps. The sources are in vehicle_types.cpp.
 #pragma once
 
 #include <array>
@@ -13,10 +13,11 @@ struct VehicleType {
   Shape shape;
   double length_m, width_m, height_m;
   double share;         // of the traffic on a main road
-  bool large;           // keeps to the classes of road that large vehicles use
+  bool large;           // drives only on classes of road for large vehicles
   double acceleration;  // comfortable, m/s2
-  double speed_factor
-      [2];  // of the limit (and the comfortable speed in bends) that its drivers keep, from - to
+  // Least and greatest share of the speed limit (and of the comfortable speed in bends) that
+  // drivers keep.
+  double speed_factor[2];
   double headlamp_height_m, headlamp_apart_m;  // apart 0: one headlamp
   double headlamp_cct_k;
   double tail_lamp_height_m;

@@ -7,21 +7,6 @@
 namespace nightcity {
 namespace {
 
-TEST(LitLights, AScheduleTogglesAtEachOfItsTimes) {
-  const std::vector<std::uint32_t> switches{7, 3600, 7200,
-                                            80'000};  // no schedule here uses the first
-  const Schedule schedule{1, 3};
-  EXPECT_FALSE(is_lit(schedule, switches, 0));
-  EXPECT_FALSE(is_lit(schedule, switches, 3599.9));
-  EXPECT_TRUE(is_lit(schedule, switches, 3600));
-  EXPECT_TRUE(is_lit(schedule, switches, 7199.9));
-  EXPECT_FALSE(is_lit(schedule, switches, 7200));
-  EXPECT_TRUE(is_lit(schedule, switches, 86'399));
-  EXPECT_FALSE(is_lit(schedule, switches, 86'400)) << "the next noon";
-  EXPECT_TRUE(is_lit(schedule, switches, -86'400 + 5000)) << "days repeat";
-  EXPECT_FALSE(is_lit({0, 0}, switches, 40'000)) << "never switched on";
-}
-
 TEST(LitLights, TablesHoldExactlyTheLightsThatShine) {
   std::vector<Light> lights;
   for (int i = 0; i < 100; ++i) lights.push_back(test::lamp({float(i), 5, 0}, 100.0f + float(i)));

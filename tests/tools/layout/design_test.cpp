@@ -1,4 +1,4 @@
-// Illuminance under rows of lamps against closed forms, and the designs that come of it.
+// Illuminance under rows of lamps against closed forms, and the designs that follow from it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,11 +25,15 @@ Photometry cosine() {
                           1, 721);
 }
 
+double untagged_width_m(const char* highway) {
+  return roads::read_carriageway({{"highway", highway}})->width_m;
+}
+
 TEST(Illuminance, BelowALampItIsIntensityOverHeightSquared) {
   const Photometry profile = cosine();
   const RoadLuminaire lamp{{3, 4}, 8, {0, 1}, 0, 5000, &profile};
   EXPECT_NEAR(illuminance(lamp, {3, 4}), 5000 / pi / 64, 1e-9);
-  // At 45 degrees cos^3 and the profile's own cosine.
+  // At 45 degrees: cos^3, times the cosine of the profile.
   EXPECT_NEAR(illuminance(lamp, {11, 4}), 5000 / pi / 64 * std::pow(0.5, 2), 1e-3);
 }
 
@@ -80,8 +84,8 @@ TEST(Illuminance, ARowOfIsotropicLampsMeetsTheSumOfCosinesCubed) {
 }
 
 TEST(Illuminance, TheAverageOfADenseRowIsThatOfALine) {
-  // An endless line of isotropic emitters, phi lumens a metre, h above and y beside: E = phi / (2 pi) h /
-  // (y^2 + h^2); its mean over a road of half width b is phi / (2 pi b) atan(b / h).
+  // An endless line of isotropic emitters, phi lumens a metre, h above and y beside: E = phi / (2
+  // pi) h / (y^2 + h^2); its mean over a road of half width b is phi / (2 pi b) atan(b / h).
   const double h = 6, width = 9.75, spacing = 1;
   LampRow row{Arrangement::central, width, spacing, h, 0, 200, nullptr};
   EXPECT_NEAR(row_illuminance(row).average_lx,
@@ -121,11 +125,12 @@ TEST(LampDesign, EveryRoadOfTheTableReachesTheAverageOfItsClassAndNotTheNextOne)
   for (const char* highway :
        {"motorway", "primary", "secondary", "tertiary", "unclassified", "residential",
         "living_street", "service", "pedestrian", "footway", "cycleway"}) {
-    const RoadDefaults road = *road_defaults(highway);
+    const RoadLighting road = *find_road_lighting(highway);
     const LightingClass wanted = *lighting_class(road.target);
     const Photometry profile = one_lumen(make_optic(road.optic));
-    const LampDesign design = design_lamps(
-        road, road.width_m, arrangement_for(road.width_m, road.mounting_m), wanted, profile);
+    const double width_m = untagged_width_m(highway);
+    const LampDesign design =
+        design_lamps(road, width_m, arrangement_for(width_m, road.mounting_m), wanted, profile);
     const double maintained = design.field.average_lx * maintenance_factor;
     EXPECT_GE(maintained, wanted.average_lx) << highway;
     EXPECT_LE(maintained, wanted.average_lx * max_excess) << highway;
@@ -137,10 +142,10 @@ TEST(LampDesign, EveryRoadOfTheTableReachesTheAverageOfItsClassAndNotTheNextOne)
 TEST(LampDesign, MappedLampsOfTheTableReachTheirClassAtThreeHeightsAndDoNotDoubleIt) {
   for (const char* highway :
        {"motorway", "primary", "secondary", "tertiary", "unclassified", "residential"}) {
-    const RoadDefaults road = *road_defaults(highway);
+    const RoadLighting road = *find_road_lighting(highway);
     const Photometry profile = one_lumen(make_optic(road.optic));
     LampRow row;
-    row.width_m = road.width_m;
+    row.width_m = untagged_width_m(highway);
     row.spacing_m = 3 * road.mounting_m;
     row.height_m = road.mounting_m;
     row.overhang_m = road.outreach_m - setback_m(road);

@@ -1,4 +1,4 @@
-// Layouts on a plane: what is known beforehand of lamps along streets.
+// Layouts on a plane, for which the places of lamps are known.
 #include "tools/layout/layout.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ double min_distance(const LampSet& set) {
 
 TEST(Layout, LampsStandEvenlyBehindOneKerbAndLookAtTheRoad) {
   const Laid laid = lay_out({street(1, {{-300, 0}, {300, 0}}, tags("residential"))});
-  const RoadDefaults road = *road_defaults("residential");
+  const RoadLighting road = *find_road_lighting("residential");
   ASSERT_EQ(laid.report.streets.size(), 1u);
   const double designed = laid.report.streets[0].spacing_m;
   EXPECT_GE(designed, 2.5 * road.mounting_m - 1e-9);
@@ -68,7 +68,7 @@ TEST(Layout, LampsStandEvenlyBehindOneKerbAndLookAtTheRoad) {
   for (std::size_t n = 1; n < x.size(); ++n) EXPECT_NEAR(x[n] - x[n - 1], step, 1e-6);
   for (const PlacedLamp& lamp : laid.set.lamps) {
     EXPECT_NEAR(lamp.foot.y, laid.set.lamps[0].foot.y, 1e-6);
-    EXPECT_NEAR(std::abs(lamp.foot.y), road.width_m / 2 + setback_m(road), 1e-6);
+    EXPECT_NEAR(std::abs(lamp.foot.y), laid.report.streets[0].width_m / 2 + setback_m(road), 1e-6);
     EXPECT_NEAR(lamp.aim.y, lamp.foot.y > 0 ? -1 : 1, 1e-9);
     EXPECT_EQ(lamp.foot.z, 40);
     EXPECT_EQ(lamp.mounting_height_m, road.mounting_m);
@@ -79,7 +79,7 @@ TEST(Layout, LampsStandEvenlyBehindOneKerbAndLookAtTheRoad) {
 }
 
 TEST(Layout, WideStreetsHaveLampsOnBothSides) {
-  const double mounting = road_defaults("primary")->mounting_m;
+  const double mounting = find_road_lighting("primary")->mounting_m;
   const Laid staggered = lay_out({street(
       1, {{-300, 0}, {300, 0}}, tags("primary", {{"width", std::to_string(mounting * 1.5)}}))});
   EXPECT_EQ(staggered.report.streets[0].arrangement, Arrangement::staggered);
@@ -184,7 +184,8 @@ TEST(Layout, NoLampStandsOnACarriageway) {
 }
 
 TEST(Layout, LampsKeepClearOfBuildings) {
-  // Houses from 3.3 m off the middle line on both sides of one stretch, wholly over the street in another.
+  // Houses 3.3 m from the centreline on both sides of one stretch, and over the whole street in
+  // another.
   const InsideBuilding inside = [](const glm::dvec2& p) {
     if (p.x > 0 && p.x < 100) return p.y > 3.7 || p.y < -3.7;
     return p.x > 150 && p.x < 200;
@@ -243,7 +244,7 @@ TEST(Layout, MappedLampsWinWithinOneAndAHalfSpacings) {
 }
 
 TEST(Layout, TwinCarriagewaysHaveTheirLampsOutside) {
-  // A median of 2 m: no lamp stands on it.
+  // No lamp stands on a median of 2 m.
   const Laid laid = lay_out(
       {street(1, {{-300, 0}, {300, 0}}, tags("primary", {{"oneway", "yes"}, {"lanes", "2"}})),
        street(2, {{300, 9}, {-300, 9}}, tags("primary", {{"oneway", "yes"}, {"lanes", "2"}}))});

@@ -1,9 +1,10 @@
-// A table of schedules whose times stay in memory, to be looked at.
+// A table of schedules whose times are kept in memory, for tests.
 #pragma once
 
 #include <vector>
 
 #include "formats/night.h"
+#include "formats/schedule.h"
 #include "tools/lights/night_schedule.h"
 
 namespace nightcity::test {

@@ -1,5 +1,5 @@
-// Luminaire files: distributions known in closed form written as text, every symmetry, every fault with its
-// line; then real files, whose makers state the flux.
+// Luminaire files: distributions known in closed form and written as text, with every symmetry and
+// every fault; then real files, whose makers state the flux.
 #include "tools/lights/luminaire.h"
 
 #include <gtest/gtest.h>
@@ -102,11 +102,11 @@ std::string ldt(int symmetry, const std::vector<double>& planes, const std::vect
 double lambert(double, double gamma) {
   return std::max(0.0, 1000 * std::cos(gamma * degree));
 }
-/// Mirrored in both axes; forward of C = 0 and of C = 90 alike.
+/// A distribution that is symmetric about both axes.
 double oval(double c, double gamma) {
   return lambert(c, gamma) * (1.5 + std::cos(2 * c * degree));
 }
-/// More to C = 0.
+/// A distribution with more light towards C = 0.
 double forward(double c, double gamma) {
   return lambert(c, gamma) * (2 + std::cos(c * degree));
 }
@@ -164,7 +164,7 @@ TEST_F(LuminaireFile, EveryEulumdatSymmetryUnfoldsToTheSameDistribution) {
 }
 
 TEST_F(LuminaireFile, PhotometricTypesAAndBAreTurnedIntoTheBeamsFrame) {
-  // A Lambertian is the same about its axis however it is counted: I = cos V cos H in type A and in type B.
+  // A Lambertian emitter has I = cos V cos H in type A and in type B.
   const auto both = [](double h, double v) {
     return 1000 * std::cos(h * degree) * std::cos(v * degree);
   };
@@ -176,7 +176,7 @@ TEST_F(LuminaireFile, PhotometricTypesAAndBAreTurnedIntoTheBeamsFrame) {
       EXPECT_NEAR(intensity_at(luminaire.grid, 40, 60), 500, 3) << type;
       EXPECT_NEAR(intensity_at(luminaire.grid, 40, 120), 0, 1e-6) << type;
     }
-  // Up is C = 0: a beam that grows with V.
+  // Up is C = 0: this beam grows with V.
   const auto upwards = [](double, double v) { return 90 + v; };
   const Luminaire up = read_luminaire(write(ies(steps(-90, 90, 5), steps(-90, 90, 5), upwards, 3)));
   EXPECT_NEAR(intensity_at(up.grid, 0, 45), 135, 1);
@@ -204,8 +204,8 @@ TEST_F(LuminaireFile, StreetSideIsFoundWhereverTheFileHasIt) {
 }
 
 TEST_F(LuminaireFile, LightsTurnTheOtherWayThanFiles) {
-  // A file counts C anticlockwise from above, a light towards cross(axis, tangent), clockwise for an axis
-  // down.
+  // A file counts C anticlockwise from above, a light towards cross(axis, tangent), clockwise for
+  // an axis down.
   const auto skew = [](double c, double gamma) {
     return lambert(c, gamma) * (2 + std::sin(c * degree));
   };
@@ -280,7 +280,7 @@ TEST_F(LuminaireFile, EulumdatFaultsAreToldWithTheirLine) {
             std::string::npos);
 }
 
-// Real files: the flux of the distribution against what its maker states.
+// Real files: the flux of the distribution agrees with what its maker states.
 TEST(LuminaireReal, FluxIsWhatTheMakersState) {
   const struct {
     const char* file;

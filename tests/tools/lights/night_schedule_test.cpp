@@ -1,4 +1,4 @@
-// Hours of light: as people write them, as city.lights keeps them.
+// Hours of light, as people write them and as city.lights stores them.
 #include "tools/lights/night_schedule.h"
 
 #include <gtest/gtest.h>
@@ -35,10 +35,10 @@ TEST(ScheduleTable, EqualNightsAreStoredOnceAndKeepTheirNumbers) {
 TEST(ScheduleTable, BeyondWhatItRemembersANumberStillMeansItsNight) {
   test::KeptSchedules kept(10);
   for (int n = 0; n < 200; ++n) {
-    const int on = n % 25;  // in turn: all are forgotten before they come again
+    const int on = n % 25;  // in turn, so that each is forgotten before it comes again
     const Schedule& stored = kept.schedules[kept.table.add(night({{on, on + 1}}))];
     EXPECT_EQ(stored.count, 2u);
-    EXPECT_EQ(kept.switches[stored.first], 18000 + 60 * static_cast<uint>(on));
+    EXPECT_EQ(kept.switches[stored.first], night_begin_s + 60 * static_cast<uint>(on));
   }
   EXPECT_EQ(kept.table.size(), 200u);
 }
@@ -60,13 +60,12 @@ TEST(ScheduleTable, FilesShineWhenTheNightDoesMinuteByMinute) {
     ASSERT_FALSE(schedule_fault(stored, kept.switches)) << n;
     for (int minute = 0; minute < night_minutes; ++minute)
       for (const uint second : {0u, 59u})
-        ASSERT_EQ(shines_at(stored, kept.switches.data(),
-                            18000 + 60 * static_cast<uint>(minute) + second),
-                  schedule.lit_at(minute))
+        ASSERT_EQ(
+            is_lit(stored, kept.switches, night_begin_s + 60 * static_cast<uint>(minute) + second),
+            schedule.lit_at(minute))
             << n << " " << minute;
-    EXPECT_FALSE(shines_at(stored, kept.switches.data(), 0));  // noon
-    EXPECT_FALSE(
-        shines_at(stored, kept.switches.data(), 86'399));  // and the moment before the next
+    EXPECT_FALSE(is_lit(stored, kept.switches, 0));       // noon
+    EXPECT_FALSE(is_lit(stored, kept.switches, 86'399));  // and the second before the next noon
   }
 }
 

@@ -24,8 +24,8 @@ double luminance(const glm::vec3& rgb) {
 }
 
 TEST(Colour, PlanckianLocusPassesThroughPublishedPoints) {
-  // CIE standard illuminant A is a black body at 2856 K; the others from integrating Planck's law (CIE
-  // 15:2004).
+  // CIE standard illuminant A is a black body at 2856 K; the others from integrating Planck's
+  // law (CIE 15:2004).
   const struct {
     double kelvin, x, y;
   } points[] = {{2856, 0.4476, 0.4075},
@@ -80,7 +80,7 @@ TEST(Colour, HexIsSrgb) {
     EXPECT_FALSE(rec709_from_hex(bad)) << bad;
 }
 
-/// Independent of the closed form: fine midpoint quadrature of the interpolant itself.
+/// Integrates the interpolant by a fine midpoint rule, independently of the closed form.
 double quadrature(const Photometry& photometry) {
   constexpr int steps = 720;
   double sum = 0;
@@ -95,7 +95,7 @@ double quadrature(const Photometry& photometry) {
 TEST(Photometry, FluxOfKnownDistributionsIsTheClosedForm) {
   EXPECT_NEAR(integrated_flux(sample_intensity([](double, double) { return 1; }, 1, 2)), 4 * pi,
               1e-9);
-  // Lambert: I0 pi; only the grid's own interpolation stands between.
+  // Lambert's law gives I0 pi; only the interpolation of the grid differs.
   EXPECT_NEAR(integrated_flux(sample_intensity(
                   [](double, double g) { return std::max(0.0, std::cos(g)); }, 8, 181)),
               pi, pi * 1e-3);
@@ -153,14 +153,15 @@ TEST(Photometry, StreetOpticsSendNoLightUpAndThrowAlongAndOverTheRoad) {
   }
   const Photometry over = make_optic(Optic::street);
   EXPECT_GT(intensity_at(over, 0, pi / 4),
-            3 * intensity_at(over, pi, pi / 4));  // little goes to the houses
+            3 * intensity_at(over, pi, pi / 4));  // little light goes to the houses
 }
 
 struct RoadFigures {
   double share, uniformity;  // of the flux on the road; least over average illuminance
 };
 
-/// A road as wide as its lamps are high, lamps on one side, 0.6 m over the kerb, four heights apart.
+/// A road as wide as its lamps are high, lamps on one side, 0.6 m over the kerb, four heights
+/// apart.
 RoadFigures light_a_road(const Photometry& photometry) {
   constexpr double height = 8, width = 8, spacing = 32;
   double sum = 0, least = 1e300;

@@ -1,4 +1,4 @@
-// Road surfaces of shapes whose middle lines are known.
+// Road surfaces whose centrelines are known.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace nightcity::test {
 
-/// A rectangle round the straight from a to b.
+/// Returns a rectangle round the straight line from a to b.
 inline streets::RoadSurface strip(const glm::dvec2& a, const glm::dvec2& b, double width) {
   const glm::dvec2 along = glm::normalize(b - a),
                    side = glm::dvec2(-along.y, along.x) * (width / 2);

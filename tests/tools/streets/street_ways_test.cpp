@@ -32,7 +32,7 @@ TEST(StreetWays, ClassByCodeElseByWidth) {
   roads.add(road(test::strip({0, 0}, {100, 0}, 6).exterior, "2", 1));
   roads.add(road(test::strip({0, 100}, {100, 100}, 6).exterior, "", 1));
   roads.add(road(test::strip({0, 200}, {100, 200}, 14).exterior, "9020", 0));
-  const StreetWays streets = street_ways(roads, to_lon_lat);
+  const StreetWays streets = find_street_ways(roads, to_lon_lat);
   ASSERT_EQ(streets.ways.size(), 3u);
   std::map<int, OsmTags> by_place;
   for (const OsmWay& way : streets.ways)
@@ -50,7 +50,7 @@ TEST(StreetWays, MakeAGraphToDriveOn) {
   RoadSurfaces roads;
   roads.add(road(test::strip({0, 50}, {200, 50}, 7).exterior, "3", 1));
   roads.add(road(test::strip({90, 0}, {90, 150}, 5).exterior, "", 1));
-  const StreetWays streets = street_ways(roads, to_lon_lat);
+  const StreetWays streets = find_street_ways(roads, to_lon_lat);
   EXPECT_EQ(streets.junctions, 1u);
   EXPECT_EQ(streets.ends, 4u);
   const auto graph = traffic::make_road_graph(
@@ -62,7 +62,7 @@ TEST(StreetWays, MakeAGraphToDriveOn) {
 }
 
 TEST(StreetWays, NoRoadsNoWays) {
-  EXPECT_TRUE(street_ways({}, to_lon_lat).ways.empty());
+  EXPECT_TRUE(find_street_ways({}, to_lon_lat).ways.empty());
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ Curve flat(const PlanLine& line) {
   return Curve(line, std::vector<Curve::Height>(line.size(), {0, 0}));
 }
 
-/// The greatest jump of direction, degrees, and of place between neighbouring looks along a curve.
+/// Returns the greatest jump of direction, in degrees, and of place between neighbouring samples
+/// of a curve.
 double max_turn(const Curve& curve, double step) {
   double worst = 0;
   for (double s = 0; s + step <= curve.length(); s += step) {
@@ -43,7 +44,7 @@ TEST(RoundCorners, StaysWithinTheDeviationAndTurnsSmoothly) {
   for (double s = 0; s <= curve.length(); s += 0.05)
     worst = std::max(worst, distance_to_line(dvec2(curve.at(s).point)));
   EXPECT_LE(worst, 1.01);
-  EXPECT_GT(worst, 0.8);  // the bend uses what it may
+  EXPECT_GT(worst, 0.8);  // the bend uses most of what is allowed
   EXPECT_LT(max_turn(curve, 0.01), 1.0);
   EXPECT_NEAR(glm::distance(dvec2(curve.at(curve.length()).point), line.back()), 0, 1e-9);
 }

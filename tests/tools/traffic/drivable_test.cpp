@@ -38,7 +38,7 @@ TEST(Speed, IsReadAsPeopleWriteIt) {
 TEST(Drivable, OneWayByTagClassAndRoundabout) {
   const auto lanes = [](OsmTags tags) {
     const Drivable d = read(std::move(tags));
-    return std::pair(d.lanes[0] > 0, d.lanes[1] > 0);
+    return std::pair(d.carriageway.lanes[0] > 0, d.carriageway.lanes[1] > 0);
   };
   EXPECT_EQ(lanes({{"highway", "residential"}}), std::pair(true, true));
   EXPECT_EQ(lanes({{"highway", "residential"}, {"oneway", "yes"}}), std::pair(true, false));
@@ -50,21 +50,21 @@ TEST(Drivable, OneWayByTagClassAndRoundabout) {
 
 TEST(Drivable, LanesAreSharedOut) {
   const Drivable plain = read({{"highway", "primary"}, {"lanes", "4"}});
-  EXPECT_EQ(plain.lanes[0], 2);
-  EXPECT_EQ(plain.lanes[1], 2);
+  EXPECT_EQ(plain.carriageway.lanes[0], 2);
+  EXPECT_EQ(plain.carriageway.lanes[1], 2);
   const Drivable split = read({{"highway", "primary"}, {"lanes", "3"}, {"lanes:forward", "2"}});
-  EXPECT_EQ(split.lanes[0], 2);
-  EXPECT_EQ(split.lanes[1], 1);
+  EXPECT_EQ(split.carriageway.lanes[0], 2);
+  EXPECT_EQ(split.carriageway.lanes[1], 1);
   const Drivable narrow = read({{"highway", "residential"}, {"lanes", "1"}});
-  EXPECT_EQ(narrow.lanes[0], 1);
-  EXPECT_EQ(narrow.lanes[1], 1);
+  EXPECT_EQ(narrow.carriageway.lanes[0], 1);
+  EXPECT_EQ(narrow.carriageway.lanes[1], 1);
   const Drivable oneway = read({{"highway", "primary"}, {"lanes", "3"}, {"oneway", "yes"}});
-  EXPECT_EQ(oneway.lanes[0], 3);
-  EXPECT_EQ(oneway.lanes[1], 0);
+  EXPECT_EQ(oneway.carriageway.lanes[0], 3);
+  EXPECT_EQ(oneway.carriageway.lanes[1], 0);
   const Drivable silly =
       read({{"highway", "residential"}, {"lanes", "999999999999"}, {"width", "-3"}});
-  EXPECT_EQ(silly.lanes[0] + silly.lanes[1], 2);
-  EXPECT_GT(silly.lane_width(), 2);
+  EXPECT_EQ(silly.carriageway.lanes[0] + silly.carriageway.lanes[1], 2);
+  EXPECT_GT(silly.carriageway.lane_m(), 2);
 }
 
 TEST(Drivable, SpeedsComeFromTagsOrTheCountry) {
@@ -87,7 +87,7 @@ TEST(Drivable, WhatIsNotForThePublicIsLeftOut) {
   EXPECT_EQ(refusal({{"highway", "service"}, {"service", "driveway"}}), "driveway or aisle");
   EXPECT_EQ(refusal({{"highway", "service"}, {"tunnel", "building_passage"}}),
             "through a building");
-  // The more special tag wins.
+  // The more specific tag wins.
   read({{"highway", "residential"}, {"access", "no"}, {"motor_vehicle", "yes"}});
 }
 
@@ -106,8 +106,8 @@ TEST(Country, SideOfTheRoadByPlace) {
 TEST(Tables, AreWithinReason) {
   for (const char* highway :
        {"motorway", "trunk", "primary", "secondary", "tertiary", "residential", "service"}) {
-    const RoadClass* road = road_class(highway);
-    ASSERT_TRUE(road) << highway;
+    const roads::RoadClass* road = roads::find_road_class(highway);
+    ASSERT_TRUE(road && find_traffic_class(highway)) << highway;
     const double kmh = default_speed_kmh(*road, germany);
     EXPECT_GE(kmh, 7) << highway;
     EXPECT_LE(kmh, 130) << highway;

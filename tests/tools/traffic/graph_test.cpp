@@ -6,8 +6,8 @@
 
 #include "tools/traffic/link_network.h"
 #include "tools/traffic/road_graph.h"
-#include "tools/traffic/routes.h"
 #include "tools/traffic/street_grid.h"
+#include "tools/traffic/trip_plans.h"
 
 namespace nightcity::traffic {
 namespace {
@@ -155,8 +155,8 @@ TEST(LinkNetwork, SpeedKeepsLimitsAndBends) {
   EXPECT_NEAR(link.allowed_m_s.front(), graph.edges[0].speed_m_s, 1e-9);
 }
 
-/// Which of two turns gives way, by the directions one comes from and goes to (unit vectors from the
-/// junction).
+/// Returns whether the first of two turns gives way to the second. Turns are given by where they
+/// come from and go to, as unit vectors from the junction.
 bool yields(const RoadGraph& graph, const glm::dvec2& from_a, const glm::dvec2& to_a,
             const glm::dvec2& from_b, const glm::dvec2& to_b) {
   const HeightAt plane = test::plane;
@@ -195,7 +195,7 @@ TEST(RightOfWay, MainRoadBeforeSideStreet) {
 
 TEST(RightOfWay, RightBeforeLeftBetweenEqualStreets) {
   const RoadGraph graph = crossing(residential, residential);
-  // Driving east, who comes from the south comes from the right.
+  // For a driver going east, traffic from the south comes from the right.
   EXPECT_TRUE(yields(graph, west, east, south, north));
   EXPECT_FALSE(yields(graph, south, north, west, east));
   EXPECT_FALSE(yields(graph, west, east, north, south));
@@ -222,7 +222,8 @@ TEST(RightOfWay, OppositeStraightsDoNotConflict) {
 }
 
 TEST(LinkNetwork, NobodyTurnsRoundAnAcuteCornerInALoop) {
-  // Two short wide streets that leave each other at 12 degrees: their lanes overlap where they begin.
+  // Two short wide streets that leave each other at 12 degrees: their lanes overlap where they
+  // begin.
   const HeightAt plane = test::plane;
   const RoadGraph graph =
       graph_of({street(1, {{30, 0}, {0, 0}}, primary), street(2, {{0, 0}, {29, 6}}, primary),
@@ -244,7 +245,7 @@ TEST(LinkNetwork, NobodyTurnsRoundAnAcuteCornerInALoop) {
 }
 
 TEST(Routes, NobodyIsSentThroughAWall) {
-  // A house whose corner stands on the kerb lane of the only main road's eastern half.
+  // The corner of a house stands on the kerb lane of the main road's eastern half.
   const InsideBuilding house = [](const glm::dvec2& p) {
     return p.x > 40 && p.x < 50 && p.y < -1.5 && p.y > -9;
   };
@@ -252,13 +253,13 @@ TEST(Routes, NobodyIsSentThroughAWall) {
   const RoadGraph graph = graph_of({street(1, {{-300, 0}, {0, 0}, {300, 0}}, primary),
                                     street(2, {{0, -300}, {0, 0}, {0, 300}}, primary)});
   LinkNetwork network(graph, plane, house);
-  RouteReport report;
-  const auto routes = make_routes(network, {20, 300, 5}, report);
-  ASSERT_GT(routes.size(), 20u);
+  TripPlanReport report;
+  const auto plans = plan_trips(network, {20, 300, 5}, report);
+  ASSERT_GT(plans.size(), 20u);
   EXPECT_GT(report.through_buildings, 0u);
   std::size_t westward = 0;
-  for (const Route& route : routes)
-    for (const std::size_t number : route.links) {
+  for (const TripPlan& plan : plans)
+    for (const std::size_t number : plan.links) {
       const Link& link = network.links()[number];
       EXPECT_EQ(link.in_buildings_m, 0);
       for (const Curve::Sample& sample : link.curve.samples()) {

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "tools/traffic/driver_model.h"
 #include "tools/traffic/street_grid.h"
 
 namespace nightcity::traffic {
@@ -14,10 +15,10 @@ namespace {
 
 using test::street;
 
-/// A network, routes over it and what became of them.
-class Drives {
+/// A network, planned trips through it and how they were driven.
+class Town {
  public:
-  explicit Drives(const std::vector<OsmWay>& ways)
+  explicit Town(const std::vector<OsmWay>& ways)
       : graph(make_road_graph(ways, test::to_plane, height, {}, Side::right)),
         network(graph, height) {}
 
@@ -29,56 +30,56 @@ class Drives {
     return none;
   }
 
-  Route& add(const std::vector<std::size_t>& edges, double start_time_s) {
-    Route route;
+  TripPlan& add(const std::vector<std::size_t>& edges, double start_time_s) {
+    TripPlan plan;
     for (std::size_t n = 0; n < edges.size(); ++n) {
-      if (n > 0) route.links.push_back(network.turn(edges[n - 1], 0, edges[n], 0));
-      route.links.push_back(network.lane(edges[n], 0));
+      if (n > 0) plan.links.push_back(network.turn(edges[n - 1], 0, edges[n], 0));
+      plan.links.push_back(network.lane(edges[n], 0));
     }
-    route.start_s = 3;
-    route.end_s = network.links()[route.links.back()].curve.length() - 3;
-    route.start_time_s = start_time_s;
-    route.id = static_cast<std::uint32_t>(routes.size());
-    routes.push_back(route);
-    return routes.back();
+    plan.start_s = 3;
+    plan.end_s = network.links()[plan.links.back()].curve.length() - 3;
+    plan.start_time_s = start_time_s;
+    plan.id = static_cast<std::uint32_t>(plans.size());
+    plans.push_back(plan);
+    return plans.back();
   }
 
   void run(double cycle_s) {
     network.find_conflicts();
     report =
-        simulate(network, routes, cycle_s, [&](Drive&& drive) { drives[drive.route] = drive; });
+        simulate(network, plans, cycle_s, [&](DrivenTrip&& trip) { driven[trip.plan] = trip; });
   }
 
   const HeightAt height = test::plane;
   RoadGraph graph;
   LinkNetwork network;
-  std::vector<Route> routes;
-  std::map<std::size_t, Drive> drives;
+  std::vector<TripPlan> plans;
+  std::map<std::size_t, DrivenTrip> driven;
   SimulationReport report;
 };
 
-double duration(const Drive& drive) {
-  return static_cast<double>(drive.speed_m_s.size() - 1) * step_s;
+double duration(const DrivenTrip& trip) {
+  return static_cast<double>(trip.speed_m_s.size() - 1) * step_s;
 }
 
-TEST(Simulation, AloneOnTheRoadOneDrivesAtTheLimit) {
-  Drives town({street(1, {{0, 0}, {500, 0}}, {{"highway", "primary"}})});
+TEST(Simulation, AVehicleAloneOnTheRoadDrivesAtTheLimit) {
+  Town town({street(1, {{0, 0}, {500, 0}}, {{"highway", "primary"}})});
   town.add({town.edge({0, 0}, {500, 0})}, 10);
   town.run(200);
-  ASSERT_EQ(town.drives.size(), 1u);
-  EXPECT_NEAR(duration(town.drives[0]), 494 / (50 / 3.6), 0.5);
-  EXPECT_NEAR(town.drives[0].start_time_s, 10, step_s);
-  for (const float v : town.drives[0].speed_m_s) EXPECT_NEAR(v, 50 / 3.6, 0.01);
+  ASSERT_EQ(town.driven.size(), 1u);
+  EXPECT_NEAR(duration(town.driven[0]), 494 / (50 / 3.6), 0.5);
+  EXPECT_NEAR(town.driven[0].start_time_s, 10, step_s);
+  for (const float v : town.driven[0].speed_m_s) EXPECT_NEAR(v, 50 / 3.6, 0.01);
 }
 
 TEST(Simulation, AFollowerKeepsTheEquilibriumGapOfTheModel) {
-  Drives town({street(1, {{0, 0}, {900, 0}}, {{"highway", "primary"}})});
+  Town town({street(1, {{0, 0}, {900, 0}}, {{"highway", "primary"}})});
   const std::size_t e = town.edge({0, 0}, {900, 0});
   town.add({e}, 10).speed_factor = 0.5;
   town.add({e}, 14);
   town.run(400);
-  ASSERT_EQ(town.drives.size(), 2u);
-  const Drive &first = town.drives[0], &second = town.drives[1];
+  ASSERT_EQ(town.driven.size(), 2u);
+  const DrivenTrip &first = town.driven[0], &second = town.driven[1];
   const auto lag =
       static_cast<std::size_t>(std::lround((second.start_time_s - first.start_time_s) / step_s));
   const double length = vehicle_types[0].length_m, v = 0.5 * 50 / 3.6;
@@ -87,7 +88,8 @@ TEST(Simulation, AFollowerKeepsTheEquilibriumGapOfTheModel) {
     least =
         std::min(least, double{first.distance_m[n + lag]} - double{second.distance_m[n]} - length);
   EXPECT_GT(least, standstill_gap_m);
-  // Treiber's equilibrium: s_e(v) = (s0 + v T) / sqrt(1 - (v / v0)^4), within what 900 m of road settle.
+  // Treiber's equilibrium: s_e(v) = (s0 + v T) / sqrt(1 - (v / v0)^4), as far as it is reached on
+  // 900 m of road.
   const std::size_t late = second.distance_m.size() - 60;
   const double gap =
       double{first.distance_m[late + lag]} - double{second.distance_m[late]} - length;
@@ -96,66 +98,66 @@ TEST(Simulation, AFollowerKeepsTheEquilibriumGapOfTheModel) {
 }
 
 TEST(Simulation, NobodyExceedsTheirShareOfTheLimitOrBrakesHarderThanPossible) {
-  Drives town(test::street_grid(3, 90, 60));
+  Town town(test::street_grid(3, 90, 60));
   Demand demand{25, 240, 7};
-  RouteReport routes;
-  town.routes = make_routes(town.network, demand, routes);
+  TripPlanReport plans;
+  town.plans = plan_trips(town.network, demand, plans);
   town.run(demand.cycle_s);
-  EXPECT_GT(town.drives.size(), 30u);
-  for (const auto& [number, drive] : town.drives) {
-    const Route& route = town.routes[number];
+  EXPECT_GT(town.driven.size(), 30u);
+  for (const auto& [number, trip] : town.driven) {
+    const TripPlan& plan = town.plans[number];
     double limit = 0;
-    for (const std::size_t link : route.links)
+    for (const std::size_t link : plan.links)
       limit = std::max(limit, town.graph.edges[town.network.links()[link].edge].speed_m_s);
-    for (std::size_t n = 0; n < drive.speed_m_s.size(); ++n) {
-      EXPECT_LE(drive.speed_m_s[n], limit * route.speed_factor + 0.05);
+    for (std::size_t n = 0; n < trip.speed_m_s.size(); ++n) {
+      EXPECT_LE(trip.speed_m_s[n], limit * plan.speed_factor + 0.05);
       if (n == 0) continue;
-      EXPECT_GE(drive.speed_m_s[n] - drive.speed_m_s[n - 1], -hardest_braking * step_s - 1e-3);
-      EXPECT_GE(drive.distance_m[n], drive.distance_m[n - 1]);
+      EXPECT_GE(trip.speed_m_s[n] - trip.speed_m_s[n - 1], -hardest_braking * step_s - 1e-3);
+      EXPECT_GE(trip.distance_m[n], trip.distance_m[n - 1]);
     }
   }
 }
 
 TEST(Simulation, TheSideStreetWaitsAndTheMainRoadDoesNot) {
-  Drives town({street(1, {{-200, 0}, {0, 0}, {200, 0}}, {{"highway", "primary"}}),
-               street(2, {{0, -200}, {0, 0}, {0, 200}}, {{"highway", "residential"}})});
-  // Both would be at the crossing together.
+  Town town({street(1, {{-200, 0}, {0, 0}, {200, 0}}, {{"highway", "primary"}}),
+             street(2, {{0, -200}, {0, 0}, {0, 200}}, {{"highway", "residential"}})});
+  // Both would reach the crossing at the same time.
   town.add({town.edge({-200, 0}, {0, 0}), town.edge({0, 0}, {200, 0})}, 20);
   town.add({town.edge({0, -200}, {0, 0}), town.edge({0, 0}, {0, 200})}, 20);
   town.run(120);
-  ASSERT_EQ(town.drives.size(), 2u);
-  EXPECT_NEAR(duration(town.drives[0]), 394 / (50 / 3.6), 1.0);
-  EXPECT_GT(duration(town.drives[1]), duration(town.drives[0]) + 2);
+  ASSERT_EQ(town.driven.size(), 2u);
+  EXPECT_NEAR(duration(town.driven[0]), 394 / (50 / 3.6), 1.0);
+  EXPECT_GT(duration(town.driven[1]), duration(town.driven[0]) + 2);
 }
 
-TEST(Simulation, OneComesToAStandWhereADriveEndsParked) {
-  Drives town({street(1, {{0, 0}, {300, 0}}, {{"highway", "residential"}})});
-  Route& route = town.add({town.edge({0, 0}, {300, 0})}, 5);
-  route.from_kerb = route.to_stop = true;
-  route.start_s = 40;
-  route.end_s = 220;
+TEST(Simulation, AVehicleStopsWhereItsTripEndsParked) {
+  Town town({street(1, {{0, 0}, {300, 0}}, {{"highway", "residential"}})});
+  TripPlan& plan = town.add({town.edge({0, 0}, {300, 0})}, 5);
+  plan.from_kerb = plan.to_stop = true;
+  plan.start_s = 40;
+  plan.end_s = 220;
   town.run(120);
-  ASSERT_EQ(town.drives.size(), 1u);
-  const Drive& drive = town.drives[0];
-  EXPECT_EQ(drive.speed_m_s.front(), 0);
-  EXPECT_LT(drive.speed_m_s.back(), 0.35);
-  EXPECT_NEAR(drive.distance_m.front(), 40, 1e-3);
-  EXPECT_NEAR(drive.distance_m.back(), 220, 0.7);
+  ASSERT_EQ(town.driven.size(), 1u);
+  const DrivenTrip& trip = town.driven[0];
+  EXPECT_EQ(trip.speed_m_s.front(), 0);
+  EXPECT_LT(trip.speed_m_s.back(), 0.35);
+  EXPECT_NEAR(trip.distance_m.front(), 40, 1e-3);
+  EXPECT_NEAR(trip.distance_m.back(), 220, 0.7);
 }
 
 TEST(Simulation, IsTheSameEveryTime) {
   const auto once = [] {
-    Drives town(test::street_grid(2, 90, 60));
-    RouteReport report;
-    town.routes = make_routes(town.network, {15, 180, 3}, report);
+    Town town(test::street_grid(2, 90, 60));
+    TripPlanReport report;
+    town.plans = plan_trips(town.network, {15, 180, 3}, report);
     town.run(180);
-    return town.drives;
+    return town.driven;
   };
   const auto a = once(), b = once();
   ASSERT_EQ(a.size(), b.size());
-  for (const auto& [number, drive] : a) {
-    EXPECT_EQ(drive.distance_m, b.at(number).distance_m);
-    EXPECT_EQ(drive.start_time_s, b.at(number).start_time_s);
+  for (const auto& [number, trip] : a) {
+    EXPECT_EQ(trip.distance_m, b.at(number).distance_m);
+    EXPECT_EQ(trip.start_time_s, b.at(number).start_time_s);
   }
 }
 

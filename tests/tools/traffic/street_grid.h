@@ -1,4 +1,4 @@
-// Streets drawn in metres for the tests of the traffic, on a plane or a hill.
+// Streets in metres for the tests of traffic, on a plane or on hills.
 #pragma once
 
 #include <cmath>
@@ -9,13 +9,13 @@
 
 namespace nightcity::test {
 
-/// Gentle hills: 6 % at the steepest.
+/// Gentle hills with slopes up to 6 %.
 inline std::optional<double> hills(const glm::dvec2& p) {
   return 50 + 6 * std::sin(p.x / 100) + 4 * std::cos(p.y / 80);
 }
 
-/// A grid of `n` by `n` blocks of `size_m`, its middle lines main roads (one way every third residential
-/// street), its ends running `tail_m` beyond it.
+/// Returns a grid of `n` by `n` blocks of `size_m`. The middle lines are main roads, every third
+/// residential street is one-way, and the ends run `tail_m` beyond the grid.
 inline std::vector<OsmWay> street_grid(int n, double size_m, double tail_m) {
   std::vector<OsmWay> ways;
   for (int axis = 0; axis < 2; ++axis)

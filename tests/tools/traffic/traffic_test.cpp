@@ -35,7 +35,7 @@ const TrafficSet& town() {
   return set;
 }
 
-/// Every trip on the road.
+/// A cycle with every trip on the road.
 TrafficContent busiest() {
   TrafficContent content = town().content();
   for (float& share : content.cycle.density) share = 1;
@@ -69,7 +69,7 @@ TEST(Traffic, PlaceSpeedAndHeadingAreContinuousOverTheWholeCycle) {
       const double speed = std::max(glm::length(pose.velocity), glm::length(last.velocity));
       ASSERT_LE(glm::distance(pose.position, last.position), speed * step * 1.2 + 0.005);
       ASSERT_LE(glm::distance(pose.velocity, last.velocity), 12 * step + 0.25);
-      // A car turns in no tighter circle than 2 m.
+      // No vehicle turns in a tighter circle than 2 m.
       ASSERT_LE(std::abs(std::remainder(pose.yaw - last.yaw, 2 * pi)), speed * step / 2 + 0.01);
       last = pose;
     }
@@ -133,8 +133,8 @@ TEST(Traffic, StandsOnTheGround) {
 }
 
 TEST(Traffic, KeepsToItsSideOfTheStreet) {
-  // Away from junctions: within the carriageway, and on the right of its middle where both directions share
-  // it.
+  // Away from junctions, vehicles keep within the carriageway, and to the right of its middle
+  // on two-way streets.
   const TrafficContent content = busiest();
   for (const Trip& trip : content.trips)
     for (double t = 0; t < 300; t += 1.1) {
@@ -166,7 +166,7 @@ TEST(Traffic, NoTwoBodiesOverlapAtAnyHour) {
   const OverlapReport report = find_overlaps(content, 0.5, 0.08);
   EXPECT_GT(report.vehicle_samples, 5000u);
   EXPECT_EQ(report.overlapping, 0u);
-  EXPECT_LT(town().report.overlap_dropped, content.trips.size() / 20);
+  EXPECT_LT(town().report.overlaps_left_out, content.trips.size() / 20);
 }
 
 TEST(Traffic, IsWithinTheToleranceItStates) {
@@ -203,7 +203,7 @@ TEST(Traffic, SharesOfTheHoursAreOnTheRoad) {
   EXPECT_NEAR(evening, town().report.mean_vehicles, 0.15 * evening);
   EXPECT_NEAR(late / evening, 0.69, 0.12);
   EXPECT_NEAR(night / evening, 0.12, 0.08);
-  // What the options ask for at 22 h, less what waiting adds and what is left out.
+  // As many as the options ask for at 22:00, apart from waiting times and trips that are left out.
   EXPECT_NEAR(late, 20, 5);
 }
 
@@ -233,7 +233,7 @@ TEST(Traffic, IsTheSameOnOneThreadAndOnFour) {
     oneapi::tbb::task_arena arena(threads);
     return arena.execute([] {
       TrafficOptions options;
-      options.vehicles = 40;  // so many that they wait for each other
+      options.vehicles = 40;  // enough that they wait for each other
       options.cycle_s = 180;
       return make_traffic(test::street_grid(3, size_m, tail_m), test::to_plane, test::hills, {},
                           options, origin);

@@ -7,7 +7,7 @@ namespace nightcity::recipe {
 namespace {
 
 void check_road(const Value& value, const std::string& highway) {
-  const auto road = road_defaults(highway);
+  const RoadLighting* road = find_road_lighting(highway);
   if (!road || road->highway != highway) value.refuse("names no class of road that may have lamps");
 }
 

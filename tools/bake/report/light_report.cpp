@@ -48,7 +48,7 @@ std::string counts_in_words(const Counts& left_out, const std::map<std::string, 
 }  // namespace
 
 LampReport to_report(const LampSet& set, std::size_t mapped) {
-  LampReport report{mapped, set.lamps.size(), 0, set.dropped, set.notes, set.sources};
+  LampReport report{mapped, set.lamps.size(), 0, set.left_out, set.notes, set.sources};
   for (const PlacedLamp& lamp : set.lamps) report.total_flux_lm += lamp.flux_lm;
   return report;
 }
@@ -68,7 +68,7 @@ json to_json(const WindowReport& windows) {
   }
   return {{"placed", windows.placed},
           {"total_flux_lm", windows.flux_lm},
-          {"dropped", windows.dropped},
+          {"dropped", windows.left_out},
           {"sources", windows.sources},
           {"by_use", by_use}};
 }
@@ -86,7 +86,7 @@ std::string to_text(const WindowReport& windows) {
   return report_line("windows",
                      fmt::format("{} with light at some time of the night, {:.0f} klm in all",
                                  windows.placed, windows.flux_lm / 1000)) +
-         counts_in_words(windows.dropped, windows.sources) + hours_in_words(windows);
+         counts_in_words(windows.left_out, windows.sources) + hours_in_words(windows);
 }
 
 }  // namespace nightcity

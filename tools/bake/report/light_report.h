@@ -7,7 +7,7 @@
 #include <string>
 
 #include "tools/layout/layout.h"
-#include "tools/lights/lamps.h"
+#include "tools/lights/place_lamps.h"
 #include "tools/lights/windows.h"
 
 namespace nightcity {

@@ -25,10 +25,10 @@ double overlap_share(const traffic::TrafficReport& report) {
 
 json to_json(const traffic::TrafficReport& report) {
   json classes = json::object(), seconds = json::object();
-  for (const auto& [highway, km] : report.routes.lane_km)
+  for (const auto& [highway, km] : report.plans.lane_km)
     classes[highway] = {{"lane_km", km},
-                        {"vehicles_wanted", report.routes.wanted.at(highway)},
-                        {"vehicles_given", report.routes.given.at(highway)}};
+                        {"vehicles_wanted", report.plans.wanted.at(highway)},
+                        {"vehicles_given", report.plans.given.at(highway)}};
   for (const auto& [step, value] : report.seconds) seconds[step] = value;
   return {{"country", report.country},
           {"side", name_of(report.side)},
@@ -48,8 +48,8 @@ json to_json(const traffic::TrafficReport& report) {
           {"brakings", report.brakings},
           {"knot_error",
            {{"m", report.knot_error.position_m}, {"degrees", report.knot_error.heading_degrees}}},
-          {"rejected_routes", report.routes.rejected},
-          {"routes_through_buildings", report.routes.through_buildings},
+          {"rejected_routes", report.plans.left_out},
+          {"routes_through_buildings", report.plans.through_buildings},
           {"links_km", report.links_km},
           {"links_in_buildings_km", report.links_in_buildings_km},
           {"max_at_once", report.simulation.max_at_once},
@@ -58,7 +58,7 @@ json to_json(const traffic::TrafficReport& report) {
           {"waited_at_start_s", report.simulation.waited_s},
           {"overlaps",
            {{"share_of_vehicle_moments", overlap_share(report)},
-            {"trips_left_out", report.overlap_dropped}}},
+            {"trips_left_out", report.overlaps_left_out}}},
           {"seconds", seconds}};
 }
 
@@ -86,7 +86,7 @@ std::string to_text(const traffic::TrafficReport& report) {
                report.knot_error.position_m, report.knot_error.heading_degrees));
   line("", fmt::format("{:.4f} % of vehicles overlapped another: {} trips left out for it; {} "
                        "stuck, {} not started",
-                       100 * overlap_share(report), report.overlap_dropped, report.simulation.stuck,
+                       100 * overlap_share(report), report.overlaps_left_out, report.simulation.stuck,
                        report.simulation.never_started));
   if (report.links_in_buildings_km > 0)
     line("",

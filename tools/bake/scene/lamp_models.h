@@ -6,7 +6,7 @@
 
 #include "formats/georeference.h"
 #include "formats/scene_file.h"
-#include "tools/lights/lamps.h"
+#include "tools/lights/place_lamps.h"
 
 namespace nightcity {
 

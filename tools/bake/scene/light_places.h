@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "tools/lights/light_census.h"
+#include "tools/lights/light_statistics.h"
 #include "tools/terrain/terrain.h"
 
 namespace nightcity {

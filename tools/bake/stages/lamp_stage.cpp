@@ -29,7 +29,7 @@ CityLamps place_city_lamps(const City& city, const LampStageOptions& options) {
   const InsideBuilding inside = city.inside_footprint();
   CityLamps result;
   if (options.layout.mode == layout::LayoutOptions::Mode::always)
-    result.set.dropped["mapped, but [lamps] layout = \"always\""] = map.lamps.size();
+    result.set.left_out["mapped, but [lamps] layout = \"always\""] = map.lamps.size();
   else
     result.set = place_lamps(map, to_frame, height_at, inside, lamps);
   if (lay_out)

@@ -4,7 +4,7 @@
 #include "tools/bake/city/city.h"
 #include "tools/bake/stages/lamp_options.h"
 #include "tools/layout/layout.h"
-#include "tools/lights/lamps.h"
+#include "tools/lights/place_lamps.h"
 
 namespace nightcity {
 

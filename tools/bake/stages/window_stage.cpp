@@ -26,7 +26,7 @@ WindowConsumer::WindowConsumer(const City& city, const WindowStageOptions& optio
 
 CityConsumer::Turn WindowConsumer::prepare(const std::shared_ptr<const PreparedObject>& prepared) {
   if (prepared->mesh.triangles.empty()) return {};
-  return [this, prepared, found = layout_.lay(prepared->object)](bool) mutable {
+  return [this, prepared, found = layout_.make_batch(prepared->object)](bool) mutable {
     layout_.add(prepared->object, std::move(found));
   };
 }

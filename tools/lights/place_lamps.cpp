@@ -1,4 +1,4 @@
-#include "tools/lights/lamps.h"
+#include "tools/lights/place_lamps.h"
 
 #include <algorithm>
 #include <array>
@@ -6,39 +6,23 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <numbers>
-#include <unordered_map>
 #include <unordered_set>
 
 #include "formats/rgb9e5.h"
-#include "tools/lights/colour.h"
 #include "tools/lights/lamp_defaults.h"
 #include "tools/lights/lamp_tags.h"
+#include "tools/lights/lamp_values.h"
 #include "tools/lights/optics.h"
 #include "tools/lights/photometry.h"
 #include "tools/lights/road_index.h"
+#include "tools/lights/taken_places.h"
 
 namespace nightcity {
 namespace {
 
-constexpr double same_place_m = 0.3;  // two posts nearer than this are one post mapped twice
 constexpr double step_out_m = 0.25, farthest_out_m = 12;
 
-const char* name_of(ValueSource source) {
-  constexpr const char* names[] = {"unknown", "tag", "attribute", "rule", "standard"};
-  return names[static_cast<int>(source)];
-}
-
-/// A value and where it came from.
-template <class T>
-struct Known {
-  T value;
-  ValueSource source = ValueSource::rule;
-  void tagged(const std::optional<T>& tag) {
-    if (tag) value = *tag, source = ValueSource::tag;
-  }
-};
-
-/// splitmix64's finaliser: neighbouring OSM ids give unrelated light ids.
+/// The finaliser of splitmix64, so that neighbouring OSM ids give unrelated light ids.
 std::uint32_t hash_id(std::int64_t node, int luminaire, int attempt) {
   std::uint64_t x = static_cast<std::uint64_t>(node) * 64 + static_cast<std::uint64_t>(luminaire);
   x += static_cast<std::uint64_t>(attempt + 1) * 0x9E3779B97F4A7C15ull;
@@ -51,31 +35,6 @@ glm::dvec2 rotated(const glm::dvec2& v, double radians) {
   const double c = std::cos(radians), s = std::sin(radians);
   return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
-
-/// Tells whether a place is taken, by a hash grid.
-class TakenPlaces {
- public:
-  bool take(const glm::dvec2& p) {
-    const auto x = cell(p.x), y = cell(p.y);
-    for (std::int64_t i = x - 1; i <= x + 1; ++i)
-      for (std::int64_t j = y - 1; j <= y + 1; ++j) {
-        const auto [first, last] = places_.equal_range(key(i, j));
-        for (auto place = first; place != last; ++place)
-          if (glm::distance(place->second, p) < same_place_m) return false;
-      }
-    places_.emplace(key(x, y), p);
-    return true;
-  }
-
- private:
-  static std::int64_t cell(double v) {
-    return static_cast<std::int64_t>(std::floor(v / same_place_m));
-  }
-  static std::uint64_t key(std::int64_t x, std::int64_t y) {
-    return static_cast<std::uint64_t>(x) << 32 ^ (static_cast<std::uint64_t>(y) & 0xFFFFFFFFu);
-  }
-  std::unordered_multimap<std::uint64_t, glm::dvec2> places_;
-};
 
 class Placer {
  public:
@@ -96,27 +55,28 @@ class Placer {
   }
 
  private:
-  void drop(const char* reason) { ++set_.dropped[reason]; }
+  void leave_out(const char* reason) { ++set_.left_out[reason]; }
 
   void place(const OsmLampNode& node) {
     const LampTags tags = read_lamp_tags(node.tags);
     for (const auto& [text, count] : tags.unread)
       set_.notes["tag not understood: " + text] += count;
-    if (tags.unlit) return drop("lit=no");
+    if (tags.unlit) return leave_out("lit=no");
     glm::dvec2 at = to_frame_(node.lon_lat);
-    if (!std::isfinite(at.x) || !std::isfinite(at.y)) return drop("outside the projection");
-    if (!height_at_(at)) return drop("outside the model");
-    if (!taken_.take(at)) return drop("duplicate");
+    if (!std::isfinite(at.x) || !std::isfinite(at.y)) return leave_out("outside the projection");
+    if (!height_at_(at)) return leave_out("outside the model");
+    if (!taken_.take(at)) return leave_out("duplicate");
 
     const auto road = roads_.nearest(at);
     const bool moved = step_out(at, road);
     const auto height = height_at_(at);
-    if (!height) return drop("outside the model");
+    if (!height) return leave_out("outside the model");
     const double foot = options_.heights_from_tags ? tags.ele_m.value_or(*height) : *height;
-    post(node, tags, {at.x, at.y, foot}, moved ? ValueSource::rule : ValueSource::tag, road);
+    add_post(node, tags, {at.x, at.y, foot}, moved ? ValueSource::rule : ValueSource::tag, road);
   }
 
-  /// Moves a post that stands inside a building to the building's outside, towards its road.
+  /// Moves a post that stands inside a building out of it, towards its road. Returns whether it
+  /// moved.
   bool step_out(glm::dvec2& at, const std::optional<RoadIndex::Nearest>& road) {
     if (!inside_ || !inside_(at)) return false;
     if (road && road->distance_m > step_out_m) {
@@ -132,94 +92,64 @@ class Placer {
     return false;
   }
 
-  const RoadDefaults& defaults_for(const LampTags& tags,
+  const RoadLighting& defaults_for(const LampTags& tags,
                                    const std::optional<RoadIndex::Nearest>& road) const {
     if (tags.mast) return lighting_mast_defaults();
-    return road ? road->road->defaults : open_space_defaults();
+    return road ? *road->road->lighting : open_space_defaults();
   }
 
-  void post(const OsmLampNode& node, const LampTags& tags, const glm::dvec3& foot,
-            ValueSource position, const std::optional<RoadIndex::Nearest>& road) {
-    const RoadDefaults& defaults = defaults_for(tags, road);
-    const LampTypeDefaults* type = tags.type ? &lamp_type_defaults(*tags.type) : nullptr;
-
-    Known<double> mounting{defaults.mounting_m};
-    if (tags.mount == LampMount::wall) mounting.value = std::min(mounting.value, wall_mounting_m);
-    if (tags.mount == LampMount::bollard) mounting.value = bollard_mounting_m;
-    if (type && type->lantern)
-      mounting.value = std::min(mounting.value, open_space_defaults().mounting_m);
-    mounting.tagged(tags.height_m);
-
-    Known<Optic> optic{defaults.optic};
-    const bool low = mounting.value < 3 && optic.value == Optic::street;
-    if ((type && type->lantern) || tags.mount == LampMount::bollard || low)
-      optic.value = Optic::lantern;
-    else if (tags.mount == LampMount::bent_mast && optic.value == Optic::lantern)
-      optic.value = Optic::street;
-    else if (tags.mount == LampMount::suspended)
-      optic.value = Optic::central;
-    if (tags.mount || tags.type) optic.source = ValueSource::tag;
-
-    Known<double> flux = flux_of(tags, defaults, type);
-    Known<double> cct{type && type->cct_k > 0 ? type->cct_k : defaults.cct_k};
-    Known<glm::vec3> colour{rec709_from_xy(type && type->xy ? *type->xy : planckian_xy(cct.value))};
-    if (type && (type->xy || type->cct_k > 0)) colour.source = ValueSource::tag;
-    if (tags.cct_k) {
-      cct.tagged(tags.cct_k);
-      colour = {rec709_from_xy(planckian_xy(*tags.cct_k)), ValueSource::tag};
-    }
-    colour.tagged(tags.colour);
-
-    const LuminaireChoice* choice =
-        optic.value == Optic::street || optic.value == Optic::central
-            ? luminaire_for(options_, defaults, tags.type.value_or(LampType::led))
-            : nullptr;
-    if (choice) {
-      optic.source = ValueSource::attribute;
-      if (choice->take_flux && flux.source == ValueSource::rule)
-        flux = {choice->flux_lm, ValueSource::attribute};
-    }
-
-    PlacedLamp lamp;
+  /// Adds the luminaires of one post.
+  void add_post(const OsmLampNode& node, const LampTags& tags, const glm::dvec3& foot,
+                ValueSource position, const std::optional<RoadIndex::Nearest>& road) {
+    const RoadLighting& defaults = defaults_for(tags, road);
+    const LampValues values = choose_values(tags, defaults, options_);
+    PlacedLamp lamp = make_lamp(tags, values);
     lamp.foot = foot;
-    lamp.mounting_height_m = mounting.value;
-    lamp.hung = tags.mount == LampMount::suspended;
-    lamp.flux_lm = flux.value;
-    lamp.cct_k = cct.value;
-    lamp.colour = colour.value;
-    lamp.radius_m = optic.value == Optic::lantern ? lantern_radius_m : luminous_radius_m;
-    lamp.profile =
-        choice ? profiles_.add(choice->name, choice->photometry) : profile_of(optic.value);
-    if (optic.value == Optic::floodlight) lamp.tilt_degrees = 55;
-    if (tags.tilt_degrees) lamp.tilt_degrees = *tags.tilt_degrees;
-    lamp.provenance = {static_cast<std::uint64_t>(node.id),
-                       position,
-                       mounting.source,
-                       flux.source,
-                       colour.source,
-                       optic.source,
-                       tags.hours ? ValueSource::tag : ValueSource::rule,
-                       static_cast<std::uint8_t>(LightFamily::lamp),
-                       0};
-
-    lamp.hours = tags.hours;
+    lamp.provenance.source_id = static_cast<std::uint64_t>(node.id);
+    lamp.provenance.position = position;
     lamp.highway = defaults.highway;
     if (road) {
       lamp.way_id = road->road->way_id;
       lamp.along_m = road->along_m;
     }
-
-    const std::vector<glm::dvec2> aims = aims_of(node, tags, foot, road);
+    const std::vector<glm::dvec2> aims = find_aims(node, tags, foot, road);
     if (aims.size() > 2)
       lamp.flux_lm *= 2.0 / static_cast<double>(aims.size());  // clusters share two lamps' light
+    std::optional<double> to_centreline_m;
+    if (road) to_centreline_m = road->distance_m;
     for (std::size_t n = 0; n < aims.size(); ++n) {
       lamp.aim = aims[n];
-      lamp.outreach = clear_of_walls(
-          glm::dvec2(foot), lamp.aim * outreach_of(tags, defaults, type, road, aims.size()));
+      lamp.outreach =
+          clear_of_walls(glm::dvec2(foot),
+                         lamp.aim * choose_outreach(tags, defaults, to_centreline_m, aims.size()));
       lamp.id = unused_id(node.id, static_cast<int>(n));
       set_.lamps.push_back(lamp);
       count_sources(lamp.provenance, tags, road);
     }
+  }
+
+  PlacedLamp make_lamp(const LampTags& tags, const LampValues& values) {
+    PlacedLamp lamp;
+    lamp.mounting_height_m = values.mounting_m.value;
+    lamp.hung = tags.mount == LampMount::suspended;
+    lamp.flux_lm = values.flux_lm.value;
+    lamp.cct_k = values.cct_k.value;
+    lamp.colour = values.colour.value;
+    const Optic optic = values.optic.value;
+    lamp.radius_m = optic == Optic::lantern ? lantern_radius_m : luminous_radius_m;
+    lamp.profile = values.measured
+                       ? profiles_.add(values.measured->name, values.measured->photometry)
+                       : profile_of(optic);
+    if (optic == Optic::floodlight) lamp.tilt_degrees = 55;
+    if (tags.tilt_degrees) lamp.tilt_degrees = *tags.tilt_degrees;
+    lamp.hours = tags.hours;
+    lamp.provenance.height = values.mounting_m.source;
+    lamp.provenance.flux = values.flux_lm.source;
+    lamp.provenance.colour = values.colour.source;
+    lamp.provenance.profile = values.optic.source;
+    lamp.provenance.schedule = tags.hours ? ValueSource::tag : ValueSource::rule;
+    lamp.provenance.family = static_cast<std::uint8_t>(LightFamily::lamp);
+    return lamp;
   }
 
   std::uint32_t profile_of(Optic optic) {
@@ -228,33 +158,8 @@ class Placer {
     return *known;
   }
 
-  static Known<double> flux_of(const LampTags& tags, const RoadDefaults& defaults,
-                               const LampTypeDefaults* type) {
-    Known<double> flux{defaults.flux_lm};
-    const double of_type = type ? type->flux_lm[static_cast<int>(defaults.tier)] : 0;
-    if (of_type > 0) flux = {of_type, ValueSource::tag};
-    if (tags.power_w)
-      flux = {*tags.power_w * (type ? *type : lamp_type_defaults(LampType::led)).lumen_per_watt,
-              ValueSource::tag};
-    flux.tagged(tags.flux_lm);
-    return flux;
-  }
-
-  /// How far the luminous centre stands before its post. Nothing reaches beyond the middle of its road.
-  static double outreach_of(const LampTags& tags, const RoadDefaults& defaults,
-                            const LampTypeDefaults* type,
-                            const std::optional<RoadIndex::Nearest>& road, std::size_t luminaires) {
-    double outreach = defaults.outreach_m;
-    if (tags.mount == LampMount::straight_mast) outreach = std::min(outreach, 0.3);
-    if (tags.mount == LampMount::bent_mast) outreach = std::max(outreach, 1.5);
-    if (tags.mount == LampMount::wall) outreach = std::clamp(outreach, 0.6, 1.2);
-    if (tags.mount == LampMount::suspended || tags.mount == LampMount::bollard) outreach = 0;
-    if (type && type->lantern && tags.mount != LampMount::wall) outreach = 0;
-    if (luminaires > 1) return std::max(outreach, 0.4);  // their lamps may not lie in each other
-    return road ? std::min(outreach, road->distance_m) : outreach;
-  }
-
-  /// The outreach, shortened where it would bring the luminaire into a building that its post stands outside.
+  /// Returns the outreach, shortened if it would bring the luminaire into a building outside which
+  /// its post stands.
   glm::dvec2 clear_of_walls(const glm::dvec2& foot, const glm::dvec2& outreach) {
     if (!inside_ || !inside_(foot + outreach) || inside_(foot)) return outreach;
     constexpr int steps = 8;
@@ -266,10 +171,11 @@ class Placer {
     return glm::dvec2(0);
   }
 
-  /// One direction a luminaire: as tagged; else towards the road; several spread evenly round the post.
-  std::vector<glm::dvec2> aims_of(const OsmLampNode& node, const LampTags& tags,
-                                  const glm::dvec3& foot,
-                                  const std::optional<RoadIndex::Nearest>& road) const {
+  /// Returns one direction for each luminaire: as tagged, otherwise towards the road; several
+  /// luminaires spread evenly round the post.
+  std::vector<glm::dvec2> find_aims(const OsmLampNode& node, const LampTags& tags,
+                                    const glm::dvec3& foot,
+                                    const std::optional<RoadIndex::Nearest>& road) const {
     std::vector<glm::dvec2> aims;
     for (const double degrees : tags.directions_degrees)
       if (const auto aim = aim_from_bearing(node.lon_lat, degrees)) aims.push_back(*aim);
@@ -278,7 +184,7 @@ class Placer {
       if (road) {
         const glm::dvec2 across(-road->along.y, road->along.x);
         const glm::dvec2 towards = road->point - glm::dvec2(foot);
-        // A post on the middle line itself lights across the road, to either side.
+        // A post on the centreline lights across the road.
         aim = road->distance_m > 0.05 ? towards / glm::length(towards) : across;
       }
       aims.push_back(aim);
@@ -295,8 +201,8 @@ class Placer {
     return aims;
   }
 
-  /// A bearing counts from true north, the frame has grid north: the difference comes out of the projection
-  /// itself.
+  /// Returns the direction of a bearing in the frame. A bearing counts from true north and the
+  /// frame has grid north; projecting a point ahead accounts for the difference.
   std::optional<glm::dvec2> aim_from_bearing(const glm::dvec2& lon_lat, double degrees) const {
     constexpr double step = 1e-4;  // degrees of latitude: 11 m
     const double bearing = glm::radians(degrees);
@@ -330,7 +236,7 @@ class Placer {
                           : road                           ? "road beside"
                                                            : "no road near"];
     ++set_.sources["road class"][tags.mast ? "lighting mast"
-                                 : road    ? road->road->defaults.highway
+                                 : road    ? road->road->lighting->highway
                                            : "open space"];
   }
 
@@ -349,7 +255,7 @@ class Placer {
 
 }  // namespace
 
-const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadDefaults& road,
+const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadLighting& road,
                                      LampType type) {
   const auto serves = [](const auto& list, const auto& value) {
     return list.empty() || std::find(list.begin(), list.end(), value) != list.end();
@@ -367,7 +273,8 @@ LampSet place_lamps(const OsmData& osm, const LonLatToFrame& to_frame, const Hei
 Light to_light(const PlacedLamp& lamp, const Georeference& georeference, ScheduleTable& schedules) {
   const glm::dvec3 centre(lamp.foot.x + lamp.outreach.x, lamp.foot.y + lamp.outreach.y,
                           lamp.foot.z + lamp.mounting_height_m);
-  // Model space: X east, Y up, Z south. The tilt turns axis and tangent together about the horizontal.
+  // Model space: X east, Y up, Z south. The tilt turns axis and tangent together about a horizontal
+  // line.
   const glm::dvec3 down(0, -1, 0), aim(lamp.aim.x, 0, -lamp.aim.y);
   const double c = std::cos(glm::radians(lamp.tilt_degrees)),
                s = std::sin(glm::radians(lamp.tilt_degrees));

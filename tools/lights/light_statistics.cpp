@@ -1,17 +1,16 @@
-#include "tools/lights/light_census.h"
+#include "tools/lights/light_statistics.h"
 
 #include <algorithm>
 #include <optional>
 
 #include "formats/light_check.h"
 #include "formats/night_check.h"
+#include "formats/schedule.h"
 
 namespace nightcity {
 namespace {
 
-constexpr uint hour_s = 3600, first_hour_s = 5 * hour_s;  // 17:00, since noon
-
-void count_hours(const Light& light, const LightFile& file, FamilyCensus& family) {
+void count_hours(const Light& light, const LightFile& file, FamilyStatistics& family) {
   if (light.schedule == LIGHT_ALWAYS_ON) {
     ++family.always_on;
     for (std::size_t& lit : family.lit) ++lit;
@@ -19,10 +18,10 @@ void count_hours(const Light& light, const LightFile& file, FamilyCensus& family
   }
   const Schedule& schedule = file.schedules()[light.schedule];
   for (std::size_t hour = 0; hour < night_hours; ++hour) {
-    // At 07:00 what was on a moment before: there the night ends.
+    // The night ends at 07:00, so its last hour counts what was lit a minute earlier.
     const uint second =
-        first_hour_s + static_cast<uint>(hour) * hour_s - (hour + 1 == night_hours ? 60 : 0);
-    family.lit[hour] += shines_at(schedule, file.switches().data(), second);
+        night_begin_s + static_cast<uint>(hour) * 3600 - (hour + 1 == night_hours ? 60 : 0);
+    family.lit[hour] += is_lit(schedule, file.switches(), second);
   }
 }
 
@@ -35,18 +34,18 @@ std::optional<std::string> fault_of(const Light& light, const LightFile& file) {
 
 }  // namespace
 
-LightCensus count_lights(const LightFile& file, const PlaceFault& place_fault) {
-  LightCensus census;
+LightStatistics count_lights(const LightFile& file, const PlaceFault& place_fault) {
+  LightStatistics statistics;
   for (std::size_t i = 0; i < file.lights().size(); ++i) {
     const Light& light = file.lights()[i];
     if (const auto fault = fault_of(light, file)) {
-      ++census.faults[*fault];
+      ++statistics.faults[*fault];
       continue;
     }
     if (place_fault)
-      if (const std::string fault = place_fault(light); !fault.empty()) ++census.faults[fault];
+      if (const std::string fault = place_fault(light); !fault.empty()) ++statistics.faults[fault];
     const LightProvenance& from = file.provenance()[i];
-    FamilyCensus& family = census.families[name_of(static_cast<LightFamily>(from.family))];
+    FamilyStatistics& family = statistics.families[name_of(static_cast<LightFamily>(from.family))];
     ++family.count;
     family.flux_lm += double{light.flux_lm};
     ++family.kinds[name_of(light_kind(light))];
@@ -56,39 +55,7 @@ LightCensus count_lights(const LightFile& file, const PlaceFault& place_fault) {
         {"colour", from.colour},     {"profile", from.profile}, {"hours", from.schedule}};
     for (const auto& [value, source] : values) ++family.sources[value][name_of(source)];
   }
-  return census;
-}
-
-const char* name_of(LightFamily family) {
-  switch (family) {
-    case LightFamily::lamp:
-      return "lamp";
-    case LightFamily::window:
-      return "window";
-    case LightFamily::headlamp:
-      return "headlamp";
-    case LightFamily::tail_lamp:
-      return "tail_lamp";
-    case LightFamily::other:
-      break;
-  }
-  return "other";
-}
-
-const char* name_of(ValueSource source) {
-  switch (source) {
-    case ValueSource::tag:
-      return "tag";
-    case ValueSource::attribute:
-      return "attribute";
-    case ValueSource::rule:
-      return "rule";
-    case ValueSource::standard:
-      return "standard";
-    case ValueSource::unknown:
-      break;
-  }
-  return "unknown";
+  return statistics;
 }
 
 }  // namespace nightcity

@@ -1,4 +1,4 @@
-#include "tools/traffic/drive_knots.h"
+#include "tools/traffic/trip_knots.h"
 
 #include <algorithm>
 #include <array>
@@ -7,18 +7,19 @@
 #include <numbers>
 
 #include "formats/traffic_pose.h"
+#include "tools/traffic/driver_model.h"
 
 namespace nightcity::traffic {
 namespace {
 
 using std::numbers::pi;
 
-// Lamps come on with the pedal. Rolling out without it is about 0.5 m/s2; UN Regulation 13-H has them on
-// above 1.3 m/s2 where a motor brakes, off below 0.7.
+// Brake lamps come on with the pedal. Coasting decelerates by about 0.5 m/s2; where a motor brakes,
+// UN Regulation 13-H has the lamps on above 1.3 m/s2 and off below 0.7 m/s2.
 constexpr double pedal_m_s2 = 0.8;
-constexpr int shortest_on = 2, shortest_off = 3;  // steps: feet do not flicker
+constexpr int shortest_on = 2, shortest_off = 3;  // steps: a driver does not tap the pedal
 constexpr std::size_t longest_moments = 96;       // 12 s between knots
-constexpr double quick_turn = 0.03;               // radians a step
+constexpr double quick_turn = 0.03;               // radians in one step
 
 TripKnot knot_at(const Curve::Place& place, double speed, double time, bool braking,
                  const Georeference& georeference) {
@@ -36,13 +37,13 @@ TripKnot knot_at(const Curve::Place& place, double speed, double time, bool brak
   return knot;
 }
 
-/// Braking during the step after each sample.
-std::vector<bool> braking_of(const Drive& drive) {
-  const std::size_t count = drive.speed_m_s.size();
+/// Returns for each sample whether the vehicle brakes during the step after it.
+std::vector<bool> find_braking(const DrivenTrip& trip) {
+  const std::size_t count = trip.speed_m_s.size();
   std::vector<bool> on(count, false);
   for (std::size_t n = 0; n + 1 < count; ++n) {
-    const double a = (double{drive.speed_m_s[n + 1]} - double{drive.speed_m_s[n]}) / step_s;
-    on[n] = a < -pedal_m_s2 || (drive.speed_m_s[n] < 0.1f && drive.speed_m_s[n + 1] < 0.1f);
+    const double a = (double{trip.speed_m_s[n + 1]} - double{trip.speed_m_s[n]}) / step_s;
+    on[n] = a < -pedal_m_s2 || (trip.speed_m_s[n] < 0.1f && trip.speed_m_s[n + 1] < 0.1f);
   }
   const auto smooth = [&](bool value, int shortest) {
     for (std::size_t n = 0; n < count;) {
@@ -61,19 +62,19 @@ std::vector<bool> braking_of(const Drive& drive) {
 
 class KnotFitter {
  public:
-  KnotFitter(const RoutePath& path, const Drive& drive, const Georeference& georeference,
+  KnotFitter(const TripPath& path, const DrivenTrip& trip, const Georeference& georeference,
              const KnotTolerance& tolerance)
       : georeference_(georeference), tolerance_(tolerance) {
-    const std::vector<bool> braking = braking_of(drive);
-    const std::size_t last = drive.speed_m_s.size() - 1;
-    // Moments at which a knot may lie, and between them those at which the fit is only looked at. A step in
-    // which the heading turns fast has more of them.
-    Curve::Place before = path.at(double{drive.distance_m[0]});
+    const std::vector<bool> braking = find_braking(trip);
+    const std::size_t last = trip.speed_m_s.size() - 1;
+    // Collect the moments at which a knot may lie and, between them, those at which the fit is only
+    // checked. A step in which the heading turns fast has more of them.
+    Curve::Place before = path.at(double{trip.distance_m[0]});
     for (std::size_t n = 0; n < last; ++n) {
-      const double s0 = double{drive.distance_m[n]}, s1 = double{drive.distance_m[n + 1]};
-      const double v0 = double{drive.speed_m_s[n]}, v1 = double{drive.speed_m_s[n + 1]};
+      const double s0 = double{trip.distance_m[n]}, s1 = double{trip.distance_m[n + 1]};
+      const double v0 = double{trip.speed_m_s[n]}, v1 = double{trip.speed_m_s[n + 1]};
       const Curve::Place after = path.at(s1);
-      // Evenly accelerated within a step, as it was driven.
+      // The acceleration is constant within a step, as in the simulation.
       const auto at = [&](double x) {
         const double way = v0 + v1 > 0 ? (2 * v0 * x + (v1 - v0) * x * x) / (v0 + v1) : x;
         return path.at(s0 + (s1 - s0) * way);
@@ -98,7 +99,7 @@ class KnotFitter {
       before = after;
     }
     moments_.push_back(
-        {static_cast<double>(last) * step_s, double{drive.speed_m_s[last]}, braking[last], before});
+        {static_cast<double>(last) * step_s, double{trip.speed_m_s[last]}, braking[last], before});
   }
 
   std::vector<TripKnot> fit(KnotError& worst) const {
@@ -111,7 +112,7 @@ class KnotFitter {
         most += 2;
       std::size_t good = from + 2;
       KnotError error = error_between(from, good);
-      // Galloping, then halving: the error grows with the stretch, nearly always.
+      // Exponential search, then bisection: the error nearly always grows with the stretch.
       bool growing = true;
       for (std::size_t step = 2; step > 1 && good < most;) {
         const std::size_t to = std::min(good + step, most);
@@ -171,17 +172,16 @@ class KnotFitter {
 
   const Georeference& georeference_;
   const KnotTolerance& tolerance_;
-  std::vector<Moment> moments_;  // even: a knot may lie there; odd: between two such
+  std::vector<Moment> moments_;  // a knot may lie at even ones; odd ones lie between
 };
 
 }  // namespace
 
-std::vector<TripKnot> make_knots(const RoutePath& path, const Drive& drive,
+std::vector<TripKnot> make_knots(const TripPath& path, const DrivenTrip& trip,
                                  const Georeference& georeference, const KnotTolerance& tolerance,
                                  KnotError& worst) {
-  if (drive.speed_m_s.size() < 9 || drive.distance_m.back() - drive.distance_m.front() < 5)
-    return {};
-  return KnotFitter(path, drive, georeference, tolerance).fit(worst);
+  if (trip.speed_m_s.size() < 9 || trip.distance_m.back() - trip.distance_m.front() < 5) return {};
+  return KnotFitter(path, trip, georeference, tolerance).fit(worst);
 }
 
 }  // namespace nightcity::traffic

@@ -1,4 +1,4 @@
-// What a light file holds, counted: kinds, lumens, hours, and where each value came from.
+// Statistics of a light file: kinds, lumens, hours, and where each value came from.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace nightcity {
 
-struct FamilyCensus {
+struct FamilyStatistics {
   std::size_t count = 0, always_on = 0;
   double flux_lm = 0;
   std::map<std::string, std::size_t> kinds;                           // "sphere", "rectangle"
@@ -21,18 +21,15 @@ struct FamilyCensus {
   std::array<std::size_t, night_hours> lit{};                         // at each full hour
 };
 
-struct LightCensus {
-  std::map<std::string, FamilyCensus> families;  // "lamp", "window", ...
-  std::map<std::string, std::size_t> faults;     // why lights are unfit, and how many
+struct LightStatistics {
+  std::map<std::string, FamilyStatistics> families;  // "lamp", "window", ...
+  std::map<std::string, std::size_t> faults;         // why lights are unfit, and how many
 };
 
-/// Why a light should not be where it is ("below the ground"), "" where it may; model space.
+/// Returns why a light should not be where it is ("below the ground"), or ""; in model space.
 using PlaceFault = std::function<std::string(const Light&)>;
 
-/// Looks at every light once. Broken ones are counted in `faults` and nowhere else.
-LightCensus count_lights(const LightFile& file, const PlaceFault& place_fault = {});
-
-const char* name_of(LightFamily family);
-const char* name_of(ValueSource source);
+/// Counts all lights of a file. Broken lights are counted in `faults` only.
+LightStatistics count_lights(const LightFile& file, const PlaceFault& place_fault = {});
 
 }  // namespace nightcity

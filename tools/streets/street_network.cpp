@@ -1,4 +1,4 @@
-#include "tools/layout/street_network.h"
+#include "tools/streets/street_network.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "tools/osm/tag_values.h"
 
-namespace nightcity::layout {
+namespace nightcity::streets {
 namespace {
 
 using NodeKey =
@@ -29,14 +29,14 @@ bool one_of(const std::string& value, std::initializer_list<const char*> names) 
   return std::find(names.begin(), names.end(), value) != names.end();
 }
 
-/// A run of one way's nodes between two that matter.
+/// A run of one way's nodes between two junctions or ends.
 struct Run {
   Street street;
   NodeKey first, last;
 };
 
-bool same_road(const RoadIndex::Road& a, const RoadIndex::Road& b) {
-  return std::string_view(a.defaults.highway) == b.defaults.highway &&
+bool same_road(const roads::Carriageway& a, const roads::Carriageway& b) {
+  return roads::main_highway(a.road_class->highway) == roads::main_highway(b.road_class->highway) &&
          std::abs(a.width_m - b.width_m) <= 1;
 }
 
@@ -58,6 +58,8 @@ void append(Run& to, const Run& next) {
     to.street.at_m.push_back(length + next.street.at_m[n]);
   to.street.pieces.insert(to.street.pieces.end(), next.street.pieces.begin(),
                           next.street.pieces.end());
+  // Posts along the whole street stand behind its widest kerb.
+  to.street.road.width_m = std::max(to.street.road.width_m, next.street.road.width_m);
   to.street.bridge |= next.street.bridge;
   if (to.street.name.empty()) to.street.name = next.street.name;
   to.last = next.last;
@@ -67,13 +69,13 @@ class NetworkBuilder {
  public:
   void count(const OsmWay& way) {
     for (std::size_t n = 0; n < way.lon_lat.size(); ++n) {
-      // A node inside a way is where two of its runs would end.
+      // At a node inside a way, two of its runs would end.
       const bool end = n == 0 || n + 1 == way.lon_lat.size();
       degrees_[key_of(way.lon_lat[n])] += end ? 1 : 2;
     }
   }
 
-  void cut(const OsmWay& way, const RoadIndex::Road& road,
+  void cut(const OsmWay& way, const roads::Carriageway& road,
            const std::function<glm::dvec2(const glm::dvec2&)>& to_frame) {
     Street fresh;
     fresh.road = road;
@@ -146,7 +148,7 @@ class NetworkBuilder {
   }
 
  private:
-  /// Runs of one road that meet where nothing else does become one.
+  /// Joins two runs of one road if nothing else meets them at their common end.
   void join() {
     std::map<NodeKey, std::vector<std::size_t>> ends;
     for (std::size_t r = 0; r < runs_.size(); ++r) {
@@ -155,7 +157,7 @@ class NetworkBuilder {
     }
     for (std::size_t r = 0; r < runs_.size(); ++r) {
       if (joined_[r]) continue;
-      for (int side = 0; side < 2; ++side) {  // grow at the end, turn round, grow at the other end
+      for (int side = 0; side < 2; ++side) {  // grow at the end, reverse, grow at the other end
         grow(r, ends);
         reverse(runs_[r]);
       }
@@ -166,7 +168,7 @@ class NetworkBuilder {
     while (runs_[r].first != runs_[r].last) {
       const auto& here = ends.at(runs_[r].last);
       if (here.size() != 2) return;
-      // The other of the two; runs joined to r earlier are named by their old number and have lost this end.
+      // Find the other of the two. Runs joined to r earlier still have their old number here.
       std::size_t next = runs_.size();
       for (const std::size_t candidate : here)
         if (candidate != r && !joined_[candidate]) next = candidate;
@@ -208,12 +210,12 @@ std::string why_unlit(const OsmWay& way) {
       one_of(tag(way, "path"), {"crossing", "sidewalk"}) || tag(way, "is_sidepath") == "yes")
     return "crossing or pavement beside a street";
   if (!lit.empty()) return {};
-  // What towns light unasked: streets with houses or through traffic. Motorways are lit at few junctions,
-  // paths where somebody says so, service roads where they are more than a way in.
-  const auto defaults = road_defaults(highway);
-  if (!defaults) return "unlit by class";
+  // Without a tag, towns light streets with houses or through traffic: few junctions of motorways,
+  // no paths, and service roads only if they are more than a driveway.
+  const roads::RoadClass* road_class = roads::find_road_class(highway);
+  if (!road_class) return "unlit by class";
   if (one_of(tag(way, "access"), {"private", "no"})) return "private";
-  const bool street = defaults->tier != RoadTier::path || highway == "pedestrian";
+  const bool street = road_class->tier != roads::RoadTier::path || highway == "pedestrian";
   const bool way_in = highway == "service" && !one_of(tag(way, "service"), {"", "alley", "bus"});
   if (!street || way_in || highway.starts_with("motorway") || highway.starts_with("trunk"))
     return "unlit by class";
@@ -225,10 +227,10 @@ StreetNetwork make_street_network(const std::vector<const OsmWay*>& ways,
                                   Joining joining) {
   NetworkBuilder builder;
   for (const OsmWay* way : ways)
-    if (RoadIndex::describe(*way)) builder.count(*way);
+    if (roads::read_carriageway(way->tags)) builder.count(*way);
   for (const OsmWay* way : ways)
-    if (const auto road = RoadIndex::describe(*way)) builder.cut(*way, *road, to_frame);
+    if (const auto road = roads::read_carriageway(way->tags)) builder.cut(*way, *road, to_frame);
   return builder.build(joining);
 }
 
-}  // namespace nightcity::layout
+}  // namespace nightcity::streets

@@ -1,5 +1,5 @@
-// Dipped beams and signal lamps held to their regulations, through the profile as a renderer reads it.
-#include "tools/traffic/lamps.h"
+// Dipped beams and signal lamps meet their regulations in the profile that a renderer reads.
+#include "tools/traffic/vehicle_lamps.h"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Candela of the lamp with its flux towards h degrees right of and v degrees above its axis, from the stored
-/// profile.
+/// Returns the candela of the lamp h degrees to the right of and v degrees above its axis, from
+/// the stored profile.
 class Beam {
  public:
   explicit Beam(Side side) {
@@ -83,7 +83,8 @@ TEST(LowBeam, KeepsRegulation112AtItsTestPoints) {
   EXPECT_GE(beam.at(-4, 2) + beam.at(0, 2) + beam.at(4, 2), 375) << "points 4 + 5 + 6";
 }
 
-/// Whether (h, v) lies in zone III: above a line through these corners, within 8 degrees and below 4.
+/// Whether (h, v) lies in zone III: above a line through these corners, within 8 degrees and below
+/// 4.
 bool in_zone_three(double h, double v) {
   constexpr double line[][2] = {{-8, 1}, {-4, 0}, {0, 0}, {1.5, 1.5}, {6, 1.5}, {8, 2}};
   if (h < -8 || h > 8 || v > 4) return false;
@@ -119,7 +120,8 @@ TEST(LowBeam, IsMirroredWhereOneDrivesOnTheLeft) {
 
 TEST(LowBeam, CutOffAndKinkAreHeldByTheGrid) {
   const Beam beam(Side::right);
-  // Where intensity falls through half of what it is half a degree lower: on the cut-off, all the way across.
+  // The cut-off is where the intensity falls to half of what it is half a degree lower. Check it
+  // all the way across.
   for (double h = -10; h <= 6; h += 0.25) {
     const double expected = h <= 0 ? -0.57 : std::min(-0.57 + std::tan(15 * pi / 180) * h, 1.2);
     const double half = beam.at(h, expected - 0.5) / 2;
@@ -132,7 +134,7 @@ TEST(LowBeam, CutOffAndKinkAreHeldByTheGrid) {
 TEST(LowBeam, FluxIsTheProfilesIntegral) {
   EXPECT_NEAR(integrated_flux(low_beam(Side::left)), low_beam_flux_lm(),
               0.005 * low_beam_flux_lm());
-  // What a halogen headlamp leaves on the road; notes of makers have 400 to 1000.
+  // The flux of a halogen headlamp on the road: makers' notes give 400 to 1000 lm.
   EXPECT_GT(low_beam_flux_lm(), 350);
   EXPECT_LT(low_beam_flux_lm(), 1000);
 }
@@ -152,7 +154,7 @@ TEST(SignalLamps, ShineAsRegulation7Asks) {
       EXPECT_GE(candela, 60);
       EXPECT_LE(candela, 260);
     }
-    // Ten per cent at 20 degrees aside, and something at 80: the field of visibility.
+    // Field of visibility: ten per cent at 20 degrees to the side, and some light at 80 degrees.
     EXPECT_GE(intensity_at(beam, 0, 20 * pi / 180) / peak, 0.1);
     EXPECT_GE(candela * intensity_at(beam, 0, 45 * pi / 180) / peak, 0.05);
     EXPECT_LT(light.axis.x, 0);
@@ -174,7 +176,7 @@ TEST(VehicleLamps, EveryTypeIsFitForAFileAndCarriesWhatTheLawAsks) {
       EXPECT_FALSE(vehicle_light_fault(light, profiles.profiles.size())) << vehicle_types[k].name;
       const bool head = light.id == static_cast<uint>(LightFamily::headlamp);
       families.insert(head ? "head" : light.schedule == VEHICLE_LIGHT_BRAKING ? "brake" : "tail");
-      // Outside the body, or it would stand in its own light; UN Regulation 48's heights.
+      // Outside the body, which would block it otherwise, and at the heights of UN Regulation 48.
       EXPECT_GT(std::abs(light.position.x), kind.half_size.x + light.radius);
       EXPECT_LT(std::abs(light.position.z), kind.half_size.z);
       EXPECT_GE(light.position.y, head ? 0.5f : 0.35f);

@@ -1,5 +1,5 @@
-// Lamps on a plane beside a straight road: everything about them is known beforehand.
-#include "tools/lights/lamps.h"
+// Lamps on a plane beside a straight road, for which all values are known.
+#include "tools/lights/place_lamps.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double metres_per_degree = 111320;
 
-/// A flat Earth with north rotated by `convergence`: enough to tell true from grid north.
+/// A flat Earth whose grid north is rotated by `convergence` degrees from true north.
 LonLatToFrame flat_earth(double convergence_degrees = 0) {
   const double a = glm::radians(convergence_degrees);
   return [a](const glm::dvec2& lon_lat) {
@@ -58,7 +58,7 @@ TEST(Lamps, BareLampTakesItsValuesFromTheRoadBesideAndSaysSo) {
   const LampSet set = place({lamp_at(10, 5)}, {road({{"highway", "residential"}})});
   ASSERT_EQ(set.lamps.size(), 1u);
   const PlacedLamp& lamp = set.lamps[0];
-  const RoadDefaults defaults = *road_defaults("residential");
+  const RoadLighting defaults = *find_road_lighting("residential");
   EXPECT_NEAR(lamp.foot.x, 10, 1e-6);
   EXPECT_NEAR(lamp.foot.y, 5, 1e-6);
   EXPECT_EQ(lamp.foot.z, 40);
@@ -101,7 +101,7 @@ TEST(Lamps, EveryRoadClassOfTheTableGivesPlausibleLamps) {
     EXPECT_LE(set.lamps[0].flux_lm, 30000) << highway;
   }
   for (const char* highway : {"proposed", "construction", "raceway", "rest_area", ""})
-    EXPECT_FALSE(road_defaults(highway)) << highway;
+    EXPECT_FALSE(find_road_lighting(highway)) << highway;
 }
 
 TEST(Lamps, LampWithoutARoadStandsInTheOpen) {
@@ -150,10 +150,10 @@ TEST(Lamps, WhatIsNotPlacedIsCountedByReason) {
                              lamp_at(20, 5, {{"lit", "no"}}, 3), lamp_at(2000, 5, {}, 4),
                              lamp_at(0, NAN, {}, 5), lamp_at(40, 5, {{"height", "tall"}}, 6)});
   EXPECT_EQ(set.lamps.size(), 2u);
-  EXPECT_EQ(set.dropped.at("duplicate"), 1u);
-  EXPECT_EQ(set.dropped.at("lit=no"), 1u);
-  EXPECT_EQ(set.dropped.at("outside the model"), 1u);
-  EXPECT_EQ(set.dropped.at("outside the projection"), 1u);
+  EXPECT_EQ(set.left_out.at("duplicate"), 1u);
+  EXPECT_EQ(set.left_out.at("lit=no"), 1u);
+  EXPECT_EQ(set.left_out.at("outside the model"), 1u);
+  EXPECT_EQ(set.left_out.at("outside the projection"), 1u);
   EXPECT_EQ(set.notes.at("tag not understood: height=tall"), 1u);
 }
 
@@ -188,7 +188,7 @@ TEST(Lamps, LightStandsInModelSpaceWithItsAxisDown) {
   georeference.origin = {1, 2, 30};
   test::KeptSchedules kept;
   const Light light = to_light(set.lamps.at(0), georeference, kept.table);
-  const RoadDefaults defaults = *road_defaults("residential");
+  const RoadLighting defaults = *find_road_lighting("residential");
   EXPECT_NEAR(light.position.x, 9, 1e-4);
   EXPECT_NEAR(light.position.y, 10 + defaults.mounting_m, 1e-4);
   EXPECT_NEAR(light.position.z, -(5 - defaults.outreach_m - 2), 1e-4);
@@ -227,7 +227,7 @@ TEST(Lamps, MeasuredLuminaireServesTheRoadsItIsChosenFor) {
   EXPECT_EQ(set.lamps[0].flux_lm, 12345);
   EXPECT_EQ(set.lamps[0].provenance.profile, ValueSource::attribute);
   EXPECT_EQ(set.profiles.at(set.lamps[0].profile).c_count, 4u);
-  EXPECT_NE(set.lamps[1].flux_lm, 12345);  // the tag knows better
+  EXPECT_NE(set.lamps[1].flux_lm, 12345);  // the tag overrides it
   EXPECT_EQ(set.lamps[1].profile, set.lamps[0].profile);
   EXPECT_NE(set.lamps[2].profile, set.lamps[0].profile);
 }
@@ -242,9 +242,9 @@ TEST(Lamps, MeasuredLuminaireServesTheTypesOfLampItIsChosenFor) {
   options.luminaires.push_back({"sodium", even, {}, {LampType::high_pressure_sodium}, true, 777});
   options.luminaires.push_back({"led", even, {}, {LampType::led}, false, 888});
   const LampSet set = place_lamps(osm, flat_earth(), ground, {}, options);
-  EXPECT_EQ(set.lamps[0].profile, set.lamps[2].profile);  // what nobody named is LED
+  EXPECT_EQ(set.lamps[0].profile, set.lamps[2].profile);  // an unknown type is LED
   EXPECT_NE(set.lamps[0].profile, set.lamps[1].profile);
-  EXPECT_EQ(set.lamps[0].flux_lm, road_defaults("primary")->flux_lm);  // flux = false
+  EXPECT_EQ(set.lamps[0].flux_lm, find_road_lighting("primary")->flux_lm);  // flux = false
 }
 
 TEST(Lamps, LuminaireDoesNotReachIntoABuilding) {
@@ -252,7 +252,7 @@ TEST(Lamps, LuminaireDoesNotReachIntoABuilding) {
   osm.lamps = {lamp_at(0, 0, {{"direction", "180"}, {"lamp_mount", "bent_mast"}})};
   const InsideBuilding house = [](const glm::dvec2& p) {
     return p.y < -0.8;
-  };  // nearer than the arm is long
+  };  // nearer than the length of the arm
   const LampSet set = place_lamps(osm, flat_earth(), ground, house);
   ASSERT_EQ(set.lamps.size(), 1u);
   const glm::dvec2 centre = glm::dvec2(set.lamps[0].foot) + set.lamps[0].outreach;
@@ -320,59 +320,15 @@ TEST(LampHours, LuminairesOfOnePostGoTogether) {
     EXPECT_EQ(lamp.hours.has_value(), lamp.provenance.source_id % 2 == 1);
 }
 
-TEST(RoadIndex, AgreesWithBruteForce) {
-  std::vector<OsmWay> ways;
-  std::uint32_t state = 1;
-  const auto random = [&] {
-    return (state = state * 1664525u + 1013904223u) / 4294967296.0 * 800 - 400;
-  };
-  for (int n = 0; n < 60; ++n)
-    ways.push_back({n,
-                    {{random(), random()}, {random(), random()}, {random(), random()}},
-                    {{"highway", "residential"}}});
-  const RoadIndex index(ways, [](const glm::dvec2& p) { return p; });
-  int found = 0;
-  for (int n = 0; n < 2000; ++n) {
-    const glm::dvec2 p(random(), random());
-    double best = 1e300;
-    for (const OsmWay& way : ways)
-      for (std::size_t k = 0; k + 1 < way.lon_lat.size(); ++k) {
-        const glm::dvec2 a = way.lon_lat[k], edge = way.lon_lat[k + 1] - a;
-        const double t = glm::clamp(glm::dot(p - a, edge) / glm::dot(edge, edge), 0.0, 1.0);
-        best = std::min(best, glm::distance(p, a + edge * t));
-      }
-    const auto nearest = index.nearest(p);
-    ASSERT_EQ(nearest.has_value(), best <= nearest_road_m);
-    if (nearest) {
-      EXPECT_NEAR(nearest->distance_m, best, 1e-9);
-      ++found;
-    }
-  }
-  EXPECT_GT(found, 500);
-}
-
-TEST(RoadIndex, WidthsComeFromTagsThenLanesThenTheClass) {
-  const auto width = [](OsmTags tags) {
-    const RoadIndex index({{1, {{0, 0}, {10, 0}}, std::move(tags)}},
-                          [](const glm::dvec2& p) { return p; });
-    return index.nearest({5, 1})->road->width_m;
-  };
-  EXPECT_EQ(width({{"highway", "residential"}}), road_defaults("residential")->width_m);
-  EXPECT_EQ(width({{"highway", "residential"}, {"lanes", "3"}}), 9);
-  EXPECT_EQ(width({{"highway", "primary"}, {"lanes", "4"}, {"width", "15.5 m"}}), 15.5);
-  EXPECT_EQ(width({{"highway", "residential"}, {"width", "9999"}, {"lanes", "many"}}),
-            road_defaults("residential")->width_m);
-}
-
 TEST(LampsReal, EveryBerlinLampIsPlacedOrCounted) {
   REAL_DATA(file, "berlin/berlin_dev_box.osm.pbf");
   const OsmData osm = read_osm(file);
   const LampSet set = place_lamps(
       osm, [](const glm::dvec2& p) { return glm::dvec2(p.x * 68000, p.y * 111000); },
       [](const glm::dvec2&) { return std::optional<double>(35); });
-  std::size_t dropped = 0;
-  for (const auto& [reason, count] : set.dropped) dropped += count;
-  EXPECT_GE(set.lamps.size() + dropped, osm.lamps.size());
+  std::size_t left_out = 0;
+  for (const auto& [reason, count] : set.left_out) left_out += count;
+  EXPECT_GE(set.lamps.size() + left_out, osm.lamps.size());
   EXPECT_GT(set.lamps.size(), 200u);
   EXPECT_GT(set.sources.at("road class").size(), 2u);
 }

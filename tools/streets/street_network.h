@@ -1,5 +1,5 @@
-// The streets that are to be lit as a graph: stretches between junctions, each of one class and width. Ways
-// are cut and joined for it, because mappers split them wherever a tag changes.
+// The street graph: stretches between junctions, each of one class and width. Ways are cut and
+// joined for it, because mappers split them wherever a tag changes.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "tools/lights/road_index.h"
 #include "tools/osm/osm_data.h"
+#include "tools/roads/carriageway.h"
 
-namespace nightcity::layout {
+namespace nightcity::streets {
 
 struct Street {
-  /// Where on which way a piece of the line lies: lamps are named after it.
+  /// The part of a way from which a piece of the line comes; the identities of lamps follow from
+  /// it.
   struct Piece {
     std::int64_t way_id;
     double from_m, to_m;  // along the way from its first node
@@ -28,9 +29,9 @@ struct Street {
     double on_way_m;
   };
 
-  RoadIndex::Road road;
+  roads::Carriageway road;
   std::string name;
-  bool bridge = false;  // some of it
+  bool bridge = false;  // at least a part is a bridge
   std::vector<glm::dvec2> line;
   std::vector<double> at_m;            // of each point of the line, from its start
   std::vector<Piece> pieces;           // line.size() - 1
@@ -54,20 +55,21 @@ struct StreetNetwork {
   std::vector<Joint> joints;
 };
 
-/// Whether a way is to be lit: as its `lit` tag says, else by its class in a town. Empty = yes; otherwise why
-/// not: "lit=no", "tunnel", "crossing or pavement beside a street", "unlit by class", ...
+/// Returns why a way is not to be lit: "lit=no", "tunnel or under cover", "crossing or pavement
+/// beside a street", "unlit by class", ...; empty if it is to be lit. The tag `lit` decides,
+/// otherwise the class of road in a town.
 std::string why_unlit(const OsmWay& way);
 
-/// Whether stretches that meet where nothing else does become one street.
+/// Decides whether two stretches become one street if nothing else meets them at their common end.
 enum class Joining {
-  same_road,  // where class and width agree, whichever way they were drawn
-  never       // a street is a part of one way, drawn as the way is
+  same_road,  // if class and width agree, whatever their directions
+  never       // a street is a part of one way and has its direction
 };
 
-/// Ways meet where they share a node. `to_frame` as place_lamps takes it; points without a place are left
-/// out.
+/// Makes the graph of these ways. Ways meet where they share a node. `to_frame` is that of
+/// place_lamps; points that it maps to no finite place are left out.
 StreetNetwork make_street_network(const std::vector<const OsmWay*>& ways,
                                   const std::function<glm::dvec2(const glm::dvec2&)>& to_frame,
                                   Joining joining = Joining::same_road);
 
-}  // namespace nightcity::layout
+}  // namespace nightcity::streets

@@ -1,4 +1,4 @@
-// Middle lines of shapes for which anybody can say where they are.
+// Centrelines of shapes for which they are known.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,8 +16,8 @@ using glm::dvec2;
 using test::circle;
 using test::strip;
 
-std::vector<MiddleLine> lines_of(const std::vector<RoadSurface>& surfaces) {
-  return middle_lines(chordal_axis(road_outline(surfaces), 2.5));
+std::vector<Centreline> lines_of(const std::vector<RoadSurface>& surfaces) {
+  return find_centrelines(chordal_axis(road_outline(surfaces), 2.5));
 }
 
 double length_of(const std::vector<dvec2>& line) {
@@ -31,14 +31,14 @@ double from_segment(const dvec2& p, const dvec2& a, const dvec2& b) {
   return glm::distance(p, a + d * std::clamp(glm::dot(p - a, d) / glm::dot(d, d), 0.0, 1.0));
 }
 
-/// How often each node is an end of a line.
-std::map<std::size_t, int> ends_of(const std::vector<MiddleLine>& lines) {
+/// Counts how often each node is an end of a line.
+std::map<std::size_t, int> ends_of(const std::vector<Centreline>& lines) {
   std::map<std::size_t, int> ends;
-  for (const MiddleLine& line : lines) ++ends[line.from], ++ends[line.to];
+  for (const Centreline& line : lines) ++ends[line.from], ++ends[line.to];
   return ends;
 }
 
-std::size_t junctions_of(const std::vector<MiddleLine>& lines) {
+std::size_t junctions_of(const std::vector<Centreline>& lines) {
   const auto ends = ends_of(lines);
   return static_cast<std::size_t>(
       std::count_if(ends.begin(), ends.end(), [](const auto& end) { return end.second > 2; }));
@@ -66,7 +66,7 @@ TEST_P(StraightRoad, GivesItsMiddleLineFromEndToEndAndItsWidth) {
 INSTANTIATE_TEST_SUITE_P(Widths, StraightRoad, testing::Values(2.8, 4.0, 6.0, 11.0, 22.0));
 
 TEST(MiddleLines, SurfacesSideBySideAreOneRoad) {
-  // Two lanes along each other with a gap of 4 cm, cut into pieces at different places.
+  // Two lanes side by side with a gap of 4 cm, cut into pieces at different places.
   const std::vector<RoadSurface> surfaces = {strip({0, 0}, {60, 0}, 3), strip({60, 0}, {140, 0}, 3),
                                              strip({0, 3.04}, {33, 3.04}, 3),
                                              strip({33, 3.04}, {140, 3.04}, 3)};
@@ -77,7 +77,8 @@ TEST(MiddleLines, SurfacesSideBySideAreOneRoad) {
 }
 
 TEST(MiddleLines, NearlyStraightOuterEdgesGetNoHairOfTheirOwn) {
-  // A street whose outer edge bends in by 20 cm: the hull's thin triangle there is no gap.
+  // The outer edge of this street bends in by 20 cm. The thin triangle of the convex hull there
+  // is no gap.
   const RoadSurface street{{{0, 0}, {100, 0.2}, {200, 0}, {200, 7}, {0, 7}}, {}, nullptr, true};
   const auto lines = lines_of({street});
   ASSERT_EQ(lines.size(), 1u);
@@ -97,7 +98,7 @@ TEST(MiddleLines, ACrossIsOneJunctionWithFourArms) {
     const auto ends = ends_of(lines);
     EXPECT_EQ(ends.size(), 5u);
     EXPECT_EQ(junctions_of(lines), 1u);
-    for (const MiddleLine& line : lines) {
+    for (const Centreline& line : lines) {
       const bool at_start = ends.at(line.from) == 4;
       EXPECT_EQ(ends.at(at_start ? line.from : line.to), 4);
       EXPECT_LT(glm::distance(at_start ? line.line.front() : line.line.back(), dvec2(10, 0)), 0.5)
@@ -117,7 +118,7 @@ TEST(MiddleLines, ASideStreetMeetsInOneJunctionWithThreeArms) {
 TEST(MiddleLines, LinesThatMeetShareTheirEndsToTheBit) {
   const auto lines = lines_of({strip({-80, 0}, {80, 0}, 7), strip({10, -60}, {10, 60}, 5)});
   std::map<std::size_t, dvec2> places;
-  for (const MiddleLine& line : lines)
+  for (const Centreline& line : lines)
     for (const bool start : {true, false}) {
       const auto [found, is_new] = places.try_emplace(start ? line.from : line.to,
                                                       start ? line.line.front() : line.line.back());
@@ -171,7 +172,7 @@ TEST(MiddleLines, BrokenRingsAreSurvived) {
   for (const PlanRing& ring : {bow_tie, twice, needle}) {
     const auto lines = lines_of({{ring, {}, nullptr, true}, strip({200, 0}, {260, 0}, 6)});
     EXPECT_GE(lines.size(), 1u);
-    for (const MiddleLine& line : lines)
+    for (const Centreline& line : lines)
       for (const dvec2& p : line.line) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y));
   }
   EXPECT_TRUE(lines_of({}).empty());

@@ -1,4 +1,4 @@
-#include "tools/layout/street_network.h"
+#include "tools/streets/street_network.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "tools/layout/street_plane.h"
 
-namespace nightcity::layout {
+namespace nightcity::streets {
 namespace {
 
 using test::street;
@@ -45,7 +45,7 @@ TEST(StreetNetwork, PiecesOfOneStreetAreJoinedWhicheverWayTheyAreDrawn) {
   ASSERT_EQ(network.streets.size(), 1u);
   EXPECT_NEAR(network.streets[0].length_m(), 150, 1e-6);
   EXPECT_EQ(network.joints.size(), 2u);
-  // A lamp 60 m from the start stands on way 2, drawn backwards: 60 m before its own end.
+  // A lamp 60 m from the start stands on way 2, which is drawn backwards, 60 m before its end.
   const Street& joined = network.streets[0];
   const bool from_west = joined.line.front().x < 1;
   const Street::Place place = joined.place(from_west ? 60 : 90);
@@ -100,4 +100,4 @@ TEST(WhyUnlit, TagsDecideAndClassesDoWhereTheySayNothing) {
 }
 
 }  // namespace
-}  // namespace nightcity::layout
+}  // namespace nightcity::streets

@@ -1,4 +1,4 @@
-#include "tools/traffic/lamps.h"
+#include "tools/traffic/vehicle_lamps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,8 +28,8 @@ double smooth(double low, double high, double x) {
   return t * t * (3 - 2 * t);
 }
 
-/// A peak that falls to half at 12 degrees, and a little to all sides, as Regulation 7's field of 45 to 80
-/// degrees wants.
+/// A peak that falls to half at 12 degrees, and some light to all sides, for the field of 45 to 80
+/// degrees that Regulation 7 asks for.
 double signal(double gamma) {
   const double cosine = std::cos(gamma);
   return cosine > 0 ? 0.92 * std::pow(cosine, 31) + 0.08 * cosine : 0;
@@ -56,7 +56,7 @@ double low_beam_cd(double h, double v) {
   const double cut =
       h <= 0 ? cut_off_degrees : std::min(cut_off_degrees + kink_slope * h, kink_top_degrees);
   const double below = cut - v;  // degrees under the cut-off
-  // Real cut-offs go from dark to bright within a few tenths of a degree.
+  // Real cut-offs change from dark to bright within a few tenths of a degree.
   const double under = 1 / (1 + std::exp(-std::clamp(below / 0.09, -40.0, 40.0)));
   const double depth = std::max(below, 0.0);
   const double hot = 17500 * bell((h - 1.3) / 4.6) * std::exp(-depth / 1.3);

@@ -1,4 +1,4 @@
-#include "tools/traffic/route_path.h"
+#include "tools/traffic/trip_path.h"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@ namespace {
 
 constexpr double pull_out_m = 16;  // from the kerb to the lane's middle
 
-/// 1 at x = 0, 0 from x = 1 on; value and slope continuous.
+/// A smooth step from 1 at x = 0 to 0 at x = 1 and beyond; value and slope are continuous.
 struct Ramp {
   double value, slope;
 };
@@ -19,38 +19,38 @@ Ramp ramp(double x) {
 
 }  // namespace
 
-RoutePath::RoutePath(const LinkNetwork& network, const Route& route)
-    : network_(network), route_(route) {
+TripPath::TripPath(const LinkNetwork& network, const TripPlan& plan)
+    : network_(network), plan_(plan) {
   double sum = 0;
-  for (const std::size_t link : route.links) {
+  for (const std::size_t link : plan.links) {
     starts_.push_back(sum);
     sum += network.links()[link].curve.length();
   }
   starts_.push_back(sum);
 }
 
-RoutePath::Aside RoutePath::aside(double distance_m) const {
+TripPath::Aside TripPath::aside(double distance_m) const {
   Aside result{0, 0};
-  if (route_.start_aside_m != 0) {
-    const Ramp out = ramp((distance_m - route_.start_s) / pull_out_m);
-    result = {route_.start_aside_m * out.value, route_.start_aside_m * out.slope / pull_out_m};
+  if (plan_.start_aside_m != 0) {
+    const Ramp out = ramp((distance_m - plan_.start_s) / pull_out_m);
+    result = {plan_.start_aside_m * out.value, plan_.start_aside_m * out.slope / pull_out_m};
   }
-  if (route_.end_aside_m != 0) {
-    const double end = starts_[starts_.size() - 2] + route_.end_s;
+  if (plan_.end_aside_m != 0) {
+    const double end = starts_[starts_.size() - 2] + plan_.end_s;
     const Ramp in = ramp((end - distance_m) / pull_out_m);
-    result.shift += route_.end_aside_m * in.value;
-    result.slope -= route_.end_aside_m * in.slope / pull_out_m;
+    result.shift += plan_.end_aside_m * in.value;
+    result.slope -= plan_.end_aside_m * in.slope / pull_out_m;
   }
   return result;
 }
 
-Curve::Place RoutePath::at(double distance_m) const {
+Curve::Place TripPath::at(double distance_m) const {
   const auto after = std::upper_bound(starts_.begin() + 1, starts_.end() - 1, distance_m);
   const auto n = static_cast<std::size_t>(after - starts_.begin()) - 1;
-  Curve::Place place = network_.links()[route_.links[n]].curve.at(distance_m - starts_[n]);
+  Curve::Place place = network_.links()[plan_.links[n]].curve.at(distance_m - starts_[n]);
   const Aside shift = aside(distance_m);
   if (shift.shift != 0 || shift.slope != 0) {
-    // The lane is all but straight where one parks: the turning of its normal is left out.
+    // A lane is nearly straight where vehicles park, so the turning of its normal is neglected.
     const glm::dvec3 right(place.along.y, -place.along.x, 0);
     place.point += right * shift.shift;
     place.along += right * shift.slope;

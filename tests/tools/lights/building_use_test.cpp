@@ -1,0 +1,76 @@
+// The use of buildings, by their codes and by the map.
+#include "tools/lights/building_use.h"
+
+#include <gtest/gtest.h>
+
+#include "tools/lights/osm_uses.h"
+#include "tools/lights/window_houses.h"
+
+namespace nightcity {
+namespace {
+
+using namespace test;
+
+TEST(BuildingUse, CodesAndWordsOfRealModels) {
+  const struct {
+    const char* code;
+    BuildingUse use;
+  } known[] = {{"31001_1010", BuildingUse::residential},
+               {"31001_1120", BuildingUse::mixed},
+               {"31001_2020", BuildingUse::office},
+               {"31001_2463", BuildingUse::dark},
+               {"31001_3041", BuildingUse::dark},
+               {"31001_3021", BuildingUse::education},
+               {"31001_3012", BuildingUse::civic},
+               {"31001_2071", BuildingUse::hotel},
+               {"31001_2143", BuildingUse::industrial},
+               {"401", BuildingUse::office},
+               {"411", BuildingUse::residential},
+               {"441", BuildingUse::industrial},
+               {"1000", BuildingUse::residential},
+               {"1120", BuildingUse::office},
+               {"Wohnhaus", BuildingUse::residential},
+               {"Office building", BuildingUse::office},
+               {"Garage", BuildingUse::dark},
+               {"Shop", BuildingUse::retail}};
+  for (const auto& [code, use] : known) {
+    EXPECT_TRUE(use_from_code(code).stated) << code;
+    EXPECT_EQ(use_from_code(code).use, use) << code;
+  }
+  for (const char* code : {"", "9999", "31001_", "31001_0", "???"})
+    EXPECT_FALSE(use_from_code(code).stated) << code;
+  CityObject hut = make_house(0, 0, 4, 4, 2.5);
+  hut.function.clear();
+  EXPECT_EQ(use_of(hut).use, BuildingUse::dark);
+}
+
+TEST(BuildingUse, TheMapSpeaksWhereTheModelIsSilent) {
+  const auto outline = [](double x0, double y0, double x1, double y1, OsmTags tags) {
+    return OsmWay{1, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}, {x0, y0}}, std::move(tags)};
+  };
+  const OsmUses uses({outline(0, 0, 100, 100, {{"building", "retail"}}),
+                      outline(10, 10, 20, 20, {{"building", "office"}}),
+                      outline(200, 0, 300, 50, {{"building", "yes"}, {"tourism", "hotel"}}),
+                      outline(400, 0, 500, 50, {{"building", "yes"}}),
+                      {2, {{600, 0}, {700, 0}, {700, 50}}, {{"building", "retail"}}}},
+                     [](const glm::dvec2& p) { return glm::dvec2(east, north) + p; });
+  const auto at = [&](double x, double y) { return uses.at({east + x, north + y}); };
+  EXPECT_EQ(at(50, 50), BuildingUse::retail);
+  EXPECT_EQ(at(15, 15), BuildingUse::office);  // the smaller outline
+  EXPECT_EQ(at(250, 25), BuildingUse::hotel);
+  EXPECT_FALSE(at(450, 25));
+  EXPECT_FALSE(at(690, 10));  // not closed
+  EXPECT_FALSE(at(-1, 50));
+  CityObject house = make_house(40, 40, 60, 60, 9);
+  const UseAt map = [&](const glm::dvec2& p) { return uses.at(p); };
+  EXPECT_EQ(use_of(house, map).use, BuildingUse::residential);  // the model comes first
+  house.function.clear();
+  EXPECT_EQ(use_of(house, map).use, BuildingUse::retail);
+  EXPECT_TRUE(use_of(house, map).from_map);
+  EXPECT_EQ(use_from_tags({{"building", "Semidetached House"}}), BuildingUse::residential);
+  EXPECT_EQ(use_from_tags({{"building", "yes"}, {"amenity", "school"}}), BuildingUse::education);
+  EXPECT_EQ(use_from_tags({{"building", "church"}, {"shop", "kiosk"}}), BuildingUse::dark);
+}
+
+}  // namespace
+}  // namespace nightcity

@@ -1,0 +1,78 @@
+#include "tools/roads/carriageway.h"
+
+#include <gtest/gtest.h>
+
+namespace nightcity::roads {
+namespace {
+
+double width_of(const char* highway, OsmTags tags = {}) {
+  tags["highway"] = highway;
+  return carriageway_width(tags);
+}
+
+TEST(Carriageway, UntaggedWidthsAreThoseOfTheGuidelines) {
+  EXPECT_DOUBLE_EQ(width_of("motorway"), 12.0);                    // RAA, RQ 31: one carriageway
+  EXPECT_DOUBLE_EQ(width_of("trunk", {{"oneway", "yes"}}), 7.75);  // RAL, RQ 21
+  EXPECT_DOUBLE_EQ(width_of("primary"), 6.5);                      // RASt 06: two lanes with buses
+  EXPECT_DOUBLE_EQ(width_of("primary", {{"lanes", "4"}}), 13.0);   // RASt 06: four lanes
+  EXPECT_DOUBLE_EQ(width_of("primary", {{"oneway", "yes"}}), 4.25);
+  EXPECT_DOUBLE_EQ(width_of("tertiary"), 6.0);
+  EXPECT_DOUBLE_EQ(width_of("residential"), 5.5);
+  EXPECT_DOUBLE_EQ(width_of("residential", {{"oneway", "yes"}}), 3.5);
+  EXPECT_DOUBLE_EQ(width_of("motorway_link"), 6.0);  // RAA, Q 1
+  EXPECT_DOUBLE_EQ(width_of("footway"), 2.5);
+  EXPECT_EQ(width_of("proposed"), 0);
+  EXPECT_EQ(width_of("footway", {{"footway", "crossing"}}), 0);
+}
+
+TEST(Carriageway, WidthComesFromItsTagThenTheLanesThenTheClass) {
+  EXPECT_DOUBLE_EQ(width_of("residential", {{"lanes", "3"}}), 8.25);
+  EXPECT_DOUBLE_EQ(width_of("primary", {{"lanes", "4"}, {"width", "15.5 m"}}), 15.5);
+  EXPECT_DOUBLE_EQ(width_of("residential", {{"width", "9999"}, {"lanes", "many"}}), 5.5);
+  EXPECT_DOUBLE_EQ(width_of("primary", {{"lanes:forward", "2"}, {"lanes:backward", "1"}}), 9.75);
+}
+
+TEST(Carriageway, HoldsTheLanesThatAreDrivenOn) {
+  for (const RoadClass& road : road_classes())
+    for (const char* oneway : {"", "yes", "no", "-1"})
+      for (const char* lanes : {"", "1", "2", "3", "4", "12", "99"})
+        for (const char* width : {"", "2", "3", "5.5", "12 m", "60"}) {
+          const auto carriageway = read_carriageway(
+              {{"highway", road.highway}, {"oneway", oneway}, {"lanes", lanes}, {"width", width}});
+          ASSERT_TRUE(carriageway);
+          const int driven = carriageway->lanes[0] + carriageway->lanes[1];
+          EXPECT_EQ(driven == 0, road.tier == RoadTier::path);
+          EXPECT_LE(driven * carriageway->lane_m(), carriageway->width_m + 1e-9)
+              << road.highway << " oneway=" << oneway << " lanes=" << lanes << " width=" << width;
+          if (driven > 0) {
+            EXPECT_GE(carriageway->lane_m(), min_lane_m);
+            EXPECT_LE(carriageway->lane_m(), max_lane_m);
+          }
+        }
+}
+
+TEST(Carriageway, LanesAreSharedOut) {
+  const auto lanes = [](OsmTags tags) {
+    const auto carriageway = read_carriageway(tags);
+    return std::pair(carriageway->lanes[0], carriageway->lanes[1]);
+  };
+  EXPECT_EQ(lanes({{"highway", "primary"}}), std::pair(1, 1));
+  EXPECT_EQ(lanes({{"highway", "motorway"}}), std::pair(2, 0));
+  EXPECT_EQ(lanes({{"highway", "primary"}, {"lanes", "3"}}), std::pair(1, 1));
+  EXPECT_EQ(lanes({{"highway", "primary"}, {"lanes", "3"}, {"lanes:backward", "2"}}),
+            std::pair(1, 2));
+  EXPECT_EQ(lanes({{"highway", "residential"}, {"oneway", "-1"}}), std::pair(0, 1));
+  EXPECT_EQ(lanes({{"highway", "footway"}}), std::pair(0, 0));
+}
+
+TEST(RoadClass, EveryRowIsFoundAndSlipRoadsFallBackToTheirMainClass) {
+  for (const RoadClass& road : road_classes()) EXPECT_EQ(find_road_class(road.highway), &road);
+  EXPECT_EQ(find_road_class("service_link"), find_road_class("service"));
+  EXPECT_FALSE(find_road_class("raceway"));
+  EXPECT_EQ(main_highway("primary_link"), "primary");
+  for (const double width : {3.0, 5.0, 7.0, 10.0, 20.0})
+    EXPECT_TRUE(find_road_class(guess_highway(width)));
+}
+
+}  // namespace
+}  // namespace nightcity::roads

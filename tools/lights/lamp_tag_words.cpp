@@ -1,0 +1,126 @@
+#include "tools/lights/lamp_tag_words.h"
+
+#include <array>
+#include <utility>
+
+namespace nightcity {
+namespace {
+
+using std::string_view;
+
+template <class Value, std::size_t N>
+using Words = std::array<std::pair<string_view, Value>, N>;
+
+template <class Value, std::size_t N>
+std::optional<Value> look_up(string_view word, const Words<Value, N>& table) {
+  for (const auto& [name, value] : table)
+    if (word == name) return value;
+  return std::nullopt;
+}
+
+constexpr Words<LampMount, 27> mounts = {{
+    {"straight_mast", LampMount::straight_mast},
+    {"mast", LampMount::straight_mast},
+    {"straight", LampMount::straight_mast},
+    {"pole", LampMount::straight_mast},
+    {"power_pole", LampMount::bent_mast},
+    {"utility_pole", LampMount::bent_mast},
+    {"cast_steel_mast", LampMount::straight_mast},
+    {"post", LampMount::straight_mast},
+    {"high_mast", LampMount::straight_mast},
+    {"column", LampMount::straight_mast},
+    {"bent_mast", LampMount::bent_mast},
+    {"bent", LampMount::bent_mast},
+    {"bend_mast", LampMount::bent_mast},
+    {"curved_mast", LampMount::bent_mast},
+    {"wall", LampMount::wall},
+    {"wall_mounted", LampMount::wall},
+    {"wall_mount", LampMount::wall},
+    {"facade", LampMount::wall},
+    {"ceiling", LampMount::wall},
+    {"suspended", LampMount::suspended},
+    {"wire", LampMount::suspended},
+    {"wires", LampMount::suspended},
+    {"catenary", LampMount::suspended},
+    {"power_line", LampMount::suspended},
+    {"ground", LampMount::bollard},
+    {"bollard", LampMount::bollard},
+    {"floor", LampMount::bollard},
+}};
+
+using enum LampType;
+constexpr Words<LampType, 31> types = {{
+    {"led", led},
+    {"leds", led},
+    {"light_emitting_diode", led},
+    {"high_pressure_sodium", high_pressure_sodium},
+    {"sodium_high_pressure", high_pressure_sodium},
+    {"sodium", high_pressure_sodium},  // nine in ten sodium street lamps
+    {"sodium_vapor", high_pressure_sodium},
+    {"sodium_vapour", high_pressure_sodium},
+    {"son", high_pressure_sodium},
+    {"hps", high_pressure_sodium},
+    {"hpsv", high_pressure_sodium},
+    {"low_pressure_sodium", low_pressure_sodium},
+    {"sox", low_pressure_sodium},
+    {"lps", low_pressure_sodium},
+    {"mercury", mercury},
+    {"mercury_vapor", mercury},
+    {"mercury_vapour", mercury},
+    {"high_pressure_mercury", mercury},
+    {"metal_halide", metal_halide},
+    {"metal_halogen", metal_halide},
+    {"hqi", metal_halide},
+    {"discharge", high_pressure_sodium},
+    {"fluorescent", fluorescent},
+    {"fluorescent_lamp", fluorescent},
+    {"compact_fluorescent", fluorescent},
+    {"neon", fluorescent},
+    {"incandescent", incandescent},
+    {"halogen", incandescent},
+    {"gas", gas},
+    {"gaslight", gas},
+    {"gas_light", gas},
+}};
+
+// The usual market classes: warm 2700 to 3000 K, neutral 4000 K, cool 5000 to 6500 K.
+constexpr Words<double, 12> colour_temperatures = {{{"warm_white", 2850},
+                                                    {"warm", 2850},
+                                                    {"warmwhite", 2850},
+                                                    {"warm_light", 2850},
+                                                    {"neutral_white", 4000},
+                                                    {"neutral", 4000},
+                                                    {"white", 4000},
+                                                    {"cool_white", 5500},
+                                                    {"cold_white", 5500},
+                                                    {"cold", 5500},
+                                                    {"cool", 5500},
+                                                    {"daylight", 6500}}};
+
+constexpr Words<double, 24> compass_points = {
+    {{"n", 0},           {"nne", 22.5},       {"ne", 45},          {"ene", 67.5},
+     {"e", 90},          {"ese", 112.5},      {"se", 135},         {"sse", 157.5},
+     {"s", 180},         {"ssw", 202.5},      {"sw", 225},         {"wsw", 247.5},
+     {"w", 270},         {"wnw", 292.5},      {"nw", 315},         {"nnw", 337.5},
+     {"north", 0},       {"east", 90},        {"south", 180},      {"west", 270},
+     {"north_east", 45}, {"south_east", 135}, {"south_west", 225}, {"north_west", 315}}};
+
+}  // namespace
+
+std::optional<LampMount> find_lamp_mount(string_view word) {
+  return look_up(word, mounts);
+}
+
+std::optional<LampType> find_lamp_type(string_view word) {
+  return look_up(word, types);
+}
+
+std::optional<double> find_cct_k(string_view word) {
+  return look_up(word, colour_temperatures);
+}
+
+std::optional<double> find_bearing_degrees(string_view word) {
+  return look_up(word, compass_points);
+}
+
+}  // namespace nightcity

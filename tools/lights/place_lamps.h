@@ -1,0 +1,89 @@
+// Places the street lamps of a map: from OSM nodes and the roads beside them to luminaires with
+// flux, colour, height and aim.
+#pragma once
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/light_file.h"
+#include "tools/lights/lamp_defaults.h"
+#include "tools/lights/night_schedule.h"
+#include "tools/lights/photometry.h"
+#include "tools/osm/osm_data.h"
+#include "tools/place/site.h"
+
+namespace nightcity {
+
+/// One luminaire on its post, in the frame's E, N, H metres.
+struct PlacedLamp {
+  glm::dvec3 foot{0};            // where the post meets the ground
+  double mounting_height_m = 0;  // luminous centre above the foot
+  glm::dvec2 outreach{0, 0};     // from the post to the luminous centre, horizontal, m
+  glm::dvec2 aim{0, 1};          // unit, horizontal: towards the road (the C = 0 half-plane)
+  bool hung = false;             // on a wire between facades, without a post
+  double tilt_degrees = 0;       // of the luminaire's axis, from straight down towards `aim`
+  double flux_lm = 0;
+  double cct_k = 0;
+  glm::vec3 colour{1};  // linear Rec. 709, luminance 1
+  double radius_m = 0;  // luminous radius
+  std::uint32_t profile = LIGHT_NO_PROFILE;
+  std::optional<NightSchedule> hours;  // empty: always on
+  // Class of the road that it lights, from the table of defaults; "": none.
+  std::string_view highway;
+  std::int64_t way_id = 0;  // that road, and how far along it the lamp stands
+  double along_m = 0;
+  std::uint32_t id = 0;
+  LightProvenance provenance;
+};
+
+struct LampSet {
+  std::vector<PlacedLamp> lamps;
+  std::vector<LightProfile> profiles;
+  std::vector<float> profile_data;
+  // Number of lamps left out, by reason: "outside the model", "duplicate", "lit=no", ...
+  std::map<std::string, std::size_t> left_out;
+  // Name of a value, its source, number of lamps: for the report.
+  std::map<std::string, std::map<std::string, std::size_t>> sources;
+  // Number of values that were repaired or could not be read, by kind.
+  std::map<std::string, std::size_t> notes;
+};
+
+/// A measured luminaire for the lamps of some roads, instead of the analytic optics.
+struct LuminaireChoice {
+  std::string name;                   // of its file; equal names are stored once
+  Photometry photometry;              // C = 0 towards the street
+  std::vector<std::string> highways;  // OSM classes that it serves; empty: every road
+  std::vector<LampType> types;        // types of lamp that it serves; empty: every type
+  bool take_flux = true;              // take the luminaire's flux too, where no tag gives one
+  double flux_lm = 0;
+};
+
+struct LampOptions {
+  // The first that serves a road wins. Lanterns and floodlights keep their analytic optics.
+  std::vector<LuminaireChoice> luminaires;
+  bool heights_from_tags =
+      false;  // the tag `ele` of a lamp, where it has one, overrides the ground
+};
+
+/// Returns the measured luminaire for a lamp of this type beside a road, or null. Lamps of unknown
+/// type count as LED.
+const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadLighting& road,
+                                     LampType type = LampType::led);
+
+/// Places all lamps of a map. Values come from the tags; the rest comes from the road beside a lamp
+/// and the table of defaults (lamp_defaults.h). A lamp that stands inside a building, as far as
+/// `inside` is given, is moved out towards its road. Lamps outside the model, where `height_at` is
+/// empty, are left out and counted.
+LampSet place_lamps(const OsmData& osm, const LonLatToFrame& to_frame, const HeightAt& height_at,
+                    const InsideBuilding& inside = {}, const LampOptions& options = {});
+
+/// Returns the luminaire as a light in model space and adds its hours to `schedules`.
+Light to_light(const PlacedLamp& lamp, const Georeference& georeference, ScheduleTable& schedules);
+
+}  // namespace nightcity

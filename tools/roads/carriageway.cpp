@@ -1,0 +1,104 @@
+#include "tools/roads/carriageway.h"
+
+#include <algorithm>
+#include <charconv>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "tools/osm/tag_values.h"
+
+namespace nightcity::roads {
+namespace {
+
+constexpr double max_width_m = 60;
+constexpr int max_lanes = 12, max_lanes_each_way = 6;
+
+std::string raw(const OsmTags& tags, const char* key) {
+  const auto found = tags.find(key);
+  return found == tags.end() ? std::string() : found->second;
+}
+
+bool one_of(std::string_view value, std::initializer_list<std::string_view> names) {
+  return std::find(names.begin(), names.end(), value) != names.end();
+}
+
+std::optional<int> count_at(const OsmTags& tags, const char* key, int max) {
+  const std::string text = raw(tags, key);
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end == text.data() || value < 1 || value > max) return std::nullopt;
+  return value;
+}
+
+/// The directions that are driven: along the way and against it.
+struct Directions {
+  bool along = true, against = true;
+};
+
+Directions read_directions(const OsmTags& tags, const Carriageway& carriageway) {
+  const std::string oneway = normalise_tag(raw(tags, "oneway"));
+  if (one_of(oneway, {"_1", "reverse"})) return {false, true};  // "-1", as normalise_tag leaves it
+  const bool implied = carriageway.roundabout || carriageway.road_class->one_way;
+  if (one_of(oneway, {"yes", "true", "1"}) || (implied && !one_of(oneway, {"no", "false", "0"})))
+    return {true, false};
+  return {true, true};
+}
+
+/// Fills in the lanes of each direction and returns how many lanes the carriageway has.
+int read_lanes(const OsmTags& tags, Carriageway& carriageway) {
+  const RoadClass& road = *carriageway.road_class;
+  const auto total = count_at(tags, "lanes", max_lanes);
+  const Directions driven = read_directions(tags, carriageway);
+  if (!driven.along || !driven.against) {
+    const int lanes = total.value_or(std::max(1, road.lanes / 2));
+    carriageway.lanes[driven.along ? 0 : 1] = std::min(lanes, max_lanes_each_way);
+    return lanes;
+  }
+  const int lanes = total.value_or(road.lanes);
+  const int both = std::max(2, lanes);
+  auto forward = count_at(tags, "lanes:forward", max_lanes_each_way),
+       backward = count_at(tags, "lanes:backward", max_lanes_each_way);
+  if (!forward && backward) forward = both - *backward;
+  if (!backward && forward) backward = both - *forward;
+  // Nobody drives on an odd lane whose direction is not tagged: often it is for turning or parking.
+  carriageway.lanes[0] = std::clamp(forward.value_or(both / 2), 1, max_lanes_each_way);
+  carriageway.lanes[1] = std::clamp(backward.value_or(both / 2), 1, max_lanes_each_way);
+  return forward ? std::max(lanes, carriageway.lanes[0] + carriageway.lanes[1]) : lanes;
+}
+
+}  // namespace
+
+double Carriageway::lane_m() const {
+  const int driven = lanes[0] + lanes[1];
+  if (driven == 0) return 0;
+  return std::clamp((width_m - road_class->shoulder_m) / driven, min_lane_m, max_lane_m);
+}
+
+std::optional<Carriageway> read_carriageway(const OsmTags& tags) {
+  Carriageway carriageway;
+  carriageway.road_class = find_road_class(normalise_tag(raw(tags, "highway")));
+  if (!carriageway.road_class || normalise_tag(raw(tags, "footway")) == "crossing")
+    return std::nullopt;
+  const RoadClass& road = *carriageway.road_class;
+  carriageway.roundabout = one_of(normalise_tag(raw(tags, "junction")), {"roundabout", "circular"});
+  const bool path = road.tier == RoadTier::path;
+  const int lanes = path ? 1 : read_lanes(tags, carriageway);
+  carriageway.width_m = lanes == 1 ? road.single_lane_m : lanes * road.lane_m + road.shoulder_m;
+  const double min_width_m = path ? 1 : 2;  // less is a slip of the pen
+  if (const auto width = parse_length_m(raw(tags, "width"));
+      width && *width >= min_width_m && *width <= max_width_m)
+    carriageway.width_m = *width;
+  // A street tagged narrower than its lanes is a street for one car, whose drivers pass each other
+  // slowly.
+  carriageway.width_m =
+      std::max(carriageway.width_m, min_lane_m * (carriageway.lanes[0] + carriageway.lanes[1]));
+  return carriageway;
+}
+
+double carriageway_width(const OsmTags& tags) {
+  const auto carriageway = read_carriageway(tags);
+  return carriageway ? carriageway->width_m : 0;
+}
+
+}  // namespace nightcity::roads
