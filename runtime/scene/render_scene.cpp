@@ -9,6 +9,7 @@
 
 #include "formats/error.h"
 #include "formats/night_check.h"
+#include "formats/scene_reader.h"
 
 namespace nightcity {
 namespace {

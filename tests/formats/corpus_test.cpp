@@ -6,7 +6,7 @@
 
 #include "formats/error.h"
 #include "formats/light_file.h"
-#include "formats/scene_file.h"
+#include "formats/scene_reader.h"
 #include "support/fuzz_file.h"
 #include "support/temp_folder.h"
 #include "tests/formats/light_file_checksums.h"

@@ -4,8 +4,9 @@
 
 #include "formats/draco_codec.h"
 #include "formats/gltf_constants.h"
-#include "formats/scene_file.h"
+#include "formats/scene_reader.h"
 #include "formats/scene_samples.h"
+#include "formats/scene_writer.h"
 #include "support/temp_folder.h"
 
 namespace nightcity {

@@ -1,11 +1,11 @@
-// libFuzzer target: any bytes as a glTF scene, plain or Draco. What comes out must keep the reader's
-// promises.
+// libFuzzer target: any bytes as a glTF scene, plain or Draco. What comes out must keep the
+// reader's promises.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 
 #include "formats/error.h"
-#include "formats/scene_file.h"
+#include "formats/scene_reader.h"
 #include "support/fuzz_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,4 +1,5 @@
-// A light file's checksums made right, so that what lies behind them can be tested with broken content.
+// A light file's checksums made right, so that what lies behind them can be tested with broken
+// content.
 #pragma once
 
 #include <xxhash.h>

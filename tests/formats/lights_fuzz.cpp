@@ -1,4 +1,5 @@
-// libFuzzer target: any bytes as a light file. The checksums keep a fuzzer out, so they are made right first.
+// libFuzzer target: any bytes as a light file. The checksums keep a fuzzer out, so they are made
+// right first.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

@@ -1,4 +1,5 @@
-// The reader on glTF files that are not ours: foreign ones that must open, broken ones that must not.
+// The reader on glTF files that are not ours: foreign ones that must open, broken ones that must
+// not.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -6,8 +7,9 @@
 #include <random>
 
 #include "formats/error.h"
-#include "formats/scene_file.h"
+#include "formats/scene_reader.h"
 #include "formats/scene_samples.h"
+#include "formats/scene_writer.h"
 #include "support/temp_folder.h"
 
 namespace nightcity {

@@ -1,7 +1,7 @@
 // Small scenes for tests.
 #pragma once
 
-#include "formats/scene_file.h"
+#include "formats/scene.h"
 
 namespace nightcity::test {
 
@@ -15,8 +15,8 @@ inline ScenePrimitive square(float size, std::uint32_t material = 0) {
   return primitive;
 }
 
-/// `count` squares side by side in rows, with a feature each: a mesh with more vertices than 16 bits hold
-/// when asked.
+/// `count` squares side by side in rows, with a feature each: a mesh with more vertices than 16
+/// bits hold when asked.
 inline ScenePrimitive field(std::uint32_t count, std::uint32_t material = 0) {
   ScenePrimitive result;
   result.material = material;

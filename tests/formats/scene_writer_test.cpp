@@ -1,4 +1,5 @@
-#include "formats/scene_file.h"
+#include "formats/scene_writer.h"
+#include "formats/scene_reader.h"
 
 #include <gtest/gtest.h>
 
