@@ -85,6 +85,15 @@ Footer split_footer(const std::string& footer) {
   return parts;
 }
 
+bool is_group(const CLI::App* command) {
+  return command->get_name().empty();
+}
+
+std::vector<const CLI::App*> find_commands(const CLI::App& app) {
+  return app.get_subcommands(
+      [](const CLI::App* command) { return !is_group(command) && !command->get_group().empty(); });
+}
+
 class Page {
  public:
   Page(const std::string& name, const std::string& summary, const Program& program) {
@@ -105,20 +114,24 @@ class Page {
     add(".SH SYNOPSIS\n.B {}\n[\\fIOPTIONS\\fR]", escape(command));
     for (const CLI::Option* option : app.get_options())
       if (option->get_positional()) add(" {}", escape(formatter.make_option_usage(option)));
-    add("{}\n", app.get_subcommands({}).empty() ? "" : " \\fICOMMAND\\fR ...");
+    add("{}\n", find_commands(app).empty() ? "" : " \\fICOMMAND\\fR ...");
   }
   // One entry for each argument (`positional`) or option, under `title`.
   void add_options(const CLI::App& app, bool positional, const char* title) {
-    const CLI::Formatter formatter;
     bool has_title = false;
     for (const CLI::Option* option : app.get_options()) {
       if (option->get_positional() != positional || option->get_group().empty()) continue;
       if (!has_title) add(".SH {}\n", title);
       has_title = true;
-      add(".TP\n.B {}\n{}\n",
-          escape(formatter.make_option_name(option, positional) +
-                 formatter.make_option_opts(option)),
-          escape(formatter.make_option_desc(option)));
+      add_option(*option);
+    }
+  }
+  // Options of which only some may be given together: to CLI11, a group is a command without a name.
+  void add_option_groups(const CLI::App& app) {
+    for (const CLI::App* group : app.get_subcommands(is_group)) {
+      add(".PP\n{}:\n", escape(group->get_description()));
+      for (const CLI::Option* option : group->get_options())
+        if (option != group->get_help_ptr()) add_option(*option);
     }
   }
   void add_examples(const std::vector<std::string>& examples) {
@@ -131,15 +144,19 @@ class Page {
   std::string take() { return std::move(text_); }
 
  private:
+  void add_option(const CLI::Option& option) {
+    const CLI::Formatter formatter;
+    add(".TP\n.B {}\n{}\n",
+        escape(formatter.make_option_name(&option, option.get_positional()) +
+               formatter.make_option_opts(&option)),
+        escape(formatter.make_option_desc(&option)));
+  }
+
   std::string text_;
 };
 
 std::string to_page_name(const Program& program, const CLI::App& command) {
   return program.name + "-" + command.get_name();
-}
-
-std::vector<const CLI::App*> find_commands(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
 }
 
 void write_page(const std::filesystem::path& folder, const std::string& name,
@@ -177,7 +194,8 @@ std::string to_man_page(const Program& program, const CLI::App& app, const CLI::
   page.add_section("DESCRIPTION", command.get_description() + ".\n" + footer.description);
   page.add_options(command, true, "ARGUMENTS");
   page.add_options(command, false, "OPTIONS");
-  page.add("The options of\n.BR {} ({})\nare accepted too.\n", escape(app.get_name()),
+  page.add_option_groups(command);
+  page.add(".PP\nThe options of\n.BR {} ({})\nare accepted too.\n", escape(app.get_name()),
            section_number);
   page.add_examples(footer.examples);
   page.add_section("EXIT STATUS", program.exit_codes);

@@ -19,6 +19,8 @@ class ManPage : public testing::Test {
     command_ = app_.add_subcommand("work", "Light the lamps of a street");
     command_->add_option("street", street_, "The street's name")->required();
     command_->add_option("--lamp-count", lamps_, "Lamps to light")->check(CLI::Range(1, 99));
+    auto* group = command_->add_option_group("fuel", "One of these");
+    group->add_flag("--gas", burns_gas_, "Burn gas");
     command_->add_option("--secret", lamps_, "Not for users")->group("");
   }
 
@@ -35,6 +37,7 @@ class ManPage : public testing::Test {
   CLI::App* command_;
   std::string street_;
   int lamps_ = 0;
+  bool burns_gas_ = false;
 };
 
 TEST_F(ManPage, HoldsEveryArgumentAndOptionWithItsText) {
@@ -44,6 +47,7 @@ TEST_F(ManPage, HoldsEveryArgumentAndOptionWithItsText) {
   expect_part(page, ".SH SYNOPSIS\n.B lamplighter work\n[\\fIOPTIONS\\fR] street\n");
   expect_part(page, ".SH ARGUMENTS\n.TP\n.B street TEXT REQUIRED\nThe street\\(aqs name\n");
   expect_part(page, ".TP\n.B \\-\\-lamp\\-count INT:INT in [1 \\- 99]\nLamps to light\n");
+  expect_part(page, ".PP\nOne of these:\n.TP\n.B \\-\\-gas\nBurn gas\n");
   expect_part(page, ".SH EXIT STATUS\n0 done; 1 failed\n");
   EXPECT_EQ(page.find("secret"), std::string::npos) << "--help does not print it either";
 }
