@@ -22,7 +22,8 @@ function(nightcity_install program)
     COMMAND ${program} --man-pages ${pages}
     DEPENDS ${program} COMMENT "Writing the manual pages of ${program}" VERBATIM)
   add_custom_target(${program}_man_pages ALL DEPENDS ${pages}/${program}.1)
-  install(DIRECTORY ${pages}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${program})
+  install(DIRECTORY ${pages}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${program}
+          OPTIONAL)  # absent if only the program was built
 
   # The C++ runtime and the libraries of graphics drivers must be the system's: an older copy of ours would be loaded
   # into the driver. Plain `cmake --install` leaves libraries out: only the TGZ needs them.
