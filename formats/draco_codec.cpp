@@ -17,8 +17,9 @@
 namespace nightcity {
 namespace {
 
-constexpr int max_bits = 30;       // Draco's own limit
-constexpr int encoding_speed = 3;  // 10 - 7: compression level 7, the knee of size against time
+constexpr int max_bits = 30;  // Draco's own limit
+constexpr int encoding_speed =
+    3;  // compression level 7 (10 - 7): more takes much longer and saves little
 
 int add_attribute(draco::Mesh& mesh, draco::GeometryAttribute::Type type,
                   std::span<const float> values, int components) {
@@ -34,21 +35,21 @@ int add_attribute(draco::Mesh& mesh, draco::GeometryAttribute::Type type,
   return id;
 }
 
-// Whole numbers quantised with a step of exactly 1 come back exactly.
+// Quantises whole numbers with a step of exactly 1, so that they are decoded exactly.
 void quantise_whole_numbers(draco::ExpertEncoder& encoder, int attribute,
                             std::span<const float> values) {
-  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  const auto [min, max] = std::minmax_element(values.begin(), values.end());
   int bits = 1;
-  while (std::ldexp(1.0, bits) - 1 < double{*greatest} - double{*least}) ++bits;
-  const float origin = *least, range = static_cast<float>(std::ldexp(1.0, bits) - 1);
+  while (std::ldexp(1.0, bits) - 1 < double{*max} - double{*min}) ++bits;
+  const float origin = *min, range = static_cast<float>(std::ldexp(1.0, bits) - 1);
   encoder.SetAttributeExplicitQuantization(attribute, bits, 1, &origin, range);
 }
 
-// Edgebreaker reorders vertices, so each original one is matched to the nearest decoded one through a hash
-// grid.
+// Draco's Edgebreaker reorders vertices. Each original vertex is matched to the nearest decoded
+// one, found in a hash grid.
 double max_displacement(std::span<const glm::vec3> originals, std::span<const glm::vec3> decoded,
                         const glm::vec3& origin, double reach) {
-  const double cell = 8 * reach;  // so that few look-ups touch a neighbouring cell
+  const double cell = 8 * reach;  // large, so that few vertices need a look into neighbouring cells
   const auto key = [](const glm::dvec3& c) {
     const auto part = [](double v) {
       return static_cast<std::uint64_t>(static_cast<std::int64_t>(v)) & 0x1FFFFFu;
@@ -135,24 +136,24 @@ std::optional<DracoEncoded> encode_draco(const ScenePrimitive& primitive,
   if (decoded.indices.empty()) return std::nullopt;
   const auto& values = decoded.attributes[0];
   std::vector<glm::vec3> positions(values.size() / 3);
-  result.least = glm::vec3(std::numeric_limits<float>::infinity());
-  result.greatest = -result.least;
+  result.min = glm::vec3(std::numeric_limits<float>::infinity());
+  result.max = -result.min;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     positions[i] = {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
-    result.least = glm::min(result.least, positions[i]);
-    result.greatest = glm::max(result.greatest, positions[i]);
+    result.min = glm::min(result.min, positions[i]);
+    result.max = glm::max(result.max, positions[i]);
   }
   result.vertex_count = static_cast<std::uint32_t>(positions.size());
   result.index_count = static_cast<std::uint32_t>(decoded.indices.size());
 
-  // Only vertices a triangle uses need a place: Draco drops the others.
+  // Draco leaves out vertices that no triangle uses.
   std::vector<bool> used(primitive.positions.size());
   for (const std::uint32_t index : primitive.indices) used[index] = true;
   std::vector<glm::vec3> originals;
   originals.reserve(primitive.positions.size());
   for (std::size_t i = 0; i < used.size(); ++i)
     if (used[i]) originals.push_back(primitive.positions[i]);
-  // Float rounding of the dequantised coordinate comes on top of the quantisation itself.
+  // Rounding the decoded coordinate to float adds to the error of the quantisation.
   const glm::vec3 magnitude = glm::max(glm::abs(least), glm::abs(greatest));
   const double rounding = std::max({magnitude.x, magnitude.y, magnitude.z}) * 0x1p-22;
   const double allowed = tolerance_m + rounding;

@@ -12,9 +12,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t column_alignment = 8;  // asked for by EXT_structural_metadata
+constexpr std::size_t column_alignment = 8;  // required by EXT_structural_metadata
 
-// A column's values, checked to be `count` elements of T.
+// Returns the values of a column, checked to hold at least `count` elements of T.
 template <class T>
 std::span<const std::byte> column(const json& property, const char* key, std::size_t count,
                                   const ViewBytes& view) {
@@ -61,7 +61,7 @@ void FeatureTableWriter::StringColumn::add(std::string_view text) {
 }
 
 std::uint32_t FeatureTableWriter::add(const SceneFeature& feature) {
-  // Feature ids are float vertex attributes (glTF allows no 32-bit integers there): see gltf_constants.h.
+  // Feature ids are stored as floats (gltf_constants.h).
   if (count_ >= gltf::max_id) throw Error("", "more than 8,388,607 features");
   id_.add(feature.id);
   type_.add(feature.type);
@@ -92,7 +92,7 @@ json FeatureTableWriter::write(
   json columns = json::object(), schema = json::object();
   const auto strings = [&](const char* name, StringColumn& column) {
     if (column.values.size() == 0)
-      return;  // a bufferView must not be empty, and the column says nothing
+      return;  // a bufferView may not be empty, and all values of the column are
     const std::uint32_t end = static_cast<std::uint32_t>(column.values.size());
     column.offsets.write(&end, sizeof end);
     columns[name] = {{"values", append(column.values)}, {"stringOffsets", append(column.offsets)}};
@@ -108,7 +108,7 @@ json FeatureTableWriter::write(
                                  {"noData", absent_height},
                                  {"description", "height of the object, m"}};
   }
-  // Always there, so that a table has at least one column and a reader can tell how long it is.
+  // Always written, so that a table has at least one column, from which readers know its length.
   columns["storeys_above_ground"] = {{"values", append(storeys_)}};
   schema["storeys_above_ground"] = {
       {"type", "SCALAR"}, {"componentType", "INT32"}, {"noData", absent_storeys}};
@@ -132,7 +132,7 @@ std::vector<SceneFeature> read_feature_table(const json& extension, std::size_t 
     const json& properties = description.at("properties");
     if (!properties.contains("storeys_above_ground")) return {};
     const auto count = description.at("count").get<std::uint64_t>();
-    // Checks the count against real bytes before anything of its size is allocated.
+    // Checks the count against the bytes of a column before memory for it is allocated.
     const auto storeys = column<std::int32_t>(properties.at("storeys_above_ground"), "values",
                                               static_cast<std::size_t>(count), view);
     std::vector<SceneFeature> features(static_cast<std::size_t>(count));

@@ -1,5 +1,5 @@
-// The attributes of city objects as an EXT_structural_metadata property table: columns of strings and
-// numbers.
+// The attributes of city objects as a property table of EXT_structural_metadata: columns of strings
+// and numbers.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "formats/atomic_file.h"
-#include "formats/scene_file.h"
+#include "formats/scene.h"
 
 namespace nightcity {
 
@@ -21,16 +21,17 @@ constexpr std::string_view feature_class = "cityObject";
 constexpr float absent_height = -9999.0f;       // noData of measured_height
 constexpr std::int32_t absent_storeys = -9999;  // noData of storeys_above_ground
 
-/// Collects features column by column in scratch files, since a city has hundreds of thousands.
+/// Collects the features of a city, hundreds of thousands, column by column in scratch files.
 class FeatureTableWriter {
  public:
   explicit FeatureTableWriter(const std::filesystem::path& path);
 
+  /// Returns the feature's index.
   std::uint32_t add(const SceneFeature& feature);
   std::uint32_t size() const { return count_; }
 
-  /// Appends the columns to `binary` and returns the extension object; `add_view(offset, size)` registers a
-  /// bufferView and returns its index. Call with size() > 0.
+  /// Appends the columns to `binary` and returns the extension's JSON. `add_view(offset, size)`
+  /// must add a bufferView and return its index. size() must be above 0.
   nlohmann::json write(ScratchFile& binary,
                        const std::function<std::size_t(std::uint64_t, std::uint64_t)>& add_view);
 
@@ -46,10 +47,11 @@ class FeatureTableWriter {
   bool any_height_ = false, any_storeys_ = false;
 };
 
-/// Bytes of bufferView `index`; throws Error where there is none.
+/// Returns the bytes of bufferView `index`. Throws Error if there is none.
 using ViewBytes = std::function<std::span<const std::byte>(std::size_t index)>;
 
-/// The features of property table `table` of the extension; empty where the table is not of our class.
+/// Returns the features in property table `table` of the extension, none if the table is not of our
+/// class.
 std::vector<SceneFeature> read_feature_table(const nlohmann::json& extension, std::size_t table,
                                              const ViewBytes& view_bytes);
 

@@ -1,4 +1,4 @@
-// The georeference as JSON: the same object in asset.extras.nightcity of city.glb and section GEOR of
+// The georeference as JSON: the object in asset.extras.nightcity of city.glb and in section GEOR of
 // city.lights.
 #pragma once
 
@@ -10,8 +10,8 @@ namespace nightcity {
 
 nlohmann::json georeference_to_json(const Georeference& georeference);
 
-/// Missing members keep their defaults. Throws Error (no file name) on a member of the wrong type or an
-/// origin that is not three finite numbers.
+/// Returns the georeference in `json`; missing members keep their defaults. Throws Error, without a
+/// file name, if a member has the wrong type or the origin is not three finite numbers.
 Georeference georeference_from_json(const nlohmann::json& json);
 
 }  // namespace nightcity

@@ -34,7 +34,8 @@ T load(const std::byte* bytes) {
   return value;
 }
 
-// Integers stand for themselves, or for [0, 1] and [-1, 1] where normalised (glTF 2.0, section 3.11).
+// Returns an integer as it is or, if normalised, scaled to [0, 1] or [-1, 1] (glTF 2.0, section
+// 3.11).
 template <class T>
 float integer(const std::byte* bytes, bool normalized) {
   const float value = static_cast<float>(load<T>(bytes));
@@ -90,7 +91,7 @@ AccessorReader::Layout AccessorReader::layout(std::size_t index, int components)
   const std::size_t element = size * static_cast<std::size_t>(components);
   const std::size_t stride =
       gltf::index(document_.element("bufferViews", *view_index), "byteStride").value_or(element);
-  // count * stride could overflow: divide instead.
+  // A division, because count * stride could overflow.
   if (stride < element || count == 0 || offset > bytes.size() || bytes.size() - offset < element ||
       (bytes.size() - offset - element) / stride < count - 1)
     throw Error("", place, "lies outside its bufferView");

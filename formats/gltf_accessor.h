@@ -1,4 +1,5 @@
-// Reads accessors of an opened glTF into plain arrays, every offset checked: the file may be hostile.
+// Reads the accessors of a glTF document into arrays. Every offset is checked: the file may be
+// hostile.
 #pragma once
 
 #include <cstddef>
@@ -10,19 +11,19 @@
 
 namespace nightcity::gltf {
 
-/// All functions throw Error without a file name; read_scene adds it.
+/// All functions throw Error without a file name, which read_scene adds.
 class AccessorReader {
  public:
   explicit AccessorReader(const Document& document) : document_(document) {}
 
-  /// The bytes of a bufferView.
+  /// Returns the bytes of a bufferView.
   std::span<const std::byte> view(std::size_t index) const;
 
-  /// Values of an accessor with `components` a value, integers converted (normalised where the accessor says
-  /// so).
+  /// Returns the values of an accessor, `components` numbers each. Integers are converted, and
+  /// normalised if the accessor says so.
   std::vector<float> floats(std::size_t accessor, int components) const;
 
-  /// Indices of 8, 16 or 32 bits.
+  /// Returns the indices of an accessor, which are of 8, 16 or 32 bits in the file.
   std::vector<std::uint32_t> indices(std::size_t accessor) const;
 
  private:

@@ -1,4 +1,5 @@
-// Names and numbers of glTF 2.0 and of our conventions on top of it (SPEC.md), shared by reader and writer.
+// Names and numbers of glTF 2.0 and of our conventions on top of it (SPEC.md), shared by reader and
+// writer.
 #pragma once
 
 #include <cstdint>
@@ -19,13 +20,13 @@ constexpr const char* mesh_features = "EXT_mesh_features";
 constexpr const char* structural_metadata = "EXT_structural_metadata";
 
 constexpr const char* feature_attribute = "_FEATURE_ID_0";
-constexpr const char* light_attribute =
-    "_LIGHT";  // vertex and instance attribute: index into city.lights
+// Of vertices and instances: index into city.lights.
+constexpr const char* light_attribute = "_LIGHT";
 constexpr const char* extras_key = "nightcity";
 constexpr const char* scene_version = "1.0";
 
-// Ids are stored as floats. Whole numbers are exact up to 2^24, but Draco's quantiser adds 0.5 before it
-// rounds down, which floats can only follow up to 2^23.
+// Ids are stored as floats, which are exact for whole numbers up to 2^24. But Draco's quantiser
+// adds 0.5 before it rounds down, and floats hold halves only up to 2^23.
 constexpr std::uint32_t max_id = (1u << 23) - 1;
 constexpr float null_feature_id = 8388607.0f, null_light = -1.0f;
 

@@ -17,7 +17,7 @@ std::uint32_t word(std::span<const std::byte> bytes, std::size_t offset) {
   return value;
 }
 
-// RFC 4648; anything but the alphabet and the padding at the end is refused.
+// Decodes base64 (RFC 4648). Returns nothing if a character is not of its alphabet.
 std::optional<std::vector<std::byte>> decode_base64(std::string_view text) {
   static const auto table = [] {
     std::array<std::int8_t, 256> values;
@@ -154,7 +154,8 @@ std::span<const std::byte> Document::external(const std::string& uri,
     if (!bytes) throw Error("", "data URI is not base64");
     return decoded_.emplace_back(std::move(*bytes));
   }
-  // A scene names files beside it, not places on the network or the reader's disk.
+  // A scene may refer to files beside it only: other places could be secrets of the reader's
+  // machine.
   const std::filesystem::path relative = decode_percent(uri);
   if (uri.find("://") != std::string::npos || relative.is_absolute())
     throw Error("", "URI is not relative: " + uri);
@@ -195,7 +196,7 @@ std::optional<std::size_t> index(const Json& object, const char* key) {
   const Json& value = member(object, key);
   if (value.is_null()) return std::nullopt;
   if (value.is_number_unsigned()) return value.get<std::size_t>();
-  // JSON has one kind of number: some exporters write 3.0.
+  // JSON does not tell integers from other numbers: some exporters write 3.0.
   if (value.is_number_float()) {
     const double number = value.get<double>();
     if (number >= 0 && number < 0x1p53 && number == std::floor(number))

@@ -1,6 +1,6 @@
-// A glTF file opened: its JSON and its buffers. Debian's TinyGLTF is not used for reading: built without
-// Draco, it refuses every file whose indices are compressed, and it copies the whole file where a mapping
-// does.
+// A glTF file: its JSON and its buffers. Debian's TinyGLTF is not used for reading: built without
+// Draco, it refuses files whose indices are compressed, and it copies the whole file, which a
+// mapping need not.
 #pragma once
 
 #include <cstddef>
@@ -18,17 +18,17 @@ namespace nightcity::gltf {
 
 using Json = nlohmann::json;
 
-/// Buffers are mapped, not copied (data URIs are decoded); images stay unread.
+/// Buffers are mapped, not copied, except data URIs, which are decoded. Images are not read.
 class Document {
  public:
-  /// Reads .glb or .gltf (by content, not by name). Throws Error: missing, empty, truncated, not glTF 2, a
-  /// buffer that is missing or too short.
+  /// Opens a .glb or a .gltf; the content decides, not the name. Throws Error if the file is
+  /// missing, empty, truncated or not glTF 2, or if a buffer is missing or too short.
   explicit Document(const std::filesystem::path& path);
 
   const Json& root() const { return root_; }
-  /// Element `index` of the top-level array `name`; throws Error where there is none.
+  /// Returns element `index` of the top-level array `name`. Throws Error if there is none.
   const Json& element(const char* name, std::size_t index) const;
-  /// How many elements the top-level array `name` has.
+  /// Returns the number of elements of the top-level array `name`, 0 if it is absent.
   std::size_t count(const char* name) const;
   std::span<const std::byte> buffer(std::size_t index) const;
 
@@ -46,13 +46,15 @@ class Document {
   std::vector<std::span<const std::byte>> buffers_;
 };
 
-/// Member `key` of an object; null where the object has none or is no object.
+/// Returns member `key` of an object, null if it has none or is no object.
 const Json& member(const Json& object, const char* key);
-/// Object `name` of the extensions of a node, mesh, material, ...; null where there is none.
+/// Returns extension `name` of a node, mesh, material, ..., null if there is none.
 const Json& extension(const Json& object, const char* name);
-/// A whole number >= 0; empty where the member is absent. Throws Error where it is anything else.
+/// Returns a whole number >= 0, nothing if the member is absent. Throws Error if it is anything
+/// else.
 std::optional<std::size_t> index(const Json& object, const char* key);
-/// A number, or `otherwise` where the member is absent. Throws Error where it is anything else.
+// These return `otherwise` (text: "") if the member is absent, and throw Error if it has another
+// type.
 double number(const Json& object, const char* key, double otherwise);
 std::string text(const Json& object, const char* key);
 bool boolean(const Json& object, const char* key, bool otherwise);

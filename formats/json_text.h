@@ -1,10 +1,11 @@
-// A large JSON document written out piece by piece: as a whole, in memory, it would be many times its size.
+// A large JSON document written piece by piece. As a whole, in memory, it would be many times its
+// size.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,22 +15,17 @@
 
 namespace nightcity {
 
-// CityGML ids may hold bytes that are no UTF-8; JSON may not.
-inline std::string dump(const nlohmann::json& value) {
-  return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
+/// Returns `value` on one line. Bytes that are no UTF-8 (CityGML ids may hold them) become U+FFFD.
+std::string dump(const nlohmann::json& value);
 
-// A JSON array kept as text, on disk: a large city has a hundred thousand accessors.
+/// A JSON array kept as text in a scratch file beside `path`: a large city has a hundred thousand
+/// accessors.
 class JsonArray {
  public:
   explicit JsonArray(const std::filesystem::path& path) : text_(path) {}
 
-  std::size_t add(const nlohmann::json& element) {
-    if (count_ != 0) text_.write(",", 1);
-    const std::string text = dump(element);
-    text_.write(text.data(), text.size());
-    return count_++;
-  }
+  /// Returns the element's index.
+  std::size_t add(const nlohmann::json& element);
   std::size_t count() const { return count_; }
   ScratchFile& text() { return text_; }
 
@@ -38,30 +34,35 @@ class JsonArray {
   std::size_t count_ = 0;
 };
 
-// The JSON chunk while it is put together, of texts and of arrays that lie on disk.
+/// JSON text made of strings and of arrays that lie in scratch files. Refers to the arrays.
 class JsonText {
  public:
-  void add(std::string_view text) {
-    parts_.emplace_back(text, nullptr);
-    size_ += text.size();
-  }
-  void add(JsonArray& array) {
-    add("[");
-    parts_.emplace_back("", &array.text());
-    size_ += array.text().size();
-    add("]");
-  }
-  std::uint64_t size() const { return size_; }
-  void write(AtomicFile& file) const {
-    for (const auto& [text, array] : parts_) {
-      file.write(text);
-      if (array) array->copy_to(file);
-    }
-  }
+  void add(std::string_view text);
+  void add(JsonArray& array);
+  std::uint64_t size() const { return size_; }  // bytes
+  void write(AtomicFile& file) const;
 
  private:
   std::vector<std::pair<std::string, ScratchFile*>> parts_;
   std::uint64_t size_ = 0;
+};
+
+/// Adds an object to a text, member by member. Keys are written as they are, so they may hold no
+/// quotes.
+class JsonObject {
+ public:
+  explicit JsonObject(JsonText& text);
+  void add(std::string_view key, const nlohmann::json& value);
+  void add(std::string_view key, JsonArray& elements);
+  /// Begins an object as a member of this one, to be ended before anything is added to this one.
+  JsonObject add_object(std::string_view key);
+  void end();
+
+ private:
+  void add_key(std::string_view key);
+
+  JsonText& text_;
+  bool is_empty_ = true;
 };
 
 }  // namespace nightcity

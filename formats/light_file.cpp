@@ -14,16 +14,16 @@
 #include "formats/night_check.h"
 
 static_assert(std::endian::native == std::endian::little,
-              "city.lights is mapped: little-endian hosts only");
+              "city.lights is mapped as it is: this needs a little-endian machine");
 
 namespace nightcity {
 
 using namespace light_file;
 
 void light_file::check_content(const std::string& file, const LightFileContent& content) {
-  const auto check = [&](const char* what, std::size_t count, auto&& fault_of) {
+  const auto check = [&](const char* what, std::size_t count, auto&& find_fault) {
     for (std::size_t i = 0; i < count; ++i)
-      if (const std::optional<std::string> fault = fault_of(i))
+      if (const std::optional<std::string> fault = find_fault(i))
         throw Error(file, what + (" " + std::to_string(i)), *fault);
   };
   if (content.provenance.size() != content.lights.size())
@@ -121,7 +121,7 @@ void LightFile::Mapping::read_table() {
       header.section_count > (bytes.size() - header.table_offset) / sizeof(Section))
     throw Error(name, "header", "section table lies outside the file");
   table.resize(header.section_count);
-  if (!table.empty())  // memcpy takes no null, not even for no bytes
+  if (!table.empty())  // memcpy may not be given a null pointer, even for 0 bytes
     std::memcpy(table.data(), bytes.data() + header.table_offset, table.size() * sizeof(Section));
   if (header.table_checksum != checksum(table.data(), table.size() * sizeof(Section)))
     throw Error(name, "section table", "checksum does not match");
@@ -143,7 +143,7 @@ void LightFile::Mapping::take(std::array<char, 4> tag, std::span<const T>& data)
     throw Error(name, name_of(*found),
                 "has elements of " + std::to_string(found->element_size) + " bytes, not " +
                     std::to_string(sizeof(T)));
-  // Sections are aligned to 64 bytes and a mapping to a page, so the cast is aligned for every T here.
+  // The cast is aligned for every T: sections are aligned to 64 bytes, the mapping to a page.
   data = {reinterpret_cast<const T*>(file.bytes().data() + found->offset),
           static_cast<std::size_t>(found->element_count)};
 }

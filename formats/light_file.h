@@ -1,4 +1,4 @@
-// city.lights: every light of a scene, read by mapping. Layout in SPEC.md.
+// city.lights: every light of a scene, mapped into memory. SPEC.md describes its layout.
 #pragma once
 
 #include <cstddef>
@@ -15,13 +15,13 @@
 
 namespace nightcity {
 
-/// Where each value of a light came from; one byte a value, parallel to the lights.
+/// The origin of one value of a light.
 enum class ValueSource : std::uint8_t {
   unknown = 0,
-  tag = 1,
-  attribute = 2,
-  rule = 3,
-  standard = 4
+  tag = 1,        // a tag of the map
+  attribute = 2,  // an attribute of the city model
+  rule = 3,       // a rule of ours, stated beside the rule
+  standard = 4    // a published standard
 };
 
 /// Returns the source's name in reports ("tag", "rule", ...); a value out of range is "unknown".
@@ -41,7 +41,8 @@ constexpr const char* name_of(ValueSource source) {
   return "unknown";
 }
 
-/// Provenance of one light, 16 bytes, parallel to the lights (section PROV).
+/// The origin of each value of one light. Section PROV holds one record of 16 bytes for each light,
+/// in the same order.
 struct LightProvenance {
   std::uint64_t source_id = 0;  // OSM node id, or a hash of the CityGML id; 0 = none
   ValueSource position = ValueSource::unknown;
@@ -55,7 +56,8 @@ struct LightProvenance {
 };
 static_assert(sizeof(LightProvenance) == 16);
 
-/// What a light is to a person; counted by `inspect`, and a layer of the renderer's output.
+/// The use of a light. `nightbake inspect` counts lights by it, and it is a layer of the renderer's
+/// output.
 enum class LightFamily : std::uint8_t {
   lamp = 0,
   window = 1,
@@ -82,16 +84,16 @@ constexpr const char* name_of(LightFamily family) {
   return "other";
 }
 
-/// Vehicles on their ways; empty `trips`: no traffic.
+/// Vehicles and their trips. Without traffic, `trips` is empty.
 struct TrafficContent {
   TrafficCycle cycle{};
   std::span<const VehicleKind> vehicles;
-  std::span<const Light> vehicle_lights;  // in vehicle frames; see night.h
+  std::span<const Light> vehicle_lights;  // in the frame of their vehicle (night.h)
   std::span<const Trip> trips;
   std::span<const TripKnot> knots;
 };
 
-/// What a writer needs. Spans must live until write_light_file returns.
+/// The content of a light file. The spans refer to memory of the caller.
 struct LightFileContent {
   Georeference georeference{};
   std::span<const Light> lights{};
@@ -99,23 +101,25 @@ struct LightFileContent {
   std::span<const LightProfile> profiles{};
   std::span<const float> profile_data{};
   std::span<const Schedule> schedules{};
-  std::span<const uint> switches{};  // s since noon; the schedules point into them
+  std::span<const uint> switches{};  // s since noon; schedules are ranges of these
   TrafficContent traffic{};
 };
 
-/// Writes beside `path` and renames; for lights that are not all in memory see light_file_writer.h. Throws
-/// Error when a record is unfit (light_check.h, night_check.h), or when the file cannot be written.
+/// Writes a light file; it gets its name when it is complete. For lights that do not fit into
+/// memory see light_file_writer.h. Throws Error if a record is invalid (light_check.h,
+/// night_check.h) or the file cannot be written.
 void write_light_file(const std::filesystem::path& path, const LightFileContent& content);
 
-/// A mapped city.lights. Spans point into the mapping and live as long as this object.
+/// A light file mapped into memory. The spans point into the mapping and are valid as long as this
+/// object.
 class LightFile {
  public:
-  /// Checks magic, version, section table and its checksum, and that every section lies inside the file:
-  /// constant time whatever the size. Throws Error.
+  /// Checks magic number, version, section table and its checksum, and that each section lies
+  /// inside the file: the time does not grow with the number of lights. Throws Error.
   static LightFile open(const std::filesystem::path& path);
 
-  /// Recomputes every section's checksum and checks every record as write_light_file does: linear time.
-  /// Throws Error.
+  /// Checks the checksum of each section, and each record as write_light_file does: the time grows
+  /// with the size. Throws Error.
   void verify() const;
 
   const Georeference& georeference() const;
@@ -125,7 +129,7 @@ class LightFile {
   std::span<const float> profile_data() const;
   std::span<const Schedule> schedules() const;
   std::span<const uint> switches() const;
-  TrafficContent traffic() const;  // spans into the mapping
+  TrafficContent traffic() const;
 
   LightFile(LightFile&&) noexcept;
   LightFile& operator=(LightFile&&) noexcept;

@@ -1,4 +1,4 @@
-// How city.lights lies on the disk (SPEC.md, section 3): what its reader and its writer share.
+// The layout of city.lights on the disk (SPEC.md, section 3), shared by its reader and its writer.
 #pragma once
 
 #include <xxhash.h>
@@ -42,7 +42,7 @@ static_assert(sizeof(Section) == 32);
 inline constexpr std::array<char, 4> tag_georeference{'G', 'E', 'O', 'R'},
     tag_lights{'L', 'G', 'H', 'T'}, tag_provenance{'P', 'R', 'O', 'V'},
     tag_profiles{'P', 'R', 'O', 'F'}, tag_profile_data{'P', 'D', 'A', 'T'};
-// Left out where a scene has none of it.
+// These are present only if the scene has such records.
 inline constexpr std::array<char, 4> tag_schedules{'S', 'C', 'H', 'D'},
     tag_switches{'S', 'W', 'C', 'H'}, tag_cycle{'C', 'Y', 'C', 'L'},
     tag_vehicles{'V', 'E', 'H', 'I'}, tag_vehicle_lights{'V', 'L', 'G', 'T'},
@@ -58,7 +58,8 @@ inline std::string name_of(const Section& section) {
   return name;
 }
 
-/// Checks every record of a file, in linear time, and throws Error; `file` is what a fault is named by.
+/// Checks each record of a light file, in linear time. Throws Error, with `file` as the file's
+/// name.
 void check_content(const std::string& file, const LightFileContent& content);
 
 }  // namespace nightcity::light_file

@@ -8,6 +8,7 @@
 #include "formats/atomic_file.h"
 #include "formats/error.h"
 #include "formats/georeference_json.h"
+#include "formats/json_text.h"
 #include "formats/light_check.h"
 #include "formats/light_file_layout.h"
 #include "formats/night_check.h"
@@ -18,7 +19,7 @@ using namespace light_file;
 
 namespace {
 
-/// XXH64 of bytes that come one after the other.
+// The XXH64 checksum of bytes that are added piece by piece.
 class RunningChecksum {
  public:
   RunningChecksum() { XXH64_reset(state_.get(), 0); }
@@ -38,7 +39,7 @@ void align(AtomicFile& file) {
              (section_alignment - file.size() % section_alignment) % section_alignment);
 }
 
-/// Records of a section that come before its place in the file is known.
+// A section whose records are added before its place in the file is known.
 class StreamedSection {
  public:
   explicit StreamedSection(const std::filesystem::path& path) : file_(path) {}
@@ -76,11 +77,12 @@ void write_section(AtomicFile& file, std::vector<Section>& table, std::array<cha
 
 struct LightFileWriter::State {
   std::string name;
-  AtomicFile file;  // the header's room, then the lights
+  AtomicFile file;  // room for the header, then the lights
   RunningChecksum lights_sum;
-  StreamedSection provenances, schedules, switches;  // which follow the lights
+  StreamedSection provenances, schedules, switches;  // to be written after the lights
   std::uint64_t count = 0;
-  std::size_t profiles_named = 0, schedules_named = 0;  // greatest number named, plus one
+  // The largest profile and schedule index that a light refers to, plus one.
+  std::size_t profiles_named = 0, schedules_named = 0;
 
   explicit State(const std::filesystem::path& path)
       : name(path.string()), file(path), provenances(path), schedules(path), switches(path) {
@@ -90,17 +92,17 @@ struct LightFileWriter::State {
 
   std::uint32_t add_schedule(uint first, uint count) {
     if (schedules.count() + 1 >= LIGHT_ALWAYS_ON)
-      throw Error(name, "more schedules than their numbers");
+      throw Error(name, "more schedules than the format can number");
     const Schedule schedule{first, count};
     schedules.add(std::span(&schedule, 1));
     return static_cast<std::uint32_t>(schedules.count() - 1);
   }
 
-  /// Where they begin among all of them.
+  // Returns the index of the first of these switch times.
   uint add_switches(std::span<const uint> times) {
     const std::uint64_t first = switches.count();
     if (first + times.size() > std::numeric_limits<uint>::max())
-      throw Error(name, "more switch times than their numbers");
+      throw Error(name, "more switch times than the format can number");
     switches.add(times);
     return static_cast<uint>(first);
   }
@@ -112,11 +114,12 @@ LightFileWriter::~LightFileWriter() = default;
 
 std::uint32_t LightFileWriter::add(const Light& light, const LightProvenance& provenance) {
   State& state = *state_;
-  // Profiles and schedules are counted when all are there.
+  // finish() checks the indices of profiles and schedules, when their numbers are known.
   constexpr std::size_t any_profile = std::size_t{LIGHT_NO_PROFILE} + 1;
   if (const auto fault = light_fault(light, any_profile))
     throw Error(state.name, "light " + std::to_string(state.count), *fault);
-  if (state.count + 1 >= LIGHT_ALWAYS_ON) throw Error(state.name, "more lights than their numbers");
+  if (state.count + 1 >= LIGHT_ALWAYS_ON)
+    throw Error(state.name, "more lights than the format can number");
   const std::size_t profile = light_profile(light);
   if (profile != LIGHT_NO_PROFILE)
     state.profiles_named = std::max(state.profiles_named, profile + 1);
@@ -145,12 +148,10 @@ void LightFileWriter::finish(const LightFileContent& rest) {
     state.add_schedule(first_switch + schedule.first, schedule.count);
   if (state.profiles_named > rest.profiles.size() ||
       state.schedules_named > state.schedules.count())
-    throw Error(state.name, "a light names a profile or schedule that is not there");
-  // Limits that open() enforces hold here too: what is written can be read.
+    throw Error(state.name, "a light refers to a profile or schedule that does not exist");
+  // open() enforces the same limits: every file that is written can be read.
   if (rest.profiles.size() > max_profiles) throw Error(state.name, "more than 65536 profiles");
-  const std::string georeference =
-      georeference_to_json(rest.georeference)
-          .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  const std::string georeference = dump(georeference_to_json(rest.georeference));
   if (georeference.size() > max_georeference_bytes)
     throw Error(state.name, "the list of sources is too long");
 
@@ -190,7 +191,7 @@ void LightFileWriter::finish(const LightFileContent& rest) {
 }
 
 void write_light_file(const std::filesystem::path& path, const LightFileContent& content) {
-  check_content(path.string(), content);  // before anything is written
+  check_content(path.string(), content);  // before the file is created
   LightFileWriter(path).finish(content);
 }
 

@@ -1,4 +1,5 @@
-// Writes a city.lights whose lights and schedules come one by one and need not all be in memory.
+// Writes a city.lights whose lights and schedules are added one by one and need not fit into
+// memory.
 #pragma once
 
 #include <filesystem>
@@ -11,22 +12,23 @@ namespace nightcity {
 
 class LightFileWriter {
  public:
-  /// Writes beside `path`; until finish() nothing stands under that name. Throws Error where it cannot.
+  /// Writes to a scratch file beside `path`, which gets its name from finish(). Throws Error if
+  /// that fails.
   explicit LightFileWriter(const std::filesystem::path& path);
   ~LightFileWriter();
   LightFileWriter(const LightFileWriter&) = delete;
   LightFileWriter& operator=(const LightFileWriter&) = delete;
 
-  /// The light's number in the file. Throws Error when it is unfit (light_check.h).
+  /// Adds a light and returns its index in the file. Throws Error if it is invalid (light_check.h).
   std::uint32_t add(const Light& light, const LightProvenance& provenance);
 
-  /// The number of a schedule with these switch times (s since noon). Throws Error when it is unfit
-  /// (night_check.h).
+  /// Adds a schedule with these switch times (s since noon) and returns its index. Throws Error if
+  /// it is invalid (night_check.h).
   std::uint32_t add_schedule(std::span<const uint> switches);
 
-  /// Everything else, after `rest.lights` and `rest.provenance` (empty where all have been added);
-  /// `rest.schedules` follow those that have been added. Throws Error when a record is unfit or a light names
-  /// a profile or schedule that is not there.
+  /// Adds `rest` and completes the file. Lights and schedules of `rest` follow those that were
+  /// added one by one. Throws Error if a record is invalid or a light refers to a profile or
+  /// schedule that does not exist.
   void finish(const LightFileContent& rest);
 
  private:

@@ -1,4 +1,4 @@
-// A whole file as read-only memory.
+// A file mapped into memory, to be read.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,13 @@
 
 namespace nightcity {
 
-/// Pages come from the disk as they are touched, so opening takes the same time at any size. Where
-/// another program cuts the file short meanwhile, install_signal_handlers() makes that a message.
+/// Pages are read from the disk when they are accessed, so opening takes the same time at any size.
+/// If another program shortens the file meanwhile, install_signal_handlers() makes that an error
+/// message.
 class MappedFile {
  public:
-  /// Throws Error: missing, a folder, a FIFO or device, unreadable. An empty file gives an empty
-  /// span.
+  /// Throws Error if the file is missing, a folder, a FIFO, a device or unreadable. An empty file
+  /// gives an empty span.
   explicit MappedFile(const std::filesystem::path& path);
   ~MappedFile();
   MappedFile(MappedFile&& other) noexcept;

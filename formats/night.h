@@ -1,7 +1,7 @@
-// What changes during a night, as it lies in city.lights, in memory and on the GPU: schedules of lights, and
-// vehicles on their ways. Included by C++ and GLSL (scalar block layout). Little-endian, no padding. Times
-// are seconds since noon (local civil time) of the day on which the night begins, so that a night is one
-// stretch of numbers.
+// What changes during a night: schedules of lights, and traffic. The records are the same in
+// city.lights, in memory and on the GPU, and are included by C++ and GLSL (scalar block layout;
+// little-endian, no padding). Times are seconds since noon (local civil time) of the day on which
+// the night begins, so that they ascend through the night.
 #ifndef NIGHTCITY_FORMATS_NIGHT_H
 #define NIGHTCITY_FORMATS_NIGHT_H
 
@@ -14,33 +14,33 @@ namespace nightcity {
 constexpr int night_begin_s = 5 * 3600, night_end_s = 19 * 3600;
 #endif
 
-// A light's night: switch times first .. first + count, seconds since noon, strictly ascending, below 86,400.
-// The light is off at noon and changes state at each: it shines at time t where the number of switch times <=
-// t is odd.
+// The switch times of a light: entries first .. first + count of the switch times, seconds since
+// noon, strictly ascending, below 86,400. The light is off at noon and changes its state at each:
+// it is on at time t if the number of switch times <= t is odd.
 struct Schedule {
   uint first;
   uint count;
 };
 
-// A kind of vehicle. Vehicle frame: x forward, y up, z to the right, origin on the road below the middle.
+// A kind of vehicle. Vehicle frame: x forward, y up, z to the right, origin on the road below the
+// centre.
 struct VehicleKind {
-  vec3 half_size;  // of the body's box, m; its centre is half_size.y above the road
-  uint first_light;
-  uint
-      light_count;  // entries first_light .. first_light + light_count of the vehicle lights (at most
-                    // VEHICLE_LIGHTS)
+  vec3 half_size;    // of the body's box, m; its centre is half_size.y above the road
+  uint first_light;  // entries first_light .. first_light + light_count of the vehicle lights
+  uint light_count;  // at most VEHICLE_LIGHTS
   uint pad[3];
 };
-#define VEHICLE_LIGHTS 8  // a vehicle may carry, at most
+#define VEHICLE_LIGHTS 8  // bound on the lights of a vehicle
 
-// A vehicle's light is a Light in the vehicle frame whose `schedule` says when it shines, and whose `id` is
-// its family (LightFamily in light_file.h).
+// The light of a vehicle is a Light in the vehicle frame. Its `schedule` is one of these two
+// values, and its `id` is its family (LightFamily in light_file.h).
 #define VEHICLE_LIGHT_ALWAYS 0u
 #define VEHICLE_LIGHT_BRAKING 1u
 
-// One vehicle's drive, repeated every traffic cycle: it is on the road at time t where
-// u = (t - start_s) mod cycle_s < time_s of its last knot, and its drive began (at t - u) when the hour's
-// density was above `rank`. So nothing vanishes on its way.
+// The trip of one vehicle, repeated in every traffic cycle. With u = (t - start_s) mod cycle_s, the
+// vehicle is on the road at time t if u < time_s of its last knot and the density at the trip's
+// start, t - u, was above `rank`. The density at the start decides, so that no vehicle disappears
+// during its trip.
 struct Trip {
   uint first_knot;
   uint knot_count;  // >= 2
@@ -51,24 +51,25 @@ struct Trip {
   uint pad[2];
 };
 
-// A moment of a drive. Between knots position is the cubic Hermite curve of positions and velocities, heading
-// goes linearly the short way round, and the vehicle brakes where the earlier knot says so.
+// The pose of a vehicle at one time of its trip. Between two knots, the position is the cubic
+// Hermite curve of positions and velocities, yaw and pitch are linear (yaw by the smaller angle),
+// and the vehicle brakes if the earlier knot says so.
 struct TripKnot {
   vec3 position;  // model space, m: the vehicle frame's origin
-  float time_s;   // since the drive's start; 0 first, strictly ascending, the last at most cycle_s
+  float time_s;   // since the trip's start: 0 first, strictly ascending, the last at most cycle_s
   vec3 velocity;  // m/s
-  uint
-      pose;  // bits 0-15 yaw, from east towards north: turns * 65536; 16-23 pitch (nose up), signed, 1/256
-             // rad; 24 braking
+  // Bits 0-15: yaw from east towards north, turns * 65536; 16-23: pitch, nose up, signed, 1/256
+  // rad; 24: braking.
+  uint pose;
 };
 #define KNOT_BRAKING 0x01000000u
 
-// The whole traffic's clockwork.
+// What all trips share.
 struct TrafficCycle {
   float cycle_s;  // above 0, at most 86,400
   uint pad;
-  float density
-      [24];  // share of all trips on the road, in [0, 1], at noon, 13:00 ... 11:00; linear between
+  // Share of all trips that start, in [0, 1], at noon, 13:00 ... 11:00, linear in between.
+  float density[24];
 };
 
 #ifdef __cplusplus

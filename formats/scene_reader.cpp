@@ -1,19 +1,17 @@
-// Any glTF 2.0 into a Scene: ours with its extras, or a stranger's without.
+#include "formats/scene_reader.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <glm/gtc/type_ptr.hpp>
-#include <numeric>
 #include <set>
 
-#include "formats/draco_codec.h"
 #include "formats/error.h"
 #include "formats/feature_table.h"
 #include "formats/georeference_json.h"
 #include "formats/gltf_accessor.h"
 #include "formats/gltf_constants.h"
 #include "formats/gltf_document.h"
-#include "formats/scene_file.h"
+#include "formats/scene_primitive_reader.h"
 #include "formats/trs.h"
 
 namespace nightcity {
@@ -23,13 +21,11 @@ using gltf::extension;
 using gltf::Json;
 using gltf::member;
 
-constexpr std::size_t mode_triangles = 4, mode_fan = 6;  // 5: a strip
-
 std::string numbered(const char* what, std::size_t number) {
   return what + (" " + std::to_string(number));
 }
 
-// A member that is an array of `size` numbers, or the defaults where it is absent.
+// Returns a member that is an array of as many numbers as `defaults`, or these if it is absent.
 std::vector<double> numbers(const Json& object, const char* key, std::vector<double> defaults) {
   const Json& array = member(object, key);
   if (array.is_null()) return defaults;
@@ -42,7 +38,8 @@ std::vector<double> numbers(const Json& object, const char* key, std::vector<dou
 
 class Reader {
  public:
-  explicit Reader(const gltf::Document& document) : document_(document), accessors_(document) {}
+  explicit Reader(const gltf::Document& document)
+      : document_(document), accessors_(document), primitives_(accessors_) {}
 
   Scene read() {
     check_extensions();
@@ -58,36 +55,25 @@ class Reader {
   }
 
  private:
-  struct VertexIds {
-    std::vector<float> features, lights;
-  };
-
   void check_extensions() const;
   void read_features();
   void read_material(std::size_t index);
   void read_mesh(std::size_t index);
-  ScenePrimitive read_primitive(const Json& source);
-  VertexIds read_geometry(const Json& source, ScenePrimitive& target) const;
-  VertexIds read_plain(const Json& source, std::vector<float>& positions,
-                       std::vector<std::uint32_t>& indices) const;
-  VertexIds read_draco(const Json& draco, std::vector<float>& positions,
-                       std::vector<std::uint32_t>& indices) const;
-  std::vector<std::uint32_t> feature_ids(const Json& source,
-                                         const std::vector<float>& values) const;
-  std::uint32_t material(const Json& source);
-  std::vector<std::size_t> roots() const;
+  std::uint32_t find_material(const Json& source);
+  std::vector<std::size_t> find_roots() const;
   void read_nodes();
   void read_node(const Json& node, const glm::dmat4& to_model);
   std::vector<SceneInstance> read_instances(const Json& node, const glm::dmat4& to_model) const;
 
   const gltf::Document& document_;
   gltf::AccessorReader accessors_;
+  PrimitiveReader primitives_;
   Scene scene_;
-  std::vector<std::size_t> table_offset_, table_size_;  // of each property table in scene_.features
-  std::size_t material_count_ = 0;                      // of the file; a default one may follow
+  std::vector<FeatureRange> tables_;
+  std::size_t material_count_ = 0;  // of the file; a default one may follow
 };
 
-// A required extension we do not know changes what the data mean.
+// A required extension that we do not know changes the meaning of the data.
 void Reader::check_extensions() const {
   static const std::set<std::string> known{gltf::draco,
                                            gltf::emissive_strength,
@@ -111,8 +97,7 @@ void Reader::read_features() {
   const ViewBytes view = [this](std::size_t index) { return accessors_.view(index); };
   for (std::size_t t = 0; t < member(metadata, "propertyTables").size(); ++t) {
     const auto features = read_feature_table(metadata, t, view);
-    table_offset_.push_back(scene_.features.size());
-    table_size_.push_back(features.size());
+    tables_.push_back({scene_.features.size(), features.size()});
     scene_.features.insert(scene_.features.end(), features.begin(), features.end());
   }
 }
@@ -138,13 +123,13 @@ void Reader::read_material(std::size_t index) {
   scene_.materials.push_back(std::move(result));
 }
 
-std::uint32_t Reader::material(const Json& source) {
+std::uint32_t Reader::find_material(const Json& source) {
   const auto index = gltf::index(source, "material");
   if (index) {
     if (*index >= material_count_) throw Error("", numbered("material", *index), "is not there");
     return static_cast<std::uint32_t>(*index);
   }
-  if (scene_.materials.size() == material_count_)  // glTF's default: white and single-sided
+  if (scene_.materials.size() == material_count_)  // glTF's default: white, single-sided
     scene_.materials.push_back({.name = "", .base_colour = glm::vec3(1), .double_sided = false});
   return static_cast<std::uint32_t>(material_count_);
 }
@@ -156,135 +141,15 @@ void Reader::read_mesh(std::size_t index) {
   mesh.name = gltf::text(source, "name");
   for (std::size_t p = 0; p < primitives.size(); ++p) {
     try {
-      ScenePrimitive primitive = read_primitive(primitives.at(p));
-      if (!primitive.indices.empty()) mesh.primitives.push_back(std::move(primitive));
+      auto primitive = primitives_.read(primitives.at(p), tables_);
+      if (!primitive) continue;
+      primitive->material = find_material(primitives.at(p));
+      if (!primitive->indices.empty()) mesh.primitives.push_back(std::move(*primitive));
     } catch (const Error& error) {
       throw Error("", numbered("mesh", index) + numbered(" primitive", p), error.what());
     }
   }
   scene_.meshes.push_back(std::move(mesh));
-}
-
-// Strips and fans become lists.
-std::vector<std::uint32_t> triangle_list(std::size_t mode, std::vector<std::uint32_t> indices) {
-  if (mode == mode_triangles) {
-    indices.resize(indices.size() / 3 * 3);
-    return indices;
-  }
-  std::vector<std::uint32_t> list;
-  for (std::size_t i = 0; i + 2 < indices.size(); ++i) {
-    if (mode == mode_fan)
-      list.insert(list.end(), {indices[i + 1], indices[i + 2], indices[0]});
-    else
-      list.insert(list.end(), {indices[i], indices[i + 1 + i % 2], indices[i + 2 - i % 2]});
-  }
-  return list;
-}
-
-std::vector<std::uint32_t> light_ids(const std::vector<float>& values) {
-  std::vector<std::uint32_t> ids(values.size(), no_id);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!(values[i] < static_cast<float>(gltf::max_id)))
-      throw Error("", gltf::light_attribute, "is no light id");
-    if (values[i] >= 0) ids[i] = static_cast<std::uint32_t>(values[i]);
-  }
-  return ids;
-}
-
-ScenePrimitive Reader::read_primitive(const Json& source) {
-  ScenePrimitive primitive;
-  const std::size_t mode = gltf::index(source, "mode").value_or(mode_triangles);
-  if (mode > mode_fan) throw Error("", numbered("mode", mode), "is not known");
-  if (mode < mode_triangles) return primitive;  // points and lines have no surface
-  const VertexIds ids = read_geometry(source, primitive);
-  primitive.indices = triangle_list(mode, std::move(primitive.indices));
-  primitive.material = material(source);
-  primitive.feature_ids = feature_ids(source, ids.features);
-  primitive.light_ids = light_ids(ids.lights);
-  return primitive;
-}
-
-Reader::VertexIds Reader::read_draco(const Json& draco, std::vector<float>& positions,
-                                     std::vector<std::uint32_t>& indices) const {
-  const Json& names = member(draco, "attributes");
-  VertexIds ids;
-  std::vector<DracoAttribute> wanted;
-  std::vector<std::vector<float>*> targets;
-  const auto want = [&](const char* name, int components, std::vector<float>& values) {
-    const auto id = gltf::index(names, name);
-    if (!id) return;
-    wanted.push_back({static_cast<std::uint32_t>(*id), components});
-    targets.push_back(&values);
-  };
-  want("POSITION", 3, positions);
-  want(gltf::feature_attribute, 1, ids.features);
-  want(gltf::light_attribute, 1, ids.lights);
-  const auto view = gltf::index(draco, "bufferView");
-  if (!view) throw Error("", gltf::draco, "has no bufferView");
-  DracoDecoded decoded = decode_draco(accessors_.view(*view), wanted);
-  for (std::size_t i = 0; i < targets.size(); ++i) *targets[i] = std::move(decoded.attributes[i]);
-  indices = std::move(decoded.indices);
-  return ids;
-}
-
-Reader::VertexIds Reader::read_plain(const Json& source, std::vector<float>& positions,
-                                     std::vector<std::uint32_t>& indices) const {
-  const Json& attributes = member(source, "attributes");
-  VertexIds ids;
-  const auto read = [&](const char* name, int components, std::vector<float>& values) {
-    if (const auto accessor = gltf::index(attributes, name))
-      values = accessors_.floats(*accessor, components);
-  };
-  read("POSITION", 3, positions);
-  read(gltf::feature_attribute, 1, ids.features);
-  read(gltf::light_attribute, 1, ids.lights);
-  if (const auto accessor = gltf::index(source, "indices")) {
-    indices = accessors_.indices(*accessor);
-  } else {
-    indices.resize(positions.size() / 3);
-    std::iota(indices.begin(), indices.end(), 0u);
-  }
-  return ids;
-}
-
-Reader::VertexIds Reader::read_geometry(const Json& source, ScenePrimitive& target) const {
-  const Json& draco = extension(source, gltf::draco);
-  std::vector<float> positions;
-  VertexIds ids = draco.is_object() ? read_draco(draco, positions, target.indices)
-                                    : read_plain(source, positions, target.indices);
-  const std::size_t vertices = positions.size() / 3;
-  for (const float value : positions)
-    if (!std::isfinite(value)) throw Error("", "POSITION", "is not finite");
-  for (const std::uint32_t index : target.indices)
-    if (index >= vertices)
-      throw Error("", "index " + std::to_string(index),
-                  "of " + std::to_string(vertices) + " vertices");
-  for (const auto* values : {&ids.features, &ids.lights})
-    if (!values->empty() && values->size() != vertices)
-      throw Error("", "attributes", "differ in length");
-  target.positions.resize(vertices);
-  if (vertices != 0)
-    std::memcpy(target.positions.data(), positions.data(), vertices * sizeof(glm::vec3));
-  return ids;
-}
-
-std::vector<std::uint32_t> Reader::feature_ids(const Json& source,
-                                               const std::vector<float>& values) const {
-  // Ids mean something only through a property table of ours.
-  const Json& sets = member(extension(source, gltf::mesh_features), "featureIds");
-  if (values.empty() || !sets.is_array() || sets.empty()) return {};
-  const auto table = gltf::index(sets.at(0), "propertyTable"),
-             none = gltf::index(sets.at(0), "nullFeatureId");
-  if (!table || *table >= table_size_.size() || table_size_[*table] == 0) return {};
-  std::vector<std::uint32_t> ids(values.size(), no_id);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (none && values[i] == static_cast<float>(*none)) continue;
-    if (!(values[i] >= 0 && values[i] < static_cast<float>(table_size_[*table])))
-      throw Error("", gltf::feature_attribute, "id lies outside its property table");
-    ids[i] =
-        static_cast<std::uint32_t>(table_offset_[*table] + static_cast<std::size_t>(values[i]));
-  }
-  return ids;
 }
 
 glm::dmat4 local_matrix(const Json& node) {
@@ -317,8 +182,9 @@ std::vector<std::size_t> node_indices(const Json& object, const char* key) {
   return result;
 }
 
-// The default scene's, or without any scene (which is allowed) the nodes that are nobody's child.
-std::vector<std::size_t> Reader::roots() const {
+// Returns the nodes of the default scene. glTF allows a file without scenes: then the nodes without
+// a parent.
+std::vector<std::size_t> Reader::find_roots() const {
   if (document_.count("scenes") != 0)
     return node_indices(
         document_.element("scenes", gltf::index(document_.root(), "scene").value_or(0)), "nodes");
@@ -334,7 +200,8 @@ std::vector<std::size_t> Reader::roots() const {
 }
 
 void Reader::read_nodes() {
-  // A stack of our own: a chain of a million nodes must not end the program. Each node may be reached once.
+  // Recursion would overflow the program's stack on a chain of a million nodes. A node that is
+  // reached twice is part of a cycle or of no tree.
   struct Step {
     std::size_t node;
     glm::dmat4 parent;
@@ -343,7 +210,7 @@ void Reader::read_nodes() {
   const auto push = [&stack](const std::vector<std::size_t>& nodes, const glm::dmat4& parent) {
     for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) stack.push_back({*node, parent});
   };
-  push(roots(), glm::dmat4(1));
+  push(find_roots(), glm::dmat4(1));
   std::vector<bool> reached(document_.count("nodes"));
   while (!stack.empty()) {
     const Step step = stack.back();
@@ -387,7 +254,7 @@ std::vector<SceneInstance> Reader::read_instances(const Json& node,
   };
   const auto translations = read("TRANSLATION", 3), rotations = read("ROTATION", 4),
              scales = read("SCALE", 3);
-  const auto lights = light_ids(read(gltf::light_attribute, 1));
+  const auto lights = to_light_ids(read(gltf::light_attribute, 1));
   const std::size_t count =
       std::max({translations.size() / 3, rotations.size() / 4, scales.size() / 3, lights.size()});
   const auto fits = [count](std::size_t values, std::size_t width) {

@@ -9,7 +9,7 @@ namespace {
 
 double wrapped(double value, double period) {
   const double rest = value - period * std::floor(value / period);
-  return rest < period ? rest : 0;  // rounding may reach the period itself
+  return rest < period ? rest : 0;  // rounding may give the period itself
 }
 
 double yaw_of(const TripKnot& knot) {
@@ -30,7 +30,7 @@ double density_at(const TrafficCycle& cycle, double t) {
          double{cycle.density[(before + 1) % 24]} * part;
 }
 
-VehiclePose pose_on_drive(std::span<const TripKnot> knots, double u) {
+VehiclePose pose_on_trip(std::span<const TripKnot> knots, double u) {
   u = std::clamp(u, 0.0, double{knots.back().time_s});
   const auto after =
       std::upper_bound(knots.begin() + 1, knots.end() - 1, u,
@@ -51,7 +51,7 @@ VehiclePose pose_on_drive(std::span<const TripKnot> knots, double u) {
   return pose;
 }
 
-std::optional<double> on_drive_at(const TrafficContent& traffic, const Trip& trip, double t) {
+std::optional<double> find_trip_time(const TrafficContent& traffic, const Trip& trip, double t) {
   const double u = wrapped(t - double{trip.start_s}, double{traffic.cycle.cycle_s});
   const TripKnot& last = traffic.knots[trip.first_knot + trip.knot_count - 1];
   if (u >= double{last.time_s} || density_at(traffic.cycle, t - u) <= double{trip.rank})
@@ -60,9 +60,9 @@ std::optional<double> on_drive_at(const TrafficContent& traffic, const Trip& tri
 }
 
 std::optional<VehiclePose> pose_at(const TrafficContent& traffic, const Trip& trip, double t) {
-  const auto u = on_drive_at(traffic, trip, t);
+  const auto u = find_trip_time(traffic, trip, t);
   if (!u) return std::nullopt;
-  return pose_on_drive(traffic.knots.subspan(trip.first_knot, trip.knot_count), *u);
+  return pose_on_trip(traffic.knots.subspan(trip.first_knot, trip.knot_count), *u);
 }
 
 glm::dmat4 to_model(const VehiclePose& pose) {

@@ -1,5 +1,5 @@
-// Where a vehicle is at a moment: the one meaning of the traffic records of night.h. Shared by what writes
-// them, by what shows one moment, and by the tests of the renderer's own evaluation.
+// The pose of a vehicle at a given time: the definition of what the traffic records of night.h
+// mean. The baker and the tests of the renderer's shader share it.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -17,21 +17,22 @@ struct VehiclePose {
   bool braking = false;
 };
 
-/// Share of the trips that are on the road, t seconds since noon; any t.
+/// Returns the share of trips that start at time t, seconds since noon. t may be of any day.
 double density_at(const TrafficCycle& cycle, double t);
 
-/// Pose u seconds after the drive's start; u is clamped to the drive. `knots` are the trip's own.
-VehiclePose pose_on_drive(std::span<const TripKnot> knots, double u);
+/// Returns the pose u seconds after the start of the trip with these knots; u is clamped to the
+/// trip.
+VehiclePose pose_on_trip(std::span<const TripKnot> knots, double u);
 
-/// Seconds since its drive began where the trip is on the road at time t (seconds since noon); empty where it
-/// is not.
-std::optional<double> on_drive_at(const TrafficContent& traffic, const Trip& trip, double t);
+/// Returns the seconds since the trip's start if its vehicle is on the road at time t (seconds
+/// since noon), nothing otherwise.
+std::optional<double> find_trip_time(const TrafficContent& traffic, const Trip& trip, double t);
 
-/// Pose at time t (seconds since noon); empty where the trip is not on the road. A pure function of its
-/// arguments: the same at t whatever was asked before.
+/// Returns the pose at time t (seconds since noon), or nothing if the vehicle is not on the road
+/// then. Depends on its arguments only, so times may be asked for in any order.
 std::optional<VehiclePose> pose_at(const TrafficContent& traffic, const Trip& trip, double t);
 
-/// Vehicle frame (x forward, y up, z right) to model space.
+/// Returns the transform from the vehicle frame (x forward, y up, z right) to model space.
 glm::dmat4 to_model(const VehiclePose& pose);
 
 }  // namespace nightcity

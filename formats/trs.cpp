@@ -27,7 +27,7 @@ std::optional<Trs> decompose(const glm::dmat4& matrix) {
     if (!(trs.scale[i] > 0)) return std::nullopt;
     axes[i] /= trs.scale[i];
   }
-  // Float matrices lose perpendicularity in the seventh digit; shear anyone would see is far above this.
+  // Axes in floats are perpendicular to the seventh digit only; visible shear is far above this.
   constexpr double tolerance = 1e-4;
   if (std::abs(glm::dot(axes[0], axes[1])) > tolerance ||
       std::abs(glm::dot(axes[1], axes[2])) > tolerance ||

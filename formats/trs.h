@@ -1,4 +1,4 @@
-// Translation, rotation, scale: the parts glTF nodes and instances are made of.
+// Translation, rotation and scale: the parts of a transform of a glTF node or instance.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -14,11 +14,11 @@ struct Trs {
   glm::dvec3 scale{1};
 };
 
-/// T * R * S.
+/// Returns the matrix T * R * S.
 glm::dmat4 compose(const Trs& trs);
 
-/// Empty where the matrix holds shear, projection, a zero scale or anything not finite. A mirrored matrix
-/// gets a negative x scale.
+/// Returns the parts of a matrix, or nothing if it holds shear, projection, a zero scale or a value
+/// that is not finite. A mirrored matrix gets a negative x scale.
 std::optional<Trs> decompose(const glm::dmat4& matrix);
 
 }  // namespace nightcity

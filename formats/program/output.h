@@ -7,15 +7,16 @@
 
 namespace nightcity::program {
 
-/// Adds the option that names a command's output, spelled alike in every command. `target` is a string, a path
-/// or, where the option may be repeated, a vector of these. Returns the option, for `->required()`.
+/// Adds the option that names a command's output, spelled alike in every command. `target` is a
+/// string, a path or, where the option may be repeated, a vector of these. Returns the option, for
+/// `->required()`.
 template <typename Target>
 CLI::Option* add_output_option(CLI::App& command, Target& target, const std::string& help) {
   return command.add_option("-o,--out,--output", target, help);
 }
 
-/// Creates `folder` with its parents unless it exists. Throws Error when that fails or nothing can be written
-/// into it: a long computation should not find this out at its end.
+/// Creates `folder` with its parents unless it exists. Throws Error when that fails or nothing can
+/// be written into it: a long computation should not find this out at its end.
 void require_writable_folder(const std::filesystem::path& folder);
 
 /// Does the same for the folder that `file` will lie in.

@@ -6,8 +6,8 @@
 
 namespace nightcity::program {
 
-/// Returns `value` as indented JSON. Bytes that are no UTF-8 (ids and names come from strangers' files) become
-/// U+FFFD: JSON may not hold them.
+/// Returns `value` as indented JSON. Bytes that are no UTF-8 (ids and names come from strangers'
+/// files) become U+FFFD: JSON may not hold them.
 std::string to_json_text(const nlohmann::json& value);
 std::string to_json_text(const nlohmann::ordered_json& value);
 

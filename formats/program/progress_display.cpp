@@ -12,7 +12,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Faster than the eye follows would only cost time; a log file gets enough lines to see that work goes on.
+// Faster than the eye follows would only cost time; a log file gets enough lines to see that work
+// goes on.
 constexpr auto terminal_interval = 100ms;
 constexpr auto log_interval = 30s;
 

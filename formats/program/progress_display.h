@@ -19,9 +19,9 @@ struct ProgressState {
 /// Returns a duration in two units at most: "3.2 s", "48 s", "4 min 10 s", "2 h 5 min".
 std::string format_duration(std::chrono::duration<double> duration);
 
-/// Shows the progress of one piece of work. On a terminal this is one line, redrawn ten times a second at most
-/// and erased by the destructor. Elsewhere (a log file) it is one message each half minute, so short work
-/// prints none. With -q nothing is shown.
+/// Shows the progress of one piece of work. On a terminal this is one line, redrawn ten times a
+/// second at most and erased by the destructor. Elsewhere (a log file) it is one message each half
+/// minute, so short work prints none. With -q nothing is shown.
 class ProgressDisplay {
  public:
   using Clock = std::chrono::steady_clock;
@@ -38,8 +38,8 @@ class ProgressDisplay {
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
-  /// Says how far the work is. The time left assumes that the rest goes as fast as what was done since the
-  /// first call with this `total`.
+  /// Says how far the work is. The time left assumes that the rest goes as fast as what was done
+  /// since the first call with this `total`.
   void show(const ProgressState& state);
   /// Erases the line, to print something else; the next call of show draws it again.
   void clear();

@@ -10,6 +10,7 @@
 #include <new>
 
 #include "formats/error.h"
+#include "formats/program/man_page.h"
 #include "formats/signals.h"
 
 namespace nightcity::program {
@@ -27,7 +28,7 @@ void add_common_options(CLI::App& app, const Program& program) {
   app.name(program.name);
   app.set_version_flag("--version", program.name + " " + program.version,
                        "Print the program's version and exit");
-  app.footer(program.footer);
+  app.footer("Exit codes: " + program.exit_codes);
   app.require_subcommand(1);
   app.fallthrough();  // so that --quiet works after the subcommand's name too
 
@@ -44,6 +45,18 @@ void add_common_options(CLI::App& app, const Program& program) {
   });
 }
 
+// A hidden option, for the build: it ends the parsing, so that no subcommand is asked for.
+void add_man_pages_option(CLI::App& app, const Program& program) {
+  app.add_option_function<std::string>(
+         "--man-pages",
+         [&app, &program](const std::string& folder) {
+           write_man_pages(program, app, folder);
+           throw CLI::Success();
+         },
+         "Write the manual pages to this folder and exit")
+      ->group("");
+}
+
 // stdout is buffered: a disk that is full shows only when the buffer is written.
 void require_written_results() {
   if (std::fflush(stdout) != 0 || std::ferror(stdout))
@@ -51,9 +64,10 @@ void require_written_results() {
 }
 
 ExitCode parse_and_run(const Program& program, int argc, const char* const* argv) {
-  CLI::App app{program.description};
+  CLI::App app{program.name + " " + program.description};
   add_common_options(app, program);
   program.add_commands(app);
+  add_man_pages_option(app, program);
 
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
   if (program.complete_arguments) arguments = program.complete_arguments(app, std::move(arguments));

@@ -15,6 +15,16 @@ function(nightcity_install program)
   install(FILES README.md CHANGELOG.md NOTICE LICENSE formats/SPEC.md DESTINATION ${papers} COMPONENT ${program})
   install(FILES ${packaging}/copyright.${program} DESTINATION ${papers} RENAME copyright COMPONENT ${program})
 
+  # The program writes its own manual pages, from the declarations that --help prints.
+  set(pages ${CMAKE_BINARY_DIR}/man/${program})
+  add_custom_command(OUTPUT ${pages}/${program}.1
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${pages}
+    COMMAND ${program} --man-pages ${pages}
+    DEPENDS ${program} COMMENT "Writing the manual pages of ${program}" VERBATIM)
+  add_custom_target(${program}_man_pages ALL DEPENDS ${pages}/${program}.1)
+  install(DIRECTORY ${pages}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${program}
+          OPTIONAL)  # absent if only the program was built
+
   # The C++ runtime and the libraries of graphics drivers must be the system's: an older copy of ours would be loaded
   # into the driver. Plain `cmake --install` leaves libraries out: only the TGZ needs them.
   set(system_libraries "^ld-linux" "^lib(c|m|dl|rt|pthread|resolv|stdc\\+\\+|gcc_s)\\.so")

@@ -129,6 +129,7 @@ void add_compare_command(CLI::App& app) {
                    "layers of direct light")
       ->check(CLI::Range(std::size_t(0), std::size_t(1'000'000)));
   command->add_flag("--json", options->json, "Print the results as JSON");
+  command->footer("Example: nightview compare night.exr truth.exr --worst 10");
   command->callback([options] { compare_pictures(*options); });
 }
 

@@ -56,6 +56,7 @@ void add_devices_command(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("devices", "List Vulkan devices and what each offers");
   auto json = std::make_shared<bool>(false);
   sub->add_flag("--json", *json, "Print the list as JSON");
+  sub->footer("Example: nightview devices --json");
   sub->callback([json] { print_devices(*json); });
 }
 

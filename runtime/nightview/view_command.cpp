@@ -51,7 +51,8 @@ void add_view_command(CLI::App& app) {
       " choose the estimator; M shows lamp markers;\n"
       "F switches between orbiting and flying; Space starts and stops the clock; P saves the "
       "picture as\n"
-      "night-NNN.png and .exr; Tab shows or hides the panel; Esc quits.");
+      "night-NNN.png and .exr; Tab shows or hides the panel; Esc quits.\n"
+      "Example: nightview view out/demo/city.glb --camera street");
   command->render.declare(*sub);
   sub->add_option("--ev", command->view.ev100,
                   "Exposure, EV100 (default: metered from the picture again and again)")

@@ -4,6 +4,7 @@
 
 #include "formats/error.h"
 #include "formats/night_check.h"
+#include "formats/scene_reader.h"
 #include "runtime/scene/scene_geometry.h"
 
 namespace nightcity {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "formats/light_file.h"
-#include "formats/scene_file.h"
+#include "formats/scene.h"
 #include "runtime/scene/bvh.h"
 #include "shaders/scene_types.h"
 

@@ -1,4 +1,4 @@
-// Every file the fuzzers have kept, read in each test run: an Error or a scene, never a crash.
+// Reads each file that the fuzzers have kept: it must be read or refused with an Error.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "formats/error.h"
 #include "formats/light_file.h"
-#include "formats/scene_file.h"
+#include "formats/scene_reader.h"
 #include "support/fuzz_file.h"
 #include "support/temp_folder.h"
 #include "tests/formats/light_file_checksums.h"
@@ -45,7 +45,7 @@ TEST(Corpus, EveryLightFileIsReadOrRefused) {
   read_all("lights", [](const std::filesystem::path& file) {
     const std::string text = test::read_text(file);
     std::vector<std::uint8_t> bytes(text.begin(), text.end());
-    test::mend_checksums(bytes);  // as the fuzzer does
+    test::fix_checksums(bytes);  // as the fuzzer does
     LightFile::open(test::FuzzFile(bytes.data(), bytes.size()).path()).verify();
   });
 }

@@ -4,8 +4,9 @@
 
 #include "formats/draco_codec.h"
 #include "formats/gltf_constants.h"
-#include "formats/scene_file.h"
+#include "formats/scene_reader.h"
 #include "formats/scene_samples.h"
+#include "formats/scene_writer.h"
 #include "support/temp_folder.h"
 
 namespace nightcity {
@@ -41,7 +42,7 @@ TEST(Draco, MovesNoVertexBeyondTheToleranceAndKeepsIdsExactly) {
                                   {static_cast<std::uint32_t>(encoded->feature_id), 1}};
     const DracoDecoded decoded = decode_draco(std::as_bytes(std::span(encoded->bytes)), wanted);
     EXPECT_EQ(decoded.indices.size(), primitive.indices.size());
-    // Each decoded vertex lies by an original one of the same feature.
+    // Each decoded vertex is near an original one of the same feature.
     std::map<float, std::vector<glm::vec3>> originals;
     for (std::size_t i = 0; i < features.size(); ++i)
       originals[features[i]].push_back(primitive.positions[i]);
@@ -57,7 +58,7 @@ TEST(Draco, MovesNoVertexBeyondTheToleranceAndKeepsIdsExactly) {
   }
 }
 
-TEST(Draco, AMeshItCannotEncodeIsStoredPlain) {
+TEST(Draco, AMeshThatItCannotEncodeIsStoredUncompressed) {
   const test::TempFolder folder;
   SceneWriter writer(folder / "city.glb", {.draco = true});
   writer.add_material({});

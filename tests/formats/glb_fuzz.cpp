@@ -1,11 +1,10 @@
-// libFuzzer target: any bytes as a glTF scene, plain or Draco. What comes out must keep the reader's
-// promises.
+// libFuzzer target: reads any bytes as a glTF scene. A scene that is read must be valid.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 
 #include "formats/error.h"
-#include "formats/scene_file.h"
+#include "formats/scene_reader.h"
 #include "support/fuzz_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -23,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         for (const glm::vec3& p : primitive.positions)
           if (!std::isfinite(p.x + p.y + p.z)) std::abort();
       }
-  } catch (const Error&) {  // what a broken file deserves
+  } catch (const Error&) {  // a broken file is refused
   }
   return 0;
 }

@@ -1,5 +1,6 @@
-// Not a test: how fast city.lights is written, opened and checked.
-//   light_bench [LIGHTS] [FOLDER]      default: 1000000 lights, into the system's folder for temporary files
+// A benchmark: prints how fast city.lights is written, opened and checked.
+//   light_bench [LIGHTS] [FOLDER]
+// Default: 1000000 lights, in the system's folder for temporary files.
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -1,4 +1,4 @@
-// A light file's checksums made right, so that what lies behind them can be tested with broken content.
+// Corrects the checksums of a light file, so that tests can break the content that they protect.
 #pragma once
 
 #include <xxhash.h>
@@ -9,8 +9,8 @@
 
 namespace nightcity::test {
 
-// Offsets of SPEC.md, section 3.
-inline void mend_checksums(std::vector<std::uint8_t>& bytes) {
+// Offsets are those of SPEC.md, section 3.
+inline void fix_checksums(std::vector<std::uint8_t>& bytes) {
   const auto number = [&](std::size_t at) {
     std::uint64_t value = 0;
     std::memcpy(&value, bytes.data() + at, sizeof value);

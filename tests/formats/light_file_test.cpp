@@ -68,7 +68,7 @@ struct Sample {
   }
 };
 
-TEST(LightFileWriter, LightsThatComeOneByOneMakeTheSameFile) {
+TEST(LightFileWriter, LightsAddedOneByOneMakeTheSameFile) {
   const TempFolder folder;
   const Sample sample;
   write_light_file(folder / "whole.lights", sample.content());
@@ -83,7 +83,7 @@ TEST(LightFileWriter, LightsThatComeOneByOneMakeTheSameFile) {
   EXPECT_EQ(test::read_text(folder / "streamed.lights"), test::read_text(folder / "whole.lights"));
 }
 
-TEST(LightFileWriter, SchedulesThatComeOneByOneStandBeforeThoseOfTheRest) {
+TEST(LightFileWriter, SchedulesAddedOneByOneComeBeforeTheOthers) {
   const TempFolder folder;
   Sample sample;
   {
@@ -125,7 +125,7 @@ TEST(LightKind, KindAndProfileSurviveTheirPacking) {
     }
 }
 
-TEST(LightFileWriter, RefusesUnfitLightsAndLeavesNothing) {
+TEST(LightFileWriter, RefusesInvalidLightsAndLeavesNothing) {
   const TempFolder folder;
   const Sample sample;
   {
@@ -274,14 +274,14 @@ TEST(LightFile, FindsEveryChangedByte) {
     test::write_text(folder / "changed", changed);
     try {
       LightFile::open(folder / "changed").verify();
-      ++padding;  // zero bytes between sections carry nothing and no checksum
+      ++padding;  // no checksum covers the zero bytes between sections
     } catch (const Error&) {
     }
   }
   EXPECT_LT(padding, 13u * 64u);
 }
 
-// Adds a section to the table, as a later version of the format might, by the layout in SPEC.md.
+// Adds a section to the table, as a later version of the format might. SPEC.md describes the layout.
 std::string with_section(std::string bytes, const char* tag) {
   const auto put = [&bytes](std::size_t at, std::uint64_t value) {
     std::memcpy(&bytes[at], &value, 8);
@@ -290,7 +290,7 @@ std::string with_section(std::string bytes, const char* tag) {
   std::memcpy(&table, &bytes[24], 8);
   std::string entry(32, '\0');
   std::memcpy(entry.data(), tag, 4);
-  entry[4] = 1;  // element size; offset 0, no elements, checksum of nothing
+  entry[4] = 1;  // element size; offset 0, no elements
   const std::uint64_t nothing = XXH64(nullptr, 0, 0);
   std::memcpy(&entry[24], &nothing, 8);
   bytes += entry;
@@ -343,7 +343,7 @@ TEST(Rgb9e5, KeepsColoursToNineBits) {
   EXPECT_EQ(encode_rgb9e5({-1, std::nanf(""), 0}), 0u);
   EXPECT_EQ(decode_rgb9e5(encode_rgb9e5({1e9f, 0, 0})).x, 65408.0f);
   EXPECT_EQ(encode_rgb9e5({1, 1, 1}),
-            0x84020100u);  // the extension's own layout: mantissas 256, exponent 16
+            0x84020100u);  // by the extension's layout: mantissas 256, exponent 16
 }
 
 TEST(LightFileEdit, ContentIsAllThatTheFileHolds) {

@@ -1,4 +1,5 @@
-// libFuzzer target: any bytes as a light file. The checksums keep a fuzzer out, so they are made right first.
+// libFuzzer target: reads any bytes as a light file. Its checksums are corrected first, because
+// otherwise hardly any input would get past them.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -12,7 +13,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace nightcity;
   std::vector<std::uint8_t> bytes(data, data + size);
-  test::mend_checksums(bytes);
+  test::fix_checksums(bytes);
   const test::FuzzFile file(bytes.data(), bytes.size());
   try {
     const LightFile lights = LightFile::open(file.path());
@@ -26,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (profile.data_offset + std::uint64_t{profile.c_count} * profile.gamma_count >
           lights.profile_data().size())
         std::abort();
-  } catch (const Error&) {  // what a broken file deserves
+  } catch (const Error&) {  // a broken file is refused
   }
   return 0;
 }

@@ -1,4 +1,4 @@
-// The reader on glTF files that are not ours: foreign ones that must open, broken ones that must not.
+// Reads glTF files that others made: valid ones must open, broken ones must be refused.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -6,8 +6,9 @@
 #include <random>
 
 #include "formats/error.h"
-#include "formats/scene_file.h"
+#include "formats/scene_reader.h"
 #include "formats/scene_samples.h"
+#include "formats/scene_writer.h"
 #include "support/temp_folder.h"
 
 namespace nightcity {
@@ -35,7 +36,7 @@ std::string bytes_of(std::initializer_list<T> values) {
   return {reinterpret_cast<const char*>(values.begin()), values.size() * sizeof(T)};
 }
 
-// A square's four corners, then indices of it in 8 bits: 0 1 2 3.
+// The four corners of a square, then its indices 0 1 2 3 in 8 bits each.
 json foreign(std::string data = bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}) +
                                 bytes_of<std::uint8_t>({0, 1, 2, 3})) {
   return {{"asset", {{"version", "2.0"}}},
@@ -76,7 +77,7 @@ TEST(SceneReader, TakesStripsFansAndUnindexedLists) {
   EXPECT_TRUE(read(document).meshes[0].primitives.empty());
 }
 
-TEST(SceneReader, GivesStrangersTheDefaultsOfGltf) {
+TEST(SceneReader, UsesTheDefaultsOfGltf) {
   const Scene scene = read(foreign());
   ASSERT_EQ(scene.materials.size(), 1u);
   EXPECT_EQ(scene.materials[0].base_colour, glm::vec3(1));
@@ -98,7 +99,7 @@ TEST(SceneReader, JoinsTheTransformsOfAHierarchy) {
   EXPECT_NEAR(corner.x, 10, 1e-6);
   EXPECT_NEAR(corner.y, 2, 1e-6);
   EXPECT_NEAR(corner.z, -3, 1e-6);
-  document.erase("scenes");  // allowed: the roots are then the nodes without a parent
+  document.erase("scenes");  // allowed; the roots are the nodes without a parent
   document.erase("scene");
   EXPECT_EQ(read(document).nodes.size(), 1u);
 }
@@ -186,7 +187,7 @@ TEST(SceneReader, SurvivesNestingAndChainsOfAMillion) {
   const std::size_t deep = 1'000'000;
   test::write_text(folder / "deep.gltf", R"({"asset":{"version":"2.0"},"extras":)" +
                                              std::string(deep, '[') + std::string(deep, ']') + "}");
-  EXPECT_NO_THROW(read_scene(folder / "deep.gltf"));  // means nothing to us, harms nothing
+  EXPECT_NO_THROW(read_scene(folder / "deep.gltf"));  // the reader ignores these members
   test::write_text(folder / "open.gltf", R"({"asset":)" + std::string(deep, '['));
   EXPECT_THROW(read_scene(folder / "open.gltf"), Error);
 
@@ -211,7 +212,7 @@ std::string ours(const TempFolder& folder, bool draco) {
   return test::read_text(folder / "ours.glb");
 }
 
-// Opens or throws Error; anything else ends the test program.
+// Reads the file or gets an Error; any other exception ends the test program.
 void must_not_fall(const std::filesystem::path& path, const std::string& bytes) {
   test::write_text(path, bytes);
   try {

@@ -1,11 +1,11 @@
 // Small scenes for tests.
 #pragma once
 
-#include "formats/scene_file.h"
+#include "formats/scene.h"
 
 namespace nightcity::test {
 
-/// A horizontal square of two triangles about the origin, side `size` m.
+/// Returns a horizontal square of two triangles, centred on the origin, with sides of `size` m.
 inline ScenePrimitive square(float size, std::uint32_t material = 0) {
   const float h = size / 2;
   ScenePrimitive primitive;
@@ -15,8 +15,7 @@ inline ScenePrimitive square(float size, std::uint32_t material = 0) {
   return primitive;
 }
 
-/// `count` squares side by side in rows, with a feature each: a mesh with more vertices than 16 bits hold
-/// when asked.
+/// Returns `count` squares in rows, each a feature of its own.
 inline ScenePrimitive field(std::uint32_t count, std::uint32_t material = 0) {
   ScenePrimitive result;
   result.material = material;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "formats/light.h"
-#include "formats/scene_file.h"
+#include "formats/scene.h"
 #include "runtime/measure/image.h"
 #include "runtime/scene/camera.h"
 

@@ -1,7 +1,7 @@
 // What each stage of a bake is to do.
 #pragma once
 
-#include "formats/scene_file.h"
+#include "formats/scene_writer.h"
 #include "tools/bake/city/city_inputs.h"
 #include "tools/bake/recipe/recipe.h"
 #include "tools/bake/scene/scene_tiles.h"

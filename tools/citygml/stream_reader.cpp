@@ -103,7 +103,7 @@ class StreamReader {
         xml.load_buffer_inplace(batch.bytes.get() + member.begin, member.size, gml_parse_flags,
                                 head.latin1 ? pugi::encoding_latin1 : pugi::encoding_utf8);
     if (!result)
-      throw Error(document_.name, "line " + std::to_string(member.line),
+      throw Error(document_.name, member.line,
                   "not XML: " + std::string(result.description()) + " in <" + member.name + ">");
   }
 

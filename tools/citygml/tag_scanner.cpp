@@ -55,7 +55,7 @@ void TagScanner::skip_byte_order_mark() {
 }
 
 void TagScanner::fail(std::size_t at, const std::string& message) {
-  throw Error(name_, "line " + std::to_string(line_of(std::min(at, size_))), message);
+  throw Error(name_, line_of(std::min(at, size_)), message);
 }
 
 std::size_t TagScanner::line_of(std::size_t at) {

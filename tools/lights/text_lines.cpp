@@ -37,7 +37,7 @@ TextLines::TextLines(std::filesystem::path file) : name_(file.string()) {
 }
 
 void TextLines::fail(std::size_t number, const std::string& message) const {
-  throw Error(name_, "line " + std::to_string(number), message);
+  throw Error(name_, number, message);
 }
 
 double TextLines::number(std::string_view text, std::size_t line, std::string_view what) const {

@@ -1,7 +1,7 @@
 #include <map>
 #include <set>
 
-#include "formats/scene_file.h"
+#include "formats/scene_reader.h"
 #include "tools/nightbake/inspect.h"
 
 namespace nightcity {

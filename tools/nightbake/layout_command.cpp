@@ -70,7 +70,8 @@ void add_layout_command(CLI::App& app) {
                     "text has");
   command->footer(
       "Illuminances are those of new luminaires; 0.8 times these are left when the class "
-      "(EN 13201-2) must still be met.");
+      "(EN 13201-2) must still be met.\n"
+      "Example: nightbake layout town.toml --out lamps.osm");
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -52,6 +52,7 @@ void add_town_command(CLI::App& app) {
       ->check(CLI::PositiveNumber);
   command->add_option("--hills", arguments->town.hills_m, "Height from valley to hilltop, m")
       ->capture_default_str();
+  command->footer("Example: nightbake town --blocks 20 --out town");
   command->callback([arguments] { run(*arguments); });
 }
 

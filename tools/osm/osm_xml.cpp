@@ -37,12 +37,12 @@ bool deleted(const pugi::xml_node& element) {
          std::string_view(element.attribute("visible").value()) == "false";
 }
 
-std::string line_at(const std::filesystem::path& file, std::ptrdiff_t offset) {
+std::size_t line_at(const std::filesystem::path& file, std::ptrdiff_t offset) {
   std::ifstream stream(file, std::ios::binary);
   std::string text(static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)), '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  return "line " +
-         std::to_string(1 + std::count(text.begin(), text.begin() + stream.gcount(), '\n'));
+  return 1 +
+         static_cast<std::size_t>(std::count(text.begin(), text.begin() + stream.gcount(), '\n'));
 }
 
 }  // namespace

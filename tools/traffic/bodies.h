@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "formats/scene_file.h"
+#include "formats/scene.h"
 #include "tools/traffic/vehicle_types.h"
 
 namespace nightcity::traffic {

@@ -67,7 +67,7 @@ class Stretch {
       const auto u = on_drive(n, t);
       if (!u) return true;
       const Trip& trip = traffic_.trips[n];
-      const VehiclePose pose = pose_on_drive(knots_of(trip), *u);
+      const VehiclePose pose = pose_on_trip(knots_of(trip), *u);
       const glm::vec3 half = traffic_.vehicles[trip.vehicle].half_size;
       bodies_.push_back({n,
                          {pose.position.x, pose.position.z},

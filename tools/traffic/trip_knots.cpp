@@ -158,7 +158,7 @@ class KnotFitter {
     pair[1].time_s = static_cast<float>(moments_[to].time - begin);
     KnotError error;
     for (std::size_t n = from + 1; n < to; ++n) {
-      const VehiclePose pose = pose_on_drive(pair, moments_[n].time - begin);
+      const VehiclePose pose = pose_on_trip(pair, moments_[n].time - begin);
       const Curve::Place& place = moments_[n].place;
       const double off = glm::distance(pose.position, georeference_.to_model(place.point));
       const double turned =

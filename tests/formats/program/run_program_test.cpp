@@ -20,9 +20,9 @@ struct Outcome {
 Program make_program(std::function<void()> work) {
   Program program;
   program.name = "lamplighter";
-  program.description = "lamplighter: lights lamps";
+  program.description = "lights lamps";
   program.version = "1.2.3";
-  program.footer = "Exit codes: 0, 1 and 2.";
+  program.exit_codes = "0, 1 and 2.";
   program.add_commands = [work = std::move(work)](CLI::App& app) {
     app.add_subcommand("work", "Work")->callback(work);
   };
@@ -56,7 +56,8 @@ TEST(RunProgram, PrintsHelpAndVersionAsResults) {
   EXPECT_EQ(version.out, "lamplighter 1.2.3\n");
   const Outcome help = run_work([] { FAIL(); }, {"--help"});
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* part : {"lights lamps", "work", "--version", "-v,--verbose", "Exit codes"})
+  for (const char* part :
+       {"lamplighter lights lamps", "work", "--version", "-v,--verbose", "Exit codes"})
     EXPECT_NE(help.out.find(part), std::string::npos) << part;
   EXPECT_EQ(version.err + help.err, "");
 }

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "formats/light_file.h"
-#include "formats/scene_file.h"
+#include "formats/scene_writer.h"
 #include "runtime/measure/table.h"
 #include "support/process.h"
 #include "support/scenes.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "formats/scene_reader.h"
 #include "runtime/scene/camera.h"
 #include "support/berlin.h"
 #include "support/estimators.h"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "formats/light_file.h"
-#include "formats/scene_file.h"
+#include "formats/scene_writer.h"
 #include "runtime/measure/png.h"
 #include "runtime/scene/camera.h"
 #include "support/process.h"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "formats/light_file.h"
-#include "formats/scene_file.h"
+#include "formats/scene_reader.h"
 #include "support/data.h"
 #include "support/temp_folder.h"
 #include "tools/bake/bake.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "formats/error.h"
-#include "formats/scene_file.h"
+#include "formats/scene_reader.h"
 #include "support/data.h"
 #include "support/temp_folder.h"
 #include "tests/tools/citygml/small_city.h"

@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "formats/scene_reader.h"
 #include "support/temp_folder.h"
 #include "tools/bake/scene/materials.h"
 

@@ -146,7 +146,7 @@ TEST(MemberSplitter, BrokenDocumentsAreErrorsWithALine) {
       cut(text);
       ADD_FAILURE() << text;
     } catch (const Error& e) {
-      EXPECT_NE(std::string(e.what()).find("test.gml: line 2"), std::string::npos) << text << "\n"
+      EXPECT_NE(std::string(e.what()).find("test.gml:2: "), std::string::npos) << text << "\n"
                                                                                    << e.what();
     }
   }

@@ -68,7 +68,7 @@ TEST(LayoutCommand, WhatARecipeMayNotSayIsAUsageErrorWithItsLine) {
         "class = {raceway = \"P4\"}\n", "class = \"P4\"\n", "class = {residential = 4}\n"}) {
     const Outcome outcome = lay_out(dark_sample(folder, lamps));
     EXPECT_EQ(outcome.exit_code, 2) << lamps << outcome.err;
-    EXPECT_NE(outcome.err.find("line 6"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(":6: "), std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.out, "");
   }
 }

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/light_file.h"
-#include "formats/scene_file.h"
+#include "formats/scene_reader.h"
 #include "support/process.h"
 #include "support/temp_folder.h"
 #include "tools/nightbake/sample_city.h"
@@ -269,17 +269,17 @@ TEST(Nightbake, ARecipesFaultsAreNamedByLine) {
     EXPECT_FALSE(std::filesystem::exists(folder / "new")) << recipe;
   };
   fails("[city]\nflies = [\"city.gml\"]\n", 2,
-        "line 2: unknown key [city] flies; did you mean \"files\"?");
+        ".toml:2: unknown key [city] flies; did you mean \"files\"?");
   fails("[city]\nfiles = [\"city.gml\"]\n\n[ciy]\n", 2,
-        "line 4: unknown table [ciy]; did you mean \"city\"?");
+        ".toml:4: unknown table [ciy]; did you mean \"city\"?");
   fails("[city]\nfiles = [\"city.gml\"]\ntile_m = \"wide\"\n", 2,
-        "line 3: [city] tile_m is not a number");
-  fails("[city]\nfiles = [\"city.gml\"]\ntile_m = -4\n", 2, "line 3");
-  fails("[city]\nfiles = [\"city.gml\"]\nreader = \"fast\"\n", 2, "line 3");
-  fails("[city]\nfiles = 3\n", 2, "line 2");
-  fails("[city]\nfiles = []\n", 2, "line 2");
+        ".toml:3: [city] tile_m is not a number");
+  fails("[city]\nfiles = [\"city.gml\"]\ntile_m = -4\n", 2, ".toml:3: ");
+  fails("[city]\nfiles = [\"city.gml\"]\nreader = \"fast\"\n", 2, ".toml:3: ");
+  fails("[city]\nfiles = 3\n", 2, ".toml:2: ");
+  fails("[city]\nfiles = []\n", 2, ".toml:2: ");
   fails("", 2, "names no city");
-  fails("[city\n", 1, "line 1");
+  fails("[city\n", 1, ".toml:1: ");
   EXPECT_EQ(bake(folder / "absent.toml", folder / "new").exit_code, 1);
   EXPECT_EQ(bake(folder / "city.gml", folder / "new").exit_code, 1);
 }

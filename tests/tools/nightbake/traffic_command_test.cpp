@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/light_file.h"
-#include "formats/scene_file.h"
+#include "formats/scene_reader.h"
 #include "support/process.h"
 #include "support/temp_folder.h"
 

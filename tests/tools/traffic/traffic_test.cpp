@@ -63,9 +63,9 @@ TEST(Traffic, PlaceSpeedAndHeadingAreContinuousOverTheWholeCycle) {
   constexpr double step = 1.0 / 32;
   for (const Trip& trip : content.trips) {
     const auto knots = knots_of(content, trip);
-    VehiclePose last = pose_on_drive(knots, 0);
+    VehiclePose last = pose_on_trip(knots, 0);
     for (double u = step; u <= double{knots.back().time_s}; u += step) {
-      const VehiclePose pose = pose_on_drive(knots, u);
+      const VehiclePose pose = pose_on_trip(knots, u);
       const double speed = std::max(glm::length(pose.velocity), glm::length(last.velocity));
       ASSERT_LE(glm::distance(pose.position, last.position), speed * step * 1.2 + 0.005);
       ASSERT_LE(glm::distance(pose.velocity, last.velocity), 12 * step + 0.25);

@@ -121,7 +121,7 @@ void refuse_unknown(const std::string& file, const toml::key& key, const std::st
   std::string message = "unknown " + what;
   const std::string nearest = find_nearest_word(std::string(key.str()), known);
   if (!nearest.empty()) message += "; did you mean \"" + nearest + "\"?";
-  throw UsageError(file, "line " + std::to_string(key.source().begin.line), message);
+  throw UsageError(file, key.source().begin.line, message);
 }
 
 }  // namespace nightcity::recipe

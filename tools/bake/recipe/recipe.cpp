@@ -27,7 +27,7 @@ toml::table parse(const fs::path& path) {
   try {
     return toml::parse(text, path.string());
   } catch (const toml::parse_error& error) {
-    throw Error(path.string(), "line " + std::to_string(error.source().begin.line),
+    throw Error(path.string(), error.source().begin.line,
                 "is not TOML: " + std::string(error.description()));
   }
 }

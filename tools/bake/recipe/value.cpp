@@ -5,8 +5,7 @@
 namespace nightcity::recipe {
 
 void Value::refuse(const std::string& message) const {
-  const auto line = node.source().begin.line;
-  throw UsageError(file, line ? "line " + std::to_string(line) : "", name + " " + message);
+  throw UsageError(file, node.source().begin.line, name + " " + message);
 }
 
 double Value::number(double min, double max) const {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/scene_file.h"
+#include "formats/scene_writer.h"
 #include "tools/bake/report/city_report.h"
 #include "tools/bake/report/light_report.h"
 #include "tools/bake/report/scene_report.h"

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "formats/georeference.h"
-#include "formats/scene_file.h"
+#include "formats/scene_writer.h"
 #include "tools/lights/place_lamps.h"
 
 namespace nightcity {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "formats/scene_file.h"
+#include "formats/scene_reader.h"
 
 namespace nightcity {
 namespace {

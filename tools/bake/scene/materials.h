@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <map>
 
-#include "formats/scene_file.h"
+#include "formats/scene_writer.h"
 #include "tools/city/city_model.h"
 
 namespace nightcity {

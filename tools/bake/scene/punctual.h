@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "formats/light.h"
-#include "formats/scene_file.h"
+#include "formats/scene.h"
 
 namespace nightcity {
 

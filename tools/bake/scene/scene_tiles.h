@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "formats/scene_file.h"
+#include "formats/scene_writer.h"
 #include "tools/bake/city/city.h"
 #include "tools/bake/city/city_consumer.h"
 #include "tools/bake/progress.h"

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "formats/scene_file.h"
+#include "formats/scene.h"
 #include "tools/bake/scene/materials.h"
 #include "tools/cell_file.h"
 #include "tools/city/city_model.h"

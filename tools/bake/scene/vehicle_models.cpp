@@ -20,7 +20,7 @@ std::vector<SceneInstance> place_kind(const TrafficContent& content, std::uint32
   }
   if (first && instances.empty()) {
     const auto knots = content.knots.subspan(first->first_knot, first->knot_count);
-    instances.push_back({glm::mat4(to_model(pose_on_drive(knots, 0))), no_id});
+    instances.push_back({glm::mat4(to_model(pose_on_trip(knots, 0))), no_id});
   }
   return instances;
 }

@@ -1,7 +1,7 @@
 // What vehicles look like: one node a kind, an instance each vehicle.
 #pragma once
 
-#include "formats/scene_file.h"
+#include "formats/scene_writer.h"
 #include "tools/traffic/traffic.h"
 
 namespace nightcity {

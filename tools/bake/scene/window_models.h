@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "formats/georeference.h"
-#include "formats/scene_file.h"
+#include "formats/scene_writer.h"
 #include "tools/cell_file.h"
 #include "tools/lights/windows.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "formats/light_file_writer.h"
-#include "formats/scene_file.h"
+#include "formats/scene_writer.h"
 #include "tools/bake/city/city.h"
 #include "tools/bake/report/light_report.h"
 #include "tools/bake/stages/lamp_stage.h"

@@ -1,4 +1,5 @@
-#include "formats/scene_file.h"
+#include "formats/scene_writer.h"
+#include "formats/scene_reader.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,7 @@ Georeference berlin() {
           {"OpenStreetMap contributors, ODbL 1.0"}};
 }
 
-TEST(SceneFile, KeepsGeometryMaterialsFeaturesAndInstances) {
+TEST(SceneWriter, KeepsGeometryMaterialsFeaturesAndInstances) {
   const TempFolder folder;
   SceneWriter writer(folder / "city.glb", {});
   writer.add_material({.name = "wall", .base_colour = {0.5f, 0.25f, 0.125f}, .roughness = 0.75f});
@@ -94,7 +95,7 @@ TEST(SceneFile, KeepsGeometryMaterialsFeaturesAndInstances) {
   }
 }
 
-TEST(SceneFile, HoldsMeshesOnBothSidesOf16BitIndices) {
+TEST(SceneWriter, HoldsMeshesOnBothSidesOf16BitIndices) {
   const TempFolder folder;
   for (const std::uint32_t squares : {16383u, 16384u}) {  // 65532 and 65536 vertices
     SceneWriter writer(folder / "big.glb", {});
@@ -108,7 +109,7 @@ TEST(SceneFile, HoldsMeshesOnBothSidesOf16BitIndices) {
   }
 }
 
-TEST(SceneFile, SameContentGivesTheSameBytes) {
+TEST(SceneWriter, SameContentGivesTheSameBytes) {
   const TempFolder folder;
   const auto write = [&](const char* name, bool draco) {
     SceneWriter writer(folder / name, {.draco = draco});
@@ -121,7 +122,7 @@ TEST(SceneFile, SameContentGivesTheSameBytes) {
   EXPECT_EQ(write("c.glb", true), write("d.glb", true));
 }
 
-TEST(SceneFile, LeavesNothingBehindWithoutFinish) {
+TEST(SceneWriter, LeavesNothingBehindWithoutFinish) {
   const TempFolder folder;
   {
     SceneWriter writer(folder / "city.glb", {});
@@ -131,7 +132,7 @@ TEST(SceneFile, LeavesNothingBehindWithoutFinish) {
   EXPECT_EQ(folder.entries(), 0u);
 }
 
-TEST(SceneFile, WriterRefusesWhatNoReaderCouldUse) {
+TEST(SceneWriter, RefusesWhatNoReaderCouldUse) {
   const TempFolder folder;
   SceneWriter writer(folder / "city.glb", {});
   writer.add_material({});
@@ -156,7 +157,7 @@ TEST(SceneFile, WriterRefusesWhatNoReaderCouldUse) {
   EXPECT_THROW(writer.add_node({"", "", mesh, true, {{shear, no_id}}}), Error);
 }
 
-TEST(SceneFile, WriterNamesAPlaceThatCannotBeWritten) {
+TEST(SceneWriter, NamesAPlaceThatCannotBeWritten) {
   const TempFolder folder;
   test::write_text(folder / "file", "x");
   EXPECT_THROW(SceneWriter(folder / "file/city.glb", {}), Error);

@@ -1,0 +1,90 @@
+// The content of a city.glb: what SceneWriter writes and read_scene returns.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formats/georeference.h"
+
+namespace nightcity {
+
+constexpr std::uint32_t no_id = 0xFFFFFFFFu;  // no feature, no light, no vehicle
+
+struct SceneMaterial {
+  std::string name;
+  glm::vec3 base_colour{0.5f};     // reflectance, linear Rec. 709
+  glm::vec3 emission_cd_m2{0.0f};  // emitted luminance of each channel
+  float roughness = 1.0f;
+  bool double_sided = true;
+};
+
+/// Triangles of one material.
+struct ScenePrimitive {
+  std::uint32_t material = 0;          // index into Scene::materials
+  std::vector<glm::vec3> positions;    // m, in the node's own frame
+  std::vector<std::uint32_t> indices;  // three for each triangle, each < positions.size()
+  // One for each vertex, or empty: the city object it belongs to (index into Scene::features) and
+  // the light whose luminous surface it is part of (index into city.lights).
+  std::vector<std::uint32_t> feature_ids;
+  std::vector<std::uint32_t> light_ids;
+};
+
+struct SceneMesh {
+  std::string name;
+  std::vector<ScenePrimitive> primitives;
+};
+
+/// One placement of a mesh. A node with many of them becomes EXT_mesh_gpu_instancing in the file.
+struct SceneInstance {
+  glm::mat4 to_model{1.0f};  // from the mesh's frame to model space
+  std::uint32_t light =
+      no_id;  // the light whose luminous surface this instance is (attribute _LIGHT)
+};
+
+struct SceneNode {
+  std::string name;
+  // extras.nightcity.kind: "city", "terrain", "road", "lamp", "window" or "vehicle"; "" in files of
+  // others.
+  std::string kind;
+  std::uint32_t mesh = 0;
+  // extras.nightcity.casts_shadow. False: cameras see the node, shadow rays pass through it.
+  bool casts_shadow = true;
+  std::vector<SceneInstance> instances;
+  // extras.nightcity.vehicle: the mesh is the body of this kind of vehicle, in the vehicle's frame.
+  std::uint32_t vehicle = no_id;
+};
+
+/// A building or another city object, kept in the file (EXT_structural_metadata) to identify what a
+/// user clicks on.
+struct SceneFeature {
+  std::string id;
+  std::string type;      // "Building", "Road", ...
+  std::string function;  // code or text as in the source; "" = absent
+  std::optional<double> measured_height_m;
+  std::optional<int> storeys_above_ground;
+};
+
+/// A light without size (KHR_lights_punctual), for other programs; ours read city.lights instead.
+struct ScenePunctual {
+  glm::vec3 position{0};          // m, in model space
+  glm::vec3 direction{0, -1, 0};  // unit vector along a spot's axis
+  glm::vec3 colour{1};            // linear Rec. 709, luminance 1
+  double intensity_cd = 0;        // along the axis
+  // Half angles of a spot's cone, inner < outer <= pi / 2. outer_rad = 0: a point light, which has
+  // no cone.
+  double inner_rad = 0, outer_rad = 0;
+};
+
+struct Scene {
+  Georeference georeference;
+  std::vector<SceneMaterial> materials;
+  std::vector<SceneMesh> meshes;
+  std::vector<SceneNode> nodes;
+  std::vector<SceneFeature> features;
+};
+
+}  // namespace nightcity

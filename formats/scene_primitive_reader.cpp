@@ -1,0 +1,149 @@
+#include "formats/scene_primitive_reader.h"
+
+#include <cmath>
+#include <cstring>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "formats/draco_codec.h"
+#include "formats/error.h"
+#include "formats/gltf_constants.h"
+
+namespace nightcity {
+namespace {
+
+using gltf::extension;
+using gltf::Json;
+using gltf::member;
+
+constexpr std::size_t mode_triangles = 4, mode_fan = 6;  // 5: a strip
+
+// Returns the triangles of a list, strip or fan, three indices each.
+std::vector<std::uint32_t> to_triangle_list(std::size_t mode, std::vector<std::uint32_t> indices) {
+  if (mode == mode_triangles) {
+    indices.resize(indices.size() / 3 * 3);
+    return indices;
+  }
+  std::vector<std::uint32_t> list;
+  for (std::size_t i = 0; i + 2 < indices.size(); ++i) {
+    if (mode == mode_fan)
+      list.insert(list.end(), {indices[i + 1], indices[i + 2], indices[0]});
+    else
+      list.insert(list.end(), {indices[i], indices[i + 1 + i % 2], indices[i + 2 - i % 2]});
+  }
+  return list;
+}
+
+// Feature ids have a meaning only through a property table of ours; without one there are none.
+std::vector<std::uint32_t> to_feature_ids(const Json& source, const std::vector<float>& values,
+                                          const std::vector<FeatureRange>& tables) {
+  const Json& sets = member(extension(source, gltf::mesh_features), "featureIds");
+  if (values.empty() || !sets.is_array() || sets.empty()) return {};
+  const auto table = gltf::index(sets.at(0), "propertyTable"),
+             none = gltf::index(sets.at(0), "nullFeatureId");
+  if (!table || *table >= tables.size() || tables[*table].count == 0) return {};
+  const auto [first, count] = tables[*table];
+  std::vector<std::uint32_t> ids(values.size(), no_id);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (none && values[i] == static_cast<float>(*none)) continue;
+    if (!(values[i] >= 0 && values[i] < static_cast<float>(count)))
+      throw Error("", gltf::feature_attribute, "id lies outside its property table");
+    ids[i] = static_cast<std::uint32_t>(first + static_cast<std::size_t>(values[i]));
+  }
+  return ids;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> to_light_ids(const std::vector<float>& values) {
+  std::vector<std::uint32_t> ids(values.size(), no_id);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!(values[i] < static_cast<float>(gltf::max_id)))
+      throw Error("", gltf::light_attribute, "is no light id");
+    if (values[i] >= 0) ids[i] = static_cast<std::uint32_t>(values[i]);
+  }
+  return ids;
+}
+
+std::optional<ScenePrimitive> PrimitiveReader::read(const Json& source,
+                                                    const std::vector<FeatureRange>& tables) const {
+  const std::size_t mode = gltf::index(source, "mode").value_or(mode_triangles);
+  if (mode > mode_fan) throw Error("", "mode " + std::to_string(mode), "is not known");
+  if (mode < mode_triangles) return {};
+  ScenePrimitive primitive;
+  const VertexIds ids = read_geometry(source, primitive);
+  primitive.indices = to_triangle_list(mode, std::move(primitive.indices));
+  primitive.feature_ids = to_feature_ids(source, ids.features, tables);
+  primitive.light_ids = to_light_ids(ids.lights);
+  return primitive;
+}
+
+PrimitiveReader::VertexIds PrimitiveReader::read_geometry(const Json& source,
+                                                          ScenePrimitive& target) const {
+  const Json& draco = extension(source, gltf::draco);
+  std::vector<float> positions;
+  VertexIds ids = draco.is_object() ? read_draco(draco, positions, target.indices)
+                                    : read_plain(source, positions, target.indices);
+  const std::size_t vertices = positions.size() / 3;
+  for (const float value : positions)
+    if (!std::isfinite(value)) throw Error("", "POSITION", "is not finite");
+  for (const std::uint32_t index : target.indices)
+    if (index >= vertices)
+      throw Error("", "index " + std::to_string(index),
+                  "of " + std::to_string(vertices) + " vertices");
+  for (const auto* values : {&ids.features, &ids.lights})
+    if (!values->empty() && values->size() != vertices)
+      throw Error("", "attributes", "differ in length");
+  target.positions.resize(vertices);
+  if (vertices != 0)
+    std::memcpy(target.positions.data(), positions.data(), vertices * sizeof(glm::vec3));
+  return ids;
+}
+
+PrimitiveReader::VertexIds PrimitiveReader::read_plain(const Json& source,
+                                                       std::vector<float>& positions,
+                                                       std::vector<std::uint32_t>& indices) const {
+  const Json& attributes = member(source, "attributes");
+  VertexIds ids;
+  const auto read = [&](const char* name, int components, std::vector<float>& values) {
+    if (const auto accessor = gltf::index(attributes, name))
+      values = accessors_.floats(*accessor, components);
+  };
+  read("POSITION", 3, positions);
+  read(gltf::feature_attribute, 1, ids.features);
+  read(gltf::light_attribute, 1, ids.lights);
+  if (const auto accessor = gltf::index(source, "indices")) {
+    indices = accessors_.indices(*accessor);
+  } else {
+    indices.resize(positions.size() / 3);
+    std::iota(indices.begin(), indices.end(), 0u);
+  }
+  return ids;
+}
+
+PrimitiveReader::VertexIds PrimitiveReader::read_draco(const Json& draco,
+                                                       std::vector<float>& positions,
+                                                       std::vector<std::uint32_t>& indices) const {
+  const Json& names = member(draco, "attributes");
+  VertexIds ids;
+  std::vector<DracoAttribute> wanted;
+  std::vector<std::vector<float>*> targets;
+  const auto want = [&](const char* name, int components, std::vector<float>& values) {
+    const auto id = gltf::index(names, name);
+    if (!id) return;
+    wanted.push_back({static_cast<std::uint32_t>(*id), components});
+    targets.push_back(&values);
+  };
+  want("POSITION", 3, positions);
+  want(gltf::feature_attribute, 1, ids.features);
+  want(gltf::light_attribute, 1, ids.lights);
+  const auto view = gltf::index(draco, "bufferView");
+  if (!view) throw Error("", gltf::draco, "has no bufferView");
+  DracoDecoded decoded = decode_draco(accessors_.view(*view), wanted);
+  for (std::size_t i = 0; i < targets.size(); ++i) *targets[i] = std::move(decoded.attributes[i]);
+  indices = std::move(decoded.indices);
+  return ids;
+}
+
+}  // namespace nightcity
