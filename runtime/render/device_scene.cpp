@@ -59,7 +59,7 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
   bounds_ = scene.bounds;
   for (const Light& light : scene.lights) flux_lm_.push_back(light.flux_lm);
   lights_ = scene.lights;
-  // A scene whose schedules nobody uses pays nothing for them.
+  // Schedules that no light uses are dropped, so that they cost nothing.
   if (any_light([](const Light& light) { return light.schedule != LIGHT_ALWAYS_ON; })) {
     schedules_ = scene.schedules;
     switches_ = scene.switches;
@@ -84,7 +84,7 @@ void DeviceScene::store_traffic(const RenderScene& scene,
     to.has_tlas = 1;
   }
   to.bodies = store(std::span<const gpu::VehicleBody>(bodies));
-  // One record more, so that a kind without lights has something to read.
+  // One more record, so that a kind without lights reads valid memory.
   std::vector<Light> vehicle_lights = traffic.vehicle_lights;
   vehicle_lights.push_back({});
   to.vehicle_lights = store(std::span<const Light>(vehicle_lights));
@@ -107,7 +107,8 @@ void DeviceScene::store_traffic(const RenderScene& scene,
   to.first_instance = static_cast<std::uint32_t>(scene.instances.size());
   to.first_bvh_node = static_cast<std::uint32_t>(scene.nodes.size());
 
-  // Behind the standing ones, room for the fleet's, which its passes fill each frame.
+  // The static instances and nodes are followed by room for the vehicles', which their passes fill
+  // each frame.
   const auto with_room = [&](auto values, std::size_t more) {
     storage_.emplace_back(device_, (values.size() + more) * sizeof(values[0]));
     if (!values.empty()) storage_.back().upload(values.data(), values.size_bytes());
@@ -154,7 +155,7 @@ void DeviceScene::upload_lit(LitLights lit) {
   addresses_.lit_list = lit_list_.address();
   addresses_.lit_count = static_cast<std::uint32_t>(lit_.list.size());
   addresses_.alias = alias_.address();
-  // The device has the tables now; only what tells one moment from another stays here.
+  // The device has the tables now; the switches are kept to detect the next change.
   lit_.alias = {};
   lit_.near_grid = lit_.far_grid = {};
 }

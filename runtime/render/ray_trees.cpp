@@ -11,8 +11,8 @@ namespace {
 
 static_assert(sizeof(VkAccelerationStructureInstanceKHR) == 4 * TLAS_INSTANCE_WORDS);
 
-VkAccelerationStructureInstanceKHR record_of(const gpu::Instance& instance, std::uint32_t index,
-                                             std::uint64_t tree) {
+VkAccelerationStructureInstanceKHR make_record(const gpu::Instance& instance, std::uint32_t index,
+                                               std::uint64_t blas) {
   glm::dmat4 to_object(1.0);
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 4; ++column)
@@ -24,7 +24,7 @@ VkAccelerationStructureInstanceKHR record_of(const gpu::Instance& instance, std:
       record.transform.matrix[row][column] = static_cast<float>(to_model[column][row]);
   record.instanceCustomIndex = index & 0xFFFFFFu;
   record.mask = instance.mask & 0xFFu;
-  record.accelerationStructureReference = tree;
+  record.accelerationStructureReference = blas;
   return record;
 }
 
@@ -42,11 +42,11 @@ RayTrees::RayTrees(gpu::Device& device, const RenderScene& scene, std::uint64_t 
                    device, triangles + std::uint64_t{mesh.first_triangle} * sizeof(gpu::Triangle),
                    mesh.triangles)});
 
-  // Where no trip has its vehicle on the road yet: mask 0, which no ray meets.
+  // The vehicles' records start with mask 0, which no ray hits: their passes fill them each frame.
   std::vector<VkAccelerationStructureInstanceKHR> records(placed);
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const gpu::Instance& instance = scene.instances[i];
-    records[i] = record_of(instance, i, meshes_.at(instance.root).tree.address());
+    records[i] = make_record(instance, i, meshes_.at(instance.root).tree.address());
   }
   std::vector<std::uint64_t> bodies;
   for (const gpu::VehicleBody& body : scene.traffic.bodies) {

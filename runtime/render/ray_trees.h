@@ -1,5 +1,5 @@
-// A scene's acceleration structures on the device, for rays that do not go through our own hierarchy: one a
-// mesh, and one over what is placed.
+// A scene's acceleration structures on the device, for rays that do not go through our own BVHs: a
+// BLAS per mesh and a TLAS over the instances.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,20 @@ namespace nightcity {
 
 class RayTrees {
  public:
-  /// `triangles`: address of the scene's on the device. Builds what stands; where there is traffic, build()
-  /// is to follow in each frame.
+  /// Builds all BLASes and a TLAS with the static instances. `triangles` is the address of the
+  /// scene's triangles on the device. With traffic, every frame must call build(). Throws Error
+  /// above 16 million instances.
   RayTrees(gpu::Device& device, const RenderScene& scene, std::uint64_t triangles);
 
-  /// Of the mesh with this root.
+  /// Returns the index of the first triangle of the mesh whose BVH has this root.
   std::uint32_t first_triangle(std::uint32_t root) const;
+  /// Records a rebuild of the TLAS.
   void build(VkCommandBuffer commands) const { top_.build(commands); }
   std::uint64_t address() const { return top_.address(); }
-  /// Of the first trip's record among those that the top level is built from.
+  /// Returns the address of the first trip's instance record among those that the TLAS is built
+  /// from.
   std::uint64_t trip_instances() const { return trip_instances_; }
-  /// Addresses of the vehicle bodies' structures, one a kind.
+  /// Returns the address of a list with the BLAS addresses of the vehicle kinds.
   std::uint64_t body_blas() const { return bodies_.address(); }
   std::uint64_t bytes() const;
 

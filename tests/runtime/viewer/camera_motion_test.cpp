@@ -12,7 +12,7 @@ namespace {
 
 constexpr float quarter = std::numbers::pi_v<float> / 2;
 
-// Ten metres south of the origin and as high, looking at it.
+// A camera ten metres south of the origin and ten metres high that looks at it.
 CameraPose southern() {
   CameraPose pose;
   pose.position = {0, 10, 10};

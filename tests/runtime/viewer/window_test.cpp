@@ -1,4 +1,4 @@
-// The program itself, in a virtual display, moved by xdotool.
+// Runs the program in a virtual display; xdotool moves mouse and keys.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,8 +42,8 @@ class ViewerWindow : public testing::Test {
     write_light_file(folder / "town.lights", {scene.georeference, lights, provenance, {}, {}});
   }
 
-  // Runs `script` (sh) in a virtual display of its own, in the test's folder; $V is nightview on the scene,
-  // $S a small size.
+  // Runs `script` (sh) in a virtual display of its own, in the test's folder; $V is nightview on
+  // the scene, $S a small size.
   int run(const std::string& script) const {
     std::string text = "S='--size 320x240 --every 2'\nV='";
     text += NIGHTCITY_BUILD_DIR;
@@ -84,7 +84,7 @@ TEST_F(ViewerWindow, ShowsThePictureAndSaysWhichEstimatorMadeIt) {
 }
 
 TEST_F(ViewerWindow, PanelAndMarkersAreDrawnOverThePicture) {
-  // The same picture with and without marks: what differs is theirs.
+  // The same picture with and without markers: the difference shows the markers.
   ASSERT_EQ(run("$V $S --quit-after 3 --ev 3 --screenshot plain.png && $V $S --quit-after 3 --ev 3 "
                 "--markers "
                 "--screenshot marked.png\n"),
