@@ -30,15 +30,15 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
   addresses_.static_lights = static_cast<std::uint32_t>(scene.lights.size());
   addresses_.light_count = addresses_.static_lights;
   std::span<const gpu::Instance> instances = scene.instances;
-  std::vector<gpu::Instance> with_trees;
+  std::vector<gpu::Instance> with_triangles;
   if (device.trace() != gpu::Trace::compute) {
-    trees_.emplace(device, scene, addresses_.triangles);
-    with_trees = scene.instances;
-    instances = with_trees;
-    for (gpu::Instance& instance : with_trees)
-      instance.root = trees_->first_triangle(instance.root);
-    addresses_.tlas = {static_cast<std::uint32_t>(trees_->address()),
-                       static_cast<std::uint32_t>(trees_->address() >> 32)};
+    tlas_.emplace(device, scene, addresses_.triangles);
+    with_triangles = scene.instances;
+    instances = with_triangles;
+    for (gpu::Instance& instance : with_triangles)
+      instance.root = tlas_->first_triangle(instance.root);
+    addresses_.tlas = {static_cast<std::uint32_t>(tlas_->address()),
+                       static_cast<std::uint32_t>(tlas_->address() >> 32)};
   }
   if (scene.traffic.trips.empty()) {
     addresses_.nodes = store(std::span(scene.nodes));
@@ -77,10 +77,10 @@ void DeviceScene::store_traffic(const RenderScene& scene,
   gpu::TrafficBuffers& to = addresses_.traffic;
   to.vehicles = store(std::span(traffic.vehicles));
   std::vector<gpu::VehicleBody> bodies = traffic.bodies;
-  if (trees_) {
-    for (gpu::VehicleBody& body : bodies) body.root = trees_->first_triangle(body.root);
-    to.tlas_instances = trees_->trip_instances();
-    to.body_blas = trees_->body_blas();
+  if (tlas_) {
+    for (gpu::VehicleBody& body : bodies) body.root = tlas_->first_triangle(body.root);
+    to.tlas_instances = tlas_->trip_instances();
+    to.body_blas = tlas_->body_blas();
     to.has_tlas = 1;
   }
   to.bodies = store(std::span<const gpu::VehicleBody>(bodies));
@@ -178,7 +178,7 @@ std::uint64_t DeviceScene::bytes() const {
   for (const gpu::Buffer* buffer : {&lit_bits_[0], &lit_bits_[1], &lit_list_, &alias_, &cells_[0],
                                     &cells_[1], &entries_[0], &entries_[1]})
     total += buffer->bytes();
-  return total + (trees_ ? trees_->bytes() : 0);
+  return total + (tlas_ ? tlas_->bytes() : 0);
 }
 
 }  // namespace nightcity

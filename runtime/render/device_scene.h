@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "runtime/gpu/buffer.h"
-#include "runtime/render/ray_trees.h"
+#include "runtime/render/scene_tlas.h"
 #include "runtime/scene/lit_lights.h"
 #include "runtime/scene/render_scene.h"
 
@@ -47,7 +47,7 @@ class DeviceScene {
   const Box& bounds() const { return bounds_; }
   std::uint64_t bytes() const;
   /// Returns the device's acceleration structures, or null where rays go through our own BVHs.
-  const RayTrees* trees() const { return trees_ ? &*trees_ : nullptr; }
+  const SceneTlas* tlas() const { return tlas_ ? &*tlas_ : nullptr; }
 
  private:
   template <class T>
@@ -62,7 +62,7 @@ class DeviceScene {
   bool has_profiles_ = false, has_rectangles_ = false;
 
   std::vector<glm::vec3> albedos_;
-  std::optional<RayTrees> trees_;
+  std::optional<SceneTlas> tlas_;
 
   // Kept for set_time when lights have schedules.
   std::vector<Light> lights_;

@@ -9,7 +9,7 @@ namespace nightcity {
 namespace {
 
 // The work of one dispatch: short enough for every watchdog and for drivers that end long loops
-// (REFERENCE_CHUNK in shaders/interface.h).
+// (REFERENCE_CHUNK in shaders/limits.h).
 constexpr std::uint32_t rays_per_dispatch = 64;
 constexpr std::uint32_t lights_per_dispatch = 1u << 16;
 

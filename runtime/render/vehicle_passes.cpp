@@ -56,8 +56,8 @@ void VehiclePasses::record(VkCommandBuffer commands, const PassSet& passes,
   for (std::uint32_t level = 1; level <= traffic.levels; ++level)
     run(passes.vehicle_bvh, level < traffic.levels ? traffic.level_count[level] : 1, level);
   finished("fleet tree");
-  if (!scene_.trees()) return;
-  scene_.trees()->build(commands);
+  if (!scene_.tlas()) return;
+  scene_.tlas()->build(commands);
   finished("top level");
 }
 

@@ -145,7 +145,7 @@ TEST(Guard, OneFrameThatIsNoNumberDoesNotStayInThePicture) {
                    "FRAME.radiance.at[index] = single_frame("}});
 }
 
-// 80,000 lamps picked uniformly: W is 80,000, and half floats end at 65,504.
+// 80,000 lamps sampled uniformly: W is 80,000, and half floats end at 65,504.
 TEST(Guard, WeightsBeyondHalfFloatsAreKept) {
   std::vector<Light> lights(80000, lamp({0, 8, 0}, 0.0625f));
   Shot shot{SceneBuilder().ground(100).with(lights), looking_down,

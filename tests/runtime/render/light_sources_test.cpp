@@ -199,7 +199,7 @@ TEST(WetStreet, EstimatorsAgreeOnIt) {
 UpwardFlux upward(const RenderScene& scene, UpwardSettings settings = {}) {
   gpu::Device& device = test::test_device();
   DeviceScene device_scene(device, scene);
-  return upward_flux(device, test::test_passes(), device_scene, settings);
+  return measure_upward_flux(device, test::test_passes(), device_scene, settings);
 }
 
 TEST(Upward, ABareLampSendsHalfUpAndTheGroundSendsItsAlbedoAfterIt) {

@@ -54,7 +54,8 @@ RenderScene with_traffic(Traffic traffic, std::vector<Light> lights = {}) {
 }
 
 // The expected scene: a box on the ground and the given lamps.
-RenderScene standing(const glm::vec3& lower, const glm::vec3& upper, std::vector<Light> lights) {
+RenderScene place_static(const glm::vec3& lower, const glm::vec3& upper,
+                         std::vector<Light> lights) {
   SceneLights all;
   all.lights = std::move(lights);
   return make_render_scene(SceneBuilder().ground(60).box(lower, upper).scene(), std::move(all));
@@ -86,8 +87,8 @@ TEST(Vehicles, AVehicleIsWhereItsKnotsSayWithItsLightsAndShadow) {
   // 400 cycles of 100 s make up noon + 40,000 s; 9 s into the drive.
   const Image moving =
       render(with_traffic(traffic), above, reference_at(40'000 + 5 + 9), 48, 48, 1);
-  const Image placed = render(standing({-3, 0, -1}, {1, 1.6f, 1}, {lamp({2, 1, 0}, 1000)}), above,
-                              reference_at(0), 48, 48, 1);
+  const Image placed = render(place_static({-3, 0, -1}, {1, 1.6f, 1}, {lamp({2, 1, 0}, 1000)}),
+                              above, reference_at(0), 48, 48, 1);
   EXPECT_GT(test::mean_luminance(placed), 0.01);
   EXPECT_LT(relative_difference(moving, placed), 0.002);
 }
@@ -99,9 +100,9 @@ TEST(Vehicles, HeadingTurnsTheShortWayAndRearLampShinesWhileBraking) {
   add_trip(traffic, {knot({0, 0, 0}, 0, {0, 0, 0}, -10.0 / 360, true),
                      knot({0, 0, 0}, 20, {0, 0, 0}, 10.0 / 360)});
   const Image moving = render(with_traffic(traffic), above, reference_at(10), 48, 48, 1);
-  const Image placed =
-      render(standing({-2, 0, -1}, {2, 1.6f, 1}, {lamp({3, 1, 0}, 1000), lamp({-3, 1, 0}, 500)}),
-             above, reference_at(0), 48, 48, 1);
+  const Image placed = render(
+      place_static({-2, 0, -1}, {2, 1.6f, 1}, {lamp({3, 1, 0}, 1000), lamp({-3, 1, 0}, 500)}),
+      above, reference_at(0), 48, 48, 1);
   EXPECT_LT(relative_difference(moving, placed), 0.002);
 }
 

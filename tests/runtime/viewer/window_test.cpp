@@ -100,7 +100,7 @@ TEST_F(ViewerWindow, PanelAndMarkersAreDrawnOverThePicture) {
 }
 
 TEST_F(ViewerWindow, KeysChooseTheEstimatorAndQuit) {
-  if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no hands";
+  if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no mouse or keyboard";
   ASSERT_EQ(run("$V $S & viewer=$!\n"
                 "xdotool search --sync --onlyvisible --name nightview > window.txt\n"
                 "xdotool mousemove 300 220 key 2 key Escape\n"
@@ -111,7 +111,7 @@ TEST_F(ViewerWindow, KeysChooseTheEstimatorAndQuit) {
 }
 
 TEST_F(ViewerWindow, DraggingMovesTheCamera) {
-  if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no hands";
+  if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no mouse or keyboard";
   ASSERT_EQ(
       run("V=\"$V --size 700x300 --every 8\"\n"  // wide: the panel covers the left
           "$V --quit-after 1 --save-camera before.json\n"

@@ -11,18 +11,18 @@
 
 namespace nightcity {
 
-class RayTrees {
+class SceneTlas {
  public:
   /// Builds all BLASes and a TLAS with the static instances. `triangles` is the address of the
   /// scene's triangles on the device. With traffic, every frame must call build(). Throws Error
   /// above 16 million instances.
-  RayTrees(gpu::Device& device, const RenderScene& scene, std::uint64_t triangles);
+  SceneTlas(gpu::Device& device, const RenderScene& scene, std::uint64_t triangles);
 
   /// Returns the index of the first triangle of the mesh whose BVH has this root.
   std::uint32_t first_triangle(std::uint32_t root) const;
   /// Records a rebuild of the TLAS.
-  void build(VkCommandBuffer commands) const { top_.build(commands); }
-  std::uint64_t address() const { return top_.address(); }
+  void build(VkCommandBuffer commands) const { tlas_.build(commands); }
+  std::uint64_t address() const { return tlas_.address(); }
   /// Returns the address of the first trip's instance record among those that the TLAS is built
   /// from.
   std::uint64_t trip_instances() const { return trip_instances_; }
@@ -33,11 +33,11 @@ class RayTrees {
  private:
   struct Placed {
     std::uint32_t first_triangle;
-    gpu::AccelerationStructure tree;
+    gpu::AccelerationStructure blas;
   };
   std::map<std::uint32_t, Placed> meshes_;  // by root
   gpu::Buffer instances_, bodies_;
-  gpu::AccelerationStructure top_;
+  gpu::AccelerationStructure tlas_;
   std::uint64_t trip_instances_ = 0;
 };
 
