@@ -1,5 +1,5 @@
-// Error against cost: pictures of one scene, measured against its reference. Sweep, flight and strategies are
-// made of it.
+// Error against cost: pictures of one scene, measured against its reference. Sweep, flight and
+// strategies are made of it.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,8 @@ struct Measurement {
 /// Returns the milliseconds of all passes of the renderer's last frame, by the device's clock.
 double sum_gpu_ms(const Renderer& renderer);
 
-/// Calls `render` for a second on a GPU, and not at all on a CPU. An idle GPU runs at a fraction of its clock
-/// rate, and a few frames of a millisecond do not raise it.
+/// Calls `render` for a second on a GPU, and not at all on a CPU. An idle GPU runs at a fraction of
+/// its clock rate, and a few frames of a millisecond do not raise it.
 void wake(const gpu::Device& device, const std::function<void()>& render);
 
 class Experiment {
@@ -44,19 +44,20 @@ class Experiment {
   /// Throws Error when the validation layer found a fault.
   void check_validation() const;
 
-  /// Returns the mean of `frames` frames with every light. `cache`, unless empty, is read when it exists and
-  /// fits size and frames, else written; its name must identify scene and view. `progress` is called with the
-  /// number of finished frames.
+  /// Returns the mean of `frames` frames with every light. `cache`, unless empty, is read when it
+  /// exists and fits size and frames, else written; its name must identify scene and view.
+  /// `progress` is called with the number of finished frames.
   Image reference(const CameraPose& pose, RenderSettings settings, std::uint32_t frames,
                   const std::filesystem::path& cache,
                   const std::function<void(std::uint32_t)>& progress = {});
 
-  /// Compiles the passes of the settings and wakes the device. It uses a renderer of its own: the frames that
-  /// are measured draw the same random numbers however long this took.
+  /// Compiles the passes of the settings and wakes the device. It uses a renderer of its own: the
+  /// frames that are measured draw the same random numbers however long this took.
   void warm_up(const CameraPose& pose, const RenderSettings& settings);
 
-  /// Renders pictures of `repeats` seeds, each after `lead` frames that fill the history, and compares them
-  /// with `truth` at every count of `frames` (ascending). Returns one measurement per count.
+  /// Renders pictures of `repeats` seeds, each after `lead` frames that fill the history, and
+  /// compares them with `truth` at every count of `frames` (ascending). Returns one measurement per
+  /// count.
   std::vector<Measurement> measure(const CameraPose& pose, RenderSettings settings,
                                    const Image& truth, const std::vector<std::uint32_t>& frames,
                                    std::uint32_t lead, std::uint32_t repeats);
@@ -65,7 +66,8 @@ class Experiment {
 
  private:
   Renderer make_renderer() const;
-  // Starts mean and history anew with a seed and fills the history; the last frame is the first of the mean.
+  // Starts mean and history anew with a seed and fills the history; the last frame is the first of
+  // the mean.
   void start_run(const CameraPose& pose, RenderSettings& settings, std::uint32_t seed,
                  std::uint32_t lead);
 

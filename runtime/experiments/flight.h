@@ -23,15 +23,16 @@ struct FlightOptions {
   bool pictures = false;                // writes every frame as PNG
 };
 
-/// What a flight measured. The first frame is left out: it has no history, and the driver compiles in it.
+/// What a flight measured. The first frame is left out: it has no history, and the driver compiles
+/// in it.
 struct FlightReport {
   std::string device;
   std::vector<double> ms;                              // of every frame
   std::vector<double> rmse8, relative_mse, fireflies;  // of the measured frames
 };
 
-/// Flies along the path and compares the measured frames with references of their own views. Writes flight.csv
-/// and, where asked for, frame-NNNN.png. Throws Error.
+/// Flies along the path and compares the measured frames with references of their own views. Writes
+/// flight.csv and, where asked for, frame-NNNN.png. Throws Error.
 FlightReport fly(const FlightOptions& options, Experiment& experiment, RenderSettings settings,
                  program::ProgressDisplay& progress);
 

@@ -19,8 +19,8 @@ struct Strategy {
   float near_share, far_share, uniform_share;  // the rest by flux
 };
 
-// All but the first two sample a share of the candidates from all lights, because a grid cell lists only its
-// strongest.
+// All but the first two sample a share of the candidates from all lights, because a grid cell lists
+// only its strongest.
 constexpr std::array strategies{
     Strategy{"uniform", 0, 0, 1},
     Strategy{"power", 0, 0, 0},

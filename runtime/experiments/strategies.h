@@ -20,8 +20,8 @@ struct StrategiesOptions {
   std::uint32_t frames = 16;  // whose mean is measured, beside a single frame
 };
 
-/// Renders synthetic streets with each number of lamps and each mixture of sources, by `ris` and by the default
-/// estimator. Returns error and cost, a row per combination. Throws Error.
+/// Renders synthetic streets with each number of lamps and each mixture of sources, by `ris` and by
+/// the default estimator. Returns error and cost, a row per combination. Throws Error.
 Table compare_strategies(const StrategiesOptions& options);
 
 }  // namespace nightcity::experiments

@@ -33,8 +33,8 @@ struct SweepReport {
               total = 0;  // combinations in all views; fewer are done when the time was up
 };
 
-/// Measures what sweep.csv in the folder lacks, and writes sweep.md and sweep-VIEW.svg from all of it. Throws
-/// Error, or UsageError for a value that a setting does not take.
+/// Measures what sweep.csv in the folder lacks, and writes sweep.md and sweep-VIEW.svg from all of
+/// it. Throws Error, or UsageError for a value that a setting does not take.
 SweepReport run_sweep(const SweepOptions& options, program::ProgressDisplay& progress);
 
 }  // namespace nightcity::experiments

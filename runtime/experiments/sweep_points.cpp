@@ -7,7 +7,7 @@
 namespace nightcity::experiments {
 namespace {
 
-// Settings that make no difference stand at "-", so that equal settings are measured once.
+// Settings that make no difference get the value "-", so that equal settings are measured once.
 SweepPoint without_unused(SweepPoint point) {
   const RenderSettings settings = to_settings(point);
   for (const Setting& setting : list_swept_settings())

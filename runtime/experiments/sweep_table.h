@@ -14,9 +14,10 @@ namespace nightcity::experiments {
 /// sweep.csv in a folder: keeps the rows of earlier runs on the same scene and adds new ones.
 class SweepTable {
  public:
-  /// The first `key_columns` of `columns` identify a row. Where an earlier run left another `fingerprint` of
-  /// the scene, its rows and reference pictures are removed and `restarted()` returns true. Throws Error when
-  /// the folder cannot be written to or its table has other columns.
+  /// The first `key_columns` of `columns` identify a row. Where an earlier run left another
+  /// `fingerprint` of the scene, its rows and reference pictures are removed and `restarted()`
+  /// returns true. Throws Error when the folder cannot be written to or its table has other
+  /// columns.
   SweepTable(std::filesystem::path folder, const std::string& fingerprint,
              std::vector<std::string> columns, std::size_t key_columns);
 
@@ -34,8 +35,8 @@ class SweepTable {
   bool restarted_ = false;
 };
 
-/// Returns a plot of relative MSE against milliseconds with one line per estimator, from the rows of `view` that
-/// average the most frames.
+/// Returns a plot of relative MSE against milliseconds with one line per estimator, from the rows
+/// of `view` that average the most frames.
 Plot make_sweep_plot(const Table& table, const std::string& view);
 
 }  // namespace nightcity::experiments

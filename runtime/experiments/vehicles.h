@@ -20,9 +20,9 @@ struct VehiclesOptions {
   std::uint32_t frames = 32;          // timed
 };
 
-/// Times frames 1/60 s apart on synthetic streets where all vehicles move. Returns medians by the device's
-/// clock, a row per number of vehicles: all passes, each pass that moves vehicles, and the others. Throws
-/// Error.
+/// Times frames 1/60 s apart on synthetic streets where all vehicles move. Returns medians by the
+/// device's clock, a row per number of vehicles: all passes, each pass that moves vehicles, and the
+/// others. Throws Error.
 Table time_vehicles(const VehiclesOptions& options);
 
 }  // namespace nightcity::experiments

@@ -54,7 +54,7 @@ const char* tone_curve_name(std::uint32_t curve) {
 }
 
 std::uint8_t to_code_value(float exposed, std::uint32_t curve) {
-  // tone_curve sends NaN to 0: the comparison with 0 is false.
+  // tone_curve maps NaN to 0, because its comparison with 0 is false.
   const float code = tonemap::srgb_encode(tonemap::tone_curve(curve, exposed));
   return static_cast<std::uint8_t>(std::lround(255.0f * std::min(code, 1.0f)));
 }

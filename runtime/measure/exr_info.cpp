@@ -8,8 +8,8 @@
 
 namespace nightcity {
 
-// Whole numbers are stored as text: OpenEXR's only integer attribute is a signed 32-bit one, too short for a
-// seed.
+// Whole numbers are stored as text, because OpenEXR's only integer attribute has 32 bits with a
+// sign: too few for a seed.
 void put_image_info(Imf::Header& header, const ImageInfo& info) {
   const auto text = [&](const char* name, const std::string& value) {
     if (!value.empty()) header.insert(name, Imf::StringAttribute(value));

@@ -9,7 +9,8 @@ namespace nightcity {
 
 void put_image_info(Imf::Header& header, const ImageInfo& info);
 
-/// What is missing, of another type or no number stays at its default: the picture is good without.
+/// Fields that are missing, of another type or no number keep their defaults: the picture is usable
+/// without.
 ImageInfo get_image_info(const Imf::Header& header);
 
 }  // namespace nightcity

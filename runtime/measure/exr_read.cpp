@@ -21,7 +21,8 @@
 namespace nightcity {
 namespace {
 
-// More channels than any renderer writes; a hostile header must not choose our memory.
+// More channels than any renderer writes: a hostile header must not choose how much memory is
+// allocated.
 constexpr std::size_t max_channels = 256;
 
 class StreamIn : public Imf::IStream {
@@ -44,7 +45,7 @@ class StreamIn : public Imf::IStream {
   std::uint64_t position_ = 0;
 };
 
-// One channel of the file: which of the image's float arrays takes it, and where in a pixel.
+// The place of one channel of the file: an array of the image, and an offset within each pixel.
 struct Target {
   std::string name;
   std::vector<float>* values;
@@ -52,7 +53,7 @@ struct Target {
   std::size_t offset;
 };
 
-// The image's arrays for a file's channels; they grow as lines come in.
+// The image's arrays for a file's channels. They grow line by line.
 std::vector<Target> targets_of(const Imf::ChannelList& channels, Image& image) {
   std::map<std::string, std::vector<std::string>> layers;  // layer -> its channels
   bool has_y = false;
@@ -92,14 +93,15 @@ std::vector<Target> targets_of(const Imf::ChannelList& channels, Image& image) {
   return targets;
 }
 
-// One line at a time, each into new memory: a file that names a huge size and holds little fails before it
-// costs.
+// Reads one line at a time, each into newly allocated memory: a short file that claims a huge size
+// fails early.
 void read_lines(Imf::InputFile& file, const std::vector<Target>& targets,
                 const Imath::Box2i& window, std::uint32_t width) {
   std::vector<std::vector<float>> lines(targets.size(), std::vector<float>(width));
   Imf::FrameBuffer frame;
   for (std::size_t t = 0; t < targets.size(); ++t) {
-    // yStride 0: every line lands in the same row. OpenEXR adds x * stride itself, so step back to x = 0.
+    // yStride 0: every line lands in the same row. OpenEXR adds x * stride itself, so step back to
+    // x = 0.
     auto* base = reinterpret_cast<char*>(lines[t].data()) - std::ptrdiff_t{window.min.x} * 4;
     frame.insert(targets[t].name, Imf::Slice(Imf::FLOAT, base, sizeof(float), 0));
   }
@@ -121,7 +123,7 @@ Image read_stream(Imf::IStream& stream) {
   Imf::InputFile file(stream, 1);
   const Imf::Header& header = file.header();
   const Imath::Box2i window = header.dataWindow();
-  // In 64 bits: a hostile window may span all of int.
+  // Computed in 64 bits, because a hostile window may span all of int.
   const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
   const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
   if (width < 1 || height < 1 || width > max_image_side || height > max_image_side)
@@ -155,7 +157,7 @@ Image read_exr(const std::filesystem::path& path) {
     return read_stream(stream);
   } catch (const Error& error) {
     throw Error(path.string(), error.what());
-  } catch (const std::exception& error) {  // Iex and bad_alloc alike
+  } catch (const std::exception& error) {  // of Iex, or bad_alloc
     throw Error(path.string(), std::string("OpenEXR: ") + error.what());
   }
 }

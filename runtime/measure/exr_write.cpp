@@ -19,7 +19,8 @@
 namespace nightcity {
 namespace {
 
-// OpenEXR writes its line table last, over a placeholder near the start: AtomicFile can do that.
+// OpenEXR writes its line table last, over a placeholder near the start, so the stream must support
+// seeking.
 class StreamOut : public Imf::OStream {
  public:
   StreamOut(AtomicFile& file, const std::string& name) : OStream(name.c_str()), file_(file) {}
@@ -80,7 +81,8 @@ void check(const std::string& file, const Image& image) {
   }
 }
 
-// A slice of `channels` interleaved floats a pixel, `first` being pixel (0, 0) of this channel.
+// Returns a slice of `channels` interleaved floats per pixel; `first` is pixel (0, 0) of this
+// channel.
 Imf::Slice slice(const float* first, std::size_t channels, std::size_t row_pixels) {
   return {Imf::FLOAT, reinterpret_cast<char*>(const_cast<float*>(first)), channels * sizeof(float),
           channels * sizeof(float) * row_pixels};

@@ -16,7 +16,8 @@ namespace {
 
 using Rgb = std::array<double, 3>;
 
-// Stops of a map whose lightness rises evenly from black over violet, red and orange to pale yellow.
+// The colours of a map whose lightness rises evenly from black over violet, red and orange to pale
+// yellow.
 constexpr std::array<Rgb, 9> stops{{{0, 0, 4},
                                     {28, 16, 68},
                                     {79, 18, 123},
@@ -43,7 +44,7 @@ void put(Image8& image, std::uint32_t x, std::uint32_t y,
   std::copy(colour.begin(), colour.end(), &image.rgb[3 * (std::size_t{y} * image.width + x)]);
 }
 
-// stb_easy_font gives a text as rectangles of whole pixels: it needs no font file.
+// stb_easy_font draws text as rectangles of whole pixels and needs no font file.
 void write_text(Image8& image, double x, double y, std::string text) {
   struct Vertex {
     float x, y, z;
@@ -74,7 +75,7 @@ void draw_bar(Image8& image, std::uint32_t top, const ColourScale& scale) {
     for (std::uint32_t y = 0; y < bar; ++y)
       put(image, margin + x, top + 4 + y, colour_at(double(x) / double(std::max(length - 1, 1u))));
   const double decades = std::log10(scale.highest / scale.lowest);
-  double free_from = 0;  // no label over another
+  double free_from = 0;  // so that no label covers another
   for (double decade = std::ceil(std::log10(scale.lowest) - 1e-9);
        decade <= std::log10(scale.highest) + 1e-9; ++decade) {
     const double share = (decade - std::log10(scale.lowest)) / decades;
@@ -120,7 +121,7 @@ Image8 false_colour(std::span<const float> values, std::uint32_t width, std::uin
   for (std::uint32_t y = 0; y < height; ++y)
     for (std::uint32_t x = 0; x < width; ++x) {
       const double value = double(values[std::size_t{y} * width + x]);
-      // NaN too is black.
+      // NaN is black, too.
       if (value > 0) put(image, x, y, colour_at(std::log10(value / scale.lowest) / decades));
     }
   draw_bar(image, height, scale);

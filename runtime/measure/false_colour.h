@@ -1,5 +1,5 @@
-// Pictures of quantities: a value a pixel as a colour, on a logarithmic scale with a bar that says which
-// colour is how much.
+// Pictures of quantities in false colours: one value per pixel, on a logarithmic scale with a
+// labelled bar.
 #pragma once
 
 #include <span>
@@ -12,26 +12,27 @@ namespace nightcity {
 
 struct ColourScale {
   double lowest = 0.01,
-         highest = 100;  // both above 0; values outside take the end's colour, 0 and less is black
-  std::string unit;      // "cd/m2", "lx"
+         highest =
+             100;    // both above 0; values outside get the colour of that end, 0 and less black
+  std::string unit;  // "cd/m2", "lx"
 };
 
-/// A scale of whole decades around the middle 98 % of the values above 0; at least one decade.
+/// Returns a scale of whole decades, at least one, around the middle 98 % of the positive values.
 ColourScale fitting_scale(std::span<const float> values, std::string unit);
 
-/// `values` row by row, row 0 on top, with a scale bar below the picture (height grows by scale_bar_height).
-/// Dark to light as the values grow, in an order that survives printing in grey.
+/// Returns a picture of `values` (row by row, row 0 on top) with a scale bar below (its height
+/// grows by scale_bar_height). Greater values are lighter, so the order survives printing in grey.
 constexpr std::uint32_t scale_bar_height = 36;
 Image8 false_colour(std::span<const float> values, std::uint32_t width, std::uint32_t height,
                     const ColourScale& scale);
 
-/// Luminance of each pixel, cd/m2.
+/// Returns the luminance of each pixel in cd/m2.
 std::vector<float> luminance_of(const Image& image);
 
-/// Illuminance of each pixel's surface, lux: pi times its reflected luminance over its albedo, channel by
-/// channel, weighted as luminance is. From the layers direct_*, sky and albedo, which must be there, else
-/// Error. 0 where nothing was hit or the surface is black. Of a matt surface: a wet one shines on top of what
-/// lights it.
+/// Returns the illuminance of each pixel's surface in lux: per channel, pi times the reflected
+/// luminance over the albedo, weighted like luminance; 0 where nothing was hit or the surface is
+/// black. It assumes a matt surface; a wet one also reflects specularly. Throws Error when the
+/// layers direct_*, sky and albedo are missing.
 std::vector<float> illuminance_of(const Image& image);
 
 }  // namespace nightcity

@@ -1,4 +1,5 @@
-// A rendered picture in memory: luminance per channel, what else was seen in each pixel, and how it was made.
+// A rendered picture in memory: luminance per channel, other values of each pixel, and how it was
+// made.
 #pragma once
 
 #include <cstddef>
@@ -9,20 +10,22 @@
 
 namespace nightcity {
 
-/// What else a pixel knows: "albedo" with channels R, G, B; "depth" with Z. Whole numbers are exact up to
+/// Other values of each pixel: "albedo" with channels R, G and B, "depth" with Z. Whole numbers are
+/// exact up to
 /// 2^24.
 struct ImageLayer {
-  std::string name;                   // no dot; "" would be the picture itself
-  std::vector<std::string> channels;  // names without the layer's: "R", "G", "B" or "X", "Y" or "Z"
+  std::string name;                   // without a dot and not empty
+  std::vector<std::string> channels;  // without the layer's name: "R", "G", "B" or "X", "Y" or "Z"
   std::vector<float> values;  // width * height * channels.size(), pixel by pixel, row 0 on top
 };
 
-/// How a picture was made; travels with it, so that no mode that changes its meaning can hide.
+/// How a picture was made. It stays with the picture, so that a biased or filtered one is
+/// recognised.
 struct ImageInfo {
-  std::string estimator;         // "" = not known (a foreign file)
+  std::string estimator;         // "" = not known (another program made it)
   std::uint32_t frames = 0;      // frames accumulated; 0 = not known
-  std::uint32_t candidates = 0;  // light candidates a pixel and frame; 0 = not known or not asked
-  std::uint32_t neighbours = 0;  // reused neighbours a pixel and frame
+  std::uint32_t candidates = 0;  // per pixel and frame; 0 = not known or none
+  std::uint32_t neighbours = 0;  // reused per pixel and frame
   std::uint64_t seed = 0;
   std::optional<float> ev100;  // exposure a viewer should start with
   std::string device;          // the Vulkan device's own name
@@ -37,7 +40,7 @@ struct Image {
   ImageInfo info;
 
   std::size_t pixels() const { return std::size_t{width} * height; }
-  /// The layer of that name, or nullptr.
+  /// Returns the layer of that name, or nullptr.
   const ImageLayer* layer(const std::string& name) const {
     for (const ImageLayer& candidate : layers)
       if (candidate.name == name) return &candidate;
@@ -45,7 +48,7 @@ struct Image {
   }
 };
 
-/// 8-bit sRGB, as a display or a PNG has it.
+/// 8-bit sRGB, as displays and PNGs use it.
 struct Image8 {
   std::uint32_t width = 0;
   std::uint32_t height = 0;

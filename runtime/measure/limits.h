@@ -5,8 +5,8 @@
 
 namespace nightcity {
 
-/// Greatest side of a picture that is read, rendered or written, in pixels: a hostile header must not choose
-/// how much memory is allocated.
+/// Greatest side of a picture that is read, rendered or written, in pixels: a hostile header must
+/// not choose how much memory is allocated.
 constexpr std::uint32_t max_image_side = 32768;
 
 }  // namespace nightcity

@@ -89,7 +89,7 @@ Comparison compare(const Image& a, const Image& b, std::optional<float> ev100) {
     if (std::all_of(a.rgb.begin(), a.rgb.end(), is_zero) &&
         std::all_of(b.rgb.begin(), b.rgb.end(), is_zero))
       return result;
-    throw Error({}, "the reference has no light: no error can be told relative to it");
+    throw Error({}, "the reference is black, so there is no error relative to it");
   }
   result.relative_mse = relative_square_error(a.rgb, b.rgb);
   result.relative_mse_luminance = relative_square_error(ya, yb);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double width = 760, height = 480, left = 80, right = 600, top = 40, bottom = 420;
 
-// Okabe and Ito's palette: told apart by people who do not see all colours.
+// Okabe and Ito's palette, which people with colour vision deficiencies can distinguish.
 constexpr std::array colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                              "#E69F00", "#56B4E9", "#000000", "#999999"};
 

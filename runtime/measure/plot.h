@@ -7,7 +7,7 @@
 namespace nightcity {
 
 struct PlotPoint {
-  double x, y;        // points that are not positive and finite are left out
+  double x, y;        // left out of the plot unless positive and finite
   std::string label;  // shown when the pointer rests on it
 };
 
@@ -21,7 +21,7 @@ struct Plot {
   std::vector<PlotSeries> series;
 };
 
-/// A picture of its own, 760 x 480: axes with 1-2-5 ticks, one colour a series, a legend.
+/// Returns an SVG of 760 x 480: axes with 1-2-5 ticks, one colour per series, a legend.
 std::string to_svg(const Plot& plot);
 
 }  // namespace nightcity

@@ -14,8 +14,8 @@
 namespace nightcity {
 namespace {
 
-// libpng reports errors by longjmp, which skips destructors: everything it may jump over lives in this
-// struct, outside the function that calls setjmp.
+// libpng reports errors by longjmp, which skips destructors. So everything with a destructor lives
+// in this struct, outside the function that calls setjmp.
 struct PngWrite {
   std::string bytes;
   std::string error;
@@ -110,7 +110,7 @@ Image8 read_png(const std::filesystem::path& path) {
   if (!png_image_begin_read_from_memory(&reading, file.bytes().data(), file.bytes().size()))
     throw Error(path.string(), std::string("PNG: ") + reading.message);
   check_size(path, reading.width, reading.height);
-  // Deflate gains at most a factor of 1032, so a short file cannot make us reserve gigabytes.
+  // Deflate compresses by a factor of 1032 at most, so a short file cannot claim gigabytes.
   if (std::size_t{reading.width} * reading.height / 8 > file.bytes().size() * 1032)
     throw Error(path.string(), "PNG: too short for the size it names");
 

@@ -1,4 +1,4 @@
-// 8-bit sRGB PNG in and out.
+// Reads and writes PNG as 8-bit sRGB.
 #pragma once
 
 #include <filesystem>
@@ -10,17 +10,17 @@
 
 namespace nightcity {
 
-/// Keyword (Latin-1, 1 to 79 characters, as PNG has it) and text, stored uncompressed.
+/// PNG text entries: keyword (Latin-1, 1 to 79 characters) and text, stored uncompressed.
 using PngText = std::vector<std::pair<std::string, std::string>>;
 
-/// How a picture was made as PNG text: "Software", "Estimator", "Frames", ... for what `info` knows.
+/// Returns the known fields of `info` as PNG text: "Software", "Estimator", "Frames", ...
 PngText png_text(const ImageInfo& info);
 
-/// Writes beside `path` and renames; marked as sRGB. Throws Error.
+/// Writes a temporary file beside `path`, marked as sRGB, and renames it. Throws Error.
 void write_png(const std::filesystem::path& path, const Image8& image, const PngText& text = {});
 
-/// Reads any PNG as 8-bit sRGB over black. Throws Error: missing, truncated, not a PNG, larger than
-/// max_image_side.
+/// Reads any PNG as 8-bit sRGB over black. Throws Error when the file is missing, truncated, no
+/// PNG, or has a side above max_image_side.
 Image8 read_png(const std::filesystem::path& path);
 
 }  // namespace nightcity

@@ -11,8 +11,8 @@
 namespace nightcity {
 namespace {
 
-// Continued fraction of the incomplete beta function (DLMF 8.17.22), by the modified Lentz algorithm;
-// converges fast for x < (a + 1) / (a + b + 2).
+// The continued fraction of the incomplete beta function (DLMF 8.17.22) by the modified Lentz
+// algorithm. It converges fast for x < (a + 1) / (a + b + 2).
 double beta_fraction(double a, double b, double x) {
   constexpr double tiny = 1e-300;
   double c = 1, d = 1 - (a + b) * x / (a + 1);
@@ -33,7 +33,7 @@ double beta_fraction(double a, double b, double x) {
   return value;
 }
 
-// Regularised incomplete beta function I_x(a, b).
+// The regularised incomplete beta function I_x(a, b).
 double incomplete_beta(double a, double b, double x) {
   if (x <= 0) return 0;
   if (x >= 1) return 1;

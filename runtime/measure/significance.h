@@ -1,5 +1,5 @@
-// Is the difference between two noisy pictures more than noise? A test for every pixel, corrected for their
-// number.
+// Tests whether two noisy pictures differ by more than noise: pixel by pixel, corrected for the
+// number of tests.
 #pragma once
 
 #include <cstddef>
@@ -10,20 +10,21 @@
 
 namespace nightcity {
 
-/// Luminances of independent pictures of one view: mean and variance of the mean, pixel by pixel, in double
-/// (Welford 1962). The pictures must be independent (other seeds, no shared history): frames that reuse each
-/// other's samples are not, and would make the variance look smaller than it is.
+/// Mean luminance of pictures of one view, and the variance of that mean, pixel by pixel (Welford
+/// 1962). The pictures must be independent (different seeds, no shared history): frames that reuse
+/// each other's samples are not, and their variance would be underestimated.
 class PictureStatistics {
  public:
-  /// Throws Error when the picture differs in size from the first or holds a value that is not finite.
+  /// Throws Error when the picture differs in size from the first or holds a value that is not
+  /// finite.
   void add(const Image& picture);
 
   std::uint32_t runs() const { return runs_; }
   std::size_t pixels() const { return mean_.size(); }
   double mean(std::size_t pixel) const { return mean_[pixel]; }
-  /// 0 for a single picture: it is then taken for the truth.
+  /// 0 for a single picture, which then counts as exact.
   double variance_of_mean(std::size_t pixel) const;
-  /// Mean over all pixels, and its standard error from the spread of the pictures' own means.
+  /// The mean over all pixels, and its standard error from the variance of the pictures' own means.
   double picture_mean() const;
   double picture_mean_error() const;
 
@@ -35,8 +36,8 @@ class PictureStatistics {
 
 struct PixelTest {
   std::size_t pixels = 0;
-  std::size_t rejected = 0;  // pixels whose difference is no noise at the corrected level
-  double level = 0;          // a pixel's own level of significance, after the correction
+  std::size_t rejected = 0;  // pixels whose difference is significant at the corrected level
+  double level = 0;          // of significance of a single pixel, after the correction
   double min_p = 1;          // of all pixels
   std::size_t min_pixel = 0;
   double relative_mean = 0;         // (mean of A - mean of B) / mean of B
@@ -46,17 +47,19 @@ struct PixelTest {
   double passed_share() const { return pixels ? 1.0 - double(rejected) / double(pixels) : 1.0; }
 };
 
-/// Welch's test of equal means for every pixel, with Sidak's correction so that equal pictures are found to
-/// differ anywhere with a chance of `significance` (as the renderer tests of Mitsuba 3 have it; Welch instead
-/// of Z, since the variances are estimates themselves). `tolerance` is what A may differ by without noise:
-/// this share of the pixel in B plus this share of B's mean. Throws Error when the sizes differ.
+/// Runs Welch's test of equal means for every pixel, with Sidak's correction: for equal pictures,
+/// the chance that any pixel is rejected is `significance`. The renderer tests of Mitsuba 3 do the
+/// same with a Z test; the variances here are estimates, so Welch's test is used. `tolerance` is
+/// how much A may differ apart from noise: this share of the pixel in B plus this share of B's
+/// mean. Throws Error when the sizes differ.
 PixelTest test_pixels(const PictureStatistics& a, const PictureStatistics& b,
                       double significance = 0.01, double tolerance = 0);
 
-/// Chance that a Student t of `freedom` degrees lies farther from 0 than |t|.
+/// Returns the probability that a Student t of `freedom` degrees lies farther from 0 than |t|.
 double student_tails(double t, double freedom);
 
-/// Level of each of `tests` independent tests whose joint level is `significance` (Sidak 1967).
+/// Returns the level of each of `tests` independent tests whose joint level is `significance`
+/// (Sidak 1967).
 double sidak_level(double significance, std::size_t tests);
 
 }  // namespace nightcity

@@ -61,8 +61,8 @@ FrameTimes time_frames(Renderer& renderer, const CameraPose& pose, const RenderS
   return times;
 }
 
-// What the passes would cost if they could do what the scene lacks. Frames with and without the feature
-// alternate, so that a drifting clock rate affects both alike.
+// What the passes would cost if they could do what the scene lacks. Frames with and without the
+// feature alternate, so that a drifting clock rate affects both alike.
 void price_forced_features(const BenchCommand& command, Renderer& renderer,
                            const CameraPose& pose) {
   const RenderSettings& needed = command.options.settings;

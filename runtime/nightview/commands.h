@@ -1,6 +1,6 @@
-// The subcommands of nightview, one per file. Each function declares a subcommand and its options; the
-// subcommand's callback does the work. Callbacks throw nightcity::Error (exit code 1, UsageError 2) and print
-// results to stdout; progress and messages go to stderr.
+// The subcommands of nightview, one per file. Each function declares a subcommand and its options;
+// the subcommand's callback does the work. Callbacks throw nightcity::Error (exit code 1,
+// UsageError 2) and print results to stdout; progress and messages go to stderr.
 #pragma once
 
 namespace CLI {

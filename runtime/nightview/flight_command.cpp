@@ -1,4 +1,5 @@
-// nightview flight SCENE.glb --path PATH --out DIR: error and cost of every frame of a moving camera.
+// nightview flight SCENE.glb --path PATH --out DIR: error and cost of every frame of a moving
+// camera.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -5,7 +5,8 @@
 
 namespace nightcity {
 
-/// Returns a check that accepts numbers from `min` to `max`, both included. CLI::Range would let NaN pass.
+/// Returns a check that accepts numbers from `min` to `max`, both included. CLI::Range would let
+/// NaN pass.
 CLI::Validator number_from(double min, double max);
 
 /// Returns the check of an exposure in EV100: from moonless nights to beyond the midday sun.

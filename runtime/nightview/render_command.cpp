@@ -62,7 +62,8 @@ float find_exposure(const std::string& text, const Image& image) {
   }
 }
 
-// Draws lamps as green squares and windows as single blue pixels: no night picture has these colours itself.
+// Draws lamps as green squares and windows as single blue pixels: no night picture has these
+// colours itself.
 void draw_markers(Image8& picture, const RenderScene& scene, const gpu::Camera& camera) {
   constexpr std::size_t max_markers = 1'000'000;
   for (const Marker& marker : find_markers(camera, scene.lights, max_markers)) {
@@ -83,8 +84,8 @@ void draw_markers(Image8& picture, const RenderScene& scene, const gpu::Camera& 
   }
 }
 
-// Returns the PNG's picture: as a camera takes it or a quantity in false colours, with markers where asked
-// for.
+// Returns the PNG's picture: as a camera takes it or a quantity in false colours, with markers
+// where asked for.
 Image8 make_png(const RenderCommand& command, const Image& image, const RenderScene& scene,
                 const CameraPose& pose) {
   Image8 picture;

@@ -29,7 +29,8 @@ struct RenderOptions {
   std::string sky_map, moon;
   RenderSettings settings;
 
-  /// Declares the scene, --size, --time, --camera, --device, --trace, --sky-map, --moon and all settings.
+  /// Declares the scene, --size, --time, --camera, --device, --trace, --sky-map, --moon and all
+  /// settings.
   void declare(CLI::App& command);
   /// Converts the parsed text to settings, width and height. Throws UsageError.
   void resolve();

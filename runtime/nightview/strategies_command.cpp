@@ -1,4 +1,5 @@
-// nightview strategies --out DIR: which source of candidates is worth its time at which number of lights.
+// nightview strategies --out DIR: which source of candidates is worth its time at which number of
+// lights.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

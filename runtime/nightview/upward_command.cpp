@@ -39,8 +39,8 @@ struct Sums {
 
 using FamilySums = std::array<Sums, light_family_count>;
 
-// Returns the family of a light: the light file names those of static lights, a vehicle's kind those of its
-// lights.
+// Returns the family of a light: the light file names those of static lights, a vehicle's kind
+// those of its lights.
 LightFamily find_family(const RenderScene& scene, std::size_t light) {
   if (light < scene.families.size()) return scene.families[light];
   const std::size_t moving = light - scene.families.size();
@@ -121,7 +121,7 @@ void upward(UpwardCommand& command) {
   gpu::Device device(command.device);
   DeviceScene device_scene(device, scene);
   PassLibrary passes(device);
-  const UpwardFlux flux = upward_flux(device, passes, device_scene, command.settings);
+  const UpwardFlux flux = measure_upward_flux(device, passes, device_scene, command.settings);
   device.check_validation();
 
   FamilySums families{};

@@ -30,15 +30,15 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
   addresses_.static_lights = static_cast<std::uint32_t>(scene.lights.size());
   addresses_.light_count = addresses_.static_lights;
   std::span<const gpu::Instance> instances = scene.instances;
-  std::vector<gpu::Instance> with_trees;
+  std::vector<gpu::Instance> with_triangles;
   if (device.trace() != gpu::Trace::compute) {
-    trees_.emplace(device, scene, addresses_.triangles);
-    with_trees = scene.instances;
-    instances = with_trees;
-    for (gpu::Instance& instance : with_trees)
-      instance.root = trees_->first_triangle(instance.root);
-    addresses_.tlas = {static_cast<std::uint32_t>(trees_->address()),
-                       static_cast<std::uint32_t>(trees_->address() >> 32)};
+    tlas_.emplace(device, scene, addresses_.triangles);
+    with_triangles = scene.instances;
+    instances = with_triangles;
+    for (gpu::Instance& instance : with_triangles)
+      instance.root = tlas_->first_triangle(instance.root);
+    addresses_.tlas = {static_cast<std::uint32_t>(tlas_->address()),
+                       static_cast<std::uint32_t>(tlas_->address() >> 32)};
   }
   if (scene.traffic.trips.empty()) {
     addresses_.nodes = store(std::span(scene.nodes));
@@ -59,7 +59,7 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
   bounds_ = scene.bounds;
   for (const Light& light : scene.lights) flux_lm_.push_back(light.flux_lm);
   lights_ = scene.lights;
-  // A scene whose schedules nobody uses pays nothing for them.
+  // Schedules that no light uses are dropped, so that they cost nothing.
   if (any_light([](const Light& light) { return light.schedule != LIGHT_ALWAYS_ON; })) {
     schedules_ = scene.schedules;
     switches_ = scene.switches;
@@ -77,14 +77,14 @@ void DeviceScene::store_traffic(const RenderScene& scene,
   gpu::TrafficBuffers& to = addresses_.traffic;
   to.vehicles = store(std::span(traffic.vehicles));
   std::vector<gpu::VehicleBody> bodies = traffic.bodies;
-  if (trees_) {
-    for (gpu::VehicleBody& body : bodies) body.root = trees_->first_triangle(body.root);
-    to.tlas_instances = trees_->trip_instances();
-    to.body_blas = trees_->body_blas();
+  if (tlas_) {
+    for (gpu::VehicleBody& body : bodies) body.root = tlas_->first_triangle(body.root);
+    to.tlas_instances = tlas_->trip_instances();
+    to.body_blas = tlas_->body_blas();
     to.has_tlas = 1;
   }
   to.bodies = store(std::span<const gpu::VehicleBody>(bodies));
-  // One record more, so that a kind without lights has something to read.
+  // One more record, so that a kind without lights reads valid memory.
   std::vector<Light> vehicle_lights = traffic.vehicle_lights;
   vehicle_lights.push_back({});
   to.vehicle_lights = store(std::span<const Light>(vehicle_lights));
@@ -107,7 +107,8 @@ void DeviceScene::store_traffic(const RenderScene& scene,
   to.first_instance = static_cast<std::uint32_t>(scene.instances.size());
   to.first_bvh_node = static_cast<std::uint32_t>(scene.nodes.size());
 
-  // Behind the standing ones, room for the fleet's, which its passes fill each frame.
+  // The static instances and nodes are followed by room for the vehicles', which their passes fill
+  // each frame.
   const auto with_room = [&](auto values, std::size_t more) {
     storage_.emplace_back(device_, (values.size() + more) * sizeof(values[0]));
     if (!values.empty()) storage_.back().upload(values.data(), values.size_bytes());
@@ -154,7 +155,7 @@ void DeviceScene::upload_lit(LitLights lit) {
   addresses_.lit_list = lit_list_.address();
   addresses_.lit_count = static_cast<std::uint32_t>(lit_.list.size());
   addresses_.alias = alias_.address();
-  // The device has the tables now; only what tells one moment from another stays here.
+  // The device has the tables now; the switches are kept to detect the next change.
   lit_.alias = {};
   lit_.near_grid = lit_.far_grid = {};
 }
@@ -177,7 +178,7 @@ std::uint64_t DeviceScene::bytes() const {
   for (const gpu::Buffer* buffer : {&lit_bits_[0], &lit_bits_[1], &lit_list_, &alias_, &cells_[0],
                                     &cells_[1], &entries_[0], &entries_[1]})
     total += buffer->bytes();
-  return total + (trees_ ? trees_->bytes() : 0);
+  return total + (tlas_ ? tlas_->bytes() : 0);
 }
 
 }  // namespace nightcity

@@ -1,4 +1,4 @@
-// A scene's arrays on a device, and which of its lights shine.
+// A scene's arrays on a device, and the state of its lights.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "runtime/gpu/buffer.h"
-#include "runtime/render/ray_trees.h"
+#include "runtime/render/scene_tlas.h"
 #include "runtime/scene/lit_lights.h"
 #include "runtime/scene/render_scene.h"
 
@@ -15,19 +15,20 @@ namespace nightcity {
 
 class DeviceScene {
  public:
-  /// Keeps what set_time needs of `scene`; the scene itself may go. Throws Error when the device's memory
-  /// does not suffice.
+  /// Copies what set_time needs, so `scene` need not outlive the object. Throws Error when the
+  /// device has too little memory.
   DeviceScene(gpu::Device& device, const RenderScene& scene);
   DeviceScene(const DeviceScene&) = delete;
   DeviceScene& operator=(const DeviceScene&) = delete;
 
-  /// Switches lights as their schedules say for `time_s` seconds after noon; returns whether any changed. Not
-  /// while a frame is being rendered. Where some change, the tables they are picked from are made anew, which
-  /// takes a second where tens of thousands shine.
+  /// Switches lights by their schedules to `time_s`, in seconds since noon, and returns whether any
+  /// changed. Must not be called while a frame is being rendered. When lights change, the tables
+  /// they are sampled from are rebuilt, which takes a second with tens of thousands of lights.
   bool set_time(double time_s);
-  /// From here on set_time does not wait for those tables: lights change at the call that finds them made.
+  /// Makes set_time build those tables in the background from now on: lights change at the first
+  /// call after they are ready.
   void switch_when_ready() { when_ready_ = true; }
-  /// Are tables being made?
+  /// Returns whether tables are being built in the background.
   bool switching() const { return next_lit_.valid(); }
 
   const gpu::SceneBuffers& buffers() const { return addresses_; }
@@ -36,17 +37,17 @@ class DeviceScene {
   bool has_schedules() const { return !schedules_.empty(); }
   bool has_traffic() const { return addresses_.traffic.trip_count > 0; }
   bool has_sky_map() const { return addresses_.sky_width > 0; }
-  /// Base colour of a material; black for one that is not there.
+  /// Returns the base colour of a material, black for an unknown one.
   glm::vec3 albedo(std::uint32_t material) const {
     return material < albedos_.size() ? albedos_[material] : glm::vec3(0);
   }
-  /// A value a standing light: what it gives now, lumen; 0 where it is off.
+  /// Returns the current flux of each static light in lumens, 0 where it is off.
   std::vector<double> flux_now() const;
-  /// Of what stands and can be seen, model space.
+  /// Returns the bounds of the visible static geometry in model space.
   const Box& bounds() const { return bounds_; }
   std::uint64_t bytes() const;
-  /// Where rays go through the device's acceleration structures; else null.
-  const RayTrees* trees() const { return trees_ ? &*trees_ : nullptr; }
+  /// Returns the device's acceleration structures, or null where rays go through our own BVHs.
+  const SceneTlas* tlas() const { return tlas_ ? &*tlas_ : nullptr; }
 
  private:
   template <class T>
@@ -61,21 +62,21 @@ class DeviceScene {
   bool has_profiles_ = false, has_rectangles_ = false;
 
   std::vector<glm::vec3> albedos_;
-  std::optional<RayTrees> trees_;
+  std::optional<SceneTlas> tlas_;
 
-  // Kept for set_time where lights have schedules.
+  // Kept for set_time when lights have schedules.
   std::vector<Light> lights_;
   std::vector<Schedule> schedules_;
   std::vector<std::uint32_t> switches_;
   LitLights lit_;
-  std::vector<float> flux_lm_;  // of the standing lights when they shine
+  std::vector<float> flux_lm_;  // of the static lights when they shine
   Box bounds_;
-  gpu::Buffer lit_bits_
-      [2];  // of now and of before the last switch: the frame before may have used the other
+  // The current switches and those before the last change, which the previous frame may have used.
+  gpu::Buffer lit_bits_[2];
   int lit_parity_ = 0;
-  gpu::Buffer lit_list_, alias_, cells_[2], entries_[2];  // of the grids: local, wide
+  gpu::Buffer lit_list_, alias_, cells_[2], entries_[2];  // of the grids: near, far
   bool when_ready_ = false;
-  std::future<LitLights> next_lit_;  // reads lights_, so it goes first
+  std::future<LitLights> next_lit_;  // uses lights_, so it is declared last: destroyed first
 };
 
 }  // namespace nightcity

@@ -1,5 +1,5 @@
-// Text from command lines and lists to values. What is not understood throws UsageError, which names the
-// option.
+// Text from command lines and lists to values. What is not understood throws UsageError, which
+// names the option.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// The compiled passes, by specialization constants. Compiling takes a driver up to a second, so renderers of
-// one device (another size, another scene) share them, and switching estimators back costs nothing.
+// The compiled passes, by specialization constants. A driver takes up to a second to compile them,
+// so renderers of one device share them, and switching back to an estimator costs nothing.
 #pragma once
 
 #include <array>
@@ -18,11 +18,11 @@ using PassConstants = std::array<std::uint32_t, CONSTANT_COUNT>;
 
 struct PassSet {
   gpu::ComputePass accumulate, demodulate, denoise;
-  gpu::ComputePass vehicle_pose, vehicle_offsets, vehicle_order, vehicle_sort_cells,
-      vehicle_bvh;  // only with traffic
+  // Compiled only with traffic.
+  gpu::ComputePass vehicle_pose, vehicle_offsets, vehicle_order, vehicle_sort_cells, vehicle_bvh;
   TracePass primary;
-  TracePass reference;                             // only where the estimator is the reference
-  TracePass candidates, temporal, spatial, shade;  // only where it is not
+  TracePass reference;                             // compiled only for the reference estimator
+  TracePass candidates, temporal, spatial, shade;  // compiled only for the others
 };
 
 class PassLibrary {
@@ -30,12 +30,13 @@ class PassLibrary {
   /// The device must outlive the library.
   explicit PassLibrary(gpu::Device& device) : device_(device) {}
 
-  /// Compiled on first use; the reference stays good as long as the library.
+  /// Returns the passes for these constants, compiled on first use. The result stays valid as long
+  /// as the library.
   const PassSet& get(const PassConstants& constants);
   const TracePass& upward(const PassConstants& constants);
 
  private:
-  // One pass, compiled for each way of tracing.
+  // The SPIR-V of one pass for each tracing backend.
   struct TraceShader {
     std::span<const std::uint32_t> compute, query, pipeline;
   };

@@ -2,23 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <utility>
 
 #include "formats/error.h"
 #include "runtime/measure/exposure.h"
 #include "runtime/measure/limits.h"
+#include "runtime/render/image_layers.h"
 #include "runtime/render/setting_table.h"
-#include "shaders/octahedral.glsl.h"
 
 namespace nightcity {
 namespace {
 
-// Dispatches of the reference recorded into one submission: long enough to hide its cost, short enough that a
-// window system or driver watchdog does not take the device for hung.
-constexpr std::uint32_t dispatches_a_submission = 16;
+// Dispatches of the reference in one submission: long enough to hide the cost of submitting, short
+// enough that no window system or driver watchdog believes that the device hangs.
+constexpr std::uint32_t dispatches_per_submission = 16;
 
-// Invocations that fill the largest devices twice, and pictures that may lie in slices beside each other.
+// Invocations that fill the largest devices twice, and the most slices that the reference works at
+// together.
 constexpr std::size_t busy_invocations = std::size_t{1} << 19;
 constexpr std::size_t max_slices = 32;
 
@@ -37,22 +36,6 @@ bool same_view(const CameraPose& a, const CameraPose& b) {
 float radical(double step, std::uint32_t frame) {
   const double x = 0.5 + step * double(frame);
   return static_cast<float>(std::min(x - std::floor(x), 0.99999994));
-}
-
-void append(std::vector<float>& values, float value) {
-  values.push_back(value);
-}
-
-void append(std::vector<float>& values, const glm::vec3& v) {
-  values.insert(values.end(), {v.x, v.y, v.z});
-}
-
-// Returns the values of the new layer, to be filled.
-std::vector<float>& add_layer(Image& image, const char* name, std::vector<std::string> channels) {
-  image.layers.push_back({name, std::move(channels), {}});
-  ImageLayer& layer = image.layers.back();
-  layer.values.reserve(image.pixels() * layer.channels.size());
-  return layer.values;
 }
 
 }  // namespace
@@ -157,7 +140,8 @@ void Renderer::submit(const std::function<void(VkCommandBuffer)>& record) {
   timings_.insert(timings_.end(), spans.begin(), spans.end());
 }
 
-// Few pixels leave most of a GPU idle. Layers have one picture to add to.
+// A picture of few pixels leaves most of a GPU idle, so chunks of lights go into slices side by
+// side. Layers exist once, so they allow one slice.
 std::uint32_t Renderer::reference_slices(const RenderSettings& settings) const {
   if (traits_of(settings.sampling.estimator).samples || settings.sampling.layers) return 1;
   const std::size_t pixels = std::size_t{width_} * height_;
@@ -172,16 +156,16 @@ void Renderer::render_reference(const RenderSettings& settings, std::uint32_t sl
     run_pass(commands, passes_->primary, "primary");
   });
   const std::uint32_t lights = scene_.buffers().light_count;
-  const std::uint32_t a_dispatch = REFERENCE_CHUNK * slices;
+  const std::uint32_t lights_per_dispatch = REFERENCE_CHUNK * slices;
   std::uint32_t first = 0;
-  do {  // a chunk of no lights still writes what surfaces emit
+  do {  // without lights, one empty chunk writes the light that surfaces emit
     submit([&](VkCommandBuffer commands) {
-      for (std::uint32_t i = 0; i < dispatches_a_submission && (first < lights || first == 0);
+      for (std::uint32_t i = 0; i < dispatches_per_submission && (first < lights || first == 0);
            ++i) {
-        const std::uint32_t count = std::min(a_dispatch, lights - first);
+        const std::uint32_t count = std::min(lights_per_dispatch, lights - first);
         run_pass(commands, passes_->reference, "reference", first, count,
                  std::max(chunks_of(count), 1u));
-        first += a_dispatch;
+        first += lights_per_dispatch;
       }
     });
   } while (first < lights);
@@ -275,7 +259,8 @@ void Renderer::fill_sampling(gpu::Frame& frame, const RenderSettings& chosen) co
   frame.far_share = std::min(sampling.far_share, 1.0f - frame.near_share);
   frame.uniform_share =
       std::clamp(sampling.uniform_share, 0.0f, 1.0f - frame.near_share - frame.far_share);
-  // As published, candidates are uniform over all lights: vehicles' lights get the share that they are.
+  // As published, candidates are uniform over all lights: vehicles' lights get the share that they
+  // are.
   const double moving = double(frame.scene.light_count - frame.scene.static_lights);
   frame.vehicle_share = as_published ? float(moving / std::max(1.0, moving + frame.scene.lit_count))
                                      : sampling.vehicle_share;
@@ -349,53 +334,13 @@ Image Renderer::download(bool layers) const {
   image.info.seed = settings_.sampling.seed;
   image.info.ev100 = settings_.display.ev100;
   image.info.device = device_.label();
-  if (layers) add_layers(image);
-  return image;
-}
-
-void Renderer::add_layers(Image& image) const {
-  std::vector<float>& luminance = add_layer(image, "luminance", {"Y"});
-  for (std::size_t i = 0; i < image.pixels(); ++i)
-    luminance.push_back(
-        tonemap::luminance_709(image.rgb[3 * i], image.rgb[3 * i + 1], image.rgb[3 * i + 2]));
+  if (!layers) return image;
+  add_luminance_layer(image);
   // Layers are sums over the frames of the mean; a window has no such sum.
-  if (settings_.sampling.layers && settings_.averaging.window == 0) add_light_layers(image);
-  add_surface_layers(image);
-}
-
-void Renderer::add_light_layers(Image& image) const {
-  const auto sums = layers_.read<gpu::LightLayers>(image.pixels());
-  const auto add_sum = [&](const char* name, glm::vec3 gpu::LightLayers::*sum) {
-    std::vector<float>& values = add_layer(image, name, {"R", "G", "B"});
-    for (const gpu::LightLayers& s : sums) append(values, s.*sum / float(frames_));
-  };
-  add_sum("direct_lamps", &gpu::LightLayers::lamps);
-  add_sum("direct_windows", &gpu::LightLayers::windows);
-  add_sum("direct_vehicles", &gpu::LightLayers::vehicles);
-  add_sum("sky", &gpu::LightLayers::sky);
-  add_sum("emitted", &gpu::LightLayers::emitted);
-}
-
-void Renderer::add_surface_layers(Image& image) const {
-  const auto surfaces = surfaces_[parity_].read<gpu::Surface>(image.pixels());
-  const auto add = [&](const char* name, std::vector<std::string> channels, auto&& value_of) {
-    std::vector<float>& values = add_layer(image, name, std::move(channels));
-    for (const gpu::Surface& s : surfaces) append(values, value_of(s));
-  };
-  const auto is_hit = [](const gpu::Surface& s) { return s.depth > 0; };
-  add("albedo", {"R", "G", "B"},
-      [&](const gpu::Surface& s) { return is_hit(s) ? scene_.albedo(s.material) : glm::vec3(0); });
-  add("normal", {"X", "Y", "Z"}, [&](const gpu::Surface& s) {
-    return is_hit(s) ? octahedral::unpack_normal(s.normal) : glm::vec3(0);
-  });
-  add("position", {"X", "Y", "Z"}, [](const gpu::Surface& s) { return s.position; });
-  add("motion", {"X", "Y", "Z"}, [](const gpu::Surface& s) { return s.motion; });
-  add("depth", {"Z"}, [](const gpu::Surface& s) { return s.depth; });
-  add("material", {"id"},
-      [&](const gpu::Surface& s) { return is_hit(s) ? float(s.material) : -1.0f; });
-  add("feature", {"id"}, [&](const gpu::Surface& s) {
-    return is_hit(s) && s.feature != NO_HIT ? float(s.feature) : -1.0f;
-  });
+  if (settings_.sampling.layers && settings_.averaging.window == 0)
+    add_light_layers(image, layers_.read<gpu::LightLayers>(pixels), frames_);
+  add_surface_layers(image, surfaces_[parity_].read<gpu::Surface>(pixels), scene_);
+  return image;
 }
 
 }  // namespace nightcity

@@ -1,4 +1,4 @@
-// Renders a scene frame by frame on a device, and keeps the running mean of the frames.
+// Renders a scene frame by frame on a device and keeps the running mean of the frames.
 #pragma once
 
 #include <cstdint>
@@ -23,31 +23,34 @@ namespace nightcity {
 
 class Renderer {
  public:
-  /// Device, passes and scene must outlive the renderer. Throws Error when the device has too little memory,
-  /// UsageError when a side is 0 or above max_image_side.
+  /// Device, passes and scene must outlive the renderer. Throws Error when the device has too
+  /// little memory, UsageError when a side is 0 or above max_image_side.
   Renderer(gpu::Device& device, PassLibrary& passes, DeviceScene& scene, std::uint32_t width,
            std::uint32_t height);
 
-  /// Renders one frame and adds it to the mean. The mean starts anew when the camera, the time or a setting
-  /// that have_same_estimate compares has changed since the last frame. Reservoirs are reprojected where only
-  /// the camera or the time changed, else discarded. Switches the scene's lights to the settings' time.
-  /// Throws UsageError when a setting is out of range.
+  /// Renders one frame and adds it to the mean. The mean starts anew when the camera, the time or a
+  /// setting that have_same_estimate compares has changed since the last frame. Reservoirs are
+  /// reprojected where only the camera or the time changed, else discarded. Switches the scene's
+  /// lights to the settings' time. Throws UsageError when a setting is out of range.
   void render_frame(const CameraPose& pose, const RenderSettings& settings);
 
-  /// Returns the features that neither the scene nor the settings need: passes are compiled without them.
+  /// Returns the features that neither the scene nor the settings need: passes are compiled without
+  /// them.
   std::vector<Feature> list_unneeded(const RenderSettings& settings) const;
 
   /// Returns the number of frames in the mean.
   std::uint32_t frames() const { return frames_; }
-  /// Returns the GPU milliseconds of the last frame's passes; empty where the queue has no timestamps.
+  /// Returns the GPU milliseconds of the last frame's passes; empty where the queue has no
+  /// timestamps.
   const std::vector<gpu::Timer::Span>& timings() const { return timings_; }
 
-  /// Returns the mean so far in cd/m^2, denoised where the settings ask for it, with its ImageInfo. With
-  /// `layers`, adds the layer "luminance"; where the settings keep layers, "direct_lamps", "direct_windows",
-  /// "direct_vehicles", "sky" and "emitted"; and of the last frame "albedo", "normal", "depth" (m), "motion",
-  /// "position" (m), "material" and "feature" (ids, -1 = none).
+  /// Returns the mean so far in cd/m^2, denoised where the settings ask for it, with its ImageInfo.
+  /// With `layers`, adds the layer "luminance"; where the settings keep layers, "direct_lamps",
+  /// "direct_windows", "direct_vehicles", "sky" and "emitted"; and of the last frame "albedo",
+  /// "normal", "depth" (m), "motion", "position" (m), "material" and "feature" (ids, -1 = none).
   Image download(bool layers = true) const;
-  /// Returns the displayed picture, which every frame writes: width * height words, R in the low byte.
+  /// Returns the displayed picture, which every frame writes: width * height words, R in the low
+  /// byte.
   const gpu::Buffer& display() const { return display_; }
   std::uint32_t width() const { return width_; }
   std::uint32_t height() const { return height_; }
@@ -67,11 +70,8 @@ class Renderer {
   void submit(const std::function<void(VkCommandBuffer)>& record);
   void record_restir(VkCommandBuffer commands, const RenderSettings& settings);
   void record_end(VkCommandBuffer commands, const RenderSettings& settings);
-  void add_layers(Image& image) const;
-  void add_light_layers(Image& image) const;
-  void add_surface_layers(Image& image) const;
-  // Runs one invocation per pixel and slice, then a barrier. The timer books the time since its last mark
-  // under `name`.
+  // Runs one invocation per pixel and slice, then a barrier. The timer books the time since its
+  // last mark under `name`.
   template <class Pass>
   void run_pass(VkCommandBuffer commands, const Pass& pass, const char* name,
                 std::uint32_t first = 0, std::uint32_t count = 0, std::uint32_t slices = 1);
@@ -89,10 +89,10 @@ class Renderer {
   std::optional<CameraPose> pose_;
   gpu::Camera camera_{};
   RenderSettings settings_;
-  std::uint64_t lit_ = 0;     // address of the light switches of the last frame
+  std::uint64_t lit_ = 0;     // address of the last frame's light switches
   std::uint32_t parity_ = 0;  // which of the paired buffers this frame writes
   std::uint32_t frames_ = 0;
-  std::uint32_t frame_number_ = 0;  // never repeats: random numbers of every frame differ
+  std::uint32_t frame_number_ = 0;  // never repeats, so that frames draw different random numbers
   bool has_history_ = false;
   std::vector<gpu::Timer::Span> timings_;
 };

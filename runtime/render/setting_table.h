@@ -1,5 +1,5 @@
-// The one table of render settings: names, ranges, help, and where each applies. Command lines, the sweep, the
-// viewer's panel and the renderer's own checks are made from it.
+// The one table of render settings: names, ranges, help, and where each applies. Command lines, the
+// sweep, the viewer's panel and the renderer's own checks are made from it.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,8 @@ struct Setting {
 
   const char* name;                       // of the option, without "--"
   std::vector<const char*> aliases = {};  // older names of the option
-  // Column of sweep.csv where it is not the name: scripts read the file, so a column keeps its first name.
+  // Column of sweep.csv where it is not the name: scripts read the file, so a column keeps its
+  // first name.
   const char* column = nullptr;
   SettingGroup group;
   const char* unit = "";    // "" for shares, counts and flags
@@ -54,8 +55,8 @@ std::string column_of(const Setting& setting);
 /// Returns "--name", as messages call the setting.
 std::string option_of(const Setting& setting);
 
-/// Sets a setting from a word: a number, "yes" or "no", or an estimator's name. Throws UsageError when the word is
-/// none of its values.
+/// Sets a setting from a word: a number, "yes" or "no", or an estimator's name. Throws UsageError
+/// when the word is none of its values.
 void set_from_text(const Setting& setting, RenderSettings& settings, const std::string& word);
 
 /// Returns the setting's value as set_from_text takes it.
@@ -64,8 +65,8 @@ std::string text_of(const Setting& setting, RenderSettings settings);
 /// Returns the values that a sweep takes where the user gives none, comma-separated.
 std::string default_list(const Setting& setting);
 
-/// Throws UsageError when a number lies outside its range or is NaN, or the shares leave nothing to lights that no
-/// grid cell lists.
+/// Throws UsageError when a number lies outside its range or is NaN, or the shares leave nothing to
+/// lights that no grid cell lists.
 void check_settings(const RenderSettings& settings);
 
 }  // namespace nightcity

@@ -63,8 +63,8 @@ struct ReuseSettings {
   float neighbour_radius_px = 10;  // distance within which they lie
   // Bound of the history's M, in multiples of a frame's candidates; 0 = no temporal reuse.
   float max_history = 20;
-  // Distance between a surface point and where its history was gathered at which half of the history's M
-  // counts, m; 0 = all of it counts at any distance.
+  // Distance between a surface point and where its history was gathered at which half of the
+  // history's M counts, m; 0 = all of it counts at any distance.
   float history_falloff_m = 1.5f;
   // Neighbours of a pixel without history, where that is more than `neighbours`.
   std::uint32_t disocclusion_boost = 0;
@@ -107,18 +107,19 @@ struct RenderSettings {
   AveragingSettings averaging;
   DisplaySettings display;
   double time_s = 8 * 3600;  // since noon
-  // Features compiled into the passes although neither scene nor settings need them, to measure their cost:
-  // bits 1 << CONSTANT_* of optional_features(). The picture stays the same.
+  // Features compiled into the passes although neither scene nor settings need them, to measure
+  // their cost: bits 1 << CONSTANT_* of optional_features(). The picture stays the same.
   std::uint32_t forced_features = 0;
 };
 
-/// Returns whether frames of both settings may go into one mean: only their display, averaging, time and
-/// forced features may differ.
+/// Returns whether frames of both settings may go into one mean: only their display, averaging,
+/// time and forced features may differ.
 bool have_same_estimate(const RenderSettings& a, const RenderSettings& b);
 
-/// Returns the settings that the paper published: uniform candidates, every M in full, neither boost nor
-/// permutation (Bitterli et al.: Spatiotemporal reservoir resampling for real-time ray tracing with dynamic
-/// direct lighting, SIGGRAPH 2020). The share of vehicles' lights depends on the scene; the renderer sets it.
+/// Returns the settings that the paper published: uniform candidates, every M in full, neither
+/// boost nor permutation (Bitterli et al.: Spatiotemporal reservoir resampling for real-time ray
+/// tracing with dynamic direct lighting, SIGGRAPH 2020). The share of vehicles' lights depends on
+/// the scene; the renderer sets it.
 RenderSettings to_published(RenderSettings settings);
 
 struct Feature {

@@ -1,5 +1,5 @@
-// A pass that traces rays: a compute shader, by our own hierarchy or by ray queries, or a ray tracing
-// pipeline. All come from one source (shaders/trace.glsl).
+// A pass that traces rays: a compute shader with our own BVHs or ray queries, or a ray tracing
+// pipeline. All of them are compiled from one source (shaders/trace.glsl).
 #pragma once
 
 #include <utility>
@@ -16,7 +16,7 @@ class TracePass {
   explicit TracePass(gpu::ComputePass pass) : pass_(std::move(pass)) {}
   explicit TracePass(gpu::RayPass pass) : pass_(std::move(pass)) {}
 
-  /// Records width x height x depth invocations, as the passes have it.
+  /// Records width x height x depth invocations.
   void dispatch(VkCommandBuffer commands, const void* push, std::uint32_t width,
                 std::uint32_t height = 1, std::uint32_t depth = 1) const {
     std::visit([&](const auto& pass) { pass.dispatch(commands, push, width, height, depth); },

@@ -8,14 +8,15 @@
 namespace nightcity {
 namespace {
 
-// A dispatch's share: short enough for any watchdog and for drivers that end long loops (interface.h).
-constexpr std::uint32_t rays_a_dispatch = 64;
-constexpr std::uint32_t lights_a_dispatch = 1u << 16;
+// The work of one dispatch: short enough for every watchdog and for drivers that end long loops
+// (REFERENCE_CHUNK in shaders/limits.h).
+constexpr std::uint32_t rays_per_dispatch = 64;
+constexpr std::uint32_t lights_per_dispatch = 1u << 16;
 
 }  // namespace
 
-UpwardFlux upward_flux(gpu::Device& device, PassLibrary& library, DeviceScene& scene,
-                       const UpwardSettings& settings) {
+UpwardFlux measure_upward_flux(gpu::Device& device, PassLibrary& library, DeviceScene& scene,
+                               const UpwardSettings& settings) {
   scene.set_time(settings.time_s);
   VehiclePasses vehicle_passes(device, scene);
   PassConstants constants{};
@@ -50,9 +51,10 @@ UpwardFlux upward_flux(gpu::Device& device, PassLibrary& library, DeviceScene& s
   map.fill_zero();
   escapes.fill_zero();
   const std::uint32_t dispatches =
-      (std::max(settings.rays, 1u) + rays_a_dispatch - 1) / rays_a_dispatch;
-  frame.upward = {escapes.address(), map.address(), result.origin_x, result.origin_z,
-                  result.cell_m,     result.width,  result.depth,    dispatches * rays_a_dispatch};
+      (std::max(settings.rays, 1u) + rays_per_dispatch - 1) / rays_per_dispatch;
+  frame.upward = {
+      escapes.address(), map.address(), result.origin_x, result.origin_z,
+      result.cell_m,     result.width,  result.depth,    dispatches * rays_per_dispatch};
 
   gpu::Buffer frame_buffer(device, sizeof frame, gpu::Memory::host);
   frame_buffer.upload(&frame, sizeof frame);
@@ -66,9 +68,9 @@ UpwardFlux upward_flux(gpu::Device& device, PassLibrary& library, DeviceScene& s
     frame.frame = i;
     frame_buffer.upload(&frame, sizeof frame);
     device.run([&](VkCommandBuffer commands) {
-      for (std::uint32_t first = 0; first < lights; first += lights_a_dispatch) {
-        const gpu::Push push{frame_buffer.address(), first, rays_a_dispatch};
-        pass.dispatch(commands, &push, std::min(lights_a_dispatch, lights - first));
+      for (std::uint32_t first = 0; first < lights; first += lights_per_dispatch) {
+        const gpu::Push push{frame_buffer.address(), first, rays_per_dispatch};
+        pass.dispatch(commands, &push, std::min(lights_per_dispatch, lights - first));
         gpu::full_barrier(commands);
       }
     });

@@ -1,4 +1,4 @@
-// How much of a city's light leaves it upwards, light by light and place by place.
+// Measures how much of a city's light leaves it upwards: for each light, and on a map.
 #pragma once
 
 #include <cstdint>
@@ -11,28 +11,28 @@ namespace nightcity {
 
 struct UpwardSettings {
   double time_s = 8 * 3600;   // since noon
-  std::uint32_t rays = 1024;  // a light, 1 .. 2^20
+  std::uint32_t rays = 1024;  // per light, 1 .. 2^20
   std::uint32_t seed = 0;
-  float cell_m = 4;  // of the map; more where that would make over 2^24 cells
+  float cell_m = 4;  // side of the map's cells; enlarged where there would be over 2^24 of them
 };
 
 struct UpwardFlux {
   struct Shares {
     double direct, reflected, sideways;  // of the light's flux, as in gpu::Escape
   };
-  std::vector<Shares> lights;   // the scene's standing lights, then VEHICLE_LIGHTS a trip
-  std::vector<double> flux_lm;  // parallel: what each gives at this moment, 0 where it is off
+  std::vector<Shares> lights;   // the static lights, then VEHICLE_LIGHTS per trip
+  std::vector<double> flux_lm;  // of the same lights at this moment, 0 where one is off
 
-  // The map: lumen that leave from each square, row by row to the south.
+  // The map: lumens that leave from each square, row by row towards the south.
   float origin_x = 0, origin_z = 0, cell_m = 0;
   std::uint32_t width = 0, depth = 0;
   std::vector<double> cells_lm;
 };
 
-/// Traces every light's own distribution, stratified, straight and off the first surface. Monte Carlo: a
-/// light's shares have a standard error of about 1 / sqrt(rays) of what they are for a narrow beam, less for
-/// a wide one. Throws Error.
-UpwardFlux upward_flux(gpu::Device& device, PassLibrary& passes, DeviceScene& scene,
-                       const UpwardSettings& settings);
+/// Traces stratified rays from every light by its own distribution, and on from the first surface
+/// they hit. The shares are Monte Carlo estimates: their relative standard error is about 1 /
+/// sqrt(rays) for a narrow beam and smaller for a wide one. Throws Error.
+UpwardFlux measure_upward_flux(gpu::Device& device, PassLibrary& passes, DeviceScene& scene,
+                               const UpwardSettings& settings);
 
 }  // namespace nightcity

@@ -52,12 +52,12 @@ void VehiclePasses::record(VkCommandBuffer commands, const PassSet& passes,
   run(passes.vehicle_offsets, 1);
   run(passes.vehicle_order, traffic.trip_count);
   run(passes.vehicle_sort_cells, VEHICLE_CELLS);
-  // The last dispatch, one past the levels, joins the fleet and what stands.
+  // The last dispatch, one past the levels, joins the BVH of the vehicles and the static one.
   for (std::uint32_t level = 1; level <= traffic.levels; ++level)
     run(passes.vehicle_bvh, level < traffic.levels ? traffic.level_count[level] : 1, level);
   finished("fleet tree");
-  if (!scene_.trees()) return;
-  scene_.trees()->build(commands);
+  if (!scene_.tlas()) return;
+  scene_.tlas()->build(commands);
   finished("top level");
 }
 

@@ -1,5 +1,5 @@
-// The fleet's share of a frame: every vehicle put where it is at the frame's time, with its lights, and the
-// tree over them rebuilt. Without traffic there is nothing of it.
+// The passes that move traffic: each frame they place every vehicle with its lights and rebuild the
+// BVH over them. Without traffic they record nothing.
 #pragma once
 
 #include <functional>
@@ -11,20 +11,20 @@
 
 namespace nightcity {
 
-/// Time within the traffic's cycle, s; 0 without traffic. In double until here: seconds since noon want more
-/// than a float.
+/// Returns the time within the traffic's cycle, s; 0 without traffic. Seconds since noon are a
+/// double, because a float would lose the fractions of frames.
 float cycle_time(const TrafficCycle& cycle, double time_s);
 
 class VehiclePasses {
  public:
   VehiclePasses(gpu::Device& device, const DeviceScene& scene);
 
-  /// Enters this frame's buffers, and swaps those of the frame before.
+  /// Writes the addresses of this frame's and the previous frame's buffers into `frame`.
   void enter(gpu::Frame& frame);
-  /// Records the passes; `finished` is called after each with its name.
+  /// Records the passes and calls `finished` with the name of each one after it.
   void record(VkCommandBuffer commands, const PassSet& passes, std::uint64_t frame_address,
               const std::function<void(const char*)>& finished) const;
-  /// This frame's lights, VEHICLE_LIGHTS a trip, in model space.
+  /// Returns this frame's lights in model space, VEHICLE_LIGHTS per trip.
   std::vector<Light> lights() const;
 
  private:

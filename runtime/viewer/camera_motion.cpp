@@ -10,8 +10,7 @@ namespace {
 
 constexpr glm::vec3 world_up{0, 1, 0};
 
-// A view direction as a map reader has it: angle from north (-Z) towards west, counter-clockwise from above,
-// and angle above the horizon; radians.
+// A view direction as two angles in radians: from north (-Z) towards west, and above the horizon.
 struct Heading {
   float azimuth;
   float elevation;
@@ -21,7 +20,7 @@ Heading heading_of(const CameraPose& pose) {
   const glm::vec3 d = glm::normalize(pose.target - pose.position);
   const float elevation = std::asin(std::clamp(d.y, -1.0f, 1.0f));
   glm::vec3 flat{d.x, 0, d.z};
-  // Looking straight down, the top of the picture is ahead; straight up, it is behind.
+  // Looking straight down, the top of the picture is ahead; looking straight up, it is behind.
   if (glm::length(flat) < 1e-4f) flat = d.y < 0 ? pose.up : -pose.up;
   return {std::atan2(-flat.x, -flat.z), elevation};
 }
@@ -37,7 +36,7 @@ glm::vec3 direction_of(const Heading& heading) {
 
 CameraPose orbited(const CameraPose& pose, float yaw, float pitch) {
   const Heading heading = heading_of(pose);
-  // The eye rises when the view sinks.
+  // The camera rises when the view direction sinks.
   const glm::vec3 d = direction_of({heading.azimuth + yaw, heading.elevation - pitch});
   CameraPose result = pose;
   result.position = pose.target - d * glm::length(pose.target - pose.position);

@@ -1,4 +1,4 @@
-// How hands move the eye: pure functions from pose to pose, for mouse and keys alike.
+// Camera motions for mouse and keyboard, as pure functions from pose to pose.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -7,21 +7,24 @@
 
 namespace nightcity {
 
-/// All motions keep Y up and the view at most 89 degrees from the horizon, where "left" would lose its
-/// meaning; a pose that starts steeper (a map) keeps its heading and is brought there by the first turn.
+/// All motions keep Y up and the view at most 89 degrees from the horizon, because straight up or
+/// down "left" has no meaning. The first turn brings a steeper pose (a map) to that limit and keeps
+/// its heading.
 constexpr float max_elevation_deg = 89.0f;
 
-/// The eye goes round the target, at its distance: `yaw` counter-clockwise seen from above, `pitch` upwards;
-/// radians.
+/// Returns the pose after the camera moved around its target at the same distance: by `yaw`
+/// counter-clockwise seen from above and by `pitch` upwards, in radians.
 CameraPose orbited(const CameraPose& pose, float yaw, float pitch);
 
-/// The eye stays, the target goes round it: `yaw` to the left, `pitch` upwards; radians.
+/// Returns the pose after the camera turned in its place: by `yaw` to the left and by `pitch`
+/// upwards, in radians.
 CameraPose turned(const CameraPose& pose, float yaw, float pitch);
 
-/// Eye and target move by metres along the view's right, up and forward.
+/// Returns the pose with camera and target moved along the view's right, up and forward, in metres.
 CameraPose moved(const CameraPose& pose, const glm::vec3& right_up_forward);
 
-/// The distance from eye to target becomes `factor` times itself, within 0.5 m to 100 km.
+/// Returns the pose with the distance from camera to target multiplied by `factor`, within 0.5 m to
+/// 100 km.
 CameraPose dollied(const CameraPose& pose, float factor);
 
 }  // namespace nightcity

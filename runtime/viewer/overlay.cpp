@@ -27,8 +27,8 @@ Overlay::Overlay(gpu::Device& device, const Window& window, const Swapchain& swa
   VK_CHECK(vkCreateDescriptorPool(device.handle(), &pool, nullptr, &descriptors_));
 
   ImGui::CreateContext();
-  ImGui::GetIO().IniFilename = nullptr;  // no files of ours in whatever folder the user stands
-  ImGui_ImplGlfw_InitForVulkan(window.handle(), true);  // chains our callbacks
+  ImGui::GetIO().IniFilename = nullptr;                 // writes no file into the current folder
+  ImGui_ImplGlfw_InitForVulkan(window.handle(), true);  // keeps our callbacks working
   ImGui_ImplVulkan_InitInfo info{};
   info.Instance = device.instance();
   info.PhysicalDevice = device.physical();

@@ -1,4 +1,5 @@
-// Dear ImGui over the picture: its context, its Vulkan objects, its share of mouse and keyboard.
+// Dear ImGui over the picture: its context, its Vulkan objects, and whether it uses mouse and
+// keyboard.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -16,10 +17,10 @@ class Overlay {
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
 
-  /// Between begin() and end(), ImGui's functions draw.
+  /// ImGui's functions may draw between begin() and end().
   void begin();
   void end();
-  /// Records what was drawn, within the swapchain's overlay pass.
+  /// Records the drawing, inside the swapchain's overlay pass.
   void record(VkCommandBuffer commands);
 
   bool wants_mouse() const;

@@ -13,7 +13,8 @@
 namespace nightcity {
 namespace {
 
-// Draws the slider of a setting, greyed where the setting makes no difference. Returns whether it changed.
+// Draws the slider of a setting, greyed where the setting makes no difference. Returns whether it
+// changed.
 bool draw_slider(const Setting& setting, RenderSettings& settings) {
   const SettingSlider& slider = *setting.slider;
   const ImGuiSliderFlags flags =

@@ -25,8 +25,8 @@ struct ViewerState {
   bool play = false;           // the clock runs
   float clock_speed = 1;       // seconds of the night per second
   bool night_changes = false;  // the scene has schedules or traffic, so that the clock matters
-  // 1, 2, 4 or 8: the picture has 1 / divisor of the window's pixels along each side. 0 = chosen by the
-  // device's speed.
+  // 1, 2, 4 or 8: the picture has 1 / divisor of the window's pixels along each side. 0 = chosen by
+  // the device's speed.
   int divisor = 0;
   bool show_panel = true;
 };
@@ -54,8 +54,8 @@ PanelRequests draw_panel(ViewerState& state, const FrameStats& stats);
 /// Converts seconds since noon to "23:05".
 std::string clock_text(double time_s);
 
-/// Returns "paper, 32 candidates, 5 neighbours, mean of 64 frames": the window shows it with and without the
-/// panel.
+/// Returns "paper, 32 candidates, 5 neighbours, mean of 64 frames": the window shows it with and
+/// without the panel.
 std::string caption(const ViewerState& state, const FrameStats& stats);
 
 }  // namespace nightcity

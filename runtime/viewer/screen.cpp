@@ -7,7 +7,7 @@ namespace {
 
 constexpr VkImageSubresourceLayers colour_layer{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
 
-// Everything before is done before everything after: these few copies a frame are not worth finer words.
+// A barrier between everything before and everything after: a few copies per frame need none finer.
 void change_layout(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkImageLayout to) {
   VkImageMemoryBarrier barrier{};
   barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;

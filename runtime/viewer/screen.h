@@ -1,4 +1,4 @@
-// From the renderer's buffer to the window, and from the window to a file.
+// Copies the renderer's picture to the window, and the window to memory.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -21,9 +21,9 @@ class Screen {
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;
 
-  /// Shows `picture` (size.x * size.y words, R in the low byte) over the swapchain's acquired image,
-  /// stretched to the window, with `overlay` drawn on top. With `grab`, what the window then shows comes back
-  /// in it. False: the swapchain wants resize().
+  /// Shows `picture` (size.x * size.y words, R in the low byte) over the swapchain's acquired
+  /// image, stretched to the window, with `overlay` drawn on top. Stores what the window then shows
+  /// in `grab`, unless that is null. Returns false when the swapchain needs resize().
   bool show(Swapchain& swapchain, const gpu::Buffer& picture, glm::uvec2 size,
             const std::function<void(VkCommandBuffer)>& overlay, Image8* grab = nullptr);
 
@@ -34,7 +34,7 @@ class Screen {
   gpu::Device& device_;
   VkCommandPool pool_ = VK_NULL_HANDLE;
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
-  VkImage image_ = VK_NULL_HANDLE;  // the picture, where a blit can read it
+  VkImage image_ = VK_NULL_HANDLE;  // the picture in a form that a blit can read
   VkDeviceMemory memory_ = VK_NULL_HANDLE;
   glm::uvec2 size_{0};
 };

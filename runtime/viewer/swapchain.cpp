@@ -17,7 +17,7 @@ VkSurfaceFormatKHR choose_format(VkPhysicalDevice physical, VkSurfaceKHR surface
   VK_CHECK(vkGetPhysicalDeviceSurfaceFormatsKHR(physical, surface, &count, nullptr));
   std::vector<VkSurfaceFormatKHR> formats(count);
   VK_CHECK(vkGetPhysicalDeviceSurfaceFormatsKHR(physical, surface, &count, formats.data()));
-  // The picture comes with its sRGB code values, so the format must not encode once more.
+  // The picture already holds sRGB code values, so the format must not encode them again.
   for (const VkSurfaceFormatKHR& format : formats)
     if (format.format == VK_FORMAT_B8G8R8A8_UNORM || format.format == VK_FORMAT_R8G8B8A8_UNORM)
       return format;
@@ -110,7 +110,7 @@ void Swapchain::resize(glm::uvec2 size) {
   if ((able.supportedUsageFlags & usage) != usage)
     throw Error("window",
                 "device '" + device_.info().name + "' cannot copy pictures into this window");
-  // Most window systems dictate the size; some leave it to us.
+  // Most window systems give the size; some let the program choose.
   if (able.currentExtent.width != 0xFFFFFFFFu)
     size = {able.currentExtent.width, able.currentExtent.height};
   size_ = {std::clamp(size.x, able.minImageExtent.width, able.maxImageExtent.width),
@@ -130,7 +130,7 @@ void Swapchain::resize(glm::uvec2 size) {
   info.compositeAlpha = able.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
                             ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
                             : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
-  info.presentMode = VK_PRESENT_MODE_FIFO_KHR;  // the one mode every device has
+  info.presentMode = VK_PRESENT_MODE_FIFO_KHR;  // the only mode that every device has
   info.clipped = VK_TRUE;
   info.oldSwapchain = swapchain_;
   VkSwapchainKHR fresh = VK_NULL_HANDLE;

@@ -11,27 +11,29 @@
 
 namespace nightcity {
 
-/// One frame at a time: the renderer waits for its device anyway.
+/// Shows one frame at a time, because the renderer waits for its device anyway.
 class Swapchain {
  public:
-  /// Takes the surface. Throws Error when the device cannot show pictures in this window.
+  /// Takes ownership of the surface. Throws Error when the device cannot show pictures in this
+  /// window.
   Swapchain(gpu::Device& device, VkSurfaceKHR surface);
   ~Swapchain();
   Swapchain(const Swapchain&) = delete;
   Swapchain& operator=(const Swapchain&) = delete;
 
-  /// Makes the images anew for a window of this size.
+  /// Recreates the images for a window of this size in pixels.
   void resize(glm::uvec2 size);
 
-  /// Waits for an image to draw into. False: the window has changed and wants resize().
+  /// Waits for an image to draw into. Returns false when the window has changed and needs resize().
   bool acquire();
-  /// Shows the image after `commands`, which leave it in VK_IMAGE_LAYOUT_PRESENT_SRC_KHR. False as for
-  /// acquire().
+  /// Shows the image after `commands`, which must leave it in VK_IMAGE_LAYOUT_PRESENT_SRC_KHR.
+  /// Returns false as acquire() does.
   bool present(VkCommandBuffer commands);
 
   VkImage image() const { return images_[current_]; }
   VkFramebuffer framebuffer() const { return framebuffers_[current_]; }
-  /// Draws over what the image holds (VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL), leaves it ready to be shown.
+  /// Returns a render pass that draws over the image (in VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL)
+  /// and leaves it ready to be shown.
   VkRenderPass overlay_pass() const { return overlay_pass_; }
   VkFormat format() const { return format_.format; }
   glm::uvec2 size() const { return size_; }
@@ -51,8 +53,8 @@ class Swapchain {
   std::vector<VkImage> images_;
   std::vector<VkImageView> views_;
   std::vector<VkFramebuffer> framebuffers_;
-  std::vector<VkSemaphore>
-      drawn_;  // one an image: the window system holds it until the image comes back
+  // One per image, because the window system uses it until the image comes back.
+  std::vector<VkSemaphore> drawn_;
   VkFence acquired_ = VK_NULL_HANDLE;
   VkFence finished_ = VK_NULL_HANDLE;
   std::uint32_t current_ = 0;

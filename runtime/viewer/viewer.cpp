@@ -70,7 +70,8 @@ class Viewer {
     stats_.lights = scene_.lights.size();
     state_.night_changes = !scene_.traffic.trips.empty() || !scene_.schedules.empty();
     state_.play = options.play;
-    // The clock never stops the window; the first lights are there from the first frame on.
+    // Lights are switched in the background, so that the clock never blocks the window; the first
+    // frame has its lights already.
     device_scene_.set_time(options.settings.time_s);
     device_scene_.switch_when_ready();
     swapchain_.resize(window_.size());
@@ -87,13 +88,13 @@ class Viewer {
  private:
   void step() {
     const auto start = Clock::now();
-    // Nothing to render: sleep until hands move, but keep the panel alive.
+    // With nothing to render, sleep until there is input, but keep the panel alive.
     const bool idle =
         !restart_ && stats_.frames >= options_.max_frames && !device_scene_.switching();
-    const Hands hands = window_.poll(idle ? 0.05 : 0.0);
-    handle_keys(hands);
+    const InputState input = window_.poll(idle ? 0.05 : 0.0);
+    handle_keys(input);
     const double elapsed_s = std::min(seconds_between(last_step_, start), 0.25);
-    move_camera(hands, elapsed_s);
+    move_camera(input, elapsed_s);
     run_clock(elapsed_s);
     last_step_ = start;
 
@@ -109,9 +110,9 @@ class Viewer {
     stats_.frame_ms = 1000 * seconds_between(start, Clock::now());
   }
 
-  void handle_keys(const Hands& hands) {
+  void handle_keys(const InputState& input) {
     if (overlay_->wants_keys()) return;
-    for (const int key : hands.pressed) {
+    for (const int key : input.pressed) {
       const auto& names = list_estimators();
       const auto number = static_cast<std::size_t>(key - GLFW_KEY_1);
       if (key >= GLFW_KEY_1 && number < names.size()) {
@@ -127,33 +128,33 @@ class Viewer {
     }
   }
 
-  void move_camera(const Hands& hands, double seconds) {
+  void move_camera(const InputState& input, double seconds) {
     const CameraPose before = state_.pose;
     CameraPose& pose = state_.pose;
     if (!overlay_->wants_mouse()) {
-      constexpr float radians_a_pixel = 0.005f;
-      const glm::vec2 angle = hands.drag * radians_a_pixel;
+      constexpr float radians_per_pixel = 0.005f;
+      const glm::vec2 angle = input.drag * radians_per_pixel;
       if (angle != glm::vec2(0))
         pose = state_.fly ? turned(pose, angle.x, angle.y) : orbited(pose, -angle.x, angle.y);
-      // The point under the cursor goes with it: metres a pixel at the target's distance.
-      const float reach =
+      // Metres per pixel at the target's distance: the point under the cursor follows it.
+      const float height_m =
           2 * std::tan(glm::radians(pose.fov_deg) / 2) * glm::distance(pose.position, pose.target);
-      const float metres = reach / static_cast<float>(std::max(1u, window_.size().y));
-      if (hands.pan != glm::vec2(0))
-        pose = moved(pose, {-hands.pan.x * metres, hands.pan.y * metres, 0});
-      if (hands.scroll != 0) {
+      const float metres = height_m / static_cast<float>(std::max(1u, window_.size().y));
+      if (input.pan != glm::vec2(0))
+        pose = moved(pose, {-input.pan.x * metres, input.pan.y * metres, 0});
+      if (input.scroll != 0) {
         if (state_.fly) {
           state_.speed_m_s =
-              std::clamp(state_.speed_m_s * std::pow(1.2f, hands.scroll), 0.5f, 500.0f);
+              std::clamp(state_.speed_m_s * std::pow(1.2f, input.scroll), 0.5f, 500.0f);
         } else {
-          pose = dollied(pose, std::pow(0.9f, hands.scroll));
+          pose = dollied(pose, std::pow(0.9f, input.scroll));
         }
       }
     }
-    if (!overlay_->wants_keys() && hands.fly != glm::vec3(0)) {
+    if (!overlay_->wants_keys() && input.fly != glm::vec3(0)) {
       const float metres =
-          state_.speed_m_s * (hands.fast ? 5.0f : 1.0f) * static_cast<float>(seconds);
-      pose = moved(pose, metres * glm::normalize(hands.fly));
+          state_.speed_m_s * (input.fast ? 5.0f : 1.0f) * static_cast<float>(seconds);
+      pose = moved(pose, metres * glm::normalize(input.fly));
     }
     restart_ |= pose.position != before.position || pose.target != before.target;
   }
@@ -171,11 +172,11 @@ class Viewer {
         static_cast<std::uint32_t>(state_.divisor > 0 ? state_.divisor : auto_divisor_);
     const glm::uvec2 size = glm::max(swapchain_.size() / divisor, glm::uvec2(1));
     if (!renderer_ || renderer_->width() != size.x || renderer_->height() != size.y) {
-      renderer_.reset();  // its memory first
+      renderer_.reset();  // frees its memory before the new one allocates
       renderer_ = std::make_unique<Renderer>(device_, passes_, device_scene_, size.x, size.y);
     }
     state_.settings.averaging.accumulate = state_.accumulate;
-    // While the clock runs, the mean is of the last few frames and goes along with what moves.
+    // While the clock runs, the picture is the mean of the last few frames and follows motion.
     constexpr std::uint32_t frames_in_motion = 8;
     state_.settings.averaging.window = state_.play && state_.night_changes ? frames_in_motion : 0;
     restart_ = false;
@@ -189,8 +190,9 @@ class Viewer {
     meter();
   }
 
-  // As many pixels as still answer hands at once: a CPU driver may take seconds for all of them. Each step is
-  // a factor of four in pixels, so the two limits lie further apart than that.
+  // Chooses the most pixels that still respond to input at once: a CPU driver may take seconds for
+  // all of them. A step changes the number of pixels by four, so the two limits are more than a
+  // factor of four apart.
   void adapt(double seconds) {
     if (shown_ == 0) return;  // the first frame compiles shaders
     if (seconds < 0.06 && auto_divisor_ > 1) {
@@ -203,14 +205,15 @@ class Viewer {
     restart_ = true;
   }
 
-  // The mean gets better as it goes, so meter it now and then, not at every step of a moving camera.
+  // The mean improves over time, so it is metered now and then, but not at every step of a moving
+  // camera.
   void meter() {
     const auto now = Clock::now();
     if (!state_.auto_exposure || !is_power_of_four(stats_.frames)) return;
     if (metered_ && seconds_between(*metered_, now) < 0.25) return;
     metered_ = now;
     state_.settings.display.ev100 = auto_exposure_ev100(renderer_->download(false));
-    restart_ = true;  // shown with it once more, even where the mean is full
+    restart_ = true;  // shows the picture with the new exposure even when the mean is full
   }
 
   void show() {
@@ -243,12 +246,12 @@ class Viewer {
   }
 
   void draw_markers() {
-    constexpr std::size_t most =
-        20000;  // more are a carpet, and ImGui's indices end at 65,535 vertices a list
+    // More would cover the picture, and ImGui's indices end at 65,535 vertices per list.
+    constexpr std::size_t max_markers = 20000;
     const glm::vec2 size(swapchain_.size());
     const gpu::Camera camera = make_camera(state_.pose, size.x / size.y);
     ImDrawList* list = ImGui::GetBackgroundDrawList();
-    for (const Marker& marker : find_markers(camera, scene_.lights, most)) {
+    for (const Marker& marker : find_markers(camera, scene_.lights, max_markers)) {
       const glm::vec3 colour = decode_rgb9e5(scene_.lights[marker.light].colour_rgb9e5);
       const float brightest = std::max({colour.r, colour.g, colour.b, 1e-6f});
       const ImU32 packed = ImGui::ColorConvertFloat4ToU32(
@@ -268,7 +271,7 @@ class Viewer {
     window_.set_title(fmt::format("{} - {} - nightview", stats_.scene, text));
   }
 
-  // night-001.png and .exr in the current folder, the first number that is free.
+  // Writes night-NNN.png and .exr in the current folder, under the first free number.
   void save_picture() {
     if (!renderer_) return;
     std::string stem;
@@ -301,8 +304,8 @@ class Viewer {
   std::unique_ptr<Renderer> renderer_;
   ViewerState state_;
   FrameStats stats_;
-  int auto_divisor_ = 8;   // where state_.divisor leaves the choice to us
-  bool restart_ = true;    // something changed: render, whatever the mean holds
+  int auto_divisor_ = 8;   // used when state_.divisor is 0
+  bool restart_ = true;    // something changed: render even when the mean is full
   bool outdated_ = false;  // the swapchain no longer fits the window
   std::uint32_t shown_ = 0;
   Clock::time_point last_step_ = Clock::now();

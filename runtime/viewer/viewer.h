@@ -1,4 +1,5 @@
-// The window on a scene: renders, shows, and lets hands change camera and settings.
+// The window on a scene: renders it, shows it, and lets mouse and keyboard change camera and
+// settings.
 #pragma once
 
 #include <cstdint>
@@ -12,32 +13,32 @@
 namespace nightcity {
 
 struct ViewOptions {
-  std::string scene;                         // name of its file, to be shown
-  std::string camera;                        // preset or file, as find_camera has it
-  gpu::Device::Options device;               // the window adds the extensions that it needs
+  std::string scene;                         // file name, shown in the panel
+  std::string camera;                        // preset or file: see find_camera
+  gpu::Device::Options device;               // the window adds the extensions it needs
   std::uint32_t width = 1280, height = 720;  // of the window, pixels
   RenderSettings settings;
-  std::optional<float> ev100;  // left out: metered from the picture as it goes
-  int divisor =
-      0;  // the picture has 1 / divisor of the window's pixels along each side; 0 = as many as
-          // still answer hands at once
+  std::optional<float> ev100;  // not set: metered from the picture again and again
+  // The picture has 1 / divisor of the window's pixels along each side; 0 = chosen so that the
+  // window responds to input at once.
+  int divisor = 0;
   bool markers = false;
   bool play = false;                // start with the clock running
   std::uint32_t max_frames = 4096;  // in the mean; then only changes are rendered
   std::uint32_t quit_after = 0;     // frames shown; 0 = when the user closes the window
-  std::string screenshot;           // PNG of the window, panel and all, at the end; "" = none
+  std::string screenshot;           // PNG of the window with its panel, at the end; "" = none
   std::string save_camera;          // JSON of the camera at the end; "" = none
 };
 
 /// What the window showed last.
 struct ViewReport {
-  std::uint32_t shown = 0;   // frames
+  std::uint32_t shown = 0;   // frames shown
   std::uint32_t frames = 0;  // in the last mean
   std::string estimator;
 };
 
-/// Returns when the window is closed. Throws Error: no display, a device that cannot present,
-/// validation messages.
+/// Runs the window and returns when it is closed. Throws Error when there is no display, the device
+/// cannot present, or the validation layer found a fault.
 ViewReport run_viewer(RenderScene scene, const ViewOptions& options);
 
 }  // namespace nightcity

@@ -29,14 +29,15 @@ Window::Window(std::uint32_t width, std::uint32_t height, const std::string& tit
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     window_ = glfwCreateWindow(static_cast<int>(width), static_cast<int>(height), title.c_str(),
                                nullptr, nullptr);
-    if (!window_) throw no_window("cannot open one");
+    if (!window_) throw no_window("it cannot be opened");
   } catch (...) {
     glfwTerminate();
     throw;
   }
   glfwSetWindowUserPointer(window_, this);
   glfwGetCursorPos(window_, &cursor_.x, &cursor_.y);
-  // By events, not by asking once a frame: on a slow device a whole drag may fall between two frames.
+  // Input comes by events, not by polling its state: on a slow device a whole drag may fall between
+  // two frames.
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
     auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(window));
     (button == GLFW_MOUSE_BUTTON_LEFT ? self.dragging_ : self.panning_) = action == GLFW_PRESS;
@@ -76,19 +77,19 @@ VkSurfaceKHR Window::create_surface(VkInstance instance) const {
   return surface;
 }
 
-Hands Window::poll(double wait_s) {
+InputState Window::poll(double wait_s) {
   if (wait_s > 0) {
     glfwWaitEventsTimeout(wait_s);
   } else {
     glfwPollEvents();
   }
-  Hands hands = std::exchange(events_, {});
+  InputState input = std::exchange(events_, {});
 
   const auto held = [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS ? 1.0f : 0.0f; };
-  hands.fly = {held(GLFW_KEY_D) - held(GLFW_KEY_A), held(GLFW_KEY_E) - held(GLFW_KEY_Q),
+  input.fly = {held(GLFW_KEY_D) - held(GLFW_KEY_A), held(GLFW_KEY_E) - held(GLFW_KEY_Q),
                held(GLFW_KEY_W) - held(GLFW_KEY_S)};
-  hands.fast = held(GLFW_KEY_LEFT_SHIFT) + held(GLFW_KEY_RIGHT_SHIFT) > 0;
-  return hands;
+  input.fast = held(GLFW_KEY_LEFT_SHIFT) + held(GLFW_KEY_RIGHT_SHIFT) > 0;
+  return input;
 }
 
 bool Window::closing() const {

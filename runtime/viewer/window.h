@@ -1,4 +1,5 @@
-// A window and what hands do in it. GLFW stays inside window.cpp and overlay.cpp.
+// A window and its mouse and keyboard input. Only window.cpp, overlay.cpp and viewer.cpp include
+// GLFW.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -13,13 +14,14 @@ struct GLFWwindow;
 
 namespace nightcity {
 
-/// Hands since the last poll. Nothing while the panel has the mouse or the keyboard: the caller asks it.
-struct Hands {
+/// Mouse and keyboard input since the last poll. The caller must ignore it while the panel uses
+/// mouse or keyboard.
+struct InputState {
   glm::vec2 drag{0};         // pixels, left button
   glm::vec2 pan{0};          // pixels, right or middle button
-  float scroll = 0;          // notches, away from the user positive
-  glm::vec3 fly{0};          // right, up, forward: -1, 0 or 1 of the keys D/A, E/Q, W/S held
-  bool fast = false;         // Shift
+  float scroll = 0;          // notches, positive away from the user
+  glm::vec3 fly{0};          // right, up, forward: -1, 0 or 1, from the keys D/A, E/Q, W/S
+  bool fast = false;         // Shift is held
   std::vector<int> pressed;  // keys that went down, as GLFW_KEY_*
 };
 
@@ -31,15 +33,16 @@ class Window {
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// Instance extensions that a surface needs.
+  /// Returns the instance extensions that a surface needs.
   std::vector<const char*> instance_extensions() const;
-  /// The caller destroys it before the instance.
+  /// Returns a surface that the caller must destroy before the instance.
   VkSurfaceKHR create_surface(VkInstance instance) const;
 
-  /// Handles events; with `wait_s` > 0 sleeps until one comes or the time is over.
-  Hands poll(double wait_s);
+  /// Handles events and returns the input. With `wait_s` > 0, sleeps until an event arrives or the
+  /// time is over.
+  InputState poll(double wait_s);
   bool closing() const;
-  /// Of the drawable area, in pixels; 0 while minimised.
+  /// Returns the size of the drawable area in pixels, 0 while minimised.
   glm::uvec2 size() const;
   void set_title(const std::string& title);
   GLFWwindow* handle() const { return window_; }
@@ -48,7 +51,7 @@ class Window {
   GLFWwindow* window_ = nullptr;
   glm::dvec2 cursor_{0};
   bool dragging_ = false, panning_ = false;
-  Hands events_;  // filled by callbacks until poll() takes it
+  InputState events_;  // filled by callbacks until poll() returns it
 };
 
 }  // namespace nightcity

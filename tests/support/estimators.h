@@ -7,8 +7,8 @@
 
 namespace nightcity::test {
 
-/// Returns the default settings with an estimator and without jitter, so that the layer "position" is the very
-/// point that was shaded.
+/// Returns the default settings with an estimator and without jitter, so that the layer "position"
+/// is the very point that was shaded.
 inline RenderSettings with_estimator(
     Estimator estimator, std::uint32_t candidates = SamplingSettings{}.candidates,
     float neighbour_radius_px = ReuseSettings{}.neighbour_radius_px,

@@ -22,7 +22,8 @@ TEST(Exposure, SaturatingLuminanceIsOne) {
 }
 
 TEST(Exposure, MeteredGreyLandsAtTheMetersReflectance) {
-  // K = 12.5 and q = 0.65: any evenly lit picture is exposed to 12.5 * 0.65 / 78 = 10.4 % of saturation.
+  // K = 12.5 and q = 0.65: any evenly lit picture is exposed to 12.5 * 0.65 / 78 = 10.4 % of
+  // saturation.
   for (const float cd_m2 : {0.002f, 0.5f, 40.0f, 5000.0f}) {
     const float ev100 = auto_exposure_ev100(grey(5, 5, cd_m2));
     EXPECT_NEAR(cd_m2 * tonemap::exposure_scale(ev100), 12.5f * 0.65f / 78.0f, 1e-4) << cd_m2;

@@ -1,4 +1,4 @@
-// The pixel test finds what is there, and nothing where nothing is.
+// The pixel test finds real differences and none between equal pictures.
 #include "runtime/measure/significance.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::uint32_t side = 40;
 
-// Pixels of mean 1 (or `shifted` in the first column) with exponential noise, as skewed as a renderer's.
+// Pixels of mean 1 (or `shifted` in the first column) with exponential noise, as skewed as a
+// renderer's.
 PictureStatistics noisy_pictures(int runs, unsigned seed, double shifted = 1.0) {
   std::mt19937 random(seed);
   std::exponential_distribution<double> noise(1.0);

@@ -1,4 +1,4 @@
-// Tables and plots as others read them.
+// Tables and plots as other programs read them.
 #include "runtime/measure/table.h"
 
 #include <gtest/gtest.h>

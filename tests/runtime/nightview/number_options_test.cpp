@@ -21,7 +21,8 @@ std::vector<std::string> list_commands() {
           "sweep",  "strategies", "vehicles", "flight", "devices"};
 }
 
-// Finds the options in the command's own help, so that a new one is tested without being named here.
+// Finds the options in the command's own help, so that a new one is tested without being named
+// here.
 std::vector<NumberOption> find_number_options(const std::string& command) {
   std::istringstream help(test::run_program("nightview", command + " --help").out);
   const std::regex option(R"(^\s+((?:-\w,)?--[\w-]+(?:,--[\w-]+)*) (UINT|INT|FLOAT)\b.*)");
@@ -39,8 +40,8 @@ std::vector<NumberOption> find_number_options(const std::string& command) {
   return found;
 }
 
-// Arguments that a command needs. None of the files exists: an option that is accepted ends with exit code 1,
-// or renders.
+// Arguments that a command needs. None of the files exists: an option that is accepted ends with
+// exit code 1, or renders.
 std::string required_arguments(const std::string& command, const test::TempFolder& folder) {
   const std::string out = " --out" + test::quoted(folder / "out");
   if (command == "compare") return " none.exr none.exr ";
@@ -65,7 +66,8 @@ TEST_P(NumberOptions, RefuseNanInfinityAndNumbersOutOfRange) {
                         : std::vector<std::string>{"nan", "-nan", "inf", "-1e39", "1e39", "0.5x"};
     for (const std::string& word : words) {
       const std::string arguments = required_arguments(command, folder);
-      // The option comes last: where it repeats one of the required ones, both are refused together.
+      // The option comes last: where it repeats one of the required ones, both are refused
+      // together.
       const test::Outcome outcome = test::run_program(
           "nightview", "-q " + command + arguments + option.spelling + "=" + word);
       EXPECT_EQ(outcome.exit_code, 2) << command << " " << option.spelling << " " << word;

@@ -1,5 +1,5 @@
-// For each numerical hazard (docs/accuracy.md has the table): a property that holds, and no longer holds
-// once the guard is taken out of the shaders.
+// Each numerical hazard has a property that holds, and that fails once its guard is removed from
+// the shaders. docs/accuracy.md has the table.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ constexpr double pi = std::numbers::pi;
 
 const CameraPose looking_down{{0, 30, 0}, {0, 0, 0}, {0, 0, -1}, 40};
 
-// Few candidates and neighbours near by, so that each guard matters.
+// Few candidates and a small radius, so that each guard matters.
 RenderSettings settings_for(Estimator estimator) {
   return with_estimator(estimator, 8, 6);
 }
@@ -39,7 +39,8 @@ Image taken(PassLibrary& passes, const Shot& shot) {
 
 using Property = std::function<bool(PassLibrary&)>;
 
-// `poison` makes the hazard occur; the property must hold with it, and fail with it and without the guard.
+// `poison` makes the hazard occur. With it, the property must hold, and must fail once the guard is
+// removed.
 void expect_guarded(const Property& holds, std::vector<ShaderEdit> guard,
                     const std::vector<ShaderEdit>& poison = {}) {
   if (poison.empty()) {
@@ -55,7 +56,8 @@ void expect_guarded(const Property& holds, std::vector<ShaderEdit> guard,
   EXPECT_FALSE(holds(passes)) << "without the guard nothing fails: the test does not bite";
 }
 
-// E = I cos / d^2 of `flux` lumen at (0, 8, 0) over a plane of reflectance 1/2: every pixel within 1 %.
+// E = I cos / d^2 of `flux` lumen at (0, 8, 0) over a plane of reflectance 1/2: every pixel within
+// 1 %.
 bool obeys_the_inverse_square_law(const Image& image, double flux) {
   const auto& points = image.layer("position")->values;
   for (std::size_t i = 0; i < image.pixels(); ++i) {
@@ -83,7 +85,8 @@ const ShaderEdit finalize_guard{
     "builder.target > 0.0 ? normalisation * builder.weight_sum / builder.target : 0.0",
     "normalisation * builder.weight_sum / builder.target"};
 
-// A target of zero is no sample; a clamped divisor instead would dim whatever is fainter than the clamp.
+// A target of zero gives no sample. A clamped divisor instead would darken all light that is
+// fainter than the clamp.
 TEST(Guard, FaintLightIsNotClampedAway) {
   expect_guarded(lamp_law(Estimator::pairwise, 1e-5f),
                  {{finalize_guard.file, finalize_guard.guard,
@@ -117,8 +120,8 @@ const ShaderEdit poisoned_history{
     "FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation(reuse, balance));\n"
     "  if (FRAME.frame == 2u) FRAME.reservoirs.at[index].W = uintBitsToFloat(0x7FC00000u);"};
 
-// A reservoir that holds no number: emptied when it is loaded, else the history never recovers. Infinite M is
-// the case that no later test of W > 0 catches.
+// A reservoir with NaN or infinity is emptied when it is loaded; otherwise the history never
+// recovers. No later test of W > 0 catches an infinite M.
 TEST(Guard, AHistoryThatIsNoNumberIsForgotten) {
   Shot shot = one_lamp(Estimator::pairwise, 5000, 4);
   shot.settings.reuse.neighbours = 0;
@@ -128,7 +131,7 @@ TEST(Guard, AHistoryThatIsNoNumberIsForgotten) {
       {{"reservoir.glsl", "if (!sound) return EMPTY_RESERVOIR;", ""}}, {poisoned_history});
 }
 
-// What is not finite may come from anywhere: none of it may stay in the sum.
+// No value that is not finite may stay in the sum, wherever it comes from.
 TEST(Guard, OneFrameThatIsNoNumberDoesNotStayInThePicture) {
   const Property finite_mean = [](PassLibrary& passes) {
     const Image image = taken(passes, one_lamp(Estimator::ris, 5000, 4));
@@ -142,7 +145,7 @@ TEST(Guard, OneFrameThatIsNoNumberDoesNotStayInThePicture) {
                    "FRAME.radiance.at[index] = single_frame("}});
 }
 
-// 80,000 lamps picked uniformly: W is 80,000, and half floats end at 65,504.
+// 80,000 lamps sampled uniformly: W is 80,000, and half floats end at 65,504.
 TEST(Guard, WeightsBeyondHalfFloatsAreKept) {
   std::vector<Light> lights(80000, lamp({0, 8, 0}, 0.0625f));
   Shot shot{SceneBuilder().ground(100).with(lights), looking_down,
@@ -155,7 +158,8 @@ TEST(Guard, WeightsBeyondHalfFloatsAreKept) {
         "r.W = unpackHalf2x16(packHalf2x16(vec2(W, 0.0))).x;"}});
 }
 
-// Lamps told apart by their colour, time alone reuses: how many pixels show another lamp 12 frames later?
+// Lamps differ in colour and only temporal reuse is on. Returns how many pixels show another lamp
+// 12 frames later.
 TEST(Guard, HistoryFadesThroughTheCapOnM) {
   std::vector<Light> lights = random_lamps(60, 20, 4);
   for (std::size_t i = 0; i < lights.size(); ++i)
@@ -184,7 +188,8 @@ TEST(Guard, HistoryFadesThroughTheCapOnM) {
       {{"temporal.comp", "history.M = min(history.M, FRAME.max_history * canonical.M);", ""}});
 }
 
-// One lamp, a checker of steps: a neighbour on another step is not similar, and must not dilute the weights.
+// One lamp over a checkerboard of steps: a neighbour on another step is not similar and must not
+// dilute the weights.
 TEST(Guard, NeighboursThatCannotContributeDoNotCount) {
   SceneBuilder steps;
   for (int x = -6; x < 6; ++x)
@@ -215,7 +220,8 @@ TEST(Guard, TargetsAreEvaluatedAtTheReceiver) {
         "other.W > 0.0 ? estimator_target(there, other.light, other.uv, false) : 0.0;"}});
 }
 
-// From behind a wall to before it: what was hidden has no history, least of all the wall's.
+// The camera moves from behind a wall to its front: a surface that was hidden has no history, and
+// must not take the wall's.
 TEST(Guard, WhatWasHiddenHasNoHistory) {
   SceneBuilder builder;
   builder.ground(100).box({-8, 0, 4}, {8, 10, 5});
@@ -243,8 +249,8 @@ TEST(Guard, WhatWasHiddenHasNoHistory) {
                    "return FRAME.previous_surfaces.at[index].depth > 0.0;"}});
 }
 
-// An index beyond the lights: the sample is dropped. Without the guards the shader reads beyond the buffer,
-// which no test should do, so only the guarded half is run.
+// A sample with an index beyond the lights is dropped. Without the guards the shader would read
+// beyond the buffer, which no test should do, so only the guarded shader runs.
 TEST(Guard, ALightIndexOutOfRangeIsDropped) {
   const MutatedShaders poisoned(
       {{"temporal.comp",
@@ -260,7 +266,8 @@ TEST(Guard, ALightIndexOutOfRangeIsDropped) {
   }
 }
 
-// The greatest word a generator can give: times 2^-32 it rounds to 1.0, and no candidate is ever kept.
+// The greatest word of a random generator, times 2^-32, rounds to 1.0, and then no candidate is
+// ever kept.
 TEST(Guard, RandomNumbersStayBelowOne) {
   expect_guarded(lamp_law(Estimator::ris),
                  {{"random.glsl", "float(random_uint() >> 8u) * (1.0 / 16777216.0)",
@@ -268,8 +275,9 @@ TEST(Guard, RandomNumbersStayBelowOne) {
                  {{"random.glsl", "return (word >> 22u) ^ word;", "return 0xFFFFFFFFu | word;"}});
 }
 
-// A point lamp has the least radius there is, a millimetre. Half of it over the ground and so near that d^2
-// is zero in float, the ground is inside it; just beyond, its size bounds what the ground gets.
+// A point lamp has the smallest radius, a millimetre. At half of it above the ground, where d^2 is
+// zero in float, the ground is inside the lamp; just outside, the lamp's size bounds the light on
+// the ground.
 TEST(Guard, AtTheLampItselfLightIsBoundedByItsSize) {
   const auto over_ground = [](float height) {
     return Shot{SceneBuilder().ground(100).with({lamp({0, height, 0}, 5000, 0)}), looking_down,
@@ -310,8 +318,8 @@ TEST(Guard, AWindowWithoutAreaShinesAsASmallOne) {
         "light.radius * light.half_height / d2)"}});
 }
 
-// Rays exactly along an axis that run in a side of a box: 0 * infinity. The boxes clear what they hold, which
-// bvh_test.cpp demands, so whatever a driver's min and max make of NaN, nothing is missed.
+// Rays exactly along an axis and in a face of a box compute 0 * infinity. The boxes are larger than
+// their contents (bvh_test.cpp), so nothing is missed however a driver's min and max treat NaN.
 TEST(Guard, RaysInThePlaneOfABoxHit) {
   SceneBuilder builder;
   for (int i = -8; i < 8; ++i)
@@ -328,8 +336,9 @@ TEST(Guard, RaysInThePlaneOfABoxHit) {
     }
 }
 
-// A slanting wall 8 km from the origin, where floats are half a millimetre apart, lit by a lamp that grazes
-// it: a start that clears the surface near the origin lies behind it here.
+// A slanting wall 8 km from the origin, where floats are half a millimetre apart, lit at a grazing
+// angle: an offset that clears a surface near the origin leaves the ray's start behind the wall
+// here.
 TEST(Guard, FarFromTheOriginASurfaceDoesNotShadowItself) {
   const glm::vec3 middle(8000.3f, 0, 8000.7f), along(20, 0, 13), up(0, 20, 0),
       out(-0.545f, 0, 0.8384f);
@@ -349,8 +358,8 @@ TEST(Guard, FarFromTheOriginASurfaceDoesNotShadowItself) {
   expect_guarded(all_lit, {{"geometry.glsl", "p + n * (magnitude * 4.0e-6)", "p + n * 1.0e-4"}});
 }
 
-// On a triangle of kilometres the distance along a ray is off by millimetres: a shadow ray may find the
-// ground it starts on before itself.
+// On a triangle of kilometres, the distance along a ray is off by millimetres, so a shadow ray may
+// hit the ground that it starts from.
 TEST(Guard, AVastGroundDoesNotShadowItself) {
   const Shot shot{SceneBuilder().ground(8000).with({lamp({0, 8, 0}, 5000)}),
                   {{0, 20, 0}, {0, 0, 0}, {0, 0, -1}, 90},
@@ -364,7 +373,8 @@ TEST(Guard, AVastGroundDoesNotShadowItself) {
       lit, {{"trace.glsl", "const float NEAREST_M = 0.005;", "const float NEAREST_M = 0.0;"}});
 }
 
-// A red and a blue lamp in one place, one candidate: in frame 0 of seed 0 half the pixels must take either.
+// A red and a blue lamp in one place and one candidate: in frame 0 of seed 0, each lamp must be
+// taken by half the pixels.
 TEST(Guard, TheFirstFrameOfSeedZeroIsRandom) {
   std::vector<Light> lights{lamp({0, 8, 0}, 5000), lamp({0, 8, 0}, 5000)};
   lights[0].colour_rgb9e5 = encode_rgb9e5({1, 0, 0});

@@ -1,4 +1,4 @@
-// The reference against the oracle (tests/oracle): other code, other ray tracer, the same light.
+// The reference against the oracle (tests/oracle), which has other code and another ray tracer.
 #include "oracle/oracle.h"
 
 #include <gtest/gtest.h>
@@ -28,13 +28,14 @@ PictureStatistics oracle_runs(const oracle::Oracle& oracle, const CameraPose& po
   return statistics;
 }
 
-// Normals are stored in 2 x 16 bits, 3e-5 rad off at most, and shadow rays start a little off the surface:
-// systematic differences that matter where light grazes. 0.05 % of the pixel and of the picture's mean are
-// allowed for them.
+// Normals are stored in 2 x 16 bits (3e-5 rad off at most), and shadow rays start slightly off the
+// surface. These systematic differences matter at grazing angles: 0.05 % of the pixel and of the
+// picture's mean are allowed for them.
 constexpr double rounding = 0.0005;
 
-// A pixel whose ray or shadow is cut by an edge finer than floats resolve: one in a thousand, rounded up. It
-// has no say in the mean: a window that one of the two just misses outshines the rest of a small picture.
+// One pixel in a thousand, rounded up, may have a ray or shadow that an edge cuts more finely than
+// floats resolve. The mean leaves these pixels out, because a window that one of the two just
+// misses outshines the rest of a small picture.
 std::size_t pardoned(const PixelTest& test) {
   return (test.pixels + 999) / 1000;
 }
@@ -78,7 +79,7 @@ TEST(Oracle, OneLampOverAPlaneIsInverseSquareTimesCosine) {
   }
 }
 
-// Lamps, a profile, windows and boxes: every kind of light and shadow in a picture small enough to look into.
+// Lamps, a profile, windows and boxes: every kind of light and shadow in a small picture.
 SceneLights every_kind_of_light() {
   SceneLights lights;
   lights.lights = {lamp({-6, 7, 0}, 6000, 0.3f), lamp({5, 5, 6}, 3000, 0),
@@ -106,8 +107,8 @@ TEST(Reference, EqualsTheOracleOnEveryKindOfLight) {
                                        over_boxes, 64, 8, 2));
 }
 
-// Lamps shrunk to points and windows to a thousandth, so that neither side has any noise: what is left is
-// geometry, profiles and shadows. Hard shadows: a pixel may stand on the edge of one light's, and some do.
+// Lamps are shrunk to points and windows to a thousandth, so that neither side has noise: geometry,
+// profiles and shadows remain. Shadows are hard, and some pixels lie on their edges.
 void shrink(std::vector<Light>& lights) {
   for (Light& light : lights) {
     light.radius *= light_kind(light) == LightKind::rectangle ? 1e-3f : 0;
@@ -164,7 +165,7 @@ TEST(Reference, EqualsTheOracleAmongTheLampsOfBerlin) {
   expect_equal_in(berlin, "street", 32);
 }
 
-// Four thousand lit windows too: few pixels.
+// Few pixels, because four thousand windows are lit, too.
 TEST(Reference, EqualsTheOracleAmongTheWindowsOfBerlin) {
   BAKED_BERLIN(berlin, true);
   expect_equal_in(berlin, "overview", 16);

@@ -1,6 +1,6 @@
-// Debian 12's CPU driver ends loops without a word after 65,535 steps, summed over an invocation. The
-// reference's chunks stay below that whatever the scene; a probe shows whether the driver at hand has the
-// limit at all.
+// Debian 12's CPU driver silently ends loops after 65,535 steps, summed over an invocation. The
+// reference's chunks stay below that in every scene; a probe shows whether the present driver has
+// the limit.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 namespace nightcity::test {
 namespace {
 
-// Steps that the driver lets one invocation make, of `wanted` in two nested loops.
+// Returns how many of `wanted` steps in two nested loops the driver lets one invocation make.
 std::uint32_t steps_made(std::uint32_t outer, std::uint32_t inner) {
   gpu::Device& device = test_device();
   gpu::Buffer result(device, sizeof(std::uint32_t));

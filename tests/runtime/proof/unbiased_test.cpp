@@ -1,5 +1,5 @@
-// Every pixel of an estimator's picture against the reference's, over independent runs: an unbiased one
-// differs by noise alone, the paper's 1/M weights do not.
+// Compares every pixel of an estimator's picture with the reference over independent runs: unbiased
+// ones differ by noise alone, the paper's 1/M weights by more.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,8 +23,8 @@ struct Place {
   std::uint32_t side;
 };
 
-// Passed as Mitsuba 3's renderer tests have it: at a joint level of 1 %, no more than 0.25 % of the pixels
-// may differ.
+// The criterion of Mitsuba 3's renderer tests: at a joint level of 1 %, at most 0.25 % of the
+// pixels may differ.
 constexpr double enough = 0.9975;
 
 struct Verdict {
@@ -69,8 +69,7 @@ void expect_biased(const Place& place, Estimator estimator, std::uint32_t runs =
   EXPECT_LT(verdict.z, -3);
 }
 
-// Boxes on a plane with lamps and windows: shadows and one-sided lights, where neighbours cannot stand in for
-// each other.
+// Boxes on a plane with lamps and windows: shadows and one-sided lights, where neighbours differ.
 Place analytic() {
   const SceneBuilder builder = boxes_on_a_plane();
   std::vector<Light> lights;
@@ -111,7 +110,7 @@ TEST(Unbiased, ThePapersWeightsAreNotInATown) {
   expect_biased(town(), Estimator::paper);
 }
 
-// Which pixels share is decided by surfaces alone, so neither brings bias.
+// Surfaces alone decide which pixels share samples, so neither option brings bias.
 TEST(Unbiased, WithBoostAndPermutationInATown) {
   RenderSettings settings = settings_for(RenderSettings{}.sampling.estimator);
   settings.reuse.disocclusion_boost = 12;
@@ -125,7 +124,7 @@ TEST(Unbiased, TheDefaultInBerlinAndThePapersWeightsNot) {
   place.pose = find_camera("overview", place.scene);
   expect_unbiased(place, RenderSettings{}.sampling.estimator, 64);
   expect_biased(place, Estimator::paper);
-  // And where a pixel is a metre, not forty.
+  // The same with pixels of a metre instead of forty.
   place.pose.fov_deg = 5;
   expect_unbiased(place, RenderSettings{}.sampling.estimator);
 }

@@ -16,13 +16,14 @@ constexpr double pi = std::numbers::pi;
 
 const CameraPose looking_down{{0, 30, 0}, {0, 0, 0}, {0, 0, -1}, 40};
 
-// Pixels that share few samples: the mean of so small a picture then has little noise.
+// A large radius and a short history: pixels share few samples, so the mean of a small picture has
+// little noise.
 RenderSettings settings_for(Estimator estimator) {
   return with_estimator(estimator, SamplingSettings{}.candidates, 30, 4);
 }
 
-// Even a single light leaves `basic` some variance: its normalisation depends on which pixel's sample was
-// chosen.
+// Even a single light leaves `basic` some variance: its normalisation depends on which pixel's
+// sample was chosen.
 bool noisy(Estimator estimator) {
   return estimator == Estimator::basic;
 }
@@ -52,8 +53,8 @@ TEST_P(EveryEstimator, OneLampOverAPlaneIsInverseSquareTimesCosine) {
   EXPECT_NEAR(sum / expected_sum, 1.0, noisy(GetParam().estimator) ? 0.02 : 0.01);
 }
 
-// A uniform sphere lights a surface that faces it wholly like a point at its centre, however near (radius 2 m
-// at 3 m).
+// A uniform sphere lights a surface that is wholly in front of it like a point at its centre, even
+// nearby (radius 2 m at 3 m).
 TEST_P(EveryEstimator, ABigSphereLightsAFacingPlaneAsItsCentreWould) {
   const float flux = 5000;
   const RenderScene scene = SceneBuilder(0.4f).ground(100).with({lamp({0, 3, 0}, flux, 2.0f)});
@@ -75,7 +76,8 @@ TEST_P(EveryEstimator, ABigSphereLightsAFacingPlaneAsItsCentreWould) {
   EXPECT_NEAR(sum / expected, 1.0, 0.01);
 }
 
-// A lamp's globe is made of flat faces within its sphere: they are seen by their own light, not lit by it.
+// A lamp's globe consists of flat faces inside its sphere: they show their own emission and are not
+// lit by the lamp.
 TEST_P(EveryEstimator, NothingWithinALampIsLitByIt) {
   const float radius = 2.0f, height = 1.0f;
   const RenderScene scene =
@@ -112,7 +114,8 @@ TEST_P(EveryEstimator, AWindowShinesByTheCosineLawAndOnOneSide) {
     const double expected = 0.4 / pi * flux / pi * cos_light * (to.y / d) / (d * d);
     if (std::abs(to.z) < 1.0) continue;  // near the window's plane its size matters
     (expected > 0 ? lit : dark)++;
-    // The paper's weights count dark neighbours across the window's plane, so theirs is no cosine law.
+    // The paper's weights count dark neighbours beyond the window's plane, so its picture does not
+    // follow the cosine law.
     if (noisy(GetParam().estimator) || GetParam().estimator == Estimator::paper) continue;
     ASSERT_NEAR(luminance(image, i), expected, 0.02 * expected + 1e-9) << "pixel " << i;
   }

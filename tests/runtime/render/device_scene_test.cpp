@@ -1,4 +1,4 @@
-// Which lights of a scene on the device shine, as the clock goes.
+// Tests which lights of a scene on the device shine as time passes.
 #include <gtest/gtest.h>
 
 #include <chrono>

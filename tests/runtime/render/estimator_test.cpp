@@ -17,8 +17,8 @@ namespace {
 
 const CameraPose pose{{-45, 25, 50}, {0, 2, 0}, {0, 1, 0}, 50};
 
-// Reuses from near by and not for long: else the pixels of so small a picture all share a few samples, and its
-// mean is noise.
+// A small radius and a short history: otherwise all pixels of so small a picture share a few
+// samples, and its mean is noisy.
 RenderSettings settings_for(Estimator estimator) {
   return with_estimator(estimator, 16, 6, 4);
 }
@@ -47,15 +47,16 @@ double oracle_luminance(const RenderScene& scene, const glm::dvec3& point, const
   return sum;
 }
 
-// More lights than one chunk, and enough steps that an unchunked loop on Debian 12's CPU driver would be cut
-// short. Chunks lie in slices side by side, and one after the other where layers are kept.
+// More lights than one chunk holds, and so many steps that Debian 12's CPU driver would cut an
+// unchunked loop short. Without layers, chunks go into slices side by side; with layers, one
+// follows the other.
 class Reference : public testing::TestWithParam<bool> {};
 
 TEST_P(Reference, EqualsABruteForceOracleWithShadows) {
   const RenderScene scene = random_town(50, 50, 11).with(point_lamps(300, 50, 5));
   RenderSettings settings = settings_for(Estimator::reference);
   settings.sampling.layers = GetParam();
-  // Higher than wide: a width taken for the height would show.
+  // Higher than wide, so that a mix-up of width and height is noticed.
   const Image image = render(scene, pose, settings, 20, 28, 1);
   const auto& points = image.layer("position")->values;
   const auto& normals = image.layer("normal")->values;
@@ -81,9 +82,9 @@ INSTANTIATE_TEST_SUITE_P(Slices, Reference, testing::Bool(), [](const auto& info
   return info.param ? "OneAfterTheOther" : "SideBySide";
 });
 
-// Mean luminance of the pixels that are not among the brightest tenth of `truth`. Where a lamp nearly touches
-// a wall the estimate's tail is so long that a mean over those pixels tells nothing; the choice does not
-// depend on the estimate.
+// Returns the mean luminance of the pixels that are not among the brightest tenth of `truth`. Where
+// a lamp nearly touches a wall, the estimate has so long a tail that a mean over those pixels says
+// nothing. The selection does not depend on the estimate.
 double body_mean(const Image& image, const Image& truth) {
   std::vector<double> sorted;
   for (std::size_t i = 0; i < truth.pixels(); ++i) sorted.push_back(luminance(truth, i));
@@ -99,13 +100,13 @@ double body_mean(const Image& image, const Image& truth) {
   return sum / count;
 }
 
-// That each estimator is unbiased, and the paper's not, is shown in tests/runtime/proof.
+// tests/runtime/proof shows that each estimator but the paper's is unbiased.
 class Estimators : public testing::Test {
  protected:
   static constexpr std::uint32_t side = 48;
   Estimators() { truth_ = render(scene_, pose, settings_for(Estimator::reference), side, side, 4); }
-  // A lamp inside a wall would be every unshadowed target's favourite and never be seen: noise no real city
-  // has.
+  // A lamp inside a wall would get the highest unshadowed target and never light anything: noise
+  // that no real city has.
   SceneBuilder town_ = random_town(120, 50, 11);
   RenderScene scene_ = town_.with(under_open_sky(town_, random_lamps(300, 50, 5)));
   Image truth_;
@@ -146,7 +147,7 @@ TEST_F(Estimators, MoreNeighboursMakeUpForAMissingHistory) {
   EXPECT_LT(error(16), 0.9 * error(0));
 }
 
-// Some light would never be picked, and the picture would be darker without a word.
+// Some light would never be sampled, and the picture would silently be darker.
 TEST(Shares, ThatLeaveSomeLightOutAreRefused) {
   RenderSettings settings;
   settings.sampling.near_share = 0.7f;
@@ -171,8 +172,8 @@ TEST(Falloff, TheShortestOneCountsAsAMillimetre) {
   for (const float value : shortest.rgb) EXPECT_TRUE(std::isfinite(value));
 }
 
-// Passes leave out what a scene lacks: that is to change their cost alone. A GPU's compiler may round
-// differently in the longer pass, and a choice by chance then falls the other way in a pixel here and there.
+// Leaving out unneeded features may only change the cost of a pass. A GPU's compiler may round
+// differently in the longer pass, so that a random decision changes in a few pixels.
 TEST_F(Estimators, PassesThatCouldDoWhatTheSceneLacksMakeTheSamePicture) {
   RenderSettings settings = settings_for(Estimator::traced);
   const Image plain = render(scene_, pose, settings, 32, 32, 3);

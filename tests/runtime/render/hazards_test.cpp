@@ -1,4 +1,4 @@
-// Numbers at their extremes: nothing that is not finite reaches a pixel, and no hazard costs light.
+// Extreme numbers: every pixel stays finite, and no hazard costs light.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// What each kind of light gives, against closed forms: layers, moon, sky map, wet streets, upward flux.
+// The light of each kind of source against closed forms: layers, moon, sky map, wet streets, upward
+// flux.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -43,8 +44,8 @@ TEST(Layers, SumToThePictureAndHoldTheirOwnKindOnly) {
   for (const Estimator estimator : {Estimator::reference, Estimator::ris, Estimator::pairwise}) {
     RenderSettings settings = reference();
     settings.sampling.estimator = estimator;
-    // Reuse near by and not for long, as in estimator_test.cpp: all of this small picture would share a few
-    // samples, and how much of it comes from which light vary by 4 % from run to run.
+    // A small radius and a short history, as in estimator_test.cpp: otherwise the whole small
+    // picture shares a few samples, and the share of each light varies by 4 % from run to run.
     settings.reuse.neighbour_radius_px = 2;
     settings.reuse.max_history = 2;
     settings.sampling.layers = true;
@@ -111,7 +112,7 @@ TEST(Moon, LightsAsItsIlluminanceSaysAndCastsShadows) {
     const double expected = albedo / pi * 0.25 * std::sqrt(0.5);
     EXPECT_NEAR(at_centre(render(SceneBuilder().ground(30).with({}), down, settings, 9, 9, 1)),
                 expected, 0.005 * expected);
-    // A wall to the south of the place, as high as it is far, and some more.
+    // A wall to the south, a little higher than it is far away.
     const RenderScene walled = SceneBuilder().ground(30).box({-9, 0, 4}, {9, 9, 5}).with({});
     EXPECT_EQ(at_centre(render(walled, down, settings, 9, 9, 1)), 0);
   }
@@ -158,8 +159,8 @@ TEST(SkyMap, KnowsNorthFromSouthAndUpFromDown) {
 }
 
 TEST(WetStreet, MirrorsALampByItsMicrofacetsAndDarkensTheRest) {
-  // Eye and lamp in one vertical: half vector, light and normal coincide, so that D = 1 / (pi alpha^2),
-  // shadowing and Fresnel are those of normal incidence.
+  // Camera and lamp lie on one vertical line: half vector, light direction and normal coincide, so
+  // D = 1 / (pi alpha^2), and shadowing and Fresnel terms are those of normal incidence.
   constexpr double roughness = 0.25, alpha2 = roughness * roughness * roughness * roughness,
                    f0 = 0.02, kept = 0.6;
   const double illuminance = 5000 / (4 * pi) / 64;
@@ -179,7 +180,7 @@ TEST(WetStreet, MirrorsALampByItsMicrofacetsAndDarkensTheRest) {
   if (test::test_device().info().kind == "cpu") {
     EXPECT_EQ(wet.rgb, dry.rgb);
   }
-  // Two compiled passes: a GPU may round each its own way.
+  // These are two compiled passes, and a GPU may round each differently.
   for (std::size_t i = 0; i < dry.rgb.size(); ++i)
     EXPECT_NEAR(wet.rgb[i], dry.rgb[i], 1e-5f * dry.rgb[i]);
 }
@@ -198,11 +199,11 @@ TEST(WetStreet, EstimatorsAgreeOnIt) {
 UpwardFlux upward(const RenderScene& scene, UpwardSettings settings = {}) {
   gpu::Device& device = test::test_device();
   DeviceScene device_scene(device, scene);
-  return upward_flux(device, test::test_passes(), device_scene, settings);
+  return measure_upward_flux(device, test::test_passes(), device_scene, settings);
 }
 
 TEST(Upward, ABareLampSendsHalfUpAndTheGroundSendsItsAlbedoAfterIt) {
-  // A ground of 400 times the lamp's height takes all but a 1 / 400 of what goes down.
+  // A ground of 400 times the lamp's height receives all but 1 / 400 of the downward light.
   const UpwardFlux flux = upward(SceneBuilder().ground(2000).with({lamp({0, 5, 0}, 1000)}));
   ASSERT_EQ(flux.lights.size(), 1u);
   EXPECT_NEAR(flux.lights[0].direct, 0.5, 0.01);
@@ -248,7 +249,8 @@ TEST(Denoiser, KeepsTheMeanAndTheEdgesAndTakesTheNoise) {
     return sum;
   };
   EXPECT_LT(error(filtered), 0.6 * error(noisy));
-  // It takes a little of the light with the outliers: for the eye, never for figures.
+  // The denoiser removes a little light with the outliers: it is for viewing, never for
+  // measurements.
   EXPECT_NEAR(test::mean_luminance(filtered) / test::mean_luminance(noisy), 1, 0.08);
   EXPECT_EQ(filtered.info.estimator, "ris, denoised") << "a filtered picture says so";
 }

@@ -57,7 +57,8 @@ TEST(SettingTable, NumbersOutOfRangeAreRefusedHoweverTheyCameIn) {
   }
 }
 
-// A setting that these groups hold and that does not restart the mean would mix two estimates in it.
+// A setting that these groups hold and that does not restart the mean would mix two estimates in
+// it.
 TEST(SettingTable, EverySettingOfSamplingReuseAndEnvironmentChangesTheEstimate) {
   for (const Setting& setting : list_settings()) {
     RenderSettings settings;

@@ -1,5 +1,5 @@
-// Ray queries and ray tracing pipelines against our own traversal, on devices that have them. All tests of
-// the renderer go through them with NIGHTCITY_TEST_TRACE=query and =pipeline.
+// Ray queries and ray tracing pipelines against our own traversal, on devices that have them.
+// NIGHTCITY_TEST_TRACE=query and =pipeline run all tests of the renderer with them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,7 +28,8 @@ TEST_P(TraceWays, AreRefusedWhereTheDeviceLacksThem) {
   EXPECT_THROW(gpu::Device{by(GetParam())}, UsageError);
 }
 
-// Houses, posts placed 40 times, a glass that casts no shadow, and a vehicle on its way past them.
+// Houses, 40 instances of a post, a glass that casts no shadow, and a vehicle that drives past
+// them.
 RenderScene street() {
   SceneBuilder builder = random_town(40, 50, 5), post, glass;
   post.box({-0.5f, 0, -0.5f}, {0.5f, 4, 0.5f});
@@ -71,7 +72,7 @@ Image seen_by(gpu::Device& device, const RenderScene& scene, Estimator estimator
   return renderer.download(true);
 }
 
-// Only rays that graze an edge may fall either way.
+// Only rays that graze an edge may differ.
 TEST_P(TraceWays, MeetTheSurfacesAndShadowsThatOurOwnTraversalMeets) {
   if (!has(test_device().info(), GetParam()))
     GTEST_SKIP() << test_device().info().name << " lacks it";

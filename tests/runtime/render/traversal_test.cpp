@@ -38,7 +38,7 @@ void expect_depths_like_brute_force(const RenderScene& scene, const CameraPose& 
         ++wrong;
     }
   EXPECT_GT(hits, int(side * side / 8));
-  // Rays that graze an edge may fall either way in float and double.
+  // Rays that graze an edge may differ between float and double.
   EXPECT_LE(wrong, int(side * side / 500));
 }
 

@@ -1,4 +1,4 @@
-// Vehicles on the device against standing copies of them, placed by hand.
+// Vehicles on the device against static copies of them, placed by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,8 @@ TripKnot knot(glm::vec3 position, float time_s, glm::vec3 velocity, double yaw_t
   return {position, time_s, velocity, yaw | (braking ? KNOT_BRAKING : 0u)};
 }
 
-// A vehicle of 4 x 1.6 x 2 m with a lamp 1 m before its nose and one that shines while it brakes behind it.
+// A vehicle of 4 x 1.6 x 2 m with a lamp 1 m in front of its nose and one behind it that shines
+// while it brakes.
 Traffic one_kind() {
   Traffic traffic;
   traffic.cycle.cycle_s = 100;
@@ -52,8 +53,9 @@ RenderScene with_traffic(Traffic traffic, std::vector<Light> lights = {}) {
   return make_render_scene(SceneBuilder().ground(60).scene(), std::move(all));
 }
 
-// What the fleet should look like: a box on the ground and the given lamps.
-RenderScene standing(const glm::vec3& lower, const glm::vec3& upper, std::vector<Light> lights) {
+// The expected scene: a box on the ground and the given lamps.
+RenderScene place_static(const glm::vec3& lower, const glm::vec3& upper,
+                         std::vector<Light> lights) {
   SceneLights all;
   all.lights = std::move(lights);
   return make_render_scene(SceneBuilder().ground(60).box(lower, upper).scene(), std::move(all));
@@ -85,21 +87,22 @@ TEST(Vehicles, AVehicleIsWhereItsKnotsSayWithItsLightsAndShadow) {
   // 400 cycles of 100 s make up noon + 40,000 s; 9 s into the drive.
   const Image moving =
       render(with_traffic(traffic), above, reference_at(40'000 + 5 + 9), 48, 48, 1);
-  const Image placed = render(standing({-3, 0, -1}, {1, 1.6f, 1}, {lamp({2, 1, 0}, 1000)}), above,
-                              reference_at(0), 48, 48, 1);
+  const Image placed = render(place_static({-3, 0, -1}, {1, 1.6f, 1}, {lamp({2, 1, 0}, 1000)}),
+                              above, reference_at(0), 48, 48, 1);
   EXPECT_GT(test::mean_luminance(placed), 0.01);
   EXPECT_LT(relative_difference(moving, placed), 0.002);
 }
 
 TEST(Vehicles, HeadingTurnsTheShortWayAndRearLampShinesWhileBraking) {
   Traffic traffic = one_kind();
-  // Stands and turns from 10 degrees right of east to 10 degrees left of it: at half time it looks east.
+  // The vehicle stands and turns from 10 degrees right of east to 10 degrees left of it, so at half
+  // time it faces east.
   add_trip(traffic, {knot({0, 0, 0}, 0, {0, 0, 0}, -10.0 / 360, true),
                      knot({0, 0, 0}, 20, {0, 0, 0}, 10.0 / 360)});
   const Image moving = render(with_traffic(traffic), above, reference_at(10), 48, 48, 1);
-  const Image placed =
-      render(standing({-2, 0, -1}, {2, 1.6f, 1}, {lamp({3, 1, 0}, 1000), lamp({-3, 1, 0}, 500)}),
-             above, reference_at(0), 48, 48, 1);
+  const Image placed = render(
+      place_static({-2, 0, -1}, {2, 1.6f, 1}, {lamp({3, 1, 0}, 1000), lamp({-3, 1, 0}, 500)}),
+      above, reference_at(0), 48, 48, 1);
   EXPECT_LT(relative_difference(moving, placed), 0.002);
 }
 
@@ -119,8 +122,8 @@ TEST(Vehicles, IsDarkBeforeADriveAfterItAndWhereTheHourHasNoTraffic) {
   EXPECT_EQ(mean(3 * 3600 + 51), 0) << "15:00";
 }
 
-// Enough vehicles for several levels of the tree, all over the ground. Their lamps hang high, so that no few
-// pixels close to one hold most of a picture's light.
+// Enough vehicles for several levels of the BVH, all over the ground. Their lamps hang high, so
+// that no few pixels near a lamp hold most of a picture's light.
 Traffic crowd(int count) {
   Traffic traffic = one_kind();
   for (Light& light : traffic.vehicle_lights) light.position.y = 5;
@@ -144,7 +147,8 @@ TEST(Vehicles, PickedLightsGiveTheReferenceWithoutBias) {
   for (const Estimator estimator : {Estimator::ris, Estimator::pairwise}) {
     RenderSettings settings = reference_at(17);
     settings.sampling.estimator = estimator;
-    // Frames of one run share samples: the error of the mean is that of the means of independent runs.
+    // Frames of one run share samples, so the error of the mean is estimated from the means of
+    // independent runs.
     constexpr unsigned runs = 10;
     double sum = 0, squares = 0;
     for (settings.sampling.seed = 1; settings.sampling.seed <= runs; ++settings.sampling.seed) {
@@ -168,7 +172,7 @@ TEST(Vehicles, HistoryOfMovingLightsBringsNoBias) {
   Renderer moving(device, test::test_passes(), device_scene, 20, 20);
   RenderSettings settings = reference_at(0);
   settings.sampling.estimator = Estimator::pairwise;
-  // Neighbours far away and a short history: frames that share few samples, so that few frames tell.
+  // A large radius and a short history: frames share few samples, so a few frames suffice.
   settings.reuse.neighbour_radius_px = 30;
   settings.reuse.max_history = 4;
   double estimated = 0, truth = 0;
@@ -199,7 +203,8 @@ TEST(Vehicles, APictureDependsOnTheTimeOnlyNotOnTheFramesBefore) {
     for (int i = 1; i <= steps; ++i) renderer.render_frame(above, reference_at(21.0 * i / steps));
     pictures[steps == 7] = renderer.download(false).rgb;
   }
-  // The reference's stratified points on a lamp differ from frame to frame, the lamp's place does not.
+  // The reference's stratified points on a lamp differ from frame to frame; the lamp's place does
+  // not.
   double difference = 0, sum = 0;
   for (std::size_t i = 0; i < pictures[0].size(); ++i) {
     difference += std::abs(double(pictures[0][i]) - double(pictures[1][i]));

@@ -10,9 +10,9 @@
 namespace nightcity {
 namespace {
 
-constexpr float quarter = std::numbers::pi_v<float> / 2;
+constexpr float quarter_turn = std::numbers::pi_v<float> / 2;
 
-// Ten metres south of the origin and as high, looking at it.
+// A camera ten metres south of the origin and ten metres high that looks at it.
 CameraPose southern() {
   CameraPose pose;
   pose.position = {0, 10, 10};
@@ -31,7 +31,7 @@ void expect_near(const glm::vec3& a, const glm::vec3& b) {
 }
 
 TEST(CameraMotion, OrbitingAQuarterCounterClockwiseFromSouthEndsEast) {
-  const CameraPose pose = orbited(southern(), quarter, 0);
+  const CameraPose pose = orbited(southern(), quarter_turn, 0);
   expect_near(pose.position, {10, 10, 0});
   expect_near(pose.target, {0, 0, 0});
 }
@@ -40,7 +40,7 @@ TEST(CameraMotion, TurningAQuarterLeftFromNorthLooksWest) {
   CameraPose north;
   north.position = {3, 2, 1};
   north.target = {3, 2, -9};
-  const CameraPose pose = turned(north, quarter, 0);
+  const CameraPose pose = turned(north, quarter_turn, 0);
   expect_near(pose.position, north.position);
   expect_near(pose.target, {-7, 2, 1});
 }
@@ -71,7 +71,7 @@ TEST(CameraMotion, MapKeepsItsHeadingWhenFirstTurned) {
   map.target = {0, 0, 0};
   map.up = {1, 0, 0};
   const CameraPose pose = orbited(map, 0, -0.3f);
-  EXPECT_LT(pose.position.x, -1.0f);  // the eye sinks on the west side and looks east
+  EXPECT_LT(pose.position.x, -1.0f);  // the camera sinks on the west side and looks east
   EXPECT_NEAR(pose.position.z, 0.0f, 1e-3);
   EXPECT_EQ(pose.up, glm::vec3(0, 1, 0));
 }

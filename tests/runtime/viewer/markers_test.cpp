@@ -11,7 +11,7 @@
 namespace nightcity {
 namespace {
 
-// At the origin, looking north, 90 degrees high and twice as wide.
+// A camera at the origin that looks north, with a view 90 degrees high and twice as wide.
 gpu::Camera camera() {
   CameraPose pose;
   pose.position = {0, 0, 0};

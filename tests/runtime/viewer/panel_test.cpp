@@ -10,7 +10,7 @@
 namespace nightcity {
 namespace {
 
-// Dear ImGui without a window: frames drawn to nowhere, a mouse made up.
+// Dear ImGui without a window: frames are not shown, and the test moves the mouse.
 class Panel : public testing::Test {
  protected:
   void SetUp() override {
@@ -45,7 +45,7 @@ class Panel : public testing::Test {
       if (done(frame())) return true;
       io.MouseDown[0] = false;
       if (done(frame())) return true;
-      // A list that opened would cover what comes next.
+      // An open list would cover the widgets below it.
       if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) ImGui::ClosePopupToLevel(0, false);
     }
     return false;

@@ -1,4 +1,4 @@
-// The program itself, in a virtual display, moved by xdotool.
+// Runs the program in a virtual display; xdotool moves mouse and keys.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,8 +42,8 @@ class ViewerWindow : public testing::Test {
     write_light_file(folder / "town.lights", {scene.georeference, lights, provenance, {}, {}});
   }
 
-  // Runs `script` (sh) in a virtual display of its own, in the test's folder; $V is nightview on the scene,
-  // $S a small size.
+  // Runs `script` (sh) in a virtual display of its own, in the test's folder; $V is nightview on
+  // the scene, $S a small size.
   int run(const std::string& script) const {
     std::string text = "S='--size 320x240 --every 2'\nV='";
     text += NIGHTCITY_BUILD_DIR;
@@ -84,7 +84,7 @@ TEST_F(ViewerWindow, ShowsThePictureAndSaysWhichEstimatorMadeIt) {
 }
 
 TEST_F(ViewerWindow, PanelAndMarkersAreDrawnOverThePicture) {
-  // The same picture with and without marks: what differs is theirs.
+  // The same picture with and without markers: the difference shows the markers.
   ASSERT_EQ(run("$V $S --quit-after 3 --ev 3 --screenshot plain.png && $V $S --quit-after 3 --ev 3 "
                 "--markers "
                 "--screenshot marked.png\n"),
@@ -100,7 +100,7 @@ TEST_F(ViewerWindow, PanelAndMarkersAreDrawnOverThePicture) {
 }
 
 TEST_F(ViewerWindow, KeysChooseTheEstimatorAndQuit) {
-  if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no hands";
+  if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no mouse or keyboard";
   ASSERT_EQ(run("$V $S & viewer=$!\n"
                 "xdotool search --sync --onlyvisible --name nightview > window.txt\n"
                 "xdotool mousemove 300 220 key 2 key Escape\n"
@@ -111,7 +111,7 @@ TEST_F(ViewerWindow, KeysChooseTheEstimatorAndQuit) {
 }
 
 TEST_F(ViewerWindow, DraggingMovesTheCamera) {
-  if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no hands";
+  if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no mouse or keyboard";
   ASSERT_EQ(
       run("V=\"$V --size 700x300 --every 8\"\n"  // wide: the panel covers the left
           "$V --quit-after 1 --save-camera before.json\n"

@@ -1,4 +1,4 @@
-#include "runtime/render/ray_trees.h"
+#include "runtime/render/scene_tlas.h"
 
 #include <cstring>
 #include <glm/mat4x4.hpp>
@@ -11,8 +11,8 @@ namespace {
 
 static_assert(sizeof(VkAccelerationStructureInstanceKHR) == 4 * TLAS_INSTANCE_WORDS);
 
-VkAccelerationStructureInstanceKHR record_of(const gpu::Instance& instance, std::uint32_t index,
-                                             std::uint64_t tree) {
+VkAccelerationStructureInstanceKHR make_record(const gpu::Instance& instance, std::uint32_t index,
+                                               std::uint64_t blas) {
   glm::dmat4 to_object(1.0);
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 4; ++column)
@@ -24,13 +24,13 @@ VkAccelerationStructureInstanceKHR record_of(const gpu::Instance& instance, std:
       record.transform.matrix[row][column] = static_cast<float>(to_model[column][row]);
   record.instanceCustomIndex = index & 0xFFFFFFu;
   record.mask = instance.mask & 0xFFu;
-  record.accelerationStructureReference = tree;
+  record.accelerationStructureReference = blas;
   return record;
 }
 
 }  // namespace
 
-RayTrees::RayTrees(gpu::Device& device, const RenderScene& scene, std::uint64_t triangles) {
+SceneTlas::SceneTlas(gpu::Device& device, const RenderScene& scene, std::uint64_t triangles) {
   const std::size_t trips = scene.traffic.trips.size(), placed = scene.instances.size() + trips;
   if (placed > 0xFFFFFFu)
     throw Error("scene", "more than 16 million instances: too many for any --trace but compute");
@@ -42,35 +42,35 @@ RayTrees::RayTrees(gpu::Device& device, const RenderScene& scene, std::uint64_t 
                    device, triangles + std::uint64_t{mesh.first_triangle} * sizeof(gpu::Triangle),
                    mesh.triangles)});
 
-  // Where no trip has its vehicle on the road yet: mask 0, which no ray meets.
+  // The vehicles' records start with mask 0, which no ray hits: their passes fill them each frame.
   std::vector<VkAccelerationStructureInstanceKHR> records(placed);
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const gpu::Instance& instance = scene.instances[i];
-    records[i] = record_of(instance, i, meshes_.at(instance.root).tree.address());
+    records[i] = make_record(instance, i, meshes_.at(instance.root).blas.address());
   }
   std::vector<std::uint64_t> bodies;
   for (const gpu::VehicleBody& body : scene.traffic.bodies) {
     const auto mesh = meshes_.find(body.root);
-    bodies.push_back(mesh == meshes_.end() ? 0 : mesh->second.tree.address());
+    bodies.push_back(mesh == meshes_.end() ? 0 : mesh->second.blas.address());
   }
   instances_ =
       gpu::Buffer::of(device, std::span<const VkAccelerationStructureInstanceKHR>(records));
   bodies_ = gpu::Buffer::of(device, std::span<const std::uint64_t>(bodies));
   trip_instances_ =
       instances_.address() + scene.instances.size() * sizeof(VkAccelerationStructureInstanceKHR);
-  top_ = gpu::AccelerationStructure::of_instances(device, instances_.address(),
-                                                  static_cast<std::uint32_t>(placed));
-  device.run([&](VkCommandBuffer commands) { top_.build(commands); });
+  tlas_ = gpu::AccelerationStructure::of_instances(device, instances_.address(),
+                                                   static_cast<std::uint32_t>(placed));
+  device.run([&](VkCommandBuffer commands) { tlas_.build(commands); });
 }
 
-std::uint32_t RayTrees::first_triangle(std::uint32_t root) const {
+std::uint32_t SceneTlas::first_triangle(std::uint32_t root) const {
   const auto mesh = meshes_.find(root);
   return mesh == meshes_.end() ? 0 : mesh->second.first_triangle;
 }
 
-std::uint64_t RayTrees::bytes() const {
-  std::uint64_t total = instances_.bytes() + bodies_.bytes() + top_.bytes();
-  for (const auto& [root, mesh] : meshes_) total += mesh.tree.bytes();
+std::uint64_t SceneTlas::bytes() const {
+  std::uint64_t total = instances_.bytes() + bodies_.bytes() + tlas_.bytes();
+  for (const auto& [root, mesh] : meshes_) total += mesh.blas.bytes();
   return total;
 }
 

@@ -1,0 +1,24 @@
+// The layers that a rendered picture carries beside its colours.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "runtime/measure/image.h"
+#include "runtime/render/device_scene.h"
+
+namespace nightcity {
+
+/// Adds "luminance", cd/m^2.
+void add_luminance_layer(Image& image);
+
+/// Adds "direct_lamps", "direct_windows", "direct_vehicles", "sky" and "emitted", cd/m^2: the sums
+/// over `frames` frames, divided by their number.
+void add_light_layers(Image& image, std::span<const gpu::LightLayers> sums, std::uint32_t frames);
+
+/// Adds what the camera saw in each pixel: "albedo", "normal", "position" (m), "motion" (m per
+/// frame), "depth" (m), "material" and "feature" (ids, -1 = none).
+void add_surface_layers(Image& image, std::span<const gpu::Surface> surfaces,
+                        const DeviceScene& scene);
+
+}  // namespace nightcity
