@@ -18,7 +18,7 @@
 namespace nightcity {
 namespace {
 
-std::uint64_t size_of(const std::filesystem::path& path) {
+std::uint64_t find_size(const std::filesystem::path& path) {
   std::error_code ignored;
   const auto size = std::filesystem::file_size(path, ignored);
   return ignored ? 0 : size;
@@ -38,7 +38,7 @@ class Bake {
         scene_(scene_path_, options.scene),
         tiles_(scene_, scene_path_, options.tiles, std::round(city_.frames().reference().z)),
         lights_(lights_path_) {
-    for (const auto& file : options.city.files) report_.input_bytes += size_of(file);
+    for (const auto& file : options.city.files) report_.input_bytes += find_size(file);
     report_.crs = city_.frames().descriptions();
     clock_.end_stage("reading maps");
   }
@@ -107,8 +107,8 @@ class Bake {
 
   void write_report() {
     report_.scene = scene_.statistics();
-    report_.scene_bytes = size_of(scene_path_);
-    report_.lights_bytes = size_of(lights_path_);
+    report_.scene_bytes = find_size(scene_path_);
+    report_.lights_bytes = find_size(lights_path_);
     clock_.end_stage("writing city.glb");
     report_.stages = clock_.stages();
     AtomicFile file(output_.staged("bake_report.json"));

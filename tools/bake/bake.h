@@ -1,4 +1,4 @@
-// The whole way from open data to city.glb and city.lights.
+// A bake: from open data to city.glb and city.lights.
 #pragma once
 
 #include <filesystem>

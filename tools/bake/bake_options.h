@@ -1,4 +1,4 @@
-// What each stage of a bake is to do.
+// The options of a bake, one struct for each stage.
 #pragma once
 
 #include "formats/scene_writer.h"
@@ -17,15 +17,14 @@ struct BakeOptions {
   SceneTileOptions tiles;
   LightStageOptions lights;
   WindowStageOptions windows;
-  bool drives = false;  // whether the bake makes traffic
+  bool drives = false;  // true: the bake makes traffic
   traffic::TrafficOptions traffic;
 
-  /// Returns whether something goes along streets, so that a map without streets needs those of the
-  /// model.
+  /// Returns whether lamps or traffic follow streets: then a map without streets needs the model's.
   bool uses_streets() const { return drives || lights.lamps.lays_out(); }
 };
 
-/// Sorts a recipe's settings by the stage that uses them. No stage knows the recipe itself.
+/// Sorts a recipe's settings by the stage that uses them. No stage depends on the recipe itself.
 BakeOptions to_bake_options(const Recipe& recipe);
 
 }  // namespace nightcity

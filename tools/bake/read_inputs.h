@@ -9,7 +9,7 @@
 namespace nightcity {
 
 /// Returns the recipe, where one is given alone; else a recipe of defaults with the CityGML and OSM
-/// files among `inputs`, which are told apart by their content. A folder stands for the CityGML in
+/// files among `inputs`, whose content decides what they are. A folder stands for the CityGML in
 /// it. Throws Error for a file of another kind, UsageError where a recipe is given among other
 /// files.
 Recipe read_inputs(const std::vector<std::filesystem::path>& inputs);

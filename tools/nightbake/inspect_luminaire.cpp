@@ -25,7 +25,7 @@ Inspection inspect_luminaire(const std::filesystem::path& file) {
   result["c_planes"] = grid.c_degrees.size();
   result["gamma_angles"] = grid.gamma_degrees.size();
   result["street_side_degrees"] = luminaire.street_side_degrees;
-  // What city.lights will hold: the same flux on a regular grid.
+  // The distribution as city.lights will have it: the same flux on a regular grid.
   const Photometry photometry = luminaire.photometry();
   result["resampled_flux_lm"] = integrated_flux(photometry);
   result["opening_m"] = {luminaire.length_m, luminaire.width_m, luminaire.height_m};

@@ -9,7 +9,7 @@ namespace nightcity {
 Inspection inspect_scene(const std::filesystem::path& file) {
   const Scene scene = read_scene(file);
   Inspection result = make_empty_inspection("scene");
-  const auto triangles_of = [](const SceneMesh& mesh) {
+  const auto count_triangles = [](const SceneMesh& mesh) {
     std::size_t count = 0;
     for (const ScenePrimitive& primitive : mesh.primitives) count += primitive.indices.size() / 3;
     return count;
@@ -17,7 +17,7 @@ Inspection inspect_scene(const std::filesystem::path& file) {
   std::size_t triangles = 0, vertices = 0, shown = 0, instances = 0;
   std::map<std::string, std::size_t> by_material, nodes, features;
   for (const SceneMesh& mesh : scene.meshes) {
-    triangles += triangles_of(mesh);
+    triangles += count_triangles(mesh);
     for (const ScenePrimitive& primitive : mesh.primitives) {
       vertices += primitive.positions.size();
       by_material[scene.materials[primitive.material].name] += primitive.indices.size() / 3;
@@ -30,7 +30,7 @@ Inspection inspect_scene(const std::filesystem::path& file) {
     const std::string kind = node.kind.empty() ? "other" : node.kind;
     ++nodes[kind];
     instances += node.instances.size();
-    shown += triangles_of(mesh) * node.instances.size();
+    shown += count_triangles(mesh) * node.instances.size();
     for (const SceneInstance& instance : node.instances) {
       if (instance.light != no_id) lights[kind].insert(instance.light);
       for (const ScenePrimitive& primitive : mesh.primitives) {

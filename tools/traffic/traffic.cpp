@@ -3,13 +3,13 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
 #include "formats/error.h"
 #include "formats/traffic_pose.h"
 #include "tools/random.h"
+#include "tools/stopwatch.h"
 #include "tools/traffic/link_network.h"
 #include "tools/traffic/vehicle_lamps.h"
 
@@ -22,14 +22,12 @@ class Clock {
  public:
   explicit Clock(TrafficReport& report) : report_(report) {}
   void lap(const char* step) {
-    const auto now = std::chrono::steady_clock::now();
-    report_.seconds.emplace_back(step, std::chrono::duration<double>(now - start_).count());
-    start_ = now;
+    report_.seconds.emplace_back(step, watch_.lap_s());
   }
 
  private:
   TrafficReport& report_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Stopwatch watch_;
 };
 
 /// Returns the number of vehicles at once in the busiest hour; the table is for 22:00.

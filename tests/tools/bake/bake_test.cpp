@@ -1,4 +1,4 @@
-// Whole bakes of small made-up cities, where what must come out is known.
+// Whole bakes of small made-up cities, for which the right result is known.
 #include "tools/bake/bake.h"
 
 #include <gdal_priv.h>
@@ -38,7 +38,7 @@ struct Box {
   }
 };
 
-/// Bounds by material, in the city's CRS.
+/// Returns the bounds of each material, in the city's CRS.
 std::map<std::string, Box> boxes(const std::filesystem::path& glb) {
   const Scene scene = read_scene(glb);
   std::map<std::string, Box> result;
@@ -50,7 +50,7 @@ std::map<std::string, Box> boxes(const std::filesystem::path& glb) {
   return result;
 }
 
-/// One building with one roof, a square of 10 m at `corner`, coordinates as the CRS has them.
+/// Returns a city of one building with one roof that has these corners, in coordinates of the CRS.
 std::string roof_city(const std::string& srs_name, const std::vector<glm::dvec3>& ring_places) {
   std::string positions;
   for (std::size_t i = 0; i <= ring_places.size(); ++i) {
@@ -131,7 +131,8 @@ TEST(Bake, AModelWithoutACrsIsPlacedByTheBoundsItFills) {
   EXPECT_NEAR(roof.greatest.y, high.y, 0.01);
 }
 
-// A cube of 10 m at (391000, 5819000, 35), one wall facing inward and without its ground surface.
+// Returns a cube of 10 m at (391000, 5819000, 35), one wall facing inward and without its ground
+// surface.
 std::string broken_cube() {
   std::string text = sample_gml();
   const std::string wall =
@@ -182,7 +183,7 @@ TEST(Bake, GroundUnderBuildingsIsLeftOutOnRequestOnly) {
   EXPECT_EQ(report.tiles.triangles.at("roof"), 2u);
 }
 
-/// Heights 30 + (x - 391000) / 100 around the cube, as a raster in the city's CRS.
+/// Writes heights 30 + (x - 391000) / 100 around the cube, as a raster in the city's CRS.
 void write_slope(const std::filesystem::path& path, double moved_by) {
   GDALAllRegister();
   constexpr int size = 80;
@@ -225,7 +226,8 @@ TEST(Bake, AnElevationModelIsTheGroundAndMeetsTheBuildings) {
       for (const glm::vec3& p : primitive.positions) {
         const glm::dvec3 place = scene.georeference.from_model(
             glm::dvec3(node.instances.at(0).to_model * glm::vec4(p, 1)));
-        // The feet stand at 35 m about x = 391005: the median of the differences is taken there.
+        // The footprint lies at 35 m around x = 391005: the median of the differences is taken
+        // there.
         EXPECT_NEAR(place.z, 35 + (place.x - 391005) / 100, 0.06);
         ++vertices;
       }
@@ -256,7 +258,7 @@ TEST(Bake, AnElevationModelOfAnotherPlaceIsAnError) {
   EXPECT_THROW(bake(recipe, folder / "out"), Error);
 }
 
-/// The sample's cube on mass points, 49 of them, at one height.
+/// Returns the sample's cube on mass points, 49 of them, at one height.
 std::string on_mass_points(const std::string& height) {
   std::string points;
   for (int x = -20; x <= 40; x += 10)

@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "formats/error.h"
 #include "support/temp_folder.h"
 #include "tools/bake/city/tile_grid.h"
+#include "tools/bake/stages/window_stage.h"
 #include "tools/nightbake/sample_city.h"
 
 namespace nightcity {
@@ -132,6 +134,35 @@ TEST(City, ErrorsNameAFile) {
   EXPECT_NE(message.find("lamps cannot be placed"), std::string::npos) << message;
 }
 
+/// Keeps what has been read.
+class Collector final : public CityConsumer {
+ public:
+  Turn prepare(const std::shared_ptr<const PreparedObject>& prepared) override {
+    return [this, prepared](bool) { objects.push_back(prepared); };
+  }
+  std::vector<std::shared_ptr<const PreparedObject>> objects;
+};
+
+TEST(WindowConsumer, EveryPieceOfALargeBuildingGetsWindows) {
+  const TempFolder folder;
+  City city(two_files(folder), folder / "scratch");
+  Collector collector;
+  city.read({&collector}, {});
+  city.build_ground();
+  const auto& cube = collector.objects.at(0);
+  const auto piece = std::make_shared<PreparedObject>(*cube);
+  for (Polygon& polygon : piece->object.polygons)
+    for (glm::dvec3& p : polygon.exterior) p.x += 25;
+  WindowConsumer windows(city, {}, folder / "windows");
+  windows.prepare(cube)(false);
+  windows.prepare(piece)(true);
+  std::size_t first = 0, second = 0;
+  windows.finish(
+      city, [&](const LitRectangle& window) { ++(window.centre.x < 391015 ? first : second); });
+  EXPECT_GT(first, 0u);
+  EXPECT_GT(second, 0u);
+}
+
 TEST(ObjectTiles, AnObjectSmallerThanATileStaysWholeALargerOneIsDivided) {
   const glm::dvec3 west[3] = {{95, 5, 0}, {99, 5, 0}, {99, 9, 0}},
                    east[3] = {{102, 5, 0}, {104, 5, 0}, {104, 9, 0}},
@@ -139,13 +170,13 @@ TEST(ObjectTiles, AnObjectSmallerThanATileStaysWholeALargerOneIsDivided) {
   ObjectTiles house(100);
   house.add(west);
   house.add(east);
-  EXPECT_EQ(house.tile_of(west), (Tile{0, 0}));
-  EXPECT_EQ(house.tile_of(east), (Tile{0, 0}));
+  EXPECT_EQ(house.find_tile(west), (Tile{0, 0}));
+  EXPECT_EQ(house.find_tile(east), (Tile{0, 0}));
   ObjectTiles street = house;
   street.add(far);
-  EXPECT_EQ(street.tile_of(west), (Tile{0, 0}));
-  EXPECT_EQ(street.tile_of(east), (Tile{1, 0}));
-  EXPECT_EQ(street.tile_of(far), (Tile{-3, 0}));
+  EXPECT_EQ(street.find_tile(west), (Tile{0, 0}));
+  EXPECT_EQ(street.find_tile(east), (Tile{1, 0}));
+  EXPECT_EQ(street.find_tile(far), (Tile{-3, 0}));
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ TEST(Drape, EveryVertexLiesJustAboveTheGroundAndKeepsItsColour) {
   const test::TempFolder folder;
   DrapeStore store(folder / "x");
   const MaterialCode red =
-      code_of(BakeMaterial::road, glm::vec3(1, 0, 0));  // the model's own colour
+      to_code(BakeMaterial::road, glm::vec3(1, 0, 0));  // the model's own colour
   const TileStore::Triangle triangles[] = {
       {{{0, 0, 0}, {200, 0, 0}, {200, 8, 0}}, red, NodeKind::road},
       {{{0, 0, 0}, {200, 8, 0}, {0, 8, 0}}, red, NodeKind::road}};

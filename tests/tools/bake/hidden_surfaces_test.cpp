@@ -11,8 +11,8 @@ namespace {
 
 using Stored = TileStore::StoredTriangle;
 
-/// A box with outward faces. `turn`: which of its quads' diagonals, so that neighbours are cut
-/// differently.
+/// Returns a box with outward faces. `turn` selects the diagonals of its quads, so that neighbours
+/// are cut differently.
 void add_box(std::vector<Stored>& out, const glm::vec3& low, const glm::vec3& high,
              std::uint32_t feature, bool turn = false, bool solid = true) {
   constexpr std::array<std::array<int, 4>, 6> faces{

@@ -1,4 +1,4 @@
-// Copies for other programs keep the light's lumens under the falloff those programs use.
+// Copies for other programs keep the light's lumens under the falloff that those programs use.
 #include "tools/bake/scene/punctual.h"
 
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ TEST(Punctual, WhatShinesDownIsASpotAndWhatShinesAroundAPoint) {
   EXPECT_LT(outer(light_of(LightKind::sphere, street)), pi / 2);
   EXPECT_EQ(outer(light_of(LightKind::sphere, lantern)), 0);
   EXPECT_EQ(outer(light_of(LightKind::sphere, LIGHT_NO_PROFILE)), 0);
-  // A window's axis has a Lambertian's candela.
+  // On its axis a window has the intensity of a Lambertian emitter.
   const ScenePunctual window =
       to_punctual(light_of(LightKind::rectangle, LIGHT_NO_PROFILE), {}, {});
   EXPECT_NEAR(window.intensity_cd, 5000 / pi, 5000 / pi * 0.005);

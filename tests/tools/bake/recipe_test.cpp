@@ -172,7 +172,7 @@ TEST(Recipe, WrongValuesAreUsageErrors) {
         read(folder, std::string("[city]\nfiles = ['a.gml']\n[night]\ntime = '") + time + "'\n"),
         UsageError);
   EXPECT_THROW(read(folder, "[traffic]\n"), UsageError);
-  // A map without a city will do for what goes along streets; a bake asks for the city.
+  // A map alone suffices for lamps and traffic; a bake needs the city.
   EXPECT_TRUE(read(folder, "[osm]\nfiles = ['a.osm']\n").city.files.empty());
   EXPECT_THROW(CityFrames(to_bake_options(read(folder, "[osm]\nfiles = ['a.osm']\n")).city),
                UsageError);

@@ -11,12 +11,12 @@ namespace {
 
 using Triangle = TileStore::Triangle;
 
-Triangle triangle(glm::dvec3 at, double size, MaterialCode material = code_of(BakeMaterial::wall),
+Triangle triangle(glm::dvec3 at, double size, MaterialCode material = to_code(BakeMaterial::wall),
                   NodeKind kind = NodeKind::city) {
   return {{at, at + glm::dvec3(size, 0, 0), at + glm::dvec3(0, size, size)}, material, kind};
 }
 
-// E, N, H of a vertex of a tile's mesh.
+// Returns E, N, H of a vertex of a tile's mesh.
 glm::dvec3 place(const TileStore& store, const TileKey& key, const glm::vec3& p) {
   const glm::dvec3 origin = store.origin(key);
   return {origin.x + double{p.x}, origin.y - double{p.z}, origin.z + double{p.y}};
@@ -47,8 +47,8 @@ TEST(TileStore, AnObjectSmallerThanATileStaysWholeALargerOneIsShared) {
   store.add(house, 0);
   EXPECT_EQ(store.tiles().size(), 1u);
   const std::vector<Triangle> relief{
-      triangle({10, 10, 0}, 4, code_of(BakeMaterial::terrain), NodeKind::terrain),
-      triangle({410, 10, 0}, 4, code_of(BakeMaterial::terrain), NodeKind::terrain)};
+      triangle({10, 10, 0}, 4, to_code(BakeMaterial::terrain), NodeKind::terrain),
+      triangle({410, 10, 0}, 4, to_code(BakeMaterial::terrain), NodeKind::terrain)};
   store.add(relief, 1);
   EXPECT_EQ(store.tiles().size(), 3u);
 }
@@ -62,7 +62,7 @@ TEST(TileStore, LosesNoTriangleAndKeepsTheirOrder) {
     for (int t = 0; t < 3; ++t)
       triangles.push_back(
           triangle({(object * 37) % 300 - 100.0, (object * 53) % 300 - 100.0, t * 2.0}, 1 + t,
-                   object % 2 ? code_of(BakeMaterial::roof) : code_of(BakeMaterial::wall)));
+                   object % 2 ? to_code(BakeMaterial::roof) : to_code(BakeMaterial::wall)));
     added += triangles.size();
     store.add(triangles, object);
   }
@@ -90,8 +90,8 @@ TEST(TileStore, WeldsEqualVerticesOfOneObjectOnly) {
   const test::TempFolder folder;
   TileStore store(folder / "x", 100, 0);
   const glm::dvec3 a(1, 1, 0), b(2, 1, 0), c(2, 2, 0), d(1, 2, 0);
-  const std::vector<Triangle> square{{{a, b, c}, code_of(BakeMaterial::wall), NodeKind::city},
-                                     {{a, c, d}, code_of(BakeMaterial::wall), NodeKind::city}};
+  const std::vector<Triangle> square{{{a, b, c}, to_code(BakeMaterial::wall), NodeKind::city},
+                                     {{a, c, d}, to_code(BakeMaterial::wall), NodeKind::city}};
   store.add(square, 0);
   store.add(square, 1);
   const SceneMesh mesh = store.mesh(store.tiles().at(0));

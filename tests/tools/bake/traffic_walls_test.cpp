@@ -1,5 +1,5 @@
-// The default town's traffic against the town itself: nobody drives through a wall, or above or
-// below the ground.
+// The default town's traffic is compared with the town: no vehicle drives through a wall, or above
+// or below the ground.
 #include <gtest/gtest.h>
 
 #include <cmath>

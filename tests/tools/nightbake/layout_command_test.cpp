@@ -1,4 +1,4 @@
-// nightbake layout as its users meet it.
+// Tests nightbake layout from outside.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -16,7 +16,8 @@ using test::Outcome;
 using test::TempFolder;
 using test::write_text;
 
-/// The sample city, its map without lamps: one street, `lamps` as the recipe's table of that name.
+/// Writes the sample city with a map of one street and no lamp; `lamps` is the recipe's table
+/// [lamps].
 std::filesystem::path dark_sample(const TempFolder& folder, const std::string& lamps) {
   test::write_sample(folder);
   write_text(folder / "streets.osm", R"(<?xml version="1.0" encoding="UTF-8"?>
@@ -76,7 +77,7 @@ TEST(LayoutCommand, WhatARecipeMayNotSayIsAUsageErrorWithItsLine) {
 TEST(LayoutCommand, ItsOsmFileBakesToTheSameLampsAsTheLayoutItself) {
   const TempFolder folder;
   const std::filesystem::path recipe = dark_sample(folder, "");
-  ASSERT_EQ(lay_out(recipe, "--osm '" + (folder / "lamps.osm").string() + "'").exit_code, 0);
+  ASSERT_EQ(lay_out(recipe, "--out '" + (folder / "lamps.osm").string() + "'").exit_code, 0);
   const auto bake = [&](const char* out) {
     const Outcome outcome = test::run_program(
         "nightbake", "run '" + recipe.string() + "' --out '" + (folder / out).string() + "'");

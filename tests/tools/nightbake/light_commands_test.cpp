@@ -1,4 +1,4 @@
-// The stages that place lights, each as a command of its own: a file in, a file out.
+// Tests the commands for single stages of the lights: a file in, a file out.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,4 @@
-// The program as its users meet it: commands, exit codes, messages, and what lies in the folder
-// afterwards.
+// Tests the program from outside: commands, exit codes, messages, and the files that it leaves.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +33,7 @@ json inspect(const std::filesystem::path& file) {
   return json::parse(outcome.out);
 }
 
-// A failure: its exit code, one line on stderr that holds `what`, nothing on stdout.
+// Expects a failure: its exit code, one line on stderr that contains `what`, nothing on stdout.
 void expect_failure(const Outcome& outcome, int exit_code, const std::string& what) {
   EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
@@ -104,7 +103,7 @@ TEST(Nightbake, PutsTheLampWhereTheMapHasItAndOnTheGround) {
   EXPECT_LT(place.z, 35 + 15);
   EXPECT_EQ(file.provenance()[0].source_id, 1u);
 
-  // Its luminous ball in the scene stands at the same place, names it and casts no shadow.
+  // Its luminous ball in the scene is at the same place, names it and casts no shadow.
   const Scene scene = read_scene(folder / "out/city.glb");
   std::size_t balls = 0;
   for (const SceneNode& node : scene.nodes)
@@ -242,7 +241,7 @@ TEST(Nightbake, ABakeThatFailsLeavesNothing) {
     write_text(folder / "bad.toml", recipe);
     expect_failure(bake(folder / "bad.toml", folder / "new"), exit_code, what);
     EXPECT_FALSE(std::filesystem::exists(folder / "new")) << recipe;
-    // The same into a folder that is there already: it keeps what it had, and nothing more.
+    // The same into a folder that exists already: it keeps its files and gets no others.
     std::filesystem::create_directory(folder / "old");
     write_text(folder / "old/city.glb", "mine");
     EXPECT_EQ(bake(folder / "bad.toml", folder / "old").exit_code, exit_code);

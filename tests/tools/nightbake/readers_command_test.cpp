@@ -1,4 +1,4 @@
-// nightbake readers as its users meet it.
+// Tests nightbake readers from outside.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -20,7 +20,7 @@ Outcome readers(const std::string& options, const std::filesystem::path& file) {
   return test::run_program("nightbake", "readers " + options + " '" + file.string() + "'");
 }
 
-// A building of which libcitygml 2.4.3 reads nothing: it skips LoD0.
+// libcitygml 2.4.3 reads nothing of this building, because it skips LoD0.
 std::string footprint_city() {
   using namespace test;
   return city_model(member(building("both")) +

@@ -8,7 +8,7 @@
 
 namespace nightcity::test {
 
-/// A cube of 10 m on a 60 m square of terrain at 35 m, EPSG:25833, about (391020, 5819010).
+/// Returns a cube of 10 m on a 60 m square of terrain at 35 m, EPSG:25833, about (391020, 5819010).
 inline std::string sample_gml() {
   const auto polygon = [](const std::string& positions) {
     return "<gml:surfaceMember><gml:Polygon><gml:exterior><gml:LinearRing><gml:posList "
@@ -55,7 +55,8 @@ inline std::string sample_gml() {
 )";
 }
 
-/// One lamp at (391020, 5819010), one far away, and a residential street 4 m east of the first.
+/// Returns a map with one lamp at (391020, 5819010), one far away, and a residential street 4 m
+/// east of the first.
 inline std::string sample_osm() {
   return R"(<?xml version="1.0" encoding="UTF-8"?>
 <osm version="0.6">
@@ -67,7 +68,8 @@ inline std::string sample_osm() {
 )";
 }
 
-/// city.gml, map.osm, recipe.toml and mapped.toml (the map's lamps and no other light) in `folder`.
+/// Writes city.gml, map.osm, recipe.toml and mapped.toml (the map's lamps and no other light) into
+/// `folder`, and returns the path of recipe.toml.
 inline std::filesystem::path write_sample(const TempFolder& folder) {
   write_text(folder / "city.gml", sample_gml());
   write_text(folder / "map.osm", sample_osm());

@@ -1,4 +1,4 @@
-// nightbake traffic and [traffic] as their users meet them.
+// Tests nightbake traffic and the table [traffic] from outside.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -17,7 +17,7 @@ using test::quoted;
 using test::TempFolder;
 using test::write_text;
 
-/// A town of few blocks; `traffic` replaces what its recipe says of traffic.
+/// Writes a town of few blocks; `traffic` replaces the table [traffic] of its recipe.
 std::filesystem::path small_town(const TempFolder& folder, const std::string& traffic) {
   const auto path = folder.path() / "town";
   EXPECT_EQ(
@@ -67,7 +67,7 @@ TEST(TrafficCommand, ReplacesTheTrafficOfALightFileAndKeepsItsLights) {
     profiles = file.profiles().size();
     ASSERT_FALSE(file.traffic().trips.empty());
     first_trip = file.traffic().trips.front().id;
-    // Bodies are in the scene, one node a kind that drives.
+    // The scene has the bodies: one node for each kind of vehicle.
     std::size_t bodies = 0;
     for (const SceneNode& node : read_scene(baked / "city.glb").nodes)
       if (node.kind == "vehicle") {

@@ -43,7 +43,7 @@ City::City(CityInputs inputs, const std::filesystem::path& scratch)
   if (!has_model()) map_frame_ = find_map_frame(map_);
 }
 
-// The middle of the lamps, else of the streets' ends.
+// The frame is that of the middle of the lamps, else of the first points of the streets.
 std::optional<City::MapFrame> City::find_map_frame(const OsmData& map) {
   std::vector<double> lon, lat;
   const auto add = [&](const glm::dvec2& p) {

@@ -26,7 +26,7 @@ namespace nightcity {
 /// Reads the maps and merges them into one. Throws Error as read_osm does.
 OsmData read_maps(const std::vector<std::filesystem::path>& files);
 
-/// Without a city model, the map stands on a plane at height 0, in the UTM zone of its middle.
+/// Without a city model, the map lies on a plane at height 0, in the UTM zone of its middle.
 class City {
  public:
   /// Reads the maps and the heads of the city's files. Scratch files lie beside `scratch`. Throws
@@ -67,11 +67,14 @@ class City {
   /// Adds the centrelines of the model's roads to the map, as its streets.
   StreetReport add_model_streets(const streets::RoadSurfaces& roads);
 
-  /// Place queries. They refer to the city, and need its ground where it has a model.
+  // Place queries. They refer to the city, and need its ground where it has a model.
+
+  /// Returns a function from longitude and latitude to E, N.
   LonLatToFrame to_frame() const;
-  /// Height of the terrain, a road or a building's ground surface; a roof has none.
+  /// Returns the height of the terrain, of a road or of a building's ground surface; on a roof,
+  /// none.
   HeightAt height_at() const;
-  /// Whether a place lies on a building's ground surface. Empty where there is no model.
+  /// Returns whether a place lies on a building's ground surface. Empty where there is no model.
   InsideBuilding inside_footprint() const;
 
  private:

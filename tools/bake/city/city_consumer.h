@@ -1,5 +1,5 @@
-// What gets the objects of a city while the city is read: the ground, the scene's tiles, windows,
-// roads.
+// A consumer gets the objects of a city while the city is read: the ground, the scene's tiles,
+// windows, roads.
 #pragma once
 
 #include <functional>
@@ -23,8 +23,8 @@ class CityConsumer {
  public:
   virtual ~CityConsumer() = default;
 
-  /// What is left to do once the object's turn has come. `continues`: the object is a further piece
-  /// of the one before it (a large object comes in pieces under one id).
+  /// The work that is left for when the object's turn has come. `continues`: the object is a
+  /// further piece of the one before it (a large object comes in pieces under one id).
   using Turn = std::function<void(bool continues)>;
 
   /// Called on many threads at once, so it must not change the consumer; it does what needs no

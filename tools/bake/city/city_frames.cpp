@@ -12,7 +12,7 @@
 namespace nightcity {
 namespace {
 
-glm::dvec3 median_of(const std::vector<glm::dvec3>& points) {
+glm::dvec3 find_median(const std::vector<glm::dvec3>& points) {
   glm::dvec3 result;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> values;
@@ -42,8 +42,8 @@ std::vector<CityFrame::ControlPoint> corners_at(const std::array<double, 4>& bou
   return {{{bounds[0], bounds[1]}, low}, {{bounds[2], bounds[3]}, high}};
 }
 
-CityFrame frame_of(const std::filesystem::path& file, const CityHead& head,
-                   const CityFrame::Options& options) {
+CityFrame make_frame(const std::filesystem::path& file, const CityHead& head,
+                     const CityFrame::Options& options) {
   try {
     return CityFrame::from_srs_name(head.srs_name, head.sample, options);
   } catch (const UsageError&) {
@@ -68,14 +68,14 @@ CityFrames::CityFrames(const CityInputs& inputs) {
   if (inputs.bounds) {
     options.control_points = corners_at(*inputs.bounds, inputs);
     if (options.crs_override.empty())
-      options.crs_override = "none";  // the user knows better than the file
+      options.crs_override = "none";  // bounds are given because the file's CRS is missing or wrong
   }
   const auto number = static_cast<std::size_t>(first - heads.begin());
-  city_ = frame_of(inputs.files[number], *first, options);
+  city_ = make_frame(inputs.files[number], *first, options);
   descriptions_.push_back(city_->description());
   std::vector<glm::dvec3> sample = first->sample;
   city_->to_projected(sample);
-  reference_ = median_of(sample);
+  reference_ = find_median(sample);
 
   foreign_of_file_.resize(heads.size());
   // An override or control points apply to every file.
@@ -92,7 +92,7 @@ void CityFrames::add_foreign(const CityInputs& inputs, const std::vector<CityHea
     });
     foreign_of_file_[i] = static_cast<std::size_t>(known - foreign_.begin());
     if (known != foreign_.end()) continue;
-    CityFrame frame = frame_of(inputs.files[i], heads[i], options);
+    CityFrame frame = make_frame(inputs.files[i], heads[i], options);
     const bool same_crs = frame.crs() == city_->crs();
     if (!same_crs) {
       if (!frame.has_lon_lat() || !city_->has_lon_lat())

@@ -21,7 +21,7 @@ struct CityInputs {
   CityFrame::Options frame;
   /// Where a model without a CRS lies: west, south, east, north, degrees (WGS 84).
   std::optional<std::array<double, 4>> bounds;
-  /// Of model space, in the city's CRS, in metres; an absent value is chosen from the data.
+  /// Origin of model space, in the city's CRS, in metres; an absent value is chosen from the data.
   std::optional<double> origin_easting, origin_northing, origin_height;
   std::vector<std::string> licences;  // of the CityGML
   std::string map_licence = "OpenStreetMap contributors, ODbL 1.0";

@@ -22,8 +22,8 @@ namespace {
 constexpr double max_quads = 1e6;  // of a ground from an elevation model
 constexpr std::size_t max_feet = 20'000;
 
-// What an object's surfaces are to someone who stands on, under or within them.
-std::optional<Footing> footing_of(ObjectType type, SurfaceType surface) {
+// Returns how a surface of an object counts in the terrain; nothing where it does not.
+std::optional<Footing> find_footing(ObjectType type, SurfaceType surface) {
   switch (type) {
     case ObjectType::relief:
       return Footing::terrain;
@@ -41,10 +41,10 @@ std::optional<Footing> footing_of(ObjectType type, SurfaceType surface) {
 
 using Parts = std::array<TriangleMesh, 4>;  // of an object, by Footing
 
-Parts parts_of(const PreparedObject& prepared) {
+Parts split_by_footing(const PreparedObject& prepared) {
   Parts parts;
   for (const MeshTriangle& triangle : prepared.mesh.triangles) {
-    const auto footing = footing_of(prepared.object.type, triangle.surface);
+    const auto footing = find_footing(prepared.object.type, triangle.surface);
     if (!footing) continue;
     TriangleMesh& part = parts[static_cast<std::size_t>(*footing)];
     const auto first = static_cast<std::uint32_t>(part.positions.size());
@@ -55,7 +55,7 @@ Parts parts_of(const PreparedObject& prepared) {
   return parts;
 }
 
-std::set<Tile> tiles_of(const TriangleMesh& mesh, double tile_m) {
+std::set<Tile> find_tiles(const TriangleMesh& mesh, double tile_m) {
   ObjectTiles tiles(tile_m);
   const auto for_each = [&](const auto& visit) {
     for (const MeshTriangle& triangle : mesh.triangles) {
@@ -65,7 +65,7 @@ std::set<Tile> tiles_of(const TriangleMesh& mesh, double tile_m) {
   };
   for_each([&](const glm::dvec3(&corners)[3]) { tiles.add(corners); });
   std::set<Tile> result;
-  for_each([&](const glm::dvec3(&corners)[3]) { result.insert(tiles.tile_of(corners)); });
+  for_each([&](const glm::dvec3(&corners)[3]) { result.insert(tiles.find_tile(corners)); });
   return result;
 }
 
@@ -201,8 +201,8 @@ CityConsumer::Turn GroundBuilder::prepare(const std::shared_ptr<const PreparedOb
   std::set<Tile> tiles;
   Parts parts;
   if (!prepared->lacks_heights) {
-    tiles = tiles_of(prepared->mesh, options_.tile_m);
-    parts = parts_of(*prepared);
+    tiles = find_tiles(prepared->mesh, options_.tile_m);
+    parts = split_by_footing(*prepared);
   }
   return [this, prepared, parts = std::move(parts), tiles = std::move(tiles)](bool) {
     terrain_.add_points(prepared->object.points);
@@ -232,7 +232,7 @@ GroundReport GroundBuilder::build(const CityFrame& frame, const ShowGround& show
   const bool surface = !terrain_.made_surface().triangles.empty();
   if (report_.source.empty())
     report_.source = given ? (surface ? "points" : "given") : surface ? "made" : "none";
-  // Relief given as points is the model's own: it is shown whatever the options say of made
+  // Relief given as points is the model's own: it is shown whatever the options say about made
   // surfaces.
   if (show && surface && (given || options_.make_surface)) show(terrain_.made_surface());
   terrain_.drop_made_surface();

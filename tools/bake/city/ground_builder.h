@@ -16,7 +16,7 @@
 
 namespace nightcity {
 
-/// Gathers what one may stand on while the city is read, then builds the ground.
+/// Gathers the surfaces of the terrain while the city is read, then builds the ground.
 class GroundBuilder final : public CityConsumer {
  public:
   /// Fills `terrain`, which must outlive the builder.

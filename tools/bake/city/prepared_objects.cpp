@@ -27,7 +27,7 @@ struct Waiting {
   std::vector<CityConsumer::Turn> turns;
 };
 
-std::size_t identity_of(const CityObject& object) {
+std::size_t make_identity(const CityObject& object) {
   if (object.id.empty() || object.polygons.empty()) return 0;
   std::string key = object.id;
   const Ring& ring = object.polygons.front().exterior;
@@ -48,7 +48,7 @@ class CityReader {
   // Called on many threads.
   Waiting prepare(CityObject&& object) const {
     Waiting result;
-    result.identity = many_files_ ? identity_of(object) : 0;
+    result.identity = many_files_ ? make_identity(object) : 0;
     const auto prepared = std::make_shared<PreparedObject>();
     prepared->lacks_heights = lacks_heights(object);
     to_city_frame(object);

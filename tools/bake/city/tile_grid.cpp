@@ -13,7 +13,7 @@ void ObjectTiles::add(const glm::dvec3 (&corners)[3]) {
   }
 }
 
-Tile ObjectTiles::tile_of(const glm::dvec3 (&corners)[3]) const {
+Tile ObjectTiles::find_tile(const glm::dvec3 (&corners)[3]) const {
   const glm::dvec2 extent = max_ - min_;
   const bool whole = std::max(extent.x, extent.y) <= size_m_;
   const glm::dvec2 centre =

@@ -16,14 +16,14 @@ struct Tile {
 };
 
 /// Decides which tile each triangle of one object belongs to. All go to the tile of the object's
-/// centre unless the object is larger than a tile (terrain, long roads): then each goes by its own
-/// centre. First add every triangle, then ask. Coordinates are E, N, H in metres.
+/// centre unless the object is larger than a tile (terrain, long roads): then each goes to that of
+/// its own centre. First add every triangle, then ask. Coordinates are E, N, H in metres.
 class ObjectTiles {
  public:
   explicit ObjectTiles(double size_m) : size_m_(size_m) {}
 
   void add(const glm::dvec3 (&corners)[3]);
-  Tile tile_of(const glm::dvec3 (&corners)[3]) const;
+  Tile find_tile(const glm::dvec3 (&corners)[3]) const;
 
  private:
   double size_m_;

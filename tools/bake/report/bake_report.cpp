@@ -36,7 +36,7 @@ std::string break_edges_in_words(const Terrain::BreakEdges& edges) {
                      edges.used, edges.unused);
 }
 
-// The faults of the model's polygons, found while they were triangulated.
+// Returns the faults of the model's polygons that were found while they were triangulated.
 json mesh_json(const MeshReport& mesh) {
   return {
       {"polygons", mesh.polygons},

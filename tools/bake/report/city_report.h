@@ -1,4 +1,4 @@
-// What was found while a city was read, and what it stands on.
+// The reports of reading a city and of building its ground.
 #pragma once
 
 #include <cstddef>

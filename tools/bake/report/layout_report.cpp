@@ -78,7 +78,8 @@ std::string to_text(const layout::LayoutReport& report, bool streets) {
         static_cast<double>(sum.lamps) / (sum.length_m / 1000), sum.average_lx,
         sum.average_lx * maintenance_factor, sum.min_lx, sum.uniformity, 100 * sum.in_class);
   text +=
-      "Eav over all of a class; Emin and Uo: medians of its stretches; in class: share of the "
+      "Eav is over all of a class; Emin and Uo are medians of its stretches; in class is the share "
+      "of the "
       "length whose\n"
       "Eav x 0.8 (maintained) lies between the class's value and 1.5 times it.\n";
   if (!streets) return text;

@@ -1,4 +1,4 @@
-// What lamps were laid out and what illuminance they give, as JSON and in words.
+// The report about laid-out lamps and the illuminance that they give, as JSON and in words.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

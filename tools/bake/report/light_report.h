@@ -1,4 +1,4 @@
-// What came of a city's lamps and windows, in words and as JSON: the same for every command that
+// Reports about a city's lamps and windows, in words and as JSON: the same for every command that
 // places them.
 #pragma once
 
@@ -22,7 +22,7 @@ struct LampReport {
 /// `mapped`: how many lamps the map has.
 LampReport to_report(const LampSet& set, std::size_t mapped);
 
-/// Every light of a bake that stands still.
+/// The static lights of a bake.
 struct LightsReport {
   LampReport lamps;
   layout::LayoutReport layout;  // of lamps where the map has none

@@ -1,4 +1,4 @@
-// How reports are written in words.
+// Lines and lists that reports in words are made of.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What was written of the city's surfaces.
+// The report about the city's surfaces in the scene.
 #pragma once
 
 #include <cstddef>

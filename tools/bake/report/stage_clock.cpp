@@ -5,10 +5,7 @@
 namespace nightcity {
 
 void StageClock::end_stage(const char* name) {
-  const auto now = std::chrono::steady_clock::now();
-  stages_.push_back(
-      {name, std::chrono::duration<double>(now - start_).count(), find_peak_memory_mb()});
-  start_ = now;
+  stages_.push_back({name, watch_.lap_s(), find_peak_memory_mb()});
 }
 
 }  // namespace nightcity

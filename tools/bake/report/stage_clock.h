@@ -1,9 +1,10 @@
 // The time and the memory that each stage of a bake takes.
 #pragma once
 
-#include <chrono>
 #include <string>
 #include <vector>
+
+#include "tools/stopwatch.h"
 
 namespace nightcity {
 
@@ -21,7 +22,7 @@ class StageClock {
 
  private:
   std::vector<StageCost> stages_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Stopwatch watch_;
 };
 
 }  // namespace nightcity

@@ -20,7 +20,7 @@ namespace nightcity {
 void subdivide(const glm::dvec3 (&corners)[3], double max_edge_m,
                const std::function<void(const glm::dvec3 (&)[3])>& sink);
 
-/// Keeps such objects on disk until the terrain is known.
+/// Keeps objects without heights on disk until the terrain has been built.
 class DrapeStore {
  public:
   explicit DrapeStore(const std::filesystem::path& path) : file_(path) {}

@@ -36,7 +36,7 @@ double area(const Outline& outline) {
 }
 
 // Returns the part of a convex outline to the left of the line a-b (Sutherland and Hodgman 1974).
-Outline left_of(const Outline& outline, const glm::dvec2& a, const glm::dvec2& b) {
+Outline clip_left_of(const Outline& outline, const glm::dvec2& a, const glm::dvec2& b) {
   Outline result;
   for (std::size_t k = 0; k < outline.size(); ++k) {
     const glm::dvec2 &p = outline[k], &q = outline[(k + 1) % outline.size()];
@@ -120,7 +120,7 @@ class Search {
     Outline common{flat(b.corners[2]), flat(b.corners[1]),
                    flat(b.corners[0])};  // b faces the other way
     for (int k = 0; k < 3 && !common.empty(); ++k)
-      common = left_of(common, flat(a.corners[k]), flat(a.corners[(k + 1) % 3]));
+      common = clip_left_of(common, flat(a.corners[k]), flat(a.corners[(k + 1) % 3]));
     return common.size() < 3 ? 0 : area(common);
   }
 

@@ -1,4 +1,4 @@
-// What a street lamp looks like: post, arm, housing and a luminous ball, of a few triangles each,
+// Street lamps in city.glb: post, arm, housing and a luminous ball, of a few triangles each,
 // instanced.
 #pragma once
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double tolerance_m = 0.1;
 
-std::optional<Footing> footing_of(const SceneNode& node, std::string_view material) {
+std::optional<Footing> find_footing(const SceneNode& node, std::string_view material) {
   if (node.kind == "terrain") return Footing::terrain;
   if (node.kind == "road") return Footing::road;
   if (node.kind != "city") return std::nullopt;
@@ -34,7 +34,7 @@ PlaceFault find_place_faults(const std::filesystem::path& path) {
   const auto terrain = std::make_shared<Terrain>();
   for (const SceneNode& node : scene.nodes)
     for (const ScenePrimitive& primitive : scene.meshes[node.mesh].primitives) {
-      const auto footing = footing_of(node, scene.materials[primitive.material].name);
+      const auto footing = find_footing(node, scene.materials[primitive.material].name);
       if (!footing) continue;
       for (const SceneInstance& instance : node.instances) {
         TriangleMesh mesh;

@@ -17,7 +17,7 @@ SceneMaterial diffuse(const char* name, float albedo, glm::vec3 hue, float rough
 constexpr MaterialCode coloured = 0x80;
 constexpr std::size_t max_colours = 2000;
 
-glm::vec3 srgb_of(MaterialCode code) {
+glm::vec3 to_srgb(MaterialCode code) {
   return glm::vec3(code >> 8 & 0xFFu, code >> 16 & 0xFFu, code >> 24 & 0xFFu) / 255.0f;
 }
 
@@ -28,8 +28,8 @@ float linear(float srgb) {
 
 }  // namespace
 
-MaterialCode code_of(BakeMaterial kind, const glm::vec3& colour) {
-  MaterialCode code = code_of(kind) | coloured;
+MaterialCode to_code(BakeMaterial kind, const glm::vec3& colour) {
+  MaterialCode code = to_code(kind) | coloured;
   for (int i = 0; i < 3; ++i) {
     const float value = std::clamp(colour[i], 0.0f, 1.0f);  // NaN becomes 0
     code |= static_cast<MaterialCode>(std::lround((value > 0 ? value : 0) * 255)) << (8 + 8 * i);
@@ -41,22 +41,22 @@ MaterialTable::MaterialTable(SceneWriter& writer) : writer_(writer) {
   for (const SceneMaterial& material : bake_materials()) writer_.add_material(material);
 }
 
-std::uint32_t MaterialTable::index_of(MaterialCode code) {
+std::uint32_t MaterialTable::find_index(MaterialCode code) {
   if ((code & coloured) == 0) return code;
   const auto found = coloured_.find(code);
   if (found != coloured_.end()) return found->second;
   if (coloured_.size() >= max_colours) {
     const auto distance = [code](MaterialCode other) {
-      const glm::vec3 d = srgb_of(code) - srgb_of(other);
-      return glm::dot(d, d) + (kind_of(code) == kind_of(other) ? 0.0f : 4.0f);
+      const glm::vec3 d = to_srgb(code) - to_srgb(other);
+      return glm::dot(d, d) + (to_kind(code) == to_kind(other) ? 0.0f : 4.0f);
     };
     return std::min_element(
                coloured_.begin(), coloured_.end(),
                [&](const auto& a, const auto& b) { return distance(a.first) < distance(b.first); })
         ->second;
   }
-  const glm::vec3 srgb = srgb_of(code);
-  SceneMaterial material = bake_materials()[static_cast<std::size_t>(kind_of(code))];
+  const glm::vec3 srgb = to_srgb(code);
+  SceneMaterial material = bake_materials()[static_cast<std::size_t>(to_kind(code))];
   char name[16];
   std::snprintf(name, sizeof name, " #%02X%02X%02X", code >> 8 & 0xFFu, code >> 16 & 0xFFu,
                 code >> 24 & 0xFFu);
@@ -104,7 +104,7 @@ const char* name_of(NodeKind kind) {
   return "";
 }
 
-SurfaceUse use_of(ObjectType object, SurfaceType surface) {
+SurfaceUse find_use(ObjectType object, SurfaceType surface) {
   using M = BakeMaterial;
   switch (object) {
     case ObjectType::relief:

@@ -37,12 +37,12 @@ const std::array<SceneMaterial, bake_material_count>& bake_materials();
 /// set where there is a colour, and above them 8 bits each of red, green and blue (sRGB).
 using MaterialCode = std::uint32_t;
 
-constexpr MaterialCode code_of(BakeMaterial kind) {
+constexpr MaterialCode to_code(BakeMaterial kind) {
   return static_cast<MaterialCode>(kind);
 }
 /// `colour`: sRGB in [0, 1], as in X3DMaterial (CityGML 2.0, appearance).
-MaterialCode code_of(BakeMaterial kind, const glm::vec3& colour);
-constexpr BakeMaterial kind_of(MaterialCode code) {
+MaterialCode to_code(BakeMaterial kind, const glm::vec3& colour);
+constexpr BakeMaterial to_kind(MaterialCode code) {
   return static_cast<BakeMaterial>(code & 0x7Fu);
 }
 
@@ -54,7 +54,7 @@ class MaterialTable {
   explicit MaterialTable(SceneWriter& writer);
   /// Returns the writer's index. When there are 2000 colours, the nearest of these is taken for any
   /// other: a model with a colour for each polygon stores a photograph in this way.
-  std::uint32_t index_of(MaterialCode code);
+  std::uint32_t find_index(MaterialCode code);
   std::size_t colours() const { return coloured_.size(); }
 
  private:
@@ -72,6 +72,6 @@ struct SurfaceUse {
 };
 
 /// Returns what a surface of an object is made of, and the kind of node it belongs to.
-SurfaceUse use_of(ObjectType object, SurfaceType surface);
+SurfaceUse find_use(ObjectType object, SurfaceType surface);
 
 }  // namespace nightcity

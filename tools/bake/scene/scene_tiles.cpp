@@ -12,7 +12,7 @@
 namespace nightcity {
 namespace {
 
-// How far below the ground's surface something lies that is hidden: the surface is no more exact.
+// A surface this far below the ground is hidden. The ground's height is not known more exactly.
 constexpr double hidden_below_m = 0.1;
 
 void count(std::map<std::string, std::size_t>& counts, const char* name, std::size_t number) {
@@ -106,9 +106,9 @@ void SceneTiles::write(WrittenTile&& tile, const Georeference& georeference) {
   SceneMesh& mesh = tile.mesh;
   for (ScenePrimitive& primitive : mesh.primitives) {
     const MaterialCode code = primitive.material;
-    report_.triangles[bake_materials()[static_cast<std::size_t>(kind_of(code))].name] +=
+    report_.triangles[bake_materials()[static_cast<std::size_t>(to_kind(code))].name] +=
         primitive.indices.size() / 3;
-    primitive.material = materials_.index_of(code);
+    primitive.material = materials_.find_index(code);
   }
   SceneInstance instance;
   instance.to_model[3] = glm::vec4(glm::vec3(georeference.to_model(tiles_.origin(tile.key))), 1);

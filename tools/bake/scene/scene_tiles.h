@@ -1,5 +1,4 @@
-// What city.glb shows of the city itself: its surfaces, gathered while it is read and written tile
-// by tile.
+// The city's own surfaces in city.glb: gathered while it is read and written tile by tile.
 #pragma once
 
 #include <cstddef>
@@ -44,8 +43,8 @@ class SceneTiles final : public CityConsumer {
   /// that far objects do not move it. There must be tiles.
   glm::dvec2 middle();
 
-  /// Writes one mesh a tile and kind. `terrain` says what lies below the ground, for the option
-  /// drop_hidden. Throws Error.
+  /// Writes one mesh for each tile and kind. `terrain` decides what lies below the ground, for the
+  /// option drop_hidden. Throws Error.
   SceneTilesReport write(const Georeference& georeference, const Terrain& terrain,
                          const ProgressSink& progress);
 

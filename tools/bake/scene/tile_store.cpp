@@ -11,7 +11,7 @@ namespace nightcity {
 namespace {
 
 // FNV-1a's multiplier over the words, and a final mix for the low bits.
-std::size_t hash_of(const glm::vec3& position) {
+std::size_t make_hash(const glm::vec3& position) {
   std::uint64_t hash = 0xCBF29CE484222325u;
   for (int i = 0; i < 3; ++i)
     hash = (hash ^ std::bit_cast<std::uint32_t>(position[i])) * 0x100000001B3u;
@@ -24,7 +24,7 @@ class Welder {
  public:
   ScenePrimitive primitive;
 
-  std::uint32_t index_of(const glm::vec3& position, std::uint32_t feature) {
+  std::uint32_t find_index(const glm::vec3& position, std::uint32_t feature) {
     if (primitive.positions.empty() || feature != feature_) {
       feature_ = feature;
       first_ = primitive.positions.size();
@@ -44,7 +44,7 @@ class Welder {
   // Returns the slot where `position` is or belongs: linear probing in a table whose size is a
   // power of two.
   std::size_t find(const glm::vec3& position) const {
-    std::size_t slot = hash_of(position) & (slots_.size() - 1);
+    std::size_t slot = make_hash(position) & (slots_.size() - 1);
     while (slots_[slot] != 0 && primitive.positions[slots_[slot] - 1] != position)
       slot = (slot + 1) & (slots_.size() - 1);
     return slot;
@@ -69,14 +69,14 @@ std::vector<TileStore::Triangle> make_tile_triangles(const TriangleMesh& mesh,
   triangles.reserve(mesh.triangles.size());
   for (const MeshTriangle& triangle : mesh.triangles) {
     if (leave_out_ground && triangle.surface == SurfaceType::ground) continue;
-    const SurfaceUse use = use_of(object.type, triangle.surface);
+    const SurfaceUse use = find_use(object.type, triangle.surface);
     TileStore::Triangle& made = triangles.emplace_back();
     for (int k = 0; k < 3; ++k) made.corners[k] = mesh.positions[triangle.vertex[k]];
-    made.material = code_of(use.material);
+    made.material = to_code(use.material);
     made.kind = use.kind;
     if (triangle.polygon < object.polygons.size())
       if (const auto& colour = object.polygons[triangle.polygon].diffuse_colour)
-        made.material = code_of(use.material, *colour);
+        made.material = to_code(use.material, *colour);
   }
   return triangles;
 }
@@ -99,7 +99,7 @@ void TileStore::add(std::span<const Triangle> triangles, std::uint32_t feature, 
   ObjectTiles tiles(size_m_);
   for (const Triangle& triangle : triangles) tiles.add(triangle.corners);
   for (const Triangle& triangle : triangles) {
-    const Tile tile = tiles.tile_of(triangle.corners);
+    const Tile tile = tiles.find_tile(triangle.corners);
     const TileKey key{tile.column, tile.row, triangle.kind};
     const glm::dvec3 corner = origin(key);
     StoredTriangle stored{{}, triangle.material, feature, solid};
@@ -125,7 +125,7 @@ SceneMesh TileStore::mesh(const TileKey& key, const LeaveOut& leave_out) {
     const StoredTriangle& triangle = triangles[t];
     Welder& welder = welders[triangle.material];
     std::uint32_t index[3];
-    for (int i = 0; i < 3; ++i) index[i] = welder.index_of(triangle.corners[i], triangle.feature);
+    for (int i = 0; i < 3; ++i) index[i] = welder.find_index(triangle.corners[i], triangle.feature);
     // Rounding to float can join corners: such a triangle has no area.
     if (index[0] == index[1] || index[1] == index[2] || index[2] == index[0]) continue;
     welder.primitive.indices.insert(welder.primitive.indices.end(), index, index + 3);

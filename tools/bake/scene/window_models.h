@@ -1,4 +1,4 @@
-// What windows look like: one quad each, in one mesh for each tile, with a primitive for each
+// Windows in city.glb: one quad each, in one mesh for each tile, with a primitive for each
 // brightness and colour.
 #pragma once
 

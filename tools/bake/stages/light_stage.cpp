@@ -14,8 +14,8 @@ namespace {
 // city's JSON would be a fifth of its file.
 constexpr double tiles_a_batch = 4;  // along a side
 
-// The schedules of lights that go into `lights` one by one.
-ScheduleTable schedules_of(LightFileWriter& lights) {
+// Returns a table whose new schedules are written to `lights` one by one.
+ScheduleTable make_schedules(LightFileWriter& lights) {
   return ScheduleTable(
       [&lights](std::span<const uint> switches) { return lights.add_schedule(switches); });
 }
@@ -30,7 +30,7 @@ BakedLights bake_lights(const City& city, WindowConsumer* windows, const LightSt
   LampSet& lamps = placed.set;
   result.report.lamps = to_report(lamps, city.map().lamps.size());
   result.report.layout = std::move(placed.layout);
-  ScheduleTable schedules = schedules_of(outputs.lights);
+  ScheduleTable schedules = make_schedules(outputs.lights);
   BrightestLights brightest(options.punctual);
   // Lamps first, then windows: the models name their lights by this order.
   for (const PlacedLamp& lamp : lamps.lamps) {
@@ -61,7 +61,7 @@ BakedLights bake_lights(const City& city, WindowConsumer* windows, const LightSt
 void write_lamp_lights(const std::filesystem::path& path, const LampSet& lamps,
                        const Georeference& georeference) {
   LightFileWriter lights(path);
-  ScheduleTable schedules = schedules_of(lights);
+  ScheduleTable schedules = make_schedules(lights);
   for (const PlacedLamp& lamp : lamps.lamps)
     lights.add(to_light(lamp, georeference, schedules), lamp.provenance);
   lights.finish({.georeference = georeference,
@@ -73,7 +73,7 @@ LightsReport write_window_lights(LightFileWriter& lights, const City& city,
                                  WindowConsumer& windows) {
   const Georeference georeference = city.georeference();
   LightsReport report;
-  ScheduleTable schedules = schedules_of(lights);
+  ScheduleTable schedules = make_schedules(lights);
   report.windows = windows.finish(city, [&](const LitRectangle& window) {
     lights.add(to_light(window, georeference, schedules), window.provenance);
   });

@@ -1,4 +1,4 @@
-// Every light of the city that stands still: placed, shown in city.glb and written to city.lights.
+// The static lights of the city: placed, shown in city.glb and written to city.lights.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ struct LightStageOptions {
   double tile_m = 250;        // side of the scene's tiles
 };
 
-/// Where the lights go.
+/// The files that the lights are written to.
 struct LightOutputs {
   SceneWriter& scene;
   LightFileWriter& lights;  // gets lights and schedules; the caller finishes it
@@ -30,7 +30,7 @@ struct LightOutputs {
   std::filesystem::path scratch;  // scratch files lie beside it
 };
 
-/// What the caller finishes the file of lights with, and the report.
+/// The profiles, with which the caller finishes the file of lights, and the report.
 struct BakedLights {
   std::vector<LightProfile> profiles;
   std::vector<float> profile_data;

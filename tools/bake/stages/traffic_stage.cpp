@@ -6,7 +6,7 @@
 namespace nightcity {
 namespace {
 
-// Wheels stand on the ground, or on a road that lies on it.
+// Returns the height for wheels: they stand on the ground, or on a road that lies on it.
 HeightAt road_height_on(const Terrain& terrain) {
   constexpr double max_above_ground_m = 0.6;  // a road higher up is a bridge
   return [&terrain](const glm::dvec2& place) -> std::optional<double> {

@@ -13,8 +13,8 @@ namespace nightcity {
 /// Lays windows on the walls of a city while it is read. Their places wait on disk.
 class WindowConsumer final : public CityConsumer {
  public:
-  /// The map's buildings tell the use of those whose model does not. Scratch files lie beside
-  /// `scratch`. Throws Error where they cannot be made.
+  /// The use of a building comes from the map where the model does not give it. Scratch files lie
+  /// beside `scratch`. Throws Error where they cannot be made.
   WindowConsumer(const City& city, const WindowStageOptions& options,
                  const std::filesystem::path& scratch);
 
