@@ -14,6 +14,7 @@
 #include "formats/draco_codec.h"
 #include "formats/error.h"
 #include "formats/feature_table.h"
+#include "formats/finite.h"
 #include "formats/georeference_json.h"
 #include "formats/gltf_constants.h"
 #include "formats/json_text.h"
@@ -28,10 +29,6 @@ using nlohmann::json;
 json vector_json(const glm::dvec3& v) {
   return {v.x, v.y, v.z};
 }
-bool finite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 // glTF allows no 32-bit integers as vertex attributes: ids are floats.
 std::vector<float> ids_as_floats(const std::vector<std::uint32_t>& ids, float none) {
   std::vector<float> result(ids.size());
