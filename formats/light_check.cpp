@@ -3,12 +3,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "formats/finite.h"
+
 namespace nightcity {
 namespace {
-
-bool finite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 // Loose enough for float directions, tight enough that a shader need not normalise.
 bool unit(const glm::vec3& v) {

@@ -2,16 +2,13 @@
 
 #include <cmath>
 
+#include "formats/finite.h"
 #include "formats/light_check.h"
 
 namespace nightcity {
 namespace {
 
 constexpr uint day_s = 86'400;
-
-bool finite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 bool lies_in(std::size_t first, std::size_t count, std::size_t size) {
   return first <= size && count <= size - first;

@@ -10,6 +10,7 @@
 
 #include "formats/error.h"
 #include "formats/feature_table.h"
+#include "formats/finite.h"
 #include "formats/georeference_json.h"
 #include "formats/gltf_constants.h"
 #include "formats/gltf_stream.h"
@@ -23,9 +24,6 @@ namespace {
 using gltf::make_accessor;
 using nlohmann::json;
 
-bool is_finite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 float min_of(const glm::vec3& v) {
   return std::min({v.x, v.y, v.z});
 }
@@ -117,7 +115,7 @@ const SceneWriter::Statistics& SceneWriter::statistics() const {
 std::uint32_t SceneWriter::add_material(const SceneMaterial& material) {
   State& s = *state_;
   const glm::vec3 emission = material.emission_cd_m2;
-  if (!is_finite(material.base_colour) || !is_finite(emission) ||
+  if (!finite(material.base_colour) || !finite(emission) ||
       !std::isfinite(material.roughness) || min_of(emission) < 0)
     s.fail("material " + material.name, "a value is negative or not finite");
   const glm::dvec3 colour = glm::clamp(glm::dvec3(material.base_colour), 0.0, 1.0);
@@ -243,7 +241,7 @@ void SceneWriter::add_punctual(const ScenePunctual& light) {
 
 void SceneWriter::State::check(const ScenePunctual& light) const {
   const std::string place = "punctual light " + std::to_string(nodes.count());
-  if (!is_finite(light.position) || !is_finite(light.direction) || !is_finite(light.colour) ||
+  if (!finite(light.position) || !finite(light.direction) || !finite(light.colour) ||
       !(max_of(light.colour) > 0) || min_of(light.colour) < 0 ||
       !std::isfinite(light.intensity_cd) || !(light.intensity_cd > 0))
     fail(place, "a value is not finite or not positive");

@@ -1,4 +1,4 @@
-// Cells of a CellFile in the form in which they are asked, kept as long as they are asked often enough.
+// A cache of a CellFile's cells in the form in which they are used.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +14,13 @@
 
 namespace nightcity {
 
-/// `Loaded` has cost() const, in whatever unit `most` is. Safe to ask from many threads.
+/// `Loaded` has cost() const, in the unit of `max_cost`. May be used from many threads.
 template <class Key, class Loaded>
 class CellCache {
  public:
-  explicit CellCache(std::size_t most) : most_(most) {}
+  explicit CellCache(std::size_t max_cost) : max_cost_(max_cost) {}
 
-  /// The cell, by `load()` where it is not at hand; one load at a time.
+  /// Returns the cell, from `load()` where it is not in the cache; one load at a time.
   template <class Load>
   std::shared_ptr<const Loaded> get(const Key& key, const Load& load) {
     const std::lock_guard lock(mutex_);
@@ -31,7 +31,7 @@ class CellCache {
     }
     entry.last_use = ++clock_;
     auto result = entry.loaded;
-    if (cost_ > most_) forget_older_half();
+    if (cost_ > max_cost_) forget_older_half();
     return result;
   }
 
@@ -41,7 +41,7 @@ class CellCache {
     std::uint64_t last_use = 0;
   };
 
-  // Half at a time, so that looking for the oldest costs nothing on average.
+  // Half at a time, so that finding the oldest costs little on average.
   void forget_older_half() {
     std::vector<std::uint64_t> uses;
     for (const auto& [key, entry] : entries_) uses.push_back(entry.last_use);
@@ -55,7 +55,7 @@ class CellCache {
 
   std::mutex mutex_;
   std::map<Key, Entry> entries_;
-  std::size_t most_, cost_ = 0;
+  std::size_t max_cost_, cost_ = 0;
   std::uint64_t clock_ = 0;
 };
 

@@ -1,5 +1,5 @@
-// Records of many places kept on disk: added in any order, fetched again place by place. What a city has most
-// of (triangles under vertical rays, walls, windows) thus takes no memory.
+// Records of many cells on disk, added in any order and read again cell by cell, so that the most
+// numerous things of a city (triangles of surfaces, walls, windows) take no memory.
 #pragma once
 
 #include <algorithm>
@@ -13,13 +13,13 @@
 
 namespace nightcity {
 
-/// Memory: `max_pending` records, and some thirty bytes a key. `Key` is ordered by <.
+/// Memory: `max_pending` records, and some thirty bytes per key. `Key` is ordered by <.
 template <class Key, class Record>
 class CellFile {
   static_assert(std::is_trivially_copyable_v<Record>, "records are stored as their bytes");
 
  public:
-  /// Scratch file beside `path`.
+  /// The scratch file lies beside `path`.
   explicit CellFile(const std::filesystem::path& path, std::size_t max_pending = 16'384)
       : file_(path), max_pending_(max_pending) {}
 
@@ -28,8 +28,8 @@ class CellFile {
     if (pending_.size() >= max_pending_) flush();
   }
 
-  /// All that was added under the key, in the order in which it came. Many threads may ask once keys() has
-  /// been asked, until something is added.
+  /// Returns all records added under the key, in the order of adding. After keys(), many threads
+  /// may call it until something is added.
   std::vector<Record> read(const Key& key) {
     flush();
     const auto cell = find(key);
@@ -46,7 +46,7 @@ class CellFile {
     return records;
   }
 
-  /// In order.
+  /// Returns all keys, in order.
   std::vector<Key> keys() {
     flush();
     std::vector<Key> result;
@@ -61,7 +61,7 @@ class CellFile {
     Key key;
     Record record;
   };
-  /// Before records of one cell; each names the block before it.
+  /// Stands before records of one cell and names the block before it.
   struct Block {
     std::uint64_t previous;
     std::uint64_t count;
@@ -88,7 +88,7 @@ class CellFile {
     for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
       const Key& key = pending_[order[begin]].key;
       while (end < order.size() && !(key < pending_[order[end]].key)) ++end;
-      // New cells gather behind the known ones, which stay in order for find().
+      // New cells go behind the known ones, which stay sorted for find().
       const auto cell =
           std::lower_bound(cells_.begin(), cells_.begin() + known, key,
                            [](const Cell& c, const Key& wanted) { return c.key < wanted; });

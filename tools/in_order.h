@@ -11,9 +11,10 @@
 
 namespace nightcity {
 
-/// `next()` gives an std::optional of what is to be done, empty at the end; `work` makes something of it, on
-/// many threads at once; `take` gets that, one at a time, in the order of next(). On one thread none of them
-/// runs while another does. At most two a thread are under way. `threads`: 0 = one a core.
+/// `next()` returns an std::optional item, none at the end; `work` turns an item into a result, on
+/// many threads at once; `take` gets the results one at a time, in the order of next(). With one
+/// thread they are called one after the other. At most two items per thread are in work. `threads`:
+/// 0 = one per core.
 template <class Next, class Work, class Take>
 void in_order(unsigned threads, const Next& next, const Work& work, const Take& take) {
   namespace tbb = oneapi::tbb;
@@ -26,7 +27,7 @@ void in_order(unsigned threads, const Next& next, const Work& work, const Take& 
     while (auto item = next()) take(work(std::move(*item)));
     return;
   }
-  // TBB copies what passes between filters: pointers.
+  // TBB copies what passes between filters, so pointers do.
   using ItemPtr = std::shared_ptr<Item>;
   using ResultPtr = std::shared_ptr<Result>;
   tbb::task_arena arena(used);

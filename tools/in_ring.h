@@ -1,4 +1,4 @@
-// Whether a place lies inside a ring.
+// Tests whether a place lies inside a ring.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,8 @@
 
 namespace nightcity {
 
-/// By the even-odd rule; `ring` without its first point repeated. A place on an edge may be either.
+/// Returns whether `p` lies inside `ring` (first point not repeated), by the even-odd rule. A place
+/// on an edge may be either.
 inline bool in_ring(const std::vector<glm::dvec2>& ring, const glm::dvec2& p) {
   bool odd = false;
   for (std::size_t k = 0; k < ring.size(); ++k) {

@@ -1,6 +1,7 @@
-// Random numbers that are the same on every platform: integer hashes only, because the standard library's
-// distributions differ between implementations. Every street, house and window hashes its own place or name,
-// so it is the same whatever part of a city is made, in whatever order.
+// Random numbers that are the same on every platform. They come from integer hashes alone, because
+// the standard library's distributions differ between implementations. Every street, house and
+// window hashes its own place or name, so it comes out the same whichever part of a city is made,
+// in whichever order.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +10,19 @@
 
 namespace nightcity {
 
-/// Finaliser of splitmix64 (Steele, Lea, Flood 2014): a bijection whose output bits all depend on all input
-/// bits.
+/// What splitmix64 adds to its state for each number: 2^64 divided by the golden ratio, odd.
+constexpr std::uint64_t splitmix_increment = 0x9E3779B97F4A7C15ull;
+
+/// One step of splitmix64 (Steele, Lea, Flood 2014): a bijection whose output bits all depend on
+/// all input bits.
 constexpr std::uint64_t mix(std::uint64_t x) {
-  x += 0x9E3779B97F4A7C15ull;
+  x += splitmix_increment;
   x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ull;
   x = (x ^ (x >> 27)) * 0x94D049BB133111EBull;
   return x ^ (x >> 31);
 }
 
-/// Of a name, such as a gml:id: FNV-1a, mixed.
+/// Returns the hash of a name, such as a gml:id: FNV-1a, mixed.
 constexpr std::uint64_t hash_text(std::string_view text) {
   std::uint64_t hash = 0xCBF29CE484222325ull;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3ull;
@@ -41,7 +45,8 @@ class Random {
     const auto span = static_cast<std::uint64_t>(high - low + 1);
     return low + static_cast<int>(((next() >> 32) * span) >> 32);
   }
-  /// Mean 0, standard deviation 1, within +-6: the sum of twelve uniforms, which needs no logarithm.
+  /// Mean 0, standard deviation 1, within +-6: the sum of twelve uniforms, which needs no
+  /// logarithm.
   double normal() {
     double sum = -6;
     for (int n = 0; n < 12; ++n) sum += uniform();

@@ -103,8 +103,8 @@ class ZipSource : public ByteSource {
   std::string name_;
 };
 
-std::vector<Document> documents_in_archive(const std::string& path,
-                                           std::span<const std::string_view> endings) {
+std::vector<Document> list_documents_in_archive(const std::string& path,
+                                                std::span<const std::string_view> endings) {
   const auto archive = open_archive(path);
   std::vector<Document> documents;
   const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
@@ -113,7 +113,8 @@ std::vector<Document> documents_in_archive(const std::string& path,
     const char* entry = zip_get_name(archive.get(), index, ZIP_FL_ENC_GUESS);
     if (!entry || !ends_with_any(to_lower(entry), endings)) continue;
     const std::string name = path + "/" + entry;
-    documents.push_back({name, true, [=] { return std::make_unique<ZipSource>(path, index, name); }});
+    documents.push_back(
+        {name, true, [=] { return std::make_unique<ZipSource>(path, index, name); }});
   }
   if (documents.empty()) throw Error(path, "the archive holds no " + join_endings(endings));
   return documents;
@@ -140,15 +141,16 @@ std::string join_endings(std::span<const std::string_view> endings) {
   return all;
 }
 
-std::vector<Document> documents_in(const std::filesystem::path& file,
-                                   std::span<const std::string_view> endings) {
+std::vector<Document> list_documents(const std::filesystem::path& file,
+                                     std::span<const std::string_view> endings) {
   const std::string path = file.string();
   if (std::filesystem::is_directory(file)) throw Error(path, "is a folder, not a file");
   refuse_special_file(file);
   char magic[4] = {};
   const std::size_t got = PlainSource(path).read(magic, sizeof magic);
   if (got == 0) throw Error(path, "is empty");
-  if (got == 4 && std::memcmp(magic, "PK\x03\x04", 4) == 0) return documents_in_archive(path, endings);
+  if (got == 4 && std::memcmp(magic, "PK\x03\x04", 4) == 0)
+    return list_documents_in_archive(path, endings);
   if (got >= 2 && std::memcmp(magic, "\x1f\x8b", 2) == 0)
     return {{path, true, [=] { return std::make_unique<GzipSource>(path); }}};
   return {{path, false, [=] { return std::make_unique<PlainSource>(path); }}};

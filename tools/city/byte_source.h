@@ -15,7 +15,8 @@ namespace nightcity::city {
 class ByteSource {
  public:
   virtual ~ByteSource() = default;
-  /// Up to `size` bytes into `out`; 0 at the end. Throws Error when the file cannot be read or decompressed.
+  /// Reads up to `size` bytes into `out` and returns how many; 0 at the end. Throws Error when the
+  /// file cannot be read or decompressed.
   virtual std::size_t read(char* out, std::size_t size) = 0;
 };
 
@@ -26,15 +27,15 @@ struct Document {
   std::function<std::unique_ptr<ByteSource>()> open;
 };
 
-/// Returns whether the document's bytes hold this text anywhere. One pass over all of it takes a fiftieth of
-/// the time that a reader takes, over a compressed document a quarter.
+/// Returns whether the document's bytes hold this text anywhere. One pass over all of it takes a
+/// fiftieth of the time that a reader takes, over a compressed document a quarter.
 bool mentions(const Document& document, std::string_view text);
 
-/// Returns the documents in `file`, in order: one for a plain or gzipped file, and of a zip archive one for
-/// each entry whose name ends with one of `endings` (in lower case: ".gml"). Throws Error when the file is
-/// missing, empty, unreadable, a folder, or an archive without such entries.
-std::vector<Document> documents_in(const std::filesystem::path& file,
-                                   std::span<const std::string_view> endings);
+/// Returns the documents in `file`, in order: one for a plain or gzipped file, and of a zip archive
+/// one for each entry whose name ends with one of `endings` (in lower case: ".gml"). Throws Error
+/// when the file is missing, empty, unreadable, a folder, or an archive without such entries.
+std::vector<Document> list_documents(const std::filesystem::path& file,
+                                     std::span<const std::string_view> endings);
 
 /// Returns `text` with A to Z in lower case, whatever the locale.
 std::string to_lower(std::string text);

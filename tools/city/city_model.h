@@ -61,7 +61,7 @@ struct CityObject {
   ObjectType type = ObjectType::other;
   std::string class_name;  // the format's own name for it: "Building", "TINRelief", ...
   std::string function, usage, building_class, address, year;  // "" = absent
-  std::optional<double> measured_height_m;                     // absent for 9999, -9999 and the like
+  std::optional<double> measured_height_m;                     // absent for 9999 and the like
   std::optional<int> storeys_above_ground;
   std::vector<double> storey_heights_m;
   int lod = -1;  // level of detail; -1 = the file does not say

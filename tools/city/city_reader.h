@@ -1,4 +1,5 @@
-// What every reader of city files has in common: its options, its report and how it delivers objects.
+// What every reader of city files has in common: its options, its report and how it delivers
+// objects.
 #pragma once
 
 #include <cstddef>
@@ -31,8 +32,9 @@ struct ReadReport {
 enum class Reader : std::uint8_t { stream, libcitygml };
 
 struct ReadOptions {
-  /// Of each object the highest LoD up to this one is taken, and where it has none, the lowest above.
-  int highest_lod = 2;
+  /// Of each object the highest LoD up to this one is taken, and where it has none, the lowest
+  /// above.
+  int max_lod = 2;
   Reader reader = Reader::stream;
   /// 0 = one per core. The objects and their order do not depend on it.
   unsigned threads = 0;
@@ -41,12 +43,13 @@ struct ReadOptions {
 };
 
 /// Called on one thread at a time, in file order; objects that refer to geometry of other objects
-/// come after all others. An object too large for one piece (a terrain of millions of triangles) comes
-/// in several calls, one after the other, with the same id.
+/// come after all others. An object too large for one piece (a terrain of millions of triangles)
+/// comes in several calls, one after the other, with the same id.
 using ObjectSink = std::function<void(CityObject&&)>;
 
-/// Work on objects that would hold up the reading: called on many threads at once, each time with some
-/// objects in file order. What it returns is then called on one thread at a time, in file order.
+/// Work on objects that would hold up the reading: called on many threads at once, each time with
+/// some objects in file order. What it returns is then called on one thread at a time, in file
+/// order.
 using ObjectStage = std::function<std::function<void()>(std::vector<CityObject>&&)>;
 
 /// Returns a stage that only passes objects on to `sink`, which must outlive it.

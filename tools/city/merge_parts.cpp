@@ -9,10 +9,10 @@
 namespace nightcity::city {
 namespace {
 
-constexpr int unsaid_lod = -1;
+constexpr int unknown_lod = -1;
 
-// The LoD to take of those present: the highest up to `limit`, else the lowest above.
-std::optional<int> choose(const std::vector<int>& lods, int limit) {
+// Returns the LoD to take of those present: the highest up to `limit`, else the lowest above.
+std::optional<int> choose_lod(const std::vector<int>& lods, int limit) {
   std::optional<int> below, above;
   for (const int lod : lods) {
     if (lod <= limit)
@@ -25,33 +25,34 @@ std::optional<int> choose(const std::vector<int>& lods, int limit) {
 
 struct LodChoice {
   std::vector<std::optional<int>> of_space;
-  int of_object = unsaid_lod;
+  int of_object = unknown_lod;
 };
 
 LodChoice choose_lods(const RawObject& raw, const ReadOptions& options) {
   std::vector<std::vector<int>> present(raw.spaces.size());
-  std::vector<int> whole;  // of spaces that can stand for the object
+  std::vector<int> whole;  // of spaces that can stand for the object alone
   for (const RawPolygon& p : raw.polygons) {
-    if (p.lod == unsaid_lod) continue;
+    if (p.lod == unknown_lod) continue;
     present[p.space].push_back(p.lod);
     if (!raw.spaces[p.space].detail) whole.push_back(p.lod);
   }
   LodChoice choice;
-  const std::optional<int> best = choose(whole, options.highest_lod);
+  const std::optional<int> best = choose_lod(whole, options.max_lod);
   for (std::size_t i = 0; i < raw.spaces.size(); ++i) {
-    std::optional<int> lod = choose(present[i], options.highest_lod);
+    std::optional<int> lod = choose_lod(present[i], options.max_lod);
     // A detail of a higher LoD than the object is shown at would hang on walls that are not there.
-    if (raw.spaces[i].detail && lod && best && *lod > std::max(*best, options.highest_lod))
-      lod.reset();
-    // A building whose parts have a better LoD: its own coarse block would stand inside or around them.
+    if (raw.spaces[i].detail && lod && best && *lod > std::max(*best, options.max_lod)) lod.reset();
+    // A building whose parts have a better LoD: its own coarse block would stand inside or around
+    // them.
     if (i == 0 && lod && best && *lod < *best) lod.reset();
     choice.of_space.push_back(lod);
   }
-  choice.of_object = best.value_or(unsaid_lod);
+  choice.of_object = best.value_or(unknown_lod);
   return choice;
 }
 
-// The same for rings that hold the same vertices, wherever they start and whichever way they run.
+// A hash that is the same for rings of the same vertices, wherever they start and whichever way
+// they run.
 std::uint64_t vertex_set_hash(const Polygon& polygon) {
   const auto mix = [](std::uint64_t x) {
     x ^= x >> 31;
@@ -99,7 +100,7 @@ CityObject merge_parts(RawObject&& raw, const ReadOptions& options, ReadReport& 
   std::unordered_map<std::uint64_t, std::size_t> seen;
   seen.reserve(raw.polygons.size());
   for (RawPolygon& p : raw.polygons) {
-    if (p.lod != unsaid_lod && choice.of_space[p.space] != p.lod) {
+    if (p.lod != unknown_lod && choice.of_space[p.space] != p.lod) {
       ++report.skipped["polygon: lod" + std::to_string(p.lod) + ", another LoD taken"];
       continue;
     }
@@ -109,7 +110,7 @@ CityObject merge_parts(RawObject&& raw, const ReadOptions& options, ReadReport& 
       continue;
     }
     ++report.skipped["polygon: repeats another of its object"];
-    // The copy that says what it is wins: solids know only that they close.
+    // The copy with a surface type wins: solids have none.
     Polygon& kept = object.polygons[at->second];
     if (kept.surface == SurfaceType::unknown && p.polygon.surface != SurfaceType::unknown)
       kept = std::move(p.polygon);

@@ -1,4 +1,5 @@
-// One city object out of its spaces (building, parts, installations): which LoD is taken, what is said twice.
+// Makes one city object of its parts and installations: chooses their level of detail and removes
+// polygons that come twice.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +12,13 @@ namespace nightcity::city {
 
 struct RawPolygon {
   Polygon polygon;
-  int lod = -1;             // -1: not said
+  int lod = -1;             // -1: the file does not say
   std::uint32_t space = 0;  // index into RawObject::spaces
 };
 
 /// A building, one of its parts, an installation on it, ...
 struct RawSpace {
-  bool detail = false;  // an installation: adds to its parent, never stands for it
+  bool detail = false;  // an installation: adds to its parent, but cannot stand for it alone
 };
 
 struct RawObject {
@@ -27,9 +28,9 @@ struct RawObject {
   bool continued = false;  // a later piece of an object counted already
 };
 
-/// Takes of every space its highest LoD up to `options.highest_lod` (a space that has only higher ones: the
-/// lowest of them), drops polygons that repeat another's vertices (a solid's copy of a wall), and counts in
-/// `report.skipped` every polygon left out, by reason.
+/// Returns the object with the highest LoD up to `options.max_lod` of every space (of a space that
+/// has only higher ones, the lowest of them). Leaves out polygons that repeat another's vertices (a
+/// solid's copy of a wall). Counts every polygon left out in `report.skipped`, by reason.
 CityObject merge_parts(RawObject&& raw, const ReadOptions& options, ReadReport& report);
 
 }  // namespace nightcity::city

@@ -24,10 +24,10 @@ void Materials::read(const pugi::xml_node& appearance, SkipCounter& skipped) {
 }
 
 void Materials::read_below(const pugi::xml_node& element, int depth, SkipCounter& skipped) {
-  constexpr int deepest = 8;  // member, Appearance, surfaceDataMember
+  constexpr int max_depth = 8;  // member, Appearance, surfaceDataMember
   for (const pugi::xml_node& child : element.children()) {
     const std::string_view name = local_name(child.name());
-    if (depth < deepest &&
+    if (depth < max_depth &&
         (name == "Appearance" || name == "surfaceDataMember" || name == "surfaceData")) {
       read_below(child, depth + 1, skipped);
     } else if (name == "X3DMaterial") {
@@ -42,10 +42,9 @@ void Materials::read_below(const pugi::xml_node& element, int depth, SkipCounter
                     std::clamp(static_cast<float>(numbers[1]), 0.0f, 1.0f),
                     std::clamp(static_cast<float>(numbers[2]), 0.0f, 1.0f)};
         else if (kind == "target")
-          targets.push_back(trimmed(property.child_value()));
+          targets.push_back(trim(property.child_value()));
         else if (kind == "isFront")
-          front =
-              trimmed(property.child_value()) != "false" && trimmed(property.child_value()) != "0";
+          front = trim(property.child_value()) != "false" && trim(property.child_value()) != "0";
       }
       for (const std::string_view target : targets) {
         if (!front || !target.starts_with('#')) continue;

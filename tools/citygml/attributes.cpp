@@ -6,7 +6,7 @@
 namespace nightcity {
 namespace {
 
-// Producers write 9999 (also 99999, 999) and their negatives for "not known".
+// Producers write 9999, 99999, 999 and their negatives where they mean "not known".
 bool is_sentinel(double value) {
   const double v = std::abs(value);
   return v == 999 || v == 9999 || v == 99999 || v == 999999;
@@ -19,9 +19,9 @@ void append(std::string& field, std::string_view value) {
 }
 
 void set_height(CityObject& object, std::string_view value) {
-  constexpr double tallest_m = 5000;
+  constexpr double max_height_m = 5000;
   const auto height = parse_number(value);
-  if (height && !is_sentinel(*height) && *height > 0 && *height < tallest_m)
+  if (height && !is_sentinel(*height) && *height > 0 && *height < max_height_m)
     object.measured_height_m = height;
 }
 
@@ -33,11 +33,11 @@ void set_storeys(CityObject& object, std::string_view value) {
 }
 
 void set_storey_heights(CityObject& object, std::string_view value) {
-  constexpr double tallest_storey_m = 100;
-  while (!(value = trimmed(value)).empty()) {
+  constexpr double max_storey_m = 100;
+  while (!(value = trim(value)).empty()) {
     const auto end = std::min(value.find_first_of(" \t\r\n"), value.size());
     const auto height = parse_number(value.substr(0, end));
-    if (height && !is_sentinel(*height) && *height > 0 && *height < tallest_storey_m)
+    if (height && !is_sentinel(*height) && *height > 0 && *height < max_storey_m)
       object.storey_heights_m.push_back(*height);
     value.remove_prefix(end);
   }
@@ -45,14 +45,14 @@ void set_storey_heights(CityObject& object, std::string_view value) {
 
 }  // namespace
 
-std::string_view trimmed(std::string_view text) {
+std::string_view trim(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
 std::optional<double> parse_number(std::string_view text) {
-  text = trimmed(text);
+  text = trim(text);
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -61,7 +61,7 @@ std::optional<double> parse_number(std::string_view text) {
 }
 
 bool set_attribute(CityObject& object, std::string_view name, std::string_view value) {
-  value = trimmed(value);
+  value = trim(value);
   if (name == "function")
     append(object.function, value);
   else if (name == "usage")

@@ -74,7 +74,7 @@ std::string first_srs_name(const MemberBatch& batch) {
 
 CityHead read_citygml_head(const std::filesystem::path& file) {
   CityHead out;
-  for (const city::Document& document : city::documents_in(file, citygml_endings)) {
+  for (const city::Document& document : city::list_documents(file, citygml_endings)) {
     if (out.sample.size() >= enough_points) break;
     const auto source = document.open();
     MemberSplitter splitter(*source, document.name, {});

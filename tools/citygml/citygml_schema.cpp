@@ -166,19 +166,19 @@ const std::unordered_map<std::string_view, P>& properties() {
 
 }  // namespace
 
-FeatureClass feature_class(std::string_view local) {
+FeatureClass find_feature_class(std::string_view local) {
   const auto at = classes().find(local);
   return at == classes().end() ? FeatureClass{} : at->second;
 }
 
-int lod_in(std::string_view local) {
+int read_lod(std::string_view local) {
   return local.size() > 4 && local.starts_with("lod") && local[3] >= '0' && local[3] <= '4'
              ? local[3] - '0'
              : -1;
 }
 
-PropertyKind property_kind(std::string_view local) {
-  if (lod_in(local) >= 0) return P::geometry;
+PropertyKind find_property_kind(std::string_view local) {
+  if (read_lod(local) >= 0) return P::geometry;
   const auto at = properties().find(local);
   return at == properties().end() ? P::skip : at->second;
 }

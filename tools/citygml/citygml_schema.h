@@ -1,4 +1,4 @@
-// What the element names of CityGML 1.0, 2.0 and 3.0 mean to us, by local name.
+// The element names of CityGML 1.0, 2.0 and 3.0 and what each stands for in our model.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,16 @@
 
 namespace nightcity {
 
-/// How a feature class stands in its parent.
+/// The role that a feature class plays in its parent.
 enum class ClassKind : std::uint8_t {
-  top,      // a city object of its own; inside another of its kind it is a part of it
+  top,      // a city object of its own; inside another of its kind, a part of that
   part,     // BuildingPart, BridgePart, ...: a space of its own
   detail,   // installations and construction elements: they add to their parent
   surface,  // thematic surfaces, openings
-  passage,  // holds features, has no geometry of its own kind: Section, TrafficSpace, ReliefFeature's
-            // components
-  interior,  // rooms, furniture, inner walls: no light or eye of ours gets in
+  /// Holds features, without geometry of a kind of its own: Section, TrafficSpace, ReliefFeature's
+  /// components.
+  passage,
+  interior,  // rooms, furniture, inner walls: neither lights nor cameras get in
   unknown,
 };
 
@@ -26,10 +27,10 @@ struct FeatureClass {
   SurfaceType surface = SurfaceType::unknown;
 };
 
-/// `local`: element name without prefix.
-FeatureClass feature_class(std::string_view local);
+/// Returns the class of an element by its name without prefix.
+FeatureClass find_feature_class(std::string_view local);
 
-/// How a property of a feature is to be read.
+/// Selects the way in which a property of a feature is read.
 enum class PropertyKind : std::uint8_t {
   skip,        // not used: counted by name
   attribute,   // function, usage, measuredHeight, ...
@@ -40,11 +41,12 @@ enum class PropertyKind : std::uint8_t {
   address,
   appearance,
   height,  // CityGML 3's con:height
-  name,  // gml:name, gml:description, creationDate: metadata a light layout has no use for, not worth a count
+  /// gml:name, gml:description, creationDate: metadata that nothing here uses, not worth a count.
+  name,
 };
-PropertyKind property_kind(std::string_view local);
+PropertyKind find_property_kind(std::string_view local);
 
-/// The N of "lodN...", -1 where there is none.
-int lod_in(std::string_view local);
+/// Returns the N of "lodN...", -1 where there is none.
+int read_lod(std::string_view local);
 
 }  // namespace nightcity

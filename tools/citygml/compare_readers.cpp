@@ -6,20 +6,13 @@
 #include <iterator>
 #include <set>
 
+#include "tools/city/ring.h"
 #include "tools/citygml/read_citygml.h"
 
 namespace nightcity {
 namespace {
 
-// Half the sum of cross products, from the ring's first vertex: nothing is lost far from the origin.
-glm::dvec3 area_vector(const Ring& ring) {
-  glm::dvec3 sum{0};
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-    sum += glm::cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
-  return 0.5 * sum;
-}
-
-double area_of(const Polygon& polygon) {
+double find_area(const Polygon& polygon) {
   double area = glm::length(area_vector(polygon.exterior));
   for (const Ring& hole : polygon.interiors) area -= glm::length(area_vector(hole));
   return area;
@@ -33,11 +26,11 @@ bool all_alike(const Tallies& tallies) {
   });
 }
 
-ReadReport tally(const std::filesystem::path& file, Reader reader, int highest_lod,
+ReadReport tally(const std::filesystem::path& file, Reader reader, int max_lod,
                  ReaderComparison& out, std::set<std::string>& ids) {
   ReadOptions options;
   options.reader = reader;
-  options.highest_lod = highest_lod;
+  options.max_lod = max_lod;
   const auto side = [&](std::pair<ReaderTally, ReaderTally>& both) -> ReaderTally& {
     return reader == Reader::stream ? both.first : both.second;
   };
@@ -49,7 +42,7 @@ ReadReport tally(const std::filesystem::path& file, Reader reader, int highest_l
     last_id = object.id;
     ids.insert(object.id);
     for (const Polygon& polygon : object.polygons) {
-      const double area = area_of(polygon);
+      const double area = find_area(polygon);
       ReaderTally& of_surface = side(out.surfaces[name_of(polygon.surface)]);
       for (ReaderTally* t : {&of_object, &of_surface}) {
         ++t->polygons;
@@ -72,11 +65,11 @@ bool ReaderComparison::agree() const {
          only_in_libcitygml.empty();
 }
 
-ReaderComparison compare_readers(const std::filesystem::path& file, int highest_lod) {
+ReaderComparison compare_readers(const std::filesystem::path& file, int max_lod) {
   ReaderComparison out;
   std::set<std::string> stream_ids, libcitygml_ids;
-  out.stream = tally(file, Reader::stream, highest_lod, out, stream_ids);
-  out.libcitygml = tally(file, Reader::libcitygml, highest_lod, out, libcitygml_ids);
+  out.stream = tally(file, Reader::stream, max_lod, out, stream_ids);
+  out.libcitygml = tally(file, Reader::libcitygml, max_lod, out, libcitygml_ids);
   std::set_difference(stream_ids.begin(), stream_ids.end(), libcitygml_ids.begin(),
                       libcitygml_ids.end(), std::back_inserter(out.only_in_stream));
   std::set_difference(libcitygml_ids.begin(), libcitygml_ids.end(), stream_ids.begin(),

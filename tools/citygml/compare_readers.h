@@ -1,4 +1,4 @@
-// Where the two readers disagree on a file.
+// Compares what the two CityGML readers make of a file.
 #pragma once
 
 #include <cstddef>
@@ -11,28 +11,29 @@
 
 namespace nightcity {
 
-/// What a reader made of one kind of thing.
+/// Counts of one kind of object or surface, by one reader.
 struct ReaderTally {
   std::size_t objects = 0, polygons = 0;
-  double area =
-      0;  // of the rings, holes subtracted, in the file's own units squared: for comparing, not for stating
+  /// Of the rings, holes subtracted, in the file's own units squared: good for comparing readers
+  /// alone.
+  double area = 0;
 };
 
-/// The same counts, and areas that differ by no more than rounding.
+/// Returns whether counts are equal and areas differ by no more than rounding.
 bool alike(const ReaderTally& a, const ReaderTally& b);
 
 struct ReaderComparison {
-  /// By object type and by surface type ("building", "wall", ...): first the stream reader, second
-  /// libcitygml.
+  /// By object type and by surface type ("building", "wall", ...): first the stream reader's,
+  /// second libcitygml's.
   std::map<std::string, std::pair<ReaderTally, ReaderTally>> objects, surfaces;
   std::vector<std::string> only_in_stream, only_in_libcitygml;  // ids of objects, sorted
   ReadReport stream, libcitygml;
 
-  /// No difference in objects or polygons of any kind, nor beyond rounding in areas.
+  /// Whether ids, objects and polygons of every kind are the same, and areas but for rounding.
   bool agree() const;
 };
 
-/// Reads `file` with both. Throws Error as read_citygml does.
-ReaderComparison compare_readers(const std::filesystem::path& file, int highest_lod);
+/// Reads `file` with both readers. Throws Error as read_citygml does.
+ReaderComparison compare_readers(const std::filesystem::path& file, int max_lod);
 
 }  // namespace nightcity

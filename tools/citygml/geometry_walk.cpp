@@ -4,58 +4,20 @@
 #include <array>
 #include <glm/vec4.hpp>
 
+#include "tools/citygml/geometry_names.h"
 #include "tools/citygml/rings.h"
 #include "tools/citygml/tag_scanner.h"
 
 namespace nightcity {
 namespace {
 
-// Longest chain of xlinks followed: solid to composite to orientable to polygon takes three.
+// The longest chain of xlinks followed: solid to composite to orientable to polygon takes three.
 constexpr int max_links = 8;
-// Polygons one member may make by implicit geometry: a few shared ones placed often must not fill the memory.
+// Polygons that one member may make by implicit geometry: a few shapes placed often must not fill
+// the memory.
 constexpr std::size_t max_placed_polygons = 1'000'000;
 
-bool is_polygon(std::string_view local) {
-  return local == "Polygon" || local == "PolygonPatch" || local == "Triangle" ||
-         local == "Rectangle";
-}
-
-// Elements that only hold what they are made of.
-bool is_container(std::string_view local) {
-  static constexpr std::array names{std::string_view("surfaceMember"),
-                                    std::string_view("MultiSurface"),
-                                    std::string_view("CompositeSurface"),
-                                    std::string_view("exterior"),
-                                    std::string_view("Solid"),
-                                    std::string_view("Shell"),
-                                    std::string_view("trianglePatches"),
-                                    std::string_view("TriangulatedSurface"),
-                                    std::string_view("patches"),
-                                    std::string_view("Surface"),
-                                    std::string_view("surfaceMembers"),
-                                    std::string_view("interior"),
-                                    std::string_view("MultiSolid"),
-                                    std::string_view("CompositeSolid"),
-                                    std::string_view("solidMember"),
-                                    std::string_view("solidMembers"),
-                                    std::string_view("polygonPatches"),
-                                    std::string_view("PolyhedralSurface"),
-                                    std::string_view("Tin"),
-                                    std::string_view("MultiGeometry"),
-                                    std::string_view("geometryMember"),
-                                    std::string_view("geometryMembers"),
-                                    std::string_view("GeometricComplex"),
-                                    std::string_view("element"),
-                                    std::string_view("baseSurface")};
-  return std::find(names.begin(), names.end(), local) != names.end();
-}
-
-bool is_geometry(std::string_view local) {
-  return is_polygon(local) || is_container(local) || local == "OrientableSurface" ||
-         local == "ImplicitGeometry";
-}
-
-int dimension_said(const pugi::xml_node& element, int inherited) {
+int find_dimension(const pugi::xml_node& element, int inherited) {
   const pugi::xml_attribute said = element.attribute("srsDimension");
   return said ? said.as_int() : inherited;
 }
@@ -75,9 +37,9 @@ std::size_t count_polygons(const pugi::xml_node& element) {
   return counter.count;
 }
 
-const glm::vec3* GeometryWalk::colour_of(const pugi::xml_node& element) const {
+const glm::vec3* GeometryWalk::find_colour(const pugi::xml_node& element) const {
   if (local_materials_.empty() && (!file_materials_ || file_materials_->empty())) return nullptr;
-  const std::string_view id = attribute_named(element, "id");
+  const std::string_view id = find_attribute(element, "id");
   if (id.empty()) return nullptr;
   if (const glm::vec3* colour = local_materials_.find(id)) return colour;
   return file_materials_ ? file_materials_->find(id) : nullptr;
@@ -86,7 +48,7 @@ const glm::vec3* GeometryWalk::colour_of(const pugi::xml_node& element) const {
 void GeometryWalk::read(const pugi::xml_node& property, const GeometryContext& context,
                         std::vector<city::RawPolygon>& out) {
   out_ = &out;
-  const std::string_view href = attribute_named(property, "href");
+  const std::string_view href = find_attribute(property, "href");
   if (!href.empty() && !property.first_child()) follow(property, href, context);
   walk_children(property, context);
 }
@@ -109,19 +71,19 @@ void GeometryWalk::walk(const pugi::xml_node& element, const GeometryContext& co
     return;
   }
   GeometryContext inside = context;
-  if (++inside.depth > deepest_nesting) {
+  if (++inside.depth > max_nesting) {
     skipped_.add("nested too deep: " + std::string(element.name()));
     if (const std::size_t polygons = count_polygons(element); polygons > 0)
       skipped_.add("polygon: nested too deep", polygons);
     return;
   }
-  inside.dimension = dimension_said(element, context.dimension);
-  if (const glm::vec3* colour = colour_of(element)) inside.colour = colour;
+  inside.dimension = find_dimension(element, context.dimension);
+  if (const glm::vec3* colour = find_colour(element)) inside.colour = colour;
   if (name == "OrientableSurface") {
-    if (attribute_named(element, "orientation") == "-") inside.reversed = !inside.reversed;
+    if (find_attribute(element, "orientation") == "-") inside.reversed = !inside.reversed;
     walk_children(element, inside);
   } else if (is_container(name)) {
-    const std::string_view href = attribute_named(element, "href");
+    const std::string_view href = find_attribute(element, "href");
     if (!href.empty() && !element.first_child()) follow(element, href, inside);
     walk_children(element, inside);
   } else if (name == "ImplicitGeometry") {
@@ -136,7 +98,7 @@ void GeometryWalk::walk(const pugi::xml_node& element, const GeometryContext& co
 void GeometryWalk::follow(const pugi::xml_node& link, std::string_view href,
                           const GeometryContext& context) {
   const bool here = href.starts_with('#');
-  const std::string id = here ? std::string(href.substr(1)) : library_.elsewhere(href);
+  const std::string id = here ? std::string(href.substr(1)) : library_.name_elsewhere(href);
   if (id.empty()) {
     skipped_.add("xlink: to another file");
     return;
@@ -149,7 +111,8 @@ void GeometryWalk::follow(const pugi::xml_node& link, std::string_view href,
   if (const pugi::xml_node target = here ? ids_.find(id) : pugi::xml_node()) {
     const std::string_view kind = local_name(target.name());
     if (!is_geometry(kind)) skipped_.add("xlink: to what is no geometry");
-    // A target passed before has all its polygons taken: this ends cycles, and trees of links to links.
+    // The polygons of a target passed before are taken: this ends cycles, and trees of links to
+    // links.
     else if (is_polygon(kind) || visited_.insert({target.internal_object(), context.lod}).second)
       walk(target, there);
     return;
@@ -173,12 +136,12 @@ void GeometryWalk::follow(const pugi::xml_node& link, std::string_view href,
 
 void GeometryWalk::read_polygon(const pugi::xml_node& element, const GeometryContext& context) {
   if (!visited_.insert({element.internal_object(), context.lod}).second) return;
-  const int dimension = dimension_said(element, context.dimension);
+  const int dimension = find_dimension(element, context.dimension);
   Polygon polygon;
-  polygon.id = attribute_named(element, "id");
+  polygon.id = find_attribute(element, "id");
   polygon.surface = context.surface;
   polygon.area_function = context.area_function;
-  const glm::vec3* colour = colour_of(element);
+  const glm::vec3* colour = find_colour(element);
   if (!colour) colour = context.colour;
   if (colour) polygon.diffuse_colour = *colour;
   RingFault fault = RingFault::no_coordinates;
@@ -227,7 +190,8 @@ void GeometryWalk::add(Polygon&& polygon, const GeometryContext& context) {
   out_->push_back({std::move(polygon), context.lod, context.space});
 }
 
-// A shared shape set down by a 4 x 4 matrix (row-major in the file) and a reference point added to it.
+// A shared shape placed by a 4 x 4 matrix (row-major in the file) and a reference point added to
+// it.
 void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryContext& context) {
   glm::dmat4 matrix(1.0);
   glm::dvec3 reference(0.0);
@@ -258,11 +222,11 @@ void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryCo
   matrix[3] += glm::dvec4(reference, 0.0);
   GeometryContext placed = context;
   placed.placed = &matrix;
-  // The same shape may be set down many times, but only once by each implicit geometry.
+  // The same shape may be placed many times, but only once by each implicit geometry.
   std::unordered_set<Visit, VisitHash> visited;
   visited.swap(visited_);
   for (const pugi::xml_node& shape : shapes) {
-    const std::string_view href = attribute_named(shape, "href");
+    const std::string_view href = find_attribute(shape, "href");
     if (!href.empty() && !shape.first_child()) follow(shape, href, placed);
     walk_children(shape, placed);
   }
@@ -272,8 +236,8 @@ void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryCo
 void GeometryWalk::read_points(const pugi::xml_node& property, const GeometryContext& context,
                                std::vector<glm::dvec3>& points, std::vector<Ring>& lines) {
   GeometryContext inside = context;
-  inside.dimension = dimension_said(property, context.dimension);
-  if (++inside.depth > deepest_nesting) {
+  inside.dimension = find_dimension(property, context.dimension);
+  if (++inside.depth > max_nesting) {
     skipped_.add("nested too deep: " + std::string(property.name()));
     return;
   }

@@ -1,4 +1,4 @@
-// GML geometry of any nesting into polygons.
+// Turns GML geometry of any nesting into polygons.
 #pragma once
 
 #include <cstddef>
@@ -12,52 +12,54 @@
 #include <unordered_set>
 #include <vector>
 
-#include "tools/citygml/appearances.h"
 #include "tools/city/merge_parts.h"
+#include "tools/citygml/appearances.h"
 #include "tools/citygml/skip_counter.h"
 #include "tools/citygml/xlinks.h"
 
 namespace nightcity {
 
-/// Number of polygons (gml:Polygon, PolygonPatch, Triangle, Rectangle) in an element and below.
+/// Returns the number of polygons (gml:Polygon, PolygonPatch, Triangle, Rectangle) in an element
+/// and below.
 std::size_t count_polygons(const pugi::xml_node& element);
 
-/// What the walk is told about where it is.
+/// What elements further up say about the geometry below them.
 struct GeometryContext {
   int lod = -1;
   std::uint32_t space = 0;
   SurfaceType surface = SurfaceType::unknown;
   std::uint16_t area_function = 0;     // of the traffic area
-  int dimension = 0;                   // srsDimension said further up; 0 = none
+  int dimension = 0;                   // srsDimension given further up; 0 = none
   bool reversed = false;               // below an OrientableSurface '-'
   int depth = 0;                       // of elements and links, from the member
   int links = 0;                       // xlinks followed on the way here
   const glm::vec3* colour = nullptr;   // of a material further up
-  const glm::dmat4* placed = nullptr;  // of an implicit geometry
+  const glm::dmat4* placed = nullptr;  // transformation of an implicit geometry
 };
 
-/// Elements nested deeper than this are skipped and counted: no CityGML needs it, and the stack is finite.
-constexpr int deepest_nesting = 200;
+/// Elements nested deeper than this are skipped and counted: no CityGML needs it, and the stack is
+/// finite.
+constexpr int max_nesting = 200;
 
 class GeometryWalk {
  public:
   GeometryWalk(const pugi::xml_node& member, const GeometryLibrary& library, SkipCounter& skipped)
       : ids_(member), library_(library), skipped_(skipped) {}
 
-  /// Adds every polygon below `property` (lod2Solid, tin, ...) to `out`; what cannot be used is counted. A
-  /// polygon reached twice (a solid's xlink to a wall) is added once.
+  /// Adds every polygon below `property` (lod2Solid, tin, ...) to `out` and counts what cannot be
+  /// used. A polygon reached twice (a solid's xlink to a wall) is added once.
   void read(const pugi::xml_node& property, const GeometryContext& context,
             std::vector<city::RawPolygon>& out);
   /// The same for a geometry element itself.
   void read_element(const pugi::xml_node& geometry, const GeometryContext& context,
                     std::vector<city::RawPolygon>& out);
-  /// Every vertex below `property`: break lines into `lines`, what lies alone into `points`.
+  /// Adds every vertex below `property`: break lines to `lines`, single vertices to `points`.
   void read_points(const pugi::xml_node& property, const GeometryContext& context,
                    std::vector<glm::dvec3>& points, std::vector<Ring>& lines);
 
   Materials& local_materials() { return local_materials_; }
   void set_file_materials(const Materials* materials) { file_materials_ = materials; }
-  /// Ids that xlinks name and neither the member nor the library holds.
+  /// Ids named by xlinks that neither the member nor the library holds.
   const std::vector<std::string>& unresolved() const { return unresolved_; }
 
  private:
@@ -67,7 +69,7 @@ class GeometryWalk {
   void read_polygon(const pugi::xml_node& element, const GeometryContext& context);
   void read_implicit(const pugi::xml_node& element, const GeometryContext& context);
   void add(Polygon&& polygon, const GeometryContext& context);
-  const glm::vec3* colour_of(const pugi::xml_node& element) const;
+  const glm::vec3* find_colour(const pugi::xml_node& element) const;
 
   struct Visit {
     const void* element;

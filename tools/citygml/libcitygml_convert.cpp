@@ -95,7 +95,7 @@ bool is_detail(Type type) {
          type == Type::COT_BridgeConstructionElement;
 }
 
-// No light and no eye of ours gets in.
+// Neither lights nor cameras get in.
 bool is_interior(Type type) {
   return type == Type::COT_Room || type == Type::COT_IntBuildingInstallation ||
          type == Type::COT_BuildingFurniture || type == Type::COT_FloorSurface ||

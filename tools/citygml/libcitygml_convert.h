@@ -1,4 +1,4 @@
-// libcitygml's object tree into ours.
+// Converts libcitygml's object tree into our model.
 #pragma once
 
 #include <citygml/cityobject.h>
@@ -15,10 +15,11 @@ namespace nightcity {
 struct LibcitygmlObject {
   city::RawObject raw;
   std::size_t polygons_seen = 0;               // distinct ones
-  std::map<std::string, std::size_t> skipped;  // what was seen and not taken
+  std::map<std::string, std::size_t> skipped;  // what was seen and not used, and how often
 };
 
-/// `themes`: of the model's appearances, for X3DMaterial colours; the first that gives a polygon one wins.
+/// `themes`: those of the model's appearances; the first with an X3DMaterial for a polygon gives
+/// its colour.
 LibcitygmlObject convert(const citygml::CityObject& root, const std::vector<std::string>& themes);
 
 }  // namespace nightcity

@@ -1,6 +1,6 @@
-// libcitygml 2.4.3 as a second opinion, kept from what it cannot bear: it is fed a batch of members at a
-// time, one by one where a batch fails, and never sees comments, entities or a DOCTYPE. What it drops is
-// counted.
+// Protects libcitygml 2.4.3 from what makes it fail: it gets a batch of members at a time, single
+// members where a batch fails, and never sees comments, entities or a DOCTYPE. What it leaves out
+// is counted.
 #include "tools/citygml/libcitygml_reader.h"
 
 #include <citygml/address.h>
@@ -42,15 +42,15 @@ citygml::ParserParams parameters() {
   return p;
 }
 
-// libcitygml, Xerces and GDAL set themselves up on first use without a lock: do it before anybody's second
-// thread.
+// libcitygml, Xerces and GDAL initialise themselves on first use without a lock, so this happens
+// before there is a second thread.
 void warm_up() {
   static std::once_flag once;
   std::call_once(once, [] {
     std::istringstream text("<CityModel xmlns=\"http://www.opengis.net/citygml/2.0\"/>");
     try {
       (void)citygml::load(text, parameters(), std::make_shared<Logger>());
-    } catch (...) {  // what fails here fails again, with its name, when a file is read
+    } catch (...) {  // what fails here fails again when a file is read, and is reported there
     }
   });
 }
@@ -67,7 +67,7 @@ std::size_t count_polygons(std::string_view text) {
   return count;
 }
 
-// The class of the object in a member: "<cityObjectMember><urf:UseDistrict ...".
+// Returns the class of the object in a member: "<cityObjectMember><urf:UseDistrict ...".
 std::string class_in(std::string_view member) {
   auto at = member.find('<', 1);
   while (at != std::string_view::npos && at + 1 < member.size() &&
@@ -137,7 +137,7 @@ class DocumentLoader {
     if (report.warnings.size() < max_warnings) report.warnings.push_back(name_ + ": " + message);
   }
 
-  // False, with the reason, when libcitygml throws: nothing has been delivered then.
+  // Returns false, with the reason, when libcitygml throws; then nothing has been delivered.
   bool load_text(const std::string& members, std::size_t polygons_in_text, std::string& why) {
     std::istringstream stream(members + "</" + head_.root_name + ">");
     const auto logger = std::make_shared<Logger>();
@@ -147,7 +147,7 @@ class DocumentLoader {
     } catch (const std::exception& e) {
       why = e.what();
       return false;
-    } catch (...) {  // Xerces' exceptions descend from nothing
+    } catch (...) {  // Xerces' exceptions have no base class
       why = "libcitygml's XML parser refuses it";
       return false;
     }
@@ -183,7 +183,7 @@ ReadReport read_with_libcitygml(const city::Document& document, const ReadOption
   warm_up();
   MemberSplitter::Limits limits;
   limits.batch_bytes = batch_bytes;
-  limits.every_tag = true;  // libcitygml is shown nothing that is not well-formed
+  limits.every_tag = true;  // libcitygml gets well-formed XML only
   const auto source = document.open();
   MemberSplitter splitter(*source, document.name, limits);
   require_citygml(splitter.head(), document.name);

@@ -7,8 +7,8 @@
 namespace nightcity {
 namespace {
 
-// Xerces hands text over in pieces of 2^20 characters.
-constexpr std::size_t longest_text = 1'000'000;
+// Xerces delivers text in pieces of 2^20 characters.
+constexpr std::size_t max_text_bytes = 1'000'000;
 
 struct Stand {
   std::string_view entity;  // without & and ;
@@ -59,8 +59,8 @@ void append_reference(const std::string& reference, std::string& out) {
   append_utf8(std::strtoul(reference.c_str() + (hex ? 2 : 1), nullptr, hex ? 16 : 10), out);
 }
 
-// Text between tags. (Entities that are not XML's own cannot be declared without a DOCTYPE: they are
-// dropped.)
+// Text between tags. Entities that are not XML's own are left out: without a DOCTYPE they cannot be
+// declared.
 void append_text(std::string_view text, std::string& out) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '&') {
@@ -85,7 +85,7 @@ bool append_guarded(std::string_view member, std::string& out) {
   while (at < member.size()) {
     const auto open = std::min(member.find('<', at), member.size());
     append_text(member.substr(at, open - at), out);
-    if (out.size() - text_begin > longest_text) {
+    if (out.size() - text_begin > max_text_bytes) {
       out.resize(before);
       return false;
     }

@@ -15,7 +15,8 @@ std::string lower(std::string_view text) {
   return out;
 }
 
-// CityGML 3's con:height: <con:Height> with a value and what it is measured between. The greatest is kept.
+// CityGML 3's con:height holds <con:Height> elements, each with a value and the levels it is
+// measured between. The greatest value is kept.
 void read_height(const pugi::xml_node& property, CityObject& object) {
   for (const pugi::xml_node& height : property.children()) {
     for (const pugi::xml_node& part : height.children()) {
@@ -28,7 +29,7 @@ void read_height(const pugi::xml_node& property, CityObject& object) {
   }
 }
 
-// What a part says and its building does not: the building is as tall as its tallest part.
+// Takes over what a part says and its building does not. A building is as tall as its tallest part.
 void adopt_attributes(CityObject& whole, const CityObject& part) {
   if (whole.function.empty()) whole.function = part.function;
   if (whole.usage.empty()) whole.usage = part.usage;
@@ -40,7 +41,7 @@ void adopt_attributes(CityObject& whole, const CityObject& part) {
   whole.storeys_above_ground = std::max(whole.storeys_above_ground, part.storeys_above_ground);
 }
 
-// The first function of a traffic area that is a code: who may go there.
+// Takes the first function of a traffic area that is a code: the code says who may go there.
 bool read_area_function(const FeatureClass& what, std::string_view name,
                         const pugi::xml_node& property, GeometryContext& context) {
   if (what.surface != SurfaceType::traffic_area || name != "function") return false;
@@ -64,7 +65,7 @@ MemberParser::MemberParser(const pugi::xml_node& member, std::size_t line,
 
 std::vector<city::RawObject> MemberParser::parse() {
   std::vector<city::RawObject> out;
-  if (feature_class(local_name(member_.name())).kind != ClassKind::unknown) {
+  if (find_feature_class(local_name(member_.name())).kind != ClassKind::unknown) {
     read_top(member_, out);
     return out;
   }
@@ -75,20 +76,20 @@ std::vector<city::RawObject> MemberParser::parse() {
 
 void MemberParser::skip(const pugi::xml_node& element) {
   skipped_.add(element.name());
-  if (!element.first_child().first_child()) return;  // a text at most
+  if (!element.first_child().first_child()) return;  // text at most, no geometry
   if (const std::size_t polygons = count_polygons(element); polygons > 0)
     skipped_.add("polygon: in " + std::string(element.name()), polygons);
 }
 
 void MemberParser::read_top(const pugi::xml_node& element, std::vector<city::RawObject>& out) {
   const std::string_view name = local_name(element.name());
-  const FeatureClass what = feature_class(name);
+  const FeatureClass what = find_feature_class(name);
   if (what.kind == ClassKind::unknown || what.kind == ClassKind::interior) {
     skip(element);
     return;
   }
-  if (name ==
-      "CityObjectGroup") {  // its members are objects of their own; the group itself is a list
+  // The members of a group are objects of their own; the group itself is a list.
+  if (name == "CityObjectGroup") {
     skipped_.add(element.name());
     for (const pugi::xml_node& property : element.children())
       if (local_name(property.name()) == "groupMember")
@@ -102,7 +103,7 @@ void MemberParser::read_top(const pugi::xml_node& element, std::vector<city::Raw
     return;
   }
   city::RawObject& raw = out.emplace_back();
-  raw.object.id = attribute_named(element, "id");
+  raw.object.id = find_attribute(element, "id");
   if (raw.object.id.empty()) raw.object.id = std::string(name) + "@" + std::to_string(line_);
   raw.object.class_name = name;
   raw.object.type = what.object;
@@ -120,7 +121,7 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
   for (const pugi::xml_node& property : element.children()) {
     if (property.type() != pugi::node_element) continue;
     const std::string_view name = local_name(property.name());
-    switch (property_kind(name)) {
+    switch (find_property_kind(name)) {
       case PropertyKind::attribute:
         if (is_space(what.kind))
           set_attribute(said, lower(name), property.child_value());
@@ -141,7 +142,7 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
         points.push_back(property);
         break;
       case PropertyKind::address:
-        if (said.address.empty()) said.address = address_text(property);
+        if (said.address.empty()) said.address = read_address(property);
         break;
       case PropertyKind::appearance:
         geometry_.local_materials().read(property, skipped_);
@@ -157,10 +158,10 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
     }
   }
   adopt_attributes(raw.object, said);
-  // Surfaces first: a solid that refers to them then finds its polygons taken, with their meaning.
+  // Surfaces first: a solid that refers to their polygons then leaves them their surface type.
   for (const pugi::xml_node& property : children) read_child_features(property, context, raw);
   for (const pugi::xml_node& property : geometries) {
-    const int lod = lod_in(local_name(property.name()));
+    const int lod = read_lod(local_name(property.name()));
     GeometryContext here = context;
     here.lod = lod >= 0 ? lod : relief_lod;
     if (local_name(property.name()) == "lod0RoofEdge") here.surface = SurfaceType::roof;
@@ -174,7 +175,7 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
 void MemberParser::read_child_features(const pugi::xml_node& property,
                                        const GeometryContext& context, city::RawObject& raw) {
   if (!property.first_child()) {
-    if (!attribute_named(property, "href").empty())
+    if (!find_attribute(property, "href").empty())
       skipped_.add("xlink: " + std::string(property.name()));
     return;
   }
@@ -185,11 +186,11 @@ void MemberParser::read_child_features(const pugi::xml_node& property,
 void MemberParser::read_child(const pugi::xml_node& element, const GeometryContext& context,
                               city::RawObject& raw) {
   const std::string_view name = local_name(element.name());
-  if (name == "Envelope" || name == "Null")
-    return;  // gml:boundedBy: an extent, known better from the vertices
-  const FeatureClass what = feature_class(name);
+  // gml:boundedBy: an extent, which the vertices give better.
+  if (name == "Envelope" || name == "Null") return;
+  const FeatureClass what = find_feature_class(name);
   GeometryContext inside = context;
-  if (++inside.depth > deepest_nesting) {
+  if (++inside.depth > max_nesting) {
     skipped_.add("nested too deep: " + std::string(element.name()));
     if (const std::size_t polygons = count_polygons(element); polygons > 0)
       skipped_.add("polygon: nested too deep", polygons);
@@ -217,13 +218,13 @@ void MemberParser::read_child(const pugi::xml_node& element, const GeometryConte
   read_feature(element, what, inside, raw);
 }
 
-std::string address_text(const pugi::xml_node& address) {
+std::string read_address(const pugi::xml_node& address) {
   struct Found : pugi::xml_tree_walker {
     std::string street, number, code, place, country;
     bool for_each(pugi::xml_node& node) override {
       const std::string_view name = local_name(node.name());
       const auto take = [&](std::string& field) {
-        if (field.empty()) field = trimmed(node.child_value());
+        if (field.empty()) field = trim(node.child_value());
       };
       if (name == "ThoroughfareName") take(street);
       if (name == "ThoroughfareNumber") take(number);

@@ -1,4 +1,4 @@
-// One member's features into city objects.
+// Turns one member's features into city objects.
 #pragma once
 
 #include <pugixml.hpp>
@@ -6,21 +6,21 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/city/merge_parts.h"
 #include "tools/citygml/citygml_schema.h"
 #include "tools/citygml/geometry_walk.h"
-#include "tools/city/merge_parts.h"
 #include "tools/citygml/skip_counter.h"
 
 namespace nightcity {
 
 class MemberParser {
  public:
-  /// `member`: cityObjectMember or its kin, or the object itself. `file_materials`: of the document's own
-  /// appearances.
+  /// `member`: a cityObjectMember, featureMember or member, or the object itself. `line`: its first
+  /// one in the document. `file_materials`: those of the document's own appearances.
   MemberParser(const pugi::xml_node& member, std::size_t line, const GeometryLibrary& library,
                const Materials& file_materials);
 
-  /// Every city object of the member; what is not used goes to skipped().
+  /// Returns every city object of the member. What is not used goes to skipped().
   std::vector<city::RawObject> parse();
 
   const SkipCounter& skipped() const { return skipped_; }
@@ -32,7 +32,8 @@ class MemberParser {
                     GeometryContext context, city::RawObject& raw);
   void read_child_features(const pugi::xml_node& property, const GeometryContext& context,
                            city::RawObject& raw);
-  void read_child(const pugi::xml_node& element, const GeometryContext& context, city::RawObject& raw);
+  void read_child(const pugi::xml_node& element, const GeometryContext& context,
+                  city::RawObject& raw);
   void skip(const pugi::xml_node& element);
 
   pugi::xml_node member_;
@@ -41,7 +42,8 @@ class MemberParser {
   GeometryWalk geometry_;
 };
 
-/// "Street 12, 10115 Berlin, Germany" out of an xAL address; parts that are absent are left out.
-std::string address_text(const pugi::xml_node& address);
+/// Returns "Street 12, 10115 Berlin, Germany" from an xAL address, without the parts that are
+/// absent.
+std::string read_address(const pugi::xml_node& address);
 
 }  // namespace nightcity

@@ -13,12 +13,12 @@ bool is_member_list(std::string_view local) {
   return local == "featureMembers" || local == "cityObjectMembers";
 }
 
-// Elements a long member may be cut behind: their parent is a plain list of them.
+// A long member may be cut behind these elements: their parent is a plain list of them.
 bool is_patch(std::string_view local) {
   return local == "Triangle" || local == "PolygonPatch";
 }
 
-// The name in a start tag: "<a:b c='d'>" -> "a:b".
+// Returns the name in a start tag: "a:b" of "<a:b c='d'>".
 std::string_view name_in(std::string_view tag) {
   std::size_t end = 1;
   while (!ends_name(tag[end])) ++end;
@@ -75,7 +75,8 @@ void MemberSplitter::close_tag(const Tag& tag) {
   open_.pop_back();
 }
 
-// One tag further; a member that ends with it goes to `batch`. False at the end of the document.
+// Moves one tag further and adds a member that ends with it to `batch`. Returns false at the end of
+// the document.
 bool MemberSplitter::scan_tag(MemberBatch& batch) {
   const Tag tag = scanner_.next();
   const bool outside = open_.empty();
@@ -121,14 +122,14 @@ bool MemberSplitter::scan_tag(MemberBatch& batch) {
   return true;
 }
 
-void MemberSplitter::hand_over(MemberBatch& batch, std::size_t end) {
+void MemberSplitter::pass_on(MemberBatch& batch, std::size_t end) {
   batch.bytes = scanner_.take(end);
   for (Range& range : open_) range = {range.first - end, range.second - end};
   if (cut_ > 0) cut_ -= end;
 }
 
-// Closes what is open at the cut for this piece, and opens it again for the next.
-void MemberSplitter::hand_over_piece(MemberBatch& batch) {
+// Closes the elements open at the cut for this piece, and opens them again for the next.
+void MemberSplitter::pass_on_piece(MemberBatch& batch) {
   const std::string_view window = scanner_.window();
   std::string openers, closers;
   std::vector<Range> reopened;
@@ -161,12 +162,12 @@ bool MemberSplitter::next(MemberBatch& batch) {
   }
   if (!batch.members.empty()) {
     delivered_ += batch.members.size();
-    hand_over(batch, batch.members.back().begin + batch.members.back().size);
+    pass_on(batch, batch.members.back().begin + batch.members.back().size);
     return true;
   }
   if (cut_ > 0) {
     ++delivered_;
-    hand_over_piece(batch);
+    pass_on_piece(batch);
     return true;
   }
   return false;

@@ -1,5 +1,5 @@
-// Cuts a CityGML document into its members (cityObjectMember and its kin) without loading it: one scan for
-// tags.
+// Cuts a CityGML document into its members (cityObjectMember, featureMember, ...) by one scan for
+// tags, without loading it.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,11 @@ namespace nightcity {
 struct DocumentHead {
   std::string root_tag;   // "<core:CityModel xmlns:..." as written, with its angle brackets
   std::string root_name;  // "core:CityModel"
-  std::string version;    // newest CityGML version its namespaces name: "2.0"; "" = none
+  std::string version;    // the newest CityGML version among its namespaces: "2.0"; "" = none
   bool latin1 = false;    // declared ISO-8859-1 or windows-1252; else UTF-8
 };
 
-/// Bytes of whole members, writable so that an in-place parser may use them.
+/// The bytes of whole members, writable so that an in-place parser may use them.
 struct MemberBatch {
   struct Member {
     std::size_t begin, size;  // of the element with its tags, in `bytes`
@@ -32,7 +32,7 @@ struct MemberBatch {
   };
   std::unique_ptr<char[]> bytes;
   std::vector<Member> members;
-  std::size_t first_member = 0;  // number in the document of members[0]; pieces count
+  std::size_t first_member = 0;  // index in the document of members[0]; each piece counts
 
   std::string_view text(const Member& member) const {
     return {bytes.get() + member.begin, member.size};
@@ -43,13 +43,13 @@ class MemberSplitter {
  public:
   struct Limits {
     std::size_t batch_bytes = std::size_t{1} << 20;
-    /// A longer member is cut between the triangles of its TIN, each piece wrapped in the tags open at the
-    /// cut, so that terrain of any size passes in bounded memory.
+    /// A longer member is cut between the triangles of its TIN, each piece wrapped in the tags open
+    /// at the cut, so that terrain of any size passes in bounded memory.
     std::size_t piece_bytes = std::size_t{4} << 20;
     std::size_t member_bytes = std::size_t{1} << 30;  // longer ones are refused
     std::size_t depth = 200;                          // deeper nesting is refused
-    /// Follow every tag. Without, a member's inside is left to whoever parses it: it may be ill-formed or too
-    /// deep.
+    /// Follow every tag. Otherwise the inside of a member is passed on unchecked and may be
+    /// ill-formed or too deep.
     bool every_tag = false;
   };
 
@@ -57,24 +57,25 @@ class MemberSplitter {
   MemberSplitter(city::ByteSource& source, std::string name, const Limits& limits);
 
   const DocumentHead& head() const { return head_; }
-  /// The next members, in order; false behind the last. Throws Error where tags do not nest or the file ends
-  /// early.
+  /// Fills `batch` with the next members, in order; false behind the last. Throws Error where tags
+  /// do not nest or the file ends early.
   bool next(MemberBatch& batch);
 
  private:
-  using Range = std::pair<std::size_t, std::size_t>;  // of a start tag in the scanner's window
+  /// Begin and end of a start tag in the scanner's window.
+  using Range = std::pair<std::size_t, std::size_t>;
 
   void read_head();
   bool scan_tag(MemberBatch& batch);
   void close_tag(const Tag& tag);
-  void hand_over(MemberBatch& batch, std::size_t end);
-  void hand_over_piece(MemberBatch& batch);
+  void pass_on(MemberBatch& batch, std::size_t end);
+  void pass_on_piece(MemberBatch& batch);
 
   TagScanner scanner_;
   Limits limits_;
   DocumentHead head_;
   std::vector<Range> open_;  // start tags open inside the current member
-  std::string list_;         // name of the member list we are in; "" = members stand in the root
+  std::string list_;         // name of the current member list; "" = members stand in the root
   std::size_t member_line_ = 1;
   std::size_t cut_ = 0;  // where the current member is to be cut; 0 = not
   std::size_t delivered_ = 0;

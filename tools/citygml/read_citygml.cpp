@@ -12,7 +12,7 @@ namespace nightcity {
 ReadReport read_citygml_staged(const std::filesystem::path& file, const ReadOptions& options,
                                const ObjectStage& stage) {
   ReadReport report;
-  for (const city::Document& document : city::documents_in(file, citygml_endings)) {
+  for (const city::Document& document : city::list_documents(file, citygml_endings)) {
     if (options.reader == Reader::stream) {
       report.merge(read_with_stream(document, options, stage));
       continue;

@@ -9,12 +9,12 @@
 
 namespace nightcity {
 
-/// How the names of CityGML files end, in lower case and without .gz: in folders and archives, what else
-/// lies there is not read.
+/// How the names of CityGML files end, in lower case and without .gz: in folders and archives, what
+/// else lies there is not read.
 constexpr std::array<std::string_view, 3> citygml_endings{".gml", ".xml", ".citygml"};
 
-/// Streams the file's objects into `sink`, in file order, in memory that does not grow with the file.
-/// Throws Error: missing, empty, truncated, not XML, not CityGML, DOCTYPE.
+/// Streams the file's objects into `sink`, in file order, in memory that does not grow with the
+/// file. Throws Error: missing, empty, truncated, not XML, not CityGML, DOCTYPE.
 ReadReport read_citygml(const std::filesystem::path& file, const ReadOptions& options,
                         const ObjectSink& sink);
 

@@ -47,7 +47,7 @@ bool append_vertices(const std::vector<double>& numbers, int dimension, Ring& ri
   return true;
 }
 
-// GML 2's <coordinates>: "x,y,z x,y,z", its separators said by attributes.
+// GML 2's <coordinates>: "x,y,z x,y,z", with separators given by attributes.
 RingFault read_coordinates(const pugi::xml_node& element, Ring& ring) {
   const auto said = [&](const char* name, char standard) {
     const char* value = element.attribute(name).value();
@@ -105,7 +105,7 @@ bool read_numbers(const pugi::xml_node& element, std::vector<double>& numbers) {
 RingFault read_ring(const pugi::xml_node& linear_ring, int dimension, Ring& ring) {
   ring.clear();
   const int inherited = dimension_of(linear_ring, dimension);
-  thread_local std::vector<double> numbers;  // one allocation a thread, not one a ring
+  thread_local std::vector<double> numbers;  // allocated once per thread, not once per ring
   bool any = false;
   for (const pugi::xml_node& child : linear_ring.children()) {
     const std::string_view name = local_name(child.name());

@@ -1,5 +1,5 @@
-// Coordinates of a GML ring: posList, pos, coordinates, pointProperty; text cut by comments or CDATA is read
-// whole.
+// Reads the coordinates of a GML ring: posList, pos, coordinates, pointProperty. Text that comments
+// or CDATA cut in pieces is read whole.
 #pragma once
 
 #include <cstdint>
@@ -19,14 +19,16 @@ enum class RingFault : std::uint8_t {
 };
 const char* name_of(RingFault fault);
 
-/// What pugixml must keep of a document for us.
+/// What pugixml must keep of a document: entities resolved, CDATA.
 constexpr unsigned gml_parse_flags = pugi::parse_escapes | pugi::parse_cdata;
 
-/// `dimension`: srsDimension said by an ancestor, 0 = none (then 3). Vertices of two coordinates get height
-/// 0. The closing vertex and consecutive duplicates are left out. `ring` is unspecified on a fault.
+/// Fills `ring` and returns its fault, with which `ring` is unspecified. `dimension`: srsDimension
+/// given by an ancestor, 0 = none (then 3). Vertices of two coordinates get height 0. The closing
+/// vertex and consecutive duplicates are left out.
 RingFault read_ring(const pugi::xml_node& linear_ring, int dimension, Ring& ring);
 
-/// Every number in the element's text, appended. False when something in it is no finite number.
+/// Appends every number in the element's text. Returns false when something in it is no finite
+/// number.
 bool read_numbers(const pugi::xml_node& element, std::vector<double>& numbers);
 
 }  // namespace nightcity

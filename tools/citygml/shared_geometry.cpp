@@ -12,7 +12,7 @@
 namespace nightcity {
 namespace {
 
-constexpr int max_rounds = 4;  // links to links to links across members
+constexpr int max_rounds = 4;  // for links to links to links across members
 
 std::size_t vertices_of(const std::vector<Polygon>& polygons) {
   std::size_t count = 0;
@@ -23,7 +23,8 @@ std::size_t vertices_of(const std::vector<Polygon>& polygons) {
   return count;
 }
 
-// Every wanted geometry the member holds, and the ids that it refers to without holding them.
+// Takes every wanted geometry that the member holds, and the ids that it refers to without holding
+// them.
 void fetch_from(const pugi::xml_node& member, const std::unordered_set<std::string>& wanted,
                 GeometryLibrary& library, std::size_t& room,
                 std::unordered_set<std::string>& missing) {
@@ -36,7 +37,7 @@ void fetch_from(const pugi::xml_node& member, const std::unordered_set<std::stri
     GeometryWalk walk(member, library, counted_where_it_stands);
     std::vector<city::RawPolygon> raws;
     walk.read_element(element, {}, raws);
-    if (!walk.unresolved().empty()) {  // again when those are here
+    if (!walk.unresolved().empty()) {  // to be read again when those are known
       missing.insert(walk.unresolved().begin(), walk.unresolved().end());
       missing.insert(id);
       continue;
@@ -49,8 +50,8 @@ void fetch_from(const pugi::xml_node& member, const std::unordered_set<std::stri
 
 }  // namespace
 
-GeometryLibrary fetch_geometry(const city::Document& document, std::unordered_set<std::string> wanted,
-                               std::size_t& room) {
+GeometryLibrary fetch_geometry(const city::Document& document,
+                               std::unordered_set<std::string> wanted, std::size_t& room) {
   GeometryLibrary library;
   for (int round = 0; round < max_rounds && !wanted.empty(); ++round) {
     std::unordered_set<std::string> missing;

@@ -9,12 +9,13 @@
 
 namespace nightcity {
 
-/// Vertices kept at most, of all that one document's links lead to: 200 MB.
+/// The most vertices kept of the geometry that one document's links lead to: 200 MB.
 constexpr std::size_t max_shared_vertices = 8'000'000;
 
-/// Reads the document for the geometry with these ids (and what that refers to in turn within it). Ids it
-/// does not hold, and those beyond `room` vertices, are not in the library; what is in it comes off `room`.
-GeometryLibrary fetch_geometry(const city::Document& document, std::unordered_set<std::string> wanted,
-                               std::size_t& room);
+/// Reads the document for the geometry with these ids and for the geometry that it refers to in
+/// turn. The library lacks ids that the document does not hold and those that would take more than
+/// `room` vertices; its vertices are subtracted from `room`.
+GeometryLibrary fetch_geometry(const city::Document& document,
+                               std::unordered_set<std::string> wanted, std::size_t& room);
 
 }  // namespace nightcity

@@ -1,4 +1,4 @@
-// Counts by name, cheap enough for every element not used.
+// Counts by name, cheap enough to count every element that is not used.
 #pragma once
 
 #include <cstddef>

@@ -23,7 +23,7 @@ constexpr std::size_t max_warnings = 50;
 
 bool is_object_member(const MemberBatch::Member& member) {
   return member.name == "cityObjectMember" || member.name == "featureMember" ||
-         member.name == "member" || feature_class(member.name).kind != ClassKind::unknown;
+         member.name == "member" || find_feature_class(member.name).kind != ClassKind::unknown;
 }
 
 struct BatchResult {
@@ -56,8 +56,8 @@ class StreamReader {
   }
 
  private:
-  // The document's own appearances may stand behind the objects they colour, so they are read first. A
-  // document without any costs a look for the word.
+  // The document's own appearances may stand behind the objects they colour, so they are read
+  // first. A document without any costs a look for the word.
   void read_file_materials() {
     constexpr std::string_view element = "appearanceMember";
     const auto source = document_.open();
@@ -79,7 +79,7 @@ class StreamReader {
   void fetch_wanted() {
     std::map<std::filesystem::path, std::unordered_set<std::string>> by_file;  // "" = this one
     for (const std::string& name : wanted_) {
-      auto [file, id] = library_.parts(name);
+      auto [file, id] = library_.split_name(name);
       by_file[std::move(file)].insert(std::move(id));
     }
     std::size_t room = max_shared_vertices;
@@ -90,7 +90,7 @@ class StreamReader {
         report_.warnings.push_back(document_.name + ": xlinks into " + file.string() +
                                    " are not followed: it is in another CRS");
       } else {
-        for (const city::Document& neighbour : city::documents_in(file, citygml_endings))
+        for (const city::Document& neighbour : city::list_documents(file, citygml_endings))
           for (auto& [id, polygons] : fetch_geometry(neighbour, ids, room).polygons)
             library_.polygons.emplace(file.string() + "#" + id, std::move(polygons));
       }

@@ -32,11 +32,8 @@ bool ends_name(char c) {
   return c == '>' || c == '/' || is_space(c);
 }
 
-TagScanner::TagScanner(city::ByteSource& source, std::string name, std::size_t longest_window)
-    : source_(source),
-      name_(std::move(name)),
-      longest_window_(longest_window),
-      block_(first_block) {
+TagScanner::TagScanner(city::ByteSource& source, std::string name, std::size_t max_window)
+    : source_(source), name_(std::move(name)), max_window_(max_window), block_(first_block) {
   skip_byte_order_mark();
 }
 
@@ -65,12 +62,12 @@ std::size_t TagScanner::line_of(std::size_t at) {
   return line_;
 }
 
-// Reads as much again as is pending, at least a block: scanning a long construct anew stays linear
-// in all.
+// Reads as many bytes again as are pending, at least a block: scanning a long construct anew then
+// takes linear time in all.
 bool TagScanner::fill() {
-  if (size_ > longest_window_)
+  if (size_ > max_window_)
     fail(position_,
-         "an element longer than " + std::to_string(longest_window_ >> 20) + " MB is refused");
+         "an element longer than " + std::to_string(max_window_ >> 20) + " MB is refused");
   const std::size_t want = std::max(block_, size_ - position_);
   block_ = std::min(2 * block_, read_block);
   if (size_ + want > capacity_) {
@@ -104,7 +101,7 @@ std::size_t TagScanner::find(std::string_view text, std::size_t from) {
   }
 }
 
-// Behind the '>' that closes the tag: one inside quotes does not count.
+// Returns the position behind the '>' that closes the tag: one inside quotes does not count.
 std::size_t TagScanner::end_of_tag(std::size_t begin) {
   std::size_t from = begin + 1;
   for (;;) {
@@ -169,7 +166,7 @@ Tag TagScanner::next() {
   }
 }
 
-std::size_t TagScanner::skip_element(const Tag& open, std::size_t longest) {
+std::size_t TagScanner::skip_element(const Tag& open, std::size_t max_bytes) {
   std::string start = "<", stop = "</";
   start += open.name;
   stop += open.name;
@@ -178,7 +175,7 @@ std::size_t TagScanner::skip_element(const Tag& open, std::size_t longest) {
     const std::size_t at = search(bytes_.get(), from, size_, stop);
     if (at == nowhere || at + stop.size() >= size_) {
       from = std::max(from, size_ - std::min(size_, stop.size()));
-      if (size_ - open.begin > longest || !fill()) return 0;
+      if (size_ - open.begin > max_bytes || !fill()) return 0;
     } else if (ends_name(bytes_[at + stop.size()])) {
       end = at;
     } else {
@@ -186,8 +183,8 @@ std::size_t TagScanner::skip_element(const Tag& open, std::size_t longest) {
     }
   }
   const char* const text = bytes_.get();
-  for (const char mark :
-       {'!', '?'}) {  // "<!--", "<![CDATA[", "<?": rare enough to look for one by one
+  // "<!--", "<![CDATA[", "<?": rare enough to look for one by one.
+  for (const char mark : {'!', '?'}) {
     for (std::size_t at = open.end; at < end; ++at) {
       const void* found = std::memchr(text + at, mark, end - at);
       if (!found) break;

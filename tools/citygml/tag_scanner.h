@@ -1,4 +1,4 @@
-// Finds the tags of an XML document in a moving window over its bytes. No tree, no attributes, no
+// Finds the tags of an XML document in a moving window over its bytes: no tree, no attributes, no
 // text.
 #pragma once
 
@@ -19,32 +19,34 @@ struct Tag {
   std::string_view name;           // with prefix; valid until the next call
 };
 
-/// Part of a name behind its prefix.
+/// Returns the part of a name behind its prefix.
 std::string_view local_name(std::string_view name);
-/// Whether a tag's name ends at this character.
+/// Returns whether a tag's name ends at this character.
 bool ends_name(char c);
 
 class TagScanner {
  public:
-  /// `longest_window`: what must be kept at once (one member) may not be longer.
-  TagScanner(city::ByteSource& source, std::string name, std::size_t longest_window);
+  /// `max_window`: the most bytes that may have to be kept at once (one member).
+  TagScanner(city::ByteSource& source, std::string name, std::size_t max_window);
 
   /// Skips text, comments, CDATA and processing instructions. Throws Error on a DOCTYPE, on markup
   /// that is no XML and where the file ends inside markup.
   Tag next();
 
-  /// Behind the element that `open` (just returned) starts, found by its end tag alone, many times
-  /// as fast as tag by tag. 0, and nothing moved, where only the tags can tell: comments, CDATA or
-  /// an element of the same name inside, or no end within `longest` bytes.
-  std::size_t skip_element(const Tag& open, std::size_t longest);
+  /// Moves behind the element that `open` (just returned) starts and returns that position. It is
+  /// found by the end tag alone, many times as fast as tag by tag. Returns 0, and moves nothing,
+  /// where that is not safe: comments, CDATA or an element of the same name inside, or no end
+  /// within `max_bytes`.
+  std::size_t skip_element(const Tag& open, std::size_t max_bytes);
 
-  /// The window: from what was dropped last to what has been read.
+  /// The window: from the end of what was taken or replaced last to the end of what has been read.
   std::string_view window() const { return {bytes_.get(), size_}; }
   std::size_t position() const { return position_; }
-  /// Gives away the window's first `end` bytes; positions behind them move down by `end`. `end` <=
-  /// position().
+  /// Gives away the window's first `end` bytes, `end` <= position(). Positions behind them move
+  /// down by `end`.
   std::unique_ptr<char[]> take(std::size_t end);
-  /// Puts `text` in place of the window's first `end` bytes, scanned already. `end` <= position().
+  /// Puts `text`, which counts as scanned, in place of the window's first `end` bytes, `end` <=
+  /// position().
   void replace(std::size_t end, std::string_view text);
 
   std::size_t line_of(std::size_t at);  // from 1; `at` may not lie before an earlier call's
@@ -62,7 +64,7 @@ class TagScanner {
 
   city::ByteSource& source_;
   std::string name_;
-  std::size_t longest_window_;
+  std::size_t max_window_;
   std::size_t block_;  // to be read next
   std::unique_ptr<char[]> bytes_;
   std::size_t size_ = 0, capacity_ = 0;

@@ -2,7 +2,7 @@
 
 namespace nightcity {
 
-std::string_view attribute_named(const pugi::xml_node& element, std::string_view local) {
+std::string_view find_attribute(const pugi::xml_node& element, std::string_view local) {
   for (pugi::xml_attribute a = element.first_attribute(); a; a = a.next_attribute()) {
     const std::string_view name = a.name();
     if (name.ends_with(local) &&
@@ -18,7 +18,7 @@ pugi::xml_node IdIndex::find(std::string_view id) {
       std::unordered_map<std::string_view, pugi::xml_node>& nodes;
       explicit Collector(std::unordered_map<std::string_view, pugi::xml_node>& n) : nodes(n) {}
       bool for_each(pugi::xml_node& node) override {
-        const std::string_view here = attribute_named(node, "id");
+        const std::string_view here = find_attribute(node, "id");
         if (!here.empty()) nodes.emplace(here, node);
         return true;
       }
@@ -31,7 +31,7 @@ pugi::xml_node IdIndex::find(std::string_view id) {
   return at == nodes_.end() ? pugi::xml_node() : at->second;
 }
 
-std::string GeometryLibrary::elsewhere(std::string_view href) const {
+std::string GeometryLibrary::name_elsewhere(std::string_view href) const {
   const std::size_t hash = href.find('#');
   if (!neighbours || hash == 0 || hash == std::string_view::npos) return {};
   const std::filesystem::path file = (folder / href.substr(0, hash)).lexically_normal();
@@ -39,7 +39,7 @@ std::string GeometryLibrary::elsewhere(std::string_view href) const {
   return file.string() + std::string(href.substr(hash));
 }
 
-std::pair<std::filesystem::path, std::string> GeometryLibrary::parts(
+std::pair<std::filesystem::path, std::string> GeometryLibrary::split_name(
     const std::string& name) const {
   const std::size_t hash = name.rfind('#');
   if (!neighbours || hash == std::string::npos || !neighbours->contains(name.substr(0, hash)))

@@ -1,5 +1,5 @@
-// Where a geometry's xlink leads: within its member at once, anywhere else in the file through a library
-// filled by a second pass.
+// Resolves the xlinks of geometry: within its member at once, elsewhere in the city through a
+// library that a second pass over the files fills.
 #pragma once
 
 #include <filesystem>
@@ -17,28 +17,30 @@
 
 namespace nightcity {
 
-/// Attribute by local name, whatever its prefix: gml:id, xlink:href.
-std::string_view attribute_named(const pugi::xml_node& element, std::string_view local);
+/// Returns the value of an attribute by its name without prefix (gml:id, xlink:href); "" where it
+/// is absent.
+std::string_view find_attribute(const pugi::xml_node& element, std::string_view local);
 
-/// Geometry that members refer to and other members hold, as polygons; by id. That of another file of the
-/// city is named by elsewhere().
+/// Geometry that members refer to and other members hold, as polygons by id. Geometry of another
+/// file of the city has the name that name_elsewhere() returns.
 struct GeometryLibrary {
   std::unordered_map<std::string, std::vector<Polygon>> polygons{};
-  std::filesystem::path folder{};  // of the document, from which file names in links count
-  std::shared_ptr<const std::set<std::filesystem::path>>
-      neighbours{};  // files that links may lead into
+  std::filesystem::path folder{};  // of the document: file names in links are relative to it
+  /// Files that links may lead into.
+  std::shared_ptr<const std::set<std::filesystem::path>> neighbours{};
 
-  /// The name of what "../there.gml#id" leads to, "path#id"; "" where it leads out of the city.
-  std::string elsewhere(std::string_view href) const;
-  /// Takes such a name apart; the path is empty for the id of something in the same file.
-  std::pair<std::filesystem::path, std::string> parts(const std::string& name) const;
+  /// Returns the name of the target of "../there.gml#id", "path#id"; "" where it lies outside the
+  /// city.
+  std::string name_elsewhere(std::string_view href) const;
+  /// Splits such a name into path and id; the path of a target in the same file is empty.
+  std::pair<std::filesystem::path, std::string> split_name(const std::string& name) const;
 };
 
-/// Elements with an id in one member; made on first use, for most members need none.
+/// The elements with an id in one member. Made on first use, because most members need none.
 class IdIndex {
  public:
   explicit IdIndex(const pugi::xml_node& member) : member_(member) {}
-  /// Null when no element of the member has this id.
+  /// Returns null when no element of the member has this id.
   pugi::xml_node find(std::string_view id);
 
  private:

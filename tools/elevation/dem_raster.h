@@ -1,4 +1,5 @@
-// Heights out of a raster (GeoTIFF, ASCII grid, ... whatever GDAL reads), where the model has no ground.
+// Heights from a raster (GeoTIFF, ASCII grid, any that GDAL reads) for places where the model has
+// no ground.
 #pragma once
 
 #include <filesystem>
@@ -11,11 +12,12 @@ namespace nightcity {
 
 class DemRaster {
  public:
-  /// The first band, metres. Throws Error: missing, no raster, no CRS or no place on the Earth.
+  /// Opens the raster's first band, metres. Throws Error: missing, no raster, no CRS or no place on
+  /// the Earth.
   explicit DemRaster(const std::filesystem::path& file);
 
-  /// Bilinear between the middles of cells; nothing outside the raster and beside a cell without data. WGS 84
-  /// degrees. Throws Error where the raster cannot be read.
+  /// Returns the height at WGS 84 degrees, bilinear between the centres of cells; none outside the
+  /// raster and beside a cell without data. Throws Error where the raster cannot be read.
   std::optional<double> height_at(const glm::dvec2& lon_lat) const;
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_set>
+#include <utility>
 
 #include "tools/median.h"
 
@@ -10,10 +11,10 @@ namespace nightcity {
 namespace {
 
 constexpr std::size_t min_samples = 3;
-constexpr std::size_t max_samples = 60;  // places asked of the service only to find its offset
+constexpr std::size_t max_samples = 60;  // places that the service is asked for to find its offset
 constexpr double same_place_degrees = 0.3 / 111'000;
 
-HeightOffset offset_of(const std::vector<double>& differences) {
+HeightOffset find_offset(const std::vector<double>& differences) {
   HeightOffset offset;
   offset.samples = differences.size();
   if (differences.size() < min_samples) return offset;
@@ -25,12 +26,12 @@ HeightOffset offset_of(const std::vector<double>& differences) {
   return offset;
 }
 
-const char* name_of(Footing footing) {
+const char* name_of(SurfaceClass surface_class) {
   constexpr const char* names[] = {"terrain", "road", "building ground", "roof"};
-  return names[static_cast<int>(footing)];
+  return names[static_cast<int>(surface_class)];
 }
 
-/// Lamps on one spot, to a third of a metre.
+/// Counts lamps within a third of a metre of another.
 std::size_t count_duplicates(const std::vector<OsmLampNode>& lamps) {
   std::unordered_set<std::uint64_t> places;
   std::size_t duplicates = 0;
@@ -62,7 +63,7 @@ Elevations elevate_lamps(const std::vector<OsmLampNode>& lamps, const ElevationS
     }
     if (hit) {
       result.heights[lamps[n].id] = hit->height_m;
-      ++result.sources[name_of(hit->footing)];
+      ++result.sources[name_of(hit->surface)];
       known.push_back(n);
     } else {
       open.push_back(n);
@@ -74,7 +75,7 @@ Elevations elevate_lamps(const std::vector<OsmLampNode>& lamps, const ElevationS
     for (const std::size_t n : known)
       if (const auto height = sources.dem->height_at(lamps[n].lon_lat))
         differences.push_back(result.heights[lamps[n].id] - *height);
-    result.raster_offset = offset_of(differences);
+    result.raster_offset = find_offset(differences);
     std::vector<std::size_t> still_open;
     for (const std::size_t n : open)
       if (const auto height = sources.dem->height_at(lamps[n].lon_lat)) {
@@ -99,7 +100,7 @@ Elevations elevate_lamps(const std::vector<OsmLampNode>& lamps, const ElevationS
     for (std::size_t k = open.size(); k < asked.size(); ++k)
       if (result.service.heights[k])
         differences.push_back(result.heights[lamps[asked[k]].id] - *result.service.heights[k]);
-    result.service_offset = offset_of(differences);
+    result.service_offset = find_offset(differences);
     std::vector<std::size_t> still_open;
     for (std::size_t k = 0; k < open.size(); ++k)
       if (result.service.heights[k]) {

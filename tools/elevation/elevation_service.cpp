@@ -21,15 +21,15 @@ using nlohmann::json;
 
 constexpr double sea_level_m = 10;
 
-/// A place to a decimetre, which is finer than any such service's raster: the cache's key.
+/// The cache's key: a place to a decimetre, which is finer than any such service's raster.
 std::string key_of(const std::string& url, const glm::dvec2& lon_lat) {
   char text[64];
   std::snprintf(text, sizeof text, "%.6f\t%.6f", lon_lat.y, lon_lat.x);
   return url + '\t' + text;
 }
 
-/// Lines of url, latitude, longitude, height, separated by tabs. A broken line (the disk was full) is no
-/// answer.
+/// A file of lines with url, latitude, longitude and height, separated by tabs. A broken line (the
+/// disk was full) is ignored.
 class Cache {
  public:
   explicit Cache(const std::filesystem::path& path) : path_(path) {
@@ -84,12 +84,12 @@ HttpAnswer ask(HttpClient& client, const std::string& body, const ElevationServi
     if (answer.retry_after_s)
       pause =
           std::max<std::chrono::milliseconds>(pause, std::chrono::seconds(*answer.retry_after_s));
-    std::this_thread::sleep_for(std::min<std::chrono::milliseconds>(pause, options.longest_wait));
+    std::this_thread::sleep_for(std::min<std::chrono::milliseconds>(pause, options.max_wait));
     wait *= 2;
   }
 }
 
-/// The heights of an answer to `count` places; null means no data.
+/// Returns the heights in an answer to `count` places; null means no data.
 std::vector<std::optional<double>> read_answer(const HttpAnswer& answer, std::size_t count,
                                                const std::string& url) {
   if (answer.status != 200)

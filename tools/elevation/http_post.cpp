@@ -13,11 +13,11 @@
 namespace nightcity {
 namespace {
 
-constexpr std::size_t largest_answer = 64u << 20;
+constexpr std::size_t max_answer_bytes = 64u << 20;
 
 std::size_t take_body(char* data, std::size_t size, std::size_t count, void* user) {
   std::string& body = static_cast<HttpAnswer*>(user)->body;
-  if (body.size() + size * count > largest_answer) return 0;  // ends the transfer
+  if (body.size() + size * count > max_answer_bytes) return 0;  // ends the transfer
   body.append(data, size * count);
   return size * count;
 }
@@ -32,7 +32,7 @@ std::size_t take_header(char* data, std::size_t size, std::size_t count, void* u
   if (ours) {
     line.remove_prefix(name.size());
     while (line.starts_with(' ')) line.remove_prefix(1);
-    long seconds = 0;  // it may be a date: then our own patience decides
+    long seconds = 0;  // a date instead of seconds is ignored
     const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), seconds);
     if (error == std::errc() && seconds >= 0 && end != line.data())
       static_cast<HttpAnswer*>(user)->retry_after_s = seconds;

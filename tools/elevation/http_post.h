@@ -1,4 +1,4 @@
-// One HTTP request with JSON in its body.
+// HTTP requests with JSON in their body.
 #pragma once
 
 #include <memory>
@@ -21,8 +21,8 @@ class HttpClient {
   HttpClient(const HttpClient&) = delete;
   HttpClient& operator=(const HttpClient&) = delete;
 
-  /// Throws Error (named `url`) where no answer comes within a minute or it is over 64 MB. A status that is
-  /// no success is an answer.
+  /// Sends `body` and returns the answer, also one whose status is no success. Throws Error (named
+  /// `url`) where no answer comes within a minute or it is over 64 MB.
   HttpAnswer post_json(const std::string& url, const std::string& body);
 
  private:

@@ -25,7 +25,7 @@ std::string text_of(double height) {
   return fmt::format("{:.2f}", height);
 }
 
-/// What libosmium calls the kind of file; "" where the name tells none.
+/// Returns libosmium's name for the kind of file; "" where the file's name says none.
 std::string format_of(const fs::path& path) {
   const std::string name = path.filename().string();
   constexpr std::pair<std::string_view, const char*> formats[] = {
@@ -78,7 +78,7 @@ std::size_t edit_xml(const fs::path& input, const fs::path& output,
   return written;
 }
 
-/// The node with its tags, `ele` replaced.
+/// Copies the node with its tags, `ele` replaced.
 void add_node(osmium::memory::Buffer& buffer, const osmium::Node& node, double height) {
   {
     osmium::builder::NodeBuilder builder(buffer);

@@ -1,4 +1,4 @@
-// From a source CRS to the scene's projected frame, and from longitude/latitude (OSM) into that frame.
+// Coordinates of a city's files, and longitude and latitude (OSM), to the scene's projected frame.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -12,9 +12,9 @@
 
 namespace nightcity {
 
-/// The frame of one city. Projected CRSs stay projected (axis order normalised to E, N); geographic ones
-/// (PLATEAU's lat, lon, h) go through a transverse Mercator centred on the city (GeographicLib), so that
-/// heights stay heights.
+/// The frame of one city: E, N, H in metres. A projected CRS stays as it is but for its axis order;
+/// a geographic one (PLATEAU's lat, lon, h) goes through a transverse Mercator centred on the city
+/// (GeographicLib), which leaves heights alone.
 class CityFrame {
  public:
   /// One place known in both systems: for a model that names no CRS.
@@ -27,25 +27,25 @@ class CityFrame {
     std::vector<ControlPoint> control_points;  // two or more place a model that has no CRS
   };
 
-  /// `srs_name` as written in the file; `sample` some of its coordinates, for the axis order and the
-  /// plausibility check against the CRS's area of use. Throws Error when PROJ and the alias table know no
-  /// such CRS, or when no axis order puts the sample inside the area of use. With neither a name nor an
-  /// override coordinates pass through as E, N, H metres, crs() is "", and longitude/latitude need
-  /// Options::control_points.
+  /// `srs_name`: as written in the file. `sample`: some of its coordinates, to find the axis order
+  /// and to check that they lie in the CRS's area of use. Without a name and an override
+  /// coordinates pass through as E, N, H in metres, crs() is "", and longitude and latitude need
+  /// Options::control_points. Throws Error when neither PROJ nor the alias table knows the CRS, or
+  /// when no axis order puts the sample inside the area of use.
   static CityFrame from_srs_name(const std::string& srs_name, std::span<const glm::dvec3> sample,
                                  const Options& options);
 
   /// Source coordinates (as in the file) to E, N, H in metres, in place.
   void to_projected(std::span<glm::dvec3> coordinates) const;
-  /// WGS 84 degrees to E, N in metres; NaN where PROJ has no answer. Horizontal only: heights come from the
-  /// terrain. Throws Error when has_lon_lat() is false. Safe to call from several threads.
+  /// WGS 84 degrees to E, N in metres; NaN where PROJ has no answer. Horizontal only: heights come
+  /// from the terrain. Throws Error when has_lon_lat() is false. Safe to call from several threads.
   glm::dvec2 from_lon_lat(const glm::dvec2& lon_lat) const;
   glm::dvec2 to_lon_lat(const glm::dvec2& east_north) const;
 
   bool has_lon_lat() const;        // false: no CRS and no control points
   const std::string& crs() const;  // "EPSG:25833" or a PROJ string
-  const std::string& description()
-      const;  // for the report: CRS, axis order and why, operation and its accuracy
+  /// For the report: CRS, axis order and its reason, operation and its accuracy.
+  const std::string& description() const;
 
   CityFrame(CityFrame&&) noexcept;
   CityFrame& operator=(CityFrame&&) noexcept;

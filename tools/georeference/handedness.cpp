@@ -12,7 +12,7 @@ struct Facet {
   double height;  // mean z
 };
 
-std::vector<Facet> facets_of(std::span<const glm::dvec3> points) {
+std::vector<Facet> to_facets(std::span<const glm::dvec3> points) {
   std::vector<Facet> facets;
   std::size_t first = 0;
   while (first + 3 < points.size()) {
@@ -34,7 +34,7 @@ std::vector<Facet> facets_of(std::span<const glm::dvec3> points) {
 }  // namespace
 
 double handedness(std::span<const glm::dvec3> closed_rings) {
-  const std::vector<Facet> facets = facets_of(closed_rings);
+  const std::vector<Facet> facets = to_facets(closed_rings);
   double up = 0, total = 0, height = 0;
   for (const Facet& f : facets) {
     up += f.up;
@@ -43,10 +43,10 @@ double handedness(std::span<const glm::dvec3> closed_rings) {
   }
   if (!(total > 0)) return 0;
   constexpr double all_face_one_way = 0.9;
-  if (std::abs(up) > all_face_one_way * total)
-    return up / total;  // terrain, roads, roofs alone: they face up
-  // Solids: the divergence theorem with the field (0, 0, z) makes the volume from facets' heights; its sign
-  // is ours.
+  // Terrain, roads or roofs alone: they face up.
+  if (std::abs(up) > all_face_one_way * total) return up / total;
+  // Solids: by the divergence theorem of the field (0, 0, z) the facets' heights give the volume.
+  // Its sign is the answer.
   height /= total;
   double volume = 0, magnitude = 0;
   for (const Facet& f : facets) {

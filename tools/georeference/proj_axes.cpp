@@ -11,9 +11,8 @@ bool is_geographic(const PJ* crs) {
   return type == PJ_TYPE_GEOGRAPHIC_2D_CRS || type == PJ_TYPE_GEOGRAPHIC_3D_CRS;
 }
 
-std::optional<ProjAxes> ProjAxes::of(PJ_CONTEXT* context, const PJ* crs) {
-  constexpr double degrees_per_radian =
-      57.29577951308232;  // PROJ states an angular unit in radians
+std::optional<ProjAxes> ProjAxes::read(PJ_CONTEXT* context, const PJ* crs) {
+  constexpr double degrees_per_radian = 57.29577951308232;  // PROJ states angular units in radians
   const PjPtr system{proj_crs_get_coordinate_system(context, crs)};
   if (!system || proj_cs_get_axis_count(context, system.get()) < 2) return {};
   ProjAxes axes;

@@ -1,4 +1,5 @@
-// Handles of PROJ that free themselves, and how a CRS orders, turns and scales its two horizontal axes.
+// Handles of PROJ that free themselves, and the order, direction and scale of a CRS's horizontal
+// axes.
 #pragma once
 
 #include <proj.h>
@@ -16,17 +17,19 @@ struct PjDeleter {
 using PjPtr = std::unique_ptr<PJ, PjDeleter>;
 using PjContextPtr = std::unique_ptr<PJ_CONTEXT, PjDeleter>;
 
-/// Between a CRS's own coordinates and (east, north) in metres or (longitude, latitude) in degrees.
+/// Converts between a CRS's own coordinates and (east, north) in metres or (longitude, latitude) in
+/// degrees.
 struct ProjAxes {
   int east_axis = 0, north_axis = 1;
-  double east_scale = 1,
-         north_scale = 1;  // metres or degrees per unit; negative for axes west or south
+  /// Metres or degrees per unit; negative for axes that point west or south.
+  double east_scale = 1, north_scale = 1;
 
   PJ_COORD to_native(const glm::dvec2& east_north) const;
-  glm::dvec2 from_native(const PJ_COORD& native) const;  // NaN where PROJ had no answer
+  /// NaN where PROJ had no answer.
+  glm::dvec2 from_native(const PJ_COORD& native) const;
 
-  /// Empty when the axes do not point east or west and north or south.
-  static std::optional<ProjAxes> of(PJ_CONTEXT* context, const PJ* crs);
+  /// Returns none when the axes do not point east or west and north or south.
+  static std::optional<ProjAxes> read(PJ_CONTEXT* context, const PJ* crs);
 };
 
 bool is_geographic(const PJ* crs);

@@ -14,7 +14,7 @@ struct ListDeleter {
   }
 };
 
-bool serves(PJ_CONTEXT* context, const PJ* operation, const glm::dvec2* place) {
+bool covers(PJ_CONTEXT* context, const PJ* operation, const glm::dvec2* place) {
   double west = 0, south = 0, east = 0, north = 0;
   if (!place || !proj_get_area_of_use(context, operation, &west, &south, &east, &north, nullptr) ||
       west < -999)
@@ -34,13 +34,12 @@ double rank(PJ_CONTEXT* context, const PJ* operation) {
 
 }  // namespace
 
-PjPtr operation_from_wgs84(PJ_CONTEXT* context, const PJ* crs, const glm::dvec2* place) {
+PjPtr find_operation_from_wgs84(PJ_CONTEXT* context, const PJ* crs, const glm::dvec2* place) {
   const PjPtr wgs84{proj_create(context, "OGC:CRS84")};
   const std::unique_ptr<PJ_OPERATION_FACTORY_CONTEXT, ListDeleter> factory{
       proj_create_operation_factory_context(context, nullptr)};
   if (!wgs84 || !factory) return nullptr;
-  // Ways through third datums are many (seconds for Japan's) and no better than the direct one, where it
-  // exists.
+  // Operations through third datums are many (seconds for Japan's) and no better than a direct one.
   proj_operation_factory_context_set_allow_use_intermediate_crs(context, factory.get(),
                                                                 PROJ_INTERMEDIATE_CRS_USE_NEVER);
   proj_operation_factory_context_set_spatial_criterion(context, factory.get(),
@@ -54,7 +53,7 @@ PjPtr operation_from_wgs84(PJ_CONTEXT* context, const PJ* crs, const glm::dvec2*
   for (int i = 0; all && i < proj_list_get_count(all.get()); ++i) {
     PjPtr operation{proj_list_get(context, all.get(), i)};
     if (!operation || !proj_coordoperation_is_instantiable(context, operation.get()) ||
-        !serves(context, operation.get(), place))
+        !covers(context, operation.get(), place))
       continue;
     if (const double r = rank(context, operation.get()); r < best_rank) {
       best_rank = r;

@@ -1,4 +1,4 @@
-// The operation from WGS 84 to a CRS that PROJ knows to be best at a place.
+// The best operation that PROJ knows from WGS 84 to a CRS at a place.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -8,12 +8,13 @@
 
 namespace nightcity {
 
-/// From CRS 84 (longitude, latitude in degrees) to `crs` (its own axes). Among operations whose grids are
-/// here and whose area of use holds `place` (null: anywhere) the one of the best stated accuracy, never a
-/// guess between datums where a stated one exists. Null when PROJ has none.
-PjPtr operation_from_wgs84(PJ_CONTEXT* context, const PJ* crs, const glm::dvec2* place);
+/// Returns the operation from CRS 84 (longitude, latitude in degrees) to `crs` (its own axes) with
+/// the best stated accuracy among those whose grids are installed and whose area of use holds
+/// `place` (null: anywhere). A guess between datums is taken only where PROJ states nothing better.
+/// Null when PROJ has none.
+PjPtr find_operation_from_wgs84(PJ_CONTEXT* context, const PJ* crs, const glm::dvec2* place);
 
-/// Its name and stated accuracy, for a report.
+/// Returns its name and stated accuracy, for a report.
 std::string describe_operation(PJ_CONTEXT* context, const PJ* operation);
 
 }  // namespace nightcity

@@ -43,7 +43,7 @@ void SourceCrs::State::read_vertical(const PJ* compound) {
 }
 
 bool SourceCrs::State::read_axes(std::string& why) {
-  const auto own = ProjAxes::of(context.get(), crs.get());
+  const auto own = ProjAxes::read(context.get(), crs.get());
   if (!own) {
     why = "its axes do not point east and north";
     return false;
@@ -51,7 +51,7 @@ bool SourceCrs::State::read_axes(std::string& why) {
   axes = *own;
   if (geographic) return true;
   const PjPtr base{proj_crs_get_geodetic_crs(context.get(), crs.get())};
-  const auto base_axes = base ? ProjAxes::of(context.get(), base.get()) : std::nullopt;
+  const auto base_axes = base ? ProjAxes::read(context.get(), base.get()) : std::nullopt;
   if (base_axes)
     to_degrees.reset(
         proj_create_crs_to_crs_from_pj(context.get(), crs.get(), base.get(), nullptr, nullptr));
@@ -68,13 +68,12 @@ void SourceCrs::State::read_identity(const std::string& definition) {
   const char* code = proj_get_id_code(crs.get(), 0);
   identity = authority && code ? std::string(authority) + ":" + code : definition;
   if (geographic || (axes.east_scale == 1 && axes.north_scale == 1)) return;
-  if (identity ==
-      "EPSG:5513") {  // Krovak south, west: the same grid with axes east, north has its own code
-    identity = "EPSG:5514";
+  if (identity == "EPSG:5513") {
+    identity = "EPSG:5514";  // the Krovak grid with axes east, north instead of south, west
     return;
   }
-  // The scene's frame is in metres: say so in what we write down. (A PROJ string's x_0 and y_0 are metres
-  // already.)
+  // The scene's frame is in metres, so its definition says metres. (A PROJ string's x_0 and y_0 are
+  // metres already.)
   const char* text = proj_as_proj_string(context.get(), crs.get(), PJ_PROJ_4, nullptr);
   if (!text) return;
   const std::string in_units = text;
@@ -100,15 +99,15 @@ SourceCrs::SourceCrs() : state_(std::make_unique<State>()) {}
 SourceCrs::~SourceCrs() = default;
 
 std::unique_ptr<SourceCrs> SourceCrs::create(const std::string& definition, std::string& why) {
-  constexpr std::size_t longest_definition = 65536;  // a WKT of that size is no honest CRS
-  if (definition.size() > longest_definition) {
+  constexpr std::size_t max_definition_bytes = 65536;  // no honest CRS has a longer WKT
+  if (definition.size() > max_definition_bytes) {
     why = "too long";
     return nullptr;
   }
   std::unique_ptr<SourceCrs> out(new SourceCrs);
   State& s = *out->state_;
   PJ_CONTEXT* context = s.context.get();
-  proj_log_level(context, PJ_LOG_NONE);  // failures are reported by us, with the file they concern
+  proj_log_level(context, PJ_LOG_NONE);  // we report failures ourselves, with the file
   s.crs.reset(proj_create(context, definition.c_str()));
   if (!s.crs || !proj_is_crs(s.crs.get())) {
     why = "PROJ does not know it";
@@ -204,15 +203,15 @@ bool SourceCrs::area_contains(const glm::dvec2& lon_lat, double margin_deg) cons
   if (std::isnan(lon_lat.x) || std::isnan(lon_lat.y)) return false;
   if (s.west < -999) return true;
   if (lon_lat.y < s.south - margin_deg || lon_lat.y > s.north + margin_deg) return false;
-  const double width =
-      s.east >= s.west ? s.east - s.west : s.east - s.west + 360;  // across the date line
+  const bool across_date_line = s.east < s.west;
+  const double width = s.east - s.west + (across_date_line ? 360 : 0);
   const double from_west = std::fmod(lon_lat.x - s.west + margin_deg + 720, 360);
   return from_west <= width + 2 * margin_deg;
 }
 
 std::string SourceCrs::select_operation(const glm::dvec2* lon_lat) {
   State& s = *state_;
-  s.operation = operation_from_wgs84(s.context.get(), s.crs.get(), lon_lat);
+  s.operation = find_operation_from_wgs84(s.context.get(), s.crs.get(), lon_lat);
   if (!s.operation) throw Error("", "PROJ has no operation from WGS 84 to " + s.name);
   return describe_operation(s.context.get(), s.operation.get());
 }

@@ -1,4 +1,4 @@
-// One CRS of PROJ: its axes, its area of use, and WGS 84 longitude/latitude into and out of it.
+// One CRS known to PROJ: its axes, its area of use, and conversion from and to WGS 84.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -8,43 +8,45 @@
 
 namespace nightcity {
 
-/// Horizontal part of a CRS. Not safe for use by several threads at once (a PROJ object is not).
+/// The horizontal part of a CRS. For one thread at a time, as PROJ objects are.
 class SourceCrs {
  public:
-  /// Null when PROJ does not know `definition` or it is neither projected nor geographic; `why` says which.
+  /// Returns null when PROJ does not know `definition` or it is neither projected nor geographic;
+  /// then `why` says what is wrong.
   static std::unique_ptr<SourceCrs> create(const std::string& definition, std::string& why);
   ~SourceCrs();
 
   bool geographic() const;
-  /// Register order is northing/latitude first.
+  /// Whether the EPSG register puts northing or latitude first.
   bool north_first() const;
-  /// "EPSG:25833" where the register has it and its axes are metres, east and north; else a PROJ string in
-  /// metres, else the name. Geographic CRSs give their own name here.
+  /// "EPSG:25833" where the register knows it and its axes are metres east and north; else a PROJ
+  /// string in metres, else the name. Of a geographic CRS its own name.
   const std::string& identity() const;
   const std::string& name() const;
   double unit_to_metre() const;  // of a projected CRS's axes; 1 for a geographic one
-  double height_unit_to_metre()
-      const;  // of the vertical part; without one, heights share the horizontal unit
+  /// Of the vertical part; without one, heights share the horizontal unit.
+  double height_unit_to_metre() const;
   double semi_major_m() const;
   double inverse_flattening() const;
   const std::string& area_name() const;
 
-  /// WGS 84 degrees to (east, north) in metres or (longitude, latitude) in degrees of this CRS, and back. NaN
-  /// where PROJ has no answer.
+  /// WGS 84 degrees to (east, north) in metres or (longitude, latitude) in degrees of this CRS, and
+  /// back. NaN where PROJ has no answer.
   glm::dvec2 from_wgs84(const glm::dvec2& lon_lat) const;
   glm::dvec2 to_wgs84(const glm::dvec2& east_north) const;
 
-  /// (east, north) to longitude, latitude of the CRS's own datum: within some 100 m of WGS 84, at once.
-  /// (Choosing an operation between datums takes PROJ a tenth of a second to several.)
+  /// (east, north) to longitude, latitude of the CRS's own datum, which lie within some 100 m of
+  /// WGS 84. Needs no operation between datums, whose choice takes PROJ from a tenth of a second to
+  /// several.
   glm::dvec2 to_own_lon_lat(const glm::dvec2& east_north) const;
 
-  /// Whether a place (degrees) lies in the area of use, widened by `margin_deg`. True when PROJ states no
-  /// area.
+  /// Whether a place (degrees) lies in the area of use, widened by `margin_deg`. True when PROJ
+  /// states no area.
   bool area_contains(const glm::dvec2& lon_lat, double margin_deg) const;
 
-  /// Chooses the operation from WGS 84 for a place (degrees; null: for the whole area of use). Returns what
-  /// PROJ calls it, with its stated accuracy. Throws Error when there is none. Comes before from_wgs84 and
-  /// to_wgs84.
+  /// Chooses the operation from WGS 84 for a place (degrees; null: for the whole area of use).
+  /// Returns PROJ's name for it with the stated accuracy. Throws Error when there is none. Must be
+  /// called before from_wgs84 and to_wgs84.
   std::string select_operation(const glm::dvec2* lon_lat);
 
  private:

@@ -12,9 +12,9 @@ struct Alias {
   std::string_view definition;
 };
 
-// Names PROJ refuses or misunderstands. The German ones are those of the AdV register (urn:adv:crs:...),
-// whose height part behind '*' is left out: only the horizontal CRS matters here, heights stay as in the
-// file.
+// Names that PROJ refuses or misunderstands. The German ones are those of the AdV register
+// (urn:adv:crs:...) without the height part behind '*': only the horizontal CRS matters here,
+// heights stay as in the file.
 constexpr std::array aliases{
     Alias{"ch1903", "EPSG:21781"},           Alias{"ch1903_lv03", "EPSG:21781"},
     Alias{"ch1903+", "EPSG:2056"},           Alias{"ch1903+_lv95", "EPSG:2056"},
@@ -42,8 +42,8 @@ std::string_view trim(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-// The alias whose name `name` is, or begins with before a regional suffix ("de_dhdn_3gk4_by120"); longest
-// wins.
+// The longest alias that `name` equals or begins with before a regional suffix
+// ("de_dhdn_3gk4_by120").
 const Alias* find_alias(std::string_view name) {
   const Alias* best = nullptr;
   for (const Alias& alias : aliases) {
@@ -79,7 +79,7 @@ std::string first_epsg_code(std::string_view name) {
 
 }  // namespace
 
-std::vector<std::string> crs_definitions(std::string_view srs_name) {
+std::vector<std::string> list_crs_definitions(std::string_view srs_name) {
   const std::string_view name = trim(srs_name);
   std::vector<std::string> definitions;
   if (name.empty()) return definitions;
@@ -95,8 +95,8 @@ std::vector<std::string> crs_definitions(std::string_view srs_name) {
     if (std::find(definitions.begin(), definitions.end(), plain) == definitions.end())
       definitions.push_back(plain);
   }
-  // ETRS89 / UTM with the zone number before the easting (Brandenburg, Mecklenburg): declared as the plain
-  // zone by some files; only the plausibility check can tell.
+  // Some files in ETRS89 / UTM with the zone number before the easting (Brandenburg, Mecklenburg)
+  // declare the plain zone. Only the check against the area of use can see that.
   constexpr std::array zoned{Alias{"25831", "EPSG:5649"}, Alias{"25832", "EPSG:4647"},
                              Alias{"25833", "EPSG:5650"}};
   const std::vector<std::string> so_far = definitions;

@@ -10,6 +10,7 @@
 #include "tools/citygml/citygml_head.h"
 #include "tools/citygml/read_citygml.h"
 #include "tools/inputs/city_files.h"
+#include "tools/osm/read_osm.h"
 
 namespace nightcity::inputs {
 namespace {
@@ -25,10 +26,7 @@ bool is_citygml(const FileStart& start) {
 }
 
 bool is_osm(const FileStart& start) {
-  constexpr std::size_t pbf_header_bytes = 64;
-  return start.bytes.substr(0, pbf_header_bytes).find("OSMHeader") != std::string_view::npos ||
-         holds(start, "<osm ") || holds(start, "<osm>") ||
-         start.bytes.starts_with("BZh");  // bzip2: only the OSM reader unpacks it
+  return begins_as_osm(start.bytes);
 }
 
 bool is_gltf(const FileStart& start) {
@@ -91,7 +89,7 @@ std::span<const FileFormat> file_formats() {
 }
 
 const FileFormat& find_format(const std::filesystem::path& path) {
-  const city::Document document = city::documents_in(path, city_endings()).front();
+  const city::Document document = city::list_documents(path, city_endings()).front();
   const std::string bytes = read_start(document);
   const std::string name = city::to_lower(path.filename().string());
   const FileStart start{bytes, name, document.packed};

@@ -1,5 +1,5 @@
-// What kind of file a path names. This table is the one place that decides it: recipes, the inputs of
-// commands and `inspect` all ask here. A new reader joins by one row.
+// What kind of file a path names. This table is the one place that decides it: recipes, the inputs
+// of commands and `inspect` all ask here. A new reader joins by one row.
 #pragma once
 
 #include <filesystem>
@@ -15,9 +15,9 @@ enum class FileKind { city, osm, scene, lights, luminaire };
 
 /// The beginning of a file.
 struct FileStart {
-  std::string_view bytes;      // of the content, unpacked; at most 64 KiB
-  std::string_view name;       // of the file without its folder, in lower case
-  bool packed = false;         // the file is gzipped or a zip archive
+  std::string_view bytes;  // of the content, unpacked; at most 64 KiB
+  std::string_view name;   // of the file without its folder, in lower case
+  bool packed = false;     // the file is gzipped or a zip archive
 };
 
 struct FileFormat {
@@ -26,8 +26,8 @@ struct FileFormat {
   bool (*recognises)(const FileStart& start);
   /// Its reader unpacks gzip (and, of a city, zip).
   bool may_be_packed = false;
-  /// City formats: how the names of files end that a folder or an archive is searched for, in lower case
-  /// and without .gz.
+  /// City formats: how the names of files end that a folder or an archive is searched for, in lower
+  /// case and without .gz.
   std::span<const std::string_view> endings{};
   /// City formats alone; null for the others.
   const city::FileReader* reader = nullptr;
@@ -36,9 +36,9 @@ struct FileFormat {
 /// All formats, in the order in which they are tried: those with a sure mark first.
 std::span<const FileFormat> file_formats();
 
-/// Returns the format of the file at `path` by its first bytes; a name decides only where a format has no
-/// mark of its own (EULUMDAT). Throws Error: missing, empty, a folder, broken gzip or zip, or of no format
-/// in the table.
+/// Returns the format of the file at `path` by its first bytes; a name decides only where a format
+/// has no mark of its own (EULUMDAT). Throws Error: missing, empty, a folder, broken gzip or zip,
+/// or of no format in the table.
 const FileFormat& find_format(const std::filesystem::path& path);
 
 }  // namespace nightcity::inputs

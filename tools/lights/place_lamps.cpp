@@ -16,19 +16,19 @@
 #include "tools/lights/photometry.h"
 #include "tools/lights/road_index.h"
 #include "tools/lights/taken_places.h"
+#include "tools/random.h"
 
 namespace nightcity {
 namespace {
 
 constexpr double step_out_m = 0.25, farthest_out_m = 12;
 
-/// The finaliser of splitmix64, so that neighbouring OSM ids give unrelated light ids.
+/// Neighbouring OSM ids give unrelated light ids.
 std::uint32_t hash_id(std::int64_t node, int luminaire, int attempt) {
-  std::uint64_t x = static_cast<std::uint64_t>(node) * 64 + static_cast<std::uint64_t>(luminaire);
-  x += static_cast<std::uint64_t>(attempt + 1) * 0x9E3779B97F4A7C15ull;
-  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ull;
-  x = (x ^ (x >> 27)) * 0x94D049BB133111EBull;
-  return static_cast<std::uint32_t>((x ^ (x >> 31)) >> 32);
+  const std::uint64_t key =
+      static_cast<std::uint64_t>(node) * 64 + static_cast<std::uint64_t>(luminaire);
+  return static_cast<std::uint32_t>(
+      mix(key + static_cast<std::uint64_t>(attempt) * splitmix_increment) >> 32);
 }
 
 glm::dvec2 rotated(const glm::dvec2& v, double radians) {

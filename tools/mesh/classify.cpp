@@ -1,15 +1,16 @@
+#include "tools/mesh/classify.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 
 #include "tools/mesh/polygon_plane.h"
-#include "tools/mesh/triangle_mesh.h"
 
 namespace nightcity {
 namespace {
 
-double lowest(const Ring& ring) {
+double find_lowest(const Ring& ring) {
   double z = std::numeric_limits<double>::infinity();
   for (const glm::dvec3& p : ring) z = std::min(z, p.z);
   return z;
@@ -19,7 +20,8 @@ double lowest(const Ring& ring) {
 
 void classify_unknown_surfaces(CityObject& object) {
   if (object.type != ObjectType::building && object.type != ObjectType::bridge) return;
-  // A face counts as level when it leans less than 60 degrees: roofs may be steep, walls lean little.
+  // A face counts as level when its slope is below 60 degrees: roofs may be steep, walls lean
+  // little.
   constexpr double level_cosine = 0.5;
   double base = std::numeric_limits<double>::infinity(), top = -base;
   for (const Polygon& polygon : object.polygons) {
@@ -35,12 +37,12 @@ void classify_unknown_surfaces(CityObject& object) {
     if (!std::isfinite(up)) continue;
     if (std::abs(up) < level_cosine)
       polygon.surface = SurfaceType::wall;
-    else if (up > 0 && lowest(polygon.exterior) - base > 0.1 * (top - base))
+    else if (up > 0 && find_lowest(polygon.exterior) - base > 0.1 * (top - base))
       polygon.surface = SurfaceType::roof;
     else if (up > 0)  // a footprint drawn face up, or a block without height
       polygon.surface = top > base ? SurfaceType::ground : SurfaceType::roof;
     else
-      polygon.surface = lowest(polygon.exterior) - base > 0.1 * (top - base)
+      polygon.surface = find_lowest(polygon.exterior) - base > 0.1 * (top - base)
                             ? SurfaceType::outer_ceiling
                             : SurfaceType::ground;
   }

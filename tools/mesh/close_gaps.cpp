@@ -1,10 +1,5 @@
-// Closes what is open in a building's shell, where it can be shown what belongs there. Two cases can:
-// * Cracks. Vertices that were meant to be one and were rounded apart: moved together, by a centimetre at
-// most,
-//   they leave no open edge. Were the gap meant, moving its sides together would not close the shell.
-// * The floor. The open edges of a shell are one level ring at its lowest height: a house that was published
-//   without its ground surface (CityGML lets that be left out). A missing wall or roof may be meant: an open
-//   garage, a canopy. It stays open.
+#include "tools/mesh/close_gaps.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -13,28 +8,27 @@
 #include <utility>
 #include <vector>
 
-#include "tools/mesh/edges.h"
+#include "tools/mesh/orient.h"
 #include "tools/mesh/polygon_plane.h"
-#include "tools/mesh/triangle_mesh.h"
 
 namespace nightcity {
 namespace {
 
 constexpr double crack_m = 0.01;
-constexpr double min_height_m = 0.5;  // a flat roof outline alone has no inside to be closed
+constexpr double min_height_m = 0.5;  // the outline of a flat roof alone has no inside to close
 constexpr std::size_t max_open_vertices = 400;  // every pair is looked at
 
-std::vector<EdgeUse> open_edges(const EdgeTable& edges) {
+std::vector<EdgeUse> find_open_edges(const EdgeTable& edges) {
   std::vector<EdgeUse> open;
   for (std::size_t i = 0; i < edges.uses().size(); ++i)
     if (edges.edge_of(i).size() == 1) open.push_back(edges.uses()[i]);
   return open;
 }
 
-// For each vertex the one it is moved to: the first of those within reach. Empty where the open edges do not
-// pair up by that.
-std::map<std::uint32_t, std::uint32_t> joining(const EdgeTable& edges,
-                                               const std::vector<EdgeUse>& open) {
+// Returns for each vertex the one that it is moved to: the first of those within reach. Empty where
+// the open edges would not pair up by that.
+std::map<std::uint32_t, std::uint32_t> find_joins(const EdgeTable& edges,
+                                                  const std::vector<EdgeUse>& open) {
   std::vector<std::uint32_t> vertices;
   for (const EdgeUse& use : open) vertices.insert(vertices.end(), {use.low, use.high});
   std::sort(vertices.begin(), vertices.end());
@@ -76,8 +70,9 @@ void join(CityObject& object, const EdgeTable& edges,
   }
 }
 
-// The ring of places along the open edges, whichever way their polygons face. Empty unless they are one ring.
-Ring one_ring(const EdgeTable& edges, const std::vector<EdgeUse>& open) {
+// Returns the ring of places along the open edges, whichever way their polygons face. Empty unless
+// they form one ring.
+Ring find_ring(const EdgeTable& edges, const std::vector<EdgeUse>& open) {
   std::map<std::uint32_t, std::vector<std::uint32_t>> next;
   for (const EdgeUse& use : open) {
     next[use.low].push_back(use.high);
@@ -113,19 +108,19 @@ bool is_floor(const CityObject& object, const Ring& ring) {
 }  // namespace
 
 bool close_gaps_along(CityObject& object, const EdgeTable& edges, MeshReport& report) {
-  const std::vector<EdgeUse> open = open_edges(edges);
+  const std::vector<EdgeUse> open = find_open_edges(edges);
   if (open.empty()) return false;
   const auto note = [&] {
     if (report.first_repaired.empty()) report.first_repaired = object.id;
   };
-  if (const auto to = joining(edges, open); !to.empty()) {
+  if (const auto to = find_joins(edges, open); !to.empty()) {
     join(object, edges, to);
     ++report.cracks_closed;
     note();
     return true;
   }
   if (object.type != ObjectType::building) return false;
-  Ring ring = one_ring(edges, open);
+  Ring ring = find_ring(edges, open);
   if (ring.empty() || !is_floor(object, ring)) return false;
   if (area_vector(ring).z > 0) std::reverse(ring.begin(), ring.end());  // a floor faces down
   Polygon& floor = object.polygons.emplace_back();

@@ -20,13 +20,14 @@ struct Corner {
 }  // namespace
 
 EdgeTable::EdgeTable(const CityObject& object) {
-  number(object);
-  index(object.polygons.size());
+  number_vertices(object);
+  index_uses(object.polygons.size());
   leave_out_inner_walls(object.polygons.size());
 }
 
-// Sorting beats hashing here: an object has some dozens of vertices, and nothing is allocated for each.
-void EdgeTable::number(const CityObject& object) {
+// Sorting is faster than hashing here: an object has dozens of vertices, and none of them
+// allocates.
+void EdgeTable::number_vertices(const CityObject& object) {
   std::vector<Corner> corners;
   std::vector<glm::dvec3> points;
   const auto add = [&](const Ring& ring) {
@@ -65,14 +66,14 @@ void EdgeTable::number(const CityObject& object) {
     const Polygon& polygon = object.polygons[i];
     add_edges(polygon.exterior, i, false);
     if (polygon.interiors.empty()) continue;
-    // A hole runs against its shell, or is taken to.
+    // A hole runs against its shell, or is turned here so that it does.
     const glm::dvec3 normal = area_vector(polygon.exterior);
     for (const Ring& hole : polygon.interiors)
       add_edges(hole, i, glm::dot(area_vector(hole), normal) > 0);
   }
 }
 
-void EdgeTable::index(std::size_t polygons) {
+void EdgeTable::index_uses(std::size_t polygons) {
   std::sort(uses_.begin(), uses_.end(), [](const EdgeUse& a, const EdgeUse& b) {
     return std::tie(a.low, a.high, a.polygon, a.forward) <
            std::tie(b.low, b.high, b.polygon, b.forward);
@@ -96,7 +97,7 @@ void EdgeTable::index(std::size_t polygons) {
   for (std::uint32_t i = 0; i < uses_.size(); ++i) of_polygon_[next[uses_[i].polygon]++] = i;
 }
 
-// Nobody sees such a wall, whichever way it faces.
+// No camera sees such a wall, whichever way it faces.
 void EdgeTable::leave_out_inner_walls(std::size_t polygons) {
   std::vector<bool> inner(polygons, false);
   bool any = false;
@@ -108,7 +109,7 @@ void EdgeTable::leave_out_inner_walls(std::size_t polygons) {
   }
   if (!any) return;
   std::erase_if(uses_, [&](const EdgeUse& use) { return inner[use.polygon]; });
-  index(polygons);
+  index_uses(polygons);
 }
 
 }  // namespace nightcity

@@ -1,5 +1,5 @@
-// Turns polygons so that closed shells face outward. Nothing is guessed: a shell is turned only where its
-// polygons meet edge to edge all round, for then inside and outside are facts.
+#include "tools/mesh/orient.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -8,9 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "tools/mesh/edges.h"
 #include "tools/mesh/polygon_plane.h"
-#include "tools/mesh/triangle_mesh.h"
 
 namespace nightcity {
 namespace {
@@ -56,8 +54,8 @@ class Orienter {
     for (Ring& ring : polygon.interiors) std::reverse(ring.begin(), ring.end());
   }
 
-  // Neighbours share an edge that no third polygon has; facing the same way, they run along it in opposite
-  // directions.
+  // Neighbours share an edge that no third polygon has; facing the same way, they run along it in
+  // opposite directions.
   void find_shells() {
     std::vector<bool> seen(object_.polygons.size(), false);
     std::vector<std::uint32_t> open;
@@ -119,10 +117,10 @@ class Orienter {
     }
   }
 
-  // A shell within another may be its cavity, which faces the other way: nothing is shown there.
+  // A shell within another may be its cavity, which faces the other way: nothing can be shown
+  // there.
   bool is_enclosed(std::size_t i) const {
-    constexpr std::size_t max_shells =
-        2000;  // beyond, every pair is too many: then nothing is turned
+    constexpr std::size_t max_shells = 2000;  // every pair is looked at: beyond, nothing is turned
     if (shells_.size() > max_shells) return true;
     const Shell& inner = shells_[i];
     for (std::size_t j = 0; j < shells_.size(); ++j) {

@@ -5,13 +5,6 @@
 
 namespace nightcity {
 
-glm::dvec3 area_vector(const Ring& ring) {
-  glm::dvec3 sum{0};
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-    sum += glm::cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
-  return 0.5 * sum;
-}
-
 glm::dvec2 Plane::flatten(const glm::dvec3& p) const {
   const glm::dvec3 d = p - origin;
   return {glm::dot(d, u), glm::dot(d, v)};
@@ -21,7 +14,7 @@ double Plane::distance(const glm::dvec3& p) const {
   return std::abs(glm::dot(p - origin, normal));
 }
 
-Plane plane_at(const glm::dvec3& origin, const glm::dvec3& unit_normal) {
+Plane make_plane(const glm::dvec3& origin, const glm::dvec3& unit_normal) {
   Plane plane;
   plane.origin = origin;
   plane.normal = unit_normal;
@@ -32,7 +25,7 @@ Plane plane_at(const glm::dvec3& origin, const glm::dvec3& unit_normal) {
   return plane;
 }
 
-Ring without_duplicates(const Ring& ring) {
+Ring remove_duplicates(const Ring& ring) {
   Ring out;
   out.reserve(ring.size());
   for (const glm::dvec3& p : ring)

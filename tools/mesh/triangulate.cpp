@@ -1,3 +1,5 @@
+#include "tools/mesh/triangulate.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,14 +9,14 @@
 
 #include "tools/mesh/constrained.h"
 #include "tools/mesh/polygon_plane.h"
-#include "tools/mesh/triangle_mesh.h"
 
 namespace nightcity {
 namespace {
 
 constexpr double planar_tolerance_m = 0.01;
-constexpr double area_tolerance = 1e-6;  // relative; what we promise
-// Below this share of its squared perimeter a ring's area is rounding noise: 10 m long, 10 nm wide.
+constexpr double area_tolerance = 1e-6;  // relative; as promised in the header
+// Below this share of its squared perimeter a ring's area is rounding noise: 10 nm of width for 10
+// m of length.
 constexpr double zero_area_share = 1e-10;
 constexpr double sliver_width_m = 0.01;
 
@@ -37,9 +39,10 @@ const std::string& name_of(const Polygon& polygon, const CityObject& object) {
   return polygon.id.empty() ? object.id : polygon.id;
 }
 
-// Normal of a ring whose area vector cancels out (a bow-tie): the widest triangle of its vertices from the
-// first, the one farthest from it and the one farthest from their line. Zero when all lie on one line.
-glm::dvec3 widest_normal(const Ring& ring) {
+// Returns the normal of a ring whose area vector cancels out (a bow-tie), not normalised: that of
+// the triangle of its first vertex, the vertex farthest from that and the one farthest from their
+// line. Zero when all lie on one line.
+glm::dvec3 find_widest_normal(const Ring& ring) {
   const auto far_end =
       std::max_element(ring.begin(), ring.end(), [&](const glm::dvec3& a, const glm::dvec3& b) {
         return glm::distance(a, ring[0]) < glm::distance(b, ring[0]);
@@ -105,9 +108,10 @@ struct Triangulator {
     report.worst_self_intersecting = id;
   }
 
-  // A triangle, or a quad with a diagonal that leaves both halves facing the ring's way: every simple quad
-  // has one, a crossed one has none. No CGAL needed; these are four fifths of real rings.
-  bool fast_path(const Ring& ring, const glm::dvec3& normal, std::size_t polygon) {
+  // Adds a triangle, or a quad with a diagonal whose halves both face the ring's way: every simple
+  // quad has one, a crossed one has none. Needs no CGAL and serves four fifths of real rings.
+  // Returns false for all others.
+  bool add_small(const Ring& ring, const glm::dvec3& normal, std::size_t polygon) {
     const auto facing = [&](int a, int b, int c) {
       const auto at = [&](int i) { return ring[static_cast<std::size_t>(i)]; };
       return glm::dot(glm::cross(at(b) - at(a), at(c) - at(a)), normal);
@@ -128,9 +132,9 @@ struct Triangulator {
     return true;
   }
 
-  // `ring_vector`: area vector of the rings themselves, holes subtracted.
-  void slow_path(const std::vector<Ring>& rings, const Plane& plane, const glm::dvec3& ring_vector,
-                 std::size_t polygon) {
+  // Adds any polygon by CGAL. `ring_vector`: area vector of the rings themselves, holes subtracted.
+  void add_any(const std::vector<Ring>& rings, const Plane& plane, const glm::dvec3& ring_vector,
+               std::size_t polygon) {
     std::vector<glm::dvec2> points;
     std::vector<std::vector<std::uint32_t>> outlines;
     Ring corners;
@@ -145,7 +149,7 @@ struct Triangulator {
     FlatTriangulation flat;
     try {
       flat = triangulate_flat(points, outlines);
-    } catch (const std::exception&) {  // CGAL refuses: degenerate beyond what its predicates bear
+    } catch (const std::exception&) {  // CGAL refuses what is too degenerate
       ++report.not_triangulated;
       return;
     }
@@ -156,7 +160,8 @@ struct Triangulator {
       vector += 0.5 * glm::cross(corners[t[1]] - corners[t[0]], corners[t[2]] - corners[t[0]]);
     if (!(glm::dot(vector, plane.normal) > 0))
       return count_zero_area(perimeter(rings[0]), name_of(object.polygons[polygon], object));
-    // Outlines that cross leave another area than the rings' own; a touch within rounding does not.
+    // Outlines that cross leave another area than the rings' own; those that touch within rounding
+    // do not.
     if (const double off = glm::distance(vector, ring_vector);
         off > area_tolerance * glm::length(ring_vector))
       count_self_intersecting(off, name_of(object.polygons[polygon], object));
@@ -173,20 +178,20 @@ struct Triangulator {
       ++report.not_finite;
       return;
     }
-    std::vector<Ring> rings{without_duplicates(polygon.exterior)};
+    std::vector<Ring> rings{remove_duplicates(polygon.exterior)};
     const double length = perimeter(rings[0]), tiny = zero_area_share * length * length;
     if (rings[0].size() < 3) return count_zero_area(length, name_of(polygon, object));
     for (const Ring& interior : polygon.interiors) {
-      Ring hole = without_duplicates(interior);
+      Ring hole = remove_duplicates(interior);
       if (hole.size() < 3)
-        ++report.dropped_holes;
+        ++report.holes_left_out;
       else
         rings.push_back(std::move(hole));
     }
     const glm::dvec3 vector = area_vector(rings[0]);
     glm::dvec3 normal = vector;
     if (glm::length(vector) <= tiny) {
-      normal = widest_normal(rings[0]);
+      normal = find_widest_normal(rings[0]);
       if (glm::length(normal) <= tiny) return count_zero_area(length, name_of(polygon, object));
     } else {
       check_width(glm::length(vector), length, name_of(polygon, object));
@@ -195,9 +200,9 @@ struct Triangulator {
     glm::dvec3 middle{0};
     for (const glm::dvec3& p : rings[0])
       middle += (p - rings[0][0]) / static_cast<double>(rings[0].size());
-    const Plane plane = plane_at(rings[0][0] + middle, normal);
+    const Plane plane = make_plane(rings[0][0] + middle, normal);
     check_planarity(plane, rings, name_of(polygon, object));
-    if (rings.size() == 1 && glm::length(vector) > tiny && fast_path(rings[0], normal, index)) {
+    if (rings.size() == 1 && glm::length(vector) > tiny && add_small(rings[0], normal, index)) {
       ++report.fast_path;
       return;
     }
@@ -206,7 +211,7 @@ struct Triangulator {
       const glm::dvec3 hole = area_vector(rings[i]);  // holes may run either way
       ring_vector -= glm::dot(hole, normal) > 0 ? hole : -hole;
     }
-    slow_path(rings, plane, ring_vector, index);
+    add_any(rings, plane, ring_vector, index);
   }
 };
 
@@ -216,42 +221,6 @@ TriangleMesh triangulate(const CityObject& object, MeshReport& report) {
   Triangulator triangulator{object, report, {}};
   for (std::size_t i = 0; i < object.polygons.size(); ++i) triangulator.add(i);
   return std::move(triangulator.mesh);
-}
-
-void MeshReport::merge(const MeshReport& other) {
-  polygons += other.polygons;
-  triangles += other.triangles;
-  fast_path += other.fast_path;
-  if (other.zero_area > 0 && (zero_area == 0 || other.worst_zero_area_m > worst_zero_area_m)) {
-    worst_zero_area_m = other.worst_zero_area_m;
-    worst_zero_area = other.worst_zero_area;
-  }
-  zero_area += other.zero_area;
-  if (other.slivers > 0 && (slivers == 0 || other.worst_sliver_m < worst_sliver_m)) {
-    worst_sliver_m = other.worst_sliver_m;
-    worst_sliver = other.worst_sliver;
-  }
-  slivers += other.slivers;
-  non_planar += other.non_planar;
-  not_finite += other.not_finite;
-  not_triangulated += other.not_triangulated;
-  dropped_holes += other.dropped_holes;
-  turned += other.turned;
-  if (first_turned.empty()) first_turned = other.first_turned;
-  cracks_closed += other.cracks_closed;
-  floors_added += other.floors_added;
-  if (first_repaired.empty()) first_repaired = other.first_repaired;
-  open_objects += other.open_objects;
-  if (other.worst_non_planar_m > worst_non_planar_m) {
-    worst_non_planar_m = other.worst_non_planar_m;
-    worst_non_planar = other.worst_non_planar;
-  }
-  if (other.self_intersecting > 0 &&
-      (self_intersecting == 0 || other.worst_self_intersecting_m2 > worst_self_intersecting_m2)) {
-    worst_self_intersecting_m2 = other.worst_self_intersecting_m2;
-    worst_self_intersecting = other.worst_self_intersecting;
-  }
-  self_intersecting += other.self_intersecting;
 }
 
 }  // namespace nightcity

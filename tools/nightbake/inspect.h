@@ -13,7 +13,7 @@ namespace nightcity {
 using Inspection = nlohmann::ordered_json;
 
 /// These throw Error as the readers of the files do.
-Inspection inspect_citygml(const std::filesystem::path& file, int highest_lod);
+Inspection inspect_citygml(const std::filesystem::path& file, int max_lod);
 Inspection inspect_osm(const std::filesystem::path& file);
 Inspection inspect_scene(const std::filesystem::path& file);
 Inspection inspect_lights(const std::filesystem::path& file);

@@ -4,12 +4,13 @@
 #include "formats/error.h"
 #include "tools/georeference/frame.h"
 #include "tools/inputs/read_city.h"
-#include "tools/mesh/triangle_mesh.h"
+#include "tools/mesh/mesh_report.h"
+#include "tools/mesh/triangulate.h"
 #include "tools/nightbake/inspect.h"
 
 namespace nightcity {
 
-Inspection inspect_citygml(const std::filesystem::path& file, int highest_lod) {
+Inspection inspect_citygml(const std::filesystem::path& file, int max_lod) {
   Inspection result = make_empty_inspection("citygml");
   const CityHead head = inputs::read_city_head(file);
   // A file with an unknown CRS is inspected too; its coordinates are then taken as they are.
@@ -27,7 +28,7 @@ Inspection inspect_citygml(const std::filesystem::path& file, int highest_lod) {
   std::size_t buildings = 0;
   std::string last_id;
   ReadOptions options;
-  options.highest_lod = highest_lod;
+  options.max_lod = max_lod;
   const ReadReport report = inputs::read_city(file, options, [&](CityObject&& object) {
     // Large objects come in pieces under one id.
     if (object.id.empty() || object.id != last_id) {

@@ -1,7 +1,7 @@
 #include <map>
 
 #include "tools/nightbake/inspect.h"
-#include "tools/osm/osm_data.h"
+#include "tools/osm/read_osm.h"
 
 namespace nightcity {
 

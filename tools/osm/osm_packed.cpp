@@ -1,4 +1,4 @@
-// libosmium lives in this file alone: its headers are large.
+// The only file of this library that includes libosmium: its headers are large.
 #include <osmium/io/any_input.hpp>
 #include <osmium/osm.hpp>
 
@@ -21,17 +21,18 @@ void collect(const osmium::memory::Buffer& buffer, OsmCollector& collector) {
     if (object.type() == osmium::item_type::node) {
       const auto& node = static_cast<const osmium::Node&>(object);
       if (!node.location().valid())
-        collector.bad_node();
+        collector.count_bad_node();
       else
-        collector.node(node.id(), {node.location().lon(), node.location().lat()}, tags_of(node));
+        collector.add_node(node.id(), {node.location().lon(), node.location().lat()},
+                           tags_of(node));
     } else if (object.type() == osmium::item_type::way) {
       const auto& way = static_cast<const osmium::Way&>(object);
       std::vector<std::int64_t> nodes;
       nodes.reserve(way.nodes().size());
       for (const osmium::NodeRef& reference : way.nodes()) nodes.push_back(reference.ref());
-      collector.way(way.id(), std::move(nodes), tags_of(way));
+      collector.add_way(way.id(), std::move(nodes), tags_of(way));
     } else if (object.type() == osmium::item_type::relation) {
-      collector.relation();
+      collector.count_relation();
     }
   }
 }
@@ -46,7 +47,7 @@ OsmData read_osm_packed(const std::filesystem::path& file, const std::string& fo
     while (const osmium::memory::Buffer buffer = reader.read()) collect(buffer, collector);
     reader.close();
   } catch (const std::exception& error) {
-    // pbf_error, gzip_error, bzip2_error, xml_error, protozero's: they share no other base.
+    // pbf_error, gzip_error, bzip2_error, xml_error and protozero's share no other base.
     throw Error(file.string(), std::string("broken ") + format + ": " + error.what());
   }
   return std::move(collector).finish();

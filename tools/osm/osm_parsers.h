@@ -8,10 +8,12 @@
 
 namespace nightcity {
 
-/// Plain OSM XML, by pugixml. Throws Error: broken XML (with its line), a DOCTYPE, another root than <osm>.
+/// Reads plain OSM XML by pugixml. Throws Error: broken XML (with its line), a DOCTYPE, another
+/// root than <osm>.
 OsmData read_osm_xml(const std::filesystem::path& file);
 
-/// `format` as libosmium names it: "pbf", "osm.gz", "osm.bz2", "o5m". Throws Error.
+/// Reads by libosmium. `format`: its name for it, "pbf", "osm.gz", "osm.bz2" or "o5m". Throws
+/// Error.
 OsmData read_osm_packed(const std::filesystem::path& file, const std::string& format);
 
 }  // namespace nightcity

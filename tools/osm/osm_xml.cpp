@@ -14,7 +14,7 @@
 namespace nightcity {
 namespace {
 
-/// The whole text as a number, or nothing: "52.5x" and "" are no coordinates.
+/// Returns the whole text as a number, or none: "52.5x" and "" are no coordinates.
 template <class Number>
 std::optional<Number> number(const char* text) {
   Number value{};
@@ -31,7 +31,7 @@ OsmTags tags_of(const pugi::xml_node& element) {
   return tags;
 }
 
-/// Editors keep what the user deleted until it is uploaded.
+/// Editors keep what a user has deleted until it is uploaded.
 bool deleted(const pugi::xml_node& element) {
   return std::string_view(element.attribute("action").value()) == "delete" ||
          std::string_view(element.attribute("visible").value()) == "false";
@@ -67,18 +67,18 @@ OsmData read_osm_xml(const std::filesystem::path& file) {
       const auto lon = number<double>(element.attribute("lon").value());
       const auto lat = number<double>(element.attribute("lat").value());
       if (id && lon && lat)
-        collector.node(*id, {*lon, *lat}, tags_of(element));
+        collector.add_node(*id, {*lon, *lat}, tags_of(element));
       else
-        collector.bad_node();
+        collector.count_bad_node();
     } else if (name == "way") {
       std::vector<std::int64_t> nodes;
       for (const pugi::xml_node& reference : element.children("nd"))
-        // An unreadable reference is a node that no extract has.
+        // An unreadable reference counts as a node that the extract lacks.
         nodes.push_back(
             number<std::int64_t>(reference.attribute("ref").value()).value_or(INT64_MIN));
-      if (id) collector.way(*id, std::move(nodes), tags_of(element));
+      if (id) collector.add_way(*id, std::move(nodes), tags_of(element));
     } else if (name == "relation") {
-      collector.relation();
+      collector.count_relation();
     }
   }
   return std::move(collector).finish();

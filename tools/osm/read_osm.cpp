@@ -1,34 +1,61 @@
-// What kind of OSM file it is, decided by its first bytes: names lie.
+#include "tools/osm/read_osm.h"
+
 #include <array>
 #include <fstream>
-#include <string_view>
+#include <string>
 
 #include "formats/error.h"
-#include "tools/osm/osm_data.h"
 #include "tools/osm/osm_parsers.h"
 
 namespace nightcity {
+namespace {
 
-OsmData read_osm(const std::filesystem::path& file) {
+constexpr std::size_t mark_bytes = 64;
+
+// A PBF begins with the length of a blob header whose first field is the text "OSMHeader".
+bool is_pbf(std::string_view start) {
+  return start.size() > 16 && start.substr(4, 11) == "\x0a\x09OSMHeader";
+}
+
+bool is_o5m(std::string_view start) {
+  return start.starts_with("\xff\xe0");
+}
+
+bool is_bzip2(std::string_view start) {
+  return start.starts_with("BZh");
+}
+
+std::string read_mark(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) throw Error(file.string(), "no such file");
   if (!std::filesystem::is_regular_file(file, error)) throw Error(file.string(), "not a file");
   std::ifstream stream(file, std::ios::binary);
-  std::array<char, 64> bytes{};
+  std::array<char, mark_bytes> bytes{};
   stream.read(bytes.data(), bytes.size());
-  std::string_view head(bytes.data(), static_cast<std::size_t>(stream.gcount()));
-  if (head.empty())
+  if (stream.gcount() == 0)
     throw Error(file.string(), stream.bad() || !stream.eof() ? "cannot read" : "the file is empty");
+  return {bytes.data(), static_cast<std::size_t>(stream.gcount())};
+}
 
-  if (head.starts_with("\x1f\x8b")) return read_osm_packed(file, "osm.gz");
-  if (head.starts_with("BZh")) return read_osm_packed(file, "osm.bz2");
-  if (head.starts_with("\xff\xe0")) return read_osm_packed(file, "o5m");
-  // A PBF begins with the length of a blob header whose first field is the text "OSMHeader".
-  if (head.size() > 16 && head.substr(4, 11) == "\x0a\x09OSMHeader")
-    return read_osm_packed(file, "pbf");
-  if (head.starts_with("\xef\xbb\xbf")) head.remove_prefix(3);
-  const std::size_t text = head.find_first_not_of(" \t\r\n");
-  if (text != std::string_view::npos && head[text] == '<') return read_osm_xml(file);
+}  // namespace
+
+bool begins_as_osm(std::string_view start) {
+  const auto holds = [start](std::string_view text) {
+    return start.find(text) != std::string_view::npos;
+  };
+  return is_pbf(start) || is_o5m(start) || is_bzip2(start) || holds("<osm ") || holds("<osm>");
+}
+
+OsmData read_osm(const std::filesystem::path& file) {
+  const std::string mark = read_mark(file);
+  std::string_view start(mark);
+  if (start.starts_with("\x1f\x8b")) return read_osm_packed(file, "osm.gz");
+  if (is_bzip2(start)) return read_osm_packed(file, "osm.bz2");
+  if (is_o5m(start)) return read_osm_packed(file, "o5m");
+  if (is_pbf(start)) return read_osm_packed(file, "pbf");
+  if (start.starts_with("\xef\xbb\xbf")) start.remove_prefix(3);
+  const std::size_t text = start.find_first_not_of(" \t\r\n");
+  if (text != std::string_view::npos && start[text] == '<') return read_osm_xml(file);
   throw Error(file.string(), "not OSM data: neither XML, PBF, gzip nor bzip2");
 }
 

@@ -1,4 +1,5 @@
-// What a stage asks about a place of the city: where it is, how high the ground, whether a house is there.
+// What a stage asks about a place of the city: where it is, how high the ground, whether a house is
+// there.
 #pragma once
 
 #include <functional>

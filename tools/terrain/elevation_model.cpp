@@ -24,7 +24,7 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-// GDAL prints its errors; ours carry its last message instead.
+// Keeps GDAL from printing its errors: ours carry its last message.
 class Silence {
  public:
   Silence() { CPLPushErrorHandler(CPLQuietErrorHandler); }
@@ -111,8 +111,8 @@ struct ElevationModel::State {
   double resolution = 0, scale = 1, offset = 0, no_data = nothing;
   std::unique_ptr<OGRCoordinateTransformation> transformation;
 
-  // Pixel coordinates, (0, 0) being the first pixel's centre.
-  glm::dvec2 pixel_of(const glm::dvec2& p) const {
+  // Returns pixel coordinates; (0, 0) is the first pixel's centre.
+  glm::dvec2 to_pixels(const glm::dvec2& p) const {
     return {to_pixel[0] + to_pixel[1] * p.x + to_pixel[2] * p.y - 0.5,
             to_pixel[3] + to_pixel[4] * p.x + to_pixel[5] * p.y - 0.5};
   }
@@ -173,7 +173,7 @@ double ElevationModel::resolution_m() const {
   return state_->resolution;
 }
 
-// Reads the window round the pixels; where they lie far apart, half of them at a time.
+// Reads the window around the pixels; where they lie far apart, half of them at a time.
 void ElevationModel::State::sample_pixels(std::span<const glm::dvec2> pixels,
                                           std::span<double> heights) const {
   constexpr double max_window = 4e6;
@@ -236,7 +236,7 @@ void ElevationModel::sample(std::span<const glm::dvec2> places, std::span<double
                                       placed.data());
   std::vector<glm::dvec2> pixels;
   for (std::size_t i = 0; i < places.size(); ++i)
-    pixels.push_back(placed[i] ? state_->pixel_of({x[i], y[i]}) : glm::dvec2(nothing));
+    pixels.push_back(placed[i] ? state_->to_pixels({x[i], y[i]}) : glm::dvec2(nothing));
   state_->sample_pixels(pixels, heights);
 }
 

@@ -5,12 +5,14 @@
 #include <tuple>
 #include <utility>
 
+#include "formats/finite.h"
+
 namespace nightcity {
 
 void GroundPoints::add(const glm::dvec3& p) {
-  if (!std::isfinite(p.x + p.y + p.z)) return;
+  if (!finite(p)) return;
   points_.push_back(p);
-  if (points_.size() > most_) thin();
+  if (points_.size() > max_points_) thin();
 }
 
 std::vector<glm::dvec3> GroundPoints::take() {
@@ -19,8 +21,9 @@ std::vector<glm::dvec3> GroundPoints::take() {
 
 void GroundPoints::thin() {
   constexpr double first_spacing_m = 2;
-  // Below half, so that thinning is rare whatever comes.
-  for (bool again = false; again || points_.size() > most_; again = points_.size() > most_ / 2) {
+  // Thins to below half, so that it rarely has to happen again.
+  for (bool again = false; again || points_.size() > max_points_;
+       again = points_.size() > max_points_ / 2) {
     if (again || spacing_ == 0) spacing_ = spacing_ == 0 ? first_spacing_m : 2 * spacing_;
     const auto cell = [&](double v) { return std::floor(v / spacing_); };
     const auto key = [&](const glm::dvec3& p) {

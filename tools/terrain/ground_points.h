@@ -1,4 +1,4 @@
-// Points a ground can be laid through, thinned so that any city's stay a bounded number.
+// Points for a surface of the ground, thinned so that their number stays bounded for any city.
 #pragma once
 
 #include <cstddef>
@@ -7,24 +7,24 @@
 
 namespace nightcity {
 
-/// Keeps every point up to `most`; beyond that the lowest of each square of a grid, whose spacing doubles as
+/// Keeps up to `max_points`; beyond, the lowest of each square of a grid whose spacing doubles as
 /// often as needed. The same points in the same order give the same result.
 class GroundPoints {
  public:
-  explicit GroundPoints(std::size_t most = 250'000) : most_(most) {}
+  explicit GroundPoints(std::size_t max_points = 250'000) : max_points_(max_points) {}
 
   /// E, N, H in metres. Points that are not finite are left out.
   void add(const glm::dvec3& p);
   bool empty() const { return points_.empty(); }
   const std::vector<glm::dvec3>& points() const { return points_; }
   std::vector<glm::dvec3> take();
-  /// Of the grid, m; 0 = every point was kept.
+  /// Returns the spacing of the grid, m; 0 = every point was kept.
   double spacing_m() const { return spacing_; }
 
  private:
   void thin();
 
-  std::size_t most_;
+  std::size_t max_points_;
   double spacing_ = 0;
   std::vector<glm::dvec3> points_;
 };

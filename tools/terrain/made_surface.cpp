@@ -1,6 +1,6 @@
 #include "tools/terrain/made_surface.h"
 
-// CGAL lives in this file and terrain.cpp alone: its headers are large.
+// The only file of this library that includes CGAL: its headers are large.
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -15,6 +15,8 @@
 #include <tuple>
 #include <utility>
 
+#include "formats/finite.h"
+
 namespace nightcity {
 namespace {
 
@@ -26,17 +28,13 @@ using Delaunay = CGAL::Delaunay_triangulation_2<Traits, Structure>;
 using ConstrainedStructure =
     CGAL::Triangulation_data_structure_2<VertexBase,
                                          CGAL::Constrained_triangulation_face_base_2<Traits>>;
-// The tag splits lines that cross; without it they would throw.
+// The tag splits lines that cross, which would throw otherwise.
 using Constrained = CGAL::Constrained_Delaunay_triangulation_2<Traits, ConstrainedStructure,
                                                                CGAL::Exact_predicates_tag>;
 
 constexpr int rim_points = 32;
 
-bool finite(const glm::dvec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
-double nearest_height(const std::vector<glm::dvec3>& points, const glm::dvec2& at) {
+double find_nearest_height(const std::vector<glm::dvec3>& points, const glm::dvec2& at) {
   double best = std::numeric_limits<double>::infinity(), height = 0;
   for (const glm::dvec3& p : points) {
     const double dx = p.x - at.x, dy = p.y - at.y, square = dx * dx + dy * dy;
@@ -66,12 +64,12 @@ void add_rim(std::vector<glm::dvec3>& points, double margin) {
   }
   const std::size_t inner = points.size();
   std::vector<double> heights;
-  for (const glm::dvec2& p : rim) heights.push_back(nearest_height(points, p));
+  for (const glm::dvec2& p : rim) heights.push_back(find_nearest_height(points, p));
   points.reserve(inner + rim.size());
   for (std::size_t n = 0; n < rim.size(); ++n) points.emplace_back(rim[n], heights[n]);
 }
 
-// In order of their place, one a place, with the rim at the end.
+// Sorts the points by place, keeps one per place, and adds the rim at the end.
 void prepare(std::vector<glm::dvec3>& points, double margin_m) {
   std::erase_if(points, [](const glm::dvec3& p) { return !finite(p); });
   if (points.empty()) return;
@@ -93,12 +91,12 @@ void insert_points(Triangulation& triangulation, const std::vector<glm::dvec3>& 
   for (std::size_t n = 0; n < points.size(); ++n)
     input.emplace_back(Kernel::Point_3(points[n].x, points[n].y, points[n].z),
                        static_cast<std::uint32_t>(n));
-  triangulation.insert(input.begin(),
-                       input.end());  // in space-filling order: 1.1 M points/s instead of 6 k
+  // CGAL inserts a range in space-filling order: 1.1 M points/s instead of 6 k.
+  triangulation.insert(input.begin(), input.end());
 }
 
 template <class Triangulation>
-TriangleMesh mesh_of(const Triangulation& triangulation, std::vector<glm::dvec3> positions) {
+TriangleMesh to_mesh(const Triangulation& triangulation, std::vector<glm::dvec3> positions) {
   TriangleMesh mesh;
   mesh.positions = std::move(positions);
   mesh.triangles.reserve(triangulation.number_of_faces());
@@ -118,7 +116,7 @@ TriangleMesh make_surface(std::vector<glm::dvec3> points, double margin_m) {
   if (points.empty()) return {};
   Delaunay delaunay;
   insert_points(delaunay, points);
-  return mesh_of(delaunay, std::move(points));
+  return to_mesh(delaunay, std::move(points));
 }
 
 BreakSurface make_surface(std::vector<glm::dvec3> points,
@@ -141,7 +139,8 @@ BreakSurface make_surface(std::vector<glm::dvec3> points,
                                         });
     return vertices[static_cast<std::size_t>(found - points.begin())];
   };
-  // n lines may cross n^2 times: a file's few crossings are kept, a hostile one's end.
+  // n lines may cross n^2 times. The few crossings of a real file are kept; a hostile file gets no
+  // more.
   const std::size_t max_vertices = 2 * points.size() + 1000;
   for (const auto& line : lines)
     for (std::size_t k = 0; k + 1 < line.size(); ++k) {
@@ -160,7 +159,7 @@ BreakSurface make_surface(std::vector<glm::dvec3> points,
     v->info() = static_cast<std::uint32_t>(positions.size());
     positions.emplace_back(v->point().x(), v->point().y(), v->point().z());
   }
-  result.mesh = mesh_of(surface, std::move(positions));
+  result.mesh = to_mesh(surface, std::move(positions));
   return result;
 }
 

@@ -1,4 +1,4 @@
-// A ground for cities that come without one.
+// Makes a ground for cities that have none.
 #pragma once
 
 #include <cstddef>
@@ -10,20 +10,20 @@
 
 namespace nightcity {
 
-/// Delaunay surface (in plan) through `points`, with a rim `margin_m` outside their bounds at the height of
-/// the nearest point. Of points with the same plan position the lowest counts. Empty for fewer than one
-/// finite point.
+/// Returns a Delaunay surface (in plan) through `points`, with a rim `margin_m` outside their
+/// bounds at the height of the nearest point. Of points with the same plan position the lowest
+/// counts. Empty without a finite point.
 TriangleMesh make_surface(std::vector<glm::dvec3> points, double margin_m);
 
 struct BreakSurface {
   TriangleMesh mesh;
-  std::size_t edges = 0;         // of break lines that are edges of the surface
-  std::size_t unused_edges = 0;  // that are not: the lines cross each other beyond reason
+  std::size_t edges = 0;         // pieces of break lines that are edges of the surface
+  std::size_t unused_edges = 0;  // pieces that are not: lines cross each other too often
 };
 
-/// The same through break lines as well: every piece of a line is an edge of the surface, or several in a row
-/// (constrained Delaunay); no triangle reaches across. Where lines cross a vertex is added, at the height of
-/// one of them.
+/// The same through break lines as well (constrained Delaunay): every piece of a line is an edge of
+/// the surface or several in a row, and no triangle reaches across it. Where lines cross, a vertex
+/// is added at the height of one of them.
 BreakSurface make_surface(std::vector<glm::dvec3> points,
                           std::span<const std::vector<glm::dvec3>> lines, double margin_m);
 

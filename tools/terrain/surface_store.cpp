@@ -11,7 +11,7 @@ namespace {
 constexpr double finest_cell_m = 128;
 constexpr std::size_t max_cached = 40'000;  // triangles, 72 bytes each
 constexpr double min_plan_area_m2 = 1e-8;   // below it a triangle is a wall or a line
-constexpr double edge_m = 1e-6;  // a point so near an edge is on it, whatever the rounding
+constexpr double edge_m = 1e-6;             // a point this near to an edge counts as on it
 constexpr double beyond_any_frame_m = 1e9;
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) {
@@ -20,7 +20,7 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
 
 }  // namespace
 
-// A cell's triangles with a grid of their own: some two to a bucket.
+// A cell's triangles with a grid of their own: about two per bucket.
 struct SurfaceStore::Loaded {
   std::vector<Triangle> triangles;
   glm::dvec2 corner{0};
@@ -43,7 +43,7 @@ struct SurfaceStore::Loaded {
       visit(triangles[i], [&](std::size_t b) { inside[next[b]++] = i; });
   }
 
-  /// Of memory, in triangles.
+  /// Memory, in triangles.
   std::size_t cost() const { return triangles.size() + 8; }
 
   int index(double along) const {
@@ -93,7 +93,7 @@ double SurfaceStore::cell_size(int level) {
 
 bool SurfaceStore::add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const double plan = std::abs(cross(glm::dvec2(b - a), glm::dvec2(c - a))) / 2;
-  // Not finite fails the comparisons too.
+  // These comparisons are false for NaN too.
   if (!(plan > min_plan_area_m2) ||
       !(std::abs(a.z) + std::abs(b.z) + std::abs(c.z) < beyond_any_frame_m))
     return false;
@@ -107,8 +107,7 @@ bool SurfaceStore::add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec
   int level = 0;
   while (level + 1 < levels && cell_size(level) < extent) ++level;
   const double size = cell_size(level);
-  if (!(std::max(glm::length(low), glm::length(high)) / size < 1e9))
-    return false;  // no place of any frame
+  if (!(std::max(glm::length(low), glm::length(high)) / size < 1e9)) return false;  // in no frame
   used_[static_cast<std::size_t>(level)] = true;
   ++count_;
   const auto cell = [size](double v) { return static_cast<std::int32_t>(std::floor(v / size)); };

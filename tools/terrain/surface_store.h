@@ -1,5 +1,5 @@
-// Triangles under a vertical ray, for models larger than memory: sorted into square cells of a scratch file,
-// fetched again cell by cell as rays ask for them.
+// Finds triangles on vertical lines, in models larger than memory: they are sorted into square
+// cells of a scratch file and read again cell by cell when lines need them.
 #pragma once
 
 #include <array>
@@ -17,20 +17,22 @@
 
 namespace nightcity {
 
-/// Coordinates E, N, H in metres, any magnitude. Memory: some thirty bytes a cell (128 m wide, coarser where
-/// triangles are larger), and a few megabytes for triangles not yet written and cells lately asked for.
+/// Coordinates E, N, H in metres, of any magnitude. Memory: some thirty bytes per cell (128 m wide,
+/// wider where triangles are larger), and a few megabytes for triangles not yet written and cells
+/// used recently.
 class SurfaceStore {
  public:
   /// Scratch file beside `path`.
   explicit SurfaceStore(const std::filesystem::path& path);
   ~SurfaceStore();
 
-  /// False, and left out, for nobody stands on them: vertical, degenerate and non-finite triangles.
+  /// Adds a triangle. Returns false for vertical, degenerate and non-finite ones, which are left
+  /// out: nothing can stand on them.
   bool add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
   bool empty() const { return count_ == 0; }
 
-  /// The greatest height of a triangle on the vertical line through `p`; a point on an edge belongs to both
-  /// sides. Safe to call from many threads once nothing is added any more.
+  /// Returns the greatest height of a triangle on the vertical line through `p`; a point on an edge
+  /// belongs to both sides. May be called from many threads once all triangles are added.
   std::optional<double> highest_at(const glm::dvec2& p);
 
  private:

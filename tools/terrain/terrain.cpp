@@ -20,7 +20,9 @@ struct Terrain::State {
       : layers{SurfaceStore(scratch), SurfaceStore(scratch), SurfaceStore(scratch),
                SurfaceStore(scratch)} {}
 
-  SurfaceStore& layer(Footing footing) { return layers[static_cast<std::size_t>(footing)]; }
+  SurfaceStore& layer(SurfaceClass surface_class) {
+    return layers[static_cast<std::size_t>(surface_class)];
+  }
 
   std::array<SurfaceStore, 4> layers;
   GroundPoints relief_points, ground_points, road_points;
@@ -35,13 +37,14 @@ Terrain::~Terrain() = default;
 Terrain::Terrain(Terrain&&) noexcept = default;
 Terrain& Terrain::operator=(Terrain&&) noexcept = default;
 
-void Terrain::add(const TriangleMesh& mesh, Footing footing) {
-  SurfaceStore& layer = state_->layer(footing);
-  // What a surface is made through, should none be given.
-  GroundPoints* const points = !state_->layer(Footing::terrain).empty() ? nullptr
-                               : footing == Footing::ground_surface     ? &state_->ground_points
-                               : footing == Footing::road               ? &state_->road_points
-                                                                        : nullptr;
+void Terrain::add(const TriangleMesh& mesh, SurfaceClass surface_class) {
+  SurfaceStore& layer = state_->layer(surface_class);
+  // Points for a surface, in case the model gives none.
+  GroundPoints* const points = !state_->layer(SurfaceClass::terrain).empty() ? nullptr
+                               : surface_class == SurfaceClass::ground_surface
+                                   ? &state_->ground_points
+                               : surface_class == SurfaceClass::road ? &state_->road_points
+                                                                     : nullptr;
   for (const MeshTriangle& triangle : mesh.triangles) {
     const auto corner = [&](std::size_t k) -> const glm::dvec3& {
       return mesh.positions[triangle.vertex[k]];
@@ -66,7 +69,7 @@ bool Terrain::add_break_line(const std::vector<glm::dvec3>& line) {
 }
 
 bool Terrain::has_relief() const {
-  return !state_->layer(Footing::terrain).empty() || !state_->relief_points.empty() ||
+  return !state_->layer(SurfaceClass::terrain).empty() || !state_->relief_points.empty() ||
          !state_->break_lines.empty();
 }
 
@@ -74,13 +77,13 @@ Terrain::BreakEdges Terrain::break_edges() const {
   return state_->break_edges;
 }
 
-const std::vector<glm::dvec3>& Terrain::feet() const {
+const std::vector<glm::dvec3>& Terrain::footprint_points() const {
   return (state_->ground_points.empty() ? state_->road_points : state_->ground_points).points();
 }
 
 void Terrain::build(double margin_m) {
   State& state = *state_;
-  if (state.layer(Footing::terrain).empty()) {
+  if (state.layer(SurfaceClass::terrain).empty()) {
     if (!state.break_lines.empty()) {
       BreakSurface surface = make_surface(state.relief_points.take(), state.break_lines, margin_m);
       state.break_edges = {surface.edges, surface.unused_edges};
@@ -91,7 +94,7 @@ void Terrain::build(double margin_m) {
                                                           : state.road_points;
       state.made = make_surface(from.take(), margin_m);
     }
-    add(state.made, Footing::terrain);
+    add(state.made, SurfaceClass::terrain);
   }
   state.break_lines = {};
   for (GroundPoints* points : {&state.relief_points, &state.ground_points, &state.road_points})
@@ -100,17 +103,19 @@ void Terrain::build(double margin_m) {
 
 std::optional<Terrain::Hit> Terrain::height_at(const glm::dvec2& east_north) const {
   for (std::size_t n = 0; n < state_->layers.size(); ++n)
-    if (const auto height = height_of(static_cast<Footing>(n), east_north))
-      return Hit{*height, static_cast<Footing>(n)};
+    if (const auto height = height_of(static_cast<SurfaceClass>(n), east_north))
+      return Hit{*height, static_cast<SurfaceClass>(n)};
   return std::nullopt;
 }
 
-std::optional<double> Terrain::height_of(Footing footing, const glm::dvec2& east_north) const {
-  return state_->layer(footing).highest_at(east_north);
+std::optional<double> Terrain::height_of(SurfaceClass surface_class,
+                                         const glm::dvec2& east_north) const {
+  return state_->layer(surface_class).highest_at(east_north);
 }
 
 bool Terrain::inside_building(const glm::dvec2& east_north) const {
-  return height_of(Footing::ground_surface, east_north) || height_of(Footing::roof, east_north);
+  return height_of(SurfaceClass::ground_surface, east_north) ||
+         height_of(SurfaceClass::roof, east_north);
 }
 
 const TriangleMesh& Terrain::made_surface() const {

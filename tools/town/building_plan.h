@@ -1,4 +1,4 @@
-// What stands on a block: footprints, roofs and attributes of its houses, before they become surfaces.
+// The houses of a block as plans: footprints, roofs and attributes, before they become surfaces.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -12,10 +12,14 @@
 namespace nightcity::town {
 
 enum class Shape {
-  quad,  // outline of 4, edge 0 on the street; edges 0 and 2 parallel
-  corner,  // outline of 6: an L with its outer corner at 1 and its inner corner at 4; wings equally deep
-  courtyard,  // outline of 4 around a hole of 4 with sides parallel to it, equally deep all round
-  apse  // outline of n; edge 0 stands against another wall and carries the apex of a half cone
+  /// Outline of 4, edge 0 on the street; edges 0 and 2 parallel.
+  quad,
+  /// Outline of 6: an L with its outer corner at 1 and its inner corner at 4; wings equally deep.
+  corner,
+  /// Outline of 4 around a hole of 4 with sides parallel to it, equally deep on every side.
+  courtyard,
+  /// Outline of n; edge 0 stands against another wall and carries the apex of a half cone.
+  apse
 };
 
 enum class Roof { flat, shed, gabled, hipped, pyramid, mansard };
@@ -32,8 +36,8 @@ struct BuildingPlan {
   std::vector<BuildingPlan> parts;      // a church's tower and apse: BuildingParts beside this body
 };
 
-/// Every building of block (i, j), in a fixed order. None leaves the parcel, none touches another but along
-/// shared (party) walls.
+/// Returns every building of block (i, j), in a fixed order. None leaves the parcel, and they touch
+/// each other only along shared (party) walls.
 std::vector<BuildingPlan> plan_block(const StreetPlan& streets, const Hills& hills,
                                      std::uint64_t seed, int i, int j);
 

@@ -53,7 +53,8 @@ class Body {
   dvec3 eave(const dvec2& p) const { return lift(p, plan_.eave_m); }
   dvec3 ridge(const dvec2& p) const { return lift(p, plan_.ridge_m); }
 
-  /// Wall from a to b (outside on the right); `top` holds further corners between b's and a's top, if any.
+  /// Adds the wall from a to b (outside on the right). `top`: further corners between b's and a's
+  /// top, if any.
   void wall(const dvec2& a, const dvec2& b, double top_a, double top_b, const Ring& top = {}) {
     Ring ring{lift(a, plan_.ground_m), lift(b, plan_.ground_m), lift(b, top_b)};
     ring.insert(ring.end(), top.begin(), top.end());
@@ -136,7 +137,7 @@ class Body {
     }
   }
 
-  /// Steep lower slopes on street and yard, shallow above; gable ends follow the broken line.
+  /// Steep slopes towards street and yard, shallow ones above; the gables follow the broken line.
   void mansard(const dvec2& west, const dvec2& east) {
     constexpr double step_in = 0.12;  // of the depth
     const double knee = plan_.eave_m + 0.72 * (plan_.ridge_m - plan_.eave_m);
@@ -202,7 +203,7 @@ class Body {
 
 }  // namespace
 
-std::vector<Polygon> surfaces_of(const BuildingPlan& plan) {
+std::vector<Polygon> make_surfaces(const BuildingPlan& plan) {
   return Body(plan).build();
 }
 

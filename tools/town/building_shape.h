@@ -1,4 +1,5 @@
-// From a building's plan to its boundary surfaces: closed, planar, seen counter-clockwise from outside.
+// Turns a building's plan into its boundary surfaces: closed, planar, counter-clockwise seen from
+// outside.
 #pragma once
 
 #include <vector>
@@ -8,7 +9,7 @@
 
 namespace nightcity::town {
 
-/// Ground, walls and roof of one body (not of its parts); coordinates in metres from the town's origin.
-std::vector<Polygon> surfaces_of(const BuildingPlan& plan);
+/// Returns ground, walls and roof of one body without its parts, in metres from the town's origin.
+std::vector<Polygon> make_surfaces(const BuildingPlan& plan);
 
 }  // namespace nightcity::town

@@ -18,7 +18,7 @@ const char* element_of(SurfaceType type) {
   }
 }
 
-/// AdV roof form codes, as German state data have them.
+/// AdV roof form codes, which German state data use.
 int roof_code(const BuildingPlan& plan) {
   if (plan.shape == Shape::apse) return 3600;
   switch (plan.roof) {
@@ -58,9 +58,9 @@ GmlWriter::GmlWriter(TextFile& out, const glm::dvec2& origin, const glm::dvec3& 
        << R"( xmlns:gml="http://www.opengis.net/gml">
 <gml:name>Synthetic town</gml:name>
 <gml:boundedBy><gml:Envelope srsName="urn:ogc:def:crs:EPSG::25833" srsDimension="3"><gml:lowerCorner>)";
-  position(low);
+  write_position(low);
   out_ << "</gml:lowerCorner><gml:upperCorner>";
-  position(high);
+  write_position(high);
   out_ << "</gml:upperCorner></gml:Envelope></gml:boundedBy>\n";
 }
 
@@ -68,23 +68,23 @@ void GmlWriter::finish() {
   out_ << "</core:CityModel>\n";
 }
 
-void GmlWriter::position(const glm::dvec3& p) {
+void GmlWriter::write_position(const glm::dvec3& p) {
   out_.fixed(p.x + origin_.x, 3) << " ";
   out_.fixed(p.y + origin_.y, 3) << " ";
   out_.fixed(p.z, 3);
 }
 
-void GmlWriter::ring(const Ring& ring) {
+void GmlWriter::write_ring(const Ring& ring) {
   out_ << "<gml:LinearRing><gml:posList srsDimension=\"3\">";
   for (const glm::dvec3& p : ring) {
-    position(p);
+    write_position(p);
     out_ << " ";
   }
-  position(ring.front());
+  write_position(ring.front());
   out_ << "</gml:posList></gml:LinearRing>";
 }
 
-void GmlWriter::relief(const Hills& hills, int x0, int y0, int x1, int y1) {
+void GmlWriter::write_relief(const Hills& hills, int x0, int y0, int x1, int y1) {
   const std::string id = "relief_" + std::to_string(x0) + "_" + std::to_string(y0);
   out_ << "<core:cityObjectMember><dem:ReliefFeature gml:id=\"" << id
        << "\"><dem:lod>2</dem:lod><dem:reliefComponent><dem:TINRelief gml:id=\"" << id
@@ -95,13 +95,13 @@ void GmlWriter::relief(const Hills& hills, int x0, int y0, int x1, int y1) {
   };
   const auto triangle = [&](const Ring& corners) {
     out_ << "<gml:Triangle><gml:exterior>";
-    ring(corners);
+    write_ring(corners);
     out_ << "</gml:exterior></gml:Triangle>\n";
     ++counts_.polygons;
     ++counts_.triangles;
   };
   for (int y = y0; y < y1; ++y)
-    for (int x = x0; x < x1; ++x) {  // cut as Hills::height reads it
+    for (int x = x0; x < x1; ++x) {  // cut as in Hills::height
       triangle({corner(x, y), corner(x + 1, y), corner(x + 1, y + 1)});
       triangle({corner(x, y), corner(x + 1, y + 1), corner(x, y + 1)});
     }
@@ -110,7 +110,7 @@ void GmlWriter::relief(const Hills& hills, int x0, int y0, int x1, int y1) {
           "</dem:ReliefFeature></core:cityObjectMember>\n";
 }
 
-void GmlWriter::road(const RoadPlan& road) {
+void GmlWriter::write_road(const RoadPlan& road) {
   const std::string id = std::string(road.kind) + "_" + std::to_string(road.axis) + "_" +
                          std::to_string(road.i) + "_" + std::to_string(road.j);
   out_ << "<core:cityObjectMember><tran:Road gml:id=\"" << id
@@ -121,7 +121,7 @@ void GmlWriter::road(const RoadPlan& road) {
     for (const Ring& corners : area.rings) {
       Polygon surface;
       surface.exterior = corners;
-      polygon(surface, "");
+      write_polygon(surface, "");
       out_ << "\n";
     }
     out_ << "</gml:MultiSurface></tran:lod2MultiSurface></tran:TrafficArea></tran:trafficArea>\n";
@@ -130,15 +130,15 @@ void GmlWriter::road(const RoadPlan& road) {
   ++counts_.streets;
 }
 
-void GmlWriter::polygon(const Polygon& polygon, const std::string& id) {
+void GmlWriter::write_polygon(const Polygon& polygon, const std::string& id) {
   out_ << "<gml:surfaceMember><gml:Polygon";
   if (!id.empty()) out_ << " gml:id=\"" << id << "\"";
   out_ << "><gml:exterior>";
-  ring(polygon.exterior);
+  write_ring(polygon.exterior);
   out_ << "</gml:exterior>";
   for (const Ring& hole : polygon.interiors) {
     out_ << "<gml:interior>";
-    ring(hole);
+    write_ring(hole);
     out_ << "</gml:interior>";
   }
   out_ << "</gml:Polygon></gml:surfaceMember>";
@@ -146,22 +146,22 @@ void GmlWriter::polygon(const Polygon& polygon, const std::string& id) {
   counts_.triangles += fan_triangles(polygon);
 }
 
-void GmlWriter::surface(const std::string& id, const Polygon& surface) {
+void GmlWriter::write_surface(const std::string& id, const Polygon& surface) {
   const char* element = element_of(surface.surface);
   out_ << "<bldg:boundedBy><bldg:" << element << " gml:id=\"" << id
        << "\"><bldg:lod2MultiSurface><gml:MultiSurface>";
-  polygon(surface, id + "_poly");
+  write_polygon(surface, id + "_poly");
   out_ << "</gml:MultiSurface></bldg:lod2MultiSurface></bldg:" << element << "></bldg:boundedBy>\n";
 }
 
-void GmlWriter::details(const BuildingPlan& plan, const std::string& id, std::uint64_t seed) {
+void GmlWriter::write_details(const BuildingPlan& plan, const std::string& id, std::uint64_t seed) {
   std::size_t number = 0;
-  for (const RoofDetail& detail : roof_details(plan, seed, counts_.buildings)) {
+  for (const RoofDetail& detail : make_roof_details(plan, seed, counts_.buildings)) {
     out_ << "<bldg:outerBuildingInstallation><bldg:BuildingInstallation gml:id=\"" << id
          << "_on_roof_" << number++ << "\"><bldg:function>" << (detail.chimney ? "1030" : "1070")
          << "</bldg:function><bldg:lod2Geometry><gml:MultiSurface>\n";
     for (const Polygon& surface : detail.surfaces) {
-      polygon(surface, "");
+      write_polygon(surface, "");
       out_ << "\n";
     }
     out_ << "</gml:MultiSurface></bldg:lod2Geometry></bldg:BuildingInstallation></"
@@ -169,16 +169,16 @@ void GmlWriter::details(const BuildingPlan& plan, const std::string& id, std::ui
   }
 }
 
-void GmlWriter::tree(const TreePlan& tree) {
+void GmlWriter::write_tree(const TreePlan& tree) {
   out_ << "<core:cityObjectMember><veg:SolitaryVegetationObject gml:id=\"tree_" << counts_.trees
        << "\"><veg:class>1070</veg:class><veg:height uom=\"m\">";
   out_.fixed(tree.height_m, 2) << "</veg:height><veg:crownDiameter uom=\"m\">";
   out_.fixed(2 * tree.crown_radius_m, 2)
       << "</veg:crownDiameter><veg:lod2Geometry><gml:MultiSurface>\n";
-  for (Ring& corners : tree_surfaces(tree)) {
+  for (Ring& corners : make_tree_surfaces(tree)) {
     Polygon surface;
     surface.exterior = std::move(corners);
-    polygon(surface, "");
+    write_polygon(surface, "");
     out_ << "\n";
   }
   out_ << "</gml:MultiSurface></veg:lod2Geometry></veg:SolitaryVegetationObject></"
@@ -186,8 +186,8 @@ void GmlWriter::tree(const TreePlan& tree) {
   ++counts_.trees;
 }
 
-void GmlWriter::attributes(const BuildingPlan& plan, std::uint64_t seed) {
-  // Real registers leave gaps and put sentinels into them: a reader has to take 9999 for "unknown".
+void GmlWriter::write_attributes(const BuildingPlan& plan, std::uint64_t seed) {
+  // Real registers have gaps filled with sentinels: a reader has to take 9999 for "unknown".
   Random random{static_cast<std::int64_t>(seed), 10, static_cast<std::int64_t>(counts_.buildings)};
   out_ << "<bldg:function>" << plan.function << "</bldg:function>\n";
   if (random.chance(0.7))
@@ -205,23 +205,23 @@ void GmlWriter::attributes(const BuildingPlan& plan, std::uint64_t seed) {
     out_ << "<bldg:storeysAboveGround>9999</bldg:storeysAboveGround>\n";
 }
 
-void GmlWriter::body(const BuildingPlan& plan, const std::string& id) {
+void GmlWriter::write_body(const BuildingPlan& plan, const std::string& id) {
   std::size_t number = 0;
-  for (const Polygon& polygon : surfaces_of(plan))
-    surface(id + "_" + std::to_string(number++), polygon);
+  for (const Polygon& polygon : make_surfaces(plan))
+    write_surface(id + "_" + std::to_string(number++), polygon);
 }
 
-void GmlWriter::building(const BuildingPlan& plan, std::uint64_t seed) {
+void GmlWriter::write_building(const BuildingPlan& plan, std::uint64_t seed) {
   const std::string id = "house_" + std::to_string(counts_.buildings);
   out_ << "<core:cityObjectMember><bldg:Building gml:id=\"" << id << "\">\n";
-  attributes(plan, seed);
-  details(plan, id, seed);
-  body(plan, id);
+  write_attributes(plan, seed);
+  write_details(plan, id, seed);
+  write_body(plan, id);
   for (std::size_t n = 0; n < plan.parts.size(); ++n) {
     const std::string part = id + "_part_" + std::to_string(n);
     out_ << "<bldg:consistsOfBuildingPart><bldg:BuildingPart gml:id=\"" << part
          << "\">\n<bldg:roofType>" << roof_code(plan.parts[n]) << "</bldg:roofType>\n";
-    body(plan.parts[n], part);
+    write_body(plan.parts[n], part);
     out_ << "</bldg:BuildingPart></bldg:consistsOfBuildingPart>\n";
   }
   out_ << "</bldg:Building></core:cityObjectMember>\n";

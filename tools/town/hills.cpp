@@ -13,17 +13,17 @@ namespace {
 
 constexpr double weights[3] = {0.5, 0.3, 0.2};
 constexpr double frequencies[3] = {1.0, 1.6, 2.3};
-constexpr double steepest = 0.09;  // greatest slope: streets of a town
+constexpr double max_slope = 0.09;  // of a town's streets
 
 }  // namespace
 
 Hills::Hills(std::uint64_t seed, double relief_m) : relief_m_(std::max(relief_m, 0.0)) {
-  // Slope of the sum of waves: relief / 2 * k * sum(weight * frequency). Higher hills become wider, not
-  // steeper.
+  // Slope of the sum of waves: relief / 2 * k * sum(weight * frequency). Higher hills become wider,
+  // not steeper.
   double slope_per_k = 0;
   for (int i = 0; i < 3; ++i) slope_per_k += relief_m_ / 2 * weights[i] * frequencies[i];
   double k = 2 * std::numbers::pi / 700;
-  if (slope_per_k * k > steepest) k = steepest / slope_per_k;
+  if (slope_per_k * k > max_slope) k = max_slope / slope_per_k;
   Random random{static_cast<std::int64_t>(seed), 1};
   for (int i = 0; i < 3; ++i) {
     const double angle = random.range(0, 2 * std::numbers::pi);

@@ -69,24 +69,24 @@ class OsmWriter {
     out_ << "<tag k=\"" << key << "\" v=\"" << value << "\"/>\n";
   }
 
-  /// Lamps asked for by the streets alone: length over spacing, both sides where the road is wide.
-  static double wish(const Stretch& s) {
+  /// Returns the number of lamps that a stretch needs: its length over the spacing of its class.
+  static double count_needed(const Stretch& s) {
     return glm::distance(s.from, s.to) / size_of(s.street).lamp_spacing_m;
   }
 
   std::size_t write_lamps() {
-    double wishes = 0;
-    for_each_stretch(streets_, [&](const Stretch& s) { wishes += wish(s); });
+    double needed = 0;
+    for_each_stretch(streets_, [&](const Stretch& s) { needed += count_needed(s); });
     const auto total =
-        options_.lamps ? options_.lamps : static_cast<std::size_t>(std::llround(wishes));
-    // Stretches share the lamps by their wishes: rounding the running sum hands out exactly `total`.
+        options_.lamps ? options_.lamps : static_cast<std::size_t>(std::llround(needed));
+    // Each stretch gets its share of the lamps: rounding the running sum gives out exactly `total`.
     double sum = 0;
     std::int64_t given = 0, number = 0;
     std::size_t stretch = 0;
     for_each_stretch(streets_, [&](const Stretch& s) {
-      sum += wish(s);
-      const auto due = sum >= wishes ? static_cast<std::int64_t>(total)
-                                     : std::llround(sum / wishes * static_cast<double>(total));
+      sum += count_needed(s);
+      const auto due = sum >= needed ? static_cast<std::int64_t>(total)
+                                     : std::llround(sum / needed * static_cast<double>(total));
       stretch_lamps(s, static_cast<int>(due - given), stretch++ % 2 == 0, number);
       given = due;
     });
@@ -118,8 +118,8 @@ class OsmWriter {
     }
   }
 
-  /// Shares measured in Berlin, Helsinki and London extracts: most posts bare, 8 % with a type, 1 % with a
-  /// height.
+  /// Shares measured in extracts of Berlin, Helsinki and London: most posts have no further tag, 8
+  /// % a type, 1 % a height.
   void write_post(const Post& post) {
     Random random{static_cast<std::int64_t>(options_.seed), 12, post.number};
     open_node(first_lamp_id + post.number, post.at) << ">\n";
@@ -180,8 +180,8 @@ class OsmWriter {
     });
   }
 
-  /// One way per run of equal class, at most eight blocks long: names go on, tags come and go, as mappers
-  /// leave them.
+  /// Writes one way per run of equal class, at most eight blocks long. As in real extracts, names
+  /// go on from way to way while other tags come and go.
   template <class ClassOf, class NodeOf>
   void runs(int count, ClassOf class_of, NodeOf node_of, int axis, int line, std::int64_t& id) {
     for (int first = 0; first < count;) {

@@ -1,5 +1,5 @@
-// The town's OSM extract: its streets, and street lamps tagged as sparsely and as variously as people tag
-// them.
+// Writes the town's OSM extract: its streets, and street lamps tagged as sparsely and variously as
+// people do it.
 #pragma once
 
 #include <cstddef>

@@ -10,7 +10,8 @@ namespace {
 
 using glm::dvec2;
 
-/// Covers the quad a-b-c-d (counter-clockwise) with rings no longer than the terrain's grid, lifted above it.
+/// Covers the quad a-b-c-d (counter-clockwise) with rings no longer than the terrain's grid, lifted
+/// above it.
 class Drape {
  public:
   explicit Drape(const Hills& hills) : hills_(hills) {}
@@ -33,8 +34,8 @@ class Drape {
       }
   }
 
-  /// The upright face below the edge a-b, seen from its right: a kerb, without which one looks under the
-  /// pavement.
+  /// Adds the upright face below the edge a-b, seen from its right: a kerb, without which the
+  /// camera would look under the pavement.
   void face(RoadArea& area, const dvec2& a, const dvec2& b, double bottom_lift,
             double top_lift) const {
     const int n = pieces(glm::distance(a, b));
@@ -54,7 +55,8 @@ class Drape {
   const Hills& hills_;
 };
 
-/// Left and right blocks of a stretch and their kerbs, running from its start to its end.
+/// Finds the blocks left and right of a stretch and their kerbs, which run from its start to its
+/// end.
 Stretch stretch_of(const StreetPlan& streets, int i, int j, int axis) {
   Stretch s;
   s.i = i;
@@ -77,7 +79,8 @@ Stretch stretch_of(const StreetPlan& streets, int i, int j, int axis) {
   return s;
 }
 
-/// The diagonal path through a park, from the pavement of its south-west to that of its north-east corner.
+/// The diagonal path through a park, from the pavement of its south-west to that of its north-east
+/// corner.
 Stretch path_of(const StreetPlan& streets, int i, int j) {
   const Quad parcel = streets.parcel(i, j);
   Stretch s;

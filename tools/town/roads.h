@@ -1,4 +1,5 @@
-// Streets as surfaces draped on the ground: carriageways, pavements, junctions and the market square.
+// Streets as surfaces draped on the ground: carriageways, pavements, junctions and the market
+// square.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +14,9 @@ namespace nightcity::town {
 
 struct RoadArea {
   int function = 1;  // CityGML TrafficArea function code: 1 driving lane, 2 footpath, 5 square
-  std::vector<Ring>
-      rings;  // triangles, counter-clockwise from above, and upright kerb faces of 4, m from
-              // the town's origin
+  /// Triangles, counter-clockwise from above, and upright kerb faces of 4; m from the town's
+  /// origin.
+  std::vector<Ring> rings;
 };
 
 struct RoadPlan {
@@ -25,7 +26,8 @@ struct RoadPlan {
   std::vector<RoadArea> areas;
 };
 
-/// A straight stretch between two junctions, for lamps: its middle line and where the posts stand.
+/// A straight stretch between two junctions: its centreline and the kerbs along which lamp posts
+/// stand.
 struct Stretch {
   glm::dvec2 from, to;      // ends of the part that belongs to no junction
   glm::dvec2 kerb_left[2];  // the left kerb from `from` to `to`
@@ -34,10 +36,12 @@ struct Stretch {
   int i = 0, j = 0, axis = 0;
 };
 
-/// Every stretch of street, row streets first, in a fixed order; then the paths through the parks.
+/// Visits every stretch of street, row streets first, in a fixed order; then the paths through the
+/// parks.
 void for_each_stretch(const StreetPlan& streets, const std::function<void(const Stretch&)>& visit);
 
-/// Every surface: stretches with their pavements, junctions, pavement corners, the market square.
+/// Visits every surface: stretches with their pavements, junctions, pavement corners, the market
+/// square.
 void for_each_road(const StreetPlan& streets, const Hills& hills,
                    const std::function<void(const RoadPlan&)>& visit);
 

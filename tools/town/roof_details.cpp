@@ -64,8 +64,8 @@ RoofDetail chimney(const dvec2& centre, const dvec2& along, double low, double h
 
 }  // namespace
 
-std::vector<RoofDetail> roof_details(const BuildingPlan& plan, std::uint64_t seed,
-                                     std::size_t number) {
+std::vector<RoofDetail> make_roof_details(const BuildingPlan& plan, std::uint64_t seed,
+                                          std::size_t number) {
   std::vector<RoofDetail> details;
   const bool church = std::string_view(plan.function) == "31001_3041";
   if (plan.shape != Shape::quad || plan.roof == Roof::flat || plan.roof == Roof::shed || church)
@@ -77,7 +77,7 @@ std::vector<RoofDetail> roof_details(const BuildingPlan& plan, std::uint64_t see
 
   if (plan.roof == Roof::gabled && plan.storeys > 1 && random.chance(0.75)) {
     const double rise = (plan.ridge_m - plan.eave_m) / half;
-    // Where the dormer's own roof runs into the slope.
+    // The line on which the dormer's own roof meets the slope.
     const double reach = dormer_setback_m + dormer_front_m / (rise - dormer_slope);
     const int count = static_cast<int>((width - 1.2) / 3.4);
     if (rise > 0.4 && reach < half - 0.3) {

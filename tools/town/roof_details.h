@@ -1,4 +1,4 @@
-// Dormers and chimneys: what makes a roof cast more than one shadow.
+// Dormers and chimneys.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,9 @@ struct RoofDetail {
   std::vector<Polygon> surfaces;  // standing on the roof, open below; m from the town's origin
 };
 
-/// Details of one body; none on flat and shed roofs and on churches. `number` tells bodies of one seed apart.
-std::vector<RoofDetail> roof_details(const BuildingPlan& plan, std::uint64_t seed,
-                                     std::size_t number);
+/// Returns the details of one body: none on flat and shed roofs and on churches. `number` makes
+/// bodies of one seed differ.
+std::vector<RoofDetail> make_roof_details(const BuildingPlan& plan, std::uint64_t seed,
+                                          std::size_t number);
 
 }  // namespace nightcity::town

@@ -11,11 +11,11 @@ namespace nightcity::town {
 namespace {
 
 constexpr double bend_m = 15,
-                 bend_wave_m = 520;  // streets swing by this much: shear below 11 degrees
+                 bend_wave_m = 520;  // the bends of streets: shear below 11 degrees
 constexpr double jitter_m = 4;
 
 std::vector<double> spaced(std::uint64_t seed, int purpose, int count, double low, double high) {
-  // One line beyond the town on each side gives the outermost streets their far kerb.
+  // One line beyond the town on each side gives the outermost streets their outer kerb.
   std::vector<double> at(static_cast<std::size_t>(count) + 3, 0);
   for (std::size_t i = 1; i < at.size(); ++i)
     at[i] = at[i - 1] +

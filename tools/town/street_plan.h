@@ -1,5 +1,6 @@
-// Where streets and blocks lie: a bent, jittered grid, each part a function of its column and row alone, so
-// that a town of any size needs no memory. All lengths in metres from the town's origin (x east, y north).
+// The town's grid of streets and blocks, bent and jittered. Each part is a function of its column
+// and row alone, so that a town of any size needs no memory. Lengths in metres from the town's
+// origin (x east, y north).
 #pragma once
 
 #include <array>
@@ -41,7 +42,8 @@ class StreetPlan {
   int columns() const { return columns_; }
   int rows() const { return rows_; }
 
-  /// Where the middle lines of column street i and row street j cross. Defined beyond the town too.
+  /// Returns the crossing of the centrelines of column street i and row street j. Defined beyond
+  /// the town too.
   glm::dvec2 node(int i, int j) const;
   StreetClass row_street(int i, int j) const;     // node (i, j) to (i + 1, j)
   StreetClass column_street(int i, int j) const;  // node (i, j) to (i, j + 1)
@@ -66,10 +68,10 @@ class StreetPlan {
   glm::dvec2 phase_, low_{0}, high_{0};
 };
 
-/// Where the lines a + t u and b + t v meet.
+/// Returns the point in which the lines a + t u and b + t v meet.
 glm::dvec2 meet(const glm::dvec2& a, const glm::dvec2& u, const glm::dvec2& b, const glm::dvec2& v);
 
-/// A convex counter-clockwise quad with side k moved inwards by distance[k].
+/// Returns a convex counter-clockwise quad with side k moved inwards by distance[k].
 Quad inset_quad(const Quad& quad, const std::array<double, 4>& distance);
 
 }  // namespace nightcity::town

@@ -1,4 +1,4 @@
-// Buffered text with numbers that read the same on every platform.
+// Writes buffered text with numbers that are the same on every platform.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace nightcity::town {
 
-/// Appears under its name only when finish()ed. Throws Error when it cannot be written.
+/// The file gets its name only by finish(). Throws Error when it cannot be written.
 class TextFile {
  public:
   explicit TextFile(const std::filesystem::path& path);
@@ -23,7 +23,8 @@ class TextFile {
   TextFile& operator<<(std::int64_t number);
   TextFile& operator<<(int number) { return *this << static_cast<std::int64_t>(number); }
   TextFile& operator<<(std::size_t number) { return *this << static_cast<std::int64_t>(number); }
-  /// `decimals` 0 to 7, by integer arithmetic; |value| * 10^decimals below 2^63.
+  /// Writes `value` with 0 to 7 decimals, by integer arithmetic; |value| * 10^decimals must stay
+  /// below 2^63.
   TextFile& fixed(double value, int decimals);
 
   void finish();

@@ -19,9 +19,9 @@
 namespace nightcity::town {
 namespace {
 
-constexpr double fields_m = 150;  // of open ground round the town
-constexpr int relief_cells = 20;  // a relief tile's side, in grid cells: 200 m
-constexpr double tallest_m = 80;  // no roof rises higher above the hills
+constexpr double fields_m = 150;   // width of the open ground around the town
+constexpr int relief_cells = 20;   // a relief tile's side, in grid cells: 200 m
+constexpr double max_roof_m = 80;  // above the hills
 
 std::pair<glm::ivec2, glm::ivec2> relief_bounds(const StreetPlan& streets) {
   return {glm::ivec2(glm::floor((streets.low() - fields_m) / Hills::spacing_m)),
@@ -34,18 +34,18 @@ TownCounts write_gml(const TownOptions& options, const StreetPlan& streets, cons
   const auto [first, last] = relief_bounds(streets);
   GmlWriter gml(out, {options.origin_east_m, options.origin_north_m},
                 {glm::dvec2(first) * Hills::spacing_m, std::floor(hills.lowest() - 1)},
-                {glm::dvec2(last) * Hills::spacing_m, std::ceil(hills.highest() + tallest_m)});
+                {glm::dvec2(last) * Hills::spacing_m, std::ceil(hills.highest() + max_roof_m)});
   for (int y = first.y; y < last.y; y += relief_cells)
     for (int x = first.x; x < last.x; x += relief_cells)
-      gml.relief(hills, x, y, std::min(x + relief_cells, last.x),
-                 std::min(y + relief_cells, last.y));
-  for_each_road(streets, hills, [&](const RoadPlan& road) { gml.road(road); });
+      gml.write_relief(hills, x, y, std::min(x + relief_cells, last.x),
+                       std::min(y + relief_cells, last.y));
+  for_each_road(streets, hills, [&](const RoadPlan& road) { gml.write_road(road); });
   for (int j = 0; j < streets.rows(); ++j)
     for (int i = 0; i < streets.columns(); ++i) {
       const std::vector<BuildingPlan> houses = plan_block(streets, hills, options.seed, i, j);
-      for (const BuildingPlan& house : houses) gml.building(house, options.seed);
+      for (const BuildingPlan& house : houses) gml.write_building(house, options.seed);
       for (const TreePlan& tree : plan_trees(streets, hills, houses, options.seed, i, j))
-        gml.tree(tree);
+        gml.write_tree(tree);
     }
   gml.finish();
   out.finish();
@@ -61,8 +61,8 @@ void write_recipe(const std::filesystem::path& path) {
   out.finish();
 }
 
-/// Means over towns of 56 to 2500 blocks without their relief; the tests hold the sizes made from them to 10
-/// %.
+/// Means over towns of 56 to 2500 blocks without their relief. Tests check that sizes made from
+/// them are right to 10 %.
 constexpr double buildings_per_block = 12.5, triangles_per_block = 1115;
 
 }  // namespace
@@ -80,7 +80,8 @@ void size_for_buildings(TownOptions& options, std::size_t buildings) {
 
 void size_for_triangles(TownOptions& options, std::size_t triangles) {
   const auto wanted = static_cast<double>(triangles);
-  // The fields round the town weigh more in a small town: grow until blocks and relief together suffice.
+  // The fields around the town weigh more in a small town: grow until blocks and relief together
+  // suffice.
   for (std::size_t blocks = 1;; blocks += 1 + blocks / 64) {
     size_for_blocks(options, blocks);
     const auto [first, last] = relief_bounds(StreetPlan(options));
@@ -90,9 +91,10 @@ void size_for_triangles(TownOptions& options, std::size_t triangles) {
 }
 
 TownCounts write_town(const TownOptions& options, const std::filesystem::path& folder) {
-  constexpr int most = 1500;  // 150 km: beyond it the UTM zone ends
-  if (options.columns < 1 || options.rows < 1 || options.columns > most || options.rows > most)
-    throw UsageError("town", "a town has 1 to " + std::to_string(most) + " blocks a side");
+  constexpr int max_blocks = 1500;  // 150 km: beyond it the UTM zone ends
+  if (options.columns < 1 || options.rows < 1 || options.columns > max_blocks ||
+      options.rows > max_blocks)
+    throw UsageError("town", "a town has 1 to " + std::to_string(max_blocks) + " blocks a side");
   if (!(options.hills_m >= 0 && options.hills_m <= 500))
     throw UsageError("town", "hills are 0 to 500 m high");
   std::error_code error;

@@ -89,7 +89,7 @@ std::vector<TreePlan> plan_trees(const StreetPlan& streets, const Hills& hills,
   return trees;
 }
 
-std::vector<Ring> tree_surfaces(const TreePlan& tree) {
+std::vector<Ring> make_tree_surfaces(const TreePlan& tree) {
   constexpr std::size_t sides = 6;
   const double trunk = 0.12 + 0.015 * tree.height_m, fork = tree.ground_m + 0.28 * tree.height_m;
   const double top = tree.ground_m + tree.height_m;

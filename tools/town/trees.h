@@ -1,4 +1,5 @@
-// Trees in parks, gardens and yards: away from the lamps, which stand on the pavements and along the paths.
+// Trees in parks, gardens and yards, away from the lamps, which stand on the pavements and along
+// the paths.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +18,13 @@ struct TreePlan {
   double ground_m = 0, height_m = 8, crown_radius_m = 2;
 };
 
-/// The trees of block (i, j); crowns keep clear of the block's houses, kerbs and park path.
+/// Returns the trees of block (i, j). Their crowns keep clear of the block's houses, kerbs and park
+/// path.
 std::vector<TreePlan> plan_trees(const StreetPlan& streets, const Hills& hills,
                                  const std::vector<BuildingPlan>& houses, std::uint64_t seed, int i,
                                  int j);
 
-/// Trunk and crown, 32 triangles.
-std::vector<Ring> tree_surfaces(const TreePlan& tree);
+/// Returns trunk and crown, 32 triangles.
+std::vector<Ring> make_tree_surfaces(const TreePlan& tree);
 
 }  // namespace nightcity::town

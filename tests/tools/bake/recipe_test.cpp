@@ -68,7 +68,7 @@ punctual = 50
   EXPECT_EQ(recipe.city.frame.crs_override, "EPSG:25833");
   ASSERT_EQ(recipe.city.frame.control_points.size(), 2u);
   EXPECT_EQ(recipe.city.frame.control_points[1].model, glm::dvec2(1000.5, 1000));
-  EXPECT_EQ(recipe.city.read.highest_lod, 1);
+  EXPECT_EQ(recipe.city.read.max_lod, 1);
   EXPECT_EQ(recipe.city.read.reader, Reader::libcitygml);
   EXPECT_EQ(recipe.city.read.threads, 3u);
   EXPECT_EQ(recipe.city.tile_m, 500);

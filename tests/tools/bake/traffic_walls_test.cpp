@@ -10,6 +10,7 @@
 #include "tools/bake/bake_options.h"
 #include "tools/bake/city/road_consumer.h"
 #include "tools/bake/stages/traffic_stage.h"
+#include "tools/osm/read_osm.h"
 #include "tools/town/town.h"
 
 namespace nightcity {
@@ -73,19 +74,19 @@ TEST_P(TownTraffic, FillsTheStreets) {
 
 TEST_P(TownTraffic, NobodyDrivesThroughAWall) {
   std::size_t bodies = 0, in_walls = 0;
-  town().for_each_body([&](const VehiclePose& pose, const glm::vec3& half,
-                           const glm::dvec3& place) {
-    ++bodies;
-    const glm::dvec2 ahead(std::cos(pose.yaw), std::sin(pose.yaw)), right(ahead.y, -ahead.x);
-    for (const double along : {-1.0, -0.5, 0.0, 0.5, 1.0})
-      for (const double aside : {-1.0, 1.0})
-        in_walls += town()
-                        .terrain()
-                        .height_of(Footing::ground_surface, glm::dvec2(place) +
-                                                                ahead * (along * double{half.x}) +
-                                                                right * (aside * double{half.z}))
-                        .has_value();
-  });
+  town().for_each_body(
+      [&](const VehiclePose& pose, const glm::vec3& half, const glm::dvec3& place) {
+        ++bodies;
+        const glm::dvec2 ahead(std::cos(pose.yaw), std::sin(pose.yaw)), right(ahead.y, -ahead.x);
+        for (const double along : {-1.0, -0.5, 0.0, 0.5, 1.0})
+          for (const double aside : {-1.0, 1.0})
+            in_walls += town()
+                            .terrain()
+                            .height_of(SurfaceClass::ground_surface,
+                                       glm::dvec2(place) + ahead * (along * double{half.x}) +
+                                           right * (aside * double{half.z}))
+                            .has_value();
+      });
   EXPECT_GT(bodies, 5000u);
   EXPECT_EQ(in_walls, 0u);
 }
@@ -94,8 +95,8 @@ TEST_P(TownTraffic, WheelsStandOnTheGroundOrTheRoadOnIt) {
   std::size_t bodies = 0, off = 0;
   double worst = 0;
   town().for_each_body([&](const VehiclePose&, const glm::vec3&, const glm::dvec3& place) {
-    const auto ground = town().terrain().height_of(Footing::terrain, glm::dvec2(place)),
-               road = town().terrain().height_of(Footing::road, glm::dvec2(place));
+    const auto ground = town().terrain().height_of(SurfaceClass::terrain, glm::dvec2(place)),
+               road = town().terrain().height_of(SurfaceClass::road, glm::dvec2(place));
     ASSERT_TRUE(ground);
     // Kerbs are a step of 12 cm beside the carriageway, the road itself lies on the ground.
     const double height = std::max(*ground, road.value_or(*ground)),

@@ -1,4 +1,4 @@
-// libFuzzer target: any bytes as a CityGML document, through the stream reader and the triangulation.
+// libFuzzer target: reads any bytes as a CityGML document with the stream reader, and triangulates.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -6,7 +6,9 @@
 #include "formats/error.h"
 #include "tests/tools/citygml/memory_document.h"
 #include "tools/citygml/document_reader.h"
-#include "tools/mesh/triangle_mesh.h"
+#include "tools/mesh/classify.h"
+#include "tools/mesh/close_gaps.h"
+#include "tools/mesh/triangulate.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace nightcity;
@@ -22,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (!std::isfinite(p.x + p.y + p.z)) std::abort();
     };
     read_with_stream(test::memory_document(text), options, deliver_to(sink));
-  } catch (const Error&) {  // what a broken document deserves
+  } catch (const Error&) {  // a broken document
   }
   return 0;
 }

@@ -1,4 +1,4 @@
-// Every document of the corpus, in both readers: an Error or a city, never a crash.
+// Both readers make an Error or a city of every document of the corpus, and never crash.
 #include <gtest/gtest.h>
 
 #include <cmath>

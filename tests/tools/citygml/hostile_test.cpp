@@ -1,4 +1,4 @@
-// Input made to hurt: an Error or a counted skip, and neither a crash nor an endless run, in both readers.
+// Hostile input: both readers throw Error or skip and count, and neither crash nor run endlessly.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ using namespace test;
 
 class Hostile : public testing::TestWithParam<Reader> {
  protected:
-  // Number of polygons delivered, -1 for an Error. Anything else that is thrown fails the test.
+  // Returns the number of polygons delivered, -1 for an Error. Any other exception fails the test.
   static long read(const std::string& text) {
     const TemporaryFile file(text);
     ReadOptions options;

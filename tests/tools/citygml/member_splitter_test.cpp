@@ -12,7 +12,7 @@
 namespace nightcity {
 namespace {
 
-// Hands out a text in pieces of `step` bytes, so that every construct falls across a boundary once.
+// Delivers a text in pieces of `step` bytes, so that every construct crosses a boundary once.
 class TextSource : public city::ByteSource {
  public:
   TextSource(std::string text, std::size_t step) : text_(std::move(text)), step_(step) {}

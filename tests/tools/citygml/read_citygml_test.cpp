@@ -1,4 +1,4 @@
-// What both readers must do alike.
+// What both readers have in common.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,12 +23,12 @@ struct City {
 
 class BothReaders : public testing::TestWithParam<Reader> {
  protected:
-  City read(const std::string& text, int highest_lod = 2) const {
+  City read(const std::string& text, int max_lod = 2) const {
     const TemporaryFile file(text);
     City city;
     ReadOptions options;
     options.reader = GetParam();
-    options.highest_lod = highest_lod;
+    options.max_lod = max_lod;
     city.report = read_citygml(file.path(), options,
                                [&](CityObject&& o) { city.objects.push_back(std::move(o)); });
     return city;
@@ -134,7 +134,7 @@ TEST_P(BothReaders, HighestLodUpToTheLimitIsTakenAndTheRestCounted) {
   const City one = read(text, 1);
   EXPECT_EQ(one.objects[0].lod, 1);
   EXPECT_EQ(one.objects[0].polygons.size(), 2u);
-  const City zero = read(text, 0);  // nothing that low: the lowest there is
+  const City zero = read(text, 0);  // nothing that low: the lowest is taken
   EXPECT_EQ(zero.objects[0].lod, 1);
 }
 

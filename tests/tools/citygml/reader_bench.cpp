@@ -1,9 +1,11 @@
-// Speed and memory of the CityGML readers on one file, each in a process of its own, so that their peaks are
-// their own.
+// Measures speed and memory of the CityGML readers on one file, each in a process of its own, so
+// that it has its own peak.
 //   reader_bench FILE... [--copies N] [--threads N] [--rounds N] [--markdown] [--stream-only]
-// --copies N feeds the file's members N times over as one document: a large city out of a small one.
-// --stream-only leaves libcitygml out: at 20 MB/s it is long over a large file.
-// --markdown prints a row of docs/readers.md for each file (pipelines/readers_table.sh makes that page).
+// * --copies N feeds the file's members N times over as one document: a large city from a small
+//   one.
+// * --stream-only leaves libcitygml out, which takes long over a large file at 20 MB/s.
+// * --markdown prints a row of the page of readers in docs/measurements for each file
+//   (pipelines/readers_table.sh makes that page).
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -23,15 +25,15 @@
 
 #include "formats/error.h"
 #include "tools/city/byte_source.h"
-#include "tools/citygml/read_citygml.h"
 #include "tools/citygml/member_splitter.h"
+#include "tools/citygml/read_citygml.h"
 
 namespace nightcity {
 namespace {
 
 struct Measured {
   double seconds = 0;
-  double cpu_seconds = 0;  // of all threads: what a busy machine does not disturb
+  double cpu_seconds = 0;  // of all threads: a busy machine does not disturb it
   double peak_mb = 0;
   std::size_t objects = 0, polygons = 0, polygons_skipped = 0;
   char version[8] = {},
@@ -57,13 +59,13 @@ std::string in_words(const ReadReport& report) {
   return text;
 }
 
-// Writes the file's members `copies` times between one root's tags. Ids repeat: readers keep members apart.
+// Writes the file's members `copies` times between one root's tags. Ids repeat: readers keep
+// members apart.
 std::filesystem::path multiply(const std::filesystem::path& file, int copies) {
   const auto path = std::filesystem::temp_directory_path() /
                     ("reader_bench_" + std::to_string(::getpid()) + ".gml");
   std::ofstream out(path, std::ios::binary);
-  const std::vector<city::Document> documents =
-      city::documents_in(file, citygml_endings);
+  const std::vector<city::Document> documents = city::list_documents(file, citygml_endings);
   std::string root;
   for (int copy = 0; copy < copies; ++copy) {
     const auto source = documents.front().open();
@@ -89,7 +91,7 @@ Measured measure_here(const std::filesystem::path& file, const ReadOptions& opti
   Measured best;
   best.seconds = 1e30;
   best.cpu_seconds = 1e30;
-  // Small files are over in no time: they are read again until they have cost a fifth of a second.
+  // A small file is read again until a fifth of a second has passed.
   double total = 0;
   for (int round = 0; round < rounds || (total < 0.2 && round < 200); ++round) {
     const auto start = std::chrono::steady_clock::now();
@@ -150,8 +152,8 @@ double megabytes_of(const std::filesystem::path& file) {
   return static_cast<double>(std::filesystem::file_size(file)) / 1e6;
 }
 
-// CPU time, not the clock: on one thread they are the same, and other work on the machine does not disturb
-// it.
+// CPU time, not the clock: on one thread they are the same, and other work on the machine does not
+// disturb it.
 void print_row(const std::filesystem::path& file, int rounds) {
   try {
     const Measured other = measure(file, options_for(Reader::libcitygml, 1), rounds);

@@ -1,5 +1,5 @@
-// Every CityGML file of the data folder: read without an abort, and every polygon in the model or in the
-// report.
+// Every CityGML file of the data folder is read without an abort, and every polygon is in the model
+// or in the report.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::vector<std::filesystem::path> city_files(const std::filesystem::path& root)
   return files;
 }
 
-// Start tags of polygons in the text: the truth, counted without any parser.
+// Counts the start tags of polygons in the text without any parser: the true number.
 std::size_t polygons_in(const std::string& text) {
   std::size_t count = 0;
   for (auto at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1)) {
@@ -81,7 +81,7 @@ class RealFiles : public testing::TestWithParam<Reader> {};
 
 TEST_P(RealFiles, EveryPolygonIsDeliveredOrReported) {
   REAL_DATA(root, ".");
-  // The second opinion is slow: the small files show every producer.
+  // libcitygml is slow: the small files are enough to show every producer.
   const Tally tally =
       read_all(root, GetParam(), GetParam() == Reader::stream ? UINTMAX_MAX : 500'000);
   EXPECT_GT(tally.files, 100u);
@@ -96,7 +96,7 @@ std::string reader_name(const testing::TestParamInfo<Reader>& info) {
 INSTANTIATE_TEST_SUITE_P(CityGml, RealFiles, testing::Values(Reader::stream, Reader::libcitygml),
                          reader_name);
 
-// What a file is known to hold, from its own inspection by hand.
+// The content of a file, counted by hand.
 TEST(RealFile, MunichCrossingOfCityGml3HasItsTrafficAreas) {
   REAL_DATA(file, "munich/TUM_citygml_V3_update.gml");
   std::size_t areas = 0, roads = 0;

@@ -1,5 +1,5 @@
-// What only the stream reader does: links across the file, every version, implicit geometry, materials,
-// bounded memory.
+// Features of the stream reader alone: links across the file, every version, implicit geometry,
+// materials, bounded memory.
 #include <gtest/gtest.h>
 #include <zip.h>
 #include <zlib.h>
@@ -93,7 +93,7 @@ TEST(StreamReader, XlinkToAPolygonOfAnotherMemberIsFollowedInBothDirections) {
     ASSERT_NE(city.find("user"), nullptr);
     ASSERT_EQ(city.find("user")->polygons.size(), 1u);
     EXPECT_EQ(city.find("user")->polygons[0].exterior, city.find("owner")->polygons[0].exterior);
-    EXPECT_EQ(city.objects.back().id, "user");  // behind all that stands alone
+    EXPECT_EQ(city.objects.back().id, "user");  // behind all objects without links
   }
 }
 
@@ -135,7 +135,7 @@ TEST(StreamReader, CyclesOfXlinksEnd) {
 }
 
 TEST(StreamReader, TreesOfXlinksDoNotMultiply) {
-  // Ten links to ten links ... ten levels deep: 10^10 polygons if each were followed.
+  // Ten links to ten links, ten levels deep: 10^10 polygons if each were followed.
   std::string levels = surface_member(polygon("l0", square_at_one));
   for (int level = 1; level <= 10; ++level) {
     std::string links;
@@ -263,8 +263,8 @@ TEST(StreamReader, MaterialsColourPolygonsFromWithinAndFromAnywhereInTheFile) {
   EXPECT_EQ(city.find("A")->polygons.at(0).diffuse_colour, glm::vec3(1, 0.5, 0));
   EXPECT_EQ(city.find("B")->polygons.at(0).diffuse_colour, glm::vec3(0.25, 0.5, 0.75));
 
-  // In the middle of a file whose ends, a megabyte away, know nothing of appearances: plain, gzipped and in
-  // an archive behind a document without any.
+  // The appearance stands in the middle of a file, a megabyte from both ends: plain, gzipped, and
+  // in an archive behind a document without any.
   std::string buildings;
   for (int n = 0; buildings.size() < 1'200'000; ++n)
     buildings += member(building("F" + std::to_string(n)));
@@ -401,11 +401,10 @@ TEST(StreamReader, ManyThreadsGiveTheSameCityAsOne) {
         member(i % 500 == 7 ? building_of(numbered("far", i), lod2_solid(xlink_member("b0_r")))
                             : building(numbered("b", i), "<bldg:roofType>1</bldg:roofType>"));
   const TemporaryFile file(city_model(members));
-  const City one =
-      read_file(file.path(), {.highest_lod = 2, .reader = Reader::stream, .threads = 1});
+  const City one = read_file(file.path(), {.max_lod = 2, .reader = Reader::stream, .threads = 1});
   for (int round = 0; round < 3; ++round) {
     const City four =
-        read_file(file.path(), {.highest_lod = 2, .reader = Reader::stream, .threads = 4});
+        read_file(file.path(), {.max_lod = 2, .reader = Reader::stream, .threads = 4});
     ASSERT_EQ(one.objects.size(), four.objects.size());
     for (std::size_t i = 0; i < one.objects.size(); ++i) {
       ASSERT_EQ(one.objects[i].id, four.objects[i].id);
@@ -492,8 +491,7 @@ TEST(StreamReader, ObjectsInFeatureMembersAndWithoutIdAreRead) {
 }
 
 TEST(CityGmlHead, TellsCrsVersionAndClosedRings) {
-  const CityHead head =
-      read_citygml_head(TemporaryFile(city_model(member(building("A")))).path());
+  const CityHead head = read_citygml_head(TemporaryFile(city_model(member(building("A")))).path());
   EXPECT_EQ(head.version, "2.0");
   EXPECT_EQ(head.srs_name, "EPSG:25833");
   ASSERT_EQ(head.sample.size(), 15u);  // three rings of four, each closed again

@@ -1,4 +1,4 @@
-// Planes in rasters: bilinear sampling meets them everywhere.
+// Rasters that hold planes: bilinear sampling must return them everywhere.
 #include "tools/elevation/dem_raster.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(DemRaster, CellsWithoutDataGiveNothing) {
   const DemRaster raster(folder / "hole.tif");
   EXPECT_FALSE(raster.height_at({13.0015, 52.9985}));
   EXPECT_FALSE(raster.height_at({13.0010, 52.9985}));  // half of it
-  EXPECT_FALSE(raster.height_at({13.0035, 52.9965}));  // a fill value that nobody declared
+  EXPECT_FALSE(raster.height_at({13.0035, 52.9965}));  // a fill value that is not declared
   EXPECT_NEAR(raster.height_at({13.0025, 52.9975}).value(), 50, 1e-9);
 }
 

@@ -1,4 +1,4 @@
-// Lamps on a model, beside it and nowhere.
+// Lamps on a model, beside it and where no source has heights.
 #include "tools/elevation/elevate.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using test::StandIn;
 
-/// A frame of 100 km a degree, so that places are easy to read.
+/// A frame of 100 km per degree, so that places are easy to read.
 glm::dvec2 to_frame(const glm::dvec2& lon_lat) {
   return (lon_lat - glm::dvec2(13, 52)) * 100'000.0;
 }
@@ -36,12 +36,12 @@ TriangleMesh square(double x0, double y0, double x1, double y1, double height) {
 
 TEST(Elevate, TerrainAndRoadsWinOverBuildings) {
   Terrain terrain;
-  terrain.add(square(0, 0, 100, 100, 30), Footing::terrain);
-  terrain.add(square(100, 0, 200, 100, 33), Footing::road);
-  terrain.add(square(40, 40, 60, 60, 30.5), Footing::ground_surface);
-  terrain.add(square(40, 40, 60, 60, 45), Footing::roof);
-  terrain.add(square(140, 40, 160, 60, 60), Footing::roof);
-  terrain.add(square(240, 40, 260, 60, 50), Footing::roof);
+  terrain.add(square(0, 0, 100, 100, 30), SurfaceClass::terrain);
+  terrain.add(square(100, 0, 200, 100, 33), SurfaceClass::road);
+  terrain.add(square(40, 40, 60, 60, 30.5), SurfaceClass::ground_surface);
+  terrain.add(square(40, 40, 60, 60, 45), SurfaceClass::roof);
+  terrain.add(square(140, 40, 160, 60, 60), SurfaceClass::roof);
+  terrain.add(square(240, 40, 260, 60, 50), SurfaceClass::roof);
   terrain.build(0);
   const std::vector<OsmLampNode> lamps = {lamp(1, 10, 10),  lamp(2, 50, 50),  lamp(3, 150, 50),
                                           lamp(4, 250, 50), lamp(5, 900, 50), lamp(6, 10.1, 10.1)};
@@ -60,7 +60,7 @@ TEST(Elevate, TerrainAndRoadsWinOverBuildings) {
 
 TEST(Elevate, RasterAndServiceAreBroughtToTheModelsHeightsByOneRobustNumber) {
   Terrain terrain;
-  terrain.add(square(0, 0, 1000, 1000, 30), Footing::terrain);
+  terrain.add(square(0, 0, 1000, 1000, 30), SurfaceClass::terrain);
   terrain.build(0);
   // The raster says 75 m where the model says 30, but for one cell of nonsense; it ends at 1500 m.
   const test::TempFolder folder;
@@ -80,7 +80,7 @@ TEST(Elevate, RasterAndServiceAreBroughtToTheModelsHeightsByOneRobustNumber) {
   for (int n = 0; n < 9; ++n) lamps.push_back(lamp(n, 50 + 100 * n, 50));  // on the model
   lamps.push_back(lamp(20, 1250, 500));                                    // on the raster
   lamps.push_back(lamp(21, 2000, 500));                                    // beyond both
-  lamps.push_back(lamp(22, 2500, 500));                                    // where nobody knows
+  lamps.push_back(lamp(22, 2500, 500));  // where no source has heights
   const Elevations found = elevate_lamps(lamps, {&terrain, to_frame, &dem, &service});
   EXPECT_NEAR(found.raster_offset.metres, -45, 1e-9);
   EXPECT_EQ(found.raster_offset.samples, 9u);

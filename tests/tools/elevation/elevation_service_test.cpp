@@ -1,4 +1,4 @@
-// Against a stand-in on this machine: what is asked, how often, and what is believed.
+// Against a stand-in on this machine: what is asked, how often, and which answers are believed.
 #include "tools/elevation/elevation_service.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ std::vector<glm::dvec2> places(std::size_t count) {
   return result;
 }
 
-/// 30 m and a metre more for each place to the east.
+/// Answers 30 m, and a metre more for each place to the east.
 nlohmann::json slope(double, double lon) {
   return 30 + std::round((lon - 13) * 1000);
 }
@@ -70,7 +70,7 @@ TEST(ElevationService, APauseTheServiceAsksForIsCutToTheLongestWait) {
                         : StandIn::heights(body, slope);
   });
   auto options = quick(server);
-  options.longest_wait = std::chrono::seconds(0);  // no test waits: a longer pause is cut to this
+  options.max_wait = std::chrono::seconds(0);  // no test waits: a longer pause is cut to this
   EXPECT_EQ(ask_elevations(places(1), options).retries, 2u);
 }
 

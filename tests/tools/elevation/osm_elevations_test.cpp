@@ -1,4 +1,4 @@
-// Heights written back: what was there stays there.
+// Heights written back leave everything else as it was.
 #include "tools/elevation/osm_elevations.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include "formats/error.h"
 #include "support/data.h"
 #include "support/temp_folder.h"
-#include "tools/osm/osm_data.h"
+#include "tools/osm/read_osm.h"
 
 namespace nightcity {
 namespace {
@@ -42,7 +42,7 @@ TEST(OsmElevations, XmlKeepsEverythingElse) {
        {"<!-- a note -->", "user=\"Jörg\"", "action=\"modify\"", "generator=\"somebody\""})
     EXPECT_NE(text.find(kept), std::string::npos) << kept;
   EXPECT_EQ(text.find("wrong"), std::string::npos);
-  // The same onto itself.
+  // The same with its own file as output.
   EXPECT_EQ(write_elevations(folder / "out.osm", folder / "out.osm", {{3, 7}}), 1u);
   EXPECT_EQ(ele_of(read_osm(folder / "out.osm"), 1), "34.57");
 }

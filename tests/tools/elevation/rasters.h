@@ -10,7 +10,8 @@
 
 namespace nightcity::test {
 
-/// A GeoTIFF of doubles: `height` of column and row, cells of `step` from the north-west corner (x, y).
+/// A GeoTIFF of doubles: `height` of column and row, cells of `step` from the north-west corner (x,
+/// y).
 inline void write_raster(const std::filesystem::path& path, int epsg, double x, double y,
                          double step, int columns, int rows,
                          const std::function<double(int, int)>& height, double no_data) {

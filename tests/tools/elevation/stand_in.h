@@ -1,4 +1,4 @@
-// A service on this machine that answers as it is told, request by request.
+// A service on this machine whose answers a test sets, request by request.
 #pragma once
 
 #include <arpa/inet.h>
@@ -24,7 +24,7 @@ class StandIn {
     std::string body;
     std::string headers;  // "Retry-After: 1\r\n"
   };
-  /// The reply to a request's body; called on the server's thread.
+  /// Returns the reply to a request's body; called on the server's thread.
   using Handler = std::function<Reply(const std::string& body)>;
 
   explicit StandIn(Handler handler) : handler_(std::move(handler)) {
@@ -52,7 +52,7 @@ class StandIn {
     return requests_;
   }
 
-  /// An answer with a height for each place of a request.
+  /// Returns an answer with a height for each place of a request.
   static Reply heights(const std::string& body,
                        const std::function<nlohmann::json(double lat, double lon)>& of) {
     nlohmann::json results = nlohmann::json::array();

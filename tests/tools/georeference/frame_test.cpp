@@ -21,7 +21,8 @@ glm::dvec3 project(const CityFrame& frame, glm::dvec3 c) {
   return c;
 }
 
-// A closed unit-ish box standing at (x, y, z), normals outward in a right-handed x, y, z.
+// Returns closed rings of a box of side `s` at (x, y, z), normals outward in a right-handed x, y,
+// z.
 Points box_rings(double x, double y, double z, double s) {
   const auto p = [&](int i, int j, int k) { return glm::dvec3{x + i * s, y + j * s, z + k * s}; };
   const Points faces[] = {{p(0, 0, 0), p(0, 1, 0), p(1, 1, 0), p(1, 0, 0)},
@@ -46,13 +47,13 @@ void expect_near(const glm::dvec2& a, const glm::dvec2& b, double tolerance) {
   EXPECT_NEAR(a.y, b.y, tolerance);
 }
 
-// Closed form of UTM on the central meridian and the equator: easting 500000, northing k0 times the meridian
-// arc.
+// Closed form of UTM on the central meridian and the equator: easting 500000, northing k0 times the
+// meridian arc.
 TEST(Frame, UtmCentralMeridianHasEasting500000) {
   const CityFrame frame = frame_of("EPSG:25833", {{500000, 5800000, 30}});
   EXPECT_NEAR(frame.from_lon_lat({15, 52}).x, 500000, 1e-3);
-  // Quarter meridian of GRS 80: 10001965.729 m to the pole; half-way in latitude, 45 degrees: 4984944.378 m
-  // (k0 0.9996).
+  // Quarter meridian of GRS 80: 10001965.729 m to the pole; half-way in latitude, 45 degrees:
+  // 4984944.378 m (k0 0.9996).
   EXPECT_NEAR(frame.from_lon_lat({15, 45}).y, 0.9996 * 4984944.378, 0.01);
   EXPECT_EQ(frame.crs(), "EPSG:25833");
 }
@@ -77,7 +78,7 @@ TEST(Frame, GermanNameGivesTheSameFrameAsItsCode) {
 }
 
 TEST(Frame, AxisOrderFollowsTheAreaOfUseWhereTheFileBreaksTheBook) {
-  // Helsinki's EPSG:3879 is north, east by the register; published files hold east, north all the same.
+  // Helsinki's EPSG:3879 is north, east in the register, but published files hold east, north.
   const CityFrame east_first = frame_of("urn:ogc:def:crs:EPSG::3879", {{25499065, 6674607, 3}});
   EXPECT_EQ(project(east_first, {25499065, 6674607, 3}), glm::dvec3(25499065, 6674607, 3));
   EXPECT_NE(east_first.description().find("against"), std::string::npos);
@@ -86,7 +87,7 @@ TEST(Frame, AxisOrderFollowsTheAreaOfUseWhereTheFileBreaksTheBook) {
 }
 
 TEST(Frame, RingsDecideTheAxisOrderWhereTheAreaAllowsBoth) {
-  // Poland's EPSG:2180 spans about 700 km in both axes: a place is a place either way round.
+  // Poland's EPSG:2180 spans about 700 km in both axes: a place is possible in either order.
   const Points east_north = box_rings(504537, 532287, 60, 10);
   const CityFrame a = frame_of("urn:ogc:def:crs,crs:EPSG::2180,crs:PL-EVRF2007-NH", east_north);
   EXPECT_EQ(project(a, {504537, 532287, 60}), glm::dvec3(504537, 532287, 60));
@@ -99,8 +100,8 @@ TEST(Frame, JapaneseLatLonHeightKeepsHeightsAndDistances) {
   const Points sample{{34.65, 135.50, 12}};
   const CityFrame frame = frame_of("http://www.opengis.net/def/crs/EPSG/0/6697", sample);
   const glm::dvec3 a = project(frame, {34.65, 135.50, 12});
-  // One minute north: meridian radius of GRS 80 at this latitude, a(1-e^2)/(1-e^2 sin^2)^1.5, times the
-  // angle.
+  // One minute north: meridian radius of GRS 80 at this latitude, a(1-e^2)/(1-e^2 sin^2)^1.5, times
+  // the angle.
   const double e2 = 0.00669438002290, s = std::sin(34.6583333 * M_PI / 180);
   const double meridian = 6378137 * (1 - e2) / std::pow(1 - e2 * s * s, 1.5) * (M_PI / 180 / 60);
   const glm::dvec3 b = project(frame, {34.65 + 1.0 / 60, 135.50, 99});
@@ -136,7 +137,8 @@ TEST(Frame, FeetBecomeMetresInAllThreeAxes) {
 }
 
 TEST(Frame, KrovakInSouthAndWestIsTurned) {
-  // Prague: EPSG:5514 east, north is about (-743000, -1043000); old files hold the positive numbers.
+  // Prague: EPSG:5514 east, north is about (-743000, -1043000); old files hold the positive
+  // numbers.
   const CityFrame frame = frame_of("EPSG:5514", {{743000, 1043000, 200}});
   EXPECT_EQ(project(frame, {743000, 1043000, 200}), glm::dvec3(-743000, -1043000, 200));
   const glm::dvec2 lon_lat = frame.to_lon_lat({-743000, -1043000});
@@ -150,7 +152,7 @@ TEST(Frame, CoordinatesOutsideTheAreaOfUseAreAnErrorThatNamesTheWayOut) {
     FAIL();
   } catch (const Error& e) {
     EXPECT_NE(std::string(e.what()).find("area of use"), std::string::npos);
-    EXPECT_NE(std::string(e.what()).find("--crs"), std::string::npos);
+    EXPECT_NE(std::string(e.what()).find("[city] crs"), std::string::npos);
   }
   EXPECT_NO_THROW(frame_of("EPSG:28992", {{12.5, 41.9, 3}},
                            {.crs_override = "EPSG:28992", .control_points = {}}));
@@ -174,7 +176,8 @@ TEST(Frame, NoNamePassesCoordinatesThroughAndRefusesLonLat) {
 }
 
 TEST(Frame, ControlPointsPlaceAModelWithoutCrs) {
-  // Model: UTM coordinates turned by 30 degrees and moved; two points suffice to find the turn again.
+  // The model has UTM coordinates turned by 30 degrees and moved; two points suffice to find the
+  // turn.
   const CityFrame utm = frame_of("EPSG:25833", {});
   const double c = std::cos(M_PI / 6), s = std::sin(M_PI / 6);
   const auto model = [&](glm::dvec2 lon_lat) {
@@ -201,8 +204,8 @@ TEST(Frame, BrokenCoordinatesAnswerNanAndNeverThrow) {
 }
 
 TEST(Frame, OperationOfTheBestStatedAccuracyAtThePlaceIsTaken) {
-  // Four operations lead from WGS 84 to the Czech grid: one for all of former Czechoslovakia (6 m), others of
-  // 1 m.
+  // Four operations lead from WGS 84 to the Czech grid: one for all of former Czechoslovakia (6 m),
+  // others of 1 m.
   const CityFrame prague = frame_of("EPSG:5514", {{-743000, -1043000, 200}});
   EXPECT_NE(prague.description().find("accuracy 1 m"), std::string::npos) << prague.description();
 }

@@ -14,10 +14,10 @@ namespace {
 struct Place {
   const char* file;
   double west, south, east, north;  // degrees
-  const char* crs;                  // what the frame is called, or how that begins
+  const char* crs;                  // name of the frame, or how it begins
 };
 
-// Boxes: the cities' own, from maps, not from any reader of these files.
+// The boxes of the cities are from maps, not from any reader of these files.
 const std::vector<Place> places{
     {"berlin/3910_5819.gml", 13.38, 52.50, 13.42, 52.52, "EPSG:25833"},
     {"nrw/LoD2_32_328_5728_1_NW.gml", 6.4, 51.6, 6.6, 51.75, "EPSG:25832"},

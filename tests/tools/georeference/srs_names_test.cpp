@@ -8,17 +8,17 @@ namespace nightcity {
 namespace {
 
 bool offers(const char* name, const char* definition) {
-  const auto all = crs_definitions(name);
+  const auto all = list_crs_definitions(name);
   return std::find(all.begin(), all.end(), definition) != all.end();
 }
 
 TEST(SrsNames, GermanStateNamesBecomeTheirEpsgCodeFirst) {
-  EXPECT_EQ(crs_definitions("urn:adv:crs:ETRS89_UTM32*DE_DHHN2016_NH").front(), "EPSG:25832");
-  EXPECT_EQ(crs_definitions("urn:adv:crs:ETRS89_UTM33*DE_DHHN92_NH").front(), "EPSG:25833");
-  EXPECT_EQ(crs_definitions("urn:adv:crs:ETRS89_UTM32*DE_DHHN2016_NH*GCG2016").front(),
+  EXPECT_EQ(list_crs_definitions("urn:adv:crs:ETRS89_UTM32*DE_DHHN2016_NH").front(), "EPSG:25832");
+  EXPECT_EQ(list_crs_definitions("urn:adv:crs:ETRS89_UTM33*DE_DHHN92_NH").front(), "EPSG:25833");
+  EXPECT_EQ(list_crs_definitions("urn:adv:crs:ETRS89_UTM32*DE_DHHN2016_NH*GCG2016").front(),
             "EPSG:25832");
-  EXPECT_EQ(crs_definitions("urn:adv:crs:DE_DHDN_3GK4*DE_DHN92_NH").front(), "EPSG:31468");
-  EXPECT_EQ(crs_definitions("urn:adv:crs:DE_DHDN_3GK4_BY120").front(), "EPSG:31468");
+  EXPECT_EQ(list_crs_definitions("urn:adv:crs:DE_DHDN_3GK4*DE_DHN92_NH").front(), "EPSG:31468");
+  EXPECT_EQ(list_crs_definitions("urn:adv:crs:DE_DHDN_3GK4_BY120").front(), "EPSG:31468");
 }
 
 TEST(SrsNames, HorizontalCodeOfACompoundIsOfferedAndTheVersionIsNoCode) {
@@ -32,13 +32,13 @@ TEST(SrsNames, HorizontalCodeOfACompoundIsOfferedAndTheVersionIsNoCode) {
 }
 
 TEST(SrsNames, SwissNameMeansTheProjectedSystem) {
-  EXPECT_EQ(crs_definitions("CH1903"), std::vector<std::string>{"EPSG:21781"});
-  EXPECT_EQ(crs_definitions(" CH1903+ "), std::vector<std::string>{"EPSG:2056"});
+  EXPECT_EQ(list_crs_definitions("CH1903"), std::vector<std::string>{"EPSG:21781"});
+  EXPECT_EQ(list_crs_definitions(" CH1903+ "), std::vector<std::string>{"EPSG:2056"});
 }
 
 TEST(SrsNames, NoNameGivesNoDefinition) {
-  EXPECT_TRUE(crs_definitions("").empty());
-  EXPECT_TRUE(crs_definitions("  \n").empty());
+  EXPECT_TRUE(list_crs_definitions("").empty());
+  EXPECT_TRUE(list_crs_definitions("  \n").empty());
 }
 
 TEST(SrsNames, OnlyUrnAndOpengisFormsPromiseTheRegistersAxisOrder) {

@@ -8,6 +8,7 @@
 #include "support/temp_folder.h"
 #include "tools/layout/layout.h"
 #include "tools/layout/street_plane.h"
+#include "tools/osm/read_osm.h"
 
 namespace nightcity::layout {
 namespace {

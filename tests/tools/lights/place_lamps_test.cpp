@@ -15,6 +15,7 @@
 #include "tools/lights/lamp_defaults.h"
 #include "tools/lights/lamp_hours.h"
 #include "tools/lights/road_index.h"
+#include "tools/osm/read_osm.h"
 
 namespace nightcity {
 namespace {

@@ -4,8 +4,9 @@
 #include <glm/geometric.hpp>
 
 #include "tools/mesh/boxes.h"
+#include "tools/mesh/close_gaps.h"
+#include "tools/mesh/mesh_report.h"
 #include "tools/mesh/polygon_plane.h"
-#include "tools/mesh/triangle_mesh.h"
 
 namespace nightcity {
 namespace {

@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "tools/mesh/boxes.h"
+#include "tools/mesh/mesh_report.h"
+#include "tools/mesh/orient.h"
 #include "tools/mesh/polygon_plane.h"
-#include "tools/mesh/triangle_mesh.h"
 
 namespace nightcity {
 namespace {
@@ -72,7 +73,7 @@ TEST(Orient, PartsThatShareAWallAreTurnedOutwardRoundBoth) {
   CityObject object = building(faces);
   EXPECT_EQ(oriented(object), 6u);
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (i == 3 || i == 11) continue;  // the wall between them, once from each side: nobody sees it
+    if (i == 3 || i == 11) continue;  // the wall between them, from each side: no camera sees it
     EXPECT_GT(
         glm::dot(area_vector(object.polygons[i].exterior), area_vector(right.polygons[i].exterior)),
         0)

@@ -1,4 +1,4 @@
-// Every CityGML file of the data folder: what triangles cover is what the rings enclose.
+// In every CityGML file of the data folder the triangles cover what the rings enclose.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,8 +16,12 @@
 #include "tools/citygml/citygml_head.h"
 #include "tools/citygml/read_citygml.h"
 #include "tools/georeference/frame.h"
+#include "tools/mesh/classify.h"
+#include "tools/mesh/mesh_report.h"
+#include "tools/mesh/orient.h"
 #include "tools/mesh/polygon_plane.h"
 #include "tools/mesh/triangle_mesh.h"
+#include "tools/mesh/triangulate.h"
 
 namespace nightcity {
 namespace {
@@ -26,7 +30,7 @@ CityFrame frame_of(const std::filesystem::path& file) {
   const CityHead head = read_citygml_head(file);
   try {
     return CityFrame::from_srs_name(head.srs_name, head.sample, {});
-  } catch (const Error&) {  // made-up coordinates under a real CRS: as they are
+  } catch (const Error&) {  // invented coordinates under a real CRS are taken as they are
     return CityFrame::from_srs_name("", {}, {});
   }
 }
@@ -38,12 +42,13 @@ void project(CityObject& object, const CityFrame& frame) {
   }
 }
 
-// Area vector that the rings themselves give: the exterior's, less the holes' along the same normal.
+// Returns the area vector of the rings themselves: the exterior's, less the holes' along the same
+// normal.
 glm::dvec3 vector_of_rings(const Polygon& polygon) {
-  glm::dvec3 sum = area_vector(without_duplicates(polygon.exterior));
+  glm::dvec3 sum = area_vector(remove_duplicates(polygon.exterior));
   const glm::dvec3 outward = sum;
   for (const Ring& hole : polygon.interiors) {
-    const glm::dvec3 of_hole = area_vector(without_duplicates(hole));
+    const glm::dvec3 of_hole = area_vector(remove_duplicates(hole));
     sum -= glm::dot(of_hole, outward) > 0 ? of_hole : -of_hole;
   }
   return sum;
@@ -70,7 +75,8 @@ struct BuildingAreas {
   }
 };
 
-// Compares polygon by polygon; those the report counts as self-intersecting have no area to compare with.
+// Compares polygon by polygon; those the report counts as self-intersecting have no area to compare
+// with.
 void compare(const CityObject& object, MeshReport& report, Tally& tally) {
   BuildingAreas building;
   for (const Polygon& polygon : object.polygons) {
@@ -90,14 +96,13 @@ void compare(const CityObject& object, MeshReport& report, Tally& tally) {
       vector += half;
       area += glm::length(half);
     }
-    if (own.self_intersecting + own.zero_area + own.not_finite + own.dropped_holes > 0) continue;
+    if (own.self_intersecting + own.zero_area + own.not_finite + own.holes_left_out > 0) continue;
     const glm::dvec3 truth = vector_of_rings(polygon);
     const double off = glm::distance(vector, truth) / glm::length(truth);
     tally.worst = std::max(tally.worst, off);
     tally.wrong += !(off <= 1e-6);
     tally.rings_m2[polygon.surface] += glm::length(truth);
-    // No overlaps: what triangles have beyond the flat area comes from vertices off the plane, by 1 cm at
-    // most.
+    // No overlaps: triangles exceed the flat area only by vertices off the plane, by at most 1 cm.
     double perimeter = 0;
     for (std::size_t i = 0; i < polygon.exterior.size(); ++i)
       perimeter +=
@@ -130,7 +135,7 @@ TEST(RealAreas, TrianglesKeepTheAreaOfEveryPolygonToAMillionth) {
     try {
       const CityFrame frame = frame_of(entry.path());
       ReadOptions options;
-      options.highest_lod = 4;
+      options.max_lod = 4;
       read_citygml(entry.path(), options, [&](CityObject&& object) {
         project(object, frame);
         if (has_finite_places(object)) classify_unknown_surfaces(object);

@@ -7,8 +7,11 @@
 #include <random>
 #include <vector>
 
+#include "tools/mesh/classify.h"
+#include "tools/mesh/mesh_report.h"
 #include "tools/mesh/polygon_plane.h"
 #include "tools/mesh/triangle_mesh.h"
+#include "tools/mesh/triangulate.h"
 
 namespace nightcity {
 namespace {

@@ -1,11 +1,11 @@
-// Every extract the fuzzer has kept, read in each test run: an Error or data, never a crash.
+// Every extract kept by the fuzzer gives an Error or data, never a crash.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
 
 #include "formats/error.h"
-#include "tools/osm/osm_data.h"
+#include "tools/osm/read_osm.h"
 
 namespace nightcity {
 namespace {

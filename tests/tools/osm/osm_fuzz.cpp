@@ -1,11 +1,11 @@
-// libFuzzer target: any bytes as an OSM extract: XML, PBF, gzip or bzip2, as their first bytes say.
+// libFuzzer target: reads any bytes as an OSM extract, in the format that their first bytes show.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 
 #include "formats/error.h"
 #include "support/fuzz_file.h"
-#include "tools/osm/osm_data.h"
+#include "tools/osm/read_osm.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace nightcity;
@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       for (const OsmWay& way : *ways)
         for (const glm::dvec2& p : way.lon_lat)
           if (!on_earth(p)) std::abort();
-  } catch (const Error&) {  // what a broken file deserves
+  } catch (const Error&) {  // a broken file
   }
   return 0;
 }

@@ -6,8 +6,8 @@
 
 #include "formats/error.h"
 #include "support/data.h"
-#include "tools/osm/osm_data.h"
 #include "tools/osm/osm_selection.h"
+#include "tools/osm/read_osm.h"
 
 namespace nightcity {
 namespace {
@@ -154,8 +154,8 @@ TEST(OsmSelection, LampsAsPeopleSpellThem) {
   EXPECT_FALSE(is_building({{"building", "no"}}));
 }
 
-// Counts found by another reader (the index of the data; a building there may be a relation, here it is a
-// way).
+// Counts found by another reader (the index of the data; a building there may be a relation, here
+// it is a way).
 TEST(OsmReal, BerlinXml) {
   REAL_DATA(file, "berlin/ayushd47_berlin.osm");
   const OsmData data = read_osm(file);

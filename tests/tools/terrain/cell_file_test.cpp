@@ -28,7 +28,7 @@ TEST(CellFile, GivesEachCellItsRecordsInTheOrderInWhichTheyCame) {
     file.add(key, {key, n});
     all[key].push_back({key, n});
     if (n % 500 == 3) {
-      EXPECT_EQ(file.read(key), all[key]);  // what has not been written yet is there too
+      EXPECT_EQ(file.read(key), all[key]);  // with the records that are not written yet
     }
   }
   std::vector<int> keys;

@@ -44,7 +44,8 @@ TEST(GroundPoints, KeepsAllUpToItsLimitAndTheLowestOfEachSquareBeyond) {
   for (const glm::dvec3& p : points.points()) EXPECT_TRUE(std::isfinite(p.x));
 }
 
-// A brute-force search is the oracle: triangles of all sizes, many more than are kept in memory at once.
+// A brute-force search is the oracle, for triangles of all sizes, many more than memory keeps at
+// once.
 TEST(SurfaceStore, FindsWhatABruteForceSearchFinds) {
   const test::TempFolder folder;
   SurfaceStore store(folder / "x");

@@ -44,27 +44,27 @@ TEST(Terrain, InclinedPlaneIsReproducedToMicrometresOnEdgesAndCornersToo) {
     for (int j = 0; j < 10; ++j)
       add_rectangle(mesh, i * 10, j * 10, i * 10 + 10, j * 10 + 10, plane);
   Terrain terrain;
-  terrain.add(mesh, Footing::terrain);
+  terrain.add(mesh, SurfaceClass::terrain);
   terrain.build(100);
   EXPECT_TRUE(terrain.made_surface().triangles.empty());
   for (double x = 0; x <= 100; x += 2.5)
     for (double y = 0; y <= 100; y += 2.5) {
       const auto hit = terrain.height_at({east + x, north + y});
       ASSERT_TRUE(hit) << x << " " << y;
-      EXPECT_EQ(hit->footing, Footing::terrain);
+      EXPECT_EQ(hit->surface, SurfaceClass::terrain);
       EXPECT_NEAR(hit->height_m, plane(x, y), 1e-6);
     }
 }
 
 TEST(Terrain, OutsideAndInHolesThereIsNothing) {
-  TriangleMesh frame;  // a square ring round a hole from (10, 10) to (20, 20)
+  TriangleMesh frame;  // a square ring around a hole from (10, 10) to (20, 20)
   const auto zero = [](double, double) { return 0.0; };
   add_rectangle(frame, 0, 0, 30, 10, zero);
   add_rectangle(frame, 0, 20, 30, 30, zero);
   add_rectangle(frame, 0, 10, 10, 20, zero);
   add_rectangle(frame, 20, 10, 30, 20, zero);
   Terrain terrain;
-  terrain.add(frame, Footing::terrain);
+  terrain.add(frame, SurfaceClass::terrain);
   terrain.build(100);
   EXPECT_TRUE(terrain.height_at({east + 5, north + 15}));
   EXPECT_FALSE(terrain.height_at({east + 15, north + 15}));
@@ -78,7 +78,7 @@ TEST(Terrain, OnAStepTheGreaterHeightOfOneClassWins) {
   add_rectangle(step, 0, 0, 10, 10, [](double, double) { return 1.0; });
   add_rectangle(step, 10, 0, 20, 10, [](double, double) { return 4.0; });
   Terrain terrain;
-  terrain.add(step, Footing::terrain);
+  terrain.add(step, SurfaceClass::terrain);
   terrain.build(0);
   EXPECT_NEAR(terrain.height_at({east + 9.999, north + 5})->height_m, 1, 1e-9);
   EXPECT_NEAR(terrain.height_at({east + 10.001, north + 5})->height_m, 4, 1e-9);
@@ -86,24 +86,26 @@ TEST(Terrain, OnAStepTheGreaterHeightOfOneClassWins) {
 }
 
 TEST(Terrain, TerrainWinsOverRoadOverGroundOverRoofWhateverTheHeights) {
-  const auto hit = [](std::initializer_list<std::pair<Footing, double>> layers) {
+  const auto hit = [](std::initializer_list<std::pair<SurfaceClass, double>> layers) {
     Terrain terrain;
-    for (const auto& [footing, z] : layers) terrain.add(flat(0, 0, 10, 10, z), footing);
-    // A far piece of terrain, so that no surface is made.
-    terrain.add(flat(100, 100, 110, 110, 0), Footing::terrain);
+    for (const auto& [surface, z] : layers) terrain.add(flat(0, 0, 10, 10, z), surface);
+    // A piece of terrain far away, so that no surface is made.
+    terrain.add(flat(100, 100, 110, 110, 0), SurfaceClass::terrain);
     terrain.build(0);
     return terrain.height_at({east + 3, north + 4});
   };
-  EXPECT_EQ(hit({{Footing::roof, 30},
-                 {Footing::ground_surface, 5},
-                 {Footing::road, 6},
-                 {Footing::terrain, 4}})
+  EXPECT_EQ(hit({{SurfaceClass::roof, 30},
+                 {SurfaceClass::ground_surface, 5},
+                 {SurfaceClass::road, 6},
+                 {SurfaceClass::terrain, 4}})
                 ->height_m,
             4);
-  EXPECT_EQ(hit({{Footing::roof, 30}, {Footing::ground_surface, 5}, {Footing::road, 6}})->height_m,
-            6);
-  EXPECT_EQ(hit({{Footing::roof, 30}, {Footing::ground_surface, 5}})->height_m, 5);
-  EXPECT_EQ(hit({{Footing::roof, 30}})->footing, Footing::roof);
+  EXPECT_EQ(
+      hit({{SurfaceClass::roof, 30}, {SurfaceClass::ground_surface, 5}, {SurfaceClass::road, 6}})
+          ->height_m,
+      6);
+  EXPECT_EQ(hit({{SurfaceClass::roof, 30}, {SurfaceClass::ground_surface, 5}})->height_m, 5);
+  EXPECT_EQ(hit({{SurfaceClass::roof, 30}})->surface, SurfaceClass::roof);
   EXPECT_FALSE(hit({}));
 }
 
@@ -113,14 +115,14 @@ TEST(Terrain, MadeSurfacePassesThroughGroundSurfacesAndReachesItsMargin) {
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j)
       terrain.add(rectangle(i * 30, j * 30, i * 30 + 10, j * 30 + 10, plane),
-                  Footing::ground_surface);
-  terrain.add(flat(0, 0, 10, 10, 40), Footing::roof);
+                  SurfaceClass::ground_surface);
+  terrain.add(flat(0, 0, 10, 10, 40), SurfaceClass::roof);
   terrain.build(200);
   EXPECT_FALSE(terrain.made_surface().triangles.empty());
   for (const glm::dvec2 p : {glm::dvec2(5, 5), {15, 15}, {20, 65}, {129, 129}, {77, 31}}) {
     const auto hit = terrain.height_at({east + p.x, north + p.y});
     ASSERT_TRUE(hit);
-    EXPECT_EQ(hit->footing, Footing::terrain);
+    EXPECT_EQ(hit->surface, SurfaceClass::terrain);
     EXPECT_NEAR(hit->height_m, plane(p.x, p.y), 1e-6);
   }
   EXPECT_TRUE(terrain.height_at({east - 199, north - 199}));
@@ -134,7 +136,8 @@ TEST(Terrain, MadeSurfacePassesThroughGroundSurfacesAndReachesItsMargin) {
 }
 
 TEST(Terrain, NoTriangleReachesAcrossABreakLine) {
-  // A dyke's crest between meadows: the points beside it are nearer to each other than the crest's ends.
+  // A dyke's crest between meadows: the points beside it are nearer to each other than the crest's
+  // ends.
   Terrain terrain;
   std::vector<glm::dvec3> meadow;
   for (int x = 0; x <= 100; x += 10)
@@ -167,7 +170,8 @@ TEST(Terrain, BreakLinesThatCrossMeetInAVertex) {
   EXPECT_TRUE(met);
 }
 
-// Places of a small grid, so that lines run through vertices, lie on each other and go back on themselves.
+// Places of a small grid, so that lines run through vertices, lie on each other and go back on
+// themselves.
 TEST(Terrain, WhateverTheBreakLinesTheSurfaceCoversItsRectangleOnce) {
   unsigned state = 1;
   const auto random = [&state](unsigned below) {
@@ -235,24 +239,24 @@ TEST(Terrain, MassPointsOfTheModelAreItsGroundBeforeTheBuildings) {
   for (int x = 0; x <= 100; x += 20)
     for (int y = 0; y <= 100; y += 20) points.emplace_back(east + x, north + y, plane(x, y));
   terrain.add_points(points);
-  terrain.add(flat(40, 40, 50, 50, 77), Footing::ground_surface);
+  terrain.add(flat(40, 40, 50, 50, 77), SurfaceClass::ground_surface);
   EXPECT_TRUE(terrain.has_relief());
   terrain.build(10);
   EXPECT_NEAR(terrain.height_at({east + 33, north + 71})->height_m, plane(33, 71), 1e-6);
-  EXPECT_EQ(terrain.height_at({east + 45, north + 45})->footing, Footing::terrain);
+  EXPECT_EQ(terrain.height_at({east + 45, north + 45})->surface, SurfaceClass::terrain);
 }
 
 TEST(Terrain, RoadsCarryTheSurfaceWhereThereIsNoGround) {
   Terrain terrain;
-  terrain.add(flat(0, 0, 10, 10, 7), Footing::road);
+  terrain.add(flat(0, 0, 10, 10, 7), SurfaceClass::road);
   terrain.build(50);
   EXPECT_NEAR(terrain.height_at({east + 40, north + 40})->height_m, 7, 1e-9);
 }
 
 TEST(Terrain, KnowsWhatIsBuiltOver) {
   Terrain terrain;
-  terrain.add(flat(-50, -50, 50, 50, 0), Footing::terrain);
-  terrain.add(flat(0, 0, 10, 10, 12), Footing::roof);
+  terrain.add(flat(-50, -50, 50, 50, 0), SurfaceClass::terrain);
+  terrain.add(flat(0, 0, 10, 10, 12), SurfaceClass::roof);
   terrain.build(0);
   EXPECT_TRUE(terrain.inside_building({east + 5, north + 5}));
   EXPECT_FALSE(terrain.inside_building({east + 15, north + 5}));
@@ -262,7 +266,7 @@ TEST(Terrain, WallsSliversAndBrokenVerticesCarryNobody) {
   TriangleMesh mesh = flat(0, 0, 10, 10, std::numeric_limits<double>::quiet_NaN());
   add_rectangle(mesh, 0, 5, 10, 5, [](double x, double) { return x; });
   Terrain terrain;
-  terrain.add(mesh, Footing::terrain);
+  terrain.add(mesh, SurfaceClass::terrain);
   terrain.build(10);
   EXPECT_FALSE(terrain.height_at({east + 5, north + 5}));
   Terrain empty;

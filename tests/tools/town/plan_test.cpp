@@ -1,4 +1,4 @@
-// Geometry of the plan: what must hold for every town, tried on several seeds.
+// The geometry of every town's plan, tried on several seeds.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ double area(const Outline& outline) {
   return twice / 2;
 }
 
-/// Strictly inside, by more than a millimetre.
+/// Returns whether it is inside by more than a millimetre.
 bool inside(const Outline& outline, const dvec2& p) {
   bool odd = false;
   for (std::size_t k = 0; k < outline.size(); ++k) {
@@ -145,7 +145,7 @@ TEST(Plan, EveryBodyIsClosedPlanarAndHoldsAVolume) {
           EXPECT_NEAR(glm::dot(normal, a - base), 0, 1e-6);
         }
       };
-      for (const Polygon& polygon : surfaces_of(plan)) {
+      for (const Polygon& polygon : make_surfaces(plan)) {
         dvec3 normal(0);
         const Ring& outer = polygon.exterior;
         for (std::size_t k = 1; k + 1 < outer.size(); ++k)
@@ -177,7 +177,7 @@ TEST(Plan, RoofDetailsStandOnTheirRoofWithinTheHouse) {
   for_each_block([&](const Quad&, const std::vector<BuildingPlan>& plans, const Hills&) {
     std::size_t number = 0;
     for (const BuildingPlan& plan : plans) {
-      for (const RoofDetail& detail : roof_details(plan, 1, number++)) {
+      for (const RoofDetail& detail : make_roof_details(plan, 1, number++)) {
         ++(detail.chimney ? chimneys : dormers);
         for (const Polygon& polygon : detail.surfaces) {
           ASSERT_GE(polygon.exterior.size(), 3u);
@@ -228,7 +228,7 @@ TEST(Plan, TreesKeepClearOfHousesKerbsAndEachStandsOnTheGround) {
           }
           double low = 1e9, high = -1e9;
           std::size_t triangles = 0;
-          for (const Ring& ring : tree_surfaces(tree)) {
+          for (const Ring& ring : make_tree_surfaces(tree)) {
             triangles += ring.size() - 2;
             for (const dvec3& p : ring) low = std::min(low, p.z), high = std::max(high, p.z);
           }
@@ -285,7 +285,8 @@ TEST(Plan, HeightOfTheTerrainIsItsGridAndLinearBetween) {
 }
 
 TEST(Random, StreamsAreFixedForGoodAndSpreadEvenly) {
-  // These numbers decide what a seed's town looks like: they may not change between platforms or versions.
+  // These numbers decide how the town of a seed looks: they must not change between platforms or
+  // versions.
   Random random{1, 2, 3};
   EXPECT_EQ(random.next(), 1321962074176129191ull);
   int counts[6] = {};

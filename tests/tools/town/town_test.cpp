@@ -1,4 +1,4 @@
-// The files as a whole: repeatable, well-formed, of the size asked for, consistent with each other.
+// The files as a whole are repeatable, well-formed, of the size asked for, and consistent.
 #include "tools/town/town.h"
 
 #include <gtest/gtest.h>

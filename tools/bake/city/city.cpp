@@ -8,6 +8,7 @@
 #include "formats/error.h"
 #include "tools/bake/city/prepared_objects.h"
 #include "tools/median.h"
+#include "tools/osm/read_osm.h"
 #include "tools/streets/street_ways.h"
 
 namespace nightcity {
@@ -131,14 +132,14 @@ HeightAt City::height_at() const {
   if (!has_model()) return [](const glm::dvec2&) { return std::optional(0.0); };
   return [this](const glm::dvec2& place) -> std::optional<double> {
     const auto hit = terrain_.height_at(place);
-    return hit && hit->footing != Footing::roof ? std::optional(hit->height_m) : std::nullopt;
+    return hit && hit->surface != SurfaceClass::roof ? std::optional(hit->height_m) : std::nullopt;
   };
 }
 
 InsideBuilding City::inside_footprint() const {
   if (!has_model()) return {};
   return [this](const glm::dvec2& place) {
-    return terrain_.height_of(Footing::ground_surface, place).has_value();
+    return terrain_.height_of(SurfaceClass::ground_surface, place).has_value();
   };
 }
 

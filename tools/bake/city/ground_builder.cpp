@@ -23,30 +23,30 @@ constexpr double max_quads = 1e6;  // of a ground from an elevation model
 constexpr std::size_t max_feet = 20'000;
 
 // Returns how a surface of an object counts in the terrain; nothing where it does not.
-std::optional<Footing> find_footing(ObjectType type, SurfaceType surface) {
+std::optional<SurfaceClass> find_surface_class(ObjectType type, SurfaceType surface) {
   switch (type) {
     case ObjectType::relief:
-      return Footing::terrain;
+      return SurfaceClass::terrain;
     case ObjectType::road:
     case ObjectType::railway:
-      return Footing::road;
+      return SurfaceClass::road;
     case ObjectType::building:
-      if (surface == SurfaceType::ground) return Footing::ground_surface;
-      if (surface == SurfaceType::roof) return Footing::roof;
+      if (surface == SurfaceType::ground) return SurfaceClass::ground_surface;
+      if (surface == SurfaceType::roof) return SurfaceClass::roof;
       return std::nullopt;
     default:
       return std::nullopt;
   }
 }
 
-using Parts = std::array<TriangleMesh, 4>;  // of an object, by Footing
+using Parts = std::array<TriangleMesh, 4>;  // of an object, by SurfaceClass
 
-Parts split_by_footing(const PreparedObject& prepared) {
+Parts split_by_class(const PreparedObject& prepared) {
   Parts parts;
   for (const MeshTriangle& triangle : prepared.mesh.triangles) {
-    const auto footing = find_footing(prepared.object.type, triangle.surface);
-    if (!footing) continue;
-    TriangleMesh& part = parts[static_cast<std::size_t>(*footing)];
+    const auto surface_class = find_surface_class(prepared.object.type, triangle.surface);
+    if (!surface_class) continue;
+    TriangleMesh& part = parts[static_cast<std::size_t>(*surface_class)];
     const auto first = static_cast<std::uint32_t>(part.positions.size());
     for (const std::uint32_t v : triangle.vertex)
       part.positions.push_back(prepared.mesh.positions[v]);
@@ -123,7 +123,7 @@ class Heights {
 // national datum) and by the model's own error. The median over the buildings' footprints removes
 // both.
 double shift_to_city(const Heights& heights, const Terrain& terrain) {
-  const auto& feet = terrain.feet();
+  const auto& feet = terrain.footprint_points();
   std::vector<double> differences;
   const std::size_t stride = std::max<std::size_t>(1, feet.size() / max_feet);
   std::vector<glm::dvec3> some;
@@ -202,7 +202,7 @@ CityConsumer::Turn GroundBuilder::prepare(const std::shared_ptr<const PreparedOb
   Parts parts;
   if (!prepared->lacks_heights) {
     tiles = find_tiles(prepared->mesh, options_.tile_m);
-    parts = split_by_footing(*prepared);
+    parts = split_by_class(*prepared);
   }
   return [this, prepared, parts = std::move(parts), tiles = std::move(tiles)](bool) {
     terrain_.add_points(prepared->object.points);
@@ -213,7 +213,7 @@ CityConsumer::Turn GroundBuilder::prepare(const std::shared_ptr<const PreparedOb
     }
     occupied_.insert(tiles.begin(), tiles.end());
     for (std::size_t n = 0; n < parts.size(); ++n)
-      if (!parts[n].triangles.empty()) terrain_.add(parts[n], static_cast<Footing>(n));
+      if (!parts[n].triangles.empty()) terrain_.add(parts[n], static_cast<SurfaceClass>(n));
   };
 }
 
@@ -246,7 +246,7 @@ std::string GroundBuilder::build_dem_ground(const CityFrame& frame, const ShowGr
   GridGround ground(heights, options_.tile_m, under.size(), shift_m);
   for (const Tile& tile : under) {
     const TriangleMesh mesh = ground.make(tile);
-    terrain_.add(mesh, Footing::terrain);
+    terrain_.add(mesh, SurfaceClass::terrain);
     if (show) show(mesh);
   }
   if (ground.covers_nothing())

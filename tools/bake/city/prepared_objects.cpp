@@ -11,6 +11,9 @@
 #include <vector>
 
 #include "tools/inputs/read_city.h"
+#include "tools/mesh/classify.h"
+#include "tools/mesh/close_gaps.h"
+#include "tools/mesh/triangulate.h"
 
 namespace nightcity {
 namespace {

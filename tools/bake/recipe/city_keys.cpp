@@ -70,7 +70,7 @@ Table make_city_table(Recipe::City& city, const std::filesystem::path& folder) {
                 "code or any text that PROJ understands. `\"none\"`: coordinates are metres of an "
                 "unknown system."),
        control_points_key(city.frame), bounds_key(city.bounds),
-       integer_key("lod", city.read.highest_lod, 0, 4,
+       integer_key("lod", city.read.max_lod, 0, 4,
                    "The highest level of detail to use. Each object takes its highest one up to "
                    "this, or its lowest one if all are higher."),
        choice_key<Reader>(

@@ -59,7 +59,7 @@ json mesh_json(const MeshReport& mesh) {
        {{"id", mesh.worst_self_intersecting}, {"m2", mesh.worst_self_intersecting_m2}}},
       {"not_finite", mesh.not_finite},
       {"not_triangulated", mesh.not_triangulated},
-      {"dropped_holes", mesh.dropped_holes}};
+      {"dropped_holes", mesh.holes_left_out}};
 }
 
 std::string mesh_in_words(const MeshReport& mesh) {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tools/city/city_reader.h"
-#include "tools/mesh/triangle_mesh.h"
+#include "tools/mesh/mesh_report.h"
 #include "tools/terrain/terrain.h"
 
 namespace nightcity {

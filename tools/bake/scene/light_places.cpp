@@ -11,21 +11,21 @@ namespace {
 
 constexpr double tolerance_m = 0.1;
 
-std::optional<Footing> find_footing(const SceneNode& node, std::string_view material) {
-  if (node.kind == "terrain") return Footing::terrain;
-  if (node.kind == "road") return Footing::road;
+std::optional<SurfaceClass> find_surface_class(const SceneNode& node, std::string_view material) {
+  if (node.kind == "terrain") return SurfaceClass::terrain;
+  if (node.kind == "road") return SurfaceClass::road;
   if (node.kind != "city") return std::nullopt;
-  if (material == "ground") return Footing::ground_surface;
-  if (material == "roof") return Footing::roof;
+  if (material == "ground") return SurfaceClass::ground_surface;
+  if (material == "roof") return SurfaceClass::roof;
   return std::nullopt;
 }
 
 }  // namespace
 
 bool inside_building(const Terrain& terrain, const glm::dvec3& place) {
-  const auto floor = terrain.height_of(Footing::ground_surface, glm::dvec2(place));
+  const auto floor = terrain.height_of(SurfaceClass::ground_surface, glm::dvec2(place));
   if (!floor || place.z <= *floor) return false;
-  const auto roof = terrain.height_of(Footing::roof, glm::dvec2(place));
+  const auto roof = terrain.height_of(SurfaceClass::roof, glm::dvec2(place));
   return roof && place.z < *roof - tolerance_m;
 }
 
@@ -34,8 +34,8 @@ PlaceFault find_place_faults(const std::filesystem::path& path) {
   const auto terrain = std::make_shared<Terrain>();
   for (const SceneNode& node : scene.nodes)
     for (const ScenePrimitive& primitive : scene.meshes[node.mesh].primitives) {
-      const auto footing = find_footing(node, scene.materials[primitive.material].name);
-      if (!footing) continue;
+      const auto surface_class = find_surface_class(node, scene.materials[primitive.material].name);
+      if (!surface_class) continue;
       for (const SceneInstance& instance : node.instances) {
         TriangleMesh mesh;
         for (const glm::vec3& p : primitive.positions)
@@ -46,7 +46,7 @@ PlaceFault find_place_faults(const std::filesystem::path& path) {
           for (std::size_t k = 0; k < 3; ++k) triangle.vertex[k] = primitive.indices[i + k];
           mesh.triangles.push_back(triangle);
         }
-        terrain->add(mesh, *footing);
+        terrain->add(mesh, *surface_class);
       }
     }
   terrain->build(0);
@@ -54,7 +54,7 @@ PlaceFault find_place_faults(const std::filesystem::path& path) {
     const glm::dvec3 place = georeference.from_model(glm::dvec3(light.position));
     const glm::dvec2 plan(place);
     if (const auto ground = terrain->height_at(plan);
-        ground && ground->footing <= Footing::road && place.z < ground->height_m - tolerance_m)
+        ground && ground->surface <= SurfaceClass::road && place.z < ground->height_m - tolerance_m)
       return "below the ground";
     if (inside_building(*terrain, place)) return "inside a building";
     return {};

@@ -91,7 +91,7 @@ SceneTiles::WrittenTile SceneTiles::build(const TileKey& key, const Terrain& ter
   const glm::dvec3 corner = tiles_.origin(key);
   const auto is_below = [&](const glm::vec3& p) {
     const auto ground =
-        terrain.height_of(Footing::terrain, {corner.x + double{p.x}, corner.y - double{p.z}});
+        terrain.height_of(SurfaceClass::terrain, {corner.x + double{p.x}, corner.y - double{p.z}});
     return ground && corner.z + double{p.y} < *ground - hidden_below_m;
   };
   const auto find_hidden = [&](std::span<const TileStore::StoredTriangle> triangles) {

@@ -11,8 +11,8 @@ HeightAt road_height_on(const Terrain& terrain) {
   constexpr double max_above_ground_m = 0.6;  // a road higher up is a bridge
   return [&terrain](const glm::dvec2& place) -> std::optional<double> {
     const auto ground = terrain.height_at(place);
-    if (!ground || ground->footing == Footing::roof) return std::nullopt;
-    const auto road = terrain.height_of(Footing::road, place);
+    if (!ground || ground->surface == SurfaceClass::roof) return std::nullopt;
+    const auto road = terrain.height_of(SurfaceClass::road, place);
     return road && *road > ground->height_m && *road < ground->height_m + max_above_ground_m
                ? *road
                : ground->height_m;

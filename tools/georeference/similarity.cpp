@@ -1,4 +1,4 @@
-#include "tools/georeference/placement.h"
+#include "tools/georeference/similarity.h"
 
 #include <cmath>
 

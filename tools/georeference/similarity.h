@@ -1,16 +1,13 @@
-// Where a model without CRS stands: a plane similarity fitted to control points.
+// Places a model without CRS: a plane similarity fitted to control points.
 #pragma once
 
 #include <glm/vec2.hpp>
 #include <span>
-#include <string>
-
-#include "tools/georeference/frame.h"
 
 namespace nightcity {
 
-/// Model x, y = offset + (a, b) as a complex factor times plane coordinates: rotation and one scale, no
-/// shear.
+/// Rotation and one scale without shear: model x, y = offset + (a, b) times plane coordinates, (a,
+/// b) taken as a complex factor.
 struct Similarity {
   glm::dvec2 offset{0, 0};
   double a = 1, b = 0;
@@ -25,9 +22,9 @@ struct Similarity {
   }
 };
 
-/// Least-squares similarity from `plane` to `model`, at least two points each (Umeyama 1991, in two
-/// dimensions). `residual_m`: root mean square distance left, in model units. Throws Error when the points
-/// coincide or are not finite.
+/// Returns the least-squares similarity from `plane` to `model`, at least two points each (Umeyama
+/// 1991, in two dimensions). `residual_m`: the root mean square distance left, in model units.
+/// Throws Error when the points coincide or are not finite.
 Similarity fit_similarity(std::span<const glm::dvec2> plane, std::span<const glm::dvec2> model,
                           double& residual_m);
 

@@ -1,0 +1,118 @@
+#include "tools/georeference/axis_order.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "formats/finite.h"
+#include "tools/georeference/handedness.h"
+#include "tools/median.h"
+
+namespace nightcity {
+namespace {
+
+constexpr std::size_t order_count = 4;
+
+/// What the sample's middle becomes in each order.
+struct Candidates {
+  std::array<AxisOrder, order_count> orders;
+  std::array<glm::dvec2, order_count> places{};  // longitude, latitude, degrees
+  std::array<int, order_count> fits{};
+};
+
+// How well a place lies in the area of use: 2 inside, 1 within the margin that zones are stretched
+// by, 0 outside.
+int rate_fit(const SourceCrs& crs, const glm::dvec2& lon_lat) {
+  constexpr double margin_deg = 1.5;
+  return crs.area_contains(lon_lat, 0) ? 2 : crs.area_contains(lon_lat, margin_deg) ? 1 : 0;
+}
+
+Candidates rate_orders(const SourceCrs& crs, const AxisOrder& expected,
+                       std::span<const glm::dvec3> sample) {
+  Candidates all{
+      {expected, AxisOrder{!expected.swapped, 1}, AxisOrder{false, -1}, AxisOrder{true, -1}}};
+  for (std::size_t i = 0; i < order_count; ++i) {
+    std::vector<glm::dvec2> points;
+    for (const glm::dvec3& c : sample) points.push_back(all.orders[i].east_north(c));
+    all.places[i] = crs.to_own_lon_lat(find_median(points) * crs.unit_to_metre());
+    all.fits[i] = rate_fit(crs, all.places[i]);
+  }
+  return all;
+}
+
+// The first order of the best fit.
+void choose_by_area(const Candidates& all, const std::string& promise, AxisChoice& choice) {
+  int best = 0;
+  for (std::size_t i = 0; i < order_count; ++i) {
+    // Minus signs only where plus fails: a city in west and south degrees is far more often the
+    // truth.
+    if (i >= 2 && (best > 0 || choice.crs->geographic())) continue;
+    if (all.fits[i] <= best) continue;
+    best = all.fits[i];
+    choice.order = all.orders[i];
+    choice.centre = all.places[i];
+    choice.why = i == 0 ? promise
+                        : "against the order its name promises: only so it lies in the area of use";
+  }
+  choice.inside = best > 0;
+}
+
+// Where both orders are possible, the rings know: normals point outward and terrain faces up.
+void choose_by_rings(const Candidates& all, std::span<const glm::dvec3> sample,
+                     const std::string& promise, AxisChoice& choice) {
+  constexpr double clear_sign = 0.25;
+  if (all.fits[0] == 0 || all.fits[0] != all.fits[1]) return;
+  const double hand = handedness(sample);
+  if (!(std::abs(hand) > clear_sign)) {
+    choice.why = promise + "; both orders lie in the area of use";
+    return;
+  }
+  const bool swapped = hand < 0;
+  const std::size_t i = swapped == all.orders[0].swapped ? 0 : 1;
+  choice.order = all.orders[i];
+  choice.centre = all.places[i];
+  choice.why = i == 0 ? promise + ", and surfaces face outward so"
+                      : "against the order its name promises: only so surfaces face outward";
+}
+
+}  // namespace
+
+std::string AxisOrder::in_words() const {
+  const char* east = sign < 0 ? "west" : "east";
+  const char* north = sign < 0 ? "south" : "north";
+  return swapped ? std::string(north) + ", " + east : std::string(east) + ", " + north;
+}
+
+AxisChoice choose_axis_order(std::unique_ptr<SourceCrs> crs, std::span<const glm::dvec3> sample,
+                             bool by_register) {
+  const AxisOrder expected{by_register && crs->north_first(), 1};
+  const std::string promise =
+      by_register ? "in the EPSG register's order" : "in the order that names of this form mean";
+  AxisChoice choice;
+  choice.crs = std::move(crs);
+  choice.order = expected;
+  if (sample.empty()) {
+    choice.why = promise + ", no sample to check it";
+    choice.inside = true;
+    return choice;
+  }
+  const Candidates all = rate_orders(*choice.crs, expected, sample);
+  choose_by_area(all, promise, choice);
+  choose_by_rings(all, sample, promise, choice);
+  return choice;
+}
+
+glm::dvec2 find_median(std::span<const glm::dvec2> points) {
+  std::vector<double> x, y;
+  for (const glm::dvec2& p : points) {
+    if (!finite(p)) continue;
+    x.push_back(p.x);
+    y.push_back(p.y);
+  }
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  return {median(std::move(x), none), median(std::move(y), none)};
+}
+
+}  // namespace nightcity

@@ -1,0 +1,13 @@
+// Names surfaces that a file leaves unnamed.
+#pragma once
+
+#include "tools/city/city_model.h"
+
+namespace nightcity {
+
+/// Names the surfaces that a LoD1 block leaves unknown from their normals: roof, wall, ground,
+/// outer ceiling. Buildings and bridges only; what the file names stays. Coordinates E, N, H in
+/// metres.
+void classify_unknown_surfaces(CityObject& object);
+
+}  // namespace nightcity

@@ -1,0 +1,21 @@
+// Turns polygons so that closed shells face outward. Nothing is guessed: a shell is turned only
+// where its polygons meet edge to edge everywhere, because then inside and outside are facts.
+#pragma once
+
+#include "tools/mesh/edges.h"
+#include "tools/mesh/mesh_report.h"
+
+namespace nightcity {
+
+/// Returns whether every vertex is a place: finite, and within any frame.
+bool has_finite_places(const CityObject& object);
+
+/// Turns the polygons of every closed shell in `object` outward and counts them in report.turned.
+/// Shells with a gap or within another shell, and walls between parts, stay as they are.
+/// Coordinates in metres.
+void orient_outward(CityObject& object, MeshReport& report);
+
+/// The same over a table made by the caller.
+void orient_along(CityObject& object, const EdgeTable& edges, MeshReport& report);
+
+}  // namespace nightcity

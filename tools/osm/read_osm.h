@@ -1,0 +1,20 @@
+// OpenStreetMap extracts.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "tools/osm/osm_data.h"
+
+namespace nightcity {
+
+/// Returns whether a file with these first bytes is an extract: XML, PBF or o5m. The bytes of a
+/// gzipped file are those of its content; bzip2, which nothing else here is packed in, counts as an
+/// extract.
+bool begins_as_osm(std::string_view start);
+
+/// Reads an extract: XML by pugixml; PBF, o5m, gzip and bzip2 by libosmium. The first bytes decide,
+/// not the name. Throws Error: missing, broken, not OSM.
+OsmData read_osm(const std::filesystem::path& file);
+
+}  // namespace nightcity
