@@ -5,7 +5,7 @@
 
 #include "formats/error.h"
 #include "tests/tools/citygml/memory_document.h"
-#include "tools/citygml/document_reader.h"
+#include "tools/citygml/stream_reader.h"
 #include "tools/mesh/classify.h"
 #include "tools/mesh/close_gaps.h"
 #include "tools/mesh/triangulate.h"
