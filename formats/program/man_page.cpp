@@ -120,10 +120,12 @@ class Page {
   void add_options(const CLI::App& app, bool positional, const char* title) {
     bool has_title = false;
     for (const CLI::Option* option : app.get_options()) {
-      if (option->get_positional() != positional || option->get_group().empty()) continue;
+      // An option may be both: the argument's old spelling.
+      const bool listed = positional ? option->get_positional() : option->nonpositional();
+      if (!listed || option->get_group().empty()) continue;
       if (!has_title) add(".SH {}\n", title);
       has_title = true;
-      add_option(*option);
+      add_option(*option, positional);
     }
   }
   // Options of which only some may be given together: to CLI11, a group is a command without a name.
@@ -131,7 +133,7 @@ class Page {
     for (const CLI::App* group : app.get_subcommands(is_group)) {
       add(".PP\n{}:\n", escape(group->get_description()));
       for (const CLI::Option* option : group->get_options())
-        if (option != group->get_help_ptr()) add_option(*option);
+        if (option != group->get_help_ptr()) add_option(*option, false);
     }
   }
   void add_examples(const std::vector<std::string>& examples) {
@@ -144,10 +146,10 @@ class Page {
   std::string take() { return std::move(text_); }
 
  private:
-  void add_option(const CLI::Option& option) {
+  void add_option(const CLI::Option& option, bool positional) {
     const CLI::Formatter formatter;
     add(".TP\n.B {}\n{}\n",
-        escape(formatter.make_option_name(&option, option.get_positional()) +
+        escape(formatter.make_option_name(&option, positional) +
                formatter.make_option_opts(&option)),
         escape(formatter.make_option_desc(&option)));
   }
