@@ -22,7 +22,7 @@ toml::table parse(const fs::path& path) {
                               mapped.bytes().size());
   constexpr std::size_t max_key_parts = 32;
   if (const auto line = find_deep_key(text, max_key_parts))
-    throw Error(path.string(), "line " + std::to_string(*line),
+    throw Error(path.string(), *line,
                 "a key has more than " + std::to_string(max_key_parts) + " parts");
   try {
     return toml::parse(text, path.string());
