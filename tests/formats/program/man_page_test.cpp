@@ -17,7 +17,7 @@ class ManPage : public testing::Test {
     program_.exit_codes = "0 done; 1 failed";
     app_.name("lamplighter");
     command_ = app_.add_subcommand("work", "Light the lamps of a street");
-    command_->add_option("street", street_, "The street's name")->required();
+    command_->add_option("street,--street", street_, "The street's name")->required();
     command_->add_option("--lamp-count", lamps_, "Lamps to light")->check(CLI::Range(1, 99));
     auto* group = command_->add_option_group("fuel", "One of these");
     group->add_flag("--gas", burns_gas_, "Burn gas");
@@ -46,6 +46,7 @@ TEST_F(ManPage, HoldsEveryArgumentAndOptionWithItsText) {
   expect_part(page, ".SH NAME\nlamplighter\\-work \\- Light the lamps of a street\n");
   expect_part(page, ".SH SYNOPSIS\n.B lamplighter work\n[\\fIOPTIONS\\fR] street\n");
   expect_part(page, ".SH ARGUMENTS\n.TP\n.B street TEXT REQUIRED\nThe street\\(aqs name\n");
+  expect_part(page, ".TP\n.B \\-\\-street TEXT REQUIRED\nThe street\\(aqs name\n");
   expect_part(page, ".TP\n.B \\-\\-lamp\\-count INT:INT in [1 \\- 99]\nLamps to light\n");
   expect_part(page, ".PP\nOne of these:\n.TP\n.B \\-\\-gas\nBurn gas\n");
   expect_part(page, ".SH EXIT STATUS\n0 done; 1 failed\n");
