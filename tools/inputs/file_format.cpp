@@ -43,8 +43,8 @@ bool is_light_file(const FileStart& start) {
 
 // Files before LM-63-1991 have no mark but the TILT line.
 bool is_ies(const FileStart& start) {
-  return start.bytes.starts_with("IESNA") || holds(start, "\nTILT=") ||
-         start.name.ends_with(".ies");
+  return start.bytes.starts_with("IESNA") || start.bytes.starts_with("IES:LM-63") ||
+         holds(start, "\nTILT=") || start.name.ends_with(".ies");
 }
 
 bool is_eulumdat(const FileStart& start) {

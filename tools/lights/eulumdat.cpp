@@ -42,6 +42,17 @@ class Cursor {
     }
     return result;
   }
+  /// Throws where numbers remain: they belong to a table of another size than the head says.
+  void expect_end() {
+    for (; next_ < lines_.all().size(); ++next_) {
+      const TextLines::Line& line = lines_.all()[next_];
+      if (line.text.empty() || line.text.find_first_not_of("0123456789.,+-eE \t") != line.text.npos)
+        continue;
+      lines_.fail(line.number, "numbers remain after the last intensity (\"" +
+                                   std::string(line.text.substr(0, 40)) +
+                                   "\"): the table is larger than symmetry and angles say");
+    }
+  }
   std::size_t line() const { return line_; }
 
  private:
@@ -172,6 +183,7 @@ Luminaire read_eulumdat(const std::filesystem::path& path) {
   Cursor at(lines);
   Head head = read_head(lines, at);
   const Sector sector = read_sector(lines, at, head);
+  at.expect_end();
   Luminaire& luminaire = head.luminaire;
   unfold(lines, at, head, sector, luminaire.grid);
   luminaire.flux_lm = integrated_flux(luminaire.grid);

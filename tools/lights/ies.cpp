@@ -2,79 +2,18 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string>
 #include <string_view>
 
+#include "tools/lights/ies_table.h"
 #include "tools/lights/luminaire.h"
 #include "tools/lights/text_lines.h"
 
 namespace nightcity {
 namespace {
 
-constexpr int max_angles = 20000;
-constexpr double foot_m = 0.3048;
-
-/// Reads numbers one after another, each with the number of its line.
-class Numbers {
- public:
-  Numbers(const TextLines& lines, std::size_t first_line) : lines_(lines), line_(first_line) {}
-
-  double next(std::string_view what) {
-    const std::string_view text = token(what);
-    return lines_.number(text, at_, what);
-  }
-  int next_integer(std::string_view what, int low, int high) {
-    const std::string_view text = token(what);
-    return lines_.integer(text, at_, what, low, high);
-  }
-  /// Reads ascending angles.
-  std::vector<double> angles(int count, std::string_view what) {
-    std::vector<double> result;
-    for (int n = 0; n < count; ++n) {
-      result.push_back(next(what));
-      if (n > 0 && result[result.size() - 1] <= result[result.size() - 2])
-        lines_.fail(at_, std::string(what) + " do not ascend");
-    }
-    return result;
-  }
-  std::size_t line() const { return at_; }
-
- private:
-  std::string_view token(std::string_view what) {
-    // Numbers are separated by blanks, in older files also by commas.
-    constexpr std::string_view separators = " \t,";
-    while (true) {
-      const std::size_t first = rest_.find_first_not_of(separators);
-      if (first != std::string_view::npos) {
-        rest_.remove_prefix(first);
-        const std::size_t end = std::min(rest_.find_first_of(separators), rest_.size());
-        const std::string_view text = rest_.substr(0, end);
-        rest_.remove_prefix(end);
-        return text;
-      }
-      if (line_ >= lines_.all().size())
-        lines_.fail(lines_.all().size(),
-                    "the file ends where " + std::string(what) + " should stand");
-      rest_ = lines_.all()[line_].text;
-      at_ = lines_.all()[line_].number;
-      ++line_;
-    }
-  }
-
-  const TextLines& lines_;
-  std::size_t line_, at_ = 0;
-  std::string_view rest_;
-};
-
-struct Header {
-  int type;  // 1 = C, 2 = B, 3 = A
-  double stated_flux_lm, scale;
-  std::vector<double> vertical, horizontal;
-  std::vector<double> values;  // horizontal * vertical count + vertical
-  std::size_t angles_line;
-};
-
-double sample(const Header& file, double horizontal, double vertical) {
-  IntensityGrid plain{file.horizontal, file.vertical, {}};
+double sample(const IesTable& file, double horizontal, double vertical) {
   const auto place = [](const std::vector<double>& angles, double angle, double& t) -> std::size_t {
     if (angles.size() == 1) return t = 0, 0;
     const auto next = std::upper_bound(angles.begin() + 1, angles.end() - 1, angle);
@@ -88,29 +27,33 @@ double sample(const Header& file, double horizontal, double vertical) {
   const auto at = [&](std::size_t i, std::size_t j) {
     i = std::min(i, file.horizontal.size() - 1);
     j = std::min(j, file.vertical.size() - 1);
-    return file.values[i * file.vertical.size() + j];
+    return file.candela[i * file.vertical.size() + j];
   };
   return (1 - th) * ((1 - tv) * at(h, v) + tv * at(h, v + 1)) +
          th * ((1 - tv) * at(h + 1, v) + tv * at(h + 1, v + 1));
 }
 
 /// Unfolds a file of type C, which lists only the planes of one symmetry sector.
-IntensityGrid unfold_c(const TextLines& lines, const Header& file) {
+IntensityGrid unfold_c(const TextLines& lines, const IesTable& file) {
   if (file.vertical.front() < 0 || file.vertical.back() > 180)
-    lines.fail(file.angles_line, "vertical angles of type C lie between 0 and 180");
+    lines.fail(file.vertical_line, "vertical angles of type C lie between 0 and 180");
   const double first = file.horizontal.front(), last = file.horizontal.back();
   IntensityGrid grid;
   grid.gamma_degrees = file.vertical;
   if (file.horizontal.size() == 1) {
     grid.c_degrees = {0};
-    grid.candela = file.values;
+    grid.candela = file.candela;
     return grid;
   }
   const auto is = [](double angle, double wanted) { return std::abs(angle - wanted) < 1e-6; };
-  const bool whole = is(first, 0) && is(last, 360), half = is(first, 0) && is(last, 180),
-             quarter = is(first, 0) && is(last, 90), turned_half = is(first, 90) && is(last, 270);
+  const bool half = is(first, 0) && is(last, 180), quarter = is(first, 0) && is(last, 90),
+             turned_half = is(first, 90) && is(last, 270);
+  // Many files leave out the plane at 360 degrees, because it repeats that at 0.
+  const double last_step = last - file.horizontal[file.horizontal.size() - 2];
+  const bool whole =
+      is(first, 0) && !half && !quarter && (is(last, 360) || is(last + last_step, 360));
   if (!(whole || half || quarter || turned_half))
-    lines.fail(file.angles_line,
+    lines.fail(file.horizontal_line,
                "horizontal angles of type C run from 0 to 90, 180 or 360, or from 90 to 270");
   // Finds the plane of the file that stands for a plane of the whole turn.
   const auto fold = [&](double c) {
@@ -142,25 +85,40 @@ IntensityGrid unfold_c(const TextLines& lines, const Header& file) {
   return grid;
 }
 
-/// Resamples a file of type A or B in steps of a degree round the beam. Such files count angles
+double finest_step(const std::vector<double>& angles) {
+  double finest = 180;
+  for (std::size_t n = 1; n < angles.size(); ++n)
+    finest = std::min(finest, angles[n] - angles[n - 1]);
+  return finest;
+}
+
+/// Resamples a file of type A or B round the beam, in steps of a degree or of the file's own angles
+/// if they are finer. Such files count angles
 /// from an axis across the beam; here the beam is gamma = 0 and C = 0 is "up", so that a floodlight
 /// tilted off the nadir stays upright. Right is C = 270, because files of type C count
 /// anticlockwise from above.
-IntensityGrid resample_ab(const TextLines& lines, const Header& file) {
+IntensityGrid resample_ab(const TextLines& lines, const IesTable& file) {
   constexpr double degree = std::numbers::pi / 180;
   const auto in_range = [&](const std::vector<double>& angles, double low, double high,
-                            const char* what) {
+                            const char* what, std::size_t line) {
     if (angles.front() < low - 1e-6 || angles.back() > high + 1e-6)
-      lines.fail(file.angles_line,
-                 std::string(what) + " angles of types A and B lie between -90 and 90");
+      lines.fail(line, std::string(what) + " angles of types A and B lie between -90 and 90");
   };
-  in_range(file.vertical, -90, 90, "vertical");
-  in_range(file.horizontal, -90, 90, "horizontal");
+  if (file.horizontal.size() == 1)
+    lines.fail(
+        file.horizontal_line,
+        "one horizontal angle does not say what a luminaire of type A or B gives to the sides");
+  in_range(file.vertical, -90, 90, "vertical", file.vertical_line);
+  in_range(file.horizontal, -90, 90, "horizontal", file.horizontal_line);
   // A list that starts at 0 is mirrored.
   const bool mirror_h = file.horizontal.front() >= 0, mirror_v = file.vertical.front() >= 0;
   IntensityGrid grid;
   for (int c = 0; c < 360; c += 2) grid.c_degrees.push_back(c);
-  for (int gamma = 0; gamma <= 180; ++gamma) grid.gamma_degrees.push_back(gamma);
+  // Their angles end at 90 degrees from the beam: behind it there is no light.
+  const double finest =
+      std::clamp(std::min(finest_step(file.horizontal), finest_step(file.vertical)), 0.1, 1.0);
+  const auto rows = static_cast<int>(std::ceil(90 / finest - 1e-6));
+  for (int n = 0; n <= rows; ++n) grid.gamma_degrees.push_back(90.0 * n / rows);
   for (const double c : grid.c_degrees)
     for (const double gamma : grid.gamma_degrees) {
       const double beam = std::cos(gamma * degree);
@@ -181,75 +139,63 @@ IntensityGrid resample_ab(const TextLines& lines, const Header& file) {
       const bool covered = h >= file.horizontal.front() - 1e-6 &&
                            h <= file.horizontal.back() + 1e-6 &&
                            v >= file.vertical.front() - 1e-6 && v <= file.vertical.back() + 1e-6;
-      grid.candela.push_back(covered || file.horizontal.size() == 1 ? sample(file, h, v) : 0);
+      grid.candela.push_back(covered ? sample(file, h, v) : 0);
     }
   return grid;
 }
 
+/// Returns the text in upper case and without blanks: keywords vary in both.
+std::string squeeze(std::string_view text) {
+  std::string result;
+  for (const char c : text)
+    if (c != ' ' && c != '\t') result += c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+  return result;
+}
+
+/// Returns the text after a keyword like "[LUMINAIRE]", if the line begins with it.
+std::optional<std::string> text_after(std::string_view line, std::string_view keyword) {
+  if (line.size() < keyword.size() || squeeze(line.substr(0, keyword.size())) != keyword)
+    return std::nullopt;
+  line.remove_prefix(keyword.size());
+  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  return std::string(line);
+}
+
 }  // namespace
+
+bool is_tilt_line(std::string_view line) {
+  return squeeze(line).starts_with("TILT=");
+}
 
 Luminaire read_ies(const std::filesystem::path& path) {
   const TextLines lines(path);
   Luminaire luminaire;
   std::size_t tilt = 0;
-  for (; tilt < lines.all().size(); ++tilt) {
-    const std::string_view text = lines.all()[tilt].text;
-    if (text.starts_with("TILT=")) break;
-    const auto value_of = [&](std::string_view key) {
-      return std::string(text.substr(std::min(key.size(), text.size())));
-    };
-    const auto trimmed = [](std::string value) {
-      return value.erase(0, std::min(value.find_first_not_of(' '), value.size()));
-    };
-    if (text.starts_with("[LUMINAIRE]")) luminaire.name = trimmed(value_of("[LUMINAIRE]"));
-    if (text.starts_with("[MANUFAC]")) luminaire.manufacturer = trimmed(value_of("[MANUFAC]"));
+  for (; tilt < lines.all().size() && !is_tilt_line(lines.all()[tilt].text); ++tilt) {
+    const std::string_view line = lines.all()[tilt].text;
+    if (const auto name = text_after(line, "[LUMINAIRE]")) luminaire.name = *name;
+    if (const auto maker = text_after(line, "[MANUFAC]")) luminaire.manufacturer = *maker;
   }
   if (tilt == lines.all().size())
     lines.fail(lines.all().back().number, "no TILT= line: not an IES LM-63 file");
+  const std::string source = squeeze(lines.all()[tilt].text).substr(5);
+  if (source.empty()) lines.fail(lines.all()[tilt].number, "TILT= names no source");
+  if (source != "NONE" && source != "INCLUDE")
+    luminaire.notes.push_back("TILT=" + source + " is not read: lamps hang as they were measured");
 
-  Numbers numbers(lines, tilt + 1);
-  if (lines.all()[tilt].text == "TILT=INCLUDE") {
-    // The TILT data say how the lamp's output falls when the luminaire is tilted. Ours hang as
-    // they were measured.
-    numbers.next_integer("the lamp's position", 1, 3);
-    const int pairs = numbers.next_integer("the number of tilt angles", 1, max_angles);
-    for (int n = 0; n < 2 * pairs; ++n) numbers.next("the tilt table");
-  }
-  Header header;
-  const double lamps = numbers.next("the number of lamps"), lumens = numbers.next("lumens a lamp");
-  const double multiplier = numbers.next("the candela multiplier");
-  const int vertical = numbers.next_integer("the number of vertical angles", 2, max_angles);
-  const int horizontal = numbers.next_integer("the number of horizontal angles", 1, max_angles);
-  if (static_cast<std::size_t>(vertical) * static_cast<std::size_t>(horizontal) > 4'000'000)
-    lines.fail(numbers.line(), "more angles than any file has");
-  header.type = numbers.next_integer("the photometric type", 1, 3);
-  const double unit = numbers.next_integer("the unit (1 feet, 2 metres)", 1, 2) == 1 ? foot_m : 1;
-  // Negative sizes stand for round openings (LM-63-2002).
-  luminaire.width_m = std::abs(numbers.next("the width")) * unit;
-  luminaire.length_m = std::abs(numbers.next("the length")) * unit;
-  luminaire.height_m = std::abs(numbers.next("the height")) * unit;
-  const double ballast = numbers.next("the ballast factor"),
-               ballast_lamp = numbers.next("the ballast-lamp factor");
-  numbers.next("input watts");
-  header.scale = multiplier * ballast * ballast_lamp;
-  if (!(header.scale > 0)) lines.fail(numbers.line(), "multiplier and factors must be above zero");
-  header.vertical = numbers.angles(vertical, "vertical angles");
-  header.angles_line = numbers.line();
-  header.horizontal = numbers.angles(horizontal, "horizontal angles");
-  const auto total = static_cast<std::size_t>(vertical) * static_cast<std::size_t>(horizontal);
-  header.values.reserve(total);
-  for (std::size_t n = 0; n < total; ++n) {
-    const double candela = numbers.next("candela values");
-    if (candela < 0) lines.fail(numbers.line(), "negative candela");
-    header.values.push_back(candela * header.scale);
-  }
-
-  luminaire.grid = header.type == 1 ? unfold_c(lines, header) : resample_ab(lines, header);
+  const IesTable table = read_ies_table(lines, tilt + 1, source == "INCLUDE",
+                                        find_lm63_year(lines.all().front().text));
+  if (table.has_text_after)
+    luminaire.notes.push_back("the text after the candela values is not read");
+  luminaire.width_m = table.width_m;
+  luminaire.length_m = table.length_m;
+  luminaire.height_m = table.height_m;
+  luminaire.stated_flux_lm = table.stated_flux_lm;
+  luminaire.grid = table.type == 1 ? unfold_c(lines, table) : resample_ab(lines, table);
   luminaire.flux_lm = integrated_flux(luminaire.grid);
-  if (!(luminaire.flux_lm > 0)) lines.fail(numbers.line(), "the luminaire gives no light");
-  luminaire.stated_flux_lm = lumens > 0 ? lamps * lumens : 0;
+  if (!(luminaire.flux_lm > 0)) lines.fail(table.last_line, "the luminaire gives no light");
   // RP-8's lateral angle 0 faces the street.
-  luminaire.street_side_degrees = header.type == 1 ? guess_street_side(luminaire.grid, 0) : 0;
+  luminaire.street_side_degrees = table.type == 1 ? guess_street_side(luminaire.grid, 0) : 0;
   return luminaire;
 }
 

@@ -17,18 +17,20 @@ constexpr double radians(double degrees) {
   return degrees * pi / 180;
 }
 
-/// Returns the greatest step of a regular grid over `whole` degrees that contains every angle, or
-/// the finest one.
+/// Returns the greatest step of a regular grid over `whole` degrees that contains every angle; 0.5
+/// if there is none.
 double common_step(const std::vector<double>& angles, double offset, double whole) {
-  for (const double step : {90.0, 45.0, 30.0, 22.5, 15.0, 10.0, 7.5, 5.0, 2.5, 1.0, 0.5}) {
-    if (step > whole) continue;
+  const auto own = static_cast<double>(angles.size() - 1);
+  for (const double step : {90.0, 45.0, 30.0, 22.5, 15.0, 10.0, 7.5, 5.0, 2.5, 2.0, 1.0, 0.5, 0.25,
+                            0.2, 0.1, 0.05, own > 0 ? (angles.back() - angles.front()) / own : 0}) {
+    if (step > whole || step < 0.02) continue;
     if (std::all_of(angles.begin(), angles.end(), [&](double angle) {
           const double steps = (angle - offset) / step;
           return std::abs(steps - std::round(steps)) < 1e-6;
         }))
       return step;
   }
-  return 1.0;
+  return 0.5;
 }
 
 /// Returns the light below the horizon in the four quarter turns round C = 0, 90, 180 and 270.
@@ -124,22 +126,33 @@ double guess_street_side(const IntensityGrid& grid, double usual) {
 }
 
 Photometry Luminaire::photometry() const {
+  // The narrowest ramp that a lower cut-off gets: a regular grid cannot jump.
+  constexpr double finest_ramp = 0.1;
   const double c_step =
       grid.c_degrees.size() == 1 ? 360 : common_step(grid.c_degrees, street_side_degrees, 360);
-  const double gamma_step = common_step(grid.gamma_degrees, 0, 180);
+  const double first = grid.gamma_degrees.front(), last = grid.gamma_degrees.back();
+  double gamma_step = common_step(grid.gamma_degrees, 0, last);
+  if (first > 0) gamma_step /= std::ceil(gamma_step / finest_ramp - 1e-9);
+  const double steps = std::max(1.0, std::ceil(last / gamma_step - 1e-6));
+  // The ramp lies on the bright side of a lower cut-off, so that nothing shines on the dark one.
+  const double lit_from = first > 0 ? first + last / steps - 1e-6 : 0;
   return sample_intensity(
       [&](double c, double gamma) {
+        const double degrees = std::min(gamma * 180 / pi, last);
+        if (degrees < lit_from) return 0.0;
         // A light's C turns towards cross(axis, tangent): clockwise seen from above.
-        return intensity_at(grid, street_side_degrees - c * 180 / pi, gamma * 180 / pi);
+        return intensity_at(grid, street_side_degrees - c * 180 / pi, degrees);
       },
       static_cast<std::uint32_t>(std::lround(360 / c_step)),
-      static_cast<std::uint32_t>(std::lround(180 / gamma_step)) + 1);
+      static_cast<std::uint32_t>(std::lround(steps)) + 1, last);
 }
 
 Luminaire read_luminaire(const std::filesystem::path& file) {
   const TextLines lines(file);
   for (const TextLines::Line& line : lines.all())
-    if (line.text.starts_with("TILT=") || line.text.starts_with("IESNA")) return read_ies(file);
+    if (is_tilt_line(line.text) || line.text.starts_with("IESNA") ||
+        line.text.starts_with("IES:LM-63"))
+      return read_ies(file);
   return read_eulumdat(file);
 }
 

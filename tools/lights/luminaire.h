@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/lights/photometry.h"
@@ -27,9 +28,11 @@ struct Luminaire {
   double stated_flux_lm = 0;       // the flux by the file's own statement; 0: it has none
   double street_side_degrees = 0;  // the C plane that faces the road, by guess_street_side
   double length_m = 0, width_m = 0, height_m = 0;  // luminous opening; 0: a point
+  std::vector<std::string> notes;                  // what the file names and is not used
 
   /// Returns the distribution for a light: on a regular grid, with C = 0 towards the street and C
-  /// turning as in formats/light.h. Exact if the file's angles are regular.
+  /// turning as in formats/light.h. Exact if the file's angles are regular. It ends at the file's
+  /// last gamma angle, so nothing shines beyond.
   Photometry photometry() const;
 };
 
@@ -43,6 +46,10 @@ double integrated_flux(const IntensityGrid& grid);
 /// not show it. A road luminaire throws light along the road to both sides, and more over the road
 /// than towards the houses.
 double guess_street_side(const IntensityGrid& grid, double usual);
+
+/// Returns whether this is the line that every IES file has before its numbers: "TILT=NONE",
+/// "tilt = include", "TILT=lamp.tlt".
+bool is_tilt_line(std::string_view line);
 
 /// Reads IES LM-63-1986 to 2019, photometric types A, B and C, absolute and relative. Throws Error
 /// with the line.

@@ -28,6 +28,7 @@ Inspection inspect_luminaire(const std::filesystem::path& file) {
   // The distribution as city.lights will have it: the same flux on a regular grid.
   const Photometry photometry = luminaire.photometry();
   result["resampled_flux_lm"] = integrated_flux(photometry);
+  if (!luminaire.notes.empty()) result["notes"] = luminaire.notes;
   result["opening_m"] = {luminaire.length_m, luminaire.width_m, luminaire.height_m};
   return result;
 }

@@ -118,7 +118,8 @@ TEST_F(LuminaireFile, LambertianIesHasItsClosedFormFlux) {
   EXPECT_EQ(luminaire.manufacturer, "Maker");
   EXPECT_NEAR(luminaire.length_m, 0.5, 1e-12);
   EXPECT_EQ(luminaire.photometry().c_count, 1u);
-  EXPECT_EQ(luminaire.photometry().gamma_count, 181u);
+  EXPECT_EQ(luminaire.photometry().gamma_count, 91u);
+  EXPECT_EQ(luminaire.photometry().extent_degrees, 90);
   EXPECT_NEAR(integrated_flux(luminaire.photometry()), luminaire.flux_lm, 1);
 }
 
