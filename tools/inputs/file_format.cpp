@@ -10,6 +10,7 @@
 #include "tools/citygml/citygml_head.h"
 #include "tools/citygml/read_citygml.h"
 #include "tools/inputs/city_files.h"
+#include "tools/osm/osm_marks.h"
 #include "tools/osm/read_osm.h"
 
 namespace nightcity::inputs {
@@ -96,8 +97,11 @@ const FileFormat& find_format(const std::filesystem::path& path) {
   const auto format = std::find_if(formats.begin(), formats.end(), [&](const FileFormat& f) {
     return (f.may_be_packed || !start.packed) && f.recognises(start);
   });
-  if (format == formats.end())
+  if (format == formats.end()) {
+    if (const std::string what = describe_unread_osm(bytes); !what.empty())
+      throw Error(path.string(), what);
     throw Error(path.string(), "is of no format that is read here: " + list_names());
+  }
   return *format;
 }
 

@@ -69,7 +69,9 @@ Outcome elevate(const ElevateArguments& arguments) {
     sink({"asking the service", done, "places", total});
   };
   if (!service.url.empty()) sources.service = &service;
-  const std::vector<OsmLampNode>& lamps = city.map().lamps;
+  // Heights are written on nodes: a lamp mapped as an area has none of its own.
+  std::vector<OsmLampNode> lamps = city.map().lamps;
+  std::erase_if(lamps, [](const OsmLampNode& lamp) { return lamp.is_way; });
   Outcome outcome{lamps.size(), 0, elevate_lamps(lamps, sources)};
   if (!arguments.out.empty())
     outcome.written =

@@ -30,7 +30,9 @@ Inspection inspect_osm(const std::filesystem::path& file) {
   result["bbox"] = bounds.to_json(2);
   result["skipped"] = {{"missing nodes", data.missing_nodes},
                        {"bad coordinates", data.bad_coordinates},
-                       {"duplicates", data.duplicates}};
+                       {"duplicates", data.duplicates},
+                       {"older versions", data.old_versions}};
+  if (!data.remarks.empty()) result["remarks"] = data.remarks;
   result["nodes"] = data.nodes;
   result["ways"] = data.ways;
   result["relations"] = data.relations;

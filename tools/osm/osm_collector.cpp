@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "tools/osm/osm_selection.h"
@@ -10,45 +11,132 @@ namespace nightcity {
 namespace {
 
 constexpr double resolution = 1e-7;
+constexpr std::int32_t deleted_lon = std::numeric_limits<std::int32_t>::min();
+
+// These comparisons are false for NaN too.
+bool on_globe(const glm::dvec2& lon_lat) {
+  return std::abs(lon_lat.x) <= 180 && std::abs(lon_lat.y) <= 90;
+}
+
+std::int32_t to_steps(double degrees) {
+  return static_cast<std::int32_t>(std::lround(degrees / resolution));
+}
+
+glm::dvec2 mean(const std::vector<glm::dvec2>& points) {
+  // The end of an area repeats its beginning.
+  const bool closed = points.size() > 1 && points.front() == points.back();
+  const std::size_t count = points.size() - (closed ? 1 : 0);
+  glm::dvec2 sum(0);
+  for (std::size_t n = 0; n < count; ++n) sum += points[n];
+  return sum / static_cast<double>(count);
+}
 
 }  // namespace
 
-void OsmCollector::add_node(std::int64_t id, const glm::dvec2& lon_lat, OsmTags tags) {
-  // These comparisons are false for NaN too.
-  if (!(std::abs(lon_lat.x) <= 180 && std::abs(lon_lat.y) <= 90)) return count_bad_node();
-  ++nodes_;
-  places_.push_back({id, static_cast<std::int32_t>(std::lround(lon_lat.x / resolution)),
-                     static_cast<std::int32_t>(std::lround(lon_lat.y / resolution))});
-  if (is_lamp(tags)) data_.lamps.push_back({id, lon_lat, std::move(tags)});
+OsmCollector::Key OsmCollector::key_of(std::int64_t id) const {
+  const auto bits = static_cast<std::uint64_t>(id);
+  return {static_cast<std::uint32_t>(bits >> 32), static_cast<std::uint32_t>(bits),
+          id < 0 ? file_ : 0};
 }
 
-void OsmCollector::add_way(std::int64_t id, std::vector<std::int64_t> nodes, OsmTags tags) {
+void OsmCollector::add_node(std::int64_t id, OsmVersion version, const glm::dvec2& lon_lat,
+                            OsmTags tags) {
+  const Key key = key_of(id);
+  if (version.deleted) return places_.push_back({key, version.rank(), deleted_lon, 0});
+  if (!on_globe(lon_lat)) return count_bad_node();
+  ++nodes_;
+  places_.push_back({key, version.rank(), to_steps(lon_lat.x), to_steps(lon_lat.y)});
+  if (is_lamp(tags)) lamps_.push_back({{id, lon_lat, std::move(tags)}, key, version.rank()});
+}
+
+void OsmCollector::add_way(std::int64_t id, OsmVersion version, std::vector<OsmNodeRef> nodes,
+                           OsmTags tags) {
+  const Key key = key_of(id);
+  way_states_.push_back({key, version.rank(), version.deleted});
+  if (version.deleted) return;
   ++data_.ways;
-  const bool highway = is_highway(tags);
-  if (!highway && !is_building(tags)) return;
-  pending_.push_back({{id, {}, std::move(tags)}, std::move(nodes), highway});
+  if (!is_highway(tags) && !is_building(tags) && !is_lamp(tags)) return;
+  pending_.push_back({{id, {}, std::move(tags)}, std::move(nodes), key, version.rank(), file_});
+}
+
+/// Sorts by key and keeps the newest of each, of equally new ones the first.
+template <class Entry>
+void OsmCollector::keep_newest(std::vector<Entry>& entries) {
+  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return std::tie(a.key, b.rank) < std::tie(b.key, a.rank);
+  });
+  entries.erase(std::unique(entries.begin(), entries.end(),
+                            [](const Entry& a, const Entry& b) { return a.key == b.key; }),
+                entries.end());
+}
+
+template <class Entry>
+const Entry* OsmCollector::find(const std::vector<Entry>& entries, const Key& key) {
+  const auto found =
+      std::lower_bound(entries.begin(), entries.end(), key,
+                       [](const Entry& entry, const Key& wanted) { return entry.key < wanted; });
+  return found == entries.end() || found->key != key ? nullptr : &*found;
+}
+
+/// Removes elements of which there is a newer version or an equal one before, and counts them.
+template <class Pending, class Entry>
+void OsmCollector::drop_old(std::vector<Pending>& pending, const std::vector<Entry>& newest) {
+  std::vector<const Pending*> order;
+  for (const Pending& element : pending) order.push_back(&element);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Pending* a, const Pending* b) { return a->key < b->key; });
+  std::vector<bool> drop(pending.size());
+  const Pending* kept = nullptr;
+  for (const Pending* element : order) {
+    const auto n = static_cast<std::size_t>(element - pending.data());
+    if (const Entry* entry = find(newest, element->key); entry && entry->rank > element->rank) {
+      drop[n] = true;
+      ++data_.old_versions;
+    } else if (kept && kept->key == element->key) {
+      drop[n] = true;
+      ++data_.duplicates;
+    } else {
+      kept = element;
+    }
+  }
+  std::size_t n = 0;
+  std::erase_if(pending, [&](const Pending&) { return drop[n++]; });
+}
+
+/// Gives the ways their coordinates and sorts them by what they are.
+void OsmCollector::place_ways() {
+  for (PendingWay& pending : pending_) {
+    file_ = pending.file;
+    OsmWay& way = pending.way;
+    for (const OsmNodeRef& node : pending.nodes) {
+      const Place* place = find(places_, key_of(node.id));
+      if (place && place->lon != deleted_lon)
+        way.lon_lat.emplace_back(place->lon * resolution, place->lat * resolution);
+      else if (on_globe(node.lon_lat))
+        way.lon_lat.push_back(node.lon_lat);
+      else
+        ++data_.missing_nodes;
+    }
+    const bool highway = is_highway(way.tags);
+    if (!highway && is_lamp(way.tags) && !way.lon_lat.empty())
+      data_.lamps.push_back({way.id, mean(way.lon_lat), way.tags, true});
+    if (way.lon_lat.size() < 2) continue;
+    if (highway)
+      data_.highways.push_back(std::move(way));
+    else if (is_building(way.tags))
+      data_.buildings.push_back(std::move(way));
+  }
 }
 
 OsmData OsmCollector::finish() && {
   data_.nodes = nodes_;
-  std::stable_sort(places_.begin(), places_.end(),
-                   [](const Place& a, const Place& b) { return a.id < b.id; });
-  for (PendingWay& pending : pending_) {
-    for (const std::int64_t id : pending.nodes) {
-      const auto place =
-          std::lower_bound(places_.begin(), places_.end(), id,
-                           [](const Place& p, std::int64_t wanted) { return p.id < wanted; });
-      if (place == places_.end() || place->id != id)
-        ++data_.missing_nodes;
-      else
-        pending.way.lon_lat.emplace_back(place->lon * resolution, place->lat * resolution);
-    }
-    if (pending.way.lon_lat.size() < 2) continue;
-    (pending.highway ? data_.highways : data_.buildings).push_back(std::move(pending.way));
-  }
-  OsmData unique;
-  unique.merge(std::move(data_));
-  return unique;
+  keep_newest(places_);
+  keep_newest(way_states_);
+  drop_old(lamps_, places_);
+  drop_old(pending_, way_states_);
+  for (PendingLamp& pending : lamps_) data_.lamps.push_back(std::move(pending.lamp));
+  place_ways();
+  return std::move(data_);
 }
 
 }  // namespace nightcity

@@ -1,43 +1,103 @@
-// Makes OsmData from the nodes and ways that both parsers deliver in any order.
+// Makes OsmData from the nodes and ways that all parsers deliver, file after file, in any order.
 #pragma once
 
+#include <algorithm>
+#include <compare>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "tools/osm/osm_data.h"
 
 namespace nightcity {
 
+/// Which state of an element a file holds. The one with the greatest version counts, and an edited
+/// one counts before the version that it was made from; 0 if the file has no versions.
+struct OsmVersion {
+  std::uint32_t number = 0;
+  bool edited = false;   // by an editor, and not uploaded yet
+  bool deleted = false;  // the element is gone: it takes older versions along
+
+  /// Returns a number that is greater for a newer version.
+  std::uint32_t rank() const {
+    return 2 * std::min(number, std::uint32_t{1} << 30) + (edited ? 1 : 0);
+  }
+};
+
+/// A node of a way. `lon_lat` is not a number unless the way holds its nodes' places itself
+/// (`osmium add-locations-to-ways`, Overpass' `out geom`).
+struct OsmNodeRef {
+  std::int64_t id;
+  glm::dvec2 lon_lat{std::numeric_limits<double>::quiet_NaN()};
+};
+
 class OsmCollector {
  public:
-  /// `tags` may be empty. Coordinates in degrees; nodes that are not finite or off the globe are
-  /// counted and skipped.
-  void add_node(std::int64_t id, const glm::dvec2& lon_lat, OsmTags tags);
-  void count_bad_node() { ++nodes_, ++data_.bad_coordinates; }
-  void add_way(std::int64_t id, std::vector<std::int64_t> nodes, OsmTags tags);
-  void count_relation() { ++data_.relations; }
+  /// Begins another file. Negative ids are an editor's own: nodes and ways with such an id are the
+  /// same in one file only.
+  void begin_file() { ++file_; }
 
-  /// Gives the ways their coordinates and returns everything. Of elements that come twice in one
-  /// file the first counts.
+  /// `tags` may be empty. Coordinates in degrees; nodes that are not finite or off the globe are
+  /// counted and skipped, except for deleted ones.
+  void add_node(std::int64_t id, OsmVersion version, const glm::dvec2& lon_lat, OsmTags tags);
+  void count_bad_node() { ++nodes_, ++data_.bad_coordinates; }
+  void add_way(std::int64_t id, OsmVersion version, std::vector<OsmNodeRef> nodes, OsmTags tags);
+  void count_relation() { ++data_.relations; }
+  void add_remark(std::string text) { data_.remarks.push_back(std::move(text)); }
+
+  /// Gives the ways their coordinates and returns everything. Of several versions of an element the
+  /// newest counts, of equal ones the first.
   OsmData finish() &&;
 
  private:
-  // In OSM's own resolution of 1e-7 degrees: 16 bytes per node, because extracts have many
-  // millions.
+  // An id, and the file if it is negative. Four-byte members keep Place at 24 bytes, because
+  // extracts have many millions of nodes.
+  struct Key {
+    std::uint32_t high = 0, low = 0, file = 0;
+    auto operator<=>(const Key&) const = default;
+  };
+  // Coordinates in OSM's own resolution of 1e-7 degrees.
   struct Place {
-    std::int64_t id;
-    std::int32_t lon, lat;
+    Key key;
+    std::uint32_t rank;
+    std::int32_t lon, lat;  // a deleted node has no longitude that exists
+  };
+  struct State {
+    Key key;
+    std::uint32_t rank;
+    bool deleted;
+  };
+  struct PendingLamp {
+    OsmLampNode lamp;
+    Key key;
+    std::uint32_t rank;
   };
   struct PendingWay {
     OsmWay way;
-    std::vector<std::int64_t> nodes;
-    bool highway;
+    std::vector<OsmNodeRef> nodes;
+    Key key;
+    std::uint32_t rank;
+    std::uint32_t file;
   };
+
+  Key key_of(std::int64_t id) const;
+  template <class Entry>
+  static void keep_newest(std::vector<Entry>& entries);
+  template <class Entry>
+  static const Entry* find(const std::vector<Entry>& entries, const Key& key);
+  template <class Pending, class Entry>
+  void drop_old(std::vector<Pending>& pending, const std::vector<Entry>& newest);
+  void place_ways();
 
   OsmData data_;
   std::size_t nodes_ = 0;
+  std::uint32_t file_ = 0;
   std::vector<Place> places_;
+  std::vector<State> way_states_;
+  std::vector<PendingLamp> lamps_;
   std::vector<PendingWay> pending_;
 };
 

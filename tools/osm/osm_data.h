@@ -17,6 +17,7 @@ struct OsmLampNode {
   std::int64_t id = 0;
   glm::dvec2 lon_lat{0, 0};  // degrees
   OsmTags tags;
+  bool is_way = false;  // mapped as a line or an area, in the middle of which it stands
 };
 
 struct OsmWay {
@@ -32,9 +33,8 @@ struct OsmData {
   std::vector<OsmWay> buildings;
   std::size_t nodes = 0, ways = 0, relations = 0;
   std::size_t missing_nodes = 0, bad_coordinates = 0, duplicates = 0;
-
-  /// Appends `other` without elements whose id is already there: extracts overlap.
-  void merge(OsmData&& other);
+  std::size_t old_versions = 0;  // lamps, highways and buildings of which there is a newer version
+  std::vector<std::string> remarks;  // of the server that made the file
 };
 
 }  // namespace nightcity

@@ -15,23 +15,32 @@ OsmTags tags_of(const osmium::OSMObject& object) {
   return tags;
 }
 
+OsmVersion version_of(const osmium::OSMObject& object) {
+  return {object.version(), false, object.deleted()};
+}
+
 void collect(const osmium::memory::Buffer& buffer, OsmCollector& collector) {
   for (const osmium::OSMObject& object : buffer.select<osmium::OSMObject>()) {
-    if (object.deleted()) continue;
     if (object.type() == osmium::item_type::node) {
       const auto& node = static_cast<const osmium::Node&>(object);
-      if (!node.location().valid())
+      if (object.deleted())
+        collector.add_node(node.id(), version_of(node), {}, {});
+      else if (!node.location().valid())
         collector.count_bad_node();
       else
-        collector.add_node(node.id(), {node.location().lon(), node.location().lat()},
-                           tags_of(node));
+        collector.add_node(node.id(), version_of(node),
+                           {node.location().lon(), node.location().lat()}, tags_of(node));
     } else if (object.type() == osmium::item_type::way) {
       const auto& way = static_cast<const osmium::Way&>(object);
-      std::vector<std::int64_t> nodes;
+      std::vector<OsmNodeRef> nodes;
       nodes.reserve(way.nodes().size());
-      for (const osmium::NodeRef& reference : way.nodes()) nodes.push_back(reference.ref());
-      collector.add_way(way.id(), std::move(nodes), tags_of(way));
-    } else if (object.type() == osmium::item_type::relation) {
+      for (const osmium::NodeRef& reference : way.nodes()) {
+        nodes.push_back({reference.ref()});
+        if (reference.location().valid())
+          nodes.back().lon_lat = {reference.location().lon(), reference.location().lat()};
+      }
+      collector.add_way(way.id(), version_of(way), std::move(nodes), tags_of(way));
+    } else if (object.type() == osmium::item_type::relation && !object.deleted()) {
       collector.count_relation();
     }
   }
@@ -39,18 +48,24 @@ void collect(const osmium::memory::Buffer& buffer, OsmCollector& collector) {
 
 }  // namespace
 
-OsmData read_osm_packed(const std::filesystem::path& file, const std::string& format) {
-  OsmCollector collector;
+void read_osm_packed(const std::filesystem::path& file, const std::string& format,
+                     OsmCollector& collector) {
   try {
+    // Versions are part of what libosmium calls metadata.
     osmium::io::Reader reader(osmium::io::File(file.string(), format), osmium::osm_entity_bits::nwr,
-                              osmium::io::read_meta::no);
+                              osmium::io::read_meta::yes);
     while (const osmium::memory::Buffer buffer = reader.read()) collect(buffer, collector);
     reader.close();
   } catch (const std::exception& error) {
     // pbf_error, gzip_error, bzip2_error, xml_error and protozero's share no other base.
-    throw Error(file.string(), std::string("broken ") + format + ": " + error.what());
+    const std::string_view what = error.what();
+    for (const char* packing : {"lz4", "lzma", "zstd"})
+      if (what.find(packing) != what.npos)
+        throw Error(file.string(), std::string("is a PBF packed by ") + packing +
+                                       ", which is not read: repack it by `osmium cat IN.osm.pbf "
+                                       "-o OUT.osm.pbf`");
+    throw Error(file.string(), "broken " + format + ": " + error.what());
   }
-  return std::move(collector).finish();
 }
 
 }  // namespace nightcity

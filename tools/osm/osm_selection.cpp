@@ -14,8 +14,19 @@ std::string value_of(const OsmTags& tags, const char* key) {
 }
 
 template <std::size_t N>
-bool one_of(const std::string& value, const std::array<std::string_view, N>& names) {
+bool is_one_of(const std::string& value, const std::array<std::string_view, N>& names) {
   return std::find(names.begin(), names.end(), value) != names.end();
+}
+
+/// Returns whether any part of a list of values ("street_lamp;advertising") is one of the names.
+template <std::size_t N>
+bool has_one_of(const OsmTags& tags, const char* key,
+                const std::array<std::string_view, N>& names) {
+  const auto found = tags.find(key);
+  if (found == tags.end()) return false;
+  for (const std::string_view part : split_list(found->second))
+    if (is_one_of(normalise_tag(part), names)) return true;
+  return false;
 }
 
 constexpr std::array<std::string_view, 8> street_lamps = {
@@ -31,14 +42,14 @@ constexpr std::array<std::string_view, 4> masts = {"floodlight", "flood_light", 
 
 bool is_lamp(const OsmTags& tags) {
   for (const char* key : {"highway", "man_made", "amenity"})
-    if (one_of(value_of(tags, key), street_lamps)) return true;
-  return one_of(value_of(tags, "light_source"), light_sources) ||
-         one_of(value_of(tags, "man_made"), masts) || value_of(tags, "tower:type") == "lighting";
+    if (has_one_of(tags, key, street_lamps)) return true;
+  return has_one_of(tags, "light_source", light_sources) || has_one_of(tags, "man_made", masts) ||
+         has_one_of(tags, "tower:type", std::array<std::string_view, 1>{"lighting"});
 }
 
 bool is_highway(const OsmTags& tags) {
   const std::string value = value_of(tags, "highway");
-  return !value.empty() && value != "no" && !one_of(value, street_lamps);
+  return !value.empty() && value != "no" && !has_one_of(tags, "highway", street_lamps);
 }
 
 bool is_building(const OsmTags& tags) {

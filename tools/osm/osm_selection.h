@@ -12,6 +12,8 @@ namespace nightcity {
 /// * light_source=lantern|floodlight|street_lamp|lamp|electric_lamp|gas_lamp,
 /// * tower:type=lighting,
 /// * man_made=street_lamp|floodlight|light_mast|...
+///
+/// One of several values counts too: highway=street_lamp;advertising_column.
 bool is_lamp(const OsmTags& tags);
 /// Returns whether it has a highway=* that can be a way.
 bool is_highway(const OsmTags& tags);

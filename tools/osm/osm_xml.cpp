@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
@@ -10,6 +11,7 @@
 #include "formats/error.h"
 #include "tools/osm/osm_collector.h"
 #include "tools/osm/osm_parsers.h"
+#include "tools/osm/osm_selection.h"
 
 namespace nightcity {
 namespace {
@@ -32,9 +34,40 @@ OsmTags tags_of(const pugi::xml_node& element) {
 }
 
 /// Editors keep what a user has deleted until it is uploaded.
-bool deleted(const pugi::xml_node& element) {
-  return std::string_view(element.attribute("action").value()) == "delete" ||
-         std::string_view(element.attribute("visible").value()) == "false";
+OsmVersion version_of(const pugi::xml_node& element) {
+  const std::string_view action = element.attribute("action").value();
+  return {number<std::uint32_t>(element.attribute("version").value()).value_or(0), !action.empty(),
+          action == "delete" || std::string_view(element.attribute("visible").value()) == "false"};
+}
+
+/// Returns the place of a node, or of a way's reference to a node; NaN if it has none.
+glm::dvec2 place_of(const pugi::xml_node& element) {
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  return {number<double>(element.attribute("lon").value()).value_or(nothing),
+          number<double>(element.attribute("lat").value()).value_or(nothing)};
+}
+
+void collect_node(const pugi::xml_node& element, OsmCollector& collector) {
+  const auto id = number<std::int64_t>(element.attribute("id").value());
+  if (id)
+    collector.add_node(*id, version_of(element), place_of(element), tags_of(element));
+  else
+    collector.count_bad_node();
+}
+
+void collect_way(const pugi::xml_node& element, OsmCollector& collector) {
+  const auto id = number<std::int64_t>(element.attribute("id").value());
+  if (!id) return;
+  std::vector<OsmNodeRef> nodes;
+  for (const pugi::xml_node& reference : element.children("nd"))
+    // An unreadable reference counts as a node that the extract lacks.
+    nodes.push_back({number<std::int64_t>(reference.attribute("ref").value()).value_or(INT64_MIN),
+                     place_of(reference)});
+  OsmTags tags = tags_of(element);
+  // Overpass' `out center` gives an area one place instead of its nodes': enough for a lamp.
+  if (const pugi::xml_node centre = element.child("center"); centre && is_lamp(tags))
+    nodes = {{INT64_MIN, place_of(centre)}};
+  collector.add_way(*id, version_of(element), std::move(nodes), std::move(tags));
 }
 
 std::size_t line_at(const std::filesystem::path& file, std::ptrdiff_t offset) {
@@ -47,7 +80,7 @@ std::size_t line_at(const std::filesystem::path& file, std::ptrdiff_t offset) {
 
 }  // namespace
 
-OsmData read_osm_xml(const std::filesystem::path& file) {
+void read_osm_xml(const std::filesystem::path& file, OsmCollector& collector) {
   pugi::xml_document document;
   const pugi::xml_parse_result parsed =
       document.load_file(file.c_str(), pugi::parse_default | pugi::parse_doctype);
@@ -58,30 +91,24 @@ OsmData read_osm_xml(const std::filesystem::path& file) {
   const pugi::xml_node root = document.child("osm");
   if (!root) throw Error(file.string(), "not OSM XML: the root element is not <osm>");
 
-  OsmCollector collector;
   for (const pugi::xml_node& element : root) {
     const std::string_view name = element.name();
-    if (deleted(element)) continue;
-    const auto id = number<std::int64_t>(element.attribute("id").value());
     if (name == "node") {
-      const auto lon = number<double>(element.attribute("lon").value());
-      const auto lat = number<double>(element.attribute("lat").value());
-      if (id && lon && lat)
-        collector.add_node(*id, {*lon, *lat}, tags_of(element));
-      else
-        collector.count_bad_node();
+      collect_node(element, collector);
     } else if (name == "way") {
-      std::vector<std::int64_t> nodes;
-      for (const pugi::xml_node& reference : element.children("nd"))
-        // An unreadable reference counts as a node that the extract lacks.
-        nodes.push_back(
-            number<std::int64_t>(reference.attribute("ref").value()).value_or(INT64_MIN));
-      if (id) collector.add_way(*id, std::move(nodes), tags_of(element));
+      collect_way(element, collector);
     } else if (name == "relation") {
-      collector.count_relation();
+      if (!version_of(element).deleted) collector.count_relation();
+    } else if (name == "remark") {
+      // Overpass puts its errors at the end of an answer that looks sound.
+      const std::string text = element.text().as_string();
+      if (text.find("error") != std::string::npos)
+        throw Error(file.string(), line_at(file, element.offset_debug()),
+                    "the server's answer is incomplete (\"" + text.substr(0, 200) +
+                        "\"): ask for a smaller area or a longer timeout");
+      collector.add_remark(text);
     }
   }
-  return std::move(collector).finish();
 }
 
 }  // namespace nightcity

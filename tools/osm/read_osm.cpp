@@ -3,27 +3,16 @@
 #include <array>
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include "formats/error.h"
+#include "tools/osm/osm_marks.h"
 #include "tools/osm/osm_parsers.h"
 
 namespace nightcity {
 namespace {
 
-constexpr std::size_t mark_bytes = 64;
-
-// A PBF begins with the length of a blob header whose first field is the text "OSMHeader".
-bool is_pbf(std::string_view start) {
-  return start.size() > 16 && start.substr(4, 11) == "\x0a\x09OSMHeader";
-}
-
-bool is_o5m(std::string_view start) {
-  return start.starts_with("\xff\xe0");
-}
-
-bool is_bzip2(std::string_view start) {
-  return start.starts_with("BZh");
-}
+constexpr std::size_t mark_bytes = 1024;
 
 std::string read_mark(const std::filesystem::path& file) {
   std::error_code error;
@@ -37,26 +26,39 @@ std::string read_mark(const std::filesystem::path& file) {
   return {bytes.data(), static_cast<std::size_t>(stream.gcount())};
 }
 
+void collect(const std::filesystem::path& file, OsmCollector& collector) {
+  const std::string mark = read_mark(file);
+  std::string_view start(mark);
+  collector.begin_file();
+  if (const std::string what = describe_unread_osm(start); !what.empty())
+    throw Error(file.string(), what);
+  if (start.starts_with("\x1f\x8b")) return read_osm_packed(file, "osm.gz", collector);
+  if (is_bzip2(start)) return read_osm_packed(file, "osm.bz2", collector);
+  if (is_o5m(start)) return read_osm_packed(file, "o5m", collector);
+  if (is_osm_pbf(start)) return read_osm_packed(file, "pbf", collector);
+  if (start.starts_with("\xef\xbb\xbf")) start.remove_prefix(3);
+  const std::size_t text = start.find_first_not_of(" \t\r\n");
+  if (text != std::string_view::npos && start[text] == '<') return read_osm_xml(file, collector);
+  throw Error(file.string(), "not OSM data: neither XML, PBF, o5m, gzip nor bzip2");
+}
+
 }  // namespace
 
 bool begins_as_osm(std::string_view start) {
   const auto holds = [start](std::string_view text) {
     return start.find(text) != std::string_view::npos;
   };
-  return is_pbf(start) || is_o5m(start) || is_bzip2(start) || holds("<osm ") || holds("<osm>");
+  return is_osm_pbf(start) || is_o5m(start) || is_bzip2(start) || holds("<osm ") || holds("<osm>");
+}
+
+OsmData read_osm(std::span<const std::filesystem::path> files) {
+  OsmCollector collector;
+  for (const std::filesystem::path& file : files) collect(file, collector);
+  return std::move(collector).finish();
 }
 
 OsmData read_osm(const std::filesystem::path& file) {
-  const std::string mark = read_mark(file);
-  std::string_view start(mark);
-  if (start.starts_with("\x1f\x8b")) return read_osm_packed(file, "osm.gz");
-  if (is_bzip2(start)) return read_osm_packed(file, "osm.bz2");
-  if (is_o5m(start)) return read_osm_packed(file, "o5m");
-  if (is_pbf(start)) return read_osm_packed(file, "pbf");
-  if (start.starts_with("\xef\xbb\xbf")) start.remove_prefix(3);
-  const std::size_t text = start.find_first_not_of(" \t\r\n");
-  if (text != std::string_view::npos && start[text] == '<') return read_osm_xml(file);
-  throw Error(file.string(), "not OSM data: neither XML, PBF, gzip nor bzip2");
+  return read_osm(std::span(&file, 1));
 }
 
 }  // namespace nightcity

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string_view>
 
 #include "tools/osm/osm_data.h"
@@ -13,8 +14,13 @@ namespace nightcity {
 /// extract.
 bool begins_as_osm(std::string_view start);
 
-/// Reads an extract: XML by pugixml; PBF, o5m, gzip and bzip2 by libosmium. The first bytes decide,
-/// not the name. Throws Error: missing, broken, not OSM.
+/// Reads an extract or a history: XML by pugixml; PBF, o5m, gzip and bzip2 by libosmium. The first
+/// bytes decide, not the name. Throws Error: missing, broken, not OSM (then it says what the file is
+/// instead, if that can be known).
 OsmData read_osm(const std::filesystem::path& file);
+
+/// Reads several extracts as one map, whatever their order: of an element that is in several, the
+/// newest version counts.
+OsmData read_osm(std::span<const std::filesystem::path> files);
 
 }  // namespace nightcity

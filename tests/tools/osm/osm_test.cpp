@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
 #include <cstdlib>
 #include <fstream>
 
@@ -90,14 +91,124 @@ TEST_F(OsmFile, BrokenNumbersMissingNodesDeletedAndRepeatedElementsAreCounted) {
   EXPECT_EQ(data.highways[0].lon_lat.size(), 2u);
 }
 
-TEST_F(OsmFile, MergeKeepsEachElementOnce) {
+TEST_F(OsmFile, AnElementOfSeveralFilesComesOnce) {
   const std::string lamp =
       R"(<node id="1" lat="1" lon="1"><tag k="highway" v="street_lamp"/></node>)";
-  OsmData a = read(lamp);
-  a.merge(read(lamp + R"(<node id="2" lat="1" lon="1"><tag k="highway" v="street_lamp"/></node>)"));
-  EXPECT_EQ(a.lamps.size(), 2u);
-  EXPECT_EQ(a.duplicates, 1u);
-  EXPECT_EQ(a.nodes, 3u);
+  const std::string other =
+      R"(<node id="2" lat="1" lon="1"><tag k="highway" v="street_lamp"/></node>)";
+  const OsmData data = read_osm(std::array{write("<osm>" + lamp + "</osm>", "a.osm"),
+                                           write("<osm>" + lamp + other + "</osm>", "b.osm")});
+  EXPECT_EQ(data.lamps.size(), 2u);
+  EXPECT_EQ(data.duplicates, 1u);
+  EXPECT_EQ(data.nodes, 3u);
+}
+
+const std::string lamp_tag = R"(<tag k="highway" v="street_lamp"/>)";
+
+TEST_F(OsmFile, TheNewestVersionCountsWhateverTheOrder) {
+  const std::string old = R"(<node id="1" version="1" lat="1" lon="1">)" + lamp_tag + "</node>",
+                    now = R"(<node id="1" version="2" lat="2" lon="2">)" + lamp_tag + "</node>",
+                    edited = R"(<node id="1" version="2" action="modify" lat="3" lon="3">)" +
+                             lamp_tag + "</node>";
+  for (const std::string& text : {old + now, now + old}) {
+    const OsmData data = read(text);
+    ASSERT_EQ(data.lamps.size(), 1u);
+    EXPECT_EQ(data.lamps[0].lon_lat.x, 2);
+    EXPECT_EQ(data.old_versions, 1u);
+    EXPECT_EQ(data.duplicates, 0u);
+  }
+  EXPECT_EQ(read(now + edited + old).lamps.at(0).lon_lat.x, 3);
+  const auto a = write("<osm>" + old + "</osm>", "a.osm"),
+             b = write("<osm>" + now + "</osm>", "b.osm");
+  EXPECT_EQ(read_osm(std::array{a, b}).lamps.at(0).lon_lat.x, 2);
+  EXPECT_EQ(read_osm(std::array{b, a}).lamps.at(0).lon_lat.x, 2);
+}
+
+TEST_F(OsmFile, WhatIsDeletedOrNoLongerALampIsGone) {
+  const std::string lamp = R"(<node id="1" version="3" lat="1" lon="1">)" + lamp_tag + "</node>";
+  for (const std::string gone : {R"(<node id="1" version="4" visible="false"/>)",
+                                 R"(<node id="1" version="4" lat="1" lon="1"/>)",
+                                 R"(<node id="1" version="3" action="delete" lat="1" lon="1"/>)"}) {
+    EXPECT_EQ(read(lamp + gone).lamps.size(), 0u) << gone;
+    EXPECT_EQ(read(gone + lamp).lamps.size(), 0u) << gone;
+    const auto a = write("<osm>" + lamp + "</osm>", "a.osm"),
+               b = write("<osm>" + gone + "</osm>", "b.osm");
+    EXPECT_EQ(read_osm(std::array{a, b}).lamps.size(), 0u) << gone;
+    EXPECT_EQ(read_osm(std::array{b, a}).lamps.size(), 0u) << gone;
+  }
+  // An undeleted lamp is there again.
+  EXPECT_EQ(read(R"(<node id="1" version="2" visible="false"/>)" + lamp).lamps.size(), 1u);
+  const std::string nodes = R"(<node id="2" lat="1" lon="1"/><node id="3" lat="2" lon="2"/>)";
+  EXPECT_EQ(read(nodes + R"(
+    <way id="9" version="1"><nd ref="2"/><nd ref="3"/><tag k="highway" v="primary"/></way>
+    <way id="9" version="2" visible="false"/>)")
+                .highways.size(),
+            0u);
+}
+
+TEST_F(OsmFile, EditorsIdsAreTheSameInOneFileOnly) {
+  const auto text = [](const char* lon) {
+    return std::string("<osm><node id='-1' lat='1' lon='") + lon +
+           "'/><node id='-2' lat='2' lon='2'/><way id='-9'><nd ref='-1'/><nd ref='-2'/>"
+           "<tag k='highway' v='primary'/></way></osm>";
+  };
+  const OsmData data = read_osm(std::array{write(text("1"), "a.osm"), write(text("5"), "b.osm")});
+  ASSERT_EQ(data.highways.size(), 2u);
+  EXPECT_NEAR(data.highways[0].lon_lat[0].x, 1, 1e-9);
+  EXPECT_NEAR(data.highways[1].lon_lat[0].x, 5, 1e-9);
+}
+
+TEST_F(OsmFile, WaysMayHoldTheirPlacesThemselves) {
+  const OsmData data = read(R"(
+    <way id="10"><nd ref="2" lat="48.995" lon="9.001"/><nd ref="3" lat="48.996" lon="9.003"/>
+    <tag k="highway" v="residential"/></way>)");
+  ASSERT_EQ(data.highways.size(), 1u);
+  EXPECT_EQ(data.missing_nodes, 0u);
+  EXPECT_EQ(data.highways[0].lon_lat.at(1), glm::dvec2(9.003, 48.996));
+}
+
+TEST_F(OsmFile, LampsMayBeLinesOrAreas) {
+  const OsmData data = read(R"(
+    <node id="1" lat="1" lon="1"/><node id="2" lat="1" lon="3"/><node id="3" lat="3" lon="3"/>
+    <node id="4" lat="3" lon="1"/>
+    <way id="5"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="4"/><nd ref="1"/>
+    <tag k="man_made" v="mast"/><tag k="tower:type" v="lighting"/></way>
+    <way id="6"><nd ref="7"/><center lat="5" lon="6"/><tag k="highway" v="street_lamp"/></way>)");
+  ASSERT_EQ(data.lamps.size(), 2u);
+  EXPECT_NEAR(data.lamps[0].lon_lat.x, 2, 1e-9);
+  EXPECT_NEAR(data.lamps[0].lon_lat.y, 2, 1e-9);
+  EXPECT_TRUE(data.lamps[0].is_way);
+  EXPECT_EQ(data.lamps[1].lon_lat, glm::dvec2(6, 5));
+  EXPECT_TRUE(data.highways.empty());
+}
+
+TEST_F(OsmFile, AnAnswerThatTheServerCallsIncompleteIsRefused) {
+  EXPECT_NE(error_of(write("<osm>\n<remark> runtime error: Query timed out </remark></osm>"))
+                .find(":2: the server's answer is incomplete"),
+            std::string::npos);
+  EXPECT_EQ(read("<remark>made on a Tuesday</remark>").remarks.size(), 1u);
+}
+
+TEST_F(OsmFile, WhatIsNoExtractIsNamed) {
+  using namespace std::string_literals;
+  const struct {
+    std::string content;
+    const char* said;
+  } files[] = {
+      {"\xfd"
+       "7zXZ\0 rest"s,
+       "packed by xz"},
+      {"\x28\xb5\x2f\xfd rest", "packed by zstd"},
+      {"\x04\x22\x4d\x18 rest", "packed by lz4"},
+      {"n2 v0 dV c0 t i0 u T x9.001 y48.995\n", "OPL"},
+      {"\xff\xe0\x04o5c2", "change file"},
+      {"<?xml version='1.0'?><osmChange version='0.6'/>", "apply-changes"},
+      {"<!DOCTYPE html><html></html>", "web page"},
+      {R"({"version": 0.6, "generator": "Overpass API", "osm3s": {}})", "[out:xml]"},
+      {"@id\t@lat\t@lon\n", "CSV"},
+  };
+  for (const auto& [content, said] : files)
+    EXPECT_NE(error_of(write(content)).find(said), std::string::npos) << said;
 }
 
 TEST_F(OsmFile, EveryUnusableFileIsAnErrorThatNamesIt) {
@@ -105,7 +216,7 @@ TEST_F(OsmFile, EveryUnusableFileIsAnErrorThatNamesIt) {
   EXPECT_NE(error_of(folder_).find("not a file"), std::string::npos);
   EXPECT_NE(error_of(write("")).find("empty"), std::string::npos);
   EXPECT_NE(error_of(write("hello")).find("not OSM data"), std::string::npos);
-  EXPECT_NE(error_of(write("<html></html>")).find("<osm>"), std::string::npos);
+  EXPECT_NE(error_of(write("<gpx></gpx>")).find("<osm>"), std::string::npos);
   EXPECT_NE(error_of(write("<osm>\n<node id='1'\n")).find(":2: "), std::string::npos);
   EXPECT_NE(error_of(write("<osm><node></osm>")).find(":1: "), std::string::npos);
   EXPECT_NE(error_of(write("<!DOCTYPE osm [<!ENTITY a SYSTEM 'file:///etc/passwd'>]><osm/>"))
@@ -141,6 +252,8 @@ TEST(OsmSelection, LampsAsPeopleSpellThem) {
                             {{"man_made", "street-light"}},
                             {{"light_source", "lantern"}},
                             {{"light_source", "floodlight"}},
+                            {{"highway", "street_lamp;advertising_column"}},
+                            {{"light_source", "aviation; floodlight"}},
                             {{"man_made", "tower"}, {"tower:type", "lighting"}}})
     EXPECT_TRUE(is_lamp(tags));
   for (const OsmTags& tags :

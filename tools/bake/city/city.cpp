@@ -32,9 +32,7 @@ std::string CityInputs::name() const {
 }
 
 OsmData read_maps(const std::vector<std::filesystem::path>& files) {
-  OsmData map;
-  for (const auto& file : files) map.merge(read_osm(file));
-  return map;
+  return read_osm(files);
 }
 
 City::City(CityInputs inputs, const std::filesystem::path& scratch)

@@ -30,7 +30,7 @@ Table make_osm_table(Recipe::Osm& osm, const fs::path& folder) {
           {paths_key("files", osm.files, folder, false, R"(["streets.osm.pbf"])",
                      "OpenStreetMap extracts: .osm, .osm.pbf, .osm.gz or .osm.bz2. Paths are "
                      "relative to the recipe. Several extracts are merged; an object that is in "
-                     "more than one is taken from the first."),
+                     "more than one is taken in its newest version."),
            text_key("licence", osm.licence, "\"OpenStreetMap contributors, ODbL 1.0\"",
                     "The attribution that both output files carry.")}};
 }

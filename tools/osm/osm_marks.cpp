@@ -1,0 +1,85 @@
+#include "tools/osm/osm_marks.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace nightcity {
+namespace {
+
+using std::string_view;
+using namespace std::string_view_literals;
+
+/// Returns whether the text begins as a line of OPL: "n17 v1 ..." (node), "w" (way), "r" (relation).
+bool is_opl(string_view start) {
+  if (start.empty() || "nwr"sv.find(start.front()) == string_view::npos) return false;
+  std::size_t at = start.substr(1).starts_with('-') ? 2 : 1;
+  const std::size_t first = at;
+  while (at < start.size() && start[at] >= '0' && start[at] <= '9') ++at;
+  return at > first && (start.substr(at).starts_with(" v") || start.substr(at).starts_with(" d") ||
+                        start.substr(at).starts_with(" T") || start.substr(at).starts_with(" x"));
+}
+
+std::string to_lower_case(string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return result;
+}
+
+/// Describes archives and packed files.
+std::string describe_packed(string_view start) {
+  const struct {
+    string_view mark;
+    const char* text;
+  } packings[] = {
+      {"\xfd"
+       "7zXZ\0"sv,
+       "is packed by xz: unpack it by `unxz`"},
+      {"\x28\xb5\x2f\xfd"sv, "is packed by zstd: unpack it by `unzstd`"},
+      {"\x04\x22\x4d\x18"sv, "is packed by lz4: unpack it by `unlz4`"},
+      {"7z\xbc\xaf\x27\x1c"sv, "is a 7z archive: unpack it"},
+      {"Rar!"sv, "is a RAR archive: unpack it"},
+  };
+  for (const auto& [mark, text] : packings)
+    if (start.starts_with(mark)) return text;
+  if (start.size() > 262 && start.substr(257, 5) == "ustar") return "is a tar archive: unpack it";
+  return {};
+}
+
+}  // namespace
+
+// A PBF begins with the length of a blob header whose first field is the text "OSMHeader".
+bool is_osm_pbf(string_view start) {
+  return start.size() > 16 && start.substr(4, 11) == "\x0a\x09OSMHeader";
+}
+
+bool is_o5m(string_view start) {
+  return start.starts_with("\xff\xe0");
+}
+
+bool is_bzip2(string_view start) {
+  return start.starts_with("BZh");
+}
+
+std::string describe_unread_osm(string_view start) {
+  if (std::string packed = describe_packed(start); !packed.empty()) return packed;
+  if (start.starts_with("\xff\xe0\x04o5c2"))
+    return "is a change file (o5c), not a map: apply it to one by `osmium apply-changes`";
+  if (is_opl(start)) return "is OSM in OPL: convert it by `osmium cat IN.opl -o OUT.osm.pbf`";
+  if (start.starts_with("\xef\xbb\xbf")) start.remove_prefix(3);
+  const std::string text = to_lower_case(start);
+  const auto holds = [&](string_view part) { return text.find(part) != std::string::npos; };
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos) return {};
+  if (holds("<osmchange"))
+    return "is a change file (osmChange), not a map: apply it to one by `osmium apply-changes`";
+  if (holds("<!doctype html") || holds("<html"))
+    return "is a web page, not a map: the download failed, or its address needs a login";
+  if (text[first] == '{' && (holds("\"osm3s\"") || (holds("\"generator\"") && holds("overpass"))))
+    return "is an answer of Overpass in JSON: ask for XML by [out:xml] and `out meta geom;`";
+  if (text.starts_with("@id") || text.starts_with("@type"))
+    return "is an answer of Overpass in CSV: ask for XML by [out:xml] and `out meta geom;`";
+  return {};
+}
+
+}  // namespace nightcity
