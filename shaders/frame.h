@@ -122,6 +122,9 @@ struct Frame {
   BUFFER(Words) display;  // 8-bit sRGB, R in the low byte
   Camera camera;
   Camera previous_camera;
+  // scene.tlas and scene.root of the frame before.
+  uvec2 previous_tlas;
+  uint previous_root;
   uvec2 size;
   // Number of the frame since the renderer was made. It never repeats, so that random numbers
   // differ in every frame.

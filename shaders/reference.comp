@@ -57,7 +57,7 @@ void main() {
         const vec2 uv = r2_point(start.xy, FRAME.frame * points + i);
         const LightSample s = sample_point(light, uv, receiver.position);
         const vec3 f = reflected(receiver, s) / float(points);
-        if (luminance(f) > 0.0 && !occluded(receiver.origin, s.point)) {
+        if (luminance(f) > 0.0 && !occluded(receiver.origin, s.point, false)) {
           add_direct(layers, index_of_light, light, f);
           sum += f;
         }

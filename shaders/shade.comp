@@ -32,7 +32,7 @@ void main() {
       const Light light = light_at(reservoir.light);
       const LightSample s = sample_point(light, uv_of(reservoir.uv), receiver.position);
       // With shadowed targets the sample is known to be visible: an occluded one has W = 0.
-      if (has_shadowed_target(ESTIMATOR) || !occluded(receiver.origin, s.point)) {
+      if (has_shadowed_target(ESTIMATOR) || !occluded(receiver.origin, s.point, false)) {
         const vec3 direct = reflected(receiver, s) * reservoir.W;
         add_direct(layers, reservoir.light, light, direct);
         radiance += direct;

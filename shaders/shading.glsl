@@ -8,7 +8,7 @@ struct Receiver {
   vec3 reflectance; // base colour / pi
   vec3 to_camera;      // unit
   float wetness;    // of its water film, 0 .. 1
-  bool before;      // a point of the frame before, lit by that frame's lights
+  bool before;      // a point of the frame before: its lights light it, its geometry shadows it
 };
 
 // Wet asphalt is asphalt under a film of water: water's reflectance at normal incidence ((1.33 - 1)
@@ -78,7 +78,8 @@ float target(Receiver r, uint light, uint uv) {
 
 // Returns whether nothing casts a shadow between the receiver and the sample.
 bool sees(Receiver r, uint light, uint uv) {
-  return !occluded(r.origin, sample_point(light_at(light, r.before), uv_of(uv), r.position).point);
+  const vec3 point = sample_point(light_at(light, r.before), uv_of(uv), r.position).point;
+  return !occluded(r.origin, point, r.before);
 }
 
 // Returns the light that a surface emits towards the camera, cd/m^2 per channel.

@@ -7,16 +7,22 @@
 
 // trace() returns whether the ray hits anything in (t_min, t_max), where t is in units of
 // |direction|. Only instances that share a bit with `mask` count. `hit` is the closest hit; with
-// `any`, tracing stops at the first hit found, and `hit` is undefined.
+// `any`, tracing stops at the first hit found, and `hit` is undefined. `before` traces the geometry
+// of the previous frame, whose vehicles stood elsewhere.
+
+// Without traffic, all frames share one geometry.
+bool is_other_geometry(bool before) { return HAS_TRAFFIC != 0u && before; }
+
 #if defined(TRACE_QUERY)
 
 bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, bool any,
-           out Hit hit) {
+           bool before, out Hit hit) {
   hit = Hit(t_max, NO_HIT, NO_HIT);
   const uint flags =
       any ? gl_RayFlagsOpaqueEXT | gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsOpaqueEXT;
   rayQueryEXT query;
-  rayQueryInitializeEXT(query, accelerationStructureEXT(SCENE.tlas), flags, mask, origin, t_min,
+  const uvec2 tlas = is_other_geometry(before) ? FRAME.previous_tlas : SCENE.tlas;
+  rayQueryInitializeEXT(query, accelerationStructureEXT(tlas), flags, mask, origin, t_min,
                         direction, t_max);
   while (rayQueryProceedEXT(query)) {
   }
@@ -36,13 +42,14 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
 layout(location = 0) rayPayloadEXT Hit ray_hit;  // its triangle counts from the instance's first
 
 bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, bool any,
-           out Hit hit) {
+           bool before, out Hit hit) {
   ray_hit = Hit(t_max, 0u, 0u);  // trace.rmiss sets the instance to NO_HIT
   // Nothing reads where a shadow ray ended, so trace.rchit need not run.
   const uint flags = any ? gl_RayFlagsOpaqueEXT | gl_RayFlagsTerminateOnFirstHitEXT |
                                gl_RayFlagsSkipClosestHitShaderEXT
                          : gl_RayFlagsOpaqueEXT;
-  traceRayEXT(accelerationStructureEXT(SCENE.tlas), flags, mask, 0, 0, 0, origin, t_min, direction,
+  const uvec2 tlas = is_other_geometry(before) ? FRAME.previous_tlas : SCENE.tlas;
+  traceRayEXT(accelerationStructureEXT(tlas), flags, mask, 0, 0, 0, origin, t_min, direction,
               t_max, 0);
   hit = ray_hit;
   if (hit.instance == NO_HIT) return false;
@@ -133,9 +140,9 @@ void swap_if_farther(inout float ta, inout uint a, inout float tb, inout uint b)
 }
 
 bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, bool any,
-           out Hit hit) {
+           bool before, out Hit hit) {
   hit = Hit(t_max, NO_HIT, NO_HIT);
-  uint node = SCENE.root;
+  uint node = is_other_geometry(before) ? FRAME.previous_root : SCENE.root;
   if (node == BVH_EMPTY) return false;
   uint stack[BVH_STACK];
   int top = 0;
@@ -211,7 +218,7 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
 #endif
 
 bool closest_hit(vec3 origin, vec3 direction, out Hit hit) {
-  return trace(origin, direction, 0.0, 1e30, MASK_VISIBLE, false, hit);
+  return trace(origin, direction, 0.0, 1e30, MASK_VISIBLE, false, false, hit);
 }
 
 // The barycentric t of a triangle is off by about a millionth of the triangle's size, so a ray that
@@ -219,17 +226,18 @@ bool closest_hit(vec3 origin, vec3 direction, out Hit hit) {
 // shadow.
 const float NEAREST_M = 0.005;
 
-// Returns whether anything between two points casts a shadow. The margin at the far end spares the
+// Returns whether anything between two points casts a shadow, in this frame or in the one before.
+// The margin at the far end spares the
 // surface that the light is mounted on.
-bool occluded(vec3 from, vec3 to) {
+bool occluded(vec3 from, vec3 to, bool before) {
   Hit hit;
   const vec3 way = to - from;
   return trace(from, way, NEAREST_M / max(length(way), 2.0 * NEAREST_M), 0.99999, MASK_SHADOW, true,
-               hit);
+               before, hit);
 }
 
 // Returns whether a ray reaches the sky.
 bool escapes(vec3 from, vec3 direction) {
   Hit hit;
-  return !trace(from, direction, NEAREST_M, 1e30, MASK_SHADOW, true, hit);
+  return !trace(from, direction, NEAREST_M, 1e30, MASK_SHADOW, true, false, hit);
 }

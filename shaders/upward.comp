@@ -41,7 +41,7 @@ void main() {
     for (uint bounce = 0u; bounce < 2u; ++bounce) {
       Hit hit;
       if (!trace(origin, direction, bounce == 0u ? 0.0 : NEAREST_M, 1e30, MASK_SHADOW, false,
-                 hit)) {
+                 false, hit)) {
         if (direction.y > 0.0) {
           if (bounce == 0u) sum.direct += ray.share; else sum.reflected += ray.share * albedo;
           count_at(origin, light.flux_lm * ray.share * albedo / float(FRAME.upward.rays));

@@ -11,9 +11,13 @@
 namespace nightcity::experiments {
 namespace {
 
-std::vector<std::string> make_row(std::uint32_t frame, const CameraPose& pose, double ms) {
-  return {fmt::to_string(frame), fmt::format("{:.3f}", pose.position.x),
-          fmt::format("{:.3f}", pose.position.y), fmt::format("{:.3f}", pose.position.z),
+std::vector<std::string> make_row(std::uint32_t frame, double time_s, const CameraPose& pose,
+                                  double ms) {
+  return {fmt::to_string(frame),
+          fmt::format("{:.4f}", time_s),
+          fmt::format("{:.3f}", pose.position.x),
+          fmt::format("{:.3f}", pose.position.y),
+          fmt::format("{:.3f}", pose.position.z),
           fmt::format("{:.4g}", ms)};
 }
 
@@ -23,6 +27,7 @@ void add_errors(const Comparison& errors, std::vector<std::string>& row, FlightR
     row.push_back(fmt::format("{:.5g}", value));
   report.rmse8.push_back(errors.rmse8);
   report.relative_mse.push_back(errors.relative_mse);
+  report.mean_signed_error.push_back(errors.relative_mean_signed_error);
   report.fireflies.push_back(errors.fireflies);
 }
 
@@ -37,15 +42,17 @@ FlightReport fly(const FlightOptions& options, Experiment& experiment, RenderSet
 
   FlightReport report;
   report.device = experiment.device_name();
-  Table table{{"frame", "x", "y", "z", "ms", "rmse8", "relative_mse", "relative_mean_signed_error",
-               "fireflies"},
+  Table table{{"frame", "time_s", "x", "y", "z", "ms", "rmse8", "relative_mse",
+               "relative_mean_signed_error", "fireflies"},
               {}};
+  const double first_s = settings.time_s;
   std::optional<float> ev100 = options.ev100;
   for (std::uint32_t i = 0; i < options.frames; ++i) {
     const CameraPose pose = path.at(options.frames > 1 ? double(i) / (options.frames - 1) : 0.0);
+    settings.time_s = first_s + i * options.time_step_s;
     experiment.renderer().render_frame(pose, settings);
     const double ms = sum_gpu_ms(experiment.renderer());
-    std::vector<std::string> row = make_row(i, pose, ms);
+    std::vector<std::string> row = make_row(i, settings.time_s, pose, ms);
     if (i > 0) report.ms.push_back(ms);
     const Image picture = experiment.renderer().download(false);
     if (i > 0 && i % options.every == 0) {

@@ -17,6 +17,7 @@ struct FlightOptions {
   std::filesystem::path folder;         // gets flight.csv and the pictures
   std::string path = "orbit";           // preset or file: see find_path
   std::uint32_t frames = 120;           // along the path
+  double time_step_s = 0;               // the clock moves on by this much before every frame
   std::uint32_t every = 1;              // the error of every Nth frame is measured
   std::uint32_t reference_frames = 16;  // of each reference picture
   std::optional<float> ev100;           // of the pictures; not set: metered from the first
@@ -27,11 +28,12 @@ struct FlightOptions {
 /// in it.
 struct FlightReport {
   std::string device;
-  std::vector<double> ms;                              // of every frame
-  std::vector<double> rmse8, relative_mse, fireflies;  // of the measured frames
+  std::vector<double> ms;  // of every frame
+  // Of the measured frames. The mean signed error is relative to the reference's mean.
+  std::vector<double> rmse8, relative_mse, mean_signed_error, fireflies;
 };
 
-/// Flies along the path and compares the measured frames with references of their own views. Writes
+/// Flies along the path, the clock starting at settings.time_s, and compares the measured frames with references of their own views. Writes
 /// flight.csv and, where asked for, frame-NNNN.png. Throws Error.
 FlightReport fly(const FlightOptions& options, Experiment& experiment, RenderSettings settings,
                  program::ProgressDisplay& progress);

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "formats/program/output.h"
@@ -31,14 +32,30 @@ std::string summarise(const char* what, const char* unit, const std::vector<doub
                      worst - values.begin());
 }
 
+// The standard error is that of the mean over frames. Frames that reuse each other's samples are not
+// independent, so the true one is larger.
+std::string summarise_bias(const std::vector<double>& values) {
+  double sum = 0, squares = 0;
+  for (const double value : values) {
+    sum += value;
+    squares += value * value;
+  }
+  const double n = double(values.size()), mean = sum / n;
+  const double variance = n > 1 ? std::max(squares / n - mean * mean, 0.0) * n / (n - 1) : 0.0;
+  return fmt::format(
+      "mean error     {:+.4f} % +- {:.4f} % of the reference's mean, over {} frames\n", 100 * mean,
+      100 * std::sqrt(variance / n), values.size());
+}
+
 void print_report(const FlightCommand& command, const experiments::FlightReport& report) {
   fmt::print("{} frames of {} along {}, {} on {}\n", command.flight.frames, command.render.scene,
              command.flight.path, name_of(command.render.settings.sampling.estimator),
              report.device);
   if (!report.ms.empty()) fmt::print("{}", summarise("time", " ms", report.ms));
   if (report.rmse8.empty()) return;
-  fmt::print("{}{}", summarise("RMSE (8-bit)", "", report.rmse8),
-             summarise("relative MSE", "", report.relative_mse));
+  fmt::print("{}{}{}", summarise("RMSE (8-bit)", "", report.rmse8),
+             summarise("relative MSE", "", report.relative_mse),
+             summarise_bias(report.mean_signed_error));
   const double worst = *std::max_element(report.fireflies.begin(), report.fireflies.end());
   fmt::print(
       "fireflies      {:.4f} % of the pixels in the worst frame: {} the budget of {:.4f} %\n",
@@ -71,6 +88,7 @@ void add_flight_command(CLI::App& app) {
       "reference of its own view.\n"
       "Examples:\n"
       "  nightview flight city.glb --path dive --frames 240 --size 320x180 --out flight\n"
+      "  nightview flight city.glb --path street --time 18:30 --time-step 0.0333 --out flight\n"
       "  nightview flight city.glb --path path.json --every 10 --pictures --out flight");
   command->render.size = "320x180";
   command->render.declare(*sub);
@@ -80,6 +98,10 @@ void add_flight_command(CLI::App& app) {
   sub->add_option("--frames", flight.frames, "Frames along the path")
       ->capture_default_str()
       ->check(CLI::Range(1u, 100000u));
+  sub->add_option("--time-step", flight.time_step_s,
+                  "Seconds by which the clock moves on before every frame; 0 = it stands still")
+      ->capture_default_str()
+      ->check(number_from(0, 3600));
   sub->add_option("--every", flight.every, "Measure the error of every Nth frame")
       ->capture_default_str()
       ->check(CLI::Range(1u, 100000u));

@@ -7,6 +7,12 @@
 #include "formats/error.h"
 
 namespace nightcity {
+namespace {
+
+// Two renderers often share a scene: one is compared with the other.
+constexpr std::uint32_t usual_vehicle_slots = 4;
+
+}  // namespace
 
 template <class T>
 std::uint64_t DeviceScene::store(std::span<const T> values) {
@@ -37,8 +43,7 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
     instances = with_triangles;
     for (gpu::Instance& instance : with_triangles)
       instance.root = tlas_->first_triangle(instance.root);
-    addresses_.tlas = {static_cast<std::uint32_t>(tlas_->address()),
-                       static_cast<std::uint32_t>(tlas_->address() >> 32)};
+    addresses_.tlas = to_words(tlas_->top_level(0).address());
   }
   if (scene.traffic.trips.empty()) {
     addresses_.nodes = store(std::span(scene.nodes));
@@ -79,7 +84,6 @@ void DeviceScene::store_traffic(const RenderScene& scene,
   std::vector<gpu::VehicleBody> bodies = traffic.bodies;
   if (tlas_) {
     for (gpu::VehicleBody& body : bodies) body.root = tlas_->first_triangle(body.root);
-    to.tlas_instances = tlas_->trip_instances();
     to.body_blas = tlas_->body_blas();
     to.has_tlas = 1;
   }
@@ -104,22 +108,54 @@ void DeviceScene::store_traffic(const RenderScene& scene,
   to.static_root = scene.root;
   to.lower = scene.bounds.lower;
   to.upper = scene.bounds.upper;
-  to.first_instance = static_cast<std::uint32_t>(scene.instances.size());
-  to.first_bvh_node = static_cast<std::uint32_t>(scene.nodes.size());
-
-  // The static instances and nodes are followed by room for the vehicles', which their passes fill
-  // each frame.
-  const auto with_room = [&](auto values, std::size_t more) {
-    storage_.emplace_back(device_, (values.size() + more) * sizeof(values[0]));
-    if (!values.empty()) storage_.back().upload(values.data(), values.size_bytes());
-    return storage_.back().address();
-  };
-  addresses_.instances = with_room(instances, trips);
-  addresses_.nodes = with_room(std::span(scene.nodes), inner + 1);
-  to.instances = addresses_.instances + std::uint64_t{to.first_instance} * sizeof(gpu::Instance);
-  to.bvh = addresses_.nodes + std::uint64_t{to.first_bvh_node} * sizeof(gpu::BvhNode);
-  addresses_.root = to.first_bvh_node + inner;
+  static_instances_ = static_cast<std::uint32_t>(instances.size());
+  static_nodes_ = static_cast<std::uint32_t>(scene.nodes.size());
+  slot_nodes_ = inner + 1;
+  instances_ = gpu::Buffer::of(device_, instances);
+  nodes_ = gpu::Buffer::of(device_, std::span(scene.nodes));
+  make_vehicle_slots(usual_vehicle_slots);
   addresses_.light_count += trips * VEHICLE_LIGHTS;
+}
+
+void DeviceScene::make_vehicle_slots(std::uint32_t count) {
+  const auto grow = [&](gpu::Buffer& buffer, std::size_t static_bytes, std::size_t slot_bytes) {
+    gpu::Buffer grown(device_, static_bytes + count * slot_bytes);
+    const VkBufferCopy copy{0, 0, static_bytes + slot_taken_.size() * slot_bytes};
+    if (copy.size > 0)
+      device_.run([&](VkCommandBuffer commands) {
+        vkCmdCopyBuffer(commands, buffer.handle(), grown.handle(), 1, &copy);
+      });
+    buffer = std::move(grown);
+    return buffer.address();
+  };
+  addresses_.instances = grow(instances_, static_instances_ * sizeof(gpu::Instance),
+                              addresses_.traffic.trip_count * sizeof(gpu::Instance));
+  addresses_.nodes =
+      grow(nodes_, static_nodes_ * sizeof(gpu::BvhNode), slot_nodes_ * sizeof(gpu::BvhNode));
+  slot_taken_.resize(count);
+}
+
+std::uint32_t DeviceScene::acquire_vehicle_slot() {
+  const auto free = std::find(slot_taken_.begin(), slot_taken_.end(), false);
+  const auto slot = static_cast<std::uint32_t>(free - slot_taken_.begin());
+  if (free == slot_taken_.end()) make_vehicle_slots(slot + usual_vehicle_slots);
+  slot_taken_[slot] = true;
+  return slot;
+}
+
+void DeviceScene::release_vehicle_slot(std::uint32_t slot) {
+  slot_taken_[slot] = false;
+}
+
+VehicleSlot DeviceScene::vehicle_slot(std::uint32_t slot) const {
+  VehicleSlot result{};
+  result.first_instance = static_instances_ + slot * addresses_.traffic.trip_count;
+  result.first_bvh_node = static_nodes_ + slot * slot_nodes_;
+  result.root = result.first_bvh_node + slot_nodes_ - 1;
+  result.instances =
+      addresses_.instances + std::uint64_t{result.first_instance} * sizeof(gpu::Instance);
+  result.bvh = addresses_.nodes + std::uint64_t{result.first_bvh_node} * sizeof(gpu::BvhNode);
+  return result;
 }
 
 bool DeviceScene::set_time(double time_s) {
@@ -176,7 +212,7 @@ std::uint64_t DeviceScene::bytes() const {
   std::uint64_t total = 0;
   for (const gpu::Buffer& buffer : storage_) total += buffer.bytes();
   for (const gpu::Buffer* buffer : {&lit_bits_[0], &lit_bits_[1], &lit_list_, &alias_, &cells_[0],
-                                    &cells_[1], &entries_[0], &entries_[1]})
+                                    &cells_[1], &entries_[0], &entries_[1], &instances_, &nodes_})
     total += buffer->bytes();
   return total + (tlas_ ? tlas_->bytes() : 0);
 }

@@ -13,6 +13,14 @@
 
 namespace nightcity {
 
+/// Room for one frame's vehicles: their instances and their part of the BVH, behind the static ones.
+/// A renderer holds two, because rays may trace the frame before.
+struct VehicleSlot {
+  std::uint32_t first_instance, first_bvh_node;  // as in gpu::TrafficBuffers
+  std::uint32_t root;                            // of the whole scene with these vehicles
+  std::uint64_t instances, bvh;                  // addresses of the first of each
+};
+
 class DeviceScene {
  public:
   /// Copies what set_time needs, so `scene` need not outlive the object. Throws Error when the
@@ -46,13 +54,21 @@ class DeviceScene {
   /// Returns the bounds of the visible static geometry in model space.
   const Box& bounds() const { return bounds_; }
   std::uint64_t bytes() const;
+
+  /// Reserves a slot until release_vehicle_slot(). Reserving one may move the others: ask
+  /// vehicle_slot() in every frame.
+  std::uint32_t acquire_vehicle_slot();
+  void release_vehicle_slot(std::uint32_t slot);
+  VehicleSlot vehicle_slot(std::uint32_t slot) const;
+
   /// Returns the device's acceleration structures, or null where rays go through our own BVHs.
-  const SceneTlas* tlas() const { return tlas_ ? &*tlas_ : nullptr; }
+  SceneTlas* tlas() { return tlas_ ? &*tlas_ : nullptr; }
 
  private:
   template <class T>
   std::uint64_t store(std::span<const T> values);
   void store_traffic(const RenderScene& scene, std::span<const gpu::Instance> instances);
+  void make_vehicle_slots(std::uint32_t count);
   void upload_lit(LitLights lit);
   gpu::LightGridBuffers upload_grid(std::size_t which, const LightGrid& grid);
 
@@ -60,6 +76,11 @@ class DeviceScene {
   std::vector<gpu::Buffer> storage_;
   gpu::SceneBuffers addresses_{};
   bool has_profiles_ = false, has_rectangles_ = false;
+
+  // With traffic: the static instances and nodes, followed by the slots.
+  gpu::Buffer instances_, nodes_;
+  std::uint32_t static_instances_ = 0, static_nodes_ = 0, slot_nodes_ = 0;
+  std::vector<bool> slot_taken_;
 
   std::vector<glm::vec3> albedos_;
   std::optional<SceneTlas> tlas_;

@@ -30,7 +30,8 @@ VkAccelerationStructureInstanceKHR make_record(const gpu::Instance& instance, st
 
 }  // namespace
 
-SceneTlas::SceneTlas(gpu::Device& device, const RenderScene& scene, std::uint64_t triangles) {
+SceneTlas::SceneTlas(gpu::Device& device, const RenderScene& scene, std::uint64_t triangles)
+    : device_(device) {
   const std::size_t trips = scene.traffic.trips.size(), placed = scene.instances.size() + trips;
   if (placed > 0xFFFFFFu)
     throw Error("scene", "more than 16 million instances: too many for any --trace but compute");
@@ -42,25 +43,33 @@ SceneTlas::SceneTlas(gpu::Device& device, const RenderScene& scene, std::uint64_
                    device, triangles + std::uint64_t{mesh.first_triangle} * sizeof(gpu::Triangle),
                    mesh.triangles)});
 
-  // The vehicles' records start with mask 0, which no ray hits: their passes fill them each frame.
-  std::vector<VkAccelerationStructureInstanceKHR> records(placed);
+  records_.resize(placed);
+  static_records_ = static_cast<std::uint32_t>(scene.instances.size());
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const gpu::Instance& instance = scene.instances[i];
-    records[i] = make_record(instance, i, meshes_.at(instance.root).blas.address());
+    records_[i] = make_record(instance, i, meshes_.at(instance.root).blas.address());
   }
   std::vector<std::uint64_t> bodies;
   for (const gpu::VehicleBody& body : scene.traffic.bodies) {
     const auto mesh = meshes_.find(body.root);
     bodies.push_back(mesh == meshes_.end() ? 0 : mesh->second.blas.address());
   }
-  instances_ =
-      gpu::Buffer::of(device, std::span<const VkAccelerationStructureInstanceKHR>(records));
   bodies_ = gpu::Buffer::of(device, std::span<const std::uint64_t>(bodies));
-  trip_instances_ =
-      instances_.address() + scene.instances.size() * sizeof(VkAccelerationStructureInstanceKHR);
-  tlas_ = gpu::AccelerationStructure::of_instances(device, instances_.address(),
-                                                   static_cast<std::uint32_t>(placed));
+}
+
+SceneTlas::TopLevel::TopLevel(gpu::Device& device,
+                              std::span<const VkAccelerationStructureInstanceKHR> records,
+                              std::uint32_t static_records)
+    : records_(gpu::Buffer::of(device, records)),
+      tlas_(gpu::AccelerationStructure::of_instances(device, records_.address(),
+                                                     static_cast<std::uint32_t>(records.size()))),
+      trip_instances_(records_.address() +
+                      std::uint64_t{static_records} * sizeof(VkAccelerationStructureInstanceKHR)) {
   device.run([&](VkCommandBuffer commands) { tlas_.build(commands); });
+}
+
+const SceneTlas::TopLevel& SceneTlas::top_level(std::uint32_t slot) {
+  return top_levels_.try_emplace(slot, device_, records_, static_records_).first->second;
 }
 
 std::uint32_t SceneTlas::first_triangle(std::uint32_t root) const {
@@ -69,7 +78,8 @@ std::uint32_t SceneTlas::first_triangle(std::uint32_t root) const {
 }
 
 std::uint64_t SceneTlas::bytes() const {
-  std::uint64_t total = instances_.bytes() + bodies_.bytes() + tlas_.bytes();
+  std::uint64_t total = bodies_.bytes();
+  for (const auto& [slot, top_level] : top_levels_) total += top_level.bytes();
   for (const auto& [root, mesh] : meshes_) total += mesh.blas.bytes();
   return total;
 }

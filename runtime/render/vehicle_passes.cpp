@@ -9,7 +9,7 @@ float cycle_time(const TrafficCycle& cycle, double time_s) {
   return length > 0 ? float(time_s - std::floor(time_s / length) * length) : 0.0f;
 }
 
-VehiclePasses::VehiclePasses(gpu::Device& device, const DeviceScene& scene) : scene_(scene) {
+VehiclePasses::VehiclePasses(gpu::Device& device, DeviceScene& scene) : scene_(scene) {
   if (!scene.has_traffic()) return;
   const gpu::TrafficBuffers& traffic = scene.buffers().traffic;
   const std::size_t trips = traffic.trip_count;
@@ -22,6 +22,12 @@ VehiclePasses::VehiclePasses(gpu::Device& device, const DeviceScene& scene) : sc
   boxes_ = gpu::Buffer(device, trips * sizeof(gpu::VehicleNode));
   cells_ = gpu::Buffer(device, trips * 2 * sizeof(std::uint32_t));
   counts_ = gpu::Buffer(device, (VEHICLE_CELLS + 1) * sizeof(std::uint32_t));
+  for (std::uint32_t& slot : slots_) slot = scene_.acquire_vehicle_slot();
+}
+
+VehiclePasses::~VehiclePasses() {
+  if (!scene_.has_traffic()) return;
+  for (const std::uint32_t slot : slots_) scene_.release_vehicle_slot(slot);
 }
 
 void VehiclePasses::enter(gpu::Frame& frame) {
@@ -32,6 +38,21 @@ void VehiclePasses::enter(gpu::Frame& frame) {
   frame.vehicle_boxes = boxes_.address();
   frame.vehicle_cells = cells_.address();
   frame.vehicle_counts = counts_.address();
+  frame.previous_root = frame.scene.root;
+  frame.previous_tlas = frame.scene.tlas;
+  if (!scene_.has_traffic()) return;
+  const VehicleSlot now = scene_.vehicle_slot(slots_[parity_]);
+  frame.scene.root = now.root;
+  frame.scene.traffic.first_instance = now.first_instance;
+  frame.scene.traffic.first_bvh_node = now.first_bvh_node;
+  frame.scene.traffic.instances = now.instances;
+  frame.scene.traffic.bvh = now.bvh;
+  frame.previous_root = scene_.vehicle_slot(slots_[parity_ ^ 1]).root;
+  if (!scene_.tlas()) return;
+  const SceneTlas::TopLevel& top_level = scene_.tlas()->top_level(slots_[parity_]);
+  frame.scene.tlas = to_words(top_level.address());
+  frame.scene.traffic.tlas_instances = top_level.trip_instances();
+  frame.previous_tlas = to_words(scene_.tlas()->top_level(slots_[parity_ ^ 1]).address());
 }
 
 void VehiclePasses::record(VkCommandBuffer commands, const PassSet& passes,
@@ -57,7 +78,7 @@ void VehiclePasses::record(VkCommandBuffer commands, const PassSet& passes,
     run(passes.vehicle_bvh, level < traffic.levels ? traffic.level_count[level] : 1, level);
   finished("fleet tree");
   if (!scene_.tlas()) return;
-  scene_.tlas()->build(commands);
+  scene_.tlas()->top_level(slots_[parity_]).build(commands);
   finished("top level");
 }
 

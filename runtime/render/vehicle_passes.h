@@ -17,9 +17,13 @@ float cycle_time(const TrafficCycle& cycle, double time_s);
 
 class VehiclePasses {
  public:
-  VehiclePasses(gpu::Device& device, const DeviceScene& scene);
+  VehiclePasses(gpu::Device& device, DeviceScene& scene);
+  ~VehiclePasses();
+  VehiclePasses(const VehiclePasses&) = delete;
+  VehiclePasses& operator=(const VehiclePasses&) = delete;
 
-  /// Writes the addresses of this frame's and the previous frame's buffers into `frame`.
+  /// Writes the addresses of this frame's and the previous frame's buffers into `frame`, whose
+  /// scene is filled in.
   void enter(gpu::Frame& frame);
   /// Records the passes and calls `finished` with the name of each one after it.
   void record(VkCommandBuffer commands, const PassSet& passes, std::uint64_t frame_address,
@@ -28,9 +32,10 @@ class VehiclePasses {
   std::vector<Light> lights() const;
 
  private:
-  const DeviceScene& scene_;
+  DeviceScene& scene_;
   gpu::Buffer lights_[2], nodes_, boxes_, cells_, counts_;
-  int parity_ = 0;
+  std::uint32_t slots_[2]{};
+  int parity_ = 0;  // of lights_ and slots_: this frame's; the other is the previous frame's
 };
 
 }  // namespace nightcity
