@@ -14,6 +14,8 @@ struct Georeference {
   glm::dvec3 origin{0, 0, 0};         // easting, northing, height in that CRS, m
   std::vector<std::string> sources;   // input files, without their folders
   std::vector<std::string> licences;  // e.g. "OpenStreetMap contributors, ODbL 1.0"
+  // The same in both files of a bake (scene_identity.h); "" is not checked.
+  std::string scene_id{};
 
   /// Returns the model-space position of (easting, northing, height) in the CRS. In double, because
   /// these coordinates are too large for floats.

@@ -9,11 +9,14 @@ namespace nightcity {
 
 nlohmann::json georeference_to_json(const Georeference& georeference) {
   const glm::dvec3& o = georeference.origin;
-  return {{"crs", georeference.crs},
-          {"origin", {o.x, o.y, o.z}},
-          {"frame", "x = east, y = up, z = south; metres from origin (easting, northing, height)"},
-          {"sources", georeference.sources},
-          {"licences", georeference.licences}};
+  nlohmann::json json = {
+      {"crs", georeference.crs},
+      {"origin", {o.x, o.y, o.z}},
+      {"frame", "x = east, y = up, z = south; metres from origin (easting, northing, height)"},
+      {"sources", georeference.sources},
+      {"licences", georeference.licences}};
+  if (!georeference.scene_id.empty()) json["scene_id"] = georeference.scene_id;
+  return json;
 }
 
 Georeference georeference_from_json(const nlohmann::json& json) {
@@ -22,6 +25,7 @@ Georeference georeference_from_json(const nlohmann::json& json) {
     result.crs = json.value("crs", std::string());
     result.sources = json.value("sources", std::vector<std::string>());
     result.licences = json.value("licences", std::vector<std::string>());
+    result.scene_id = json.value("scene_id", std::string());
     const auto origin = json.value("origin", std::vector<double>{0, 0, 0});
     if (origin.size() != 3) throw Error("", "georeference", "origin is not three numbers");
     result.origin = {origin[0], origin[1], origin[2]};

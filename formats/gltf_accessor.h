@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "formats/gltf_document.h"
@@ -20,20 +21,35 @@ class AccessorReader {
   std::span<const std::byte> view(std::size_t index) const;
 
   /// Returns the values of an accessor, `components` numbers each. Integers are converted, and
-  /// normalised if the accessor says so.
+  /// normalised if the accessor says so. Values without data are zeros, and sparse values replace
+  /// those at their places (glTF 2.0, section 3.6.2).
   std::vector<float> floats(std::size_t accessor, int components) const;
 
   /// Returns the indices of an accessor, which are of 8, 16 or 32 bits in the file.
   std::vector<std::uint32_t> indices(std::size_t accessor) const;
 
+  /// Returns how many numbers an element has: 1 to 4, or 0 for a matrix or an unknown type.
+  int components(std::size_t accessor) const;
+
  private:
+  struct Elements {
+    const std::byte* first = nullptr;  // null: there are none
+    std::size_t stride = 0;
+  };
   struct Layout {
-    std::span<const std::byte> bytes;  // from the first value on
-    std::size_t stride, count;
-    std::size_t component_type;
+    std::size_t count, components, component_type, component_size;
     bool normalized;
+    Elements values;  // none: all are zero
+    // Sparse values: the elements that they replace, and the values themselves.
+    std::size_t replaced, place_type;
+    Elements places, replacements;
   };
   Layout layout(std::size_t accessor, int components) const;
+  /// Finds `count` elements of `element` bytes in the bufferView that `source` names.
+  Elements elements(const Json& source, std::size_t count, std::size_t element,
+                    const std::string& place) const;
+  template <class T, class Load>
+  std::vector<T> values(std::size_t accessor, const Layout& layout, Load load) const;
 
   const Document& document_;
 };

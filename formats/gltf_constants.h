@@ -19,6 +19,9 @@ constexpr const char* lights_punctual = "KHR_lights_punctual";
 constexpr const char* mesh_features = "EXT_mesh_features";
 constexpr const char* structural_metadata = "EXT_structural_metadata";
 
+constexpr const char* specular_glossiness = "KHR_materials_pbrSpecularGlossiness";
+
+constexpr const char* colour_attribute = "COLOR_0";
 constexpr const char* feature_attribute = "_FEATURE_ID_0";
 // Of vertices and instances: index into city.lights.
 constexpr const char* light_attribute = "_LIGHT";

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "formats/error.h"
+#include "formats/foreign_file.h"
 #include "formats/gltf_constants.h"
 
 namespace nightcity::gltf {
@@ -68,24 +69,52 @@ std::string decode_percent(std::string_view text) {
   throw Error("", key, std::string("is not ") + wanted);
 }
 
+// Returns whether the first character that is no blank opens an object. A byte order mark may stand
+// before it: RFC 8259, section 8.1, lets readers ignore it.
+bool starts_as_json(std::span<const std::byte> bytes) {
+  constexpr std::array mark{std::byte{0xEF}, std::byte{0xBB}, std::byte{0xBF}};
+  if (bytes.size() >= mark.size() && std::equal(mark.begin(), mark.end(), bytes.begin()))
+    bytes = bytes.subspan(mark.size());
+  const auto first = std::find_if(bytes.begin(), bytes.end(), [](std::byte b) {
+    const char c = static_cast<char>(b);
+    return c != ' ' && c != '\t' && c != '\r' && c != '\n';
+  });
+  return first != bytes.end() && static_cast<char>(*first) == '{';
+}
+
+[[noreturn]] void refuse_version(const std::string& name, const std::string& place,
+                                 const std::string& version) {
+  throw Error(name, place,
+              "is glTF version " + version +
+                  ", and this program reads version 2: convert it (gltf-pipeline does)");
+}
+
 }  // namespace
 
 Document::Document(const std::filesystem::path& path) : name_(path.string()) {
   const auto bytes = files_.emplace_back(path).bytes();
   if (bytes.empty()) throw Error(name_, "is empty");
+  const auto foreign = describe_foreign_file(bytes);
   if (bytes.size() >= 4 && word(bytes, 0) == glb_magic)
     read_container(bytes);
-  else if (const auto first = std::find_if(bytes.begin(), bytes.end(),
-                                           [](std::byte b) { return static_cast<char>(b) > ' '; });
-           first == bytes.end() || static_cast<char>(*first) != '{')
-    throw Error(name_, "is not glTF");
+  else if (foreign || !starts_as_json(bytes))
+    throw Error(name_, foreign.value_or("is not glTF"));
   else
     read_json(bytes);
-  const Json& version = member(member(root_, "asset"), "version");
-  if (!version.is_string()) throw Error(name_, "is not glTF: no asset version");
-  if (version.get<std::string>().rfind("2.", 0) != 0)
-    throw Error(name_, "glTF version \"" + version.get<std::string>() + "\", not 2");
+  check_version();
   read_buffers(path.parent_path());
+}
+
+void Document::check_version() const {
+  const Json& asset = member(root_, "asset");
+  const Json &version = member(asset, "version"), &least = member(asset, "minVersion");
+  if (!version.is_string()) throw Error(name_, "is not glTF: no asset version");
+  const std::string found = version.get<std::string>();
+  if (found.rfind("2.", 0) != 0) refuse_version(name_, "", found);
+  // glTF 2.0, section 3.2: a reader of 2.0 may read every 2.x that does not ask for more.
+  if (least.is_string() && least.get<std::string>() != "2.0")
+    throw Error(name_, "asks for a reader of glTF " + least.get<std::string>() +
+                           " (asset.minVersion); this program reads 2.0");
 }
 
 void Document::read_json(std::span<const std::byte> bytes) {
@@ -100,11 +129,13 @@ void Document::read_json(std::span<const std::byte> bytes) {
 void Document::read_container(std::span<const std::byte> bytes) {
   if (bytes.size() < 20)
     throw Error(name_, "byte " + std::to_string(bytes.size()), "ends in the header");
-  if (word(bytes, 4) != 2)
-    throw Error(name_, "byte 4", "glTF version " + std::to_string(word(bytes, 4)) + ", not 2");
-  if (word(bytes, 8) != bytes.size())
+  if (word(bytes, 4) != 2) refuse_version(name_, "byte 4", std::to_string(word(bytes, 4)));
+  // Bytes behind the container belong to whoever put them there, and are no part of it.
+  if (word(bytes, 8) > bytes.size() || word(bytes, 8) < 12)
     throw Error(name_, "byte " + std::to_string(bytes.size()),
-                "file of " + std::to_string(word(bytes, 8)) + " bytes ends here");
+                "file of " + std::to_string(word(bytes, 8)) +
+                    " bytes ends here: it is cut off, so copy or download it again");
+  bytes = bytes.first(word(bytes, 8));
   bool first = true;
   for (std::size_t offset = 12; offset < bytes.size();) {
     const std::string place = "byte " + std::to_string(offset);
@@ -129,12 +160,12 @@ void Document::read_buffers(const std::filesystem::path& folder) {
     const std::string place = "buffer " + std::to_string(i);
     std::span<const std::byte> bytes;
     try {
-      if (description.contains("uri"))
-        bytes = external(text(description, "uri"), folder);
+      if (const std::string uri = text(description, "uri"); !uri.empty())
+        bytes = external(uri, folder);
       else if (i == 0 && binary_chunk_)
         bytes = *binary_chunk_;
       else
-        throw Error("", "has neither a file nor a binary chunk");
+        throw Error("", "names no file, and there is no binary chunk");
       const auto length = index(description, "byteLength");
       if (!length || *length > bytes.size()) throw Error("", "is shorter than its byteLength");
       buffers_.push_back(bytes.first(*length));
@@ -154,14 +185,38 @@ std::span<const std::byte> Document::external(const std::string& uri,
     if (!bytes) throw Error("", "data URI is not base64");
     return decoded_.emplace_back(std::move(*bytes));
   }
+  if (uri.rfind("http://", 0) == 0 || uri.rfind("https://", 0) == 0)
+    throw Error("", "is on the web (" + uri +
+                        "), and this program loads nothing from there: download it, put it beside "
+                        "the scene and name it without a server");
   // A scene may refer to files beside it only: other places could be secrets of the reader's
   // machine.
-  const std::filesystem::path relative = decode_percent(uri);
-  if (uri.find("://") != std::string::npos || relative.is_absolute())
-    throw Error("", "URI is not relative: " + uri);
-  if (!relative.empty() && *relative.lexically_normal().begin() == "..")
-    throw Error("", "URI leaves the scene's folder: " + uri);
-  return files_.emplace_back(folder / relative).bytes();
+  const auto check = [&](const std::filesystem::path& relative) {
+    if (uri.find("://") != std::string::npos || relative.is_absolute())
+      throw Error("", "URI is not relative: " + uri);
+    if (!relative.empty() && *relative.lexically_normal().begin() == "..")
+      throw Error("", "URI leaves the scene's folder: " + uri);
+  };
+  const std::string decoded = decode_percent(uri);
+  // Exporters on Windows write its separator, which no URI has, and blanks and percent signs as
+  // they are. The first of these spellings that names a file is meant.
+  std::vector<std::string> spellings{decoded};
+  if (decoded != uri) spellings.push_back(uri);
+  if (decoded.find('\\') != std::string::npos) {
+    std::string slashes = decoded;
+    std::replace(slashes.begin(), slashes.end(), '\\', '/');
+    spellings.push_back(std::move(slashes));
+  }
+  for (const std::string& spelling : spellings) check(spelling);
+  for (const std::string& spelling : spellings)
+    if (std::error_code error; std::filesystem::exists(folder / spelling, error) && !error)
+      return files_.emplace_back(folder / spelling).bytes();
+  throw Error("", (folder / spellings.front()).string() +
+                      " is not there: the scene needs it, so keep both together");
+}
+
+std::span<const std::byte> Document::file(const std::string& uri) {
+  return external(uri, std::filesystem::path(name_).parent_path());
 }
 
 std::size_t Document::count(const char* name) const {

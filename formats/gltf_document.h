@@ -18,11 +18,12 @@ namespace nightcity::gltf {
 
 using Json = nlohmann::json;
 
-/// Buffers are mapped, not copied, except data URIs, which are decoded. Images are not read.
+/// Buffers are mapped, not copied, except data URIs, which are decoded.
 class Document {
  public:
   /// Opens a .glb or a .gltf; the content decides, not the name. Throws Error if the file is
-  /// missing, empty, truncated or not glTF 2, or if a buffer is missing or too short.
+  /// missing, empty, truncated or not glTF 2, or if a buffer is missing or too short. Where the file
+  /// is something else that is known, the message says what, and the remedy.
   explicit Document(const std::filesystem::path& path);
 
   const Json& root() const { return root_; }
@@ -31,10 +32,14 @@ class Document {
   /// Returns the number of elements of the top-level array `name`, 0 if it is absent.
   std::size_t count(const char* name) const;
   std::span<const std::byte> buffer(std::size_t index) const;
+  /// Returns the bytes of a file that the scene names by `uri` (an image), as long as the document
+  /// lives. Throws Error, without a file name, if it is missing or not beside the scene.
+  std::span<const std::byte> file(const std::string& uri);
 
  private:
   void read_json(std::span<const std::byte> bytes);
   void read_container(std::span<const std::byte> bytes);
+  void check_version() const;
   void read_buffers(const std::filesystem::path& folder);
   std::span<const std::byte> external(const std::string& uri, const std::filesystem::path& folder);
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "formats/finite.h"
 
@@ -33,6 +35,7 @@ std::optional<std::string> light_fault(const Light& light, std::size_t profile_c
   if (auto fault = shape_fault(light)) return fault;
   if (!finite(light.position)) return "position is not finite";
   if (!(std::isfinite(light.flux_lm) && light.flux_lm > 0)) return "flux is not a positive number";
+  if (light.flux_lm < min_flux_lm) return "flux is below 1e-30 lm";
   if (!finite(light.axis) || !unit(light.axis)) return "axis is not a unit vector";
   if (!finite(light.tangent) || !unit(light.tangent)) return "tangent is not a unit vector";
   if (std::abs(glm::dot(light.axis, light.tangent)) > 1e-3f)
@@ -53,6 +56,33 @@ std::optional<std::string> profile_fault(const LightProfile& profile, std::size_
   const std::size_t values = std::size_t{profile.c_count} * profile.gamma_count;
   if (profile.data_offset + values > data_size) return "data lies outside its section";
   return std::nullopt;
+}
+
+double integrate_profile(const LightProfile& profile, std::span<const float> data) {
+  // Across C the interpolant is linear and wraps round, so the mean over the planes is exact.
+  const auto mean = [&](std::size_t row) {
+    double sum = 0;
+    for (std::size_t c = 0; c < profile.c_count; ++c)
+      sum += double{data[profile.data_offset + c * profile.gamma_count + row]};
+    return sum / profile.c_count;
+  };
+  const double step = glm::radians(double{profile.extent_deg}) / (profile.gamma_count - 1.0);
+  // The integral of a line times sin(gamma) from a to a + step is, with its values f and g at the
+  // ends, f cos(a) - g cos(a + step) + (g - f) / step * (sin(a + step) - sin(a)).
+  double integral = 0, f = mean(0);
+  for (std::size_t row = 1; row < profile.gamma_count; ++row) {
+    const double g = mean(row), b = step * static_cast<double>(row), a = b - step;
+    integral += f * std::cos(a) - g * std::cos(b) + (g - f) / step * (std::sin(b) - std::sin(a));
+    f = g;
+  }
+  return 2 * glm::pi<double>() * integral;
+}
+
+std::optional<std::string> profile_integral_fault(const LightProfile& profile,
+                                                  std::span<const float> data) {
+  const double integral = integrate_profile(profile, data);
+  if (std::abs(integral - 1) <= profile_integral_tolerance) return std::nullopt;
+  return "integral over the sphere is " + std::to_string(integral) + ", not 1 within 0.5 %";
 }
 
 }  // namespace nightcity

@@ -39,6 +39,15 @@ void light_file::check_content(const std::string& file, const LightFileContent& 
           if (std::isfinite(value) && value >= 0) return std::nullopt;
           return "is negative or not finite";
         });
+  // Profiles may share values: a short file must not choose how long their integrals take.
+  std::size_t values = 0;
+  for (const LightProfile& profile : content.profiles)
+    values += std::size_t{profile.c_count} * profile.gamma_count;
+  if (values > max_profile_values)
+    throw Error(file, "section PROF", "its profiles have more than 134 million values in all");
+  check("profile", profiles, [&](std::size_t i) {
+    return profile_integral_fault(content.profiles[i], content.profile_data);
+  });
   check("schedule", schedules,
         [&](std::size_t i) { return schedule_fault(content.schedules[i], content.switches); });
   check("light", content.lights.size(), [&](std::size_t i) -> std::optional<std::string> {

@@ -118,8 +118,8 @@ class LightFile {
   /// inside the file: the time does not grow with the number of lights. Throws Error.
   static LightFile open(const std::filesystem::path& path);
 
-  /// Checks the checksum of each section, and each record as write_light_file does: the time grows
-  /// with the size. Throws Error.
+  /// Checks all that SPEC.md tells a reader to refuse: the checksum of each section, and each record
+  /// as write_light_file does. The time grows with the size. Throws Error.
   void verify() const;
 
   const Georeference& georeference() const;

@@ -18,6 +18,7 @@ constexpr std::uint64_t section_alignment = 64;
 constexpr std::uint32_t max_sections = 1024;  // bounds the work of open() on a hostile file
 constexpr std::uint64_t max_georeference_bytes = 1 << 20;
 constexpr std::uint64_t max_profiles = 65536;
+constexpr std::uint64_t max_profile_values = std::uint64_t{1} << 27;
 
 struct Header {
   std::array<char, 8> magic;

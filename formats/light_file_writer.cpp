@@ -12,6 +12,7 @@
 #include "formats/light_check.h"
 #include "formats/light_file_layout.h"
 #include "formats/night_check.h"
+#include "formats/scene_identity.h"
 
 namespace nightcity {
 
@@ -137,6 +138,10 @@ std::uint32_t LightFileWriter::add_schedule(std::span<const uint> switches) {
   if (const auto fault = schedule_fault({0, count}, switches))
     throw Error(state.name, "schedule " + std::to_string(state.schedules.count()), *fault);
   return state.add_schedule(state.add_switches(switches), count);
+}
+
+std::string LightFileWriter::scene_id(const Georeference& georeference) const {
+  return make_scene_id(georeference, state_->lights_sum.value());
 }
 
 void LightFileWriter::finish(const LightFileContent& rest) {

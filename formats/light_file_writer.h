@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 
 #include "formats/light_file.h"
 
@@ -25,6 +26,10 @@ class LightFileWriter {
   /// Adds a schedule with these switch times (s since noon) and returns its index. Throws Error if
   /// it is invalid (night_check.h).
   std::uint32_t add_schedule(std::span<const uint> switches);
+
+  /// Returns the identity of the scene of these lights and this georeference, for both files of the
+  /// scene (scene_identity.h). To be called when all lights have been added.
+  std::string scene_id(const Georeference& georeference) const;
 
   /// Adds `rest` and completes the file. Lights and schedules of `rest` follow those that were
   /// added one by one. Throws Error if a record is invalid or a light refers to a profile or

@@ -31,6 +31,9 @@ struct ScenePrimitive {
   // the light whose luminous surface it is part of (index into city.lights).
   std::vector<std::uint32_t> feature_ids;
   std::vector<std::uint32_t> light_ids;
+  // The material of each triangle, where vertices have colours of their own (COLOR_0 in files of
+  // others); otherwise empty, and `material` is that of all triangles. Not written.
+  std::vector<std::uint32_t> triangle_materials;
 };
 
 struct SceneMesh {
@@ -85,6 +88,8 @@ struct Scene {
   std::vector<SceneMesh> meshes;
   std::vector<SceneNode> nodes;
   std::vector<SceneFeature> features;
+  // What a file of others holds that is not shown as it says, one sentence for each kind.
+  std::vector<std::string> skipped;
 };
 
 }  // namespace nightcity

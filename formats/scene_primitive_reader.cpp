@@ -2,12 +2,14 @@
 
 #include <cmath>
 #include <cstring>
+#include <glm/common.hpp>
 #include <numeric>
 #include <string>
 #include <utility>
 
 #include "formats/draco_codec.h"
 #include "formats/error.h"
+#include "formats/finite.h"
 #include "formats/gltf_constants.h"
 
 namespace nightcity {
@@ -54,6 +56,18 @@ std::vector<std::uint32_t> to_feature_ids(const Json& source, const std::vector<
   return ids;
 }
 
+// Returns colours without their alpha, clamped to [0, 1] as glTF 2.0, section 3.7.2.1, asks for.
+std::vector<glm::vec3> to_colours(const std::vector<float>& values, std::size_t components) {
+  std::vector<glm::vec3> colours;
+  colours.reserve(values.size() / components);
+  for (std::size_t i = 0; i + components <= values.size(); i += components) {
+    const glm::vec3 colour(values[i], values[i + 1], values[i + 2]);
+    if (!finite(colour)) throw Error("", gltf::colour_attribute, "is not finite");
+    colours.push_back(glm::clamp(colour, 0.0f, 1.0f));
+  }
+  return colours;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> to_light_ids(const std::vector<float>& values) {
@@ -67,15 +81,20 @@ std::vector<std::uint32_t> to_light_ids(const std::vector<float>& values) {
 }
 
 std::optional<ScenePrimitive> PrimitiveReader::read(const Json& source,
-                                                    const std::vector<FeatureRange>& tables) const {
+                                                    const std::vector<FeatureRange>& tables,
+                                                    std::vector<glm::vec3>& colours) const {
+  colours.clear();
   const std::size_t mode = gltf::index(source, "mode").value_or(mode_triangles);
   if (mode > mode_fan) throw Error("", "mode " + std::to_string(mode), "is not known");
   if (mode < mode_triangles) return {};
+  // glTF 2.0, section 3.7.2.1: without positions there is nothing to draw.
+  if (!gltf::index(member(source, "attributes"), "POSITION")) return {};
   ScenePrimitive primitive;
   const VertexIds ids = read_geometry(source, primitive);
   primitive.indices = to_triangle_list(mode, std::move(primitive.indices));
   primitive.feature_ids = to_feature_ids(source, ids.features, tables);
   primitive.light_ids = to_light_ids(ids.lights);
+  colours = to_colours(ids.colours, ids.colour_components);
   return primitive;
 }
 
@@ -83,8 +102,9 @@ PrimitiveReader::VertexIds PrimitiveReader::read_geometry(const Json& source,
                                                           ScenePrimitive& target) const {
   const Json& draco = extension(source, gltf::draco);
   std::vector<float> positions;
-  VertexIds ids = draco.is_object() ? read_draco(draco, positions, target.indices)
-                                    : read_plain(source, positions, target.indices);
+  VertexIds ids = draco.is_object()
+                      ? read_draco(draco, member(source, "attributes"), positions, target.indices)
+                      : read_plain(source, positions, target.indices);
   const std::size_t vertices = positions.size() / 3;
   for (const float value : positions)
     if (!std::isfinite(value)) throw Error("", "POSITION", "is not finite");
@@ -92,9 +112,9 @@ PrimitiveReader::VertexIds PrimitiveReader::read_geometry(const Json& source,
     if (index >= vertices)
       throw Error("", "index " + std::to_string(index),
                   "of " + std::to_string(vertices) + " vertices");
-  for (const auto* values : {&ids.features, &ids.lights})
-    if (!values->empty() && values->size() != vertices)
-      throw Error("", "attributes", "differ in length");
+  for (const std::size_t count :
+       {ids.features.size(), ids.lights.size(), ids.colours.size() / ids.colour_components})
+    if (count != 0 && count != vertices) throw Error("", "attributes", "differ in length");
   target.positions.resize(vertices);
   if (vertices != 0)
     std::memcpy(target.positions.data(), positions.data(), vertices * sizeof(glm::vec3));
@@ -113,6 +133,10 @@ PrimitiveReader::VertexIds PrimitiveReader::read_plain(const Json& source,
   read("POSITION", 3, positions);
   read(gltf::feature_attribute, 1, ids.features);
   read(gltf::light_attribute, 1, ids.lights);
+  if (const std::size_t components = count_colour_components(attributes)) {
+    ids.colour_components = components;
+    read(gltf::colour_attribute, static_cast<int>(components), ids.colours);
+  }
   if (const auto accessor = gltf::index(source, "indices")) {
     indices = accessors_.indices(*accessor);
   } else {
@@ -122,7 +146,15 @@ PrimitiveReader::VertexIds PrimitiveReader::read_plain(const Json& source,
   return ids;
 }
 
-PrimitiveReader::VertexIds PrimitiveReader::read_draco(const Json& draco,
+std::size_t PrimitiveReader::count_colour_components(const Json& attributes) const {
+  const auto accessor = gltf::index(attributes, gltf::colour_attribute);
+  if (!accessor) return 0;
+  const int components = accessors_.components(*accessor);
+  if (components < 3) throw Error("", gltf::colour_attribute, "is neither VEC3 nor VEC4");
+  return static_cast<std::size_t>(components);
+}
+
+PrimitiveReader::VertexIds PrimitiveReader::read_draco(const Json& draco, const Json& attributes,
                                                        std::vector<float>& positions,
                                                        std::vector<std::uint32_t>& indices) const {
   const Json& names = member(draco, "attributes");
@@ -138,6 +170,10 @@ PrimitiveReader::VertexIds PrimitiveReader::read_draco(const Json& draco,
   want("POSITION", 3, positions);
   want(gltf::feature_attribute, 1, ids.features);
   want(gltf::light_attribute, 1, ids.lights);
+  if (const std::size_t components = count_colour_components(attributes)) {
+    ids.colour_components = components;
+    want(gltf::colour_attribute, static_cast<int>(components), ids.colours);
+  }
   const auto view = gltf::index(draco, "bufferView");
   if (!view) throw Error("", gltf::draco, "has no bufferView");
   DracoDecoded decoded = decode_draco(accessors_.view(*view), wanted);

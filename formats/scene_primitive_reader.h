@@ -26,20 +26,26 @@ class PrimitiveReader {
   explicit PrimitiveReader(const gltf::AccessorReader& accessors) : accessors_(accessors) {}
 
   /// Returns the triangles of a primitive, strips and fans as lists, without their material; empty
-  /// for points and lines, which have no surface. `tables` are the file's property tables. Throws
+  /// for points, lines and primitives without POSITION, which have no surface. `colours` gets the
+  /// vertices' colours (COLOR_0; linear, in [0, 1]), or is emptied. `tables` are the file's property tables. Throws
   /// Error without a file name if an index, an id or a position is wrong.
   std::optional<ScenePrimitive> read(const gltf::Json& source,
-                                     const std::vector<FeatureRange>& tables) const;
+                                     const std::vector<FeatureRange>& tables,
+                                     std::vector<glm::vec3>& colours) const;
 
  private:
   struct VertexIds {
-    std::vector<float> features, lights;
+    std::vector<float> features, lights, colours;
+    std::size_t colour_components = 3;
   };
   VertexIds read_geometry(const gltf::Json& source, ScenePrimitive& target) const;
   VertexIds read_plain(const gltf::Json& source, std::vector<float>& positions,
                        std::vector<std::uint32_t>& indices) const;
-  VertexIds read_draco(const gltf::Json& draco, std::vector<float>& positions,
-                       std::vector<std::uint32_t>& indices) const;
+  VertexIds read_draco(const gltf::Json& draco, const gltf::Json& attributes,
+                       std::vector<float>& positions, std::vector<std::uint32_t>& indices) const;
+  /// Returns how many numbers a vertex's colour has, 0 without COLOR_0. Throws Error if it is
+  /// neither 3 nor 4.
+  std::size_t count_colour_components(const gltf::Json& attributes) const;
 
   const gltf::AccessorReader& accessors_;
 };

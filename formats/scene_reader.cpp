@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
-#include <set>
+#include <string>
+#include <vector>
 
 #include "formats/error.h"
 #include "formats/feature_table.h"
@@ -11,8 +12,12 @@
 #include "formats/gltf_accessor.h"
 #include "formats/gltf_constants.h"
 #include "formats/gltf_document.h"
+#include "formats/gltf_numbers.h"
+#include "formats/material_reader.h"
 #include "formats/scene_primitive_reader.h"
+#include "formats/skipped_content.h"
 #include "formats/trs.h"
+#include "formats/vertex_colours.h"
 
 namespace nightcity {
 namespace {
@@ -20,44 +25,43 @@ namespace {
 using gltf::extension;
 using gltf::Json;
 using gltf::member;
+using gltf::numbers;
 
 std::string numbered(const char* what, std::size_t number) {
   return what + (" " + std::to_string(number));
 }
 
-// Returns a member that is an array of as many numbers as `defaults`, or these if it is absent.
-std::vector<double> numbers(const Json& object, const char* key, std::vector<double> defaults) {
-  const Json& array = member(object, key);
-  if (array.is_null()) return defaults;
-  const bool right =
-      array.is_array() && array.size() == defaults.size() &&
-      std::all_of(array.begin(), array.end(), [](const Json& v) { return v.is_number(); });
-  if (!right) throw Error("", key, "is not " + std::to_string(defaults.size()) + " numbers");
-  return array.get<std::vector<double>>();
+const Json& find_asset_extras(const gltf::Document& document) {
+  return member(member(member(document.root(), "asset"), "extras"), gltf::extras_key);
 }
 
 class Reader {
  public:
-  explicit Reader(const gltf::Document& document)
-      : document_(document), accessors_(document), primitives_(accessors_) {}
+  explicit Reader(gltf::Document& document)
+      : document_(document),
+        accessors_(document),
+        materials_(document, accessors_),
+        primitives_(accessors_) {}
 
   Scene read() {
-    check_extensions();
-    const Json& ours =
-        member(member(member(document_.root(), "asset"), "extras"), gltf::extras_key);
+    check_required_extensions(document_);
+    const Json& ours = find_asset_extras(document_);
     if (ours.is_object()) scene_.georeference = georeference_from_json(ours);
     read_features();
-    for (std::size_t i = 0; i < document_.count("materials"); ++i) read_material(i);
-    material_count_ = scene_.materials.size();
+    read_materials();
     for (std::size_t i = 0; i < document_.count("meshes"); ++i) read_mesh(i);
+    add_coloured_materials();
     read_nodes();
+    scene_.skipped = describe_skipped(document_, ours.is_object());
+    for (auto* sentences : {&material_sentences_, &colour_sentences_})
+      scene_.skipped.insert(scene_.skipped.end(), sentences->begin(), sentences->end());
     return std::move(scene_);
   }
 
  private:
-  void check_extensions() const;
   void read_features();
-  void read_material(std::size_t index);
+  void read_materials();
+  void add_coloured_materials();
   void read_mesh(std::size_t index);
   std::uint32_t find_material(const Json& source);
   std::vector<std::size_t> find_roots() const;
@@ -67,30 +71,16 @@ class Reader {
 
   const gltf::Document& document_;
   gltf::AccessorReader accessors_;
+  MaterialReader materials_;
   PrimitiveReader primitives_;
   Scene scene_;
   std::vector<FeatureRange> tables_;
-  std::size_t material_count_ = 0;  // of the file; a default one may follow
+  // The file's materials come first, then glTF's default one, then those of vertices' colours.
+  std::size_t material_count_ = 0;  // of the file
+  VertexColours colours_;
+  bool uses_default_ = false;
+  std::vector<std::string> material_sentences_, colour_sentences_;
 };
-
-// A required extension that we do not know changes the meaning of the data.
-void Reader::check_extensions() const {
-  static const std::set<std::string> known{gltf::draco,
-                                           gltf::emissive_strength,
-                                           gltf::gpu_instancing,
-                                           gltf::mesh_features,
-                                           gltf::structural_metadata,
-                                           "EXT_instance_features",
-                                           gltf::lights_punctual,
-                                           "KHR_materials_unlit",
-                                           "KHR_mesh_quantization",
-                                           "KHR_texture_transform"};
-  for (std::size_t i = 0; i < document_.count("extensionsRequired"); ++i) {
-    const Json& name = document_.element("extensionsRequired", i);
-    if (!name.is_string() || !known.contains(name.get<std::string>()))
-      throw Error("", "extensionsRequired", name.dump() + " is not known to this reader");
-  }
-}
 
 void Reader::read_features() {
   const Json& metadata = extension(document_.root(), gltf::structural_metadata);
@@ -102,36 +92,32 @@ void Reader::read_features() {
   }
 }
 
-void Reader::read_material(std::size_t index) {
-  const Json& source = document_.element("materials", index);
-  const Json& surface = member(source, "pbrMetallicRoughness");
-  SceneMaterial result;
-  result.name = gltf::text(source, "name");
-  const auto colour = numbers(surface, "baseColorFactor", {1, 1, 1, 1});
-  const auto emission = numbers(source, "emissiveFactor", {0, 0, 0});
-  const double strength =
-      gltf::number(extension(source, gltf::emissive_strength), "emissiveStrength", 1);
-  result.base_colour = glm::dvec3(colour[0], colour[1], colour[2]);
-  result.emission_cd_m2 = glm::dvec3(emission[0], emission[1], emission[2]) * strength;
-  result.roughness = static_cast<float>(gltf::number(surface, "roughnessFactor", 1));
-  result.double_sided = gltf::boolean(source, "doubleSided", false);
-  for (const glm::vec3& v :
-       {result.base_colour, result.emission_cd_m2, glm::vec3(result.roughness)})
-    for (int i = 0; i < 3; ++i)
-      if (!(std::isfinite(v[i]) && v[i] >= 0))
-        throw Error("", numbered("material", index), "a value is negative or not finite");
-  scene_.materials.push_back(std::move(result));
+void Reader::read_materials() {
+  material_count_ = document_.count("materials");
+  for (std::size_t i = 0; i < material_count_; ++i) scene_.materials.push_back(materials_.read(i));
+  material_sentences_ = materials_.describe_skipped();
+  // glTF's default: white, single-sided.
+  scene_.materials.push_back({.name = "", .base_colour = glm::vec3(1), .double_sided = false});
 }
 
 std::uint32_t Reader::find_material(const Json& source) {
-  const auto index = gltf::index(source, "material");
-  if (index) {
-    if (*index >= material_count_) throw Error("", numbered("material", *index), "is not there");
-    return static_cast<std::uint32_t>(*index);
+  const std::size_t index = gltf::index(source, "material").value_or(material_count_);
+  if (index > material_count_ || (index == material_count_ && source.contains("material")))
+    throw Error("", numbered("material", index), "is not there");
+  uses_default_ |= index == material_count_;
+  return static_cast<std::uint32_t>(index);
+}
+
+void Reader::add_coloured_materials() {
+  if (const std::size_t count = colours_.primitives()) {
+    const auto made = colours_.materials(scene_.materials);
+    scene_.materials.insert(scene_.materials.end(), made.begin(), made.end());
+    colour_sentences_.push_back(std::to_string(count) +
+                                (count == 1 ? " primitive has" : " primitives have") +
+                                " colours of vertices, shown as one colour a triangle");
+  } else if (!uses_default_) {
+    scene_.materials.pop_back();
   }
-  if (scene_.materials.size() == material_count_)  // glTF's default: white, single-sided
-    scene_.materials.push_back({.name = "", .base_colour = glm::vec3(1), .double_sided = false});
-  return static_cast<std::uint32_t>(material_count_);
 }
 
 void Reader::read_mesh(std::size_t index) {
@@ -141,9 +127,11 @@ void Reader::read_mesh(std::size_t index) {
   mesh.name = gltf::text(source, "name");
   for (std::size_t p = 0; p < primitives.size(); ++p) {
     try {
-      auto primitive = primitives_.read(primitives.at(p), tables_);
+      std::vector<glm::vec3> colours;
+      auto primitive = primitives_.read(primitives.at(p), tables_, colours);
       if (!primitive) continue;
       primitive->material = find_material(primitives.at(p));
+      colours_.apply(*primitive, colours, material_count_ + 1);
       if (!primitive->indices.empty()) mesh.primitives.push_back(std::move(*primitive));
     } catch (const Error& error) {
       throw Error("", numbered("mesh", index) + numbered(" primitive", p), error.what());
@@ -278,12 +266,12 @@ std::vector<SceneInstance> Reader::read_instances(const Json& node,
   return instances;
 }
 
-}  // namespace
-
-Scene read_scene(const std::filesystem::path& path) {
-  const gltf::Document document(path);
+// Returns what `read` makes of the document, with the file's name in front of each error.
+template <class Read>
+auto read_document(const std::filesystem::path& path, Read read) {
+  gltf::Document document(path);
   try {
-    return Reader(document).read();
+    return read(document);
   } catch (const Error& error) {
     throw Error(path.string(), error.what());
   } catch (const std::bad_alloc&) {
@@ -291,6 +279,19 @@ Scene read_scene(const std::filesystem::path& path) {
   } catch (const Json::exception& error) {
     throw Error(path.string(), error.what());
   }
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& path) {
+  return read_document(path, [](gltf::Document& document) { return Reader(document).read(); });
+}
+
+Georeference read_scene_georeference(const std::filesystem::path& path) {
+  return read_document(path, [](gltf::Document& document) {
+    const Json& ours = find_asset_extras(document);
+    return ours.is_object() ? georeference_from_json(ours) : Georeference{};
+  });
 }
 
 }  // namespace nightcity

@@ -12,4 +12,8 @@ namespace nightcity {
 /// or no glTF, an index is out of range, or a position or matrix is not finite.
 Scene read_scene(const std::filesystem::path& path);
 
+/// Returns where the scene in a .glb or .gltf file lies, and its identity; as read_scene, without
+/// the work on meshes. Throws Error.
+Georeference read_scene_georeference(const std::filesystem::path& path);
+
 }  // namespace nightcity

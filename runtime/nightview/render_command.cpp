@@ -120,8 +120,6 @@ double seconds_since(Clock::time_point start) {
 void warn_of_lights(const RenderOptions& options, const RenderScene& scene) {
   if (scene.lights.empty())
     spdlog::warn("{}: no lights, so only surfaces that emit light are seen", options.scene);
-  if (scene.bad_lights)
-    spdlog::warn("{} lights are not finite or have no flux: switched off", scene.bad_lights);
 }
 
 void render(RenderCommand& command) {

@@ -1,5 +1,7 @@
 #include "runtime/nightview/render_options.h"
 
+#include <spdlog/spdlog.h>
+
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
@@ -62,6 +64,13 @@ void declare_size(CLI::App& command, std::string& size) {
   command.add_option("--size", size, "Picture size in pixels, WIDTHxHEIGHT")->capture_default_str();
 }
 
+RenderScene load_and_report(const std::string& scene) {
+  RenderScene loaded = load_render_scene(scene);
+  for (const std::string& sentence : describe_left_out(loaded))
+    spdlog::warn("{}: {}", scene, sentence);
+  return loaded;
+}
+
 void RenderOptions::declare(CLI::App& command) {
   std::string presets;
   for (const std::string& name : camera_presets()) presets += (presets.empty() ? "" : ", ") + name;
@@ -96,7 +105,7 @@ void RenderOptions::resolve() {
 }
 
 RenderScene RenderOptions::load() const {
-  RenderScene loaded = load_render_scene(scene);
+  RenderScene loaded = load_and_report(scene);
   if (!sky_map.empty()) {
     const Image image = read_exr(sky_map);
     loaded.sky_map = {image.width, image.height, image.rgb};

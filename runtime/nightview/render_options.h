@@ -14,6 +14,10 @@ namespace nightcity {
 /// Declares the option of a setting with its range, under its name and its older names.
 void declare_setting(CLI::App& command, const Setting& setting, RenderSettings& settings);
 
+/// Returns the scene of SCENE.glb and SCENE.lights, and logs a warning for each kind of thing that
+/// the files hold and no picture shows. Throws Error.
+RenderScene load_and_report(const std::string& scene);
+
 /// Declares the argument "scene".
 void declare_scene(CLI::App& command, std::string& scene);
 

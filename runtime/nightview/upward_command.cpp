@@ -117,7 +117,7 @@ void print_as_table(const Sums& all, const FamilySums& families) {
 void upward(UpwardCommand& command) {
   command.settings.time_s = parse_time(command.time);
   program::require_writable_folder(command.out);
-  const RenderScene scene = load_render_scene(command.scene);
+  const RenderScene scene = load_and_report(command.scene);
   gpu::Device device(command.device);
   DeviceScene device_scene(device, scene);
   PassLibrary passes(device);

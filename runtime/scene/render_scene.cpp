@@ -1,9 +1,12 @@
 #include "runtime/scene/render_scene.h"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "formats/error.h"
 #include "formats/night_check.h"
+#include "formats/scene_identity.h"
 #include "formats/scene_reader.h"
 #include "runtime/scene/scene_geometry.h"
 
@@ -40,6 +43,7 @@ bool is_usable(const Light& light, std::size_t profiles) {
 
 RenderScene make_render_scene(const Scene& scene, SceneLights lights) {
   RenderScene out;
+  out.skipped = scene.skipped;
   for (const SceneMaterial& m : scene.materials)
     out.materials.push_back({m.base_colour, m.roughness, m.emission_cd_m2, 0});
   if (out.materials.empty()) out.materials.push_back({glm::vec3(0.5f), 1.0f, glm::vec3(0.0f), 0});
@@ -73,6 +77,39 @@ RenderScene make_render_scene(const Scene& scene, SceneLights lights) {
   return out;
 }
 
+namespace {
+
+// Returns how far the farthest corner of a box is from the origin along one axis, m.
+float find_reach(const Box& box) {
+  const glm::vec3 corner = glm::max(glm::abs(box.lower), glm::abs(box.upper));
+  return std::max({corner.x, corner.y, corner.z});
+}
+
+// SPEC.md, section 1: a writer keeps a scene this near its origin.
+constexpr float max_reach_m = 20'000;
+
+}  // namespace
+
+std::vector<std::string> describe_left_out(const RenderScene& scene) {
+  std::vector<std::string> sentences = scene.skipped;
+  const auto say = [&](std::size_t count, const char* one, const char* many, const char* rest) {
+    if (count != 0) sentences.push_back(std::to_string(count) + (count == 1 ? one : many) + rest);
+  };
+  say(scene.dropped_triangles, " triangle is", " triangles are", " left out, without area");
+  say(scene.dropped_instances, " instance is", " instances are",
+      " left out, whose matrix is singular or smaller than a micrometre");
+  say(scene.bad_lights, " light is", " lights are",
+      " switched off: not finite, without flux, or with a profile that is not there");
+  if (const float reach = find_reach(scene.bounds); !scene.bounds.empty() && reach > max_reach_m)
+    sentences.push_back(
+        "reaches " + std::to_string(std::lround(reach / 1000)) +
+        " km from its origin, where coordinates are " +
+        std::to_string(std::nextafter(reach, 1e38f) - reach) +
+        " m apart: lights, walls and shadows are off by as much; bake it with an origin within 20 "
+        "km ([origin] in the recipe)");
+  return sentences;
+}
+
 RenderScene load_render_scene(const std::filesystem::path& glb) {
   const Scene scene = read_scene(glb);
   SceneLights lights;
@@ -80,6 +117,8 @@ RenderScene load_render_scene(const std::filesystem::path& glb) {
   beside.replace_extension(".lights");
   if (std::filesystem::exists(beside)) {
     const LightFile file = LightFile::open(beside);
+    file.verify();
+    require_same_scene(glb, scene.georeference, beside, file.georeference());
     lights.lights.assign(file.lights().begin(), file.lights().end());
     for (const LightProvenance& p : file.provenance())
       lights.families.push_back(static_cast<LightFamily>(p.family));

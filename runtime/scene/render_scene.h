@@ -54,10 +54,16 @@ struct RenderScene {
   SkyMap sky_map;
   Box bounds;  // of all static geometry
 
-  std::size_t bad_lights = 0;         // switched off: not finite, no flux, or profile out of range
-  std::size_t dropped_triangles = 0;  // zero area
-  std::size_t dropped_instances = 0;  // singular matrix
+  std::size_t bad_lights = 0;          // switched off: not finite, no flux, or profile out of range
+  std::size_t dropped_triangles = 0;   // zero area
+  std::size_t dropped_instances = 0;   // singular matrix
+  std::vector<std::string> skipped{};  // as in Scene
 };
+
+/// Returns what the files hold and no picture shows, one sentence for each kind: what the reader
+/// skipped, triangles without area, instances without volume, lights that cannot shine. And warns of
+/// a scene that lies so far from its origin that single precision displaces it.
+std::vector<std::string> describe_left_out(const RenderScene& scene);
 
 /// The lights of a scene.
 struct SceneLights {

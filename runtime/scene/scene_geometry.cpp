@@ -46,7 +46,8 @@ void append_mesh(const SceneMesh& mesh, const glm::mat4& to_model, std::vector<g
         ++dropped;
         continue;
       }
-      t.material = primitive.material;
+      t.material = primitive.triangle_materials.empty() ? primitive.material
+                                                        : primitive.triangle_materials[i / 3];
       t.feature = primitive.feature_ids.empty() ? NO_HIT : primitive.feature_ids[a];
       t.light = primitive.light_ids.empty() ? NO_HIT : primitive.light_ids[a];
       out.push_back(t);

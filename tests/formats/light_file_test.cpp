@@ -8,9 +8,11 @@
 #include <limits>
 
 #include "formats/error.h"
+#include "formats/light_check.h"
 #include "formats/light_file_edit.h"
 #include "formats/light_file_writer.h"
 #include "formats/rgb9e5.h"
+#include "formats/scene_identity.h"
 #include "support/temp_folder.h"
 
 namespace nightcity {
@@ -46,7 +48,9 @@ struct Sample {
   std::vector<Light> lights{lamp(1), lamp(2), lamp(3)};
   std::vector<LightProvenance> provenance{3};
   std::vector<LightProfile> profiles{{1, 2, 0, 180}, {2, 3, 2, 45}};
-  std::vector<float> data{0.1f, 0.2f, 1, 2, 3, 4, 5, 6};
+  // Two values of the first profile, six of the second; the integral of each is 1.
+  std::vector<float> data{0.05f,     0.109155f, 0.142274f, 0.284548f,
+                          0.426822f, 0.569095f, 0.711369f, 0.853643f};
   std::vector<Schedule> schedules{{0, 3}, {3, 0}, {3, 1}};
   std::vector<uint> switches{18'000, 40'000, 61'200, 0};
   TrafficCycle cycle{600, 0, {0.5f, 1, 0.25f}};
@@ -249,6 +253,10 @@ TEST(LightFile, WriterRefusesUnphysicalLightsAndLeavesNothing) {
   refused([&](Sample& s) { s.knots[3].velocity.x = inf; });
   refused([&](Sample& s) { s.data[3] = -1; });
   refused([&](Sample& s) { s.data[3] = inf; });
+  refused([&](Sample& s) { s.data[1] *= 2; });  // an integral that is not 1
+  refused([&](Sample& s) { s.lights[1].flux_lm = 1e-40f; });
+  refused([&](Sample& s) { s.vehicle_lights[1].flux_lm = 1e-31f; });
+  refused([&](Sample& s) { s.lights[1].tangent = {0.1f, -0.995f, 0}; });  // not perpendicular
   refused([&](Sample& s) { s.provenance.pop_back(); });
   EXPECT_EQ(folder.entries(), 0u);
 }
@@ -329,6 +337,58 @@ TEST(LightFile, SaysWhatIsWrongWithAFileOfAnotherKind) {
   EXPECT_NE(message(std::string(1000, 'x')).find("is not a light file"), std::string::npos);
   EXPECT_THROW(LightFile::open(folder / "absent"), Error);
   EXPECT_THROW(LightFile::open(folder.path()), Error);
+}
+
+TEST(LightProfile, ItsIntegralIsThatOfTheBilinearInterpolant) {
+  // Without a profile: 1 / (4 pi) in every direction.
+  const float uniform = 0.0795774715f;
+  const std::vector<float> isotropic(6, uniform);
+  EXPECT_NEAR(integrate_profile({1, 6, 0, 180}, isotropic), 1, 1e-6);
+  EXPECT_NEAR(integrate_profile({3, 2, 0, 180}, isotropic), 1, 1e-6);
+  EXPECT_NEAR(integrate_profile({3, 2, 0, 90}, isotropic), 0.5, 1e-6);  // dark beyond
+  // 2 pi times the integral of (1 - gamma / pi) sin(gamma) is 2 pi.
+  EXPECT_NEAR(integrate_profile({1, 2, 0, 180}, std::vector<float>{1, 0}), 6.283185, 1e-5);
+  // The mean over C counts: 0 in one plane of two is half.
+  EXPECT_NEAR(integrate_profile({2, 2, 0, 180}, std::vector<float>{1, 1, 0, 0}), 6.283185, 1e-5);
+  std::vector<float> near_one(2, uniform * 1.004f);
+  EXPECT_FALSE(profile_integral_fault({1, 2, 0, 180}, near_one));
+  near_one.assign(2, uniform * 1.006f);
+  EXPECT_TRUE(profile_integral_fault({1, 2, 0, 180}, near_one));
+}
+
+TEST(SceneIdentity, LightsOfAnotherSceneAreRefusedWithBothNames) {
+  Georeference one{"EPSG:25833", {1, 2, 3}, {"a.osm"}, {}}, other = one;
+  EXPECT_NO_THROW(require_same_scene("a.glb", one, "a.lights", other));  // neither says
+  one.scene_id = make_scene_id(one, 1);
+  EXPECT_NO_THROW(require_same_scene("a.glb", one, "a.lights", other));
+  EXPECT_EQ(one.scene_id.size(), 16u);
+  EXPECT_EQ(make_scene_id(one, 1), one.scene_id);  // the id is no part of what it is made of
+  other.scene_id = make_scene_id(other, 2);
+  EXPECT_NE(other.scene_id, one.scene_id);
+  try {
+    require_same_scene("a.glb", one, "b.lights", other);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("a.glb"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("b.lights"), std::string::npos);
+  }
+}
+
+TEST(SceneIdentity, TheLightFileKeepsIt) {
+  const TempFolder folder;
+  const Sample sample;
+  LightFileContent content = sample.content();
+  {
+    LightFileWriter writer(folder / "a.lights");
+    for (std::size_t i = 0; i < 3; ++i) writer.add(sample.lights[i], sample.provenance[i]);
+    content.georeference.scene_id = writer.scene_id(content.georeference);
+    content.lights = {};
+    content.provenance = {};
+    writer.finish(content);
+  }
+  const LightFile file = LightFile::open(folder / "a.lights");
+  EXPECT_EQ(file.georeference().scene_id, content.georeference.scene_id);
+  EXPECT_EQ(to_content(file).georeference.scene_id, content.georeference.scene_id);
 }
 
 TEST(Rgb9e5, KeepsColoursToNineBits) {

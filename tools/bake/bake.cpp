@@ -46,7 +46,7 @@ class Bake {
   BakeReport run() {
     read_city();
     build_ground();
-    const Georeference georeference = city_.georeference(tiles_.middle());
+    Georeference georeference = city_.georeference(tiles_.middle());
     report_.tiles = tiles_.write(georeference, city_.terrain(), progress_);
     clock_.end_stage("tiles");
     write_lights(georeference);
@@ -83,10 +83,12 @@ class Bake {
     clock_.end_stage("terrain");
   }
 
-  void write_lights(const Georeference& georeference) {
+  // Gives `georeference` the identity that both files carry.
+  void write_lights(Georeference& georeference) {
     begin_step("placing lights");
     BakedLights baked = bake_lights(city_, windows_ ? &*windows_ : nullptr, options_.lights,
                                     {scene_, lights_, georeference, lights_path_});
+    georeference.scene_id = lights_.scene_id(georeference);
     windows_.reset();
     report_.lights = std::move(baked.report);
     clock_.end_stage("lights");

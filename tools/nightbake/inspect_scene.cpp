@@ -49,6 +49,7 @@ Inspection inspect_scene(const std::filesystem::path& file) {
 
   const Georeference& geo = scene.georeference;
   result["buildings"] = buildings;
+  result["skipped"] = scene.skipped;
   result["triangles"] = triangles;
   for (const auto& [kind, ids] : lights) result["lights"][kind] = ids.size();
   if (!geo.crs.empty()) result["crs"] = geo.crs;

@@ -7,6 +7,8 @@
 #include <string>
 
 #include "formats/program/print_json.h"
+#include "formats/scene_identity.h"
+#include "formats/scene_reader.h"
 #include "tools/bake/report/report_text.h"
 #include "tools/bake/scene/light_places.h"
 #include "tools/lights/light_statistics.h"
@@ -82,8 +84,13 @@ void print(const LightFile& file, const LightStatistics& statistics) {
 
 void run(const LightsArguments& arguments) {
   const LightFile file = LightFile::open(arguments.file);
+  file.verify();
   PlaceFault place_fault;
-  if (!arguments.scene.empty()) place_fault = find_place_faults(arguments.scene);
+  if (!arguments.scene.empty()) {
+    require_same_scene(arguments.scene, read_scene_georeference(arguments.scene), arguments.file,
+                       file.georeference());
+    place_fault = find_place_faults(arguments.scene);
+  }
   const LightStatistics statistics = count_lights(file, place_fault);
   if (arguments.json)
     program::print_json(statistics_json(file, statistics));

@@ -50,6 +50,7 @@ void run(const TrafficArguments& arguments) {
   LightFileContent content;
   if (!arguments.lights.empty()) {
     lights = LightFile::open(arguments.lights);
+    lights->verify();
     content = to_content(*lights);
   }
   City city(options.city);

@@ -1,0 +1,171 @@
+// What scenes of others hold that has no place in ours: it is averaged, or named.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "formats/gltf_samples.h"
+#include "formats/picture_mean.h"
+#include "formats/scene_writer.h"
+
+namespace nightcity {
+namespace {
+
+using nlohmann::json;
+using test::add_view;
+using test::bytes_of;
+using test::foreign;
+using test::read;
+
+// A PNG of two pixels: opaque (255, 0, 188), and (255, 255, 0) without opacity.
+constexpr const char* two_pixels =
+    "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAYAAAD0In+KAAAAEUlEQVR42mP4z7Dn////"
+    "DAwAGF0EucNPWMkAAAAASUVORK5CYII=";
+constexpr float linear_188 = 0.50289f;  // IEC 61966-2-1
+
+json textured(const char* uri = two_pixels) {
+  json document = foreign();
+  document["images"] = {{{"uri", uri}}};
+  document["textures"] = {{{"source", 0}}};
+  document["materials"] = {
+      {{"pbrMetallicRoughness",
+        {{"baseColorFactor", {0.5, 1, 1, 1}}, {"baseColorTexture", {{"index", 0}}}}}}};
+  document["meshes"][0]["primitives"][0]["material"] = 0;
+  return document;
+}
+
+void expect_colour(const glm::vec3& colour, const glm::vec3& wanted) {
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(colour[i], wanted[i], 1e-4) << i;
+}
+
+bool says(const Scene& scene, const std::string& words) {
+  return std::any_of(scene.skipped.begin(), scene.skipped.end(), [&](const std::string& sentence) {
+    return sentence.find(words) != std::string::npos;
+  });
+}
+
+TEST(ForeignScene, ATextureIsShownAsItsMeanTimesTheFactor) {
+  const Scene scene = read(textured());
+  expect_colour(scene.materials.at(0).base_colour, {0.5f, 0.5f, linear_188 / 2});
+  EXPECT_TRUE(says(scene, "1 texture is shown as one colour"));
+}
+
+TEST(ForeignScene, ATransparentTextureCountsByItsAlpha) {
+  json document = textured();
+  document["materials"][0]["alphaMode"] = "MASK";
+  const Scene scene = read(document);
+  expect_colour(scene.materials.at(0).base_colour, {0.5f, 0, linear_188});
+  EXPECT_TRUE(says(scene, "1 material is cut out or transparent"));
+}
+
+TEST(ForeignScene, AMissingTextureIsNamedAndTheFactorStays) {
+  const Scene scene = read(textured("not%20there.png"));
+  expect_colour(scene.materials.at(0).base_colour, {0.5f, 1, 1});
+  EXPECT_TRUE(says(scene, "not there.png"));
+}
+
+TEST(ForeignScene, AnEmissiveTextureCountsOnlyWhereSomethingShines) {
+  json document = textured();
+  document["materials"][0] = {{"emissiveTexture", {{"index", 0}}}};
+  EXPECT_EQ(read(document).materials.at(0).emission_cd_m2, glm::vec3(0));
+  EXPECT_FALSE(says(read(document), "texture"));
+  document["materials"][0]["emissiveFactor"] = {1, 1, 1};
+  expect_colour(read(document).materials.at(0).emission_cd_m2, {1, 0.5f, linear_188 / 2});
+}
+
+TEST(ForeignScene, OtherTexturesAreNamed) {
+  json document = textured();
+  document["materials"][0]["normalTexture"] = {{"index", 0}};
+  document["materials"][0]["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 0}};
+  EXPECT_TRUE(says(read(document), "2 textures of normals"));
+}
+
+TEST(ForeignScene, TheDiffuseColourOfTheSpecularModelIsTheReflectance) {
+  json document = textured();
+  document["materials"][0] = {
+      {"extensions",
+       {{"KHR_materials_pbrSpecularGlossiness",
+         {{"diffuseFactor", {0.8, 0.1, 0.2, 1}}, {"glossinessFactor", 0.25}}}}}};
+  document["extensionsRequired"] = {"KHR_materials_pbrSpecularGlossiness"};
+  const Scene scene = read(document);
+  expect_colour(scene.materials.at(0).base_colour, {0.8f, 0.1f, 0.2f});
+  EXPECT_FLOAT_EQ(scene.materials[0].roughness, 0.75f);
+  EXPECT_TRUE(says(scene, "KHR_materials_pbrSpecularGlossiness"));
+}
+
+TEST(ForeignScene, ColoursOfVerticesAreAveragedOverEachTriangle) {
+  for (const int components : {3, 4}) {
+    json document = foreign();
+    std::string colours;
+    for (const auto& c : {glm::vec3(1, 0, 0), glm::vec3(0.1f, 0.4f, 0), glm::vec3(0.4f, 0.2f, 0.3f),
+                          glm::vec3(0.1f, 0, 0)}) {
+      colours += bytes_of<float>({c.x, c.y, c.z});
+      if (components == 4) colours += bytes_of<float>({0.5f});
+    }
+    const auto view = add_view(document, colours);
+    document["accessors"].push_back({{"bufferView", view},
+                                     {"componentType", 5126},
+                                     {"count", 4},
+                                     {"type", components == 4 ? "VEC4" : "VEC3"}});
+    document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 2;
+    const Scene scene = read(document);
+    const ScenePrimitive& primitive = scene.meshes.at(0).primitives.at(0);
+    ASSERT_EQ(primitive.triangle_materials.size(), 2u);
+    expect_colour(scene.materials.at(primitive.triangle_materials[0]).base_colour,
+                  {0.5f, 0.2f, 0.1f});
+    expect_colour(scene.materials.at(primitive.triangle_materials[1]).base_colour,
+                  {0.2f, 0.2f, 0.1f});
+    EXPECT_TRUE(says(scene, "colours of vertices"));
+  }
+}
+
+TEST(ForeignScene, WhiteVerticesChangeNothing) {
+  json document = foreign();
+  const auto view = add_view(document, std::string(12, '\xff'));
+  document["accessors"].push_back({{"bufferView", view},
+                                   {"componentType", 5121},
+                                   {"normalized", true},
+                                   {"count", 4},
+                                   {"type", "VEC3"}});
+  document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 2;
+  const Scene scene = read(document);
+  EXPECT_TRUE(scene.meshes.at(0).primitives.at(0).triangle_materials.empty());
+  EXPECT_TRUE(scene.skipped.empty());
+  EXPECT_EQ(scene.materials.size(), 1u);
+}
+
+TEST(ForeignScene, MovementAndLightsAreNamed) {
+  json document = foreign();
+  document["nodes"][0]["skin"] = 0;
+  document["meshes"][0]["weights"] = {0, 0.5};
+  document["animations"] = {json::object()};
+  document["meshes"][0]["primitives"].push_back({{"mode", 0}, {"attributes", {{"POSITION", 0}}}});
+  document["nodes"][0]["extensions"] = {{"KHR_lights_punctual", {{"light", 0}}}};
+  document["extensionsUsed"] = {"KHR_lights_punctual", "ACME_smell"};
+  const Scene scene = read(document);
+  EXPECT_TRUE(says(scene, "1 node has a skin"));
+  EXPECT_TRUE(says(scene, "morph targets"));
+  EXPECT_TRUE(says(scene, "1 animation is not played"));
+  EXPECT_TRUE(says(scene, "1 primitive of points or lines"));
+  EXPECT_TRUE(says(scene, "KHR_lights_punctual"));
+  EXPECT_TRUE(says(scene, "extensions that are not used: ACME_smell"));
+  EXPECT_EQ(scene.skipped.size(), 6u);
+}
+
+TEST(ForeignScene, ABakedSceneLosesNothing) {
+  const test::TempFolder folder;
+  SceneWriter writer(folder / "city.glb", {});
+  writer.add_punctual({.intensity_cd = 10});
+  writer.finish({});
+  EXPECT_TRUE(read_scene(folder / "city.glb").skipped.empty());
+  EXPECT_TRUE(read(foreign()).skipped.empty());
+}
+
+TEST(PictureMean, BytesThatAreNoPictureHaveNone) {
+  const std::string bytes = "\x89PNG\r\n\x1a\n and no more";
+  EXPECT_FALSE(find_picture_mean(std::as_bytes(std::span(bytes)), false));
+  EXPECT_FALSE(find_picture_mean({}, false));
+}
+
+}  // namespace
+}  // namespace nightcity

@@ -1,0 +1,94 @@
+#include "runtime/scene/render_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "formats/error.h"
+#include "formats/light_file_writer.h"
+#include "formats/scene_writer.h"
+#include "support/scenes.h"
+#include "support/temp_folder.h"
+
+namespace nightcity::test {
+namespace {
+
+std::string message_of(const std::filesystem::path& scene) {
+  try {
+    load_render_scene(scene);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+// Writes a square with one lamp; `name` becomes the source's name, and so part of the identity.
+void write_scene(const TempFolder& folder, const std::string& name, const char* source) {
+  Georeference georeference{"EPSG:25833", {391000, 5819000, 30}, {source}, {}};
+  LightFileWriter lights(folder / (name + ".lights"));
+  lights.add(lamp({0, 5, 0}, 1000), {});
+  georeference.scene_id = lights.scene_id(georeference);
+  lights.finish({.georeference = georeference});
+  SceneWriter scene(folder / (name + ".glb"), {});
+  scene.add_material({.name = "road"});
+  ScenePrimitive square;
+  square.positions = {{-1, 0, 1}, {1, 0, 1}, {1, 0, -1}};
+  square.indices = {0, 1, 2};
+  scene.add_node({"road", "road", scene.add_mesh({"road", {square}}), true, {SceneInstance{}}});
+  scene.finish(georeference);
+}
+
+TEST(LoadRenderScene, RefusesTheLightsOfAnotherScene) {
+  const TempFolder folder;
+  write_scene(folder, "a", "one.gml");
+  write_scene(folder, "b", "other.gml");
+  EXPECT_EQ(message_of(folder / "a.glb"), "");
+  std::filesystem::copy_file(folder / "b.lights", folder / "a.lights",
+                             std::filesystem::copy_options::overwrite_existing);
+  const std::string message = message_of(folder / "a.glb");
+  EXPECT_NE(message.find("a.glb"), std::string::npos) << message;
+  EXPECT_NE(message.find("a.lights"), std::string::npos) << message;
+  EXPECT_NE(message.find("another scene"), std::string::npos) << message;
+}
+
+TEST(LoadRenderScene, RefusesALightFileWithAWrongByte) {
+  const TempFolder folder;
+  write_scene(folder, "a", "one.gml");
+  std::string bytes = read_text(folder / "a.lights");
+  bytes[64 + 46] = '\x47';  // the first light's flux
+  write_text(folder / "a.lights", bytes);
+  EXPECT_NE(message_of(folder / "a.glb").find("checksum"), std::string::npos);
+}
+
+bool says(const std::vector<std::string>& sentences, const std::string& words) {
+  for (const std::string& sentence : sentences)
+    if (sentence.find(words) != std::string::npos) return true;
+  return false;
+}
+
+TEST(DescribeLeftOut, NamesWhatNoPictureShows) {
+  SceneBuilder builder;
+  builder.ground(10).quad({1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1});
+  builder.scene().skipped = {"a thing"};
+  builder.scene().nodes.push_back({"flat", "", 0, true, {SceneInstance{}, SceneInstance{}}});
+  builder.scene().nodes.back().instances[1].to_model[0][0] = 0;
+  Light dark = lamp({0, 5, 0}, 1000);
+  dark.flux_lm = 0;
+  const auto sentences = describe_left_out(builder.with({dark}));
+  EXPECT_TRUE(says(sentences, "a thing"));
+  EXPECT_TRUE(says(sentences, "without area"));
+  EXPECT_TRUE(says(sentences, "1 instance is left out"));
+  EXPECT_TRUE(says(sentences, "1 light is switched off"));
+  EXPECT_TRUE(describe_left_out(SceneBuilder().ground(10).with({})).empty());
+  EXPECT_TRUE(describe_left_out(RenderScene{}).empty());
+}
+
+TEST(DescribeLeftOut, WarnsOfASceneFarFromItsOrigin) {
+  SceneBuilder builder;
+  builder.ground(100);
+  builder.scene().nodes[0].instances[0].to_model[3] = {391000, 34, -5819000, 1};
+  EXPECT_TRUE(says(describe_left_out(builder.with({})), "reaches 5819 km from its origin"));
+}
+
+}  // namespace
+}  // namespace nightcity::test
