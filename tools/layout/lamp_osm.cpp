@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <string>
 
 #include "formats/atomic_file.h"
+#include "tools/lights/colour.h"
 
 namespace nightcity::layout {
 namespace {
@@ -32,6 +34,14 @@ std::string lit_hours(const NightSchedule& hours) {
   return text;
 }
 
+/// Returns the colour temperature, or the colour itself where the lamp is no black body (sodium) or
+/// its colour was tagged.
+std::string colour_of(const PlacedLamp& lamp) {
+  const glm::vec3 black_body = rec709_from_xy(planckian_xy(lamp.cct_k));
+  const bool alike = glm::distance(black_body, lamp.colour) < 1e-3F;
+  return alike ? fmt::format("{:.0f} K", lamp.cct_k) : to_hex(lamp.colour);
+}
+
 }  // namespace
 
 std::size_t write_lamp_osm(const std::filesystem::path& path, std::span<const PlacedLamp> lamps,
@@ -54,7 +64,7 @@ std::size_t write_lamp_osm(const std::filesystem::path& path, std::span<const Pl
     tag("highway", "street_lamp");
     tag("height", fmt::format("{:g}", lamp.mounting_height_m));
     tag("light:luminous_flux", fmt::format("{:.0f}", lamp.flux_lm));
-    tag("light:colour", fmt::format("{:.0f} K", lamp.cct_k));
+    tag("light:colour", colour_of(lamp));
     tag("light:direction", fmt::format("{:.0f}", bearing_degrees(at, ahead)));
     if (lamp.hung) tag("lamp_mount", "suspended");
     // A foot at exactly 0 means that no ground is known there.

@@ -12,6 +12,7 @@
 #include "tools/layout/layout_fit.h"
 #include "tools/layout/post_sites.h"
 #include "tools/lights/colour.h"
+#include "tools/lights/lit_tag.h"
 #include "tools/lights/optics.h"
 #include "tools/random.h"
 
@@ -49,6 +50,7 @@ class Layouter {
       const std::string reason = streets::why_unlit(way);
       (reason.empty() ? lit : unlit).push_back(&way);
       if (!reason.empty() && in_model(way, to_frame)) ++report_.unlit_ways[reason];
+      if (reason.empty()) read_hours(way, to_frame);
     }
     // The result must not depend on the order of the file.
     std::sort(lit.begin(), lit.end(),
@@ -92,6 +94,16 @@ class Layouter {
     for (int part = 0; part <= parts; ++part)
       if (height_at_(street.place(street.length_m() * part / parts).point)) return true;
     return false;
+  }
+
+  /// Keeps the hours of a way whose tag `lit` gives any, and notes a value that is not understood.
+  void read_hours(const OsmWay& way, const LonLatToFrame& to_frame) {
+    const auto found = way.tags.find("lit");
+    if (found == way.tags.end()) return;
+    const LitTag lit = read_lit_tag(found->second);
+    if (lit.hours) hours_of_way_.emplace(way.id, *lit.hours);
+    if (lit.kind == LitTag::Kind::not_understood && in_model(way, to_frame))
+      ++report_.notes["tag of a way not understood: lit=" + found->second];
   }
 
   /// Chooses arrangement, spacing, flux and side of a street.
@@ -285,6 +297,10 @@ class Layouter {
     lamp.provenance.source_id = static_cast<std::uint64_t>(place.way_id);
     lamp.provenance.position = lamp.provenance.height = lamp.provenance.colour =
         lamp.provenance.schedule = ValueSource::rule;
+    if (const auto hours = hours_of_way_.find(lamp.way_id); hours != hours_of_way_.end()) {
+      lamp.hours = hours->second;
+      lamp.provenance.schedule = ValueSource::tag;
+    }
     lamp.provenance.flux = ValueSource::standard;
     lamp.provenance.profile =
         measured(road, lamp.hung) ? ValueSource::attribute : ValueSource::rule;
@@ -339,6 +355,7 @@ class Layouter {
   const std::size_t first_new_ = set_.lamps.size();
   streets::StreetNetwork network_;
   std::optional<PostSites> sites_;
+  std::map<std::int64_t, NightSchedule> hours_of_way_;
   std::vector<StreetPlanned> plans_;
   std::map<std::tuple<std::string, long, Arrangement>, LampDesign> designs_;
   std::map<std::string, std::uint32_t> profiles_;

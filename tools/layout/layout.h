@@ -52,7 +52,7 @@ struct LayoutReport {
   std::map<std::string, RoadClassReport> classes;   // by highway
   std::map<std::string, std::size_t> unlit_ways;    // in the model but not to be lit, by reason
   std::map<std::string, std::size_t> left_out;      // places that get no lamp, by reason
-  std::map<std::string, std::size_t> notes;         // lamps that were moved, by reason
+  std::map<std::string, std::size_t> notes;         // lamps moved, tags of ways not read
   std::map<std::string, std::size_t> arrangements;  // lamps by arrangement
   std::size_t lamps = 0;
 };

@@ -28,6 +28,10 @@ glm::vec3 rec709_from_xy(const glm::dvec2& xy) {
 }
 
 std::optional<glm::vec3> rec709_from_hex(std::string_view text) {
+  std::string doubled = "#";
+  if (text.size() == 4)  // "#fa0" is "#ffaa00"
+    for (const char digit : text.substr(1)) doubled += {digit, digit};
+  if (text.size() == 4 && text[0] == '#') text = doubled;
   if (text.size() != 7 || text[0] != '#') return std::nullopt;
   glm::dvec3 linear;
   for (int channel = 0; channel < 3; ++channel) {
@@ -42,6 +46,19 @@ std::optional<glm::vec3> rec709_from_hex(std::string_view text) {
   const double luminance = 0.2126 * linear.r + 0.7152 * linear.g + 0.0722 * linear.b;
   if (luminance <= 0) return std::nullopt;
   return glm::vec3(linear / luminance);
+}
+
+std::string to_hex(const glm::vec3& rec709) {
+  const double brightest = std::max({rec709.r, rec709.g, rec709.b});
+  std::string text = "#";
+  for (int channel = 0; channel < 3; ++channel) {
+    const double linear = rec709[channel] / brightest;  // IEC 61966-2-1
+    const double encoded =
+        linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+    const auto value = static_cast<unsigned>(std::lround(255 * encoded));
+    for (const unsigned digit : {value / 16, value % 16}) text += "0123456789abcdef"[digit];
+  }
+  return text;
 }
 
 }  // namespace nightcity

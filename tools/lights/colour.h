@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace nightcity {
@@ -18,7 +19,11 @@ glm::dvec2 planckian_xy(double kelvin);
 /// signal red, which would then look magenta where it is overexposed.
 glm::vec3 rec709_from_xy(const glm::dvec2& xy);
 
-/// Returns "#rrggbb" (sRGB) as linear Rec. 709 of luminance 1; empty for other texts and for black.
+/// Returns "#rrggbb" or "#rgb" (sRGB) as linear Rec. 709 of luminance 1; empty for other texts and
+/// for black.
 std::optional<glm::vec3> rec709_from_hex(std::string_view text);
+
+/// Returns the brightest "#rrggbb" of this chromaticity, the inverse of rec709_from_hex.
+std::string to_hex(const glm::vec3& rec709);
 
 }  // namespace nightcity

@@ -5,7 +5,9 @@
 #include <initializer_list>
 
 #include "tools/lights/colour.h"
+#include "tools/lights/lamp_state.h"
 #include "tools/lights/lamp_tag_words.h"
+#include "tools/lights/lit_tag.h"
 #include "tools/osm/tag_values.h"
 
 namespace nightcity {
@@ -80,21 +82,16 @@ class LampTagReader {
   }
 
   void read_switching() {
-    lamp_.unlit = says("lit", {"no", "disused", "broken"}) || says("light:lit", {"no"}) ||
-                  says("disused", {"yes"}) || says("abandoned", {"yes"});
-    if (lamp_.unlit) return;
-    // Lamps that are not lit the whole night go dark in its middle: half-night switching.
-    const NightSchedule part_time = dark_between(minute_of(23, 0), minute_of(5, 0));
+    lamp_.outage = find_outage(tags_, today(), lamp_.unread);
     for (const char* key : {"lit", "light:lit"}) {
       const std::string* text = find(key);
-      if (!text || says(key, {"yes", "automatic", "sunset_sunrise", "dusk_dawn"})) continue;
-      if (says(key, {"limited", "interval", "half_night"}))
-        lamp_.hours = part_time;
-      else
-        lamp_.hours = parse_lit_hours(*text);
-      if (lamp_.hours) break;
-      count_unread(key, *text);
+      if (!text) continue;
+      const LitTag lit = read_lit_tag(*text);
+      if (lit.kind == LitTag::Kind::dark) lamp_.outage = "lit=no";
+      if (lit.kind == LitTag::Kind::not_understood) count_unread(key, *text);
+      if (!lamp_.hours) lamp_.hours = lit.hours;
     }
+    lamp_.unlit = !lamp_.outage.empty();
   }
 
   /// Heights and what the lamp is mounted on.
@@ -142,7 +139,8 @@ class LampTagReader {
         lamp_.colour = rec709_from_xy(*lamp_type_defaults(LampType::high_pressure_sodium).xy);
         return;
       }
-      lamp_.colour = rec709_from_hex(word);
+      lamp_.colour = find_lamp_colour(word);
+      if (!lamp_.colour) lamp_.colour = rec709_from_hex(word);
       if (lamp_.colour) return;
       lamp_.cct_k = parse_cct_k(*text);
       if (lamp_.cct_k) return;
@@ -180,7 +178,12 @@ class LampTagReader {
 std::optional<double> parse_cct_k(string_view text) {
   for (string_view part : split_list(text)) {
     if (const auto known = find_cct_k(normalise_tag(part))) return known;
-    const auto value = take_number(part);
+    auto value = take_number(part);
+    if (value && part.starts_with("-")) {  // a range
+      part.remove_prefix(1);
+      const auto upper = take_number(part);
+      value = upper ? std::optional((*value + *upper) / 2) : std::nullopt;
+    }
     const std::string unit = normalise_tag(part);
     if (value && (unit.empty() || unit == "k" || unit == "kelvin") && *value >= 1000 &&
         *value <= 20000)

@@ -18,8 +18,9 @@ namespace nightcity {
 enum class LampMount { straight_mast, bent_mast, wall, suspended, bollard };
 
 struct LampTags {
-  bool unlit = false;  // lit=no, disused: the lamp gives no light
-  bool mast = false;   // tower:type=lighting, floodlight
+  bool unlit = false;       // the lamp gives no light
+  std::string_view outage;  // why, in words: "lit=no", "broken", ...; empty if it does
+  bool mast = false;        // tower:type=lighting, floodlight
   std::optional<double> height_m, flux_lm, power_w, cct_k, tilt_degrees;
   std::optional<double> ele_m;      // of the ground
   std::optional<glm::vec3> colour;  // linear Rec. 709, luminance 1
@@ -36,7 +37,7 @@ struct LampTags {
 LampTags read_lamp_tags(const OsmTags& tags);
 
 /// Returns a colour temperature in kelvin, 1000 to 20000: "3000", "3000 K", "3000k", "warm_white",
-/// the first of a list.
+/// the middle of "3000-4000", the first of a list.
 std::optional<double> parse_cct_k(std::string_view text);
 /// Returns a bearing in degrees clockwise from north, 0 to 360: "90", "NNE", "south-west".
 std::optional<double> parse_direction_degrees(std::string_view text);

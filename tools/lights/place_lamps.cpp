@@ -55,13 +55,13 @@ class Placer {
   }
 
  private:
-  void leave_out(const char* reason) { ++set_.left_out[reason]; }
+  void leave_out(std::string_view reason) { ++set_.left_out[std::string(reason)]; }
 
   void place(const OsmLampNode& node) {
     const LampTags tags = read_lamp_tags(node.tags);
     for (const auto& [text, count] : tags.unread)
       set_.notes["tag not understood: " + text] += count;
-    if (tags.unlit) return leave_out("lit=no");
+    if (tags.unlit) return leave_out(tags.outage);
     glm::dvec2 at = to_frame_(node.lon_lat);
     if (!std::isfinite(at.x) || !std::isfinite(at.y)) return leave_out("outside the projection");
     if (!height_at_(at)) return leave_out("outside the model");

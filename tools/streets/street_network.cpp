@@ -199,7 +199,7 @@ Street::Place Street::place(double s) const {
 
 std::string why_unlit(const OsmWay& way) {
   const std::string lit = tag(way, "lit"), highway = tag(way, "highway");
-  if (one_of(lit, {"no", "disused", "never"})) return "lit=no";
+  if (one_of(lit, {"no", "disused", "broken", "never", "none", "false", "off"})) return "lit=no";
   if (!one_of(tag(way, "tunnel"), {"", "no"}) || !one_of(tag(way, "covered"), {"", "no"}) ||
       !one_of(tag(way, "indoor"), {"", "no"}) || highway == "corridor" ||
       tag(way, "layer").starts_with("_"))
@@ -209,7 +209,7 @@ std::string why_unlit(const OsmWay& way) {
       one_of(tag(way, "cycleway"), {"crossing", "sidewalk", "sidepath"}) ||
       one_of(tag(way, "path"), {"crossing", "sidewalk"}) || tag(way, "is_sidepath") == "yes")
     return "crossing or pavement beside a street";
-  if (!lit.empty()) return {};
+  if (!lit.empty() && lit != "unknown") return {};
   // Without a tag, towns light streets with houses or through traffic: few junctions of motorways,
   // no paths, and service roads only if they are more than a driveway.
   const roads::RoadClass* road_class = roads::find_road_class(highway);

@@ -42,5 +42,21 @@ TEST(LampOsm, LaidOutLampsReadBackStandWhereTheyStoodAndShineAsTheyDid) {
   EXPECT_TRUE(placed.notes.empty());
 }
 
+TEST(LampOsm, ColoursThatAreNoTemperatureAreReadBack) {
+  OsmData osm;
+  osm.lamps = {{1, {0, 0}, {{"highway", "street_lamp"}, {"light:colour", "#FFA500"}}},
+               {2, {0.001, 0}, {{"highway", "street_lamp"}, {"lamp_type", "low_pressure_sodium"}}},
+               {3, {0.002, 0}, {{"highway", "street_lamp"}, {"light:colour", "2700 K"}}}};
+  const LampSet before = place_lamps(osm, test::to_plane, test::plane);
+  ASSERT_EQ(before.lamps.size(), 3u);
+  const test::TempFolder folder;
+  const auto to_lon_lat = [](const glm::dvec2& p) { return p / test::metres_per_degree; };
+  write_lamp_osm(folder / "lamps.osm", before.lamps, to_lon_lat);
+  const LampSet after = place_lamps(read_osm(folder / "lamps.osm"), test::to_plane, test::plane);
+  ASSERT_EQ(after.lamps.size(), 3u);
+  for (std::size_t n = 0; n < 3; ++n)
+    EXPECT_LT(glm::distance(before.lamps[n].colour, after.lamps[n].colour), 0.03) << n;
+}
+
 }  // namespace
 }  // namespace nightcity::layout

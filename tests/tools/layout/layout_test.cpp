@@ -126,6 +126,25 @@ TEST(Layout, UnlitStreetsStayDark) {
   EXPECT_EQ(laid.report.unlit_ways.at("tunnel or under cover"), 1u);
 }
 
+TEST(Layout, LampsKeepTheHoursOfTheirWay) {
+  const auto laid = [](const char* lit) {
+    return lay_out({street(1, {{-100, 0}, {100, 0}}, tags("residential", {{"lit", lit}}))});
+  };
+  for (const char* lit : {"20:00-06:00", "limited", "interval", "Mo-Su 18:00-23:00"}) {
+    const Laid result = laid(lit);
+    ASSERT_FALSE(result.set.lamps.empty()) << lit;
+    for (const PlacedLamp& lamp : result.set.lamps) {
+      EXPECT_TRUE(lamp.hours) << lit;
+      EXPECT_EQ(lamp.provenance.schedule, ValueSource::tag);
+    }
+    EXPECT_TRUE(result.report.notes.empty());
+  }
+  for (const char* lit : {"yes", "automatic", "unknown"})
+    EXPECT_FALSE(laid(lit).set.lamps.at(0).hours) << lit;
+  EXPECT_TRUE(laid("none").set.lamps.empty());
+  EXPECT_EQ(laid("operating_times").report.notes.size(), 1u);
+}
+
 TEST(Layout, NeverMeansNever) {
   LayoutOptions options;
   options.mode = LayoutOptions::Mode::never;

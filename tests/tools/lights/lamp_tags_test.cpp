@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "tools/lights/colour.h"
+#include "tools/lights/lamp_state.h"
+#include "tools/lights/lit_tag.h"
 
 namespace nightcity {
 namespace {
@@ -90,6 +92,75 @@ TEST(LampTags, WhatCannotBeReadOrBelievedIsTold) {
   EXPECT_EQ(lamp.unread.size(), 5u);
   EXPECT_TRUE(lamp.unread.contains("height=tall"));
   EXPECT_FALSE(read_lamp_tags({{"height", "600"}}).height_m);  // a lamp 600 m high
+}
+
+TEST(LampState, BrokenGoneEndedAndBuriedLampsAreDarkAndNamed) {
+  const struct {
+    OsmTags tags;
+    const char* outage;
+  } lamps[] = {
+      {{{"operational_status", "broken"}}, "broken"},
+      {{{"operational_status", "Out of order"}}, "broken"},
+      {{{"operational_status", "operational"}}, ""},
+      {{{"demolished", "yes"}}, "disused or demolished"},
+      {{{"end_date", "2015-05-01"}}, "end_date past"},
+      {{{"end_date", "1990s"}}, "end_date past"},
+      {{{"end_date", "9999"}}, ""},
+      {{{"start_date", "9998-01-01"}}, "start_date ahead"},
+      {{{"start_date", "1998"}}, ""},
+      {{{"location", "underground"}}, "underground"},
+      {{{"level", "-1"}}, "underground"},
+      {{{"level", "0"}}, ""},
+      {{{"layer", "1"}}, ""},
+      {{{"lit", "none"}}, "lit=no"},
+  };
+  for (const auto& [tags, outage] : lamps) {
+    const LampTags lamp = read_lamp_tags(tags);
+    EXPECT_EQ(lamp.outage, outage) << tags.begin()->first << "=" << tags.begin()->second;
+    EXPECT_EQ(lamp.unlit, outage[0] != 0);
+    EXPECT_TRUE(lamp.unread.empty());
+  }
+  EXPECT_EQ(read_lamp_tags({{"operational_status", "wobbly"}, {"end_date", "soon"}}).unread.size(),
+            2u);
+}
+
+TEST(LampState, ADateEndsWithItsLastDay) {
+  using namespace std::chrono;
+  EXPECT_EQ(parse_last_day("2015-05-01"), Day(2015y / May / 1));
+  EXPECT_EQ(parse_last_day("2015-02"), Day(2015y / February / 28));
+  EXPECT_EQ(parse_last_day("~2015"), Day(2015y / December / 31));
+  EXPECT_EQ(parse_last_day("1980s"), Day(1989y / December / 31));
+  for (const char* text : {"", "soon", "2015-13", "2015-02-30", "2015-05-01x"})
+    EXPECT_FALSE(parse_last_day(text)) << text;
+}
+
+TEST(LitTag, EveryValueIsLitDarkUnknownOrNotUnderstood) {
+  using Kind = LitTag::Kind;
+  for (const char* text : {"yes", "24/7", "automatic", "sunset-sunrise", "dusk-dawn", "limited",
+                           "interval", "20:00-06:00", "Mo-Su 18:00-23:00"})
+    EXPECT_EQ(read_lit_tag(text).kind, Kind::lit) << text;
+  for (const char* text : {"no", "disused", "none"})
+    EXPECT_EQ(read_lit_tag(text).kind, Kind::dark) << text;
+  for (const char* text : {"", "unknown"})
+    EXPECT_EQ(read_lit_tag(text).kind, Kind::unknown) << text;
+  for (const char* text : {"operating_times", "yes;no", "street_lamp"})
+    EXPECT_EQ(read_lit_tag(text).kind, Kind::not_understood) << text;
+  ASSERT_TRUE(read_lit_tag("20:00-06:00").hours);
+  EXPECT_FALSE(read_lit_tag("20:00-06:00").hours->lit_at(minute_of(19, 0)));
+  EXPECT_TRUE(read_lit_tag("20:00-06:00").hours->lit_at(minute_of(2, 0)));
+  EXPECT_FALSE(read_lit_tag("limited").hours->lit_at(minute_of(2, 0)));
+}
+
+TEST(LampTags, ColoursInEverySpelling) {
+  EXPECT_EQ(read_lamp_tags({{"light:colour", "3000-4000"}}).cct_k, 3500);
+  EXPECT_TRUE(read_lamp_tags({{"light:colour", "#fff"}}).colour);
+  EXPECT_TRUE(read_lamp_tags({{"light:colour", "red"}}).colour);
+  for (const char* text : {"#ffa500", "#ff0000", "#123456"}) {
+    const auto colour = rec709_from_hex(text);
+    const auto again = rec709_from_hex(to_hex(*colour));
+    for (int n = 0; n < 3; ++n)
+      EXPECT_NEAR((*again)[n], (*colour)[n], 0.03 * (*colour)[n] + 0.01) << text;
+  }
 }
 
 }  // namespace

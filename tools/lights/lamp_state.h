@@ -1,0 +1,30 @@
+// Whether a mapped lamp exists and works today.
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "tools/osm/osm_data.h"
+
+namespace nightcity {
+
+using Day = std::chrono::sys_days;
+
+/// Returns the last day of a date of OSM: "2015-05-01", "2015-05", "2015", "1980s", "~1998". Empty
+/// for other texts.
+std::optional<Day> parse_last_day(std::string_view text);
+
+/// Returns the day by which dates of maps are judged: that of the environment's SOURCE_DATE_EPOCH
+/// (https://reproducible-builds.org/specs/source-date-epoch), if it is set, otherwise this one.
+Day today();
+
+/// Returns why the lamp gives no light, in words for a report: "disused or demolished", "broken",
+/// "end_date past", "start_date ahead", "underground". Empty for a lamp that works. Values of these
+/// tags that are not understood are counted in `unread`.
+std::string_view find_outage(const OsmTags& tags, Day day,
+                             std::map<std::string, std::size_t>& unread);
+
+}  // namespace nightcity
