@@ -8,6 +8,7 @@
 
 #include "formats/finite.h"
 #include "tools/georeference/handedness.h"
+#include "tools/georeference/right_angles.h"
 #include "tools/median.h"
 
 namespace nightcity {
@@ -59,10 +60,12 @@ void choose_by_area(const Candidates& all, const std::string& promise, AxisChoic
   choice.inside = best > 0;
 }
 
-// Where both orders are possible, the rings know: normals point outward and terrain faces up.
+constexpr double clear_sign = 0.25;  // of a handedness
+
+// Where both orders are possible and the name fixes none, the rings know: normals point outward and
+// terrain faces up.
 void choose_by_rings(const Candidates& all, std::span<const glm::dvec3> sample,
                      const std::string& promise, AxisChoice& choice) {
-  constexpr double clear_sign = 0.25;
   if (all.fits[0] == 0 || all.fits[0] != all.fits[1]) return;
   const double hand = handedness(sample);
   if (!(std::abs(hand) > clear_sign)) {
@@ -77,6 +80,30 @@ void choose_by_rings(const Candidates& all, std::span<const glm::dvec3> sample,
                       : "against the order its name promises: only so surfaces face outward";
 }
 
+// A name that fixes the order is believed against the rings' winding, since solids that are inside
+// out are the commonest fault of city models. Right angles do not depend on winding: where only the
+// other order shows them, the file breaks its name's promise.
+void keep_promise(const Candidates& all, std::span<const glm::dvec3> sample,
+                  const std::string& promise, AxisChoice& choice) {
+  if (all.fits[0] == 0 || all.fits[0] != all.fits[1]) return;
+  if (choice.crs->geographic()) {
+    constexpr std::size_t min_corners = 20, clear_ratio = 3;
+    const RightAngles angles = count_right_angles(sample);
+    const bool swapped = all.orders[0].swapped;
+    const std::size_t promised = swapped ? angles.x_is_latitude : angles.y_is_latitude;
+    const std::size_t other = swapped ? angles.y_is_latitude : angles.x_is_latitude;
+    if (other >= min_corners && other > clear_ratio * promised) {
+      choice.order = all.orders[1];
+      choice.centre = all.places[1];
+      choice.why = "against the order its name promises: only so corners are right angles";
+      return;
+    }
+  }
+  const double hand = handedness(sample);
+  if (std::abs(hand) > clear_sign && (hand < 0) != all.orders[0].swapped)
+    choice.why = promise + ", although surfaces face inward so";
+}
+
 }  // namespace
 
 std::string AxisOrder::in_words() const {
@@ -86,7 +113,8 @@ std::string AxisOrder::in_words() const {
 }
 
 AxisChoice choose_axis_order(std::unique_ptr<SourceCrs> crs, std::span<const glm::dvec3> sample,
-                             bool by_register) {
+                             AxisPromise given) {
+  const bool by_register = given != AxisPromise::east_north;
   const AxisOrder expected{by_register && crs->north_first(), 1};
   const std::string promise =
       by_register ? "in the EPSG register's order" : "in the order that names of this form mean";
@@ -100,7 +128,10 @@ AxisChoice choose_axis_order(std::unique_ptr<SourceCrs> crs, std::span<const glm
   }
   const Candidates all = rate_orders(*choice.crs, expected, sample);
   choose_by_area(all, promise, choice);
-  choose_by_rings(all, sample, promise, choice);
+  if (given == AxisPromise::fixed)
+    keep_promise(all, sample, promise, choice);
+  else
+    choose_by_rings(all, sample, promise, choice);
   return choice;
 }
 

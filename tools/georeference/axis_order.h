@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tools/georeference/source_crs.h"
+#include "tools/georeference/srs_names.h"
 
 namespace nightcity {
 
@@ -32,10 +33,11 @@ struct AxisChoice {
 };
 
 /// Returns the order that puts `sample` (coordinates as in the file) into the CRS's area of use.
-/// Where two orders do, the rings of the sample decide (handedness.h), and where these say nothing,
-/// the name's promise: `by_register` = the axis order of the EPSG register, else east before north.
+/// Where two orders do, a name that fixes the order is followed, whichever way rings are wound,
+/// unless the right angles of buildings in degrees show the other order (right_angles.h). With other
+/// names the rings decide (handedness.h), and where these say nothing, the name's promise.
 AxisChoice choose_axis_order(std::unique_ptr<SourceCrs> crs, std::span<const glm::dvec3> sample,
-                             bool by_register);
+                             AxisPromise given);
 
 /// Returns the component-wise median of the finite points, which one broken coordinate does not
 /// move; NaN where there are none.

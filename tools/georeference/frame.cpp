@@ -33,6 +33,9 @@ std::string first_of(std::span<const glm::dvec3> sample) {
 
 struct CityFrame::State {
   std::unique_ptr<SourceCrs> source;  // null: no CRS
+  /// A projected CRS whose metres are none at the city (Pseudo-Mercator): coordinates of the file
+  /// go through it into degrees of `source`. Null for all others.
+  std::unique_ptr<SourceCrs> stretched;
   AxisOrder order{false, 1};
   double unit = 1, height_unit = 1;    // source units to metres
   std::optional<LocalMercator> plane;  // geographic source, or control points
@@ -41,6 +44,8 @@ struct CityFrame::State {
   mutable std::mutex mutex;  // a PROJ operation serves one thread at a time
 
   void place_by(std::span<const ControlPoint> points);
+  void leave_stretched_grid(const glm::dvec2& centre);
+  glm::dvec2 to_plane(const glm::dvec2& east_north) const;
   void place_in(AxisChoice&& choice, const std::string& definition,
                 std::span<const glm::dvec3> sample);
 };
@@ -66,6 +71,32 @@ void CityFrame::State::place_by(std::span<const ControlPoint> points) {
   description += text;
 }
 
+// Replaces a projected CRS by its geographic one where its grid is longer or shorter than the ground
+// by more than a hundredth. Map grids for surveying stay below 0.005; Pseudo-Mercator (EPSG:3857) is
+// 1.52 times too large at 49 degrees north.
+void CityFrame::State::leave_stretched_grid(const glm::dvec2& centre) {
+  constexpr double max_stretch = 0.01;
+  if (source->geographic() || !std::isfinite(centre.x) || !std::isfinite(centre.y)) return;
+  const double scale = source->scale_at(centre);
+  if (!std::isfinite(scale) || std::abs(scale - 1) <= max_stretch) return;
+  std::string why;
+  std::unique_ptr<SourceCrs> degrees = SourceCrs::create(source->base_definition(), why);
+  if (!degrees) throw Error("", source->name() + " has no geographic CRS below it: " + why);
+  height_unit = source->height_unit_to_metre();
+  stretched = std::move(source);
+  source = std::move(degrees);
+  char text[120];
+  std::snprintf(text, sizeof text,
+                "; no metric grid (%.4g times too large here), so turned into degrees", scale);
+  description += text;
+}
+
+// Returns the place on the plane of coordinates as in the file, east first.
+glm::dvec2 CityFrame::State::to_plane(const glm::dvec2& east_north) const {
+  if (!stretched) return plane->forward(east_north);
+  return plane->forward(stretched->to_own_lon_lat(east_north * unit));
+}
+
 void CityFrame::State::place_in(AxisChoice&& choice, const std::string& definition,
                                 std::span<const glm::dvec3> sample) {
   source = std::move(choice.crs);
@@ -73,9 +104,15 @@ void CityFrame::State::place_in(AxisChoice&& choice, const std::string& definiti
   description = definition;
   if (source->name() != definition) description += " (" + source->name() + ")";
   description += "; axes " + order.in_words() + " " + choice.why;
+  unit = source->unit_to_metre();
+  height_unit = source->height_unit_to_metre();
+  if (choice.inside && !sample.empty()) leave_stretched_grid(choice.centre);
   if (source->geographic()) {
     std::vector<glm::dvec2> lon_lat;
-    for (const glm::dvec3& c : sample) lon_lat.push_back(order.east_north(c));
+    for (const glm::dvec3& c : sample) {
+      const glm::dvec2 en = order.east_north(c);
+      lon_lat.push_back(stretched ? stretched->to_own_lon_lat(en * unit) : en);
+    }
     glm::dvec2 centre = find_median(lon_lat);
     if (!std::isfinite(centre.x) || !std::isfinite(centre.y)) centre = {0, 0};
     // Rounded, so that a second bake with one tile more gets the same frame.
@@ -84,10 +121,8 @@ void CityFrame::State::place_in(AxisChoice&& choice, const std::string& definiti
     crs = plane->proj_string();
     description += "; projected by a transverse Mercator centred on the city";
   } else {
-    unit = source->unit_to_metre();
     crs = source->identity();
   }
-  height_unit = source->height_unit_to_metre();
   if (unit != 1 || height_unit != 1) {
     char text[100];
     std::snprintf(text, sizeof text, "; units of %.9g m (heights %.9g m) turned into metres", unit,
@@ -116,12 +151,13 @@ CityFrame CityFrame::from_srs_name(const std::string& srs_name, std::span<const 
     std::unique_ptr<SourceCrs> crs = SourceCrs::create(definition, why);
     if (!crs) continue;
     known = true;
-    AxisChoice choice =
-        choose_axis_order(std::move(crs), sample, promises_register_axis_order(name));
+    AxisChoice choice = choose_axis_order(std::move(crs), sample, find_axis_promise(name));
     if (!choice.inside && !overridden) {
       why = "no axis order puts its coordinates (" + first_of(sample) +
             ") into the area of use of " + choice.crs->name();
       if (!choice.crs->area_name().empty()) why += " (" + choice.crs->area_name() + ")";
+      if (choice.crs->geographic() && !sample.empty() && std::abs(sample.front().x) > 360)
+        why += ": they are metres or feet of a projected CRS, not degrees";
       continue;
     }
     if (!choice.inside) choice.why += ", although the coordinates lie outside the area of use";
@@ -137,9 +173,11 @@ CityFrame CityFrame::from_srs_name(const std::string& srs_name, std::span<const 
 void CityFrame::to_projected(std::span<glm::dvec3> coordinates) const {
   const State& s = *state_;
   if (!s.source) return;
+  std::unique_lock lock(s.mutex, std::defer_lock);
+  if (s.stretched) lock.lock();
   for (glm::dvec3& c : coordinates) {
     const glm::dvec2 en = s.order.east_north(c);
-    const glm::dvec2 out = s.plane ? s.plane->forward(en) : en * s.unit;
+    const glm::dvec2 out = s.plane ? s.to_plane(en) : en * s.unit;
     c = {out.x, out.y, c.z * s.height_unit};
   }
 }

@@ -1,9 +1,11 @@
 #include "tools/georeference/source_crs.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "formats/error.h"
+#include "tools/georeference/local_mercator.h"
 #include "tools/georeference/proj_axes.h"
 #include "tools/georeference/proj_operation.h"
 
@@ -196,6 +198,28 @@ glm::dvec2 SourceCrs::to_own_lon_lat(const glm::dvec2& east_north) const {
     return std::abs(east_north.y) <= 90 && std::abs(east_north.x) <= 360 ? east_north : no_answer;
   return s.degree_axes.from_native(
       proj_trans(s.to_degrees.get(), PJ_FWD, s.axes.to_native(east_north)));
+}
+
+std::string SourceCrs::base_definition() const {
+  PJ_CONTEXT* const context = state_->context.get();
+  const PjPtr base{proj_crs_get_geodetic_crs(context, state_->crs.get())};
+  const char* text = base ? proj_as_wkt(context, base.get(), PJ_WKT2_2019, nullptr) : nullptr;
+  return text ? text : "";
+}
+
+double SourceCrs::scale_at(const glm::dvec2& lon_lat) const {
+  const State& s = *state_;
+  if (s.geographic) return 1;
+  constexpr double step_m = 100;
+  const LocalMercator ground(s.semi_major, s.inverse_flattening, lon_lat);
+  const auto on_grid = [&](const glm::dvec2& metres) {
+    const PJ_COORD degrees = s.degree_axes.to_native(ground.reverse(metres));
+    return s.axes.from_native(proj_trans(s.to_degrees.get(), PJ_INV, degrees));
+  };
+  const glm::dvec2 origin = on_grid({0, 0});
+  const double east = glm::distance(on_grid({step_m, 0}), origin);
+  const double north = glm::distance(on_grid({0, step_m}), origin);
+  return (east + north) / (2 * step_m);
 }
 
 bool SourceCrs::area_contains(const glm::dvec2& lon_lat, double margin_deg) const {

@@ -29,6 +29,11 @@ class SourceCrs {
   double semi_major_m() const;
   double inverse_flattening() const;
   const std::string& area_name() const;
+  /// Returns what PROJ makes the geographic CRS below a projected one of.
+  std::string base_definition() const;
+  /// Returns the length on the grid of a projected CRS of one metre on the ground at a place
+  /// (degrees of the CRS's own datum), the mean of both axes; NaN where PROJ has no answer.
+  double scale_at(const glm::dvec2& lon_lat) const;
 
   /// WGS 84 degrees to (east, north) in metres or (longitude, latitude) in degrees of this CRS, and
   /// back. NaN where PROJ has no answer.

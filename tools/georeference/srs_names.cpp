@@ -77,6 +77,17 @@ std::string first_epsg_code(std::string_view name) {
   return code;
 }
 
+// Whether each part of a compound URN ("urn:ogc:def:crs,crs:EPSG::25832,crs:EPSG::7837") names
+// authority, version and code.
+bool has_whole_parts(std::string_view urn) {
+  for (auto comma = urn.find(','); comma != std::string_view::npos; comma = urn.find(',')) {
+    urn.remove_prefix(comma + 1);
+    const std::string_view part = urn.substr(0, urn.find(','));
+    if (std::count(part.begin(), part.end(), ':') != 3 || part.ends_with(':')) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::vector<std::string> list_crs_definitions(std::string_view srs_name) {
@@ -110,10 +121,12 @@ std::vector<std::string> list_crs_definitions(std::string_view srs_name) {
   return definitions;
 }
 
-bool promises_register_axis_order(std::string_view srs_name) {
+AxisPromise find_axis_promise(std::string_view srs_name) {
   const std::string name = lower(trim(srs_name));
-  return name.starts_with("urn:ogc:def:crs") || name.starts_with("urn:x-ogc:def:crs") ||
-         name.find("opengis.net/def/crs") != std::string::npos;
+  if (name.find("opengis.net/def/crs") != std::string::npos) return AxisPromise::fixed;
+  if (!name.starts_with("urn:ogc:def:crs") && !name.starts_with("urn:x-ogc:def:crs"))
+    return AxisPromise::east_north;
+  return has_whole_parts(name) ? AxisPromise::fixed : AxisPromise::register_order;
 }
 
 }  // namespace nightcity

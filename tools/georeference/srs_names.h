@@ -1,6 +1,7 @@
 // srsName strings as producers write them, turned into definitions PROJ understands.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,8 +13,12 @@ namespace nightcity {
 /// to PROJ, while files mean the projected one).
 std::vector<std::string> list_crs_definitions(std::string_view srs_name);
 
-/// Returns whether the form of the name promises the axis order of the EPSG register: urn and
-/// opengis.net/def forms do; "EPSG:n", GML 2's epsg.xml#n and plain names mean easting, northing.
-bool promises_register_axis_order(std::string_view srs_name);
+/// What the form of a CRS's name promises about the order of coordinates.
+enum class AxisPromise : std::uint8_t {
+  east_north,      // "EPSG:n", GML 2's epsg.xml#n and plain names: easting, northing
+  register_order,  // meant as a URN, but not well formed: the EPSG register's order, not certain
+  fixed,           // URN (OGC 07-092r3) and http://www.opengis.net/def/crs: the register's order
+};
+AxisPromise find_axis_promise(std::string_view srs_name);
 
 }  // namespace nightcity

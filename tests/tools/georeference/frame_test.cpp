@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -94,6 +95,78 @@ TEST(Frame, RingsDecideTheAxisOrderWhereTheAreaAllowsBoth) {
   const CityFrame b =
       frame_of("urn:ogc:def:crs,crs:EPSG::2180,crs:PL-EVRF2007-NH", swapped(east_north));
   EXPECT_EQ(project(b, {532287, 504537, 60}), glm::dvec3(504537, 532287, 60));
+}
+
+// Returns the rings of a box of 9 x 12 m in latitude and longitude, turned by `turn` radians.
+Points box_in_degrees(glm::dvec2 lat_lon, double turn, bool inside_out) {
+  Points rings = box_rings(0, 0, 100, 9);
+  const double c = std::cos(turn), s = std::sin(turn), degree = 111'320;
+  for (glm::dvec3& p : rings) {
+    const double x = c * p.x * 4 / 3 - s * p.y, y = s * p.x * 4 / 3 + c * p.y;
+    p = {lat_lon.x + y / degree, lat_lon.y + x / degree / std::cos(lat_lon.x * M_PI / 180), p.z};
+  }
+  if (inside_out) std::reverse(rings.begin(), rings.end());
+  return rings;
+}
+
+TEST(Frame, UrnFixesTheAxisOrderWhateverRingsAreWoundLike) {
+  for (const char* name : {"urn:ogc:def:crs:EPSG::4326", "http://www.opengis.net/def/crs/EPSG/0/4979",
+                           "urn:ogc:def:crs,crs:EPSG::4258,crs:EPSG::7837"})
+    for (const double turn : {0.0, 0.5})
+      for (const bool inside_out : {false, true}) {
+        const CityFrame frame = frame_of(name, box_in_degrees({48.996, 9.0015}, turn, inside_out));
+        const glm::dvec3 p = project(frame, {48.996, 9.0015, 10});
+        expect_near(frame.to_lon_lat(glm::dvec2(p)), {9.0015, 48.996}, 1e-5);
+      }
+  // SVY21 is north, east in the register, and both orders lie in Singapore.
+  for (const bool inside_out : {false, true}) {
+    Points rings = swapped(box_rings(29501, 38744, 10, 10));
+    if (inside_out) std::reverse(rings.begin(), rings.end());
+    const CityFrame frame = frame_of("urn:ogc:def:crs:EPSG::3414", rings);
+    const glm::dvec3 p = project(frame, {38744, 29501, 10});
+    expect_near(glm::dvec2(p), {29501, 38744}, 1e-6);
+  }
+}
+
+// A published model of Karlsruhe has longitude first under the URN of EPSG:4326, and its buildings
+// stand at an angle to the axes.
+TEST(Frame, RightAnglesShowThatAFileBreaksItsUrn) {
+  Points rings;
+  for (int i = 0; i < 5; ++i) {
+    const Points box = swapped(box_in_degrees({49.02, 8.44 + 0.001 * i}, 0.4, false));
+    rings.insert(rings.end(), box.begin(), box.end());
+  }
+  const CityFrame frame = frame_of("urn:ogc:def:crs:EPSG::4326", rings);
+  const glm::dvec3 p = project(frame, {8.44, 49.02, 10});
+  expect_near(frame.to_lon_lat(glm::dvec2(p)), {8.44, 49.02}, 1e-5);
+  EXPECT_NE(frame.description().find("right angles"), std::string::npos) << frame.description();
+}
+
+// 100 m on the ground at 49 degrees north are 152 m of Pseudo-Mercator.
+TEST(Frame, PseudoMercatorBecomesMetresOnTheGround) {
+  const double x = 9.0 * M_PI / 180 * 6378137;
+  const double y = std::log(std::tan(M_PI / 4 + 49.0 * M_PI / 360)) * 6378137;
+  for (const char* name : {"EPSG:3857", "urn:ogc:def:crs:EPSG::3857"}) {
+    const CityFrame frame = frame_of(name, {{x, y, 100}});
+    const glm::dvec3 a = project(frame, {x, y, 100}), b = project(frame, {x + 152.31, y, 107});
+    EXPECT_NEAR(b.x - a.x, 100.1, 0.3) << name;  // cos 49 degrees, and the ellipsoid's radius
+    EXPECT_NEAR(b.z - a.z, 7, 1e-9);
+    expect_near(frame.to_lon_lat(glm::dvec2(a)), {9, 49}, 1e-7);
+    expect_near(frame.from_lon_lat({9, 49}), glm::dvec2(a), 1e-3);
+    EXPECT_NE(frame.description().find("no metric grid"), std::string::npos);
+  }
+}
+
+TEST(Frame, MetresUnderANameOfDegreesAreSaidToBeMetres) {
+  try {
+    frame_of("EPSG:4326", {{500100, 5427000, 200}});
+    FAIL();
+  } catch (const Error& e) {
+    const std::string text = e.what();
+    EXPECT_NE(text.find("500100 5427000"), std::string::npos) << text;
+    EXPECT_NE(text.find("not degrees"), std::string::npos) << text;
+    EXPECT_NE(text.find("[city] crs"), std::string::npos) << text;
+  }
 }
 
 TEST(Frame, JapaneseLatLonHeightKeepsHeightsAndDistances) {

@@ -42,10 +42,16 @@ TEST(SrsNames, NoNameGivesNoDefinition) {
 }
 
 TEST(SrsNames, OnlyUrnAndOpengisFormsPromiseTheRegistersAxisOrder) {
-  EXPECT_TRUE(promises_register_axis_order("urn:ogc:def:crs:EPSG::3879"));
-  EXPECT_TRUE(promises_register_axis_order("http://www.opengis.net/def/crs/EPSG/0/6697"));
-  EXPECT_FALSE(promises_register_axis_order("EPSG:3879"));
-  EXPECT_FALSE(promises_register_axis_order("http://www.opengis.net/gml/srs/epsg.xml#28992"));
+  EXPECT_EQ(find_axis_promise("urn:ogc:def:crs:EPSG::3879"), AxisPromise::fixed);
+  EXPECT_EQ(find_axis_promise("urn:ogc:def:crs,crs:EPSG:6.12:25833,crs:EPSG:6.12:5783"),
+            AxisPromise::fixed);
+  // The second part names no authority: no URN, whatever it means.
+  EXPECT_EQ(find_axis_promise("urn:ogc:def:crs,crs:EPSG::2180,crs:PL-EVRF2007-NH"),
+            AxisPromise::register_order);
+  EXPECT_EQ(find_axis_promise("http://www.opengis.net/def/crs/EPSG/0/6697"), AxisPromise::fixed);
+  EXPECT_EQ(find_axis_promise("EPSG:3879"), AxisPromise::east_north);
+  EXPECT_EQ(find_axis_promise("http://www.opengis.net/gml/srs/epsg.xml#28992"),
+            AxisPromise::east_north);
 }
 
 }  // namespace
