@@ -103,12 +103,117 @@ const char* find_refused_format(const std::string& file) {
 
 }  // namespace
 
+namespace {
+
+struct Unit {
+  std::string_view name;  // in lower case
+  double metres;
+};
+
+constexpr double us_survey_foot = 1200.0 / 3937.0;
+
+// Names of units as GDAL's formats and producers write them.
+constexpr std::array units{
+    Unit{"m", 1},
+    Unit{"metre", 1},
+    Unit{"metres", 1},
+    Unit{"meter", 1},
+    Unit{"meters", 1},
+    Unit{"mm", 0.001},
+    Unit{"millimetre", 0.001},
+    Unit{"millimeter", 0.001},
+    Unit{"cm", 0.01},
+    Unit{"centimetre", 0.01},
+    Unit{"centimeter", 0.01},
+    Unit{"centimetres", 0.01},
+    Unit{"centimeters", 0.01},
+    Unit{"dm", 0.1},
+    Unit{"decimetre", 0.1},
+    Unit{"decimeter", 0.1},
+    Unit{"km", 1000},
+    Unit{"kilometre", 1000},
+    Unit{"kilometer", 1000},
+    Unit{"ft", 0.3048},
+    Unit{"foot", 0.3048},
+    Unit{"feet", 0.3048},
+    Unit{"international foot", 0.3048},
+    Unit{"international feet", 0.3048},
+    Unit{"us survey foot", us_survey_foot},
+    Unit{"us survey feet", us_survey_foot},
+    Unit{"us_survey_foot", us_survey_foot},
+    Unit{"u.s. survey foot", us_survey_foot},
+    Unit{"foot_us", us_survey_foot},
+    Unit{"us-ft", us_survey_foot},
+    Unit{"us-foot", us_survey_foot},
+    Unit{"us foot", us_survey_foot},
+    Unit{"us feet", us_survey_foot},
+    Unit{"usft", us_survey_foot},
+    Unit{"us ft", us_survey_foot},
+    Unit{"ftus", us_survey_foot},
+    Unit{"sft", us_survey_foot},
+    Unit{"yd", 0.9144},
+    Unit{"yard", 0.9144},
+};
+
+std::string to_lower(std::string_view text) {
+  std::string out;
+  for (const char c : text) out += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return out;
+}
+
+// Returns the metres in the unit of a band's values: what the band says, else the vertical part of
+// the CRS, else metres. Throws Error on the name of a unit that is none of length.
+double find_height_unit(GDALRasterBand& band, const OGRSpatialReference* crs,
+                        const std::string& name) {
+  const std::string said = to_lower(band.GetUnitType());
+  if (!said.empty() && said != "unknown") {
+    const auto unit =
+        std::find_if(units.begin(), units.end(), [&](const Unit& u) { return u.name == said; });
+    if (unit == units.end())
+      throw Error(name, "its heights are in the unit \"" + said + "\", which is not known here");
+    return unit->metres;
+  }
+  if (!crs || !crs->IsCompound()) return 1;
+  const double metres = crs->GetTargetLinearUnits("VERT_CS");
+  return metres > 0 ? metres : 1;
+}
+
+// Colours are no heights, though the numbers of a picture can be read as such.
+void refuse_picture(GDALDataset& dataset, const std::string& name) {
+  const auto holds = [&](GDALColorInterp colour) {
+    for (int i = 1; i <= dataset.GetRasterCount(); ++i)
+      if (dataset.GetRasterBand(i)->GetColorInterpretation() == colour) return true;
+    return false;
+  };
+  if (holds(GCI_PaletteIndex) ||
+      (holds(GCI_RedBand) && holds(GCI_GreenBand) && holds(GCI_BlueBand)))
+    throw Error(name,
+                "is a picture in colours, no raster of heights: fetch the elevation model itself, "
+                "whose only band holds heights");
+}
+
+// GDAL makes one mask of no-data values and mask bands (its RFC 15), and of alpha bands in bytes;
+// beside heights these are often floats.
+std::vector<GDALRasterBand*> find_masks(GDALDataset& dataset, GDALRasterBand& heights) {
+  std::vector<GDALRasterBand*> masks;
+  if ((heights.GetMaskFlags() & GMF_ALL_VALID) == 0) masks.push_back(heights.GetMaskBand());
+  for (int i = 2; i <= dataset.GetRasterCount(); ++i)
+    if (dataset.GetRasterBand(i)->GetColorInterpretation() == GCI_AlphaBand)
+      masks.push_back(dataset.GetRasterBand(i));
+  return masks;
+}
+
+}  // namespace
+
 struct ElevationModel::State {
   std::string name;
   GDALDatasetUniquePtr dataset;
   GDALRasterBand* band = nullptr;
   double to_pixel[6] = {};
+  std::vector<GDALRasterBand*> masks;  // zero where there are no data
+  bool in_degrees = false;
   double resolution = 0, scale = 1, offset = 0, no_data = nothing;
+  double unit = 1;  // metres in the unit of heights
   std::unique_ptr<OGRCoordinateTransformation> transformation;
 
   // Returns pixel coordinates; (0, 0) is the first pixel's centre.
@@ -117,8 +222,30 @@ struct ElevationModel::State {
             to_pixel[3] + to_pixel[4] * p.x + to_pixel[5] * p.y - 0.5};
   }
 
+  bool is_outside(const glm::dvec2& pixel) const {
+    return !(pixel.x >= -0.5 && pixel.y >= -0.5 && pixel.x <= band->GetXSize() - 0.5 &&
+             pixel.y <= band->GetYSize() - 0.5);
+  }
+
+  // Compares in the pixels' type: -3.4028235e38 is no double that a float can be equal to.
+  bool is_no_data(double value) const {
+    return value == no_data || (band->GetRasterDataType() == GDT_Float32 &&
+                                static_cast<float>(value) == static_cast<float>(no_data));
+  }
+
   void sample_pixels(std::span<const glm::dvec2> pixels, std::span<double> heights) const;
+  glm::dvec2 find_pixel(const glm::dvec2& place) const;
 };
+
+// A raster in degrees may count its longitudes from 0 to 360.
+glm::dvec2 ElevationModel::State::find_pixel(const glm::dvec2& place) const {
+  const glm::dvec2 pixel = to_pixels(place);
+  if (!in_degrees || !is_outside(pixel)) return pixel;
+  for (const double turn : {360.0, -360.0})
+    if (const glm::dvec2 turned = to_pixels(place + glm::dvec2(turn, 0)); !is_outside(turned))
+      return turned;
+  return pixel;
+}
 
 ElevationModel::ElevationModel(const std::filesystem::path& file)
     : state_(std::make_unique<State>()) {
@@ -137,7 +264,9 @@ ElevationModel::ElevationModel(const std::filesystem::path& file)
       GDALDataset::Open(s.name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, allowed_drivers()));
   if (!s.dataset || s.dataset->GetRasterCount() < 1)
     throw Error(s.name, "is no raster of heights: " + reason());
+  refuse_picture(*s.dataset, s.name);
   s.band = s.dataset->GetRasterBand(1);
+  s.masks = find_masks(*s.dataset, *s.band);
   double from_pixel[6];
   if (s.dataset->GetGeoTransform(from_pixel) != CE_None ||
       !GDALInvGeoTransform(from_pixel, s.to_pixel))
@@ -146,6 +275,8 @@ ElevationModel::ElevationModel(const std::filesystem::path& file)
   if (const double value = s.band->GetNoDataValue(&said); said) s.no_data = value;
   if (const double value = s.band->GetScale(&said); said && value != 0) s.scale = value;
   if (const double value = s.band->GetOffset(&said); said) s.offset = value;
+
+  s.unit = find_height_unit(*s.band, s.dataset->GetSpatialRef(), s.name);
 
   double unit_m = 1;
   if (const OGRSpatialReference* crs = s.dataset->GetSpatialRef(); crs && !crs->IsEmpty()) {
@@ -156,6 +287,7 @@ ElevationModel::ElevationModel(const std::filesystem::path& file)
     s.transformation.reset(OGRCreateCoordinateTransformation(&wgs84, &raster));
     if (!s.transformation) throw Error(s.name, "its CRS cannot be used: " + reason());
     constexpr double degree_m = 111'320;
+    s.in_degrees = raster.IsGeographic();
     unit_m = raster.IsGeographic() ? degree_m : raster.GetLinearUnits();
   }
   s.resolution = std::hypot(from_pixel[2], from_pixel[5]) * unit_m;
@@ -179,12 +311,9 @@ void ElevationModel::State::sample_pixels(std::span<const glm::dvec2> pixels,
   constexpr double max_window = 4e6;
   const int width = band->GetXSize(), height = band->GetYSize();
   const glm::dvec2 last(width - 1, height - 1);
-  const auto outside = [&](const glm::dvec2& p) {
-    return !(p.x >= -0.5 && p.y >= -0.5 && p.x <= last.x + 0.5 && p.y <= last.y + 0.5);
-  };
   glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
   for (const glm::dvec2& p : pixels) {
-    if (outside(p)) continue;
+    if (is_outside(p)) continue;
     low = glm::min(low, glm::floor(glm::clamp(p, glm::dvec2(0), last)));
     high = glm::max(high, glm::ceil(glm::clamp(p, glm::dvec2(0), last)));
   }
@@ -202,16 +331,24 @@ void ElevationModel::State::sample_pixels(std::span<const glm::dvec2> pixels,
   if (band->RasterIO(GF_Read, static_cast<int>(low.x), static_cast<int>(low.y), columns, rows,
                      window.data(), columns, rows, GDT_Float64, 0, 0) != CE_None)
     throw Error(name, "cannot be read: " + reason());
+  std::vector<double> seen(window.size());
+  for (GDALRasterBand* const mask : masks) {
+    if (mask->RasterIO(GF_Read, static_cast<int>(low.x), static_cast<int>(low.y), columns, rows,
+                       seen.data(), columns, rows, GDT_Float64, 0, 0) != CE_None)
+      throw Error(name, "its mask cannot be read: " + reason());
+    for (std::size_t i = 0; i < seen.size(); ++i)
+      if (seen[i] == 0) window[i] = nothing;
+  }
   const auto value = [&](double x, double y) {
-    const double v =
-        window[static_cast<std::size_t>(y - low.y) * static_cast<std::size_t>(columns) +
-               static_cast<std::size_t>(x - low.x)];
-    const double metres = v * scale + offset;
+    const std::size_t at = static_cast<std::size_t>(y - low.y) * static_cast<std::size_t>(columns) +
+                           static_cast<std::size_t>(x - low.x);
+    if (is_no_data(window[at])) return nothing;
+    const double metres = (window[at] * scale + offset) * unit;
     // Beyond any height on the Earth: a fill value that the raster does not declare.
-    return v == no_data || !(metres > -12'000 && metres < 9'000) ? nothing : metres;
+    return metres > -12'000 && metres < 9'000 ? metres : nothing;
   };
   for (std::size_t i = 0; i < pixels.size(); ++i) {
-    if (outside(pixels[i])) continue;
+    if (is_outside(pixels[i])) continue;
     const glm::dvec2 p = glm::clamp(pixels[i], glm::dvec2(0), last), a = glm::floor(p),
                      b = glm::ceil(p), f = p - a;
     // A weight of zero must not let a pixel without data in.
@@ -236,7 +373,7 @@ void ElevationModel::sample(std::span<const glm::dvec2> places, std::span<double
                                       placed.data());
   std::vector<glm::dvec2> pixels;
   for (std::size_t i = 0; i < places.size(); ++i)
-    pixels.push_back(placed[i] ? state_->to_pixels({x[i], y[i]}) : glm::dvec2(nothing));
+    pixels.push_back(placed[i] ? state_->find_pixel({x[i], y[i]}) : glm::dvec2(nothing));
   state_->sample_pixels(pixels, heights);
 }
 

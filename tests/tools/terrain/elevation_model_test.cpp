@@ -90,6 +90,108 @@ TEST(ElevationModel, GoesThroughItsOwnCrs) {
   EXPECT_NEAR(sample(utm, {{15.0, 0.0}})[0], plane(1000, -1000), 1e-6);
 }
 
+// Opens the raster at `path`, which a test wrote, to say more about it.
+GDALDatasetUniquePtr reopen(const std::filesystem::path& path) {
+  return GDALDatasetUniquePtr(GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_UPDATE));
+}
+
+TEST(ElevationModel, HeightsInFeetBecomeMetres) {
+  const TempFolder folder;
+  const auto write = [&](const char* unit, const char* crs) {
+    write_raster(folder / "feet.tif", {500000, 5000000, 10, 40, 30, 25832}, whole);
+    GDALDatasetUniquePtr set = reopen(folder / "feet.tif");
+    if (*unit) set->GetRasterBand(1)->SetUnitType(unit);
+    if (*crs) {
+      OGRSpatialReference compound;
+      compound.SetFromUserInput(crs);
+      set->SetSpatialRef(&compound);
+    }
+  };
+  const glm::dvec2 place(9.002, 45.1523);
+  write("", "");
+  const double value = sample(ElevationModel(folder / "feet.tif"), {place})[0];
+  ASSERT_FALSE(std::isnan(value));
+  struct Case {
+    const char *unit, *crs;
+    double metres;
+  };
+  for (const Case& c : {Case{"ft", "", 0.3048}, Case{"US survey foot", "", 1200.0 / 3937},
+                        Case{"", "EPSG:25832+6360", 1200.0 / 3937}, Case{"metre", "", 1}}) {
+    write(c.unit, c.crs);
+    EXPECT_NEAR(sample(ElevationModel(folder / "feet.tif"), {place})[0], value * c.metres, 1e-6)
+        << c.unit << c.crs;
+  }
+  write("parsec", "");
+  EXPECT_THROW(ElevationModel(folder / "feet.tif"), Error);
+}
+
+TEST(ElevationModel, MasksAndAlphaBandsAreHoles) {
+  const TempFolder folder;
+  GDALAllRegister();
+  for (const bool alpha : {false, true}) {
+    {
+      CPLSetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", "YES");
+      GDALDatasetUniquePtr set(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+          (folder / "mask.tif").c_str(), 4, 4, alpha ? 2 : 1, GDT_Float32, nullptr));
+      double transform[6] = {0, 10, 0, 40, 0, -10};
+      set->SetGeoTransform(transform);
+      std::vector<double> heights(16, 7), seen(16, 255);
+      heights[5] = seen[5] = 0;
+      if (alpha)
+        set->GetRasterBand(2)->SetColorInterpretation(GCI_AlphaBand);
+      else
+        set->CreateMaskBand(GMF_PER_DATASET);
+      (void)set->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 4, 4, heights.data(), 4, 4, GDT_Float64,
+                                            0, 0);
+      GDALRasterBand* const band =
+          alpha ? set->GetRasterBand(2) : set->GetRasterBand(1)->GetMaskBand();
+      (void)band->RasterIO(GF_Write, 0, 0, 4, 4, seen.data(), 4, 4, GDT_Float64, 0, 0);
+      CPLSetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", nullptr);
+    }
+    const ElevationModel model(folder / "mask.tif");
+    EXPECT_TRUE(std::isnan(sample(model, {{15, 25}})[0])) << alpha;
+    EXPECT_EQ(sample(model, {{35, 5}})[0], 7) << alpha;
+  }
+}
+
+TEST(ElevationModel, NoDataIsComparedInThePixelsType) {
+  const TempFolder folder;
+  GDALAllRegister();
+  {
+    GDALDatasetUniquePtr set(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+        (folder / "float.tif").c_str(), 2, 1, 1, GDT_Float32, nullptr));
+    double transform[6] = {0, 10, 0, 10, 0, -10};
+    set->SetGeoTransform(transform);
+    std::vector<double> heights{0.1, 5};
+    (void)set->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 2, 1, heights.data(), 2, 1, GDT_Float64,
+                                          0, 0);
+    set->GetRasterBand(1)->SetNoDataValue(0.1);  // no float
+  }
+  const ElevationModel model(folder / "float.tif");
+  EXPECT_TRUE(std::isnan(sample(model, {{5, 5}})[0]));
+  EXPECT_EQ(sample(model, {{15, 5}})[0], 5);
+}
+
+TEST(ElevationModel, LongitudesMayRunFrom0To360) {
+  const TempFolder folder;
+  write_raster(folder / "west.tif", {288.9, 42.4, 0.01, 20, 20, 4326}, whole);
+  EXPECT_NEAR(sample(ElevationModel(folder / "west.tif"), {{-71.0, 42.3}})[0], plane(0.1, -0.1),
+              1e-9);
+}
+
+TEST(ElevationModel, PicturesInColoursAreRefused) {
+  const TempFolder folder;
+  GDALAllRegister();
+  {
+    const char* options[] = {"PHOTOMETRIC=RGB", nullptr};
+    GDALDatasetUniquePtr set(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+        (folder / "rgb.tif").c_str(), 2, 2, 3, GDT_Byte, const_cast<char**>(options)));
+    double transform[6] = {0, 10, 0, 20, 0, -10};
+    set->SetGeoTransform(transform);
+  }
+  EXPECT_THROW(ElevationModel(folder / "rgb.tif"), Error);
+}
+
 TEST(ElevationModel, BesidePixelsWithoutDataThereIsNothing) {
   const TempFolder folder;
   write_raster(folder / "hole.tif", {0, 100, 10, 10, 10, 0},
