@@ -14,6 +14,7 @@
 
 #include "formats/error.h"
 #include "formats/input_file.h"
+#include "tools/city/text_encoding.h"
 
 namespace nightcity::city {
 namespace {
@@ -77,7 +78,7 @@ struct ZipDeleter {
 std::unique_ptr<zip_t, ZipDeleter> open_archive(const std::string& path) {
   int code = 0;
   std::unique_ptr<zip_t, ZipDeleter> archive(zip_open(path.c_str(), ZIP_RDONLY, &code));
-  if (!archive) throw Error(path, "broken zip archive");
+  if (!archive) throw Error(path, "broken zip archive: damaged or cut off; fetch it again");
   return archive;
 }
 
@@ -87,6 +88,8 @@ class ZipSource : public ByteSource {
       : archive_(open_archive(path)),
         entry_(zip_fopen_index(archive_.get(), index, 0)),
         name_(std::move(name)) {
+    if (!entry_ && zip_error_code_zip(zip_get_error(archive_.get())) == ZIP_ER_NOPASSWD)
+      throw Error(name_, "is encrypted with a password: unpack it first");
     if (!entry_)
       throw Error(name_,
                   std::string("cannot open the archive's entry: ") + zip_strerror(archive_.get()));
@@ -114,7 +117,7 @@ std::vector<Document> list_documents_in_archive(const std::string& path,
     if (!entry || !ends_with_any(to_lower(entry), endings)) continue;
     const std::string name = path + "/" + entry;
     documents.push_back(
-        {name, true, [=] { return std::make_unique<ZipSource>(path, index, name); }});
+        {name, true, [=] { return to_utf8(std::make_unique<ZipSource>(path, index, name)); }});
   }
   if (documents.empty()) throw Error(path, "the archive holds no " + join_endings(endings));
   return documents;
@@ -152,8 +155,8 @@ std::vector<Document> list_documents(const std::filesystem::path& file,
   if (got == 4 && std::memcmp(magic, "PK\x03\x04", 4) == 0)
     return list_documents_in_archive(path, endings);
   if (got >= 2 && std::memcmp(magic, "\x1f\x8b", 2) == 0)
-    return {{path, true, [=] { return std::make_unique<GzipSource>(path); }}};
-  return {{path, false, [=] { return std::make_unique<PlainSource>(path); }}};
+    return {{path, true, [=] { return to_utf8(std::make_unique<GzipSource>(path)); }}};
+  return {{path, false, [=] { return to_utf8(std::make_unique<PlainSource>(path)); }}};
 }
 
 bool mentions(const Document& document, std::string_view text) {

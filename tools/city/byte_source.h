@@ -20,7 +20,7 @@ class ByteSource {
   virtual std::size_t read(char* out, std::size_t size) = 0;
 };
 
-/// One document, to be read as often as needed.
+/// One document, to be read as often as needed. Text in UTF-16 is read as UTF-8.
 struct Document {
   std::string name;     // the file's path, with the entry's name behind it in an archive
   bool packed = false;  // gzipped, or an archive's entry
@@ -34,6 +34,7 @@ bool mentions(const Document& document, std::string_view text);
 /// Returns the documents in `file`, in order: one for a plain or gzipped file, and of a zip archive
 /// one for each entry whose name ends with one of `endings` (in lower case: ".gml"). Throws Error
 /// when the file is missing, empty, unreadable, a folder, or an archive without such entries.
+/// Whether a document is of the kind that its name says, its reader finds out.
 std::vector<Document> list_documents(const std::filesystem::path& file,
                                      std::span<const std::string_view> endings);
 

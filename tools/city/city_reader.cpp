@@ -9,6 +9,8 @@ void ReadReport::merge(const ReadReport& other) {
   if (srs_name.empty()) srs_name = other.srs_name;
   objects += other.objects;
   polygons += other.polygons;
+  extruded += other.extruded;
+  flat += other.flat;
   for (const auto& [name, count] : other.skipped) skipped[name] += count;
   warnings.insert(warnings.end(), other.warnings.begin(), other.warnings.end());
 }

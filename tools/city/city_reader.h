@@ -24,6 +24,9 @@ struct ReadReport {
   std::size_t objects = 0, polygons = 0;
   std::map<std::string, std::size_t> skipped;  // what, by name, and how often
   std::vector<std::string> warnings;           // each names file and place
+  /// Buildings published as a footprint alone: made blocks of their height, and left flat for want
+  /// of one.
+  std::size_t extruded = 0, flat = 0;
 
   void merge(const ReadReport& other);
 };
@@ -61,6 +64,7 @@ struct CityHead {
   std::string srs_name;  // the first one in the file, as written; "" = none
   /// Vertices of the first rings, as written; empty = a file without geometry.
   std::vector<glm::dvec3> sample;
+  std::set<std::string> linked_files;  // that geometry is linked from, as written
 };
 
 /// A format's reader. Both functions throw Error: the file is missing, empty, broken or of another

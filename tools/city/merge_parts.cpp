@@ -6,6 +6,9 @@
 #include <unordered_map>
 #include <utility>
 
+#include "tools/city/extrude.h"
+#include "tools/city/text_encoding.h"
+
 namespace nightcity::city {
 namespace {
 
@@ -90,6 +93,14 @@ bool same_vertices(const Polygon& a, const Polygon& b) {
          same_ring(a.exterior, b.exterior);
 }
 
+// Names come from strangers' files and go into others: JSON, OSM, reports.
+void make_texts_valid(CityObject& object) {
+  for (std::string* text : {&object.id, &object.class_name, &object.function, &object.usage,
+                            &object.building_class, &object.address, &object.year})
+    *text = to_valid_utf8(std::move(*text));
+  for (Polygon& polygon : object.polygons) polygon.id = to_valid_utf8(std::move(polygon.id));
+}
+
 }  // namespace
 
 CityObject merge_parts(RawObject&& raw, const ReadOptions& options, ReadReport& report) {
@@ -115,7 +126,14 @@ CityObject merge_parts(RawObject&& raw, const ReadOptions& options, ReadReport& 
     if (kept.surface == SurfaceType::unknown && p.polygon.surface != SurfaceType::unknown)
       kept = std::move(p.polygon);
   }
-  if (!raw.continued) ++report.objects;
+  if (!raw.continued) {
+    ++report.objects;
+    const bool lod0_alone = std::all_of(raw.polygons.begin(), raw.polygons.end(),
+                                        [](const RawPolygon& p) { return p.lod == 0; });
+    if (lod0_alone && is_flat_building(object))
+      ++(extrude_flat_building(object) ? report.extruded : report.flat);
+  }
+  make_texts_valid(object);
   report.polygons += object.polygons.size();
   return object;
 }

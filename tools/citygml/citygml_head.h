@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tools/city/city_reader.h"
 #include "tools/citygml/member_splitter.h"
@@ -20,7 +21,14 @@ void require_citygml(const DocumentHead& head, const std::string& name);
 /// Returns the first srsName in the batch's members, as written; "" = none.
 std::string first_srs_name(const MemberBatch& batch);
 
-/// Reads until it has a sample or the file ends. In the sample rings are closed again, so that one
+/// Returns the CityGML documents in a file. In an archive others lie beside them, as metadata and
+/// code lists do: they are passed over, each with a warning in `warnings` (null: none). Throws
+/// Error as list_documents does, and where the file holds no CityGML document.
+std::vector<city::Document> list_citygml_documents(const std::filesystem::path& file,
+                                                   std::vector<std::string>* warnings);
+
+/// The name of the CRS is the first that a geometry gives itself, since that wins over the
+/// envelope's (GML 3.1.1, 9.10); without one, the first in the file. Reads until it has a sample or the file ends. In the sample rings are closed again, so that one
 /// can see where they end. Throws Error as read_citygml does.
 CityHead read_citygml_head(const std::filesystem::path& file);
 

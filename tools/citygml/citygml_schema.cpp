@@ -164,11 +164,38 @@ const std::unordered_map<std::string_view, P>& properties() {
   return table;
 }
 
+// Whether classes named after this one stand where it does. Passages hold too many unlike things.
+bool is_base_class(const FeatureClass& c) {
+  return c.kind == K::top || c.kind == K::part || c.kind == K::detail || c.kind == K::interior ||
+         (c.kind == K::surface && c.surface != S::unknown);
+}
+
 }  // namespace
 
 FeatureClass find_feature_class(std::string_view local) {
-  const auto at = classes().find(local);
-  return at == classes().end() ? FeatureClass{} : at->second;
+  if (const auto at = classes().find(local); at != classes().end()) return at->second;
+  // The longest ending that begins with a capital and is a class.
+  for (std::size_t i = 1; i < local.size(); ++i) {
+    const bool word = local[i] >= 'A' && local[i] <= 'Z' && local[i - 1] >= 'a';
+    if (!word) continue;
+    const auto at = classes().find(local.substr(i));
+    if (at != classes().end() && is_base_class(at->second)) return at->second;
+  }
+  return {};
+}
+
+FeatureClass find_class_at(std::string_view property) {
+  if (property.starts_with("interior")) return {K::interior, O::building, S::unknown};
+  if (property == "boundedBy" || property == "boundary" || property == "opening" ||
+      property == "fillingSurface" || property == "trafficArea" ||
+      property == "auxiliaryTrafficArea")
+    return {K::surface, O::other, S::unknown};
+  if (property.starts_with("consistsOf") || property.ends_with("Part"))
+    return {K::part, O::other, S::unknown};
+  if (property.ends_with("Installation") || property.ends_with("Construction") ||
+      property.ends_with("ConstructiveElement"))
+    return {K::detail, O::other, S::unknown};
+  return {};
 }
 
 int read_lod(std::string_view local) {

@@ -27,8 +27,15 @@ struct FeatureClass {
   SurfaceType surface = SurfaceType::unknown;
 };
 
-/// Returns the class of an element by its name without prefix.
+/// Returns the class of an element by its name without prefix. An application domain extension
+/// (ADE) derives its classes from those of CityGML (CityGML 2.0, 10.13), and names them after
+/// these: "UndergroundBuilding" is taken for a Building, "GreenRoofSurface" for a RoofSurface.
 FeatureClass find_feature_class(std::string_view local);
+
+/// Returns the class that a feature of unknown name must have at a property (name without prefix):
+/// a surface in boundedBy, a part in consistsOfBuildingPart, ... Unknown where the property says
+/// nothing.
+FeatureClass find_class_at(std::string_view property);
 
 /// Selects the way in which a property of a feature is read.
 enum class PropertyKind : std::uint8_t {

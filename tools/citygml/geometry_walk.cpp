@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/vec4.hpp>
 
+#include "tools/citygml/attributes.h"
 #include "tools/citygml/geometry_names.h"
 #include "tools/citygml/rings.h"
 #include "tools/citygml/tag_scanner.h"
@@ -17,9 +18,19 @@ constexpr int max_links = 8;
 // the memory.
 constexpr std::size_t max_placed_polygons = 1'000'000;
 
-int find_dimension(const pugi::xml_node& element, int inherited) {
-  const pugi::xml_attribute said = element.attribute("srsDimension");
-  return said ? said.as_int() : inherited;
+// Whether a height stands for "none": producers write -9999, -99999, -32768 or -3.4e38, and blocks
+// that stand on such a height end a little above. No ground is that low in metres or in feet, and
+// none is 30 km high.
+bool is_sentinel_height(double z) {
+  return z < -9900 || z > 30'000;
+}
+
+bool has_sentinel_height(const Polygon& polygon) {
+  const auto sentinel = [](const glm::dvec3& p) { return is_sentinel_height(p.z); };
+  return std::any_of(polygon.exterior.begin(), polygon.exterior.end(), sentinel) ||
+         std::any_of(polygon.interiors.begin(), polygon.interiors.end(), [&](const Ring& ring) {
+           return std::any_of(ring.begin(), ring.end(), sentinel);
+         });
 }
 
 }  // namespace
@@ -97,10 +108,11 @@ void GeometryWalk::walk(const pugi::xml_node& element, const GeometryContext& co
 
 void GeometryWalk::follow(const pugi::xml_node& link, std::string_view href,
                           const GeometryContext& context) {
+  href = trim(href);  // as xs:anyURI, which collapses blanks
   const bool here = href.starts_with('#');
-  const std::string id = here ? std::string(href.substr(1)) : library_.name_elsewhere(href);
+  const std::string id = here ? std::string(trim(href.substr(1))) : library_.name_elsewhere(href);
   if (id.empty()) {
-    skipped_.add("xlink: to another file");
+    skipped_.add("xlink: to another file (" + std::string(href.substr(0, href.find('#'))) + ")");
     return;
   }
   GeometryContext there = context;
@@ -168,6 +180,10 @@ void GeometryWalk::read_polygon(const pugi::xml_node& element, const GeometryCon
     skipped_.add("polygon: " + std::string(name_of(fault)));
     return;
   }
+  if (!context.placed && has_sentinel_height(polygon)) {
+    skipped_.add("polygon: at a height that stands for none (-9999 and the like)");
+    return;
+  }
   if (context.reversed) {
     std::reverse(polygon.exterior.begin(), polygon.exterior.end());
     for (Ring& ring : polygon.interiors) std::reverse(ring.begin(), ring.end());
@@ -233,6 +249,23 @@ void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryCo
   visited_.swap(visited);
 }
 
+bool GeometryWalk::read_tin_points(const pugi::xml_node& property, const GeometryContext& context,
+                                   std::vector<glm::dvec3>& points, std::vector<Ring>& lines) {
+  const auto is_tin = [](const pugi::xml_node& node) { return local_name(node.name()) == "Tin"; };
+  const pugi::xml_node tin = property.find_child(is_tin);
+  if (!tin || count_polygons(tin) > 0) return false;
+  GeometryContext inside = context;
+  inside.dimension = find_dimension(tin, context.dimension);
+  bool any = false;
+  for (const pugi::xml_node& child : tin.children()) {
+    const std::string_view name = local_name(child.name());
+    if (name != "controlPoint" && name != "breakLines" && name != "stopLines") continue;
+    read_points(child, inside, points, lines);
+    any = true;
+  }
+  return any;
+}
+
 void GeometryWalk::read_points(const pugi::xml_node& property, const GeometryContext& context,
                                std::vector<glm::dvec3>& points, std::vector<Ring>& lines) {
   GeometryContext inside = context;
@@ -261,8 +294,13 @@ void GeometryWalk::read_points(const pugi::xml_node& property, const GeometryCon
     skipped_.add("points: coordinates that are no numbers");
     return;
   }
-  for (std::size_t i = 0; i < numbers.size(); i += d)
-    points.emplace_back(numbers[i], numbers[i + 1], d == 3 ? numbers[i + 2] : 0.0);
+  for (std::size_t i = 0; i < numbers.size(); i += d) {
+    const glm::dvec3 p(numbers[i], numbers[i + 1], d == 3 ? numbers[i + 2] : 0.0);
+    if (is_sentinel_height(p.z))
+      skipped_.add("point: at a height that stands for none (-9999 and the like)");
+    else
+      points.push_back(p);
+  }
 }
 
 }  // namespace nightcity

@@ -57,6 +57,11 @@ class GeometryWalk {
   void read_points(const pugi::xml_node& property, const GeometryContext& context,
                    std::vector<glm::dvec3>& points, std::vector<Ring>& lines);
 
+  /// The same for the control points and break lines of a gml:Tin that has no triangles: by GML
+  /// 3.1.1, 10.5.14, these define its surface. Returns false where the property holds no such Tin.
+  bool read_tin_points(const pugi::xml_node& property, const GeometryContext& context,
+                       std::vector<glm::dvec3>& points, std::vector<Ring>& lines);
+
   Materials& local_materials() { return local_materials_; }
   void set_file_materials(const Materials* materials) { file_materials_ = materials; }
   /// Ids named by xlinks that neither the member nor the library holds.

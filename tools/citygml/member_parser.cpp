@@ -166,7 +166,8 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
     here.lod = lod >= 0 ? lod : relief_lod;
     if (local_name(property.name()) == "lod0RoofEdge") here.surface = SurfaceType::roof;
     if (local_name(property.name()) == "lod0FootPrint") here.surface = SurfaceType::ground;
-    geometry_.read(property, here, raw.polygons);
+    if (!geometry_.read_tin_points(property, here, raw.object.points, raw.object.lines))
+      geometry_.read(property, here, raw.polygons);
   }
   for (const pugi::xml_node& property : points)
     geometry_.read_points(property, context, raw.object.points, raw.object.lines);
@@ -179,16 +180,19 @@ void MemberParser::read_child_features(const pugi::xml_node& property,
       skipped_.add("xlink: " + std::string(property.name()));
     return;
   }
+  const std::string_view name = local_name(property.name());
   for (const pugi::xml_node& child : property.children())
-    if (child.type() == pugi::node_element) read_child(child, context, raw);
+    if (child.type() == pugi::node_element) read_child(child, name, context, raw);
 }
 
-void MemberParser::read_child(const pugi::xml_node& element, const GeometryContext& context,
-                              city::RawObject& raw) {
+void MemberParser::read_child(const pugi::xml_node& element, std::string_view property,
+                              const GeometryContext& context, city::RawObject& raw) {
   const std::string_view name = local_name(element.name());
   // gml:boundedBy: an extent, which the vertices give better.
   if (name == "Envelope" || name == "Null") return;
-  const FeatureClass what = find_feature_class(name);
+  FeatureClass what = find_feature_class(name);
+  if (what.kind == ClassKind::unknown && count_polygons(element) > 0)
+    what = find_class_at(property);
   GeometryContext inside = context;
   if (++inside.depth > max_nesting) {
     skipped_.add("nested too deep: " + std::string(element.name()));

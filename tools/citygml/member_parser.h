@@ -32,8 +32,8 @@ class MemberParser {
                     GeometryContext context, city::RawObject& raw);
   void read_child_features(const pugi::xml_node& property, const GeometryContext& context,
                            city::RawObject& raw);
-  void read_child(const pugi::xml_node& element, const GeometryContext& context,
-                  city::RawObject& raw);
+  void read_child(const pugi::xml_node& element, std::string_view property,
+                  const GeometryContext& context, city::RawObject& raw);
   void skip(const pugi::xml_node& element);
 
   pugi::xml_node member_;

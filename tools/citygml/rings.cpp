@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "tools/citygml/curves.h"
 #include "tools/citygml/tag_scanner.h"
 
 namespace nightcity {
@@ -90,6 +91,8 @@ const char* name_of(RingFault fault) {
       return "ring with an incomplete vertex";
     case RingFault::too_short:
       return "ring of fewer than three vertices";
+    case RingFault::unknown_curve:
+      return "ring of curves that are not read (splines, arcs by centre, xlinks)";
   }
   return "sound ring";
 }
@@ -102,29 +105,41 @@ bool read_numbers(const pugi::xml_node& element, std::vector<double>& numbers) {
   return true;
 }
 
-RingFault read_ring(const pugi::xml_node& linear_ring, int dimension, Ring& ring) {
-  ring.clear();
-  const int inherited = dimension_of(linear_ring, dimension);
+int find_dimension(const pugi::xml_node& element, int inherited) {
+  const pugi::xml_attribute said = element.attribute("srsDimension");
+  return said ? said.as_int() : inherited;
+}
+
+RingFault read_vertices(const pugi::xml_node& element, int dimension, Ring& vertices) {
+  const int inherited = dimension_of(element, dimension);
   thread_local std::vector<double> numbers;  // allocated once per thread, not once per ring
   bool any = false;
-  for (const pugi::xml_node& child : linear_ring.children()) {
+  for (const pugi::xml_node& child : element.children()) {
     const std::string_view name = local_name(child.name());
     pugi::xml_node holder = child;
     if (name == "pointProperty" || name == "pointRep") holder = child.first_child().first_child();
     const std::string_view kind = local_name(holder.name());
     if (kind == "coordinates") {
       any = true;
-      if (const RingFault fault = read_coordinates(holder, ring); fault != RingFault::none)
+      if (const RingFault fault = read_coordinates(holder, vertices); fault != RingFault::none)
         return fault;
     } else if (kind == "posList" || kind == "pos") {
       any = true;
       numbers.clear();
       if (!read_numbers(holder, numbers)) return RingFault::not_numbers;
-      if (!append_vertices(numbers, dimension_of(holder, inherited), ring))
+      if (!append_vertices(numbers, dimension_of(holder, inherited), vertices))
         return RingFault::wrong_count;
     }
   }
-  if (!any) return RingFault::no_coordinates;
+  return any ? RingFault::none : RingFault::no_coordinates;
+}
+
+RingFault read_ring(const pugi::xml_node& linear_ring, int dimension, Ring& ring) {
+  ring.clear();
+  const bool of_curves = is_curve_ring(local_name(linear_ring.name()));
+  const RingFault fault = of_curves ? read_curves(linear_ring, dimension, ring)
+                                    : read_vertices(linear_ring, dimension, ring);
+  if (fault != RingFault::none) return fault;
   while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
   return ring.size() < 3 ? RingFault::too_short : RingFault::none;
 }

@@ -86,15 +86,21 @@ class StreamReader {
     for (const auto& [file, ids] : by_file) {
       if (file.empty()) {
         library_.polygons.merge(fetch_geometry(document_, ids, room).polygons);
-      } else if (read_citygml_head(file).srs_name != srs_name_) {
+      } else if (read_citygml_head(file).srs_name != own_srs_name()) {
         report_.warnings.push_back(document_.name + ": xlinks into " + file.string() +
                                    " are not followed: it is in another CRS");
       } else {
-        for (const city::Document& neighbour : city::list_documents(file, citygml_endings))
+        for (const city::Document& neighbour : list_citygml_documents(file, nullptr))
           for (auto& [id, polygons] : fetch_geometry(neighbour, ids, room).polygons)
             library_.polygons.emplace(file.string() + "#" + id, std::move(polygons));
       }
     }
+  }
+
+  // The name that read_citygml_head finds, to be compared with a neighbour's.
+  std::string own_srs_name() const {
+    if (document_.packed) return srs_name_;
+    return read_citygml_head(document_.name).srs_name;
   }
 
   void load(const DocumentHead& head, const MemberBatch& batch, const MemberBatch::Member& member,

@@ -228,7 +228,10 @@ TEST(StreamReader, XlinksLeadIntoFilesOfTheSameCityAndNoOthers) {
       "user", lod2_solid(link(owner, "shared") + link(owner, "absent") + link(other_crs, "p"))))));
   City city = read_file(user.path());
   EXPECT_EQ(city.find("user")->polygons.size(), 0u);
-  EXPECT_EQ(city.report.skipped.at("xlink: to another file"), 3u);
+  const std::string elsewhere = "xlink: to another file (./";
+  const auto file_name = [](const TemporaryFile& file) { return file.path().filename().string(); };
+  EXPECT_EQ(city.report.skipped.at(elsewhere + file_name(owner) + ")"), 2u);
+  EXPECT_EQ(city.report.skipped.at(elsewhere + file_name(other_crs) + ")"), 1u);
 
   ReadOptions options;
   options.neighbours = std::make_shared<const std::set<std::filesystem::path>>(
@@ -239,7 +242,7 @@ TEST(StreamReader, XlinksLeadIntoFilesOfTheSameCityAndNoOthers) {
   EXPECT_EQ(city.find("user")->polygons[0].surface, SurfaceType::unknown);
   EXPECT_EQ(city.find("user")->polygons[0].exterior,
             read_file(owner.path()).find("owner")->polygons[0].exterior);
-  EXPECT_EQ(city.report.skipped.count("xlink: to another file"), 0u);
+  EXPECT_EQ(city.report.skipped.count(elsewhere + file_name(owner) + ")"), 0u);
   EXPECT_EQ(city.report.warnings.size(), 3u) << "the absent one, the other CRS, and the one in it";
 }
 

@@ -1,0 +1,90 @@
+#include "tools/city/extrude.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "tools/city/ring.h"
+
+namespace nightcity::city {
+namespace {
+
+bool is_level(const Ring& ring) {
+  return std::all_of(ring.begin(), ring.end(),
+                     [&](const glm::dvec3& p) { return p.z == ring.front().z; });
+}
+
+bool is_level(const Polygon& polygon) {
+  return !polygon.exterior.empty() && is_level(polygon.exterior) &&
+         std::all_of(polygon.interiors.begin(), polygon.interiors.end(),
+                     [](const Ring& ring) { return is_level(ring); });
+}
+
+Ring at_height(Ring ring, double z) {
+  for (glm::dvec3& p : ring) p.z = z;
+  return ring;
+}
+
+// Turns the rings so that the outer one runs counter-clockwise in x, y and holes clockwise.
+void turn_up(Polygon& polygon) {
+  if (area_vector(polygon.exterior).z < 0)
+    std::reverse(polygon.exterior.begin(), polygon.exterior.end());
+  for (Ring& hole : polygon.interiors)
+    if (area_vector(hole).z > 0) std::reverse(hole.begin(), hole.end());
+}
+
+void add_walls(const Ring& ring, double foot, double top, const Polygon& of,
+               std::vector<Polygon>& out) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const glm::dvec3 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    Polygon wall;
+    wall.surface = SurfaceType::wall;
+    wall.diffuse_colour = of.diffuse_colour;
+    wall.exterior = {{a.x, a.y, foot}, {b.x, b.y, foot}, {b.x, b.y, top}, {a.x, a.y, top}};
+    out.push_back(std::move(wall));
+  }
+}
+
+void add_block(Polygon plan, double height, std::vector<Polygon>& out) {
+  const double z = plan.exterior.front().z;
+  const bool hangs = plan.surface == SurfaceType::roof && z != 0;
+  const double foot = hangs ? z - height : z, top = foot + height;
+  turn_up(plan);
+  Polygon roof = plan, floor = plan;
+  roof.surface = SurfaceType::roof;
+  floor.surface = SurfaceType::ground;
+  if (!plan.id.empty()) floor.id = plan.id + "_floor";
+  roof.exterior = at_height(roof.exterior, top);
+  floor.exterior = at_height(floor.exterior, foot);
+  std::reverse(floor.exterior.begin(), floor.exterior.end());
+  for (Ring& hole : roof.interiors) hole = at_height(hole, top);
+  for (Ring& hole : floor.interiors) {
+    hole = at_height(hole, foot);
+    std::reverse(hole.begin(), hole.end());
+  }
+  out.push_back(std::move(floor));
+  out.push_back(std::move(roof));
+  add_walls(plan.exterior, foot, top, plan, out);
+  for (const Ring& hole : plan.interiors) add_walls(hole, foot, top, plan, out);
+}
+
+}  // namespace
+
+bool is_flat_building(const CityObject& object) {
+  return object.type == ObjectType::building && object.lod == 0 && !object.polygons.empty() &&
+         std::all_of(object.polygons.begin(), object.polygons.end(),
+                     [](const Polygon& polygon) { return is_level(polygon); });
+}
+
+bool extrude_flat_building(CityObject& object) {
+  if (!object.measured_height_m || !is_flat_building(object)) return false;
+  const auto is_footprint = [](const Polygon& p) { return p.surface != SurfaceType::roof; };
+  const bool footprints = std::any_of(object.polygons.begin(), object.polygons.end(), is_footprint);
+  std::vector<Polygon> blocks;
+  for (Polygon& plan : object.polygons)
+    if (!footprints || is_footprint(plan))
+      add_block(std::move(plan), *object.measured_height_m, blocks);
+  object.polygons = std::move(blocks);
+  return true;
+}
+
+}  // namespace nightcity::city

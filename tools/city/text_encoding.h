@@ -1,0 +1,24 @@
+// Text in UTF-8, whatever encoding a file has.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "tools/city/byte_source.h"
+
+namespace nightcity::city {
+
+/// Returns whether a document's first bytes are UTF-16: a byte order mark, or '<' beside a zero
+/// byte (XML 1.0, appendix F).
+bool begins_as_utf16(std::string_view start);
+
+/// Returns a source of the same document in UTF-8: one in UTF-16 is translated, any other passes
+/// through. Halves of surrogate pairs that stand alone become U+FFFD.
+std::unique_ptr<ByteSource> to_utf8(std::unique_ptr<ByteSource> source);
+
+/// Returns `text` with U+FFFD in place of each byte that is part of no valid UTF-8 sequence
+/// (RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF).
+std::string to_valid_utf8(std::string text);
+
+}  // namespace nightcity::city
