@@ -14,9 +14,10 @@ std::vector<std::string_view> city_endings();
 
 /// Returns `path` itself unless it is a folder; then the files in it whose names end as
 /// city_endings() says, also gzipped (.gml.gz), and its .zip archives, sorted by name so that every
-/// file system gives the same order. Folders inside are not entered: what lies there (code lists,
-/// other themes) is for the user to name. Throws Error where the folder cannot be read or holds no
-/// such file. A file is not opened, so it need not exist.
+/// file system gives the same order. Files there that are no city models (metadata, code lists,
+/// maps) are passed over, each with a note on stderr. Folders inside are not entered: what lies
+/// there (code lists, other themes) is for the user to name. Throws Error where the folder cannot
+/// be read or holds no such file. A file named alone is not opened, so it need not exist.
 std::vector<std::filesystem::path> city_files(const std::filesystem::path& path);
 
 }  // namespace nightcity::inputs

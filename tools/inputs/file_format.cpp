@@ -10,6 +10,7 @@
 #include "tools/citygml/citygml_head.h"
 #include "tools/citygml/read_citygml.h"
 #include "tools/inputs/city_files.h"
+#include "tools/inputs/foreign_format.h"
 #include "tools/osm/osm_marks.h"
 #include "tools/osm/read_osm.h"
 
@@ -26,8 +27,13 @@ bool is_citygml(const FileStart& start) {
   return begins_as_citygml(start.bytes);
 }
 
+// OSM is published in bzip2, cities are not: a city's name then says so.
 bool is_osm(const FileStart& start) {
-  return begins_as_osm(start.bytes);
+  const std::string_view ending(".bz2");
+  const bool packed_city =
+      start.name.ends_with(ending) &&
+      city::ends_with_any(start.name.substr(0, start.name.size() - ending.size()), city_endings());
+  return begins_as_osm(start.bytes) && !packed_city;
 }
 
 bool is_gltf(const FileStart& start) {
@@ -35,7 +41,8 @@ bool is_gltf(const FileStart& start) {
   const std::size_t first = start.bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   const bool json = first != std::string_view::npos && start.bytes[first] == '{';
   // A large glTF may name its asset last.
-  return json && (holds(start, "\"asset\"") || start.name.ends_with(".gltf"));
+  return json && !holds(start, "\"geometricError\"") &&
+         (holds(start, "\"asset\"") || start.name.ends_with(".gltf"));
 }
 
 bool is_light_file(const FileStart& start) {
@@ -89,20 +96,38 @@ std::span<const FileFormat> file_formats() {
   return formats;
 }
 
-const FileFormat& find_format(const std::filesystem::path& path) {
-  const city::Document document = city::list_documents(path, city_endings()).front();
-  const std::string bytes = read_start(document);
-  const std::string name = city::to_lower(path.filename().string());
-  const FileStart start{bytes, name, document.packed};
+namespace {
+
+const FileFormat* recognise(const FileStart& start) {
   const auto format = std::find_if(formats.begin(), formats.end(), [&](const FileFormat& f) {
     return (f.may_be_packed || !start.packed) && f.recognises(start);
   });
-  if (format == formats.end()) {
-    if (const std::string what = describe_unread_osm(bytes); !what.empty())
-      throw Error(path.string(), what);
-    throw Error(path.string(), "is of no format that is read here: " + list_names());
+  return format == formats.end() ? nullptr : &*format;
+}
+
+}  // namespace
+
+const FileFormat& find_format(const std::filesystem::path& path) {
+  const std::string name = city::to_lower(path.filename().string());
+  std::string why;
+  for (const city::Document& document : city::list_documents(path, city_endings())) {
+    const std::string bytes = read_start(document);
+    if (const FileFormat* format = recognise({bytes, name, document.packed})) return *format;
+    if (why.empty()) why = describe_unread_osm(bytes);
+    if (why.empty()) why = explain_foreign(bytes, name);
   }
-  return *format;
+  throw Error(path.string(),
+              why.empty() ? "is of no format that is read here: " + list_names() : why);
+}
+
+std::string find_reason_to_pass_over(const std::filesystem::path& path) {
+  const std::string name = city::to_lower(path.filename().string());
+  const auto documents = city::list_documents(path, city_endings());
+  if (documents.size() != 1) return {};
+  const std::string bytes = read_start(documents.front());
+  if (const FileFormat* format = recognise({bytes, name, documents.front().packed}))
+    return format->kind == FileKind::city ? "" : std::string("is ") + format->name;
+  return find_root_name(bytes).empty() ? "" : explain_foreign(bytes, name);
 }
 
 }  // namespace nightcity::inputs

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "tools/city/city_reader.h"
@@ -38,7 +39,13 @@ std::span<const FileFormat> file_formats();
 
 /// Returns the format of the file at `path` by its first bytes; a name decides only where a format
 /// has no mark of its own (EULUMDAT). Throws Error: missing, empty, a folder, broken gzip or zip,
-/// or of no format in the table.
+/// or of no format in the table; the message then says what it is instead, and the remedy
+/// (foreign_format.h). Of an archive the first entry of a format in the table decides.
 const FileFormat& find_format(const std::filesystem::path& path);
+
+/// Returns why a file that lies in a folder of city files is none of them: metadata, a code list, a
+/// map. "" for a city file, and for one that cannot be told: its reader then says what is wrong.
+/// Throws Error where it cannot be read.
+std::string find_reason_to_pass_over(const std::filesystem::path& path);
 
 }  // namespace nightcity::inputs

@@ -76,6 +76,60 @@ TEST(FileFormat, MissingAndEmptyFilesAndFoldersAreErrors) {
   EXPECT_THROW(name_of_format("", ".gml"), Error);
 }
 
+std::string reason_for(const std::string& content, const std::string& ending) {
+  try {
+    name_of_format(content, ending);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "read";
+}
+
+TEST(FileFormat, WhatAFileIsNotIsSaidWithTheRemedy) {
+  using namespace std::string_literals;
+  const std::string tar =
+      "a.gml" + std::string(252, '\0') + "ustar\0"s + std::string(250, '\0') + city_text;
+  struct Case {
+    std::string content, ending, words;
+  };
+  for (const Case& c : {
+           Case{tar, ".tar", "tar archive: unpack it"},
+           Case{gzipped(tar), ".tgz", "tar archive: unpack it"},
+           Case{"\xFD"
+                "7zXZ\0"s,
+                ".gml.xz", "xz: unpack it"},
+           Case{"BZh91AY", ".gml.bz2", "bzip2, which is read for OSM alone"},
+           Case{"PK", ".zip", "no zip archive"},
+           Case{"hello", ".zip", "no zip archive"},
+           Case{"{\"type\":\"CityJSON\",\"version\":\"2.0\"}", ".json", "is CityJSON"},
+           Case{"{\"version\":0.6,\"generator\":\"Overpass\",\"elements\":[]}", ".json",
+                "[out:xml]"},
+           Case{"{\"asset\":{},\"geometricError\":1,\"root\":{}}", ".json", "3D Tiles"},
+           Case{"<!DOCTYPE html><html><body/></html>", ".gml", "is a web page"},
+           Case{"\n<HTML >", ".xml", "is a web page"},
+           Case{"<osmChange version='0.6'>", ".osc", "change file"},
+           Case{"<base:SpatialDataSet xmlns:base='b'>", ".gml", "INSPIRE"},
+           Case{"<ows:ExceptionReport>", ".gml", "reports an error"},
+           Case{"<gml:Dictionary>", ".xml", "is a code list"},
+           Case{"<a:Other>", ".xml", "root element is <Other>"},
+       }) {
+    const std::string said = reason_for(c.content, c.ending);
+    EXPECT_NE(said.find(c.words), std::string::npos) << c.words << ": " << said;
+  }
+}
+
+TEST(CityFiles, OtherFilesInAFolderArePassedOver) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("nightcity_folder_" + std::to_string(::getpid()));
+  std::filesystem::create_directory(folder);
+  std::ofstream(folder / "meta.xml") << "<metadata><title>t</title></metadata>";
+  EXPECT_THROW(city_files(folder), Error);
+  std::ofstream(folder / "city.gml") << city_text;
+  std::ofstream(folder / "map.xml") << osm_text;
+  EXPECT_EQ(city_files(folder), std::vector<std::filesystem::path>{folder / "city.gml"});
+  std::filesystem::remove_all(folder);
+}
+
 TEST(ReadCity, GoesToTheReaderOfTheFormat) {
   const TemporaryFile file(city_text);
   EXPECT_EQ(read_city_head(file.path()).version, "2.0");
