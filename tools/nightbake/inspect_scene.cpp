@@ -49,7 +49,7 @@ Inspection inspect_scene(const std::filesystem::path& file) {
 
   const Georeference& geo = scene.georeference;
   result["buildings"] = buildings;
-  result["skipped"] = scene.skipped;
+  for (const std::string& what : scene.skipped) result["skipped"][what] = 1;
   result["triangles"] = triangles;
   for (const auto& [kind, ids] : lights) result["lights"][kind] = ids.size();
   if (!geo.crs.empty()) result["crs"] = geo.crs;
