@@ -91,8 +91,7 @@ class ScratchFile {
   /// Zero bytes up to the next multiple of `alignment`.
   void align(std::size_t alignment);
   std::uint64_t size() const { return size_; }
-  /// What has been written reaches the file: from then on, until the next write, many threads may
-  /// read.
+  /// Writes what is buffered to the file. Until the next write, many threads may then read.
   void flush();
   void read(std::uint64_t offset, void* bytes, std::size_t size);
   void copy_to(AtomicFile& target);

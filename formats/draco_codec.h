@@ -22,7 +22,7 @@ struct DracoEncoded {
   std::vector<char> bytes;
   // The ids by which the glTF extension refers to the attributes; -1 = absent.
   int position_id = -1, feature_id = -1, light_id = -1;
-  // Of the decoded mesh: Draco leaves out degenerate triangles.
+  // The size of the decoded mesh, which may be smaller: Draco leaves out degenerate triangles.
   std::uint32_t vertex_count = 0, index_count = 0;
   glm::vec3 min{0}, max{0};  // bounds of the decoded positions
   int bits = 0;              // of quantisation

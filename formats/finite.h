@@ -1,4 +1,4 @@
-// Whether a vector's components are numbers at all.
+// Tests vectors for components that are NaN or infinite.
 #pragma once
 
 #include <cmath>

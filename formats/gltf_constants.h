@@ -23,7 +23,7 @@ constexpr const char* specular_glossiness = "KHR_materials_pbrSpecularGlossiness
 
 constexpr const char* colour_attribute = "COLOR_0";
 constexpr const char* feature_attribute = "_FEATURE_ID_0";
-// Of vertices and instances: index into city.lights.
+// This attribute of vertices and instances is an index into city.lights.
 constexpr const char* light_attribute = "_LIGHT";
 constexpr const char* extras_key = "nightcity";
 constexpr const char* scene_version = "1.0";

@@ -1,4 +1,4 @@
-// What may be opened for reading.
+// Checks that a path may be opened for reading.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// What changes during a night: schedules of lights, and traffic. The records are the same in
+// Records of what changes during a night: schedules of lights, and traffic. They are the same in
 // city.lights, in memory and on the GPU, and are included by C++ and GLSL (scalar block layout;
 // little-endian, no padding). Times are seconds since noon (local civil time) of the day on which
 // the night begins, so that they ascend through the night.
@@ -64,7 +64,7 @@ struct TripKnot {
 };
 #define KNOT_BRAKING 0x01000000u
 
-// What all trips share.
+// All trips share these values.
 struct TrafficCycle {
   float cycle_s;  // above 0, at most 86,400
   uint pad;

@@ -88,7 +88,7 @@ struct Scene {
   std::vector<SceneMesh> meshes;
   std::vector<SceneNode> nodes;
   std::vector<SceneFeature> features;
-  // What a file of others holds that is not shown as it says, one sentence for each kind.
+  // Each sentence names one kind of content, in a file of others, that is not shown as it is there.
   std::vector<std::string> skipped;
 };
 

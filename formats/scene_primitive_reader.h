@@ -12,7 +12,7 @@
 
 namespace nightcity {
 
-/// Where the features of each property table of a file lie in Scene::features.
+/// The range of Scene::features that one property table of a file fills.
 struct FeatureRange {
   std::size_t first, count;
 };

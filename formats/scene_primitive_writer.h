@@ -27,7 +27,7 @@ class PrimitiveWriter {
   PrimitiveWriter(std::filesystem::path file, gltf::Stream& stream, SceneStatistics& statistics,
                   std::optional<double> draco_tolerance_m);
 
-  /// How many materials and features there are for a primitive to refer to.
+  /// The numbers of materials and features that a primitive may refer to.
   struct Limits {
     std::size_t materials, features;
   };

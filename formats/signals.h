@@ -1,4 +1,4 @@
-// What is left behind when a signal ends the program.
+// Removes what would be left behind when a signal ends the program.
 #pragma once
 
 #include <cstddef>

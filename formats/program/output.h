@@ -1,4 +1,4 @@
-// Where a command writes: the option that names it, and the check before any work.
+// The option that names a command's output, and the check of it before any work.
 #pragma once
 
 #include <CLI/CLI.hpp>

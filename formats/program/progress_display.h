@@ -52,7 +52,7 @@ class ProgressDisplay {
   bool is_drawn_ = false;
   std::string last_what_;
   Clock::time_point last_shown_;
-  // Where the present estimate of the time left began.
+  // The estimate of the time left counts from this moment and this number of steps.
   Clock::time_point start_;
   std::uint64_t start_done_ = 0;
   std::uint64_t total_ = 0;

@@ -8,7 +8,7 @@
 
 namespace nightcity::program {
 
-/// What makes one program differ from the other.
+/// The parts in which one program differs from the other.
 struct Program {
   std::string name;         // as users type it, and in front of each message
   std::string description;  // what it does, to follow the name: "renders a city"

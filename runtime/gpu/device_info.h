@@ -11,7 +11,7 @@
 
 namespace nightcity::gpu {
 
-/// What a Vulkan device offers, as far as this program uses it.
+/// The features of a Vulkan device that this program uses.
 struct DeviceInfo {
   std::string name;
   std::string driver;  // name and version of the driver

@@ -31,7 +31,7 @@ struct ViewerState {
   bool show_panel = true;
 };
 
-/// What the panel reports of the scene and the last frame.
+/// The figures that the panel reports of the scene and the last frame.
 struct FrameStats {
   std::string scene, device;
   std::size_t triangles = 0, lights = 0;
@@ -41,7 +41,7 @@ struct FrameStats {
   std::span<const gpu::Timer::Span> passes;
 };
 
-/// What the user asked for in the panel.
+/// The requests that the user made in the panel.
 struct PanelRequests {
   bool restart = false;       // something changed the picture, which must be rendered again
   std::string camera_preset;  // a name of camera_presets(), or ""

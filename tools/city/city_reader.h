@@ -35,7 +35,7 @@ struct ReadReport {
 enum class Reader : std::uint8_t { stream, libcitygml };
 
 struct ReadOptions {
-  /// Of each object the highest LoD up to this one is taken, and where it has none, the lowest
+  /// Each object is taken at its highest LoD up to this one or, where it has none, at the lowest
   /// above.
   int max_lod = 2;
   Reader reader = Reader::stream;

@@ -17,14 +17,14 @@ class SourceCrs {
   ~SourceCrs();
 
   bool geographic() const;
-  /// Whether the EPSG register puts northing or latitude first.
+  /// Returns whether the EPSG register puts northing or latitude first.
   bool north_first() const;
   /// "EPSG:25833" where the register knows it and its axes are metres east and north; else a PROJ
   /// string in metres, else the name. Of a geographic CRS its own name.
   const std::string& identity() const;
   const std::string& name() const;
   double unit_to_metre() const;  // of a projected CRS's axes; 1 for a geographic one
-  /// Of the vertical part; without one, heights share the horizontal unit.
+  /// The unit of the vertical part; without one, heights share the horizontal unit.
   double height_unit_to_metre() const;
   double semi_major_m() const;
   double inverse_flattening() const;

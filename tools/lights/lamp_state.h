@@ -1,4 +1,4 @@
-// Whether a mapped lamp exists and works today.
+// Decides whether a mapped lamp exists and works today.
 #pragma once
 
 #include <chrono>

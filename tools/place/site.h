@@ -12,7 +12,7 @@ namespace nightcity::place {
 using LonLatToFrame = std::function<glm::dvec2(const glm::dvec2& lon_lat)>;
 /// Height of the ground at E, N of the city's frame, m; none outside the model.
 using HeightAt = std::function<std::optional<double>(const glm::dvec2& place)>;
-/// Whether E, N of the city's frame, m, lies within a building's footprint.
+/// Returns whether E, N of the city's frame, m, lies within a building's footprint.
 using InsideBuilding = std::function<bool(const glm::dvec2& place)>;
 
 }  // namespace nightcity::place

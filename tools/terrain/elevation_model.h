@@ -16,7 +16,8 @@ class ElevationModel {
   ~ElevationModel();
   ElevationModel(ElevationModel&&) noexcept;
 
-  /// Whether the raster names a CRS. Without one, its coordinates are taken to be the caller's.
+  /// Returns whether the raster names a CRS. Without one, its coordinates are taken to be the
+  /// caller's.
   bool has_crs() const;
   /// Returns the distance of neighbouring heights, m (north-south, for a raster in degrees).
   double resolution_m() const;

@@ -1,4 +1,4 @@
-// How the ground of a city is made.
+// Options that decide how the ground of a city is made.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// What the surfaces of a city are made of: one table of reflectances with their sources.
+// The materials of a city's surfaces: one table of reflectances with their sources.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// How the lamps of a city are made.
+// Options that decide how the lamps of a city are made.
 #pragma once
 
 #include <filesystem>
