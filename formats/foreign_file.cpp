@@ -4,6 +4,8 @@
 #include <cctype>
 #include <string_view>
 
+#include "formats/packed_file.h"
+
 namespace nightcity {
 namespace {
 
@@ -18,11 +20,6 @@ struct Signature {
 constexpr Signature binary_signatures[] = {
     {"\x1f\x8b"sv, "is gzip-compressed: decompress it first (gunzip)"},
     {"BZh"sv, "is bzip2-compressed: decompress it first (bunzip2)"},
-    {"\xfd"
-     "7zXZ"sv,
-     "is xz-compressed: decompress it first (unxz)"},
-    {"\x28\xb5\x2f\xfd"sv, "is zstd-compressed: decompress it first (unzstd)"},
-    {"7z\xbc\xaf"sv, "is a 7-Zip archive: unpack it first"},
     {"PK\x03\x04"sv,
      "is a zip archive (KMZ, USDZ and 3TZ are, too): unpack it, and give the .glb or .gltf in it"},
     {"b3dm"sv, "is a 3D tile (b3dm), not glTF: take the glTF out of it (3d-tiles-tools b3dmToGlb)"},
@@ -82,6 +79,8 @@ std::optional<std::string> describe_foreign_file(std::span<const std::byte> byte
                         std::min(bytes.size(), head_bytes));
   for (const Signature& signature : binary_signatures)
     if (head.starts_with(signature.start)) return signature.message;
+  if (const std::string_view packed = describe_packed(head); !packed.empty())
+    return std::string(packed);
   if (head.starts_with("\xef\xbb\xbf"sv)) head.remove_prefix(3);
   const std::size_t start = head.find_first_not_of(" \t\r\n");
   if (start == std::string_view::npos) return std::nullopt;

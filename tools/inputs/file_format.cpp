@@ -113,8 +113,8 @@ const FileFormat& find_format(const std::filesystem::path& path) {
   for (const city::Document& document : city::list_documents(path, city_endings())) {
     const std::string bytes = read_start(document);
     if (const FileFormat* format = recognise({bytes, name, document.packed})) return *format;
-    if (why.empty()) why = describe_unread_osm(bytes);
     if (why.empty()) why = explain_foreign(bytes, name);
+    if (why.empty()) why = describe_unread_osm(bytes);
   }
   throw Error(path.string(),
               why.empty() ? "is of no format that is read here: " + list_names() : why);

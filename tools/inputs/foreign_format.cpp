@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
+
+#include "formats/packed_file.h"
+#include "tools/city/byte_source.h"
 
 namespace nightcity::inputs {
 namespace {
@@ -11,39 +13,26 @@ namespace {
 using namespace std::string_view_literals;
 
 struct Mark {
-  std::size_t at;  // offset of the mark
-  std::string_view bytes;
+  std::string_view bytes;  // at the beginning
   const char* explanation;
 };
 
-// Compressed files, archives and binary formats, by their magic numbers.
 constexpr std::array binary_marks{
-    Mark{257, "ustar"sv, "is a tar archive: unpack it first (tar -xf) and name the files in it"},
-    Mark{0,
-         "\xFD"
-         "7zXZ\0"sv,
-         "is compressed by xz: unpack it first (unxz)"},
-    Mark{0, "BZh"sv,
-         "is compressed by bzip2, which is read for OSM alone: unpack it first (bunzip2)"},
-    Mark{0, "\x28\xB5\x2F\xFD"sv, "is compressed by zstd: unpack it first (unzstd)"},
-    Mark{0, "\x04\x22\x4D\x18"sv, "is compressed by lz4: unpack it first (unlz4)"},
-    Mark{0, "7z\xBC\xAF\x27\x1C"sv, "is a 7z archive: unpack it first (7z x)"},
-    Mark{0, "Rar!\x1A\x07"sv, "is a RAR archive: unpack it first"},
-    Mark{0, "PK\x05\x06"sv, "is a zip archive without files"},
-    Mark{0, "PK\x07\x08"sv,
-         "is a part of a zip archive in several volumes: join and unpack it first"},
-    Mark{0, "%PDF"sv, "is a PDF document, not data"},
-    Mark{0, "\x89PNG"sv, "is a picture (PNG)"},
-    Mark{0, "\xFF\xD8\xFF"sv, "is a picture (JPEG)"},
-    Mark{0, "II*\0"sv, "is a TIFF raster: heights belong in [terrain] dem"},
-    Mark{0, "MM\0*"sv, "is a TIFF raster: heights belong in [terrain] dem"},
-    Mark{0, "SQLite format 3\0"sv,
+    Mark{"BZh"sv, "is compressed by bzip2, which is read for OSM alone: unpack it first (bunzip2)"},
+    Mark{"PK\x05\x06"sv, "is a zip archive without files"},
+    Mark{"PK\x07\x08"sv, "is a part of a zip archive in several volumes: join and unpack it first"},
+    Mark{"%PDF"sv, "is a PDF document, not data"},
+    Mark{"\x89PNG"sv, "is a picture (PNG)"},
+    Mark{"\xFF\xD8\xFF"sv, "is a picture (JPEG)"},
+    Mark{"II*\0"sv, "is a TIFF raster: heights belong in [terrain] dem"},
+    Mark{"MM\0*"sv, "is a TIFF raster: heights belong in [terrain] dem"},
+    Mark{"SQLite format 3\0"sv,
          "is a GeoPackage or another SQLite database: export it as CityGML or OSM first"},
-    Mark{0, "\0\0\x27\x0A"sv, "is a Shapefile: export it as CityGML or OSM first"},
-    Mark{0, "LASF"sv, "is a point cloud (LAS, LAZ): surfaces are needed"},
-    Mark{0, "ISO-10303-21"sv, "is IFC or another STEP file: export it as CityGML first"},
-    Mark{0, "b3dm"sv, "is a tile of 3D Tiles: the CityGML that it was made of is needed"},
-    Mark{0, "version https://git-lfs"sv,
+    Mark{"\0\0\x27\x0A"sv, "is a Shapefile: export it as CityGML or OSM first"},
+    Mark{"LASF"sv, "is a point cloud (LAS, LAZ): surfaces are needed"},
+    Mark{"ISO-10303-21"sv, "is IFC or another STEP file: export it as CityGML first"},
+    Mark{"b3dm"sv, "is a tile of 3D Tiles: the CityGML that it was made of is needed"},
+    Mark{"version https://git-lfs"sv,
          "is a pointer of Git LFS and not the file itself: fetch it (git lfs pull)"},
 };
 
@@ -104,13 +93,6 @@ constexpr std::array roots{
          "is LandXML: export it as CityGML, or its surface as a raster for [terrain] dem"},
 };
 
-std::string to_lower_ascii(std::string_view text) {
-  std::string out(text);
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return out;
-}
-
 std::string_view skip_blanks(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
@@ -147,8 +129,9 @@ std::string_view find_root_name(std::string_view start) {
 
 std::string explain_foreign(std::string_view bytes, std::string_view name) {
   for (const Mark& mark : binary_marks)
-    if (bytes.size() >= mark.at && bytes.substr(mark.at).starts_with(mark.bytes))
-      return mark.explanation;
+    if (bytes.starts_with(mark.bytes)) return mark.explanation;
+  if (const std::string_view packed = describe_packed(bytes); !packed.empty())
+    return std::string(packed);
   if (bytes.starts_with("PK") || name.ends_with(".zip"))
     return "is no zip archive, or the beginning of one that was cut off: fetch it again";
   if (name.ends_with(".gz") || name.ends_with(".tgz")) return {};
@@ -156,10 +139,11 @@ std::string explain_foreign(std::string_view bytes, std::string_view name) {
   if (text.starts_with('{') || text.starts_with('[')) return explain_json(text);
   if (!text.starts_with('<')) return {};
   const std::string_view written = find_root_name(text);
-  const std::string root = to_lower_ascii(written);
+  const std::string root = city::to_lower(std::string(written));
   for (const Root& row : roots)
     if (row.name == root) return row.explanation;
-  if (to_lower_ascii(text.substr(0, 64)).starts_with("<!doctype html")) return roots[0].explanation;
+  if (city::to_lower(std::string(text.substr(0, 64))).starts_with("<!doctype html"))
+    return roots[0].explanation;
   if (root.empty()) return {};
   return "is XML of another kind: its root element is <" + std::string(written) + ">";
 }

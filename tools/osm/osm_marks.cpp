@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "formats/packed_file.h"
+
 namespace nightcity {
 namespace {
 
@@ -26,26 +28,6 @@ std::string to_lower_case(string_view text) {
   return result;
 }
 
-/// Describes archives and packed files.
-std::string describe_packed(string_view start) {
-  const struct {
-    string_view mark;
-    const char* text;
-  } packings[] = {
-      {"\xfd"
-       "7zXZ\0"sv,
-       "is packed by xz: unpack it by `unxz`"},
-      {"\x28\xb5\x2f\xfd"sv, "is packed by zstd: unpack it by `unzstd`"},
-      {"\x04\x22\x4d\x18"sv, "is packed by lz4: unpack it by `unlz4`"},
-      {"7z\xbc\xaf\x27\x1c"sv, "is a 7z archive: unpack it"},
-      {"Rar!"sv, "is a RAR archive: unpack it"},
-  };
-  for (const auto& [mark, text] : packings)
-    if (start.starts_with(mark)) return text;
-  if (start.size() > 262 && start.substr(257, 5) == "ustar") return "is a tar archive: unpack it";
-  return {};
-}
-
 }  // namespace
 
 // A PBF begins with the length of a blob header whose first field is the text "OSMHeader".
@@ -62,7 +44,8 @@ bool is_bzip2(string_view start) {
 }
 
 std::string describe_unread_osm(string_view start) {
-  if (std::string packed = describe_packed(start); !packed.empty()) return packed;
+  if (const string_view packed = describe_packed(start); !packed.empty())
+    return std::string(packed);
   if (start.starts_with("\xff\xe0\x04o5c2"))
     return "is a change file (o5c), not a map: apply it to one by `osmium apply-changes`";
   if (is_opl(start)) return "is OSM in OPL: convert it by `osmium cat IN.opl -o OUT.osm.pbf`";
