@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/median.h"
+#include "formats/median.h"
 
 namespace nightcity {
 

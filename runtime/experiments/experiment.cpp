@@ -3,8 +3,8 @@
 #include <chrono>
 
 #include "formats/error.h"
+#include "formats/median.h"
 #include "runtime/measure/exr.h"
-#include "runtime/measure/median.h"
 
 namespace nightcity::experiments {
 namespace {

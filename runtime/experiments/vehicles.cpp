@@ -6,9 +6,9 @@
 #include <map>
 #include <string>
 
+#include "formats/median.h"
 #include "runtime/experiments/experiment.h"
 #include "runtime/experiments/lamp_field.h"
-#include "runtime/measure/median.h"
 
 namespace nightcity::experiments {
 namespace {

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "formats/error.h"
+#include "formats/to_lower.h"
 #include "runtime/gpu/instance.h"
 
 namespace nightcity::gpu {
@@ -23,12 +24,6 @@ const char* kind_name(VkPhysicalDeviceType type) {
     default:
       return "other";
   }
-}
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 int rank(const DeviceInfo& info) {
@@ -156,7 +151,8 @@ std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::str
     if (index < devices.size()) return refuse_unusable(index);
   }
   for (std::size_t i = 0; i < devices.size(); ++i)
-    if (lower(devices[i].name).find(lower(select)) != std::string::npos) return refuse_unusable(i);
+    if (to_lower(devices[i].name).find(to_lower(select)) != std::string::npos)
+      return refuse_unusable(i);
   throw UsageError("--device", "no Vulkan device matches '" + select + "' (see nightview devices)");
 }
 

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "formats/median.h"
 #include "formats/program/print_json.h"
 #include "runtime/experiments/experiment.h"
-#include "runtime/measure/median.h"
 #include "runtime/nightview/commands.h"
 #include "runtime/nightview/render_options.h"
 #include "runtime/render/renderer.h"

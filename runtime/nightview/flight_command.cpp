@@ -7,9 +7,9 @@
 #include <cmath>
 #include <memory>
 
+#include "formats/median.h"
 #include "formats/program/output.h"
 #include "runtime/experiments/flight.h"
-#include "runtime/measure/median.h"
 #include "runtime/nightview/commands.h"
 #include "runtime/nightview/number_check.h"
 #include "runtime/nightview/render_options.h"

@@ -11,6 +11,7 @@
 #include "formats/error.h"
 #include "formats/program/output.h"
 #include "formats/program/progress_display.h"
+#include "formats/to_lower.h"
 #include "runtime/measure/exposure.h"
 #include "runtime/measure/exr.h"
 #include "runtime/measure/false_colour.h"
@@ -38,10 +39,7 @@ struct RenderCommand {
 };
 
 bool has_extension(const std::string& file, const char* extension) {
-  std::string e = std::filesystem::path(file).extension().string();
-  std::transform(e.begin(), e.end(), e.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return e == extension;
+  return to_lower(std::filesystem::path(file).extension().string()) == extension;
 }
 
 // Runs before any work: a wrong name should not be found out after the last frame.

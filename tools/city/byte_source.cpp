@@ -14,6 +14,7 @@
 
 #include "formats/error.h"
 #include "formats/input_file.h"
+#include "formats/to_lower.h"
 #include "tools/city/text_encoding.h"
 
 namespace nightcity::city {
@@ -124,13 +125,6 @@ std::vector<Document> list_documents_in_archive(const std::string& path,
 }
 
 }  // namespace
-
-std::string to_lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return text;
-}
 
 bool ends_with_any(std::string_view name, std::span<const std::string_view> endings) {
   return std::any_of(endings.begin(), endings.end(),

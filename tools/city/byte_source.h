@@ -38,8 +38,6 @@ bool mentions(const Document& document, std::string_view text);
 std::vector<Document> list_documents(const std::filesystem::path& file,
                                      std::span<const std::string_view> endings);
 
-/// Returns `text` with A to Z in lower case, whatever the locale.
-std::string to_lower(std::string text);
 bool ends_with_any(std::string_view name, std::span<const std::string_view> endings);
 /// Returns ".gml, .xml, .citygml": for messages.
 std::string join_endings(std::span<const std::string_view> endings);

@@ -5,7 +5,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "tools/median.h"
+#include "formats/median.h"
 
 namespace nightcity {
 namespace {

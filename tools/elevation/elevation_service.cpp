@@ -11,8 +11,8 @@
 
 #include "formats/error.h"
 #include "formats/input_file.h"
+#include "formats/median.h"
 #include "tools/elevation/http_post.h"
-#include "tools/median.h"
 
 namespace nightcity {
 namespace {

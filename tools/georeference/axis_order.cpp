@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "formats/finite.h"
+#include "formats/median.h"
 #include "tools/georeference/handedness.h"
 #include "tools/georeference/right_angles.h"
-#include "tools/median.h"
 
 namespace nightcity {
 namespace {

@@ -1,8 +1,9 @@
 #include "tools/georeference/srs_names.h"
 
+#include "formats/to_lower.h"
+
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace nightcity {
 namespace {
@@ -29,13 +30,6 @@ constexpr std::array aliases{
     Alias{"de_rd-83_3gk4", "EPSG:3398"},     Alias{"de_rd-83_3gk5", "EPSG:3399"},
 };
 
-std::string lower(std::string_view text) {
-  std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
-}
-
 std::string_view trim(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return {};
@@ -58,7 +52,7 @@ const Alias* find_alias(std::string_view name) {
 // The first EPSG code in the name: "crs:EPSG:6.12:25833" -> 25833 (the version is not the code),
 // "EPSG::5514" -> 5514, "epsg.xml#28992" -> 28992, "/EPSG/0/6697" -> 6697.
 std::string first_epsg_code(std::string_view name) {
-  const std::string text = lower(name);
+  const std::string text = to_lower(name);
   const auto at = text.find("epsg");
   if (at == std::string::npos) return {};
   std::string code;
@@ -94,7 +88,7 @@ std::vector<std::string> list_crs_definitions(std::string_view srs_name) {
   const std::string_view name = trim(srs_name);
   std::vector<std::string> definitions;
   if (name.empty()) return definitions;
-  std::string key = lower(name);
+  std::string key = to_lower(name);
   if (constexpr std::string_view adv = "urn:adv:crs:"; key.starts_with(adv))
     key.erase(0, adv.size());
   if (const auto star = key.find('*'); star != std::string::npos) key.erase(star);
@@ -122,7 +116,7 @@ std::vector<std::string> list_crs_definitions(std::string_view srs_name) {
 }
 
 AxisPromise find_axis_promise(std::string_view srs_name) {
-  const std::string name = lower(trim(srs_name));
+  const std::string name = to_lower(trim(srs_name));
   if (name.find("opengis.net/def/crs") != std::string::npos) return AxisPromise::fixed;
   if (!name.starts_with("urn:ogc:def:crs") && !name.starts_with("urn:x-ogc:def:crs"))
     return AxisPromise::east_north;

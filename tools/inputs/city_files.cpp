@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "formats/error.h"
+#include "formats/to_lower.h"
 #include "tools/city/byte_source.h"
 #include "tools/inputs/file_format.h"
 
@@ -15,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_city_file(const fs::path& path) {
-  const std::string name = city::to_lower(path.filename().string());
+  const std::string name = to_lower(path.filename().string());
   if (name.ends_with(".zip")) return true;
   const std::string_view plain = std::string_view(name).substr(
       0, name.size() - (name.ends_with(".gz") ? std::string_view(".gz").size() : 0));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "formats/error.h"
+#include "formats/to_lower.h"
 #include "tools/city/byte_source.h"
 #include "tools/citygml/citygml_head.h"
 #include "tools/citygml/read_citygml.h"
@@ -108,7 +109,7 @@ const FileFormat* recognise(const FileStart& start) {
 }  // namespace
 
 const FileFormat& find_format(const std::filesystem::path& path) {
-  const std::string name = city::to_lower(path.filename().string());
+  const std::string name = to_lower(path.filename().string());
   std::string why;
   for (const city::Document& document : city::list_documents(path, city_endings())) {
     const std::string bytes = read_start(document);
@@ -121,7 +122,7 @@ const FileFormat& find_format(const std::filesystem::path& path) {
 }
 
 std::string find_reason_to_pass_over(const std::filesystem::path& path) {
-  const std::string name = city::to_lower(path.filename().string());
+  const std::string name = to_lower(path.filename().string());
   const auto documents = city::list_documents(path, city_endings());
   if (documents.size() != 1) return {};
   const std::string bytes = read_start(documents.front());

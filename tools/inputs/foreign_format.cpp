@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "formats/packed_file.h"
-#include "tools/city/byte_source.h"
+#include "formats/to_lower.h"
 
 namespace nightcity::inputs {
 namespace {
@@ -139,11 +139,10 @@ std::string explain_foreign(std::string_view bytes, std::string_view name) {
   if (text.starts_with('{') || text.starts_with('[')) return explain_json(text);
   if (!text.starts_with('<')) return {};
   const std::string_view written = find_root_name(text);
-  const std::string root = city::to_lower(std::string(written));
+  const std::string root = to_lower(written);
   for (const Root& row : roots)
     if (row.name == root) return row.explanation;
-  if (city::to_lower(std::string(text.substr(0, 64))).starts_with("<!doctype html"))
-    return roots[0].explanation;
+  if (to_lower(text.substr(0, 64)).starts_with("<!doctype html")) return roots[0].explanation;
   if (root.empty()) return {};
   return "is XML of another kind: its root element is <" + std::string(written) + ">";
 }

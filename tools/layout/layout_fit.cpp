@@ -5,8 +5,8 @@
 #include <limits>
 #include <set>
 
+#include "formats/median.h"
 #include "tools/layout/place_grid.h"
-#include "tools/median.h"
 
 namespace nightcity::layout {
 namespace {

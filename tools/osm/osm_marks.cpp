@@ -1,9 +1,7 @@
 #include "tools/osm/osm_marks.h"
 
-#include <algorithm>
-#include <cctype>
-
 #include "formats/packed_file.h"
+#include "formats/to_lower.h"
 
 namespace nightcity {
 namespace {
@@ -19,13 +17,6 @@ bool is_opl(string_view start) {
   while (at < start.size() && start[at] >= '0' && start[at] <= '9') ++at;
   return at > first && (start.substr(at).starts_with(" v") || start.substr(at).starts_with(" d") ||
                         start.substr(at).starts_with(" T") || start.substr(at).starts_with(" x"));
-}
-
-std::string to_lower_case(string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
 }
 
 }  // namespace
@@ -50,7 +41,7 @@ std::string describe_unread_osm(string_view start) {
     return "is a change file (o5c), not a map: apply it to one by `osmium apply-changes`";
   if (is_opl(start)) return "is OSM in OPL: convert it by `osmium cat IN.opl -o OUT.osm.pbf`";
   if (start.starts_with("\xef\xbb\xbf")) start.remove_prefix(3);
-  const std::string text = to_lower_case(start);
+  const std::string text = to_lower(start);
   const auto holds = [&](string_view part) { return text.find(part) != std::string::npos; };
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string::npos) return {};

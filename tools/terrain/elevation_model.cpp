@@ -18,6 +18,7 @@
 
 #include "formats/error.h"
 #include "formats/input_file.h"
+#include "formats/to_lower.h"
 
 namespace nightcity {
 namespace {
@@ -154,12 +155,6 @@ constexpr std::array units{
     Unit{"yd", 0.9144},
     Unit{"yard", 0.9144},
 };
-
-std::string to_lower(std::string_view text) {
-  std::string out;
-  for (const char c : text) out += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return out;
-}
 
 // Returns the metres in the unit of a band's values: what the band says, else the vertical part of
 // the CRS, else metres. Throws Error on the name of a unit that is none of length.

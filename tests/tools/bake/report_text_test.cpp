@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "formats/median.h"
 #include "tools/bake/report/bake_report.h"
-#include "tools/median.h"
 
 namespace nightcity {
 namespace {

@@ -141,11 +141,13 @@ TEST(ElevationModel, MasksAndAlphaBandsAreHoles) {
         set->GetRasterBand(2)->SetColorInterpretation(GCI_AlphaBand);
       else
         set->CreateMaskBand(GMF_PER_DATASET);
-      (void)set->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 4, 4, heights.data(), 4, 4, GDT_Float64,
-                                            0, 0);
+      EXPECT_EQ(set->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 4, 4, heights.data(), 4, 4,
+                                                GDT_Float64, 0, 0),
+                CE_None);
       GDALRasterBand* const band =
           alpha ? set->GetRasterBand(2) : set->GetRasterBand(1)->GetMaskBand();
-      (void)band->RasterIO(GF_Write, 0, 0, 4, 4, seen.data(), 4, 4, GDT_Float64, 0, 0);
+      EXPECT_EQ(band->RasterIO(GF_Write, 0, 0, 4, 4, seen.data(), 4, 4, GDT_Float64, 0, 0),
+                CE_None);
       CPLSetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", nullptr);
     }
     const ElevationModel model(folder / "mask.tif");
@@ -163,8 +165,9 @@ TEST(ElevationModel, NoDataIsComparedInThePixelsType) {
     double transform[6] = {0, 10, 0, 10, 0, -10};
     set->SetGeoTransform(transform);
     std::vector<double> heights{0.1, 5};
-    (void)set->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 2, 1, heights.data(), 2, 1, GDT_Float64,
-                                          0, 0);
+    EXPECT_EQ(set->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 2, 1, heights.data(), 2, 1,
+                                              GDT_Float64, 0, 0),
+              CE_None);
     set->GetRasterBand(1)->SetNoDataValue(0.1);  // no float
   }
   const ElevationModel model(folder / "float.tif");

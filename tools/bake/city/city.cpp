@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "formats/error.h"
+#include "formats/median.h"
 #include "tools/bake/city/prepared_objects.h"
-#include "tools/median.h"
 #include "tools/osm/read_osm.h"
 #include "tools/streets/street_ways.h"
 
@@ -115,8 +115,8 @@ bool City::wants_model_streets() const {
 }
 
 StreetReport City::add_model_streets(const streets::RoadSurfaces& roads) {
-  streets::StreetWays streets =
-      streets::find_street_ways(roads, [this](const glm::dvec2& p) { return frame().to_lon_lat(p); });
+  streets::StreetWays streets = streets::find_street_ways(
+      roads, [this](const glm::dvec2& p) { return frame().to_lon_lat(p); });
   for (OsmWay& way : streets.ways) map_.highways.push_back(std::move(way));
   return {roads.surfaces().size(), roads.left_out(),  streets.km,
           streets.km_by_code,      streets.junctions, streets.ends};

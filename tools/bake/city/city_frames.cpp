@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "formats/error.h"
+#include "formats/median.h"
 #include "tools/inputs/read_city.h"
-#include "tools/median.h"
 
 namespace nightcity {
 namespace {

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "formats/error.h"
-#include "tools/median.h"
+#include "formats/median.h"
 #include "tools/terrain/elevation_model.h"
 
 namespace nightcity {

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "formats/median.h"
 #include "tools/bake/scene/hidden_surfaces.h"
 #include "tools/in_order.h"
-#include "tools/median.h"
 
 namespace nightcity {
 namespace {

@@ -1,4 +1,4 @@
-// The middle value of many.
+// The median: a few outliers do not move it.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 
 namespace nightcity {
 
-/// Returns the value in the middle of the sorted order (of an even number, the greater of the two middle
-/// ones), or `if_empty` where there are no values.
+/// Returns the median (of an even number of values, the upper of the middle two), or `if_empty`
+/// without values.
 template <class Value>
 Value median(std::vector<Value> values, Value if_empty = {}) {
   if (values.empty()) return if_empty;
