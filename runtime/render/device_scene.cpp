@@ -111,20 +111,27 @@ void DeviceScene::store_traffic(const RenderScene& scene,
   static_instances_ = static_cast<std::uint32_t>(instances.size());
   static_nodes_ = static_cast<std::uint32_t>(scene.nodes.size());
   slot_nodes_ = inner + 1;
-  instances_ = gpu::Buffer::of(device_, instances);
-  nodes_ = gpu::Buffer::of(device_, std::span(scene.nodes));
-  make_vehicle_slots(usual_vehicle_slots);
+  const auto store_before_slots = [&](auto values, std::size_t slot_size) {
+    gpu::Buffer buffer(device_,
+                       (values.size() + usual_vehicle_slots * slot_size) * sizeof(values[0]));
+    if (!values.empty()) buffer.upload(values.data(), values.size_bytes());
+    return buffer;
+  };
+  instances_ = store_before_slots(instances, trips);
+  nodes_ = store_before_slots(std::span(scene.nodes), slot_nodes_);
+  addresses_.instances = instances_.address();
+  addresses_.nodes = nodes_.address();
+  slot_taken_.resize(usual_vehicle_slots);
   addresses_.light_count += trips * VEHICLE_LIGHTS;
 }
 
-void DeviceScene::make_vehicle_slots(std::uint32_t count) {
+void DeviceScene::grow_vehicle_slots(std::uint32_t count) {
   const auto grow = [&](gpu::Buffer& buffer, std::size_t static_bytes, std::size_t slot_bytes) {
     gpu::Buffer grown(device_, static_bytes + count * slot_bytes);
     const VkBufferCopy copy{0, 0, static_bytes + slot_taken_.size() * slot_bytes};
-    if (copy.size > 0)
-      device_.run([&](VkCommandBuffer commands) {
-        vkCmdCopyBuffer(commands, buffer.handle(), grown.handle(), 1, &copy);
-      });
+    device_.run([&](VkCommandBuffer commands) {
+      vkCmdCopyBuffer(commands, buffer.handle(), grown.handle(), 1, &copy);
+    });
     buffer = std::move(grown);
     return buffer.address();
   };
@@ -138,7 +145,7 @@ void DeviceScene::make_vehicle_slots(std::uint32_t count) {
 std::uint32_t DeviceScene::acquire_vehicle_slot() {
   const auto free = std::find(slot_taken_.begin(), slot_taken_.end(), false);
   const auto slot = static_cast<std::uint32_t>(free - slot_taken_.begin());
-  if (free == slot_taken_.end()) make_vehicle_slots(slot + usual_vehicle_slots);
+  if (free == slot_taken_.end()) grow_vehicle_slots(slot + usual_vehicle_slots);
   slot_taken_[slot] = true;
   return slot;
 }

@@ -68,7 +68,7 @@ class DeviceScene {
   template <class T>
   std::uint64_t store(std::span<const T> values);
   void store_traffic(const RenderScene& scene, std::span<const gpu::Instance> instances);
-  void make_vehicle_slots(std::uint32_t count);
+  void grow_vehicle_slots(std::uint32_t count);
   void upload_lit(LitLights lit);
   gpu::LightGridBuffers upload_grid(std::size_t which, const LightGrid& grid);
 

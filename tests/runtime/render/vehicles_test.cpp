@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "formats/error.h"
 #include "support/gpu.h"
@@ -211,6 +212,35 @@ TEST(Vehicles, APictureDependsOnTheTimeOnlyNotOnTheFramesBefore) {
     sum += double(pictures[0][i]);
   }
   EXPECT_LT(difference / sum, 0.01);
+}
+
+// Renderers of one scene have its vehicles at times of their own, this frame's and the one before's.
+// The third renderer asks for more room than the scene has at first.
+TEST(Vehicles, RenderersOfOneSceneDoNotDisturbEachOther) {
+  const RenderScene scene = with_traffic(crowd(60), {lamp({5, 8, 5}, 3000)});
+  gpu::Device& device = test::test_device();
+  RenderSettings settings = reference_at(0);
+  settings.sampling.estimator = Estimator::traced;
+  const auto render_moment = [&](Renderer& renderer, int index, int moment) {
+    settings.time_s = 5.0 + 7 * index + 0.5 * moment;
+    renderer.render_frame(above, settings);
+  };
+  constexpr int count = 3, moments = 3;
+  std::vector<std::vector<float>> alone;
+  for (int i = 0; i < count; ++i) {
+    DeviceScene device_scene(device, scene);
+    Renderer renderer(device, test::test_passes(), device_scene, 16, 16);
+    for (int moment = 0; moment < moments; ++moment) render_moment(renderer, i, moment);
+    alone.push_back(renderer.download(false).rgb);
+  }
+  DeviceScene shared(device, scene);
+  std::vector<std::unique_ptr<Renderer>> renderers;
+  for (int i = 0; i < count; ++i)
+    renderers.push_back(std::make_unique<Renderer>(device, test::test_passes(), shared, 16u, 16u));
+  for (int moment = 0; moment < moments; ++moment)
+    for (int i = 0; i < count; ++i) render_moment(*renderers[std::size_t(i)], i, moment);
+  for (int i = 0; i < count; ++i)
+    EXPECT_EQ(renderers[std::size_t(i)]->download(false).rgb, alone[std::size_t(i)]) << i;
 }
 
 TEST(Vehicles, AShareOfCandidatesThatLosesItsLightIsRefused) {
