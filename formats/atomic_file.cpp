@@ -174,6 +174,7 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
   target_ = is_stream_ ? path_ : follow_links(path_);
   int descriptor = open_nameless(is_stream_ ? scratch_folder() : folder_of(target_));
   if (descriptor < 0) {
+    const SignalHold hold;
     std::tie(scratch_, descriptor) = open_named(is_stream_ ? scratch_folder() / "stream" : target_);
     if (descriptor < 0) fail(path_, "cannot be written");
     leftover_ = Leftover(scratch_, Leftover::Kind::file);
@@ -223,6 +224,7 @@ void AtomicFile::commit() {
 AtomicPath::AtomicPath(fs::path target) : path_(std::move(target)) {
   is_stream_ = classify_target(path_) == Target::stream;
   target_ = is_stream_ ? scratch_folder() / path_.filename() : follow_links(path_);
+  const SignalHold hold;
   int descriptor = -1;
   std::tie(scratch_, descriptor) = open_named(target_);
   if (descriptor < 0) fail(path_, "cannot be written");

@@ -40,6 +40,8 @@ std::array<MappedSlot, 256> mapped_files;
 std::mutex slots_mutex;  // between threads that register; handlers never take it
 
 std::atomic<int> holds{0}, waiting_signal{0};
+// Set while a handler removes what is left: what another thread were to make now would stay.
+std::atomic<bool> is_ending{false};
 std::atomic<const char*> program_name{"nightcity"};
 
 // Under slots_mutex. Returns the number of slots where all are taken.
@@ -84,11 +86,15 @@ void end_by(int signal) {
   ::raise(signal);  // delivered when the handler returns, as it is blocked meanwhile
 }
 
+// Whoever holds signals either is seen here, or sees `is_ending` and waits for the end.
 void on_ending_signal(int signal) {
-  if (holds.load() > 0)
-    waiting_signal.store(signal);
-  else
-    end_by(signal);
+  is_ending.store(true);
+  if (holds.load() == 0) return end_by(signal);
+  waiting_signal.store(signal);
+  is_ending.store(false);
+  // The last hold may have ended before it could see that a signal waits.
+  if (holds.load() > 0) return;
+  if (const int waiting = waiting_signal.exchange(0)) on_ending_signal(waiting);
 }
 
 void print(const char* text) {
@@ -149,11 +155,16 @@ Leftover& Leftover::operator=(Leftover&& other) noexcept {
 }
 
 SignalHold::SignalHold() {
-  ++holds;
+  for (;;) {
+    ++holds;
+    if (!is_ending.load()) return;
+    --holds;
+    ::usleep(1000);
+  }
 }
 SignalHold::~SignalHold() {
   if (--holds > 0) return;
-  if (const int signal = waiting_signal.exchange(0)) end_by(signal);
+  if (const int signal = waiting_signal.exchange(0)) on_ending_signal(signal);
 }
 
 MappedRange::MappedRange(std::span<const std::byte> bytes, const std::filesystem::path& path) {

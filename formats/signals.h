@@ -32,7 +32,7 @@ class Leftover {
 };
 
 /// Keeps signals that end the program waiting until it is destroyed: for a few renames that belong
-/// together.
+/// together, and for what is made until it is registered as a Leftover.
 class SignalHold {
  public:
   SignalHold();

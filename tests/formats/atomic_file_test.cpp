@@ -235,6 +235,32 @@ TEST(Signals, WaitForWhatMustNotBeTornApart) {
   EXPECT_TRUE(fs::exists(folder / "after"));
 }
 
+TEST(Signals, RemoveWhatAnotherThreadMakesMeanwhile) {
+  for (int run = 0; run < 20; ++run) {
+    const TempFolder folder;
+    const int status = status_of_child([&] {
+      fs::create_directory(folder / "made");
+      const Leftover made(folder / "made", Leftover::Kind::folder);
+      std::thread([&] {
+        for (;;) {
+          Leftover file;
+          {
+            const SignalHold hold;
+            test::write_text(folder / "made/file", "x");
+            file = Leftover(folder / "made/file", Leftover::Kind::file);
+          }
+          ::unlink((folder / "made/file").c_str());
+        }
+      }).detach();
+      ::usleep(500);
+      ::raise(SIGTERM);
+      ::pause();
+    });
+    ASSERT_TRUE(WIFSIGNALED(status));
+    EXPECT_FALSE(fs::exists(folder / "made"));
+  }
+}
+
 TEST(Signals, StayIgnoredWhereTheyWere) {
   const int status = status_of_child([] {
     ::signal(SIGHUP, SIG_IGN);

@@ -23,33 +23,40 @@ lists() { [[ $(ls -A "$1" 2>/dev/null | tr '\n' ' ') == "$2" ]]; } # lists FOLDE
 city="bake_report.json city.glb city.lights "
 check "a bake leaves three files" lists whole "$city"
 
-# until_staged FOLDER: waits until a bake works in a hidden folder of FOLDER.
-until_staged() {
-  for _ in $(seq 1000); do
-    compgen -G "$1/.nightbake-*" >/dev/null && return 0
-    sleep 0.01
+# start_and_stop FOLDER: starts a bake of a larger town into FOLDER and stops it while it works in a hidden folder there,
+# before it moves its files out: a signal that comes after that ends it with a whole city. Sets `child`.
+"$nightbake" -q town --blocks 60 --out large >/dev/null || exit 1
+start_and_stop() {
+  local attempt staging
+  for attempt in $(seq 20); do
+    # Bash starts background jobs with INT ignored; env undoes that.
+    env --default-signal "$nightbake" -q run large/town.toml --out "$1" >out 2>err &
+    child=$!
+    until compgen -G "$1/.nightbake-*" >/dev/null || ! kill -0 "$child" 2>/dev/null; do :; done
+    kill -s STOP "$child" 2>/dev/null
+    staging=$(compgen -G "$1/.nightbake-*") && [[ ! -e $staging/commit ]] && return 0
+    kill -s CONT "$child" 2>/dev/null
+    wait "$child"
+    rm -rf made
   done
   return 1
 }
 
 # Signals that can be caught: nothing is left, not even the folders that the bake has made.
 for signal in INT TERM HUP; do
-  # Bash starts background jobs with INT ignored; a subshell of env undoes that.
-  env --default-signal "$nightbake" -q run town/town.toml --out "made/by/$signal" >out 2>err &
-  child=$!
-  until_staged "made/by/$signal" || check "the bake began ($signal)" false
+  start_and_stop "made/by/$signal" || check "the bake was stopped at work ($signal)" false
   kill -s "$signal" "$child"
+  kill -s CONT "$child"
   wait "$child"
   check "$signal ends the bake with 128 and its number" same $? $((128 + $(kill -l "$signal")))
-  check "$signal leaves nothing" test ! -e made
+  check "$signal leaves nothing: $(find made 2>/dev/null)" test ! -e made
 done
 
 # The same into a folder with a city in it: the old one stays whole.
 cp -r whole kept
-env --default-signal "$nightbake" -q run town/town.toml --out kept >out 2>err &
-child=$!
-until_staged kept
+start_and_stop kept || check "the bake was stopped at work" false
 kill -s TERM "$child"
+kill -s CONT "$child"
 wait "$child"
 check "TERM leaves the old city" lists kept "$city"
 check "and all of it" diff -r whole kept

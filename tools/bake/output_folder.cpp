@@ -127,7 +127,8 @@ void remove_abandoned(const fs::path& folder) {
   }
 }
 
-// Waits for other bakes, which hold this lock for milliseconds, and not for whoever locks the folder for reasons of his own.
+// Waits for other bakes, which hold this lock for milliseconds, and not for whoever locks the folder
+// for reasons of his own.
 bool lock_soon(const Descriptor& folder) {
   using namespace std::chrono_literals;
   for (int attempt = 0; attempt < 100; ++attempt, std::this_thread::sleep_for(10ms))
@@ -148,6 +149,7 @@ OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
   if (folder_.empty()) folder_ = ".";
   folder_ = fs::absolute(folder_).lexically_normal();
   if (!folder_.has_filename()) folder_ = folder_.parent_path();
+  const SignalHold hold;  // until all that is made is registered
   try {
     make_folder();
     make_staging();
