@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t reference_seed = 1000003;  // not a seed of the measured pictures
 
-void add_errors(Measurement& sum, const Comparison& errors, double repeats) {
+void add_errors(Measurement& sum, const measure::Comparison& errors, double repeats) {
   sum.rmse8 += errors.rmse8 / repeats;
   sum.relative_mse += errors.relative_mse / repeats;
   sum.mean_signed_error += errors.mean_signed_error / repeats;
@@ -21,7 +21,7 @@ void add_errors(Measurement& sum, const Comparison& errors, double repeats) {
 
 }  // namespace
 
-double sum_gpu_ms(const Renderer& renderer) {
+double sum_gpu_ms(const render::Renderer& renderer) {
   double sum = 0;
   for (const auto& span : renderer.timings()) sum += span.ms;
   return sum;
@@ -34,18 +34,18 @@ void wake(const gpu::Device& device, const std::function<void()>& render) {
   while (std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
 }
 
-Experiment::Experiment(RenderScene scene, const Options& options)
+Experiment::Experiment(scene::RenderScene scene, const Options& options)
     : scene_(std::move(scene)),
       device_(std::make_unique<gpu::Device>(options.device)),
-      device_scene_(std::make_unique<DeviceScene>(*device_, scene_)),
-      passes_(std::make_unique<PassLibrary>(*device_)),
-      renderer_(std::make_unique<Renderer>(*device_, *passes_, *device_scene_, options.width,
-                                           options.height)) {
+      device_scene_(std::make_unique<render::DeviceScene>(*device_, scene_)),
+      passes_(std::make_unique<render::PassLibrary>(*device_)),
+      renderer_(std::make_unique<render::Renderer>(*device_, *passes_, *device_scene_,
+                                                   options.width, options.height)) {
   if (device_->timestamp_period_ns() <= 0)
     throw Error(device_->info().name, "has no clock that could time the passes");
 }
 
-Renderer Experiment::make_renderer() const {
+render::Renderer Experiment::make_renderer() const {
   return {*device_, *passes_, *device_scene_, renderer_->width(), renderer_->height()};
 }
 
@@ -53,45 +53,46 @@ void Experiment::check_validation() const {
   device_->check_validation();
 }
 
-Image Experiment::reference(const CameraPose& pose, RenderSettings settings, std::uint32_t frames,
-                            const std::filesystem::path& cache,
-                            const std::function<void(std::uint32_t)>& progress) {
+measure::Image Experiment::reference(const scene::CameraPose& pose, render::RenderSettings settings,
+                                     std::uint32_t frames, const std::filesystem::path& cache,
+                                     const std::function<void(std::uint32_t)>& progress) {
   if (!cache.empty() && std::filesystem::exists(cache)) {
-    Image kept = read_exr(cache);
+    measure::Image kept = measure::read_exr(cache);
     if (kept.info.frames == frames && kept.width == renderer_->width() &&
         kept.height == renderer_->height())
       return kept;
   }
-  settings.sampling.estimator = Estimator::reference;
+  settings.sampling.estimator = render::Estimator::reference;
   settings.sampling.seed = reference_seed;
   settings.averaging.accumulate = true;
-  Renderer renderer = make_renderer();  // the measured one keeps its history
+  render::Renderer renderer = make_renderer();  // the measured one keeps its history
   for (std::uint32_t i = 0; i < frames; ++i) {
     renderer.render_frame(pose, settings);
     if (progress) progress(i + 1);
   }
-  Image truth = renderer.download(false);
+  measure::Image truth = renderer.download(false);
   truth.info.ev100.reset();  // so that comparisons meter the exposure
-  if (!cache.empty()) write_exr(cache, truth);
+  if (!cache.empty()) measure::write_exr(cache, truth);
   return truth;
 }
 
-void Experiment::warm_up(const CameraPose& pose, const RenderSettings& settings) {
-  Renderer renderer = make_renderer();
+void Experiment::warm_up(const scene::CameraPose& pose, const render::RenderSettings& settings) {
+  render::Renderer renderer = make_renderer();
   for (int i = 0; i < 2; ++i) renderer.render_frame(pose, settings);  // the second has a history
   wake(*device_, [&] { renderer.render_frame(pose, settings); });
 }
 
-void Experiment::start_run(const CameraPose& pose, RenderSettings& settings, std::uint32_t seed,
-                           std::uint32_t lead) {
+void Experiment::start_run(const scene::CameraPose& pose, render::RenderSettings& settings,
+                           std::uint32_t seed, std::uint32_t lead) {
   settings.sampling.seed = seed;
   settings.averaging.accumulate = false;
   for (std::uint32_t i = 0; i <= lead; ++i) renderer_->render_frame(pose, settings);
   settings.averaging.accumulate = true;
 }
 
-std::vector<Measurement> Experiment::measure(const CameraPose& pose, RenderSettings settings,
-                                             const Image& truth,
+std::vector<Measurement> Experiment::measure(const scene::CameraPose& pose,
+                                             render::RenderSettings settings,
+                                             const measure::Image& truth,
                                              const std::vector<std::uint32_t>& frames,
                                              std::uint32_t lead, std::uint32_t repeats) {
   std::vector<Measurement> results(frames.size());
@@ -105,7 +106,7 @@ std::vector<Measurement> Experiment::measure(const CameraPose& pose, RenderSetti
         ms.push_back(sum_gpu_ms(*renderer_));
       }
       results[i].frames = frames[i];
-      add_errors(results[i], compare(renderer_->download(false), truth), repeats);
+      add_errors(results[i], measure::compare(renderer_->download(false), truth), repeats);
     }
   }
   if (ms.empty()) ms.push_back(sum_gpu_ms(*renderer_));  // the mean is the last lead frame alone

@@ -24,7 +24,7 @@ struct Measurement {
 };
 
 /// Returns the milliseconds of all passes of the renderer's last frame, by the device's clock.
-double sum_gpu_ms(const Renderer& renderer);
+double sum_gpu_ms(const render::Renderer& renderer);
 
 /// Calls `render` for a second on a GPU, and not at all on a CPU. An idle GPU runs at a fraction of
 /// its clock rate, and a few frames of a millisecond do not raise it.
@@ -37,9 +37,9 @@ class Experiment {
     std::uint32_t width = 640, height = 360;
   };
   /// Throws Error where there is no device, or its queue has no timestamps.
-  Experiment(RenderScene scene, const Options& options);
+  Experiment(scene::RenderScene scene, const Options& options);
 
-  const RenderScene& scene() const { return scene_; }
+  const scene::RenderScene& scene() const { return scene_; }
   std::string device_name() const { return device_->label(); }
   /// Throws Error when the validation layer found a fault.
   void check_validation() const;
@@ -47,35 +47,36 @@ class Experiment {
   /// Returns the mean of `frames` frames with every light. `cache`, unless empty, is read when it
   /// exists and fits size and frames, else written; its name must identify scene and view.
   /// `progress` is called with the number of finished frames.
-  Image reference(const CameraPose& pose, RenderSettings settings, std::uint32_t frames,
-                  const std::filesystem::path& cache,
-                  const std::function<void(std::uint32_t)>& progress = {});
+  measure::Image reference(const scene::CameraPose& pose, render::RenderSettings settings,
+                           std::uint32_t frames, const std::filesystem::path& cache,
+                           const std::function<void(std::uint32_t)>& progress = {});
 
   /// Compiles the passes of the settings and wakes the device. It uses a renderer of its own: the
   /// frames that are measured draw the same random numbers however long this took.
-  void warm_up(const CameraPose& pose, const RenderSettings& settings);
+  void warm_up(const scene::CameraPose& pose, const render::RenderSettings& settings);
 
   /// Renders pictures of `repeats` seeds, each after `lead` frames that fill the history, and
   /// compares them with `truth` at every count of `frames` (ascending). Returns one measurement per
   /// count.
-  std::vector<Measurement> measure(const CameraPose& pose, RenderSettings settings,
-                                   const Image& truth, const std::vector<std::uint32_t>& frames,
-                                   std::uint32_t lead, std::uint32_t repeats);
+  std::vector<Measurement> measure(const scene::CameraPose& pose, render::RenderSettings settings,
+                                   const measure::Image& truth,
+                                   const std::vector<std::uint32_t>& frames, std::uint32_t lead,
+                                   std::uint32_t repeats);
 
-  Renderer& renderer() { return *renderer_; }
+  render::Renderer& renderer() { return *renderer_; }
 
  private:
-  Renderer make_renderer() const;
+  render::Renderer make_renderer() const;
   // Starts mean and history anew with a seed and fills the history; the last frame is the first of
   // the mean.
-  void start_run(const CameraPose& pose, RenderSettings& settings, std::uint32_t seed,
-                 std::uint32_t lead);
+  void start_run(const scene::CameraPose& pose, render::RenderSettings& settings,
+                 std::uint32_t seed, std::uint32_t lead);
 
-  RenderScene scene_;
+  scene::RenderScene scene_;
   std::unique_ptr<gpu::Device> device_;
-  std::unique_ptr<DeviceScene> device_scene_;
-  std::unique_ptr<PassLibrary> passes_;
-  std::unique_ptr<Renderer> renderer_;
+  std::unique_ptr<render::DeviceScene> device_scene_;
+  std::unique_ptr<render::PassLibrary> passes_;
+  std::unique_ptr<render::Renderer> renderer_;
 };
 
 }  // namespace nightcity::experiments

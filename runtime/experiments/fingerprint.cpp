@@ -26,7 +26,7 @@ std::string fingerprint_scene(const std::filesystem::path& glb) {
   return text;
 }
 
-std::string fingerprint_pose(const CameraPose& pose) {
+std::string fingerprint_pose(const scene::CameraPose& pose) {
   std::vector<float> values;
   for (const glm::vec3& v : {pose.position, pose.target, pose.up})
     values.insert(values.end(), {v.x, v.y, v.z});

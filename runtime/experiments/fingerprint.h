@@ -12,6 +12,6 @@ namespace nightcity::experiments {
 std::string fingerprint_scene(const std::filesystem::path& glb);
 
 /// Returns 8 hexadecimal digits of a camera.
-std::string fingerprint_pose(const CameraPose& pose);
+std::string fingerprint_pose(const scene::CameraPose& pose);
 
 }  // namespace nightcity::experiments

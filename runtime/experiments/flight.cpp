@@ -11,7 +11,7 @@
 namespace nightcity::experiments {
 namespace {
 
-std::vector<std::string> make_row(std::uint32_t frame, double time_s, const CameraPose& pose,
+std::vector<std::string> make_row(std::uint32_t frame, double time_s, const scene::CameraPose& pose,
                                   double ms) {
   return {fmt::to_string(frame),
           fmt::format("{:.4f}", time_s),
@@ -21,7 +21,8 @@ std::vector<std::string> make_row(std::uint32_t frame, double time_s, const Came
           fmt::format("{:.4g}", ms)};
 }
 
-void add_errors(const Comparison& errors, std::vector<std::string>& row, FlightReport& report) {
+void add_errors(const measure::Comparison& errors, std::vector<std::string>& row,
+                FlightReport& report) {
   for (const double value :
        {errors.rmse8, errors.relative_mse, errors.relative_mean_signed_error, errors.fireflies})
     row.push_back(fmt::format("{:.5g}", value));
@@ -33,43 +34,46 @@ void add_errors(const Comparison& errors, std::vector<std::string>& row, FlightR
 
 }  // namespace
 
-FlightReport fly(const FlightOptions& options, Experiment& experiment, RenderSettings settings,
-                 program::ProgressDisplay& progress) {
+FlightReport fly(const FlightOptions& options, Experiment& experiment,
+                 render::RenderSettings settings, program::ProgressDisplay& progress) {
   settings.sampling.jitter = false;  // as in the reference: edges are not what is measured
-  const CameraPath path = find_path(options.path, experiment.scene());
+  const scene::CameraPath path = scene::find_path(options.path, experiment.scene());
   program::require_writable_folder(options.folder);
   experiment.warm_up(path.at(0), settings);
 
   FlightReport report;
   report.device = experiment.device_name();
-  Table table{{"frame", "time_s", "x", "y", "z", "ms", "rmse8", "relative_mse",
-               "relative_mean_signed_error", "fireflies"},
-              {}};
+  measure::Table table{{"frame", "time_s", "x", "y", "z", "ms", "rmse8", "relative_mse",
+                        "relative_mean_signed_error", "fireflies"},
+                       {}};
   const double first_s = settings.time_s;
   std::optional<float> ev100 = options.ev100;
   for (std::uint32_t i = 0; i < options.frames; ++i) {
-    const CameraPose pose = path.at(options.frames > 1 ? double(i) / (options.frames - 1) : 0.0);
+    const scene::CameraPose pose =
+        path.at(options.frames > 1 ? double(i) / (options.frames - 1) : 0.0);
     settings.time_s = first_s + i * options.time_step_s;
     experiment.renderer().render_frame(pose, settings);
     const double ms = sum_gpu_ms(experiment.renderer());
     std::vector<std::string> row = make_row(i, settings.time_s, pose, ms);
     if (i > 0) report.ms.push_back(ms);
-    const Image picture = experiment.renderer().download(false);
+    const measure::Image picture = experiment.renderer().download(false);
     if (i > 0 && i % options.every == 0) {
-      const Image truth = experiment.reference(pose, settings, options.reference_frames, {});
-      add_errors(compare(picture, truth), row, report);
+      const measure::Image truth =
+          experiment.reference(pose, settings, options.reference_frames, {});
+      add_errors(measure::compare(picture, truth), row, report);
     }
     row.resize(table.columns.size());
     table.rows.push_back(std::move(row));
     if (options.pictures) {
-      if (!ev100) ev100 = auto_exposure_ev100(picture);  // one exposure for the whole flight
-      write_png(options.folder / fmt::format("frame-{:04}.png", i), to_display(picture, *ev100),
-                png_text(picture.info));
+      if (!ev100)
+        ev100 = measure::auto_exposure_ev100(picture);  // one exposure for the whole flight
+      measure::write_png(options.folder / fmt::format("frame-{:04}.png", i),
+                         measure::to_display(picture, *ev100), measure::png_text(picture.info));
     }
     progress.show({"flying", i + 1, options.frames, "frames"});
   }
   experiment.check_validation();
-  write_csv(options.folder / "flight.csv", table);
+  measure::write_csv(options.folder / "flight.csv", table);
   return report;
 }
 

@@ -35,7 +35,7 @@ struct FlightReport {
 
 /// Flies along the path, the clock starting at settings.time_s, and compares the measured frames with references of their own views. Writes
 /// flight.csv and, where asked for, frame-NNNN.png. Throws Error.
-FlightReport fly(const FlightOptions& options, Experiment& experiment, RenderSettings settings,
-                 program::ProgressDisplay& progress);
+FlightReport fly(const FlightOptions& options, Experiment& experiment,
+                 render::RenderSettings settings, program::ProgressDisplay& progress);
 
 }  // namespace nightcity::experiments

@@ -56,9 +56,9 @@ Light vehicle_lamp(const glm::vec3& position, const glm::vec3& axis, float flux_
 }
 
 // Adds vehicles of one kind that drive along the streets in z, on the right.
-void add_vehicles(SceneLights& lights, std::size_t vehicles, int streets, float half,
+void add_vehicles(scene::SceneLights& lights, std::size_t vehicles, int streets, float half,
                   const std::function<float(float, float)>& uniform) {
-  Traffic& traffic = lights.traffic;
+  scene::Traffic& traffic = lights.traffic;
   traffic.cycle.cycle_s = 100;
   for (float& share : traffic.cycle.density) share = 1;
   // The cosine to the tenth power within 40 degrees of the axis, in cd per lumen.
@@ -101,7 +101,7 @@ void add_vehicles(SceneLights& lights, std::size_t vehicles, int streets, float 
 
 }  // namespace
 
-RenderScene make_lamp_field(std::size_t lamps, std::size_t vehicles) {
+scene::RenderScene make_lamp_field(std::size_t lamps, std::size_t vehicles) {
   auto blocks = static_cast<int>(std::ceil(std::sqrt(double(lamps) / lamps_a_block)));
   blocks += blocks % 2;  // so that a street runs through the middle
   const float half = 0.5f * block_m * float(blocks);
@@ -115,7 +115,7 @@ RenderScene make_lamp_field(std::size_t lamps, std::size_t vehicles) {
   ScenePrimitive houses;
   const float edge = half + block_m;
   append_quad(houses, {{{-edge, 0, -edge}, {-edge, 0, edge}, {edge, 0, edge}, {edge, 0, -edge}}});
-  SceneLights lights;
+  scene::SceneLights lights;
   // Lamps fill the field row by row: only whole fields are compared, so the order does not matter.
   for (int z = 0; z < blocks; ++z)
     for (int x = 0; x < blocks; ++x) {
@@ -136,11 +136,11 @@ RenderScene make_lamp_field(std::size_t lamps, std::size_t vehicles) {
   if (vehicles > 0) add_vehicles(lights, vehicles, blocks + 1, half, uniform);
   scene.meshes.push_back({"houses", {std::move(houses)}});
   scene.nodes.push_back({"houses", "city", 0, true, {SceneInstance{}}});
-  return make_render_scene(scene, std::move(lights));
+  return scene::make_render_scene(scene, std::move(lights));
 }
 
-CameraPose lamp_field_camera() {
-  CameraPose pose;
+scene::CameraPose lamp_field_camera() {
+  scene::CameraPose pose;
   pose.position = {-6, 30, 70};
   pose.target = {2, 0, -20};
   pose.fov_deg = 50;

@@ -13,9 +13,9 @@ namespace nightcity::experiments {
 /// 8,000 lm at 6 m, every fiftieth a floodlight of 60,000 lm at 14 m. `vehicles` with two narrow
 /// headlamps and two tail lamps each move during the first 99 s of each hour. Equal counts give
 /// equal fields.
-RenderScene make_lamp_field(std::size_t lamps, std::size_t vehicles = 0);
+scene::RenderScene make_lamp_field(std::size_t lamps, std::size_t vehicles = 0);
 
 /// Returns a camera above the roofs that looks down a street in the middle of a field.
-CameraPose lamp_field_camera();
+scene::CameraPose lamp_field_camera();
 
 }  // namespace nightcity::experiments

@@ -31,10 +31,10 @@ constexpr std::array strategies{
     Strategy{"local 0.7, wide 0.2, uniform 0.05, power 0.05", 0.7f, 0.2f, 0.05f},
     Strategy{"local 0.5, wide 0.3, uniform 0.05, power 0.15", 0.5f, 0.3f, 0.05f}};
 
-std::vector<std::string> make_row(std::size_t lights, Estimator estimator, const char* strategy,
-                                  const std::vector<Measurement>& measured) {
+std::vector<std::string> make_row(std::size_t lights, render::Estimator estimator,
+                                  const char* strategy, const std::vector<Measurement>& measured) {
   return {fmt::to_string(lights),
-          name_of(estimator),
+          render::name_of(estimator),
           strategy,
           fmt::format("{:.3g}", measured.back().ms),
           fmt::format("{:.3g}", measured.front().relative_mse),
@@ -44,26 +44,27 @@ std::vector<std::string> make_row(std::size_t lights, Estimator estimator, const
 
 }  // namespace
 
-Table compare_strategies(const StrategiesOptions& options) {
+measure::Table compare_strategies(const StrategiesOptions& options) {
   program::require_writable_folder(options.folder);
-  Table table{{"lights", "estimator", "candidates from", "ms", "relative MSE of a frame",
-               fmt::format("of the mean of {}", options.frames), "mean error, %"},
-              {}};
+  measure::Table table{{"lights", "estimator", "candidates from", "ms", "relative MSE of a frame",
+                        fmt::format("of the mean of {}", options.frames), "mean error, %"},
+                       {}};
   const std::vector<std::uint32_t> frames =
       options.frames > 1 ? std::vector{1u, options.frames} : std::vector{1u};
   for (const std::size_t lights : options.lights) {
     Experiment experiment(make_lamp_field(lights), {options.device, options.width, options.height});
     spdlog::info("{} lights, {} triangles on {}: rendering the reference", lights,
                  experiment.scene().triangles.size(), experiment.device_name());
-    RenderSettings settings;
+    render::RenderSettings settings;
     settings.sampling.jitter = false;
     settings.sampling.candidates = options.candidates;
-    const CameraPose pose = lamp_field_camera();
-    const Image truth =
+    const scene::CameraPose pose = lamp_field_camera();
+    const measure::Image truth =
         experiment.reference(pose, settings, options.reference_frames,
                              options.folder / fmt::format("reference-{}-{}x{}.exr", lights,
                                                           options.width, options.height));
-    for (const Estimator estimator : {Estimator::ris, RenderSettings{}.sampling.estimator})
+    for (const render::Estimator estimator :
+         {render::Estimator::ris, render::RenderSettings{}.sampling.estimator})
       for (const Strategy& strategy : strategies) {
         settings.sampling.estimator = estimator;
         settings.sampling.near_share = strategy.near_share;
@@ -71,7 +72,7 @@ Table compare_strategies(const StrategiesOptions& options) {
         settings.sampling.uniform_share = strategy.uniform_share;
         const auto measured = experiment.measure(pose, settings, truth, frames, lead_frames, 1);
         table.rows.push_back(make_row(lights, estimator, strategy.name, measured));
-        write_csv(options.folder / "strategies.csv", table);
+        measure::write_csv(options.folder / "strategies.csv", table);
       }
     experiment.check_validation();
   }

@@ -22,6 +22,6 @@ struct StrategiesOptions {
 
 /// Renders synthetic streets with each number of lamps and each mixture of sources, by `ris` and by
 /// the default estimator. Returns error and cost, a row per combination. Throws Error.
-Table compare_strategies(const StrategiesOptions& options);
+measure::Table compare_strategies(const StrategiesOptions& options);
 
 }  // namespace nightcity::experiments

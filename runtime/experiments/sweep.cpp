@@ -23,7 +23,8 @@ constexpr std::size_t measured_columns = 6;
 
 std::vector<std::string> list_columns() {
   std::vector<std::string> all{"view", "camera", "size", "device", "reference_frames", "repeats"};
-  for (const Setting& setting : list_swept_settings()) all.push_back(column_of(setting));
+  for (const render::Setting& setting : list_swept_settings())
+    all.push_back(render::column_of(setting));
   all.insert(all.end(), {"frames", "ms", "rmse8", "relative_mse", "mean_signed_error",
                          "relative_mean_signed_error", "fireflies"});
   return all;
@@ -34,7 +35,7 @@ std::string name_of_view(const std::string& view) {
   return std::filesystem::path(view).stem().string();
 }
 
-std::string to_text(const PictureSize& size) {
+std::string to_text(const render::PictureSize& size) {
   return fmt::format("{}x{}", size.width, size.height);
 }
 
@@ -44,11 +45,12 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
   file.commit();
 }
 
-void write_summaries(const SweepOptions& options, const Table& table) {
-  write_text(options.folder / "sweep.md", to_markdown(table));
+void write_summaries(const SweepOptions& options, const measure::Table& table) {
+  write_text(options.folder / "sweep.md", measure::to_markdown(table));
   for (const std::string& view : options.views) {
     const std::string name = name_of_view(view);
-    write_text(options.folder / ("sweep-" + name + ".svg"), to_svg(make_sweep_plot(table, name)));
+    write_text(options.folder / ("sweep-" + name + ".svg"),
+               measure::to_svg(make_sweep_plot(table, name)));
   }
 }
 
@@ -58,13 +60,13 @@ class Sweep {
       : options_(options),
         progress_(progress),
         points_(list_combinations(options.values)),
-        experiment_(load_render_scene(options.scene),
+        experiment_(scene::load_render_scene(options.scene),
                     {options.device, options.size.width, options.size.height}),
         results_(options.folder, fingerprint_scene(options.scene), list_columns(),
                  list_columns().size() - measured_columns),
         device_(experiment_.device_name()) {
     for (const std::string& view : options.views)
-      poses_.push_back(find_camera(view, experiment_.scene()));
+      poses_.push_back(scene::find_camera(view, experiment_.scene()));
     // Without commas, so that scripts may split the file at them.
     std::replace(device_.begin(), device_.end(), ',', ';');
     report_.total = points_.size() * options.views.size();
@@ -87,7 +89,7 @@ class Sweep {
  private:
   // Returns false when the time is up.
   bool run_view(std::size_t view) {
-    Image truth;  // rendered when the first row needs it
+    measure::Image truth;  // rendered when the first row needs it
     for (const SweepPoint& point : points_) {
       const Row key = make_key(view, point);
       if (!has_all(key)) {
@@ -114,7 +116,8 @@ class Sweep {
             device_,
             fmt::to_string(options_.reference_frames),
             fmt::to_string(options_.repeats)};
-    for (const Setting& setting : list_swept_settings()) key.push_back(point.at(setting.name));
+    for (const render::Setting& setting : list_swept_settings())
+      key.push_back(point.at(setting.name));
     return key;
   }
 
@@ -128,7 +131,7 @@ class Sweep {
                        [&](auto frames) { return results_.holds(with_frames(key, frames)); });
   }
 
-  Image make_reference(std::size_t view) {
+  measure::Image make_reference(std::size_t view) {
     const std::filesystem::path cache =
         options_.folder / fmt::format("reference-{}-{}-{}.exr", name_of_view(options_.views[view]),
                                       fingerprint_pose(poses_[view]), to_text(options_.size));
@@ -139,7 +142,8 @@ class Sweep {
         });
   }
 
-  void measure(std::size_t view, const SweepPoint& point, const Row& key, const Image& truth) {
+  void measure(std::size_t view, const SweepPoint& point, const Row& key,
+               const measure::Image& truth) {
     for (const Measurement& m :
          experiment_.measure(poses_[view], to_settings(point), truth, options_.frames,
                              options_.warm_up, options_.repeats)) {
@@ -159,7 +163,7 @@ class Sweep {
   Experiment experiment_;
   SweepTable results_;
   std::string device_;
-  std::vector<CameraPose> poses_;
+  std::vector<scene::CameraPose> poses_;
   SweepReport report_;
 };
 

@@ -18,7 +18,7 @@ struct SweepOptions {
   gpu::Device::Options device;
   std::string scene;             // SCENE.glb
   std::filesystem::path folder;  // gets the table, its summaries and the reference pictures
-  PictureSize size{640, 360};
+  render::PictureSize size{640, 360};
   std::vector<std::string> views{"overview"};  // camera files or presets
   std::vector<std::uint32_t> frames{1, 16};   // errors are those of means of so many frames; rising
   std::map<std::string, std::string> values;  // lists by setting name: see list_combinations

@@ -14,7 +14,7 @@ namespace nightcity::experiments {
 using SweepPoint = std::map<std::string, std::string>;
 
 /// Returns the settings that `nightview sweep` takes lists of, in the order of the table's columns.
-std::vector<Setting> list_swept_settings();
+std::vector<render::Setting> list_swept_settings();
 
 /// Returns every combination of the settings' values, the first setting slowest. `chosen` holds
 /// comma-separated lists by setting name; settings without one take their defaults. Combinations
@@ -22,6 +22,6 @@ std::vector<Setting> list_swept_settings();
 /// setting does not take.
 std::vector<SweepPoint> list_combinations(const std::map<std::string, std::string>& chosen);
 
-RenderSettings to_settings(const SweepPoint& point);
+render::RenderSettings to_settings(const SweepPoint& point);
 
 }  // namespace nightcity::experiments

@@ -39,7 +39,7 @@ SweepTable::SweepTable(std::filesystem::path folder, const std::string& fingerpr
   file.write(fingerprint + "\n");
   file.commit();
   if (!std::filesystem::exists(csv)) return;
-  Table earlier = read_csv(csv);
+  measure::Table earlier = measure::read_csv(csv);
   if (earlier.columns != table_.columns)
     throw Error(csv.string(),
                 "has other columns, of another version: remove it or choose another folder");
@@ -55,11 +55,12 @@ bool SweepTable::holds(const std::vector<std::string>& key) const {
 
 void SweepTable::add(std::vector<std::string> row) {
   table_.rows.push_back(std::move(row));
-  write_csv(folder_ / "sweep.csv", table_);
+  measure::write_csv(folder_ / "sweep.csv", table_);
 }
 
-Plot make_sweep_plot(const Table& table, const std::string& view) {
-  Plot plot{"Error against cost, view " + view, "ms a frame (GPU clock)", "relative MSE", {}};
+measure::Plot make_sweep_plot(const measure::Table& table, const std::string& view) {
+  measure::Plot plot{
+      "Error against cost, view " + view, "ms a frame (GPU clock)", "relative MSE", {}};
   const auto cell = [&](const auto& row, const char* name) { return row[table.column(name)]; };
   long max_frames = 0;
   for (const auto& row : table.rows)
@@ -69,15 +70,16 @@ Plot make_sweep_plot(const Table& table, const std::string& view) {
     if (cell(row, "view") != view || std::atol(cell(row, "frames").c_str()) != max_frames) continue;
     const std::string estimator = cell(row, "estimator");
     auto series = std::find_if(plot.series.begin(), plot.series.end(),
-                               [&](const PlotSeries& s) { return s.name == estimator; });
+                               [&](const measure::PlotSeries& s) { return s.name == estimator; });
     if (series == plot.series.end()) series = plot.series.insert(series, {estimator, {}});
     std::string label;
-    for (const Setting& setting : list_swept_settings())
-      label += std::string(setting.name) + " " + cell(row, column_of(setting).c_str()) + "  ";
+    for (const render::Setting& setting : list_swept_settings())
+      label +=
+          std::string(setting.name) + " " + cell(row, render::column_of(setting).c_str()) + "  ";
     series->points.push_back(
         {std::atof(cell(row, "ms").c_str()), std::atof(cell(row, "relative_mse").c_str()), label});
   }
-  for (PlotSeries& series : plot.series)
+  for (measure::PlotSeries& series : plot.series)
     std::sort(series.points.begin(), series.points.end(),
               [](const auto& a, const auto& b) { return a.x < b.x; });
   return plot;

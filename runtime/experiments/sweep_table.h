@@ -26,17 +26,17 @@ class SweepTable {
   bool holds(const std::vector<std::string>& key) const;
   /// Adds a row and writes the file.
   void add(std::vector<std::string> row);
-  const Table& table() const { return table_; }
+  const measure::Table& table() const { return table_; }
 
  private:
   std::filesystem::path folder_;
   std::size_t key_columns_;
-  Table table_;
+  measure::Table table_;
   bool restarted_ = false;
 };
 
 /// Returns a plot of relative MSE against milliseconds with one line per estimator, from the rows
 /// of `view` that average the most frames.
-Plot make_sweep_plot(const Table& table, const std::string& view);
+measure::Plot make_sweep_plot(const measure::Table& table, const std::string& view);
 
 }  // namespace nightcity::experiments

@@ -22,9 +22,9 @@ struct Times {
   std::map<std::string, std::vector<double>> passes;
 };
 
-Times time_frames(Experiment& experiment, RenderSettings settings, std::uint32_t frames) {
+Times time_frames(Experiment& experiment, render::RenderSettings settings, std::uint32_t frames) {
   Times times;
-  Renderer& renderer = experiment.renderer();
+  render::Renderer& renderer = experiment.renderer();
   settings.time_s = start_s;
   experiment.warm_up(lamp_field_camera(), settings);
   for (std::uint32_t i = 0; i < frames + warm_up_frames; ++i) {
@@ -42,12 +42,12 @@ Times time_frames(Experiment& experiment, RenderSettings settings, std::uint32_t
 
 }  // namespace
 
-Table time_vehicles(const VehiclesOptions& options) {
-  RenderSettings settings;
+measure::Table time_vehicles(const VehiclesOptions& options) {
+  render::RenderSettings settings;
   settings.sampling.estimator = options.estimator;
   std::vector<std::string> vehicle_passes{"fleet poses", "fleet tree"};
   if (options.device.trace != gpu::Trace::compute) vehicle_passes.push_back("top level");
-  Table table{{"vehicles", "lights", "ms"}, {}};
+  measure::Table table{{"vehicles", "lights", "ms"}, {}};
   for (const std::string& pass : vehicle_passes) table.columns.push_back(pass + ", ms");
   table.columns.push_back("others, ms");
   for (const std::size_t vehicles : options.vehicles) {

@@ -14,7 +14,7 @@ namespace nightcity::experiments {
 struct VehiclesOptions {
   gpu::Device::Options device;
   std::uint32_t width = 1280, height = 720;
-  Estimator estimator = SamplingSettings{}.estimator;
+  render::Estimator estimator = render::SamplingSettings{}.estimator;
   std::vector<std::size_t> vehicles;  // numbers of vehicles
   std::size_t lamps = 10'000;         // the size of the field
   std::uint32_t frames = 32;          // timed
@@ -23,6 +23,6 @@ struct VehiclesOptions {
 /// Times frames 1/60 s apart on synthetic streets where all vehicles move. Returns medians by the
 /// device's clock, a row per number of vehicles: all passes, each pass that moves vehicles, and the
 /// others. Throws Error.
-Table time_vehicles(const VehiclesOptions& options);
+measure::Table time_vehicles(const VehiclesOptions& options);
 
 }  // namespace nightcity::experiments

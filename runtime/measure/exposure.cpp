@@ -6,7 +6,7 @@
 
 #include "formats/error.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 
 float auto_exposure_ev100(const Image& image) {
   std::vector<float> log_luminance;
@@ -67,4 +67,4 @@ Image8 to_display(const Image& image, float ev100, std::uint32_t curve) {
   return display;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

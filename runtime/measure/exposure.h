@@ -7,7 +7,7 @@
 #include "runtime/measure/image.h"
 #include "shaders/tonemap.glsl.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 
 /// The exposure of a picture that has no pixel to meter: that of a lit street, about 0.5 cd/m2.
 constexpr float default_ev100 = 2.0f;
@@ -30,4 +30,4 @@ Image8 to_display(const Image& image, float ev100, std::uint32_t curve = TONEMAP
 /// Does the same for one channel: `exposed` = luminance * tonemap::exposure_scale(ev100).
 std::uint8_t to_code_value(float exposed, std::uint32_t curve);
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

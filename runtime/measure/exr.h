@@ -6,7 +6,7 @@
 
 #include "runtime/measure/image.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 
 /// Writes a temporary file beside `path` and renames it. The header holds whiteLuminance = 1 cd/m2,
 /// Rec. 709 chromaticities and, under "nightcity.", each known field of ImageInfo. Throws Error
@@ -20,4 +20,4 @@ void write_exr(const std::filesystem::path& path, const Image& image);
 /// max_image_side.
 Image read_exr(const std::filesystem::path& path);
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace nightcity {
+namespace nightcity::measure {
 
 // Whole numbers are stored as text, because OpenEXR's only integer attribute has 32 bits with a
 // sign: too few for a seed.
@@ -49,4 +49,4 @@ ImageInfo get_image_info(const Imf::Header& header) {
   return info;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

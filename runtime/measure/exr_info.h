@@ -5,7 +5,7 @@
 
 #include "runtime/measure/image.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 
 void put_image_info(Imf::Header& header, const ImageInfo& info);
 
@@ -13,4 +13,4 @@ void put_image_info(Imf::Header& header, const ImageInfo& info);
 /// without.
 ImageInfo get_image_info(const Imf::Header& header);
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

@@ -18,7 +18,7 @@
 #include "runtime/measure/exr_info.h"
 #include "runtime/measure/limits.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 namespace {
 
 // More channels than any renderer writes: a hostile header must not choose how much memory is
@@ -162,4 +162,4 @@ Image read_exr(const std::filesystem::path& path) {
   }
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

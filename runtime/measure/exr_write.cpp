@@ -16,7 +16,7 @@
 #include "runtime/measure/exr_info.h"
 #include "runtime/measure/limits.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 namespace {
 
 // OpenEXR writes its line table last, over a placeholder near the start, so the stream must support
@@ -123,4 +123,4 @@ void write_exr(const std::filesystem::path& path, const Image& image) {
   atomic.commit();
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

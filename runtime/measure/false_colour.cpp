@@ -11,7 +11,7 @@
 #include "formats/error.h"
 #include "shaders/tonemap.glsl.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 namespace {
 
 using Rgb = std::array<double, 3>;
@@ -159,4 +159,4 @@ std::vector<float> illuminance_of(const Image& image) {
   return values;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

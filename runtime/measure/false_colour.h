@@ -8,7 +8,7 @@
 
 #include "runtime/measure/image.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 
 struct ColourScale {
   double lowest = 0.01,
@@ -35,4 +35,4 @@ std::vector<float> luminance_of(const Image& image);
 /// layers direct_*, sky and albedo are missing.
 std::vector<float> illuminance_of(const Image& image);
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace nightcity {
+namespace nightcity::measure {
 
 /// Other values of each pixel: "albedo" with channels R, G and B, "depth" with Z. Whole numbers are
 /// exact up to
@@ -55,4 +55,4 @@ struct Image8 {
   std::vector<std::uint8_t> rgb;  // 3 * width * height, row 0 on top
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
-namespace nightcity {
+namespace nightcity::measure {
 
 /// Greatest side of a picture that is read, rendered or written, in pixels: a hostile header must
 /// not choose how much memory is allocated.
 constexpr std::uint32_t max_image_side = 32768;
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

@@ -10,7 +10,7 @@
 #include "formats/error.h"
 #include "runtime/measure/exposure.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 namespace {
 
 std::vector<float> luminances(const Image& image, const char* which) {
@@ -98,4 +98,4 @@ Comparison compare(const Image& a, const Image& b, std::optional<float> ev100) {
   return result;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

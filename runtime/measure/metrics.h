@@ -5,7 +5,7 @@
 
 #include "runtime/measure/image.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 
 /// The error of picture A against reference B. Y is the luminance by Rec. 709; means are over all
 /// pixels.
@@ -38,4 +38,4 @@ struct Comparison {
 /// so that no relative error exists. Two black pictures do not differ.
 Comparison compare(const Image& a, const Image& b, std::optional<float> ev100 = std::nullopt);
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace nightcity {
+namespace nightcity::measure {
 namespace {
 
 constexpr double width = 760, height = 480, left = 80, right = 600, top = 40, bottom = 420;
@@ -116,4 +116,4 @@ std::string to_svg(const Plot& plot) {
   return svg + "</svg>\n";
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

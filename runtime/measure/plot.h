@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace nightcity {
+namespace nightcity::measure {
 
 struct PlotPoint {
   double x, y;        // left out of the plot unless positive and finite
@@ -24,4 +24,4 @@ struct Plot {
 /// Returns an SVG of 760 x 480: axes with 1-2-5 ticks, one colour per series, a legend.
 std::string to_svg(const Plot& plot);
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

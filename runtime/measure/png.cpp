@@ -11,7 +11,7 @@
 #include "formats/mapped_file.h"
 #include "runtime/measure/limits.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 namespace {
 
 // libpng reports errors by longjmp, which skips destructors. So everything with a destructor lives
@@ -123,4 +123,4 @@ Image8 read_png(const std::filesystem::path& path) {
   return image;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

@@ -8,7 +8,7 @@
 
 #include "runtime/measure/image.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 
 /// PNG text entries: keyword (Latin-1, 1 to 79 characters) and text, stored uncompressed.
 using PngText = std::vector<std::pair<std::string, std::string>>;
@@ -23,4 +23,4 @@ void write_png(const std::filesystem::path& path, const Image8& image, const Png
 /// PNG, or has a side above max_image_side.
 Image8 read_png(const std::filesystem::path& path);
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

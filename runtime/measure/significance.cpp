@@ -8,7 +8,7 @@
 #include "formats/error.h"
 #include "shaders/tonemap.glsl.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 namespace {
 
 // The continued fraction of the incomplete beta function (DLMF 8.17.22) by the modified Lentz
@@ -133,4 +133,4 @@ double sidak_level(double significance, std::size_t tests) {
   return tests == 0 ? significance : -std::expm1(std::log1p(-significance) / double(tests));
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

@@ -8,7 +8,7 @@
 
 #include "runtime/measure/image.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 
 /// Mean luminance of pictures of one view, and the variance of that mean, pixel by pixel (Welford
 /// 1962). The pictures must be independent (different seeds, no shared history): frames that reuse
@@ -62,4 +62,4 @@ double student_tails(double t, double freedom);
 /// (Sidak 1967).
 double sidak_level(double significance, std::size_t tests);
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

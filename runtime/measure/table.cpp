@@ -11,7 +11,7 @@
 #include "formats/error.h"
 #include "formats/input_file.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 namespace {
 
 std::string csv_cell(const std::string& text) {
@@ -119,4 +119,4 @@ std::string to_markdown(const Table& table) {
   return text;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace nightcity {
+namespace nightcity::measure {
 
 struct Table {
   std::vector<std::string> columns;
@@ -25,4 +25,4 @@ Table read_csv(const std::filesystem::path& path);
 /// Returns the table as Markdown; columns of numbers are aligned right.
 std::string to_markdown(const Table& table);
 
-}  // namespace nightcity
+}  // namespace nightcity::measure

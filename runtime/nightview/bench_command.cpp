@@ -16,7 +16,7 @@
 #include "runtime/nightview/render_options.h"
 #include "runtime/render/renderer.h"
 
-namespace nightcity {
+namespace nightcity::nightview {
 namespace {
 
 struct BenchCommand {
@@ -41,8 +41,8 @@ Spread spread(std::vector<double> values) {
   return {values.front(), values[values.size() / 2], values.back()};
 }
 
-FrameTimes time_frames(Renderer& renderer, const CameraPose& pose, const RenderSettings& settings,
-                       std::uint32_t frames) {
+FrameTimes time_frames(render::Renderer& renderer, const scene::CameraPose& pose,
+                       const render::RenderSettings& settings, std::uint32_t frames) {
   FrameTimes times;
   for (std::uint32_t i = 0; i < frames; ++i) {
     const auto start = std::chrono::steady_clock::now();
@@ -63,20 +63,20 @@ FrameTimes time_frames(Renderer& renderer, const CameraPose& pose, const RenderS
 
 // What the passes would cost if they could do what the scene lacks. Frames with and without the
 // feature alternate, so that a drifting clock rate affects both alike.
-void price_forced_features(const BenchCommand& command, Renderer& renderer,
-                           const CameraPose& pose) {
-  const RenderSettings& needed = command.options.settings;
-  const std::vector<Feature> features = renderer.list_unneeded(needed);
+void price_forced_features(const BenchCommand& command, render::Renderer& renderer,
+                           const scene::CameraPose& pose) {
+  const render::RenderSettings& needed = command.options.settings;
+  const std::vector<render::Feature> features = renderer.list_unneeded(needed);
   std::vector<std::pair<std::string, std::uint32_t>> rows;
   std::uint32_t all = 0;
-  for (const Feature& feature : features) {
+  for (const render::Feature& feature : features) {
     rows.emplace_back(feature.name, 1u << feature.constant);
     all |= 1u << feature.constant;
   }
   if (features.size() > 1) rows.emplace_back("all of these", all);
   fmt::print("\n| not needed here | ms without | ms with | ratio |\n|---|---:|---:|---:|\n");
   for (const auto& [name, forced] : rows) {
-    RenderSettings settings = needed;
+    render::RenderSettings settings = needed;
     settings.forced_features = forced;
     std::vector<double> without, with;
     for (std::uint32_t i = 0; i < command.warm_up; ++i) renderer.render_frame(pose, settings);
@@ -96,7 +96,7 @@ nlohmann::ordered_json to_json(const std::vector<double>& ms) {
   return {{"min", s.min}, {"median", s.median}, {"max", s.max}};
 }
 
-void print_as_json(const RenderOptions& options, const RenderScene& scene,
+void print_as_json(const RenderOptions& options, const scene::RenderScene& scene,
                    const gpu::Device& device, std::size_t scene_bytes, const FrameTimes& times) {
   nlohmann::ordered_json json{{"device", device.label()},
                               {"driver", device.info().driver},
@@ -106,7 +106,7 @@ void print_as_json(const RenderOptions& options, const RenderScene& scene,
                               {"lights", scene.lights.size()},
                               {"scene_bytes", scene_bytes},
                               {"size", {options.width, options.height}},
-                              {"estimator", name_of(options.settings.sampling.estimator)},
+                              {"estimator", render::name_of(options.settings.sampling.estimator)},
                               {"candidates", options.settings.sampling.candidates},
                               {"neighbours", options.settings.reuse.neighbours},
                               {"frames", times.gpu.size()},
@@ -117,11 +117,11 @@ void print_as_json(const RenderOptions& options, const RenderScene& scene,
   program::print_json(json);
 }
 
-void print_as_table(const RenderOptions& options, const RenderScene& scene,
+void print_as_table(const RenderOptions& options, const scene::RenderScene& scene,
                     const gpu::Device& device, const FrameTimes& times) {
   fmt::print("{}: {} triangles, {} lights, {}x{}, {} on {}\n", options.scene,
              scene.triangles.size(), scene.lights.size(), options.width, options.height,
-             name_of(options.settings.sampling.estimator), device.label());
+             render::name_of(options.settings.sampling.estimator), device.label());
   fmt::print("{:<12} {:>10} {:>10} {:>10}   ms of {} frames\n", "pass", "min", "median", "max",
              times.gpu.size());
   const auto print_row = [](const std::string& name, const std::vector<double>& ms) {
@@ -136,12 +136,12 @@ void print_as_table(const RenderOptions& options, const RenderScene& scene,
 void bench(BenchCommand& command) {
   RenderOptions& options = command.options;
   options.resolve();
-  const RenderScene scene = options.load();
-  const CameraPose pose = find_camera(options.camera, scene);
+  const scene::RenderScene scene = options.load();
+  const scene::CameraPose pose = scene::find_camera(options.camera, scene);
   gpu::Device device(options.device);
-  DeviceScene device_scene(device, scene);
-  PassLibrary library(device);
-  Renderer renderer(device, library, device_scene, options.width, options.height);
+  render::DeviceScene device_scene(device, scene);
+  render::PassLibrary library(device);
+  render::Renderer renderer(device, library, device_scene, options.width, options.height);
   for (std::uint32_t i = 0; i < command.warm_up; ++i) renderer.render_frame(pose, options.settings);
   experiments::wake(device, [&] { renderer.render_frame(pose, options.settings); });
 
@@ -180,4 +180,4 @@ void add_bench_command(CLI::App& app) {
   sub->callback([command] { bench(*command); });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightview

@@ -7,7 +7,7 @@ namespace CLI {
 class App;
 }
 
-namespace nightcity {
+namespace nightcity::nightview {
 
 void add_render_command(CLI::App& app);
 void add_view_command(CLI::App& app);
@@ -20,4 +20,4 @@ void add_flight_command(CLI::App& app);
 void add_strategies_command(CLI::App& app);
 void add_vehicles_command(CLI::App& app);
 
-}  // namespace nightcity
+}  // namespace nightcity::nightview

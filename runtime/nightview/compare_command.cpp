@@ -19,7 +19,7 @@
 #include "runtime/nightview/commands.h"
 #include "runtime/nightview/number_check.h"
 
-namespace nightcity {
+namespace nightcity::nightview {
 namespace {
 
 struct CompareOptions {
@@ -29,7 +29,7 @@ struct CompareOptions {
   bool json = false;
 };
 
-void print_as_json(const Comparison& c) {
+void print_as_json(const measure::Comparison& c) {
   program::print_json(
       nlohmann::ordered_json{{"rmse8", c.rmse8},
                              {"relative_mse", c.relative_mse},
@@ -48,9 +48,9 @@ struct WorstPixel {
 };
 
 // Returns the pixels whose luminance differs most, worst first.
-std::vector<WorstPixel> find_worst_pixels(const Image& picture, const Image& reference,
-                                          std::size_t max_count) {
-  const std::vector<float> a = luminance_of(picture), b = luminance_of(reference);
+std::vector<WorstPixel> find_worst_pixels(const measure::Image& picture,
+                                          const measure::Image& reference, std::size_t max_count) {
+  const std::vector<float> a = measure::luminance_of(picture), b = measure::luminance_of(reference);
   std::vector<std::size_t> order(a.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const std::size_t count = std::min(max_count, order.size());
@@ -64,12 +64,13 @@ std::vector<WorstPixel> find_worst_pixels(const Image& picture, const Image& ref
   return worst;
 }
 
-std::string describe(const ImageInfo& info) {
+std::string describe(const measure::ImageInfo& info) {
   if (info.estimator.empty()) return "estimator not stated";  // another program made the file
   return fmt::format("{}, {} frames", info.estimator, info.frames);
 }
 
-std::string as_text(const Comparison& c, const Image& picture, const Image& reference) {
+std::string as_text(const measure::Comparison& c, const measure::Image& picture,
+                    const measure::Image& reference) {
   return fmt::format(
       "picture                     {} x {}, {}\n"
       "reference                   {}\n"
@@ -83,12 +84,13 @@ std::string as_text(const Comparison& c, const Image& picture, const Image& refe
       100 * c.relative_mean_signed_error, 100 * c.fireflies);
 }
 
-void print_worst_pixels(const Image& picture, const Image& reference, std::size_t max_count) {
+void print_worst_pixels(const measure::Image& picture, const measure::Image& reference,
+                        std::size_t max_count) {
   for (const WorstPixel& w : find_worst_pixels(picture, reference, max_count)) {
     fmt::print("pixel {:5} {:5}   picture {:10.4g}   reference {:10.4g} cd/m2", w.x, w.y, w.picture,
                w.reference);
-    for (const ImageLayer& layer : picture.layers) {
-      const ImageLayer* other = reference.layer(layer.name);
+    for (const measure::ImageLayer& layer : picture.layers) {
+      const measure::ImageLayer* other = reference.layer(layer.name);
       if (!layer.name.starts_with("direct") || !other) continue;
       const std::size_t at = 3 * (w.y * picture.width + w.x) + 1;
       fmt::print("   {} {:.4g} {:.4g}", layer.name, layer.values[at], other->values[at]);
@@ -98,8 +100,9 @@ void print_worst_pixels(const Image& picture, const Image& reference, std::size_
 }
 
 void compare_pictures(const CompareOptions& options) {
-  const Image picture = read_exr(options.picture), reference = read_exr(options.reference);
-  const Comparison comparison = compare(picture, reference, options.ev100);
+  const measure::Image picture = measure::read_exr(options.picture),
+                       reference = measure::read_exr(options.reference);
+  const measure::Comparison comparison = measure::compare(picture, reference, options.ev100);
   if (options.json) {
     print_as_json(comparison);
     return;
@@ -133,4 +136,4 @@ void add_compare_command(CLI::App& app) {
   command->callback([options] { compare_pictures(*options); });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightview

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace nightcity {
+namespace nightcity::nightview {
 
 void declare_device(CLI::App& command, gpu::Device::Options& options) {
   command.add_option("--device", options.select,
@@ -20,4 +20,4 @@ void declare_device(CLI::App& command, gpu::Device::Options& options) {
       "Run under the Vulkan validation layer; any message of it makes the exit code 1");
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightview

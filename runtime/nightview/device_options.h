@@ -5,9 +5,9 @@
 
 #include "runtime/gpu/device.h"
 
-namespace nightcity {
+namespace nightcity::nightview {
 
 /// Declares --device, --trace and --validation.
 void declare_device(CLI::App& command, gpu::Device::Options& options);
 
-}  // namespace nightcity
+}  // namespace nightcity::nightview

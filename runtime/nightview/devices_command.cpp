@@ -9,7 +9,7 @@
 #include "runtime/gpu/device.h"
 #include "runtime/nightview/commands.h"
 
-namespace nightcity {
+namespace nightcity::nightview {
 namespace {
 
 std::string version_text(std::uint32_t v) {
@@ -60,4 +60,4 @@ void add_devices_command(CLI::App& app) {
   sub->callback([json] { print_devices(*json); });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightview

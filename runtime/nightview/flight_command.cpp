@@ -15,7 +15,7 @@
 #include "runtime/nightview/render_options.h"
 #include "runtime/scene/camera_path.h"
 
-namespace nightcity {
+namespace nightcity::nightview {
 namespace {
 
 struct FlightCommand {
@@ -49,7 +49,7 @@ std::string summarise_bias(const std::vector<double>& values) {
 
 void print_report(const FlightCommand& command, const experiments::FlightReport& report) {
   fmt::print("{} frames of {} along {}, {} on {}\n", command.flight.frames, command.render.scene,
-             command.flight.path, name_of(command.render.settings.sampling.estimator),
+             command.flight.path, render::name_of(command.render.settings.sampling.estimator),
              report.device);
   if (!report.ms.empty()) fmt::print("{}", summarise("time", " ms", report.ms));
   if (report.rmse8.empty()) return;
@@ -81,7 +81,8 @@ void add_flight_command(CLI::App& app) {
   CLI::App* sub = app.add_subcommand(
       "flight", "Measure error and milliseconds of every frame of a moving camera");
   std::string presets;
-  for (const std::string& name : path_presets()) presets += (presets.empty() ? "" : ", ") + name;
+  for (const std::string& name : scene::path_presets())
+    presets += (presets.empty() ? "" : ", ") + name;
   sub->footer(
       "DIR gets flight.csv and, with --pictures, frame-NNNN.png. Each measured frame is compared "
       "with a\n"
@@ -119,4 +120,4 @@ void add_flight_command(CLI::App& app) {
   sub->callback([command] { run_flight(*command); });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightview

@@ -7,7 +7,7 @@
 #include "formats/program/run_program.h"
 #include "runtime/nightview/commands.h"
 
-namespace nightcity {
+namespace nightcity::nightview {
 namespace {
 
 // "nightview SCENE.glb ..." is short for "nightview view SCENE.glb ...".
@@ -27,7 +27,7 @@ std::vector<std::string> add_default_command(const CLI::App& app,
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::nightview
 
 int main(int argc, char** argv) {
   nightcity::program::Program nightview;
@@ -40,17 +40,17 @@ int main(int argc, char** argv) {
       "or\n"
       "there is no usable Vulkan device; 2 the command line is wrong.";
   nightview.add_commands = [](CLI::App& app) {
-    nightcity::add_render_command(app);
-    nightcity::add_view_command(app);
-    nightcity::add_compare_command(app);
-    nightcity::add_bench_command(app);
-    nightcity::add_upward_command(app);
-    nightcity::add_devices_command(app);
-    nightcity::add_sweep_command(app);
-    nightcity::add_flight_command(app);
-    nightcity::add_strategies_command(app);
-    nightcity::add_vehicles_command(app);
+    nightcity::nightview::add_render_command(app);
+    nightcity::nightview::add_view_command(app);
+    nightcity::nightview::add_compare_command(app);
+    nightcity::nightview::add_bench_command(app);
+    nightcity::nightview::add_upward_command(app);
+    nightcity::nightview::add_devices_command(app);
+    nightcity::nightview::add_sweep_command(app);
+    nightcity::nightview::add_flight_command(app);
+    nightcity::nightview::add_strategies_command(app);
+    nightcity::nightview::add_vehicles_command(app);
   };
-  nightview.complete_arguments = nightcity::add_default_command;
+  nightview.complete_arguments = nightcity::nightview::add_default_command;
   return nightcity::program::run_program(nightview, argc, argv);
 }

@@ -5,12 +5,12 @@
 #include "formats/error.h"
 #include "runtime/render/parse.h"
 
-namespace nightcity {
+namespace nightcity::nightview {
 
 CLI::Validator number_from(double min, double max) {
   const auto check = [min, max](const std::string& word) -> std::string {
     try {
-      parse_number("", word, min, max);
+      render::parse_number("", word, min, max);
     } catch (const UsageError&) {
       return fmt::format("'{}' is not a number from {} to {}", word, min, max);
     }
@@ -23,4 +23,4 @@ CLI::Validator exposure_check() {
   return number_from(-20, 40);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightview

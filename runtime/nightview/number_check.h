@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace nightcity {
+namespace nightcity::nightview {
 
 /// Returns a check that accepts numbers from `min` to `max`, both included. CLI::Range would let
 /// NaN pass.
@@ -12,4 +12,4 @@ CLI::Validator number_from(double min, double max);
 /// Returns the check of an exposure in EV100: from moonless nights to beyond the midday sun.
 CLI::Validator exposure_check();
 
-}  // namespace nightcity
+}  // namespace nightcity::nightview

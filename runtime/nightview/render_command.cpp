@@ -22,7 +22,7 @@
 #include "runtime/render/renderer.h"
 #include "runtime/scene/markers.h"
 
-namespace nightcity {
+namespace nightcity::nightview {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -51,10 +51,10 @@ void check_outputs(const std::vector<std::string>& outputs) {
   }
 }
 
-float find_exposure(const std::string& text, const Image& image) {
-  if (text == "auto") return auto_exposure_ev100(image);
+float find_exposure(const std::string& text, const measure::Image& image) {
+  if (text == "auto") return measure::auto_exposure_ev100(image);
   try {
-    return static_cast<float>(parse_number("--ev", text, -20, 40));
+    return static_cast<float>(render::parse_number("--ev", text, -20, 40));
   } catch (const UsageError&) {
     throw UsageError("--ev", "'" + text + "' is neither auto nor a number from -20 to 40");
   }
@@ -62,9 +62,10 @@ float find_exposure(const std::string& text, const Image& image) {
 
 // Draws lamps as green squares and windows as single blue pixels: no night picture has these
 // colours itself.
-void draw_markers(Image8& picture, const RenderScene& scene, const gpu::Camera& camera) {
+void draw_markers(measure::Image8& picture, const scene::RenderScene& scene,
+                  const gpu::Camera& camera) {
   constexpr std::size_t max_markers = 1'000'000;
-  for (const Marker& marker : find_markers(camera, scene.lights, max_markers)) {
+  for (const scene::Marker& marker : scene::find_markers(camera, scene.lights, max_markers)) {
     const auto x = static_cast<std::uint32_t>(marker.at.x * float(picture.width));
     const auto y = static_cast<std::uint32_t>(marker.at.y * float(picture.height));
     const bool window = scene.families[marker.light] == LightFamily::window;
@@ -84,30 +85,34 @@ void draw_markers(Image8& picture, const RenderScene& scene, const gpu::Camera& 
 
 // Returns the PNG's picture: as a camera takes it or a quantity in false colours, with markers
 // where asked for.
-Image8 make_png(const RenderCommand& command, const Image& image, const RenderScene& scene,
-                const CameraPose& pose) {
-  Image8 picture;
+measure::Image8 make_png(const RenderCommand& command, const measure::Image& image,
+                         const scene::RenderScene& scene, const scene::CameraPose& pose) {
+  measure::Image8 picture;
   if (command.show == "luminance") {
-    const std::vector<float> values = luminance_of(image);
-    picture = false_colour(values, image.width, image.height, fitting_scale(values, "cd/m2"));
+    const std::vector<float> values = measure::luminance_of(image);
+    picture = measure::false_colour(values, image.width, image.height,
+                                    measure::fitting_scale(values, "cd/m2"));
   } else if (command.show == "illuminance") {
-    const std::vector<float> values = illuminance_of(image);
-    picture = false_colour(values, image.width, image.height, fitting_scale(values, "lx"));
+    const std::vector<float> values = measure::illuminance_of(image);
+    picture = measure::false_colour(values, image.width, image.height,
+                                    measure::fitting_scale(values, "lx"));
   } else {
-    picture = to_display(image, *image.info.ev100, command.options.settings.display.tone);
+    picture = measure::to_display(image, *image.info.ev100, command.options.settings.display.tone);
   }
   if (command.markers)
-    draw_markers(picture, scene, make_camera(pose, float(image.width) / float(image.height)));
+    draw_markers(picture, scene,
+                 scene::make_camera(pose, float(image.width) / float(image.height)));
   return picture;
 }
 
-void write_outputs(const RenderCommand& command, const Image& image, const RenderScene& scene,
-                   const CameraPose& pose) {
+void write_outputs(const RenderCommand& command, const measure::Image& image,
+                   const scene::RenderScene& scene, const scene::CameraPose& pose) {
   for (const std::string& output : command.outputs) {
     if (has_extension(output, ".exr"))
-      write_exr(output, image);
+      measure::write_exr(output, image);
     else
-      write_png(output, make_png(command, image, scene, pose), png_text(image.info));
+      measure::write_png(output, make_png(command, image, scene, pose),
+                         measure::png_text(image.info));
   }
 }
 
@@ -115,7 +120,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-void warn_of_lights(const RenderOptions& options, const RenderScene& scene) {
+void warn_of_lights(const RenderOptions& options, const scene::RenderScene& scene) {
   if (scene.lights.empty())
     spdlog::warn("{}: no lights, so only surfaces that emit light are seen", options.scene);
 }
@@ -123,8 +128,9 @@ void warn_of_lights(const RenderOptions& options, const RenderScene& scene) {
 void render(RenderCommand& command) {
   RenderOptions& options = command.options;
   options.resolve();
-  options.settings.display.tone = tone_curve_from_name(command.tone);
-  if (command.exposure != "auto") find_exposure(command.exposure, Image{});  // throws early
+  options.settings.display.tone = measure::tone_curve_from_name(command.tone);
+  if (command.exposure != "auto")
+    find_exposure(command.exposure, measure::Image{});  // throws early
   check_outputs(command.outputs);
   options.settings.sampling.layers =
       command.show == "illuminance" ||
@@ -132,13 +138,13 @@ void render(RenderCommand& command) {
                   [](auto& output) { return has_extension(output, ".exr"); });
 
   const auto load_start = Clock::now();
-  const RenderScene scene = options.load();
-  const CameraPose pose = find_camera(options.camera, scene);
-  if (!command.save_camera.empty()) write_camera(command.save_camera, pose);
+  const scene::RenderScene scene = options.load();
+  const scene::CameraPose pose = scene::find_camera(options.camera, scene);
+  if (!command.save_camera.empty()) scene::write_camera(command.save_camera, pose);
   gpu::Device device(options.device);
-  DeviceScene device_scene(device, scene);
-  PassLibrary passes(device);
-  Renderer renderer(device, passes, device_scene, options.width, options.height);
+  render::DeviceScene device_scene(device, scene);
+  render::PassLibrary passes(device);
+  render::Renderer renderer(device, passes, device_scene, options.width, options.height);
   spdlog::info("{}: {} triangles, {} lights, loaded in {:.2f} s; rendering on {}", options.scene,
                scene.triangles.size(), scene.lights.size(), seconds_since(load_start),
                device.label());
@@ -154,11 +160,11 @@ void render(RenderCommand& command) {
   const double seconds = seconds_since(start);
   device.check_validation();
 
-  Image image = renderer.download(options.settings.sampling.layers);
+  measure::Image image = renderer.download(options.settings.sampling.layers);
   image.info.ev100 = find_exposure(command.exposure, image);
   write_outputs(command, image, scene, pose);
   spdlog::info("{} frames of {} in {:.2f} s, EV100 {:.1f}", renderer.frames(),
-               name_of(options.settings.sampling.estimator), seconds, *image.info.ev100);
+               render::name_of(options.settings.sampling.estimator), seconds, *image.info.ev100);
   for (const std::string& output : command.outputs) fmt::print("{}\n", output);
 }
 
@@ -197,4 +203,4 @@ void add_render_command(CLI::App& app) {
   sub->callback([command] { render(*command); });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightview

@@ -12,11 +12,11 @@
 #include "runtime/render/parse.h"
 #include "runtime/scene/camera.h"
 
-namespace nightcity {
+namespace nightcity::nightview {
 namespace {
 
-std::string join_names(const Setting& setting) {
-  std::string names = option_of(setting);
+std::string join_names(const render::Setting& setting) {
+  std::string names = render::option_of(setting);
   for (const char* alias : setting.aliases) names += std::string(",--") + alias;
   return names;
 }
@@ -24,7 +24,7 @@ std::string join_names(const Setting& setting) {
 // Sunlight off the moon, of about 4,100 K, as a colour of luminance 1.
 const glm::vec3 moon_colour(1.16f, 0.97f, 0.80f);
 
-void set_moon(EnvironmentSettings& environment, const MoonPosition& moon) {
+void set_moon(render::EnvironmentSettings& environment, const render::MoonPosition& moon) {
   const double a = glm::radians(moon.azimuth_deg), e = glm::radians(moon.elevation_deg);
   environment.moon_direction =
       glm::vec3(std::sin(a) * std::cos(e), std::sin(e), -std::cos(a) * std::cos(e));
@@ -33,9 +33,10 @@ void set_moon(EnvironmentSettings& environment, const MoonPosition& moon) {
 
 }  // namespace
 
-void declare_setting(CLI::App& command, const Setting& setting, RenderSettings& settings) {
-  const std::string names = join_names(setting), help = describe(setting);
-  const Setting::Value value = setting.value(settings);
+void declare_setting(CLI::App& command, const render::Setting& setting,
+                     render::RenderSettings& settings) {
+  const std::string names = join_names(setting), help = render::describe(setting);
+  const render::Setting::Value value = setting.value(settings);
   if (const auto flag = std::get_if<bool*>(&value)) {
     const std::string off = std::string(",!--no-") + setting.name;
     command.add_flag(**flag ? names + off : names, **flag, help);
@@ -48,11 +49,11 @@ void declare_setting(CLI::App& command, const Setting& setting, RenderSettings& 
         ->capture_default_str()
         ->check(number_from(setting.min, setting.max));
   } else {
-    const auto set = [estimator = std::get<Estimator*>(value)](const std::string& name) {
-      *estimator = find_estimator(name);
+    const auto set = [estimator = std::get<render::Estimator*>(value)](const std::string& name) {
+      *estimator = render::find_estimator(name);
     };
     command.add_option_function<std::string>(names, set, help)
-        ->default_str(text_of(setting, settings));
+        ->default_str(render::text_of(setting, settings));
   }
 }
 
@@ -64,19 +65,21 @@ void declare_size(CLI::App& command, std::string& size) {
   command.add_option("--size", size, "Picture size in pixels, WIDTHxHEIGHT")->capture_default_str();
 }
 
-RenderScene load_and_report(const std::string& scene) {
-  RenderScene loaded = load_render_scene(scene);
-  for (const std::string& sentence : describe_left_out(loaded))
+scene::RenderScene load_and_report(const std::string& scene) {
+  scene::RenderScene loaded = scene::load_render_scene(scene);
+  for (const std::string& sentence : scene::describe_left_out(loaded))
     spdlog::warn("{}: {}", scene, sentence);
   return loaded;
 }
 
 void RenderOptions::declare(CLI::App& command) {
   std::string presets;
-  for (const std::string& name : camera_presets()) presets += (presets.empty() ? "" : ", ") + name;
+  for (const std::string& name : scene::camera_presets())
+    presets += (presets.empty() ? "" : ", ") + name;
   declare_scene(command, scene);
   declare_size(command, size);
-  for (const Setting& setting : list_settings()) declare_setting(command, setting, settings);
+  for (const render::Setting& setting : render::list_settings())
+    declare_setting(command, setting, settings);
   command
       .add_option("--time", time,
                   "Time of the night, HH:MM or HH:MM:SS (seconds may have a fraction)")
@@ -93,21 +96,21 @@ void RenderOptions::declare(CLI::App& command) {
 }
 
 void RenderOptions::resolve() {
-  EnvironmentSettings& environment = settings.environment;
+  render::EnvironmentSettings& environment = settings.environment;
   environment.sky_cd_m2 = glm::vec3(environment.sky_cd_m2.x);
   if (!sky_map.empty() && environment.sky_cd_m2 == glm::vec3(0))
     environment.sky_cd_m2 = glm::vec3(1);
-  if (!moon.empty()) set_moon(environment, parse_moon(moon));
-  settings.time_s = parse_time(time);
-  const PictureSize parsed = parse_size(size);
+  if (!moon.empty()) set_moon(environment, render::parse_moon(moon));
+  settings.time_s = render::parse_time(time);
+  const render::PictureSize parsed = render::parse_size(size);
   width = parsed.width;
   height = parsed.height;
 }
 
-RenderScene RenderOptions::load() const {
-  RenderScene loaded = load_and_report(scene);
+scene::RenderScene RenderOptions::load() const {
+  scene::RenderScene loaded = load_and_report(scene);
   if (!sky_map.empty()) {
-    const Image image = read_exr(sky_map);
+    const measure::Image image = measure::read_exr(sky_map);
     loaded.sky_map = {image.width, image.height, image.rgb};
     for (float& value : loaded.sky_map.rgb)
       if (!(std::isfinite(value) && value >= 0))
@@ -116,4 +119,4 @@ RenderScene RenderOptions::load() const {
   return loaded;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightview

@@ -9,14 +9,15 @@
 #include "runtime/render/setting_table.h"
 #include "runtime/scene/render_scene.h"
 
-namespace nightcity {
+namespace nightcity::nightview {
 
 /// Declares the option of a setting with its range, under its name and its older names.
-void declare_setting(CLI::App& command, const Setting& setting, RenderSettings& settings);
+void declare_setting(CLI::App& command, const render::Setting& setting,
+                     render::RenderSettings& settings);
 
 /// Returns the scene of SCENE.glb and SCENE.lights, and logs a warning for each kind of thing that
 /// the files hold and no picture shows. Throws Error.
-RenderScene load_and_report(const std::string& scene);
+scene::RenderScene load_and_report(const std::string& scene);
 
 /// Declares the argument "scene".
 void declare_scene(CLI::App& command, std::string& scene);
@@ -31,7 +32,7 @@ struct RenderOptions {
   std::string size = "1280x720";
   std::string time = "20:00";
   std::string sky_map, moon;
-  RenderSettings settings;
+  render::RenderSettings settings;
 
   /// Declares the scene, --size, --time, --camera, --device, --trace, --sky-map, --moon and all
   /// settings.
@@ -40,9 +41,9 @@ struct RenderOptions {
   void resolve();
 
   /// Returns the scene with the sky map that the options name. Throws Error.
-  RenderScene load() const;
+  scene::RenderScene load() const;
 
   std::uint32_t width = 0, height = 0;  // set by resolve()
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::nightview

@@ -12,7 +12,7 @@
 #include "runtime/nightview/render_options.h"
 #include "runtime/render/parse.h"
 
-namespace nightcity {
+namespace nightcity::nightview {
 namespace {
 
 struct StrategiesCommand {
@@ -22,11 +22,11 @@ struct StrategiesCommand {
 
 void compare_sources(StrategiesCommand& command) {
   experiments::StrategiesOptions& options = command.options;
-  const PictureSize size = parse_size(command.size);
+  const render::PictureSize size = render::parse_size(command.size);
   options.width = size.width;
   options.height = size.height;
-  options.lights = parse_counts("--lights", command.lights, 1, 10'000'000);
-  fmt::print("{}", to_markdown(compare_strategies(options)));
+  options.lights = render::parse_counts("--lights", command.lights, 1, 10'000'000);
+  fmt::print("{}", measure::to_markdown(compare_strategies(options)));
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ void add_strategies_command(CLI::App& app) {
   declare_size(*sub, command->size);
   sub->add_option("--candidates", options.candidates, "Light candidates per pixel and frame")
       ->capture_default_str()
-      ->check(CLI::Range(1u, max_candidates));
+      ->check(CLI::Range(1u, render::max_candidates));
   sub->add_option("--frames", options.frames, "Frames whose mean is measured")
       ->capture_default_str()
       ->check(CLI::Range(1u, 100000u));
@@ -59,4 +59,4 @@ void add_strategies_command(CLI::App& app) {
   sub->callback([command] { compare_sources(*command); });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightview

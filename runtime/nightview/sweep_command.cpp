@@ -14,7 +14,7 @@
 #include "runtime/nightview/number_check.h"
 #include "runtime/nightview/render_options.h"
 
-namespace nightcity {
+namespace nightcity::nightview {
 namespace {
 
 struct SweepCommand {
@@ -24,7 +24,7 @@ struct SweepCommand {
 
 std::vector<std::uint32_t> parse_rising_counts(const std::string& text) {
   std::vector<std::uint32_t> counts;
-  for (const std::size_t count : parse_counts("--frames", text, 1, 1'000'000)) {
+  for (const std::size_t count : render::parse_counts("--frames", text, 1, 1'000'000)) {
     if (!counts.empty() && count <= counts.back())
       throw UsageError("--frames", "'" + text + "' does not rise from number to number");
     counts.push_back(static_cast<std::uint32_t>(count));
@@ -34,8 +34,8 @@ std::vector<std::uint32_t> parse_rising_counts(const std::string& text) {
 
 void sweep(SweepCommand& command) {
   experiments::SweepOptions& options = command.options;
-  options.size = parse_size(command.size);
-  options.views = split_list("--views", command.views);
+  options.size = render::parse_size(command.size);
+  options.views = render::split_list("--views", command.views);
   options.frames = parse_rising_counts(command.frames);
   program::ProgressDisplay progress;
   const experiments::SweepReport report = run_sweep(options, progress);
@@ -48,13 +48,13 @@ void sweep(SweepCommand& command) {
 }
 
 void declare_swept_settings(CLI::App& command, experiments::SweepOptions& options) {
-  for (const Setting& setting : experiments::list_swept_settings()) {
-    std::string names = option_of(setting), help = describe(setting);
+  for (const render::Setting& setting : experiments::list_swept_settings()) {
+    std::string names = render::option_of(setting), help = render::describe(setting);
     for (const char* alias : setting.aliases) names += std::string(",--") + alias;
-    RenderSettings defaults;
+    render::RenderSettings defaults;
     if (std::holds_alternative<bool*>(setting.value(defaults))) help += "; yes or no";
     command.add_option(names, options.values[setting.name], help)
-        ->default_str(default_list(setting));
+        ->default_str(render::default_list(setting));
   }
 }
 
@@ -102,4 +102,4 @@ void add_sweep_command(CLI::App& app) {
   sub->callback([command] { sweep(*command); });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightview

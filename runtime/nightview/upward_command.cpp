@@ -20,13 +20,13 @@
 #include "runtime/render/parse.h"
 #include "runtime/render/upward_flux.h"
 
-namespace nightcity {
+namespace nightcity::nightview {
 namespace {
 
 struct UpwardCommand {
   std::string scene, out, time = "20:00";
   gpu::Device::Options device;
-  UpwardSettings settings;
+  render::UpwardSettings settings;
   bool json = false;
 };
 
@@ -41,7 +41,7 @@ using FamilySums = std::array<Sums, light_family_count>;
 
 // Returns the family of a light: the light file names those of static lights, a vehicle's kind
 // those of its lights.
-LightFamily find_family(const RenderScene& scene, std::size_t light) {
+LightFamily find_family(const scene::RenderScene& scene, std::size_t light) {
   if (light < scene.families.size()) return scene.families[light];
   const std::size_t moving = light - scene.families.size();
   const VehicleKind& kind =
@@ -51,8 +51,8 @@ LightFamily find_family(const RenderScene& scene, std::size_t light) {
   return static_cast<LightFamily>(scene.traffic.vehicle_lights[kind.first_light + n].id);
 }
 
-void write_lights(const std::filesystem::path& path, const RenderScene& scene,
-                  const UpwardFlux& flux) {
+void write_lights(const std::filesystem::path& path, const scene::RenderScene& scene,
+                  const render::UpwardFlux& flux) {
   AtomicFile file(path);
   std::string text = "light,family,flux_lm,direct_lm,reflected_lm,sideways_lm,upward_share\n";
   for (std::size_t i = 0; i < flux.lights.size(); ++i) {
@@ -71,8 +71,8 @@ void write_lights(const std::filesystem::path& path, const RenderScene& scene,
   file.commit();
 }
 
-void write_map(const std::filesystem::path& folder, const UpwardFlux& flux) {
-  Image map;
+void write_map(const std::filesystem::path& folder, const render::UpwardFlux& flux) {
+  measure::Image map;
   map.width = flux.width;
   map.height = flux.depth;
   std::vector<float> density;  // lm/m2, the luminous exitance of the square towards the sky
@@ -80,9 +80,10 @@ void write_map(const std::filesystem::path& folder, const UpwardFlux& flux) {
     density.push_back(static_cast<float>(lm / double(flux.cell_m * flux.cell_m)));
   for (const float d : density) map.rgb.insert(map.rgb.end(), {d, d, d});
   map.layers.push_back({"upward_lm_per_m2", {"Y"}, density});
-  write_exr(folder / "upward.exr", map);
-  write_png(folder / "upward.png",
-            false_colour(density, map.width, map.height, fitting_scale(density, "lm/m2")));
+  measure::write_exr(folder / "upward.exr", map);
+  measure::write_png(folder / "upward.png",
+                     measure::false_colour(density, map.width, map.height,
+                                           measure::fitting_scale(density, "lm/m2")));
 }
 
 nlohmann::ordered_json to_json(const Sums& s) {
@@ -115,13 +116,14 @@ void print_as_table(const Sums& all, const FamilySums& families) {
 }
 
 void upward(UpwardCommand& command) {
-  command.settings.time_s = parse_time(command.time);
+  command.settings.time_s = render::parse_time(command.time);
   program::require_writable_folder(command.out);
-  const RenderScene scene = load_and_report(command.scene);
+  const scene::RenderScene scene = load_and_report(command.scene);
   gpu::Device device(command.device);
-  DeviceScene device_scene(device, scene);
-  PassLibrary passes(device);
-  const UpwardFlux flux = measure_upward_flux(device, passes, device_scene, command.settings);
+  render::DeviceScene device_scene(device, scene);
+  render::PassLibrary passes(device);
+  const render::UpwardFlux flux =
+      render::measure_upward_flux(device, passes, device_scene, command.settings);
   device.check_validation();
 
   FamilySums families{};
@@ -181,4 +183,4 @@ void add_upward_command(CLI::App& app) {
   sub->callback([command] { upward(*command); });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightview

@@ -10,23 +10,23 @@
 #include "runtime/nightview/render_options.h"
 #include "runtime/render/parse.h"
 
-namespace nightcity {
+namespace nightcity::nightview {
 namespace {
 
 struct VehiclesCommand {
   experiments::VehiclesOptions options;
-  RenderSettings settings;
+  render::RenderSettings settings;
   std::string size = "1280x720", vehicles = "0,100,1000,10000";
 };
 
 void time_traffic(VehiclesCommand& command) {
   experiments::VehiclesOptions& options = command.options;
-  const PictureSize size = parse_size(command.size);
+  const render::PictureSize size = render::parse_size(command.size);
   options.width = size.width;
   options.height = size.height;
   options.estimator = command.settings.sampling.estimator;
-  options.vehicles = parse_counts("--vehicles", command.vehicles, 0, 1'000'000);
-  fmt::print("{}", to_markdown(time_vehicles(options)));
+  options.vehicles = render::parse_counts("--vehicles", command.vehicles, 0, 1'000'000);
+  fmt::print("{}", measure::to_markdown(time_vehicles(options)));
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ void add_vehicles_command(CLI::App& app) {
       "device's clock.\n"
       "Example:\n  nightview vehicles --vehicles 0,1000,10000 --size 1920x1080 --estimator traced");
   declare_size(*sub, command->size);
-  declare_setting(*sub, list_settings().front(), command->settings);
+  declare_setting(*sub, render::list_settings().front(), command->settings);
   declare_device(*sub, options.device);
   sub->add_option("--vehicles", command->vehicles, "Numbers of vehicles, comma-separated")
       ->capture_default_str();
@@ -58,4 +58,4 @@ void add_vehicles_command(CLI::App& app) {
   sub->callback([command] { time_traffic(*command); });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightview

@@ -11,27 +11,27 @@
 #include "runtime/nightview/render_options.h"
 #include "runtime/viewer/viewer.h"
 
-namespace nightcity {
+namespace nightcity::nightview {
 namespace {
 
 struct ViewCommand {
   RenderOptions render;
-  ViewOptions view;
+  viewer::ViewOptions view;
   std::string tone = "filmic";
 };
 
 void view(ViewCommand& command) {
   RenderOptions& render = command.render;
   render.resolve();
-  render.settings.display.tone = tone_curve_from_name(command.tone);
-  ViewOptions& options = command.view;
+  render.settings.display.tone = measure::tone_curve_from_name(command.tone);
+  viewer::ViewOptions& options = command.view;
   options.scene = render.scene;
   options.camera = render.camera;
   options.device = render.device;
   options.width = render.width;
   options.height = render.height;
   options.settings = render.settings;
-  const ViewReport report = run_viewer(render.load(), options);
+  const viewer::ViewReport report = viewer::run_viewer(render.load(), options);
   fmt::print("{} frames shown, the last {} of them averaged, estimator {}\n", report.shown,
              report.frames, report.estimator);
 }
@@ -47,7 +47,7 @@ void add_view_command(CLI::App& app) {
       "nearer\n"
       "(when flying: changes the speed).\n"
       "Keys: W A S D E Q fly, with Shift faster; 1 to " +
-      std::to_string(list_estimators().size()) +
+      std::to_string(render::list_estimators().size()) +
       " choose the estimator; M shows lamp markers;\n"
       "F switches between orbiting and flying; Space starts and stops the clock; P saves the "
       "picture as\n"
@@ -79,4 +79,4 @@ void add_view_command(CLI::App& app) {
   sub->callback([command] { view(*command); });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightview

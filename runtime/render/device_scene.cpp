@@ -6,7 +6,7 @@
 
 #include "formats/error.h"
 
-namespace nightcity {
+namespace nightcity::render {
 namespace {
 
 // Two renderers often share a scene: one is compared with the other.
@@ -20,7 +20,7 @@ std::uint64_t DeviceScene::store(std::span<const T> values) {
   return storage_.back().address();
 }
 
-DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device_(device) {
+DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene) : device_(device) {
   addresses_.triangles = store(std::span(scene.triangles));
   addresses_.materials = store(std::span(scene.materials));
   addresses_.lights = store(std::span(scene.lights));
@@ -69,15 +69,15 @@ DeviceScene::DeviceScene(gpu::Device& device, const RenderScene& scene) : device
     schedules_ = scene.schedules;
     switches_ = scene.switches;
   }
-  LitLights lit = lit_lights(lights_, schedules_, switches_, 0);
-  build_tables(lit, lights_);
+  scene::LitLights lit = scene::lit_lights(lights_, schedules_, switches_, 0);
+  scene::build_tables(lit, lights_);
   upload_lit(std::move(lit));
   if (schedules_.empty()) lights_ = {};
 }
 
-void DeviceScene::store_traffic(const RenderScene& scene,
+void DeviceScene::store_traffic(const scene::RenderScene& scene,
                                 std::span<const gpu::Instance> instances) {
-  const Traffic& traffic = scene.traffic;
+  const scene::Traffic& traffic = scene.traffic;
   const auto trips = static_cast<std::uint32_t>(traffic.trips.size());
   gpu::TrafficBuffers& to = addresses_.traffic;
   to.vehicles = store(std::span(traffic.vehicles));
@@ -172,10 +172,10 @@ bool DeviceScene::set_time(double time_s) {
     upload_lit(next_lit_.get());
     return true;
   }
-  LitLights lit = lit_lights(lights_, schedules_, switches_, time_s);
+  scene::LitLights lit = scene::lit_lights(lights_, schedules_, switches_, time_s);
   if (lit.same_lights(lit_)) return false;
-  const auto with_tables = [this](LitLights of) {
-    build_tables(of, lights_);
+  const auto with_tables = [this](scene::LitLights of) {
+    scene::build_tables(of, lights_);
     return of;
   };
   if (when_ready_) {
@@ -186,7 +186,7 @@ bool DeviceScene::set_time(double time_s) {
   return true;
 }
 
-void DeviceScene::upload_lit(LitLights lit) {
+void DeviceScene::upload_lit(scene::LitLights lit) {
   lit_ = std::move(lit);
   lit_parity_ ^= 1;
   lit_bits_[lit_parity_] = gpu::Buffer::of(device_, std::span<const std::uint32_t>(lit_.bits));
@@ -203,7 +203,7 @@ void DeviceScene::upload_lit(LitLights lit) {
   lit_.near_grid = lit_.far_grid = {};
 }
 
-gpu::LightGridBuffers DeviceScene::upload_grid(std::size_t which, const LightGrid& grid) {
+gpu::LightGridBuffers DeviceScene::upload_grid(std::size_t which, const scene::LightGrid& grid) {
   cells_[which] = gpu::Buffer::of(device_, std::span<const gpu::LightCell>(grid.cells));
   entries_[which] = gpu::Buffer::of(device_, std::span<const gpu::GridEntry>(grid.entries));
   return {grid.shape, cells_[which].address(), entries_[which].address()};
@@ -224,4 +224,4 @@ std::uint64_t DeviceScene::bytes() const {
   return total + (tlas_ ? tlas_->bytes() : 0);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::render

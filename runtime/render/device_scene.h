@@ -11,7 +11,7 @@
 #include "runtime/scene/lit_lights.h"
 #include "runtime/scene/render_scene.h"
 
-namespace nightcity {
+namespace nightcity::render {
 
 /// Room for one frame's vehicles: their instances and their part of the BVH, behind the static ones.
 /// A renderer holds two, because rays may trace the frame before.
@@ -25,7 +25,7 @@ class DeviceScene {
  public:
   /// Copies what set_time needs, so `scene` need not outlive the object. Throws Error when the
   /// device has too little memory.
-  DeviceScene(gpu::Device& device, const RenderScene& scene);
+  DeviceScene(gpu::Device& device, const scene::RenderScene& scene);
   DeviceScene(const DeviceScene&) = delete;
   DeviceScene& operator=(const DeviceScene&) = delete;
 
@@ -52,7 +52,7 @@ class DeviceScene {
   /// Returns the current flux of each static light in lumens, 0 where it is off.
   std::vector<double> flux_now() const;
   /// Returns the bounds of the visible static geometry in model space.
-  const Box& bounds() const { return bounds_; }
+  const scene::Box& bounds() const { return bounds_; }
   std::uint64_t bytes() const;
 
   /// Reserves a slot until release_vehicle_slot(). Reserving one may move the others: ask
@@ -67,10 +67,10 @@ class DeviceScene {
  private:
   template <class T>
   std::uint64_t store(std::span<const T> values);
-  void store_traffic(const RenderScene& scene, std::span<const gpu::Instance> instances);
+  void store_traffic(const scene::RenderScene& scene, std::span<const gpu::Instance> instances);
   void grow_vehicle_slots(std::uint32_t count);
-  void upload_lit(LitLights lit);
-  gpu::LightGridBuffers upload_grid(std::size_t which, const LightGrid& grid);
+  void upload_lit(scene::LitLights lit);
+  gpu::LightGridBuffers upload_grid(std::size_t which, const scene::LightGrid& grid);
 
   gpu::Device& device_;
   std::vector<gpu::Buffer> storage_;
@@ -89,15 +89,15 @@ class DeviceScene {
   std::vector<Light> lights_;
   std::vector<Schedule> schedules_;
   std::vector<std::uint32_t> switches_;
-  LitLights lit_;
+  scene::LitLights lit_;
   std::vector<float> flux_lm_;  // of the static lights when they shine
-  Box bounds_;
+  scene::Box bounds_;
   // The current switches and those before the last change, which the previous frame may have used.
   gpu::Buffer lit_bits_[2];
   int lit_parity_ = 0;
   gpu::Buffer lit_list_, alias_, cells_[2], entries_[2];  // of the grids: near, far
   bool when_ready_ = false;
-  std::future<LitLights> next_lit_;  // uses lights_, so it is declared last: destroyed first
+  std::future<scene::LitLights> next_lit_;  // uses lights_, so it is declared last: destroyed first
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::render

@@ -7,7 +7,7 @@
 #include "shaders/octahedral.glsl.h"
 #include "shaders/tonemap.glsl.h"
 
-namespace nightcity {
+namespace nightcity::render {
 namespace {
 
 void append(std::vector<float>& values, float value) {
@@ -19,23 +19,25 @@ void append(std::vector<float>& values, const glm::vec3& v) {
 }
 
 // Returns the values of the new layer, to be filled.
-std::vector<float>& add_layer(Image& image, const char* name, std::vector<std::string> channels) {
+std::vector<float>& add_layer(measure::Image& image, const char* name,
+                              std::vector<std::string> channels) {
   image.layers.push_back({name, std::move(channels), {}});
-  ImageLayer& layer = image.layers.back();
+  measure::ImageLayer& layer = image.layers.back();
   layer.values.reserve(image.pixels() * layer.channels.size());
   return layer.values;
 }
 
 }  // namespace
 
-void add_luminance_layer(Image& image) {
+void add_luminance_layer(measure::Image& image) {
   std::vector<float>& luminance = add_layer(image, "luminance", {"Y"});
   for (std::size_t i = 0; i < image.pixels(); ++i)
     luminance.push_back(
         tonemap::luminance_709(image.rgb[3 * i], image.rgb[3 * i + 1], image.rgb[3 * i + 2]));
 }
 
-void add_light_layers(Image& image, std::span<const gpu::LightLayers> sums, std::uint32_t frames) {
+void add_light_layers(measure::Image& image, std::span<const gpu::LightLayers> sums,
+                      std::uint32_t frames) {
   const auto add = [&](const char* name, glm::vec3 gpu::LightLayers::*sum) {
     std::vector<float>& values = add_layer(image, name, {"R", "G", "B"});
     for (const gpu::LightLayers& s : sums) append(values, s.*sum / float(frames));
@@ -47,7 +49,7 @@ void add_light_layers(Image& image, std::span<const gpu::LightLayers> sums, std:
   add("emitted", &gpu::LightLayers::emitted);
 }
 
-void add_surface_layers(Image& image, std::span<const gpu::Surface> surfaces,
+void add_surface_layers(measure::Image& image, std::span<const gpu::Surface> surfaces,
                         const DeviceScene& scene) {
   const auto add = [&](const char* name, std::vector<std::string> channels, auto&& value_of) {
     std::vector<float>& values = add_layer(image, name, std::move(channels));
@@ -69,4 +71,4 @@ void add_surface_layers(Image& image, std::span<const gpu::Surface> surfaces,
   });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::render

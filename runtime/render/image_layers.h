@@ -7,18 +7,19 @@
 #include "runtime/measure/image.h"
 #include "runtime/render/device_scene.h"
 
-namespace nightcity {
+namespace nightcity::render {
 
 /// Adds "luminance", cd/m^2.
-void add_luminance_layer(Image& image);
+void add_luminance_layer(measure::Image& image);
 
 /// Adds "direct_lamps", "direct_windows", "direct_vehicles", "sky" and "emitted", cd/m^2: the sums
 /// over `frames` frames, divided by their number.
-void add_light_layers(Image& image, std::span<const gpu::LightLayers> sums, std::uint32_t frames);
+void add_light_layers(measure::Image& image, std::span<const gpu::LightLayers> sums,
+                      std::uint32_t frames);
 
 /// Adds what the camera saw in each pixel: "albedo", "normal", "position" (m), "motion" (m per
 /// frame), "depth" (m), "material" and "feature" (ids, -1 = none).
-void add_surface_layers(Image& image, std::span<const gpu::Surface> surfaces,
+void add_surface_layers(measure::Image& image, std::span<const gpu::Surface> surfaces,
                         const DeviceScene& scene);
 
-}  // namespace nightcity
+}  // namespace nightcity::render

@@ -7,7 +7,7 @@
 #include "formats/error.h"
 #include "runtime/measure/limits.h"
 
-namespace nightcity {
+namespace nightcity::render {
 namespace {
 
 // Takes all of the text or nothing, in every locale. Spaces and a plus may lead.
@@ -96,10 +96,13 @@ double parse_time(const std::string& text) {
 PictureSize parse_size(const std::string& text) {
   PictureSize size;
   const std::vector<std::string> parts = split(text, 'x');
-  const auto is_side = [](std::uint32_t side) { return side >= 1 && side <= max_image_side; };
+  const auto is_side = [](std::uint32_t side) {
+    return side >= 1 && side <= measure::max_image_side;
+  };
   if (parts.size() != 2 || !read_all(parts[0], size.width) || !read_all(parts[1], size.height) ||
       !is_side(size.width) || !is_side(size.height))
-    throw UsageError("--size", "expected WIDTHxHEIGHT with 1 to " + std::to_string(max_image_side) +
+    throw UsageError("--size", "expected WIDTHxHEIGHT with 1 to " +
+                                   std::to_string(measure::max_image_side) +
                                    " pixels a side, not '" + text + "'");
   return size;
 }
@@ -119,4 +122,4 @@ MoonPosition parse_moon(const std::string& text) {
   return moon;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::render

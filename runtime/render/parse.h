@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace nightcity {
+namespace nightcity::render {
 
 /// Converts a word to a number from `min` to `max`, both included. NaN is refused.
 double parse_number(const std::string& option, const std::string& word, double min, double max);
@@ -46,4 +46,4 @@ struct MoonPosition {
 /// Converts "AZIMUTH,ELEVATION" or "AZIMUTH,ELEVATION,LUX".
 MoonPosition parse_moon(const std::string& text);
 
-}  // namespace nightcity
+}  // namespace nightcity::render

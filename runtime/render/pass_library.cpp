@@ -4,7 +4,7 @@
 
 #include "spirv/passes.h"
 
-namespace nightcity {
+namespace nightcity::render {
 namespace {
 
 constexpr gpu::Workgroup over_pixels{WORKGROUP_SIZE, WORKGROUP_SIZE};
@@ -65,4 +65,4 @@ TracePass PassLibrary::make_trace(const PassConstants& constants, const TraceSha
   return TracePass(gpu::ComputePass(device_, words, constants, sizeof(gpu::Push), workgroup));
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::render

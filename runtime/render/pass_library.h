@@ -12,7 +12,7 @@
 #include "runtime/render/trace_pass.h"
 #include "shaders/interface.h"
 
-namespace nightcity {
+namespace nightcity::render {
 
 using PassConstants = std::array<std::uint32_t, CONSTANT_COUNT>;
 
@@ -48,4 +48,4 @@ class PassLibrary {
   std::map<PassConstants, TracePass> upward_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::render

@@ -9,7 +9,7 @@
 #include "runtime/render/image_layers.h"
 #include "runtime/render/setting_table.h"
 
-namespace nightcity {
+namespace nightcity::render {
 namespace {
 
 // Dispatches of the reference in one submission: long enough to hide the cost of submitting, short
@@ -28,7 +28,7 @@ constexpr std::uint32_t chunks_of(std::uint32_t lights) {
   return lights / REFERENCE_CHUNK + (lights % REFERENCE_CHUNK != 0);
 }
 
-bool same_view(const CameraPose& a, const CameraPose& b) {
+bool same_view(const scene::CameraPose& a, const scene::CameraPose& b) {
   return a.position == b.position && a.target == b.target && a.up == b.up && a.fov_deg == b.fov_deg;
 }
 
@@ -49,9 +49,10 @@ Renderer::Renderer(gpu::Device& device, PassLibrary& passes, DeviceScene& scene,
       height_(height),
       timer_(device),
       vehicle_passes_(device, scene) {
-  if (width == 0 || height == 0 || width > max_image_side || height > max_image_side)
-    throw UsageError("--size",
-                     "a picture has 1 to " + std::to_string(max_image_side) + " pixels a side");
+  if (width == 0 || height == 0 || width > measure::max_image_side ||
+      height > measure::max_image_side)
+    throw UsageError("--size", "a picture has 1 to " + std::to_string(measure::max_image_side) +
+                                   " pixels a side");
   const std::size_t pixels = std::size_t{width} * height;
   frame_ = gpu::Buffer(device, sizeof(gpu::Frame), gpu::Memory::host);
   for (int i = 0; i < 2; ++i) {
@@ -181,7 +182,7 @@ void Renderer::check(const RenderSettings& settings) const {
                      "share");
 }
 
-void Renderer::restart_if_changed(const CameraPose& pose, const RenderSettings& settings) {
+void Renderer::restart_if_changed(const scene::CameraPose& pose, const RenderSettings& settings) {
   const bool same_settings = have_same_estimate(settings, settings_);
   const bool switched = scene_.set_time(settings.time_s);
   const bool moved = scene_.has_traffic() && settings.time_s != settings_.time_s;
@@ -222,10 +223,10 @@ void Renderer::fill_buffers(gpu::Frame& frame, const RenderSettings& settings) {
   frame.display = display_.address();
 }
 
-void Renderer::fill_view(gpu::Frame& frame, const CameraPose& pose,
+void Renderer::fill_view(gpu::Frame& frame, const scene::CameraPose& pose,
                          const RenderSettings& settings) {
   frame.previous_camera = camera_;
-  camera_ = make_camera(pose, float(width_) / float(height_));
+  camera_ = scene::make_camera(pose, float(width_) / float(height_));
   frame.camera = camera_;
   frame.size = {width_, height_};
   frame.frame = frame_number_;
@@ -290,7 +291,7 @@ void Renderer::record(const RenderSettings& settings, std::uint32_t slices) {
   has_history_ = true;
 }
 
-void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settings) {
+void Renderer::render_frame(const scene::CameraPose& pose, const RenderSettings& settings) {
   check(settings);
   restart_if_changed(pose, settings);
   passes_ = &library_.get(constants_of(settings));
@@ -312,8 +313,8 @@ void Renderer::render_frame(const CameraPose& pose, const RenderSettings& settin
   ++frame_number_;
 }
 
-Image Renderer::download(bool layers) const {
-  Image image;
+measure::Image Renderer::download(bool layers) const {
+  measure::Image image;
   image.width = width_;
   image.height = height_;
   const std::size_t pixels = image.pixels();
@@ -343,4 +344,4 @@ Image Renderer::download(bool layers) const {
   return image;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::render

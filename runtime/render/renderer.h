@@ -19,7 +19,7 @@
 #include "runtime/render/vehicle_passes.h"
 #include "runtime/scene/camera.h"
 
-namespace nightcity {
+namespace nightcity::render {
 
 class Renderer {
  public:
@@ -32,7 +32,7 @@ class Renderer {
   /// setting that have_same_estimate compares has changed since the last frame. Reservoirs are
   /// reprojected where only the camera or the time changed, else discarded. Switches the scene's
   /// lights to the settings' time. Throws UsageError when a setting is out of range.
-  void render_frame(const CameraPose& pose, const RenderSettings& settings);
+  void render_frame(const scene::CameraPose& pose, const RenderSettings& settings);
 
   /// Returns the features that neither the scene nor the settings need: passes are compiled without
   /// them.
@@ -48,7 +48,7 @@ class Renderer {
   /// With `layers`, adds the layer "luminance"; where the settings keep layers, "direct_lamps",
   /// "direct_windows", "direct_vehicles", "sky" and "emitted"; and of the last frame "albedo",
   /// "normal", "depth" (m), "motion", "position" (m), "material" and "feature" (ids, -1 = none).
-  Image download(bool layers = true) const;
+  measure::Image download(bool layers = true) const;
   /// Returns the displayed picture, which every frame writes: width * height words, R in the low
   /// byte.
   const gpu::Buffer& display() const { return display_; }
@@ -59,9 +59,9 @@ class Renderer {
   PassConstants constants_of(const RenderSettings& settings) const;
   // The steps of render_frame. check throws UsageError.
   void check(const RenderSettings& settings) const;
-  void restart_if_changed(const CameraPose& pose, const RenderSettings& settings);
+  void restart_if_changed(const scene::CameraPose& pose, const RenderSettings& settings);
   void fill_buffers(gpu::Frame& frame, const RenderSettings& settings);
-  void fill_view(gpu::Frame& frame, const CameraPose& pose, const RenderSettings& settings);
+  void fill_view(gpu::Frame& frame, const scene::CameraPose& pose, const RenderSettings& settings);
   void fill_sampling(gpu::Frame& frame, const RenderSettings& settings) const;
   void record(const RenderSettings& settings, std::uint32_t slices);
   void record_vehicles(VkCommandBuffer commands);
@@ -86,7 +86,7 @@ class Renderer {
   gpu::Buffer surfaces_[2], reservoirs_, spatial_[2], radiance_, accumulation_[2], display_;
   gpu::Buffer layers_, denoise_[2];  // allocated when first needed
   const PassSet* passes_ = nullptr;  // for the current settings
-  std::optional<CameraPose> pose_;
+  std::optional<scene::CameraPose> pose_;
   gpu::Camera camera_{};
   RenderSettings settings_;
   std::uint64_t lit_ = 0;     // address of the last frame's light switches
@@ -97,4 +97,4 @@ class Renderer {
   std::vector<gpu::Timer::Span> timings_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::render

@@ -6,7 +6,7 @@
 
 #include "formats/error.h"
 
-namespace nightcity {
+namespace nightcity::render {
 namespace {
 
 static_assert(sizeof(VkAccelerationStructureInstanceKHR) == 4 * TLAS_INSTANCE_WORDS);
@@ -30,12 +30,12 @@ VkAccelerationStructureInstanceKHR make_record(const gpu::Instance& instance, st
 
 }  // namespace
 
-SceneTlas::SceneTlas(gpu::Device& device, const RenderScene& scene, std::uint64_t triangles)
+SceneTlas::SceneTlas(gpu::Device& device, const scene::RenderScene& scene, std::uint64_t triangles)
     : device_(device) {
   const std::size_t trips = scene.traffic.trips.size(), placed = scene.instances.size() + trips;
   if (placed > 0xFFFFFFu)
     throw Error("scene", "more than 16 million instances: too many for any --trace but compute");
-  for (const Mesh& mesh : scene.meshes)
+  for (const scene::Mesh& mesh : scene.meshes)
     meshes_.insert_or_assign(
         mesh.root,
         Placed{mesh.first_triangle,
@@ -84,4 +84,4 @@ std::uint64_t SceneTlas::bytes() const {
   return total;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::render

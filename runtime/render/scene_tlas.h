@@ -9,7 +9,7 @@
 #include "runtime/gpu/ray_tracing.h"
 #include "runtime/scene/render_scene.h"
 
-namespace nightcity {
+namespace nightcity::render {
 
 /// Returns an address as shaders take it, low word first.
 inline glm::uvec2 to_words(std::uint64_t address) {
@@ -20,7 +20,7 @@ class SceneTlas {
  public:
   /// Builds all BLASes. `triangles` is the address of the scene's triangles on the device. With
   /// traffic, every frame must build its TopLevel. Throws Error above 16 million instances.
-  SceneTlas(gpu::Device& device, const RenderScene& scene, std::uint64_t triangles);
+  SceneTlas(gpu::Device& device, const scene::RenderScene& scene, std::uint64_t triangles);
 
   /// Returns the index of the first triangle of the mesh whose BVH has this root.
   std::uint32_t first_triangle(std::uint32_t root) const;
@@ -61,4 +61,4 @@ class SceneTlas {
   std::map<std::uint32_t, TopLevel> top_levels_;  // by vehicle slot
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::render

@@ -7,7 +7,7 @@
 #include "formats/error.h"
 #include "runtime/render/parse.h"
 
-namespace nightcity {
+namespace nightcity::render {
 namespace {
 
 using Settings = RenderSettings;
@@ -311,4 +311,4 @@ void check_settings(const RenderSettings& settings) {
                      "share too");
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::render

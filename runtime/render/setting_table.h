@@ -10,7 +10,7 @@
 
 #include "runtime/render/settings.h"
 
-namespace nightcity {
+namespace nightcity::render {
 
 enum class SettingGroup { sampling, reuse, environment, display };
 
@@ -69,4 +69,4 @@ std::string default_list(const Setting& setting);
 /// lights that no grid cell lists.
 void check_settings(const RenderSettings& settings);
 
-}  // namespace nightcity
+}  // namespace nightcity::render

@@ -2,7 +2,7 @@
 
 #include "formats/error.h"
 
-namespace nightcity {
+namespace nightcity::render {
 
 namespace {
 
@@ -79,4 +79,4 @@ const std::vector<Feature>& optional_features() {
   return features;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::render

@@ -9,7 +9,7 @@
 #include "shaders/interface.h"
 #include "shaders/tonemap.glsl.h"
 
-namespace nightcity {
+namespace nightcity::render {
 
 enum class Estimator : std::uint32_t {
   reference = ESTIMATOR_REFERENCE,
@@ -130,4 +130,4 @@ struct Feature {
 /// What passes can leave out: lamps' profiles, windows, schedules, the sky, wet streets.
 const std::vector<Feature>& optional_features();
 
-}  // namespace nightcity
+}  // namespace nightcity::render

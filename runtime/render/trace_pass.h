@@ -8,7 +8,7 @@
 #include "runtime/gpu/compute_pass.h"
 #include "runtime/gpu/ray_tracing.h"
 
-namespace nightcity {
+namespace nightcity::render {
 
 class TracePass {
  public:
@@ -27,4 +27,4 @@ class TracePass {
   std::variant<gpu::ComputePass, gpu::RayPass> pass_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::render

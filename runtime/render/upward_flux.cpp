@@ -5,7 +5,7 @@
 
 #include "runtime/render/vehicle_passes.h"
 
-namespace nightcity {
+namespace nightcity::render {
 namespace {
 
 // The work of one dispatch: short enough for every watchdog and for drivers that end long loops
@@ -36,7 +36,7 @@ UpwardFlux measure_upward_flux(gpu::Device& device, PassLibrary& library, Device
   frame.previous_lit = frame.scene.lit;
 
   UpwardFlux result;
-  const Box box = scene.bounds();
+  const scene::Box box = scene.bounds();
   const float width_m = std::max(box.upper.x - box.lower.x, 1.0f),
               depth_m = std::max(box.upper.z - box.lower.z, 1.0f);
   result.cell_m = std::max(settings.cell_m, std::sqrt(width_m * depth_m / float(1u << 24)));
@@ -89,4 +89,4 @@ UpwardFlux measure_upward_flux(gpu::Device& device, PassLibrary& library, Device
   return result;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::render

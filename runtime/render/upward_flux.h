@@ -7,7 +7,7 @@
 #include "runtime/render/device_scene.h"
 #include "runtime/render/pass_library.h"
 
-namespace nightcity {
+namespace nightcity::render {
 
 struct UpwardSettings {
   double time_s = 8 * 3600;   // since noon
@@ -35,4 +35,4 @@ struct UpwardFlux {
 UpwardFlux measure_upward_flux(gpu::Device& device, PassLibrary& passes, DeviceScene& scene,
                                const UpwardSettings& settings);
 
-}  // namespace nightcity
+}  // namespace nightcity::render

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace nightcity {
+namespace nightcity::render {
 
 float cycle_time(const TrafficCycle& cycle, double time_s) {
   const double length = double(cycle.cycle_s);
@@ -87,4 +87,4 @@ std::vector<Light> VehiclePasses::lights() const {
                                       std::size_t{VEHICLE_LIGHTS});
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::render

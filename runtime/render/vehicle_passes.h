@@ -9,7 +9,7 @@
 #include "runtime/render/device_scene.h"
 #include "runtime/render/pass_library.h"
 
-namespace nightcity {
+namespace nightcity::render {
 
 /// Returns the time within the traffic's cycle, s; 0 without traffic. Seconds since noon are a
 /// double, because a float would lose the fractions of frames.
@@ -38,4 +38,4 @@ class VehiclePasses {
   int parity_ = 0;  // of lights_ and slots_: this frame's; the other is the previous frame's
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::render

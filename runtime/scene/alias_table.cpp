@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace nightcity {
+namespace nightcity::scene {
 
 std::vector<gpu::AliasEntry> build_alias_table(std::span<const float> weights) {
   const std::size_t n = weights.size();
@@ -35,4 +35,4 @@ std::vector<gpu::AliasEntry> build_alias_table(std::span<const float> weights) {
   return table;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

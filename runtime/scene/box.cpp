@@ -2,7 +2,7 @@
 
 #include <glm/common.hpp>
 
-namespace nightcity {
+namespace nightcity::scene {
 
 void Box::grow(const glm::vec3& p) {
   lower = glm::min(lower, p);
@@ -20,4 +20,4 @@ float Box::half_area() const {
   return s.x * s.y + s.y * s.z + s.z * s.x;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

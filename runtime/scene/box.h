@@ -3,7 +3,7 @@
 
 #include <glm/vec3.hpp>
 
-namespace nightcity {
+namespace nightcity::scene {
 
 struct Box {
   glm::vec3 lower{3.4e38f};
@@ -16,4 +16,4 @@ struct Box {
   bool empty() const { return lower.x > upper.x; }
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

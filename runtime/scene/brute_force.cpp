@@ -4,7 +4,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-namespace nightcity {
+namespace nightcity::scene {
 
 std::optional<double> brute_force_hit(const RenderScene& scene, const glm::dvec3& origin,
                                       const glm::dvec3& direction, double t_max,
@@ -53,4 +53,4 @@ std::optional<double> brute_force_hit(const RenderScene& scene, const glm::dvec3
   return nearest;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

@@ -7,7 +7,7 @@
 
 #include "runtime/scene/render_scene.h"
 
-namespace nightcity {
+namespace nightcity::scene {
 
 /// Returns the distance along unit `direction` to the nearest triangle of an instance that shares a
 /// bit with `mask`, up to `t_max`. Tests all triangles, in double.
@@ -15,4 +15,4 @@ std::optional<double> brute_force_hit(const RenderScene& scene, const glm::dvec3
                                       const glm::dvec3& direction, double t_max,
                                       std::uint32_t mask);
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

@@ -10,7 +10,7 @@
 #include "formats/error.h"
 #include "runtime/scene/bvh_node.h"
 
-namespace nightcity {
+namespace nightcity::scene {
 namespace {
 
 constexpr int bin_count = 16;
@@ -226,4 +226,4 @@ void rebase(Bvh& bvh, std::uint32_t node_base, std::uint32_t first_base) {
     for (std::uint32_t& child : node.child) shift(child);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

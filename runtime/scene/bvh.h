@@ -9,7 +9,7 @@
 #include "runtime/scene/box.h"
 #include "shaders/bvh_types.h"
 
-namespace nightcity {
+namespace nightcity::scene {
 
 struct Bvh {
   // Indices of children count within this vector, ranges of leaves within `order`.
@@ -36,4 +36,4 @@ std::uint32_t needed_stack(std::size_t boxes, std::uint32_t max_leaf);
 /// several BVHs can share one buffer.
 void rebase(Bvh& bvh, std::uint32_t node_base, std::uint32_t first_base);
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

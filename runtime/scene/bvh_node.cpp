@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nightcity {
+namespace nightcity::scene {
 namespace {
 
 float down(float x) {
@@ -42,4 +42,4 @@ gpu::BvhNode quantise_node(const Box& box, std::span<const BvhChild> children) {
   return node;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

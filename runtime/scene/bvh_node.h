@@ -7,7 +7,7 @@
 #include "runtime/scene/box.h"
 #include "shaders/bvh_types.h"
 
-namespace nightcity {
+namespace nightcity::scene {
 
 struct BvhChild {
   Box box;
@@ -21,4 +21,4 @@ struct BvhChild {
 /// open (BVH_EMPTY).
 gpu::BvhNode quantise_node(const Box& box, std::span<const BvhChild> children);
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

@@ -12,7 +12,7 @@
 #include "formats/input_file.h"
 #include "runtime/scene/brute_force.h"
 
-namespace nightcity {
+namespace nightcity::scene {
 namespace {
 
 constexpr float eye_height_m = 1.7f;
@@ -227,4 +227,4 @@ void write_camera(const std::filesystem::path& file, const CameraPose& pose) {
   out.commit();
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

@@ -9,7 +9,7 @@
 #include "runtime/scene/render_scene.h"
 #include "shaders/frame.h"
 
-namespace nightcity {
+namespace nightcity::scene {
 
 struct CameraPose {
   glm::vec3 position{0, 10, 0};  // model space, m
@@ -32,4 +32,4 @@ const std::vector<std::string>& camera_presets();
 
 void write_camera(const std::filesystem::path& file, const CameraPose& pose);
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

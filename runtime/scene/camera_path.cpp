@@ -10,7 +10,7 @@
 #include "formats/input_file.h"
 #include "runtime/scene/brute_force.h"
 
-namespace nightcity {
+namespace nightcity::scene {
 namespace {
 
 // Returns a point between b and c (Catmull, Rom: A class of local interpolating splines, 1974;
@@ -111,4 +111,4 @@ const std::vector<std::string>& path_presets() {
   return names;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

@@ -6,7 +6,7 @@
 
 #include "runtime/scene/camera.h"
 
-namespace nightcity {
+namespace nightcity::scene {
 
 class CameraPath {
  public:
@@ -31,4 +31,4 @@ CameraPath find_path(const std::string& preset_or_file, const RenderScene& scene
 /// Returns the names of the presets.
 const std::vector<std::string>& path_presets();
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

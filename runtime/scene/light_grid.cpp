@@ -11,7 +11,7 @@
 
 #include "runtime/scene/alias_table.h"
 
-namespace nightcity {
+namespace nightcity::scene {
 namespace {
 
 constexpr float max_entries = 16777216.0f;  // in the lists of all cells
@@ -260,4 +260,4 @@ LightGrid build_light_grid(std::span<const Light> lights, LightLists lists) {
   return grid;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

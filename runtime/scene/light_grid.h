@@ -9,7 +9,7 @@
 
 #include "shaders/interface.h"
 
-namespace nightcity {
+namespace nightcity::scene {
 
 struct LightGrid {
   gpu::LightGridShape shape{};
@@ -42,4 +42,4 @@ LightGrid build_light_grid(std::span<const Light> lights, LightLists lists);
 float light_strength(const gpu::LightGridShape& shape, std::uint32_t cell_x, std::uint32_t cell_z,
                      const Light& light);
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

@@ -3,7 +3,7 @@
 #include "formats/schedule.h"
 #include "runtime/scene/alias_table.h"
 
-namespace nightcity {
+namespace nightcity::scene {
 
 LitLights lit_lights(std::span<const Light> lights, std::span<const Schedule> schedules,
                      std::span<const std::uint32_t> switches, double time_s) {
@@ -33,4 +33,4 @@ void build_tables(LitLights& lit, std::span<const Light> lights) {
   lit.far_grid = build_light_grid(shining, far_lists);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

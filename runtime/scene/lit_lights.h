@@ -8,7 +8,7 @@
 #include "formats/night.h"
 #include "runtime/scene/light_grid.h"
 
-namespace nightcity {
+namespace nightcity::scene {
 
 struct LitLights {
   std::vector<std::uint32_t> bits;     // one bit per light, 32 per word
@@ -27,4 +27,4 @@ LitLights lit_lights(std::span<const Light> lights, std::span<const Schedule> sc
 /// Fills in the alias table and the grids. A light without flux never shines.
 void build_tables(LitLights& lit, std::span<const Light> lights);
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

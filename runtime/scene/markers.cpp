@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-namespace nightcity {
+namespace nightcity::scene {
 
 std::optional<glm::vec2> project(const gpu::Camera& camera, const glm::vec3& position) {
   constexpr float nearest_m = 0.05f;
@@ -34,4 +34,4 @@ std::vector<Marker> find_markers(const gpu::Camera& camera, std::span<const Ligh
   return markers;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

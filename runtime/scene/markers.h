@@ -10,7 +10,7 @@
 #include "formats/light.h"
 #include "shaders/interface.h"
 
-namespace nightcity {
+namespace nightcity::scene {
 
 /// Returns the position in the picture, from (0, 0) in the upper left corner to (1, 1) in the lower
 /// right; nothing for a place behind the camera.
@@ -27,4 +27,4 @@ struct Marker {
 std::vector<Marker> find_markers(const gpu::Camera& camera, std::span<const Light> lights,
                                  std::size_t most);
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

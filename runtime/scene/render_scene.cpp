@@ -10,7 +10,7 @@
 #include "formats/scene_reader.h"
 #include "runtime/scene/scene_geometry.h"
 
-namespace nightcity {
+namespace nightcity::scene {
 namespace {
 
 // Throws Error for anything unfit: trips, vehicles and their lights go to the device as they are.
@@ -137,4 +137,4 @@ RenderScene load_render_scene(const std::filesystem::path& glb) {
   return make_render_scene(scene, std::move(lights));
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

@@ -12,7 +12,7 @@
 #include "runtime/scene/bvh.h"
 #include "shaders/scene_types.h"
 
-namespace nightcity {
+namespace nightcity::scene {
 
 /// The traffic of a light file, and the bodies of its vehicles.
 struct Traffic {
@@ -83,4 +83,4 @@ RenderScene make_render_scene(const Scene& scene, SceneLights lights);
 /// Reads SCENE.glb and, if it exists, the light file beside it (SCENE.lights). Throws Error.
 RenderScene load_render_scene(const std::filesystem::path& glb);
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

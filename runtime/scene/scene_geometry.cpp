@@ -9,7 +9,7 @@
 
 #include "formats/error.h"
 
-namespace nightcity {
+namespace nightcity::scene {
 namespace {
 
 constexpr std::uint32_t triangle_leaf = 4;
@@ -215,4 +215,4 @@ void add_bodies(RenderScene& out, const Scene& scene) {
   }
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

@@ -3,7 +3,7 @@
 
 #include "runtime/scene/render_scene.h"
 
-namespace nightcity {
+namespace nightcity::scene {
 
 /// Appends the meshes of `scene`, their BLASes and instances, and builds the TLAS over these.
 /// Triangles without area and instances whose matrix is singular are left out and counted. Vehicles
@@ -14,4 +14,4 @@ void add_geometry(RenderScene& out, const Scene& scene);
 /// none.
 void add_bodies(RenderScene& out, const Scene& scene);
 
-}  // namespace nightcity
+}  // namespace nightcity::scene

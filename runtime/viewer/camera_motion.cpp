@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-namespace nightcity {
+namespace nightcity::viewer {
 namespace {
 
 constexpr glm::vec3 world_up{0, 1, 0};
@@ -16,7 +16,7 @@ struct Heading {
   float elevation;
 };
 
-Heading heading_of(const CameraPose& pose) {
+Heading heading_of(const scene::CameraPose& pose) {
   const glm::vec3 d = glm::normalize(pose.target - pose.position);
   const float elevation = std::asin(std::clamp(d.y, -1.0f, 1.0f));
   glm::vec3 flat{d.x, 0, d.z};
@@ -34,43 +34,43 @@ glm::vec3 direction_of(const Heading& heading) {
 
 }  // namespace
 
-CameraPose orbited(const CameraPose& pose, float yaw, float pitch) {
+scene::CameraPose orbited(const scene::CameraPose& pose, float yaw, float pitch) {
   const Heading heading = heading_of(pose);
   // The camera rises when the view direction sinks.
   const glm::vec3 d = direction_of({heading.azimuth + yaw, heading.elevation - pitch});
-  CameraPose result = pose;
+  scene::CameraPose result = pose;
   result.position = pose.target - d * glm::length(pose.target - pose.position);
   result.up = world_up;
   return result;
 }
 
-CameraPose turned(const CameraPose& pose, float yaw, float pitch) {
+scene::CameraPose turned(const scene::CameraPose& pose, float yaw, float pitch) {
   const Heading heading = heading_of(pose);
   const glm::vec3 d = direction_of({heading.azimuth + yaw, heading.elevation + pitch});
-  CameraPose result = pose;
+  scene::CameraPose result = pose;
   result.target = pose.position + d * glm::length(pose.target - pose.position);
   result.up = world_up;
   return result;
 }
 
-CameraPose moved(const CameraPose& pose, const glm::vec3& right_up_forward) {
+scene::CameraPose moved(const scene::CameraPose& pose, const glm::vec3& right_up_forward) {
   const glm::vec3 forward = glm::normalize(pose.target - pose.position);
   const glm::vec3 right = glm::normalize(glm::cross(forward, pose.up));
   const glm::vec3 up = glm::cross(right, forward);
   const glm::vec3 step =
       right_up_forward.x * right + right_up_forward.y * up + right_up_forward.z * forward;
-  CameraPose result = pose;
+  scene::CameraPose result = pose;
   result.position += step;
   result.target += step;
   return result;
 }
 
-CameraPose dollied(const CameraPose& pose, float factor) {
+scene::CameraPose dollied(const scene::CameraPose& pose, float factor) {
   const glm::vec3 offset = pose.position - pose.target;
   const float distance = glm::length(offset);
-  CameraPose result = pose;
+  scene::CameraPose result = pose;
   result.position = pose.target + offset * (std::clamp(distance * factor, 0.5f, 1e5f) / distance);
   return result;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::viewer

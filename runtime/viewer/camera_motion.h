@@ -5,7 +5,7 @@
 
 #include "runtime/scene/camera.h"
 
-namespace nightcity {
+namespace nightcity::viewer {
 
 /// All motions keep Y up and the view at most 89 degrees from the horizon, because straight up or
 /// down "left" has no meaning. The first turn brings a steeper pose (a map) to that limit and keeps
@@ -14,17 +14,17 @@ constexpr float max_elevation_deg = 89.0f;
 
 /// Returns the pose after the camera moved around its target at the same distance: by `yaw`
 /// counter-clockwise seen from above and by `pitch` upwards, in radians.
-CameraPose orbited(const CameraPose& pose, float yaw, float pitch);
+scene::CameraPose orbited(const scene::CameraPose& pose, float yaw, float pitch);
 
 /// Returns the pose after the camera turned in its place: by `yaw` to the left and by `pitch`
 /// upwards, in radians.
-CameraPose turned(const CameraPose& pose, float yaw, float pitch);
+scene::CameraPose turned(const scene::CameraPose& pose, float yaw, float pitch);
 
 /// Returns the pose with camera and target moved along the view's right, up and forward, in metres.
-CameraPose moved(const CameraPose& pose, const glm::vec3& right_up_forward);
+scene::CameraPose moved(const scene::CameraPose& pose, const glm::vec3& right_up_forward);
 
 /// Returns the pose with the distance from camera to target multiplied by `factor`, within 0.5 m to
 /// 100 km.
-CameraPose dollied(const CameraPose& pose, float factor);
+scene::CameraPose dollied(const scene::CameraPose& pose, float factor);
 
-}  // namespace nightcity
+}  // namespace nightcity::viewer

@@ -6,7 +6,7 @@
 
 #include "runtime/gpu/vulkan_check.h"
 
-namespace nightcity {
+namespace nightcity::viewer {
 namespace {
 
 void check_result(VkResult result) {
@@ -75,4 +75,4 @@ bool Overlay::wants_keys() const {
   return ImGui::GetIO().WantCaptureKeyboard;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::viewer

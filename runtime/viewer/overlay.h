@@ -8,7 +8,7 @@
 #include "runtime/viewer/swapchain.h"
 #include "runtime/viewer/window.h"
 
-namespace nightcity {
+namespace nightcity::viewer {
 
 class Overlay {
  public:
@@ -31,4 +31,4 @@ class Overlay {
   VkDescriptorPool descriptors_ = VK_NULL_HANDLE;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::viewer

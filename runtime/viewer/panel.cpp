@@ -10,18 +10,18 @@
 #include "runtime/measure/exposure.h"
 #include "runtime/render/setting_table.h"
 
-namespace nightcity {
+namespace nightcity::viewer {
 namespace {
 
 // Draws the slider of a setting, greyed where the setting makes no difference. Returns whether it
 // changed.
-bool draw_slider(const Setting& setting, RenderSettings& settings) {
-  const SettingSlider& slider = *setting.slider;
+bool draw_slider(const render::Setting& setting, render::RenderSettings& settings) {
+  const render::SettingSlider& slider = *setting.slider;
   const ImGuiSliderFlags flags =
       ImGuiSliderFlags_AlwaysClamp | (slider.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
   bool changed = false;
   ImGui::BeginDisabled(!setting.applies(settings));
-  const Setting::Value value = setting.value(settings);
+  const render::Setting::Value value = setting.value(settings);
   if (const auto count = std::get_if<std::uint32_t*>(&value)) {
     const auto low = std::uint32_t(setting.min), high = std::uint32_t(slider.max);
     changed = ImGui::SliderScalar(slider.label, ImGuiDataType_U32, *count, &low, &high,
@@ -34,18 +34,18 @@ bool draw_slider(const Setting& setting, RenderSettings& settings) {
   return changed;
 }
 
-bool draw_sliders(SettingGroup group, RenderSettings& settings) {
+bool draw_sliders(render::SettingGroup group, render::RenderSettings& settings) {
   bool changed = false;
-  for (const Setting& setting : list_settings())
+  for (const render::Setting& setting : render::list_settings())
     if (setting.group == group && setting.slider) changed |= draw_slider(setting, settings);
   return changed;
 }
 
-bool draw_estimators(RenderSettings& settings) {
+bool draw_estimators(render::RenderSettings& settings) {
   bool changed = false;
-  Estimator& current = settings.sampling.estimator;
-  if (ImGui::BeginCombo("estimator", name_of(current))) {
-    for (const EstimatorTraits& estimator : list_estimators()) {
+  render::Estimator& current = settings.sampling.estimator;
+  if (ImGui::BeginCombo("estimator", render::name_of(current))) {
+    for (const render::EstimatorTraits& estimator : render::list_estimators()) {
       const bool chosen = estimator.estimator == current;
       if (ImGui::Selectable(estimator.name, chosen) && !chosen) {
         current = estimator.estimator;
@@ -59,10 +59,10 @@ bool draw_estimators(RenderSettings& settings) {
 }
 
 bool draw_sampling(ViewerState& state) {
-  RenderSettings& settings = state.settings;
+  render::RenderSettings& settings = state.settings;
   bool changed = draw_estimators(settings);
-  changed |= draw_sliders(SettingGroup::sampling, settings);
-  changed |= draw_sliders(SettingGroup::reuse, settings);
+  changed |= draw_sliders(render::SettingGroup::sampling, settings);
+  changed |= draw_sliders(render::SettingGroup::reuse, settings);
   changed |= ImGui::Checkbox("accumulate", &state.accumulate);
   ImGui::SameLine();
   changed |= ImGui::Checkbox("denoise", &settings.display.denoise);
@@ -91,7 +91,7 @@ void draw_camera(ViewerState& state, PanelRequests& requests) {
   ImGui::RadioButton("fly", &mode, 1);
   state.fly = mode == 1;
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("W A S D, Q and E; Shift is faster");
-  for (const std::string& preset : camera_presets()) {
+  for (const std::string& preset : scene::camera_presets()) {
     ImGui::SameLine();
     if (ImGui::SmallButton(preset.c_str())) requests.camera_preset = preset;
   }
@@ -126,7 +126,7 @@ bool draw_night(ViewerState& state) {
   ImGui::SliderFloat("##speed", &state.clock_speed, 1, 3600, "%.0f times",
                      ImGuiSliderFlags_Logarithmic);
   ImGui::EndDisabled();
-  changed |= draw_sliders(SettingGroup::environment, state.settings);
+  changed |= draw_sliders(render::SettingGroup::environment, state.settings);
   return changed;
 }
 
@@ -175,8 +175,8 @@ std::string clock_text(double time_s) {
 }
 
 std::string caption(const ViewerState& state, const FrameStats& stats) {
-  const RenderSettings& settings = state.settings;
-  const EstimatorTraits& estimator = traits_of(settings.sampling.estimator);
+  const render::RenderSettings& settings = state.settings;
+  const render::EstimatorTraits& estimator = render::traits_of(settings.sampling.estimator);
   std::string text = estimator.name;
   if (estimator.samples) text += fmt::format(", {} candidates", settings.sampling.candidates);
   if (estimator.reuses) text += fmt::format(", {} neighbours", settings.reuse.neighbours);
@@ -185,4 +185,4 @@ std::string caption(const ViewerState& state, const FrameStats& stats) {
   return text + fmt::format(", mean of {} frame{}", stats.frames, stats.frames == 1 ? "" : "s");
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::viewer

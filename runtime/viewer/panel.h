@@ -11,12 +11,12 @@
 
 struct ImDrawList;
 
-namespace nightcity {
+namespace nightcity::viewer {
 
 /// What the window shows. The panel, the mouse and the keys change it.
 struct ViewerState {
-  RenderSettings settings;
-  CameraPose pose;
+  render::RenderSettings settings;
+  scene::CameraPose pose;
   bool fly = false;        // else the camera orbits
   float speed_m_s = 10;    // when flying
   bool accumulate = true;  // else each frame stands alone
@@ -58,4 +58,4 @@ std::string clock_text(double time_s);
 /// without the panel.
 std::string caption(const ViewerState& state, const FrameStats& stats);
 
-}  // namespace nightcity
+}  // namespace nightcity::viewer

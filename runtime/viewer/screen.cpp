@@ -2,7 +2,7 @@
 
 #include "runtime/gpu/vulkan_check.h"
 
-namespace nightcity {
+namespace nightcity::viewer {
 namespace {
 
 constexpr VkImageSubresourceLayers colour_layer{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
@@ -89,7 +89,7 @@ void Screen::hold(glm::uvec2 size) {
 }
 
 bool Screen::show(Swapchain& swapchain, const gpu::Buffer& picture, glm::uvec2 size,
-                  const std::function<void(VkCommandBuffer)>& overlay, Image8* grab) {
+                  const std::function<void(VkCommandBuffer)>& overlay, measure::Image8* grab) {
   hold(size);
   const glm::uvec2 window = swapchain.size();
   const VkImage target = swapchain.image();
@@ -152,4 +152,4 @@ bool Screen::show(Swapchain& swapchain, const gpu::Buffer& picture, glm::uvec2 s
   return good;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::viewer

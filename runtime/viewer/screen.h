@@ -12,7 +12,7 @@
 #include "runtime/measure/image.h"
 #include "runtime/viewer/swapchain.h"
 
-namespace nightcity {
+namespace nightcity::viewer {
 
 class Screen {
  public:
@@ -25,7 +25,7 @@ class Screen {
   /// image, stretched to the window, with `overlay` drawn on top. Stores what the window then shows
   /// in `grab`, unless that is null. Returns false when the swapchain needs resize().
   bool show(Swapchain& swapchain, const gpu::Buffer& picture, glm::uvec2 size,
-            const std::function<void(VkCommandBuffer)>& overlay, Image8* grab = nullptr);
+            const std::function<void(VkCommandBuffer)>& overlay, measure::Image8* grab = nullptr);
 
  private:
   void hold(glm::uvec2 size);
@@ -39,4 +39,4 @@ class Screen {
   glm::uvec2 size_{0};
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::viewer

@@ -5,7 +5,7 @@
 #include "formats/error.h"
 #include "runtime/gpu/vulkan_check.h"
 
-namespace nightcity {
+namespace nightcity::viewer {
 namespace {
 
 constexpr VkImageUsageFlags usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
@@ -200,4 +200,4 @@ bool Swapchain::present(VkCommandBuffer commands) {
   return true;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::viewer

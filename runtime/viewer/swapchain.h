@@ -9,7 +9,7 @@
 
 #include "runtime/gpu/device.h"
 
-namespace nightcity {
+namespace nightcity::viewer {
 
 /// Shows one frame at a time, because the renderer waits for its device anyway.
 class Swapchain {
@@ -60,4 +60,4 @@ class Swapchain {
   std::uint32_t current_ = 0;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::viewer

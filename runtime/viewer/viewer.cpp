@@ -27,7 +27,7 @@
 #include "runtime/viewer/swapchain.h"
 #include "runtime/viewer/window.h"
 
-namespace nightcity {
+namespace nightcity::viewer {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -49,7 +49,7 @@ gpu::Device::Options for_window(gpu::Device::Options options, const Window& wind
 
 class Viewer {
  public:
-  Viewer(RenderScene scene, const ViewOptions& options)
+  Viewer(scene::RenderScene scene, const ViewOptions& options)
       : options_(options),
         scene_(std::move(scene)),
         window_(options.width, options.height, "nightview"),
@@ -59,7 +59,7 @@ class Viewer {
         passes_(device_),
         screen_(device_) {
     state_.settings = options.settings;
-    state_.pose = find_camera(options.camera, scene_);
+    state_.pose = scene::find_camera(options.camera, scene_);
     state_.markers = options.markers;
     state_.divisor = options.divisor;
     state_.auto_exposure = !options.ev100;
@@ -80,9 +80,9 @@ class Viewer {
 
   ViewReport run() {
     while (!window_.closing() && (options_.quit_after == 0 || shown_ < options_.quit_after)) step();
-    if (!options_.save_camera.empty()) write_camera(options_.save_camera, state_.pose);
+    if (!options_.save_camera.empty()) scene::write_camera(options_.save_camera, state_.pose);
     device_.check_validation();
-    return {shown_, stats_.frames, name_of(state_.settings.sampling.estimator)};
+    return {shown_, stats_.frames, render::name_of(state_.settings.sampling.estimator)};
   }
 
  private:
@@ -113,7 +113,7 @@ class Viewer {
   void handle_keys(const InputState& input) {
     if (overlay_->wants_keys()) return;
     for (const int key : input.pressed) {
-      const auto& names = list_estimators();
+      const auto& names = render::list_estimators();
       const auto number = static_cast<std::size_t>(key - GLFW_KEY_1);
       if (key >= GLFW_KEY_1 && number < names.size()) {
         state_.settings.sampling.estimator = names[number].estimator;
@@ -129,8 +129,8 @@ class Viewer {
   }
 
   void move_camera(const InputState& input, double seconds) {
-    const CameraPose before = state_.pose;
-    CameraPose& pose = state_.pose;
+    const scene::CameraPose before = state_.pose;
+    scene::CameraPose& pose = state_.pose;
     if (!overlay_->wants_mouse()) {
       constexpr float radians_per_pixel = 0.005f;
       const glm::vec2 angle = input.drag * radians_per_pixel;
@@ -173,7 +173,8 @@ class Viewer {
     const glm::uvec2 size = glm::max(swapchain_.size() / divisor, glm::uvec2(1));
     if (!renderer_ || renderer_->width() != size.x || renderer_->height() != size.y) {
       renderer_.reset();  // frees its memory before the new one allocates
-      renderer_ = std::make_unique<Renderer>(device_, passes_, device_scene_, size.x, size.y);
+      renderer_ =
+          std::make_unique<render::Renderer>(device_, passes_, device_scene_, size.x, size.y);
     }
     state_.settings.averaging.accumulate = state_.accumulate;
     // While the clock runs, the picture is the mean of the last few frames and follows motion.
@@ -212,7 +213,7 @@ class Viewer {
     if (!state_.auto_exposure || !is_power_of_four(stats_.frames)) return;
     if (metered_ && seconds_between(*metered_, now) < 0.25) return;
     metered_ = now;
-    state_.settings.display.ev100 = auto_exposure_ev100(renderer_->download(false));
+    state_.settings.display.ev100 = measure::auto_exposure_ev100(renderer_->download(false));
     restart_ = true;  // shows the picture with the new exposure even when the mean is full
   }
 
@@ -226,7 +227,7 @@ class Viewer {
 
     restart_ |= requests.restart;
     if (!requests.camera_preset.empty()) {
-      state_.pose = find_camera(requests.camera_preset, scene_);
+      state_.pose = scene::find_camera(requests.camera_preset, scene_);
       restart_ = true;
     }
     if (requests.save) save_picture();
@@ -237,21 +238,23 @@ class Viewer {
     }
     ++shown_;
     const bool last = options_.quit_after != 0 && shown_ == options_.quit_after;
-    Image8 grabbed;
-    Image8* grab = last && !options_.screenshot.empty() ? &grabbed : nullptr;
+    measure::Image8 grabbed;
+    measure::Image8* grab = last && !options_.screenshot.empty() ? &grabbed : nullptr;
     outdated_ = !screen_.show(
         swapchain_, renderer_->display(), {renderer_->width(), renderer_->height()},
         [this](VkCommandBuffer commands) { overlay_->record(commands); }, grab);
-    if (grab) write_png(options_.screenshot, grabbed, png_text(renderer_->download(false).info));
+    if (grab)
+      measure::write_png(options_.screenshot, grabbed,
+                         measure::png_text(renderer_->download(false).info));
   }
 
   void draw_markers() {
     // More would cover the picture, and ImGui's indices end at 65,535 vertices per list.
     constexpr std::size_t max_markers = 20000;
     const glm::vec2 size(swapchain_.size());
-    const gpu::Camera camera = make_camera(state_.pose, size.x / size.y);
+    const gpu::Camera camera = scene::make_camera(state_.pose, size.x / size.y);
     ImDrawList* list = ImGui::GetBackgroundDrawList();
-    for (const Marker& marker : find_markers(camera, scene_.lights, max_markers)) {
+    for (const scene::Marker& marker : scene::find_markers(camera, scene_.lights, max_markers)) {
       const glm::vec3 colour = decode_rgb9e5(scene_.lights[marker.light].colour_rgb9e5);
       const float brightest = std::max({colour.r, colour.g, colour.b, 1e-6f});
       const ImU32 packed = ImGui::ColorConvertFloat4ToU32(
@@ -280,12 +283,13 @@ class Viewer {
       if (!std::filesystem::exists(name + ".png") && !std::filesystem::exists(name + ".exr"))
         stem = name;
     }
-    const Image image = renderer_->download();
+    const measure::Image image = renderer_->download();
     try {
-      write_exr(stem + ".exr", image);
-      write_png(stem + ".png",
-                to_display(image, state_.settings.display.ev100, state_.settings.display.tone),
-                png_text(image.info));
+      measure::write_exr(stem + ".exr", image);
+      measure::write_png(
+          stem + ".png",
+          measure::to_display(image, state_.settings.display.ev100, state_.settings.display.tone),
+          measure::png_text(image.info));
       spdlog::info("{0}.png and {0}.exr: {1}", stem, caption(state_, stats_));
     } catch (const Error& error) {
       spdlog::error("{}", error.what());  // a full disk is no reason to close the window
@@ -293,15 +297,15 @@ class Viewer {
   }
 
   ViewOptions options_;
-  RenderScene scene_;
+  scene::RenderScene scene_;
   Window window_;
   gpu::Device device_;
   Swapchain swapchain_;
-  DeviceScene device_scene_;
-  PassLibrary passes_;
+  render::DeviceScene device_scene_;
+  render::PassLibrary passes_;
   Screen screen_;
   std::unique_ptr<Overlay> overlay_;
-  std::unique_ptr<Renderer> renderer_;
+  std::unique_ptr<render::Renderer> renderer_;
   ViewerState state_;
   FrameStats stats_;
   int auto_divisor_ = 8;   // used when state_.divisor is 0
@@ -314,8 +318,8 @@ class Viewer {
 
 }  // namespace
 
-ViewReport run_viewer(RenderScene scene, const ViewOptions& options) {
+ViewReport run_viewer(scene::RenderScene scene, const ViewOptions& options) {
   return Viewer(std::move(scene), options).run();
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::viewer

@@ -10,14 +10,14 @@
 #include "runtime/render/settings.h"
 #include "runtime/scene/render_scene.h"
 
-namespace nightcity {
+namespace nightcity::viewer {
 
 struct ViewOptions {
   std::string scene;                         // file name, shown in the panel
   std::string camera;                        // preset or file: see find_camera
   gpu::Device::Options device;               // the window adds the extensions it needs
   std::uint32_t width = 1280, height = 720;  // of the window, pixels
-  RenderSettings settings;
+  render::RenderSettings settings;
   std::optional<float> ev100;  // not set: metered from the picture again and again
   // The picture has 1 / divisor of the window's pixels along each side; 0 = chosen so that the
   // window responds to input at once.
@@ -39,6 +39,6 @@ struct ViewReport {
 
 /// Runs the window and returns when it is closed. Throws Error when there is no display, the device
 /// cannot present, or the validation layer found a fault.
-ViewReport run_viewer(RenderScene scene, const ViewOptions& options);
+ViewReport run_viewer(scene::RenderScene scene, const ViewOptions& options);
 
-}  // namespace nightcity
+}  // namespace nightcity::viewer

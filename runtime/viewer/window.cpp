@@ -8,7 +8,7 @@
 #include "formats/error.h"
 #include "runtime/gpu/vulkan_check.h"
 
-namespace nightcity {
+namespace nightcity::viewer {
 namespace {
 
 std::string last_glfw_error() {
@@ -106,4 +106,4 @@ void Window::set_title(const std::string& title) {
   glfwSetWindowTitle(window_, title.c_str());
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::viewer

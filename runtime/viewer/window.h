@@ -12,7 +12,7 @@
 
 struct GLFWwindow;
 
-namespace nightcity {
+namespace nightcity::viewer {
 
 /// Mouse and keyboard input since the last poll. The caller must ignore it while the panel uses
 /// mouse or keyboard.
@@ -54,4 +54,4 @@ class Window {
   InputState events_;  // filled by callbacks until poll() returns it
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::viewer

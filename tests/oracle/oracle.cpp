@@ -131,9 +131,9 @@ Oracle::Oracle(const Scene& scene, Lights lights)
 
 Oracle::~Oracle() = default;
 
-Image Oracle::render(const CameraPose& pose, std::uint32_t width, std::uint32_t height, int strata,
-                     unsigned seed) const {
-  Image image;
+measure::Image Oracle::render(const scene::CameraPose& pose, std::uint32_t width,
+                              std::uint32_t height, int strata, unsigned seed) const {
+  measure::Image image;
   image.width = width;
   image.height = height;
   image.rgb.reserve(3 * image.pixels());

@@ -32,8 +32,8 @@ class Oracle {
   /// Returns the picture through the pixels' centres, cd/m2: the light of every lamp and window
   /// that diffuse surfaces reflect, and what surfaces emit. Each light is sampled at `strata` x
   /// `strata` jittered points; another seed gives an independent picture.
-  Image render(const CameraPose& pose, std::uint32_t width, std::uint32_t height, int strata,
-               unsigned seed) const;
+  measure::Image render(const scene::CameraPose& pose, std::uint32_t width, std::uint32_t height,
+                        int strata, unsigned seed) const;
 
  private:
   struct Geometry;

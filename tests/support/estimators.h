@@ -9,11 +9,11 @@ namespace nightcity::test {
 
 /// Returns the default settings with an estimator and without jitter, so that the layer "position"
 /// is the very point that was shaded.
-inline RenderSettings with_estimator(
-    Estimator estimator, std::uint32_t candidates = SamplingSettings{}.candidates,
-    float neighbour_radius_px = ReuseSettings{}.neighbour_radius_px,
-    float max_history = ReuseSettings{}.max_history) {
-  RenderSettings settings;
+inline render::RenderSettings with_estimator(
+    render::Estimator estimator, std::uint32_t candidates = render::SamplingSettings{}.candidates,
+    float neighbour_radius_px = render::ReuseSettings{}.neighbour_radius_px,
+    float max_history = render::ReuseSettings{}.max_history) {
+  render::RenderSettings settings;
   settings.sampling.estimator = estimator;
   settings.sampling.jitter = false;
   settings.sampling.candidates = candidates;

@@ -26,32 +26,32 @@ inline gpu::Device& test_device() {
 }
 
 /// Returns the compiled passes, which all tests of a program share: compiling takes a while.
-inline PassLibrary& test_passes() {
-  static PassLibrary passes(test_device());
+inline render::PassLibrary& test_passes() {
+  static render::PassLibrary passes(test_device());
   return passes;
 }
 
 /// Returns the mean of `frames` frames. Fails the test when the validation layer reports anything.
-inline Image render(const RenderScene& scene, const CameraPose& pose,
-                    const RenderSettings& settings, std::uint32_t width, std::uint32_t height,
-                    std::uint32_t frames) {
+inline measure::Image render(const scene::RenderScene& scene, const scene::CameraPose& pose,
+                             const render::RenderSettings& settings, std::uint32_t width,
+                             std::uint32_t height, std::uint32_t frames) {
   gpu::Device& device = test_device();
   const std::size_t before = device.validation_messages().size();
-  DeviceScene device_scene(device, scene);
-  Renderer renderer(device, test_passes(), device_scene, width, height);
+  render::DeviceScene device_scene(device, scene);
+  render::Renderer renderer(device, test_passes(), device_scene, width, height);
   for (std::uint32_t i = 0; i < frames; ++i) renderer.render_frame(pose, settings);
-  Image image = renderer.download();
+  measure::Image image = renderer.download();
   for (std::size_t i = before; i < device.validation_messages().size(); ++i)
     ADD_FAILURE() << "validation layer: " << device.validation_messages()[i];
   return image;
 }
 
-inline double luminance(const Image& image, std::size_t pixel) {
+inline double luminance(const measure::Image& image, std::size_t pixel) {
   return 0.2126 * double(image.rgb[3 * pixel]) + 0.7152 * double(image.rgb[3 * pixel + 1]) +
          0.0722 * double(image.rgb[3 * pixel + 2]);
 }
 
-inline double mean_luminance(const Image& image) {
+inline double mean_luminance(const measure::Image& image) {
   double sum = 0;
   for (std::size_t i = 0; i < image.pixels(); ++i) sum += luminance(image, i);
   return sum / double(image.pixels());

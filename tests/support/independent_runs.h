@@ -9,10 +9,12 @@ namespace nightcity::test {
 /// Returns the statistics of `runs` pictures of `frames` frames each, with seeds `first_seed`,
 /// first_seed + 1, ... A new seed restarts mean and history, so the pictures are independent,
 /// although the frames of one picture share samples.
-inline PictureStatistics independent_runs(Renderer& renderer, const CameraPose& pose,
-                                          RenderSettings settings, std::uint32_t runs,
-                                          std::uint32_t frames, std::uint32_t first_seed = 1) {
-  PictureStatistics statistics;
+inline measure::PictureStatistics independent_runs(render::Renderer& renderer,
+                                                   const scene::CameraPose& pose,
+                                                   render::RenderSettings settings,
+                                                   std::uint32_t runs, std::uint32_t frames,
+                                                   std::uint32_t first_seed = 1) {
+  measure::PictureStatistics statistics;
   for (std::uint32_t run = 0; run < runs; ++run) {
     settings.sampling.seed = first_seed + run;
     for (std::uint32_t frame = 0; frame < frames; ++frame) renderer.render_frame(pose, settings);

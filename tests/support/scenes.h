@@ -72,8 +72,8 @@ class SceneBuilder {
 
   Scene& scene() { return scene_; }
   const Scene& scene() const { return scene_; }
-  RenderScene with(std::vector<Light> lights) const {
-    return make_render_scene(scene_, {std::move(lights), {}, {}, {}});
+  scene::RenderScene with(std::vector<Light> lights) const {
+    return scene::make_render_scene(scene_, {std::move(lights), {}, {}, {}});
   }
 
  private:
@@ -82,9 +82,10 @@ class SceneBuilder {
 
 /// Returns those of `lights` that have open sky above, so none inside or under a box.
 inline std::vector<Light> under_open_sky(const SceneBuilder& builder, std::vector<Light> lights) {
-  const RenderScene scene = builder.with({});
+  const scene::RenderScene scene = builder.with({});
   std::erase_if(lights, [&](const Light& light) {
-    return brute_force_hit(scene, glm::dvec3(light.position), {0.0, 1.0, 0.0}, 1e30, MASK_SHADOW)
+    return scene::brute_force_hit(scene, glm::dvec3(light.position), {0.0, 1.0, 0.0}, 1e30,
+                                  MASK_SHADOW)
         .has_value();
   });
   return lights;

@@ -15,7 +15,7 @@
 #include "tools/bake/stages/light_stage.h"
 #include "tools/bake/stages/traffic_stage.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 std::uint64_t find_size(const std::filesystem::path& path) {
@@ -76,7 +76,7 @@ class Bake {
   void build_ground() {
     begin_step("building the terrain");
     report_.ground =
-        city_.build_ground([this](const TriangleMesh& mesh) { tiles_.add_ground(mesh); });
+        city_.build_ground([this](const mesh::TriangleMesh& mesh) { tiles_.add_ground(mesh); });
     tiles_.drape(city_.height_at());
     if (tiles_.empty())
       throw Error(options_.city.files.front().string(), "no surface in any file of the city");
@@ -144,4 +144,4 @@ BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder,
   return bake(to_bake_options(recipe), folder, progress);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

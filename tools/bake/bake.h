@@ -7,7 +7,7 @@
 #include "tools/bake/progress.h"
 #include "tools/bake/report/bake_report.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 /// Leaves city.glb, city.lights and bake_report.json in `folder`, which is made where it is absent;
 /// or throws Error and leaves nothing. The same options and inputs give the same bytes of city.glb
@@ -19,4 +19,4 @@ BakeReport bake(const BakeOptions& options, const std::filesystem::path& folder,
 BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder,
                 const ProgressSink& progress = {});
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -1,6 +1,6 @@
 #include "tools/bake/bake_options.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 CityInputs to_city_inputs(const Recipe& recipe) {
@@ -36,4 +36,4 @@ BakeOptions to_bake_options(const Recipe& recipe) {
   return options;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -9,7 +9,7 @@
 #include "tools/bake/stages/window_stage.h"
 #include "tools/traffic/traffic.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 struct BakeOptions {
   CityInputs city;
@@ -27,4 +27,4 @@ struct BakeOptions {
 /// Sorts a recipe's settings by the stage that uses them. No stage depends on the recipe itself.
 BakeOptions to_bake_options(const Recipe& recipe);
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -20,7 +20,7 @@
 #include "formats/atomic_file.h"
 #include "formats/error.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 namespace fs = std::filesystem;
@@ -237,4 +237,4 @@ void OutputFolder::commit() {
   fs::remove_all(staging_, ignored);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -6,7 +6,7 @@
 
 #include "formats/signals.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 /// Files are written into a hidden folder ".nightbake-XXXXXX" inside `folder` and moved out by
 /// commit(). Destroyed before that, or ended by a signal that can be caught, it takes away what it
@@ -48,4 +48,4 @@ class OutputFolder {
   int lock_ = -1;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

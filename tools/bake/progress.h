@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-namespace nightcity {
+namespace nightcity::bake {
 
 struct Progress {
   std::string stage;      // in words: "reading 2 of 9: 3910_5820.gml"
@@ -14,4 +14,4 @@ struct Progress {
 };
 using ProgressSink = std::function<void(const Progress&)>;
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

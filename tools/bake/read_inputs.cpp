@@ -6,7 +6,7 @@
 #include "tools/inputs/city_files.h"
 #include "tools/inputs/file_format.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 Recipe read_inputs(const std::vector<std::filesystem::path>& inputs) {
   if (inputs.size() == 1 && inputs.front().extension() == ".toml")
@@ -35,4 +35,4 @@ Recipe read_inputs(const std::vector<std::filesystem::path>& inputs) {
   return recipe;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

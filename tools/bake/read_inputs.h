@@ -6,7 +6,7 @@
 
 #include "tools/bake/recipe/recipe.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 /// Returns the recipe, where one is given alone; else a recipe of defaults with the CityGML and OSM
 /// files among `inputs`, whose content decides what they are. A folder stands for the CityGML in
@@ -14,4 +14,4 @@ namespace nightcity {
 /// files.
 Recipe read_inputs(const std::vector<std::filesystem::path>& inputs);
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -75,12 +75,3 @@ const char* name_of(ObjectType type);
 const char* name_of(SurfaceType type);
 
 }  // namespace nightcity::city
-
-namespace nightcity {
-// The names under which folders that still share the namespace `nightcity` use the model.
-using city::CityObject;
-using city::ObjectType;
-using city::Polygon;
-using city::Ring;
-using city::SurfaceType;
-}  // namespace nightcity

@@ -78,14 +78,3 @@ struct FileReader {
 };
 
 }  // namespace nightcity::city
-
-namespace nightcity {
-// As in city_model.h.
-using city::CityHead;
-using city::deliver_to;
-using city::ObjectSink;
-using city::ObjectStage;
-using city::Reader;
-using city::ReadOptions;
-using city::ReadReport;
-}  // namespace nightcity

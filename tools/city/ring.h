@@ -13,8 +13,3 @@ namespace nightcity::city {
 glm::dvec3 area_vector(const Ring& ring);
 
 }  // namespace nightcity::city
-
-namespace nightcity {
-// As in city_model.h.
-using city::area_vector;
-}  // namespace nightcity

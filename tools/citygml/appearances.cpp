@@ -8,7 +8,7 @@
 #include "tools/citygml/rings.h"
 #include "tools/citygml/tag_scanner.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 constexpr std::size_t max_targets = 2'000'000;  // 100 MB
@@ -64,4 +64,4 @@ const glm::vec3* Materials::find(std::string_view id) const {
   return at == colours_.end() ? nullptr : &at->second;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -8,7 +8,7 @@
 
 #include "tools/citygml/skip_counter.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 class Materials {
  public:
@@ -27,4 +27,4 @@ class Materials {
   std::unordered_map<std::size_t, glm::vec3> colours_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 // Producers write 9999, 99999, 999 and their negatives where they mean "not known".
@@ -18,21 +18,21 @@ void append(std::string& field, std::string_view value) {
   field += value;
 }
 
-void set_height(CityObject& object, std::string_view value) {
+void set_height(city::CityObject& object, std::string_view value) {
   constexpr double max_height_m = 5000;
   const auto height = parse_number(value);
   if (height && !is_sentinel(*height) && *height > 0 && *height < max_height_m)
     object.measured_height_m = height;
 }
 
-void set_storeys(CityObject& object, std::string_view value) {
+void set_storeys(city::CityObject& object, std::string_view value) {
   constexpr double max_storeys = 500;
   const auto storeys = parse_number(value);
   if (storeys && !is_sentinel(*storeys) && *storeys >= 0 && *storeys < max_storeys)
     object.storeys_above_ground = static_cast<int>(std::lround(*storeys));
 }
 
-void set_storey_heights(CityObject& object, std::string_view value) {
+void set_storey_heights(city::CityObject& object, std::string_view value) {
   constexpr double max_storey_m = 100;
   while (!(value = trim(value)).empty()) {
     const auto end = std::min(value.find_first_of(" \t\r\n"), value.size());
@@ -60,7 +60,7 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
-bool set_attribute(CityObject& object, std::string_view name, std::string_view value) {
+bool set_attribute(city::CityObject& object, std::string_view name, std::string_view value) {
   value = trim(value);
   if (name == "function")
     append(object.function, value);
@@ -81,4 +81,4 @@ bool set_attribute(CityObject& object, std::string_view name, std::string_view v
   return true;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

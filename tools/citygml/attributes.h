@@ -8,7 +8,7 @@
 
 #include "tools/city/city_model.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 /// Returns `text` without white space at both ends.
 std::string_view trim(std::string_view text);
@@ -20,6 +20,6 @@ std::optional<double> parse_number(std::string_view text);
 /// Sets the field that a standard attribute stands for. `name`: local name in lower case
 /// ("measuredheight"). Returns false when the name stands for no field. Sentinels (9999, -9999 and
 /// the like) leave the field absent. Repeated functions and usages are all kept, with ';' between.
-bool set_attribute(CityObject& object, std::string_view name, std::string_view value);
+bool set_attribute(city::CityObject& object, std::string_view name, std::string_view value);
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

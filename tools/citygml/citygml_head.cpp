@@ -11,16 +11,16 @@
 #include "tools/citygml/rings.h"
 #include "tools/citygml/xlinks.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 constexpr std::size_t enough_points = 4096;
 
 struct Sampler : pugi::xml_tree_walker {
-  CityHead& head;
+  city::CityHead& head;
   std::vector<glm::dvec3> points;  // of geometry without rings, in case there are no others
   bool own_name = false;           // head.srs_name is a geometry's own
-  explicit Sampler(CityHead& h) : head(h) {}
+  explicit Sampler(city::CityHead& h) : head(h) {}
 
   bool is_full() const {
     constexpr std::size_t without_rings = 16;  // a file of points is not read to its end
@@ -33,13 +33,13 @@ struct Sampler : pugi::xml_tree_walker {
     take_srs_name(node, name);
     take_link(node);
     if (name == "LinearRing" || is_curve_ring(name)) {
-      Ring ring;
+      city::Ring ring;
       if (read_ring(node, 0, ring) != RingFault::none || ring.empty()) return true;
       head.sample.insert(head.sample.end(), ring.begin(), ring.end());
       head.sample.push_back(ring.front());  // closes it
     } else if ((name == "posList" || name == "pos") && head.sample.empty() &&
                local_name(node.parent().name()) != "Envelope") {
-      Ring vertices;
+      city::Ring vertices;
       if (read_vertices(node.parent(), find_dimension(node.parent().parent(), 0), vertices) ==
           RingFault::none)
         points.insert(points.end(), vertices.begin(), vertices.end());
@@ -136,8 +136,8 @@ std::vector<city::Document> list_citygml_documents(const std::filesystem::path& 
   return documents;
 }
 
-CityHead read_citygml_head(const std::filesystem::path& file) {
-  CityHead out;
+city::CityHead read_citygml_head(const std::filesystem::path& file) {
+  city::CityHead out;
   Sampler sampler(out);
   for (const city::Document& document : list_citygml_documents(file, nullptr)) {
     if (sampler.is_full()) break;
@@ -161,4 +161,4 @@ CityHead read_citygml_head(const std::filesystem::path& file) {
   return out;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -9,7 +9,7 @@
 #include "tools/city/city_reader.h"
 #include "tools/citygml/member_splitter.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 /// Returns whether the root element is one that holds city objects. `start`: the document's first
 /// bytes, as many as hold its root's start tag.
@@ -30,6 +30,6 @@ std::vector<city::Document> list_citygml_documents(const std::filesystem::path& 
 /// The name of the CRS is the first that a geometry gives itself, since that wins over the
 /// envelope's (GML 3.1.1, 9.10); without one, the first in the file. Reads until it has a sample or the file ends. In the sample rings are closed again, so that one
 /// can see where they end. Throws Error as read_citygml does.
-CityHead read_citygml_head(const std::filesystem::path& file);
+city::CityHead read_citygml_head(const std::filesystem::path& file);
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

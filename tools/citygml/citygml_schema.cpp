@@ -3,12 +3,12 @@
 #include <string>
 #include <unordered_map>
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 using K = ClassKind;
-using O = ObjectType;
-using S = SurfaceType;
+using O = city::ObjectType;
+using S = city::SurfaceType;
 using P = PropertyKind;
 
 const std::unordered_map<std::string_view, FeatureClass>& classes() {
@@ -210,4 +210,4 @@ PropertyKind find_property_kind(std::string_view local) {
   return at == properties().end() ? P::skip : at->second;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -6,7 +6,7 @@
 
 #include "tools/city/city_model.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 /// The role that a feature class plays in its parent.
 enum class ClassKind : std::uint8_t {
@@ -23,8 +23,8 @@ enum class ClassKind : std::uint8_t {
 
 struct FeatureClass {
   ClassKind kind = ClassKind::unknown;
-  ObjectType object = ObjectType::other;
-  SurfaceType surface = SurfaceType::unknown;
+  city::ObjectType object = city::ObjectType::other;
+  city::SurfaceType surface = city::SurfaceType::unknown;
 };
 
 /// Returns the class of an element by its name without prefix. An application domain extension
@@ -56,4 +56,4 @@ PropertyKind find_property_kind(std::string_view local);
 /// Returns the N of "lodN...", -1 where there is none.
 int read_lod(std::string_view local);
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

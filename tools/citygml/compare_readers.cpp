@@ -9,12 +9,12 @@
 #include "tools/city/ring.h"
 #include "tools/citygml/read_citygml.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
-double find_area(const Polygon& polygon) {
-  double area = glm::length(area_vector(polygon.exterior));
-  for (const Ring& hole : polygon.interiors) area -= glm::length(area_vector(hole));
+double find_area(const city::Polygon& polygon) {
+  double area = glm::length(city::area_vector(polygon.exterior));
+  for (const city::Ring& hole : polygon.interiors) area -= glm::length(city::area_vector(hole));
   return area;
 }
 
@@ -26,24 +26,24 @@ bool all_alike(const Tallies& tallies) {
   });
 }
 
-ReadReport tally(const std::filesystem::path& file, Reader reader, int max_lod,
-                 ReaderComparison& out, std::set<std::string>& ids) {
-  ReadOptions options;
+city::ReadReport tally(const std::filesystem::path& file, city::Reader reader, int max_lod,
+                       ReaderComparison& out, std::set<std::string>& ids) {
+  city::ReadOptions options;
   options.reader = reader;
   options.max_lod = max_lod;
   const auto side = [&](std::pair<ReaderTally, ReaderTally>& both) -> ReaderTally& {
-    return reader == Reader::stream ? both.first : both.second;
+    return reader == city::Reader::stream ? both.first : both.second;
   };
   std::string last_id;
-  return read_citygml(file, options, [&](CityObject&& object) {
-    ReaderTally& of_object = side(out.objects[name_of(object.type)]);
+  return read_citygml(file, options, [&](city::CityObject&& object) {
+    ReaderTally& of_object = side(out.objects[city::name_of(object.type)]);
     // A large object comes in pieces under one id.
     if (object.id.empty() || object.id != last_id) ++of_object.objects;
     last_id = object.id;
     ids.insert(object.id);
-    for (const Polygon& polygon : object.polygons) {
+    for (const city::Polygon& polygon : object.polygons) {
       const double area = find_area(polygon);
-      ReaderTally& of_surface = side(out.surfaces[name_of(polygon.surface)]);
+      ReaderTally& of_surface = side(out.surfaces[city::name_of(polygon.surface)]);
       for (ReaderTally* t : {&of_object, &of_surface}) {
         ++t->polygons;
         t->area += area;
@@ -68,8 +68,8 @@ bool ReaderComparison::agree() const {
 ReaderComparison compare_readers(const std::filesystem::path& file, int max_lod) {
   ReaderComparison out;
   std::set<std::string> stream_ids, libcitygml_ids;
-  out.stream = tally(file, Reader::stream, max_lod, out, stream_ids);
-  out.libcitygml = tally(file, Reader::libcitygml, max_lod, out, libcitygml_ids);
+  out.stream = tally(file, city::Reader::stream, max_lod, out, stream_ids);
+  out.libcitygml = tally(file, city::Reader::libcitygml, max_lod, out, libcitygml_ids);
   std::set_difference(stream_ids.begin(), stream_ids.end(), libcitygml_ids.begin(),
                       libcitygml_ids.end(), std::back_inserter(out.only_in_stream));
   std::set_difference(libcitygml_ids.begin(), libcitygml_ids.end(), stream_ids.begin(),
@@ -77,4 +77,4 @@ ReaderComparison compare_readers(const std::filesystem::path& file, int max_lod)
   return out;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

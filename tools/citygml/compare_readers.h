@@ -9,7 +9,7 @@
 
 #include "tools/city/city_reader.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 /// Counts of one kind of object or surface, by one reader.
 struct ReaderTally {
@@ -27,7 +27,7 @@ struct ReaderComparison {
   /// second libcitygml's.
   std::map<std::string, std::pair<ReaderTally, ReaderTally>> objects, surfaces;
   std::vector<std::string> only_in_stream, only_in_libcitygml;  // ids of objects, sorted
-  ReadReport stream, libcitygml;
+  city::ReadReport stream, libcitygml;
 
   /// Whether ids, objects and polygons of every kind are the same, and areas but for rounding.
   bool agree() const;
@@ -36,4 +36,4 @@ struct ReaderComparison {
 /// Reads `file` with both readers. Throws Error as read_citygml does.
 ReaderComparison compare_readers(const std::filesystem::path& file, int max_lod);
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -12,7 +12,7 @@
 #include "tools/citygml/tag_scanner.h"
 #include "tools/citygml/xlinks.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 constexpr int max_curve_nesting = 20;
@@ -40,7 +40,7 @@ std::optional<glm::dvec3> find_centre(const glm::dvec3& a, const glm::dvec3& b,
 // Appends the arc from `a` through `b` to `c`, without `a`: chords on the circle through the three.
 // `whole`: the arc goes on to `a`. Points on one line give two straight pieces.
 void append_arc(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, bool whole,
-                Ring& out) {
+                city::Ring& out) {
   const auto from_a = find_centre(a, b, c);
   if (!from_a) {
     out.insert(out.end(), {b, c});
@@ -61,7 +61,7 @@ void append_arc(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, b
 }
 
 // Turns the control points of an arc string (a, b, c, d, e: arcs abc and cde) into vertices.
-RingFault stroke_arcs(const Ring& control, Ring& out) {
+RingFault stroke_arcs(const city::Ring& control, city::Ring& out) {
   if (control.size() < 3 || control.size() % 2 == 0) return RingFault::wrong_count;
   out.push_back(control.front());
   for (std::size_t i = 0; i + 2 < control.size(); i += 2)
@@ -69,7 +69,7 @@ RingFault stroke_arcs(const Ring& control, Ring& out) {
   return RingFault::none;
 }
 
-RingFault stroke_circle(const Ring& control, Ring& out) {
+RingFault stroke_circle(const city::Ring& control, city::Ring& out) {
   if (control.size() != 3) return RingFault::wrong_count;
   if (!find_centre(control[0], control[1], control[2])) return RingFault::too_short;
   out.push_back(control[0]);
@@ -77,10 +77,11 @@ RingFault stroke_circle(const Ring& control, Ring& out) {
   return RingFault::none;
 }
 
-RingFault read_curve(const pugi::xml_node& element, int dimension, int depth, Ring& out);
+RingFault read_curve(const pugi::xml_node& element, int dimension, int depth, city::Ring& out);
 
 // Reads the curves below one after the other; what one ends with, the next begins with.
-RingFault read_curves_below(const pugi::xml_node& element, int dimension, int depth, Ring& out) {
+RingFault read_curves_below(const pugi::xml_node& element, int dimension, int depth,
+                            city::Ring& out) {
   if (!element.first_child() && !find_attribute(element, "href").empty())
     return RingFault::unknown_curve;
   for (const pugi::xml_node& child : element.children()) {
@@ -92,21 +93,21 @@ RingFault read_curves_below(const pugi::xml_node& element, int dimension, int de
   return RingFault::none;
 }
 
-RingFault read_curve(const pugi::xml_node& element, int inherited, int depth, Ring& out) {
+RingFault read_curve(const pugi::xml_node& element, int inherited, int depth, city::Ring& out) {
   if (depth > max_curve_nesting) return RingFault::unknown_curve;
   const std::string_view name = local_name(element.name());
   const int dimension = find_dimension(element, inherited);
   if (name == "LineString" || name == "LineStringSegment")
     return read_vertices(element, dimension, out);
   if (name == "Arc" || name == "ArcString" || name == "Circle") {
-    Ring control;
+    city::Ring control;
     if (const RingFault fault = read_vertices(element, dimension, control);
         fault != RingFault::none)
       return fault;
     return name == "Circle" ? stroke_circle(control, out) : stroke_arcs(control, out);
   }
   if (name == "OrientableCurve") {
-    Ring piece;
+    city::Ring piece;
     const RingFault fault = read_curves_below(element, dimension, depth, piece);
     if (find_attribute(element, "orientation") == "-") std::reverse(piece.begin(), piece.end());
     out.insert(out.end(), piece.begin(), piece.end());
@@ -122,8 +123,8 @@ bool is_curve_ring(std::string_view local) {
   return local == "Ring";
 }
 
-RingFault read_curves(const pugi::xml_node& ring_element, int dimension, Ring& ring) {
-  Ring points;
+RingFault read_curves(const pugi::xml_node& ring_element, int dimension, city::Ring& ring) {
+  city::Ring points;
   const RingFault fault = read_curve(ring_element, dimension, 0, points);
   if (fault != RingFault::none) return fault;
   if (points.empty()) return RingFault::no_coordinates;
@@ -132,4 +133,4 @@ RingFault read_curves(const pugi::xml_node& ring_element, int dimension, Ring& r
   return RingFault::none;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

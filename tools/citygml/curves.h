@@ -7,7 +7,7 @@
 
 #include "tools/citygml/rings.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 /// Returns whether a ring's element holds curves instead of vertices.
 bool is_curve_ring(std::string_view local);
@@ -17,6 +17,6 @@ bool is_curve_ring(std::string_view local);
 /// OrientableCurve. Arcs become chords of 3 degrees, which lose 0.05 percent of a disc's area.
 /// Returns the fault, with which `ring` is unspecified: `unknown_curve` for splines, arcs by centre
 /// and curves that an xlink names. `dimension` as for read_ring.
-RingFault read_curves(const pugi::xml_node& ring_element, int dimension, Ring& ring);
+RingFault read_curves(const pugi::xml_node& ring_element, int dimension, city::Ring& ring);
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

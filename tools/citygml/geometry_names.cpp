@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 bool is_polygon(std::string_view local) {
   return local == "Polygon" || local == "PolygonPatch" || local == "Triangle" ||
@@ -44,4 +44,4 @@ bool is_geometry(std::string_view local) {
          local == "ImplicitGeometry";
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 /// All take the name without prefix.
 bool is_polygon(std::string_view local);
@@ -12,4 +12,4 @@ bool is_container(std::string_view local);
 /// Polygons, containers, OrientableSurface and ImplicitGeometry.
 bool is_geometry(std::string_view local);
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

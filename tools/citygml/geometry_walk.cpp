@@ -9,7 +9,7 @@
 #include "tools/citygml/rings.h"
 #include "tools/citygml/tag_scanner.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 // The longest chain of xlinks followed: solid to composite to orientable to polygon takes three.
@@ -25,12 +25,13 @@ bool is_sentinel_height(double z) {
   return z < -9900 || z > 30'000;
 }
 
-bool has_sentinel_height(const Polygon& polygon) {
+bool has_sentinel_height(const city::Polygon& polygon) {
   const auto sentinel = [](const glm::dvec3& p) { return is_sentinel_height(p.z); };
   return std::any_of(polygon.exterior.begin(), polygon.exterior.end(), sentinel) ||
-         std::any_of(polygon.interiors.begin(), polygon.interiors.end(), [&](const Ring& ring) {
-           return std::any_of(ring.begin(), ring.end(), sentinel);
-         });
+         std::any_of(polygon.interiors.begin(), polygon.interiors.end(),
+                     [&](const city::Ring& ring) {
+                       return std::any_of(ring.begin(), ring.end(), sentinel);
+                     });
 }
 
 }  // namespace
@@ -135,12 +136,12 @@ void GeometryWalk::follow(const pugi::xml_node& link, std::string_view href,
     skipped_.add("xlink: target not in the file (" + std::string(link.name()) + ")");
     return;
   }
-  for (Polygon copy : shared->second) {
+  for (city::Polygon copy : shared->second) {
     if (there.reversed) {
       std::reverse(copy.exterior.begin(), copy.exterior.end());
-      for (Ring& ring : copy.interiors) std::reverse(ring.begin(), ring.end());
+      for (city::Ring& ring : copy.interiors) std::reverse(ring.begin(), ring.end());
     }
-    if (copy.surface == SurfaceType::unknown) copy.surface = there.surface;
+    if (copy.surface == city::SurfaceType::unknown) copy.surface = there.surface;
     if (copy.area_function == 0) copy.area_function = there.area_function;
     add(std::move(copy), there);
   }
@@ -149,7 +150,7 @@ void GeometryWalk::follow(const pugi::xml_node& link, std::string_view href,
 void GeometryWalk::read_polygon(const pugi::xml_node& element, const GeometryContext& context) {
   if (!visited_.insert({element.internal_object(), context.lod}).second) return;
   const int dimension = find_dimension(element, context.dimension);
-  Polygon polygon;
+  city::Polygon polygon;
   polygon.id = find_attribute(element, "id");
   polygon.surface = context.surface;
   polygon.area_function = context.area_function;
@@ -165,7 +166,7 @@ void GeometryWalk::read_polygon(const pugi::xml_node& element, const GeometryCon
       continue;
     }
     const pugi::xml_node ring_element = boundary.first_child();
-    Ring ring;
+    city::Ring ring;
     const RingFault ring_fault = read_ring(ring_element, dimension, ring);
     if (outer) {
       fault = ring_fault;
@@ -186,22 +187,22 @@ void GeometryWalk::read_polygon(const pugi::xml_node& element, const GeometryCon
   }
   if (context.reversed) {
     std::reverse(polygon.exterior.begin(), polygon.exterior.end());
-    for (Ring& ring : polygon.interiors) std::reverse(ring.begin(), ring.end());
+    for (city::Ring& ring : polygon.interiors) std::reverse(ring.begin(), ring.end());
   }
   add(std::move(polygon), context);
 }
 
-void GeometryWalk::add(Polygon&& polygon, const GeometryContext& context) {
+void GeometryWalk::add(city::Polygon&& polygon, const GeometryContext& context) {
   if (context.placed) {
     if (++placed_polygons_ > max_placed_polygons) {
       skipped_.add("implicit geometry: more polygons than a member may have");
       return;
     }
-    const auto place = [&](Ring& ring) {
+    const auto place = [&](city::Ring& ring) {
       for (glm::dvec3& p : ring) p = glm::dvec3(*context.placed * glm::dvec4(p, 1.0));
     };
     place(polygon.exterior);
-    for (Ring& ring : polygon.interiors) place(ring);
+    for (city::Ring& ring : polygon.interiors) place(ring);
   }
   out_->push_back({std::move(polygon), context.lod, context.space});
 }
@@ -226,7 +227,7 @@ void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryCo
           matrix[column][row] = numbers[static_cast<std::size_t>(4 * row + column)];
     } else if (name == "referencePoint") {
       std::vector<glm::dvec3> points;
-      std::vector<Ring> lines;
+      std::vector<city::Ring> lines;
       read_points(child, context, points, lines);
       if (!points.empty()) reference = points.front();
     } else if (name == "relativeGMLGeometry" || name == "relativeGeometry") {
@@ -250,7 +251,8 @@ void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryCo
 }
 
 bool GeometryWalk::read_tin_points(const pugi::xml_node& property, const GeometryContext& context,
-                                   std::vector<glm::dvec3>& points, std::vector<Ring>& lines) {
+                                   std::vector<glm::dvec3>& points,
+                                   std::vector<city::Ring>& lines) {
   const auto is_tin = [](const pugi::xml_node& node) { return local_name(node.name()) == "Tin"; };
   const pugi::xml_node tin = property.find_child(is_tin);
   if (!tin || count_polygons(tin) > 0) return false;
@@ -267,7 +269,7 @@ bool GeometryWalk::read_tin_points(const pugi::xml_node& property, const Geometr
 }
 
 void GeometryWalk::read_points(const pugi::xml_node& property, const GeometryContext& context,
-                               std::vector<glm::dvec3>& points, std::vector<Ring>& lines) {
+                               std::vector<glm::dvec3>& points, std::vector<city::Ring>& lines) {
   GeometryContext inside = context;
   inside.dimension = find_dimension(property, context.dimension);
   if (++inside.depth > max_nesting) {
@@ -278,7 +280,7 @@ void GeometryWalk::read_points(const pugi::xml_node& property, const GeometryCon
   if (name != "pos" && name != "posList") {
     const bool is_line =
         name == "LineString" || name == "LineStringSegment" || name == "LinearRing";
-    Ring line;
+    city::Ring line;
     for (const pugi::xml_node& child : property.children())
       if (child.type() == pugi::node_element)
         read_points(child, inside, is_line ? line : points, lines);
@@ -303,4 +305,4 @@ void GeometryWalk::read_points(const pugi::xml_node& property, const GeometryCon
   }
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

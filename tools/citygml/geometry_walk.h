@@ -17,7 +17,7 @@
 #include "tools/citygml/skip_counter.h"
 #include "tools/citygml/xlinks.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 /// Returns the number of polygons (gml:Polygon, PolygonPatch, Triangle, Rectangle) in an element
 /// and below.
@@ -27,7 +27,7 @@ std::size_t count_polygons(const pugi::xml_node& element);
 struct GeometryContext {
   int lod = -1;
   std::uint32_t space = 0;
-  SurfaceType surface = SurfaceType::unknown;
+  city::SurfaceType surface = city::SurfaceType::unknown;
   std::uint16_t area_function = 0;     // of the traffic area
   int dimension = 0;                   // srsDimension given further up; 0 = none
   bool reversed = false;               // below an OrientableSurface '-'
@@ -55,12 +55,12 @@ class GeometryWalk {
                     std::vector<city::RawPolygon>& out);
   /// Adds every vertex below `property`: break lines to `lines`, single vertices to `points`.
   void read_points(const pugi::xml_node& property, const GeometryContext& context,
-                   std::vector<glm::dvec3>& points, std::vector<Ring>& lines);
+                   std::vector<glm::dvec3>& points, std::vector<city::Ring>& lines);
 
   /// The same for the control points and break lines of a gml:Tin that has no triangles: by GML
   /// 3.1.1, 10.5.14, these define its surface. Returns false where the property holds no such Tin.
   bool read_tin_points(const pugi::xml_node& property, const GeometryContext& context,
-                       std::vector<glm::dvec3>& points, std::vector<Ring>& lines);
+                       std::vector<glm::dvec3>& points, std::vector<city::Ring>& lines);
 
   Materials& local_materials() { return local_materials_; }
   void set_file_materials(const Materials* materials) { file_materials_ = materials; }
@@ -73,7 +73,7 @@ class GeometryWalk {
   void follow(const pugi::xml_node& link, std::string_view href, const GeometryContext& context);
   void read_polygon(const pugi::xml_node& element, const GeometryContext& context);
   void read_implicit(const pugi::xml_node& element, const GeometryContext& context);
-  void add(Polygon&& polygon, const GeometryContext& context);
+  void add(city::Polygon&& polygon, const GeometryContext& context);
   const glm::vec3* find_colour(const pugi::xml_node& element) const;
 
   struct Visit {
@@ -98,4 +98,4 @@ class GeometryWalk {
   std::size_t placed_polygons_ = 0;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

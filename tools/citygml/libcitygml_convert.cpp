@@ -14,73 +14,73 @@
 #include "tools/citygml/attributes.h"
 #include "tools/citygml/libcitygml_text.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
-using Type = citygml::CityObject::CityObjectsType;
+using Type = ::citygml::CityObject::CityObjectsType;
 
-ObjectType object_type(Type type) {
+city::ObjectType object_type(Type type) {
   switch (type) {
     case Type::COT_Building:
     case Type::COT_BuildingPart:
-      return ObjectType::building;
+      return city::ObjectType::building;
     case Type::COT_Bridge:
     case Type::COT_BridgePart:
-      return ObjectType::bridge;
+      return city::ObjectType::bridge;
     case Type::COT_Tunnel:
-      return ObjectType::tunnel;
+      return city::ObjectType::tunnel;
     case Type::COT_ReliefFeature:
     case Type::COT_ReliefComponent:
     case Type::COT_TINRelief:
     case Type::COT_MassPointRelief:
     case Type::COT_BreaklineRelief:
     case Type::COT_RasterRelief:
-      return ObjectType::relief;
+      return city::ObjectType::relief;
     case Type::COT_Track:
     case Type::COT_Road:
     case Type::COT_Square:
     case Type::COT_TransportationObject:
-      return ObjectType::road;
+      return city::ObjectType::road;
     case Type::COT_Railway:
-      return ObjectType::railway;
+      return city::ObjectType::railway;
     case Type::COT_WaterBody:
-      return ObjectType::water;
+      return city::ObjectType::water;
     case Type::COT_PlantCover:
     case Type::COT_SolitaryVegetationObject:
-      return ObjectType::vegetation;
+      return city::ObjectType::vegetation;
     case Type::COT_CityFurniture:
-      return ObjectType::furniture;
+      return city::ObjectType::furniture;
     case Type::COT_LandUse:
-      return ObjectType::land_use;
+      return city::ObjectType::land_use;
     case Type::COT_GenericCityObject:
-      return ObjectType::generic;
+      return city::ObjectType::generic;
     default:
-      return ObjectType::other;
+      return city::ObjectType::other;
   }
 }
 
-SurfaceType surface_type(Type type, SurfaceType inherited) {
+city::SurfaceType surface_type(Type type, city::SurfaceType inherited) {
   switch (type) {
     case Type::COT_WallSurface:
-      return SurfaceType::wall;
+      return city::SurfaceType::wall;
     case Type::COT_RoofSurface:
-      return SurfaceType::roof;
+      return city::SurfaceType::roof;
     case Type::COT_GroundSurface:
-      return SurfaceType::ground;
+      return city::SurfaceType::ground;
     case Type::COT_ClosureSurface:
-      return SurfaceType::closure;
+      return city::SurfaceType::closure;
     case Type::COT_OuterCeilingSurface:
-      return SurfaceType::outer_ceiling;
+      return city::SurfaceType::outer_ceiling;
     case Type::COT_OuterFloorSurface:
-      return SurfaceType::outer_floor;
+      return city::SurfaceType::outer_floor;
     case Type::COT_Window:
-      return SurfaceType::window;
+      return city::SurfaceType::window;
     case Type::COT_Door:
-      return SurfaceType::door;
+      return city::SurfaceType::door;
     case Type::COT_TINRelief:
-      return SurfaceType::terrain;
+      return city::SurfaceType::terrain;
     case Type::COT_WaterBody:
-      return SurfaceType::water;
+      return city::SurfaceType::water;
     default:
       return inherited;
   }
@@ -106,7 +106,7 @@ struct Converter {
   const std::vector<std::string>& themes;
   LibcitygmlObject out;
   struct Seen {
-    const citygml::Polygon* polygon;
+    const ::citygml::Polygon* polygon;
     int lod;
     bool operator==(const Seen&) const = default;
   };
@@ -119,19 +119,19 @@ struct Converter {
 
   struct Context {
     std::uint32_t space;
-    SurfaceType surface;
+    city::SurfaceType surface;
     bool interior;
     const double* matrix = nullptr;  // row-major 4 x 4 of an implicit geometry
     glm::dvec3 reference{0};
   };
 
-  void read_attributes(const citygml::CityObject& object) {
+  void read_attributes(const ::citygml::CityObject& object) {
     for (const auto& [key, value] : object.getAttributes()) {
       const auto colon = key.rfind(':');
       set_attribute(out.raw.object, colon == std::string::npos ? key : key.substr(colon + 1),
                     restore_entities(value.asString()));
     }
-    if (const citygml::Address* a = object.address(); a && out.raw.object.address.empty()) {
+    if (const ::citygml::Address* a = object.address(); a && out.raw.object.address.empty()) {
       std::string text;
       for (const std::string* part : {&a->thoroughfareName(), &a->thoroughfareNumber(),
                                       &a->postalCode(), &a->locality(), &a->country()}) {
@@ -143,8 +143,8 @@ struct Converter {
     }
   }
 
-  static Ring ring_of(const citygml::LinearRing& source, const Context& context) {
-    Ring ring;
+  static city::Ring ring_of(const ::citygml::LinearRing& source, const Context& context) {
+    city::Ring ring;
     for (const TVec3d& v : source.getVertices()) {
       glm::dvec3 p{v.x, v.y, v.z};
       if (const double* m = context.matrix)
@@ -158,12 +158,12 @@ struct Converter {
     return ring;
   }
 
-  void take(const citygml::Polygon& polygon, int lod, const Context& context) {
+  void take(const ::citygml::Polygon& polygon, int lod, const Context& context) {
     const auto [at, fresh] = taken.emplace(Seen{&polygon, lod}, out.raw.polygons.size());
     if (!fresh && !context.matrix) {
       if (at->second < out.raw.polygons.size()) {
-        SurfaceType& surface = out.raw.polygons[at->second].polygon.surface;
-        if (surface == SurfaceType::unknown) surface = context.surface;
+        city::SurfaceType& surface = out.raw.polygons[at->second].polygon.surface;
+        if (surface == city::SurfaceType::unknown) surface = context.surface;
       }
       return;
     }
@@ -184,7 +184,7 @@ struct Converter {
       if (interior) raw.polygon.interiors.push_back(ring_of(*interior, context));
     if (polygon.negNormal()) {
       std::reverse(raw.polygon.exterior.begin(), raw.polygon.exterior.end());
-      for (Ring& ring : raw.polygon.interiors) std::reverse(ring.begin(), ring.end());
+      for (city::Ring& ring : raw.polygon.interiors) std::reverse(ring.begin(), ring.end());
     }
     for (const std::string& theme : themes) {
       const auto material = polygon.getMaterialFor(theme);
@@ -201,7 +201,7 @@ struct Converter {
     out.raw.polygons.push_back(std::move(raw));
   }
 
-  void walk_geometry(const citygml::Geometry& geometry, int lod, const Context& context) {
+  void walk_geometry(const ::citygml::Geometry& geometry, int lod, const Context& context) {
     for (unsigned i = 0; i < geometry.getPolygonsCount(); ++i)
       if (const auto polygon = geometry.getPolygon(i)) take(*polygon, lod, context);
     for (unsigned i = 0; i < geometry.getGeometriesCount(); ++i)
@@ -210,21 +210,21 @@ struct Converter {
       out.skipped["LineString"] += geometry.getLineStringCount();
   }
 
-  void walk(const citygml::CityObject& object, Context context) {
+  void walk(const ::citygml::CityObject& object, Context context) {
     const Type type = object.getType();
     context.surface = surface_type(type, context.surface);
     context.interior = context.interior || is_interior(type);
     if (is_part(type) || is_detail(type)) {
       context.space = static_cast<std::uint32_t>(out.raw.spaces.size());
       out.raw.spaces.push_back({is_detail(type)});
-      context.surface = SurfaceType::unknown;
+      context.surface = city::SurfaceType::unknown;
     }
     for (unsigned i = 0; i < object.getGeometriesCount(); ++i) {
-      const citygml::Geometry& geometry = object.getGeometry(i);
+      const ::citygml::Geometry& geometry = object.getGeometry(i);
       walk_geometry(geometry, static_cast<int>(geometry.getLOD()), context);
     }
     for (unsigned i = 0; i < object.getImplicitGeometryCount(); ++i) {
-      const citygml::ImplicitGeometry& implicit = object.getImplicitGeometry(i);
+      const ::citygml::ImplicitGeometry& implicit = object.getImplicitGeometry(i);
       Context placed = context;
       placed.matrix = implicit.getTransformMatrix().getMatrix();
       const TVec3d r = implicit.getReferencePoint();
@@ -240,17 +240,19 @@ struct Converter {
 
 }  // namespace
 
-LibcitygmlObject convert(const citygml::CityObject& root, const std::vector<std::string>& themes) {
+LibcitygmlObject convert(const ::citygml::CityObject& root,
+                         const std::vector<std::string>& themes) {
   Converter converter{themes, {}, {}};
-  CityObject& object = converter.out.raw.object;
+  city::CityObject& object = converter.out.raw.object;
   object.id = root.getId();
   object.type = object_type(root.getType());
   object.class_name = root.getTypeAsString();
   converter.read_attributes(root);
-  converter.walk(
-      root,
-      {0, object.type == ObjectType::relief ? SurfaceType::terrain : SurfaceType::unknown, false});
+  converter.walk(root, {0,
+                        object.type == city::ObjectType::relief ? city::SurfaceType::terrain
+                                                                : city::SurfaceType::unknown,
+                        false});
   return std::move(converter.out);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -10,7 +10,7 @@
 
 #include "tools/city/merge_parts.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 struct LibcitygmlObject {
   city::RawObject raw;
@@ -20,6 +20,6 @@ struct LibcitygmlObject {
 
 /// `themes`: those of the model's appearances; the first with an X3DMaterial for a polygon gives
 /// its colour.
-LibcitygmlObject convert(const citygml::CityObject& root, const std::vector<std::string>& themes);
+LibcitygmlObject convert(const ::citygml::CityObject& root, const std::vector<std::string>& themes);
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

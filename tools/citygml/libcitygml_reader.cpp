@@ -20,13 +20,13 @@
 #include "tools/citygml/libcitygml_convert.h"
 #include "tools/citygml/libcitygml_text.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 constexpr std::size_t batch_bytes = std::size_t{1} << 19;  // about 100 members: full speed in 44 MB
 constexpr std::size_t max_warnings = 20;
 
-class Logger final : public citygml::CityGMLLogger {
+class Logger final : public ::citygml::CityGMLLogger {
  public:
   Logger() : CityGMLLogger(LOGLEVEL::LL_WARNING) {}
   void log(LOGLEVEL, const std::string& message, const char*, int) const override {
@@ -35,8 +35,8 @@ class Logger final : public citygml::CityGMLLogger {
   mutable std::vector<std::string> messages;
 };
 
-citygml::ParserParams parameters() {
-  citygml::ParserParams p;
+::citygml::ParserParams parameters() {
+  ::citygml::ParserParams p;
   p.tesselate = false;    // rings, not GLU's triangles
   p.keepVertices = true;  // rings survive the end of parsing
   return p;
@@ -49,7 +49,7 @@ void warm_up() {
   std::call_once(once, [] {
     std::istringstream text("<CityModel xmlns=\"http://www.opengis.net/citygml/2.0\"/>");
     try {
-      (void)citygml::load(text, parameters(), std::make_shared<Logger>());
+      (void)::citygml::load(text, parameters(), std::make_shared<Logger>());
     } catch (...) {  // what fails here fails again when a file is read, and is reported there
     }
   });
@@ -81,8 +81,8 @@ std::string class_in(std::string_view member) {
 
 class DocumentLoader {
  public:
-  DocumentLoader(const DocumentHead& head, const std::string& name, const ReadOptions& options,
-                 const ObjectSink& sink)
+  DocumentLoader(const DocumentHead& head, const std::string& name,
+                 const city::ReadOptions& options, const city::ObjectSink& sink)
       : head_(head), name_(name), options_(options), sink_(sink) {
     report.version = head.version;
   }
@@ -110,7 +110,7 @@ class DocumentLoader {
     }
   }
 
-  ReadReport report;
+  city::ReadReport report;
 
  private:
   std::string opening() const {
@@ -141,9 +141,9 @@ class DocumentLoader {
   bool load_text(const std::string& members, std::size_t polygons_in_text, std::string& why) {
     std::istringstream stream(members + "</" + head_.root_name + ">");
     const auto logger = std::make_shared<Logger>();
-    std::shared_ptr<const citygml::CityModel> model;
+    std::shared_ptr<const ::citygml::CityModel> model;
     try {
-      model = citygml::load(stream, parameters(), logger);
+      model = ::citygml::load(stream, parameters(), logger);
     } catch (const std::exception& e) {
       why = e.what();
       return false;
@@ -159,7 +159,7 @@ class DocumentLoader {
     if (!logger->messages.empty()) report.skipped["libcitygml warning"] += logger->messages.size();
     for (const std::string& message : logger->messages) warn("libcitygml: " + message);
     std::size_t seen = 0;
-    for (const citygml::CityObject* root : model->getRootCityObjects()) {
+    for (const ::citygml::CityObject* root : model->getRootCityObjects()) {
       LibcitygmlObject converted = convert(*root, model->themes());
       seen += converted.polygons_seen;
       for (const auto& [what, count] : converted.skipped) report.skipped[what] += count;
@@ -172,14 +172,15 @@ class DocumentLoader {
 
   const DocumentHead& head_;
   const std::string& name_;
-  const ReadOptions& options_;
-  const ObjectSink& sink_;
+  const city::ReadOptions& options_;
+  const city::ObjectSink& sink_;
 };
 
 }  // namespace
 
-ReadReport read_with_libcitygml(const city::Document& document, const ReadOptions& options,
-                                const ObjectSink& sink) {
+city::ReadReport read_with_libcitygml(const city::Document& document,
+                                      const city::ReadOptions& options,
+                                      const city::ObjectSink& sink) {
   warm_up();
   MemberSplitter::Limits limits;
   limits.batch_bytes = batch_bytes;
@@ -196,4 +197,4 @@ ReadReport read_with_libcitygml(const city::Document& document, const ReadOption
   return std::move(loader.report);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

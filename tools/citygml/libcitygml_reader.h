@@ -4,10 +4,11 @@
 #include "tools/city/byte_source.h"
 #include "tools/city/city_reader.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 /// Reads one document, on one thread. Throws Error as read_citygml does.
-ReadReport read_with_libcitygml(const city::Document& document, const ReadOptions& options,
-                                const ObjectSink& sink);
+city::ReadReport read_with_libcitygml(const city::Document& document,
+                                      const city::ReadOptions& options,
+                                      const city::ObjectSink& sink);
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdlib>
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 // Xerces delivers text in pieces of 2^20 characters.
@@ -125,4 +125,4 @@ std::string restore_entities(std::string_view text) {
   return out;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 /// Appends `member` to `out` without its comments, with its CDATA sections as plain text and its
 /// entities as private-use characters that restore_entities turns back: each of them would cut the
@@ -17,4 +17,4 @@ bool append_guarded(std::string_view member, std::string& out);
 /// the entities stand for.
 std::string restore_entities(std::string_view text);
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -5,7 +5,7 @@
 #include "tools/citygml/attributes.h"
 #include "tools/citygml/tag_scanner.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 std::string lower(std::string_view text) {
@@ -17,11 +17,11 @@ std::string lower(std::string_view text) {
 
 // CityGML 3's con:height holds <con:Height> elements, each with a value and the levels it is
 // measured between. The greatest value is kept.
-void read_height(const pugi::xml_node& property, CityObject& object) {
+void read_height(const pugi::xml_node& property, city::CityObject& object) {
   for (const pugi::xml_node& height : property.children()) {
     for (const pugi::xml_node& part : height.children()) {
       if (local_name(part.name()) != "value") continue;
-      CityObject one;
+      city::CityObject one;
       set_attribute(one, "measuredheight", part.child_value());
       if (one.measured_height_m > object.measured_height_m)
         object.measured_height_m = one.measured_height_m;
@@ -30,7 +30,7 @@ void read_height(const pugi::xml_node& property, CityObject& object) {
 }
 
 // Takes over what a part says and its building does not. A building is as tall as its tallest part.
-void adopt_attributes(CityObject& whole, const CityObject& part) {
+void adopt_attributes(city::CityObject& whole, const city::CityObject& part) {
   if (whole.function.empty()) whole.function = part.function;
   if (whole.usage.empty()) whole.usage = part.usage;
   if (whole.building_class.empty()) whole.building_class = part.building_class;
@@ -44,7 +44,7 @@ void adopt_attributes(CityObject& whole, const CityObject& part) {
 // Takes the first function of a traffic area that is a code: the code says who may go there.
 bool read_area_function(const FeatureClass& what, std::string_view name,
                         const pugi::xml_node& property, GeometryContext& context) {
-  if (what.surface != SurfaceType::traffic_area || name != "function") return false;
+  if (what.surface != city::SurfaceType::traffic_area || name != "function") return false;
   const auto code = parse_number(property.child_value());
   if (context.area_function == 0 && code && *code >= 1 && *code <= 65535)
     context.area_function = static_cast<std::uint16_t>(*code);
@@ -112,10 +112,10 @@ void MemberParser::read_top(const pugi::xml_node& element, std::vector<city::Raw
 
 void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClass& what,
                                 GeometryContext context, city::RawObject& raw) {
-  context.surface = what.surface != SurfaceType::unknown || what.kind != ClassKind::surface
+  context.surface = what.surface != city::SurfaceType::unknown || what.kind != ClassKind::surface
                         ? what.surface
                         : context.surface;
-  CityObject said;
+  city::CityObject said;
   std::vector<pugi::xml_node> children, geometries, points;
   int relief_lod = -1;
   for (const pugi::xml_node& property : element.children()) {
@@ -164,8 +164,8 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
     const int lod = read_lod(local_name(property.name()));
     GeometryContext here = context;
     here.lod = lod >= 0 ? lod : relief_lod;
-    if (local_name(property.name()) == "lod0RoofEdge") here.surface = SurfaceType::roof;
-    if (local_name(property.name()) == "lod0FootPrint") here.surface = SurfaceType::ground;
+    if (local_name(property.name()) == "lod0RoofEdge") here.surface = city::SurfaceType::roof;
+    if (local_name(property.name()) == "lod0FootPrint") here.surface = city::SurfaceType::ground;
     if (!geometry_.read_tin_points(property, here, raw.object.points, raw.object.lines))
       geometry_.read(property, here, raw.polygons);
   }
@@ -247,4 +247,4 @@ std::string read_address(const pugi::xml_node& address) {
   return joined(local, ", ", found.country);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

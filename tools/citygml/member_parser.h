@@ -11,7 +11,7 @@
 #include "tools/citygml/geometry_walk.h"
 #include "tools/citygml/skip_counter.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 class MemberParser {
  public:
@@ -46,4 +46,4 @@ class MemberParser {
 /// absent.
 std::string read_address(const pugi::xml_node& address);
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

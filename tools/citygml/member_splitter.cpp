@@ -5,7 +5,7 @@
 
 #include "formats/error.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 // Lists of members: their children are the members.
@@ -173,4 +173,4 @@ bool MemberSplitter::next(MemberBatch& batch) {
   return false;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

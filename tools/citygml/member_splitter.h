@@ -12,7 +12,7 @@
 #include "tools/city/byte_source.h"
 #include "tools/citygml/tag_scanner.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 /// What stands before the first member.
 struct DocumentHead {
@@ -83,4 +83,4 @@ class MemberSplitter {
   bool finished_ = false;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -9,10 +9,10 @@
 #include "tools/citygml/libcitygml_reader.h"
 #include "tools/citygml/stream_reader.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
-void tell_flat_buildings(const std::filesystem::path& file, ReadReport& report) {
+void tell_flat_buildings(const std::filesystem::path& file, city::ReadReport& report) {
   if (report.extruded > 0)
     report.warnings.push_back(file.string() + ": " + std::to_string(report.extruded) +
                               " buildings have a footprint alone (LoD0): made blocks of their "
@@ -23,7 +23,7 @@ void tell_flat_buildings(const std::filesystem::path& file, ReadReport& report) 
                               "they are flat");
 }
 
-void make_texts_valid(ReadReport& report) {
+void make_texts_valid(city::ReadReport& report) {
   report.srs_name = city::to_valid_utf8(std::move(report.srs_name));
   for (std::string& warning : report.warnings) warning = city::to_valid_utf8(std::move(warning));
   std::map<std::string, std::size_t> skipped;
@@ -33,16 +33,17 @@ void make_texts_valid(ReadReport& report) {
 
 }  // namespace
 
-ReadReport read_citygml_staged(const std::filesystem::path& file, const ReadOptions& options,
-                               const ObjectStage& stage) {
-  ReadReport report;
+city::ReadReport read_citygml_staged(const std::filesystem::path& file,
+                                     const city::ReadOptions& options,
+                                     const city::ObjectStage& stage) {
+  city::ReadReport report;
   for (const city::Document& document : list_citygml_documents(file, &report.warnings)) {
-    if (options.reader == Reader::stream) {
+    if (options.reader == city::Reader::stream) {
       report.merge(read_with_stream(document, options, stage));
       continue;
     }
-    report.merge(read_with_libcitygml(document, options, [&](CityObject&& object) {
-      std::vector<CityObject> one;
+    report.merge(read_with_libcitygml(document, options, [&](city::CityObject&& object) {
+      std::vector<city::CityObject> one;
       one.push_back(std::move(object));
       stage(std::move(one))();
     }));
@@ -52,9 +53,9 @@ ReadReport read_citygml_staged(const std::filesystem::path& file, const ReadOpti
   return report;
 }
 
-ReadReport read_citygml(const std::filesystem::path& file, const ReadOptions& options,
-                        const ObjectSink& sink) {
-  return read_citygml_staged(file, options, deliver_to(sink));
+city::ReadReport read_citygml(const std::filesystem::path& file, const city::ReadOptions& options,
+                              const city::ObjectSink& sink) {
+  return read_citygml_staged(file, options, city::deliver_to(sink));
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

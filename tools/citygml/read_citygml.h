@@ -7,7 +7,7 @@
 
 #include "tools/city/city_reader.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 /// How the names of CityGML files end, in lower case and without .gz: in folders and archives, what
 /// else lies there is not read.
@@ -15,11 +15,12 @@ constexpr std::array<std::string_view, 3> citygml_endings{".gml", ".xml", ".city
 
 /// Streams the file's objects into `sink`, in file order, in memory that does not grow with the
 /// file. Throws Error: missing, empty, truncated, not XML, not CityGML, DOCTYPE.
-ReadReport read_citygml(const std::filesystem::path& file, const ReadOptions& options,
-                        const ObjectSink& sink);
+city::ReadReport read_citygml(const std::filesystem::path& file, const city::ReadOptions& options,
+                              const city::ObjectSink& sink);
 
 /// The same through a stage of work.
-ReadReport read_citygml_staged(const std::filesystem::path& file, const ReadOptions& options,
-                               const ObjectStage& stage);
+city::ReadReport read_citygml_staged(const std::filesystem::path& file,
+                                     const city::ReadOptions& options,
+                                     const city::ObjectStage& stage);
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -10,7 +10,7 @@
 #include "tools/citygml/curves.h"
 #include "tools/citygml/tag_scanner.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 bool is_space(char c) {
@@ -37,7 +37,7 @@ int dimension_of(const pugi::xml_node& element, int inherited) {
   return dimension == 2 ? 2 : 3;
 }
 
-bool append_vertices(const std::vector<double>& numbers, int dimension, Ring& ring) {
+bool append_vertices(const std::vector<double>& numbers, int dimension, city::Ring& ring) {
   const auto d = static_cast<std::size_t>(dimension);
   if (numbers.size() % d != 0) return false;
   ring.reserve(ring.size() + numbers.size() / d);
@@ -49,7 +49,7 @@ bool append_vertices(const std::vector<double>& numbers, int dimension, Ring& ri
 }
 
 // GML 2's <coordinates>: "x,y,z x,y,z", with separators given by attributes.
-RingFault read_coordinates(const pugi::xml_node& element, Ring& ring) {
+RingFault read_coordinates(const pugi::xml_node& element, city::Ring& ring) {
   const auto said = [&](const char* name, char standard) {
     const char* value = element.attribute(name).value();
     return *value ? *value : standard;
@@ -110,7 +110,7 @@ int find_dimension(const pugi::xml_node& element, int inherited) {
   return said ? said.as_int() : inherited;
 }
 
-RingFault read_vertices(const pugi::xml_node& element, int dimension, Ring& vertices) {
+RingFault read_vertices(const pugi::xml_node& element, int dimension, city::Ring& vertices) {
   const int inherited = dimension_of(element, dimension);
   thread_local std::vector<double> numbers;  // allocated once per thread, not once per ring
   bool any = false;
@@ -134,7 +134,7 @@ RingFault read_vertices(const pugi::xml_node& element, int dimension, Ring& vert
   return any ? RingFault::none : RingFault::no_coordinates;
 }
 
-RingFault read_ring(const pugi::xml_node& linear_ring, int dimension, Ring& ring) {
+RingFault read_ring(const pugi::xml_node& linear_ring, int dimension, city::Ring& ring) {
   ring.clear();
   const bool of_curves = is_curve_ring(local_name(linear_ring.name()));
   const RingFault fault = of_curves ? read_curves(linear_ring, dimension, ring)
@@ -144,4 +144,4 @@ RingFault read_ring(const pugi::xml_node& linear_ring, int dimension, Ring& ring
   return ring.size() < 3 ? RingFault::too_short : RingFault::none;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -8,7 +8,7 @@
 
 #include "tools/city/city_model.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 enum class RingFault : std::uint8_t {
   none,
@@ -26,16 +26,16 @@ constexpr unsigned gml_parse_flags = pugi::parse_escapes | pugi::parse_cdata;
 /// Fills `ring` from a LinearRing, or a Ring of curves (curves.h), and returns its fault, with which `ring` is unspecified. `dimension`: srsDimension
 /// given by an ancestor, 0 = none (then 3). Vertices of two coordinates get height 0. The closing
 /// vertex and consecutive duplicates are left out.
-RingFault read_ring(const pugi::xml_node& ring_element, int dimension, Ring& ring);
+RingFault read_ring(const pugi::xml_node& ring_element, int dimension, city::Ring& ring);
 
 /// Returns the dimension that an element says (srsDimension), else `inherited`; 0 = none.
 int find_dimension(const pugi::xml_node& element, int inherited);
 
 /// Appends the vertices that the element's children hold, consecutive duplicates left out.
-RingFault read_vertices(const pugi::xml_node& element, int dimension, Ring& vertices);
+RingFault read_vertices(const pugi::xml_node& element, int dimension, city::Ring& vertices);
 
 /// Appends every number in the element's text. Returns false when something in it is no finite
 /// number.
 bool read_numbers(const pugi::xml_node& element, std::vector<double>& numbers);
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

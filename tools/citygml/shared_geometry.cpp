@@ -9,16 +9,16 @@
 #include "tools/citygml/member_splitter.h"
 #include "tools/citygml/rings.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 constexpr int max_rounds = 4;  // for links to links to links across members
 
-std::size_t vertices_of(const std::vector<Polygon>& polygons) {
+std::size_t vertices_of(const std::vector<city::Polygon>& polygons) {
   std::size_t count = 0;
-  for (const Polygon& p : polygons) {
+  for (const city::Polygon& p : polygons) {
     count += p.exterior.size();
-    for (const Ring& ring : p.interiors) count += ring.size();
+    for (const city::Ring& ring : p.interiors) count += ring.size();
   }
   return count;
 }
@@ -42,7 +42,7 @@ void fetch_from(const pugi::xml_node& member, const std::unordered_set<std::stri
       missing.insert(id);
       continue;
     }
-    std::vector<Polygon>& polygons = library.polygons[id];
+    std::vector<city::Polygon>& polygons = library.polygons[id];
     for (city::RawPolygon& raw : raws) polygons.push_back(std::move(raw.polygon));
     room -= std::min(room, vertices_of(polygons));
   }
@@ -70,4 +70,4 @@ GeometryLibrary fetch_geometry(const city::Document& document,
   return library;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -7,7 +7,7 @@
 #include "tools/city/byte_source.h"
 #include "tools/citygml/xlinks.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 /// The most vertices kept of the geometry that one document's links lead to: 200 MB.
 constexpr std::size_t max_shared_vertices = 8'000'000;
@@ -18,4 +18,4 @@ constexpr std::size_t max_shared_vertices = 8'000'000;
 GeometryLibrary fetch_geometry(const city::Document& document,
                                std::unordered_set<std::string> wanted, std::size_t& room);
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

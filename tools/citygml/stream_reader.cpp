@@ -16,7 +16,7 @@
 #include "tools/citygml/shared_geometry.h"
 #include "tools/in_order.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 constexpr std::size_t max_warnings = 50;
@@ -27,22 +27,23 @@ bool is_object_member(const MemberBatch::Member& member) {
 }
 
 struct BatchResult {
-  std::vector<CityObject> objects;
+  std::vector<city::CityObject> objects;
   std::function<void()> rest;  // what the stage leaves to be done in file order
-  ReadReport report;
+  city::ReadReport report;
   std::vector<std::size_t> deferred;  // members whose geometry stands elsewhere
   std::unordered_set<std::string> wanted;
 };
 
 class StreamReader {
  public:
-  StreamReader(const city::Document& document, const ReadOptions& options, const ObjectStage& stage)
+  StreamReader(const city::Document& document, const city::ReadOptions& options,
+               const city::ObjectStage& stage)
       : document_(document), options_(options), stage_(stage) {
     library_.folder = std::filesystem::path(document.name).parent_path();
     library_.neighbours = options.neighbours;
   }
 
-  ReadReport read() {
+  city::ReadReport read() {
     read_file_materials();
     run(nullptr);
     report_.srs_name = srs_name_;
@@ -182,9 +183,9 @@ class StreamReader {
   }
 
   const city::Document& document_;
-  const ReadOptions& options_;
-  const ObjectStage& stage_;
-  ReadReport report_;
+  const city::ReadOptions& options_;
+  const city::ObjectStage& stage_;
+  city::ReadReport report_;
   std::string srs_name_;
   Materials file_materials_;
   GeometryLibrary library_;
@@ -195,9 +196,9 @@ class StreamReader {
 
 }  // namespace
 
-ReadReport read_with_stream(const city::Document& document, const ReadOptions& options,
-                            const ObjectStage& stage) {
+city::ReadReport read_with_stream(const city::Document& document, const city::ReadOptions& options,
+                                  const city::ObjectStage& stage) {
   return StreamReader(document, options, stage).read();
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -4,10 +4,10 @@
 #include "tools/city/byte_source.h"
 #include "tools/city/city_reader.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 /// Reads one document. Throws Error as read_citygml does.
-ReadReport read_with_stream(const city::Document& document, const ReadOptions& options,
-                            const ObjectStage& stage);
+city::ReadReport read_with_stream(const city::Document& document, const city::ReadOptions& options,
+                                  const city::ObjectStage& stage);
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -5,7 +5,7 @@
 
 #include "formats/error.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
@@ -220,4 +220,4 @@ void TagScanner::replace(std::size_t end, std::string_view text) {
   rebase(end, text);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -10,7 +10,7 @@
 
 #include "tools/city/byte_source.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 struct Tag {
   enum class Kind : std::uint8_t { open, close, empty, end_of_file };
@@ -72,4 +72,4 @@ class TagScanner {
   std::size_t line_ = 1, line_at_ = 0;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -2,7 +2,7 @@
 
 #include "tools/citygml/attributes.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 std::string_view find_attribute(const pugi::xml_node& element, std::string_view local) {
   for (pugi::xml_attribute a = element.first_attribute(); a; a = a.next_attribute()) {
@@ -49,4 +49,4 @@ std::pair<std::filesystem::path, std::string> GeometryLibrary::split_name(
   return {name.substr(0, hash), name.substr(hash + 1)};
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -15,7 +15,7 @@
 
 #include "tools/city/city_model.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 
 /// Returns the value of an attribute by its name without prefix (gml:id, xlink:href); "" where it
 /// is absent.
@@ -24,7 +24,7 @@ std::string_view find_attribute(const pugi::xml_node& element, std::string_view 
 /// Geometry that members refer to and other members hold, as polygons by id. Geometry of another
 /// file of the city has the name that name_elsewhere() returns.
 struct GeometryLibrary {
-  std::unordered_map<std::string, std::vector<Polygon>> polygons{};
+  std::unordered_map<std::string, std::vector<city::Polygon>> polygons{};
   std::filesystem::path folder{};  // of the document: file names in links are relative to it
   /// Files that links may lead into.
   std::shared_ptr<const std::set<std::filesystem::path>> neighbours{};
@@ -49,4 +49,4 @@ class IdIndex {
   std::unordered_map<std::string_view, pugi::xml_node> nodes_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -5,7 +5,7 @@
 
 #include "formats/error.h"
 
-namespace nightcity {
+namespace nightcity::elevation {
 
 DemRaster::DemRaster(const std::filesystem::path& file) : model_(file) {
   if (!model_.has_crs()) throw Error(file.string(), "names no coordinate reference system");
@@ -18,4 +18,4 @@ std::optional<double> DemRaster::height_at(const glm::dvec2& lon_lat) const {
   return height;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::elevation

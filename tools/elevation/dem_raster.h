@@ -8,7 +8,7 @@
 
 #include "tools/terrain/elevation_model.h"
 
-namespace nightcity {
+namespace nightcity::elevation {
 
 class DemRaster {
  public:
@@ -21,7 +21,7 @@ class DemRaster {
   std::optional<double> height_at(const glm::dvec2& lon_lat) const;
 
  private:
-  ElevationModel model_;
+  terrain::ElevationModel model_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::elevation

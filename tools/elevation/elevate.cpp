@@ -7,7 +7,7 @@
 
 #include "formats/median.h"
 
-namespace nightcity {
+namespace nightcity::elevation {
 namespace {
 
 constexpr std::size_t min_samples = 3;
@@ -26,16 +26,16 @@ HeightOffset find_offset(const std::vector<double>& differences) {
   return offset;
 }
 
-const char* name_of(SurfaceClass surface_class) {
+const char* name_of(terrain::SurfaceClass surface_class) {
   constexpr const char* names[] = {"terrain", "road", "building ground", "roof"};
   return names[static_cast<int>(surface_class)];
 }
 
 /// Counts lamps within a third of a metre of another.
-std::size_t count_duplicates(const std::vector<OsmLampNode>& lamps) {
+std::size_t count_duplicates(const std::vector<osm::OsmLampNode>& lamps) {
   std::unordered_set<std::uint64_t> places;
   std::size_t duplicates = 0;
-  for (const OsmLampNode& lamp : lamps) {
+  for (const osm::OsmLampNode& lamp : lamps) {
     const double shrink = std::max(0.01, std::cos(lamp.lon_lat.y * 0.017453292519943295));
     const auto x =
         static_cast<std::int64_t>(std::llround(lamp.lon_lat.x * shrink / same_place_degrees));
@@ -48,13 +48,14 @@ std::size_t count_duplicates(const std::vector<OsmLampNode>& lamps) {
 
 }  // namespace
 
-Elevations elevate_lamps(const std::vector<OsmLampNode>& lamps, const ElevationSources& sources) {
+Elevations elevate_lamps(const std::vector<osm::OsmLampNode>& lamps,
+                         const ElevationSources& sources) {
   Elevations result;
   result.duplicates = count_duplicates(lamps);
   std::vector<std::size_t> open;
   std::vector<std::size_t> known;  // by the model
   for (std::size_t n = 0; n < lamps.size(); ++n) {
-    std::optional<Terrain::Hit> hit;
+    std::optional<terrain::Terrain::Hit> hit;
     if (sources.terrain) {
       const glm::dvec2 place = sources.to_frame(lamps[n].lon_lat);
       hit = sources.terrain->height_at(place);
@@ -116,4 +117,4 @@ Elevations elevate_lamps(const std::vector<OsmLampNode>& lamps, const ElevationS
   return result;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::elevation

@@ -15,12 +15,12 @@
 #include "tools/place/site.h"
 #include "tools/terrain/terrain.h"
 
-namespace nightcity {
+namespace nightcity::elevation {
 
 /// The sources of heights, in the order in which they are asked; null = absent.
 struct ElevationSources {
-  const Terrain* terrain = nullptr;
-  LonLatToFrame to_frame;  // to the terrain's E, N
+  const terrain::Terrain* terrain = nullptr;
+  place::LonLatToFrame to_frame;  // to the terrain's E, N
   const DemRaster* dem = nullptr;
   const ElevationServiceOptions* service = nullptr;
 };
@@ -45,6 +45,7 @@ struct Elevations {
 };
 
 /// Returns the heights of all lamps that a source knows. Throws Error as ask_elevations does.
-Elevations elevate_lamps(const std::vector<OsmLampNode>& lamps, const ElevationSources& sources);
+Elevations elevate_lamps(const std::vector<osm::OsmLampNode>& lamps,
+                         const ElevationSources& sources);
 
-}  // namespace nightcity
+}  // namespace nightcity::elevation

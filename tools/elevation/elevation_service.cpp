@@ -14,7 +14,7 @@
 #include "formats/median.h"
 #include "tools/elevation/http_post.h"
 
-namespace nightcity {
+namespace nightcity::elevation {
 namespace {
 
 using nlohmann::json;
@@ -164,4 +164,4 @@ ElevationAnswers ask_elevations(std::span<const glm::dvec2> lon_lat,
   return answers;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::elevation

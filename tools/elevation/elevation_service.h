@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace nightcity {
+namespace nightcity::elevation {
 
 struct ElevationServiceOptions {
   std::string url;  // ".../api/v1/lookup"; http or https
@@ -38,4 +38,4 @@ struct ElevationAnswers {
 ElevationAnswers ask_elevations(std::span<const glm::dvec2> lon_lat,
                                 const ElevationServiceOptions& options);
 
-}  // namespace nightcity
+}  // namespace nightcity::elevation

@@ -10,7 +10,7 @@
 
 #include "formats/error.h"
 
-namespace nightcity {
+namespace nightcity::elevation {
 namespace {
 
 constexpr std::size_t max_answer_bytes = 64u << 20;
@@ -87,4 +87,4 @@ HttpAnswer HttpClient::post_json(const std::string& url, const std::string& body
   return answer;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::elevation

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace nightcity {
+namespace nightcity::elevation {
 
 struct HttpAnswer {
   long status = 0;
@@ -30,4 +30,4 @@ class HttpClient {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::elevation

@@ -16,7 +16,7 @@
 #include "formats/error.h"
 #include "formats/input_file.h"
 
-namespace nightcity {
+namespace nightcity::elevation {
 namespace {
 
 namespace fs = std::filesystem;
@@ -145,4 +145,4 @@ std::size_t write_elevations(const fs::path& input, const fs::path& output,
   return copy_packed(input, output, format, heights);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::elevation

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <map>
 
-namespace nightcity {
+namespace nightcity::elevation {
 
 /// Copies an OSM file of any kind that read_osm reads, and adds or replaces the tag `ele` (metres,
 /// two decimals) on the nodes of `heights`. The names of the files (.osm, .osm.pbf, .osm.gz,
@@ -17,4 +17,4 @@ std::size_t write_elevations(const std::filesystem::path& input,
                              const std::filesystem::path& output,
                              const std::map<std::int64_t, double>& heights);
 
-}  // namespace nightcity
+}  // namespace nightcity::elevation

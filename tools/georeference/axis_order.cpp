@@ -11,7 +11,7 @@
 #include "tools/georeference/handedness.h"
 #include "tools/georeference/right_angles.h"
 
-namespace nightcity {
+namespace nightcity::georeference {
 namespace {
 
 constexpr std::size_t order_count = 4;
@@ -146,4 +146,4 @@ glm::dvec2 find_median(std::span<const glm::dvec2> points) {
   return {median(std::move(x), none), median(std::move(y), none)};
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::georeference

@@ -10,7 +10,7 @@
 #include "tools/georeference/source_crs.h"
 #include "tools/georeference/srs_names.h"
 
-namespace nightcity {
+namespace nightcity::georeference {
 
 /// How the file's first two coordinates become east and north.
 struct AxisOrder {
@@ -43,4 +43,4 @@ AxisChoice choose_axis_order(std::unique_ptr<SourceCrs> crs, std::span<const glm
 /// move; NaN where there are none.
 glm::dvec2 find_median(std::span<const glm::dvec2> points);
 
-}  // namespace nightcity
+}  // namespace nightcity::georeference

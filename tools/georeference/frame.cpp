@@ -13,7 +13,7 @@
 #include "tools/georeference/source_crs.h"
 #include "tools/georeference/srs_names.h"
 
-namespace nightcity {
+namespace nightcity::georeference {
 namespace {
 
 std::string to_text(const glm::dvec2& lon_lat) {
@@ -222,4 +222,4 @@ CityFrame::CityFrame(CityFrame&&) noexcept = default;
 CityFrame& CityFrame::operator=(CityFrame&&) noexcept = default;
 CityFrame::~CityFrame() = default;
 
-}  // namespace nightcity
+}  // namespace nightcity::georeference

@@ -10,7 +10,7 @@
 
 #include "formats/georeference.h"
 
-namespace nightcity {
+namespace nightcity::georeference {
 
 /// The frame of one city: E, N, H in metres. A projected CRS stays as it is but for its axis order;
 /// a geographic one (PLATEAU's lat, lon, h) goes through a transverse Mercator centred on the city
@@ -57,4 +57,4 @@ class CityFrame {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::georeference

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace nightcity {
+namespace nightcity::georeference {
 namespace {
 
 struct Facet {
@@ -56,4 +56,4 @@ double handedness(std::span<const glm::dvec3> closed_rings) {
   return magnitude > 0 ? volume / magnitude : 0;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::georeference

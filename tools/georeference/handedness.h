@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-namespace nightcity {
+namespace nightcity::georeference {
 
 /// Returns a score in [-1, 1]: above 0 right-handed (x east, y north), below 0 swapped; near 0
 /// nothing can be said. The normals of CityGML's solids point outward and those of its terrain up,
@@ -12,4 +12,4 @@ namespace nightcity {
 /// one after the other, the last vertex of each repeating its first.
 double handedness(std::span<const glm::dvec3> closed_rings);
 
-}  // namespace nightcity
+}  // namespace nightcity::georeference

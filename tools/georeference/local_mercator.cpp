@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <limits>
 
-namespace nightcity {
+namespace nightcity::georeference {
 
 LocalMercator::LocalMercator(double semi_major_m, double inverse_flattening,
                              const glm::dvec2& centre)
@@ -41,4 +41,4 @@ std::string LocalMercator::proj_string() const {
   return text;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::georeference

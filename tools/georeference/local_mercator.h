@@ -5,7 +5,7 @@
 #include <glm/vec2.hpp>
 #include <string>
 
-namespace nightcity {
+namespace nightcity::georeference {
 
 /// Conformal plane around one place, in metres: a transverse Mercator with scale 1 on its central
 /// meridian.
@@ -31,4 +31,4 @@ class LocalMercator {
   double semi_major_m_, inverse_flattening_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::georeference

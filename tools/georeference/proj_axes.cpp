@@ -4,7 +4,7 @@
 #include <limits>
 #include <string_view>
 
-namespace nightcity {
+namespace nightcity::georeference {
 
 bool is_geographic(const PJ* crs) {
   const PJ_TYPE type = proj_get_type(crs);
@@ -51,4 +51,4 @@ glm::dvec2 ProjAxes::from_native(const PJ_COORD& c) const {
   return {c.v[east_axis] * east_scale, c.v[north_axis] * north_scale};
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::georeference

@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-namespace nightcity {
+namespace nightcity::georeference {
 
 struct PjDeleter {
   void operator()(PJ* pj) const { proj_destroy(pj); }
@@ -34,4 +34,4 @@ struct ProjAxes {
 
 bool is_geographic(const PJ* crs);
 
-}  // namespace nightcity
+}  // namespace nightcity::georeference

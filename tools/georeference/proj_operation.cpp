@@ -4,7 +4,7 @@
 #include <limits>
 #include <memory>
 
-namespace nightcity {
+namespace nightcity::georeference {
 namespace {
 
 struct ListDeleter {
@@ -73,4 +73,4 @@ std::string describe_operation(PJ_CONTEXT* context, const PJ* operation) {
   return text + number;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::georeference

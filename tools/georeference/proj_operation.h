@@ -6,7 +6,7 @@
 
 #include "tools/georeference/proj_axes.h"
 
-namespace nightcity {
+namespace nightcity::georeference {
 
 /// Returns the operation from CRS 84 (longitude, latitude in degrees) to `crs` (its own axes) with
 /// the best stated accuracy among those whose grids are installed and whose area of use holds
@@ -17,4 +17,4 @@ PjPtr find_operation_from_wgs84(PJ_CONTEXT* context, const PJ* crs, const glm::d
 /// Returns its name and stated accuracy, for a report.
 std::string describe_operation(PJ_CONTEXT* context, const PJ* operation);
 
-}  // namespace nightcity
+}  // namespace nightcity::georeference

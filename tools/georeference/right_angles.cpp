@@ -5,7 +5,7 @@
 #include <glm/vec2.hpp>
 #include <numbers>
 
-namespace nightcity {
+namespace nightcity::georeference {
 namespace {
 
 bool is_right_angle(const glm::dvec2& a, const glm::dvec2& b) {
@@ -22,7 +22,7 @@ RightAngles count_right_angles(std::span<const glm::dvec3> closed_rings) {
   RightAngles count;
   for (std::size_t i = 1; i + 1 < closed_rings.size(); ++i) {
     const glm::dvec2 corner(closed_rings[i]), a = corner - glm::dvec2(closed_rings[i - 1]),
-                     b = glm::dvec2(closed_rings[i + 1]) - corner;
+                                              b = glm::dvec2(closed_rings[i + 1]) - corner;
     if (!(glm::length(a) < max_edge_degrees && glm::length(b) < max_edge_degrees)) continue;
     const glm::dvec2 by_y(std::cos(corner.y * radians), 1), by_x(1, std::cos(corner.x * radians));
     count.y_is_latitude += is_right_angle(a * by_y, b * by_y);
@@ -31,4 +31,4 @@ RightAngles count_right_angles(std::span<const glm::dvec3> closed_rings) {
   return count;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::georeference

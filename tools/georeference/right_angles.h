@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-namespace nightcity {
+namespace nightcity::georeference {
 
 /// Counts the corners of rings that are right angles, to one degree, when coordinates are degrees:
 /// y the latitude (first) or x (second). A degree of longitude is shorter than one of latitude by
@@ -16,4 +16,4 @@ struct RightAngles {
 };
 RightAngles count_right_angles(std::span<const glm::dvec3> closed_rings);
 
-}  // namespace nightcity
+}  // namespace nightcity::georeference

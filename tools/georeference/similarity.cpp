@@ -4,7 +4,7 @@
 
 #include "formats/error.h"
 
-namespace nightcity {
+namespace nightcity::georeference {
 
 Similarity fit_similarity(std::span<const glm::dvec2> plane, std::span<const glm::dvec2> model,
                           double& residual_m) {
@@ -38,4 +38,4 @@ Similarity fit_similarity(std::span<const glm::dvec2> plane, std::span<const glm
   return fit;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::georeference

@@ -4,7 +4,7 @@
 #include <glm/vec2.hpp>
 #include <span>
 
-namespace nightcity {
+namespace nightcity::georeference {
 
 /// Rotation and one scale without shear: model x, y = offset + (a, b) times plane coordinates, (a,
 /// b) taken as a complex factor.
@@ -28,4 +28,4 @@ struct Similarity {
 Similarity fit_similarity(std::span<const glm::dvec2> plane, std::span<const glm::dvec2> model,
                           double& residual_m);
 
-}  // namespace nightcity
+}  // namespace nightcity::georeference

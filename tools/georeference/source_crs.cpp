@@ -9,7 +9,7 @@
 #include "tools/georeference/proj_axes.h"
 #include "tools/georeference/proj_operation.h"
 
-namespace nightcity {
+namespace nightcity::georeference {
 namespace {
 
 const glm::dvec2 no_answer{std::numeric_limits<double>::quiet_NaN()};
@@ -240,4 +240,4 @@ std::string SourceCrs::select_operation(const glm::dvec2* lon_lat) {
   return describe_operation(s.context.get(), s.operation.get());
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::georeference

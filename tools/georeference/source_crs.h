@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-namespace nightcity {
+namespace nightcity::georeference {
 
 /// The horizontal part of a CRS. For one thread at a time, as PROJ objects are.
 class SourceCrs {
@@ -60,4 +60,4 @@ class SourceCrs {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::georeference

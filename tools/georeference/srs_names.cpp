@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-namespace nightcity {
+namespace nightcity::georeference {
 namespace {
 
 struct Alias {
@@ -123,4 +123,4 @@ AxisPromise find_axis_promise(std::string_view srs_name) {
   return has_whole_parts(name) ? AxisPromise::fixed : AxisPromise::register_order;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::georeference

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace nightcity {
+namespace nightcity::georeference {
 
 /// Returns definitions to try with PROJ, best first; none where there is no name. The name as
 /// written comes first unless PROJ would take it for something else ("CH1903" is a geographic CRS
@@ -21,4 +21,4 @@ enum class AxisPromise : std::uint8_t {
 };
 AxisPromise find_axis_promise(std::string_view srs_name);
 
-}  // namespace nightcity
+}  // namespace nightcity::georeference

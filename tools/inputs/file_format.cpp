@@ -25,7 +25,7 @@ bool holds(const FileStart& start, std::string_view text) {
 }
 
 bool is_citygml(const FileStart& start) {
-  return begins_as_citygml(start.bytes);
+  return citygml::begins_as_citygml(start.bytes);
 }
 
 // OSM is published in bzip2, cities are not: a city's name then says so.
@@ -34,7 +34,7 @@ bool is_osm(const FileStart& start) {
   const bool packed_city =
       start.name.ends_with(ending) &&
       city::ends_with_any(start.name.substr(0, start.name.size() - ending.size()), city_endings());
-  return begins_as_osm(start.bytes) && !packed_city;
+  return osm::begins_as_osm(start.bytes) && !packed_city;
 }
 
 bool is_gltf(const FileStart& start) {
@@ -60,13 +60,14 @@ bool is_eulumdat(const FileStart& start) {
   return start.name.ends_with(".ldt");
 }
 
-constexpr city::FileReader citygml_reader{read_citygml_head, read_citygml_staged};
+constexpr city::FileReader citygml_reader{citygml::read_citygml_head, citygml::read_citygml_staged};
 
 constexpr std::array formats{
     FileFormat{"glTF", FileKind::scene, is_gltf},
     FileFormat{"light file", FileKind::lights, is_light_file},
     FileFormat{"OSM", FileKind::osm, is_osm, true},
-    FileFormat{"CityGML", FileKind::city, is_citygml, true, citygml_endings, &citygml_reader},
+    FileFormat{"CityGML", FileKind::city, is_citygml, true, citygml::citygml_endings,
+               &citygml_reader},
     FileFormat{"IES", FileKind::luminaire, is_ies},
     FileFormat{"EULUMDAT", FileKind::luminaire, is_eulumdat},
 };
@@ -115,7 +116,7 @@ const FileFormat& find_format(const std::filesystem::path& path) {
     const std::string bytes = read_start(document);
     if (const FileFormat* format = recognise({bytes, name, document.packed})) return *format;
     if (why.empty()) why = explain_foreign(bytes, name);
-    if (why.empty()) why = describe_unread_osm(bytes);
+    if (why.empty()) why = osm::describe_unread_osm(bytes);
   }
   throw Error(path.string(),
               why.empty() ? "is of no format that is read here: " + list_names() : why);

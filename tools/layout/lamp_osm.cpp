@@ -21,10 +21,10 @@ double bearing_degrees(const glm::dvec2& from, const glm::dvec2& to) {
 }
 
 /// Returns the hours as OSM writes them: "17:00-23:00;05:00-07:00".
-std::string lit_hours(const NightSchedule& hours) {
+std::string lit_hours(const lights::NightSchedule& hours) {
   std::string text;
   const auto clock = [](int minute) {
-    return fmt::format("{:02}:{:02}", (night_begin_hour + minute / 60) % 24, minute % 60);
+    return fmt::format("{:02}:{:02}", (lights::night_begin_hour + minute / 60) % 24, minute % 60);
   };
   for (std::size_t n = 0; n < hours.on.size(); ++n) {
     if (hours.on[n] >= hours.off[n]) continue;
@@ -36,15 +36,16 @@ std::string lit_hours(const NightSchedule& hours) {
 
 /// Returns the colour temperature, or the colour itself where the lamp is no black body (sodium) or
 /// its colour was tagged.
-std::string colour_of(const PlacedLamp& lamp) {
-  const glm::vec3 black_body = rec709_from_xy(planckian_xy(lamp.cct_k));
+std::string colour_of(const lights::PlacedLamp& lamp) {
+  const glm::vec3 black_body = lights::rec709_from_xy(lights::planckian_xy(lamp.cct_k));
   const bool alike = glm::distance(black_body, lamp.colour) < 1e-3F;
-  return alike ? fmt::format("{:.0f} K", lamp.cct_k) : to_hex(lamp.colour);
+  return alike ? fmt::format("{:.0f} K", lamp.cct_k) : lights::to_hex(lamp.colour);
 }
 
 }  // namespace
 
-std::size_t write_lamp_osm(const std::filesystem::path& path, std::span<const PlacedLamp> lamps,
+std::size_t write_lamp_osm(const std::filesystem::path& path,
+                           std::span<const lights::PlacedLamp> lamps,
                            const std::function<glm::dvec2(const glm::dvec2&)>& to_lon_lat) {
   AtomicFile file(path);
   file.write(
@@ -55,7 +56,7 @@ std::size_t write_lamp_osm(const std::filesystem::path& path, std::span<const Pl
   const auto tag = [&text](const char* key, const std::string& value) {
     text += fmt::format("<tag k=\"{}\" v=\"{}\"/>\n", key, value);
   };
-  for (const PlacedLamp& lamp : lamps) {
+  for (const lights::PlacedLamp& lamp : lamps) {
     const glm::dvec2 foot(lamp.foot), at = to_lon_lat(foot),
                                       ahead = to_lon_lat(foot + lamp.aim * 10.0);
     if (!std::isfinite(at.x + at.y + ahead.x + ahead.y)) continue;

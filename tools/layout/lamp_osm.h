@@ -17,7 +17,8 @@ namespace nightcity::layout {
 /// which names the way or the mapped node. Ids are negative, as editors write them for nodes that
 /// are not yet in the map, and follow from the lamps' ids. Lamps without a place on the Earth are
 /// left out. Throws Error if the file cannot be written.
-std::size_t write_lamp_osm(const std::filesystem::path& path, std::span<const PlacedLamp> lamps,
+std::size_t write_lamp_osm(const std::filesystem::path& path,
+                           std::span<const lights::PlacedLamp> lamps,
                            const std::function<glm::dvec2(const glm::dvec2&)>& to_lon_lat);
 
 }  // namespace nightcity::layout

@@ -40,12 +40,12 @@ auto rank(const streets::Street& street) {
 
 class Layouter {
  public:
-  Layouter(const OsmData& osm, const LonLatToFrame& to_frame, const HeightAt& height_at,
-           const InsideBuilding& inside, const LampOptions& lamps, const LayoutOptions& options,
-           LampSet& set)
+  Layouter(const osm::OsmData& osm, const place::LonLatToFrame& to_frame,
+           const place::HeightAt& height_at, const place::InsideBuilding& inside,
+           const lights::LampOptions& lamps, const LayoutOptions& options, lights::LampSet& set)
       : height_at_(height_at), lamp_options_(lamps), options_(options), set_(set) {
-    std::vector<const OsmWay*> lit, unlit;
-    for (const OsmWay& way : osm.highways) {
+    std::vector<const osm::OsmWay*> lit, unlit;
+    for (const osm::OsmWay& way : osm.highways) {
       if (!roads::read_carriageway(way.tags)) continue;
       const std::string reason = streets::why_unlit(way);
       (reason.empty() ? lit : unlit).push_back(&way);
@@ -54,7 +54,7 @@ class Layouter {
     }
     // The result must not depend on the order of the file.
     std::sort(lit.begin(), lit.end(),
-              [](const OsmWay* a, const OsmWay* b) { return a->id < b->id; });
+              [](const osm::OsmWay* a, const osm::OsmWay* b) { return a->id < b->id; });
     network_ = streets::make_street_network(lit, to_frame);
     sites_.emplace(network_, unlit, to_frame, height_at, inside);
     for (std::uint32_t n = 0; n < first_new_; ++n) {
@@ -83,7 +83,7 @@ class Layouter {
   }
 
  private:
-  bool in_model(const OsmWay& way, const LonLatToFrame& to_frame) const {
+  bool in_model(const osm::OsmWay& way, const place::LonLatToFrame& to_frame) const {
     return std::any_of(way.lon_lat.begin(), way.lon_lat.end(), [&](const glm::dvec2& lon_lat) {
       const glm::dvec2 p = to_frame(lon_lat);
       return std::isfinite(p.x) && std::isfinite(p.y) && height_at_(p);
@@ -97,23 +97,23 @@ class Layouter {
   }
 
   /// Keeps the hours of a way whose tag `lit` gives any, and notes a value that is not understood.
-  void read_hours(const OsmWay& way, const LonLatToFrame& to_frame) {
+  void read_hours(const osm::OsmWay& way, const place::LonLatToFrame& to_frame) {
     const auto found = way.tags.find("lit");
     if (found == way.tags.end()) return;
-    const LitTag lit = read_lit_tag(found->second);
+    const lights::LitTag lit = lights::read_lit_tag(found->second);
     if (lit.hours) hours_of_way_.emplace(way.id, *lit.hours);
-    if (lit.kind == LitTag::Kind::not_understood && in_model(way, to_frame))
+    if (lit.kind == lights::LitTag::Kind::not_understood && in_model(way, to_frame))
       ++report_.notes["tag of a way not understood: lit=" + found->second];
   }
 
   /// Chooses arrangement, spacing, flux and side of a street.
   void plan(std::size_t s) {
     const streets::Street& street = network_.streets[s];
-    const RoadLighting& road = lighting_of(street);
+    const lights::RoadLighting& road = lighting_of(street);
     StreetPlanned& plan = plans_[s];
     const auto own = options_.class_of.find(road.highway);
     const auto wanted =
-        lighting_class(own == options_.class_of.end() ? road.target : own->second.c_str());
+        lights::lighting_class(own == options_.class_of.end() ? road.target : own->second.c_str());
     if (!wanted) throw std::invalid_argument("no lighting class of EN 13201-2: " + own->second);
     plan.wanted = *wanted;
     plan.design = design(street, arrangement_for(street.road.width_m, road.mounting_m), *wanted);
@@ -145,13 +145,13 @@ class Layouter {
   }
 
   LampDesign design(const streets::Street& street, Arrangement arrangement,
-                    const LightingClass& wanted) {
-    const RoadLighting& road = lighting_of(street);
+                    const lights::LightingClass& wanted) {
+    const lights::RoadLighting& road = lighting_of(street);
     const auto key =
         std::tuple(std::string(road.highway), std::lround(street.road.width_m * 10), arrangement);
     const auto known = designs_.find(key);
     if (known != designs_.end()) return known->second;
-    const Photometry profile =
+    const lights::Photometry profile =
         profile_of(set_, profile_for(road, arrangement == Arrangement::central));
     return designs_[key] = design_lamps(road, street.road.width_m, arrangement, wanted, profile);
   }
@@ -275,10 +275,10 @@ class Layouter {
 
   void put(std::size_t s, const PostSite& site) {
     const streets::Street& street = network_.streets[s];
-    const RoadLighting& road = lighting_of(street);
+    const lights::RoadLighting& road = lighting_of(street);
     const streets::Street::Place place = street.place(site.along_m);
     const glm::dvec2 left(-place.along.y, place.along.x);
-    PlacedLamp lamp;
+    lights::PlacedLamp lamp;
     lamp.foot = site.foot;
     lamp.mounting_height_m = road.mounting_m;
     lamp.hung = site.side == 0;
@@ -286,9 +286,9 @@ class Layouter {
     if (!lamp.hung) lamp.outreach = lamp.aim * std::min(road.outreach_m, site.offset_m);
     lamp.flux_lm = plans_[s].design.flux_lm;
     lamp.cct_k = road.cct_k;
-    lamp.colour = rec709_from_xy(planckian_xy(road.cct_k));
-    lamp.radius_m =
-        road.optic == Optic::lantern && !lamp.hung ? lantern_radius_m : luminous_radius_m;
+    lamp.colour = lights::rec709_from_xy(lights::planckian_xy(road.cct_k));
+    lamp.radius_m = road.optic == lights::Optic::lantern && !lamp.hung ? lights::lantern_radius_m
+                                                                       : lights::luminous_radius_m;
     lamp.profile = profile_for(road, lamp.hung);
     lamp.highway = road.highway;
     lamp.way_id = place.way_id;
@@ -313,17 +313,20 @@ class Layouter {
     set_.lamps.push_back(lamp);
   }
 
-  const LuminaireChoice* measured(const RoadLighting& road, bool hung) const {
-    return hung || road.optic == Optic::lantern ? nullptr : luminaire_for(lamp_options_, road);
+  const lights::LuminaireChoice* measured(const lights::RoadLighting& road, bool hung) const {
+    return hung || road.optic == lights::Optic::lantern
+               ? nullptr
+               : lights::luminaire_for(lamp_options_, road);
   }
 
-  std::uint32_t profile_for(const RoadLighting& road, bool hung) {
-    const LuminaireChoice* choice = measured(road, hung);
-    const Optic optic = hung ? Optic::central : road.optic;
-    const std::string name = choice ? choice->name : nightcity::name_of(optic);
+  std::uint32_t profile_for(const lights::RoadLighting& road, bool hung) {
+    const lights::LuminaireChoice* choice = measured(road, hung);
+    const lights::Optic optic = hung ? lights::Optic::central : road.optic;
+    const std::string name = choice ? choice->name : nightcity::lights::name_of(optic);
     const auto known = profiles_.find(name);
     if (known != profiles_.end()) return known->second;
-    return profiles_[name] = add_profile(set_, choice ? choice->photometry : make_optic(optic));
+    return profiles_[name] =
+               add_profile(set_, choice ? choice->photometry : lights::make_optic(optic));
   }
 
   std::uint32_t unused_id(const streets::Street::Place& place, int side) {
@@ -337,7 +340,7 @@ class Layouter {
   void count() {
     report_.lamps = set_.lamps.size() - first_new_;
     for (std::size_t n = first_new_; n < set_.lamps.size(); ++n) {
-      const PlacedLamp& lamp = set_.lamps[n];
+      const lights::PlacedLamp& lamp = set_.lamps[n];
       for (const char* value : {"position", "height", "colour"}) ++set_.sources[value]["rule"];
       ++set_.sources["flux"]["standard"];
       ++set_.sources["profile"]
@@ -348,14 +351,14 @@ class Layouter {
     }
   }
 
-  const HeightAt& height_at_;
-  const LampOptions& lamp_options_;
+  const place::HeightAt& height_at_;
+  const lights::LampOptions& lamp_options_;
   const LayoutOptions& options_;
-  LampSet& set_;
+  lights::LampSet& set_;
   const std::size_t first_new_ = set_.lamps.size();
   streets::StreetNetwork network_;
   std::optional<PostSites> sites_;
-  std::map<std::int64_t, NightSchedule> hours_of_way_;
+  std::map<std::int64_t, lights::NightSchedule> hours_of_way_;
   std::vector<StreetPlanned> plans_;
   std::map<std::tuple<std::string, long, Arrangement>, LampDesign> designs_;
   std::map<std::string, std::uint32_t> profiles_;
@@ -368,9 +371,10 @@ class Layouter {
 
 }  // namespace
 
-LayoutReport lay_out_lamps(const OsmData& osm, const LonLatToFrame& to_frame,
-                           const HeightAt& height_at, const InsideBuilding& inside,
-                           const LampOptions& lamps, const LayoutOptions& options, LampSet& set) {
+LayoutReport lay_out_lamps(const osm::OsmData& osm, const place::LonLatToFrame& to_frame,
+                           const place::HeightAt& height_at, const place::InsideBuilding& inside,
+                           const lights::LampOptions& lamps, const LayoutOptions& options,
+                           lights::LampSet& set) {
   if (options.mode == LayoutOptions::Mode::never) return {};
   return Layouter(osm, to_frame, height_at, inside, lamps, options, set).run();
 }

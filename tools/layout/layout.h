@@ -60,8 +60,9 @@ struct LayoutReport {
 /// Appends lamps to `set`, which holds the mapped ones. The identity of a lamp follows from its way
 /// and its place along the way, so it does not depend on the rest of the map. Its flux has
 /// ValueSource::standard, its other values have ValueSource::rule. Mode::never adds nothing.
-LayoutReport lay_out_lamps(const OsmData& osm, const LonLatToFrame& to_frame,
-                           const HeightAt& height_at, const InsideBuilding& inside,
-                           const LampOptions& lamps, const LayoutOptions& options, LampSet& set);
+LayoutReport lay_out_lamps(const osm::OsmData& osm, const place::LonLatToFrame& to_frame,
+                           const place::HeightAt& height_at, const place::InsideBuilding& inside,
+                           const lights::LampOptions& lamps, const LayoutOptions& options,
+                           lights::LampSet& set);
 
 }  // namespace nightcity::layout

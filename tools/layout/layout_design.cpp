@@ -5,11 +5,11 @@
 
 namespace nightcity::layout {
 
-const RoadLighting& lighting_of(const streets::Street& street) {
-  return find_road_lighting(*street.road.road_class);
+const lights::RoadLighting& lighting_of(const streets::Street& street) {
+  return lights::find_road_lighting(*street.road.road_class);
 }
 
-double setback_m(const RoadLighting& road) {
+double setback_m(const lights::RoadLighting& road) {
   return road.tier == roads::RoadTier::path ? 0.3 : 0.5;
 }
 
@@ -30,8 +30,8 @@ double luminaire_package(double flux_lm) {
   return max_package_lm;
 }
 
-LampDesign design_lamps(const RoadLighting& road, double width_m, Arrangement arrangement,
-                        const LightingClass& wanted, const Photometry& profile) {
+LampDesign design_lamps(const lights::RoadLighting& road, double width_m, Arrangement arrangement,
+                        const lights::LightingClass& wanted, const lights::Photometry& profile) {
   LampRow row;
   row.arrangement = arrangement;
   row.width_m = width_m;
@@ -45,13 +45,13 @@ LampDesign design_lamps(const RoadLighting& road, double width_m, Arrangement ar
     const FieldSummary per_lumen = row_illuminance(row);
     LampDesign design{arrangement, row.spacing_m, 0, {}, false};
     design.flux_lm =
-        luminaire_package(wanted.average_lx / (maintenance_factor * per_lumen.average_lx));
+        luminaire_package(wanted.average_lx / (lights::maintenance_factor * per_lumen.average_lx));
     design.field = {per_lumen.average_lx * design.flux_lm, per_lumen.min_lx * design.flux_lm};
-    const double average = design.field.average_lx * maintenance_factor;
-    const double least = design.field.min_lx * maintenance_factor;
+    const double average = design.field.average_lx * lights::maintenance_factor;
+    const double least = design.field.min_lx * lights::maintenance_factor;
     design.meets_class = average >= wanted.average_lx &&
-                         average <= wanted.average_lx * max_excess && least >= wanted.min_lx &&
-                         design.field.uniformity() >= wanted.uniformity;
+                         average <= wanted.average_lx * lights::max_excess &&
+                         least >= wanted.min_lx && design.field.uniformity() >= wanted.uniformity;
     if (design.meets_class) return design;
     if (tenths >= 25 &&
         (best.spacing_m == 0 || design.field.uniformity() > best.field.uniformity()))

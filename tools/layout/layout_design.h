@@ -18,11 +18,11 @@ struct LampDesign {
 };
 
 /// Returns what lamps make of a street's class.
-const RoadLighting& lighting_of(const streets::Street& street);
+const lights::RoadLighting& lighting_of(const streets::Street& street);
 
 /// Returns how far a post stands behind the kerb, in metres: the clearance of 0.5 m at town speeds
 /// (RASt 06, 4.2), less beside paths.
-double setback_m(const RoadLighting& road);
+double setback_m(const lights::RoadLighting& road);
 
 /// Returns the arrangement for a width and a mounting height (Global Street Design Guide): one side
 /// up to a width of about the height, staggered up to about 1.5 times the height, both sides
@@ -38,7 +38,7 @@ constexpr double min_package_lm = 500, max_package_lm = 63000;
 /// Returns the widest spacing, of 3.0 down to 2.5 mounting heights (the guide's range; 2.0 where
 /// the class's uniformity asks for it), whose smallest sufficient package keeps the average within
 /// the class. If there is none, returns the most even one. `profile` is in candela per lumen.
-LampDesign design_lamps(const RoadLighting& road, double width_m, Arrangement arrangement,
-                        const LightingClass& wanted, const Photometry& profile);
+LampDesign design_lamps(const lights::RoadLighting& road, double width_m, Arrangement arrangement,
+                        const lights::LightingClass& wanted, const lights::Photometry& profile);
 
 }  // namespace nightcity::layout

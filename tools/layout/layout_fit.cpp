@@ -16,7 +16,8 @@ constexpr double reach_heights = 5;  // EN 13201-3, 8.3: lamps farther away do n
 class Fitter {
  public:
   Fitter(const streets::StreetNetwork& network, const std::vector<StreetPlanned>& plans,
-         LampSet& set, std::size_t first_new, const std::vector<std::size_t>& street_of_lamp)
+         lights::LampSet& set, std::size_t first_new,
+         const std::vector<std::size_t>& street_of_lamp)
       : network_(network),
         plans_(plans),
         set_(set),
@@ -24,7 +25,7 @@ class Fitter {
         street_of_lamp_(street_of_lamp) {
     for (std::uint32_t n = 0; n < set.profiles.size(); ++n) profiles_.push_back(profile_of(set, n));
     for (std::size_t n = 0; n < set.lamps.size(); ++n) {
-      const PlacedLamp& lamp = set.lamps[n];
+      const lights::PlacedLamp& lamp = set.lamps[n];
       // Mapped lamps count with their flux, new ones with one lumen that is scaled later.
       luminaires_.push_back(
           {glm::dvec2(lamp.foot) + lamp.outreach, lamp.mounting_height_m, lamp.aim,
@@ -35,7 +36,7 @@ class Fitter {
     }
   }
 
-  void run(const HeightAt& height_at, LayoutReport& report) {
+  void run(const place::HeightAt& height_at, LayoutReport& report) {
     fields_.resize(plans_.size());
     flux_.resize(plans_.size());
     for (std::size_t s = 0; s < plans_.size(); ++s) {
@@ -74,7 +75,7 @@ class Fitter {
     });
   }
 
-  void lay_field(std::size_t s, const HeightAt& height_at) {
+  void lay_field(std::size_t s, const place::HeightAt& height_at) {
     const streets::Street& street = network_.streets[s];
     Field& field = fields_[s];
     const double step = std::min(3.0, plans_[s].design.spacing_m / 10), length = street.length_m();
@@ -131,7 +132,7 @@ class Fitter {
         const auto own = field.per_lumen.find(s);
         if (own == field.per_lumen.end() || !(own->second > 0)) continue;
         const double others = average(field) - own->second * flux_[s];
-        const double wanted = aim * plans_[s].wanted.average_lx / maintenance_factor;
+        const double wanted = aim * plans_[s].wanted.average_lx / lights::maintenance_factor;
         const double design = plans_[s].design.flux_lm;
         flux_[s] =
             std::clamp((wanted - others) / own->second, design / max_change, design * max_change);
@@ -183,8 +184,9 @@ class Fitter {
       const double own_area = street.length_m * street.width_m;
       area[street.highway] += own_area;
       sum.average_lx += street.field.average_lx * own_area;
-      const double maintained = street.field.average_lx * maintenance_factor / street.wanted_lx;
-      if (maintained >= 1 && maintained <= max_excess) sum.in_class += street.length_m;
+      const double maintained =
+          street.field.average_lx * lights::maintenance_factor / street.wanted_lx;
+      if (maintained >= 1 && maintained <= lights::max_excess) sum.in_class += street.length_m;
       if (street.length_m < street.spacing_m) continue;
       least[street.highway].push_back(street.field.min_lx);
       uniformity[street.highway].push_back(street.field.uniformity());
@@ -199,10 +201,10 @@ class Fitter {
 
   const streets::StreetNetwork& network_;
   const std::vector<StreetPlanned>& plans_;
-  LampSet& set_;
+  lights::LampSet& set_;
   const std::size_t first_new_;
   const std::vector<std::size_t>& street_of_lamp_;
-  std::vector<Photometry> profiles_;
+  std::vector<lights::Photometry> profiles_;
   std::vector<RoadLuminaire> luminaires_;
   PlaceGrid grid_{30};
   double highest_m_ = 0;
@@ -213,20 +215,20 @@ class Fitter {
 }  // namespace
 
 void fit_flux(const streets::StreetNetwork& network, const std::vector<StreetPlanned>& plans,
-              const HeightAt& height_at, LampSet& set, std::size_t first_new,
+              const place::HeightAt& height_at, lights::LampSet& set, std::size_t first_new,
               const std::vector<std::size_t>& street_of_lamp, LayoutReport& report) {
   Fitter(network, plans, set, first_new, street_of_lamp).run(height_at, report);
 }
 
-Photometry profile_of(const LampSet& set, std::uint32_t profile) {
+lights::Photometry profile_of(const lights::LampSet& set, std::uint32_t profile) {
   const LightProfile& from = set.profiles[profile];
   const float* first = set.profile_data.data() + from.data_offset;
   return {from.c_count, from.gamma_count,
           std::vector<double>(first, first + std::size_t{from.c_count} * from.gamma_count)};
 }
 
-std::uint32_t add_profile(LampSet& set, const Photometry& photometry) {
-  ProfileTable table;
+std::uint32_t add_profile(lights::LampSet& set, const lights::Photometry& photometry) {
+  lights::ProfileTable table;
   table.add("", photometry);
   LightProfile profile = table.profiles.front();
   for (std::uint32_t n = 0; n < set.profiles.size(); ++n) {

@@ -10,7 +10,7 @@ namespace nightcity::layout {
 
 struct StreetPlanned {
   bool lit = false;  // lies in the model and has a design
-  LightingClass wanted{};
+  lights::LightingClass wanted{};
   LampDesign design;
   int side = -1;                   // of its lamps: +1 left of the street's direction
   std::size_t left_to_mapped = 0;  // places that mapped lamps light
@@ -23,13 +23,13 @@ struct StreetPlanned {
 /// places are mostly left to mapped lamps is only counted, because the layout does not light it.
 /// `plans` is parallel to the network's streets.
 void fit_flux(const streets::StreetNetwork& network, const std::vector<StreetPlanned>& plans,
-              const HeightAt& height_at, LampSet& set, std::size_t first_new,
+              const place::HeightAt& height_at, lights::LampSet& set, std::size_t first_new,
               const std::vector<std::size_t>& street_of_lamp, LayoutReport& report);
 constexpr double max_change = 2.5;
 
 /// Returns a profile of the set in candela per lumen.
-Photometry profile_of(const LampSet& set, std::uint32_t profile);
+lights::Photometry profile_of(const lights::LampSet& set, std::uint32_t profile);
 /// Adds a profile to the set, unless it holds an equal one, and returns its number.
-std::uint32_t add_profile(LampSet& set, const Photometry& photometry);
+std::uint32_t add_profile(lights::LampSet& set, const lights::Photometry& photometry);
 
 }  // namespace nightcity::layout

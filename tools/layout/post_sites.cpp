@@ -16,16 +16,17 @@ constexpr double sample_m = 2;
 
 }  // namespace
 
-PostSites::PostSites(const streets::StreetNetwork& network, const std::vector<const OsmWay*>& unlit,
-                     const LonLatToFrame& to_frame, const HeightAt& height_at,
-                     const InsideBuilding& inside)
+PostSites::PostSites(const streets::StreetNetwork& network,
+                     const std::vector<const osm::OsmWay*>& unlit,
+                     const place::LonLatToFrame& to_frame, const place::HeightAt& height_at,
+                     const place::InsideBuilding& inside)
     : network_(network), height_at_(height_at), inside_(inside) {
   // Paths are no obstacles, because lamps stand on pavements.
   for (const streets::Street& street : network.streets)
     add_carriageway(
         lighting_of(street).tier == roads::RoadTier::path ? std::vector<glm::dvec2>() : street.line,
         street.road.width_m);
-  for (const OsmWay* way : unlit) {
+  for (const osm::OsmWay* way : unlit) {
     const auto road = roads::read_carriageway(way->tags);
     if (!road || road->road_class->tier == roads::RoadTier::path) continue;
     std::vector<glm::dvec2> line;

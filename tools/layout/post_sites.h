@@ -24,8 +24,9 @@ enum class SiteFault { outside_model, building, carriageway };
 class PostSites {
  public:
   /// All arguments must outlive this object. `unlit` roads count as carriageways too.
-  PostSites(const streets::StreetNetwork& network, const std::vector<const OsmWay*>& unlit,
-            const LonLatToFrame& to_frame, const HeightAt& height_at, const InsideBuilding& inside);
+  PostSites(const streets::StreetNetwork& network, const std::vector<const osm::OsmWay*>& unlit,
+            const place::LonLatToFrame& to_frame, const place::HeightAt& height_at,
+            const place::InsideBuilding& inside);
 
   /// Returns the place beside a street at `along_m`. Where a building stands too near, the place
   /// moves towards the kerb. Empty, with the reason in `fault`, where there is no room.
@@ -41,8 +42,8 @@ class PostSites {
   bool clear_of_buildings(const glm::dvec2& p) const;
 
   const streets::StreetNetwork& network_;
-  const HeightAt& height_at_;
-  const InsideBuilding& inside_;
+  const place::HeightAt& height_at_;
+  const place::InsideBuilding& inside_;
   PlaceGrid carriageways_{20};         // points of the centrelines, two metres apart
   std::vector<double> half_widths_m_;  // by carriageway; the streets first
   double widest_half_m_ = 0;

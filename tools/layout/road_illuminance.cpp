@@ -23,8 +23,8 @@ double illuminance(const RoadLuminaire& lamp, const glm::dvec2& point) {
                  right = away.x * lamp.aim.y - away.y * lamp.aim.x;
     const double t = glm::radians(lamp.tilt_degrees), c = std::cos(t), s = std::sin(t);
     const double on_axis = (h * c + along * s) / distance;
-    candela_per_lumen = intensity_at(*lamp.profile, std::atan2(right, along * c - h * s),
-                                     std::acos(std::clamp(on_axis, -1.0, 1.0)));
+    candela_per_lumen = lights::intensity_at(*lamp.profile, std::atan2(right, along * c - h * s),
+                                             std::acos(std::clamp(on_axis, -1.0, 1.0)));
   }
   return lamp.flux_lm * candela_per_lumen * h / (square * distance);
 }

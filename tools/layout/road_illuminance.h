@@ -15,7 +15,8 @@ struct RoadLuminaire {
   glm::dvec2 aim{0, 1};     // unit, the C = 0 half-plane
   double tilt_degrees = 0;  // of the axis, from straight down towards `aim`
   double flux_lm = 0;
-  const Photometry* profile = nullptr;  // candela per lumen; null: the same in all directions
+  const lights::Photometry* profile =
+      nullptr;  // candela per lumen; null: the same in all directions
 };
 
 /// Returns the illuminance in lux at a point of the road: E = I(C, gamma) cos^3(angle from
@@ -44,7 +45,7 @@ struct LampRow {
   double height_m = 0;
   double overhang_m = 0;  // of the luminous centre over the carriageway; negative: behind the kerb
   double flux_lm = 1;
-  const Photometry* profile = nullptr;
+  const lights::Photometry* profile = nullptr;
 };
 
 /// Returns the statistics over one period of the row. The points lie in the middles of their cells:

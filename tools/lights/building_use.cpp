@@ -9,7 +9,7 @@
 
 #include "tools/osm/tag_values.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 struct Range {
@@ -142,18 +142,18 @@ KnownUse use_from_code(std::string_view code) {
     if (adv) return look_up(alkis, number);
     return digits.size() == 3 ? look_up(plateau, number) : look_up(citygml, number);
   }
-  const std::string text = normalise_tag(code);
+  const std::string text = osm::normalise_tag(code);
   for (const Word& word : words)
     if (text.find(word.part) != std::string::npos) return {word.use, true, false};
   return {};
 }
 
-KnownUse use_of(const CityObject& building, const UseAt& map) {
+KnownUse use_of(const city::CityObject& building, const UseAt& map) {
   for (const std::string* code : {&building.function, &building.usage, &building.building_class})
     if (const KnownUse use = use_from_code(*code); use.stated) return use;
   glm::dvec2 west_south(std::numeric_limits<double>::infinity()), east_north(-west_south);
   double area = 0, low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const Polygon& polygon : building.polygons) {
+  for (const city::Polygon& polygon : building.polygons) {
     double twice = 0;
     for (std::size_t k = 0; k < polygon.exterior.size(); ++k) {
       const glm::dvec3 &a = polygon.exterior[k],
@@ -165,7 +165,7 @@ KnownUse use_of(const CityObject& building, const UseAt& map) {
       low = std::min(low, a.z);
       high = std::max(high, a.z);
     }
-    if (polygon.surface == SurfaceType::roof) area += std::abs(twice) / 2;
+    if (polygon.surface == city::SurfaceType::roof) area += std::abs(twice) / 2;
   }
   if (map && west_south.x <= east_north.x)
     if (const auto use = map((west_south + east_north) * 0.5)) return {*use, false, true};
@@ -173,4 +173,4 @@ KnownUse use_of(const CityObject& building, const UseAt& map) {
   return {hut ? dark : residential, false, false};
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

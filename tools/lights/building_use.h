@@ -8,7 +8,7 @@
 
 #include "tools/city/city_model.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 enum class BuildingUse {
   residential,
@@ -41,6 +41,6 @@ KnownUse use_from_code(std::string_view code);
 /// Returns the use of a building from its function, usage and class, in that order, then from the
 /// map at the middle of its footprint (if `map` is given; coordinates E, N). Unknown buildings are
 /// dwellings, and unknown huts (under 3 m or 25 m2) are dark.
-KnownUse use_of(const CityObject& building, const UseAt& map = {});
+KnownUse use_of(const city::CityObject& building, const UseAt& map = {});
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

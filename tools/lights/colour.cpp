@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-namespace nightcity {
+namespace nightcity::lights {
 
 glm::dvec2 planckian_xy(double kelvin) {
   const double t = std::clamp(kelvin, 1000.0, 15000.0);
@@ -61,4 +61,4 @@ std::string to_hex(const glm::vec3& rec709) {
   return text;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -7,7 +7,7 @@
 #include "tools/lights/luminaire.h"
 #include "tools/lights/text_lines.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 constexpr int max_angles = 721;
@@ -193,4 +193,4 @@ Luminaire read_eulumdat(const std::filesystem::path& path) {
   return std::move(luminaire);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

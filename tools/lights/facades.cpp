@@ -9,7 +9,7 @@
 #include "tools/lights/wall_plane.h"
 #include "tools/random.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 using glm::dvec2;
@@ -75,7 +75,7 @@ struct Facade {
 
 class Builder {
  public:
-  Builder(const CityObject& building, BuildingUse use, std::uint64_t seed)
+  Builder(const city::CityObject& building, BuildingUse use, std::uint64_t seed)
       : building_(building),
         use_(use),
         style_(style_of(use)),
@@ -99,8 +99,8 @@ class Builder {
  private:
   void take_modelled() {
     std::uint16_t number = 0;
-    for (const Polygon& polygon : building_.polygons) {
-      if (polygon.surface != SurfaceType::window) continue;
+    for (const city::Polygon& polygon : building_.polygons) {
+      if (polygon.surface != city::SurfaceType::window) continue;
       const auto frame = wall_frame(polygon, max_lean);
       if (!frame) continue;
       const WallOutline outline = outline_in(*frame, polygon);
@@ -120,8 +120,8 @@ class Builder {
   }
 
   void collect_facades() {
-    for (const Polygon& polygon : building_.polygons) {
-      if (polygon.surface != SurfaceType::wall) continue;
+    for (const city::Polygon& polygon : building_.polygons) {
+      if (polygon.surface != city::SurfaceType::wall) continue;
       const auto frame = wall_frame(polygon, max_lean);
       if (!frame) continue;
       bottom_ = std::min(bottom_, lowest_of(polygon));
@@ -144,7 +144,7 @@ class Builder {
     }
   }
 
-  static double lowest_of(const Polygon& polygon) {
+  static double lowest_of(const city::Polygon& polygon) {
     double low = std::numeric_limits<double>::infinity();
     for (const dvec3& p : polygon.exterior) low = std::min(low, p.z);
     return low;
@@ -264,7 +264,7 @@ class Builder {
     }
   }
 
-  const CityObject& building_;
+  const city::CityObject& building_;
   BuildingUse use_;
   Style style_;
   Random random_;
@@ -276,9 +276,9 @@ class Builder {
 
 }  // namespace
 
-std::vector<WindowPlace> place_windows(const CityObject& building, BuildingUse use,
+std::vector<WindowPlace> place_windows(const city::CityObject& building, BuildingUse use,
                                        std::uint64_t seed, FacadeReport& report) {
   return Builder(building, use, seed).lay(report);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -8,7 +8,7 @@
 #include "tools/city/city_model.h"
 #include "tools/lights/building_use.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 /// lobby: of hotels and offices, on the ground floor. hall: of an industrial building.
 enum class WindowKind : std::uint8_t { room, shop, stairs, hall, lobby };
@@ -32,7 +32,7 @@ struct FacadeReport {
 /// storeys are those of the building. A window lies wholly inside its wall, away from edges and
 /// holes. If the model has windows of its own (LoD3), only those are returned. `seed` varies
 /// window sizes between buildings.
-std::vector<WindowPlace> place_windows(const CityObject& building, BuildingUse use,
+std::vector<WindowPlace> place_windows(const city::CityObject& building, BuildingUse use,
                                        std::uint64_t seed, FacadeReport& report);
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

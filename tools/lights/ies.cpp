@@ -10,7 +10,7 @@
 #include "tools/lights/luminaire.h"
 #include "tools/lights/text_lines.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 double sample(const IesTable& file, double horizontal, double vertical) {
@@ -199,4 +199,4 @@ Luminaire read_ies(const std::filesystem::path& path) {
   return luminaire;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -6,7 +6,7 @@
 
 #include "formats/error.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 constexpr int max_angles = 20000;
@@ -179,4 +179,4 @@ IesTable read_ies_table(const TextLines& lines, std::size_t first, bool has_tilt
   }
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

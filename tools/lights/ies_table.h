@@ -7,7 +7,7 @@
 
 #include "tools/lights/text_lines.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 /// Returns the year of LM-63 that a file names in its first line: "IES:LM-63-2019", "IESNA:LM-63-2002",
 /// "IESNA91". 1986 for a file that names none, because the first edition asked for no such line.
@@ -29,4 +29,4 @@ struct IesTable {
 /// number, too few or too many of them, angles that do not ascend, negative candela.
 IesTable read_ies_table(const TextLines& lines, std::size_t first, bool has_tilt_table, int year);
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

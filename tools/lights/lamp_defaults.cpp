@@ -6,7 +6,7 @@
 #include "tools/lights/lighting_class.h"
 #include "tools/roads/carriageway.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 // Heights: Global Street Design Guide (NACTO 2016): footways and cycle tracks 3-6 m, narrow streets
@@ -133,4 +133,4 @@ const LampTypeDefaults& lamp_type_defaults(LampType type) {
   return lamp_types[static_cast<std::size_t>(type)];
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

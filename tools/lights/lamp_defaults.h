@@ -10,7 +10,7 @@
 #include "tools/lights/optics.h"
 #include "tools/roads/road_class.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 /// The lamp beside a road of a class, for all that its tags do not say.
 struct RoadLighting {
@@ -64,4 +64,4 @@ constexpr double wall_mounting_m = 5.0;      // brackets on facades
 constexpr double bollard_mounting_m = 0.9;
 constexpr double nearest_road_m = 40;  // farther away a lamp belongs to no road
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

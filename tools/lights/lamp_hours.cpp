@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 const NightSpan* span_of(const std::map<std::string, NightSpan>& spans, std::string_view highway) {
@@ -44,4 +44,4 @@ void switch_lamps(const LampHours& hours, LampSet& set) {
   }
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

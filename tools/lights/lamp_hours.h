@@ -6,7 +6,7 @@
 
 #include "tools/lights/place_lamps.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 struct LampHours {
   // By highway value: the time in which every lamp is dark, or every second lamp along each way.
@@ -18,4 +18,4 @@ struct LampHours {
 /// place along it, so which of them stay on does not depend on the rest of the map.
 void switch_lamps(const LampHours& hours, LampSet& set);
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

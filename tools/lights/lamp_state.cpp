@@ -8,7 +8,7 @@
 
 #include "tools/osm/tag_values.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 using std::string_view;
@@ -29,17 +29,17 @@ bool is_one_of(const std::string& word, const std::array<string_view, N>& words)
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-const std::string* find(const OsmTags& tags, string_view key) {
+const std::string* find(const osm::OsmTags& tags, string_view key) {
   const auto found = tags.find(std::string(key));
   return found == tags.end() ? nullptr : &found->second;
 }
 
-bool says(const OsmTags& tags, const char* key, std::initializer_list<string_view> words) {
+bool says(const osm::OsmTags& tags, const char* key, std::initializer_list<string_view> words) {
   const std::string* text = find(tags, key);
-  return text && std::find(words.begin(), words.end(), normalise_tag(*text)) != words.end();
+  return text && std::find(words.begin(), words.end(), osm::normalise_tag(*text)) != words.end();
 }
 
-bool is_below_ground(const OsmTags& tags) {
+bool is_below_ground(const osm::OsmTags& tags) {
   if (says(tags, "location", {"underground", "indoor"}) || says(tags, "tunnel", {"yes"}) ||
       says(tags, "indoor", {"yes"}))
     return true;
@@ -47,7 +47,7 @@ bool is_below_ground(const OsmTags& tags) {
     const std::string* text = find(tags, key);
     if (!text) continue;
     string_view rest = *text;
-    const auto number = take_number(rest);
+    const auto number = osm::take_number(rest);
     if (number && rest.empty() && *number < 0) return true;
   }
   return false;
@@ -98,17 +98,18 @@ Day today() {
   return floor<days>(system_clock::now());
 }
 
-string_view find_outage(const OsmTags& tags, Day day, std::map<std::string, std::size_t>& unread) {
+string_view find_outage(const osm::OsmTags& tags, Day day,
+                        std::map<std::string, std::size_t>& unread) {
   const auto count_unread = [&](string_view key, const std::string& text) {
     ++unread[std::string(key) + "=" + text];
   };
   for (const string_view key : gone_keys)
-    if (const std::string* text = find(tags, key); text && normalise_tag(*text) == "yes")
+    if (const std::string* text = find(tags, key); text && osm::normalise_tag(*text) == "yes")
       return "disused or demolished";
   for (const char* key : {"operational_status", "light:operational_status", "lamp:status"}) {
     const std::string* text = find(tags, key);
     if (!text) continue;
-    const std::string word = normalise_tag(*text);
+    const std::string word = osm::normalise_tag(*text);
     if (is_one_of(word, broken_words)) return "broken";
     if (!is_one_of(word, working_words)) count_unread(key, *text);
   }
@@ -123,4 +124,4 @@ string_view find_outage(const OsmTags& tags, Day day, std::map<std::string, std:
   return is_below_ground(tags) ? "underground" : "";
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -9,7 +9,7 @@
 
 #include "tools/osm/osm_data.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 using Day = std::chrono::sys_days;
 
@@ -24,7 +24,7 @@ Day today();
 /// Returns why the lamp gives no light, in words for a report: "disused or demolished", "broken",
 /// "end_date past", "start_date ahead", "underground". Empty for a lamp that works. Values of these
 /// tags that are not understood are counted in `unread`.
-std::string_view find_outage(const OsmTags& tags, Day day,
+std::string_view find_outage(const osm::OsmTags& tags, Day day,
                              std::map<std::string, std::size_t>& unread);
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -5,7 +5,7 @@
 
 #include "tools/lights/colour.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 using std::string_view;
@@ -139,4 +139,4 @@ std::optional<double> find_bearing_degrees(string_view word) {
   return look_up(word, compass_points);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -8,7 +8,7 @@
 
 #include "tools/lights/lamp_tags.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 /// Returns what a lamp is mounted on ("straight_mast", "wall", "catenary").
 std::optional<LampMount> find_lamp_mount(std::string_view word);
@@ -21,4 +21,4 @@ std::optional<glm::vec3> find_lamp_colour(std::string_view word);
 /// Returns the bearing of a compass point ("nne", "south_west") in degrees clockwise from north.
 std::optional<double> find_bearing_degrees(std::string_view word);
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -10,14 +10,14 @@
 #include "tools/lights/lit_tag.h"
 #include "tools/osm/tag_values.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 using std::string_view;
 
 std::optional<LampMount> parse_mount(string_view text) {
-  for (const string_view part : split_list(text))
-    if (const auto mount = find_lamp_mount(normalise_tag(part))) return mount;
+  for (const string_view part : osm::split_list(text))
+    if (const auto mount = find_lamp_mount(osm::normalise_tag(part))) return mount;
   return std::nullopt;
 }
 
@@ -33,8 +33,8 @@ auto between(double low, double high, Parse parse) {
 /// Returns a parser of numbers without a unit or with one of these.
 auto number_in(std::initializer_list<string_view> units) {
   return [units = std::vector<string_view>(units)](string_view text) -> std::optional<double> {
-    const auto value = take_number(text);
-    const std::string unit = normalise_tag(text);
+    const auto value = osm::take_number(text);
+    const std::string unit = osm::normalise_tag(text);
     const bool known = unit.empty() || std::find(units.begin(), units.end(), unit) != units.end();
     return value && known ? value : std::nullopt;
   };
@@ -42,7 +42,7 @@ auto number_in(std::initializer_list<string_view> units) {
 
 class LampTagReader {
  public:
-  explicit LampTagReader(const OsmTags& tags) : tags_(tags) {}
+  explicit LampTagReader(const osm::OsmTags& tags) : tags_(tags) {}
 
   LampTags read() {
     read_switching();
@@ -61,7 +61,8 @@ class LampTagReader {
 
   bool says(const char* key, std::initializer_list<string_view> values) const {
     const std::string* text = find(key);
-    return text && std::find(values.begin(), values.end(), normalise_tag(*text)) != values.end();
+    return text &&
+           std::find(values.begin(), values.end(), osm::normalise_tag(*text)) != values.end();
   }
 
   void count_unread(const char* key, string_view text) {
@@ -100,8 +101,8 @@ class LampTagReader {
                  says("light_source", {"floodlight", "flood_light"}) ||
                  says("man_made", {"floodlight", "light_mast", "lighting_mast"});
     lamp_.height_m =
-        first_of({"light:height", "height", "est_height"}, between(0.3, 60, parse_length_m));
-    lamp_.ele_m = first_of({"ele"}, between(-500, 9000, parse_length_m));
+        first_of({"light:height", "height", "est_height"}, between(0.3, 60, osm::parse_length_m));
+    lamp_.ele_m = first_of({"ele"}, between(-500, 9000, osm::parse_length_m));
     lamp_.mount = first_of({"light:mount", "lamp_mount", "lamp:mount", "support"}, parse_mount);
     // Berlin's mapping numbers the arms of a mount here: a count, not a mount that is not
     // understood.
@@ -134,7 +135,7 @@ class LampTagReader {
                             "light:colour_temperature", "colour_temperature"}) {
       const std::string* text = find(key);
       if (!text) continue;
-      const std::string word = normalise_tag(*text);
+      const std::string word = osm::normalise_tag(*text);
       if (word == "orange" || word == "yellow" || word == "amber") {
         lamp_.colour = rec709_from_xy(*lamp_type_defaults(LampType::high_pressure_sodium).xy);
         return;
@@ -153,7 +154,7 @@ class LampTagReader {
     for (const char* key : {"light:direction", "direction"}) {
       const std::string* text = find(key);
       if (!text || !lamp_.directions_degrees.empty()) continue;
-      for (const string_view part : split_list(*text)) {
+      for (const string_view part : osm::split_list(*text)) {
         if (const auto degrees = parse_direction_degrees(part))
           lamp_.directions_degrees.push_back(*degrees);
         else
@@ -169,22 +170,22 @@ class LampTagReader {
               : static_cast<int>(std::clamp<std::size_t>(lamp_.directions_degrees.size(), 1, 12));
   }
 
-  const OsmTags& tags_;
+  const osm::OsmTags& tags_;
   LampTags lamp_;
 };
 
 }  // namespace
 
 std::optional<double> parse_cct_k(string_view text) {
-  for (string_view part : split_list(text)) {
-    if (const auto known = find_cct_k(normalise_tag(part))) return known;
-    auto value = take_number(part);
+  for (string_view part : osm::split_list(text)) {
+    if (const auto known = find_cct_k(osm::normalise_tag(part))) return known;
+    auto value = osm::take_number(part);
     if (value && part.starts_with("-")) {  // a range
       part.remove_prefix(1);
-      const auto upper = take_number(part);
+      const auto upper = osm::take_number(part);
       value = upper ? std::optional((*value + *upper) / 2) : std::nullopt;
     }
-    const std::string unit = normalise_tag(part);
+    const std::string unit = osm::normalise_tag(part);
     if (value && (unit.empty() || unit == "k" || unit == "kelvin") && *value >= 1000 &&
         *value <= 20000)
       return value;
@@ -193,9 +194,9 @@ std::optional<double> parse_cct_k(string_view text) {
 }
 
 std::optional<double> parse_direction_degrees(string_view text) {
-  if (const auto known = find_bearing_degrees(normalise_tag(text))) return known;
-  const auto value = take_number(text);
-  const std::string unit = normalise_tag(text);
+  if (const auto known = find_bearing_degrees(osm::normalise_tag(text))) return known;
+  const auto value = osm::take_number(text);
+  const std::string unit = osm::normalise_tag(text);
   if (!value || *value < -360 || *value > 360) return std::nullopt;
   if (!unit.empty() && unit != "\xc2\xb0" && unit != "deg" && unit != "degrees")
     return std::nullopt;
@@ -203,13 +204,13 @@ std::optional<double> parse_direction_degrees(string_view text) {
 }
 
 std::optional<LampType> parse_lamp_type(string_view text) {
-  for (const string_view part : split_list(text))
-    if (const auto type = find_lamp_type(normalise_tag(part))) return type;
+  for (const string_view part : osm::split_list(text))
+    if (const auto type = find_lamp_type(osm::normalise_tag(part))) return type;
   return std::nullopt;
 }
 
-LampTags read_lamp_tags(const OsmTags& tags) {
+LampTags read_lamp_tags(const osm::OsmTags& tags) {
   return LampTagReader(tags).read();
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -13,7 +13,7 @@
 #include "tools/lights/night_schedule.h"
 #include "tools/osm/osm_data.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 enum class LampMount { straight_mast, bent_mast, wall, suspended, bollard };
 
@@ -34,7 +34,7 @@ struct LampTags {
 };
 
 /// Reads all tags of a lamp. Never throws: values that are not understood are counted in `unread`.
-LampTags read_lamp_tags(const OsmTags& tags);
+LampTags read_lamp_tags(const osm::OsmTags& tags);
 
 /// Returns a colour temperature in kelvin, 1000 to 20000: "3000", "3000 K", "3000k", "warm_white",
 /// the middle of "3000-4000", the first of a list.
@@ -44,4 +44,4 @@ std::optional<double> parse_direction_degrees(std::string_view text);
 /// Returns the type of the first word of a list that names one.
 std::optional<LampType> parse_lamp_type(std::string_view text);
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

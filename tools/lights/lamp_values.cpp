@@ -4,7 +4,7 @@
 
 #include "tools/lights/colour.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 Known<double> choose_flux(const LampTags& tags, const RoadLighting& defaults,
@@ -89,4 +89,4 @@ double choose_outreach(const LampTags& tags, const RoadLighting& defaults,
   return to_centreline_m ? std::min(outreach, *to_centreline_m) : outreach;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

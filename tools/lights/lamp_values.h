@@ -10,7 +10,7 @@
 #include "tools/lights/lamp_tags.h"
 #include "tools/lights/place_lamps.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 /// A value and where it came from.
 template <class T>
@@ -40,4 +40,4 @@ LampValues choose_values(const LampTags& tags, const RoadLighting& defaults,
 double choose_outreach(const LampTags& tags, const RoadLighting& defaults,
                        std::optional<double> to_centreline_m, std::size_t luminaires);
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -7,7 +7,7 @@
 #include "formats/night_check.h"
 #include "formats/schedule.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 void count_hours(const Light& light, const LightFile& file, FamilyStatistics& family) {
@@ -58,4 +58,4 @@ LightStatistics count_lights(const LightFile& file, const PlaceFault& place_faul
   return statistics;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

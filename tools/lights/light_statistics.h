@@ -11,7 +11,7 @@
 #include "formats/light_file.h"
 #include "tools/lights/night_schedule.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 struct FamilyStatistics {
   std::size_t count = 0, always_on = 0;
@@ -32,4 +32,4 @@ using PlaceFault = std::function<std::string(const Light&)>;
 /// Counts all lights of a file. Broken lights are counted in `faults` only.
 LightStatistics count_lights(const LightFile& file, const PlaceFault& place_fault = {});
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

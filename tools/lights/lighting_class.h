@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-namespace nightcity {
+namespace nightcity::lights {
 
 struct LightingClass {
   const char* name;
@@ -53,4 +53,4 @@ constexpr double maintenance_factor = 0.8;
 /// The average may exceed a P class by half before it counts as another class (EN 13201-2, 6).
 constexpr double max_excess = 1.5;
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -6,7 +6,7 @@
 
 #include "tools/osm/tag_values.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 template <std::size_t N>
@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 4> part_of_night = {"limited", "interval"
 }  // namespace
 
 LitTag read_lit_tag(std::string_view text) {
-  const std::string word = normalise_tag(text);
+  const std::string word = osm::normalise_tag(text);
   if (word.empty() || word == "unknown") return {};
   if (is_one_of(word, dark)) return {LitTag::Kind::dark, {}};
   if (is_one_of(word, whole_night)) return {LitTag::Kind::lit, {}};
@@ -34,4 +34,4 @@ LitTag read_lit_tag(std::string_view text) {
   return {LitTag::Kind::not_understood, {}};
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -6,7 +6,7 @@
 
 #include "tools/lights/night_schedule.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 struct LitTag {
   enum class Kind { unknown, lit, dark, not_understood };
@@ -19,4 +19,4 @@ struct LitTag {
 /// Lamps that are lit for a part of the night are dark from 23:00 to 5:00 (half-night switching).
 LitTag read_lit_tag(std::string_view text);
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

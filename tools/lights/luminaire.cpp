@@ -8,7 +8,7 @@
 #include "formats/error.h"
 #include "tools/lights/text_lines.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 using std::numbers::pi;
@@ -156,4 +156,4 @@ Luminaire read_luminaire(const std::filesystem::path& file) {
   return read_eulumdat(file);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

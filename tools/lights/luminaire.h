@@ -9,7 +9,7 @@
 
 #include "tools/lights/photometry.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 /// A measured distribution, unfolded to the whole turn: candela at every pair of angles,
 /// bilinear in between. C counts anticlockwise seen from above the luminaire, gamma from its
@@ -59,4 +59,4 @@ Luminaire read_eulumdat(const std::filesystem::path& file);
 /// Reads either, by content: IES files hold a TILT line.
 Luminaire read_luminaire(const std::filesystem::path& file);
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -6,7 +6,7 @@
 #include "tools/osm/tag_values.h"
 #include "tools/random.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 uint second_of(int minute) {
@@ -73,7 +73,7 @@ std::optional<NightSpan> parse_night_span(std::string_view text) {
 }
 
 std::optional<NightSchedule> parse_lit_hours(std::string_view text) {
-  const std::string value = normalise_tag(text);  // blanks and dashes become underscores
+  const std::string value = osm::normalise_tag(text);  // blanks and dashes become underscores
   if (value == "24/7") return dark_between(night_minutes, night_minutes);
   NightSchedule schedule;
   std::size_t used = 0;
@@ -133,4 +133,4 @@ void count_hours(const NightSchedule& schedule, HourCounts& counts) {
     counts[hour] += schedule.lit_at(std::min(static_cast<int>(hour) * 60, night_minutes - 1));
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -14,7 +14,7 @@
 
 #include "formats/night.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 constexpr int night_minutes = (night_end_s - night_begin_s) / 60;  // from 17:00 to 07:00
 constexpr int night_begin_hour = 12 + night_begin_s / 3600;        // on the clock: 17
@@ -84,4 +84,4 @@ constexpr int clock_hour(std::size_t index) {
   return static_cast<int>((night_begin_hour + index) % 24);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 /// Collects spans of light and sorts them.
@@ -199,4 +199,4 @@ LitWindow draw_window(const Household& household, WindowKind kind, Random& rando
   return window;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -7,7 +7,7 @@
 #include "tools/lights/night_schedule.h"
 #include "tools/random.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 /// The people behind a run of neighbouring windows, who decide about all of their rooms.
 struct Household {
@@ -34,4 +34,4 @@ struct LitWindow {
 /// of their own.
 LitWindow draw_window(const Household& household, WindowKind kind, Random& random);
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

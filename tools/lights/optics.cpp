@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 /// Intensity of a street luminaire. Such luminaires spread an even illuminance E over their stretch
@@ -64,4 +64,4 @@ Photometry make_optic(Optic optic) {
   return sample_intensity([](double, double gamma) { return floodlight(gamma); }, 1, 181);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

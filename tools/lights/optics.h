@@ -4,7 +4,7 @@
 
 #include "tools/lights/photometry.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 enum class Optic {
   street,     // full cut-off, wide along the road, thrown across it from one side
@@ -19,4 +19,4 @@ const char* name_of(Optic optic);
 /// ProfileTable::add scales it to one lumen.
 Photometry make_optic(Optic optic);
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

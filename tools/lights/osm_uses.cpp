@@ -11,7 +11,7 @@
 #include "tools/in_ring.h"
 #include "tools/osm/tag_values.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 using enum BuildingUse;
@@ -115,10 +115,10 @@ std::uint64_t key(std::int64_t x, std::int64_t y) {
 
 }  // namespace
 
-std::optional<BuildingUse> use_from_tags(const OsmTags& tags) {
+std::optional<BuildingUse> use_from_tags(const osm::OsmTags& tags) {
   const auto value = [&](const char* name) {
     const auto found = tags.find(name);
-    return found == tags.end() ? std::string() : normalise_tag(found->second);
+    return found == tags.end() ? std::string() : osm::normalise_tag(found->second);
   };
   if (const auto use = look_up(buildings, value("building"))) return use;
   if (!value("shop").empty()) return retail;
@@ -128,9 +128,9 @@ std::optional<BuildingUse> use_from_tags(const OsmTags& tags) {
   return look_up(amenities, value("amenity"));
 }
 
-OsmUses::OsmUses(const std::vector<OsmWay>& ways,
+OsmUses::OsmUses(const std::vector<osm::OsmWay>& ways,
                  const std::function<glm::dvec2(const glm::dvec2&)>& to_frame) {
-  for (const OsmWay& way : ways) {
+  for (const osm::OsmWay& way : ways) {
     const auto use = use_from_tags(way.tags);
     if (!use || way.lon_lat.size() < 4 || way.lon_lat.front() != way.lon_lat.back()) continue;
     Outline outline{{}, 0, *use};
@@ -168,4 +168,4 @@ std::optional<BuildingUse> OsmUses::at(const glm::dvec2& place) const {
   return smallest ? std::optional(smallest->use) : std::nullopt;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -11,18 +11,18 @@
 #include "tools/lights/building_use.h"
 #include "tools/osm/osm_data.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 /// Returns the use by building=*; if that is only "yes", by shop, office, amenity and tourism on
 /// the same outline. Empty if none of them gives a use.
-std::optional<BuildingUse> use_from_tags(const OsmTags& tags);
+std::optional<BuildingUse> use_from_tags(const osm::OsmTags& tags);
 
 /// Outlines of mapped buildings with a known use, found by place.
 class OsmUses {
  public:
   /// `to_frame` is that of place_lamps. Outlines that are open, broken or wider than 2 km
   /// are left out.
-  OsmUses(const std::vector<OsmWay>& buildings,
+  OsmUses(const std::vector<osm::OsmWay>& buildings,
           const std::function<glm::dvec2(const glm::dvec2&)>& to_frame);
 
   /// Returns the use of the smallest outline around the place; empty if there is none.
@@ -38,4 +38,4 @@ class OsmUses {
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace nightcity {
+namespace nightcity::lights {
 
 using std::numbers::pi;
 
@@ -70,4 +70,4 @@ std::uint32_t ProfileTable::add(std::string_view name, const Photometry& photome
   return static_cast<std::uint32_t>(names_.size() - 1);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -10,7 +10,7 @@
 
 #include "formats/light.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 /// Intensity as a function of two angles in radians: C turns from the light's tangent towards
 /// cross(axis, tangent), and gamma is 0 along the axis.
@@ -50,4 +50,4 @@ class ProfileTable {
   std::vector<std::string> names_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -18,7 +18,7 @@
 #include "tools/lights/taken_places.h"
 #include "tools/random.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 constexpr double step_out_m = 0.25, farthest_out_m = 12;
@@ -38,8 +38,9 @@ glm::dvec2 rotated(const glm::dvec2& v, double radians) {
 
 class Placer {
  public:
-  Placer(const OsmData& osm, const LonLatToFrame& to_frame, const HeightAt& height_at,
-         const InsideBuilding& inside, const LampOptions& options)
+  Placer(const osm::OsmData& osm, const place::LonLatToFrame& to_frame,
+         const place::HeightAt& height_at, const place::InsideBuilding& inside,
+         const LampOptions& options)
       : osm_(osm),
         options_(options),
         to_frame_(to_frame),
@@ -48,7 +49,7 @@ class Placer {
         roads_(osm.highways, to_frame) {}
 
   LampSet place() {
-    for (const OsmLampNode& node : osm_.lamps) place(node);
+    for (const osm::OsmLampNode& node : osm_.lamps) place(node);
     set_.profiles = std::move(profiles_.profiles);
     set_.profile_data = std::move(profiles_.data);
     return std::move(set_);
@@ -57,7 +58,7 @@ class Placer {
  private:
   void leave_out(std::string_view reason) { ++set_.left_out[std::string(reason)]; }
 
-  void place(const OsmLampNode& node) {
+  void place(const osm::OsmLampNode& node) {
     const LampTags tags = read_lamp_tags(node.tags);
     for (const auto& [text, count] : tags.unread)
       set_.notes["tag not understood: " + text] += count;
@@ -99,7 +100,7 @@ class Placer {
   }
 
   /// Adds the luminaires of one post.
-  void add_post(const OsmLampNode& node, const LampTags& tags, const glm::dvec3& foot,
+  void add_post(const osm::OsmLampNode& node, const LampTags& tags, const glm::dvec3& foot,
                 ValueSource position, const std::optional<RoadIndex::Nearest>& road) {
     const RoadLighting& defaults = defaults_for(tags, road);
     const LampValues values = choose_values(tags, defaults, options_);
@@ -154,7 +155,7 @@ class Placer {
 
   std::uint32_t profile_of(Optic optic) {
     std::optional<std::uint32_t>& known = optics_[static_cast<std::size_t>(optic)];
-    if (!known) known = profiles_.add(nightcity::name_of(optic), make_optic(optic));
+    if (!known) known = profiles_.add(nightcity::lights::name_of(optic), make_optic(optic));
     return *known;
   }
 
@@ -173,7 +174,7 @@ class Placer {
 
   /// Returns one direction for each luminaire: as tagged, otherwise towards the road; several
   /// luminaires spread evenly round the post.
-  std::vector<glm::dvec2> find_aims(const OsmLampNode& node, const LampTags& tags,
+  std::vector<glm::dvec2> find_aims(const osm::OsmLampNode& node, const LampTags& tags,
                                     const glm::dvec3& foot,
                                     const std::optional<RoadIndex::Nearest>& road) const {
     std::vector<glm::dvec2> aims;
@@ -240,11 +241,11 @@ class Placer {
                                            : "open space"];
   }
 
-  const OsmData& osm_;
+  const osm::OsmData& osm_;
   const LampOptions& options_;
-  const LonLatToFrame& to_frame_;
-  const HeightAt& height_at_;
-  const InsideBuilding& inside_;
+  const place::LonLatToFrame& to_frame_;
+  const place::HeightAt& height_at_;
+  const place::InsideBuilding& inside_;
   RoadIndex roads_;
   TakenPlaces taken_;
   ProfileTable profiles_;
@@ -265,8 +266,9 @@ const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadLight
   return nullptr;
 }
 
-LampSet place_lamps(const OsmData& osm, const LonLatToFrame& to_frame, const HeightAt& height_at,
-                    const InsideBuilding& inside, const LampOptions& options) {
+LampSet place_lamps(const osm::OsmData& osm, const place::LonLatToFrame& to_frame,
+                    const place::HeightAt& height_at, const place::InsideBuilding& inside,
+                    const LampOptions& options) {
   return Placer(osm, to_frame, height_at, inside, options).place();
 }
 
@@ -291,4 +293,4 @@ Light to_light(const PlacedLamp& lamp, const Georeference& georeference, Schedul
   return light;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -18,7 +18,7 @@
 #include "tools/osm/osm_data.h"
 #include "tools/place/site.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 /// One luminaire on its post, in the frame's E, N, H metres.
 struct PlacedLamp {
@@ -80,10 +80,11 @@ const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadLight
 /// and the table of defaults (lamp_defaults.h). A lamp that stands inside a building, as far as
 /// `inside` is given, is moved out towards its road. Lamps outside the model, where `height_at` is
 /// empty, are left out and counted.
-LampSet place_lamps(const OsmData& osm, const LonLatToFrame& to_frame, const HeightAt& height_at,
-                    const InsideBuilding& inside = {}, const LampOptions& options = {});
+LampSet place_lamps(const osm::OsmData& osm, const place::LonLatToFrame& to_frame,
+                    const place::HeightAt& height_at, const place::InsideBuilding& inside = {},
+                    const LampOptions& options = {});
 
 /// Returns the luminaire as a light in model space and adds its hours to `schedules`.
 Light to_light(const PlacedLamp& lamp, const Georeference& georeference, ScheduleTable& schedules);
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -8,7 +8,7 @@
 
 #include "tools/roads/carriageway.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 constexpr double cell_m =
@@ -26,7 +26,7 @@ std::int64_t cell_of(double coordinate) {
 
 }  // namespace
 
-void RoadIndex::add(const OsmWay& way, const std::vector<glm::dvec2>& line) {
+void RoadIndex::add(const osm::OsmWay& way, const std::vector<glm::dvec2>& line) {
   const auto carriageway = roads::read_carriageway(way.tags);
   if (!carriageway) return;
   const auto number = static_cast<std::uint32_t>(roads_.size());
@@ -78,4 +78,4 @@ std::optional<RoadIndex::Nearest> RoadIndex::nearest(const glm::dvec2& p) const 
   return best;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

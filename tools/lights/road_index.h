@@ -12,7 +12,7 @@
 #include "tools/lights/lamp_defaults.h"
 #include "tools/osm/osm_data.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 class RoadIndex {
  public:
@@ -33,8 +33,8 @@ class RoadIndex {
   /// `to_frame` is that of place_lamps. Ways that have no lamps (proposed, ...) and points that
   /// have no place in the frame are left out.
   template <class ToFrame>
-  RoadIndex(const std::vector<OsmWay>& highways, const ToFrame& to_frame) {
-    for (const OsmWay& way : highways) {
+  RoadIndex(const std::vector<osm::OsmWay>& highways, const ToFrame& to_frame) {
+    for (const osm::OsmWay& way : highways) {
       std::vector<glm::dvec2> line;
       for (const glm::dvec2& lon_lat : way.lon_lat) line.push_back(to_frame(lon_lat));
       add(way, line);
@@ -52,11 +52,11 @@ class RoadIndex {
     std::uint32_t road;
     double from_m;  // where a lies along the way
   };
-  void add(const OsmWay& way, const std::vector<glm::dvec2>& line);
+  void add(const osm::OsmWay& way, const std::vector<glm::dvec2>& line);
 
   std::vector<Road> roads_;
   std::vector<Piece> pieces_;
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

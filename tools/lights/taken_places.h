@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 #include <unordered_map>
 
-namespace nightcity {
+namespace nightcity::lights {
 
 /// A hash grid of the places of posts. Posts nearer to each other than 0.3 m are one post that is
 /// mapped twice.
@@ -38,4 +38,4 @@ class TakenPlaces {
   std::unordered_multimap<std::uint64_t, glm::dvec2> places_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -10,7 +10,7 @@
 #include "formats/error.h"
 #include "formats/input_file.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 /// Returns a text in UTF-16, which begins with its byte order mark, in UTF-8. Half a pair of
@@ -107,4 +107,4 @@ int TextLines::integer(std::string_view text, std::size_t line, std::string_view
   return static_cast<int>(value);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace nightcity {
+namespace nightcity::lights {
 
 class TextLines {
  public:
@@ -38,4 +38,4 @@ class TextLines {
   std::vector<Line> lines_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

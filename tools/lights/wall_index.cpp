@@ -9,7 +9,7 @@
 
 #include "tools/lights/wall_plane.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 constexpr double bucket_m = 16;
@@ -73,10 +73,10 @@ WallIndex::WallIndex(const std::filesystem::path& scratch)
 WallIndex::~WallIndex() = default;
 WallIndex::WallIndex(WallIndex&&) noexcept = default;
 
-std::vector<WallIndex::UprightWall> WallIndex::find_upright_walls(const CityObject& object) {
+std::vector<WallIndex::UprightWall> WallIndex::find_upright_walls(const city::CityObject& object) {
   std::vector<UprightWall> walls;
-  for (const Polygon& polygon : object.polygons) {
-    if (polygon.surface != SurfaceType::wall) continue;
+  for (const city::Polygon& polygon : object.polygons) {
+    if (polygon.surface != city::SurfaceType::wall) continue;
     const auto frame = wall_frame(polygon, max_lean);
     if (!frame) continue;
     const WallOutline outline = outline_in(*frame, polygon);
@@ -177,4 +177,4 @@ bool WallIndex::inside_another(const glm::dvec3& p, const glm::dvec3& normal, st
   return behind_too;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -16,7 +16,7 @@
 #include "tools/cell_file.h"
 #include "tools/city/city_model.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 /// Keeps the walls on disk, in cells, so that memory does not grow with the city.
 class WallIndex {
@@ -32,7 +32,7 @@ class WallIndex {
     glm::dvec2 normal{0};  // outwards
   };
   /// Returns the upright surfaces of any object; E, N, H in metres.
-  static std::vector<UprightWall> find_upright_walls(const CityObject& object);
+  static std::vector<UprightWall> find_upright_walls(const city::CityObject& object);
   /// Adds walls of the object with the number `owner`.
   void add(std::span<const UprightWall> walls, std::uint32_t owner);
 
@@ -70,4 +70,4 @@ class WallIndex {
   std::unique_ptr<CellCache<CellKey, Loaded>> cache_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -7,7 +7,7 @@
 
 #include "tools/in_ring.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 using glm::dvec2;
@@ -45,8 +45,8 @@ dvec3 WallFrame::from_plane(const dvec2& p) const {
   return origin + along * p.x + up * p.y;
 }
 
-std::optional<WallFrame> wall_frame(const Polygon& polygon, double max_lean) {
-  const Ring& ring = polygon.exterior;
+std::optional<WallFrame> wall_frame(const city::Polygon& polygon, double max_lean) {
+  const city::Ring& ring = polygon.exterior;
   if (ring.size() < 3) return std::nullopt;
   // Newell's normal, relative to the first vertex because coordinates are large and walls are
   // small.
@@ -64,7 +64,7 @@ std::optional<WallFrame> wall_frame(const Polygon& polygon, double max_lean) {
   return frame;
 }
 
-WallOutline outline_in(const WallFrame& frame, const Polygon& polygon) {
+WallOutline outline_in(const WallFrame& frame, const city::Polygon& polygon) {
   WallOutline outline;
   for (const dvec3& p : polygon.exterior) outline.exterior.push_back(frame.to_plane(p));
   outline.low = outline.high = outline.exterior.front();
@@ -72,7 +72,7 @@ WallOutline outline_in(const WallFrame& frame, const Polygon& polygon) {
     outline.low = glm::min(outline.low, p);
     outline.high = glm::max(outline.high, p);
   }
-  for (const Ring& ring : polygon.interiors) {
+  for (const city::Ring& ring : polygon.interiors) {
     outline.interiors.emplace_back();
     for (const dvec3& p : ring) outline.interiors.back().push_back(frame.to_plane(p));
   }
@@ -92,4 +92,4 @@ bool contains(const WallOutline& outline, const dvec2& low, const dvec2& high) {
   return true;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -8,7 +8,7 @@
 
 #include "tools/city/city_model.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 struct WallFrame {
   glm::dvec3 origin{0}, normal{0}, along{0},
@@ -26,11 +26,11 @@ struct WallOutline {
 
 /// Returns the frame of a polygon that is upright within `max_lean` (|normal.z|); empty for others,
 /// slivers and broken rings. `origin` is its first vertex.
-std::optional<WallFrame> wall_frame(const Polygon& polygon, double max_lean);
+std::optional<WallFrame> wall_frame(const city::Polygon& polygon, double max_lean);
 
-WallOutline outline_in(const WallFrame& frame, const Polygon& polygon);
+WallOutline outline_in(const WallFrame& frame, const city::Polygon& polygon);
 
 /// Returns whether the whole rectangle lies inside the outline and outside its holes.
 bool contains(const WallOutline& outline, const glm::dvec2& low, const glm::dvec2& high);
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

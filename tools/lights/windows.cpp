@@ -11,7 +11,7 @@
 #include "tools/in_order.h"
 #include "tools/lights/colour.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 constexpr double before_wall_m = 0.02;
@@ -44,11 +44,11 @@ double LitRectangle::flux_lm() const {
 WindowLayout::WindowLayout(const WindowOptions& options, const std::filesystem::path& scratch)
     : options_(options), pending_(scratch), walls_(scratch) {}
 
-WindowLayout::WindowBatch WindowLayout::make_batch(const CityObject& object,
+WindowLayout::WindowBatch WindowLayout::make_batch(const city::CityObject& object,
                                                    std::uint64_t piece) const {
   WindowBatch batch;
   batch.walls = WallIndex::find_upright_walls(object);
-  if (object.type != ObjectType::building) return batch;
+  if (object.type != city::ObjectType::building) return batch;
   // An object without an id is identified by its place.
   std::uint64_t name = mix(hash_text(object.id) ^ piece);
   if (object.id.empty() && !object.polygons.empty() && !object.polygons.front().exterior.empty()) {
@@ -64,7 +64,7 @@ WindowLayout::WindowBatch WindowLayout::make_batch(const CityObject& object,
   return batch;
 }
 
-void WindowLayout::add(const CityObject& object, WindowBatch batch) {
+void WindowLayout::add(const city::CityObject& object, WindowBatch batch) {
   // A large object may come in several pieces with one id.
   piece_ = !object.id.empty() && object.id == last_id_ ? piece_ + 1 : 0;
   last_id_ = object.id;
@@ -127,7 +127,7 @@ void WindowLayout::draw_lights(std::uint64_t name, const std::vector<WindowPlace
 }
 
 /// Returns why the window cannot be where it is; null if it can.
-const char* WindowLayout::fault(const Record& record, const HeightAt& ground,
+const char* WindowLayout::fault(const Record& record, const place::HeightAt& ground,
                                 const Inside& inside) {
   const LitRectangle& window = record.window;
   const glm::dvec3 normal(window.normal);
@@ -149,8 +149,8 @@ const char* WindowLayout::fault(const Record& record, const HeightAt& ground,
   return nullptr;
 }
 
-WindowReport WindowLayout::finish(const HeightAt& ground, const Sink& sink, const Inside& inside,
-                                  unsigned threads) && {
+WindowReport WindowLayout::finish(const place::HeightAt& ground, const Sink& sink,
+                                  const Inside& inside, unsigned threads) && {
   constexpr std::uint64_t block_size = 2048;
   struct CheckedWindows {
     std::vector<Record> records;
@@ -212,4 +212,4 @@ Light to_light(const LitRectangle& window, const Georeference& georeference,
   return light;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -21,7 +21,7 @@
 #include "tools/lights/wall_index.h"
 #include "tools/place/site.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 
 struct WindowOptions {
   std::uint64_t seed = 1;
@@ -86,10 +86,10 @@ class WindowLayout {
   /// Finds the walls and windows of an object: the costly part of adding it, which many threads may
   /// do at once. Coordinates are E, N, H in metres; walls are SurfaceType::wall. Only buildings
   /// have windows; the walls of other objects may stand in front of them.
-  WindowBatch make_batch(const CityObject& object) const { return make_batch(object, 0); }
+  WindowBatch make_batch(const city::CityObject& object) const { return make_batch(object, 0); }
   /// Adds an object with what make_batch found for it.
-  void add(const CityObject& object, WindowBatch batch);
-  void add(const CityObject& object) { add(object, make_batch(object)); }
+  void add(const city::CityObject& object, WindowBatch batch);
+  void add(const city::CityObject& object) { add(object, make_batch(object)); }
 
   using Inside = std::function<bool(const glm::dvec3&)>;
   using Sink = std::function<void(const LitRectangle&)>;
@@ -97,14 +97,14 @@ class WindowLayout {
   /// `ground` is empty, no window counts as below the ground. `inside`, if given, returns whether
   /// a place (E, N, H) is inside a building. Both are called from up to `threads` threads (0: one
   /// for each core).
-  WindowReport finish(const HeightAt& ground, const Sink& sink, const Inside& inside = {},
+  WindowReport finish(const place::HeightAt& ground, const Sink& sink, const Inside& inside = {},
                       unsigned threads = 0) &&;
 
  private:
-  WindowBatch make_batch(const CityObject& object, std::uint64_t piece) const;
+  WindowBatch make_batch(const city::CityObject& object, std::uint64_t piece) const;
   void draw_lights(std::uint64_t name, const std::vector<WindowPlace>& places, BuildingUse use,
                    WindowBatch& batch) const;
-  const char* fault(const Record& record, const HeightAt& ground, const Inside& inside);
+  const char* fault(const Record& record, const place::HeightAt& ground, const Inside& inside);
 
   WindowOptions options_;
   ScratchFile pending_;
@@ -120,4 +120,4 @@ class WindowLayout {
 Light to_light(const LitRectangle& window, const Georeference& georeference,
                ScheduleTable& schedules);
 
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -7,10 +7,10 @@
 
 #include "tools/mesh/polygon_plane.h"
 
-namespace nightcity {
+namespace nightcity::mesh {
 namespace {
 
-double find_lowest(const Ring& ring) {
+double find_lowest(const city::Ring& ring) {
   double z = std::numeric_limits<double>::infinity();
   for (const glm::dvec3& p : ring) z = std::min(z, p.z);
   return z;
@@ -18,34 +18,34 @@ double find_lowest(const Ring& ring) {
 
 }  // namespace
 
-void classify_unknown_surfaces(CityObject& object) {
-  if (object.type != ObjectType::building && object.type != ObjectType::bridge) return;
+void classify_unknown_surfaces(city::CityObject& object) {
+  if (object.type != city::ObjectType::building && object.type != city::ObjectType::bridge) return;
   // A face counts as level when its slope is below 60 degrees: roofs may be steep, walls lean
   // little.
   constexpr double level_cosine = 0.5;
   double base = std::numeric_limits<double>::infinity(), top = -base;
-  for (const Polygon& polygon : object.polygons) {
+  for (const city::Polygon& polygon : object.polygons) {
     for (const glm::dvec3& p : polygon.exterior) {
       base = std::min(base, p.z);
       top = std::max(top, p.z);
     }
   }
-  for (Polygon& polygon : object.polygons) {
-    if (polygon.surface != SurfaceType::unknown || polygon.exterior.size() < 3) continue;
-    const glm::dvec3 area = area_vector(polygon.exterior);
+  for (city::Polygon& polygon : object.polygons) {
+    if (polygon.surface != city::SurfaceType::unknown || polygon.exterior.size() < 3) continue;
+    const glm::dvec3 area = city::area_vector(polygon.exterior);
     const double up = area.z / glm::length(area);
     if (!std::isfinite(up)) continue;
     if (std::abs(up) < level_cosine)
-      polygon.surface = SurfaceType::wall;
+      polygon.surface = city::SurfaceType::wall;
     else if (up > 0 && find_lowest(polygon.exterior) - base > 0.1 * (top - base))
-      polygon.surface = SurfaceType::roof;
+      polygon.surface = city::SurfaceType::roof;
     else if (up > 0)  // a footprint drawn face up, or a block without height
-      polygon.surface = top > base ? SurfaceType::ground : SurfaceType::roof;
+      polygon.surface = top > base ? city::SurfaceType::ground : city::SurfaceType::roof;
     else
       polygon.surface = find_lowest(polygon.exterior) - base > 0.1 * (top - base)
-                            ? SurfaceType::outer_ceiling
-                            : SurfaceType::ground;
+                            ? city::SurfaceType::outer_ceiling
+                            : city::SurfaceType::ground;
   }
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::mesh

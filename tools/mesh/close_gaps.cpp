@@ -11,7 +11,7 @@
 #include "tools/mesh/orient.h"
 #include "tools/mesh/polygon_plane.h"
 
-namespace nightcity {
+namespace nightcity::mesh {
 namespace {
 
 constexpr double crack_m = 0.01;
@@ -57,28 +57,28 @@ std::map<std::uint32_t, std::uint32_t> find_joins(const EdgeTable& edges,
   return to;
 }
 
-void join(CityObject& object, const EdgeTable& edges,
+void join(city::CityObject& object, const EdgeTable& edges,
           const std::map<std::uint32_t, std::uint32_t>& to) {
-  const auto move = [&](Ring& ring) {
+  const auto move = [&](city::Ring& ring) {
     for (glm::dvec3& p : ring)
       for (const auto& [from, target] : to)
         if (from != target && glm::distance(p, edges.place(from)) < 0.002) p = edges.place(target);
   };
-  for (Polygon& polygon : object.polygons) {
+  for (city::Polygon& polygon : object.polygons) {
     move(polygon.exterior);
-    for (Ring& hole : polygon.interiors) move(hole);
+    for (city::Ring& hole : polygon.interiors) move(hole);
   }
 }
 
 // Returns the ring of places along the open edges, whichever way their polygons face. Empty unless
 // they form one ring.
-Ring find_ring(const EdgeTable& edges, const std::vector<EdgeUse>& open) {
+city::Ring find_ring(const EdgeTable& edges, const std::vector<EdgeUse>& open) {
   std::map<std::uint32_t, std::vector<std::uint32_t>> next;
   for (const EdgeUse& use : open) {
     next[use.low].push_back(use.high);
     next[use.high].push_back(use.low);
   }
-  Ring ring;
+  city::Ring ring;
   const std::uint32_t start = next.begin()->first;
   for (std::uint32_t from = start, at = start;;) {
     const auto& ways = next.at(at);
@@ -89,12 +89,12 @@ Ring find_ring(const EdgeTable& edges, const std::vector<EdgeUse>& open) {
     at = step;
     if (at == start) break;
   }
-  return ring.size() == open.size() ? ring : Ring{};
+  return ring.size() == open.size() ? ring : city::Ring{};
 }
 
-bool is_floor(const CityObject& object, const Ring& ring) {
+bool is_floor(const city::CityObject& object, const city::Ring& ring) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const Polygon& polygon : object.polygons)
+  for (const city::Polygon& polygon : object.polygons)
     for (const glm::dvec3& p : polygon.exterior) {
       low = std::min(low, p.z);
       high = std::max(high, p.z);
@@ -102,12 +102,12 @@ bool is_floor(const CityObject& object, const Ring& ring) {
   if (high - low < min_height_m) return false;
   return std::all_of(ring.begin(), ring.end(),
                      [low](const glm::dvec3& p) { return p.z - low <= crack_m; }) &&
-         glm::length(area_vector(ring)) > crack_m;
+         glm::length(city::area_vector(ring)) > crack_m;
 }
 
 }  // namespace
 
-bool close_gaps_along(CityObject& object, const EdgeTable& edges, MeshReport& report) {
+bool close_gaps_along(city::CityObject& object, const EdgeTable& edges, MeshReport& report) {
   const std::vector<EdgeUse> open = find_open_edges(edges);
   if (open.empty()) return false;
   const auto note = [&] {
@@ -119,20 +119,20 @@ bool close_gaps_along(CityObject& object, const EdgeTable& edges, MeshReport& re
     note();
     return true;
   }
-  if (object.type != ObjectType::building) return false;
-  Ring ring = find_ring(edges, open);
+  if (object.type != city::ObjectType::building) return false;
+  city::Ring ring = find_ring(edges, open);
   if (ring.empty() || !is_floor(object, ring)) return false;
-  if (area_vector(ring).z > 0) std::reverse(ring.begin(), ring.end());  // a floor faces down
-  Polygon& floor = object.polygons.emplace_back();
-  floor.surface = SurfaceType::ground;
+  if (city::area_vector(ring).z > 0) std::reverse(ring.begin(), ring.end());  // a floor faces down
+  city::Polygon& floor = object.polygons.emplace_back();
+  floor.surface = city::SurfaceType::ground;
   floor.exterior = std::move(ring);
   ++report.floors_added;
   note();
   return true;
 }
 
-void repair_shells(CityObject& object, MeshReport& report) {
-  if (object.type == ObjectType::relief || !has_finite_places(object)) return;
+void repair_shells(city::CityObject& object, MeshReport& report) {
+  if (object.type == city::ObjectType::relief || !has_finite_places(object)) return;
   const EdgeTable edges(object);
   if (close_gaps_along(object, edges, report))
     orient_along(object, EdgeTable(object), report);
@@ -140,4 +140,4 @@ void repair_shells(CityObject& object, MeshReport& report) {
     orient_along(object, edges, report);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::mesh

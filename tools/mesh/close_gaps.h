@@ -12,14 +12,14 @@
 #include "tools/mesh/edges.h"
 #include "tools/mesh/mesh_report.h"
 
-namespace nightcity {
+namespace nightcity::mesh {
 
 /// Closes the shells of `object` where it can be shown what belongs there, then turns them outward
 /// as orient_outward does; counted in `report`. Coordinates E, N, H in metres.
-void repair_shells(CityObject& object, MeshReport& report);
+void repair_shells(city::CityObject& object, MeshReport& report);
 
 /// Closes gaps alone, over a table made by the caller. Returns true where the object has changed,
 /// so that the table no longer fits.
-bool close_gaps_along(CityObject& object, const EdgeTable& edges, MeshReport& report);
+bool close_gaps_along(city::CityObject& object, const EdgeTable& edges, MeshReport& report);
 
-}  // namespace nightcity
+}  // namespace nightcity::mesh

@@ -13,7 +13,7 @@
 #include "formats/error.h"
 #include "tools/mesh/constrained_delaunay.h"
 
-namespace nightcity {
+namespace nightcity::mesh {
 namespace {
 
 constexpr std::uint32_t unset = std::numeric_limits<std::uint32_t>::max();
@@ -136,4 +136,4 @@ FlatTriangulation triangulate_flat(std::span<const glm::dvec2> points,
   }
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::mesh

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace nightcity {
+namespace nightcity::mesh {
 
 struct FlatTriangulation {
   /// Into `points`; counter-clockwise.
@@ -25,4 +25,4 @@ struct FlatTriangulation {
 FlatTriangulation triangulate_flat(std::span<const glm::dvec2> points,
                                    std::span<const std::vector<std::uint32_t>> outlines);
 
-}  // namespace nightcity
+}  // namespace nightcity::mesh

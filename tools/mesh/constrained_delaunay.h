@@ -9,7 +9,7 @@
 
 #include <glm/vec2.hpp>
 
-namespace nightcity {
+namespace nightcity::mesh {
 
 using PlaneKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
@@ -47,4 +47,4 @@ inline glm::dvec2 to_plan(const CrossedOutlines::Kernel::Point_2& p) {
   return {CGAL::to_double(CGAL::exact(p.x())), CGAL::to_double(CGAL::exact(p.y()))};
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::mesh

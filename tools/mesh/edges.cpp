@@ -9,7 +9,7 @@
 
 #include "tools/mesh/polygon_plane.h"
 
-namespace nightcity {
+namespace nightcity::mesh {
 namespace {
 
 struct Corner {
@@ -19,7 +19,7 @@ struct Corner {
 
 }  // namespace
 
-EdgeTable::EdgeTable(const CityObject& object) {
+EdgeTable::EdgeTable(const city::CityObject& object) {
   number_vertices(object);
   index_uses(object.polygons.size());
   leave_out_inner_walls(object.polygons.size());
@@ -27,10 +27,10 @@ EdgeTable::EdgeTable(const CityObject& object) {
 
 // Sorting is faster than hashing here: an object has dozens of vertices, and none of them
 // allocates.
-void EdgeTable::number_vertices(const CityObject& object) {
+void EdgeTable::number_vertices(const city::CityObject& object) {
   std::vector<Corner> corners;
   std::vector<glm::dvec3> points;
-  const auto add = [&](const Ring& ring) {
+  const auto add = [&](const city::Ring& ring) {
     for (const glm::dvec3& p : ring) {
       constexpr double per_metre = 1000;
       corners.push_back({{std::llround(p.x * per_metre), std::llround(p.y * per_metre),
@@ -39,9 +39,9 @@ void EdgeTable::number_vertices(const CityObject& object) {
       points.push_back(p);
     }
   };
-  for (const Polygon& polygon : object.polygons) {
+  for (const city::Polygon& polygon : object.polygons) {
     add(polygon.exterior);
-    for (const Ring& hole : polygon.interiors) add(hole);
+    for (const city::Ring& hole : polygon.interiors) add(hole);
   }
   std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
     return std::tie(a.cell, a.index) < std::tie(b.cell, b.index);
@@ -53,7 +53,7 @@ void EdgeTable::number_vertices(const CityObject& object) {
     vertex[corners[i].index] = static_cast<std::uint32_t>(places_.size() - 1);
   }
   std::size_t at = 0;
-  const auto add_edges = [&](const Ring& ring, std::uint32_t polygon, bool backwards) {
+  const auto add_edges = [&](const city::Ring& ring, std::uint32_t polygon, bool backwards) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       std::uint32_t a = vertex[at + i], b = vertex[at + (i + 1) % ring.size()];
       if (a == b) continue;
@@ -63,13 +63,13 @@ void EdgeTable::number_vertices(const CityObject& object) {
     at += ring.size();
   };
   for (std::uint32_t i = 0; i < object.polygons.size(); ++i) {
-    const Polygon& polygon = object.polygons[i];
+    const city::Polygon& polygon = object.polygons[i];
     add_edges(polygon.exterior, i, false);
     if (polygon.interiors.empty()) continue;
     // A hole runs against its shell, or is turned here so that it does.
-    const glm::dvec3 normal = area_vector(polygon.exterior);
-    for (const Ring& hole : polygon.interiors)
-      add_edges(hole, i, glm::dot(area_vector(hole), normal) > 0);
+    const glm::dvec3 normal = city::area_vector(polygon.exterior);
+    for (const city::Ring& hole : polygon.interiors)
+      add_edges(hole, i, glm::dot(city::area_vector(hole), normal) > 0);
   }
 }
 
@@ -112,4 +112,4 @@ void EdgeTable::leave_out_inner_walls(std::size_t polygons) {
   index_uses(polygons);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::mesh

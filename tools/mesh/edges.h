@@ -10,7 +10,7 @@
 
 #include "tools/city/city_model.h"
 
-namespace nightcity {
+namespace nightcity::mesh {
 
 /// The use of an edge by a polygon. Vertices are numbered by place: within a millimetre they are
 /// one.
@@ -26,7 +26,7 @@ class EdgeTable {
  public:
   /// Coordinates in metres, finite. Walls between two parts of one building, which meet others at
   /// every one of their edges, are left out, so that the rest is the shell around both.
-  explicit EdgeTable(const CityObject& object);
+  explicit EdgeTable(const city::CityObject& object);
 
   /// Returns all uses, those of one edge side by side.
   std::span<const EdgeUse> uses() const { return uses_; }
@@ -43,7 +43,7 @@ class EdgeTable {
   const glm::dvec3& place(std::uint32_t vertex) const { return places_[vertex]; }
 
  private:
-  void number_vertices(const CityObject& object);
+  void number_vertices(const city::CityObject& object);
   void leave_out_inner_walls(std::size_t polygons);
   void index_uses(std::size_t polygons);
 
@@ -52,4 +52,4 @@ class EdgeTable {
   std::vector<glm::dvec3> places_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::mesh

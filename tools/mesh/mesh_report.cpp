@@ -1,6 +1,6 @@
 #include "tools/mesh/mesh_report.h"
 
-namespace nightcity {
+namespace nightcity::mesh {
 
 void MeshReport::merge(const MeshReport& other) {
   polygons += other.polygons;
@@ -38,4 +38,4 @@ void MeshReport::merge(const MeshReport& other) {
   self_intersecting += other.self_intersecting;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::mesh

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-namespace nightcity {
+namespace nightcity::mesh {
 
 /// Counts of the faults found and repaired; `worst_...` names the polygon with the worst of each
 /// kind.
@@ -37,4 +37,4 @@ struct MeshReport {
   void merge(const MeshReport& other);
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::mesh

@@ -10,7 +10,7 @@
 
 #include "tools/mesh/polygon_plane.h"
 
-namespace nightcity {
+namespace nightcity::mesh {
 namespace {
 
 struct Shell {
@@ -24,7 +24,7 @@ struct Shell {
 
 class Orienter {
  public:
-  Orienter(CityObject& object, const EdgeTable& edges)
+  Orienter(city::CityObject& object, const EdgeTable& edges)
       : object_(object), edges_(edges), turned_(object.polygons.size(), false) {}
 
   void run(MeshReport& report) {
@@ -42,16 +42,16 @@ class Orienter {
         }
       }
     }
-    if (object_.type == ObjectType::building) report.open_objects += open;
+    if (object_.type == city::ObjectType::building) report.open_objects += open;
     if (turned == 0) return;
     report.turned += turned;
     if (report.first_turned.empty()) report.first_turned = object_.id;
   }
 
  private:
-  static void turn(Polygon& polygon) {
+  static void turn(city::Polygon& polygon) {
     std::reverse(polygon.exterior.begin(), polygon.exterior.end());
-    for (Ring& ring : polygon.interiors) std::reverse(ring.begin(), ring.end());
+    for (city::Ring& ring : polygon.interiors) std::reverse(ring.begin(), ring.end());
   }
 
   // Neighbours share an edge that no third polygon has; facing the same way, they run along it in
@@ -95,10 +95,10 @@ class Orienter {
     };
     const glm::dvec3 origin = object_.polygons[shell.polygons.front()].exterior.front();
     for (const std::uint32_t i : shell.polygons) {
-      const Polygon& polygon = object_.polygons[i];
-      glm::dvec3 vector = area_vector(polygon.exterior);
-      for (const Ring& hole : polygon.interiors) {
-        const glm::dvec3 h = area_vector(hole);
+      const city::Polygon& polygon = object_.polygons[i];
+      glm::dvec3 vector = city::area_vector(polygon.exterior);
+      for (const city::Ring& hole : polygon.interiors) {
+        const glm::dvec3 h = city::area_vector(hole);
         vector -= glm::dot(h, vector) > 0 ? h : -h;
       }
       // Divergence theorem: a third of each face's area vector times any point of it.
@@ -132,7 +132,7 @@ class Orienter {
     return false;
   }
 
-  CityObject& object_;
+  city::CityObject& object_;
   const EdgeTable& edges_;
   std::vector<bool> turned_;
   std::vector<Shell> shells_;
@@ -140,26 +140,27 @@ class Orienter {
 
 }  // namespace
 
-bool has_finite_places(const CityObject& object) {
+bool has_finite_places(const city::CityObject& object) {
   constexpr double beyond_any_frame_m = 1e9;
-  const auto within = [](const Ring& ring) {
+  const auto within = [](const city::Ring& ring) {
     return std::all_of(ring.begin(), ring.end(), [](const glm::dvec3& p) {
       return std::abs(p.x) + std::abs(p.y) + std::abs(p.z) < beyond_any_frame_m;
     });
   };
-  return std::all_of(object.polygons.begin(), object.polygons.end(), [&](const Polygon& polygon) {
-    return within(polygon.exterior) &&
-           std::all_of(polygon.interiors.begin(), polygon.interiors.end(), within);
-  });
+  return std::all_of(
+      object.polygons.begin(), object.polygons.end(), [&](const city::Polygon& polygon) {
+        return within(polygon.exterior) &&
+               std::all_of(polygon.interiors.begin(), polygon.interiors.end(), within);
+      });
 }
 
-void orient_along(CityObject& object, const EdgeTable& edges, MeshReport& report) {
+void orient_along(city::CityObject& object, const EdgeTable& edges, MeshReport& report) {
   Orienter(object, edges).run(report);
 }
 
-void orient_outward(CityObject& object, MeshReport& report) {
-  if (object.type == ObjectType::relief || !has_finite_places(object)) return;
+void orient_outward(city::CityObject& object, MeshReport& report) {
+  if (object.type == city::ObjectType::relief || !has_finite_places(object)) return;
   orient_along(object, EdgeTable(object), report);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::mesh

@@ -5,17 +5,17 @@
 #include "tools/mesh/edges.h"
 #include "tools/mesh/mesh_report.h"
 
-namespace nightcity {
+namespace nightcity::mesh {
 
 /// Returns whether every vertex is a place: finite, and within any frame.
-bool has_finite_places(const CityObject& object);
+bool has_finite_places(const city::CityObject& object);
 
 /// Turns the polygons of every closed shell in `object` outward and counts them in report.turned.
 /// Shells with a gap or within another shell, and walls between parts, stay as they are.
 /// Coordinates in metres.
-void orient_outward(CityObject& object, MeshReport& report);
+void orient_outward(city::CityObject& object, MeshReport& report);
 
 /// The same over a table made by the caller.
-void orient_along(CityObject& object, const EdgeTable& edges, MeshReport& report);
+void orient_along(city::CityObject& object, const EdgeTable& edges, MeshReport& report);
 
-}  // namespace nightcity
+}  // namespace nightcity::mesh

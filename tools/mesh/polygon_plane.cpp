@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-namespace nightcity {
+namespace nightcity::mesh {
 
 glm::dvec2 Plane::flatten(const glm::dvec3& p) const {
   const glm::dvec3 d = p - origin;
@@ -25,8 +25,8 @@ Plane make_plane(const glm::dvec3& origin, const glm::dvec3& unit_normal) {
   return plane;
 }
 
-Ring remove_duplicates(const Ring& ring) {
-  Ring out;
+city::Ring remove_duplicates(const city::Ring& ring) {
+  city::Ring out;
   out.reserve(ring.size());
   for (const glm::dvec3& p : ring)
     if (out.empty() || p != out.back()) out.push_back(p);
@@ -34,4 +34,4 @@ Ring remove_duplicates(const Ring& ring) {
   return out;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::mesh

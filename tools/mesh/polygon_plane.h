@@ -7,7 +7,7 @@
 
 #include "tools/city/ring.h"
 
-namespace nightcity {
+namespace nightcity::mesh {
 
 /// Right-handed frame (u, v, normal) at `origin`.
 struct Plane {
@@ -21,6 +21,6 @@ struct Plane {
 Plane make_plane(const glm::dvec3& origin, const glm::dvec3& unit_normal);
 
 /// Returns a copy without vertices equal to their predecessor (the closing one too).
-Ring remove_duplicates(const Ring& ring);
+city::Ring remove_duplicates(const city::Ring& ring);
 
-}  // namespace nightcity
+}  // namespace nightcity::mesh

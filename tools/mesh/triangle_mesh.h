@@ -7,11 +7,11 @@
 
 #include "tools/city/city_model.h"
 
-namespace nightcity {
+namespace nightcity::mesh {
 
 struct MeshTriangle {
   std::uint32_t vertex[3];  // into TriangleMesh::positions, counter-clockwise seen from outside
-  SurfaceType surface;
+  city::SurfaceType surface;
   std::uint32_t polygon;  // index of the source polygon in the object
 };
 
@@ -20,4 +20,4 @@ struct TriangleMesh {
   std::vector<MeshTriangle> triangles;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::mesh

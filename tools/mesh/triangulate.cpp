@@ -10,7 +10,7 @@
 #include "tools/mesh/constrained.h"
 #include "tools/mesh/polygon_plane.h"
 
-namespace nightcity {
+namespace nightcity::mesh {
 namespace {
 
 constexpr double planar_tolerance_m = 0.01;
@@ -20,7 +20,7 @@ constexpr double area_tolerance = 1e-6;  // relative; as promised in the header
 constexpr double zero_area_share = 1e-10;
 constexpr double sliver_width_m = 0.01;
 
-bool is_usable(const Ring& ring) {
+bool is_usable(const city::Ring& ring) {
   constexpr double beyond_any_frame_m = 1e9;
   return std::all_of(ring.begin(), ring.end(), [](const glm::dvec3& p) {
     return std::abs(p.x) < beyond_any_frame_m && std::abs(p.y) < beyond_any_frame_m &&
@@ -28,21 +28,21 @@ bool is_usable(const Ring& ring) {
   });
 }
 
-double perimeter(const Ring& ring) {
+double perimeter(const city::Ring& ring) {
   double sum = 0;
   for (std::size_t i = 0; i < ring.size(); ++i)
     sum += glm::distance(ring[i], ring[(i + 1) % ring.size()]);
   return sum;
 }
 
-const std::string& name_of(const Polygon& polygon, const CityObject& object) {
+const std::string& name_of(const city::Polygon& polygon, const city::CityObject& object) {
   return polygon.id.empty() ? object.id : polygon.id;
 }
 
 // Returns the normal of a ring whose area vector cancels out (a bow-tie), not normalised: that of
 // the triangle of its first vertex, the vertex farthest from that and the one farthest from their
 // line. Zero when all lie on one line.
-glm::dvec3 find_widest_normal(const Ring& ring) {
+glm::dvec3 find_widest_normal(const city::Ring& ring) {
   const auto far_end =
       std::max_element(ring.begin(), ring.end(), [&](const glm::dvec3& a, const glm::dvec3& b) {
         return glm::distance(a, ring[0]) < glm::distance(b, ring[0]);
@@ -56,11 +56,11 @@ glm::dvec3 find_widest_normal(const Ring& ring) {
 }
 
 struct Triangulator {
-  const CityObject& object;
+  const city::CityObject& object;
   MeshReport& report;
   TriangleMesh mesh;
 
-  std::uint32_t add_positions(const Ring& ring) {
+  std::uint32_t add_positions(const city::Ring& ring) {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     mesh.positions.insert(mesh.positions.end(), ring.begin(), ring.end());
     return first;
@@ -72,9 +72,10 @@ struct Triangulator {
     ++report.triangles;
   }
 
-  void check_planarity(const Plane& plane, const std::vector<Ring>& rings, const std::string& id) {
+  void check_planarity(const Plane& plane, const std::vector<city::Ring>& rings,
+                       const std::string& id) {
     double worst = 0;
-    for (const Ring& ring : rings)
+    for (const city::Ring& ring : rings)
       for (const glm::dvec3& p : ring) worst = std::max(worst, plane.distance(p));
     if (worst <= planar_tolerance_m) return;
     ++report.non_planar;
@@ -111,7 +112,7 @@ struct Triangulator {
   // Adds a triangle, or a quad with a diagonal whose halves both face the ring's way: every simple
   // quad has one, a crossed one has none. Needs no CGAL and serves four fifths of real rings.
   // Returns false for all others.
-  bool add_small(const Ring& ring, const glm::dvec3& normal, std::size_t polygon) {
+  bool add_small(const city::Ring& ring, const glm::dvec3& normal, std::size_t polygon) {
     const auto facing = [&](int a, int b, int c) {
       const auto at = [&](int i) { return ring[static_cast<std::size_t>(i)]; };
       return glm::dot(glm::cross(at(b) - at(a), at(c) - at(a)), normal);
@@ -133,12 +134,12 @@ struct Triangulator {
   }
 
   // Adds any polygon by CGAL. `ring_vector`: area vector of the rings themselves, holes subtracted.
-  void add_any(const std::vector<Ring>& rings, const Plane& plane, const glm::dvec3& ring_vector,
-               std::size_t polygon) {
+  void add_any(const std::vector<city::Ring>& rings, const Plane& plane,
+               const glm::dvec3& ring_vector, std::size_t polygon) {
     std::vector<glm::dvec2> points;
     std::vector<std::vector<std::uint32_t>> outlines;
-    Ring corners;
-    for (const Ring& ring : rings) {
+    city::Ring corners;
+    for (const city::Ring& ring : rings) {
       std::vector<std::uint32_t>& outline = outlines.emplace_back();
       for (const glm::dvec3& p : ring) {
         outline.push_back(static_cast<std::uint32_t>(points.size()));
@@ -171,24 +172,24 @@ struct Triangulator {
   }
 
   void add(std::size_t index) {
-    const Polygon& polygon = object.polygons[index];
+    const city::Polygon& polygon = object.polygons[index];
     ++report.polygons;
     if (!is_usable(polygon.exterior) ||
         !std::all_of(polygon.interiors.begin(), polygon.interiors.end(), is_usable)) {
       ++report.not_finite;
       return;
     }
-    std::vector<Ring> rings{remove_duplicates(polygon.exterior)};
+    std::vector<city::Ring> rings{remove_duplicates(polygon.exterior)};
     const double length = perimeter(rings[0]), tiny = zero_area_share * length * length;
     if (rings[0].size() < 3) return count_zero_area(length, name_of(polygon, object));
-    for (const Ring& interior : polygon.interiors) {
-      Ring hole = remove_duplicates(interior);
+    for (const city::Ring& interior : polygon.interiors) {
+      city::Ring hole = remove_duplicates(interior);
       if (hole.size() < 3)
         ++report.holes_left_out;
       else
         rings.push_back(std::move(hole));
     }
-    const glm::dvec3 vector = area_vector(rings[0]);
+    const glm::dvec3 vector = city::area_vector(rings[0]);
     glm::dvec3 normal = vector;
     if (glm::length(vector) <= tiny) {
       normal = find_widest_normal(rings[0]);
@@ -208,7 +209,7 @@ struct Triangulator {
     }
     glm::dvec3 ring_vector = vector;
     for (std::size_t i = 1; i < rings.size(); ++i) {
-      const glm::dvec3 hole = area_vector(rings[i]);  // holes may run either way
+      const glm::dvec3 hole = city::area_vector(rings[i]);  // holes may run either way
       ring_vector -= glm::dot(hole, normal) > 0 ? hole : -hole;
     }
     add_any(rings, plane, ring_vector, index);
@@ -217,10 +218,10 @@ struct Triangulator {
 
 }  // namespace
 
-TriangleMesh triangulate(const CityObject& object, MeshReport& report) {
+TriangleMesh triangulate(const city::CityObject& object, MeshReport& report) {
   Triangulator triangulator{object, report, {}};
   for (std::size_t i = 0; i < object.polygons.size(); ++i) triangulator.add(i);
   return std::move(triangulator.mesh);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::mesh

@@ -4,11 +4,11 @@
 #include "tools/mesh/mesh_report.h"
 #include "tools/mesh/triangle_mesh.h"
 
-namespace nightcity {
+namespace nightcity::mesh {
 
 /// Triangulates every polygon of `object` (coordinates E, N, H in metres). What an odd number of
 /// rings encloses is inside. The area of each polygon is kept to 1e-6 relative. Bad rings are
 /// counted in `report` and never throw.
-TriangleMesh triangulate(const CityObject& object, MeshReport& report);
+TriangleMesh triangulate(const city::CityObject& object, MeshReport& report);
 
-}  // namespace nightcity
+}  // namespace nightcity::mesh

@@ -7,7 +7,7 @@ namespace CLI {
 class App;
 }
 
-namespace nightcity {
+namespace nightcity::nightbake {
 
 void add_run_command(CLI::App& app);
 void add_recipe_command(CLI::App& app);
@@ -21,4 +21,4 @@ void add_layout_command(CLI::App& app);
 void add_windows_command(CLI::App& app);
 void add_lights_command(CLI::App& app);
 
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

@@ -20,7 +20,7 @@
 #include "tools/nightbake/commands.h"
 #include "tools/nightbake/shown_progress.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 namespace {
 
 using nlohmann::json;
@@ -28,18 +28,18 @@ using nlohmann::json;
 struct ElevateArguments {
   std::vector<std::filesystem::path> inputs;
   std::filesystem::path out, dem;
-  ElevationServiceOptions service;
+  elevation::ElevationServiceOptions service;
   int wait_ms = 1000;
   bool json = false;
 };
 
 struct Outcome {
   std::size_t lamps = 0, written = 0;
-  Elevations elevations;
+  elevation::Elevations elevations;
 };
 
-BakeOptions read_options(const ElevateArguments& arguments) {
-  BakeOptions options = to_bake_options(read_inputs(arguments.inputs));
+bake::BakeOptions read_options(const ElevateArguments& arguments) {
+  bake::BakeOptions options = bake::to_bake_options(bake::read_inputs(arguments.inputs));
   if (options.city.maps.size() != 1)
     throw UsageError(options.city.name(),
                      "give exactly one OSM file: its lamps get heights and it is written anew");
@@ -50,10 +50,10 @@ BakeOptions read_options(const ElevateArguments& arguments) {
 }
 
 Outcome elevate(const ElevateArguments& arguments) {
-  const BakeOptions options = read_options(arguments);
-  City city(options.city);
-  ElevationSources sources;
-  std::optional<DemRaster> dem;
+  const bake::BakeOptions options = read_options(arguments);
+  bake::City city(options.city);
+  elevation::ElevationSources sources;
+  std::optional<elevation::DemRaster> dem;
   if (!arguments.dem.empty()) sources.dem = &dem.emplace(arguments.dem);
   ShownProgress progress;
   if (city.has_model()) {
@@ -63,40 +63,40 @@ Outcome elevate(const ElevateArguments& arguments) {
     sources.terrain = &city.terrain();
     sources.to_frame = city.to_frame();
   }
-  ElevationServiceOptions service = arguments.service;
+  elevation::ElevationServiceOptions service = arguments.service;
   service.first_wait = std::chrono::milliseconds(arguments.wait_ms);
   service.progress = [sink = progress.sink()](std::size_t done, std::size_t total) {
     sink({"asking the service", done, "places", total});
   };
   if (!service.url.empty()) sources.service = &service;
   // Heights are written on nodes: a lamp mapped as an area has none of its own.
-  std::vector<OsmLampNode> lamps = city.map().lamps;
-  std::erase_if(lamps, [](const OsmLampNode& lamp) { return lamp.is_way; });
-  Outcome outcome{lamps.size(), 0, elevate_lamps(lamps, sources)};
+  std::vector<osm::OsmLampNode> lamps = city.map().lamps;
+  std::erase_if(lamps, [](const osm::OsmLampNode& lamp) { return lamp.is_way; });
+  Outcome outcome{lamps.size(), 0, elevation::elevate_lamps(lamps, sources)};
   if (!arguments.out.empty())
-    outcome.written =
-        write_elevations(options.city.maps.front(), arguments.out, outcome.elevations.heights);
+    outcome.written = elevation::write_elevations(options.city.maps.front(), arguments.out,
+                                                  outcome.elevations.heights);
   return outcome;
 }
 
-json offset_json(const HeightOffset& offset) {
+json offset_json(const elevation::HeightOffset& offset) {
   return {{"m", offset.metres}, {"deviation_m", offset.deviation}, {"samples", offset.samples}};
 }
 
 void print(const Outcome& outcome) {
-  const Elevations& found = outcome.elevations;
+  const elevation::Elevations& found = outcome.elevations;
   fmt::print("{} lamps, {} with a height\nheights from {}\n", outcome.lamps, found.heights.size(),
-             in_words(found.sources));
+             bake::in_words(found.sources));
   fmt::print("{} outside the model, {} inside buildings, {} mapped twice\n", found.outside_model,
              found.inside_buildings, found.duplicates);
-  const auto offset = [](const char* name, const HeightOffset& value) {
+  const auto offset = [](const char* name, const elevation::HeightOffset& value) {
     if (value.samples)
       fmt::print("{}: {:+.2f} m to the model's heights (deviation {:.2f} m, {} places)\n", name,
                  value.metres, value.deviation, value.samples);
   };
   offset("raster", found.raster_offset);
   offset("service", found.service_offset);
-  const ElevationAnswers& service = found.service;
+  const elevation::ElevationAnswers& service = found.service;
   if (!service.heights.empty())
     fmt::print(
         "service: {} requests, {} of them again, {} places from the cache, {} answers of 0 m "
@@ -108,7 +108,7 @@ void print(const Outcome& outcome) {
 void run(const ElevateArguments& arguments) {
   const Outcome outcome = elevate(arguments);
   if (!arguments.json) return print(outcome);
-  const Elevations& found = outcome.elevations;
+  const elevation::Elevations& found = outcome.elevations;
   const json result = {{"lamps", outcome.lamps},
                        {"heights", found.heights.size()},
                        {"sources", found.sources},
@@ -166,4 +166,4 @@ void add_elevate_command(CLI::App& app) {
   command->callback([arguments] { run(*arguments); });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

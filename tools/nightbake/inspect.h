@@ -8,7 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-namespace nightcity {
+namespace nightcity::nightbake {
 
 using Inspection = nlohmann::ordered_json;
 
@@ -34,4 +34,4 @@ struct Bounds {
   Inspection to_json(int dimensions) const;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

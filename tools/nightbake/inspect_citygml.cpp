@@ -8,43 +8,43 @@
 #include "tools/mesh/triangulate.h"
 #include "tools/nightbake/inspect.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 
 Inspection inspect_citygml(const std::filesystem::path& file, int max_lod) {
   Inspection result = make_empty_inspection("citygml");
-  const CityHead head = inputs::read_city_head(file);
+  const city::CityHead head = inputs::read_city_head(file);
   // A file with an unknown CRS is inspected too; its coordinates are then taken as they are.
-  std::optional<CityFrame> frame;
+  std::optional<georeference::CityFrame> frame;
   std::string frame_error;
   try {
-    frame = CityFrame::from_srs_name(head.srs_name, head.sample, {});
+    frame = georeference::CityFrame::from_srs_name(head.srs_name, head.sample, {});
   } catch (const Error& error) {
     frame_error = error.what();
   }
 
   std::map<std::string, std::size_t> objects, lods;
   Bounds bounds;
-  MeshReport mesh;
+  mesh::MeshReport mesh;
   std::size_t buildings = 0;
   std::string last_id;
-  ReadOptions options;
+  city::ReadOptions options;
   options.max_lod = max_lod;
-  const ReadReport report = inputs::read_city(file, options, [&](CityObject&& object) {
+  const city::ReadReport report = inputs::read_city(file, options, [&](city::CityObject&& object) {
     // Large objects come in pieces under one id.
     if (object.id.empty() || object.id != last_id) {
-      ++objects[name_of(object.type)];
+      ++objects[city::name_of(object.type)];
       ++lods[object.lod < 0 ? "none" : std::to_string(object.lod)];
-      if (object.type == ObjectType::building) ++buildings;
+      if (object.type == city::ObjectType::building) ++buildings;
     }
     last_id = object.id;
-    for (Polygon& polygon : object.polygons) {
+    for (city::Polygon& polygon : object.polygons) {
       if (frame) {
         frame->to_projected(polygon.exterior);
-        for (Ring& ring : polygon.interiors) frame->to_projected(ring);
+        for (city::Ring& ring : polygon.interiors) frame->to_projected(ring);
       }
       for (const glm::dvec3& p : polygon.exterior) bounds.add(p);
     }
-    triangulate(object, mesh);
+    mesh::triangulate(object, mesh);
   });
 
   result["buildings"] = buildings;
@@ -79,4 +79,4 @@ Inspection inspect_citygml(const std::filesystem::path& file, int max_lod) {
   return result;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

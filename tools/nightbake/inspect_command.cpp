@@ -10,7 +10,7 @@
 #include "tools/nightbake/commands.h"
 #include "tools/nightbake/inspect.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 namespace {
 
 struct InspectArguments {
@@ -70,8 +70,10 @@ void add_inspect_command(CLI::App& app) {
   command->add_option("--lod", arguments->lod, "CityGML: the highest level of detail to use")
       ->capture_default_str()
       ->check(CLI::Range(0, 4));
-  command->footer("Examples:\n  nightbake inspect berlin/3910_5819.gml\n  nightbake inspect --json out/city.lights | jq .lights");
+  command->footer(
+      "Examples:\n  nightbake inspect berlin/3910_5819.gml\n  nightbake inspect --json "
+      "out/city.lights | jq .lights");
   command->callback([arguments] { run(*arguments); });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

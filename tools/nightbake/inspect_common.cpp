@@ -1,6 +1,6 @@
 #include "tools/nightbake/inspect.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 
 Inspection make_empty_inspection(const char* kind) {
   Inspection result;
@@ -21,4 +21,4 @@ Inspection Bounds::to_json(int dimensions) const {
   return result;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

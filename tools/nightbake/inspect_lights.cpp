@@ -6,7 +6,7 @@
 #include "tools/lights/light_statistics.h"
 #include "tools/nightbake/inspect.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 namespace {
 
 // Counts kinds of vehicle and trips, and how many vehicles are on the road on average in each hour
@@ -52,7 +52,7 @@ Inspection inspect_lights(const std::filesystem::path& file) {
   std::map<std::string, double> flux;
   std::map<std::string, std::map<std::string, std::size_t>> sources;
   std::size_t scheduled = 0;
-  for (const auto& [name, family] : count_lights(lights).families) {
+  for (const auto& [name, family] : lights::count_lights(lights).families) {
     result["lights"][name] = family.count;
     flux[name] = family.flux_lm;
     scheduled += family.count - family.always_on;
@@ -78,4 +78,4 @@ Inspection inspect_lights(const std::filesystem::path& file) {
   return result;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

@@ -3,10 +3,10 @@
 #include "tools/lights/luminaire.h"
 #include "tools/nightbake/inspect.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 
 Inspection inspect_luminaire(const std::filesystem::path& file) {
-  const Luminaire luminaire = read_luminaire(file);
+  const lights::Luminaire luminaire = lights::read_luminaire(file);
   Inspection result = make_empty_inspection("luminaire");
   result["lights"] = {{"luminaire", 1}};
   result["name"] = luminaire.name;
@@ -16,7 +16,7 @@ Inspection inspect_luminaire(const std::filesystem::path& file) {
     result["stated_flux_lm"] = luminaire.stated_flux_lm;
   else
     result["stated_flux_lm"] = nullptr;
-  const IntensityGrid& grid = luminaire.grid;
+  const lights::IntensityGrid& grid = luminaire.grid;
   const auto peak = std::max_element(grid.candela.begin(), grid.candela.end());
   const auto at = static_cast<std::size_t>(peak - grid.candela.begin());
   result["peak_cd"] = *peak;
@@ -26,11 +26,11 @@ Inspection inspect_luminaire(const std::filesystem::path& file) {
   result["gamma_angles"] = grid.gamma_degrees.size();
   result["street_side_degrees"] = luminaire.street_side_degrees;
   // The distribution as city.lights will have it: the same flux on a regular grid.
-  const Photometry photometry = luminaire.photometry();
-  result["resampled_flux_lm"] = integrated_flux(photometry);
+  const lights::Photometry photometry = luminaire.photometry();
+  result["resampled_flux_lm"] = lights::integrated_flux(photometry);
   if (!luminaire.notes.empty()) result["notes"] = luminaire.notes;
   result["opening_m"] = {luminaire.length_m, luminaire.width_m, luminaire.height_m};
   return result;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

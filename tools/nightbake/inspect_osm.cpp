@@ -3,26 +3,26 @@
 #include "tools/nightbake/inspect.h"
 #include "tools/osm/read_osm.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 
 Inspection inspect_osm(const std::filesystem::path& file) {
-  const OsmData data = read_osm(file);
+  const osm::OsmData data = osm::read_osm(file);
   Inspection result = make_empty_inspection("osm");
   Bounds bounds, lamp_bounds;
   std::map<std::string, std::size_t> lamp_tags, highways;
   std::size_t lit = 0;
-  for (const OsmLampNode& lamp : data.lamps) {
+  for (const osm::OsmLampNode& lamp : data.lamps) {
     bounds.add(glm::dvec3(lamp.lon_lat, 0));
     lamp_bounds.add(glm::dvec3(lamp.lon_lat, 0));
     for (const auto& [key, value] : lamp.tags) ++lamp_tags[key];
   }
-  for (const OsmWay& way : data.highways) {
+  for (const osm::OsmWay& way : data.highways) {
     for (const glm::dvec2& p : way.lon_lat) bounds.add(glm::dvec3(p, 0));
     if (const auto kind = way.tags.find("highway"); kind != way.tags.end())
       ++highways[kind->second];
     if (way.tags.contains("lit")) ++lit;
   }
-  for (const OsmWay& way : data.buildings)
+  for (const osm::OsmWay& way : data.buildings)
     for (const glm::dvec2& p : way.lon_lat) bounds.add(glm::dvec3(p, 0));
   result["buildings"] = data.buildings.size();
   result["lights"] = {{"lamp", data.lamps.size()}};
@@ -43,4 +43,4 @@ Inspection inspect_osm(const std::filesystem::path& file) {
   return result;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

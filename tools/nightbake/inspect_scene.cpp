@@ -4,7 +4,7 @@
 #include "formats/scene_reader.h"
 #include "tools/nightbake/inspect.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 
 Inspection inspect_scene(const std::filesystem::path& file) {
   const Scene scene = read_scene(file);
@@ -74,4 +74,4 @@ Inspection inspect_scene(const std::filesystem::path& file) {
   return result;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

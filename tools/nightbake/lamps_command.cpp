@@ -20,7 +20,7 @@
 #include "tools/nightbake/commands.h"
 #include "tools/nightbake/shown_progress.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 namespace {
 
 struct LampsArguments {
@@ -29,8 +29,8 @@ struct LampsArguments {
   bool lay_out = false, json = false;
 };
 
-BakeOptions read_options(const LampsArguments& arguments) {
-  BakeOptions options = to_bake_options(read_inputs(arguments.inputs));
+bake::BakeOptions read_options(const LampsArguments& arguments) {
+  bake::BakeOptions options = bake::to_bake_options(bake::read_inputs(arguments.inputs));
   if (options.city.maps.empty())
     throw UsageError(options.city.name(), "no OSM file among the inputs: lamps come from the map");
   // Files given alone: what the map has and no more.
@@ -39,8 +39,8 @@ BakeOptions read_options(const LampsArguments& arguments) {
   return options;
 }
 
-void write(const City& city, const LampSet& lamps, const std::filesystem::path& out) {
-  if (out.extension() == ".lights") write_lamp_lights(out, lamps, city.georeference());
+void write(const bake::City& city, const lights::LampSet& lamps, const std::filesystem::path& out) {
+  if (out.extension() == ".lights") bake::write_lamp_lights(out, lamps, city.georeference());
   if (out.extension() == ".osm")
     layout::write_lamp_osm(out, lamps.lamps,
                            [&](const glm::dvec2& p) { return city.frame().to_lon_lat(p); });
@@ -50,23 +50,23 @@ void run(const LampsArguments& arguments) {
   const std::string extension = arguments.out.extension().string();
   if (!arguments.out.empty() && extension != ".lights" && extension != ".osm")
     throw UsageError(arguments.out.string(), "is named neither .lights nor .osm");
-  const BakeOptions options = read_options(arguments);
-  City city(options.city);
-  CityLamps lamps;
+  const bake::BakeOptions options = read_options(arguments);
+  bake::City city(options.city);
+  bake::CityLamps lamps;
   {
     ShownProgress progress;
     city.read({}, progress.sink());
     city.build_ground();
-    lamps = place_city_lamps(city, options.lights.lamps);
+    lamps = bake::place_city_lamps(city, options.lights.lamps);
   }
   write(city, lamps.set, arguments.out);
-  const LampReport report = to_report(lamps.set, city.map().lamps.size());
+  const bake::LampReport report = bake::to_report(lamps.set, city.map().lamps.size());
   if (arguments.json) {
-    nlohmann::json result = to_json(report);
-    result["layout"] = to_json(lamps.layout, false);
+    nlohmann::json result = bake::to_json(report);
+    result["layout"] = bake::to_json(lamps.layout, false);
     program::print_json(result);
   } else {
-    fmt::print("{}{}", to_text(report), to_text(lamps.layout, false));
+    fmt::print("{}{}", bake::to_text(report), bake::to_text(lamps.layout, false));
   }
 }
 
@@ -97,4 +97,4 @@ void add_lamps_command(CLI::App& app) {
   command->callback([arguments] { run(*arguments); });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

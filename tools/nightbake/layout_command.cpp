@@ -18,7 +18,7 @@
 #include "tools/nightbake/commands.h"
 #include "tools/nightbake/shown_progress.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 namespace {
 
 struct LayoutArguments {
@@ -27,17 +27,17 @@ struct LayoutArguments {
 };
 
 void run(const LayoutArguments& arguments) {
-  const BakeOptions options = to_bake_options(read_recipe(arguments.recipe));
-  City city(options.city);
+  const bake::BakeOptions options = bake::to_bake_options(bake::read_recipe(arguments.recipe));
+  bake::City city(options.city);
   city.frames();  // the command needs a city model
-  CityLamps lamps;
+  bake::CityLamps lamps;
   {
     ShownProgress progress;
-    read_ground_and_streets(city, options.uses_streets(), progress.sink());
-    lamps = place_city_lamps(city, options.lights.lamps);
+    bake::read_ground_and_streets(city, options.uses_streets(), progress.sink());
+    lamps = bake::place_city_lamps(city, options.lights.lamps);
   }
   if (!arguments.out.empty()) {
-    std::span<const PlacedLamp> laid_out = lamps.set.lamps;
+    std::span<const lights::PlacedLamp> laid_out = lamps.set.lamps;
     laid_out = laid_out.last(lamps.layout.lamps);
     const std::size_t written = layout::write_lamp_osm(
         arguments.out, laid_out, [&](const glm::dvec2& p) { return city.frame().to_lon_lat(p); });
@@ -45,10 +45,10 @@ void run(const LayoutArguments& arguments) {
   }
   const bool streets = spdlog::should_log(spdlog::level::debug);
   if (arguments.json)
-    program::print_json(to_json(lamps.layout, streets));
+    program::print_json(bake::to_json(lamps.layout, streets));
   else
     fmt::print("{} lamps mapped\n{}", lamps.set.lamps.size() - lamps.layout.lamps,
-               to_text(lamps.layout, streets));
+               bake::to_text(lamps.layout, streets));
 }
 
 }  // namespace
@@ -75,4 +75,4 @@ void add_layout_command(CLI::App& app) {
   command->callback([arguments] { run(*arguments); });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

@@ -14,7 +14,7 @@
 #include "tools/lights/light_statistics.h"
 #include "tools/nightbake/commands.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 namespace {
 
 using nlohmann::json;
@@ -25,14 +25,14 @@ struct LightsArguments {
 };
 
 std::string hour_name(std::size_t index) {
-  return fmt::format("{:02}:00", clock_hour(index));
+  return fmt::format("{:02}:00", lights::clock_hour(index));
 }
 
-json statistics_json(const LightFile& file, const LightStatistics& statistics) {
+json statistics_json(const LightFile& file, const lights::LightStatistics& statistics) {
   json families = json::object();
   for (const auto& [name, family] : statistics.families) {
     json hours = json::object();
-    for (std::size_t hour = 0; hour < night_hours; ++hour)
+    for (std::size_t hour = 0; hour < lights::night_hours; ++hour)
       hours[hour_name(hour)] = family.lit[hour];
     families[name] = {{"count", family.count},         {"flux_lm", family.flux_lm},
                       {"kinds", family.kinds},         {"sources", family.sources},
@@ -49,7 +49,7 @@ json statistics_json(const LightFile& file, const LightStatistics& statistics) {
           {"faults", statistics.faults}};
 }
 
-void print(const LightFile& file, const LightStatistics& statistics) {
+void print(const LightFile& file, const lights::LightStatistics& statistics) {
   fmt::print("{} lights, {} profiles, {} schedules\n", file.lights().size(), file.profiles().size(),
              file.schedules().size());
   for (const auto& [name, family] : statistics.families) {
@@ -69,8 +69,8 @@ void print(const LightFile& file, const LightStatistics& statistics) {
       fmt::print("\n");
     }
     std::string hours = fmt::format("{:<10}", "hour"), shares = fmt::format("{:<10}", "% lit");
-    for (std::size_t hour = 0; hour < night_hours; ++hour) {
-      hours += fmt::format("{:>4}", clock_hour(hour));
+    for (std::size_t hour = 0; hour < lights::night_hours; ++hour) {
+      hours += fmt::format("{:>4}", lights::clock_hour(hour));
       shares += fmt::format("{:>4.0f}", 100 * static_cast<double>(family.lit[hour]) /
                                             static_cast<double>(family.count));
     }
@@ -79,19 +79,19 @@ void print(const LightFile& file, const LightStatistics& statistics) {
   if (const TrafficContent traffic = file.traffic(); !traffic.trips.empty())
     fmt::print("\ntraffic: {} trips in {:.0f} s, {} kinds of vehicle\n", traffic.trips.size(),
                traffic.cycle.cycle_s, traffic.vehicles.size());
-  fmt::print("\nfaults: {}\n", in_words(statistics.faults));
+  fmt::print("\nfaults: {}\n", bake::in_words(statistics.faults));
 }
 
 void run(const LightsArguments& arguments) {
   const LightFile file = LightFile::open(arguments.file);
   file.verify();
-  PlaceFault place_fault;
+  lights::PlaceFault place_fault;
   if (!arguments.scene.empty()) {
     require_same_scene(arguments.scene, read_scene_georeference(arguments.scene), arguments.file,
                        file.georeference());
-    place_fault = find_place_faults(arguments.scene);
+    place_fault = bake::find_place_faults(arguments.scene);
   }
-  const LightStatistics statistics = count_lights(file, place_fault);
+  const lights::LightStatistics statistics = lights::count_lights(file, place_fault);
   if (arguments.json)
     program::print_json(statistics_json(file, statistics));
   else
@@ -112,4 +112,4 @@ void add_lights_command(CLI::App& app) {
   command->callback([arguments] { run(*arguments); });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

@@ -13,17 +13,17 @@ int main(int argc, char** argv) {
       "written;\n"
       "2 the command line or a recipe's keys are wrong.";
   nightbake.add_commands = [](CLI::App& app) {
-    nightcity::add_run_command(app);
-    nightcity::add_recipe_command(app);
-    nightcity::add_inspect_command(app);
-    nightcity::add_readers_command(app);
-    nightcity::add_town_command(app);
-    nightcity::add_elevate_command(app);
-    nightcity::add_lamps_command(app);
-    nightcity::add_layout_command(app);
-    nightcity::add_traffic_command(app);
-    nightcity::add_windows_command(app);
-    nightcity::add_lights_command(app);
+    nightcity::nightbake::add_run_command(app);
+    nightcity::nightbake::add_recipe_command(app);
+    nightcity::nightbake::add_inspect_command(app);
+    nightcity::nightbake::add_readers_command(app);
+    nightcity::nightbake::add_town_command(app);
+    nightcity::nightbake::add_elevate_command(app);
+    nightcity::nightbake::add_lamps_command(app);
+    nightcity::nightbake::add_layout_command(app);
+    nightcity::nightbake::add_traffic_command(app);
+    nightcity::nightbake::add_windows_command(app);
+    nightcity::nightbake::add_lights_command(app);
   };
   return nightcity::program::run_program(nightbake, argc, argv);
 }

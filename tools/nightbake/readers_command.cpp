@@ -16,7 +16,7 @@
 #include "tools/inputs/city_files.h"
 #include "tools/nightbake/commands.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 namespace {
 
 using nlohmann::ordered_json;
@@ -30,11 +30,11 @@ struct ReadersArguments {
 // How many ids of objects that only one reader has are printed; --json has all.
 constexpr std::size_t shown_ids = 5;
 
-ordered_json tally_json(const ReaderTally& tally) {
+ordered_json tally_json(const citygml::ReaderTally& tally) {
   return {{"objects", tally.objects}, {"polygons", tally.polygons}, {"area", tally.area}};
 }
 
-ordered_json reading_json(const ReadReport& report) {
+ordered_json reading_json(const city::ReadReport& report) {
   return {{"objects", report.objects},
           {"polygons", report.polygons},
           {"skipped", report.skipped},
@@ -42,7 +42,7 @@ ordered_json reading_json(const ReadReport& report) {
 }
 
 ordered_json comparison_json(const std::filesystem::path& file,
-                             const ReaderComparison& comparison) {
+                             const citygml::ReaderComparison& comparison) {
   ordered_json result = {{"file", file.string()}, {"agree", comparison.agree()}};
   for (const auto& [name, tallies] :
        {std::pair{"objects", &comparison.objects}, std::pair{"surfaces", &comparison.surfaces}}) {
@@ -66,25 +66,27 @@ void print_ids(const char* reader, const std::vector<std::string>& ids) {
              ids.size() > shown_ids ? " ..." : "");
 }
 
-void print_skipped(const char* reader, const ReadReport& report) {
-  fmt::print("  {} skipped: {}\n", reader, in_words(report.skipped));
+void print_skipped(const char* reader, const city::ReadReport& report) {
+  fmt::print("  {} skipped: {}\n", reader, bake::in_words(report.skipped));
 }
 
 // Prints one line for each type on which the readers disagree; with `all`, for every type.
-void print_tallies(const char* what,
-                   const std::map<std::string, std::pair<ReaderTally, ReaderTally>>& tallies,
-                   bool all) {
+void print_tallies(
+    const char* what,
+    const std::map<std::string, std::pair<citygml::ReaderTally, citygml::ReaderTally>>& tallies,
+    bool all) {
   for (const auto& [type, both] : tallies) {
     const auto& [stream, other] = both;
-    if (alike(stream, other) && !all) continue;
+    if (citygml::alike(stream, other) && !all) continue;
     fmt::print("  {:<9}{:<24}{:>9}{:>9}  {:>10}{:>10}  {:>14.3f}{:>14.3f}{}\n", what, type,
                stream.objects, other.objects, stream.polygons, other.polygons, stream.area,
-               other.area, alike(stream, other) ? "" : "  differ");
+               other.area, citygml::alike(stream, other) ? "" : "  differ");
   }
 }
 
-void print(const std::filesystem::path& file, const ReaderComparison& comparison, bool all) {
-  const ReadReport &stream = comparison.stream, &other = comparison.libcitygml;
+void print(const std::filesystem::path& file, const citygml::ReaderComparison& comparison,
+           bool all) {
+  const city::ReadReport &stream = comparison.stream, &other = comparison.libcitygml;
   fmt::print("{}: {}\n", file.string(),
              comparison.agree() ? fmt::format("the readers agree: {} objects, {} polygons",
                                               stream.objects, stream.polygons)
@@ -106,7 +108,7 @@ void run(const ReadersArguments& arguments) {
   std::size_t disagreeing = 0, count = 0;
   for (const std::string& name : arguments.files) {
     for (const auto& file : inputs::city_files(name)) {
-      const ReaderComparison comparison = compare_readers(file, arguments.lod);
+      const citygml::ReaderComparison comparison = citygml::compare_readers(file, arguments.lod);
       ++count;
       disagreeing += !comparison.agree();
       if (arguments.json)
@@ -143,4 +145,4 @@ void add_readers_command(CLI::App& app) {
   command->callback([arguments] { run(*arguments); });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

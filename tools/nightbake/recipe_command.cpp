@@ -8,7 +8,7 @@
 #include "tools/bake/recipe/reference.h"
 #include "tools/nightbake/commands.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 namespace {
 
 struct RecipeArguments {
@@ -23,8 +23,7 @@ void add_recipe_command(CLI::App& app) {
   auto arguments = std::make_shared<RecipeArguments>();
   auto* word = command->add_option("word", arguments->word,
                                    "A table or key, such as city or tile_m (default: all of them)");
-  command
-      ->add_flag("--markdown", arguments->markdown, "Print the tables of docs/recipe.md instead")
+  command->add_flag("--markdown", arguments->markdown, "Print the tables of docs/recipe.md instead")
       ->excludes(word);
   command->footer("Examples:\n  nightbake recipe traffic\n  nightbake recipe city.bounds");
   command->callback([arguments] {
@@ -33,4 +32,4 @@ void add_recipe_command(CLI::App& app) {
   });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

@@ -12,7 +12,7 @@
 #include "tools/nightbake/commands.h"
 #include "tools/nightbake/shown_progress.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 namespace {
 
 struct RunArguments {
@@ -22,17 +22,17 @@ struct RunArguments {
 };
 
 void run(const RunArguments& arguments) {
-  Recipe recipe = read_recipe(arguments.recipe);
+  bake::Recipe recipe = bake::read_recipe(arguments.recipe);
   if (arguments.threads > 0) recipe.city.read.threads = arguments.threads;
-  BakeReport report;
+  bake::BakeReport report;
   {
     ShownProgress progress;
-    report = bake(recipe, arguments.folder, progress.sink());
+    report = bake::bake(recipe, arguments.folder, progress.sink());
   }
   if (arguments.json)
-    program::print_json(to_json(report));
+    program::print_json(bake::to_json(report));
   else
-    fmt::print("{}", to_text(report));
+    fmt::print("{}", bake::to_text(report));
 }
 
 }  // namespace
@@ -60,4 +60,4 @@ void add_run_command(CLI::App& app) {
   command->callback([arguments] { run(*arguments); });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

@@ -4,13 +4,13 @@
 #include "formats/program/progress_display.h"
 #include "tools/bake/progress.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 
 class ShownProgress {
  public:
   /// Returns what functions report their progress to. It refers to this object.
-  ProgressSink sink() {
-    return [this](const Progress& progress) {
+  bake::ProgressSink sink() {
+    return [this](const bake::Progress& progress) {
       display_.show({progress.stage, progress.count, progress.total, progress.unit});
     };
   }
@@ -19,4 +19,4 @@ class ShownProgress {
   program::ProgressDisplay display_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

@@ -9,7 +9,7 @@
 #include "tools/nightbake/commands.h"
 #include "tools/town/town.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 namespace {
 
 struct TownArguments {
@@ -56,4 +56,4 @@ void add_town_command(CLI::App& app) {
   command->callback([arguments] { run(*arguments); });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

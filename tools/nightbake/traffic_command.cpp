@@ -21,7 +21,7 @@
 #include "tools/nightbake/commands.h"
 #include "tools/nightbake/shown_progress.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 namespace {
 
 struct TrafficArguments {
@@ -33,7 +33,7 @@ struct TrafficArguments {
 
 // Returns the georeference of the light file that the traffic is added to, where there is one, else
 // the city's.
-Georeference find_georeference(const City& city, const std::optional<LightFile>& lights,
+Georeference find_georeference(const bake::City& city, const std::optional<LightFile>& lights,
                                const TrafficArguments& arguments) {
   Georeference own = city.georeference();
   if (!lights) return own;
@@ -44,7 +44,7 @@ Georeference find_georeference(const City& city, const std::optional<LightFile>&
 }
 
 void run(const TrafficArguments& arguments) {
-  BakeOptions options = to_bake_options(read_inputs(arguments.inputs));
+  bake::BakeOptions options = bake::to_bake_options(bake::read_inputs(arguments.inputs));
   if (arguments.vehicles) options.traffic.vehicles = arguments.vehicles;
   std::optional<LightFile> lights;
   LightFileContent content;
@@ -53,22 +53,22 @@ void run(const TrafficArguments& arguments) {
     lights->verify();
     content = to_content(*lights);
   }
-  City city(options.city);
+  bake::City city(options.city);
   content.georeference = find_georeference(city, lights, arguments);
-  StreetReport streets;
+  bake::StreetReport streets;
   traffic::TrafficSet traffic;
   {
     ShownProgress progress;
-    streets = read_ground_and_streets(city, true, progress.sink());
-    traffic = make_city_traffic(city, options.traffic, content.georeference, progress.sink());
+    streets = bake::read_ground_and_streets(city, true, progress.sink());
+    traffic = bake::make_city_traffic(city, options.traffic, content.georeference, progress.sink());
   }
-  write_with_traffic(arguments.out, content, to_addition(traffic));
+  write_with_traffic(arguments.out, content, bake::to_addition(traffic));
   if (arguments.json) {
-    nlohmann::json report = to_json(traffic.report);
-    report["streets"] = to_json(streets);
+    nlohmann::json report = bake::to_json(traffic.report);
+    report["streets"] = bake::to_json(streets);
     program::print_json(report);
   } else {
-    fmt::print("{}{}", to_text(streets), to_text(traffic.report));
+    fmt::print("{}{}", bake::to_text(streets), bake::to_text(traffic.report));
   }
 }
 
@@ -108,4 +108,4 @@ void add_traffic_command(CLI::App& app) {
   command->callback([arguments] { run(*arguments); });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

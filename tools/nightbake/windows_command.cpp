@@ -20,7 +20,7 @@
 #include "tools/nightbake/commands.h"
 #include "tools/nightbake/shown_progress.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 namespace {
 
 struct WindowsArguments {
@@ -30,30 +30,30 @@ struct WindowsArguments {
   bool seed_given = false, json = false;
 };
 
-LightsReport write_windows(const WindowsArguments& arguments) {
-  BakeOptions options = to_bake_options(read_inputs(arguments.inputs));
+bake::LightsReport write_windows(const WindowsArguments& arguments) {
+  bake::BakeOptions options = bake::to_bake_options(bake::read_inputs(arguments.inputs));
   if (options.city.files.empty())
     throw UsageError(options.city.name(), "no CityGML among the inputs: windows are on walls");
   if (arguments.seed_given) options.windows.seed = arguments.seed;
   // First: an output that cannot be written is known before the long work.
   LightFileWriter lights(arguments.out);
-  City city(options.city);
-  WindowConsumer windows(city, options.windows, arguments.out);
+  bake::City city(options.city);
+  bake::WindowConsumer windows(city, options.windows, arguments.out);
   ShownProgress progress;
   city.read({&windows}, progress.sink());
   city.build_ground();
-  return write_window_lights(lights, city, windows);
+  return bake::write_window_lights(lights, city, windows);
 }
 
 void run(const WindowsArguments& arguments) {
-  const LightsReport report = write_windows(arguments);
+  const bake::LightsReport report = write_windows(arguments);
   if (arguments.json) {
-    nlohmann::json result = to_json(report.windows);
+    nlohmann::json result = bake::to_json(report.windows);
     result["schedules"] = report.schedules;
     program::print_json(result);
   } else {
-    fmt::print("{}{}", to_text(report.windows),
-               report_line("schedules", std::to_string(report.schedules)));
+    fmt::print("{}{}", bake::to_text(report.windows),
+               bake::report_line("schedules", std::to_string(report.schedules)));
   }
 }
 
@@ -79,4 +79,4 @@ void add_windows_command(CLI::App& app) {
   });
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

@@ -7,7 +7,7 @@
 
 #include "tools/osm/osm_selection.h"
 
-namespace nightcity {
+namespace nightcity::osm {
 namespace {
 
 constexpr double resolution = 1e-7;
@@ -139,4 +139,4 @@ OsmData OsmCollector::finish() && {
   return std::move(data_);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::osm

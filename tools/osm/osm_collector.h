@@ -12,7 +12,7 @@
 
 #include "tools/osm/osm_data.h"
 
-namespace nightcity {
+namespace nightcity::osm {
 
 /// Which state of an element a file holds. The one with the greatest version counts, and an edited
 /// one counts before the version that it was made from; 0 if the file has no versions.
@@ -101,4 +101,4 @@ class OsmCollector {
   std::vector<PendingWay> pending_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::osm

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace nightcity {
+namespace nightcity::osm {
 
 using OsmTags = std::map<std::string, std::string>;
 
@@ -37,4 +37,4 @@ struct OsmData {
   std::vector<std::string> remarks;  // of the server that made the file
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::osm

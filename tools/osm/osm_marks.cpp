@@ -3,7 +3,7 @@
 #include "formats/packed_file.h"
 #include "formats/to_lower.h"
 
-namespace nightcity {
+namespace nightcity::osm {
 namespace {
 
 using std::string_view;
@@ -56,4 +56,4 @@ std::string describe_unread_osm(string_view start) {
   return {};
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::osm

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace nightcity {
+namespace nightcity::osm {
 
 bool is_osm_pbf(std::string_view start);
 bool is_o5m(std::string_view start);
@@ -15,4 +15,4 @@ bool is_bzip2(std::string_view start);
 /// or CSV, a web page, xz, zstd, lz4, 7z, rar or tar. Empty otherwise.
 std::string describe_unread_osm(std::string_view start);
 
-}  // namespace nightcity
+}  // namespace nightcity::osm

@@ -6,7 +6,7 @@
 #include "tools/osm/osm_collector.h"
 #include "tools/osm/osm_parsers.h"
 
-namespace nightcity {
+namespace nightcity::osm {
 namespace {
 
 OsmTags tags_of(const osmium::OSMObject& object) {
@@ -68,4 +68,4 @@ void read_osm_packed(const std::filesystem::path& file, const std::string& forma
   }
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::osm

@@ -6,7 +6,7 @@
 
 #include "tools/osm/osm_collector.h"
 
-namespace nightcity {
+namespace nightcity::osm {
 
 /// Reads plain OSM XML by pugixml. Throws Error: broken XML (with its line), a DOCTYPE, another
 /// root than <osm>, or a remark of the server that the answer is incomplete.
@@ -17,4 +17,4 @@ void read_osm_xml(const std::filesystem::path& file, OsmCollector& collector);
 void read_osm_packed(const std::filesystem::path& file, const std::string& format,
                      OsmCollector& collector);
 
-}  // namespace nightcity
+}  // namespace nightcity::osm

@@ -5,7 +5,7 @@
 
 #include "tools/osm/tag_values.h"
 
-namespace nightcity {
+namespace nightcity::osm {
 namespace {
 
 std::string value_of(const OsmTags& tags, const char* key) {
@@ -57,4 +57,4 @@ bool is_building(const OsmTags& tags) {
   return !value.empty() && value != "no";
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::osm

@@ -4,7 +4,7 @@
 
 #include "tools/osm/osm_data.h"
 
-namespace nightcity {
+namespace nightcity::osm {
 
 /// Returns whether the element is a lamp that lights its surroundings, not a signal, beacon or
 /// warning light:
@@ -20,4 +20,4 @@ bool is_highway(const OsmTags& tags);
 /// Returns whether it has building=* but "no".
 bool is_building(const OsmTags& tags);
 
-}  // namespace nightcity
+}  // namespace nightcity::osm

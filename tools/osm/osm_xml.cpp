@@ -13,7 +13,7 @@
 #include "tools/osm/osm_parsers.h"
 #include "tools/osm/osm_selection.h"
 
-namespace nightcity {
+namespace nightcity::osm {
 namespace {
 
 /// Returns the whole text as a number, or none: "52.5x" and "" are no coordinates.
@@ -111,4 +111,4 @@ void read_osm_xml(const std::filesystem::path& file, OsmCollector& collector) {
   }
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::osm

@@ -9,7 +9,7 @@
 #include "tools/osm/osm_marks.h"
 #include "tools/osm/osm_parsers.h"
 
-namespace nightcity {
+namespace nightcity::osm {
 namespace {
 
 constexpr std::size_t mark_bytes = 1024;
@@ -61,4 +61,4 @@ OsmData read_osm(const std::filesystem::path& file) {
   return read_osm(std::span(&file, 1));
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::osm

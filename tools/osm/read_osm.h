@@ -7,7 +7,7 @@
 
 #include "tools/osm/osm_data.h"
 
-namespace nightcity {
+namespace nightcity::osm {
 
 /// Returns whether a file with these first bytes is an extract: XML, PBF or o5m. The bytes of a
 /// gzipped file are those of its content; bzip2, which nothing else here is packed in, counts as an
@@ -23,4 +23,4 @@ OsmData read_osm(const std::filesystem::path& file);
 /// newest version counts.
 OsmData read_osm(std::span<const std::filesystem::path> files);
 
-}  // namespace nightcity
+}  // namespace nightcity::osm

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace nightcity {
+namespace nightcity::osm {
 namespace {
 
 using std::string_view;
@@ -87,4 +87,4 @@ std::optional<double> parse_length_m(string_view text) {
   return std::nullopt;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::osm

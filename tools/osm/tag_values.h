@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace nightcity {
+namespace nightcity::osm {
 
 /// Returns the value in lower case, without blanks at the ends, and with underscores for the blanks
 /// and hyphens inside: "High-Pressure Sodium " becomes "high_pressure_sodium".
@@ -24,4 +24,4 @@ std::optional<double> take_number(std::string_view& text);
 /// "6;8" or the middle of "5-7"; none from what cannot be understood.
 std::optional<double> parse_length_m(std::string_view text);
 
-}  // namespace nightcity
+}  // namespace nightcity::osm

@@ -16,10 +16,3 @@ using HeightAt = std::function<std::optional<double>(const glm::dvec2& place)>;
 using InsideBuilding = std::function<bool(const glm::dvec2& place)>;
 
 }  // namespace nightcity::place
-
-namespace nightcity {
-// The names under which folders that still share the namespace `nightcity` use them.
-using place::HeightAt;
-using place::InsideBuilding;
-using place::LonLatToFrame;
-}  // namespace nightcity

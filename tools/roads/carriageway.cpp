@@ -14,7 +14,7 @@ namespace {
 constexpr double max_width_m = 60;
 constexpr int max_lanes = 12, max_lanes_each_way = 6;
 
-std::string raw(const OsmTags& tags, const char* key) {
+std::string raw(const osm::OsmTags& tags, const char* key) {
   const auto found = tags.find(key);
   return found == tags.end() ? std::string() : found->second;
 }
@@ -23,7 +23,7 @@ bool one_of(std::string_view value, std::initializer_list<std::string_view> name
   return std::find(names.begin(), names.end(), value) != names.end();
 }
 
-std::optional<int> count_at(const OsmTags& tags, const char* key, int max) {
+std::optional<int> count_at(const osm::OsmTags& tags, const char* key, int max) {
   const std::string text = raw(tags, key);
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -36,8 +36,8 @@ struct Directions {
   bool along = true, against = true;
 };
 
-Directions read_directions(const OsmTags& tags, const Carriageway& carriageway) {
-  const std::string oneway = normalise_tag(raw(tags, "oneway"));
+Directions read_directions(const osm::OsmTags& tags, const Carriageway& carriageway) {
+  const std::string oneway = osm::normalise_tag(raw(tags, "oneway"));
   if (one_of(oneway, {"_1", "reverse"})) return {false, true};  // "-1", as normalise_tag leaves it
   const bool implied = carriageway.roundabout || carriageway.road_class->one_way;
   if (one_of(oneway, {"yes", "true", "1"}) || (implied && !one_of(oneway, {"no", "false", "0"})))
@@ -46,7 +46,7 @@ Directions read_directions(const OsmTags& tags, const Carriageway& carriageway) 
 }
 
 /// Fills in the lanes of each direction and returns how many lanes the carriageway has.
-int read_lanes(const OsmTags& tags, Carriageway& carriageway) {
+int read_lanes(const osm::OsmTags& tags, Carriageway& carriageway) {
   const RoadClass& road = *carriageway.road_class;
   const auto total = count_at(tags, "lanes", max_lanes);
   const Directions driven = read_directions(tags, carriageway);
@@ -75,18 +75,19 @@ double Carriageway::lane_m() const {
   return std::clamp((width_m - road_class->shoulder_m) / driven, min_lane_m, max_lane_m);
 }
 
-std::optional<Carriageway> read_carriageway(const OsmTags& tags) {
+std::optional<Carriageway> read_carriageway(const osm::OsmTags& tags) {
   Carriageway carriageway;
-  carriageway.road_class = find_road_class(normalise_tag(raw(tags, "highway")));
-  if (!carriageway.road_class || normalise_tag(raw(tags, "footway")) == "crossing")
+  carriageway.road_class = find_road_class(osm::normalise_tag(raw(tags, "highway")));
+  if (!carriageway.road_class || osm::normalise_tag(raw(tags, "footway")) == "crossing")
     return std::nullopt;
   const RoadClass& road = *carriageway.road_class;
-  carriageway.roundabout = one_of(normalise_tag(raw(tags, "junction")), {"roundabout", "circular"});
+  carriageway.roundabout =
+      one_of(osm::normalise_tag(raw(tags, "junction")), {"roundabout", "circular"});
   const bool path = road.tier == RoadTier::path;
   const int lanes = path ? 1 : read_lanes(tags, carriageway);
   carriageway.width_m = lanes == 1 ? road.single_lane_m : lanes * road.lane_m + road.shoulder_m;
   const double min_width_m = path ? 1 : 2;  // less is a slip of the pen
-  if (const auto width = parse_length_m(raw(tags, "width"));
+  if (const auto width = osm::parse_length_m(raw(tags, "width"));
       width && *width >= min_width_m && *width <= max_width_m)
     carriageway.width_m = *width;
   // A street tagged narrower than its lanes is a street for one car, whose drivers pass each other
@@ -96,7 +97,7 @@ std::optional<Carriageway> read_carriageway(const OsmTags& tags) {
   return carriageway;
 }
 
-double carriageway_width(const OsmTags& tags) {
+double carriageway_width(const osm::OsmTags& tags) {
   const auto carriageway = read_carriageway(tags);
   return carriageway ? carriageway->width_m : 0;
 }

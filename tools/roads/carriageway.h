@@ -32,9 +32,9 @@ struct Carriageway {
 /// shoulders; the width of a single lane. It is never less than min_lane_m for each lane that is
 /// driven on. Empty for classes that are not in the table and for crossings, which are a part of
 /// the road they cross.
-std::optional<Carriageway> read_carriageway(const OsmTags& tags);
+std::optional<Carriageway> read_carriageway(const osm::OsmTags& tags);
 
 /// Returns the width in metres from kerb to kerb; 0 where read_carriageway is empty.
-double carriageway_width(const OsmTags& tags);
+double carriageway_width(const osm::OsmTags& tags);
 
 }  // namespace nightcity::roads

@@ -14,8 +14,8 @@ struct FaceInfo {
   std::size_t node = no_node;
 };
 
-using Kernel = PlaneKernel;
-using Delaunay = ConstrainedDelaunay<FaceInfo>;
+using Kernel = mesh::PlaneKernel;
+using Delaunay = mesh::ConstrainedDelaunay<FaceInfo>;
 using Face = Delaunay::Face_handle;
 using Vertex = Delaunay::Vertex_handle;
 

@@ -43,7 +43,7 @@ class Outliner {
 
  public:
   using Triangulation = CGAL::Constrained_triangulation_plus_2<
-      ConstrainedDelaunay<FaceInfo, VertexBase, Kernel, typename Outlines::Tag>>;
+      mesh::ConstrainedDelaunay<FaceInfo, VertexBase, Kernel, typename Outlines::Tag>>;
 
   explicit Outliner(std::span<const RoadSurface> surfaces) {
     // Coordinates of millions of metres would make the triangulation's own corners inexact.
@@ -52,7 +52,8 @@ class Outliner {
       insert(surfaces[n].exterior, n);
       for (const PlanRing& hole : surfaces[n].interiors) insert(hole, n);
     }
-    for (const Vertex v : triangulation_.finite_vertex_handles()) v->info() = to_plan(v->point());
+    for (const Vertex v : triangulation_.finite_vertex_handles())
+      v->info() = mesh::to_plan(v->point());
   }
 
   std::vector<OutlineEdge> run() {
@@ -190,11 +191,11 @@ class Outliner {
 
 std::vector<OutlineEdge> road_outline(std::span<const RoadSurface> surfaces) {
   if (surfaces.empty()) return {};
-  using Uncrossed = Outliner<UncrossedOutlines>;
+  using Uncrossed = Outliner<mesh::UncrossedOutlines>;
   try {
     return Uncrossed(surfaces).run();
   } catch (const Uncrossed::Triangulation::Intersection_of_constraints_exception&) {
-    return Outliner<CrossedOutlines>(surfaces).run();
+    return Outliner<mesh::CrossedOutlines>(surfaces).run();
   }
 }
 

@@ -40,7 +40,7 @@ double area_of(const PlanRing& ring) {
   return sum / 2;
 }
 
-bool in_plan(const Ring& ring, PlanRing& plan) {
+bool in_plan(const city::Ring& ring, PlanRing& plan) {
   for (const glm::dvec3& p : ring) {
     if (!(std::abs(p.x) < farthest_m && std::abs(p.y) < farthest_m)) return false;
     plan.emplace_back(p.x, p.y);
@@ -74,8 +74,8 @@ const char* highway_of(std::string_view function) {
   return nullptr;
 }
 
-void RoadSurfaces::add(const CityObject& object) {
-  if (object.type != ObjectType::road) return;
+void RoadSurfaces::add(const city::CityObject& object) {
+  if (object.type != city::ObjectType::road) return;
   const char* highway = highway_of(object.function);
   if (!highway) highway = highway_of(object.usage);
   if (highway && std::string_view(highway) == "motorway") {
@@ -84,16 +84,16 @@ void RoadSurfaces::add(const CityObject& object) {
     left_out_["of motorways"] += object.polygons.size();
     return;
   }
-  const auto said = [](const Polygon& polygon) {
-    return polygon.surface == SurfaceType::traffic_area ? use_of(polygon.area_function)
-                                                        : AreaUse::unsaid;
+  const auto said = [](const city::Polygon& polygon) {
+    return polygon.surface == city::SurfaceType::traffic_area ? use_of(polygon.area_function)
+                                                              : AreaUse::unsaid;
   };
   const bool carriageways =
       std::any_of(object.polygons.begin(), object.polygons.end(),
-                  [&](const Polygon& polygon) { return said(polygon) == AreaUse::vehicles; });
-  for (const Polygon& polygon : object.polygons) {
+                  [&](const city::Polygon& polygon) { return said(polygon) == AreaUse::vehicles; });
+  for (const city::Polygon& polygon : object.polygons) {
     const AreaUse use = said(polygon);
-    if (use == AreaUse::others || polygon.surface == SurfaceType::auxiliary_traffic_area ||
+    if (use == AreaUse::others || polygon.surface == city::SurfaceType::auxiliary_traffic_area ||
         (carriageways && use != AreaUse::vehicles)) {
       ++left_out_["for others than vehicles"];
       continue;
@@ -103,7 +103,7 @@ void RoadSurfaces::add(const CityObject& object) {
       ++left_out_["upright or without area"];
       continue;
     }
-    for (const Ring& ring : polygon.interiors) {
+    for (const city::Ring& ring : polygon.interiors) {
       PlanRing hole;
       if (in_plan(ring, hole)) surface.interiors.push_back(std::move(hole));
     }

@@ -30,7 +30,7 @@ class RoadSurfaces {
   /// Adds the surfaces of a road, in the city's frame; other objects have none. Takes carriageways
   /// where the traffic areas say what they are, otherwise all areas that are not for other users.
   /// Upright and broken polygons are left out.
-  void add(const CityObject& object);
+  void add(const city::CityObject& object);
 
   const std::vector<RoadSurface>& surfaces() const { return surfaces_; }
   /// Number of polygons left out, by reason.

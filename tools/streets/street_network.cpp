@@ -20,9 +20,9 @@ NodeKey key_of(const glm::dvec2& lon_lat) {
   return {std::llround(lon_lat.x * 1e7), std::llround(lon_lat.y * 1e7)};
 }
 
-std::string tag(const OsmWay& way, const char* key) {
+std::string tag(const osm::OsmWay& way, const char* key) {
   const auto found = way.tags.find(key);
-  return found == way.tags.end() ? std::string() : normalise_tag(found->second);
+  return found == way.tags.end() ? std::string() : osm::normalise_tag(found->second);
 }
 
 bool one_of(const std::string& value, std::initializer_list<const char*> names) {
@@ -67,7 +67,7 @@ void append(Run& to, const Run& next) {
 
 class NetworkBuilder {
  public:
-  void count(const OsmWay& way) {
+  void count(const osm::OsmWay& way) {
     for (std::size_t n = 0; n < way.lon_lat.size(); ++n) {
       // At a node inside a way, two of its runs would end.
       const bool end = n == 0 || n + 1 == way.lon_lat.size();
@@ -75,7 +75,7 @@ class NetworkBuilder {
     }
   }
 
-  void cut(const OsmWay& way, const roads::Carriageway& road,
+  void cut(const osm::OsmWay& way, const roads::Carriageway& road,
            const std::function<glm::dvec2(const glm::dvec2&)>& to_frame) {
     Street fresh;
     fresh.road = road;
@@ -197,7 +197,7 @@ Street::Place Street::place(double s) const {
           piece.from_m + t * (piece.to_m - piece.from_m)};
 }
 
-std::string why_unlit(const OsmWay& way) {
+std::string why_unlit(const osm::OsmWay& way) {
   const std::string lit = tag(way, "lit"), highway = tag(way, "highway");
   if (one_of(lit, {"no", "disused", "broken", "never", "none", "false", "off"})) return "lit=no";
   if (!one_of(tag(way, "tunnel"), {"", "no"}) || !one_of(tag(way, "covered"), {"", "no"}) ||
@@ -222,13 +222,13 @@ std::string why_unlit(const OsmWay& way) {
   return {};
 }
 
-StreetNetwork make_street_network(const std::vector<const OsmWay*>& ways,
+StreetNetwork make_street_network(const std::vector<const osm::OsmWay*>& ways,
                                   const std::function<glm::dvec2(const glm::dvec2&)>& to_frame,
                                   Joining joining) {
   NetworkBuilder builder;
-  for (const OsmWay* way : ways)
+  for (const osm::OsmWay* way : ways)
     if (roads::read_carriageway(way->tags)) builder.count(*way);
-  for (const OsmWay* way : ways)
+  for (const osm::OsmWay* way : ways)
     if (const auto road = roads::read_carriageway(way->tags)) builder.cut(*way, *road, to_frame);
   return builder.build(joining);
 }

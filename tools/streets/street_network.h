@@ -58,7 +58,7 @@ struct StreetNetwork {
 /// Returns why a way is not to be lit: "lit=no", "tunnel or under cover", "crossing or pavement
 /// beside a street", "unlit by class", ...; empty if it is to be lit. The tag `lit` decides,
 /// otherwise the class of road in a town.
-std::string why_unlit(const OsmWay& way);
+std::string why_unlit(const osm::OsmWay& way);
 
 /// Decides whether two stretches become one street if nothing else meets them at their common end.
 enum class Joining {
@@ -68,7 +68,7 @@ enum class Joining {
 
 /// Makes the graph of these ways. Ways meet where they share a node. `to_frame` is that of
 /// place_lamps; points that it maps to no finite place are left out.
-StreetNetwork make_street_network(const std::vector<const OsmWay*>& ways,
+StreetNetwork make_street_network(const std::vector<const osm::OsmWay*>& ways,
                                   const std::function<glm::dvec2(const glm::dvec2&)>& to_frame,
                                   Joining joining = Joining::same_road);
 

@@ -101,7 +101,7 @@ StreetWays find_street_ways(const RoadSurfaces& roads,
     double width = street.width_m;
     if (!vote.carriageway && width >= with_pavements_m) width -= 2 * pavement_m;
     const std::string highway = vote.highway.empty() ? roads::guess_highway(width) : vote.highway;
-    OsmWay way;
+    osm::OsmWay way;
     way.id = -1 - static_cast<std::int64_t>(result.ways.size());  // OSM's own are greater than 0
     way.tags = {{"highway", highway}, {"width", fmt::format("{:.1f}", width)}};
     if (width >= 12) way.tags.emplace("lanes", "4");

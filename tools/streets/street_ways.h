@@ -12,7 +12,7 @@
 namespace nightcity::streets {
 
 struct StreetWays {
-  std::vector<OsmWay> ways;          // two-way, with the tags highway and width
+  std::vector<osm::OsmWay> ways;     // two-way, with the tags highway and width
   std::map<std::string, double> km;  // by highway
   double km_by_code = 0;  // length whose class comes from a code; otherwise from the width
   std::size_t junctions = 0, ends = 0;

@@ -20,7 +20,7 @@
 #include "formats/input_file.h"
 #include "formats/to_lower.h"
 
-namespace nightcity {
+namespace nightcity::terrain {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -372,4 +372,4 @@ void ElevationModel::sample(std::span<const glm::dvec2> places, std::span<double
   state_->sample_pixels(pixels, heights);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::terrain

@@ -6,7 +6,7 @@
 #include <memory>
 #include <span>
 
-namespace nightcity {
+namespace nightcity::terrain {
 
 class ElevationModel {
  public:
@@ -35,4 +35,4 @@ class ElevationModel {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::terrain

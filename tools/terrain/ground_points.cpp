@@ -7,7 +7,7 @@
 
 #include "formats/finite.h"
 
-namespace nightcity {
+namespace nightcity::terrain {
 
 void GroundPoints::add(const glm::dvec3& p) {
   if (!finite(p)) return;
@@ -39,4 +39,4 @@ void GroundPoints::thin() {
   }
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::terrain

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-namespace nightcity {
+namespace nightcity::terrain {
 
 /// Keeps up to `max_points`; beyond, the lowest of each square of a grid whose spacing doubles as
 /// often as needed. The same points in the same order give the same result.
@@ -29,4 +29,4 @@ class GroundPoints {
   std::vector<glm::dvec3> points_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::terrain

@@ -17,7 +17,7 @@
 
 #include "formats/finite.h"
 
-namespace nightcity {
+namespace nightcity::terrain {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -96,22 +96,22 @@ void insert_points(Triangulation& triangulation, const std::vector<glm::dvec3>& 
 }
 
 template <class Triangulation>
-TriangleMesh to_mesh(const Triangulation& triangulation, std::vector<glm::dvec3> positions) {
-  TriangleMesh mesh;
+mesh::TriangleMesh to_mesh(const Triangulation& triangulation, std::vector<glm::dvec3> positions) {
+  mesh::TriangleMesh mesh;
   mesh.positions = std::move(positions);
   mesh.triangles.reserve(triangulation.number_of_faces());
   for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end();
        ++face)
     mesh.triangles.push_back(
         {{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()},
-         SurfaceType::terrain,
+         city::SurfaceType::terrain,
          0});
   return mesh;
 }
 
 }  // namespace
 
-TriangleMesh make_surface(std::vector<glm::dvec3> points, double margin_m) {
+mesh::TriangleMesh make_surface(std::vector<glm::dvec3> points, double margin_m) {
   prepare(points, margin_m);
   if (points.empty()) return {};
   Delaunay delaunay;
@@ -163,4 +163,4 @@ BreakSurface make_surface(std::vector<glm::dvec3> points,
   return result;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::terrain

@@ -8,15 +8,15 @@
 
 #include "tools/mesh/triangle_mesh.h"
 
-namespace nightcity {
+namespace nightcity::terrain {
 
 /// Returns a Delaunay surface (in plan) through `points`, with a rim `margin_m` outside their
 /// bounds at the height of the nearest point. Of points with the same plan position the lowest
 /// counts. Empty without a finite point.
-TriangleMesh make_surface(std::vector<glm::dvec3> points, double margin_m);
+mesh::TriangleMesh make_surface(std::vector<glm::dvec3> points, double margin_m);
 
 struct BreakSurface {
-  TriangleMesh mesh;
+  mesh::TriangleMesh mesh;
   std::size_t edges = 0;         // pieces of break lines that are edges of the surface
   std::size_t unused_edges = 0;  // pieces that are not: lines cross each other too often
 };
@@ -27,4 +27,4 @@ struct BreakSurface {
 BreakSurface make_surface(std::vector<glm::dvec3> points,
                           std::span<const std::vector<glm::dvec3>> lines, double margin_m);
 
-}  // namespace nightcity
+}  // namespace nightcity::terrain

@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-namespace nightcity {
+namespace nightcity::terrain {
 namespace {
 
 constexpr double finest_cell_m = 128;
@@ -136,4 +136,4 @@ std::optional<double> SurfaceStore::highest_at(const glm::dvec2& p) {
   return best;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::terrain

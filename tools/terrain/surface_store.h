@@ -15,7 +15,7 @@
 #include "tools/cell_cache.h"
 #include "tools/cell_file.h"
 
-namespace nightcity {
+namespace nightcity::terrain {
 
 /// Coordinates E, N, H in metres, of any magnitude. Memory: some thirty bytes per cell (128 m wide,
 /// wider where triangles are larger), and a few megabytes for triangles not yet written and cells
@@ -55,4 +55,4 @@ class SurfaceStore {
   std::unique_ptr<CellCache<CellKey, Loaded>> cache_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::terrain

@@ -8,7 +8,7 @@
 #include "tools/terrain/made_surface.h"
 #include "tools/terrain/surface_store.h"
 
-namespace nightcity {
+namespace nightcity::terrain {
 namespace {
 
 constexpr std::size_t max_line_vertices = 200'000;
@@ -29,7 +29,7 @@ struct Terrain::State {
   std::vector<std::vector<glm::dvec3>> break_lines;
   std::size_t line_vertices = 0;
   BreakEdges break_edges;
-  TriangleMesh made;
+  mesh::TriangleMesh made;
 };
 
 Terrain::Terrain(const std::filesystem::path& scratch) : state_(std::make_unique<State>(scratch)) {}
@@ -37,7 +37,7 @@ Terrain::~Terrain() = default;
 Terrain::Terrain(Terrain&&) noexcept = default;
 Terrain& Terrain::operator=(Terrain&&) noexcept = default;
 
-void Terrain::add(const TriangleMesh& mesh, SurfaceClass surface_class) {
+void Terrain::add(const mesh::TriangleMesh& mesh, SurfaceClass surface_class) {
   SurfaceStore& layer = state_->layer(surface_class);
   // Points for a surface, in case the model gives none.
   GroundPoints* const points = !state_->layer(SurfaceClass::terrain).empty() ? nullptr
@@ -45,7 +45,7 @@ void Terrain::add(const TriangleMesh& mesh, SurfaceClass surface_class) {
                                    ? &state_->ground_points
                                : surface_class == SurfaceClass::road ? &state_->road_points
                                                                      : nullptr;
-  for (const MeshTriangle& triangle : mesh.triangles) {
+  for (const mesh::MeshTriangle& triangle : mesh.triangles) {
     const auto corner = [&](std::size_t k) -> const glm::dvec3& {
       return mesh.positions[triangle.vertex[k]];
     };
@@ -118,7 +118,7 @@ bool Terrain::inside_building(const glm::dvec2& east_north) const {
          height_of(SurfaceClass::roof, east_north);
 }
 
-const TriangleMesh& Terrain::made_surface() const {
+const mesh::TriangleMesh& Terrain::made_surface() const {
   return state_->made;
 }
 
@@ -126,4 +126,4 @@ void Terrain::drop_made_surface() {
   state_->made = {};
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::terrain

@@ -12,7 +12,7 @@
 #include "formats/atomic_file.h"
 #include "tools/mesh/triangle_mesh.h"
 
-namespace nightcity {
+namespace nightcity::terrain {
 
 /// The surfaces that a vertical ray may meet. On one vertical line the first class wins, then the
 /// greater height.
@@ -29,7 +29,7 @@ class Terrain {
 
   /// Adds triangles (E, N, H in metres) of one class. Call before build(). Vertical, degenerate and
   /// non-finite triangles are left out: nothing can stand on them.
-  void add(const TriangleMesh& mesh, SurfaceClass surface_class);
+  void add(const mesh::TriangleMesh& mesh, SurfaceClass surface_class);
   /// Adds mass points of the model's relief.
   void add_points(std::span<const glm::dvec3> points);
   /// Adds a break line of the model's relief: its pieces become edges of the surface that build()
@@ -70,7 +70,7 @@ class Terrain {
   BreakEdges break_edges() const;
 
   /// Returns the surface made by build() where none was given, otherwise an empty mesh.
-  const TriangleMesh& made_surface() const;
+  const mesh::TriangleMesh& made_surface() const;
   /// Frees its memory.
   void drop_made_surface();
 
@@ -79,4 +79,4 @@ class Terrain {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::terrain

@@ -23,7 +23,7 @@ class Body {
  public:
   explicit Body(const BuildingPlan& plan) : plan_(plan), p_(plan.outline) {}
 
-  std::vector<Polygon> build() {
+  std::vector<city::Polygon> build() {
     ground();
     switch (plan_.shape) {
       case Shape::quad:
@@ -43,35 +43,36 @@ class Body {
   }
 
  private:
-  void add(SurfaceType type, Ring ring) {
-    Polygon polygon;
+  void add(city::SurfaceType type, city::Ring ring) {
+    city::Polygon polygon;
     polygon.surface = type;
     polygon.exterior = std::move(ring);
     polygons_.push_back(std::move(polygon));
   }
-  void roof(Ring ring) { add(SurfaceType::roof, std::move(ring)); }
+  void roof(city::Ring ring) { add(city::SurfaceType::roof, std::move(ring)); }
   dvec3 eave(const dvec2& p) const { return lift(p, plan_.eave_m); }
   dvec3 ridge(const dvec2& p) const { return lift(p, plan_.ridge_m); }
 
   /// Adds the wall from a to b (outside on the right). `top`: further corners between b's and a's
   /// top, if any.
-  void wall(const dvec2& a, const dvec2& b, double top_a, double top_b, const Ring& top = {}) {
-    Ring ring{lift(a, plan_.ground_m), lift(b, plan_.ground_m), lift(b, top_b)};
+  void wall(const dvec2& a, const dvec2& b, double top_a, double top_b,
+            const city::Ring& top = {}) {
+    city::Ring ring{lift(a, plan_.ground_m), lift(b, plan_.ground_m), lift(b, top_b)};
     ring.insert(ring.end(), top.begin(), top.end());
     ring.push_back(lift(a, top_a));
-    add(SurfaceType::wall, std::move(ring));
+    add(city::SurfaceType::wall, std::move(ring));
   }
   void eave_wall(std::size_t k) {
     wall(p_[k], p_[(k + 1) % p_.size()], plan_.eave_m, plan_.eave_m);
   }
 
   void ground() {
-    Polygon polygon;
-    polygon.surface = SurfaceType::ground;  // seen from below: clockwise from above
+    city::Polygon polygon;
+    polygon.surface = city::SurfaceType::ground;  // seen from below: clockwise from above
     for (auto p = p_.rbegin(); p != p_.rend(); ++p)
       polygon.exterior.push_back(lift(*p, plan_.ground_m));
     if (!plan_.hole.empty()) {
-      Ring hole;
+      city::Ring hole;
       for (const dvec2& p : plan_.hole) hole.push_back(lift(p, plan_.ground_m));
       polygon.interiors.push_back(std::move(hole));
     }
@@ -79,11 +80,11 @@ class Body {
   }
 
   void flat_roof() {
-    Polygon polygon;
-    polygon.surface = SurfaceType::roof;
+    city::Polygon polygon;
+    polygon.surface = city::SurfaceType::roof;
     for (const dvec2& p : p_) polygon.exterior.push_back(eave(p));
     if (!plan_.hole.empty()) {
-      Ring hole;
+      city::Ring hole;
       for (auto p = plan_.hole.rbegin(); p != plan_.hole.rend(); ++p) hole.push_back(eave(*p));
       polygon.interiors.push_back(std::move(hole));
     }
@@ -198,12 +199,12 @@ class Body {
 
   const BuildingPlan& plan_;
   const std::vector<dvec2>& p_;
-  std::vector<Polygon> polygons_;
+  std::vector<city::Polygon> polygons_;
 };
 
 }  // namespace
 
-std::vector<Polygon> make_surfaces(const BuildingPlan& plan) {
+std::vector<city::Polygon> make_surfaces(const BuildingPlan& plan) {
   return Body(plan).build();
 }
 

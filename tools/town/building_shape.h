@@ -10,6 +10,6 @@
 namespace nightcity::town {
 
 /// Returns ground, walls and roof of one body without its parts, in metres from the town's origin.
-std::vector<Polygon> make_surfaces(const BuildingPlan& plan);
+std::vector<city::Polygon> make_surfaces(const BuildingPlan& plan);
 
 }  // namespace nightcity::town

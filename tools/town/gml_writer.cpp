@@ -7,11 +7,11 @@
 namespace nightcity::town {
 namespace {
 
-const char* element_of(SurfaceType type) {
+const char* element_of(city::SurfaceType type) {
   switch (type) {
-    case SurfaceType::roof:
+    case city::SurfaceType::roof:
       return "RoofSurface";
-    case SurfaceType::ground:
+    case city::SurfaceType::ground:
       return "GroundSurface";
     default:
       return "WallSurface";
@@ -38,9 +38,10 @@ int roof_code(const BuildingPlan& plan) {
   return 9999;
 }
 
-std::size_t fan_triangles(const Polygon& polygon) {
+std::size_t fan_triangles(const city::Polygon& polygon) {
   std::size_t corners = polygon.exterior.size() - 2;
-  for (const Ring& hole : polygon.interiors) corners += hole.size() + 2;  // a bridge there and back
+  for (const city::Ring& hole : polygon.interiors)
+    corners += hole.size() + 2;  // a bridge there and back
   return corners;
 }
 
@@ -74,7 +75,7 @@ void GmlWriter::write_position(const glm::dvec3& p) {
   out_.fixed(p.z, 3);
 }
 
-void GmlWriter::write_ring(const Ring& ring) {
+void GmlWriter::write_ring(const city::Ring& ring) {
   out_ << "<gml:LinearRing><gml:posList srsDimension=\"3\">";
   for (const glm::dvec3& p : ring) {
     write_position(p);
@@ -93,7 +94,7 @@ void GmlWriter::write_relief(const Hills& hills, int x0, int y0, int x1, int y1)
     const glm::dvec2 p(x * Hills::spacing_m, y * Hills::spacing_m);
     return glm::dvec3(p, hills.smooth(p));
   };
-  const auto triangle = [&](const Ring& corners) {
+  const auto triangle = [&](const city::Ring& corners) {
     out_ << "<gml:Triangle><gml:exterior>";
     write_ring(corners);
     out_ << "</gml:exterior></gml:Triangle>\n";
@@ -118,8 +119,8 @@ void GmlWriter::write_road(const RoadPlan& road) {
   for (const RoadArea& area : road.areas) {
     out_ << "<tran:trafficArea><tran:TrafficArea><tran:function>" << area.function
          << "</tran:function><tran:lod2MultiSurface><gml:MultiSurface>\n";
-    for (const Ring& corners : area.rings) {
-      Polygon surface;
+    for (const city::Ring& corners : area.rings) {
+      city::Polygon surface;
       surface.exterior = corners;
       write_polygon(surface, "");
       out_ << "\n";
@@ -130,13 +131,13 @@ void GmlWriter::write_road(const RoadPlan& road) {
   ++counts_.streets;
 }
 
-void GmlWriter::write_polygon(const Polygon& polygon, const std::string& id) {
+void GmlWriter::write_polygon(const city::Polygon& polygon, const std::string& id) {
   out_ << "<gml:surfaceMember><gml:Polygon";
   if (!id.empty()) out_ << " gml:id=\"" << id << "\"";
   out_ << "><gml:exterior>";
   write_ring(polygon.exterior);
   out_ << "</gml:exterior>";
-  for (const Ring& hole : polygon.interiors) {
+  for (const city::Ring& hole : polygon.interiors) {
     out_ << "<gml:interior>";
     write_ring(hole);
     out_ << "</gml:interior>";
@@ -146,7 +147,7 @@ void GmlWriter::write_polygon(const Polygon& polygon, const std::string& id) {
   counts_.triangles += fan_triangles(polygon);
 }
 
-void GmlWriter::write_surface(const std::string& id, const Polygon& surface) {
+void GmlWriter::write_surface(const std::string& id, const city::Polygon& surface) {
   const char* element = element_of(surface.surface);
   out_ << "<bldg:boundedBy><bldg:" << element << " gml:id=\"" << id
        << "\"><bldg:lod2MultiSurface><gml:MultiSurface>";
@@ -160,7 +161,7 @@ void GmlWriter::write_details(const BuildingPlan& plan, const std::string& id, s
     out_ << "<bldg:outerBuildingInstallation><bldg:BuildingInstallation gml:id=\"" << id
          << "_on_roof_" << number++ << "\"><bldg:function>" << (detail.chimney ? "1030" : "1070")
          << "</bldg:function><bldg:lod2Geometry><gml:MultiSurface>\n";
-    for (const Polygon& surface : detail.surfaces) {
+    for (const city::Polygon& surface : detail.surfaces) {
       write_polygon(surface, "");
       out_ << "\n";
     }
@@ -175,8 +176,8 @@ void GmlWriter::write_tree(const TreePlan& tree) {
   out_.fixed(tree.height_m, 2) << "</veg:height><veg:crownDiameter uom=\"m\">";
   out_.fixed(2 * tree.crown_radius_m, 2)
       << "</veg:crownDiameter><veg:lod2Geometry><gml:MultiSurface>\n";
-  for (Ring& corners : make_tree_surfaces(tree)) {
-    Polygon surface;
+  for (city::Ring& corners : make_tree_surfaces(tree)) {
+    city::Polygon surface;
     surface.exterior = std::move(corners);
     write_polygon(surface, "");
     out_ << "\n";
@@ -207,7 +208,7 @@ void GmlWriter::write_attributes(const BuildingPlan& plan, std::uint64_t seed) {
 
 void GmlWriter::write_body(const BuildingPlan& plan, const std::string& id) {
   std::size_t number = 0;
-  for (const Polygon& polygon : make_surfaces(plan))
+  for (const city::Polygon& polygon : make_surfaces(plan))
     write_surface(id + "_" + std::to_string(number++), polygon);
 }
 

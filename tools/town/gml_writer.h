@@ -30,12 +30,12 @@ class GmlWriter {
   const TownCounts& counts() const { return counts_; }
 
  private:
-  void write_surface(const std::string& id, const Polygon& polygon);
+  void write_surface(const std::string& id, const city::Polygon& polygon);
   void write_body(const BuildingPlan& plan, const std::string& id);
   void write_details(const BuildingPlan& plan, const std::string& id, std::uint64_t seed);
-  void write_polygon(const Polygon& polygon, const std::string& id);
+  void write_polygon(const city::Polygon& polygon, const std::string& id);
   void write_attributes(const BuildingPlan& plan, std::uint64_t seed);
-  void write_ring(const Ring& ring);
+  void write_ring(const city::Ring& ring);
   void write_position(const glm::dvec3& p);
 
   TextFile& out_;

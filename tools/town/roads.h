@@ -16,7 +16,7 @@ struct RoadArea {
   int function = 1;  // CityGML TrafficArea function code: 1 driving lane, 2 footpath, 5 square
   /// Triangles, counter-clockwise from above, and upright kerb faces of 4; m from the town's
   /// origin.
-  std::vector<Ring> rings;
+  std::vector<city::Ring> rings;
 };
 
 struct RoadPlan {

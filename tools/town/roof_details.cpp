@@ -16,8 +16,8 @@ constexpr double dormer_width_m = 1.5, dormer_front_m = 1.4, dormer_setback_m = 
 constexpr double dormer_slope = 0.09;  // of its own roof, rising inwards
 constexpr double chimney_m = 0.65, chimney_above_m = 0.9;
 
-Polygon surface(SurfaceType type, Ring ring) {
-  Polygon polygon;
+city::Polygon surface(city::SurfaceType type, city::Ring ring) {
+  city::Polygon polygon;
   polygon.surface = type;
   polygon.exterior = std::move(ring);
   return polygon;
@@ -37,11 +37,11 @@ RoofDetail dormer(const Slope& slope, double x, double reach) {
   RoofDetail detail;
   const auto at = [&](double across, double y, double z) { return slope.at(across, y, z); };
   detail.surfaces = {
-      surface(SurfaceType::wall,
+      surface(city::SurfaceType::wall,
               {at(x0, y0, foot), at(x1, y0, foot), at(x1, y0, top), at(x0, y0, top)}),
-      surface(SurfaceType::wall, {at(x1, y0, foot), at(x1, reach, back), at(x1, y0, top)}),
-      surface(SurfaceType::wall, {at(x0, y0, foot), at(x0, y0, top), at(x0, reach, back)}),
-      surface(SurfaceType::roof,
+      surface(city::SurfaceType::wall, {at(x1, y0, foot), at(x1, reach, back), at(x1, y0, top)}),
+      surface(city::SurfaceType::wall, {at(x0, y0, foot), at(x0, y0, top), at(x0, reach, back)}),
+      surface(city::SurfaceType::roof,
               {at(x0, y0, top), at(x1, y0, top), at(x1, reach, back), at(x0, reach, back)})};
   return detail;
 }
@@ -51,14 +51,14 @@ RoofDetail chimney(const dvec2& centre, const dvec2& along, double low, double h
   const dvec2 corners[4] = {centre - u - v, centre + u - v, centre + u + v, centre - u + v};
   RoofDetail detail;
   detail.chimney = true;
-  Ring top;
+  city::Ring top;
   for (int k = 0; k < 4; ++k) {
     const dvec2 &a = corners[k], &b = corners[(k + 1) % 4];
     detail.surfaces.push_back(
-        surface(SurfaceType::wall, {{a, low}, {b, low}, {b, high}, {a, high}}));
+        surface(city::SurfaceType::wall, {{a, low}, {b, low}, {b, high}, {a, high}}));
     top.emplace_back(a, high);
   }
-  detail.surfaces.push_back(surface(SurfaceType::roof, std::move(top)));
+  detail.surfaces.push_back(surface(city::SurfaceType::roof, std::move(top)));
   return detail;
 }
 

@@ -10,8 +10,9 @@
 namespace nightcity::town {
 
 struct RoofDetail {
-  bool chimney = false;           // else a dormer
-  std::vector<Polygon> surfaces;  // standing on the roof, open below; m from the town's origin
+  bool chimney = false;  // else a dormer
+  std::vector<city::Polygon>
+      surfaces;  // standing on the roof, open below; m from the town's origin
 };
 
 /// Returns the details of one body: none on flat and shed roofs and on churches. `number` makes

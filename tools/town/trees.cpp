@@ -89,7 +89,7 @@ std::vector<TreePlan> plan_trees(const StreetPlan& streets, const Hills& hills,
   return trees;
 }
 
-std::vector<Ring> make_tree_surfaces(const TreePlan& tree) {
+std::vector<city::Ring> make_tree_surfaces(const TreePlan& tree) {
   constexpr std::size_t sides = 6;
   const double trunk = 0.12 + 0.015 * tree.height_m, fork = tree.ground_m + 0.28 * tree.height_m;
   const double top = tree.ground_m + tree.height_m;
@@ -101,7 +101,7 @@ std::vector<Ring> make_tree_surfaces(const TreePlan& tree) {
     }
     return points;
   };
-  std::vector<Ring> rings;
+  std::vector<city::Ring> rings;
   // A trunk of four sides, from a little below the ground into the crown.
   const dvec2 corners[4] = {{-trunk, -trunk}, {trunk, -trunk}, {trunk, trunk}, {-trunk, trunk}};
   for (int n = 0; n < 4; ++n) {

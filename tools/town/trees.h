@@ -25,6 +25,6 @@ std::vector<TreePlan> plan_trees(const StreetPlan& streets, const Hills& hills,
                                  int j);
 
 /// Returns trunk and crown, 32 triangles.
-std::vector<Ring> make_tree_surfaces(const TreePlan& tree);
+std::vector<city::Ring> make_tree_surfaces(const TreePlan& tree);
 
 }  // namespace nightcity::town

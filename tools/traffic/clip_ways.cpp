@@ -12,8 +12,8 @@ constexpr double longest_m = 1e5;  // a longer jump between two nodes is a broke
 
 class Clipper {
  public:
-  Clipper(const OsmWay& way, const LonLatToFrame& to_frame, const HeightAt& height_at,
-          ClippedWays& result)
+  Clipper(const osm::OsmWay& way, const place::LonLatToFrame& to_frame,
+          const place::HeightAt& height_at, ClippedWays& result)
       : way_(way), to_frame_(to_frame), height_at_(height_at), result_(result) {}
 
   void run(double step_m) {
@@ -77,9 +77,9 @@ class Clipper {
     part_.clear();
   }
 
-  const OsmWay& way_;
-  const LonLatToFrame& to_frame_;
-  const HeightAt& height_at_;
+  const osm::OsmWay& way_;
+  const place::LonLatToFrame& to_frame_;
+  const place::HeightAt& height_at_;
   ClippedWays& result_;
   std::vector<glm::dvec2> part_;
 };
@@ -90,8 +90,8 @@ std::pair<std::int64_t, std::int64_t> osm_units(const glm::dvec2& lon_lat) {
   return {std::llround(lon_lat.x * 1e7), std::llround(lon_lat.y * 1e7)};
 }
 
-void clip_way(const OsmWay& way, const LonLatToFrame& to_frame, const HeightAt& height_at,
-              double step_m, ClippedWays& result) {
+void clip_way(const osm::OsmWay& way, const place::LonLatToFrame& to_frame,
+              const place::HeightAt& height_at, double step_m, ClippedWays& result) {
   Clipper(way, to_frame, height_at, result).run(step_m);
 }
 

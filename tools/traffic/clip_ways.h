@@ -11,7 +11,7 @@
 namespace nightcity::traffic {
 
 struct ClippedWays {
-  std::vector<OsmWay> ways;  // parts of a way keep its id and tags
+  std::vector<osm::OsmWay> ways;  // parts of a way keep its id and tags
   /// Ends that come from cutting, in OSM's units of 1e-7 degrees.
   std::set<std::pair<std::int64_t, std::int64_t>> cuts;
 };
@@ -20,7 +20,7 @@ std::pair<std::int64_t, std::int64_t> osm_units(const glm::dvec2& lon_lat);
 
 /// Appends to `result` the parts of `way` with ground below them, sampled every `step_m` metres. A
 /// gap shorter than a step goes unnoticed; under a bridge that is wanted.
-void clip_way(const OsmWay& way, const LonLatToFrame& to_frame, const HeightAt& height_at,
-              double step_m, ClippedWays& result);
+void clip_way(const osm::OsmWay& way, const place::LonLatToFrame& to_frame,
+              const place::HeightAt& height_at, double step_m, ClippedWays& result);
 
 }  // namespace nightcity::traffic

@@ -12,13 +12,13 @@ namespace {
 constexpr double kmh = 1 / 3.6;
 constexpr double mile_km = 1.609344;
 
-std::string raw(const OsmWay& way, const char* key) {
+std::string raw(const osm::OsmWay& way, const char* key) {
   const auto found = way.tags.find(key);
   return found == way.tags.end() ? std::string() : found->second;
 }
 
-std::string tag(const OsmWay& way, const char* key) {
-  return normalise_tag(raw(way, key));
+std::string tag(const osm::OsmWay& way, const char* key) {
+  return osm::normalise_tag(raw(way, key));
 }
 
 bool one_of(std::string_view value, std::initializer_list<std::string_view> names) {
@@ -33,7 +33,7 @@ std::optional<int> whole(const std::string& text, int min, int max) {
 }
 
 /// Returns whether the public may not drive here: the most specific of the access tags decides.
-bool is_closed(const OsmWay& way) {
+bool is_closed(const osm::OsmWay& way) {
   for (const char* key : {"motorcar", "motor_vehicle", "vehicle", "access"})
     if (const std::string value = tag(way, key); !value.empty())
       return one_of(value, {"no", "private", "agricultural", "forestry", "delivery", "emergency",
@@ -41,7 +41,7 @@ bool is_closed(const OsmWay& way) {
   return false;
 }
 
-std::string reason_against(const OsmWay& way) {
+std::string reason_against(const osm::OsmWay& way) {
   if (is_closed(way)) return "no access";
   if (tag(way, "area") == "yes") return "area";
   if (tag(way, "highway") == "service" && !one_of(tag(way, "service"), {"", "alley"}))
@@ -52,7 +52,7 @@ std::string reason_against(const OsmWay& way) {
   return {};
 }
 
-void read_speed(const OsmWay& way, const Country& country, Drivable& result) {
+void read_speed(const osm::OsmWay& way, const Country& country, Drivable& result) {
   const double unsigned_limit = default_speed_kmh(*result.carriageway.road_class, country);
   const auto both = parse_speed_kmh(raw(way, "maxspeed"));
   const char* const keys[] = {"maxspeed:forward", "maxspeed:backward"};
@@ -66,14 +66,14 @@ void read_speed(const OsmWay& way, const Country& country, Drivable& result) {
 }  // namespace
 
 std::optional<double> parse_speed_kmh(std::string_view text) {
-  std::string value = normalise_tag(text.substr(0, text.find_first_of(";|")));
+  std::string value = osm::normalise_tag(text.substr(0, text.find_first_of(";|")));
   std::optional<double> speed;
   const bool digits = !value.empty() && value[0] >= '0' && value[0] <= '9';
   if (digits) {
     double number = 0;
     const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
     if (error != std::errc()) return std::nullopt;
-    const std::string unit = normalise_tag(std::string_view(end, value.data() + value.size()));
+    const std::string unit = osm::normalise_tag(std::string_view(end, value.data() + value.size()));
     if (unit.empty() || one_of(unit, {"km/h", "kmh", "kph", "_km/h", "_kmh", "_kph"}))
       speed = number;
     if (one_of(unit, {"mph", "_mph"})) speed = number * mile_km;
@@ -104,7 +104,8 @@ std::optional<double> parse_speed_kmh(std::string_view text) {
   return speed;
 }
 
-std::optional<Drivable> read_drivable(const OsmWay& way, const Country& country, std::string& why) {
+std::optional<Drivable> read_drivable(const osm::OsmWay& way, const Country& country,
+                                      std::string& why) {
   Drivable result;
   result.traffic = find_traffic_class(tag(way, "highway"));
   const auto carriageway = roads::read_carriageway(way.tags);

@@ -26,7 +26,8 @@ struct Drivable {
 
 /// Returns what the tags say about driving on the way. Empty, with the reason in `why`, where motor
 /// vehicles of the public do not drive.
-std::optional<Drivable> read_drivable(const OsmWay& way, const Country& country, std::string& why);
+std::optional<Drivable> read_drivable(const osm::OsmWay& way, const Country& country,
+                                      std::string& why);
 
 /// Returns a speed limit in km/h, 3 to 150: "50", "30 mph", "walk", "none", "DE:urban",
 /// "DE:zone:30", the first of "50;30". Empty if the text is no speed.

@@ -38,7 +38,8 @@ dvec2 end_direction(const RoadEdge& edge) {
 
 }  // namespace
 
-LinkNetwork::LinkNetwork(const RoadGraph& graph, HeightAt height_at, InsideBuilding inside)
+LinkNetwork::LinkNetwork(const RoadGraph& graph, place::HeightAt height_at,
+                         place::InsideBuilding inside)
     : graph_(graph), height_at_(std::move(height_at)), inside_(std::move(inside)) {
   centrelines_.resize(graph.edges.size());
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {

@@ -46,7 +46,7 @@ constexpr double comfortable_braking = 1.6, sideways_acceleration = 2.3;
 class LinkNetwork {
  public:
   /// Keeps a reference to `graph`. An empty `inside` means that there are no buildings.
-  LinkNetwork(const RoadGraph& graph, HeightAt height_at, InsideBuilding inside = {});
+  LinkNetwork(const RoadGraph& graph, place::HeightAt height_at, place::InsideBuilding inside = {});
 
   /// Returns the number of a lane's or a turn's link. Links are made when they are first asked for,
   /// because nobody takes most turns of a map.
@@ -84,8 +84,8 @@ class LinkNetwork {
   void conflict(std::size_t a, std::size_t b);
 
   const RoadGraph& graph_;
-  HeightAt height_at_;
-  InsideBuilding inside_;
+  place::HeightAt height_at_;
+  place::InsideBuilding inside_;
   std::vector<Centreline> centrelines_;
   std::deque<Link> links_;
   std::map<std::pair<std::size_t, int>, std::size_t> lanes_;

@@ -16,7 +16,7 @@ constexpr double ground_step_m = 20;   // between samples of the ground below a 
 constexpr double building_step_m = 3;  // between samples of buildings on a way
 constexpr double shortest_m = 1.0;  // a shorter street holds no vehicle: its ends become one node
 
-bool runs_through_building(const RoadEdge& edge, const InsideBuilding& inside) {
+bool runs_through_building(const RoadEdge& edge, const place::InsideBuilding& inside) {
   if (!inside || edge.structure) return false;
   for (std::size_t n = 0; n + 1 < edge.line.size(); ++n) {
     const glm::dvec2 step = edge.line[n + 1] - edge.line[n];
@@ -36,7 +36,7 @@ bool runs_through_building(const RoadEdge& edge, const InsideBuilding& inside) {
 
 class GraphBuilder {
  public:
-  GraphBuilder(const HeightAt& height_at, const InsideBuilding& inside)
+  GraphBuilder(const place::HeightAt& height_at, const place::InsideBuilding& inside)
       : height_at_(height_at), inside_(inside) {}
 
   void add_streets(const streets::StreetNetwork& network,
@@ -126,8 +126,8 @@ class GraphBuilder {
   RoadGraph graph;
 
  private:
-  const HeightAt& height_at_;
-  const InsideBuilding& inside_;
+  const place::HeightAt& height_at_;
+  const place::InsideBuilding& inside_;
 };
 
 /// Marks the dead ends at which the map ends, not the street: streets that were cut off, and
@@ -154,14 +154,14 @@ double RoadGraph::lane_km() const {
   return sum / 1000;
 }
 
-RoadGraph make_road_graph(const std::vector<OsmWay>& highways, const LonLatToFrame& to_frame,
-                          const HeightAt& height_at, const InsideBuilding& inside,
-                          std::optional<Side> side) {
+RoadGraph make_road_graph(const std::vector<osm::OsmWay>& highways,
+                          const place::LonLatToFrame& to_frame, const place::HeightAt& height_at,
+                          const place::InsideBuilding& inside, std::optional<Side> side) {
   GraphBuilder builder(height_at, inside);
   const Country* country = nullptr;
   std::unordered_map<std::int64_t, Drivable> drivable;
   ClippedWays clipped;
-  for (const OsmWay& way : highways) {
+  for (const osm::OsmWay& way : highways) {
     if (way.lon_lat.empty()) continue;
     // One country for the whole map: no town drives on both sides.
     if (!country) country = &country_at(way.lon_lat[way.lon_lat.size() / 2]);
@@ -183,15 +183,15 @@ RoadGraph make_road_graph(const std::vector<OsmWay>& highways, const LonLatToFra
     builder.graph.country = country->name;
   }
 
-  std::vector<const OsmWay*> pointers;
-  for (const OsmWay& way : clipped.ways) pointers.push_back(&way);
+  std::vector<const osm::OsmWay*> pointers;
+  for (const osm::OsmWay& way : clipped.ways) pointers.push_back(&way);
   const streets::StreetNetwork network =
       streets::make_street_network(pointers, to_frame, streets::Joining::never);
   builder.add_streets(network, drivable);
 
   std::vector<bool> was_cut(network.joints.size(), false);
   std::set<std::pair<std::int64_t, std::int64_t>> cut_places;
-  for (const OsmWay& way : clipped.ways)
+  for (const osm::OsmWay& way : clipped.ways)
     for (const glm::dvec2& end : {way.lon_lat.front(), way.lon_lat.back()})
       if (clipped.cuts.contains(osm_units(end))) {
         const glm::dvec2 p = to_frame(end);

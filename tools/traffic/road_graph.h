@@ -62,8 +62,9 @@ struct RoadGraph {
 /// Makes the graph of all drivable ways. Streets end where the model has no ground (`height_at` is
 /// empty there). Streets at ground level that run through a building (`inside`) are left out.
 /// `side` overrides the side on which the country drives.
-RoadGraph make_road_graph(const std::vector<OsmWay>& highways, const LonLatToFrame& to_frame,
-                          const HeightAt& height_at, const InsideBuilding& inside,
+RoadGraph make_road_graph(const std::vector<osm::OsmWay>& highways,
+                          const place::LonLatToFrame& to_frame, const place::HeightAt& height_at,
+                          const place::InsideBuilding& inside,
                           std::optional<Side> side = std::nullopt);
 
 }  // namespace nightcity::traffic

@@ -21,9 +21,7 @@ constexpr double overlap_step_s = 0.5, overlap_slack_m = 0.08;
 class Clock {
  public:
   explicit Clock(TrafficReport& report) : report_(report) {}
-  void lap(const char* step) {
-    report_.seconds.emplace_back(step, watch_.lap_s());
-  }
+  void lap(const char* step) { report_.seconds.emplace_back(step, watch_.lap_s()); }
 
  private:
   TrafficReport& report_;
@@ -181,10 +179,10 @@ void sum_up(TrafficSet& set) {
 
 }  // namespace
 
-TrafficSet make_traffic(const std::vector<OsmWay>& highways, const LonLatToFrame& to_frame,
-                        const HeightAt& height_at, const InsideBuilding& inside,
-                        const TrafficOptions& options, const Georeference& georeference,
-                        const StepProgress& progress) {
+TrafficSet make_traffic(const std::vector<osm::OsmWay>& highways,
+                        const place::LonLatToFrame& to_frame, const place::HeightAt& height_at,
+                        const place::InsideBuilding& inside, const TrafficOptions& options,
+                        const Georeference& georeference, const StepProgress& progress) {
   TrafficSet set;
   TrafficReport& report = set.report;
   report.tolerance = options.tolerance;

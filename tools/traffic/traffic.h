@@ -58,7 +58,7 @@ struct TrafficSet {
   std::vector<Light> vehicle_lights;
   std::vector<Trip> trips;
   std::vector<TripKnot> knots;
-  ProfileTable profiles;  // of the vehicles' lights
+  lights::ProfileTable profiles;  // of the vehicles' lights
   TrafficReport report;
 
   TrafficContent content() const { return {cycle, vehicles, vehicle_lights, trips, knots}; }
@@ -69,9 +69,9 @@ using StepProgress = std::function<void(const char* step, double share)>;
 /// Makes the traffic of all drivable ways. `to_frame`, `height_at` and `inside` are those of
 /// place_lamps. Without a drivable road the set is empty. Throws Error if there are more trips than
 /// a light file can count.
-TrafficSet make_traffic(const std::vector<OsmWay>& highways, const LonLatToFrame& to_frame,
-                        const HeightAt& height_at, const InsideBuilding& inside,
-                        const TrafficOptions& options, const Georeference& georeference,
-                        const StepProgress& progress = {});
+TrafficSet make_traffic(const std::vector<osm::OsmWay>& highways,
+                        const place::LonLatToFrame& to_frame, const place::HeightAt& height_at,
+                        const place::InsideBuilding& inside, const TrafficOptions& options,
+                        const Georeference& georeference, const StepProgress& progress = {});
 
 }  // namespace nightcity::traffic

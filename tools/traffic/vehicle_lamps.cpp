@@ -68,8 +68,8 @@ double low_beam_cd(double h, double v) {
   return ((hot + wide) * under * (0.3 + 0.7 * aside) + glow) * edge;
 }
 
-Photometry low_beam(Side side) {
-  return sample_intensity(
+lights::Photometry low_beam(Side side) {
+  return lights::sample_intensity(
       [side](double c, double gamma) {
         // C = 0 right, 90 degrees down.
         const double right = std::sin(gamma) * std::cos(c), up = -std::sin(gamma) * std::sin(c);
@@ -81,21 +81,21 @@ Photometry low_beam(Side side) {
 }
 
 double low_beam_flux_lm() {
-  static const double flux = integrated_flux(low_beam(Side::right));
+  static const double flux = lights::integrated_flux(low_beam(Side::right));
   return flux;
 }
 
-Photometry signal_beam() {
-  return sample_intensity([](double, double gamma) { return signal(gamma); }, 1, 91, 90);
+lights::Photometry signal_beam() {
+  return lights::sample_intensity([](double, double gamma) { return signal(gamma); }, 1, 91, 90);
 }
 
-VehicleLamps make_vehicle_lamps(Side side, ProfileTable& profiles) {
+VehicleLamps make_vehicle_lamps(Side side, lights::ProfileTable& profiles) {
   const std::uint32_t beam =
       profiles.add(side == Side::right ? "low beam, right" : "low beam, left", low_beam(side));
   const std::uint32_t signal_profile = profiles.add("vehicle signal", signal_beam());
-  const double per_candela = integrated_flux(signal_beam());
+  const double per_candela = lights::integrated_flux(signal_beam());
   // Signal red: dominant wavelength 620 nm, on the spectral locus.
-  const glm::vec3 red = rec709_from_xy({0.6915, 0.3083});
+  const glm::vec3 red = lights::rec709_from_xy({0.6915, 0.3083});
   VehicleLamps result;
   for (const VehicleType& type : vehicle_types) {
     VehicleKind kind{};
@@ -105,7 +105,7 @@ VehicleLamps make_vehicle_lamps(Side side, ProfileTable& profiles) {
     const auto pairs = [&](double apart) {
       return apart > 0 ? std::vector<double>{-apart / 2, apart / 2} : std::vector<double>{0};
     };
-    const glm::vec3 white = rec709_from_xy(planckian_xy(type.headlamp_cct_k));
+    const glm::vec3 white = lights::rec709_from_xy(lights::planckian_xy(type.headlamp_cct_k));
     const double front = type.length_m / 2 + headlamp_radius_m + 0.01,
                  rear = type.length_m / 2 + signal_radius_m + 0.01;
     for (const double z : pairs(type.headlamp_apart_m))

@@ -20,14 +20,14 @@ double low_beam_cd(double h_degrees, double v_degrees);
 /// Returns the beam on a grid round its axis: C = 0 to the right, C = 90 down (light.h, with axis
 /// x and tangent z of the vehicle frame). The grid resolves the cut-off; beyond 40 degrees the
 /// beam is dark.
-Photometry low_beam(Side side);
+lights::Photometry low_beam(Side side);
 
 /// Returns the flux of the model in lumen.
 double low_beam_flux_lm();
 
 /// Returns the distribution of rear and stop lamps, symmetric about the axis, for a peak of one
 /// candela.
-Photometry signal_beam();
+lights::Photometry signal_beam();
 constexpr double tail_lamp_cd = 8;    // Regulation 7: 4 to 17 on the axis
 constexpr double brake_lamp_cd = 90;  // 60 to 260
 constexpr double headlamp_radius_m = 0.05, signal_radius_m = 0.04;
@@ -39,6 +39,6 @@ struct VehicleLamps {
 
 /// Makes the lamps of every type in its vehicle frame, just outside the body's ends, so that the
 /// body does not block them.
-VehicleLamps make_vehicle_lamps(Side side, ProfileTable& profiles);
+VehicleLamps make_vehicle_lamps(Side side, lights::ProfileTable& profiles);
 
 }  // namespace nightcity::traffic

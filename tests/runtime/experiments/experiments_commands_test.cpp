@@ -41,10 +41,10 @@ TEST_F(MeasuringCommands, SweepWritesTableAndPlotAndGoesOnWhereItStopped) {
       "--reference-frames 2 --candidates ";
   const test::Outcome first = nightview("sweep", options + "1");
   ASSERT_EQ(first.exit_code, 0) << first.err;
-  EXPECT_EQ(read_csv(folder / "out/sweep.csv").rows.size(), 4u);
+  EXPECT_EQ(measure::read_csv(folder / "out/sweep.csv").rows.size(), 4u);
   const test::Outcome second = nightview("sweep", options + "1,4");
   ASSERT_EQ(second.exit_code, 0) << second.err;
-  const Table table = read_csv(folder / "out/sweep.csv");
+  const measure::Table table = measure::read_csv(folder / "out/sweep.csv");
   EXPECT_EQ(table.rows.size(), 8u);
   for (const auto& row : table.rows) {
     EXPECT_GT(std::stod(row[table.column("ms")]), 0);
@@ -59,7 +59,7 @@ TEST_F(MeasuringCommands, FlightMeasuresEveryFrameItIsAskedTo) {
   const test::Outcome outcome = nightview(
       "flight", scene() + " --size 16x12 --frames 5 --every 2 --reference-frames 1 --pictures");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const Table table = read_csv(folder / "out/flight.csv");
+  const measure::Table table = measure::read_csv(folder / "out/flight.csv");
   ASSERT_EQ(table.rows.size(), 5u);
   for (std::size_t i = 0; i < 5; ++i)
     EXPECT_EQ(table.rows[i][table.column("relative_mse")].empty(), i % 2 || i == 0) << i;
@@ -71,7 +71,7 @@ TEST_F(MeasuringCommands, StrategiesMeasuresEverySourceOfCandidates) {
   const test::Outcome outcome =
       nightview("strategies", "--lights 3 --size 8x6 --frames 1 --reference-frames 1");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_EQ(read_csv(folder / "out/strategies.csv").rows.size(), 16u);
+  EXPECT_EQ(measure::read_csv(folder / "out/strategies.csv").rows.size(), 16u);
 }
 
 TEST_F(MeasuringCommands, VehiclesSeparatesTheCostOfMovingThem) {

@@ -22,14 +22,14 @@ TEST(Fingerprint, OfASceneChangesWithEitherFile) {
 }
 
 TEST(Fingerprint, OfAPoseChangesWithEveryPartOfIt) {
-  const CameraPose pose;
-  CameraPose moved = pose, turned = pose, rolled = pose, zoomed = pose;
+  const scene::CameraPose pose;
+  scene::CameraPose moved = pose, turned = pose, rolled = pose, zoomed = pose;
   moved.position.x += 1;
   turned.target.y += 1;
   rolled.up.z += 1;
   zoomed.fov_deg += 1;
   EXPECT_EQ(fingerprint_pose(pose).size(), 8u);
-  for (const CameraPose& other : {moved, turned, rolled, zoomed})
+  for (const scene::CameraPose& other : {moved, turned, rolled, zoomed})
     EXPECT_NE(fingerprint_pose(other), fingerprint_pose(pose));
 }
 

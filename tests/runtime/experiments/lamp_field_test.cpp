@@ -7,7 +7,7 @@ namespace {
 
 TEST(LampField, HasTheLampsAskedForAndAllShine) {
   for (const std::size_t lamps : {1ul, 10ul, 1000ul}) {
-    const RenderScene scene = make_lamp_field(lamps);
+    const scene::RenderScene scene = make_lamp_field(lamps);
     EXPECT_EQ(scene.lights.size(), lamps);
     EXPECT_EQ(scene.bad_lights, 0u);
   }

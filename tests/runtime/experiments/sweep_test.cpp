@@ -13,17 +13,19 @@ namespace nightcity::experiments {
 namespace {
 
 TEST(Sweep, DefaultListsHoldValuesThatTheSettingTakes) {
-  for (const Setting& setting : list_swept_settings())
-    for (const std::string& word : split_list(option_of(setting), default_list(setting))) {
-      RenderSettings settings;
-      EXPECT_NO_THROW(set_from_text(setting, settings, word)) << setting.name;
+  for (const render::Setting& setting : list_swept_settings())
+    for (const std::string& word :
+         render::split_list(render::option_of(setting), render::default_list(setting))) {
+      render::RenderSettings settings;
+      EXPECT_NO_THROW(render::set_from_text(setting, settings, word)) << setting.name;
     }
 }
 
 // Scripts read sweep.csv by these names, and a table begun by an older version continues.
 TEST(Sweep, ColumnsKeepTheirNamesAndOrder) {
   std::vector<std::string> columns;
-  for (const Setting& setting : list_swept_settings()) columns.push_back(column_of(setting));
+  for (const render::Setting& setting : list_swept_settings())
+    columns.push_back(render::column_of(setting));
   EXPECT_EQ(columns,
             (std::vector<std::string>{"estimator", "candidates", "neighbours", "radius", "history",
                                       "reach", "boost", "permute", "local-share", "wide-share",
@@ -37,8 +39,8 @@ TEST(Sweep, EveryCombinationComesOnceWithoutSettingsThatAnEstimatorLacks) {
   EXPECT_EQ(std::set<SweepPoint>(all.begin(), all.end()).size(), all.size());
   for (const SweepPoint& point : all) {
     EXPECT_EQ(point.size(), list_swept_settings().size());
-    const RenderSettings settings = to_settings(point);
-    EXPECT_EQ(name_of(settings.sampling.estimator), point.at("estimator"));
+    const render::RenderSettings settings = to_settings(point);
+    EXPECT_EQ(render::name_of(settings.sampling.estimator), point.at("estimator"));
     EXPECT_EQ(std::to_string(settings.sampling.candidates), point.at("candidates"));
   }
   EXPECT_THROW(list_combinations({{"candidates", "0"}}), UsageError);

@@ -8,7 +8,7 @@
 #include "formats/error.h"
 #include "runtime/measure/pictures.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 namespace {
 
 using test::grey;
@@ -115,4 +115,4 @@ TEST(Display, EveryPixelIsExposedAlike) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::measure

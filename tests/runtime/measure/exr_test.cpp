@@ -9,7 +9,7 @@
 #include "runtime/measure/pictures.h"
 #include "support/temp_folder.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 namespace {
 
 class Exr : public testing::Test {
@@ -136,4 +136,4 @@ TEST_F(Exr, OtherKindsOfFileAreErrors) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::measure

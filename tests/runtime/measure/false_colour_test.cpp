@@ -7,7 +7,7 @@
 
 #include "formats/error.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 namespace {
 
 TEST(FalseColour, GrowsLighterWithTheValueAndIsBlackWithoutOne) {
@@ -56,4 +56,4 @@ TEST(FalseColour, IlluminanceNeedsItsLayers) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::measure

@@ -9,7 +9,7 @@
 #include "runtime/measure/exposure.h"
 #include "runtime/measure/pictures.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 namespace {
 
 using test::grey;
@@ -134,4 +134,4 @@ TEST(Compare, BlackReferenceHasNoRelativeError) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::measure

@@ -8,7 +8,7 @@
 #include "formats/error.h"
 #include "support/temp_folder.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 namespace {
 
 class Png : public testing::Test {
@@ -83,4 +83,4 @@ TEST_F(Png, WhatCannotBeWrittenLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::measure

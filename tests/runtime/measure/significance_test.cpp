@@ -9,7 +9,7 @@
 
 #include "formats/error.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 namespace {
 
 constexpr std::uint32_t side = 40;
@@ -100,4 +100,4 @@ TEST(Significance, WhatIsNotFiniteOrNotOfTheSizeIsRefused) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::measure

@@ -9,7 +9,7 @@
 #include "runtime/measure/plot.h"
 #include "support/temp_folder.h"
 
-namespace nightcity {
+namespace nightcity::measure {
 namespace {
 
 TEST(Table, CsvReadsBackWhateverTheCellsHold) {
@@ -71,4 +71,4 @@ TEST(Plot, ShowsEveryPointThatALogarithmicAxisCanShow) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::measure

@@ -9,15 +9,15 @@
 #include "support/process.h"
 #include "support/temp_folder.h"
 
-namespace nightcity {
+namespace nightcity::nightview {
 namespace {
 
 class CompareCommand : public testing::Test {
  protected:
   void SetUp() override {
-    write_exr(folder / "a.exr", test::grey(4, 3, 1.5f));
-    write_exr(folder / "b.exr", test::grey(4, 3, 2.0f));
-    write_exr(folder / "wide.exr", test::grey(6, 2, 2.0f));
+    measure::write_exr(folder / "a.exr", test::grey(4, 3, 1.5f));
+    measure::write_exr(folder / "b.exr", test::grey(4, 3, 2.0f));
+    measure::write_exr(folder / "wide.exr", test::grey(6, 2, 2.0f));
   }
 
   test::Outcome compare(const std::string& a, const std::string& b,
@@ -64,4 +64,4 @@ TEST_F(CompareCommand, WrongUsageEndsWith2) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::nightview

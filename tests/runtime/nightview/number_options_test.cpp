@@ -7,7 +7,7 @@
 #include "runtime/experiments/sweep_points.h"
 #include "support/process.h"
 
-namespace nightcity {
+namespace nightcity::nightview {
 namespace {
 
 struct NumberOption {
@@ -82,12 +82,12 @@ INSTANTIATE_TEST_SUITE_P(Commands, NumberOptions, testing::ValuesIn(list_command
 
 TEST(NumberOptions, ListsOfTheSweepRefuseNan) {
   const test::TempFolder folder;
-  for (const Setting& setting : experiments::list_swept_settings()) {
+  for (const render::Setting& setting : experiments::list_swept_settings()) {
     const test::Outcome outcome =
         test::run_program("nightview", "-q sweep none.glb --out" + test::quoted(folder / "out") +
-                                           option_of(setting) + " nan");
+                                           render::option_of(setting) + " nan");
     EXPECT_EQ(outcome.exit_code, 2) << setting.name;
-    EXPECT_NE(outcome.err.find(option_of(setting)), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(render::option_of(setting)), std::string::npos) << outcome.err;
   }
 }
 
@@ -103,4 +103,4 @@ TEST(NumberOptions, TextsThatHoldNumbersRefuseNan) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::nightview

@@ -16,28 +16,28 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-const CameraPose looking_down{{0, 30, 0}, {0, 0, 0}, {0, 0, -1}, 40};
+const scene::CameraPose looking_down{{0, 30, 0}, {0, 0, 0}, {0, 0, -1}, 40};
 
 // Few candidates and a small radius, so that each guard matters.
-RenderSettings settings_for(Estimator estimator) {
+render::RenderSettings settings_for(render::Estimator estimator) {
   return with_estimator(estimator, 8, 6);
 }
 
 struct Shot {
-  RenderScene scene;
-  CameraPose pose = looking_down;
-  RenderSettings settings;
+  scene::RenderScene scene;
+  scene::CameraPose pose = looking_down;
+  render::RenderSettings settings;
   std::uint32_t side = 16, frames = 1;
 };
 
-Image taken(PassLibrary& passes, const Shot& shot) {
-  DeviceScene device_scene(test_device(), shot.scene);
-  Renderer renderer(test_device(), passes, device_scene, shot.side, shot.side);
+measure::Image taken(render::PassLibrary& passes, const Shot& shot) {
+  render::DeviceScene device_scene(test_device(), shot.scene);
+  render::Renderer renderer(test_device(), passes, device_scene, shot.side, shot.side);
   for (std::uint32_t i = 0; i < shot.frames; ++i) renderer.render_frame(shot.pose, shot.settings);
   return renderer.download();
 }
 
-using Property = std::function<bool(PassLibrary&)>;
+using Property = std::function<bool(render::PassLibrary&)>;
 
 // `poison` makes the hazard occur. With it, the property must hold, and must fail once the guard is
 // removed.
@@ -47,18 +47,18 @@ void expect_guarded(const Property& holds, std::vector<ShaderEdit> guard,
     EXPECT_TRUE(holds(test_passes())) << "with the guard";
   } else {
     const MutatedShaders poisoned(poison);
-    PassLibrary passes(test_device());
+    render::PassLibrary passes(test_device());
     EXPECT_TRUE(holds(passes)) << "with the hazard and the guard";
   }
   guard.insert(guard.end(), poison.begin(), poison.end());
   const MutatedShaders without(guard);
-  PassLibrary passes(test_device());
+  render::PassLibrary passes(test_device());
   EXPECT_FALSE(holds(passes)) << "without the guard nothing fails: the test does not bite";
 }
 
 // E = I cos / d^2 of `flux` lumen at (0, 8, 0) over a plane of reflectance 1/2: every pixel within
 // 1 %.
-bool obeys_the_inverse_square_law(const Image& image, double flux) {
+bool obeys_the_inverse_square_law(const measure::Image& image, double flux) {
   const auto& points = image.layer("position")->values;
   for (std::size_t i = 0; i < image.pixels(); ++i) {
     const double x = double(points[3 * i]), z = double(points[3 * i + 2]), d2 = x * x + z * z + 64;
@@ -68,13 +68,13 @@ bool obeys_the_inverse_square_law(const Image& image, double flux) {
   return true;
 }
 
-Shot one_lamp(Estimator estimator, float flux = 5000, std::uint32_t frames = 2) {
+Shot one_lamp(render::Estimator estimator, float flux = 5000, std::uint32_t frames = 2) {
   return {SceneBuilder().ground(100).with({lamp({0, 8, 0}, flux)}), looking_down,
           settings_for(estimator), 16, frames};
 }
 
-Property lamp_law(Estimator estimator, float flux = 5000, std::uint32_t frames = 2) {
-  return [=](PassLibrary& passes) {
+Property lamp_law(render::Estimator estimator, float flux = 5000, std::uint32_t frames = 2) {
+  return [=](render::PassLibrary& passes) {
     return obeys_the_inverse_square_law(taken(passes, one_lamp(estimator, flux, frames)),
                                         double(flux));
   };
@@ -88,17 +88,17 @@ const ShaderEdit finalize_guard{
 // A target of zero gives no sample. A clamped divisor instead would darken all light that is
 // fainter than the clamp.
 TEST(Guard, FaintLightIsNotClampedAway) {
-  expect_guarded(lamp_law(Estimator::pairwise, 1e-5f),
+  expect_guarded(lamp_law(render::Estimator::pairwise, 1e-5f),
                  {{finalize_guard.file, finalize_guard.guard,
                    "normalisation * builder.weight_sum / max(builder.target, 1.0e-8)"}});
 }
 
 // A window lights one side only: on the other every target is zero, W would be 0 / 0.
 TEST(Guard, WhereNoLightReachesThePictureIsBlackAndNotNaN) {
-  const Property dark_half_is_dark = [](PassLibrary& passes) {
-    const Image image =
+  const Property dark_half_is_dark = [](render::PassLibrary& passes) {
+    const measure::Image image =
         taken(passes, {SceneBuilder().ground(100).with({window({0, 4, 0}, {0, 0, 1}, 1, 1, 500)}),
-                       looking_down, settings_for(Estimator::ris), 16, 2});
+                       looking_down, settings_for(render::Estimator::ris), 16, 2});
     const auto& points = image.layer("position")->values;
     for (std::size_t i = 0; i < image.pixels(); ++i) {
       if (!std::isfinite(luminance(image, i))) return false;
@@ -123,18 +123,20 @@ const ShaderEdit poisoned_history{
 // A reservoir with NaN or infinity is emptied when it is loaded; otherwise the history never
 // recovers. No later test of W > 0 catches an infinite M.
 TEST(Guard, AHistoryThatIsNoNumberIsForgotten) {
-  Shot shot = one_lamp(Estimator::pairwise, 5000, 4);
+  Shot shot = one_lamp(render::Estimator::pairwise, 5000, 4);
   shot.settings.reuse.neighbours = 0;
   shot.settings.averaging.accumulate = false;
   expect_guarded(
-      [&](PassLibrary& passes) { return obeys_the_inverse_square_law(taken(passes, shot), 5000); },
+      [&](render::PassLibrary& passes) {
+        return obeys_the_inverse_square_law(taken(passes, shot), 5000);
+      },
       {{"reservoir.glsl", "if (!sound) return EMPTY_RESERVOIR;", ""}}, {poisoned_history});
 }
 
 // No value that is not finite may stay in the sum, wherever it comes from.
 TEST(Guard, OneFrameThatIsNoNumberDoesNotStayInThePicture) {
-  const Property finite_mean = [](PassLibrary& passes) {
-    const Image image = taken(passes, one_lamp(Estimator::ris, 5000, 4));
+  const Property finite_mean = [](render::PassLibrary& passes) {
+    const measure::Image image = taken(passes, one_lamp(render::Estimator::ris, 5000, 4));
     for (const float value : image.rgb)
       if (!std::isfinite(value) || value == 0) return false;
     return true;
@@ -149,11 +151,13 @@ TEST(Guard, OneFrameThatIsNoNumberDoesNotStayInThePicture) {
 TEST(Guard, WeightsBeyondHalfFloatsAreKept) {
   std::vector<Light> lights(80000, lamp({0, 8, 0}, 0.0625f));
   Shot shot{SceneBuilder().ground(100).with(lights), looking_down,
-            settings_for(Estimator::pairwise), 8, 2};
+            settings_for(render::Estimator::pairwise), 8, 2};
   shot.settings.sampling.near_share = shot.settings.sampling.far_share = 0;
   shot.settings.sampling.uniform_share = 1;
   expect_guarded(
-      [&](PassLibrary& passes) { return obeys_the_inverse_square_law(taken(passes, shot), 5000); },
+      [&](render::PassLibrary& passes) {
+        return obeys_the_inverse_square_law(taken(passes, shot), 5000);
+      },
       {{"reservoir.glsl", "r.W = finite(W) ? W : 0.0;",
         "r.W = unpackHalf2x16(packHalf2x16(vec2(W, 0.0))).x;"}});
 }
@@ -165,18 +169,18 @@ TEST(Guard, HistoryFadesThroughTheCapOnM) {
   for (std::size_t i = 0; i < lights.size(); ++i)
     lights[i].colour_rgb9e5 = encode_rgb9e5({1, 0.1f + 0.015f * float(i), 0});
   Shot shot{SceneBuilder().ground(100).with(lights), looking_down,
-            settings_for(Estimator::pairwise)};
+            settings_for(render::Estimator::pairwise)};
   shot.settings.reuse.neighbours = 0;
   shot.settings.reuse.max_history = 4;
   shot.settings.averaging.accumulate = false;
-  const Property lamps_change = [&](PassLibrary& passes) {
-    DeviceScene device_scene(test_device(), shot.scene);
-    Renderer renderer(test_device(), passes, device_scene, shot.side, shot.side);
+  const Property lamps_change = [&](render::PassLibrary& passes) {
+    render::DeviceScene device_scene(test_device(), shot.scene);
+    render::Renderer renderer(test_device(), passes, device_scene, shot.side, shot.side);
     const auto after = [&](int frames) {
       for (int i = 0; i < frames; ++i) renderer.render_frame(shot.pose, shot.settings);
       return renderer.download(false);
     };
-    const Image a = after(150), b = after(12);
+    const measure::Image a = after(150), b = after(12);
     std::size_t same = 0;
     for (std::size_t i = 0; i < 3 * a.pixels(); i += 3)
       same += std::abs(a.rgb[i] * b.rgb[i + 1] - b.rgb[i] * a.rgb[i + 1]) <=
@@ -197,14 +201,14 @@ TEST(Guard, NeighboursThatCannotContributeDoNotCount) {
       steps.ground(0).box({float(x) * 2, -1, float(z) * 2},
                           {float(x) * 2 + 2, (x + z) % 2 ? 0.0f : -0.9f, float(z) * 2 + 2});
   const std::vector<Light> lights{lamp({0, 200, 0}, 5e6f)};
-  Shot shot{steps.with(lights), looking_down, settings_for(Estimator::pairwise), 32, 1};
-  const Image truth = [&] {
+  Shot shot{steps.with(lights), looking_down, settings_for(render::Estimator::pairwise), 32, 1};
+  const measure::Image truth = [&] {
     Shot reference = shot;
-    reference.settings.sampling.estimator = Estimator::reference;
+    reference.settings.sampling.estimator = render::Estimator::reference;
     return taken(test_passes(), reference);
   }();
   expect_guarded(
-      [&](PassLibrary& passes) {
+      [&](render::PassLibrary& passes) {
         return std::abs(mean_luminance(taken(passes, shot)) / mean_luminance(truth) - 1) < 0.01;
       },
       {{"spatial.comp", "if (!similar(surface, FRAME.surfaces.at[at_index])) continue;",
@@ -214,7 +218,7 @@ TEST(Guard, NeighboursThatCannotContributeDoNotCount) {
 
 TEST(Guard, TargetsAreEvaluatedAtTheReceiver) {
   expect_guarded(
-      lamp_law(Estimator::pairwise, 5000, 4),
+      lamp_law(render::Estimator::pairwise, 5000, 4),
       {{"reuse.glsl",
         "other.W > 0.0 ? estimator_target(receiver, other.light, other.uv, false) : 0.0;",
         "other.W > 0.0 ? estimator_target(there, other.light, other.uv, false) : 0.0;"}});
@@ -225,20 +229,20 @@ TEST(Guard, TargetsAreEvaluatedAtTheReceiver) {
 TEST(Guard, WhatWasHiddenHasNoHistory) {
   SceneBuilder builder;
   builder.ground(100).box({-8, 0, 4}, {8, 10, 5});
-  const RenderScene scene = builder.with({lamp({0, 8, 0}, 5000)});
-  RenderSettings settings = settings_for(Estimator::paper);
+  const scene::RenderScene scene = builder.with({lamp({0, 8, 0}, 5000)});
+  render::RenderSettings settings = settings_for(render::Estimator::paper);
   settings.reuse.neighbours = 0;
   settings.averaging.accumulate = false;
-  const CameraPose before{{-6, 14, 30}, {0, 0, 0}, {0, 1, 0}, 50},
+  const scene::CameraPose before{{-6, 14, 30}, {0, 0, 0}, {0, 1, 0}, 50},
       after{{6, 22, 26}, {0, 0, 0}, {0, 1, 0}, 50};
-  const Property no_smear = [&](PassLibrary& passes) {
-    DeviceScene device_scene(test_device(), scene);
-    Renderer moved(test_device(), passes, device_scene, 48, 48),
+  const Property no_smear = [&](render::PassLibrary& passes) {
+    render::DeviceScene device_scene(test_device(), scene);
+    render::Renderer moved(test_device(), passes, device_scene, 48, 48),
         fresh(test_device(), passes, device_scene, 48, 48);
     for (int i = 0; i < 8; ++i) moved.render_frame(before, settings);
     moved.render_frame(after, settings);
     fresh.render_frame(after, settings);
-    const Image a = moved.download(false), b = fresh.download(false);
+    const measure::Image a = moved.download(false), b = fresh.download(false);
     std::size_t different = 0;
     for (std::size_t i = 0; i < a.pixels(); ++i)
       different += std::abs(luminance(a, i) - luminance(b, i)) > 0.02 * luminance(b, i) + 1e-6;
@@ -257,8 +261,8 @@ TEST(Guard, ALightIndexOutOfRangeIsDropped) {
         "FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation(reuse, balance));",
         "FRAME.reservoirs.at[index] = finalize(reuse.builder, normalisation(reuse, balance));\n"
         "  if (FRAME.frame % 2u == 0u) FRAME.reservoirs.at[index].light = 0x7FFFFFF0u;"}});
-  PassLibrary passes(test_device());
-  Shot shot = one_lamp(Estimator::pairwise, 5000, 5);
+  render::PassLibrary passes(test_device());
+  Shot shot = one_lamp(render::Estimator::pairwise, 5000, 5);
   shot.settings.averaging.accumulate = false;
   for (std::uint32_t frames : {3u, 4u}) {
     shot.frames = frames;
@@ -269,7 +273,7 @@ TEST(Guard, ALightIndexOutOfRangeIsDropped) {
 // The greatest word of a random generator, times 2^-32, rounds to 1.0, and then no candidate is
 // ever kept.
 TEST(Guard, RandomNumbersStayBelowOne) {
-  expect_guarded(lamp_law(Estimator::ris),
+  expect_guarded(lamp_law(render::Estimator::ris),
                  {{"random.glsl", "float(random_uint() >> 8u) * (1.0 / 16777216.0)",
                    "float(random_uint()) * (1.0 / 4294967296.0)"}},
                  {{"random.glsl", "return (word >> 22u) ^ word;", "return 0xFFFFFFFFu | word;"}});
@@ -281,11 +285,11 @@ TEST(Guard, RandomNumbersStayBelowOne) {
 TEST(Guard, AtTheLampItselfLightIsBoundedByItsSize) {
   const auto over_ground = [](float height) {
     return Shot{SceneBuilder().ground(100).with({lamp({0, height, 0}, 5000, 0)}), looking_down,
-                settings_for(Estimator::reference), 1, 8};
+                settings_for(render::Estimator::reference), 1, 8};
   };
   const Shot within = over_ground(5e-4f), at_centre = over_ground(1e-20f),
              beyond = over_ground(1.1e-3f);
-  const Property bounded = [&](PassLibrary& passes) {
+  const Property bounded = [&](render::PassLibrary& passes) {
     const double most = 0.5 / pi * 5000 / (4 * pi) * 2e6,
                  seen = luminance(taken(passes, beyond), 0);
     return luminance(taken(passes, within), 0) == 0 &&
@@ -299,9 +303,9 @@ TEST(Guard, AWindowWithoutAreaShinesAsASmallOne) {
   light.axis = {0, -1, 0};
   light.tangent = {1, 0, 0};
   const Shot shot{SceneBuilder().ground(100).with({light}), looking_down,
-                  settings_for(Estimator::pairwise), 16, 2};
-  const Property as_a_point = [&](PassLibrary& passes) {
-    const Image image = taken(passes, shot);
+                  settings_for(render::Estimator::pairwise), 16, 2};
+  const Property as_a_point = [&](render::PassLibrary& passes) {
+    const measure::Image image = taken(passes, shot);
     const auto& points = image.layer("position")->values;
     for (std::size_t i = 0; i < image.pixels(); ++i) {
       const double x = double(points[3 * i]), z = double(points[3 * i + 2]),
@@ -324,14 +328,14 @@ TEST(Guard, RaysInThePlaneOfABoxHit) {
   SceneBuilder builder;
   for (int i = -8; i < 8; ++i)
     builder.quad({float(i), -8, 0}, {float(i) + 1, -8, 0}, {float(i) + 1, 8, 0}, {float(i), 8, 0});
-  const RenderScene scene = builder.with({});
-  DeviceScene device_scene(test_device(), scene);
-  Renderer renderer(test_device(), test_passes(), device_scene, 1, 1);
+  const scene::RenderScene scene = builder.with({});
+  render::DeviceScene device_scene(test_device(), scene);
+  render::Renderer renderer(test_device(), test_passes(), device_scene, 1, 1);
   for (int i = -7; i < 8; ++i)
     for (const float x :
          {float(i), std::nextafter(float(i), -99.0f), std::nextafter(float(i), 99.0f)}) {
       renderer.render_frame({{x, 0.5f, 10}, {x, 0.5f, 0}, {0, 1, 0}, 1},
-                            settings_for(Estimator::ris));
+                            settings_for(render::Estimator::ris));
       EXPECT_NEAR(renderer.download().layer("depth")->values[0], 10.0f, 1e-4f) << x;
     }
 }
@@ -346,11 +350,11 @@ TEST(Guard, FarFromTheOriginASurfaceDoesNotShadowItself) {
   builder.quad(middle - along - up, middle + along - up, middle + along + up, middle - along + up);
   const Shot shot{builder.with({lamp(middle + 0.1f * out, 5000, 0)}),
                   {middle + 20.0f * out, middle, {0, 1, 0}, 60},
-                  settings_for(Estimator::reference),
+                  settings_for(render::Estimator::reference),
                   32,
                   1};
-  const Property all_lit = [&](PassLibrary& passes) {
-    const Image image = taken(passes, shot);
+  const Property all_lit = [&](render::PassLibrary& passes) {
+    const measure::Image image = taken(passes, shot);
     for (std::size_t i = 0; i < image.pixels(); ++i)
       if (!(luminance(image, i) > 0)) return false;
     return true;
@@ -363,10 +367,10 @@ TEST(Guard, FarFromTheOriginASurfaceDoesNotShadowItself) {
 TEST(Guard, AVastGroundDoesNotShadowItself) {
   const Shot shot{SceneBuilder().ground(8000).with({lamp({0, 8, 0}, 5000)}),
                   {{0, 20, 0}, {0, 0, 0}, {0, 0, -1}, 90},
-                  settings_for(Estimator::reference),
+                  settings_for(render::Estimator::reference),
                   32,
                   1};
-  const Property lit = [&](PassLibrary& passes) {
+  const Property lit = [&](render::PassLibrary& passes) {
     return obeys_the_inverse_square_law(taken(passes, shot), 5000);
   };
   expect_guarded(
@@ -379,11 +383,11 @@ TEST(Guard, TheFirstFrameOfSeedZeroIsRandom) {
   std::vector<Light> lights{lamp({0, 8, 0}, 5000), lamp({0, 8, 0}, 5000)};
   lights[0].colour_rgb9e5 = encode_rgb9e5({1, 0, 0});
   lights[1].colour_rgb9e5 = encode_rgb9e5({0, 0, 1});
-  Shot shot{SceneBuilder().ground(100).with(lights), looking_down, settings_for(Estimator::ris), 32,
-            1};
+  Shot shot{SceneBuilder().ground(100).with(lights), looking_down,
+            settings_for(render::Estimator::ris), 32, 1};
   shot.settings.sampling.candidates = 1;
-  const Property half_is_red = [&](PassLibrary& passes) {
-    const Image image = taken(passes, shot);
+  const Property half_is_red = [&](render::PassLibrary& passes) {
+    const measure::Image image = taken(passes, shot);
     double red = 0;
     for (std::size_t i = 0; i < image.pixels(); ++i) red += image.rgb[3 * i] > 0;
     return std::abs(red / double(image.pixels()) - 0.5) < 0.08;  // 5 standard deviations

@@ -19,18 +19,19 @@ constexpr std::uint32_t side = 20;
 constexpr int moments = 6;
 
 struct Moving {
-  RenderScene scene;
+  scene::RenderScene scene;
   double first_s, step_s;  // the clock
-  std::function<CameraPose(int moment)> pose_at;
+  std::function<scene::CameraPose(int moment)> pose_at;
 };
 
-CameraPose still_at_the_wall(int) {
+scene::CameraPose still_at_the_wall(int) {
   return {{4, 9, 12}, {0, 0.5f, -1}, {0, 1, 0}, 50};
 }
 
-PictureStatistics last_moments(Renderer& renderer, const Moving& place, RenderSettings settings,
-                               std::uint32_t runs, std::uint32_t first_seed) {
-  PictureStatistics statistics;
+measure::PictureStatistics last_moments(render::Renderer& renderer, const Moving& place,
+                                        render::RenderSettings settings, std::uint32_t runs,
+                                        std::uint32_t first_seed) {
+  measure::PictureStatistics statistics;
   for (std::uint32_t run = 0; run < runs; ++run) {
     settings.sampling.seed = first_seed + run;
     for (int moment = 0; moment < moments; ++moment) {
@@ -43,35 +44,36 @@ PictureStatistics last_moments(Renderer& renderer, const Moving& place, RenderSe
   return statistics;
 }
 
-PictureStatistics truth_of_last_moment(Renderer& renderer, const Moving& place) {
-  RenderSettings settings = with_estimator(Estimator::reference);
+measure::PictureStatistics truth_of_last_moment(render::Renderer& renderer, const Moving& place) {
+  render::RenderSettings settings = with_estimator(render::Estimator::reference);
   settings.time_s = place.first_s + place.step_s * (moments - 1);
   return independent_runs(renderer, place.pose_at(moments - 1), settings, 16, 4, 5000);
 }
 
 // The criterion of unbiased_test.cpp: at a joint level of 1 %, at most 0.25 % of the pixels differ.
-void expect_unbiased(const Moving& place, Estimator estimator, std::uint32_t runs = 240) {
-  DeviceScene device_scene(test_device(), place.scene);
+void expect_unbiased(const Moving& place, render::Estimator estimator, std::uint32_t runs = 240) {
+  render::DeviceScene device_scene(test_device(), place.scene);
   // Two renderers share the scene; neither may overwrite the other's previous frame.
-  Renderer judge(test_device(), test_passes(), device_scene, side, side);
-  Renderer renderer(test_device(), test_passes(), device_scene, side, side);
-  const PictureStatistics truth = truth_of_last_moment(judge, place);
-  const PictureStatistics ours =
+  render::Renderer judge(test_device(), test_passes(), device_scene, side, side);
+  render::Renderer renderer(test_device(), test_passes(), device_scene, side, side);
+  const measure::PictureStatistics truth = truth_of_last_moment(judge, place);
+  const measure::PictureStatistics ours =
       last_moments(renderer, place, with_estimator(estimator, 16, 8), runs, 1);
-  const PixelTest verdict = test_pixels(ours, truth, 0.01, 1e-4);
-  std::printf("  %-10s %6.2f %% of %zu pixels pass, mean %+.3f %% +- %.3f %%\n", name_of(estimator),
-              100 * verdict.passed_share(), verdict.pixels, 100 * verdict.relative_mean,
-              100 * verdict.relative_mean_error);
-  EXPECT_GE(verdict.passed_share(), 0.9975) << name_of(estimator);
-  EXPECT_LT(std::abs(verdict.relative_mean), 4 * verdict.relative_mean_error) << name_of(estimator);
+  const measure::PixelTest verdict = measure::test_pixels(ours, truth, 0.01, 1e-4);
+  std::printf("  %-10s %6.2f %% of %zu pixels pass, mean %+.3f %% +- %.3f %%\n",
+              render::name_of(estimator), 100 * verdict.passed_share(), verdict.pixels,
+              100 * verdict.relative_mean, 100 * verdict.relative_mean_error);
+  EXPECT_GE(verdict.passed_share(), 0.9975) << render::name_of(estimator);
+  EXPECT_LT(std::abs(verdict.relative_mean), 4 * verdict.relative_mean_error)
+      << render::name_of(estimator);
   // The weights of `basic` vary most.
-  EXPECT_LT(verdict.relative_mean_error, estimator == Estimator::basic ? 0.05 : 0.01)
-      << name_of(estimator) << ": too noisy to tell";
+  EXPECT_LT(verdict.relative_mean_error, estimator == render::Estimator::basic ? 0.05 : 0.01)
+      << render::name_of(estimator) << ": too noisy to tell";
 }
 
 void expect_every_estimator_unbiased(const Moving& place) {
-  for (const Estimator estimator :
-       {Estimator::ris, Estimator::basic, Estimator::pairwise, Estimator::traced})
+  for (const render::Estimator estimator : {render::Estimator::ris, render::Estimator::basic,
+                                            render::Estimator::pairwise, render::Estimator::traced})
     expect_unbiased(place, estimator);
 }
 
@@ -81,8 +83,8 @@ TripKnot knot(glm::vec3 position, float time_s, glm::vec3 velocity) {
 
 // A vehicle with a headlamp 10 cm in front of its nose, driving east at 12 m/s: a frame later, the
 // body stands where the lamp was.
-Traffic one_vehicle(const glm::vec3& half_size, float lane_z) {
-  Traffic traffic;
+scene::Traffic one_vehicle(const glm::vec3& half_size, float lane_z) {
+  scene::Traffic traffic;
   traffic.cycle.cycle_s = 100;
   for (float& share : traffic.cycle.density) share = 1;
   Light front = lamp({half_size.x + 0.15f, 0.7f, 0}, 3000, 0.05f);
@@ -102,24 +104,24 @@ SceneBuilder wall_and_ground() {
 }
 
 Moving headlamp_passing_a_wall(double step_s) {
-  SceneLights lights;
+  scene::SceneLights lights;
   lights.lights = {lamp({-3, 5, 3}, 800, 0.1f), lamp({5, 4, -1}, 500, 0.1f)};
   lights.traffic = one_vehicle({2, 0.8f, 0.9f}, 0.5f);
-  return {make_render_scene(wall_and_ground().scene(), std::move(lights)),
+  return {scene::make_render_scene(wall_and_ground().scene(), std::move(lights)),
           1 - step_s * (moments - 1), step_s, still_at_the_wall};
 }
 
 Moving van_between_lamp_and_ground(double step_s) {
-  SceneLights lights;
+  scene::SceneLights lights;
   lights.lights = {lamp({0, 6, -2.5f}, 4000, 0.1f), lamp({-5, 5, 3}, 1000, 0.1f)};
   lights.traffic = one_vehicle({3, 1.6f, 1.1f}, 0.5f);
-  return {make_render_scene(wall_and_ground().scene(), std::move(lights)),
+  return {scene::make_render_scene(wall_and_ground().scene(), std::move(lights)),
           1 - step_s * (moments - 1), step_s, still_at_the_wall};
 }
 
 // Windows in a wall that go on and off from moment to moment, and a lamp that stays on.
 Moving windows_that_switch() {
-  SceneLights lights;
+  scene::SceneLights lights;
   lights.lights = {lamp({4, 5, 3}, 600, 0.1f)};
   lights.switches = {98, 101, 97, 99, 100};
   lights.schedules = {{0, 2}, {2, 2}, {4, 1}};  // on 98-101; on 97-99; on from 100
@@ -128,13 +130,13 @@ Moving windows_that_switch() {
     pane.schedule = static_cast<uint>(i % 3);
     lights.lights.push_back(pane);
   }
-  return {make_render_scene(wall_and_ground().scene(), std::move(lights)), 95.0, 1.0,
+  return {scene::make_render_scene(wall_and_ground().scene(), std::move(lights)), 95.0, 1.0,
           still_at_the_wall};
 }
 
 // The camera moves sideways and turns, half a metre per moment.
-CameraPose walking(int moment) {
-  CameraPose pose = still_at_the_wall(moment);
+scene::CameraPose walking(int moment) {
+  scene::CameraPose pose = still_at_the_wall(moment);
   const float way = 0.5f * float(moment - (moments - 1));
   pose.position += glm::vec3(way, 0.1f * way, 0.3f * way);
   pose.target += glm::vec3(0.3f * way, 0, 0);
@@ -145,7 +147,7 @@ TEST(UnbiasedInMotion, AHeadlampPassesAWall) {
   expect_every_estimator_unbiased(headlamp_passing_a_wall(1.0 / 30));
 }
 TEST(UnbiasedInMotion, AHeadlampPassesAWallFast) {
-  expect_unbiased(headlamp_passing_a_wall(0.25), Estimator::traced);
+  expect_unbiased(headlamp_passing_a_wall(0.25), render::Estimator::traced);
 }
 TEST(UnbiasedInMotion, AVanDrivesBetweenLampAndGround) {
   expect_every_estimator_unbiased(van_between_lamp_and_ground(1.0 / 30));

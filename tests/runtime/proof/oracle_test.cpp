@@ -16,13 +16,13 @@
 namespace nightcity::test {
 namespace {
 
-RenderSettings reference() {
-  return with_estimator(Estimator::reference);
+render::RenderSettings reference() {
+  return with_estimator(render::Estimator::reference);
 }
 
-PictureStatistics oracle_runs(const oracle::Oracle& oracle, const CameraPose& pose,
-                              std::uint32_t side, std::uint32_t runs, int strata) {
-  PictureStatistics statistics;
+measure::PictureStatistics oracle_runs(const oracle::Oracle& oracle, const scene::CameraPose& pose,
+                                       std::uint32_t side, std::uint32_t runs, int strata) {
+  measure::PictureStatistics statistics;
   for (std::uint32_t run = 0; run < runs; ++run)
     statistics.add(oracle.render(pose, side, side, strata, run));
   return statistics;
@@ -36,26 +36,28 @@ constexpr double rounding = 0.0005;
 // One pixel in a thousand, rounded up, may have a ray or shadow that an edge cuts more finely than
 // floats resolve. The mean leaves these pixels out, because a window that one of the two just
 // misses outshines the rest of a small picture.
-std::size_t pardoned(const PixelTest& test) {
+std::size_t pardoned(const measure::PixelTest& test) {
   return (test.pixels + 999) / 1000;
 }
 
-void expect_agreement(const PixelTest& test) {
+void expect_agreement(const measure::PixelTest& test) {
   EXPECT_NEAR(test.relative_mean_passed, 0.0, 0.002 + 2 * test.relative_mean_error);
   EXPECT_LT(test.relative_mean_error, 0.002) << "too noisy to tell";
   EXPECT_LE(test.rejected, pardoned(test))
       << "least p " << test.min_p << " in pixel " << test.min_pixel << ", level " << test.level;
 }
 
-PixelTest compare_with_oracle(const RenderScene& scene, const oracle::Oracle& oracle,
-                              const CameraPose& pose, std::uint32_t side, std::uint32_t runs,
-                              int strata, std::uint32_t frames = 4) {
-  DeviceScene device_scene(test_device(), scene);
-  Renderer renderer(test_device(), test_passes(), device_scene, side, side);
-  const PictureStatistics ours = independent_runs(renderer, pose, reference(), runs, frames);
+measure::PixelTest compare_with_oracle(const scene::RenderScene& scene,
+                                       const oracle::Oracle& oracle, const scene::CameraPose& pose,
+                                       std::uint32_t side, std::uint32_t runs, int strata,
+                                       std::uint32_t frames = 4) {
+  render::DeviceScene device_scene(test_device(), scene);
+  render::Renderer renderer(test_device(), test_passes(), device_scene, side, side);
+  const measure::PictureStatistics ours =
+      independent_runs(renderer, pose, reference(), runs, frames);
   EXPECT_GT(ours.picture_mean(), 0.0);
-  const PictureStatistics truth = oracle_runs(oracle, pose, side, runs, strata);
-  const PixelTest test = test_pixels(ours, truth, 0.01, rounding);
+  const measure::PictureStatistics truth = oracle_runs(oracle, pose, side, runs, strata);
+  const measure::PixelTest test = measure::test_pixels(ours, truth, 0.01, rounding);
   std::printf(
       "  mean %+.3f %% +- %.3f %%; %zu of %zu pixels rejected, the worst %.4g cd/m2 where the "
       "oracle has "
@@ -72,7 +74,8 @@ TEST(Oracle, OneLampOverAPlaneIsInverseSquareTimesCosine) {
   for (const float radius : {0.0f, 0.05f, 1.0f}) {
     const oracle::Oracle oracle(builder.scene(), {{lamp({0, 8, 0}, 5000, radius)}, {}, {}});
     // One pixel, straight down beside the lamp at 3 m from its foot.
-    const Image image = oracle.render({{3, 6, 0}, {3, 0, 0}, {0, 0, -1}, 0.01f}, 1, 1, 32, 1);
+    const measure::Image image =
+        oracle.render({{3, 6, 0}, {3, 0, 0}, {0, 0, -1}, 0.01f}, 1, 1, 32, 1);
     const double d2 = 9 + 64, cosine = 8 / std::sqrt(d2);
     const double expected = 0.4 / std::numbers::pi * 5000 / (4 * std::numbers::pi) * cosine / d2;
     EXPECT_NEAR(luminance(image, 0), expected, 0.001 * expected) << radius;
@@ -80,8 +83,8 @@ TEST(Oracle, OneLampOverAPlaneIsInverseSquareTimesCosine) {
 }
 
 // Lamps, a profile, windows and boxes: every kind of light and shadow in a small picture.
-SceneLights every_kind_of_light() {
-  SceneLights lights;
+scene::SceneLights every_kind_of_light() {
+  scene::SceneLights lights;
   lights.lights = {lamp({-6, 7, 0}, 6000, 0.3f), lamp({5, 5, 6}, 3000, 0),
                    lamp({0, 9, -6}, 8000, 1.0f),
                    window({-4.9f, 3, -9.9f}, {0, 0, 1}, 0.6f, 0.9f, 400),
@@ -96,14 +99,14 @@ SceneLights every_kind_of_light() {
   return lights;
 }
 
-const CameraPose over_boxes{{-9, 10, 17}, {0, 1, 0}, {0, 1, 0}, 50};
+const scene::CameraPose over_boxes{{-9, 10, 17}, {0, 1, 0}, {0, 1, 0}, 50};
 
 TEST(Reference, EqualsTheOracleOnEveryKindOfLight) {
   const SceneBuilder builder = boxes_on_a_plane();
-  const SceneLights lights = every_kind_of_light();
+  const scene::SceneLights lights = every_kind_of_light();
   const oracle::Oracle oracle(builder.scene(),
                               {lights.lights, lights.profiles, lights.profile_data});
-  expect_agreement(compare_with_oracle(make_render_scene(builder.scene(), lights), oracle,
+  expect_agreement(compare_with_oracle(scene::make_render_scene(builder.scene(), lights), oracle,
                                        over_boxes, 64, 8, 2));
 }
 
@@ -116,12 +119,12 @@ void shrink(std::vector<Light>& lights) {
   }
 }
 
-void expect_equal(const RenderScene& scene, const oracle::Oracle& oracle, const CameraPose& pose,
-                  std::uint32_t side) {
-  PictureStatistics ours, truth;
+void expect_equal(const scene::RenderScene& scene, const oracle::Oracle& oracle,
+                  const scene::CameraPose& pose, std::uint32_t side) {
+  measure::PictureStatistics ours, truth;
   ours.add(render(scene, pose, reference(), side, side, 1));
   truth.add(oracle.render(pose, side, side, 1, 1));
-  const PixelTest test = test_pixels(ours, truth, 0.01, 0.005);
+  const measure::PixelTest test = measure::test_pixels(ours, truth, 0.01, 0.005);
   std::printf("  mean %+.4f %%; %zu of %zu pixels differ by over half a percent\n",
               100 * test.relative_mean_passed, test.rejected, test.pixels);
   EXPECT_GT(truth.picture_mean(), 0.0);
@@ -140,19 +143,19 @@ TEST(Reference, EqualsTheOracleInATown) {
 // A wrong light must not pass: the same scene with one lamp of three dimmed by a fifth.
 TEST(Reference, ADimmedLampIsNoticedByTheOracle) {
   const SceneBuilder builder = boxes_on_a_plane();
-  SceneLights lights = every_kind_of_light();
+  scene::SceneLights lights = every_kind_of_light();
   const oracle::Oracle oracle(builder.scene(),
                               {lights.lights, lights.profiles, lights.profile_data});
   lights.lights[2].flux_lm *= 0.8f;
-  const PixelTest test = compare_with_oracle(make_render_scene(builder.scene(), lights), oracle,
-                                             over_boxes, 32, 12, 2);
+  const measure::PixelTest test = compare_with_oracle(
+      scene::make_render_scene(builder.scene(), lights), oracle, over_boxes, 32, 12, 2);
   EXPECT_LT(test.relative_mean, -0.005);
   EXPECT_GT(test.rejected, pardoned(test));
 }
 
 void expect_equal_in(const TempFolder& berlin, const char* view, std::uint32_t side) {
-  RenderScene scene = load_render_scene(berlin / "city.glb");
-  const CameraPose pose = find_camera(view, scene);
+  scene::RenderScene scene = scene::load_render_scene(berlin / "city.glb");
+  const scene::CameraPose pose = scene::find_camera(view, scene);
   shrink(scene.lights);
   oracle::Lights lights = oracle::read_lights(berlin / "city.lights", reference().time_s);
   shrink(lights.lights);

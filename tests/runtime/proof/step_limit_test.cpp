@@ -49,17 +49,17 @@ TEST(StepLimit, FiveThousandLightsIn300000TrianglesEqualTheOracle) {
   const SceneBuilder town = random_town(25000, 700, 3);
   std::vector<Light> lights = random_lamps(5000, 700, 8);
   for (Light& light : lights) light.radius = 0;  // points: no noise on either side
-  const RenderScene scene = town.with(lights);
+  const scene::RenderScene scene = town.with(lights);
   EXPECT_GE(scene.triangles.size(), 300000u);
-  RenderSettings settings;
-  settings.sampling.estimator = Estimator::reference;
+  render::RenderSettings settings;
+  settings.sampling.estimator = render::Estimator::reference;
   settings.sampling.jitter = false;
-  const CameraPose pose{{-300, 120, 300}, {0, 0, 0}, {0, 1, 0}, 50};
+  const scene::CameraPose pose{{-300, 120, 300}, {0, 0, 0}, {0, 1, 0}, 50};
   constexpr std::uint32_t side = 12;
-  PictureStatistics ours, truth;
+  measure::PictureStatistics ours, truth;
   ours.add(render(scene, pose, settings, side, side, 1));
   truth.add(oracle::Oracle(town.scene(), {lights, {}, {}}).render(pose, side, side, 1, 1));
-  const PixelTest test = test_pixels(ours, truth, 0.01, 0.001);
+  const measure::PixelTest test = measure::test_pixels(ours, truth, 0.01, 0.001);
   EXPECT_GT(truth.picture_mean(), 0.0);
   EXPECT_NEAR(test.relative_mean, 0.0, 0.002);
   EXPECT_LE(test.rejected, 2u);  // edges of hard shadows

@@ -13,13 +13,13 @@
 namespace nightcity::test {
 namespace {
 
-RenderSettings settings_for(Estimator estimator) {
+render::RenderSettings settings_for(render::Estimator estimator) {
   return with_estimator(estimator, 16, 8);  // a radius for pictures this small
 }
 
 struct Place {
-  RenderScene scene;
-  CameraPose pose;
+  scene::RenderScene scene;
+  scene::CameraPose pose;
   std::uint32_t side;
 };
 
@@ -28,41 +28,42 @@ struct Place {
 constexpr double enough = 0.9975;
 
 struct Verdict {
-  PixelTest pixels;
+  measure::PixelTest pixels;
   double z = 0;  // of the picture's mean
 };
 
-Verdict judge(const Place& place, const RenderSettings& settings, std::uint32_t runs,
+Verdict judge(const Place& place, const render::RenderSettings& settings, std::uint32_t runs,
               std::uint32_t frames) {
-  DeviceScene device_scene(test_device(), place.scene);
-  Renderer renderer(test_device(), test_passes(), device_scene, place.side, place.side);
-  const PictureStatistics truth =
-      independent_runs(renderer, place.pose, settings_for(Estimator::reference), 16, 4, 5000);
-  const PictureStatistics ours = independent_runs(renderer, place.pose, settings, runs, frames);
-  Verdict verdict{test_pixels(ours, truth, 0.01, 1e-4), 0};
+  render::DeviceScene device_scene(test_device(), place.scene);
+  render::Renderer renderer(test_device(), test_passes(), device_scene, place.side, place.side);
+  const measure::PictureStatistics truth = independent_runs(
+      renderer, place.pose, settings_for(render::Estimator::reference), 16, 4, 5000);
+  const measure::PictureStatistics ours =
+      independent_runs(renderer, place.pose, settings, runs, frames);
+  Verdict verdict{measure::test_pixels(ours, truth, 0.01, 1e-4), 0};
   verdict.z = verdict.pixels.relative_mean / verdict.pixels.relative_mean_error;
   testing::Test::RecordProperty("rejected", int(verdict.pixels.rejected));
   std::printf("  %-10s %6.2f %% of %zu pixels pass, mean %+.3f %% +- %.3f %%\n",
-              name_of(settings.sampling.estimator), 100 * verdict.pixels.passed_share(),
+              render::name_of(settings.sampling.estimator), 100 * verdict.pixels.passed_share(),
               verdict.pixels.pixels, 100 * verdict.pixels.relative_mean,
               100 * verdict.pixels.relative_mean_error);
   return verdict;
 }
 
-void expect_unbiased(const Place& place, const RenderSettings& settings, std::uint32_t runs = 48,
-                     std::uint32_t frames = 6) {
+void expect_unbiased(const Place& place, const render::RenderSettings& settings,
+                     std::uint32_t runs = 48, std::uint32_t frames = 6) {
   const Verdict verdict = judge(place, settings, runs, frames);
   EXPECT_GE(verdict.pixels.passed_share(), enough);
   EXPECT_LT(std::abs(verdict.z), 4);
   EXPECT_LT(verdict.pixels.relative_mean_error, 0.01) << "too noisy to tell";
 }
 
-void expect_unbiased(const Place& place, Estimator estimator, std::uint32_t runs = 48,
+void expect_unbiased(const Place& place, render::Estimator estimator, std::uint32_t runs = 48,
                      std::uint32_t frames = 6) {
   expect_unbiased(place, settings_for(estimator), runs, frames);
 }
 
-void expect_biased(const Place& place, Estimator estimator, std::uint32_t runs = 144,
+void expect_biased(const Place& place, render::Estimator estimator, std::uint32_t runs = 144,
                    std::uint32_t frames = 6) {
   const Verdict verdict = judge(place, settings_for(estimator), runs, frames);
   EXPECT_LT(verdict.pixels.passed_share(), enough);
@@ -88,31 +89,31 @@ Place town() {
 }
 
 TEST(Unbiased, TheDefaultOnAnAnalyticScene) {
-  expect_unbiased(analytic(), RenderSettings{}.sampling.estimator);
+  expect_unbiased(analytic(), render::RenderSettings{}.sampling.estimator);
 }
 TEST(Unbiased, RisOnAnAnalyticScene) {
-  expect_unbiased(analytic(), Estimator::ris);
+  expect_unbiased(analytic(), render::Estimator::ris);
 }
 TEST(Unbiased, PairwiseOnAnAnalyticScene) {
-  expect_unbiased(analytic(), Estimator::pairwise);
+  expect_unbiased(analytic(), render::Estimator::pairwise);
 }
 TEST(Unbiased, BasicOnAnAnalyticScene) {
-  expect_unbiased(analytic(), Estimator::basic);
+  expect_unbiased(analytic(), render::Estimator::basic);
 }
 TEST(Unbiased, ThePapersWeightsAreNotOnAnAnalyticScene) {
-  expect_biased(analytic(), Estimator::paper);
+  expect_biased(analytic(), render::Estimator::paper);
 }
 
 TEST(Unbiased, TheDefaultInATown) {
-  expect_unbiased(town(), RenderSettings{}.sampling.estimator);
+  expect_unbiased(town(), render::RenderSettings{}.sampling.estimator);
 }
 TEST(Unbiased, ThePapersWeightsAreNotInATown) {
-  expect_biased(town(), Estimator::paper);
+  expect_biased(town(), render::Estimator::paper);
 }
 
 // Surfaces alone decide which pixels share samples, so neither option brings bias.
 TEST(Unbiased, WithBoostAndPermutationInATown) {
-  RenderSettings settings = settings_for(RenderSettings{}.sampling.estimator);
+  render::RenderSettings settings = settings_for(render::RenderSettings{}.sampling.estimator);
   settings.reuse.disocclusion_boost = 12;
   settings.reuse.permute = true;
   expect_unbiased(town(), settings);
@@ -120,13 +121,13 @@ TEST(Unbiased, WithBoostAndPermutationInATown) {
 
 TEST(Unbiased, TheDefaultInBerlinAndThePapersWeightsNot) {
   BAKED_BERLIN(berlin, false);
-  Place place{load_render_scene(berlin / "city.glb"), {}, 24};
-  place.pose = find_camera("overview", place.scene);
-  expect_unbiased(place, RenderSettings{}.sampling.estimator, 64);
-  expect_biased(place, Estimator::paper);
+  Place place{scene::load_render_scene(berlin / "city.glb"), {}, 24};
+  place.pose = scene::find_camera("overview", place.scene);
+  expect_unbiased(place, render::RenderSettings{}.sampling.estimator, 64);
+  expect_biased(place, render::Estimator::paper);
   // The same with pixels of a metre instead of forty.
   place.pose.fov_deg = 5;
-  expect_unbiased(place, RenderSettings{}.sampling.estimator);
+  expect_unbiased(place, render::RenderSettings{}.sampling.estimator);
 }
 
 }  // namespace

@@ -14,29 +14,30 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-const CameraPose looking_down{{0, 30, 0}, {0, 0, 0}, {0, 0, -1}, 40};
+const scene::CameraPose looking_down{{0, 30, 0}, {0, 0, 0}, {0, 0, -1}, 40};
 
 // A large radius and a short history: pixels share few samples, so the mean of a small picture has
 // little noise.
-RenderSettings settings_for(Estimator estimator) {
-  return with_estimator(estimator, SamplingSettings{}.candidates, 30, 4);
+render::RenderSettings settings_for(render::Estimator estimator) {
+  return with_estimator(estimator, render::SamplingSettings{}.candidates, 30, 4);
 }
 
 // Even a single light leaves `basic` some variance: its normalisation depends on which pixel's
 // sample was chosen.
-bool noisy(Estimator estimator) {
-  return estimator == Estimator::basic;
+bool noisy(render::Estimator estimator) {
+  return estimator == render::Estimator::basic;
 }
 
-class EveryEstimator : public testing::TestWithParam<EstimatorTraits> {};
+class EveryEstimator : public testing::TestWithParam<render::EstimatorTraits> {};
 
 // E = I cos(theta) / d^2 on the ground, I = flux / (4 pi), and L = reflectance / pi * E.
 TEST_P(EveryEstimator, OneLampOverAPlaneIsInverseSquareTimesCosine) {
   const float flux = 5000;
   const glm::dvec3 position(1.5, 8, -2);
-  const RenderScene scene = SceneBuilder(0.4f).ground(100).with({lamp(glm::vec3(position), flux)});
-  const Image image = render(scene, looking_down, settings_for(GetParam().estimator), 64, 36,
-                             noisy(GetParam().estimator) ? 16 : 2);
+  const scene::RenderScene scene =
+      SceneBuilder(0.4f).ground(100).with({lamp(glm::vec3(position), flux)});
+  const measure::Image image = render(scene, looking_down, settings_for(GetParam().estimator), 64,
+                                      36, noisy(GetParam().estimator) ? 16 : 2);
   const auto& points = image.layer("position")->values;
   double sum = 0, expected_sum = 0;
   for (std::size_t i = 0; i < image.pixels(); ++i) {
@@ -57,12 +58,13 @@ TEST_P(EveryEstimator, OneLampOverAPlaneIsInverseSquareTimesCosine) {
 // nearby (radius 2 m at 3 m).
 TEST_P(EveryEstimator, ABigSphereLightsAFacingPlaneAsItsCentreWould) {
   const float flux = 5000;
-  const RenderScene scene = SceneBuilder(0.4f).ground(100).with({lamp({0, 3, 0}, flux, 2.0f)});
-  CameraPose pose = looking_down;
+  const scene::RenderScene scene =
+      SceneBuilder(0.4f).ground(100).with({lamp({0, 3, 0}, flux, 2.0f)});
+  scene::CameraPose pose = looking_down;
   pose.position = {0, 2.5,
                    0.001f};  // below the lamp's centre: there is no geometry to hide the ground
   pose.fov_deg = 40;
-  const Image image = render(scene, pose, settings_for(GetParam().estimator), 32, 32, 64);
+  const measure::Image image = render(scene, pose, settings_for(GetParam().estimator), 32, 32, 64);
   double sum = 0, expected = 0;
   const auto& points = image.layer("position")->values;
   for (std::size_t i = 0; i < image.pixels(); ++i) {
@@ -80,9 +82,10 @@ TEST_P(EveryEstimator, ABigSphereLightsAFacingPlaneAsItsCentreWould) {
 // lit by the lamp.
 TEST_P(EveryEstimator, NothingWithinALampIsLitByIt) {
   const float radius = 2.0f, height = 1.0f;
-  const RenderScene scene =
+  const scene::RenderScene scene =
       SceneBuilder(0.4f).ground(100).with({lamp({0, height, 0}, 5000, radius)});
-  const Image image = render(scene, looking_down, settings_for(GetParam().estimator), 64, 36, 4);
+  const measure::Image image =
+      render(scene, looking_down, settings_for(GetParam().estimator), 64, 36, 4);
   const auto& points = image.layer("position")->values;
   int within = 0;
   double beyond = 0;
@@ -102,9 +105,10 @@ TEST_P(EveryEstimator, NothingWithinALampIsLitByIt) {
 TEST_P(EveryEstimator, AWindowShinesByTheCosineLawAndOnOneSide) {
   const float flux = 300;
   const glm::dvec3 centre(0, 6, -8);
-  const RenderScene scene = SceneBuilder(0.4f).ground(100).with(
+  const scene::RenderScene scene = SceneBuilder(0.4f).ground(100).with(
       {window(glm::vec3(centre), {0, 0, 1}, 0.05f, 0.05f, flux)});
-  const Image image = render(scene, looking_down, settings_for(GetParam().estimator), 64, 64, 2);
+  const measure::Image image =
+      render(scene, looking_down, settings_for(GetParam().estimator), 64, 64, 2);
   const auto& points = image.layer("position")->values;
   int lit = 0, dark = 0;
   for (std::size_t i = 0; i < image.pixels(); ++i) {
@@ -116,19 +120,19 @@ TEST_P(EveryEstimator, AWindowShinesByTheCosineLawAndOnOneSide) {
     (expected > 0 ? lit : dark)++;
     // The paper's weights count dark neighbours beyond the window's plane, so its picture does not
     // follow the cosine law.
-    if (noisy(GetParam().estimator) || GetParam().estimator == Estimator::paper) continue;
+    if (noisy(GetParam().estimator) || GetParam().estimator == render::Estimator::paper) continue;
     ASSERT_NEAR(luminance(image, i), expected, 0.02 * expected + 1e-9) << "pixel " << i;
   }
   EXPECT_GT(lit, 100);
   EXPECT_GT(dark, 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ladder, EveryEstimator, testing::ValuesIn(list_estimators()),
+INSTANTIATE_TEST_SUITE_P(Ladder, EveryEstimator, testing::ValuesIn(render::list_estimators()),
                          [](const auto& parameter) { return std::string(parameter.param.name); });
 
 TEST(ClosedForm, AProfileScalesTheIntensityByDirection) {
   // I(gamma) proportional to cos(gamma) below the horizon: 1/pi cd per lumen downwards.
-  SceneLights lights;
+  scene::SceneLights lights;
   lights.lights = {lamp({0, 8, 0}, 5000)};
   lights.lights[0].kind_profile = pack_kind_profile(LightKind::sphere, 0);
   const std::uint32_t gammas = 181;
@@ -137,8 +141,9 @@ TEST(ClosedForm, AProfileScalesTheIntensityByDirection) {
     lights.profile_data.push_back(float(std::max(0.0, std::cos(g * pi / 180)) / pi));
   SceneBuilder builder(0.4f);
   builder.ground(100);
-  const RenderScene scene = make_render_scene(builder.scene(), lights);
-  const Image image = render(scene, looking_down, settings_for(Estimator::reference), 64, 36, 1);
+  const scene::RenderScene scene = scene::make_render_scene(builder.scene(), lights);
+  const measure::Image image =
+      render(scene, looking_down, settings_for(render::Estimator::reference), 64, 36, 1);
   const auto& points = image.layer("position")->values;
   for (std::size_t i = 0; i < image.pixels(); ++i) {
     const glm::dvec3 to =
@@ -150,10 +155,11 @@ TEST(ClosedForm, AProfileScalesTheIntensityByDirection) {
 }
 
 TEST(ClosedForm, RaysThatLeaveTheSceneSeeTheSky) {
-  RenderSettings settings = settings_for(Estimator::ris);
+  render::RenderSettings settings = settings_for(render::Estimator::ris);
   settings.environment.sky_cd_m2 = {0.01f, 0.02f, 0.03f};
-  const RenderScene scene = SceneBuilder().ground(1).with({});
-  const Image image = render(scene, {{0, 5, 0}, {0, 10, -1}, {0, 1, 0}, 40}, settings, 8, 8, 3);
+  const scene::RenderScene scene = SceneBuilder().ground(1).with({});
+  const measure::Image image =
+      render(scene, {{0, 5, 0}, {0, 10, -1}, {0, 1, 0}, 40}, settings, 8, 8, 3);
   for (std::size_t i = 0; i < image.pixels(); ++i) {
     EXPECT_FLOAT_EQ(image.rgb[3 * i], 0.01f);
     EXPECT_FLOAT_EQ(image.rgb[3 * i + 2], 0.03f);

@@ -13,27 +13,27 @@ namespace {
 constexpr double hour_s = 3600;
 
 // Two lamps, of which the second shines from 20:00 to 23:00.
-RenderScene two_lamps() {
-  SceneLights lights;
+scene::RenderScene two_lamps() {
+  scene::SceneLights lights;
   lights.lights = {lamp({-4, 6, 0}, 3000), lamp({4, 6, 0}, 3000)};
   lights.lights[1].schedule = 0;
   lights.schedules = {{0, 2}};
   lights.switches = {8 * 3600, 11 * 3600};
-  return make_render_scene(SceneBuilder().ground(30).scene(), std::move(lights));
+  return scene::make_render_scene(SceneBuilder().ground(30).scene(), std::move(lights));
 }
 
-double brightness(DeviceScene& scene, double time_s) {
-  RenderSettings settings;
-  settings.sampling.estimator = Estimator::reference;
+double brightness(render::DeviceScene& scene, double time_s) {
+  render::RenderSettings settings;
+  settings.sampling.estimator = render::Estimator::reference;
   settings.time_s = time_s;
-  Renderer renderer(test_device(), test_passes(), scene, 16, 12);
+  render::Renderer renderer(test_device(), test_passes(), scene, 16, 12);
   renderer.render_frame({{0, 15, 10}, {0, 0, 0}, {0, 1, 0}, 60}, settings);
   return mean_luminance(renderer.download(false));
 }
 
 TEST(DeviceScene, LightsSwitchAtOnceByTheirSchedules) {
-  const RenderScene scene = two_lamps();
-  DeviceScene on_device(test_device(), scene);
+  const scene::RenderScene scene = two_lamps();
+  render::DeviceScene on_device(test_device(), scene);
   const double one = brightness(on_device, 7 * hour_s), both = brightness(on_device, 9 * hour_s);
   EXPECT_EQ(on_device.buffers().lit_count, 2u);
   EXPECT_NEAR(both / one, 2, 0.02);
@@ -43,8 +43,8 @@ TEST(DeviceScene, LightsSwitchAtOnceByTheirSchedules) {
 }
 
 TEST(DeviceScene, WhereNobodyWaitsLightsSwitchOnceTheirTablesAreMade) {
-  const RenderScene scene = two_lamps();
-  DeviceScene on_device(test_device(), scene);
+  const scene::RenderScene scene = two_lamps();
+  render::DeviceScene on_device(test_device(), scene);
   on_device.switch_when_ready();
   EXPECT_FALSE(on_device.set_time(9 * hour_s));
   EXPECT_TRUE(on_device.switching());
@@ -56,7 +56,7 @@ TEST(DeviceScene, WhereNobodyWaitsLightsSwitchOnceTheirTablesAreMade) {
   }
   EXPECT_FALSE(on_device.switching());
   EXPECT_EQ(on_device.buffers().lit_count, 2u);
-  DeviceScene at_once(test_device(), scene);
+  render::DeviceScene at_once(test_device(), scene);
   EXPECT_EQ(brightness(on_device, 9 * hour_s), brightness(at_once, 9 * hour_s));
   EXPECT_FALSE(on_device.set_time(12 * hour_s));  // and goes while the next tables are being made
 }

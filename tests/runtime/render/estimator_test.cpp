@@ -15,11 +15,11 @@
 namespace nightcity::test {
 namespace {
 
-const CameraPose pose{{-45, 25, 50}, {0, 2, 0}, {0, 1, 0}, 50};
+const scene::CameraPose pose{{-45, 25, 50}, {0, 2, 0}, {0, 1, 0}, 50};
 
 // A small radius and a short history: otherwise all pixels of so small a picture share a few
 // samples, and its mean is noisy.
-RenderSettings settings_for(Estimator estimator) {
+render::RenderSettings settings_for(render::Estimator estimator) {
   return with_estimator(estimator, 16, 6, 4);
 }
 
@@ -30,8 +30,8 @@ std::vector<Light> point_lamps(int count, float half, unsigned seed) {
   return lights;
 }
 
-double oracle_luminance(const RenderScene& scene, const glm::dvec3& point, const glm::dvec3& normal,
-                        double depth) {
+double oracle_luminance(const scene::RenderScene& scene, const glm::dvec3& point,
+                        const glm::dvec3& normal, double depth) {
   const glm::dvec3 origin =
       point + normal * 4e-6 *
                   std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z), depth, 1.0});
@@ -40,7 +40,8 @@ double oracle_luminance(const RenderScene& scene, const glm::dvec3& point, const
     const glm::dvec3 to = glm::dvec3(light.position) - point;
     const double d2 = glm::dot(to, to), cosine = glm::dot(normal, to) / std::sqrt(d2);
     if (cosine <= 0) continue;
-    if (brute_force_hit(scene, origin, glm::dvec3(light.position) - origin, 0.99999, MASK_SHADOW))
+    if (scene::brute_force_hit(scene, origin, glm::dvec3(light.position) - origin, 0.99999,
+                               MASK_SHADOW))
       continue;
     sum += 0.5 / std::numbers::pi * double(light.flux_lm) / (4 * std::numbers::pi) * cosine / d2;
   }
@@ -53,11 +54,11 @@ double oracle_luminance(const RenderScene& scene, const glm::dvec3& point, const
 class Reference : public testing::TestWithParam<bool> {};
 
 TEST_P(Reference, EqualsABruteForceOracleWithShadows) {
-  const RenderScene scene = random_town(50, 50, 11).with(point_lamps(300, 50, 5));
-  RenderSettings settings = settings_for(Estimator::reference);
+  const scene::RenderScene scene = random_town(50, 50, 11).with(point_lamps(300, 50, 5));
+  render::RenderSettings settings = settings_for(render::Estimator::reference);
   settings.sampling.layers = GetParam();
   // Higher than wide, so that a mix-up of width and height is noticed.
-  const Image image = render(scene, pose, settings, 20, 28, 1);
+  const measure::Image image = render(scene, pose, settings, 20, 28, 1);
   const auto& points = image.layer("position")->values;
   const auto& normals = image.layer("normal")->values;
   const auto& depths = image.layer("depth")->values;
@@ -85,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Slices, Reference, testing::Bool(), [](const auto& info
 // Returns the mean luminance of the pixels that are not among the brightest tenth of `truth`. Where
 // a lamp nearly touches a wall, the estimate has so long a tail that a mean over those pixels says
 // nothing. The selection does not depend on the estimate.
-double body_mean(const Image& image, const Image& truth) {
+double body_mean(const measure::Image& image, const measure::Image& truth) {
   std::vector<double> sorted;
   for (std::size_t i = 0; i < truth.pixels(); ++i) sorted.push_back(luminance(truth, i));
   std::nth_element(sorted.begin(), sorted.begin() + std::ptrdiff_t(sorted.size() * 9 / 10),
@@ -104,23 +105,25 @@ double body_mean(const Image& image, const Image& truth) {
 class Estimators : public testing::Test {
  protected:
   static constexpr std::uint32_t side = 48;
-  Estimators() { truth_ = render(scene_, pose, settings_for(Estimator::reference), side, side, 4); }
+  Estimators() {
+    truth_ = render(scene_, pose, settings_for(render::Estimator::reference), side, side, 4);
+  }
   // A lamp inside a wall would get the highest unshadowed target and never light anything: noise
   // that no real city has.
   SceneBuilder town_ = random_town(120, 50, 11);
-  RenderScene scene_ = town_.with(under_open_sky(town_, random_lamps(300, 50, 5)));
-  Image truth_;
+  scene::RenderScene scene_ = town_.with(under_open_sky(town_, random_lamps(300, 50, 5)));
+  measure::Image truth_;
 };
 
 TEST_F(Estimators, AMovingCameraReusesItsHistoryWithoutBias) {
   gpu::Device& device = test_device();
-  DeviceScene device_scene(device, scene_);
-  RenderSettings settings = settings_for(Estimator::traced);
+  render::DeviceScene device_scene(device, scene_);
+  render::RenderSettings settings = settings_for(render::Estimator::traced);
   std::vector<double> ratios;
   for (std::uint32_t run = 0; run < 8; ++run) {
     settings.sampling.seed = run;
-    Renderer renderer(device, test_passes(), device_scene, side, side);
-    CameraPose moving = pose;
+    render::Renderer renderer(device, test_passes(), device_scene, side, side);
+    scene::CameraPose moving = pose;
     for (int i = 8; i >= 0; --i) {
       moving.position = pose.position + glm::vec3(0.3f * float(i), 0, 0.1f * float(i));
       renderer.render_frame(moving, settings);
@@ -135,10 +138,10 @@ TEST_F(Estimators, AMovingCameraReusesItsHistoryWithoutBias) {
 
 // In the first frame no pixel has a history.
 TEST_F(Estimators, MoreNeighboursMakeUpForAMissingHistory) {
-  RenderSettings settings = settings_for(Estimator::traced);
+  render::RenderSettings settings = settings_for(render::Estimator::traced);
   const auto error = [&](std::uint32_t boost) {
     settings.reuse.disocclusion_boost = boost;
-    const Image image = render(scene_, pose, settings, side, side, 1);
+    const measure::Image image = render(scene_, pose, settings, side, side, 1);
     double sum = 0;
     for (std::size_t i = 0; i < image.pixels(); ++i)
       sum += std::abs(luminance(image, i) - luminance(truth_, i));
@@ -149,7 +152,7 @@ TEST_F(Estimators, MoreNeighboursMakeUpForAMissingHistory) {
 
 // Some light would never be sampled, and the picture would silently be darker.
 TEST(Shares, ThatLeaveSomeLightOutAreRefused) {
-  RenderSettings settings;
+  render::RenderSettings settings;
   settings.sampling.near_share = 0.7f;
   settings.sampling.far_share = 0.3f;
   EXPECT_THROW(
@@ -163,10 +166,10 @@ TEST(Shares, ThatLeaveSomeLightOutAreRefused) {
 
 // 1 / falloff^2 of so short a distance would be infinite, and the picture NaN.
 TEST(Falloff, TheShortestOneCountsAsAMillimetre) {
-  RenderSettings settings = settings_for(Estimator::traced);
+  render::RenderSettings settings = settings_for(render::Estimator::traced);
   settings.reuse.history_falloff_m = 1e-30f;
-  const RenderScene scene = SceneBuilder().ground(30).with({lamp({3, 6, 0}, 4000)});
-  const Image shortest = render(scene, pose, settings, 8, 8, 3);
+  const scene::RenderScene scene = SceneBuilder().ground(30).with({lamp({3, 6, 0}, 4000)});
+  const measure::Image shortest = render(scene, pose, settings, 8, 8, 3);
   settings.reuse.history_falloff_m = 0.001f;
   EXPECT_EQ(shortest.rgb, render(scene, pose, settings, 8, 8, 3).rgb);
   for (const float value : shortest.rgb) EXPECT_TRUE(std::isfinite(value));
@@ -175,11 +178,11 @@ TEST(Falloff, TheShortestOneCountsAsAMillimetre) {
 // Leaving out unneeded features may only change the cost of a pass. A GPU's compiler may round
 // differently in the longer pass, so that a random decision changes in a few pixels.
 TEST_F(Estimators, PassesThatCouldDoWhatTheSceneLacksMakeTheSamePicture) {
-  RenderSettings settings = settings_for(Estimator::traced);
-  const Image plain = render(scene_, pose, settings, 32, 32, 3);
-  for (const Feature& feature : optional_features()) {
+  render::RenderSettings settings = settings_for(render::Estimator::traced);
+  const measure::Image plain = render(scene_, pose, settings, 32, 32, 3);
+  for (const render::Feature& feature : render::optional_features()) {
     settings.forced_features = 1u << feature.constant;
-    const Image other = render(scene_, pose, settings, 32, 32, 3);
+    const measure::Image other = render(scene_, pose, settings, 32, 32, 3);
     if (test_device().info().kind == "cpu") {
       EXPECT_EQ(plain.rgb, other.rgb) << feature.name;
       continue;
@@ -192,9 +195,9 @@ TEST_F(Estimators, PassesThatCouldDoWhatTheSceneLacksMakeTheSamePicture) {
 }
 
 TEST_F(Estimators, TheSameSeedGivesTheSamePictureAndAnotherSeedAnother) {
-  RenderSettings settings = settings_for(Estimator::traced);
-  const Image a = render(scene_, pose, settings, 32, 32, 3),
-              b = render(scene_, pose, settings, 32, 32, 3);
+  render::RenderSettings settings = settings_for(render::Estimator::traced);
+  const measure::Image a = render(scene_, pose, settings, 32, 32, 3),
+                       b = render(scene_, pose, settings, 32, 32, 3);
   EXPECT_EQ(a.rgb, b.rgb);
   settings.sampling.seed = 1;
   EXPECT_NE(a.rgb, render(scene_, pose, settings, 32, 32, 3).rgb);

@@ -10,16 +10,16 @@
 namespace nightcity::test {
 namespace {
 
-const CameraPose looking_down{{0, 30, 0}, {0, 0, 0}, {0, 0, -1}, 40};
+const scene::CameraPose looking_down{{0, 30, 0}, {0, 0, 0}, {0, 0, -1}, 40};
 
-void expect_all_finite(const Image& image) {
+void expect_all_finite(const measure::Image& image) {
   for (const float value : image.rgb) ASSERT_TRUE(std::isfinite(value) && value >= 0) << value;
 }
 
-class Hazard : public testing::TestWithParam<EstimatorTraits> {
+class Hazard : public testing::TestWithParam<render::EstimatorTraits> {
  protected:
-  RenderSettings settings() const {
-    RenderSettings s;
+  render::RenderSettings settings() const {
+    render::RenderSettings s;
     s.sampling.estimator = GetParam().estimator;
     s.sampling.candidates = 4;
     return s;
@@ -27,15 +27,15 @@ class Hazard : public testing::TestWithParam<EstimatorTraits> {
 };
 
 TEST_P(Hazard, ALampThatTouchesTheGroundStaysFinite) {
-  const RenderScene scene =
+  const scene::RenderScene scene =
       SceneBuilder().ground(100).with({lamp({0, 0, 0}, 5000, 0), lamp({1, 0.0005f, 1}, 5000, 0)});
   expect_all_finite(render(scene, looking_down, settings(), 33, 33, 3));
 }
 
 TEST_P(Hazard, FluxesAcrossThirtyOrdersOfMagnitudeStayFinite) {
-  const RenderScene scene = SceneBuilder().ground(100).with(
+  const scene::RenderScene scene = SceneBuilder().ground(100).with(
       {lamp({0, 5, 0}, 1e-12f), lamp({2, 5, 0}, 1e20f), lamp({-2, 5, 0}, 5e3f)});
-  const Image image = render(scene, looking_down, settings(), 16, 16, 3);
+  const measure::Image image = render(scene, looking_down, settings(), 16, 16, 3);
   expect_all_finite(image);
   EXPECT_GT(mean_luminance(image), 1e10);
 }
@@ -46,11 +46,11 @@ TEST_P(Hazard, LightsThatAreNotFiniteAreSwitchedOffAndCounted) {
   lights[1].position.x = std::numeric_limits<float>::quiet_NaN();
   lights[2].flux_lm = std::numeric_limits<float>::infinity();
   lights[3].kind_profile = pack_kind_profile(LightKind::sphere, 77);  // no such profile
-  const RenderScene scene = SceneBuilder().ground(100).with(lights);
+  const scene::RenderScene scene = SceneBuilder().ground(100).with(lights);
   EXPECT_EQ(scene.bad_lights, 3u);
-  RenderSettings s = settings();
+  render::RenderSettings s = settings();
   s.sampling.candidates = 64;
-  const Image image = render(scene, looking_down, s, 16, 16, 4);
+  const measure::Image image = render(scene, looking_down, s, 16, 16, 4);
   expect_all_finite(image);
   const double good = mean_luminance(
       render(SceneBuilder().ground(100).with({lights[0]}), looking_down, s, 16, 16, 4));
@@ -58,7 +58,7 @@ TEST_P(Hazard, LightsThatAreNotFiniteAreSwitchedOffAndCounted) {
 }
 
 TEST_P(Hazard, AWindowWithoutAreaStaysFinite) {
-  const RenderScene scene = SceneBuilder().ground(100).with(
+  const scene::RenderScene scene = SceneBuilder().ground(100).with(
       {window({0, 4, -3}, {0, 0, 1}, 0, 0, 100), window({0, 4, -3}, {0, 0, 1}, 1, 0, 100)});
   expect_all_finite(render(scene, looking_down, settings(), 16, 16, 3));
 }
@@ -68,14 +68,14 @@ TEST_P(Hazard, SliverAndZeroAreaTrianglesNeitherBlockNorBreak) {
   builder.ground(100);
   builder.quad({-50, 4, 0}, {50, 4, 0}, {50, 4, 0}, {-50, 4, 0});          // no area
   builder.quad({-50, 4, 0}, {50, 4, 0}, {50, 4, 1e-6f}, {-50, 4, 1e-6f});  // 100 m by 1 um
-  const RenderScene scene = builder.with({lamp({0, 8, 0}, 5000)});
+  const scene::RenderScene scene = builder.with({lamp({0, 8, 0}, 5000)});
   EXPECT_GE(scene.dropped_triangles, 2u);
-  const Image image = render(scene, looking_down, settings(), 16, 16, 3);
+  const measure::Image image = render(scene, looking_down, settings(), 16, 16, 3);
   expect_all_finite(image);
   EXPECT_GT(mean_luminance(image), 0.1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ladder, Hazard, testing::ValuesIn(list_estimators()),
+INSTANTIATE_TEST_SUITE_P(Ladder, Hazard, testing::ValuesIn(render::list_estimators()),
                          [](const auto& parameter) { return std::string(parameter.param.name); });
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include "support/gpu.h"
 #include "support/scenes.h"
 
-namespace nightcity {
+namespace nightcity::render {
 namespace {
 
 using std::numbers::pi;
@@ -22,18 +22,18 @@ using test::SceneBuilder;
 using test::window;
 
 constexpr double albedo = 0.5;  // SceneBuilder's
-const CameraPose down{{0, 10, 0}, {0, 0, 0}, {0, 0, -1}, 60};
+const scene::CameraPose down{{0, 10, 0}, {0, 0, 0}, {0, 0, -1}, 60};
 
 RenderSettings reference() {
   return test::with_estimator(Estimator::reference);
 }
 
-double at_centre(const Image& image) {
+double at_centre(const measure::Image& image) {
   return test::luminance(image, (image.height / 2) * image.width + image.width / 2);
 }
 
-double layer_luminance(const Image& image, const char* name, std::size_t pixel) {
-  const ImageLayer* layer = image.layer(name);
+double layer_luminance(const measure::Image& image, const char* name, std::size_t pixel) {
+  const measure::ImageLayer* layer = image.layer(name);
   if (!layer) ADD_FAILURE() << "no layer " << name;
   const float* v = &layer->values[3 * pixel];
   return 0.2126 * double(v[0]) + 0.7152 * double(v[1]) + 0.0722 * double(v[2]);
@@ -50,7 +50,8 @@ TEST(Layers, SumToThePictureAndHoldTheirOwnKindOnly) {
     settings.reuse.max_history = 2;
     settings.sampling.layers = true;
     settings.environment.sky_cd_m2 = glm::vec3(0.05f);
-    const Image both = render(SceneBuilder().ground(30).with(lights), down, settings, 24, 24, 40);
+    const measure::Image both =
+        render(SceneBuilder().ground(30).with(lights), down, settings, 24, 24, 40);
     double difference = 0, sum = 0, lamps = 0, windows = 0;
     for (std::size_t i = 0; i < both.pixels(); ++i) {
       const double whole = test::luminance(both, i);
@@ -65,9 +66,9 @@ TEST(Layers, SumToThePictureAndHoldTheirOwnKindOnly) {
       EXPECT_EQ(layer_luminance(both, "direct_vehicles", i), 0);
     }
     EXPECT_LT(difference / sum, 1e-4) << name_of(estimator);
-    const Image lamp_alone =
+    const measure::Image lamp_alone =
         render(SceneBuilder().ground(30).with({lights[0]}), down, reference(), 24, 24, 1);
-    const Image window_alone =
+    const measure::Image window_alone =
         render(SceneBuilder().ground(30).with({lights[1]}), down, reference(), 24, 24, 40);
     EXPECT_NEAR(lamps / 576 / test::mean_luminance(lamp_alone), 1, 0.02) << name_of(estimator);
     EXPECT_NEAR(windows / 576 / test::mean_luminance(window_alone), 1, 0.04) << name_of(estimator);
@@ -77,9 +78,9 @@ TEST(Layers, SumToThePictureAndHoldTheirOwnKindOnly) {
 TEST(Layers, IlluminanceIsTheClosedFormsWhateverTheSurface) {
   RenderSettings settings = reference();
   settings.sampling.layers = true;
-  const Image image = render(SceneBuilder(0.3f).ground(30).with({lamp({0, 8, 0}, 5000)}), down,
-                             settings, 25, 25, 1);
-  const auto lux = illuminance_of(image);
+  const measure::Image image = render(SceneBuilder(0.3f).ground(30).with({lamp({0, 8, 0}, 5000)}),
+                                      down, settings, 25, 25, 1);
+  const auto lux = measure::illuminance_of(image);
   EXPECT_NEAR(double(lux[12 * 25 + 12]), 5000 / (4 * pi) / 64, 0.01 * 5000 / (4 * pi) / 64);
 }
 
@@ -89,13 +90,14 @@ TEST(Display, ShowsWhatThePngShowsFromTheDarkToALampSeenDirectly) {
   builder.scene().materials[0].emission_cd_m2 = {1e6f, 1e6f, 9e5f};
   gpu::Device& device = test::test_device();
   for (const float ev100 : {-4.0f, 3.0f, 19.0f, 24.0f}) {
-    const RenderScene scene = builder.with({});
+    const scene::RenderScene scene = builder.with({});
     DeviceScene device_scene(device, scene);
     Renderer renderer(device, test::test_passes(), device_scene, 8, 8);
     RenderSettings settings = reference();
     settings.display.ev100 = ev100;
     renderer.render_frame(down, settings);
-    const Image8 png = to_display(renderer.download(false), ev100, settings.display.tone);
+    const measure::Image8 png =
+        measure::to_display(renderer.download(false), ev100, settings.display.tone);
     const auto words = renderer.display().read<std::uint32_t>(64);
     for (std::size_t c = 0; c < 3; ++c)
       EXPECT_NEAR(double(words[27] >> (8 * c) & 255u), double(png.rgb[3 * 27 + c]), 1)
@@ -113,7 +115,7 @@ TEST(Moon, LightsAsItsIlluminanceSaysAndCastsShadows) {
     EXPECT_NEAR(at_centre(render(SceneBuilder().ground(30).with({}), down, settings, 9, 9, 1)),
                 expected, 0.005 * expected);
     // A wall to the south, a little higher than it is far away.
-    const RenderScene walled = SceneBuilder().ground(30).box({-9, 0, 4}, {9, 9, 5}).with({});
+    const scene::RenderScene walled = SceneBuilder().ground(30).box({-9, 0, 4}, {9, 9, 5}).with({});
     EXPECT_EQ(at_centre(render(walled, down, settings, 9, 9, 1)), 0);
   }
 }
@@ -122,18 +124,18 @@ TEST(Moon, IsSeenWhereItStandsAndAsBrightAsItLights) {
   RenderSettings settings = reference();
   settings.environment.moon_direction = glm::normalize(glm::vec3(0, 0.3f, -1));
   settings.environment.moon_lux = glm::vec3(0.25f);
-  const CameraPose up{{0, 2, 0},
-                      glm::vec3(0, 2, 0) + settings.environment.moon_direction,
-                      {0, 1, 0},
-                      1};  // one degree: the moon fills half
-  const Image image = render(SceneBuilder().ground(30).with({}), up, settings, 65, 65, 1);
+  const scene::CameraPose up{{0, 2, 0},
+                             glm::vec3(0, 2, 0) + settings.environment.moon_direction,
+                             {0, 1, 0},
+                             1};  // one degree: the moon fills half
+  const measure::Image image = render(SceneBuilder().ground(30).with({}), up, settings, 65, 65, 1);
   const double disc = 0.25 / (pi * MOON_RADIUS * MOON_RADIUS);
   EXPECT_NEAR(at_centre(image), disc, 0.001 * disc);
   EXPECT_EQ(test::luminance(image, 0), 0) << "the corner is beside it";
 }
 
 TEST(SkyMap, AnEvenOneIsAUniformSky) {
-  RenderScene scene = SceneBuilder().ground(30).box({-3, 0, -6}, {3, 6, -5}).with({});
+  scene::RenderScene scene = SceneBuilder().ground(30).box({-3, 0, -6}, {3, 6, -5}).with({});
   RenderSettings settings = reference();
   settings.environment.sky_cd_m2 = glm::vec3(0.2f);
   const double uniform = test::mean_luminance(render(scene, down, settings, 24, 24, 32));
@@ -143,14 +145,14 @@ TEST(SkyMap, AnEvenOneIsAUniformSky) {
 }
 
 TEST(SkyMap, KnowsNorthFromSouthAndUpFromDown) {
-  RenderScene scene = SceneBuilder().ground(30).with({});
+  scene::RenderScene scene = SceneBuilder().ground(30).with({});
   scene.sky_map = {4, 2, std::vector<float>(24, 0.0f)};
   // Upper row: columns from -180 to 180 degrees of azimuth; the third is from north to east.
   for (int c = 0; c < 3; ++c) scene.sky_map.rgb[std::size_t(3 * 2 + c)] = 7;
   RenderSettings settings = reference();
   settings.environment.sky_cd_m2 = glm::vec3(1);
   const auto seen = [&](glm::vec3 towards) {
-    const CameraPose pose{{0, 2, 0}, glm::vec3(0, 2, 0) + towards, {0, 1, 0}, 10};
+    const scene::CameraPose pose{{0, 2, 0}, glm::vec3(0, 2, 0) + towards, {0, 1, 0}, 10};
     return at_centre(render(scene, pose, settings, 9, 9, 1));
   };
   EXPECT_NEAR(seen({1, 0.5f, -1}), 7, 1e-4) << "north-east";
@@ -166,17 +168,17 @@ TEST(WetStreet, MirrorsALampByItsMicrofacetsAndDarkensTheRest) {
   const double illuminance = 5000 / (4 * pi) / 64;
   RenderSettings settings = reference();
   settings.environment.wetness = 1;
-  const RenderScene scene = SceneBuilder().ground(30).with({lamp({0, 8, 0}, 5000, 0.01f)});
+  const scene::RenderScene scene = SceneBuilder().ground(30).with({lamp({0, 8, 0}, 5000, 0.01f)});
   const double expected = illuminance * (kept * albedo / pi + f0 / (4 * pi * alpha2));
   EXPECT_NEAR(at_centre(render(scene, {{0, 12, 0}, {0, 0, 0}, {0, 0, -1}, 5}, settings, 33, 33, 1)),
               expected, 0.02 * expected);
   // A wall stays dry.
-  const RenderScene wall = SceneBuilder()
-                               .quad({-9, 0, -5}, {9, 0, -5}, {9, 9, -5}, {-9, 9, -5})
-                               .with({lamp({0, 4, 3}, 5000)});
-  const CameraPose facing{{0, 4, 2}, {0, 4, -5}, {0, 1, 0}, 40};
-  const Image wet = render(wall, facing, settings, 9, 9, 1),
-              dry = render(wall, facing, reference(), 9, 9, 1);
+  const scene::RenderScene wall = SceneBuilder()
+                                      .quad({-9, 0, -5}, {9, 0, -5}, {9, 9, -5}, {-9, 9, -5})
+                                      .with({lamp({0, 4, 3}, 5000)});
+  const scene::CameraPose facing{{0, 4, 2}, {0, 4, -5}, {0, 1, 0}, 40};
+  const measure::Image wet = render(wall, facing, settings, 9, 9, 1),
+                       dry = render(wall, facing, reference(), 9, 9, 1);
   if (test::test_device().info().kind == "cpu") {
     EXPECT_EQ(wet.rgb, dry.rgb);
   }
@@ -186,9 +188,9 @@ TEST(WetStreet, MirrorsALampByItsMicrofacetsAndDarkensTheRest) {
 }
 
 TEST(WetStreet, EstimatorsAgreeOnIt) {
-  const RenderScene scene =
+  const scene::RenderScene scene =
       SceneBuilder().ground(30).with({lamp({4, 6, -8}, 5000), lamp({-5, 6, -3}, 3000)});
-  const CameraPose pose{{0, 3, 12}, {0, 0, -5}, {0, 1, 0}, 60};
+  const scene::CameraPose pose{{0, 3, 12}, {0, 0, -5}, {0, 1, 0}, 60};
   RenderSettings settings = reference();
   settings.environment.wetness = 0.8f;
   const double truth = test::mean_luminance(render(scene, pose, settings, 24, 24, 8));
@@ -196,7 +198,7 @@ TEST(WetStreet, EstimatorsAgreeOnIt) {
   EXPECT_NEAR(test::mean_luminance(render(scene, pose, settings, 24, 24, 64)) / truth, 1, 0.02);
 }
 
-UpwardFlux upward(const RenderScene& scene, UpwardSettings settings = {}) {
+UpwardFlux upward(const scene::RenderScene& scene, UpwardSettings settings = {}) {
   gpu::Device& device = test::test_device();
   DeviceScene device_scene(device, scene);
   return measure_upward_flux(device, test::test_passes(), device_scene, settings);
@@ -218,7 +220,7 @@ TEST(Upward, ABareLampSendsHalfUpAndTheGroundSendsItsAlbedoAfterIt) {
 }
 
 TEST(Upward, ARoofOverALampKeepsItsLightDown) {
-  const RenderScene scene =
+  const scene::RenderScene scene =
       SceneBuilder().ground(2000).box({-500, 6, -500}, {500, 7, 500}).with({lamp({0, 5, 0}, 1000)});
   const UpwardFlux flux = upward(scene);
   EXPECT_LT(flux.lights[0].direct, 0.01);
@@ -233,16 +235,16 @@ TEST(Upward, AWindowSendsHalfOfALambertianHemisphereUp) {
 }
 
 TEST(Denoiser, KeepsTheMeanAndTheEdgesAndTakesTheNoise) {
-  const RenderScene scene = test::random_town(6, 20, 3).with(test::random_lamps(30, 20, 4));
-  const CameraPose pose{{-20, 14, 25}, {0, 2, 0}, {0, 1, 0}, 50};
+  const scene::RenderScene scene = test::random_town(6, 20, 3).with(test::random_lamps(30, 20, 4));
+  const scene::CameraPose pose{{-20, 14, 25}, {0, 2, 0}, {0, 1, 0}, 50};
   RenderSettings settings = reference();
-  const Image truth = render(scene, pose, settings, 64, 48, 16);
+  const measure::Image truth = render(scene, pose, settings, 64, 48, 16);
   settings.sampling.estimator = Estimator::ris;
   settings.sampling.candidates = 4;
-  const Image noisy = render(scene, pose, settings, 64, 48, 8);
+  const measure::Image noisy = render(scene, pose, settings, 64, 48, 8);
   settings.display.denoise = true;
-  const Image filtered = render(scene, pose, settings, 64, 48, 8);
-  const auto error = [&](const Image& image) {
+  const measure::Image filtered = render(scene, pose, settings, 64, 48, 8);
+  const auto error = [&](const measure::Image& image) {
     double sum = 0;
     for (std::size_t i = 0; i < image.pixels(); ++i)
       sum += std::abs(test::luminance(image, i) - test::luminance(truth, i));
@@ -256,14 +258,15 @@ TEST(Denoiser, KeepsTheMeanAndTheEdgesAndTakesTheNoise) {
 }
 
 TEST(Window, AMovingCameraKeepsTheMeanOfTheLastFramesWithoutBias) {
-  const RenderScene scene = test::random_town(6, 20, 3).with(test::random_lamps(30, 20, 4));
+  const scene::RenderScene scene = test::random_town(6, 20, 3).with(test::random_lamps(30, 20, 4));
   gpu::Device& device = test::test_device();
   DeviceScene device_scene(device, scene);
   RenderSettings settings = reference();
   settings.sampling.estimator = Estimator::ris;
   settings.averaging.window = 8;
   const auto pose_at = [](int i) {
-    return CameraPose{{-20 + 0.1f * float(i), 14, 25}, {0.1f * float(i), 2, 0}, {0, 1, 0}, 50};
+    return scene::CameraPose{
+        {-20 + 0.1f * float(i), 14, 25}, {0.1f * float(i), 2, 0}, {0, 1, 0}, 50};
   };
   Renderer with(device, test::test_passes(), device_scene, 48, 36),
       without(device, test::test_passes(), device_scene, 48, 36);
@@ -273,8 +276,8 @@ TEST(Window, AMovingCameraKeepsTheMeanOfTheLastFramesWithoutBias) {
     settings.averaging.window = 0;
     without.render_frame(pose_at(i), settings);
   }
-  const Image truth = render(scene, pose_at(12), reference(), 48, 36, 8);
-  const auto error = [&](const Image& image) {
+  const measure::Image truth = render(scene, pose_at(12), reference(), 48, 36, 8);
+  const auto error = [&](const measure::Image& image) {
     double sum = 0;
     for (std::size_t i = 0; i < image.pixels(); ++i)
       sum += std::abs(test::luminance(image, i) - test::luminance(truth, i));
@@ -285,4 +288,4 @@ TEST(Window, AMovingCameraKeepsTheMeanOfTheLastFramesWithoutBias) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::render

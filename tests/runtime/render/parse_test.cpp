@@ -4,7 +4,7 @@
 
 #include "formats/error.h"
 
-namespace nightcity {
+namespace nightcity::render {
 namespace {
 
 TEST(Parse, TimesCountFromNoon) {
@@ -52,4 +52,4 @@ TEST(Parse, NumbersAreWholeWordsInRange) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::render

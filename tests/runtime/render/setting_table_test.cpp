@@ -7,7 +7,7 @@
 
 #include "formats/error.h"
 
-namespace nightcity {
+namespace nightcity::render {
 namespace {
 
 TEST(SettingTable, NamesAndAliasesAreUnique) {
@@ -81,4 +81,4 @@ TEST(EstimatorTraits, NamesAreFoundAndOthersRefused) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::render

@@ -30,7 +30,7 @@ TEST_P(TraceWays, AreRefusedWhereTheDeviceLacksThem) {
 
 // Houses, 40 instances of a post, a glass that casts no shadow, and a vehicle that drives past
 // them.
-RenderScene street() {
+scene::RenderScene street() {
   SceneBuilder builder = random_town(40, 50, 5), post, glass;
   post.box({-0.5f, 0, -0.5f}, {0.5f, 4, 0.5f});
   glass.quad({-4, 9, -4}, {-4, 9, 4}, {4, 9, 4}, {4, 9, -4});
@@ -45,26 +45,26 @@ RenderScene street() {
   }
   scene.nodes.push_back(posts);
   scene.nodes.push_back({"glass", "lamp", 2, false, {SceneInstance{}}});
-  SceneLights lights;
+  scene::SceneLights lights;
   lights.lights = random_lamps(60, 50, 6);
-  Traffic& traffic = lights.traffic;
+  scene::Traffic& traffic = lights.traffic;
   traffic.cycle.cycle_s = 100;
   for (float& share : traffic.cycle.density) share = 1;
   traffic.vehicles = {{{2, 0.8f, 1}, 0, 0, {}}};
   traffic.knots = {{{-30, 0, 24}, 0, {6, 0, 0}, 0}, {{30, 0, 24}, 10, {6, 0, 0}, 0}};
   traffic.trips = {{0, 2, 0, 0, 0, 0, {}}};
-  return make_render_scene(scene, std::move(lights));
+  return scene::make_render_scene(scene, std::move(lights));
 }
 
-Image seen_by(gpu::Device& device, const RenderScene& scene, Estimator estimator,
-              std::uint32_t frames) {
-  RenderSettings settings;
+measure::Image seen_by(gpu::Device& device, const scene::RenderScene& scene,
+                       render::Estimator estimator, std::uint32_t frames) {
+  render::RenderSettings settings;
   settings.sampling.estimator = estimator;
   settings.sampling.jitter = false;
   settings.sampling.layers = true;
-  PassLibrary passes(device);
-  DeviceScene device_scene(device, scene);
-  Renderer renderer(device, passes, device_scene, 160, 90);
+  render::PassLibrary passes(device);
+  render::DeviceScene device_scene(device, scene);
+  render::Renderer renderer(device, passes, device_scene, 160, 90);
   for (std::uint32_t i = 0; i < frames; ++i) {
     settings.time_s = 8 * 3600 + 5 + 0.05 * i;
     renderer.render_frame({{-45, 25, 60}, {0, 3, 10}, {0, 1, 0}, 50}, settings);
@@ -77,9 +77,11 @@ TEST_P(TraceWays, MeetTheSurfacesAndShadowsThatOurOwnTraversalMeets) {
   if (!has(test_device().info(), GetParam()))
     GTEST_SKIP() << test_device().info().name << " lacks it";
   gpu::Device other(by(GetParam())), compute(by(Trace::compute));
-  const RenderScene scene = street();
-  for (const Estimator estimator : {Estimator::reference, Estimator::traced}) {
-    const Image a = seen_by(other, scene, estimator, 3), b = seen_by(compute, scene, estimator, 3);
+  const scene::RenderScene scene = street();
+  for (const render::Estimator estimator :
+       {render::Estimator::reference, render::Estimator::traced}) {
+    const measure::Image a = seen_by(other, scene, estimator, 3),
+                         b = seen_by(compute, scene, estimator, 3);
     int depths = 0, normals = 0, bright = 0;
     const auto differ = [](double x, double y) { return std::abs(x - y) > 1e-3 * std::abs(y); };
     for (std::size_t i = 0; i < a.pixels(); ++i) {
@@ -89,17 +91,17 @@ TEST_P(TraceWays, MeetTheSurfacesAndShadowsThatOurOwnTraversalMeets) {
                             b.layer("normal")->values[3 * i + axis]) > 1e-3f;
       bright += differ(luminance(a, i), luminance(b, i));
     }
-    EXPECT_LE(depths, 15) << name_of(estimator);  // a thousandth of the pixels
-    EXPECT_LE(normals, 3 * 15) << name_of(estimator);
-    if (estimator == Estimator::reference) {
+    EXPECT_LE(depths, 15) << render::name_of(estimator);  // a thousandth of the pixels
+    EXPECT_LE(normals, 3 * 15) << render::name_of(estimator);
+    if (estimator == render::Estimator::reference) {
       EXPECT_LE(bright, 150);  // 60 shadow rays each
     }
-    EXPECT_NEAR(mean_luminance(a) / mean_luminance(b), 1, 1e-3) << name_of(estimator);
+    EXPECT_NEAR(mean_luminance(a) / mean_luminance(b), 1, 1e-3) << render::name_of(estimator);
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, TraceWays, ::testing::Values(Trace::query, Trace::pipeline),
-                         [](const auto& info) { return name_of(info.param); });
+                         [](const auto& info) { return gpu::name_of(info.param); });
 
 }  // namespace
 }  // namespace nightcity::test

@@ -5,22 +5,22 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "runtime/scene/brute_force.h"
 #include "support/estimators.h"
 #include "support/gpu.h"
-#include "runtime/scene/brute_force.h"
 #include "support/scenes.h"
 
 namespace nightcity::test {
 namespace {
 
-RenderSettings plain() {
-  return with_estimator(Estimator::ris, 1);
+render::RenderSettings plain() {
+  return with_estimator(render::Estimator::ris, 1);
 }
 
-void expect_depths_like_brute_force(const RenderScene& scene, const CameraPose& pose,
+void expect_depths_like_brute_force(const scene::RenderScene& scene, const scene::CameraPose& pose,
                                     std::uint32_t side) {
-  const Image image = render(scene, pose, plain(), side, side, 1);
-  const gpu::Camera camera = make_camera(pose, 1.0f);
+  const measure::Image image = render(scene, pose, plain(), side, side, 1);
+  const gpu::Camera camera = scene::make_camera(pose, 1.0f);
   const auto& depth = image.layer("depth")->values;
   int hits = 0, wrong = 0;
   for (std::uint32_t y = 0; y < side; ++y)
@@ -31,7 +31,7 @@ void expect_depths_like_brute_force(const RenderScene& scene, const CameraPose& 
                          glm::dvec3(camera.right) * (sx * double(camera.tan_half_height)) -
                          glm::dvec3(camera.up) * (sy * double(camera.tan_half_height)));
       const auto truth =
-          brute_force_hit(scene, glm::dvec3(camera.position), direction, 1e30, MASK_VISIBLE);
+          scene::brute_force_hit(scene, glm::dvec3(camera.position), direction, 1e30, MASK_VISIBLE);
       const double seen = double(depth[y * side + x]);
       if (truth) ++hits;
       if (truth.has_value() != (seen > 0) || (truth && std::abs(seen - *truth) > 1e-4 * *truth))
@@ -43,7 +43,7 @@ void expect_depths_like_brute_force(const RenderScene& scene, const CameraPose& 
 }
 
 TEST(Traversal, PrimaryDepthsOfATownMatchBruteForce) {
-  const RenderScene scene = random_town(60, 60, 7).with({});
+  const scene::RenderScene scene = random_town(60, 60, 7).with({});
   expect_depths_like_brute_force(scene, {{-70, 35, 80}, {0, 5, 0}, {0, 1, 0}, 50}, 96);
 }
 
@@ -57,7 +57,7 @@ TEST(Traversal, HoldsFarFromTheOrigin) {
 
 TEST(Traversal, RaysAlongAnAxisHitWhatTheyShould) {
   // The camera looks exactly down -Z; the middle row and column have zero components.
-  const RenderScene scene = random_town(30, 40, 3).with({});
+  const scene::RenderScene scene = random_town(30, 40, 3).with({});
   expect_depths_like_brute_force(scene, {{0, 3, 60}, {0, 3, 0}, {0, 1, 0}, 60}, 65);
 }
 
@@ -89,9 +89,9 @@ TEST(Traversal, WhatCastsNoShadowIsSeenAndLetsLightThrough) {
   scene.meshes.push_back(plate.scene().meshes[0]);
   scene.nodes.push_back({"glass", "lamp", 1, false, {SceneInstance{}}});
   const std::vector<Light> lights{lamp({0, 8, 0}, 5000)};
-  const CameraPose below{{0, 2, 0}, {0, 0, 0}, {0, 0, -1}, 60};
+  const scene::CameraPose below{{0, 2, 0}, {0, 0, 0}, {0, 0, -1}, 60};
   EXPECT_GT(mean_luminance(render(builder.with(lights), below, plain(), 8, 8, 1)), 0.5);
-  const CameraPose above{{0, 20, 0}, {0, 0, 0}, {0, 0, -1}, 10};
+  const scene::CameraPose above{{0, 20, 0}, {0, 0, 0}, {0, 0, -1}, 10};
   EXPECT_NEAR(render(builder.with(lights), above, plain(), 8, 8, 1).layer("depth")->values[27],
               16.0, 0.1);
   scene.nodes.back().casts_shadow = true;
@@ -99,7 +99,7 @@ TEST(Traversal, WhatCastsNoShadowIsSeenAndLetsLightThrough) {
 }
 
 TEST(Traversal, AnEmptySceneIsDarkAndNoError) {
-  const RenderScene scene = make_render_scene(Scene{}, {});
+  const scene::RenderScene scene = scene::make_render_scene(Scene{}, {});
   EXPECT_EQ(mean_luminance(render(scene, {{0, 5, 0}, {0, 0, 1}, {0, 1, 0}, 50}, plain(), 8, 8, 1)),
             0.0);
 }

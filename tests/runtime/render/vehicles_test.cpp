@@ -8,7 +8,7 @@
 #include "support/gpu.h"
 #include "support/scenes.h"
 
-namespace nightcity {
+namespace nightcity::render {
 namespace {
 
 using test::lamp;
@@ -25,8 +25,8 @@ TripKnot knot(glm::vec3 position, float time_s, glm::vec3 velocity, double yaw_t
 
 // A vehicle of 4 x 1.6 x 2 m with a lamp 1 m in front of its nose and one behind it that shines
 // while it brakes.
-Traffic one_kind() {
-  Traffic traffic;
+scene::Traffic one_kind() {
+  scene::Traffic traffic;
   traffic.cycle.cycle_s = 100;
   for (float& share : traffic.cycle.density) share = 1;
   Light front = lamp({3, 1, 0}, 1000), rear = lamp({-3, 1, 0}, 500);
@@ -39,7 +39,7 @@ Traffic one_kind() {
   return traffic;
 }
 
-void add_trip(Traffic& traffic, const std::vector<TripKnot>& knots, float start_s = 0,
+void add_trip(scene::Traffic& traffic, const std::vector<TripKnot>& knots, float start_s = 0,
               float rank = 0) {
   const auto first = static_cast<uint>(traffic.knots.size()),
              id = static_cast<uint>(traffic.trips.size());
@@ -47,22 +47,23 @@ void add_trip(Traffic& traffic, const std::vector<TripKnot>& knots, float start_
   traffic.trips.push_back({first, static_cast<uint>(knots.size()), start_s, rank, 0, id, {}});
 }
 
-RenderScene with_traffic(Traffic traffic, std::vector<Light> lights = {}) {
-  SceneLights all;
+scene::RenderScene with_traffic(scene::Traffic traffic, std::vector<Light> lights = {}) {
+  scene::SceneLights all;
   all.lights = std::move(lights);
   all.traffic = std::move(traffic);
-  return make_render_scene(SceneBuilder().ground(60).scene(), std::move(all));
+  return scene::make_render_scene(SceneBuilder().ground(60).scene(), std::move(all));
 }
 
 // The expected scene: a box on the ground and the given lamps.
-RenderScene place_static(const glm::vec3& lower, const glm::vec3& upper,
-                         std::vector<Light> lights) {
-  SceneLights all;
+scene::RenderScene place_static(const glm::vec3& lower, const glm::vec3& upper,
+                                std::vector<Light> lights) {
+  scene::SceneLights all;
   all.lights = std::move(lights);
-  return make_render_scene(SceneBuilder().ground(60).box(lower, upper).scene(), std::move(all));
+  return scene::make_render_scene(SceneBuilder().ground(60).box(lower, upper).scene(),
+                                  std::move(all));
 }
 
-const CameraPose above{{0, 25, 12}, {0, 0, 0}, {0, 1, 0}, 60};
+const scene::CameraPose above{{0, 25, 12}, {0, 0, 0}, {0, 1, 0}, 60};
 
 RenderSettings reference_at(double time_s) {
   RenderSettings settings;
@@ -72,7 +73,7 @@ RenderSettings reference_at(double time_s) {
   return settings;
 }
 
-double relative_difference(const Image& a, const Image& b) {
+double relative_difference(const measure::Image& a, const measure::Image& b) {
   double difference = 0, sum = 0;
   for (std::size_t i = 0; i < a.pixels(); ++i) {
     difference += std::abs(test::luminance(a, i) - test::luminance(b, i));
@@ -82,33 +83,34 @@ double relative_difference(const Image& a, const Image& b) {
 }
 
 TEST(Vehicles, AVehicleIsWhereItsKnotsSayWithItsLightsAndShadow) {
-  Traffic traffic = one_kind();
+  scene::Traffic traffic = one_kind();
   // East at 1 m/s from x = -10; the materials are the ground's.
   add_trip(traffic, {knot({-10, 0, 0}, 0, {1, 0, 0}), knot({10, 0, 0}, 20, {1, 0, 0})}, 5);
   // 400 cycles of 100 s make up noon + 40,000 s; 9 s into the drive.
-  const Image moving =
+  const measure::Image moving =
       render(with_traffic(traffic), above, reference_at(40'000 + 5 + 9), 48, 48, 1);
-  const Image placed = render(place_static({-3, 0, -1}, {1, 1.6f, 1}, {lamp({2, 1, 0}, 1000)}),
-                              above, reference_at(0), 48, 48, 1);
+  const measure::Image placed =
+      render(place_static({-3, 0, -1}, {1, 1.6f, 1}, {lamp({2, 1, 0}, 1000)}), above,
+             reference_at(0), 48, 48, 1);
   EXPECT_GT(test::mean_luminance(placed), 0.01);
   EXPECT_LT(relative_difference(moving, placed), 0.002);
 }
 
 TEST(Vehicles, HeadingTurnsTheShortWayAndRearLampShinesWhileBraking) {
-  Traffic traffic = one_kind();
+  scene::Traffic traffic = one_kind();
   // The vehicle stands and turns from 10 degrees right of east to 10 degrees left of it, so at half
   // time it faces east.
   add_trip(traffic, {knot({0, 0, 0}, 0, {0, 0, 0}, -10.0 / 360, true),
                      knot({0, 0, 0}, 20, {0, 0, 0}, 10.0 / 360)});
-  const Image moving = render(with_traffic(traffic), above, reference_at(10), 48, 48, 1);
-  const Image placed = render(
+  const measure::Image moving = render(with_traffic(traffic), above, reference_at(10), 48, 48, 1);
+  const measure::Image placed = render(
       place_static({-2, 0, -1}, {2, 1.6f, 1}, {lamp({3, 1, 0}, 1000), lamp({-3, 1, 0}, 500)}),
       above, reference_at(0), 48, 48, 1);
   EXPECT_LT(relative_difference(moving, placed), 0.002);
 }
 
 TEST(Vehicles, IsDarkBeforeADriveAfterItAndWhereTheHourHasNoTraffic) {
-  Traffic traffic = one_kind();
+  scene::Traffic traffic = one_kind();
   add_trip(traffic, {knot({-10, 0, 0}, 0, {1, 0, 0}), knot({10, 0, 0}, 20, {1, 0, 0})}, 50, 0.5f);
   traffic.cycle.density[3] =
       0.4f;  // below the trip's rank from somewhere before 15:00 to somewhere after
@@ -125,8 +127,8 @@ TEST(Vehicles, IsDarkBeforeADriveAfterItAndWhereTheHourHasNoTraffic) {
 
 // Enough vehicles for several levels of the BVH, all over the ground. Their lamps hang high, so
 // that no few pixels near a lamp hold most of a picture's light.
-Traffic crowd(int count) {
-  Traffic traffic = one_kind();
+scene::Traffic crowd(int count) {
+  scene::Traffic traffic = one_kind();
   for (Light& light : traffic.vehicle_lights) light.position.y = 5;
   std::mt19937 random(7);
   std::uniform_real_distribution<float> place(-50, 50), turn(0, 1), speed(-3, 3);
@@ -141,10 +143,10 @@ Traffic crowd(int count) {
 }
 
 TEST(Vehicles, PickedLightsGiveTheReferenceWithoutBias) {
-  const RenderScene scene =
+  const scene::RenderScene scene =
       with_traffic(crowd(90), {lamp({20, 8, 10}, 5000), lamp({-20, 8, -10}, 5000)});
-  const CameraPose pose{{0, 60, 40}, {0, 0, 0}, {0, 1, 0}, 60};
-  const Image truth = render(scene, pose, reference_at(17), 24, 24, 4);
+  const scene::CameraPose pose{{0, 60, 40}, {0, 0, 0}, {0, 1, 0}, 60};
+  const measure::Image truth = render(scene, pose, reference_at(17), 24, 24, 4);
   for (const Estimator estimator : {Estimator::ris, Estimator::pairwise}) {
     RenderSettings settings = reference_at(17);
     settings.sampling.estimator = estimator;
@@ -166,8 +168,8 @@ TEST(Vehicles, PickedLightsGiveTheReferenceWithoutBias) {
 }
 
 TEST(Vehicles, HistoryOfMovingLightsBringsNoBias) {
-  const RenderScene scene = with_traffic(crowd(60));
-  const CameraPose pose{{0, 60, 40}, {0, 0, 0}, {0, 1, 0}, 60};
+  const scene::RenderScene scene = with_traffic(crowd(60));
+  const scene::CameraPose pose{{0, 60, 40}, {0, 0, 0}, {0, 1, 0}, 60};
   gpu::Device& device = test::test_device();
   DeviceScene device_scene(device, scene);
   Renderer moving(device, test::test_passes(), device_scene, 20, 20);
@@ -195,7 +197,7 @@ TEST(Vehicles, HistoryOfMovingLightsBringsNoBias) {
 }
 
 TEST(Vehicles, APictureDependsOnTheTimeOnlyNotOnTheFramesBefore) {
-  const RenderScene scene = with_traffic(crowd(60));
+  const scene::RenderScene scene = with_traffic(crowd(60));
   gpu::Device& device = test::test_device();
   DeviceScene device_scene(device, scene);
   std::vector<float> pictures[2];
@@ -217,7 +219,7 @@ TEST(Vehicles, APictureDependsOnTheTimeOnlyNotOnTheFramesBefore) {
 // Renderers of one scene have its vehicles at times of their own, this frame's and the one before's.
 // The third renderer asks for more room than the scene has at first.
 TEST(Vehicles, RenderersOfOneSceneDoNotDisturbEachOther) {
-  const RenderScene scene = with_traffic(crowd(60), {lamp({5, 8, 5}, 3000)});
+  const scene::RenderScene scene = with_traffic(crowd(60), {lamp({5, 8, 5}, 3000)});
   gpu::Device& device = test::test_device();
   RenderSettings settings = reference_at(0);
   settings.sampling.estimator = Estimator::traced;
@@ -252,11 +254,11 @@ TEST(Vehicles, AShareOfCandidatesThatLosesItsLightIsRefused) {
 }
 
 TEST(Vehicles, ABrokenTripIsRefused) {
-  Traffic traffic = one_kind();
+  scene::Traffic traffic = one_kind();
   add_trip(traffic, {knot({0, 0, 0}, 0, {0, 0, 0}),
                      knot({0, 0, 0}, 200, {0, 0, 0})});  // longer than the cycle
   EXPECT_THROW(with_traffic(traffic), Error);
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::render

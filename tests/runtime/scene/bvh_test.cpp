@@ -7,7 +7,7 @@
 
 #include "formats/error.h"
 
-namespace nightcity {
+namespace nightcity::scene {
 namespace {
 
 std::vector<Box> random_boxes(std::size_t count, float spread, unsigned seed) {
@@ -237,4 +237,4 @@ TEST(Bvh, EmptyInputGivesAnEmptyRoot) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::scene

@@ -15,7 +15,7 @@ namespace nightcity::test {
 namespace {
 
 TEST(Camera, AxesAreRightHandedAndOfUnitLength) {
-  const gpu::Camera camera = make_camera({{1, 2, 3}, {-4, 1, 9}, {0, 1, 0}, 50}, 1.5f);
+  const gpu::Camera camera = scene::make_camera({{1, 2, 3}, {-4, 1, 9}, {0, 1, 0}, 50}, 1.5f);
   EXPECT_NEAR(glm::length(camera.right), 1, 1e-6);
   EXPECT_NEAR(glm::length(camera.up), 1, 1e-6);
   EXPECT_NEAR(glm::length(glm::cross(camera.forward, camera.right) + camera.up), 0, 1e-5);
@@ -23,17 +23,18 @@ TEST(Camera, AxesAreRightHandedAndOfUnitLength) {
 }
 
 TEST(Camera, RefusesWhatIsNoView) {
-  EXPECT_THROW(make_camera({{1, 1, 1}, {1, 1, 1}, {0, 1, 0}, 50}, 1), Error);
-  EXPECT_THROW(make_camera({{0, 5, 0}, {0, 0, 0}, {0, 1, 0}, 50}, 1), Error);  // up along the view
-  EXPECT_THROW(make_camera({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0}, 1), Error);
-  EXPECT_THROW(make_camera({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 180}, 1), Error);
+  EXPECT_THROW(scene::make_camera({{1, 1, 1}, {1, 1, 1}, {0, 1, 0}, 50}, 1), Error);
+  EXPECT_THROW(scene::make_camera({{0, 5, 0}, {0, 0, 0}, {0, 1, 0}, 50}, 1),
+               Error);  // up along the view
+  EXPECT_THROW(scene::make_camera({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0}, 1), Error);
+  EXPECT_THROW(scene::make_camera({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 180}, 1), Error);
 }
 
 TEST(Camera, FilesRoundTrip) {
   const auto file = std::filesystem::temp_directory_path() / "nightcity_camera_test.json";
-  const CameraPose pose{{1.5f, 2.25f, -3}, {4, 5, 6}, {0, 0, -1}, 33};
-  write_camera(file, pose);
-  const CameraPose back = find_camera(file.string(), RenderScene{});
+  const scene::CameraPose pose{{1.5f, 2.25f, -3}, {4, 5, 6}, {0, 0, -1}, 33};
+  scene::write_camera(file, pose);
+  const scene::CameraPose back = scene::find_camera(file.string(), scene::RenderScene{});
   EXPECT_EQ(back.position, pose.position);
   EXPECT_EQ(back.target, pose.target);
   EXPECT_EQ(back.up, pose.up);
@@ -48,30 +49,32 @@ TEST(Camera, BrokenFilesAreNamed) {
                            "{\"position\": [1e99, 2, 3], \"target\": [1, 2, 3]}"}) {
     std::ofstream(file) << text;
     try {
-      find_camera(file.string(), RenderScene{});
+      scene::find_camera(file.string(), scene::RenderScene{});
       FAIL() << "accepted: " << text;
     } catch (const Error& error) {
       EXPECT_NE(std::string(error.what()).find(file.string()), std::string::npos) << error.what();
     }
   }
   std::filesystem::remove(file);
-  EXPECT_THROW(find_camera("no-such-preset", RenderScene{}), Error);
+  EXPECT_THROW(scene::find_camera("no-such-preset", scene::RenderScene{}), Error);
 }
 
 TEST(Camera, StreetStandsOnTheGroundUnderALampAndOutsideWalls) {
-  const RenderScene scene = random_town(40, 80, 5).with(random_lamps(60, 80, 6));
-  const CameraPose pose = find_camera("street", scene);
+  const scene::RenderScene scene = random_town(40, 80, 5).with(random_lamps(60, 80, 6));
+  const scene::CameraPose pose = scene::find_camera("street", scene);
   const auto below =
-      brute_force_hit(scene, glm::dvec3(pose.position), {0, -1, 0}, 100, MASK_SHADOW);
+      scene::brute_force_hit(scene, glm::dvec3(pose.position), {0, -1, 0}, 100, MASK_SHADOW);
   ASSERT_TRUE(below);
   EXPECT_NEAR(*below, 1.7, 0.3);
 }
 
 TEST(Camera, PresetsWorkWithoutLightsAndWithoutAnything) {
-  for (const std::string& preset : camera_presets()) {
-    EXPECT_NO_THROW(make_camera(find_camera(preset, SceneBuilder().ground(10).with({})), 1.5f))
+  for (const std::string& preset : scene::camera_presets()) {
+    EXPECT_NO_THROW(
+        scene::make_camera(scene::find_camera(preset, SceneBuilder().ground(10).with({})), 1.5f))
         << preset;
-    EXPECT_NO_THROW(make_camera(find_camera(preset, RenderScene{}), 1.5f)) << preset;
+    EXPECT_NO_THROW(scene::make_camera(scene::find_camera(preset, scene::RenderScene{}), 1.5f))
+        << preset;
   }
 }
 

@@ -23,7 +23,7 @@ std::vector<double> probabilities(std::span<const gpu::AliasEntry> table) {
 
 TEST(AliasTable, DrawsEachIndexByItsWeight) {
   const std::vector<float> weights{1, 0, 5, 1e-3f, 250, 3, 3, 0.5f};
-  const auto table = build_alias_table(weights);
+  const auto table = scene::build_alias_table(weights);
   const auto p = probabilities(table);
   double sum = 0;
   for (const float w : weights) sum += double(w);
@@ -36,7 +36,7 @@ TEST(AliasTable, DrawsEachIndexByItsWeight) {
 TEST(AliasTable, AMillionWeightsSumToOneInDouble) {
   std::vector<float> weights(1000000, 0.1f);
   weights[7] = 1e6f;
-  const auto table = build_alias_table(weights);
+  const auto table = scene::build_alias_table(weights);
   double pdf_sum = 0;
   for (const auto& entry : table) pdf_sum += double(entry.pdf);
   EXPECT_NEAR(pdf_sum, 1.0, 1e-5);
@@ -46,15 +46,15 @@ TEST(AliasTable, AMillionWeightsSumToOneInDouble) {
 TEST(AliasTable, WeightsThatAreNoNumbersCountAsZero) {
   const std::vector<float> weights{std::numeric_limits<float>::quiet_NaN(), 2, -1,
                                    std::numeric_limits<float>::infinity(), 2};
-  const auto p = probabilities(build_alias_table(weights));
+  const auto p = probabilities(scene::build_alias_table(weights));
   EXPECT_NEAR(p[0] + p[2] + p[3], 0, 1e-12);
   EXPECT_NEAR(p[1], 0.5, 1e-7);
 }
 
 TEST(AliasTable, WithoutAnyWeightItIsUniform) {
   const std::vector<float> weights(5, 0.0f);
-  for (const double p : probabilities(build_alias_table(weights))) EXPECT_NEAR(p, 0.2, 1e-7);
-  EXPECT_TRUE(build_alias_table({}).empty());
+  for (const double p : probabilities(scene::build_alias_table(weights))) EXPECT_NEAR(p, 0.2, 1e-7);
+  EXPECT_TRUE(scene::build_alias_table({}).empty());
 }
 
 // The shader decides by the threshold whether a light is in a cell's list, and must agree with the list.
@@ -62,7 +62,7 @@ TEST(LightGrid, MembershipByThresholdIsMembershipInTheList) {
   std::vector<Light> lights = random_lamps(700, 300, 9);
   for (int i = 0; i < 200; ++i)
     lights.push_back(lamp({float(i % 20) * 16, 6, float(i / 20) * 16}, 3000));  // many ties
-  const LightGrid grid = build_light_grid(lights, near_lists);
+  const scene::LightGrid grid = scene::build_light_grid(lights, scene::near_lists);
   ASSERT_EQ(grid.cells.size(), std::size_t{grid.shape.width} * grid.shape.depth);
   for (std::uint32_t z = 0; z < grid.shape.depth; ++z)
     for (std::uint32_t x = 0; x < grid.shape.width; ++x) {
@@ -74,7 +74,7 @@ TEST(LightGrid, MembershipByThresholdIsMembershipInTheList) {
         probability[entry.alias_light] += (1.0 - double(entry.keep)) / cell.count;
       }
       for (std::uint32_t light = 0; light < lights.size(); ++light) {
-        const float strength = light_strength(grid.shape, x, z, lights[light]);
+        const float strength = scene::light_strength(grid.shape, x, z, lights[light]);
         const bool member = cell.count > 0 && strength >= cell.threshold;
         const auto listed = probability.find(light);
         ASSERT_EQ(member, listed != probability.end())
@@ -88,13 +88,13 @@ TEST(LightGrid, MembershipByThresholdIsMembershipInTheList) {
 
 TEST(LightGrid, ACellListsItsStrongestLights) {
   const std::vector<Light> lights = random_lamps(2000, 400, 4);
-  const LightGrid grid = build_light_grid(lights, near_lists);
+  const scene::LightGrid grid = scene::build_light_grid(lights, scene::near_lists);
   const std::uint32_t x = grid.shape.width / 2, z = grid.shape.depth / 2;
   const gpu::LightCell& cell = grid.cells[z * grid.shape.width + x];
-  EXPECT_GT(cell.count, near_lists.listed / 2u);
+  EXPECT_GT(cell.count, scene::near_lists.listed / 2u);
   std::size_t stronger = 0;
   for (const Light& light : lights)
-    stronger += light_strength(grid.shape, x, z, light) >= cell.threshold;
+    stronger += scene::light_strength(grid.shape, x, z, light) >= cell.threshold;
   EXPECT_EQ(stronger, cell.count);
 }
 
@@ -103,8 +103,8 @@ TEST(LightGrid, AStrongLightFarAwayDoesNotShortenTheListsOfWeakOnes) {
   std::vector<Light> lights = random_lamps(2500, 600, 3);
   for (Light& light : lights) light.flux_lm = 40;
   lights.push_back(lamp({590, 20, 590}, 200'000));
-  for (const LightLists lists : {near_lists, far_lists}) {
-    const LightGrid grid = build_light_grid(lights, lists);
+  for (const scene::LightLists lists : {scene::near_lists, scene::far_lists}) {
+    const scene::LightGrid grid = scene::build_light_grid(lights, lists);
     for (const gpu::LightCell& cell : grid.cells)
       ASSERT_GE(cell.count, std::min<std::size_t>(lists.listed, lights.size()) / 2);
   }
@@ -113,15 +113,15 @@ TEST(LightGrid, AStrongLightFarAwayDoesNotShortenTheListsOfWeakOnes) {
 TEST(LightGrid, LightsWithoutFluxAreInNoCell) {
   std::vector<Light> lights = random_lamps(10, 50, 2);
   lights[3].flux_lm = 0;
-  const LightGrid grid = build_light_grid(lights, near_lists);
+  const scene::LightGrid grid = scene::build_light_grid(lights, scene::near_lists);
   for (const gpu::GridEntry& entry : grid.entries) EXPECT_NE(entry.light, 3u);
-  EXPECT_EQ(build_light_grid({}, near_lists).shape.width, 0u);
+  EXPECT_EQ(scene::build_light_grid({}, scene::near_lists).shape.width, 0u);
 }
 
 TEST(LightGrid, AContinentOfLightsKeepsItsCellsCountable) {
   std::vector<Light> lights = random_lamps(1000, 100, 2);
   lights.push_back(lamp({900000, 5, 900000}, 3000));
-  const LightGrid grid = build_light_grid(lights, near_lists);
+  const scene::LightGrid grid = scene::build_light_grid(lights, scene::near_lists);
   EXPECT_LE(grid.cells.size(), 70000u);
   // A cell in the empty middle lists nothing, and no cell lists a light below its threshold.
   for (std::uint32_t z = 0; z < grid.shape.depth; z += 7)
@@ -129,7 +129,8 @@ TEST(LightGrid, AContinentOfLightsKeepsItsCellsCountable) {
       const gpu::LightCell& cell = grid.cells[z * grid.shape.width + x];
       std::size_t members = 0;
       for (const Light& light : lights)
-        members += cell.count > 0 && light_strength(grid.shape, x, z, light) >= cell.threshold;
+        members +=
+            cell.count > 0 && scene::light_strength(grid.shape, x, z, light) >= cell.threshold;
       ASSERT_EQ(members, cell.count);
     }
 }

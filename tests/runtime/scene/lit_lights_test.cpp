@@ -4,7 +4,7 @@
 
 #include "support/scenes.h"
 
-namespace nightcity {
+namespace nightcity::scene {
 namespace {
 
 TEST(LitLights, TablesHoldExactlyTheLightsThatShine) {
@@ -32,4 +32,4 @@ TEST(LitLights, TablesHoldExactlyTheLightsThatShine) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::scene

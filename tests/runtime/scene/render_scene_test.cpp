@@ -15,7 +15,7 @@ namespace {
 
 std::string message_of(const std::filesystem::path& scene) {
   try {
-    load_render_scene(scene);
+    scene::load_render_scene(scene);
   } catch (const Error& error) {
     return error.what();
   }
@@ -74,20 +74,20 @@ TEST(DescribeLeftOut, NamesWhatNoPictureShows) {
   builder.scene().nodes.back().instances[1].to_model[0][0] = 0;
   Light dark = lamp({0, 5, 0}, 1000);
   dark.flux_lm = 0;
-  const auto sentences = describe_left_out(builder.with({dark}));
+  const auto sentences = scene::describe_left_out(builder.with({dark}));
   EXPECT_TRUE(says(sentences, "a thing"));
   EXPECT_TRUE(says(sentences, "without area"));
   EXPECT_TRUE(says(sentences, "1 instance is left out"));
   EXPECT_TRUE(says(sentences, "1 light is switched off"));
-  EXPECT_TRUE(describe_left_out(SceneBuilder().ground(10).with({})).empty());
-  EXPECT_TRUE(describe_left_out(RenderScene{}).empty());
+  EXPECT_TRUE(scene::describe_left_out(SceneBuilder().ground(10).with({})).empty());
+  EXPECT_TRUE(scene::describe_left_out(scene::RenderScene{}).empty());
 }
 
 TEST(DescribeLeftOut, WarnsOfASceneFarFromItsOrigin) {
   SceneBuilder builder;
   builder.ground(100);
   builder.scene().nodes[0].instances[0].to_model[3] = {391000, 34, -5819000, 1};
-  EXPECT_TRUE(says(describe_left_out(builder.with({})), "reaches 5819 km from its origin"));
+  EXPECT_TRUE(says(scene::describe_left_out(builder.with({})), "reaches 5819 km from its origin"));
 }
 
 }  // namespace

@@ -7,20 +7,20 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
-namespace nightcity {
+namespace nightcity::viewer {
 namespace {
 
 constexpr float quarter_turn = std::numbers::pi_v<float> / 2;
 
 // A camera ten metres south of the origin and ten metres high that looks at it.
-CameraPose southern() {
-  CameraPose pose;
+scene::CameraPose southern() {
+  scene::CameraPose pose;
   pose.position = {0, 10, 10};
   pose.target = {0, 0, 0};
   return pose;
 }
 
-float elevation_deg(const CameraPose& pose) {
+float elevation_deg(const scene::CameraPose& pose) {
   return glm::degrees(std::asin(glm::normalize(pose.target - pose.position).y));
 }
 
@@ -31,22 +31,22 @@ void expect_near(const glm::vec3& a, const glm::vec3& b) {
 }
 
 TEST(CameraMotion, OrbitingAQuarterCounterClockwiseFromSouthEndsEast) {
-  const CameraPose pose = orbited(southern(), quarter_turn, 0);
+  const scene::CameraPose pose = orbited(southern(), quarter_turn, 0);
   expect_near(pose.position, {10, 10, 0});
   expect_near(pose.target, {0, 0, 0});
 }
 
 TEST(CameraMotion, TurningAQuarterLeftFromNorthLooksWest) {
-  CameraPose north;
+  scene::CameraPose north;
   north.position = {3, 2, 1};
   north.target = {3, 2, -9};
-  const CameraPose pose = turned(north, quarter_turn, 0);
+  const scene::CameraPose pose = turned(north, quarter_turn, 0);
   expect_near(pose.position, north.position);
   expect_near(pose.target, {-7, 2, 1});
 }
 
 TEST(CameraMotion, OrbitKeepsDistanceAndTargetTurnKeepsDistanceAndEye) {
-  CameraPose orbit = southern(), turn = southern();
+  scene::CameraPose orbit = southern(), turn = southern();
   for (int i = 0; i < 200; ++i) {
     orbit = orbited(orbit, 0.37f, 0.21f * static_cast<float>(i % 3 - 1));
     turn = turned(turn, -0.29f, 0.17f * static_cast<float>(i % 5 - 2));
@@ -66,18 +66,18 @@ TEST(CameraMotion, PitchRaisesTheEyeOrTheViewAndStopsBeforeThePole) {
 }
 
 TEST(CameraMotion, MapKeepsItsHeadingWhenFirstTurned) {
-  CameraPose map;  // looks straight down, east at the top of the picture
+  scene::CameraPose map;  // looks straight down, east at the top of the picture
   map.position = {0, 100, 0};
   map.target = {0, 0, 0};
   map.up = {1, 0, 0};
-  const CameraPose pose = orbited(map, 0, -0.3f);
+  const scene::CameraPose pose = orbited(map, 0, -0.3f);
   EXPECT_LT(pose.position.x, -1.0f);  // the camera sinks on the west side and looks east
   EXPECT_NEAR(pose.position.z, 0.0f, 1e-3);
   EXPECT_EQ(pose.up, glm::vec3(0, 1, 0));
 }
 
 TEST(CameraMotion, MovingFollowsTheViewsOwnAxes) {
-  CameraPose north;
+  scene::CameraPose north;
   north.position = {0, 2, 0};
   north.target = {0, 2, -10};
   expect_near(moved(north, {1, 0, 0}).position, {1, 2, 0});  // right is east
@@ -94,4 +94,4 @@ TEST(CameraMotion, DollyScalesTheDistanceWithinLimits) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::viewer

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace nightcity {
+namespace nightcity::viewer {
 namespace {
 
 // Dear ImGui without a window: frames are not shown, and the test moves the mouse.
@@ -87,7 +87,7 @@ TEST_F(Panel, ClickOnASliderChangesCandidates) {
   EXPECT_TRUE(click_through(
       200, [&](const PanelRequests&) { return state.settings.sampling.candidates != before; }));
   EXPECT_GE(state.settings.sampling.candidates, 1u);
-  EXPECT_LE(state.settings.sampling.candidates, max_candidates);
+  EXPECT_LE(state.settings.sampling.candidates, render::max_candidates);
 }
 
 TEST_F(Panel, MovingTheExposureEndsItsMetering) {
@@ -104,20 +104,20 @@ TEST_F(Panel, CameraPresetIsAskedForByName) {
     preset = requests.camera_preset;
     return !preset.empty();
   }));
-  EXPECT_NE(std::find(camera_presets().begin(), camera_presets().end(), preset),
-            camera_presets().end());
+  EXPECT_NE(std::find(scene::camera_presets().begin(), scene::camera_presets().end(), preset),
+            scene::camera_presets().end());
 }
 
 TEST_F(Panel, CaptionNamesWhatMadeThePicture) {
   stats.frames = 64;
-  state.settings.sampling.estimator = Estimator::paper;
+  state.settings.sampling.estimator = render::Estimator::paper;
   EXPECT_EQ(caption(state, stats), "paper, 32 candidates, 5 neighbours, mean of 64 frames");
-  state.settings.sampling.estimator = Estimator::ris;
+  state.settings.sampling.estimator = render::Estimator::ris;
   EXPECT_EQ(caption(state, stats), "ris, 32 candidates, mean of 64 frames");
-  state.settings.sampling.estimator = Estimator::reference;
+  state.settings.sampling.estimator = render::Estimator::reference;
   stats.frames = 1;
   EXPECT_EQ(caption(state, stats), "reference, mean of 1 frame");
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::viewer

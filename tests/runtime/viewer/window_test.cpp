@@ -14,7 +14,7 @@
 #include "support/scenes.h"
 #include "support/temp_folder.h"
 
-namespace nightcity {
+namespace nightcity::viewer {
 namespace {
 
 bool has(const char* program) {
@@ -60,8 +60,8 @@ class ViewerWindow : public testing::Test {
   test::TempFolder folder;
 };
 
-std::size_t colours(const Image8& image, std::uint32_t x0, std::uint32_t x1, std::uint32_t y0,
-                    std::uint32_t y1) {
+std::size_t colours(const measure::Image8& image, std::uint32_t x0, std::uint32_t x1,
+                    std::uint32_t y0, std::uint32_t y1) {
   std::set<std::uint32_t> seen;
   for (std::uint32_t y = y0; y < y1; ++y)
     for (std::uint32_t x = x0; x < x1; ++x) {
@@ -76,7 +76,7 @@ TEST_F(ViewerWindow, ShowsThePictureAndSaysWhichEstimatorMadeIt) {
       << text("err.txt");
   EXPECT_NE(text("out.txt").find("6 frames shown"), std::string::npos) << text("out.txt");
   EXPECT_NE(text("out.txt").find("estimator pairwise"), std::string::npos) << text("out.txt");
-  const Image8 window = read_png(folder / "window.png");
+  const measure::Image8 window = measure::read_png(folder / "window.png");
   EXPECT_EQ(window.width, 320u);
   EXPECT_EQ(window.height, 240u);
   EXPECT_GT(colours(window, 0, 320, 0, 240), 100u);
@@ -90,7 +90,8 @@ TEST_F(ViewerWindow, PanelAndMarkersAreDrawnOverThePicture) {
                 "--screenshot marked.png\n"),
             0)
       << text("err.txt");
-  const Image8 plain = read_png(folder / "plain.png"), marked = read_png(folder / "marked.png");
+  const measure::Image8 plain = measure::read_png(folder / "plain.png"),
+                        marked = measure::read_png(folder / "marked.png");
   ASSERT_EQ(plain.rgb.size(), marked.rgb.size());
   std::size_t different = 0;
   for (std::size_t i = 0; i < plain.rgb.size(); i += 3)
@@ -134,4 +135,4 @@ TEST_F(ViewerWindow, WithoutADisplayItSaysSoAndEndsWith1) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::viewer

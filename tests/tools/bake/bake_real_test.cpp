@@ -7,7 +7,7 @@
 #include "support/temp_folder.h"
 #include "tools/bake/bake.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 using test::TempFolder;
@@ -75,4 +75,4 @@ TEST(BakeReal, DegreesBecomeMetres) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::bake

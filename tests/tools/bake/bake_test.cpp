@@ -18,7 +18,7 @@
 #include "tools/georeference/frame.h"
 #include "tools/nightbake/sample_city.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 using namespace test;
@@ -70,9 +70,11 @@ TEST(Bake, FilesOfTwoZonesShareOneFrame) {
   const std::vector<glm::dvec3> here{
       {391000, 5819000, 40}, {391010, 5819000, 40}, {391010, 5819010, 40}, {391000, 5819010, 40}};
   // The same square through longitude and latitude into the neighbouring zone.
-  const CityFrame zone_33 = CityFrame::from_srs_name("EPSG:25833", here, {});
+  const georeference::CityFrame zone_33 =
+      georeference::CityFrame::from_srs_name("EPSG:25833", here, {});
   const std::vector<glm::dvec3> somewhere_in_32{{800000, 5820000, 0}};
-  const CityFrame zone_32 = CityFrame::from_srs_name("EPSG:25832", somewhere_in_32, {});
+  const georeference::CityFrame zone_32 =
+      georeference::CityFrame::from_srs_name("EPSG:25832", somewhere_in_32, {});
   std::vector<glm::dvec3> there;
   for (const glm::dvec3& p : here)
     there.emplace_back(zone_32.from_lon_lat(zone_33.to_lon_lat(glm::dvec2(p))), p.z);
@@ -118,7 +120,7 @@ TEST(Bake, AModelWithoutACrsIsPlacedByTheBoundsItFills) {
   recipe.city.bounds = std::array{13.4, 52.0, east, 52.01};
   recipe.terrain.make_surface = false;
   bake(recipe, folder / "out");
-  const CityFrame frame = CityFrame::from_srs_name(
+  const georeference::CityFrame frame = georeference::CityFrame::from_srs_name(
       "", {}, {"none", {{{13.4, 52.0}, {500, 500}}, {{east, 52.01}, {600, 600}}}});
   const glm::dvec2 middle = frame.to_lon_lat({550, 550});
   EXPECT_NEAR(middle.x, (13.4 + east) / 2, 1e-5);
@@ -367,4 +369,4 @@ TEST(Bake, OneThreadAndManyGiveTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -14,7 +14,7 @@
 #include "tools/bake/stages/window_stage.h"
 #include "tools/nightbake/sample_city.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 using test::TempFolder;
@@ -73,7 +73,7 @@ TEST(City, AnswersQueriesOfPlacesOnceItsGroundIsBuilt) {
   city.read({}, {});
   std::size_t shown = 0;
   const GroundReport ground =
-      city.build_ground([&](const TriangleMesh& mesh) { shown += mesh.triangles.size(); });
+      city.build_ground([&](const mesh::TriangleMesh& mesh) { shown += mesh.triangles.size(); });
   EXPECT_EQ(ground.source, "given");
   EXPECT_EQ(shown, 0u) << "the model's own relief is an object of it";
   EXPECT_NEAR(city.height_at()({391030, 5819010}).value(), 35, 1e-6);
@@ -151,14 +151,15 @@ TEST(WindowConsumer, EveryPieceOfALargeBuildingGetsWindows) {
   city.build_ground();
   const auto& cube = collector.objects.at(0);
   const auto piece = std::make_shared<PreparedObject>(*cube);
-  for (Polygon& polygon : piece->object.polygons)
+  for (city::Polygon& polygon : piece->object.polygons)
     for (glm::dvec3& p : polygon.exterior) p.x += 25;
   WindowConsumer windows(city, {}, folder / "windows");
   windows.prepare(cube)(false);
   windows.prepare(piece)(true);
   std::size_t first = 0, second = 0;
-  windows.finish(
-      city, [&](const LitRectangle& window) { ++(window.centre.x < 391015 ? first : second); });
+  windows.finish(city, [&](const lights::LitRectangle& window) {
+    ++(window.centre.x < 391015 ? first : second);
+  });
   EXPECT_GT(first, 0u);
   EXPECT_GT(second, 0u);
 }
@@ -180,4 +181,4 @@ TEST(ObjectTiles, AnObjectSmallerThanATileStaysWholeALargerOneIsDivided) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -9,7 +9,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 const auto corpus = std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/tools/bake/corpus";
@@ -30,4 +30,4 @@ TEST(Corpus, HoldsWholeRecipes) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -10,25 +10,28 @@
 
 #include "support/temp_folder.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
-CityObject road(double height) {
-  CityObject object;
-  object.type = ObjectType::road;
-  object.polygons.push_back(
-      {"", SurfaceType::traffic_area, {{0, 0, height}, {9, 0, height}, {9, 9, height}}, {}, {}});
+city::CityObject road(double height) {
+  city::CityObject object;
+  object.type = city::ObjectType::road;
+  object.polygons.push_back({"",
+                             city::SurfaceType::traffic_area,
+                             {{0, 0, height}, {9, 0, height}, {9, 9, height}},
+                             {},
+                             {}});
   return object;
 }
 
 TEST(Drape, OnlyWhatLiesAtZeroThroughoutLacksHeights) {
   EXPECT_TRUE(lacks_heights(road(0)));
   EXPECT_FALSE(lacks_heights(road(3)));
-  CityObject partly = road(0);
+  city::CityObject partly = road(0);
   partly.polygons[0].exterior[1].z = 0.5;
   EXPECT_FALSE(lacks_heights(partly));
-  CityObject house = road(0);
-  house.type = ObjectType::building;
+  city::CityObject house = road(0);
+  house.type = city::ObjectType::building;
   EXPECT_FALSE(lacks_heights(house));
 }
 
@@ -93,4 +96,4 @@ TEST(Drape, EveryVertexLiesJustAboveTheGroundAndKeepsItsColour) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::bake

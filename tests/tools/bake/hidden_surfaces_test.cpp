@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 using Stored = TileStore::StoredTriangle;
@@ -100,4 +100,4 @@ TEST(HiddenSurfaces, WhatLiesWhollyBelowTheGroundIsHidden) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::bake

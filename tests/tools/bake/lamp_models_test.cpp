@@ -11,11 +11,11 @@
 #include "support/temp_folder.h"
 #include "tools/bake/scene/materials.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
-PlacedLamp lamp(double east, double flux) {
-  PlacedLamp result;
+lights::PlacedLamp lamp(double east, double flux) {
+  lights::PlacedLamp result;
   result.foot = {391000 + east, 5819000, 35};
   result.mounting_height_m = 8;
   result.outreach = {0, 1.5};
@@ -26,7 +26,7 @@ PlacedLamp lamp(double east, double flux) {
   return result;
 }
 
-Scene written(const std::vector<PlacedLamp>& lamps) {
+Scene written(const std::vector<lights::PlacedLamp>& lamps) {
   const test::TempFolder folder;
   SceneWriter writer(folder / "city.glb", {});
   const std::uint32_t post = writer.add_material({.name = "post"});
@@ -43,7 +43,7 @@ const SceneNode* node_named(const Scene& scene, const std::string& name) {
 }
 
 TEST(LampModels, OfAWholeCityEveryLampHasOnePostAndShowsItsOwnLight) {
-  std::vector<PlacedLamp> lamps;
+  std::vector<lights::PlacedLamp> lamps;
   for (int n = 0; n < 20'000; ++n) {
     lamps.push_back(lamp(n / 2, n % 3 == 0 ? 5000 : 3000));  // two luminaires a post
     if (n % 2) lamps.back().outreach = {0, -1.5};
@@ -86,7 +86,7 @@ TEST(LampModels, StandOnTheirFeetAndReachOverTheRoad) {
 
 TEST(LampModels, APostWithoutArmEndsUnderItsLight) {
   for (const double reach : {0.0, 0.01, 0.1}) {
-    PlacedLamp lantern = lamp(0, 800);
+    lights::PlacedLamp lantern = lamp(0, 800);
     lantern.outreach = {reach, 0};
     const Scene scene = written({lantern});
     const glm::mat4& post = node_named(scene, "lamp posts")->instances.at(0).to_model;
@@ -105,7 +105,7 @@ TEST(LampModels, OnlyWhatAProfileHoldsCastsNoShadow) {
 }
 
 TEST(LampModels, EachBallNamesItsLightAndEmitsItsFlux) {
-  std::vector<PlacedLamp> lamps;
+  std::vector<lights::PlacedLamp> lamps;
   for (int i = 0; i < 10; ++i) lamps.push_back(lamp(i * 10, i % 3 ? 5000 : 9000));
   const Scene scene = written(lamps);
   std::map<std::uint32_t, double> flux_of;
@@ -140,7 +140,7 @@ TEST(LampModels, SurfacesFaceOutward) {
 }
 
 TEST(LampModels, LuminairesOnOnePostShareIt) {
-  PlacedLamp other_side = lamp(0, 5000);
+  lights::PlacedLamp other_side = lamp(0, 5000);
   other_side.outreach = -other_side.outreach;
   const Scene scene = written({lamp(0, 5000), other_side});
   EXPECT_EQ(node_named(scene, "lamp posts")->instances.size(), 1u);
@@ -158,4 +158,4 @@ TEST(Materials, HaveTheAlbedoOfTheTableAsLuminance) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::bake

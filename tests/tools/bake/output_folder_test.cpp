@@ -12,7 +12,7 @@
 #include "formats/error.h"
 #include "support/temp_folder.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 namespace fs = std::filesystem;
@@ -182,4 +182,4 @@ TEST(OutputFolder, AHiddenFolderOfAnotherNameIsNotOurs) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::bake

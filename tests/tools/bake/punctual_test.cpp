@@ -10,7 +10,7 @@
 #include "formats/rgb9e5.h"
 #include "tools/lights/optics.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 using std::numbers::pi;
@@ -42,9 +42,9 @@ Light light_of(LightKind kind, uint profile) {
 }
 
 TEST(Punctual, EveryKindOfLightKeepsItsLumens) {
-  ProfileTable table;
-  const uint street = table.add("street", make_optic(Optic::street)),
-             lantern = table.add("lantern", make_optic(Optic::lantern));
+  lights::ProfileTable table;
+  const uint street = table.add("street", lights::make_optic(lights::Optic::street)),
+             lantern = table.add("lantern", lights::make_optic(lights::Optic::lantern));
   for (const Light& light :
        {light_of(LightKind::sphere, LIGHT_NO_PROFILE), light_of(LightKind::sphere, street),
         light_of(LightKind::sphere, lantern), light_of(LightKind::rectangle, LIGHT_NO_PROFILE)})
@@ -52,9 +52,9 @@ TEST(Punctual, EveryKindOfLightKeepsItsLumens) {
 }
 
 TEST(Punctual, WhatShinesDownIsASpotAndWhatShinesAroundAPoint) {
-  ProfileTable table;
-  const uint street = table.add("street", make_optic(Optic::street)),
-             lantern = table.add("lantern", make_optic(Optic::lantern));
+  lights::ProfileTable table;
+  const uint street = table.add("street", lights::make_optic(lights::Optic::street)),
+             lantern = table.add("lantern", lights::make_optic(lights::Optic::lantern));
   const auto outer = [&](const Light& light) {
     return to_punctual(light, table.profiles, table.data).outer_rad;
   };
@@ -86,4 +86,4 @@ TEST(Punctual, TheBrightestAreKeptInTheirOrder) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::bake

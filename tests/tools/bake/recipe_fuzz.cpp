@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace nightcity;
   const test::FuzzFile file(data, size);
   try {
-    const Recipe recipe = read_recipe(file.path());
+    const bake::Recipe recipe = bake::read_recipe(file.path());
     if (recipe.city.files.empty() && recipe.osm.files.empty()) std::abort();
   } catch (const Error&) {  // what a broken recipe deserves
   }

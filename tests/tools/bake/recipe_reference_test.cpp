@@ -12,7 +12,7 @@ namespace {
 using test::TempFolder;
 
 // All tables, those of rows included, with keys that write into `recipe` and `luminaire`.
-std::vector<Table> all_tables(Recipe& recipe, LuminaireFile& luminaire) {
+std::vector<Table> all_tables(bake::Recipe& recipe, bake::LuminaireFile& luminaire) {
   std::vector<Table> tables = make_tables(recipe, {});
   tables.push_back(make_luminaire_table(luminaire, {}));
   return tables;
@@ -36,8 +36,8 @@ TEST(RecipeReference, ThePageHoldsIt) {
 }
 
 TEST(RecipeReference, EveryKeyHasWordsAndAnExample) {
-  Recipe recipe;
-  LuminaireFile luminaire;
+  bake::Recipe recipe;
+  bake::LuminaireFile luminaire;
   for (const Table& table : all_tables(recipe, luminaire)) {
     EXPECT_GT(table.help.size(), 10u) << table.name;
     for (const Key& key : table.keys) {
@@ -50,21 +50,21 @@ TEST(RecipeReference, EveryKeyHasWordsAndAnExample) {
 
 TEST(RecipeReference, EveryExampleAndDefaultCanBeRead) {
   const TempFolder folder;
-  Recipe recipe;
-  LuminaireFile luminaire;
+  bake::Recipe recipe;
+  bake::LuminaireFile luminaire;
   for (const Table& table : all_tables(recipe, luminaire))
     for (const Key& key : table.keys)
       for (const std::string& value : {key.example, key.default_value}) {
         if (value.empty()) continue;
         test::write_text(folder / "recipe.toml", to_recipe(table, key, value));
-        EXPECT_NO_THROW(read_recipe(folder / "recipe.toml")) << table.name << "." << key.name;
+        EXPECT_NO_THROW(bake::read_recipe(folder / "recipe.toml")) << table.name << "." << key.name;
       }
 }
 
 TEST(RecipeReference, NumbersBeyondTheStatedRangeAreRefused) {
   const TempFolder folder;
-  Recipe recipe;
-  LuminaireFile luminaire;
+  bake::Recipe recipe;
+  bake::LuminaireFile luminaire;
   std::size_t tried = 0;
   for (const Table& table : all_tables(recipe, luminaire))
     for (const Key& key : table.keys) {
@@ -72,7 +72,7 @@ TEST(RecipeReference, NumbersBeyondTheStatedRangeAreRefused) {
       ++tried;
       const std::string value = key.type == "number" ? "1e30" : "-1";
       test::write_text(folder / "recipe.toml", to_recipe(table, key, value));
-      EXPECT_THROW(read_recipe(folder / "recipe.toml"), UsageError) << key.name;
+      EXPECT_THROW(bake::read_recipe(folder / "recipe.toml"), UsageError) << key.name;
     }
   EXPECT_GT(tried, 10u);
 }

@@ -7,7 +7,7 @@
 #include "support/temp_folder.h"
 #include "tools/bake/city/city_frames.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 using test::TempFolder;
@@ -69,7 +69,7 @@ punctual = 50
   ASSERT_EQ(recipe.city.frame.control_points.size(), 2u);
   EXPECT_EQ(recipe.city.frame.control_points[1].model, glm::dvec2(1000.5, 1000));
   EXPECT_EQ(recipe.city.read.max_lod, 1);
-  EXPECT_EQ(recipe.city.read.reader, Reader::libcitygml);
+  EXPECT_EQ(recipe.city.read.reader, city::Reader::libcitygml);
   EXPECT_EQ(recipe.city.read.threads, 3u);
   EXPECT_EQ(recipe.city.tile_m, 500);
   EXPECT_TRUE(recipe.city.drop_ground);
@@ -85,13 +85,13 @@ punctual = 50
   EXPECT_FALSE(recipe.windows.lit);
   EXPECT_EQ(recipe.windows.seed, 42u);
   EXPECT_EQ(recipe.night.minute, 8 * 60 + 30);
-  EXPECT_EQ(recipe.lamps.hours.off.at("service").from, minute_of(0, 30));
-  EXPECT_EQ(recipe.lamps.hours.half_night.at("residential").to, minute_of(5, 0));
+  EXPECT_EQ(recipe.lamps.hours.off.at("service").from, lights::minute_of(0, 30));
+  EXPECT_EQ(recipe.lamps.hours.half_night.at("residential").to, lights::minute_of(5, 0));
   ASSERT_EQ(recipe.lamps.luminaires.size(), 2u);
   EXPECT_EQ(recipe.lamps.luminaires[0].file, folder / "s.ldt");
   EXPECT_EQ(recipe.lamps.luminaires[0].highways,
             (std::vector<std::string>{"primary", "secondary"}));
-  EXPECT_EQ(recipe.lamps.luminaires[0].types, std::vector<LampType>{LampType::led});
+  EXPECT_EQ(recipe.lamps.luminaires[0].types, std::vector<lights::LampType>{lights::LampType::led});
   EXPECT_FALSE(recipe.lamps.luminaires[0].take_flux);
   EXPECT_TRUE(recipe.lamps.luminaires[1].highways.empty());
   EXPECT_TRUE(recipe.lamps.luminaires[1].take_flux);
@@ -218,4 +218,4 @@ TEST(Recipe, KeysOfManyPartsAreRefusedBeforeTheyExhaustTheStack) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -5,7 +5,7 @@
 #include "formats/median.h"
 #include "tools/bake/report/bake_report.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 TEST(ReportText, CountsAreListedByFrequency) {
@@ -31,4 +31,4 @@ TEST(Median, IsTheGreaterOfTheTwoMiddleValues) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -6,7 +6,7 @@
 
 #include "support/temp_folder.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 using Triangle = TileStore::Triangle;
@@ -100,4 +100,4 @@ TEST(TileStore, WeldsEqualVerticesOfOneObjectOnly) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -13,7 +13,7 @@
 #include "tools/osm/read_osm.h"
 #include "tools/town/town.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 struct TownWithTraffic {
@@ -35,7 +35,7 @@ struct TownWithTraffic {
     traffic = make_city_traffic(*city, options.traffic, georeference, {});
   }
 
-  const Terrain& terrain() const { return city->terrain(); }
+  const terrain::Terrain& terrain() const { return city->terrain(); }
 
   /// Calls with every body at moments 0.9 s apart.
   template <class Visit>
@@ -82,7 +82,7 @@ TEST_P(TownTraffic, NobodyDrivesThroughAWall) {
           for (const double aside : {-1.0, 1.0})
             in_walls += town()
                             .terrain()
-                            .height_of(SurfaceClass::ground_surface,
+                            .height_of(terrain::SurfaceClass::ground_surface,
                                        glm::dvec2(place) + ahead * (along * double{half.x}) +
                                            right * (aside * double{half.z}))
                             .has_value();
@@ -95,8 +95,9 @@ TEST_P(TownTraffic, WheelsStandOnTheGroundOrTheRoadOnIt) {
   std::size_t bodies = 0, off = 0;
   double worst = 0;
   town().for_each_body([&](const VehiclePose&, const glm::vec3&, const glm::dvec3& place) {
-    const auto ground = town().terrain().height_of(SurfaceClass::terrain, glm::dvec2(place)),
-               road = town().terrain().height_of(SurfaceClass::road, glm::dvec2(place));
+    const auto ground =
+                   town().terrain().height_of(terrain::SurfaceClass::terrain, glm::dvec2(place)),
+               road = town().terrain().height_of(terrain::SurfaceClass::road, glm::dvec2(place));
     ASSERT_TRUE(ground);
     // Kerbs are a step of 12 cm beside the carriageway, the road itself lies on the ground.
     const double height = std::max(*ground, road.value_or(*ground)),
@@ -117,7 +118,7 @@ TEST(ModelStreets, AreAsLongAsTheMaps) {
   const test::TempFolder folder;
   town::write_town({}, folder.path());
   double map_km = 0, model_km = 0;
-  for (const OsmWay& way : read_osm(folder / "town.osm").highways)
+  for (const osm::OsmWay& way : osm::read_osm(folder / "town.osm").highways)
     if (const std::string& highway = way.tags.at("highway");
         highway != "footway" && highway != "pedestrian")
       for (std::size_t n = 1; n < way.lon_lat.size(); ++n) {
@@ -129,4 +130,4 @@ TEST(ModelStreets, AreAsLongAsTheMaps) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -13,17 +13,17 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace nightcity;
   const std::string text(reinterpret_cast<const char*>(data), size);
-  ReadOptions options;
+  city::ReadOptions options;
   options.threads = 1;
-  MeshReport report;
+  mesh::MeshReport report;
   try {
-    const ObjectSink sink = [&](CityObject&& object) {
-      repair_shells(object, report);
-      classify_unknown_surfaces(object);
-      for (const glm::dvec3& p : triangulate(object, report).positions)
+    const city::ObjectSink sink = [&](city::CityObject&& object) {
+      mesh::repair_shells(object, report);
+      mesh::classify_unknown_surfaces(object);
+      for (const glm::dvec3& p : mesh::triangulate(object, report).positions)
         if (!std::isfinite(p.x + p.y + p.z)) std::abort();
     };
-    read_with_stream(test::memory_document(text), options, deliver_to(sink));
+    citygml::read_with_stream(test::memory_document(text), options, city::deliver_to(sink));
   } catch (const Error&) {  // a broken document
   }
   return 0;

@@ -6,7 +6,7 @@
 #include "tests/tools/citygml/small_city.h"
 #include "tests/tools/citygml/temporary_file.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 using namespace test;
@@ -44,4 +44,4 @@ TEST(CompareReaders, AgreeOnARealTile) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -7,21 +7,21 @@
 #include "formats/error.h"
 #include "tools/citygml/read_citygml.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
-class Corpus : public testing::TestWithParam<Reader> {};
+class Corpus : public testing::TestWithParam<city::Reader> {};
 
 TEST_P(Corpus, EveryDocumentIsReadOrRefused) {
   std::size_t files = 0;
   const auto folder = std::filesystem::path(NIGHTCITY_SOURCE_DIR) / "tests/tools/citygml/corpus";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     ++files;
-    ReadOptions options;
+    city::ReadOptions options;
     options.reader = GetParam();
     try {
-      read_citygml(entry.path(), options, [](CityObject&& object) {
-        for (const Polygon& polygon : object.polygons)
+      read_citygml(entry.path(), options, [](city::CityObject&& object) {
+        for (const city::Polygon& polygon : object.polygons)
           for (const glm::dvec3& p : polygon.exterior) EXPECT_TRUE(std::isfinite(p.x + p.y + p.z));
       });
     } catch (const Error& e) {
@@ -32,11 +32,12 @@ TEST_P(Corpus, EveryDocumentIsReadOrRefused) {
   EXPECT_GE(files, 8u);
 }
 
-std::string reader_name(const testing::TestParamInfo<Reader>& info) {
-  return info.param == Reader::libcitygml ? "libcitygml" : "stream";
+std::string reader_name(const testing::TestParamInfo<city::Reader>& info) {
+  return info.param == city::Reader::libcitygml ? "libcitygml" : "stream";
 }
-INSTANTIATE_TEST_SUITE_P(CityGml, Corpus, testing::Values(Reader::stream, Reader::libcitygml),
+INSTANTIATE_TEST_SUITE_P(CityGml, Corpus,
+                         testing::Values(city::Reader::stream, city::Reader::libcitygml),
                          reader_name);
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -10,23 +10,23 @@
 #include "tests/tools/citygml/temporary_file.h"
 #include "tools/citygml/read_citygml.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 using namespace test;
 
-class Hostile : public testing::TestWithParam<Reader> {
+class Hostile : public testing::TestWithParam<city::Reader> {
  protected:
   // Returns the number of polygons delivered, -1 for an Error. Any other exception fails the test.
   static long read(const std::string& text) {
     const TemporaryFile file(text);
-    ReadOptions options;
+    city::ReadOptions options;
     options.reader = GetParam();
     options.threads = 1;
     try {
       long polygons = 0;
-      read_citygml(file.path(), options, [&](CityObject&& o) {
-        for (const Polygon& p : o.polygons) {
+      read_citygml(file.path(), options, [&](city::CityObject&& o) {
+        for (const city::Polygon& p : o.polygons) {
           ++polygons;
           EXPECT_GE(p.exterior.size(), 3u);
           for (const glm::dvec3& v : p.exterior) EXPECT_TRUE(std::isfinite(v.x + v.y + v.z));
@@ -133,7 +133,7 @@ TEST_P(Hostile, MisplacedElementsDoNoHarm) {
 TEST_P(Hostile, FileCutAtAnyByteIsAnError) {
   const std::string text = city_model(member(building("A")));
   const std::size_t end = text.rfind('>');
-  const std::size_t step = GetParam() == Reader::stream ? 1 : 37;
+  const std::size_t step = GetParam() == city::Reader::stream ? 1 : 37;
   for (std::size_t size = 0; size < end; size += step)
     ASSERT_EQ(read(text.substr(0, size)), -1) << size;
 }
@@ -143,7 +143,7 @@ TEST_P(Hostile, FlippedBytesNeverCrash) {
       city_model(member(building("A", "<bldg:measuredHeight>3</bldg:measuredHeight>")) +
                  member(building("B")));
   std::mt19937 random(3);
-  const int rounds = GetParam() == Reader::stream ? 3000 : 200;
+  const int rounds = GetParam() == city::Reader::stream ? 3000 : 200;
   for (int round = 0; round < rounds; ++round) {
     std::string broken = text;
     for (int i = 0; i < 1 + round % 5; ++i) {
@@ -157,7 +157,7 @@ TEST_P(Hostile, FlippedBytesNeverCrash) {
 TEST_P(Hostile, ShuffledElementsNeverCrash) {
   const std::string text = city_model(member(building("A")) + member(building("B")));
   std::mt19937 random(5);
-  const int rounds = GetParam() == Reader::stream ? 1000 : 100;
+  const int rounds = GetParam() == city::Reader::stream ? 1000 : 100;
   for (int round = 0; round < rounds; ++round) {
     std::string broken = text;
     const std::size_t from = random() % broken.size(), length = random() % 200,
@@ -167,11 +167,12 @@ TEST_P(Hostile, ShuffledElementsNeverCrash) {
   }
 }
 
-std::string reader_name(const testing::TestParamInfo<Reader>& info) {
-  return info.param == Reader::libcitygml ? "libcitygml" : "stream";
+std::string reader_name(const testing::TestParamInfo<city::Reader>& info) {
+  return info.param == city::Reader::libcitygml ? "libcitygml" : "stream";
 }
-INSTANTIATE_TEST_SUITE_P(CityGml, Hostile, testing::Values(Reader::stream, Reader::libcitygml),
+INSTANTIATE_TEST_SUITE_P(CityGml, Hostile,
+                         testing::Values(city::Reader::stream, city::Reader::libcitygml),
                          reader_name);
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::citygml

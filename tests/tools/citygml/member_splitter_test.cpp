@@ -9,7 +9,7 @@
 
 #include "formats/error.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 // Delivers a text in pieces of `step` bytes, so that every construct crosses a boundary once.
@@ -147,7 +147,7 @@ TEST(MemberSplitter, BrokenDocumentsAreErrorsWithALine) {
       ADD_FAILURE() << text;
     } catch (const Error& e) {
       EXPECT_NE(std::string(e.what()).find("test.gml:2: "), std::string::npos) << text << "\n"
-                                                                                   << e.what();
+                                                                               << e.what();
     }
   }
 }
@@ -177,4 +177,4 @@ TEST(MemberSplitter, VersionIsTheNewestNamedAndBomIsSkipped) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -11,34 +11,34 @@
 #include "tests/tools/citygml/temporary_file.h"
 #include "tools/citygml/read_citygml.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 using namespace test;
 
 struct City {
-  std::vector<CityObject> objects;
-  ReadReport report;
+  std::vector<city::CityObject> objects;
+  city::ReadReport report;
 };
 
-class BothReaders : public testing::TestWithParam<Reader> {
+class BothReaders : public testing::TestWithParam<city::Reader> {
  protected:
   City read(const std::string& text, int max_lod = 2) const {
     const TemporaryFile file(text);
     City city;
-    ReadOptions options;
+    city::ReadOptions options;
     options.reader = GetParam();
     options.max_lod = max_lod;
     city.report = read_citygml(file.path(), options,
-                               [&](CityObject&& o) { city.objects.push_back(std::move(o)); });
+                               [&](city::CityObject&& o) { city.objects.push_back(std::move(o)); });
     return city;
   }
 };
 
-std::size_t count_of(const CityObject& object, SurfaceType surface) {
+std::size_t count_of(const city::CityObject& object, city::SurfaceType surface) {
   return static_cast<std::size_t>(
       std::count_if(object.polygons.begin(), object.polygons.end(),
-                    [&](const Polygon& p) { return p.surface == surface; }));
+                    [&](const city::Polygon& p) { return p.surface == surface; }));
 }
 
 TEST_P(BothReaders, BuildingIsOneObjectWithItsSurfacesAndNothingTwice) {
@@ -48,15 +48,15 @@ TEST_P(BothReaders, BuildingIsOneObjectWithItsSurfacesAndNothingTwice) {
   EXPECT_EQ(city.report.polygons, 6u);
   EXPECT_EQ(city.report.version, "2.0");
   EXPECT_EQ(city.report.srs_name, "EPSG:25833");
-  const CityObject& a = city.objects[0];
+  const city::CityObject& a = city.objects[0];
   EXPECT_EQ(a.id, "A");
-  EXPECT_EQ(a.type, ObjectType::building);
+  EXPECT_EQ(a.type, city::ObjectType::building);
   EXPECT_EQ(a.class_name, "Building");
   EXPECT_EQ(a.lod, 2);
   ASSERT_EQ(a.polygons.size(), 3u);
-  EXPECT_EQ(count_of(a, SurfaceType::wall), 1u);
-  EXPECT_EQ(count_of(a, SurfaceType::roof), 1u);
-  EXPECT_EQ(count_of(a, SurfaceType::ground), 1u);
+  EXPECT_EQ(count_of(a, city::SurfaceType::wall), 1u);
+  EXPECT_EQ(count_of(a, city::SurfaceType::roof), 1u);
+  EXPECT_EQ(count_of(a, city::SurfaceType::ground), 1u);
   EXPECT_EQ(city.objects[1].id, "B");
 }
 
@@ -69,7 +69,7 @@ TEST_P(BothReaders, RingsComeOpenAndInDouble) {
                                       "33395124.125 5819001.0625 1 33395123.125 5819000.0625 1"))) +
       "</bldg:Building>")));
   ASSERT_EQ(city.objects.size(), 1u);
-  const Ring& ring = city.objects[0].polygons.at(0).exterior;
+  const city::Ring& ring = city.objects[0].polygons.at(0).exterior;
   ASSERT_EQ(ring.size(), 3u);
   EXPECT_EQ(ring[0], glm::dvec3(33395123.125, 5819000.0625, 1));
   EXPECT_EQ(city.objects[0].polygons[0].id, "p");
@@ -106,7 +106,7 @@ TEST_P(BothReaders, AttributesAreReadAndSentinelsAreAbsent) {
                       "<bldg:measuredHeight uom=\"m\">-9999</bldg:measuredHeight>"
                       "<bldg:storeysAboveGround>9999</bldg:storeysAboveGround>"))));
   ASSERT_EQ(city.objects.size(), 2u);
-  const CityObject& a = city.objects[0];
+  const city::CityObject& a = city.objects[0];
   EXPECT_EQ(a.building_class, "1000");
   EXPECT_EQ(a.function, "31001_1010");
   EXPECT_EQ(a.usage, "Wohnhaus & Laden");
@@ -171,10 +171,10 @@ TEST_P(BothReaders, TerrainAndRoadsKnowWhatTheyAre) {
       "</tran:lod1MultiSurface></tran:Road>";
   const City city = read(city_model(member(relief) + member(road)));
   ASSERT_EQ(city.objects.size(), 2u);
-  EXPECT_EQ(city.objects[0].type, ObjectType::relief);
+  EXPECT_EQ(city.objects[0].type, city::ObjectType::relief);
   ASSERT_EQ(city.objects[0].polygons.size(), 2u);
-  EXPECT_EQ(city.objects[0].polygons[0].surface, SurfaceType::terrain);
-  EXPECT_EQ(city.objects[1].type, ObjectType::road);
+  EXPECT_EQ(city.objects[0].polygons[0].surface, city::SurfaceType::terrain);
+  EXPECT_EQ(city.objects[1].type, city::ObjectType::road);
   EXPECT_EQ(city.objects[1].function, "1");
   EXPECT_EQ(city.objects[1].polygons.size(), 1u);
 }
@@ -187,8 +187,8 @@ TEST_P(BothReaders, UnknownMemberIsCountedAndTheNextIsRead) {
                         "</urf:lod1MultiSurface></urf:UseDistrict>") +
                  member(building("B"))));
   std::vector<std::string> ids;
-  for (const CityObject& o : city.objects)
-    if (o.type == ObjectType::building) ids.push_back(o.id);
+  for (const city::CityObject& o : city.objects)
+    if (o.type == city::ObjectType::building) ids.push_back(o.id);
   EXPECT_EQ(ids, (std::vector<std::string>{"A", "B"}));
 }
 
@@ -243,11 +243,12 @@ TEST_P(BothReaders, WhatIsNotCityGmlIsAnError) {
                                  "\xff\xfe<\0a\0", "<core:CityModel>",
                                  "<core:CityModel><cityObjectMember></core:CityModel>"})
     EXPECT_THROW(read(text), Error) << text;
-  ReadOptions options;
+  city::ReadOptions options;
   options.reader = GetParam();
-  EXPECT_THROW(read_citygml("/nowhere/at/all.gml", options, [](CityObject&&) {}), Error);
-  EXPECT_THROW(read_citygml(std::filesystem::temp_directory_path(), options, [](CityObject&&) {}),
-               Error);
+  EXPECT_THROW(read_citygml("/nowhere/at/all.gml", options, [](city::CityObject&&) {}), Error);
+  EXPECT_THROW(
+      read_citygml(std::filesystem::temp_directory_path(), options, [](city::CityObject&&) {}),
+      Error);
 }
 
 TEST_P(BothReaders, FileCutOffAnywhereIsAnErrorNeverASmallerCity) {
@@ -263,11 +264,12 @@ TEST_P(BothReaders, EmptyCityIsACityWithoutObjects) {
   EXPECT_TRUE(read("<CityModel xmlns=\"http://www.opengis.net/citygml/1.0\"/>").objects.empty());
 }
 
-std::string name_of_reader(const testing::TestParamInfo<Reader>& info) {
-  return info.param == Reader::libcitygml ? "libcitygml" : "stream";
+std::string name_of_reader(const testing::TestParamInfo<city::Reader>& info) {
+  return info.param == city::Reader::libcitygml ? "libcitygml" : "stream";
 }
-INSTANTIATE_TEST_SUITE_P(CityGml, BothReaders, testing::Values(Reader::stream, Reader::libcitygml),
+INSTANTIATE_TEST_SUITE_P(CityGml, BothReaders,
+                         testing::Values(city::Reader::stream, city::Reader::libcitygml),
                          name_of_reader);
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::citygml

@@ -28,7 +28,7 @@
 #include "tools/citygml/member_splitter.h"
 #include "tools/citygml/read_citygml.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 struct Measured {
@@ -41,7 +41,7 @@ struct Measured {
 };
 
 // "12 app:theme, 3 gen:value", the most frequent first.
-std::string in_words(const ReadReport& report) {
+std::string in_words(const city::ReadReport& report) {
   std::vector<std::pair<std::string, std::size_t>> sorted(report.skipped.begin(),
                                                           report.skipped.end());
   std::stable_sort(sorted.begin(), sorted.end(),
@@ -87,7 +87,8 @@ double cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-Measured measure_here(const std::filesystem::path& file, const ReadOptions& options, int rounds) {
+Measured measure_here(const std::filesystem::path& file, const city::ReadOptions& options,
+                      int rounds) {
   Measured best;
   best.seconds = 1e30;
   best.cpu_seconds = 1e30;
@@ -96,7 +97,7 @@ Measured measure_here(const std::filesystem::path& file, const ReadOptions& opti
   for (int round = 0; round < rounds || (total < 0.2 && round < 200); ++round) {
     const auto start = std::chrono::steady_clock::now();
     const double cpu_start = cpu_seconds();
-    const ReadReport report = read_citygml(file, options, [](CityObject&&) {});
+    const city::ReadReport report = read_citygml(file, options, [](city::CityObject&&) {});
     const double cpu = cpu_seconds() - cpu_start;
     best.cpu_seconds = std::min(best.cpu_seconds, cpu);
     const double seconds =
@@ -117,7 +118,7 @@ Measured measure_here(const std::filesystem::path& file, const ReadOptions& opti
   return best;
 }
 
-Measured measure(const std::filesystem::path& file, const ReadOptions& options, int rounds) {
+Measured measure(const std::filesystem::path& file, const city::ReadOptions& options, int rounds) {
   int channel[2];
   if (::pipe(channel) != 0) throw Error("", "cannot make a pipe");
   const pid_t child = ::fork();
@@ -141,8 +142,8 @@ Measured measure(const std::filesystem::path& file, const ReadOptions& options, 
   return m;
 }
 
-ReadOptions options_for(Reader reader, unsigned threads) {
-  ReadOptions options;
+city::ReadOptions options_for(city::Reader reader, unsigned threads) {
+  city::ReadOptions options;
   options.reader = reader;
   options.threads = threads;
   return options;
@@ -156,8 +157,8 @@ double megabytes_of(const std::filesystem::path& file) {
 // disturb it.
 void print_row(const std::filesystem::path& file, int rounds) {
   try {
-    const Measured other = measure(file, options_for(Reader::libcitygml, 1), rounds);
-    const Measured one = measure(file, options_for(Reader::stream, 1), rounds);
+    const Measured other = measure(file, options_for(city::Reader::libcitygml, 1), rounds);
+    const Measured one = measure(file, options_for(city::Reader::stream, 1), rounds);
     const std::string name =
         file.parent_path().filename().string() + "/" + file.filename().string();
     std::printf(
@@ -178,7 +179,7 @@ void print_table(const std::filesystem::path& file, unsigned threads, int rounds
   const double megabytes = megabytes_of(file);
   std::printf("%s: %.1f MB\n%-22s %9s %9s %9s %9s %10s %10s\n", file.c_str(), megabytes, "reader",
               "s", "CPU s", "MB/s", "peak MB", "objects", "polygons");
-  const auto line = [&](const char* name, Reader reader, unsigned n) {
+  const auto line = [&](const char* name, city::Reader reader, unsigned n) {
     const Measured m = measure(file, options_for(reader, n), rounds);
     std::printf("%-22s %9.3f %9.3f %9.1f %9.1f %10zu %10zu\n", name, m.seconds, m.cpu_seconds,
                 megabytes / m.seconds, m.peak_mb, m.objects, m.polygons);
@@ -186,9 +187,9 @@ void print_table(const std::filesystem::path& file, unsigned threads, int rounds
     return m;
   };
   std::optional<Measured> second_opinion;
-  if (!stream_only) second_opinion = line("libcitygml", Reader::libcitygml, 1);
-  const Measured one = line("stream, one thread", Reader::stream, 1);
-  const Measured all = line("stream, all threads", Reader::stream, threads);
+  if (!stream_only) second_opinion = line("libcitygml", city::Reader::libcitygml, 1);
+  const Measured one = line("stream, one thread", city::Reader::stream, 1);
+  const Measured all = line("stream, all threads", city::Reader::stream, threads);
   if (second_opinion)
     std::printf("stream / libcitygml on one core: %.2f times as fast (CPU time: %.2f); ",
                 second_opinion->seconds / one.seconds,
@@ -236,11 +237,11 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::citygml
 
 int main(int argc, char** argv) {
   try {
-    return nightcity::run(argc, argv);
+    return nightcity::citygml::run(argc, argv);
   } catch (const std::exception& e) {
     std::cerr << e.what() << '\n';
     return 1;

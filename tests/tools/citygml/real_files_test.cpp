@@ -13,7 +13,7 @@
 #include "tools/citygml/read_citygml.h"
 #include "tools/citygml/tag_scanner.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 std::vector<std::filesystem::path> city_files(const std::filesystem::path& root) {
@@ -47,7 +47,7 @@ struct Tally {
 };
 
 // `largest`: longer files are left out, in bytes.
-Tally read_all(const std::filesystem::path& root, Reader reader, std::uintmax_t largest) {
+Tally read_all(const std::filesystem::path& root, city::Reader reader, std::uintmax_t largest) {
   Tally tally;
   for (const std::filesystem::path& file : city_files(root)) {
     if (std::filesystem::file_size(file) > largest) continue;
@@ -55,12 +55,12 @@ Tally read_all(const std::filesystem::path& root, Reader reader, std::uintmax_t 
     std::ostringstream text;
     text << std::ifstream(file, std::ios::binary).rdbuf();
     const std::size_t truth = polygons_in(text.str());
-    ReadOptions options;
+    city::ReadOptions options;
     options.reader = reader;
     try {
       std::size_t delivered = 0;
-      const ReadReport report =
-          read_citygml(file, options, [&](CityObject&& o) { delivered += o.polygons.size(); });
+      const city::ReadReport report = read_citygml(
+          file, options, [&](city::CityObject&& o) { delivered += o.polygons.size(); });
       std::size_t reported = 0;
       for (const auto& [what, count] : report.skipped)
         if (what.starts_with("polygon: ")) reported += count;
@@ -77,34 +77,35 @@ Tally read_all(const std::filesystem::path& root, Reader reader, std::uintmax_t 
   return tally;
 }
 
-class RealFiles : public testing::TestWithParam<Reader> {};
+class RealFiles : public testing::TestWithParam<city::Reader> {};
 
 TEST_P(RealFiles, EveryPolygonIsDeliveredOrReported) {
   REAL_DATA(root, ".");
   // libcitygml is slow: the small files are enough to show every producer.
   const Tally tally =
-      read_all(root, GetParam(), GetParam() == Reader::stream ? UINTMAX_MAX : 500'000);
+      read_all(root, GetParam(), GetParam() == city::Reader::stream ? UINTMAX_MAX : 500'000);
   EXPECT_GT(tally.files, 100u);
   EXPECT_LE(tally.refused, 1u);  // the one IndoorGML file
   std::printf("%zu files, %zu refused; %zu polygons: %zu delivered, %zu reported\n", tally.files,
               tally.refused, tally.in_files, tally.delivered, tally.reported);
 }
 
-std::string reader_name(const testing::TestParamInfo<Reader>& info) {
-  return info.param == Reader::libcitygml ? "libcitygml" : "stream";
+std::string reader_name(const testing::TestParamInfo<city::Reader>& info) {
+  return info.param == city::Reader::libcitygml ? "libcitygml" : "stream";
 }
-INSTANTIATE_TEST_SUITE_P(CityGml, RealFiles, testing::Values(Reader::stream, Reader::libcitygml),
+INSTANTIATE_TEST_SUITE_P(CityGml, RealFiles,
+                         testing::Values(city::Reader::stream, city::Reader::libcitygml),
                          reader_name);
 
 // The content of a file, counted by hand.
 TEST(RealFile, MunichCrossingOfCityGml3HasItsTrafficAreas) {
   REAL_DATA(file, "munich/TUM_citygml_V3_update.gml");
   std::size_t areas = 0, roads = 0;
-  read_citygml(file, {}, [&](CityObject&& o) {
-    roads += o.type == ObjectType::road;
-    areas += static_cast<std::size_t>(
-        std::count_if(o.polygons.begin(), o.polygons.end(),
-                      [](const Polygon& p) { return p.surface == SurfaceType::traffic_area; }));
+  read_citygml(file, {}, [&](city::CityObject&& o) {
+    roads += o.type == city::ObjectType::road;
+    areas += static_cast<std::size_t>(std::count_if(
+        o.polygons.begin(), o.polygons.end(),
+        [](const city::Polygon& p) { return p.surface == city::SurfaceType::traffic_area; }));
   });
   EXPECT_EQ(roads, 4u);
   EXPECT_EQ(areas, 141u);
@@ -112,11 +113,11 @@ TEST(RealFile, MunichCrossingOfCityGml3HasItsTrafficAreas) {
 
 TEST(RealFile, SentinelStoreysAreAbsent) {
   REAL_DATA(file, "osaka/bldg/51357353_bldg_6697_op.gml");
-  read_citygml(file, {}, [&](CityObject&& o) {
+  read_citygml(file, {}, [&](city::CityObject&& o) {
     EXPECT_LT(o.storeys_above_ground.value_or(0), 500);
     EXPECT_GT(o.measured_height_m.value_or(1), 0);
   });
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::citygml

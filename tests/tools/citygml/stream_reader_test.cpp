@@ -15,30 +15,30 @@
 #include "tools/citygml/citygml_head.h"
 #include "tools/citygml/read_citygml.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 using namespace test;
 
 struct City {
-  std::vector<CityObject> objects;
-  ReadReport report;
-  const CityObject* find(const std::string& id) const {
-    for (const CityObject& o : objects)
+  std::vector<city::CityObject> objects;
+  city::ReadReport report;
+  const city::CityObject* find(const std::string& id) const {
+    for (const city::CityObject& o : objects)
       if (o.id == id) return &o;
     return nullptr;
   }
 };
 
-City read_file(const std::filesystem::path& path, ReadOptions options = {}) {
+City read_file(const std::filesystem::path& path, city::ReadOptions options = {}) {
   City city;
-  options.reader = Reader::stream;
-  city.report =
-      read_citygml(path, options, [&](CityObject&& o) { city.objects.push_back(std::move(o)); });
+  options.reader = city::Reader::stream;
+  city.report = read_citygml(path, options,
+                             [&](city::CityObject&& o) { city.objects.push_back(std::move(o)); });
   return city;
 }
 
-City read(const std::string& text, ReadOptions options = {}) {
+City read(const std::string& text, city::ReadOptions options = {}) {
   return read_file(TemporaryFile(text).path(), options);
 }
 
@@ -75,7 +75,7 @@ void pack_zip(const std::filesystem::path& path,
   ASSERT_EQ(zip_close(zip), 0);
 }
 
-glm::dvec3 area(const Ring& ring) {
+glm::dvec3 area(const city::Ring& ring) {
   glm::dvec3 sum{0};
   for (std::size_t i = 1; i + 1 < ring.size(); ++i)
     sum += glm::cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
@@ -208,9 +208,9 @@ TEST(StreamReader, ImplicitGeometryIsSetDownByMatrixAndReferencePoint) {
   ASSERT_EQ(city.objects.size(), 2u);
   // A quarter turn (x to y), twice as large, 5 up, then to the reference point.
   EXPECT_EQ(city.find("one")->polygons.at(0).exterior,
-            (Ring{{1000, 2000, 35}, {1000, 2002, 35}, {998, 2002, 35}}));
+            (city::Ring{{1000, 2000, 35}, {1000, 2002, 35}, {998, 2002, 35}}));
   EXPECT_EQ(city.find("two")->polygons.at(0).exterior,
-            (Ring{{1100, 2000, 35}, {1100, 2002, 35}, {1098, 2002, 35}}));
+            (city::Ring{{1100, 2000, 35}, {1100, 2002, 35}, {1098, 2002, 35}}));
 }
 
 TEST(StreamReader, XlinksLeadIntoFilesOfTheSameCityAndNoOthers) {
@@ -233,13 +233,13 @@ TEST(StreamReader, XlinksLeadIntoFilesOfTheSameCityAndNoOthers) {
   EXPECT_EQ(city.report.skipped.at(elsewhere + file_name(owner) + ")"), 2u);
   EXPECT_EQ(city.report.skipped.at(elsewhere + file_name(other_crs) + ")"), 1u);
 
-  ReadOptions options;
+  city::ReadOptions options;
   options.neighbours = std::make_shared<const std::set<std::filesystem::path>>(
       std::set{owner.path(), other_crs.path(), user.path()});
   city = read_file(user.path(), options);
   ASSERT_EQ(city.objects.size(), 1u);
   ASSERT_EQ(city.find("user")->polygons.size(), 1u);
-  EXPECT_EQ(city.find("user")->polygons[0].surface, SurfaceType::unknown);
+  EXPECT_EQ(city.find("user")->polygons[0].surface, city::SurfaceType::unknown);
   EXPECT_EQ(city.find("user")->polygons[0].exterior,
             read_file(owner.path()).find("owner")->polygons[0].exterior);
   EXPECT_EQ(city.report.skipped.count(elsewhere + file_name(owner) + ")"), 0u);
@@ -317,12 +317,12 @@ TEST(StreamReader, CityGml3IsReadUnderAnyPrefix) {
   const City city = read(text);
   EXPECT_EQ(city.report.version, "3.0");
   ASSERT_EQ(city.objects.size(), 2u);
-  EXPECT_EQ(city.objects[0].polygons.at(0).surface, SurfaceType::wall);
+  EXPECT_EQ(city.objects[0].polygons.at(0).surface, city::SurfaceType::wall);
   EXPECT_EQ(city.objects[0].measured_height_m, 17.5);
   EXPECT_EQ(city.objects[0].year, "1987");
   EXPECT_EQ(city.objects[0].storeys_above_ground, 5);
-  EXPECT_EQ(city.objects[1].type, ObjectType::road);
-  EXPECT_EQ(city.objects[1].polygons.at(0).surface, SurfaceType::traffic_area);
+  EXPECT_EQ(city.objects[1].type, city::ObjectType::road);
+  EXPECT_EQ(city.objects[1].polygons.at(0).surface, city::SurfaceType::traffic_area);
 }
 
 TEST(StreamReader, EveryElementNotUsedIsCountedByName) {
@@ -368,8 +368,8 @@ TEST(StreamReader, Gml2CoordinatesPointsAndTwoDimensionsAreRead) {
                   "5 0 5 5 0 0"
                   "</gml:posList></gml:LinearRing></gml:exterior></gml:Polygon>"))));
   ASSERT_EQ(city.objects.at(0).polygons.size(), 2u);
-  EXPECT_EQ(city.objects[0].polygons[0].exterior, (Ring{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}}));
-  EXPECT_EQ(city.objects[0].polygons[1].exterior, (Ring{{0, 0, 0}, {5, 0, 0}, {5, 5, 0}}));
+  EXPECT_EQ(city.objects[0].polygons[0].exterior, (city::Ring{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}}));
+  EXPECT_EQ(city.objects[0].polygons[1].exterior, (city::Ring{{0, 0, 0}, {5, 0, 0}, {5, 5, 0}}));
 }
 
 TEST(StreamReader, MassPointsBreakLinesAndGmlTinAreRead) {
@@ -393,7 +393,7 @@ TEST(StreamReader, MassPointsBreakLinesAndGmlTinAreRead) {
       "dem:reliefComponent></dem:ReliefFeature>");
   ASSERT_EQ(city.objects.size(), 1u);
   EXPECT_EQ(city.objects[0].points, (std::vector<glm::dvec3>{{1, 2, 3}}));
-  EXPECT_EQ(city.objects[0].lines, (std::vector<Ring>{{{4, 5, 6}, {7, 8, 9}}}));
+  EXPECT_EQ(city.objects[0].lines, (std::vector<city::Ring>{{{4, 5, 6}, {7, 8, 9}}}));
   EXPECT_EQ(city.objects[0].polygons.size(), 1u);
 }
 
@@ -404,10 +404,11 @@ TEST(StreamReader, ManyThreadsGiveTheSameCityAsOne) {
         member(i % 500 == 7 ? building_of(numbered("far", i), lod2_solid(xlink_member("b0_r")))
                             : building(numbered("b", i), "<bldg:roofType>1</bldg:roofType>"));
   const TemporaryFile file(city_model(members));
-  const City one = read_file(file.path(), {.max_lod = 2, .reader = Reader::stream, .threads = 1});
+  const City one =
+      read_file(file.path(), {.max_lod = 2, .reader = city::Reader::stream, .threads = 1});
   for (int round = 0; round < 3; ++round) {
     const City four =
-        read_file(file.path(), {.max_lod = 2, .reader = Reader::stream, .threads = 4});
+        read_file(file.path(), {.max_lod = 2, .reader = city::Reader::stream, .threads = 4});
     ASSERT_EQ(one.objects.size(), four.objects.size());
     for (std::size_t i = 0; i < one.objects.size(); ++i) {
       ASSERT_EQ(one.objects[i].id, four.objects[i].id);
@@ -494,7 +495,8 @@ TEST(StreamReader, ObjectsInFeatureMembersAndWithoutIdAreRead) {
 }
 
 TEST(CityGmlHead, TellsCrsVersionAndClosedRings) {
-  const CityHead head = read_citygml_head(TemporaryFile(city_model(member(building("A")))).path());
+  const city::CityHead head =
+      read_citygml_head(TemporaryFile(city_model(member(building("A")))).path());
   EXPECT_EQ(head.version, "2.0");
   EXPECT_EQ(head.srs_name, "EPSG:25833");
   ASSERT_EQ(head.sample.size(), 15u);  // three rings of four, each closed again
@@ -502,4 +504,4 @@ TEST(CityGmlHead, TellsCrsVersionAndClosedRings) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::citygml

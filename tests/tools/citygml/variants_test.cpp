@@ -17,20 +17,20 @@
 #include "tools/citygml/citygml_head.h"
 #include "tools/citygml/read_citygml.h"
 
-namespace nightcity {
+namespace nightcity::citygml {
 namespace {
 
 using namespace test;
 
 struct City {
-  std::vector<CityObject> objects;
-  ReadReport report;
+  std::vector<city::CityObject> objects;
+  city::ReadReport report;
 };
 
 City read_file(const std::filesystem::path& path) {
   City city;
   city.report =
-      read_citygml(path, {}, [&](CityObject&& o) { city.objects.push_back(std::move(o)); });
+      read_citygml(path, {}, [&](city::CityObject&& o) { city.objects.push_back(std::move(o)); });
   return city;
 }
 
@@ -60,8 +60,8 @@ std::string pos_list(const std::string& numbers) {
   return "<gml:posList>" + numbers + "</gml:posList>";
 }
 
-double area_of(const Polygon& polygon) {
-  return glm::length(area_vector(polygon.exterior));
+double area_of(const city::Polygon& polygon) {
+  return glm::length(city::area_vector(polygon.exterior));
 }
 
 TEST(Variants, RingsOfCurvesAreRead) {
@@ -159,15 +159,15 @@ TEST(Variants, FootprintsWithAHeightBecomeBlocks) {
         Case{"lod0RoofEdge", "0 0 50 9 0 50 9 8 50 0 8 50 0 0 50", 41, 50},
         Case{"lod0FootPrint", "0 0 50 0 8 50 9 8 50 9 0 50 0 0 50", 50, 59}}) {
     const City city = read_member(flat(c.property, c.numbers, height));
-    const CityObject& block = city.objects.at(0);
+    const city::CityObject& block = city.objects.at(0);
     ASSERT_EQ(block.polygons.size(), 6u);
-    EXPECT_EQ(block.polygons[0].surface, SurfaceType::ground);
+    EXPECT_EQ(block.polygons[0].surface, city::SurfaceType::ground);
     EXPECT_EQ(block.polygons[0].exterior[0].z, c.foot);
-    EXPECT_LT(area_vector(block.polygons[0].exterior).z, 0);
-    EXPECT_EQ(block.polygons[1].surface, SurfaceType::roof);
+    EXPECT_LT(city::area_vector(block.polygons[0].exterior).z, 0);
+    EXPECT_EQ(block.polygons[1].surface, city::SurfaceType::roof);
     EXPECT_EQ(block.polygons[1].exterior[0].z, c.top);
     glm::dvec3 sum{0};
-    for (const Polygon& p : block.polygons) sum += area_vector(p.exterior);
+    for (const city::Polygon& p : block.polygons) sum += city::area_vector(p.exterior);
     EXPECT_NEAR(glm::length(sum), 0, 1e-9) << "a closed shell";
     EXPECT_EQ(city.report.extruded, 1u);
     EXPECT_EQ(city.report.warnings.size(), 1u);
@@ -198,12 +198,12 @@ TEST(Variants, ClassesOfExtensionsStandForThoseTheyDeriveFrom) {
       "<bldg:lod2MultiSurface>" +
       multi_surface(surface_member(polygon("b", square_at_zero))) +
       "</bldg:lod2MultiSurface></uro:Skin></bldg:boundedBy></uro:UndergroundBuilding>");
-  const CityObject& object = city.objects.at(0);
-  EXPECT_EQ(object.type, ObjectType::building);
+  const city::CityObject& object = city.objects.at(0);
+  EXPECT_EQ(object.type, city::ObjectType::building);
   EXPECT_EQ(object.class_name, "UndergroundBuilding");
   ASSERT_EQ(object.polygons.size(), 2u);
-  EXPECT_EQ(object.polygons[0].surface, SurfaceType::roof);
-  EXPECT_EQ(object.polygons[1].surface, SurfaceType::unknown);
+  EXPECT_EQ(object.polygons[0].surface, city::SurfaceType::roof);
+  EXPECT_EQ(object.polygons[1].surface, city::SurfaceType::unknown);
 }
 
 TEST(Variants, AGeometrysOwnCrsWinsOverTheEnvelopes) {
@@ -275,4 +275,4 @@ TEST(Variants, MetadataAndCodeListsInAnArchiveArePassedOverWithANote) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::citygml

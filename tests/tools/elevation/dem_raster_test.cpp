@@ -7,7 +7,7 @@
 #include "support/temp_folder.h"
 #include "tools/elevation/rasters.h"
 
-namespace nightcity {
+namespace nightcity::elevation {
 namespace {
 
 TEST(DemRaster, APlaneIsMetEverywhereInside) {
@@ -73,4 +73,4 @@ TEST(DemRaster, WhatIsNoRasterIsAnErrorThatNamesIt) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::elevation

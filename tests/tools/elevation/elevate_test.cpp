@@ -9,7 +9,7 @@
 #include "tools/elevation/rasters.h"
 #include "tools/elevation/stand_in.h"
 
-namespace nightcity {
+namespace nightcity::elevation {
 namespace {
 
 using test::StandIn;
@@ -19,15 +19,15 @@ glm::dvec2 to_frame(const glm::dvec2& lon_lat) {
   return (lon_lat - glm::dvec2(13, 52)) * 100'000.0;
 }
 
-OsmLampNode lamp(std::int64_t id, double east, double north) {
+osm::OsmLampNode lamp(std::int64_t id, double east, double north) {
   return {id, glm::dvec2(13, 52) + glm::dvec2(east, north) / 100'000.0, {}};
 }
 
-TriangleMesh square(double x0, double y0, double x1, double y1, double height) {
-  TriangleMesh mesh;
+mesh::TriangleMesh square(double x0, double y0, double x1, double y1, double height) {
+  mesh::TriangleMesh mesh;
   mesh.positions = {{x0, y0, height}, {x1, y0, height}, {x1, y1, height}, {x0, y1, height}};
   for (const auto& corners : {std::array<std::uint32_t, 3>{0, 1, 2}, {0, 2, 3}}) {
-    MeshTriangle triangle{};
+    mesh::MeshTriangle triangle{};
     for (std::size_t k = 0; k < 3; ++k) triangle.vertex[k] = corners[k];
     mesh.triangles.push_back(triangle);
   }
@@ -35,16 +35,17 @@ TriangleMesh square(double x0, double y0, double x1, double y1, double height) {
 }
 
 TEST(Elevate, TerrainAndRoadsWinOverBuildings) {
-  Terrain terrain;
-  terrain.add(square(0, 0, 100, 100, 30), SurfaceClass::terrain);
-  terrain.add(square(100, 0, 200, 100, 33), SurfaceClass::road);
-  terrain.add(square(40, 40, 60, 60, 30.5), SurfaceClass::ground_surface);
-  terrain.add(square(40, 40, 60, 60, 45), SurfaceClass::roof);
-  terrain.add(square(140, 40, 160, 60, 60), SurfaceClass::roof);
-  terrain.add(square(240, 40, 260, 60, 50), SurfaceClass::roof);
+  terrain::Terrain terrain;
+  terrain.add(square(0, 0, 100, 100, 30), terrain::SurfaceClass::terrain);
+  terrain.add(square(100, 0, 200, 100, 33), terrain::SurfaceClass::road);
+  terrain.add(square(40, 40, 60, 60, 30.5), terrain::SurfaceClass::ground_surface);
+  terrain.add(square(40, 40, 60, 60, 45), terrain::SurfaceClass::roof);
+  terrain.add(square(140, 40, 160, 60, 60), terrain::SurfaceClass::roof);
+  terrain.add(square(240, 40, 260, 60, 50), terrain::SurfaceClass::roof);
   terrain.build(0);
-  const std::vector<OsmLampNode> lamps = {lamp(1, 10, 10),  lamp(2, 50, 50),  lamp(3, 150, 50),
-                                          lamp(4, 250, 50), lamp(5, 900, 50), lamp(6, 10.1, 10.1)};
+  const std::vector<osm::OsmLampNode> lamps = {lamp(1, 10, 10),  lamp(2, 50, 50),
+                                               lamp(3, 150, 50), lamp(4, 250, 50),
+                                               lamp(5, 900, 50), lamp(6, 10.1, 10.1)};
   const Elevations found = elevate_lamps(lamps, {&terrain, to_frame, nullptr, nullptr});
   EXPECT_NEAR(found.heights.at(1), 30, 1e-9);
   EXPECT_NEAR(found.heights.at(2), 30, 1e-9);
@@ -59,8 +60,8 @@ TEST(Elevate, TerrainAndRoadsWinOverBuildings) {
 }
 
 TEST(Elevate, RasterAndServiceAreBroughtToTheModelsHeightsByOneRobustNumber) {
-  Terrain terrain;
-  terrain.add(square(0, 0, 1000, 1000, 30), SurfaceClass::terrain);
+  terrain::Terrain terrain;
+  terrain.add(square(0, 0, 1000, 1000, 30), terrain::SurfaceClass::terrain);
   terrain.build(0);
   // The raster says 75 m where the model says 30, but for one cell of nonsense; it ends at 1500 m.
   const test::TempFolder folder;
@@ -76,7 +77,7 @@ TEST(Elevate, RasterAndServiceAreBroughtToTheModelsHeightsByOneRobustNumber) {
   });
   ElevationServiceOptions service;
   service.url = server.url();
-  std::vector<OsmLampNode> lamps;
+  std::vector<osm::OsmLampNode> lamps;
   for (int n = 0; n < 9; ++n) lamps.push_back(lamp(n, 50 + 100 * n, 50));  // on the model
   lamps.push_back(lamp(20, 1250, 500));                                    // on the raster
   lamps.push_back(lamp(21, 2000, 500));                                    // beyond both
@@ -106,4 +107,4 @@ TEST(Elevate, WithoutAModelHeightsStayAsTheSourceHasThem) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::elevation

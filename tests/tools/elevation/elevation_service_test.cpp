@@ -10,7 +10,7 @@
 #include "support/temp_folder.h"
 #include "tools/elevation/stand_in.h"
 
-namespace nightcity {
+namespace nightcity::elevation {
 namespace {
 
 using test::StandIn;
@@ -163,4 +163,4 @@ TEST(ElevationService, NonsenseIsAnErrorThatNamesTheService) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::elevation

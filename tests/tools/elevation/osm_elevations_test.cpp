@@ -8,7 +8,7 @@
 #include "support/temp_folder.h"
 #include "tools/osm/read_osm.h"
 
-namespace nightcity {
+namespace nightcity::elevation {
 namespace {
 
 constexpr const char* map = R"(<?xml version="1.0" encoding="UTF-8"?>
@@ -21,8 +21,8 @@ constexpr const char* map = R"(<?xml version="1.0" encoding="UTF-8"?>
 </osm>
 )";
 
-std::string ele_of(const OsmData& data, std::int64_t id) {
-  for (const OsmLampNode& lamp : data.lamps)
+std::string ele_of(const osm::OsmData& data, std::int64_t id) {
+  for (const osm::OsmLampNode& lamp : data.lamps)
     if (lamp.id == id) return lamp.tags.contains("ele") ? lamp.tags.at("ele") : "";
   return "no such lamp";
 }
@@ -32,7 +32,7 @@ TEST(OsmElevations, XmlKeepsEverythingElse) {
   test::write_text(folder / "in.osm", map);
   EXPECT_EQ(
       write_elevations(folder / "in.osm", folder / "out.osm", {{1, 34.567}, {2, -1}, {77, 5}}), 2u);
-  const OsmData data = read_osm(folder / "out.osm");
+  const osm::OsmData data = osm::read_osm(folder / "out.osm");
   EXPECT_EQ(ele_of(data, 1), "34.57");
   EXPECT_EQ(ele_of(data, 2), "-1.00");
   EXPECT_EQ(ele_of(data, 3), "");
@@ -44,7 +44,7 @@ TEST(OsmElevations, XmlKeepsEverythingElse) {
   EXPECT_EQ(text.find("wrong"), std::string::npos);
   // The same with its own file as output.
   EXPECT_EQ(write_elevations(folder / "out.osm", folder / "out.osm", {{3, 7}}), 1u);
-  EXPECT_EQ(ele_of(read_osm(folder / "out.osm"), 1), "34.57");
+  EXPECT_EQ(ele_of(osm::read_osm(folder / "out.osm"), 1), "34.57");
 }
 
 TEST(OsmElevations, PackedFilesKeepElementsAndTags) {
@@ -53,7 +53,7 @@ TEST(OsmElevations, PackedFilesKeepElementsAndTags) {
   for (const char* name : {"out.osm.pbf", "out.osm.gz", "out.osm.bz2"}) {
     EXPECT_EQ(write_elevations(folder / "in.osm", folder / name, {{1, 34.567}, {2, 8}}), 2u)
         << name;
-    const OsmData data = read_osm(folder / name);
+    const osm::OsmData data = osm::read_osm(folder / name);
     EXPECT_EQ(ele_of(data, 1), "34.57") << name;
     EXPECT_EQ(ele_of(data, 2), "8.00") << name;
     EXPECT_EQ(ele_of(data, 3), "") << name;
@@ -61,7 +61,7 @@ TEST(OsmElevations, PackedFilesKeepElementsAndTags) {
     EXPECT_EQ(data.highways[0].lon_lat.size(), 2u);
   }
   EXPECT_EQ(write_elevations(folder / "out.osm.pbf", folder / "back.osm", {}), 0u);
-  EXPECT_EQ(ele_of(read_osm(folder / "back.osm"), 2), "8.00");
+  EXPECT_EQ(ele_of(osm::read_osm(folder / "back.osm"), 2), "8.00");
 }
 
 TEST(OsmElevations, FailuresNameTheFileAndLeaveNothing) {
@@ -80,15 +80,15 @@ TEST(OsmElevations, FailuresNameTheFileAndLeaveNothing) {
 TEST(OsmElevationsReal, EveryBerlinLampCanBeGivenAHeight) {
   REAL_DATA(file, "berlin/berlin_dev_box.osm.pbf");
   const test::TempFolder folder;
-  const OsmData data = read_osm(file);
+  const osm::OsmData data = osm::read_osm(file);
   std::map<std::int64_t, double> heights;
-  for (const OsmLampNode& lamp : data.lamps) heights[lamp.id] = 34;
+  for (const osm::OsmLampNode& lamp : data.lamps) heights[lamp.id] = 34;
   EXPECT_EQ(write_elevations(file, folder / "out.osm.pbf", heights), heights.size());
-  const OsmData again = read_osm(folder / "out.osm.pbf");
+  const osm::OsmData again = osm::read_osm(folder / "out.osm.pbf");
   EXPECT_EQ(again.nodes, data.nodes);
   EXPECT_EQ(again.highways.size(), data.highways.size());
-  for (const OsmLampNode& lamp : again.lamps) EXPECT_EQ(lamp.tags.at("ele"), "34.00");
+  for (const osm::OsmLampNode& lamp : again.lamps) EXPECT_EQ(lamp.tags.at("ele"), "34.00");
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::elevation

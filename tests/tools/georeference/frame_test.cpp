@@ -8,7 +8,7 @@
 
 #include "formats/error.h"
 
-namespace nightcity {
+namespace nightcity::georeference {
 namespace {
 
 using Points = std::vector<glm::dvec3>;
@@ -110,8 +110,9 @@ Points box_in_degrees(glm::dvec2 lat_lon, double turn, bool inside_out) {
 }
 
 TEST(Frame, UrnFixesTheAxisOrderWhateverRingsAreWoundLike) {
-  for (const char* name : {"urn:ogc:def:crs:EPSG::4326", "http://www.opengis.net/def/crs/EPSG/0/4979",
-                           "urn:ogc:def:crs,crs:EPSG::4258,crs:EPSG::7837"})
+  for (const char* name :
+       {"urn:ogc:def:crs:EPSG::4326", "http://www.opengis.net/def/crs/EPSG/0/4979",
+        "urn:ogc:def:crs,crs:EPSG::4258,crs:EPSG::7837"})
     for (const double turn : {0.0, 0.5})
       for (const bool inside_out : {false, true}) {
         const CityFrame frame = frame_of(name, box_in_degrees({48.996, 9.0015}, turn, inside_out));
@@ -290,4 +291,4 @@ TEST(Frame, DescriptionStatesOperationAndAccuracy) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::georeference

@@ -8,7 +8,7 @@
 #include "tools/citygml/citygml_head.h"
 #include "tools/georeference/frame.h"
 
-namespace nightcity {
+namespace nightcity::georeference {
 namespace {
 
 struct Place {
@@ -38,7 +38,7 @@ class RealPlaces : public testing::TestWithParam<Place> {};
 
 TEST_P(RealPlaces, FileLandsInItsCityAndComesBack) {
   REAL_DATA(file, GetParam().file);
-  const CityHead head = read_citygml_head(file);
+  const city::CityHead head = citygml::read_citygml_head(file);
   ASSERT_FALSE(head.sample.empty());
   const CityFrame frame = CityFrame::from_srs_name(head.srs_name, head.sample, {});
   EXPECT_EQ(frame.crs().rfind(GetParam().crs, 0), 0u) << frame.crs();
@@ -60,4 +60,4 @@ TEST_P(RealPlaces, FileLandsInItsCityAndComesBack) {
 INSTANTIATE_TEST_SUITE_P(Frame, RealPlaces, testing::ValuesIn(places));
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::georeference

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace nightcity {
+namespace nightcity::georeference {
 namespace {
 
 bool offers(const char* name, const char* definition) {
@@ -55,4 +55,4 @@ TEST(SrsNames, OnlyUrnAndOpengisFormsPromiseTheRegistersAxisOrder) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::georeference

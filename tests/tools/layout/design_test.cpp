@@ -13,16 +13,16 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Photometry one_lumen(Photometry photometry) {
-  const double flux = integrated_flux(photometry);
+lights::Photometry one_lumen(lights::Photometry photometry) {
+  const double flux = lights::integrated_flux(photometry);
   for (double& value : photometry.values) value /= flux;
   return photometry;
 }
 
 /// I = I0 cos(gamma) below the horizontal: a Lambertian disc of one lumen, I0 = 1 / pi.
-Photometry cosine() {
-  return sample_intensity([](double, double gamma) { return std::max(0.0, std::cos(gamma)) / pi; },
-                          1, 721);
+lights::Photometry cosine() {
+  return lights::sample_intensity(
+      [](double, double gamma) { return std::max(0.0, std::cos(gamma)) / pi; }, 1, 721);
 }
 
 double untagged_width_m(const char* highway) {
@@ -30,7 +30,7 @@ double untagged_width_m(const char* highway) {
 }
 
 TEST(Illuminance, BelowALampItIsIntensityOverHeightSquared) {
-  const Photometry profile = cosine();
+  const lights::Photometry profile = cosine();
   const RoadLuminaire lamp{{3, 4}, 8, {0, 1}, 0, 5000, &profile};
   EXPECT_NEAR(illuminance(lamp, {3, 4}), 5000 / pi / 64, 1e-9);
   // At 45 degrees: cos^3, times the cosine of the profile.
@@ -38,7 +38,7 @@ TEST(Illuminance, BelowALampItIsIntensityOverHeightSquared) {
 }
 
 TEST(Illuminance, ATiltedLampIsBrightestWhereItPoints) {
-  const Photometry profile = one_lumen(sample_intensity(
+  const lights::Photometry profile = one_lumen(lights::sample_intensity(
       [](double, double gamma) { return gamma < pi / 2 ? std::pow(std::cos(gamma), 20) : 0; }, 4,
       361));
   const RoadLuminaire lamp{{0, 0}, 10, {1, 0}, 30, 1000, &profile};
@@ -49,8 +49,8 @@ TEST(Illuminance, ATiltedLampIsBrightestWhereItPoints) {
 
 TEST(Illuminance, TheProfilesCSideLiesRightOfTheAim) {
   // C = 90 degrees is cross(down, aim): the right-hand side seen from above.
-  const Photometry profile =
-      one_lumen(sample_intensity([](double c, double) { return 1.5 + std::sin(c); }, 72, 91));
+  const lights::Photometry profile = one_lumen(
+      lights::sample_intensity([](double c, double) { return 1.5 + std::sin(c); }, 72, 91));
   const RoadLuminaire lamp{{0, 0}, 5, {0, 1}, 0, 1000, &profile};
   EXPECT_GT(illuminance(lamp, {4, 0}), 2 * illuminance(lamp, {-4, 0}));
 }
@@ -94,7 +94,7 @@ TEST(Illuminance, TheAverageOfADenseRowIsThatOfALine) {
 }
 
 TEST(Illuminance, TwoSidesGiveTwiceTheLightOfOneAndStaggeringKeepsTheAverage) {
-  const Photometry profile = one_lumen(make_optic(Optic::street));
+  const lights::Photometry profile = one_lumen(lights::make_optic(lights::Optic::street));
   LampRow row{Arrangement::single, 9.75, 24, 8, 0.5, 6000, &profile};
   const FieldSummary single = row_illuminance(row);
   row.arrangement = Arrangement::opposite;
@@ -125,15 +125,15 @@ TEST(LampDesign, EveryRoadOfTheTableReachesTheAverageOfItsClassAndNotTheNextOne)
   for (const char* highway :
        {"motorway", "primary", "secondary", "tertiary", "unclassified", "residential",
         "living_street", "service", "pedestrian", "footway", "cycleway"}) {
-    const RoadLighting road = *find_road_lighting(highway);
-    const LightingClass wanted = *lighting_class(road.target);
-    const Photometry profile = one_lumen(make_optic(road.optic));
+    const lights::RoadLighting road = *lights::find_road_lighting(highway);
+    const lights::LightingClass wanted = *lights::lighting_class(road.target);
+    const lights::Photometry profile = one_lumen(lights::make_optic(road.optic));
     const double width_m = untagged_width_m(highway);
     const LampDesign design =
         design_lamps(road, width_m, arrangement_for(width_m, road.mounting_m), wanted, profile);
-    const double maintained = design.field.average_lx * maintenance_factor;
+    const double maintained = design.field.average_lx * lights::maintenance_factor;
     EXPECT_GE(maintained, wanted.average_lx) << highway;
-    EXPECT_LE(maintained, wanted.average_lx * max_excess) << highway;
+    EXPECT_LE(maintained, wanted.average_lx * lights::max_excess) << highway;
     EXPECT_GE(design.spacing_m, 2.0 * road.mounting_m - 1e-9) << highway;
     EXPECT_LE(design.spacing_m, 3.0 * road.mounting_m + 1e-9) << highway;
   }
@@ -142,8 +142,8 @@ TEST(LampDesign, EveryRoadOfTheTableReachesTheAverageOfItsClassAndNotTheNextOne)
 TEST(LampDesign, MappedLampsOfTheTableReachTheirClassAtThreeHeightsAndDoNotDoubleIt) {
   for (const char* highway :
        {"motorway", "primary", "secondary", "tertiary", "unclassified", "residential"}) {
-    const RoadLighting road = *find_road_lighting(highway);
-    const Photometry profile = one_lumen(make_optic(road.optic));
+    const lights::RoadLighting road = *lights::find_road_lighting(highway);
+    const lights::Photometry profile = one_lumen(lights::make_optic(road.optic));
     LampRow row;
     row.width_m = untagged_width_m(highway);
     row.spacing_m = 3 * road.mounting_m;
@@ -151,9 +151,9 @@ TEST(LampDesign, MappedLampsOfTheTableReachTheirClassAtThreeHeightsAndDoNotDoubl
     row.overhang_m = road.outreach_m - setback_m(road);
     row.flux_lm = road.flux_lm;
     row.profile = &profile;
-    const double maintained = row_illuminance(row).average_lx * maintenance_factor;
-    EXPECT_GE(maintained, lighting_class(road.target)->average_lx) << highway;
-    EXPECT_LE(maintained, 2 * lighting_class(road.target)->average_lx) << highway;
+    const double maintained = row_illuminance(row).average_lx * lights::maintenance_factor;
+    EXPECT_GE(maintained, lights::lighting_class(road.target)->average_lx) << highway;
+    EXPECT_LE(maintained, 2 * lights::lighting_class(road.target)->average_lx) << highway;
   }
 }
 

@@ -15,16 +15,16 @@ namespace {
 
 using test::street;
 
-LampSet posts_of(const std::vector<OsmWay>& ways) {
-  OsmData osm;
+lights::LampSet posts_of(const std::vector<osm::OsmWay>& ways) {
+  osm::OsmData osm;
   osm.highways = ways;
-  LampSet set;
+  lights::LampSet set;
   lay_out_lamps(osm, test::to_plane, test::plane, {}, {}, {}, set);
-  std::erase_if(set.lamps, [](const PlacedLamp& lamp) { return lamp.hung; });
+  std::erase_if(set.lamps, [](const lights::PlacedLamp& lamp) { return lamp.hung; });
   return set;
 }
 
-traffic::RoadGraph graph_of(const std::vector<OsmWay>& ways) {
+traffic::RoadGraph graph_of(const std::vector<osm::OsmWay>& ways) {
   return traffic::make_road_graph(ways, test::to_plane, test::plane, {}, traffic::Side::right);
 }
 
@@ -32,18 +32,19 @@ TEST(Kerb, PostsStandBehindTheKerbThatVehiclesKeepToOnEveryClassOfRoad) {
   std::size_t posts = 0, edges = 0;
   for (const roads::RoadClass& road : roads::road_classes())
     for (const char* oneway : {"", "yes", "no", "-1"})
-      for (const OsmTags& more :
-           {OsmTags{}, OsmTags{{"lanes", "1"}}, OsmTags{{"lanes", "3"}}, OsmTags{{"lanes", "4"}},
-            OsmTags{{"width", "2.5"}}, OsmTags{{"width", "7"}}, OsmTags{{"width", "14"}},
-            OsmTags{{"width", "24"}, {"lanes", "2"}}}) {
-        OsmTags tags = more;
+      for (const osm::OsmTags& more :
+           {osm::OsmTags{}, osm::OsmTags{{"lanes", "1"}}, osm::OsmTags{{"lanes", "3"}},
+            osm::OsmTags{{"lanes", "4"}}, osm::OsmTags{{"width", "2.5"}},
+            osm::OsmTags{{"width", "7"}}, osm::OsmTags{{"width", "14"}},
+            osm::OsmTags{{"width", "24"}, {"lanes", "2"}}}) {
+        osm::OsmTags tags = more;
         tags["highway"] = road.highway;
         tags["lit"] = "yes";
         if (*oneway) tags["oneway"] = oneway;
-        const std::vector<OsmWay> ways = {street(1, {{-150, 0}, {150, 0}}, tags)};
+        const std::vector<osm::OsmWay> ways = {street(1, {{-150, 0}, {150, 0}}, tags)};
         const double kerb = roads::carriageway_width(tags) / 2;
-        const LampSet set = posts_of(ways);
-        for (const PlacedLamp& lamp : set.lamps)
+        const lights::LampSet set = posts_of(ways);
+        for (const lights::PlacedLamp& lamp : set.lamps)
           EXPECT_GT(std::abs(lamp.foot.y), kerb) << road.highway << " " << oneway;
         posts += set.lamps.size();
         for (const traffic::RoadEdge& edge : graph_of(ways).edges) {
@@ -59,7 +60,7 @@ TEST(Kerb, PostsStandBehindTheKerbThatVehiclesKeepToOnEveryClassOfRoad) {
 }
 
 TEST(Kerb, NoPostStandsWhereAVehicleDrivesInATownWithEveryClass) {
-  std::vector<OsmWay> ways;
+  std::vector<osm::OsmWay> ways;
   const char* const along[] = {"primary", "secondary", "tertiary", "residential", "service"};
   const char* const across[] = {"trunk", "primary", "unclassified", "living_street", "residential"};
   constexpr double block_m = 120;
@@ -78,7 +79,7 @@ TEST(Kerb, NoPostStandsWhereAVehicleDrivesInATownWithEveryClass) {
                            {n % 2 ? "oneway" : "name", "yes"},
                            {n == 1 ? "lanes" : "note", "3"}}));
   }
-  const LampSet set = posts_of(ways);
+  const lights::LampSet set = posts_of(ways);
   ASSERT_GT(set.lamps.size(), 100u);
 
   const traffic::RoadGraph graph = graph_of(ways);
@@ -95,7 +96,7 @@ TEST(Kerb, NoPostStandsWhereAVehicleDrivesInATownWithEveryClass) {
   double nearest = 1e9;
   for (const traffic::Link& link : network.links())
     for (const traffic::Curve::Sample& sample : link.curve.samples())
-      for (const PlacedLamp& lamp : set.lamps)
+      for (const lights::PlacedLamp& lamp : set.lamps)
         nearest = std::min(nearest, glm::distance(glm::dvec2(sample.point), glm::dvec2(lamp.foot)));
   EXPECT_GT(nearest, half_car_m);
 }

@@ -14,23 +14,23 @@ namespace nightcity::layout {
 namespace {
 
 TEST(LampOsm, LaidOutLampsReadBackStandWhereTheyStoodAndShineAsTheyDid) {
-  OsmData osm;
+  osm::OsmData osm;
   osm.highways = {test::street(5, {{-200, 10}, {150, 60}}, {{"highway", "secondary"}}),
                   test::street(6, {{-200, 10}, {-220, -180}}, {{"highway", "residential"}})};
-  LampSet laid;
+  lights::LampSet laid;
   lay_out_lamps(osm, test::to_plane, test::plane, {}, {}, {}, laid);
   ASSERT_GT(laid.lamps.size(), 15u);
 
   const test::TempFolder folder;
   const auto to_lon_lat = [](const glm::dvec2& p) { return p / test::metres_per_degree; };
   EXPECT_EQ(write_lamp_osm(folder / "lamps.osm", laid.lamps, to_lon_lat), laid.lamps.size());
-  OsmData again = read_osm(folder / "lamps.osm");
+  osm::OsmData again = osm::read_osm(folder / "lamps.osm");
   ASSERT_EQ(again.lamps.size(), laid.lamps.size());
   again.highways = osm.highways;
-  const LampSet placed = place_lamps(again, test::to_plane, test::plane);
+  const lights::LampSet placed = lights::place_lamps(again, test::to_plane, test::plane);
   ASSERT_EQ(placed.lamps.size(), laid.lamps.size());
   for (std::size_t n = 0; n < placed.lamps.size(); ++n) {
-    const PlacedLamp &a = laid.lamps[n], &b = placed.lamps[n];
+    const lights::PlacedLamp &a = laid.lamps[n], &b = placed.lamps[n];
     EXPECT_LT(glm::distance(a.foot, b.foot), 0.01);
     EXPECT_GT(glm::dot(a.aim, b.aim), 0.9998);
     EXPECT_NEAR(glm::distance(a.outreach, b.outreach), 0, 0.05);
@@ -43,16 +43,17 @@ TEST(LampOsm, LaidOutLampsReadBackStandWhereTheyStoodAndShineAsTheyDid) {
 }
 
 TEST(LampOsm, ColoursThatAreNoTemperatureAreReadBack) {
-  OsmData osm;
+  osm::OsmData osm;
   osm.lamps = {{1, {0, 0}, {{"highway", "street_lamp"}, {"light:colour", "#FFA500"}}},
                {2, {0.001, 0}, {{"highway", "street_lamp"}, {"lamp_type", "low_pressure_sodium"}}},
                {3, {0.002, 0}, {{"highway", "street_lamp"}, {"light:colour", "2700 K"}}}};
-  const LampSet before = place_lamps(osm, test::to_plane, test::plane);
+  const lights::LampSet before = lights::place_lamps(osm, test::to_plane, test::plane);
   ASSERT_EQ(before.lamps.size(), 3u);
   const test::TempFolder folder;
   const auto to_lon_lat = [](const glm::dvec2& p) { return p / test::metres_per_degree; };
   write_lamp_osm(folder / "lamps.osm", before.lamps, to_lon_lat);
-  const LampSet after = place_lamps(read_osm(folder / "lamps.osm"), test::to_plane, test::plane);
+  const lights::LampSet after =
+      lights::place_lamps(osm::read_osm(folder / "lamps.osm"), test::to_plane, test::plane);
   ASSERT_EQ(after.lamps.size(), 3u);
   for (std::size_t n = 0; n < 3; ++n)
     EXPECT_LT(glm::distance(before.lamps[n].colour, after.lamps[n].colour), 0.03) << n;

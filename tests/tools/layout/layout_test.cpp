@@ -17,34 +17,34 @@ namespace {
 using test::street;
 
 struct Laid {
-  LampSet set;
+  lights::LampSet set;
   LayoutReport report;
 };
 
-Laid lay_out(std::vector<OsmWay> ways, const InsideBuilding& inside = {},
-             const LayoutOptions& options = {}, std::vector<OsmLampNode> mapped = {}) {
-  OsmData osm;
+Laid lay_out(std::vector<osm::OsmWay> ways, const place::InsideBuilding& inside = {},
+             const LayoutOptions& options = {}, std::vector<osm::OsmLampNode> mapped = {}) {
+  osm::OsmData osm;
   osm.highways = std::move(ways);
   osm.lamps = std::move(mapped);
   Laid result;
-  result.set = place_lamps(osm, test::to_plane, test::plane, inside);
+  result.set = lights::place_lamps(osm, test::to_plane, test::plane, inside);
   result.report = lay_out_lamps(osm, test::to_plane, test::plane, inside, {}, options, result.set);
   return result;
 }
 
-OsmTags tags(const char* highway, OsmTags more = {}) {
+osm::OsmTags tags(const char* highway, osm::OsmTags more = {}) {
   more["highway"] = highway;
   return more;
 }
 
-std::vector<double> eastings(const LampSet& set) {
+std::vector<double> eastings(const lights::LampSet& set) {
   std::vector<double> x;
-  for (const PlacedLamp& lamp : set.lamps) x.push_back(lamp.foot.x);
+  for (const lights::PlacedLamp& lamp : set.lamps) x.push_back(lamp.foot.x);
   std::sort(x.begin(), x.end());
   return x;
 }
 
-double min_distance(const LampSet& set) {
+double min_distance(const lights::LampSet& set) {
   double least = 1e9;
   for (std::size_t a = 0; a < set.lamps.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)
@@ -54,7 +54,7 @@ double min_distance(const LampSet& set) {
 
 TEST(Layout, LampsStandEvenlyBehindOneKerbAndLookAtTheRoad) {
   const Laid laid = lay_out({street(1, {{-300, 0}, {300, 0}}, tags("residential"))});
-  const RoadLighting road = *find_road_lighting("residential");
+  const lights::RoadLighting road = *lights::find_road_lighting("residential");
   ASSERT_EQ(laid.report.streets.size(), 1u);
   const double designed = laid.report.streets[0].spacing_m;
   EXPECT_GE(designed, 2.5 * road.mounting_m - 1e-9);
@@ -66,7 +66,7 @@ TEST(Layout, LampsStandEvenlyBehindOneKerbAndLookAtTheRoad) {
   const double step = 600.0 / static_cast<double>(x.size() - 1);
   EXPECT_NEAR(step, designed, 0.1 * designed);
   for (std::size_t n = 1; n < x.size(); ++n) EXPECT_NEAR(x[n] - x[n - 1], step, 1e-6);
-  for (const PlacedLamp& lamp : laid.set.lamps) {
+  for (const lights::PlacedLamp& lamp : laid.set.lamps) {
     EXPECT_NEAR(lamp.foot.y, laid.set.lamps[0].foot.y, 1e-6);
     EXPECT_NEAR(std::abs(lamp.foot.y), laid.report.streets[0].width_m / 2 + setback_m(road), 1e-6);
     EXPECT_NEAR(lamp.aim.y, lamp.foot.y > 0 ? -1 : 1, 1e-9);
@@ -79,12 +79,12 @@ TEST(Layout, LampsStandEvenlyBehindOneKerbAndLookAtTheRoad) {
 }
 
 TEST(Layout, WideStreetsHaveLampsOnBothSides) {
-  const double mounting = find_road_lighting("primary")->mounting_m;
+  const double mounting = lights::find_road_lighting("primary")->mounting_m;
   const Laid staggered = lay_out({street(
       1, {{-300, 0}, {300, 0}}, tags("primary", {{"width", std::to_string(mounting * 1.5)}}))});
   EXPECT_EQ(staggered.report.streets[0].arrangement, Arrangement::staggered);
   const auto left = std::count_if(staggered.set.lamps.begin(), staggered.set.lamps.end(),
-                                  [](const PlacedLamp& l) { return l.foot.y > 0; });
+                                  [](const lights::PlacedLamp& l) { return l.foot.y > 0; });
   EXPECT_NEAR(static_cast<double>(left) / static_cast<double>(staggered.set.lamps.size()), 0.5,
               0.1);
   const Laid opposite = lay_out({street(
@@ -100,8 +100,9 @@ TEST(Layout, EveryClassOfRoadLandsInItsLightingClass) {
        {"primary", "secondary", "tertiary", "residential", "living_street", "pedestrian"}) {
     const Laid laid = lay_out({street(1, {{-400, 0}, {400, 0}}, tags(highway))});
     const RoadClassReport& sum = laid.report.classes.at(highway);
-    EXPECT_GE(sum.average_lx * maintenance_factor, sum.wanted_lx) << highway;
-    EXPECT_LE(sum.average_lx * maintenance_factor, sum.wanted_lx * max_excess) << highway;
+    EXPECT_GE(sum.average_lx * lights::maintenance_factor, sum.wanted_lx) << highway;
+    EXPECT_LE(sum.average_lx * lights::maintenance_factor, sum.wanted_lx * lights::max_excess)
+        << highway;
     EXPECT_EQ(sum.in_class, 1) << highway;
     EXPECT_GT(sum.uniformity, 0.1) << highway;
   }
@@ -113,8 +114,8 @@ TEST(Layout, TheRecipesClassReplacesTheTables) {
   const Laid laid = lay_out({street(1, {{-400, 0}, {400, 0}}, tags("residential"))}, {}, options);
   const RoadClassReport& sum = laid.report.classes.at("residential");
   EXPECT_EQ(sum.wanted, "P1");
-  EXPECT_GE(sum.average_lx * maintenance_factor, 15);
-  EXPECT_LE(sum.average_lx * maintenance_factor, 22.5);
+  EXPECT_GE(sum.average_lx * lights::maintenance_factor, 15);
+  EXPECT_LE(sum.average_lx * lights::maintenance_factor, 22.5);
 }
 
 TEST(Layout, UnlitStreetsStayDark) {
@@ -133,7 +134,7 @@ TEST(Layout, LampsKeepTheHoursOfTheirWay) {
   for (const char* lit : {"20:00-06:00", "limited", "interval", "Mo-Su 18:00-23:00"}) {
     const Laid result = laid(lit);
     ASSERT_FALSE(result.set.lamps.empty()) << lit;
-    for (const PlacedLamp& lamp : result.set.lamps) {
+    for (const lights::PlacedLamp& lamp : result.set.lamps) {
       EXPECT_TRUE(lamp.hours) << lit;
       EXPECT_EQ(lamp.provenance.schedule, ValueSource::tag);
     }
@@ -153,8 +154,8 @@ TEST(Layout, NeverMeansNever) {
 }
 
 /// A town of blocks, its streets mapped as ways of two blocks each.
-std::vector<OsmWay> grid(double block) {
-  std::vector<OsmWay> ways;
+std::vector<osm::OsmWay> grid(double block) {
+  std::vector<osm::OsmWay> ways;
   std::int64_t id = 10;
   for (int row = -2; row <= 2; ++row)
     for (int part = -1; part <= 0; ++part) {
@@ -179,8 +180,8 @@ TEST(Layout, EveryJunctionIsLitOnce) {
   const double near = 8;
   for (int x = -2; x <= 2; ++x)
     for (int y = -2; y <= 2; ++y) {
-      const auto lamps =
-          std::count_if(laid.set.lamps.begin(), laid.set.lamps.end(), [&](const PlacedLamp& l) {
+      const auto lamps = std::count_if(
+          laid.set.lamps.begin(), laid.set.lamps.end(), [&](const lights::PlacedLamp& l) {
             return glm::distance(glm::dvec2(l.foot), glm::dvec2(x * block, y * block)) < near + 4;
           });
       EXPECT_EQ(lamps, 1) << x << "," << y;
@@ -191,7 +192,7 @@ TEST(Layout, EveryJunctionIsLitOnce) {
 TEST(Layout, NoLampStandsOnACarriageway) {
   const double block = 90;
   const Laid laid = lay_out(grid(block));
-  for (const PlacedLamp& lamp : laid.set.lamps)
+  for (const lights::PlacedLamp& lamp : laid.set.lamps)
     for (int line = -2; line <= 2; ++line) {
       if (std::abs(lamp.foot.x) <= 2 * block) {
         EXPECT_GT(std::abs(lamp.foot.y - line * block), 3.0) << lamp.foot.x << "," << lamp.foot.y;
@@ -205,13 +206,13 @@ TEST(Layout, NoLampStandsOnACarriageway) {
 TEST(Layout, LampsKeepClearOfBuildings) {
   // Houses 3.3 m from the centreline on both sides of one stretch, and over the whole street in
   // another.
-  const InsideBuilding inside = [](const glm::dvec2& p) {
+  const place::InsideBuilding inside = [](const glm::dvec2& p) {
     if (p.x > 0 && p.x < 100) return p.y > 3.7 || p.y < -3.7;
     return p.x > 150 && p.x < 200;
   };
   const Laid laid = lay_out({street(1, {{-300, 0}, {300, 0}}, tags("residential"))}, inside);
   std::size_t between = 0;
-  for (const PlacedLamp& lamp : laid.set.lamps) {
+  for (const lights::PlacedLamp& lamp : laid.set.lamps) {
     EXPECT_FALSE(lamp.foot.x > 149.5 && lamp.foot.x < 200.5);
     if (lamp.foot.x > 0 && lamp.foot.x < 100) {
       ++between;
@@ -229,13 +230,13 @@ TEST(Layout, LampsKeepClearOfBuildings) {
 }
 
 TEST(Layout, ANarrowLaneHasItsLampsHungOverItsMiddle) {
-  const InsideBuilding inside = [](const glm::dvec2& p) {
+  const place::InsideBuilding inside = [](const glm::dvec2& p) {
     return std::abs(p.y) > 3.05 && std::abs(p.y) < 20;
   };
   const Laid laid = lay_out({street(1, {{-200, 0}, {200, 0}}, tags("residential"))}, inside);
   ASSERT_FALSE(laid.set.lamps.empty());
   EXPECT_EQ(laid.report.streets[0].arrangement, Arrangement::central);
-  for (const PlacedLamp& lamp : laid.set.lamps) {
+  for (const lights::PlacedLamp& lamp : laid.set.lamps) {
     EXPECT_TRUE(lamp.hung);
     EXPECT_NEAR(lamp.foot.y, 0, 1e-9);
     EXPECT_EQ(lamp.outreach, glm::dvec2(0, 0));
@@ -244,7 +245,7 @@ TEST(Layout, ANarrowLaneHasItsLampsHungOverItsMiddle) {
 }
 
 TEST(Layout, MappedLampsWinWithinOneAndAHalfSpacings) {
-  std::vector<OsmLampNode> mapped;
+  std::vector<osm::OsmLampNode> mapped;
   for (int n = 0; n < 12; ++n)
     mapped.push_back(
         {100 + n, glm::dvec2(-300 + 25 * n, 4) / test::metres_per_degree, tags("street_lamp")});
@@ -252,7 +253,7 @@ TEST(Layout, MappedLampsWinWithinOneAndAHalfSpacings) {
       lay_out({street(1, {{-300, 0}, {300, 0}}, tags("residential"))}, {}, {}, mapped);
   const double spacing = laid.report.streets[0].spacing_m;
   std::size_t laid_out = 0;
-  for (const PlacedLamp& lamp : laid.set.lamps)
+  for (const lights::PlacedLamp& lamp : laid.set.lamps)
     if (lamp.provenance.position == ValueSource::rule) {
       ++laid_out;
       EXPECT_GT(lamp.foot.x, -25 + 1.4 * spacing);
@@ -267,7 +268,7 @@ TEST(Layout, TwinCarriagewaysHaveTheirLampsOutside) {
   const Laid laid = lay_out(
       {street(1, {{-300, 0}, {300, 0}}, tags("primary", {{"oneway", "yes"}, {"lanes", "2"}})),
        street(2, {{300, 9}, {-300, 9}}, tags("primary", {{"oneway", "yes"}, {"lanes", "2"}}))});
-  for (const PlacedLamp& lamp : laid.set.lamps)
+  for (const lights::PlacedLamp& lamp : laid.set.lamps)
     if (std::abs(lamp.foot.x) < 299) {
       EXPECT_TRUE(lamp.foot.y < -3 || lamp.foot.y > 12) << lamp.foot.y;
     }
@@ -275,14 +276,14 @@ TEST(Layout, TwinCarriagewaysHaveTheirLampsOutside) {
 }
 
 TEST(Layout, TheSameWhateverTheOrderOfTheFileAndItsIdsAreNotRepeated) {
-  std::vector<OsmWay> ways = grid(90);
+  std::vector<osm::OsmWay> ways = grid(90);
   const Laid first = lay_out(ways);
   std::reverse(ways.begin(), ways.end());
   const Laid second = lay_out(ways);
   ASSERT_EQ(first.set.lamps.size(), second.set.lamps.size());
   std::set<std::uint32_t> ids;
   for (std::size_t n = 0; n < first.set.lamps.size(); ++n) {
-    const PlacedLamp &a = first.set.lamps[n], &b = second.set.lamps[n];
+    const lights::PlacedLamp &a = first.set.lamps[n], &b = second.set.lamps[n];
     EXPECT_EQ(a.id, b.id);
     EXPECT_EQ(a.foot, b.foot);
     EXPECT_EQ(a.flux_lm, b.flux_lm);
@@ -291,19 +292,19 @@ TEST(Layout, TheSameWhateverTheOrderOfTheFileAndItsIdsAreNotRepeated) {
 }
 
 TEST(Layout, ALampKeepsItsNameWhenAnotherStreetIsAddedFarAway) {
-  const OsmWay here = street(7, {{-300, 0}, {0, 0}}, tags("residential"));
+  const osm::OsmWay here = street(7, {{-300, 0}, {0, 0}}, tags("residential"));
   const Laid alone = lay_out({here});
   const Laid more = lay_out({street(3, {{-300, 500}, {300, 500}}, tags("primary")), here});
   std::set<std::uint32_t> ids;
-  for (const PlacedLamp& lamp : more.set.lamps) ids.insert(lamp.id);
-  for (const PlacedLamp& lamp : alone.set.lamps) EXPECT_TRUE(ids.contains(lamp.id));
+  for (const lights::PlacedLamp& lamp : more.set.lamps) ids.insert(lamp.id);
+  for (const lights::PlacedLamp& lamp : alone.set.lamps) EXPECT_TRUE(ids.contains(lamp.id));
 }
 
 TEST(Layout, StreetsEndAtTheModelsEdge) {
   const Laid laid = lay_out({street(1, {{500, 0}, {3000, 0}}, tags("residential")),
                              street(2, {{5000, 0}, {6000, 0}}, tags("residential"))});
   ASSERT_FALSE(laid.set.lamps.empty());
-  for (const PlacedLamp& lamp : laid.set.lamps) EXPECT_LE(lamp.foot.x, 1000);
+  for (const lights::PlacedLamp& lamp : laid.set.lamps) EXPECT_LE(lamp.foot.x, 1000);
   ASSERT_EQ(laid.report.streets.size(), 1u);
   EXPECT_NEAR(laid.report.streets[0].length_m, 500, 5);
 }
@@ -311,7 +312,7 @@ TEST(Layout, StreetsEndAtTheModelsEdge) {
 TEST(Layout, TheReportsAverageIsThatOfTheLampsWritten) {
   const Laid laid = lay_out({street(1, {{-300, 0}, {300, 0}}, tags("tertiary"))});
   const StreetReport& report = laid.report.streets[0];
-  Photometry profile;
+  lights::Photometry profile;
   const LightProfile& stored = laid.set.profiles[laid.set.lamps[0].profile];
   profile.c_count = stored.c_count;
   profile.gamma_count = stored.gamma_count;
@@ -322,7 +323,7 @@ TEST(Layout, TheReportsAverageIsThatOfTheLampsWritten) {
   constexpr int along = 600, across = 14;
   for (int i = 0; i < along; ++i)
     for (int j = 0; j < across; ++j)
-      for (const PlacedLamp& lamp : laid.set.lamps)
+      for (const lights::PlacedLamp& lamp : laid.set.lamps)
         sum += illuminance({glm::dvec2(lamp.foot) + lamp.outreach, lamp.mounting_height_m, lamp.aim,
                             0, lamp.flux_lm, &profile},
                            {-300 + i + 0.5, ((j + 0.5) / across - 0.5) * report.width_m});

@@ -18,8 +18,8 @@ inline glm::dvec2 to_plane(const glm::dvec2& lon_lat) {
   return lon_lat * metres_per_degree;
 }
 
-inline OsmWay street(std::int64_t id, std::vector<glm::dvec2> line, OsmTags tags) {
-  OsmWay way{id, {}, std::move(tags)};
+inline osm::OsmWay street(std::int64_t id, std::vector<glm::dvec2> line, osm::OsmTags tags) {
+  osm::OsmWay way{id, {}, std::move(tags)};
   for (const glm::dvec2& p : line) way.lon_lat.push_back(p / metres_per_degree);
   return way;
 }

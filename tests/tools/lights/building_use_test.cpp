@@ -6,7 +6,7 @@
 #include "tools/lights/osm_uses.h"
 #include "tools/lights/window_houses.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 using namespace test;
@@ -39,14 +39,14 @@ TEST(BuildingUse, CodesAndWordsOfRealModels) {
   }
   for (const char* code : {"", "9999", "31001_", "31001_0", "???"})
     EXPECT_FALSE(use_from_code(code).stated) << code;
-  CityObject hut = make_house(0, 0, 4, 4, 2.5);
+  city::CityObject hut = make_house(0, 0, 4, 4, 2.5);
   hut.function.clear();
   EXPECT_EQ(use_of(hut).use, BuildingUse::dark);
 }
 
 TEST(BuildingUse, TheMapSpeaksWhereTheModelIsSilent) {
-  const auto outline = [](double x0, double y0, double x1, double y1, OsmTags tags) {
-    return OsmWay{1, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}, {x0, y0}}, std::move(tags)};
+  const auto outline = [](double x0, double y0, double x1, double y1, osm::OsmTags tags) {
+    return osm::OsmWay{1, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}, {x0, y0}}, std::move(tags)};
   };
   const OsmUses uses({outline(0, 0, 100, 100, {{"building", "retail"}}),
                       outline(10, 10, 20, 20, {{"building", "office"}}),
@@ -61,7 +61,7 @@ TEST(BuildingUse, TheMapSpeaksWhereTheModelIsSilent) {
   EXPECT_FALSE(at(450, 25));
   EXPECT_FALSE(at(690, 10));  // not closed
   EXPECT_FALSE(at(-1, 50));
-  CityObject house = make_house(40, 40, 60, 60, 9);
+  city::CityObject house = make_house(40, 40, 60, 60, 9);
   const UseAt map = [&](const glm::dvec2& p) { return uses.at(p); };
   EXPECT_EQ(use_of(house, map).use, BuildingUse::residential);  // the model comes first
   house.function.clear();
@@ -73,4 +73,4 @@ TEST(BuildingUse, TheMapSpeaksWhereTheModelIsSilent) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::lights

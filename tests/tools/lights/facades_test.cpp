@@ -10,19 +10,19 @@
 
 #include "tools/lights/window_houses.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 using namespace test;
 
-std::vector<WindowPlace> windows_on(const CityObject& building,
+std::vector<WindowPlace> windows_on(const city::CityObject& building,
                                     BuildingUse use = BuildingUse::residential) {
   FacadeReport report;
   return place_windows(building, use, 1, report);
 }
 
 TEST(Facades, WindowsLieInsideTheirWallsApartFromEachOtherAndFaceOut) {
-  const CityObject house = make_house(0, 0, 14, 10, 9.8);
+  const city::CityObject house = make_house(0, 0, 14, 10, 9.8);
   const auto places = windows_on(house);
   ASSERT_GT(places.size(), 20u);
   for (std::size_t m = 0; m < places.size(); ++m) {
@@ -52,7 +52,7 @@ TEST(Facades, WindowsLieInsideTheirWallsApartFromEachOtherAndFaceOut) {
 }
 
 TEST(Facades, StoreysComeFromTheAttributeAndBaysAlignOverThem) {
-  CityObject house = make_house(0, 0, 20, 10, 12.8);
+  city::CityObject house = make_house(0, 0, 20, 10, 12.8);
   house.storeys_above_ground = 4;
   FacadeReport report;
   const auto places = place_windows(house, BuildingUse::residential, 1, report);
@@ -78,7 +78,7 @@ TEST(Facades, StoreysComeFromTheAttributeAndBaysAlignOverThem) {
 
 TEST(Facades, UnbelievableStoreysAreNotBelieved) {
   for (const int storeys : {1, 50, 9999, 0, -3}) {
-    CityObject house = make_house(0, 0, 20, 10, 12.8);
+    city::CityObject house = make_house(0, 0, 20, 10, 12.8);
     house.storeys_above_ground = storeys;
     FacadeReport report;
     place_windows(house, BuildingUse::residential, 1, report);
@@ -87,7 +87,7 @@ TEST(Facades, UnbelievableStoreysAreNotBelieved) {
 }
 
 TEST(Facades, CoplanarWallsSideBySideAreOneFacade) {
-  CityObject split = make_house(0, 0, 20, 10, 9.8);
+  city::CityObject split = make_house(0, 0, 20, 10, 9.8);
   split.polygons[0] = make_wall({{0, 0}, {9, 0}}, {0, 0}, {9.8, 9.8});
   split.polygons.push_back(make_wall({{9, 0}, {20, 0}}, {0, 0}, {9.8, 9.8}));
   const auto whole = windows_on(make_house(0, 0, 20, 10, 9.8)), parts = windows_on(split);
@@ -101,8 +101,8 @@ TEST(Facades, CoplanarWallsSideBySideAreOneFacade) {
 }
 
 TEST(Facades, HolesSliversRoofsAndLeaningWallsStayFree) {
-  CityObject house = make_house(0, 0, 20, 10, 9.8);
-  Ring hole;  // a passage through the front
+  city::CityObject house = make_house(0, 0, 20, 10, 9.8);
+  city::Ring hole;  // a passage through the front
   for (const auto& [x, z] : {std::pair{8.0, 0.5}, {8.0, 6.0}, {12.0, 6.0}, {12.0, 0.5}})
     hole.emplace_back(east + x, north, ground_z + z);
   house.polygons[0].interiors.push_back(hole);
@@ -114,18 +114,18 @@ TEST(Facades, HolesSliversRoofsAndLeaningWallsStayFree) {
     EXPECT_TRUE(beside || above);
   }
   EXPECT_TRUE(windows_on(make_house(0, 0, 1.5, 1.5, 30)).empty());  // a chimney
-  CityObject roof_only = house;
-  for (Polygon& polygon : roof_only.polygons) polygon.surface = SurfaceType::roof;
+  city::CityObject roof_only = house;
+  for (city::Polygon& polygon : roof_only.polygons) polygon.surface = city::SurfaceType::roof;
   EXPECT_TRUE(windows_on(roof_only).empty());
-  CityObject leaning = make_house(0, 0, 20, 10, 9.8);
+  city::CityObject leaning = make_house(0, 0, 20, 10, 9.8);
   leaning.polygons.resize(1);
   for (std::size_t k = 2; k < 4; ++k) leaning.polygons[0].exterior[k].y += 9;
   EXPECT_TRUE(windows_on(leaning).empty());
 }
 
 TEST(Facades, GablesHoldWindowsOnlyWhereTheyFit) {
-  CityObject house = make_house(0, 0, 12, 10, 6);
-  Polygon& gable = house.polygons[1];  // x = 12, y from 0 to 10
+  city::CityObject house = make_house(0, 0, 12, 10, 6);
+  city::Polygon& gable = house.polygons[1];  // x = 12, y from 0 to 10
   gable.exterior.insert(gable.exterior.begin() + 3, {east + 12, north + 5, ground_z + 12});
   std::size_t in_gable = 0;
   for (const WindowPlace& p : windows_on(house)) {
@@ -140,9 +140,9 @@ TEST(Facades, GablesHoldWindowsOnlyWhereTheyFit) {
 }
 
 TEST(Facades, ModelledWindowsReplaceTheRule) {
-  CityObject house = make_house(0, 0, 12, 10, 6);
-  Polygon window = make_wall({{3, 0}, {4.5, 0}}, {1, 1}, {2.2, 2.2});
-  window.surface = SurfaceType::window;
+  city::CityObject house = make_house(0, 0, 12, 10, 6);
+  city::Polygon window = make_wall({{3, 0}, {4.5, 0}}, {1, 1}, {2.2, 2.2});
+  window.surface = city::SurfaceType::window;
   house.polygons.push_back(window);
   const auto places = windows_on(house);
   ASSERT_EQ(places.size(), 1u);
@@ -163,4 +163,4 @@ TEST(Facades, ShopsTakeTheGroundFloorOfMixedHouses) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::lights

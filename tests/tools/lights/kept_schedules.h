@@ -23,7 +23,7 @@ struct KeptSchedules {
 
   std::vector<Schedule> schedules;
   std::vector<uint> switches;
-  ScheduleTable table;
+  lights::ScheduleTable table;
 };
 
 }  // namespace nightcity::test

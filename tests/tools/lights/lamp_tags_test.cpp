@@ -6,7 +6,7 @@
 #include "tools/lights/lamp_state.h"
 #include "tools/lights/lit_tag.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 TEST(LampTags, ColourTemperaturesAsNumbersAndWords) {
@@ -96,7 +96,7 @@ TEST(LampTags, WhatCannotBeReadOrBelievedIsTold) {
 
 TEST(LampState, BrokenGoneEndedAndBuriedLampsAreDarkAndNamed) {
   const struct {
-    OsmTags tags;
+    osm::OsmTags tags;
     const char* outage;
   } lamps[] = {
       {{{"operational_status", "broken"}}, "broken"},
@@ -164,4 +164,4 @@ TEST(LampTags, ColoursInEverySpelling) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 TEST(LightingClass, HoldsTheStandardsFigures) {
@@ -16,4 +16,4 @@ TEST(LightingClass, HoldsTheStandardsFigures) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -14,7 +14,7 @@
 #include "tools/lights/ies_table.h"
 #include "tools/lights/luminaire.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 using std::numbers::pi;
@@ -276,4 +276,4 @@ TEST_F(LuminaireForms, EulumdatCommasLineEndsAndRemainingNumbers) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -14,7 +14,7 @@
 #include "formats/error.h"
 #include "support/data.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 using std::numbers::pi;
@@ -314,4 +314,4 @@ TEST(LuminaireReal, StreetSidesAreFound) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -7,7 +7,7 @@
 #include "tests/tools/lights/kept_schedules.h"
 #include "tools/random.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 NightSchedule night(std::initializer_list<std::pair<int, int>> times) {
@@ -119,4 +119,4 @@ TEST(NightSchedule, HoursAreCountedAtFullHours) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::lights

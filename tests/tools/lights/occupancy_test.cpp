@@ -10,7 +10,7 @@
 
 #include "tools/lights/window_houses.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 using namespace test;
@@ -76,7 +76,7 @@ TEST(Occupancy, RoomsOfOneHomeGoDarkTogether) {
 
 /// Returns the windows of a house with many storeys, by its function.
 WindowSet tall(const char* function, const char* id) {
-  CityObject house = make_house(0, 0, 40, 24, 25, id);
+  city::CityObject house = make_house(0, 0, 40, 24, 25, id);
   house.function = function;
   return windows_of({house});
 }
@@ -163,4 +163,4 @@ TEST(Occupancy, TimesAreInOrderApartAndWithinTheNight) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::lights

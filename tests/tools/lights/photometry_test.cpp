@@ -14,7 +14,7 @@
 #include "tools/lights/luminaire.h"
 #include "tools/lights/optics.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 using std::numbers::pi;
@@ -208,4 +208,4 @@ TEST(Photometry, WhatIsNoDistributionIsRefused) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -17,13 +17,13 @@
 #include "tools/lights/road_index.h"
 #include "tools/osm/read_osm.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 constexpr double metres_per_degree = 111320;
 
 /// A flat Earth whose grid north is rotated by `convergence` degrees from true north.
-LonLatToFrame flat_earth(double convergence_degrees = 0) {
+place::LonLatToFrame flat_earth(double convergence_degrees = 0) {
   const double a = glm::radians(convergence_degrees);
   return [a](const glm::dvec2& lon_lat) {
     const glm::dvec2 p = lon_lat * metres_per_degree;
@@ -39,17 +39,18 @@ std::optional<double> ground(const glm::dvec2& p) {
   return std::abs(p.x) <= 500 && std::abs(p.y) <= 500 ? std::optional<double>(40.0) : std::nullopt;
 }
 
-OsmLampNode lamp_at(double x, double y, OsmTags tags = {}, std::int64_t id = 1) {
+osm::OsmLampNode lamp_at(double x, double y, osm::OsmTags tags = {}, std::int64_t id = 1) {
   tags["highway"] = "street_lamp";
   return {id, degrees(x, y), tags};
 }
 
-OsmWay road(OsmTags tags, std::vector<glm::dvec2> line = {degrees(-300, 0), degrees(300, 0)}) {
+osm::OsmWay road(osm::OsmTags tags,
+                 std::vector<glm::dvec2> line = {degrees(-300, 0), degrees(300, 0)}) {
   return {1, line, tags};
 }
 
-LampSet place(std::vector<OsmLampNode> lamps, std::vector<OsmWay> roads = {}) {
-  OsmData osm;
+LampSet place(std::vector<osm::OsmLampNode> lamps, std::vector<osm::OsmWay> roads = {}) {
+  osm::OsmData osm;
   osm.lamps = std::move(lamps);
   osm.highways = std::move(roads);
   return place_lamps(osm, flat_earth(), ground);
@@ -113,7 +114,7 @@ TEST(Lamps, LampWithoutARoadStandsInTheOpen) {
 }
 
 TEST(Lamps, PavementMappedAsItsOwnWayDoesNotClaimTheStreetsLamps) {
-  const std::vector<OsmWay> roads = {
+  const std::vector<osm::OsmWay> roads = {
       road({{"highway", "secondary"}}),
       road({{"highway", "footway"}}, {degrees(-300, 6.5), degrees(300, 6.5)})};
   EXPECT_EQ(place({lamp_at(0, 5.3)}, roads).sources.at("road class").count("secondary"), 1u);
@@ -139,7 +140,7 @@ TEST(Lamps, SeveralLuminairesOnOnePostPointApart) {
 }
 
 TEST(Lamps, TaggedDirectionCountsFromTrueNorth) {
-  OsmData osm;
+  osm::OsmData osm;
   osm.lamps = {lamp_at(0, 5, {{"direction", "E"}})};
   const LampSet set = place_lamps(osm, flat_earth(2), ground);  // grid north is two degrees off
   const double angle = std::atan2(set.lamps.at(0).aim.y, set.lamps[0].aim.x);
@@ -159,7 +160,7 @@ TEST(Lamps, WhatIsNotPlacedIsCountedByReason) {
 }
 
 TEST(Lamps, LampInsideABuildingStepsOutTowardsItsRoad) {
-  OsmData osm;
+  osm::OsmData osm;
   osm.lamps = {lamp_at(0, 9)};
   osm.highways = {road({{"highway", "residential"}})};
   const LampSet set =
@@ -175,7 +176,7 @@ TEST(Lamps, IdentitiesStayWhateverElseIsInTheFile) {
   const LampSet one = place({lamp_at(0, 5, {}, 77)});
   const LampSet two = place({lamp_at(50, 5, {}, 12), lamp_at(0, 5, {}, 77)});
   EXPECT_EQ(one.lamps.at(0).id, two.lamps.at(1).id);
-  std::vector<OsmLampNode> many;
+  std::vector<osm::OsmLampNode> many;
   for (int n = 0; n < 5000; ++n)
     many.push_back(lamp_at(n % 100 * 5 - 250, n / 100 * 5 - 100, {}, 1000 + n));
   std::set<std::uint32_t> ids;
@@ -212,7 +213,7 @@ TEST(Lamps, TiltTurnsTheAxisTowardsTheAimAndKeepsTheFrameSquare) {
 }
 
 TEST(Lamps, MeasuredLuminaireServesTheRoadsItIsChosenFor) {
-  OsmData osm;
+  osm::OsmData osm;
   osm.lamps = {lamp_at(0, 5), lamp_at(30, 5, {{"lamp_type", "SON"}}, 2), lamp_at(0, 105, {}, 3)};
   osm.highways = {road({{"highway", "primary"}}),
                   road({{"highway", "residential"}}, {degrees(-300, 100), degrees(300, 100)})};
@@ -234,7 +235,7 @@ TEST(Lamps, MeasuredLuminaireServesTheRoadsItIsChosenFor) {
 }
 
 TEST(Lamps, MeasuredLuminaireServesTheTypesOfLampItIsChosenFor) {
-  OsmData osm;
+  osm::OsmData osm;
   osm.lamps = {lamp_at(0, 5), lamp_at(30, 5, {{"lamp_type", "SON"}}, 2),
                lamp_at(60, 5, {{"lamp_type", "led"}}, 3)};
   osm.highways = {road({{"highway", "primary"}})};
@@ -249,9 +250,9 @@ TEST(Lamps, MeasuredLuminaireServesTheTypesOfLampItIsChosenFor) {
 }
 
 TEST(Lamps, LuminaireDoesNotReachIntoABuilding) {
-  OsmData osm;
+  osm::OsmData osm;
   osm.lamps = {lamp_at(0, 0, {{"direction", "180"}, {"lamp_mount", "bent_mast"}})};
-  const InsideBuilding house = [](const glm::dvec2& p) {
+  const place::InsideBuilding house = [](const glm::dvec2& p) {
     return p.y < -0.8;
   };  // nearer than the length of the arm
   const LampSet set = place_lamps(osm, flat_earth(), ground, house);
@@ -282,7 +283,7 @@ TEST(LampHours, TagsTellHoursAndOtherLampsAreAlwaysOn) {
 }
 
 TEST(LampHours, EverySecondLampOfAHalfNightStreetGoesDarkWhateverTheOrderOfTheFile) {
-  std::vector<OsmLampNode> lamps;
+  std::vector<osm::OsmLampNode> lamps;
   for (int n = 0; n < 9; ++n)
     lamps.push_back(lamp_at(-200 + 30 * ((n * 4) % 9), 5, {}, 10 + (n * 4) % 9));
   lamps.push_back(lamp_at(0, 105, {}, 50));
@@ -310,7 +311,7 @@ TEST(LampHours, EverySecondLampOfAHalfNightStreetGoesDarkWhateverTheOrderOfTheFi
 }
 
 TEST(LampHours, LuminairesOfOnePostGoTogether) {
-  std::vector<OsmLampNode> lamps;
+  std::vector<osm::OsmLampNode> lamps;
   for (int n = 0; n < 4; ++n) lamps.push_back(lamp_at(30 * n, 5, {{"light:count", "2"}}, 10 + n));
   LampSet set = place(lamps, {road({{"highway", "residential"}})});
   LampHours hours;
@@ -323,7 +324,7 @@ TEST(LampHours, LuminairesOfOnePostGoTogether) {
 
 TEST(LampsReal, EveryBerlinLampIsPlacedOrCounted) {
   REAL_DATA(file, "berlin/berlin_dev_box.osm.pbf");
-  const OsmData osm = read_osm(file);
+  const osm::OsmData osm = osm::read_osm(file);
   const LampSet set = place_lamps(
       osm, [](const glm::dvec2& p) { return glm::dvec2(p.x * 68000, p.y * 111000); },
       [](const glm::dvec2&) { return std::optional<double>(35); });
@@ -335,4 +336,4 @@ TEST(LampsReal, EveryBerlinLampIsPlacedOrCounted) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -6,11 +6,11 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 TEST(RoadIndex, AgreesWithBruteForce) {
-  std::vector<OsmWay> ways;
+  std::vector<osm::OsmWay> ways;
   std::uint32_t state = 1;
   const auto random = [&] {
     return (state = state * 1664525u + 1013904223u) / 4294967296.0 * 800 - 400;
@@ -24,7 +24,7 @@ TEST(RoadIndex, AgreesWithBruteForce) {
   for (int n = 0; n < 2000; ++n) {
     const glm::dvec2 p(random(), random());
     double best = 1e300;
-    for (const OsmWay& way : ways)
+    for (const osm::OsmWay& way : ways)
       for (std::size_t k = 0; k + 1 < way.lon_lat.size(); ++k) {
         const glm::dvec2 a = way.lon_lat[k], edge = way.lon_lat[k + 1] - a;
         const double t = glm::clamp(glm::dot(p - a, edge) / glm::dot(edge, edge), 0.0, 1.0);
@@ -41,4 +41,4 @@ TEST(RoadIndex, AgreesWithBruteForce) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 TEST(WallPlane, RectanglesAreInsideWhollyOrNotAtAll) {
@@ -21,4 +21,4 @@ TEST(WallPlane, RectanglesAreInsideWhollyOrNotAtAll) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -13,10 +13,10 @@ namespace nightcity::test {
 
 constexpr double east = 412000, north = 5762000, ground_z = 50;
 
-inline Polygon make_wall(std::vector<glm::dvec2> plan, std::vector<double> bottom,
-                         std::vector<double> top) {
-  Polygon polygon;
-  polygon.surface = SurfaceType::wall;
+inline city::Polygon make_wall(std::vector<glm::dvec2> plan, std::vector<double> bottom,
+                               std::vector<double> top) {
+  city::Polygon polygon;
+  polygon.surface = city::SurfaceType::wall;
   const auto at = [&](std::size_t n, double z) {
     return glm::dvec3(east + plan[n].x, north + plan[n].y, ground_z + z);
   };
@@ -25,18 +25,18 @@ inline Polygon make_wall(std::vector<glm::dvec2> plan, std::vector<double> botto
 }
 
 /// Returns a flat-roofed house from (x0, y0) to (x1, y1), `height` above the ground.
-inline CityObject make_house(double x0, double y0, double x1, double y1, double height,
-                             const char* id = "house") {
-  CityObject building;
+inline city::CityObject make_house(double x0, double y0, double x1, double y1, double height,
+                                   const char* id = "house") {
+  city::CityObject building;
   building.id = id;
-  building.type = ObjectType::building;
+  building.type = city::ObjectType::building;
   building.function = "31001_1010";
   const glm::dvec2 corners[4] = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
   for (int k = 0; k < 4; ++k)
     building.polygons.push_back(
         make_wall({corners[k], corners[(k + 1) % 4]}, {0, 0}, {height, height}));
-  Polygon roof;
-  roof.surface = SurfaceType::roof;
+  city::Polygon roof;
+  roof.surface = city::SurfaceType::roof;
   for (const glm::dvec2& c : corners)
     roof.exterior.emplace_back(east + c.x, north + c.y, ground_z + height);
   building.polygons.push_back(roof);
@@ -44,17 +44,18 @@ inline CityObject make_house(double x0, double y0, double x1, double y1, double 
 }
 
 struct WindowSet {
-  std::vector<LitRectangle> windows;
-  WindowReport report;
+  std::vector<lights::LitRectangle> windows;
+  lights::WindowReport report;
 };
 
-inline WindowSet windows_of(std::vector<CityObject> objects, const HeightAt& ground = {}) {
+inline WindowSet windows_of(std::vector<city::CityObject> objects,
+                            const place::HeightAt& ground = {}) {
   const TempFolder folder;
-  WindowLayout layout({}, folder / "scratch");
-  for (const CityObject& object : objects) layout.add(object);
+  lights::WindowLayout layout({}, folder / "scratch");
+  for (const city::CityObject& object : objects) layout.add(object);
   WindowSet set;
-  set.report =
-      std::move(layout).finish(ground, [&](const LitRectangle& w) { set.windows.push_back(w); });
+  set.report = std::move(layout).finish(
+      ground, [&](const lights::LitRectangle& w) { set.windows.push_back(w); });
   EXPECT_EQ(set.report.placed, set.windows.size());
   return set;
 }

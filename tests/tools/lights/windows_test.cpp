@@ -14,7 +14,7 @@
 #include "tools/lights/kept_schedules.h"
 #include "tools/lights/window_houses.h"
 
-namespace nightcity {
+namespace nightcity::lights {
 namespace {
 
 using namespace test;
@@ -47,9 +47,9 @@ TEST(Windows, PartyWallsAndWallsNearbyHaveNoneAndTheRestStay) {
 TEST(Windows, ModelledWindowsMaySitDeepInTheirWalls) {
   std::size_t kept = 0;
   for (int n = 0; n < 20; ++n) {  // enough houses that some windows are lit
-    CityObject house = make_house(0, 0, 12, 10, 6, ("house " + std::to_string(n)).c_str());
-    Polygon window = make_wall({{3, 0.2}, {4.5, 0.2}}, {1, 1}, {2.2, 2.2});
-    window.surface = SurfaceType::window;
+    city::CityObject house = make_house(0, 0, 12, 10, 6, ("house " + std::to_string(n)).c_str());
+    city::Polygon window = make_wall({{3, 0.2}, {4.5, 0.2}}, {1, 1}, {2.2, 2.2});
+    window.surface = city::SurfaceType::window;
     house.polygons.push_back(window);
     const WindowSet set = windows_of({house});
     EXPECT_FALSE(set.report.left_out.contains("something before it"));
@@ -59,7 +59,7 @@ TEST(Windows, ModelledWindowsMaySitDeepInTheirWalls) {
 }
 
 TEST(Windows, NoneIsBelowTheGround) {
-  const HeightAt slope = [](const glm::dvec2& p) {
+  const place::HeightAt slope = [](const glm::dvec2& p) {
     return std::optional(ground_z + (p.x - east) * 0.5);
   };
   const WindowSet set = windows_of({make_house(0, 0, 20, 10, 12.8)}, slope);
@@ -117,7 +117,7 @@ TEST(Windows, LightIsOneSidedLambertianOfItsLuminance) {
 }
 
 TEST(Windows, HoursAreCountedByUse) {
-  CityObject shop = make_house(100, 0, 130, 20, 9, "shop");
+  city::CityObject shop = make_house(100, 0, 130, 20, 9, "shop");
   shop.function = "31001_2010";
   const WindowSet set = windows_of({make_house(0, 0, 30, 20, 12, "flats"), shop});
   ASSERT_EQ(set.report.by_use.size(), 2u);
@@ -133,8 +133,8 @@ TEST(Windows, HoursAreCountedByUse) {
 }
 
 TEST(Windows, WallsOfOtherThingsStandInTheWayToo) {
-  CityObject fence = make_house(-10, -0.6, 40, -0.3, 3, "noise barrier");
-  fence.type = ObjectType::other;
+  city::CityObject fence = make_house(-10, -0.6, 40, -0.3, 3, "noise barrier");
+  fence.type = city::ObjectType::other;
   const WindowSet set = windows_of({make_house(0, 0, 30, 20, 12, "flats"), fence});
   for (const LitRectangle& w : set.windows)
     if (w.normal.y < -0.9f) {
@@ -189,4 +189,4 @@ TEST(Windows, PiecesOfOneLargeBuildingHaveEachTheirOwnIdentities) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::lights

@@ -8,19 +8,19 @@
 #include "tools/mesh/mesh_report.h"
 #include "tools/mesh/polygon_plane.h"
 
-namespace nightcity {
+namespace nightcity::mesh {
 namespace {
 
 using namespace test;
 
-MeshReport repaired(CityObject& object) {
+MeshReport repaired(city::CityObject& object) {
   MeshReport report;
   repair_shells(object, report);
   return report;
 }
 
 TEST(CloseGaps, AHouseWithoutItsGroundSurfaceGetsOneThatFacesDown) {
-  CityObject object = building(box(391000, 5819000, 30, 10));
+  city::CityObject object = building(box(391000, 5819000, 30, 10));
   object.polygons.erase(object.polygons.begin());  // the floor
   const MeshReport report = repaired(object);
   EXPECT_EQ(report.floors_added, 1u);
@@ -28,14 +28,14 @@ TEST(CloseGaps, AHouseWithoutItsGroundSurfaceGetsOneThatFacesDown) {
   EXPECT_EQ(report.turned, 0u);
   EXPECT_EQ(report.open_objects, 0u);
   ASSERT_EQ(object.polygons.size(), 6u);
-  EXPECT_EQ(object.polygons.back().surface, SurfaceType::ground);
-  EXPECT_NEAR(area_vector(object.polygons.back().exterior).z, -100, 1e-6);
+  EXPECT_EQ(object.polygons.back().surface, city::SurfaceType::ground);
+  EXPECT_NEAR(city::area_vector(object.polygons.back().exterior).z, -100, 1e-6);
   EXPECT_NEAR(volume(object), 1000, 1e-6);
 }
 
 TEST(CloseGaps, AMissingWallOrRoofMayBeMeantAndStaysOpen) {
   for (std::size_t face = 1; face < 6; ++face) {
-    CityObject object = building(box(0, 0, 0, 10));
+    city::CityObject object = building(box(0, 0, 0, 10));
     object.polygons.erase(object.polygons.begin() + static_cast<std::ptrdiff_t>(face));
     const MeshReport report = repaired(object);
     EXPECT_EQ(report.floors_added, 0u) << face;
@@ -45,7 +45,7 @@ TEST(CloseGaps, AMissingWallOrRoofMayBeMeantAndStaysOpen) {
 }
 
 TEST(CloseGaps, CornersRoundedApartAreMovedTogetherAndTheShellIsThenTurned) {
-  CityObject object = building(box(391000, 5819000, 30, 10));
+  city::CityObject object = building(box(391000, 5819000, 30, 10));
   for (glm::dvec3& p : object.polygons[3].exterior) p += glm::dvec3(0.004, -0.003, 0.002);
   std::reverse(object.polygons[3].exterior.begin(), object.polygons[3].exterior.end());
   const MeshReport report = repaired(object);
@@ -56,7 +56,7 @@ TEST(CloseGaps, CornersRoundedApartAreMovedTogetherAndTheShellIsThenTurned) {
 }
 
 TEST(CloseGaps, WiderGapsStayAsTheyAre) {
-  CityObject object = building(box(0, 0, 0, 10));
+  city::CityObject object = building(box(0, 0, 0, 10));
   for (glm::dvec3& p : object.polygons[3].exterior) p.x += 0.02;
   const auto before = object.polygons[3].exterior;
   const MeshReport report = repaired(object);
@@ -65,13 +65,13 @@ TEST(CloseGaps, WiderGapsStayAsTheyAre) {
 }
 
 TEST(CloseGaps, ALoneRoofAndATerrainAreLeftAlone) {
-  CityObject canopy = building({box(0, 0, 0, 10)[1]});
+  city::CityObject canopy = building({box(0, 0, 0, 10)[1]});
   EXPECT_EQ(repaired(canopy).floors_added, 0u);
-  CityObject relief = building(box(0, 0, 0, 10));
-  relief.type = ObjectType::relief;
+  city::CityObject relief = building(box(0, 0, 0, 10));
+  relief.type = city::ObjectType::relief;
   relief.polygons.erase(relief.polygons.begin());
   EXPECT_EQ(repaired(relief).floors_added, 0u);
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::mesh

@@ -9,17 +9,17 @@
 #include "tools/mesh/orient.h"
 #include "tools/mesh/polygon_plane.h"
 
-namespace nightcity {
+namespace nightcity::mesh {
 namespace {
 
 using namespace test;
 
-void turn(Polygon& polygon) {
+void turn(city::Polygon& polygon) {
   std::reverse(polygon.exterior.begin(), polygon.exterior.end());
-  for (Ring& ring : polygon.interiors) std::reverse(ring.begin(), ring.end());
+  for (city::Ring& ring : polygon.interiors) std::reverse(ring.begin(), ring.end());
 }
 
-std::size_t oriented(CityObject& object) {
+std::size_t oriented(city::CityObject& object) {
   MeshReport report;
   orient_outward(object, report);
   return report.turned;
@@ -27,7 +27,7 @@ std::size_t oriented(CityObject& object) {
 
 TEST(Orient, AnyFacesOfABoxTurnedInwardAreTurnedBack) {
   for (unsigned mask = 0; mask < 64; ++mask) {
-    CityObject object = building(box(32500000, 5800000, 30, 10));
+    city::CityObject object = building(box(32500000, 5800000, 30, 10));
     std::size_t turned = 0;
     for (unsigned i = 0; i < 6; ++i) {
       if ((mask >> i & 1) == 0) continue;
@@ -40,24 +40,24 @@ TEST(Orient, AnyFacesOfABoxTurnedInwardAreTurnedBack) {
 }
 
 TEST(Orient, OpenBoxIsLeftAlone) {
-  std::vector<Polygon> faces = box(0, 0, 0, 10);
+  std::vector<city::Polygon> faces = box(0, 0, 0, 10);
   faces.pop_back();
   turn(faces[2]);
-  CityObject object = building(faces);
+  city::CityObject object = building(faces);
   EXPECT_EQ(oriented(object), 0u);
   EXPECT_EQ(object.polygons[2].exterior, faces[2].exterior);
 }
 
 TEST(Orient, WallWithAWindowInItsHoleIsOneShell) {
-  std::vector<Polygon> faces = box(0, 0, 0, 10);
-  const Ring window{{3, 0, 3}, {6, 0, 3}, {6, 0, 6}, {3, 0, 6}};
-  faces[2].interiors = {Ring(window.rbegin(), window.rend())};
-  Polygon pane;
+  std::vector<city::Polygon> faces = box(0, 0, 0, 10);
+  const city::Ring window{{3, 0, 3}, {6, 0, 3}, {6, 0, 6}, {3, 0, 6}};
+  faces[2].interiors = {city::Ring(window.rbegin(), window.rend())};
+  city::Polygon pane;
   pane.exterior = window;
-  pane.surface = SurfaceType::window;
+  pane.surface = city::SurfaceType::window;
   faces.push_back(pane);
   for (const std::size_t inward : {std::size_t{2}, std::size_t{6}}) {
-    CityObject object = building(faces);
+    city::CityObject object = building(faces);
     turn(object.polygons[inward]);
     EXPECT_EQ(oriented(object), 1u);
     EXPECT_NEAR(volume(object), 1000, 1e-9);
@@ -65,51 +65,51 @@ TEST(Orient, WallWithAWindowInItsHoleIsOneShell) {
 }
 
 TEST(Orient, PartsThatShareAWallAreTurnedOutwardRoundBoth) {
-  std::vector<Polygon> faces = box(0, 0, 0, 10);
-  for (Polygon& p : box(10, 0, 0, 10)) faces.push_back(p);
-  const CityObject right = building(faces);
+  std::vector<city::Polygon> faces = box(0, 0, 0, 10);
+  for (city::Polygon& p : box(10, 0, 0, 10)) faces.push_back(p);
+  const city::CityObject right = building(faces);
   for (std::size_t i = 6; i < 12; ++i) turn(faces[i]);
   turn(faces[1]);
-  CityObject object = building(faces);
+  city::CityObject object = building(faces);
   EXPECT_EQ(oriented(object), 6u);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     if (i == 3 || i == 11) continue;  // the wall between them, from each side: no camera sees it
-    EXPECT_GT(
-        glm::dot(area_vector(object.polygons[i].exterior), area_vector(right.polygons[i].exterior)),
-        0)
+    EXPECT_GT(glm::dot(city::area_vector(object.polygons[i].exterior),
+                       city::area_vector(right.polygons[i].exterior)),
+              0)
         << i;
   }
 }
 
 TEST(Orient, CavityKeepsFacingIntoItself) {
-  std::vector<Polygon> faces = box(0, 0, 0, 10);
-  for (Polygon& p : box(4, 4, 4, 2)) {
+  std::vector<city::Polygon> faces = box(0, 0, 0, 10);
+  for (city::Polygon& p : box(4, 4, 4, 2)) {
     turn(p);
     faces.push_back(p);
   }
-  CityObject object = building(faces);
+  city::CityObject object = building(faces);
   EXPECT_EQ(oriented(object), 0u);
   EXPECT_NEAR(volume(object), 1000 - 8, 1e-9);
 }
 
 TEST(Orient, VerticesAMillimetreApartAreOne) {
-  std::vector<Polygon> faces = box(0, 0, 0, 10);
+  std::vector<city::Polygon> faces = box(0, 0, 0, 10);
   for (glm::dvec3& p : faces[3].exterior) p.x += 0.0003;
   turn(faces[3]);
-  CityObject object = building(faces);
+  city::CityObject object = building(faces);
   EXPECT_EQ(oriented(object), 1u);
 }
 
 TEST(Orient, TerrainAndBrokenCoordinatesAreLeftAlone) {
-  CityObject relief = building(box(0, 0, 0, 10));
-  relief.type = ObjectType::relief;
-  for (Polygon& p : relief.polygons) turn(p);
+  city::CityObject relief = building(box(0, 0, 0, 10));
+  relief.type = city::ObjectType::relief;
+  for (city::Polygon& p : relief.polygons) turn(p);
   EXPECT_EQ(oriented(relief), 0u);
-  CityObject broken = building(box(0, 0, 0, 10));
-  for (Polygon& p : broken.polygons) turn(p);
+  city::CityObject broken = building(box(0, 0, 0, 10));
+  for (city::Polygon& p : broken.polygons) turn(p);
   broken.polygons[0].exterior[0].x = 1e300;
   EXPECT_EQ(oriented(broken), 0u);
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::mesh

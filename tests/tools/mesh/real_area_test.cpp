@@ -23,32 +23,32 @@
 #include "tools/mesh/triangle_mesh.h"
 #include "tools/mesh/triangulate.h"
 
-namespace nightcity {
+namespace nightcity::mesh {
 namespace {
 
-CityFrame frame_of(const std::filesystem::path& file) {
-  const CityHead head = read_citygml_head(file);
+georeference::CityFrame frame_of(const std::filesystem::path& file) {
+  const city::CityHead head = citygml::read_citygml_head(file);
   try {
-    return CityFrame::from_srs_name(head.srs_name, head.sample, {});
+    return georeference::CityFrame::from_srs_name(head.srs_name, head.sample, {});
   } catch (const Error&) {  // invented coordinates under a real CRS are taken as they are
-    return CityFrame::from_srs_name("", {}, {});
+    return georeference::CityFrame::from_srs_name("", {}, {});
   }
 }
 
-void project(CityObject& object, const CityFrame& frame) {
-  for (Polygon& polygon : object.polygons) {
+void project(city::CityObject& object, const georeference::CityFrame& frame) {
+  for (city::Polygon& polygon : object.polygons) {
     frame.to_projected(polygon.exterior);
-    for (Ring& ring : polygon.interiors) frame.to_projected(ring);
+    for (city::Ring& ring : polygon.interiors) frame.to_projected(ring);
   }
 }
 
 // Returns the area vector of the rings themselves: the exterior's, less the holes' along the same
 // normal.
-glm::dvec3 vector_of_rings(const Polygon& polygon) {
-  glm::dvec3 sum = area_vector(remove_duplicates(polygon.exterior));
+glm::dvec3 vector_of_rings(const city::Polygon& polygon) {
+  glm::dvec3 sum = city::area_vector(remove_duplicates(polygon.exterior));
   const glm::dvec3 outward = sum;
-  for (const Ring& hole : polygon.interiors) {
-    const glm::dvec3 of_hole = area_vector(remove_duplicates(hole));
+  for (const city::Ring& hole : polygon.interiors) {
+    const glm::dvec3 of_hole = city::area_vector(remove_duplicates(hole));
     sum -= glm::dot(of_hole, outward) > 0 ? of_hole : -of_hole;
   }
   return sum;
@@ -57,7 +57,7 @@ glm::dvec3 vector_of_rings(const Polygon& polygon) {
 struct Tally {
   std::size_t files = 0, polygons = 0, wrong = 0;
   double worst = 0;  // relative, of polygons not counted as faulty
-  std::map<SurfaceType, double> rings_m2, triangles_m2;
+  std::map<city::SurfaceType, double> rings_m2, triangles_m2;
   std::size_t buildings = 0, wrong_buildings = 0;
   double worst_building = 0;  // relative, of a building's whole, wall or roof area
 };
@@ -65,9 +65,10 @@ struct Tally {
 // Areas of one building: all of it, its walls, its roofs.
 struct BuildingAreas {
   std::array<double, 3> rings{}, triangles{};
-  void add(SurfaceType surface, double of_rings, double of_triangles) {
+  void add(city::SurfaceType surface, double of_rings, double of_triangles) {
     for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
-      if ((i == 1 && surface != SurfaceType::wall) || (i == 2 && surface != SurfaceType::roof))
+      if ((i == 1 && surface != city::SurfaceType::wall) ||
+          (i == 2 && surface != city::SurfaceType::roof))
         continue;
       rings[i] += of_rings;
       triangles[i] += of_triangles;
@@ -77,10 +78,10 @@ struct BuildingAreas {
 
 // Compares polygon by polygon; those the report counts as self-intersecting have no area to compare
 // with.
-void compare(const CityObject& object, MeshReport& report, Tally& tally) {
+void compare(const city::CityObject& object, MeshReport& report, Tally& tally) {
   BuildingAreas building;
-  for (const Polygon& polygon : object.polygons) {
-    CityObject one;
+  for (const city::Polygon& polygon : object.polygons) {
+    city::CityObject one;
     one.id = object.id;
     one.polygons = {polygon};
     MeshReport own;
@@ -114,7 +115,7 @@ void compare(const CityObject& object, MeshReport& report, Tally& tally) {
     tally.triangles_m2[polygon.surface] += covered;
     building.add(polygon.surface, glm::length(truth), covered);
   }
-  if (object.type != ObjectType::building) return;
+  if (object.type != city::ObjectType::building) return;
   ++tally.buildings;
   double worst = 0;
   for (std::size_t i = 0; i < 3; ++i)
@@ -133,10 +134,10 @@ TEST(RealAreas, TrianglesKeepTheAreaOfEveryPolygonToAMillionth) {
     const std::string extension = entry.path().extension();
     if (extension != ".gml" && extension != ".xml" && extension != ".citygml") continue;
     try {
-      const CityFrame frame = frame_of(entry.path());
-      ReadOptions options;
+      const georeference::CityFrame frame = frame_of(entry.path());
+      city::ReadOptions options;
       options.max_lod = 4;
-      read_citygml(entry.path(), options, [&](CityObject&& object) {
+      citygml::read_citygml(entry.path(), options, [&](city::CityObject&& object) {
         project(object, frame);
         if (has_finite_places(object)) classify_unknown_surfaces(object);
         compare(object, report, tally);
@@ -150,7 +151,7 @@ TEST(RealAreas, TrianglesKeepTheAreaOfEveryPolygonToAMillionth) {
   EXPECT_EQ(tally.wrong, 0u);
   EXPECT_LE(tally.worst, 1e-6);
   for (const auto& [surface, area] : tally.rings_m2)
-    EXPECT_NEAR(tally.triangles_m2[surface], area, 1e-6 * area) << name_of(surface);
+    EXPECT_NEAR(tally.triangles_m2[surface], area, 1e-6 * area) << city::name_of(surface);
   EXPECT_GT(tally.buildings, 5000u);
   EXPECT_EQ(tally.wrong_buildings, 0u) << "worst " << tally.worst_building;
   EXPECT_EQ(report.not_triangulated, 0u);
@@ -166,4 +167,4 @@ TEST(RealAreas, TrianglesKeepTheAreaOfEveryPolygonToAMillionth) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::mesh

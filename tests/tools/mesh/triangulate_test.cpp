@@ -13,7 +13,7 @@
 #include "tools/mesh/triangle_mesh.h"
 #include "tools/mesh/triangulate.h"
 
-namespace nightcity {
+namespace nightcity::mesh {
 namespace {
 
 struct Result {
@@ -23,8 +23,8 @@ struct Result {
   double area = 0;       // sum of their areas
 };
 
-Result run(std::vector<Polygon> polygons) {
-  CityObject object;
+Result run(std::vector<city::Polygon> polygons) {
+  city::CityObject object;
   object.id = "object";
   object.polygons = std::move(polygons);
   Result r;
@@ -39,18 +39,18 @@ Result run(std::vector<Polygon> polygons) {
   return r;
 }
 
-Polygon polygon(Ring exterior, std::vector<Ring> interiors = {}) {
-  Polygon p;
+city::Polygon polygon(city::Ring exterior, std::vector<city::Ring> interiors = {}) {
+  city::Polygon p;
   p.exterior = std::move(exterior);
   p.interiors = std::move(interiors);
   return p;
 }
 
-Ring square(double x, double y, double side, double z = 0) {
+city::Ring square(double x, double y, double side, double z = 0) {
   return {{x, y, z}, {x + side, y, z}, {x + side, y + side, z}, {x, y + side, z}};
 }
 
-Ring reversed(Ring ring) {
+city::Ring reversed(city::Ring ring) {
   return {ring.rbegin(), ring.rend()};
 }
 
@@ -70,9 +70,9 @@ TEST(Triangulate, TriangleAndConvexQuadNeedNoCgal) {
 }
 
 TEST(Triangulate, ConcaveQuadIsCutAlongItsInnerDiagonalWhereverItStarts) {
-  const Ring dart{{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}};  // area 4
+  const city::Ring dart{{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}};  // area 4
   for (std::size_t start = 0; start < 4; ++start) {
-    Ring ring;
+    city::Ring ring;
     for (std::size_t i = 0; i < 4; ++i) ring.push_back(dart[(start + i) % 4]);
     expect_area(run({polygon(ring)}), 4);
     expect_area(run({polygon(reversed(ring))}), 4);
@@ -82,7 +82,7 @@ TEST(Triangulate, ConcaveQuadIsCutAlongItsInnerDiagonalWhereverItStarts) {
 TEST(Triangulate, NormalsFollowTheRing) {
   EXPECT_GT(run({polygon(square(0, 0, 2))}).vector.z, 0);
   EXPECT_LT(run({polygon(reversed(square(0, 0, 2)))}).vector.z, 0);
-  const Ring l_shape{{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}};
+  const city::Ring l_shape{{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}};
   EXPECT_NEAR(run({polygon(l_shape)}).vector.z, 5, 1e-9);
   EXPECT_NEAR(run({polygon(reversed(l_shape))}).vector.z, -5, 1e-9);
 }
@@ -131,7 +131,8 @@ TEST(Triangulate, CollinearAndEmptyRingsAreDroppedAndCounted) {
 }
 
 TEST(Triangulate, DuplicatesAndCollinearVerticesChangeNothing) {
-  Ring ring{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 0}};
+  city::Ring ring{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {2, 0, 0},
+                  {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 0}};
   expect_area(run({polygon(ring)}), 4);
   expect_area(run({polygon({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 2, 0}})}),
               2);  // quad with a straight corner
@@ -156,14 +157,14 @@ TEST(Triangulate, LeaningPlaneAtLargeCoordinatesKeepsItsArea) {
 }
 
 TEST(Triangulate, OffPlaneRingIsCountedWithItsDistanceAndKeepsItsAreaVector) {
-  Ring ring{{0, 0, 0}, {10, 0, 0.2}, {10, 10, 0}, {5, 12, 0.1}, {0, 10, 0.2}};
-  Polygon p = polygon(ring);
+  city::Ring ring{{0, 0, 0}, {10, 0, 0.2}, {10, 10, 0}, {5, 12, 0.1}, {0, 10, 0.2}};
+  city::Polygon p = polygon(ring);
   p.id = "bent";
   const Result r = run({p});
   EXPECT_EQ(r.report.non_planar, 1u);
   EXPECT_EQ(r.report.worst_non_planar, "bent");
   EXPECT_GT(r.report.worst_non_planar_m, 0.05);
-  EXPECT_LT(glm::distance(r.vector, area_vector(ring)), 1e-9 * r.area);
+  EXPECT_LT(glm::distance(r.vector, city::area_vector(ring)), 1e-9 * r.area);
 }
 
 TEST(Triangulate, NotFiniteIsDroppedAndCountedAndNothingElseIs) {
@@ -182,13 +183,13 @@ TEST(Triangulate, RandomStarsKeepTheirAreaAndTurnTheRightWay) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> radius(1, 10);
   for (int n = 5; n < 200; n += 7) {
-    Ring ring;
+    city::Ring ring;
     for (int i = 0; i < n; ++i) {
       const double r = radius(random), a = 2 * M_PI * i / n;
       ring.push_back({450000 + r * std::cos(a), 5500000 + r * std::sin(a), 30});
     }
     const Result r = run({polygon(ring)});
-    expect_area(r, glm::length(area_vector(ring)));
+    expect_area(r, glm::length(city::area_vector(ring)));
     EXPECT_EQ(r.mesh.triangles.size(), static_cast<std::size_t>(n - 2));
     EXPECT_EQ(r.report.self_intersecting, 0u);
   }
@@ -199,7 +200,7 @@ TEST(Triangulate, RandomScribblesNeverThrowAndNeverLeaveNan) {
   std::uniform_int_distribution<int> grid(0, 6), count(3, 14);
   for (int round = 0; round < 2000; ++round) {
     const auto ring = [&] {
-      Ring out;
+      city::Ring out;
       for (int i = count(random); i > 0; --i)
         out.push_back({grid(random) * 0.1, grid(random) * 0.1, grid(random) * 0.001});
       return out;
@@ -212,34 +213,34 @@ TEST(Triangulate, RandomScribblesNeverThrowAndNeverLeaveNan) {
 }
 
 TEST(Triangulate, SurfaceAndPolygonIndexComeAlong) {
-  Polygon wall = polygon({{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}),
-          roof = polygon(square(0, 0, 1, 1));
-  wall.surface = SurfaceType::wall;
-  roof.surface = SurfaceType::roof;
+  city::Polygon wall = polygon({{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}),
+                roof = polygon(square(0, 0, 1, 1));
+  wall.surface = city::SurfaceType::wall;
+  roof.surface = city::SurfaceType::roof;
   const Result r = run({wall, roof});
   ASSERT_EQ(r.mesh.triangles.size(), 4u);
-  EXPECT_EQ(r.mesh.triangles[0].surface, SurfaceType::wall);
-  EXPECT_EQ(r.mesh.triangles[3].surface, SurfaceType::roof);
+  EXPECT_EQ(r.mesh.triangles[0].surface, city::SurfaceType::wall);
+  EXPECT_EQ(r.mesh.triangles[3].surface, city::SurfaceType::roof);
   EXPECT_EQ(r.mesh.triangles[3].polygon, 1u);
 }
 
 TEST(Classify, BlockGetsRoofWallsAndGround) {
-  CityObject block;
-  block.type = ObjectType::building;
+  city::CityObject block;
+  block.type = city::ObjectType::building;
   block.polygons = {polygon(reversed(square(0, 0, 5))), polygon(square(0, 0, 5, 8)),
                     polygon({{0, 0, 0}, {5, 0, 0}, {5, 0, 8}, {0, 0, 8}}),
                     polygon(square(0, 0, 5, 0))};
-  block.polygons[3].surface = SurfaceType::closure;
+  block.polygons[3].surface = city::SurfaceType::closure;
   classify_unknown_surfaces(block);
-  EXPECT_EQ(block.polygons[0].surface, SurfaceType::ground);
-  EXPECT_EQ(block.polygons[1].surface, SurfaceType::roof);
-  EXPECT_EQ(block.polygons[2].surface, SurfaceType::wall);
-  EXPECT_EQ(block.polygons[3].surface, SurfaceType::closure);
+  EXPECT_EQ(block.polygons[0].surface, city::SurfaceType::ground);
+  EXPECT_EQ(block.polygons[1].surface, city::SurfaceType::roof);
+  EXPECT_EQ(block.polygons[2].surface, city::SurfaceType::wall);
+  EXPECT_EQ(block.polygons[3].surface, city::SurfaceType::closure);
 }
 
 // The area that a closed outline encloses an odd number of times, between the upright lines through
 // all its corners and crossings: no triangulation.
-double odd_area(const Ring& ring) {
+double odd_area(const city::Ring& ring) {
   struct Edge {
     glm::dvec3 a, b;
     double height_at(double x) const { return a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x); }
@@ -273,8 +274,8 @@ double odd_area(const Ring& ring) {
 TEST(Triangulate, ARingThatCrossesItselfManyTimes) {
   // Crossings rounded to doubles left CGAL's record of constraints incomplete here, and it read
   // invalid memory.
-  const Ring ring{{1, 2, 0}, {4, 7, 0}, {4, 1, 0}, {1, 6, 0}, {4, 3, 0},
-                  {6, 4, 0}, {3, 1, 0}, {2, 0, 0}, {6, 0, 0}, {2, 6, 0}};
+  const city::Ring ring{{1, 2, 0}, {4, 7, 0}, {4, 1, 0}, {1, 6, 0}, {4, 3, 0},
+                        {6, 4, 0}, {3, 1, 0}, {2, 0, 0}, {6, 0, 0}, {2, 6, 0}};
   const Result r = run({polygon(ring)});
   EXPECT_EQ(r.report.self_intersecting, 1u);
   EXPECT_EQ(r.report.not_triangulated, 0u);
@@ -286,7 +287,7 @@ TEST(Triangulate, RandomRingsCoverWhatTheyEncloseAnOddNumberOfTimes) {
   // one point.
   std::mt19937 random(20);
   for (int n = 0; n < 3000; ++n) {
-    Ring ring(5 + random() % 12);
+    city::Ring ring(5 + random() % 12);
     const unsigned size = 3 + random() % 8;
     for (glm::dvec3& p : ring) p = {random() % size, random() % size, 0};
     const Result r = run({polygon(ring)});
@@ -300,7 +301,7 @@ TEST(Triangulate, RandomRingsCoverWhatTheyEncloseAnOddNumberOfTimes) {
 
 TEST(Triangulate, OutlinesThatCrossWithoutEndAreLeftOut) {
   // 1,000 needles, each across all others: half a million crossings.
-  Ring ring;
+  city::Ring ring;
   for (int i = 0; i < 2000; ++i) {
     const double angle = 3.1 * i;
     ring.push_back({100 * std::cos(angle), 100 * std::sin(angle), 0});
@@ -311,4 +312,4 @@ TEST(Triangulate, OutlinesThatCrossWithoutEndAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::mesh

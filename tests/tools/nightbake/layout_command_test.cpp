@@ -8,7 +8,7 @@
 #include "support/temp_folder.h"
 #include "tools/nightbake/sample_city.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 namespace {
 
 using nlohmann::json;
@@ -117,4 +117,4 @@ TEST(LayoutCommand, AnOsmFileThatCannotBeWrittenLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

@@ -10,7 +10,7 @@
 #include "support/temp_folder.h"
 #include "tools/nightbake/sample_city.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 namespace {
 
 using nlohmann::json;
@@ -255,4 +255,4 @@ TEST(PunctualLights, TheRecipesBrightestAreInTheSceneAndOursReadItAllTheSame) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

@@ -11,7 +11,7 @@
 #include "support/temp_folder.h"
 #include "tools/nightbake/sample_city.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 namespace {
 
 using nlohmann::json;
@@ -298,4 +298,4 @@ TEST(Nightbake, AnOutputFolderThatCannotBeIsSaidAtOnce) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

@@ -9,7 +9,7 @@
 #include "tests/tools/citygml/small_city.h"
 #include "tools/nightbake/sample_city.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 namespace {
 
 using nlohmann::json;
@@ -72,4 +72,4 @@ TEST(ReadersCommand, TakesFoldersAndRefusesWhatIsNoCity) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

@@ -3,7 +3,7 @@
 
 #include "support/process.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 namespace {
 
 TEST(RecipeCommand, ExplainsAllKeysOneTableOrOneKey) {
@@ -24,4 +24,4 @@ TEST(RecipeCommand, AnUnknownWordIsWrongUsageAndNamesTheNearest) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

@@ -8,7 +8,7 @@
 #include "support/process.h"
 #include "support/temp_folder.h"
 
-namespace nightcity {
+namespace nightcity::nightbake {
 namespace {
 
 using nlohmann::json;
@@ -148,4 +148,4 @@ TEST(TrafficCommand, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::nightbake

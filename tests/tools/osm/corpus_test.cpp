@@ -7,7 +7,7 @@
 #include "formats/error.h"
 #include "tools/osm/read_osm.h"
 
-namespace nightcity {
+namespace nightcity::osm {
 namespace {
 
 TEST(Corpus, EveryExtractIsReadOrRefused) {
@@ -30,4 +30,4 @@ TEST(Corpus, EveryExtractIsReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::osm

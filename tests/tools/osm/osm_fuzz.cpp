@@ -14,11 +14,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return std::abs(p.x) <= 180 && std::abs(p.y) <= 90;
   };
   try {
-    const OsmData osm = read_osm(file.path());
-    for (const OsmLampNode& lamp : osm.lamps)
+    const osm::OsmData osm = osm::read_osm(file.path());
+    for (const osm::OsmLampNode& lamp : osm.lamps)
       if (!on_earth(lamp.lon_lat)) std::abort();
     for (const auto* ways : {&osm.highways, &osm.buildings})
-      for (const OsmWay& way : *ways)
+      for (const osm::OsmWay& way : *ways)
         for (const glm::dvec2& p : way.lon_lat)
           if (!on_earth(p)) std::abort();
   } catch (const Error&) {  // a broken file

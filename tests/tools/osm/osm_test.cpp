@@ -10,7 +10,7 @@
 #include "tools/osm/osm_selection.h"
 #include "tools/osm/read_osm.h"
 
-namespace nightcity {
+namespace nightcity::osm {
 namespace {
 
 class OsmFile : public testing::Test {
@@ -298,4 +298,4 @@ TEST(OsmReal, CorruptPbfIsAnError) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::osm

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace nightcity {
+namespace nightcity::osm {
 namespace {
 
 TEST(TagValues, LengthsInEveryUnitAndSpelling) {
@@ -41,4 +41,4 @@ TEST(TagValues, NumbersAreTakenOffTheFront) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::osm

@@ -5,7 +5,7 @@
 namespace nightcity::roads {
 namespace {
 
-double width_of(const char* highway, OsmTags tags = {}) {
+double width_of(const char* highway, osm::OsmTags tags = {}) {
   tags["highway"] = highway;
   return carriageway_width(tags);
 }
@@ -52,7 +52,7 @@ TEST(Carriageway, HoldsTheLanesThatAreDrivenOn) {
 }
 
 TEST(Carriageway, LanesAreSharedOut) {
-  const auto lanes = [](OsmTags tags) {
+  const auto lanes = [](osm::OsmTags tags) {
     const auto carriageway = read_carriageway(tags);
     return std::pair(carriageway->lanes[0], carriageway->lanes[1]);
   };

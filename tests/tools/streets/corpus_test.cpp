@@ -7,7 +7,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
-namespace nightcity {
+namespace nightcity::streets {
 namespace {
 
 TEST(Corpus, EveryOutlineIsTriangulated) {
@@ -23,4 +23,4 @@ TEST(Corpus, EveryOutlineIsTriangulated) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::streets

@@ -12,17 +12,17 @@
 namespace nightcity::streets {
 namespace {
 
-Polygon polygon(SurfaceType surface, int function, double x = 0) {
-  Polygon result;
+city::Polygon polygon(city::SurfaceType surface, int function, double x = 0) {
+  city::Polygon result;
   result.surface = surface;
   result.area_function = static_cast<std::uint16_t>(function);
   result.exterior = {{x, 0, 5}, {x + 8, 0, 5}, {x + 8, 4, 5}, {x, 4, 5}};
   return result;
 }
 
-CityObject road(std::vector<Polygon> polygons, const char* function = "") {
-  CityObject object;
-  object.type = ObjectType::road;
+city::CityObject road(std::vector<city::Polygon> polygons, const char* function = "") {
+  city::CityObject object;
+  object.type = city::ObjectType::road;
   object.function = function;
   object.polygons = std::move(polygons);
   return object;
@@ -32,9 +32,9 @@ TEST(RoadSurfaces, CarriagewaysAreTakenAndPavementsAreNot) {
   for (const int carriageway : {1, 1000, 1010, 1020})
     for (const int pavement : {2, 2000, 2020}) {
       RoadSurfaces roads;
-      roads.add(road({polygon(SurfaceType::traffic_area, carriageway, 0),
-                      polygon(SurfaceType::traffic_area, pavement, 20),
-                      polygon(SurfaceType::auxiliary_traffic_area, 0, 40)}));
+      roads.add(road({polygon(city::SurfaceType::traffic_area, carriageway, 0),
+                      polygon(city::SurfaceType::traffic_area, pavement, 20),
+                      polygon(city::SurfaceType::auxiliary_traffic_area, 0, 40)}));
       ASSERT_EQ(roads.surfaces().size(), 1u);
       EXPECT_EQ(roads.surfaces()[0].exterior[0].x, 0);
       EXPECT_TRUE(roads.surfaces()[0].carriageway);
@@ -44,7 +44,7 @@ TEST(RoadSurfaces, CarriagewaysAreTakenAndPavementsAreNot) {
 
 TEST(RoadSurfaces, ARoadWithoutAreasIsTakenWhole) {
   RoadSurfaces roads;
-  roads.add(road({polygon(SurfaceType::unknown, 0)}, "3"));
+  roads.add(road({polygon(city::SurfaceType::unknown, 0)}, "3"));
   ASSERT_EQ(roads.surfaces().size(), 1u);
   EXPECT_FALSE(roads.surfaces()[0].carriageway);
   EXPECT_STREQ(roads.surfaces()[0].highway, "secondary");
@@ -52,18 +52,18 @@ TEST(RoadSurfaces, ARoadWithoutAreasIsTakenWhole) {
 
 TEST(RoadSurfaces, APathForPedestriansHasNoSurface) {
   RoadSurfaces roads;
-  roads.add(road({polygon(SurfaceType::traffic_area, 2)}));
+  roads.add(road({polygon(city::SurfaceType::traffic_area, 2)}));
   EXPECT_TRUE(roads.surfaces().empty());
 }
 
 TEST(RoadSurfaces, UprightBrokenAndForeignPolygonsAreNotTaken) {
   RoadSurfaces roads;
-  Polygon kerb = polygon(SurfaceType::traffic_area, 1), broken = kerb;
+  city::Polygon kerb = polygon(city::SurfaceType::traffic_area, 1), broken = kerb;
   kerb.exterior = {{0, 0, 0}, {9, 0, 0}, {9, 0, 1}, {0, 0, 1}};
   broken.exterior[1].x = std::numeric_limits<double>::quiet_NaN();
   roads.add(road({kerb, broken}));
-  CityObject building = road({polygon(SurfaceType::unknown, 0)});
-  building.type = ObjectType::building;
+  city::CityObject building = road({polygon(city::SurfaceType::unknown, 0)});
+  building.type = city::ObjectType::building;
   roads.add(building);
   EXPECT_TRUE(roads.surfaces().empty());
   EXPECT_EQ(roads.left_out().at("upright or without area"), 2u);
@@ -71,7 +71,7 @@ TEST(RoadSurfaces, UprightBrokenAndForeignPolygonsAreNotTaken) {
 
 TEST(RoadSurfaces, MotorwaysAreLeftOutBecausePlansDoNotTellPiersFromGround) {
   RoadSurfaces roads;
-  roads.add(road({polygon(SurfaceType::unknown, 0)}, "1"));
+  roads.add(road({polygon(city::SurfaceType::unknown, 0)}, "1"));
   EXPECT_TRUE(roads.surfaces().empty());
   EXPECT_EQ(roads.left_out().at("of motorways"), 1u);
 }

@@ -13,11 +13,11 @@ namespace {
 
 using test::street;
 
-const OsmTags residential = {{"highway", "residential"}};
+const osm::OsmTags residential = {{"highway", "residential"}};
 
-StreetNetwork network_of(const std::vector<OsmWay>& ways) {
-  std::vector<const OsmWay*> pointers;
-  for (const OsmWay& way : ways) pointers.push_back(&way);
+StreetNetwork network_of(const std::vector<osm::OsmWay>& ways) {
+  std::vector<const osm::OsmWay*> pointers;
+  for (const osm::OsmWay& way : ways) pointers.push_back(&way);
   return make_street_network(pointers, test::to_plane);
 }
 
@@ -81,7 +81,7 @@ TEST(StreetNetwork, RepeatedNodesAndBrokenPlacesDoNoHarm) {
 }
 
 TEST(WhyUnlit, TagsDecideAndClassesDoWhereTheySayNothing) {
-  const auto why = [](OsmTags tags) {
+  const auto why = [](osm::OsmTags tags) {
     return why_unlit(street(1, {{0, 0}, {9, 0}}, std::move(tags)));
   };
   EXPECT_EQ(why({{"highway", "residential"}}), "");

@@ -10,12 +10,12 @@ namespace {
 
 using glm::dvec2;
 
-CityObject road(const PlanRing& ring, const char* function, std::uint16_t area) {
-  CityObject object;
-  object.type = ObjectType::road;
+city::CityObject road(const PlanRing& ring, const char* function, std::uint16_t area) {
+  city::CityObject object;
+  object.type = city::ObjectType::road;
   object.function = function;
-  Polygon polygon;
-  polygon.surface = area ? SurfaceType::traffic_area : SurfaceType::unknown;
+  city::Polygon polygon;
+  polygon.surface = area ? city::SurfaceType::traffic_area : city::SurfaceType::unknown;
   polygon.area_function = area;
   for (const dvec2& p : ring) polygon.exterior.emplace_back(p, 3.0);
   object.polygons.push_back(polygon);
@@ -34,8 +34,8 @@ TEST(StreetWays, ClassByCodeElseByWidth) {
   roads.add(road(test::strip({0, 200}, {100, 200}, 14).exterior, "9020", 0));
   const StreetWays streets = find_street_ways(roads, to_lon_lat);
   ASSERT_EQ(streets.ways.size(), 3u);
-  std::map<int, OsmTags> by_place;
-  for (const OsmWay& way : streets.ways)
+  std::map<int, osm::OsmTags> by_place;
+  for (const osm::OsmWay& way : streets.ways)
     by_place[static_cast<int>(std::lround(way.lon_lat[0].y / degrees / 100))] = way.tags;
   EXPECT_EQ(by_place.at(0).at("highway"), "primary");
   EXPECT_EQ(by_place.at(0).at("width"), "6.0");

@@ -12,7 +12,7 @@
 #include "tools/streets/road_outline.h"
 #include "tools/terrain/made_surface.h"
 
-namespace nightcity {
+namespace nightcity::streets {
 namespace {
 
 constexpr std::size_t max_points = 60;  // crossings grow with their square
@@ -37,7 +37,7 @@ class Bytes {
   std::size_t left_;
 };
 
-double area(const FlatTriangulation& flat, const std::array<std::uint32_t, 3>& t) {
+double area(const mesh::FlatTriangulation& flat, const std::array<std::uint32_t, 3>& t) {
   const glm::dvec2 a = flat.points[t[0]], b = flat.points[t[1]] - a, c = flat.points[t[2]] - a;
   return (b.x * c.y - b.y * c.x) / 2;
 }
@@ -54,7 +54,7 @@ void run(Bytes bytes) {
     if (bytes.next() % 8 == 0) outlines.emplace_back();
   }
   try {
-    const FlatTriangulation flat = triangulate_flat(points, outlines);
+    const mesh::FlatTriangulation flat = mesh::triangulate_flat(points, outlines);
     for (const auto& t : flat.triangles)
       // Exact crossings are rounded to doubles at the end.
       if (!(area(flat, t) > -1e-9)) std::abort();
@@ -72,13 +72,13 @@ void run(Bytes bytes) {
     }
   }
   if (kind & 2) streets::chordal_axis(streets::road_outline(roads), 2.5);
-  if (kind & 4) make_surface({{0, 0, 0}, {31, 31, 1}}, lines, 10);
+  if (kind & 4) terrain::make_surface({{0, 0, 0}, {31, 31, 1}}, lines, 10);
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::streets
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  nightcity::run({data, size});
+  nightcity::streets::run({data, size});
   return 0;
 }

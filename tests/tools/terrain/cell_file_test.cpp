@@ -9,7 +9,7 @@
 #include "support/temp_folder.h"
 #include "tools/cell_cache.h"
 
-namespace nightcity {
+namespace nightcity::terrain {
 namespace {
 
 struct Record {
@@ -84,4 +84,4 @@ TEST(CellCache, ServesManyThreads) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::terrain

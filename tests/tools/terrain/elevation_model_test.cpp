@@ -14,7 +14,7 @@
 #include "support/data.h"
 #include "support/temp_folder.h"
 
-namespace nightcity {
+namespace nightcity::terrain {
 namespace {
 
 using test::TempFolder;
@@ -281,4 +281,4 @@ TEST(ElevationModel, AFifoIsRefusedAtOnce) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::terrain

@@ -11,7 +11,7 @@
 #include "support/temp_folder.h"
 #include "tools/terrain/surface_store.h"
 
-namespace nightcity {
+namespace nightcity::terrain {
 namespace {
 
 TEST(GroundPoints, KeepsAllUpToItsLimitAndTheLowestOfEachSquareBeyond) {
@@ -87,4 +87,4 @@ TEST(SurfaceStore, FindsWhatABruteForceSearchFinds) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::terrain

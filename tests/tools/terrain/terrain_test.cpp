@@ -11,35 +11,36 @@
 
 #include "tools/terrain/made_surface.h"
 
-namespace nightcity {
+namespace nightcity::terrain {
 namespace {
 
 constexpr double east = 412345.678, north = 5762345.678;
 
 /// Two triangles over a rectangle, heights from a function of local coordinates.
 template <class Height>
-void add_rectangle(TriangleMesh& mesh, double x0, double y0, double x1, double y1, Height height) {
+void add_rectangle(mesh::TriangleMesh& mesh, double x0, double y0, double x1, double y1,
+                   Height height) {
   const auto base = static_cast<std::uint32_t>(mesh.positions.size());
   for (const auto& [x, y] : {std::pair{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}})
     mesh.positions.emplace_back(east + x, north + y, height(x, y));
-  mesh.triangles.push_back({{base, base + 1, base + 2}, SurfaceType::unknown, 0});
-  mesh.triangles.push_back({{base, base + 2, base + 3}, SurfaceType::unknown, 0});
+  mesh.triangles.push_back({{base, base + 1, base + 2}, city::SurfaceType::unknown, 0});
+  mesh.triangles.push_back({{base, base + 2, base + 3}, city::SurfaceType::unknown, 0});
 }
 
 template <class Height>
-TriangleMesh rectangle(double x0, double y0, double x1, double y1, Height height) {
-  TriangleMesh mesh;
+mesh::TriangleMesh rectangle(double x0, double y0, double x1, double y1, Height height) {
+  mesh::TriangleMesh mesh;
   add_rectangle(mesh, x0, y0, x1, y1, height);
   return mesh;
 }
 
-TriangleMesh flat(double x0, double y0, double x1, double y1, double z) {
+mesh::TriangleMesh flat(double x0, double y0, double x1, double y1, double z) {
   return rectangle(x0, y0, x1, y1, [z](double, double) { return z; });
 }
 
 TEST(Terrain, InclinedPlaneIsReproducedToMicrometresOnEdgesAndCornersToo) {
   const auto plane = [](double x, double y) { return 50 + 0.1 * x - 0.05 * y; };
-  TriangleMesh mesh;
+  mesh::TriangleMesh mesh;
   for (int i = 0; i < 10; ++i)
     for (int j = 0; j < 10; ++j)
       add_rectangle(mesh, i * 10, j * 10, i * 10 + 10, j * 10 + 10, plane);
@@ -57,7 +58,7 @@ TEST(Terrain, InclinedPlaneIsReproducedToMicrometresOnEdgesAndCornersToo) {
 }
 
 TEST(Terrain, OutsideAndInHolesThereIsNothing) {
-  TriangleMesh frame;  // a square ring around a hole from (10, 10) to (20, 20)
+  mesh::TriangleMesh frame;  // a square ring around a hole from (10, 10) to (20, 20)
   const auto zero = [](double, double) { return 0.0; };
   add_rectangle(frame, 0, 0, 30, 10, zero);
   add_rectangle(frame, 0, 20, 30, 30, zero);
@@ -74,7 +75,7 @@ TEST(Terrain, OutsideAndInHolesThereIsNothing) {
 }
 
 TEST(Terrain, OnAStepTheGreaterHeightOfOneClassWins) {
-  TriangleMesh step;
+  mesh::TriangleMesh step;
   add_rectangle(step, 0, 0, 10, 10, [](double, double) { return 1.0; });
   add_rectangle(step, 10, 0, 20, 10, [](double, double) { return 4.0; });
   Terrain terrain;
@@ -159,7 +160,7 @@ TEST(Terrain, BreakLinesThatCrossMeetInAVertex) {
   EXPECT_EQ(surface.edges, 2u);
   double area = 0;
   bool met = false;
-  for (const MeshTriangle& t : surface.mesh.triangles) {
+  for (const mesh::MeshTriangle& t : surface.mesh.triangles) {
     const auto p = [&](int k) { return glm::dvec2(surface.mesh.positions.at(t.vertex[k])); };
     const glm::dvec2 u = p(1) - p(0), v = p(2) - p(0);
     EXPECT_GT(u.x * v.y - u.y * v.x, 0);
@@ -191,7 +192,7 @@ TEST(Terrain, WhateverTheBreakLinesTheSurfaceCoversItsRectangleOnce) {
       high = glm::max(high, glm::dvec2(p));
     }
     double area = 0;
-    for (const MeshTriangle& t : surface.mesh.triangles) {
+    for (const mesh::MeshTriangle& t : surface.mesh.triangles) {
       const auto p = [&](int k) { return glm::dvec2(surface.mesh.positions.at(t.vertex[k])); };
       const glm::dvec2 u = p(1) - p(0), v = p(2) - p(0);
       EXPECT_GE(u.x * v.y - u.y * v.x, -1e-6);
@@ -215,11 +216,11 @@ TEST(Terrain, LinesThatCrossBeyondReasonAreCountedNotFollowed) {
 }
 
 TEST(Terrain, MadeSurfaceLooksUpAndTakesTheLowestOfCoincidentPoints) {
-  const TriangleMesh mesh =
+  const mesh::TriangleMesh mesh =
       make_surface({{0, 0, 5}, {0, 0, 2}, {10, 0, 2}, {0, 10, 2}, {10, 10, 2}, {4, 4, NAN}}, 5);
   ASSERT_FALSE(mesh.triangles.empty());
   double area = 0;
-  for (const MeshTriangle& t : mesh.triangles) {
+  for (const mesh::MeshTriangle& t : mesh.triangles) {
     const auto &a = mesh.positions[t.vertex[0]], &b = mesh.positions[t.vertex[1]],
                &c = mesh.positions[t.vertex[2]];
     const double twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -263,7 +264,7 @@ TEST(Terrain, KnowsWhatIsBuiltOver) {
 }
 
 TEST(Terrain, WallsSliversAndBrokenVerticesCarryNobody) {
-  TriangleMesh mesh = flat(0, 0, 10, 10, std::numeric_limits<double>::quiet_NaN());
+  mesh::TriangleMesh mesh = flat(0, 0, 10, 10, std::numeric_limits<double>::quiet_NaN());
   add_rectangle(mesh, 0, 5, 10, 5, [](double x, double) { return x; });
   Terrain terrain;
   terrain.add(mesh, SurfaceClass::terrain);
@@ -276,4 +277,4 @@ TEST(Terrain, WallsSliversAndBrokenVerticesCarryNobody) {
 }
 
 }  // namespace
-}  // namespace nightcity
+}  // namespace nightcity::terrain

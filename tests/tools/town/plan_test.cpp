@@ -130,7 +130,7 @@ TEST(Plan, EveryBodyIsClosedPlanarAndHoldsAVolume) {
       const auto key = [](const dvec3& p) {
         return std::tuple(std::lround(p.x * 1e4), std::lround(p.y * 1e4), std::lround(p.z * 1e4));
       };
-      const auto walk = [&](const Ring& ring, const dvec3& normal) {
+      const auto walk = [&](const city::Ring& ring, const dvec3& normal) {
         for (std::size_t k = 0; k < ring.size(); ++k) {
           const dvec3 &a = ring[k], &b = ring[(k + 1) % ring.size()];
           const auto from = key(a), to = key(b);
@@ -145,24 +145,24 @@ TEST(Plan, EveryBodyIsClosedPlanarAndHoldsAVolume) {
           EXPECT_NEAR(glm::dot(normal, a - base), 0, 1e-6);
         }
       };
-      for (const Polygon& polygon : make_surfaces(plan)) {
+      for (const city::Polygon& polygon : make_surfaces(plan)) {
         dvec3 normal(0);
-        const Ring& outer = polygon.exterior;
+        const city::Ring& outer = polygon.exterior;
         for (std::size_t k = 1; k + 1 < outer.size(); ++k)
           normal += glm::cross(outer[k] - outer[0], outer[k + 1] - outer[0]);
         ASSERT_GT(glm::length(normal), 1e-3);
         normal = glm::normalize(normal);
-        if (polygon.surface == SurfaceType::roof) {
+        if (polygon.surface == city::SurfaceType::roof) {
           EXPECT_GT(normal.z, 0.05);
         }
-        if (polygon.surface == SurfaceType::ground) {
+        if (polygon.surface == city::SurfaceType::ground) {
           EXPECT_LT(normal.z, -0.99);
         }
-        if (polygon.surface == SurfaceType::wall) {
+        if (polygon.surface == city::SurfaceType::wall) {
           EXPECT_NEAR(normal.z, 0, 1e-9);
         }
         walk(polygon.exterior, normal);
-        for (const Ring& hole : polygon.interiors) walk(hole, normal);
+        for (const city::Ring& hole : polygon.interiors) walk(hole, normal);
       }
       for (const auto& [edge, balance] : edges)
         ASSERT_EQ(balance, 0) << "roof " << static_cast<int>(plan.roof);
@@ -179,15 +179,15 @@ TEST(Plan, RoofDetailsStandOnTheirRoofWithinTheHouse) {
     for (const BuildingPlan& plan : plans) {
       for (const RoofDetail& detail : make_roof_details(plan, 1, number++)) {
         ++(detail.chimney ? chimneys : dormers);
-        for (const Polygon& polygon : detail.surfaces) {
+        for (const city::Polygon& polygon : detail.surfaces) {
           ASSERT_GE(polygon.exterior.size(), 3u);
           const dvec3 normal =
               glm::normalize(glm::cross(polygon.exterior[1] - polygon.exterior[0],
                                         polygon.exterior[2] - polygon.exterior[0]));
-          if (polygon.surface == SurfaceType::roof) {
+          if (polygon.surface == city::SurfaceType::roof) {
             EXPECT_GT(normal.z, 0.9);
           }
-          if (polygon.surface == SurfaceType::wall) {
+          if (polygon.surface == city::SurfaceType::wall) {
             EXPECT_NEAR(normal.z, 0, 1e-9);
           }
           for (const dvec3& p : polygon.exterior) {
@@ -228,7 +228,7 @@ TEST(Plan, TreesKeepClearOfHousesKerbsAndEachStandsOnTheGround) {
           }
           double low = 1e9, high = -1e9;
           std::size_t triangles = 0;
-          for (const Ring& ring : make_tree_surfaces(tree)) {
+          for (const city::Ring& ring : make_tree_surfaces(tree)) {
             triangles += ring.size() - 2;
             for (const dvec3& p : ring) low = std::min(low, p.z), high = std::max(high, p.z);
           }
@@ -249,7 +249,7 @@ TEST(Plan, RoadsLieAboveTheTerrainAndNoHigherThanAKerb) {
     Random random{99};
     for_each_road(streets, hills, [&](const RoadPlan& road) {
       for (const RoadArea& area : road.areas)
-        for (const Ring& ring : area.rings) {
+        for (const city::Ring& ring : area.rings) {
           if (ring.size() == 4) {  // a kerb's face: upright, from the terrain to the pavement
             for (const std::size_t k : {0u, 1u}) {
               EXPECT_EQ(dvec2(ring[k]), dvec2(ring[3 - k]));

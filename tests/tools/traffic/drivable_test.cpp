@@ -7,14 +7,14 @@ namespace {
 
 const Country& germany = country_at({13.4, 52.5});
 
-Drivable read(OsmTags tags, const Country& country = germany) {
+Drivable read(osm::OsmTags tags, const Country& country = germany) {
   std::string why;
   const auto result = read_drivable({1, {{0, 0}, {1, 0}}, std::move(tags)}, country, why);
   EXPECT_TRUE(result) << why;
   return result.value_or(Drivable{});
 }
 
-std::string refusal(OsmTags tags) {
+std::string refusal(osm::OsmTags tags) {
   std::string why;
   EXPECT_FALSE(read_drivable({1, {{0, 0}, {1, 0}}, std::move(tags)}, germany, why));
   return why;
@@ -36,7 +36,7 @@ TEST(Speed, IsReadAsPeopleWriteIt) {
 }
 
 TEST(Drivable, OneWayByTagClassAndRoundabout) {
-  const auto lanes = [](OsmTags tags) {
+  const auto lanes = [](osm::OsmTags tags) {
     const Drivable d = read(std::move(tags));
     return std::pair(d.carriageway.lanes[0] > 0, d.carriageway.lanes[1] > 0);
   };

@@ -14,10 +14,11 @@ namespace {
 
 using test::street;
 
-const OsmTags residential = {{"highway", "residential"}}, primary = {{"highway", "primary"}};
+const osm::OsmTags residential = {{"highway", "residential"}}, primary = {{"highway", "primary"}};
 
-RoadGraph graph_of(const std::vector<OsmWay>& ways, const HeightAt& height = test::plane,
-                   const InsideBuilding& inside = {}) {
+RoadGraph graph_of(const std::vector<osm::OsmWay>& ways,
+                   const place::HeightAt& height = test::plane,
+                   const place::InsideBuilding& inside = {}) {
   return make_road_graph(ways, test::to_plane, height, inside, Side::right);
 }
 
@@ -40,12 +41,12 @@ TEST(RoadGraph, OneWayStreetsHaveOneEdgeAndTheRightOne) {
 }
 
 TEST(RoadGraph, LanesLieOnTheirSide) {
-  const std::vector<OsmWay> ways = {
+  const std::vector<osm::OsmWay> ways = {
       street(1, {{0, 0}, {100, 0}}, {{"highway", "primary"}, {"lanes", "4"}})};
   for (const Side side : {Side::right, Side::left}) {
     const RoadGraph graph = make_road_graph(ways, test::to_plane, test::plane, {}, side);
     LinkNetwork network(graph, test::plane);
-    const HeightAt plane = test::plane;
+    const place::HeightAt plane = test::plane;
     for (std::size_t e = 0; e < graph.edges.size(); ++e)
       for (int lane = 0; lane < 2; ++lane) {
         const RoadEdge& edge = graph.edges[e];
@@ -62,7 +63,7 @@ TEST(RoadGraph, LanesLieOnTheirSide) {
 }
 
 TEST(RoadGraph, EndsWhereTheGroundEnds) {
-  const HeightAt west = [](const glm::dvec2& p) -> std::optional<double> {
+  const place::HeightAt west = [](const glm::dvec2& p) -> std::optional<double> {
     return p.x < 333 ? std::optional<double>(10) : std::nullopt;
   };
   const RoadGraph graph = graph_of({street(1, {{0, 0}, {800, 0}}, residential)}, west);
@@ -77,7 +78,7 @@ TEST(RoadGraph, EndsWhereTheGroundEnds) {
 }
 
 TEST(RoadGraph, RoadsThroughBuildingsAreLeftOutAndTunnelsAreNot) {
-  const InsideBuilding house = [](const glm::dvec2& p) {
+  const place::InsideBuilding house = [](const glm::dvec2& p) {
     return p.x > 40 && p.x < 50 && std::abs(p.y) < 8;
   };
   EXPECT_TRUE(
@@ -89,7 +90,7 @@ TEST(RoadGraph, RoadsThroughBuildingsAreLeftOutAndTunnelsAreNot) {
 
 TEST(RoadGraph, BridgesGoEvenlyFromAbutmentToAbutment) {
   // A valley 20 m deep under two ways of one bridge.
-  const HeightAt valley = [](const glm::dvec2& p) -> std::optional<double> {
+  const place::HeightAt valley = [](const glm::dvec2& p) -> std::optional<double> {
     return p.x > 100 && p.x < 200 ? 30.0 : 50 + p.x / 100;
   };
   auto bridge = residential;
@@ -112,7 +113,7 @@ TEST(RoadGraph, BridgesGoEvenlyFromAbutmentToAbutment) {
 
 TEST(LinkNetwork, TurnsJoinTheirLanesSmoothly) {
   const auto ways = test::street_grid(3, 90, 60);
-  const HeightAt hills = test::hills;
+  const place::HeightAt hills = test::hills;
   const RoadGraph graph = graph_of(ways, hills);
   LinkNetwork network(graph, hills);
   std::size_t turns = 0;
@@ -135,7 +136,7 @@ TEST(LinkNetwork, TurnsJoinTheirLanesSmoothly) {
 }
 
 TEST(LinkNetwork, SpeedKeepsLimitsAndBends) {
-  const HeightAt plane = test::plane;
+  const place::HeightAt plane = test::plane;
   const RoadGraph graph = graph_of({street(1, {{0, 0}, {100, 0}, {100, 100}}, primary)});
   LinkNetwork network(graph, plane);
   const Link& link = network.links()[network.lane(0, 0)];
@@ -159,7 +160,7 @@ TEST(LinkNetwork, SpeedKeepsLimitsAndBends) {
 /// come from and go to, as unit vectors from the junction.
 bool yields(const RoadGraph& graph, const glm::dvec2& from_a, const glm::dvec2& to_a,
             const glm::dvec2& from_b, const glm::dvec2& to_b) {
-  const HeightAt plane = test::plane;
+  const place::HeightAt plane = test::plane;
   LinkNetwork network(graph, plane);
   const auto edge = [&](const glm::dvec2& from, const glm::dvec2& to) {
     for (std::size_t e = 0; e < graph.edges.size(); ++e)
@@ -179,7 +180,7 @@ bool yields(const RoadGraph& graph, const glm::dvec2& from_a, const glm::dvec2& 
   return false;
 }
 
-RoadGraph crossing(const OsmTags& west_east, const OsmTags& south_north) {
+RoadGraph crossing(const osm::OsmTags& west_east, const osm::OsmTags& south_north) {
   return graph_of({street(1, {{-80, 0}, {0, 0}, {80, 0}}, west_east),
                    street(2, {{0, -80}, {0, 0}, {0, 80}}, south_north)});
 }
@@ -208,7 +209,7 @@ TEST(RightOfWay, ATurnAcrossWaitsForOncomingTraffic) {
 }
 
 TEST(RightOfWay, OppositeStraightsDoNotConflict) {
-  const HeightAt plane = test::plane;
+  const place::HeightAt plane = test::plane;
   const RoadGraph graph = crossing(primary, primary);
   LinkNetwork network(graph, plane);
   std::vector<std::size_t> straight;
@@ -224,7 +225,7 @@ TEST(RightOfWay, OppositeStraightsDoNotConflict) {
 TEST(LinkNetwork, NobodyTurnsRoundAnAcuteCornerInALoop) {
   // Two short wide streets that leave each other at 12 degrees: their lanes overlap where they
   // begin.
-  const HeightAt plane = test::plane;
+  const place::HeightAt plane = test::plane;
   const RoadGraph graph =
       graph_of({street(1, {{30, 0}, {0, 0}}, primary), street(2, {{0, 0}, {29, 6}}, primary),
                 street(3, {{0, 0}, {-90, 0}}, primary)});
@@ -246,10 +247,10 @@ TEST(LinkNetwork, NobodyTurnsRoundAnAcuteCornerInALoop) {
 
 TEST(Routes, NobodyIsSentThroughAWall) {
   // The corner of a house stands on the kerb lane of the main road's eastern half.
-  const InsideBuilding house = [](const glm::dvec2& p) {
+  const place::InsideBuilding house = [](const glm::dvec2& p) {
     return p.x > 40 && p.x < 50 && p.y < -1.5 && p.y > -9;
   };
-  const HeightAt plane = test::plane;
+  const place::HeightAt plane = test::plane;
   const RoadGraph graph = graph_of({street(1, {{-300, 0}, {0, 0}, {300, 0}}, primary),
                                     street(2, {{0, -300}, {0, 0}, {0, 300}}, primary)});
   LinkNetwork network(graph, plane, house);

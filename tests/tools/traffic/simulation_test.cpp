@@ -18,7 +18,7 @@ using test::street;
 /// A network, planned trips through it and how they were driven.
 class Town {
  public:
-  explicit Town(const std::vector<OsmWay>& ways)
+  explicit Town(const std::vector<osm::OsmWay>& ways)
       : graph(make_road_graph(ways, test::to_plane, height, {}, Side::right)),
         network(graph, height) {}
 
@@ -50,7 +50,7 @@ class Town {
         simulate(network, plans, cycle_s, [&](DrivenTrip&& trip) { driven[trip.plan] = trip; });
   }
 
-  const HeightAt height = test::plane;
+  const place::HeightAt height = test::plane;
   RoadGraph graph;
   LinkNetwork network;
   std::vector<TripPlan> plans;

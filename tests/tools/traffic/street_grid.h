@@ -16,8 +16,8 @@ inline std::optional<double> hills(const glm::dvec2& p) {
 
 /// Returns a grid of `n` by `n` blocks of `size_m`. The middle lines are main roads, every third
 /// residential street is one-way, and the ends run `tail_m` beyond the grid.
-inline std::vector<OsmWay> street_grid(int n, double size_m, double tail_m) {
-  std::vector<OsmWay> ways;
+inline std::vector<osm::OsmWay> street_grid(int n, double size_m, double tail_m) {
+  std::vector<osm::OsmWay> ways;
   for (int axis = 0; axis < 2; ++axis)
     for (int line = 0; line <= n; ++line) {
       std::vector<glm::dvec2> points;
@@ -26,7 +26,7 @@ inline std::vector<OsmWay> street_grid(int n, double size_m, double tail_m) {
         const double across = line * size_m;
         points.push_back(axis == 0 ? glm::dvec2(along, across) : glm::dvec2(across, along));
       }
-      OsmTags tags = {{"highway", line == n / 2 ? "secondary" : "residential"}};
+      osm::OsmTags tags = {{"highway", line == n / 2 ? "secondary" : "residential"}};
       if (line % 3 == 2) tags["oneway"] = axis == 0 ? "yes" : "-1";
       ways.push_back(street(100 * axis + line + 1, points, tags));
     }

@@ -256,8 +256,8 @@ TEST(Traffic, NoStreetsNoTraffic) {
 }
 
 TEST(Traffic, HostileMapsAreSurvived) {
-  std::vector<OsmWay> ways;
-  const OsmTags tags = {
+  std::vector<osm::OsmWay> ways;
+  const osm::OsmTags tags = {
       {"highway", "primary"}, {"lanes", "12"}, {"width", "0.5"}, {"maxspeed", "3"}};
   ways.push_back({1, {}, tags});
   ways.push_back({2, {{0, 0}}, tags});

@@ -47,7 +47,7 @@ class Beam {
   }
 
  private:
-  ProfileTable profiles_;
+  lights::ProfileTable profiles_;
   LightProfile profile_;
   double flux_;
 };
@@ -132,7 +132,7 @@ TEST(LowBeam, CutOffAndKinkAreHeldByTheGrid) {
 }
 
 TEST(LowBeam, FluxIsTheProfilesIntegral) {
-  EXPECT_NEAR(integrated_flux(low_beam(Side::left)), low_beam_flux_lm(),
+  EXPECT_NEAR(lights::integrated_flux(low_beam(Side::left)), low_beam_flux_lm(),
               0.005 * low_beam_flux_lm());
   // The flux of a halogen headlamp on the road: makers' notes give 400 to 1000 lm.
   EXPECT_GT(low_beam_flux_lm(), 350);
@@ -140,10 +140,10 @@ TEST(LowBeam, FluxIsTheProfilesIntegral) {
 }
 
 TEST(SignalLamps, ShineAsRegulation7Asks) {
-  ProfileTable profiles;
+  lights::ProfileTable profiles;
   const VehicleLamps lamps = make_vehicle_lamps(Side::right, profiles);
-  const Photometry beam = signal_beam();
-  const double flux = integrated_flux(beam), peak = intensity_at(beam, 0, 0);
+  const lights::Photometry beam = signal_beam();
+  const double flux = lights::integrated_flux(beam), peak = lights::intensity_at(beam, 0, 0);
   for (const Light& light : lamps.lights) {
     if (light.id != static_cast<uint>(LightFamily::tail_lamp)) continue;
     const double candela = double{light.flux_lm} * peak / flux;
@@ -155,8 +155,8 @@ TEST(SignalLamps, ShineAsRegulation7Asks) {
       EXPECT_LE(candela, 260);
     }
     // Field of visibility: ten per cent at 20 degrees to the side, and some light at 80 degrees.
-    EXPECT_GE(intensity_at(beam, 0, 20 * pi / 180) / peak, 0.1);
-    EXPECT_GE(candela * intensity_at(beam, 0, 45 * pi / 180) / peak, 0.05);
+    EXPECT_GE(lights::intensity_at(beam, 0, 20 * pi / 180) / peak, 0.1);
+    EXPECT_GE(candela * lights::intensity_at(beam, 0, 45 * pi / 180) / peak, 0.05);
     EXPECT_LT(light.axis.x, 0);
     const glm::vec3 colour = decode_rgb9e5(light.colour_rgb9e5);
     EXPECT_GT(colour.x, 4 * colour.y);
@@ -164,7 +164,7 @@ TEST(SignalLamps, ShineAsRegulation7Asks) {
 }
 
 TEST(VehicleLamps, EveryTypeIsFitForAFileAndCarriesWhatTheLawAsks) {
-  ProfileTable profiles;
+  lights::ProfileTable profiles;
   const VehicleLamps lamps = make_vehicle_lamps(Side::right, profiles);
   ASSERT_EQ(lamps.kinds.size(), vehicle_type_count);
   for (std::size_t k = 0; k < vehicle_type_count; ++k) {

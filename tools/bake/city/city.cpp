@@ -11,7 +11,7 @@
 #include "tools/osm/read_osm.h"
 #include "tools/streets/street_ways.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 std::string utm_zone(const glm::dvec2& lon_lat) {
@@ -31,8 +31,8 @@ std::string CityInputs::name() const {
   return maps.empty() ? std::string() : maps.front().string();
 }
 
-OsmData read_maps(const std::vector<std::filesystem::path>& files) {
-  return read_osm(files);
+osm::OsmData read_maps(const std::vector<std::filesystem::path>& files) {
+  return osm::read_osm(files);
 }
 
 City::City(CityInputs inputs, const std::filesystem::path& scratch)
@@ -43,19 +43,19 @@ City::City(CityInputs inputs, const std::filesystem::path& scratch)
 }
 
 // The frame is that of the middle of the lamps, else of the first points of the streets.
-std::optional<City::MapFrame> City::find_map_frame(const OsmData& map) {
+std::optional<City::MapFrame> City::find_map_frame(const osm::OsmData& map) {
   std::vector<double> lon, lat;
   const auto add = [&](const glm::dvec2& p) {
     lon.push_back(p.x);
     lat.push_back(p.y);
   };
-  for (const OsmLampNode& lamp : map.lamps) add(lamp.lon_lat);
+  for (const osm::OsmLampNode& lamp : map.lamps) add(lamp.lon_lat);
   if (lon.empty())
-    for (const OsmWay& way : map.highways)
+    for (const osm::OsmWay& way : map.highways)
       if (!way.lon_lat.empty()) add(way.lon_lat.front());
   if (lon.empty()) return std::nullopt;
   const glm::dvec2 middle(median(std::move(lon)), median(std::move(lat)));
-  return MapFrame{middle, CityFrame::from_srs_name(utm_zone(middle), {}, {})};
+  return MapFrame{middle, georeference::CityFrame::from_srs_name(utm_zone(middle), {}, {})};
 }
 
 CityReport City::read(std::initializer_list<CityConsumer*> consumers,
@@ -77,7 +77,7 @@ const CityFrames& City::frames() const {
   return *frames_;
 }
 
-const CityFrame& City::frame() const {
+const georeference::CityFrame& City::frame() const {
   if (frames_) return frames_->city();
   if (!map_frame_) throw Error(inputs_.name(), "the map has neither lamps nor streets");
   return map_frame_->frame;
@@ -117,28 +117,29 @@ bool City::wants_model_streets() const {
 StreetReport City::add_model_streets(const streets::RoadSurfaces& roads) {
   streets::StreetWays streets = streets::find_street_ways(
       roads, [this](const glm::dvec2& p) { return frame().to_lon_lat(p); });
-  for (OsmWay& way : streets.ways) map_.highways.push_back(std::move(way));
+  for (osm::OsmWay& way : streets.ways) map_.highways.push_back(std::move(way));
   return {roads.surfaces().size(), roads.left_out(),  streets.km,
           streets.km_by_code,      streets.junctions, streets.ends};
 }
 
-LonLatToFrame City::to_frame() const {
+place::LonLatToFrame City::to_frame() const {
   return [this](const glm::dvec2& lon_lat) { return frame().from_lon_lat(lon_lat); };
 }
 
-HeightAt City::height_at() const {
+place::HeightAt City::height_at() const {
   if (!has_model()) return [](const glm::dvec2&) { return std::optional(0.0); };
   return [this](const glm::dvec2& place) -> std::optional<double> {
     const auto hit = terrain_.height_at(place);
-    return hit && hit->surface != SurfaceClass::roof ? std::optional(hit->height_m) : std::nullopt;
+    return hit && hit->surface != terrain::SurfaceClass::roof ? std::optional(hit->height_m)
+                                                              : std::nullopt;
   };
 }
 
-InsideBuilding City::inside_footprint() const {
+place::InsideBuilding City::inside_footprint() const {
   if (!has_model()) return {};
   return [this](const glm::dvec2& place) {
-    return terrain_.height_of(SurfaceClass::ground_surface, place).has_value();
+    return terrain_.height_of(terrain::SurfaceClass::ground_surface, place).has_value();
   };
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -21,10 +21,10 @@
 #include "tools/streets/road_surfaces.h"
 #include "tools/terrain/terrain.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 /// Reads the maps and merges them into one. Throws Error as read_osm does.
-OsmData read_maps(const std::vector<std::filesystem::path>& files);
+osm::OsmData read_maps(const std::vector<std::filesystem::path>& files);
 
 /// Without a city model, the map lies on a plane at height 0, in the UTM zone of its middle.
 class City {
@@ -50,9 +50,9 @@ class City {
   const CityFrames& frames() const;
   /// Returns the frame of model and map. Throws Error where there is no model and the map has
   /// neither a lamp nor a street.
-  const CityFrame& frame() const;
-  const OsmData& map() const { return map_; }
-  const Terrain& terrain() const { return terrain_; }
+  const georeference::CityFrame& frame() const;
+  const osm::OsmData& map() const { return map_; }
+  const terrain::Terrain& terrain() const { return terrain_; }
 
   /// Throws Error where the city has no coordinate reference system: then longitude and latitude
   /// have no place in it. `consequence` ends the message ("lamps cannot be placed").
@@ -70,26 +70,26 @@ class City {
   // Place queries. They refer to the city, and need its ground where it has a model.
 
   /// Returns a function from longitude and latitude to E, N.
-  LonLatToFrame to_frame() const;
+  place::LonLatToFrame to_frame() const;
   /// Returns the height of the terrain, of a road or of a building's ground surface; on a roof,
   /// none.
-  HeightAt height_at() const;
+  place::HeightAt height_at() const;
   /// Returns whether a place lies on a building's ground surface. Empty where there is no model.
-  InsideBuilding inside_footprint() const;
+  place::InsideBuilding inside_footprint() const;
 
  private:
   struct MapFrame {
     glm::dvec2 middle{0, 0};  // longitude, latitude
-    CityFrame frame;
+    georeference::CityFrame frame;
   };
-  static std::optional<MapFrame> find_map_frame(const OsmData& map);
+  static std::optional<MapFrame> find_map_frame(const osm::OsmData& map);
 
   CityInputs inputs_;
   std::optional<CityFrames> frames_;
-  OsmData map_;
+  osm::OsmData map_;
   std::optional<MapFrame> map_frame_;  // where there is no model
-  Terrain terrain_;
+  terrain::Terrain terrain_;
   GroundBuilder ground_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

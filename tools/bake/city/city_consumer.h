@@ -8,13 +8,13 @@
 #include "tools/city/city_model.h"
 #include "tools/mesh/triangle_mesh.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 /// One object of the city, ready for use. Coordinates are E, N, H of the city's frame, in metres;
 /// shells are repaired, unknown surfaces classified.
 struct PreparedObject {
-  CityObject object;
-  TriangleMesh mesh;           // without triangles where the object has points or lines alone
+  city::CityObject object;
+  mesh::TriangleMesh mesh;     // without triangles where the object has points or lines alone
   bool lacks_heights = false;  // published at height 0: the ground decides how high it lies
   bool closed = false;         // a building whose surfaces bound a volume without a gap
 };
@@ -33,4 +33,4 @@ class CityConsumer {
   virtual Turn prepare(const std::shared_ptr<const PreparedObject>& prepared) = 0;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -9,7 +9,7 @@
 #include "formats/median.h"
 #include "tools/inputs/read_city.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 glm::dvec3 find_median(const std::vector<glm::dvec3>& points) {
@@ -22,18 +22,18 @@ glm::dvec3 find_median(const std::vector<glm::dvec3>& points) {
   return result;
 }
 
-bool has_geometry(const CityHead& head) {
+bool has_geometry(const city::CityHead& head) {
   return !head.sample.empty();
 }
 
 // Returns two control points: the corners of all the files' geometry at the corners of the bounds.
 // Reads every file once more.
-std::vector<CityFrame::ControlPoint> corners_at(const std::array<double, 4>& bounds,
-                                                const CityInputs& inputs) {
+std::vector<georeference::CityFrame::ControlPoint> corners_at(const std::array<double, 4>& bounds,
+                                                              const CityInputs& inputs) {
   glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
   for (const auto& file : inputs.files)
-    inputs::read_city(file, inputs.read, [&](CityObject&& object) {
-      for (const Polygon& polygon : object.polygons)
+    inputs::read_city(file, inputs.read, [&](city::CityObject&& object) {
+      for (const city::Polygon& polygon : object.polygons)
         for (const glm::dvec3& p : polygon.exterior) {
           low = glm::min(low, glm::dvec2(p));
           high = glm::max(high, glm::dvec2(p));
@@ -42,10 +42,10 @@ std::vector<CityFrame::ControlPoint> corners_at(const std::array<double, 4>& bou
   return {{{bounds[0], bounds[1]}, low}, {{bounds[2], bounds[3]}, high}};
 }
 
-CityFrame make_frame(const std::filesystem::path& file, const CityHead& head,
-                     const CityFrame::Options& options) {
+georeference::CityFrame make_frame(const std::filesystem::path& file, const city::CityHead& head,
+                                   const georeference::CityFrame::Options& options) {
   try {
-    return CityFrame::from_srs_name(head.srs_name, head.sample, options);
+    return georeference::CityFrame::from_srs_name(head.srs_name, head.sample, options);
   } catch (const UsageError&) {
     throw;
   } catch (const Error& error) {
@@ -58,13 +58,13 @@ CityFrame make_frame(const std::filesystem::path& file, const CityHead& head,
 CityFrames::CityFrames(const CityInputs& inputs) {
   if (inputs.files.empty())
     throw UsageError(inputs.name(), "names no city: [city] files = [\"...\"] is missing");
-  std::vector<CityHead> heads;
+  std::vector<city::CityHead> heads;
   for (const auto& file : inputs.files) heads.push_back(inputs::read_city_head(file));
   const auto first = std::find_if(heads.begin(), heads.end(), has_geometry);
   if (first == heads.end())
     throw Error(inputs.files.front().string(), "no geometry in any file of the city");
 
-  CityFrame::Options options = inputs.frame;
+  georeference::CityFrame::Options options = inputs.frame;
   if (inputs.bounds) {
     options.control_points = corners_at(*inputs.bounds, inputs);
     if (options.crs_override.empty())
@@ -83,8 +83,8 @@ CityFrames::CityFrames(const CityInputs& inputs) {
     add_foreign(inputs, heads, number, options);
 }
 
-void CityFrames::add_foreign(const CityInputs& inputs, const std::vector<CityHead>& heads,
-                             std::size_t first, const CityFrame::Options& options) {
+void CityFrames::add_foreign(const CityInputs& inputs, const std::vector<city::CityHead>& heads,
+                             std::size_t first, const georeference::CityFrame::Options& options) {
   for (std::size_t i = 0; i < heads.size(); ++i) {
     if (!has_geometry(heads[i]) || heads[i].srs_name == heads[first].srs_name) continue;
     const auto known = std::find_if(foreign_.begin(), foreign_.end(), [&](const Foreign& f) {
@@ -92,7 +92,7 @@ void CityFrames::add_foreign(const CityInputs& inputs, const std::vector<CityHea
     });
     foreign_of_file_[i] = static_cast<std::size_t>(known - foreign_.begin());
     if (known != foreign_.end()) continue;
-    CityFrame frame = make_frame(inputs.files[i], heads[i], options);
+    georeference::CityFrame frame = make_frame(inputs.files[i], heads[i], options);
     const bool same_crs = frame.crs() == city_->crs();
     if (!same_crs) {
       if (!frame.has_lon_lat() || !city_->has_lon_lat())
@@ -108,11 +108,11 @@ void CityFrames::add_foreign(const CityInputs& inputs, const std::vector<CityHea
 void CityFrames::to_city(std::size_t file, std::span<glm::dvec3> coordinates) const {
   const auto& foreign = foreign_of_file_.at(file);
   if (!foreign) return city_->to_projected(coordinates);
-  const CityFrame& frame = foreign_[*foreign].frame;
+  const georeference::CityFrame& frame = foreign_[*foreign].frame;
   frame.to_projected(coordinates);
   if (foreign_[*foreign].same_crs) return;
   for (glm::dvec3& p : coordinates)
     p = glm::dvec3(city_->from_lon_lat(frame.to_lon_lat(glm::dvec2(p))), p.z);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

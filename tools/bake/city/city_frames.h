@@ -11,7 +11,7 @@
 #include "tools/city/city_reader.h"
 #include "tools/georeference/frame.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 class CityFrames {
  public:
@@ -21,7 +21,7 @@ class CityFrames {
   explicit CityFrames(const CityInputs& inputs);
 
   /// Returns the city's own frame.
-  const CityFrame& city() const { return *city_; }
+  const georeference::CityFrame& city() const { return *city_; }
   /// Turns coordinates as they are in the input file of that number into E, N, H of the city, in
   /// place. Those of another CRS go through longitude and latitude; their heights stay.
   void to_city(std::size_t file, std::span<glm::dvec3> coordinates) const;
@@ -33,17 +33,17 @@ class CityFrames {
  private:
   struct Foreign {
     std::string srs_name;
-    CityFrame frame;
+    georeference::CityFrame frame;
     bool same_crs;  // another name or axis order for the city's own CRS
   };
-  void add_foreign(const CityInputs& inputs, const std::vector<CityHead>& heads, std::size_t first,
-                   const CityFrame::Options& options);
+  void add_foreign(const CityInputs& inputs, const std::vector<city::CityHead>& heads,
+                   std::size_t first, const georeference::CityFrame::Options& options);
 
-  std::optional<CityFrame> city_;
+  std::optional<georeference::CityFrame> city_;
   std::vector<Foreign> foreign_;
   std::vector<std::optional<std::size_t>> foreign_of_file_;  // empty: the city's own
   glm::dvec3 reference_{0};
   std::vector<std::string> descriptions_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

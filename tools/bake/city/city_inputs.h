@@ -11,14 +11,14 @@
 #include "tools/city/city_reader.h"
 #include "tools/georeference/frame.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 struct CityInputs {
   std::filesystem::path recipe;              // that names the files; empty: they were given alone
   std::vector<std::filesystem::path> files;  // CityGML; empty: a map without a city model
   std::vector<std::filesystem::path> maps;   // OpenStreetMap
-  ReadOptions read;                          // of the CityGML
-  CityFrame::Options frame;
+  city::ReadOptions read;                    // of the CityGML
+  georeference::CityFrame::Options frame;
   /// Where a model without a CRS lies: west, south, east, north, degrees (WGS 84).
   std::optional<std::array<double, 4>> bounds;
   /// Origin of model space, in the city's CRS, in metres; an absent value is chosen from the data.
@@ -32,4 +32,4 @@ struct CityInputs {
   std::string name() const;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

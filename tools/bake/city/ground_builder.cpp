@@ -16,37 +16,38 @@
 #include "formats/median.h"
 #include "tools/terrain/elevation_model.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 constexpr double max_quads = 1e6;  // of a ground from an elevation model
 constexpr std::size_t max_feet = 20'000;
 
 // Returns how a surface of an object counts in the terrain; nothing where it does not.
-std::optional<SurfaceClass> find_surface_class(ObjectType type, SurfaceType surface) {
+std::optional<terrain::SurfaceClass> find_surface_class(city::ObjectType type,
+                                                        city::SurfaceType surface) {
   switch (type) {
-    case ObjectType::relief:
-      return SurfaceClass::terrain;
-    case ObjectType::road:
-    case ObjectType::railway:
-      return SurfaceClass::road;
-    case ObjectType::building:
-      if (surface == SurfaceType::ground) return SurfaceClass::ground_surface;
-      if (surface == SurfaceType::roof) return SurfaceClass::roof;
+    case city::ObjectType::relief:
+      return terrain::SurfaceClass::terrain;
+    case city::ObjectType::road:
+    case city::ObjectType::railway:
+      return terrain::SurfaceClass::road;
+    case city::ObjectType::building:
+      if (surface == city::SurfaceType::ground) return terrain::SurfaceClass::ground_surface;
+      if (surface == city::SurfaceType::roof) return terrain::SurfaceClass::roof;
       return std::nullopt;
     default:
       return std::nullopt;
   }
 }
 
-using Parts = std::array<TriangleMesh, 4>;  // of an object, by SurfaceClass
+using Parts = std::array<mesh::TriangleMesh, 4>;  // of an object, by SurfaceClass
 
 Parts split_by_class(const PreparedObject& prepared) {
   Parts parts;
-  for (const MeshTriangle& triangle : prepared.mesh.triangles) {
+  for (const mesh::MeshTriangle& triangle : prepared.mesh.triangles) {
     const auto surface_class = find_surface_class(prepared.object.type, triangle.surface);
     if (!surface_class) continue;
-    TriangleMesh& part = parts[static_cast<std::size_t>(*surface_class)];
+    mesh::TriangleMesh& part = parts[static_cast<std::size_t>(*surface_class)];
     const auto first = static_cast<std::uint32_t>(part.positions.size());
     for (const std::uint32_t v : triangle.vertex)
       part.positions.push_back(prepared.mesh.positions[v]);
@@ -55,10 +56,10 @@ Parts split_by_class(const PreparedObject& prepared) {
   return parts;
 }
 
-std::set<Tile> find_tiles(const TriangleMesh& mesh, double tile_m) {
+std::set<Tile> find_tiles(const mesh::TriangleMesh& mesh, double tile_m) {
   ObjectTiles tiles(tile_m);
   const auto for_each = [&](const auto& visit) {
-    for (const MeshTriangle& triangle : mesh.triangles) {
+    for (const mesh::MeshTriangle& triangle : mesh.triangles) {
       const auto& p = mesh.positions;
       visit({p[triangle.vertex[0]], p[triangle.vertex[1]], p[triangle.vertex[2]]});
     }
@@ -84,7 +85,8 @@ std::set<Tile> widened(const std::set<Tile>& occupied, double tile_m, double mar
 // it.
 class Heights {
  public:
-  Heights(const std::vector<std::filesystem::path>& files, const CityFrame& city) : city_(city) {
+  Heights(const std::vector<std::filesystem::path>& files, const georeference::CityFrame& city)
+      : city_(city) {
     for (const auto& file : files) {
       models_.emplace_back(file);
       if (models_.back().has_crs() && !city_.has_lon_lat())
@@ -101,7 +103,7 @@ class Heights {
     std::vector<double> heights(places.size(), std::numeric_limits<double>::quiet_NaN()),
         next(places.size());
     std::vector<glm::dvec2> lon_lat;
-    for (const ElevationModel& model : models_) {
+    for (const terrain::ElevationModel& model : models_) {
       if (std::none_of(heights.begin(), heights.end(), [](double h) { return std::isnan(h); }))
         break;
       if (model.has_crs() && lon_lat.empty())
@@ -114,15 +116,15 @@ class Heights {
   }
 
  private:
-  const CityFrame& city_;
-  std::vector<ElevationModel> models_;
+  const georeference::CityFrame& city_;
+  std::vector<terrain::ElevationModel> models_;
   double finest_ = std::numeric_limits<double>::infinity();
 };
 
 // Elevation models and city models differ in what their heights count from (geoid, ellipsoid, a
 // national datum) and by the model's own error. The median over the buildings' footprints removes
 // both.
-double shift_to_city(const Heights& heights, const Terrain& terrain) {
+double shift_to_city(const Heights& heights, const terrain::Terrain& terrain) {
   const auto& feet = terrain.footprint_points();
   std::vector<double> differences;
   const std::size_t stride = std::max<std::size_t>(1, feet.size() / max_feet);
@@ -161,7 +163,7 @@ class GridGround {
     return 100.0 * static_cast<double>(missing_) / static_cast<double>(quads_);
   }
 
-  TriangleMesh make(const Tile& tile) {
+  mesh::TriangleMesh make(const Tile& tile) {
     std::vector<glm::dvec2> places;
     // Counted from the frame's origin, so that neighbouring tiles have the very same vertices.
     const auto line = [&](std::int32_t number, std::uint32_t i) {
@@ -171,7 +173,7 @@ class GridGround {
       for (std::uint32_t i = 0; i <= steps_; ++i)
         places.emplace_back(line(tile.column, i), line(tile.row, j));
     const std::vector<double> z = heights_.at(places);
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     for (std::size_t i = 0; i < places.size(); ++i)
       mesh.positions.emplace_back(places[i], z[i] + shift_m_);
     for (std::uint32_t j = 0; j < steps_; ++j)
@@ -182,8 +184,8 @@ class GridGround {
           ++missing_;
           continue;
         }
-        mesh.triangles.push_back({{a, b, c}, SurfaceType::terrain, 0});
-        mesh.triangles.push_back({{a, c, d}, SurfaceType::terrain, 0});
+        mesh.triangles.push_back({{a, b, c}, city::SurfaceType::terrain, 0});
+        mesh.triangles.push_back({{a, c, d}, city::SurfaceType::terrain, 0});
       }
     return mesh;
   }
@@ -207,17 +209,18 @@ CityConsumer::Turn GroundBuilder::prepare(const std::shared_ptr<const PreparedOb
   return [this, prepared, parts = std::move(parts), tiles = std::move(tiles)](bool) {
     terrain_.add_points(prepared->object.points);
     report_.relief_points += prepared->object.points.size();
-    for (const Ring& line : prepared->object.lines) {
+    for (const city::Ring& line : prepared->object.lines) {
       report_.relief_points += line.size();
       if (!terrain_.add_break_line(line)) ++report_.lone_vertices;
     }
     occupied_.insert(tiles.begin(), tiles.end());
     for (std::size_t n = 0; n < parts.size(); ++n)
-      if (!parts[n].triangles.empty()) terrain_.add(parts[n], static_cast<SurfaceClass>(n));
+      if (!parts[n].triangles.empty())
+        terrain_.add(parts[n], static_cast<terrain::SurfaceClass>(n));
   };
 }
 
-GroundReport GroundBuilder::build(const CityFrame& frame, const ShowGround& show) {
+GroundReport GroundBuilder::build(const georeference::CityFrame& frame, const ShowGround& show) {
   const bool given = terrain_.has_relief();
   if (!options_.elevation_models.empty() && !occupied_.empty()) {
     if (given) {
@@ -239,14 +242,15 @@ GroundReport GroundBuilder::build(const CityFrame& frame, const ShowGround& show
   return report_;
 }
 
-std::string GroundBuilder::build_dem_ground(const CityFrame& frame, const ShowGround& show) {
+std::string GroundBuilder::build_dem_ground(const georeference::CityFrame& frame,
+                                            const ShowGround& show) {
   const Heights heights(options_.elevation_models, frame);
   const double shift_m = shift_to_city(heights, terrain_);
   const std::set<Tile> under = widened(occupied_, options_.tile_m, options_.margin_m);
   GridGround ground(heights, options_.tile_m, under.size(), shift_m);
   for (const Tile& tile : under) {
-    const TriangleMesh mesh = ground.make(tile);
-    terrain_.add(mesh, SurfaceClass::terrain);
+    const mesh::TriangleMesh mesh = ground.make(tile);
+    terrain_.add(mesh, terrain::SurfaceClass::terrain);
     if (show) show(mesh);
   }
   if (ground.covers_nothing())
@@ -258,4 +262,4 @@ std::string GroundBuilder::build_dem_ground(const CityFrame& frame, const ShowGr
       options_.elevation_models.size(), ground.step_m(), shift_m, ground.missing_percent());
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

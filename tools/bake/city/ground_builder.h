@@ -14,31 +14,31 @@
 #include "tools/georeference/frame.h"
 #include "tools/terrain/terrain.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 /// Gathers the surfaces of the terrain while the city is read, then builds the ground.
 class GroundBuilder final : public CityConsumer {
  public:
   /// Fills `terrain`, which must outlive the builder.
-  GroundBuilder(Terrain& terrain, GroundOptions options)
+  GroundBuilder(terrain::Terrain& terrain, GroundOptions options)
       : terrain_(terrain), options_(std::move(options)) {}
 
   Turn prepare(const std::shared_ptr<const PreparedObject>& prepared) override;
 
   /// Gets the ground's triangles that are to be seen and belong to no object. E, N, H in metres.
-  using ShowGround = std::function<void(const TriangleMesh&)>;
+  using ShowGround = std::function<void(const mesh::TriangleMesh&)>;
 
   /// Builds the terrain; call when every object has been read. Throws Error where an elevation
   /// model cannot be read or covers nothing of the city.
-  GroundReport build(const CityFrame& frame, const ShowGround& show = {});
+  GroundReport build(const georeference::CityFrame& frame, const ShowGround& show = {});
 
  private:
-  std::string build_dem_ground(const CityFrame& frame, const ShowGround& show);
+  std::string build_dem_ground(const georeference::CityFrame& frame, const ShowGround& show);
 
-  Terrain& terrain_;
+  terrain::Terrain& terrain_;
   GroundOptions options_;
   std::set<Tile> occupied_;  // tiles that hold some of the city
   GroundReport report_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace nightcity {
+namespace nightcity::bake {
 
 struct GroundOptions {
   /// Elevation models (any raster that GDAL reads) for a city without relief of its own. The first
@@ -15,4 +15,4 @@ struct GroundOptions {
   double tile_m = 250;       // side of the tiles that the ground comes in
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -15,7 +15,7 @@
 #include "tools/mesh/close_gaps.h"
 #include "tools/mesh/triangulate.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 // A stray point beyond this would cost every other vertex its precision.
@@ -26,14 +26,14 @@ struct Waiting {
   std::shared_ptr<const PreparedObject> prepared;
   std::size_t identity = 0;        // of its id and first vertex; 0 = it has no id
   const char* left_out = nullptr;  // why
-  MeshReport report;
+  mesh::MeshReport report;
   std::vector<CityConsumer::Turn> turns;
 };
 
-std::size_t make_identity(const CityObject& object) {
+std::size_t make_identity(const city::CityObject& object) {
   if (object.id.empty() || object.polygons.empty()) return 0;
   std::string key = object.id;
-  const Ring& ring = object.polygons.front().exterior;
+  const city::Ring& ring = object.polygons.front().exterior;
   if (!ring.empty()) key.append(reinterpret_cast<const char*>(&ring.front()), sizeof(glm::dvec3));
   return std::hash<std::string_view>()(key);
 }
@@ -49,7 +49,7 @@ class CityReader {
   }
 
   // Called on many threads.
-  Waiting prepare(CityObject&& object) const {
+  Waiting prepare(city::CityObject&& object) const {
     Waiting result;
     result.identity = many_files_ ? make_identity(object) : 0;
     const auto prepared = std::make_shared<PreparedObject>();
@@ -61,12 +61,12 @@ class CityReader {
       result.left_out = "far from the city";
     } else {
       // Shells first: which way is out decides what is a roof and which side of a wall has windows.
-      repair_shells(object, result.report);
-      classify_unknown_surfaces(object);
-      prepared->mesh = triangulate(object, result.report);
+      mesh::repair_shells(object, result.report);
+      mesh::classify_unknown_surfaces(object);
+      prepared->mesh = mesh::triangulate(object, result.report);
       if (prepared->mesh.triangles.empty()) result.left_out = "without area";
     }
-    prepared->closed = object.type == ObjectType::building && result.report.open_objects == 0;
+    prepared->closed = object.type == city::ObjectType::building && result.report.open_objects == 0;
     prepared->object = std::move(object);
     result.prepared = prepared;
     if (!result.left_out)
@@ -77,8 +77,8 @@ class CityReader {
 
   // Called in file order.
   void take(const Waiting& waiting) {
-    const CityObject& object = waiting.prepared->object;
-    ++report_.objects[name_of(object.type)];
+    const city::CityObject& object = waiting.prepared->object;
+    ++report_.objects[city::name_of(object.type)];
     // A large object comes in pieces, one after the other, under one id.
     const bool continues = !object.id.empty() && object.id == last_id_;
     const char* left_out = waiting.left_out;
@@ -99,17 +99,17 @@ class CityReader {
   CityReport& report() { return report_; }
 
  private:
-  void to_city_frame(CityObject& object) const {
-    for (Polygon& polygon : object.polygons) {
+  void to_city_frame(city::CityObject& object) const {
+    for (city::Polygon& polygon : object.polygons) {
       frames_.to_city(file_, polygon.exterior);
-      for (Ring& ring : polygon.interiors) frames_.to_city(file_, ring);
+      for (city::Ring& ring : polygon.interiors) frames_.to_city(file_, ring);
     }
     frames_.to_city(file_, object.points);
-    for (Ring& line : object.lines) frames_.to_city(file_, line);
+    for (city::Ring& line : object.lines) frames_.to_city(file_, line);
   }
 
-  bool is_far_away(const CityObject& object) const {
-    for (const Polygon& polygon : object.polygons)
+  bool is_far_away(const city::CityObject& object) const {
+    for (const city::Polygon& polygon : object.polygons)
       for (const glm::dvec3& p : polygon.exterior)
         if (glm::distance(glm::dvec2(p), glm::dvec2(frames_.reference())) > max_distance_m)
           return true;
@@ -135,18 +135,18 @@ class CityReader {
 
 }  // namespace
 
-bool lacks_heights(const CityObject& object) {
+bool lacks_heights(const city::CityObject& object) {
   switch (object.type) {
-    case ObjectType::road:
-    case ObjectType::railway:
-    case ObjectType::land_use:
-    case ObjectType::water:
-    case ObjectType::vegetation:
+    case city::ObjectType::road:
+    case city::ObjectType::railway:
+    case city::ObjectType::land_use:
+    case city::ObjectType::water:
+    case city::ObjectType::vegetation:
       break;
     default:
       return false;
   }
-  for (const Polygon& polygon : object.polygons)
+  for (const city::Polygon& polygon : object.polygons)
     for (const glm::dvec3& p : polygon.exterior)
       if (p.z != 0) return false;
   return true;
@@ -157,7 +157,7 @@ CityReport read_prepared_objects(const CityInputs& inputs, const CityFrames& fra
                                  const ProgressSink& progress) {
   const auto& files = inputs.files;
   CityReader reader(frames, consumers, files.size() > 1);
-  ReadOptions options = inputs.read;
+  city::ReadOptions options = inputs.read;
   std::set<std::filesystem::path> neighbours;
   for (const auto& file : files) neighbours.insert(file.lexically_normal());
   if (files.size() > 1)
@@ -167,10 +167,10 @@ CityReport read_prepared_objects(const CityInputs& inputs, const CityFrames& fra
     reader.begin_file(i);
     const std::string stage = "reading " + std::to_string(i + 1) + " of " +
                               std::to_string(files.size()) + ": " + files[i].filename().string();
-    const auto prepare = [&](std::vector<CityObject>&& read) -> std::function<void()> {
+    const auto prepare = [&](std::vector<city::CityObject>&& read) -> std::function<void()> {
       const auto batch = std::make_shared<std::vector<Waiting>>();
       batch->reserve(read.size());
-      for (CityObject& object : read) batch->push_back(reader.prepare(std::move(object)));
+      for (city::CityObject& object : read) batch->push_back(reader.prepare(std::move(object)));
       return [&, batch] {
         for (Waiting& waiting : *batch) {
           reader.take(waiting);
@@ -185,4 +185,4 @@ CityReport read_prepared_objects(const CityInputs& inputs, const CityFrames& fra
   return std::move(reader.report());
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -9,7 +9,7 @@
 #include "tools/bake/progress.h"
 #include "tools/bake/report/city_report.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 /// Memory does not grow with the city, but for what the consumers keep. Objects over 100 km from
 /// the city's first file and objects that an earlier file has brought are left out and counted.
@@ -20,6 +20,6 @@ CityReport read_prepared_objects(const CityInputs& inputs, const CityFrames& fra
 
 /// Returns whether `object` is of a kind that lies on the ground and every vertex of it has height
 /// 0 exactly, as in the file: it was published without heights (PLATEAU's roads in LoD1).
-bool lacks_heights(const CityObject& object);
+bool lacks_heights(const city::CityObject& object);
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

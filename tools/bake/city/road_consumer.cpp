@@ -2,7 +2,7 @@
 
 #include <optional>
 
-namespace nightcity {
+namespace nightcity::bake {
 
 StreetReport read_ground_and_streets(City& city, bool wants_streets, const ProgressSink& progress) {
   std::optional<RoadConsumer> roads;
@@ -12,4 +12,4 @@ StreetReport read_ground_and_streets(City& city, bool wants_streets, const Progr
   return roads ? city.add_model_streets(roads->roads()) : StreetReport{};
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -5,12 +5,13 @@
 #include "tools/bake/city/city_consumer.h"
 #include "tools/streets/road_surfaces.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 class RoadConsumer final : public CityConsumer {
  public:
   Turn prepare(const std::shared_ptr<const PreparedObject>& prepared) override {
-    if (prepared->object.type != ObjectType::road || prepared->mesh.triangles.empty()) return {};
+    if (prepared->object.type != city::ObjectType::road || prepared->mesh.triangles.empty())
+      return {};
     return [this, prepared](bool) { roads_.add(prepared->object); };
   }
 
@@ -24,4 +25,4 @@ class RoadConsumer final : public CityConsumer {
 /// from the model's roads. Throws Error as City's functions do.
 StreetReport read_ground_and_streets(City& city, bool wants_streets, const ProgressSink& progress);
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

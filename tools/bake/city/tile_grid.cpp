@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-namespace nightcity {
+namespace nightcity::bake {
 
 void ObjectTiles::add(const glm::dvec3 (&corners)[3]) {
   for (const glm::dvec3& corner : corners) {
@@ -22,4 +22,4 @@ Tile ObjectTiles::find_tile(const glm::dvec3 (&corners)[3]) const {
           static_cast<std::int32_t>(std::floor(centre.y / size_m_))};
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

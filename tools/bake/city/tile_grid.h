@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 #include <limits>
 
-namespace nightcity {
+namespace nightcity::bake {
 
 /// Spans [column, column + 1) * size in easting, [row, row + 1) * size in northing.
 struct Tile {
@@ -31,4 +31,4 @@ class ObjectTiles {
       max_{-std::numeric_limits<double>::infinity()};
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -5,10 +5,10 @@
 namespace nightcity::recipe {
 namespace {
 
-std::vector<CityFrame::ControlPoint> to_control_points(const Value& value) {
+std::vector<georeference::CityFrame::ControlPoint> to_control_points(const Value& value) {
   const std::vector<Value> rows = value.elements(0, "a list of two or more [lon, lat, x, y]");
   if (rows.size() < 2) value.refuse("is not a list of two or more [lon, lat, x, y]");
-  std::vector<CityFrame::ControlPoint> result;
+  std::vector<georeference::CityFrame::ControlPoint> result;
   for (const Value& row : rows) {
     std::array<double, 4> v{};
     const std::vector<Value> numbers = row.elements(4, "a list of rows [lon, lat, x, y]");
@@ -29,7 +29,7 @@ std::array<double, 4> to_bounds(const Value& value) {
   return result;
 }
 
-Key control_points_key(CityFrame::Options& frame) {
+Key control_points_key(georeference::CityFrame::Options& frame) {
   return {
       "control_points",
       "list of [lon, lat, x, y]",
@@ -57,7 +57,7 @@ Key bounds_key(std::optional<std::array<double, 4>>& bounds) {
 
 }  // namespace
 
-Table make_city_table(Recipe::City& city, const std::filesystem::path& folder) {
+Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& folder) {
   return {
       "city",
       "The city model.",
@@ -73,9 +73,9 @@ Table make_city_table(Recipe::City& city, const std::filesystem::path& folder) {
        integer_key("lod", city.read.max_lod, 0, 4,
                    "The highest level of detail to use. Each object takes its highest one up to "
                    "this, or its lowest one if all are higher."),
-       choice_key<Reader>(
+       choice_key<city::Reader>(
            "reader", city.read.reader,
-           {{"stream", Reader::stream}, {"libcitygml", Reader::libcitygml}},
+           {{"stream", city::Reader::stream}, {"libcitygml", city::Reader::libcitygml}},
            "Which CityGML reader to use. `stream` is faster, needs little memory and understands "
            "more; `libcitygml` is there to compare with (`nightbake readers`)."),
        integer_key("threads", city.read.threads, 0, 1024,

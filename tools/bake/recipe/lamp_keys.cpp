@@ -7,7 +7,7 @@ namespace nightcity::recipe {
 namespace {
 
 void check_road(const Value& value, const std::string& highway) {
-  const RoadLighting* road = find_road_lighting(highway);
+  const lights::RoadLighting* road = lights::find_road_lighting(highway);
   if (!road || road->highway != highway) value.refuse("names no class of road that may have lamps");
 }
 
@@ -15,32 +15,33 @@ std::map<std::string, std::string> to_lighting_classes(const Value& value) {
   std::map<std::string, std::string> result;
   for (const auto& [highway, row] : value.rows("a table like {residential = \"P4\"}")) {
     check_road(row, highway);
-    if (!lighting_class(row.text()))
+    if (!lights::lighting_class(row.text()))
       row.refuse("is no lighting class of EN 13201-2: P1 to P6, C0 to C5, M1 to M6");
     result[highway] = row.text();
   }
   return result;
 }
 
-std::map<std::string, NightSpan> to_night_spans(const Value& value) {
-  std::map<std::string, NightSpan> result;
+std::map<std::string, lights::NightSpan> to_night_spans(const Value& value) {
+  std::map<std::string, lights::NightSpan> result;
   for (const auto& [highway, row] : value.rows("a table like {residential = \"23:00-05:00\"}")) {
     check_road(row, highway);
-    const auto span = parse_night_span(row.text());
+    const auto span = lights::parse_night_span(row.text());
     if (!span) row.refuse("is no span of the night like \"23:00-05:00\", between 17:00 and 07:00");
     result[highway] = *span;
   }
   return result;
 }
 
-std::vector<LuminaireFile> to_luminaires(const Value& value, const std::filesystem::path& folder) {
+std::vector<bake::LuminaireFile> to_luminaires(const Value& value,
+                                               const std::filesystem::path& folder) {
   const std::string what =
       "a list of tables like {file = \"street.ldt\", roads = [\"residential\"]}";
-  std::vector<LuminaireFile> result;
+  std::vector<bake::LuminaireFile> result;
   for (const Value& element : value.elements(0, what)) {
     const toml::table* settings = element.node.as_table();
     if (!settings) element.refuse("is not " + what);
-    LuminaireFile& luminaire = result.emplace_back();
+    bake::LuminaireFile& luminaire = result.emplace_back();
     read_keys(value.file, value.name + ".", *settings,
               make_luminaire_table(luminaire, folder).keys);
     if (luminaire.file.empty()) element.refuse("names no file");
@@ -56,8 +57,8 @@ Key layout_key(layout::LayoutOptions::Mode& mode) {
       "spacings on the same street. `always`: everywhere, and mapped lamps are not used.");
 }
 
-Key night_spans_key(std::string name, std::map<std::string, NightSpan>& spans, std::string example,
-                    std::string help) {
+Key night_spans_key(std::string name, std::map<std::string, lights::NightSpan>& spans,
+                    std::string example, std::string help) {
   return {std::move(name),
           "table: highway = \"HH:MM-HH:MM\"",
           "",
@@ -70,7 +71,7 @@ Key night_spans_key(std::string name, std::map<std::string, NightSpan>& spans, s
 
 }  // namespace
 
-Table make_lamp_table(LampStageOptions& lamps, const std::filesystem::path& folder) {
+Table make_lamp_table(bake::LampStageOptions& lamps, const std::filesystem::path& folder) {
   return {
       "lamps",
       "Street lamps. Keys of the inner tables are values of OSM's `highway`: `motorway`, `trunk`, "
@@ -97,7 +98,7 @@ Table make_lamp_table(LampStageOptions& lamps, const std::filesystem::path& fold
         }}}};
 }
 
-Table make_luminaire_table(LuminaireFile& row, const std::filesystem::path& folder) {
+Table make_luminaire_table(bake::LuminaireFile& row, const std::filesystem::path& folder) {
   return {"lamps.luminaires",
           "One measured luminaire: a row of `[lamps] luminaires`.",
           {{"file", "path", "", "", "", "\"street.ldt\"",
@@ -117,7 +118,7 @@ Table make_luminaire_table(LuminaireFile& row, const std::filesystem::path& fold
             "Only for lamps of these types. Without it: for every type.",
             [&row](const Value& value) {
               for (const std::string& type : value.texts()) {
-                const auto known = parse_lamp_type(type);
+                const auto known = lights::parse_lamp_type(type);
                 if (!known) value.refuse("holds no type of lamp: \"" + type + "\"");
                 row.types.push_back(*known);
               }

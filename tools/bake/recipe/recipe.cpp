@@ -11,7 +11,7 @@
 #include "tools/bake/recipe/toml_depth.h"
 #include "tools/bake/recipe/value.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 namespace fs = std::filesystem;
@@ -67,4 +67,4 @@ Recipe read_recipe(const fs::path& path) {
   return recipe;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

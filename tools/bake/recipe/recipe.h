@@ -15,7 +15,7 @@
 #include "tools/georeference/frame.h"
 #include "tools/traffic/traffic.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 /// Where a stage of the bake has options of its own, the recipe holds those.
 struct Recipe {
@@ -25,10 +25,10 @@ struct Recipe {
   struct City {
     /// CityGML files; folders are already replaced by the files in them.
     std::vector<std::filesystem::path> files;
-    CityFrame::Options frame;
+    georeference::CityFrame::Options frame;
     /// Of a model without a coordinate reference system: west, south, east, north in degrees.
     std::optional<std::array<double, 4>> bounds;
-    ReadOptions read;
+    city::ReadOptions read;
     double tile_m = 250;
     bool drop_ground = false;
     bool drop_hidden = false;
@@ -75,4 +75,4 @@ struct Recipe {
 /// nearest known word, where a table, key or value is not one of docs/recipe.md.
 Recipe read_recipe(const std::filesystem::path& path);
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

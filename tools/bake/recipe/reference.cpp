@@ -15,8 +15,8 @@ constexpr std::size_t text_width = 80;
 // Calls `use` with all tables, rows of luminaires included, as an empty recipe has them.
 template <class Use>
 void with_tables(const Use& use) {
-  Recipe recipe;
-  LuminaireFile luminaire;
+  bake::Recipe recipe;
+  bake::LuminaireFile luminaire;
   std::vector<Table> tables = make_tables(recipe, {});
   const auto lamps = std::find_if(tables.begin(), tables.end(),
                                   [](const Table& table) { return table.name == "lamps"; });

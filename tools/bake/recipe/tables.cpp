@@ -19,12 +19,12 @@ int to_minute_of_night(const Value& value) {
   const int hour = (text[0] - '0') * 10 + text[1] - '0';
   const int minute = (text[3] - '0') * 10 + text[4] - '0';
   if (hour > 23 || minute > 59) value.refuse("is not a time like \"22:00\"");
-  const int minute_of_night = minute_of(hour, minute);
-  if (minute_of_night >= night_minutes) value.refuse("is not between 17:00 and 07:00");
+  const int minute_of_night = lights::minute_of(hour, minute);
+  if (minute_of_night >= lights::night_minutes) value.refuse("is not between 17:00 and 07:00");
   return minute_of_night;
 }
 
-Table make_osm_table(Recipe::Osm& osm, const fs::path& folder) {
+Table make_osm_table(bake::Recipe::Osm& osm, const fs::path& folder) {
   return {"osm",
           "The map: street lamps, streets, and outlines that say what a building is used for.",
           {paths_key("files", osm.files, folder, false, R"(["streets.osm.pbf"])",
@@ -35,7 +35,7 @@ Table make_osm_table(Recipe::Osm& osm, const fs::path& folder) {
                     "The attribution that both output files carry.")}};
 }
 
-Table make_terrain_table(GroundOptions& terrain, const fs::path& folder) {
+Table make_terrain_table(bake::GroundOptions& terrain, const fs::path& folder) {
   return {"terrain",
           "The ground of a city whose model has no relief.",
           {paths_key("dem", terrain.elevation_models, folder, false, R"(["heights.tif"])",
@@ -49,7 +49,7 @@ Table make_terrain_table(GroundOptions& terrain, const fs::path& folder) {
                       "How far a ground made by this program reaches beyond the buildings.")}};
 }
 
-Table make_origin_table(Recipe::Origin& origin) {
+Table make_origin_table(bake::Recipe::Origin& origin) {
   const Limits limits{-1e8, 1e8};
   return {"origin",
           "The origin of model space, in the city's projected coordinate reference system. Name it "
@@ -65,7 +65,7 @@ Table make_origin_table(Recipe::Origin& origin) {
                       "beginning of the first file.")}};
 }
 
-Table make_window_table(WindowStageOptions& windows) {
+Table make_window_table(bake::WindowStageOptions& windows) {
   return {"windows",
           "Lit windows.",
           {flag_key("lit", windows.lit, "Whether the city gets lit windows at all."),
@@ -74,7 +74,7 @@ Table make_window_table(WindowStageOptions& windows) {
                        "Another seed gives other evenings of the same statistics.")}};
 }
 
-Table make_night_table(Recipe::Night& night) {
+Table make_night_table(bake::Recipe::Night& night) {
   return {"night",
           "The one moment that `city.glb` shows to programs that cannot read schedules. "
           "`city.lights` always holds the whole night.",
@@ -83,7 +83,7 @@ Table make_night_table(Recipe::Night& night) {
             [&night](const Value& value) { night.minute = to_minute_of_night(value); }}}};
 }
 
-Table make_output_table(Recipe::Output& output) {
+Table make_output_table(bake::Recipe::Output& output) {
   return {"output",
           "How `city.glb` is written.",
           {flag_key("draco", output.draco,
@@ -98,7 +98,7 @@ Table make_output_table(Recipe::Output& output) {
 
 }  // namespace
 
-std::vector<Table> make_tables(Recipe& recipe, const fs::path& folder) {
+std::vector<Table> make_tables(bake::Recipe& recipe, const fs::path& folder) {
   return {make_city_table(recipe.city, folder),
           make_osm_table(recipe.osm, folder),
           make_terrain_table(recipe.terrain, folder),

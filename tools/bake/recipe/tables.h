@@ -11,13 +11,13 @@ namespace nightcity::recipe {
 
 /// Returns all tables of a recipe. Their keys write into `recipe`, which must outlive them, and
 /// take names of files relative to `folder`.
-std::vector<Table> make_tables(Recipe& recipe, const std::filesystem::path& folder);
+std::vector<Table> make_tables(bake::Recipe& recipe, const std::filesystem::path& folder);
 
-Table make_city_table(Recipe::City& city, const std::filesystem::path& folder);
-Table make_lamp_table(LampStageOptions& lamps, const std::filesystem::path& folder);
-Table make_traffic_table(Recipe::Traffic& traffic);
+Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& folder);
+Table make_lamp_table(bake::LampStageOptions& lamps, const std::filesystem::path& folder);
+Table make_traffic_table(bake::Recipe::Traffic& traffic);
 
 /// Returns the keys of one row of `[lamps] luminaires`.
-Table make_luminaire_table(LuminaireFile& row, const std::filesystem::path& folder);
+Table make_luminaire_table(bake::LuminaireFile& row, const std::filesystem::path& folder);
 
 }  // namespace nightcity::recipe

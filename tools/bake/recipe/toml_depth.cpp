@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 // Returns the place behind the string that begins at `begin`, or the text's end where it is never
@@ -54,4 +54,4 @@ std::optional<std::size_t> find_deep_key(std::string_view text, std::size_t max_
   return {};
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -19,7 +19,7 @@ std::array<float, 24> to_shares_by_hour(const Value& value) {
 
 }  // namespace
 
-Table make_traffic_table(Recipe::Traffic& traffic) {
+Table make_traffic_table(bake::Recipe::Traffic& traffic) {
   traffic::TrafficOptions& options = traffic.options;
   Key drives = flag_key("drives", traffic.drives,
                         "`false` switches traffic off and keeps the table's other keys.");

@@ -12,7 +12,7 @@
 #include "tools/bake/report/report_text.h"
 #include "tools/bake/report/traffic_report.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 using nlohmann::json;
@@ -30,14 +30,14 @@ std::size_t sum(const Counts& counts) {
   return total;
 }
 
-std::string break_edges_in_words(const Terrain::BreakEdges& edges) {
+std::string break_edges_in_words(const terrain::Terrain::BreakEdges& edges) {
   if (edges.used + edges.unused == 0) return {};
   return fmt::format(", {} edges of break lines kept, {} not, because they cross too many others",
                      edges.used, edges.unused);
 }
 
 // Returns the faults of the model's polygons that were found while they were triangulated.
-json mesh_json(const MeshReport& mesh) {
+json mesh_json(const mesh::MeshReport& mesh) {
   return {
       {"polygons", mesh.polygons},
       {"triangles", mesh.triangles},
@@ -62,7 +62,7 @@ json mesh_json(const MeshReport& mesh) {
       {"dropped_holes", mesh.holes_left_out}};
 }
 
-std::string mesh_in_words(const MeshReport& mesh) {
+std::string mesh_in_words(const mesh::MeshReport& mesh) {
   std::string text;
   const auto line = [&text](const std::string& value) { text += report_line("", value); };
   if (mesh.non_planar)
@@ -225,4 +225,4 @@ std::string to_text(const BakeReport& report) {
   return text + outputs_in_words(report) + costs_in_words(report);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

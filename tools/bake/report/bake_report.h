@@ -17,7 +17,7 @@
 #include "tools/bake/report/street_report.h"
 #include "tools/traffic/traffic.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 struct BakeReport {
   CityReport city;
@@ -38,4 +38,4 @@ struct BakeReport {
 nlohmann::json to_json(const BakeReport& report);
 std::string to_text(const BakeReport& report);
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

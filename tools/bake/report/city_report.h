@@ -9,11 +9,11 @@
 #include "tools/mesh/mesh_report.h"
 #include "tools/terrain/terrain.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 struct CityReport {
-  ReadReport read;
-  MeshReport mesh;
+  city::ReadReport read;
+  mesh::MeshReport mesh;
   std::map<std::string, std::size_t> objects;   // by type
   std::map<std::string, std::size_t> left_out;  // objects, by reason
 };
@@ -22,10 +22,10 @@ struct GroundReport {
   /// "given" (triangles of the model), "points" (its mass points and break lines), "dem", "made",
   /// "none".
   std::string source;
-  Terrain::BreakEdges break_edges;
+  terrain::Terrain::BreakEdges break_edges;
   std::size_t relief_points = 0;  // mass points and vertices of break lines
   std::size_t lone_vertices = 0;  // break lines of which the vertices alone are used
   std::string dem;  // how an elevation model was used, or why not; "" = none was given
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -7,7 +7,7 @@
 #include "tools/bake/report/report_text.h"
 #include "tools/lights/lighting_class.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 using nlohmann::json;
@@ -45,7 +45,7 @@ json row(const layout::StreetReport& street) {
 
 json to_json(const layout::LayoutReport& report, bool streets) {
   json result = {{"lamps", report.lamps},
-                 {"maintenance_factor", maintenance_factor},
+                 {"maintenance_factor", lights::maintenance_factor},
                  {"arrangements", report.arrangements},
                  {"left_out", report.left_out},
                  {"notes", report.notes},
@@ -76,7 +76,8 @@ std::string to_text(const layout::LayoutReport& report, bool streets) {
         "{:<14}{:>6}{:>7.1f}{:>8.2f}{:>7}{:>7.0f}{:>9.2f}{:>8.2f}{:>8.2f}{:>7.2f}{:>9.0f}%\n",
         highway, sum.wanted, sum.wanted_lx, sum.length_m / 1000, sum.lamps,
         static_cast<double>(sum.lamps) / (sum.length_m / 1000), sum.average_lx,
-        sum.average_lx * maintenance_factor, sum.min_lx, sum.uniformity, 100 * sum.in_class);
+        sum.average_lx * lights::maintenance_factor, sum.min_lx, sum.uniformity,
+        100 * sum.in_class);
   text +=
       "Eav is over all of a class; Emin and Uo are medians of its stretches; in class is the share "
       "of the "
@@ -92,11 +93,11 @@ std::string to_text(const layout::LayoutReport& report, bool streets) {
     text += fmt::format(
         "{:<14}{:>6}{:>9.0f}{:>8.1f}{:>7}{:>7.0f}{:>9.2f}{:>8.2f}{:>8.2f}{:>7.2f}  {:<13} {}{}\n",
         street.highway, street.wanted, street.length_m, street.width_m, street.lamps,
-        street.flux_lm, street.field.average_lx, street.field.average_lx * maintenance_factor,
-        street.field.min_lx, street.field.uniformity(), layout::name_of(street.arrangement),
-        street.name, ways);
+        street.flux_lm, street.field.average_lx,
+        street.field.average_lx * lights::maintenance_factor, street.field.min_lx,
+        street.field.uniformity(), layout::name_of(street.arrangement), street.name, ways);
   }
   return text;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

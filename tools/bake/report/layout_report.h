@@ -6,7 +6,7 @@
 
 #include "tools/layout/layout.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 /// Returns counts and classes; with `streets` also a row for each stretch.
 nlohmann::json to_json(const layout::LayoutReport& report, bool streets);
@@ -15,4 +15,4 @@ nlohmann::json to_json(const layout::LayoutReport& report, bool streets);
 /// where no lamp was laid out.
 std::string to_text(const layout::LayoutReport& report, bool streets);
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -6,30 +6,30 @@
 
 #include "tools/bake/report/report_text.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 using nlohmann::json;
 
 // Returns one row a use: how many of its windows have light at each full hour.
-std::string hours_in_words(const WindowReport& windows) {
+std::string hours_in_words(const lights::WindowReport& windows) {
   if (windows.placed == 0) return {};
   std::string text = fmt::format("{:<12}{:>8}", "% lit at", "windows");
-  for (std::size_t hour = 0; hour < night_hours; ++hour)
-    text += fmt::format("{:>4}", clock_hour(hour));
+  for (std::size_t hour = 0; hour < lights::night_hours; ++hour)
+    text += fmt::format("{:>4}", lights::clock_hour(hour));
   text += "\n";
-  const auto row = [&text](const std::string& name, const WindowReport::Use& use) {
+  const auto row = [&text](const std::string& name, const lights::WindowReport::Use& use) {
     text += fmt::format("{:<12}{:>8}", name, use.placed);
     for (const std::size_t lit : use.lit)
       text +=
           fmt::format("{:>4.0f}", 100 * static_cast<double>(lit) / static_cast<double>(use.placed));
     text += "\n";
   };
-  WindowReport::Use all;
+  lights::WindowReport::Use all;
   for (const auto& [name, use] : windows.by_use) {
     row(name, use);
     all.placed += use.placed;
-    for (std::size_t hour = 0; hour < night_hours; ++hour) all.lit[hour] += use.lit[hour];
+    for (std::size_t hour = 0; hour < lights::night_hours; ++hour) all.lit[hour] += use.lit[hour];
   }
   if (windows.by_use.size() > 1) row("all", all);
   return text;
@@ -47,9 +47,9 @@ std::string counts_in_words(const Counts& left_out, const std::map<std::string, 
 
 }  // namespace
 
-LampReport to_report(const LampSet& set, std::size_t mapped) {
+LampReport to_report(const lights::LampSet& set, std::size_t mapped) {
   LampReport report{mapped, set.lamps.size(), 0, set.left_out, set.notes, set.sources};
-  for (const PlacedLamp& lamp : set.lamps) report.total_flux_lm += lamp.flux_lm;
+  for (const lights::PlacedLamp& lamp : set.lamps) report.total_flux_lm += lamp.flux_lm;
   return report;
 }
 
@@ -59,12 +59,12 @@ json to_json(const LampReport& lamps) {
       {"dropped", lamps.left_out}, {"notes", lamps.notes},   {"sources", lamps.sources}};
 }
 
-json to_json(const WindowReport& windows) {
+json to_json(const lights::WindowReport& windows) {
   json by_use = json::object();
   for (const auto& [name, use] : windows.by_use) {
     by_use[name] = {{"placed", use.placed}, {"lit", json::object()}};
-    for (std::size_t hour = 0; hour < night_hours; ++hour)
-      by_use[name]["lit"][fmt::format("{:02}:00", clock_hour(hour))] = use.lit[hour];
+    for (std::size_t hour = 0; hour < lights::night_hours; ++hour)
+      by_use[name]["lit"][fmt::format("{:02}:00", lights::clock_hour(hour))] = use.lit[hour];
   }
   return {{"placed", windows.placed},
           {"total_flux_lm", windows.flux_lm},
@@ -82,11 +82,11 @@ std::string to_text(const LampReport& lamps) {
   return text;
 }
 
-std::string to_text(const WindowReport& windows) {
+std::string to_text(const lights::WindowReport& windows) {
   return report_line("windows",
                      fmt::format("{} with light at some time of the night, {:.0f} klm in all",
                                  windows.placed, windows.flux_lm / 1000)) +
          counts_in_words(windows.left_out, windows.sources) + hours_in_words(windows);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

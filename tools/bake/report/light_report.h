@@ -10,7 +10,7 @@
 #include "tools/lights/place_lamps.h"
 #include "tools/lights/windows.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 struct LampReport {
   std::size_t mapped = 0, placed = 0;  // nodes in the OSM files; luminaires
@@ -20,21 +20,21 @@ struct LampReport {
   std::map<std::string, std::map<std::string, std::size_t>> sources;  // value, source, count
 };
 /// `mapped`: how many lamps the map has.
-LampReport to_report(const LampSet& set, std::size_t mapped);
+LampReport to_report(const lights::LampSet& set, std::size_t mapped);
 
 /// The static lights of a bake.
 struct LightsReport {
   LampReport lamps;
   layout::LayoutReport layout;  // of lamps where the map has none
-  WindowReport windows;
+  lights::WindowReport windows;
   std::size_t schedules = 0;  // different ones in the light file
 };
 
 nlohmann::json to_json(const LampReport& lamps);
-nlohmann::json to_json(const WindowReport& windows);
+nlohmann::json to_json(const lights::WindowReport& windows);
 std::string to_text(const LampReport& lamps);
 /// The text has a row for each use of buildings: how many of its windows have light at each full
 /// hour.
-std::string to_text(const WindowReport& windows);
+std::string to_text(const lights::WindowReport& windows);
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <string>
 
-namespace nightcity {
+namespace nightcity::bake {
 
 // Not getrusage(): its figure includes what the parent process had when it started this one.
 double find_peak_memory_mb() {
@@ -13,4 +13,4 @@ double find_peak_memory_mb() {
   return 0;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace nightcity {
+namespace nightcity::bake {
 
 std::string report_line(const char* name, const std::string& value) {
   return fmt::format("{:<12}{}\n", name, value);
@@ -22,4 +22,4 @@ std::string in_words(const std::map<std::string, std::size_t>& counts) {
   return text.empty() ? "none" : text;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-namespace nightcity {
+namespace nightcity::bake {
 
 struct SceneTilesReport {
   std::map<std::string, std::size_t> triangles;  // by material, as written
@@ -14,4 +14,4 @@ struct SceneTilesReport {
   std::size_t draped = 0;  // triangles that were published without heights and put onto the ground
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

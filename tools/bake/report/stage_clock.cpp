@@ -2,10 +2,10 @@
 
 #include "tools/bake/report/peak_memory.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 void StageClock::end_stage(const char* name) {
   stages_.push_back({name, watch_.lap_s(), find_peak_memory_mb()});
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

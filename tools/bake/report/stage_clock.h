@@ -6,7 +6,7 @@
 
 #include "tools/stopwatch.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 struct StageCost {
   std::string name;
@@ -25,4 +25,4 @@ class StageClock {
   Stopwatch watch_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

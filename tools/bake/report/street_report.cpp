@@ -6,7 +6,7 @@
 
 #include "tools/bake/report/report_text.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 nlohmann::json to_json(const StreetReport& report) {
   return {{"surfaces", report.surfaces},
@@ -32,4 +32,4 @@ std::string to_text(const StreetReport& report) {
                   sum, report.surfaces, classes, report.km_by_code, report.junctions, report.ends));
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

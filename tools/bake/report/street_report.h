@@ -6,7 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-namespace nightcity {
+namespace nightcity::bake {
 
 struct StreetReport {
   std::size_t surfaces = 0;
@@ -20,4 +20,4 @@ nlohmann::json to_json(const StreetReport& report);
 /// Returns "" where the model has no roads.
 std::string to_text(const StreetReport& report);
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -6,7 +6,7 @@
 
 #include "tools/bake/report/report_text.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 using nlohmann::json;
@@ -86,8 +86,8 @@ std::string to_text(const traffic::TrafficReport& report) {
                report.knot_error.position_m, report.knot_error.heading_degrees));
   line("", fmt::format("{:.4f} % of vehicles overlapped another: {} trips left out for it; {} "
                        "stuck, {} not started",
-                       100 * overlap_share(report), report.overlaps_left_out, report.simulation.stuck,
-                       report.simulation.never_started));
+                       100 * overlap_share(report), report.overlaps_left_out,
+                       report.simulation.stuck, report.simulation.never_started));
   if (report.links_in_buildings_km > 0)
     line("",
          fmt::format("{:.2f} of {:.1f} km of lanes and turns touch a building: no trip uses them",
@@ -96,4 +96,4 @@ std::string to_text(const traffic::TrafficReport& report) {
   return text;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -6,9 +6,9 @@
 
 #include "tools/traffic/traffic.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 nlohmann::json to_json(const traffic::TrafficReport& report);
 std::string to_text(const traffic::TrafficReport& report);
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

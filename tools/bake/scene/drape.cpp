@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 // Ground between the points of a 10 m grid is flat enough for a street.
@@ -91,4 +91,4 @@ std::size_t DrapeStore::drape(
   return added;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

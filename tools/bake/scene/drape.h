@@ -12,7 +12,7 @@
 #include "formats/atomic_file.h"
 #include "tools/bake/scene/tile_store.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 /// Cuts a triangle at the middle of its longest edge until no edge is longer than `max_edge_m` in
 /// plan, and passes each piece to `sink`. The rule depends on edges alone, so neighbours that share
@@ -37,4 +37,4 @@ class DrapeStore {
   ScratchFile file_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

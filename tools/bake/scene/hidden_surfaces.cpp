@@ -12,7 +12,7 @@
 
 #include "tools/bake/scene/drape.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 constexpr double together_m = 0.01;     // two surfaces that are less than this apart touch
@@ -163,4 +163,4 @@ std::vector<bool> find_hidden_triangles(std::span<const TileStore::StoredTriangl
   return hidden;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -10,7 +10,7 @@
 
 #include "tools/bake/scene/tile_store.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 /// Returns whether a place, in the coordinates of the triangles, lies below the ground; false where
 /// the height of the ground is not known.
@@ -27,4 +27,4 @@ struct HiddenCounts {
 std::vector<bool> find_hidden_triangles(std::span<const TileStore::StoredTriangle> triangles,
                                         const BelowGround& below, HiddenCounts& counts);
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -13,7 +13,7 @@
 #include <tuple>
 #include <vector>
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -87,7 +87,7 @@ glm::mat4 heading(const glm::dvec2& direction) {
 
 // Lamps whose balls look alike share a mesh and a material.
 using Look = std::tuple<float, float, float, float, float>;  // flux, radius, colour
-Look to_look(const PlacedLamp& lamp) {
+Look to_look(const lights::PlacedLamp& lamp) {
   return {static_cast<float>(lamp.flux_lm), static_cast<float>(lamp.radius_m), lamp.colour.x,
           lamp.colour.y, lamp.colour.z};
 }
@@ -100,10 +100,10 @@ class LampModels {
       : writer_(writer), georeference_(georeference), post_material_(post_material) {}
 
   // `first` is the number of lamps[0] in city.lights.
-  void add(std::span<const PlacedLamp> lamps, std::size_t first);
+  void add(std::span<const lights::PlacedLamp> lamps, std::size_t first);
 
  private:
-  void add_balls(std::span<const PlacedLamp> lamps, std::size_t first,
+  void add_balls(std::span<const lights::PlacedLamp> lamps, std::size_t first,
                  std::span<const glm::mat4> places);
   void add_node(SceneNode& node, std::optional<std::uint32_t>& mesh, const char* name,
                 const std::function<ScenePrimitive()>& shape) {
@@ -120,7 +120,7 @@ class LampModels {
   std::map<Look, std::uint32_t> balls_;
 };
 
-void LampModels::add_balls(std::span<const PlacedLamp> lamps, std::size_t first,
+void LampModels::add_balls(std::span<const lights::PlacedLamp> lamps, std::size_t first,
                            std::span<const glm::mat4> places) {
   std::map<Look, SceneNode> nodes;
   for (std::size_t i = 0; i < lamps.size(); ++i)
@@ -148,12 +148,12 @@ void LampModels::add_balls(std::span<const PlacedLamp> lamps, std::size_t first,
   }
 }
 
-void LampModels::add(std::span<const PlacedLamp> lamps, std::size_t first) {
+void LampModels::add(std::span<const lights::PlacedLamp> lamps, std::size_t first) {
   SceneNode posts{"lamp posts", "lamp", 0, true, {}}, arms{"lamp arms", "lamp", 0, true, {}};
   SceneNode housings{"lamp housings", "lamp", 0, false, {}};
   std::vector<glm::mat4> centres;
   std::set<std::tuple<double, double, float>> known_posts;
-  for (const PlacedLamp& lamp : lamps) {
+  for (const lights::PlacedLamp& lamp : lamps) {
     const glm::vec3 foot(georeference_.to_model(lamp.foot));
     const glm::dvec3 luminous = lamp.foot + glm::dvec3(lamp.outreach, lamp.mounting_height_m);
     centres.push_back(glm::translate(glm::mat4(1), glm::vec3(georeference_.to_model(luminous))));
@@ -192,7 +192,7 @@ void LampModels::add(std::span<const PlacedLamp> lamps, std::size_t first) {
 
 }  // namespace
 
-void add_lamp_models(SceneWriter& writer, std::span<const PlacedLamp> lamps,
+void add_lamp_models(SceneWriter& writer, std::span<const lights::PlacedLamp> lamps,
                      const Georeference& georeference, std::uint32_t post_material) {
   LampModels models(writer, georeference, post_material);
   for (std::size_t first = 0; first < lamps.size();) {
@@ -204,4 +204,4 @@ void add_lamp_models(SceneWriter& writer, std::span<const PlacedLamp> lamps,
   }
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

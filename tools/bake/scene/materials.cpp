@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <glm/geometric.hpp>
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 // `albedo` is the luminance of the colour; `hue` gives its tint, on any scale.
@@ -104,52 +104,52 @@ const char* name_of(NodeKind kind) {
   return "";
 }
 
-SurfaceUse find_use(ObjectType object, SurfaceType surface) {
+SurfaceUse find_use(city::ObjectType object, city::SurfaceType surface) {
   using M = BakeMaterial;
   switch (object) {
-    case ObjectType::relief:
-    case ObjectType::land_use:
+    case city::ObjectType::relief:
+    case city::ObjectType::land_use:
       return {M::terrain, NodeKind::terrain};
-    case ObjectType::water:
+    case city::ObjectType::water:
       return {M::water, NodeKind::terrain};
-    case ObjectType::road:
-      return {surface == SurfaceType::auxiliary_traffic_area ? M::pavement : M::road,
+    case city::ObjectType::road:
+      return {surface == city::SurfaceType::auxiliary_traffic_area ? M::pavement : M::road,
               NodeKind::road};
-    case ObjectType::railway:
+    case city::ObjectType::railway:
       return {M::pavement, NodeKind::road};
-    case ObjectType::vegetation:
+    case city::ObjectType::vegetation:
       return {M::vegetation, NodeKind::city};
-    case ObjectType::furniture:
+    case city::ObjectType::furniture:
       return {M::furniture, NodeKind::city};
     default:
       break;
   }
   switch (surface) {
-    case SurfaceType::wall:
-    case SurfaceType::closure:
-    case SurfaceType::outer_ceiling:
+    case city::SurfaceType::wall:
+    case city::SurfaceType::closure:
+    case city::SurfaceType::outer_ceiling:
       return {M::wall, NodeKind::city};
-    case SurfaceType::roof:
-    case SurfaceType::outer_floor:
+    case city::SurfaceType::roof:
+    case city::SurfaceType::outer_floor:
       return {M::roof, NodeKind::city};
-    case SurfaceType::ground:
+    case city::SurfaceType::ground:
       return {M::ground, NodeKind::city};
-    case SurfaceType::window:
+    case city::SurfaceType::window:
       return {M::window, NodeKind::city};
-    case SurfaceType::door:
+    case city::SurfaceType::door:
       return {M::door, NodeKind::city};
-    case SurfaceType::traffic_area:
+    case city::SurfaceType::traffic_area:
       return {M::road, NodeKind::city};  // a bridge's carriageway: the bridge is one piece
-    case SurfaceType::auxiliary_traffic_area:
+    case city::SurfaceType::auxiliary_traffic_area:
       return {M::pavement, NodeKind::city};
-    case SurfaceType::terrain:
+    case city::SurfaceType::terrain:
       return {M::terrain, NodeKind::terrain};
-    case SurfaceType::water:
+    case city::SurfaceType::water:
       return {M::water, NodeKind::terrain};
-    case SurfaceType::unknown:
+    case city::SurfaceType::unknown:
       break;
   }
   return {M::other, NodeKind::city};
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

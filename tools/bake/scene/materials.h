@@ -9,7 +9,7 @@
 #include "formats/scene_writer.h"
 #include "tools/city/city_model.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 enum class BakeMaterial : std::uint8_t {
   wall,
@@ -72,6 +72,6 @@ struct SurfaceUse {
 };
 
 /// Returns what a surface of an object is made of, and the kind of node it belongs to.
-SurfaceUse find_use(ObjectType object, SurfaceType surface);
+SurfaceUse find_use(city::ObjectType object, city::SurfaceType surface);
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -6,7 +6,7 @@
 
 #include "formats/rgb9e5.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 using std::numbers::pi;
@@ -90,4 +90,4 @@ std::vector<Light> BrightestLights::take() && {
   return lights;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -10,7 +10,7 @@
 #include "formats/light.h"
 #include "formats/scene.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 /// Returns a light without size and with the same flux: its intensity times the integral of the
 /// extension's falloff (the one that its text recommends) is the light's lumens. A lamp that shines
@@ -37,4 +37,4 @@ class BrightestLights {
   std::vector<std::pair<std::size_t, Light>> heap_;  // number and light, the faintest first
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

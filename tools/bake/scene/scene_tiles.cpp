@@ -9,7 +9,7 @@
 #include "tools/bake/scene/hidden_surfaces.h"
 #include "tools/in_order.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 // A surface this far below the ground is hidden. The ground's height is not known more exactly.
@@ -37,7 +37,7 @@ SceneTiles::SceneTiles(SceneWriter& writer, const std::filesystem::path& scratch
 
 CityConsumer::Turn SceneTiles::prepare(const std::shared_ptr<const PreparedObject>& prepared) {
   if (prepared->mesh.triangles.empty()) return {};  // points or lines alone
-  const bool drop = options_.drop_ground && prepared->object.type == ObjectType::building;
+  const bool drop = options_.drop_ground && prepared->object.type == city::ObjectType::building;
   return [this, prepared,
           triangles = make_tile_triangles(prepared->mesh, prepared->object, drop)](bool continues) {
     count(report_.left_out, "triangles of ground under buildings",
@@ -50,8 +50,8 @@ CityConsumer::Turn SceneTiles::prepare(const std::shared_ptr<const PreparedObjec
   };
 }
 
-void SceneTiles::add_ground(const TriangleMesh& mesh) {
-  add_mesh(tiles_, mesh, ObjectType::relief, no_id);
+void SceneTiles::add_ground(const mesh::TriangleMesh& mesh) {
+  add_mesh(tiles_, mesh, city::ObjectType::relief, no_id);
 }
 
 glm::dvec2 SceneTiles::middle() {
@@ -63,8 +63,8 @@ glm::dvec2 SceneTiles::middle() {
   return {std::round(median(std::move(eastings))), std::round(median(std::move(northings)))};
 }
 
-SceneTilesReport SceneTiles::write(const Georeference& georeference, const Terrain& terrain,
-                                   const ProgressSink& progress) {
+SceneTilesReport SceneTiles::write(const Georeference& georeference,
+                                   const terrain::Terrain& terrain, const ProgressSink& progress) {
   const std::vector<TileKey> keys = tiles_.tiles();
   HiddenCounts hidden;
   std::size_t begun = 0, done = 0;
@@ -86,12 +86,12 @@ SceneTilesReport SceneTiles::write(const Georeference& georeference, const Terra
   return report_;
 }
 
-SceneTiles::WrittenTile SceneTiles::build(const TileKey& key, const Terrain& terrain) {
+SceneTiles::WrittenTile SceneTiles::build(const TileKey& key, const terrain::Terrain& terrain) {
   WrittenTile tile{key, {}, {}};
   const glm::dvec3 corner = tiles_.origin(key);
   const auto is_below = [&](const glm::vec3& p) {
-    const auto ground =
-        terrain.height_of(SurfaceClass::terrain, {corner.x + double{p.x}, corner.y - double{p.z}});
+    const auto ground = terrain.height_of(terrain::SurfaceClass::terrain,
+                                          {corner.x + double{p.x}, corner.y - double{p.z}});
     return ground && corner.z + double{p.y} < *ground - hidden_below_m;
   };
   const auto find_hidden = [&](std::span<const TileStore::StoredTriangle> triangles) {
@@ -115,11 +115,11 @@ void SceneTiles::write(WrittenTile&& tile, const Georeference& georeference) {
   writer_.add_node({mesh.name, name_of(tile.key.kind), writer_.add_mesh(mesh), true, {instance}});
 }
 
-std::uint32_t SceneTiles::add_feature(const CityObject& object) {
+std::uint32_t SceneTiles::add_feature(const city::CityObject& object) {
   SceneFeature feature{object.id, object.class_name, object.function, object.measured_height_m,
                        object.storeys_above_ground};
   if (feature.function.empty()) feature.function = object.usage;
   return writer_.add_feature(feature);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -15,7 +15,7 @@
 #include "tools/bake/scene/materials.h"
 #include "tools/bake/scene/tile_store.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 struct SceneTileOptions {
   double tile_m = 250;       // side of a tile
@@ -34,10 +34,10 @@ class SceneTiles final : public CityConsumer {
 
   Turn prepare(const std::shared_ptr<const PreparedObject>& prepared) override;
   /// Adds ground that belongs to no object. E, N, H in metres.
-  void add_ground(const TriangleMesh& mesh);
+  void add_ground(const mesh::TriangleMesh& mesh);
 
   /// Puts the objects that were published without heights onto the ground.
-  void drape(const HeightAt& height_at) { report_.draped = drape_.drape(height_at, tiles_); }
+  void drape(const place::HeightAt& height_at) { report_.draped = drape_.drape(height_at, tiles_); }
   bool empty() { return tiles_.tiles().empty(); }
   /// Returns easting and northing of the city's middle, to the metre: the median of the tiles, so
   /// that far objects do not move it. There must be tiles.
@@ -45,14 +45,14 @@ class SceneTiles final : public CityConsumer {
 
   /// Writes one mesh for each tile and kind. `terrain` decides what lies below the ground, for the
   /// option drop_hidden. Throws Error.
-  SceneTilesReport write(const Georeference& georeference, const Terrain& terrain,
+  SceneTilesReport write(const Georeference& georeference, const terrain::Terrain& terrain,
                          const ProgressSink& progress);
 
  private:
   struct WrittenTile;
-  WrittenTile build(const TileKey& key, const Terrain& terrain);
+  WrittenTile build(const TileKey& key, const terrain::Terrain& terrain);
   void write(WrittenTile&& tile, const Georeference& georeference);
-  std::uint32_t add_feature(const CityObject& object);
+  std::uint32_t add_feature(const city::CityObject& object);
 
   SceneWriter& writer_;
   SceneTileOptions options_;
@@ -63,4 +63,4 @@ class SceneTiles final : public CityConsumer {
   SceneTilesReport report_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

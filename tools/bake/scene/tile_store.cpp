@@ -7,7 +7,7 @@
 
 #include "tools/bake/city/tile_grid.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 // FNV-1a's multiplier over the words, and a final mix for the low bits.
@@ -62,13 +62,13 @@ class Welder {
 
 }  // namespace
 
-std::vector<TileStore::Triangle> make_tile_triangles(const TriangleMesh& mesh,
-                                                     const CityObject& object,
+std::vector<TileStore::Triangle> make_tile_triangles(const mesh::TriangleMesh& mesh,
+                                                     const city::CityObject& object,
                                                      bool leave_out_ground) {
   std::vector<TileStore::Triangle> triangles;
   triangles.reserve(mesh.triangles.size());
-  for (const MeshTriangle& triangle : mesh.triangles) {
-    if (leave_out_ground && triangle.surface == SurfaceType::ground) continue;
+  for (const mesh::MeshTriangle& triangle : mesh.triangles) {
+    if (leave_out_ground && triangle.surface == city::SurfaceType::ground) continue;
     const SurfaceUse use = find_use(object.type, triangle.surface);
     TileStore::Triangle& made = triangles.emplace_back();
     for (int k = 0; k < 3; ++k) made.corners[k] = mesh.positions[triangle.vertex[k]];
@@ -81,8 +81,9 @@ std::vector<TileStore::Triangle> make_tile_triangles(const TriangleMesh& mesh,
   return triangles;
 }
 
-void add_mesh(TileStore& tiles, const TriangleMesh& mesh, ObjectType type, std::uint32_t feature) {
-  CityObject plain;
+void add_mesh(TileStore& tiles, const mesh::TriangleMesh& mesh, city::ObjectType type,
+              std::uint32_t feature) {
+  city::CityObject plain;
   plain.type = type;
   tiles.add(make_tile_triangles(mesh, plain), feature);
 }
@@ -141,4 +142,4 @@ SceneMesh TileStore::mesh(const TileKey& key, const LeaveOut& leave_out) {
   return mesh;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

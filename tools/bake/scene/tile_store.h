@@ -16,7 +16,7 @@
 #include "tools/city/city_model.h"
 #include "tools/mesh/triangle_mesh.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 struct TileKey {
   std::int32_t column, row;  // as of Tile (tile_grid.h)
@@ -66,12 +66,13 @@ class TileStore {
 
 /// Returns the triangles of an object's mesh with their materials. `leave_out_ground`: without its
 /// ground surfaces.
-std::vector<TileStore::Triangle> make_tile_triangles(const TriangleMesh& mesh,
-                                                     const CityObject& object,
+std::vector<TileStore::Triangle> make_tile_triangles(const mesh::TriangleMesh& mesh,
+                                                     const city::CityObject& object,
                                                      bool leave_out_ground = false);
 
 /// Adds a mesh that belongs to no object of the model (made ground), with the material of that
 /// type.
-void add_mesh(TileStore& tiles, const TriangleMesh& mesh, ObjectType type, std::uint32_t feature);
+void add_mesh(TileStore& tiles, const mesh::TriangleMesh& mesh, city::ObjectType type,
+              std::uint32_t feature);
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

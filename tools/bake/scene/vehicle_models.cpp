@@ -6,7 +6,7 @@
 #include "formats/traffic_pose.h"
 #include "tools/traffic/bodies.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 std::vector<SceneInstance> place_kind(const TrafficContent& content, std::uint32_t kind, double t) {
@@ -46,4 +46,4 @@ void add_vehicle_models(SceneWriter& writer, const traffic::TrafficSet& traffic,
   }
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

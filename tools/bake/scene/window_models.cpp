@@ -6,21 +6,21 @@
 
 #include "tools/lights/colour.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 constexpr double steps_per_stop = 4, cct_step_k = 250;
 
 using Look = std::pair<int, int>;  // brightness and colour as an index into steps
 
-Look to_look(const LitRectangle& window) {
+Look to_look(const lights::LitRectangle& window) {
   return {static_cast<int>(std::lround(steps_per_stop * std::log2(double{window.luminance_cd_m2}))),
           static_cast<int>(std::lround(double{window.cct_k} / cct_step_k))};
 }
 
 SceneMaterial to_material(const Look& look) {
   const auto luminance = static_cast<float>(std::exp2(look.first / steps_per_stop));
-  const glm::vec3 colour = rec709_from_xy(planckian_xy(look.second * cct_step_k));
+  const glm::vec3 colour = lights::rec709_from_xy(lights::planckian_xy(look.second * cct_step_k));
   return {.name = "lit window",
           .base_colour = glm::vec3(0.1f),
           .emission_cd_m2 = colour * luminance,
@@ -33,8 +33,8 @@ glm::vec3 to_model_axes(const glm::vec3& enh) {
 }
 
 // Counter-clockwise seen from outside: along is cross(up, normal).
-void add_quad(ScenePrimitive& primitive, const LitRectangle& window, const glm::dvec3& origin,
-              std::uint32_t light) {
+void add_quad(ScenePrimitive& primitive, const lights::LitRectangle& window,
+              const glm::dvec3& origin, std::uint32_t light) {
   const auto first = static_cast<std::uint32_t>(primitive.positions.size());
   const glm::vec3 centre = to_model_axes(glm::vec3(window.centre - origin));
   const glm::vec3 along = to_model_axes(window.along) * window.half_width;
@@ -48,7 +48,7 @@ void add_quad(ScenePrimitive& primitive, const LitRectangle& window, const glm::
 
 }  // namespace
 
-void WindowModels::add(const LitRectangle& window, std::uint32_t light) {
+void WindowModels::add(const lights::LitRectangle& window, std::uint32_t light) {
   const glm::dvec2 place = glm::dvec2(window.centre) / tile_m_;
   tiles_.add({static_cast<int>(std::floor(place.x)), static_cast<int>(std::floor(place.y))},
              {window, light});
@@ -75,4 +75,4 @@ void WindowModels::write(SceneWriter& writer, const Georeference& georeference) 
   }
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -11,7 +11,7 @@
 #include "tools/cell_file.h"
 #include "tools/lights/windows.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 /// Gathers windows and writes them as nodes of kind "window" that cast no shadow, because their
 /// quads lie where their light starts. Materials round the luminance to a quarter of a stop and the
@@ -25,13 +25,13 @@ class WindowModels {
       : tiles_(scratch), tile_m_(tile_m) {}
 
   /// `light` is the window's number in city.lights, which each vertex names.
-  void add(const LitRectangle& window, std::uint32_t light);
+  void add(const lights::LitRectangle& window, std::uint32_t light);
   void write(SceneWriter& writer, const Georeference& georeference);
 
  private:
   using Tile = std::pair<int, int>;
   struct Record {
-    LitRectangle window;
+    lights::LitRectangle window;
     std::uint32_t light;
   };
 
@@ -39,4 +39,4 @@ class WindowModels {
   double tile_m_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -9,22 +9,22 @@
 #include "tools/lights/lamp_defaults.h"
 #include "tools/lights/lamp_hours.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 /// A measured luminaire and the lamps that get it.
 struct LuminaireFile {
-  std::filesystem::path file;         // IES LM-63 or EULUMDAT
-  std::vector<std::string> highways;  // OSM classes of road; empty: every road
-  std::vector<LampType> types;        // empty: every type
-  bool take_flux = true;              // false: the lumens stay those of the table of defaults
+  std::filesystem::path file;           // IES LM-63 or EULUMDAT
+  std::vector<std::string> highways;    // OSM classes of road; empty: every road
+  std::vector<lights::LampType> types;  // empty: every type
+  bool take_flux = true;                // false: the lumens stay those of the table of defaults
 };
 
 struct LampStageOptions {
   layout::LayoutOptions layout;
-  LampHours hours;
+  lights::LampHours hours;
   std::vector<LuminaireFile> luminaires;  // the first that serves a lamp is taken
 
   bool lays_out() const { return layout.mode != layout::LayoutOptions::Mode::never; }
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -2,13 +2,13 @@
 
 #include "tools/lights/luminaire.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
-LampOptions read_luminaires(const std::vector<LuminaireFile>& files) {
-  LampOptions options;
+lights::LampOptions read_luminaires(const std::vector<LuminaireFile>& files) {
+  lights::LampOptions options;
   for (const LuminaireFile& choice : files) {
-    const Luminaire luminaire = read_luminaire(choice.file);
+    const lights::Luminaire luminaire = lights::read_luminaire(choice.file);
     options.luminaires.push_back({choice.file.string(), luminaire.photometry(), choice.highways,
                                   choice.types, choice.take_flux, luminaire.flux_lm});
   }
@@ -18,25 +18,25 @@ LampOptions read_luminaires(const std::vector<LuminaireFile>& files) {
 }  // namespace
 
 CityLamps place_city_lamps(const City& city, const LampStageOptions& options) {
-  LampOptions lamps = read_luminaires(options.luminaires);
+  lights::LampOptions lamps = read_luminaires(options.luminaires);
   lamps.heights_from_tags = !city.has_model();
-  const OsmData& map = city.map();
+  const osm::OsmData& map = city.map();
   const bool lay_out = options.lays_out() && !map.highways.empty();
   if (map.lamps.empty() && !lay_out) return {};
   city.require_lon_lat("lamps cannot be placed");
-  const LonLatToFrame to_frame = city.to_frame();
-  const HeightAt height_at = city.height_at();
-  const InsideBuilding inside = city.inside_footprint();
+  const place::LonLatToFrame to_frame = city.to_frame();
+  const place::HeightAt height_at = city.height_at();
+  const place::InsideBuilding inside = city.inside_footprint();
   CityLamps result;
   if (options.layout.mode == layout::LayoutOptions::Mode::always)
     result.set.left_out["mapped, but [lamps] layout = \"always\""] = map.lamps.size();
   else
-    result.set = place_lamps(map, to_frame, height_at, inside, lamps);
+    result.set = lights::place_lamps(map, to_frame, height_at, inside, lamps);
   if (lay_out)
     result.layout =
         layout::lay_out_lamps(map, to_frame, height_at, inside, lamps, options.layout, result.set);
-  switch_lamps(options.hours, result.set);
+  lights::switch_lamps(options.hours, result.set);
   return result;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -6,10 +6,10 @@
 #include "tools/layout/layout.h"
 #include "tools/lights/place_lamps.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 struct CityLamps {
-  LampSet set;
+  lights::LampSet set;
   layout::LayoutReport layout;
 };
 
@@ -18,4 +18,4 @@ struct CityLamps {
 /// streets to be lit and the city no CRS.
 CityLamps place_city_lamps(const City& city, const LampStageOptions& options);
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

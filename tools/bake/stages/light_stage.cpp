@@ -7,7 +7,7 @@
 #include "tools/bake/scene/punctual.h"
 #include "tools/bake/scene/window_models.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 // A tile's windows come in a hundred looks, a primitive each: in tiles as small as the others, a
@@ -15,8 +15,8 @@ namespace {
 constexpr double tiles_a_batch = 4;  // along a side
 
 // Returns a table whose new schedules are written to `lights` one by one.
-ScheduleTable make_schedules(LightFileWriter& lights) {
-  return ScheduleTable(
+lights::ScheduleTable make_schedules(LightFileWriter& lights) {
+  return lights::ScheduleTable(
       [&lights](std::span<const uint> switches) { return lights.add_schedule(switches); });
 }
 
@@ -27,14 +27,14 @@ BakedLights bake_lights(const City& city, WindowConsumer* windows, const LightSt
   const Georeference& georeference = outputs.georeference;
   BakedLights result;
   CityLamps placed = place_city_lamps(city, options.lamps);
-  LampSet& lamps = placed.set;
+  lights::LampSet& lamps = placed.set;
   result.report.lamps = to_report(lamps, city.map().lamps.size());
   result.report.layout = std::move(placed.layout);
-  ScheduleTable schedules = make_schedules(outputs.lights);
+  lights::ScheduleTable schedules = make_schedules(outputs.lights);
   BrightestLights brightest(options.punctual);
   // Lamps first, then windows: the models name their lights by this order.
-  for (const PlacedLamp& lamp : lamps.lamps) {
-    const Light light = to_light(lamp, georeference, schedules);
+  for (const lights::PlacedLamp& lamp : lamps.lamps) {
+    const Light light = lights::to_light(lamp, georeference, schedules);
     outputs.lights.add(light, lamp.provenance);
     if (!lamp.hours || lamp.hours->lit_at(options.shown_minute)) brightest.add(light);
   }
@@ -43,8 +43,8 @@ BakedLights bake_lights(const City& city, WindowConsumer* windows, const LightSt
   lamps.lamps = {};
   if (windows) {
     WindowModels models(outputs.scratch, tiles_a_batch * options.tile_m);
-    result.report.windows = windows->finish(city, [&](const LitRectangle& window) {
-      const Light light = to_light(window, georeference, schedules);
+    result.report.windows = windows->finish(city, [&](const lights::LitRectangle& window) {
+      const Light light = lights::to_light(window, georeference, schedules);
       models.add(window, outputs.lights.add(light, window.provenance));
       if (window.hours.lit_at(options.shown_minute)) brightest.add(light);
     });
@@ -58,12 +58,12 @@ BakedLights bake_lights(const City& city, WindowConsumer* windows, const LightSt
   return result;
 }
 
-void write_lamp_lights(const std::filesystem::path& path, const LampSet& lamps,
+void write_lamp_lights(const std::filesystem::path& path, const lights::LampSet& lamps,
                        const Georeference& georeference) {
   LightFileWriter lights(path);
-  ScheduleTable schedules = make_schedules(lights);
-  for (const PlacedLamp& lamp : lamps.lamps)
-    lights.add(to_light(lamp, georeference, schedules), lamp.provenance);
+  lights::ScheduleTable schedules = make_schedules(lights);
+  for (const lights::PlacedLamp& lamp : lamps.lamps)
+    lights.add(lights::to_light(lamp, georeference, schedules), lamp.provenance);
   lights.finish({.georeference = georeference,
                  .profiles = lamps.profiles,
                  .profile_data = lamps.profile_data});
@@ -73,13 +73,13 @@ LightsReport write_window_lights(LightFileWriter& lights, const City& city,
                                  WindowConsumer& windows) {
   const Georeference georeference = city.georeference();
   LightsReport report;
-  ScheduleTable schedules = make_schedules(lights);
-  report.windows = windows.finish(city, [&](const LitRectangle& window) {
-    lights.add(to_light(window, georeference, schedules), window.provenance);
+  lights::ScheduleTable schedules = make_schedules(lights);
+  report.windows = windows.finish(city, [&](const lights::LitRectangle& window) {
+    lights.add(lights::to_light(window, georeference, schedules), window.provenance);
   });
   lights.finish({.georeference = georeference});
   report.schedules = schedules.size();
   return report;
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -13,7 +13,7 @@
 #include "tools/bake/stages/window_stage.h"
 #include "tools/lights/night_schedule.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 struct LightStageOptions {
   LampStageOptions lamps;
@@ -43,7 +43,7 @@ BakedLights bake_lights(const City& city, WindowConsumer* windows, const LightSt
                         const LightOutputs& outputs);
 
 /// Writes lamps alone to a light file. Throws Error.
-void write_lamp_lights(const std::filesystem::path& path, const LampSet& lamps,
+void write_lamp_lights(const std::filesystem::path& path, const lights::LampSet& lamps,
                        const Georeference& georeference);
 
 /// Writes the windows that `windows` has gathered, and nothing else, to a light file that is open.
@@ -51,4 +51,4 @@ void write_lamp_lights(const std::filesystem::path& path, const LampSet& lamps,
 LightsReport write_window_lights(LightFileWriter& lights, const City& city,
                                  WindowConsumer& windows);
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

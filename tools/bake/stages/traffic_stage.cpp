@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <string>
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
 // Returns the height for wheels: they stand on the ground, or on a road that lies on it.
-HeightAt road_height_on(const Terrain& terrain) {
+place::HeightAt road_height_on(const terrain::Terrain& terrain) {
   constexpr double max_above_ground_m = 0.6;  // a road higher up is a bridge
   return [&terrain](const glm::dvec2& place) -> std::optional<double> {
     const auto ground = terrain.height_at(place);
-    if (!ground || ground->surface == SurfaceClass::roof) return std::nullopt;
-    const auto road = terrain.height_of(SurfaceClass::road, place);
+    if (!ground || ground->surface == terrain::SurfaceClass::roof) return std::nullopt;
+    const auto road = terrain.height_of(terrain::SurfaceClass::road, place);
     return road && *road > ground->height_m && *road < ground->height_m + max_above_ground_m
                ? *road
                : ground->height_m;
@@ -23,7 +23,7 @@ HeightAt road_height_on(const Terrain& terrain) {
 // height 0, so traffic stays there too.
 bool lacks_ground(const City& city) {
   if (!city.inputs().maps.empty()) return false;
-  const auto has_ground = [&](const OsmWay& way) {
+  const auto has_ground = [&](const osm::OsmWay& way) {
     return std::any_of(way.lon_lat.begin(), way.lon_lat.end(), [&](const glm::dvec2& lon_lat) {
       return city.terrain().height_at(city.frame().from_lon_lat(lon_lat)).has_value();
     });
@@ -39,8 +39,9 @@ traffic::TrafficSet make_city_traffic(const City& city, const traffic::TrafficOp
   if (city.map().highways.empty() && city.has_model()) return {};
   city.require_lon_lat("streets cannot be placed");
   const bool flat = !city.has_model() || lacks_ground(city);
-  const HeightAt height_at = flat ? HeightAt([](const glm::dvec2&) { return std::optional(0.0); })
-                                  : road_height_on(city.terrain());
+  const place::HeightAt height_at =
+      flat ? place::HeightAt([](const glm::dvec2&) { return std::optional(0.0); })
+           : road_height_on(city.terrain());
   return traffic::make_traffic(city.map().highways, city.to_frame(), height_at,
                                city.inside_footprint(), options, georeference,
                                [&](const char* step, double share) {
@@ -54,4 +55,4 @@ TrafficAddition to_addition(const traffic::TrafficSet& traffic) {
   return {traffic.content(), traffic.profiles.profiles, traffic.profiles.data};
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

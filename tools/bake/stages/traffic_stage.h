@@ -6,7 +6,7 @@
 #include "tools/bake/progress.h"
 #include "tools/traffic/traffic.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 /// Makes the traffic of a night in model space, as `georeference` has it. Without a city model it
 /// drives on a plane at height 0. A map without streets gives an empty set. Throws Error when there
@@ -18,4 +18,4 @@ traffic::TrafficSet make_city_traffic(const City& city, const traffic::TrafficOp
 /// Returns the traffic as a light file takes it. The spans point into `traffic`.
 TrafficAddition to_addition(const traffic::TrafficSet& traffic);
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -3,11 +3,11 @@
 
 #include <cstdint>
 
-namespace nightcity {
+namespace nightcity::bake {
 
 struct WindowStageOptions {
   bool lit = true;         // false: there are none
   std::uint64_t seed = 1;  // decides who is at home
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

@@ -6,14 +6,14 @@
 #include "tools/bake/scene/light_places.h"
 #include "tools/lights/osm_uses.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 namespace {
 
-WindowOptions to_window_options(const City& city, const WindowStageOptions& stage) {
-  WindowOptions options;
+lights::WindowOptions to_window_options(const City& city, const WindowStageOptions& stage) {
+  lights::WindowOptions options;
   options.seed = stage.seed;
   if (city.map().buildings.empty() || !city.frame().has_lon_lat()) return options;
-  const auto uses = std::make_shared<const OsmUses>(city.map().buildings, city.to_frame());
+  const auto uses = std::make_shared<const lights::OsmUses>(city.map().buildings, city.to_frame());
   options.use_at = [uses](const glm::dvec2& place) { return uses->at(place); };
   return options;
 }
@@ -31,9 +31,10 @@ CityConsumer::Turn WindowConsumer::prepare(const std::shared_ptr<const PreparedO
   };
 }
 
-WindowReport WindowConsumer::finish(const City& city, const WindowLayout::Sink& sink) {
+lights::WindowReport WindowConsumer::finish(const City& city,
+                                            const lights::WindowLayout::Sink& sink) {
   const auto inside = [&](const glm::dvec3& p) { return inside_building(city.terrain(), p); };
   return std::move(layout_).finish(city.height_at(), sink, inside, city.inputs().read.threads);
 }
 
-}  // namespace nightcity
+}  // namespace nightcity::bake

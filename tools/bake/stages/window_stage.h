@@ -8,7 +8,7 @@
 #include "tools/bake/stages/window_options.h"
 #include "tools/lights/windows.h"
 
-namespace nightcity {
+namespace nightcity::bake {
 
 /// Lays windows on the walls of a city while it is read. Their places wait on disk.
 class WindowConsumer final : public CityConsumer {
@@ -22,10 +22,10 @@ class WindowConsumer final : public CityConsumer {
 
   /// Passes every window that can be where it is to `sink`, in the order of the buildings; call
   /// once, when the city's ground has been built.
-  WindowReport finish(const City& city, const WindowLayout::Sink& sink);
+  lights::WindowReport finish(const City& city, const lights::WindowLayout::Sink& sink);
 
  private:
-  WindowLayout layout_;
+  lights::WindowLayout layout_;
 };
 
-}  // namespace nightcity
+}  // namespace nightcity::bake
