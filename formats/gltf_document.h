@@ -22,8 +22,8 @@ using Json = nlohmann::json;
 class Document {
  public:
   /// Opens a .glb or a .gltf; the content decides, not the name. Throws Error if the file is
-  /// missing, empty, truncated or not glTF 2, or if a buffer is missing or too short. Where the file
-  /// is something else that is known, the message says what, and the remedy.
+  /// missing, empty, truncated or not glTF 2, or if a buffer is missing or too short. Where the
+  /// file is something else that is known, the message says what, and the remedy.
   explicit Document(const std::filesystem::path& path);
 
   const Json& root() const { return root_; }

@@ -20,7 +20,7 @@ std::optional<std::string> light_fault(const Light& light, std::size_t profile_c
 /// it may.
 std::optional<std::string> profile_fault(const LightProfile& profile, std::size_t data_size);
 
-/// How far the integral of a profile may be from 1 (SPEC.md, section 3.4).
+/// The largest distance of a profile's integral from 1 (SPEC.md, section 3.4).
 constexpr double profile_integral_tolerance = 0.005;
 
 /// Returns the integral over the sphere of a profile's bilinear interpolant, which the flux of its

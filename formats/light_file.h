@@ -67,7 +67,8 @@ enum class LightFamily : std::uint8_t {
 };
 constexpr std::size_t light_family_count = 5;
 
-/// Returns the family's name in reports ("lamp", "tail_lamp", ...); a value out of range is "other".
+/// Returns the family's name in reports ("lamp", "tail_lamp", ...); a value
+/// out of range is "other".
 constexpr const char* name_of(LightFamily family) {
   switch (family) {
     case LightFamily::lamp:
@@ -118,8 +119,8 @@ class LightFile {
   /// inside the file: the time does not grow with the number of lights. Throws Error.
   static LightFile open(const std::filesystem::path& path);
 
-  /// Checks all that SPEC.md tells a reader to refuse: the checksum of each section, and each record
-  /// as write_light_file does. The time grows with the size. Throws Error.
+  /// Checks all that SPEC.md tells a reader to refuse: the checksum of each section, and each
+  /// record as write_light_file does. The time grows with the size. Throws Error.
   void verify() const;
 
   const Georeference& georeference() const;

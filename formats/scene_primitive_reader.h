@@ -27,8 +27,8 @@ class PrimitiveReader {
 
   /// Returns the triangles of a primitive, strips and fans as lists, without their material; empty
   /// for points, lines and primitives without POSITION, which have no surface. `colours` gets the
-  /// vertices' colours (COLOR_0; linear, in [0, 1]), or is emptied. `tables` are the file's property tables. Throws
-  /// Error without a file name if an index, an id or a position is wrong.
+  /// vertices' colours (COLOR_0; linear, in [0, 1]), or is emptied. `tables` are the file's
+  /// property tables. Throws Error without a file name if an index, an id or a position is wrong.
   std::optional<ScenePrimitive> read(const gltf::Json& source,
                                      const std::vector<FeatureRange>& tables,
                                      std::vector<glm::vec3>& colours) const;

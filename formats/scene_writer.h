@@ -9,7 +9,7 @@
 
 namespace nightcity {
 
-/// How much a scene holds, and what compression did to it.
+/// Counts of a scene's content, and its size before and after compression.
 struct SceneStatistics {
   std::uint64_t meshes = 0, vertices = 0, triangles = 0, nodes = 0, instances = 0, features = 0;
   int max_draco_bits = 0;        // of a position's quantisation; 0 = no Draco

@@ -1,4 +1,4 @@
-// What a glTF file holds that this program does not show, found in its JSON alone.
+// Lists the content of a glTF file that this program does not show, from the file's JSON alone.
 #pragma once
 
 #include <string>

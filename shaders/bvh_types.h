@@ -1,6 +1,6 @@
-// What rays meet: the nodes of a bounding volume hierarchy (BVH), triangles and instances. A mesh
-// has a bottom-level hierarchy (BLAS) over its triangles; a scene has one top-level hierarchy
-// (TLAS) over its instances.
+// The geometry that rays are traced through: nodes of a bounding volume hierarchy (BVH), triangles
+// and instances. A mesh has a bottom-level hierarchy (BLAS) over its triangles; a scene has one
+// top-level hierarchy (TLAS) over its instances.
 #ifndef NIGHTCITY_SHADERS_BVH_TYPES_H
 #define NIGHTCITY_SHADERS_BVH_TYPES_H
 

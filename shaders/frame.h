@@ -9,7 +9,7 @@
 namespace nightcity::gpu {
 #endif
 
-// What the camera sees in a pixel. 44 bytes.
+// The surface that the camera sees in a pixel. 44 bytes.
 struct Surface {
   vec3 position;  // model space, m
   uint normal;    // octahedral, 2 x 16 bits (octahedral.glsl.h); towards the camera
@@ -88,7 +88,7 @@ ARRAY_REFERENCE(DemodulatedPixels, Demodulated, )
 namespace nightcity::gpu {
 #endif
 
-// Where upward flux leaves the scene: a map of squares, and what is counted there.
+// The map of squares in which upward flux is counted where it leaves the scene.
 struct UpwardMap {
   BUFFER(Escapes) escapes;  // one per light
   // 1/1024 lumen, by the place of the last surface. Whole numbers, so that the order of adding
@@ -134,7 +134,7 @@ struct Frame {
   uint neighbours;
   float neighbour_radius;  // pixels
   float max_history;       // the history's M is at most this many times the candidates' M
-  // How fast the history's M fades with the distance to where it was gathered, 1/m^2; 0 = never.
+  // The history's M fades with the squared distance to where it was gathered, 1/m^2; 0 = never.
   float history_falloff;
   // Neighbours of a pixel without history, where that is more than `neighbours`.
   uint disocclusion_boost;

@@ -1,4 +1,4 @@
-// Where a ray ended. It is also what the stages of a ray tracing pipeline pass to each other.
+// The end of a ray. The stages of a ray tracing pipeline pass it to each other too.
 struct Hit {
   float t;        // in units of the ray's direction
   uint triangle;

@@ -1,5 +1,5 @@
-// What C++ and the shaders share, topic by topic. A pass binds nothing: its push constants hold the
-// address of one Frame, from which it reaches everything else.
+// The declarations that C++ and the shaders share, topic by topic. A pass binds nothing: its push
+// constants hold the address of one Frame, from which it reaches everything else.
 #ifndef NIGHTCITY_SHADERS_INTERFACE_H
 #define NIGHTCITY_SHADERS_INTERFACE_H
 

@@ -1,4 +1,4 @@
-// What depends on the kind of a light: one dispatch per operation, all of them here. Everything
+// All code that depends on the kind of a light: one dispatch per operation. Everything
 // else treats lights alike.
 //
 // A sample is (light, uv). The map from uv to a point is chosen per receiver: on a sphere uniformly
@@ -111,7 +111,7 @@ float bounding_radius2(Light light) {
 struct EmittedRay {
   vec3 origin;
   vec3 direction;  // unit
-  // Of the light's flux, times the number of rays; 0 = the light is dark in this direction.
+  // A share of the light's flux, times the number of rays; 0 = the light is dark in this direction.
   float share;
 };
 

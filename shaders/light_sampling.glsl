@@ -55,7 +55,7 @@ LightSampler light_sampler_at(vec3 position) {
   p.uniform_share = FRAME.uniform_share;
   p.power_share = max(1.0 - p.near.share - p.far.share - p.uniform_share, 0.0);
   p.vehicle_share = HAS_TRAFFIC != 0u ? FRAME.vehicle_share : 0.0;
-  // Where one of the two sets is dark, the other gets all candidates.
+  // If one of the two sets is dark, the other gets all candidates.
   if (!any_static) p.vehicle_share = HAS_TRAFFIC != 0u ? 1.0 : 0.0;
   else if (HAS_TRAFFIC != 0u &&
            FRAME.vehicle_nodes.at[SCENE.traffic.level_first[SCENE.traffic.levels - 1u]].flux_lm <=

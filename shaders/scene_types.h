@@ -116,7 +116,7 @@ struct TrafficBuffers {
   uint level_count[VEHICLE_LEVELS];
   uint levels;
   TrafficCycle cycle;
-  // Where the device's own structures are traced: TLAS_INSTANCE_WORDS per trip.
+  // Used when the device's own structures are traced: TLAS_INSTANCE_WORDS per trip.
   BUFFER(Words) tlas_instances;
   BUFFER(Words) body_blas;  // addresses of the bodies' own structures, two words each
   uint has_tlas;

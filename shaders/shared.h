@@ -1,6 +1,6 @@
-// What lets C++ and GLSL read the same declarations. Records lie in scalar block layout, which is
-// C's own layout of 4-byte members. Every buffer is reached by its address: BUFFER(Lights) is a
-// reference in GLSL and 64 bits in C++.
+// Macros with which C++ and GLSL read the same declarations. Records lie in scalar block layout,
+// which is C's own layout of 4-byte members. Every buffer is reached by its address: BUFFER(Lights)
+// is a reference in GLSL and 64 bits in C++.
 #ifndef NIGHTCITY_SHADERS_SHARED_H
 #define NIGHTCITY_SHADERS_SHARED_H
 

@@ -23,8 +23,7 @@ using uint = std::uint32_t;
   1u  // x / (1 + x), with x = REINHARD_WHITE reaching 1: keeps lamps apart from each other
 #define TONEMAP_FILMIC 2u  // toe and shoulder, deep blacks: the default
 
-// How far above saturation Reinhard's curve still separates two luminances (his L_white, in exposed
-// units).
+// The highest luminance, in exposed units, that Reinhard's curve keeps below white (his L_white).
 #define REINHARD_WHITE 16.0f
 
 /// Returns the exposed value of 1 cd/m2 at `ev100`: 1 / L_max, L_max = 78 / (100 q) * 2^EV100 = 1.2

@@ -1,5 +1,5 @@
-// Where a trip's vehicle is at a given time (formats/night.h). formats/traffic_pose.h is the same
-// in C++.
+// The position of a trip's vehicle at a given time (formats/night.h).
+// formats/traffic_pose.h is the same in C++.
 
 struct Pose {
   vec3 position;  // of the vehicle frame's origin, model space

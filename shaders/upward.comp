@@ -1,9 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// How much of each light leaves the city upwards: one invocation per light (from push.first),
-// push.count rays each, followed straight and off the first surface they hit, which reflects
-// diffusely. More bounces are left out: at a city's albedos of about a fifth, the second bounce
-// adds a fifth of a fifth.
+// Measures the flux of each light that leaves the city upwards: one invocation per light (from
+// push.first), push.count rays each, followed straight and off the first surface they hit, which
+// reflects diffusely. More bounces are left out: at a city's albedos of about a fifth, the second
+// bounce adds a fifth of a fifth.
 #define WORKGROUP_IS_A_ROW
 #include "shaders/common.glsl"
 #include "shaders/random.glsl"

@@ -10,7 +10,8 @@
 
 namespace nightcity {
 
-/// What splitmix64 adds to its state for each number: 2^64 divided by the golden ratio, odd.
+/// The amount that splitmix64 adds to its state for each number: 2^64 divided
+/// by the golden ratio, odd.
 constexpr std::uint64_t splitmix_increment = 0x9E3779B97F4A7C15ull;
 
 /// One step of splitmix64 (Steele, Lea, Flood 2014): a bijection whose output bits all depend on

@@ -128,7 +128,8 @@ class Page {
       add_option(*option, positional);
     }
   }
-  // Options of which only some may be given together: to CLI11, a group is a command without a name.
+  // Options of which only some may be given together: to CLI11, a group is
+  // a command without a name.
   void add_option_groups(const CLI::App& app) {
     for (const CLI::App* group : app.get_subcommands(is_group)) {
       add(".PP\n{}:\n", escape(group->get_description()));

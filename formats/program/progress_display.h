@@ -1,4 +1,4 @@
-// How far a long piece of work has come, and the time it still needs, on stderr.
+// Shows on stderr the progress of long work and the time that it still needs.
 #pragma once
 
 #include <chrono>

@@ -24,17 +24,18 @@ struct FlightOptions {
   bool pictures = false;                // writes every frame as PNG
 };
 
-/// What a flight measured. The first frame is left out: it has no history, and the driver compiles
-/// in it.
+/// The figures of a flight. They leave out the first frame, which has no history and in which the
+/// driver compiles.
 struct FlightReport {
   std::string device;
   std::vector<double> ms;  // of every frame
-  // Of the measured frames. The mean signed error is relative to the reference's mean.
+  // One value for each measured frame. The mean signed error is relative to the reference's mean.
   std::vector<double> rmse8, relative_mse, mean_signed_error, fireflies;
 };
 
-/// Flies along the path, the clock starting at settings.time_s, and compares the measured frames with references of their own views. Writes
-/// flight.csv and, where asked for, frame-NNNN.png. Throws Error.
+/// Flies along the path, the clock starting at settings.time_s, and compares the measured
+/// frames with references of their own views. Writes flight.csv and, where asked for,
+/// frame-NNNN.png. Throws Error.
 FlightReport fly(const FlightOptions& options, Experiment& experiment,
                  render::RenderSettings settings, program::ProgressDisplay& progress);
 

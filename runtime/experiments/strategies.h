@@ -1,4 +1,4 @@
-// Which source of light candidates is worth its time at which number of lights.
+// Compares sources of light candidates by error and time, over numbers of lights.
 #pragma once
 
 #include <cstddef>

@@ -45,7 +45,7 @@ Times time_frames(Experiment& experiment, render::RenderSettings settings, std::
 measure::Table time_vehicles(const VehiclesOptions& options) {
   render::RenderSettings settings;
   settings.sampling.estimator = options.estimator;
-  std::vector<std::string> vehicle_passes{"fleet poses", "fleet tree"};
+  std::vector<std::string> vehicle_passes{"vehicle poses", "vehicle BVH"};
   if (options.device.trace != gpu::Trace::compute) vehicle_passes.push_back("top level");
   measure::Table table{{"vehicles", "lights", "ms"}, {}};
   for (const std::string& pass : vehicle_passes) table.columns.push_back(pass + ", ms");

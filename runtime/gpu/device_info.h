@@ -19,15 +19,15 @@ struct DeviceInfo {
   std::uint32_t api_version = 0;
   std::uint64_t memory_bytes = 0;  // the largest device-local heap
   std::uint32_t subgroup_size = 0;
-  // Whether it has everything that is required: Vulkan 1.2, buffer device addresses, scalar block
-  // layout, 64-bit integers.
+  // The device has all that is required: Vulkan 1.2, buffer device addresses, scalar block layout,
+  // 64-bit integers.
   bool usable = false;
   std::string missing;        // the first thing it lacks; "" = usable
   bool ray_query = false;     // VK_KHR_ray_query
   bool ray_pipeline = false;  // VK_KHR_ray_tracing_pipeline
 };
 
-/// How rays are traced. All but the first use the device's acceleration structures.
+/// The ways of tracing rays. All but the first use the device's acceleration structures.
 enum class Trace {
   compute,   // our own BVH: every device
   query,     // VK_KHR_ray_query

@@ -19,8 +19,8 @@ struct ImageLayer {
   std::vector<float> values;  // width * height * channels.size(), pixel by pixel, row 0 on top
 };
 
-/// How a picture was made. It stays with the picture, so that a biased or filtered one is
-/// recognised.
+/// The way a picture was made. It stays with the picture, so that a biased or
+/// filtered one is recognised.
 struct ImageInfo {
   std::string estimator;         // "" = not known (another program made it)
   std::uint32_t frames = 0;      // frames accumulated; 0 = not known

@@ -61,7 +61,7 @@ FrameTimes time_frames(render::Renderer& renderer, const scene::CameraPose& pose
   return times;
 }
 
-// What the passes would cost if they could do what the scene lacks. Frames with and without the
+// Prints the cost of compiling in features that the scene lacks. Frames with and without the
 // feature alternate, so that a drifting clock rate affects both alike.
 void price_forced_features(const BenchCommand& command, render::Renderer& renderer,
                            const scene::CameraPose& pose) {

@@ -32,8 +32,8 @@ std::string summarise(const char* what, const char* unit, const std::vector<doub
                      worst - values.begin());
 }
 
-// The standard error is that of the mean over frames. Frames that reuse each other's samples are not
-// independent, so the true one is larger.
+// The standard error is that of the mean over frames. Frames that reuse each other's samples are
+// not independent, so the true one is larger.
 std::string summarise_bias(const std::vector<double>& values) {
   double sum = 0, squares = 0;
   for (const double value : values) {

@@ -13,8 +13,8 @@
 
 namespace nightcity::render {
 
-/// Room for one frame's vehicles: their instances and their part of the BVH, behind the static ones.
-/// A renderer holds two, because rays may trace the frame before.
+/// Room for one frame's vehicles: their instances and their part of the BVH, behind the static
+/// ones. A renderer holds two, because rays may trace the frame before.
 struct VehicleSlot {
   std::uint32_t first_instance, first_bvh_node;  // as in gpu::TrafficBuffers
   std::uint32_t root;                            // of the whole scene with these vehicles

@@ -36,7 +36,7 @@ struct PictureSize {
 /// Converts "WIDTHxHEIGHT", of at most max_image_side each.
 PictureSize parse_size(const std::string& text);
 
-/// Where the moon stands, and how bright it is.
+/// The moon's direction and illuminance.
 struct MoonPosition {
   double azimuth_deg = 0;    // from north over east
   double elevation_deg = 0;  // above the horizon, 0 excluded

@@ -14,7 +14,7 @@ namespace nightcity::render {
 
 enum class SettingGroup { sampling, reuse, environment, display };
 
-/// How the viewer's panel shows a setting.
+/// The form in which the viewer's panel shows a setting.
 struct SettingSlider {
   const char* label;
   double max;  // the useful part of the range

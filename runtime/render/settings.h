@@ -20,7 +20,7 @@ enum class Estimator : std::uint32_t {
   traced = ESTIMATOR_TRACED,
 };
 
-/// What an estimator is. A new one is a row in settings.cpp; its traits are in
+/// The traits of an estimator. A new one is a row in settings.cpp; its traits are in
 /// shaders/estimators.glsl.h, which the shaders read too.
 struct EstimatorTraits {
   Estimator estimator;
@@ -42,7 +42,7 @@ Estimator find_estimator(const std::string& name);
 constexpr std::uint32_t max_candidates = 1024;
 constexpr std::uint32_t max_neighbours = MAX_NEIGHBOURS;
 
-/// How light is sampled. The shares divide the candidates; what they leave is sampled by flux.
+/// Sampling of lights. The shares divide the candidates; the rest is sampled by flux.
 struct SamplingSettings {
   Estimator estimator = Estimator::traced;  // chosen by measurement: docs/accuracy.md
   std::uint32_t candidates = 32;            // per pixel and frame, 1 .. max_candidates
@@ -57,7 +57,7 @@ struct SamplingSettings {
   bool operator==(const SamplingSettings&) const = default;
 };
 
-/// How samples of earlier frames and of other pixels are reused.
+/// Reuse of samples from earlier frames and from other pixels.
 struct ReuseSettings {
   std::uint32_t neighbours = 5;    // pixels reused by a pixel, 0 .. max_neighbours
   float neighbour_radius_px = 10;  // distance within which they lie
@@ -75,7 +75,7 @@ struct ReuseSettings {
   bool operator==(const ReuseSettings&) const = default;
 };
 
-/// What shines besides the scene's lights, and the weather.
+/// Sky, moon and weather: light that is not the scene's own.
 struct EnvironmentSettings {
   // Luminance of rays that leave the scene, cd/m^2; where there is a sky map, a factor for it.
   glm::vec3 sky_cd_m2{0};
@@ -86,14 +86,14 @@ struct EnvironmentSettings {
   bool operator==(const EnvironmentSettings&) const = default;
 };
 
-/// Which frames the picture is the mean of.
+/// The frames whose mean is the picture.
 struct AveragingSettings {
   bool accumulate = true;  // mean of frames; else every frame stands alone
   // Mean of at most this many frames, which follows motion; 0 = of all frames since anything moved.
   std::uint32_t window = 0;
 };
 
-/// How the mean is shown.
+/// The way from the mean to the screen.
 struct DisplaySettings {
   bool denoise = false;  // filters the mean: for viewing, never for measurements
   float ev100 = 2;       // exposure
@@ -127,7 +127,8 @@ struct Feature {
   const char* name;
 };
 
-/// What passes can leave out: lamps' profiles, windows, schedules, the sky, wet streets.
+/// Returns the features that passes can leave out: lamps' profiles, windows,
+/// schedules, the sky, wet streets.
 const std::vector<Feature>& optional_features();
 
 }  // namespace nightcity::render

@@ -69,14 +69,14 @@ void VehiclePasses::record(VkCommandBuffer commands, const PassSet& passes,
   vkCmdFillBuffer(commands, counts_.handle(), 0, VK_WHOLE_SIZE, 0);
   gpu::full_barrier(commands);
   run(passes.vehicle_pose, traffic.trip_count);
-  finished("fleet poses");
+  finished("vehicle poses");
   run(passes.vehicle_offsets, 1);
   run(passes.vehicle_order, traffic.trip_count);
   run(passes.vehicle_sort_cells, VEHICLE_CELLS);
   // The last dispatch, one past the levels, joins the BVH of the vehicles and the static one.
   for (std::uint32_t level = 1; level <= traffic.levels; ++level)
     run(passes.vehicle_bvh, level < traffic.levels ? traffic.level_count[level] : 1, level);
-  finished("fleet tree");
+  finished("vehicle BVH");
   if (!scene_.tlas()) return;
   scene_.tlas()->top_level(slots_[parity_]).build(commands);
   finished("top level");

@@ -101,7 +101,7 @@ CameraPose street(const RenderScene& scene) {
   if (scene.lights.empty()) return overview(scene);
   const Focus focus = lit_part(scene);
   std::vector<const Light*> nearest;
-  // Where there are no lamps, any light will do.
+  // In a scene without lamps any light will do.
   const bool lamps_there = std::any_of(scene.lights.begin(), scene.lights.end(), is_lamp);
   for (const Light& light : scene.lights)
     if (light.flux_lm > 0 && (!lamps_there || is_lamp(light))) nearest.push_back(&light);

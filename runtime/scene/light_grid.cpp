@@ -18,7 +18,7 @@ constexpr float max_entries = 16777216.0f;  // in the lists of all cells
 // A shader, whose rounding differs from ours, may confuse strengths whose ratio is below this.
 constexpr float min_gap = 1.0001f;
 
-// How far around a cell lights are searched, in bins of their class.
+// The radius of the search for lights around a cell, in bins of their class.
 constexpr int max_rings = 24;
 
 // Lights are searched by classes of flux. Each class has four times the flux of the one below it

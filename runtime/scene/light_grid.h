@@ -17,7 +17,7 @@ struct LightGrid {
   std::vector<gpu::GridEntry> entries;  // one alias table per cell
 };
 
-/// How fine a grid is, and how long its cells' lists are.
+/// The size of a grid's cells and the length of their lists.
 struct LightLists {
   float min_cell_m;
   std::uint32_t listed;  // lights per cell, at most

@@ -1,5 +1,5 @@
-// Where lights lie in a picture. Markers drawn over it show what shines, and what is dark because
-// there is no lamp.
+// Markers of lights, drawn over a picture. They tell a lamp that is dark
+// from a place without a lamp.
 #pragma once
 
 #include <glm/vec2.hpp>

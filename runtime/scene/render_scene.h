@@ -61,8 +61,8 @@ struct RenderScene {
 };
 
 /// Returns what the files hold and no picture shows, one sentence for each kind: what the reader
-/// skipped, triangles without area, instances without volume, lights that cannot shine. And warns of
-/// a scene that lies so far from its origin that single precision displaces it.
+/// skipped, triangles without area, instances without volume, lights that cannot shine. And warns
+/// of a scene that lies so far from its origin that single precision displaces it.
 std::vector<std::string> describe_left_out(const RenderScene& scene);
 
 /// The lights of a scene.

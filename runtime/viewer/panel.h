@@ -13,7 +13,7 @@ struct ImDrawList;
 
 namespace nightcity::viewer {
 
-/// What the window shows. The panel, the mouse and the keys change it.
+/// The state of the window, which the panel, the mouse and the keys change.
 struct ViewerState {
   render::RenderSettings settings;
   scene::CameraPose pose;

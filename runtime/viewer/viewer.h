@@ -30,7 +30,7 @@ struct ViewOptions {
   std::string save_camera;          // JSON of the camera at the end; "" = none
 };
 
-/// What the window showed last.
+/// The last picture that the window showed.
 struct ViewReport {
   std::uint32_t shown = 0;   // frames shown
   std::uint32_t frames = 0;  // in the last mean

@@ -187,7 +187,7 @@ TEST(ScratchFolder, IsTmpdirWhichMustBeThere) {
   EXPECT_NE(message.find("TMPDIR"), std::string::npos);
 }
 
-// What a child that runs `action` after the handlers are installed ends with.
+// Returns the wait status of a child that installs the handlers and runs `action`.
 int status_of_child(const std::function<void()>& action, int output = -1) {
   const pid_t child = ::fork();
   if (child == 0) {

@@ -1,4 +1,4 @@
-// What scenes of others hold that has no place in ours: it is averaged, or named.
+// Content of other programs' scenes that has no place in ours is averaged, or named.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -112,7 +112,8 @@ TEST(LightFileWriter, SchedulesAddedOneByOneComeBeforeTheOthers) {
   EXPECT_EQ(file.switches().size(), 5 + sample.switches.size());
 }
 
-// A kind that is counted but not named, or named but not counted, would be taken for another somewhere.
+// A kind that is counted but not named, or named but not counted, would be
+// taken for another somewhere.
 TEST(LightKind, EveryKindThatIsCountedHasANameAndNoOther) {
   for (uint kind = 0; kind < LIGHT_KIND_COUNT; ++kind)
     EXPECT_STRNE(name_of(LightKind(kind)), "unknown") << kind;
@@ -289,7 +290,8 @@ TEST(LightFile, FindsEveryChangedByte) {
   EXPECT_LT(padding, 13u * 64u);
 }
 
-// Adds a section to the table, as a later version of the format might. SPEC.md describes the layout.
+// Adds a section to the table, as a later version of the format might.
+// SPEC.md describes the layout.
 std::string with_section(std::string bytes, const char* tag) {
   const auto put = [&bytes](std::size_t at, std::uint64_t value) {
     std::memcpy(&bytes[at], &value, 8);

@@ -93,7 +93,7 @@ class Bake {
     report_.lights = std::move(baked.report);
     clock_.end_stage("lights");
     traffic::TrafficSet traffic;
-    if (options_.drives) {
+    if (options_.makes_traffic) {
       traffic = make_city_traffic(city_, options_.traffic, georeference, progress_);
       add_vehicle_models(scene_, traffic, night_begin_s + 60 * options_.lights.shown_minute);
       report_.traffic = traffic.report;

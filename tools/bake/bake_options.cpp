@@ -31,7 +31,7 @@ BakeOptions to_bake_options(const Recipe& recipe) {
                    recipe.city.read.threads};
   options.lights = {recipe.lamps, recipe.night.minute, recipe.output.punctual, recipe.city.tile_m};
   options.windows = recipe.windows;
-  options.drives = recipe.traffic.drives;
+  options.makes_traffic = recipe.traffic.is_made;
   options.traffic = recipe.traffic.options;
   return options;
 }

@@ -17,11 +17,11 @@ struct BakeOptions {
   SceneTileOptions tiles;
   LightStageOptions lights;
   WindowStageOptions windows;
-  bool drives = false;  // true: the bake makes traffic
+  bool makes_traffic = false;
   traffic::TrafficOptions traffic;
 
   /// Returns whether lamps or traffic follow streets: then a map without streets needs the model's.
-  bool uses_streets() const { return drives || lights.lamps.lays_out(); }
+  bool uses_streets() const { return makes_traffic || lights.lamps.lays_out(); }
 };
 
 /// Sorts a recipe's settings by the stage that uses them. No stage depends on the recipe itself.

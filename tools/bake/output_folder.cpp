@@ -127,8 +127,8 @@ void remove_abandoned(const fs::path& folder) {
   }
 }
 
-// Waits for other bakes, which hold this lock for milliseconds, and not for whoever locks the folder
-// for reasons of his own.
+// Waits for other bakes, which hold this lock for milliseconds, and not for whoever locks the
+// folder for reasons of his own.
 bool lock_soon(const Descriptor& folder) {
   using namespace std::chrono_literals;
   for (int attempt = 0; attempt < 100; ++attempt, std::this_thread::sleep_for(10ms))

@@ -1,4 +1,4 @@
-// How far a long piece of work has come. The receiver decides how to show it, and how often.
+// Progress of long work. The receiver decides how and how often to show it.
 #pragma once
 
 #include <functional>

@@ -33,8 +33,8 @@ bool mentions(const Document& document, std::string_view text);
 
 /// Returns the documents in `file`, in order: one for a plain or gzipped file, and of a zip archive
 /// one for each entry whose name ends with one of `endings` (in lower case: ".gml"). Throws Error
-/// when the file is missing, empty, unreadable, a folder, or an archive without such entries.
-/// Whether a document is of the kind that its name says, its reader finds out.
+/// when the file is missing, empty, unreadable, a folder, or an archive without such entries. The
+/// reader of a document finds out whether it is of the kind that its name says.
 std::vector<Document> list_documents(const std::filesystem::path& file,
                                      std::span<const std::string_view> endings);
 

@@ -1,5 +1,4 @@
-// What every reader of city files has in common: its options, its report and how it delivers
-// objects.
+// The part that all readers of city files share: options, report and the delivery of objects.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +16,7 @@
 
 namespace nightcity::city {
 
-/// What a file held and what was not used of it. Silence means that nothing was lost.
+/// Counts of a file's content and of all that was not used. Silence means that nothing was lost.
 struct ReadReport {
   std::string version;   // of the format: "1.0", "2.0", "3.0"
   std::string srs_name;  // the coordinate reference system as written; "" = none
@@ -31,7 +30,7 @@ struct ReadReport {
   void merge(const ReadReport& other);
 };
 
-/// Which parser reads CityGML. Both deliver the same model; the second is a second opinion.
+/// The parser of CityGML. Both deliver the same model; the second is a second opinion.
 enum class Reader : std::uint8_t { stream, libcitygml };
 
 struct ReadOptions {
@@ -58,7 +57,8 @@ using ObjectStage = std::function<std::function<void()>(std::vector<CityObject>&
 /// Returns a stage that only passes objects on to `sink`, which must outlive it.
 ObjectStage deliver_to(const ObjectSink& sink);
 
-/// What a frame needs before the first object is placed: a cheap look at the file's beginning.
+/// The facts that a frame needs before the first object is placed, from a cheap look
+/// at the file's beginning.
 struct CityHead {
   std::string version;   // of the format; "" = the file does not say
   std::string srs_name;  // the first one in the file, as written; "" = none

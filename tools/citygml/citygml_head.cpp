@@ -69,7 +69,8 @@ bool holds_city_objects(std::string_view root) {
   return root == "CityModel" || root == "FeatureCollection";
 }
 
-// Where the first start tag begins, behind the declaration and comments; npos where there is none.
+// Returns the beginning of the first start tag, behind the declaration and
+// comments; npos if there is none.
 std::size_t find_root(std::string_view start) {
   std::size_t at = start.find('<');
   while (at != std::string_view::npos && at + 1 < start.size()) {

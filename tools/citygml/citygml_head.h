@@ -1,4 +1,5 @@
-// What the beginning of a CityGML file says: whether it is one, version, CRS, some coordinates.
+// Reads from the beginning of a file whether it is CityGML, its version, its
+// CRS and some coordinates.
 #pragma once
 
 #include <filesystem>
@@ -28,8 +29,9 @@ std::vector<city::Document> list_citygml_documents(const std::filesystem::path& 
                                                    std::vector<std::string>* warnings);
 
 /// The name of the CRS is the first that a geometry gives itself, since that wins over the
-/// envelope's (GML 3.1.1, 9.10); without one, the first in the file. Reads until it has a sample or the file ends. In the sample rings are closed again, so that one
-/// can see where they end. Throws Error as read_citygml does.
+/// envelope's (GML 3.1.1, 9.10); without one, the first in the file. Reads until it has a sample or
+/// the file ends. In the sample rings are closed again, so that one can see where they end. Throws
+/// Error as read_citygml does.
 city::CityHead read_citygml_head(const std::filesystem::path& file);
 
 }  // namespace nightcity::citygml

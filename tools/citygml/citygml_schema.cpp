@@ -164,7 +164,8 @@ const std::unordered_map<std::string_view, P>& properties() {
   return table;
 }
 
-// Whether classes named after this one stand where it does. Passages hold too many unlike things.
+// Returns whether classes named after this one may stand in its place. Passages
+// hold too many unlike things.
 bool is_base_class(const FeatureClass& c) {
   return c.kind == K::top || c.kind == K::part || c.kind == K::detail || c.kind == K::interior ||
          (c.kind == K::surface && c.surface != S::unknown);

@@ -14,8 +14,8 @@ namespace nightcity::citygml {
 /// Counts of one kind of object or surface, by one reader.
 struct ReaderTally {
   std::size_t objects = 0, polygons = 0;
-  /// Of the rings, holes subtracted, in the file's own units squared: good for comparing readers
-  /// alone.
+  /// The area of the rings less holes, in the file's own units squared: good for
+  /// comparing readers alone.
   double area = 0;
 };
 
@@ -29,7 +29,8 @@ struct ReaderComparison {
   std::vector<std::string> only_in_stream, only_in_libcitygml;  // ids of objects, sorted
   city::ReadReport stream, libcitygml;
 
-  /// Whether ids, objects and polygons of every kind are the same, and areas but for rounding.
+  /// Returns whether ids, objects and polygons of every kind are the same,
+  /// and areas but for rounding.
   bool agree() const;
 };
 

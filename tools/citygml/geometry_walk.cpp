@@ -18,9 +18,9 @@ constexpr int max_links = 8;
 // the memory.
 constexpr std::size_t max_placed_polygons = 1'000'000;
 
-// Whether a height stands for "none": producers write -9999, -99999, -32768 or -3.4e38, and blocks
-// that stand on such a height end a little above. No ground is that low in metres or in feet, and
-// none is 30 km high.
+// Returns whether a height stands for "none": producers write -9999, -99999, -32768 or -3.4e38, and
+// blocks that stand on such a height end a little above. No ground is that low in metres or in
+// feet, and none is 30 km high.
 bool is_sentinel_height(double z) {
   return z < -9900 || z > 30'000;
 }

@@ -23,7 +23,7 @@ namespace nightcity::citygml {
 /// and below.
 std::size_t count_polygons(const pugi::xml_node& element);
 
-/// What elements further up say about the geometry below them.
+/// The properties that elements further up give to the geometry below them.
 struct GeometryContext {
   int lod = -1;
   std::uint32_t space = 0;

@@ -14,7 +14,7 @@
 
 namespace nightcity::citygml {
 
-/// What stands before the first member.
+/// The part of a document before its first member.
 struct DocumentHead {
   std::string root_tag;   // "<core:CityModel xmlns:..." as written, with its angle brackets
   std::string root_name;  // "core:CityModel"

@@ -9,8 +9,8 @@
 
 namespace nightcity::citygml {
 
-/// How the names of CityGML files end, in lower case and without .gz: in folders and archives, what
-/// else lies there is not read.
+/// The endings of CityGML files' names, in lower case and without .gz. Other files in folders and
+/// archives are not read.
 constexpr std::array<std::string_view, 3> citygml_endings{".gml", ".xml", ".citygml"};
 
 /// Streams the file's objects into `sink`, in file order, in memory that does not grow with the

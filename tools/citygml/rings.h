@@ -20,12 +20,13 @@ enum class RingFault : std::uint8_t {
 };
 const char* name_of(RingFault fault);
 
-/// What pugixml must keep of a document: entities resolved, CDATA.
+/// The parts of a document that pugixml must keep: resolved entities and CDATA.
 constexpr unsigned gml_parse_flags = pugi::parse_escapes | pugi::parse_cdata;
 
-/// Fills `ring` from a LinearRing, or a Ring of curves (curves.h), and returns its fault, with which `ring` is unspecified. `dimension`: srsDimension
-/// given by an ancestor, 0 = none (then 3). Vertices of two coordinates get height 0. The closing
-/// vertex and consecutive duplicates are left out.
+/// Fills `ring` from a LinearRing, or a Ring of curves (curves.h), and returns its fault,
+/// with which `ring` is unspecified. `dimension`: srsDimension given by an ancestor, 0 = none
+/// (then 3). Vertices of two coordinates get height 0. The closing vertex and consecutive
+/// duplicates are left out.
 RingFault read_ring(const pugi::xml_node& ring_element, int dimension, city::Ring& ring);
 
 /// Returns the dimension that an element says (srsDimension), else `inherited`; 0 = none.

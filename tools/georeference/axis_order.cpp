@@ -16,15 +16,15 @@ namespace {
 
 constexpr std::size_t order_count = 4;
 
-/// What the sample's middle becomes in each order.
+/// The place of the sample's middle in each order.
 struct Candidates {
   std::array<AxisOrder, order_count> orders;
   std::array<glm::dvec2, order_count> places{};  // longitude, latitude, degrees
   std::array<int, order_count> fits{};
 };
 
-// How well a place lies in the area of use: 2 inside, 1 within the margin that zones are stretched
-// by, 0 outside.
+// Rates how well a place lies in the area of use: 2 inside, 1 within the margin that zones are
+// stretched by, 0 outside.
 int rate_fit(const SourceCrs& crs, const glm::dvec2& lon_lat) {
   constexpr double margin_deg = 1.5;
   return crs.area_contains(lon_lat, 0) ? 2 : crs.area_contains(lon_lat, margin_deg) ? 1 : 0;
@@ -62,8 +62,8 @@ void choose_by_area(const Candidates& all, const std::string& promise, AxisChoic
 
 constexpr double clear_sign = 0.25;  // of a handedness
 
-// Where both orders are possible and the name fixes none, the rings know: normals point outward and
-// terrain faces up.
+// Chooses by the rings if both orders are possible and the name fixes none: normals point outward
+// and terrain faces up.
 void choose_by_rings(const Candidates& all, std::span<const glm::dvec3> sample,
                      const std::string& promise, AxisChoice& choice) {
   if (all.fits[0] == 0 || all.fits[0] != all.fits[1]) return;

@@ -1,4 +1,4 @@
-// Which of a file's first two coordinates is east, which north, and with which signs.
+// Finds which of a file's first two coordinates is east, which is north, and their signs.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -12,7 +12,7 @@
 
 namespace nightcity::georeference {
 
-/// How the file's first two coordinates become east and north.
+/// The map from a file's first two coordinates to east and north.
 struct AxisOrder {
   bool swapped = false;  // the file holds north first
   double sign = 1;       // -1: the file holds west and south (old Krovak files)
@@ -32,10 +32,10 @@ struct AxisChoice {
   bool inside = false;      // the sample lies in the CRS's area of use (or there is no sample)
 };
 
-/// Returns the order that puts `sample` (coordinates as in the file) into the CRS's area of use.
-/// Where two orders do, a name that fixes the order is followed, whichever way rings are wound,
-/// unless the right angles of buildings in degrees show the other order (right_angles.h). With other
-/// names the rings decide (handedness.h), and where these say nothing, the name's promise.
+/// Returns the order that puts `sample` (coordinates as in the file) into the CRS's area of use. If
+/// two orders do, a name that fixes the order is followed, whichever way rings are wound, unless
+/// the right angles of buildings in degrees show the other order (right_angles.h). With other names
+/// the rings decide (handedness.h), and where these say nothing, the name's promise.
 AxisChoice choose_axis_order(std::unique_ptr<SourceCrs> crs, std::span<const glm::dvec3> sample,
                              AxisPromise given);
 

@@ -71,8 +71,9 @@ void CityFrame::State::place_by(std::span<const ControlPoint> points) {
   description += text;
 }
 
-// Replaces a projected CRS by its geographic one where its grid is longer or shorter than the ground
-// by more than a hundredth. Map grids for surveying stay below 0.005; Pseudo-Mercator (EPSG:3857) is
+// Replaces a projected CRS by its geographic one where its grid is longer or shorter than
+// the ground by more than a hundredth. Map grids for surveying stay below 0.005;
+// Pseudo-Mercator (EPSG:3857) is
 // 1.52 times too large at 49 degrees north.
 void CityFrame::State::leave_stretched_grid(const glm::dvec2& centre) {
   constexpr double max_stretch = 0.01;

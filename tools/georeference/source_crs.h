@@ -45,8 +45,8 @@ class SourceCrs {
   /// several.
   glm::dvec2 to_own_lon_lat(const glm::dvec2& east_north) const;
 
-  /// Whether a place (degrees) lies in the area of use, widened by `margin_deg`. True when PROJ
-  /// states no area.
+  /// Returns whether a place (degrees) lies in the area of use, widened by `margin_deg`. True when
+  /// PROJ states no area.
   bool area_contains(const glm::dvec2& lon_lat, double margin_deg) const;
 
   /// Chooses the operation from WGS 84 for a place (degrees; null: for the whole area of use).

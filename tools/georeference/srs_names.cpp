@@ -71,8 +71,8 @@ std::string first_epsg_code(std::string_view name) {
   return code;
 }
 
-// Whether each part of a compound URN ("urn:ogc:def:crs,crs:EPSG::25832,crs:EPSG::7837") names
-// authority, version and code.
+// Returns whether each part of a compound URN ("urn:ogc:def:crs,crs:EPSG::25832,crs:EPSG::7837")
+// names authority, version and code.
 bool has_whole_parts(std::string_view urn) {
   for (auto comma = urn.find(','); comma != std::string_view::npos; comma = urn.find(',')) {
     urn.remove_prefix(comma + 1);

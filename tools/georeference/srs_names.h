@@ -13,7 +13,7 @@ namespace nightcity::georeference {
 /// to PROJ, while files mean the projected one).
 std::vector<std::string> list_crs_definitions(std::string_view srs_name);
 
-/// What the form of a CRS's name promises about the order of coordinates.
+/// The promise that the form of a CRS's name makes about the order of coordinates.
 enum class AxisPromise : std::uint8_t {
   east_north,      // "EPSG:n", GML 2's epsg.xml#n and plain names: easting, northing
   register_order,  // meant as a URN, but not well formed: the EPSG register's order, not certain

@@ -1,4 +1,4 @@
-// Which files a city is made of: a file stands for itself, a folder for the city files in it.
+// Lists the files of a city: a file stands for itself, a folder for the city files in it.
 #pragma once
 
 #include <filesystem>

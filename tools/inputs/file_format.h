@@ -1,5 +1,5 @@
-// What kind of file a path names. This table is the one place that decides it: recipes, the inputs
-// of commands and `inspect` all ask here. A new reader joins by one row.
+// Finds the kind of file that a path names. This table is the one place that decides it: recipes,
+// the inputs of commands and `inspect` all ask here. A new reader joins by one row.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace nightcity::inputs {
 
-/// What a file is read as.
+/// The kinds of content that a file is read as.
 enum class FileKind { city, osm, scene, lights, luminaire };
 
 /// The beginning of a file.

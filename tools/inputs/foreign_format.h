@@ -6,8 +6,8 @@
 
 namespace nightcity::inputs {
 
-/// Returns the name, without prefix, of an XML document's root element; "" where `start` ends before
-/// it or is no XML.
+/// Returns the name, without prefix, of an XML document's root element; "" where `start` ends
+/// before it or is no XML.
 std::string_view find_root_name(std::string_view start);
 
 /// Returns what a file is that no reader takes, and what helps ("is a tar archive: unpack it

@@ -25,7 +25,7 @@ constexpr double min_storey_m = 2.3, max_storey_m = 5.5;
 /// Engineering values: storey heights of European housing (2.5 to 3.2 m) and offices (3.3 to 3.8
 /// m), and window shares of 15 to 40 % of the facade.
 struct Style {
-  // Where the model gives no storeys. ground_storey_m 0: the same as the others.
+  // Heights used if the model gives no storeys. ground_storey_m 0: the same as the others.
   double storey_m, ground_storey_m;
   double width_m, height_m, sill_m;
   double pitch_low_m, pitch_high_m;  // of the bays

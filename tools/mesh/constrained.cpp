@@ -65,8 +65,8 @@ class Flattener {
 
   void insert(std::span<const std::vector<std::uint32_t>> outlines) {
     const std::size_t max_vertices = (1 + max_crossings_a_point) * out_.points.size();
-    // Where the last vertex lies is where the next one's search begins. (The vertex stays; its face
-    // may be replaced.)
+    // The search for the next vertex begins at the last one. (The vertex stays;
+    // its face may be replaced.)
     Vertex last{};
     for (const std::vector<std::uint32_t>& outline : outlines) {
       std::vector<Vertex> vertices;

@@ -1,5 +1,6 @@
-// What a file holds, as JSON. Every kind of file has the keys kind, buildings, polygons, triangles,
-// lights, crs, bbox and skipped (null or empty where they mean nothing), then its own.
+// Describes the content of a file as JSON. Every kind of file has the keys kind,
+// buildings, polygons, triangles, lights, crs, bbox and skipped (null or empty where they
+// mean nothing), then its own.
 #pragma once
 
 #include <filesystem>

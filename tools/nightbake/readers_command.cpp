@@ -27,7 +27,7 @@ struct ReadersArguments {
   bool json = false, all = false;
 };
 
-// How many ids of objects that only one reader has are printed; --json has all.
+// The number of printed ids of objects that only one reader has; --json has all.
 constexpr std::size_t shown_ids = 5;
 
 ordered_json tally_json(const citygml::ReaderTally& tally) {

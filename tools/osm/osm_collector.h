@@ -14,8 +14,8 @@
 
 namespace nightcity::osm {
 
-/// Which state of an element a file holds. The one with the greatest version counts, and an edited
-/// one counts before the version that it was made from; 0 if the file has no versions.
+/// The state of an element in a file. The one with the greatest version counts, and an edited one
+/// counts before the version that it was made from; 0 if the file has no versions.
 struct OsmVersion {
   std::uint32_t number = 0;
   bool edited = false;   // by an editor, and not uploaded yet

@@ -9,7 +9,8 @@ namespace {
 using std::string_view;
 using namespace std::string_view_literals;
 
-/// Returns whether the text begins as a line of OPL: "n17 v1 ..." (node), "w" (way), "r" (relation).
+/// Returns whether the text begins as a line of OPL: "n17 v1 ..." (node),
+/// "w" (way), "r" (relation).
 bool is_opl(string_view start) {
   if (start.empty() || "nwr"sv.find(start.front()) == string_view::npos) return false;
   std::size_t at = start.substr(1).starts_with('-') ? 2 : 1;

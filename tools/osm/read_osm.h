@@ -15,8 +15,8 @@ namespace nightcity::osm {
 bool begins_as_osm(std::string_view start);
 
 /// Reads an extract or a history: XML by pugixml; PBF, o5m, gzip and bzip2 by libosmium. The first
-/// bytes decide, not the name. Throws Error: missing, broken, not OSM (then it says what the file is
-/// instead, if that can be known).
+/// bytes decide, not the name. Throws Error: missing, broken, not OSM (then it says what the file
+/// is instead, if that can be known).
 OsmData read_osm(const std::filesystem::path& file);
 
 /// Reads several extracts as one map, whatever their order: of an element that is in several, the

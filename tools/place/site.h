@@ -1,5 +1,5 @@
-// What a stage asks about a place of the city: where it is, how high the ground, whether a house is
-// there.
+// Questions that stages ask about a place of the city: its coordinates, the height of its ground,
+// whether a building stands there.
 #pragma once
 
 #include <functional>

@@ -24,10 +24,10 @@ class ElevationModel {
 
   /// Fills `heights` with metres (the band's unit, else that of the vertical CRS, and the band's
   /// scale and offset applied), bilinear between the pixels' centres; NaN outside the raster and
-  /// beside pixels without data, as a no-data value, a mask or an alpha band say. Longitudes may run
-  /// from -180 or from 0 in the raster. `places`: WGS 84 longitude, latitude where has_crs(), else the
-  /// raster's own x, y. Reads the part of the raster between the places, so ask for places that lie
-  /// together. Throws Error when the raster cannot be read.
+  /// beside pixels without data, as a no-data value, a mask or an alpha band say. Longitudes may
+  /// run from -180 or from 0 in the raster. `places`: WGS 84 longitude, latitude where has_crs(),
+  /// else the raster's own x, y. Reads the part of the raster between the places, so ask for places
+  /// that lie together. Throws Error when the raster cannot be read.
   void sample(std::span<const glm::dvec2> places, std::span<double> heights) const;
 
  private:

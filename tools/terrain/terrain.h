@@ -43,10 +43,10 @@ class Terrain {
   /// some 100,000: another ground must fit to them. Empty after build().
   const std::vector<glm::dvec3>& footprint_points() const;
 
-  /// Where no terrain was added, makes a Delaunay surface through the relief's points, else the
-  /// ground surfaces' vertices, else the roads', reaching `margin_m` beyond their bounds, so that
-  /// every city has a ground. It counts as terrain. Of several vertices on one vertical line the
-  /// lowest is taken.
+  /// If no terrain was added, makes a Delaunay surface through the relief's points, else the
+  /// ground surfaces' vertices, else the roads', reaching `margin_m` beyond their bounds, so
+  /// that every city has a ground. It counts as terrain. Of several vertices on one vertical
+  /// line the lowest is taken.
   void build(double margin_m);
 
   struct Hit {
@@ -62,8 +62,8 @@ class Terrain {
   /// N).
   bool inside_building(const glm::dvec2& east_north) const;
 
-  /// How many pieces of break lines are edges of the made surface, and how many are not because
-  /// they cross others too often.
+  /// The number of pieces of break lines that are edges of the made surface, and of those that are
+  /// not because they cross others too often.
   struct BreakEdges {
     std::size_t used = 0, unused = 0;
   };

@@ -17,8 +17,8 @@ struct TownOptions {
   double origin_east_m = 412000, origin_north_m = 5762000;  // of the market square, EPSG:25833
 };
 
-/// What a town holds. A polygon counts the triangles that a triangulator makes of it: a fan, its
-/// holes bridged.
+/// The content of a town. A polygon counts the triangles that a triangulator makes of it: a fan,
+/// its holes bridged.
 struct TownCounts {
   std::size_t blocks = 0, buildings = 0, polygons = 0, triangles = 0, lamps = 0, streets = 0,
               trees = 0;

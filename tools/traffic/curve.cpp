@@ -115,8 +115,8 @@ PlanLine shifted(const PlanLine& line, double right_m) {
     while (result.size() > 1 && turns_back(moved)) result.pop_back();
     if (result.empty() || !turns_back(moved)) add_point(result, moved);
   }
-  // Where a bend was cut short, the old directions no longer fit the points: take them from the
-  // neighbours.
+  // If a bend was cut short, the old directions no longer fit the points: take
+  // them from the neighbours.
   for (std::size_t n = 0; result.size() > 1 && n < result.size(); ++n) {
     const std::size_t a = n == 0 ? 0 : n - 1, b = std::min(n + 1, result.size() - 1);
     const dvec2 in =

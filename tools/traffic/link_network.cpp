@@ -253,7 +253,7 @@ double LinkNetwork::turn_radius(std::size_t edge, std::size_t next_edge) const {
   const PlanPoint from = lane_end(edge, centrelines_[edge].end),
                   to = lane_end(next_edge, centrelines_[next_edge].begin);
   const double turn = std::abs(angle_between(from.along, to.along));
-  // Where the next lane begins behind the end of this one, only a loop would lead there.
+  // If the next lane begins behind the end of this one, only a loop would lead there.
   const dvec2 chord = to.point - from.point;
   if (glm::dot(chord, from.along) <= 0 || glm::dot(chord, to.along) <= 0) return 0;
   if (turn < 0.3) return std::numeric_limits<double>::infinity();

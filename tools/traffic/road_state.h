@@ -16,7 +16,7 @@ constexpr double line_m = 8;        // a vehicle is at a stop line if its bumper
 struct Vehicle {
   const TripPlan* plan = nullptr;
   const VehicleType* type = nullptr;
-  // Where each leg (one of plan->links) starts along the trip, and where the last one ends; metres.
+  // The start of each leg (one of plan->links) along the trip, and the end of the last one; metres.
   std::vector<double> starts;
   std::size_t leg = 0;                   // the leg that the vehicle is on
   double distance = 0;                   // of the vehicle's middle along the trip

@@ -13,12 +13,13 @@ namespace nightcity::traffic {
 
 struct TripPlan {
   std::vector<std::size_t> links;  // lane, turn, lane, ... lane
-  // Where the vehicle's middle starts on the first link and ends on the last one, metres from
+  // The start of the vehicle's middle on the first link and its end on the last one, metres from
   // the link's start.
   double start_s = 0, end_s = 0;
   bool from_kerb = false;  // starts parked; otherwise it comes over the border or out of a dead end
   bool to_stop = false;    // ends standing; otherwise it leaves over the border
-  // How far to the right of the lane's middle it is parked at the start and at the end.
+  // The distance to the right of the lane's middle at which it is parked at
+  // the start and at the end.
   double start_aside_m = 0, end_aside_m = 0;
   std::size_t type = 0;  // index into vehicle_types
   double speed_factor = 1;

@@ -216,8 +216,8 @@ TEST(Vehicles, APictureDependsOnTheTimeOnlyNotOnTheFramesBefore) {
   EXPECT_LT(difference / sum, 0.01);
 }
 
-// Renderers of one scene have its vehicles at times of their own, this frame's and the one before's.
-// The third renderer asks for more room than the scene has at first.
+// Renderers of one scene have its vehicles at times of their own, this frame's and the one
+// before's. The third renderer asks for more room than the scene has at first.
 TEST(Vehicles, RenderersOfOneSceneDoNotDisturbEachOther) {
   const scene::RenderScene scene = with_traffic(crowd(60), {lamp({5, 8, 5}, 3000)});
   gpu::Device& device = test::test_device();

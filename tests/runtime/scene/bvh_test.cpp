@@ -24,8 +24,8 @@ std::vector<Box> random_boxes(std::size_t count, float spread, unsigned seed) {
   return boxes;
 }
 
-// Every leaf's boxes lie inside the dequantised box that its parent holds for it, and each primitive is in
-// exactly one leaf.
+// Every leaf's boxes lie inside the dequantised box that its parent holds for it, and each
+// primitive is in exactly one leaf.
 void expect_sound(const Bvh& bvh, std::span<const Box> boxes, std::uint32_t max_leaf) {
   std::vector<int> seen(boxes.size());
   struct Visit {
@@ -49,8 +49,8 @@ void expect_sound(const Bvh& bvh, std::span<const Box> boxes, std::uint32_t max_
         const Box& box = boxes[bvh.order[i]];
         ++seen[bvh.order[i]];
         for (int axis = 0; axis < 3; ++axis) {
-          // Not even on its sides: a ray in the plane of a side is 0 * infinity to the slab test, and must
-          // miss nothing.
+          // Not even on its sides: a ray in the plane of a side is 0 * infinity to the slab test,
+          // and must miss nothing.
           EXPECT_LT(visit.bound.lower[axis], box.lower[axis]);
           EXPECT_GT(visit.bound.upper[axis], box.upper[axis]);
         }
@@ -77,8 +77,8 @@ void expect_sound(const Bvh& bvh, std::span<const Box> boxes, std::uint32_t max_
   EXPECT_GE(deepest, bvh.stack_need);
 }
 
-// The area of all inner nodes divided by that of the root: the number of them that a ray through the root
-// enters on average.
+// The area of all inner nodes divided by that of the root: the number of them that a ray through
+// the root enters on average.
 double nodes_a_ray_enters(const Bvh& bvh) {
   double sum = 0, root = 0;
   for (std::size_t n = 0; n < bvh.nodes.size(); ++n) {
@@ -152,7 +152,8 @@ TEST(Bvh, SizesAcrossManyMagnitudesStayWithinTheStack) {
   expect_sound(bvh, boxes, 1);
 }
 
-// Houses of 60 parts each, some small and some large, with gaps between them, on ground of wide flat pieces.
+// Houses of 60 parts each, some small and some large, with gaps between them, on
+// ground of wide flat pieces.
 std::vector<Box> boxes_of_a_city(int houses) {
   std::mt19937 random(4);
   const auto uniform = [&](float a, float b) {

@@ -57,7 +57,8 @@ TEST(AliasTable, WithoutAnyWeightItIsUniform) {
   EXPECT_TRUE(scene::build_alias_table({}).empty());
 }
 
-// The shader decides by the threshold whether a light is in a cell's list, and must agree with the list.
+// The shader decides by the threshold whether a light is in a cell's list, and
+// must agree with the list.
 TEST(LightGrid, MembershipByThresholdIsMembershipInTheList) {
   std::vector<Light> lights = random_lamps(700, 300, 9);
   for (int i = 0; i < 200; ++i)
@@ -98,7 +99,8 @@ TEST(LightGrid, ACellListsItsStrongestLights) {
   EXPECT_EQ(stronger, cell.count);
 }
 
-// The search for windows must not end where a stadium's floodlight beyond it could still outdo them.
+// The search for windows must not end where a stadium's floodlight beyond
+// it could still outdo them.
 TEST(LightGrid, AStrongLightFarAwayDoesNotShortenTheListsOfWeakOnes) {
   std::vector<Light> lights = random_lamps(2500, 600, 3);
   for (Light& light : lights) light.flux_lm = 40;

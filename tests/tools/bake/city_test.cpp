@@ -1,4 +1,4 @@
-// What a city passes on while it is read, and what it answers afterwards.
+// Tests what a city passes on while it is read, and what it answers afterwards.
 #include "tools/bake/city/city.h"
 
 #include <gtest/gtest.h>

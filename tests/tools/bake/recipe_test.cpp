@@ -103,9 +103,9 @@ punctual = 50
 TEST(Recipe, TrafficDrivesWhereItsTableIsThere) {
   const TempFolder folder;
   const std::string files = "[city]\nfiles = 'a.gml'\n";
-  EXPECT_FALSE(read(folder, files).traffic.drives);
-  EXPECT_TRUE(read(folder, files + "[traffic]\n").traffic.drives);
-  EXPECT_FALSE(read(folder, files + "[traffic]\ndrives = false\n").traffic.drives);
+  EXPECT_FALSE(read(folder, files).traffic.is_made);
+  EXPECT_TRUE(read(folder, files + "[traffic]\n").traffic.is_made);
+  EXPECT_FALSE(read(folder, files + "[traffic]\ndrives = false\n").traffic.is_made);
   const Recipe recipe =
       read(folder, files + "[traffic]\nper_km = 2.5\ncycle_s = 300\nside = 'left'\nseed = 4\n");
   EXPECT_EQ(recipe.traffic.options.per_km, 2.5);

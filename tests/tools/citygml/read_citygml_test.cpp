@@ -1,4 +1,4 @@
-// What both readers have in common.
+// Properties that both readers share.
 #include <gtest/gtest.h>
 
 #include <algorithm>

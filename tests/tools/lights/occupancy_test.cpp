@@ -82,8 +82,7 @@ WindowSet tall(const char* function, const char* id) {
 }
 
 TEST(Occupancy, AStaircaseIsLitOverAllItsStoreysAtOnce) {
-  // Of windows above each other on one facade, those of a staircase agree and those of rooms do
-  // not.
+  // Windows above each other on one facade agree on a staircase and differ in rooms.
   std::size_t stair_columns = 0, mixed_columns = 0;
   for (int n = 0; n < 12; ++n) {
     const WindowSet set = tall("31001_1010", ("flats " + std::to_string(n)).c_str());

@@ -83,7 +83,8 @@ TEST(LowBeam, KeepsRegulation112AtItsTestPoints) {
   EXPECT_GE(beam.at(-4, 2) + beam.at(0, 2) + beam.at(4, 2), 375) << "points 4 + 5 + 6";
 }
 
-/// Whether (h, v) lies in zone III: above a line through these corners, within 8 degrees and below
+/// Returns whether (h, v) lies in zone III: above a line through these corners,
+/// within 8 degrees and below
 /// 4.
 bool in_zone_three(double h, double v) {
   constexpr double line[][2] = {{-8, 1}, {-4, 0}, {0, 0}, {1.5, 1.5}, {6, 1.5}, {8, 2}};

@@ -19,7 +19,7 @@ struct CityInputs {
   std::vector<std::filesystem::path> maps;   // OpenStreetMap
   city::ReadOptions read;                    // of the CityGML
   georeference::CityFrame::Options frame;
-  /// Where a model without a CRS lies: west, south, east, north, degrees (WGS 84).
+  /// The bounds of a model without a CRS: west, south, east, north, degrees (WGS 84).
   std::optional<std::array<double, 4>> bounds;
   /// Origin of model space, in the city's CRS, in metres; an absent value is chosen from the data.
   std::optional<double> origin_easting, origin_northing, origin_height;

@@ -17,7 +17,7 @@
 
 namespace nightcity::bake {
 
-/// Where a stage of the bake has options of its own, the recipe holds those.
+/// A stage's options are kept in the stage's own type.
 struct Recipe {
   /// Path of the recipe itself. All paths below are relative to the working folder.
   std::filesystem::path path;
@@ -26,7 +26,8 @@ struct Recipe {
     /// CityGML files; folders are already replaced by the files in them.
     std::vector<std::filesystem::path> files;
     georeference::CityFrame::Options frame;
-    /// Of a model without a coordinate reference system: west, south, east, north in degrees.
+    /// The bounds of a model without a coordinate reference system: west,
+    /// south, east, north in degrees.
     std::optional<std::array<double, 4>> bounds;
     city::ReadOptions read;
     double tile_m = 250;
@@ -53,7 +54,7 @@ struct Recipe {
 
   struct Traffic {
     /// True where the recipe has the table [traffic] and does not say drives = false.
-    bool drives = false;
+    bool is_made = false;
     traffic::TrafficOptions options;
   } traffic;
 

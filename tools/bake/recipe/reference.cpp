@@ -57,7 +57,7 @@ std::string to_example(const Key& key) {
   return key.name + " = " + (key.example.empty() ? key.default_value : key.example);
 }
 
-// What a key takes: type, unit and range.
+// Returns the type, unit and range of a key.
 std::string to_facts(const Key& key) {
   std::string facts = key.type;
   if (!key.unit.empty()) facts += ", " + key.unit;

@@ -21,7 +21,7 @@ std::array<float, 24> to_shares_by_hour(const Value& value) {
 
 Table make_traffic_table(bake::Recipe::Traffic& traffic) {
   traffic::TrafficOptions& options = traffic.options;
-  Key drives = flag_key("drives", traffic.drives,
+  Key drives = flag_key("drives", traffic.is_made,
                         "`false` switches traffic off and keeps the table's other keys.");
   drives.default_value = "true";  // the table alone switches traffic on
   Key side = choice_key<traffic::Side>(
@@ -46,7 +46,7 @@ Table make_traffic_table(bake::Recipe::Traffic& traffic) {
             [&options](const Value& value) { options.hours = to_shares_by_hour(value); }},
            integer_key("seed", options.seed, 0, std::numeric_limits<int>::max(),
                        "Seed of the random draws of routes and vehicles.")},
-          [&traffic] { traffic.drives = true; }};
+          [&traffic] { traffic.is_made = true; }};
 }
 
 }  // namespace nightcity::recipe

@@ -1,5 +1,4 @@
-// What a bake did, in numbers: printed at its end, and written beside the scene as
-// bake_report.json.
+// The figures of a bake, printed at its end and written beside the scene as bake_report.json.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Which windows of a city have light.
+// Options of the stage that makes lit windows.
 #pragma once
 
 #include <cstdint>
