@@ -2,19 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <set>
 #include <stdexcept>
 #include <tuple>
-#include <unordered_set>
 
+#include "tools/layout/lamp_appender.h"
 #include "tools/layout/layout_design.h"
 #include "tools/layout/layout_fit.h"
 #include "tools/layout/post_sites.h"
-#include "tools/lights/colour.h"
 #include "tools/lights/lit_tag.h"
-#include "tools/lights/optics.h"
-#include "tools/random.h"
 
 namespace nightcity::layout {
 namespace {
@@ -23,8 +19,8 @@ constexpr double mapped_reach_spacings = 1.5;
 constexpr double mapped_beside_m = 8;  // a mapped lamp this near to the kerb belongs to the street
 constexpr double shifts_m[] = {0, 2, -2, 4, -4};
 constexpr double median_m = 8;  // a carriageway this near beyond the post is the street's twin
-constexpr double model_step_m =
-    10;  // between the points at which a street is checked for lying in the model
+// Between the points at which a street is checked for lying in the model.
+constexpr double model_step_m = 10;
 
 const char* name_of(SiteFault fault) {
   constexpr const char* names[] = {"outside the model", "no room before a building",
@@ -43,7 +39,7 @@ class Layouter {
   Layouter(const osm::OsmData& osm, const place::LonLatToFrame& to_frame,
            const place::HeightAt& height_at, const place::InsideBuilding& inside,
            const lights::LampOptions& lamps, const LayoutOptions& options, lights::LampSet& set)
-      : height_at_(height_at), lamp_options_(lamps), options_(options), set_(set) {
+      : height_at_(height_at), options_(options), set_(set), lamps_(lamps, set) {
     std::vector<const osm::OsmWay*> lit, unlit;
     for (const osm::OsmWay& way : osm.highways) {
       if (!roads::read_carriageway(way.tags)) continue;
@@ -57,11 +53,8 @@ class Layouter {
               [](const osm::OsmWay* a, const osm::OsmWay* b) { return a->id < b->id; });
     network_ = streets::make_street_network(lit, to_frame);
     sites_.emplace(network_, unlit, to_frame, height_at, inside);
-    for (std::uint32_t n = 0; n < first_new_; ++n) {
-      ids_.insert(set.lamps[n].id);
+    for (std::uint32_t n = 0; n < lamps_.first(); ++n)
       mapped_.add(glm::dvec2(set.lamps[n].foot), n);
-      placed_.add(glm::dvec2(set.lamps[n].foot), n);
-    }
   }
 
   LayoutReport run() {
@@ -77,8 +70,9 @@ class Layouter {
       for (const std::size_t joint : network_.streets[s].joints) light_joint(joint);
     for (const std::size_t s : order) light_between(s);
 
-    fit_flux(network_, plans_, height_at_, set_, first_new_, street_of_lamp_, report_);
-    count();
+    fit_flux(network_, plans_, height_at_, set_, lamps_.first(), lamps_.street_of_lamp(), report_);
+    lamps_.count_sources();
+    report_.lamps = lamps_.street_of_lamp().size();
     return std::move(report_);
   }
 
@@ -101,7 +95,7 @@ class Layouter {
     const auto found = way.tags.find("lit");
     if (found == way.tags.end()) return;
     const lights::LitTag lit = lights::read_lit_tag(found->second);
-    if (lit.hours) hours_of_way_.emplace(way.id, *lit.hours);
+    if (lit.hours) lamps_.set_hours(way.id, *lit.hours);
     if (lit.kind == lights::LitTag::Kind::not_understood && in_model(way, to_frame))
       ++report_.notes["tag of a way not understood: lit=" + found->second];
   }
@@ -152,7 +146,7 @@ class Layouter {
     const auto known = designs_.find(key);
     if (known != designs_.end()) return known->second;
     const lights::Photometry profile =
-        profile_of(set_, profile_for(road, arrangement == Arrangement::central));
+        profile_of(set_, lamps_.profile_for(road, arrangement == Arrangement::central));
     return designs_[key] = design_lamps(road, street.road.width_m, arrangement, wanted, profile);
   }
 
@@ -185,8 +179,7 @@ class Layouter {
             : std::min(widest_other / 2 + setback_m(lighting_of(street)) + 0.5, length / 3);
     const StreetPlanned& plan = plans_[best->street];
     const double near = 0.6 * plan.design.spacing_m;
-    if (placed_.any_near(joint.point, near,
-                         [](const glm::dvec2&, std::uint32_t) { return true; })) {
+    if (lamps_.any_near(joint.point, near)) {
       ++report_.left_out["another lamp at the junction"];
       return;
     }
@@ -216,7 +209,7 @@ class Layouter {
       ++plans_[s].left_to_mapped;
       return;
     }
-    if (lit_by_another(s, centre.point, near)) {
+    if (lamps_.lit_by_another(s, centre.point, near)) {
       ++report_.left_out["another street's lamp near"];
       return;
     }
@@ -243,12 +236,12 @@ class Layouter {
     leave_out(fault);
   }
 
-  /// Returns whether a lamp of another street stands near and points this way.
-  bool lit_by_another(std::size_t s, const glm::dvec2& p, double near) const {
-    return placed_.any_near(p, near, [&](const glm::dvec2& foot, std::uint32_t n) {
-      const bool own = n >= first_new_ && street_of_lamp_[n - first_new_] == s;
-      return !own && glm::dot(p - foot, set_.lamps[n].aim) > 0;
-    });
+  void put(std::size_t s, const PostSite& site) {
+    if (site.moved) ++report_.notes["moved away from a building"];
+    const LampDesign& design = plans_[s].design;
+    ++report_.arrangements[layout::name_of(site.side == 0 ? Arrangement::central
+                                                          : design.arrangement)];
+    lamps_.append(s, network_.streets[s], design, site);
   }
 
   void leave_out(SiteFault fault) { ++report_.left_out[name_of(fault)]; }
@@ -273,99 +266,16 @@ class Layouter {
         });
   }
 
-  void put(std::size_t s, const PostSite& site) {
-    const streets::Street& street = network_.streets[s];
-    const lights::RoadLighting& road = lighting_of(street);
-    const streets::Street::Place place = street.place(site.along_m);
-    const glm::dvec2 left(-place.along.y, place.along.x);
-    lights::PlacedLamp lamp;
-    lamp.foot = site.foot;
-    lamp.mounting_height_m = road.mounting_m;
-    lamp.hung = site.side == 0;
-    lamp.aim = left * (site.side > 0 ? -1.0 : 1.0);
-    if (!lamp.hung) lamp.outreach = lamp.aim * std::min(road.outreach_m, site.offset_m);
-    lamp.flux_lm = plans_[s].design.flux_lm;
-    lamp.cct_k = road.cct_k;
-    lamp.colour = lights::rec709_from_xy(lights::planckian_xy(road.cct_k));
-    lamp.radius_m = road.optic == lights::Optic::lantern && !lamp.hung ? lights::lantern_radius_m
-                                                                       : lights::luminous_radius_m;
-    lamp.profile = profile_for(road, lamp.hung);
-    lamp.highway = road.highway;
-    lamp.way_id = place.way_id;
-    lamp.along_m = place.on_way_m;
-    lamp.id = unused_id(place, site.side);
-    lamp.provenance.source_id = static_cast<std::uint64_t>(place.way_id);
-    lamp.provenance.position = lamp.provenance.height = lamp.provenance.colour =
-        lamp.provenance.schedule = ValueSource::rule;
-    if (const auto hours = hours_of_way_.find(lamp.way_id); hours != hours_of_way_.end()) {
-      lamp.hours = hours->second;
-      lamp.provenance.schedule = ValueSource::tag;
-    }
-    lamp.provenance.flux = ValueSource::standard;
-    lamp.provenance.profile =
-        measured(road, lamp.hung) ? ValueSource::attribute : ValueSource::rule;
-    lamp.provenance.family = static_cast<std::uint8_t>(LightFamily::lamp);
-    if (site.moved) ++report_.notes["moved away from a building"];
-    ++report_.arrangements[layout::name_of(lamp.hung ? Arrangement::central
-                                                     : plans_[s].design.arrangement)];
-    placed_.add(glm::dvec2(site.foot), static_cast<std::uint32_t>(set_.lamps.size()));
-    street_of_lamp_.push_back(s);
-    set_.lamps.push_back(lamp);
-  }
-
-  const lights::LuminaireChoice* measured(const lights::RoadLighting& road, bool hung) const {
-    return hung || road.optic == lights::Optic::lantern
-               ? nullptr
-               : lights::luminaire_for(lamp_options_, road);
-  }
-
-  std::uint32_t profile_for(const lights::RoadLighting& road, bool hung) {
-    const lights::LuminaireChoice* choice = measured(road, hung);
-    const lights::Optic optic = hung ? lights::Optic::central : road.optic;
-    const std::string name = choice ? choice->name : nightcity::lights::name_of(optic);
-    const auto known = profiles_.find(name);
-    if (known != profiles_.end()) return known->second;
-    return profiles_[name] =
-               add_profile(set_, choice ? choice->photometry : lights::make_optic(optic));
-  }
-
-  std::uint32_t unused_id(const streets::Street::Place& place, int side) {
-    for (std::int64_t attempt = 0;; ++attempt) {
-      Random random{place.way_id, std::llround(place.on_way_m * 10), side, attempt};
-      const auto id = static_cast<std::uint32_t>(random.next() >> 32);
-      if (id != 0xFFFFFFFFu && ids_.insert(id).second) return id;
-    }
-  }
-
-  void count() {
-    report_.lamps = set_.lamps.size() - first_new_;
-    for (std::size_t n = first_new_; n < set_.lamps.size(); ++n) {
-      const lights::PlacedLamp& lamp = set_.lamps[n];
-      for (const char* value : {"position", "height", "colour"}) ++set_.sources[value]["rule"];
-      ++set_.sources["flux"]["standard"];
-      ++set_.sources["profile"]
-                    [lamp.provenance.profile == ValueSource::rule ? "rule" : "attribute"];
-      ++set_.sources["aim"]["layout"];
-      ++set_.sources["road class"]
-                    [lighting_of(network_.streets[street_of_lamp_[n - first_new_]]).highway];
-    }
-  }
-
   const place::HeightAt& height_at_;
-  const lights::LampOptions& lamp_options_;
   const LayoutOptions& options_;
   lights::LampSet& set_;
-  const std::size_t first_new_ = set_.lamps.size();
+  LampAppender lamps_;
   streets::StreetNetwork network_;
   std::optional<PostSites> sites_;
-  std::map<std::int64_t, lights::NightSchedule> hours_of_way_;
   std::vector<StreetPlanned> plans_;
   std::map<std::tuple<std::string, long, Arrangement>, LampDesign> designs_;
-  std::map<std::string, std::uint32_t> profiles_;
-  PlaceGrid mapped_{30}, placed_{15};
+  PlaceGrid mapped_{30};
   std::set<std::size_t> joints_done_;
-  std::unordered_set<std::uint32_t> ids_;
-  std::vector<std::size_t> street_of_lamp_;
   LayoutReport report_;
 };
 

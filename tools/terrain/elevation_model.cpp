@@ -1,24 +1,20 @@
 #include "tools/terrain/elevation_model.h"
 
 #include <cpl_error.h>
-#include <cpl_vsi_virtual.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
-#include <mutex>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "formats/error.h"
 #include "formats/input_file.h"
-#include "formats/to_lower.h"
+#include "tools/terrain/height_unit.h"
+#include "tools/terrain/raster_formats.h"
 
 namespace nightcity::terrain {
 namespace {
@@ -34,143 +30,9 @@ class Silence {
   Silence& operator=(const Silence&) = delete;
 };
 
-// Formats whose file is the raster itself. GDAL has others that are programs in all but name: a VRT
-// or WMS file names any other file of this machine, or addresses that GDAL then asks.
-constexpr std::array raster_formats{
-    "GTiff",       "AAIGrid", "GRASSASCIIGrid", "ISG",       "XYZ",
-    "ZMap",        "SRTMHGT", "USGSDEM",        "DTED",      "JDEM",
-    "HFA",         "EHdr",    "ENVI",           "AIG",       "GSAG",
-    "GSBG",        "GS7BG",   "SAGA",           "RST",       "PCRaster",
-    "ILWIS",       "NWT_GRD", "SDTS",           "GXF",       "BT",
-    "HF2",         "ACE2",    "SNODAS",         "ROI_PAC",   "ISCE",
-    "BYN",         "GTX",     "NGSGEOID",       "Terragen",  "Leveller",
-    "SIGDEM",      "RRASTER", "GPKG",           "PNG",       "JPEG",
-    "JP2OpenJPEG", "netCDF",  "HDF4",           "HDF4Image", "HDF5",
-    "HDF5Image",   "BAG",     "GRIB",           "FITS",      "VICAR",
-    "PDS4"};
-
-// Stands in for the file systems by which GDAL reads from the network: overviews and masks can be
-// named there too.
-class NoNetwork : public VSIFilesystemHandler {
- public:
-  VSIVirtualHandle* Open(const char*, const char*, bool, CSLConstList) override { return refuse(); }
-  int Stat(const char*, VSIStatBufL*, int) override {
-    refuse();
-    return -1;
-  }
-
- private:
-  static VSIVirtualHandle* refuse() {
-    errno = EACCES;
-    return nullptr;
-  }
-};
-
-void register_formats() {
-  GDALAllRegister();
-  for (const char* name : {"curl", "s3", "gs", "az", "adls", "oss", "swift"}) {
-    const std::string prefix = std::string("/vsi") + name;
-    VSIFileManager::InstallHandler(prefix + "/", new NoNetwork);  // GDAL owns it
-    VSIFileManager::InstallHandler(prefix + "_streaming/", new NoNetwork);
-  }
-  for (const char* prefix : {"/vsicurl?", "/vsiwebhdfs/", "/vsihdfs/"})
-    VSIFileManager::InstallHandler(prefix, new NoNetwork);
-}
-
-// Null-terminated, as GDAL wants it.
-const char* const* allowed_drivers() {
-  static const auto names = [] {
-    std::array<const char*, raster_formats.size() + 1> list{};
-    std::copy(raster_formats.begin(), raster_formats.end(), list.begin());
-    return list;
-  }();
-  return names.data();
-}
-
 std::string reason() {
   const std::string message = CPLGetLastErrorMsg();
   return message.empty() ? "GDAL gives no reason" : message;
-}
-
-// Returns the format of a raster that GDAL could open and we do not; null for others.
-const char* find_refused_format(const std::string& file) {
-  const GDALDriverH driver = GDALIdentifyDriverEx(file.c_str(), GDAL_OF_RASTER, nullptr, nullptr);
-  if (!driver) return nullptr;
-  const std::string_view name = GDALGetDriverShortName(driver);
-  const bool is_allowed =
-      std::find(raster_formats.begin(), raster_formats.end(), name) != raster_formats.end();
-  return is_allowed ? nullptr : GDALGetDriverShortName(driver);
-}
-
-}  // namespace
-
-namespace {
-
-struct Unit {
-  std::string_view name;  // in lower case
-  double metres;
-};
-
-constexpr double us_survey_foot = 1200.0 / 3937.0;
-
-// Names of units as GDAL's formats and producers write them.
-constexpr std::array units{
-    Unit{"m", 1},
-    Unit{"metre", 1},
-    Unit{"metres", 1},
-    Unit{"meter", 1},
-    Unit{"meters", 1},
-    Unit{"mm", 0.001},
-    Unit{"millimetre", 0.001},
-    Unit{"millimeter", 0.001},
-    Unit{"cm", 0.01},
-    Unit{"centimetre", 0.01},
-    Unit{"centimeter", 0.01},
-    Unit{"centimetres", 0.01},
-    Unit{"centimeters", 0.01},
-    Unit{"dm", 0.1},
-    Unit{"decimetre", 0.1},
-    Unit{"decimeter", 0.1},
-    Unit{"km", 1000},
-    Unit{"kilometre", 1000},
-    Unit{"kilometer", 1000},
-    Unit{"ft", 0.3048},
-    Unit{"foot", 0.3048},
-    Unit{"feet", 0.3048},
-    Unit{"international foot", 0.3048},
-    Unit{"international feet", 0.3048},
-    Unit{"us survey foot", us_survey_foot},
-    Unit{"us survey feet", us_survey_foot},
-    Unit{"us_survey_foot", us_survey_foot},
-    Unit{"u.s. survey foot", us_survey_foot},
-    Unit{"foot_us", us_survey_foot},
-    Unit{"us-ft", us_survey_foot},
-    Unit{"us-foot", us_survey_foot},
-    Unit{"us foot", us_survey_foot},
-    Unit{"us feet", us_survey_foot},
-    Unit{"usft", us_survey_foot},
-    Unit{"us ft", us_survey_foot},
-    Unit{"ftus", us_survey_foot},
-    Unit{"sft", us_survey_foot},
-    Unit{"yd", 0.9144},
-    Unit{"yard", 0.9144},
-};
-
-// Returns the metres in the unit of a band's values: what the band says, else the vertical part of
-// the CRS, else metres. Throws Error on the name of a unit that is none of length.
-double find_height_unit(GDALRasterBand& band, const OGRSpatialReference* crs,
-                        const std::string& name) {
-  const std::string said = to_lower(band.GetUnitType());
-  if (!said.empty() && said != "unknown") {
-    const auto unit =
-        std::find_if(units.begin(), units.end(), [&](const Unit& u) { return u.name == said; });
-    if (unit == units.end())
-      throw Error(name, "its heights are in the unit \"" + said + "\", which is not known here");
-    return unit->metres;
-  }
-  if (!crs || !crs->IsCompound()) return 1;
-  const double metres = crs->GetTargetLinearUnits("VERT_CS");
-  return metres > 0 ? metres : 1;
 }
 
 // Colours are no heights, though the numbers of a picture can be read as such.
@@ -244,8 +106,7 @@ glm::dvec2 ElevationModel::State::find_pixel(const glm::dvec2& place) const {
 
 ElevationModel::ElevationModel(const std::filesystem::path& file)
     : state_(std::make_unique<State>()) {
-  static std::once_flag registered;
-  std::call_once(registered, register_formats);
+  register_raster_formats();
   const Silence silence;
   State& s = *state_;
   s.name = file.string();
@@ -256,7 +117,7 @@ ElevationModel::ElevationModel(const std::filesystem::path& file)
     throw Error(s.name, std::string("is of the raster format ") + format +
                             ", which is not read: it may lead to other files or to the network");
   s.dataset.reset(
-      GDALDataset::Open(s.name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, allowed_drivers()));
+      GDALDataset::Open(s.name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, list_allowed_drivers()));
   if (!s.dataset || s.dataset->GetRasterCount() < 1)
     throw Error(s.name, "is no raster of heights: " + reason());
   refuse_picture(*s.dataset, s.name);

@@ -1,0 +1,17 @@
+// The unit of a raster's heights.
+#pragma once
+
+#include <string>
+
+class GDALRasterBand;
+class OGRSpatialReference;
+
+namespace nightcity::terrain {
+
+/// Returns the metres in the unit of a band's values: the unit that the band names, else that of
+/// the vertical part of `crs` (may be null), else 1. Throws Error, which names `file`, if the band
+/// names a unit that is no known length.
+double find_height_unit(GDALRasterBand& band, const OGRSpatialReference* crs,
+                        const std::string& file);
+
+}  // namespace nightcity::terrain

@@ -1,0 +1,20 @@
+// The formats of rasters that GDAL may read here, and the network that it may not.
+#pragma once
+
+#include <string>
+
+namespace nightcity::terrain {
+
+/// Registers GDAL's drivers once, and puts refusals in the place of the file systems by which GDAL
+/// reads from the network: overviews and masks can be named there too.
+void register_raster_formats();
+
+/// Returns the short names of the drivers that may open a raster, terminated by null as GDAL wants
+/// it.
+const char* const* list_allowed_drivers();
+
+/// Returns the short name of the format of a raster that GDAL could open and we do not; null for
+/// other files.
+const char* find_refused_format(const std::string& file);
+
+}  // namespace nightcity::terrain
