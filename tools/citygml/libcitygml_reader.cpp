@@ -130,11 +130,11 @@ class DocumentLoader {
     ++report.skipped[object];
     if (const std::size_t polygons = count_polygons(batch.text(member)); polygons > 0)
       report.skipped["polygon: in a member libcitygml cannot read"] += polygons;
-    warn("line " + std::to_string(member.line) + ": " + object + ": " + why);
+    warn(name_ + ":" + std::to_string(member.line) + ": " + object + ": " + why);
   }
 
   void warn(const std::string& message) {
-    if (report.warnings.size() < max_warnings) report.warnings.push_back(name_ + ": " + message);
+    if (report.warnings.size() < max_warnings) report.warnings.push_back(message);
   }
 
   // Returns false, with the reason, when libcitygml throws; then nothing has been delivered.
@@ -157,7 +157,7 @@ class DocumentLoader {
     }
     if (report.srs_name.empty()) report.srs_name = model->getSRSName();
     if (!logger->messages.empty()) report.skipped["libcitygml warning"] += logger->messages.size();
-    for (const std::string& message : logger->messages) warn("libcitygml: " + message);
+    for (const std::string& message : logger->messages) warn(name_ + ": libcitygml: " + message);
     std::size_t seen = 0;
     for (const ::citygml::CityObject* root : model->getRootCityObjects()) {
       LibcitygmlObject converted = convert(*root, model->themes());

@@ -137,7 +137,7 @@ class StreamReader {
         continue;
       }
       for (const std::string& id : parser.unresolved())
-        out.report.warnings.push_back(document_.name + ": line " + std::to_string(member.line) +
+        out.report.warnings.push_back(document_.name + ":" + std::to_string(member.line) +
                                       ": xlink to " + id + ", which is not there");
       parser.skipped().merge_into(out.report.skipped);
       for (city::RawObject& raw : raws) {
