@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
+#include <utility>
 
 #include "formats/error.h"
 #include "formats/to_lower.h"
@@ -23,20 +25,16 @@ bool is_city_file(const fs::path& path) {
   return city::ends_with_any(plain, city_endings());
 }
 
-bool holds_city_file(const fs::path& folder) {
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
-       entry.increment(error)) {
-    std::error_code unknown;
-    if (entry->is_regular_file(unknown) && is_city_file(entry->path())) return true;
-  }
-  return false;
+bool is_hidden(const fs::path& path) {
+  return path.filename().string().starts_with('.');
 }
 
 // Metadata and code lists lie beside cities under the same endings.
 std::vector<fs::path> leave_out_others(const fs::path& folder, const std::vector<fs::path>& found) {
   std::vector<fs::path> files;
   std::string first_reason;
+  // By folder and reason: a delivery may hold hundreds of code lists.
+  std::map<std::pair<fs::path, std::string>, std::vector<fs::path>> passed_over;
   for (const fs::path& file : found) {
     const std::string reason = find_reason_to_pass_over(file);
     if (reason.empty()) {
@@ -44,8 +42,12 @@ std::vector<fs::path> leave_out_others(const fs::path& folder, const std::vector
       continue;
     }
     if (first_reason.empty()) first_reason = file.filename().string() + " " + reason;
-    fmt::print(stderr, "note: {}: passed over: it {}\n", file.string(), reason);
+    passed_over[{file.parent_path(), reason}].push_back(file);
   }
+  for (const auto& [what, others] : passed_over)
+    fmt::print(stderr, "note: {}: passed over{}: it {}\n", others.front().string(),
+               others.size() == 1 ? "" : fmt::format(", and {} files beside it", others.size() - 1),
+               what.second);
   if (files.empty()) throw Error(folder.string(), "no city model in this folder: " + first_reason);
   return files;
 }
@@ -63,27 +65,20 @@ std::vector<fs::path> city_files(const fs::path& path) {
   std::error_code error;
   if (!fs::is_directory(path, error)) return {path};
   std::vector<fs::path> found;
-  std::vector<fs::path> not_entered;
-  bool folders = false;
-  fs::directory_iterator entry(path, error);
-  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+  fs::recursive_directory_iterator entry(path, error);
+  for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
     std::error_code unknown;  // a dangling link is no file
-    folders |= entry->is_directory(unknown);
-    if (entry->is_directory(unknown) && holds_city_file(entry->path()))
-      not_entered.push_back(entry->path());
-    if (entry->is_regular_file(unknown) && is_city_file(entry->path()))
+    if (is_hidden(entry->path())) {
+      entry.disable_recursion_pending();
+    } else if (entry->is_regular_file(unknown) && is_city_file(entry->path())) {
       found.push_back(entry->path());
+    }
   }
   if (error) throw Error(path.string(), "the folder cannot be read: " + error.message());
   if (found.empty())
-    throw Error(path.string(),
-                "no " + city::join_endings(city_endings()) + " (also .gz) or .zip in this folder" +
-                    (folders ? "; folders inside it are not entered: name them" : ""));
+    throw Error(path.string(), "no " + city::join_endings(city_endings()) +
+                                   " (also .gz) or .zip in this folder and those inside it");
   std::sort(found.begin(), found.end());
-  std::sort(not_entered.begin(), not_entered.end());
-  for (const fs::path& folder : not_entered)
-    fmt::print(stderr, "note: {}: folders inside a folder are not entered: name it\n",
-               folder.string());
   return leave_out_others(path, found);
 }
 

@@ -1,13 +1,17 @@
 // Constrained Delaunay triangulation of outlines that may cross. Constrained_triangulation_plus_2
-// knows how many outlines run along an edge: a hole that shares an edge with the shell counts twice
-// there, so the parity does not change across it. (Plain nesting depth gets that case wrong.)
+// knows which outlines run along an edge. Crossing it changes for each of them whether a place is
+// enclosed: a hole that shares an edge with the exterior changes both there. (Plain nesting depth gets
+// that case wrong.)
 #include "tools/mesh/constrained.h"
 
 #include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <algorithm>
 #include <limits>
+#include <map>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 #include "formats/error.h"
@@ -18,13 +22,47 @@ namespace {
 
 constexpr std::uint32_t unset = std::numeric_limits<std::uint32_t>::max();
 
-enum class Side : std::uint8_t { unknown, outside, inside };
-
 struct VertexInfo {
   std::uint32_t index = unset;
 };
 struct FaceInfo {
-  Side side = Side::unknown;
+  std::uint32_t enclosed_by = unset;  // number of a set of outlines
+};
+
+// The sets of outlines that enclose places, each with a number. Outlines are few and hardly nested,
+// so there are few sets, and small ones.
+class OutlineSets {
+ public:
+  static constexpr std::uint32_t none = 0;
+
+  OutlineSets() { add({}); }
+
+  /// Returns the set with one outline added or, where it holds it, taken away.
+  std::uint32_t toggle(std::uint32_t set, std::uint32_t outline) {
+    const auto [known, is_new] = toggled_.try_emplace({set, outline}, unset);
+    if (!is_new) return known->second;
+    std::vector<std::uint32_t> outlines = sets_[set];
+    const auto at = std::lower_bound(outlines.begin(), outlines.end(), outline);
+    if (at != outlines.end() && *at == outline)
+      outlines.erase(at);
+    else
+      outlines.insert(at, outline);
+    return known->second = add(std::move(outlines));
+  }
+
+  const std::vector<std::uint32_t>& outlines(std::uint32_t set) const { return sets_[set]; }
+
+ private:
+  std::uint32_t add(std::vector<std::uint32_t> outlines) {
+    const auto number = static_cast<std::uint32_t>(sets_.size());
+    const auto [known, is_new] = numbers_.try_emplace(outlines, number);
+    if (is_new) sets_.push_back(std::move(outlines));
+    return known->second;
+  }
+
+  std::vector<std::vector<std::uint32_t>> sets_;  // ascending
+  std::map<std::vector<std::uint32_t>, std::uint32_t> numbers_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> toggled_;
 };
 
 // n edges may cross n^2 / 2 times. Real rings cross a few times; a hostile one must not take
@@ -40,14 +78,11 @@ class Flattener {
 
   FlatTriangulation run(std::span<const std::vector<std::uint32_t>> outlines) {
     insert(outlines);
+    out_.area_outside.resize(outlines.size());
     if (triangulation_.dimension() < 2) return std::move(out_);  // all on one line
     add_crossings();
-    mark_sides();
-    for (const Face face : triangulation_.finite_face_handles()) {
-      if (face->info().side != Side::inside) continue;
-      out_.triangles.push_back({face->vertex(0)->info().index, face->vertex(1)->info().index,
-                                face->vertex(2)->info().index});
-    }
+    mark_enclosed();
+    for (const Face face : triangulation_.finite_face_handles()) take(face);
     return std::move(out_);
   }
 
@@ -81,7 +116,9 @@ class Flattener {
       }
       for (std::size_t i = 0; i < vertices.size(); ++i) {
         const Vertex a = vertices[i], b = vertices[(i + 1) % vertices.size()];
-        if (a != b) triangulation_.insert_constraint(a, b);
+        if (a != b)
+          outline_of_.emplace(triangulation_.insert_constraint(a, b).vl_ptr(),
+                              static_cast<std::uint32_t>(&outline - outlines.data()));
         if (triangulation_.number_of_vertices() > max_vertices)
           throw Error("", "outlines cross more than " + std::to_string(max_crossings_a_point) +
                               " times a point");
@@ -99,29 +136,49 @@ class Flattener {
     }
   }
 
-  void mark_sides() {
+  void mark_enclosed() {
     std::vector<Face> open{triangulation_.infinite_face()};
-    open.back()->info().side = Side::outside;
+    open.back()->info().enclosed_by = OutlineSets::none;
     while (!open.empty()) {
       const Face face = open.back();
       open.pop_back();
       for (int i = 0; i < 3; ++i) {
         const Face next = face->neighbor(i);
-        if (next->info().side != Side::unknown) continue;
-        Side side = face->info().side;
+        if (next->info().enclosed_by != unset) continue;
+        std::uint32_t set = face->info().enclosed_by;
         if (face->is_constrained(i)) {
-          const auto enclosing = triangulation_.number_of_enclosing_constraints(
-              face->vertex(Triangulation::ccw(i)), face->vertex(Triangulation::cw(i)));
-          if (enclosing % 2 == 1) side = side == Side::inside ? Side::outside : Side::inside;
+          const Vertex a = face->vertex(Triangulation::ccw(i)),
+                       b = face->vertex(Triangulation::cw(i));
+          for (auto along = triangulation_.contexts_begin(a, b);
+               along != triangulation_.contexts_end(a, b); ++along)
+            set = sets_.toggle(set, outline_of_.at(along->id().vl_ptr()));
         }
-        next->info().side = side;
+        next->info().enclosed_by = set;
         open.push_back(next);
       }
     }
   }
 
+  void take(const Face& face) {
+    const std::vector<std::uint32_t>& enclosing = sets_.outlines(face->info().enclosed_by);
+    if (enclosing.empty()) return;
+    const std::array<std::uint32_t, 3> corners{face->vertex(0)->info().index,
+                                               face->vertex(1)->info().index,
+                                               face->vertex(2)->info().index};
+    if (enclosing.front() != 0) {  // in holes, but not in the exterior
+      const glm::dvec2 a = out_.points[corners[0]], b = out_.points[corners[1]] - a,
+                       c = out_.points[corners[2]] - a;
+      for (const std::uint32_t hole : enclosing)
+        out_.area_outside[hole] += (b.x * c.y - b.y * c.x) / 2;
+    } else if (enclosing.size() == 1) {
+      out_.triangles.push_back(corners);
+    }
+  }
+
   Triangulation triangulation_;
   FlatTriangulation out_;
+  OutlineSets sets_;
+  std::unordered_map<const void*, std::uint32_t> outline_of_;  // by constraint
 };
 
 }  // namespace

@@ -17,11 +17,13 @@ struct FlatTriangulation {
   /// The input's points first, in order; behind them those made where outlines cross.
   std::vector<glm::dvec2> points;
   bool crossing = false;  // outlines cross each other or themselves
+  std::vector<double> area_outside;  // of each outline: that of its inside beyond the exterior's
 };
 
-/// `outlines[i]` holds indices into `points`, not closed. A place is inside when it is enclosed by
-/// an odd number of outlines: right for holes, also those touching the shell, whatever their
-/// direction. Throws Error where outlines cross more than 16 times as often as they have points.
+/// `outlines[i]` holds indices into `points`, not closed: first the exterior, then holes, which may
+/// run either way, touch and cross. A place is in an outline that goes round it an odd number of
+/// times. What is in the exterior and in no hole is triangulated (ISO 19107, 6.6.11: a surface lies
+/// within its exterior, less its interiors). Throws Error where outlines cross more than 16 times as often as they have points.
 FlatTriangulation triangulate_flat(std::span<const glm::dvec2> points,
                                    std::span<const std::vector<std::uint32_t>> outlines);
 

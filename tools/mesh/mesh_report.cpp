@@ -20,6 +20,11 @@ void MeshReport::merge(const MeshReport& other) {
   not_finite += other.not_finite;
   not_triangulated += other.not_triangulated;
   holes_left_out += other.holes_left_out;
+  holes_outside += other.holes_outside;
+  if (other.worst_hole_outside_m2 > worst_hole_outside_m2) {
+    worst_hole_outside_m2 = other.worst_hole_outside_m2;
+    worst_hole_outside = other.worst_hole_outside;
+  }
   turned += other.turned;
   if (first_turned.empty()) first_turned = other.first_turned;
   cracks_closed += other.cracks_closed;

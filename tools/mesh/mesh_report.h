@@ -18,6 +18,9 @@ struct MeshReport {
   std::size_t not_finite = 0;         // left out: NaN, infinite or beyond any frame
   std::size_t not_triangulated = 0;   // left out: CGAL gave up
   std::size_t holes_left_out = 0;     // of fewer than three distinct vertices: they have no area
+  std::size_t holes_outside = 0;      // reach beyond their exterior, and cut nothing out there
+  std::string worst_hole_outside;     // the polygon whose holes do so most
+  double worst_hole_outside_m2 = 0;   // the area of its holes there
   std::size_t turned = 0;             // polygons that orient_outward has turned
   std::string first_turned;           // id of the first object with such
   std::size_t cracks_closed = 0;      // objects closed by moving vertices together

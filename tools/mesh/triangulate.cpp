@@ -133,9 +133,25 @@ struct Triangulator {
     return true;
   }
 
+  // Counts the holes that reach beyond the exterior by more than rounding. Returns how much of the
+  // holes lies there, m2.
+  double count_holes_outside(const FlatTriangulation& flat, double area, const std::string& id) {
+    double sum = 0;
+    for (const double outside : flat.area_outside) {
+      if (outside <= area_tolerance * area) continue;
+      sum += outside;
+      ++report.holes_outside;
+    }
+    if (sum > report.worst_hole_outside_m2) {
+      report.worst_hole_outside_m2 = sum;
+      report.worst_hole_outside = id;
+    }
+    return sum;
+  }
+
   // Adds any polygon by CGAL. `ring_vector`: area vector of the rings themselves, holes subtracted.
-  void add_any(const std::vector<city::Ring>& rings, const Plane& plane,
-               const glm::dvec3& ring_vector, std::size_t polygon) {
+  void add_any(const std::vector<city::Ring>& rings, const Plane& plane, glm::dvec3 ring_vector,
+               std::size_t polygon) {
     std::vector<glm::dvec2> points;
     std::vector<std::vector<std::uint32_t>> outlines;
     city::Ring corners;
@@ -159,13 +175,15 @@ struct Triangulator {
     glm::dvec3 vector{0};
     for (const auto& t : flat.triangles)
       vector += 0.5 * glm::cross(corners[t[1]] - corners[t[0]], corners[t[2]] - corners[t[0]]);
-    if (!(glm::dot(vector, plane.normal) > 0))
-      return count_zero_area(perimeter(rings[0]), name_of(object.polygons[polygon], object));
+    const std::string& id = name_of(object.polygons[polygon], object);
+    ring_vector +=
+        plane.normal * count_holes_outside(flat, glm::length(city::area_vector(rings[0])), id);
+    if (!(glm::dot(vector, plane.normal) > 0)) return count_zero_area(perimeter(rings[0]), id);
     // Outlines that cross leave another area than the rings' own; those that touch within rounding
     // do not.
     if (const double off = glm::distance(vector, ring_vector);
         off > area_tolerance * glm::length(ring_vector))
-      count_self_intersecting(off, name_of(object.polygons[polygon], object));
+      count_self_intersecting(off, id);
     const std::uint32_t first = add_positions(corners);
     for (const auto& t : flat.triangles)
       add_triangle(first + t[0], first + t[1], first + t[2], polygon);

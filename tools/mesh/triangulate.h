@@ -6,9 +6,9 @@
 
 namespace nightcity::mesh {
 
-/// Triangulates every polygon of `object` (coordinates E, N, H in metres). What an odd number of
-/// rings encloses is inside. The area of each polygon is kept to 1e-6 relative. Bad rings are
-/// counted in `report` and never throw.
+/// Triangulates every polygon of `object` (coordinates E, N, H in metres). What the exterior encloses
+/// (an odd number of times) and no hole does is triangulated. The area of each polygon is kept to
+/// 1e-6 relative. Bad rings are counted in `report` and never throw.
 TriangleMesh triangulate(const city::CityObject& object, MeshReport& report);
 
 }  // namespace nightcity::mesh

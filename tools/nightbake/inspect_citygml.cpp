@@ -73,9 +73,13 @@ Inspection inspect_citygml(const std::filesystem::path& file, int max_lod) {
                     {"non_planar", mesh.non_planar},
                     {"worst_non_planar_m", mesh.worst_non_planar_m},
                     {"self_intersecting", mesh.self_intersecting},
+                    {"holes_outside", mesh.holes_outside},
                     {"not_finite", mesh.not_finite},
                     {"not_triangulated", mesh.not_triangulated}};
   result["warnings"] = report.warnings;
+  if (!frame)
+    result["warnings"].push_back(file.string() + ": coordinates are shown as they are in the file: " +
+                                 frame_error);
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -11,6 +12,7 @@
 #include "formats/error.h"
 #include "support/temp_folder.h"
 #include "tools/bake/city/tile_grid.h"
+#include "tools/bake/stages/lamp_stage.h"
 #include "tools/bake/stages/window_stage.h"
 #include "tools/nightbake/sample_city.h"
 
@@ -41,6 +43,13 @@ CityInputs two_files(const TempFolder& folder) {
   write_text(folder / "b.gml", test::sample_gml());
   CityInputs inputs;
   inputs.files = {folder / "a.gml", folder / "b.gml"};
+  return inputs;
+}
+
+CityInputs two_files_and_map(const TempFolder& folder) {
+  CityInputs inputs = two_files(folder);
+  write_text(folder / "map.osm", test::sample_osm());
+  inputs.maps = {folder / "map.osm"};
   return inputs;
 }
 
@@ -142,6 +151,39 @@ class Collector final : public CityConsumer {
   }
   std::vector<std::shared_ptr<const PreparedObject>> objects;
 };
+
+TEST(City, WithoutGeometryNamesTheFilesThatItIsLinkedFrom) {
+  const TempFolder folder;
+  write_text(
+      folder / "a.gml",
+      "<CityModel xmlns:gml=\"http://www.opengis.net/gml\" "
+      "xmlns:xlink=\"http://www.w3.org/1999/xlink\"><cityObjectMember><Building gml:id=\"b\">"
+      "<lod1MultiSurface><gml:MultiSurface><gml:surfaceMember xlink:href=\"lib.gml#p\"/>"
+      "<gml:surfaceMember xlink:href=\"far.gml#p\"/></gml:MultiSurface></lod1MultiSurface>"
+      "</Building></cityObjectMember></CityModel>");
+  write_text(folder / "lib.gml", test::sample_gml());
+  CityInputs inputs;
+  inputs.files = {folder / "a.gml"};
+  const std::string message = message_of([&] { City city(inputs, folder / "scratch"); });
+  EXPECT_NE(message.find((folder / "lib.gml").string() + ", which is not listed"),
+            std::string::npos)
+      << message;
+  EXPECT_NE(message.find((folder / "far.gml").string() + ", which is not there"), std::string::npos)
+      << message;
+}
+
+TEST(LampStage, NotesOfLuminaireFilesReachTheReport) {
+  const TempFolder folder;
+  City city(two_files_and_map(folder), folder / "scratch");
+  write_text(folder / "probe.ies",
+             "IESNA:LM-63-2002\n[TEST] Probe\nTILT=lamp.tlt\n1 1000 1 3 1 1 2 0 0 0\n1 1 50\n"
+             "0 45 90\n0\n100 100 100\n");
+  LampStageOptions options;
+  options.luminaires.push_back({folder / "probe.ies", {}, {}});
+  const CityLamps lamps = place_city_lamps(city, options);
+  const auto is_note = [](const auto& note) { return note.first.starts_with("probe.ies: TILT="); };
+  EXPECT_EQ(std::count_if(lamps.set.notes.begin(), lamps.set.notes.end(), is_note), 1);
+}
 
 TEST(WindowConsumer, EveryPieceOfALargeBuildingGetsWindows) {
   const TempFolder folder;

@@ -132,17 +132,18 @@ TEST(Recipe, AFolderStandsForItsCityFilesInTheOrderOfTheirNames) {
   EXPECT_THROW(read(folder, "[city]\nfiles = ['none']\n"), Error);
 }
 
-TEST(Recipe, AFolderOfFoldersSaysThatTheyMustBeNamed) {
+TEST(Recipe, FoldersInsideAFolderAreEnteredAndHiddenOnesAreNot) {
   const TempFolder folder;
-  std::filesystem::create_directories(folder / "udx/bldg");
-  test::write_text(folder / "udx/bldg/a.gml", "x");
-  try {
-    read(folder, "[city]\nfiles = ['udx']\n");
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("udx"), std::string::npos);
-    EXPECT_NE(std::string(error.what()).find("not entered"), std::string::npos);
-  }
+  for (const char* inside : {"udx/bldg/51", "udx/tran", "udx/.cache", "codelists"})
+    std::filesystem::create_directories(folder / inside);
+  for (const char* name : {"udx/tran/a.gml", "udx/bldg/51/b.gml", "udx/bldg/c.gml",
+                           "udx/.cache/d.gml", "udx/bldg/.e.gml"})
+    test::write_text(folder / name, "x");
+  std::filesystem::create_directory_symlink(folder / "udx", folder / "udx/round");
+  const Recipe recipe = read(folder, "[city]\nfiles = ['udx']\n");
+  EXPECT_EQ(recipe.city.files, (std::vector<std::filesystem::path>{folder / "udx/bldg/51/b.gml",
+                                                                   folder / "udx/bldg/c.gml",
+                                                                   folder / "udx/tran/a.gml"}));
 }
 
 TEST(Recipe, WrongValuesAreUsageErrors) {

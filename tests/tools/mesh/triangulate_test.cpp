@@ -114,11 +114,44 @@ TEST(Triangulate, BowTieKeepsBothWingsAndIsCounted) {
   for (const glm::dvec3& p : r.mesh.positions) EXPECT_NEAR(p.z, 5, 1e-9);
 }
 
-TEST(Triangulate, CrossingHoleIsCountedAndLeavesParity) {
-  // 10 x 10 with a 2 x 2 hole half outside: odd places are the square less 2 and the 2 outside.
+TEST(Triangulate, HoleHalfOutsideCutsOutItsInnerHalfAndIsCounted) {
+  // 10 x 10 with a 2 x 2 hole half outside.
   const Result r = run({polygon(square(0, 0, 10), {square(9, 4, 2)})});
-  EXPECT_NEAR(r.area, 100 - 2 + 2, 1e-9);
-  EXPECT_EQ(r.report.self_intersecting, 1u);
+  expect_area(r, 98);
+  EXPECT_EQ(r.report.holes_outside, 1u);
+  EXPECT_NEAR(r.report.worst_hole_outside_m2, 2, 1e-9);
+  EXPECT_EQ(r.report.worst_hole_outside, "object");
+  EXPECT_EQ(r.report.self_intersecting, 0u);
+}
+
+TEST(Triangulate, HoleOutsideAddsNoSurfaceAndIsCounted) {
+  for (const bool turned : {false, true}) {
+    const city::Ring hole = turned ? reversed(square(20, 4, 4)) : square(20, 4, 4);
+    const Result r = run({polygon(square(0, 0, 10), {hole, square(4, 4, 2)})});
+    expect_area(r, 96);
+    EXPECT_EQ(r.report.holes_outside, 1u);
+    EXPECT_NEAR(r.report.worst_hole_outside_m2, 16, 1e-9);
+    EXPECT_EQ(r.report.self_intersecting, 0u);
+  }
+}
+
+TEST(Triangulate, HoleAroundItsExteriorLeavesNothing) {
+  const Result r = run({polygon(square(0, 0, 10), {square(-1, -1, 12)})});
+  EXPECT_EQ(r.mesh.triangles.size(), 0u);
+  EXPECT_EQ(r.report.zero_area, 1u);
+  EXPECT_NEAR(r.report.worst_hole_outside_m2, 144 - 100, 1e-9);
+  const Result same = run({polygon(square(0, 0, 10), {square(0, 0, 10)})});
+  EXPECT_EQ(same.report.zero_area, 1u);
+  EXPECT_EQ(same.report.holes_outside, 0u);
+}
+
+TEST(Triangulate, PlaceInTwoHolesIsCutOutToo) {
+  // Two 4 x 4 holes share 2 x 2; a third lies within the first.
+  const Result r =
+      run({polygon(square(0, 0, 10), {square(1, 1, 4), square(3, 3, 4), square(1.5, 1.5, 1)})});
+  EXPECT_NEAR(r.area, 100 - 16 - 16 + 4, 1e-9);
+  EXPECT_EQ(r.report.self_intersecting, 1u);  // the area differs from that of the rings
+  EXPECT_EQ(r.report.holes_outside, 0u);
 }
 
 TEST(Triangulate, CollinearAndEmptyRingsAreDroppedAndCounted) {

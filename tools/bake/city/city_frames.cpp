@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/common.hpp>
 #include <limits>
+#include <set>
 
 #include "formats/error.h"
 #include "formats/median.h"
@@ -24,6 +25,33 @@ glm::dvec3 find_median(const std::vector<glm::dvec3>& points) {
 
 bool has_geometry(const city::CityHead& head) {
   return !head.sample.empty();
+}
+
+// Returns "; geometry is linked from lib.gml, which is not in [city] files", or "" where no file has
+// such a link: the rest of a message that the city has no geometry.
+std::string describe_missing_links(const std::vector<std::filesystem::path>& files,
+                                   const std::vector<city::CityHead>& heads) {
+  std::set<std::filesystem::path> listed;
+  for (const auto& file : files) listed.insert(file.lexically_normal());
+  std::set<std::string> absent, not_listed;
+  for (std::size_t i = 0; i < heads.size(); ++i)
+    for (const std::string& link : heads[i].linked_files) {
+      if (link.find("://") != std::string::npos) {
+        absent.insert(link);
+        continue;
+      }
+      const std::filesystem::path target = (files[i].parent_path() / link).lexically_normal();
+      if (listed.contains(target)) continue;
+      std::error_code unknown;
+      (std::filesystem::exists(target, unknown) ? not_listed : absent).insert(target.string());
+    }
+  std::string text;
+  for (const std::string& file : not_listed)
+    text += "; geometry is linked from " + file + ", which is not listed: add it to [city] files";
+  for (const std::string& file : absent)
+    text += "; geometry is linked from " + file +
+            ", which is not there: fetch it and add it to [city] files";
+  return text;
 }
 
 // Returns two control points: the corners of all the files' geometry at the corners of the bounds.
@@ -62,7 +90,8 @@ CityFrames::CityFrames(const CityInputs& inputs) {
   for (const auto& file : inputs.files) heads.push_back(inputs::read_city_head(file));
   const auto first = std::find_if(heads.begin(), heads.end(), has_geometry);
   if (first == heads.end())
-    throw Error(inputs.files.front().string(), "no geometry in any file of the city");
+    throw Error(inputs.files.front().string(), "no geometry in any file of the city" +
+                                                   describe_missing_links(inputs.files, heads));
 
   georeference::CityFrame::Options options = inputs.frame;
   if (inputs.bounds) {

@@ -59,7 +59,10 @@ json mesh_json(const mesh::MeshReport& mesh) {
        {{"id", mesh.worst_self_intersecting}, {"m2", mesh.worst_self_intersecting_m2}}},
       {"not_finite", mesh.not_finite},
       {"not_triangulated", mesh.not_triangulated},
-      {"dropped_holes", mesh.holes_left_out}};
+      {"dropped_holes", mesh.holes_left_out},
+      {"holes_outside", mesh.holes_outside},
+      {"worst_hole_outside",
+       {{"id", mesh.worst_hole_outside}, {"m2", mesh.worst_hole_outside_m2}}}};
 }
 
 std::string mesh_in_words(const mesh::MeshReport& mesh) {
@@ -71,6 +74,13 @@ std::string mesh_in_words(const mesh::MeshReport& mesh) {
   if (mesh.self_intersecting)
     line(fmt::format("{} self-intersecting, worst {:.2f} m2 ({})", mesh.self_intersecting,
                      mesh.worst_self_intersecting_m2, mesh.worst_self_intersecting));
+  if (mesh.holes_outside)
+    line(
+        fmt::format("{} holes reach outside their exterior ring, worst by {:.2f} m2 ({}): nothing "
+                    "is cut out or added there",
+                    mesh.holes_outside, mesh.worst_hole_outside_m2, mesh.worst_hole_outside));
+  if (mesh.holes_left_out)
+    line(fmt::format("{} holes left out: they have no area", mesh.holes_left_out));
   if (mesh.slivers)
     line(fmt::format("{} slivers under 1 cm, narrowest {:.5f} m ({})", mesh.slivers,
                      mesh.worst_sliver_m, mesh.worst_sliver));

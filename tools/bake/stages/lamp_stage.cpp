@@ -1,14 +1,21 @@
 #include "tools/bake/stages/lamp_stage.h"
 
+#include <map>
+#include <string>
+
 #include "tools/lights/luminaire.h"
 
 namespace nightcity::bake {
 namespace {
 
-lights::LampOptions read_luminaires(const std::vector<LuminaireFile>& files) {
+// Adds to `notes` what the files name and is not used.
+lights::LampOptions read_luminaires(const std::vector<LuminaireFile>& files,
+                                    std::map<std::string, std::size_t>& notes) {
   lights::LampOptions options;
   for (const LuminaireFile& choice : files) {
     const lights::Luminaire luminaire = lights::read_luminaire(choice.file);
+    for (const std::string& note : luminaire.notes)
+      ++notes[choice.file.filename().string() + ": " + note];
     options.luminaires.push_back({choice.file.string(), luminaire.photometry(), choice.highways,
                                   choice.types, choice.take_flux, luminaire.flux_lm});
   }
@@ -18,7 +25,8 @@ lights::LampOptions read_luminaires(const std::vector<LuminaireFile>& files) {
 }  // namespace
 
 CityLamps place_city_lamps(const City& city, const LampStageOptions& options) {
-  lights::LampOptions lamps = read_luminaires(options.luminaires);
+  std::map<std::string, std::size_t> notes;
+  lights::LampOptions lamps = read_luminaires(options.luminaires, notes);
   lamps.heights_from_tags = !city.has_model();
   const osm::OsmData& map = city.map();
   const bool lay_out = options.lays_out() && !map.highways.empty();
@@ -36,6 +44,7 @@ CityLamps place_city_lamps(const City& city, const LampStageOptions& options) {
     result.layout =
         layout::lay_out_lamps(map, to_frame, height_at, inside, lamps, options.layout, result.set);
   lights::switch_lamps(options.hours, result.set);
+  result.set.notes.merge(notes);
   return result;
 }
 
