@@ -1,8 +1,37 @@
 #include "tools/city/city_reader.h"
 
+#include "tools/city/text_encoding.h"
+
 #include <utility>
 
 namespace nightcity::city {
+namespace {
+
+void tell_flat_buildings(const std::filesystem::path& file, ReadReport& report) {
+  if (report.extruded > 0)
+    report.warnings.push_back(file.string() + ": " + std::to_string(report.extruded) +
+                              " buildings have a footprint alone (LoD0): made blocks of their "
+                              "measured height");
+  if (report.flat > 0)
+    report.warnings.push_back(file.string() + ": " + std::to_string(report.flat) +
+                              " buildings have a footprint alone (LoD0) and no measured height: "
+                              "they are flat");
+}
+
+void make_texts_valid(ReadReport& report) {
+  report.srs_name = to_valid_utf8(std::move(report.srs_name));
+  for (std::string& warning : report.warnings) warning = to_valid_utf8(std::move(warning));
+  std::map<std::string, std::size_t> skipped;
+  for (const auto& [what, count] : report.skipped) skipped[to_valid_utf8(what)] += count;
+  report.skipped = std::move(skipped);
+}
+
+}  // namespace
+
+void finish_report(const std::filesystem::path& file, ReadReport& report) {
+  tell_flat_buildings(file, report);
+  make_texts_valid(report);
+}
 
 void ReadReport::merge(const ReadReport& other) {
   if (version.empty()) version = other.version;

@@ -30,6 +30,10 @@ struct ReadReport {
   void merge(const ReadReport& other);
 };
 
+/// Adds a warning for the file's buildings that were published as footprints, and makes all texts
+/// valid UTF-8. To be called once the whole file has been read.
+void finish_report(const std::filesystem::path& file, ReadReport& report);
+
 /// The parser of CityGML. Both deliver the same model; the second is a second opinion.
 enum class Reader : std::uint8_t { stream, libcitygml };
 

@@ -1,5 +1,7 @@
 #include "tools/city/ring.h"
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 
 namespace nightcity::city {
@@ -9,6 +11,19 @@ glm::dvec3 area_vector(const Ring& ring) {
   for (std::size_t i = 1; i + 1 < ring.size(); ++i)
     sum += glm::cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
   return 0.5 * sum;
+}
+
+bool is_sentinel_height(double z) {
+  return z < -9900 || z > 30'000;
+}
+
+bool has_sentinel_height(const Polygon& polygon) {
+  const auto holds = [](const Ring& ring) {
+    return std::any_of(ring.begin(), ring.end(),
+                       [](const glm::dvec3& p) { return is_sentinel_height(p.z); });
+  };
+  return holds(polygon.exterior) ||
+         std::any_of(polygon.interiors.begin(), polygon.interiors.end(), holds);
 }
 
 }  // namespace nightcity::city

@@ -1,4 +1,4 @@
-// The area of a ring.
+// The area of a ring, and heights that are none.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -11,5 +11,12 @@ namespace nightcity::city {
 /// products of successive vertices, taken from the ring's first vertex so that coordinates of 10^7
 /// m lose nothing. Its length is the ring's area when the ring is planar and simple.
 glm::dvec3 area_vector(const Ring& ring);
+
+/// Returns whether a height stands for "none": producers write -9999, -99999, -32768 or -3.4e38, and
+/// blocks that stand on such a height end a little above. No ground is that low in metres or in
+/// feet, and none is 30 km high.
+bool is_sentinel_height(double z);
+/// Returns whether any vertex has such a height.
+bool has_sentinel_height(const Polygon& polygon);
 
 }  // namespace nightcity::city

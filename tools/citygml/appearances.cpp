@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "tools/citygml/attributes.h"
+#include "tools/city/attributes.h"
 #include "tools/citygml/rings.h"
 #include "tools/citygml/tag_scanner.h"
 
@@ -19,11 +19,11 @@ std::size_t hash(std::string_view id) {
 
 }  // namespace
 
-void Materials::read(const pugi::xml_node& appearance, SkipCounter& skipped) {
+void Materials::read(const pugi::xml_node& appearance, city::SkipCounter& skipped) {
   read_below(appearance, 0, skipped);
 }
 
-void Materials::read_below(const pugi::xml_node& element, int depth, SkipCounter& skipped) {
+void Materials::read_below(const pugi::xml_node& element, int depth, city::SkipCounter& skipped) {
   constexpr int max_depth = 8;  // member, Appearance, surfaceDataMember
   for (const pugi::xml_node& child : element.children()) {
     const std::string_view name = local_name(child.name());
@@ -42,9 +42,10 @@ void Materials::read_below(const pugi::xml_node& element, int depth, SkipCounter
                     std::clamp(static_cast<float>(numbers[1]), 0.0f, 1.0f),
                     std::clamp(static_cast<float>(numbers[2]), 0.0f, 1.0f)};
         else if (kind == "target")
-          targets.push_back(trim(property.child_value()));
+          targets.push_back(city::trim(property.child_value()));
         else if (kind == "isFront")
-          front = trim(property.child_value()) != "false" && trim(property.child_value()) != "0";
+          front = city::trim(property.child_value()) != "false" &&
+                  city::trim(property.child_value()) != "0";
       }
       for (const std::string_view target : targets) {
         if (!front || !target.starts_with('#')) continue;

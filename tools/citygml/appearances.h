@@ -6,7 +6,7 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "tools/citygml/skip_counter.h"
+#include "tools/city/skip_counter.h"
 
 namespace nightcity::citygml {
 
@@ -14,14 +14,14 @@ class Materials {
  public:
   /// Reads an app:Appearance, or a property that holds one. Everything else in it, such as
   /// textures, is counted in `skipped`.
-  void read(const pugi::xml_node& appearance, SkipCounter& skipped);
+  void read(const pugi::xml_node& appearance, city::SkipCounter& skipped);
   /// Returns sRGB as in the file; null when the id has no material. The first material of an id
   /// wins.
   const glm::vec3* find(std::string_view id) const;
   bool empty() const { return colours_.empty(); }
 
  private:
-  void read_below(const pugi::xml_node& element, int depth, SkipCounter& skipped);
+  void read_below(const pugi::xml_node& element, int depth, city::SkipCounter& skipped);
 
   /// By the id's hash: a city's ids themselves would fill the memory.
   std::unordered_map<std::size_t, glm::vec3> colours_;

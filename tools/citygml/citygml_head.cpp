@@ -3,9 +3,9 @@
 #include <pugixml.hpp>
 
 #include "formats/error.h"
+#include "tools/city/attributes.h"
 #include "tools/city/byte_source.h"
 #include "tools/city/text_encoding.h"
-#include "tools/citygml/attributes.h"
 #include "tools/citygml/curves.h"
 #include "tools/citygml/read_citygml.h"
 #include "tools/citygml/rings.h"
@@ -49,7 +49,7 @@ struct Sampler : pugi::xml_tree_walker {
 
   void take_srs_name(const pugi::xml_node& node, std::string_view name) {
     if (own_name) return;
-    const std::string_view said = trim(node.attribute("srsName").value());
+    const std::string_view said = city::trim(node.attribute("srsName").value());
     if (said.empty()) return;
     own_name = name != "Envelope";
     if (own_name || head.srs_name.empty()) head.srs_name = city::to_valid_utf8(std::string(said));
@@ -58,7 +58,7 @@ struct Sampler : pugi::xml_tree_walker {
   void take_link(const pugi::xml_node& node) {
     constexpr std::size_t max_files = 20;
     if (node.first_child() || head.linked_files.size() >= max_files) return;
-    const std::string_view href = trim(find_attribute(node, "href"));
+    const std::string_view href = city::trim(find_attribute(node, "href"));
     const std::size_t hash = href.find('#');
     if (hash == 0 || hash == std::string_view::npos) return;
     head.linked_files.insert(city::to_valid_utf8(std::string(href.substr(0, hash))));

@@ -4,7 +4,8 @@
 #include <array>
 #include <glm/vec4.hpp>
 
-#include "tools/citygml/attributes.h"
+#include "tools/city/attributes.h"
+#include "tools/city/ring.h"
 #include "tools/citygml/geometry_names.h"
 #include "tools/citygml/rings.h"
 #include "tools/citygml/tag_scanner.h"
@@ -17,22 +18,6 @@ constexpr int max_links = 8;
 // Polygons that one member may make by implicit geometry: a few shapes placed often must not fill
 // the memory.
 constexpr std::size_t max_placed_polygons = 1'000'000;
-
-// Returns whether a height stands for "none": producers write -9999, -99999, -32768 or -3.4e38, and
-// blocks that stand on such a height end a little above. No ground is that low in metres or in
-// feet, and none is 30 km high.
-bool is_sentinel_height(double z) {
-  return z < -9900 || z > 30'000;
-}
-
-bool has_sentinel_height(const city::Polygon& polygon) {
-  const auto sentinel = [](const glm::dvec3& p) { return is_sentinel_height(p.z); };
-  return std::any_of(polygon.exterior.begin(), polygon.exterior.end(), sentinel) ||
-         std::any_of(polygon.interiors.begin(), polygon.interiors.end(),
-                     [&](const city::Ring& ring) {
-                       return std::any_of(ring.begin(), ring.end(), sentinel);
-                     });
-}
 
 }  // namespace
 
@@ -109,9 +94,10 @@ void GeometryWalk::walk(const pugi::xml_node& element, const GeometryContext& co
 
 void GeometryWalk::follow(const pugi::xml_node& link, std::string_view href,
                           const GeometryContext& context) {
-  href = trim(href);  // as xs:anyURI, which collapses blanks
+  href = city::trim(href);  // as xs:anyURI, which collapses blanks
   const bool here = href.starts_with('#');
-  const std::string id = here ? std::string(trim(href.substr(1))) : library_.name_elsewhere(href);
+  const std::string id =
+      here ? std::string(city::trim(href.substr(1))) : library_.name_elsewhere(href);
   if (id.empty()) {
     skipped_.add("xlink: to another file (" + std::string(href.substr(0, href.find('#'))) + ")");
     return;
@@ -181,7 +167,7 @@ void GeometryWalk::read_polygon(const pugi::xml_node& element, const GeometryCon
     skipped_.add("polygon: " + std::string(name_of(fault)));
     return;
   }
-  if (!context.placed && has_sentinel_height(polygon)) {
+  if (!context.placed && city::has_sentinel_height(polygon)) {
     skipped_.add("polygon: at a height that stands for none (-9999 and the like)");
     return;
   }
@@ -298,7 +284,7 @@ void GeometryWalk::read_points(const pugi::xml_node& property, const GeometryCon
   }
   for (std::size_t i = 0; i < numbers.size(); i += d) {
     const glm::dvec3 p(numbers[i], numbers[i + 1], d == 3 ? numbers[i + 2] : 0.0);
-    if (is_sentinel_height(p.z))
+    if (city::is_sentinel_height(p.z))
       skipped_.add("point: at a height that stands for none (-9999 and the like)");
     else
       points.push_back(p);

@@ -14,7 +14,7 @@
 
 #include "tools/city/merge_parts.h"
 #include "tools/citygml/appearances.h"
-#include "tools/citygml/skip_counter.h"
+#include "tools/city/skip_counter.h"
 #include "tools/citygml/xlinks.h"
 
 namespace nightcity::citygml {
@@ -43,7 +43,7 @@ constexpr int max_nesting = 200;
 
 class GeometryWalk {
  public:
-  GeometryWalk(const pugi::xml_node& member, const GeometryLibrary& library, SkipCounter& skipped)
+  GeometryWalk(const pugi::xml_node& member, const GeometryLibrary& library, city::SkipCounter& skipped)
       : ids_(member), library_(library), skipped_(skipped) {}
 
   /// Adds every polygon below `property` (lod2Solid, tin, ...) to `out` and counts what cannot be
@@ -89,7 +89,7 @@ class GeometryWalk {
 
   IdIndex ids_;
   const GeometryLibrary& library_;
-  SkipCounter& skipped_;
+  city::SkipCounter& skipped_;
   Materials local_materials_;
   const Materials* file_materials_ = nullptr;
   std::vector<city::RawPolygon>* out_ = nullptr;

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "tools/citygml/attributes.h"
+#include "tools/city/attributes.h"
 #include "tools/citygml/libcitygml_text.h"
 
 namespace nightcity::citygml {
@@ -128,8 +128,8 @@ struct Converter {
   void read_attributes(const ::citygml::CityObject& object) {
     for (const auto& [key, value] : object.getAttributes()) {
       const auto colon = key.rfind(':');
-      set_attribute(out.raw.object, colon == std::string::npos ? key : key.substr(colon + 1),
-                    restore_entities(value.asString()));
+      city::set_attribute(out.raw.object, colon == std::string::npos ? key : key.substr(colon + 1),
+                          restore_entities(value.asString()));
     }
     if (const ::citygml::Address* a = object.address(); a && out.raw.object.address.empty()) {
       std::string text;

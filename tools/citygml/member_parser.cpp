@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tools/citygml/attributes.h"
+#include "tools/city/attributes.h"
 #include "tools/citygml/tag_scanner.h"
 
 namespace nightcity::citygml {
@@ -22,30 +22,18 @@ void read_height(const pugi::xml_node& property, city::CityObject& object) {
     for (const pugi::xml_node& part : height.children()) {
       if (local_name(part.name()) != "value") continue;
       city::CityObject one;
-      set_attribute(one, "measuredheight", part.child_value());
+      city::set_attribute(one, "measuredheight", part.child_value());
       if (one.measured_height_m > object.measured_height_m)
         object.measured_height_m = one.measured_height_m;
     }
   }
 }
 
-// Takes over what a part says and its building does not. A building is as tall as its tallest part.
-void adopt_attributes(city::CityObject& whole, const city::CityObject& part) {
-  if (whole.function.empty()) whole.function = part.function;
-  if (whole.usage.empty()) whole.usage = part.usage;
-  if (whole.building_class.empty()) whole.building_class = part.building_class;
-  if (whole.address.empty()) whole.address = part.address;
-  if (whole.year.empty()) whole.year = part.year;
-  if (whole.storey_heights_m.empty()) whole.storey_heights_m = part.storey_heights_m;
-  whole.measured_height_m = std::max(whole.measured_height_m, part.measured_height_m);
-  whole.storeys_above_ground = std::max(whole.storeys_above_ground, part.storeys_above_ground);
-}
-
 // Takes the first function of a traffic area that is a code: the code says who may go there.
 bool read_area_function(const FeatureClass& what, std::string_view name,
                         const pugi::xml_node& property, GeometryContext& context) {
   if (what.surface != city::SurfaceType::traffic_area || name != "function") return false;
-  const auto code = parse_number(property.child_value());
+  const auto code = city::parse_number(property.child_value());
   if (context.area_function == 0 && code && *code >= 1 && *code <= 65535)
     context.area_function = static_cast<std::uint16_t>(*code);
   return true;
@@ -124,7 +112,7 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
     switch (find_property_kind(name)) {
       case PropertyKind::attribute:
         if (is_space(what.kind))
-          set_attribute(said, lower(name), property.child_value());
+          city::set_attribute(said, lower(name), property.child_value());
         else if (!read_area_function(what, name, property, context))
           skipped_.add(property.name());
         break;
@@ -135,7 +123,7 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
         geometries.push_back(property);
         break;
       case PropertyKind::relief_lod:
-        if (const auto lod = parse_number(property.child_value()))
+        if (const auto lod = city::parse_number(property.child_value()))
           relief_lod = static_cast<int>(std::clamp(*lod, -1.0, 4.0));
         break;
       case PropertyKind::points:
@@ -157,7 +145,7 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
         break;
     }
   }
-  adopt_attributes(raw.object, said);
+  city::adopt_attributes(raw.object, said);
   // Surfaces first: a solid that refers to their polygons then leaves them their surface type.
   for (const pugi::xml_node& property : children) read_child_features(property, context, raw);
   for (const pugi::xml_node& property : geometries) {
@@ -224,27 +212,22 @@ void MemberParser::read_child(const pugi::xml_node& element, std::string_view pr
 
 std::string read_address(const pugi::xml_node& address) {
   struct Found : pugi::xml_tree_walker {
-    std::string street, number, code, place, country;
+    city::Address address;
     bool for_each(pugi::xml_node& node) override {
       const std::string_view name = local_name(node.name());
       const auto take = [&](std::string& field) {
-        if (field.empty()) field = trim(node.child_value());
+        if (field.empty()) field = city::trim(node.child_value());
       };
-      if (name == "ThoroughfareName") take(street);
-      if (name == "ThoroughfareNumber") take(number);
-      if (name == "PostalCodeNumber") take(code);
-      if (name == "LocalityName") take(place);
-      if (name == "CountryName") take(country);
+      if (name == "ThoroughfareName") take(address.street);
+      if (name == "ThoroughfareNumber") take(address.number);
+      if (name == "PostalCodeNumber") take(address.code);
+      if (name == "LocalityName") take(address.place);
+      if (name == "CountryName") take(address.country);
       return true;
     }
   } found;
   pugi::xml_node(address).traverse(found);
-  const auto joined = [](const std::string& a, const std::string& between, const std::string& b) {
-    return a.empty() || b.empty() ? a + b : a + between + b;
-  };
-  const std::string local =
-      joined(joined(found.street, " ", found.number), ", ", joined(found.code, " ", found.place));
-  return joined(local, ", ", found.country);
+  return city::to_text(found.address);
 }
 
 }  // namespace nightcity::citygml

@@ -9,7 +9,7 @@
 #include "tools/city/merge_parts.h"
 #include "tools/citygml/citygml_schema.h"
 #include "tools/citygml/geometry_walk.h"
-#include "tools/citygml/skip_counter.h"
+#include "tools/city/skip_counter.h"
 
 namespace nightcity::citygml {
 
@@ -23,7 +23,7 @@ class MemberParser {
   /// Returns every city object of the member. What is not used goes to skipped().
   std::vector<city::RawObject> parse();
 
-  const SkipCounter& skipped() const { return skipped_; }
+  const city::SkipCounter& skipped() const { return skipped_; }
   const std::vector<std::string>& unresolved() const { return geometry_.unresolved(); }
 
  private:
@@ -38,7 +38,7 @@ class MemberParser {
 
   pugi::xml_node member_;
   std::size_t line_;
-  SkipCounter skipped_;
+  city::SkipCounter skipped_;
   GeometryWalk geometry_;
 };
 

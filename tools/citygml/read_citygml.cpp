@@ -4,35 +4,11 @@
 #include <vector>
 
 #include "tools/city/byte_source.h"
-#include "tools/city/text_encoding.h"
 #include "tools/citygml/citygml_head.h"
 #include "tools/citygml/libcitygml_reader.h"
 #include "tools/citygml/stream_reader.h"
 
 namespace nightcity::citygml {
-namespace {
-
-void tell_flat_buildings(const std::filesystem::path& file, city::ReadReport& report) {
-  if (report.extruded > 0)
-    report.warnings.push_back(file.string() + ": " + std::to_string(report.extruded) +
-                              " buildings have a footprint alone (LoD0): made blocks of their "
-                              "measured height");
-  if (report.flat > 0)
-    report.warnings.push_back(file.string() + ": " + std::to_string(report.flat) +
-                              " buildings have a footprint alone (LoD0) and no measured height: "
-                              "they are flat");
-}
-
-void make_texts_valid(city::ReadReport& report) {
-  report.srs_name = city::to_valid_utf8(std::move(report.srs_name));
-  for (std::string& warning : report.warnings) warning = city::to_valid_utf8(std::move(warning));
-  std::map<std::string, std::size_t> skipped;
-  for (const auto& [what, count] : report.skipped) skipped[city::to_valid_utf8(what)] += count;
-  report.skipped = std::move(skipped);
-}
-
-}  // namespace
-
 city::ReadReport read_citygml_staged(const std::filesystem::path& file,
                                      const city::ReadOptions& options,
                                      const city::ObjectStage& stage) {
@@ -48,8 +24,7 @@ city::ReadReport read_citygml_staged(const std::filesystem::path& file,
       stage(std::move(one))();
     }));
   }
-  tell_flat_buildings(file, report);
-  make_texts_valid(report);
+  city::finish_report(file, report);
   return report;
 }
 

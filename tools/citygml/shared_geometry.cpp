@@ -33,7 +33,7 @@ void fetch_from(const pugi::xml_node& member, const std::unordered_set<std::stri
     if (library.polygons.contains(id) || room == 0) continue;
     const pugi::xml_node element = ids.find(id);
     if (!element) continue;
-    SkipCounter counted_where_it_stands;
+    city::SkipCounter counted_where_it_stands;
     GeometryWalk walk(member, library, counted_where_it_stands);
     std::vector<city::RawPolygon> raws;
     walk.read_element(element, {}, raws);

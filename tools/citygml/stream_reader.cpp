@@ -66,7 +66,7 @@ class StreamReader {
     require_citygml(splitter.head(), document_.name);
     if (!city::mentions(document_, element)) return;
     MemberBatch batch;
-    SkipCounter textures;
+    city::SkipCounter textures;
     while (splitter.next(batch))
       for (const MemberBatch::Member& member : batch.members) {
         if (member.name != element) continue;

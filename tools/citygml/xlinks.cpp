@@ -1,6 +1,6 @@
 #include "tools/citygml/xlinks.h"
 
-#include "tools/citygml/attributes.h"
+#include "tools/city/attributes.h"
 
 namespace nightcity::citygml {
 
@@ -20,7 +20,7 @@ pugi::xml_node IdIndex::find(std::string_view id) {
       std::unordered_map<std::string_view, pugi::xml_node>& nodes;
       explicit Collector(std::unordered_map<std::string_view, pugi::xml_node>& n) : nodes(n) {}
       bool for_each(pugi::xml_node& node) override {
-        const std::string_view here = trim(find_attribute(node, "id"));
+        const std::string_view here = city::trim(find_attribute(node, "id"));
         if (!here.empty()) nodes.emplace(here, node);
         return true;
       }
@@ -36,9 +36,9 @@ pugi::xml_node IdIndex::find(std::string_view id) {
 std::string GeometryLibrary::name_elsewhere(std::string_view href) const {
   const std::size_t hash = href.find('#');
   if (!neighbours || hash == 0 || hash == std::string_view::npos) return {};
-  const std::filesystem::path file = (folder / trim(href.substr(0, hash))).lexically_normal();
+  const std::filesystem::path file = (folder / city::trim(href.substr(0, hash))).lexically_normal();
   if (!neighbours->contains(file)) return {};
-  return file.string() + "#" + std::string(trim(href.substr(hash + 1)));
+  return file.string() + "#" + std::string(city::trim(href.substr(hash + 1)));
 }
 
 std::pair<std::filesystem::path, std::string> GeometryLibrary::split_name(

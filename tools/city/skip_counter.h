@@ -7,7 +7,7 @@
 #include <string_view>
 #include <unordered_map>
 
-namespace nightcity::citygml {
+namespace nightcity::city {
 
 class SkipCounter {
  public:
@@ -30,4 +30,4 @@ class SkipCounter {
   std::unordered_map<std::string, std::size_t, Hash, std::equal_to<>> counts_;
 };
 
-}  // namespace nightcity::citygml
+}  // namespace nightcity::city

@@ -1,9 +1,10 @@
-#include "tools/citygml/attributes.h"
+#include "tools/city/attributes.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
-namespace nightcity::citygml {
+namespace nightcity::city {
 namespace {
 
 // Producers write 9999, 99999, 999 and their negatives where they mean "not known".
@@ -18,21 +19,21 @@ void append(std::string& field, std::string_view value) {
   field += value;
 }
 
-void set_height(city::CityObject& object, std::string_view value) {
+void set_height(CityObject& object, std::string_view value) {
   constexpr double max_height_m = 5000;
   const auto height = parse_number(value);
   if (height && !is_sentinel(*height) && *height > 0 && *height < max_height_m)
     object.measured_height_m = height;
 }
 
-void set_storeys(city::CityObject& object, std::string_view value) {
+void set_storeys(CityObject& object, std::string_view value) {
   constexpr double max_storeys = 500;
   const auto storeys = parse_number(value);
   if (storeys && !is_sentinel(*storeys) && *storeys >= 0 && *storeys < max_storeys)
     object.storeys_above_ground = static_cast<int>(std::lround(*storeys));
 }
 
-void set_storey_heights(city::CityObject& object, std::string_view value) {
+void set_storey_heights(CityObject& object, std::string_view value) {
   constexpr double max_storey_m = 100;
   while (!(value = trim(value)).empty()) {
     const auto end = std::min(value.find_first_of(" \t\r\n"), value.size());
@@ -60,7 +61,7 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
-bool set_attribute(city::CityObject& object, std::string_view name, std::string_view value) {
+bool set_attribute(CityObject& object, std::string_view name, std::string_view value) {
   value = trim(value);
   if (name == "function")
     append(object.function, value);
@@ -81,4 +82,24 @@ bool set_attribute(city::CityObject& object, std::string_view name, std::string_
   return true;
 }
 
-}  // namespace nightcity::citygml
+void adopt_attributes(CityObject& whole, const CityObject& part) {
+  if (whole.function.empty()) whole.function = part.function;
+  if (whole.usage.empty()) whole.usage = part.usage;
+  if (whole.building_class.empty()) whole.building_class = part.building_class;
+  if (whole.address.empty()) whole.address = part.address;
+  if (whole.year.empty()) whole.year = part.year;
+  if (whole.storey_heights_m.empty()) whole.storey_heights_m = part.storey_heights_m;
+  whole.measured_height_m = std::max(whole.measured_height_m, part.measured_height_m);
+  whole.storeys_above_ground = std::max(whole.storeys_above_ground, part.storeys_above_ground);
+}
+
+std::string to_text(const Address& address) {
+  const auto joined = [](const std::string& a, const std::string& between, const std::string& b) {
+    return a.empty() || b.empty() ? a + b : a + between + b;
+  };
+  const std::string local = joined(joined(address.street, " ", address.number), ", ",
+                                   joined(address.code, " ", address.place));
+  return joined(local, ", ", address.country);
+}
+
+}  // namespace nightcity::city

@@ -8,7 +8,7 @@
 
 #include "tools/city/city_model.h"
 
-namespace nightcity::citygml {
+namespace nightcity::city {
 
 /// Returns `text` without white space at both ends.
 std::string_view trim(std::string_view text);
@@ -20,6 +20,16 @@ std::optional<double> parse_number(std::string_view text);
 /// Sets the field that a standard attribute stands for. `name`: local name in lower case
 /// ("measuredheight"). Returns false when the name stands for no field. Sentinels (9999, -9999 and
 /// the like) leave the field absent. Repeated functions and usages are all kept, with ';' between.
-bool set_attribute(city::CityObject& object, std::string_view name, std::string_view value);
+bool set_attribute(CityObject& object, std::string_view name, std::string_view value);
 
-}  // namespace nightcity::citygml
+/// Takes over what a part says and its building does not. A building is as tall as its tallest part.
+void adopt_attributes(CityObject& whole, const CityObject& part);
+
+/// Parts of an address; "" = absent.
+struct Address {
+  std::string street, number, code, place, country;
+};
+/// Returns "Street 12, 10115 Berlin, Germany", without what is absent.
+std::string to_text(const Address& address);
+
+}  // namespace nightcity::city
