@@ -64,7 +64,7 @@ std::optional<std::string> describe_markup(std::string_view head) {
 }
 
 std::optional<std::string> describe_json(std::string_view head) {
-  if (contains(head, "\"cityjson")) return "is CityJSON, not glTF";
+  if (contains(head, "\"cityjson")) return "is CityJSON, not glTF: bake it first (nightbake run)";
   if (contains(head, "\"geometricerror\""))
     return "is a tileset of 3D Tiles: give one of the .glb files that it names";
   if (contains(head, "\"featurecollection\"")) return "is GeoJSON, not glTF";

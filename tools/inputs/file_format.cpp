@@ -10,6 +10,7 @@
 #include "tools/city/byte_source.h"
 #include "tools/citygml/citygml_head.h"
 #include "tools/citygml/read_citygml.h"
+#include "tools/cityjson/read_cityjson.h"
 #include "tools/inputs/city_files.h"
 #include "tools/inputs/foreign_format.h"
 #include "tools/osm/osm_marks.h"
@@ -26,6 +27,10 @@ bool holds(const FileStart& start, std::string_view text) {
 
 bool is_citygml(const FileStart& start) {
   return citygml::begins_as_citygml(start.bytes);
+}
+
+bool is_cityjson(const FileStart& start) {
+  return cityjson::begins_as_cityjson(start.bytes);
 }
 
 // OSM is published in bzip2, cities are not: a city's name then says so.
@@ -62,7 +67,12 @@ bool is_eulumdat(const FileStart& start) {
 
 constexpr city::FileReader citygml_reader{citygml::read_citygml_head, citygml::read_citygml_staged};
 
+constexpr city::FileReader cityjson_reader{cityjson::read_cityjson_head,
+                                           cityjson::read_cityjson_staged};
+
 constexpr std::array formats{
+    FileFormat{"CityJSON", FileKind::city, is_cityjson, true, cityjson::cityjson_endings,
+               &cityjson_reader},
     FileFormat{"glTF", FileKind::scene, is_gltf},
     FileFormat{"light file", FileKind::lights, is_light_file},
     FileFormat{"OSM", FileKind::osm, is_osm, true},
@@ -129,7 +139,8 @@ std::string find_reason_to_pass_over(const std::filesystem::path& path) {
   const std::string bytes = read_start(documents.front());
   if (const FileFormat* format = recognise({bytes, name, documents.front().packed}))
     return format->kind == FileKind::city ? "" : std::string("is ") + format->name;
-  return find_root_name(bytes).empty() ? "" : explain_foreign(bytes, name);
+  const bool is_text = !find_root_name(bytes).empty() || bytes.starts_with('{');
+  return is_text ? explain_foreign(bytes, name) : "";
 }
 
 }  // namespace nightcity::inputs

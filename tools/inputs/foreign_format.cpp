@@ -44,9 +44,6 @@ struct Words {
 };
 
 constexpr std::array json_words{
-    Words{{"\"CityJSON", ""},
-          "is CityJSON, which is not read yet: turn it into CityGML first (citygml-tools "
-          "from-cityjson)"},
     Words{{"\"osm3s\"", ""}, "is an answer of Overpass in JSON: ask for XML instead ([out:xml])"},
     Words{{"\"elements\"", "\"generator\""},
           "is an answer of Overpass in JSON: ask for XML instead ([out:xml])"},
@@ -104,7 +101,7 @@ std::string explain_json(std::string_view text) {
     const auto holds = [text](std::string_view word) { return text.find(word) != text.npos; };
     if (std::all_of(row.words.begin(), row.words.end(), holds)) return row.explanation;
   }
-  return {};
+  return text.starts_with('{') ? "is JSON of another kind: neither CityJSON nor glTF" : "";
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ bake::BakeOptions read_options(const ElevateArguments& arguments) {
                      "give exactly one OSM file: its lamps get heights and it is written anew");
   if (options.city.files.empty() && arguments.dem.empty() && arguments.service.url.empty())
     throw UsageError(options.city.name(),
-                     "nothing to take heights from: give CityGML, --dem or --service");
+                     "nothing to take heights from: give a city model, --dem or --service");
   return options;
 }
 
@@ -134,7 +134,7 @@ void add_elevate_command(CLI::App& app) {
   auto arguments = std::make_shared<ElevateArguments>();
   command
       ->add_option("input", arguments->inputs,
-                   "One OSM file and the CityGML it belongs to, or a recipe (TOML)")
+                   "One OSM file and the city model it belongs to, or a recipe (TOML)")
       ->required();
   program::add_output_option(*command, arguments->out,
                              "The map with a tag ele on its lamps (.osm, .osm.pbf, ...)");

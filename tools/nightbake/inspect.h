@@ -8,20 +8,22 @@
 #include <glm/vec3.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string>
 
 namespace nightcity::nightbake {
 
 using Inspection = nlohmann::ordered_json;
 
 /// These throw Error as the readers of the files do.
-Inspection inspect_citygml(const std::filesystem::path& file, int max_lod);
+/// `kind`: the name of the city format in lower case ("citygml", "cityjson").
+Inspection inspect_city(const std::filesystem::path& file, const std::string& kind, int max_lod);
 Inspection inspect_osm(const std::filesystem::path& file);
 Inspection inspect_scene(const std::filesystem::path& file);
 Inspection inspect_lights(const std::filesystem::path& file);
 Inspection inspect_luminaire(const std::filesystem::path& file);
 
 /// Returns the common keys, in their order and without values.
-Inspection make_empty_inspection(const char* kind);
+Inspection make_empty_inspection(const std::string& kind);
 
 struct Bounds {
   glm::dvec3 min{std::numeric_limits<double>::infinity()},

@@ -10,8 +10,8 @@
 
 namespace nightcity::nightbake {
 
-Inspection inspect_citygml(const std::filesystem::path& file, int max_lod) {
-  Inspection result = make_empty_inspection("citygml");
+Inspection inspect_city(const std::filesystem::path& file, const std::string& kind, int max_lod) {
+  Inspection result = make_empty_inspection(kind);
   const city::CityHead head = inputs::read_city_head(file);
   // A file with an unknown CRS is inspected too; its coordinates are then taken as they are.
   std::optional<georeference::CityFrame> frame;
@@ -78,8 +78,8 @@ Inspection inspect_citygml(const std::filesystem::path& file, int max_lod) {
                     {"not_triangulated", mesh.not_triangulated}};
   result["warnings"] = report.warnings;
   if (!frame)
-    result["warnings"].push_back(file.string() + ": coordinates are shown as they are in the file: " +
-                                 frame_error);
+    result["warnings"].push_back(file.string() +
+                                 ": coordinates are shown as they are in the file: " + frame_error);
   return result;
 }
 

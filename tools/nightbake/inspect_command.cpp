@@ -1,4 +1,4 @@
-// nightbake inspect: what a CityGML, OSM, glTF, light or luminaire file holds.
+// nightbake inspect: what a CityGML, CityJSON, OSM, glTF, light or luminaire file holds.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -6,6 +6,7 @@
 #include <string>
 
 #include "formats/program/print_json.h"
+#include "formats/to_lower.h"
 #include "tools/inputs/file_format.h"
 #include "tools/nightbake/commands.h"
 #include "tools/nightbake/inspect.h"
@@ -20,9 +21,10 @@ struct InspectArguments {
 };
 
 Inspection inspect(const std::filesystem::path& file, int lod) {
-  switch (inputs::find_format(file).kind) {
+  const inputs::FileFormat& format = inputs::find_format(file);
+  switch (format.kind) {
     case inputs::FileKind::city:
-      return inspect_citygml(file, lod);
+      return inspect_city(file, to_lower(format.name), lod);
     case inputs::FileKind::osm:
       return inspect_osm(file);
     case inputs::FileKind::scene:
@@ -60,14 +62,15 @@ void run(const InspectArguments& arguments) {
 
 void add_inspect_command(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "inspect", "Print what a CityGML, OSM, .glb/.gltf, .lights, IES or EULUMDAT file holds");
+      "inspect",
+      "Print what a CityGML, CityJSON, OSM, .glb/.gltf, .lights, IES or EULUMDAT file holds");
   auto arguments = std::make_shared<InspectArguments>();
   command->add_option("file", arguments->file, "The file; its content decides what kind it is")
       ->required();
   command->add_flag(
       "--json", arguments->json,
       "Print JSON: kind, buildings, polygons, triangles, lights, crs, bbox, skipped, ...");
-  command->add_option("--lod", arguments->lod, "CityGML: the highest level of detail to use")
+  command->add_option("--lod", arguments->lod, "City models: the highest level of detail to use")
       ->capture_default_str()
       ->check(CLI::Range(0, 4));
   command->footer(

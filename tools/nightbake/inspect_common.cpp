@@ -2,7 +2,7 @@
 
 namespace nightcity::nightbake {
 
-Inspection make_empty_inspection(const char* kind) {
+Inspection make_empty_inspection(const std::string& kind) {
   Inspection result;
   result["kind"] = kind;
   for (const char* key : {"buildings", "polygons", "triangles"}) result[key] = nullptr;

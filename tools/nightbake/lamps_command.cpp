@@ -80,7 +80,7 @@ void add_lamps_command(CLI::App& app) {
   command
       ->add_option(
           "input", arguments->inputs,
-          "OSM files (.osm, .osm.pbf, .osm.gz, .osm.bz2), with CityGML for the ground, or a "
+          "OSM files (.osm, .osm.pbf, .osm.gz, .osm.bz2), with a city model for the ground, or a "
           "recipe (TOML)")
       ->required();
   program::add_output_option(
@@ -91,7 +91,7 @@ void add_lamps_command(CLI::App& app) {
                     "has none (a recipe decides this itself)");
   command->add_flag("--json", arguments->json, "Print the report as JSON");
   command->footer(
-      "Without CityGML a lamp stands at the height in its tag ele (nightbake elevate writes it), "
+      "Without a city model a lamp stands at the height in its tag ele (nightbake elevate writes it), "
       "else at 0.\n"
       "Example: nightbake lamps map.osm.pbf city.gml -o lamps.lights");
   command->callback([arguments] { run(*arguments); });

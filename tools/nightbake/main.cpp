@@ -6,7 +6,7 @@ int main(int argc, char** argv) {
   nightcity::program::Program nightbake;
   nightbake.name = "nightbake";
   nightbake.description =
-      "turns open city data (CityGML, OpenStreetMap) into a photometric night scene";
+      "turns open city data (CityGML, CityJSON, OpenStreetMap) into a photometric night scene";
   nightbake.version = NIGHTCITY_VERSION;
   nightbake.exit_codes =
       "0 done; 1 an input is missing, broken or unusable, or an output cannot be "

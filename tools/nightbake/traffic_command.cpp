@@ -99,7 +99,7 @@ void add_traffic_command(CLI::App& app) {
       "hours = [24 shares from noon on] and seed. `nightbake run` makes the same traffic, and "
       "shows "
       "it in city.glb.\n"
-      "Without a map the streets are the centrelines of the model's roads. Without CityGML they "
+      "Without a map the streets are the centrelines of the model's roads. Without a city model they "
       "lie "
       "on a plane at height 0.\n"
       "Examples: nightbake traffic town.toml --out traffic.lights\n"

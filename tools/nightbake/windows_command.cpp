@@ -33,7 +33,7 @@ struct WindowsArguments {
 bake::LightsReport write_windows(const WindowsArguments& arguments) {
   bake::BakeOptions options = bake::to_bake_options(bake::read_inputs(arguments.inputs));
   if (options.city.files.empty())
-    throw UsageError(options.city.name(), "no CityGML among the inputs: windows are on walls");
+    throw UsageError(options.city.name(), "no city model among the inputs: windows are on walls");
   if (arguments.seed_given) options.windows.seed = arguments.seed;
   // First: an output that cannot be written is known before the long work.
   LightFileWriter lights(arguments.out);
@@ -66,7 +66,7 @@ void add_windows_command(CLI::App& app) {
   command
       ->add_option(
           "input", arguments->inputs,
-          "CityGML files and folders, OSM files for the use of buildings, or a recipe (TOML)")
+          "City files and folders, OSM files for the use of buildings, or a recipe (TOML)")
       ->required();
   program::add_output_option(*command, arguments->out, "Light file to write (.lights)")->required();
   auto* seed = command->add_option("--seed", arguments->seed,

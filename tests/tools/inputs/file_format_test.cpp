@@ -39,6 +39,9 @@ TEST(FileFormat, ContentDecidesAndNotTheName) {
   EXPECT_EQ(name_of_format(osm_text, ".gml"), "OSM");
   EXPECT_EQ(name_of_format("glTF\x02", ".gml"), "glTF");
   EXPECT_EQ(name_of_format("  {\"asset\": {}}", ".txt"), "glTF");
+  EXPECT_EQ(name_of_format("{ \"type\" : \"CityJSON\", \"asset\": 1}", ".gltf"), "CityJSON");
+  EXPECT_EQ(name_of_format("{\"vertices\":[],\"CityObjects\":{}}", ".txt"), "CityJSON");
+  EXPECT_EQ(name_of_format("{\"type\":\"CityJSONFeature\"}", ".json"), "CityJSON");
   EXPECT_EQ(name_of_format("NCLIGHTS", ".xml"), "light file");
   EXPECT_EQ(name_of_format("IESNA:LM-63-2002\n", ".txt"), "IES");
   EXPECT_EQ(name_of_format("a lamp\nTILT=NONE\n", ".txt"), "IES");
@@ -101,7 +104,7 @@ TEST(FileFormat, WhatAFileIsNotIsSaidWithTheRemedy) {
            Case{"BZh91AY", ".gml.bz2", "bzip2, which is read for OSM alone"},
            Case{"PK", ".zip", "no zip archive"},
            Case{"hello", ".zip", "no zip archive"},
-           Case{"{\"type\":\"CityJSON\",\"version\":\"2.0\"}", ".json", "is CityJSON"},
+           Case{"{\"recipe\": 1}", ".json", "is JSON of another kind"},
            Case{"{\"version\":0.6,\"generator\":\"Overpass\",\"elements\":[]}", ".json",
                 "[out:xml]"},
            Case{"{\"asset\":{},\"geometricError\":1,\"root\":{}}", ".json", "3D Tiles"},
@@ -126,6 +129,7 @@ TEST(CityFiles, OtherFilesInAFolderArePassedOver) {
   EXPECT_THROW(city_files(folder), Error);
   std::ofstream(folder / "city.gml") << city_text;
   std::ofstream(folder / "map.xml") << osm_text;
+  std::ofstream(folder / "bake_report.json") << "{\"lamps\": 3}";
   EXPECT_EQ(city_files(folder), std::vector<std::filesystem::path>{folder / "city.gml"});
   std::filesystem::remove_all(folder);
 }

@@ -159,7 +159,7 @@ std::string costs_in_words(const BakeReport& report) {
   const double total = total_seconds(report);
   std::string text = report_line(
       "time",
-      fmt::format("{:.1f} s ({:.1f} MB/s of CityGML): {}", total,
+      fmt::format("{:.1f} s ({:.1f} MB/s of the model): {}", total,
                   total > 0 ? static_cast<double>(report.input_bytes) / 1e6 / total : 0.0, stages));
   if (!report.stages.empty())
     text += report_line("memory", fmt::format("{:.0f} MB at most", report.stages.back().peak_mb));

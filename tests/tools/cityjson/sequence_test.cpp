@@ -1,0 +1,98 @@
+// CityJSONSeq: a line of what features share, then a feature a line.
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include "formats/error.h"
+#include "tests/tools/cityjson/read_text.h"
+#include "tests/tools/cityjson/small_cityjson.h"
+
+namespace nightcity::cityjson {
+namespace {
+
+using namespace test;
+
+std::string error_of(const std::string& text) {
+  try {
+    read_city(text);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "read";
+}
+
+TEST(CityJsonSeq, EachLineIsAFeatureWithItsOwnVertices) {
+  std::string text = header();
+  for (int i = 0; i < 5000; ++i) {
+    const std::string id = "b" + std::to_string(i);
+    text += feature(id, object(id, "Building", "", "\"children\":[\"" + id + "-p\"]") + "," +
+                            object(id + "-p", "BuildingPart", solid("\"2.2\"", box_semantics()),
+                                   "\"parents\":[\"" + id + "\"]"));
+    if (i % 100 == 0) text += "\r\n";
+  }
+  for (const unsigned threads : {1u, 0u}) {
+    city::ReadOptions options;
+    options.threads = threads;
+    const ReadCity read = read_city(text, options);
+    ASSERT_EQ(read.objects.size(), 5000u);
+    for (std::size_t i = 0; i < read.objects.size(); ++i) {
+      EXPECT_EQ(read.objects[i].id, "b" + std::to_string(i));
+      EXPECT_NEAR(volume(read.objects[i]), 24, 1e-9);
+    }
+    EXPECT_EQ(read.report.srs_name, "EPSG:7415");
+    EXPECT_EQ(read.report.version, "2.0");
+    EXPECT_EQ(read.report.objects, 5000u);
+  }
+}
+
+TEST(CityJsonSeq, AFeatureMayHaveAnAppearanceOfItsOwn) {
+  const auto appearance = [](const char* colour) {
+    return std::string("\"appearance\":{\"materials\":[{\"diffuseColor\":") + colour + "}]}";
+  };
+  const std::string painted =
+      object("a", "Building", solid("\"2\"", "\"material\":{\"\":{\"value\":0}}"));
+  const ReadCity read = read_city(header(appearance("[1,0,0]")) + feature("a", painted) +
+                                  feature("a", painted, appearance("[0,1,0]")));
+  EXPECT_EQ(read.objects[0].polygons[0].diffuse_colour, glm::vec3(1, 0, 0));
+  EXPECT_EQ(read.objects[1].polygons[0].diffuse_colour, glm::vec3(0, 1, 0));
+}
+
+TEST(CityJsonSeq, TheHeadComesFromTheFirstFeatures) {
+  std::string text = header();
+  for (int i = 0; i < 500; ++i) text += feature("a", object("a", "Building", solid()));
+  const TemporaryFile file(text + "{broken", ".city.jsonl");
+  const city::CityHead head = read_cityjson_head(file.path());
+  EXPECT_EQ(head.srs_name, "EPSG:7415");
+  EXPECT_GE(head.sample.size(), 4096u);
+  EXPECT_LT(head.sample.size(), 5000u) << "it stops when it has enough";
+  EXPECT_EQ(head.sample[0], glm::dvec3(10, 20, 30));
+}
+
+TEST(CityJsonSeq, IsReadGzippedToo) {
+  const std::string text = header() + feature("a", object("a", "Building", solid()));
+  const TemporaryFile file("", ".jsonl.gz");
+  const gzFile out = gzopen(file.path().c_str(), "wb");
+  gzwrite(out, text.data(), static_cast<unsigned>(text.size()));
+  gzclose(out);
+  int objects = 0;
+  const city::ObjectSink count = [&](city::CityObject&&) { ++objects; };
+  read_cityjson_staged(file.path(), {}, city::deliver_to(count));
+  EXPECT_EQ(objects, 1);
+}
+
+TEST(CityJsonSeq, ErrorsNameTheLine) {
+  const std::string good = feature("a", object("a", "Building", solid()));
+  EXPECT_NE(error_of(header() + good + "{\"type\":\"CityJSONFeature\",\n").find(":3: not JSON"),
+            std::string::npos);
+  EXPECT_NE(error_of(header() + good + header()).find(":3: a second \"CityJSON\""),
+            std::string::npos);
+  EXPECT_NE(error_of(header() + good + "[1]\n").find(":3: is no CityJSONFeature"),
+            std::string::npos);
+  EXPECT_NE(error_of(header() + "{\"type\":\"Feature\"}\n").find(":2: is no CityJSONFeature"),
+            std::string::npos);
+  EXPECT_NE(error_of(good + good).find(":1: is no CityJSON: its \"type\" is \"CityJSONFeature\""),
+            std::string::npos);
+  EXPECT_NE(error_of(good).find("needs a first line of type"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace nightcity::cityjson

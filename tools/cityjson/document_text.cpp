@@ -1,0 +1,100 @@
+#include "tools/cityjson/document_text.h"
+
+#include <simdjson.h>
+
+#include <algorithm>
+
+#include "formats/error.h"
+#include "tools/city/text_encoding.h"
+#include "tools/cityjson/document_index.h"
+
+namespace nightcity::cityjson {
+namespace {
+
+constexpr std::size_t block_bytes = std::size_t{1} << 20;
+// The first line of a CityJSONSeq holds no city object; one longer than this is a CityJSON.
+constexpr std::size_t max_first_line = std::size_t{64} << 20;
+// simdjson parses no more than 4 GB at once.
+constexpr std::size_t max_line = std::size_t{2} << 30;
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+bool is_blank(std::string_view text) {
+  return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+}
+
+bool begins_sequence(std::string_view text) {
+  const std::string_view start = text.substr(0, max_first_line);
+  const std::size_t end = ValueEnd().find(start);
+  return end != std::string_view::npos && !is_blank(text.substr(end));
+}
+
+}  // namespace
+
+DocumentText::DocumentText(const city::Document& document, bool on_disk) {
+  if (on_disk) {
+    mapped_.emplace(document.name);
+    const auto bytes = mapped_->bytes();
+    text_ = {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+    if (city::begins_as_utf16(text_.substr(0, 4))) {
+      mapped_.reset();
+      hold(document);
+    }
+  } else {
+    hold(document);
+  }
+  if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
+  is_sequence_ = is_sequence_ || begins_sequence(text_);
+}
+
+void DocumentText::hold(const city::Document& document) {
+  const auto source = document.open();
+  bool looked = false;
+  for (;;) {
+    const std::size_t size = held_.size();
+    held_.resize(size + block_bytes);
+    const std::size_t got = source->read(held_.data() + size, block_bytes);
+    held_.resize(size + got);
+    if (got == 0) break;
+    // Looked at once, early: a long CityJSONSeq must not be read to its end for this.
+    if (looked || held_.size() < 4 * block_bytes) continue;
+    looked = true;
+    is_sequence_ = begins_sequence(held_);
+    if (is_sequence_) break;
+  }
+  text_ = held_;
+}
+
+std::optional<LineReader::Lines> LineReader::next() {
+  if (at_end_) return {};
+  Lines lines;
+  lines.bytes = std::move(rest_);
+  rest_.clear();
+  lines.first_line = line_;
+  std::size_t end = std::string::npos;  // behind the last line feed
+  while (end == std::string::npos) {
+    const std::size_t size = lines.bytes.size();
+    if (size > max_line) throw Error(name_, line_, "a line of more than 2 GB");
+    const std::size_t wanted = std::max(block_bytes, size);
+    lines.bytes.resize(size + wanted);
+    const std::size_t got = source_->read(lines.bytes.data() + size, wanted);
+    lines.bytes.resize(size + got);
+    if (got == 0) {
+      at_end_ = true;
+      end = lines.bytes.size();
+    } else if (const auto feed = std::string_view(lines.bytes).substr(size).rfind('\n');
+               feed != std::string_view::npos) {
+      end = size + feed + 1;
+    }
+  }
+  rest_.assign(lines.bytes, end);
+  line_ += static_cast<std::size_t>(std::count(
+      lines.bytes.begin(), lines.bytes.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
+  lines.bytes.resize(end);
+  lines.size = end;
+  lines.bytes.resize(end + simdjson::SIMDJSON_PADDING, ' ');
+  if (lines.first_line == 1 && std::string_view(lines.bytes).starts_with(byte_order_mark))
+    std::fill_n(lines.bytes.begin(), byte_order_mark.size(), ' ');
+  return lines;
+}
+
+}  // namespace nightcity::cityjson

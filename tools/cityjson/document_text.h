@@ -1,0 +1,58 @@
+// The text of a CityJSON file, and which of the two forms it has.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "formats/mapped_file.h"
+#include "tools/city/byte_source.h"
+
+namespace nightcity::cityjson {
+
+/// A document as a whole: mapped where it lies plain in a file, else held in memory.
+class DocumentText {
+ public:
+  /// `on_disk`: the document is a plain file of that name. Throws Error where it cannot be read.
+  DocumentText(const city::Document& document, bool on_disk);
+
+  /// Returns whether the document is a CityJSONSeq: a JSON value on its first line, and more behind
+  /// it. Its text is then not held, so that memory does not grow with it.
+  bool is_sequence() const { return is_sequence_; }
+  std::string_view text() const { return text_; }
+
+ private:
+  void hold(const city::Document& document);
+
+  std::optional<MappedFile> mapped_;
+  std::string held_;
+  std::string_view text_;
+  bool is_sequence_ = false;
+};
+
+/// Reads the lines of a document, many at a time.
+class LineReader {
+ public:
+  explicit LineReader(const city::Document& document)
+      : name_(document.name), source_(document.open()) {}
+
+  /// Whole lines, followed by `padding` bytes that belong to none.
+  struct Lines {
+    std::string bytes;
+    std::size_t size = 0;
+    std::size_t first_line = 1;  // in the file
+  };
+  /// Returns none at the end. Throws Error where the document cannot be read or a line is too long.
+  std::optional<Lines> next();
+
+ private:
+  std::string name_;
+  std::unique_ptr<city::ByteSource> source_;
+  std::string rest_;  // of a line whose end has not been read
+  std::size_t line_ = 1;
+  bool at_end_ = false;
+};
+
+}  // namespace nightcity::cityjson

@@ -1,0 +1,316 @@
+#include "tools/cityjson/geometry_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "formats/finite.h"
+#include "tools/city/attributes.h"
+#include "tools/city/ring.h"
+#include "tools/cityjson/cityjson_types.h"
+
+namespace nightcity::cityjson {
+namespace {
+
+// Polygons that one object may make by templates: a few shapes placed often must not fill the
+// memory.
+constexpr std::size_t max_placed_polygons = 1'000'000;
+
+// Returns how deep surfaces lie in "boundaries"; none for geometry without surfaces.
+std::optional<int> find_surface_depth(std::string_view type) {
+  if (type == "MultiSurface" || type == "CompositeSurface") return 0;
+  if (type == "Solid") return 1;
+  if (type == "MultiSolid" || type == "CompositeSolid") return 2;
+  return {};
+}
+
+// A geometry's level of detail: a number in CityJSON 1.0, a text since 1.1.
+std::optional<double> find_lod(const dom::object& geometry) {
+  const auto value = find_member(geometry, "lod");
+  if (!value) return {};
+  const auto lod = city::parse_number(to_text(*value));
+  return lod && *lod >= 0 && *lod < 10 ? lod : std::nullopt;
+}
+
+std::size_t count_at(const dom::element& boundaries, int depth) {
+  dom::array array;
+  if (boundaries.get(array) != simdjson::SUCCESS) return 0;
+  if (depth == 0) return array.size();
+  std::size_t count = 0;
+  for (const dom::element& child : array) count += count_at(child, depth - 1);
+  return count;
+}
+
+std::size_t count_polygons(const dom::object& geometry) {
+  const auto depth = find_surface_depth(find_text(geometry, "type"));
+  const auto boundaries = find_member(geometry, "boundaries");
+  return depth && boundaries ? count_at(*boundaries, *depth) : 0;
+}
+
+// Steps through an array of values that belong to others; gives null where there is none.
+class Alongside {
+ public:
+  explicit Alongside(const dom::element* values) {
+    dom::array array;
+    if (!values || values->get(array) != simdjson::SUCCESS) return;
+    next_ = array.begin();
+    end_ = array.end();
+    valid_ = true;
+  }
+  const dom::element* take() {
+    if (!valid_ || !(next_ != end_)) return nullptr;
+    value_ = *next_;
+    ++next_;
+    return &value_;
+  }
+
+ private:
+  dom::array::iterator next_{}, end_{};
+  dom::element value_{};
+  bool valid_ = false;
+};
+
+}  // namespace
+
+std::size_t count_polygons(const dom::array& geometries) {
+  std::size_t count = 0;
+  for (const dom::element& element : geometries)
+    if (dom::object geometry; element.get(geometry) == simdjson::SUCCESS)
+      count += count_polygons(geometry);
+  return count;
+}
+
+void list_rings(const dom::element& boundaries, std::vector<std::vector<std::size_t>>& rings) {
+  dom::array array;
+  if (boundaries.get(array) != simdjson::SUCCESS) return;
+  std::vector<std::size_t> ring;
+  for (const dom::element& child : array) {
+    if (const auto index = to_index(child))
+      ring.push_back(*index);
+    else
+      list_rings(child, rings);  // no deeper than simdjson lets a document be
+  }
+  if (!ring.empty()) rings.push_back(std::move(ring));
+}
+
+void GeometryReader::read(const dom::array& geometries, std::uint32_t space,
+                          city::SurfaceType surface, std::vector<city::RawPolygon>& out) {
+  placed_polygons_ = 0;
+  std::map<int, double> finest;
+  for (const dom::element& element : geometries)
+    if (dom::object geometry; element.get(geometry) == simdjson::SUCCESS)
+      if (const auto lod = find_lod(geometry)) {
+        const auto [at, is_new] = finest.try_emplace(static_cast<int>(*lod), *lod);
+        at->second = std::max(at->second, *lod);
+      }
+  for (const dom::element& element : geometries) {
+    dom::object geometry;
+    if (element.get(geometry) != simdjson::SUCCESS) {
+      skipped_.add("geometry that is no object");
+      continue;
+    }
+    Context context;
+    context.vertices = sources_.vertices;
+    context.space = space;
+    context.surface = surface;
+    if (const auto lod = find_lod(geometry)) {
+      context.lod = static_cast<int>(*lod);
+      if (*lod < finest[context.lod]) {
+        skipped_.add("polygon: a refined LoD, a finer one taken", count_polygons(geometry));
+        continue;
+      }
+    }
+    if (find_text(geometry, "type") == "GeometryInstance")
+      read_instance(geometry, context, out);
+    else
+      read_geometry(geometry, std::move(context), out);
+  }
+}
+
+void GeometryReader::read_geometry(const dom::object& geometry, Context context,
+                                   std::vector<city::RawPolygon>& out) {
+  const std::string_view type = find_text(geometry, "type");
+  const auto depth = find_surface_depth(type);
+  const auto boundaries = find_member(geometry, "boundaries");
+  if (!depth || !boundaries) {
+    skipped_.add(type.empty() ? "geometry without a type" : type);
+    return;
+  }
+  if (const auto texture = find_object(geometry, "texture"); texture && texture->size() > 0)
+    skipped_.add("texture of a geometry");
+  read_semantics(geometry, context);
+  std::optional<dom::element> values;
+  if (const auto semantics = find_object(geometry, "semantics"))
+    values = find_member(*semantics, "values");
+  std::optional<dom::element> materials;
+  if (const auto themes = find_object(geometry, "material")) {
+    std::optional<dom::object> theme =
+        find_object(*themes, sources_.materials ? sources_.materials->default_theme : "");
+    for (const auto& [name, value] : *themes)
+      if (dom::object other; !theme && value.get(other) == simdjson::SUCCESS) theme = other;
+    if (theme) {
+      materials = find_member(*theme, "values");
+      if (const auto one = find_member(*theme, "value")) context.colour = find_colour(*one);
+    }
+  }
+  walk(*boundaries, values ? &*values : nullptr, materials ? &*materials : nullptr, *depth, context,
+       out);
+}
+
+void GeometryReader::read_semantics(const dom::object& geometry, Context& context) {
+  const auto semantics = find_object(geometry, "semantics");
+  const auto surfaces = semantics ? find_array(*semantics, "surfaces") : std::nullopt;
+  if (!surfaces) return;
+  for (const dom::element& element : *surfaces) {
+    Semantics& one = context.semantics.emplace_back();
+    one.surface = context.surface;
+    dom::object surface;
+    if (element.get(surface) != simdjson::SUCCESS) continue;
+    const std::string_view type = find_text(surface, "type");
+    const auto known = find_surface_class(type);
+    if (!known) {
+      skipped_.add("surface type " + std::string(type));
+      continue;
+    }
+    if (known->surface != city::SurfaceType::unknown) one.surface = known->surface;
+    one.interior = known->interior;
+    if (one.surface != city::SurfaceType::traffic_area) continue;
+    const auto function = find_member(surface, "function");
+    const auto code = function ? city::parse_number(to_text(*function)) : std::nullopt;
+    if (code && *code >= 1 && *code <= 65535) one.area_function = static_cast<std::uint16_t>(*code);
+  }
+}
+
+const glm::vec3* GeometryReader::find_colour(const dom::element& index) const {
+  const auto at = to_index(index);
+  if (!at || !sources_.materials || *at >= sources_.materials->colours.size()) return nullptr;
+  const std::optional<glm::vec3>& colour = sources_.materials->colours[*at];
+  return colour ? &*colour : nullptr;
+}
+
+void GeometryReader::walk(const dom::element& boundaries, const dom::element* semantics,
+                          const dom::element* materials, int depth, const Context& context,
+                          std::vector<city::RawPolygon>& out) {
+  dom::array children;
+  if (boundaries.get(children) != simdjson::SUCCESS) {
+    skipped_.add("boundaries that are no array");
+    return;
+  }
+  Alongside semantics_of(semantics), materials_of(materials);
+  for (const dom::element& child : children) {
+    const dom::element *meaning = semantics_of.take(), *material = materials_of.take();
+    if (depth == 0)
+      read_surface(child, meaning, material, context, out);
+    else
+      walk(child, meaning, material, depth - 1, context, out);
+  }
+}
+
+const char* GeometryReader::read_ring(const dom::element& indices,
+                                      std::span<const glm::dvec3> vertices,
+                                      city::Ring& ring) const {
+  dom::array array;
+  if (indices.get(array) != simdjson::SUCCESS) return "ring that is no array";
+  ring.reserve(array.size());
+  for (const dom::element& value : array) {
+    const auto index = to_index(value);
+    if (!index) return "ring with a vertex number that is none";
+    if (*index >= vertices.size()) return "ring with a vertex that is not in the file";
+    ring.push_back(vertices[*index]);
+    if (!finite(ring.back())) return "ring with coordinates that are no numbers";
+  }
+  while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
+  return ring.size() < 3 ? "ring of fewer than three vertices" : nullptr;
+}
+
+void GeometryReader::read_surface(const dom::element& rings, const dom::element* semantics,
+                                  const dom::element* material, const Context& context,
+                                  std::vector<city::RawPolygon>& out) {
+  city::Polygon polygon;
+  polygon.surface = context.surface;
+  if (semantics && !semantics->is_null()) {
+    const auto index = to_index(*semantics);
+    if (!index || *index >= context.semantics.size()) {
+      skipped_.add("semantics of a surface that is not there");
+    } else {
+      const Semantics& meaning = context.semantics[*index];
+      if (meaning.interior) return skipped_.add("polygon: inside a building");
+      polygon.surface = meaning.surface;
+      polygon.area_function = meaning.area_function;
+    }
+  }
+  const glm::vec3* colour = material ? find_colour(*material) : nullptr;
+  if (!colour) colour = context.colour;
+  if (colour) polygon.diffuse_colour = *colour;
+  dom::array array;
+  if (rings.get(array) != simdjson::SUCCESS || array.size() == 0)
+    return skipped_.add("polygon: without rings");
+  bool outer = true;
+  for (const dom::element& element : array) {
+    city::Ring ring;
+    const char* fault = read_ring(element, context.vertices, ring);
+    if (outer && fault) return skipped_.add("polygon: " + std::string(fault));
+    if (fault)
+      skipped_.add("hole: " + std::string(fault));
+    else if (outer)
+      polygon.exterior = std::move(ring);
+    else
+      polygon.interiors.push_back(std::move(ring));
+    outer = false;
+  }
+  if (context.vertices.data() == sources_.vertices.data() && city::has_sentinel_height(polygon))
+    return skipped_.add("polygon: at a height that stands for none (-9999 and the like)");
+  out.push_back({std::move(polygon), context.lod, context.space});
+}
+
+// A template placed by a 4 x 4 matrix, in rows, and a reference point added to it.
+void GeometryReader::read_instance(const dom::object& geometry, const Context& context,
+                                   std::vector<city::RawPolygon>& out) {
+  const auto number = find_member(geometry, "template");
+  const auto index = number ? to_index(*number) : std::nullopt;
+  if (!index || *index >= sources_.shared->templates.size() || !sources_.shared->templates[*index])
+    return skipped_.add("template that is not there");
+  const dom::object& shape = *sources_.shared->templates[*index];
+
+  std::vector<std::vector<std::size_t>> places;
+  if (const auto boundaries = find_member(geometry, "boundaries")) list_rings(*boundaries, places);
+  if (places.size() != 1 || places[0].size() != 1 || places[0][0] >= sources_.vertices.size() ||
+      !finite(sources_.vertices[places[0][0]]))
+    return skipped_.add("template placed nowhere");
+  glm::dmat4 matrix(1.0);
+  if (const auto rows = find_array(geometry, "transformationMatrix")) {
+    int count = 0;
+    for (const dom::element& value : *rows) {
+      const auto entry = to_number(value);
+      if (!entry || count == 16) return skipped_.add("template with a matrix that is none");
+      matrix[count % 4][count / 4] = *entry;
+      ++count;
+    }
+    if (count != 16) return skipped_.add("template with a matrix that is none");
+  }
+  const glm::dvec3& reference = sources_.vertices[places[0][0]];
+  matrix[3] += glm::dvec4(reference, 0.0);
+
+  placed_polygons_ += count_polygons(shape);
+  if (placed_polygons_ > max_placed_polygons)
+    return skipped_.add("templates: more polygons than an object may have");
+  Context placed = context;
+  placed.vertices = sources_.shared->template_vertices;
+  if (const auto lod = find_lod(shape)) placed.lod = static_cast<int>(*lod);
+  const std::size_t first = out.size();
+  read_geometry(shape, std::move(placed), out);
+  const auto place = [&](city::Ring& ring) {
+    for (glm::dvec3& p : ring) p = glm::dvec3(matrix * glm::dvec4(p, 1.0));
+  };
+  for (std::size_t i = first; i < out.size(); ++i) {
+    place(out[i].polygon.exterior);
+    for (city::Ring& ring : out[i].polygon.interiors) place(ring);
+  }
+}
+
+}  // namespace nightcity::cityjson

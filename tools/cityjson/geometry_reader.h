@@ -1,0 +1,78 @@
+// Turns the geometries of a city object into polygons.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "tools/city/merge_parts.h"
+#include "tools/city/skip_counter.h"
+#include "tools/cityjson/shared_parts.h"
+
+namespace nightcity::cityjson {
+
+/// What geometries refer to.
+struct GeometrySources {
+  std::span<const glm::dvec3> vertices;  // in the city's CRS
+  const SharedParts* shared = nullptr;
+  const Materials* materials = nullptr;  // of the document, or of the feature's own appearance
+};
+
+class GeometryReader {
+ public:
+  GeometryReader(const GeometrySources& sources, city::SkipCounter& skipped)
+      : sources_(sources), skipped_(skipped) {}
+
+  /// Adds every polygon of a city object's "geometry" to `out`. Of several refined levels of detail
+  /// of one level (1.2 and 1.3) the finest is taken. `surface`: of polygons without semantics.
+  /// Counts what cannot be used.
+  void read(const dom::array& geometries, std::uint32_t space, city::SurfaceType surface,
+            std::vector<city::RawPolygon>& out);
+
+ private:
+  // A polygon's semantic surface.
+  struct Semantics {
+    city::SurfaceType surface = city::SurfaceType::unknown;
+    std::uint16_t area_function = 0;
+    bool interior = false;
+  };
+  struct Context {
+    std::span<const glm::dvec3> vertices;
+    int lod = -1;
+    std::uint32_t space = 0;
+    city::SurfaceType surface = city::SurfaceType::unknown;
+    std::vector<Semantics> semantics;
+    const glm::vec3* colour = nullptr;  // of the whole geometry
+  };
+
+  void read_geometry(const dom::object& geometry, Context context,
+                     std::vector<city::RawPolygon>& out);
+  void read_instance(const dom::object& geometry, const Context& context,
+                     std::vector<city::RawPolygon>& out);
+  void read_semantics(const dom::object& geometry, Context& context);
+  const glm::vec3* find_colour(const dom::element& index) const;
+  void walk(const dom::element& boundaries, const dom::element* semantics,
+            const dom::element* materials, int depth, const Context& context,
+            std::vector<city::RawPolygon>& out);
+  void read_surface(const dom::element& rings, const dom::element* semantics,
+                    const dom::element* material, const Context& context,
+                    std::vector<city::RawPolygon>& out);
+  /// Returns why the ring cannot be used, null where it can.
+  const char* read_ring(const dom::element& indices, std::span<const glm::dvec3> vertices,
+                        city::Ring& ring) const;
+
+  GeometrySources sources_;
+  city::SkipCounter& skipped_;
+  std::size_t placed_polygons_ = 0;  // of templates, by this object
+};
+
+/// Returns the number of polygons in a city object's "geometry".
+std::size_t count_polygons(const dom::array& geometries);
+
+/// Adds the vertex numbers of each ring below `boundaries`, whatever kind of geometry it is.
+void list_rings(const dom::element& boundaries, std::vector<std::vector<std::size_t>>& rings);
+
+}  // namespace nightcity::cityjson

@@ -1,0 +1,121 @@
+#include "tools/cityjson/object_reader.h"
+
+#include <string>
+
+#include "tools/city/attributes.h"
+
+namespace nightcity::cityjson {
+namespace {
+
+// Returns a value as text; an array's values with blanks between, as CityGML writes lists.
+std::string to_list_text(const dom::element& value) {
+  dom::array array;
+  if (value.get(array) != simdjson::SUCCESS) return to_text(value);
+  std::string text;
+  for (const dom::element& one : array) {
+    const std::string word = to_text(one);
+    if (!word.empty()) text += (text.empty() ? "" : " ") + word;
+  }
+  return text;
+}
+
+void read_attributes(const dom::object& object, city::CityObject& said,
+                     city::SkipCounter& skipped) {
+  const auto attributes = find_object(object, "attributes");
+  if (!attributes) return;
+  std::size_t others = 0;
+  for (const auto& [name, value] : *attributes) {
+    const std::string_view field = find_attribute_field(name);
+    dom::array values;
+    const bool repeats = field == "function" || field == "usage" || field == "class";
+    if (field.empty()) {
+      others += !value.is_null();
+    } else if (repeats && value.get(values) == simdjson::SUCCESS) {
+      for (const dom::element& one : values) city::set_attribute(said, field, to_text(one));
+    } else {
+      city::set_attribute(said, field, to_list_text(value));
+    }
+  }
+  if (others > 0) skipped.add("attribute", others);
+}
+
+// Addresses have free keys since CityJSON 1.1; these are those of the specification's examples.
+std::string read_address(const dom::element& value) {
+  dom::object address;
+  if (dom::array several; value.get(several) == simdjson::SUCCESS) {
+    if (several.size() == 0) return {};
+    return read_address(*several.begin());
+  }
+  if (value.get(address) != simdjson::SUCCESS) return {};
+  const auto first_of = [&](std::initializer_list<std::string_view> keys) -> std::string {
+    for (const std::string_view key : keys)
+      if (const auto found = find_member(address, key)) return to_text(*found);
+    return {};
+  };
+  return city::to_text(
+      city::Address{first_of({"ThoroughfareName", "thoroughfareName", "street"}),
+                    first_of({"ThoroughfareNumber", "thoroughfareNumber", "number"}),
+                    first_of({"PostalCode", "Postcode", "PostalCodeNumber", "postalCode"}),
+                    first_of({"LocalityName", "Locality", "localityName", "city"}),
+                    first_of({"CountryName", "Country", "countryName", "country"})});
+}
+
+void count_skipped(const GroupMember& member, const char* why, city::SkipCounter& skipped) {
+  const std::string_view type = find_text(member.object, "type");
+  skipped.add(type.empty() ? "object without a type" : type);
+  const auto geometries = find_array(member.object, "geometry");
+  const std::size_t polygons = geometries ? count_polygons(*geometries) : 0;
+  if (polygons > 0) skipped.add(why, polygons);
+}
+
+void read_member(const GroupMember& member, std::uint32_t space, GeometryReader& geometry,
+                 city::RawObject& raw, city::SkipCounter& skipped) {
+  if (member.what.role == ObjectRole::top || member.what.role == ObjectRole::part) {
+    city::CityObject said;
+    read_attributes(member.object, said, skipped);
+    if (const auto address = find_member(member.object, "address"))
+      said.address = read_address(*address);
+    city::adopt_attributes(raw.object, said);
+  }
+  if (const auto geometries = find_array(member.object, "geometry"))
+    geometry.read(*geometries, space, member.what.surface, raw.polygons);
+}
+
+}  // namespace
+
+std::optional<city::RawObject> read_object(std::span<const GroupMember> group,
+                                           const GeometrySources& sources,
+                                           city::SkipCounter& skipped) {
+  const GroupMember& root = group.front();
+  switch (root.what.role) {
+    case ObjectRole::top:
+    case ObjectRole::part:
+    case ObjectRole::detail:
+      break;
+    case ObjectRole::interior:
+      count_skipped(root, "polygon: inside a building", skipped);
+      return {};
+    case ObjectRole::group:
+    case ObjectRole::unknown:
+      count_skipped(root, "polygon: of an extension's object", skipped);
+      return {};
+  }
+  city::RawObject raw;
+  raw.object.id = root.id;
+  raw.object.class_name = find_text(root.object, "type");
+  raw.object.type = root.what.type;
+  GeometryReader geometry(sources, skipped);
+  read_member(root, 0, geometry, raw, skipped);
+  for (const GroupMember& member : group.subspan(1)) {
+    if (member.what.role == ObjectRole::interior) {
+      count_skipped(member, "polygon: inside a building", skipped);
+      continue;
+    }
+    const auto space = static_cast<std::uint32_t>(raw.spaces.size());
+    raw.spaces.push_back({member.what.role == ObjectRole::detail});
+    read_member(member, space, geometry, raw, skipped);
+  }
+  return raw;
+}
+
+}  // namespace nightcity::cityjson

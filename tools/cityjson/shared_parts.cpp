@@ -1,0 +1,126 @@
+#include "tools/cityjson/shared_parts.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "formats/error.h"
+#include "formats/to_lower.h"
+
+namespace nightcity::cityjson {
+namespace {
+
+std::optional<glm::vec3> read_colour(const dom::element& material) {
+  dom::object object;
+  if (material.get(object) != simdjson::SUCCESS) return {};
+  const auto value = find_member(object, "diffuseColor");
+  if (!value) return {};
+  const auto colour = to_vector(*value);
+  if (!colour) return {};
+  for (int i = 0; i < 3; ++i)
+    if (!((*colour)[i] >= 0 && (*colour)[i] <= 1)) return {};
+  return glm::vec3(*colour);
+}
+
+// Zero where the member is absent or holds no three numbers.
+glm::dvec3 find_vector(const dom::object& object, std::string_view key) {
+  const auto value = find_member(object, key);
+  return value ? to_vector(*value).value_or(glm::dvec3(0)) : glm::dvec3(0);
+}
+
+Transform read_transform(const dom::element& value, const std::string& where) {
+  dom::object object;
+  if (value.get(object) == simdjson::SUCCESS && find_array(object, "translate")) {
+    const Transform transform{find_vector(object, "scale"), find_vector(object, "translate")};
+    const glm::dvec3& scale = transform.scale;
+    if (scale.x != 0 && scale.y != 0 && scale.z != 0) return transform;
+  }
+  throw Error(where, "\"transform\" needs \"scale\" and \"translate\" of three numbers each");
+}
+
+bool is_digits(std::string_view text) {
+  return !text.empty() &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+}  // namespace
+
+std::string to_srs_name(std::string_view name) {
+  const std::string lower = to_lower(name);
+  const std::size_t authority = lower.find("epsg");
+  const bool compound = name.find(',') != std::string_view::npos;
+  if (authority == std::string::npos || compound) return std::string(name);
+  const std::size_t last = name.find_last_of(":/#");
+  const std::string_view code = last == std::string_view::npos ? name : name.substr(last + 1);
+  return is_digits(code) ? "EPSG:" + std::string(code) : std::string(name);
+}
+
+std::vector<glm::dvec3> read_vertices(const dom::array& array, const Transform& transform) {
+  std::vector<glm::dvec3> vertices;
+  vertices.reserve(array.size());
+  for (const dom::element& value : array) {
+    const auto stored = to_vector(value);
+    vertices.push_back(stored ? transform.apply(*stored)
+                              : glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+  }
+  return vertices;
+}
+
+void Materials::read(const dom::object& appearance, city::SkipCounter& skipped) {
+  default_theme = find_text(appearance, "default-theme-material");
+  if (const auto materials = find_array(appearance, "materials"))
+    for (const dom::element& material : *materials) colours.push_back(read_colour(material));
+  if (const auto textures = find_array(appearance, "textures"); textures && textures->size() > 0)
+    skipped.add("texture", textures->size());
+}
+
+void SharedParts::read_templates(const dom::object& value) {
+  if (const auto vertices = find_array(value, "vertices-templates"))
+    template_vertices = read_vertices(*vertices, {});
+  const auto array = find_array(value, "templates");
+  if (!array) return;
+  for (const dom::element& element : *array) {
+    dom::object geometry;
+    if (element.get(geometry) == simdjson::SUCCESS)
+      templates.emplace_back(geometry);
+    else
+      templates.emplace_back();
+  }
+}
+
+void SharedParts::read(std::string_view key, const dom::element& value, const std::string& where,
+                       city::SkipCounter& skipped) {
+  dom::object object;
+  const bool is_object = value.get(object) == simdjson::SUCCESS;
+  if (key == "type") {
+    std::string_view type;
+    if (value.get(type) != simdjson::SUCCESS || type != "CityJSON")
+      throw Error(where, "is no CityJSON: its \"type\" is " +
+                             (type.empty() ? "no text" : "\"" + std::string(type) + "\"") +
+                             (type == "CityJSONFeature" ? ", which needs a first line of type "
+                                                          "\"CityJSON\" with CRS and transform"
+                                                        : ""));
+    has_type_ = true;
+  } else if (key == "version") {
+    version = to_text(value);
+    if (!version.starts_with("1.") && !version.starts_with("2."))
+      throw Error(where, "is CityJSON " + version +
+                             ", and 1.0 to 2.0 are read: turn it into one of these (cjio upgrade)");
+  } else if (key == "transform") {
+    transform = read_transform(value, where);
+    has_transform = true;
+  } else if (key == "metadata" && is_object) {
+    srs_name = to_srs_name(find_text(object, "referenceSystem"));
+  } else if (key == "appearance" && is_object) {
+    materials.read(object, skipped);
+  } else if (key == "geometry-templates" && is_object) {
+    read_templates(object);
+  } else if (key == "extensions" && is_object && object.size() > 0) {
+    skipped.add("extension", object.size());
+  }
+}
+
+void SharedParts::require_type(const std::string& where) const {
+  if (!has_type_) throw Error(where, "is no CityJSON: it has no \"type\": \"CityJSON\"");
+}
+
+}  // namespace nightcity::cityjson
