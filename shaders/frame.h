@@ -9,7 +9,7 @@
 namespace nightcity::gpu {
 #endif
 
-// The surface that the camera sees in a pixel. 44 bytes.
+// The surface that the camera sees in a pixel. 48 bytes.
 struct Surface {
   vec3 position;  // model space, m
   uint normal;    // octahedral, 2 x 16 bits (octahedral.glsl.h); towards the camera
@@ -18,6 +18,7 @@ struct Surface {
   uint feature;
   uint light;   // light whose emitting surface is seen, or NO_HIT
   vec3 motion;  // from this point of the surface to where it was one frame ago, m
+  float clearance;  // distance off the surface at which rays that leave it start, m
 };
 
 // A reservoir keeps the sample it selected: a light, and a point on it. 16 bytes, as in the paper.
@@ -73,7 +74,7 @@ struct Camera {
 #define NO_PERMUTATION 0xFFFFFFFFu
 
 #ifdef __cplusplus
-static_assert(sizeof(Surface) == 44 && sizeof(Reservoir) == 16 && sizeof(Accumulation) == 32);
+static_assert(sizeof(Surface) == 48 && sizeof(Reservoir) == 16 && sizeof(Accumulation) == 32);
 }  // namespace nightcity::gpu
 #endif
 

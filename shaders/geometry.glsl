@@ -19,11 +19,11 @@ vec3 cosine_direction(vec3 n, vec2 u) {
   return t * (radius * cos(phi)) + b * (radius * sin(phi)) + n * sqrt(max(1.0 - u.x, 0.0));
 }
 
-// Returns a point off the surface, on the side of its normal. The rounding error of origin + t *
-// direction grows with the coordinates and with t, so the offset does too: 32 units in the last
-// place, 4 mm at 1 km. A constant offset would be too small far from the origin or too large near
-// it.
-vec3 offset_origin(vec3 p, vec3 n, float t) {
-  const float magnitude = max(max(abs(p.x), abs(p.y)), max(abs(p.z), max(t, 1.0)));
-  return p + n * (magnitude * 4.0e-6);
+// Returns the distance off a surface, m, at which a ray that leaves it starts. `p` is the point on
+// its triangle, whose rounding error grows with the coordinates: 8 units in the last place, 1 mm at
+// 1 km. `extent` is the distance of the triangle's farthest corner from p, m: its plane, and the
+// place of a hit on it, are known to a few units in the last place of that. A constant distance
+// would be too small far from the origin or too large near it.
+float clearance_of(vec3 p, float extent) {
+  return 1.0e-6 * max(max(abs(p.x), abs(p.y)), max(abs(p.z), 1.0)) + 1.0e-6 * extent;
 }

@@ -131,7 +131,7 @@ EmittedRay emit_ray(Light light, vec2 u) {
           light.tangent * (half_width(light) * (2.0 * random_float() - 1.0)) +
           cross(light.axis, light.tangent) * (light.half_height * (2.0 * random_float() - 1.0));
       const vec3 direction = cosine_direction(light.axis, u);
-      return EmittedRay(offset_origin(origin, light.axis, 1.0), direction, 1.0);
+      return EmittedRay(origin + light.axis * clearance_of(origin, 0.0), direction, 1.0);
     }
   }
   return EmittedRay(light.position, vec3(0.0, 1.0, 0.0), 0.0);

@@ -23,7 +23,7 @@ Receiver receiver_of(Surface surface, bool before) {
   Receiver r;
   r.position = surface.position;
   r.normal = unpack_normal(surface.normal);
-  r.origin = offset_origin(surface.position, r.normal, surface.depth);
+  r.origin = surface.position + r.normal * surface.clearance;
   r.reflectance = SCENE.materials.at[surface.material].base_colour * (1.0 / PI);
   r.to_camera = r.normal;
   r.wetness = 0.0;

@@ -1,14 +1,21 @@
 // The surface at the end of a ray.
 
 struct SurfaceHit {
+  vec3 position;   // on the triangle's plane, model space, m
+  float clearance; // distance off the surface at which rays that leave it start, m
   vec3 normal;     // unit, model space, on the side the ray came from
   uint material;
   uint feature;    // of the triangle, or NO_HIT
   uint light;      // of the triangle, or NO_HIT
 };
 
-// Returns the surface that a ray along `direction` hit.
-SurfaceHit surface_at(Hit hit, Instance instance, vec3 direction) {
+vec3 to_object_space(Instance instance, vec3 p) {
+  return vec3(dot(instance.to_object[0], vec4(p, 1.0)), dot(instance.to_object[1], vec4(p, 1.0)),
+              dot(instance.to_object[2], vec4(p, 1.0)));
+}
+
+// Returns the surface that a ray hit.
+SurfaceHit surface_at(Hit hit, Instance instance, vec3 origin, vec3 direction) {
   const vec4 a = SCENE.triangles.at[hit.triangle * 3u];
   const vec4 b = SCENE.triangles.at[hit.triangle * 3u + 1u];
   const vec4 c = SCENE.triangles.at[hit.triangle * 3u + 2u];
@@ -18,6 +25,19 @@ SurfaceHit surface_at(Hit hit, Instance instance, vec3 direction) {
                       instance.to_object[2].xyz * n.z;
   const float size2 = dot(normal, normal);
   const vec3 unit = size2 > 0.0 ? normal * inversesqrt(size2) : -direction;
-  return SurfaceHit(dot(unit, direction) > 0.0 ? -unit : unit, floatBitsToUint(a.w),
+  // The error of origin + t * direction grows with the distance that the ray came. Its part along
+  // the normal, which would put the point below the surface, is taken off again.
+  vec3 position = origin + direction * hit.t;
+  vec3 local = to_object_space(instance, position);
+  if (size2 > 0.0) {
+    position -= normal * (dot(n, local - a.xyz) / size2);
+    local = to_object_space(instance, position);
+  }
+  const vec3 from_a = local - a.xyz, from_b = local - b.xyz, from_c = local - c.xyz;
+  const float extent2 = max(dot(from_a, from_a), max(dot(from_b, from_b), dot(from_c, from_c)));
+  // The instance's scale along the normal: |n| / |to_object^T n|.
+  const float scale = size2 > 0.0 ? length(n) * inversesqrt(size2) : 1.0;
+  return SurfaceHit(position, clearance_of(position, sqrt(extent2) * scale),
+                    dot(unit, direction) > 0.0 ? -unit : unit, floatBitsToUint(a.w),
                     floatBitsToUint(b.w), floatBitsToUint(c.w));
 }

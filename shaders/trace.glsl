@@ -221,23 +221,20 @@ bool closest_hit(vec3 origin, vec3 direction, out Hit hit) {
   return trace(origin, direction, 0.0, 1e30, MASK_VISIBLE, false, false, hit);
 }
 
-// The barycentric t of a triangle is off by about a millionth of the triangle's size, so a ray that
-// starts on a triangle of kilometres may hit that triangle. Nothing nearer than this casts a
-// shadow.
-const float NEAREST_M = 0.005;
-
-// Returns whether anything between two points casts a shadow, in this frame or in the one before.
-// The margin at the far end spares the
-// surface that the light is mounted on.
+// Returns whether anything between a point clear of its own surface (Surface.clearance) and a point
+// of a light casts a shadow, in this frame or in the one before. The margin at the far end spares
+// the surface that the light is mounted on: 1e-5 of the way, at most a millimetre and the rounding
+// error of the light's coordinates.
 bool occluded(vec3 from, vec3 to, bool before) {
   Hit hit;
-  const vec3 way = to - from;
-  return trace(from, way, NEAREST_M / max(length(way), 2.0 * NEAREST_M), 0.99999, MASK_SHADOW, true,
-               before, hit);
+  const vec3 way = to - from, size = max(abs(from), abs(to));
+  const float margin = 1.0e-3 + 1.0e-6 * max(size.x, max(size.y, size.z));
+  const float t_max = 1.0 - min(1.0e-5, margin / max(length(way), margin));
+  return trace(from, way, 0.0, t_max, MASK_SHADOW, true, before, hit);
 }
 
-// Returns whether a ray reaches the sky.
+// Returns whether a ray from a point clear of its own surface reaches the sky.
 bool escapes(vec3 from, vec3 direction) {
   Hit hit;
-  return !trace(from, direction, NEAREST_M, 1e30, MASK_SHADOW, true, false, hit);
+  return !trace(from, direction, 0.0, 1e30, MASK_SHADOW, true, false, hit);
 }

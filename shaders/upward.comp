@@ -40,7 +40,7 @@ void main() {
     float albedo = 1.0;
     for (uint bounce = 0u; bounce < 2u; ++bounce) {
       Hit hit;
-      if (!trace(origin, direction, bounce == 0u ? 0.0 : NEAREST_M, 1e30, MASK_SHADOW, false,
+      if (!trace(origin, direction, 0.0, 1e30, MASK_SHADOW, false,
                  false, hit)) {
         if (direction.y > 0.0) {
           if (bounce == 0u) sum.direct += ray.share; else sum.reflected += ray.share * albedo;
@@ -50,10 +50,10 @@ void main() {
         }
         break;
       }
-      const SurfaceHit surface = surface_at(hit, SCENE.instances.at[hit.instance], direction);
+      const SurfaceHit surface = surface_at(hit, SCENE.instances.at[hit.instance], origin, direction);
       albedo = luminance(SCENE.materials.at[surface.material].base_colour *
                          light_colour(light.colour_rgb9e5));
-      origin = offset_origin(origin + direction * hit.t, surface.normal, hit.t);
+      origin = surface.position + surface.normal * surface.clearance;
       direction = cosine_direction(surface.normal, vec2(random_float(), random_float()));
     }
   }
