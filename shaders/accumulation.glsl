@@ -9,10 +9,14 @@ vec3 mean_of(Accumulation a) { return a.sum / max(a.frames, 1.0); }
 
 // Adds a value with Kahan's compensation. Without it, a late small value is lost against a large
 // sum: 10^6 lights are thousands of chunks, and a picture may be the mean of thousands of frames.
+void add_compensated(inout vec3 sum, inout vec3 compensation, vec3 value) {
+  precise const vec3 y = value - compensation;
+  precise const vec3 t = sum + y;
+  precise const vec3 lost = (t - sum) - y;
+  compensation = lost;
+  sum = t;
+}
+
 void add_compensated(inout Accumulation total, vec3 value) {
-  precise const vec3 y = value - total.compensation;
-  precise const vec3 t = total.sum + y;
-  precise const vec3 lost = (t - total.sum) - y;
-  total.compensation = lost;
-  total.sum = t;
+  add_compensated(total.sum, total.compensation, value);
 }

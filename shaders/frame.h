@@ -37,13 +37,19 @@ struct Accumulation {
   float luminance_squared;  // sum of squared luminance, for the variance of the mean
 };
 
-// A pixel's light by where it comes from, cd/m^2 per channel, summed over frames.
+// A pixel's light by where it comes from, cd/m^2 per channel.
 struct LightLayers {
   vec3 lamps;
   vec3 windows;
   vec3 vehicles;
   vec3 sky;
   vec3 emitted;  // by the surface itself
+};
+
+// A pixel's layers summed over frames, compensated as Accumulation is.
+struct LayerSums {
+  LightLayers sum;
+  LightLayers compensation;
 };
 
 // A pixel inside the denoiser: light divided by albedo, so that the filter keeps what is drawn on
@@ -81,7 +87,7 @@ static_assert(sizeof(Surface) == 48 && sizeof(Reservoir) == 16 && sizeof(Accumul
 ARRAY_REFERENCE(Surfaces, Surface, )
 ARRAY_REFERENCE(Reservoirs, Reservoir, )
 ARRAY_REFERENCE(Accumulations, Accumulation, )
-ARRAY_REFERENCE(Layers, LightLayers, )
+ARRAY_REFERENCE(Layers, LayerSums, )
 ARRAY_REFERENCE(Escapes, Escape, )
 ARRAY_REFERENCE(DemodulatedPixels, Demodulated, )
 

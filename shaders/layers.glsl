@@ -10,15 +10,19 @@ void add_direct(inout LightLayers layers, uint index, Light light, vec3 direct) 
 
 vec3 finite_or_zero(vec3 v) { return all_finite(v) ? v : vec3(0.0); }
 
+void add_to_sum(inout vec3 sum, inout vec3 compensation, vec3 value) {
+  add_compensated(sum, compensation, finite_or_zero(value));
+}
+
 // Adds to the pixel's sums; with `reset`, starts them again first.
 void add_layers(uint index, LightLayers layers, bool reset) {
   if (HAS_LAYERS == 0u) return;
-  LightLayers sum = FRAME.layers.at[index];
-  if (reset) sum = NO_LAYERS;
-  sum.lamps += finite_or_zero(layers.lamps);
-  sum.windows += finite_or_zero(layers.windows);
-  sum.vehicles += finite_or_zero(layers.vehicles);
-  sum.sky += finite_or_zero(layers.sky);
-  sum.emitted += finite_or_zero(layers.emitted);
-  FRAME.layers.at[index] = sum;
+  LayerSums total = FRAME.layers.at[index];
+  if (reset) total = LayerSums(NO_LAYERS, NO_LAYERS);
+  add_to_sum(total.sum.lamps, total.compensation.lamps, layers.lamps);
+  add_to_sum(total.sum.windows, total.compensation.windows, layers.windows);
+  add_to_sum(total.sum.vehicles, total.compensation.vehicles, layers.vehicles);
+  add_to_sum(total.sum.sky, total.compensation.sky, layers.sky);
+  add_to_sum(total.sum.emitted, total.compensation.emitted, layers.emitted);
+  FRAME.layers.at[index] = total;
 }

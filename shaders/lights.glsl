@@ -36,13 +36,15 @@ float intensity_per_lumen(Light light, vec3 to) {
   const uint profile_index = light_profile(light);
   if (HAS_PROFILES == 0u || profile_index == LIGHT_NO_PROFILE) return 1.0 / (4.0 * PI);
   const LightProfile profile = SCENE.profiles.at[profile_index];
-  const vec3 side = cross(light.axis, light.tangent);
-  const float angle = degrees(acos(clamp(dot(to, light.axis), -1.0, 1.0)));
+  const vec3 local = vec3(dot(to, light.tangent), dot(to, cross(light.axis, light.tangent)),
+                          dot(to, light.axis));
+  // acos of a float cannot tell angles below 0.02 degrees apart; beams may be narrower.
+  const float angle = degrees(atan(length(local.xy), local.z));
   if (angle > profile.extent_deg) return 0.0;
   const float gamma = angle * (float(profile.gamma_count - 1u) / profile.extent_deg);
   const uint g0 = min(uint(gamma), profile.gamma_count - 2u);
   const float fg = gamma - float(g0);
-  float turn = atan(dot(to, side), dot(to, light.tangent)) / (2.0 * PI);
+  float turn = atan(local.y, local.x) / (2.0 * PI);
   turn = (turn - floor(turn)) * float(profile.c_count);
   const uint c0 = min(uint(turn), profile.c_count - 1u);
   const uint c1 = c0 + 1u == profile.c_count ? 0u : c0 + 1u;

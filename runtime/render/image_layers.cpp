@@ -36,11 +36,11 @@ void add_luminance_layer(measure::Image& image) {
         tonemap::luminance_709(image.rgb[3 * i], image.rgb[3 * i + 1], image.rgb[3 * i + 2]));
 }
 
-void add_light_layers(measure::Image& image, std::span<const gpu::LightLayers> sums,
+void add_light_layers(measure::Image& image, std::span<const gpu::LayerSums> sums,
                       std::uint32_t frames) {
-  const auto add = [&](const char* name, glm::vec3 gpu::LightLayers::*sum) {
+  const auto add = [&](const char* name, glm::vec3 gpu::LightLayers::*layer) {
     std::vector<float>& values = add_layer(image, name, {"R", "G", "B"});
-    for (const gpu::LightLayers& s : sums) append(values, s.*sum / float(frames));
+    for (const gpu::LayerSums& s : sums) append(values, s.sum.*layer / float(frames));
   };
   add("direct_lamps", &gpu::LightLayers::lamps);
   add("direct_windows", &gpu::LightLayers::windows);

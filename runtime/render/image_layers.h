@@ -14,7 +14,7 @@ void add_luminance_layer(measure::Image& image);
 
 /// Adds "direct_lamps", "direct_windows", "direct_vehicles", "sky" and "emitted", cd/m^2: the sums
 /// over `frames` frames, divided by their number.
-void add_light_layers(measure::Image& image, std::span<const gpu::LightLayers> sums,
+void add_light_layers(measure::Image& image, std::span<const gpu::LayerSums> sums,
                       std::uint32_t frames);
 
 /// Adds what the camera saw in each pixel: "albedo", "normal", "position" (m), "motion" (m per

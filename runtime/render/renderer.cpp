@@ -213,7 +213,7 @@ void Renderer::fill_buffers(gpu::Frame& frame, const RenderSettings& settings) {
   frame.accumulation = accumulation_[parity_].address();
   frame.previous_accumulation = accumulation_[parity_ ^ 1].address();
   if (settings.sampling.layers && layers_.bytes() == 0)
-    layers_ = gpu::Buffer(device_, pixels * sizeof(gpu::LightLayers));
+    layers_ = gpu::Buffer(device_, pixels * sizeof(gpu::LayerSums));
   frame.layers = layers_.address();
   for (int i = 0; i < 2; ++i) {
     if (settings.display.denoise && denoise_[i].bytes() == 0)
@@ -339,7 +339,7 @@ measure::Image Renderer::download(bool layers) const {
   add_luminance_layer(image);
   // Layers are sums over the frames of the mean; a window has no such sum.
   if (settings_.sampling.layers && settings_.averaging.window == 0)
-    add_light_layers(image, layers_.read<gpu::LightLayers>(pixels), frames_);
+    add_light_layers(image, layers_.read<gpu::LayerSums>(pixels), frames_);
   add_surface_layers(image, surfaces_[parity_].read<gpu::Surface>(pixels), scene_);
   return image;
 }

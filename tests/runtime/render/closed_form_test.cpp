@@ -154,6 +154,29 @@ TEST(ClosedForm, AProfileScalesTheIntensityByDirection) {
   }
 }
 
+// A beam that falls off linearly from its axis to 0.02 degrees, 3 mm beside it at 8 m. The angle
+// must not be taken from its cosine: as a float, that is 1 for all of the beam.
+TEST(ClosedForm, ABeamOfAFiftiethOfADegreeIsExact) {
+  constexpr double extent_deg = 0.02, candela_per_lumen = 1e6;
+  scene::SceneLights lights;
+  lights.lights = {lamp({0, 8, 0}, 5000)};
+  lights.lights[0].kind_profile = pack_kind_profile(LightKind::sphere, 0);
+  lights.profiles = {{1, 2, 0, float(extent_deg)}};
+  lights.profile_data = {float(candela_per_lumen), 0};
+  SceneBuilder builder(0.4f);
+  builder.ground(1);
+  const scene::RenderScene scene = scene::make_render_scene(builder.scene(), lights);
+  const measure::Image image = render(scene, {{0, 0.02f, 0}, {0, 0, 0}, {0, 0, -1}, 11},
+                                      settings_for(render::Estimator::reference), 16, 16, 1);
+  const auto& points = image.layer("position")->values;
+  for (std::size_t i = 0; i < image.pixels(); ++i) {
+    const double off = std::hypot(double(points[3 * i]), double(points[3 * i + 2])),
+                 share = 1 - std::atan(off / 8) * 180 / pi / extent_deg,
+                 axis = 0.4 / pi * 5000 * candela_per_lumen / 64;
+    ASSERT_NEAR(luminance(image, i), axis * std::max(share, 0.0), 0.002 * axis) << "pixel " << i;
+  }
+}
+
 TEST(ClosedForm, RaysThatLeaveTheSceneSeeTheSky) {
   render::RenderSettings settings = settings_for(render::Estimator::ris);
   settings.environment.sky_cd_m2 = {0.01f, 0.02f, 0.03f};

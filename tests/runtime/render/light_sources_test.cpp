@@ -75,6 +75,17 @@ TEST(Layers, SumToThePictureAndHoldTheirOwnKindOnly) {
   }
 }
 
+// A plain float sum of 3,000 equal values is off by 3e-5.
+TEST(Layers, KeepTheirMeanOverThousandsOfFrames) {
+  SceneBuilder builder;
+  builder.ground(30);
+  builder.scene().materials[0].emission_cd_m2 = glm::vec3(0.1f);
+  RenderSettings settings = reference();
+  settings.sampling.layers = true;
+  const measure::Image image = render(builder.with({}), down, settings, 2, 2, 3000);
+  EXPECT_NEAR(double(image.layer("emitted")->values[0]) / double(0.1f), 1, 1e-6);
+}
+
 TEST(Layers, IlluminanceIsTheClosedFormsWhateverTheSurface) {
   RenderSettings settings = reference();
   settings.sampling.layers = true;
