@@ -79,7 +79,10 @@ class Bake {
         city_.build_ground([this](const mesh::TriangleMesh& mesh) { tiles_.add_ground(mesh); });
     tiles_.drape(city_.height_at());
     if (tiles_.empty())
-      throw Error(options_.city.files.front().string(), "no surface in any file of the city");
+      throw Error(options_.city.files.front().string(),
+                  options_.city.files == options_.city.maps
+                      ? "the map has no building above the ground"
+                      : "no surface in any file of the city");
     clock_.end_stage("terrain");
   }
 
@@ -141,7 +144,15 @@ BakeReport bake(const BakeOptions& options, const std::filesystem::path& folder,
 
 BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder,
                 const ProgressSink& progress) {
-  return bake(to_bake_options(recipe), folder, progress);
+  BakeOptions options = to_bake_options(recipe);
+  if (options.city.files.empty() && recipe.osm.buildings && !options.city.maps.empty()) {
+    if (!options.city.ground.elevation_models.empty())
+      throw UsageError(options.city.name(), "[terrain] dem",
+                       "the map's buildings stand on a plane at height 0, and not on an elevation "
+                       "model: leave dem out, or name a city model in [city] files");
+    options.city.files = options.city.maps;
+  }
+  return bake(options, folder, progress);
 }
 
 }  // namespace nightcity::bake

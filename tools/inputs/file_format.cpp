@@ -13,6 +13,7 @@
 #include "tools/cityjson/read_cityjson.h"
 #include "tools/inputs/city_files.h"
 #include "tools/inputs/foreign_format.h"
+#include "tools/map_buildings/read_map_buildings.h"
 #include "tools/osm/osm_marks.h"
 #include "tools/osm/read_osm.h"
 
@@ -70,12 +71,16 @@ constexpr city::FileReader citygml_reader{citygml::read_citygml_head, citygml::r
 constexpr city::FileReader cityjson_reader{cityjson::read_cityjson_head,
                                            cityjson::read_cityjson_staged};
 
+// The buildings of a map, where it is named as a city.
+constexpr city::FileReader map_reader{map_buildings::read_map_head,
+                                      map_buildings::read_map_buildings};
+
 constexpr std::array formats{
     FileFormat{"CityJSON", FileKind::city, is_cityjson, true, cityjson::cityjson_endings,
                &cityjson_reader},
     FileFormat{"glTF", FileKind::scene, is_gltf},
     FileFormat{"light file", FileKind::lights, is_light_file},
-    FileFormat{"OSM", FileKind::osm, is_osm, true},
+    FileFormat{"OSM", FileKind::osm, is_osm, true, {}, &map_reader},
     FileFormat{"CityGML", FileKind::city, is_citygml, true, citygml::citygml_endings,
                &citygml_reader},
     FileFormat{"IES", FileKind::luminaire, is_ies},

@@ -30,7 +30,7 @@ struct FileFormat {
   /// City formats: how the names of files end that a folder or an archive is searched for, in lower
   /// case and without .gz.
   std::span<const std::string_view> endings{};
-  /// City formats alone; null for the others.
+  /// City formats, and maps, whose buildings can be a city; null for the others.
   const city::FileReader* reader = nullptr;
 };
 

@@ -347,6 +347,69 @@ TEST(Bake, ColoursOfTheModelAreMaterialsOfTheScene) {
   }
 }
 
+// Two houses at a street with a lamp, in Berlin: 11 m by 11 m, 9 m high, one with a gable of 3 m.
+std::string map_of_houses(const std::string& building) {
+  const auto node = [](int id, double east, double north, const std::string& tags = "") {
+    char text[120];
+    std::snprintf(text, sizeof text, "<node id=\"%d\" lat=\"%.7f\" lon=\"%.7f\"", id,
+                  52.5 + north * 0.0001, 13.4 + east * 0.0001 / 0.6088);
+    return text + (tags.empty() ? std::string("/>") : ">" + tags + "</node>") + "\n";
+  };
+  const auto tag = [](const std::string& key, const std::string& value) {
+    return "<tag k=\"" + key + "\" v=\"" + value + "\"/>";
+  };
+  std::string nodes, ways;
+  for (int house = 0; house < 2; ++house) {
+    const int id = 10 * house + 1;
+    nodes += node(id, 2 * house, 1) + node(id + 1, 2 * house + 1, 1) +
+             node(id + 2, 2 * house + 1, 2) + node(id + 3, 2 * house, 2);
+    ways += "<way id=\"" + std::to_string(id) + "\">";
+    for (const int k : {0, 1, 2, 3, 0}) ways += "<nd ref=\"" + std::to_string(id + k) + "\"/>";
+    ways += tag(building, "yes") + tag("height", "9") +
+            (house ? tag("roof:shape", "gabled") + tag("roof:height", "3") : "") + "</way>\n";
+  }
+  nodes += node(90, -1, 0) + node(91, 5, 0) + node(92, 2, 0.3, tag("highway", "street_lamp"));
+  ways += "<way id=\"95\"><nd ref=\"90\"/><nd ref=\"91\"/>" + tag("highway", "residential") +
+          "</way>\n";
+  return "<osm version=\"0.6\">\n" + nodes + ways + "</osm>\n";
+}
+
+TEST(Bake, AMapAloneGivesItsBuildingsTheirWindowsAndLamps) {
+  const TempFolder folder;
+  write_text(folder / "map.osm", map_of_houses("building"));
+  Recipe recipe;
+  recipe.osm.files = {folder / "map.osm"};
+  const BakeReport report = bake(recipe, folder / "out");
+  EXPECT_EQ(report.city.objects.at("building"), 2u);
+  EXPECT_EQ(report.city.mesh.open_objects, 0u);
+  ASSERT_EQ(report.city.read.warnings.size(), 1u) << "that they are the map's";
+  EXPECT_GT(report.lights.lamps.placed, 0u);
+  EXPECT_GT(report.lights.windows.placed, 0u);
+  const auto box = boxes(folder / "out/city.glb");
+  EXPECT_NEAR(box.at("roof").greatest.z, 9, 0.01);
+  EXPECT_NEAR(box.at("wall").least.z, 0, 0.01);
+  EXPECT_NEAR(box.at("roof").greatest.x - box.at("roof").least.x, 3 * 11.13, 0.1);
+  EXPECT_NEAR(box.at("roof").greatest.y - box.at("roof").least.y, 11.13, 0.1);
+  const Scene scene = read_scene(folder / "out/city.glb");
+  EXPECT_EQ(scene.georeference.sources, std::vector<std::string>{"map.osm"});
+  EXPECT_EQ(scene.georeference.licences, std::vector<std::string>{recipe.osm.licence});
+
+  recipe.osm.buildings = false;
+  EXPECT_THROW(bake(recipe, folder / "out"), UsageError);
+  recipe.osm.buildings = true;
+  recipe.terrain.elevation_models = {folder / "heights.tif"};
+  EXPECT_THROW(bake(recipe, folder / "out"), UsageError);
+  recipe.terrain.elevation_models.clear();
+  write_text(folder / "map.osm", map_of_houses("leisure"));
+  try {
+    bake(recipe, folder / "out");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("the map has no building"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(Bake, OneThreadAndManyGiveTheSameBytes) {
   REAL_DATA(first, "berlin/3910_5820.gml");
   REAL_DATA(second, "berlin/3900_5820.gml");

@@ -172,6 +172,15 @@ TEST(City, WithoutGeometryNamesTheFilesThatItIsLinkedFrom) {
       << message;
 }
 
+TEST(City, AMapAmongModelsIsRefusedByName) {
+  const TempFolder folder;
+  CityInputs inputs = two_files_and_map(folder);
+  inputs.files.push_back(folder / "map.osm");
+  const std::string message = message_of([&] { City city(inputs, folder / "scratch"); });
+  EXPECT_NE(message.find("map.osm: is a map (OSM) and no city model"), std::string::npos)
+      << message;
+}
+
 TEST(LampStage, NotesOfLuminaireFilesReachTheReport) {
   const TempFolder folder;
   City city(two_files_and_map(folder), folder / "scratch");

@@ -19,6 +19,15 @@ std::string utm_zone(const glm::dvec2& lon_lat) {
   return "EPSG:" + std::to_string((lon_lat.y < 0 ? 32700 : 32600) + zone);
 }
 
+// Returns whether the city's model is nothing but its map. It stands on a plane at height 0 then, and
+// so does all that lies beyond its ground.
+bool is_map_alone(const CityInputs& inputs) {
+  return !inputs.files.empty() &&
+         std::all_of(inputs.files.begin(), inputs.files.end(), [&](const auto& file) {
+           return std::find(inputs.maps.begin(), inputs.maps.end(), file) != inputs.maps.end();
+         });
+}
+
 void add_names(const std::vector<std::filesystem::path>& files, std::vector<std::string>& names) {
   for (const auto& file : files) names.push_back(file.filename().string());
 }
@@ -92,7 +101,7 @@ void City::require_lon_lat(const std::string& consequence) const {
 Georeference City::georeference(const std::optional<glm::dvec2>& middle) const {
   Georeference result;
   result.crs = frame().crs();
-  add_names(inputs_.files, result.sources);
+  if (!is_map_alone(inputs_)) add_names(inputs_.files, result.sources);
   add_names(inputs_.maps, result.sources);
   if (!has_model()) {
     const glm::dvec2 origin = glm::round(frame().from_lon_lat(map_frame_->middle));
@@ -128,8 +137,9 @@ place::LonLatToFrame City::to_frame() const {
 
 place::HeightAt City::height_at() const {
   if (!has_model()) return [](const glm::dvec2&) { return std::optional(0.0); };
-  return [this](const glm::dvec2& place) -> std::optional<double> {
+  return [this, plane = is_map_alone(inputs_)](const glm::dvec2& place) -> std::optional<double> {
     const auto hit = terrain_.height_at(place);
+    if (!hit && plane) return 0.0;
     return hit && hit->surface != terrain::SurfaceClass::roof ? std::optional(hit->height_m)
                                                               : std::nullopt;
   };

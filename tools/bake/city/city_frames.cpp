@@ -8,6 +8,7 @@
 
 #include "formats/error.h"
 #include "formats/median.h"
+#include "tools/inputs/file_format.h"
 #include "tools/inputs/read_city.h"
 
 namespace nightcity::bake {
@@ -70,6 +71,20 @@ std::vector<georeference::CityFrame::ControlPoint> corners_at(const std::array<d
   return {{{bounds[0], bounds[1]}, low}, {{bounds[2], bounds[3]}, high}};
 }
 
+// A map named by mistake among city models would put its buildings on a plane beside theirs. Where
+// all files are the city's maps, their buildings are meant.
+void refuse_maps_among_models(const CityInputs& inputs) {
+  const auto is_model = [&](const std::filesystem::path& file) {
+    return std::find(inputs.maps.begin(), inputs.maps.end(), file) == inputs.maps.end();
+  };
+  if (std::none_of(inputs.files.begin(), inputs.files.end(), is_model)) return;
+  for (const auto& file : inputs.files)
+    if (inputs::find_format(file).kind == inputs::FileKind::osm)
+      throw Error(file.string(),
+                  "is a map (OSM) and no city model: name it in [osm] files; its buildings are the "
+                  "model where [city] files are absent");
+}
+
 georeference::CityFrame make_frame(const std::filesystem::path& file, const city::CityHead& head,
                                    const georeference::CityFrame::Options& options) {
   try {
@@ -86,6 +101,7 @@ georeference::CityFrame make_frame(const std::filesystem::path& file, const city
 CityFrames::CityFrames(const CityInputs& inputs) {
   if (inputs.files.empty())
     throw UsageError(inputs.name(), "names no city: [city] files = [\"...\"] is missing");
+  refuse_maps_among_models(inputs);
   std::vector<city::CityHead> heads;
   for (const auto& file : inputs.files) heads.push_back(inputs::read_city_head(file));
   const auto first = std::find_if(heads.begin(), heads.end(), has_geometry);

@@ -38,6 +38,8 @@ struct Recipe {
 
   struct Osm {
     std::vector<std::filesystem::path> files;
+    /// Without a city model, the buildings of the map are the model.
+    bool buildings = true;
     std::string licence = "OpenStreetMap contributors, ODbL 1.0";
   } osm;
 

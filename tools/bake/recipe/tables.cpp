@@ -31,6 +31,13 @@ Table make_osm_table(bake::Recipe::Osm& osm, const fs::path& folder) {
                      "OpenStreetMap extracts: .osm, .osm.pbf, .osm.gz or .osm.bz2. Paths are "
                      "relative to the recipe. Several extracts are merged; an object that is in "
                      "more than one is taken in its newest version."),
+           flag_key("buildings", osm.buildings,
+                    "Without `[city] files`, the map's buildings are the city model: `building`, "
+                    "`building:part`, `height`, `min_height`, `building:levels`, "
+                    "`building:min_level`, `roof:shape` (flat, gabled, hipped, pyramidal, "
+                    "skillion), `roof:height`, `roof:levels`, `roof:direction`, "
+                    "`roof:orientation`. They stand on a plane at height 0. Levels are 3 m; "
+                    "buildings without any height get the levels of their kind, and are counted."),
            text_key("licence", osm.licence, "\"OpenStreetMap contributors, ODbL 1.0\"",
                     "The attribution that both output files carry.")}};
 }

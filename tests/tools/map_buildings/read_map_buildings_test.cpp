@@ -1,0 +1,219 @@
+// Buildings of a map, from maps with known content.
+#include "tools/map_buildings/read_map_buildings.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <string>
+#include <utility>
+
+#include "formats/error.h"
+#include "tests/tools/citygml/temporary_file.h"
+#include "tools/city/ring.h"
+#include "tools/map_buildings/building_tags.h"
+
+namespace nightcity::map_buildings {
+namespace {
+
+using test::TemporaryFile;
+
+// At the equator, of longitude and of latitude, on the ellipsoid of WGS 84.
+constexpr double lon_m = 111'319.49, lat_m = 110'574.28;
+// Maps hold 1e-7 degrees, a centimetre.
+constexpr double rounding = 0.005;  // relative
+
+// Places in metres near longitude 10 on the equator.
+class Map {
+ public:
+  // Returns the id of a closed way round a rectangle.
+  int add_rectangle(double x, double y, double width, double height, const std::string& tags) {
+    const int first = next_;
+    const double corners[4][2] = {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
+    for (const auto& corner : corners)
+      nodes_ += "<node id=\"" + std::to_string(next_++) + "\" version=\"1\" lat=\"" +
+                write(corner[1] / lat_m) + "\" lon=\"" + write(10 + corner[0] / lon_m) + "\"/>\n";
+    const int way = next_++;
+    ways_ += "<way id=\"" + std::to_string(way) + "\" version=\"1\">";
+    for (const int k : {0, 1, 2, 3, 0}) ways_ += "<nd ref=\"" + std::to_string(first + k) + "\"/>";
+    ways_ += tags_of(tags) + "</way>\n";
+    return way;
+  }
+  void add_multipolygon(int outer, int inner, const std::string& tags) {
+    relations_ += "<relation id=\"" + std::to_string(next_++) +
+                  "\" version=\"1\"><member type=\"way\" ref=\"" + std::to_string(outer) +
+                  "\" role=\"outer\"/><member type=\"way\" ref=\"" + std::to_string(inner) +
+                  "\" role=\"inner\"/><tag k=\"type\" v=\"multipolygon\"/>" + tags_of(tags) +
+                  "</relation>\n";
+  }
+  std::string text() const {
+    return "<?xml version=\"1.0\"?>\n<osm version=\"0.6\">\n" + nodes_ + ways_ + relations_ +
+           "</osm>\n";
+  }
+
+ private:
+  static std::string write(double degrees) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.7f", degrees);
+    return text;
+  }
+  // "building=yes,height=9"
+  static std::string tags_of(const std::string& list) {
+    std::string out;
+    for (std::size_t begin = 0; begin < list.size();) {
+      const std::size_t end = std::min(list.find(',', begin), list.size());
+      const std::string one = list.substr(begin, end - begin);
+      const std::size_t equals = one.find('=');
+      out += "<tag k=\"" + one.substr(0, equals) + "\" v=\"" + one.substr(equals + 1) + "\"/>";
+      begin = end + 1;
+    }
+    return out;
+  }
+  int next_ = 1;
+  std::string nodes_, ways_, relations_;
+};
+
+struct Read {
+  std::vector<city::CityObject> objects;
+  city::ReadReport report;
+};
+
+Read read(const Map& map) {
+  const TemporaryFile file(map.text(), ".osm");
+  Read result;
+  city::ObjectSink sink = [&](city::CityObject&& o) { result.objects.push_back(std::move(o)); };
+  result.report = read_map_buildings(file.path(), {}, city::deliver_to(sink));
+  return result;
+}
+
+double volume(const city::CityObject& object) {
+  const auto to_metres = [](city::Ring ring) {
+    for (glm::dvec3& p : ring) p = {(p.x - 10) * lon_m, p.y * lat_m, p.z};
+    return ring;
+  };
+  double sum = 0;
+  for (const city::Polygon& polygon : object.polygons) {
+    const city::Ring ring = to_metres(polygon.exterior);
+    glm::dvec3 vector = city::area_vector(ring);
+    for (const city::Ring& hole : polygon.interiors) vector += city::area_vector(to_metres(hole));
+    sum += glm::dot(vector, ring.front()) / 3;
+  }
+  return sum;
+}
+
+void expect_near(double value, double expected) {
+  EXPECT_NEAR(value, expected, rounding * expected);
+}
+
+TEST(MapBuildings, HeightsComeFromTagsInTheirOrder) {
+  const auto volume_of = [](const std::string& tags) {
+    Map map;
+    map.add_rectangle(0, 0, 10, 6, tags);
+    const Read result = read(map);
+    return result.objects.empty() ? 0 : volume(result.objects.at(0)) / 60;
+  };
+  expect_near(volume_of("building=yes,height=9.5"), 9.5);
+  expect_near(volume_of("building=yes,height=9.5 m,min_height=2"), 7.5);
+  expect_near(volume_of("building=yes,building:levels=4"), 12);
+  expect_near(volume_of("building=yes,building:levels=4,building:min_level=1"), 9);
+  expect_near(volume_of("building=yes,height=40'"), 12.192);
+  expect_near(volume_of("building=yes"), 6);
+  expect_near(volume_of("building=garage"), 3);
+  expect_near(volume_of("building=yes,height=tall,building:levels=2"), 6);
+  // Roofs: levels of the roof stand on those of the building; "height" reaches the roof's top.
+  expect_near(volume_of("building=yes,building:levels=2,roof:shape=gabled,roof:height=4"), 8);
+  expect_near(volume_of("building=yes,height=10,roof:shape=gabled,roof:levels=1"), 8.5);
+  expect_near(volume_of("building=yes,height=10,roof:shape=dome"), 10);
+  EXPECT_EQ(volume_of("building=no,height=10"), 0);
+  EXPECT_EQ(volume_of("building=yes,location=underground"), 0);
+}
+
+TEST(MapBuildings, PartsStandInPlaceOfTheirOutline) {
+  Map map;
+  map.add_rectangle(
+      0, 0, 20, 10,
+      "building=church,height=30,building:levels=3,addr:street=Hill,start_date=1890-05");
+  map.add_rectangle(0, 0, 10, 10, "building:part=yes,height=8");
+  map.add_rectangle(10, 0, 10, 10,
+                    "building:part=tower,height=30,roof:shape=pyramidal,roof:height=6");
+  map.add_rectangle(100, 0, 5, 5, "building:part=yes,height=4");
+  const Read result = read(map);
+  ASSERT_EQ(result.objects.size(), 2u);
+  expect_near(volume(result.objects[0]), 800 + 2400 + 200);
+  EXPECT_EQ(result.objects[0].storeys_above_ground, 3);
+  EXPECT_EQ(result.objects[0].measured_height_m, 30);
+  EXPECT_EQ(result.objects[0].year, "1890");
+  EXPECT_EQ(result.objects[0].address, "Hill");
+  EXPECT_EQ(result.objects[0].type, city::ObjectType::building);
+  EXPECT_TRUE(result.objects[0].id.starts_with("way/"));
+  expect_near(volume(result.objects[1]), 100);
+  EXPECT_EQ(result.report.skipped.at("outline of a building that has parts"), 1u);
+}
+
+TEST(MapBuildings, MultipolygonsHaveCourtyards) {
+  Map map;
+  const int outer = map.add_rectangle(0, 0, 30, 20, ""),
+            inner = map.add_rectangle(10, 5, 10, 10, "");
+  map.add_multipolygon(outer, inner, "building=yes,height=10");
+  const Read result = read(map);
+  ASSERT_EQ(result.objects.size(), 1u);
+  expect_near(volume(result.objects[0]), (600 - 100) * 10);
+  EXPECT_TRUE(result.objects[0].id.starts_with("relation/"));
+}
+
+TEST(MapBuildings, WhatIsAssumedOrNotShownIsCounted) {
+  Map map;
+  map.add_rectangle(0, 0, 10, 6, "building=yes");
+  map.add_rectangle(20, 0, 10, 6, "building=yes,height=9,roof:shape=onion");
+  map.add_rectangle(40, 0, 10, 6, "building=yes,height=3,min_height=5");
+  map.add_rectangle(60, 0, 10, 6, "building=construction,height=3");
+  const Read result = read(map);
+  EXPECT_EQ(result.objects.size(), 3u);
+  EXPECT_EQ(result.report.skipped.at("height of a building that the map does not say"), 1u);
+  EXPECT_EQ(result.report.skipped.at("roof:shape=onion, shown flat"), 1u);
+  EXPECT_EQ(result.report.skipped.at("building whose min_height is not below its height"), 1u);
+  EXPECT_EQ(result.report.skipped.at("building below the ground, not built or gone"), 1u);
+}
+
+TEST(MapBuildings, SizesStayConsistentWhateverTheTagsSay) {
+  city::SkipCounter notes;
+  for (const char* height : {"", "0", "0.1", "5", "1000", "1e9", "-3", "nan", "x"})
+    for (const char* low : {"", "0", "4.9", "50", "nan"})
+      for (const char* roof : {"", "0", "5", "900"})
+        for (const char* kind : {"yes", "roof"}) {
+          osm::OsmTags tags{{"building", kind}, {"roof:shape", "gabled"}};
+          if (*height) tags["height"] = height;
+          if (*low) tags["min_height"] = low;
+          if (*roof) tags["roof:height"] = roof;
+          const BuildingSizes s = find_sizes(tags, notes);
+          EXPECT_GE(s.foot_m, 0);
+          EXPECT_LT(s.foot_m, s.eaves_m) << height << " " << low << " " << roof << " " << kind;
+          EXPECT_LE(s.eaves_m, s.top_m);
+          EXPECT_LE(s.top_m, 1000);
+        }
+}
+
+TEST(MapBuildings, TheHeadLiesWhereTheMapDoes) {
+  Map map;
+  map.add_rectangle(0, 0, 10, 6, "building=yes");
+  const TemporaryFile file(map.text(), ".osm");
+  const city::CityHead head = read_map_head(file.path());
+  EXPECT_EQ(head.srs_name, "EPSG:4326");
+  ASSERT_EQ(head.sample.size(), 5u);
+  EXPECT_NEAR(head.sample[0].x, 10, 0.001);
+  EXPECT_NEAR(head.sample[0].y, 0, 0.001);
+}
+
+TEST(MapBuildings, BrokenMapsAreErrors) {
+  for (const char* text :
+       {"<osm version=\"0.6\"><node id=\"1\"", "<osm><way", "not a map", "\x1f\x8b"}) {
+    const TemporaryFile file(text, ".osm");
+    const city::ObjectSink nothing = [](city::CityObject&&) {};
+    EXPECT_THROW(read_map_buildings(file.path(), {}, city::deliver_to(nothing)), Error) << text;
+  }
+}
+
+}  // namespace
+}  // namespace nightcity::map_buildings

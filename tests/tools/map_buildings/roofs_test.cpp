@@ -1,0 +1,157 @@
+// Shells over outlines: closed, with the volume of closed forms.
+#include "tools/map_buildings/roofs.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <numbers>
+#include <tuple>
+
+#include "tools/city/ring.h"
+
+namespace nightcity::map_buildings {
+namespace {
+
+// 10 m along x, 6 m along y.
+const Outline rectangle{{{0, 0}, {10, 0}, {10, 6}, {0, 6}}, {}};
+
+BuildingSizes sizes(RoofShape roof, double foot = 0, double eaves = 5, double top = 8) {
+  BuildingSizes s;
+  s.roof = roof;
+  s.foot_m = foot;
+  s.eaves_m = roof == RoofShape::flat ? top : eaves;
+  s.top_m = top;
+  return s;
+}
+
+// By the divergence theorem; holes count with their own direction.
+double volume(const std::vector<city::Polygon>& shell) {
+  double sum = 0;
+  for (const city::Polygon& polygon : shell) {
+    glm::dvec3 vector = city::area_vector(polygon.exterior);
+    for (const city::Ring& hole : polygon.interiors) vector += city::area_vector(hole);
+    sum += glm::dot(vector, polygon.exterior.front()) / 3;
+  }
+  return sum;
+}
+
+// Returns whether each edge runs once each way: then the shell is closed and faces one way.
+bool is_closed(const std::vector<city::Polygon>& shell) {
+  std::map<std::tuple<double, double, double, double, double, double>, int> edges;
+  const auto add = [&](const city::Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const glm::dvec3 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+      if (a == b) continue;
+      ++edges[{a.x, a.y, a.z, b.x, b.y, b.z}];
+      --edges[{b.x, b.y, b.z, a.x, a.y, a.z}];
+    }
+  };
+  for (const city::Polygon& polygon : shell) {
+    add(polygon.exterior);
+    for (const city::Ring& hole : polygon.interiors) add(hole);
+  }
+  for (const auto& [edge, count] : edges)
+    if (count != 0) return false;
+  return true;
+}
+
+void expect_shell(const Outline& outline, const BuildingSizes& s, double expected,
+                  bool expect_flat = false) {
+  bool flat = false;
+  const auto shell = make_shell(outline, s, flat);
+  EXPECT_EQ(flat, expect_flat);
+  EXPECT_TRUE(is_closed(shell));
+  EXPECT_NEAR(volume(shell), expected, 1e-6);
+}
+
+TEST(Roofs, ARectangleUnderEveryRoofHasItsVolume) {
+  expect_shell(rectangle, sizes(RoofShape::flat), 60 * 8);
+  expect_shell(rectangle, sizes(RoofShape::flat, 3), 60 * 5);
+  expect_shell(rectangle, sizes(RoofShape::gabled), 60 * 5 + 60 * 3 / 2.0);
+  expect_shell(rectangle, sizes(RoofShape::skillion), 60 * 5 + 60 * 3 / 2.0);
+  expect_shell(rectangle, sizes(RoofShape::pyramidal), 60 * 5 + 60 * 3 / 3.0);
+  // A prism 4 m long, and a pyramid of the two ends: its ridge begins 3 m from each short side.
+  expect_shell(rectangle, sizes(RoofShape::hipped), 60 * 5 + 6 * 3 / 2.0 * 4 + 36 * 3 / 3.0);
+}
+
+TEST(Roofs, OnlyWhatStandsOnTheGroundHasAGroundSurface) {
+  bool flat = false;
+  EXPECT_EQ(make_shell(rectangle, sizes(RoofShape::flat), flat).back().surface,
+            city::SurfaceType::ground);
+  EXPECT_EQ(make_shell(rectangle, sizes(RoofShape::flat, 2), flat).back().surface,
+            city::SurfaceType::outer_ceiling);
+}
+
+TEST(Roofs, AGableRunsAlongTheLongerSideUnlessAcross) {
+  bool flat = false;
+  BuildingSizes s = sizes(RoofShape::gabled);
+  const auto top_at = [&](const std::vector<city::Polygon>& shell, const glm::dvec2& p) {
+    double z = -1;
+    for (const city::Polygon& polygon : shell)
+      for (const glm::dvec3& v : polygon.exterior)
+        if (glm::distance(glm::dvec2(v), p) < 1e-9) z = std::max(z, v.z);
+    return z;
+  };
+  EXPECT_NEAR(top_at(make_shell(rectangle, s, flat), {0, 3}), 8, 1e-9);
+  s.across = true;
+  const auto across = make_shell(rectangle, s, flat);
+  EXPECT_NEAR(top_at(across, {5, 0}), 8, 1e-9);
+  EXPECT_EQ(top_at(across, {0, 3}), -1);
+}
+
+TEST(Roofs, ASkillionFallsTheWayItsTagSays) {
+  for (const double degrees : {0.0, 90.0, 180.0, 270.0}) {
+    BuildingSizes s = sizes(RoofShape::skillion);
+    s.direction_degrees = degrees;
+    bool flat = false;
+    const glm::dvec2 fall(std::sin(degrees * std::numbers::pi / 180),
+                          std::cos(degrees * std::numbers::pi / 180));
+    for (const city::Polygon& polygon : make_shell(rectangle, s, flat)) {
+      if (polygon.surface != city::SurfaceType::roof) continue;
+      const glm::dvec3 normal = glm::normalize(city::area_vector(polygon.exterior));
+      EXPECT_GT(normal.z, 0);
+      EXPECT_GT(glm::dot(glm::dvec2(normal), fall), 0.1);
+    }
+  }
+}
+
+TEST(Roofs, OtherOutlinesGetWhatFitsThem) {
+  const Outline angle{{{0, 0}, {10, 0}, {10, 4}, {4, 4}, {4, 10}, {0, 10}}, {}};  // 64 m2
+  expect_shell(angle, sizes(RoofShape::flat), 64 * 8);
+  expect_shell(angle, sizes(RoofShape::hipped), 64 * 8, true);
+  // Its centroid sees every edge; that of the other does not even lie in it.
+  expect_shell(angle, sizes(RoofShape::pyramidal), 64 * 5 + 64 * 3 / 3.0);
+  const Outline horseshoe{{{0, 0}, {12, 0}, {12, 10}, {8, 10}, {8, 4}, {4, 4}, {4, 10}, {0, 10}},
+                          {}};  // 96 m2
+  expect_shell(horseshoe, sizes(RoofShape::pyramidal), 96 * 8, true);
+  Outline court = rectangle;
+  court.holes.push_back({{4, 2}, {4, 4}, {6, 4}, {6, 2}});  // clockwise
+  expect_shell(court, sizes(RoofShape::flat), 56 * 8);
+  expect_shell(court, sizes(RoofShape::gabled), 56 * 8, true);
+  expect_shell(court, sizes(RoofShape::skillion), 56 * 5 + 56 * 3 / 2.0);
+  const Outline hexagon{{{2, 0}, {4, 0}, {5, 2}, {4, 4}, {2, 4}, {1, 2}}, {}};  // 12 m2
+  expect_shell(hexagon, sizes(RoofShape::pyramidal), 12 * 5 + 12 * 3 / 3.0);
+}
+
+TEST(Roofs, GablesOverAnyOutlineAreClosed) {
+  for (int corners = 3; corners < 12; ++corners) {
+    Outline outline;
+    for (int i = 0; i < corners; ++i) {
+      const double t = 2 * std::numbers::pi * i / corners;
+      outline.outer.emplace_back(9 * std::cos(t), 4 * std::sin(t) + 0.3 * std::cos(3 * t));
+    }
+    for (const bool across : {false, true}) {
+      BuildingSizes s = sizes(RoofShape::gabled);
+      s.across = across;
+      bool flat = false;
+      const auto shell = make_shell(outline, s, flat);
+      EXPECT_TRUE(is_closed(shell)) << corners;
+      EXPECT_GT(volume(shell), 0) << corners;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace nightcity::map_buildings

@@ -1,0 +1,143 @@
+#include "tools/map_buildings/building_tags.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <unordered_map>
+
+#include "tools/osm/tag_values.h"
+
+namespace nightcity::map_buildings {
+namespace {
+
+constexpr double max_height_m = 1000;  // the tallest building has 830
+constexpr double max_levels = 200;
+constexpr double least_height_m = 0.2;  // of what stands between foot and top
+
+std::string find_tag(const osm::OsmTags& tags, const char* key) {
+  const auto found = tags.find(key);
+  return found == tags.end() ? std::string() : osm::normalise_tag(found->second);
+}
+
+// Lengths from the first of several keys that is understood.
+std::optional<double> find_length(const osm::OsmTags& tags,
+                                  std::initializer_list<const char*> keys) {
+  for (const char* key : keys) {
+    const auto found = tags.find(key);
+    if (found == tags.end()) continue;
+    const auto length = osm::parse_length_m(found->second);
+    if (length && *length >= 0 && *length <= max_height_m) return length;
+  }
+  return {};
+}
+
+std::optional<double> find_count(const osm::OsmTags& tags, const char* key) {
+  const auto found = tags.find(key);
+  if (found == tags.end()) return {};
+  std::string_view text = found->second;
+  const auto count = osm::take_number(text);
+  return count && *count >= 0 && *count <= max_levels ? count : std::nullopt;
+}
+
+double assume_levels(const osm::OsmTags& tags) {
+  static const std::unordered_map<std::string_view, double> table{
+      {"garage", 1},     {"garages", 1},      {"carport", 1},        {"shed", 1},
+      {"hut", 1},        {"kiosk", 1},        {"cabin", 1},          {"greenhouse", 1},
+      {"roof", 1},       {"bungalow", 1},     {"static_caravan", 1}, {"toilets", 1},
+      {"service", 1},    {"apartments", 4},   {"residential", 3},    {"office", 4},
+      {"commercial", 3}, {"hotel", 5},        {"hospital", 5},       {"dormitory", 4},
+      {"university", 4}, {"public", 3},       {"civic", 3},          {"school", 3},
+      {"church", 4},     {"cathedral", 8},    {"warehouse", 3},      {"industrial", 3},
+      {"parking", 3},    {"train_station", 3}};
+  std::string kind = find_tag(tags, "building:part");
+  if (kind.empty() || kind == "yes") kind = find_tag(tags, "building");
+  const auto known = table.find(kind);
+  return known == table.end() ? 2 : known->second;
+}
+
+std::optional<double> find_direction(const osm::OsmTags& tags) {
+  static const std::unordered_map<std::string_view, double> compass{
+      {"n", 0},    {"nne", 22.5},  {"ne", 45},  {"ene", 67.5},  {"e", 90},   {"ese", 112.5},
+      {"se", 135}, {"sse", 157.5}, {"s", 180},  {"ssw", 202.5}, {"sw", 225}, {"wsw", 247.5},
+      {"w", 270},  {"wnw", 292.5}, {"nw", 315}, {"nnw", 337.5}};
+  const std::string text = find_tag(tags, "roof:direction");
+  if (text.empty()) return {};
+  if (const auto known = compass.find(text); known != compass.end()) return known->second;
+  std::string_view rest = text;
+  const auto degrees = osm::take_number(rest);
+  return degrees && *degrees >= 0 && *degrees <= 360 ? degrees : std::nullopt;
+}
+
+RoofShape find_shape(const osm::OsmTags& tags, city::SkipCounter& notes) {
+  static const std::unordered_map<std::string_view, RoofShape> table{
+      {"", RoofShape::flat},
+      {"flat", RoofShape::flat},
+      {"gabled", RoofShape::gabled},
+      {"pitched", RoofShape::gabled},
+      {"hipped", RoofShape::hipped},
+      {"pyramidal", RoofShape::pyramidal},
+      {"skillion", RoofShape::skillion}};
+  const std::string text = find_tag(tags, "roof:shape");
+  const auto known = table.find(text);
+  if (known != table.end()) return known->second;
+  notes.add("roof:shape=" + text + ", shown flat");
+  return RoofShape::flat;
+}
+
+}  // namespace
+
+BuildingSizes find_sizes(const osm::OsmTags& tags, city::SkipCounter& notes) {
+  BuildingSizes sizes;
+  const auto levels = find_count(tags, "building:levels");
+  const auto roof_levels = find_count(tags, "roof:levels");
+  const auto min_level = find_count(tags, "building:min_level");
+  sizes.foot_m = find_length(tags, {"min_height", "building:min_height"})
+                     .value_or(storey_m * min_level.value_or(0));
+  const auto height = find_length(tags, {"height", "building:height"});
+  sizes.roof = find_shape(tags, notes);
+  sizes.across = find_tag(tags, "roof:orientation") == "across";
+  sizes.direction_degrees = find_direction(tags);
+  if (levels && *levels >= 1) sizes.storeys = static_cast<int>(*levels);
+
+  double roof_m = 0;
+  if (sizes.roof != RoofShape::flat)
+    roof_m = find_length(tags, {"roof:height", "building:roof:height"})
+                 .value_or(roof_levels ? storey_m * std::max(*roof_levels, 0.5) : storey_m);
+  sizes.assumed = !height && !levels;
+  // "building:levels" counts those below the roof, from the ground; "height" reaches to its top.
+  sizes.top_m =
+      height
+          ? *height
+          : (levels ? storey_m * *levels : sizes.foot_m + storey_m * assume_levels(tags)) + roof_m;
+  if (!height && sizes.top_m <= sizes.foot_m) sizes.top_m = sizes.foot_m + storey_m;
+  if (sizes.top_m < sizes.foot_m + least_height_m) {
+    notes.add("building whose min_height is not below its height");
+    sizes.foot_m = 0;
+    sizes.top_m = std::max(sizes.top_m, least_height_m);
+  }
+  // A roof that is a canopy has no walls down to the ground.
+  const bool canopy =
+      find_tag(tags, "building") == "roof" || find_tag(tags, "building:part") == "roof";
+  if (canopy && sizes.foot_m == 0)
+    sizes.foot_m = std::max(0.0, sizes.top_m - roof_m - least_height_m);
+  // Half of the height is left to the walls where a roof would take more than all.
+  roof_m = std::min(roof_m, (sizes.top_m - sizes.foot_m) * (canopy ? 0.9 : 0.5) + 1e-9);
+  sizes.eaves_m = sizes.top_m - roof_m;
+  if (roof_m < 0.01) {
+    sizes.roof = RoofShape::flat;
+    sizes.eaves_m = sizes.top_m;
+  }
+  return sizes;
+}
+
+bool is_absent(const osm::OsmTags& tags) {
+  if (find_tag(tags, "location") == "underground") return true;
+  for (const char* key : {"building", "building:part"}) {
+    const std::string value = find_tag(tags, key);
+    for (const char* absent : {"no", "construction", "proposed", "demolished", "razed", "ruins"})
+      if (value == absent) return true;
+  }
+  return false;
+}
+
+}  // namespace nightcity::map_buildings

@@ -1,0 +1,37 @@
+// Sizes and roof of a building of the map, from its tags (OpenStreetMap's "Simple 3D Buildings").
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "tools/city/skip_counter.h"
+#include "tools/osm/osm_data.h"
+
+namespace nightcity::map_buildings {
+
+enum class RoofShape : std::uint8_t { flat, gabled, hipped, pyramidal, skillion };
+
+struct BuildingSizes {
+  double foot_m = 0;     // above the ground: min_height, building:min_level
+  double eaves_m = 0;    // where the roof begins
+  double top_m = 0;      // of the roof
+  bool assumed = false;  // no tag says how high it is
+  RoofShape roof = RoofShape::flat;
+  bool across = false;                      // the ridge runs along the shorter side
+  std::optional<double> direction_degrees;  // the roof falls that way: clockwise from north
+  std::optional<int> storeys;               // building:levels
+};
+
+constexpr double storey_m = 3;
+
+/// Returns sizes that are consistent: 0 <= foot < eaves <= top. Heights that are absent come from
+/// levels of 3 m, and without these from the kind of building: garages and huts have one level,
+/// houses two, flats and offices four. Counts shapes of roofs that are shown flat, and sizes that
+/// contradict each other.
+BuildingSizes find_sizes(const osm::OsmTags& tags, city::SkipCounter& notes);
+
+/// Returns whether the tags say that the building is below the ground, gone or not built yet.
+bool is_absent(const osm::OsmTags& tags);
+
+}  // namespace nightcity::map_buildings

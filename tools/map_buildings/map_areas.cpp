@@ -1,0 +1,195 @@
+// The only file of this library that includes libosmium: its headers are large.
+#include "tools/map_buildings/map_areas.h"
+
+#include <osmium/area/assembler.hpp>
+#include <osmium/area/multipolygon_manager.hpp>
+#include <osmium/index/map/flex_mem.hpp>
+#include <osmium/io/any_input.hpp>
+#include <osmium/visitor.hpp>
+
+#include <array>
+#include <fstream>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include "formats/error.h"
+#include "tools/osm/osm_marks.h"
+
+namespace nightcity::map_buildings {
+namespace {
+
+// libosmium's name for the file's format, by its first bytes.
+osmium::io::File open_map(const std::filesystem::path& file) {
+  std::array<char, 64> bytes{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(bytes.data(), bytes.size());
+  const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
+  if (start.empty()) throw Error(file.string(), "cannot be read, or is empty");
+  const char* format = start.starts_with("\x1f\x8b") ? "osm.gz"
+                       : osm::is_bzip2(start)        ? "osm.bz2"
+                       : osm::is_o5m(start)          ? "o5m"
+                       : osm::is_osm_pbf(start)      ? "pbf"
+                                                     : "osm";
+  return osmium::io::File(file.string(), format);
+}
+
+// Gives ways the places of their nodes, unless they hold them themselves.
+class Places : public osmium::handler::Handler {
+ public:
+  void node(const osmium::Node& node) {
+    if (!node.location().valid()) return;
+    (node.id() < 0 ? of_editor_ : places_).set(node.positive_id(), node.location());
+  }
+
+  void way(osmium::Way& way) {
+    if (!sorted_) {
+      places_.sort();
+      of_editor_.sort();
+      sorted_ = true;
+    }
+    if (way.deleted()) {
+      auto& version = deleted_ways[way.id()];
+      version = std::max(version, way.version());
+    }
+    for (osmium::NodeRef& node : way.nodes())
+      if (!node.location().valid())
+        node.set_location((node.ref() < 0 ? of_editor_ : places_)
+                              .get_noexcept(static_cast<osmium::unsigned_object_id_type>(
+                                  node.ref() < 0 ? -node.ref() : node.ref())));
+  }
+
+  std::unordered_map<osmium::object_id_type, osmium::object_version_type> deleted_ways;
+
+ private:
+  using Index = osmium::index::map::FlexMem<osmium::unsigned_object_id_type, osmium::Location>;
+  Index places_, of_editor_;
+  bool sorted_ = false;
+};
+
+class Collector : public osmium::handler::Handler {
+ public:
+  void area(const osmium::Area& area) {
+    const char* building = area.tags()["building"];
+    if (!building && !area.tags()["building:part"]) return;
+    MapArea out;
+    out.id = (area.from_way() ? "way/" : "relation/") + std::to_string(area.orig_id());
+    for (const osmium::OuterRing& outer : area.outer_rings()) {
+      MapRings rings;
+      rings.outer = copy(outer);
+      for (const osmium::InnerRing& inner : area.inner_rings(outer))
+        rings.holes.push_back(copy(inner));
+      if (rings.outer.size() >= 3) out.rings.push_back(std::move(rings));
+    }
+    if (out.rings.empty()) {
+      ++areas.broken;
+      return;
+    }
+    for (const osmium::Tag& tag : area.tags()) out.tags.emplace(tag.key(), tag.value());
+    std::vector<MapArea>& list = building ? areas.buildings : areas.parts;
+    // A history has several versions of an area: the newest counts.
+    const auto [known, is_new] =
+        newest_.try_emplace(area.id(), State{area.version(), list.size(), building != nullptr});
+    if (is_new) {
+      list.push_back(std::move(out));
+    } else if (area.version() >= known->second.version) {
+      std::vector<MapArea>& old = known->second.building ? areas.buildings : areas.parts;
+      old[known->second.place].rings.clear();
+      known->second = {area.version(), list.size(), building != nullptr};
+      list.push_back(std::move(out));
+    }
+  }
+
+  // Removes what newer versions have replaced or deleted.
+  MapAreas finish(const Places& places) && {
+    for (const auto& [id, version] : places.deleted_ways) {
+      const auto known = newest_.find(osmium::object_id_to_area_id(id, osmium::item_type::way));
+      if (known != newest_.end() && known->second.version < version)
+        (known->second.building ? areas.buildings : areas.parts)[known->second.place].rings.clear();
+    }
+    const auto is_gone = [](const MapArea& area) { return area.rings.empty(); };
+    std::erase_if(areas.buildings, is_gone);
+    std::erase_if(areas.parts, is_gone);
+    return std::move(areas);
+  }
+
+  MapAreas areas;
+
+ private:
+  struct State {
+    osmium::object_version_type version;
+    std::size_t place;
+    bool building;
+  };
+
+  static std::vector<glm::dvec2> copy(const osmium::NodeRefList& ring) {
+    std::vector<glm::dvec2> out;
+    for (const osmium::NodeRef& node : ring) {
+      const glm::dvec2 p(node.location().lon(), node.location().lat());
+      if (out.empty() || out.back() != p) out.push_back(p);
+    }
+    while (out.size() > 1 && out.back() == out.front()) out.pop_back();
+    return out;
+  }
+
+  std::unordered_map<osmium::object_id_type, State> newest_;
+};
+
+template <class Work>
+auto guard(const std::filesystem::path& file, const Work& work) {
+  try {
+    return work();
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw Error(file.string(), std::string("broken map: ") + error.what());
+  }
+}
+
+}  // namespace
+
+MapAreas read_map_areas(const std::filesystem::path& file) {
+  return guard(file, [&] {
+    const osmium::io::File map = open_map(file);
+    osmium::TagsFilter filter{false};
+    filter.add_rule(true, "building");
+    filter.add_rule(true, "building:part");
+    osmium::area::AssemblerConfig config;
+    osmium::area::MultipolygonManager<osmium::area::Assembler> manager{config, filter};
+    osmium::relations::read_relations(map, manager);
+    Places places;
+    Collector collector;
+    osmium::io::Reader reader(map, osmium::osm_entity_bits::nwr, osmium::io::read_meta::yes);
+    osmium::apply(reader, places, manager.handler([&](osmium::memory::Buffer&& buffer) {
+      osmium::apply(buffer, collector);
+    }));
+    reader.close();
+    MapAreas areas = std::move(collector).finish(places);
+    std::size_t incomplete = 0;
+    manager.for_each_incomplete_relation(
+        [&](const osmium::relations::RelationHandle&) { ++incomplete; });
+    areas.broken += incomplete + manager.stats().invalid_locations;
+    return areas;
+  });
+}
+
+std::vector<glm::dvec2> read_first_nodes(const std::filesystem::path& file, std::size_t count) {
+  return guard(file, [&] {
+    std::vector<glm::dvec2> places;
+    osmium::io::Reader reader(open_map(file), osmium::osm_entity_bits::nwr);
+    const auto take = [&](const osmium::Location& place) {
+      if (place.valid() && places.size() < count) places.emplace_back(place.lon(), place.lat());
+    };
+    while (places.size() < count) {
+      const osmium::memory::Buffer buffer = reader.read();
+      if (!buffer) break;
+      for (const osmium::Node& node : buffer.select<osmium::Node>()) take(node.location());
+      for (const osmium::Way& way : buffer.select<osmium::Way>())
+        for (const osmium::NodeRef& node : way.nodes()) take(node.location());
+    }
+    reader.close();
+    return places;
+  });
+}
+
+}  // namespace nightcity::map_buildings

@@ -1,0 +1,235 @@
+#include "tools/map_buildings/read_map_buildings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/common.hpp>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "formats/median.h"
+#include "tools/city/attributes.h"
+#include "tools/city/merge_parts.h"
+#include "tools/city/skip_counter.h"
+#include "tools/in_order.h"
+#include "tools/map_buildings/building_tags.h"
+#include "tools/map_buildings/map_areas.h"
+#include "tools/map_buildings/part_index.h"
+#include "tools/map_buildings/roofs.h"
+
+namespace nightcity::map_buildings {
+namespace {
+
+constexpr std::size_t batch_size = 256;
+
+// A plane in metres round a place: distances on the ellipsoid of WGS 84 along its meridian and its
+// parallel (Snyder 1987, "Map Projections", 25), good to a millimetre over a building.
+class LocalPlane {
+ public:
+  explicit LocalPlane(const glm::dvec2& origin) : origin_(origin) {
+    constexpr double semi_major_m = 6'378'137, eccentricity2 = 0.00669437999014;
+    constexpr double degree = std::numbers::pi / 180;
+    const double sine = std::sin(origin.y * degree);
+    const double w2 = 1 - eccentricity2 * sine * sine;
+    metres_a_degree_ = {
+        degree * semi_major_m * std::max(std::cos(origin.y * degree), 1e-6) / std::sqrt(w2),
+        degree * semi_major_m * (1 - eccentricity2) / (w2 * std::sqrt(w2))};
+  }
+  glm::dvec2 to_metres(const glm::dvec2& lon_lat) const {
+    return (lon_lat - origin_) * metres_a_degree_;
+  }
+  glm::dvec3 to_degrees(const glm::dvec3& p) const {
+    return {origin_ + glm::dvec2(p) / metres_a_degree_, p.z};
+  }
+
+ private:
+  glm::dvec2 origin_, metres_a_degree_;
+};
+
+double area_of(const std::vector<glm::dvec2>& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const glm::dvec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    sum += a.x * b.y - a.y * b.x;
+  }
+  return sum / 2;
+}
+
+// Vertices on the line between their neighbours, within 2 cm, make no corner: mappers set them where
+// a neighbour joins. Four corners are then four.
+void drop_straight_vertices(std::vector<glm::dvec2>& ring) {
+  constexpr double tolerance_m = 0.02;
+  for (std::size_t i = 0; i < ring.size() && ring.size() > 3;) {
+    const glm::dvec2& a = ring[(i + ring.size() - 1) % ring.size()];
+    const glm::dvec2& b = ring[(i + 1) % ring.size()];
+    const glm::dvec2 line = b - a, from = ring[i] - a;
+    const double length = std::hypot(line.x, line.y);
+    const double along = length > 0 ? (line.x * from.x + line.y * from.y) / length : -1;
+    const bool straight = length > 0 && along > 0 && along < length &&
+                          std::abs(line.x * from.y - line.y * from.x) <= tolerance_m * length;
+    if (straight)
+      ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
+    else
+      ++i;
+  }
+}
+
+Outline to_outline(const MapRings& rings, const LocalPlane& plane) {
+  const auto flatten = [&](const std::vector<glm::dvec2>& ring, bool anticlockwise) {
+    std::vector<glm::dvec2> out;
+    for (const glm::dvec2& p : ring) out.push_back(plane.to_metres(p));
+    if ((area_of(out) > 0) != anticlockwise) std::reverse(out.begin(), out.end());
+    drop_straight_vertices(out);
+    return out;
+  };
+  Outline outline{flatten(rings.outer, true), {}};
+  for (const std::vector<glm::dvec2>& hole : rings.holes)
+    if (hole.size() >= 3) outline.holes.push_back(flatten(hole, false));
+  return outline;
+}
+
+std::string find_tag(const osm::OsmTags& tags, const char* key) {
+  const auto found = tags.find(key);
+  return found == tags.end() ? std::string() : found->second;
+}
+
+class ObjectMaker {
+ public:
+  explicit ObjectMaker(city::SkipCounter& skipped) : skipped_(skipped) {}
+
+  // Returns none where nothing of the building stands above the ground.
+  std::optional<city::RawObject> make(const MapArea& building,
+                                      const std::vector<const MapArea*>& parts) {
+    if (is_absent(building.tags)) {
+      skipped_.add("building below the ground, not built or gone");
+      return {};
+    }
+    city::RawObject raw;
+    raw.object.id = building.id;
+    raw.object.type = city::ObjectType::building;
+    raw.object.class_name = "Building";
+    raw.object.year = find_tag(building.tags, "start_date").substr(0, 4);
+    raw.object.address = city::to_text(city::Address{
+        find_tag(building.tags, "addr:street"), find_tag(building.tags, "addr:housenumber"),
+        find_tag(building.tags, "addr:postcode"), find_tag(building.tags, "addr:city"),
+        find_tag(building.tags, "addr:country")});
+    const LocalPlane plane(building.rings.front().outer.front());
+    if (parts.empty()) add_shells(building, building.tags, plane, raw);
+    for (const MapArea* part : parts)
+      if (!is_absent(part->tags)) add_shells(*part, part->tags, plane, raw);
+    if (!parts.empty()) skipped_.add("outline of a building that has parts");
+    if (const auto said = find_sizes(building.tags, unused_).storeys)
+      raw.object.storeys_above_ground = *said;
+    return raw;
+  }
+
+ private:
+  void add_shells(const MapArea& area, const osm::OsmTags& tags, const LocalPlane& plane,
+                  city::RawObject& raw) {
+    const BuildingSizes sizes = find_sizes(tags, skipped_);
+    if (sizes.assumed) skipped_.add("height of a building that the map does not say");
+    for (const MapRings& rings : area.rings) {
+      const Outline outline = to_outline(rings, plane);
+      bool made_flat = false;
+      for (city::Polygon& polygon : make_shell(outline, sizes, made_flat)) {
+        const auto place = [&](city::Ring& ring) {
+          for (glm::dvec3& p : ring) p = plane.to_degrees(p);
+        };
+        place(polygon.exterior);
+        for (city::Ring& hole : polygon.interiors) place(hole);
+        raw.polygons.push_back({std::move(polygon), -1, 0});
+      }
+      if (made_flat) skipped_.add("roof whose shape does not fit its outline, shown flat");
+    }
+    city::CityObject& object = raw.object;
+    object.measured_height_m = std::max(object.measured_height_m.value_or(0), sizes.top_m);
+    if (sizes.storeys)
+      object.storeys_above_ground =
+          std::max(object.storeys_above_ground.value_or(0), *sizes.storeys);
+  }
+
+  city::SkipCounter& skipped_;
+  city::SkipCounter unused_;
+};
+
+struct Batch {
+  city::ReadReport report;
+  city::SkipCounter skipped;
+  std::function<void()> rest;
+};
+
+}  // namespace
+
+city::CityHead read_map_head(const std::filesystem::path& file) {
+  constexpr std::size_t nodes = 100'000;
+  city::CityHead head;
+  head.srs_name = "EPSG:4326";
+  std::vector<double> lon, lat;
+  for (const glm::dvec2& p : read_first_nodes(file, nodes)) {
+    lon.push_back(p.x);
+    lat.push_back(p.y);
+  }
+  if (lon.empty()) return head;
+  // A square round the middle that faces up: it shows longitude and latitude in their order.
+  const double x = median(std::move(lon)), y = median(std::move(lat)), half = 0.0005;
+  head.sample = {{x - half, y - half, 0},
+                 {x + half, y - half, 0},
+                 {x + half, y + half, 0},
+                 {x - half, y + half, 0},
+                 {x - half, y - half, 0}};
+  return head;
+}
+
+city::ReadReport read_map_buildings(const std::filesystem::path& file,
+                                    const city::ReadOptions& options,
+                                    const city::ObjectStage& stage) {
+  const MapAreas areas = read_map_areas(file);
+  city::ReadReport report;
+  report.srs_name = "EPSG:4326";
+  if (areas.broken > 0) report.skipped["area that is broken or incomplete"] = areas.broken;
+
+  const PartIndex index(areas.buildings);
+  std::vector<std::vector<const MapArea*>> parts(areas.buildings.size());
+  std::vector<const MapArea*> alone;  // parts of no building
+  for (const MapArea& part : areas.parts) {
+    if (const auto building = index.find_building(part))
+      parts[*building].push_back(&part);
+    else
+      alone.push_back(&part);
+  }
+  const std::size_t count = areas.buildings.size() + alone.size();
+  std::size_t next = 0;
+  in_order(
+      options.threads,
+      [&]() -> std::optional<std::size_t> {
+        if (next >= count) return {};
+        return std::exchange(next, next + batch_size);
+      },
+      [&](std::size_t first) {
+        Batch batch;
+        ObjectMaker maker(batch.skipped);
+        std::vector<city::CityObject> objects;
+        for (std::size_t i = first; i < std::min(first + batch_size, count); ++i) {
+          const bool whole = i < areas.buildings.size();
+          auto raw = whole ? maker.make(areas.buildings[i], parts[i])
+                           : maker.make(*alone[i - areas.buildings.size()], {});
+          if (raw) objects.push_back(city::merge_parts(std::move(*raw), options, batch.report));
+        }
+        if (!objects.empty()) batch.rest = stage(std::move(objects));
+        return batch;
+      },
+      [&](Batch&& batch) {
+        if (batch.rest) batch.rest();
+        batch.skipped.merge_into(batch.report.skipped);
+        report.merge(batch.report);
+      });
+  report.warnings.push_back(file.string() + ": the city model is the " +
+                            std::to_string(report.objects) +
+                            " buildings of the map, with the heights that it says or its levels "
+                            "and kinds suggest, on a plane at height 0");
+  city::finish_report(file, report);
+  return report;
+}
+
+}  // namespace nightcity::map_buildings
