@@ -2,7 +2,6 @@
 
 #include <array>
 #include <charconv>
-#include <cmath>
 
 namespace nightcity::cityjson {
 
@@ -28,18 +27,6 @@ std::string_view find_text(const dom::object& object, std::string_view key) {
   std::string_view value;
   if (object.at_key(key).get(value) != simdjson::SUCCESS) return {};
   return value;
-}
-
-std::optional<double> to_number(const dom::element& value) {
-  double number = 0;
-  if (value.get(number) != simdjson::SUCCESS || !std::isfinite(number)) return {};
-  return number;
-}
-
-std::optional<std::size_t> to_index(const dom::element& value) {
-  std::uint64_t number = 0;
-  if (value.get(number) != simdjson::SUCCESS) return {};
-  return static_cast<std::size_t>(number);
 }
 
 std::optional<glm::dvec3> to_vector(const dom::element& value) {

@@ -3,7 +3,9 @@
 
 #include <simdjson.h>
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
@@ -21,9 +23,17 @@ std::optional<dom::array> find_array(const dom::object& object, std::string_view
 std::string_view find_text(const dom::object& object, std::string_view key);
 
 /// Returns the finite number that a value is, whole or not; none for other values.
-std::optional<double> to_number(const dom::element& value);
+inline std::optional<double> to_number(const dom::element& value) {
+  double number = 0;
+  if (value.get(number) != simdjson::SUCCESS || !std::isfinite(number)) return {};
+  return number;
+}
 /// Returns the index that a value is; none for all others, negative ones too.
-std::optional<std::size_t> to_index(const dom::element& value);
+inline std::optional<std::size_t> to_index(const dom::element& value) {
+  std::uint64_t number = 0;
+  if (value.get(number) != simdjson::SUCCESS) return {};
+  return static_cast<std::size_t>(number);
+}
 /// Returns the three numbers of an array; none for any other value.
 std::optional<glm::dvec3> to_vector(const dom::element& value);
 /// Returns a text as it is, and a number written out; "" for other values.

@@ -56,6 +56,7 @@ void choose_by_area(const Candidates& all, const std::string& promise, AxisChoic
     choice.centre = all.places[i];
     choice.why = i == 0 ? promise
                         : "against the order its name promises: only so it lies in the area of use";
+    choice.doubtful = i != 0;
   }
   choice.inside = best > 0;
 }
@@ -76,6 +77,7 @@ void choose_by_rings(const Candidates& all, std::span<const glm::dvec3> sample,
   const std::size_t i = swapped == all.orders[0].swapped ? 0 : 1;
   choice.order = all.orders[i];
   choice.centre = all.places[i];
+  choice.doubtful = i != 0;
   choice.why = i == 0 ? promise + ", and surfaces face outward so"
                       : "against the order its name promises: only so surfaces face outward";
 }
@@ -96,12 +98,15 @@ void keep_promise(const Candidates& all, std::span<const glm::dvec3> sample,
       choice.order = all.orders[1];
       choice.centre = all.places[1];
       choice.why = "against the order its name promises: only so corners are right angles";
+      choice.doubtful = true;
       return;
     }
   }
   const double hand = handedness(sample);
-  if (std::abs(hand) > clear_sign && (hand < 0) != all.orders[0].swapped)
+  if (std::abs(hand) > clear_sign && (hand < 0) != all.orders[0].swapped) {
     choice.why = promise + ", although surfaces face inward so";
+    choice.doubtful = true;
+  }
 }
 
 }  // namespace

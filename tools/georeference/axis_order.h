@@ -28,6 +28,7 @@ struct AxisChoice {
   std::unique_ptr<SourceCrs> crs;
   AxisOrder order;
   std::string why;          // the reason for this order, for the report
+  bool doubtful = false;    // the file contradicts its CRS's name, or the way its surfaces face
   glm::dvec2 centre{0, 0};  // of the sample: longitude, latitude, degrees, of the CRS's own datum
   bool inside = false;      // the sample lies in the CRS's area of use (or there is no sample)
 };

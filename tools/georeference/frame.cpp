@@ -40,7 +40,7 @@ struct CityFrame::State {
   double unit = 1, height_unit = 1;    // source units to metres
   std::optional<LocalMercator> plane;  // geographic source, or control points
   std::optional<Similarity> similarity;
-  std::string crs, description;
+  std::string crs, description, axis_warning;
   mutable std::mutex mutex;  // a PROJ operation serves one thread at a time
 
   void place_by(std::span<const ControlPoint> points);
@@ -105,6 +105,11 @@ void CityFrame::State::place_in(AxisChoice&& choice, const std::string& definiti
   description = definition;
   if (source->name() != definition) description += " (" + source->name() + ")";
   description += "; axes " + order.in_words() + " " + choice.why;
+  if (choice.doubtful)
+    axis_warning = "axes of " + definition + " are taken as " + order.in_words() + " " +
+                   choice.why +
+                   ": if the city is mirrored so, set [city] crs = \"EPSG:<code>\", with which the "
+                   "area of use and the way that surfaces face decide";
   unit = source->unit_to_metre();
   height_unit = source->height_unit_to_metre();
   if (choice.inside && !sample.empty()) leave_stretched_grid(choice.centre);
@@ -216,6 +221,9 @@ const std::string& CityFrame::crs() const {
 }
 const std::string& CityFrame::description() const {
   return state_->description;
+}
+const std::string& CityFrame::axis_warning() const {
+  return state_->axis_warning;
 }
 
 CityFrame::CityFrame(std::unique_ptr<State> state) : state_(std::move(state)) {}

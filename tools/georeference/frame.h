@@ -46,6 +46,9 @@ class CityFrame {
   const std::string& crs() const;  // "EPSG:25833" or a PROJ string
   /// For the report: CRS, axis order and its reason, operation and its accuracy.
   const std::string& description() const;
+  /// Returns "axes are taken as north, east: ..." where the file contradicts its CRS's name, or
+  /// follows it with surfaces that face inward; "" where nothing is doubtful.
+  const std::string& axis_warning() const;
 
   CityFrame(CityFrame&&) noexcept;
   CityFrame& operator=(CityFrame&&) noexcept;

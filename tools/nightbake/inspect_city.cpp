@@ -77,6 +77,8 @@ Inspection inspect_city(const std::filesystem::path& file, const std::string& ki
                     {"not_finite", mesh.not_finite},
                     {"not_triangulated", mesh.not_triangulated}};
   result["warnings"] = report.warnings;
+  if (frame && !frame->axis_warning().empty())
+    result["warnings"].push_back(file.string() + ": " + frame->axis_warning());
   if (!frame)
     result["warnings"].push_back(file.string() +
                                  ": coordinates are shown as they are in the file: " + frame_error);

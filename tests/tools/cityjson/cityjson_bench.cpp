@@ -1,5 +1,6 @@
 // Measures the readers of CityGML, CityJSON and CityJSONSeq on the same city, on one thread.
 //   cityjson_bench CITY.gml [--copies N]
+//   cityjson_bench CITY.json
 // The city is read, and written N times over as CityJSON and as CityJSONSeq, each polygon with its
 // semantic surface. What is printed for each reader: CPU seconds, megabytes and polygons a second,
 // and by how much the peak of the process's memory grew (the first reading sets it for later ones of
@@ -158,8 +159,12 @@ int run(int argc, char** argv) {
       file = argv[i];
   }
   if (file.empty() || copies < 1) {
-    std::fprintf(stderr, "usage: cityjson_bench CITY.gml [--copies N]\n");
+    std::fprintf(stderr, "usage: cityjson_bench CITY.gml [--copies N] | CITY.json\n");
     return 2;
+  }
+  if (file.extension() != ".gml") {
+    measure(file.filename().c_str(), file);
+    return 0;
   }
   const fs::path folder = fs::temp_directory_path() / "nightcity_cityjson_bench";
   fs::create_directories(folder);

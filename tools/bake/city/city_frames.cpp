@@ -118,6 +118,7 @@ CityFrames::CityFrames(const CityInputs& inputs) {
   const auto number = static_cast<std::size_t>(first - heads.begin());
   city_ = make_frame(inputs.files[number], *first, options);
   descriptions_.push_back(city_->description());
+  warn(inputs.files[number], *city_);
   std::vector<glm::dvec3> sample = first->sample;
   city_->to_projected(sample);
   reference_ = find_median(sample);
@@ -126,6 +127,11 @@ CityFrames::CityFrames(const CityInputs& inputs) {
   // An override or control points apply to every file.
   if (options.crs_override.empty() && options.control_points.empty())
     add_foreign(inputs, heads, number, options);
+}
+
+void CityFrames::warn(const std::filesystem::path& file, const georeference::CityFrame& frame) {
+  if (!frame.axis_warning().empty())
+    warnings_.push_back(file.string() + ": " + frame.axis_warning());
 }
 
 void CityFrames::add_foreign(const CityInputs& inputs, const std::vector<city::CityHead>& heads,
@@ -138,6 +144,7 @@ void CityFrames::add_foreign(const CityInputs& inputs, const std::vector<city::C
     foreign_of_file_[i] = static_cast<std::size_t>(known - foreign_.begin());
     if (known != foreign_.end()) continue;
     georeference::CityFrame frame = make_frame(inputs.files[i], heads[i], options);
+    warn(inputs.files[i], frame);
     const bool same_crs = frame.crs() == city_->crs();
     if (!same_crs) {
       if (!frame.has_lon_lat() || !city_->has_lon_lat())

@@ -29,6 +29,8 @@ class CityFrames {
   const glm::dvec3& reference() const { return reference_; }
   /// Returns one line for each CRS of the files, for the report.
   const std::vector<std::string>& descriptions() const { return descriptions_; }
+  /// Returns a warning for each CRS whose axis order is doubtful.
+  const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
   struct Foreign {
@@ -43,7 +45,8 @@ class CityFrames {
   std::vector<Foreign> foreign_;
   std::vector<std::optional<std::size_t>> foreign_of_file_;  // empty: the city's own
   glm::dvec3 reference_{0};
-  std::vector<std::string> descriptions_;
+  void warn(const std::filesystem::path& file, const georeference::CityFrame& frame);
+  std::vector<std::string> descriptions_, warnings_;
 };
 
 }  // namespace nightcity::bake

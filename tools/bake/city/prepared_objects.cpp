@@ -157,6 +157,7 @@ CityReport read_prepared_objects(const CityInputs& inputs, const CityFrames& fra
                                  const ProgressSink& progress) {
   const auto& files = inputs.files;
   CityReader reader(frames, consumers, files.size() > 1);
+  reader.report().read.warnings = frames.warnings();
   city::ReadOptions options = inputs.read;
   std::set<std::filesystem::path> neighbours;
   for (const auto& file : files) neighbours.insert(file.lexically_normal());

@@ -70,7 +70,9 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
        text_key("crs", city.frame.crs_override, "\"EPSG:25833\"",
                 "Coordinate reference system of the files, in place of the one they name: an EPSG "
                 "code or any text that PROJ understands. `\"none\"`: coordinates are metres of an "
-                "unknown system."),
+                "unknown system. A name that is a URN or a URL fixes the order of axes, whichever "
+                "way surfaces face; with `EPSG:n` area of use and surfaces decide. Where a file "
+                "contradicts its name, a warning says what was taken."),
        control_points_key(city.frame), bounds_key(city.bounds),
        integer_key("lod", city.read.max_lod, 0, 4,
                    "The highest level of detail to use. Each object takes its highest one up to "
