@@ -1,6 +1,7 @@
 // The two parsers behind read_osm.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
@@ -16,5 +17,10 @@ void read_osm_xml(const std::filesystem::path& file, OsmCollector& collector);
 /// Error.
 void read_osm_packed(const std::filesystem::path& file, const std::string& format,
                      OsmCollector& collector);
+
+/// Keeps a remark of the server. Throws Error where it says that the answer is incomplete; Overpass
+/// puts its errors at the end of an answer that looks sound. `line`: 0 = not known.
+void take_remark(const std::filesystem::path& file, std::size_t line, const std::string& text,
+                 OsmCollector& collector);
 
 }  // namespace nightcity::osm

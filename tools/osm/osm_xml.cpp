@@ -80,6 +80,15 @@ std::size_t line_at(const std::filesystem::path& file, std::ptrdiff_t offset) {
 
 }  // namespace
 
+void take_remark(const std::filesystem::path& file, std::size_t line, const std::string& text,
+                 OsmCollector& collector) {
+  if (text.find("error") != std::string::npos)
+    throw Error(file.string(), line,
+                "the server's answer is incomplete (\"" + text.substr(0, 200) +
+                    "\"): ask for a smaller area or a longer timeout");
+  collector.add_remark(text);
+}
+
 void read_osm_xml(const std::filesystem::path& file, OsmCollector& collector) {
   pugi::xml_document document;
   const pugi::xml_parse_result parsed =
@@ -100,13 +109,8 @@ void read_osm_xml(const std::filesystem::path& file, OsmCollector& collector) {
     } else if (name == "relation") {
       if (!version_of(element).deleted) collector.count_relation();
     } else if (name == "remark") {
-      // Overpass puts its errors at the end of an answer that looks sound.
-      const std::string text = element.text().as_string();
-      if (text.find("error") != std::string::npos)
-        throw Error(file.string(), line_at(file, element.offset_debug()),
-                    "the server's answer is incomplete (\"" + text.substr(0, 200) +
-                        "\"): ask for a smaller area or a longer timeout");
-      collector.add_remark(text);
+      take_remark(file, line_at(file, element.offset_debug()), element.text().as_string(),
+                  collector);
     }
   }
 }

@@ -189,6 +189,28 @@ TEST_F(OsmFile, AnAnswerThatTheServerCallsIncompleteIsRefused) {
   EXPECT_EQ(read("<remark>made on a Tuesday</remark>").remarks.size(), 1u);
 }
 
+TEST_F(OsmFile, RemarksInPackedFilesAreReadToo) {
+  const auto pack = [&](const std::string& text, const char* packer, const char* ending) {
+    const auto path = write(text, "answer.osm");
+    const auto packed = path.string() + ending;
+    std::filesystem::remove(packed);
+    if (std::system((std::string(packer) + " -k " + path.string()).c_str()) != 0)
+      return std::string();
+    return packed;
+  };
+  const std::string root = "<osm version=\"0.6\" generator=\"Overpass API 0.7\">\n";
+  const std::string filler(300'000, ' ');
+  for (const auto& [packer, ending] : {std::pair{"gzip", ".gz"}, std::pair{"bzip2", ".bz2"}}) {
+    const std::string bad = pack(
+        root + filler + "<remark> runtime error: Query timed out </remark></osm>", packer, ending);
+    if (bad.empty()) GTEST_SKIP() << packer << " is absent";
+    EXPECT_NE(error_of(bad).find(": the server's answer is incomplete"), std::string::npos);
+    const OsmData data =
+        read_osm(pack(root + "<remark>made on a Tuesday</remark></osm>", packer, ending));
+    EXPECT_EQ(data.remarks, std::vector<std::string>{"made on a Tuesday"});
+  }
+}
+
 TEST_F(OsmFile, WhatIsNoExtractIsNamed) {
   using namespace std::string_literals;
   const struct {
