@@ -16,10 +16,18 @@ CLI::Option* add_output_option(CLI::App& command, Target& target, const std::str
 }
 
 /// Creates `folder` with its parents unless it exists. Throws Error when that fails or nothing can
-/// be written into it: a long computation should not find this out at its end.
+/// be written into it: a long computation should not find this out at its end. Folders made here
+/// are removed, if they are empty, when this throws, when a signal ends the program, and by
+/// remove_made_folders().
 void require_writable_folder(const std::filesystem::path& folder);
 
 /// Does the same for the folder that `file` will lie in.
 void require_writable_folder_of(const std::filesystem::path& file);
+
+/// Removes the folders made by require_writable_folder() that are empty: a command that fails leaves
+/// nothing behind.
+void remove_made_folders();
+/// Keeps them for good: the command has succeeded.
+void keep_made_folders();
 
 }  // namespace nightcity::program

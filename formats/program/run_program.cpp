@@ -11,6 +11,7 @@
 
 #include "formats/error.h"
 #include "formats/program/man_page.h"
+#include "formats/program/output.h"
 #include "formats/signals.h"
 
 namespace nightcity::program {
@@ -104,6 +105,10 @@ int run_program(const Program& program, int argc, const char* const* argv) {
     // xerces' exceptions, for one, derive from nothing.
     spdlog::error("an unknown exception ended the work");
   }
+  if (code == ExitCode::ok)
+    keep_made_folders();
+  else
+    remove_made_folders();
   return static_cast<int>(code);
 }
 

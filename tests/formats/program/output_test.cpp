@@ -38,6 +38,23 @@ TEST(WritableFolder, IsMadeWithItsParents) {
   EXPECT_FALSE(std::filesystem::exists(folder / "d/picture.png"));
 }
 
+TEST(WritableFolder, LeavesNothingBehindWhereItFails) {
+  const TempFolder folder;
+  EXPECT_THROW(require_writable_folder(folder / "a/b" / std::string(300, 'x')), Error);
+  EXPECT_FALSE(std::filesystem::exists(folder / "a"));
+  // A command fails later: its folders go where they are empty, and what holds files stays.
+  require_writable_folder(folder / "c/d/");
+  require_writable_folder(folder / "c/e");
+  test::write_text(folder / "c/e/file", "text");
+  remove_made_folders();
+  EXPECT_FALSE(std::filesystem::exists(folder / "c/d"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "c/e/file"));
+  require_writable_folder(folder / "f");
+  keep_made_folders();
+  remove_made_folders();
+  EXPECT_TRUE(std::filesystem::exists(folder / "f"));
+}
+
 TEST(WritableFolder, IsNoFileAndNotBelowOne) {
   const TempFolder folder;
   test::write_text(folder / "file", "text");
