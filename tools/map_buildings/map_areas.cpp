@@ -11,6 +11,7 @@
 #include <fstream>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "formats/error.h"
@@ -51,6 +52,8 @@ class Places : public osmium::handler::Handler {
     if (way.deleted()) {
       auto& version = deleted_ways[way.id()];
       version = std::max(version, way.version());
+    } else if (way.tags()["building"] || way.tags()["building:part"]) {
+      building_ways.insert(way.id());
     }
     for (osmium::NodeRef& node : way.nodes())
       if (!node.location().valid())
@@ -60,6 +63,7 @@ class Places : public osmium::handler::Handler {
   }
 
   std::unordered_map<osmium::object_id_type, osmium::object_version_type> deleted_ways;
+  std::unordered_set<osmium::object_id_type> building_ways;
 
  private:
   using Index = osmium::index::map::FlexMem<osmium::unsigned_object_id_type, osmium::Location>;
@@ -82,9 +86,10 @@ class Collector : public osmium::handler::Handler {
       if (rings.outer.size() >= 3) out.rings.push_back(std::move(rings));
     }
     if (out.rings.empty()) {
-      ++areas.broken;
+      areas.broken += !area.from_way();  // ways are counted at the end
       return;
     }
+    if (area.from_way()) made_ways_.insert(area.orig_id());
     for (const osmium::Tag& tag : area.tags()) out.tags.emplace(tag.key(), tag.value());
     std::vector<MapArea>& list = building ? areas.buildings : areas.parts;
     // A history has several versions of an area: the newest counts.
@@ -107,6 +112,8 @@ class Collector : public osmium::handler::Handler {
       if (known != newest_.end() && known->second.version < version)
         (known->second.building ? areas.buildings : areas.parts)[known->second.place].rings.clear();
     }
+    for (const osmium::object_id_type id : places.building_ways)
+      areas.broken += !made_ways_.contains(id) && !places.deleted_ways.contains(id);
     const auto is_gone = [](const MapArea& area) { return area.rings.empty(); };
     std::erase_if(areas.buildings, is_gone);
     std::erase_if(areas.parts, is_gone);
@@ -133,6 +140,7 @@ class Collector : public osmium::handler::Handler {
   }
 
   std::unordered_map<osmium::object_id_type, State> newest_;
+  std::unordered_set<osmium::object_id_type> made_ways_;
 };
 
 template <class Work>
@@ -168,7 +176,7 @@ MapAreas read_map_areas(const std::filesystem::path& file) {
     std::size_t incomplete = 0;
     manager.for_each_incomplete_relation(
         [&](const osmium::relations::RelationHandle&) { ++incomplete; });
-    areas.broken += incomplete + manager.stats().invalid_locations;
+    areas.broken += incomplete;
     return areas;
   });
 }

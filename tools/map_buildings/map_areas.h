@@ -26,7 +26,7 @@ struct MapArea {
 struct MapAreas {
   std::vector<MapArea> buildings;  // building=*
   std::vector<MapArea> parts;      // building:part=*, and no building
-  std::size_t broken = 0;          // multipolygons and rings of which nothing could be made
+  std::size_t broken = 0;          // ways and multipolygons that enclose nothing or lack nodes
 };
 
 /// Reads all areas with a building or building:part, of several versions of one the newest. Memory

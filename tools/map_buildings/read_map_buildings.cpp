@@ -187,7 +187,7 @@ city::ReadReport read_map_buildings(const std::filesystem::path& file,
   const MapAreas areas = read_map_areas(file);
   city::ReadReport report;
   report.srs_name = "EPSG:4326";
-  if (areas.broken > 0) report.skipped["area that is broken or incomplete"] = areas.broken;
+  if (areas.broken > 0) report.skipped["outline that crosses itself, is open or incomplete"] = areas.broken;
 
   const PartIndex index(areas.buildings);
   std::vector<std::vector<const MapArea*>> parts(areas.buildings.size());

@@ -177,6 +177,26 @@ TEST(MapBuildings, WhatIsAssumedOrNotShownIsCounted) {
   EXPECT_EQ(result.report.skipped.at("building below the ground, not built or gone"), 1u);
 }
 
+TEST(MapBuildings, OutlinesThatEncloseNothingAreCountedAndNothingElseIsLost) {
+  const std::string nodes =
+      "<node id=\"1\" lat=\"0\" lon=\"10\"/><node id=\"2\" lat=\"0\" lon=\"10.0001\"/>"
+      "<node id=\"3\" lat=\"0.0001\" lon=\"10.0001\"/><node id=\"4\" lat=\"0.0001\" lon=\"10\"/>";
+  const auto way = [](int id, std::initializer_list<int> refs) {
+    std::string text = "<way id=\"" + std::to_string(id) + "\">";
+    for (const int ref : refs) text += "<nd ref=\"" + std::to_string(ref) + "\"/>";
+    return text + "<tag k=\"building\" v=\"yes\"/></way>";
+  };
+  const TemporaryFile file("<osm version=\"0.6\">" + nodes + way(10, {1, 2, 3, 4, 1}) +
+                               way(11, {1, 3, 2, 4, 1}) + way(12, {1, 2}) + way(13, {1, 2, 1}) +
+                               way(14, {90, 91, 92, 90}) + "</osm>",
+                           ".osm");
+  std::vector<std::string> ids;
+  const city::ObjectSink sink = [&](city::CityObject&& o) { ids.push_back(o.id); };
+  const city::ReadReport report = read_map_buildings(file.path(), {}, city::deliver_to(sink));
+  EXPECT_EQ(ids, std::vector<std::string>{"way/10"});
+  EXPECT_EQ(report.skipped.at("outline that crosses itself, is open or incomplete"), 4u);
+}
+
 TEST(MapBuildings, SizesStayConsistentWhateverTheTagsSay) {
   city::SkipCounter notes;
   for (const char* height : {"", "0", "0.1", "5", "1000", "1e9", "-3", "nan", "x"})
