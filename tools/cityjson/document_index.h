@@ -22,8 +22,8 @@ struct DocumentIndex {
   std::vector<ObjectText> objects;                               // in the order of the text
 };
 
-/// `text` must outlive the index. Brackets and texts are followed, and what stands between is left to
-/// the parser. Throws Error with file and line where the text is no JSON object, or is cut off.
+/// `text` must outlive the index. Brackets and texts are followed, and what stands between is left
+/// to the parser. Throws Error with file and line where the text is no JSON object, or is cut off.
 DocumentIndex index_document(std::string_view text, const std::string& name);
 
 /// Returns the line, from 1, of a place in the text.

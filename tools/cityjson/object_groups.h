@@ -31,9 +31,9 @@ struct ObjectGroups {
 };
 
 /// Groups objects with their children and the children's children, each group led by its own
-/// 1st-level object, in the order of the file. A child belongs to the first that names it; 2nd-level
-/// objects that none names come last, as groups of their own. Children that are not among `nodes`
-/// are counted.
+/// 1st-level object, in the order of the file. A child belongs to the first that names it;
+/// 2nd-level objects that none names come last, as groups of their own. Children that are not among
+/// `nodes` are counted.
 ObjectGroups group_objects(std::span<const ObjectNode> nodes, city::SkipCounter& skipped);
 
 }  // namespace nightcity::cityjson

@@ -18,8 +18,8 @@ struct GroupMember {
   dom::object object;
 };
 
-/// Reads a group that group_objects() has made, the 1st-level object first. Returns none where it is
-/// of an extension, the inside of a building, or a list; it is counted then.
+/// Reads a group that group_objects() has made, the 1st-level object first. Returns none where it
+/// is of an extension, the inside of a building, or a list; it is counted then.
 std::optional<city::RawObject> read_object(std::span<const GroupMember> group,
                                            const GeometrySources& sources,
                                            city::SkipCounter& skipped);

@@ -6,7 +6,8 @@
 
 namespace nightcity::cityjson {
 
-/// Streams the features, in memory that does not grow with the document. Throws Error with the line.
+/// Streams the features, in memory that does not grow with the document. Throws Error with the
+/// line.
 city::ReadReport read_sequence(const city::Document& document, const city::ReadOptions& options,
                                const city::ObjectStage& stage);
 

@@ -56,8 +56,8 @@ double area_of(const std::vector<glm::dvec2>& ring) {
   return sum / 2;
 }
 
-// Vertices on the line between their neighbours, within 2 cm, make no corner: mappers set them where
-// a neighbour joins. Four corners are then four.
+// Vertices on the line between their neighbours, within 2 cm, make no corner: mappers set them
+// where a neighbour joins. Four corners are then four.
 void drop_straight_vertices(std::vector<glm::dvec2>& ring) {
   constexpr double tolerance_m = 0.02;
   for (std::size_t i = 0; i < ring.size() && ring.size() > 3;) {
@@ -187,7 +187,8 @@ city::ReadReport read_map_buildings(const std::filesystem::path& file,
   const MapAreas areas = read_map_areas(file);
   city::ReadReport report;
   report.srs_name = "EPSG:4326";
-  if (areas.broken > 0) report.skipped["outline that crosses itself, is open or incomplete"] = areas.broken;
+  if (areas.broken > 0)
+    report.skipped["outline that crosses itself, is open or incomplete"] = areas.broken;
 
   const PartIndex index(areas.buildings);
   std::vector<std::vector<const MapArea*>> parts(areas.buildings.size());

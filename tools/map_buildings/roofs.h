@@ -16,8 +16,8 @@ struct Outline {
   std::vector<std::vector<glm::dvec2>> holes;
 };
 
-/// Returns a closed shell that faces outward: floor, walls, roof. Where the roof's shape does not fit
-/// the outline (a gable over anything that its ridge cuts more than twice, a hipped roof over
+/// Returns a closed shell that faces outward: floor, walls, roof. Where the roof's shape does not
+/// fit the outline (a gable over anything that its ridge cuts more than twice, a hipped roof over
 /// anything but four corners, a pyramid whose top would not see every edge, and all but a skillion
 /// over holes) it is flat at its top, and `made_flat` is set.
 std::vector<city::Polygon> make_shell(const Outline& outline, const BuildingSizes& sizes,

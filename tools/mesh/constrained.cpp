@@ -1,7 +1,7 @@
 // Constrained Delaunay triangulation of outlines that may cross. Constrained_triangulation_plus_2
 // knows which outlines run along an edge. Crossing it changes for each of them whether a place is
-// enclosed: a hole that shares an edge with the exterior changes both there. (Plain nesting depth gets
-// that case wrong.)
+// enclosed: a hole that shares an edge with the exterior changes both there. (Plain nesting depth
+// gets that case wrong.)
 #include "tools/mesh/constrained.h"
 
 #include <CGAL/Constrained_triangulation_plus_2.h>

@@ -3,8 +3,8 @@
 //   cityjson_bench CITY.json
 // The city is read, and written N times over as CityJSON and as CityJSONSeq, each polygon with its
 // semantic surface. What is printed for each reader: CPU seconds, megabytes and polygons a second,
-// and by how much the peak of the process's memory grew (the first reading sets it for later ones of
-// less memory, so the one that needs least comes first).
+// and by how much the peak of the process's memory grew (the first reading sets it for later ones
+// of less memory, so the one that needs least comes first).
 #include <sys/resource.h>
 #include <time.h>
 

@@ -19,8 +19,8 @@ std::string utm_zone(const glm::dvec2& lon_lat) {
   return "EPSG:" + std::to_string((lon_lat.y < 0 ? 32700 : 32600) + zone);
 }
 
-// Returns whether the city's model is nothing but its map. It stands on a plane at height 0 then, and
-// so does all that lies beyond its ground.
+// Returns whether the city's model is nothing but its map. It stands on a plane at height 0 then,
+// and so does all that lies beyond its ground.
 bool is_map_alone(const CityInputs& inputs) {
   return !inputs.files.empty() &&
          std::all_of(inputs.files.begin(), inputs.files.end(), [&](const auto& file) {

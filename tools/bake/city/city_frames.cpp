@@ -28,8 +28,8 @@ bool has_geometry(const city::CityHead& head) {
   return !head.sample.empty();
 }
 
-// Returns "; geometry is linked from lib.gml, which is not in [city] files", or "" where no file has
-// such a link: the rest of a message that the city has no geometry.
+// Returns "; geometry is linked from lib.gml, which is not in [city] files", or "" where no file
+// has such a link: the rest of a message that the city has no geometry.
 std::string describe_missing_links(const std::vector<std::filesystem::path>& files,
                                    const std::vector<city::CityHead>& heads) {
   std::set<std::filesystem::path> listed;
