@@ -7,6 +7,7 @@ const uint STREAM_TEMPORAL = 2u;
 const uint STREAM_SPATIAL = 3u;
 const uint STREAM_REFERENCE = 4u;
 const uint STREAM_SKY = 5u;
+const uint STREAM_PAIRING = 6u;
 const uint STREAM_UPWARD = 77u;  // of a light, not of a pixel
 
 uvec4 pcg4d(uvec4 v) {
@@ -40,8 +41,16 @@ float random_float() { return float(random_uint() >> 8u) * (1.0 / 16777216.0); }
 // The largest float below 1: sums of random numbers may round up to 1.
 const float BELOW_ONE = 0.99999994;
 
+// Maps a random word to [0, n), n > 0, in n ranges of words whose lengths differ by at most one. A
+// float has 24 bits: with a million lights, some would be picked 5 % too seldom.
+uint scale_word(uint word, uint n) {
+  uint high, low;
+  umulExtended(word, n, high, low);
+  return high;
+}
+
 // Returns a uniform whole number in [0, n), n > 0; never n.
-uint random_below(uint n) { return min(uint(random_float() * float(n)), n - 1u); }
+uint random_below(uint n) { return scale_word(random_uint(), n); }
 
 // Returns point `index` of the R2 sequence (Roberts 2018), in [0, 1)^2, from a random start. Its
 // points are spread evenly over the square however many of them are taken.
