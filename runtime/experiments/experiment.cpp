@@ -82,26 +82,36 @@ void Experiment::warm_up(const scene::CameraPose& pose, const render::RenderSett
   wake(*device_, [&] { renderer.render_frame(pose, settings); });
 }
 
-void Experiment::start_run(const scene::CameraPose& pose, render::RenderSettings& settings,
-                           std::uint32_t seed, std::uint32_t lead) {
+std::vector<double> Experiment::start_run(const scene::CameraPose& pose,
+                                          render::RenderSettings& settings, std::uint32_t seed,
+                                          std::uint32_t lead, double time_step_s) {
   settings.sampling.seed = seed;
   settings.averaging.accumulate = false;
-  for (std::uint32_t i = 0; i <= lead; ++i) renderer_->render_frame(pose, settings);
+  const double last_s = settings.time_s;
+  std::vector<double> ms;
+  for (std::uint32_t i = 0; i <= lead; ++i) {
+    settings.time_s = last_s - time_step_s * (lead - i);
+    renderer_->render_frame(pose, settings);
+    ms.push_back(sum_gpu_ms(*renderer_));
+  }
   settings.averaging.accumulate = true;
+  return ms;
 }
 
 std::vector<Measurement> Experiment::measure(const scene::CameraPose& pose,
                                              render::RenderSettings settings,
                                              const measure::Image& truth,
                                              const std::vector<std::uint32_t>& frames,
-                                             std::uint32_t lead, std::uint32_t repeats) {
+                                             std::uint32_t lead, std::uint32_t repeats,
+                                             double time_step_s) {
   std::vector<Measurement> results(frames.size());
   std::vector<double> ms;
   if (device_->info().kind != "cpu") warm_up(pose, settings);
   for (std::uint32_t repeat = 0; repeat < repeats; ++repeat) {
-    start_run(pose, settings, 1 + repeat, lead);
+    const std::vector<double> moving_ms = start_run(pose, settings, 1 + repeat, lead, time_step_s);
+    if (time_step_s > 0) ms.insert(ms.end(), moving_ms.begin(), moving_ms.end());
     for (std::size_t i = 0; i < frames.size(); ++i) {
-      while (renderer_->frames() < frames[i]) {
+      while (time_step_s <= 0 && renderer_->frames() < frames[i]) {
         renderer_->render_frame(pose, settings);
         ms.push_back(sum_gpu_ms(*renderer_));
       }

@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "formats/atomic_file.h"
+#include "formats/error.h"
 #include "runtime/experiments/experiment.h"
 #include "runtime/experiments/fingerprint.h"
 #include "runtime/experiments/sweep_points.h"
@@ -21,8 +22,9 @@ using Row = std::vector<std::string>;
 // The last ones are measured; those before identify a row.
 constexpr std::size_t measured_columns = 6;
 
-std::vector<std::string> list_columns() {
+std::vector<std::string> list_columns(const SweepOptions& options) {
   std::vector<std::string> all{"view", "camera", "size", "device", "reference_frames", "repeats"};
+  if (options.time_step_s > 0) all.push_back("time_step_s");
   for (const render::Setting& setting : list_swept_settings())
     all.push_back(render::column_of(setting));
   all.insert(all.end(), {"frames", "ms", "rmse8", "relative_mse", "mean_signed_error",
@@ -62,8 +64,8 @@ class Sweep {
         points_(list_combinations(options.values)),
         experiment_(scene::load_render_scene(options.scene),
                     {options.device, options.size.width, options.size.height}),
-        results_(options.folder, fingerprint_scene(options.scene), list_columns(),
-                 list_columns().size() - measured_columns),
+        results_(options.folder, fingerprint_scene(options.scene), list_columns(options),
+                 list_columns(options).size() - measured_columns),
         device_(experiment_.device_name()) {
     for (const std::string& view : options.views)
       poses_.push_back(scene::find_camera(view, experiment_.scene()));
@@ -116,6 +118,7 @@ class Sweep {
             device_,
             fmt::to_string(options_.reference_frames),
             fmt::to_string(options_.repeats)};
+    if (options_.time_step_s > 0) key.push_back(fmt::format("{:g}", options_.time_step_s));
     for (const render::Setting& setting : list_swept_settings())
       key.push_back(point.at(setting.name));
     return key;
@@ -146,7 +149,7 @@ class Sweep {
                const measure::Image& truth) {
     for (const Measurement& m :
          experiment_.measure(poses_[view], to_settings(point), truth, options_.frames,
-                             options_.warm_up, options_.repeats)) {
+                             options_.warm_up, options_.repeats, options_.time_step_s)) {
       Row row = with_frames(key, m.frames);
       if (results_.holds(row)) continue;
       for (const double value : {m.ms, m.rmse8, m.relative_mse, m.mean_signed_error,
@@ -170,6 +173,9 @@ class Sweep {
 }  // namespace
 
 SweepReport run_sweep(const SweepOptions& options, program::ProgressDisplay& progress) {
+  if (options.time_step_s > 0 && options.frames != std::vector<std::uint32_t>{1})
+    throw UsageError("--time-step",
+                     "above 0 needs --frames 1: a mean over moments has no reference");
   return Sweep(options, progress).run();
 }
 

@@ -25,6 +25,9 @@ struct SweepOptions {
   std::uint32_t reference_frames = 64;        // of a reference picture
   std::uint32_t warm_up = 8;                  // frames that fill the history
   std::uint32_t repeats = 1;                  // seeds whose errors are averaged
+  // The clock moves on by this much before every frame, up to the moment that is measured. A mean
+  // over moments has no reference, so `frames` must then be 1.
+  double time_step_s = 0;
   double minutes = 0;  // ends after the combination that takes longer than this; 0 = never
 };
 

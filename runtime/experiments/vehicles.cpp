@@ -13,7 +13,7 @@
 namespace nightcity::experiments {
 namespace {
 
-constexpr double start_s = 8 * 3600, frame_s = 1.0 / 60;
+constexpr double start_s = 8 * 3600;
 constexpr std::uint32_t warm_up_frames = 4;
 
 // Milliseconds of the timed frames.
@@ -22,13 +22,14 @@ struct Times {
   std::map<std::string, std::vector<double>> passes;
 };
 
-Times time_frames(Experiment& experiment, render::RenderSettings settings, std::uint32_t frames) {
+Times time_frames(Experiment& experiment, render::RenderSettings settings,
+                  const VehiclesOptions& options) {
   Times times;
   render::Renderer& renderer = experiment.renderer();
   settings.time_s = start_s;
   experiment.warm_up(lamp_field_camera(), settings);
-  for (std::uint32_t i = 0; i < frames + warm_up_frames; ++i) {
-    settings.time_s = start_s + 10 + frame_s * i;
+  for (std::uint32_t i = 0; i < options.frames + warm_up_frames; ++i) {
+    settings.time_s = start_s + 10 + options.time_step_s * i;
     renderer.render_frame(lamp_field_camera(), settings);
     if (i < warm_up_frames) continue;
     std::map<std::string, double> frame;
@@ -54,7 +55,7 @@ measure::Table time_vehicles(const VehiclesOptions& options) {
     Experiment experiment(make_lamp_field(options.lamps, vehicles),
                           {options.device, options.width, options.height});
     spdlog::info("{} vehicles on {}", vehicles, experiment.device_name());
-    const Times times = time_frames(experiment, settings, options.frames);
+    const Times times = time_frames(experiment, settings, options);
     const std::size_t lights = experiment.scene().lights.size() +
                                vehicles * experiment.scene().traffic.vehicle_lights.size();
     double others = median(times.all);

@@ -18,11 +18,12 @@ struct VehiclesOptions {
   std::vector<std::size_t> vehicles;  // numbers of vehicles
   std::size_t lamps = 10'000;         // the size of the field
   std::uint32_t frames = 32;          // timed
+  double time_step_s = 1.0 / 60;      // the clock moves on by this much before every frame
 };
 
-/// Times frames 1/60 s apart on synthetic streets where all vehicles move. Returns medians by the
-/// device's clock, a row per number of vehicles: all passes, each pass that moves vehicles, and the
-/// others. Throws Error.
+/// Times frames on synthetic streets where all vehicles move. Returns medians by the device's clock,
+/// a row per number of vehicles: all passes, each pass that moves vehicles, and the others. Throws
+/// Error.
 measure::Table time_vehicles(const VehiclesOptions& options);
 
 }  // namespace nightcity::experiments

@@ -75,7 +75,8 @@ void add_sweep_command(CLI::App& app) {
       "  nightview sweep city.glb --out sweep --estimator paper,pairwise --candidates "
       "1,2,4,8,16,32\n"
       "  nightview sweep city.glb --out sweep --size 1920x1080 --views overview,street \\\n"
-      "      --frames 1,30 --minutes 9");
+      "      --frames 1,30 --minutes 9\n"
+      "  nightview sweep city.glb --out moving --frames 1 --time-step 0.0333");
   declare_scene(*sub, options.scene);
   program::add_output_option(*sub, options.folder, "Folder of the results")->required();
   sub->add_option("--views", command->views, "Cameras: files or presets")->capture_default_str();
@@ -94,6 +95,11 @@ void add_sweep_command(CLI::App& app) {
   sub->add_option("--reference-frames", options.reference_frames, "Frames of the reference picture")
       ->capture_default_str()
       ->check(CLI::Range(1u, 100000u));
+  sub->add_option("--time-step", options.time_step_s,
+                  "Seconds by which the clock moves on before every frame, up to the measured one; "
+                  "0 = it stands still. Needs --frames 1")
+      ->capture_default_str()
+      ->check(number_from(0, 3600));
   sub->add_option("--minutes", options.minutes,
                   "Stop after the combination that takes longer than this; 0 = never")
       ->capture_default_str()

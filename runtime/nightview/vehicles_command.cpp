@@ -7,6 +7,7 @@
 #include "runtime/experiments/vehicles.h"
 #include "runtime/nightview/commands.h"
 #include "runtime/nightview/device_options.h"
+#include "runtime/nightview/number_check.h"
 #include "runtime/nightview/render_options.h"
 #include "runtime/render/parse.h"
 
@@ -40,8 +41,9 @@ void add_vehicles_command(CLI::App& app) {
   sub->footer(
       "Renders synthetic streets with lamps and each number of vehicles, all driving: bodies with "
       "four\n"
-      "lights each, and the BVHs over both built for every frame, 1/60 s apart. Prints medians by "
-      "the\n"
+      "lights each, and the BVHs over both built for every frame, --time-step apart. Prints "
+      "medians "
+      "by the\n"
       "device's clock.\n"
       "Example:\n  nightview vehicles --vehicles 0,1000,10000 --size 1920x1080 --estimator traced");
   declare_size(*sub, command->size);
@@ -55,6 +57,10 @@ void add_vehicles_command(CLI::App& app) {
   sub->add_option("--frames", options.frames, "Frames timed")
       ->capture_default_str()
       ->check(CLI::Range(1u, 100000u));
+  sub->add_option("--time-step", options.time_step_s,
+                  "Seconds by which the clock moves on before every frame; 0 = it stands still")
+      ->capture_default_str()
+      ->check(number_from(0, 3600));
   sub->callback([command] { time_traffic(*command); });
 }
 

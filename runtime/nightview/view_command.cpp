@@ -71,6 +71,11 @@ void add_view_command(CLI::App& app) {
       ->check(CLI::IsMember({0, 1, 2, 4, 8}));
   sub->add_flag("--markers", command->view.markers, "Start with lamp markers drawn");
   sub->add_flag("--play", command->view.play, "Start with the clock running");
+  sub->add_option("--time-step", command->view.time_step_s,
+                  "Seconds by which the running clock moves on in every frame; 0 = it keeps real "
+                  "time, at the speed set in the panel")
+      ->capture_default_str()
+      ->check(number_from(0, 3600));
   sub->add_option("--quit-after", command->view.quit_after, "Close after showing this many frames");
   sub->add_option("--screenshot", command->view.screenshot,
                   "With --quit-after: write the window's last frame to this PNG, with the panel");

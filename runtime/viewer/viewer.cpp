@@ -162,7 +162,8 @@ class Viewer {
   void run_clock(double elapsed_s) {
     if (!state_.play || !state_.night_changes) return;
     double& time_s = state_.settings.time_s;
-    time_s += elapsed_s * double(state_.clock_speed);
+    time_s +=
+        options_.time_step_s > 0 ? options_.time_step_s : elapsed_s * double(state_.clock_speed);
     if (time_s > night_end_s || time_s < night_begin_s) time_s = night_begin_s;
     restart_ = true;
   }

@@ -24,6 +24,7 @@ struct ViewOptions {
   int divisor = 0;
   bool markers = false;
   bool play = false;                // start with the clock running
+  double time_step_s = 0;           // by which the clock moves on a frame; 0 = it keeps real time
   std::uint32_t max_frames = 4096;  // in the mean; then only changes are rendered
   std::uint32_t quit_after = 0;     // frames shown; 0 = when the user closes the window
   std::string screenshot;           // PNG of the window with its panel, at the end; "" = none

@@ -55,6 +55,19 @@ TEST_F(MeasuringCommands, SweepWritesTableAndPlotAndGoesOnWhereItStopped) {
   EXPECT_NE(test::read_text(folder / "out/sweep.md").find("| pairwise |"), std::string::npos);
 }
 
+TEST_F(MeasuringCommands, SweepMeasuresOneFrameWhileTheClockRuns) {
+  const std::string options = scene() +
+                              " --size 16x12 --estimator ris --candidates 4 --warm-up 2 "
+                              "--reference-frames 2 --time-step 0.25 --frames ";
+  const test::Outcome outcome = nightview("sweep", options + "1");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const measure::Table table = measure::read_csv(folder / "out/sweep.csv");
+  ASSERT_EQ(table.rows.size(), 1u);
+  EXPECT_EQ(table.rows[0][table.column("time_step_s")], "0.25");
+  EXPECT_GT(std::stod(table.rows[0][table.column("ms")]), 0);
+  EXPECT_EQ(nightview("sweep", options + "1,2").exit_code, 2) << "a mean over moments";
+}
+
 TEST_F(MeasuringCommands, FlightMeasuresEveryFrameItIsAskedTo) {
   const test::Outcome outcome = nightview(
       "flight", scene() + " --size 16x12 --frames 5 --every 2 --reference-frames 1 --pictures");
@@ -76,7 +89,7 @@ TEST_F(MeasuringCommands, StrategiesMeasuresEverySourceOfCandidates) {
 
 TEST_F(MeasuringCommands, VehiclesSeparatesTheCostOfMovingThem) {
   const test::Outcome outcome = test::run_program(
-      "nightview", "-q vehicles --vehicles 0,30 --lamps 20 --size 8x6 --frames 1");
+      "nightview", "-q vehicles --vehicles 0,30 --lamps 20 --size 8x6 --frames 1 --time-step 0.1");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(test::run_program("nightview", "-q fleet --vehicles 0 --lamps 20 --size 8x6 --frames 1")
                 .exit_code,

@@ -119,6 +119,22 @@ Moving van_between_lamp_and_ground(double step_s) {
           1 - step_s * (moments - 1), step_s, still_at_the_wall};
 }
 
+// Half a step before the last moment one car's trip ends and another's begins, elsewhere: with their
+// lights they vanish and appear between two frames.
+Moving cars_that_vanish_and_appear(double step_s) {
+  scene::SceneLights lights;
+  lights.lights = {lamp({-3, 5, 3}, 800, 0.1f), lamp({5, 4, -1}, 500, 0.1f)};
+  lights.traffic = one_vehicle({2, 0.8f, 0.9f}, 0.5f);
+  const float change_s = 1 - 0.5f * float(step_s);
+  const glm::vec3 east(12, 0, 0);
+  lights.traffic.knots = {knot({-12, 0, 0.5f}, 0, east),
+                          knot({-12 + 12 * change_s, 0, 0.5f}, change_s, east),
+                          knot({-4, 0, 3.5f}, 0, east), knot({8, 0, 3.5f}, 1, east)};
+  lights.traffic.trips = {{0, 2, 0, 0, 0, 0, {}}, {2, 2, change_s, 0, 0, 1, {}}};
+  return {scene::make_render_scene(wall_and_ground().scene(), std::move(lights)),
+          1 - step_s * (moments - 1), step_s, still_at_the_wall};
+}
+
 // Windows in a wall that go on and off from moment to moment, and a lamp that stays on.
 Moving windows_that_switch() {
   scene::SceneLights lights;
@@ -151,6 +167,10 @@ TEST(UnbiasedInMotion, AHeadlampPassesAWallFast) {
 }
 TEST(UnbiasedInMotion, AVanDrivesBetweenLampAndGround) {
   expect_every_estimator_unbiased(van_between_lamp_and_ground(1.0 / 30));
+}
+TEST(UnbiasedInMotion, CarsVanishAndAppear) {
+  for (const render::Estimator estimator : {render::Estimator::pairwise, render::Estimator::traced})
+    expect_unbiased(cars_that_vanish_and_appear(1.0 / 30), estimator);
 }
 TEST(UnbiasedInMotion, WindowsSwitch) {
   expect_every_estimator_unbiased(windows_that_switch());

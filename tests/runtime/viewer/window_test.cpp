@@ -100,6 +100,75 @@ TEST_F(ViewerWindow, PanelAndMarkersAreDrawnOverThePicture) {
   EXPECT_LT(different, plain.rgb.size() / 6);
 }
 
+// A van with a headlamp drives past a wall, 12 m/s, for two seconds from 20:00.
+void write_moving_scene(const std::filesystem::path& folder) {
+  const test::SceneBuilder builder = test::SceneBuilder()
+                                         .ground(20)
+                                         .box({-6, 0, -4}, {6, 3, -3.5f})
+                                         .box({1, 0, -2}, {2, 1.5f, -1});
+  SceneWriter writer(folder / "moving.glb", {});
+  for (const SceneMaterial& material : builder.scene().materials) writer.add_material(material);
+  for (const SceneMesh& mesh : builder.scene().meshes) writer.add_mesh(mesh);
+  for (const SceneNode& node : builder.scene().nodes) writer.add_node(node);
+  writer.finish(builder.scene().georeference);
+  std::vector<Light> lights{test::lamp({0, 6, -2.5f}, 4000, 0.1f),
+                            test::lamp({-5, 5, 3}, 1000, 0.1f)};
+  for (std::size_t i = 0; i < lights.size(); ++i) lights[i].id = static_cast<uint>(i + 1);
+  Light front = test::lamp({3.15f, 0.7f, 0}, 3000, 0.05f);
+  front.schedule = VEHICLE_LIGHT_ALWAYS;
+  front.id = static_cast<uint>(LightFamily::headlamp);
+  const std::vector<VehicleKind> vehicles{{{3, 1.6f, 1.1f}, 0, 1, {}}};
+  const std::vector<Light> vehicle_lights{front};
+  const std::vector<Trip> trips{{0, 2, 0, 0, 0, 0, {}}};
+  const std::vector<TripKnot> knots{{{-12, 0, 0.5f}, 0, {12, 0, 0}, 0},
+                                    {{12, 0, 0.5f}, 2, {12, 0, 0}, 0}};
+  TrafficCycle cycle{};
+  cycle.cycle_s = 100;
+  for (float& share : cycle.density) share = 1;
+  const std::vector<LightProvenance> provenance(lights.size());
+  write_light_file(folder / "moving.lights",
+                   {.georeference = builder.scene().georeference,
+                    .lights = lights,
+                    .provenance = provenance,
+                    .traffic = {cycle, vehicles, vehicle_lights, trips, knots}});
+}
+
+// Returns the mean of the window's linear light right of the panel and above the caption.
+double mean_light(const measure::Image8& window) {
+  double sum = 0, count = 0;
+  for (std::uint32_t y = 0; y < window.height - 40; ++y)
+    for (std::uint32_t x = window.width / 2; x < window.width; ++x)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double v = window.rgb[3 * (std::size_t{y} * window.width + x) + c] / 255.0;
+        sum += v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+        ++count;
+      }
+  return sum / count;
+}
+
+// What the window's own loop shows while its clock runs: the mean of the same last moments, with the
+// default estimator and with one that reuses nothing. History that meets the vehicles of another
+// moment brightens the first.
+TEST_F(ViewerWindow, TheRunningClockShowsTheSameLightWithReuseAndWithout) {
+  write_moving_scene(folder.path());
+  test::write_text(folder / "camera.json",
+                   "{\"position\": [4, 9, 12], \"target\": [0, 0.5, -1], \"fov_deg\": 50}\n");
+  ASSERT_EQ(
+      run("W=\"$(dirname ${V%% *})/nightview moving.glb --validation --size 800x400 --every 4 "
+          "--camera camera.json --time 20:00 --play --time-step 0.0333 --ev 3 --tone linear "
+          "--no-jitter --quit-after 30\"\n"
+          "$W --screenshot default.png && $W --estimator ris --screenshot truth.png\n"),
+      0)
+      << text("err.txt");
+  const double ours = mean_light(measure::read_png(folder / "default.png")),
+               truth = mean_light(measure::read_png(folder / "truth.png"));
+  std::printf("  mean light %.4f, without reuse %.4f: %+.2f %%\n", ours, truth,
+              100 * (ours / truth - 1));
+  EXPECT_GT(truth, 0.02);
+  EXPECT_LT(truth, 0.7);
+  EXPECT_NEAR(ours / truth, 1, 0.02);
+}
+
 TEST_F(ViewerWindow, KeysChooseTheEstimatorAndQuit) {
   if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no mouse or keyboard";
   ASSERT_EQ(run("$V $S & viewer=$!\n"
