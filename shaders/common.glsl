@@ -23,6 +23,7 @@ layout(constant_id = CONSTANT_SCHEDULES) const uint HAS_SCHEDULES = 0u;
 layout(constant_id = CONSTANT_TRAFFIC) const uint HAS_TRAFFIC = 0u;
 layout(constant_id = CONSTANT_GLOSS) const uint HAS_GLOSS = 0u;
 layout(constant_id = CONSTANT_LAYERS) const uint HAS_LAYERS = 0u;
+layout(constant_id = CONSTANT_COUNT_RAYS) const uint COUNT_RAYS = 0u;
 
 // A pass over pixels runs in squares of them, a pass over a list in rows. Ray generation has no
 // groups.

@@ -86,6 +86,7 @@ static_assert(sizeof(Surface) == 48 && sizeof(Reservoir) == 16 && sizeof(Accumul
 
 ARRAY_REFERENCE(Surfaces, Surface, )
 ARRAY_REFERENCE(Reservoirs, Reservoir, )
+ARRAY_REFERENCE(Targets, float, )
 ARRAY_REFERENCE(Accumulations, Accumulation, )
 ARRAY_REFERENCE(Layers, LayerSums, )
 ARRAY_REFERENCE(Escapes, Escape, )
@@ -120,6 +121,12 @@ struct Frame {
   BUFFER(Reservoirs) reservoirs;  // result of the candidates, then of temporal reuse
   BUFFER(Reservoirs) spatial;     // result of spatial reuse: shaded, and the next frame's history
   BUFFER(Reservoirs) previous_reservoirs;
+  // Written by pair_targets.comp, a picture for each pairing: the pixel's partner, or NO_HIT.
+  BUFFER(Words) pair_partners;
+  // The pixel's target of its own sample and, a picture for each pairing, of its partner's sample.
+  // Targets of empty reservoirs are not written.
+  BUFFER(Targets) pair_targets;
+  BUFFER(Words) ray_count;  // shadow rays of the frame, where COUNT_RAYS is set
   // This frame's estimate. The reference's: sums over chunks of lights, one picture per slice.
   BUFFER(Accumulations) radiance;
   BUFFER(Accumulations) accumulation;
@@ -145,6 +152,8 @@ struct Frame {
   float history_falloff;
   // Neighbours of a pixel without history, where that is more than `neighbours`.
   uint disocclusion_boost;
+  uint pairings;    // pairings of pixels in this frame (pairing.glsl)
+  uint pair_block;  // side of the blocks within which pixels are paired: a power of two
   uint permutation;  // of the history: corner of the blocks, x | y << 2, or NO_PERMUTATION
   // Shares of candidates by how they are sampled. vehicle_share is a share of all, sampled from
   // vehicles' lights. The others are shares of the rest: uniformly, from the near grid's cell, from

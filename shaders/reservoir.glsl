@@ -11,6 +11,12 @@ Reservoir sanitized(Reservoir r) {
   return r;
 }
 
+// Returns whether a pixel with this M has no history although there could be one: it just came into
+// view. It gets more neighbours (disocclusion boost; Wyman, Panteleev 2021).
+bool lacks_history(float M) {
+  return FRAME.max_history > 0.0 && M <= float(FRAME.candidates);
+}
+
 // A reservoir in the making: a stream of weighted samples, resampled into one.
 struct ReservoirBuilder {
   uint light;

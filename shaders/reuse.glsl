@@ -20,14 +20,6 @@
 // 2 / (2 + 1) = 2/3, so y still arrives mostly from there: seldom, and six times too bright when it
 // does. With squares h_i = 0.2 / (0.2 + 1) = 1/6.
 
-// Returns the estimator's target: with visibility where the estimator includes it. `known_visible`:
-// the sample was already found to be visible from there.
-float estimator_target(Receiver r, uint light, uint uv, bool known_visible) {
-  const float p = target(r, light, uv);
-  if (!has_shadowed_target(ESTIMATOR) || p <= 0.0 || known_visible) return p;
-  return sees(r, light, uv) ? p : 0.0;
-}
-
 struct Reuse {
   ReservoirBuilder builder;
   float canonical_M;
@@ -37,12 +29,12 @@ struct Reuse {
   uint chosen;             // 0 = canonical, i = the i-th other
 };
 
-Reuse begin_reuse(Receiver receiver, Reservoir canonical, float others_M) {
+// `canonical_target`: of the canonical sample at its own pixel.
+Reuse begin_reuse(Reservoir canonical, float canonical_target, float others_M) {
   Reuse reuse;
   reuse.builder = EMPTY_BUILDER;
   reuse.canonical_M = canonical.M;
-  reuse.canonical_target =
-      canonical.W > 0.0 ? target(receiver, canonical.light, canonical.uv) : 0.0;
+  reuse.canonical_target = canonical.W > 0.0 ? canonical_target : 0.0;
   reuse.canonical_share = 0.0;
   reuse.others_M = others_M;
   reuse.chosen = 0u;
@@ -58,25 +50,46 @@ float pair_share(float p_other, float M_other, float p_canonical, float M_canoni
   return 1.0 / (1.0 + M_canonical / M_other * ratio * ratio);
 }
 
+// The estimator's targets of a pair of pixels, the receiver ("here") and the other ("there"): all
+// that pairwise weights ask of it. 0 where a reservoir is empty.
+struct PairTargets {
+  float other_here;
+  float other_there;
+  float canonical_there;
+};
+
+// Adds the i-th other reservoir (i from 1) with its pairwise weight.
+void add_pair(inout Reuse reuse, Reservoir other, PairTargets p, uint i) {
+  const float total = reuse.others_M + reuse.canonical_M;
+  const float share = other.M / reuse.others_M;
+  const float m =
+      reuse.others_M / total * share *
+      pair_share(p.other_there, reuse.others_M, p.other_here, reuse.canonical_M);
+  if (reuse.canonical_target > 0.0)
+    reuse.canonical_share += share * (1.0 - pair_share(p.canonical_there, reuse.others_M,
+                                                       reuse.canonical_target, reuse.canonical_M));
+  if (update(reuse.builder, other.light, other.uv, p.other_here, m * p.other_here * other.W))
+    reuse.chosen = i;
+}
+
 // Adds the i-th other reservoir (i from 1), of a pixel whose surface is `there`.
 void add_other(inout Reuse reuse, Receiver receiver, Reservoir canonical, Reservoir other,
                Receiver there, uint i) {
-  const float p = other.W > 0.0 ? estimator_target(receiver, other.light, other.uv, false) : 0.0;
-  float m = other.M;  // the other weights are normalised at the end
-  if (reuse_weights(ESTIMATOR) == WEIGHTS_PAIRWISE) {
-    const float total = reuse.others_M + reuse.canonical_M;
-    const float share = other.M / reuse.others_M;
-    // The other's own sample is visible from its own pixel, or its W would be 0.
-    const float p_there = p > 0.0 ? estimator_target(there, other.light, other.uv, true) : 0.0;
-    m = reuse.others_M / total * share * pair_share(p_there, reuse.others_M, p, reuse.canonical_M);
-    if (reuse.canonical_target > 0.0) {
-      const float c_there = estimator_target(there, canonical.light, canonical.uv, false);
-      reuse.canonical_share +=
-          share *
-          (1.0 - pair_share(c_there, reuse.others_M, reuse.canonical_target, reuse.canonical_M));
-    }
+  PairTargets p;
+  p.other_here = other.W > 0.0 ? estimator_target(receiver, other.light, other.uv) : 0.0;
+  if (reuse_weights(ESTIMATOR) != WEIGHTS_PAIRWISE) {
+    // The other weights are normalised at the end.
+    if (update(reuse.builder, other.light, other.uv, p.other_here,
+               other.M * p.other_here * other.W))
+      reuse.chosen = i;
+    return;
   }
-  if (update(reuse.builder, other.light, other.uv, p, m * p * other.W)) reuse.chosen = i;
+  // The other's own sample is visible from its own pixel, or its W would be 0.
+  p.other_there = p.other_here > 0.0 ? target(there, other.light, other.uv) : 0.0;
+  p.canonical_there = reuse.canonical_target > 0.0
+                          ? estimator_target(there, canonical.light, canonical.uv)
+                          : 0.0;
+  add_pair(reuse, other, p, i);
 }
 
 // Adds the canonical sample, after the others, because its share has to be known.

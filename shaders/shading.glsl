@@ -82,6 +82,13 @@ bool sees(Receiver r, uint light, uint uv) {
   return !occluded(r.origin, point, r.before);
 }
 
+// Returns the estimator's target: with visibility where the estimator includes it.
+float estimator_target(Receiver r, uint light, uint uv) {
+  const float p = target(r, light, uv);
+  if (!has_shadowed_target(ESTIMATOR) || p <= 0.0) return p;
+  return sees(r, light, uv) ? p : 0.0;
+}
+
 // Returns the light that a surface emits towards the camera, cd/m^2 per channel.
 vec3 emitted(Surface surface) {
   const vec3 own = SCENE.materials.at[surface.material].emission;

@@ -1,14 +1,16 @@
 // Decides which pixels may share their samples: neighbours, and a pixel with itself one frame
 // before.
 
-// Returns whether a sample of pixel b may be of use to pixel a. It looks at geometry only, so that
-// the choice is independent of the samples.
+// Returns whether samples of pixels a and b may be of use to each other; symmetric in a and b. It
+// looks at geometry only, so that the choice is independent of the samples.
 bool similar(Surface a, Surface b) {
-  if (b.depth <= 0.0 || a.depth <= 0.0) return false;
-  const vec3 n = unpack_normal(a.normal);
-  return dot(n, unpack_normal(b.normal)) > 0.9 &&
-         abs(dot(n, b.position - a.position)) < 0.02 * a.depth + 0.01 &&
-         abs(a.depth - b.depth) < 0.2 * a.depth;
+  const float depth = min(a.depth, b.depth);
+  if (depth <= 0.0) return false;
+  const vec3 n_a = unpack_normal(a.normal), n_b = unpack_normal(b.normal);
+  const vec3 way = b.position - a.position;
+  return dot(n_a, n_b) > 0.9 &&
+         max(abs(dot(n_a, way)), abs(dot(n_b, way))) < 0.02 * depth + 0.01 &&
+         abs(a.depth - b.depth) < 0.2 * depth;
 }
 
 // Returns the share of the history's M that counts, 0 .. 1, by how far from here the history was

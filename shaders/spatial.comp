@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Spatial reuse: combines the pixel's reservoir with those of some similar pixels around it.
+// Spatial reuse for weights that are not pairwise: combines the pixel's reservoir with those of
+// some similar pixels around it. Pairwise weights have pair_targets.comp and pair_reuse.comp.
 #include "shaders/common.glsl"
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"
@@ -23,16 +24,13 @@ void main() {
   }
   seed_random(pixel, STREAM_SPATIAL);
 
-  // Neighbours first, so that the sum of their M is known when the pairwise weights need it. A
-  // pixel that is not similar is not counted at all: it could not have contributed.
+  // A pixel that is not similar is not counted at all: it could not have contributed.
   uint neighbour[MAX_NEIGHBOURS];
   uint found = 0u;
   float others_M = 0.0;
-  // Disocclusion boost (Wyman, Panteleev 2021): more neighbours replace a history that is missing.
-  const bool without_history = FRAME.max_history > 0.0 && canonical.M <= float(FRAME.candidates);
-  const uint wanted =
-      min(without_history ? max(FRAME.neighbours, FRAME.disocclusion_boost) : FRAME.neighbours,
-          MAX_NEIGHBOURS);
+  const uint wanted = lacks_history(canonical.M)
+                          ? max(FRAME.neighbours, FRAME.disocclusion_boost)
+                          : FRAME.neighbours;
   for (uint i = 0u; i < wanted; ++i) {
     const float radius = FRAME.neighbour_radius * sqrt(random_float());
     const float angle = 2.0 * PI * random_float();
@@ -51,7 +49,7 @@ void main() {
   }
 
   const Receiver receiver = receiver_of(surface);
-  Reuse reuse = begin_reuse(receiver, canonical, others_M);
+  Reuse reuse = begin_reuse(canonical, target(receiver, canonical.light, canonical.uv), others_M);
   for (uint i = 0u; i < found; ++i) {
     const Receiver there = receiver_of(FRAME.surfaces.at[neighbour[i]]);
     add_other(reuse, receiver, canonical, FRAME.reservoirs.at[neighbour[i]], there, i + 1u);

@@ -12,7 +12,8 @@
 #define CONSTANT_TRAFFIC 6           // the scene has vehicles
 #define CONSTANT_GLOSS 7             // surfaces that face up are wet
 #define CONSTANT_LAYERS 8            // the light of each kind of source is kept apart
-#define CONSTANT_COUNT 9
+#define CONSTANT_COUNT_RAYS 9        // the frame's shadow rays are counted
+#define CONSTANT_COUNT 10
 
 // Values of CONSTANT_SKY.
 #define SKY_DARK 0u     // neither sky nor moon gives light

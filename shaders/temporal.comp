@@ -30,7 +30,8 @@ void main() {
   seed_random(pixel, STREAM_TEMPORAL);
   const Receiver receiver = receiver_of(surface);
   const Receiver there = receiver_of(surface_before, true);
-  Reuse reuse = begin_reuse(receiver, canonical, history.M);
+  Reuse reuse =
+      begin_reuse(canonical, target(receiver, canonical.light, canonical.uv), history.M);
   add_other(reuse, receiver, canonical, history, there, 1u);
   add_canonical(reuse, canonical);
 

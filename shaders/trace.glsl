@@ -226,6 +226,7 @@ bool closest_hit(vec3 origin, vec3 direction, out Hit hit) {
 // the surface that the light is mounted on: 1e-5 of the way, at most a millimetre and the rounding
 // error of the light's coordinates.
 bool occluded(vec3 from, vec3 to, bool before) {
+  if (COUNT_RAYS != 0u) atomicAdd(FRAME.ray_count.at[0], 1u);
   Hit hit;
   const vec3 way = to - from, size = max(abs(from), abs(to));
   const float margin = 1.0e-3 + 1.0e-6 * max(size.x, max(size.y, size.z));

@@ -30,6 +30,7 @@ struct FrameTimes {
   std::vector<std::string> order;  // of the passes in a frame
   std::map<std::string, std::vector<double>> passes;
   std::vector<double> gpu, wall;
+  double shadow_rays_per_pixel = 0;  // of a frame after the timed ones
 };
 
 struct Spread {
@@ -59,6 +60,14 @@ FrameTimes time_frames(render::Renderer& renderer, const scene::CameraPose& pose
     times.gpu.push_back(experiments::sum_gpu_ms(renderer));
   }
   return times;
+}
+
+// Counting slows the passes down, so a frame is rendered for it alone.
+double count_shadow_rays(render::Renderer& renderer, const scene::CameraPose& pose,
+                         render::RenderSettings settings) {
+  settings.count_rays = true;
+  renderer.render_frame(pose, settings);
+  return double(renderer.shadow_rays()) / (double(renderer.width()) * double(renderer.height()));
 }
 
 // Prints the cost of compiling in features that the scene lacks. Frames with and without the
@@ -112,6 +121,7 @@ void print_as_json(const RenderOptions& options, const scene::RenderScene& scene
                               {"frames", times.gpu.size()},
                               {"gpu_ms", to_json(times.gpu)},
                               {"wall_ms", to_json(times.wall)}};
+  json["shadow_rays_per_pixel"] = times.shadow_rays_per_pixel;
   for (const std::string& name : times.order)
     json["passes_ms"][name] = to_json(times.passes.at(name));
   program::print_json(json);
@@ -131,6 +141,7 @@ void print_as_table(const RenderOptions& options, const scene::RenderScene& scen
   for (const std::string& name : times.order) print_row(name, times.passes.at(name));
   print_row("GPU", times.gpu);
   print_row("wall clock", times.wall);
+  fmt::print("{:.2f} shadow rays per pixel\n", times.shadow_rays_per_pixel);
 }
 
 void bench(BenchCommand& command) {
@@ -145,7 +156,8 @@ void bench(BenchCommand& command) {
   for (std::uint32_t i = 0; i < command.warm_up; ++i) renderer.render_frame(pose, options.settings);
   experiments::wake(device, [&] { renderer.render_frame(pose, options.settings); });
 
-  const FrameTimes times = time_frames(renderer, pose, options.settings, command.frames);
+  FrameTimes times = time_frames(renderer, pose, options.settings, command.frames);
+  times.shadow_rays_per_pixel = count_shadow_rays(renderer, pose, options.settings);
   device.check_validation();
   if (command.json) {
     print_as_json(options, scene, device, device_scene.bytes(), times);

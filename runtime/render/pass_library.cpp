@@ -39,7 +39,13 @@ const PassSet& PassLibrary::get(const PassConstants& constants) {
     set.candidates =
         make_trace({candidates_spirv, candidates_query_spirv, candidates_pipeline_spirv});
     set.temporal = make_trace({temporal_spirv, temporal_query_spirv, temporal_pipeline_spirv});
-    set.spatial = make_trace({spatial_spirv, spatial_query_spirv, spatial_pipeline_spirv});
+    if (gpu::reuse_weights(constants[CONSTANT_ESTIMATOR]) == WEIGHTS_PAIRWISE) {
+      set.pair_targets =
+          make_trace({pair_targets_spirv, pair_targets_query_spirv, pair_targets_pipeline_spirv});
+      set.pair_reuse = make(pair_reuse_spirv, over_pixels);
+    } else {
+      set.spatial = make_trace({spatial_spirv, spatial_query_spirv, spatial_pipeline_spirv});
+    }
     set.shade = make_trace({shade_spirv, shade_query_spirv, shade_pipeline_spirv});
   }
   return sets_.emplace(constants, std::move(set)).first->second;

@@ -1,6 +1,7 @@
 #include "runtime/render/renderer.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "formats/error.h"
@@ -20,6 +21,12 @@ constexpr std::uint32_t dispatches_per_submission = 16;
 // together.
 constexpr std::size_t busy_invocations = std::size_t{1} << 19;
 constexpr std::size_t max_slices = 32;
+
+// Partners of a pixel in one frame at most: those without history may have more than the others.
+std::uint32_t pairings_of(const ReuseSettings& reuse) {
+  return reuse.max_history > 0 ? std::max(reuse.neighbours, reuse.disocclusion_boost)
+                               : reuse.neighbours;
+}
 
 // The shortest falloff of the history: 1 / falloff^2 of shorter ones would overflow.
 constexpr float min_history_falloff_m = 0.001f;
@@ -80,6 +87,7 @@ PassConstants Renderer::constants_of(const RenderSettings& settings) const {
   constants[CONSTANT_LAYERS] = settings.sampling.layers;
   constants[CONSTANT_SCHEDULES] = scene_.has_schedules();
   constants[CONSTANT_TRAFFIC] = scene_.has_traffic();
+  constants[CONSTANT_COUNT_RAYS] = settings.count_rays;
   for (const Feature& feature : optional_features())
     if ((settings.forced_features >> feature.constant & 1u) != 0 &&
         constants[feature.constant] == 0)
@@ -111,10 +119,16 @@ void Renderer::record_vehicles(VkCommandBuffer commands) {
 
 void Renderer::record_restir(VkCommandBuffer commands, const RenderSettings& settings) {
   run_pass(commands, passes_->candidates, "candidates");
-  const bool reuse = traits_of(settings.sampling.estimator).reuses;
-  if (reuse && settings.reuse.max_history > 0) run_pass(commands, passes_->temporal, "temporal");
-  if (reuse && settings.reuse.neighbours > 0) {
-    run_pass(commands, passes_->spatial, "spatial");
+  const EstimatorTraits& traits = traits_of(settings.sampling.estimator);
+  if (traits.reuses && settings.reuse.max_history > 0)
+    run_pass(commands, passes_->temporal, "temporal");
+  if (traits.reuses && settings.reuse.neighbours > 0) {
+    if (traits.pairs) {
+      run_pass(commands, passes_->pair_targets, "spatial targets");
+      run_pass(commands, passes_->pair_reuse, "spatial");
+    } else {
+      run_pass(commands, passes_->spatial, "spatial");
+    }
   } else {
     const VkBufferCopy all{0, 0, reservoirs_.bytes()};
     vkCmdCopyBuffer(commands, reservoirs_.handle(), spatial_[parity_].handle(), 1, &all);
@@ -221,6 +235,23 @@ void Renderer::fill_buffers(gpu::Frame& frame, const RenderSettings& settings) {
     frame.denoise[i] = denoise_[i].address();
   }
   frame.display = display_.address();
+  if (traits_of(settings.sampling.estimator).pairs) {
+    const std::size_t pairings = pairings_of(settings.reuse);
+    const auto reserve = [&](gpu::Buffer& buffer, std::size_t pictures) {
+      const std::size_t bytes = pictures * pixels * sizeof(std::uint32_t);
+      if (buffer.bytes() < bytes) buffer = gpu::Buffer(device_, bytes);
+      return buffer.address();
+    };
+    frame.pair_partners = reserve(pair_partners_, pairings);
+    frame.pair_targets = reserve(pair_targets_, 1 + pairings);
+  }
+  if (settings.count_rays) {
+    if (ray_count_.bytes() == 0)
+      ray_count_ = gpu::Buffer(device_, sizeof(std::uint32_t), gpu::Memory::host);
+    constexpr std::uint32_t none = 0;
+    ray_count_.upload(&none, sizeof none);
+    frame.ray_count = ray_count_.address();
+  }
 }
 
 void Renderer::fill_view(gpu::Frame& frame, const scene::CameraPose& pose,
@@ -273,6 +304,8 @@ void Renderer::fill_sampling(gpu::Frame& frame, const RenderSettings& chosen) co
   const float falloff_m = std::max(reuse.history_falloff_m, min_history_falloff_m);
   frame.history_falloff = reuse.history_falloff_m <= 0 ? 0 : 1 / (falloff_m * falloff_m);
   frame.disocclusion_boost = reuse.disocclusion_boost;
+  frame.pairings = pairings_of(reuse);
+  frame.pair_block = std::bit_ceil(static_cast<std::uint32_t>(reuse.neighbour_radius_px) + 1);
   // Fibonacci hashing: consecutive frames get distant corners.
   frame.permutation = reuse.permute ? (frame_number_ * 2654435769u) >> 28 : NO_PERMUTATION;
 }
@@ -311,6 +344,10 @@ void Renderer::render_frame(const scene::CameraPose& pose, const RenderSettings&
   ++frames_;
   if (settings.averaging.window > 0) frames_ = std::min(frames_, settings.averaging.window);
   ++frame_number_;
+}
+
+std::uint64_t Renderer::shadow_rays() const {
+  return settings_.count_rays ? ray_count_.read<std::uint32_t>(1)[0] : 0;
 }
 
 measure::Image Renderer::download(bool layers) const {

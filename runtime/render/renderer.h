@@ -44,6 +44,9 @@ class Renderer {
   /// timestamps.
   const std::vector<gpu::Timer::Span>& timings() const { return timings_; }
 
+  /// Returns the number of shadow rays of the last frame, 0 unless its settings count them.
+  std::uint64_t shadow_rays() const;
+
   /// Returns the mean so far in cd/m^2, denoised where the settings ask for it, with its ImageInfo.
   /// With `layers`, adds the layer "luminance"; where the settings keep layers, "direct_lamps",
   /// "direct_windows", "direct_vehicles", "sky" and "emitted"; and of the last frame "albedo",
@@ -84,7 +87,8 @@ class Renderer {
   VehiclePasses vehicle_passes_;
   gpu::Buffer frame_;
   gpu::Buffer surfaces_[2], reservoirs_, spatial_[2], radiance_, accumulation_[2], display_;
-  gpu::Buffer layers_, denoise_[2];  // allocated when first needed
+  // Allocated when first needed.
+  gpu::Buffer layers_, denoise_[2], pair_partners_, pair_targets_, ray_count_;
   const PassSet* passes_ = nullptr;  // for the current settings
   std::optional<scene::CameraPose> pose_;
   gpu::Camera camera_{};

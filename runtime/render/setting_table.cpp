@@ -102,7 +102,7 @@ std::vector<Setting> make_reuse_settings() {
        .value = at<reuse, &Reuse::neighbours>,
        .applies = reuses,
        .is_swept = true,
-       .sweep_values = "1,5",
+       .sweep_values = "1,4",
        .slider = SettingSlider{"neighbours", max_neighbours, "%u"}},
       {.name = "radius",
        .group = Group::reuse,

@@ -14,6 +14,7 @@ EstimatorTraits describe(Estimator estimator, const char* name, const char* desc
           gpu::samples_lights(number),
           gpu::reuses_reservoirs(number),
           gpu::has_shadowed_target(number),
+          gpu::reuse_weights(number) == WEIGHTS_PAIRWISE,
           gpu::has_published_settings(number)};
 }
 

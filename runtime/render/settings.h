@@ -29,6 +29,7 @@ struct EstimatorTraits {
   bool samples;          // draws light candidates; the reference sums over all lights instead
   bool reuses;           // takes samples over from other frames and pixels
   bool shadowed_target;  // its target function includes visibility
+  bool pairs;            // its pixels exchange samples in pairs (shaders/pairing.glsl)
   bool as_published;     // keeps to the published settings: see to_published()
 };
 
@@ -59,8 +60,8 @@ struct SamplingSettings {
 
 /// Reuse of samples from earlier frames and from other pixels.
 struct ReuseSettings {
-  std::uint32_t neighbours = 5;    // pixels reused by a pixel, 0 .. max_neighbours
-  float neighbour_radius_px = 10;  // distance within which they lie
+  std::uint32_t neighbours = 4;   // pixels reused by a pixel, 0 .. max_neighbours
+  float neighbour_radius_px = 5;  // distance within which they lie
   // Bound of the history's M, in multiples of a frame's candidates; 0 = no temporal reuse.
   float max_history = 20;
   // Distance between a surface point and where its history was gathered at which half of the
@@ -110,6 +111,8 @@ struct RenderSettings {
   // Features compiled into the passes although neither scene nor settings need them, to measure
   // their cost: bits 1 << CONSTANT_* of optional_features(). The picture stays the same.
   std::uint32_t forced_features = 0;
+  // Counts the shadow rays of every frame: Renderer::shadow_rays(). The picture stays the same.
+  bool count_rays = false;
 };
 
 /// Returns whether frames of both settings may go into one mean: only their display, averaging,

@@ -26,6 +26,7 @@ std::vector<Replacement> replacements;
 const std::map<std::string, Words>& built_in_passes() {
   static const std::map<std::string, Words> passes{
       {"accumulate", accumulate_spirv}, {"candidates", candidates_spirv},
+      {"pair_reuse", pair_reuse_spirv}, {"pair_targets", pair_targets_spirv},
       {"primary", primary_spirv},       {"reference", reference_spirv},
       {"shade", shade_spirv},           {"spatial", spatial_spirv},
       {"temporal", temporal_spirv}};

@@ -211,17 +211,16 @@ TEST(Guard, NeighboursThatCannotContributeDoNotCount) {
       [&](render::PassLibrary& passes) {
         return std::abs(mean_luminance(taken(passes, shot)) / mean_luminance(truth) - 1) < 0.01;
       },
-      {{"spatial.comp", "if (!similar(surface, FRAME.surfaces.at[at_index])) continue;",
-        "if (!similar(surface, FRAME.surfaces.at[at_index])) {\n"
-        "      others_M += FRAME.reservoirs.at[at_index].M;\n      continue;\n    }"}});
+      {{"pair_reuse.comp", "if (partner == NO_HIT) continue;",
+        "if (partner == NO_HIT) {\n"
+        "      others_M += canonical.M;\n      continue;\n    }"}});
 }
 
 TEST(Guard, TargetsAreEvaluatedAtTheReceiver) {
   expect_guarded(
       lamp_law(render::Estimator::pairwise, 5000, 4),
-      {{"reuse.glsl",
-        "other.W > 0.0 ? estimator_target(receiver, other.light, other.uv, false) : 0.0;",
-        "other.W > 0.0 ? estimator_target(there, other.light, other.uv, false) : 0.0;"}});
+      {{"pair_targets.comp", "estimator_target(receiver, other.light, other.uv)",
+        "estimator_target(receiver_of(FRAME.surfaces.at[partner]), other.light, other.uv)"}});
 }
 
 // The camera moves from behind a wall to its front: a surface that was hidden has no history, and

@@ -111,7 +111,7 @@ TEST_F(Panel, CameraPresetIsAskedForByName) {
 TEST_F(Panel, CaptionNamesWhatMadeThePicture) {
   stats.frames = 64;
   state.settings.sampling.estimator = render::Estimator::paper;
-  EXPECT_EQ(caption(state, stats), "paper, 32 candidates, 5 neighbours, mean of 64 frames");
+  EXPECT_EQ(caption(state, stats), "paper, 32 candidates, 4 neighbours, mean of 64 frames");
   state.settings.sampling.estimator = render::Estimator::ris;
   EXPECT_EQ(caption(state, stats), "ris, 32 candidates, mean of 64 frames");
   state.settings.sampling.estimator = render::Estimator::reference;
