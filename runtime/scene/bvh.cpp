@@ -1,203 +1,170 @@
-// Binned surface-area heuristic (SAH): Wald, On fast construction of SAH-based bounding volume
-// hierarchies, 2007.
 #include "runtime/scene/bvh.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <numeric>
+#include <cstring>
+#include <mutex>
 
 #include "formats/error.h"
-#include "runtime/scene/bvh_node.h"
+#include "formats/parallel.h"
+#include "runtime/scene/bvh_builder.h"
 
 namespace nightcity::scene {
 namespace {
 
-constexpr int bin_count = 16;
+// Ranges of at most this many primitives are one task of one thread.
+constexpr std::uint32_t max_task = 1u << 15;
 
-// Consecutive primitives in the order being made.
-struct Range {
-  std::uint32_t begin, end;
-  Box box;
-  std::uint32_t mask = 0;  // of all its primitives
-  bool mixed = false;      // some of them cast shadows and some do not
-  std::uint32_t size() const { return end - begin; }
+// Primitives that are only boxes: instances.
+struct BoxAccess {
+  struct Primitive {
+    Bounds box;
+    std::uint32_t index, mask;
+  };
+  static constexpr bool has_masks = true;
+  static Bounds bounds_of(const Primitive& p) { return p.box; }
+  static std::uint32_t mask_of(const Primitive& p) { return p.mask; }
+  static bool precedes(const Primitive& a, const Primitive& b) { return a.index < b.index; }
 };
 
-class BinnedSahBuilder {
- public:
-  BinnedSahBuilder(std::span<const Box> boxes, std::span<const std::uint8_t> masks,
-                   std::uint32_t max_leaf)
-      : boxes_(boxes), masks_(masks), max_leaf_(max_leaf) {
-    order_.resize(boxes.size());
-    std::iota(order_.begin(), order_.end(), 0u);
-    centres_.reserve(boxes.size());
-    for (const Box& box : boxes) centres_.push_back(0.5f * box.lower + 0.5f * box.upper);
+struct TriangleAccess {
+  using Primitive = gpu::Triangle;
+  static constexpr bool has_masks = false;
+  static Bounds bounds_of(const gpu::Triangle& triangle) {
+    const auto* bytes = reinterpret_cast<const std::byte*>(&triangle);
+    const Float4 v0 = load_vec3(bytes), v1 = load_vec3(bytes + offsetof(gpu::Triangle, v1)),
+                 v2 = load_vec3(bytes + offsetof(gpu::Triangle, v2));
+    return {min_of(min_of(v0, v1), v2), max_of(max_of(v0, v1), v2)};
   }
+  static std::uint32_t mask_of(const gpu::Triangle&) { return 0xFFu; }
+  static bool precedes(const gpu::Triangle& a, const gpu::Triangle& b) {
+    return std::memcmp(&a, &b, sizeof a) < 0;
+  }
+};
 
-  // `stack` >= needed_stack(boxes).
-  Bvh build(std::uint32_t stack) {
-    Bvh bvh;
-    if (!boxes_.empty()) {
-      const Range all = range(0, static_cast<std::uint32_t>(boxes_.size()));
-      bvh.root = build(all, stack, bvh.stack_need);
+// Builds a BVH whose top is split range by range, each by one of the threads, until the ranges are
+// tasks. Neither depends on the number of threads.
+template <class Access>
+class ParallelBuild {
+ public:
+  using Primitive = typename Access::Primitive;
+  ParallelBuild(std::span<Primitive> primitives, std::uint32_t max_leaf, std::uint32_t first,
+                unsigned threads, std::vector<gpu::BvhNode>& nodes)
+      : builder_(primitives, max_leaf, first), threads_(threads), nodes_(nodes) {}
+
+  BvhRoot build(std::uint32_t count, std::uint32_t stack) {
+    BvhRoot result;
+    if (count == 0) return result;
+    const Range all = builder_.measure(0, count);
+    if (count <= max_task) {
+      result.node = builder_.build(all, stack, nodes_, result.stack_need);
+      return result;
     }
-    bvh.nodes = std::move(nodes_);
-    bvh.order = std::move(order_);
-    return bvh;
+    // Memory is taken when it is written to, so room for more than the usual 0.4 nodes a triangle
+    // costs nothing, and no copy is made as the nodes become more.
+    if (nodes_.capacity() - nodes_.size() < count / 2)
+      nodes_.reserve(std::max(2 * nodes_.capacity(), nodes_.size() + count / 2));
+    split_top(all, stack);
+    build_tasks();
+    result.node = base_;
+    result.stack_need = find_need(0);
+    return result;
   }
 
  private:
-  Range range(std::uint32_t begin, std::uint32_t end) const {
-    Range r{begin, end, {}};
-    std::uint32_t casting = 0;
-    for (std::uint32_t i = begin; i < end; ++i) {
-      r.box.grow(boxes_[order_[i]]);
-      r.mask |= mask_of(order_[i]);
-      casting += casts_shadow(order_[i]);
+  using Builder = BvhBuilder<Access>;
+  using Range = typename Builder::Range;
+  struct Task {
+    Range range;
+    std::uint32_t stack, node, child;  // child `child` of top node `node`
+    std::uint32_t need = 0;
+    std::vector<gpu::BvhNode> nodes{};
+    std::uint32_t root = BVH_EMPTY;
+    bool done = false;
+  };
+  struct Top {
+    Range range;
+    std::uint32_t stack;
+    typename Builder::Children children{};
+    std::array<std::uint32_t, 4> need{}, top{};  // of each child; top node 0: it is none
+  };
+
+  void split_top(const Range& all, std::uint32_t stack) {
+    base_ = static_cast<std::uint32_t>(nodes_.size());
+    tops_.push_back({all, stack});
+    for (std::size_t begin = 0; begin < tops_.size();) {
+      const std::size_t end = tops_.size();
+      run_parallel(end - begin, threads_, [&](std::size_t i) {
+        Top& top = tops_[begin + i];
+        top.children = builder_.split_in_four(top.range, top.stack);
+      });
+      for (; begin < end; ++begin) add_children(static_cast<std::uint32_t>(begin));
     }
-    r.mixed = casting > 0 && casting < r.size();
-    return r;
   }
 
-  std::uint32_t mask_of(std::uint32_t primitive) const {
-    return masks_.empty() ? 0xFFu : masks_[primitive];
-  }
-  bool casts_shadow(std::uint32_t primitive) const {
-    return (mask_of(primitive) & MASK_SHADOW) != 0;
-  }
-
-  static std::uint32_t leaf(const Range& r) {
-    return BVH_LEAF | ((r.size() - 1) << BVH_LEAF_COUNT_SHIFT) | r.begin;
-  }
-
-  // Splits a range in two and returns the position of the right half's first primitive.
-  std::uint32_t split(const Range& r, bool median) {
-    if (r.mixed && !median) {  // then no shadow ray tests boxes of what casts none
-      const auto middle = std::stable_partition(order_.begin() + r.begin, order_.begin() + r.end,
-                                                [&](std::uint32_t i) { return casts_shadow(i); });
-      return static_cast<std::uint32_t>(middle - order_.begin());
-    }
-    Box centre_box;
-    for (std::uint32_t i = r.begin; i < r.end; ++i) centre_box.grow(centres_[order_[i]]);
-    const glm::vec3 size = centre_box.upper - centre_box.lower;
-    const int longest = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
-    if (!median && size[longest] > 0) {
-      const std::uint32_t at = split_by_area(r, centre_box);
-      if (at != r.begin && at != r.end) return at;
-    }
-    const std::uint32_t middle = r.begin + r.size() / 2;
-    std::nth_element(order_.begin() + r.begin, order_.begin() + middle, order_.begin() + r.end,
-                     [&](std::uint32_t a, std::uint32_t b) {
-                       // Ties by index, so that the same input gives the same BVH everywhere.
-                       return std::pair(centres_[a][longest], a) <
-                              std::pair(centres_[b][longest], b);
-                     });
-    return middle;
-  }
-
-  // Splits where the sum of area times number over both halves is smallest; returns r.begin if no
-  // split is possible.
-  std::uint32_t split_by_area(const Range& r, const Box& centre_box) {
-    float best_cost = INFINITY;
-    int best_axis = -1, best_bin = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const float extent = centre_box.upper[axis] - centre_box.lower[axis];
-      if (!(extent > 0)) continue;
-      std::array<Box, bin_count> bins;
-      std::array<std::uint32_t, bin_count> counts{};
-      for (std::uint32_t i = r.begin; i < r.end; ++i) {
-        const int bin = bin_of(centres_[order_[i]][axis], centre_box.lower[axis], extent);
-        bins[static_cast<std::size_t>(bin)].grow(boxes_[order_[i]]);
-        ++counts[static_cast<std::size_t>(bin)];
-      }
-      std::array<float, bin_count> right_cost{};
-      Box right;
-      std::uint32_t right_count = 0;
-      for (std::size_t bin = bin_count - 1; bin > 0; --bin) {
-        right.grow(bins[bin]);
-        right_count += counts[bin];
-        right_cost[bin] = right.half_area() * static_cast<float>(right_count);
-      }
-      Box left;
-      std::uint32_t left_count = 0;
-      for (std::size_t bin = 1; bin < bin_count; ++bin) {
-        left.grow(bins[bin - 1]);
-        left_count += counts[bin - 1];
-        const float cost = left.half_area() * static_cast<float>(left_count) + right_cost[bin];
-        if (left_count > 0 && left_count < r.size() && cost < best_cost) {
-          best_cost = cost;
-          best_axis = axis;
-          best_bin = static_cast<int>(bin);
-        }
+  void add_children(std::uint32_t index) {
+    nodes_.push_back(Builder::make_node(tops_[index].range, tops_[index].children));
+    const std::uint32_t count = tops_[index].children.count,
+                        stack = tops_[index].stack - (count - 1);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const Range range = tops_[index].children.range[i];
+      if (range.size() <= max_task) {
+        tasks_.push_back({range, stack, index, i});
+      } else {
+        tops_[index].top[i] = static_cast<std::uint32_t>(tops_.size());
+        nodes_[base_ + index].child[i] = base_ + tops_[index].top[i];
+        tops_.push_back({range, stack});
       }
     }
-    if (best_axis < 0) return r.begin;
-    const float lower = centre_box.lower[best_axis];
-    const float extent = centre_box.upper[best_axis] - lower;
-    const auto middle = std::stable_partition(
-        order_.begin() + r.begin, order_.begin() + r.end, [&](std::uint32_t primitive) {
-          return bin_of(centres_[primitive][best_axis], lower, extent) < best_bin;
-        });
-    return static_cast<std::uint32_t>(middle - order_.begin());
   }
 
-  static int bin_of(float centre, float lower, float extent) {
-    return std::clamp(static_cast<int>((centre - lower) / extent * bin_count), 0, bin_count - 1);
+  void build_tasks() {
+    std::mutex appending;
+    std::size_t next = 0;
+    run_parallel(tasks_.size(), threads_, [&](std::size_t i) {
+      Task& task = tasks_[i];
+      task.root = builder_.build(task.range, task.stack, task.nodes, task.need);
+      const std::lock_guard lock(appending);
+      task.done = true;
+      for (; next < tasks_.size() && tasks_[next].done; ++next) append(tasks_[next]);
+    });
   }
 
-  std::uint32_t build(const Range& r, std::uint32_t stack, std::uint32_t& stack_need) {
-    stack_need = 0;
-    if (r.size() <= max_leaf_) return leaf(r);
-    // A child may get nearly everything. Where the stack is too small for that, all four get
-    // equally many.
-    const bool median = needed_stack(r.size(), max_leaf_) + 3 > stack;
-    std::array<Range, 4> children{r, {}, {}, {}};
-    std::size_t count = 1;
-    while (count < 4) {
-      std::size_t widest = count;
-      for (std::size_t i = 0; i < count; ++i) {
-        // A range is worth splitting if it is too big for a leaf, or cheaper as two leaves than as
-        // one.
-        if (children[i].size() <= (count == 1 ? max_leaf_ : std::max(1u, max_leaf_ / 2))) continue;
-        const auto larger = [&](const Range& a, const Range& b) {
-          return median ? a.size() > b.size() : a.box.half_area() > b.box.half_area();
-        };
-        if (widest == count || larger(children[i], children[widest])) widest = i;
-      }
-      if (widest == count) break;
-      const std::uint32_t at = split(children[widest], median);
-      const Range right = range(at, children[widest].end);
-      children[widest] = range(children[widest].begin, at);
-      children[count++] = right;
+  void append(Task& task) {
+    const auto base = static_cast<std::uint32_t>(nodes_.size());
+    const auto moved = [base](std::uint32_t child) {
+      return child == BVH_EMPTY || (child & BVH_LEAF) ? child : child + base;
+    };
+    for (gpu::BvhNode node : task.nodes) {
+      for (std::uint32_t& child : node.child) child = moved(child);
+      nodes_.push_back(node);
     }
-    // Shadow rays visit the children in this order: a larger one is likelier to end them.
-    std::stable_sort(
-        children.begin(), children.begin() + count,
-        [](const Range& a, const Range& b) { return a.box.half_area() > b.box.half_area(); });
-    const auto index = static_cast<std::uint32_t>(nodes_.size());
-    std::array<BvhChild, 4> quantised;
-    for (std::size_t i = 0; i < count; ++i) quantised[i] = {children[i].box, children[i].mask};
-    nodes_.push_back(quantise_node(r.box, std::span(quantised.data(), count)));
+    task.nodes = {};
+    nodes_[base_ + task.node].child[task.child] = moved(task.root);
+    tops_[task.node].need[task.child] = task.need;
+  }
+
+  std::uint32_t find_need(std::uint32_t index) const {
+    const Top& top = tops_[index];
     std::uint32_t deepest = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      std::uint32_t need = 0;
-      const std::uint32_t child =
-          build(children[i], stack - (static_cast<std::uint32_t>(count) - 1), need);
-      nodes_[index].child[i] = child;
-      deepest = std::max(deepest, need);
-    }
-    stack_need = static_cast<std::uint32_t>(count) - 1 + deepest;
-    return index;
+    for (std::uint32_t i = 0; i < top.children.count; ++i)
+      deepest = std::max(deepest, top.top[i] != 0 ? find_need(top.top[i]) : top.need[i]);
+    return top.children.count - 1 + deepest;
   }
 
-  std::span<const Box> boxes_;
-  std::span<const std::uint8_t> masks_;
-  std::uint32_t max_leaf_;
-  std::vector<glm::vec3> centres_;
-  std::vector<std::uint32_t> order_;
-  std::vector<gpu::BvhNode> nodes_;
+  Builder builder_;
+  unsigned threads_;
+  std::vector<gpu::BvhNode>& nodes_;
+  std::uint32_t base_ = 0;
+  std::vector<Top> tops_;
+  std::vector<Task> tasks_;
 };
+
+void check_sizes(std::size_t count, std::uint32_t max_leaf, std::uint32_t max_stack) {
+  if (count > BVH_LEAF_FIRST_MASK) throw Error("", "more than 134 million triangles in one scene");
+  if (needed_stack(count, max_leaf) > max_stack)
+    throw Error(
+        "", "the scene has too many triangles in a mesh, or instances, for the traversal stack");
+}
 
 }  // namespace
 
@@ -208,13 +175,31 @@ std::uint32_t needed_stack(std::size_t boxes, std::uint32_t max_leaf) {
 }
 
 Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t max_stack,
-              std::span<const std::uint8_t> masks) {
-  if (boxes.size() > BVH_LEAF_FIRST_MASK)
-    throw Error("", "more than 134 million triangles in one scene");
-  if (needed_stack(boxes.size(), max_leaf) > max_stack)
-    throw Error(
-        "", "the scene has too many triangles in a mesh, or instances, for the traversal stack");
-  return BinnedSahBuilder(boxes, masks, max_leaf).build(max_stack);
+              std::span<const std::uint8_t> masks, unsigned threads) {
+  check_sizes(boxes.size(), max_leaf, max_stack);
+  std::vector<BoxAccess::Primitive> primitives;
+  primitives.reserve(boxes.size());
+  for (std::uint32_t i = 0; i < boxes.size(); ++i)
+    primitives.push_back({to_bounds(boxes[i]), i, masks.empty() ? 0xFFu : masks[i]});
+  Bvh bvh;
+  const BvhRoot root =
+      ParallelBuild<BoxAccess>(std::span(primitives), max_leaf, 0, threads, bvh.nodes)
+          .build(static_cast<std::uint32_t>(primitives.size()), max_stack);
+  bvh.root = root.node;
+  bvh.stack_need = root.stack_need;
+  bvh.order.reserve(primitives.size());
+  for (const BoxAccess::Primitive& p : primitives) bvh.order.push_back(p.index);
+  return bvh;
+}
+
+BvhRoot append_bvh(std::vector<gpu::BvhNode>& nodes, std::span<gpu::Triangle> triangles,
+                   std::size_t first, std::uint32_t max_leaf, std::uint32_t max_stack,
+                   unsigned threads) {
+  check_sizes(first + triangles.size(), BVH_MAX_LEAF, UINT32_MAX);
+  check_sizes(triangles.size(), max_leaf, max_stack);
+  return ParallelBuild<TriangleAccess>(triangles, max_leaf, static_cast<std::uint32_t>(first),
+                                       threads, nodes)
+      .build(static_cast<std::uint32_t>(triangles.size()), max_stack);
 }
 
 void rebase(Bvh& bvh, std::uint32_t node_base, std::uint32_t first_base) {

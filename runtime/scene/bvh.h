@@ -23,10 +23,23 @@ struct Bvh {
 /// per leaf. Ranges are split straight into four by the binned surface-area heuristic, the largest
 /// child first. Where the rest would need more than `max_stack` deferred entries, they are split at
 /// the object median, whose depth is logarithmic. `masks` is empty or holds one MASK_* per box;
-/// what casts shadows is then kept apart from what does not. Throws Error if medians alone are too
-/// deep (needed_stack), or for more than 134 million boxes.
+/// what casts shadows is then kept apart from what does not. The result does not depend on the
+/// number of `threads`. Throws Error if medians alone are too deep (needed_stack), or for more than
+/// 134 million boxes.
 Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t max_stack,
-              std::span<const std::uint8_t> masks = {});
+              std::span<const std::uint8_t> masks = {}, unsigned threads = 1);
+
+struct BvhRoot {
+  std::uint32_t node = BVH_EMPTY;  // a node, a leaf, or BVH_EMPTY
+  std::uint32_t stack_need = 0;    // entries that a ray may have to defer
+};
+
+/// Builds a BVH over `triangles` as build_bvh does, without memory besides that of its nodes, which
+/// it appends to `nodes`: the triangles are brought into the order of the leaves, whose ranges count
+/// from `first` on, the position of triangles[0] in its buffer.
+BvhRoot append_bvh(std::vector<gpu::BvhNode>& nodes, std::span<gpu::Triangle> triangles,
+                   std::size_t first, std::uint32_t max_leaf, std::uint32_t max_stack,
+                   unsigned threads);
 
 /// Returns the deferred entries that a BVH of object medians over `boxes` boxes needs: the smallest
 /// `max_stack` that build_bvh accepts.

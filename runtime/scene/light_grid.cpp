@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
+#include <bit>
 #include <cmath>
 #include <cstddef>
-#include <future>
-#include <thread>
+#include <cstring>
 #include <utility>
 
+#include "formats/parallel.h"
 #include "runtime/scene/alias_table.h"
+#include "runtime/scene/bounds.h"
 
 namespace nightcity::scene {
 namespace {
@@ -47,6 +48,14 @@ int class_of(float flux_lm, float median_lm) {
   return std::clamp(int(std::floor(fours)), 0, max_classes - 1);
 }
 
+// Lights in the order of their bins, each property in an array of its own, so that four at a time
+// are looked at.
+struct LightRange {
+  const float *x, *z, *flux;
+  const std::uint32_t* light;
+  std::size_t count;
+};
+
 // The lights of one class, sorted into square bins of the map.
 class Bins {
  public:
@@ -68,6 +77,11 @@ class Bins {
     std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1), sorted(order_.size());
     for (const std::uint32_t light : order_) sorted[next[bin(light)]++] = light;
     order_ = std::move(sorted);
+    for (const std::uint32_t light : order_) {
+      x_.push_back(lights[light].position.x);
+      z_.push_back(lights[light].position.z);
+      flux_.push_back(lights[light].flux_lm);
+    }
   }
 
   int column(float x) const { return place(x - shape_.origin_x, width_); }
@@ -82,10 +96,15 @@ class Bins {
     return max_flux_ / (beyond * beyond + shape_.softening_m2);
   }
 
-  std::span<const std::uint32_t> at(int x, int z) const {
-    if (x < 0 || z < 0 || x >= width_ || z >= depth_) return {};
-    const std::size_t c = std::size_t(z) * std::size_t(width_) + std::size_t(x);
-    return std::span(order_).subspan(starts_[c], starts_[c + 1] - starts_[c]);
+  // Returns the lights of the bins x0 <= x <= x1 in a row, those of them that exist.
+  LightRange at(int x0, int x1, int z) const {
+    x0 = std::max(x0, 0);
+    x1 = std::min(x1, width_ - 1);
+    if (x0 > x1 || z < 0 || z >= depth_) return {};
+    const std::size_t row = std::size_t(z) * std::size_t(width_),
+                      first = starts_[row + std::size_t(x0)],
+                      end = starts_[row + std::size_t(x1) + 1];
+    return {&x_[first], &z_[first], &flux_[first], &order_[first], end - first};
   }
 
  private:
@@ -97,6 +116,7 @@ class Bins {
   float side_m_;
   int width_, depth_;
   std::vector<std::uint32_t> starts_, order_;
+  std::vector<float> x_, z_, flux_;  // of the lights, in the order of order_
   float max_flux_ = 0;
 };
 
@@ -119,6 +139,33 @@ std::vector<Bins> by_class(std::span<const Light> lights, const gpu::LightGridSh
   return classes;
 }
 
+// Calls `use(strength, light)` for every light that is stronger than `bar` in the cell with this
+// centre. Strengths are rounded as in light_strength.
+template <class Use>
+void for_stronger(const LightRange& range, const gpu::LightGridShape& shape, float centre_x,
+                  float centre_z, const float& bar, Use use) {
+  const auto load = [](const float* from) {
+    Float4 four;
+    std::memcpy(&four, from, sizeof four);
+    return four;
+  };
+  std::size_t i = 0;
+  for (; i + 4 <= range.count; i += 4) {
+    const Float4 dx = load(range.x + i) - centre_x, dz = load(range.z + i) - centre_z,
+                 value = load(range.flux + i) / (dx * dx + dz * dz + shape.softening_m2);
+    const auto stronger = value > Float4{bar, bar, bar, bar};
+    const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(stronger);
+    if ((halves[0] | halves[1]) == 0) continue;
+    for (std::size_t k = 0; k < 4; ++k)
+      if (value[k] > bar) use(value[k], range.light[i + k]);
+  }
+  for (; i < range.count; ++i) {
+    const float dx = range.x[i] - centre_x, dz = range.z[i] - centre_z,
+                value = range.flux[i] / (dx * dx + dz * dz + shape.softening_m2);
+    if (value > bar) use(value, range.light[i]);
+  }
+}
+
 struct Strongest {
   std::vector<Strength> found;  // strongest first, at most one more than can be listed
   // An upper bound of the lights that are not in `found`, where they are weaker than its last.
@@ -127,9 +174,8 @@ struct Strongest {
 
 // Finds the strongest lights of a cell. In each class it searches rings of bins outwards, until
 // nothing farther could be among them.
-Strongest strongest(std::span<const Light> lights, const std::vector<Bins>& classes,
-                    const gpu::LightGridShape& shape, std::size_t listed, std::uint32_t x,
-                    std::uint32_t z) {
+Strongest strongest(const std::vector<Bins>& classes, const gpu::LightGridShape& shape,
+                    std::size_t listed, std::uint32_t x, std::uint32_t z) {
   Strongest cell;
   std::vector<Strength>& found = cell.found;
   // Lights weaker than this no longer matter. It is raised whenever half as many again have been
@@ -149,20 +195,18 @@ Strongest strongest(std::span<const Light> lights, const std::vector<Bins>& clas
         cell.unseen = std::max(cell.unseen, bins.strength_beyond(ring - 1));
         break;
       }
-      const auto take = [&](int bx, int bz) {
-        for (const std::uint32_t light : bins.at(bx, bz)) {
-          const float value = light_strength(shape, x, z, lights[light]);
-          if (value > bar) found.push_back({value, light});
-        }
+      const auto take = [&](int x0, int x1, int bz) {
+        for_stronger(bins.at(x0, x1, bz), shape, centre_x, centre_z, bar,
+                     [&](float value, std::uint32_t light) {
+                       found.push_back({value, light});
+                     });
       };
-      for (int dx = -ring; dx <= ring; ++dx) {
-        take(column + dx, row - ring);
-        if (ring > 0) take(column + dx, row + ring);
-      }
+      take(column - ring, column + ring, row - ring);
       for (int dz = -ring + 1; dz < ring; ++dz) {
-        take(column - ring, row + dz);
-        take(column + ring, row + dz);
+        take(column - ring, column - ring, row + dz);
+        take(column + ring, column + ring, row + dz);
       }
+      if (ring > 0) take(column - ring, column + ring, row + ring);
       if (found.size() > (bar > 0 ? listed + listed / 2 : listed)) keep_strongest();
       if (bins.strength_beyond(ring) < bar) break;
     }
@@ -239,17 +283,17 @@ LightGrid build_light_grid(std::span<const Light> lights, LightLists lists) {
 
   const std::vector<Bins> classes = by_class(lights, shape);
   std::vector<Row> rows(shape.depth);
-  std::atomic<std::uint32_t> next{0};
-  const auto work = [&] {
-    for (std::uint32_t z = next++; z < shape.depth; z = next++)
-      for (std::uint32_t x = 0; x < shape.width; ++x)
-        add_cell(rows[z], strongest(lights, classes, shape, lists.listed, x, z), lists.listed);
-  };
-  std::vector<std::future<void>> others;
-  for (unsigned t = 1; t < std::min(std::thread::hardware_concurrency(), shape.depth); ++t)
-    others.push_back(std::async(std::launch::async, work));
-  work();
-  for (std::future<void>& other : others) other.get();
+  run_parallel(shape.depth, count_cores(), [&](std::size_t z) {
+    for (std::uint32_t x = 0; x < shape.width; ++x)
+      add_cell(rows[z], strongest(classes, shape, lists.listed, x, std::uint32_t(z)), lists.listed);
+  });
+  std::size_t cells = 0, entries = 0;
+  for (const Row& row : rows) {
+    cells += row.cells.size();
+    entries += row.entries.size();
+  }
+  grid.cells.reserve(cells);
+  grid.entries.reserve(entries);
   for (Row& row : rows) {
     const auto before = static_cast<std::uint32_t>(grid.entries.size());
     for (gpu::LightCell& cell : row.cells) cell.first += before;

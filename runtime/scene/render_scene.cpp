@@ -6,6 +6,7 @@
 
 #include "formats/error.h"
 #include "formats/night_check.h"
+#include "formats/parallel.h"
 #include "formats/scene_identity.h"
 #include "formats/scene_reader.h"
 #include "runtime/scene/scene_geometry.h"
@@ -51,8 +52,9 @@ RenderScene make_render_scene(const Scene& scene, SceneLights lights) {
   out.profile_data = std::move(lights.profile_data);
   out.traffic = std::move(lights.traffic);
   check_traffic(out.traffic, out.profiles.size());
-  add_bodies(out, scene);
-  add_geometry(out, scene);
+  const MeshSource meshes = meshes_of(scene);
+  add_bodies(out, scene, meshes);
+  add_geometry(out, scene, meshes, count_cores());
 
   out.lights = std::move(lights.lights);
   out.families = std::move(lights.families);

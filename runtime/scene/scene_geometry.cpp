@@ -6,8 +6,12 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <utility>
 
-#include "formats/error.h"
+#include "formats/parallel.h"
 
 namespace nightcity::scene {
 namespace {
@@ -19,20 +23,20 @@ constexpr std::uint32_t tlas_stack = 33;
 constexpr std::uint32_t mesh_stack = BVH_STACK - tlas_stack - 1;
 constexpr std::uint32_t body_stack = BVH_STACK - 3 * VEHICLE_LEVELS - 2;
 
-Box box_of(const gpu::Triangle& t) {
-  Box box;
-  box.grow(t.v0);
-  box.grow(t.v1);
-  box.grow(t.v2);
-  return box;
+std::size_t count_triangles(const SceneMesh& mesh) {
+  std::size_t count = 0;
+  for (const ScenePrimitive& primitive : mesh.primitives) count += primitive.indices.size() / 3;
+  return count;
 }
 
-void append_mesh(const SceneMesh& mesh, const glm::mat4& to_model, std::vector<gpu::Triangle>& out,
-                 std::size_t& dropped) {
+// Appends the triangles of a mesh that have an area, and returns the number of those that do not.
+std::size_t append_mesh(const SceneMesh& mesh, const glm::mat4& to_model,
+                        std::vector<gpu::Triangle>& out) {
   const glm::dmat4 m(to_model);
+  std::size_t dropped = 0;
+  std::vector<glm::vec3> positions;
   for (const ScenePrimitive& primitive : mesh.primitives) {
-    std::vector<glm::vec3> positions;
-    positions.reserve(primitive.positions.size());
+    positions.clear();
     for (const glm::vec3& p : primitive.positions) positions.emplace_back(m * glm::dvec4(p, 1.0));
     for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
       const std::uint32_t a = primitive.indices[i], b = primitive.indices[i + 1],
@@ -53,31 +57,22 @@ void append_mesh(const SceneMesh& mesh, const glm::mat4& to_model, std::vector<g
       out.push_back(t);
     }
   }
+  return dropped;
 }
 
-// Builds a mesh's BLAS and appends it, with the triangles in its order; returns the root and the
-// mesh's box.
-std::pair<std::uint32_t, Box> add_blas(RenderScene& scene,
-                                       const std::vector<gpu::Triangle>& triangles,
+// Builds the BLAS over the triangles from `first` on, and returns its root and box.
+std::pair<std::uint32_t, Box> add_blas(RenderScene& scene, std::size_t first, unsigned threads,
                                        std::uint32_t stack = mesh_stack) {
-  std::vector<Box> boxes;
-  boxes.reserve(triangles.size());
+  const std::span triangles = std::span(scene.triangles).subspan(first);
   Box all;
-  for (const gpu::Triangle& t : triangles) {
-    boxes.push_back(box_of(t));
-    all.grow(boxes.back());
-  }
-  Bvh bvh = build_bvh(boxes, triangle_leaf, stack);
-  if (scene.triangles.size() + triangles.size() > BVH_LEAF_FIRST_MASK)
-    throw Error("", "more than 134 million triangles in one scene");
-  rebase(bvh, static_cast<std::uint32_t>(scene.nodes.size()),
-         static_cast<std::uint32_t>(scene.triangles.size()));
+  for (const gpu::Triangle& t : triangles)
+    for (const glm::vec3& corner : {t.v0, t.v1, t.v2}) all.grow(corner);
+  const std::uint32_t root =
+      append_bvh(scene.nodes, triangles, first, triangle_leaf, stack, threads).node;
   if (!triangles.empty())
-    scene.meshes.push_back({bvh.root, static_cast<std::uint32_t>(scene.triangles.size()),
-                            static_cast<std::uint32_t>(triangles.size())});
-  for (const std::uint32_t i : bvh.order) scene.triangles.push_back(triangles[i]);
-  scene.nodes.insert(scene.nodes.end(), bvh.nodes.begin(), bvh.nodes.end());
-  return {bvh.root, all};
+    scene.meshes.push_back(
+        {root, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(triangles.size())});
+  return {root, all};
 }
 
 gpu::Instance make_instance(const glm::dmat4& to_object, std::uint32_t root, bool casts_shadow,
@@ -109,12 +104,12 @@ Box transformed(const Box& box, const glm::dmat4& m) {
 }
 
 // Builds the TLAS over the instances, and puts them in its order.
-void add_tlas(RenderScene& out, const std::vector<Box>& instance_boxes) {
+void add_tlas(RenderScene& out, const std::vector<Box>& instance_boxes, unsigned threads) {
   std::vector<std::uint8_t> masks;
   masks.reserve(out.instances.size());
   for (const gpu::Instance& instance : out.instances)
     masks.push_back(static_cast<std::uint8_t>(instance.mask));
-  Bvh top = build_bvh(instance_boxes, 1, tlas_stack, masks);
+  Bvh top = build_bvh(instance_boxes, 1, tlas_stack, masks, threads);
   std::vector<gpu::Instance> ordered;
   ordered.reserve(top.order.size());
   for (const std::uint32_t i : top.order) ordered.push_back(out.instances[i]);
@@ -124,9 +119,8 @@ void add_tlas(RenderScene& out, const std::vector<Box>& instance_boxes) {
   out.nodes.insert(out.nodes.end(), top.nodes.begin(), top.nodes.end());
 }
 
-// Returns a box of twelve triangles that face outwards.
-std::vector<gpu::Triangle> box_mesh(const glm::vec3& lower, const glm::vec3& upper) {
-  std::vector<gpu::Triangle> triangles;
+// Appends a box of twelve triangles that face outwards.
+void append_box(const glm::vec3& lower, const glm::vec3& upper, std::vector<gpu::Triangle>& out) {
   for (int axis = 0; axis < 3; ++axis)
     for (const bool far : {false, true}) {
       const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -139,15 +133,57 @@ std::vector<gpu::Triangle> box_mesh(const glm::vec3& lower, const glm::vec3& upp
       };
       const glm::vec3 a = corner(false, false), b = corner(far, !far), c = corner(true, true),
                       d = corner(!far, far);
-      triangles.push_back({a, 0, b, NO_HIT, c, NO_HIT});
-      triangles.push_back({a, 0, c, NO_HIT, d, NO_HIT});
+      out.push_back({a, 0, b, NO_HIT, c, NO_HIT});
+      out.push_back({a, 0, c, NO_HIT, d, NO_HIT});
     }
-  return triangles;
+}
+
+// The placed meshes that become one BLAS.
+struct Merged {
+  std::uint32_t mesh;
+  glm::mat4 to_model;
+};
+
+// Appends the meshes in their order. Each is read and converted by one of the threads, and nothing
+// of it is kept beside its triangles.
+void append_merged(RenderScene& out, const std::vector<Merged>& merged, const MeshSource& meshes,
+                   unsigned threads) {
+  struct Converted {
+    std::vector<gpu::Triangle> triangles;
+    bool done = false;
+  };
+  std::vector<Converted> converted(merged.size());
+  std::mutex appending;
+  std::size_t next = 0;
+  run_parallel(merged.size(), meshes.in_parallel ? threads : 1, [&](std::size_t i) {
+    std::vector<gpu::Triangle> triangles;
+    const std::size_t dropped =
+        append_mesh(*meshes.read(merged[i].mesh), merged[i].to_model, triangles);
+    const std::lock_guard lock(appending);
+    out.dropped_triangles += dropped;
+    converted[i] = {std::move(triangles), true};
+    for (; next < merged.size() && converted[next].done; ++next) {
+      const auto& ready = converted[next].triangles;
+      out.triangles.insert(out.triangles.end(), ready.begin(), ready.end());
+      converted[next].triangles = {};
+    }
+  });
 }
 
 }  // namespace
 
-void add_geometry(RenderScene& out, const Scene& scene) {
+MeshSource meshes_of(const Scene& scene) {
+  MeshSource source;
+  source.read = [&scene](std::uint32_t mesh) {
+    return std::shared_ptr<const SceneMesh>(std::shared_ptr<void>(), &scene.meshes.at(mesh));
+  };
+  source.in_parallel = true;
+  for (const SceneMesh& mesh : scene.meshes) source.triangles.push_back(count_triangles(mesh));
+  return source;
+}
+
+void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes,
+                  unsigned threads) {
   std::vector<Box> instance_boxes;
   const auto place = [&](std::uint32_t root, const Box& box, const glm::dmat4& to_model,
                          bool shadow, std::uint32_t light) {
@@ -166,51 +202,57 @@ void add_geometry(RenderScene& out, const Scene& scene) {
   const auto is_vehicle = [&](const SceneNode& node) {
     return !out.traffic.trips.empty() && node.vehicle != no_id;
   };
+  const auto is_merged = [](const SceneNode& node) {
+    return node.instances.size() == 1 && node.instances[0].light == no_id;
+  };
 
   // Everything that is placed once and does not move becomes one BLAS (one for what casts shadows,
   // one for what does not): a ray then crosses the city without leaving and entering instances.
   for (const bool shadow : {true, false}) {
-    std::vector<gpu::Triangle> triangles;
+    std::vector<Merged> merged;
+    std::size_t triangles = out.triangles.size();
     for (const SceneNode& node : scene.nodes)
-      if (!is_vehicle(node) && node.instances.size() == 1 && node.instances[0].light == no_id &&
-          node.casts_shadow == shadow)
-        append_mesh(scene.meshes[node.mesh], node.instances[0].to_model, triangles,
-                    out.dropped_triangles);
-    const auto [root, box] = add_blas(out, triangles);
+      if (!is_vehicle(node) && is_merged(node) && node.casts_shadow == shadow) {
+        merged.push_back({node.mesh, node.instances[0].to_model});
+        triangles += meshes.triangles.at(node.mesh);
+      }
+    out.triangles.reserve(triangles);
+    const std::size_t first = out.triangles.size();
+    append_merged(out, merged, meshes, threads);
+    const auto [root, box] = add_blas(out, first, threads);
     place(root, box, glm::dmat4(1.0), shadow, NO_HIT);
   }
-  std::vector<std::optional<std::pair<std::uint32_t, Box>>> built(scene.meshes.size());
+  std::vector<std::optional<std::pair<std::uint32_t, Box>>> built(meshes.triangles.size());
   for (const SceneNode& node : scene.nodes) {
-    if (is_vehicle(node) || (node.instances.size() == 1 && node.instances[0].light == no_id))
-      continue;
-    auto& mesh = built[node.mesh];
+    if (is_vehicle(node) || is_merged(node)) continue;
+    auto& mesh = built.at(node.mesh);
     if (!mesh) {
-      std::vector<gpu::Triangle> triangles;
-      append_mesh(scene.meshes[node.mesh], glm::mat4(1.0f), triangles, out.dropped_triangles);
-      mesh = add_blas(out, triangles);
+      const std::size_t first = out.triangles.size();
+      out.dropped_triangles += append_mesh(*meshes.read(node.mesh), glm::mat4(1.0f), out.triangles);
+      mesh = add_blas(out, first, threads);
     }
     for (const SceneInstance& instance : node.instances)
       place(mesh->first, mesh->second, glm::dmat4(instance.to_model), node.casts_shadow,
             instance.light);
   }
-  add_tlas(out, instance_boxes);
+  add_tlas(out, instance_boxes, threads);
 }
 
-void add_bodies(RenderScene& out, const Scene& scene) {
+void add_bodies(RenderScene& out, const Scene& scene, const MeshSource& meshes) {
   for (std::uint32_t kind = 0; kind < out.traffic.vehicles.size(); ++kind) {
-    std::vector<gpu::Triangle> triangles;
+    const std::size_t first = out.triangles.size();
     std::uint32_t mask = MASK_VISIBLE;
     for (const SceneNode& node : scene.nodes) {
       if (node.vehicle != kind) continue;
-      append_mesh(scene.meshes[node.mesh], glm::mat4(1.0f), triangles, out.dropped_triangles);
+      out.dropped_triangles += append_mesh(*meshes.read(node.mesh), glm::mat4(1.0f), out.triangles);
       if (node.casts_shadow) mask |= MASK_SHADOW;
     }
-    if (triangles.empty()) {
+    if (out.triangles.size() == first) {
       const glm::vec3 size = out.traffic.vehicles[kind].half_size;
-      triangles = box_mesh({-size.x, 0.0f, -size.z}, {size.x, 2 * size.y, size.z});
+      append_box({-size.x, 0.0f, -size.z}, {size.x, 2 * size.y, size.z}, out.triangles);
       mask |= MASK_SHADOW;
     }
-    const auto [root, box] = add_blas(out, triangles, body_stack);
+    const auto [root, box] = add_blas(out, first, 1, body_stack);
     out.traffic.bodies.push_back({box.lower, root, box.upper, mask});
   }
 }

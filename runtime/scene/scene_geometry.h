@@ -1,17 +1,31 @@
 // From the meshes of a scene file to triangles, instances and the hierarchies that rays traverse.
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <memory>
+
 #include "runtime/scene/render_scene.h"
 
 namespace nightcity::scene {
 
+/// The meshes of a scene, one at a time, so that not all of them need be in memory.
+struct MeshSource {
+  std::function<std::shared_ptr<const SceneMesh>(std::uint32_t mesh)> read;
+  bool in_parallel = false;            // `read` may be called by several threads at the same time
+  std::vector<std::size_t> triangles;  // of each mesh, as far as is known before it is read
+};
+
+/// Returns the meshes that `scene` holds, which must outlive the result.
+MeshSource meshes_of(const Scene& scene);
+
 /// Appends the meshes of `scene`, their BLASes and instances, and builds the TLAS over these.
 /// Triangles without area and instances whose matrix is singular are left out and counted. Vehicles
-/// are left out where `out` has traffic.
-void add_geometry(RenderScene& out, const Scene& scene);
+/// are left out where `out` has traffic. The result does not depend on the number of `threads`.
+void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes, unsigned threads);
 
 /// Appends a body for every kind of vehicle in `out`: its mesh in `scene`, or a plain box if it has
 /// none.
-void add_bodies(RenderScene& out, const Scene& scene);
+void add_bodies(RenderScene& out, const Scene& scene, const MeshSource& meshes);
 
 }  // namespace nightcity::scene

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <random>
 
 #include "formats/error.h"
@@ -226,6 +228,93 @@ TEST(Bvh, KeepsWhatCastsShadowsApartAndSaysWhatIsBelow) {
           EXPECT_NE((bvh.nodes[child].masks >> (8 * below)) & MASK_SHADOW, 0u);
         }
       }
+    }
+}
+
+// Triangles of all sizes, some of them twice, in a field of 1 km.
+std::vector<gpu::Triangle> random_triangles(std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto uniform = [&](float a, float b) {
+    return a + (b - a) * float(random() >> 8) / 16777216.0f;
+  };
+  std::vector<gpu::Triangle> triangles(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    gpu::Triangle& t = triangles[i];
+    const glm::vec3 p(uniform(-500, 500), uniform(0, 30), uniform(-500, 500));
+    const auto near = [&] { return p + glm::vec3(uniform(-2, 2), uniform(-2, 2), uniform(-2, 2)); };
+    t = {near(), i % 7, near(), i, near(), NO_HIT};
+    if (i % 10 == 9) {
+      t = triangles[i - 1];
+      t.feature = i;
+    }
+  }
+  return triangles;
+}
+
+template <class T>
+bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+// Large enough for many tasks.
+TEST(Bvh, TrianglesAndBoxesGiveTheSameBytesForAnyNumberOfThreads) {
+  const auto triangles = random_triangles(300'000, 5);
+  const auto boxes = random_boxes(200'000, 500, 6);
+  std::vector<gpu::Triangle> first_order;
+  std::vector<gpu::BvhNode> first_nodes;
+  Bvh first_boxes;
+  for (const unsigned threads : {1u, 2u, 3u, 8u}) {
+    auto order = triangles;
+    std::vector<gpu::BvhNode> nodes;
+    append_bvh(nodes, order, 0, 4, 46, threads);
+    Bvh bvh = build_bvh(boxes, 1, 46, {}, threads);
+    if (threads == 1) {
+      first_order = order;
+      first_nodes = nodes;
+      first_boxes = std::move(bvh);
+      continue;
+    }
+    EXPECT_TRUE(same_bytes(order, first_order)) << threads;
+    EXPECT_TRUE(same_bytes(nodes, first_nodes)) << threads;
+    EXPECT_TRUE(same_bytes(bvh.nodes, first_boxes.nodes)) << threads;
+    EXPECT_EQ(bvh.order, first_boxes.order) << threads;
+  }
+}
+
+TEST(Bvh, InPlaceEveryTriangleIsInOneLeafInsideItsParents) {
+  for (const std::size_t count : {1u, 3u, 5u, 1000u, 100'000u}) {
+    const auto triangles = random_triangles(count, unsigned(count));
+    auto placed = triangles;
+    Bvh bvh;
+    const BvhRoot root = append_bvh(bvh.nodes, placed, 0, 4, 46, 2);
+    bvh.root = root.node;
+    bvh.stack_need = root.stack_need;
+    EXPECT_LE(root.stack_need, 46u);
+    std::vector<Box> boxes(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      for (const glm::vec3& corner : {placed[i].v0, placed[i].v1, placed[i].v2})
+        boxes[i].grow(corner);
+      bvh.order.push_back(i);
+    }
+    expect_sound(bvh, boxes, 4);
+    // The features are the triangles' numbers: each is there once, and unchanged.
+    std::sort(placed.begin(), placed.end(),
+              [](const auto& a, const auto& b) { return a.feature < b.feature; });
+    EXPECT_TRUE(same_bytes(placed, triangles)) << count;
+  }
+}
+
+TEST(Bvh, InPlaceCountsFromWhereItsTrianglesAndNodesLie) {
+  auto triangles = random_triangles(70'000, 8), behind = triangles;
+  std::vector<gpu::BvhNode> nodes, later(1000);
+  const BvhRoot at_start = append_bvh(nodes, triangles, 0, 4, 46, 2),
+                moved = append_bvh(later, behind, 500, 4, 46, 2);
+  EXPECT_EQ(moved.node, at_start.node + 1000);
+  ASSERT_EQ(later.size(), nodes.size() + 1000);
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::uint32_t child = nodes[n].child[i], there = later[n + 1000].child[i];
+      ASSERT_EQ(there, child == BVH_EMPTY ? child : child + (child & BVH_LEAF ? 500 : 1000));
     }
 }
 

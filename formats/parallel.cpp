@@ -1,0 +1,45 @@
+#include "formats/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace nightcity {
+
+unsigned count_cores() {
+  return std::max(1u, std::thread::hardware_concurrency());
+}
+
+void run_parallel(std::size_t count, unsigned threads,
+                  const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex failing;
+  const auto take = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        work(i);
+      } catch (...) {
+        const std::lock_guard lock(failing);
+        if (!failure) failure = std::current_exception();
+        next = count;
+      }
+    }
+  };
+  std::vector<std::jthread> others;
+  try {
+    for (std::size_t t = 1; t < std::min<std::size_t>(threads, count); ++t)
+      others.emplace_back(take);
+  } catch (const std::system_error&) {
+    // The system gives no more threads: those that there are do the work.
+  }
+  take();
+  others.clear();  // waits for them
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace nightcity
