@@ -219,6 +219,17 @@ std::span<const std::byte> Document::file(const std::string& uri) {
   return external(uri, std::filesystem::path(name_).parent_path());
 }
 
+std::size_t Document::bytes() const {
+  std::size_t total = 0;
+  for (const MappedFile& file : files_) total += file.bytes().size();
+  for (const auto& decoded : decoded_) total += decoded.size();
+  return total;
+}
+
+void Document::release_pages() const {
+  for (const MappedFile& file : files_) file.release_pages();
+}
+
 std::size_t Document::count(const char* name) const {
   const Json& array = member(root_, name);
   if (!array.is_null() && !array.is_array()) wrong_type(name, "an array");

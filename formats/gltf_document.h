@@ -35,6 +35,11 @@ class Document {
   /// Returns the bytes of a file that the scene names by `uri` (an image), as long as the document
   /// lives. Throws Error, without a file name, if it is missing or not beside the scene.
   std::span<const std::byte> file(const std::string& uri);
+  /// Returns the number of bytes of all files that belong to the scene.
+  std::size_t bytes() const;
+  /// Gives the memory of the mapped files back to the system, which reads them again when they are
+  /// accessed again. Other threads may be reading them.
+  void release_pages() const;
 
  private:
   void read_json(std::span<const std::byte> bytes);

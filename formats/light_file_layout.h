@@ -1,13 +1,12 @@
 // The layout of city.lights on the disk (SPEC.md, section 3), shared by its reader and its writer.
 #pragma once
 
-#include <xxhash.h>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 
+#include "formats/checksum.h"
 #include "formats/light_file.h"
 
 namespace nightcity::light_file {
@@ -48,10 +47,6 @@ inline constexpr std::array<char, 4> tag_schedules{'S', 'C', 'H', 'D'},
     tag_switches{'S', 'W', 'C', 'H'}, tag_cycle{'C', 'Y', 'C', 'L'},
     tag_vehicles{'V', 'E', 'H', 'I'}, tag_vehicle_lights{'V', 'L', 'G', 'T'},
     tag_trips{'T', 'R', 'I', 'P'}, tag_knots{'K', 'N', 'O', 'T'};
-
-inline std::uint64_t checksum(const void* bytes, std::size_t size) {
-  return XXH64(bytes, size, 0);
-}
 
 inline std::string name_of(const Section& section) {
   std::string name = "section ";

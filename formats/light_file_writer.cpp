@@ -1,5 +1,7 @@
 #include "formats/light_file_writer.h"
 
+#include <xxhash.h>
+
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>

@@ -22,6 +22,9 @@ class MappedFile {
   MappedFile& operator=(MappedFile&& other) noexcept;
 
   std::span<const std::byte> bytes() const { return bytes_; }
+  /// Gives the memory of the pages read so far back to the system. They are read again when they
+  /// are accessed again, so any thread may be reading them now.
+  void release_pages() const;
 
  private:
   std::span<const std::byte> bytes_;

@@ -1,6 +1,7 @@
 #include "formats/scene_reader.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <string>
@@ -43,16 +44,24 @@ class Reader {
         materials_(document, accessors_),
         primitives_(accessors_) {}
 
-  Scene read() {
+  // Reads all but the meshes.
+  void read() {
     check_required_extensions(document_);
     const Json& ours = find_asset_extras(document_);
     if (ours.is_object()) scene_.georeference = georeference_from_json(ours);
     read_features();
     read_materials();
-    for (std::size_t i = 0; i < document_.count("meshes"); ++i) read_mesh(i);
-    add_coloured_materials();
     read_nodes();
-    scene_.skipped = describe_skipped(document_, ours.is_object());
+  }
+
+  const Scene& scene() const { return scene_; }
+  SceneMesh read_mesh(std::size_t index);
+  std::size_t count_triangles(std::size_t index) const;
+  bool has_colours() const;
+
+  Scene finish() {
+    add_coloured_materials();
+    scene_.skipped = describe_skipped(document_, find_asset_extras(document_).is_object());
     for (auto* sentences : {&material_sentences_, &colour_sentences_})
       scene_.skipped.insert(scene_.skipped.end(), sentences->begin(), sentences->end());
     return std::move(scene_);
@@ -62,7 +71,6 @@ class Reader {
   void read_features();
   void read_materials();
   void add_coloured_materials();
-  void read_mesh(std::size_t index);
   std::uint32_t find_material(const Json& source);
   std::vector<std::size_t> find_roots() const;
   void read_nodes();
@@ -78,7 +86,7 @@ class Reader {
   // The file's materials come first, then glTF's default one, then those of vertices' colours.
   std::size_t material_count_ = 0;  // of the file
   VertexColours colours_;
-  bool uses_default_ = false;
+  std::atomic<bool> uses_default_ = false;
   std::vector<std::string> material_sentences_, colour_sentences_;
 };
 
@@ -104,7 +112,7 @@ std::uint32_t Reader::find_material(const Json& source) {
   const std::size_t index = gltf::index(source, "material").value_or(material_count_);
   if (index > material_count_ || (index == material_count_ && source.contains("material")))
     throw Error("", numbered("material", index), "is not there");
-  uses_default_ |= index == material_count_;
+  if (index == material_count_) uses_default_ = true;
   return static_cast<std::uint32_t>(index);
 }
 
@@ -120,7 +128,7 @@ void Reader::add_coloured_materials() {
   }
 }
 
-void Reader::read_mesh(std::size_t index) {
+SceneMesh Reader::read_mesh(std::size_t index) {
   const Json& source = document_.element("meshes", index);
   const Json& primitives = member(source, "primitives");
   SceneMesh mesh;
@@ -137,7 +145,28 @@ void Reader::read_mesh(std::size_t index) {
       throw Error("", numbered("mesh", index) + numbered(" primitive", p), error.what());
     }
   }
-  scene_.meshes.push_back(std::move(mesh));
+  return mesh;
+}
+
+std::size_t Reader::count_triangles(std::size_t index) const {
+  std::size_t count = 0;
+  const Json& primitives = member(document_.element("meshes", index), "primitives");
+  for (const Json& primitive : primitives) {
+    auto accessor = gltf::index(primitive, "indices");
+    if (!accessor) accessor = gltf::index(member(primitive, "attributes"), "POSITION");
+    if (!accessor || *accessor >= document_.count("accessors")) continue;
+    const std::size_t corners =
+        gltf::index(document_.element("accessors", *accessor), "count").value_or(0);
+    count += std::min(corners / 3, document_.bytes());
+  }
+  return std::min(count, document_.bytes());
+}
+
+bool Reader::has_colours() const {
+  for (std::size_t i = 0; i < document_.count("meshes"); ++i)
+    for (const Json& primitive : member(document_.element("meshes", i), "primitives"))
+      if (!member(member(primitive, "attributes"), gltf::colour_attribute).is_null()) return true;
+  return false;
 }
 
 glm::dmat4 local_matrix(const Json& node) {
@@ -219,7 +248,7 @@ void Reader::read_nodes() {
 void Reader::read_node(const Json& node, const glm::dmat4& to_model) {
   const auto mesh = gltf::index(node, "mesh");
   if (!mesh) return;
-  if (*mesh >= scene_.meshes.size()) throw Error("", numbered("mesh", *mesh), "is not there");
+  if (*mesh >= document_.count("meshes")) throw Error("", numbered("mesh", *mesh), "is not there");
   const Json& ours = member(member(node, "extras"), gltf::extras_key);
   SceneNode target;
   target.name = gltf::text(node, "name");
@@ -266,12 +295,11 @@ std::vector<SceneInstance> Reader::read_instances(const Json& node,
   return instances;
 }
 
-// Returns what `read` makes of the document, with the file's name in front of each error.
+// Returns what `read` returns, with the file's name in front of each error.
 template <class Read>
-auto read_document(const std::filesystem::path& path, Read read) {
-  gltf::Document document(path);
+auto with_name(const std::filesystem::path& path, Read read) {
   try {
-    return read(document);
+    return read();
   } catch (const Error& error) {
     throw Error(path.string(), error.what());
   } catch (const std::bad_alloc&) {
@@ -281,14 +309,77 @@ auto read_document(const std::filesystem::path& path, Read read) {
   }
 }
 
+// Pages of a mapped file count as the program's memory once they are read, so they are given back
+// whenever this many bytes were. The system keeps them as long as it has room.
+constexpr std::size_t max_resident = std::size_t{32} << 20;
+
+std::size_t count_bytes(const SceneMesh& mesh) {
+  std::size_t bytes = 0;
+  for (const ScenePrimitive& p : mesh.primitives)
+    bytes += p.positions.size() * sizeof p.positions[0] + 4 * p.indices.size() +
+             4 * p.feature_ids.size() + 4 * p.light_ids.size();
+  return bytes;
+}
+
 }  // namespace
 
+struct SceneFile::Reading {
+  std::filesystem::path path;
+  gltf::Document document;
+  Reader reader{document};
+  std::atomic<std::size_t> resident = 0;
+  bool in_parallel = false;
+};
+
+SceneFile::SceneFile(const std::filesystem::path& path)
+    : reading_(new Reading{path, gltf::Document(path)}) {
+  with_name(path, [&] {
+    reading_->reader.read();
+    reading_->in_parallel = !reading_->reader.has_colours();
+  });
+}
+
+SceneFile::~SceneFile() = default;
+
+const Scene& SceneFile::scene() const {
+  return reading_->reader.scene();
+}
+std::size_t SceneFile::mesh_count() const {
+  return reading_->document.count("meshes");
+}
+bool SceneFile::reads_in_parallel() const {
+  return reading_->in_parallel;
+}
+
+std::size_t SceneFile::count_triangles(std::size_t mesh) const {
+  return with_name(reading_->path, [&] { return reading_->reader.count_triangles(mesh); });
+}
+
+SceneMesh SceneFile::read_mesh(std::size_t index) {
+  SceneMesh mesh = with_name(reading_->path, [&] { return reading_->reader.read_mesh(index); });
+  if ((reading_->resident += count_bytes(mesh)) > max_resident) {
+    reading_->resident = 0;
+    reading_->document.release_pages();
+  }
+  return mesh;
+}
+
+Scene SceneFile::finish() {
+  return with_name(reading_->path, [&] { return reading_->reader.finish(); });
+}
+
 Scene read_scene(const std::filesystem::path& path) {
-  return read_document(path, [](gltf::Document& document) { return Reader(document).read(); });
+  SceneFile file(path);
+  std::vector<SceneMesh> meshes;
+  for (std::size_t i = 0; i < file.mesh_count(); ++i) meshes.push_back(file.read_mesh(i));
+  Scene scene = file.finish();
+  scene.meshes = std::move(meshes);
+  return scene;
 }
 
 Georeference read_scene_georeference(const std::filesystem::path& path) {
-  return read_document(path, [](gltf::Document& document) {
+  const gltf::Document document(path);
+  return with_name(path, [&] {
     const Json& ours = find_asset_extras(document);
     return ours.is_object() ? georeference_from_json(ours) : Georeference{};
   });

@@ -1,11 +1,43 @@
 // Reads scenes: city.glb, or any other glTF 2.0.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <memory>
 
 #include "formats/scene.h"
 
 namespace nightcity {
+
+/// Reads a scene mesh by mesh, so that a program need not hold all of them. What it throws is an
+/// Error with the file's name, as for read_scene.
+class SceneFile {
+ public:
+  /// Reads all but the meshes.
+  explicit SceneFile(const std::filesystem::path& path);
+  ~SceneFile();
+
+  /// Returns what was read. There are no meshes in it, and `materials` and `skipped` are complete
+  /// after finish() only.
+  const Scene& scene() const;
+  std::size_t mesh_count() const;
+  /// Returns the triangles that a mesh has by its accessors, which hold no promise: a bound for what
+  /// to reserve. It is never above the bytes of the file.
+  std::size_t count_triangles(std::size_t mesh) const;
+
+  /// Returns a mesh. `index` < mesh_count().
+  SceneMesh read_mesh(std::size_t index);
+  /// Returns whether several threads may call read_mesh at once. Not where vertices have colours:
+  /// the materials made of them are numbered in the order of the meshes that are read.
+  bool reads_in_parallel() const;
+
+  /// Returns the scene, with the materials that the meshes read so far need and without meshes.
+  Scene finish();
+
+ private:
+  struct Reading;
+  std::unique_ptr<Reading> reading_;
+};
 
 /// Returns the scene in a .glb or .gltf file, ours or anybody's: with Draco, instancing, node
 /// hierarchies, indices of 8, 16 or 32 bits or none. Throws Error if the file is missing, truncated

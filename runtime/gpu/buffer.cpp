@@ -10,6 +10,9 @@ namespace nightcity::gpu {
 namespace {
 // Transfers go in pieces, so that a whole city need not lie in host-visible memory a second time.
 constexpr std::size_t staging_bytes = std::size_t{64} << 20;
+constexpr VkMemoryPropertyFlags device_local = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
+constexpr VkMemoryPropertyFlags host_access =
+    VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
 }  // namespace
 
 Buffer::Buffer(Device& device, std::size_t bytes, Memory memory) : device_(&device), bytes_(bytes) {
@@ -33,13 +36,17 @@ Buffer::Buffer(Device& device, std::size_t bytes, Memory memory) : device_(&devi
   allocate.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
   allocate.pNext = &flags;
   allocate.allocationSize = requirements.size;
-  allocate.memoryTypeIndex =
-      device.memory_type(requirements.memoryTypeBits,
-                         memory == Memory::device ? VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT
-                                                  : VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
-                                                        VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
   try {
-    VK_CHECK(vkAllocateMemory(device.handle(), &allocate, nullptr, &memory_));
+    memory_type_ = device.memory_type(
+        requirements.memoryTypeBits,
+        memory == Memory::device ? device_local : host_access);
+    allocate.memoryTypeIndex = memory_type_;
+    device.take_memory(memory_type_, requirements.size);
+    allocated_ = requirements.size;
+    const VkResult result = vkAllocateMemory(device.handle(), &allocate, nullptr, &memory_);
+    if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY)
+      device.refuse_memory(memory_type_, requirements.size);
+    check(result, "vkAllocateMemory");
     VK_CHECK(vkBindBufferMemory(device.handle(), buffer_, memory_, 0));
     if (memory == Memory::host)
       VK_CHECK(vkMapMemory(device.handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped_));
@@ -67,6 +74,8 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
   std::swap(memory_, other.memory_);
   std::swap(address_, other.address_);
   std::swap(bytes_, other.bytes_);
+  std::swap(memory_type_, other.memory_type_);
+  std::swap(allocated_, other.allocated_);
   std::swap(mapped_, other.mapped_);
   return *this;
 }
@@ -75,6 +84,8 @@ void Buffer::release() {
   if (!device_) return;
   vkDestroyBuffer(device_->handle(), buffer_, nullptr);
   vkFreeMemory(device_->handle(), memory_, nullptr);
+  device_->give_memory_back(allocated_);
+  allocated_ = 0;
   buffer_ = VK_NULL_HANDLE;
   memory_ = VK_NULL_HANDLE;
 }
@@ -95,6 +106,15 @@ void Buffer::upload(const void* data, std::size_t bytes, std::size_t offset) {
       full_barrier(commands);
     });
   }
+}
+
+void Buffer::upload_first(const void* data, std::size_t bytes, std::size_t offset) {
+  if (bytes == 0) return;
+  if (mapped_ || !device_->has(memory_type_, host_access)) return upload(data, bytes, offset);
+  void* target = nullptr;
+  VK_CHECK(vkMapMemory(device_->handle(), memory_, offset, bytes, 0, &target));
+  std::memcpy(target, data, bytes);
+  vkUnmapMemory(device_->handle(), memory_);
 }
 
 void Buffer::download(void* data, std::size_t bytes, std::size_t offset) const {

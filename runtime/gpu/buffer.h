@@ -22,7 +22,8 @@ class Buffer {
  public:
   Buffer() = default;
   /// `bytes` may be 0: such a buffer still has an address, so that shaders need no null checks.
-  /// Throws Error if there is not enough memory.
+  /// Throws Error, with the bytes that are needed and those that are free, if there is not enough
+  /// memory.
   Buffer(Device& device, std::size_t bytes, Memory memory = Memory::device);
   ~Buffer();
   Buffer(Buffer&& other) noexcept;
@@ -32,7 +33,7 @@ class Buffer {
   template <class T>
   static Buffer of(Device& device, std::span<const T> values) {
     Buffer buffer(device, values.size_bytes());
-    buffer.upload(values.data(), values.size_bytes());
+    buffer.upload_first(values.data(), values.size_bytes());
     return buffer;
   }
 
@@ -42,6 +43,9 @@ class Buffer {
   void* mapped() const { return mapped_; }  // null for device memory
 
   void upload(const void* data, std::size_t bytes, std::size_t offset = 0);
+  /// The same before any command has used the buffer: where the host can map the device's memory (a
+  /// CPU driver, an integrated device), the bytes are written there at once.
+  void upload_first(const void* data, std::size_t bytes, std::size_t offset = 0);
   void download(void* data, std::size_t bytes, std::size_t offset = 0) const;
   template <class T>
   std::vector<T> read(std::size_t count) const {
@@ -59,6 +63,8 @@ class Buffer {
   VkDeviceMemory memory_ = VK_NULL_HANDLE;
   std::uint64_t address_ = 0;
   std::size_t bytes_ = 0;
+  std::uint32_t memory_type_ = 0;
+  std::size_t allocated_ = 0;  // bytes that the device counts
   void* mapped_ = nullptr;
 };
 

@@ -21,7 +21,7 @@ ComputePass::ComputePass(const Device& device, std::span<const std::uint32_t> sp
   info.stage.pSpecializationInfo = specialization.info();
   info.layout = layout_.get();
   VkPipeline pipeline = VK_NULL_HANDLE;
-  VK_CHECK(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline));
+  VK_CHECK(vkCreateComputePipelines(device.handle(), device.pipelines(), 1, &info, nullptr, &pipeline));
   pipeline_ = {pipeline, {device.handle()}};
 }
 

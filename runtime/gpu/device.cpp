@@ -1,5 +1,10 @@
 #include "runtime/gpu/device.h"
 
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <optional>
+
 #include "runtime/gpu/instance.h"
 #include "runtime/gpu/vulkan_check.h"
 
@@ -14,6 +19,16 @@ VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT
   return VK_FALSE;
 }
 
+// Returns what Linux says programs can still take without swapping. Mesa's CPU driver reports a heap
+// of 2 GiB on every machine, and allocates more than that.
+std::optional<std::uint64_t> find_available_memory() {
+  std::ifstream in("/proc/meminfo");
+  for (std::string line; std::getline(in, line);)
+    if (line.rfind("MemAvailable:", 0) == 0)
+      return std::uint64_t{1024} * std::strtoull(line.c_str() + 13, nullptr, 10);
+  return std::nullopt;
+}
+
 }  // namespace
 
 Device::Device(const Options& options) {
@@ -22,6 +37,7 @@ Device::Device(const Options& options) {
     choose_physical(options.select);
     create_device(options);
     create_commands();
+    pipelines_ = std::make_unique<PipelineStore>(physical_, device_, options.pipeline_folder);
   } catch (...) {
     release();
     throw;
@@ -64,12 +80,15 @@ void Device::choose_physical(const std::string& select) {
 }
 
 void Device::create_device(const Options& options) {
-  if (!has(info_, options.trace))
+  if (!gpu::has(info_, options.trace))
     throw UsageError("--trace", "device '" + info_.name + "' lacks what '" +
                                     name_of(options.trace) +
                                     "' needs (nightview devices lists which devices have it)");
   trace_ = options.trace;
+  max_memory_ = options.max_memory_bytes;
   std::vector<const char*> extensions = options.device_extensions;
+  has_budget_ = has_extension(physical_, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
+  if (has_budget_) extensions.push_back(VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
 
   // Features form a chain: 1.0, 1.2, and what the way of tracing needs.
   VkPhysicalDeviceRayTracingPipelineFeaturesKHR pipelines{};
@@ -140,6 +159,7 @@ Device::~Device() {
 void Device::release() {
   if (device_) {
     vkDeviceWaitIdle(device_);
+    pipelines_.reset();
     vkDestroyFence(device_, fence_, nullptr);
     vkDestroyCommandPool(device_, pool_, nullptr);
     vkDestroyDevice(device_, nullptr);
@@ -157,6 +177,48 @@ std::uint32_t Device::memory_type(std::uint32_t allowed, VkMemoryPropertyFlags w
     if ((allowed & (1u << i)) && (memory_.memoryTypes[i].propertyFlags & wanted) == wanted)
       return i;
   throw Error("vulkan", "device '" + info_.name + "' has no memory of the kind asked for");
+}
+
+bool Device::has(std::uint32_t memory_type, VkMemoryPropertyFlags properties) const {
+  return (memory_.memoryTypes[memory_type].propertyFlags & properties) == properties;
+}
+
+std::uint64_t Device::free_memory(std::uint32_t memory_type) const {
+  const std::uint32_t heap = memory_.memoryTypes[memory_type].heapIndex;
+  const auto rest = [](std::uint64_t all, std::uint64_t used) {
+    return all > used ? all - used : 0;
+  };
+  std::uint64_t free = rest(memory_.memoryHeaps[heap].size, taken_);
+  if (info_.kind == "cpu") {
+    free = find_available_memory().value_or(free);
+  } else if (has_budget_) {
+    VkPhysicalDeviceMemoryBudgetPropertiesEXT budget{};
+    budget.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_BUDGET_PROPERTIES_EXT;
+    VkPhysicalDeviceMemoryProperties2 properties{};
+    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_PROPERTIES_2;
+    properties.pNext = &budget;
+    vkGetPhysicalDeviceMemoryProperties2(physical_, &properties);
+    free = rest(budget.heapBudget[heap], budget.heapUsage[heap]);
+  }
+  return max_memory_ == 0 ? free : std::min(free, rest(max_memory_, taken_));
+}
+
+std::uint64_t Device::free_memory() const {
+  return free_memory(memory_type(~0u, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT));
+}
+
+void Device::take_memory(std::uint32_t memory_type, std::uint64_t bytes) {
+  // Asking takes longer than a small allocation.
+  constexpr std::uint64_t small = std::uint64_t{1} << 20;
+  if ((bytes >= small || max_memory_ != 0) && bytes > free_memory(memory_type))
+    refuse_memory(memory_type, bytes);
+  taken_ += bytes;
+}
+
+void Device::refuse_memory(std::uint32_t memory_type, std::uint64_t bytes) const {
+  throw Error("vulkan", "device '" + info_.name + "' has too little memory: " +
+                            std::to_string(bytes) + " bytes more are needed, and " +
+                            std::to_string(free_memory(memory_type)) + " are free");
 }
 
 VkCommandBuffer Device::begin() {

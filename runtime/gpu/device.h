@@ -3,11 +3,15 @@
 
 #include <vulkan/vulkan.h>
 
+#include <atomic>
 #include <cstdint>
+#include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "runtime/gpu/device_info.h"
+#include "runtime/gpu/pipeline_store.h"
 
 namespace nightcity::gpu {
 
@@ -20,6 +24,8 @@ class Device {
     Trace trace = Trace::compute;                  // refused if the device lacks it
     std::vector<const char*> instance_extensions;  // required by a window system
     std::vector<const char*> device_extensions;
+    std::filesystem::path pipeline_folder;  // where compiled pipelines are kept; "" = nowhere
+    std::uint64_t max_memory_bytes = 0;     // taken from the device at most; 0 = all of it
   };
 
   /// Throws UsageError if no device matches or it cannot trace that way, Error if Vulkan fails.
@@ -49,6 +55,26 @@ class Device {
   /// Returns a memory type among `allowed` that has the `wanted` properties; throws Error if there
   /// is none.
   std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted) const;
+
+  /// Returns whether a memory type has all of these properties.
+  bool has(std::uint32_t memory_type, VkMemoryPropertyFlags properties) const;
+
+  /// Returns how many bytes can still be allocated: what the driver reports as this program's
+  /// budget (VK_EXT_memory_budget), or else the size of the heap less what was taken. On a CPU
+  /// driver it is what the system has left.
+  std::uint64_t free_memory(std::uint32_t memory_type) const;
+  /// The same for memory that only the device reads.
+  std::uint64_t free_memory() const;
+  /// Counts bytes about to be allocated; throws as refuse_memory where there are not as many. A CPU
+  /// driver hands out more than there is, and the system would end the program later.
+  void take_memory(std::uint32_t memory_type, std::uint64_t bytes);
+  void give_memory_back(std::uint64_t bytes) { taken_ -= bytes; }
+  /// Throws Error with the bytes that are needed and those that are free.
+  [[noreturn]] void refuse_memory(std::uint32_t memory_type, std::uint64_t bytes) const;
+
+  /// Returns what pipelines are compiled with.
+  VkPipelineCache pipelines() const { return pipelines_ ? pipelines_->handle() : VK_NULL_HANDLE; }
+  const PipelineStore* pipeline_store() const { return pipelines_.get(); }
 
   /// Records commands with `record(VkCommandBuffer)`, submits them, and waits until they are done.
   template <class Record>
@@ -81,6 +107,10 @@ class Device {
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
   VkFence fence_ = VK_NULL_HANDLE;
   std::vector<std::string> messages_;
+  bool has_budget_ = false;
+  std::uint64_t max_memory_ = 0;
+  std::atomic<std::uint64_t> taken_ = 0;
+  std::unique_ptr<PipelineStore> pipelines_;
 };
 
 /// Makes all earlier writes of shaders and transfers visible to all later reads: the one barrier

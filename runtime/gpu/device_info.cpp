@@ -72,6 +72,16 @@ std::optional<std::uint32_t> find_queue_family(VkPhysicalDevice physical) {
   return std::nullopt;
 }
 
+bool has_extension(VkPhysicalDevice physical, const char* name) {
+  std::uint32_t count = 0;
+  vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr);
+  std::vector<VkExtensionProperties> extensions(count);
+  vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, extensions.data());
+  return std::any_of(extensions.begin(), extensions.end(), [&](const VkExtensionProperties& e) {
+    return std::strcmp(e.extensionName, name) == 0;
+  });
+}
+
 DeviceInfo describe_device(VkPhysicalDevice physical) {
   VkPhysicalDeviceSubgroupProperties subgroup{};
   subgroup.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES;
@@ -96,17 +106,8 @@ DeviceInfo describe_device(VkPhysicalDevice physical) {
     if (memory.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT)
       info.memory_bytes = std::max<std::uint64_t>(info.memory_bytes, memory.memoryHeaps[i].size);
 
-  std::uint32_t count = 0;
-  vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr);
-  std::vector<VkExtensionProperties> extensions(count);
-  vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, extensions.data());
-  const auto has = [&](const char* name) {
-    return std::any_of(extensions.begin(), extensions.end(), [&](const VkExtensionProperties& e) {
-      return std::strcmp(e.extensionName, name) == 0;
-    });
-  };
-  info.ray_query = has(VK_KHR_RAY_QUERY_EXTENSION_NAME);
-  info.ray_pipeline = has(VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME);
+  info.ray_query = has_extension(physical, VK_KHR_RAY_QUERY_EXTENSION_NAME);
+  info.ray_pipeline = has_extension(physical, VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME);
 
   if (info.api_version < VK_API_VERSION_1_2) {
     info.missing = "Vulkan 1.2";

@@ -43,6 +43,9 @@ bool has(const DeviceInfo& device, Trace trace);
 /// Vulkan at all.
 std::vector<DeviceInfo> list_devices();
 
+/// Returns whether a device offers an extension of the device.
+bool has_extension(VkPhysicalDevice physical, const char* name);
+
 DeviceInfo describe_device(VkPhysicalDevice physical);
 
 /// Returns the index of the device that `select` names: an index, part of a name in any case, or ""

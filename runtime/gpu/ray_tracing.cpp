@@ -152,7 +152,7 @@ RayPass::RayPass(Device& device, const Shaders& shaders, std::span<const std::ui
   info.layout = layout_.get();
   VkPipeline pipeline = VK_NULL_HANDLE;
   VK_CHECK(load<PFN_vkCreateRayTracingPipelinesKHR>(device, "vkCreateRayTracingPipelinesKHR")(
-      device.handle(), VK_NULL_HANDLE, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline));
+      device.handle(), VK_NULL_HANDLE, device.pipelines(), 1, &info, nullptr, &pipeline));
   pipeline_ = {pipeline, {device.handle()}};
 
   VkPhysicalDeviceRayTracingPipelinePropertiesKHR rays{};

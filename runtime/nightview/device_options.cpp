@@ -5,6 +5,7 @@
 namespace nightcity::nightview {
 
 void declare_device(CLI::App& command, gpu::Device::Options& options) {
+  options.pipeline_folder = gpu::find_cache_folder();
   command.add_option("--device", options.select,
                      "Vulkan device: index or part of its name (see nightview devices)");
   command

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <future>
 #include <memory>
 
 #include "formats/error.h"
@@ -138,16 +139,20 @@ void render(RenderCommand& command) {
                   [](auto& output) { return has_extension(output, ".exr"); });
 
   const auto load_start = Clock::now();
-  const scene::RenderScene scene = options.load();
+  // The driver starts while the scene is read.
+  auto starting =
+      std::async(std::launch::async, [&] { return std::make_unique<gpu::Device>(options.device); });
+  scene::RenderScene scene = options.load();
+  const std::size_t triangles = scene.triangles.size();
   const scene::CameraPose pose = scene::find_camera(options.camera, scene);
   if (!command.save_camera.empty()) scene::write_camera(command.save_camera, pose);
-  gpu::Device device(options.device);
-  render::DeviceScene device_scene(device, scene);
+  const std::unique_ptr<gpu::Device> started = starting.get();
+  gpu::Device& device = *started;
+  render::DeviceScene device_scene(device, scene, render::ReleaseGeometry{});
   render::PassLibrary passes(device);
   render::Renderer renderer(device, passes, device_scene, options.width, options.height);
   spdlog::info("{}: {} triangles, {} lights, loaded in {:.2f} s; rendering on {}", options.scene,
-               scene.triangles.size(), scene.lights.size(), seconds_since(load_start),
-               device.label());
+               triangles, scene.lights.size(), seconds_since(load_start), device.label());
   warn_of_lights(options, scene);
 
   const auto start = Clock::now();

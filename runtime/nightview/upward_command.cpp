@@ -118,9 +118,9 @@ void print_as_table(const Sums& all, const FamilySums& families) {
 void upward(UpwardCommand& command) {
   command.settings.time_s = render::parse_time(command.time);
   program::require_writable_folder(command.out);
-  const scene::RenderScene scene = load_and_report(command.scene);
+  scene::RenderScene scene = load_and_report(command.scene);
   gpu::Device device(command.device);
-  render::DeviceScene device_scene(device, scene);
+  render::DeviceScene device_scene(device, scene, render::ReleaseGeometry{});
   render::PassLibrary passes(device);
   const render::UpwardFlux flux =
       render::measure_upward_flux(device, passes, device_scene, command.settings);

@@ -12,6 +12,28 @@ namespace {
 // Two renderers often share a scene: one is compared with the other.
 constexpr std::uint32_t usual_vehicle_slots = 4;
 
+// Throws Error before anything is uploaded if what the scene needs at least is more than there is.
+// The lists of light grids and the device's own acceleration structures come on top.
+void check_memory(const gpu::Device& device, const scene::RenderScene& scene) {
+  const auto bytes_of = [](const auto& values) {
+    return std::uint64_t{values.size()} * sizeof values[0];
+  };
+  const std::uint64_t needed = bytes_of(scene.triangles) + bytes_of(scene.nodes) +
+                               bytes_of(scene.instances) + bytes_of(scene.lights) +
+                               scene.lights.size() * sizeof(gpu::AliasEntry),
+                      free = device.free_memory();
+  if (needed > free)
+    throw Error("scene", "needs at least " + std::to_string(needed) +
+                             " bytes of memory on device '" + device.info().name + "', where " +
+                             std::to_string(free) +
+                             " are free: take another one (--device), or bake a smaller area");
+}
+
+template <class T>
+void free_memory_of(std::vector<T>& values) {
+  std::vector<T>().swap(values);
+}
+
 }  // namespace
 
 template <class T>
@@ -20,8 +42,17 @@ std::uint64_t DeviceScene::store(std::span<const T> values) {
   return storage_.back().address();
 }
 
-DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene) : device_(device) {
-  addresses_.triangles = store(std::span(scene.triangles));
+DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene)
+    : DeviceScene(device, scene, nullptr) {}
+
+DeviceScene::DeviceScene(gpu::Device& device, scene::RenderScene& scene, ReleaseGeometry)
+    : DeviceScene(device, scene, &scene) {}
+
+DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
+                         scene::RenderScene* released)
+    : device_(device) {
+  check_memory(device, scene);
+  store_geometry(scene, released);
   addresses_.materials = store(std::span(scene.materials));
   addresses_.lights = store(std::span(scene.lights));
   addresses_.profiles = store(std::span(scene.profiles));
@@ -31,25 +62,6 @@ DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene) :
     addresses_.sky_map = store(std::span(scene.sky_map.rgb));
     addresses_.sky_width = scene.sky_map.width;
     addresses_.sky_height = scene.sky_map.height;
-  }
-  addresses_.root = scene.root;
-  addresses_.static_lights = static_cast<std::uint32_t>(scene.lights.size());
-  addresses_.light_count = addresses_.static_lights;
-  std::span<const gpu::Instance> instances = scene.instances;
-  std::vector<gpu::Instance> with_triangles;
-  if (device.trace() != gpu::Trace::compute) {
-    tlas_.emplace(device, scene, addresses_.triangles);
-    with_triangles = scene.instances;
-    instances = with_triangles;
-    for (gpu::Instance& instance : with_triangles)
-      instance.root = tlas_->first_triangle(instance.root);
-    addresses_.tlas = to_words(tlas_->top_level(0).address());
-  }
-  if (scene.traffic.trips.empty()) {
-    addresses_.nodes = store(std::span(scene.nodes));
-    addresses_.instances = store(instances);
-  } else {
-    store_traffic(scene, instances);
   }
   const auto any_light = [&](auto&& is) {
     return std::any_of(scene.lights.begin(), scene.lights.end(), is) ||
@@ -63,16 +75,42 @@ DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene) :
 
   bounds_ = scene.bounds;
   for (const Light& light : scene.lights) flux_lm_.push_back(light.flux_lm);
-  lights_ = scene.lights;
   // Schedules that no light uses are dropped, so that they cost nothing.
   if (any_light([](const Light& light) { return light.schedule != LIGHT_ALWAYS_ON; })) {
     schedules_ = scene.schedules;
     switches_ = scene.switches;
+    lights_ = scene.lights;
   }
-  scene::LitLights lit = scene::lit_lights(lights_, schedules_, switches_, 0);
-  scene::build_tables(lit, lights_);
+  scene::LitLights lit = scene::lit_lights(scene.lights, schedules_, switches_, 0);
+  scene::build_tables(lit, scene.lights);
   upload_lit(std::move(lit));
-  if (schedules_.empty()) lights_ = {};
+}
+
+void DeviceScene::store_geometry(const scene::RenderScene& scene, scene::RenderScene* released) {
+  addresses_.triangles = store(std::span(scene.triangles));
+  if (released) free_memory_of(released->triangles);
+  addresses_.root = scene.root;
+  addresses_.static_lights = static_cast<std::uint32_t>(scene.lights.size());
+  addresses_.light_count = addresses_.static_lights;
+  std::span<const gpu::Instance> instances = scene.instances;
+  std::vector<gpu::Instance> with_triangles;
+  if (device_.trace() != gpu::Trace::compute) {
+    tlas_.emplace(device_, scene, addresses_.triangles);
+    with_triangles = scene.instances;
+    instances = with_triangles;
+    for (gpu::Instance& instance : with_triangles)
+      instance.root = tlas_->first_triangle(instance.root);
+    addresses_.tlas = to_words(tlas_->top_level(0).address());
+  }
+  if (scene.traffic.trips.empty()) {
+    addresses_.nodes = store(std::span(scene.nodes));
+    addresses_.instances = store(instances);
+  } else {
+    store_traffic(scene, instances);
+  }
+  if (!released) return;
+  free_memory_of(released->nodes);
+  free_memory_of(released->instances);
 }
 
 void DeviceScene::store_traffic(const scene::RenderScene& scene,
@@ -114,7 +152,7 @@ void DeviceScene::store_traffic(const scene::RenderScene& scene,
   const auto store_before_slots = [&](auto values, std::size_t slot_size) {
     gpu::Buffer buffer(device_,
                        (values.size() + usual_vehicle_slots * slot_size) * sizeof(values[0]));
-    if (!values.empty()) buffer.upload(values.data(), values.size_bytes());
+    if (!values.empty()) buffer.upload_first(values.data(), values.size_bytes());
     return buffer;
   };
   instances_ = store_before_slots(instances, trips);

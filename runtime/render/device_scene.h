@@ -21,11 +21,16 @@ struct VehicleSlot {
   std::uint64_t instances, bvh;                  // addresses of the first of each
 };
 
+struct ReleaseGeometry {};
+
 class DeviceScene {
  public:
-  /// Copies what set_time needs, so `scene` need not outlive the object. Throws Error when the
-  /// device has too little memory.
+  /// Copies what set_time needs, so `scene` need not outlive the object. Throws Error, with
+  /// the bytes that are needed and those that are free, when the device has too little memory.
   DeviceScene(gpu::Device& device, const scene::RenderScene& scene);
+  /// Empties `scene.triangles`, `nodes` and `instances` once the device has them, so that they are
+  /// not in memory twice.
+  DeviceScene(gpu::Device& device, scene::RenderScene& scene, ReleaseGeometry);
   DeviceScene(const DeviceScene&) = delete;
   DeviceScene& operator=(const DeviceScene&) = delete;
 
@@ -65,6 +70,8 @@ class DeviceScene {
   SceneTlas* tlas() { return tlas_ ? &*tlas_ : nullptr; }
 
  private:
+  DeviceScene(gpu::Device& device, const scene::RenderScene& scene, scene::RenderScene* released);
+  void store_geometry(const scene::RenderScene& scene, scene::RenderScene* released);
   template <class T>
   std::uint64_t store(std::span<const T> values);
   void store_traffic(const scene::RenderScene& scene, std::span<const gpu::Instance> instances);

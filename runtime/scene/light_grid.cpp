@@ -59,8 +59,8 @@ struct LightRange {
 // The lights of one class, sorted into square bins of the map.
 class Bins {
  public:
-  Bins(std::span<const Light> lights, std::vector<std::uint32_t> members,
-       const gpu::LightGridShape& shape, float side_m)
+  Bins(std::span<const Light> lights, std::span<const float> flux_lm,
+       std::vector<std::uint32_t> members, const gpu::LightGridShape& shape, float side_m)
       : shape_(shape), side_m_(side_m), order_(std::move(members)) {
     width_ = int(float(shape.width) * shape.cell_m / side_m) + 1;
     depth_ = int(float(shape.depth) * shape.cell_m / side_m) + 1;
@@ -71,7 +71,7 @@ class Bins {
     };
     for (const std::uint32_t light : order_) {
       ++starts_[bin(light) + 1];
-      max_flux_ = std::max(max_flux_, lights[light].flux_lm);
+      max_flux_ = std::max(max_flux_, flux_lm[light]);
     }
     for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
     std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1), sorted(order_.size());
@@ -80,7 +80,7 @@ class Bins {
     for (const std::uint32_t light : order_) {
       x_.push_back(lights[light].position.x);
       z_.push_back(lights[light].position.z);
-      flux_.push_back(lights[light].flux_lm);
+      flux_.push_back(flux_lm[light]);
     }
   }
 
@@ -121,20 +121,21 @@ class Bins {
 };
 
 // Returns all lights that shine, class by class.
-std::vector<Bins> by_class(std::span<const Light> lights, const gpu::LightGridShape& shape) {
+std::vector<Bins> by_class(std::span<const Light> lights, std::span<const float> flux_lm,
+                           const gpu::LightGridShape& shape) {
   std::vector<float> flux;
-  for (const Light& light : lights)
-    if (light.flux_lm > 0) flux.push_back(light.flux_lm);
+  for (const float f : flux_lm)
+    if (f > 0) flux.push_back(f);
   const auto median = flux.begin() + std::ptrdiff_t(flux.size() / 2);
   std::nth_element(flux.begin(), median, flux.end());
   std::array<std::vector<std::uint32_t>, max_classes> members;
   for (std::size_t i = 0; i < lights.size(); ++i)
-    if (lights[i].flux_lm > 0)
-      members[std::size_t(class_of(lights[i].flux_lm, *median))].push_back(std::uint32_t(i));
+    if (flux_lm[i] > 0)
+      members[std::size_t(class_of(flux_lm[i], *median))].push_back(std::uint32_t(i));
   std::vector<Bins> classes;
   for (int c = 0; c < max_classes; ++c)
     if (!members[std::size_t(c)].empty())
-      classes.emplace_back(lights, std::move(members[std::size_t(c)]), shape,
+      classes.emplace_back(lights, flux_lm, std::move(members[std::size_t(c)]), shape,
                            shape.cell_m * float(1 << c));
   return classes;
 }
@@ -258,10 +259,19 @@ float light_strength(const gpu::LightGridShape& shape, std::uint32_t cell_x, std
 }
 
 LightGrid build_light_grid(std::span<const Light> lights, LightLists lists) {
+  std::vector<float> flux_lm;
+  flux_lm.reserve(lights.size());
+  for (const Light& light : lights) flux_lm.push_back(light.flux_lm);
+  return build_light_grid(lights, flux_lm, lists);
+}
+
+LightGrid build_light_grid(std::span<const Light> lights, std::span<const float> flux_lm,
+                           LightLists lists) {
   LightGrid grid;
   float lower_x = INFINITY, lower_z = INFINITY, upper_x = -INFINITY, upper_z = -INFINITY;
-  for (const Light& light : lights) {
-    if (!(light.flux_lm > 0)) continue;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const Light& light = lights[i];
+    if (!(flux_lm[i] > 0)) continue;
     lower_x = std::min(lower_x, light.position.x);
     upper_x = std::max(upper_x, light.position.x);
     lower_z = std::min(lower_z, light.position.z);
@@ -281,7 +291,7 @@ LightGrid build_light_grid(std::span<const Light> lights, LightLists lists) {
   shape.softening_m2 =
       shape.cell_m * shape.cell_m / 4;  // a lamp right above the cell's centre stays finite
 
-  const std::vector<Bins> classes = by_class(lights, shape);
+  const std::vector<Bins> classes = by_class(lights, flux_lm, shape);
   std::vector<Row> rows(shape.depth);
   run_parallel(shape.depth, count_cores(), [&](std::size_t z) {
     for (std::uint32_t x = 0; x < shape.width; ++x)

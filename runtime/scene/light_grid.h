@@ -38,6 +38,10 @@ constexpr LightLists far_lists{128, 4096};
 /// take more than 200 MB.
 LightGrid build_light_grid(std::span<const Light> lights, LightLists lists);
 
+/// The same for lights whose fluxes at present are `flux_lm`, parallel to `lights`.
+LightGrid build_light_grid(std::span<const Light> lights, std::span<const float> flux_lm,
+                           LightLists lists);
+
 /// Returns a light's strength in a cell, as the shader computes it.
 float light_strength(const gpu::LightGridShape& shape, std::uint32_t cell_x, std::uint32_t cell_z,
                      const Light& light);

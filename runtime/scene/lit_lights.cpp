@@ -22,15 +22,12 @@ LitLights lit_lights(std::span<const Light> lights, std::span<const Schedule> sc
 }
 
 void build_tables(LitLights& lit, std::span<const Light> lights) {
-  std::vector<Light> shining(lights.begin(), lights.end());
   std::vector<float> flux(lights.size());
-  for (std::size_t i = 0; i < lights.size(); ++i) {
-    if (!(lit.bits[i / 32] >> (i % 32) & 1u)) shining[i].flux_lm = 0;
-    flux[i] = shining[i].flux_lm;
-  }
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    flux[i] = lit.bits[i / 32] >> (i % 32) & 1u ? lights[i].flux_lm : 0.0f;
   lit.alias = build_alias_table(flux);
-  lit.near_grid = build_light_grid(shining, near_lists);
-  lit.far_grid = build_light_grid(shining, far_lists);
+  lit.near_grid = build_light_grid(lights, flux, near_lists);
+  lit.far_grid = build_light_grid(lights, flux, far_lists);
 }
 
 }  // namespace nightcity::scene

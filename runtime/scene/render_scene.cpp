@@ -42,20 +42,19 @@ bool is_usable(const Light& light, std::size_t profiles) {
 
 }  // namespace
 
-RenderScene make_render_scene(const Scene& scene, SceneLights lights) {
-  RenderScene out;
-  out.skipped = scene.skipped;
+namespace {
+
+void add_materials(RenderScene& out, const Scene& scene) {
   for (const SceneMaterial& m : scene.materials)
     out.materials.push_back({m.base_colour, m.roughness, m.emission_cd_m2, 0});
   if (out.materials.empty()) out.materials.push_back({glm::vec3(0.5f), 1.0f, glm::vec3(0.0f), 0});
+}
+
+void add_lights(RenderScene& out, SceneLights lights) {
   out.profiles = std::move(lights.profiles);
   out.profile_data = std::move(lights.profile_data);
   out.traffic = std::move(lights.traffic);
   check_traffic(out.traffic, out.profiles.size());
-  const MeshSource meshes = meshes_of(scene);
-  add_bodies(out, scene, meshes);
-  add_geometry(out, scene, meshes, count_cores());
-
   out.lights = std::move(lights.lights);
   out.families = std::move(lights.families);
   out.families.resize(out.lights.size(), LightFamily::other);
@@ -76,6 +75,18 @@ RenderScene make_render_scene(const Scene& scene, SceneLights lights) {
     light.schedule = LIGHT_ALWAYS_ON;
     light.id = id;
   }
+}
+
+}  // namespace
+
+RenderScene make_render_scene(const Scene& scene, SceneLights lights) {
+  RenderScene out;
+  out.skipped = scene.skipped;
+  add_materials(out, scene);
+  add_lights(out, std::move(lights));
+  const MeshSource meshes = meshes_of(scene);
+  add_bodies(out, scene, meshes);
+  add_geometry(out, scene, meshes, count_cores());
   return out;
 }
 
@@ -112,31 +123,54 @@ std::vector<std::string> describe_left_out(const RenderScene& scene) {
   return sentences;
 }
 
-RenderScene load_render_scene(const std::filesystem::path& glb) {
-  const Scene scene = read_scene(glb);
+namespace {
+
+// Returns the lights of the file beside the scene, if there is one.
+SceneLights load_lights(const std::filesystem::path& glb, const Georeference& georeference) {
   SceneLights lights;
   std::filesystem::path beside = glb;
   beside.replace_extension(".lights");
-  if (std::filesystem::exists(beside)) {
-    const LightFile file = LightFile::open(beside);
-    file.verify();
-    require_same_scene(glb, scene.georeference, beside, file.georeference());
-    lights.lights.assign(file.lights().begin(), file.lights().end());
-    for (const LightProvenance& p : file.provenance())
-      lights.families.push_back(static_cast<LightFamily>(p.family));
-    lights.profiles.assign(file.profiles().begin(), file.profiles().end());
-    lights.profile_data.assign(file.profile_data().begin(), file.profile_data().end());
-    lights.schedules.assign(file.schedules().begin(), file.schedules().end());
-    lights.switches.assign(file.switches().begin(), file.switches().end());
-    const TrafficContent traffic = file.traffic();
-    lights.traffic.cycle = traffic.cycle;
-    lights.traffic.vehicles.assign(traffic.vehicles.begin(), traffic.vehicles.end());
-    lights.traffic.vehicle_lights.assign(traffic.vehicle_lights.begin(),
-                                         traffic.vehicle_lights.end());
-    lights.traffic.trips.assign(traffic.trips.begin(), traffic.trips.end());
-    lights.traffic.knots.assign(traffic.knots.begin(), traffic.knots.end());
-  }
-  return make_render_scene(scene, std::move(lights));
+  if (!std::filesystem::exists(beside)) return lights;
+  const LightFile file = LightFile::open(beside);
+  file.verify();
+  require_same_scene(glb, georeference, beside, file.georeference());
+  lights.lights.assign(file.lights().begin(), file.lights().end());
+  lights.families.reserve(file.provenance().size());
+  for (const LightProvenance& p : file.provenance())
+    lights.families.push_back(static_cast<LightFamily>(p.family));
+  lights.profiles.assign(file.profiles().begin(), file.profiles().end());
+  lights.profile_data.assign(file.profile_data().begin(), file.profile_data().end());
+  lights.schedules.assign(file.schedules().begin(), file.schedules().end());
+  lights.switches.assign(file.switches().begin(), file.switches().end());
+  const TrafficContent traffic = file.traffic();
+  lights.traffic.cycle = traffic.cycle;
+  lights.traffic.vehicles.assign(traffic.vehicles.begin(), traffic.vehicles.end());
+  lights.traffic.vehicle_lights.assign(traffic.vehicle_lights.begin(),
+                                       traffic.vehicle_lights.end());
+  lights.traffic.trips.assign(traffic.trips.begin(), traffic.trips.end());
+  lights.traffic.knots.assign(traffic.knots.begin(), traffic.knots.end());
+  return lights;
+}
+
+}  // namespace
+
+RenderScene load_render_scene(const std::filesystem::path& glb) {
+  RenderScene out;
+  SceneFile file(glb);
+  add_lights(out, load_lights(glb, file.scene().georeference));
+  MeshSource meshes;
+  meshes.read = [&file](std::uint32_t mesh) {
+    return std::make_shared<const SceneMesh>(file.read_mesh(mesh));
+  };
+  meshes.in_parallel = file.reads_in_parallel();
+  for (std::size_t i = 0; i < file.mesh_count(); ++i)
+    meshes.triangles.push_back(file.count_triangles(i));
+  add_bodies(out, file.scene(), meshes);
+  add_geometry(out, file.scene(), meshes, count_cores());
+  const Scene scene = file.finish();
+  add_materials(out, scene);
+  out.skipped = scene.skipped;
+  return out;
 }
 
 }  // namespace nightcity::scene

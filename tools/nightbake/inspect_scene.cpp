@@ -1,45 +1,69 @@
 #include <map>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "formats/scene_reader.h"
 #include "tools/nightbake/inspect.h"
 
 namespace nightcity::nightbake {
 
-Inspection inspect_scene(const std::filesystem::path& file) {
-  const Scene scene = read_scene(file);
-  Inspection result = make_empty_inspection("scene");
-  const auto count_triangles = [](const SceneMesh& mesh) {
-    std::size_t count = 0;
-    for (const ScenePrimitive& primitive : mesh.primitives) count += primitive.indices.size() / 3;
-    return count;
-  };
-  std::size_t triangles = 0, vertices = 0, shown = 0, instances = 0;
-  std::map<std::string, std::size_t> by_material, nodes, features;
-  for (const SceneMesh& mesh : scene.meshes) {
-    triangles += count_triangles(mesh);
-    for (const ScenePrimitive& primitive : mesh.primitives) {
-      vertices += primitive.positions.size();
-      by_material[scene.materials[primitive.material].name] += primitive.indices.size() / 3;
-    }
-  }
+namespace {
+
+// What the meshes hold, counted while they are read one by one.
+struct MeshCounts {
+  std::size_t triangles = 0, vertices = 0, shown = 0;
+  std::map<std::uint32_t, std::size_t> by_material;
   Bounds bounds;
   std::map<std::string, std::set<std::uint32_t>> lights;  // by the kind of node that shows them
-  for (const SceneNode& node : scene.nodes) {
-    const SceneMesh& mesh = scene.meshes[node.mesh];
-    const std::string kind = node.kind.empty() ? "other" : node.kind;
-    ++nodes[kind];
-    instances += node.instances.size();
-    shown += count_triangles(mesh) * node.instances.size();
-    for (const SceneInstance& instance : node.instances) {
-      if (instance.light != no_id) lights[kind].insert(instance.light);
+};
+
+std::string kind_of(const SceneNode& node) {
+  return node.kind.empty() ? "other" : node.kind;
+}
+
+void count_mesh(const SceneMesh& mesh, const std::vector<const SceneNode*>& nodes,
+                MeshCounts& counts) {
+  std::size_t triangles = 0;
+  for (const ScenePrimitive& primitive : mesh.primitives) {
+    triangles += primitive.indices.size() / 3;
+    counts.vertices += primitive.positions.size();
+    counts.by_material[primitive.material] += primitive.indices.size() / 3;
+  }
+  counts.triangles += triangles;
+  for (const SceneNode* node : nodes) {
+    counts.shown += triangles * node->instances.size();
+    for (const SceneInstance& instance : node->instances) {
+      auto& lights = counts.lights[kind_of(*node)];
+      if (instance.light != no_id) lights.insert(instance.light);
       for (const ScenePrimitive& primitive : mesh.primitives) {
         for (const glm::vec3& p : primitive.positions)
-          bounds.add(glm::dvec3(instance.to_model * glm::vec4(p, 1)));
+          counts.bounds.add(glm::dvec3(instance.to_model * glm::vec4(p, 1)));
         for (const std::uint32_t id : primitive.light_ids)
-          if (id != no_id) lights[kind].insert(id);
+          if (id != no_id) lights.insert(id);
       }
     }
+  }
+}
+
+}  // namespace
+
+Inspection inspect_scene(const std::filesystem::path& path) {
+  Inspection result = make_empty_inspection("scene");
+  SceneFile file(path);
+  std::vector<std::vector<const SceneNode*>> nodes_of(file.mesh_count());
+  for (const SceneNode& node : file.scene().nodes) nodes_of[node.mesh].push_back(&node);
+  MeshCounts counts;
+  for (std::size_t mesh = 0; mesh < nodes_of.size(); ++mesh)
+    count_mesh(file.read_mesh(mesh), nodes_of[mesh], counts);
+  const Scene scene = file.finish();
+  std::map<std::string, std::size_t> by_material, nodes, features;
+  for (const auto& [material, triangles] : counts.by_material)
+    by_material[scene.materials.at(material).name] += triangles;
+  std::size_t instances = 0;
+  for (const SceneNode& node : scene.nodes) {
+    ++nodes[kind_of(node)];
+    instances += node.instances.size();
   }
   std::size_t buildings = 0;
   for (const SceneFeature& feature : scene.features) {
@@ -50,22 +74,23 @@ Inspection inspect_scene(const std::filesystem::path& file) {
   const Georeference& geo = scene.georeference;
   result["buildings"] = buildings;
   for (const std::string& what : scene.skipped) result["skipped"][what] = 1;
-  result["triangles"] = triangles;
-  for (const auto& [kind, ids] : lights) result["lights"][kind] = ids.size();
+  result["triangles"] = counts.triangles;
+  for (const auto& [kind, ids] : counts.lights)
+    if (!ids.empty()) result["lights"][kind] = ids.size();
   if (!geo.crs.empty()) result["crs"] = geo.crs;
   Bounds placed;  // in the CRS: easting, northing, height
-  if (bounds.min.x <= bounds.max.x) {
+  if (const Bounds& bounds = counts.bounds; bounds.min.x <= bounds.max.x) {
     placed.add(geo.from_model(bounds.min));
     placed.add(geo.from_model(bounds.max));
   }
   result["bbox"] = placed.to_json(3);
-  result["bbox_model"] = bounds.to_json(3);
+  result["bbox_model"] = counts.bounds.to_json(3);
   result["origin"] = {geo.origin.x, geo.origin.y, geo.origin.z};
-  result["vertices"] = vertices;
-  result["triangles_shown"] = shown;  // every instance counted
+  result["vertices"] = counts.vertices;
+  result["triangles_shown"] = counts.shown;  // every instance counted
   result["triangles_by_material"] = by_material;
   result["materials"] = scene.materials.size();
-  result["meshes"] = scene.meshes.size();
+  result["meshes"] = nodes_of.size();
   result["nodes"] = nodes;
   result["instances"] = instances;
   result["features"] = features;

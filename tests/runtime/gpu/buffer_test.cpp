@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <string>
 
 #include "formats/error.h"
 #include "support/gpu.h"
@@ -32,6 +33,44 @@ TEST(Buffer, UploadsAndDownloadsInPieces) {
   buffer.download(back.data(), back.size() * 4, 16);
   EXPECT_EQ(back, values);
   EXPECT_TRUE(test_device().validation_messages().empty());
+}
+
+TEST(Buffer, BytesWrittenBeforeFirstUseAreThere) {
+  const std::vector<std::uint32_t> values{1, 2, 3, 4, 5, 6, 7};
+  gpu::Buffer buffer(test_device(), 64);
+  buffer.upload_first(values.data(), values.size() * 4, 8);
+  std::vector<std::uint32_t> back(values.size());
+  buffer.download(back.data(), back.size() * 4, 8);
+  EXPECT_EQ(back, values);
+}
+
+TEST(Buffer, BeyondTheDevicesMemoryTheErrorSaysHowMuchIsNeededAndFree) {
+  gpu::Device::Options options;
+  options.max_memory_bytes = 64 << 20;
+  gpu::Device device(options);
+  {
+    const gpu::Buffer first(device, 40 << 20);
+    const std::uint64_t free = device.free_memory();
+    EXPECT_LE(free, 24u << 20);
+    try {
+      const gpu::Buffer second(device, 32 << 20);
+      FAIL() << "allocated";
+    } catch (const Error& error) {
+      const std::string text = error.what();
+      EXPECT_NE(
+          text.find("33554432 bytes more are needed, and " + std::to_string(free) + " are free"),
+          std::string::npos)
+          << text;
+    }
+    EXPECT_LE(device.free_memory(), 24u << 20);
+    EXPECT_NO_THROW(gpu::Buffer(device, 16 << 20));  // the failed one took nothing
+  }
+  const gpu::Buffer second(device, 60 << 20);  // the first was given back
+}
+
+// No machine has it, and a driver that promises it would have the system end the program.
+TEST(Buffer, AnAbsurdSizeIsAnErrorNotACrash) {
+  EXPECT_THROW(gpu::Buffer(test_device(), std::size_t{1} << 46), Error);
 }
 
 TEST(Buffer, AnEmptyOneHasAnAddress) {

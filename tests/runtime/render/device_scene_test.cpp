@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <string>
 #include <thread>
 
+#include "formats/error.h"
 #include "support/gpu.h"
 #include "support/scenes.h"
 
@@ -59,6 +61,35 @@ TEST(DeviceScene, WhereNobodyWaitsLightsSwitchOnceTheirTablesAreMade) {
   render::DeviceScene at_once(test_device(), scene);
   EXPECT_EQ(brightness(on_device, 9 * hour_s), brightness(at_once, 9 * hour_s));
   EXPECT_FALSE(on_device.set_time(12 * hour_s));  // and goes while the next tables are being made
+}
+
+TEST(DeviceScene, GeometryCanBeReleasedOnceTheDeviceHasIt) {
+  scene::RenderScene scene = two_lamps();
+  render::DeviceScene kept(test_device(), scene);
+  EXPECT_FALSE(scene.triangles.empty());
+  render::DeviceScene released(test_device(), scene, render::ReleaseGeometry{});
+  EXPECT_TRUE(scene.triangles.empty());
+  EXPECT_TRUE(scene.nodes.empty());
+  EXPECT_TRUE(scene.instances.empty());
+  EXPECT_EQ(scene.lights.size(), 2u);
+  EXPECT_EQ(brightness(released, 9 * hour_s), brightness(kept, 9 * hour_s));
+}
+
+TEST(DeviceScene, BeyondTheDevicesMemoryTheErrorSaysHowMuchIsNeededAndFree) {
+  gpu::Device::Options options;
+  options.max_memory_bytes = 1 << 20;
+  gpu::Device device(options);
+  scene::RenderScene scene = two_lamps();
+  scene.triangles.resize(100'000, scene.triangles.front());
+  try {
+    const render::DeviceScene on_device(device, scene, render::ReleaseGeometry{});
+    FAIL() << "allocated";
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("needs at least 48"), std::string::npos) << text;
+    EXPECT_NE(text.find(" 1048576 are free"), std::string::npos) << text;
+  }
+  EXPECT_EQ(scene.triangles.size(), 100'000u);
 }
 
 }  // namespace
