@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <glm/gtc/type_ptr.hpp>
 #include <string>
 #include <vector>
 
@@ -13,11 +11,10 @@
 #include "formats/gltf_accessor.h"
 #include "formats/gltf_constants.h"
 #include "formats/gltf_document.h"
-#include "formats/gltf_numbers.h"
 #include "formats/material_reader.h"
+#include "formats/scene_node_reader.h"
 #include "formats/scene_primitive_reader.h"
 #include "formats/skipped_content.h"
-#include "formats/trs.h"
 #include "formats/vertex_colours.h"
 
 namespace nightcity {
@@ -26,11 +23,6 @@ namespace {
 using gltf::extension;
 using gltf::Json;
 using gltf::member;
-using gltf::numbers;
-
-std::string numbered(const char* what, std::size_t number) {
-  return what + (" " + std::to_string(number));
-}
 
 const Json& find_asset_extras(const gltf::Document& document) {
   return member(member(member(document.root(), "asset"), "extras"), gltf::extras_key);
@@ -51,7 +43,7 @@ class Reader {
     if (ours.is_object()) scene_.georeference = georeference_from_json(ours);
     read_features();
     read_materials();
-    read_nodes();
+    scene_.nodes = NodeReader(document_, accessors_).read();
   }
 
   const Scene& scene() const { return scene_; }
@@ -72,10 +64,6 @@ class Reader {
   void read_materials();
   void add_coloured_materials();
   std::uint32_t find_material(const Json& source);
-  std::vector<std::size_t> find_roots() const;
-  void read_nodes();
-  void read_node(const Json& node, const glm::dmat4& to_model);
-  std::vector<SceneInstance> read_instances(const Json& node, const glm::dmat4& to_model) const;
 
   const gltf::Document& document_;
   gltf::AccessorReader accessors_;
@@ -167,132 +155,6 @@ bool Reader::has_colours() const {
     for (const Json& primitive : member(document_.element("meshes", i), "primitives"))
       if (!member(member(primitive, "attributes"), gltf::colour_attribute).is_null()) return true;
   return false;
-}
-
-glm::dmat4 local_matrix(const Json& node) {
-  if (node.contains("matrix"))
-    return glm::make_mat4(numbers(node, "matrix", std::vector<double>(16)).data());
-  const auto r = numbers(node, "rotation", {0, 0, 0, 1});
-  Trs trs;
-  trs.translation = glm::make_vec3(numbers(node, "translation", {0, 0, 0}).data());
-  trs.rotation = glm::dquat(r[3], r[0], r[1], r[2]);
-  trs.scale = glm::make_vec3(numbers(node, "scale", {1, 1, 1}).data());
-  return compose(trs);
-}
-
-glm::mat4 checked(const glm::dmat4& matrix) {
-  const glm::mat4 result(matrix);
-  for (int c = 0; c < 4; ++c)
-    for (int r = 0; r < 4; ++r)
-      if (!std::isfinite(result[c][r])) throw Error("", "transform", "is not finite");
-  return result;
-}
-
-std::vector<std::size_t> node_indices(const Json& object, const char* key) {
-  const Json& array = member(object, key);
-  std::vector<std::size_t> result;
-  for (const Json& element : array) {
-    if (!element.is_number_unsigned())
-      throw Error("", key, "holds something that is no node index");
-    result.push_back(element.get<std::size_t>());
-  }
-  return result;
-}
-
-// Returns the nodes of the default scene. glTF allows a file without scenes: then the nodes without
-// a parent.
-std::vector<std::size_t> Reader::find_roots() const {
-  if (document_.count("scenes") != 0)
-    return node_indices(
-        document_.element("scenes", gltf::index(document_.root(), "scene").value_or(0)), "nodes");
-  const std::size_t count = document_.count("nodes");
-  std::vector<bool> is_child(count);
-  for (std::size_t i = 0; i < count; ++i)
-    for (const std::size_t child : node_indices(document_.element("nodes", i), "children"))
-      if (child < count) is_child[child] = true;
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < count; ++i)
-    if (!is_child[i]) result.push_back(i);
-  return result;
-}
-
-void Reader::read_nodes() {
-  // Recursion would overflow the program's stack on a chain of a million nodes. A node that is
-  // reached twice is part of a cycle or of no tree.
-  struct Step {
-    std::size_t node;
-    glm::dmat4 parent;
-  };
-  std::vector<Step> stack;
-  const auto push = [&stack](const std::vector<std::size_t>& nodes, const glm::dmat4& parent) {
-    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) stack.push_back({*node, parent});
-  };
-  push(find_roots(), glm::dmat4(1));
-  std::vector<bool> reached(document_.count("nodes"));
-  while (!stack.empty()) {
-    const Step step = stack.back();
-    stack.pop_back();
-    const Json& node = document_.element("nodes", step.node);
-    try {
-      if (reached[step.node]) throw Error("", "is reached twice");
-      reached[step.node] = true;
-      const glm::dmat4 to_model = step.parent * local_matrix(node);
-      read_node(node, to_model);
-      push(node_indices(node, "children"), to_model);
-    } catch (const Error& error) {
-      throw Error("", numbered("node", step.node), error.what());
-    }
-  }
-}
-
-void Reader::read_node(const Json& node, const glm::dmat4& to_model) {
-  const auto mesh = gltf::index(node, "mesh");
-  if (!mesh) return;
-  if (*mesh >= document_.count("meshes")) throw Error("", numbered("mesh", *mesh), "is not there");
-  const Json& ours = member(member(node, "extras"), gltf::extras_key);
-  SceneNode target;
-  target.name = gltf::text(node, "name");
-  target.kind = gltf::text(ours, "kind");
-  target.mesh = static_cast<std::uint32_t>(*mesh);
-  target.casts_shadow = gltf::boolean(ours, "casts_shadow", true);
-  if (const auto vehicle = gltf::index(ours, "vehicle"))
-    target.vehicle = static_cast<std::uint32_t>(*vehicle);
-  target.instances = read_instances(node, to_model);
-  scene_.nodes.push_back(std::move(target));
-}
-
-std::vector<SceneInstance> Reader::read_instances(const Json& node,
-                                                  const glm::dmat4& to_model) const {
-  const Json& attributes = member(extension(node, gltf::gpu_instancing), "attributes");
-  if (!attributes.is_object()) return {{checked(to_model), no_id}};
-  const auto read = [&](const char* name, int components) {
-    const auto accessor = gltf::index(attributes, name);
-    return accessor ? accessors_.floats(*accessor, components) : std::vector<float>();
-  };
-  const auto translations = read("TRANSLATION", 3), rotations = read("ROTATION", 4),
-             scales = read("SCALE", 3);
-  const auto lights = to_light_ids(read(gltf::light_attribute, 1));
-  const std::size_t count =
-      std::max({translations.size() / 3, rotations.size() / 4, scales.size() / 3, lights.size()});
-  const auto fits = [count](std::size_t values, std::size_t width) {
-    return values == 0 || values == count * width;
-  };
-  if (!fits(translations.size(), 3) || !fits(rotations.size(), 4) || !fits(scales.size(), 3) ||
-      !fits(lights.size(), 1))
-    throw Error("", gltf::gpu_instancing, "attributes differ in length");
-  std::vector<SceneInstance> instances;
-  instances.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    Trs trs;
-    if (!translations.empty()) trs.translation = glm::make_vec3(&translations[3 * i]);
-    if (!rotations.empty()) {
-      const float* r = &rotations[4 * i];
-      trs.rotation = glm::dquat(r[3], r[0], r[1], r[2]);
-    }
-    if (!scales.empty()) trs.scale = glm::make_vec3(&scales[3 * i]);
-    instances.push_back({checked(to_model * compose(trs)), lights.empty() ? no_id : lights[i]});
-  }
-  return instances;
 }
 
 // Returns what `read` returns, with the file's name in front of each error.

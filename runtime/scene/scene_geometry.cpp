@@ -206,17 +206,26 @@ void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes
     return node.instances.size() == 1 && node.instances[0].light == no_id;
   };
 
+  // All memory is asked for at once, because growing an array holds it twice. What is asked for and
+  // not used takes no room: nodes are usually 0.4 for each triangle.
+  std::size_t most = out.triangles.size();
+  std::vector<bool> counted(meshes.triangles.size());
+  for (const SceneNode& node : scene.nodes)
+    if (!is_vehicle(node) && (is_merged(node) || !counted.at(node.mesh))) {
+      most += meshes.triangles.at(node.mesh);
+      if (!is_merged(node)) counted[node.mesh] = true;
+    }
+  most = std::min<std::size_t>(most, BVH_LEAF_FIRST_MASK);  // no scene may have more
+  out.triangles.reserve(most);
+  out.nodes.reserve(out.nodes.size() + most / 2);
+
   // Everything that is placed once and does not move becomes one BLAS (one for what casts shadows,
   // one for what does not): a ray then crosses the city without leaving and entering instances.
   for (const bool shadow : {true, false}) {
     std::vector<Merged> merged;
-    std::size_t triangles = out.triangles.size();
     for (const SceneNode& node : scene.nodes)
-      if (!is_vehicle(node) && is_merged(node) && node.casts_shadow == shadow) {
+      if (!is_vehicle(node) && is_merged(node) && node.casts_shadow == shadow)
         merged.push_back({node.mesh, node.instances[0].to_model});
-        triangles += meshes.triangles.at(node.mesh);
-      }
-    out.triangles.reserve(triangles);
     const std::size_t first = out.triangles.size();
     append_merged(out, merged, meshes, threads);
     const auto [root, box] = add_blas(out, first, threads);
