@@ -1,5 +1,7 @@
 #include "formats/parallel.h"
 
+#include <sched.h>
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -11,6 +13,11 @@
 namespace nightcity {
 
 unsigned count_cores() {
+  // The standard library counts all cores of the machine, also those that taskset or a container
+  // keeps from us.
+  cpu_set_t ours;
+  if (::sched_getaffinity(0, sizeof ours, &ours) == 0)
+    return std::max(1u, static_cast<unsigned>(CPU_COUNT(&ours)));
   return std::max(1u, std::thread::hardware_concurrency());
 }
 
