@@ -8,6 +8,7 @@ CityInputs to_city_inputs(const Recipe& recipe) {
   inputs.recipe = recipe.path;
   inputs.files = recipe.city.files;
   inputs.maps = recipe.osm.files;
+  inputs.max_way_nodes = recipe.osm.max_way_nodes;
   inputs.read = recipe.city.read;
   inputs.frame = recipe.city.frame;
   inputs.bounds = recipe.city.bounds;

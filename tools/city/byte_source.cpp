@@ -7,8 +7,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <memory>
+#include <mutex>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -43,10 +47,30 @@ class PlainSource : public ByteSource {
   std::string name_;
 };
 
+// Real city models shrink to a twentieth or thirtieth; deflate can shrink blanks to a thousandth.
+class UnpackedSize {
+ public:
+  UnpackedSize(std::string name, std::uint64_t packed)
+      : name_(std::move(name)), max_(std::max(max_ratio * packed, free_bytes)) {}
+
+  void add(std::size_t bytes) {
+    size_ += bytes;
+    if (size_ > max_)
+      throw Error(name_, "unpacks to more than " + std::to_string(max_ratio) +
+                             " times its size and more than " + std::to_string(free_bytes >> 20) +
+                             " MB: if that is right, unpack it yourself and name the result");
+  }
+
+ private:
+  static constexpr std::uint64_t max_ratio = 200, free_bytes = std::uint64_t{1} << 30;
+  std::string name_;
+  std::uint64_t max_, size_ = 0;
+};
+
 class GzipSource : public ByteSource {
  public:
   explicit GzipSource(std::string name)
-      : file_(gzopen(name.c_str(), "rb")), name_(std::move(name)) {
+      : file_(gzopen(name.c_str(), "rb")), name_(name), unpacked_(name, size_of(name)) {
     if (!file_) throw Error(name_, "cannot open the gzip stream");
     gzbuffer(file_, 1u << 18);
   }
@@ -63,12 +87,20 @@ class GzipSource : public ByteSource {
     if (got < 0 || (status != Z_OK && status != Z_STREAM_END))
       throw Error(name_, std::string("broken gzip stream: ") +
                              (message && *message ? message : "truncated"));
+    unpacked_.add(static_cast<std::size_t>(got));
     return static_cast<std::size_t>(got);
   }
 
  private:
+  static std::uint64_t size_of(const std::string& name) {
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(name, error);
+    return error ? 0 : size;
+  }
+
   gzFile file_;
   std::string name_;
+  UnpackedSize unpacked_;
 };
 
 struct ZipDeleter {
@@ -76,49 +108,80 @@ struct ZipDeleter {
   void operator()(zip_file_t* entry) const { zip_fclose(entry); }
 };
 
-std::unique_ptr<zip_t, ZipDeleter> open_archive(const std::string& path) {
-  int code = 0;
-  std::unique_ptr<zip_t, ZipDeleter> archive(zip_open(path.c_str(), ZIP_RDONLY, &code));
-  if (!archive) throw Error(path, "broken zip archive: damaged or cut off; fetch it again");
-  return archive;
-}
+// An archive, opened once for all of its entries: opening reads the list of them, so that opening
+// for each entry anew would take time quadratic in their number. libzip's handles are for one thread
+// at a time.
+class Archive {
+ public:
+  explicit Archive(const std::string& path) {
+    int code = 0;
+    archive_.reset(zip_open(path.c_str(), ZIP_RDONLY, &code));
+    if (!archive_) throw Error(path, "broken zip archive: damaged or cut off; fetch it again");
+  }
+
+  zip_t* get() const { return archive_.get(); }
+  std::unique_lock<std::mutex> lock() { return std::unique_lock(mutex_); }
+  std::uint64_t packed_size(zip_uint64_t index) {
+    const auto held = lock();
+    zip_stat_t status;
+    zip_stat_init(&status);
+    const bool known = zip_stat_index(get(), index, 0, &status) == 0;
+    return known && (status.valid & ZIP_STAT_COMP_SIZE) ? status.comp_size : 0;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::unique_ptr<zip_t, ZipDeleter> archive_;
+};
 
 class ZipSource : public ByteSource {
  public:
-  ZipSource(const std::string& path, zip_uint64_t index, std::string name)
-      : archive_(open_archive(path)),
-        entry_(zip_fopen_index(archive_.get(), index, 0)),
-        name_(std::move(name)) {
-    if (!entry_ && zip_error_code_zip(zip_get_error(archive_.get())) == ZIP_ER_NOPASSWD)
+  ZipSource(std::shared_ptr<Archive> archive, zip_uint64_t index, std::string name)
+      : archive_(std::move(archive)),
+        name_(std::move(name)),
+        unpacked_(name_, archive_->packed_size(index)) {
+    const auto lock = archive_->lock();
+    entry_.reset(zip_fopen_index(archive_->get(), index, 0));
+    if (!entry_ && zip_error_code_zip(zip_get_error(archive_->get())) == ZIP_ER_NOPASSWD)
       throw Error(name_, "is encrypted with a password: unpack it first");
     if (!entry_)
       throw Error(name_,
-                  std::string("cannot open the archive's entry: ") + zip_strerror(archive_.get()));
+                  std::string("cannot open the archive's entry: ") + zip_strerror(archive_->get()));
   }
+  ~ZipSource() override {
+    const auto lock = archive_->lock();
+    entry_.reset();
+  }
+  ZipSource(const ZipSource&) = delete;
+  ZipSource& operator=(const ZipSource&) = delete;
+
   std::size_t read(char* out, std::size_t size) override {
+    const auto lock = archive_->lock();
     const zip_int64_t got = zip_fread(entry_.get(), out, size);
     if (got < 0) throw Error(name_, "broken archive entry");
+    unpacked_.add(static_cast<std::size_t>(got));
     return static_cast<std::size_t>(got);
   }
 
  private:
-  std::unique_ptr<zip_t, ZipDeleter> archive_;
-  std::unique_ptr<zip_file_t, ZipDeleter> entry_;  // goes before its archive
+  std::shared_ptr<Archive> archive_;
+  std::unique_ptr<zip_file_t, ZipDeleter> entry_;
   std::string name_;
+  UnpackedSize unpacked_;
 };
 
 std::vector<Document> list_documents_in_archive(const std::string& path,
                                                 std::span<const std::string_view> endings) {
-  const auto archive = open_archive(path);
+  const auto archive = std::make_shared<Archive>(path);
   std::vector<Document> documents;
-  const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
+  const zip_int64_t count = zip_get_num_entries(archive->get(), 0);
   for (zip_int64_t i = 0; i < count; ++i) {
     const auto index = static_cast<zip_uint64_t>(i);
-    const char* entry = zip_get_name(archive.get(), index, ZIP_FL_ENC_GUESS);
+    const char* entry = zip_get_name(archive->get(), index, ZIP_FL_ENC_GUESS);
     if (!entry || !ends_with_any(to_lower(entry), endings)) continue;
     const std::string name = path + "/" + entry;
     documents.push_back(
-        {name, true, [=] { return to_utf8(std::make_unique<ZipSource>(path, index, name)); }});
+        {name, true, [=] { return to_utf8(std::make_unique<ZipSource>(archive, index, name)); }});
   }
   if (documents.empty()) throw Error(path, "the archive holds no " + join_endings(endings));
   return documents;
@@ -165,6 +228,7 @@ bool mentions(const Document& document, std::string_view text) {
     if (got == 0) return false;
     const std::size_t size = kept + got;
     if (::memmem(window.data(), size, text.data(), text.size())) return true;
+    if (std::memchr(window.data() + kept, 0, got)) return false;  // no text: its reader says so
     kept = std::min(size, text.size() - 1);  // the text may lie across the border
     std::memmove(window.data(), window.data() + size - kept, kept);
   }

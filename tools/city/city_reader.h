@@ -46,6 +46,10 @@ struct ReadOptions {
   unsigned threads = 0;
   /// The files of the same city, lexically normal: links to geometry lead into these and no others.
   std::shared_ptr<const std::set<std::filesystem::path>> neighbours{};
+  /// Bounds on what a small file may cost; the recipe's keys of the same names raise them.
+  int max_member_mb = 256;              // of text in one member of a CityModel
+  int max_linked_vertices = 8'000'000;  // that the links of a document lead to, and of a member's
+  int max_crossings = 16;               // of a polygon's outlines, for each of their points
 };
 
 /// Called on one thread at a time, in file order; objects that refer to geometry of other objects
@@ -75,7 +79,7 @@ struct CityHead {
 /// format.
 struct FileReader {
   /// Reads until it has a sample or the file ends.
-  CityHead (*read_head)(const std::filesystem::path& file);
+  CityHead (*read_head)(const std::filesystem::path& file, const ReadOptions& options);
   /// Streams the objects through `stage` in file order, in memory that does not grow with the file.
   ReadReport (*read)(const std::filesystem::path& file, const ReadOptions& options,
                      const ObjectStage& stage);

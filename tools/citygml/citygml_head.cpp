@@ -137,13 +137,14 @@ std::vector<city::Document> list_citygml_documents(const std::filesystem::path& 
   return documents;
 }
 
-city::CityHead read_citygml_head(const std::filesystem::path& file) {
+city::CityHead read_citygml_head(const std::filesystem::path& file,
+                                 const city::ReadOptions& options) {
   city::CityHead out;
   Sampler sampler(out);
   for (const city::Document& document : list_citygml_documents(file, nullptr)) {
     if (sampler.is_full()) break;
     const auto source = document.open();
-    MemberSplitter splitter(*source, document.name, {});
+    MemberSplitter splitter(*source, document.name, limits_of(options));
     require_citygml(splitter.head(), document.name);
     if (out.version.empty()) out.version = splitter.head().version;
     MemberBatch batch;

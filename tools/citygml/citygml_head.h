@@ -32,6 +32,7 @@ std::vector<city::Document> list_citygml_documents(const std::filesystem::path& 
 /// envelope's (GML 3.1.1, 9.10); without one, the first in the file. Reads until it has a sample or
 /// the file ends. In the sample rings are closed again, so that one can see where they end. Throws
 /// Error as read_citygml does.
-city::CityHead read_citygml_head(const std::filesystem::path& file);
+city::CityHead read_citygml_head(const std::filesystem::path& file,
+                                 const city::ReadOptions& options = {});
 
 }  // namespace nightcity::citygml

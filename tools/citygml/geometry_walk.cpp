@@ -34,6 +34,17 @@ std::size_t count_polygons(const pugi::xml_node& element) {
   return counter.count;
 }
 
+std::size_t count_vertices(const city::Polygon& polygon) {
+  std::size_t count = polygon.exterior.size();
+  for (const city::Ring& ring : polygon.interiors) count += ring.size();
+  return count;
+}
+
+GeometryWalk::Visit GeometryWalk::visit_of(const pugi::xml_node& element,
+                                           const GeometryContext& context) {
+  return {reinterpret_cast<std::uintptr_t>(element.internal_object()), context.lod};
+}
+
 const glm::vec3* GeometryWalk::find_colour(const pugi::xml_node& element) const {
   if (local_materials_.empty() && (!file_materials_ || file_materials_->empty())) return nullptr;
   const std::string_view id = find_attribute(element, "id");
@@ -112,7 +123,7 @@ void GeometryWalk::follow(const pugi::xml_node& link, std::string_view href,
     if (!is_geometry(kind)) skipped_.add("xlink: to what is no geometry");
     // The polygons of a target passed before are taken: this ends cycles, and trees of links to
     // links.
-    else if (is_polygon(kind) || visited_.insert({target.internal_object(), context.lod}).second)
+    else if (is_polygon(kind) || visited_.insert(visit_of(target, context)).second)
       walk(target, there);
     return;
   }
@@ -122,19 +133,35 @@ void GeometryWalk::follow(const pugi::xml_node& link, std::string_view href,
     skipped_.add("xlink: target not in the file (" + std::string(link.name()) + ")");
     return;
   }
-  for (city::Polygon copy : shared->second) {
-    if (there.reversed) {
+  add_linked(shared->second, there);
+}
+
+// A polygon that several links lead to is added once, as one of the member's own is: links to links
+// would multiply it.
+void GeometryWalk::add_linked(const std::vector<LinkedPolygon>& linked,
+                              const GeometryContext& context) {
+  for (const LinkedPolygon& one : linked) {
+    if (!linked_.insert({static_cast<std::uintptr_t>(one.number), context.lod}).second) continue;
+    linked_vertices_ += count_vertices(one.polygon);
+    if (took_too_many()) {
+      skipped_.add("polygon: linked, beyond [city] max_linked_vertices");
+      continue;
+    }
+    city::Polygon copy = one.polygon;
+    if (context.reversed) {
       std::reverse(copy.exterior.begin(), copy.exterior.end());
       for (city::Ring& ring : copy.interiors) std::reverse(ring.begin(), ring.end());
     }
-    if (copy.surface == city::SurfaceType::unknown) copy.surface = there.surface;
-    if (copy.area_function == 0) copy.area_function = there.area_function;
-    add(std::move(copy), there);
+    if (copy.surface == city::SurfaceType::unknown) copy.surface = context.surface;
+    if (copy.area_function == 0) copy.area_function = context.area_function;
+    linked_numbers_.resize(out_->size());
+    linked_numbers_.push_back(one.number);
+    add(std::move(copy), context);
   }
 }
 
 void GeometryWalk::read_polygon(const pugi::xml_node& element, const GeometryContext& context) {
-  if (!visited_.insert({element.internal_object(), context.lod}).second) return;
+  if (!visited_.insert(visit_of(element, context)).second) return;
   const int dimension = find_dimension(element, context.dimension);
   city::Polygon polygon;
   polygon.id = find_attribute(element, "id");
@@ -226,14 +253,16 @@ void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryCo
   GeometryContext placed = context;
   placed.placed = &matrix;
   // The same shape may be placed many times, but only once by each implicit geometry.
-  std::unordered_set<Visit, VisitHash> visited;
+  Visits visited, linked;
   visited.swap(visited_);
+  linked.swap(linked_);
   for (const pugi::xml_node& shape : shapes) {
     const std::string_view href = find_attribute(shape, "href");
     if (!href.empty() && !shape.first_child()) follow(shape, href, placed);
     walk_children(shape, placed);
   }
   visited_.swap(visited);
+  linked_.swap(linked);
 }
 
 bool GeometryWalk::read_tin_points(const pugi::xml_node& property, const GeometryContext& context,

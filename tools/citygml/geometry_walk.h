@@ -23,6 +23,8 @@ namespace nightcity::citygml {
 /// and below.
 std::size_t count_polygons(const pugi::xml_node& element);
 
+std::size_t count_vertices(const city::Polygon& polygon);
+
 /// The properties that elements further up give to the geometry below them.
 struct GeometryContext {
   int lod = -1;
@@ -66,6 +68,11 @@ class GeometryWalk {
   void set_file_materials(const Materials* materials) { file_materials_ = materials; }
   /// Ids named by xlinks that neither the member nor the library holds.
   const std::vector<std::string>& unresolved() const { return unresolved_; }
+  /// The numbers of the library's polygons among those added, by their place in `out` (only where
+  /// `out` was empty and every call had the same); 0 = the member's own.
+  const std::vector<std::uint64_t>& linked_numbers() const { return linked_numbers_; }
+  /// Whether the library's polygons were more than a member may take.
+  bool took_too_many() const { return linked_vertices_ > library_.max_vertices; }
 
  private:
   void walk(const pugi::xml_node& element, const GeometryContext& context);
@@ -76,14 +83,17 @@ class GeometryWalk {
   void add(city::Polygon&& polygon, const GeometryContext& context);
   const glm::vec3* find_colour(const pugi::xml_node& element) const;
 
+  void add_linked(const std::vector<LinkedPolygon>& linked, const GeometryContext& context);
+
   struct Visit {
-    const void* element;
+    std::uintptr_t element;
     int lod;
     bool operator==(const Visit&) const = default;
   };
+  static Visit visit_of(const pugi::xml_node& element, const GeometryContext& context);
   struct VisitHash {
     std::size_t operator()(const Visit& v) const {
-      return std::hash<const void*>()(v.element) * 31 + static_cast<std::size_t>(v.lod + 1);
+      return std::hash<std::uintptr_t>()(v.element) * 31 + static_cast<std::size_t>(v.lod + 1);
     }
   };
 
@@ -93,7 +103,11 @@ class GeometryWalk {
   Materials local_materials_;
   const Materials* file_materials_ = nullptr;
   std::vector<city::RawPolygon>* out_ = nullptr;
-  std::unordered_set<Visit, VisitHash> visited_;
+  using Visits = std::unordered_set<Visit, VisitHash>;
+  Visits visited_;  // elements of this member
+  Visits linked_;   // polygons of the library, by number
+  std::vector<std::uint64_t> linked_numbers_;
+  std::size_t linked_vertices_ = 0;
   std::vector<std::string> unresolved_;
   std::size_t placed_polygons_ = 0;
 };

@@ -182,7 +182,7 @@ city::ReadReport read_with_libcitygml(const city::Document& document,
                                       const city::ReadOptions& options,
                                       const city::ObjectSink& sink) {
   warm_up();
-  MemberSplitter::Limits limits;
+  MemberSplitter::Limits limits = limits_of(options);
   limits.batch_bytes = batch_bytes;
   limits.every_tag = true;  // libcitygml gets well-formed XML only
   const auto source = document.open();

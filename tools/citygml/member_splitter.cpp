@@ -151,10 +151,29 @@ void MemberSplitter::pass_on_piece(MemberBatch& batch) {
   cut_ = 0;
 }
 
+// Passes the text in front of the next tag. Text between members is not kept, however long it is:
+// blanks by the gigabyte are a small file when they are gzipped. Returns false where the batch has
+// to be passed on before that.
+bool MemberSplitter::passes_text(const MemberBatch& batch) {
+  while (open_.empty() && !scanner_.sees_markup()) {
+    if (!batch.members.empty()) return false;
+    if (!scanner_.drop_text()) return true;
+  }
+  return true;
+}
+
+MemberSplitter::Limits limits_of(const city::ReadOptions& options) {
+  MemberSplitter::Limits limits;
+  limits.member_bytes = static_cast<std::size_t>(options.max_member_mb) << 20;
+  limits.piece_bytes = std::min(limits.piece_bytes, limits.member_bytes);
+  return limits;
+}
+
 bool MemberSplitter::next(MemberBatch& batch) {
   batch.members.clear();
   batch.first_member = delivered_;
   while (!finished_ && cut_ == 0) {
+    if (!passes_text(batch)) break;
     finished_ = !scan_tag(batch);
     const bool full =
         !batch.members.empty() && open_.empty() && scanner_.position() >= limits_.batch_bytes;

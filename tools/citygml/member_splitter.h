@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tools/city/byte_source.h"
+#include "tools/city/city_reader.h"
 #include "tools/citygml/tag_scanner.h"
 
 namespace nightcity::citygml {
@@ -46,8 +47,8 @@ class MemberSplitter {
     /// A longer member is cut between the triangles of its TIN, each piece wrapped in the tags open
     /// at the cut, so that terrain of any size passes in bounded memory.
     std::size_t piece_bytes = std::size_t{4} << 20;
-    std::size_t member_bytes = std::size_t{1} << 30;  // longer ones are refused
-    std::size_t depth = 200;                          // deeper nesting is refused
+    std::size_t member_bytes = std::size_t{256} << 20;  // longer ones are refused
+    std::size_t depth = 200;                            // deeper nesting is refused
     /// Follow every tag. Otherwise the inside of a member is passed on unchecked and may be
     /// ill-formed or too deep.
     bool every_tag = false;
@@ -67,6 +68,7 @@ class MemberSplitter {
 
   void read_head();
   bool scan_tag(MemberBatch& batch);
+  bool passes_text(const MemberBatch& batch);
   void close_tag(const Tag& tag);
   void pass_on(MemberBatch& batch, std::size_t end);
   void pass_on_piece(MemberBatch& batch);
@@ -82,5 +84,8 @@ class MemberSplitter {
   bool continued_ = false;  // the current member has had a piece cut off
   bool finished_ = false;
 };
+
+/// Returns the limits that a reader's options ask for.
+MemberSplitter::Limits limits_of(const city::ReadOptions& options);
 
 }  // namespace nightcity::citygml

@@ -14,60 +14,79 @@ namespace {
 
 constexpr int max_rounds = 4;  // for links to links to links across members
 
-std::size_t vertices_of(const std::vector<city::Polygon>& polygons) {
-  std::size_t count = 0;
-  for (const city::Polygon& p : polygons) {
-    count += p.exterior.size();
-    for (const city::Ring& ring : p.interiors) count += ring.size();
-  }
-  return count;
-}
+class Fetcher {
+ public:
+  Fetcher(std::uint64_t& next, std::size_t& room) : next_(next), room_(room) {}
 
-// Takes every wanted geometry that the member holds, and the ids that it refers to without holding
-// them.
-void fetch_from(const pugi::xml_node& member, const std::unordered_set<std::string>& wanted,
-                GeometryLibrary& library, std::size_t& room,
-                std::unordered_set<std::string>& missing) {
-  IdIndex ids(member);
-  for (const std::string& id : wanted) {
-    if (library.polygons.contains(id) || room == 0) continue;
-    const pugi::xml_node element = ids.find(id);
-    if (!element) continue;
-    city::SkipCounter counted_where_it_stands;
-    GeometryWalk walk(member, library, counted_where_it_stands);
-    std::vector<city::RawPolygon> raws;
-    walk.read_element(element, {}, raws);
-    if (!walk.unresolved().empty()) {  // to be read again when those are known
-      missing.insert(walk.unresolved().begin(), walk.unresolved().end());
-      missing.insert(id);
-      continue;
+  // Takes every wanted geometry that the member holds, and notes the ids that it refers to without
+  // holding them.
+  void fetch_from(const pugi::xml_node& member, const std::unordered_set<std::string>& wanted,
+                  std::unordered_set<std::string>& missing) {
+    IdIndex ids(member);
+    for (const std::string& id : wanted) {
+      if (library_.polygons.contains(id) || without_room_.contains(id)) continue;
+      const pugi::xml_node element = ids.find(id);
+      if (!element) continue;
+      library_.max_vertices = room_;
+      city::SkipCounter counted_where_it_stands;
+      GeometryWalk walk(member, library_, counted_where_it_stands);
+      std::vector<city::RawPolygon> raws;
+      walk.read_element(element, {}, raws);
+      if (walk.unresolved().empty()) {
+        take(id, walk, std::move(raws));
+      } else {  // to be read again when those are known
+        missing.insert(walk.unresolved().begin(), walk.unresolved().end());
+        missing.insert(id);
+      }
     }
-    std::vector<city::Polygon>& polygons = library.polygons[id];
-    for (city::RawPolygon& raw : raws) polygons.push_back(std::move(raw.polygon));
-    room -= std::min(room, vertices_of(polygons));
   }
-}
+
+  FetchedGeometry finish() && { return {std::move(library_.polygons), without_room_.size()}; }
+
+ private:
+  void take(const std::string& id, const GeometryWalk& walk, std::vector<city::RawPolygon>&& raws) {
+    std::size_t vertices = 0;
+    for (const city::RawPolygon& raw : raws) vertices += count_vertices(raw.polygon);
+    if (walk.took_too_many() || vertices > room_) {
+      without_room_.insert(id);
+      return;
+    }
+    room_ -= vertices;
+    std::vector<LinkedPolygon>& polygons = library_.polygons[id];
+    for (std::size_t i = 0; i < raws.size(); ++i) {
+      const std::uint64_t known = i < walk.linked_numbers().size() ? walk.linked_numbers()[i] : 0;
+      polygons.push_back({std::move(raws[i].polygon), known > 0 ? known : next_++});
+    }
+  }
+
+  std::uint64_t& next_;
+  std::size_t& room_;
+  GeometryLibrary library_;
+  std::unordered_set<std::string> without_room_;
+};
 
 }  // namespace
 
-GeometryLibrary fetch_geometry(const city::Document& document,
-                               std::unordered_set<std::string> wanted, std::size_t& room) {
-  GeometryLibrary library;
+FetchedGeometry fetch_geometry(const city::Document& document,
+                               std::unordered_set<std::string> wanted,
+                               const city::ReadOptions& options, std::uint64_t& next,
+                               std::size_t& room) {
+  Fetcher fetcher(next, room);
   for (int round = 0; round < max_rounds && !wanted.empty(); ++round) {
     std::unordered_set<std::string> missing;
     const auto source = document.open();
-    MemberSplitter splitter(*source, document.name, {});
+    MemberSplitter splitter(*source, document.name, limits_of(options));
     MemberBatch batch;
     while (splitter.next(batch)) {
       for (const MemberBatch::Member& member : batch.members) {
         pugi::xml_document xml;
         if (xml.load_buffer_inplace(batch.bytes.get() + member.begin, member.size, gml_parse_flags))
-          fetch_from(xml, wanted, library, room, missing);
+          fetcher.fetch_from(xml, wanted, missing);
       }
     }
     wanted = std::move(missing);
   }
-  return library;
+  return std::move(fetcher).finish();
 }
 
 }  // namespace nightcity::citygml

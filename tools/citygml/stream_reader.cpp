@@ -41,6 +41,7 @@ class StreamReader {
       : document_(document), options_(options), stage_(stage) {
     library_.folder = std::filesystem::path(document.name).parent_path();
     library_.neighbours = options.neighbours;
+    library_.max_vertices = static_cast<std::size_t>(options.max_linked_vertices);
   }
 
   city::ReadReport read() {
@@ -62,7 +63,7 @@ class StreamReader {
   void read_file_materials() {
     constexpr std::string_view element = "appearanceMember";
     const auto source = document_.open();
-    MemberSplitter splitter(*source, document_.name, {});
+    MemberSplitter splitter(*source, document_.name, limits_of(options_));
     require_citygml(splitter.head(), document_.name);
     if (!city::mentions(document_, element)) return;
     MemberBatch batch;
@@ -83,25 +84,36 @@ class StreamReader {
       auto [file, id] = library_.split_name(name);
       by_file[std::move(file)].insert(std::move(id));
     }
-    std::size_t room = max_shared_vertices;
     for (const auto& [file, ids] : by_file) {
       if (file.empty()) {
-        library_.polygons.merge(fetch_geometry(document_, ids, room).polygons);
-      } else if (read_citygml_head(file).srs_name != own_srs_name()) {
+        take_geometry(document_, ids, {});
+      } else if (read_citygml_head(file, options_).srs_name != own_srs_name()) {
         report_.warnings.push_back(document_.name + ": xlinks into " + file.string() +
                                    " are not followed: it is in another CRS");
       } else {
         for (const city::Document& neighbour : list_citygml_documents(file, nullptr))
-          for (auto& [id, polygons] : fetch_geometry(neighbour, ids, room).polygons)
-            library_.polygons.emplace(file.string() + "#" + id, std::move(polygons));
+          take_geometry(neighbour, ids, file.string() + "#");
       }
     }
+  }
+
+  void take_geometry(const city::Document& document, const std::unordered_set<std::string>& ids,
+                     const std::string& prefix) {
+    FetchedGeometry fetched = fetch_geometry(document, ids, options_, next_linked_, room_);
+    for (auto& [id, polygons] : fetched.polygons)
+      library_.polygons.emplace(prefix + id, std::move(polygons));
+    if (fetched.beyond_room > 0)
+      report_.warnings.push_back(
+          document.name + ": " + std::to_string(fetched.beyond_room) +
+          " links are not followed: what they lead to has more vertices than [city] "
+          "max_linked_vertices = " +
+          std::to_string(options_.max_linked_vertices) + " in a recipe allows");
   }
 
   // The name that read_citygml_head finds, to be compared with a neighbour's.
   std::string own_srs_name() const {
     if (document_.packed) return srs_name_;
-    return read_citygml_head(document_.name).srs_name;
+    return read_citygml_head(document_.name, options_).srs_name;
   }
 
   void load(const DocumentHead& head, const MemberBatch& batch, const MemberBatch::Member& member,
@@ -168,7 +180,7 @@ class StreamReader {
 
   void run(const std::unordered_set<std::size_t>* only) {
     const auto source = document_.open();
-    MemberSplitter splitter(*source, document_.name, {});
+    MemberSplitter splitter(*source, document_.name, limits_of(options_));
     report_.version = splitter.head().version;
     const DocumentHead& head = splitter.head();
     in_order(
@@ -190,6 +202,8 @@ class StreamReader {
   Materials file_materials_;
   GeometryLibrary library_;
   bool library_complete_ = false;
+  std::uint64_t next_linked_ = 1;
+  std::size_t room_ = static_cast<std::size_t>(options_.max_linked_vertices);
   std::vector<std::size_t> deferred_;
   std::unordered_set<std::string> wanted_;
 };

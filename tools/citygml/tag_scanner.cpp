@@ -49,6 +49,15 @@ void TagScanner::skip_byte_order_mark() {
   std::size_t content = position_;
   while (content < size_ && is_space(bytes_[content])) ++content;
   if (content == size_ || bytes_[content] != '<') throw Error(name_, "is not XML");
+  begun_ = true;
+  refuse_zero_bytes(0);
+}
+
+// No XML holds a zero byte (XML 1.0, 2.2). The holes of a sparse file are read as such, without end.
+void TagScanner::refuse_zero_bytes(std::size_t from) {
+  if (const void* at = std::memchr(bytes_.get() + from, 0, size_ - from))
+    fail(static_cast<std::size_t>(static_cast<const char*>(at) - bytes_.get()),
+         "not XML: a zero byte (a download that was not completed?)");
 }
 
 void TagScanner::fail(std::size_t at, const std::string& message) {
@@ -66,8 +75,8 @@ std::size_t TagScanner::line_of(std::size_t at) {
 // takes linear time in all.
 bool TagScanner::fill() {
   if (size_ > max_window_)
-    fail(position_,
-         "an element longer than " + std::to_string(max_window_ >> 20) + " MB is refused");
+    fail(position_, "an element or comment longer than " + std::to_string(max_window_ >> 20) +
+                        " MB is refused: if it is right, raise [city] max_member_mb in a recipe");
   const std::size_t want = std::max(block_, size_ - position_);
   block_ = std::min(2 * block_, read_block);
   if (size_ + want > capacity_) {
@@ -78,7 +87,18 @@ bool TagScanner::fill() {
   }
   const std::size_t got = source_.read(bytes_.get() + size_, want);
   size_ += got;
+  if (begun_) refuse_zero_bytes(size_ - got);
   return got > 0;
+}
+
+bool TagScanner::sees_markup() const {
+  return position_ < size_ && std::memchr(bytes_.get() + position_, '<', size_ - position_);
+}
+
+bool TagScanner::drop_text() {
+  position_ = size_;
+  take(size_);
+  return fill();
 }
 
 std::size_t TagScanner::find(char c, std::size_t from) {

@@ -33,6 +33,12 @@ class TagScanner {
   /// that is no XML and where the file ends inside markup.
   Tag next();
 
+  /// Returns whether the window holds a '<' that next() has not passed.
+  bool sees_markup() const;
+  /// Gives up the window, which holds no such '<', and reads on. Returns false at the end of the
+  /// file.
+  bool drop_text();
+
   /// Moves behind the element that `open` (just returned) starts and returns that position. It is
   /// found by the end tag alone, many times as fast as tag by tag. Returns 0, and moves nothing,
   /// where that is not safe: comments, CDATA or an element of the same name inside, or no end
@@ -60,6 +66,7 @@ class TagScanner {
   std::size_t end_of_tag(std::size_t begin);
   void skip_declaration(std::size_t begin);
   void skip_byte_order_mark();
+  void refuse_zero_bytes(std::size_t from);
   std::unique_ptr<char[]> rebase(std::size_t end, std::string_view in_front);
 
   city::ByteSource& source_;
@@ -70,6 +77,7 @@ class TagScanner {
   std::size_t size_ = 0, capacity_ = 0;
   std::size_t position_ = 0;
   std::size_t line_ = 1, line_at_ = 0;
+  bool begun_ = false;  // the first bytes have been looked at
 };
 
 }  // namespace nightcity::citygml

@@ -2,6 +2,7 @@
 // library that a second pass over the files fills.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <pugixml.hpp>
@@ -21,10 +22,18 @@ namespace nightcity::citygml {
 /// is absent.
 std::string_view find_attribute(const pugi::xml_node& element, std::string_view local);
 
+/// A polygon that links lead to. `number` is that of the polygon as it stands in its file: copies by
+/// way of different links share it.
+struct LinkedPolygon {
+  city::Polygon polygon;
+  std::uint64_t number;
+};
+
 /// Geometry that members refer to and other members hold, as polygons by id. Geometry of another
 /// file of the city has the name that name_elsewhere() returns.
 struct GeometryLibrary {
-  std::unordered_map<std::string, std::vector<city::Polygon>> polygons{};
+  std::unordered_map<std::string, std::vector<LinkedPolygon>> polygons{};
+  std::size_t max_vertices = 0;    // that one member may take from here
   std::filesystem::path folder{};  // of the document: file names in links are relative to it
   /// Files that links may lead into.
   std::shared_ptr<const std::set<std::filesystem::path>> neighbours{};

@@ -64,7 +64,7 @@ bool begins_as_cityjson(std::string_view start) {
   return false;
 }
 
-city::CityHead read_cityjson_head(const std::filesystem::path& file) {
+city::CityHead read_cityjson_head(const std::filesystem::path& file, const city::ReadOptions&) {
   city::CityHead head;
   for (const city::Document& document : list_cityjson(file, nullptr)) {
     const DocumentText content(document, !document.packed);

@@ -19,7 +19,8 @@ bool begins_as_cityjson(std::string_view start);
 /// Both read plain, gzipped and zipped files and throw Error, with file and line, where one is
 /// broken, is no CityJSON, or refers to a version before 1.0. Coordinates are transformed, in the
 /// order of the file.
-city::CityHead read_cityjson_head(const std::filesystem::path& file);
+city::CityHead read_cityjson_head(const std::filesystem::path& file,
+                                  const city::ReadOptions& options = {});
 city::ReadReport read_cityjson_staged(const std::filesystem::path& file,
                                       const city::ReadOptions& options,
                                       const city::ObjectStage& stage);

@@ -17,8 +17,8 @@ const city::FileReader& find_reader(const std::filesystem::path& file) {
 
 }  // namespace
 
-city::CityHead read_city_head(const std::filesystem::path& file) {
-  return find_reader(file).read_head(file);
+city::CityHead read_city_head(const std::filesystem::path& file, const city::ReadOptions& options) {
+  return find_reader(file).read_head(file, options);
 }
 
 city::ReadReport read_city(const std::filesystem::path& file, const city::ReadOptions& options,

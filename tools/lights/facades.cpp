@@ -75,8 +75,10 @@ struct Facade {
 
 class Builder {
  public:
-  Builder(const city::CityObject& building, BuildingUse use, std::uint64_t seed)
+  Builder(const city::CityObject& building, BuildingUse use, std::uint64_t seed,
+          std::size_t max_windows)
       : building_(building),
+        max_windows_(max_windows),
         use_(use),
         style_(style_of(use)),
         random_{static_cast<std::int64_t>(seed),
@@ -93,10 +95,20 @@ class Builder {
     style_.width_m *= stretch;
     for (std::size_t n = 0; n < facades_.size() && n < 65535; ++n)
       fill(facades_[n], static_cast<std::uint16_t>(n));
+    if (has_too_many()) {
+      ++report.too_many;
+      return {};
+    }
     return std::move(places_);
   }
 
  private:
+  /// A facade of very many walls is looked through for each window, so these looks are bounded too.
+  bool has_too_many() const {
+    constexpr std::size_t looks_a_window = 100;
+    return places_.size() > max_windows_ || looks_ / looks_a_window > max_windows_;
+  }
+
   void take_modelled() {
     std::uint16_t number = 0;
     for (const city::Polygon& polygon : building_.polygons) {
@@ -211,7 +223,7 @@ class Builder {
     for (std::uint16_t storey = 0; storey < 400; ++storey) {
       const double floor =
           storey == 0 ? base_ : base_ + first_storey_ + (storey - 1) * upper_storey_;
-      if (floor + 1.5 > top) break;
+      if (floor + 1.5 > top || has_too_many()) break;
       const bool shops = storey == 0 && has_shops(use_);
       fill_storey(facade, number, storey, floor, shops ? shop_front : style_, shops);
     }
@@ -235,6 +247,7 @@ class Builder {
                            : -1;
     const bool lobby = storey == 0 && has_lobby(use_);
     for (int bay = 0; bay < bays; ++bay) {
+      looks_ += facade.walls.size();
       const double x = facade.from + edge_margin_m + (bay + 0.5) * step;
       const double z = floor + style.sill_m + height / 2;
       // The height along the wall, which may lean.
@@ -265,6 +278,7 @@ class Builder {
   }
 
   const city::CityObject& building_;
+  std::size_t max_windows_, looks_ = 0;
   BuildingUse use_;
   Style style_;
   Random random_;
@@ -277,8 +291,9 @@ class Builder {
 }  // namespace
 
 std::vector<WindowPlace> place_windows(const city::CityObject& building, BuildingUse use,
-                                       std::uint64_t seed, FacadeReport& report) {
-  return Builder(building, use, seed).lay(report);
+                                       std::uint64_t seed, FacadeReport& report,
+                                       std::size_t max_windows) {
+  return Builder(building, use, seed, max_windows).lay(report);
 }
 
 }  // namespace nightcity::lights

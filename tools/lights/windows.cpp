@@ -60,7 +60,9 @@ WindowLayout::WindowBatch WindowLayout::make_batch(const city::CityObject& objec
   batch.use = std::string(name_of(use.use)) + (use.stated     ? ", stated"
                                                : use.from_map ? ", by the map"
                                                               : ", assumed");
-  draw_lights(name, place_windows(object, use.use, options_.seed, batch.facades), use.use, batch);
+  draw_lights(
+      name, place_windows(object, use.use, options_.seed, batch.facades, options_.max_per_building),
+      use.use, batch);
   return batch;
 }
 
@@ -75,6 +77,9 @@ void WindowLayout::add(const city::CityObject& object, WindowBatch batch) {
   walls_.add(batch.walls, owners_);
   if (!batch.use.empty()) ++report_.sources["use"][batch.use];
   if (batch.dark > 0) report_.left_out["dark all night"] += batch.dark;
+  if (batch.facades.too_many > 0)
+    report_.left_out["buildings with more than [windows] max_per_building"] +=
+        batch.facades.too_many;
   facades_.storeys_from_attribute += batch.facades.storeys_from_attribute;
   facades_.storeys_from_height += batch.facades.storeys_from_height;
   for (Record& record : batch.windows) record.owner = owners_;

@@ -26,7 +26,8 @@ namespace nightcity::lights {
 struct WindowOptions {
   std::uint64_t seed = 1;
   double obstacle_m = 0.5;  // nothing may stand this near in front of a window
-  UseAt use_at;             // a building's use by the map, if the model gives none
+  std::size_t max_per_building = default_max_windows;
+  UseAt use_at;  // a building's use by the map, if the model gives none
 };
 
 struct LitRectangle {

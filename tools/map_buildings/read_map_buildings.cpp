@@ -161,7 +161,7 @@ struct Batch {
 
 }  // namespace
 
-city::CityHead read_map_head(const std::filesystem::path& file) {
+city::CityHead read_map_head(const std::filesystem::path& file, const city::ReadOptions&) {
   constexpr std::size_t nodes = 100'000;
   city::CityHead head;
   head.srs_name = "EPSG:4326";

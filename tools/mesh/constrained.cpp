@@ -34,6 +34,8 @@ struct FaceInfo {
 class OutlineSets {
  public:
   static constexpr std::uint32_t none = 0;
+  // n outlines around each other would make sets of n^2 / 2 numbers.
+  static constexpr std::size_t max_nested = 100;
 
   OutlineSets() { add({}); }
 
@@ -47,6 +49,8 @@ class OutlineSets {
       outlines.erase(at);
     else
       outlines.insert(at, outline);
+    if (outlines.size() > max_nested)
+      throw Error("", "more than " + std::to_string(max_nested) + " outlines within each other");
     return known->second = add(std::move(outlines));
   }
 
@@ -65,14 +69,11 @@ class OutlineSets {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> toggled_;
 };
 
-// n edges may cross n^2 / 2 times. Real rings cross a few times; a hostile one must not take
-// minutes.
-constexpr std::size_t max_crossings_a_point = 16;
-
 template <class Outlines>
 class Flattener {
  public:
-  explicit Flattener(std::span<const glm::dvec2> points) {
+  Flattener(std::span<const glm::dvec2> points, std::size_t max_crossings_a_point)
+      : max_crossings_a_point_(max_crossings_a_point) {
     out_.points.assign(points.begin(), points.end());
   }
 
@@ -99,7 +100,7 @@ class Flattener {
   using Vertex = typename Triangulation::Vertex_handle;
 
   void insert(std::span<const std::vector<std::uint32_t>> outlines) {
-    const std::size_t max_vertices = (1 + max_crossings_a_point) * out_.points.size();
+    const std::size_t max_vertices = (1 + max_crossings_a_point_) * out_.points.size();
     // The search for the next vertex begins at the last one. (The vertex stays;
     // its face may be replaced.)
     Vertex last{};
@@ -120,7 +121,7 @@ class Flattener {
           outline_of_.emplace(triangulation_.insert_constraint(a, b).vl_ptr(),
                               static_cast<std::uint32_t>(&outline - outlines.data()));
         if (triangulation_.number_of_vertices() > max_vertices)
-          throw Error("", "outlines cross more than " + std::to_string(max_crossings_a_point) +
+          throw Error("", "outlines cross more than " + std::to_string(max_crossings_a_point_) +
                               " times a point");
       }
     }
@@ -175,6 +176,7 @@ class Flattener {
     }
   }
 
+  std::size_t max_crossings_a_point_;
   Triangulation triangulation_;
   FlatTriangulation out_;
   OutlineSets sets_;
@@ -184,12 +186,13 @@ class Flattener {
 }  // namespace
 
 FlatTriangulation triangulate_flat(std::span<const glm::dvec2> points,
-                                   std::span<const std::vector<std::uint32_t>> outlines) {
+                                   std::span<const std::vector<std::uint32_t>> outlines,
+                                   std::size_t max_crossings_a_point) {
   using Uncrossed = Flattener<UncrossedOutlines>;
   try {
-    return Uncrossed(points).run(outlines);
+    return Uncrossed(points, max_crossings_a_point).run(outlines);
   } catch (const Uncrossed::Triangulation::Intersection_of_constraints_exception&) {
-    return Flattener<CrossedOutlines>(points).run(outlines);
+    return Flattener<CrossedOutlines>(points, max_crossings_a_point).run(outlines);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "formats/error.h"
 #include "tools/mesh/constrained.h"
 #include "tools/mesh/polygon_plane.h"
 
@@ -58,6 +59,7 @@ glm::dvec3 find_widest_normal(const city::Ring& ring) {
 struct Triangulator {
   const city::CityObject& object;
   MeshReport& report;
+  int max_crossings;  // for each point of a polygon
   TriangleMesh mesh;
 
   std::uint32_t add_positions(const city::Ring& ring) {
@@ -165,7 +167,11 @@ struct Triangulator {
     }
     FlatTriangulation flat;
     try {
-      flat = triangulate_flat(points, outlines);
+      flat = triangulate_flat(points, outlines, static_cast<std::size_t>(max_crossings));
+    } catch (const Error&) {
+      ++report.not_triangulated;
+      ++report.crossing_too_often;
+      return;
     } catch (const std::exception&) {  // CGAL refuses what is too degenerate
       ++report.not_triangulated;
       return;
@@ -236,8 +242,8 @@ struct Triangulator {
 
 }  // namespace
 
-TriangleMesh triangulate(const city::CityObject& object, MeshReport& report) {
-  Triangulator triangulator{object, report, {}};
+TriangleMesh triangulate(const city::CityObject& object, MeshReport& report, int max_crossings) {
+  Triangulator triangulator{object, report, max_crossings, {}};
   for (std::size_t i = 0; i < object.polygons.size(); ++i) triangulator.add(i);
   return std::move(triangulator.mesh);
 }

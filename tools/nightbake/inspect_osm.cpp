@@ -31,7 +31,8 @@ Inspection inspect_osm(const std::filesystem::path& file) {
   result["skipped"] = {{"missing nodes", data.missing_nodes},
                        {"bad coordinates", data.bad_coordinates},
                        {"duplicates", data.duplicates},
-                       {"older versions", data.old_versions}};
+                       {"older versions", data.old_versions},
+                       {"ways of too many nodes", data.long_ways}};
   if (!data.remarks.empty()) result["remarks"] = data.remarks;
   result["nodes"] = data.nodes;
   result["ways"] = data.ways;

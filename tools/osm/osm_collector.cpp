@@ -56,6 +56,10 @@ void OsmCollector::add_way(std::int64_t id, OsmVersion version, std::vector<OsmN
   if (version.deleted) return;
   ++data_.ways;
   if (!is_highway(tags) && !is_building(tags) && !is_lamp(tags)) return;
+  if (nodes.size() > max_way_nodes_) {
+    ++data_.long_ways;
+    return;
+  }
   pending_.push_back({{id, {}, std::move(tags)}, std::move(nodes), key, version.rank(), file_});
 }
 

@@ -36,6 +36,9 @@ struct OsmNodeRef {
 
 class OsmCollector {
  public:
+  explicit OsmCollector(std::size_t max_way_nodes = default_max_way_nodes)
+      : max_way_nodes_(max_way_nodes) {}
+
   /// Begins another file. Negative ids are an editor's own: nodes and ways with such an id are the
   /// same in one file only.
   void begin_file() { ++file_; }
@@ -93,6 +96,7 @@ class OsmCollector {
   void place_ways();
 
   OsmData data_;
+  std::size_t max_way_nodes_;
   std::size_t nodes_ = 0;
   std::uint32_t file_ = 0;
   std::vector<Place> places_;

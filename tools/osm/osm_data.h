@@ -27,6 +27,9 @@ struct OsmWay {
   OsmTags tags;
 };
 
+/// Nodes of a way. OpenStreetMap itself allows 2,000; files made of other data have longer lines.
+constexpr std::size_t default_max_way_nodes = 20'000;
+
 struct OsmData {
   std::vector<OsmLampNode> lamps;  // street_lamp, lantern, floodlight, tower:type=lighting, ...
   std::vector<OsmWay> highways;
@@ -34,6 +37,7 @@ struct OsmData {
   std::size_t nodes = 0, ways = 0, relations = 0;
   std::size_t missing_nodes = 0, bad_coordinates = 0, duplicates = 0;
   std::size_t old_versions = 0;  // lamps, highways and buildings of which there is a newer version
+  std::size_t long_ways = 0;     // left out: of more nodes than a reader's limit
   std::vector<std::string> remarks;  // of the server that made the file
 };
 

@@ -51,14 +51,14 @@ bool begins_as_osm(std::string_view start) {
   return is_osm_pbf(start) || is_o5m(start) || is_bzip2(start) || holds("<osm ") || holds("<osm>");
 }
 
-OsmData read_osm(std::span<const std::filesystem::path> files) {
-  OsmCollector collector;
+OsmData read_osm(std::span<const std::filesystem::path> files, std::size_t max_way_nodes) {
+  OsmCollector collector(max_way_nodes);
   for (const std::filesystem::path& file : files) collect(file, collector);
   return std::move(collector).finish();
 }
 
-OsmData read_osm(const std::filesystem::path& file) {
-  return read_osm(std::span(&file, 1));
+OsmData read_osm(const std::filesystem::path& file, std::size_t max_way_nodes) {
+  return read_osm(std::span(&file, 1), max_way_nodes);
 }
 
 }  // namespace nightcity::osm

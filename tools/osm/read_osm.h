@@ -16,11 +16,14 @@ bool begins_as_osm(std::string_view start);
 
 /// Reads an extract or a history: XML by pugixml; PBF, o5m, gzip and bzip2 by libosmium. The first
 /// bytes decide, not the name. Throws Error: missing, broken, not OSM (then it says what the file
-/// is instead, if that can be known).
-OsmData read_osm(const std::filesystem::path& file);
+/// is instead, if that can be known). Streets, buildings and lamps of more than `max_way_nodes` nodes
+/// are left out and counted.
+OsmData read_osm(const std::filesystem::path& file,
+                 std::size_t max_way_nodes = default_max_way_nodes);
 
 /// Reads several extracts as one map, whatever their order: of an element that is in several, the
 /// newest version counts.
-OsmData read_osm(std::span<const std::filesystem::path> files);
+OsmData read_osm(std::span<const std::filesystem::path> files,
+                 std::size_t max_way_nodes = default_max_way_nodes);
 
 }  // namespace nightcity::osm

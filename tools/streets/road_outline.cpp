@@ -11,7 +11,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
+#include <string>
 
+#include "formats/error.h"
 #include "tools/mesh/constrained_delaunay.h"
 
 namespace nightcity::streets {
@@ -45,7 +47,8 @@ class Outliner {
   using Triangulation = CGAL::Constrained_triangulation_plus_2<
       mesh::ConstrainedDelaunay<FaceInfo, VertexBase, Kernel, typename Outlines::Tag>>;
 
-  explicit Outliner(std::span<const RoadSurface> surfaces) {
+  Outliner(std::span<const RoadSurface> surfaces, int max_crossings)
+      : max_crossings_(static_cast<std::size_t>(max_crossings)) {
     // Coordinates of millions of metres would make the triangulation's own corners inexact.
     origin_ = surfaces.front().exterior.front();
     for (std::uint32_t n = 0; n < surfaces.size(); ++n) {
@@ -79,6 +82,7 @@ class Outliner {
 
   void insert(const PlanRing& ring, std::uint32_t surface) {
     std::vector<Vertex> vertices;
+    points_ += ring.size();
     for (const glm::dvec2& p : ring) {
       const glm::dvec2 place = glm::round((p - origin_) / grid_m) * grid_m;
       const Vertex v = triangulation_.insert(typename Kernel::Point_2(place.x, place.y),
@@ -89,6 +93,11 @@ class Outliner {
     for (std::size_t n = 0; n < vertices.size(); ++n) {
       const Vertex a = vertices[n], b = vertices[(n + 1) % vertices.size()];
       if (a != b) surface_of_[triangulation_.insert_constraint(a, b)] = surface;
+      if (triangulation_.number_of_vertices() > (1 + max_crossings_) * points_)
+        throw Error("", "the model's roads cross each other more than " +
+                            std::to_string(max_crossings_) +
+                            " times for each of their points: raise [city] max_crossings in a "
+                            "recipe, or give a map with streets, [osm] files");
     }
   }
 
@@ -181,6 +190,7 @@ class Outliner {
         for (const Face part : island) part->info().road = true;
   }
 
+  std::size_t max_crossings_, points_ = 0;  // points: of the rings so far
   Triangulation triangulation_;
   std::map<typename Triangulation::Constraint_id, std::uint32_t> surface_of_;
   glm::dvec2 origin_{0, 0};
@@ -189,13 +199,13 @@ class Outliner {
 
 }  // namespace
 
-std::vector<OutlineEdge> road_outline(std::span<const RoadSurface> surfaces) {
+std::vector<OutlineEdge> road_outline(std::span<const RoadSurface> surfaces, int max_crossings) {
   if (surfaces.empty()) return {};
   using Uncrossed = Outliner<mesh::UncrossedOutlines>;
   try {
-    return Uncrossed(surfaces).run();
+    return Uncrossed(surfaces, max_crossings).run();
   } catch (const Uncrossed::Triangulation::Intersection_of_constraints_exception&) {
-    return Outliner<mesh::CrossedOutlines>(surfaces).run();
+    return Outliner<mesh::CrossedOutlines>(surfaces, max_crossings).run();
   }
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "tools/city/city_reader.h"
 #include "tools/streets/road_surfaces.h"
 
 namespace nightcity::streets {
@@ -17,7 +18,9 @@ constexpr double island_m2 = 60;
 
 using OutlineEdge = std::pair<glm::dvec2, glm::dvec2>;
 
-/// Returns the edges of the union of the surfaces, each once, in no particular order.
-std::vector<OutlineEdge> road_outline(std::span<const RoadSurface> surfaces);
+/// Returns the edges of the union of the surfaces, each once, in no particular order. Throws Error
+/// where their rings cross more than `max_crossings` times as often as they have points.
+std::vector<OutlineEdge> road_outline(std::span<const RoadSurface> surfaces,
+                                      int max_crossings = city::ReadOptions{}.max_crossings);
 
 }  // namespace nightcity::streets

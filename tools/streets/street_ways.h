@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/city/city_reader.h"
 #include "tools/osm/osm_data.h"
 #include "tools/streets/road_surfaces.h"
 
@@ -19,8 +20,9 @@ struct StreetWays {
 };
 
 /// Returns the streets of these surfaces as ways. `to_lon_lat` is the inverse of the `to_frame`
-/// used by the readers of the ways.
+/// used by the readers of the ways. Throws Error as road_outline does.
 StreetWays find_street_ways(const RoadSurfaces& roads,
-                            const std::function<glm::dvec2(const glm::dvec2&)>& to_lon_lat);
+                            const std::function<glm::dvec2(const glm::dvec2&)>& to_lon_lat,
+                            int max_crossings = city::ReadOptions{}.max_crossings);
 
 }  // namespace nightcity::streets

@@ -203,7 +203,8 @@ TrafficSet make_traffic(const std::vector<osm::OsmWay>& highways,
 
   report_progress("routes", 0);
   LinkNetwork network(graph, height_at, inside);
-  const Demand demand{busiest_vehicles(graph, options), options.cycle_s, options.seed};
+  const Demand demand{busiest_vehicles(graph, options), options.cycle_s, options.seed,
+                      static_cast<std::size_t>(options.max_trips)};
   const std::vector<TripPlan> plans = plan_trips(network, demand, report.plans);
   network.find_conflicts();
   report.links = network.links().size();

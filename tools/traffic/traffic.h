@@ -24,7 +24,8 @@ struct TrafficOptions {
   std::optional<double> vehicles;  // on the road at 22:00; empty: by the table of densities
   std::optional<double> per_km;    // vehicles per km of lane at 22:00, over all roads
   double cycle_s = 600;
-  std::optional<Side> side;  // empty: by country
+  int max_trips = static_cast<int>(default_max_trips);  // planned in a cycle
+  std::optional<Side> side;                             // empty: by country
   std::uint64_t seed = 1;
   std::array<float, 24> hours = flow_by_hour;  // share of the busiest hour from noon on
   KnotTolerance tolerance;

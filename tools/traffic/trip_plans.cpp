@@ -11,7 +11,8 @@ namespace {
 constexpr double hindered = 0.7;  // mean speed over limit in a town, because of bends and junctions
 // From a junction to where a vehicle pulls out, so that others have room to brake.
 constexpr double parking_margin_m = 28;
-constexpr double stop_margin_m = 8;  // from where a vehicle parks to the next junction
+constexpr double stop_margin_m = 8;        // from where a vehicle parks to the next junction
+constexpr std::size_t links_a_trip = 200;  // on average, at most; a real one passes some 40
 constexpr double kerb_gap_m = 0.25;
 constexpr double tightest_m = 2.2, tightest_large_m = 5;  // radii of turns that vehicles can steer
 
@@ -67,8 +68,14 @@ class TripPlanner {
     if (wanted_ <= 0 || (gates_.empty() && kerbs_.empty())) return plans;
     const double budget = demand_.vehicles * demand_.cycle_s;
     double spent = 0;
-    std::size_t failures = 0;
+    std::size_t failures = 0, links = 0;
+    const std::size_t max_links = links_a_trip * demand_.max_trips;
     for (std::uint32_t number = 0; spent < budget && failures < 1000; ++number) {
+      if (plans.size() >= demand_.max_trips || links > max_links) {
+        report_.beyond_limit =
+            static_cast<std::size_t>(std::ceil((budget - spent) / demand_.cycle_s));
+        break;
+      }
       Random random{static_cast<std::int64_t>(demand_.seed), 71, number};
       auto plan = try_one(random);
       if (!plan) {
@@ -79,6 +86,7 @@ class TripPlanner {
       failures = 0;
       plan->id = static_cast<std::uint32_t>(mix(demand_.seed * 1000003 + number));
       spent += plan->free_time_s;
+      links += plan->links.size();
       plans.push_back(std::move(*plan));
     }
     for (const auto& [road, tally] : tallies_) {

@@ -28,16 +28,21 @@ struct TripPlan {
   std::uint32_t id = 0;
 };
 
+/// Trips of a cycle. A whole city of 10,000 vehicles has some 40,000 in ten minutes.
+constexpr std::size_t default_max_trips = 200'000;
+
 struct Demand {
   double vehicles = 0;  // on the road at once; 0: no traffic
   double cycle_s = 600;
   std::uint64_t seed = 1;
+  std::size_t max_trips = default_max_trips;
 };
 
 struct TripPlanReport {
   std::map<std::string, double> lane_km;        // by class of road
   std::map<std::string, double> wanted, given;  // vehicles at once, by class
   std::size_t left_out = 0;           // plans that led nowhere in time or could not be driven
+  std::size_t beyond_limit = 0;       // vehicles on the road at once that max_trips leaves out
   std::size_t through_buildings = 0;  // those of them with a wall in the way
 };
 
@@ -46,7 +51,9 @@ double vehicles_by_table(const RoadGraph& graph);
 
 /// Plans trips whose driving times on empty roads add up to demand.vehicles *
 /// demand.cycle_s. They start and end at the map's border, in dead ends and at kerbs where
-/// parking is allowed. Deterministic.
+/// parking is allowed. They end at `max_trips`, and earlier where trips pass very many links: on
+/// streets of a tenth of a metre, or for a million vehicles, plans would fill the memory.
+/// Deterministic.
 std::vector<TripPlan> plan_trips(LinkNetwork& network, const Demand& demand,
                                  TripPlanReport& report);
 

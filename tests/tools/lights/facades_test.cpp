@@ -51,6 +51,23 @@ TEST(Facades, WindowsLieInsideTheirWallsApartFromEachOtherAndFaceOut) {
   }
 }
 
+TEST(Facades, ABuildingThatWouldHaveTooManyWindowsGetsNoneAndIsCounted) {
+  const city::CityObject house = make_house(0, 0, 14, 10, 9.8);
+  const std::size_t all = windows_on(house).size();
+  for (const std::size_t limit : {all - 1, all}) {
+    FacadeReport report;
+    const auto places = place_windows(house, BuildingUse::residential, 1, report, limit);
+    EXPECT_EQ(places.size(), limit < all ? 0 : all);
+    EXPECT_EQ(report.too_many, limit < all ? 1u : 0u);
+  }
+  // 50 km long and 30 km high, as by a slip of units: millions of windows.
+  FacadeReport report;
+  EXPECT_TRUE(
+      place_windows(make_house(0, 0, 50000, 50000, 30000), BuildingUse::residential, 1, report)
+          .empty());
+  EXPECT_EQ(report.too_many, 1u);
+}
+
 TEST(Facades, StoreysComeFromTheAttributeAndBaysAlignOverThem) {
   city::CityObject house = make_house(0, 0, 20, 10, 12.8);
   house.storeys_above_ground = 4;

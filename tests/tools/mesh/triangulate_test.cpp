@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -342,6 +343,23 @@ TEST(Triangulate, OutlinesThatCrossWithoutEndAreLeftOut) {
   const Result r = run({polygon(ring)});
   EXPECT_EQ(r.report.not_triangulated, 1u);
   EXPECT_EQ(r.mesh.triangles.size(), 0u);
+  EXPECT_EQ(r.report.crossing_too_often, 1u);
+}
+
+TEST(Triangulate, TheLimitOfCrossingsCanBeLoweredAndRaised) {
+  // A star of 41 points whose edges each cross 38 others.
+  city::CityObject object;
+  city::Ring ring;
+  for (int i = 0; i < 41; ++i) {
+    const double angle = 2 * std::numbers::pi * 20 * i / 41;
+    ring.push_back({100 * std::cos(angle), 100 * std::sin(angle), 0});
+  }
+  object.polygons.push_back(polygon(ring));
+  for (const int max_crossings : {1, 100}) {
+    MeshReport report;
+    EXPECT_EQ(triangulate(object, report, max_crossings).triangles.empty(), max_crossings == 1);
+    EXPECT_EQ(report.crossing_too_often, max_crossings == 1 ? 1u : 0u);
+  }
 }
 
 }  // namespace

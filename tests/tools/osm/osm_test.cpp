@@ -43,6 +43,18 @@ class OsmFile : public testing::Test {
   std::filesystem::path folder_;
 };
 
+TEST_F(OsmFile, AWayOfTooManyNodesIsLeftOutAndCounted) {
+  std::string refs;
+  for (int i = 0; i < 100; ++i) refs += "<nd ref='" + std::to_string(1 + i % 2) + "'/>";
+  const auto file =
+      write("<osm><node id='1' lat='1' lon='1'/><node id='2' lat='2' lon='2'/><way id='1'>" + refs +
+            "<tag k='highway' v='residential'/></way><way id='2'>" + refs + "</way></osm>");
+  EXPECT_EQ(read_osm(file, 100).highways.size(), 1u);
+  EXPECT_EQ(read_osm(file, 100).long_ways, 0u);
+  EXPECT_EQ(read_osm(file, 99).highways.size(), 0u);
+  EXPECT_EQ(read_osm(file, 99).long_ways, 1u) << "one that nothing uses does not count";
+}
+
 TEST_F(OsmFile, LampsHighwaysAndBuildingsComeWithTagsAndPlaces) {
   const OsmData data = read(R"(
     <node id="1" lat="52.5" lon="13.4"><tag k="highway" v="street_lamp"/><tag k="lamp_type" v="LED"/></node>

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "formats/error.h"
 #include "tools/streets/road_shapes.h"
 #include "tools/traffic/road_graph.h"
 
@@ -25,6 +26,22 @@ city::CityObject road(const PlanRing& ring, const char* function, std::uint16_t 
 constexpr double degrees = 1e-5;
 dvec2 to_lon_lat(const dvec2& p) {
   return p * degrees;
+}
+
+TEST(StreetWays, RoadsThatCrossWithoutEndAreRefusedAndTheLimitNamed) {
+  // A mat of 40 strips across 40 others: 6,400 crossings of 320 points.
+  RoadSurfaces roads;
+  for (int n = 0; n < 40; ++n) {
+    roads.add(road(test::strip({0, 20.0 * n}, {800, 20.0 * n}, 6).exterior, "", 1));
+    roads.add(road(test::strip({20.0 * n, 0}, {20.0 * n, 800}, 6).exterior, "", 1));
+  }
+  try {
+    find_street_ways(roads, to_lon_lat);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("[city] max_crossings"), std::string::npos);
+  }
+  EXPECT_FALSE(find_street_ways(roads, to_lon_lat, 100).ways.empty());
 }
 
 TEST(StreetWays, ClassByCodeElseByWidth) {

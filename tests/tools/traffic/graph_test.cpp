@@ -245,6 +245,21 @@ TEST(LinkNetwork, NobodyTurnsRoundAnAcuteCornerInALoop) {
     }
 }
 
+TEST(Routes, PlansEndAtTheirLimitAndSayWhatIsLeftOut) {
+  // A trip along the whole street takes a hundredth of a second: it takes millions of them to keep
+  // a thousand vehicles on it.
+  const RoadGraph graph = graph_of({street(1, {{0, 0}, {0.1, 0}}, primary)});
+  LinkNetwork network(graph, test::plane, {});
+  TripPlanReport report;
+  Demand demand{1000, 600, 1, 50};
+  EXPECT_EQ(plan_trips(network, demand, report).size(), 50u);
+  EXPECT_GT(report.beyond_limit, 990u);
+  EXPECT_LE(report.beyond_limit, 1000u);
+  TripPlanReport more;
+  demand.max_trips = 80;
+  EXPECT_EQ(plan_trips(network, demand, more).size(), 80u);
+}
+
 TEST(Routes, NobodyIsSentThroughAWall) {
   // The corner of a house stands on the kerb lane of the main road's eastern half.
   const place::InsideBuilding house = [](const glm::dvec2& p) {

@@ -1,7 +1,10 @@
 #include "tools/bake/city/city.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <glm/common.hpp>
 #include <utility>
 
@@ -40,14 +43,14 @@ std::string CityInputs::name() const {
   return maps.empty() ? std::string() : maps.front().string();
 }
 
-osm::OsmData read_maps(const std::vector<std::filesystem::path>& files) {
-  return osm::read_osm(files);
-}
-
 City::City(CityInputs inputs, const std::filesystem::path& scratch)
     : inputs_(std::move(inputs)), terrain_(scratch), ground_(terrain_, inputs_.ground) {
   if (!inputs_.files.empty()) frames_.emplace(inputs_);
-  map_ = read_maps(inputs_.maps);
+  map_ = osm::read_osm(inputs_.maps, static_cast<std::size_t>(inputs_.max_way_nodes));
+  if (map_.long_ways > 0)
+    fmt::print(stderr,
+               "note: {}: {} ways left out: they have more nodes than [osm] max_way_nodes = {}\n",
+               inputs_.maps.front().string(), map_.long_ways, inputs_.max_way_nodes);
   if (!has_model()) map_frame_ = find_map_frame(map_);
 }
 
@@ -125,7 +128,8 @@ bool City::wants_model_streets() const {
 
 StreetReport City::add_model_streets(const streets::RoadSurfaces& roads) {
   streets::StreetWays streets = streets::find_street_ways(
-      roads, [this](const glm::dvec2& p) { return frame().to_lon_lat(p); });
+      roads, [this](const glm::dvec2& p) { return frame().to_lon_lat(p); },
+      inputs_.read.max_crossings);
   for (osm::OsmWay& way : streets.ways) map_.highways.push_back(std::move(way));
   return {roads.surfaces().size(), roads.left_out(),  streets.km,
           streets.km_by_code,      streets.junctions, streets.ends};

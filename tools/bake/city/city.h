@@ -23,9 +23,6 @@
 
 namespace nightcity::bake {
 
-/// Reads the maps and merges them into one. Throws Error as read_osm does.
-osm::OsmData read_maps(const std::vector<std::filesystem::path>& files);
-
 /// Without a city model, the map lies on a plane at height 0, in the UTM zone of its middle.
 class City {
  public:

@@ -103,7 +103,7 @@ CityFrames::CityFrames(const CityInputs& inputs) {
     throw UsageError(inputs.name(), "names no city: [city] files = [\"...\"] is missing");
   refuse_maps_among_models(inputs);
   std::vector<city::CityHead> heads;
-  for (const auto& file : inputs.files) heads.push_back(inputs::read_city_head(file));
+  for (const auto& file : inputs.files) heads.push_back(inputs::read_city_head(file, inputs.read));
   const auto first = std::find_if(heads.begin(), heads.end(), has_geometry);
   if (first == heads.end())
     throw Error(inputs.files.front().string(), "no geometry in any file of the city" +

@@ -10,6 +10,7 @@
 #include "tools/bake/city/ground_options.h"
 #include "tools/city/city_reader.h"
 #include "tools/georeference/frame.h"
+#include "tools/osm/osm_data.h"
 
 namespace nightcity::bake {
 
@@ -17,7 +18,8 @@ struct CityInputs {
   std::filesystem::path recipe;              // that names the files; empty: they were given alone
   std::vector<std::filesystem::path> files;  // CityGML; empty: a map without a city model
   std::vector<std::filesystem::path> maps;   // OpenStreetMap
-  city::ReadOptions read;                    // of the CityGML
+  int max_way_nodes = static_cast<int>(osm::default_max_way_nodes);
+  city::ReadOptions read;  // of the CityGML
   georeference::CityFrame::Options frame;
   /// The bounds of a model without a CRS: west, south, east, north, degrees (WGS 84).
   std::optional<std::array<double, 4>> bounds;

@@ -40,8 +40,12 @@ std::size_t make_identity(const city::CityObject& object) {
 
 class CityReader {
  public:
-  CityReader(const CityFrames& frames, std::span<CityConsumer* const> consumers, bool many_files)
-      : frames_(frames), consumers_(consumers), many_files_(many_files) {}
+  CityReader(const CityFrames& frames, std::span<CityConsumer* const> consumers,
+             const CityInputs& inputs)
+      : frames_(frames),
+        consumers_(consumers),
+        many_files_(inputs.files.size() > 1),
+        max_crossings_(inputs.read.max_crossings) {}
 
   void begin_file(std::size_t file) {
     file_ = file;
@@ -63,7 +67,7 @@ class CityReader {
       // Shells first: which way is out decides what is a roof and which side of a wall has windows.
       mesh::repair_shells(object, result.report);
       mesh::classify_unknown_surfaces(object);
-      prepared->mesh = mesh::triangulate(object, result.report);
+      prepared->mesh = mesh::triangulate(object, result.report, max_crossings_);
       if (prepared->mesh.triangles.empty()) result.left_out = "without area";
     }
     prepared->closed = object.type == city::ObjectType::building && result.report.open_objects == 0;
@@ -126,6 +130,7 @@ class CityReader {
   const CityFrames& frames_;
   std::span<CityConsumer* const> consumers_;
   bool many_files_;
+  int max_crossings_;
   CityReport report_;
   std::size_t file_ = 0;
   std::string last_id_;
@@ -156,7 +161,7 @@ CityReport read_prepared_objects(const CityInputs& inputs, const CityFrames& fra
                                  std::span<CityConsumer* const> consumers,
                                  const ProgressSink& progress) {
   const auto& files = inputs.files;
-  CityReader reader(frames, consumers, files.size() > 1);
+  CityReader reader(frames, consumers, inputs);
   reader.report().read.warnings = frames.warnings();
   city::ReadOptions options = inputs.read;
   std::set<std::filesystem::path> neighbours;

@@ -87,6 +87,16 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
                    "`nightbake run --threads` overrides it."),
        number_key("tile_m", city.tile_m, {10, 10000}, "m",
                   "Edge of the square tiles that the geometry is batched into."),
+       integer_key("max_member_mb", city.read.max_member_mb, 1, 65536,
+                   "A limit: the bake ends at a member of the model (an object with all its parts) "
+                   "that is longer, in MB of text. Reading takes some ten times as much memory."),
+       integer_key("max_linked_vertices", city.read.max_linked_vertices, 1, 1'000'000'000,
+                   "A limit: links between the objects of a file are followed until they have led "
+                   "to this many vertices. What lies beyond is skipped and counted."),
+       integer_key("max_crossings", city.read.max_crossings, 1, 1'000'000,
+                   "A limit: a polygon whose outlines cross more often, for each of their points, "
+                   "is left out and counted. Where streets come from the model's roads, more "
+                   "crossings of all roads together end the bake."),
        flag_key("drop_ground", city.drop_ground,
                 "Leaves out the ground surfaces under buildings, which nobody sees."),
        flag_key("drop_hidden", city.drop_hidden,

@@ -13,6 +13,7 @@
 #include "tools/bake/stages/window_options.h"
 #include "tools/city/city_reader.h"
 #include "tools/georeference/frame.h"
+#include "tools/osm/osm_data.h"
 #include "tools/traffic/traffic.h"
 
 namespace nightcity::bake {
@@ -41,6 +42,7 @@ struct Recipe {
     /// Without a city model, the buildings of the map are the model.
     bool buildings = true;
     std::string licence = "OpenStreetMap contributors, ODbL 1.0";
+    int max_way_nodes = static_cast<int>(osm::default_max_way_nodes);
   } osm;
 
   LampStageOptions lamps;

@@ -39,7 +39,10 @@ Table make_osm_table(bake::Recipe::Osm& osm, const fs::path& folder) {
                     "`roof:orientation`. They stand on a plane at height 0. Levels are 3 m; "
                     "buildings without any height get the levels of their kind, and are counted."),
            text_key("licence", osm.licence, "\"OpenStreetMap contributors, ODbL 1.0\"",
-                    "The attribution that both output files carry.")}};
+                    "The attribution that both output files carry."),
+           integer_key("max_way_nodes", osm.max_way_nodes, 2, 100'000'000,
+                       "A limit: streets, buildings and lamps of more nodes are left out, with a "
+                       "note. OpenStreetMap itself allows 2000.")}};
 }
 
 Table make_terrain_table(bake::GroundOptions& terrain, const fs::path& folder) {
@@ -78,7 +81,10 @@ Table make_window_table(bake::WindowStageOptions& windows) {
           {flag_key("lit", windows.lit, "Whether the city gets lit windows at all."),
            integer_key("seed", windows.seed, 0, std::numeric_limits<int>::max(),
                        "Seed of the random draws that decide which windows are lit and when. "
-                       "Another seed gives other evenings of the same statistics.")}};
+                       "Another seed gives other evenings of the same statistics."),
+           integer_key("max_per_building", windows.max_per_building, 1, 100'000'000,
+                       "A limit: a building that would get more windows gets none, and is counted "
+                       "in the report.")}};
 }
 
 Table make_night_table(bake::Recipe::Night& night) {

@@ -38,6 +38,10 @@ Table make_traffic_table(bake::Recipe::Traffic& traffic) {
                       "its own built-in density. `vehicles` overrides it."),
            number_key("cycle_s", options.cycle_s, {60, 86400}, "s",
                       "Time after which every vehicle repeats its trip."),
+           integer_key("max_trips", options.max_trips, 1, 100'000'000,
+                       "A limit: no more trips than this are planned for a cycle, nor more than "
+                       "200 lanes and turns for each of them on average. How many vehicles that "
+                       "leaves out is in the report. A vehicle takes some 100 kB of memory."),
            std::move(side),
            {"hours", "list of 24 numbers", "", "share of the busiest hour", "0 to 1 each",
             "[1, 1, 1, 1, 1, 1, 1, 1, 1, 0.84, 0.69, 0.45, 0.25, 0.16, 0.12, 0.12, 0.25, 0.84, 1, "

@@ -59,6 +59,7 @@ json mesh_json(const mesh::MeshReport& mesh) {
        {{"id", mesh.worst_self_intersecting}, {"m2", mesh.worst_self_intersecting_m2}}},
       {"not_finite", mesh.not_finite},
       {"not_triangulated", mesh.not_triangulated},
+      {"crossing_too_often", mesh.crossing_too_often},
       {"dropped_holes", mesh.holes_left_out},
       {"holes_outside", mesh.holes_outside},
       {"worst_hole_outside",
@@ -96,6 +97,10 @@ std::string mesh_in_words(const mesh::MeshReport& mesh) {
                      mesh.zero_area,
                      mesh.zero_area ? fmt::format(" (longest {})", mesh.worst_zero_area) : "",
                      mesh.not_finite, mesh.not_triangulated));
+  if (mesh.crossing_too_often)
+    line(fmt::format(
+        "{} of those not triangulated: outlines that cross more than [city] max_crossings allows",
+        mesh.crossing_too_often));
   return text;
 }
 

@@ -48,6 +48,7 @@ json to_json(const traffic::TrafficReport& report) {
           {"brakings", report.brakings},
           {"knot_error",
            {{"m", report.knot_error.position_m}, {"degrees", report.knot_error.heading_degrees}}},
+          {"vehicles_beyond_max_trips", report.plans.beyond_limit},
           {"rejected_routes", report.plans.left_out},
           {"routes_through_buildings", report.plans.through_buildings},
           {"links_km", report.links_km},
@@ -88,6 +89,9 @@ std::string to_text(const traffic::TrafficReport& report) {
                        "stuck, {} not started",
                        100 * overlap_share(report), report.overlaps_left_out,
                        report.simulation.stuck, report.simulation.never_started));
+  if (report.plans.beyond_limit > 0)
+    line("", fmt::format("{} vehicles left out: [traffic] max_trips is reached",
+                         report.plans.beyond_limit));
   if (report.links_in_buildings_km > 0)
     line("",
          fmt::format("{:.2f} of {:.1f} km of lanes and turns touch a building: no trip uses them",

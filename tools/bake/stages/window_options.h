@@ -3,11 +3,14 @@
 
 #include <cstdint>
 
+#include "tools/lights/facades.h"
+
 namespace nightcity::bake {
 
 struct WindowStageOptions {
   bool lit = true;         // false: there are none
   std::uint64_t seed = 1;  // decides who is at home
+  int max_per_building = static_cast<int>(lights::default_max_windows);
 };
 
 }  // namespace nightcity::bake

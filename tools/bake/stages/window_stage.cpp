@@ -12,6 +12,7 @@ namespace {
 lights::WindowOptions to_window_options(const City& city, const WindowStageOptions& stage) {
   lights::WindowOptions options;
   options.seed = stage.seed;
+  options.max_per_building = static_cast<std::size_t>(stage.max_per_building);
   if (city.map().buildings.empty() || !city.frame().has_lon_lat()) return options;
   const auto uses = std::make_shared<const lights::OsmUses>(city.map().buildings, city.to_frame());
   options.use_at = [uses](const glm::dvec2& place) { return uses->at(place); };
