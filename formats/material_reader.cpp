@@ -102,7 +102,7 @@ glm::dvec3 MaterialReader::read_mean(std::size_t image, bool use_alpha) const {
   const auto mean = find_picture_mean(bytes, use_alpha);
   if (!mean)
     throw Error("", "image " + std::to_string(image) + (uri.empty() ? "" : " (" + uri + ")"),
-                "is no PNG or JPEG that can be read");
+                "is no PNG or JPEG that can be read, or has more than 8192 x 8192 pixels");
   return *mean;
 }
 

@@ -37,11 +37,14 @@ std::optional<glm::dvec3> find_picture_mean(std::span<const std::byte> bytes, bo
     return table;
   }();
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return std::nullopt;
+  const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const int size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
+  if (!stbi_info_from_memory(data, size, &width, &height, &channels) ||
+      std::int64_t{width} * height > max_picture_pixels)
+    return std::nullopt;
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()),
-                            static_cast<int>(bytes.size()), &width, &height, &channels, 4),
-      stbi_image_free);
+      stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
   if (!pixels) return std::nullopt;
   glm::dvec3 sum(0);
   double weights = 0;

@@ -6,6 +6,8 @@
 
 #include "formats/error.h"
 #include "formats/light_file.h"
+#include "formats/mapped_file.h"
+#include "formats/picture_mean.h"
 #include "formats/scene_reader.h"
 #include "support/fuzz_file.h"
 #include "support/temp_folder.h"
@@ -29,6 +31,13 @@ void read_all(const char* folder, const Reader& reader) {
   }
   EXPECT_GE(files, 3u);
   EXPECT_GE(sound, 1u) << "a corpus of refused files alone teaches a fuzzer nothing";
+}
+
+TEST(Corpus, EveryPictureIsReadOrRefused) {
+  read_all("picture", [](const std::filesystem::path& file) {
+    const MappedFile bytes(file);
+    if (!find_picture_mean(bytes.bytes(), true)) throw Error("", "is not read");
+  });
 }
 
 TEST(Corpus, EveryGlbIsReadOrRefused) {

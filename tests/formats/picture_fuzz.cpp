@@ -1,0 +1,18 @@
+// libFuzzer target: any bytes as a texture, which stb_image decodes. A mean that is found is a
+// colour.
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+
+#include "formats/picture_mean.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace nightcity;
+  for (const bool use_alpha : {false, true}) {
+    const auto mean = find_picture_mean(std::as_bytes(std::span(data, size)), use_alpha);
+    if (!mean) continue;
+    for (int c = 0; c < 3; ++c)
+      if (!((*mean)[c] >= 0 && (*mean)[c] <= 1 + 1e-9)) std::abort();
+  }
+  return 0;
+}
