@@ -71,7 +71,7 @@ void run(Bytes bytes) {
       line.emplace_back(points[i], points[i].x);
     }
   }
-  if (kind & 2) streets::chordal_axis(streets::road_outline(roads), 2.5);
+  if (kind & 2) streets::chordal_axis(streets::road_outline(roads, 1000), 2.5);
   if (kind & 4) terrain::make_surface({{0, 0, 0}, {31, 31, 1}}, lines, 10);
 }
 
