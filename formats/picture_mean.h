@@ -15,7 +15,8 @@ constexpr std::int64_t max_picture_pixels = std::int64_t{1} << 26;
 
 /// Returns the mean of a PNG or JPEG, whose values are sRGB, as linear Rec. 709. Each pixel counts
 /// by its alpha where `use_alpha`, and alike otherwise. Returns nothing if the bytes are no such
-/// picture, it has more than `max_picture_pixels`, or no pixel counts.
-std::optional<glm::dvec3> find_picture_mean(std::span<const std::byte> bytes, bool use_alpha);
+/// picture, it has more than `max_pixels`, or no pixel counts.
+std::optional<glm::dvec3> find_picture_mean(std::span<const std::byte> bytes, bool use_alpha,
+                                            std::int64_t max_pixels = max_picture_pixels);
 
 }  // namespace nightcity
