@@ -13,6 +13,7 @@ constexpr double hindered = 0.7;  // mean speed over limit in a town, because of
 constexpr double parking_margin_m = 28;
 constexpr double stop_margin_m = 8;        // from where a vehicle parks to the next junction
 constexpr std::size_t links_a_trip = 200;  // on average, at most; a real one passes some 40
+constexpr double longest_trip = 0.7;       // share of the cycle
 constexpr double kerb_gap_m = 0.25;
 constexpr double tightest_m = 2.2, tightest_large_m = 5;  // radii of turns that vehicles can steer
 
@@ -41,6 +42,7 @@ class TripPlanner {
       tally.wanted += amount;
       wanted_ += amount;
       report_.lane_km[edge.road->highway] += edge.length_m * edge.lanes / 1000;
+      count_if_too_long(edge);
     }
     for (std::size_t e = 0; e < graph_.edges.size(); ++e) {
       const RoadEdge& edge = graph_.edges[e];
@@ -102,7 +104,15 @@ class TripPlanner {
   };
 
   double mean_trip_s() const { return std::min(150.0, 0.35 * demand_.cycle_s); }
-  double longest_trip_s() const { return 0.7 * demand_.cycle_s; }
+  double longest_trip_s() const { return longest_trip * demand_.cycle_s; }
+
+  void count_if_too_long(const RoadEdge& edge) {
+    const double time = time_on(edge, edge.length_m);
+    if (time <= longest_trip_s()) return;
+    report_.too_long_km += edge.length_m / 1000;
+    constexpr double slowest = 0.74;  // the smallest speed factor of vehicle_types
+    report_.needed_cycle_s = std::max(report_.needed_cycle_s, time / slowest / longest_trip);
+  }
 
   static double flow(const RoadEdge& edge) {
     return edge.traffic->density_per_km_lane * 1e-3 * edge.lanes * edge.speed_m_s;

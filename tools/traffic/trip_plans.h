@@ -44,6 +44,9 @@ struct TripPlanReport {
   std::size_t left_out = 0;           // plans that led nowhere in time or could not be driven
   std::size_t beyond_limit = 0;       // vehicles on the road at once that max_trips leaves out
   std::size_t through_buildings = 0;  // those of them with a wall in the way
+  // Roads between two ends that take longer than a trip may last, so that no trip uses them, and
+  // the cycle in which the slowest vehicle would get through.
+  double too_long_km = 0, needed_cycle_s = 0;
 };
 
 /// Returns the number of vehicles at once at table_hour, by the table of densities.

@@ -245,6 +245,19 @@ TEST(LinkNetwork, NobodyTurnsRoundAnAcuteCornerInALoop) {
     }
 }
 
+TEST(Routes, ARoadTooLongForTheCycleIsSaidWithTheCycleThatWouldDo) {
+  const RoadGraph graph = graph_of({street(1, {{0, 0}, {900, 0}}, primary)});
+  LinkNetwork network(graph, test::plane, {});
+  TripPlanReport report;
+  Demand demand{20, 60, 1};
+  EXPECT_TRUE(plan_trips(network, demand, report).empty());
+  EXPECT_NEAR(report.too_long_km, 1.8, 0.01) << "both directions";
+  TripPlanReport longer;
+  demand.cycle_s = report.needed_cycle_s;
+  EXPECT_FALSE(plan_trips(network, demand, longer).empty());
+  EXPECT_EQ(longer.too_long_km, 0);
+}
+
 TEST(Routes, PlansEndAtTheirLimitAndSayWhatIsLeftOut) {
   // A trip along the whole street takes a hundredth of a second: it takes millions of them to keep
   // a thousand vehicles on it.

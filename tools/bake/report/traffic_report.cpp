@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "tools/bake/report/report_text.h"
@@ -49,6 +50,7 @@ json to_json(const traffic::TrafficReport& report) {
           {"knot_error",
            {{"m", report.knot_error.position_m}, {"degrees", report.knot_error.heading_degrees}}},
           {"vehicles_beyond_max_trips", report.plans.beyond_limit},
+          {"too_long_for_the_cycle_km", report.plans.too_long_km},
           {"rejected_routes", report.plans.left_out},
           {"routes_through_buildings", report.plans.through_buildings},
           {"links_km", report.links_km},
@@ -73,6 +75,11 @@ std::string to_text(const traffic::TrafficReport& report) {
       fmt::format(
           "{} trips in a cycle of {:.0f} s, {:.1f} km, {:.0f} vehicles at once in the busiest hour",
           report.trips, report.cycle_s, report.driven_km, report.mean_vehicles));
+  if (report.plans.too_long_km > 0)
+    line("",
+         fmt::format("{:.1f} km of roads carry no trip, because driving through takes longer "
+                     "than the cycle allows: [traffic] cycle_s = {:.0f} would do",
+                     report.plans.too_long_km, 10 * std::ceil(report.plans.needed_cycle_s / 10)));
   if (report.edges == 0) return text;
   line("", fmt::format("{}, on the {}; {} lanes and turns; {}", report.country,
                        name_of(report.side), report.links, in_words(report.by_type)));
