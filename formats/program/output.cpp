@@ -17,8 +17,8 @@ struct MadeFolder {
   Leftover leftover;
 };
 
-// Of the whole program, because the command that makes a folder is not the one that learns of a
-// failure.
+// The folders are the whole program's, because the command that makes one is not the one that
+// learns of a failure.
 std::vector<MadeFolder>& made_folders() {
   static std::vector<MadeFolder> folders;
   return folders;

@@ -71,7 +71,7 @@ class GeometryWalk {
   /// The numbers of the library's polygons among those added, by their place in `out` (only where
   /// `out` was empty and every call had the same); 0 = the member's own.
   const std::vector<std::uint64_t>& linked_numbers() const { return linked_numbers_; }
-  /// Whether the library's polygons were more than a member may take.
+  /// Returns whether a member links to more polygons of the library than it may take.
   bool took_too_many() const { return linked_vertices_ > library_.max_vertices; }
 
  private:

@@ -53,7 +53,7 @@ class PartParser {
   std::string buffer_;
 };
 
-// What a document's index and its small parts say.
+// A document, known from its index and its small parts.
 class Document {
  public:
   Document(std::string_view text, const std::string& name)

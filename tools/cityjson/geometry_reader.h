@@ -14,7 +14,7 @@
 
 namespace nightcity::cityjson {
 
-/// What geometries refer to.
+/// The vertices, templates and materials that geometries refer to by number.
 struct GeometrySources {
   std::span<const glm::dvec3> vertices;  // in the city's CRS
   const SharedParts* shared = nullptr;

@@ -1,4 +1,4 @@
-// Which city objects make one: a building with its parts and installations.
+// Groups city objects that make one: a building with its parts and installations.
 #pragma once
 
 #include <cstdint>

@@ -10,7 +10,7 @@
 
 namespace nightcity::cityjson {
 
-/// How the names of such files end, in lower case and without .gz.
+/// The endings of such files' names, in lower case and without .gz.
 inline constexpr std::array<std::string_view, 2> cityjson_endings{".json", ".jsonl"};
 
 /// Returns whether a document that begins with these bytes is CityJSON or CityJSONSeq.

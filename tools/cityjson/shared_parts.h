@@ -1,4 +1,4 @@
-// What the city objects of a document have in common: CRS, transformation, templates, materials.
+// The parts that the city objects of a document share: CRS, transformation, templates, materials.
 #pragma once
 
 #include <glm/vec3.hpp>

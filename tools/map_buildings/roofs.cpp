@@ -70,7 +70,8 @@ class Shell {
 
   // Adds the floor, and gives all away.
   std::vector<city::Polygon> take() {
-    // What hangs in the air has no ground surface: the ground would be made through it.
+    // A part that hangs in the air has no ground surface, because the ground
+    // would be made through it.
     const auto surface =
         sizes_.foot_m > 0 ? city::SurfaceType::outer_ceiling : city::SurfaceType::ground;
     city::Polygon floor = make_polygon(surface, level(floor_, sizes_.foot_m));

@@ -10,7 +10,7 @@ namespace nightcity::nightbake {
 
 namespace {
 
-// What the meshes hold, counted while they are read one by one.
+// Counts of the meshes' content, made while they are read one by one.
 struct MeshCounts {
   std::size_t triangles = 0, vertices = 0, shown = 0;
   std::map<std::uint32_t, std::size_t> by_material;

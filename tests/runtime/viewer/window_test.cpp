@@ -146,7 +146,7 @@ double mean_light(const measure::Image8& window) {
   return sum / count;
 }
 
-// What the window's own loop shows while its clock runs: the mean of the same last moments, with the
+// The window's own loop, with its clock running, shows the mean of the same last moments with the
 // default estimator and with one that reuses nothing. History that meets the vehicles of another
 // moment brightens the first.
 TEST_F(ViewerWindow, TheRunningClockShowsTheSameLightWithReuseAndWithout) {

@@ -1,30 +1,11 @@
 // libFuzzer target: reads any bytes as a CityGML document with the stream reader, and triangulates.
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
-
-#include "formats/error.h"
-#include "tests/tools/citygml/memory_document.h"
+#include "tests/tools/city/fuzz_city.h"
 #include "tools/citygml/stream_reader.h"
-#include "tools/mesh/classify.h"
-#include "tools/mesh/close_gaps.h"
-#include "tools/mesh/triangulate.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace nightcity;
-  const std::string text(reinterpret_cast<const char*>(data), size);
-  city::ReadOptions options;
-  options.threads = 1;
-  mesh::MeshReport report;
-  try {
-    const city::ObjectSink sink = [&](city::CityObject&& object) {
-      mesh::repair_shells(object, report);
-      mesh::classify_unknown_surfaces(object);
-      for (const glm::dvec3& p : mesh::triangulate(object, report).positions)
-        if (!std::isfinite(p.x + p.y + p.z)) std::abort();
-    };
-    citygml::read_with_stream(test::memory_document(text), options, city::deliver_to(sink));
-  } catch (const Error&) {  // a broken document
-  }
+  test::fuzz_city(data, size, [](const auto& document, const auto& options, const auto& stage) {
+    citygml::read_with_stream(document, options, stage);
+  });
   return 0;
 }

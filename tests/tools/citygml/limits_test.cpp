@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "formats/error.h"
+#include "tests/tools/citygml/read_file.h"
 #include "tests/tools/citygml/small_city.h"
 #include "tests/tools/citygml/temporary_file.h"
 #include "tools/city/byte_source.h"
@@ -20,18 +21,6 @@ namespace nightcity::citygml {
 namespace {
 
 using namespace test;
-
-struct City {
-  std::vector<city::CityObject> objects;
-  city::ReadReport report;
-};
-
-City read_file(const std::filesystem::path& file, const city::ReadOptions& options = {}) {
-  City city;
-  city.report = read_citygml(file, options,
-                             [&](city::CityObject&& o) { city.objects.push_back(std::move(o)); });
-  return city;
-}
 
 City read(const std::string& text, const city::ReadOptions& options = {}) {
   return read_file(TemporaryFile(text).path(), options);

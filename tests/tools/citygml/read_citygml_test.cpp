@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "formats/error.h"
+#include "tests/tools/citygml/read_file.h"
 #include "tests/tools/citygml/small_city.h"
 #include "tests/tools/citygml/temporary_file.h"
 #include "tools/citygml/read_citygml.h"
@@ -16,11 +17,6 @@ namespace {
 
 using namespace test;
 
-struct City {
-  std::vector<city::CityObject> objects;
-  city::ReadReport report;
-};
-
 class BothReaders : public testing::TestWithParam<city::Reader> {
  protected:
   City read(const std::string& text, int max_lod = 2) const {
@@ -29,8 +25,7 @@ class BothReaders : public testing::TestWithParam<city::Reader> {
     city::ReadOptions options;
     options.reader = GetParam();
     options.max_lod = max_lod;
-    city.report = read_citygml(file.path(), options,
-                               [&](city::CityObject&& o) { city.objects.push_back(std::move(o)); });
+    city.report = read_citygml(file.path(), options, city.sink());
     return city;
   }
 };

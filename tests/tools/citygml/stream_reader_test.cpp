@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "formats/error.h"
+#include "tests/tools/citygml/read_file.h"
 #include "tests/tools/citygml/small_city.h"
 #include "tests/tools/citygml/temporary_file.h"
 #include "tools/citygml/citygml_head.h"
@@ -19,24 +20,6 @@ namespace nightcity::citygml {
 namespace {
 
 using namespace test;
-
-struct City {
-  std::vector<city::CityObject> objects;
-  city::ReadReport report;
-  const city::CityObject* find(const std::string& id) const {
-    for (const city::CityObject& o : objects)
-      if (o.id == id) return &o;
-    return nullptr;
-  }
-};
-
-City read_file(const std::filesystem::path& path, city::ReadOptions options = {}) {
-  City city;
-  options.reader = city::Reader::stream;
-  city.report = read_citygml(path, options,
-                             [&](city::CityObject&& o) { city.objects.push_back(std::move(o)); });
-  return city;
-}
 
 City read(const std::string& text, city::ReadOptions options = {}) {
   return read_file(TemporaryFile(text).path(), options);

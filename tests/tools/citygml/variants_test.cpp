@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "formats/error.h"
+#include "tests/tools/citygml/read_file.h"
 #include "tests/tools/citygml/small_city.h"
 #include "tests/tools/citygml/temporary_file.h"
 #include "tools/city/ring.h"
@@ -21,18 +22,6 @@ namespace nightcity::citygml {
 namespace {
 
 using namespace test;
-
-struct City {
-  std::vector<city::CityObject> objects;
-  city::ReadReport report;
-};
-
-City read_file(const std::filesystem::path& path) {
-  City city;
-  city.report =
-      read_citygml(path, {}, [&](city::CityObject&& o) { city.objects.push_back(std::move(o)); });
-  return city;
-}
 
 City read_member(const std::string& object) {
   return read_file(TemporaryFile(city_model(member(object))).path());

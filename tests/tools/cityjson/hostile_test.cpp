@@ -13,15 +13,6 @@ namespace {
 
 using namespace test;
 
-std::string error_of(const std::string& text) {
-  try {
-    read_city(text);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "read";
-}
-
 TEST(HostileCityJson, BrokenJsonIsAnErrorWithItsLine) {
   EXPECT_NE(error_of("{\n\"type\":\"CityJSON\",\n\"version\":\"2.0\"\n").find(":4: not JSON"),
             std::string::npos);
@@ -57,7 +48,7 @@ TEST(HostileCityJson, GeometryThatCannotBeIsSkippedAndCounted) {
     return "{\"type\":\"MultiSurface\",\"lod\":\"2\",\"boundaries\":" + boundaries + "}";
   };
   const auto skipped = [&](const std::string& geometry) {
-    const ReadCity read = read_city(city_json(object("a", "Building", geometry)));
+    const City read = read_city(city_json(object("a", "Building", geometry)));
     for (const city::CityObject& o : read.objects) EXPECT_TRUE(o.polygons.empty()) << geometry;
     std::string names;
     for (const auto& [what, count] : read.report.skipped) names += what + ";";
@@ -86,7 +77,7 @@ TEST(HostileCityJson, GeometryThatCannotBeIsSkippedAndCounted) {
 TEST(HostileCityJson, CoordinatesThatAreNoneLoseTheirPolygonsAlone) {
   // Vertices: text, too few, too many, beyond a double, null, at a height that stands for none.
   for (const char* bad : {"\"x\"", "[1,2]", "[1,2,3,4]", "[1,2,\"3\"]", "null", "[1,2,null]"}) {
-    const ReadCity read = read_city(
+    const City read = read_city(
         "{\"type\":\"CityJSON\",\"version\":\"2.0\",\"CityObjects\":{" +
         object("a", "Building",
                "{\"type\":\"MultiSurface\",\"lod\":\"2\",\"boundaries\":[[[0,1,2]],[[1,2,3]]]}") +
@@ -95,7 +86,7 @@ TEST(HostileCityJson, CoordinatesThatAreNoneLoseTheirPolygonsAlone) {
     EXPECT_EQ(read.objects[0].polygons.size(), 1u) << bad;
     EXPECT_EQ(read.report.skipped.at("polygon: ring with coordinates that are no numbers"), 1u);
   }
-  const ReadCity low =
+  const City low =
       read_city("{\"type\":\"CityJSON\",\"version\":\"2.0\",\"CityObjects\":{" +
                 object("a", "Building", "{\"type\":\"MultiSurface\",\"boundaries\":[[[0,1,2]]]}") +
                 "},\"vertices\":[[0,0,-9999],[1,0,0],[0,1,0]]}");
@@ -118,7 +109,7 @@ TEST(HostileCityJson, DeepNestingIsRefused) {
 }
 
 TEST(HostileCityJson, ParentsInACircleEndSomewhere) {
-  const ReadCity read = read_city(
+  const City read = read_city(
       city_json(object("a", "BuildingPart", solid(), "\"parents\":[\"b\"],\"children\":[\"b\"]") +
                 "," + object("b", "BuildingPart", "", "\"parents\":[\"a\"],\"children\":[\"a\"]") +
                 "," + object("c", "Building", "", "\"children\":[\"c\",\"c\"]")));
@@ -131,7 +122,7 @@ TEST(HostileCityJson, TemplatesPlacedWithoutEndAreLeftOut) {
   for (int i = 0; i < 2000; ++i)
     instances += std::string(i ? "," : "") +
                  "{\"type\":\"GeometryInstance\",\"template\":0,\"boundaries\":[0]}";
-  const ReadCity read = read_city(
+  const City read = read_city(
       city_json(object("t", "SolitaryVegetationObject", instances),
                 "\"geometry-templates\":{\"templates\":[{\"type\":\"MultiSurface\",\"lod\":\"2\","
                 "\"boundaries\":[" +

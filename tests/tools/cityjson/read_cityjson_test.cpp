@@ -25,8 +25,7 @@ std::map<city::SurfaceType, int> count_surfaces(const city::CityObject& object) 
 }
 
 TEST(CityJson, ACubeHasItsVolumeAreaAndSurfaces) {
-  const ReadCity read =
-      read_city(city_json(object("a", "Building", solid("\"2\"", box_semantics()))));
+  const City read = read_city(city_json(object("a", "Building", solid("\"2\"", box_semantics()))));
   ASSERT_EQ(read.objects.size(), 1u);
   const city::CityObject& cube = read.objects[0];
   EXPECT_EQ(cube.id, "a");
@@ -53,7 +52,7 @@ TEST(CityJson, EveryGeometryTypeGivesTheSameCube) {
         "\"type\":\"Solid\",\"boundaries\":[[" + faces + "]]",
         "\"type\":\"MultiSolid\",\"boundaries\":[[[" + faces + "]]]",
         "\"type\":\"CompositeSolid\",\"boundaries\":[[[" + faces + "]]]"}) {
-    const ReadCity read =
+    const City read =
         read_city(city_json(object("a", "Building", "{\"lod\":\"1\"," + geometry + "}")));
     ASSERT_EQ(read.objects.size(), 1u) << geometry;
     EXPECT_NEAR(volume(read.objects[0]), 24, 1e-9) << geometry;
@@ -63,7 +62,7 @@ TEST(CityJson, EveryGeometryTypeGivesTheSameCube) {
 
 TEST(CityJson, VersionOneHasPlainNumbersAndAUrn) {
   // No transform, "lod" a number, a URN, and members in another order.
-  const ReadCity read = read_city(
+  const City read = read_city(
       "{\"vertices\":[[0.5,0,0],[1.5,0,0],[1.5,1,0],[0.5,1,0]],\"CityObjects\":{" +
       object("a", "BridgeConstructionElement",
              "{\"type\":\"MultiSurface\",\"lod\":2,\"boundaries\":[[[0,1,2,3]]]}") +
@@ -103,7 +102,7 @@ TEST(CityJson, TheFinestOfRefinedLevelsIsTaken) {
                            solid("\"2.2\"", box_semantics())));
   city::ReadOptions options;
   options.max_lod = 1;
-  const ReadCity one = read_city(text, options);
+  const City one = read_city(text, options);
   EXPECT_EQ(one.objects[0].lod, 1);
   EXPECT_EQ(one.objects[0].polygons.size(), 6u);
   EXPECT_EQ(one.report.skipped.at("polygon: a refined LoD, a finer one taken"), 6u);
@@ -113,7 +112,7 @@ TEST(CityJson, TheFinestOfRefinedLevelsIsTaken) {
 }
 
 TEST(CityJson, AFootprintWithAHeightBecomesABlock) {
-  const ReadCity read = read_city(city_json(object(
+  const City read = read_city(city_json(object(
       "a", "Building", "{\"type\":\"MultiSurface\",\"lod\":\"0\",\"boundaries\":[[[0,1,2,3]]]}",
       "\"attributes\":{\"measuredHeight\":5}")));
   EXPECT_EQ(read.report.extruded, 1u);
@@ -124,7 +123,7 @@ TEST(CityJson, AFootprintWithAHeightBecomesABlock) {
 TEST(CityJson, PartsAndInstallationsAreOneBuildingWhereverTheyStand) {
   const std::string part = "{\"type\":\"MultiSurface\",\"lod\":\"2\",\"boundaries\":[[[0,1,5,4]]]}";
   const std::string roof = "{\"type\":\"MultiSurface\",\"lod\":\"2\",\"boundaries\":[[[4,5,6,7]]]}";
-  const ReadCity read = read_city(city_json(
+  const City read = read_city(city_json(
       object("part", "BuildingPart", part,
              "\"parents\":[\"b\\u00e9\"],\"attributes\":{\"storeysAboveGround\":3}") +
       ",\"b\\u00e9\":{\"type\":\"Building\",\"children\":[\"part\",\"chimney\",\"room\",\"lost\"],"
@@ -144,7 +143,7 @@ TEST(CityJson, PartsAndInstallationsAreOneBuildingWhereverTheyStand) {
 }
 
 TEST(CityJson, BuildingsOfAGroupStayObjectsOfTheirOwn) {
-  const ReadCity read =
+  const City read =
       read_city(city_json("\"g\":{\"type\":\"CityObjectGroup\",\"children\":[\"a\"]}," +
                           object("a", "Building", solid(), "\"parents\":[\"g\"]")));
   ASSERT_EQ(read.objects.size(), 1u);
@@ -153,7 +152,7 @@ TEST(CityJson, BuildingsOfAGroupStayObjectsOfTheirOwn) {
 }
 
 TEST(CityJson, AttributesAndAddressesAreThoseOfCityGml) {
-  const ReadCity read = read_city(city_json(
+  const City read = read_city(city_json(
       object(
           "a", "Building", solid(),
           "\"attributes\":{\"yearOfConstruction\":1984,\"measuredHeight\":12.5,\"class\":\"1000\","
@@ -182,7 +181,7 @@ TEST(CityJson, SemanticsOfAllKinds) {
       "],\"semantics\":{\"surfaces\":[{\"type\":\"Door\"},{\"type\":\"InteriorWallSurface\"},"
       "{\"type\":\"+Patio\"},{\"type\":\"TrafficArea\",\"function\":\"2\"}],"
       "\"values\":[0,1,2,3,null]}}";
-  const ReadCity read = read_city(city_json(object("a", "Road", geometry)));
+  const City read = read_city(city_json(object("a", "Road", geometry)));
   const city::CityObject& road = read.objects[0];
   ASSERT_EQ(road.polygons.size(), 5u);
   EXPECT_EQ(road.polygons[0].surface, city::SurfaceType::door);
@@ -200,7 +199,7 @@ TEST(CityJson, MaterialsColourPolygonsAndTexturesAreCounted) {
       "\"diffuseColor\":[1,0,0]},{\"name\":\"plain\"},{\"name\":\"blue\",\"diffuseColor\":[0,0,1]}]"
       ","
       "\"textures\":[{\"type\":\"PNG\",\"image\":\"a.png\"}]}";
-  const ReadCity read = read_city(city_json(
+  const City read = read_city(city_json(
       object("a", "Building",
              solid("\"2\"",
                    "\"material\":{\"other\":{\"value\":0},\"day\":{\"values\":"
@@ -226,7 +225,7 @@ TEST(CityJson, TemplatesArePlacedByTheirMatrix) {
   const std::string instance =
       "{\"type\":\"GeometryInstance\",\"template\":0,\"boundaries\":[6],"
       "\"transformationMatrix\":[0,-2,0,0, 2,0,0,0, 0,0,2,0.5, 0,0,0,1]}";
-  const ReadCity read =
+  const City read =
       read_city(city_json(object("t", "SolitaryVegetationObject", instance), templates));
   ASSERT_EQ(read.objects.size(), 1u);
   ASSERT_EQ(read.objects[0].polygons.size(), 1u);
@@ -237,7 +236,7 @@ TEST(CityJson, TemplatesArePlacedByTheirMatrix) {
 }
 
 TEST(CityJson, ExtensionsAreSkippedAndCounted) {
-  const ReadCity read = read_city(city_json(
+  const City read = read_city(city_json(
       object("n", "+NoiseBarrier", solid(), "\"children\":[\"p\"]") + "," +
           object("p", "BuildingPart", solid(), "\"parents\":[\"n\"]"),
       "\"extensions\":{\"Noise\":{\"url\":\"u\",\"version\":\"1\"}},\"+extra\":{\"a\":1}"));
@@ -264,7 +263,7 @@ TEST(CityJson, ThreadsChangeNothing) {
   const std::string text = city_json(objects);
   city::ReadOptions one, many;
   one.threads = 1;
-  const ReadCity a = read_city(text, one), b = read_city(text, many);
+  const City a = read_city(text, one), b = read_city(text, many);
   ASSERT_EQ(a.objects.size(), 3000u);
   ASSERT_EQ(b.objects.size(), 3000u);
   for (std::size_t i = 0; i < a.objects.size(); ++i) EXPECT_EQ(a.objects[i].id, b.objects[i].id);
@@ -291,8 +290,8 @@ TEST(CityJson, GivesTheTrianglesOfTheSameBuildingInCityGml) {
   std::vector<city::CityObject> expected;
   citygml::read_citygml(gml.path(), {},
                         [&](city::CityObject&& o) { expected.push_back(std::move(o)); });
-  const ReadCity read = read_city("{\"type\":\"CityJSON\",\"version\":\"2.0\",\"CityObjects\":{" +
-                                  cj_objects + "},\"vertices\":" + vertices + "}");
+  const City read = read_city("{\"type\":\"CityJSON\",\"version\":\"2.0\",\"CityObjects\":{" +
+                              cj_objects + "},\"vertices\":" + vertices + "}");
   ASSERT_EQ(read.objects.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const city::CityObject &a = read.objects[i], &b = expected[i];

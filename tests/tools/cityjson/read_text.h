@@ -3,28 +3,31 @@
 
 #include <glm/geometric.hpp>
 #include <string>
-#include <utility>
-#include <vector>
 
+#include "formats/error.h"
+#include "tests/tools/city/read_city.h"
 #include "tests/tools/citygml/temporary_file.h"
 #include "tools/city/ring.h"
 #include "tools/cityjson/read_cityjson.h"
 
 namespace nightcity::test {
 
-struct ReadCity {
-  std::vector<city::CityObject> objects;
-  city::ReadReport report;
-};
-
-inline ReadCity read_city(const std::string& text, const city::ReadOptions& options = {}) {
+inline City read_city(const std::string& text, const city::ReadOptions& options = {}) {
   const TemporaryFile file(text, ".json");
-  ReadCity result;
-  const city::ObjectSink sink = [&](city::CityObject&& o) {
-    result.objects.push_back(std::move(o));
-  };
-  result.report = cityjson::read_cityjson_staged(file.path(), options, city::deliver_to(sink));
-  return result;
+  City city;
+  const city::ObjectSink sink = city.sink();
+  city.report = cityjson::read_cityjson_staged(file.path(), options, city::deliver_to(sink));
+  return city;
+}
+
+/// Returns the message with which a text is refused, or "read".
+inline std::string error_of(const std::string& text) {
+  try {
+    read_city(text);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "read";
 }
 
 /// By the divergence theorem: a third of the sum of each face's area vector times a point of it.

@@ -11,15 +11,6 @@ namespace {
 
 using namespace test;
 
-std::string error_of(const std::string& text) {
-  try {
-    read_city(text);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "read";
-}
-
 TEST(CityJsonSeq, EachLineIsAFeatureWithItsOwnVertices) {
   std::string text = header();
   for (int i = 0; i < 5000; ++i) {
@@ -32,7 +23,7 @@ TEST(CityJsonSeq, EachLineIsAFeatureWithItsOwnVertices) {
   for (const unsigned threads : {1u, 0u}) {
     city::ReadOptions options;
     options.threads = threads;
-    const ReadCity read = read_city(text, options);
+    const City read = read_city(text, options);
     ASSERT_EQ(read.objects.size(), 5000u);
     for (std::size_t i = 0; i < read.objects.size(); ++i) {
       EXPECT_EQ(read.objects[i].id, "b" + std::to_string(i));
@@ -50,8 +41,8 @@ TEST(CityJsonSeq, AFeatureMayHaveAnAppearanceOfItsOwn) {
   };
   const std::string painted =
       object("a", "Building", solid("\"2\"", "\"material\":{\"\":{\"value\":0}}"));
-  const ReadCity read = read_city(header(appearance("[1,0,0]")) + feature("a", painted) +
-                                  feature("a", painted, appearance("[0,1,0]")));
+  const City read = read_city(header(appearance("[1,0,0]")) + feature("a", painted) +
+                              feature("a", painted, appearance("[0,1,0]")));
   EXPECT_EQ(read.objects[0].polygons[0].diffuse_colour, glm::vec3(1, 0, 0));
   EXPECT_EQ(read.objects[1].polygons[0].diffuse_colour, glm::vec3(0, 1, 0));
 }

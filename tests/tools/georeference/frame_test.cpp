@@ -119,7 +119,7 @@ TEST(Frame, UrnFixesTheAxisOrderWhateverRingsAreWoundLike) {
         const CityFrame frame = frame_of(name, box_in_degrees({48.996, 9.0015}, turn, inside_out));
         const glm::dvec3 p = project(frame, {48.996, 9.0015, 10});
         expect_near(frame.to_lon_lat(glm::dvec2(p)), {9.0015, 48.996}, 1e-5);
-        // Where only one order lies in the area of use, the rings are not asked.
+        // The rings are not asked if only one order lies in the area of use.
         const bool asked = std::string(name).find("4258") == std::string::npos;
         EXPECT_EQ(frame.axis_warning().empty(), !(asked && inside_out)) << frame.axis_warning();
       }
