@@ -21,7 +21,8 @@ enum class ValueSource : std::uint8_t {
   tag = 1,        // a tag of the map
   attribute = 2,  // an attribute of the city model
   rule = 3,       // a rule of ours, stated beside the rule
-  standard = 4    // a published standard
+  standard = 4,   // a published standard
+  inventory = 5   // a town's inventory of its lamps
 };
 
 /// Returns the source's name in reports ("tag", "rule", ...); a value out of range is "unknown".
@@ -35,6 +36,8 @@ constexpr const char* name_of(ValueSource source) {
       return "rule";
     case ValueSource::standard:
       return "standard";
+    case ValueSource::inventory:
+      return "inventory";
     case ValueSource::unknown:
       break;
   }
@@ -44,7 +47,8 @@ constexpr const char* name_of(ValueSource source) {
 /// The origin of each value of one light. Section PROV holds one record of 16 bytes for each light,
 /// in the same order.
 struct LightProvenance {
-  std::uint64_t source_id = 0;  // OSM node id, or a hash of the CityGML id; 0 = none
+  /// OSM node id, or a hash of the CityGML id or of an inventory's row; 0 = none
+  std::uint64_t source_id = 0;
   ValueSource position = ValueSource::unknown;
   ValueSource height = ValueSource::unknown;
   ValueSource flux = ValueSource::unknown;

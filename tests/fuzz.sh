@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs every fuzzer for a while, then all tests with sanitizers: tests/fuzz.sh [SECONDS [FUZZER...]]
-# SECONDS: for each fuzzer (60). FUZZER: citygml, cityjson, glb, lights, osm, picture, recipe or triangulation (all, and then
+# SECONDS: for each fuzzer (60). FUZZER: citygml, cityjson, glb, lights, obj, osm, picture, recipe or triangulation (all, and then
 # the tests).
 # Needs clang. What a fuzzer finds lies in build/fuzz/found, and the script ends with 1; inputs that reach new code are kept
 # in build/fuzz/corpus from run to run. FUZZ_NICE=19 leaves the machine to others.
@@ -17,6 +17,7 @@ declare -A seeds=(
   [cityjson]=tests/tools/cityjson/corpus
   [glb]=tests/formats/corpus/glb
   [lights]=tests/formats/corpus/lights
+  [obj]=tests/tools/obj/corpus
   [osm]=tests/tools/osm/corpus
   [picture]=tests/formats/corpus/picture
   [recipe]=tests/tools/bake/corpus

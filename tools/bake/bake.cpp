@@ -39,7 +39,6 @@ class Bake {
         tiles_(scene_, scene_path_, options.tiles, std::round(city_.frames().reference().z)),
         lights_(lights_path_) {
     for (const auto& file : options.city.files) report_.input_bytes += find_size(file);
-    report_.crs = city_.frames().descriptions();
     clock_.end_stage("reading maps");
   }
 
@@ -67,6 +66,7 @@ class Bake {
     if (options_.uses_streets() && city_.wants_model_streets()) roads.emplace();
     report_.city = city_.read({&tiles_, windows_ ? &*windows_ : nullptr, roads ? &*roads : nullptr},
                               progress_);
+    report_.crs = city_.frames().descriptions();
     clock_.end_stage("reading the city");
     if (!roads) return;
     report_.streets = city_.add_model_streets(roads->roads());
@@ -146,10 +146,7 @@ BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder,
                 const ProgressSink& progress) {
   BakeOptions options = to_bake_options(recipe);
   if (options.city.files.empty() && recipe.osm.buildings && !options.city.maps.empty()) {
-    if (!options.city.ground.elevation_models.empty())
-      throw UsageError(options.city.name(), "[terrain] dem",
-                       "the map's buildings stand on a plane at height 0, and not on an elevation "
-                       "model: leave dem out, or name a city model in [city] files");
+    options.city.ground.carries_buildings = !options.city.ground.elevation_models.empty();
     options.city.files = options.city.maps;
   }
   return bake(options, folder, progress);

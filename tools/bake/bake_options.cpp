@@ -17,6 +17,7 @@ CityInputs to_city_inputs(const Recipe& recipe) {
   inputs.origin_height = recipe.origin.height;
   inputs.licences = recipe.city.licences;
   inputs.map_licence = recipe.osm.licence;
+  inputs.inventories = recipe.lamps.inventories;
   inputs.ground = recipe.terrain;
   inputs.ground.tile_m = recipe.city.tile_m;
   return inputs;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,6 +53,9 @@ struct Polygon {
   std::optional<glm::vec3> diffuse_colour;  // sRGB as in the file
   /// Code of the traffic area that the polygon lies in; 0 = none, or the file's code is no number.
   std::uint16_t area_function = 0;
+  /// The coordinate reference system that the polygon's coordinates have, where it is another than
+  /// ReadOptions::srs_name; null elsewhere.
+  std::shared_ptr<const std::string> srs_name{};
 };
 
 /// A top-level city object with the geometry of its parts and installations: each building is one
@@ -68,6 +72,7 @@ struct CityObject {
   std::vector<Polygon> polygons;
   std::vector<glm::dvec3> points;  // mass points of a relief: its surface goes through them
   std::vector<Ring> lines;         // its break lines and ridges, open: edges of that surface
+  std::shared_ptr<const std::string> points_srs_name{};  // of points and lines, as Polygon's
 };
 
 /// "building", "wall", ...: the names used in reports.

@@ -41,6 +41,7 @@ void ReadReport::merge(const ReadReport& other) {
   extruded += other.extruded;
   flat += other.flat;
   for (const auto& [name, count] : other.skipped) skipped[name] += count;
+  for (const auto& [name, count] : other.assumed) assumed[name] += count;
   warnings.insert(warnings.end(), other.warnings.begin(), other.warnings.end());
 }
 

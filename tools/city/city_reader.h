@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ struct ReadReport {
   std::string srs_name;  // the coordinate reference system as written; "" = none
   std::size_t objects = 0, polygons = 0;
   std::map<std::string, std::size_t> skipped;  // what, by name, and how often
+  std::map<std::string, std::size_t> assumed;  // what the file does not say, and how often
   std::vector<std::string> warnings;           // each names file and place
   /// Buildings published as a footprint alone: made blocks of their height, and left flat for want
   /// of one.
@@ -37,6 +39,16 @@ void finish_report(const std::filesystem::path& file, ReadReport& report);
 /// The parser of CityGML. Both deliver the same model; the second is a second opinion.
 enum class Reader : std::uint8_t { stream, libcitygml };
 
+/// How coordinates become metres east, north and up of the city's system, in formats that state
+/// neither unit nor axes nor place (Wavefront OBJ).
+struct MeshPlacement {
+  enum class Up : std::uint8_t { automatic, y, z };
+  Up up = Up::automatic;  // automatic: the one of y and z along which the model extends less
+  double unit_m = 1;      // of the file's coordinates
+  glm::dvec3 origin{0};   // of the file, in the city's system: easting, northing, height
+  int max_vertices = 20'000'000;  // a limit: a vertex takes 24 bytes
+};
+
 struct ReadOptions {
   /// Each object is taken at its highest LoD up to this one or, where it has none, at the lowest
   /// above.
@@ -46,6 +58,10 @@ struct ReadOptions {
   unsigned threads = 0;
   /// The files of the same city, lexically normal: links to geometry lead into these and no others.
   std::shared_ptr<const std::set<std::filesystem::path>> neighbours{};
+  /// The name of the CRS that the caller takes the file's coordinates by (CityHead::srs_name).
+  /// Polygons of other names carry theirs. Absent: names are not looked at.
+  std::optional<std::string> srs_name{};
+  MeshPlacement mesh{};
   /// Bounds on what a small file may cost; the recipe's keys of the same names raise them.
   int max_member_mb = 256;              // of text in one member of a CityModel
   int max_linked_vertices = 8'000'000;  // that the links of a document lead to, and of a member's
@@ -69,8 +85,8 @@ ObjectStage deliver_to(const ObjectSink& sink);
 /// at the file's beginning.
 struct CityHead {
   std::string version;   // of the format; "" = the file does not say
-  std::string srs_name;  // the first one in the file, as written; "" = none
-  /// Vertices of the first rings, as written; empty = a file without geometry.
+  std::string srs_name;  // of the first rings, as written; "" = the file names none
+  /// Vertices of the first rings of that CRS, as written; empty = a file without geometry.
   std::vector<glm::dvec3> sample;
   std::set<std::string> linked_files;  // that geometry is linked from, as written
 };

@@ -9,6 +9,7 @@
 #include "tools/citygml/curves.h"
 #include "tools/citygml/read_citygml.h"
 #include "tools/citygml/rings.h"
+#include "tools/citygml/srs_scope.h"
 #include "tools/citygml/xlinks.h"
 
 namespace nightcity::citygml {
@@ -16,43 +17,90 @@ namespace {
 
 constexpr std::size_t enough_points = 4096;
 
+// Coordinates of the document's beginning, apart by the CRS that holds for them.
 struct Sampler : pugi::xml_tree_walker {
+  struct Sample {
+    std::string srs_name;
+    std::vector<glm::dvec3> rings;
+    std::vector<glm::dvec3> points;  // of geometry without rings, in case there are no others
+  };
   city::CityHead& head;
-  std::vector<glm::dvec3> points;  // of geometry without rings, in case there are no others
-  bool own_name = false;           // head.srs_name is a geometry's own
+  std::vector<Sample> samples;
+  std::string member_name;  // that the member's other geometry gives itself
+  std::string document;     // the name of the document's own extent
+  std::string first_name;   // of any element
+  std::size_t vertices = 0;
   explicit Sampler(city::CityHead& h) : head(h) {}
 
   bool is_full() const {
-    constexpr std::size_t without_rings = 16;  // a file of points is not read to its end
-    return head.sample.size() >= enough_points || points.size() >= without_rings * enough_points;
+    constexpr std::size_t too_many = 16;  // a file of points is not read to its end
+    const Sample* chosen = choose();
+    return (chosen && chosen->rings.size() >= enough_points) ||
+           vertices >= too_many * enough_points;
+  }
+
+  // The first with rings, else the first with points.
+  const Sample* choose() const {
+    for (const Sample& sample : samples)
+      if (!sample.rings.empty()) return &sample;
+    return samples.empty() ? nullptr : &samples.front();
+  }
+
+  void finish() {
+    const Sample* chosen = choose();
+    head.srs_name = city::to_valid_utf8(chosen ? chosen->srs_name : first_name);
+    if (chosen) head.sample = chosen->rings.empty() ? chosen->points : chosen->rings;
   }
 
   bool for_each(pugi::xml_node& node) override {
     if (node.type() != pugi::node_element) return true;
     const std::string_view name = local_name(node.name());
-    take_srs_name(node, name);
+    if (first_name.empty()) first_name = own_srs_name(node);
     take_link(node);
     if (name == "LinearRing" || is_curve_ring(name)) {
       city::Ring ring;
-      if (read_ring(node, 0, ring) != RingFault::none || ring.empty()) return true;
-      head.sample.insert(head.sample.end(), ring.begin(), ring.end());
-      head.sample.push_back(ring.front());  // closes it
-    } else if ((name == "posList" || name == "pos") && head.sample.empty() &&
-               local_name(node.parent().name()) != "Envelope") {
-      city::Ring vertices;
-      if (read_vertices(node.parent(), find_dimension(node.parent().parent(), 0), vertices) ==
+      if (is_relative(node) || read_ring(node, 0, ring) != RingFault::none || ring.empty())
+        return true;
+      Sample& sample = sample_of(node);
+      sample.rings.insert(sample.rings.end(), ring.begin(), ring.end());
+      sample.rings.push_back(ring.front());  // closes it
+      vertices += ring.size();
+    } else if ((name == "posList" || name == "pos") &&
+               local_name(node.parent().name()) != "Envelope" && !is_in_ring(node)) {
+      city::Ring points;
+      if (read_vertices(node.parent(), find_dimension(node.parent().parent(), 0), points) !=
           RingFault::none)
-        points.insert(points.end(), vertices.begin(), vertices.end());
+        return true;
+      Sample& sample = sample_of(node);
+      sample.points.insert(sample.points.end(), points.begin(), points.end());
+      vertices += points.size();
     }
     return !is_full();
   }
 
-  void take_srs_name(const pugi::xml_node& node, std::string_view name) {
-    if (own_name) return;
-    const std::string_view said = city::trim(node.attribute("srsName").value());
-    if (said.empty()) return;
-    own_name = name != "Envelope";
-    if (own_name || head.srs_name.empty()) head.srs_name = city::to_valid_utf8(std::string(said));
+  // The shape of an implicit geometry has coordinates of its own.
+  static bool is_relative(const pugi::xml_node& geometry) {
+    for (pugi::xml_node at = geometry.parent(); at; at = at.parent())
+      if (const auto name = local_name(at.name());
+          name == "relativeGMLGeometry" || name == "relativeGeometry")
+        return true;
+    return false;
+  }
+
+  static bool is_in_ring(const pugi::xml_node& node) {
+    for (pugi::xml_node at = node.parent(); at; at = at.parent())
+      if (const auto name = local_name(at.name()); name == "LinearRing" || is_curve_ring(name))
+        return true;
+    return is_relative(node);
+  }
+
+  Sample& sample_of(const pugi::xml_node& geometry) {
+    std::string_view name = find_srs_name(geometry);
+    if (name.empty()) name = member_name;
+    if (name.empty()) name = document;
+    for (Sample& sample : samples)
+      if (sample.srs_name == name) return sample;
+    return samples.emplace_back(Sample{std::string(name), {}, {}});
   }
 
   void take_link(const pugi::xml_node& node) {
@@ -100,15 +148,33 @@ void require_citygml(const DocumentHead& head, const std::string& name) {
     throw Error(name, "is not CityGML: its root element is <" + head.root_name + ">");
 }
 
-std::string first_srs_name(const MemberBatch& batch) {
+std::vector<std::string> list_srs_names(std::string_view text) {
   constexpr std::string_view key = "srsName=";
+  std::vector<std::string> names;
+  for (auto at = text.find(key); at != std::string_view::npos; at = text.find(key, at)) {
+    at += key.size();
+    if (at >= text.size()) break;
+    const char quote = text[at++];
+    const auto end = text.find(quote, at);
+    if (end == std::string_view::npos) break;
+    if (const auto name = city::trim(text.substr(at, end - at)); !name.empty())
+      names.emplace_back(name);
+    at = end;
+  }
+  return names;
+}
+
+std::string first_srs_name(const MemberBatch& batch) {
+  for (const MemberBatch::Member& member : batch.members)
+    if (const auto names = list_srs_names(batch.text(member)); !names.empty()) return names.front();
+  return {};
+}
+
+std::string document_srs_name(const MemberBatch& batch) {
   for (const MemberBatch::Member& member : batch.members) {
-    const std::string_view text = batch.text(member);
-    const auto at = text.find(key);
-    if (at == std::string_view::npos || at + key.size() >= text.size()) continue;
-    const auto begin = at + key.size() + 1;
-    const auto end = text.find(text[begin - 1], begin);
-    if (end != std::string_view::npos) return std::string(text.substr(begin, end - begin));
+    if (member.name != "boundedBy") continue;
+    const auto names = list_srs_names(batch.text(member));
+    return names.empty() ? std::string() : names.front();
   }
   return {};
 }
@@ -149,17 +215,19 @@ city::CityHead read_citygml_head(const std::filesystem::path& file,
     if (out.version.empty()) out.version = splitter.head().version;
     MemberBatch batch;
     while (!sampler.is_full() && splitter.next(batch)) {
+      if (batch.first_member == 0) sampler.document = document_srs_name(batch);
       for (const MemberBatch::Member& member : batch.members) {
         pugi::xml_document xml;
         if (!xml.load_buffer_inplace(batch.bytes.get() + member.begin, member.size,
                                      gml_parse_flags))
           continue;
+        sampler.member_name = first_own_srs_name(xml);
         xml.traverse(sampler);
         if (sampler.is_full()) break;
       }
     }
   }
-  if (out.sample.empty()) out.sample = std::move(sampler.points);
+  sampler.finish();
   return out;
 }
 

@@ -19,8 +19,15 @@ bool begins_as_citygml(std::string_view start);
 /// Throws Error when the root element is none that holds city objects.
 void require_citygml(const DocumentHead& head, const std::string& name);
 
+/// Returns the srsNames in a text, in order, those that are "" left out.
+std::vector<std::string> list_srs_names(std::string_view text);
+
 /// Returns the first srsName in the batch's members, as written; "" = none.
 std::string first_srs_name(const MemberBatch& batch);
+
+/// Returns the srsName of the document's own extent (boundedBy beside its members), which stands in
+/// the first batch; "" = none.
+std::string document_srs_name(const MemberBatch& batch);
 
 /// Returns the CityGML documents in a file. In an archive others lie beside them, as metadata and
 /// code lists do: they are passed over, each with a warning in `warnings` (null: none). Throws
@@ -28,10 +35,9 @@ std::string first_srs_name(const MemberBatch& batch);
 std::vector<city::Document> list_citygml_documents(const std::filesystem::path& file,
                                                    std::vector<std::string>* warnings);
 
-/// The name of the CRS is the first that a geometry gives itself, since that wins over the
-/// envelope's (GML 3.1.1, 9.10); without one, the first in the file. Reads until it has a sample or
-/// the file ends. In the sample rings are closed again, so that one can see where they end. Throws
-/// Error as read_citygml does.
+/// The name of the CRS is that of the first ring: its own, or that of what it is part of, or the
+/// document's (srs_scope.h). Reads until it has a sample or the file ends. In the sample rings are
+/// closed again, so that one can see where they end. Throws Error as read_citygml does.
 city::CityHead read_citygml_head(const std::filesystem::path& file,
                                  const city::ReadOptions& options = {});
 

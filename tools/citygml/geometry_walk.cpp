@@ -45,6 +45,23 @@ GeometryWalk::Visit GeometryWalk::visit_of(const pugi::xml_node& element,
   return {reinterpret_cast<std::uintptr_t>(element.internal_object()), context.lod};
 }
 
+SrsName GeometryWalk::find_srs_name_in(const pugi::xml_node& feature,
+                                       const SrsName& inherited) const {
+  return srs_scope_ ? srs_scope_->to_name(extent_srs_name(feature), inherited) : inherited;
+}
+
+// Geometry that a link leads to keeps its own name.
+void GeometryWalk::take_srs_name_of(const pugi::xml_node& element, GeometryContext& context) const {
+  if (!srs_scope_ || context.placed) return;
+  context.srs_name = srs_scope_->to_name(find_srs_name(element), srs_scope_->name_of_rest());
+}
+
+void GeometryWalk::take_own_srs_name(const pugi::xml_node& element,
+                                     GeometryContext& context) const {
+  if (srs_scope_ && !context.placed)
+    context.srs_name = srs_scope_->to_name(own_srs_name(element), context.srs_name);
+}
+
 const glm::vec3* GeometryWalk::find_colour(const pugi::xml_node& element) const {
   if (local_materials_.empty() && (!file_materials_ || file_materials_->empty())) return nullptr;
   const std::string_view id = find_attribute(element, "id");
@@ -86,6 +103,7 @@ void GeometryWalk::walk(const pugi::xml_node& element, const GeometryContext& co
     return;
   }
   inside.dimension = find_dimension(element, context.dimension);
+  take_own_srs_name(element, inside);
   if (const glm::vec3* colour = find_colour(element)) inside.colour = colour;
   if (name == "OrientableSurface") {
     if (find_attribute(element, "orientation") == "-") inside.reversed = !inside.reversed;
@@ -120,6 +138,7 @@ void GeometryWalk::follow(const pugi::xml_node& link, std::string_view href,
   }
   if (const pugi::xml_node target = here ? ids_.find(id) : pugi::xml_node()) {
     const std::string_view kind = local_name(target.name());
+    take_srs_name_of(target, there);
     if (!is_geometry(kind)) skipped_.add("xlink: to what is no geometry");
     // The polygons of a target passed before are taken: this ends cycles, and trees of links to
     // links.
@@ -170,6 +189,9 @@ void GeometryWalk::read_polygon(const pugi::xml_node& element, const GeometryCon
   const glm::vec3* colour = find_colour(element);
   if (!colour) colour = context.colour;
   if (colour) polygon.diffuse_colour = *colour;
+  GeometryContext own = context;
+  take_own_srs_name(element, own);
+  polygon.srs_name = std::move(own.srs_name);
   RingFault fault = RingFault::no_coordinates;
   for (const pugi::xml_node& boundary : element.children()) {
     const std::string_view side = local_name(boundary.name());
@@ -207,6 +229,7 @@ void GeometryWalk::read_polygon(const pugi::xml_node& element, const GeometryCon
 
 void GeometryWalk::add(city::Polygon&& polygon, const GeometryContext& context) {
   if (context.placed) {
+    polygon.srs_name = context.srs_name;
     if (++placed_polygons_ > max_placed_polygons) {
       skipped_.add("implicit geometry: more polygons than a member may have");
       return;
@@ -225,6 +248,7 @@ void GeometryWalk::add(city::Polygon&& polygon, const GeometryContext& context) 
 void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryContext& context) {
   glm::dmat4 matrix(1.0);
   glm::dvec3 reference(0.0);
+  SrsName srs_name = context.srs_name;
   std::vector<double> numbers;
   std::vector<pugi::xml_node> shapes;
   for (const pugi::xml_node& child : element.children()) {
@@ -241,8 +265,10 @@ void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryCo
     } else if (name == "referencePoint") {
       std::vector<glm::dvec3> points;
       std::vector<city::Ring> lines;
-      read_points(child, context, points, lines);
+      Points read{points, lines};
+      walk_points(child, context, read);
       if (!points.empty()) reference = points.front();
+      srs_name = read.srs_name.value_or(context.srs_name);
     } else if (name == "relativeGMLGeometry" || name == "relativeGeometry") {
       shapes.push_back(child);
     } else if (child.type() == pugi::node_element && name != "mimeType") {
@@ -252,6 +278,7 @@ void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryCo
   matrix[3] += glm::dvec4(reference, 0.0);
   GeometryContext placed = context;
   placed.placed = &matrix;
+  placed.srs_name = std::move(srs_name);  // the shape's own coordinates have none
   // The same shape may be placed many times, but only once by each implicit geometry.
   Visits visited, linked;
   visited.swap(visited_);
@@ -266,27 +293,36 @@ void GeometryWalk::read_implicit(const pugi::xml_node& element, const GeometryCo
 }
 
 bool GeometryWalk::read_tin_points(const pugi::xml_node& property, const GeometryContext& context,
-                                   std::vector<glm::dvec3>& points,
-                                   std::vector<city::Ring>& lines) {
+                                   city::CityObject& object) {
   const auto is_tin = [](const pugi::xml_node& node) { return local_name(node.name()) == "Tin"; };
   const pugi::xml_node tin = property.find_child(is_tin);
   if (!tin || count_polygons(tin) > 0) return false;
   GeometryContext inside = context;
   inside.dimension = find_dimension(tin, context.dimension);
+  take_own_srs_name(tin, inside);
   bool any = false;
   for (const pugi::xml_node& child : tin.children()) {
     const std::string_view name = local_name(child.name());
     if (name != "controlPoint" && name != "breakLines" && name != "stopLines") continue;
-    read_points(child, inside, points, lines);
+    read_points(child, inside, object);
     any = true;
   }
   return any;
 }
 
 void GeometryWalk::read_points(const pugi::xml_node& property, const GeometryContext& context,
-                               std::vector<glm::dvec3>& points, std::vector<city::Ring>& lines) {
+                               city::CityObject& object) {
+  Points out{object.points, object.lines};
+  if (!object.points.empty() || !object.lines.empty()) out.srs_name = object.points_srs_name;
+  walk_points(property, context, out);
+  object.points_srs_name = out.srs_name.value_or(nullptr);
+}
+
+void GeometryWalk::walk_points(const pugi::xml_node& property, const GeometryContext& context,
+                               Points& out) {
   GeometryContext inside = context;
   inside.dimension = find_dimension(property, context.dimension);
+  take_own_srs_name(property, inside);
   if (++inside.depth > max_nesting) {
     skipped_.add("nested too deep: " + std::string(property.name()));
     return;
@@ -296,13 +332,14 @@ void GeometryWalk::read_points(const pugi::xml_node& property, const GeometryCon
     const bool is_line =
         name == "LineString" || name == "LineStringSegment" || name == "LinearRing";
     city::Ring line;
+    Points below{is_line ? line : out.points, out.lines, out.srs_name};
     for (const pugi::xml_node& child : property.children())
-      if (child.type() == pugi::node_element)
-        read_points(child, inside, is_line ? line : points, lines);
+      if (child.type() == pugi::node_element) walk_points(child, inside, below);
+    out.srs_name = below.srs_name;
     if (line.size() > 1)
-      lines.push_back(std::move(line));
+      out.lines.push_back(std::move(line));
     else
-      points.insert(points.end(), line.begin(), line.end());
+      out.points.insert(out.points.end(), line.begin(), line.end());
     return;
   }
   std::vector<double> numbers;
@@ -311,12 +348,17 @@ void GeometryWalk::read_points(const pugi::xml_node& property, const GeometryCon
     skipped_.add("points: coordinates that are no numbers");
     return;
   }
+  if (!out.srs_name) out.srs_name = inside.srs_name;
+  if (*out.srs_name != inside.srs_name) {
+    skipped_.add("point: of another CRS than the object's first", numbers.size() / d);
+    return;
+  }
   for (std::size_t i = 0; i < numbers.size(); i += d) {
     const glm::dvec3 p(numbers[i], numbers[i + 1], d == 3 ? numbers[i + 2] : 0.0);
     if (city::is_sentinel_height(p.z))
       skipped_.add("point: at a height that stands for none (-9999 and the like)");
     else
-      points.push_back(p);
+      out.points.push_back(p);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/mat4x4.hpp>
+#include <optional>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@
 #include "tools/city/merge_parts.h"
 #include "tools/citygml/appearances.h"
 #include "tools/city/skip_counter.h"
+#include "tools/citygml/srs_scope.h"
 #include "tools/citygml/xlinks.h"
 
 namespace nightcity::citygml {
@@ -37,6 +39,7 @@ struct GeometryContext {
   int links = 0;                       // xlinks followed on the way here
   const glm::vec3* colour = nullptr;   // of a material further up
   const glm::dmat4* placed = nullptr;  // transformation of an implicit geometry
+  SrsName srs_name{};                  // of the coordinates
 };
 
 /// Elements nested deeper than this are skipped and counted: no CityGML needs it, and the stack is
@@ -55,17 +58,22 @@ class GeometryWalk {
   /// The same for a geometry element itself.
   void read_element(const pugi::xml_node& geometry, const GeometryContext& context,
                     std::vector<city::RawPolygon>& out);
-  /// Adds every vertex below `property`: break lines to `lines`, single vertices to `points`.
+  /// Adds every vertex below `property` to the object: break lines to its `lines`, single vertices
+  /// to its `points`. Those of another CRS than the first are skipped and counted.
   void read_points(const pugi::xml_node& property, const GeometryContext& context,
-                   std::vector<glm::dvec3>& points, std::vector<city::Ring>& lines);
+                   city::CityObject& object);
 
   /// The same for the control points and break lines of a gml:Tin that has no triangles: by GML
   /// 3.1.1, 10.5.14, these define its surface. Returns false where the property holds no such Tin.
   bool read_tin_points(const pugi::xml_node& property, const GeometryContext& context,
-                       std::vector<glm::dvec3>& points, std::vector<city::Ring>& lines);
+                       city::CityObject& object);
 
   Materials& local_materials() { return local_materials_; }
   void set_file_materials(const Materials* materials) { file_materials_ = materials; }
+  /// Looks at the names of CRSs in the member from now on; `scope` must outlive the walk.
+  void set_srs_scope(SrsScope* scope) { srs_scope_ = scope; }
+  /// Returns the name that the element gives to its geometry, or the one given to it.
+  SrsName find_srs_name_in(const pugi::xml_node& feature, const SrsName& inherited) const;
   /// Ids named by xlinks that neither the member nor the library holds.
   const std::vector<std::string>& unresolved() const { return unresolved_; }
   /// The numbers of the library's polygons among those added, by their place in `out` (only where
@@ -81,7 +89,15 @@ class GeometryWalk {
   void read_polygon(const pugi::xml_node& element, const GeometryContext& context);
   void read_implicit(const pugi::xml_node& element, const GeometryContext& context);
   void add(city::Polygon&& polygon, const GeometryContext& context);
+  struct Points {
+    std::vector<glm::dvec3>& points;
+    std::vector<city::Ring>& lines;
+    std::optional<SrsName> srs_name{};  // of the first one
+  };
+  void walk_points(const pugi::xml_node& property, const GeometryContext& context, Points& out);
   const glm::vec3* find_colour(const pugi::xml_node& element) const;
+  void take_srs_name_of(const pugi::xml_node& element, GeometryContext& context) const;
+  void take_own_srs_name(const pugi::xml_node& element, GeometryContext& context) const;
 
   void add_linked(const std::vector<LinkedPolygon>& linked, const GeometryContext& context);
 
@@ -102,6 +118,7 @@ class GeometryWalk {
   city::SkipCounter& skipped_;
   Materials local_materials_;
   const Materials* file_materials_ = nullptr;
+  SrsScope* srs_scope_ = nullptr;  // null: the member names no CRS
   std::vector<city::RawPolygon>* out_ = nullptr;
   using Visits = std::unordered_set<Visit, VisitHash>;
   Visits visited_;  // elements of this member

@@ -92,7 +92,12 @@ class DocumentLoader {
     std::vector<const MemberBatch::Member*> members;
     for (const MemberBatch::Member& member : batch.members) {
       if (!is_object_member(member)) continue;
-      if (append_guarded(batch.text(member), text))
+      if (const std::string other = find_other_srs_name(batch.text(member)); !other.empty())
+        skip(batch, member,
+             "names another CRS (" + other +
+                 ") than the file's first geometry: [city] reader = "
+                 "\"stream\" places it");
+      else if (append_guarded(batch.text(member), text))
         members.push_back(&member);
       else
         skip(batch, member, "a text over 1,000,000 characters");
@@ -123,6 +128,14 @@ class DocumentLoader {
       return true;
     if (member.name != "boundedBy") ++report.skipped[member.name];
     return false;
+  }
+
+  // libcitygml does not tell which CRS a geometry has.
+  std::string find_other_srs_name(std::string_view text) const {
+    if (!options_.srs_name) return {};
+    for (const std::string& name : list_srs_names(text))
+      if (name != *options_.srs_name) return name;
+    return {};
   }
 
   void skip(const MemberBatch& batch, const MemberBatch::Member& member, const std::string& why) {

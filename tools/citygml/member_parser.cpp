@@ -95,7 +95,9 @@ void MemberParser::read_top(const pugi::xml_node& element, std::vector<city::Raw
   if (raw.object.id.empty()) raw.object.id = std::string(name) + "@" + std::to_string(line_);
   raw.object.class_name = name;
   raw.object.type = what.object;
-  read_feature(element, what, {}, raw);
+  GeometryContext context;
+  context.srs_name = srs_name_;
+  read_feature(element, what, context, raw);
 }
 
 void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClass& what,
@@ -103,6 +105,7 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
   context.surface = what.surface != city::SurfaceType::unknown || what.kind != ClassKind::surface
                         ? what.surface
                         : context.surface;
+  context.srs_name = geometry_.find_srs_name_in(element, context.srs_name);
   city::CityObject said;
   std::vector<pugi::xml_node> children, geometries, points;
   int relief_lod = -1;
@@ -154,11 +157,11 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
     here.lod = lod >= 0 ? lod : relief_lod;
     if (local_name(property.name()) == "lod0RoofEdge") here.surface = city::SurfaceType::roof;
     if (local_name(property.name()) == "lod0FootPrint") here.surface = city::SurfaceType::ground;
-    if (!geometry_.read_tin_points(property, here, raw.object.points, raw.object.lines))
+    if (!geometry_.read_tin_points(property, here, raw.object))
       geometry_.read(property, here, raw.polygons);
   }
   for (const pugi::xml_node& property : points)
-    geometry_.read_points(property, context, raw.object.points, raw.object.lines);
+    geometry_.read_points(property, context, raw.object);
 }
 
 void MemberParser::read_child_features(const pugi::xml_node& property,

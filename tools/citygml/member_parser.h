@@ -4,6 +4,7 @@
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tools/city/merge_parts.h"
@@ -19,6 +20,11 @@ class MemberParser {
   /// one in the document. `file_materials`: those of the document's own appearances.
   MemberParser(const pugi::xml_node& member, std::size_t line, const GeometryLibrary& library,
                const Materials& file_materials);
+
+  /// Looks at the names of CRSs in the member from now on; `scope` must outlive the parser.
+  void set_srs_scope(SrsScope* scope) { geometry_.set_srs_scope(scope); }
+  /// Sets the name that geometry has which names none.
+  void set_srs_name(SrsName name) { srs_name_ = std::move(name); }
 
   /// Returns every city object of the member. What is not used goes to skipped().
   std::vector<city::RawObject> parse();
@@ -40,6 +46,7 @@ class MemberParser {
   std::size_t line_;
   city::SkipCounter skipped_;
   GeometryWalk geometry_;
+  SrsName srs_name_{};
 };
 
 /// Returns "Street 12, 10115 Berlin, Germany" from an xAL address, without the parts that are

@@ -16,13 +16,15 @@ constexpr int max_rounds = 4;  // for links to links to links across members
 
 class Fetcher {
  public:
-  Fetcher(std::uint64_t& next, std::size_t& room) : next_(next), room_(room) {}
+  Fetcher(SrsScope scope, std::uint64_t& next, std::size_t& room)
+      : scope_(std::move(scope)), next_(next), room_(room) {}
 
   // Takes every wanted geometry that the member holds, and notes the ids that it refers to without
   // holding them.
   void fetch_from(const pugi::xml_node& member, const std::unordered_set<std::string>& wanted,
                   std::unordered_set<std::string>& missing) {
     IdIndex ids(member);
+    scope_.enter(member);
     for (const std::string& id : wanted) {
       if (library_.polygons.contains(id) || without_room_.contains(id)) continue;
       const pugi::xml_node element = ids.find(id);
@@ -31,7 +33,10 @@ class Fetcher {
       city::SkipCounter counted_where_it_stands;
       GeometryWalk walk(member, library_, counted_where_it_stands);
       std::vector<city::RawPolygon> raws;
-      walk.read_element(element, {}, raws);
+      walk.set_srs_scope(&scope_);
+      GeometryContext context;
+      context.srs_name = scope_.to_name(find_srs_name(element), scope_.name_of_rest());
+      walk.read_element(element, context, raws);
       if (walk.unresolved().empty()) {
         take(id, walk, std::move(raws));
       } else {  // to be read again when those are known
@@ -59,6 +64,7 @@ class Fetcher {
     }
   }
 
+  SrsScope scope_;
   std::uint64_t& next_;
   std::size_t& room_;
   GeometryLibrary library_;
@@ -69,9 +75,10 @@ class Fetcher {
 
 FetchedGeometry fetch_geometry(const city::Document& document,
                                std::unordered_set<std::string> wanted,
-                               const city::ReadOptions& options, std::uint64_t& next,
+                               const city::ReadOptions& options,
+                               const std::string& document_srs_name, std::uint64_t& next,
                                std::size_t& room) {
-  Fetcher fetcher(next, room);
+  Fetcher fetcher(SrsScope(options.srs_name, document_srs_name), next, room);
   for (int round = 0; round < max_rounds && !wanted.empty(); ++round) {
     std::unordered_set<std::string> missing;
     const auto source = document.open();

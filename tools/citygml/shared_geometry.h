@@ -1,6 +1,7 @@
 // Geometry that members refer to across the file.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <unordered_map>
@@ -21,9 +22,11 @@ struct FetchedGeometry {
 /// Reads the document for the geometry with these ids and for the geometry that it refers to in
 /// turn. The result lacks ids that the document does not hold and those that would take more than
 /// `room` vertices; its vertices are subtracted from `room`. Polygons are numbered from `next` on.
+/// `document_srs_name`: of the document's own extent.
 FetchedGeometry fetch_geometry(const city::Document& document,
                                std::unordered_set<std::string> wanted,
-                               const city::ReadOptions& options, std::uint64_t& next,
+                               const city::ReadOptions& options,
+                               const std::string& document_srs_name, std::uint64_t& next,
                                std::size_t& room);
 
 }  // namespace nightcity::citygml

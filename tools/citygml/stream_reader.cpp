@@ -1,6 +1,7 @@
 #include "tools/citygml/stream_reader.h"
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "tools/citygml/read_citygml.h"
 #include "tools/citygml/rings.h"
 #include "tools/citygml/shared_geometry.h"
+#include "tools/citygml/srs_scope.h"
 #include "tools/in_order.h"
 
 namespace nightcity::citygml {
@@ -24,6 +26,11 @@ constexpr std::size_t max_warnings = 50;
 bool is_object_member(const MemberBatch::Member& member) {
   return member.name == "cityObjectMember" || member.name == "featureMember" ||
          member.name == "member" || find_feature_class(member.name).kind != ClassKind::unknown;
+}
+
+bool mentions_srs_name(std::string_view text) {
+  constexpr std::string_view key = "srsName";
+  return memmem(text.data(), text.size(), key.data(), key.size()) != nullptr;
 }
 
 struct BatchResult {
@@ -99,7 +106,8 @@ class StreamReader {
 
   void take_geometry(const city::Document& document, const std::unordered_set<std::string>& ids,
                      const std::string& prefix) {
-    FetchedGeometry fetched = fetch_geometry(document, ids, options_, next_linked_, room_);
+    FetchedGeometry fetched =
+        fetch_geometry(document, ids, options_, document_srs_name_, next_linked_, room_);
     for (auto& [id, polygons] : fetched.polygons)
       library_.polygons.emplace(prefix + id, std::move(polygons));
     if (fetched.beyond_room > 0)
@@ -130,6 +138,7 @@ class StreamReader {
   BatchResult parse(const DocumentHead& head, const MemberBatch& batch,
                     const std::unordered_set<std::size_t>* only) const {
     BatchResult out;
+    SrsScope scope(options_.srs_name, document_srs_name_);
     for (std::size_t i = 0; i < batch.members.size(); ++i) {
       const MemberBatch::Member& member = batch.members[i];
       const std::size_t number = batch.first_member + i;
@@ -140,8 +149,16 @@ class StreamReader {
         continue;
       }
       pugi::xml_document xml;
+      const bool names_any = options_.srs_name && mentions_srs_name(batch.text(member));
       load(head, batch, member, xml);
       MemberParser parser(xml.document_element(), member.line, library_, file_materials_);
+      if (names_any) {
+        scope.enter(xml);
+        parser.set_srs_scope(&scope);
+        parser.set_srs_name(scope.name_of_rest());
+      } else {
+        parser.set_srs_name(scope.name_of_document());
+      }
       std::vector<city::RawObject> raws = parser.parse();
       if (!parser.unresolved().empty() && !library_complete_) {
         out.deferred.push_back(number);
@@ -173,8 +190,9 @@ class StreamReader {
 
   bool next(MemberSplitter& splitter, MemberBatch& batch) {
     if (!splitter.next(batch)) return false;
-    if (srs_name_.empty())
-      srs_name_ = first_srs_name(batch);  // before parsing, which changes the text
+    // Before parsing, which changes the text.
+    if (srs_name_.empty()) srs_name_ = first_srs_name(batch);
+    if (batch.first_member == 0) document_srs_name_ = document_srs_name(batch);
     return true;
   }
 
@@ -198,7 +216,7 @@ class StreamReader {
   const city::ReadOptions& options_;
   const city::ObjectStage& stage_;
   city::ReadReport report_;
-  std::string srs_name_;
+  std::string srs_name_, document_srs_name_;
   Materials file_materials_;
   GeometryLibrary library_;
   bool library_complete_ = false;

@@ -132,6 +132,7 @@ class DocumentReader {
   city::ReadReport read() {
     report_.version = document_.shared().version;
     report_.srs_name = document_.shared().srs_name;
+    document_.shared().require_srs_name(options_.srs_name, name_);
     list_nodes();
     groups_ = group_objects(nodes_, document_.skipped());
     document_.read_vertex_blocks(options_.threads,

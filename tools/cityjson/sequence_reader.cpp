@@ -83,6 +83,7 @@ class SequenceReader {
     }
     report_.version = header_.shared.version;
     report_.srs_name = header_.shared.srs_name;
+    header_.shared.require_srs_name(options_.srs_name, document_.name);
     batch.hand_over(stage_);
     batch.take_into(report_);
   }

@@ -119,6 +119,13 @@ void SharedParts::read(std::string_view key, const dom::element& value, const st
   }
 }
 
+void SharedParts::require_srs_name(const std::optional<std::string>& known,
+                                   const std::string& where) const {
+  if (known && !srs_name.empty() && srs_name != *known)
+    throw Error(where, "names another CRS (" + srs_name + ") than the first in its archive (" +
+                           *known + "): unpack the archive, then each file is placed by its own");
+}
+
 void SharedParts::require_type(const std::string& where) const {
   if (!has_type_) throw Error(where, "is no CityJSON: it has no \"type\": \"CityJSON\"");
 }

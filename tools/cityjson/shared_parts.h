@@ -44,6 +44,9 @@ struct SharedParts {
             city::SkipCounter& skipped);
   /// Throws Error unless `type` and `version` have been read.
   void require_type(const std::string& where) const;
+  /// Throws Error where the document names another CRS than `known`, by which the caller takes its
+  /// file's coordinates: then the file is an archive of documents that differ. Absent: not compared.
+  void require_srs_name(const std::optional<std::string>& known, const std::string& where) const;
 
  private:
   void read_templates(const dom::object& value);

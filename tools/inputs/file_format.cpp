@@ -14,6 +14,7 @@
 #include "tools/inputs/city_files.h"
 #include "tools/inputs/foreign_format.h"
 #include "tools/map_buildings/read_map_buildings.h"
+#include "tools/obj/read_obj.h"
 #include "tools/osm/osm_marks.h"
 #include "tools/osm/read_osm.h"
 
@@ -71,6 +72,12 @@ constexpr city::FileReader citygml_reader{citygml::read_citygml_head, citygml::r
 constexpr city::FileReader cityjson_reader{cityjson::read_cityjson_head,
                                            cityjson::read_cityjson_staged};
 
+bool is_obj(const FileStart& start) {
+  return obj::begins_as_obj(start.bytes);
+}
+
+constexpr city::FileReader obj_reader{obj::read_obj_head, obj::read_obj_staged};
+
 // The buildings of a map, where it is named as a city.
 constexpr city::FileReader map_reader{map_buildings::read_map_head,
                                       map_buildings::read_map_buildings};
@@ -85,6 +92,7 @@ constexpr std::array formats{
                &citygml_reader},
     FileFormat{"IES", FileKind::luminaire, is_ies},
     FileFormat{"EULUMDAT", FileKind::luminaire, is_eulumdat},
+    FileFormat{"Wavefront OBJ", FileKind::city, is_obj, true, obj::obj_endings, &obj_reader},
 };
 
 std::string read_start(const city::Document& document) {

@@ -113,6 +113,7 @@ class LampTagReader {
 
   /// Type of lamp, flux and power.
   void read_source() {
+    if (const std::string* model = find("luminaire_model")) lamp_.model = *model;
     lamp_.flux_lm = first_of(
         {"light:luminous_flux", "luminous_flux", "light:lumen", "light:lumens", "lumen", "lumens"},
         between(10, 200000, number_in({"lm", "lumen", "lumens"})));

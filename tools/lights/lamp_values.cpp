@@ -67,7 +67,7 @@ LampValues choose_values(const LampTags& tags, const RoadLighting& defaults,
   choose_colour(tags, defaults, type, values);
   const Optic optic = values.optic.value;
   if (optic == Optic::street || optic == Optic::central)
-    values.measured = luminaire_for(options, defaults, tags.type.value_or(LampType::led));
+    values.measured = luminaire_for(options, defaults, tags.type.value_or(LampType::led), tags.model);
   if (values.measured) {
     values.optic.source = ValueSource::attribute;
     if (values.measured->take_flux && values.flux_lm.source == ValueSource::rule)

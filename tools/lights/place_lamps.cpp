@@ -61,7 +61,8 @@ class Placer {
   void place(const osm::OsmLampNode& node) {
     const LampTags tags = read_lamp_tags(node.tags);
     for (const auto& [text, count] : tags.unread)
-      set_.notes["tag not understood: " + text] += count;
+      set_.notes[(node.is_inventory ? "inventory value not understood: " : "tag not understood: ") +
+                 text] += count;
     if (tags.unlit) return leave_out(tags.outage);
     glm::dvec2 at = to_frame_(node.lon_lat);
     if (!std::isfinite(at.x) || !std::isfinite(at.y)) return leave_out("outside the projection");
@@ -105,16 +106,18 @@ class Placer {
     const RoadLighting& defaults = defaults_for(tags, road);
     const LampValues values = choose_values(tags, defaults, options_);
     PlacedLamp lamp = make_lamp(tags, values);
+    if (node.is_inventory) tell_inventory(lamp.provenance);
     lamp.foot = foot;
     lamp.provenance.source_id = static_cast<std::uint64_t>(node.id);
-    lamp.provenance.position = position;
+    lamp.provenance.position =
+        node.is_inventory && position == ValueSource::tag ? ValueSource::inventory : position;
     lamp.highway = defaults.highway;
     if (road) {
       lamp.way_id = road->road->way_id;
       lamp.along_m = road->along_m;
     }
     const std::vector<glm::dvec2> aims = find_aims(node, tags, foot, road);
-    if (aims.size() > 2)
+    if (aims.size() > 2 && lamp.provenance.flux != ValueSource::inventory)
       lamp.flux_lm *= 2.0 / static_cast<double>(aims.size());  // clusters share two lamps' light
     std::optional<double> to_centreline_m;
     if (road) to_centreline_m = road->distance_m;
@@ -127,6 +130,12 @@ class Placer {
       set_.lamps.push_back(lamp);
       count_sources(lamp.provenance, tags, road);
     }
+  }
+
+  static void tell_inventory(LightProvenance& from) {
+    for (ValueSource* source :
+         {&from.height, &from.flux, &from.colour, &from.profile, &from.schedule})
+      if (*source == ValueSource::tag) *source = ValueSource::inventory;
   }
 
   PlacedLamp make_lamp(const LampTags& tags, const LampValues& values) {
@@ -257,12 +266,14 @@ class Placer {
 }  // namespace
 
 const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadLighting& road,
-                                     LampType type) {
+                                     LampType type, const std::string& model) {
   const auto serves = [](const auto& list, const auto& value) {
     return list.empty() || std::find(list.begin(), list.end(), value) != list.end();
   };
   for (const LuminaireChoice& choice : options.luminaires)
-    if (serves(choice.highways, road.highway) && serves(choice.types, type)) return &choice;
+    if (serves(choice.highways, road.highway) && serves(choice.types, type) &&
+        serves(choice.models, model))
+      return &choice;
   return nullptr;
 }
 

@@ -62,6 +62,7 @@ struct LuminaireChoice {
   std::vector<LampType> types;        // types of lamp that it serves; empty: every type
   bool take_flux = true;              // take the luminaire's flux too, where no tag gives one
   double flux_lm = 0;
+  std::vector<std::string> models{};  // of luminaires that it is; empty: every one
 };
 
 struct LampOptions {
@@ -72,9 +73,9 @@ struct LampOptions {
 };
 
 /// Returns the measured luminaire for a lamp of this type beside a road, or null. Lamps of unknown
-/// type count as LED.
+/// type count as LED. `model`: as an inventory names it.
 const LuminaireChoice* luminaire_for(const LampOptions& options, const RoadLighting& road,
-                                     LampType type = LampType::led);
+                                     LampType type = LampType::led, const std::string& model = {});
 
 /// Places all lamps of a map. Values come from the tags; the rest comes from the road beside a lamp
 /// and the table of defaults (lamp_defaults.h). A lamp that stands inside a building, as far as

@@ -96,7 +96,8 @@ std::string find_tag(const osm::OsmTags& tags, const char* key) {
 
 class ObjectMaker {
  public:
-  explicit ObjectMaker(city::SkipCounter& skipped) : skipped_(skipped) {}
+  ObjectMaker(city::SkipCounter& skipped, city::SkipCounter& assumed)
+      : skipped_(skipped), assumed_(assumed) {}
 
   // Returns none where nothing of the building stands above the ground.
   std::optional<city::RawObject> make(const MapArea& building,
@@ -128,7 +129,7 @@ class ObjectMaker {
   void add_shells(const MapArea& area, const osm::OsmTags& tags, const LocalPlane& plane,
                   city::RawObject& raw) {
     const BuildingSizes sizes = find_sizes(tags, skipped_);
-    if (sizes.assumed) skipped_.add("height of a building that the map does not say");
+    if (sizes.assumed) assumed_.add("height of a building");
     for (const MapRings& rings : area.rings) {
       const Outline outline = to_outline(rings, plane);
       bool made_flat = false;
@@ -149,13 +150,13 @@ class ObjectMaker {
           std::max(object.storeys_above_ground.value_or(0), *sizes.storeys);
   }
 
-  city::SkipCounter& skipped_;
+  city::SkipCounter &skipped_, &assumed_;
   city::SkipCounter unused_;
 };
 
 struct Batch {
   city::ReadReport report;
-  city::SkipCounter skipped;
+  city::SkipCounter skipped, assumed;
   std::function<void()> rest;
 };
 
@@ -209,7 +210,7 @@ city::ReadReport read_map_buildings(const std::filesystem::path& file,
       },
       [&](std::size_t first) {
         Batch batch;
-        ObjectMaker maker(batch.skipped);
+        ObjectMaker maker(batch.skipped, batch.assumed);
         std::vector<city::CityObject> objects;
         for (std::size_t i = first; i < std::min(first + batch_size, count); ++i) {
           const bool whole = i < areas.buildings.size();
@@ -223,12 +224,13 @@ city::ReadReport read_map_buildings(const std::filesystem::path& file,
       [&](Batch&& batch) {
         if (batch.rest) batch.rest();
         batch.skipped.merge_into(batch.report.skipped);
+        batch.assumed.merge_into(batch.report.assumed);
         report.merge(batch.report);
       });
   report.warnings.push_back(file.string() + ": the city model is the " +
                             std::to_string(report.objects) +
                             " buildings of the map, with the heights that it says or its levels "
-                            "and kinds suggest, on a plane at height 0");
+                            "and kinds suggest");
   city::finish_report(file, report);
   return report;
 }

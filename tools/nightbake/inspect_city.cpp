@@ -9,6 +9,45 @@
 #include "tools/nightbake/inspect.h"
 
 namespace nightcity::nightbake {
+namespace {
+
+// Brings geometry that names another CRS than the file's first into the frame of that one.
+class OtherFrames {
+ public:
+  explicit OtherFrames(const std::optional<georeference::CityFrame>& first) : first_(first) {}
+
+  // Returns false where one of the two frames is unknown; then the coordinates stay.
+  bool to_first(const std::string& srs_name, city::Ring& ring) {
+    auto found = frames_.find(srs_name);
+    if (found == frames_.end()) found = frames_.emplace(srs_name, make_frame(srs_name, ring)).first;
+    ++rings_[srs_name];
+    const auto& frame = found->second;
+    if (!frame || !first_ || !frame->has_lon_lat() || !first_->has_lon_lat()) return false;
+    frame->to_projected(ring);
+    for (glm::dvec3& p : ring)
+      p = glm::dvec3(first_->from_lon_lat(frame->to_lon_lat(glm::dvec2(p))), p.z);
+    return true;
+  }
+
+  const std::map<std::string, std::size_t>& rings() const { return rings_; }
+
+ private:
+  static std::optional<georeference::CityFrame> make_frame(const std::string& srs_name,
+                                                           city::Ring ring) {
+    if (!ring.empty()) ring.push_back(ring.front());
+    try {
+      return georeference::CityFrame::from_srs_name(srs_name, ring, {});
+    } catch (const Error&) {
+      return std::nullopt;
+    }
+  }
+
+  const std::optional<georeference::CityFrame>& first_;
+  std::map<std::string, std::optional<georeference::CityFrame>> frames_;
+  std::map<std::string, std::size_t> rings_;
+};
+
+}  // namespace
 
 Inspection inspect_city(const std::filesystem::path& file, const std::string& kind, int max_lod) {
   Inspection result = make_empty_inspection(kind);
@@ -29,6 +68,8 @@ Inspection inspect_city(const std::filesystem::path& file, const std::string& ki
   std::string last_id;
   city::ReadOptions options;
   options.max_lod = max_lod;
+  options.srs_name = head.srs_name;
+  OtherFrames others(frame);
   const city::ReadReport report = inputs::read_city(file, options, [&](city::CityObject&& object) {
     // Large objects come in pieces under one id.
     if (object.id.empty() || object.id != last_id) {
@@ -38,7 +79,10 @@ Inspection inspect_city(const std::filesystem::path& file, const std::string& ki
     }
     last_id = object.id;
     for (city::Polygon& polygon : object.polygons) {
-      if (frame) {
+      if (polygon.srs_name) {
+        if (!others.to_first(*polygon.srs_name, polygon.exterior)) continue;
+        for (city::Ring& ring : polygon.interiors) others.to_first(*polygon.srs_name, ring);
+      } else if (frame) {
         frame->to_projected(polygon.exterior);
         for (city::Ring& ring : polygon.interiors) frame->to_projected(ring);
       }
@@ -77,6 +121,10 @@ Inspection inspect_city(const std::filesystem::path& file, const std::string& ki
                     {"not_finite", mesh.not_finite},
                     {"not_triangulated", mesh.not_triangulated}};
   result["warnings"] = report.warnings;
+  for (const auto& [name, count] : others.rings())
+    result["warnings"].push_back(file.string() + ": " + std::to_string(count) +
+                                 " outlines name another CRS (" + name +
+                                 ") than the first geometry (" + head.srs_name + ")");
   if (frame && !frame->axis_warning().empty())
     result["warnings"].push_back(file.string() + ": " + frame->axis_warning());
   if (!frame)

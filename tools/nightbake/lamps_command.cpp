@@ -31,8 +31,9 @@ struct LampsArguments {
 
 bake::BakeOptions read_options(const LampsArguments& arguments) {
   bake::BakeOptions options = bake::to_bake_options(bake::read_inputs(arguments.inputs));
-  if (options.city.maps.empty())
-    throw UsageError(options.city.name(), "no OSM file among the inputs: lamps come from the map");
+  if (options.city.maps.empty() && options.city.inventories.empty())
+    throw UsageError(options.city.name(),
+                     "neither a map nor an inventory among the inputs: lamps come from these");
   // Files given alone: what the map has and no more.
   if (options.city.recipe.empty() && !arguments.lay_out)
     options.lights.lamps.layout.mode = layout::LayoutOptions::Mode::never;
@@ -60,7 +61,7 @@ void run(const LampsArguments& arguments) {
     lamps = bake::place_city_lamps(city, options.lights.lamps);
   }
   write(city, lamps.set, arguments.out);
-  const bake::LampReport report = bake::to_report(lamps.set, city.map().lamps.size());
+  const bake::LampReport report = bake::to_report(lamps.set, city);
   if (arguments.json) {
     nlohmann::json result = bake::to_json(report);
     result["layout"] = bake::to_json(lamps.layout, false);

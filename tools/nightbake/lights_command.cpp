@@ -59,10 +59,10 @@ void print(const LightFile& file, const lights::LightStatistics& statistics) {
     fmt::print("\n{}: {} ({}), {:.1f} klm, {} always on\n", name, family.count, kinds,
                family.flux_lm / 1000, family.always_on);
     fmt::print("{:<10}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "from", "tag", "attribute", "rule",
-               "standard", "unknown");
+               "standard", "inventory", "unknown");
     for (const auto& [value, sources] : family.sources) {
       fmt::print("{:<10}", value);
-      for (const char* source : {"tag", "attribute", "rule", "standard", "unknown"}) {
+      for (const char* source : {"tag", "attribute", "rule", "standard", "inventory", "unknown"}) {
         const auto found = sources.find(source);
         fmt::print("{:>10}", found == sources.end() ? 0 : found->second);
       }

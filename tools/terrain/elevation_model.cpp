@@ -1,6 +1,5 @@
 #include "tools/terrain/elevation_model.h"
 
-#include <cpl_error.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
@@ -13,6 +12,7 @@
 
 #include "formats/error.h"
 #include "formats/input_file.h"
+#include "tools/gdal/guarded_gdal.h"
 #include "tools/terrain/height_unit.h"
 #include "tools/terrain/raster_formats.h"
 
@@ -20,20 +20,6 @@ namespace nightcity::terrain {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-// Keeps GDAL from printing its errors: ours carry its last message.
-class Silence {
- public:
-  Silence() { CPLPushErrorHandler(CPLQuietErrorHandler); }
-  ~Silence() { CPLPopErrorHandler(); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-};
-
-std::string reason() {
-  const std::string message = CPLGetLastErrorMsg();
-  return message.empty() ? "GDAL gives no reason" : message;
-}
 
 // Colours are no heights, though the numbers of a picture can be read as such.
 void refuse_picture(GDALDataset& dataset, const std::string& name) {
@@ -106,8 +92,8 @@ glm::dvec2 ElevationModel::State::find_pixel(const glm::dvec2& place) const {
 
 ElevationModel::ElevationModel(const std::filesystem::path& file)
     : state_(std::make_unique<State>()) {
-  register_raster_formats();
-  const Silence silence;
+  gdal::register_drivers();
+  const gdal::Guard guard;
   State& s = *state_;
   s.name = file.string();
   std::error_code ignored;
@@ -119,7 +105,7 @@ ElevationModel::ElevationModel(const std::filesystem::path& file)
   s.dataset.reset(
       GDALDataset::Open(s.name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, list_allowed_drivers()));
   if (!s.dataset || s.dataset->GetRasterCount() < 1)
-    throw Error(s.name, "is no raster of heights: " + reason());
+    throw Error(s.name, "is no raster of heights: " + gdal::find_reason());
   refuse_picture(*s.dataset, s.name);
   s.band = s.dataset->GetRasterBand(1);
   s.masks = find_masks(*s.dataset, *s.band);
@@ -141,7 +127,7 @@ ElevationModel::ElevationModel(const std::filesystem::path& file)
     raster.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     s.transformation.reset(OGRCreateCoordinateTransformation(&wgs84, &raster));
-    if (!s.transformation) throw Error(s.name, "its CRS cannot be used: " + reason());
+    if (!s.transformation) throw Error(s.name, "its CRS cannot be used: " + gdal::find_reason());
     constexpr double degree_m = 111'320;
     s.in_degrees = raster.IsGeographic();
     unit_m = raster.IsGeographic() ? degree_m : raster.GetLinearUnits();
@@ -186,12 +172,12 @@ void ElevationModel::State::sample_pixels(std::span<const glm::dvec2> pixels,
   std::vector<double> window(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
   if (band->RasterIO(GF_Read, static_cast<int>(low.x), static_cast<int>(low.y), columns, rows,
                      window.data(), columns, rows, GDT_Float64, 0, 0) != CE_None)
-    throw Error(name, "cannot be read: " + reason());
+    throw Error(name, "cannot be read: " + gdal::find_reason());
   std::vector<double> seen(window.size());
   for (GDALRasterBand* const mask : masks) {
     if (mask->RasterIO(GF_Read, static_cast<int>(low.x), static_cast<int>(low.y), columns, rows,
                        seen.data(), columns, rows, GDT_Float64, 0, 0) != CE_None)
-      throw Error(name, "its mask cannot be read: " + reason());
+      throw Error(name, "its mask cannot be read: " + gdal::find_reason());
     for (std::size_t i = 0; i < seen.size(); ++i)
       if (seen[i] == 0) window[i] = nothing;
   }
@@ -217,7 +203,7 @@ void ElevationModel::State::sample_pixels(std::span<const glm::dvec2> pixels,
 }
 
 void ElevationModel::sample(std::span<const glm::dvec2> places, std::span<double> heights) const {
-  const Silence silence;
+  const gdal::Guard guard;
   std::vector<double> x, y;
   for (const glm::dvec2& p : places) {
     x.push_back(p.x);

@@ -1,12 +1,9 @@
 #include "tools/terrain/raster_formats.h"
 
-#include <cpl_vsi_virtual.h>
 #include <gdal_priv.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <mutex>
 #include <string_view>
 
 namespace nightcity::terrain {
@@ -27,38 +24,7 @@ constexpr std::array raster_formats{
     "HDF5Image",   "BAG",     "GRIB",           "FITS",      "VICAR",
     "PDS4"};
 
-class NoNetwork : public VSIFilesystemHandler {
- public:
-  VSIVirtualHandle* Open(const char*, const char*, bool, CSLConstList) override { return refuse(); }
-  int Stat(const char*, VSIStatBufL*, int) override {
-    refuse();
-    return -1;
-  }
-
- private:
-  static VSIVirtualHandle* refuse() {
-    errno = EACCES;
-    return nullptr;
-  }
-};
-
-void register_all() {
-  GDALAllRegister();
-  for (const char* name : {"curl", "s3", "gs", "az", "adls", "oss", "swift"}) {
-    const std::string prefix = std::string("/vsi") + name;
-    VSIFileManager::InstallHandler(prefix + "/", new NoNetwork);  // GDAL owns it
-    VSIFileManager::InstallHandler(prefix + "_streaming/", new NoNetwork);
-  }
-  for (const char* prefix : {"/vsicurl?", "/vsiwebhdfs/", "/vsihdfs/"})
-    VSIFileManager::InstallHandler(prefix, new NoNetwork);
-}
-
 }  // namespace
-
-void register_raster_formats() {
-  static std::once_flag registered;
-  std::call_once(registered, register_all);
-}
 
 const char* const* list_allowed_drivers() {
   static const auto names = [] {

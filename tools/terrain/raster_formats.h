@@ -1,13 +1,9 @@
-// The formats of rasters that GDAL may read here, and the network that it may not.
+// The formats of rasters that GDAL may read here.
 #pragma once
 
 #include <string>
 
 namespace nightcity::terrain {
-
-/// Registers GDAL's drivers once, and puts refusals in the place of the file systems by which GDAL
-/// reads from the network: overviews and masks can be named there too.
-void register_raster_formats();
 
 /// Returns the short names of the drivers that may open a raster, terminated by null as GDAL wants
 /// it.

@@ -93,6 +93,57 @@ TEST(Bake, FilesOfTwoZonesShareOneFrame) {
   EXPECT_NEAR(roof.greatest.y, 5819010, 0.002);
 }
 
+TEST(Bake, GeometriesOfOneFileArePlacedEachByItsOwnCrs) {
+  const TempFolder folder;
+  const std::vector<glm::dvec3> here{
+      {391000, 5819000, 40}, {391010, 5819000, 40}, {391010, 5819010, 40}, {391000, 5819010, 40}};
+  const georeference::CityFrame zone_33 =
+      georeference::CityFrame::from_srs_name("EPSG:25833", here, {});
+  std::vector<glm::dvec3> there;
+  for (const glm::dvec3& p : here) {
+    const glm::dvec2 lon_lat = zone_33.to_lon_lat(glm::dvec2(p));
+    there.emplace_back(lon_lat.y, lon_lat.x, p.z + 30);
+  }
+  const auto roof = [](const std::string& name, const std::vector<glm::dvec3>& places) {
+    std::string text = roof_city("EPSG:25833", places);
+    const auto begin = text.find("<core:cityObjectMember"), end = text.find("</core:CityModel");
+    text = text.substr(begin, end - begin);
+    if (!name.empty())
+      text.replace(text.find("<gml:Polygon"), 12, "<gml:Polygon srsName=\"" + name + "\"");
+    text.replace(text.find("EPSG:25833"), 10, name.empty() ? "low" : "high");
+    return text;
+  };
+  const std::string urn = "urn:ogc:def:crs:EPSG::4326";
+  const auto bake_both = [&](const std::string& name, const std::string& both) {
+    write_text(folder / (name + ".gml"), city_model(both));
+    Recipe recipe = make_recipe({folder / (name + ".gml")});
+    recipe.terrain.make_surface = false;
+    return bake(recipe, folder / name);
+  };
+  for (const bool other_first : {false, true}) {
+    const std::string name = other_first ? "b" : "a";
+    const BakeReport report = bake_both(
+        name, other_first ? roof(urn, there) + roof("", here) : roof("", here) + roof(urn, there));
+    EXPECT_EQ(report.city.objects.at("building"), 2u);
+    EXPECT_EQ(report.crs.size(), 2u) << "both frames are told";
+    ASSERT_EQ(report.city.read.warnings.size(), 1u);
+    EXPECT_NE(report.city.read.warnings[0].find("1 objects name another CRS"), std::string::npos)
+        << report.city.read.warnings[0];
+    const Box box = boxes(folder / name / "city.glb").at("roof");
+    // Degrees are written to 1e-6, which is 0.1 m; where the first geometry is in degrees the frame
+    // is the program's own, and grid north another.
+    EXPECT_NEAR(box.greatest.x - box.least.x, 10, other_first ? 0.4 : 0.15);
+    EXPECT_NEAR(box.greatest.y - box.least.y, 10, other_first ? 0.4 : 0.15);
+    EXPECT_NEAR(box.greatest.z - box.least.z, 30, 0.01);
+  }
+  try {
+    bake_both("c", roof("", here) + roof("EPSG:1", there));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("c.gml: high"), std::string::npos) << error.what();
+  }
+}
+
 TEST(Bake, AFileWithoutACrsBesideOneWithIsRefusedByName) {
   const TempFolder folder;
   write_text(folder / "a.gml",
@@ -235,6 +286,60 @@ TEST(Bake, AnElevationModelIsTheGroundAndMeetsTheBuildings) {
       }
   }
   EXPECT_GT(vertices, 1000u);
+}
+
+// Returns a map of square buildings of 10 m whose south-western corners lie at these places of
+// EPSG:25833.
+std::string map_of_buildings(const std::vector<std::pair<glm::dvec2, std::string>>& buildings) {
+  const glm::dvec3 somewhere(391000, 5819000, 0);
+  const georeference::CityFrame frame =
+      georeference::CityFrame::from_srs_name("EPSG:25833", {&somewhere, 1}, {});
+  std::string nodes, ways;
+  int id = 0;
+  for (const auto& [corner, tags] : buildings) {
+    ways += "<way id=\"" + std::to_string(1000 + id) + "\">";
+    const int first = id + 1;
+    for (const glm::dvec2 offset :
+         {glm::dvec2(0, 0), glm::dvec2(10, 0), glm::dvec2(10, 10), glm::dvec2(0, 10)}) {
+      const glm::dvec2 p = frame.to_lon_lat(corner + offset);
+      char text[100];
+      std::snprintf(text, sizeof text, "<node id=\"%d\" lat=\"%.9f\" lon=\"%.9f\"/>", ++id, p.y,
+                    p.x);
+      nodes += text;
+      ways += "<nd ref=\"" + std::to_string(id) + "\"/>";
+    }
+    ways += "<nd ref=\"" + std::to_string(first) + "\"/><tag k=\"building\" v=\"yes\"/>" + tags +
+            "</way>";
+  }
+  return "<osm version=\"0.6\">" + nodes + ways + "</osm>";
+}
+
+TEST(Bake, AMapsBuildingsStandOnTheLowestGroundBelowThem) {
+  const TempFolder folder;
+  write_slope(folder / "slope.tif", 46);
+  const std::string height = "<tag k=\"height\" v=\"12\"/>";
+  write_text(folder / "map.osm", map_of_buildings({{{391000, 5819000}, height},
+                                                   {{391200, 5819000}, height},
+                                                   {{391000, 5819100}, ""},
+                                                   {{396000, 5819000}, height}}));
+  Recipe recipe;
+  recipe.windows.lit = false;
+  recipe.osm.files = {folder / "map.osm"};
+  recipe.terrain.elevation_models = {folder / "slope.tif"};
+  const BakeReport report = bake(recipe, folder / "out");
+  EXPECT_EQ(report.ground.source, "dem");
+  EXPECT_NE(report.ground.dem.find("the map's buildings stand on it"), std::string::npos);
+  EXPECT_EQ(report.left_out().at("where no elevation model has a height"), 1u);
+  EXPECT_EQ(report.city.read.assumed.at("height of a building"), 1u);
+  EXPECT_FALSE(report.city.read.skipped.contains("height of a building"));
+  const Box roof = boxes(folder / "out/city.glb").at("roof"),
+            wall = boxes(folder / "out/city.glb").at("wall");
+  // The slope is 76 m high at x = 391000 and rises by 1 m in 100.
+  EXPECT_NEAR(wall.least.z, 76, 0.02);
+  EXPECT_NEAR(roof.greatest.z, 78 + 12, 0.02);
+  EXPECT_NEAR(roof.least.z, 76 + 6, 0.02) << "two levels are assumed";
+  const Scene scene = read_scene(folder / "out/city.glb");
+  EXPECT_NEAR(scene.georeference.origin.z, 77, 2) << "the origin lies near the ground";
 }
 
 TEST(Bake, TheCitysOwnReliefGoesBeforeAnElevationModel) {
@@ -398,7 +503,7 @@ TEST(Bake, AMapAloneGivesItsBuildingsTheirWindowsAndLamps) {
   EXPECT_THROW(bake(recipe, folder / "out"), UsageError);
   recipe.osm.buildings = true;
   recipe.terrain.elevation_models = {folder / "heights.tif"};
-  EXPECT_THROW(bake(recipe, folder / "out"), UsageError);
+  EXPECT_THROW(bake(recipe, folder / "out"), Error) << "the model is asked for: it is not there";
   recipe.terrain.elevation_models.clear();
   write_text(folder / "map.osm", map_of_houses("leisure"));
   try {

@@ -11,18 +11,26 @@ namespace {
 
 using test::TempFolder;
 
-// All tables, those of rows included, with keys that write into `recipe` and `luminaire`.
-std::vector<Table> all_tables(bake::Recipe& recipe, bake::LuminaireFile& luminaire) {
-  std::vector<Table> tables = make_tables(recipe, {});
-  tables.push_back(make_luminaire_table(luminaire, {}));
+// What the keys of all tables write into.
+struct Targets {
+  bake::Recipe recipe{};
+  bake::LuminaireFile luminaire{};
+  inventory::InventoryFile inventory{};
+};
+
+// All tables, those of rows included.
+std::vector<Table> all_tables(Targets& targets) {
+  std::vector<Table> tables = make_tables(targets.recipe, {});
+  tables.push_back(make_luminaire_table(targets.luminaire, {}));
+  tables.push_back(make_inventory_table(targets.inventory, {}));
   return tables;
 }
 
 // A recipe of the default file and one more key, as a user would write it.
 std::string to_recipe(const Table& table, const Key& key, const std::string& value) {
   std::string text = table.name == "city" ? "" : "[city]\nfiles = 'a.gml'\n";
-  const bool is_row = table.name == "lamps.luminaires";
-  text += is_row ? "[[lamps.luminaires]]\n" : "[" + table.name + "]\n";
+  const bool is_row = table.name.find('.') != std::string::npos;
+  text += is_row ? "[[" + table.name + "]]\n" : "[" + table.name + "]\n";
   if (table.name == "city" && key.name != "files") text += "files = 'a.gml'\n";
   if (is_row && key.name != "file") text += "file = 's.ldt'\n";
   return text + key.name + " = " + value + "\n";
@@ -36,9 +44,8 @@ TEST(RecipeReference, ThePageHoldsIt) {
 }
 
 TEST(RecipeReference, EveryKeyHasWordsAndAnExample) {
-  bake::Recipe recipe;
-  bake::LuminaireFile luminaire;
-  for (const Table& table : all_tables(recipe, luminaire)) {
+  Targets targets;
+  for (const Table& table : all_tables(targets)) {
     EXPECT_GT(table.help.size(), 10u) << table.name;
     for (const Key& key : table.keys) {
       EXPECT_GT(key.help.size(), 10u) << key.name;
@@ -50,9 +57,8 @@ TEST(RecipeReference, EveryKeyHasWordsAndAnExample) {
 
 TEST(RecipeReference, EveryExampleAndDefaultCanBeRead) {
   const TempFolder folder;
-  bake::Recipe recipe;
-  bake::LuminaireFile luminaire;
-  for (const Table& table : all_tables(recipe, luminaire))
+  Targets targets;
+  for (const Table& table : all_tables(targets))
     for (const Key& key : table.keys)
       for (const std::string& value : {key.example, key.default_value}) {
         if (value.empty()) continue;
@@ -63,10 +69,9 @@ TEST(RecipeReference, EveryExampleAndDefaultCanBeRead) {
 
 TEST(RecipeReference, NumbersBeyondTheStatedRangeAreRefused) {
   const TempFolder folder;
-  bake::Recipe recipe;
-  bake::LuminaireFile luminaire;
+  Targets targets;
   std::size_t tried = 0;
-  for (const Table& table : all_tables(recipe, luminaire))
+  for (const Table& table : all_tables(targets))
     for (const Key& key : table.keys) {
       if (key.type != "number" && key.type != "integer") continue;
       ++tried;

@@ -202,6 +202,64 @@ TEST(Variants, AGeometrysOwnCrsWinsOverTheEnvelopes) {
   EXPECT_EQ(read_citygml_head(TemporaryFile(text).path()).srs_name, "EPSG:31467");
 }
 
+// Returns a flat roof whose Polygon and whose extent name these CRSs; "" = none.
+std::string named_roof(const std::string& id, const std::string& own, const std::string& extent) {
+  const auto attribute = [](const std::string& name) {
+    return name.empty() ? "" : " srsName=\"" + name + "\"";
+  };
+  std::string text = polygon("", square_at_one);
+  text.replace(0, 12, "<gml:Polygon" + attribute(own));
+  const std::string box =
+      extent.empty() ? ""
+                     : "<gml:boundedBy><gml:Envelope" + attribute(extent) +
+                           "><gml:lowerCorner>0 0 0</gml:lowerCorner><gml:upperCorner>1 1 1"
+                           "</gml:upperCorner></gml:Envelope></gml:boundedBy>";
+  return member("<bldg:Building gml:id=\"" + id + "\">" + box +
+                boundary("RoofSurface", surface_member(text)) + "</bldg:Building>");
+}
+
+TEST(Variants, EachGeometryTellsTheCrsThatHoldsForIt) {
+  const TemporaryFile file(city_model(
+      named_roof("first", "EPSG:31467", "") + named_roof("documents", "", "") +
+      named_roof("features", "", "EPSG:4326") + named_roof("own", "EPSG:31468", "EPSG:4326") +
+      named_roof("as first", " EPSG:31467 ", "EPSG:4326")));
+  EXPECT_EQ(read_citygml_head(file.path()).srs_name, "EPSG:31467");
+  EXPECT_EQ(read_citygml_head(file.path()).sample.size(), 10u) << "of two roofs of that CRS";
+  city::ReadOptions options;
+  options.srs_name = "EPSG:31467";
+  const City city = read_file(file.path(), options);
+  ASSERT_EQ(city.objects.size(), 5u);
+  const auto name = [&](std::size_t i) {
+    const auto& said = city.objects[i].polygons.at(0).srs_name;
+    return said ? *said : "the file's";
+  };
+  EXPECT_EQ(name(0), "the file's");
+  EXPECT_EQ(name(1), "EPSG:25833") << "the document's extent";
+  EXPECT_EQ(name(2), "EPSG:4326");
+  EXPECT_EQ(name(3), "EPSG:31468");
+  EXPECT_EQ(name(4), "the file's");
+  options.reader = city::Reader::libcitygml;
+  const City second = read_file(file.path(), options);
+  EXPECT_EQ(second.objects.size(), 2u) << "libcitygml does not tell names: others are left out";
+  EXPECT_EQ(second.report.skipped.at("bldg:Building"), 3u);
+}
+
+TEST(Variants, LinkedGeometryKeepsTheCrsOfThePlaceWhereItStands) {
+  std::string roof = named_roof("holder", "EPSG:31468", "");
+  roof.replace(roof.find("<gml:Polygon"), 12, "<gml:Polygon gml:id=\"shared\"");
+  const std::string link =
+      member("<bldg:Building gml:id=\"user\">" + boundary("RoofSurface", xlink_member("shared")) +
+             "</bldg:Building>");
+  city::ReadOptions options;
+  options.srs_name = "EPSG:25833";
+  const City city = read_file(TemporaryFile(city_model(roof + link)).path(), options);
+  ASSERT_EQ(city.objects.size(), 2u);
+  for (const city::CityObject& object : city.objects) {
+    ASSERT_TRUE(object.polygons.at(0).srs_name) << object.id;
+    EXPECT_EQ(*object.polygons[0].srs_name, "EPSG:31468");
+  }
+}
+
 std::string to_utf16(const std::string& text, bool big_endian, bool mark) {
   std::string out;
   const auto put = [&](char16_t unit) {

@@ -11,6 +11,7 @@
 #include "formats/error.h"
 #include "formats/median.h"
 #include "tools/bake/city/prepared_objects.h"
+#include "tools/inventory/add_to_map.h"
 #include "tools/osm/read_osm.h"
 #include "tools/streets/street_ways.h"
 
@@ -22,8 +23,8 @@ std::string utm_zone(const glm::dvec2& lon_lat) {
   return "EPSG:" + std::to_string((lon_lat.y < 0 ? 32700 : 32600) + zone);
 }
 
-// Returns whether the city's model is nothing but its map. It stands on a plane at height 0 then,
-// and so does all that lies beyond its ground.
+// Returns whether the city's model is nothing but its map. Without an elevation model it stands on a
+// plane at height 0 then, and so does all that lies beyond its ground.
 bool is_map_alone(const CityInputs& inputs) {
   return !inputs.files.empty() &&
          std::all_of(inputs.files.begin(), inputs.files.end(), [&](const auto& file) {
@@ -46,11 +47,17 @@ std::string CityInputs::name() const {
 City::City(CityInputs inputs, const std::filesystem::path& scratch)
     : inputs_(std::move(inputs)), terrain_(scratch), ground_(terrain_, inputs_.ground) {
   if (!inputs_.files.empty()) frames_.emplace(inputs_);
+  if (has_model() && inputs_.ground.carries_buildings) {
+    heights_.emplace(inputs_.ground.elevation_models, frame());
+    const glm::dvec2 middle(frames_->reference());
+    frames_->raise_reference(heights_->at({&middle, 1}).front());
+  }
   map_ = osm::read_osm(inputs_.maps, static_cast<std::size_t>(inputs_.max_way_nodes));
   if (map_.long_ways > 0)
     fmt::print(stderr,
                "note: {}: {} ways left out: they have more nodes than [osm] max_way_nodes = {}\n",
                inputs_.maps.front().string(), map_.long_ways, inputs_.max_way_nodes);
+  inventory_reports_ = inventory::add_to_map(inputs_.inventories, map_);
   if (!has_model()) map_frame_ = find_map_frame(map_);
 }
 
@@ -76,7 +83,7 @@ CityReport City::read(std::initializer_list<CityConsumer*> consumers,
   std::vector<CityConsumer*> all{&ground_};
   for (CityConsumer* consumer : consumers)
     if (consumer) all.push_back(consumer);
-  return read_prepared_objects(inputs_, *frames_, all, progress);
+  return read_prepared_objects(inputs_, *frames_, heights_ ? &*heights_ : nullptr, all, progress);
 }
 
 GroundReport City::build_ground(const GroundBuilder::ShowGround& show) {
@@ -106,10 +113,12 @@ Georeference City::georeference(const std::optional<glm::dvec2>& middle) const {
   result.crs = frame().crs();
   if (!is_map_alone(inputs_)) add_names(inputs_.files, result.sources);
   add_names(inputs_.maps, result.sources);
+  for (const auto& inventory : inputs_.inventories) add_names({inventory.file}, result.sources);
   if (!has_model()) {
     const glm::dvec2 origin = glm::round(frame().from_lon_lat(map_frame_->middle));
     result.origin = {origin.x, origin.y, 0};
     result.licences = {inputs_.map_licence};
+    add_inventory_licences(result.licences);
     return result;
   }
   const glm::dvec3& reference = frames_->reference();
@@ -119,7 +128,15 @@ Georeference City::georeference(const std::optional<glm::dvec2>& middle) const {
                    inputs_.origin_height.value_or(std::round(reference.z))};
   result.licences = inputs_.licences;
   if (!inputs_.maps.empty()) result.licences.push_back(inputs_.map_licence);
+  add_inventory_licences(result.licences);
   return result;
+}
+
+void City::add_inventory_licences(std::vector<std::string>& licences) const {
+  for (const inventory::InventoryFile& file : inputs_.inventories)
+    if (!file.licence.empty() &&
+        std::find(licences.begin(), licences.end(), file.licence) == licences.end())
+      licences.push_back(file.licence);
 }
 
 bool City::wants_model_streets() const {
@@ -141,7 +158,8 @@ place::LonLatToFrame City::to_frame() const {
 
 place::HeightAt City::height_at() const {
   if (!has_model()) return [](const glm::dvec2&) { return std::optional(0.0); };
-  return [this, plane = is_map_alone(inputs_)](const glm::dvec2& place) -> std::optional<double> {
+  return [this, plane = is_map_alone(inputs_) && !inputs_.ground.carries_buildings](
+             const glm::dvec2& place) -> std::optional<double> {
     const auto hit = terrain_.height_at(place);
     if (!hit && plane) return 0.0;
     return hit && hit->surface != terrain::SurfaceClass::roof ? std::optional(hit->height_m)

@@ -13,9 +13,11 @@
 #include "tools/bake/city/city_frames.h"
 #include "tools/bake/city/city_inputs.h"
 #include "tools/bake/city/ground_builder.h"
+#include "tools/bake/city/ground_heights.h"
 #include "tools/bake/progress.h"
 #include "tools/bake/report/city_report.h"
 #include "tools/bake/report/street_report.h"
+#include "tools/inventory/read_inventory.h"
 #include "tools/osm/osm_data.h"
 #include "tools/place/site.h"
 #include "tools/streets/road_surfaces.h"
@@ -23,10 +25,11 @@
 
 namespace nightcity::bake {
 
-/// Without a city model, the map lies on a plane at height 0, in the UTM zone of its middle.
+/// Without a city model, the map lies on a plane at height 0, in the UTM zone of its middle. A model
+/// of the map's own buildings stands on elevation models where there are some.
 class City {
  public:
-  /// Reads the maps and the heads of the city's files. Scratch files lie beside `scratch`. Throws
+  /// Reads the maps, the inventories and the heads of the city's files. Scratch files lie beside `scratch`. Throws
   /// Error, or UsageError where the inputs contradict each other.
   explicit City(CityInputs inputs,
                 const std::filesystem::path& scratch = scratch_folder() / "nightbake");
@@ -48,7 +51,9 @@ class City {
   /// Returns the frame of model and map. Throws Error where there is no model and the map has
   /// neither a lamp nor a street.
   const georeference::CityFrame& frame() const;
+  /// Returns the map, with the lamps of inventories among its own.
   const osm::OsmData& map() const { return map_; }
+  const std::vector<inventory::InventoryReport>& inventories() const { return inventory_reports_; }
   const terrain::Terrain& terrain() const { return terrain_; }
 
   /// Throws Error where the city has no coordinate reference system: then longitude and latitude
@@ -80,10 +85,13 @@ class City {
     georeference::CityFrame frame;
   };
   static std::optional<MapFrame> find_map_frame(const osm::OsmData& map);
+  void add_inventory_licences(std::vector<std::string>& licences) const;
 
   CityInputs inputs_;
   std::optional<CityFrames> frames_;
+  std::optional<GroundHeights> heights_;  // that a map's buildings stand on
   osm::OsmData map_;
+  std::vector<inventory::InventoryReport> inventory_reports_;
   std::optional<MapFrame> map_frame_;  // where there is no model
   terrain::Terrain terrain_;
   GroundBuilder ground_;

@@ -4,7 +4,9 @@
 #include <array>
 #include <glm/common.hpp>
 #include <limits>
+#include <mutex>
 #include <set>
+#include <utility>
 
 #include "formats/error.h"
 #include "formats/median.h"
@@ -85,14 +87,15 @@ void refuse_maps_among_models(const CityInputs& inputs) {
                   "model where [city] files are absent");
 }
 
-georeference::CityFrame make_frame(const std::filesystem::path& file, const city::CityHead& head,
+georeference::CityFrame make_frame(const std::string& where, const std::string& srs_name,
+                                   std::span<const glm::dvec3> sample,
                                    const georeference::CityFrame::Options& options) {
   try {
-    return georeference::CityFrame::from_srs_name(head.srs_name, head.sample, options);
+    return georeference::CityFrame::from_srs_name(srs_name, sample, options);
   } catch (const UsageError&) {
     throw;
   } catch (const Error& error) {
-    throw Error(file.string(), error.what());
+    throw Error(where, error.what());
   }
 }
 
@@ -116,55 +119,95 @@ CityFrames::CityFrames(const CityInputs& inputs) {
       options.crs_override = "none";  // bounds are given because the file's CRS is missing or wrong
   }
   const auto number = static_cast<std::size_t>(first - heads.begin());
-  city_ = make_frame(inputs.files[number], *first, options);
+  city_ = make_frame(inputs.files[number].string(), first->srs_name, first->sample, options);
   descriptions_.push_back(city_->description());
-  warn(inputs.files[number], *city_);
+  warn(inputs.files[number].string(), *city_);
   std::vector<glm::dvec3> sample = first->sample;
   city_->to_projected(sample);
   reference_ = find_median(sample);
 
+  first_name_ = first->srs_name;
   foreign_of_file_.resize(heads.size());
   // An override or control points apply to every file.
   if (options.crs_override.empty() && options.control_points.empty())
     add_foreign(inputs, heads, number, options);
 }
 
-void CityFrames::warn(const std::filesystem::path& file, const georeference::CityFrame& frame) {
-  if (!frame.axis_warning().empty())
-    warnings_.push_back(file.string() + ": " + frame.axis_warning());
+void CityFrames::warn(const std::string& where, const georeference::CityFrame& frame) {
+  if (!frame.axis_warning().empty()) warnings_.push_back(where + ": " + frame.axis_warning());
 }
 
 void CityFrames::add_foreign(const CityInputs& inputs, const std::vector<city::CityHead>& heads,
                              std::size_t first, const georeference::CityFrame::Options& options) {
   for (std::size_t i = 0; i < heads.size(); ++i) {
-    if (!has_geometry(heads[i]) || heads[i].srs_name == heads[first].srs_name) continue;
-    const auto known = std::find_if(foreign_.begin(), foreign_.end(), [&](const Foreign& f) {
-      return f.srs_name == heads[i].srs_name;
-    });
-    foreign_of_file_[i] = static_cast<std::size_t>(known - foreign_.begin());
-    if (known != foreign_.end()) continue;
-    georeference::CityFrame frame = make_frame(inputs.files[i], heads[i], options);
-    warn(inputs.files[i], frame);
-    const bool same_crs = frame.crs() == city_->crs();
-    if (!same_crs) {
-      if (!frame.has_lon_lat() || !city_->has_lon_lat())
-        throw Error(inputs.files[i].string(),
-                    "has another CRS than the city's first file, and one of the two is unknown: "
-                    "set [city] crs");
-      descriptions_.push_back(frame.description());
-    }
-    foreign_.push_back({heads[i].srs_name, std::move(frame), same_crs});
+    names_.push_back(has_geometry(heads[i]) ? heads[i].srs_name : heads[first].srs_name);
+    if (names_[i] == first_name_) continue;
+    foreign_of_file_[i] = find_foreign(names_[i]);
+    if (foreign_of_file_[i]) continue;
+    foreign_.push_back(make_foreign(names_[i], heads[i].sample, inputs.files[i].string(), options));
+    foreign_of_file_[i] = &foreign_.back();
   }
 }
 
+CityFrames::Foreign CityFrames::make_foreign(const std::string& srs_name,
+                                             std::span<const glm::dvec3> sample,
+                                             const std::string& where,
+                                             const georeference::CityFrame::Options& options) {
+  georeference::CityFrame frame = make_frame(where, srs_name, sample, options);
+  warn(where, frame);
+  const bool same_crs = frame.crs() == city_->crs();
+  if (!same_crs) {
+    if (!frame.has_lon_lat() || !city_->has_lon_lat())
+      throw Error(where,
+                  "has another CRS than the city's first file, and one of the two is unknown: "
+                  "set [city] crs");
+    descriptions_.push_back(frame.description());
+  }
+  return {srs_name, std::move(frame), same_crs};
+}
+
+const CityFrames::Foreign* CityFrames::find_foreign(const std::string& srs_name) const {
+  for (const Foreign& foreign : foreign_)
+    if (foreign.srs_name == srs_name) return &foreign;
+  return nullptr;
+}
+
+std::optional<std::string> CityFrames::srs_name_of(std::size_t file) const {
+  return names_.empty() ? std::nullopt : std::optional(names_.at(file));
+}
+
+bool CityFrames::knows(const std::string& srs_name) const {
+  const std::shared_lock lock(mutex_);
+  return srs_name == first_name_ || find_foreign(srs_name);
+}
+
+void CityFrames::learn(const std::string& srs_name, std::span<const glm::dvec3> sample,
+                       const std::string& where) {
+  if (knows(srs_name)) return;
+  Foreign foreign = make_foreign(srs_name, sample, where, {});
+  const std::unique_lock lock(mutex_);
+  foreign_.push_back(std::move(foreign));
+}
+
 void CityFrames::to_city(std::size_t file, std::span<glm::dvec3> coordinates) const {
-  const auto& foreign = foreign_of_file_.at(file);
+  to_city(foreign_of_file_.at(file), coordinates);
+}
+
+void CityFrames::to_city(const std::string& srs_name, std::span<glm::dvec3> coordinates) const {
+  const Foreign* foreign = nullptr;
+  {
+    const std::shared_lock lock(mutex_);
+    foreign = find_foreign(srs_name);
+  }
+  to_city(foreign, coordinates);
+}
+
+void CityFrames::to_city(const Foreign* foreign, std::span<glm::dvec3> coordinates) const {
   if (!foreign) return city_->to_projected(coordinates);
-  const georeference::CityFrame& frame = foreign_[*foreign].frame;
-  frame.to_projected(coordinates);
-  if (foreign_[*foreign].same_crs) return;
+  foreign->frame.to_projected(coordinates);
+  if (foreign->same_crs) return;
   for (glm::dvec3& p : coordinates)
-    p = glm::dvec3(city_->from_lon_lat(frame.to_lon_lat(glm::dvec2(p))), p.z);
+    p = glm::dvec3(city_->from_lon_lat(foreign->frame.to_lon_lat(glm::dvec2(p))), p.z);
 }
 
 }  // namespace nightcity::bake

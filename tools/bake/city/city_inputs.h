@@ -10,6 +10,7 @@
 #include "tools/bake/city/ground_options.h"
 #include "tools/city/city_reader.h"
 #include "tools/georeference/frame.h"
+#include "tools/inventory/inventory.h"
 #include "tools/osm/osm_data.h"
 
 namespace nightcity::bake {
@@ -26,6 +27,8 @@ struct CityInputs {
   /// Origin of model space, in the city's CRS, in metres; an absent value is chosen from the data.
   std::optional<double> origin_easting, origin_northing, origin_height;
   std::vector<std::string> licences;  // of the CityGML
+  /// Lamps that a town knows, to be joined with those of the maps.
+  std::vector<inventory::InventoryFile> inventories;
   std::string map_licence = "OpenStreetMap contributors, ODbL 1.0";
   GroundOptions ground;
 

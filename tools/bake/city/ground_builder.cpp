@@ -14,7 +14,7 @@
 
 #include "formats/error.h"
 #include "formats/median.h"
-#include "tools/terrain/elevation_model.h"
+#include "tools/bake/city/ground_heights.h"
 
 namespace nightcity::bake {
 namespace {
@@ -81,50 +81,10 @@ std::set<Tile> widened(const std::set<Tile>& occupied, double tile_m, double mar
   return result;
 }
 
-// Elevation models, asked in the city's coordinates: the first that has a height at a place decides
-// it.
-class Heights {
- public:
-  Heights(const std::vector<std::filesystem::path>& files, const georeference::CityFrame& city)
-      : city_(city) {
-    for (const auto& file : files) {
-      models_.emplace_back(file);
-      if (models_.back().has_crs() && !city_.has_lon_lat())
-        throw Error(file.string(),
-                    "cannot be placed under a city that names no CRS: set [city] crs");
-      finest_ = std::min(finest_, models_.back().resolution_m());
-    }
-  }
-
-  double finest_m() const { return finest_; }
-
-  // Returns a height for each place, NaN where no model has one.
-  std::vector<double> at(std::span<const glm::dvec2> places) const {
-    std::vector<double> heights(places.size(), std::numeric_limits<double>::quiet_NaN()),
-        next(places.size());
-    std::vector<glm::dvec2> lon_lat;
-    for (const terrain::ElevationModel& model : models_) {
-      if (std::none_of(heights.begin(), heights.end(), [](double h) { return std::isnan(h); }))
-        break;
-      if (model.has_crs() && lon_lat.empty())
-        for (const glm::dvec2& p : places) lon_lat.push_back(city_.to_lon_lat(p));
-      model.sample(model.has_crs() ? std::span<const glm::dvec2>(lon_lat) : places, next);
-      for (std::size_t i = 0; i < heights.size(); ++i)
-        if (std::isnan(heights[i])) heights[i] = next[i];
-    }
-    return heights;
-  }
-
- private:
-  const georeference::CityFrame& city_;
-  std::vector<terrain::ElevationModel> models_;
-  double finest_ = std::numeric_limits<double>::infinity();
-};
-
 // Elevation models and city models differ in what their heights count from (geoid, ellipsoid, a
 // national datum) and by the model's own error. The median over the buildings' footprints removes
 // both.
-double shift_to_city(const Heights& heights, const terrain::Terrain& terrain) {
+double shift_to_city(const GroundHeights& heights, const terrain::Terrain& terrain) {
   const auto& feet = terrain.footprint_points();
   std::vector<double> differences;
   const std::size_t stride = std::max<std::size_t>(1, feet.size() / max_feet);
@@ -149,7 +109,7 @@ double shift_to_city(const Heights& heights, const terrain::Terrain& terrain) {
 // A tile's ground: a regular grid of heights, two triangles a square.
 class GridGround {
  public:
-  GridGround(const Heights& heights, double tile_m, std::size_t tiles, double shift_m)
+  GridGround(const GroundHeights& heights, double tile_m, std::size_t tiles, double shift_m)
       : heights_(heights), shift_m_(shift_m) {
     const double finest = std::ceil(tile_m / heights.finest_m()),
                  affordable = std::floor(std::sqrt(max_quads / static_cast<double>(tiles)));
@@ -191,7 +151,7 @@ class GridGround {
   }
 
  private:
-  const Heights& heights_;
+  const GroundHeights& heights_;
   double shift_m_, step_m_ = 0;
   std::uint32_t steps_ = 1;  // squares along a tile's side
   std::size_t quads_ = 0, missing_ = 0;
@@ -244,8 +204,8 @@ GroundReport GroundBuilder::build(const georeference::CityFrame& frame, const Sh
 
 std::string GroundBuilder::build_dem_ground(const georeference::CityFrame& frame,
                                             const ShowGround& show) {
-  const Heights heights(options_.elevation_models, frame);
-  const double shift_m = shift_to_city(heights, terrain_);
+  const GroundHeights heights(options_.elevation_models, frame);
+  const double shift_m = options_.carries_buildings ? 0 : shift_to_city(heights, terrain_);
   const std::set<Tile> under = widened(occupied_, options_.tile_m, options_.margin_m);
   GridGround ground(heights, options_.tile_m, under.size(), shift_m);
   for (const Tile& tile : under) {
@@ -256,10 +216,12 @@ std::string GroundBuilder::build_dem_ground(const georeference::CityFrame& frame
   if (ground.covers_nothing())
     throw Error(options_.elevation_models.front().string(),
                 "no elevation model of the recipe covers any of the city");
-  return fmt::format(
-      "{} models, a height every {:.1f} m, moved by {:+.2f} m to meet the buildings, {:.1f} % of "
-      "the ground without data",
-      options_.elevation_models.size(), ground.step_m(), shift_m, ground.missing_percent());
+  const std::string meeting =
+      options_.carries_buildings ? "the map's buildings stand on it"
+                                 : fmt::format("moved by {:+.2f} m to meet the buildings", shift_m);
+  return fmt::format("{} models, a height every {:.1f} m, {}, {:.1f} % of the ground without data",
+                     options_.elevation_models.size(), ground.step_m(), meeting,
+                     ground.missing_percent());
 }
 
 }  // namespace nightcity::bake

@@ -10,6 +10,8 @@ struct GroundOptions {
   /// Elevation models (any raster that GDAL reads) for a city without relief of its own. The first
   /// that has a height at a place decides it.
   std::vector<std::filesystem::path> elevation_models;
+  /// The city's objects stand on the elevation models already: these are not moved to meet them.
+  bool carries_buildings = false;
   bool make_surface = true;  // show the surface that is made where there is neither
   double margin_m = 50;      // how far made ground reaches beyond the city
   double tile_m = 250;       // side of the tiles that the ground comes in

@@ -55,6 +55,22 @@ Key bounds_key(std::optional<std::array<double, 4>>& bounds) {
           [&bounds](const Value& value) { bounds = to_bounds(value); }};
 }
 
+Key obj_origin_key(glm::dvec3& origin) {
+  return {"obj_origin",
+          "[easting, northing, height]",
+          "[0, 0, 0]",
+          "m",
+          "",
+          "[391000, 5819000, 35]",
+          "Where the origin of Wavefront OBJ files lies in the system that `crs` names.",
+          [&origin](const Value& value) {
+            const std::vector<Value> numbers =
+                value.elements(3, "a list of easting, northing and height");
+            for (int i = 0; i < 3; ++i)
+              origin[i] = numbers[static_cast<std::size_t>(i)].number(-1e9, 1e9);
+          }};
+}
+
 }  // namespace
 
 Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& folder) {
@@ -63,8 +79,9 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
       "The city model.",
       {paths_key(
            "files", city.files, folder, true, R"(["buildings", "terrain.gml.gz"])",
-           "CityGML 1, 2 or 3 and CityJSON 1.0 to 2.0 or CityJSONSeq files, plain, gzipped or "
-           "zipped. Paths are relative to the recipe. A folder stands for the city files in it and "
+           "CityGML 1, 2 or 3, CityJSON 1.0 to 2.0 or CityJSONSeq and Wavefront OBJ files, plain, "
+           "gzipped or zipped. Paths are relative to the recipe. A folder stands for the city "
+           "files in it and "
            "in the folders "
            "inside it."),
        text_key("crs", city.frame.crs_override, "\"EPSG:25833\"",
@@ -87,6 +104,20 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
                    "`nightbake run --threads` overrides it."),
        number_key("tile_m", city.tile_m, {10, 10000}, "m",
                   "Edge of the square tiles that the geometry is batched into."),
+       choice_key<city::MeshPlacement::Up>(
+           "obj_up", city.read.mesh.up,
+           {{"auto", city::MeshPlacement::Up::automatic},
+            {"y", city::MeshPlacement::Up::y},
+            {"z", city::MeshPlacement::Up::z}},
+           "The axis of Wavefront OBJ files that points up. With `y` "
+           "x is east and -z north. `auto`: the one of the two along "
+           "which a file extends less, with a warning."),
+       number_key("obj_unit_m", city.read.mesh.unit_m, {1e-6, 1e6}, "m",
+                  "The unit of Wavefront OBJ files: 0.01 where they are in centimetres."),
+       obj_origin_key(city.read.mesh.origin),
+       integer_key(
+           "obj_max_vertices", city.read.mesh.max_vertices, 1, 2'000'000'000,
+           "A limit: the bake ends at a Wavefront OBJ of more vertices. One takes 24 bytes."),
        integer_key("max_member_mb", city.read.max_member_mb, 1, 65536,
                    "A limit: the bake ends at a member of the model (an object with all its parts) "
                    "that is longer, in MB of text. Reading takes some ten times as much memory."),

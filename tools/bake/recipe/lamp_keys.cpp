@@ -49,6 +49,37 @@ std::vector<bake::LuminaireFile> to_luminaires(const Value& value,
   return result;
 }
 
+// Returns the name of a property, or refuses one that lamps do not have.
+std::string to_property(const Value& value, const std::string& name) {
+  if (inventory::find_property(name)) return name;
+  std::string names;
+  for (const inventory::Property& property : inventory::properties)
+    names += (names.empty() ? "" : ", ") + std::string(property.name);
+  value.refuse("is no property of a lamp: those are " + names);
+}
+
+std::string list_properties() {
+  std::string text;
+  for (const inventory::Property& property : inventory::properties)
+    text += (text.empty() ? "`" : ", `") + std::string(property.name) + "` (" +
+            std::string(property.help) + ")";
+  return text;
+}
+
+std::vector<inventory::InventoryFile> to_inventories(const Value& value,
+                                                     const std::filesystem::path& folder) {
+  const std::string what = "a list of tables like {file = \"lamps.geojson\"}";
+  std::vector<inventory::InventoryFile> result;
+  for (const Value& element : value.elements(0, what)) {
+    const toml::table* settings = element.node.as_table();
+    if (!settings) element.refuse("is not " + what);
+    inventory::InventoryFile& file = result.emplace_back();
+    read_keys(value.file, value.name + ".", *settings, make_inventory_table(file, folder).keys);
+    if (file.file.empty()) element.refuse("names no file");
+  }
+  return result;
+}
+
 Key layout_key(layout::LayoutOptions::Mode& mode) {
   using Mode = layout::LayoutOptions::Mode;
   return choice_key<Mode>(
@@ -93,9 +124,63 @@ Table make_lamp_table(bake::LampStageOptions& lamps, const std::filesystem::path
         R"([{file = "street.ldt", roads = ["residential"]}])",
         "Measured luminaires to use in place of the built-in distributions; the first row that "
         "fits a lamp counts.",
+        [&lamps, folder](const Value& value) { lamps.luminaires = to_luminaires(value, folder); }},
+       {"inventories", "list of tables", "", "", "", R"([{file = "lamps.geojson"}])",
+        "Inventories of lamps as towns publish them. Their lamps stand in place of the map's where "
+        "both know one.",
         [&lamps, folder](const Value& value) {
-          lamps.luminaires = to_luminaires(value, folder);
+          lamps.inventories = to_inventories(value, folder);
         }}}};
+}
+
+Table make_inventory_table(inventory::InventoryFile& row, const std::filesystem::path& folder) {
+  const std::string columns_example = R"({height = "MOUNT_HT", watts = "WATTS", type = "LAMP"})";
+  return {
+      "lamps.inventories",
+      "One inventory: a row of `[lamps] inventories`. Each row of its table is a lamp; rows at the "
+      "same place are luminaires of one post. What a row does not say comes from the road beside "
+      "the lamp, as for lamps of the map.",
+      {{"file", "path", "", "", "", "\"lamps.geojson\"",
+        "GeoJSON, CSV, GeoPackage, Shapefile or FlatGeobuf, unpacked. Required.",
+        [&row, folder](const Value& value) {
+          row.file = (folder / value.text()).lexically_normal();
+        }},
+       text_key("layer", row.layer, "\"lamps\"", "The layer, where the file has several."),
+       text_key("crs", row.crs, "\"EPSG:25833\"",
+                "Coordinate reference system, in place of the one that the file names. A CSV names "
+                "none, so it is required there: `\"EPSG:4326\"` for longitude and latitude."),
+       text_key("x", row.x, "\"LON\"",
+                "The column of a CSV with longitude or easting. Without it: a common name (lon, "
+                "longitude, x, easting, ...)."),
+       text_key("y", row.y, "\"LAT\"",
+                "The column of a CSV with latitude or northing. Without it: a common name."),
+       text_key("id", row.id, "\"POLEID\"",
+                "The column that tells lamps apart, so that one keeps its identity when rows are "
+                "added. Without it: the number of the row."),
+       {"columns", "table: property = column", "", "", "", columns_example,
+        "The columns that say what a lamp is like. Properties: " + list_properties() + ".",
+        [&row](const Value& value) {
+          for (const auto& [name, column] : value.rows("a table like {watts = \"WATTS\"}"))
+            row.columns[to_property(column, name)] = column.text();
+        }},
+       {"values", "table: property = table", "", "", "",
+        R"({type = {FL = "fluorescent"}, state = {Removed = "no"}})",
+        "Texts of a column and the words to read in their place.",
+        [&row](const Value& value) {
+          for (const auto& [name, words] : value.rows("a table like {type = {FL = \"led\"}}"))
+            for (const auto& [text, word] : words.rows("a table like {FL = \"fluorescent\"}"))
+              row.values[to_property(words, name)][text] = word.text();
+        }},
+       choice_key<bool>("height_unit", row.feet, {{"m", false}, {"ft", true}},
+                        "The unit of heights that name none."),
+       number_key("within_m", row.within_m, {0, 100}, "m",
+                  "A lamp of the map as near as this to a lamp of the inventory is the same lamp "
+                  "and is not used. The default is how well a phone knows its place under open sky "
+                  "(4.9 m, gps.gov); 0 keeps all."),
+       integer_key("max_lamps", row.max_lamps, 1, 100'000'000,
+                   "A limit: the bake ends at an inventory of more rows."),
+       text_key("licence", row.licence, "\"City of Example, CC0\"",
+                "The attribution that both output files carry.")}};
 }
 
 Table make_luminaire_table(bake::LuminaireFile& row, const std::filesystem::path& folder) {
@@ -123,6 +208,9 @@ Table make_luminaire_table(bake::LuminaireFile& row, const std::filesystem::path
                 row.types.push_back(*known);
               }
             }},
+           texts_key("models", row.models, R"(["XYZ-40"])",
+                     "Only for lamps whose inventory names one of these as their luminaire "
+                     "(`columns = {model = ...}`). Without it: for every lamp."),
            flag_key("flux", row.take_flux,
                     "Takes the luminous flux from the file too, for lamps whose tags name none. "
                     "`false` takes only the distribution.")}};

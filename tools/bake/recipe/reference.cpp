@@ -12,15 +12,17 @@ namespace {
 
 constexpr std::size_t text_width = 80;
 
-// Calls `use` with all tables, rows of luminaires included, as an empty recipe has them.
+// Calls `use` with all tables, rows of luminaires and inventories included, as an empty recipe has them.
 template <class Use>
 void with_tables(const Use& use) {
   bake::Recipe recipe;
   bake::LuminaireFile luminaire;
+  inventory::InventoryFile inventory;
   std::vector<Table> tables = make_tables(recipe, {});
   const auto lamps = std::find_if(tables.begin(), tables.end(),
                                   [](const Table& table) { return table.name == "lamps"; });
-  tables.insert(lamps + 1, make_luminaire_table(luminaire, {}));
+  tables.insert(lamps + 1,
+                {make_luminaire_table(luminaire, {}), make_inventory_table(inventory, {})});
   use(tables);
 }
 

@@ -36,8 +36,9 @@ Table make_osm_table(bake::Recipe::Osm& osm, const fs::path& folder) {
                     "`building:part`, `height`, `min_height`, `building:levels`, "
                     "`building:min_level`, `roof:shape` (flat, gabled, hipped, pyramidal, "
                     "skillion), `roof:height`, `roof:levels`, `roof:direction`, "
-                    "`roof:orientation`. They stand on a plane at height 0. Levels are 3 m; "
-                    "buildings without any height get the levels of their kind, and are counted."),
+                    "`roof:orientation`. They stand on `[terrain] dem`, each on the lowest ground "
+                    "below it, or on a plane at height 0. Levels are 3 m; buildings without any "
+                    "height get the levels of their kind, and are counted as assumed."),
            text_key("licence", osm.licence, "\"OpenStreetMap contributors, ODbL 1.0\"",
                     "The attribution that both output files carry."),
            integer_key("max_way_nodes", osm.max_way_nodes, 2, 100'000'000,

@@ -20,4 +20,7 @@ Table make_traffic_table(bake::Recipe::Traffic& traffic);
 /// Returns the keys of one row of `[lamps] luminaires`.
 Table make_luminaire_table(bake::LuminaireFile& row, const std::filesystem::path& folder);
 
+/// Returns the keys of one row of `[lamps] inventories`.
+Table make_inventory_table(inventory::InventoryFile& row, const std::filesystem::path& folder);
+
 }  // namespace nightcity::recipe

@@ -45,18 +45,63 @@ std::string counts_in_words(const Counts& left_out, const std::map<std::string, 
   return text;
 }
 
+json to_json(const inventory::InventoryReport& report) {
+  return {{"file", report.file},       {"format", report.format},  {"rows", report.rows},
+          {"lamps", report.lamps},     {"joined", report.joined},  {"replaced", report.replaced},
+          {"skipped", report.skipped}, {"columns", report.columns}};
+}
+
+std::string to_text(const inventory::InventoryReport& report) {
+  std::string text = fmt::format("{} ({}): {} rows, {} posts", report.file, report.format,
+                                 report.rows, report.lamps);
+  if (report.joined > 0) text += fmt::format(", {} rows at the place of another", report.joined);
+  if (report.replaced > 0)
+    text += fmt::format(", in place of {} lamps of the map", report.replaced);
+  if (!report.columns.empty()) text += "; rows with " + in_words(report.columns);
+  if (!report.skipped.empty()) text += "; skipped: rows " + in_words(report.skipped);
+  return text;
+}
+
 }  // namespace
 
-LampReport to_report(const lights::LampSet& set, std::size_t mapped) {
-  LampReport report{mapped, set.lamps.size(), 0, set.left_out, set.notes, set.sources};
+LampReport to_report(const lights::LampSet& set, const City& city) {
+  LampReport report{
+      city.map().lamps.size(), set.lamps.size(), 0, set.left_out, set.notes, set.sources,
+      city.inventories()};
   for (const lights::PlacedLamp& lamp : set.lamps) report.total_flux_lm += lamp.flux_lm;
   return report;
 }
 
+std::string explain_darkness(const City& city, const LightsReport& lights) {
+  if (lights.lamps.placed + lights.layout.lamps > 0) return {};
+  const std::string remedy =
+      "a map of the place in [osm] files, or an inventory in [[lamps.inventories]], would change "
+      "that";
+  if (!city.frame().has_lon_lat())
+    return "the city names no CRS, so that no map can be laid under it: [city] crs, and " + remedy;
+  const CityInputs& inputs = city.inputs();
+  if (inputs.maps.empty() && inputs.inventories.empty())
+    return (city.map().highways.empty()
+                ? "there is neither a map nor an inventory, and the model has no roads: "
+                : "the model's roads get no lamps, and there is neither a map nor an inventory: ") +
+           remedy;
+  if (city.map().lamps.empty() && city.map().highways.empty())
+    return "the map has neither lamps nor streets: one that has them would change that";
+  return "nothing that the map knows is lit within the model: one that covers it would change that";
+}
+
 json to_json(const LampReport& lamps) {
-  return {
-      {"mapped", lamps.mapped},    {"placed", lamps.placed}, {"total_flux_lm", lamps.total_flux_lm},
-      {"dropped", lamps.left_out}, {"notes", lamps.notes},   {"sources", lamps.sources}};
+  json inventories = json::array();
+  for (const inventory::InventoryReport& report : lamps.inventories)
+    inventories.push_back(to_json(report));
+  return {{"mapped", lamps.mapped},
+          {"placed", lamps.placed},
+          {"total_flux_lm", lamps.total_flux_lm},
+          {"dropped", lamps.left_out},
+          {"notes", lamps.notes},
+          {"sources", lamps.sources},
+          {"inventories", inventories},
+          {"dark", lamps.dark}};
 }
 
 json to_json(const lights::WindowReport& windows) {
@@ -76,8 +121,11 @@ json to_json(const lights::WindowReport& windows) {
 std::string to_text(const LampReport& lamps) {
   std::string text =
       report_line("lamps", fmt::format("{} luminaires of {} mapped lamps, {:.0f} klm in all",
-                                       lamps.placed, lamps.mapped, lamps.total_flux_lm / 1000)) +
-      counts_in_words(lamps.left_out, lamps.sources);
+                                       lamps.placed, lamps.mapped, lamps.total_flux_lm / 1000));
+  if (!lamps.dark.empty()) text += report_line("", "no lamp shines: " + lamps.dark);
+  for (const inventory::InventoryReport& report : lamps.inventories)
+    text += report_line("", to_text(report));
+  text += counts_in_words(lamps.left_out, lamps.sources);
   if (!lamps.notes.empty()) text += report_line("", "notes: " + in_words(lamps.notes));
   return text;
 }

@@ -5,7 +5,10 @@
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
+#include "tools/bake/city/city.h"
+#include "tools/inventory/read_inventory.h"
 #include "tools/layout/layout.h"
 #include "tools/lights/place_lamps.h"
 #include "tools/lights/windows.h"
@@ -13,14 +16,16 @@
 namespace nightcity::bake {
 
 struct LampReport {
-  std::size_t mapped = 0, placed = 0;  // nodes in the OSM files; luminaires
+  std::size_t mapped = 0, placed = 0;  // lamps of maps and inventories; luminaires
   double total_flux_lm = 0;
   std::map<std::string, std::size_t> left_out;  // by reason
   std::map<std::string, std::size_t> notes;     // what was repaired or could not be read
   std::map<std::string, std::map<std::string, std::size_t>> sources;  // value, source, count
+  std::vector<inventory::InventoryReport> inventories;
+  std::string dark;  // why no lamp shines, and what would change that; "" = some do
 };
-/// `mapped`: how many lamps the map has.
-LampReport to_report(const lights::LampSet& set, std::size_t mapped);
+/// Returns the report on the lamps of a city.
+LampReport to_report(const lights::LampSet& set, const City& city);
 
 /// The static lights of a bake.
 struct LightsReport {
@@ -29,6 +34,9 @@ struct LightsReport {
   lights::WindowReport windows;
   std::size_t schedules = 0;  // different ones in the light file
 };
+
+/// Returns why the city has no lamp and which file would change that; "" where it has some.
+std::string explain_darkness(const City& city, const LightsReport& lights);
 
 nlohmann::json to_json(const LampReport& lamps);
 nlohmann::json to_json(const lights::WindowReport& windows);

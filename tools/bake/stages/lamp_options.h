@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/inventory/inventory.h"
 #include "tools/layout/layout.h"
 #include "tools/lights/lamp_defaults.h"
 #include "tools/lights/lamp_hours.h"
@@ -16,6 +17,7 @@ struct LuminaireFile {
   std::filesystem::path file;           // IES LM-63 or EULUMDAT
   std::vector<std::string> highways;    // OSM classes of road; empty: every road
   std::vector<lights::LampType> types;  // empty: every type
+  std::vector<std::string> models;      // as an inventory names them; empty: every one
   bool take_flux = true;                // false: the lumens stay those of the table of defaults
 };
 
@@ -23,6 +25,7 @@ struct LampStageOptions {
   layout::LayoutOptions layout;
   lights::LampHours hours;
   std::vector<LuminaireFile> luminaires;  // the first that serves a lamp is taken
+  std::vector<inventory::InventoryFile> inventories;
 
   bool lays_out() const { return layout.mode != layout::LayoutOptions::Mode::never; }
 };

@@ -17,7 +17,8 @@ lights::LampOptions read_luminaires(const std::vector<LuminaireFile>& files,
     for (const std::string& note : luminaire.notes)
       ++notes[choice.file.filename().string() + ": " + note];
     options.luminaires.push_back({choice.file.string(), luminaire.photometry(), choice.highways,
-                                  choice.types, choice.take_flux, luminaire.flux_lm});
+                                  choice.types, choice.take_flux, luminaire.flux_lm,
+                                  choice.models});
   }
   return options;
 }

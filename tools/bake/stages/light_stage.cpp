@@ -28,8 +28,9 @@ BakedLights bake_lights(const City& city, WindowConsumer* windows, const LightSt
   BakedLights result;
   CityLamps placed = place_city_lamps(city, options.lamps);
   lights::LampSet& lamps = placed.set;
-  result.report.lamps = to_report(lamps, city.map().lamps.size());
+  result.report.lamps = to_report(lamps, city);
   result.report.layout = std::move(placed.layout);
+  result.report.lamps.dark = explain_darkness(city, result.report);
   lights::ScheduleTable schedules = make_schedules(outputs.lights);
   BrightestLights brightest(options.punctual);
   // Lamps first, then windows: the models name their lights by this order.

@@ -1,0 +1,262 @@
+// Inventories of lamps in every format that is read, with known content.
+#include "tools/inventory/read_inventory.h"
+
+#include <gdal_priv.h>
+#include <gtest/gtest.h>
+#include <ogrsf_frmts.h>
+
+#include <functional>
+
+#include "formats/error.h"
+#include "support/data.h"
+#include "support/temp_folder.h"
+#include "tools/gdal/guarded_gdal.h"
+#include "tools/inventory/add_to_map.h"
+#include "tools/lights/place_lamps.h"
+
+namespace nightcity::inventory {
+namespace {
+
+using namespace test;
+
+const char* three_lamps = R"({"type":"FeatureCollection","features":[
+{"type":"Feature","properties":{"ID":"a","HT":30,"W":"70 W","LAMP":"HPS"},"geometry":{"type":"Point","coordinates":[13.4,52.5]}},
+{"type":"Feature","properties":{"ID":"b","HT":null,"W":40,"LAMP":"FL"},"geometry":{"type":"Point","coordinates":[13.401,52.5]}},
+{"type":"Feature","properties":{"ID":"c"},"geometry":{"type":"LineString","coordinates":[[0,0],[1,1]]}},
+{"type":"Feature","properties":{"ID":"d"},"geometry":null}]})";
+
+InventoryFile make_file(const std::filesystem::path& path) {
+  InventoryFile file;
+  file.file = path;
+  file.columns = {{"height", "HT"}, {"watts", "W"}, {"type", "LAMP"}};
+  file.id = "ID";
+  return file;
+}
+
+std::string error_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Inventory, ColumnsBecomeTheTagsThatLampsAreReadBy) {
+  const TempFolder folder;
+  write_text(folder / "lamps.geojson", three_lamps);
+  InventoryFile file = make_file(folder / "lamps.geojson");
+  file.feet = true;
+  file.values["type"]["FL"] = "fluorescent";
+  const Inventory read = read_inventory(file);
+  ASSERT_EQ(read.lamps.size(), 2u);
+  EXPECT_EQ(read.lamps[0].tags,
+            (osm::OsmTags{{"height", "30 ft"}, {"light:power", "70 W"}, {"lamp_type", "HPS"}}));
+  EXPECT_EQ(read.lamps[1].tags,
+            (osm::OsmTags{{"light:power", "40"}, {"lamp_type", "fluorescent"}}));
+  EXPECT_NEAR(read.lamps[1].lon_lat.x, 13.401, 1e-9);
+  EXPECT_NEAR(read.lamps[1].lon_lat.y, 52.5, 1e-9);
+  EXPECT_TRUE(read.lamps[0].is_inventory);
+  EXPECT_NE(read.lamps[0].id, read.lamps[1].id);
+  EXPECT_EQ(read.report.rows, 4u);
+  EXPECT_EQ(read.report.format, "GeoJSON");
+  EXPECT_EQ(read.report.skipped.at("whose geometry is no point"), 1u);
+  EXPECT_EQ(read.report.skipped.at("without a place"), 1u);
+  EXPECT_EQ(read.report.columns.at("watts"), 2u);
+  EXPECT_EQ(read.report.columns.at("height"), 1u);
+}
+
+TEST(Inventory, ALampKeepsItsIdentityWhenRowsAreAdded) {
+  const TempFolder folder;
+  write_text(folder / "lamps.geojson", three_lamps);
+  const Inventory before = read_inventory(make_file(folder / "lamps.geojson"));
+  std::string more = three_lamps;
+  const std::string row =
+      R"({"type":"Feature","properties":{"ID":"z"},"geometry":{"type":"Point","coordinates":[13.3,52.5]}},)";
+  more.insert(more.find("{\"type\":\"Feature\""), row);
+  write_text(folder / "lamps.geojson", more);
+  const Inventory after = read_inventory(make_file(folder / "lamps.geojson"));
+  ASSERT_EQ(after.lamps.size(), 3u);
+  EXPECT_EQ(after.lamps[1].id, before.lamps[0].id);
+}
+
+TEST(Inventory, ACsvHasItsPlacesInColumnsAndItsCrsInTheRecipe) {
+  const TempFolder folder;
+  // Half a degree east of the middle of zone 33 at 52.5 N (GeographicLib's GeoConvert).
+  write_text(folder / "lamps.csv",
+             "\xEF\xBB\xBF"
+             "ID;EAST;NORTH;HT\na;391000;5819000;8,5\nb;;;7\n");
+  InventoryFile file;
+  file.file = folder / "lamps.csv";
+  file.columns = {{"height", "ht"}};
+  EXPECT_NE(error_of([&] { read_inventory(file); }).find("name them by x and y"), std::string::npos)
+      << error_of([&] { read_inventory(file); });
+  file.x = "EAST";
+  file.y = "NORTH";
+  EXPECT_NE(error_of([&] { read_inventory(file); }).find("names no CRS"), std::string::npos)
+      << error_of([&] { read_inventory(file); });
+  file.crs = "EPSG:25833";
+  const Inventory read = read_inventory(file);
+  ASSERT_EQ(read.lamps.size(), 1u);
+  EXPECT_NEAR(read.lamps[0].lon_lat.x, 13.394, 0.01);
+  EXPECT_NEAR(read.lamps[0].lon_lat.y, 52.508, 0.01);
+  EXPECT_EQ(read.lamps[0].tags.at("height"), "8,5");
+  file.crs = "EPSG:1";
+  EXPECT_NE(error_of([&] { read_inventory(file); }).find("unknown CRS"), std::string::npos);
+}
+
+// Writes the same lamp in EPSG:25833 by a driver of GDAL.
+void write_lamp(const std::filesystem::path& path, const char* driver, bool with_crs = true) {
+  gdal::register_drivers();
+  GDALDatasetUniquePtr set(GetGDALDriverManager()->GetDriverByName(driver)->Create(
+      path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+  ASSERT_TRUE(set);
+  OGRSpatialReference crs;
+  crs.importFromEPSG(25833);
+  OGRLayer* layer = set->CreateLayer("lamps", with_crs ? &crs : nullptr, wkbPoint, nullptr);
+  OGRFieldDefn height("HT", OFTReal);
+  layer->CreateField(&height);
+  OGRFeatureUniquePtr row(OGRFeature::CreateFeature(layer->GetLayerDefn()));
+  row->SetField("HT", 8.5);
+  OGRPoint point(391000, 5819000);
+  row->SetGeometry(&point);
+  ASSERT_EQ(layer->CreateFeature(row.get()), OGRERR_NONE);
+}
+
+TEST(Inventory, EveryFormatGivesTheSameLamp) {
+  const TempFolder folder;
+  glm::dvec2 first(0);
+  for (const auto& [name, driver] :
+       {std::pair("lamps.gpkg", "GPKG"), std::pair("lamps.shp", "ESRI Shapefile"),
+        std::pair("lamps.fgb", "FlatGeobuf")}) {
+    write_lamp(folder / name, driver);
+    InventoryFile file;
+    file.file = folder / name;
+    file.columns = {{"height", "HT"}};
+    const Inventory read = read_inventory(file);
+    ASSERT_EQ(read.lamps.size(), 1u) << name;
+    EXPECT_EQ(read.report.format, driver);
+    EXPECT_EQ(read.lamps[0].tags.at("height"), "8.5") << name;
+    if (first.x == 0) first = read.lamps[0].lon_lat;
+    EXPECT_NEAR(read.lamps[0].lon_lat.x, first.x, 1e-9) << name;
+    EXPECT_NEAR(read.lamps[0].lon_lat.y, first.y, 1e-9) << name;
+  }
+  EXPECT_NEAR(first.x, 13.394, 0.01);
+  std::filesystem::remove(folder / "lamps.prj");
+  InventoryFile file;
+  file.file = folder / "lamps.shp";
+  EXPECT_NE(error_of([&] { read_inventory(file); }).find("names no CRS"), std::string::npos);
+}
+
+TEST(Inventory, RowsAtOnePlaceAreLuminairesOfOnePost) {
+  const TempFolder folder;
+  write_text(folder / "l.csv",
+             "lon,lat,LM\n13.4,52.5,4000\n13.4,52.5,2000\n13.4,52.5,3000\n13.5,52.5,1000\n");
+  InventoryFile file;
+  file.file = folder / "l.csv";
+  file.crs = "EPSG:4326";
+  file.columns = {{"lumens", "LM"}};
+  const Inventory read = read_inventory(file);
+  ASSERT_EQ(read.lamps.size(), 2u);
+  EXPECT_EQ(read.report.joined, 2u);
+  osm::OsmData map;
+  map.lamps = read.lamps;
+  const auto plane = [](const glm::dvec2&) { return std::optional(0.0); };
+  const lights::LampSet set = lights::place_lamps(
+      map, [](const glm::dvec2& p) { return p * 1e5; }, plane);
+  ASSERT_EQ(set.lamps.size(), 4u);
+  double flux = 0;
+  for (const lights::PlacedLamp& lamp : set.lamps) {
+    EXPECT_EQ(lamp.provenance.flux, ValueSource::inventory);
+    EXPECT_EQ(lamp.provenance.position, ValueSource::inventory);
+    EXPECT_EQ(lamp.provenance.height, ValueSource::rule);
+    flux += lamp.flux_lm;
+  }
+  EXPECT_NEAR(flux, 10000, 0.1) << "no light is lost or made";
+}
+
+TEST(Inventory, StandsInPlaceOfTheMapsLampsNearby) {
+  const TempFolder folder;
+  write_text(folder / "l.csv", "lon,lat,STATE\n13.4,52.5,on\n13.41,52.5,Removed\n");
+  InventoryFile file;
+  file.file = folder / "l.csv";
+  file.crs = "EPSG:4326";
+  file.columns = {{"state", "STATE"}};
+  file.values["state"]["Removed"] = "no";
+  file.within_m = 5;
+  constexpr double metre = 1 / 111'195.0;  // of latitude
+  osm::OsmData map;
+  map.lamps = {{1, {13.4, 52.5 + 4.9 * metre}, {}},
+               {2, {13.4, 52.5 + 5.1 * metre}, {}},
+               {3, {13.4 + 4.9 * metre / 0.6088, 52.5}, {}},
+               {4, {13.4 + 5.1 * metre / 0.6088, 52.5}, {}},
+               {5, {13.41, 52.5}, {}}};
+  const auto reports = add_to_map({file}, map);
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_EQ(reports[0].replaced, 3u);
+  ASSERT_EQ(map.lamps.size(), 4u);
+  EXPECT_EQ(map.lamps[2].id, 2);
+  EXPECT_EQ(map.lamps[3].id, 4);
+  const auto plane = [](const glm::dvec2&) { return std::optional(0.0); };
+  const lights::LampSet set = lights::place_lamps(
+      map, [](const glm::dvec2& p) { return p * 1e5; }, plane);
+  EXPECT_EQ(set.lamps.size(), 3u) << "the town knows that one is gone, whatever the map says";
+  EXPECT_EQ(set.left_out.at("broken"), 1u);
+}
+
+TEST(Inventory, WhatCannotBeReadIsAnErrorWithARemedy) {
+  const TempFolder folder;
+  const auto error = [&](const std::string& name, const std::string& text) {
+    write_text(folder / name, text);
+    InventoryFile file;
+    file.file = folder / name;
+    file.columns = {{"height", "NOPE"}};
+    return error_of([&] { read_inventory(file); });
+  };
+  EXPECT_NE(error("a.geojson", three_lamps).find("has no column \"NOPE\": it has \"ID\", \"HT\""),
+            std::string::npos)
+      << error("a.geojson", three_lamps);
+  EXPECT_NE(error("b.zip", "PK\x03\x04").find("unpack it first"), std::string::npos);
+  EXPECT_NE(error("c.vrt",
+                  "<OGRVRTDataSource><OGRVRTLayer name=\"x\"><SrcDataSource>/etc/passwd"
+                  "</SrcDataSource></OGRVRTLayer></OGRVRTDataSource>")
+                .find("is no table of lamps"),
+            std::string::npos)
+      << "formats that lead to other files are not opened";
+  EXPECT_NE(error("d.geojson", "{\"type\":\"FeatureCollection\",\"features\":[").find("d.geojson"),
+            std::string::npos);
+  InventoryFile file;
+  file.file = folder / "none.geojson";
+  EXPECT_NE(error_of([&] { read_inventory(file); }).find("is not there"), std::string::npos);
+  file.file = folder / "a.geojson";
+  file.max_lamps = 3;
+  EXPECT_NE(error_of([&] { read_inventory(file); }).find("max_lamps"), std::string::npos);
+  file.max_lamps = 4;
+  file.crs = "EPSG:25833";
+  EXPECT_EQ(error_of([&] { read_inventory(file); }).find("no error"), 0u)
+      << "degrees are metres near (0, 0) there";
+  // Metres where the format promises degrees, as some servers write them.
+  write_text(folder / "m.geojson",
+             R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},
+      "geometry":{"type":"Point","coordinates":[391000,5819000]}}]})");
+  file = {};
+  file.file = folder / "m.geojson";
+  EXPECT_NE(error_of([&] { read_inventory(file); }).find("say the CRS by crs"), std::string::npos);
+}
+
+TEST(Inventory, ARealOneIsReadWhole) {
+  REAL_DATA(file, "lamps/kansas_city_poles.geojson");
+  InventoryFile inventory;
+  inventory.file = file;
+  inventory.id = "POLEID";
+  const Inventory read = read_inventory(inventory);
+  EXPECT_EQ(read.report.rows, read.lamps.size() + read.report.joined);
+  EXPECT_GT(read.lamps.size(), 50u);
+  for (const osm::OsmLampNode& lamp : read.lamps) {
+    EXPECT_NEAR(lamp.lon_lat.x, -94.5, 0.5);
+    EXPECT_NEAR(lamp.lon_lat.y, 39.1, 0.5);
+  }
+}
+
+}  // namespace
+}  // namespace nightcity::inventory

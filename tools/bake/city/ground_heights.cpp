@@ -1,0 +1,38 @@
+#include "tools/bake/city/ground_heights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "formats/error.h"
+
+namespace nightcity::bake {
+
+GroundHeights::GroundHeights(const std::vector<std::filesystem::path>& files,
+                             const georeference::CityFrame& city)
+    : city_(city) {
+  for (const auto& file : files) {
+    models_.emplace_back(file);
+    if (models_.back().has_crs() && !city_.has_lon_lat())
+      throw Error(file.string(), "cannot be placed under a city that names no CRS: set [city] crs");
+    finest_ = std::min(finest_, models_.back().resolution_m());
+  }
+}
+
+std::vector<double> GroundHeights::at(std::span<const glm::dvec2> places) const {
+  const std::lock_guard lock(mutex_);
+  std::vector<double> heights(places.size(), std::numeric_limits<double>::quiet_NaN()),
+      next(places.size());
+  std::vector<glm::dvec2> lon_lat;
+  for (const terrain::ElevationModel& model : models_) {
+    if (std::none_of(heights.begin(), heights.end(), [](double h) { return std::isnan(h); })) break;
+    if (model.has_crs() && lon_lat.empty())
+      for (const glm::dvec2& p : places) lon_lat.push_back(city_.to_lon_lat(p));
+    model.sample(model.has_crs() ? std::span<const glm::dvec2>(lon_lat) : places, next);
+    for (std::size_t i = 0; i < heights.size(); ++i)
+      if (std::isnan(heights[i])) heights[i] = next[i];
+  }
+  return heights;
+}
+
+}  // namespace nightcity::bake

@@ -1,0 +1,38 @@
+// Heights of elevation models, asked in the city's coordinates.
+#pragma once
+
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <limits>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "tools/georeference/frame.h"
+#include "tools/terrain/elevation_model.h"
+
+namespace nightcity::bake {
+
+class GroundHeights {
+ public:
+  /// Opens the models. `city` must outlive the object. Throws Error as ElevationModel does, and
+  /// where a model names a CRS and the city names none.
+  GroundHeights(const std::vector<std::filesystem::path>& files,
+                const georeference::CityFrame& city);
+
+  /// Returns the least distance of neighbouring heights of the models, m.
+  double finest_m() const { return finest_; }
+
+  /// Returns a height (m) for each place (E, N): that of the first model that has one there, NaN
+  /// where none has. Places that lie together are read together. Safe to call from several threads,
+  /// one of which works at a time. Throws Error when a model cannot be read.
+  std::vector<double> at(std::span<const glm::dvec2> places) const;
+
+ private:
+  const georeference::CityFrame& city_;
+  std::vector<terrain::ElevationModel> models_;
+  mutable std::mutex mutex_;  // of GDAL's datasets
+  double finest_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace nightcity::bake

@@ -1,0 +1,80 @@
+#include "tools/inventory/layer_columns.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "formats/error.h"
+#include "tools/city/attributes.h"
+#include "tools/city/text_encoding.h"
+
+namespace nightcity::inventory {
+namespace {
+
+int find_column(const OGRLayer& layer, const std::string& name, const InventoryFile& inventory) {
+  const OGRFeatureDefn& columns = *const_cast<OGRLayer&>(layer).GetLayerDefn();
+  for (int i = 0; i < columns.GetFieldCount(); ++i)
+    if (name == columns.GetFieldDefn(i)->GetNameRef()) return i;
+  if (const int any_case = columns.GetFieldIndex(name.c_str()); any_case >= 0) return any_case;
+  throw Error(inventory.file.string(),
+              "has no column \"" + name + "\": it has " + list_columns(layer));
+}
+
+// Returns a number without the zeros that a Shapefile's fixed width adds.
+std::string to_text(OGRFeature& row, int field) {
+  if (row.GetFieldDefnRef(field)->GetType() != OFTReal) return row.GetFieldAsString(field);
+  char text[40];
+  std::snprintf(text, sizeof text, "%.15g", row.GetFieldAsDouble(field));
+  return text;
+}
+
+bool is_number(std::string_view text) {
+  return text.find_first_not_of("0123456789.,+- ") == std::string_view::npos;
+}
+
+}  // namespace
+
+std::string list_columns(const OGRLayer& layer) {
+  const OGRFeatureDefn& columns = *const_cast<OGRLayer&>(layer).GetLayerDefn();
+  std::string names;
+  for (int i = 0; i < columns.GetFieldCount(); ++i)
+    names += std::string(i > 0 ? ", \"" : "\"") + columns.GetFieldDefn(i)->GetNameRef() + "\"";
+  return names.empty() ? "none" : city::to_valid_utf8(std::move(names));
+}
+
+LayerColumns::LayerColumns(const OGRLayer& layer, const InventoryFile& inventory)
+    : inventory_(inventory), used_(properties.size()) {
+  for (const auto& [name, column] : inventory.columns) {
+    const Property* property = find_property(name);
+    if (!property) throw Error(inventory.file.string(), "no lamp has the property " + name);
+    const auto values = inventory.values.find(name);
+    columns_.push_back({find_column(layer, column, inventory), property,
+                        static_cast<std::size_t>(property - properties.data()),
+                        values == inventory.values.end() ? nullptr : &values->second});
+  }
+  if (!inventory.id.empty()) id_ = find_column(layer, inventory.id, inventory);
+}
+
+osm::OsmTags LayerColumns::read(const OGRFeature& row) const {
+  osm::OsmTags tags;
+  for (const Column& column : columns_) {
+    if (!row.IsFieldSetAndNotNull(column.field)) continue;
+    std::string text(
+        city::trim(city::to_valid_utf8(to_text(const_cast<OGRFeature&>(row), column.field))));
+    if (column.values)
+      if (const auto word = column.values->find(text); word != column.values->end())
+        text = word->second;
+    if (text.empty()) continue;
+    ++used_[column.number];
+    if (inventory_.feet && column.property->name == "height" && is_number(text)) text += " ft";
+    tags.emplace(column.property->tag, std::move(text));
+  }
+  return tags;
+}
+
+std::string LayerColumns::read_id(const OGRFeature& row) const {
+  if (id_ >= 0 && row.IsFieldSetAndNotNull(id_))
+    return city::to_valid_utf8(to_text(const_cast<OGRFeature&>(row), id_));
+  return "row " + std::to_string(row.GetFID());
+}
+
+}  // namespace nightcity::inventory

@@ -1,0 +1,180 @@
+#include "tools/inventory/read_inventory.h"
+
+#include <cpl_error.h>
+#include <ogr_geometry.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "formats/error.h"
+#include "tools/gdal/guarded_gdal.h"
+#include "tools/inventory/layer_columns.h"
+#include "tools/inventory/layer_crs.h"
+#include "tools/inventory/vector_file.h"
+#include "tools/osm/tag_values.h"
+#include "tools/random.h"
+
+namespace nightcity::inventory {
+namespace {
+
+// Returns the same number for the same row after every bake, and none that OpenStreetMap has: its
+// ids lie far below 2^62.
+std::int64_t make_id(const std::string& file, const std::string& row) {
+  std::uint64_t hash = 14695981039346656037ull;  // FNV-1a
+  for (const std::string* text : {&file, &row})
+    for (const char c : *text + '\n')
+      hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+  return static_cast<std::int64_t>((mix(hash) >> 2) | std::uint64_t{1} << 62);
+}
+
+class Reader {
+ public:
+  explicit Reader(const InventoryFile& file)
+      : file_(file),
+        dataset_(open_vector_file(file)),
+        layer_(find_layer(*dataset_, file)),
+        columns_(layer_, file),
+        crs_((require_geometry(), layer_), file) {}
+
+  Inventory read() {
+    const gdal::Guard guard;
+    CPLErrorReset();
+    result_.report.file = file_.file.filename().string();
+    result_.report.format = driver_name(*dataset_);
+    layer_.ResetReading();
+    for (OGRFeatureUniquePtr row; (row = OGRFeatureUniquePtr(layer_.GetNextFeature()));) {
+      if (static_cast<int>(++result_.report.rows) > file_.max_lamps)
+        throw Error(file_.file.string(),
+                    "has more rows than max_lamps in [[lamps.inventories]] = " +
+                        std::to_string(file_.max_lamps));
+      take(*row);
+    }
+    if (CPLGetLastErrorType() == CE_Failure)
+      throw Error(file_.file.string(), "is broken behind row " +
+                                           std::to_string(result_.report.rows) + ": " +
+                                           gdal::find_reason());
+    finish();
+    return std::move(result_);
+  }
+
+ private:
+  void require_geometry() const {
+    if (layer_.GetGeomType() != wkbNone) return;
+    throw Error(file_.file.string(),
+                "has no geometry and no columns with coordinates: name them by x and y in "
+                "[[lamps.inventories]]; its columns are " +
+                    list_columns(layer_));
+  }
+
+  void skip(const char* why) { ++result_.report.skipped[why]; }
+
+  void take(const OGRFeature& row) {
+    const OGRGeometry* geometry = row.GetGeometryRef();
+    if (!geometry || geometry->IsEmpty()) return skip("without a place");
+    const Places places = find_places(*geometry);
+    if (places.empty()) return skip("whose geometry is no point");
+    const osm::OsmTags tags = columns_.read(row);
+    const std::string id = columns_.read_id(row);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      add(places[i], tags, i == 0 ? id : id + "/" + std::to_string(i));
+  }
+
+  using Places = std::vector<glm::dvec2>;
+
+  static Places find_places(const OGRGeometry& geometry) {
+    Places places;
+    switch (wkbFlatten(geometry.getGeometryType())) {
+      case wkbPoint: {
+        const OGRPoint& point = *geometry.toPoint();
+        places.emplace_back(point.getX(), point.getY());
+        break;
+      }
+      case wkbMultiPoint:
+        for (const OGRPoint* point : *geometry.toMultiPoint())
+          places.emplace_back(point->getX(), point->getY());
+        break;
+      default:
+        break;
+    }
+    return places;
+  }
+
+  void add(const glm::dvec2& place, const osm::OsmTags& tags, const std::string& id) {
+    const glm::dvec2 lon_lat = crs_.to_lon_lat(place);
+    if (!(std::abs(lon_lat.x) <= 360 && std::abs(lon_lat.y) <= 90))
+      return skip("with coordinates that its CRS does not have");
+    const auto [found, is_new] = at_place_.try_emplace({place.x, place.y}, result_.lamps.size());
+    if (is_new) {
+      osm::OsmLampNode& lamp = result_.lamps.emplace_back();
+      lamp.id = make_id(result_.report.file, id);
+      lamp.lon_lat = lon_lat;
+      lamp.tags = tags;
+      lamp.is_inventory = true;
+      return;
+    }
+    ++result_.report.joined;
+    joined_[found->second].push_back(tags);
+  }
+
+  // Makes one post of rows at one place.
+  void finish() {
+    for (const auto& [number, others] : joined_) {
+      osm::OsmTags& tags = result_.lamps[number].tags;
+      double count = number_of(tags, "light:count").value_or(1);
+      for (const osm::OsmTags& other : others) count += number_of(other, "light:count").value_or(1);
+      tags["light:count"] = std::to_string(static_cast<int>(std::clamp(count, 1.0, 12.0)));
+      for (const char* key : {"light:lumens", "light:power"}) join(tags, others, key);
+      tags.erase("light:direction");  // they look to several sides
+    }
+    result_.report.lamps = result_.lamps.size();
+    for (std::size_t i = 0; i < properties.size(); ++i)
+      if (columns_.used()[i] > 0)
+        result_.report.columns[std::string(properties[i].name)] = columns_.used()[i];
+    if (!result_.lamps.empty()) return;
+    const bool has_rows = result_.report.rows > 0;
+    throw Error(file_.file.string(),
+                has_rows ? "has no row with a point in its CRS: say the CRS by crs in "
+                           "[[lamps.inventories]] where it is not the one that the file names"
+                         : "has no row");
+  }
+
+  static std::optional<double> number_of(const osm::OsmTags& tags, const char* key) {
+    const auto found = tags.find(key);
+    if (found == tags.end()) return {};
+    std::string_view text = found->second;
+    return osm::take_number(text);
+  }
+
+  static void join(osm::OsmTags& tags, const std::vector<osm::OsmTags>& others, const char* key) {
+    std::optional<double> sum = number_of(tags, key);
+    for (const osm::OsmTags& other : others) {
+      const auto value = number_of(other, key);
+      if (!sum || !value) return;
+      *sum += *value;
+    }
+    if (sum) tags[key] = std::to_string(*sum / static_cast<double>(others.size() + 1));
+  }
+
+  const InventoryFile& file_;
+  GDALDatasetUniquePtr dataset_;
+  OGRLayer& layer_;
+  LayerColumns columns_;
+  LayerCrs crs_;
+  Inventory result_;
+  std::map<std::pair<double, double>, std::size_t> at_place_;  // number of the lamp there
+  std::map<std::size_t, std::vector<osm::OsmTags>> joined_;    // further rows of a lamp
+};
+
+}  // namespace
+
+Inventory read_inventory(const InventoryFile& file) {
+  const gdal::Guard guard;
+  return Reader(file).read();
+}
+
+}  // namespace nightcity::inventory

@@ -1,0 +1,25 @@
+// A vector file of another program, opened by one of the drivers that are allowed.
+#pragma once
+
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <filesystem>
+
+#include "tools/inventory/inventory.h"
+
+namespace nightcity::inventory {
+
+/// Opens the file. GDAL has drivers that are programs in all but name (VRT, WFS, databases), so only
+/// those whose file is the table itself may open it. Throws Error: missing, no regular file, packed,
+/// of no such format, broken.
+GDALDatasetUniquePtr open_vector_file(const InventoryFile& inventory);
+
+/// Returns the layer that the inventory names or the only one. Throws Error, with the names of the
+/// layers there are.
+OGRLayer& find_layer(GDALDataset& dataset, const InventoryFile& inventory);
+
+/// Returns the short name of the driver, for reports: "GeoJSON".
+const char* driver_name(GDALDataset& dataset);
+
+}  // namespace nightcity::inventory

@@ -1,0 +1,208 @@
+#include "tools/obj/group_reader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "formats/error.h"
+#include "tools/city/attributes.h"
+
+namespace nightcity::obj {
+namespace {
+
+// An object of more comes in pieces; a connected one may be as large as the file.
+constexpr std::size_t max_faces = 200'000;
+
+bool is_surface_of_parameters(std::string_view key) {
+  return key == "curv" || key == "curv2" || key == "surf" || key == "cstype" || key == "parm";
+}
+
+}  // namespace
+
+void Faces::add(const Faces& other, std::size_t face) {
+  const std::size_t begin = face == 0 ? 0 : other.ends[face - 1];
+  corners.insert(corners.end(), other.corners.begin() + static_cast<std::ptrdiff_t>(begin),
+                 other.corners.begin() + static_cast<std::ptrdiff_t>(other.ends[face]));
+  ends.push_back(static_cast<std::uint32_t>(corners.size()));
+  materials.push_back(other.materials[face]);
+}
+
+GroupReader::GroupReader(const city::Document& document, const Vertices& vertices)
+    : vertices_(vertices), lines_(document.open(), document.name) {
+  if (!document.packed) folder_of_ = document.name;
+}
+
+bool GroupReader::begins_object(std::string_view key) const {
+  return (key == "o" && vertices_.grouping == Grouping::by_object) ||
+         (key == "g" && vertices_.grouping == Grouping::by_group);
+}
+
+std::optional<Faces> GroupReader::next() {
+  const bool in_pieces = vertices_.grouping != Grouping::by_connection;
+  for (std::string_view line; !is_over_;) {
+    if (!lines_.next(line)) {
+      is_over_ = true;
+      break;
+    }
+    const std::string_view key = take_word(line);
+    if (key == "f") {
+      read_face(line);
+      if (in_pieces && current_.size() >= max_faces) return give(true);
+    } else if (begins_object(key)) {
+      std::string name(city::trim(line));
+      if (name == current_.name) continue;
+      std::optional<Faces> whole;
+      if (current_.size() > 0) whole = give(false);
+      current_.name = std::move(name);
+      goes_on_ = false;
+      if (whole) return whole;
+    } else {
+      take_statement(key, line);
+    }
+  }
+  if (current_.size() == 0) return {};
+  return give(false);
+}
+
+Faces GroupReader::give(bool goes_on) {
+  Faces out = std::exchange(current_, {});
+  out.continued = goes_on_;
+  goes_on_ = goes_on;
+  if (goes_on) current_.name = out.name;
+  faces_ += out.size();
+  return out;
+}
+
+void GroupReader::take_statement(std::string_view key, std::string_view rest) {
+  if (key == "v") {
+    ++seen_vertices_;
+    double number = 0;
+    int numbers = 0;
+    while (take_number(rest, number)) ++numbers;
+    if (numbers >= 6) skipped_.add("colour of a vertex");
+  } else if (key == "usemtl") {
+    const auto known = materials_.find(std::string(city::trim(rest)));
+    material_ = known == materials_.end() ? nullptr : &known->second;
+    if (material_ && material_->has_texture) skipped_.add("texture (map_Kd) of usemtl");
+  } else if (key == "mtllib") {
+    read_library(rest);
+  } else if (key == "l" || key == "p") {
+    skipped_.add(key == "l" ? "line (l)" : "point (p)");
+  } else if (is_surface_of_parameters(key)) {
+    skipped_.add("curve or surface of parameters (" + std::string(key) + ")");
+  }
+}
+
+// The name may hold blanks, so all of it is tried first.
+void GroupReader::read_library(std::string_view names) {
+  if (folder_of_.empty()) {
+    warnings_.push_back(lines_.name() + ": packed, so no colours are read from " +
+                        std::string(names));
+    return;
+  }
+  std::vector<std::string> tries{std::string(city::trim(names))};
+  if (find_library(folder_of_, tries.front()).empty()) {
+    tries.clear();
+    for (std::string_view word; !(word = take_word(names)).empty();) tries.emplace_back(word);
+  }
+  for (const std::string& name : tries) {
+    const std::filesystem::path file = find_library(folder_of_, name);
+    if (file.empty())
+      warnings_.push_back(lines_.name() + ":" + std::to_string(lines_.number()) +
+                          ": the material library " + name +
+                          " does not lie beside the file: its colours are absent");
+    else
+      read_materials(file, materials_);
+  }
+}
+
+// "7", "7/1", "7//2" or "7/1/2"; a negative number counts back from the last vertex so far.
+std::uint32_t GroupReader::to_vertex(std::string_view word) const {
+  std::int64_t number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  const bool whole = end == word.data() + word.size() || *end == '/';
+  const auto seen = static_cast<std::int64_t>(seen_vertices_);
+  const std::int64_t at = number < 0 ? seen + number : number - 1;
+  if (error != std::errc() || !whole || number == 0 || at < 0 ||
+      at >= static_cast<std::int64_t>(vertices_.places.size()))
+    throw Error(lines_.name(), lines_.number(),
+                "a face refers to vertex \"" + std::string(word.substr(0, 40)) +
+                    "\", which is not there: the file has " +
+                    std::to_string(vertices_.places.size()));
+  return static_cast<std::uint32_t>(at);
+}
+
+void GroupReader::read_face(std::string_view rest) {
+  const std::size_t begin = current_.corners.size();
+  for (std::string_view word; !(word = take_word(rest)).empty() && word.front() != '#';)
+    current_.corners.push_back(to_vertex(word));
+  if (current_.corners.size() - begin < 3) {
+    current_.corners.resize(begin);
+    skipped_.add("polygon: of fewer than three vertices");
+    return;
+  }
+  if (current_.corners.size() > std::numeric_limits<std::uint32_t>::max() / 2)
+    throw Error(lines_.name(), lines_.number(), "an object has too many faces");
+  current_.ends.push_back(static_cast<std::uint32_t>(current_.corners.size()));
+  current_.materials.push_back(material_);
+}
+
+namespace {
+
+// Sets of places that hang together (union by the least number, so that the result does not depend
+// on the order of joining).
+class Sets {
+ public:
+  explicit Sets(std::size_t size) : parent_(size) {
+    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
+  }
+  std::uint32_t find(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = find(a), b = find(b);
+    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+// Many programs write a vertex anew for every face.
+void join_same_places(const std::vector<glm::dvec3>& places, Sets& sets) {
+  std::vector<std::uint32_t> order(places.size());
+  std::iota(order.begin(), order.end(), std::uint32_t{0});
+  const auto key = [&](std::uint32_t i) {
+    return std::make_tuple(places[i].x, places[i].y, places[i].z);
+  };
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  for (std::size_t i = 1; i < order.size(); ++i)
+    if (places[order[i]] == places[order[i - 1]]) sets.join(order[i], order[i - 1]);
+}
+
+}  // namespace
+
+std::vector<Faces> split_by_connection(const Faces& faces, const Vertices& vertices) {
+  Sets sets(vertices.places.size());
+  join_same_places(vertices.places, sets);
+  const auto first_corner = [&](std::size_t face) {
+    return faces.corners[face == 0 ? 0 : faces.ends[face - 1]];
+  };
+  for (std::size_t face = 0; face < faces.size(); ++face)
+    for (std::size_t i = face == 0 ? 0 : faces.ends[face - 1]; i < faces.ends[face]; ++i)
+      sets.join(first_corner(face), faces.corners[i]);
+  std::vector<Faces> parts;
+  std::map<std::uint32_t, std::size_t> part_of;
+  for (std::size_t face = 0; face < faces.size(); ++face) {
+    const auto [part, is_new] = part_of.try_emplace(sets.find(first_corner(face)), parts.size());
+    if (is_new) parts.emplace_back().name = "part " + std::to_string(parts.size());
+    parts[part->second].add(faces, face);
+  }
+  return parts;
+}
+
+}  // namespace nightcity::obj

@@ -1,0 +1,71 @@
+// The second pass over an OBJ: its faces, object by object.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/city/byte_source.h"
+#include "tools/city/skip_counter.h"
+#include "tools/obj/materials.h"
+#include "tools/obj/text_lines.h"
+#include "tools/obj/vertices.h"
+
+namespace nightcity::obj {
+
+/// The faces of one object: `corners` holds the vertices of all of them, one face after the other.
+struct Faces {
+  std::string name;                        // "" = the file names none
+  bool continued = false;                  // a later piece of the object before it
+  std::vector<std::uint32_t> corners;      // numbers of vertices
+  std::vector<std::uint32_t> ends;         // of each face in `corners`
+  std::vector<const Material*> materials;  // of each face; null: none
+
+  std::size_t size() const { return ends.size(); }
+  void add(const Faces& other, std::size_t face);
+};
+
+class GroupReader {
+ public:
+  /// `vertices` must outlive the reader and what it returns refers to `materials` in it.
+  GroupReader(const city::Document& document, const Vertices& vertices);
+
+  /// Returns the next object that has faces, in the order of the file; a large one in pieces. None
+  /// at the end. Throws Error with the line where a face refers to no vertex.
+  std::optional<Faces> next();
+
+  const city::SkipCounter& skipped() const { return skipped_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  /// Returns the number of faces that were given out.
+  std::size_t faces() const { return faces_; }
+
+ private:
+  bool begins_object(std::string_view key) const;
+  void read_face(std::string_view rest);
+  void read_library(std::string_view names);
+  std::uint32_t to_vertex(std::string_view word) const;
+  void take_statement(std::string_view key, std::string_view rest);
+  Faces give(bool goes_on);
+
+  const Vertices& vertices_;
+  TextLines lines_;
+  std::filesystem::path folder_of_;  // the OBJ, beside which its libraries lie; empty: packed
+  std::map<std::string, Material> materials_;
+  const Material* material_ = nullptr;
+  std::size_t seen_vertices_ = 0, faces_ = 0;
+  Faces current_;
+  bool goes_on_ = false;  // a piece of the current object has been given out
+  bool is_over_ = false;
+  city::SkipCounter skipped_;
+  std::vector<std::string> warnings_;
+};
+
+/// Cuts faces of which the file names no parts into those that hang together: two faces that have a
+/// place in common belong to one object. In the order of their first faces.
+std::vector<Faces> split_by_connection(const Faces& faces, const Vertices& vertices);
+
+}  // namespace nightcity::obj
