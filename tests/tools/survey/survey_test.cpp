@@ -1,0 +1,150 @@
+// What `nightbake new` makes of files: each is told for what it is, and the recipe bakes.
+#include "tools/survey/survey.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "formats/error.h"
+#include "support/data.h"
+#include "support/temp_folder.h"
+#include "tests/tools/citygml/small_city.h"
+#include "tools/bake/bake.h"
+#include "tools/nightbake/sample_city.h"
+#include "tools/survey/new_recipe.h"
+#include "tools/survey/plan.h"
+
+namespace nightcity::survey {
+namespace {
+
+using namespace test;
+
+const SurveyedFile& find(const std::vector<SurveyedFile>& files, const std::string& name) {
+  const auto found = std::find_if(files.begin(), files.end(), [&](const SurveyedFile& file) {
+    return file.path.filename() == name;
+  });
+  if (found == files.end()) throw Error(name, "was not looked at");
+  return *found;
+}
+
+bool mentions(const std::vector<std::string>& texts, const std::string& part) {
+  return std::any_of(texts.begin(), texts.end(),
+                     [&](const std::string& text) { return text.find(part) != text.npos; });
+}
+
+const char* small_map =
+    "<osm version=\"0.6\"><node id=\"1\" lat=\"52.510075\" lon=\"13.393876\"/>"
+    "<node id=\"2\" lat=\"52.510487\" lon=\"13.394451\"/><node id=\"3\" lat=\"52.510124\" "
+    "lon=\"13.394169\"><tag k=\"highway\" v=\"street_lamp\"/></node><way id=\"1\"><nd ref=\"1\"/>"
+    "<nd ref=\"2\"/><tag k=\"highway\" v=\"residential\"/></way></osm>";
+
+const char* lamps =
+    "{\"type\":\"FeatureCollection\",\"features\":[{\"type\":\"Feature\",\"properties\":"
+    "{\"PoleID\":\"a\",\"Mount_Ht\":8,\"WATTS\":40,\"note\":\"x\"},\"geometry\":{\"type\":"
+    "\"Point\",\"coordinates\":[13.394231,52.510439]}}]}";
+
+TEST(Survey, EachFileIsToldForWhatItIs) {
+  const TempFolder folder;
+  write_text(folder / "cube.gml", sample_gml());
+  write_text(folder / "map.osm", small_map);
+  write_text(folder / "lamps.geojson", lamps);
+  write_text(folder / "page.html", "<!DOCTYPE html><html></html>");
+  write_text(folder / "roof.png", "\x89PNG");
+  write_text(folder / ".hidden.gml", sample_gml());
+  const auto files = survey_files({folder.path()});
+  ASSERT_EQ(files.size(), 5u);
+  EXPECT_EQ(find(files, "cube.gml").use, Use::city);
+  EXPECT_TRUE(find(files, "cube.gml").has_crs);
+  EXPECT_NE(find(files, "cube.gml").what.find("25833"), std::string::npos);
+  EXPECT_EQ(find(files, "map.osm").use, Use::map);
+  EXPECT_EQ(find(files, "map.osm").lamps, 1u);
+  EXPECT_EQ(find(files, "roof.png").use, Use::companion);
+  EXPECT_EQ(find(files, "page.html").use, Use::nothing);
+  EXPECT_NE(find(files, "page.html").what.find("web page"), std::string::npos);
+  const SurveyedFile& inventory = find(files, "lamps.geojson");
+  ASSERT_EQ(inventory.use, Use::inventory);
+  EXPECT_EQ(inventory.inventory->id, "PoleID");
+  EXPECT_EQ(inventory.inventory->columns.at("height"), "Mount_Ht");
+  EXPECT_EQ(inventory.inventory->columns.at("watts"), "WATTS");
+  EXPECT_EQ(inventory.inventory->columns.size(), 2u);
+  EXPECT_THROW(survey_files({folder / "none"}), Error);
+}
+
+TEST(Survey, TheRecipeBakesWithEveryFileInIt) {
+  const TempFolder folder;
+  std::filesystem::create_directory(folder / "my \"data\"");
+  const std::filesystem::path data = folder / "my \"data\"";
+  write_text(data / "cube.gml", sample_gml());
+  write_text(data / "map.osm", small_map);
+  write_text(data / "lamps.geojson", lamps);
+  const auto files = survey_files({data});
+  const Plan plan = make_plan(files);
+  EXPECT_TRUE(plan.left_out.empty());
+  EXPECT_FALSE(mentions(plan.missing, "lamp")) << "there are some";
+  std::filesystem::create_directory(folder / "city");
+  write_text(folder / "city" / "recipe.toml", make_recipe_text(plan, folder / "city"));
+  const bake::BakeReport report =
+      bake::bake(bake::read_recipe(folder / "city" / "recipe.toml"), folder / "out");
+  EXPECT_EQ(report.city.objects.at("building"), 1u);
+  ASSERT_EQ(report.lights.lamps.inventories.size(), 1u);
+  EXPECT_EQ(report.lights.lamps.inventories[0].lamps, 1u);
+  EXPECT_EQ(report.lights.lamps.inventories[0].columns.at("watts"), 1u);
+  EXPECT_EQ(report.lights.lamps.dark, "");
+}
+
+TEST(Survey, WhatLiesElsewhereOrNowhereIsLeftOutWithItsReason) {
+  const TempFolder folder;
+  write_text(folder / "cube.gml", sample_gml());
+  std::string far = small_map;
+  for (std::size_t at = 0; (at = far.find("lon=\"13", at)) != std::string::npos; ++at)
+    far.replace(at, 7, "lon=\"23");
+  write_text(folder / "far.osm", far);
+  std::string nowhere = sample_gml();
+  for (std::size_t at = 0; (at = nowhere.find("srsName", at)) != std::string::npos; ++at)
+    nowhere.replace(at, 7, "srsNone");
+  write_text(folder / "nowhere.gml", nowhere);
+  const auto files = survey_files({folder.path()});
+  const Plan plan = make_plan(files);
+  EXPECT_EQ(plan.cities.size(), 1u);
+  EXPECT_TRUE(plan.maps.empty());
+  ASSERT_EQ(plan.left_out.size(), 2u);
+  EXPECT_TRUE(mentions(plan.missing, "overpass-api.de/api/map?bbox=13."));
+  const auto alone = survey_files({folder / "nowhere.gml", folder / "far.osm"});
+  const Plan without = make_plan(alone);
+  EXPECT_EQ(without.cities.size(), 1u);
+  EXPECT_TRUE(without.maps.empty()) << "a map has no place under it";
+  EXPECT_TRUE(mentions(without.missing, "CRS"));
+  write_text(folder / "recipe.toml", make_recipe_text(without, folder.path()));
+  const bake::BakeReport report =
+      bake::bake(bake::read_recipe(folder / "recipe.toml"), folder / "out");
+  EXPECT_NE(report.lights.lamps.dark.find("names no CRS"), std::string::npos)
+      << report.lights.lamps.dark;
+}
+
+TEST(Survey, AMapAloneIsACityAndNothingIsNone) {
+  const TempFolder folder;
+  write_text(folder / "map.osm", small_map);
+  const auto files = survey_files({folder / "map.osm"});
+  const Plan plan = make_plan(files);
+  EXPECT_FALSE(plan.is_empty());
+  EXPECT_TRUE(mentions(plan.missing, "city model"));
+  write_text(folder / "page.html", "<html/>");
+  const auto none = survey_files({folder / "page.html"});
+  EXPECT_TRUE(make_plan(none).is_empty());
+}
+
+TEST(Survey, RealCitiesBakeFromTheRecipesMadeForThem) {
+  for (const char* name : {"berlin", "munich", "karlsruhe", "vienna", "cityjson"}) {
+    REAL_DATA(data, name);
+    const TempFolder folder;
+    const auto files = survey_files({data});
+    write_text(folder / "recipe.toml", make_recipe_text(make_plan(files), folder.path()));
+    bake::Recipe recipe = bake::read_recipe(folder / "recipe.toml");
+    recipe.windows.lit = false;
+    const bake::BakeReport report = bake::bake(recipe, folder / "out");
+    EXPECT_GT(report.city.objects.at("building"), 0u) << name;
+  }
+}
+
+}  // namespace
+}  // namespace nightcity::survey

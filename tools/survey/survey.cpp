@@ -1,0 +1,201 @@
+#include "tools/survey/survey.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string_view>
+
+#include "formats/error.h"
+#include "formats/to_lower.h"
+#include "tools/city/byte_source.h"
+#include "tools/georeference/frame.h"
+#include "tools/inputs/city_files.h"
+#include "tools/inputs/file_format.h"
+#include "tools/inputs/read_city.h"
+#include "tools/inventory/look_at_table.h"
+#include "tools/inventory/read_inventory.h"
+#include "tools/osm/read_osm.h"
+#include "tools/terrain/elevation_model.h"
+
+namespace nightcity::survey {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Endings of files that belong to others.
+constexpr std::array<std::string_view, 21> companion_endings{
+    ".mtl", ".png", ".jpg", ".jpeg", ".dbf", ".shx", ".prj",  ".cpg", ".qix", ".qmd", ".sbn",
+    ".sbx", ".tfw", ".aux", ".txt",  ".md",  ".pdf", ".toml", ".xsd", ".bin", ".ktx2"};
+
+bool is_companion(const fs::path& file) {
+  const std::string ending = to_lower(file.extension().string());
+  return std::find(companion_endings.begin(), companion_endings.end(), ending) !=
+         companion_endings.end();
+}
+
+void look_at_city(SurveyedFile& file, const std::string& format) {
+  const city::CityHead head = inputs::read_city_head(file.path);
+  file.use = Use::city;
+  file.is_obj = format == "Wavefront OBJ";
+  file.what = format + (head.version.empty() ? "" : " " + head.version);
+  for (const city::Document& document : city::list_documents(file.path, inputs::city_endings())) {
+    const auto has = [&](const std::string& name) {
+      return city::mentions(document, ":" + name) || city::mentions(document, "<" + name) ||
+             city::mentions(document, "\"" + name + "\"");
+    };
+    file.has_roads = file.has_roads || has("Road") || has("TrafficArea");
+    file.has_relief = file.has_relief || has("ReliefFeature") || has("TINRelief");
+  }
+  if (head.sample.empty()) {
+    file.use = Use::nothing;
+    file.what += ", without geometry";
+    return;
+  }
+  try {
+    const auto frame = georeference::CityFrame::from_srs_name(head.srs_name, head.sample, {});
+    file.has_crs = frame.has_lon_lat();
+    file.what += file.has_crs ? ", " + frame.description() : ", names no CRS";
+    if (!file.has_crs) return;
+    std::vector<glm::dvec3> places = head.sample;
+    frame.to_projected(places);
+    for (const glm::dvec3& p : places) file.box.add(frame.to_lon_lat(glm::dvec2(p)));
+  } catch (const Error& error) {
+    file.what += ", its CRS cannot be used: " + std::string(error.what());
+  }
+}
+
+void look_at_map(SurveyedFile& file) {
+  const osm::OsmData map = osm::read_osm(file.path);
+  file.use = Use::map;
+  file.has_crs = true;
+  file.lamps = map.lamps.size();
+  file.streets = map.highways.size();
+  file.buildings = map.buildings.size();
+  file.what = fmt::format("OpenStreetMap, {} lamps, {} streets, {} buildings", file.lamps,
+                          file.streets, file.buildings);
+  for (const auto* ways : {&map.highways, &map.buildings})
+    for (const osm::OsmWay& way : *ways)
+      for (const glm::dvec2& p : way.lon_lat) file.box.add(p);
+  for (const osm::OsmLampNode& lamp : map.lamps) file.box.add(lamp.lon_lat);
+}
+
+void look_at_table(SurveyedFile& file) {
+  const inventory::TableLook look = inventory::look_at_table(file.path);
+  if (!look.has_points) {
+    file.what = look.format + " without points: a table of lamps has a point in each row";
+    return;
+  }
+  inventory::InventoryFile guess = inventory::guess_inventory(file.path, look);
+  guess.layer = look.layer;
+  file.what = fmt::format("{}, {} points, columns", look.format, look.rows);
+  for (const std::string& column : look.columns) file.what += " " + column;
+  file.has_crs = !look.crs.empty();
+  if (!file.has_crs) {
+    guess.crs = "EPSG:4326";
+    file.what += "; names no CRS: longitude and latitude are assumed";
+  }
+  const inventory::Inventory read = inventory::read_inventory(guess);
+  for (const osm::OsmLampNode& lamp : read.lamps) file.box.add(lamp.lon_lat);
+  file.use = Use::inventory;
+  file.lamps = read.lamps.size();
+  file.inventory = std::move(guess);
+}
+
+void look_at_raster(SurveyedFile& file) {
+  const terrain::ElevationModel model(file.path);
+  file.use = Use::elevation;
+  file.has_crs = model.has_crs();
+  file.what = fmt::format("raster of heights, one every {:.3g} m{}", model.resolution_m(),
+                          file.has_crs ? "" : ", names no CRS: that of the city is taken");
+}
+
+void look_at_format(SurveyedFile& file) {
+  const inputs::FileFormat& format = inputs::find_format(file.path);
+  switch (format.kind) {
+    case inputs::FileKind::city:
+      return look_at_city(file, format.name);
+    case inputs::FileKind::osm:
+      return look_at_map(file);
+    case inputs::FileKind::luminaire:
+      file.use = Use::luminaire;
+      file.what = std::string(format.name) + ", photometry of a luminaire";
+      return;
+    case inputs::FileKind::scene:
+    case inputs::FileKind::lights:
+      file.what = std::string(format.name) + ": a finished scene, not what one is made from";
+  }
+}
+
+SurveyedFile look_at(const fs::path& path) {
+  SurveyedFile file;
+  file.path = path;
+  std::string why;
+  const auto attempt = [&](const auto& look) {
+    try {
+      look(file);
+      return true;
+    } catch (const Error& error) {
+      if (why.empty()) why = error.what();
+      return false;
+    }
+  };
+  if (is_companion(path)) {
+    file.use = Use::companion;
+    return file;
+  }
+  if (attempt(look_at_format)) return file;
+  if (inventory::is_named_as_table(path) && attempt(look_at_table)) return file;
+  if (attempt(look_at_raster)) return file;
+  file.use = Use::nothing;
+  const std::string prefix = path.string() + ": ";
+  file.what = why.starts_with(prefix) ? why.substr(prefix.size()) : why;
+  return file;
+}
+
+bool is_hidden(const fs::path& path) {
+  return path.filename().string().starts_with('.');
+}
+
+void list_files(const fs::path& path, std::set<fs::path>& files) {
+  std::error_code error;
+  if (!fs::is_directory(path, error)) {
+    if (!fs::exists(path, error)) throw Error(path.string(), "is not there");
+    files.insert(path);
+    return;
+  }
+  fs::recursive_directory_iterator entry(path, error);
+  for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+    std::error_code unknown;
+    if (is_hidden(entry->path()))
+      entry.disable_recursion_pending();
+    else if (entry->is_regular_file(unknown))
+      files.insert(entry->path());
+  }
+  if (error) throw Error(path.string(), "the folder cannot be read: " + error.message());
+}
+
+}  // namespace
+
+void Box::add(const glm::dvec2& lon_lat) {
+  if (!std::isfinite(lon_lat.x) || !std::isfinite(lon_lat.y)) return;
+  least = glm::min(least, lon_lat);
+  greatest = glm::max(greatest, lon_lat);
+}
+
+bool Box::is_near(const Box& other, double degrees) const {
+  return least.x - degrees <= other.greatest.x && other.least.x - degrees <= greatest.x &&
+         least.y - degrees <= other.greatest.y && other.least.y - degrees <= greatest.y;
+}
+
+std::vector<SurveyedFile> survey_files(const std::vector<fs::path>& paths) {
+  std::set<fs::path> files;
+  for (const fs::path& path : paths) list_files(path, files);
+  std::vector<SurveyedFile> result;
+  for (const fs::path& file : files) result.push_back(look_at(file));
+  return result;
+}
+
+}  // namespace nightcity::survey
