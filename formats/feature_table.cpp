@@ -51,7 +51,7 @@ void read_strings(const json& properties, const char* name, std::string SceneFea
 }  // namespace
 
 FeatureTableWriter::FeatureTableWriter(const std::filesystem::path& path)
-    : id_(path), type_(path), function_(path), height_(path), storeys_(path) {}
+    : id_(path), type_(path), function_(path), provenance_(path), height_(path), storeys_(path) {}
 
 void FeatureTableWriter::StringColumn::add(std::string_view text) {
   const std::uint32_t offset = static_cast<std::uint32_t>(values.size());
@@ -66,6 +66,7 @@ std::uint32_t FeatureTableWriter::add(const SceneFeature& feature) {
   id_.add(feature.id);
   type_.add(feature.type);
   function_.add(feature.function);
+  provenance_.add(feature.provenance);
   float height = absent_height;
   if (feature.measured_height_m && std::isfinite(*feature.measured_height_m)) {
     height = static_cast<float>(*feature.measured_height_m);
@@ -101,6 +102,7 @@ json FeatureTableWriter::write(
   strings("id", id_);
   strings("type", type_);
   strings("function", function_);
+  strings("provenance", provenance_);
   if (any_height_) {
     columns["measured_height"] = {{"values", append(height_)}};
     schema["measured_height"] = {{"type", "SCALAR"},
@@ -139,6 +141,7 @@ std::vector<SceneFeature> read_feature_table(const json& extension, std::size_t 
     read_strings(properties, "id", &SceneFeature::id, features, view);
     read_strings(properties, "type", &SceneFeature::type, features, view);
     read_strings(properties, "function", &SceneFeature::function, features, view);
+    read_strings(properties, "provenance", &SceneFeature::provenance, features, view);
     for (std::size_t i = 0; i < features.size(); ++i)
       if (const auto value = element<std::int32_t>(storeys, i); value != absent_storeys)
         features[i].storeys_above_ground = value;

@@ -42,7 +42,7 @@ class FeatureTableWriter {
     ScratchFile values, offsets;
   };
   std::uint32_t count_ = 0;
-  StringColumn id_, type_, function_;
+  StringColumn id_, type_, function_, provenance_;
   ScratchFile height_, storeys_;
   bool any_height_ = false, any_storeys_ = false;
 };

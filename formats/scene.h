@@ -69,6 +69,7 @@ struct SceneFeature {
   std::string function;  // code or text as in the source; "" = absent
   std::optional<double> measured_height_m;
   std::optional<int> storeys_above_ground;
+  std::string provenance{};  // of a light: where each of its values comes from; "" = absent
 };
 
 /// A light without size (KHR_lights_punctual), for other programs; ours read city.lights instead.

@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
     nightcity::nightbake::add_traffic_command(app);
     nightcity::nightbake::add_windows_command(app);
     nightcity::nightbake::add_lights_command(app);
+    nightcity::nightbake::add_export_command(app);
   };
   return nightcity::program::run_program(nightbake, argc, argv);
 }
