@@ -65,6 +65,9 @@ if [[ $has_node = yes ]]; then
     done
   done
   node "$here/../../pipelines/validate_gltf.mjs" "$scratch"/{plain,draco,lights}/city.glb || fail "the validator finds errors"
+  # Tiles of 3D Tiles are glTF like any other.
+  "$nightbake" --quiet export "$scratch/lights" -o "$scratch/tiles" >/dev/null || fail "the town has no 3D Tiles"
+  node "$here/../../pipelines/validate_gltf.mjs" "$scratch"/tiles/tiles/*.glb || fail "the validator finds errors in tiles"
   for name in plain draco lights; do
     out=$(NODE_MODULES=$modules node "$here/open_in_three.mjs" "$scratch/$name/city.glb") || fail "three.js refuses $name"
     echo "three.js, $name: $out"
