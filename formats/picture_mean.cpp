@@ -1,11 +1,13 @@
 #include "formats/picture_mean.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <utility>
 
 // Only the two formats of glTF 2.0 (section 3.9.1); the other decoders would only be a risk.
 #define STB_IMAGE_IMPLEMENTATION
@@ -54,16 +56,32 @@ bool is_png(std::span<const std::byte> bytes) {
   return bytes.size() > 4 && std::memcmp(bytes.data(), "\x89PNG", 4) == 0;
 }
 
-}  // namespace
-
-std::optional<glm::dvec3> find_picture_mean(std::span<const std::byte> bytes, bool use_alpha,
-                                            std::int64_t max_pixels) {
+glm::dvec3 to_linear(const stbi_uc* pixel) {
   static const auto linear = [] {
     std::array<double, 256> table;
     for (std::size_t i = 0; i < table.size(); ++i)
       table[i] = linear_from_srgb(static_cast<std::uint8_t>(i));
     return table;
   }();
+  return {linear[pixel[0]], linear[pixel[1]], linear[pixel[2]]};
+}
+
+// The pixels along one side that lie between two texture coordinates: the first, and their number.
+struct PixelRange {
+  std::int64_t first, count;
+};
+PixelRange find_range(double low, double high, int size) {
+  constexpr double farthest = 1e6;  // repetitions of a picture: beyond it a double holds no pixel
+  if (!(std::abs(low) <= farthest) || !(std::abs(high) <= farthest) || !(high - low < 1))
+    return {0, size};
+  const auto first = static_cast<std::int64_t>(std::floor(low * size));
+  const auto last = static_cast<std::int64_t>(std::ceil(high * size)) - 1;
+  return {first, std::clamp<std::int64_t>(last - first + 1, 1, size)};
+}
+
+}  // namespace
+
+std::optional<Picture> Picture::read(std::span<const std::byte> bytes, std::int64_t max_pixels) {
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return std::nullopt;
   if (!is_png(bytes) && !has_sound_huffman_tables(bytes)) return std::nullopt;
   const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
@@ -72,20 +90,40 @@ std::optional<glm::dvec3> find_picture_mean(std::span<const std::byte> bytes, bo
   if (!stbi_info_from_memory(data, size, &width, &height, &channels) ||
       std::int64_t{width} * height > max_pixels)
     return std::nullopt;
-  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-      stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
-  if (!pixels) return std::nullopt;
+  Pixels pixels(stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
+  if (!pixels || width < 1 || height < 1) return std::nullopt;
+  return Picture(std::move(pixels), width, height);
+}
+
+std::optional<glm::dvec3> Picture::find_mean(bool use_alpha) const {
   glm::dvec3 sum(0);
   double weights = 0;
-  const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const auto count = static_cast<std::size_t>(count_pixels());
   for (std::size_t i = 0; i < count; ++i) {
-    const stbi_uc* pixel = pixels.get() + 4 * i;
+    const stbi_uc* pixel = pixels_.get() + 4 * i;
     const double weight = use_alpha ? pixel[3] / 255.0 : 1.0;
-    sum += weight * glm::dvec3(linear[pixel[0]], linear[pixel[1]], linear[pixel[2]]);
+    sum += weight * to_linear(pixel);
     weights += weight;
   }
   if (!(weights > 0)) return std::nullopt;
   return sum / weights;
+}
+
+glm::dvec3 Picture::find_mean_between(const glm::dvec2& low, const glm::dvec2& high) const {
+  const PixelRange x = find_range(low.x, high.x, width_);
+  const PixelRange y = find_range(1 - high.y, 1 - low.y, height_);  // rows run down
+  glm::dvec3 sum(0);
+  const auto wrap = [](std::int64_t i, int size) { return (i % size + size) % size; };
+  for (std::int64_t j = y.first; j < y.first + y.count; ++j)
+    for (std::int64_t i = x.first; i < x.first + x.count; ++i)
+      sum += to_linear(pixels_.get() + 4 * (wrap(j, height_) * width_ + wrap(i, width_)));
+  return sum / static_cast<double>(x.count * y.count);
+}
+
+std::optional<glm::dvec3> find_picture_mean(std::span<const std::byte> bytes, bool use_alpha,
+                                            std::int64_t max_pixels) {
+  const std::optional<Picture> picture = Picture::read(bytes, max_pixels);
+  return picture ? picture->find_mean(use_alpha) : std::nullopt;
 }
 
 }  // namespace nightcity

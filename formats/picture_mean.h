@@ -3,15 +3,42 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace nightcity {
 
 /// 8,192 by 8,192. A picture takes four bytes a pixel while it is read, and a file of sixty
 /// kilobytes may hold a gigabyte of one colour.
 constexpr std::int64_t max_picture_pixels = std::int64_t{1} << 26;
+
+/// A PNG or JPEG, unpacked to four bytes a pixel.
+class Picture {
+ public:
+  /// Returns nothing if the bytes are no such picture, or it has more than `max_pixels`.
+  static std::optional<Picture> read(std::span<const std::byte> bytes,
+                                     std::int64_t max_pixels = max_picture_pixels);
+
+  std::int64_t count_pixels() const { return std::int64_t{width_} * height_; }
+  /// Returns the mean as find_picture_mean does.
+  std::optional<glm::dvec3> find_mean(bool use_alpha) const;
+  /// Returns the mean of the pixels between two texture coordinates (from the lower left, 1 being
+  /// the picture's width and height, beyond which it repeats), each pixel alike, as linear Rec. 709.
+  /// A part without width counts as a pixel's; coordinates that are no numbers stand for all of it.
+  glm::dvec3 find_mean_between(const glm::dvec2& low, const glm::dvec2& high) const;
+
+ private:
+  using Pixels = std::unique_ptr<unsigned char, void (*)(void*)>;
+  Picture(Pixels pixels, int width, int height)
+      : pixels_(std::move(pixels)), width_(width), height_(height) {}
+
+  Pixels pixels_;
+  int width_, height_;
+};
 
 /// Returns the mean of a PNG or JPEG, whose values are sRGB, as linear Rec. 709. Each pixel counts
 /// by its alpha where `use_alpha`, and alike otherwise. Returns nothing if the bytes are no such

@@ -1,40 +1,18 @@
 #include "formats/picture_mean.h"
 
 #include <gtest/gtest.h>
-#include <zlib.h>
 
+#include <limits>
 #include <span>
 #include <string>
+
+#include "support/make_png.h"
 
 namespace nightcity {
 namespace {
 
-std::string big_endian(std::size_t value) {
-  std::string bytes;
-  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xFF);
-  return bytes;
-}
-
-std::string chunk(const std::string& type, const std::string& data) {
-  const std::string body = type + data;
-  const auto sum =
-      crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size()));
-  return big_endian(data.size()) + body + big_endian(sum);
-}
-
-// A white picture of one bit a pixel: its rows deflate to a thousandth.
-std::string make_white_png(std::size_t width, std::size_t height) {
-  std::string rows;
-  for (std::size_t y = 0; y < height; ++y) rows += '\0' + std::string((width + 7) / 8, '\xff');
-  uLongf size = compressBound(rows.size());
-  std::string packed(size, '\0');
-  compress(reinterpret_cast<Bytef*>(packed.data()), &size,
-           reinterpret_cast<const Bytef*>(rows.data()), rows.size());
-  packed.resize(size);
-  return "\x89PNG\r\n\x1a\n" +
-         chunk("IHDR", big_endian(width) + big_endian(height) + std::string("\1\0\0\0\0", 5)) +
-         chunk("IDAT", packed) + chunk("IEND", "");
-}
+using test::make_rgb_png;
+using test::make_white_png;
 
 TEST(PictureMean, OfWhiteIsOne) {
   const std::string png = make_white_png(20, 10);
@@ -48,6 +26,35 @@ TEST(PictureMean, APictureThatWouldFillTheMemoryIsNotUnpacked) {
   const std::string png = make_white_png(16384, 16384);
   EXPECT_LT(png.size(), 70'000u);
   EXPECT_FALSE(find_picture_mean(std::as_bytes(std::span(png)), false).has_value());
+}
+
+TEST(PictureMean, APartIsCountedFromTheLowerLeftAndRepeats) {
+  // Red above green, with a blue column on the right.
+  const std::string png = make_rgb_png(4, 4, [](std::size_t x, std::size_t y) {
+    if (x == 3) return std::array<unsigned char, 3>{0, 0, 255};
+    return y < 2 ? std::array<unsigned char, 3>{255, 0, 0}
+                 : std::array<unsigned char, 3>{0, 255, 0};
+  });
+  const auto picture = Picture::read(std::as_bytes(std::span(png)));
+  ASSERT_TRUE(picture.has_value());
+  EXPECT_EQ(picture->count_pixels(), 16);
+  const auto expect = [&](const glm::dvec2& low, const glm::dvec2& high, const glm::dvec3& colour) {
+    const glm::dvec3 mean = picture->find_mean_between(low, high);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c], colour[c], 1e-12) << low.x << " " << low.y;
+  };
+  expect({0, 0}, {0.5, 0.5}, {0, 1, 0});
+  expect({0, 0.5}, {0.5, 1}, {1, 0, 0});
+  expect({0.75, 0}, {1, 1}, {0, 0, 1});
+  expect({0.5, 0.25}, {1, 0.75}, {0.25, 0.25, 0.5});
+  expect({2, -3}, {2.5, -2.5}, {0, 1, 0});
+  expect({0.9, 0}, {1.1, 0.1}, {0, 0.5, 0.5});
+  expect({0.1, 0.1}, {0.1, 0.1}, {0, 1, 0});
+  const glm::dvec3 whole = *picture->find_mean(false);
+  const double infinity = std::numeric_limits<double>::infinity();
+  expect({0, 0}, {1, 1}, whole);
+  expect({-5, -5}, {5, 5}, whole);
+  expect({infinity, infinity}, {-infinity, -infinity}, whole);
+  expect({1e300, 0}, {1e300, 0.2}, {0, 0.75, 0.25});
 }
 
 }  // namespace

@@ -49,6 +49,9 @@ struct MeshPlacement {
   int max_vertices = 20'000'000;  // a limit: a vertex takes 24 bytes
 };
 
+/// What is made of textures: nothing, or the mean colour of each surface under its own.
+enum class Textures : std::uint8_t { none, mean };
+
 struct ReadOptions {
   /// Each object is taken at its highest LoD up to this one or, where it has none, at the lowest
   /// above.
@@ -62,6 +65,7 @@ struct ReadOptions {
   /// Polygons of other names carry theirs. Absent: names are not looked at.
   std::optional<std::string> srs_name{};
   MeshPlacement mesh{};
+  Textures textures = Textures::none;
   /// Bounds on what a small file may cost; the recipe's keys of the same names raise them.
   int max_member_mb = 256;              // of text in one member of a CityModel
   int max_linked_vertices = 8'000'000;  // that the links of a document lead to, and of a member's

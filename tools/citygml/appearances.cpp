@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tools/city/attributes.h"
+#include "tools/citygml/picture_colours.h"
 #include "tools/citygml/rings.h"
 #include "tools/citygml/tag_scanner.h"
 
@@ -54,10 +55,21 @@ void Materials::read_below(const pugi::xml_node& element, int depth, city::SkipC
         else
           skipped.add("app:target: beyond the two million whose colours are kept");
       }
+    } else if (name == "ParameterizedTexture" && pictures_) {
+      read_texture(child, skipped);
     } else if (child.type() == pugi::node_element && name != "theme") {
       skipped.add(child.name());
     }
   }
+}
+
+void Materials::read_texture(const pugi::xml_node& texture, city::SkipCounter& skipped) {
+  pictures_->read(texture, skipped, [&](std::string_view id, const glm::vec3& colour) {
+    if (colours_.size() < max_targets)
+      colours_.insert_or_assign(hash(id), colour);
+    else
+      skipped.add("app:target: beyond the two million whose colours are kept");
+  });
 }
 
 const glm::vec3* Materials::find(std::string_view id) const {

@@ -1,4 +1,5 @@
-// X3DMaterial colours of an app:Appearance, by the id of the geometry that they colour.
+// Colours of an app:Appearance, by the id of the geometry that they colour: those of X3DMaterials and,
+// on request, the means of textures.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -10,8 +11,13 @@
 
 namespace nightcity::citygml {
 
+class PictureColours;
+
 class Materials {
  public:
+  /// Textures give their surfaces a colour from now on, in place of a material's; `pictures` must
+  /// outlive the object. Null: textures are counted as skipped.
+  void set_pictures(PictureColours* pictures) { pictures_ = pictures; }
   /// Reads an app:Appearance, or a property that holds one. Everything else in it, such as
   /// textures, is counted in `skipped`.
   void read(const pugi::xml_node& appearance, city::SkipCounter& skipped);
@@ -21,10 +27,12 @@ class Materials {
   bool empty() const { return colours_.empty(); }
 
  private:
+  void read_texture(const pugi::xml_node& texture, city::SkipCounter& skipped);
   void read_below(const pugi::xml_node& element, int depth, city::SkipCounter& skipped);
 
   /// By the id's hash: a city's ids themselves would fill the memory.
   std::unordered_map<std::size_t, glm::vec3> colours_;
+  PictureColours* pictures_ = nullptr;
 };
 
 }  // namespace nightcity::citygml

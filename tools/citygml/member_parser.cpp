@@ -49,6 +49,7 @@ MemberParser::MemberParser(const pugi::xml_node& member, std::size_t line,
                            const GeometryLibrary& library, const Materials& file_materials)
     : member_(member), line_(line), geometry_(member, library, skipped_) {
   geometry_.set_file_materials(&file_materials);
+  geometry_.local_materials().set_pictures(library.pictures);
 }
 
 std::vector<city::RawObject> MemberParser::parse() {

@@ -12,6 +12,7 @@
 #include "formats/error.h"
 #include "tools/citygml/citygml_head.h"
 #include "tools/citygml/member_parser.h"
+#include "tools/citygml/picture_colours.h"
 #include "tools/citygml/read_citygml.h"
 #include "tools/citygml/rings.h"
 #include "tools/citygml/shared_geometry.h"
@@ -49,22 +50,35 @@ class StreamReader {
     library_.folder = std::filesystem::path(document.name).parent_path();
     library_.neighbours = options.neighbours;
     library_.max_vertices = static_cast<std::size_t>(options.max_linked_vertices);
+    if (options.textures == city::Textures::none || document.packed) return;
+    pictures_.emplace(document.name);
+    library_.pictures = &*pictures_;
+    file_materials_.set_pictures(library_.pictures);
   }
 
   city::ReadReport read() {
     read_file_materials();
     run(nullptr);
     report_.srs_name = srs_name_;
-    if (deferred_.empty()) return std::move(report_);
+    if (deferred_.empty()) return finish();
     // Some members refer to geometry that others hold: fetch it, then read those members again.
     fetch_wanted();
     library_complete_ = true;
     const std::unordered_set<std::size_t> again(deferred_.begin(), deferred_.end());
     run(&again);
-    return std::move(report_);
+    return finish();
   }
 
  private:
+  city::ReadReport&& finish() {
+    if (pictures_)
+      report_.warnings.push_back(document_.name + ": " + std::to_string(pictures_->pictures()) +
+                                 " pictures (" + std::to_string(pictures_->pixels() / 1'000'000) +
+                                 " megapixels) give " + std::to_string(pictures_->surfaces()) +
+                                 " surfaces their mean colour");
+    return std::move(report_);
+  }
+
   // The document's own appearances may stand behind the objects they colour, so they are read
   // first. A document without any costs a look for the word.
   void read_file_materials() {
@@ -217,6 +231,7 @@ class StreamReader {
   const city::ObjectStage& stage_;
   city::ReadReport report_;
   std::string srs_name_, document_srs_name_;
+  std::optional<PictureColours> pictures_;
   Materials file_materials_;
   GeometryLibrary library_;
   bool library_complete_ = false;

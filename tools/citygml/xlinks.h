@@ -22,6 +22,8 @@ namespace nightcity::citygml {
 /// is absent.
 std::string_view find_attribute(const pugi::xml_node& element, std::string_view local);
 
+class PictureColours;
+
 /// A polygon that links lead to. `number` is that of the polygon as it stands in its file: copies by
 /// way of different links share it.
 struct LinkedPolygon {
@@ -37,6 +39,7 @@ struct GeometryLibrary {
   std::filesystem::path folder{};  // of the document: file names in links are relative to it
   /// Files that links may lead into.
   std::shared_ptr<const std::set<std::filesystem::path>> neighbours{};
+  PictureColours* pictures = nullptr;  // of the document; null: textures are not read
 
   /// Returns the name of the target of "../there.gml#id", "path#id"; "" where it lies outside the
   /// city.

@@ -10,6 +10,9 @@
 #include <vector>
 
 #include "formats/error.h"
+#include "support/data.h"
+#include "support/make_png.h"
+#include "support/temp_folder.h"
 #include "tests/tools/citygml/read_file.h"
 #include "tests/tools/citygml/small_city.h"
 #include "tests/tools/citygml/temporary_file.h"
@@ -319,6 +322,65 @@ TEST(Variants, MetadataAndCodeListsInAnArchiveArePassedOverWithANote) {
   const TemporaryFile none("", ".zip");
   write_zip(none.path(), {{"meta.xml", metadata}, {"codes.xml", codes}});
   EXPECT_THROW(read_file(none.path()), Error);
+}
+
+TEST(Variants, TexturesGiveTheirMeanOnRequest) {
+  const TempFolder folder;
+  // The left half is black, the right half white.
+  write_text(folder / "half.png", make_rgb_png(4, 2, [](std::size_t x, std::size_t) {
+               const unsigned char v = x < 2 ? 0 : 255;
+               return std::array<unsigned char, 3>{v, v, v};
+             }));
+  const auto texture = [](const std::string& uri, const std::string& target, double left) {
+    const std::string l = std::to_string(left), r = std::to_string(left + 0.5);
+    return "<app:surfaceDataMember><app:ParameterizedTexture><app:imageURI>" + uri +
+           "</app:imageURI><app:target uri=\"#" + target +
+           "\"><app:TexCoordList><app:textureCoordinates ring=\"#r\">" + l + " 0 " + r + " 0 " + r +
+           " 1 " + l +
+           " 0</app:textureCoordinates></app:TexCoordList></app:target>"
+           "</app:ParameterizedTexture></app:surfaceDataMember>";
+  };
+  const std::string text = city_model(
+      member(building("A", "<app:appearance><app:Appearance>" + texture("half.png", "A_r", 0.5) +
+                               "</app:Appearance></app:appearance>")) +
+      "<app:appearanceMember><app:Appearance>" + texture("half.png", "A_w", 0) +
+      texture("../half.png", "A_g", 0) + texture("none.png", "A_g", 0) +
+      texture("city.gml", "A_g", 0) + "</app:Appearance></app:appearanceMember>");
+  write_text(folder / "city.gml", text);
+  const auto colour_of = [](const City& city, const std::string& id) {
+    for (const city::Polygon& polygon : city.objects.at(0).polygons)
+      if (polygon.id == id) return polygon.diffuse_colour;
+    return std::optional<glm::vec3>();
+  };
+  const City without = read_file(folder / "city.gml");
+  EXPECT_FALSE(colour_of(without, "A_r"));
+  EXPECT_EQ(without.report.skipped.at("app:ParameterizedTexture"), 5u);
+  city::ReadOptions options;
+  options.textures = city::Textures::mean;
+  const City city = read_file(folder / "city.gml", options);
+  EXPECT_EQ(colour_of(city, "A_r"), glm::vec3(1));
+  EXPECT_EQ(colour_of(city, "A_w"), glm::vec3(0));
+  EXPECT_FALSE(colour_of(city, "A_g"));
+  EXPECT_EQ(city.report.skipped.at("texture: its picture lies elsewhere"), 1u);
+  EXPECT_EQ(city.report.skipped.at("texture: its picture is not there"), 1u);
+  EXPECT_EQ(city.report.skipped.at("texture: its picture is no JPEG or PNG, or too large"), 1u);
+  ASSERT_EQ(city.report.warnings.size(), 1u);
+  EXPECT_NE(city.report.warnings[0].find("1 pictures (0 megapixels) give 2 surfaces"),
+            std::string::npos)
+      << city.report.warnings[0];
+}
+
+TEST(Variants, ARealCityHasTheColoursOfItsPictures) {
+  REAL_DATA(file, "berlin/textured/export.gml");
+  city::ReadOptions options;
+  options.textures = city::Textures::mean;
+  const City city = read_file(file, options);
+  std::size_t coloured = 0, polygons = 0;
+  for (const city::CityObject& object : city.objects)
+    for (const city::Polygon& polygon : object.polygons)
+      ++polygons, coloured += polygon.diffuse_colour.has_value();
+  EXPECT_GT(coloured, 100u);
+  EXPECT_LE(coloured, polygons);
 }
 
 }  // namespace

@@ -128,6 +128,13 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
                    "A limit: a polygon whose outlines cross more often, for each of their points, "
                    "is left out and counted. Where streets come from the model's roads, more "
                    "crossings of all roads together end the bake."),
+       choice_key<city::Textures>(
+           "textures", city.read.textures,
+           {{"none", city::Textures::none}, {"mean", city::Textures::mean}},
+           "`mean`: surfaces of CityGML reflect the mean of the picture that "
+           "the file lays on them, where that lies beside the file as PNG or "
+           "JPEG. Every picture is unpacked; how many, a note says. Colours "
+           "have 32 steps a channel, and each is a material of its own."),
        flag_key("drop_ground", city.drop_ground,
                 "Leaves out the ground surfaces under buildings, which nobody sees."),
        flag_key("drop_hidden", city.drop_hidden,

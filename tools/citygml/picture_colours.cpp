@@ -1,0 +1,121 @@
+#include "tools/citygml/picture_colours.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+#include <limits>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "formats/error.h"
+#include "formats/mapped_file.h"
+#include "tools/city/attributes.h"
+#include "tools/citygml/rings.h"
+#include "tools/citygml/tag_scanner.h"
+#include "tools/citygml/xlinks.h"
+
+namespace nightcity::citygml {
+namespace {
+
+constexpr std::size_t max_kept = 8;  // a picture of many buildings comes up again soon
+
+// IEC 61966-2-1.
+double to_srgb(double linear) {
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+glm::vec3 to_step(const glm::dvec3& linear) {
+  constexpr double steps = 31;
+  glm::vec3 colour;
+  for (int i = 0; i < 3; ++i)
+    colour[i] =
+        static_cast<float>(std::round(std::clamp(to_srgb(linear[i]), 0.0, 1.0) * steps) / steps);
+  return colour;
+}
+
+struct Span {
+  glm::dvec2 low{std::numeric_limits<double>::infinity()}, high{-low};
+};
+
+// The box of all texture coordinates in an element; of none: not finite.
+Span find_span(const pugi::xml_node& target) {
+  Span span;
+  std::vector<double> numbers;
+  for (const pugi::xml_node& list : target.children())
+    for (const pugi::xml_node& child : list.children()) {
+      if (local_name(child.name()) != "textureCoordinates") continue;
+      numbers.clear();
+      if (!read_numbers(child, numbers)) continue;
+      for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
+        const glm::dvec2 p(numbers[i], numbers[i + 1]);
+        span.low = glm::min(span.low, p);
+        span.high = glm::max(span.high, p);
+      }
+    }
+  return span;
+}
+
+}  // namespace
+
+std::shared_ptr<const Picture> PictureColours::find_picture(std::string_view uri,
+                                                            const char*& why) {
+  std::string written(uri);
+  std::replace(written.begin(), written.end(), '\\', '/');
+  const std::filesystem::path name(written);
+  why = "texture: its picture lies elsewhere";
+  if (name.empty() || name.is_absolute() || written.find("://") != std::string::npos) return {};
+  if (std::find(name.begin(), name.end(), "..") != name.end()) return {};
+  const std::filesystem::path file = folder_ / name;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [path, picture] : kept_)
+      if (path == file) return picture;
+  }
+  why = "texture: its picture is not there";
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return {};
+  why = "texture: its picture is no JPEG or PNG, or too large";
+  std::optional<Picture> read;
+  try {
+    read = Picture::read(MappedFile(file).bytes());
+  } catch (const Error&) {
+  }
+  if (!read) return {};
+  auto picture = std::make_shared<const Picture>(std::move(*read));
+  ++pictures_;
+  pixels_ += picture->count_pixels();
+  const std::lock_guard lock(mutex_);
+  kept_.emplace_back(file, picture);
+  if (kept_.size() > max_kept) kept_.pop_front();
+  return picture;
+}
+
+void PictureColours::read(const pugi::xml_node& texture, city::SkipCounter& skipped,
+                          const std::function<void(std::string_view, const glm::vec3&)>& take) {
+  std::string_view uri;
+  std::vector<pugi::xml_node> targets;
+  for (const pugi::xml_node& property : texture.children()) {
+    const std::string_view name = local_name(property.name());
+    if (name == "imageURI") uri = city::trim(property.child_value());
+    if (name == "target") targets.push_back(property);
+  }
+  const char* why = "";
+  const auto picture = find_picture(uri, why);
+  if (!picture) {
+    skipped.add(why);
+    return;
+  }
+  for (const pugi::xml_node& target : targets) {
+    std::string_view id = city::trim(find_attribute(target, "uri"));
+    if (!id.starts_with('#')) continue;
+    id.remove_prefix(1);
+    const Span span = find_span(target);
+    take(id, to_step(picture->find_mean_between(span.low, span.high)));
+    ++surfaces_;
+  }
+}
+
+}  // namespace nightcity::citygml
