@@ -9,6 +9,8 @@
 #include "formats/light_file_edit.h"
 #include "tools/bake/city/road_consumer.h"
 #include "tools/bake/output_folder.h"
+#include "tools/bake/parts/fingerprint.h"
+#include "tools/bake/parts/read_parts.h"
 #include "tools/bake/report/stage_clock.h"
 #include "tools/bake/scene/scene_tiles.h"
 #include "tools/bake/scene/vehicle_models.h"
@@ -142,13 +144,27 @@ BakeReport bake(const BakeOptions& options, const std::filesystem::path& folder,
   return Bake(options, folder, progress).run();
 }
 
-BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder,
-                const ProgressSink& progress) {
+BakeOptions make_bake_options(const Recipe& recipe) {
   BakeOptions options = to_bake_options(recipe);
   if (options.city.files.empty() && recipe.osm.buildings && !options.city.maps.empty()) {
     options.city.ground.carries_buildings = !options.city.ground.elevation_models.empty();
     options.city.files = options.city.maps;
   }
+  return options;
+}
+
+BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder,
+                const ProgressSink& progress) {
+  return bake(make_bake_options(recipe), folder, progress);
+}
+
+BakeReport merge_parts(const std::vector<std::filesystem::path>& parts,
+                       const std::filesystem::path& recipe, const std::filesystem::path& folder,
+                       const std::string& version, const ProgressSink& progress, unsigned threads) {
+  BakeOptions options =
+      make_bake_options(read_recipe(recipe.empty() ? find_recipe(parts) : recipe));
+  if (threads > 0) options.city.read.threads = options.tiles.threads = threads;
+  options.city.parts = find_part_set(parts, make_fingerprint(options.city, version));
   return bake(options, folder, progress);
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "tools/bake/bake_options.h"
 #include "tools/bake/progress.h"
@@ -15,8 +17,20 @@ namespace nightcity::bake {
 BakeReport bake(const BakeOptions& options, const std::filesystem::path& folder,
                 const ProgressSink& progress = {});
 
+/// Returns the options of a recipe's bake. Throws UsageError where its keys contradict each other.
+BakeOptions make_bake_options(const Recipe& recipe);
+
 /// Does the same by a recipe.
 BakeReport bake(const Recipe& recipe, const std::filesystem::path& folder,
                 const ProgressSink& progress = {});
+
+/// Does the same from finished parts (parts/bake_part.h): the bytes are those of the whole bake.
+/// `parts`: part files, and folders that hold some, in any order. `recipe`: "" stands for the one
+/// that the parts name. `version`: of the program. Throws Error where parts are missing, damaged or
+/// made from another recipe or other inputs.
+BakeReport merge_parts(const std::vector<std::filesystem::path>& parts,
+                       const std::filesystem::path& recipe, const std::filesystem::path& folder,
+                       const std::string& version, const ProgressSink& progress = {},
+                       unsigned threads = 0);
 
 }  // namespace nightcity::bake

@@ -1,13 +1,23 @@
 #include "tools/bake/bake_options.h"
 
+#include <algorithm>
+
 namespace nightcity::bake {
 namespace {
+
+// The files of a city in one order, however a recipe names them.
+std::vector<std::filesystem::path> sort_files(std::vector<std::filesystem::path> files) {
+  std::stable_sort(files.begin(), files.end(), [](const auto& a, const auto& b) {
+    return a.lexically_normal() < b.lexically_normal();
+  });
+  return files;
+}
 
 CityInputs to_city_inputs(const Recipe& recipe) {
   CityInputs inputs;
   inputs.recipe = recipe.path;
-  inputs.files = recipe.city.files;
-  inputs.maps = recipe.osm.files;
+  inputs.files = sort_files(recipe.city.files);
+  inputs.maps = sort_files(recipe.osm.files);
   inputs.max_way_nodes = recipe.osm.max_way_nodes;
   inputs.read = recipe.city.read;
   inputs.frame = recipe.city.frame;

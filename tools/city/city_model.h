@@ -56,6 +56,13 @@ struct Polygon {
   /// The coordinate reference system that the polygon's coordinates have, where it is another than
   /// ReadOptions::srs_name; null elsewhere.
   std::shared_ptr<const std::string> srs_name{};
+
+  /// Passes each field to an archive (tools/archive.h), but for the name of a CRS: in an archive,
+  /// coordinates have the city's.
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(id, surface, exterior, interiors, diffuse_colour, area_function);
+  }
 };
 
 /// A top-level city object with the geometry of its parts and installations: each building is one
@@ -73,6 +80,13 @@ struct CityObject {
   std::vector<glm::dvec3> points;  // mass points of a relief: its surface goes through them
   std::vector<Ring> lines;         // its break lines and ridges, open: edges of that surface
   std::shared_ptr<const std::string> points_srs_name{};  // of points and lines, as Polygon's
+
+  /// Passes each field to an archive, as Polygon's does.
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(id, type, class_name, function, usage, building_class, address, year, measured_height_m,
+            storeys_above_ground, storey_heights_m, lod, polygons, points, lines);
+  }
 };
 
 /// "building", "wall", ...: the names used in reports.

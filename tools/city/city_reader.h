@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tools/city/city_model.h"
+#include "tools/city/text_pieces.h"
 
 namespace nightcity::city {
 
@@ -28,12 +29,21 @@ struct ReadReport {
   /// Buildings published as a footprint alone: made blocks of their height, and left flat for want
   /// of one.
   std::size_t extruded = 0, flat = 0;
+  /// Why a piece of a file cannot be read without the rest of it; "" = it can.
+  std::string needs_whole_file;
 
   void merge(const ReadReport& other);
+
+  /// Passes each field to an archive (tools/archive.h).
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(version, srs_name, objects, polygons, skipped, warnings, extruded, flat,
+            needs_whole_file);
+  }
 };
 
 /// Adds a warning for the file's buildings that were published as footprints, and makes all texts
-/// valid UTF-8. To be called once the whole file has been read.
+/// valid UTF-8. To be called once the whole file has been read, and not for each of its pieces.
 void finish_report(const std::filesystem::path& file, ReadReport& report);
 
 /// The parser of CityGML. Both deliver the same model; the second is a second opinion.
@@ -70,6 +80,8 @@ struct ReadOptions {
   int max_member_mb = 256;              // of text in one member of a CityModel
   int max_linked_vertices = 8'000'000;  // that the links of a document lead to, and of a member's
   int max_crossings = 16;               // of a polygon's outlines, for each of their points
+  /// Read this piece alone, of a file that FileReader::find_cuts allows to be cut.
+  std::optional<TextPiece> piece{};
 };
 
 /// Called on one thread at a time, in file order; objects that refer to geometry of other objects
@@ -93,6 +105,12 @@ struct CityHead {
   /// Vertices of the first rings of that CRS, as written; empty = a file without geometry.
   std::vector<glm::dvec3> sample;
   std::set<std::string> linked_files;  // that geometry is linked from, as written
+
+  /// Passes each field to an archive (tools/archive.h).
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(version, srs_name, sample, linked_files);
+  }
 };
 
 /// A format's reader. Both functions throw Error: the file is missing, empty, broken or of another
@@ -103,6 +121,9 @@ struct FileReader {
   /// Streams the objects through `stage` in file order, in memory that does not grow with the file.
   ReadReport (*read)(const std::filesystem::path& file, const ReadOptions& options,
                      const ObjectStage& stage);
+  /// Returns how the file may be cut into pieces, each to be read by itself; nothing where it has
+  /// to be read whole. Null: no file of the format can be cut.
+  std::optional<FileCuts> (*find_cuts)(const std::filesystem::path& file) = nullptr;
 };
 
 }  // namespace nightcity::city

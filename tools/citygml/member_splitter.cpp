@@ -64,6 +64,7 @@ void MemberSplitter::read_head() {
                  declaration.find("windows-1252") != std::string::npos;
   finished_ = root.kind == Tag::Kind::empty;
   scanner_.take(root.end);
+  scanner_.skip_lines(limits_.lines_left_out);
 }
 
 void MemberSplitter::close_tag(const Tag& tag) {
@@ -166,6 +167,7 @@ MemberSplitter::Limits limits_of(const city::ReadOptions& options) {
   MemberSplitter::Limits limits;
   limits.member_bytes = static_cast<std::size_t>(options.max_member_mb) << 20;
   limits.piece_bytes = std::min(limits.piece_bytes, limits.member_bytes);
+  if (options.piece) limits.lines_left_out = options.piece->lines_left_out;
   return limits;
 }
 

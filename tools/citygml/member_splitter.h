@@ -52,6 +52,7 @@ class MemberSplitter {
     /// Follow every tag. Otherwise the inside of a member is passed on unchecked and may be
     /// ill-formed or too deep.
     bool every_tag = false;
+    std::size_t lines_left_out = 0;  // between the root's start tag and the text behind it
   };
 
   /// Reads up to the root's start tag. Throws Error: not XML, DOCTYPE, UTF-16, truncated.

@@ -13,6 +13,11 @@ city::ReadReport read_citygml_staged(const std::filesystem::path& file,
                                      const city::ReadOptions& options,
                                      const city::ObjectStage& stage) {
   city::ReadReport report;
+  if (options.piece) {
+    const city::Document piece{file.string(), false,
+                               [&] { return city::open_piece(file, *options.piece); }};
+    return read_with_stream(piece, options, stage);
+  }
   for (const city::Document& document : list_citygml_documents(file, &report.warnings)) {
     if (options.reader == city::Reader::stream) {
       report.merge(read_with_stream(document, options, stage));

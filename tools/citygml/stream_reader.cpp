@@ -57,10 +57,14 @@ class StreamReader {
   }
 
   city::ReadReport read() {
-    read_file_materials();
+    if (!options_.piece) read_file_materials();  // a file that has them is not cut
     run(nullptr);
     report_.srs_name = srs_name_;
     if (deferred_.empty()) return finish();
+    if (options_.piece) {
+      report_.needs_whole_file = "its members link to geometry of other members";
+      return finish();
+    }
     // Some members refer to geometry that others hold: fetch it, then read those members again.
     fetch_wanted();
     library_complete_ = true;
@@ -157,6 +161,8 @@ class StreamReader {
       const MemberBatch::Member& member = batch.members[i];
       const std::size_t number = batch.first_member + i;
       if (only && !only->contains(number)) continue;
+      if (options_.piece && !options_.piece->is_first() && number < options_.piece->head_members)
+        continue;  // of the file's head: the first piece has it
       if (!is_object_member(member)) {
         if (member.name != "boundedBy" && member.name != "appearanceMember")
           ++out.report.skipped[member.name];

@@ -56,6 +56,8 @@ class TagScanner {
   void replace(std::size_t end, std::string_view text);
 
   std::size_t line_of(std::size_t at);  // from 1; `at` may not lie before an earlier call's
+  /// Counts the lines that follow as if there were `lines` more before them.
+  void skip_lines(std::size_t lines) { line_ += lines; }
   [[noreturn]] void fail(std::size_t at, const std::string& message);
   const std::string& name() const { return name_; }
 

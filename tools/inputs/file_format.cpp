@@ -8,6 +8,7 @@
 #include "formats/error.h"
 #include "formats/to_lower.h"
 #include "tools/city/byte_source.h"
+#include "tools/citygml/citygml_cuts.h"
 #include "tools/citygml/citygml_head.h"
 #include "tools/citygml/read_citygml.h"
 #include "tools/cityjson/read_cityjson.h"
@@ -67,7 +68,8 @@ bool is_eulumdat(const FileStart& start) {
   return start.name.ends_with(".ldt");
 }
 
-constexpr city::FileReader citygml_reader{citygml::read_citygml_head, citygml::read_citygml_staged};
+constexpr city::FileReader citygml_reader{citygml::read_citygml_head, citygml::read_citygml_staged,
+                                          citygml::find_citygml_cuts};
 
 constexpr city::FileReader cityjson_reader{cityjson::read_cityjson_head,
                                            cityjson::read_cityjson_staged};

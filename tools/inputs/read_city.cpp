@@ -32,4 +32,9 @@ city::ReadReport read_city_staged(const std::filesystem::path& file,
   return find_reader(file).read(file, options, stage);
 }
 
+std::optional<city::FileCuts> find_cuts(const std::filesystem::path& file) {
+  const city::FileReader& reader = find_reader(file);
+  return reader.find_cuts ? reader.find_cuts(file) : std::nullopt;
+}
+
 }  // namespace nightcity::inputs

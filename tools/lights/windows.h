@@ -82,6 +82,13 @@ class WindowLayout {
     std::size_t dark = 0;  // number of windows that are never lit
     FacadeReport facades;
     std::string use;  // of a building, and where it comes from
+
+   public:
+    /// Passes each field to an archive (tools/archive.h).
+    template <class Archive>
+    void visit(Archive& archive) {
+      archive(walls, windows, dark, facades, use);
+    }
   };
 
   /// Finds the walls and windows of an object: the costly part of adding it, which many threads may

@@ -39,6 +39,17 @@ struct MeshReport {
   double worst_self_intersecting_m2 = 0;
 
   void merge(const MeshReport& other);
+
+  /// Passes each field to an archive (tools/archive.h).
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(polygons, triangles, fast_path, zero_area, slivers, non_planar, self_intersecting,
+            not_finite, not_triangulated, crossing_too_often, holes_left_out, holes_outside,
+            worst_hole_outside, worst_hole_outside_m2, turned, first_turned, cracks_closed,
+            floors_added, first_repaired, open_objects);
+    archive(worst_zero_area, worst_zero_area_m, worst_sliver, worst_sliver_m, worst_non_planar,
+            worst_non_planar_m, worst_self_intersecting, worst_self_intersecting_m2);
+  }
 };
 
 }  // namespace nightcity::mesh

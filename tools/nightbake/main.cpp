@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
   nightbake.add_commands = [](CLI::App& app) {
     nightcity::nightbake::add_run_command(app);
     nightcity::nightbake::add_new_command(app);
+    nightcity::nightbake::add_merge_command(app);
     nightcity::nightbake::add_recipe_command(app);
     nightcity::nightbake::add_inspect_command(app);
     nightcity::nightbake::add_readers_command(app);

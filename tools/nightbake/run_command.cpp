@@ -6,9 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "formats/error.h"
 #include "formats/program/output.h"
 #include "formats/program/print_json.h"
 #include "tools/bake/bake.h"
+#include "tools/bake/parts/bake_part.h"
 #include "tools/nightbake/commands.h"
 #include "tools/nightbake/shown_progress.h"
 
@@ -16,14 +18,34 @@ namespace nightcity::nightbake {
 namespace {
 
 struct RunArguments {
-  std::string recipe, folder;
+  std::string recipe, folder, part;
   bool json = false;
   unsigned threads = 0;
 };
 
+void run_part(const RunArguments& arguments, const bake::Recipe& recipe) {
+  const auto share = bake::parse_share(arguments.part);
+  if (!share)
+    throw UsageError("--part", "\"" + arguments.part +
+                                   "\" is no part: write 3/64 for the third of 64 parts, at most "
+                                   "of 100000");
+  bake::BakedPart part;
+  {
+    ShownProgress progress;
+    part = bake::bake_part(bake::make_bake_options(recipe), *share, arguments.folder,
+                           NIGHTCITY_VERSION, progress.sink());
+  }
+  if (part.was_done)
+    fmt::print("{}: is done already, from the same recipe and inputs\n", part.file.string());
+  else
+    fmt::print("{}: {} objects, {:.1f} MB\n", part.file.string(), part.objects,
+               static_cast<double>(part.bytes) / 1e6);
+}
+
 void run(const RunArguments& arguments) {
   bake::Recipe recipe = bake::read_recipe(arguments.recipe);
   if (arguments.threads > 0) recipe.city.read.threads = arguments.threads;
+  if (!arguments.part.empty()) return run_part(arguments, recipe);
   bake::BakeReport report;
   {
     ShownProgress progress;
@@ -54,9 +76,15 @@ void add_run_command(CLI::App& app) {
                    "Number of threads, in place of the recipe's (default: one per core); the "
                    "results do not depend on it")
       ->check(CLI::Range(1, 1024));
+  command->add_option(
+      "--part", arguments->part,
+      "Make one part of the bake alone, such as 3/64 for the third of 64: "
+      "DIR/parts/part-3-of-64. Parts may be made in any order and on many machines; "
+      "nightbake merge puts them together. One that is done is kept");
   command->footer(
       "Examples:\n  nightbake run pipelines/berlin.toml --out berlin\n"
-      "  nightbake run --json city.toml -o out | jq .citygml.skipped");
+      "  nightbake run --json city.toml -o out | jq .citygml.skipped\n"
+      "  nightbake run city.toml --part 3/64 -o out");
   command->callback([arguments] { run(*arguments); });
 }
 

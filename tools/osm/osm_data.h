@@ -26,6 +26,12 @@ struct OsmWay {
   std::vector<glm::dvec2>
       lon_lat;  // degrees; nodes missing from the extract are skipped and counted
   OsmTags tags;
+
+  /// Passes each field to an archive (tools/archive.h).
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive(id, lon_lat, tags);
+  }
 };
 
 /// Nodes of a way. OpenStreetMap itself allows 2,000; files made of other data have longer lines.

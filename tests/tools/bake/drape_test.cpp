@@ -1,5 +1,5 @@
 #include "tools/bake/scene/drape.h"
-#include "tools/bake/city/prepared_objects.h"
+#include "tools/bake/city/ready_object.h"
 
 #include <gtest/gtest.h>
 

@@ -11,6 +11,7 @@
 #include "formats/error.h"
 #include "formats/median.h"
 #include "tools/bake/city/prepared_objects.h"
+#include "tools/bake/parts/read_parts.h"
 #include "tools/inventory/add_to_map.h"
 #include "tools/osm/read_osm.h"
 #include "tools/streets/street_ways.h"
@@ -52,12 +53,15 @@ City::City(CityInputs inputs, const std::filesystem::path& scratch)
     const glm::dvec2 middle(frames_->reference());
     frames_->raise_reference(heights_->at({&middle, 1}).front());
   }
-  map_ = osm::read_osm(inputs_.maps, static_cast<std::size_t>(inputs_.max_way_nodes));
+  if (inputs_.survey)
+    map_.buildings = inputs_.survey->map_buildings;
+  else
+    map_ = osm::read_osm(inputs_.maps, static_cast<std::size_t>(inputs_.max_way_nodes));
   if (map_.long_ways > 0)
     fmt::print(stderr,
                "note: {}: {} ways left out: they have more nodes than [osm] max_way_nodes = {}\n",
                inputs_.maps.front().string(), map_.long_ways, inputs_.max_way_nodes);
-  inventory_reports_ = inventory::add_to_map(inputs_.inventories, map_);
+  if (!inputs_.survey) inventory_reports_ = inventory::add_to_map(inputs_.inventories, map_);
   if (!has_model()) map_frame_ = find_map_frame(map_);
 }
 
@@ -83,7 +87,10 @@ CityReport City::read(std::initializer_list<CityConsumer*> consumers,
   std::vector<CityConsumer*> all{&ground_};
   for (CityConsumer* consumer : consumers)
     if (consumer) all.push_back(consumer);
-  return read_prepared_objects(inputs_, *frames_, heights_ ? &*heights_ : nullptr, all, progress);
+  const GroundHeights* heights = ground_heights();
+  return inputs_.parts.empty()
+             ? read_prepared_objects(inputs_, *frames_, heights, all, progress)
+             : read_parts(inputs_.parts, inputs_, *frames_, heights, all, progress);
 }
 
 GroundReport City::build_ground(const GroundBuilder::ShowGround& show) {

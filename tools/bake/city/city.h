@@ -53,6 +53,9 @@ class City {
   const georeference::CityFrame& frame() const;
   /// Returns the map, with the lamps of inventories among its own.
   const osm::OsmData& map() const { return map_; }
+  /// Returns the heights of the ground that the model's objects are put onto; null where they have
+  /// heights of their own.
+  const GroundHeights* ground_heights() const { return heights_ ? &*heights_ : nullptr; }
   const std::vector<inventory::InventoryReport>& inventories() const { return inventory_reports_; }
   const terrain::Terrain& terrain() const { return terrain_; }
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <glm/common.hpp>
-#include <limits>
 #include <mutex>
 #include <set>
 #include <utility>
@@ -58,19 +56,9 @@ std::string describe_missing_links(const std::vector<std::filesystem::path>& fil
 }
 
 // Returns two control points: the corners of all the files' geometry at the corners of the bounds.
-// Reads every file once more.
 std::vector<georeference::CityFrame::ControlPoint> corners_at(const std::array<double, 4>& bounds,
-                                                              const CityInputs& inputs) {
-  glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
-  for (const auto& file : inputs.files)
-    inputs::read_city(file, inputs.read, [&](city::CityObject&& object) {
-      for (const city::Polygon& polygon : object.polygons)
-        for (const glm::dvec3& p : polygon.exterior) {
-          low = glm::min(low, glm::dvec2(p));
-          high = glm::max(high, glm::dvec2(p));
-        }
-    });
-  return {{{bounds[0], bounds[1]}, low}, {{bounds[2], bounds[3]}, high}};
+                                                              const PlanExtent& extent) {
+  return {{{bounds[0], bounds[1]}, extent.low}, {{bounds[2], bounds[3]}, extent.high}};
 }
 
 // A map named by mistake among city models would put its buildings on a plane beside theirs. Where
@@ -104,9 +92,7 @@ georeference::CityFrame make_frame(const std::string& where, const std::string& 
 CityFrames::CityFrames(const CityInputs& inputs) {
   if (inputs.files.empty())
     throw UsageError(inputs.name(), "names no city: [city] files = [\"...\"] is missing");
-  refuse_maps_among_models(inputs);
-  std::vector<city::CityHead> heads;
-  for (const auto& file : inputs.files) heads.push_back(inputs::read_city_head(file, inputs.read));
+  const std::vector<city::CityHead> heads = read_heads(inputs);
   const auto first = std::find_if(heads.begin(), heads.end(), has_geometry);
   if (first == heads.end())
     throw Error(inputs.files.front().string(), "no geometry in any file of the city" +
@@ -114,7 +100,9 @@ CityFrames::CityFrames(const CityInputs& inputs) {
 
   georeference::CityFrame::Options options = inputs.frame;
   if (inputs.bounds) {
-    options.control_points = corners_at(*inputs.bounds, inputs);
+    options.control_points =
+        corners_at(*inputs.bounds, inputs.survey && inputs.survey->extent ? *inputs.survey->extent
+                                                                          : find_extent(inputs));
     if (options.crs_override.empty())
       options.crs_override = "none";  // bounds are given because the file's CRS is missing or wrong
   }
@@ -131,6 +119,14 @@ CityFrames::CityFrames(const CityInputs& inputs) {
   // An override or control points apply to every file.
   if (options.crs_override.empty() && options.control_points.empty())
     add_foreign(inputs, heads, number, options);
+}
+
+std::vector<city::CityHead> CityFrames::read_heads(const CityInputs& inputs) {
+  if (inputs.survey) return inputs.survey->heads;
+  refuse_maps_among_models(inputs);
+  std::vector<city::CityHead> heads;
+  for (const auto& file : inputs.files) heads.push_back(inputs::read_city_head(file, inputs.read));
+  return heads;
 }
 
 void CityFrames::warn(const std::string& where, const georeference::CityFrame& frame) {

@@ -23,6 +23,8 @@ class CityFrames {
   /// UsageError where the inputs name no file; Error where a file is missing or no city model, a
   /// CRS is unknown or no file has geometry.
   explicit CityFrames(const CityInputs& inputs);
+  /// Returns the head of every file: those of the inputs' survey where there is one.
+  static std::vector<city::CityHead> read_heads(const CityInputs& inputs);
 
   /// Returns the city's own frame.
   const georeference::CityFrame& city() const { return *city_; }

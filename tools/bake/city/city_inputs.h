@@ -3,10 +3,12 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "tools/bake/city/city_survey.h"
 #include "tools/bake/city/ground_options.h"
 #include "tools/city/city_reader.h"
 #include "tools/georeference/frame.h"
@@ -17,7 +19,7 @@ namespace nightcity::bake {
 
 struct CityInputs {
   std::filesystem::path recipe;              // that names the files; empty: they were given alone
-  std::vector<std::filesystem::path> files;  // CityGML; empty: a map without a city model
+  std::vector<std::filesystem::path> files;  // city models; empty: a map without one
   std::vector<std::filesystem::path> maps;   // OpenStreetMap
   int max_way_nodes = static_cast<int>(osm::default_max_way_nodes);
   city::ReadOptions read;  // of the CityGML
@@ -31,6 +33,11 @@ struct CityInputs {
   std::vector<inventory::InventoryFile> inventories;
   std::string map_licence = "OpenStreetMap contributors, ODbL 1.0";
   GroundOptions ground;
+  /// What an earlier look at all inputs has found: they are not looked at again, and of the map
+  /// only its buildings are there. Null: the city looks itself.
+  std::shared_ptr<const CitySurvey> survey;
+  /// Finished parts of this bake, in order: the objects come from them. Empty: from the files.
+  std::vector<std::filesystem::path> parts;
 
   /// Returns the file to name in a message about the inputs as a whole: the recipe, else the first
   /// file.

@@ -27,7 +27,8 @@ WindowConsumer::WindowConsumer(const City& city, const WindowStageOptions& optio
 
 CityConsumer::Turn WindowConsumer::prepare(const std::shared_ptr<const PreparedObject>& prepared) {
   if (prepared->mesh.triangles.empty()) return {};
-  return [this, prepared, found = layout_.make_batch(prepared->object)](bool) mutable {
+  auto found = prepared->windows ? *prepared->windows : find_windows(prepared->object);
+  return [this, prepared, found = std::move(found)](bool) mutable {
     layout_.add(prepared->object, std::move(found));
   };
 }

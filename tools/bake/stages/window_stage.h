@@ -19,6 +19,10 @@ class WindowConsumer final : public CityConsumer {
                  const std::filesystem::path& scratch);
 
   Turn prepare(const std::shared_ptr<const PreparedObject>& prepared) override;
+  /// Returns the walls and windows of one object, without regard to others.
+  lights::WindowLayout::WindowBatch find_windows(const city::CityObject& object) const {
+    return layout_.make_batch(object);
+  }
 
   /// Passes every window that can be where it is to `sink`, in the order of the buildings; call
   /// once, when the city's ground has been built.

@@ -1,0 +1,147 @@
+#include "tools/bake/city/ready_object.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "formats/checksum.h"
+#include "tools/mesh/classify.h"
+#include "tools/mesh/close_gaps.h"
+#include "tools/mesh/triangulate.h"
+
+namespace nightcity::bake {
+namespace {
+
+// A stray point beyond this would cost every other vertex its precision.
+constexpr double max_distance_m = 100'000;
+
+std::uint64_t make_identity(const city::CityObject& object) {
+  if (object.id.empty() || object.polygons.empty()) return 0;
+  std::string key = object.id;
+  const city::Ring& ring = object.polygons.front().exterior;
+  if (!ring.empty()) key.append(reinterpret_cast<const char*>(&ring.front()), sizeof(glm::dvec3));
+  return checksum(key.data(), key.size());
+}
+
+void to_city_frame(const std::string* srs_name, std::size_t file, const CityFrames& frames,
+                   std::span<glm::dvec3> coordinates) {
+  if (srs_name)
+    frames.to_city(*srs_name, coordinates);
+  else
+    frames.to_city(file, coordinates);
+}
+
+void to_city_frame(city::CityObject& object, std::size_t file, const CityFrames& frames) {
+  for (city::Polygon& polygon : object.polygons) {
+    const std::string* name = polygon.srs_name.get();
+    to_city_frame(name, file, frames, polygon.exterior);
+    for (city::Ring& ring : polygon.interiors) to_city_frame(name, file, frames, ring);
+  }
+  const std::string* name = object.points_srs_name.get();
+  to_city_frame(name, file, frames, object.points);
+  for (city::Ring& line : object.lines) to_city_frame(name, file, frames, line);
+}
+
+// Returns false where the ground below the object is unknown.
+bool stand_on_ground(city::CityObject& object, const GroundHeights& heights) {
+  std::vector<glm::dvec2> places;
+  for (const city::Polygon& polygon : object.polygons)
+    for (const glm::dvec3& p : polygon.exterior) places.emplace_back(p);
+  const auto before = [](const glm::dvec2& a, const glm::dvec2& b) {
+    return std::make_pair(a.x, a.y) < std::make_pair(b.x, b.y);
+  };
+  std::sort(places.begin(), places.end(), before);
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const double height : heights.at(places))
+    if (height < lowest) lowest = height;  // not NaN
+  if (!std::isfinite(lowest)) return false;
+  for (city::Polygon& polygon : object.polygons) {
+    for (glm::dvec3& p : polygon.exterior) p.z += lowest;
+    for (city::Ring& ring : polygon.interiors)
+      for (glm::dvec3& p : ring) p.z += lowest;
+  }
+  return true;
+}
+
+bool is_far_away(const city::CityObject& object, const CityFrames& frames) {
+  for (const city::Polygon& polygon : object.polygons)
+    for (const glm::dvec3& p : polygon.exterior)
+      if (glm::distance(glm::dvec2(p), glm::dvec2(frames.reference())) > max_distance_m)
+        return true;
+  return false;
+}
+
+}  // namespace
+
+void for_each_named(const city::CityObject& object,
+                    const std::function<void(const std::string&, const city::Ring&)>& visit) {
+  for (const city::Polygon& polygon : object.polygons)
+    if (polygon.srs_name) visit(*polygon.srs_name, polygon.exterior);
+  if (!object.points_srs_name) return;
+  if (!object.points.empty()) visit(*object.points_srs_name, object.points);
+  for (const city::Ring& line : object.lines) visit(*object.points_srs_name, line);
+}
+
+ReadySettings to_ready_settings(const CityInputs& inputs, const CityFrames& frames,
+                                const GroundHeights* heights) {
+  return {frames, heights, inputs.files.size() > 1, inputs.read.max_crossings};
+}
+
+ReadyObject make_ready(city::CityObject&& object, std::size_t file, const ReadySettings& settings) {
+  const CityFrames& frames = settings.frames;
+  ReadyObject result;
+  bool known = true;
+  for_each_named(object, [&](const std::string& name, const city::Ring&) {
+    result.elsewhere = name;
+    known = known && frames.knows(name);
+  });
+  if (!known) {
+    result.unknown = std::move(object);
+    return result;
+  }
+  if (settings.has_identities) result.identity = make_identity(object);
+  const auto prepared = std::make_shared<PreparedObject>();
+  prepared->lacks_heights = lacks_heights(object);
+  to_city_frame(object, file, frames);
+  if (object.polygons.empty()) {
+    if (object.points.empty() && object.lines.empty()) result.unusable = Unusable::without_geometry;
+  } else if (is_far_away(object, frames)) {
+    result.unusable = Unusable::far_away;
+  } else if (settings.heights && !stand_on_ground(object, *settings.heights)) {
+    result.unusable = Unusable::without_ground;
+  } else {
+    // Shells first: which way is out decides what is a roof and which side of a wall has windows.
+    mesh::repair_shells(object, result.report);
+    mesh::classify_unknown_surfaces(object);
+    prepared->mesh = mesh::triangulate(object, result.report, settings.max_crossings);
+    if (prepared->mesh.triangles.empty()) result.unusable = Unusable::without_area;
+  }
+  prepared->closed = object.type == city::ObjectType::building && result.report.open_objects == 0;
+  prepared->object = std::move(object);
+  result.prepared = prepared;
+  return result;
+}
+
+bool lacks_heights(const city::CityObject& object) {
+  switch (object.type) {
+    case city::ObjectType::road:
+    case city::ObjectType::railway:
+    case city::ObjectType::land_use:
+    case city::ObjectType::water:
+    case city::ObjectType::vegetation:
+      break;
+    default:
+      return false;
+  }
+  for (const city::Polygon& polygon : object.polygons)
+    for (const glm::dvec3& p : polygon.exterior)
+      if (p.z != 0) return false;
+  return true;
+}
+
+}  // namespace nightcity::bake
