@@ -27,8 +27,11 @@ constexpr std::array binary_marks{
     Mark{"II*\0"sv, "is a TIFF raster: heights belong in [terrain] dem"},
     Mark{"MM\0*"sv, "is a TIFF raster: heights belong in [terrain] dem"},
     Mark{"SQLite format 3\0"sv,
-         "is a GeoPackage or another SQLite database: export it as CityGML or OSM first"},
-    Mark{"\0\0\x27\x0A"sv, "is a Shapefile: export it as CityGML or OSM first"},
+         "is a GeoPackage or another SQLite database: a table of lamps belongs in "
+         "[[lamps.inventories]], a model has to be exported as CityGML first"},
+    Mark{"\0\0\x27\x0A"sv,
+         "is a Shapefile: a table of lamps belongs in [[lamps.inventories]], a model has to be "
+         "exported as CityGML first"},
     Mark{"LASF"sv, "is a point cloud (LAS, LAZ): surfaces are needed"},
     Mark{"ISO-10303-21"sv, "is IFC or another STEP file: export it as CityGML first"},
     Mark{"b3dm"sv, "is a tile of 3D Tiles: the CityGML that it was made of is needed"},
@@ -47,7 +50,9 @@ constexpr std::array json_words{
     Words{{"\"osm3s\"", ""}, "is an answer of Overpass in JSON: ask for XML instead ([out:xml])"},
     Words{{"\"elements\"", "\"generator\""},
           "is an answer of Overpass in JSON: ask for XML instead ([out:xml])"},
-    Words{{"\"FeatureCollection\"", ""}, "is GeoJSON: export it as CityGML or OSM first"},
+    Words{{"\"FeatureCollection\"", ""},
+          "is GeoJSON: a table of lamps belongs in [[lamps.inventories]], a model has to be "
+          "exported as CityGML first"},
     Words{{"\"geometricError\"", ""},
           "is a tileset of 3D Tiles: the CityGML that it was made of is needed"},
     Words{{"\"error\"", ""}, "is a server's answer that reports an error: look into it"},

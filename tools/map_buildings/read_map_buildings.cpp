@@ -129,7 +129,7 @@ class ObjectMaker {
   void add_shells(const MapArea& area, const osm::OsmTags& tags, const LocalPlane& plane,
                   city::RawObject& raw) {
     const BuildingSizes sizes = find_sizes(tags, skipped_);
-    if (sizes.assumed) assumed_.add("height of a building");
+    if (sizes.assumed) assumed_.add("height of a building that the map does not say");
     for (const MapRings& rings : area.rings) {
       const Outline outline = to_outline(rings, plane);
       bool made_flat = false;

@@ -17,8 +17,8 @@ struct OsmLampNode {
   std::int64_t id = 0;
   glm::dvec2 lon_lat{0, 0};  // degrees
   OsmTags tags;
-  bool is_inventory = false;  // of a town's inventory and not of the map
   bool is_way = false;        // mapped as a line or an area, in the middle of which it stands
+  bool is_inventory = false;  // of a town's inventory and not of the map
 };
 
 struct OsmWay {

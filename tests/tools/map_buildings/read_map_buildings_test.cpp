@@ -171,7 +171,7 @@ TEST(MapBuildings, WhatIsAssumedOrNotShownIsCounted) {
   map.add_rectangle(60, 0, 10, 6, "building=construction,height=3");
   const Read result = read(map);
   EXPECT_EQ(result.objects.size(), 3u);
-  EXPECT_EQ(result.report.assumed.at("height of a building"), 1u);
+  EXPECT_EQ(result.report.assumed.at("height of a building that the map does not say"), 1u);
   EXPECT_EQ(result.report.skipped.at("roof:shape=onion, shown flat"), 1u);
   EXPECT_EQ(result.report.skipped.at("building whose min_height is not below its height"), 1u);
   EXPECT_EQ(result.report.skipped.at("building below the ground, not built or gone"), 1u);

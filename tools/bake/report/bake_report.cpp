@@ -116,8 +116,7 @@ std::string reading_in_words(const BakeReport& report) {
                                   city.mesh.polygons, city.mesh.fast_path));
   text += mesh_in_words(city.mesh);
   text += report_line("skipped", in_words(city.read.skipped));
-  if (!city.read.assumed.empty())
-    text += report_line("assumed", in_words(city.read.assumed) + " that the map does not say");
+  if (!city.read.assumed.empty()) text += report_line("assumed", in_words(city.read.assumed));
   const auto& warnings = city.read.warnings;
   constexpr std::size_t shown = 3;
   for (std::size_t i = 0; i < std::min(shown, warnings.size()); ++i)
