@@ -100,7 +100,9 @@ std::pair<fs::path, int> open_named(const fs::path& target) {
 
 FilePointer to_stream(int descriptor, const fs::path& path) {
   FilePointer file(::fdopen(descriptor, "w+b"));
-  if (file) return file;
+  constexpr std::size_t buffer_size = std::size_t{1} << 16;  // fewer, larger writes
+  if (file && std::setvbuf(file.get(), nullptr, _IOFBF, buffer_size) == 0) return file;
+  if (file) fail(path, "cannot be written");
   ::close(descriptor);
   fail(path, "cannot be written");
 }
@@ -294,7 +296,8 @@ void ScratchFile::flush() {
 }
 
 void ScratchFile::read(std::uint64_t offset, void* bytes, std::size_t size) {
-  flush();  // pread leaves the writing position alone; what the stream still holds must reach the file first
+  // pread leaves the writing position alone; what the stream still holds must reach the file first.
+  flush();
   for (std::size_t done = 0; done < size;) {
     const ssize_t got = ::pread(::fileno(file_.get()), static_cast<char*>(bytes) + done,
                                 size - done, static_cast<off_t>(offset + done));

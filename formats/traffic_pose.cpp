@@ -30,25 +30,25 @@ double density_at(const TrafficCycle& cycle, double t) {
          double{cycle.density[(before + 1) % 24]} * part;
 }
 
+KnotStretch::KnotStretch(const TripKnot& a, const TripKnot& b)
+    : p0_(a.position),
+      p1_(b.position),
+      v0_(a.velocity),
+      v1_(b.velocity),
+      begin_(double{a.time_s}),
+      step_(double{b.time_s} - double{a.time_s}),
+      yaw_(yaw_of(a)),
+      turn_(std::remainder(yaw_of(b) - yaw_of(a), 2 * std::numbers::pi)),
+      pitch_(pitch_of(a)),
+      rise_(pitch_of(b) - pitch_of(a)),
+      braking_((a.pose & KNOT_BRAKING) != 0) {}
+
 VehiclePose pose_on_trip(std::span<const TripKnot> knots, double u) {
   u = std::clamp(u, 0.0, double{knots.back().time_s});
   const auto after =
       std::upper_bound(knots.begin() + 1, knots.end() - 1, u,
                        [](double time, const TripKnot& k) { return time < double{k.time_s}; });
-  const TripKnot &a = after[-1], &b = after[0];
-  const double step = double{b.time_s} - double{a.time_s}, x = (u - double{a.time_s}) / step;
-  const double x2 = x * x, x3 = x2 * x;
-  const glm::dvec3 p0(a.position), p1(b.position), v0(a.velocity), v1(b.velocity);
-  VehiclePose pose;
-  pose.position = p0 * (2 * x3 - 3 * x2 + 1) + v0 * ((x3 - 2 * x2 + x) * step) +
-                  p1 * (3 * x2 - 2 * x3) + v1 * ((x3 - x2) * step);
-  pose.velocity =
-      (p1 - p0) * ((6 * x - 6 * x2) / step) + v0 * (3 * x2 - 4 * x + 1) + v1 * (3 * x2 - 2 * x);
-  const double turn = std::remainder(yaw_of(b) - yaw_of(a), 2 * std::numbers::pi);
-  pose.yaw = yaw_of(a) + turn * x;
-  pose.pitch = pitch_of(a) + (pitch_of(b) - pitch_of(a)) * x;
-  pose.braking = (a.pose & KNOT_BRAKING) != 0;
-  return pose;
+  return KnotStretch(after[-1], after[0]).pose_at(u);
 }
 
 std::optional<double> find_trip_time(const TrafficContent& traffic, const Trip& trip, double t) {

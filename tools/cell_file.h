@@ -77,29 +77,49 @@ class CellFile {
                             [](const Cell& cell, const Key& wanted) { return cell.key < wanted; });
   }
 
+  /// Pending records of one key that came one after the other.
+  struct Run {
+    std::uint32_t begin, end;
+  };
+  // Most records follow one of their own cell, so that runs are far fewer than records.
+  std::vector<Run> find_runs() const {
+    std::vector<Run> runs;
+    for (std::uint32_t i = 0; i < pending_.size(); ++i) {
+      const bool continues = !runs.empty() && !(pending_[i].key < pending_[i - 1].key) &&
+                             !(pending_[i - 1].key < pending_[i].key);
+      if (continues)
+        ++runs.back().end;
+      else
+        runs.push_back({i, i + 1});
+    }
+    return runs;
+  }
+
   void flush() {
     if (pending_.empty()) return;
-    std::vector<std::uint32_t> order(pending_.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return pending_[a].key < pending_[b].key;
+    std::vector<Run> runs = find_runs();
+    std::stable_sort(runs.begin(), runs.end(), [&](const Run& a, const Run& b) {
+      return pending_[a.begin].key < pending_[b.begin].key;
     });
     const auto known = static_cast<std::ptrdiff_t>(cells_.size());
-    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-      const Key& key = pending_[order[begin]].key;
-      while (end < order.size() && !(key < pending_[order[end]].key)) ++end;
+    std::vector<Record> records;
+    for (std::size_t begin = 0, end = 0; begin < runs.size(); begin = end) {
+      const Key& key = pending_[runs[begin].begin].key;
+      records.clear();
+      for (; end < runs.size() && !(key < pending_[runs[end].begin].key); ++end)
+        for (std::uint32_t i = runs[end].begin; i < runs[end].end; ++i)
+          records.push_back(pending_[i].record);
       // New cells go behind the known ones, which stay sorted for find().
       const auto cell =
           std::lower_bound(cells_.begin(), cells_.begin() + known, key,
                            [](const Cell& c, const Key& wanted) { return c.key < wanted; });
       const bool is_new = cell == cells_.begin() + known || key < cell->key;
       Cell& taken = is_new ? cells_.emplace_back(Cell{key, 0, nowhere}) : *cell;
-      const Block block{taken.last_block, end - begin};
+      const Block block{taken.last_block, records.size()};
       taken.last_block = file_.size();
       taken.count += static_cast<std::uint32_t>(block.count);
       file_.write(&block, sizeof block);
-      for (std::size_t i = begin; i < end; ++i)
-        file_.write(&pending_[order[i]].record, sizeof(Record));
+      file_.write(records.data(), records.size() * sizeof(Record));
     }
     std::inplace_merge(cells_.begin(), cells_.begin() + known, cells_.end(),
                        [](const Cell& a, const Cell& b) { return a.key < b.key; });

@@ -12,6 +12,7 @@
 
 #include "formats/error.h"
 #include "formats/input_file.h"
+#include "tools/city/line_ends.h"
 
 namespace nightcity::city {
 namespace {
@@ -64,13 +65,12 @@ std::uint64_t find_mark(const PlacedFile& file, const FileCuts& cuts, std::uint6
   return cuts.size;
 }
 
-std::size_t count_line_ends(const PlacedFile& file, const FileCuts& cuts, std::uint64_t before) {
+std::size_t count_lines_before(const PlacedFile& file, const FileCuts& cuts, std::uint64_t before) {
   const auto block = static_cast<std::size_t>(before / FileCuts::block);
   const std::uint64_t begin = block * FileCuts::block;
   std::string text(static_cast<std::size_t>(before - begin), '\0');
   text.resize(file.read(begin, text.data(), text.size()));
-  return static_cast<std::size_t>(cuts.line_ends.at(block)) +
-         static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  return static_cast<std::size_t>(cuts.line_ends.at(block)) + count_line_ends(text);
 }
 
 class PieceSource : public ByteSource {
@@ -124,8 +124,7 @@ std::optional<FileCuts> scan_cuts(const std::filesystem::path& path, FileCuts cu
     }
     window.resize(kept + got);
     if (::memmem(window.data(), window.size(), forbidden.data(), forbidden.size())) return {};
-    ends += static_cast<std::uint64_t>(
-        std::count(window.begin() + static_cast<std::ptrdiff_t>(kept), window.end(), '\n'));
+    ends += count_line_ends(std::string_view(window).substr(kept));
     cuts.size += got;
     if (got < step) return cuts;
     kept = forbidden.size() - 1;  // the word may lie across the border
@@ -144,8 +143,8 @@ std::optional<TextPiece> find_piece(const std::filesystem::path& path, const Fil
   if (piece.begin >= piece.end) return {};
   if (piece.end < cuts.size) piece.tail = cuts.tail;
   if (!piece.is_first())
-    piece.lines_left_out =
-        count_line_ends(file, cuts, piece.begin) - count_line_ends(file, cuts, piece.head_end);
+    piece.lines_left_out = count_lines_before(file, cuts, piece.begin) -
+                           count_lines_before(file, cuts, piece.head_end);
   return piece;
 }
 

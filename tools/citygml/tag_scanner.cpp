@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "formats/error.h"
+#include "tools/city/line_ends.h"
 
 namespace nightcity::citygml {
 namespace {
@@ -66,7 +67,7 @@ void TagScanner::fail(std::size_t at, const std::string& message) {
 
 std::size_t TagScanner::line_of(std::size_t at) {
   if (at <= line_at_) return line_;
-  line_ += static_cast<std::size_t>(std::count(bytes_.get() + line_at_, bytes_.get() + at, '\n'));
+  line_ += city::count_line_ends({bytes_.get() + line_at_, at - line_at_});
   line_at_ = at;
   return line_;
 }

@@ -114,7 +114,6 @@ template <class Visit>
 void WallIndex::crossings(const glm::dvec3& local, const glm::dvec2& from, const glm::dvec2& line,
                           const Visit& visit) {
   const glm::dvec2 to = from + line;
-  const double direction = std::atan2(line.y, line.x);
   const glm::dvec2 low = glm::min(from, to), high = glm::max(from, to);
   std::optional<CellKey> at;
   std::shared_ptr<const Loaded> cell;
@@ -135,7 +134,8 @@ void WallIndex::crossings(const glm::dvec3& local, const glm::dvec2& from, const
         if (std::abs(denominator) < 1e-9) continue;
         const double t = cross(a - from, edge) / denominator,
                      s = cross(a - from, line) / denominator;
-        if (t >= 0 && t <= 1 && s >= 0 && s <= 1) visit(wall, t, std::cos(wall.facing - direction));
+        if (t >= 0 && t <= 1 && s >= 0 && s <= 1)
+          visit(wall, t, std::cos(wall.facing - std::atan2(line.y, line.x)));
       }
     }
 }

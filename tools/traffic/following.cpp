@@ -28,7 +28,8 @@ struct Leader {
 void consider_conflicts(const RoadState& roads, const Vehicle& vehicle, std::size_t turn,
                         double distance, Leader& leader) {
   for (const Conflict& conflict : roads.links.conflicts(turn)) {
-    for (const std::uint32_t number : roads.on_link[conflict.other]) {
+    for (std::uint32_t number = roads.foremost[conflict.other]; number != no_vehicle;
+         number = roads.vehicles[number].behind) {
       const Vehicle& other = roads.vehicles[number];
       const double s = other.on_leg();
       if (conflict.kind == Conflict::Kind::cross) {
@@ -49,28 +50,20 @@ void consider_conflicts(const RoadState& roads, const Vehicle& vehicle, std::siz
   }
 }
 
-Leader find_leader(const RoadState& roads, std::uint32_t number) {
-  const Vehicle& vehicle = roads.vehicles[number];
-  const auto& legs = vehicle.plan->links;
+Leader find_leader(const RoadState& roads, const Vehicle& vehicle) {
   Leader leader;
   const double far = sight_m(vehicle);
-  for (std::size_t leg = vehicle.leg; leg < legs.size() && vehicle.distance_to(leg) < far; ++leg) {
-    const std::size_t link = legs[leg];
-    const double distance = vehicle.distance_to(leg);
-    const auto& row = roads.on_link[link];
-    const Vehicle* next = nullptr;
-    if (leg == vehicle.leg) {
-      const auto own = std::find(row.begin(), row.end(), number);
-      if (own != row.begin()) next = &roads.vehicles[own[-1]];
-    } else if (!row.empty()) {
-      next = &roads.vehicles[row.back()];
+  for (std::size_t n = vehicle.leg; n < vehicle.leg_count() && vehicle.distance_to(n) < far; ++n) {
+    const Leg& leg = vehicle.legs[n];
+    const double distance = vehicle.distance_to(n);
+    const std::uint32_t number = n == vehicle.leg ? vehicle.ahead : roads.rearmost[leg.link];
+    if (number != no_vehicle) {
+      const Vehicle& next = roads.vehicles[number];
+      leader.consider(distance + next.on_leg() - next.half_length - vehicle.half_length, next.v);
     }
-    if (next)
-      leader.consider(distance + next->on_leg() - next->half_length - vehicle.half_length, next->v);
-    const LinkFacts& facts = roads.links[link];
-    if (facts.turn && roads.turning[facts.node] > 0)
-      consider_conflicts(roads, vehicle, link, distance, leader);
-    if (next) break;
+    if (leg.turn && roads.turning[leg.node] > 0)
+      consider_conflicts(roads, vehicle, leg.link, distance, leader);
+    if (number != no_vehicle) break;
   }
   return leader;
 }
@@ -81,38 +74,35 @@ double stopping_speed(double distance) {
 }
 
 /// Returns the speed that bends, stop lines and the trip's end allow after this step.
-double speed_cap(const RoadState& roads, const Vehicle& vehicle) {
-  const auto& legs = vehicle.plan->links;
-  const double factor = vehicle.plan->speed_factor, step = vehicle.v * step_s,
-               far = sight_m(vehicle);
-  double cap = factor * roads.links.speed_allowed(legs[vehicle.leg], vehicle.on_leg() + step);
-  for (std::size_t leg = vehicle.leg; leg < legs.size() && vehicle.distance_to(leg) - step < far;
-       ++leg) {
-    const LinkFacts& link = roads.links[legs[leg]];
-    const double distance = vehicle.distance_to(leg) - step;
-    if (leg > vehicle.leg) {
-      const double entry = factor * link.entry_m_s;
+double speed_cap(const RoadState& roads, Vehicle& vehicle) {
+  const double factor = vehicle.speed_factor, step = vehicle.v * step_s, far = sight_m(vehicle);
+  double cap = factor * roads.links.speed_allowed(vehicle.legs[vehicle.leg].link,
+                                                  vehicle.on_leg() + step, vehicle.limit);
+  for (std::size_t n = vehicle.leg; n < vehicle.leg_count() && vehicle.distance_to(n) - step < far;
+       ++n) {
+    const Leg& leg = vehicle.legs[n];
+    const double distance = vehicle.distance_to(n) - step;
+    if (n > vehicle.leg) {
+      const double entry = factor * leg.entry_m_s;
       cap = std::min(cap,
                      std::sqrt(entry * entry + 2 * comfortable_braking * std::max(distance, 0.0)));
-      if (link.turn && leg >= vehicle.granted)
+      if (leg.turn && n >= vehicle.granted)
         return std::min(cap, stopping_speed(distance - vehicle.half_length - line_gap_m));
     }
-    if (leg + 1 == legs.size() && vehicle.plan->to_stop)
+    if (n + 1 == vehicle.leg_count() && vehicle.plan->to_stop)
       cap = std::min(cap, stopping_speed(distance + vehicle.plan->end_s));
   }
   return cap;
 }
 
-double next_speed(const RoadState& roads, std::uint32_t number) {
-  const Vehicle& vehicle = roads.vehicles[number];
-  const Leader leader = find_leader(roads, number);
+double next_speed(const RoadState& roads, Vehicle& vehicle) {
+  const Leader leader = find_leader(roads, vehicle);
   if (vehicle.v == 0 && leader.gap <= standstill_gap_m)
     return 0;  // in a queue: the rules below would say the same
   const double cap = speed_cap(roads, vehicle);
-  const double a = vehicle.type->acceleration;
+  const double a = vehicle.acceleration;
   const double desired_speed =
-      vehicle.plan->speed_factor *
-      std::max(roads.links[vehicle.plan->links[vehicle.leg]].entry_m_s, cap);
+      vehicle.speed_factor * std::max(vehicle.legs[vehicle.leg].entry_m_s, cap);
   const double share = vehicle.v / std::max(desired_speed, 1.0),
                free = 1 - share * share * share * share;
   double interaction = 0;
@@ -136,8 +126,8 @@ double next_speed(const RoadState& roads, std::uint32_t number) {
 
 void choose_speeds(RoadState& roads) {
   oneapi::tbb::parallel_for(std::size_t{0}, roads.active.size(), [&](std::size_t n) {
-    const std::uint32_t number = roads.active[n];
-    roads.vehicles[number].next_v = next_speed(roads, number);
+    Vehicle& vehicle = roads.vehicles[roads.active[n]];
+    vehicle.next_v = next_speed(roads, vehicle);
   });
 }
 

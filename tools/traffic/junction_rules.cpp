@@ -33,18 +33,18 @@ double travel_time(double distance, double v, double acceleration, double max_sp
 /// on their way there.
 bool has_room_behind(const RoadState& roads, std::uint32_t number, std::size_t leg) {
   const Vehicle& vehicle = roads.vehicles[number];
-  const std::size_t turn = vehicle.plan->links[leg], lane = vehicle.plan->links[leg + 1];
+  const std::uint32_t turn = vehicle.legs[leg].link, lane = vehicle.legs[leg + 1].link;
   const double needed = 2 * vehicle.half_length + 1.5;
   double room = roads.links[lane].length_m;
   if (room < needed) return true;  // nobody can ever stand there
-  if (!roads.on_link[lane].empty()) {
-    const Vehicle& last = roads.vehicles[roads.on_link[lane].back()];
+  if (roads.rearmost[lane] != no_vehicle) {
+    const Vehicle& last = roads.vehicles[roads.rearmost[lane]];
     room = last.on_leg() - last.half_length + last.v * last.v / (2 * comfortable_braking);
   }
   const auto claim = [&](std::size_t from) {
     for (const Hold& hold : roads.holders[from]) {
       const Vehicle& other = roads.vehicles[hold.vehicle];
-      if (hold.vehicle != number && other.distance < other.starts[hold.leg + 1])
+      if (hold.vehicle != number && other.distance < other.legs[hold.leg + 1].start)
         room -= 2 * other.half_length + standstill_gap_m;
     }
   };
@@ -57,7 +57,7 @@ bool has_room_behind(const RoadState& roads, std::uint32_t number, std::size_t l
 /// Returns whether `other`, which is `distance` metres before the conflict, arrives there after a
 /// vehicle that has passed it in `clear` seconds.
 bool comes_late(const Vehicle& other, double distance, double clear) {
-  return distance > 0 && travel_time(distance, other.v, other.type->acceleration,
+  return distance > 0 && travel_time(distance, other.v, other.acceleration,
                                      std::max(other.v, 5.0)) > clear + clear_margin_s;
 }
 
@@ -65,17 +65,17 @@ bool comes_late(const Vehicle& other, double distance, double clear) {
 template <class Ask>
 void grant_turns_of(RoadState& roads, std::uint32_t number, const Ask& ask) {
   Vehicle& vehicle = roads.vehicles[number];
-  const auto& legs = vehicle.plan->links;
   vehicle.request = Vehicle::Request::none;
   const double needed =
       vehicle.v * vehicle.v / (2 * comfortable_braking) + vehicle.v * 1.0 + vehicle.half_length + 4;
-  for (std::size_t leg = std::max(vehicle.leg + 1, vehicle.granted); leg < legs.size(); ++leg) {
-    const LinkFacts& link = roads.links[legs[leg]];
+  for (std::size_t leg = std::max(vehicle.leg + 1, vehicle.granted); leg < vehicle.leg_count();
+       ++leg) {
+    const Leg& link = vehicle.legs[leg];
     if (!link.turn) continue;
     const double distance = vehicle.distance_to(leg);
     if (distance > needed || distance > grant_within_m) return;
     if (link.junction && !ask(leg, distance)) return;
-    vehicle.granted = leg + 1;
+    vehicle.granted = static_cast<std::uint32_t>(leg) + 1;
   }
 }
 
@@ -83,20 +83,20 @@ void grant_turns_of(RoadState& roads, std::uint32_t number, const Ask& ask) {
 
 bool may_go(const RoadState& roads, std::uint32_t number, std::size_t leg) {
   const Vehicle& vehicle = roads.vehicles[number];
-  const std::size_t turn = vehicle.plan->links[leg];
+  const std::uint32_t turn = vehicle.legs[leg].link;
   const LinkFacts& link = roads.links[turn];
   const double distance = vehicle.distance_to(leg);
   if (!has_room_behind(roads, number, leg)) return false;
   const bool lost_patience = roads.now - vehicle.standing_since > lost_patience_s;
   const double max_speed =
-      vehicle.plan->speed_factor * roads.links.speed_allowed(turn, link.length_m / 2);
+      vehicle.speed_factor * roads.links.speed_allowed(turn, link.length_m / 2);
   for (const Conflict& conflict : roads.links.conflicts(turn)) {
     if (conflict.kind == Conflict::Kind::diverge) continue;
     const auto& holders = roads.holders[conflict.other];
     const bool waits = conflict.yields && !roads.coming[conflict.other].empty();
     if (holders.empty() && !waits) continue;
     const double clear = travel_time(distance + conflict.end + vehicle.half_length, vehicle.v,
-                                     vehicle.type->acceleration, max_speed);
+                                     vehicle.acceleration, max_speed);
     for (const Hold& hold : holders) {
       const Vehicle& other = roads.vehicles[hold.vehicle];
       const double at = -other.distance_to(hold.leg);

@@ -25,14 +25,21 @@ LinkTable::LinkTable(const LinkNetwork& network) {
   }
 }
 
-double LinkTable::speed_allowed(std::size_t link, double s) const {
-  const auto limits =
-      std::span(limits_).subspan(facts_[link].first_limit, facts_[link].limit_count);
-  s = std::clamp(s, 0.0, facts_[link].length_m);
-  const auto after =
-      std::upper_bound(limits.begin() + 1, limits.end() - 1, s,
-                       [](double value, const Limit& limit) { return value < limit.s; });
-  const Limit &a = after[-1], &b = *after;
+double LinkTable::speed_allowed(std::size_t link, double s, std::uint32_t& hint) const {
+  const LinkFacts& facts = facts_[link];
+  const Limit* const limits = limits_.data() + facts.first_limit;
+  s = std::clamp(s, 0.0, facts.length_m);
+  // The first limit behind s, but neither the first nor beyond the last one. From the hint it is
+  // usually a step or two ahead; without one it is searched for.
+  std::uint32_t after = hint == 0 ? facts.limit_count - 1 : hint;
+  if (after > 1 && s < limits[after - 1].s)
+    after = static_cast<std::uint32_t>(
+        std::upper_bound(limits + 1, limits + after, s,
+                         [](double value, const Limit& limit) { return value < limit.s; }) -
+        limits);
+  while (after + 1 < facts.limit_count && !(s < limits[after].s)) ++after;
+  hint = after;
+  const Limit &a = limits[after - 1], &b = limits[after];
   const double step = b.s - a.s, x = step > 0 ? (s - a.s) / step : 0;
   return std::sqrt(a.square + (b.square - a.square) * x);
 }

@@ -30,7 +30,12 @@ class LinkTable {
   }
   /// Returns the speed in m/s that the limit, the bends and the braking for what lies ahead on this
   /// link allow at `s` metres from its start; `s` is clamped to the link.
-  double speed_allowed(std::size_t link, double s) const;
+  double speed_allowed(std::size_t link, double s) const {
+    std::uint32_t hint = 0;
+    return speed_allowed(link, s, hint);
+  }
+  /// Does the same, the faster the nearer `hint` was: it is set to where the limit was found.
+  double speed_allowed(std::size_t link, double s, std::uint32_t& hint) const;
 
  private:
   struct Limit {

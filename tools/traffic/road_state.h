@@ -13,25 +13,44 @@ constexpr double not_standing = 1e18;
 constexpr double standing_m_s = 1;  // a slower vehicle counts as standing
 constexpr double line_m = 8;        // a vehicle is at a stop line if its bumper is this near to it
 
-struct Vehicle {
-  const TripPlan* plan = nullptr;
-  const VehicleType* type = nullptr;
-  // The start of each leg (one of plan->links) along the trip, and the end of the last one; metres.
-  std::vector<double> starts;
-  std::size_t leg = 0;                   // the leg that the vehicle is on
+constexpr std::uint32_t no_vehicle = 0xFFFFFFFFu;
+
+/// A link on a vehicle's way, with the facts about it that every step asks for: side by side in
+/// memory, because a step is slow by what it has to fetch.
+struct Leg {
+  double start = 0;      // along the trip, m
+  double entry_m_s = 0;  // speed allowed at the link's start
+  std::uint32_t link = 0;
+  std::uint32_t node = 0;  // of a turn
+  bool turn = false, junction = false;
+};
+
+struct alignas(64) Vehicle {
+  // What others ask about it comes first: together they are one line of the cache.
   double distance = 0;                   // of the vehicle's middle along the trip
+  double leg_start = 0;                  // of the leg that the vehicle is on
   double v = 0, next_v = 0;              // now and after this step
   double half_length = 0;                // of the body
-  std::size_t granted = 0;               // all turns before this leg may be driven
-  std::size_t held_from = 0;             // the first leg whose turn the vehicle may still hold
+  std::uint32_t ahead = no_vehicle;      // on the same link
+  std::uint32_t behind = no_vehicle;     // on the same link
+  double acceleration = 0;               // of its type, m/s2
   double standing_since = not_standing;  // time since which it stands first at a stop line
-  double born = 0;                       // time of its start
-  enum class Request : std::uint8_t { none, waits, turn } request = Request::none;
 
-  double on_leg() const { return distance - starts[leg]; }
+  std::vector<Leg> legs;        // plan->links; one more says where the last one ends
+  double speed_factor = 1;      // of its driver
+  std::uint32_t leg = 0;        // the leg that the vehicle is on
+  std::uint32_t limit = 0;      // where LinkTable has found the last speed limit on it
+  std::uint32_t granted = 0;    // all turns before this leg may be driven
+  std::uint32_t held_from = 0;  // the first leg whose turn the vehicle may still hold
+  double born = 0;              // time of its start
+  enum class Request : std::uint8_t { none, waits, turn } request = Request::none;
+  const TripPlan* plan = nullptr;
+
+  std::size_t leg_count() const { return legs.size() - 1; }
+  double on_leg() const { return distance - leg_start; }
   /// Returns the distance from the vehicle's middle to the start of a leg; negative once it is
   /// behind.
-  double distance_to(std::size_t other_leg) const { return starts[other_leg] - distance; }
+  double distance_to(std::size_t other_leg) const { return legs[other_leg].start - distance; }
 };
 
 /// Returns how far the driver looks ahead, in metres: some seconds at the present speed, and
@@ -66,11 +85,11 @@ struct RoadState {
   LinkTable links;
   double now = 0;
   std::vector<Vehicle> vehicles;
-  std::vector<std::uint32_t> active;                // vehicles on the road, ascending
-  std::vector<std::vector<std::uint32_t>> on_link;  // by link, the foremost vehicle first
-  std::vector<std::vector<Hold>> holders;           // by turn, in the order of the grants
-  std::vector<std::vector<Coming>> coming;          // by turn of a junction
-  std::vector<std::uint32_t> turning;               // by node: number of vehicles on its turns
+  std::vector<std::uint32_t> active;              // vehicles on the road, ascending
+  std::vector<std::uint32_t> foremost, rearmost;  // vehicle by link, or no_vehicle
+  std::vector<std::vector<Hold>> holders;         // by turn, in the order of the grants
+  std::vector<std::vector<Coming>> coming;        // by turn of a junction
+  std::vector<std::uint32_t> turning;             // by node: number of vehicles on its turns
 
  private:
   void enter(std::uint32_t number);

@@ -90,8 +90,8 @@ class Simulator {
     const double half = vehicle_types[plan.type].length_m / 2;
     double v =
         plan.from_kerb ? 0 : roads_.links.speed_allowed(link, plan.start_s) * plan.speed_factor;
-    for (const std::uint32_t number : roads_.on_link[link]) {
-      const Vehicle& other = roads_.vehicles[number];
+    for (std::uint32_t n = roads_.foremost[link]; n != no_vehicle; n = roads_.vehicles[n].behind) {
+      const Vehicle& other = roads_.vehicles[n];
       const double s = other.on_leg(), gap = std::abs(s - plan.start_s) - other.half_length - half;
       if (s > plan.start_s) {  // ahead
         if (gap < standstill_gap_m) return false;
@@ -127,8 +127,8 @@ class Simulator {
       Vehicle& vehicle = roads_.vehicles[number];
       vehicle.distance += (vehicle.v + vehicle.next_v) / 2 * step_s;
       vehicle.v = vehicle.next_v;
-      const std::size_t last = vehicle.plan->links.size() - 1;
-      while (vehicle.leg < last && vehicle.distance >= vehicle.starts[vehicle.leg + 1])
+      const std::size_t last = vehicle.leg_count() - 1;
+      while (vehicle.leg < last && vehicle.distance >= vehicle.legs[vehicle.leg + 1].start)
         roads_.go_on(number);
       record(number);
       roads_.release(number, false);
@@ -136,7 +136,7 @@ class Simulator {
       const bool there = vehicle.leg == last &&
                          (vehicle.plan->to_stop ? s > vehicle.plan->end_s - 0.6 && vehicle.v < 0.3
                                                 : vehicle.distance + vehicle.v * step_s + 0.3 >
-                                                      vehicle.starts.back());
+                                                      vehicle.legs.back().start);
       if (there || lost(vehicle)) finished_.push_back(number);
     }
     for (const std::uint32_t number : finished_) finish(number);

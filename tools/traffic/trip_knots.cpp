@@ -1,7 +1,6 @@
 #include "tools/traffic/trip_knots.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -21,14 +20,24 @@ constexpr int shortest_on = 2, shortest_off = 3;  // steps: a driver does not ta
 constexpr std::size_t longest_moments = 96;       // 12 s between knots
 constexpr double quick_turn = 0.03;               // radians in one step
 
-TripKnot knot_at(const Curve::Place& place, double speed, double time, bool braking,
+double find_heading(const Curve::Place& place) {
+  return std::atan2(place.along.y, place.along.x);
+}
+
+// Returns how far one heading is turned from another: in [-pi, pi].
+double find_turn(double to, double from) {
+  const double turn = to - from;
+  return std::abs(turn) < 3.14 ? turn : std::remainder(turn, 2 * pi);  // the same, and much faster
+}
+
+TripKnot knot_at(const Curve::Place& place, double yaw, double speed, double time, bool braking,
                  const Georeference& georeference) {
   TripKnot knot{};
   knot.position = glm::vec3(georeference.to_model(place.point));
   knot.time_s = static_cast<float>(time);
   const glm::dvec3 velocity = place.along * speed;
   knot.velocity = glm::vec3(glm::dvec3(velocity.x, velocity.z, -velocity.y));
-  const double yaw = std::atan2(place.along.y, place.along.x), turns = yaw / (2 * pi);
+  const double turns = yaw / (2 * pi);
   const double pitch = std::atan2(place.along.z, std::hypot(place.along.x, place.along.y));
   knot.pose = static_cast<uint>(std::lround((turns - std::floor(turns)) * 65536)) & 0xFFFFu;
   const auto steep = static_cast<std::int8_t>(std::clamp(std::lround(pitch * 256), -127L, 127L));
@@ -70,6 +79,7 @@ class KnotFitter {
     // Collect the moments at which a knot may lie and, between them, those at which the fit is only
     // checked. A step in which the heading turns fast has more of them.
     Curve::Place before = path.at(double{trip.distance_m[0]});
+    double heading_before = find_heading(before);
     for (std::size_t n = 0; n < last; ++n) {
       const double s0 = double{trip.distance_m[n]}, s1 = double{trip.distance_m[n + 1]};
       const double v0 = double{trip.speed_m_s[n]}, v1 = double{trip.speed_m_s[n + 1]};
@@ -79,27 +89,34 @@ class KnotFitter {
         const double way = v0 + v1 > 0 ? (2 * v0 * x + (v1 - v0) * x * x) / (v0 + v1) : x;
         return path.at(s0 + (s1 - s0) * way);
       };
-      const auto heading = [](const Curve::Place& place) {
-        return std::atan2(place.along.y, place.along.x);
-      };
       const Curve::Place middle = at(0.5);
-      const double turn =
-          std::max(std::abs(std::remainder(heading(middle) - heading(before), 2 * pi)),
-                   std::abs(std::remainder(heading(after) - heading(middle), 2 * pi)));
+      const double heading_middle = find_heading(middle), heading_after = find_heading(after);
+      const double turn = std::max(std::abs(find_turn(heading_middle, heading_before)),
+                                   std::abs(find_turn(heading_after, heading_middle)));
       const glm::dvec3 hermite = (before.point + after.point) / 2.0 +
                                  (before.along * v0 - after.along * v1) * (step_s / 8);
       const bool rough =
           turn > quick_turn || glm::distance(hermite, middle.point) > tolerance.position_m / 2;
       const int parts = rough ? 8 : 2;
-      for (int k = 0; k < parts; ++k) {
+      const auto add = [&](int k, const Curve::Place& place, double heading) {
         const double x = static_cast<double>(k) / parts;
-        moments_.push_back({(static_cast<double>(n) + x) * step_s, v0 + (v1 - v0) * x, braking[n],
-                            k == 0 ? before : at(x)});
+        add_moment((static_cast<double>(n) + x) * step_s, v0 + (v1 - v0) * x, braking[n], place,
+                   heading);
+      };
+      add(0, before, heading_before);
+      for (int k = 1; k < parts; ++k) {
+        if (2 * k == parts) {
+          add(k, middle, heading_middle);
+          continue;
+        }
+        const Curve::Place place = at(static_cast<double>(k) / parts);
+        add(k, place, find_heading(place));
       }
       before = after;
+      heading_before = heading_after;
     }
-    moments_.push_back(
-        {static_cast<double>(last) * step_s, double{trip.speed_m_s[last]}, braking[last], before});
+    add_moment(static_cast<double>(last) * step_s, double{trip.speed_m_s[last]}, braking[last],
+               before, heading_before);
   }
 
   std::vector<TripKnot> fit(KnotError& worst) const {
@@ -111,12 +128,13 @@ class KnotFitter {
              moments_[most].braking == moments_[from].braking)
         most += 2;
       std::size_t good = from + 2;
-      KnotError error = error_between(from, good);
+      const TripKnot first = knots.back();
+      KnotError error = error_between(first, from, good);
       // Exponential search, then bisection: the error nearly always grows with the stretch.
       bool growing = true;
       for (std::size_t step = 2; step > 1 && good < most;) {
         const std::size_t to = std::min(good + step, most);
-        const KnotError now = error_between(from, to);
+        const KnotError now = error_between(first, from, to);
         if (fits(now)) {
           good = to;
           error = now;
@@ -139,11 +157,19 @@ class KnotFitter {
     double time, speed;
     bool braking;
     Curve::Place place;
+    double heading;       // of the place
+    glm::dvec3 position;  // in model space
   };
+
+  void add_moment(double time, double speed, bool braking, const Curve::Place& place,
+                  double heading) {
+    moments_.push_back({time, speed, braking, place, heading, georeference_.to_model(place.point)});
+  }
 
   TripKnot knot(std::size_t n) const {
     const Moment& moment = moments_[n];
-    return knot_at(moment.place, moment.speed, moment.time, moment.braking, georeference_);
+    return knot_at(moment.place, moment.heading, moment.speed, moment.time, moment.braking,
+                   georeference_);
   }
 
   bool fits(const KnotError& error) const {
@@ -151,18 +177,20 @@ class KnotFitter {
            error.heading_degrees <= tolerance_.heading_degrees;
   }
 
-  KnotError error_between(std::size_t from, std::size_t to) const {
-    std::array<TripKnot, 2> pair = {knot(from), knot(to)};
+  // `first`: the knot at moment `from`.
+  KnotError error_between(TripKnot first, std::size_t from, std::size_t to) const {
+    TripKnot second = knot(to);
     const double begin = moments_[from].time;
-    pair[0].time_s = 0;
-    pair[1].time_s = static_cast<float>(moments_[to].time - begin);
+    first.time_s = 0;
+    second.time_s = static_cast<float>(moments_[to].time - begin);
+    const KnotStretch stretch(first, second);
     KnotError error;
     for (std::size_t n = from + 1; n < to; ++n) {
-      const VehiclePose pose = pose_on_trip(pair, moments_[n].time - begin);
-      const Curve::Place& place = moments_[n].place;
-      const double off = glm::distance(pose.position, georeference_.to_model(place.point));
-      const double turned =
-          std::remainder(pose.yaw - std::atan2(place.along.y, place.along.x), 2 * pi);
+      const Moment& moment = moments_[n];
+      const VehiclePose pose =
+          stretch.pose_at(std::clamp(moment.time - begin, 0.0, double{second.time_s}));
+      const double off = glm::distance(pose.position, moment.position);
+      const double turned = find_turn(pose.yaw, moment.heading);
       error.position_m = std::max(error.position_m, off);
       error.heading_degrees = std::max(error.heading_degrees, std::abs(turned) * 180 / pi);
       if (!fits(error)) break;
