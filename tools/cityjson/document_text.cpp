@@ -11,7 +11,9 @@
 namespace nightcity::cityjson {
 namespace {
 
+// Blocks become as large as this. The first is small, because a small file is to cost little.
 constexpr std::size_t block_bytes = std::size_t{1} << 20;
+constexpr std::size_t first_block_bytes = std::size_t{1} << 15;
 // The first line of a CityJSONSeq holds no city object; one longer than this is a CityJSON.
 constexpr std::size_t max_first_line = std::size_t{64} << 20;
 // simdjson parses no more than 4 GB at once.
@@ -49,10 +51,10 @@ DocumentText::DocumentText(const city::Document& document, bool on_disk) {
 void DocumentText::hold(const city::Document& document) {
   const auto source = document.open();
   bool looked = false;
-  for (;;) {
+  for (std::size_t wanted = first_block_bytes;; wanted = std::min(2 * wanted, block_bytes)) {
     const std::size_t size = held_.size();
-    held_.resize(size + block_bytes);
-    const std::size_t got = source->read(held_.data() + size, block_bytes);
+    held_.resize(size + wanted);
+    const std::size_t got = source->read(held_.data() + size, wanted);
     held_.resize(size + got);
     if (got == 0) break;
     // Looked at once, early: a long CityJSONSeq must not be read to its end for this.
@@ -74,7 +76,8 @@ std::optional<LineReader::Lines> LineReader::next() {
   while (end == std::string::npos) {
     const std::size_t size = lines.bytes.size();
     if (size > max_line) throw Error(name_, line_, "a line of more than 2 GB");
-    const std::size_t wanted = std::max(block_bytes, size);
+    block_ = std::clamp(2 * block_, first_block_bytes, block_bytes);
+    const std::size_t wanted = std::max(block_, size);
     lines.bytes.resize(size + wanted);
     const std::size_t got = source_->read(lines.bytes.data() + size, wanted);
     lines.bytes.resize(size + got);

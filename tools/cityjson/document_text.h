@@ -52,6 +52,7 @@ class LineReader {
   std::unique_ptr<city::ByteSource> source_;
   std::string rest_;  // of a line whose end has not been read
   std::size_t line_ = 1;
+  std::size_t block_ = 0;  // bytes of the last read
   bool at_end_ = false;
 };
 

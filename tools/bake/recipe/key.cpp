@@ -104,9 +104,10 @@ Key paths_key(std::string name, std::vector<fs::path>& target, const fs::path& f
 void read_keys(const std::string& file, const std::string& prefix, const toml::table& settings,
                const std::vector<Key>& keys) {
   for (const auto& [name, node] : settings) {
-    const std::string full_name = prefix + std::string(name.str());
+    const std::string_view own_name = name.str();  // clang 14 captures no structured binding
+    const std::string full_name = prefix + std::string(own_name);
     const auto key = std::find_if(keys.begin(), keys.end(),
-                                  [&](const Key& each) { return each.name == name.str(); });
+                                  [&](const Key& each) { return each.name == own_name; });
     if (key == keys.end()) {
       std::vector<std::string> known;
       for (const Key& each : keys) known.push_back(each.name);
