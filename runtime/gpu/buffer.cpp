@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include "runtime/gpu/vulkan_check.h"
@@ -37,9 +38,8 @@ Buffer::Buffer(Device& device, std::size_t bytes, Memory memory) : device_(&devi
   allocate.pNext = &flags;
   allocate.allocationSize = requirements.size;
   try {
-    memory_type_ = device.memory_type(
-        requirements.memoryTypeBits,
-        memory == Memory::device ? device_local : host_access);
+    memory_type_ = device.memory_type(requirements.memoryTypeBits,
+                                      memory == Memory::device ? device_local : host_access);
     allocate.memoryTypeIndex = memory_type_;
     device.take_memory(memory_type_, requirements.size);
     allocated_ = requirements.size;
@@ -115,6 +115,29 @@ void Buffer::upload_first(const void* data, std::size_t bytes, std::size_t offse
   VK_CHECK(vkMapMemory(device_->handle(), memory_, offset, bytes, 0, &target));
   std::memcpy(target, data, bytes);
   vkUnmapMemory(device_->handle(), memory_);
+}
+
+void Buffer::make_pieces(std::size_t count, std::size_t record_bytes, const MakePiece& make) {
+  if (count == 0) return;
+  const std::size_t most = staging_bytes / record_bytes;
+  const bool mapped = mapped_ || device_->has(memory_type_, host_access);
+  std::optional<Buffer> staging;
+  void* target = mapped_;
+  if (!mapped)
+    target = staging.emplace(*device_, std::min(count, most) * record_bytes, Memory::host).mapped();
+  else if (!mapped_)
+    VK_CHECK(vkMapMemory(device_->handle(), memory_, 0, VK_WHOLE_SIZE, 0, &target));
+  for (std::size_t first = 0; first < count; first += most) {
+    const std::size_t size = std::min(most, count - first);
+    make(staging ? target : static_cast<char*>(target) + first * record_bytes, first, size);
+    if (!staging) continue;
+    device_->run([&](VkCommandBuffer commands) {
+      const VkBufferCopy region{0, first * record_bytes, size * record_bytes};
+      vkCmdCopyBuffer(commands, staging->handle(), buffer_, 1, &region);
+      full_barrier(commands);
+    });
+  }
+  if (mapped && !mapped_) vkUnmapMemory(device_->handle(), memory_);
 }
 
 void Buffer::download(void* data, std::size_t bytes, std::size_t offset) const {

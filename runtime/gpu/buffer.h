@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -46,6 +47,15 @@ class Buffer {
   /// The same before any command has used the buffer: where the host can map the device's memory (a
   /// CPU driver, an integrated device), the bytes are written there at once.
   void upload_first(const void* data, std::size_t bytes, std::size_t offset = 0);
+  /// The same for records that are made as they are uploaded: calls `make(to, first)` for pieces one
+  /// after the other, so that what is uploaded need not be in memory as a whole. Record
+  /// `first` + i belongs to to[i], which may be memory that is slow to read.
+  template <class T, class Make>
+  void make_first(std::size_t count, Make make) {
+    make_pieces(count, sizeof(T), [&](void* to, std::size_t first, std::size_t size) {
+      make(std::span<T>(static_cast<T*>(to), size), first);
+    });
+  }
   void download(void* data, std::size_t bytes, std::size_t offset = 0) const;
   template <class T>
   std::vector<T> read(std::size_t count) const {
@@ -56,6 +66,8 @@ class Buffer {
   void fill_zero();
 
  private:
+  using MakePiece = std::function<void(void* to, std::size_t first, std::size_t count)>;
+  void make_pieces(std::size_t count, std::size_t record_bytes, const MakePiece& make);
   void release();
 
   Device* device_ = nullptr;

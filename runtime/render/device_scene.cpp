@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "formats/error.h"
+#include "formats/parallel.h"
+#include "runtime/scene/alias_table.h"
 
 namespace nightcity::render {
 namespace {
@@ -29,9 +31,23 @@ void check_memory(const gpu::Device& device, const scene::RenderScene& scene) {
                              " are free: take another one (--device), or bake a smaller area");
 }
 
-template <class T>
-void free_memory_of(std::vector<T>& values) {
-  std::vector<T>().swap(values);
+template <class Vector>
+void free_memory_of(Vector& values) {
+  Vector().swap(values);
+}
+
+// Uploads the triangles in the order of the leaves.
+gpu::Buffer upload_triangles(gpu::Device& device, const scene::RenderScene& scene) {
+  gpu::Buffer buffer(device, scene.triangles.size() * sizeof(gpu::Triangle));
+  buffer.make_first<gpu::Triangle>(
+      scene.triangles.size(), [&](std::span<gpu::Triangle> to, std::size_t first) {
+        constexpr std::size_t piece = 1 << 14;
+        run_parallel((to.size() + piece - 1) / piece, count_cores(), [&](std::size_t i) {
+          for (std::size_t at = i * piece; at < std::min(to.size(), (i + 1) * piece); ++at)
+            to[at] = scene.triangles[scene.triangle_order[first + at]];
+        });
+      });
+  return buffer;
 }
 
 }  // namespace
@@ -81,14 +97,24 @@ DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
     switches_ = scene.switches;
     lights_ = scene.lights;
   }
+  // One table after the other, so that no two are in memory beside their copies on the device.
   scene::LitLights lit = scene::lit_lights(scene.lights, schedules_, switches_, 0);
-  scene::build_tables(lit, scene.lights);
-  upload_lit(std::move(lit));
+  const std::vector<float> flux = scene::flux_of(lit, scene.lights);
+  lit.alias = scene::build_alias_table(flux);
+  addresses_.near_grid =
+      upload_grid(0, scene::build_light_grid(scene.lights, flux, scene::near_lists));
+  addresses_.far_grid =
+      upload_grid(1, scene::build_light_grid(scene.lights, flux, scene::far_lists));
+  upload_switches(std::move(lit));
 }
 
 void DeviceScene::store_geometry(const scene::RenderScene& scene, scene::RenderScene* released) {
-  addresses_.triangles = store(std::span(scene.triangles));
-  if (released) free_memory_of(released->triangles);
+  storage_.push_back(upload_triangles(device_, scene));
+  addresses_.triangles = storage_.back().address();
+  if (released) {
+    free_memory_of(released->triangles);
+    free_memory_of(released->triangle_order);
+  }
   addresses_.root = scene.root;
   addresses_.static_lights = static_cast<std::uint32_t>(scene.lights.size());
   addresses_.light_count = addresses_.static_lights;
@@ -225,20 +251,23 @@ bool DeviceScene::set_time(double time_s) {
 }
 
 void DeviceScene::upload_lit(scene::LitLights lit) {
+  addresses_.near_grid = upload_grid(0, std::exchange(lit.near_grid, {}));
+  addresses_.far_grid = upload_grid(1, std::exchange(lit.far_grid, {}));
+  upload_switches(std::move(lit));
+}
+
+void DeviceScene::upload_switches(scene::LitLights lit) {
   lit_ = std::move(lit);
   lit_parity_ ^= 1;
   lit_bits_[lit_parity_] = gpu::Buffer::of(device_, std::span<const std::uint32_t>(lit_.bits));
   lit_list_ = gpu::Buffer::of(device_, std::span<const std::uint32_t>(lit_.list));
   alias_ = gpu::Buffer::of(device_, std::span<const gpu::AliasEntry>(lit_.alias));
-  addresses_.near_grid = upload_grid(0, lit_.near_grid);
-  addresses_.far_grid = upload_grid(1, lit_.far_grid);
   addresses_.lit = lit_bits_[lit_parity_].address();
   addresses_.lit_list = lit_list_.address();
   addresses_.lit_count = static_cast<std::uint32_t>(lit_.list.size());
   addresses_.alias = alias_.address();
-  // The device has the tables now; the switches are kept to detect the next change.
+  // The device has the table now; the switches are kept to detect the next change.
   lit_.alias = {};
-  lit_.near_grid = lit_.far_grid = {};
 }
 
 gpu::LightGridBuffers DeviceScene::upload_grid(std::size_t which, const scene::LightGrid& grid) {

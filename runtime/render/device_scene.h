@@ -77,6 +77,7 @@ class DeviceScene {
   void store_traffic(const scene::RenderScene& scene, std::span<const gpu::Instance> instances);
   void grow_vehicle_slots(std::uint32_t count);
   void upload_lit(scene::LitLights lit);
+  void upload_switches(scene::LitLights lit);
   gpu::LightGridBuffers upload_grid(std::size_t which, const scene::LightGrid& grid);
 
   gpu::Device& device_;

@@ -13,4 +13,17 @@ namespace nightcity::scene {
 /// negative weights count as zero.
 std::vector<gpu::AliasEntry> build_alias_table(std::span<const float> weights);
 
+/// Builds many such tables, one after the other, in the same memory.
+class AliasTableBuilder {
+ public:
+  /// Returns the table as build_alias_table does. It is valid until the next call.
+  std::span<const gpu::AliasEntry> build(std::span<const float> weights);
+
+ private:
+  friend std::vector<gpu::AliasEntry> build_alias_table(std::span<const float> weights);
+  std::vector<gpu::AliasEntry> table_;
+  std::vector<double> scaled_;
+  std::vector<std::uint32_t> columns_;  // those below 1 from the front, those above from the back
+};
+
 }  // namespace nightcity::scene

@@ -12,6 +12,12 @@ namespace nightcity::scene {
 
 using Float4 = float __attribute__((vector_size(16)));
 
+using Int4 = int __attribute__((vector_size(16)));
+
+/// Rounds towards zero.
+inline Int4 to_int(Float4 a) {
+  return __builtin_convertvector(a, Int4);
+}
 inline Float4 min_of(Float4 a, Float4 b) {
   return a < b ? a : b;
 }
@@ -19,13 +25,15 @@ inline Float4 max_of(Float4 a, Float4 b) {
   return a > b ? a : b;
 }
 
+/// Returns a with 0 in the fourth place: an integer there would be a slow denormal number.
+inline Float4 take_xyz(Int4 a) {
+  return std::bit_cast<Float4>(a & Int4{-1, -1, -1, 0});
+}
 /// Returns the 12 bytes at `bytes` as x, y, z; there must be 16.
 inline Float4 load_vec3(const std::byte* bytes) {
-  using Int4 = int __attribute__((vector_size(16)));
   Int4 bits;
   std::memcpy(&bits, bytes, sizeof bits);
-  // An integer in the fourth place would be a slow denormal number.
-  return std::bit_cast<Float4>(bits & Int4{-1, -1, -1, 0});
+  return take_xyz(bits);
 }
 
 struct Bounds {

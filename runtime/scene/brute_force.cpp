@@ -43,7 +43,8 @@ std::optional<double> brute_force_hit(const RenderScene& scene, const glm::dvec3
       if (node & BVH_LEAF) {
         const std::uint32_t first = node & BVH_LEAF_FIRST_MASK;
         const std::uint32_t count = ((node & ~BVH_LEAF) >> BVH_LEAF_COUNT_SHIFT) + 1;
-        for (std::uint32_t i = first; i < first + count; ++i) test(scene.triangles[i], o, d);
+        for (std::uint32_t i = first; i < first + count; ++i)
+          test(scene.triangles[scene.triangle_order[i]], o, d);
       } else {
         for (const std::uint32_t child : scene.nodes[node].child) pending.push_back(child);
       }

@@ -1,12 +1,12 @@
 #include "runtime/scene/bvh.h"
 
 #include <algorithm>
-#include <cstring>
 #include <mutex>
 
 #include "formats/error.h"
 #include "formats/parallel.h"
 #include "runtime/scene/bvh_builder.h"
+#include "runtime/scene/triangle_pieces.h"
 
 namespace nightcity::scene {
 namespace {
@@ -21,24 +21,22 @@ struct BoxAccess {
     std::uint32_t index, mask;
   };
   static constexpr bool has_masks = true;
+  static constexpr std::uint32_t max_weight = 1;
+  static std::uint32_t weight_of(const Primitive&) { return 1; }
   static Bounds bounds_of(const Primitive& p) { return p.box; }
   static std::uint32_t mask_of(const Primitive& p) { return p.mask; }
   static bool precedes(const Primitive& a, const Primitive& b) { return a.index < b.index; }
 };
 
-struct TriangleAccess {
-  using Primitive = gpu::Triangle;
+template <std::uint32_t max>
+struct PieceAccess {
+  using Primitive = TrianglePiece;
   static constexpr bool has_masks = false;
-  static Bounds bounds_of(const gpu::Triangle& triangle) {
-    const auto* bytes = reinterpret_cast<const std::byte*>(&triangle);
-    const Float4 v0 = load_vec3(bytes), v1 = load_vec3(bytes + offsetof(gpu::Triangle, v1)),
-                 v2 = load_vec3(bytes + offsetof(gpu::Triangle, v2));
-    return {min_of(min_of(v0, v1), v2), max_of(max_of(v0, v1), v2)};
-  }
-  static std::uint32_t mask_of(const gpu::Triangle&) { return 0xFFu; }
-  static bool precedes(const gpu::Triangle& a, const gpu::Triangle& b) {
-    return std::memcmp(&a, &b, sizeof a) < 0;
-  }
+  static constexpr std::uint32_t max_weight = max;
+  static Bounds bounds_of(const Primitive& p) { return p.bounds(); }
+  static std::uint32_t weight_of(const Primitive& p) { return max == 1 ? 1 : p.count(); }
+  static std::uint32_t mask_of(const Primitive&) { return 0xFFu; }
+  static bool precedes(const Primitive& a, const Primitive& b) { return a.first() < b.first(); }
 };
 
 // Builds a BVH whose top is split range by range, each by one of the threads, until the ranges are
@@ -47,22 +45,27 @@ template <class Access>
 class ParallelBuild {
  public:
   using Primitive = typename Access::Primitive;
-  ParallelBuild(std::span<Primitive> primitives, std::uint32_t max_leaf, std::uint32_t first,
-                unsigned threads, std::vector<gpu::BvhNode>& nodes)
-      : builder_(primitives, max_leaf, first), threads_(threads), nodes_(nodes) {}
+  ParallelBuild(std::span<Primitive> primitives, std::uint32_t max_leaf, unsigned threads,
+                LargeVector<gpu::BvhNode>& nodes)
+      : builder_(primitives, max_leaf),
+        count_(static_cast<std::uint32_t>(primitives.size())),
+        threads_(threads),
+        nodes_(nodes) {}
 
-  BvhRoot build(std::uint32_t count, std::uint32_t stack) {
+  // Positions in leaves count from `first` on.
+  BvhRoot build(std::uint32_t first, std::uint32_t stack) {
     BvhRoot result;
+    const std::uint32_t count = count_;
     if (count == 0) return result;
-    const Range all = builder_.measure(0, count);
+    const Range all = builder_.measure(0, count, first);
     if (count <= max_task) {
       result.node = builder_.build(all, stack, nodes_, result.stack_need);
       return result;
     }
     // Memory is taken when it is written to, so room for more than the usual 0.4 nodes a triangle
     // costs nothing, and no copy is made as the nodes become more.
-    if (nodes_.capacity() - nodes_.size() < count / 2)
-      nodes_.reserve(std::max(2 * nodes_.capacity(), nodes_.size() + count / 2));
+    if (nodes_.capacity() - nodes_.size() < all.weight / 2)
+      nodes_.reserve(std::max(2 * nodes_.capacity(), nodes_.size() + all.weight / 2));
     split_top(all, stack);
     build_tasks();
     result.node = base_;
@@ -77,7 +80,7 @@ class ParallelBuild {
     Range range;
     std::uint32_t stack, node, child;  // child `child` of top node `node`
     std::uint32_t need = 0;
-    std::vector<gpu::BvhNode> nodes{};
+    LargeVector<gpu::BvhNode> nodes{};
     std::uint32_t root = BVH_EMPTY;
     bool done = false;
   };
@@ -152,8 +155,9 @@ class ParallelBuild {
   }
 
   Builder builder_;
+  std::uint32_t count_;
   unsigned threads_;
-  std::vector<gpu::BvhNode>& nodes_;
+  LargeVector<gpu::BvhNode>& nodes_;
   std::uint32_t base_ = 0;
   std::vector<Top> tops_;
   std::vector<Task> tasks_;
@@ -182,9 +186,8 @@ Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t 
   for (std::uint32_t i = 0; i < boxes.size(); ++i)
     primitives.push_back({to_bounds(boxes[i]), i, masks.empty() ? 0xFFu : masks[i]});
   Bvh bvh;
-  const BvhRoot root =
-      ParallelBuild<BoxAccess>(std::span(primitives), max_leaf, 0, threads, bvh.nodes)
-          .build(static_cast<std::uint32_t>(primitives.size()), max_stack);
+  const BvhRoot root = ParallelBuild<BoxAccess>(std::span(primitives), max_leaf, threads, bvh.nodes)
+                           .build(0, max_stack);
   bvh.root = root.node;
   bvh.stack_need = root.stack_need;
   bvh.order.reserve(primitives.size());
@@ -192,14 +195,23 @@ Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t 
   return bvh;
 }
 
-BvhRoot append_bvh(std::vector<gpu::BvhNode>& nodes, std::span<gpu::Triangle> triangles,
+BvhRoot append_bvh(LargeVector<gpu::BvhNode>& nodes, std::span<const gpu::Triangle> triangles,
                    std::size_t first, std::uint32_t max_leaf, std::uint32_t max_stack,
-                   unsigned threads) {
+                   unsigned threads, std::span<std::uint32_t> order) {
   check_sizes(first + triangles.size(), BVH_MAX_LEAF, UINT32_MAX);
   check_sizes(triangles.size(), max_leaf, max_stack);
-  return ParallelBuild<TriangleAccess>(triangles, max_leaf, static_cast<std::uint32_t>(first),
-                                       threads, nodes)
-      .build(static_cast<std::uint32_t>(triangles.size()), max_stack);
+  // Where every piece were a pair, a leaf would hold half as many.
+  const bool pairs = max_leaf >= 4 && needed_stack(triangles.size(), max_leaf / 2) <= max_stack;
+  const auto from = static_cast<std::uint32_t>(first);
+  LargeVector<TrianglePiece> pieces = make_pieces(triangles, pairs, threads);
+  const BvhRoot root =
+      pairs
+          ? ParallelBuild<PieceAccess<2>>(pieces, max_leaf, threads, nodes).build(from, max_stack)
+          : ParallelBuild<PieceAccess<1>>(pieces, max_leaf, threads, nodes).build(from, max_stack);
+  auto at = order.begin();
+  for (const TrianglePiece& piece : pieces)
+    for (std::uint32_t i = 0; i < piece.count(); ++i) *at++ = from + piece.first() + i;
+  return root;
 }
 
 void rebase(Bvh& bvh, std::uint32_t node_base, std::uint32_t first_base) {

@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "runtime/scene/box.h"
+#include "runtime/scene/large_vector.h"
 #include "shaders/bvh_types.h"
 
 namespace nightcity::scene {
 
 struct Bvh {
   // Indices of children count within this vector, ranges of leaves within `order`.
-  std::vector<gpu::BvhNode> nodes;
+  LargeVector<gpu::BvhNode> nodes;
   std::vector<std::uint32_t> order;  // primitive at each position of the leaves
   std::uint32_t root = BVH_EMPTY;    // a node, a leaf, or BVH_EMPTY
   std::uint32_t stack_need = 0;      // entries that a ray may have to defer
@@ -34,12 +35,13 @@ struct BvhRoot {
   std::uint32_t stack_need = 0;    // entries that a ray may have to defer
 };
 
-/// Builds a BVH over `triangles` as build_bvh does, without memory besides that of its nodes, which
-/// it appends to `nodes`: the triangles are brought into the order of the leaves, whose ranges count
-/// from `first` on, the position of triangles[0] in its buffer.
-BvhRoot append_bvh(std::vector<gpu::BvhNode>& nodes, std::span<gpu::Triangle> triangles,
+/// Builds a BVH over `triangles` as build_bvh does, and appends its nodes to `nodes`. `order`, which
+/// is as long as `triangles`, gets the number of the triangle at each position of the leaves. Both
+/// positions and numbers count from `first` on, the position of triangles[0] in its buffer. Two
+/// triangles that follow each other and share an edge, as halves of quads do, are not parted.
+BvhRoot append_bvh(LargeVector<gpu::BvhNode>& nodes, std::span<const gpu::Triangle> triangles,
                    std::size_t first, std::uint32_t max_leaf, std::uint32_t max_stack,
-                   unsigned threads);
+                   unsigned threads, std::span<std::uint32_t> order);
 
 /// Returns the deferred entries that a BVH of object medians over `boxes` boxes needs: the smallest
 /// `max_stack` that build_bvh accepts.

@@ -8,18 +8,19 @@
 #include <cstdint>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "runtime/scene/bounds.h"
 #include "runtime/scene/bvh.h"
 #include "runtime/scene/bvh_node.h"
+#include "runtime/scene/large_vector.h"
 
 namespace nightcity::scene {
 
 /// Builds the nodes over `primitives`, and brings these into the leaves' order. Access says what an
-/// Access::Primitive p is: bounds_of(p), Access::mask_of(p) (MASK_* bits; has_masks: they differ) and, where
-/// two centres are equal, precedes(p, q), so that the same input gives the same BVH everywhere.
-/// Several threads may build different ranges at the same time.
+/// Access::Primitive p is: bounds_of(p), weight_of(p) (entries of a leaf, at most max_weight), mask_of(p)
+/// (MASK_* bits; has_masks: they differ) and, where two centres are equal, precedes(p, q), so that
+/// the same input gives the same BVH everywhere. Several threads may build different ranges at the
+/// same time.
 template <class Access>
 class BvhBuilder {
  public:
@@ -27,9 +28,10 @@ class BvhBuilder {
   /// Consecutive primitives.
   struct Range {
     std::uint32_t begin = 0, end = 0;
-    Bounds box, centres{};   // of the primitives, and of their centres
-    std::uint32_t mask = 0;  // of all primitives
-    bool mixed = false;      // some of them cast shadows and some do not
+    std::uint32_t first = 0, weight = 0;  // the entries of the leaves
+    Bounds box, centres{};                // of the primitives, and of their centres
+    std::uint32_t mask = 0;               // of all primitives
+    bool mixed = false;                   // some of them cast shadows and some do not
     std::uint32_t size() const { return end - begin; }
   };
   struct Children {
@@ -37,17 +39,22 @@ class BvhBuilder {
     std::uint32_t count = 0;
   };
 
-  /// Positions in leaves count from `first` on.
-  BvhBuilder(std::span<Primitive> primitives, std::uint32_t max_leaf, std::uint32_t first)
-      : primitives_(primitives), max_leaf_(max_leaf), first_(first) {}
+  /// A leaf has at most `max_leaf` entries, twice the weight of a primitive or more.
+  BvhBuilder(std::span<Primitive> primitives, std::uint32_t max_leaf)
+      : primitives_(primitives), max_leaf_(max_leaf) {}
 
-  Range measure(std::uint32_t begin, std::uint32_t end) const {
-    Range r{begin, end, {}};
+  /// Returns the primitives from `begin` on, whose entries in leaves are those from `first` on.
+  Range measure(std::uint32_t begin, std::uint32_t end, std::uint32_t first) const {
+    Range r;
+    r.begin = begin;
+    r.end = end;
+    r.first = first;
     std::uint32_t casting = 0;
     for (std::uint32_t i = begin; i < end; ++i) {
       const Bounds box = Access::bounds_of(primitives_[i]);
       r.box.grow(box);
       r.centres.grow(box.centre());
+      r.weight += Access::weight_of(primitives_[i]);
       r.mask |= Access::mask_of(primitives_[i]);
       casting += casts_shadow(primitives_[i]);
     }
@@ -55,9 +62,9 @@ class BvhBuilder {
     return r;
   }
 
-  bool is_leaf(const Range& r) const { return r.size() <= max_leaf_; }
+  bool is_leaf(const Range& r) const { return r.weight <= max_leaf_; }
   std::uint32_t make_leaf(const Range& r) const {
-    return BVH_LEAF | ((r.size() - 1) << BVH_LEAF_COUNT_SHIFT) | (first_ + r.begin);
+    return BVH_LEAF | ((r.weight - 1) << BVH_LEAF_COUNT_SHIFT) | r.first;
   }
 
   /// Splits a range that is no leaf into up to four, the largest first, as shadow rays visit them: a
@@ -65,7 +72,7 @@ class BvhBuilder {
   Children split_in_four(const Range& r, std::uint32_t stack) {
     // A child may get nearly everything. Where the stack is too small for that, all four get
     // equally many.
-    const bool median = needed_stack(r.size(), max_leaf_) + 3 > stack;
+    const bool median = needed_stack(r.size(), max_leaf_ / Access::max_weight) + 3 > stack;
     Children children{{r}, 1};
     auto& [range, count] = children;
     while (count < 4) {
@@ -73,7 +80,7 @@ class BvhBuilder {
       for (std::size_t i = 0; i < count; ++i) {
         // A range is worth splitting if it is too big for a leaf, or cheaper as two leaves than as
         // one.
-        if (range[i].size() <= (count == 1 ? max_leaf_ : std::max(1u, max_leaf_ / 2))) continue;
+        if (range[i].weight <= (count == 1 ? max_leaf_ : std::max(1u, max_leaf_ / 2))) continue;
         const auto larger = [&](const Range& a, const Range& b) {
           return median ? a.size() > b.size() : a.box.half_area() > b.box.half_area();
         };
@@ -100,7 +107,7 @@ class BvhBuilder {
 
   /// Appends the nodes of a range and returns its root. `stack_need` gets the entries that a ray may
   /// have to defer, at most `stack`.
-  std::uint32_t build(const Range& r, std::uint32_t stack, std::vector<gpu::BvhNode>& nodes,
+  std::uint32_t build(const Range& r, std::uint32_t stack, LargeVector<gpu::BvhNode>& nodes,
                       std::uint32_t& stack_need) {
     stack_need = 0;
     if (is_leaf(r)) return make_leaf(r);
@@ -123,28 +130,33 @@ class BvhBuilder {
   static constexpr std::size_t max_bins = 16;
   // With few primitives, most of 16 bins would be empty.
   static constexpr std::uint32_t few = 24;
+  static constexpr std::size_t few_bins = 8;
+
+  // From ranges of more than this, a sample of at least this many primitives decides the split.
+  static constexpr std::uint32_t min_sample = 4096;
 
   // Maps centres to bins, on all axes at once.
   struct Binning {
     Float4 lower, scale{};
     std::size_t bins;
-    explicit Binning(const Range& r) : lower(r.centres.lower), bins(r.size() < few ? 8 : max_bins) {
+    explicit Binning(const Range& r)
+        : lower(r.centres.lower), bins(r.size() < few ? few_bins : max_bins) {
       const Float4 extent = r.centres.upper - r.centres.lower;
       for (int axis = 0; axis < 3; ++axis) {
         const float per_m = static_cast<float>(bins) / extent[axis];
         scale[axis] = extent[axis] > 0 && std::isfinite(per_m) ? per_m : 0.0f;
       }
     }
-    Float4 place(Float4 centre) const {
+    Int4 place(Float4 centre) const {
       const float last = static_cast<float>(bins - 1);
-      return min_of(max_of((centre - lower) * scale, Float4{}), Float4{last, last, last, 0});
+      return to_int(
+          min_of(max_of((centre - lower) * scale, Float4{}), Float4{last, last, last, 0}));
     }
   };
   struct Bin {
     Bounds box;
-    std::uint32_t count = 0;
+    std::uint32_t weight = 0;
   };
-  using Bins = std::array<std::array<Bin, max_bins>, 3>;
   struct Split {
     int axis = -1;
     std::size_t bin = 0;  // of the right half's first
@@ -155,35 +167,58 @@ class BvhBuilder {
 
   std::pair<Range, Range> split(const Range& r, bool median) {
     if (r.mixed && !median) {  // then no shadow ray tests boxes of what casts none
-      Bounds ignored;
-      const std::uint32_t at = partition(
-          r, [](const Primitive& p, Float4) { return casts_shadow(p); }, ignored, ignored);
-      return {measure(r.begin, at), measure(at, r.end)};
+      const auto begin = primitives_.begin() + r.begin, end = primitives_.begin() + r.end;
+      const auto at =
+          r.begin + static_cast<std::uint32_t>(std::partition(begin, end, casts_shadow) - begin);
+      return measure_halves(r, at);
     }
     const Binning binning(r);
-    const Split best = median ? Split{} : find_split(r, binning);
+    const std::uint32_t stride = std::max(1u, r.size() / min_sample);
+    const Split best = median           ? Split{}
+                       : r.size() < few ? find_split<few_bins>(r, binning, 1)
+                                        : find_split<max_bins>(r, binning, stride);
     if (best.axis >= 0) {
-      Range left{r.begin, 0, best.left, {}, r.mask}, right{0, r.end, best.right, {}, r.mask};
-      const auto is_left = [&](const Primitive&, Float4 centre) {
-        return static_cast<std::size_t>(binning.place(centre)[best.axis]) < best.bin;
+      Range left, right;
+      left.mask = right.mask = r.mask;
+      if (stride == 1) {
+        left.box = best.left;
+        right.box = best.right;
+      }
+      const auto bin = static_cast<int>(best.bin);
+      const auto is_left = [&](const Bounds& box) {
+        return binning.place(box.centre())[best.axis] < bin;
       };
-      left.end = right.begin = partition(r, is_left, left.centres, right.centres);
-      if constexpr (Access::has_masks)
-        return {measure(left.begin, left.end), measure(right.begin, right.end)};
+      const std::uint32_t at = stride > 1 ? partition<true>(r, is_left, left, right)
+                                          : partition<false>(r, is_left, left, right);
+      if constexpr (Access::has_masks) return measure_halves(r, at);
+      left.begin = r.begin;
+      left.end = right.begin = at;
+      right.end = r.end;
+      left.first = r.first;
+      right.first = r.first + left.weight;
       return {left, right};
     }
     const std::uint32_t middle = split_at_median(r);
-    return {measure(r.begin, middle), measure(middle, r.end)};
+    return measure_halves(r, middle);
   }
 
-  // Moves the primitives for which `is_left(primitive, centre)` holds before the others, and returns
-  // the position of the first of those. Grows the two boxes by the centres.
-  template <class IsLeft>
-  std::uint32_t partition(const Range& r, IsLeft is_left, Bounds& left, Bounds& right) {
+  std::pair<Range, Range> measure_halves(const Range& r, std::uint32_t middle) const {
+    const Range left = measure(r.begin, middle, r.first);
+    return {left, measure(middle, r.end, r.first + left.weight)};
+  }
+
+  // Moves the primitives for which `is_left(box)` holds before the others, and returns the position
+  // of the first of those. Grows the boxes of both sides' centres, and with `measures_boxes` those of
+  // the primitives too.
+  template <bool measures_boxes, class IsLeft>
+  std::uint32_t partition(const Range& r, IsLeft is_left, Range& left, Range& right) {
     const auto test = [&](const Primitive& p) {
-      const Float4 centre = Access::bounds_of(p).centre();
-      const bool result = is_left(p, centre);
-      (result ? left : right).grow(centre);
+      const Bounds box = Access::bounds_of(p);
+      const bool result = is_left(box);
+      Range& side = result ? left : right;
+      side.centres.grow(box.centre());
+      side.weight += Access::weight_of(p);
+      if constexpr (measures_boxes) side.box.grow(box);
       return result;
     };
     std::uint32_t i = r.begin, j = r.end;
@@ -197,47 +232,51 @@ class BvhBuilder {
     }
   }
 
-  // Finds the split with the smallest sum of area times number over both halves.
-  Split find_split(const Range& r, const Binning& binning) const {
-    Bins bins;
-    for (std::uint32_t i = r.begin; i < r.end; ++i) {
+  // Finds the split with the smallest sum of area times weight over both halves, where every
+  // `stride`-th primitive counts.
+  template <std::size_t bin_count>
+  Split find_split(const Range& r, const Binning& binning, std::uint32_t stride) const {
+    std::array<std::array<Bin, bin_count>, 3> bins;
+    for (std::uint32_t i = r.begin; i < r.end; i += stride) {
       const Bounds box = Access::bounds_of(primitives_[i]);
-      const Float4 place = binning.place(box.centre());
+      const Int4 place = binning.place(box.centre());
+      const std::uint32_t weight = Access::weight_of(primitives_[i]);
       for (int axis = 0; axis < 3; ++axis) {
         Bin& bin = bins[static_cast<std::size_t>(axis)][static_cast<std::size_t>(place[axis])];
         bin.box.grow(box);
-        ++bin.count;
+        bin.weight += weight;
       }
     }
     float best_cost = INFINITY;
     Split best;
     for (int axis = 0; axis < 3; ++axis)
       if (binning.scale[axis] > 0)
-        try_axis(bins[static_cast<std::size_t>(axis)], axis, binning.bins, best_cost, best);
+        try_axis(std::span<const Bin, bin_count>(bins[static_cast<std::size_t>(axis)]), axis,
+                 best_cost, best);
     return best;
   }
 
-  static void try_axis(const std::array<Bin, max_bins>& bins, int axis, std::size_t count,
-                       float& best_cost, Split& best) {
-    std::array<float, max_bins> right_cost{};
-    std::array<Bounds, max_bins> right_box;
+  template <std::size_t count>
+  static void try_axis(std::span<const Bin, count> bins, int axis, float& best_cost, Split& best) {
+    std::array<float, count> right_cost{};
+    std::array<Bounds, count> right_box;
     Bounds right;
     std::uint32_t rights = 0;
     for (std::size_t bin = count - 1; bin > 0; --bin) {
-      if (bins[bin].count > 0) {
+      if (bins[bin].weight > 0) {
         right.grow(bins[bin].box);
-        rights += bins[bin].count;
+        rights += bins[bin].weight;
       }
       if (rights > 0) right_cost[bin] = right.half_area() * static_cast<float>(rights);
       right_box[bin] = right;
     }
-    const std::uint32_t all = rights + bins[0].count;
+    const std::uint32_t all = rights + bins[0].weight;
     Bounds left;
     std::uint32_t lefts = 0;
     for (std::size_t bin = 1; bin < count; ++bin) {
-      if (bins[bin - 1].count == 0) continue;  // the split before costs the same
+      if (bins[bin - 1].weight == 0) continue;  // the split before costs the same
       left.grow(bins[bin - 1].box);
-      lefts += bins[bin - 1].count;
+      lefts += bins[bin - 1].weight;
       if (lefts == all) break;
       const float cost = left.half_area() * static_cast<float>(lefts) + right_cost[bin];
       if (!(cost < best_cost)) continue;
@@ -261,7 +300,7 @@ class BvhBuilder {
   }
 
   std::span<Primitive> primitives_;
-  std::uint32_t max_leaf_, first_;
+  std::uint32_t max_leaf_;
 };
 
 }  // namespace nightcity::scene

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <functional>
 #include <utility>
 
 #include "formats/parallel.h"
@@ -20,7 +21,7 @@ constexpr float max_entries = 16777216.0f;  // in the lists of all cells
 constexpr float min_gap = 1.0001f;
 
 // The radius of the search for lights around a cell, in bins of their class.
-constexpr int max_rings = 24;
+constexpr float max_reach_bins = 24;
 
 // Lights are searched by classes of flux. Each class has four times the flux of the one below it
 // and bins twice as wide, because the distance at which a light is strong enough to be listed grows
@@ -34,14 +35,6 @@ std::pair<float, float> cell_centre(const gpu::LightGridShape& shape, std::uint3
   return {shape.origin_x + (float(x) + 0.5f) * shape.cell_m,
           shape.origin_z + (float(z) + 0.5f) * shape.cell_m};
 }
-
-struct Strength {
-  float value;
-  std::uint32_t light;
-  bool operator<(const Strength& other) const {
-    return value != other.value ? value > other.value : light < other.light;
-  }
-};
 
 int class_of(float flux_lm, float median_lm) {
   const double fours = std::log2(double(flux_lm) / double(median_lm)) / 2;
@@ -86,30 +79,40 @@ class Bins {
 
   int column(float x) const { return place(x - shape_.origin_x, width_); }
   int row(float z) const { return place(z - shape_.origin_z, depth_); }
-  int rings() const { return std::max(width_, depth_); }
-  float max_flux() const { return max_flux_; }
+  float max_reach_m() const { return max_reach_bins * side_m_; }
 
-  // Returns an upper bound of a light's strength for a place in some bin, if the light is in none
-  // of the rings around that bin up to this one.
-  float strength_beyond(int ring) const {
-    const float beyond = float(ring) * side_m_;
-    return max_flux_ / (beyond * beyond + shape_.softening_m2);
+  // Returns an upper bound of a light's strength at this distance from the centre of a cell.
+  float max_strength(float distance_m) const {
+    return max_flux_ / (distance_m * distance_m + shape_.softening_m2);
   }
 
-  // Returns the lights of the bins x0 <= x <= x1 in a row, those of them that exist.
-  LightRange at(int x0, int x1, int z) const {
-    x0 = std::max(x0, 0);
-    x1 = std::min(x1, width_ - 1);
-    if (x0 > x1 || z < 0 || z >= depth_) return {};
-    const std::size_t row = std::size_t(z) * std::size_t(width_),
-                      first = starts_[row + std::size_t(x0)],
-                      end = starts_[row + std::size_t(x1) + 1];
-    return {&x_[first], &z_[first], &flux_[first], &order_[first], end - first};
+  // Returns a distance from the centre of a cell beyond which no light is stronger than `bar` there.
+  // It is negative where no light is.
+  float find_reach(float bar) const {
+    constexpr float rounding = 1.001f;
+    const float squared = rounding * max_flux_ / bar - shape_.softening_m2;
+    return squared < 0 ? -1.0f : rounding * std::sqrt(squared);
+  }
+
+  // Calls `use` with ranges of lights, among which are all within `reach_m` of (x, z).
+  template <class Use>
+  void for_each_near(float x, float z, float reach_m, Use use) const {
+    const int end = row(z + reach_m);
+    for (int bz = row(z - reach_m); bz <= end; ++bz) {
+      // The rows' lights are at least this far along Z. The place of a light in a bin was rounded.
+      const float lower = shape_.origin_z + float(bz) * side_m_,
+                  away = std::max({lower - z, z - (lower + side_m_), 0.0f}) - 1e-3f * side_m_;
+      const float half = std::sqrt(std::max(0.0f, reach_m * reach_m - away * std::abs(away)));
+      const std::size_t first = std::size_t(bz) * std::size_t(width_),
+                        from = starts_[first + std::size_t(column(x - half))],
+                        to = starts_[first + std::size_t(column(x + half)) + 1];
+      if (from < to) use(LightRange{&x_[from], &z_[from], &flux_[from], &order_[from], to - from});
+    }
   }
 
  private:
   int place(float along, int count) const {
-    return std::clamp(int(std::max(0.0f, along / side_m_)), 0, count - 1);
+    return int(std::clamp(along / side_m_, 0.0f, float(count - 1)));
   }
 
   const gpu::LightGridShape& shape_;
@@ -140,113 +143,156 @@ std::vector<Bins> by_class(std::span<const Light> lights, std::span<const float>
   return classes;
 }
 
-// Calls `use(strength, light)` for every light that is stronger than `bar` in the cell with this
-// centre. Strengths are rounded as in light_strength.
-template <class Use>
-void for_stronger(const LightRange& range, const gpu::LightGridShape& shape, float centre_x,
-                  float centre_z, const float& bar, Use use) {
-  const auto load = [](const float* from) {
-    Float4 four;
-    std::memcpy(&four, from, sizeof four);
-    return four;
-  };
-  std::size_t i = 0;
-  for (; i + 4 <= range.count; i += 4) {
-    const Float4 dx = load(range.x + i) - centre_x, dz = load(range.z + i) - centre_z,
-                 value = load(range.flux + i) / (dx * dx + dz * dz + shape.softening_m2);
-    const auto stronger = value > Float4{bar, bar, bar, bar};
-    const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(stronger);
-    if ((halves[0] | halves[1]) == 0) continue;
-    for (std::size_t k = 0; k < 4; ++k)
-      if (value[k] > bar) use(value[k], range.light[i + k]);
-  }
-  for (; i < range.count; ++i) {
-    const float dx = range.x[i] - centre_x, dz = range.z[i] - centre_z,
-                value = range.flux[i] / (dx * dx + dz * dz + shape.softening_m2);
-    if (value > bar) use(value, range.light[i]);
-  }
+// A light and its strength, as one number that compares by strength: the bits of floats that are
+// not negative have their order.
+using Found = std::uint64_t;
+Found make_found(float strength, std::uint32_t light) {
+  return std::uint64_t{std::bit_cast<std::uint32_t>(strength)} << 32 | (UINT32_MAX - light);
+}
+float strength_of(Found found) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(found >> 32));
+}
+std::uint32_t light_of(Found found) {
+  return UINT32_MAX - static_cast<std::uint32_t>(found);
 }
 
-struct Strongest {
-  std::vector<Strength> found;  // strongest first, at most one more than can be listed
-  // An upper bound of the lights that are not in `found`, where they are weaker than its last.
-  float unseen = 0;
-};
+// Finds the strongest lights of cells that lie in a row, and keeps its memory from cell to cell.
+class Search {
+ public:
+  Search(const std::vector<Bins>& classes, const gpu::LightGridShape& shape, std::size_t listed)
+      : classes_(classes), shape_(shape), listed_(listed) {
+    for (const Bins& bins : classes) bar_ = std::max(bar_, bins.max_strength(0));
+  }
 
-// Finds the strongest lights of a cell. In each class it searches rings of bins outwards, until
-// nothing farther could be among them.
-Strongest strongest(const std::vector<Bins>& classes, const gpu::LightGridShape& shape,
-                    std::size_t listed, std::uint32_t x, std::uint32_t z) {
-  Strongest cell;
-  std::vector<Strength>& found = cell.found;
-  // Lights weaker than this no longer matter. It is raised whenever half as many again have been
-  // found.
-  float bar = 0;
-  const auto keep_strongest = [&] {
-    const auto last = found.begin() + std::ptrdiff_t(listed);
-    std::nth_element(found.begin(), last, found.end());
-    bar = last->value;
-    found.erase(last + 1, found.end());
-  };
-  const auto [centre_x, centre_z] = cell_centre(shape, x, z);
-  for (const Bins& bins : classes) {
-    const int column = bins.column(centre_x), row = bins.row(centre_z);
-    for (int ring = 0; ring <= bins.rings(); ++ring) {
-      if (ring > max_rings) {
-        cell.unseen = std::max(cell.unseen, bins.strength_beyond(ring - 1));
-        break;
+  // Finds the lights that a cell lists, in no order.
+  std::span<const Found> find(std::uint32_t x, std::uint32_t z) {
+    const auto [centre_x, centre_z] = cell_centre(shape_, x, z);
+    while (!find_stronger(centre_x, centre_z) && count_ <= listed_)
+      // As many lights more are found as the area grows, where they stand evenly.
+      bar_ *= std::clamp(0.9f * float(count_) / float(listed_ + 1), 0.05f, 0.8f);
+    outside_ = unseen_;
+    if (count_ > listed_) {
+      const auto last = found_.begin() + std::ptrdiff_t(listed_);
+      std::nth_element(found_.begin(), last, found_.begin() + std::ptrdiff_t(count_),
+                       std::greater<Found>());
+      count_ = listed_;
+      outside_ = std::max(outside_, strength_of(*last));
+      bar_ = 0.8f * strength_of(*last);  // the cell beside this one is much like it
+    }
+    leave_gap();
+    return {found_.data(), count_};
+  }
+
+  // Returns the strength of the strongest light that the last cell does not list, or more.
+  float outside() const { return outside_; }
+
+ private:
+  // Finds all lights that are stronger than the bar in the cell with this centre, or those of them
+  // that are within the radius of the search. Returns whether a lower bar would find no more.
+  bool find_stronger(float x, float z) {
+    count_ = 0;
+    unseen_ = 0;
+    bool all = true;
+    const float width_m = float(shape_.width) * shape_.cell_m,
+                depth_m = float(shape_.depth) * shape_.cell_m,
+                farthest = std::hypot(width_m, depth_m);
+    for (const Bins& bins : classes_) {
+      float reach = bins.find_reach(bar_);
+      all = all && reach >= std::min(farthest, bins.max_reach_m());
+      if (reach > bins.max_reach_m() && farthest > bins.max_reach_m()) {
+        reach = bins.max_reach_m();
+        unseen_ = std::max(unseen_, bins.max_strength(reach));
       }
-      const auto take = [&](int x0, int x1, int bz) {
-        for_stronger(bins.at(x0, x1, bz), shape, centre_x, centre_z, bar,
-                     [&](float value, std::uint32_t light) {
-                       found.push_back({value, light});
-                     });
-      };
-      take(column - ring, column + ring, row - ring);
-      for (int dz = -ring + 1; dz < ring; ++dz) {
-        take(column - ring, column - ring, row + dz);
-        take(column + ring, column + ring, row + dz);
+      if (reach >= 0)
+        bins.for_each_near(x, z, std::min(reach, farthest),
+                           [&](const LightRange& range) { add_stronger(range, x, z); });
+    }
+    return all;
+  }
+
+  // Strengths are rounded as in light_strength.
+  void add_stronger(const LightRange& range, float centre_x, float centre_z) {
+    if (found_.size() < count_ + range.count + 1) found_.resize(2 * (count_ + range.count + 1));
+    const auto load = [](const float* from) {
+      Float4 four;
+      std::memcpy(&four, from, sizeof four);
+      return four;
+    };
+    // Every light is written, and the next one over it if it is too weak: no branch to mispredict.
+    Found* to = found_.data() + count_;
+    std::size_t i = 0;
+    for (; i + 4 <= range.count; i += 4) {
+      const Float4 dx = load(range.x + i) - centre_x, dz = load(range.z + i) - centre_z,
+                   value = load(range.flux + i) / (dx * dx + dz * dz + shape_.softening_m2);
+      for (std::size_t k = 0; k < 4; ++k) {
+        *to = make_found(value[k], range.light[i + k]);
+        to += value[k] > bar_;
       }
-      if (ring > 0) take(column - ring, column + ring, row + ring);
-      if (found.size() > (bar > 0 ? listed + listed / 2 : listed)) keep_strongest();
-      if (bins.strength_beyond(ring) < bar) break;
+    }
+    for (; i < range.count; ++i) {
+      const float dx = range.x[i] - centre_x, dz = range.z[i] - centre_z,
+                  value = range.flux[i] / (dx * dx + dz * dz + shape_.softening_m2);
+      *to = make_found(value, range.light[i]);
+      to += value > bar_;
+    }
+    count_ = std::size_t(to - found_.data());
+  }
+
+  // Leaves out the lights that rounding could confuse with one that is left out.
+  void leave_gap() {
+    while (true) {
+      const float limit = outside_ * min_gap;
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < count_; ++i) {
+        const float strength = strength_of(found_[i]);
+        if (strength > limit)
+          found_[kept++] = found_[i];
+        else
+          outside_ = std::max(outside_, strength);
+      }
+      if (kept == count_) return;
+      count_ = kept;
     }
   }
-  if (found.size() > listed) keep_strongest();
-  std::erase_if(found, [&](const Strength& s) { return !(s.value > cell.unseen * min_gap); });
-  std::sort(found.begin(), found.end());
-  return cell;
-}
 
-// A row of cells and their lists; entries count from the row's first.
-struct Row {
-  std::vector<gpu::LightCell> cells;
-  std::vector<gpu::GridEntry> entries;
+  const std::vector<Bins>& classes_;
+  const gpu::LightGridShape& shape_;
+  std::size_t listed_;
+  std::vector<Found> found_;  // the first count_ of these, and room for more
+  std::size_t count_ = 0;
+  float bar_ = 0, unseen_ = 0, outside_ = 0;
 };
 
-void add_cell(Row& row, const Strongest& strongest, std::size_t listed) {
-  const auto& [found, unseen] = strongest;
-  std::size_t count = std::min(found.size(), listed);
-  while (count > 0 && count < found.size() &&
-         !(found[count - 1].value > found[count].value * min_gap))
-    --count;
-  const float outside = std::max(unseen, count < found.size() ? found[count].value : 0.0f);
-  gpu::LightCell cell{};
-  cell.first = static_cast<std::uint32_t>(row.entries.size());
-  cell.count = static_cast<std::uint32_t>(count);
-  // The threshold lies between the weakest light inside and the strongest outside.
-  cell.threshold = count > 0 ? std::sqrt(found[count - 1].value) * std::sqrt(outside) : 0.0f;
+// Fills the lists of a row of cells. Entries count from the row's first, which `entries` points at;
+// returns how many there are.
+std::size_t fill_row(const std::vector<Bins>& classes, const gpu::LightGridShape& shape,
+                     std::size_t listed, std::uint32_t z, std::span<gpu::LightCell> cells,
+                     gpu::GridEntry* entries) {
+  Search search(classes, shape, listed);
+  AliasTableBuilder table;
   std::vector<float> weights;
-  double sum = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    weights.push_back(found[i].value);
-    sum += double(found[i].value);
+  std::size_t used = 0;
+  for (std::uint32_t x = 0; x < shape.width; ++x) {
+    const std::span<const Found> found = search.find(x, z);
+    gpu::LightCell& cell = cells[x];
+    cell.first = static_cast<std::uint32_t>(used);
+    cell.count = static_cast<std::uint32_t>(found.size());
+    weights.clear();
+    double sum = 0;
+    for (const Found f : found) {
+      weights.push_back(strength_of(f));
+      sum += double(weights.back());
+    }
+    cell.strength_sum = static_cast<float>(sum);
+    // The threshold lies between the weakest light inside and the strongest outside.
+    cell.threshold = found.empty() ? 0.0f
+                                   : std::sqrt(*std::min_element(weights.begin(), weights.end())) *
+                                         std::sqrt(search.outside());
+    const std::span<const gpu::AliasEntry> alias = table.build(weights);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      entries[used++] = {light_of(found[i]), alias[i].keep, light_of(found[alias[i].alias])};
   }
-  cell.strength_sum = static_cast<float>(sum);
-  const std::vector<gpu::AliasEntry> alias = build_alias_table(weights);
-  for (std::size_t i = 0; i < count; ++i)
-    row.entries.push_back({found[i].light, alias[i].keep, found[alias[i].alias].light});
-  row.cells.push_back(cell);
+  return used;
 }
 
 }  // namespace
@@ -257,6 +303,27 @@ float light_strength(const gpu::LightGridShape& shape, std::uint32_t cell_x, std
   const float dx = light.position.x - centre_x, dz = light.position.z - centre_z;
   return light.flux_lm / (dx * dx + dz * dz + shape.softening_m2);
 }
+
+namespace {
+
+std::span<gpu::LightCell> row_of(LightGrid& grid, std::size_t z) {
+  return std::span(grid.cells).subspan(z * grid.shape.width, grid.shape.width);
+}
+
+// Moves the entries of all rows together, of which each has room for `room` and uses `used`.
+void close_gaps(LightGrid& grid, std::span<const std::size_t> used, std::size_t room) {
+  std::size_t end = 0;
+  for (std::size_t z = 0; z < used.size(); ++z) {
+    const auto row = grid.entries.begin() + std::ptrdiff_t(z * room);
+    if (end < z * room)
+      std::copy(row, row + std::ptrdiff_t(used[z]), grid.entries.begin() + std::ptrdiff_t(end));
+    for (gpu::LightCell& cell : row_of(grid, z)) cell.first += static_cast<std::uint32_t>(end);
+    end += used[z];
+  }
+  grid.entries.resize(end);
+}
+
+}  // namespace
 
 LightGrid build_light_grid(std::span<const Light> lights, LightLists lists) {
   std::vector<float> flux_lm;
@@ -292,25 +359,18 @@ LightGrid build_light_grid(std::span<const Light> lights, std::span<const float>
       shape.cell_m * shape.cell_m / 4;  // a lamp right above the cell's centre stays finite
 
   const std::vector<Bins> classes = by_class(lights, flux_lm, shape);
-  std::vector<Row> rows(shape.depth);
+  std::size_t shining = 0;
+  for (const float f : flux_lm) shining += f > 0;
+  // Every row has room for full lists. Memory that is not written to takes no room.
+  const std::size_t room = shape.width * std::min<std::size_t>(lists.listed, shining);
+  grid.cells.resize(std::size_t{shape.width} * shape.depth);
+  grid.entries.resize(room * shape.depth);
+  std::vector<std::size_t> used(shape.depth);
   run_parallel(shape.depth, count_cores(), [&](std::size_t z) {
-    for (std::uint32_t x = 0; x < shape.width; ++x)
-      add_cell(rows[z], strongest(classes, shape, lists.listed, x, std::uint32_t(z)), lists.listed);
+    used[z] = fill_row(classes, shape, lists.listed, std::uint32_t(z), row_of(grid, z),
+                       grid.entries.data() + z * room);
   });
-  std::size_t cells = 0, entries = 0;
-  for (const Row& row : rows) {
-    cells += row.cells.size();
-    entries += row.entries.size();
-  }
-  grid.cells.reserve(cells);
-  grid.entries.reserve(entries);
-  for (Row& row : rows) {
-    const auto before = static_cast<std::uint32_t>(grid.entries.size());
-    for (gpu::LightCell& cell : row.cells) cell.first += before;
-    grid.cells.insert(grid.cells.end(), row.cells.begin(), row.cells.end());
-    grid.entries.insert(grid.entries.end(), row.entries.begin(), row.entries.end());
-    row = {};
-  }
+  close_gaps(grid, used, room);
   return grid;
 }
 

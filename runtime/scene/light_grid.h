@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/scene/large_vector.h"
 #include "shaders/interface.h"
 
 namespace nightcity::scene {
@@ -14,7 +15,7 @@ namespace nightcity::scene {
 struct LightGrid {
   gpu::LightGridShape shape{};
   std::vector<gpu::LightCell> cells;    // row by row along Z, then X
-  std::vector<gpu::GridEntry> entries;  // one alias table per cell
+  LargeVector<gpu::GridEntry> entries;  // one alias table per cell
 };
 
 /// The size of a grid's cells and the length of their lists.

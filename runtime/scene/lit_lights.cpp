@@ -21,10 +21,14 @@ LitLights lit_lights(std::span<const Light> lights, std::span<const Schedule> sc
   return lit;
 }
 
-void build_tables(LitLights& lit, std::span<const Light> lights) {
+std::vector<float> flux_of(const LitLights& lit, std::span<const Light> lights) {
   std::vector<float> flux(lights.size());
-  for (std::size_t i = 0; i < lights.size(); ++i)
-    flux[i] = lit.bits[i / 32] >> (i % 32) & 1u ? lights[i].flux_lm : 0.0f;
+  for (const std::uint32_t i : lit.list) flux[i] = lights[i].flux_lm;
+  return flux;
+}
+
+void build_tables(LitLights& lit, std::span<const Light> lights) {
+  const std::vector<float> flux = flux_of(lit, lights);
   lit.alias = build_alias_table(flux);
   lit.near_grid = build_light_grid(lights, flux, near_lists);
   lit.far_grid = build_light_grid(lights, flux, far_lists);

@@ -24,6 +24,9 @@ struct LitLights {
 LitLights lit_lights(std::span<const Light> lights, std::span<const Schedule> schedules,
                      std::span<const std::uint32_t> switches, double time_s);
 
+/// Returns the flux of each light in lumens, 0 where it is off.
+std::vector<float> flux_of(const LitLights& lit, std::span<const Light> lights);
+
 /// Fills in the alias table and the grids. A light without flux never shines.
 void build_tables(LitLights& lit, std::span<const Light> lights);
 

@@ -38,10 +38,11 @@ struct Mesh {
 };
 
 struct RenderScene {
-  std::vector<gpu::BvhNode> nodes;  // every BLAS, then the TLAS
+  LargeVector<gpu::BvhNode> nodes;  // every BLAS, then the TLAS
   std::uint32_t root = BVH_EMPTY;   // of the TLAS
-  std::vector<gpu::Triangle> triangles;
-  std::vector<Mesh> meshes{};  // none is empty
+  LargeVector<gpu::Triangle> triangles;
+  LargeVector<std::uint32_t> triangle_order;  // which triangle is at each position of the leaves
+  std::vector<Mesh> meshes{};                 // none is empty
   std::vector<gpu::Instance> instances;
   std::vector<gpu::Material> materials;  // at least one
   std::vector<Light> lights;

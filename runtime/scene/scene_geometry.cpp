@@ -31,7 +31,7 @@ std::size_t count_triangles(const SceneMesh& mesh) {
 
 // Appends the triangles of a mesh that have an area, and returns the number of those that do not.
 std::size_t append_mesh(const SceneMesh& mesh, const glm::mat4& to_model,
-                        std::vector<gpu::Triangle>& out) {
+                        LargeVector<gpu::Triangle>& out) {
   const glm::dmat4 m(to_model);
   std::size_t dropped = 0;
   std::vector<glm::vec3> positions;
@@ -63,12 +63,14 @@ std::size_t append_mesh(const SceneMesh& mesh, const glm::mat4& to_model,
 // Builds the BLAS over the triangles from `first` on, and returns its root and box.
 std::pair<std::uint32_t, Box> add_blas(RenderScene& scene, std::size_t first, unsigned threads,
                                        std::uint32_t stack = mesh_stack) {
-  const std::span triangles = std::span(scene.triangles).subspan(first);
+  const std::span triangles = std::span<const gpu::Triangle>(scene.triangles).subspan(first);
   Box all;
   for (const gpu::Triangle& t : triangles)
     for (const glm::vec3& corner : {t.v0, t.v1, t.v2}) all.grow(corner);
-  const std::uint32_t root =
-      append_bvh(scene.nodes, triangles, first, triangle_leaf, stack, threads).node;
+  scene.triangle_order.resize(scene.triangles.size());
+  const std::uint32_t root = append_bvh(scene.nodes, triangles, first, triangle_leaf, stack,
+                                        threads, std::span(scene.triangle_order).subspan(first))
+                                 .node;
   if (!triangles.empty())
     scene.meshes.push_back(
         {root, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(triangles.size())});
@@ -120,7 +122,7 @@ void add_tlas(RenderScene& out, const std::vector<Box>& instance_boxes, unsigned
 }
 
 // Appends a box of twelve triangles that face outwards.
-void append_box(const glm::vec3& lower, const glm::vec3& upper, std::vector<gpu::Triangle>& out) {
+void append_box(const glm::vec3& lower, const glm::vec3& upper, LargeVector<gpu::Triangle>& out) {
   for (int axis = 0; axis < 3; ++axis)
     for (const bool far : {false, true}) {
       const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -149,14 +151,15 @@ struct Merged {
 void append_merged(RenderScene& out, const std::vector<Merged>& merged, const MeshSource& meshes,
                    unsigned threads) {
   struct Converted {
-    std::vector<gpu::Triangle> triangles;
+    LargeVector<gpu::Triangle> triangles;
     bool done = false;
   };
   std::vector<Converted> converted(merged.size());
   std::mutex appending;
   std::size_t next = 0;
   run_parallel(merged.size(), meshes.in_parallel ? threads : 1, [&](std::size_t i) {
-    std::vector<gpu::Triangle> triangles;
+    LargeVector<gpu::Triangle> triangles;
+    triangles.reserve(meshes.triangles.at(merged[i].mesh));
     const std::size_t dropped =
         append_mesh(*meshes.read(merged[i].mesh), merged[i].to_model, triangles);
     const std::lock_guard lock(appending);
@@ -217,6 +220,7 @@ void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes
     }
   most = std::min<std::size_t>(most, BVH_LEAF_FIRST_MASK);  // no scene may have more
   out.triangles.reserve(most);
+  out.triangle_order.reserve(most);
   out.nodes.reserve(out.nodes.size() + most / 2);
 
   // Everything that is placed once and does not move becomes one BLAS (one for what casts shadows,

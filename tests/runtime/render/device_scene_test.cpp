@@ -69,6 +69,7 @@ TEST(DeviceScene, GeometryCanBeReleasedOnceTheDeviceHasIt) {
   EXPECT_FALSE(scene.triangles.empty());
   render::DeviceScene released(test_device(), scene, render::ReleaseGeometry{});
   EXPECT_TRUE(scene.triangles.empty());
+  EXPECT_TRUE(scene.triangle_order.empty());
   EXPECT_TRUE(scene.nodes.empty());
   EXPECT_TRUE(scene.instances.empty());
   EXPECT_EQ(scene.lights.size(), 2u);

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "formats/error.h"
+#include "runtime/scene/triangle_pieces.h"
 
 namespace nightcity::scene {
 namespace {
@@ -251,22 +252,22 @@ std::vector<gpu::Triangle> random_triangles(std::size_t count, unsigned seed) {
   return triangles;
 }
 
-template <class T>
-bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+template <class Vector>
+bool same_bytes(const Vector& a, const Vector& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
 }
 
 // Large enough for many tasks.
 TEST(Bvh, TrianglesAndBoxesGiveTheSameBytesForAnyNumberOfThreads) {
   const auto triangles = random_triangles(300'000, 5);
   const auto boxes = random_boxes(200'000, 500, 6);
-  std::vector<gpu::Triangle> first_order;
-  std::vector<gpu::BvhNode> first_nodes;
+  std::vector<std::uint32_t> first_order;
+  LargeVector<gpu::BvhNode> first_nodes;
   Bvh first_boxes;
   for (const unsigned threads : {1u, 2u, 3u, 8u}) {
-    auto order = triangles;
-    std::vector<gpu::BvhNode> nodes;
-    append_bvh(nodes, order, 0, 4, 46, threads);
+    std::vector<std::uint32_t> order(triangles.size());
+    LargeVector<gpu::BvhNode> nodes;
+    append_bvh(nodes, triangles, 0, 4, 46, threads, order);
     Bvh bvh = build_bvh(boxes, 1, 46, {}, threads);
     if (threads == 1) {
       first_order = order;
@@ -281,41 +282,80 @@ TEST(Bvh, TrianglesAndBoxesGiveTheSameBytesForAnyNumberOfThreads) {
   }
 }
 
-TEST(Bvh, InPlaceEveryTriangleIsInOneLeafInsideItsParents) {
-  for (const std::size_t count : {1u, 3u, 5u, 1000u, 100'000u}) {
-    const auto triangles = random_triangles(count, unsigned(count));
-    auto placed = triangles;
-    Bvh bvh;
-    const BvhRoot root = append_bvh(bvh.nodes, placed, 0, 4, 46, 2);
-    bvh.root = root.node;
-    bvh.stack_need = root.stack_need;
-    EXPECT_LE(root.stack_need, 46u);
-    std::vector<Box> boxes(count);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      for (const glm::vec3& corner : {placed[i].v0, placed[i].v1, placed[i].v2})
-        boxes[i].grow(corner);
-      bvh.order.push_back(i);
-    }
-    expect_sound(bvh, boxes, 4);
-    // The features are the triangles' numbers: each is there once, and unchanged.
-    std::sort(placed.begin(), placed.end(),
-              [](const auto& a, const auto& b) { return a.feature < b.feature; });
-    EXPECT_TRUE(same_bytes(placed, triangles)) << count;
-  }
+Box box_of(const gpu::Triangle& triangle) {
+  Box box;
+  for (const glm::vec3& corner : {triangle.v0, triangle.v1, triangle.v2}) box.grow(corner);
+  return box;
 }
 
-TEST(Bvh, InPlaceCountsFromWhereItsTrianglesAndNodesLie) {
-  auto triangles = random_triangles(70'000, 8), behind = triangles;
-  std::vector<gpu::BvhNode> nodes, later(1000);
-  const BvhRoot at_start = append_bvh(nodes, triangles, 0, 4, 46, 2),
-                moved = append_bvh(later, behind, 500, 4, 46, 2);
+TEST(Bvh, EveryTriangleIsInOneLeafInsideItsParents) {
+  for (const std::size_t count : {1u, 3u, 5u, 1000u, 100'000u})
+    for (const std::uint32_t max_leaf : {1u, 4u, 8u}) {
+      const auto triangles = random_triangles(count, unsigned(count));
+      Bvh bvh;
+      bvh.order.resize(count);
+      const BvhRoot root = append_bvh(bvh.nodes, triangles, 0, max_leaf, 46, 2, bvh.order);
+      bvh.root = root.node;
+      bvh.stack_need = root.stack_need;
+      EXPECT_LE(root.stack_need, 46u);
+      std::vector<Box> boxes;
+      for (const gpu::Triangle& triangle : triangles) boxes.push_back(box_of(triangle));
+      expect_sound(bvh, boxes, max_leaf);
+    }
+}
+
+TEST(Bvh, CountsFromWhereItsTrianglesAndNodesLie) {
+  const auto triangles = random_triangles(70'000, 8);
+  LargeVector<gpu::BvhNode> nodes, later(1000);
+  std::vector<std::uint32_t> order(triangles.size()), later_order(triangles.size());
+  const BvhRoot at_start = append_bvh(nodes, triangles, 0, 4, 46, 2, order),
+                moved = append_bvh(later, triangles, 500, 4, 46, 2, later_order);
   EXPECT_EQ(moved.node, at_start.node + 1000);
+  for (std::size_t i = 0; i < order.size(); ++i) ASSERT_EQ(later_order[i], order[i] + 500);
   ASSERT_EQ(later.size(), nodes.size() + 1000);
   for (std::size_t n = 0; n < nodes.size(); ++n)
     for (std::size_t i = 0; i < 4; ++i) {
       const std::uint32_t child = nodes[n].child[i], there = later[n + 1000].child[i];
       ASSERT_EQ(there, child == BVH_EMPTY ? child : child + (child & BVH_LEAF ? 500 : 1000));
     }
+}
+
+// A field of quads, each of two triangles: pairs halve the work, and no leaf parts one.
+TEST(Bvh, HalvesOfAQuadStayTogether) {
+  std::vector<gpu::Triangle> triangles;
+  for (int i = 0; i < 5000; ++i) {
+    const glm::vec3 a(float(i % 70), 0, float(i / 70)), b = a + glm::vec3(0.9f, 0, 0),
+                                                        c = a + glm::vec3(0.9f, 0.5f, 0.9f),
+                                                        d = a + glm::vec3(0, 0.5f, 0.9f);
+    triangles.push_back({a, 0, b, 0, c, 0});
+    triangles.push_back({a, 0, c, 0, d, 0});
+  }
+  EXPECT_EQ(make_pieces(triangles, true, 3).size(), 5000u);
+  EXPECT_EQ(make_pieces(triangles, false, 3).size(), 10'000u);
+  LargeVector<gpu::BvhNode> nodes;
+  std::vector<std::uint32_t> order(triangles.size());
+  append_bvh(nodes, triangles, 0, 4, 46, 2, order);
+  for (std::size_t i = 0; i < order.size(); i += 2) {
+    EXPECT_EQ(order[i] % 2, 0u);
+    EXPECT_EQ(order[i + 1], order[i] + 1);
+  }
+}
+
+// A shallow stack leaves medians only, and no room for pairs where half a leaf would be too deep.
+TEST(Bvh, TrianglesInAShallowStack) {
+  const auto triangles = random_triangles(4000, 2);
+  const std::uint32_t least = needed_stack(triangles.size(), 4);
+  for (const std::uint32_t stack : {least, least + 1, least + 3}) {
+    Bvh bvh;
+    bvh.order.resize(triangles.size());
+    const BvhRoot root = append_bvh(bvh.nodes, triangles, 0, 4, stack, 1, bvh.order);
+    EXPECT_LE(root.stack_need, stack);
+    bvh.root = root.node;
+    bvh.stack_need = root.stack_need;
+    std::vector<Box> boxes;
+    for (const gpu::Triangle& triangle : triangles) boxes.push_back(box_of(triangle));
+    expect_sound(bvh, boxes, 4);
+  }
 }
 
 TEST(Bvh, RefusesWhatTheStackCannotHold) {

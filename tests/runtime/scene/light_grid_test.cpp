@@ -1,9 +1,12 @@
 // The tables that candidates are sampled from: alias table and light grid.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "runtime/scene/alias_table.h"
 #include "runtime/scene/light_grid.h"
@@ -97,6 +100,32 @@ TEST(LightGrid, ACellListsItsStrongestLights) {
   for (const Light& light : lights)
     stronger += scene::light_strength(grid.shape, x, z, light) >= cell.threshold;
   EXPECT_EQ(stronger, cell.count);
+}
+
+// Against a sort of all lights by strength, with classes of flux from 1 to 1000 times the weakest.
+TEST(LightGrid, ListsAreThoseOfASortOfAllLights) {
+  std::vector<Light> lights = random_lamps(3000, 500, 21);
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    lights[i].flux_lm = 20 * std::pow(1000.0f, float(i % 7) / 6);
+  const scene::LightLists lists{25, 100};
+  const scene::LightGrid grid = scene::build_light_grid(lights, lists);
+  for (std::uint32_t z = 0; z < grid.shape.depth; z += 3)
+    for (std::uint32_t x = 0; x < grid.shape.width; ++x) {
+      std::vector<std::pair<float, std::uint32_t>> sorted;
+      for (std::uint32_t i = 0; i < lights.size(); ++i)
+        sorted.emplace_back(-scene::light_strength(grid.shape, x, z, lights[i]), i);
+      std::sort(sorted.begin(), sorted.end());
+      std::size_t count = lists.listed;
+      while (count > 0 && !(-sorted[count - 1].first > -sorted[count].first * 1.0001f)) --count;
+      const gpu::LightCell& cell = grid.cells[z * grid.shape.width + x];
+      ASSERT_EQ(cell.count, count) << x << ", " << z;
+      std::set<std::uint32_t> listed, expected;
+      for (std::uint32_t i = 0; i < cell.count; ++i) {
+        listed.insert(grid.entries[cell.first + i].light);
+        expected.insert(sorted[i].second);
+      }
+      ASSERT_EQ(listed, expected) << x << ", " << z;
+    }
 }
 
 // The search for windows must not end where a stadium's floodlight beyond
