@@ -7,7 +7,6 @@
 #include "formats/finite.h"
 #include "formats/gltf_constants.h"
 #include "formats/gltf_numbers.h"
-#include "formats/picture_mean.h"
 
 namespace nightcity {
 namespace {
@@ -93,12 +92,16 @@ glm::dvec3 MaterialReader::find_mean(const Json& info, bool use_alpha) {
   return glm::dvec3(1);
 }
 
-glm::dvec3 MaterialReader::read_mean(std::size_t image, bool use_alpha) const {
+glm::dvec3 MaterialReader::read_mean(std::size_t image, bool use_alpha) {
   const Json& source = document_.element("images", image);
   const std::string uri = gltf::text(source, "uri");
   const auto view = gltf::index(source, "bufferView");
   if (uri.empty() && !view) throw Error("", "image " + std::to_string(image), "names no picture");
   const auto bytes = uri.empty() ? accessors_.view(*view) : document_.file(uri);
+  if (!budget_.take(bytes))
+    throw Error("", "image " + std::to_string(image),
+                "is not unpacked: the textures of one file may have 268 million pixels and 64 more "
+                "for each of their bytes; make them smaller");
   const auto mean = find_picture_mean(bytes, use_alpha);
   if (!mean)
     throw Error("", "image " + std::to_string(image) + (uri.empty() ? "" : " (" + uri + ")"),

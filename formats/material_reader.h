@@ -12,6 +12,7 @@
 
 #include "formats/gltf_accessor.h"
 #include "formats/gltf_document.h"
+#include "formats/picture_mean.h"
 #include "formats/scene.h"
 
 namespace nightcity {
@@ -34,13 +35,14 @@ class MaterialReader {
  private:
   /// Returns the mean colour of a texture (linear Rec. 709), white where there is none.
   glm::dvec3 find_mean(const gltf::Json& texture, bool use_alpha);
-  glm::dvec3 read_mean(std::size_t image, bool use_alpha) const;
+  glm::dvec3 read_mean(std::size_t image, bool use_alpha);
   void count_other_textures(const gltf::Json& source);
 
   gltf::Document& document_;
   const gltf::AccessorReader& accessors_;
   // By image and whether alpha counts; nothing: the image cannot be read.
   std::map<std::pair<std::size_t, bool>, std::optional<glm::dvec3>> means_;
+  PictureBudget budget_;
   std::size_t averaged_ = 0, unread_ = 0, other_textures_ = 0, specular_ = 0, transparent_ = 0;
   std::string unread_reason_;  // of the first
 };

@@ -62,6 +62,20 @@ bool is_png(std::span<const std::byte> bytes) {
   return bytes.size() > 4 && std::memcmp(bytes.data(), "\x89PNG", 4) == 0;
 }
 
+// Returns whether the first data chunk of a PNG holds data. stb_image 2.27 copies those of an empty
+// one to a null pointer. No writer begins with one.
+bool begins_with_data(std::span<const std::byte> png) {
+  constexpr std::size_t signature = 8, around = 12;  // bytes: length, type, checksum
+  for (std::size_t at = signature; at + around <= png.size();) {
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      length = length << 8 | std::to_integer<std::size_t>(png[at + i]);
+    if (std::memcmp(&png[at + 4], "IDAT", 4) == 0) return length > 0;
+    at += around + length;
+  }
+  return true;  // it refuses a PNG without data itself
+}
+
 glm::dvec3 to_linear(const stbi_uc* pixel) {
   static const auto linear = [] {
     std::array<double, 256> table;
@@ -89,7 +103,8 @@ PixelRange find_range(double low, double high, int size) {
 
 std::optional<Picture> Picture::read(std::span<const std::byte> bytes, std::int64_t max_pixels) {
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return std::nullopt;
-  if (!is_png(bytes) && !has_sound_huffman_tables(bytes)) return std::nullopt;
+  if (is_png(bytes) ? !begins_with_data(bytes) : !has_sound_huffman_tables(bytes))
+    return std::nullopt;
   const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
@@ -130,6 +145,22 @@ std::optional<glm::dvec3> find_picture_mean(std::span<const std::byte> bytes, bo
                                             std::int64_t max_pixels) {
   const std::optional<Picture> picture = Picture::read(bytes, max_pixels);
   return picture ? picture->find_mean(use_alpha) : std::nullopt;
+}
+
+bool PictureBudget::take(std::span<const std::byte> picture) {
+  constexpr std::int64_t pixels_a_byte = 64;
+  if (seen_.insert(picture.data()).second)
+    left_ += pixels_a_byte * static_cast<std::int64_t>(picture.size());
+  int width = 0, height = 0, channels = 0;
+  if (picture.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()) ||
+      !stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(picture.data()),
+                             static_cast<int>(picture.size()), &width, &height, &channels))
+    return true;
+  const std::int64_t pixels = std::int64_t{width} * height;
+  if (pixels > max_picture_pixels) return true;
+  if (pixels > left_) return false;
+  left_ -= pixels;
+  return true;
 }
 
 }  // namespace nightcity

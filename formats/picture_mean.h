@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -45,5 +46,19 @@ class Picture {
 /// picture, it has more than `max_pixels`, or no pixel counts.
 std::optional<glm::dvec3> find_picture_mean(std::span<const std::byte> bytes, bool use_alpha,
                                             std::int64_t max_pixels = max_picture_pixels);
+
+/// Bounds what all pictures of a file may unpack to: four of the largest, and for each byte the 64
+/// pixels that photographs and drawings keep below.
+class PictureBudget {
+ public:
+  /// Returns whether a picture may be unpacked, and counts it then. A picture that comes again, at
+  /// the same address, adds no bytes. One that has too many pixels alone costs nothing: it is not
+  /// unpacked.
+  bool take(std::span<const std::byte> picture);
+
+ private:
+  std::set<const std::byte*> seen_;
+  std::int64_t left_ = 4 * max_picture_pixels;
+};
 
 }  // namespace nightcity

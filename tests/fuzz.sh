@@ -30,6 +30,7 @@ timed "fuzzers, by clang with sanitizers" pipelines/build.sh fuzz "${fuzzers[@]/
 
 # The tests' suppressions: what libraries lose is not for us to free.
 export LSAN_OPTIONS=suppressions=$root/tests/leaks.supp:print_suppressions=0
+export UBSAN_OPTIONS=suppressions=$root/tests/ubsan.supp:print_stacktrace=1
 failures=0
 for name in "${fuzzers[@]}"; do
   say "$name: $seconds s"

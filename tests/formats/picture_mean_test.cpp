@@ -62,6 +62,23 @@ TEST(PictureMean, APartIsCountedFromTheLowerLeftAndRepeats) {
   expect({1e300, 0}, {1e300, 0.2}, {0, 0.75, 0.25});
 }
 
+// Of large pictures of one colour, four are unpacked. Others are not held up by them.
+TEST(PictureBudget, HasRoomForFourLargePicturesAndForThoseThatHaveBytes) {
+  const std::string large = make_white_png(8192, 8192), small = make_white_png(20, 10);
+  const std::string too_large = make_white_png(16384, 16384);
+  PictureBudget budget;
+  const auto take = [&](const std::string& png) {
+    return budget.take(std::as_bytes(std::span(png)));
+  };
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_TRUE(take(large)) << i;
+    EXPECT_TRUE(take(too_large)) << "find_picture_mean refuses it";
+  }
+  EXPECT_FALSE(take(large));
+  EXPECT_TRUE(take(small));
+  EXPECT_TRUE(take("no picture"));
+}
+
 // stb_image 2.27 reads a table that the file does not hold from memory as it finds it.
 TEST(PictureMean, AJpegWithoutItsHuffmanTableDoesNotDependOnWhatTheMemoryHeldBefore) {
   const MappedFile jpeg(std::filesystem::path(NIGHTCITY_SOURCE_DIR) /

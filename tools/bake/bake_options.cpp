@@ -20,6 +20,7 @@ CityInputs to_city_inputs(const Recipe& recipe) {
   inputs.maps = sort_files(recipe.osm.files);
   inputs.max_way_nodes = recipe.osm.max_way_nodes;
   inputs.read = recipe.city.read;
+  inputs.read.max_way_nodes = recipe.osm.max_way_nodes;
   inputs.frame = recipe.city.frame;
   inputs.bounds = recipe.city.bounds;
   inputs.origin_easting = recipe.origin.easting;

@@ -77,11 +77,14 @@ struct ReadOptions {
   MeshPlacement mesh{};
   Textures textures = Textures::none;
   /// Bounds on what a small file may cost; the recipe's keys of the same names raise them.
-  int max_member_mb = 256;              // of text in one member of a CityModel
+  int max_member_mb = 256;              // of text in one member of a CityModel, or city object
   int max_linked_vertices = 8'000'000;  // that the links of a document lead to, and of a member's
   int max_crossings = 16;               // of a polygon's outlines, for each of their points
+  int max_way_nodes = 20'000;           // of a building in a map, over all ways of its outline
   /// Read this piece alone, of a file that FileReader::find_cuts allows to be cut.
   std::optional<TextPiece> piece{};
+
+  std::size_t max_member_bytes() const { return static_cast<std::size_t>(max_member_mb) << 20; }
 };
 
 /// Called on one thread at a time, in file order; objects that refer to geometry of other objects

@@ -165,7 +165,7 @@ bool MemberSplitter::passes_text(const MemberBatch& batch) {
 
 MemberSplitter::Limits limits_of(const city::ReadOptions& options) {
   MemberSplitter::Limits limits;
-  limits.member_bytes = static_cast<std::size_t>(options.max_member_mb) << 20;
+  limits.member_bytes = options.max_member_bytes();
   limits.piece_bytes = std::min(limits.piece_bytes, limits.member_bytes);
   if (options.piece) limits.lines_left_out = options.piece->lines_left_out;
   return limits;

@@ -7,6 +7,7 @@
 
 #include "formats/error.h"
 #include "tools/cityjson/document_index.h"
+#include "tools/cityjson/document_text.h"
 #include "tools/cityjson/feature_reader.h"
 #include "tools/cityjson/object_groups.h"
 #include "tools/cityjson/sample.h"
@@ -21,7 +22,8 @@ constexpr std::size_t vertex_block_bytes = std::size_t{1} << 20;
 // Parses a part of the text, with brackets round it: `parts` joined by commas in an array.
 class PartParser {
  public:
-  PartParser(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  PartParser(std::string_view text, const std::string& name, std::size_t max_bytes)
+      : text_(text), name_(name), max_bytes_(max_bytes) {}
 
   // Parsed values live until the next call.
   std::vector<dom::element> parse(std::span<const std::string_view> parts) {
@@ -30,6 +32,9 @@ class PartParser {
   }
   // For parts that hold several values each, with commas between.
   dom::array parse_inside(std::span<const std::string_view> parts) {
+    std::size_t bytes = 0;
+    for (const std::string_view part : parts) bytes += part.size();
+    if (bytes > max_bytes_) refuse_long_part(name_, find_line(parts), "part", max_bytes_);
     buffer_ = "[";
     for (const std::string_view part : parts) {
       if (buffer_.size() > 1) buffer_ += ',';
@@ -40,15 +45,19 @@ class PartParser {
     buffer_.resize(size + simdjson::SIMDJSON_PADDING, ' ');
     dom::element array;
     if (const auto error = parser_.parse(buffer_.data(), size, false).get(array))
-      throw Error(name_,
-                  line_of(text_, static_cast<std::size_t>(parts.front().data() - text_.data())),
+      throw Error(name_, find_line(parts),
                   std::string("not JSON: ") + simdjson::error_message(error));
     return array;
   }
 
  private:
+  std::size_t find_line(std::span<const std::string_view> parts) const {
+    return line_of(text_, static_cast<std::size_t>(parts.front().data() - text_.data()));
+  }
+
   std::string_view text_;
   const std::string& name_;
+  std::size_t max_bytes_;
   dom::parser parser_;
   std::string buffer_;
 };
@@ -56,11 +65,11 @@ class PartParser {
 // A document, known from its index and its small parts.
 class Document {
  public:
-  Document(std::string_view text, const std::string& name)
-      : text_(text), name_(name), index_(index_document(text, name)) {
+  Document(std::string_view text, const std::string& name, std::size_t max_part)
+      : text_(text), name_(name), max_part_(max_part), index_(index_document(text, name)) {
     for (const auto& [key, value] : index_.members) {
       if (key == "vertices") continue;
-      parsers_.emplace_back(text, name);
+      parsers_.emplace_back(text, name, max_part);
       const std::vector<dom::element> parsed = parsers_.back().parse(std::span(&value, 1));
       shared_.read(key, parsed.front(), where(value), skipped_);
     }
@@ -89,7 +98,7 @@ class Document {
           return block;
         },
         [&](std::string_view block) {
-          PartParser parser(text_, name_);
+          PartParser parser(text_, name_, max_part_);
           return read_vertices(parser.parse_inside(std::span(&block, 1)), shared_.transform);
         },
         [&](std::vector<glm::dvec3>&& block) {
@@ -117,6 +126,7 @@ class Document {
 
   std::string_view text_;
   const std::string& name_;
+  std::size_t max_part_;
   DocumentIndex index_;
   std::deque<PartParser> parsers_;  // hold what shared_ refers to
   SharedParts shared_;
@@ -127,7 +137,11 @@ class DocumentReader {
  public:
   DocumentReader(std::string_view text, const std::string& name, const city::ReadOptions& options,
                  const city::ObjectStage& stage)
-      : text_(text), name_(name), options_(options), stage_(stage), document_(text, name) {}
+      : text_(text),
+        name_(name),
+        options_(options),
+        stage_(stage),
+        document_(text, name, options.max_member_bytes()) {}
 
   city::ReadReport read() {
     report_.version = document_.shared().version;
@@ -159,12 +173,12 @@ class DocumentReader {
     if (raw.find('\\') == std::string_view::npos) return raw;
     const std::string quoted = "\"" + std::string(raw) + "\"";
     const std::string_view part = quoted;
-    PartParser parser(part, name_);
+    PartParser parser(part, name_, options_.max_member_bytes());
     return unescaped_.emplace_back(to_text(parser.parse(std::span(&part, 1)).front()));
   }
 
   void list_nodes() {
-    PartParser parser(text_, name_);
+    PartParser parser(text_, name_, options_.max_member_bytes());
     nodes_.reserve(document_.objects().size());
     for (const ObjectText& object : document_.objects()) {
       ObjectNode& node = nodes_.emplace_back();
@@ -198,7 +212,7 @@ class DocumentReader {
 
   Batch read_groups(const Groups& groups) const {
     Batch batch;
-    PartParser parser(text_, name_);
+    PartParser parser(text_, name_, options_.max_member_bytes());
     const GeometrySources sources{vertices_, &document_.shared(), &document_.shared().materials};
     std::vector<std::string_view> parts;
     std::vector<GroupMember> group;
@@ -245,10 +259,11 @@ city::ReadReport read_document(std::string_view text, const std::string& name,
   return DocumentReader(text, name, options, stage).read();
 }
 
-city::CityHead read_document_head(std::string_view text, const std::string& name) {
-  Document document(text, name);
+city::CityHead read_document_head(std::string_view text, const std::string& name,
+                                  const city::ReadOptions& options) {
+  Document document(text, name, options.max_member_bytes());
   Sample sample;
-  PartParser parser(text, name);
+  PartParser parser(text, name, options.max_member_bytes());
   for (const ObjectText& object : document.objects()) {
     if (sample.is_full()) break;
     sample.add_object(parser.parse(std::span(&object.value, 1)).front());

@@ -14,6 +14,7 @@ city::ReadReport read_document(std::string_view text, const std::string& name,
                                const city::ReadOptions& options, const city::ObjectStage& stage);
 
 /// Returns CRS and first vertices.
-city::CityHead read_document_head(std::string_view text, const std::string& name);
+city::CityHead read_document_head(std::string_view text, const std::string& name,
+                                  const city::ReadOptions& options);
 
 }  // namespace nightcity::cityjson

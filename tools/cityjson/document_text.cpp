@@ -16,8 +16,6 @@ constexpr std::size_t block_bytes = std::size_t{1} << 20;
 constexpr std::size_t first_block_bytes = std::size_t{1} << 15;
 // The first line of a CityJSONSeq holds no city object; one longer than this is a CityJSON.
 constexpr std::size_t max_first_line = std::size_t{64} << 20;
-// simdjson parses no more than 4 GB at once.
-constexpr std::size_t max_line = std::size_t{2} << 30;
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 bool is_blank(std::string_view text) {
@@ -31,6 +29,13 @@ bool begins_sequence(std::string_view text) {
 }
 
 }  // namespace
+
+void refuse_long_part(const std::string& name, std::size_t line, const std::string& what,
+                      std::size_t max_bytes) {
+  throw Error(name, line,
+              "a " + what + " of more than " + std::to_string(max_bytes >> 20) +
+                  " MB is refused: if it is right, raise [city] max_member_mb in a recipe");
+}
 
 DocumentText::DocumentText(const city::Document& document, bool on_disk) {
   if (on_disk) {
@@ -75,7 +80,7 @@ std::optional<LineReader::Lines> LineReader::next() {
   std::size_t end = std::string::npos;  // behind the last line feed
   while (end == std::string::npos) {
     const std::size_t size = lines.bytes.size();
-    if (size > max_line) throw Error(name_, line_, "a line of more than 2 GB");
+    if (size > max_line_) refuse_long_part(name_, line_, "line", max_line_);
     block_ = std::clamp(2 * block_, first_block_bytes, block_bytes);
     const std::size_t wanted = std::max(block_, size);
     lines.bytes.resize(size + wanted);

@@ -32,11 +32,16 @@ class DocumentText {
   bool is_sequence_ = false;
 };
 
+/// Throws Error for a line or object of more than `max_bytes`, which names the key that allows more.
+[[noreturn]] void refuse_long_part(const std::string& name, std::size_t line,
+                                   const std::string& what, std::size_t max_bytes);
+
 /// Reads the lines of a document, many at a time.
 class LineReader {
  public:
-  explicit LineReader(const city::Document& document)
-      : name_(document.name), source_(document.open()) {}
+  /// `max_line`: bytes of a line, at most.
+  LineReader(const city::Document& document, std::size_t max_line)
+      : name_(document.name), source_(document.open()), max_line_(max_line) {}
 
   /// Whole lines, followed by `padding` bytes that belong to none.
   struct Lines {
@@ -50,6 +55,7 @@ class LineReader {
  private:
   std::string name_;
   std::unique_ptr<city::ByteSource> source_;
+  std::size_t max_line_;
   std::string rest_;  // of a line whose end has not been read
   std::size_t line_ = 1;
   std::size_t block_ = 0;  // bytes of the last read

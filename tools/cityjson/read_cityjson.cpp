@@ -64,12 +64,14 @@ bool begins_as_cityjson(std::string_view start) {
   return false;
 }
 
-city::CityHead read_cityjson_head(const std::filesystem::path& file, const city::ReadOptions&) {
+city::CityHead read_cityjson_head(const std::filesystem::path& file,
+                                  const city::ReadOptions& options) {
   city::CityHead head;
   for (const city::Document& document : list_cityjson(file, nullptr)) {
     const DocumentText content(document, !document.packed);
-    city::CityHead one = content.is_sequence() ? read_sequence_head(document)
-                                               : read_document_head(content.text(), document.name);
+    city::CityHead one = content.is_sequence()
+                             ? read_sequence_head(document, options)
+                             : read_document_head(content.text(), document.name, options);
     if (head.version.empty()) head.version = one.version;
     if (head.srs_name.empty()) head.srs_name = one.srs_name;
     head.sample = std::move(one.sample);

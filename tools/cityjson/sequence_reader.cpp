@@ -56,7 +56,10 @@ class SequenceReader {
  public:
   SequenceReader(const city::Document& document, const city::ReadOptions& options,
                  const city::ObjectStage& stage)
-      : document_(document), options_(options), stage_(stage), lines_(document) {}
+      : document_(document),
+        options_(options),
+        stage_(stage),
+        lines_(document, options.max_member_bytes()) {}
 
   city::ReadReport read() {
     read_header();
@@ -123,13 +126,14 @@ city::ReadReport read_sequence(const city::Document& document, const city::ReadO
   return SequenceReader(document, options, stage).read();
 }
 
-city::CityHead read_sequence_head(const city::Document& document) {
+city::CityHead read_sequence_head(const city::Document& document,
+                                  const city::ReadOptions& options) {
   city::CityHead head;
   city::SkipCounter unused;
   Header header;
   dom::parser parser;
   bool has_header = false;
-  LineReader reader(document);
+  LineReader reader(document, options.max_member_bytes());
   while (const auto lines = reader.next()) {
     for_each_line(*lines, [&](std::string_view line, std::size_t number) {
       if (!has_header) {

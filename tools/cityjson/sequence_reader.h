@@ -12,6 +12,6 @@ city::ReadReport read_sequence(const city::Document& document, const city::ReadO
                                const city::ObjectStage& stage);
 
 /// Returns CRS and first vertices.
-city::CityHead read_sequence_head(const city::Document& document);
+city::CityHead read_sequence_head(const city::Document& document, const city::ReadOptions& options);
 
 }  // namespace nightcity::cityjson

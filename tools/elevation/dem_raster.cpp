@@ -7,7 +7,8 @@
 
 namespace nightcity::elevation {
 
-DemRaster::DemRaster(const std::filesystem::path& file) : model_(file) {
+DemRaster::DemRaster(const std::filesystem::path& file, int max_block_mpx)
+    : model_(file, max_block_mpx) {
   if (!model_.has_crs()) throw Error(file.string(), "names no coordinate reference system");
 }
 

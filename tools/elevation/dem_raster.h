@@ -12,9 +12,10 @@ namespace nightcity::elevation {
 
 class DemRaster {
  public:
-  /// Opens the raster's first band, metres. Throws Error: missing, no raster, no CRS or no place on
-  /// the Earth.
-  explicit DemRaster(const std::filesystem::path& file);
+  /// Opens the raster's first band, metres. Throws Error: missing, no raster, no CRS, no place on
+  /// the Earth, or blocks of more than `max_block_mpx` million pixels.
+  explicit DemRaster(const std::filesystem::path& file,
+                     int max_block_mpx = terrain::default_max_block_mpx);
 
   /// Returns the height at WGS 84 degrees, bilinear between the centres of cells; none outside the
   /// raster and beside a cell without data. Throws Error where the raster cannot be read.

@@ -71,6 +71,46 @@ class Places : public osmium::handler::Handler {
   bool sorted_ = false;
 };
 
+// What an assembler leaves out. The manager makes one for each area, from a copy of its
+// configuration.
+struct TooLong {
+  std::unordered_set<osmium::object_id_type> ways;
+  std::size_t relations = 0;
+};
+
+// libosmium's assembler of areas, for areas of a bounded number of nodes.
+class BoundedAssembler {
+ public:
+  struct config_type {
+    osmium::area::AssemblerConfig assembler;
+    std::size_t max_nodes;
+    TooLong* too_long;
+  };
+  explicit BoundedAssembler(const config_type& config)
+      : config_(config), assembler_(config.assembler) {}
+
+  void operator()(const osmium::Way& way, osmium::memory::Buffer& out) {
+    if (way.nodes().size() > config_.max_nodes)
+      config_.too_long->ways.insert(way.id());
+    else
+      assembler_(way, out);
+  }
+  void operator()(const osmium::Relation& relation, const std::vector<const osmium::Way*>& ways,
+                  osmium::memory::Buffer& out) {
+    std::size_t nodes = 0;
+    for (const osmium::Way* way : ways) nodes += way->nodes().size();
+    if (nodes > config_.max_nodes)
+      ++config_.too_long->relations;
+    else
+      assembler_(relation, ways, out);
+  }
+  const osmium::area::area_stats& stats() const { return assembler_.stats(); }
+
+ private:
+  config_type config_;
+  osmium::area::Assembler assembler_;
+};
+
 class Collector : public osmium::handler::Handler {
  public:
   void area(const osmium::Area& area) {
@@ -106,14 +146,16 @@ class Collector : public osmium::handler::Handler {
   }
 
   // Removes what newer versions have replaced or deleted.
-  MapAreas finish(const Places& places) && {
+  MapAreas finish(const Places& places, const TooLong& too_long) && {
+    areas.too_long = too_long.ways.size() + too_long.relations;
     for (const auto& [id, version] : places.deleted_ways) {
       const auto known = newest_.find(osmium::object_id_to_area_id(id, osmium::item_type::way));
       if (known != newest_.end() && known->second.version < version)
         (known->second.building ? areas.buildings : areas.parts)[known->second.place].rings.clear();
     }
     for (const osmium::object_id_type id : places.building_ways)
-      areas.broken += !made_ways_.contains(id) && !places.deleted_ways.contains(id);
+      areas.broken += !made_ways_.contains(id) && !places.deleted_ways.contains(id) &&
+                      !too_long.ways.contains(id);
     const auto is_gone = [](const MapArea& area) { return area.rings.empty(); };
     std::erase_if(areas.buildings, is_gone);
     std::erase_if(areas.parts, is_gone);
@@ -156,14 +198,14 @@ auto guard(const std::filesystem::path& file, const Work& work) {
 
 }  // namespace
 
-MapAreas read_map_areas(const std::filesystem::path& file) {
+MapAreas read_map_areas(const std::filesystem::path& file, std::size_t max_nodes) {
   return guard(file, [&] {
     const osmium::io::File map = open_map(file);
     osmium::TagsFilter filter{false};
     filter.add_rule(true, "building");
     filter.add_rule(true, "building:part");
-    osmium::area::AssemblerConfig config;
-    osmium::area::MultipolygonManager<osmium::area::Assembler> manager{config, filter};
+    TooLong too_long;
+    osmium::area::MultipolygonManager<BoundedAssembler> manager{{{}, max_nodes, &too_long}, filter};
     osmium::relations::read_relations(map, manager);
     Places places;
     Collector collector;
@@ -172,7 +214,7 @@ MapAreas read_map_areas(const std::filesystem::path& file) {
       osmium::apply(buffer, collector);
     }));
     reader.close();
-    MapAreas areas = std::move(collector).finish(places);
+    MapAreas areas = std::move(collector).finish(places, too_long);
     std::size_t incomplete = 0;
     manager.for_each_incomplete_relation(
         [&](const osmium::relations::RelationHandle&) { ++incomplete; });

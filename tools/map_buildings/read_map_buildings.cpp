@@ -185,11 +185,14 @@ city::CityHead read_map_head(const std::filesystem::path& file, const city::Read
 city::ReadReport read_map_buildings(const std::filesystem::path& file,
                                     const city::ReadOptions& options,
                                     const city::ObjectStage& stage) {
-  const MapAreas areas = read_map_areas(file);
+  const MapAreas areas = read_map_areas(file, static_cast<std::size_t>(options.max_way_nodes));
   city::ReadReport report;
   report.srs_name = "EPSG:4326";
   if (areas.broken > 0)
     report.skipped["outline that crosses itself, is open or incomplete"] = areas.broken;
+  if (areas.too_long > 0)
+    report.skipped["building of more nodes than [osm] max_way_nodes = " +
+                   std::to_string(options.max_way_nodes)] = areas.too_long;
 
   const PartIndex index(areas.buildings);
   std::vector<std::vector<const MapArea*>> parts(areas.buildings.size());

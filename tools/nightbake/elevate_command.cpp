@@ -54,7 +54,8 @@ Outcome elevate(const ElevateArguments& arguments) {
   bake::City city(options.city);
   elevation::ElevationSources sources;
   std::optional<elevation::DemRaster> dem;
-  if (!arguments.dem.empty()) sources.dem = &dem.emplace(arguments.dem);
+  if (!arguments.dem.empty())
+    sources.dem = &dem.emplace(arguments.dem, options.city.ground.max_dem_block_mpx);
   ShownProgress progress;
   if (city.has_model()) {
     city.require_lon_lat("lamps have no place in it");

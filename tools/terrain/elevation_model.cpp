@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/common.hpp>
 #include <limits>
 #include <string>
@@ -44,6 +45,16 @@ std::vector<GDALRasterBand*> find_masks(GDALDataset& dataset, GDALRasterBand& he
     if (dataset.GetRasterBand(i)->GetColorInterpretation() == GCI_AlphaBand)
       masks.push_back(dataset.GetRasterBand(i));
   return masks;
+}
+
+void refuse_large_blocks(GDALRasterBand& band, int max_mpx, const std::string& name) {
+  int width = 0, height = 0;
+  band.GetBlockSize(&width, &height);
+  if (std::int64_t{width} * height > std::int64_t{max_mpx} * 1'000'000)
+    throw Error(name, "comes in blocks of " + std::to_string(width) + " x " +
+                          std::to_string(height) +
+                          " pixels: write it in tiles (gdal_translate -co TILED=YES), or raise "
+                          "[terrain] max_dem_block_mpx in a recipe");
 }
 
 }  // namespace
@@ -90,7 +101,7 @@ glm::dvec2 ElevationModel::State::find_pixel(const glm::dvec2& place) const {
   return pixel;
 }
 
-ElevationModel::ElevationModel(const std::filesystem::path& file)
+ElevationModel::ElevationModel(const std::filesystem::path& file, int max_block_mpx)
     : state_(std::make_unique<State>()) {
   gdal::register_drivers();
   const gdal::Guard guard;
@@ -109,6 +120,8 @@ ElevationModel::ElevationModel(const std::filesystem::path& file)
   refuse_picture(*s.dataset, s.name);
   s.band = s.dataset->GetRasterBand(1);
   s.masks = find_masks(*s.dataset, *s.band);
+  for (int i = 1; i <= s.dataset->GetRasterCount(); ++i)
+    refuse_large_blocks(*s.dataset->GetRasterBand(i), max_block_mpx, s.name);
   double from_pixel[6];
   if (s.dataset->GetGeoTransform(from_pixel) != CE_None ||
       !GDALInvGeoTransform(from_pixel, s.to_pixel))

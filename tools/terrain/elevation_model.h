@@ -8,11 +8,17 @@
 
 namespace nightcity::terrain {
 
+/// Millions of pixels. Blocks of rasters are tiles of 256 to 1024 pixels a side, or some rows.
+constexpr int default_max_block_mpx = 64;
+
 class ElevationModel {
  public:
   /// Opens band 1 of the raster. Throws Error: missing, no raster, no place on earth (no
-  /// geotransform), a picture in colours, heights in a unit that is not known.
-  explicit ElevationModel(const std::filesystem::path& file);
+  /// geotransform), a picture in colours, heights in a unit that is not known, blocks of more than
+  /// `max_block_mpx` million pixels. A raster is read in windows, so that its own size costs
+  /// nothing, but GDAL unpacks blocks as a whole.
+  explicit ElevationModel(const std::filesystem::path& file,
+                          int max_block_mpx = default_max_block_mpx);
   ~ElevationModel();
   ElevationModel(ElevationModel&&) noexcept;
 

@@ -28,8 +28,9 @@ struct TripPlan {
   std::uint32_t id = 0;
 };
 
-/// Trips of a cycle. A whole city of 10,000 vehicles has some 40,000 in ten minutes.
-constexpr std::size_t default_max_trips = 200'000;
+/// Trips of a cycle. A whole city of 10,000 vehicles has some 40,000 in ten minutes. Planning and
+/// simulating 50,000 takes about a minute of one core.
+constexpr std::size_t default_max_trips = 100'000;
 
 struct Demand {
   double vehicles = 0;  // on the road at once; 0: no traffic

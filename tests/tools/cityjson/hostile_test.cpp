@@ -31,6 +31,30 @@ TEST(HostileCityJson, BrokenJsonIsAnErrorWithItsLine) {
     EXPECT_NE(error_of(text), "read") << text;
 }
 
+// A feature of a sequence is a line, and a document is read part by part: both as CityGML's members.
+TEST(HostileCityJson, ALineOrPartThatIsTooLongNamesTheKeyThatAllowsIt) {
+  const std::string blanks(3 << 20, ' ');
+  const std::string document =
+      city_json(object("a", "Building", solid(), "\"attributes\":{\"x\":\"" + blanks + "\"}"));
+  const std::string header = city_json("") + "\n";
+  const std::string sequence = header + "{\"type\":\"CityJSONFeature\",\"id\":\"" + blanks +
+                               "\",\"CityObjects\":{},\"vertices\":[]}\n";
+  for (const std::string& text : {document, sequence}) {
+    city::ReadOptions options;
+    options.max_member_mb = 1;
+    std::string message;
+    try {
+      read_city(text, options);
+    } catch (const Error& error) {
+      message = error.what();
+    }
+    EXPECT_NE(message.find("more than 1 MB is refused"), std::string::npos) << message;
+    EXPECT_NE(message.find("[city] max_member_mb"), std::string::npos) << message;
+    options.max_member_mb = 4;
+    EXPECT_NO_THROW(read_city(text, options));
+  }
+}
+
 TEST(HostileCityJson, OtherVersionsAndKindsAreNamed) {
   EXPECT_NE(error_of("{\"type\":\"CityJSON\",\"version\":\"0.9\"}").find("cjio upgrade"),
             std::string::npos);

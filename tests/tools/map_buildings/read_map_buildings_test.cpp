@@ -197,6 +197,31 @@ TEST(MapBuildings, OutlinesThatEncloseNothingAreCountedAndNothingElseIsLost) {
   EXPECT_EQ(report.skipped.at("outline that crosses itself, is open or incomplete"), 4u);
 }
 
+// A way of five nodes, and a multipolygon of two such ways.
+TEST(MapBuildings, AreasOfTooManyNodesAreLeftOutAndCounted) {
+  Map map;
+  map.add_rectangle(0, 0, 10, 6, "building=yes");
+  const int outer = map.add_rectangle(50, 0, 20, 20, ""),
+            inner = map.add_rectangle(55, 5, 5, 5, "");
+  map.add_multipolygon(outer, inner, "building=yes");
+  const TemporaryFile file(map.text(), ".osm");
+  const auto read_with = [&](int max_way_nodes) {
+    city::ReadOptions options;
+    options.max_way_nodes = max_way_nodes;
+    std::size_t objects = 0;
+    const city::ObjectSink sink = [&](city::CityObject&&) { ++objects; };
+    const city::ReadReport report =
+        read_map_buildings(file.path(), options, city::deliver_to(sink));
+    const auto noted = report.skipped.find("building of more nodes than [osm] max_way_nodes = " +
+                                           std::to_string(max_way_nodes));
+    EXPECT_FALSE(report.skipped.contains("outline that crosses itself, is open or incomplete"));
+    return std::pair(objects, noted == report.skipped.end() ? 0 : noted->second);
+  };
+  EXPECT_EQ(read_with(10), std::pair(std::size_t{2}, std::size_t{0}));
+  EXPECT_EQ(read_with(9), std::pair(std::size_t{1}, std::size_t{1}));
+  EXPECT_EQ(read_with(4), std::pair(std::size_t{0}, std::size_t{2}));
+}
+
 TEST(MapBuildings, SizesStayConsistentWhateverTheTagsSay) {
   city::SkipCounter notes;
   for (const char* height : {"", "0", "0.1", "5", "1000", "1e9", "-3", "nan", "x"})

@@ -216,6 +216,29 @@ TEST(ElevationModel, PlacesFarApartAreReadWithoutTheWorldBetween) {
   EXPECT_NEAR(heights[1], plane(2999, -2999), 1e-6);
 }
 
+// GDAL unpacks a block as a whole: here one of all rows.
+TEST(ElevationModel, BlocksOfTooManyPixelsNameTheKeyThatAllowsThem) {
+  const TempFolder folder;
+  GDALAllRegister();
+  const char* one_strip[] = {"BLOCKYSIZE=1200", "COMPRESS=DEFLATE", nullptr};
+  {
+    GDALDatasetUniquePtr set(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+        (folder / "strip.tif").c_str(), 1000, 1200, 1, GDT_Float32, const_cast<char**>(one_strip)));
+    ASSERT_TRUE(set);
+    double transform[6] = {391000, 1, 0, 5819000, 0, -1};
+    set->SetGeoTransform(transform);
+  }
+  EXPECT_NO_THROW(ElevationModel(folder / "strip.tif", 2));
+  try {
+    ElevationModel(folder / "strip.tif", 1);
+    FAIL() << "was read";
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("1000 x 1200 pixels"), std::string::npos) << text;
+    EXPECT_NE(text.find("[terrain] max_dem_block_mpx"), std::string::npos) << text;
+  }
+}
+
 TEST(ElevationModel, RefusesWhatIsNoRaster) {
   const TempFolder folder;
   test::write_text(folder / "text.tif", "heights");

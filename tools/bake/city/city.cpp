@@ -49,7 +49,7 @@ City::City(CityInputs inputs, const std::filesystem::path& scratch)
     : inputs_(std::move(inputs)), terrain_(scratch), ground_(terrain_, inputs_.ground) {
   if (!inputs_.files.empty()) frames_.emplace(inputs_);
   if (has_model() && inputs_.ground.carries_buildings) {
-    heights_.emplace(inputs_.ground.elevation_models, frame());
+    heights_.emplace(inputs_.ground, frame());
     const glm::dvec2 middle(frames_->reference());
     frames_->raise_reference(heights_->at({&middle, 1}).front());
   }

@@ -204,7 +204,7 @@ GroundReport GroundBuilder::build(const georeference::CityFrame& frame, const Sh
 
 std::string GroundBuilder::build_dem_ground(const georeference::CityFrame& frame,
                                             const ShowGround& show) {
-  const GroundHeights heights(options_.elevation_models, frame);
+  const GroundHeights heights(options_, frame);
   const double shift_m = options_.carries_buildings ? 0 : shift_to_city(heights, terrain_);
   const std::set<Tile> under = widened(occupied_, options_.tile_m, options_.margin_m);
   GridGround ground(heights, options_.tile_m, under.size(), shift_m);

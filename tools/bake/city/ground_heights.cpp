@@ -8,11 +8,10 @@
 
 namespace nightcity::bake {
 
-GroundHeights::GroundHeights(const std::vector<std::filesystem::path>& files,
-                             const georeference::CityFrame& city)
+GroundHeights::GroundHeights(const GroundOptions& options, const georeference::CityFrame& city)
     : city_(city) {
-  for (const auto& file : files) {
-    models_.emplace_back(file);
+  for (const auto& file : options.elevation_models) {
+    models_.emplace_back(file, options.max_dem_block_mpx);
     if (models_.back().has_crs() && !city_.has_lon_lat())
       throw Error(file.string(), "cannot be placed under a city that names no CRS: set [city] crs");
     finest_ = std::min(finest_, models_.back().resolution_m());

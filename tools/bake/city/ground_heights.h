@@ -1,13 +1,13 @@
 // Heights of elevation models, asked in the city's coordinates.
 #pragma once
 
-#include <filesystem>
 #include <glm/vec2.hpp>
 #include <limits>
 #include <mutex>
 #include <span>
 #include <vector>
 
+#include "tools/bake/city/ground_options.h"
 #include "tools/georeference/frame.h"
 #include "tools/terrain/elevation_model.h"
 
@@ -17,8 +17,7 @@ class GroundHeights {
  public:
   /// Opens the models. `city` must outlive the object. Throws Error as ElevationModel does, and
   /// where a model names a CRS and the city names none.
-  GroundHeights(const std::vector<std::filesystem::path>& files,
-                const georeference::CityFrame& city);
+  GroundHeights(const GroundOptions& options, const georeference::CityFrame& city);
 
   /// Returns the least distance of neighbouring heights of the models, m.
   double finest_m() const { return finest_; }

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "tools/terrain/elevation_model.h"
+
 namespace nightcity::bake {
 
 struct GroundOptions {
@@ -12,6 +14,7 @@ struct GroundOptions {
   std::vector<std::filesystem::path> elevation_models;
   /// The city's objects stand on the elevation models already: these are not moved to meet them.
   bool carries_buildings = false;
+  int max_dem_block_mpx = terrain::default_max_block_mpx;
   bool make_surface = true;  // show the surface that is made where there is neither
   double margin_m = 50;      // how far made ground reaches beyond the city
   double tile_m = 250;       // side of the tiles that the ground comes in

@@ -119,8 +119,9 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
            "obj_max_vertices", city.read.mesh.max_vertices, 1, 2'000'000'000,
            "A limit: the bake ends at a Wavefront OBJ of more vertices. One takes 24 bytes."),
        integer_key("max_member_mb", city.read.max_member_mb, 1, 65536,
-                   "A limit: the bake ends at a member of the model (an object with all its parts) "
-                   "that is longer, in MB of text. Reading takes some ten times as much memory."),
+                   "A limit: the bake ends at a member of the model (an object with all its parts; "
+                   "in CityJSONSeq a line) that is longer, in MB of text. Reading takes some ten "
+                   "times as much memory."),
        integer_key("max_linked_vertices", city.read.max_linked_vertices, 1, 1'000'000'000,
                    "A limit: links between the objects of a file are followed until they have led "
                    "to this many vertices. What lies beyond is skipped and counted."),

@@ -43,7 +43,8 @@ Table make_osm_table(bake::Recipe::Osm& osm, const fs::path& folder) {
                     "The attribution that both output files carry."),
            integer_key("max_way_nodes", osm.max_way_nodes, 2, 100'000'000,
                        "A limit: streets, buildings and lamps of more nodes are left out, with a "
-                       "note. OpenStreetMap itself allows 2000.")}};
+                       "note; of a multipolygon, the nodes of all its ways count. OpenStreetMap "
+                       "itself allows 2000 for a way.")}};
 }
 
 Table make_terrain_table(bake::GroundOptions& terrain, const fs::path& folder) {
@@ -53,6 +54,10 @@ Table make_terrain_table(bake::GroundOptions& terrain, const fs::path& folder) {
                      "Digital elevation models in a raster format that GDAL reads, except those "
                      "that lead to other files or the network (VRT, WMS). They are not "
                      "used where the city model has a relief of its own."),
+           integer_key("max_dem_block_mpx", terrain.max_dem_block_mpx, 1, 10'000,
+                       "A limit: the bake ends at an elevation model whose blocks (tiles or rows, "
+                       "which are unpacked as a whole) have more pixels, in millions. The size of "
+                       "the model itself does not matter."),
            flag_key("make_surface", terrain.make_surface,
                     "Where there is neither a relief nor an elevation model, makes a ground "
                     "surface through the footprints of the buildings."),
