@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "formats/error.h"
+#include "formats/finite.h"
 #include "formats/light_file.h"
 #include "support/fuzz_file.h"
 #include "tests/formats/light_file_checksums.h"
@@ -20,9 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     lights.verify();
     if (lights.provenance().size() != lights.lights().size()) std::abort();
     for (const Light& light : lights.lights())
-      if (!(light.flux_lm > 0) ||
-          !std::isfinite(light.position.x + light.position.y + light.position.z))
-        std::abort();
+      if (!(light.flux_lm > 0) || !finite(light.position)) std::abort();
     for (const LightProfile& profile : lights.profiles())
       if (profile.data_offset + std::uint64_t{profile.c_count} * profile.gamma_count >
           lights.profile_data().size())

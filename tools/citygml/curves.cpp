@@ -28,13 +28,16 @@ bool holds_curves(std::string_view local) {
 }
 
 // Returns the centre of the circle through three points, relative to `a`; none where they lie on
-// one line.
+// one line, or so far apart that there is no number for it.
 std::optional<glm::dvec3> find_centre(const glm::dvec3& a, const glm::dvec3& b,
                                       const glm::dvec3& c) {
   const glm::dvec3 u = b - a, v = c - a, normal = glm::cross(u, v);
   const double n = glm::dot(normal, normal), uu = glm::dot(u, u), vv = glm::dot(v, v);
-  if (!(n > 1e-12 * uu * vv)) return std::nullopt;
-  return (vv * glm::cross(normal, u) + uu * glm::cross(v, normal)) / (2 * n);
+  if (!(n > 1e-12 * uu * vv) || !std::isfinite(n)) return std::nullopt;
+  const glm::dvec3 centre = (vv * glm::cross(normal, u) + uu * glm::cross(v, normal)) / (2 * n);
+  // Squares of the radius are to be numbers too.
+  return std::isfinite(glm::dot(centre, centre) * glm::dot(centre, centre)) ? std::optional(centre)
+                                                                            : std::nullopt;
 }
 
 // Appends the arc from `a` through `b` to `c`, without `a`: chords on the circle through the three.

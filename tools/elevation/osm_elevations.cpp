@@ -15,6 +15,7 @@
 #include "formats/atomic_file.h"
 #include "formats/error.h"
 #include "formats/input_file.h"
+#include "tools/osm/whole_tags.h"
 
 namespace nightcity::elevation {
 namespace {
@@ -110,6 +111,8 @@ std::size_t copy_packed(const fs::path& input, const fs::path& output, const std
     while (osmium::memory::Buffer buffer = reader.read()) {
       osmium::memory::Buffer changed(buffer.committed() + 1024,
                                      osmium::memory::Buffer::auto_grow::yes);
+      for (const osmium::OSMObject& object : buffer.select<osmium::OSMObject>())
+        osm::require_whole_tags(object.tags());
       for (const osmium::OSMEntity& entity : buffer.select<osmium::OSMEntity>()) {
         const auto height = entity.type() == osmium::item_type::node
                                 ? heights.find(static_cast<const osmium::Node&>(entity).id())

@@ -16,6 +16,7 @@
 
 #include "formats/error.h"
 #include "tools/osm/osm_marks.h"
+#include "tools/osm/whole_tags.h"
 
 namespace nightcity::map_buildings {
 namespace {
@@ -34,6 +35,11 @@ osmium::io::File open_map(const std::filesystem::path& file) {
                                                      : "osm";
   return osmium::io::File(file.string(), format);
 }
+
+// Comes before all that looks at tags.
+struct TagCheck : osmium::handler::Handler {
+  void osm_object(const osmium::OSMObject& object) { osm::require_whole_tags(object.tags()); }
+};
 
 // Gives ways the places of their nodes, unless they hold them themselves.
 class Places : public osmium::handler::Handler {
@@ -206,11 +212,15 @@ MapAreas read_map_areas(const std::filesystem::path& file, std::size_t max_nodes
     filter.add_rule(true, "building:part");
     TooLong too_long;
     osmium::area::MultipolygonManager<BoundedAssembler> manager{{{}, max_nodes, &too_long}, filter};
-    osmium::relations::read_relations(map, manager);
+    TagCheck check;
+    osmium::io::Reader relations(map, osmium::osm_entity_bits::relation);
+    osmium::apply(relations, check, manager);
+    relations.close();
+    manager.prepare_for_lookup();
     Places places;
     Collector collector;
     osmium::io::Reader reader(map, osmium::osm_entity_bits::nwr, osmium::io::read_meta::yes);
-    osmium::apply(reader, places, manager.handler([&](osmium::memory::Buffer&& buffer) {
+    osmium::apply(reader, check, places, manager.handler([&](osmium::memory::Buffer&& buffer) {
       osmium::apply(buffer, collector);
     }));
     reader.close();

@@ -8,11 +8,13 @@
 #include "formats/error.h"
 #include "tools/osm/osm_collector.h"
 #include "tools/osm/osm_parsers.h"
+#include "tools/osm/whole_tags.h"
 
 namespace nightcity::osm {
 namespace {
 
 OsmTags tags_of(const osmium::OSMObject& object) {
+  require_whole_tags(object.tags());
   OsmTags tags;
   for (const osmium::Tag& tag : object.tags()) tags.emplace(tag.key(), tag.value());
   return tags;

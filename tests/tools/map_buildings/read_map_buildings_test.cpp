@@ -251,6 +251,13 @@ TEST(MapBuildings, TheHeadLiesWhereTheMapDoes) {
   EXPECT_NEAR(head.sample[0].y, 0, 0.001);
 }
 
+TEST(MapBuildings, ATagWithAZeroByteIsAnError) {
+  const auto file = std::filesystem::path(NIGHTCITY_SOURCE_DIR) /
+                    "tests/tools/osm/corpus/zero_byte_in_tag.osm.pbf";
+  const city::ObjectSink nothing = [](city::CityObject&&) {};
+  EXPECT_THROW(read_map_buildings(file, {}, city::deliver_to(nothing)), Error);
+}
+
 TEST(MapBuildings, BrokenMapsAreErrors) {
   for (const char* text :
        {"<osm version=\"0.6\"><node id=\"1\"", "<osm><way", "not a map", "\x1f\x8b"}) {

@@ -29,5 +29,17 @@ TEST(Corpus, EveryExtractIsReadOrRefused) {
   EXPECT_GE(sound, 1u);
 }
 
+// libosmium reads on behind the end of such tags.
+TEST(Corpus, ATagWithAZeroByteIsAnError) {
+  const auto file = std::filesystem::path(NIGHTCITY_SOURCE_DIR) /
+                    "tests/tools/osm/corpus/zero_byte_in_tag.osm.pbf";
+  try {
+    read_osm(file);
+    FAIL() << "was read";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("zero byte"), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace nightcity::osm
