@@ -10,6 +10,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../pipelines/steps.sh"
 targets=("$@")
 [ $# -gt 0 ] || targets=(nightbake nightview)
 cd "$root"
+commit=$(git rev-parse HEAD)  # a first build takes long, and HEAD may move meanwhile
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
@@ -17,7 +18,7 @@ export CCACHE_DISABLE=1
 folders=("$scratch/a" "$scratch/a-longer-name/with a blank")
 for folder in "${folders[@]}"; do
   mkdir -p "$folder"
-  git archive HEAD | tar -x -C "$folder"
+  git archive "$commit" | tar -x -C "$folder"
   (
     cd "$folder"
     cmake --preset release -DNIGHTCITY_TESTS=OFF >cmake.log
