@@ -24,6 +24,7 @@ layout(constant_id = CONSTANT_TRAFFIC) const uint HAS_TRAFFIC = 0u;
 layout(constant_id = CONSTANT_GLOSS) const uint HAS_GLOSS = 0u;
 layout(constant_id = CONSTANT_LAYERS) const uint HAS_LAYERS = 0u;
 layout(constant_id = CONSTANT_COUNT_RAYS) const uint COUNT_RAYS = 0u;
+layout(constant_id = CONSTANT_INDIRECT) const uint INDIRECT = INDIRECT_NONE;
 
 // A pass over pixels runs in squares of them, a pass over a list in rows. Ray generation has no
 // groups.
@@ -41,6 +42,7 @@ layout(push_constant, scalar) uniform PushConstants {
   FrameReference frame;
   uint first;
   uint count;
+  uint bounce;
 } push;
 
 #define FRAME push.frame.it

@@ -29,6 +29,23 @@ struct Reservoir {
   float W;     // unbiased contribution weight
 };
 
+// A vertex of a path of light that bounced: where the reference stands on the path of a pixel.
+struct PathVertex {
+  Surface surface;   // depth 0 = the path has ended
+  vec3 throughput;   // of the path up to here
+  vec3 viewer;       // the vertex before, model space, m
+};
+
+// A cell of the irradiance cache (irradiance_cache.glsl). 32 bytes.
+struct IrradianceCell {
+  uint key;         // hash of what it stands for; 0 = free
+  uint owner;       // of this frame: encoded index of the pixel whose surface samples it, or 0
+  uint seen;        // 1 + number of the last frame that saw it
+  float samples;    // in the mean
+  vec3 irradiance;  // mean of the indirect illuminance, lux per channel
+  uint made;        // 1 + number of the frame that made it
+};
+
 // A pixel's sum over frames, compensated after Kahan (accumulation.glsl).
 struct Accumulation {
   vec3 sum;  // cd/m^2 per channel
@@ -43,7 +60,8 @@ struct LightLayers {
   vec3 windows;
   vec3 vehicles;
   vec3 sky;
-  vec3 emitted;  // by the surface itself
+  vec3 emitted;   // by the surface itself
+  vec3 indirect;  // of any source, after a bounce at least
 };
 
 // A pixel's layers summed over frames, compensated as Accumulation is.
@@ -80,6 +98,7 @@ struct Camera {
 #define NO_PERMUTATION 0xFFFFFFFFu
 
 #ifdef __cplusplus
+static_assert(sizeof(IrradianceCell) == 32);
 static_assert(sizeof(Surface) == 48 && sizeof(Reservoir) == 16 && sizeof(Accumulation) == 32);
 }  // namespace nightcity::gpu
 #endif
@@ -87,6 +106,8 @@ static_assert(sizeof(Surface) == 48 && sizeof(Reservoir) == 16 && sizeof(Accumul
 ARRAY_REFERENCE(Surfaces, Surface, )
 ARRAY_REFERENCE(Reservoirs, Reservoir, )
 ARRAY_REFERENCE(Targets, float, )
+ARRAY_REFERENCE(PathVertices, PathVertex, )
+ARRAY_REFERENCE(IrradianceCells, IrradianceCell, )
 ARRAY_REFERENCE(Accumulations, Accumulation, )
 ARRAY_REFERENCE(Layers, LayerSums, )
 ARRAY_REFERENCE(Escapes, Escape, )
@@ -126,6 +147,9 @@ struct Frame {
   // The pixel's target of its own sample and, a picture for each pairing, of its partner's sample.
   // Targets of empty reservoirs are not written.
   BUFFER(Targets) pair_targets;
+  BUFFER(PathVertices) path;  // of the reference
+  BUFFER(IrradianceCells) cells;
+  BUFFER(Words) seen_cells;  // their number, then the indices of the cells that this frame sees
   BUFFER(Words) ray_count;  // shadow rays of the frame, where COUNT_RAYS is set
   // This frame's estimate. The reference's: sums over chunks of lights, one picture per slice.
   BUFFER(Accumulations) radiance;
@@ -171,6 +195,10 @@ struct Frame {
   // The mean is over at most this many frames and moves with the surface; 0 = over all frames,
   // while nothing moves.
   uint window;
+  uint bounces;   // of light before it reaches the surface that is seen, at most
+  uint cell_mask;        // number of cells, a power of two, less 1
+  float cell_angle;      // side of a cell, m per m of distance from the camera
+  float max_cell_samples;  // in a cell's mean: later ones count as much as this many earlier ones
   float wetness;  // of surfaces that face up, 0 .. 1
   // Luminance of directions that leave the scene, cd/m^2 per channel; with a sky map, its factor.
   vec3 sky;
@@ -185,8 +213,9 @@ struct Frame {
 struct Push {
   std::uint64_t frame;
   std::uint32_t first, count;  // by pass: the lights of a dispatch, or the level of a filter or BVH
+  std::uint32_t bounce;  // vertices of a path behind the surface that is seen
 };
-static_assert(sizeof(Push) == 16);
+static_assert(sizeof(Push) == 24);
 }  // namespace nightcity::gpu
 #endif
 

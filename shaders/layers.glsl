@@ -1,6 +1,7 @@
 // The light of each kind of source in a pixel, kept apart where the settings ask for layers.
 
-const LightLayers NO_LAYERS = LightLayers(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+const LightLayers NO_LAYERS =
+    LightLayers(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
 
 void add_direct(inout LightLayers layers, uint index, Light light, vec3 direct) {
   if (HAS_LAYERS == 0u) return;
@@ -24,5 +25,6 @@ void add_layers(uint index, LightLayers layers, bool reset) {
   add_to_sum(total.sum.vehicles, total.compensation.vehicles, layers.vehicles);
   add_to_sum(total.sum.sky, total.compensation.sky, layers.sky);
   add_to_sum(total.sum.emitted, total.compensation.emitted, layers.emitted);
+  add_to_sum(total.sum.indirect, total.compensation.indirect, layers.indirect);
   FRAME.layers.at[index] = total;
 }

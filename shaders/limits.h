@@ -20,6 +20,17 @@
 #define CLOSE_POINTS 4u
 #define MAX_CLOSE_LIGHTS 32u
 
+// Bounces of light at most. Each takes two rays and BOUNCE_CANDIDATES light samples of one
+// invocation's bounded number of iterations.
+#define MAX_BOUNCES 16u
+#define BOUNCE_CANDIDATES 8u
+
+// The reference adds up every light at each vertex of its paths where there are at most this many;
+// else it resamples one of REFERENCE_PICK_CANDIDATES, REFERENCE_PICKS times.
+#define REFERENCE_BOUNCE_LIGHTS 1024u
+#define REFERENCE_PICKS 4u
+#define REFERENCE_PICK_CANDIDATES 32u
+
 #define DENOISE_LEVELS 5
 
 #endif

@@ -5,13 +5,37 @@
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"
 #include "shaders/trace.glsl"
+#include "shaders/surface_hit.glsl"
 #include "shaders/camera.glsl"
 #include "shaders/lights.glsl"
+#include "shaders/light_sampling.glsl"
 #include "shaders/shading.glsl"
 #include "shaders/sky.glsl"
 #include "shaders/reservoir.glsl"
+#include "shaders/resampling.glsl"
+#include "shaders/path.glsl"
+#include "shaders/irradiance_cache.glsl"
 #include "shaders/accumulation.glsl"
 #include "shaders/layers.glsl"
+
+// Returns the light that a surface reflects after a bounce at least, cd/m^2 per channel.
+vec3 reflected_indirect(Surface surface, Receiver receiver, uvec2 pixel) {
+  seed_random(pixel, STREAM_INDIRECT);
+  vec3 known = vec3(0.0), irradiance;
+  float film_share = HAS_GLOSS != 0u ? 0.5 * receiver.wetness : 0.0;
+  if (INDIRECT == INDIRECT_CACHE && cached_irradiance(surface, irradiance)) {
+    known = receiver.reflectance * irradiance;
+    // What the water film mirrors depends on the view, so no cell holds it.
+    if (film_share <= 0.0) return known;
+    receiver.reflectance = vec3(0.0);
+    film_share = 1.0;
+  }
+  const float choice = random_float();
+  const Scatter s =
+      scatter(receiver, film_share, choice, vec2(random_float(), random_float()));
+  if (!(luminance(s.weight) > 0.0)) return known;
+  return known + s.weight * bounced_radiance(receiver.origin, s.direction, FRAME.bounces);
+}
 
 void main() {
   uvec2 pixel;
@@ -24,8 +48,13 @@ void main() {
     radiance = layers.emitted = emitted(surface);
     const Receiver receiver = receiver_of(surface);
     if (SKY_MODE != SKY_DARK) {
-      layers.sky = reflected_sky_and_moon(receiver, pixel);
+      seed_random(pixel, STREAM_SKY);
+      layers.sky = reflected_sky_and_moon(receiver);
       radiance += layers.sky;
+    }
+    if (INDIRECT != INDIRECT_NONE) {
+      layers.indirect = reflected_indirect(surface, receiver, pixel);
+      radiance += layers.indirect;
     }
     const Reservoir reservoir = FRAME.spatial.at[index];
     if (reservoir.W > 0.0 && reservoir.light < SCENE.light_count) {

@@ -6,7 +6,7 @@ struct Receiver {
   vec3 normal;
   vec3 origin;      // of shadow rays
   vec3 reflectance; // base colour / pi
-  vec3 to_camera;      // unit
+  vec3 to_viewer;   // unit; to the camera or, on a path, to the vertex before
   float wetness;    // of its water film, 0 .. 1
   bool before;      // a point of the frame before: its lights light it, its geometry shadows it
 };
@@ -16,39 +16,51 @@ struct Receiver {
 // its diffuse light that a soaked porous surface keeps (measured: 0.4 to 0.7; Lekner, Dorf: Why
 // some things are darker when wet, 1988).
 const float WATER_F0 = 0.02;
-const float WET_ROUGHNESS = 0.25;  // alpha = roughness^2
+const float WET_ALPHA = 0.0625;  // the square of a roughness of 0.25
 const float WET_DIFFUSE = 0.6;
 
-Receiver receiver_of(Surface surface, bool before) {
+// Returns the receiver at a surface that is seen from `viewer`.
+Receiver receiver_seen_from(Surface surface, vec3 viewer, bool before) {
   Receiver r;
   r.position = surface.position;
   r.normal = unpack_normal(surface.normal);
   r.origin = surface.position + r.normal * surface.clearance;
   r.reflectance = SCENE.materials.at[surface.material].base_colour * (1.0 / PI);
-  r.to_camera = r.normal;
+  r.to_viewer = r.normal;
   r.wetness = 0.0;
   r.before = before;
   if (HAS_GLOSS != 0u) {
     // Rain stays where a surface faces up.
     r.wetness = FRAME.wetness * smoothstep(0.7, 0.95, r.normal.y);
-    r.to_camera = normalize((before ? FRAME.previous_camera.position : FRAME.camera.position) -
-                            surface.position);
+    r.to_viewer = normalize(viewer - surface.position);
     r.reflectance *= mix(1.0, WET_DIFFUSE, r.wetness);
   }
   return r;
 }
 
+Receiver receiver_of(Surface surface, bool before) {
+  return receiver_seen_from(
+      surface, before ? FRAME.previous_camera.position : FRAME.camera.position, before);
+}
+
 Receiver receiver_of(Surface surface) { return receiver_of(surface, false); }
+
+// Returns the density of the film's microfacet normals at a cosine with the surface's normal (GGX;
+// Walter et al. 2007), 1/sr.
+float film_normal_density(float n_h) {
+  const float alpha2 = WET_ALPHA * WET_ALPHA;
+  const float d = n_h * n_h * (alpha2 - 1.0) + 1.0;
+  return alpha2 / (PI * d * d);
+}
 
 // Returns the water film's BRDF: GGX with Smith's height-correlated shadowing (Heitz 2014) and
 // Schlick's Fresnel term.
 float film_brdf(Receiver r, vec3 to_light) {
-  const vec3 h = normalize(to_light + r.to_camera);
-  const float n_l = dot(r.normal, to_light), n_v = max(dot(r.normal, r.to_camera), 1e-4),
+  const vec3 h = normalize(to_light + r.to_viewer);
+  const float n_l = dot(r.normal, to_light), n_v = max(dot(r.normal, r.to_viewer), 1e-4),
               n_h = dot(r.normal, h);
-  const float alpha2 = WET_ROUGHNESS * WET_ROUGHNESS * WET_ROUGHNESS * WET_ROUGHNESS;
-  const float d = n_h * n_h * (alpha2 - 1.0) + 1.0;
-  const float distribution = alpha2 / (PI * d * d);
+  const float alpha2 = WET_ALPHA * WET_ALPHA;
+  const float distribution = film_normal_density(n_h);
   const float shadowing = 0.5 / (n_l * sqrt(n_v * n_v * (1.0 - alpha2) + alpha2) +
                                  n_v * sqrt(n_l * n_l * (1.0 - alpha2) + alpha2));
   const float fresnel =

@@ -45,11 +45,9 @@ vec3 reflected_sky(Receiver r, vec2 u) {
                                                               : vec3(0.0);
 }
 
-// Returns one sample of sky and moon together, reflected by a surface. Draws from the pixel's
-// stream STREAM_SKY.
-vec3 reflected_sky_and_moon(Receiver receiver, uvec2 pixel) {
+// Returns one sample of sky and moon together, reflected by a surface.
+vec3 reflected_sky_and_moon(Receiver receiver) {
   if (SKY_MODE == SKY_DARK) return vec3(0.0);
-  seed_random(pixel, STREAM_SKY);
   const vec3 sky = reflected_sky(receiver, vec2(random_float(), random_float()));
   return sky + reflected_moon(receiver, vec2(random_float(), random_float()));
 }

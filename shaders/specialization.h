@@ -13,7 +13,13 @@
 #define CONSTANT_GLOSS 7             // surfaces that face up are wet
 #define CONSTANT_LAYERS 8            // the light of each kind of source is kept apart
 #define CONSTANT_COUNT_RAYS 9        // the frame's shadow rays are counted
-#define CONSTANT_COUNT 10
+#define CONSTANT_INDIRECT 10         // INDIRECT_*
+#define CONSTANT_COUNT 11
+
+// Values of CONSTANT_INDIRECT: how light that bounced is found.
+#define INDIRECT_NONE 0u   // it is left out
+#define INDIRECT_PATHS 1u  // by a path of each pixel: unbiased
+#define INDIRECT_CACHE 2u  // from the irradiance cache: smoothed
 
 // Values of CONSTANT_SKY.
 #define SKY_DARK 0u     // neither sky nor moon gives light

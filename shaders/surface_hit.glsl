@@ -41,3 +41,25 @@ SurfaceHit surface_at(Hit hit, Instance instance, vec3 origin, vec3 direction) {
                     dot(unit, direction) > 0.0 ? -unit : unit, floatBitsToUint(a.w),
                     floatBitsToUint(b.w), floatBitsToUint(c.w));
 }
+
+const Surface NO_SURFACE = Surface(vec3(0.0), 0u, 0.0, 0u, NO_HIT, NO_HIT, vec3(0.0), 0.0);
+
+// Returns the first surface along unit `direction`, its `motion` 0; depth 0 where there is none.
+// `hit` is its triangle and instance.
+Surface first_surface(vec3 origin, vec3 direction, out Hit hit) {
+  Surface surface = NO_SURFACE;
+  if (!closest_hit(origin, direction, hit)) return surface;
+  const Instance instance = SCENE.instances.at[hit.instance];
+  const SurfaceHit seen = surface_at(hit, instance, origin, direction);
+  surface.position = seen.position;
+  surface.clearance = seen.clearance;
+  surface.normal = pack_normal(seen.normal);
+  surface.depth = hit.t;
+  surface.material = seen.material;
+  surface.feature = instance.feature != NO_HIT ? instance.feature : seen.feature;
+  if (HAS_TRAFFIC != 0u && (instance.mask & MASK_VEHICLE) != 0u)
+    surface.light = seen.light < VEHICLE_LIGHTS ? instance.light + seen.light : NO_HIT;
+  else
+    surface.light = instance.light != NO_HIT ? instance.light : seen.light;
+  return surface;
+}

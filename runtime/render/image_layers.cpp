@@ -47,6 +47,7 @@ void add_light_layers(measure::Image& image, std::span<const gpu::LayerSums> sum
   add("direct_vehicles", &gpu::LightLayers::vehicles);
   add("sky", &gpu::LightLayers::sky);
   add("emitted", &gpu::LightLayers::emitted);
+  add("indirect", &gpu::LightLayers::indirect);
 }
 
 void add_surface_layers(measure::Image& image, std::span<const gpu::Surface> surfaces,

@@ -35,6 +35,8 @@ const PassSet& PassLibrary::get(const PassConstants& constants) {
   }
   if (constants[CONSTANT_ESTIMATOR] == ESTIMATOR_REFERENCE) {
     set.reference = make_trace({reference_spirv, reference_query_spirv, reference_pipeline_spirv});
+    if (constants[CONSTANT_INDIRECT] != INDIRECT_NONE)
+      set.extend = make_trace({extend_spirv, extend_query_spirv, extend_pipeline_spirv});
   } else {
     set.candidates =
         make_trace({candidates_spirv, candidates_query_spirv, candidates_pipeline_spirv});
@@ -47,6 +49,12 @@ const PassSet& PassLibrary::get(const PassConstants& constants) {
       set.spatial = make_trace({spatial_spirv, spatial_query_spirv, spatial_pipeline_spirv});
     }
     set.shade = make_trace({shade_spirv, shade_query_spirv, shade_pipeline_spirv});
+    if (constants[CONSTANT_INDIRECT] == INDIRECT_CACHE) {
+      set.cache_evict = make(cache_evict_spirv, over_a_list);
+      set.cache_mark = make(cache_mark_spirv, over_pixels);
+      set.cache_update =
+          make_trace({cache_update_spirv, cache_update_query_spirv, cache_update_pipeline_spirv});
+    }
   }
   return sets_.emplace(constants, std::move(set)).first->second;
 }

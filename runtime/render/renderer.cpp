@@ -35,6 +35,13 @@ constexpr std::uint32_t chunks_of(std::uint32_t lights) {
   return lights / REFERENCE_CHUNK + (lights % REFERENCE_CHUNK != 0);
 }
 
+std::uint32_t find_indirect(const RenderSettings& settings) {
+  if (settings.indirect.bounces == 0) return INDIRECT_NONE;
+  return settings.indirect.cache && traits_of(settings.sampling.estimator).samples
+             ? INDIRECT_CACHE
+             : INDIRECT_PATHS;
+}
+
 bool same_view(const scene::CameraPose& a, const scene::CameraPose& b) {
   return a.position == b.position && a.target == b.target && a.up == b.up && a.fov_deg == b.fov_deg;
 }
@@ -55,7 +62,8 @@ Renderer::Renderer(gpu::Device& device, PassLibrary& passes, DeviceScene& scene,
       width_(width),
       height_(height),
       timer_(device),
-      vehicle_passes_(device, scene) {
+      vehicle_passes_(device, scene),
+      cache_(device) {
   if (width == 0 || height == 0 || width > measure::max_image_side ||
       height > measure::max_image_side)
     throw UsageError("--size", "a picture has 1 to " + std::to_string(measure::max_image_side) +
@@ -88,6 +96,7 @@ PassConstants Renderer::constants_of(const RenderSettings& settings) const {
   constants[CONSTANT_SCHEDULES] = scene_.has_schedules();
   constants[CONSTANT_TRAFFIC] = scene_.has_traffic();
   constants[CONSTANT_COUNT_RAYS] = settings.count_rays;
+  constants[CONSTANT_INDIRECT] = find_indirect(settings);
   for (const Feature& feature : optional_features())
     if ((settings.forced_features >> feature.constant & 1u) != 0 &&
         constants[feature.constant] == 0)
@@ -105,8 +114,9 @@ std::vector<Feature> Renderer::list_unneeded(const RenderSettings& settings) con
 
 template <class Pass>
 void Renderer::run_pass(VkCommandBuffer commands, const Pass& pass, const char* name,
-                        std::uint32_t first, std::uint32_t count, std::uint32_t slices) {
-  const gpu::Push push{frame_.address(), first, count};
+                        std::uint32_t first, std::uint32_t count, std::uint32_t slices,
+                        std::uint32_t bounce) {
+  const gpu::Push push{frame_.address(), first, count, bounce};
   pass.dispatch(commands, &push, width_, height_, slices);
   gpu::full_barrier(commands);
   timer_.mark(commands, name);
@@ -135,6 +145,9 @@ void Renderer::record_restir(VkCommandBuffer commands, const RenderSettings& set
     gpu::full_barrier(commands);
     timer_.mark(commands, "copy");
   }
+  if (find_indirect(settings) == INDIRECT_CACHE)
+    cache_.record(commands, *passes_, frame_.address(), settings.indirect,
+                  [&](const char* name) { timer_.mark(commands, name); });
   run_pass(commands, passes_->shade, "shade");
 }
 
@@ -171,6 +184,18 @@ void Renderer::render_reference(const RenderSettings& settings, std::uint32_t sl
     run_pass(commands, passes_->primary, "primary");
   });
   const std::uint32_t lights = scene_.buffers().light_count;
+  add_lights(lights, slices, 0);
+  for (std::uint32_t bounce = 1; bounce <= settings.indirect.bounces; ++bounce) {
+    submit([&](VkCommandBuffer commands) {
+      run_pass(commands, passes_->extend, "extend", 0, 0, 1, bounce);
+    });
+    add_lights(lights <= REFERENCE_BOUNCE_LIGHTS ? lights : 0, slices, bounce);
+  }
+  submit([&](VkCommandBuffer commands) { record_end(commands, settings); });
+}
+
+// Adds the light of the first `lights` lights at a vertex of every pixel's path.
+void Renderer::add_lights(std::uint32_t lights, std::uint32_t slices, std::uint32_t bounce) {
   const std::uint32_t lights_per_dispatch = REFERENCE_CHUNK * slices;
   std::uint32_t first = 0;
   do {  // without lights, one empty chunk writes the light that surfaces emit
@@ -179,12 +204,11 @@ void Renderer::render_reference(const RenderSettings& settings, std::uint32_t sl
            ++i) {
         const std::uint32_t count = std::min(lights_per_dispatch, lights - first);
         run_pass(commands, passes_->reference, "reference", first, count,
-                 std::max(chunks_of(count), 1u));
+                 std::max(chunks_of(count), 1u), bounce);
         first += lights_per_dispatch;
       }
     });
   } while (first < lights);
-  submit([&](VkCommandBuffer commands) { record_end(commands, settings); });
 }
 
 void Renderer::check(const RenderSettings& settings) const {
@@ -207,7 +231,11 @@ void Renderer::restart_if_changed(const scene::CameraPose& pose, const RenderSet
       (averaging.window == 0 && !still))
     frames_ = 0;
   // Reservoirs of other settings estimate something else; those of another view are reprojected.
-  if (!same_settings) has_history_ = false;
+  if (!same_settings) {
+    has_history_ = false;
+    cache_.clear();
+  }
+  moved_s_ = pose_ && (moved || switched) ? std::abs(settings.time_s - settings_.time_s) : 0;
 }
 
 void Renderer::fill_buffers(gpu::Frame& frame, const RenderSettings& settings) {
@@ -245,6 +273,10 @@ void Renderer::fill_buffers(gpu::Frame& frame, const RenderSettings& settings) {
     frame.pair_partners = reserve(pair_partners_, pairings);
     frame.pair_targets = reserve(pair_targets_, 1 + pairings);
   }
+  if (!traits_of(settings.sampling.estimator).samples && settings.indirect.bounces > 0 &&
+      path_.bytes() == 0)
+    path_ = gpu::Buffer(device_, pixels * sizeof(gpu::PathVertex));
+  frame.path = path_.address();
   if (settings.count_rays) {
     if (ray_count_.bytes() == 0)
       ray_count_ = gpu::Buffer(device_, sizeof(std::uint32_t), gpu::Memory::host);
@@ -275,6 +307,8 @@ void Renderer::fill_view(gpu::Frame& frame, const scene::CameraPose& pose,
   frame.window = settings.averaging.accumulate ? settings.averaging.window : 0;
   frame.exposure = tonemap::exposure_scale(settings.display.ev100);
   frame.tone = settings.display.tone;
+  frame.bounces = settings.indirect.bounces;
+  if (find_indirect(settings) == INDIRECT_CACHE) cache_.enter(frame, settings.indirect, moved_s_);
   frame.wetness = settings.environment.wetness;
   frame.sky = settings.environment.sky_cd_m2;
   frame.moon_direction = settings.environment.moon_direction;

@@ -14,6 +14,7 @@
 #include "runtime/gpu/timer.h"
 #include "runtime/measure/image.h"
 #include "runtime/render/device_scene.h"
+#include "runtime/render/irradiance_cache.h"
 #include "runtime/render/pass_library.h"
 #include "runtime/render/settings.h"
 #include "runtime/render/vehicle_passes.h"
@@ -49,7 +50,7 @@ class Renderer {
 
   /// Returns the mean so far in cd/m^2, denoised where the settings ask for it, with its ImageInfo.
   /// With `layers`, adds the layer "luminance"; where the settings keep layers, "direct_lamps",
-  /// "direct_windows", "direct_vehicles", "sky" and "emitted"; and of the last frame "albedo",
+  /// "direct_windows", "direct_vehicles", "sky", "emitted" and "indirect"; and of the last frame "albedo",
   /// "normal", "depth" (m), "motion", "position" (m), "material" and "feature" (ids, -1 = none).
   measure::Image download(bool layers = true) const;
   /// Returns the displayed picture, which every frame writes: width * height words, R in the low
@@ -70,6 +71,7 @@ class Renderer {
   void record_vehicles(VkCommandBuffer commands);
   std::uint32_t reference_slices(const RenderSettings& settings) const;
   void render_reference(const RenderSettings& settings, std::uint32_t slices);
+  void add_lights(std::uint32_t lights, std::uint32_t slices, std::uint32_t bounce);
   void submit(const std::function<void(VkCommandBuffer)>& record);
   void record_restir(VkCommandBuffer commands, const RenderSettings& settings);
   void record_end(VkCommandBuffer commands, const RenderSettings& settings);
@@ -77,7 +79,8 @@ class Renderer {
   // last mark under `name`.
   template <class Pass>
   void run_pass(VkCommandBuffer commands, const Pass& pass, const char* name,
-                std::uint32_t first = 0, std::uint32_t count = 0, std::uint32_t slices = 1);
+                std::uint32_t first = 0, std::uint32_t count = 0, std::uint32_t slices = 1,
+                std::uint32_t bounce = 0);
 
   gpu::Device& device_;
   PassLibrary& library_;
@@ -85,10 +88,11 @@ class Renderer {
   std::uint32_t width_, height_;
   gpu::Timer timer_;
   VehiclePasses vehicle_passes_;
+  IrradianceCache cache_;
   gpu::Buffer frame_;
   gpu::Buffer surfaces_[2], reservoirs_, spatial_[2], radiance_, accumulation_[2], display_;
   // Allocated when first needed.
-  gpu::Buffer layers_, denoise_[2], pair_partners_, pair_targets_, ray_count_;
+  gpu::Buffer layers_, denoise_[2], pair_partners_, pair_targets_, path_, ray_count_;
   const PassSet* passes_ = nullptr;  // for the current settings
   std::optional<scene::CameraPose> pose_;
   gpu::Camera camera_{};
@@ -98,6 +102,7 @@ class Renderer {
   std::uint32_t frames_ = 0;
   std::uint32_t frame_number_ = 0;  // never repeats, so that frames draw different random numbers
   bool has_history_ = false;
+  double moved_s_ = 0;  // the scene's time since the frame before, where something moved with it
   std::vector<gpu::Timer::Span> timings_;
 };
 

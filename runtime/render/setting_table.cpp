@@ -51,6 +51,14 @@ std::string describe_estimators() {
   return text;
 }
 
+bool bounces(const Settings& s) {
+  return s.indirect.bounces > 0;
+}
+
+bool uses_cache(const Settings& s) {
+  return bounces(s) && s.indirect.cache && traits(s).samples;
+}
+
 template <auto group, auto member>
 Setting::Value at(Settings& s) {
   return &(s.*group.*member);
@@ -58,11 +66,13 @@ Setting::Value at(Settings& s) {
 
 constexpr auto sampling = &Settings::sampling;
 constexpr auto reuse = &Settings::reuse;
+constexpr auto indirect = &Settings::indirect;
 constexpr auto environment = &Settings::environment;
 constexpr auto display = &Settings::display;
 
 using Sampling = SamplingSettings;
 using Reuse = ReuseSettings;
+using Indirect = IndirectSettings;
 using Group = SettingGroup;
 
 constexpr double max_seed = std::numeric_limits<std::uint32_t>::max();
@@ -208,6 +218,43 @@ std::vector<Setting> make_sampling_settings() {
   };
 }
 
+std::vector<Setting> make_indirect_settings() {
+  return {
+      {.name = "bounces",
+       .group = Group::indirect,
+       .max = MAX_BOUNCES,
+       .help = "How often light may bounce off surfaces before it reaches the one that is seen; 0 = "
+               "direct light alone",
+       .value = at<indirect, &Indirect::bounces>,
+       .is_swept = true,
+       .slider = SettingSlider{"bounces", 8, "%u"}},
+      {.name = "cache",
+       .group = Group::indirect,
+       .help = "Keep the light that bounced in cells of space: smoothed, and so slightly wrong near "
+               "edges. --no-cache follows one path a pixel and frame: unbiased, noisy",
+       .value = at<indirect, &Indirect::cache>,
+       .applies = bounces,
+       .is_swept = true},
+      {.name = "cache-cell",
+       .group = Group::indirect,
+       .unit = "pixels",
+       .min = 1,
+       .max = 64,
+       .help = "Side of the cache's cells, to the power of two above",
+       .value = at<indirect, &Indirect::cell_px>,
+       .applies = uses_cache,
+       .is_swept = true},
+      {.name = "cache-paths",
+       .group = Group::indirect,
+       .min = 1,
+       .max = 64,
+       .help = "Paths per cell and frame",
+       .value = at<indirect, &Indirect::paths>,
+       .applies = uses_cache,
+       .is_swept = true},
+  };
+}
+
 std::vector<Setting> make_other_settings() {
   return {
       {.name = "sky",
@@ -237,7 +284,7 @@ const std::vector<Setting>& list_settings() {
     std::vector<Setting> all;
     // In this order they are the columns of sweep.csv.
     for (const auto& part : {make_first_settings(), make_reuse_settings(), make_sampling_settings(),
-                             make_other_settings()})
+                             make_indirect_settings(), make_other_settings()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();

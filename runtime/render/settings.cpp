@@ -58,7 +58,8 @@ Estimator find_estimator(const std::string& name) {
 }
 
 bool have_same_estimate(const RenderSettings& a, const RenderSettings& b) {
-  return a.sampling == b.sampling && a.reuse == b.reuse && a.environment == b.environment;
+  return a.sampling == b.sampling && a.reuse == b.reuse && a.indirect == b.indirect &&
+         a.environment == b.environment;
 }
 
 RenderSettings to_published(RenderSettings settings) {

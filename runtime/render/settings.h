@@ -76,6 +76,18 @@ struct ReuseSettings {
   bool operator==(const ReuseSettings&) const = default;
 };
 
+/// Light that reaches the surface that is seen after it bounced off others.
+struct IndirectSettings {
+  std::uint32_t bounces = 0;  // at most; 0 = none of it, up to MAX_BOUNCES
+  // Takes it from the irradiance cache, which smooths it, instead of following a path of each
+  // pixel. The reference always follows paths.
+  bool cache = true;
+  float cell_px = 4;        // side of the cache's cells
+  std::uint32_t paths = 4;  // per cell and frame
+
+  bool operator==(const IndirectSettings&) const = default;
+};
+
 /// Sky, moon and weather: light that is not the scene's own.
 struct EnvironmentSettings {
   // Luminance of rays that leave the scene, cd/m^2; where there is a sky map, a factor for it.
@@ -104,6 +116,7 @@ struct DisplaySettings {
 struct RenderSettings {
   SamplingSettings sampling;
   ReuseSettings reuse;
+  IndirectSettings indirect;
   EnvironmentSettings environment;
   AveragingSettings averaging;
   DisplaySettings display;

@@ -69,7 +69,7 @@ UpwardFlux measure_upward_flux(gpu::Device& device, PassLibrary& library, Device
     frame_buffer.upload(&frame, sizeof frame);
     device.run([&](VkCommandBuffer commands) {
       for (std::uint32_t first = 0; first < lights; first += lights_per_dispatch) {
-        const gpu::Push push{frame_buffer.address(), first, rays_per_dispatch};
+        const gpu::Push push{frame_buffer.address(), first, rays_per_dispatch, 0};
         pass.dispatch(commands, &push, std::min(lights_per_dispatch, lights - first));
         gpu::full_barrier(commands);
       }

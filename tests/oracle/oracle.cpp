@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
-#include <optional>
+#include <numbers>
 
 #include "formats/light_file.h"
 #include "oracle/emitter.h"
@@ -131,8 +131,75 @@ Oracle::Oracle(const Scene& scene, Lights lights)
 
 Oracle::~Oracle() = default;
 
+// A point of a surface, seen from somewhere.
+struct Oracle::Vertex {
+  glm::dvec3 place, normal;  // the normal is on the viewer's side
+  glm::dvec3 start;          // of rays that leave the surface
+  glm::dvec3 albedo;
+  glm::dvec3 emission;      // cd/m2 per channel
+  std::uint32_t own_light;  // whose surface it is, or none of the lights
+};
+
+std::optional<Oracle::Vertex> Oracle::find_vertex(const glm::dvec3& origin,
+                                                  const glm::dvec3& direction) const {
+  const auto hit = geometry_->first_hit(origin, direction);
+  if (!hit) return std::nullopt;
+  const SceneMaterial& material = geometry_->materials[geometry_->seen.materials[hit->triangle]];
+  Vertex vertex;
+  vertex.place = origin + direction * hit->distance;
+  vertex.normal = geometry_->normal(hit->triangle);
+  if (glm::dot(vertex.normal, direction) > 0) vertex.normal = -vertex.normal;
+  // Embree works in float, so rays start off the surface by its rounding error and 0.1 mm.
+  const double size = std::max({std::abs(vertex.place.x), std::abs(vertex.place.y),
+                                std::abs(vertex.place.z), hit->distance});
+  vertex.start = vertex.place + vertex.normal * (1e-4 + 2e-6 * size);
+  vertex.albedo = glm::dvec3(material.base_colour);
+  vertex.emission = glm::dvec3(material.emission_cd_m2);
+  vertex.own_light = geometry_->seen.lights[hit->triangle];
+  return vertex;
+}
+
+glm::dvec3 Oracle::reflect_lights(const Vertex& vertex, int strata, std::mt19937& random) const {
+  glm::dvec3 illuminance(0);
+  std::vector<LightPoint> points;
+  for (const Light& light : lights_.lights) {
+    if (light.flux_lm <= 0) continue;
+    points.clear();
+    append_points(lights_, light, vertex.place, strata, random, points);
+    for (const LightPoint& sample : points) {
+      const double cosine = glm::dot(vertex.normal, glm::normalize(sample.point - vertex.place));
+      if (cosine > 0 && !geometry_->occluded(vertex.start, sample.point))
+        illuminance += sample.illuminance * cosine;
+    }
+  }
+  return vertex.albedo / std::numbers::pi * illuminance;
+}
+
+// Returns the light that a surface reflects after 1 to `bounces` bounces off others. Directions are
+// uniform over the hemisphere, unlike the renderer's.
+glm::dvec3 Oracle::follow_path(Vertex vertex, int bounces, std::mt19937& random) const {
+  std::uniform_real_distribution<double> uniform(0, 1);
+  glm::dvec3 sum(0), throughput(1);
+  for (int bounce = 0; bounce < bounces; ++bounce) {
+    const double height = 2 * uniform(random) - 1, turn = 2 * std::numbers::pi * uniform(random);
+    const double radius = std::sqrt(std::max(1 - height * height, 0.0));
+    glm::dvec3 direction(radius * std::cos(turn), radius * std::sin(turn), height);
+    double cosine = glm::dot(direction, vertex.normal);
+    if (cosine < 0) direction = -direction, cosine = -cosine;
+    throughput *= vertex.albedo * 2.0 * cosine;  // albedo / pi * cosine / (1 / 2 pi)
+    const auto next = find_vertex(vertex.start, direction);
+    if (!next) break;
+    vertex = *next;
+    const bool is_light = vertex.own_light < lights_.lights.size();
+    sum += throughput * (reflect_lights(vertex, 1, random) +
+                         (is_light ? glm::dvec3(0) : vertex.emission));
+  }
+  return sum;
+}
+
 measure::Image Oracle::render(const scene::CameraPose& pose, std::uint32_t width,
-                              std::uint32_t height, int strata, unsigned seed) const {
+                              std::uint32_t height, int strata, unsigned seed, int bounces,
+                              int paths) const {
   measure::Image image;
   image.width = width;
   image.height = height;
@@ -142,45 +209,23 @@ measure::Image Oracle::render(const scene::CameraPose& pose, std::uint32_t width
   const glm::dvec3 eye(pose.position), forward = glm::normalize(glm::dvec3(pose.target) - eye);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(pose.up))),
                    up = glm::cross(right, forward);
-  const double half_height = std::tan(double(pose.fov_deg) / 2 * 3.14159265358979323846 / 180);
+  const double half_height = std::tan(double(pose.fov_deg) / 2 * std::numbers::pi / 180);
   const double half_width = half_height * width / height;
-  std::vector<LightPoint> points;
   for (std::uint32_t y = 0; y < height; ++y)
     for (std::uint32_t x = 0; x < width; ++x) {
       const double sx = 2 * (x + 0.5) / width - 1, sy = 1 - 2 * (y + 0.5) / height;
       const glm::dvec3 direction =
           glm::normalize(forward + right * (sx * half_width) + up * (sy * half_height));
       glm::dvec3 radiance(0);
-      if (const auto hit = geometry_->first_hit(eye, direction)) {
-        const SceneMaterial& material =
-            geometry_->materials[geometry_->seen.materials[hit->triangle]];
-        const glm::dvec3 place = eye + direction * hit->distance;
-        glm::dvec3 normal = geometry_->normal(hit->triangle);
-        if (glm::dot(normal, direction) > 0) normal = -normal;
-        // Embree works in float, so shadow rays start off the surface by its rounding error and 0.1
-        // mm.
-        const double size =
-            std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z), hit->distance});
-        const glm::dvec3 start = place + normal * (1e-4 + 2e-6 * size);
-        glm::dvec3 illuminance(0);
-        for (const Light& light : lights_.lights) {
-          if (light.flux_lm <= 0) continue;
-          points.clear();
-          append_points(lights_, light, place, strata, random, points);
-          for (const LightPoint& sample : points) {
-            const double cosine = glm::dot(normal, glm::normalize(sample.point - place));
-            if (cosine > 0 && !geometry_->occluded(start, sample.point))
-              illuminance += sample.illuminance * cosine;
-          }
-        }
-        radiance = glm::dvec3(material.base_colour) / 3.14159265358979323846 * illuminance;
-        const std::uint32_t own = geometry_->seen.lights[hit->triangle];
-        const glm::dvec3 emission(material.emission_cd_m2);
-        const bool shines = emission.x + emission.y + emission.z > 0;
-        if (shines && own < lights_.lights.size())
-          radiance += seen_luminance(lights_, lights_.lights[own], -direction);
+      if (const auto seen = find_vertex(eye, direction)) {
+        radiance = reflect_lights(*seen, strata, random);
+        for (int path = 0; path < paths && bounces > 0; ++path)
+          radiance += follow_path(*seen, bounces, random) / double(paths);
+        const bool shines = seen->emission.x + seen->emission.y + seen->emission.z > 0;
+        if (shines && seen->own_light < lights_.lights.size())
+          radiance += seen_luminance(lights_, lights_.lights[seen->own_light], -direction);
         else
-          radiance += emission;
+          radiance += seen->emission;
       }
       for (int channel = 0; channel < 3; ++channel) image.rgb.push_back(float(radiance[channel]));
     }

@@ -1,4 +1,4 @@
-// Direct light computed by other code than the renderer's: geometry straight from the scene file,
+// Light computed by other code than the renderer's: geometry straight from the scene file,
 // Embree for visibility, light sampling written from SPEC.md in double. Where both agree, the
 // result is not one program's mistake.
 #pragma once
@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
+#include <random>
 #include <vector>
 
 #include "formats/light.h"
@@ -31,12 +33,18 @@ class Oracle {
 
   /// Returns the picture through the pixels' centres, cd/m2: the light of every lamp and window
   /// that diffuse surfaces reflect, and what surfaces emit. Each light is sampled at `strata` x
-  /// `strata` jittered points; another seed gives an independent picture.
+  /// `strata` jittered points; another seed gives an independent picture. Light that reached a
+  /// surface after up to `bounces` others is added by `paths` paths a pixel, whose every vertex is
+  /// lit by all lights.
   measure::Image render(const scene::CameraPose& pose, std::uint32_t width, std::uint32_t height,
-                        int strata, unsigned seed) const;
+                        int strata, unsigned seed, int bounces = 0, int paths = 1) const;
 
  private:
   struct Geometry;
+  struct Vertex;
+  std::optional<Vertex> find_vertex(const glm::dvec3& origin, const glm::dvec3& direction) const;
+  glm::dvec3 reflect_lights(const Vertex& vertex, int strata, std::mt19937& random) const;
+  glm::dvec3 follow_path(Vertex vertex, int bounces, std::mt19937& random) const;
   std::unique_ptr<Geometry> geometry_;
   Lights lights_;
 };

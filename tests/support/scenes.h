@@ -70,6 +70,12 @@ class SceneBuilder {
     return *this;
   }
 
+  /// Makes the material of all surfaces glow, cd/m2.
+  SceneBuilder& glow(float luminance) {
+    scene_.materials[0].emission_cd_m2 = glm::vec3(luminance);
+    return *this;
+  }
+
   Scene& scene() { return scene_; }
   const Scene& scene() const { return scene_; }
   scene::RenderScene with(std::vector<Light> lights) const {

@@ -1,0 +1,61 @@
+#include "runtime/render/irradiance_cache.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace nightcity::render {
+namespace {
+
+// The longest time for which a cell remembers light that moves, s of the scene.
+constexpr double memory_s = 0.5;
+
+// The longest mean of a cell where nothing moves, in samples: more would be lost to rounding.
+constexpr float max_samples = 65536;
+
+std::uint32_t cells_for(std::size_t pixels) {
+  return static_cast<std::uint32_t>(
+      std::bit_ceil(std::clamp(pixels, std::size_t{1} << 14, std::size_t{1} << 24)));
+}
+
+}  // namespace
+
+void IrradianceCache::enter(gpu::Frame& frame, const IndirectSettings& settings, double moved_s) {
+  width_ = frame.size.x;
+  height_ = frame.size.y;
+  const std::size_t pixels = std::size_t{width_} * height_;
+  if (count_ == 0) {
+    count_ = cells_for(pixels);
+    cells_ = gpu::Buffer(device_, count_ * sizeof(gpu::IrradianceCell));
+    seen_ = gpu::Buffer(device_, (1 + pixels) * sizeof(std::uint32_t));
+    forget_ = true;
+  }
+  if (forget_) cells_.fill_zero();
+  forget_ = false;
+  frame.cells = cells_.address();
+  frame.seen_cells = seen_.address();
+  frame.cell_mask = count_ - 1;
+  frame.cell_angle = settings.cell_px * 2 * frame.camera.tan_half_height / float(height_);
+  const double frames = std::max(memory_s / std::max(moved_s, 1e-6), 1.0);
+  frame.max_cell_samples =
+      moved_s > 0 ? static_cast<float>(std::min(frames * settings.paths, double(max_samples)))
+                  : max_samples;
+}
+
+void IrradianceCache::record(VkCommandBuffer commands, const PassSet& passes,
+                             std::uint64_t frame_address, const IndirectSettings& settings,
+                             const std::function<void(const char*)>& finished) const {
+  const gpu::Push all{frame_address, 0, count_, 0};
+  passes.cache_evict.dispatch(commands, &all, count_);
+  gpu::full_barrier(commands);
+  passes.cache_mark.dispatch(commands, &all, width_, height_);
+  gpu::full_barrier(commands);
+  finished("cache cells");
+  for (std::uint32_t round = 0; round <= settings.paths; ++round) {
+    const gpu::Push push{frame_address, round, settings.paths, 0};
+    passes.cache_update.dispatch(commands, &push, width_, height_);
+    gpu::full_barrier(commands);
+  }
+  finished("cache paths");
+}
+
+}  // namespace nightcity::render

@@ -1,0 +1,38 @@
+// The irradiance cache of a renderer: its buffers, and the passes that bring it up to date in a frame
+// (shaders/irradiance_cache.glsl).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "runtime/gpu/buffer.h"
+#include "runtime/render/pass_library.h"
+#include "runtime/render/settings.h"
+
+namespace nightcity::render {
+
+class IrradianceCache {
+ public:
+  explicit IrradianceCache(gpu::Device& device) : device_(device) {}
+
+  /// Forgets everything with the next frame that uses the cache.
+  void clear() { forget_ = true; }
+
+  /// Writes the addresses and sizes into `frame`, whose camera and size are filled in. `moved_s` is
+  /// the scene's time since the frame before where lights or shadows moved with it, else 0.
+  void enter(gpu::Frame& frame, const IndirectSettings& settings, double moved_s);
+
+  /// Records the passes, between the primary pass and shading, and calls `finished` with a name
+  /// after them.
+  void record(VkCommandBuffer commands, const PassSet& passes, std::uint64_t frame_address,
+              const IndirectSettings& settings,
+              const std::function<void(const char*)>& finished) const;
+
+ private:
+  gpu::Device& device_;
+  gpu::Buffer cells_, seen_;
+  std::uint32_t count_ = 0, width_ = 0, height_ = 0;
+  bool forget_ = false;
+};
+
+}  // namespace nightcity::render

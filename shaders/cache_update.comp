@@ -1,0 +1,75 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// The irradiance cache, third step. Round 0 (push.first) starts new cells with what larger or smaller
+// cells know of the same place; each round after it adds one path to every cell that the frame sees.
+#include "shaders/common.glsl"
+#include "shaders/random.glsl"
+#include "shaders/geometry.glsl"
+#include "shaders/trace.glsl"
+#include "shaders/surface_hit.glsl"
+#include "shaders/camera.glsl"
+#include "shaders/lights.glsl"
+#include "shaders/light_sampling.glsl"
+#include "shaders/shading.glsl"
+#include "shaders/sky.glsl"
+#include "shaders/reservoir.glsl"
+#include "shaders/resampling.glsl"
+#include "shaders/path.glsl"
+#include "shaders/irradiance_cache.glsl"
+
+// What a cell takes over counts as this many samples at most.
+const float MAX_INHERITED = 8.0;
+
+// Adds what another cell knows to a sum over cells, if it is not new itself.
+void inherit(CellPlace place, inout vec4 sum) {
+  const uint index = find_cell(place);
+  if (index == NO_HIT) return;
+  const IrradianceCell cell = FRAME.cells.at[index];
+  if (cell.made != FRAME.frame + 1u) sum += vec4(cell.irradiance, 1.0) * cell.samples;
+}
+
+void start_cell(uint index, Surface surface) {
+  CellPlace place = cell_place(surface);
+  vec4 sum = vec4(0.0);
+  const ivec3 at = place.at;
+  ++place.level;
+  place.at = at >> 1;
+  inherit(place, sum);
+  if (sum.w <= 0.0 && place.level >= 2u) {
+    place.level -= 2u;
+    for (uint i = 0u; i < 8u; ++i) {
+      place.at = at * 2 + ivec3(i & 1u, i >> 1u & 1u, i >> 2u);
+      inherit(place, sum);
+    }
+  }
+  FRAME.cells.at[index].irradiance = sum.w > 0.0 ? sum.xyz / sum.w : vec3(0.0);
+  FRAME.cells.at[index].samples = min(sum.w, MAX_INHERITED);
+}
+
+// Returns the illuminance that one path brings to the surface, lux per channel.
+vec3 sample_irradiance(uint key, Surface surface) {
+  const Receiver r = receiver_of(surface);
+  random_state = pcg4d(uvec4(key, FRAME.frame, push.first, FRAME.seed * 16u + STREAM_INDIRECT)).w;
+  // Directions are stratified over the samples of a cell.
+  const uvec4 start = pcg4d(uvec4(key, 0u, 0u, FRAME.seed * 16u + STREAM_INDIRECT));
+  const vec2 u = r2_point(start.xy, FRAME.frame * push.count + push.first);
+  return PI * bounced_radiance(r.origin, cosine_direction(r.normal, u), FRAME.bounces);
+}
+
+void main() {
+  uvec2 pixel;
+  uint in_list;
+  if (!pixel_of_invocation(pixel, in_list) || in_list >= FRAME.seen_cells.at[0]) return;
+  const uint index = FRAME.seen_cells.at[1u + in_list];
+  const IrradianceCell cell = FRAME.cells.at[index];
+  const Surface surface = FRAME.surfaces.at[pixel_of_code(cell.owner)];
+  if (push.first == 0u) {
+    if (cell.made == FRAME.frame + 1u) start_cell(index, surface);
+    return;
+  }
+  const float samples = min(cell.samples + 1.0, FRAME.max_cell_samples);
+  const vec3 sample_lux = sample_irradiance(cell.key, surface);
+  FRAME.cells.at[index].irradiance =
+      cell.irradiance + (sample_lux - cell.irradiance) / samples;
+  FRAME.cells.at[index].samples = samples;
+}

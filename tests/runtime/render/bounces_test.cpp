@@ -1,0 +1,116 @@
+// Light that bounces, against closed forms: rooms in which every surface sees the same.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/estimators.h"
+#include "support/gpu.h"
+#include "support/scenes.h"
+
+namespace nightcity::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+enum class Way { reference, paths, cache };
+
+render::RenderSettings with_bounces(Way way, std::uint32_t bounces) {
+  render::RenderSettings settings = with_estimator(
+      way == Way::reference ? render::Estimator::reference : render::Estimator::traced, 8);
+  settings.indirect.bounces = bounces;
+  settings.indirect.cache = way == Way::cache;
+  return settings;
+}
+
+class Bounces : public testing::TestWithParam<Way> {};
+
+INSTANTIATE_TEST_SUITE_P(Ways, Bounces, testing::Values(Way::reference, Way::paths, Way::cache),
+                         [](const auto& info) {
+                           return std::string(info.param == Way::reference ? "Reference"
+                                              : info.param == Way::paths   ? "Paths"
+                                                                           : "Cache");
+                         });
+
+// The furnace: in a closed room whose walls glow alike with luminance L and reflect the share rho,
+// every wall shows L (1 + rho + rho^2 + ...), one term for each bounce.
+TEST_P(Bounces, InAFurnaceEachAddsOneTermOfAGeometricSeries) {
+  constexpr float rho = 0.5f, glow = 2;
+  const scene::RenderScene room =
+      SceneBuilder(rho).box({-3, 0, -4}, {5, 6, 3}).glow(glow).with({});
+  const scene::CameraPose inside{{0.5f, 2, 0.3f}, {4, 3, 2}, {0, 1, 0}, 70};
+  for (const std::uint32_t bounces : {0u, 1u, 2u, 5u}) {
+    const measure::Image image =
+        render(room, inside, with_bounces(GetParam(), bounces), 16, 16, 64);
+    const double expected = double(glow) * (1 - std::pow(double(rho), bounces + 1)) / (1 - rho);
+    // The first two bounces follow every path; later ones end paths by chance.
+    const double tolerance = bounces <= 1 ? 1e-5 : GetParam() == Way::cache ? 0.01 : 0.02;
+    EXPECT_NEAR(mean_luminance(image), expected, tolerance * expected) << bounces << " bounces";
+  }
+}
+
+// Rings of quads; seen from inside they are close to a sphere of radius 1 about the origin.
+SceneBuilder sphere(float rho, int rings) {
+  SceneBuilder builder(rho);
+  const auto at = [&](int ring, int segment) {
+    const double theta = pi * ring / rings, phi = pi * segment / rings;
+    return glm::vec3(float(std::sin(theta) * std::cos(phi)), float(std::cos(theta)),
+                     float(std::sin(theta) * std::sin(phi)));
+  };
+  for (int ring = 0; ring < rings; ++ring)
+    for (int segment = 0; segment < 2 * rings; ++segment)
+      builder.quad(at(ring, segment), at(ring + 1, segment), at(ring + 1, segment + 1),
+                   at(ring, segment + 1));
+  return builder;
+}
+
+// The integrating sphere: a lamp of flux Phi in its centre lights the wall with Phi / (4 pi r^2),
+// and every bounce adds rho times as much as the one before: E = Phi / (4 pi r^2) / (1 - rho).
+TEST_P(Bounces, InAnIntegratingSphereEachAddsRhoTimesTheOneBefore) {
+  constexpr float rho = 0.6f, flux_lm = 1000;
+  const scene::RenderScene scene = sphere(rho, 48).with({lamp({0, 0, 0}, flux_lm, 0.01f)});
+  const scene::CameraPose inside{{0.1f, 0.2f, 0}, {0.9f, 0, 0.1f}, {0, 1, 0}, 60};
+  for (const std::uint32_t bounces : {1u, 4u}) {
+    const measure::Image image = render(scene, inside, with_bounces(GetParam(), bounces), 16, 16, 48);
+    const double direct = double(rho) / pi * double(flux_lm) / (4 * pi);
+    const double expected = direct * (1 - std::pow(double(rho), bounces + 1)) / (1 - double(rho));
+    EXPECT_NEAR(mean_luminance(image), expected, 0.01 * expected) << bounces << " bounces";
+  }
+}
+
+// Two parallel planes of albedo rho that glow: each sees nothing but the other.
+TEST_P(Bounces, BetweenParallelPlanesEachSeesOnlyTheOther) {
+  constexpr float rho = 0.3f, glow = 5;
+  const scene::RenderScene planes =
+      SceneBuilder(rho).ground(4000).ground(4000, 2).glow(glow).with({});
+  const scene::CameraPose between{{0, 1, 0}, {2, 0, 1}, {0, 1, 0}, 20};
+  const measure::Image image = render(planes, between, with_bounces(GetParam(), 3), 8, 8, 64);
+  const double expected = double(glow) * (1 - std::pow(double(rho), 4)) / (1 - rho);
+  EXPECT_NEAR(mean_luminance(image), expected, 0.01 * expected);
+}
+
+// What bounced is a layer of its own, and the layers sum to the picture.
+TEST_P(Bounces, AreALayerOfTheirOwn) {
+  render::RenderSettings settings = with_bounces(GetParam(), 2);
+  settings.sampling.layers = true;
+  const measure::Image image =
+      render(boxes_on_a_plane().with({lamp({-6, 7, 0}, 6000, 0.3f)}),
+             {{-9, 10, 17}, {0, 1, 0}, {0, 1, 0}, 50}, settings, 16, 16, 8);
+  const measure::ImageLayer* indirect = nullptr;
+  std::vector<double> sums(image.rgb.size());
+  for (const measure::ImageLayer& layer : image.layers) {
+    if (layer.name == "indirect") indirect = &layer;
+    if (layer.name.starts_with("direct_") || layer.name == "sky" || layer.name == "emitted" ||
+        layer.name == "indirect")
+      for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += double(layer.values[i]);
+  }
+  ASSERT_NE(indirect, nullptr);
+  double bounced = 0;
+  for (const float value : indirect->values) bounced += double(value);
+  EXPECT_GT(bounced, 0);
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    EXPECT_NEAR(sums[i], image.rgb[i], 1e-4 * double(image.rgb[i]) + 1e-7) << i;
+}
+
+}  // namespace
+}  // namespace nightcity::test
