@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // The irradiance cache, third step. Round 0 (push.first) starts new cells with what larger or smaller
-// cells know of the same place; each round after it adds one path to every cell that the frame sees.
+// cells know of the same place; each round after it adds one path to the cells that still want one.
 #include "shaders/common.glsl"
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"
@@ -16,6 +16,18 @@
 #include "shaders/resampling.glsl"
 #include "shaders/path.glsl"
 #include "shaders/irradiance_cache.glsl"
+
+// A new cell gets NEW_CELL_FACTOR times the paths of others in its first frame, and a cell that holds
+// those of SETTLED_FRAMES frames a share of them from then on.
+const uint SETTLED_FRAMES = 64u;
+const uint SETTLED_SHARE = 4u;
+
+// Returns how many paths a cell gets in this frame.
+uint wanted_paths(IrradianceCell cell) {
+  const uint paths = FRAME.cell_paths;
+  if (cell.made == FRAME.frame + 1u) return NEW_CELL_FACTOR * paths;
+  return cell.samples < float(SETTLED_FRAMES * paths) ? paths : max(paths / SETTLED_SHARE, 1u);
+}
 
 // What a cell takes over counts as this many samples at most.
 const float MAX_INHERITED = 8.0;
@@ -52,7 +64,7 @@ vec3 sample_irradiance(uint key, Surface surface) {
   random_state = pcg4d(uvec4(key, FRAME.frame, push.first, FRAME.seed * 16u + STREAM_INDIRECT)).w;
   // Directions are stratified over the samples of a cell.
   const uvec4 start = pcg4d(uvec4(key, 0u, 0u, FRAME.seed * 16u + STREAM_INDIRECT));
-  const vec2 u = r2_point(start.xy, FRAME.frame * push.count + push.first);
+  const vec2 u = r2_point(start.xy, FRAME.frame * FRAME.cell_paths + push.first);
   return PI * bounced_radiance(r.origin, cosine_direction(r.normal, u), FRAME.bounces);
 }
 
@@ -67,6 +79,7 @@ void main() {
     if (cell.made == FRAME.frame + 1u) start_cell(index, surface);
     return;
   }
+  if (push.first > wanted_paths(cell)) return;
   const float samples = min(cell.samples + 1.0, FRAME.max_cell_samples);
   const vec3 sample_lux = sample_irradiance(cell.key, surface);
   FRAME.cells.at[index].irradiance =

@@ -42,7 +42,6 @@ layout(push_constant, scalar) uniform PushConstants {
   FrameReference frame;
   uint first;
   uint count;
-  uint bounce;
 } push;
 
 #define FRAME push.frame.it

@@ -80,7 +80,7 @@ struct Demodulated {
 // The flux of a light that leaves the scene, as shares of its flux, summed over rays (upward.comp).
 struct Escape {
   float direct;     // upwards, without touching anything
-  float reflected;  // upwards, off the first surface that was hit
+  float reflected;  // upwards, off surfaces that were hit
   float sideways;   // level or downwards past the scene's edge: neither up nor onto the ground
 };
 
@@ -196,7 +196,9 @@ struct Frame {
   // while nothing moves.
   uint window;
   uint bounces;   // of light before it reaches the surface that is seen, at most
+  uint reference_paths;  // of a pixel in a frame of the reference
   uint cell_mask;        // number of cells, a power of two, less 1
+  uint cell_paths;       // of a cell in a frame
   float cell_angle;      // side of a cell, m per m of distance from the camera
   float max_cell_samples;  // in a cell's mean: later ones count as much as this many earlier ones
   float wetness;  // of surfaces that face up, 0 .. 1
@@ -212,10 +214,10 @@ struct Frame {
 // The push constants of every pass, as common.glsl declares them.
 struct Push {
   std::uint64_t frame;
-  std::uint32_t first, count;  // by pass: the lights of a dispatch, or the level of a filter or BVH
-  std::uint32_t bounce;  // vertices of a path behind the surface that is seen
+  // By pass: the lights of a dispatch, the level of a filter or BVH, a path and its bounce.
+  std::uint32_t first, count;
 };
-static_assert(sizeof(Push) == 24);
+static_assert(sizeof(Push) == 16);
 }  // namespace nightcity::gpu
 #endif
 

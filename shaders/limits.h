@@ -25,11 +25,16 @@
 #define MAX_BOUNCES 16u
 #define BOUNCE_CANDIDATES 8u
 
-// The reference adds up every light at each vertex of its paths where there are at most this many;
-// else it resamples one of REFERENCE_PICK_CANDIDATES, REFERENCE_PICKS times.
-#define REFERENCE_BOUNCE_LIGHTS 1024u
-#define REFERENCE_PICKS 4u
+// Where a chunk holds all lights, the reference adds up every light at each vertex of its paths, and
+// follows REFERENCE_PATHS of them a pixel and frame. With more lights it resamples one of
+// REFERENCE_PICK_CANDIDATES, REFERENCE_PICKS times, and follows REFERENCE_PICK_PATHS.
+#define REFERENCE_PATHS 4u
+#define REFERENCE_PICK_PATHS 16u
+#define REFERENCE_PICKS 2u
 #define REFERENCE_PICK_CANDIDATES 32u
+
+// A cell of the irradiance cache gets this many times the paths of others in its first frame.
+#define NEW_CELL_FACTOR 4u
 
 #define DENOISE_LEVELS 5
 

@@ -1,6 +1,7 @@
 // Paths of light that bounces: from a surface that is seen, backwards to the lights. A path is
 // followed by sampling the reflection (scatter), and gathers at each vertex the light that comes
 // there straight from a light source, from the sky, and from a surface that glows by itself.
+#include "shaders/roulette.glsl"
 
 // A direction in which a receiver gathers light, sampled by what it reflects to its viewer.
 struct Scatter {
@@ -41,15 +42,6 @@ Scatter scatter(Receiver r, float film_share, float choice, vec2 u) {
 
 Scatter scatter(Receiver r, float choice, vec2 u) {
   return scatter(r, HAS_GLOSS != 0u ? 0.5 * r.wetness : 0.0, choice, u);
-}
-
-// Returns whether a path goes on, and weighs it for those that do not (Russian roulette; Arvo, Kirk
-// 1990).
-bool survives(inout vec3 throughput) {
-  const float chance = min(max(throughput.r, max(throughput.g, throughput.b)), 1.0);
-  if (!(random_float() < chance)) return false;
-  throughput /= chance;
-  return true;
 }
 
 // Returns the light that a surface on a path emits by itself, cd/m^2 per channel. What belongs to a

@@ -8,7 +8,7 @@ const uint STREAM_SPATIAL = 3u;
 const uint STREAM_REFERENCE = 4u;
 const uint STREAM_SKY = 5u;
 const uint STREAM_PAIRING = 6u;
-const uint STREAM_EXTEND = 7u;
+const uint STREAM_PATH = 7u;
 const uint STREAM_INDIRECT = 8u;
 const uint STREAM_UPWARD = 77u;  // of a light, not of a pixel
 
@@ -24,11 +24,6 @@ uint random_state;
 
 void seed_random(uvec2 pixel, uint stream) {
   random_state = pcg4d(uvec4(pixel, FRAME.frame, FRAME.seed * 16u + stream)).w;
-}
-
-// Seeds the stream of a vertex of a pixel's path. Pixels have coordinates below 2^16.
-void seed_random_of_bounce(uvec2 pixel, uint bounce, uint stream) {
-  seed_random(uvec2(pixel.x | bounce << 16u, pixel.y), stream);
 }
 
 // Seeds the stream of a light, in a pass over lights.

@@ -1,9 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Measures the flux of each light that leaves the city upwards: one invocation per light (from
-// push.first), push.count rays each, followed straight and off the first surface they hit, which
-// reflects diffusely. More bounces are left out: at a city's albedos of about a fifth, the second
-// bounce adds a fifth of a fifth.
+// push.first), push.count rays each, followed straight and off up to FRAME.bounces surfaces, which
+// reflect diffusely.
 #define WORKGROUP_IS_A_ROW
 #include "shaders/common.glsl"
 #include "shaders/random.glsl"
@@ -11,6 +10,7 @@
 #include "shaders/trace.glsl"
 #include "shaders/surface_hit.glsl"
 #include "shaders/lights.glsl"
+#include "shaders/roulette.glsl"
 
 void count_at(vec3 place, float lumen) {
   const vec2 at =
@@ -35,24 +35,24 @@ void main() {
     const EmittedRay ray = emit_ray(light, r2_point(start, FRAME.frame * push.count + i));
     if (!(ray.share > 0.0)) continue;
     vec3 origin = ray.origin, direction = ray.direction;
-    // Straight, then off the surface it hit. One loop, so that the shader holds the traversal only
-    // once.
-    float albedo = 1.0;
-    for (uint bounce = 0u; bounce < 2u; ++bounce) {
+    vec3 colour = light_colour(light.colour_rgb9e5);  // of luminance 1, then of what is left
+    for (uint bounce = 0u; bounce <= FRAME.bounces; ++bounce) {
       Hit hit;
       if (!trace(origin, direction, 0.0, 1e30, MASK_SHADOW, false,
                  false, hit)) {
         if (direction.y > 0.0) {
-          if (bounce == 0u) sum.direct += ray.share; else sum.reflected += ray.share * albedo;
-          count_at(origin, light.flux_lm * ray.share * albedo / float(FRAME.upward.rays));
+          const float share = ray.share * luminance(colour);
+          if (bounce == 0u) sum.direct += share; else sum.reflected += share;
+          count_at(origin, light.flux_lm * share / float(FRAME.upward.rays));
         } else if (bounce == 0u) {
           sum.sideways += ray.share;
         }
         break;
       }
       const SurfaceHit surface = surface_at(hit, SCENE.instances.at[hit.instance], origin, direction);
-      albedo = luminance(SCENE.materials.at[surface.material].base_colour *
-                         light_colour(light.colour_rgb9e5));
+      colour *= SCENE.materials.at[surface.material].base_colour;
+      // The first bounce is worth its ray even off a dark surface.
+      if (bounce > 0u && !survives(colour)) break;
       origin = surface.position + surface.normal * surface.clearance;
       direction = cosine_direction(surface.normal, vec2(random_float(), random_float()));
     }

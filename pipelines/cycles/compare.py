@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """nightview against Blender's Cycles on one CPU: the time each takes to the same relative MSE.
 
-Both render direct light of the lamps of one baked scene (without lit windows and without lamp posts, which Blender 3.4
-cannot read) through the same camera; errors are those against nightview's reference. Times are CPU seconds summed over
+Both render the lamps' light on one baked scene (without lit windows and without lamp posts, which Blender 3.4 cannot read),
+direct or with --bounces, through the same camera; errors are those against nightview's reference. Times are CPU seconds summed over
 threads, so that whatever else the machine does has no say, and leave out loading, building and compiling on both sides.
 Needs blender (pipelines/setup.sh cycles).
 
@@ -53,8 +53,10 @@ def main():
     parser.add_argument("--out", required=True)
     parser.add_argument("--nightview", default=os.path.join(HERE, "../../build/release/nightview"))
     parser.add_argument("--camera", default="street", help="preset or file")
+    parser.add_argument("--device", default="llvmpipe", help="Vulkan device of nightview")
     parser.add_argument("--size", default="480x270")
     parser.add_argument("--threads", default="2")
+    parser.add_argument("--bounces", default="0", help="bounces of light, on both sides")
     parser.add_argument("--samples", default="4,16,64,256", help="samples per pixel of Cycles")
     parser.add_argument("--frames", default="1,4,16,64", help="frames of nightview")
     parser.add_argument("--reference-frames", default="64")
@@ -66,7 +68,7 @@ def main():
     glb = path("scene.glb")
     city_lights.without_instances(options.scene, glb)
     shutil.copy(os.path.splitext(options.scene)[0] + ".lights", path("scene.lights"))
-    common = [glb, "--size", options.size, "--device", "llvmpipe"]
+    common = [glb, "--size", options.size, "--bounces", options.bounces, "--device", options.device]
 
     run(options.nightview, "render", *common, "--camera", options.camera, "--estimator", "reference", "--frames",
         options.reference_frames, "--save-camera", path("camera.json"), "-o", path("reference.exr"))
@@ -94,7 +96,7 @@ def main():
     blender = shutil.which("blender") or sys.exit("blender is not installed: pipelines/setup.sh cycles")
     log = run(blender, "--background", "--factory-startup", "--python-exit-code", "1", "--python",
               os.path.join(HERE, "render.py"), "--", glb, path("camera.json"), width, height, options.threads,
-              path("cycles"), *options.samples.split(","),
+              options.bounces, path("cycles"), *options.samples.split(","),
               environment={**os.environ, "PATH": os.defpath})  # its Python is the system's, not that of an environment
     theirs = []
     for samples, seconds in re.findall(r"^cycles (\d+) ([0-9.]+)$", log, re.MULTILINE):

@@ -1,6 +1,5 @@
-"""Renders a baked scene's direct light with Cycles: blender --background --python render.py -- SCENE.glb CAMERA.json
-WIDTH HEIGHT THREADS OUT SAMPLES...  Writes OUT-SAMPLES.exr (pixels in cd/m2) and prints "cycles SAMPLES CPU-SECONDS"
-for each.
+"""Renders a baked scene with Cycles: blender --background --python render.py -- SCENE.glb CAMERA.json WIDTH HEIGHT
+THREADS BOUNCES OUT SAMPLES...  Writes OUT-SAMPLES.exr (pixels in cd/m2) and prints "cycles SAMPLES CPU-SECONDS" for each.
 """
 import json
 import os
@@ -84,7 +83,7 @@ def add_camera(path):
     bpy.context.scene.camera = camera
 
 
-def set_up(width, height, threads):
+def set_up(width, height, threads, bounces):
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
     scene.cycles.device = "CPU"
@@ -93,7 +92,7 @@ def set_up(width, height, threads):
     scene.render.use_persistent_data = True  # the BVH is built once, and not timed
     scene.cycles.pixel_filter_type, scene.cycles.filter_width = "BOX", 1.0
     scene.cycles.use_adaptive_sampling = scene.cycles.use_denoising = False
-    scene.cycles.max_bounces = 0  # direct light, as in nightview
+    scene.cycles.max_bounces = scene.cycles.diffuse_bounces = bounces  # as nightview counts them
     scene.cycles.sample_clamp_direct = scene.cycles.sample_clamp_indirect = 0
     scene.cycles.light_sampling_threshold = 0
     world = bpy.data.worlds.new("night")
@@ -104,7 +103,7 @@ def set_up(width, height, threads):
     image.file_format, image.color_mode, image.color_depth = "OPEN_EXR", "RGB", "32"
 
 
-def main(glb, camera, width, height, threads, out, *samples):
+def main(glb, camera, width, height, threads, bounces, out, *samples):
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.import_scene.gltf(filepath=glb)
     for material in bpy.data.materials:
@@ -120,7 +119,7 @@ def main(glb, camera, width, height, threads, out, *samples):
             raise SystemExit("this comparison is of lamps: bake the scene without lit windows")
         add_lamp(light, texts[light.profile] if light.profile >= 0 else None)
     add_camera(camera)
-    set_up(int(width), int(height), int(threads))
+    set_up(int(width), int(height), int(threads), int(bounces))
     scene = bpy.context.scene
     scene.cycles.samples = 1
     bpy.ops.render.render()  # builds the BVH

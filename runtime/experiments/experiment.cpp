@@ -58,7 +58,8 @@ measure::Image Experiment::reference(const scene::CameraPose& pose, render::Rend
                                      const std::function<void(std::uint32_t)>& progress) {
   if (!cache.empty() && std::filesystem::exists(cache)) {
     measure::Image kept = measure::read_exr(cache);
-    if (kept.info.frames == frames && kept.width == renderer_->width() &&
+    if (kept.info.frames == frames && kept.info.bounces == settings.indirect.bounces &&
+        kept.width == renderer_->width() &&
         kept.height == renderer_->height())
       return kept;
   }

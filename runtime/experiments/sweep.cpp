@@ -140,9 +140,19 @@ class Sweep {
                                       fingerprint_pose(poses_[view]), to_text(options_.size));
     const std::string what = "reference of " + name_of_view(options_.views[view]);
     return experiment_.reference(
-        poses_[view], to_settings({}), options_.reference_frames, cache, [&](auto done) {
+        poses_[view], full_model(), options_.reference_frames, cache, [&](auto done) {
           progress_.show({what, done, options_.reference_frames, "frames"});
         });
+  }
+
+  // Returns the settings of the reference: light bounces as often as at any point, so that what fewer
+  // bounces leave out is an error.
+  render::RenderSettings full_model() const {
+    render::RenderSettings settings = to_settings({});
+    for (const SweepPoint& point : points_)
+      settings.indirect.bounces =
+          std::max(settings.indirect.bounces, to_settings(point).indirect.bounces);
+    return settings;
   }
 
   void measure(std::size_t view, const SweepPoint& point, const Row& key,

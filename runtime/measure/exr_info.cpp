@@ -21,6 +21,8 @@ void put_image_info(Imf::Header& header, const ImageInfo& info) {
   number("nightcity.frames", info.frames);
   number("nightcity.candidates", info.candidates);
   number("nightcity.neighbours", info.neighbours);
+  number("nightcity.bounces", info.bounces);
+  text("nightcity.indirect", info.indirect);
   number("nightcity.seed", info.seed);
   text("nightcity.device", info.device);
   if (info.ev100) header.insert("nightcity.ev100", Imf::FloatAttribute(*info.ev100));
@@ -42,6 +44,8 @@ ImageInfo get_image_info(const Imf::Header& header) {
   number("nightcity.frames", info.frames);
   number("nightcity.candidates", info.candidates);
   number("nightcity.neighbours", info.neighbours);
+  number("nightcity.bounces", info.bounces);
+  info.indirect = text("nightcity.indirect");
   number("nightcity.seed", info.seed);
   info.device = text("nightcity.device");
   if (const auto* ev100 = header.findTypedAttribute<Imf::FloatAttribute>("nightcity.ev100"))

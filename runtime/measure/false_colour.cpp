@@ -136,21 +136,24 @@ std::vector<float> luminance_of(const Image& image) {
   return values;
 }
 
-std::vector<float> illuminance_of(const Image& image) {
+std::vector<float> illuminance_of(const Image& image, Illumination part) {
   const auto layer = [&](const char* name) -> const std::vector<float>& {
     const ImageLayer* found = image.layer(name);
     if (!found) throw Error("illuminance", std::string("the picture has no layer ") + name);
     return found->values;
   };
   const auto& albedo = layer("albedo");
-  const std::array parts{&layer("direct_lamps"), &layer("direct_windows"),
-                         &layer("direct_vehicles"), &layer("sky")};
+  std::vector<const std::vector<float>*> parts;
+  if (part != Illumination::indirect)
+    for (const char* name : {"direct_lamps", "direct_windows", "direct_vehicles", "sky"})
+      parts.push_back(&layer(name));
+  if (part != Illumination::direct) parts.push_back(&layer("indirect"));
   std::vector<float> values(image.pixels());
   for (std::size_t i = 0; i < values.size(); ++i) {
     std::array<float, 3> lux{};
     for (std::size_t c = 0; c < 3; ++c) {
       float reflected = 0;
-      for (const auto* part : parts) reflected += (*part)[3 * i + c];
+      for (const auto* values_of_part : parts) reflected += (*values_of_part)[3 * i + c];
       const float base = albedo[3 * i + c];
       lux[c] = base > 0 ? std::numbers::pi_v<float> * reflected / base : 0.0f;
     }

@@ -29,10 +29,17 @@ Image8 false_colour(std::span<const float> values, std::uint32_t width, std::uin
 /// Returns the luminance of each pixel in cd/m2.
 std::vector<float> luminance_of(const Image& image);
 
+/// The light that illuminance_of counts.
+enum class Illumination {
+  all,
+  direct,   // straight from lights and sky
+  indirect  // after a bounce at least
+};
+
 /// Returns the illuminance of each pixel's surface in lux: per channel, pi times the reflected
 /// luminance over the albedo, weighted like luminance; 0 where nothing was hit or the surface is
 /// black. It assumes a matt surface; a wet one also reflects specularly. Throws Error when the
-/// layers direct_*, sky and albedo are missing.
-std::vector<float> illuminance_of(const Image& image);
+/// layers direct_*, sky, indirect and albedo are missing.
+std::vector<float> illuminance_of(const Image& image, Illumination part = Illumination::all);
 
 }  // namespace nightcity::measure

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <future>
 #include <memory>
+#include <optional>
 
 #include "formats/error.h"
 #include "formats/program/output.h"
@@ -84,6 +85,13 @@ void draw_markers(measure::Image8& picture, const scene::RenderScene& scene,
   }
 }
 
+std::optional<measure::Illumination> find_illumination(const std::string& show) {
+  if (show == "illuminance") return measure::Illumination::all;
+  if (show == "direct-illuminance") return measure::Illumination::direct;
+  if (show == "indirect-illuminance") return measure::Illumination::indirect;
+  return std::nullopt;
+}
+
 // Returns the PNG's picture: as a camera takes it or a quantity in false colours, with markers
 // where asked for.
 measure::Image8 make_png(const RenderCommand& command, const measure::Image& image,
@@ -93,8 +101,8 @@ measure::Image8 make_png(const RenderCommand& command, const measure::Image& ima
     const std::vector<float> values = measure::luminance_of(image);
     picture = measure::false_colour(values, image.width, image.height,
                                     measure::fitting_scale(values, "cd/m2"));
-  } else if (command.show == "illuminance") {
-    const std::vector<float> values = measure::illuminance_of(image);
+  } else if (const auto part = find_illumination(command.show)) {
+    const std::vector<float> values = measure::illuminance_of(image, *part);
     picture = measure::false_colour(values, image.width, image.height,
                                     measure::fitting_scale(values, "lx"));
   } else {
@@ -134,7 +142,7 @@ void render(RenderCommand& command) {
     find_exposure(command.exposure, measure::Image{});  // throws early
   check_outputs(command.outputs);
   options.settings.sampling.layers =
-      command.show == "illuminance" ||
+      find_illumination(command.show) ||
       std::any_of(command.outputs.begin(), command.outputs.end(),
                   [](auto& output) { return has_extension(output, ".exr"); });
 
@@ -186,6 +194,8 @@ void add_render_command(CLI::App& app) {
       "  nightview render city.glb -o wet.png --camera street --time 23:30 --wet 0.8 --moon "
       "160,35\n"
       "  nightview render city.glb -o lux.png --camera top --show illuminance\n"
+      "  nightview render city.glb -o yard.png --camera street --bounces 4 --show "
+      "indirect-illuminance\n"
       "  nightview render city.glb -o a.exr -o a.png --candidates 8 --neighbours 2 --ev 2.5");
   command->options.declare(*sub);
   program::add_output_option(
@@ -200,9 +210,11 @@ void add_render_command(CLI::App& app) {
       ->capture_default_str();
   sub->add_option(
          "--show", command->show,
-         "What a PNG shows: picture, or luminance or illuminance in false colours with a scale")
+         "What a PNG shows: picture, or in false colours with a scale luminance, illuminance, "
+         "direct-illuminance or indirect-illuminance")
       ->capture_default_str()
-      ->check(CLI::IsMember({"picture", "luminance", "illuminance"}));
+      ->check(CLI::IsMember(
+          {"picture", "luminance", "illuminance", "direct-illuminance", "indirect-illuminance"}));
   sub->add_flag("--markers", command->markers, "Mark every light in the PNG, hidden ones too");
   sub->add_option("--save-camera", command->save_camera, "Write the camera used to a JSON file");
   sub->callback([command] { render(*command); });

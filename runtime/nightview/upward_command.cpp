@@ -96,6 +96,7 @@ void print_as_json(const UpwardCommand& command, const Sums& all, const FamilySu
   nlohmann::ordered_json json{{"scene", command.scene},
                               {"time", command.time},
                               {"rays", command.settings.rays},
+                              {"bounces", command.settings.bounces},
                               {"all", to_json(all)}};
   for (std::size_t f = 0; f < families.size(); ++f)
     if (families[f].lights > 0) json[name_of(static_cast<LightFamily>(f))] = to_json(families[f]);
@@ -160,8 +161,7 @@ void add_upward_command(CLI::App& app) {
   CLI::App* sub = app.add_subcommand(
       "upward", "Measure how much of each lamp's light leaves the city upwards, and map where");
   sub->footer(
-      "Writes upward.csv (each light's lumens that go straight up, and up off the first surface), "
-      "and\n"
+      "Writes upward.csv (each light's lumens that go straight up, and up off surfaces), and\n"
       "upward.png and .exr (a map from above, in lumens per square metre).\n"
       "Examples:\n"
       "  nightview upward out/demo/city.glb --out out/upward\n"
@@ -173,6 +173,10 @@ void add_upward_command(CLI::App& app) {
   sub->add_option("--rays", command->settings.rays, "Rays per light")
       ->capture_default_str()
       ->check(CLI::Range(1u, 1u << 20));
+  sub->add_option("--bounces", command->settings.bounces,
+                  "Surfaces that light may bounce off on its way up; 1 = the first one alone")
+      ->capture_default_str()
+      ->check(CLI::Range(0u, MAX_BOUNCES));
   sub->add_option("--cell", command->settings.cell_m, "Side of the map's squares, m")
       ->capture_default_str()
       ->check(number_from(0.1, 10'000));

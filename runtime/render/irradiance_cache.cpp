@@ -34,6 +34,7 @@ void IrradianceCache::enter(gpu::Frame& frame, const IndirectSettings& settings,
   frame.cells = cells_.address();
   frame.seen_cells = seen_.address();
   frame.cell_mask = count_ - 1;
+  frame.cell_paths = settings.paths;
   frame.cell_angle = settings.cell_px * 2 * frame.camera.tan_half_height / float(height_);
   const double frames = std::max(memory_s / std::max(moved_s, 1e-6), 1.0);
   frame.max_cell_samples =
@@ -44,14 +45,14 @@ void IrradianceCache::enter(gpu::Frame& frame, const IndirectSettings& settings,
 void IrradianceCache::record(VkCommandBuffer commands, const PassSet& passes,
                              std::uint64_t frame_address, const IndirectSettings& settings,
                              const std::function<void(const char*)>& finished) const {
-  const gpu::Push all{frame_address, 0, count_, 0};
+  const gpu::Push all{frame_address, 0, count_};
   passes.cache_evict.dispatch(commands, &all, count_);
   gpu::full_barrier(commands);
   passes.cache_mark.dispatch(commands, &all, width_, height_);
   gpu::full_barrier(commands);
   finished("cache cells");
-  for (std::uint32_t round = 0; round <= settings.paths; ++round) {
-    const gpu::Push push{frame_address, round, settings.paths, 0};
+  for (std::uint32_t round = 0; round <= NEW_CELL_FACTOR * settings.paths; ++round) {
+    const gpu::Push push{frame_address, round, 0};
     passes.cache_update.dispatch(commands, &push, width_, height_);
     gpu::full_barrier(commands);
   }

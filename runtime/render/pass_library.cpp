@@ -36,7 +36,8 @@ const PassSet& PassLibrary::get(const PassConstants& constants) {
   if (constants[CONSTANT_ESTIMATOR] == ESTIMATOR_REFERENCE) {
     set.reference = make_trace({reference_spirv, reference_query_spirv, reference_pipeline_spirv});
     if (constants[CONSTANT_INDIRECT] != INDIRECT_NONE)
-      set.extend = make_trace({extend_spirv, extend_query_spirv, extend_pipeline_spirv});
+      set.reference_path = make_trace(
+          {reference_path_spirv, reference_path_query_spirv, reference_path_pipeline_spirv});
   } else {
     set.candidates =
         make_trace({candidates_spirv, candidates_query_spirv, candidates_pipeline_spirv});

@@ -21,7 +21,7 @@ struct PassSet {
   // Compiled only with traffic.
   gpu::ComputePass vehicle_pose, vehicle_offsets, vehicle_order, vehicle_sort_cells, vehicle_bvh;
   TracePass primary;
-  TracePass reference, extend;            // compiled only for the reference estimator
+  TracePass reference, reference_path;    // compiled only for the reference estimator
   TracePass candidates, temporal, shade;  // compiled only for the others
   TracePass spatial;                      // compiled only for weights not pairwise
   TracePass pair_targets;                 // compiled only for pairwise weights

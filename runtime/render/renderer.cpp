@@ -35,11 +35,25 @@ constexpr std::uint32_t chunks_of(std::uint32_t lights) {
   return lights / REFERENCE_CHUNK + (lights % REFERENCE_CHUNK != 0);
 }
 
+// Paths that the reference follows from a pixel in a frame: shaders/limits.h.
+std::uint32_t reference_paths(std::uint32_t lights) {
+  return lights <= REFERENCE_CHUNK ? REFERENCE_PATHS : REFERENCE_PICK_PATHS;
+}
+
 std::uint32_t find_indirect(const RenderSettings& settings) {
   if (settings.indirect.bounces == 0) return INDIRECT_NONE;
   return settings.indirect.cache && traits_of(settings.sampling.estimator).samples
              ? INDIRECT_CACHE
              : INDIRECT_PATHS;
+}
+
+// Names the bias of a picture in the picture itself.
+std::string describe_indirect(const RenderSettings& settings) {
+  switch (find_indirect(settings)) {
+    case INDIRECT_PATHS: return "paths, unbiased";
+    case INDIRECT_CACHE: return "irradiance cache, smoothed over its cells";
+    default: return "";
+  }
 }
 
 bool same_view(const scene::CameraPose& a, const scene::CameraPose& b) {
@@ -114,9 +128,8 @@ std::vector<Feature> Renderer::list_unneeded(const RenderSettings& settings) con
 
 template <class Pass>
 void Renderer::run_pass(VkCommandBuffer commands, const Pass& pass, const char* name,
-                        std::uint32_t first, std::uint32_t count, std::uint32_t slices,
-                        std::uint32_t bounce) {
-  const gpu::Push push{frame_.address(), first, count, bounce};
+                        std::uint32_t first, std::uint32_t count, std::uint32_t slices) {
+  const gpu::Push push{frame_.address(), first, count};
   pass.dispatch(commands, &push, width_, height_, slices);
   gpu::full_barrier(commands);
   timer_.mark(commands, name);
@@ -184,18 +197,6 @@ void Renderer::render_reference(const RenderSettings& settings, std::uint32_t sl
     run_pass(commands, passes_->primary, "primary");
   });
   const std::uint32_t lights = scene_.buffers().light_count;
-  add_lights(lights, slices, 0);
-  for (std::uint32_t bounce = 1; bounce <= settings.indirect.bounces; ++bounce) {
-    submit([&](VkCommandBuffer commands) {
-      run_pass(commands, passes_->extend, "extend", 0, 0, 1, bounce);
-    });
-    add_lights(lights <= REFERENCE_BOUNCE_LIGHTS ? lights : 0, slices, bounce);
-  }
-  submit([&](VkCommandBuffer commands) { record_end(commands, settings); });
-}
-
-// Adds the light of the first `lights` lights at a vertex of every pixel's path.
-void Renderer::add_lights(std::uint32_t lights, std::uint32_t slices, std::uint32_t bounce) {
   const std::uint32_t lights_per_dispatch = REFERENCE_CHUNK * slices;
   std::uint32_t first = 0;
   do {  // without lights, one empty chunk writes the light that surfaces emit
@@ -204,11 +205,22 @@ void Renderer::add_lights(std::uint32_t lights, std::uint32_t slices, std::uint3
            ++i) {
         const std::uint32_t count = std::min(lights_per_dispatch, lights - first);
         run_pass(commands, passes_->reference, "reference", first, count,
-                 std::max(chunks_of(count), 1u), bounce);
+                 std::max(chunks_of(count), 1u));
         first += lights_per_dispatch;
       }
     });
   } while (first < lights);
+  add_reference_paths(settings);
+  submit([&](VkCommandBuffer commands) { record_end(commands, settings); });
+}
+
+void Renderer::add_reference_paths(const RenderSettings& settings) {
+  if (settings.indirect.bounces == 0) return;
+  for (std::uint32_t path = 0; path < reference_paths(scene_.buffers().light_count); ++path)
+    submit([&](VkCommandBuffer commands) {
+      for (std::uint32_t bounce = 1; bounce <= settings.indirect.bounces; ++bounce)
+        run_pass(commands, passes_->reference_path, "reference paths", path, bounce);
+    });
 }
 
 void Renderer::check(const RenderSettings& settings) const {
@@ -308,6 +320,7 @@ void Renderer::fill_view(gpu::Frame& frame, const scene::CameraPose& pose,
   frame.exposure = tonemap::exposure_scale(settings.display.ev100);
   frame.tone = settings.display.tone;
   frame.bounces = settings.indirect.bounces;
+  frame.reference_paths = reference_paths(frame.scene.light_count);
   if (find_indirect(settings) == INDIRECT_CACHE) cache_.enter(frame, settings.indirect, moved_s_);
   frame.wetness = settings.environment.wetness;
   frame.sky = settings.environment.sky_cd_m2;
@@ -403,6 +416,8 @@ measure::Image Renderer::download(bool layers) const {
   image.info.candidates =
       traits_of(settings_.sampling.estimator).samples ? settings_.sampling.candidates : 0;
   image.info.neighbours = settings_.reuse.neighbours;
+  image.info.bounces = settings_.indirect.bounces;
+  image.info.indirect = describe_indirect(settings_);
   image.info.seed = settings_.sampling.seed;
   image.info.ev100 = settings_.display.ev100;
   image.info.device = device_.label();

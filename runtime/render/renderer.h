@@ -71,7 +71,7 @@ class Renderer {
   void record_vehicles(VkCommandBuffer commands);
   std::uint32_t reference_slices(const RenderSettings& settings) const;
   void render_reference(const RenderSettings& settings, std::uint32_t slices);
-  void add_lights(std::uint32_t lights, std::uint32_t slices, std::uint32_t bounce);
+  void add_reference_paths(const RenderSettings& settings);
   void submit(const std::function<void(VkCommandBuffer)>& record);
   void record_restir(VkCommandBuffer commands, const RenderSettings& settings);
   void record_end(VkCommandBuffer commands, const RenderSettings& settings);
@@ -79,8 +79,7 @@ class Renderer {
   // last mark under `name`.
   template <class Pass>
   void run_pass(VkCommandBuffer commands, const Pass& pass, const char* name,
-                std::uint32_t first = 0, std::uint32_t count = 0, std::uint32_t slices = 1,
-                std::uint32_t bounce = 0);
+                std::uint32_t first = 0, std::uint32_t count = 0, std::uint32_t slices = 1);
 
   gpu::Device& device_;
   PassLibrary& library_;

@@ -77,7 +77,8 @@ const std::vector<Feature>& optional_features() {
                                              {CONSTANT_RECTANGLES, "windows"},
                                              {CONSTANT_SCHEDULES, "schedules"},
                                              {CONSTANT_SKY, "sky"},
-                                             {CONSTANT_GLOSS, "wet streets"}};
+                                             {CONSTANT_GLOSS, "wet streets"},
+                                             {CONSTANT_INDIRECT, "bounces"}};
   return features;
 }
 

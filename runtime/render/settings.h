@@ -83,7 +83,7 @@ struct IndirectSettings {
   // pixel. The reference always follows paths.
   bool cache = true;
   float cell_px = 4;        // side of the cache's cells
-  std::uint32_t paths = 4;  // per cell and frame
+  std::uint32_t paths = 4;  // per cell and frame, more for new cells, fewer for settled ones
 
   bool operator==(const IndirectSettings&) const = default;
 };
@@ -144,7 +144,7 @@ struct Feature {
 };
 
 /// Returns the features that passes can leave out: lamps' profiles, windows,
-/// schedules, the sky, wet streets.
+/// schedules, the sky, wet streets, light that bounces.
 const std::vector<Feature>& optional_features();
 
 }  // namespace nightcity::render

@@ -10,7 +10,7 @@ namespace {
 
 // The work of one dispatch: short enough for every watchdog and for drivers that end long loops
 // (REFERENCE_CHUNK in shaders/limits.h).
-constexpr std::uint32_t rays_per_dispatch = 64;
+constexpr std::uint32_t rays_per_dispatch = 16;
 constexpr std::uint32_t lights_per_dispatch = 1u << 16;
 
 }  // namespace
@@ -30,6 +30,7 @@ UpwardFlux measure_upward_flux(gpu::Device& device, PassLibrary& library, Device
   frame.scene = scene.buffers();
   vehicle_passes.enter(frame);
   frame.seed = settings.seed;
+  frame.bounces = settings.bounces;
   frame.time_s = frame.previous_time_s = float(settings.time_s);
   frame.cycle_time_s = frame.previous_cycle_time_s =
       cycle_time(frame.scene.traffic.cycle, settings.time_s);
@@ -69,7 +70,7 @@ UpwardFlux measure_upward_flux(gpu::Device& device, PassLibrary& library, Device
     frame_buffer.upload(&frame, sizeof frame);
     device.run([&](VkCommandBuffer commands) {
       for (std::uint32_t first = 0; first < lights; first += lights_per_dispatch) {
-        const gpu::Push push{frame_buffer.address(), first, rays_per_dispatch, 0};
+        const gpu::Push push{frame_buffer.address(), first, rays_per_dispatch};
         pass.dispatch(commands, &push, std::min(lights_per_dispatch, lights - first));
         gpu::full_barrier(commands);
       }

@@ -12,6 +12,7 @@ namespace nightcity::render {
 struct UpwardSettings {
   double time_s = 8 * 3600;   // since noon
   std::uint32_t rays = 1024;  // per light, 1 .. 2^20
+  std::uint32_t bounces = MAX_BOUNCES;  // off surfaces, 0 .. MAX_BOUNCES
   std::uint32_t seed = 0;
   float cell_m = 4;  // side of the map's cells; enlarged where there would be over 2^24 of them
 };
@@ -29,7 +30,7 @@ struct UpwardFlux {
   std::vector<double> cells_lm;
 };
 
-/// Traces stratified rays from every light by its own distribution, and on from the first surface
+/// Traces stratified rays from every light by its own distribution, and on from the surfaces
 /// they hit. The shares are Monte Carlo estimates: their relative standard error is about 1 /
 /// sqrt(rays) for a narrow beam and smaller for a wide one. Throws Error.
 UpwardFlux measure_upward_flux(gpu::Device& device, PassLibrary& passes, DeviceScene& scene,

@@ -62,7 +62,7 @@ void VehiclePasses::record(VkCommandBuffer commands, const PassSet& passes,
   const gpu::TrafficBuffers& traffic = scene_.buffers().traffic;
   const auto run = [&](const gpu::ComputePass& pass, std::uint32_t invocations,
                        std::uint32_t level = 0) {
-    const gpu::Push push{frame_address, level, 0, 0};
+    const gpu::Push push{frame_address, level, 0};
     pass.dispatch(commands, &push, invocations);
     gpu::full_barrier(commands);
   };

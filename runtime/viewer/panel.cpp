@@ -63,6 +63,7 @@ bool draw_sampling(ViewerState& state) {
   bool changed = draw_estimators(settings);
   changed |= draw_sliders(render::SettingGroup::sampling, settings);
   changed |= draw_sliders(render::SettingGroup::reuse, settings);
+  changed |= draw_sliders(render::SettingGroup::indirect, settings);
   changed |= ImGui::Checkbox("accumulate", &state.accumulate);
   ImGui::SameLine();
   changed |= ImGui::Checkbox("denoise", &settings.display.denoise);

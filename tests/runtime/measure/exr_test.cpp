@@ -22,7 +22,7 @@ class Exr : public testing::Test {
     image.layers.push_back({"depth", {"Z"}, std::vector<float>(15)});
     for (std::size_t i = 0; i < 15; ++i)
       image.layers[1].values[i] = 1000.0f + static_cast<float>(i);
-    image.info = {"pairwise", 64, 32, 5, 0xFFFFFFFFFFFFFFFFu, 3.25f, "a device"};
+    image.info = {"pairwise", 64, 32, 5, 3, "paths", 0xFFFFFFFFFFFFFFFFu, 3.25f, "a device"};
     return image;
   }
   test::TempFolder folder;
@@ -45,6 +45,8 @@ TEST_F(Exr, PictureLayersAndInfoComeBackBitForBit) {
   EXPECT_EQ(in.info.frames, 64u);
   EXPECT_EQ(in.info.candidates, 32u);
   EXPECT_EQ(in.info.neighbours, 5u);
+  EXPECT_EQ(in.info.bounces, 3u);
+  EXPECT_EQ(in.info.indirect, "paths");
   EXPECT_EQ(in.info.seed, 0xFFFFFFFFFFFFFFFFu);
   EXPECT_EQ(in.info.ev100, 3.25f);
   EXPECT_EQ(in.info.device, "a device");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <limits>
 
 #include "formats/error.h"
@@ -46,6 +47,24 @@ TEST(FalseColour, BarHasLettersAndTheColoursOfTheScale) {
   // The middle of a scale of two decades is the colour of 1.
   for (std::size_t c = 0; c < 3; ++c)
     EXPECT_NEAR(image.rgb[3 * (400 * 8 + 199) + c], image.rgb[c], 3) << c;
+}
+
+// A surface of albedo 0.5 shows E / (2 pi).
+TEST(FalseColour, IlluminanceIsTheSumOfItsDirectAndIndirectParts) {
+  Image image;
+  image.width = image.height = 1;
+  image.rgb = {1, 1, 1};
+  const auto add = [&](const char* name, float value) {
+    image.layers.push_back({name, {"R", "G", "B"}, {value, value, value}});
+  };
+  add("albedo", 0.5f);
+  float luminance = 0;
+  for (const char* name : {"direct_lamps", "direct_windows", "direct_vehicles", "sky", "indirect"})
+    add(name, luminance += 1);
+  const float lux = 2 * std::numbers::pi_v<float>;
+  EXPECT_NEAR(illuminance_of(image)[0], 15 * lux, 1e-4f);
+  EXPECT_NEAR(illuminance_of(image, Illumination::direct)[0], 10 * lux, 1e-4f);
+  EXPECT_NEAR(illuminance_of(image, Illumination::indirect)[0], 5 * lux, 1e-4f);
 }
 
 TEST(FalseColour, IlluminanceNeedsItsLayers) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "runtime/render/upward_flux.h"
 #include "support/estimators.h"
 #include "support/gpu.h"
 #include "support/scenes.h"
@@ -49,15 +50,16 @@ TEST_P(Bounces, InAFurnaceEachAddsOneTermOfAGeometricSeries) {
   }
 }
 
-// Rings of quads; seen from inside they are close to a sphere of radius 1 about the origin.
-SceneBuilder sphere(float rho, int rings) {
+// Rings of quads; seen from inside they are close to a sphere of radius 1 about the origin. The first
+// `open` rings at the top are left out.
+SceneBuilder sphere(float rho, int rings, int open = 0) {
   SceneBuilder builder(rho);
   const auto at = [&](int ring, int segment) {
     const double theta = pi * ring / rings, phi = pi * segment / rings;
     return glm::vec3(float(std::sin(theta) * std::cos(phi)), float(std::cos(theta)),
                      float(std::sin(theta) * std::sin(phi)));
   };
-  for (int ring = 0; ring < rings; ++ring)
+  for (int ring = open; ring < rings; ++ring)
     for (int segment = 0; segment < 2 * rings; ++segment)
       builder.quad(at(ring, segment), at(ring + 1, segment), at(ring + 1, segment + 1),
                    at(ring, segment + 1));
@@ -87,6 +89,27 @@ TEST_P(Bounces, BetweenParallelPlanesEachSeesOnlyTheOther) {
   const measure::Image image = render(planes, between, with_bounces(GetParam(), 3), 8, 8, 64);
   const double expected = double(glow) * (1 - std::pow(double(rho), 4)) / (1 - rho);
   EXPECT_NEAR(mean_luminance(image), expected, 0.01 * expected);
+}
+
+// An integrating sphere with a hole that is the share f of its area: of the light that reaches the wall
+// or is reflected by it, f leaves. So do f of the lamp's own, and of the rest
+// rho f (1 + rho (1 - f) + ...) after bounces.
+TEST(UpwardFlux, OutOfASphereWithAHoleIsAGeometricSeries) {
+  constexpr float rho = 0.7f;
+  constexpr int rings = 48, open = 12;
+  const scene::RenderScene scene = sphere(rho, rings, open).with({lamp({0, 0, 0}, 1000, 0.01f)});
+  const double f = (1 - std::cos(pi * open / rings)) / 2, stays = double(rho) * (1 - f);
+  for (const std::uint32_t bounces : {0u, 1u, 3u, MAX_BOUNCES}) {
+    render::DeviceScene device_scene(test_device(), scene);
+    render::UpwardSettings settings;
+    settings.bounces = bounces;
+    settings.rays = 1 << 16;
+    const render::UpwardFlux flux =
+        render::measure_upward_flux(test_device(), test_passes(), device_scene, settings);
+    const double expected = stays * f * (1 - std::pow(stays, bounces)) / (1 - stays);
+    EXPECT_NEAR(flux.lights[0].direct, f, 0.005);
+    EXPECT_NEAR(flux.lights[0].reflected, expected, 0.01 * expected + 1e-9) << bounces;
+  }
 }
 
 // What bounced is a layer of its own, and the layers sum to the picture.

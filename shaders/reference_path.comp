@@ -1,0 +1,74 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// The reference's light that bounces: path push.first of each pixel in this frame goes on to its
+// vertex number push.count, which the lights light. A dispatch a vertex, so that the number of
+// iterations of one invocation stays bounded.
+#include "shaders/common.glsl"
+#include "shaders/random.glsl"
+#include "shaders/geometry.glsl"
+#include "shaders/trace.glsl"
+#include "shaders/surface_hit.glsl"
+#include "shaders/camera.glsl"
+#include "shaders/lights.glsl"
+#include "shaders/light_sampling.glsl"
+#include "shaders/shading.glsl"
+#include "shaders/sky.glsl"
+#include "shaders/reservoir.glsl"
+#include "shaders/resampling.glsl"
+#include "shaders/path.glsl"
+#include "shaders/accumulation.glsl"
+#include "shaders/layers.glsl"
+#include "shaders/all_lights.glsl"
+
+// Finds the vertex after `vertex`; its surface's depth is 0 where the path ends.
+PathVertex next_vertex(PathVertex vertex, uvec2 pixel) {
+  const Receiver r = receiver_seen_from(vertex.surface, vertex.viewer, false);
+  const float choice = random_float();
+  vec2 u = vec2(random_float(), random_float());
+  // The first direction is stratified over paths and frames. A later one must not be in step with
+  // it.
+  if (push.count == 1u) {
+    const uvec4 start = pcg4d(uvec4(pixel, 0u, FRAME.seed * 16u + STREAM_PATH));
+    u = r2_point(start.xy, FRAME.frame * FRAME.reference_paths + push.first);
+  }
+  const Scatter next = scatter(r, choice, u);
+  vertex.throughput *= next.weight;
+  vertex.surface = NO_SURFACE;
+  // The first two bounces are worth their rays even off dark surfaces.
+  const bool goes_on = push.count <= 2u ? luminance(vertex.throughput) > 0.0
+                                        : survives(vertex.throughput);
+  if (!goes_on) return vertex;
+  Hit hit;
+  vertex.surface = first_surface(r.origin, next.direction, hit);
+  vertex.viewer = r.origin;
+  return vertex;
+}
+
+void main() {
+  uvec2 pixel;
+  uint index;
+  if (!pixel_of_invocation(pixel, index)) return;
+  PathVertex vertex = PathVertex(FRAME.surfaces.at[index], vec3(1.0), FRAME.camera.position);
+  if (push.count > 1u) vertex = FRAME.path.at[index];
+  if (vertex.surface.depth <= 0.0) return;
+  // Pixels have coordinates below 2^16.
+  seed_random(pixel | uvec2(push.first, push.count) << 16u, STREAM_PATH);
+  vertex = next_vertex(vertex, pixel);
+  FRAME.path.at[index] = vertex;
+  if (vertex.surface.depth <= 0.0) return;
+
+  const Receiver r = receiver_seen_from(vertex.surface, vertex.viewer, false);
+  vec3 sum = unsampled_emission(vertex.surface) + reflected_sky_and_moon(r);
+  LightLayers ignored = NO_LAYERS;
+  if (SCENE.light_count <= REFERENCE_CHUNK)
+    sum += reflected_from_all(pixel, r, 0u, SCENE.light_count, false, ignored);
+  else
+    for (uint i = 0u; i < REFERENCE_PICKS; ++i)
+      sum += reflected_direct(r, REFERENCE_PICK_CANDIDATES) / float(REFERENCE_PICKS);
+  LightLayers layers = NO_LAYERS;
+  layers.indirect = vertex.throughput * sum / float(FRAME.reference_paths);
+  Accumulation total = FRAME.radiance.at[index];
+  add_compensated(total, layers.indirect);
+  FRAME.radiance.at[index] = total;
+  add_layers(index, layers, false);
+}
