@@ -74,12 +74,13 @@ void main() {
   if (!pixel_of_invocation(pixel, in_list) || in_list >= FRAME.seen_cells.at[0]) return;
   const uint index = FRAME.seen_cells.at[1u + in_list];
   const IrradianceCell cell = FRAME.cells.at[index];
+  const bool is_new = cell.made == FRAME.frame + 1u;
+  if (push.first == 0u ? !is_new : push.first > wanted_paths(cell)) return;
   const Surface surface = FRAME.surfaces.at[pixel_of_code(cell.owner)];
   if (push.first == 0u) {
-    if (cell.made == FRAME.frame + 1u) start_cell(index, surface);
+    start_cell(index, surface);
     return;
   }
-  if (push.first > wanted_paths(cell)) return;
   const float samples = min(cell.samples + 1.0, FRAME.max_cell_samples);
   const vec3 sample_lux = sample_irradiance(cell.key, surface);
   FRAME.cells.at[index].irradiance =

@@ -86,6 +86,7 @@ bool cached_irradiance(Surface surface, out vec3 irradiance) {
     const uint index = find_cell(place);
     if (index == NO_HIT) continue;
     const IrradianceCell cell = FRAME.cells.at[index];
+    if (FRAME.frame + 1u - cell.seen > FRAME.cell_memory) continue;
     const vec3 share = mix(1.0 - upper, upper, vec3(offset));
     const float weight = share.x * share.y * share.z * cell.samples;
     sum += cell.irradiance * weight;

@@ -50,7 +50,10 @@ void main() {
   if (!pixel_of_invocation(pixel, index)) return;
   PathVertex vertex = PathVertex(FRAME.surfaces.at[index], vec3(1.0), FRAME.camera.position);
   if (push.count > 1u) vertex = FRAME.path.at[index];
-  if (vertex.surface.depth <= 0.0) return;
+  if (vertex.surface.depth <= 0.0) {  // the path ended, or never began in the sky
+    FRAME.path.at[index] = vertex;
+    return;
+  }
   // Pixels have coordinates below 2^16.
   seed_random(pixel | uvec2(push.first, push.count) << 16u, STREAM_PATH);
   vertex = next_vertex(vertex, pixel);

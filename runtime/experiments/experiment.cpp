@@ -59,8 +59,7 @@ measure::Image Experiment::reference(const scene::CameraPose& pose, render::Rend
   if (!cache.empty() && std::filesystem::exists(cache)) {
     measure::Image kept = measure::read_exr(cache);
     if (kept.info.frames == frames && kept.info.bounces == settings.indirect.bounces &&
-        kept.width == renderer_->width() &&
-        kept.height == renderer_->height())
+        kept.width == renderer_->width() && kept.height == renderer_->height())
       return kept;
   }
   settings.sampling.estimator = render::Estimator::reference;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace nightcity::render {
 namespace {
@@ -29,21 +30,26 @@ void IrradianceCache::enter(gpu::Frame& frame, const IndirectSettings& settings,
     seen_ = gpu::Buffer(device_, (1 + pixels) * sizeof(std::uint32_t));
     forget_ = true;
   }
+  forget_ = forget_ || moved_s >= memory_s;
   if (forget_) cells_.fill_zero();
+  // New cells come in numbers when nothing is known or the camera moves.
+  const bool many_new = forget_ || frame.camera.position != frame.previous_camera.position ||
+                        frame.camera.forward != frame.previous_camera.forward;
+  rounds_ = (many_new ? NEW_CELL_FACTOR : 1) * settings.paths;
   forget_ = false;
   frame.cells = cells_.address();
   frame.seen_cells = seen_.address();
   frame.cell_mask = count_ - 1;
   frame.cell_paths = settings.paths;
   frame.cell_angle = settings.cell_px * 2 * frame.camera.tan_half_height / float(height_);
-  const double frames = std::max(memory_s / std::max(moved_s, 1e-6), 1.0);
+  const double frames = moved_s > 0 ? std::ceil(memory_s / moved_s) : max_samples;
   frame.max_cell_samples =
-      moved_s > 0 ? static_cast<float>(std::min(frames * settings.paths, double(max_samples)))
-                  : max_samples;
+      static_cast<float>(std::min(frames * settings.paths, double(max_samples)));
+  frame.cell_memory = static_cast<std::uint32_t>(std::min(frames, double(max_samples)));
 }
 
 void IrradianceCache::record(VkCommandBuffer commands, const PassSet& passes,
-                             std::uint64_t frame_address, const IndirectSettings& settings,
+                             std::uint64_t frame_address,
                              const std::function<void(const char*)>& finished) const {
   const gpu::Push all{frame_address, 0, count_};
   passes.cache_evict.dispatch(commands, &all, count_);
@@ -51,7 +57,7 @@ void IrradianceCache::record(VkCommandBuffer commands, const PassSet& passes,
   passes.cache_mark.dispatch(commands, &all, width_, height_);
   gpu::full_barrier(commands);
   finished("cache cells");
-  for (std::uint32_t round = 0; round <= NEW_CELL_FACTOR * settings.paths; ++round) {
+  for (std::uint32_t round = 0; round <= rounds_; ++round) {
     const gpu::Push push{frame_address, round, 0};
     passes.cache_update.dispatch(commands, &push, width_, height_);
     gpu::full_barrier(commands);

@@ -18,14 +18,13 @@ class IrradianceCache {
   /// Forgets everything with the next frame that uses the cache.
   void clear() { forget_ = true; }
 
-  /// Writes the addresses and sizes into `frame`, whose camera and size are filled in. `moved_s` is
-  /// the scene's time since the frame before where lights or shadows moved with it, else 0.
+  /// Writes the addresses and sizes into `frame`, whose cameras and size are filled in. `moved_s` is
+  /// the scene's time since the frame before where its light changes with time, else 0.
   void enter(gpu::Frame& frame, const IndirectSettings& settings, double moved_s);
 
   /// Records the passes, between the primary pass and shading, and calls `finished` with a name
   /// after them.
   void record(VkCommandBuffer commands, const PassSet& passes, std::uint64_t frame_address,
-              const IndirectSettings& settings,
               const std::function<void(const char*)>& finished) const;
 
  private:
@@ -33,6 +32,7 @@ class IrradianceCache {
   gpu::Buffer cells_, seen_;
   std::uint32_t count_ = 0, width_ = 0, height_ = 0;
   bool forget_ = false;
+  std::uint32_t rounds_ = 0;  // of paths in this frame
 };
 
 }  // namespace nightcity::render

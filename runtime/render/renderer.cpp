@@ -42,17 +42,19 @@ std::uint32_t reference_paths(std::uint32_t lights) {
 
 std::uint32_t find_indirect(const RenderSettings& settings) {
   if (settings.indirect.bounces == 0) return INDIRECT_NONE;
-  return settings.indirect.cache && traits_of(settings.sampling.estimator).samples
-             ? INDIRECT_CACHE
-             : INDIRECT_PATHS;
+  return settings.indirect.cache && traits_of(settings.sampling.estimator).samples ? INDIRECT_CACHE
+                                                                                   : INDIRECT_PATHS;
 }
 
 // Names the bias of a picture in the picture itself.
 std::string describe_indirect(const RenderSettings& settings) {
   switch (find_indirect(settings)) {
-    case INDIRECT_PATHS: return "paths, unbiased";
-    case INDIRECT_CACHE: return "irradiance cache, smoothed over its cells";
-    default: return "";
+    case INDIRECT_PATHS:
+      return "paths, unbiased";
+    case INDIRECT_CACHE:
+      return "irradiance cache, smoothed over its cells";
+    default:
+      return "";
   }
 }
 
@@ -159,7 +161,7 @@ void Renderer::record_restir(VkCommandBuffer commands, const RenderSettings& set
     timer_.mark(commands, "copy");
   }
   if (find_indirect(settings) == INDIRECT_CACHE)
-    cache_.record(commands, *passes_, frame_.address(), settings.indirect,
+    cache_.record(commands, *passes_, frame_.address(),
                   [&](const char* name) { timer_.mark(commands, name); });
   run_pass(commands, passes_->shade, "shade");
 }
@@ -247,7 +249,9 @@ void Renderer::restart_if_changed(const scene::CameraPose& pose, const RenderSet
     has_history_ = false;
     cache_.clear();
   }
-  moved_s_ = pose_ && (moved || switched) ? std::abs(settings.time_s - settings_.time_s) : 0;
+  moved_s_ = scene_.has_traffic() || scene_.has_schedules()
+                 ? std::abs(settings.time_s - settings_.time_s)
+                 : 0;
 }
 
 void Renderer::fill_buffers(gpu::Frame& frame, const RenderSettings& settings) {

@@ -101,7 +101,8 @@ class Renderer {
   std::uint32_t frames_ = 0;
   std::uint32_t frame_number_ = 0;  // never repeats, so that frames draw different random numbers
   bool has_history_ = false;
-  double moved_s_ = 0;  // the scene's time since the frame before, where something moved with it
+  double moved_s_ =
+      0;  // the scene's time since the frame before, where its light changes with time
   std::vector<gpu::Timer::Span> timings_;
 };
 

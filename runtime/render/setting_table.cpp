@@ -223,15 +223,17 @@ std::vector<Setting> make_indirect_settings() {
       {.name = "bounces",
        .group = Group::indirect,
        .max = MAX_BOUNCES,
-       .help = "How often light may bounce off surfaces before it reaches the one that is seen; 0 = "
-               "direct light alone",
+       .help =
+           "How often light may bounce off surfaces before it reaches the one that is seen; 0 = "
+           "direct light alone",
        .value = at<indirect, &Indirect::bounces>,
        .is_swept = true,
        .slider = SettingSlider{"bounces", 8, "%u"}},
       {.name = "cache",
        .group = Group::indirect,
-       .help = "Keep the light that bounced in cells of space: smoothed, and so slightly wrong near "
-               "edges. --no-cache follows one path a pixel and frame: unbiased, noisy",
+       .help =
+           "Keep the light that bounced in cells of space: smoothed, and so slightly wrong near "
+           "edges. --no-cache follows one path a pixel and frame: unbiased, noisy",
        .value = at<indirect, &Indirect::cache>,
        .applies = bounces,
        .is_swept = true},
@@ -248,7 +250,8 @@ std::vector<Setting> make_indirect_settings() {
        .group = Group::indirect,
        .min = 1,
        .max = 64,
-       .help = "Paths per cell and frame; a new cell gets four times as many, a settled one a quarter",
+       .help =
+           "Paths per cell and frame; a new cell gets four times as many, a settled one a quarter",
        .value = at<indirect, &Indirect::paths>,
        .applies = uses_cache,
        .is_swept = true},

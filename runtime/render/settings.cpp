@@ -73,12 +73,10 @@ RenderSettings to_published(RenderSettings settings) {
 }
 
 const std::vector<Feature>& optional_features() {
-  static const std::vector<Feature> features{{CONSTANT_PROFILES, "lamp profiles"},
-                                             {CONSTANT_RECTANGLES, "windows"},
-                                             {CONSTANT_SCHEDULES, "schedules"},
-                                             {CONSTANT_SKY, "sky"},
-                                             {CONSTANT_GLOSS, "wet streets"},
-                                             {CONSTANT_INDIRECT, "bounces"}};
+  static const std::vector<Feature> features{
+      {CONSTANT_PROFILES, "lamp profiles"}, {CONSTANT_RECTANGLES, "windows"},
+      {CONSTANT_SCHEDULES, "schedules"},    {CONSTANT_SKY, "sky"},
+      {CONSTANT_GLOSS, "wet streets"},      {CONSTANT_INDIRECT, "bounces"}};
   return features;
 }
 

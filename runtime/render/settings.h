@@ -83,7 +83,7 @@ struct IndirectSettings {
   // pixel. The reference always follows paths.
   bool cache = true;
   float cell_px = 4;        // side of the cache's cells
-  std::uint32_t paths = 4;  // per cell and frame, more for new cells, fewer for settled ones
+  std::uint32_t paths = 2;  // per cell and frame, more for new cells, fewer for settled ones
 
   bool operator==(const IndirectSettings&) const = default;
 };
@@ -112,6 +112,10 @@ struct DisplaySettings {
   float ev100 = 2;       // exposure
   std::uint32_t tone = TONEMAP_FILMIC;
 };
+
+/// Bounces of light in pictures for people, chosen by measurement (docs/bounces.md). What measures
+/// estimators of direct light starts from IndirectSettings' 0.
+constexpr std::uint32_t picture_bounces = 4;
 
 struct RenderSettings {
   SamplingSettings sampling;

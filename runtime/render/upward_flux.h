@@ -10,8 +10,8 @@
 namespace nightcity::render {
 
 struct UpwardSettings {
-  double time_s = 8 * 3600;   // since noon
-  std::uint32_t rays = 1024;  // per light, 1 .. 2^20
+  double time_s = 8 * 3600;             // since noon
+  std::uint32_t rays = 1024;            // per light, 1 .. 2^20
   std::uint32_t bounces = MAX_BOUNCES;  // off surfaces, 0 .. MAX_BOUNCES
   std::uint32_t seed = 0;
   float cell_m = 4;  // side of the map's cells; enlarged where there would be over 2^24 of them

@@ -191,8 +191,8 @@ glm::dvec3 Oracle::follow_path(Vertex vertex, int bounces, std::mt19937& random)
     if (!next) break;
     vertex = *next;
     const bool is_light = vertex.own_light < lights_.lights.size();
-    sum += throughput * (reflect_lights(vertex, 1, random) +
-                         (is_light ? glm::dvec3(0) : vertex.emission));
+    sum += throughput *
+           (reflect_lights(vertex, 1, random) + (is_light ? glm::dvec3(0) : vertex.emission));
   }
   return sum;
 }

@@ -122,5 +122,48 @@ TEST(BouncedLight, OfOnePathAPixelIsUnbiasedInRainUnderTheMoon) {
   expect_unbiased(settings, courtyard());
 }
 
+// The irradiance cache is biased by its smoothing alone: the mean is right, pixels are off near edges.
+TEST(BouncedLight, OfTheCacheHasTheRightMean) {
+  const Place place = courtyard();
+  const scene::RenderScene scene = place.builder.with(place.lights);
+  render::RenderSettings settings = with_bounces(render::Estimator::traced, 3);
+  settings.indirect.cache = true;
+  const measure::PictureStatistics ours = runs_of(scene, place.pose, settings, 16, 64, 1);
+  settings.sampling.estimator = render::Estimator::reference;
+  const measure::PictureStatistics truth = runs_of(scene, place.pose, settings, 24, 8, 5000);
+  const measure::PixelTest verdict = measure::test_pixels(ours, truth, 0.01, 1e-4);
+  std::printf("  mean %+.3f %% +- %.3f %%\n", 100 * verdict.relative_mean,
+              100 * verdict.relative_mean_error);
+  EXPECT_NEAR(verdict.relative_mean, 0, 0.003 + 3 * verdict.relative_mean_error);
+}
+
+// A lamp that goes out while the clock runs leaves the cache within half a second of the scene.
+TEST(BouncedLight, OfALampThatWentOutLeavesTheCache) {
+  scene::SceneLights lights;
+  lights.lights = {lamp({-6, 7, 0}, 6000, 0.3f), lamp({5, 5, 6}, 3000, 0.05f)};
+  lights.switches = {0, 100};
+  lights.schedules = {{0, 2}};  // on from 0 to 100 s
+  lights.lights[0].schedule = 0;
+  const scene::RenderScene scene =
+      scene::make_render_scene(boxes_on_a_plane().scene(), std::move(lights));
+  render::DeviceScene device_scene(test_device(), scene);
+  render::RenderSettings settings = with_bounces(render::Estimator::traced, 2);
+  settings.indirect.cache = true;
+  const auto mean_at = [&](double first_s, double step_s, int frames) {
+    render::Renderer renderer(test_device(), test_passes(), device_scene, side, side);
+    for (int i = 0; i < frames; ++i) {
+      settings.time_s = first_s + step_s * i;
+      renderer.render_frame(courtyard().pose, settings);
+    }
+    settings.time_s += 1e-9;  // the clock stands: a mean of frames at rest
+    for (int i = 0; i < 64; ++i) renderer.render_frame(courtyard().pose, settings);
+    return mean_luminance(renderer.download(false));
+  };
+  const double dark = mean_at(200, 1, 1);
+  EXPECT_GT(mean_at(50, 1.0 / 30, 16), 1.5 * dark) << "the lamp matters";
+  EXPECT_NEAR(mean_at(99.9, 1.0 / 30, 30), dark, 0.03 * dark);
+  EXPECT_NEAR(mean_at(99, 2, 2), dark, 0.02 * dark) << "and at once when the clock jumps";
+}
+
 }  // namespace
 }  // namespace nightcity::test

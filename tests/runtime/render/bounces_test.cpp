@@ -37,8 +37,7 @@ INSTANTIATE_TEST_SUITE_P(Ways, Bounces, testing::Values(Way::reference, Way::pat
 // every wall shows L (1 + rho + rho^2 + ...), one term for each bounce.
 TEST_P(Bounces, InAFurnaceEachAddsOneTermOfAGeometricSeries) {
   constexpr float rho = 0.5f, glow = 2;
-  const scene::RenderScene room =
-      SceneBuilder(rho).box({-3, 0, -4}, {5, 6, 3}).glow(glow).with({});
+  const scene::RenderScene room = SceneBuilder(rho).box({-3, 0, -4}, {5, 6, 3}).glow(glow).with({});
   const scene::CameraPose inside{{0.5f, 2, 0.3f}, {4, 3, 2}, {0, 1, 0}, 70};
   for (const std::uint32_t bounces : {0u, 1u, 2u, 5u}) {
     const measure::Image image =
@@ -73,7 +72,8 @@ TEST_P(Bounces, InAnIntegratingSphereEachAddsRhoTimesTheOneBefore) {
   const scene::RenderScene scene = sphere(rho, 48).with({lamp({0, 0, 0}, flux_lm, 0.01f)});
   const scene::CameraPose inside{{0.1f, 0.2f, 0}, {0.9f, 0, 0.1f}, {0, 1, 0}, 60};
   for (const std::uint32_t bounces : {1u, 4u}) {
-    const measure::Image image = render(scene, inside, with_bounces(GetParam(), bounces), 16, 16, 48);
+    const measure::Image image =
+        render(scene, inside, with_bounces(GetParam(), bounces), 16, 16, 48);
     const double direct = double(rho) / pi * double(flux_lm) / (4 * pi);
     const double expected = direct * (1 - std::pow(double(rho), bounces + 1)) / (1 - double(rho));
     EXPECT_NEAR(mean_luminance(image), expected, 0.01 * expected) << bounces << " bounces";
