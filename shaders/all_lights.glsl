@@ -1,4 +1,5 @@
-// The reference's light: every light, with one stratified sample each, and more on a light close by.
+// The reference's light: every light, with one stratified sample each, and more on a light close
+// by.
 
 // Returns whether a light fills much of a hemisphere; the surface may hide half of it, as the top
 // of a lamp's own post does.

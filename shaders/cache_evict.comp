@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The irradiance cache, first step: frees the cells that no frame has seen for long, from push.first
-// to before push.first + push.count, and readies the others for this frame.
+// The irradiance cache, first step: frees the cells that no frame has seen for long, from
+// push.first to before push.first + push.count, and readies the others for this frame.
 #define WORKGROUP_IS_A_ROW
 #include "shaders/common.glsl"
 

@@ -1,14 +1,14 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The irradiance cache, second step: finds or makes the cell of each pixel's surface, lists the cells
-// that this frame sees, and draws the pixel that samples each of them.
+// The irradiance cache, second step: finds or makes the cell of each pixel's surface, lists the
+// cells that this frame sees, and draws the pixel that samples each of them.
 #include "shaders/common.glsl"
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"
 #include "shaders/irradiance_cache.glsl"
 
-// Returns the index of a cell, which takes a free place where it is new; NO_HIT where all its places
-// are in use.
+// Returns the index of a cell, which takes a free place where it is new; NO_HIT where all its
+// places are in use.
 uint find_or_make_cell(CellPlace place) {
   const uvec2 hash = hash_of(place);
   for (uint i = 0u; i < CELL_PROBES; ++i) {

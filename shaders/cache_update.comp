@@ -1,7 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The irradiance cache, third step. Round 0 (push.first) starts new cells with what larger or smaller
-// cells know of the same place; each round after it adds one path to the cells that still want one.
+// The irradiance cache, third step. Round 0 (push.first) starts new cells with what larger or
+// smaller cells know of the same place; each round after it adds one path to the cells that still
+// want one.
 #include "shaders/common.glsl"
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"
@@ -17,8 +18,8 @@
 #include "shaders/path.glsl"
 #include "shaders/irradiance_cache.glsl"
 
-// A new cell gets NEW_CELL_FACTOR times the paths of others in its first frame, and a cell that holds
-// those of SETTLED_FRAMES frames a share of them from then on.
+// A new cell gets NEW_CELL_FACTOR times the paths of others in its first frame, and a cell that
+// holds those of SETTLED_FRAMES frames a share of them from then on.
 const uint SETTLED_FRAMES = 64u;
 const uint SETTLED_SHARE = 4u;
 

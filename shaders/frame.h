@@ -200,8 +200,8 @@ struct Frame {
   uint cell_mask;        // number of cells, a power of two, less 1
   uint cell_paths;       // of a cell in a frame
   float cell_angle;      // side of a cell, m per m of distance from the camera
-  // While the clock runs, cells forget: what was seen longer ago, in frames, is not used, and a mean
-  // is over at most the samples of so many frames.
+  // While the clock runs, cells forget: what was seen longer ago, in frames, is not used, and a
+  // mean is over at most the samples of so many frames.
   uint cell_memory;
   float max_cell_samples;
   float wetness;  // of surfaces that face up, 0 .. 1

@@ -1,9 +1,9 @@
-// The irradiance cache: indirect illuminance of surfaces, kept in cells of space from frame to frame
-// (after Ward, Rubinstein, Clear: A Ray Tracing Solution for Diffuse Interreflection, 1988; in a hash
-// table as by Binder et al.: Massively Parallel Path Space Filtering, 2021). A cell is a cube of a
-// size that grows with its distance from the camera, for the surfaces that face one of six ways. What
-// it holds is the mean over the surfaces that were seen in it: unbiased there, smoothed for each of
-// their points.
+// The irradiance cache: indirect illuminance of surfaces, kept in cells of space from frame to
+// frame (after Ward, Rubinstein, Clear: A Ray Tracing Solution for Diffuse Interreflection, 1988;
+// in a hash table as by Binder et al.: Massively Parallel Path Space Filtering, 2021). A cell is a
+// cube of a size that grows with its distance from the camera, for the surfaces that face one of
+// six ways. What it holds is the mean over the surfaces that were seen in it: unbiased there,
+// smoothed for each of their points.
 
 // m: no cell is smaller.
 const float MIN_CELL_M = 0.125;

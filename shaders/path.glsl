@@ -9,8 +9,8 @@ struct Scatter {
   vec3 weight;     // BRDF * cosine / density, at most about 1; 0 = nothing is reflected from there
 };
 
-// Returns the direction of one reflection, with probability `film_share` sampled by the water film's
-// lobe, else by the diffuse one: u in [0, 1)^2 is a point of it, `choice` in [0, 1) chooses.
+// Returns the direction of one reflection, with probability `film_share` sampled by the water
+// film's lobe, else by the diffuse one: u in [0, 1)^2 is a point of it, `choice` in [0, 1) chooses.
 // Weighted by the density of both (multiple importance sampling by the balance heuristic; Veach
 // 1997).
 Scatter scatter(Receiver r, float film_share, float choice, vec2 u) {

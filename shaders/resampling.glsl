@@ -1,4 +1,5 @@
-// Resampled importance sampling (RIS) of a light for a receiver (after Bitterli et al. 2020, Alg. 3).
+// Resampled importance sampling (RIS) of a light for a receiver (after Bitterli et al. 2020, Alg.
+// 3).
 
 // Returns whether any light shines that could be sampled.
 bool any_light_shines(LightSampler light_sampler) {

@@ -1,5 +1,5 @@
-// The irradiance cache of a renderer: its buffers, and the passes that bring it up to date in a frame
-// (shaders/irradiance_cache.glsl).
+// The irradiance cache of a renderer: its buffers, and the passes that bring it up to date in a
+// frame (shaders/irradiance_cache.glsl).
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ class IrradianceCache {
   /// Forgets everything with the next frame that uses the cache.
   void clear() { forget_ = true; }
 
-  /// Writes the addresses and sizes into `frame`, whose cameras and size are filled in. `moved_s` is
-  /// the scene's time since the frame before where its light changes with time, else 0.
+  /// Writes the addresses and sizes into `frame`, whose cameras and size are filled in. `moved_s`
+  /// is the scene's time since the frame before where its light changes with time, else 0.
   void enter(gpu::Frame& frame, const IndirectSettings& settings, double moved_s);
 
   /// Records the passes, between the primary pass and shading, and calls `finished` with a name

@@ -40,24 +40,6 @@ std::uint32_t reference_paths(std::uint32_t lights) {
   return lights <= REFERENCE_CHUNK ? REFERENCE_PATHS : REFERENCE_PICK_PATHS;
 }
 
-std::uint32_t find_indirect(const RenderSettings& settings) {
-  if (settings.indirect.bounces == 0) return INDIRECT_NONE;
-  return settings.indirect.cache && traits_of(settings.sampling.estimator).samples ? INDIRECT_CACHE
-                                                                                   : INDIRECT_PATHS;
-}
-
-// Names the bias of a picture in the picture itself.
-std::string describe_indirect(const RenderSettings& settings) {
-  switch (find_indirect(settings)) {
-    case INDIRECT_PATHS:
-      return "paths, unbiased";
-    case INDIRECT_CACHE:
-      return "irradiance cache, smoothed over its cells";
-    default:
-      return "";
-  }
-}
-
 bool same_view(const scene::CameraPose& a, const scene::CameraPose& b) {
   return a.position == b.position && a.target == b.target && a.up == b.up && a.fov_deg == b.fov_deg;
 }

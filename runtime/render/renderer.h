@@ -50,8 +50,9 @@ class Renderer {
 
   /// Returns the mean so far in cd/m^2, denoised where the settings ask for it, with its ImageInfo.
   /// With `layers`, adds the layer "luminance"; where the settings keep layers, "direct_lamps",
-  /// "direct_windows", "direct_vehicles", "sky", "emitted" and "indirect"; and of the last frame "albedo",
-  /// "normal", "depth" (m), "motion", "position" (m), "material" and "feature" (ids, -1 = none).
+  /// "direct_windows", "direct_vehicles", "sky", "emitted" and "indirect"; and of the last frame
+  /// "albedo", "normal", "depth" (m), "motion", "position" (m), "material" and "feature" (ids, -1 =
+  /// none).
   measure::Image download(bool layers = true) const;
   /// Returns the displayed picture, which every frame writes: width * height words, R in the low
   /// byte.
@@ -101,8 +102,8 @@ class Renderer {
   std::uint32_t frames_ = 0;
   std::uint32_t frame_number_ = 0;  // never repeats, so that frames draw different random numbers
   bool has_history_ = false;
-  double moved_s_ =
-      0;  // the scene's time since the frame before, where its light changes with time
+  // The scene's time since the frame before, where its light changes with time.
+  double moved_s_ = 0;
   std::vector<gpu::Timer::Span> timings_;
 };
 

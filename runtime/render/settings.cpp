@@ -62,6 +62,23 @@ bool have_same_estimate(const RenderSettings& a, const RenderSettings& b) {
          a.environment == b.environment;
 }
 
+std::uint32_t find_indirect(const RenderSettings& settings) {
+  if (settings.indirect.bounces == 0) return INDIRECT_NONE;
+  return settings.indirect.cache && traits_of(settings.sampling.estimator).samples ? INDIRECT_CACHE
+                                                                                   : INDIRECT_PATHS;
+}
+
+std::string describe_indirect(const RenderSettings& settings) {
+  switch (find_indirect(settings)) {
+    case INDIRECT_PATHS:
+      return "paths, unbiased";
+    case INDIRECT_CACHE:
+      return "irradiance cache, smoothed over its cells";
+    default:
+      return "";
+  }
+}
+
 RenderSettings to_published(RenderSettings settings) {
   settings.sampling.near_share = 0;
   settings.sampling.far_share = 0;

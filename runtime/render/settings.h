@@ -78,7 +78,7 @@ struct ReuseSettings {
 
 /// Light that reaches the surface that is seen after it bounced off others.
 struct IndirectSettings {
-  std::uint32_t bounces = 0;  // at most; 0 = none of it, up to MAX_BOUNCES
+  std::uint32_t bounces = 0;  // at most, 0 .. MAX_BOUNCES
   // Takes it from the irradiance cache, which smooths it, instead of following a path of each
   // pixel. The reference always follows paths.
   bool cache = true;
@@ -135,6 +135,11 @@ struct RenderSettings {
 /// Returns whether frames of both settings may go into one mean: only their display, averaging,
 /// time and forced features may differ.
 bool have_same_estimate(const RenderSettings& a, const RenderSettings& b);
+
+/// Returns how light that bounces is found, INDIRECT_* of shaders/specialization.h.
+std::uint32_t find_indirect(const RenderSettings& settings);
+/// Returns the same in words, with its bias, as pictures carry it; "" without bounces.
+std::string describe_indirect(const RenderSettings& settings);
 
 /// Returns the settings that the paper published: uniform candidates, every M in full, neither
 /// boost nor permutation (Bitterli et al.: Spatiotemporal reservoir resampling for real-time ray

@@ -49,8 +49,8 @@ TEST_P(Bounces, InAFurnaceEachAddsOneTermOfAGeometricSeries) {
   }
 }
 
-// Rings of quads; seen from inside they are close to a sphere of radius 1 about the origin. The first
-// `open` rings at the top are left out.
+// Rings of quads; seen from inside they are close to a sphere of radius 1 about the origin. The
+// first `open` rings at the top are left out.
 SceneBuilder sphere(float rho, int rings, int open = 0) {
   SceneBuilder builder(rho);
   const auto at = [&](int ring, int segment) {
@@ -91,9 +91,9 @@ TEST_P(Bounces, BetweenParallelPlanesEachSeesOnlyTheOther) {
   EXPECT_NEAR(mean_luminance(image), expected, 0.01 * expected);
 }
 
-// An integrating sphere with a hole that is the share f of its area: of the light that reaches the wall
-// or is reflected by it, f leaves. So do f of the lamp's own, and of the rest
-// rho f (1 + rho (1 - f) + ...) after bounces.
+// An integrating sphere with a hole that is the share f of its area: of the light that reaches the
+// wall or is reflected by it, f leaves. So do f of the lamp's own, and of the rest rho f (1 + rho
+// (1 - f) + ...) after bounces.
 TEST(UpwardFlux, OutOfASphereWithAHoleIsAGeometricSeries) {
   constexpr float rho = 0.7f;
   constexpr int rings = 48, open = 12;
