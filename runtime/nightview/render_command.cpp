@@ -185,7 +185,6 @@ void render(RenderCommand& command) {
 
 void add_render_command(CLI::App& app) {
   auto command = std::make_shared<RenderCommand>();
-  command->options.settings.indirect.bounces = render::picture_bounces;
   CLI::App* sub =
       app.add_subcommand("render", "Render a baked scene to a picture, without a window");
   sub->footer(

@@ -40,7 +40,6 @@ void view(ViewCommand& command) {
 
 void add_view_command(CLI::App& app) {
   auto command = std::make_shared<ViewCommand>();
-  command->render.settings.indirect.bounces = render::picture_bounces;
   CLI::App* sub = app.add_subcommand(
       "view", "Show a baked scene in a window; \"nightview SCENE.glb\" is short for it");
   sub->footer(

@@ -113,10 +113,6 @@ struct DisplaySettings {
   std::uint32_t tone = TONEMAP_FILMIC;
 };
 
-/// Bounces of light in pictures for people, chosen by measurement (docs/bounces.md). What measures
-/// estimators of direct light starts from IndirectSettings' 0.
-constexpr std::uint32_t picture_bounces = 4;
-
 struct RenderSettings {
   SamplingSettings sampling;
   ReuseSettings reuse;

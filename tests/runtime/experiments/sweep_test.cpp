@@ -29,7 +29,8 @@ TEST(Sweep, ColumnsKeepTheirNamesAndOrder) {
   EXPECT_EQ(columns,
             (std::vector<std::string>{"estimator", "candidates", "neighbours", "radius", "history",
                                       "reach", "boost", "permute", "local-share", "wide-share",
-                                      "uniform-share", "fleet-share", "visibility-reuse"}));
+                                      "uniform-share", "fleet-share", "visibility-reuse",
+                                      "bounces", "cache", "cache-cell", "cache-paths"}));
 }
 
 TEST(Sweep, EveryCombinationComesOnceWithoutSettingsThatAnEstimatorLacks) {
