@@ -40,8 +40,11 @@ Scatter scatter(Receiver r, float film_share, float choice, vec2 u) {
   return s;
 }
 
+// Returns the share of directions that a receiver's water film samples, 0 where it has none.
+float film_share_of(Receiver r) { return HAS_GLOSS != 0u ? 0.5 * r.wetness : 0.0; }
+
 Scatter scatter(Receiver r, float choice, vec2 u) {
-  return scatter(r, HAS_GLOSS != 0u ? 0.5 * r.wetness : 0.0, choice, u);
+  return scatter(r, film_share_of(r), choice, u);
 }
 
 // Returns the light that a surface on a path emits by itself, cd/m^2 per channel. What belongs to a

@@ -22,10 +22,10 @@
 vec3 reflected_indirect(Surface surface, Receiver receiver, uvec2 pixel) {
   seed_random(pixel, STREAM_INDIRECT);
   vec3 known = vec3(0.0), irradiance;
-  float film_share = HAS_GLOSS != 0u ? 0.5 * receiver.wetness : 0.0;
+  float film_share = film_share_of(receiver);
   if (INDIRECT == INDIRECT_CACHE && cached_irradiance(surface, irradiance)) {
     known = receiver.reflectance * irradiance;
-    // What the water film mirrors depends on the view, so no cell holds it.
+    // The water film mirrors other things from each side, so no cell holds its light.
     if (film_share <= 0.0) return known;
     receiver.reflectance = vec3(0.0);
     film_share = 1.0;

@@ -216,6 +216,19 @@ std::vector<Document> list_documents(const std::filesystem::path& file,
   return {{path, false, [=] { return to_utf8(std::make_unique<PlainSource>(path)); }}};
 }
 
+std::string read_start(const Document& document, std::size_t most) {
+  std::string bytes(most, '\0');
+  std::size_t size = 0;
+  const auto source = document.open();
+  while (size < bytes.size()) {
+    const std::size_t got = source->read(bytes.data() + size, bytes.size() - size);
+    if (got == 0) break;
+    size += got;
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
 bool mentions(const Document& document, std::string_view text) {
   constexpr std::size_t first_block = std::size_t{1} << 15;
   constexpr std::size_t max_block = std::size_t{1} << 19;  // stays in the second cache

@@ -27,6 +27,9 @@ struct Document {
   std::function<std::unique_ptr<ByteSource>()> open;
 };
 
+/// Returns the document's first bytes, unpacked: `most` of them, or all where there are fewer.
+std::string read_start(const Document& document, std::size_t most);
+
 /// Returns whether the document's bytes hold this text anywhere. One pass over all of it takes a
 /// fiftieth of the time that a reader takes, over a compressed document a quarter.
 bool mentions(const Document& document, std::string_view text);

@@ -15,19 +15,6 @@ namespace {
 // The file's first bytes, in which the first member has to begin.
 constexpr std::size_t searched_bytes = std::size_t{1} << 20;
 
-std::string read_beginning(const city::Document& document) {
-  std::string bytes(searched_bytes, '\0');
-  std::size_t size = 0;
-  const auto source = document.open();
-  while (size < bytes.size()) {
-    const std::size_t got = source->read(bytes.data() + size, bytes.size() - size);
-    if (got == 0) break;
-    size += got;
-  }
-  bytes.resize(size);
-  return bytes;
-}
-
 bool holds_one_member(std::string_view local) {
   return local == "cityObjectMember" || local == "featureMember" || local == "member";
 }
@@ -91,7 +78,7 @@ std::optional<city::FileCuts> find_citygml_cuts(const std::filesystem::path& fil
   const auto source = document.open();
   const MemberSplitter splitter(*source, document.name, {});
   const DocumentHead& head = splitter.head();
-  const std::string text = read_beginning(document);
+  const std::string text = city::read_start(document, searched_bytes);
   const bool is_utf16 = text.size() < 4 || text[0] == '\0' || text[1] == '\0';
   const std::size_t root = text.find(head.root_tag);
   if (is_utf16 || root == std::string::npos) return {};

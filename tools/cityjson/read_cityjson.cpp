@@ -17,19 +17,6 @@ std::string_view skip_blanks(std::string_view text) {
   return text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
 }
 
-std::string read_start(const city::Document& document) {
-  std::string bytes(start_bytes, '\0');
-  const auto source = document.open();
-  std::size_t size = 0;
-  while (size < bytes.size()) {
-    const std::size_t got = source->read(bytes.data() + size, bytes.size() - size);
-    if (got == 0) break;
-    size += got;
-  }
-  bytes.resize(size);
-  return bytes;
-}
-
 // Archives also hold metadata, schemas and code lists in JSON.
 std::vector<city::Document> list_cityjson(const std::filesystem::path& file,
                                           std::vector<std::string>* warnings) {
@@ -37,7 +24,7 @@ std::vector<city::Document> list_cityjson(const std::filesystem::path& file,
   if (all.size() == 1) return all;
   std::vector<city::Document> documents;
   for (city::Document& document : all) {
-    if (begins_as_cityjson(read_start(document)))
+    if (begins_as_cityjson(city::read_start(document, start_bytes)))
       documents.push_back(std::move(document));
     else if (warnings)
       warnings->push_back(document.name + ": passed over, it is no CityJSON");

@@ -97,19 +97,6 @@ constexpr std::array formats{
     FileFormat{"Wavefront OBJ", FileKind::city, is_obj, true, obj::obj_endings, &obj_reader},
 };
 
-std::string read_start(const city::Document& document) {
-  std::string bytes(start_bytes, '\0');
-  std::size_t size = 0;
-  const auto source = document.open();
-  while (size < bytes.size()) {
-    const std::size_t got = source->read(bytes.data() + size, bytes.size() - size);
-    if (got == 0) break;
-    size += got;
-  }
-  bytes.resize(size);
-  return bytes;
-}
-
 std::string list_names() {
   std::string names;
   for (const FileFormat& format : formats)
@@ -138,7 +125,7 @@ const FileFormat& find_format(const std::filesystem::path& path) {
   const std::string name = to_lower(path.filename().string());
   std::string why;
   for (const city::Document& document : city::list_documents(path, city_endings())) {
-    const std::string bytes = read_start(document);
+    const std::string bytes = city::read_start(document, start_bytes);
     if (const FileFormat* format = recognise({bytes, name, document.packed})) return *format;
     if (why.empty()) why = explain_foreign(bytes, name);
     if (why.empty()) why = osm::describe_unread_osm(bytes);
@@ -151,7 +138,7 @@ std::string find_reason_to_pass_over(const std::filesystem::path& path) {
   const std::string name = to_lower(path.filename().string());
   const auto documents = city::list_documents(path, city_endings());
   if (documents.size() != 1) return {};
-  const std::string bytes = read_start(documents.front());
+  const std::string bytes = city::read_start(documents.front(), start_bytes);
   if (const FileFormat* format = recognise({bytes, name, documents.front().packed}))
     return format->kind == FileKind::city ? "" : std::string("is ") + format->name;
   const bool is_text = !find_root_name(bytes).empty() || bytes.starts_with('{');

@@ -3,14 +3,12 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "formats/error.h"
-#include "formats/program/output.h"
-#include "formats/program/print_json.h"
 #include "tools/bake/bake.h"
 #include "tools/bake/parts/bake_part.h"
+#include "tools/nightbake/bake_results.h"
 #include "tools/nightbake/commands.h"
 #include "tools/nightbake/shown_progress.h"
 
@@ -18,9 +16,8 @@ namespace nightcity::nightbake {
 namespace {
 
 struct RunArguments {
-  std::string recipe, folder, part;
-  bool json = false;
-  unsigned threads = 0;
+  std::string recipe, part;
+  BakeResults results;
 };
 
 void run_part(const RunArguments& arguments, const bake::Recipe& recipe) {
@@ -32,7 +29,7 @@ void run_part(const RunArguments& arguments, const bake::Recipe& recipe) {
   bake::BakedPart part;
   {
     ShownProgress progress;
-    part = bake::bake_part(bake::make_bake_options(recipe), *share, arguments.folder,
+    part = bake::bake_part(bake::make_bake_options(recipe), *share, arguments.results.folder,
                            NIGHTCITY_VERSION, progress.sink());
   }
   if (part.was_done)
@@ -44,17 +41,14 @@ void run_part(const RunArguments& arguments, const bake::Recipe& recipe) {
 
 void run(const RunArguments& arguments) {
   bake::Recipe recipe = bake::read_recipe(arguments.recipe);
-  if (arguments.threads > 0) recipe.city.read.threads = arguments.threads;
+  if (arguments.results.threads > 0) recipe.city.read.threads = arguments.results.threads;
   if (!arguments.part.empty()) return run_part(arguments, recipe);
   bake::BakeReport report;
   {
     ShownProgress progress;
-    report = bake::bake(recipe, arguments.folder, progress.sink());
+    report = bake::bake(recipe, arguments.results.folder, progress.sink());
   }
-  if (arguments.json)
-    program::print_json(bake::to_json(report));
-  else
-    fmt::print("{}", bake::to_text(report));
+  arguments.results.print(report);
 }
 
 }  // namespace
@@ -66,16 +60,7 @@ void add_run_command(CLI::App& app) {
   command
       ->add_option("recipe", arguments->recipe, "Recipe (TOML): [city] files, [osm] files, options")
       ->required();
-  program::add_output_option(*command, arguments->folder,
-                             "Folder for the results; made where it is absent")
-      ->required();
-  command->add_flag("--json", arguments->json,
-                    "Print the report as JSON (it is in DIR/bake_report.json too)");
-  command
-      ->add_option("--threads", arguments->threads,
-                   "Number of threads, in place of the recipe's (default: one per core); the "
-                   "results do not depend on it")
-      ->check(CLI::Range(1, 1024));
+  arguments->results.declare(*command);
   command->add_option(
       "--part", arguments->part,
       "Make one part of the bake alone, such as 3/64 for the third of 64: "
