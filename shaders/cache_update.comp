@@ -45,7 +45,7 @@ vec3 bound_sample(IrradianceCell cell, vec3 sample_lux, float samples) {
   return sample_lux * min(1.0, (1.0 + MAX_RISE * samples) * known / max(l, known));
 }
 
-// What a cell takes over counts as this many samples at most.
+// The light that a new cell takes over from others counts as this many samples at most.
 const float MAX_INHERITED = 8.0;
 
 // Adds what another cell knows to a sum over cells, if it is not new itself.

@@ -25,8 +25,8 @@
 #define MAX_BOUNCES 16u
 #define BOUNCE_CANDIDATES 8u
 
-// Where a chunk holds all lights, the reference adds up every light at each vertex of its paths,
-// and follows REFERENCE_PATHS of them a pixel and frame. With more lights it resamples one of
+// If a chunk holds all lights, the reference adds up every light at each vertex of its paths, and
+// follows REFERENCE_PATHS of them a pixel and frame. With more lights it resamples one of
 // REFERENCE_PICK_CANDIDATES, REFERENCE_PICKS times, and follows REFERENCE_PICK_PATHS.
 #define REFERENCE_PATHS 4u
 #define REFERENCE_PICK_PATHS 16u

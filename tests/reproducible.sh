@@ -29,7 +29,7 @@ for folder in "${folders[@]}"; do
   )
 done
 
-# What the targets are linked from tells more than the programs: the first file that differs is the cause.
+# The files that the targets are linked from tell more than the programs: the first that differs is the cause.
 same=0 failures=0
 while IFS= read -r -d '' file; do
   if cmp -s "${folders[0]}/build/release/$file" "${folders[1]}/build/release/$file"; then

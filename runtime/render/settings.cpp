@@ -73,7 +73,7 @@ std::string describe_indirect(const RenderSettings& settings) {
     case INDIRECT_PATHS:
       return "paths, unbiased";
     case INDIRECT_CACHE:
-      return "irradiance cache, smoothed over its cells";
+      return "irradiance cache, smoothed over its cells, rare samples bounded";
     default:
       return "";
   }

@@ -200,7 +200,7 @@ BvhRoot append_bvh(LargeVector<gpu::BvhNode>& nodes, std::span<const gpu::Triang
                    unsigned threads, std::span<std::uint32_t> order) {
   check_sizes(first + triangles.size(), BVH_MAX_LEAF, UINT32_MAX);
   check_sizes(triangles.size(), max_leaf, max_stack);
-  // Where every piece were a pair, a leaf would hold half as many.
+  // If every piece were a pair, a leaf would hold half as many pieces.
   const bool pairs = max_leaf >= 4 && needed_stack(triangles.size(), max_leaf / 2) <= max_stack;
   const auto from = static_cast<std::uint32_t>(first);
   LargeVector<TrianglePiece> pieces = make_pieces(triangles, pairs, threads);

@@ -1,5 +1,5 @@
-// What a BVH over triangles is built of: single triangles, and pairs that share an edge. Walls,
-// windows and streets are quads for the most part, so pairs halve the work.
+// A BVH over triangles is built of single triangles and of pairs that share an edge. Walls, windows
+// and streets are quads for the most part, so pairs halve the work.
 #pragma once
 
 #include <bit>

@@ -62,7 +62,7 @@ TEST(PictureMean, APartIsCountedFromTheLowerLeftAndRepeats) {
   expect({1e300, 0}, {1e300, 0.2}, {0, 0.75, 0.25});
 }
 
-// Of large pictures of one colour, four are unpacked. Others are not held up by them.
+// Four large pictures of one colour are unpacked and no more, and other pictures still are.
 TEST(PictureBudget, HasRoomForFourLargePicturesAndForThoseThatHaveBytes) {
   const std::string large = make_white_png(8192, 8192), small = make_white_png(20, 10);
   const std::string too_large = make_white_png(16384, 16384);

@@ -49,8 +49,8 @@ void finish_report(const std::filesystem::path& file, ReadReport& report);
 /// The parser of CityGML. Both deliver the same model; the second is a second opinion.
 enum class Reader : std::uint8_t { stream, libcitygml };
 
-/// How coordinates become metres east, north and up of the city's system, in formats that state
-/// neither unit nor axes nor place (Wavefront OBJ).
+/// The placement of a mesh says how its coordinates become metres east, north and up of the city's
+/// system, in formats that state neither unit nor axes nor place (Wavefront OBJ).
 struct MeshPlacement {
   enum class Up : std::uint8_t { automatic, y, z };
   Up up = Up::automatic;  // automatic: the one of y and z along which the model extends less
@@ -59,7 +59,7 @@ struct MeshPlacement {
   int max_vertices = 20'000'000;  // a limit: a vertex takes 24 bytes
 };
 
-/// What is made of textures: nothing, or the mean colour of each surface under its own.
+/// Textures are left out, or each surface gets the mean colour of its own.
 enum class Textures : std::uint8_t { none, mean };
 
 struct ReadOptions {

@@ -25,7 +25,7 @@ struct TextPiece {
   bool is_first() const { return begin == head_end; }
 };
 
-/// How a file may be cut.
+/// The places at which a file may be cut.
 struct FileCuts {
   std::uint64_t size = 0;                // of the file
   std::uint64_t head_end = 0;            // where the first member begins

@@ -1,4 +1,4 @@
-// Where a CityGML file may be cut into pieces that are read one by one.
+// Finds where a CityGML file may be cut into pieces that are read one by one.
 #pragma once
 
 #include <filesystem>

@@ -31,7 +31,7 @@ std::string_view first_own_srs_name(const pugi::xml_node& member);
 /// coordinates by.
 using SrsName = std::shared_ptr<const std::string>;
 
-/// What one document says, for all of its members. For one thread at a time.
+/// The CRSs that one document names, for all of its members. One thread at a time may use it.
 class SrsScope {
  public:
   /// `known`: ReadOptions::srs_name. `document`: the name of the document's own extent, "" = none.

@@ -1,4 +1,4 @@
-// What a light's record says, in words that other programs show.
+// Puts a light's record into words that other programs show.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Where a scene lies on the ellipsoid of WGS 84: for formats that show the whole Earth.
+// Places a scene on the ellipsoid of WGS 84, for formats that show the whole Earth.
 #pragma once
 
 #include <array>

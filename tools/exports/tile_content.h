@@ -19,7 +19,7 @@ struct ModelBox {
   void add(const glm::dvec3& p);
 };
 
-/// What stands in a tile, as numbers in the scene and the light file.
+/// The things that stand in a tile, by their numbers in the scene and the light file.
 struct TileParts {
   struct Part {
     std::size_t node, instance;

@@ -1,4 +1,4 @@
-// What every use of GDAL here has in common: its drivers, silence, and no network.
+// Every use of GDAL here takes its drivers from a list, is silent and has no network.
 #pragma once
 
 #include <string>

@@ -9,7 +9,7 @@
 
 namespace nightcity::inventory {
 
-/// What a column can hold, and the tag by which the rest of the program knows it
+/// A property that a column can hold, and the tag by which the rest of the program knows it
 /// (tools/lights/lamp_tags.h reads the values).
 struct Property {
   std::string_view name;  // in a recipe: "lumens"

@@ -48,7 +48,7 @@ GDALDatasetUniquePtr open_vector_file(const InventoryFile& inventory) {
   refuse_what_is_no_table(inventory.file);
   gdal::register_drivers();
   const gdal::Guard guard;
-  // What one object of GeoJSON may take, in MB: a lamp needs a kilobyte.
+  // One object of GeoJSON may take so many MB: a lamp needs a kilobyte.
   CPLSetThreadLocalConfigOption("OGR_GEOJSON_MAX_OBJ_SIZE", "16");
   // The whole path, which no prefix of GDAL's own file systems can be.
   const std::string path = std::filesystem::absolute(inventory.file).string();

@@ -77,8 +77,8 @@ class Places : public osmium::handler::Handler {
   bool sorted_ = false;
 };
 
-// What an assembler leaves out. The manager makes one for each area, from a copy of its
-// configuration.
+// The ways and relations that an assembler leaves out. The manager makes an assembler for each
+// area, from a copy of its configuration.
 struct TooLong {
   std::unordered_set<osmium::object_id_type> ways;
   std::size_t relations = 0;

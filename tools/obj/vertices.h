@@ -10,7 +10,7 @@
 
 namespace nightcity::obj {
 
-/// How the faces of a file are grouped to city objects.
+/// The faces of a file are grouped to city objects in one of these ways.
 enum class Grouping : std::uint8_t {
   by_object,     // statements `o`
   by_group,      // statements `g`, where there is one `o` or none

@@ -26,7 +26,7 @@ struct Leg {
 };
 
 struct alignas(64) Vehicle {
-  // What others ask about it comes first: together they are one line of the cache.
+  // The members that others ask for come first: together they are one line of the cache.
   double distance = 0;                   // of the vehicle's middle along the trip
   double leg_start = 0;                  // of the leg that the vehicle is on
   double v = 0, next_v = 0;              // now and after this step

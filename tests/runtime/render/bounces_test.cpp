@@ -112,7 +112,7 @@ TEST(UpwardFlux, OutOfASphereWithAHoleIsAGeometricSeries) {
   }
 }
 
-// What bounced is a layer of its own, and the layers sum to the picture.
+// Light that bounced is a layer of its own, and the layers sum to the picture.
 TEST_P(Bounces, AreALayerOfTheirOwn) {
   render::RenderSettings settings = with_bounces(GetParam(), 2);
   settings.sampling.layers = true;

@@ -180,7 +180,7 @@ TEST_F(PartsOfAwkwardFiles, ObjectsWithoutIdsKeepTheirLines) {
   expect_as_whole(gml);
 }
 
-// What is broken in a file is told at its line, also by way of parts.
+// An error in a file names its line, also by way of parts.
 TEST(Parts, ABrokenFileIsAnErrorAtItsLine) {
   const TempFolder folder;
   std::string gml = many_houses([](int) { return std::string(); });

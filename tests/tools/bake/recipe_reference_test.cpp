@@ -11,7 +11,7 @@ namespace {
 
 using test::TempFolder;
 
-// What the keys of all tables write into.
+// The keys of all tables write into these.
 struct Targets {
   bake::Recipe recipe{};
   bake::LuminaireFile luminaire{};

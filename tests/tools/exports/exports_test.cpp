@@ -89,7 +89,7 @@ TEST(Exports, HoursAreTheNightsOwn) {
 }
 
 TEST(Exports, PlacesOnTheEarthAreWhereGeodesyPutsThem) {
-  // Of the equator and the pole the axes of the ellipsoid are known.
+  // The axes of the ellipsoid are known at the equator and at the pole.
   EXPECT_NEAR(glm::distance(to_ecef({0, 0}, 0), glm::dvec3(6378137, 0, 0)), 0, 1e-6);
   EXPECT_NEAR(glm::distance(to_ecef({90, 0}, 10), glm::dvec3(0, 6378147, 0)), 0, 1e-6);
   EXPECT_NEAR(glm::distance(to_ecef({7, 90}, 0), glm::dvec3(0, 0, 6356752.314245)), 0, 1e-5);

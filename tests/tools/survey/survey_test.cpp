@@ -1,4 +1,4 @@
-// What `nightbake new` makes of files: each is told for what it is, and the recipe bakes.
+// `nightbake new` tells each file for what it is, and the recipe that it writes bakes.
 #include "tools/survey/survey.h"
 
 #include <gtest/gtest.h>

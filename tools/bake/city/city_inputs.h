@@ -33,8 +33,8 @@ struct CityInputs {
   std::vector<inventory::InventoryFile> inventories;
   std::string map_licence = "OpenStreetMap contributors, ODbL 1.0";
   GroundOptions ground;
-  /// What an earlier look at all inputs has found: they are not looked at again, and of the map
-  /// only its buildings are there. Null: the city looks itself.
+  /// The result of an earlier look at all inputs: the city does not look again, and reads only the
+  /// buildings of the map. Null: the city looks itself.
   std::shared_ptr<const CitySurvey> survey;
   /// Finished parts of this bake, in order: the objects come from them. Empty: from the files.
   std::vector<std::filesystem::path> parts;

@@ -1,5 +1,5 @@
-// What has to be known of a city's inputs as a whole before its first object is read. Parts of a
-// bake share it, so that each does not look through all inputs again.
+// The survey of a city: all that has to be known of its inputs as a whole before the first object
+// is read. Parts of a bake share it, so that each does not look through all inputs again.
 #pragma once
 
 #include <cstdint>

@@ -29,12 +29,12 @@ struct ReadyObject {
   std::optional<city::CityObject> unknown;
 };
 
-/// How the objects of a city are made ready.
+/// These settings say how the objects of a city are made ready.
 struct ReadySettings {
   const CityFrames& frames;
-  /// Of the ground that objects of a model without heights of its own stand on, as a map's
-  /// buildings do; null: objects have heights. Such an object stands on the lowest height below its
-  /// outlines, as OpenStreetMap counts the height of a building; one without any is left out.
+  /// Heights of the ground, for objects of a model without heights of its own, as a map's buildings
+  /// are; null: objects have heights. Such an object stands on the lowest height below its outlines,
+  /// as OpenStreetMap counts the height of a building; one without any is left out.
   const GroundHeights* heights = nullptr;
   bool has_identities = false;  // neighbouring files may share objects
   int max_crossings = 0;

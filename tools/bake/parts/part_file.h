@@ -14,8 +14,8 @@
 
 namespace nightcity::bake {
 
-/// What a part was made from. It is the part's receipt: a part with the same one need not be made
-/// again.
+/// The receipt of a part says what the part was made from: one with the same receipt need not be
+/// made again.
 struct PartHead {
   std::string fingerprint;  // of recipe and inputs (fingerprint.h)
   std::string recipe;       // its path, absolute

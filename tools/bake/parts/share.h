@@ -1,4 +1,4 @@
-// How the inputs of a city are shared out among the parts of a bake.
+// The inputs of a city are shared out among the parts of a bake by their bytes.
 #pragma once
 
 #include <cstddef>
