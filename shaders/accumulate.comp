@@ -26,7 +26,7 @@ void main() {
     const Surface surface = FRAME.surfaces.at[index];
     uint before = index;
     const bool sky = surface.depth <= 0.0 && FRAME.previous_surfaces.at[index].depth <= 0.0 &&
-                     FRAME.has_history != 0u;
+                     FRAME.has_history != 0u && FRAME.previous_size == FRAME.size;
     if (sky || previous_pixel(surface, false, before))
       total = FRAME.previous_accumulation.at[before];
     const float most = float(FRAME.window - 1u);

@@ -164,6 +164,7 @@ struct Frame {
   uvec2 previous_tlas;
   uint previous_root;
   uvec2 size;
+  uvec2 previous_size;  // of previous_*
   // Number of the frame since the renderer was made. It never repeats, so that random numbers
   // differ in every frame.
   uint frame;

@@ -41,17 +41,18 @@ bool previous_pixel(Surface surface, bool permuted, out uint index) {
   if (z <= 0.0) return false;
   const vec2 screen =
       vec2(dot(d, camera.right) / camera.aspect, -dot(d, camera.up)) / (z * camera.tan_half_height);
-  const vec2 at = (screen * 0.5 + 0.5) * vec2(FRAME.size);
-  if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, vec2(FRAME.size)))) return false;
+  const uvec2 size = FRAME.previous_size;
+  const vec2 at = (screen * 0.5 + 0.5) * vec2(size);
+  if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, vec2(size)))) return false;
   uvec2 there = uvec2(at);
   if (permuted) {
     const uvec2 corner = uvec2(FRAME.permutation & 3u, FRAME.permutation >> 2u & 3u);
     // Wraps below 0, which is outside the picture too.
     const uvec2 turned = ((there + corner) ^ 3u) - corner;
-    if (all(lessThan(turned, FRAME.size)) &&
-        similar(expected, FRAME.previous_surfaces.at[turned.y * FRAME.size.x + turned.x]))
+    if (all(lessThan(turned, size)) &&
+        similar(expected, FRAME.previous_surfaces.at[turned.y * size.x + turned.x]))
       there = turned;
   }
-  index = there.y * FRAME.size.x + there.x;
+  index = there.y * size.x + there.x;
   return similar(expected, FRAME.previous_surfaces.at[index]);
 }

@@ -28,7 +28,16 @@ class ComputePass {
   void dispatch(VkCommandBuffer commands, const void* push, std::uint32_t width,
                 std::uint32_t height = 1, std::uint32_t depth = 1) const;
 
+  /// Returns the number of workgroups over width x height invocations.
+  std::uint32_t count_groups(std::uint32_t width, std::uint32_t height) const;
+  /// Records what dispatch() does for `count` of these workgroups, row by row, from `first` on.
+  void dispatch_groups(VkCommandBuffer commands, const void* push, std::uint32_t width,
+                       std::uint32_t height, std::uint32_t first, std::uint32_t count,
+                       std::uint32_t depth = 1) const;
+
  private:
+  void bind(VkCommandBuffer commands, const void* push) const;
+
   PipelineLayout layout_;
   Pipeline pipeline_;
   std::uint32_t push_bytes_ = 0;

@@ -235,7 +235,10 @@ void Device::end(VkCommandBuffer commands) {
   submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
   submit.commandBufferCount = 1;
   submit.pCommandBuffers = &commands;
-  VK_CHECK(vkQueueSubmit(queue_, 1, &submit, fence_));
+  {
+    const std::lock_guard lock(queue_mutex_);
+    VK_CHECK(vkQueueSubmit(queue_, 1, &submit, fence_));
+  }
   VK_CHECK(vkWaitForFences(device_, 1, &fence_, VK_TRUE, UINT64_MAX));
   VK_CHECK(vkResetFences(device_, 1, &fence_));
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,9 @@ class Device {
   VkPhysicalDevice physical() const { return physical_; }
   VkDevice handle() const { return device_; }
   VkQueue queue() const { return queue_; }
+  /// Held while commands are submitted to the queue or a picture is presented on it: threads share
+  /// the queue.
+  std::mutex& queue_mutex() { return queue_mutex_; }
   std::uint32_t queue_family() const { return queue_family_; }
   Trace trace() const { return trace_; }
   /// Returns the device's name, plus the tracing backend unless it is `compute`: for people and
@@ -77,8 +81,10 @@ class Device {
   const PipelineStore* pipeline_store() const { return pipelines_.get(); }
 
   /// Records commands with `record(VkCommandBuffer)`, submits them, and waits until they are done.
+  /// Threads take turns.
   template <class Record>
   void run(Record&& record) {
+    const std::lock_guard turn(run_mutex_);
     VkCommandBuffer commands = begin();
     record(commands);
     end(commands);
@@ -100,6 +106,7 @@ class Device {
   VkPhysicalDeviceMemoryProperties memory_{};
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;
+  std::mutex queue_mutex_, run_mutex_;
   Trace trace_ = Trace::compute;
   std::uint32_t queue_family_ = 0;
   float timestamp_period_ns_ = 0;

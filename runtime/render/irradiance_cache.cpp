@@ -24,12 +24,13 @@ void IrradianceCache::enter(gpu::Frame& frame, const IndirectSettings& settings,
   width_ = frame.size.x;
   height_ = frame.size.y;
   const std::size_t pixels = std::size_t{width_} * height_;
-  if (count_ == 0) {
+  if (count_ < cells_for(pixels)) {
     count_ = cells_for(pixels);
     cells_ = gpu::Buffer(device_, count_ * sizeof(gpu::IrradianceCell));
-    seen_ = gpu::Buffer(device_, (1 + pixels) * sizeof(std::uint32_t));
     forget_ = true;
   }
+  const std::size_t seen_bytes = (1 + pixels) * sizeof(std::uint32_t);
+  if (seen_.bytes() < seen_bytes) seen_ = gpu::Buffer(device_, seen_bytes);
   forget_ = forget_ || moved_s >= memory_s;
   if (forget_) cells_.fill_zero();
   // New cells come in numbers when nothing is known or the camera moves.
@@ -48,21 +49,23 @@ void IrradianceCache::enter(gpu::Frame& frame, const IndirectSettings& settings,
   frame.cell_memory = static_cast<std::uint32_t>(std::min(frames, double(max_samples)));
 }
 
-void IrradianceCache::record(VkCommandBuffer commands, const PassSet& passes,
-                             std::uint64_t frame_address,
-                             const std::function<void(const char*)>& finished) const {
+std::vector<FrameStep> IrradianceCache::list_steps(const PassSet& passes,
+                                                   std::uint64_t frame_address) const {
   const gpu::Push all{frame_address, 0, count_};
-  passes.cache_evict.dispatch(commands, &all, count_);
-  gpu::full_barrier(commands);
-  passes.cache_mark.dispatch(commands, &all, width_, height_);
-  gpu::full_barrier(commands);
-  finished("cache cells");
-  for (std::uint32_t round = 0; round <= rounds_; ++round) {
-    const gpu::Push push{frame_address, round, 0};
-    passes.cache_update.dispatch(commands, &push, width_, height_);
-    gpu::full_barrier(commands);
-  }
-  finished("cache paths");
+  std::vector<FrameStep> steps;
+  steps.push_back({"cache cells", 1, [this, &passes, all](VkCommandBuffer commands, auto, auto) {
+                     passes.cache_evict.dispatch(commands, &all, count_);
+                     gpu::full_barrier(commands);
+                     passes.cache_mark.dispatch(commands, &all, width_, height_);
+                   }});
+  for (std::uint32_t round = 0; round <= rounds_; ++round)
+    steps.push_back({"cache paths", passes.cache_update.count_groups(width_, height_),
+                     [this, &passes, push = gpu::Push{frame_address, round, 0}](
+                         VkCommandBuffer commands, std::uint32_t first, std::uint32_t count) {
+                       passes.cache_update.dispatch_groups(commands, &push, width_, height_, first,
+                                                           count);
+                     }});
+  return steps;
 }
 
 }  // namespace nightcity::render

@@ -3,9 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <vector>
 
 #include "runtime/gpu/buffer.h"
+#include "runtime/render/frame_run.h"
 #include "runtime/render/pass_library.h"
 #include "runtime/render/settings.h"
 
@@ -22,10 +23,9 @@ class IrradianceCache {
   /// is the scene's time since the frame before where its light changes with time, else 0.
   void enter(gpu::Frame& frame, const IndirectSettings& settings, double moved_s);
 
-  /// Records the passes, between the primary pass and shading, and calls `finished` with a name
-  /// after them.
-  void record(VkCommandBuffer commands, const PassSet& passes, std::uint64_t frame_address,
-              const std::function<void(const char*)>& finished) const;
+  /// Returns the passes as steps of a frame, between the primary pass and shading. `passes` must
+  /// outlive them.
+  std::vector<FrameStep> list_steps(const PassSet& passes, std::uint64_t frame_address) const;
 
  private:
   gpu::Device& device_;

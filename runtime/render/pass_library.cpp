@@ -1,5 +1,6 @@
 #include "runtime/render/pass_library.h"
 
+#include <chrono>
 #include <span>
 
 #include "spirv/passes.h"
@@ -15,6 +16,24 @@ constexpr gpu::Workgroup over_a_list{WORKGROUP_ROW, 1};
 const PassSet& PassLibrary::get(const PassConstants& constants) {
   const auto known = sets_.find(constants);
   if (known != sets_.end()) return known->second;
+  if (set_.valid() && next_ == constants) return sets_.emplace(constants, set_.get()).first->second;
+  return sets_.emplace(constants, make_set(constants)).first->second;
+}
+
+bool PassLibrary::is_ready(const PassConstants& constants) {
+  if (sets_.count(constants) != 0) return true;
+  const bool compiled =
+      set_.valid() && set_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  if (compiled) sets_.emplace(next_, set_.get());
+  if (compiled && next_ == constants) return true;
+  if (!set_.valid()) {
+    next_ = constants;
+    set_ = std::async(std::launch::async, [this, constants] { return make_set(constants); });
+  }
+  return false;
+}
+
+PassSet PassLibrary::make_set(const PassConstants& constants) {
   const auto make = [&](std::span<const std::uint32_t> spirv, gpu::Workgroup workgroup) {
     return gpu::ComputePass(device_, spirv, constants, sizeof(gpu::Push), workgroup);
   };
@@ -24,6 +43,7 @@ const PassSet& PassLibrary::get(const PassConstants& constants) {
   PassSet set;
   set.primary = make_trace({primary_spirv, primary_query_spirv, primary_pipeline_spirv});
   set.accumulate = make(accumulate_spirv, over_pixels);
+  set.expose = make(expose_spirv, over_pixels);
   set.demodulate = make(demodulate_spirv, over_pixels);
   set.denoise = make(denoise_spirv, over_pixels);
   if (constants[CONSTANT_TRAFFIC] != 0) {
@@ -57,7 +77,7 @@ const PassSet& PassLibrary::get(const PassConstants& constants) {
           make_trace({cache_update_spirv, cache_update_query_spirv, cache_update_pipeline_spirv});
     }
   }
-  return sets_.emplace(constants, std::move(set)).first->second;
+  return set;
 }
 
 const TracePass& PassLibrary::upward(const PassConstants& constants) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <future>
 #include <map>
 #include <span>
 
@@ -17,7 +18,7 @@ namespace nightcity::render {
 using PassConstants = std::array<std::uint32_t, CONSTANT_COUNT>;
 
 struct PassSet {
-  gpu::ComputePass accumulate, demodulate, denoise;
+  gpu::ComputePass accumulate, demodulate, denoise, expose;
   // Compiled only with traffic.
   gpu::ComputePass vehicle_pose, vehicle_offsets, vehicle_order, vehicle_sort_cells, vehicle_bvh;
   TracePass primary;
@@ -38,6 +39,9 @@ class PassLibrary {
   /// Returns the passes for these constants, compiled on first use. The result stays valid as long
   /// as the library.
   const PassSet& get(const PassConstants& constants);
+  /// Returns whether these passes are compiled. If not, starts to compile them in the background,
+  /// one set at a time.
+  bool is_ready(const PassConstants& constants);
   const TracePass& upward(const PassConstants& constants);
 
  private:
@@ -45,12 +49,15 @@ class PassLibrary {
   struct TraceShader {
     std::span<const std::uint32_t> compute, query, pipeline;
   };
+  PassSet make_set(const PassConstants& constants);
   TracePass make_trace(const PassConstants& constants, const TraceShader& shader,
                        gpu::Workgroup workgroup);
 
   gpu::Device& device_;
   std::map<PassConstants, PassSet> sets_;
   std::map<PassConstants, TracePass> upward_;
+  PassConstants next_{};      // compiled in the background,
+  std::future<PassSet> set_;  // if this is valid; it uses the device, so it is destroyed first
 };
 
 }  // namespace nightcity::render

@@ -13,10 +13,6 @@
 namespace nightcity::render {
 namespace {
 
-// Dispatches of the reference in one submission: long enough to hide the cost of submitting, short
-// enough that no window system or driver watchdog believes that the device hangs.
-constexpr std::uint32_t dispatches_per_submission = 16;
-
 // Invocations that fill the largest devices twice, and the most slices that the reference works at
 // together.
 constexpr std::size_t busy_invocations = std::size_t{1} << 19;
@@ -44,6 +40,10 @@ bool same_view(const scene::CameraPose& a, const scene::CameraPose& b) {
   return a.position == b.position && a.target == b.target && a.up == b.up && a.fov_deg == b.fov_deg;
 }
 
+glm::vec3 mean_of(const gpu::Accumulation& sum) {
+  return sum.frames > 0 ? (sum.sum - sum.compensation) / sum.frames : glm::vec3(0);
+}
+
 // Sub-pixel positions: the R2 sequence (Roberts 2018), starting at the pixel's centre.
 float radical(double step, std::uint32_t frame) {
   const double x = 0.5 + step * double(frame);
@@ -57,25 +57,21 @@ Renderer::Renderer(gpu::Device& device, PassLibrary& passes, DeviceScene& scene,
     : device_(device),
       library_(passes),
       scene_(scene),
-      width_(width),
-      height_(height),
-      timer_(device),
+      run_(device),
       vehicle_passes_(device, scene),
       cache_(device) {
+  set_size(width, height);
+  frame_ = gpu::Buffer(device, sizeof(gpu::Frame), gpu::Memory::host);
+  exposed_frame_ = gpu::Buffer(device, sizeof(gpu::Frame), gpu::Memory::host);
+  for (PictureBuffers& picture : pictures_) picture.set_size(device, size_);
+}
+
+void Renderer::set_size(std::uint32_t width, std::uint32_t height) {
   if (width == 0 || height == 0 || width > measure::max_image_side ||
       height > measure::max_image_side)
     throw UsageError("--size", "a picture has 1 to " + std::to_string(measure::max_image_side) +
                                    " pixels a side");
-  const std::size_t pixels = std::size_t{width} * height;
-  frame_ = gpu::Buffer(device, sizeof(gpu::Frame), gpu::Memory::host);
-  for (int i = 0; i < 2; ++i) {
-    surfaces_[i] = gpu::Buffer(device, pixels * sizeof(gpu::Surface));
-    spatial_[i] = gpu::Buffer(device, pixels * sizeof(gpu::Reservoir));
-    accumulation_[i] = gpu::Buffer(device, pixels * sizeof(gpu::Accumulation));
-  }
-  reservoirs_ = gpu::Buffer(device, pixels * sizeof(gpu::Reservoir));
-  radiance_ = gpu::Buffer(device, pixels * sizeof(gpu::Accumulation));
-  display_ = gpu::Buffer(device, pixels * 4);
+  size_ = {width, height};
 }
 
 PassConstants Renderer::constants_of(const RenderSettings& settings) const {
@@ -111,100 +107,80 @@ std::vector<Feature> Renderer::list_unneeded(const RenderSettings& settings) con
 }
 
 template <class Pass>
-void Renderer::run_pass(VkCommandBuffer commands, const Pass& pass, const char* name,
-                        std::uint32_t first, std::uint32_t count, std::uint32_t slices) {
+FrameStep Renderer::step_of(const Pass& pass, const char* name, std::uint32_t first,
+                            std::uint32_t count, std::uint32_t slices) const {
   const gpu::Push push{frame_.address(), first, count};
-  pass.dispatch(commands, &push, width_, height_, slices);
-  gpu::full_barrier(commands);
-  timer_.mark(commands, name);
+  return {name, pass.count_groups(size_.x, size_.y),
+          [&pass, push, size = size_, slices](VkCommandBuffer commands, std::uint32_t part,
+                                              std::uint32_t parts) {
+            pass.dispatch_groups(commands, &push, size.x, size.y, part, parts, slices);
+          }};
 }
 
-void Renderer::record_vehicles(VkCommandBuffer commands) {
-  vehicle_passes_.record(commands, *passes_, frame_.address(),
-                         [&](const char* name) { timer_.mark(commands, name); });
-}
-
-void Renderer::record_restir(VkCommandBuffer commands, const RenderSettings& settings) {
-  run_pass(commands, passes_->candidates, "candidates");
+void Renderer::add_restir(std::vector<FrameStep>& steps, const RenderSettings& settings) const {
+  steps.push_back(step_of(passes_->candidates, "candidates"));
   const EstimatorTraits& traits = traits_of(settings.sampling.estimator);
-  if (traits.reuses && settings.reuse.max_history > 0)
-    run_pass(commands, passes_->temporal, "temporal");
+  if (traits.reuses && settings.reuse.max_history > 0 && next_.has_history)
+    steps.push_back(step_of(passes_->temporal, "temporal"));
   if (traits.reuses && settings.reuse.neighbours > 0) {
     if (traits.pairs) {
-      run_pass(commands, passes_->pair_targets, "spatial targets");
-      run_pass(commands, passes_->pair_reuse, "spatial");
+      steps.push_back(step_of(passes_->pair_targets, "spatial targets"));
+      steps.push_back(step_of(passes_->pair_reuse, "spatial"));
     } else {
-      run_pass(commands, passes_->spatial, "spatial");
+      steps.push_back(step_of(passes_->spatial, "spatial"));
     }
   } else {
-    const VkBufferCopy all{0, 0, reservoirs_.bytes()};
-    vkCmdCopyBuffer(commands, reservoirs_.handle(), spatial_[parity_].handle(), 1, &all);
-    gpu::full_barrier(commands);
-    timer_.mark(commands, "copy");
+    const VkBuffer from = reservoirs_.handle(), to = pictures_[parity_ ^ 1].spatial.handle();
+    const VkBufferCopy all{0, 0, pictures_[parity_ ^ 1].pixels() * sizeof(gpu::Reservoir)};
+    steps.push_back({"copy", 1, [=](VkCommandBuffer commands, auto, auto) {
+                       vkCmdCopyBuffer(commands, from, to, 1, &all);
+                     }});
   }
   if (find_indirect(settings) == INDIRECT_CACHE)
-    cache_.record(commands, *passes_, frame_.address(),
-                  [&](const char* name) { timer_.mark(commands, name); });
-  run_pass(commands, passes_->shade, "shade");
+    for (FrameStep& step : cache_.list_steps(*passes_, frame_.address()))
+      steps.push_back(std::move(step));
+  steps.push_back(step_of(passes_->shade, "shade"));
 }
 
-void Renderer::record_end(VkCommandBuffer commands, const RenderSettings& settings) {
-  run_pass(commands, passes_->accumulate, "accumulate");
+void Renderer::add_end(std::vector<FrameStep>& steps, const RenderSettings& settings) const {
+  steps.push_back(step_of(passes_->accumulate, "accumulate"));
   if (!settings.display.denoise) return;
-  run_pass(commands, passes_->demodulate, "demodulate");
+  steps.push_back(step_of(passes_->demodulate, "demodulate"));
   for (std::uint32_t level = 0; level < DENOISE_LEVELS; ++level)
-    run_pass(commands, passes_->denoise, "denoise", level);
-}
-
-void Renderer::submit(const std::function<void(VkCommandBuffer)>& record) {
-  device_.run([&](VkCommandBuffer commands) {
-    timer_.start(commands);
-    record(commands);
-  });
-  const auto spans = timer_.collect();
-  timings_.insert(timings_.end(), spans.begin(), spans.end());
+    steps.push_back(step_of(passes_->denoise, "denoise", level));
+  // The next frame writes `radiance` before it is complete.
+  const VkBuffer from = radiance_.handle(), to = denoised_.handle();
+  const VkBufferCopy all{0, 0, pictures_[parity_ ^ 1].pixels() * sizeof(gpu::Accumulation)};
+  steps.push_back({"denoise", 1, [=](VkCommandBuffer commands, auto, auto) {
+                     vkCmdCopyBuffer(commands, from, to, 1, &all);
+                   }});
 }
 
 // A picture of few pixels leaves most of a GPU idle, so chunks of lights go into slices side by
 // side. Layers exist once, so they allow one slice.
 std::uint32_t Renderer::reference_slices(const RenderSettings& settings) const {
   if (traits_of(settings.sampling.estimator).samples || settings.sampling.layers) return 1;
-  const std::size_t pixels = std::size_t{width_} * height_;
+  const std::size_t pixels = std::size_t{size_.x} * size_.y;
   const std::size_t chunks = chunks_of(scene_.buffers().light_count);
   return static_cast<std::uint32_t>(
       std::clamp(std::min(busy_invocations / pixels, chunks), std::size_t{1}, max_slices));
 }
 
-void Renderer::render_reference(const RenderSettings& settings, std::uint32_t slices) {
-  submit([&](VkCommandBuffer commands) {
-    record_vehicles(commands);
-    run_pass(commands, passes_->primary, "primary");
-  });
+void Renderer::add_reference(std::vector<FrameStep>& steps, const RenderSettings& settings,
+                             std::uint32_t slices) const {
   const std::uint32_t lights = scene_.buffers().light_count;
   const std::uint32_t lights_per_dispatch = REFERENCE_CHUNK * slices;
   std::uint32_t first = 0;
   do {  // without lights, one empty chunk writes the light that surfaces emit
-    submit([&](VkCommandBuffer commands) {
-      for (std::uint32_t i = 0; i < dispatches_per_submission && (first < lights || first == 0);
-           ++i) {
-        const std::uint32_t count = std::min(lights_per_dispatch, lights - first);
-        run_pass(commands, passes_->reference, "reference", first, count,
-                 std::max(chunks_of(count), 1u));
-        first += lights_per_dispatch;
-      }
-    });
+    const std::uint32_t count = std::min(lights_per_dispatch, lights - first);
+    steps.push_back(
+        step_of(passes_->reference, "reference", first, count, std::max(chunks_of(count), 1u)));
+    first += lights_per_dispatch;
   } while (first < lights);
-  add_reference_paths(settings);
-  submit([&](VkCommandBuffer commands) { record_end(commands, settings); });
-}
-
-void Renderer::add_reference_paths(const RenderSettings& settings) {
   if (settings.indirect.bounces == 0) return;
-  for (std::uint32_t path = 0; path < reference_paths(scene_.buffers().light_count); ++path)
-    submit([&](VkCommandBuffer commands) {
-      for (std::uint32_t bounce = 1; bounce <= settings.indirect.bounces; ++bounce)
-        run_pass(commands, passes_->reference_path, "reference paths", path, bounce);
-    });
+  for (std::uint32_t path = 0; path < reference_paths(lights); ++path)
+    for (std::uint32_t bounce = 1; bounce <= settings.indirect.bounces; ++bounce)
+      steps.push_back(step_of(passes_->reference_path, "reference paths", path, bounce));
 }
 
 void Renderer::check(const RenderSettings& settings) const {
@@ -216,65 +192,64 @@ void Renderer::check(const RenderSettings& settings) const {
                      "share");
 }
 
-void Renderer::restart_if_changed(const scene::CameraPose& pose, const RenderSettings& settings) {
-  const bool same_settings = have_same_estimate(settings, settings_);
-  const bool switched = scene_.set_time(settings.time_s);
-  const bool moved = scene_.has_traffic() && settings.time_s != settings_.time_s;
+void Renderer::restart_if_changed() {
+  const RenderSettings& settings = next_.settings;
+  const RenderSettings& before = done_.settings;
+  const bool same_settings = have_same_estimate(settings, before);
+  switches_ += scene_.set_time(settings.time_s);
+  const bool moved = scene_.has_traffic() && settings.time_s != before.time_s;
   // A mean of all frames ends where anything moves; a mean of the last few follows the motion.
-  const bool still = pose_ && same_view(pose, *pose_) && !switched && !moved;
+  const bool still = done_.pose && same_view(*next_.pose, *done_.pose) && switches_ == 0 && !moved;
   const AveragingSettings& averaging = settings.averaging;
-  if (!same_settings || !averaging.accumulate || averaging.window != settings_.averaging.window ||
+  if (!same_settings || !averaging.accumulate || averaging.window != before.averaging.window ||
+      size_ != pictures_[parity_].size || next_.effort != done_.effort ||
       (averaging.window == 0 && !still))
-    frames_ = 0;
+    next_.frames = 0;
   // Reservoirs of other settings estimate something else; those of another view are reprojected.
-  if (!same_settings) {
-    has_history_ = false;
-    cache_.clear();
-  }
+  // The scene keeps the switches of one change before, and no older ones.
+  if (!same_settings || switches_ > 1) next_.has_history = false;
+  if (!same_settings) cache_.clear();
   moved_s_ = scene_.has_traffic() || scene_.has_schedules()
-                 ? std::abs(settings.time_s - settings_.time_s)
+                 ? std::abs(settings.time_s - before.time_s)
                  : 0;
 }
 
 void Renderer::fill_buffers(gpu::Frame& frame, const RenderSettings& settings) {
+  const PictureBuffers& before = pictures_[parity_];
+  PictureBuffers& now = pictures_[parity_ ^ 1];
+  now.set_size(device_, size_);
+  const std::size_t pixels = now.pixels();
+  const auto reserve = [&](gpu::Buffer& buffer, std::size_t bytes) {
+    fit(device_, buffer, bytes);
+    return buffer.address();
+  };
   frame.scene = scene_.buffers();
-  frame.previous_lit = has_history_ ? lit_ : frame.scene.lit;
+  frame.previous_lit = next_.has_history ? done_.lit : frame.scene.lit;
   vehicle_passes_.enter(frame);
-  frame.surfaces = surfaces_[parity_].address();
-  frame.previous_surfaces = surfaces_[parity_ ^ 1].address();
-  frame.reservoirs = reservoirs_.address();
-  frame.spatial = spatial_[parity_].address();
-  frame.previous_reservoirs = spatial_[parity_ ^ 1].address();
+  frame.surfaces = now.surfaces.address();
+  frame.previous_surfaces = before.surfaces.address();
+  frame.reservoirs = reserve(reservoirs_, pixels * sizeof(gpu::Reservoir));
+  frame.spatial = now.spatial.address();
+  frame.previous_reservoirs = before.spatial.address();
   frame.slices = reference_slices(settings);
-  const std::size_t pixels = std::size_t{width_} * height_;
-  const std::size_t radiance_bytes = frame.slices * pixels * sizeof(gpu::Accumulation);
-  if (radiance_.bytes() < radiance_bytes) radiance_ = gpu::Buffer(device_, radiance_bytes);
-  frame.radiance = radiance_.address();
-  frame.accumulation = accumulation_[parity_].address();
-  frame.previous_accumulation = accumulation_[parity_ ^ 1].address();
-  if (settings.sampling.layers && layers_.bytes() == 0)
-    layers_ = gpu::Buffer(device_, pixels * sizeof(gpu::LayerSums));
+  frame.radiance = reserve(radiance_, frame.slices * pixels * sizeof(gpu::Accumulation));
+  frame.accumulation = now.accumulation.address();
+  frame.previous_accumulation = before.accumulation.address();
+  if (settings.sampling.layers) reserve(layers_, pixels * sizeof(gpu::LayerSums));
   frame.layers = layers_.address();
-  for (int i = 0; i < 2; ++i) {
-    if (settings.display.denoise && denoise_[i].bytes() == 0)
-      denoise_[i] = gpu::Buffer(device_, pixels * sizeof(gpu::Demodulated));
-    frame.denoise[i] = denoise_[i].address();
+  if (settings.display.denoise) {
+    for (int i = 0; i < 2; ++i)
+      frame.denoise[i] = reserve(denoise_[i], pixels * sizeof(gpu::Demodulated));
+    reserve(denoised_, pixels * sizeof(gpu::Accumulation));
   }
-  frame.display = display_.address();
+  frame.display = now.display.address();
   if (traits_of(settings.sampling.estimator).pairs) {
     const std::size_t pairings = pairings_of(settings.reuse);
-    const auto reserve = [&](gpu::Buffer& buffer, std::size_t pictures) {
-      const std::size_t bytes = pictures * pixels * sizeof(std::uint32_t);
-      if (buffer.bytes() < bytes) buffer = gpu::Buffer(device_, bytes);
-      return buffer.address();
-    };
-    frame.pair_partners = reserve(pair_partners_, pairings);
-    frame.pair_targets = reserve(pair_targets_, 1 + pairings);
+    frame.pair_partners = reserve(pair_partners_, pairings * pixels * sizeof(std::uint32_t));
+    frame.pair_targets = reserve(pair_targets_, (1 + pairings) * pixels * sizeof(float));
   }
-  if (!traits_of(settings.sampling.estimator).samples && settings.indirect.bounces > 0 &&
-      path_.bytes() == 0)
-    path_ = gpu::Buffer(device_, pixels * sizeof(gpu::PathVertex));
-  frame.path = path_.address();
+  if (!traits_of(settings.sampling.estimator).samples && settings.indirect.bounces > 0)
+    frame.path = reserve(path_, pixels * sizeof(gpu::PathVertex));
   if (settings.count_rays) {
     if (ray_count_.bytes() == 0)
       ray_count_ = gpu::Buffer(device_, sizeof(std::uint32_t), gpu::Memory::host);
@@ -284,27 +259,32 @@ void Renderer::fill_buffers(gpu::Frame& frame, const RenderSettings& settings) {
   }
 }
 
-void Renderer::fill_view(gpu::Frame& frame, const scene::CameraPose& pose,
-                         const RenderSettings& settings) {
-  frame.previous_camera = camera_;
-  camera_ = scene::make_camera(pose, float(width_) / float(height_));
-  frame.camera = camera_;
-  frame.size = {width_, height_};
+void Renderer::fill_display(gpu::Frame& frame, const DisplaySettings& display) const {
+  frame.exposure = tonemap::exposure_scale(display.ev100);
+  frame.tone = display.tone;
+}
+
+void Renderer::fill_view(gpu::Frame& frame) {
+  const RenderSettings& settings = next_.settings;
+  frame.previous_camera = done_.camera;
+  next_.camera = scene::make_camera(*next_.pose, float(size_.x) / float(size_.y));
+  frame.camera = next_.camera;
+  frame.size = size_;
+  frame.previous_size = pictures_[parity_].size;
   frame.frame = frame_number_;
-  const double before_s = has_history_ ? settings_.time_s : settings.time_s;
+  const double before_s = next_.has_history ? done_.settings.time_s : settings.time_s;
   frame.time_s = float(settings.time_s);
   frame.previous_time_s = float(before_s);
   frame.cycle_time_s = cycle_time(frame.scene.traffic.cycle, settings.time_s);
   frame.previous_cycle_time_s = cycle_time(frame.scene.traffic.cycle, before_s);
-  frame.has_history = has_history_;
+  frame.has_history = next_.has_history;
   // By frames in the mean, not by frame number: every estimator then gets the same sub-pixels.
-  const std::uint32_t sub_pixel = settings.averaging.window == 0 ? frames_ : frame_number_;
+  const std::uint32_t sub_pixel = settings.averaging.window == 0 ? next_.frames : frame_number_;
   frame.jitter_x = settings.sampling.jitter ? radical(0.7548776662466927, sub_pixel) : 0.5f;
   frame.jitter_y = settings.sampling.jitter ? radical(0.5698402909980532, sub_pixel) : 0.5f;
-  frame.reset = frames_ == 0;
+  frame.reset = next_.frames == 0;
   frame.window = settings.averaging.accumulate ? settings.averaging.window : 0;
-  frame.exposure = tonemap::exposure_scale(settings.display.ev100);
-  frame.tone = settings.display.tone;
+  fill_display(frame, settings.display);
   frame.bounces = settings.indirect.bounces;
   frame.reference_paths = reference_paths(frame.scene.light_count);
   if (find_indirect(settings) == INDIRECT_CACHE) cache_.enter(frame, settings.indirect, moved_s_);
@@ -343,77 +323,184 @@ void Renderer::fill_sampling(gpu::Frame& frame, const RenderSettings& chosen) co
   frame.permutation = reuse.permute ? (frame_number_ * 2654435769u) >> 28 : NO_PERMUTATION;
 }
 
-void Renderer::record(const RenderSettings& settings, std::uint32_t slices) {
-  if (!traits_of(settings.sampling.estimator).samples) {
-    render_reference(settings, slices);
+std::vector<FrameStep> Renderer::list_steps(const RenderSettings& settings,
+                                            std::uint32_t slices) const {
+  std::vector<FrameStep> steps = vehicle_passes_.list_steps(*passes_, frame_.address());
+  steps.push_back(step_of(passes_->primary, "primary"));
+  if (traits_of(settings.sampling.estimator).samples)
+    add_restir(steps, settings);
+  else
+    add_reference(steps, settings, slices);
+  add_end(steps, settings);
+  return steps;
+}
+
+void Renderer::begin_frame(const scene::CameraPose& pose, const RenderSettings& settings,
+                           const Effort& effort) {
+  abandon_frame();
+  check(settings);
+  next_ = done_;
+  next_.pose = pose;
+  next_.settings = settings;
+  next_.effort = effort;
+  restart_if_changed();
+  passes_ = &library_.get(constants_of(settings));
+
+  RenderSettings bounded = settings;
+  bounded.sampling.candidates = std::min(settings.sampling.candidates, effort.max_candidates);
+  bounded.reuse.neighbours = std::min(settings.reuse.neighbours, effort.max_neighbours);
+  gpu::Frame frame{};
+  fill_buffers(frame, bounded);
+  fill_view(frame);
+  fill_sampling(frame, bounded);
+  frame_.upload(&frame, sizeof(frame));
+  next_.lit = frame.scene.lit;
+  run_.start(list_steps(bounded, frame.slices));
+  ++frame_number_;
+  begun_ = true;
+}
+
+bool Renderer::continue_frame(double slice_s, double wait_s) {
+  if (!begun_) return true;
+  if (run_.wait(0) && !run_.is_done()) run_.submit(slice_s);
+  run_.wait(wait_s);
+  if (!run_.is_done()) return false;
+  finish_frame();
+  return true;
+}
+
+void Renderer::finish_frame() {
+  begun_ = false;
+  done_ = next_;
+  parity_ ^= 1;
+  switches_ = 0;
+  timings_ = run_.timings();
+  frame_s_ = run_.busy_s();
+  const RenderSettings& settings = done_.settings;
+  if (traits_of(settings.sampling.estimator).samples) done_.has_history = true;
+  ++done_.frames;
+  if (settings.averaging.window > 0)
+    done_.frames = std::min(done_.frames, settings.averaging.window);
+}
+
+void Renderer::abandon_frame() {
+  if (!begun_) return;
+  run_.wait(std::numeric_limits<double>::infinity());
+  if (run_.is_done()) {  // it is complete: nothing is given up
+    finish_frame();
     return;
   }
-  submit([&](VkCommandBuffer commands) {
-    record_vehicles(commands);
-    run_pass(commands, passes_->primary, "primary");
-    record_restir(commands, settings);
-    record_end(commands, settings);
-  });
-  has_history_ = true;
+  run_.stop();
+  begun_ = false;
+  vehicle_passes_.leave();
+  // What a frame adds to in place is no mean of whole frames any more.
+  cache_.clear();
+  if (next_.settings.sampling.layers) done_.pose.reset();
 }
 
 void Renderer::render_frame(const scene::CameraPose& pose, const RenderSettings& settings) {
-  check(settings);
-  restart_if_changed(pose, settings);
-  passes_ = &library_.get(constants_of(settings));
-  parity_ ^= 1;
+  constexpr double whole = std::numeric_limits<double>::infinity();
+  begin_frame(pose, settings);
+  while (!continue_frame(whole, whole)) {
+  }
+}
 
+void Renderer::expose(const DisplaySettings& display) {
+  if (done_.frames == 0 || !passes_) return;
+  const PictureBuffers& picture = pictures_[parity_];
   gpu::Frame frame{};
-  fill_buffers(frame, settings);
-  fill_view(frame, pose, settings);
-  fill_sampling(frame, settings);
-  frame_.upload(&frame, sizeof(frame));
-
-  lit_ = frame.scene.lit;
-  timings_.clear();
-  record(settings, frame.slices);
-  pose_ = pose;
-  settings_ = settings;
-  ++frames_;
-  if (settings.averaging.window > 0) frames_ = std::min(frames_, settings.averaging.window);
-  ++frame_number_;
+  frame.size = picture.size;
+  frame.display = picture.display.address();
+  frame.accumulation =
+      done_.settings.display.denoise ? denoised_.address() : picture.accumulation.address();
+  fill_display(frame, display);
+  exposed_frame_.upload(&frame, sizeof(frame));
+  const gpu::Push push{exposed_frame_.address(), 0, 0};
+  device_.run([&](VkCommandBuffer commands) {
+    passes_->expose.dispatch(commands, &push, picture.size.x, picture.size.y);
+    gpu::full_barrier(commands);
+  });
+  done_.settings.display.ev100 = display.ev100;
+  done_.settings.display.tone = display.tone;
 }
 
 std::uint64_t Renderer::shadow_rays() const {
-  return settings_.count_rays ? ray_count_.read<std::uint32_t>(1)[0] : 0;
+  return done_.settings.count_rays ? ray_count_.read<std::uint32_t>(1)[0] : 0;
 }
 
 measure::Image Renderer::download(bool layers) const {
   measure::Image image;
-  image.width = width_;
-  image.height = height_;
+  const PictureBuffers& picture = pictures_[parity_];
+  const RenderSettings& settings = done_.settings;
+  image.width = picture.size.x;
+  image.height = picture.size.y;
   const std::size_t pixels = image.pixels();
   image.rgb.resize(3 * pixels);
-  const gpu::Buffer& source = settings_.display.denoise ? radiance_ : accumulation_[parity_];
+  const gpu::Buffer& source = settings.display.denoise ? denoised_ : picture.accumulation;
   const auto sums = source.read<gpu::Accumulation>(pixels);
   for (std::size_t i = 0; i < pixels; ++i) {
-    const glm::vec3 mean =
-        sums[i].frames > 0 ? (sums[i].sum - sums[i].compensation) / sums[i].frames : glm::vec3(0);
+    const glm::vec3 mean = mean_of(sums[i]);
     for (int c = 0; c < 3; ++c) image.rgb[3 * i + std::size_t(c)] = mean[c];
   }
-  image.info.estimator = std::string(name_of(settings_.sampling.estimator)) +
-                         (settings_.display.denoise ? ", denoised" : "");
-  image.info.frames = frames_;
+  image.info.estimator = std::string(name_of(settings.sampling.estimator)) +
+                         (settings.display.denoise ? ", denoised" : "");
+  image.info.frames = done_.frames;
   image.info.candidates =
-      traits_of(settings_.sampling.estimator).samples ? settings_.sampling.candidates : 0;
-  image.info.neighbours = settings_.reuse.neighbours;
-  image.info.bounces = settings_.indirect.bounces;
-  image.info.indirect = describe_indirect(settings_);
-  image.info.seed = settings_.sampling.seed;
-  image.info.ev100 = settings_.display.ev100;
+      traits_of(settings.sampling.estimator).samples ? settings.sampling.candidates : 0;
+  image.info.neighbours = settings.reuse.neighbours;
+  image.info.bounces = settings.indirect.bounces;
+  image.info.indirect = describe_indirect(settings);
+  image.info.seed = settings.sampling.seed;
+  image.info.ev100 = settings.display.ev100;
   image.info.device = device_.label();
   if (!layers) return image;
   add_luminance_layer(image);
   // Layers are sums over the frames of the mean; a window has no such sum.
-  if (settings_.sampling.layers && settings_.averaging.window == 0)
-    add_light_layers(image, layers_.read<gpu::LayerSums>(pixels), frames_);
-  add_surface_layers(image, surfaces_[parity_].read<gpu::Surface>(pixels), scene_);
+  if (settings.sampling.layers && settings.averaging.window == 0)
+    add_light_layers(image, layers_.read<gpu::LayerSums>(pixels), done_.frames);
+  add_surface_layers(image, picture.surfaces.read<gpu::Surface>(pixels), scene_);
   return image;
+}
+
+measure::Image Renderer::sample_mean(std::size_t pixels) const {
+  const PictureBuffers& picture = pictures_[parity_];
+  measure::Image image;
+  image.width = picture.size.x;
+  const std::size_t rows = std::clamp<std::size_t>(pixels / picture.size.x, 1, picture.size.y);
+  image.height = static_cast<std::uint32_t>(rows);
+  image.rgb.resize(3 * image.pixels());
+  const std::size_t row_bytes = picture.size.x * sizeof(gpu::Accumulation);
+  gpu::Buffer sampled(device_, rows * row_bytes, gpu::Memory::host);
+  std::vector<VkBufferCopy> copies;
+  for (std::size_t i = 0; i < rows; ++i)
+    copies.push_back({picture.size.y * i / rows * row_bytes, i * row_bytes, row_bytes});
+  device_.run([&](VkCommandBuffer commands) {
+    vkCmdCopyBuffer(commands, picture.accumulation.handle(), sampled.handle(),
+                    static_cast<std::uint32_t>(copies.size()), copies.data());
+    gpu::full_barrier(commands);
+  });
+  const auto* sums = static_cast<const gpu::Accumulation*>(sampled.mapped());
+  for (std::size_t i = 0; i < image.pixels(); ++i) {
+    const glm::vec3 mean = mean_of(sums[i]);
+    for (int c = 0; c < 3; ++c) image.rgb[3 * i + std::size_t(c)] = mean[c];
+  }
+  return image;
+}
+
+gpu::Surface Renderer::surface_at(glm::uvec2 pixel) const {
+  const PictureBuffers& picture = pictures_[parity_];
+  gpu::Surface surface{};
+  picture.surfaces.download(&surface, sizeof surface,
+                            (std::size_t{pixel.y} * picture.size.x + pixel.x) * sizeof surface);
+  return surface;
+}
+
+glm::vec3 Renderer::mean_at(glm::uvec2 pixel) const {
+  const PictureBuffers& picture = pictures_[parity_];
+  gpu::Accumulation sum{};
+  picture.accumulation.download(&sum, sizeof sum,
+                                (std::size_t{pixel.y} * picture.size.x + pixel.x) * sizeof sum);
+  return mean_of(sum);
 }
 
 }  // namespace nightcity::render

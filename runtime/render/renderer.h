@@ -2,7 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <glm/vec2.hpp>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,13 +15,24 @@
 #include "runtime/gpu/timer.h"
 #include "runtime/measure/image.h"
 #include "runtime/render/device_scene.h"
+#include "runtime/render/frame_run.h"
 #include "runtime/render/irradiance_cache.h"
 #include "runtime/render/pass_library.h"
+#include "runtime/render/picture_buffers.h"
 #include "runtime/render/settings.h"
 #include "runtime/render/vehicle_passes.h"
 #include "runtime/scene/camera.h"
 
 namespace nightcity::render {
+
+/// Bounds of a frame's samples below what the settings ask for: a first look takes a third of the
+/// time. The estimate stays unbiased, and its reservoirs serve later frames.
+struct Effort {
+  std::uint32_t max_candidates = std::numeric_limits<std::uint32_t>::max();
+  std::uint32_t max_neighbours = std::numeric_limits<std::uint32_t>::max();
+
+  bool operator==(const Effort&) const = default;
+};
 
 class Renderer {
  public:
@@ -29,18 +41,49 @@ class Renderer {
   Renderer(gpu::Device& device, PassLibrary& passes, DeviceScene& scene, std::uint32_t width,
            std::uint32_t height);
 
-  /// Renders one frame and adds it to the mean. The mean starts anew when the camera, the time or a
-  /// setting that have_same_estimate compares has changed since the last frame. Reservoirs are
-  /// reprojected where only the camera or the time changed, else discarded. Switches the scene's
-  /// lights to the settings' time. Throws UsageError when a setting is out of range.
+  /// Renders one frame and adds it to the mean. The mean starts anew when the camera, the time, the
+  /// size, the effort or a setting that have_same_estimate compares has changed since the last
+  /// frame. Reservoirs are reprojected where only the camera, the time, the size or the effort
+  /// changed, else discarded. Switches the scene's lights to the settings' time. Throws UsageError
+  /// when a setting is out of range.
   void render_frame(const scene::CameraPose& pose, const RenderSettings& settings);
+
+  /// The same in slices: begin_frame(), then continue_frame() until it returns true. Until then,
+  /// everything that the renderer returns is of the frame before. A frame that has begun is given
+  /// up by begin_frame() or abandon_frame().
+  void begin_frame(const scene::CameraPose& pose, const RenderSettings& settings,
+                   const Effort& effort = {});
+  /// Submits about `slice_s` of work, unless work is submitted, and waits for it at most `wait_s`.
+  /// Returns whether the frame is complete.
+  bool continue_frame(double slice_s, double wait_s);
+  /// Gives up the frame that has begun, if any.
+  void abandon_frame();
+  bool has_begun() const { return begun_; }
+  /// Returns whether a slice is submitted: whoever uses the device now waits for its end.
+  bool is_busy() const { return run_.is_submitted(); }
+  /// Returns the share of the begun frame that is done, 0 .. 1.
+  double share_done() const { return begun_ ? run_.share_done() : 0; }
+  /// Returns the seconds that the device worked at the last complete frame.
+  double frame_s() const { return frame_s_; }
+
+  /// Sets the size of the next frame. Throws as the constructor does.
+  void set_size(std::uint32_t width, std::uint32_t height);
+
+  /// Shows the mean with another exposure or tone curve: rewrites display().
+  void expose(const DisplaySettings& display);
+
+  /// Returns whether the passes for these settings are compiled. If not, they are being compiled in
+  /// the background.
+  bool is_ready(const RenderSettings& settings) {
+    return library_.is_ready(constants_of(settings));
+  }
 
   /// Returns the features that neither the scene nor the settings need: passes are compiled without
   /// them.
   std::vector<Feature> list_unneeded(const RenderSettings& settings) const;
 
   /// Returns the number of frames in the mean.
-  std::uint32_t frames() const { return frames_; }
+  std::uint32_t frames() const { return done_.frames; }
   /// Returns the GPU milliseconds of the last frame's passes; empty where the queue has no
   /// timestamps.
   const std::vector<gpu::Timer::Span>& timings() const { return timings_; }
@@ -54,54 +97,69 @@ class Renderer {
   /// "albedo", "normal", "depth" (m), "motion", "position" (m), "material" and "feature" (ids, -1 =
   /// none).
   measure::Image download(bool layers = true) const;
-  /// Returns the displayed picture, which every frame writes: width * height words, R in the low
-  /// byte.
-  const gpu::Buffer& display() const { return display_; }
-  std::uint32_t width() const { return width_; }
-  std::uint32_t height() const { return height_; }
+  /// Returns a part of the mean that is enough to meter the exposure: evenly spaced rows, about
+  /// `pixels` in all.
+  measure::Image sample_mean(std::size_t pixels) const;
+  /// Returns the surface that the last frame saw in a pixel; its depth is 0 where there is none.
+  gpu::Surface surface_at(glm::uvec2 pixel) const;
+  /// Returns the mean at a pixel, cd/m^2.
+  glm::vec3 mean_at(glm::uvec2 pixel) const;
+  /// Returns the displayed picture: width * height words, R in the low byte.
+  const gpu::Buffer& display() const { return pictures_[parity_].display; }
+  std::uint32_t width() const { return pictures_[parity_].size.x; }
+  std::uint32_t height() const { return pictures_[parity_].size.y; }
 
  private:
+  // What a complete frame leaves for the next.
+  struct State {
+    std::optional<scene::CameraPose> pose;
+    gpu::Camera camera{};
+    RenderSettings settings;
+    Effort effort;
+    std::uint64_t lit = 0;  // address of the light switches
+    std::uint32_t frames = 0;
+    bool has_history = false;
+  };
+
   PassConstants constants_of(const RenderSettings& settings) const;
-  // The steps of render_frame. check throws UsageError.
+  // The steps of begin_frame. check throws UsageError.
   void check(const RenderSettings& settings) const;
-  void restart_if_changed(const scene::CameraPose& pose, const RenderSettings& settings);
+  void restart_if_changed();
   void fill_buffers(gpu::Frame& frame, const RenderSettings& settings);
-  void fill_view(gpu::Frame& frame, const scene::CameraPose& pose, const RenderSettings& settings);
+  void fill_view(gpu::Frame& frame);
+  void fill_display(gpu::Frame& frame, const DisplaySettings& display) const;
   void fill_sampling(gpu::Frame& frame, const RenderSettings& settings) const;
-  void record(const RenderSettings& settings, std::uint32_t slices);
-  void record_vehicles(VkCommandBuffer commands);
+  std::vector<FrameStep> list_steps(const RenderSettings& settings, std::uint32_t slices) const;
+  void add_reference(std::vector<FrameStep>& steps, const RenderSettings& settings,
+                     std::uint32_t slices) const;
+  void add_restir(std::vector<FrameStep>& steps, const RenderSettings& settings) const;
+  void add_end(std::vector<FrameStep>& steps, const RenderSettings& settings) const;
   std::uint32_t reference_slices(const RenderSettings& settings) const;
-  void render_reference(const RenderSettings& settings, std::uint32_t slices);
-  void add_reference_paths(const RenderSettings& settings);
-  void submit(const std::function<void(VkCommandBuffer)>& record);
-  void record_restir(VkCommandBuffer commands, const RenderSettings& settings);
-  void record_end(VkCommandBuffer commands, const RenderSettings& settings);
-  // Runs one invocation per pixel and slice, then a barrier. The timer books the time since its
-  // last mark under `name`.
+  void finish_frame();
+  // Returns a step with one invocation per pixel and slice.
   template <class Pass>
-  void run_pass(VkCommandBuffer commands, const Pass& pass, const char* name,
-                std::uint32_t first = 0, std::uint32_t count = 0, std::uint32_t slices = 1);
+  FrameStep step_of(const Pass& pass, const char* name, std::uint32_t first = 0,
+                    std::uint32_t count = 0, std::uint32_t slices = 1) const;
 
   gpu::Device& device_;
   PassLibrary& library_;
   DeviceScene& scene_;
-  std::uint32_t width_, height_;
-  gpu::Timer timer_;
+  FrameRun run_;
   VehiclePasses vehicle_passes_;
   IrradianceCache cache_;
-  gpu::Buffer frame_;
-  gpu::Buffer surfaces_[2], reservoirs_, spatial_[2], radiance_, accumulation_[2], display_;
+  gpu::Buffer frame_, exposed_frame_;
+  PictureBuffers pictures_[2];  // of the last complete frame (parity_) and of the other
+  gpu::Buffer reservoirs_, radiance_;
   // Allocated when first needed.
-  gpu::Buffer layers_, denoise_[2], pair_partners_, pair_targets_, path_, ray_count_;
-  const PassSet* passes_ = nullptr;  // for the current settings
-  std::optional<scene::CameraPose> pose_;
-  gpu::Camera camera_{};
-  RenderSettings settings_;
-  std::uint64_t lit_ = 0;     // address of the last frame's light switches
-  std::uint32_t parity_ = 0;  // which of the paired buffers this frame writes
-  std::uint32_t frames_ = 0;
+  gpu::Buffer layers_, denoise_[2], denoised_, pair_partners_, pair_targets_, path_, ray_count_;
+  const PassSet* passes_ = nullptr;  // of the begun frame, then of the last complete one
+  glm::uvec2 size_;                  // of the next frame
+  State done_, next_;
+  std::uint32_t parity_ = 0;
   std::uint32_t frame_number_ = 0;  // never repeats, so that frames draw different random numbers
-  bool has_history_ = false;
+  bool begun_ = false;
+  std::uint32_t switches_ = 0;  // changes of lights since the last complete frame
+  double frame_s_ = 0;
   // The scene's time since the frame before, where its light changes with time.
   double moved_s_ = 0;
   std::vector<gpu::Timer::Span> timings_;

@@ -23,6 +23,22 @@ class TracePass {
                pass_);
   }
 
+  /// Returns the number of parts into which dispatch_groups() can cut width x height invocations:
+  /// workgroups, or 1 for a ray tracing pipeline.
+  std::uint32_t count_groups(std::uint32_t width, std::uint32_t height) const {
+    const auto* compute = std::get_if<gpu::ComputePass>(&pass_);
+    return compute ? compute->count_groups(width, height) : 1;
+  }
+  /// Records `count` of these parts from `first` on.
+  void dispatch_groups(VkCommandBuffer commands, const void* push, std::uint32_t width,
+                       std::uint32_t height, std::uint32_t first, std::uint32_t count,
+                       std::uint32_t depth = 1) const {
+    if (const auto* compute = std::get_if<gpu::ComputePass>(&pass_))
+      compute->dispatch_groups(commands, push, width, height, first, count, depth);
+    else
+      dispatch(commands, push, width, height, depth);
+  }
+
  private:
   std::variant<gpu::ComputePass, gpu::RayPass> pass_;
 };

@@ -62,7 +62,10 @@ UpwardFlux measure_upward_flux(gpu::Device& device, PassLibrary& library, Device
   if (scene.has_traffic()) {
     const PassSet& passes = library.get(constants);
     device.run([&](VkCommandBuffer commands) {
-      vehicle_passes.record(commands, passes, frame_buffer.address(), [](const char*) {});
+      for (const FrameStep& step : vehicle_passes.list_steps(passes, frame_buffer.address())) {
+        step.record(commands, 0, step.parts);
+        gpu::full_barrier(commands);
+      }
     });
   }
   for (std::uint32_t i = 0; i < dispatches; ++i) {

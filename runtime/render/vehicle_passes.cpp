@@ -55,31 +55,37 @@ void VehiclePasses::enter(gpu::Frame& frame) {
   frame.previous_tlas = to_words(scene_.tlas()->top_level(slots_[parity_ ^ 1]).address());
 }
 
-void VehiclePasses::record(VkCommandBuffer commands, const PassSet& passes,
-                           std::uint64_t frame_address,
-                           const std::function<void(const char*)>& finished) const {
-  if (!scene_.has_traffic()) return;
-  const gpu::TrafficBuffers& traffic = scene_.buffers().traffic;
-  const auto run = [&](const gpu::ComputePass& pass, std::uint32_t invocations,
-                       std::uint32_t level = 0) {
+std::vector<FrameStep> VehiclePasses::list_steps(const PassSet& passes,
+                                                 std::uint64_t frame_address) const {
+  if (!scene_.has_traffic()) return {};
+  const auto run = [frame_address](VkCommandBuffer commands, const gpu::ComputePass& pass,
+                                   std::uint32_t invocations, std::uint32_t level = 0) {
     const gpu::Push push{frame_address, level, 0};
     pass.dispatch(commands, &push, invocations);
     gpu::full_barrier(commands);
   };
-  vkCmdFillBuffer(commands, counts_.handle(), 0, VK_WHOLE_SIZE, 0);
-  gpu::full_barrier(commands);
-  run(passes.vehicle_pose, traffic.trip_count);
-  finished("vehicle poses");
-  run(passes.vehicle_offsets, 1);
-  run(passes.vehicle_order, traffic.trip_count);
-  run(passes.vehicle_sort_cells, VEHICLE_CELLS);
-  // The last dispatch, one past the levels, joins the BVH of the vehicles and the static one.
-  for (std::uint32_t level = 1; level <= traffic.levels; ++level)
-    run(passes.vehicle_bvh, level < traffic.levels ? traffic.level_count[level] : 1, level);
-  finished("vehicle BVH");
-  if (!scene_.tlas()) return;
-  scene_.tlas()->top_level(slots_[parity_]).build(commands);
-  finished("top level");
+  std::vector<FrameStep> steps;
+  steps.push_back({"vehicle poses", 1, [this, &passes, run](VkCommandBuffer commands, auto, auto) {
+                     vkCmdFillBuffer(commands, counts_.handle(), 0, VK_WHOLE_SIZE, 0);
+                     gpu::full_barrier(commands);
+                     run(commands, passes.vehicle_pose, scene_.buffers().traffic.trip_count);
+                   }});
+  steps.push_back({"vehicle BVH", 1, [this, &passes, run](VkCommandBuffer commands, auto, auto) {
+                     const gpu::TrafficBuffers& traffic = scene_.buffers().traffic;
+                     run(commands, passes.vehicle_offsets, 1);
+                     run(commands, passes.vehicle_order, traffic.trip_count);
+                     run(commands, passes.vehicle_sort_cells, VEHICLE_CELLS);
+                     // The last dispatch, one past the levels, joins the BVH of the vehicles and
+                     // the static one.
+                     for (std::uint32_t level = 1; level <= traffic.levels; ++level)
+                       run(commands, passes.vehicle_bvh,
+                           level < traffic.levels ? traffic.level_count[level] : 1, level);
+                   }});
+  if (scene_.tlas())
+    steps.push_back({"top level", 1, [this](VkCommandBuffer commands, auto, auto) {
+                       scene_.tlas()->top_level(slots_[parity_]).build(commands);
+                     }});
+  return steps;
 }
 
 std::vector<Light> VehiclePasses::lights() const {

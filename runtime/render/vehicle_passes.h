@@ -2,11 +2,12 @@
 // BVH over them. Without traffic they record nothing.
 #pragma once
 
-#include <functional>
+#include <vector>
 
 #include "runtime/gpu/buffer.h"
 #include "runtime/gpu/compute_pass.h"
 #include "runtime/render/device_scene.h"
+#include "runtime/render/frame_run.h"
 #include "runtime/render/pass_library.h"
 
 namespace nightcity::render {
@@ -25,9 +26,10 @@ class VehiclePasses {
   /// Writes the addresses of this frame's and the previous frame's buffers into `frame`, whose
   /// scene is filled in.
   void enter(gpu::Frame& frame);
-  /// Records the passes and calls `finished` with the name of each one after it.
-  void record(VkCommandBuffer commands, const PassSet& passes, std::uint64_t frame_address,
-              const std::function<void(const char*)>& finished) const;
+  /// Takes the last enter() back: its frame was given up, and the next one follows the same frame.
+  void leave() { parity_ ^= 1; }
+  /// Returns the passes as steps of a frame. `passes` must outlive them.
+  std::vector<FrameStep> list_steps(const PassSet& passes, std::uint64_t frame_address) const;
   /// Returns this frame's lights in model space, VEHICLE_LIGHTS per trip.
   std::vector<Light> lights() const;
 

@@ -1,0 +1,173 @@
+// A frame in slices is the frame in one piece, and one that is given up leaves nothing behind.
+#include "runtime/render/frame_run.h"
+
+#include <gtest/gtest.h>
+
+#include "runtime/measure/exposure.h"
+#include "support/estimators.h"
+#include "support/gpu.h"
+#include "support/scenes.h"
+
+namespace nightcity::render {
+namespace {
+
+constexpr double slice_s = 1e-6;  // the smallest part of a step at a time
+constexpr double for_ever = std::numeric_limits<double>::infinity();
+
+class Slices : public testing::Test {
+ protected:
+  std::size_t finish(Renderer& renderer) {
+    std::size_t slices = 1;
+    while (!renderer.continue_frame(slice_s, for_ever)) ++slices;
+    return slices;
+  }
+  Renderer make(std::uint32_t width = 96, std::uint32_t height = 72) {
+    return Renderer(test::test_device(), test::test_passes(), device_scene_, width, height);
+  }
+  void TearDown() override { EXPECT_TRUE(test::test_device().validation_messages().empty()); }
+
+  scene::RenderScene scene_ = test::random_town(30, 60, 7).with(test::random_lamps(20, 50, 8));
+  DeviceScene device_scene_{test::test_device(), scene_};
+  scene::CameraPose pose_{{40, 30, 40}, {0, 0, 0}, {0, 1, 0}, 50};
+  RenderSettings settings_;
+};
+
+TEST_F(Slices, MakeTheSamePictureBitByBit) {
+  for (const Estimator estimator : {Estimator::traced, Estimator::basic, Estimator::reference})
+    for (const bool denoise : {false, true}) {
+      settings_.sampling.estimator = estimator;
+      settings_.display.denoise = denoise;
+      Renderer whole = make(), sliced = make();
+      std::size_t slices = 0;
+      for (int i = 0; i < 3; ++i) {
+        whole.render_frame(pose_, settings_);
+        sliced.begin_frame(pose_, settings_);
+        slices = finish(sliced);
+      }
+      EXPECT_GT(slices, 20u);
+      EXPECT_EQ(sliced.frames(), 3u);
+      EXPECT_EQ(whole.download(false).rgb, sliced.download(false).rgb) << name_of(estimator);
+    }
+}
+
+TEST_F(Slices, TheFrameBeforeIsShownUntilTheNextIsComplete) {
+  Renderer renderer = make();
+  renderer.render_frame(pose_, settings_);
+  const std::vector<float> first = renderer.download(false).rgb;
+  const auto shown = renderer.display().read<std::uint32_t>(96 * 72);
+  renderer.set_size(48, 36);
+  renderer.begin_frame(pose_, settings_);
+  EXPECT_FALSE(renderer.continue_frame(slice_s, for_ever));
+  EXPECT_EQ(renderer.width(), 96u);
+  EXPECT_EQ(renderer.download(false).rgb, first);
+  EXPECT_EQ(renderer.display().read<std::uint32_t>(96 * 72), shown);
+  EXPECT_GT(renderer.share_done(), 0.0);
+  EXPECT_LT(renderer.share_done(), 1.0);
+  finish(renderer);
+  EXPECT_EQ(renderer.width(), 48u);
+  EXPECT_EQ(renderer.height(), 36u);
+}
+
+// Every other frame is given up half-way; the mean of the others is unbiased, and the number of
+// frames in it is right.
+TEST_F(Slices, AFrameThatIsGivenUpLeavesTheMeanAsItWas) {
+  Renderer renderer = make();
+  renderer.render_frame(pose_, settings_);
+  const std::vector<float> first = renderer.download(false).rgb;
+  for (int i = 0; i < 3; ++i) {
+    scene::CameraPose elsewhere = pose_;
+    elsewhere.position.x += 5;
+    renderer.begin_frame(i == 1 ? pose_ : elsewhere, settings_);
+    for (int slice = 0; slice < 10; ++slice) renderer.continue_frame(slice_s, for_ever);
+    renderer.abandon_frame();
+    EXPECT_FALSE(renderer.has_begun());
+    EXPECT_EQ(renderer.frames(), 1u);
+    EXPECT_EQ(renderer.download(false).rgb, first);
+  }
+  renderer.render_frame(pose_, settings_);
+  EXPECT_EQ(renderer.frames(), 2u);
+}
+
+// Levels from coarse to fine hand their reservoirs on. What they hand on stays unbiased: the mean
+// over many short refinements is the reference's.
+TEST_F(Slices, RefinementFromCoarseToFineStaysUnbiased) {
+  RenderSettings truth = settings_;
+  truth.sampling.estimator = Estimator::reference;
+  truth.sampling.jitter = settings_.sampling.jitter = false;
+  Renderer judge = make(32, 24);
+  for (int i = 0; i < 4; ++i) judge.render_frame(pose_, truth);
+  const double expected = test::mean_luminance(judge.download(false));
+
+  const Effort quick{4, 0};
+  Renderer renderer = make(8, 6);
+  double sum = 0;
+  constexpr int runs = 150;
+  for (int run = 0; run < runs; ++run) {
+    settings_.sampling.seed = static_cast<std::uint32_t>(run);  // starts anew, without history
+    for (const std::uint32_t divisor : {4u, 2u, 1u}) {
+      renderer.set_size(32 / divisor, 24 / divisor);
+      renderer.begin_frame(pose_, settings_, divisor == 1 ? Effort{} : quick);
+      while (!renderer.continue_frame(for_ever, for_ever)) {
+      }
+      EXPECT_EQ(renderer.frames(), 1u);
+    }
+    sum += test::mean_luminance(renderer.download(false));
+  }
+  std::printf("  mean of refinements over truth: %+.2f %%\n", 100 * (sum / runs / expected - 1));
+  EXPECT_NEAR(sum / runs / expected, 1, 0.03);  // six standard deviations of the mean
+}
+
+TEST_F(Slices, ExposingAnewShowsTheSameMeanAsRenderingWithThatExposure) {
+  for (const bool denoise : {false, true}) {
+    settings_.display.denoise = denoise;
+    Renderer renderer = make();
+    renderer.render_frame(pose_, settings_);
+    const std::vector<float> mean = renderer.download(false).rgb;
+    DisplaySettings display = settings_.display;
+    display.ev100 = -1;
+    display.tone = TONEMAP_REINHARD;
+    renderer.expose(display);
+    EXPECT_EQ(renderer.download(false).rgb, mean);
+    EXPECT_EQ(renderer.download(false).info.ev100, -1.0f);
+    const measure::Image8 expected =
+        measure::to_display(renderer.download(false), -1, TONEMAP_REINHARD);
+    const auto words = renderer.display().read<std::uint32_t>(96 * 72);
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < words.size(); ++i)
+      for (std::size_t c = 0; c < 3; ++c)
+        different += std::abs(int(words[i] >> (8 * c) & 255u) - int(expected.rgb[3 * i + c])) > 1;
+    EXPECT_EQ(different, 0u);
+  }
+}
+
+TEST_F(Slices, TheSampleForMeteringIsOfThePicturesRows) {
+  Renderer renderer = make();
+  renderer.render_frame(pose_, settings_);
+  const measure::Image all = renderer.download(false), sample = renderer.sample_mean(96 * 9);
+  ASSERT_EQ(sample.width, 96u);
+  ASSERT_EQ(sample.height, 9u);
+  for (std::size_t row = 0; row < 9; ++row)
+    for (std::size_t x = 0; x < 96; ++x)
+      EXPECT_EQ(sample.rgb[3 * (row * 96 + x)], all.rgb[3 * (row * 8 * 96 + x)]);
+  EXPECT_EQ(renderer.sample_mean(1).height, 1u);
+  EXPECT_EQ(renderer.sample_mean(std::size_t{1} << 30).height, 72u);
+}
+
+TEST_F(Slices, PassesAreCompiledInTheBackground) {
+  PassLibrary passes(test::test_device());
+  Renderer renderer(test::test_device(), passes, device_scene_, 16, 16);
+  const RenderSettings other = [&] {
+    RenderSettings changed = settings_;
+    changed.sampling.estimator = Estimator::ris;
+    return changed;
+  }();
+  while (!renderer.is_ready(settings_)) {
+  }
+  renderer.is_ready(other);  // begins to compile, and get() takes what it compiled
+  renderer.render_frame(pose_, other);
+  EXPECT_TRUE(renderer.is_ready(other));
+  EXPECT_TRUE(renderer.is_ready(settings_));
+}
+
+}  // namespace
+}  // namespace nightcity::render
