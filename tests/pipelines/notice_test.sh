@@ -6,7 +6,7 @@ failures=0
 
 # The words by which NOTICE names a library, by the beginning of its file name.
 declare -A words=(
-  [libbz2]=bzip2 [libcitygml]=libcitygml [libcurl]=libcurl [libdraco]=Draco [libexpat]=expat [libfmt]=fmt [libgdal]=GDAL
+  [libbz2]=bzip2 [libcitygml]=libcitygml [libcurl]=libcurl [libdraco]=Draco [libexpat]=expat [libfmt]=fmt [libgdal]=GDAL [libgeos_c]=GEOS
   [libGeographicLib]=GeographicLib [libglfw]=GLFW [libgmp]=GMP [libmpfr]=MPFR [libOpenEXR]=OpenEXR [libpng16]=libpng
   [libImath]=Imath [libproj]=PROJ [libpugixml]=pugixml [libsimdjson]=simdjson [libspdlog]=spdlog [libstb]=stb [libtbb]=oneTBB
   [libtomlplusplus]=toml++ [libvulkan]=Vulkan [libxerces]=Xerces-C [libxxhash]=xxHash [libz]=zlib [libzip]=libzip

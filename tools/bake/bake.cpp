@@ -48,7 +48,7 @@ class Bake {
     read_city();
     build_ground();
     Georeference georeference = city_.georeference(tiles_.middle());
-    report_.tiles = tiles_.write(georeference, city_.terrain(), progress_);
+    report_.tiles = tiles_.write(georeference, city_, progress_);
     clock_.end_stage("tiles");
     write_lights(georeference);
     scene_.finish(georeference);
@@ -79,6 +79,8 @@ class Bake {
     begin_step("building the terrain");
     report_.ground =
         city_.build_ground([this](const mesh::TriangleMesh& mesh) { tiles_.add_ground(mesh); });
+    const ground_cover::Cover& cover = city_.cover();
+    report_.cover = {cover.areas().size(), cover.left_out, cover.assumed};
     tiles_.drape(city_.height_at());
     if (tiles_.empty())
       throw Error(options_.city.files.front().string(),

@@ -31,6 +31,7 @@ CityInputs to_city_inputs(const Recipe& recipe) {
   inputs.inventories = recipe.lamps.inventories;
   inputs.ground = recipe.terrain;
   inputs.ground.tile_m = recipe.city.tile_m;
+  inputs.cover = recipe.ground;
   return inputs;
 }
 

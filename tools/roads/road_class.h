@@ -16,6 +16,11 @@ enum class RoadTier { main = 0, local = 1, path = 2 };
 /// country.
 enum class SpeedLimit { walking, service, ramp, residential, main, trunk, motorway };
 
+/// Height of a kerb, m: the usual raised kerb of RASt 06 (10 to 15 cm).
+constexpr double kerb_m = 0.12;
+/// Width of a pavement, m (RASt 06, 6.1.6: 2.50 m for two people that meet).
+constexpr double pavement_m = 2.50;
+
 struct RoadClass {
   const char* highway;  // value of the OSM tag
   RoadTier tier;
@@ -25,7 +30,9 @@ struct RoadClass {
   double single_lane_m;  // width of a carriageway that has one lane only
   double shoulder_m;     // edge strips and hard shoulder of a carriageway, both sides together
   SpeedLimit limit;
-  bool one_way;  // where no tag says otherwise
+  bool one_way;       // where no tag says otherwise
+  double pavement_m;  // width of the pavement on each side where no tag says otherwise; 0: none
+  bool kerbed;        // the carriageway lies below its sides, by kerb_m
 };
 
 /// Returns all rows.

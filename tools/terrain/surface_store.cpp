@@ -110,6 +110,11 @@ bool SurfaceStore::add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec
   if (!(std::max(glm::length(low), glm::length(high)) / size < 1e9)) return false;  // in no frame
   used_[static_cast<std::size_t>(level)] = true;
   ++count_;
+  if (!extent_) extent_ = Extent{glm::dvec2(a), glm::dvec2(a)};
+  for (const glm::dvec3* corner : {&a, &b, &c}) {
+    extent_->low = glm::min(extent_->low, glm::dvec2(*corner));
+    extent_->high = glm::max(extent_->high, glm::dvec2(*corner));
+  }
   const auto cell = [size](double v) { return static_cast<std::int32_t>(std::floor(v / size)); };
   for (std::int32_t column = cell(low.x); column <= cell(high.x); ++column)
     for (std::int32_t row = cell(low.y); row <= cell(high.y); ++row)

@@ -17,6 +17,11 @@
 
 namespace nightcity::terrain {
 
+/// A rectangle of the plan: E, N, m.
+struct Extent {
+  glm::dvec2 low, high;
+};
+
 /// Coordinates E, N, H in metres, of any magnitude. Memory: some thirty bytes per cell (128 m wide,
 /// wider where triangles are larger), and a few megabytes for triangles not yet written and cells
 /// used recently.
@@ -30,6 +35,8 @@ class SurfaceStore {
   /// out: nothing can stand on them.
   bool add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
   bool empty() const { return count_ == 0; }
+  /// Returns the rectangle of the plan that holds all triangles; none where there is none.
+  std::optional<Extent> extent() const { return extent_; }
 
   /// Returns the greatest height of a triangle on the vertical line through `p`; a point on an edge
   /// belongs to both sides. May be called from many threads once all triangles are added.
@@ -51,6 +58,7 @@ class SurfaceStore {
   std::optional<glm::dvec2> origin_;
   std::array<bool, levels> used_{};
   std::size_t count_ = 0;
+  std::optional<Extent> extent_;
   CellFile<CellKey, Triangle> cells_;
   std::unique_ptr<CellCache<CellKey, Loaded>> cache_;
 };

@@ -73,6 +73,10 @@ bool Terrain::has_relief() const {
          !state_->break_lines.empty();
 }
 
+std::optional<Extent> Terrain::extent() const {
+  return state_->layer(SurfaceClass::terrain).extent();
+}
+
 Terrain::BreakEdges Terrain::break_edges() const {
   return state_->break_edges;
 }

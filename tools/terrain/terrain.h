@@ -11,6 +11,7 @@
 
 #include "formats/atomic_file.h"
 #include "tools/mesh/triangle_mesh.h"
+#include "tools/terrain/surface_store.h"
 
 namespace nightcity::terrain {
 
@@ -39,6 +40,8 @@ class Terrain {
 
   /// Returns whether the model has a ground of its own: triangles of terrain, or points of it.
   bool has_relief() const;
+  /// Returns the extent of the terrain; none where there is none.
+  std::optional<Extent> extent() const;
   /// Returns vertices of the buildings' ground surfaces (without any, of the roads), thinned to
   /// some 100,000: another ground must fit to them. Empty after build().
   const std::vector<glm::dvec3>& footprint_points() const;

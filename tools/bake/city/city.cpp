@@ -12,6 +12,7 @@
 #include "formats/median.h"
 #include "tools/bake/city/prepared_objects.h"
 #include "tools/bake/parts/read_parts.h"
+#include "tools/ground_cover/street_areas.h"
 #include "tools/inventory/add_to_map.h"
 #include "tools/osm/read_osm.h"
 #include "tools/streets/street_ways.h"
@@ -94,7 +95,22 @@ CityReport City::read(std::initializer_list<CityConsumer*> consumers,
 }
 
 GroundReport City::build_ground(const GroundBuilder::ShowGround& show) {
-  return has_model() ? ground_.build(frame(), show) : GroundReport{};
+  if (!has_model()) return {};
+  const GroundReport report = ground_.build(frame(), show);
+  lay_cover(report);
+  return report;
+}
+
+void City::lay_cover(const GroundReport& ground) {
+  const auto box = terrain_.extent();
+  if (!ground.shown || !box || !frame().has_lon_lat()) return;
+  const ground_cover::Box bounds{box->low, box->high};
+  const place::LonLatToFrame to_plan = to_frame();
+  if (inputs_.cover.streets && !ground.has_roads) {
+    ground_cover::add_streets(map_.highways, to_plan, bounds, cover_);
+    if (inputs_.cover.markings) ground_cover::add_markings(map_.highways, to_plan, bounds, cover_);
+  }
+  cover_.finish();
 }
 
 const CityFrames& City::frames() const {
@@ -169,8 +185,9 @@ place::HeightAt City::height_at() const {
              const glm::dvec2& place) -> std::optional<double> {
     const auto hit = terrain_.height_at(place);
     if (!hit && plane) return 0.0;
-    return hit && hit->surface != terrain::SurfaceClass::roof ? std::optional(hit->height_m)
-                                                              : std::nullopt;
+    if (!hit || hit->surface == terrain::SurfaceClass::roof) return std::nullopt;
+    const bool covered = hit->surface == terrain::SurfaceClass::terrain;
+    return hit->height_m - (covered ? cover_.depth_at(place) : 0);
   };
 }
 

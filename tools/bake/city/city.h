@@ -17,6 +17,7 @@
 #include "tools/bake/progress.h"
 #include "tools/bake/report/city_report.h"
 #include "tools/bake/report/street_report.h"
+#include "tools/ground_cover/cover.h"
 #include "tools/inventory/read_inventory.h"
 #include "tools/osm/osm_data.h"
 #include "tools/place/site.h"
@@ -42,6 +43,8 @@ class City {
   /// Builds the ground from what has been read; `show` gets what is to be seen of it. Throws Error
   /// where an elevation model cannot be read or covers nothing of the city.
   GroundReport build_ground(const GroundBuilder::ShowGround& show = {});
+  /// Returns what covers the ground; empty before build_ground().
+  const ground_cover::Cover& cover() const { return cover_; }
 
   const CityInputs& inputs() const { return inputs_; }
   /// False for a map without a city model.
@@ -76,8 +79,8 @@ class City {
 
   /// Returns a function from longitude and latitude to E, N.
   place::LonLatToFrame to_frame() const;
-  /// Returns the height of the terrain, of a road or of a building's ground surface; on a roof,
-  /// none.
+  /// Returns the height of the terrain as it is covered, of a road or of a building's ground
+  /// surface; on a roof, none.
   place::HeightAt height_at() const;
   /// Returns whether a place lies on a building's ground surface. Empty where there is no model.
   place::InsideBuilding inside_footprint() const;
@@ -88,6 +91,7 @@ class City {
     georeference::CityFrame frame;
   };
   static std::optional<MapFrame> find_map_frame(const osm::OsmData& map);
+  void lay_cover(const GroundReport& ground);
   void add_inventory_licences(std::vector<std::string>& licences) const;
 
   CityInputs inputs_;
@@ -98,6 +102,7 @@ class City {
   std::optional<MapFrame> map_frame_;  // where there is no model
   terrain::Terrain terrain_;
   GroundBuilder ground_;
+  ground_cover::Cover cover_;
 };
 
 }  // namespace nightcity::bake

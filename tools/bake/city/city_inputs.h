@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tools/bake/city/city_survey.h"
+#include "tools/bake/city/cover_options.h"
 #include "tools/bake/city/ground_options.h"
 #include "tools/city/city_reader.h"
 #include "tools/georeference/frame.h"
@@ -33,6 +34,7 @@ struct CityInputs {
   std::vector<inventory::InventoryFile> inventories;
   std::string map_licence = "OpenStreetMap contributors, ODbL 1.0";
   GroundOptions ground;
+  CoverOptions cover;
   /// The result of an earlier look at all inputs: the city does not look again, and reads only the
   /// buildings of the map. Null: the city looks itself.
   std::shared_ptr<const CitySurvey> survey;

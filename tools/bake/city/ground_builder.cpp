@@ -174,6 +174,8 @@ CityConsumer::Turn GroundBuilder::prepare(const std::shared_ptr<const PreparedOb
       if (!terrain_.add_break_line(line)) ++report_.lone_vertices;
     }
     occupied_.insert(tiles.begin(), tiles.end());
+    if (prepared->object.type == city::ObjectType::road && !prepared->mesh.triangles.empty())
+      report_.has_roads = true;
     for (std::size_t n = 0; n < parts.size(); ++n)
       if (!parts[n].triangles.empty())
         terrain_.add(parts[n], static_cast<terrain::SurfaceClass>(n));
@@ -197,7 +199,8 @@ GroundReport GroundBuilder::build(const georeference::CityFrame& frame, const Sh
     report_.source = given ? (surface ? "points" : "given") : surface ? "made" : "none";
   // Relief given as points is the model's own: it is shown whatever the options say about made
   // surfaces.
-  if (show && surface && (given || options_.make_surface)) show(terrain_.made_surface());
+  report_.shown = given || report_.source == "dem" || (surface && options_.make_surface);
+  if (show && surface && report_.shown) show(terrain_.made_surface());
   terrain_.drop_made_surface();
   return report_;
 }

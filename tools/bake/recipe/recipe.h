@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/bake/city/cover_options.h"
 #include "tools/bake/city/ground_options.h"
 #include "tools/bake/stages/lamp_options.h"
 #include "tools/bake/stages/window_options.h"
@@ -48,6 +49,7 @@ struct Recipe {
   LampStageOptions lamps;
   /// Its tile_m is the city's.
   GroundOptions terrain;
+  CoverOptions ground;
 
   /// Origin of model space in the city's CRS, m; what is absent is chosen from the data.
   struct Origin {

@@ -65,6 +65,25 @@ Table make_terrain_table(bake::GroundOptions& terrain, const fs::path& folder) {
                       "How far a ground made by this program reaches beyond the buildings.")}};
 }
 
+Table make_ground_table(bake::CoverOptions& ground) {
+  return {
+      "ground",
+      "What lies on the ground, from the map. The ground's triangles are cut along the outlines, "
+      "so that no two surfaces lie in one place.",
+      {flag_key("streets", ground.streets,
+                "Streets as surfaces, where the city model has no roads of its own: "
+                "carriageways, cycle tracks, pavements and paths. Widths are those that lamps "
+                "and traffic use; `sidewalk` and `cycleway` say what runs beside a carriageway, "
+                "else the class of the road; `surface` decides how much light it reflects. "
+                "Carriageways of towns lie 0.12 m below the ground around them, between kerbs, "
+                "and what stands or drives on them does so too. Tunnels are left out, and "
+                "counted; bridges lie on the ground."),
+       flag_key("markings", ground.markings,
+                "With `streets`: paint on carriageways. Bars where `crossing` or "
+                "`crossing:markings` says that a way is a marked crossing, and lines between "
+                "lanes of roads that have some.")}};
+}
+
 Table make_origin_table(bake::Recipe::Origin& origin) {
   const Limits limits{-1e8, 1e8};
   return {"origin",
@@ -118,15 +137,11 @@ Table make_output_table(bake::Recipe::Output& output) {
 }  // namespace
 
 std::vector<Table> make_tables(bake::Recipe& recipe, const fs::path& folder) {
-  return {make_city_table(recipe.city, folder),
-          make_osm_table(recipe.osm, folder),
-          make_terrain_table(recipe.terrain, folder),
-          make_lamp_table(recipe.lamps, folder),
-          make_window_table(recipe.windows),
-          make_traffic_table(recipe.traffic),
-          make_night_table(recipe.night),
-          make_origin_table(recipe.origin),
-          make_output_table(recipe.output)};
+  return {make_city_table(recipe.city, folder),       make_osm_table(recipe.osm, folder),
+          make_terrain_table(recipe.terrain, folder), make_ground_table(recipe.ground),
+          make_lamp_table(recipe.lamps, folder),      make_window_table(recipe.windows),
+          make_traffic_table(recipe.traffic),         make_night_table(recipe.night),
+          make_origin_table(recipe.origin),           make_output_table(recipe.output)};
 }
 
 }  // namespace nightcity::recipe

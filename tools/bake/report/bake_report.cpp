@@ -210,6 +210,7 @@ json to_json(const BakeReport& report) {
       {"break_edges", {{"used", ground.break_edges.used}, {"unused", ground.break_edges.unused}}},
       {"colours", report.tiles.colours},
       {"draped_triangles", report.tiles.draped},
+      {"ground_cover", to_json(report.cover, report.tiles)},
       {"streets", to_json(report.streets)},
       {"lamps", to_json(report.lights.lamps)},
       {"layout", to_json(report.lights.layout, true)},
@@ -234,6 +235,7 @@ json to_json(const BakeReport& report) {
 
 std::string to_text(const BakeReport& report) {
   std::string text = reading_in_words(report) + surfaces_in_words(report);
+  text += to_text(report.cover, report.tiles);
   text += to_text(report.streets);
   text += to_text(report.lights.lamps);
   text += to_text(report.lights.layout, false);

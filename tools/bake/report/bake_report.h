@@ -10,6 +10,7 @@
 
 #include "formats/scene_writer.h"
 #include "tools/bake/report/city_report.h"
+#include "tools/bake/report/cover_report.h"
 #include "tools/bake/report/light_report.h"
 #include "tools/bake/report/scene_report.h"
 #include "tools/bake/report/stage_clock.h"
@@ -22,6 +23,7 @@ struct BakeReport {
   CityReport city;
   GroundReport ground;
   SceneTilesReport tiles;
+  CoverReport cover;
   StreetReport streets;  // of the model, where the map has none
   LightsReport lights;
   std::optional<traffic::TrafficReport> traffic;

@@ -25,6 +25,8 @@ struct GroundReport {
   terrain::Terrain::BreakEdges break_edges;
   std::size_t relief_points = 0;  // mass points and vertices of break lines
   std::size_t lone_vertices = 0;  // break lines of which the vertices alone are used
+  bool shown = false;      // the scene shows the terrain
+  bool has_roads = false;  // the model has roads of its own
   std::string dem;  // how an elevation model was used, or why not; "" = none was given
 };
 

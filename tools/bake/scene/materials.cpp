@@ -14,7 +14,8 @@ SceneMaterial diffuse(const char* name, float albedo, glm::vec3 hue, float rough
   return {.name = name, .base_colour = hue * (albedo / luminance), .roughness = roughness};
 }
 
-constexpr MaterialCode coloured = 0x80;
+constexpr MaterialCode coloured = 0x80, kind_bits = 0x7F;
+static_assert(bake_material_count + ground_cover::ground_kind_count <= coloured);
 constexpr std::size_t max_colours = 2000;
 
 glm::vec3 to_srgb(MaterialCode code) {
@@ -37,18 +38,36 @@ MaterialCode to_code(BakeMaterial kind, const glm::vec3& colour) {
   return code;
 }
 
+std::optional<ground_cover::GroundKind> to_ground_kind(MaterialCode code) {
+  const MaterialCode kind = code & kind_bits;
+  if (kind < bake_material_count) return std::nullopt;
+  return static_cast<ground_cover::GroundKind>(kind - bake_material_count);
+}
+
+SceneMaterial find_material(MaterialCode code) {
+  const auto ground = to_ground_kind(code);
+  if (!ground) return bake_materials()[code & kind_bits];
+  const ground_cover::GroundMaterial& row = ground_cover::find_material(*ground);
+  return diffuse(row.name, row.reflectance, row.hue, row.roughness);
+}
+
 MaterialTable::MaterialTable(SceneWriter& writer) : writer_(writer) {
   for (const SceneMaterial& material : bake_materials()) writer_.add_material(material);
 }
 
 std::uint32_t MaterialTable::find_index(MaterialCode code) {
-  if ((code & coloured) == 0) return code;
+  if ((code & coloured) == 0) {
+    if (!to_ground_kind(code)) return code;
+    const auto [known, is_new] = ground_.try_emplace(code, 0);
+    if (is_new) known->second = writer_.add_material(find_material(code));
+    return known->second;
+  }
   const auto found = coloured_.find(code);
   if (found != coloured_.end()) return found->second;
   if (coloured_.size() >= max_colours) {
     const auto distance = [code](MaterialCode other) {
       const glm::vec3 d = to_srgb(code) - to_srgb(other);
-      return glm::dot(d, d) + (to_kind(code) == to_kind(other) ? 0.0f : 4.0f);
+      return glm::dot(d, d) + (((code ^ other) & kind_bits) == 0 ? 0.0f : 4.0f);
     };
     return std::min_element(
                coloured_.begin(), coloured_.end(),
@@ -56,7 +75,7 @@ std::uint32_t MaterialTable::find_index(MaterialCode code) {
         ->second;
   }
   const glm::vec3 srgb = to_srgb(code);
-  SceneMaterial material = bake_materials()[static_cast<std::size_t>(to_kind(code))];
+  SceneMaterial material = find_material(code);
   char name[16];
   std::snprintf(name, sizeof name, " #%02X%02X%02X", code >> 8 & 0xFFu, code >> 16 & 0xFFu,
                 code >> 24 & 0xFFu);

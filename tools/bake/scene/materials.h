@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <map>
+#include <optional>
 
 #include "formats/scene_writer.h"
 #include "tools/city/city_model.h"
+#include "tools/ground_cover/ground_kind.h"
 
 namespace nightcity::bake {
 
@@ -42,12 +44,17 @@ constexpr MaterialCode to_code(BakeMaterial kind) {
 }
 /// `colour`: sRGB in [0, 1], as in X3DMaterial (CityGML 2.0, appearance).
 MaterialCode to_code(BakeMaterial kind, const glm::vec3& colour);
-constexpr BakeMaterial to_kind(MaterialCode code) {
-  return static_cast<BakeMaterial>(code & 0x7Fu);
+/// Kinds of ground come behind the other kinds.
+constexpr MaterialCode to_code(ground_cover::GroundKind kind) {
+  return static_cast<MaterialCode>(bake_material_count) + static_cast<MaterialCode>(kind);
 }
+/// Returns the kind of ground of a material; none where it is of another kind.
+std::optional<ground_cover::GroundKind> to_ground_kind(MaterialCode code);
+/// Returns a code's material without the colour that a model gives it.
+SceneMaterial find_material(MaterialCode code);
 
-/// The materials of a scene: those of the table, and one for each colour, added when it is first
-/// used.
+/// The materials of a scene: those of the table, and one for each kind of ground and for each
+/// colour, added when it is first used.
 class MaterialTable {
  public:
   /// Adds bake_materials() to `writer`, in order.
@@ -59,6 +66,7 @@ class MaterialTable {
 
  private:
   SceneWriter& writer_;
+  std::map<MaterialCode, std::uint32_t> ground_;
   std::map<MaterialCode, std::uint32_t> coloured_;
 };
 

@@ -15,7 +15,7 @@ namespace {
 // A surface this far below the ground is hidden. The ground's height is not known more exactly.
 constexpr double hidden_below_m = 0.1;
 
-void count(std::map<std::string, std::size_t>& counts, const char* name, std::size_t number) {
+void add_count(std::map<std::string, std::size_t>& counts, const char* name, std::size_t number) {
   if (number > 0) counts[name] += number;
 }
 
@@ -25,6 +25,7 @@ struct SceneTiles::WrittenTile {
   TileKey key;
   SceneMesh mesh;
   HiddenCounts hidden;
+  CoverCounts cover;
 };
 
 SceneTiles::SceneTiles(SceneWriter& writer, const std::filesystem::path& scratch,
@@ -40,8 +41,8 @@ CityConsumer::Turn SceneTiles::prepare(const std::shared_ptr<const PreparedObjec
   const bool drop = options_.drop_ground && prepared->object.type == city::ObjectType::building;
   return [this, prepared,
           triangles = make_tile_triangles(prepared->mesh, prepared->object, drop)](bool continues) {
-    count(report_.left_out, "triangles of ground under buildings",
-          prepared->mesh.triangles.size() - triangles.size());
+    add_count(report_.left_out, "triangles of ground under buildings",
+              prepared->mesh.triangles.size() - triangles.size());
     if (!continues) last_feature_ = add_feature(prepared->object);
     if (prepared->lacks_heights)
       drape_.add(triangles, last_feature_);
@@ -63,8 +64,8 @@ glm::dvec2 SceneTiles::middle() {
   return {std::round(median(std::move(eastings))), std::round(median(std::move(northings)))};
 }
 
-SceneTilesReport SceneTiles::write(const Georeference& georeference,
-                                   const terrain::Terrain& terrain, const ProgressSink& progress) {
+SceneTilesReport SceneTiles::write(const Georeference& georeference, const City& city,
+                                   const ProgressSink& progress) {
   const std::vector<TileKey> keys = tiles_.tiles();
   HiddenCounts hidden;
   std::size_t begun = 0, done = 0;
@@ -72,33 +73,39 @@ SceneTilesReport SceneTiles::write(const Georeference& georeference,
     return begun < keys.size() ? std::optional(keys[begun++]) : std::nullopt;
   };
   in_order(
-      options_.threads, next, [&](const TileKey& key) { return build(key, terrain); },
+      options_.threads, next, [&](const TileKey& key) { return build(key, city); },
       [&](WrittenTile&& tile) {
         hidden.between += tile.hidden.between;
         hidden.below += tile.hidden.below;
+        count(tile.cover);
         if (tile.mesh.primitives.empty()) return;
         write(std::move(tile), georeference);
         if (progress) progress({"writing tiles", ++done, "tiles", keys.size()});
       });
-  count(report_.left_out, "triangles between two buildings", hidden.between);
-  count(report_.left_out, "triangles of buildings below the ground", hidden.below);
+  add_count(report_.left_out, "triangles between two buildings", hidden.between);
+  add_count(report_.left_out, "triangles of buildings below the ground", hidden.below);
   report_.colours = materials_.colours();
   return report_;
 }
 
-SceneTiles::WrittenTile SceneTiles::build(const TileKey& key, const terrain::Terrain& terrain) {
-  WrittenTile tile{key, {}, {}};
+SceneTiles::WrittenTile SceneTiles::build(const TileKey& key, const City& city) {
+  WrittenTile tile{key, {}, {}, {}};
   const glm::dvec3 corner = tiles_.origin(key);
   const auto is_below = [&](const glm::vec3& p) {
-    const auto ground = terrain.height_of(terrain::SurfaceClass::terrain,
-                                          {corner.x + double{p.x}, corner.y - double{p.z}});
+    const auto ground = city.terrain().height_of(terrain::SurfaceClass::terrain,
+                                                 {corner.x + double{p.x}, corner.y - double{p.z}});
     return ground && corner.z + double{p.y} < *ground - hidden_below_m;
   };
-  const auto find_hidden = [&](std::span<const TileStore::StoredTriangle> triangles) {
-    return find_hidden_triangles(triangles, is_below, tile.hidden);
+  const auto change = [&](std::vector<TileStore::StoredTriangle>& triangles) {
+    if (options_.drop_hidden) {
+      const std::vector<bool> hidden = find_hidden_triangles(triangles, is_below, tile.hidden);
+      std::size_t i = 0;
+      std::erase_if(triangles, [&](const auto&) { return hidden[i++]; });
+    }
+    if (key.kind == NodeKind::terrain && !city.cover().empty())
+      cover_ground(city.cover(), corner, triangles, tile.cover);
   };
-  tile.mesh = tiles_.mesh(
-      key, options_.drop_hidden ? TileStore::LeaveOut(find_hidden) : TileStore::LeaveOut());
+  tile.mesh = tiles_.mesh(key, change);
   return tile;
 }
 
@@ -106,13 +113,21 @@ void SceneTiles::write(WrittenTile&& tile, const Georeference& georeference) {
   SceneMesh& mesh = tile.mesh;
   for (ScenePrimitive& primitive : mesh.primitives) {
     const MaterialCode code = primitive.material;
-    report_.triangles[bake_materials()[static_cast<std::size_t>(to_kind(code))].name] +=
-        primitive.indices.size() / 3;
+    report_.triangles[find_material(code).name] += primitive.indices.size() / 3;
     primitive.material = materials_.find_index(code);
   }
   SceneInstance instance;
   instance.to_model[3] = glm::vec4(glm::vec3(georeference.to_model(tiles_.origin(tile.key))), 1);
   writer_.add_node({mesh.name, name_of(tile.key.kind), writer_.add_mesh(mesh), true, {instance}});
+}
+
+void SceneTiles::count(const CoverCounts& cover) {
+  for (std::size_t i = 0; i < cover.area_m2.size(); ++i)
+    if (cover.area_m2[i] > 0)
+      report_.cover_m2[ground_cover::ground_materials()[i].name] += cover.area_m2[i];
+  report_.bare_m2 += cover.bare_m2;
+  report_.cover_triangles += cover.triangles;
+  report_.uncovered_tiles += cover.uncut_tiles;
 }
 
 std::uint32_t SceneTiles::add_feature(const city::CityObject& object) {

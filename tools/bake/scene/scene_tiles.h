@@ -11,6 +11,7 @@
 #include "tools/bake/city/city_consumer.h"
 #include "tools/bake/progress.h"
 #include "tools/bake/report/scene_report.h"
+#include "tools/bake/scene/cover_ground.h"
 #include "tools/bake/scene/drape.h"
 #include "tools/bake/scene/materials.h"
 #include "tools/bake/scene/tile_store.h"
@@ -43,15 +44,16 @@ class SceneTiles final : public CityConsumer {
   /// that far objects do not move it. There must be tiles.
   glm::dvec2 middle();
 
-  /// Writes one mesh for each tile and kind. `terrain` decides what lies below the ground, for the
-  /// option drop_hidden. Throws Error.
-  SceneTilesReport write(const Georeference& georeference, const terrain::Terrain& terrain,
+  /// Writes one mesh for each tile and kind. The city's cover is laid onto its ground; its terrain
+  /// decides what lies below the ground, for the option drop_hidden. Throws Error.
+  SceneTilesReport write(const Georeference& georeference, const City& city,
                          const ProgressSink& progress);
 
  private:
   struct WrittenTile;
-  WrittenTile build(const TileKey& key, const terrain::Terrain& terrain);
+  WrittenTile build(const TileKey& key, const City& city);
   void write(WrittenTile&& tile, const Georeference& georeference);
+  void count(const CoverCounts& cover);
   std::uint32_t add_feature(const city::CityObject& object);
 
   SceneWriter& writer_;

@@ -116,14 +116,11 @@ std::vector<TileKey> TileStore::tiles() {
   return tiles_.keys();
 }
 
-SceneMesh TileStore::mesh(const TileKey& key, const LeaveOut& leave_out) {
-  const std::vector<StoredTriangle> triangles = tiles_.read(key);
-  const std::vector<bool> left_out =
-      leave_out ? leave_out(triangles) : std::vector<bool>(triangles.size(), false);
+SceneMesh TileStore::mesh(const TileKey& key, const Change& change) {
+  std::vector<StoredTriangle> triangles = tiles_.read(key);
+  if (change) change(triangles);
   std::map<MaterialCode, Welder> welders;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (left_out[t]) continue;
-    const StoredTriangle& triangle = triangles[t];
+  for (const StoredTriangle& triangle : triangles) {
     Welder& welder = welders[triangle.material];
     std::uint32_t index[3];
     for (int i = 0; i < 3; ++i) index[i] = welder.find_index(triangle.corners[i], triangle.feature);

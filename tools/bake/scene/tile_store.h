@@ -51,13 +51,13 @@ class TileStore {
     std::uint32_t feature;
     std::uint32_t solid;
   };
-  /// Returns which of a tile's triangles are to be left out.
-  using LeaveOut = std::function<std::vector<bool>(std::span<const StoredTriangle>)>;
+  /// Changes a tile's triangles before they are written: leaves some out, or cuts them.
+  using Change = std::function<void(std::vector<StoredTriangle>&)>;
 
   /// Returns the triangles of a tile in the order in which they came, one primitive a material,
   /// equal vertices welded. A primitive's `material` is a MaterialCode, which a MaterialTable turns
   /// into an index. May be called from many threads after tiles(), until something is added.
-  SceneMesh mesh(const TileKey& tile, const LeaveOut& leave_out = {});
+  SceneMesh mesh(const TileKey& tile, const Change& change = {});
 
  private:
   double size_m_, base_height_;

@@ -6,16 +6,19 @@
 namespace nightcity::bake {
 namespace {
 
-// Returns the height for wheels: they stand on the ground, or on a road that lies on it.
-place::HeightAt road_height_on(const terrain::Terrain& terrain) {
+// Returns the height for wheels: they stand on the ground as it is covered, or on a road that lies
+// on it.
+place::HeightAt road_height_on(const City& city) {
   constexpr double max_above_ground_m = 0.6;  // a road higher up is a bridge
-  return [&terrain](const glm::dvec2& place) -> std::optional<double> {
+  return [&city](const glm::dvec2& place) -> std::optional<double> {
+    const terrain::Terrain& terrain = city.terrain();
     const auto ground = terrain.height_at(place);
     if (!ground || ground->surface == terrain::SurfaceClass::roof) return std::nullopt;
     const auto road = terrain.height_of(terrain::SurfaceClass::road, place);
-    return road && *road > ground->height_m && *road < ground->height_m + max_above_ground_m
-               ? *road
-               : ground->height_m;
+    if (road && *road > ground->height_m && *road < ground->height_m + max_above_ground_m)
+      return *road;
+    const bool covered = ground->surface == terrain::SurfaceClass::terrain;
+    return ground->height_m - (covered ? city.cover().depth_at(place) : 0);
   };
 }
 
@@ -41,7 +44,7 @@ traffic::TrafficSet make_city_traffic(const City& city, const traffic::TrafficOp
   const bool flat = !city.has_model() || lacks_ground(city);
   const place::HeightAt height_at =
       flat ? place::HeightAt([](const glm::dvec2&) { return std::optional(0.0); })
-           : road_height_on(city.terrain());
+           : road_height_on(city);
   return traffic::make_traffic(city.map().highways, city.to_frame(), height_at,
                                city.inside_footprint(), options, georeference,
                                [&](const char* step, double share) {

@@ -1,0 +1,37 @@
+#include "tools/ground_cover/ground_kind.h"
+
+#include <gtest/gtest.h>
+
+namespace nightcity::ground_cover {
+namespace {
+
+TEST(GroundKind, ReflectsWhatItsSourceSays) {
+  struct Range {
+    GroundKind kind;
+    float low, high;
+  };
+  // Oke 1987, tables 1.1 and 8.2; plants by light, not by all of the sun's rays.
+  for (const Range& range :
+       {Range{GroundKind::asphalt, 0.08f, 0.12f}, Range{GroundKind::concrete, 0.10f, 0.35f},
+        Range{GroundKind::paving_stones, 0.20f, 0.30f}, Range{GroundKind::sett, 0.20f, 0.35f},
+        Range{GroundKind::sand, 0.20f, 0.45f}, Range{GroundKind::soil, 0.05f, 0.40f},
+        Range{GroundKind::grass, 0.05f, 0.15f}, Range{GroundKind::woodland, 0.05f, 0.15f},
+        Range{GroundKind::water, 0.03f, 0.10f}}) {
+    EXPECT_GE(find_material(range.kind).reflectance, range.low) << find_material(range.kind).name;
+    EXPECT_LE(find_material(range.kind).reflectance, range.high) << find_material(range.kind).name;
+  }
+  EXPECT_EQ(ground_materials().size(), ground_kind_count);
+}
+
+TEST(GroundKind, ReadsSurfacesAsPeopleWriteThem) {
+  EXPECT_EQ(find_surface("asphalt"), GroundKind::asphalt);
+  EXPECT_EQ(find_surface(" Paving-Stones "), GroundKind::paving_stones);
+  EXPECT_EQ(find_surface("concrete:plates"), GroundKind::concrete);
+  EXPECT_EQ(find_surface("sett;asphalt"), GroundKind::sett);
+  EXPECT_FALSE(find_surface("lava"));
+  EXPECT_FALSE(find_surface(""));
+  EXPECT_FALSE(find_surface(";"));
+}
+
+}  // namespace
+}  // namespace nightcity::ground_cover

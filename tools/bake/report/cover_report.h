@@ -1,0 +1,24 @@
+// What covers the ground, from where, and what of it was left out.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "tools/bake/report/scene_report.h"
+
+namespace nightcity::bake {
+
+struct CoverReport {
+  std::size_t areas = 0;                        // of the map that lie on the ground
+  std::map<std::string, std::size_t> left_out;  // by reason
+  std::map<std::string, std::size_t> assumed;   // what no tag says
+};
+
+/// `tiles`: how much of each kind the scene shows.
+nlohmann::json to_json(const CoverReport& report, const SceneTilesReport& tiles);
+/// Returns "" where nothing covers the ground and nothing was left out.
+std::string to_text(const CoverReport& report, const SceneTilesReport& tiles);
+
+}  // namespace nightcity::bake

@@ -1,0 +1,224 @@
+#include "tools/bake/scene/cover_ground.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <map>
+#include <utility>
+
+#include "formats/error.h"
+#include "tools/bake/scene/line_grid.h"
+#include "tools/mesh/partition.h"
+#include "tools/roads/road_class.h"
+
+namespace nightcity::bake {
+namespace {
+
+using ground_cover::Box;
+using ground_cover::GroundKind;
+using ground_cover::Surface;
+using Stored = TileStore::StoredTriangle;
+
+glm::dvec2 to_plan(const glm::vec3& corner) {
+  return {corner.x, -double{corner.z}};
+}
+
+double plan_area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+  const glm::dvec2 u = b - a, v = c - a;
+  return (u.x * v.y - u.y * v.x) / 2;
+}
+
+double plan_area(const Stored& t) {
+  return plan_area(to_plan(t.corners[0]), to_plan(t.corners[1]), to_plan(t.corners[2]));
+}
+
+// Below this a triangle stands upright or has no extent.
+constexpr double min_area_m2 = 1e-6;
+
+bool can_be_covered(const Stored& triangle) {
+  return triangle.material == to_code(BakeMaterial::terrain) &&
+         std::abs(plan_area(triangle)) > min_area_m2;
+}
+
+// Returns the height of the triangle's plane at a place.
+double height_at(const Stored& t, const glm::dvec2& place) {
+  const glm::dvec2 a = to_plan(t.corners[0]), b = to_plan(t.corners[1]), c = to_plan(t.corners[2]);
+  const double whole = plan_area(a, b, c), at_b = plan_area(a, place, c) / whole,
+               at_c = plan_area(a, b, place) / whole, y = t.corners[0].y;
+  return y + at_b * (t.corners[1].y - y) + at_c * (t.corners[2].y - y);
+}
+
+glm::vec3 to_model(const glm::dvec2& plan, double height) {
+  return glm::vec3(glm::dvec3(plan.x, height, -plan.y));
+}
+
+// The plan of a tile's triangles of terrain.
+Box find_plan_box(const std::vector<Stored>& ground) {
+  Box box{to_plan(ground[0].corners[0]), to_plan(ground[0].corners[0])};
+  for (const Stored& triangle : ground)
+    for (const glm::vec3& corner : triangle.corners) {
+      box.low = glm::min(box.low, to_plan(corner));
+      box.high = glm::max(box.high, to_plan(corner));
+    }
+  return box;
+}
+
+class Coverer {
+ public:
+  Coverer(const ground_cover::Cover& cover, const ground_cover::CoverPart& part,
+          std::vector<Stored>& out, CoverCounts& counts)
+      : cover_(cover), part_(part), out_(out), counts_(counts) {}
+
+  // Covers triangles that no outline crosses.
+  void cover_whole(const std::vector<Stored>& whole) {
+    const mesh::OwnerFinder areas(part_.areas), markings(part_.markings);
+    for (const Stored& triangle : whole) {
+      const glm::dvec2 middle = (to_plan(triangle.corners[0]) + to_plan(triangle.corners[1]) +
+                                 to_plan(triangle.corners[2])) /
+                                3.0;
+      Stored made = triangle;
+      if (const Surface* surface = find_surface(areas.find(middle)))
+        apply(*surface, markings.find(middle), made);
+      count(made);
+      out_.push_back(made);
+    }
+  }
+
+  // Cuts triangles along the outlines.
+  void cover_cut(const std::vector<Stored>& cut) {
+    std::vector<mesh::PlaneLayer> layers{part_.areas, part_.markings, {}};
+    for (std::uint32_t i = 0; i < cut.size(); ++i)
+      layers[2].push_back(
+          {{{to_plan(cut[i].corners[0]), to_plan(cut[i].corners[1]), to_plan(cut[i].corners[2])}},
+           i});
+    const mesh::PlanePartition plan = mesh::partition(layers);
+    heights_.assign(plan.points.size(), std::nan(""));
+    for (const mesh::PlanePartition::Triangle& piece : plan.triangles) {
+      const std::vector<std::uint32_t>& owners = plan.owners[piece.region];
+      if (owners[2] == mesh::no_label) continue;  // beyond the tile's ground
+      const Stored& ground = cut[owners[2]];
+      Stored made = ground;
+      double depth_m = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec2& p = plan.points[piece.vertex[k]];
+        double& height = heights_[piece.vertex[k]];
+        if (std::isnan(height)) height = height_at(ground, p);
+        made.corners[k] = to_model(p, find_height(height, ground, p));
+      }
+      if (const Surface* surface = find_surface(owners[0])) {
+        apply(*surface, owners[1], made);
+        depth_m = surface->sunken ? roads::kerb_m : 0;
+      }
+      count(made);
+      out_.push_back(made);
+      remember_edges(piece, depth_m);
+    }
+    add_kerbs(plan);
+  }
+
+ private:
+  // Neighbours that lie in one plane share the height of their vertex to the last bit.
+  static double find_height(double shared, const Stored& ground, const glm::dvec2& place) {
+    constexpr double tolerance_m = 1e-3;
+    const double own = height_at(ground, place);
+    return std::abs(own - shared) < tolerance_m ? shared : own;
+  }
+
+  const Surface* find_surface(std::uint32_t label) const {
+    return label == mesh::no_label ? nullptr : &cover_.surfaces()[label];
+  }
+
+  static void apply(const Surface& surface, std::uint32_t marking, Stored& triangle) {
+    const bool painted = surface.marked && marking != mesh::no_label;
+    triangle.material = to_code(painted ? GroundKind::paint : surface.kind);
+    triangle.feature = no_id;
+    if (surface.sunken)
+      for (glm::vec3& corner : triangle.corners) corner.y -= static_cast<float>(roads::kerb_m);
+  }
+
+  void count(const Stored& triangle) {
+    const double area_m2 = std::abs(plan_area(triangle));
+    if (const auto kind = to_ground_kind(triangle.material))
+      counts_.area_m2[static_cast<std::size_t>(*kind)] += area_m2;
+    else
+      counts_.bare_m2 += area_m2;
+  }
+
+  // An edge of a piece, from `a` to `b` counter-clockwise round it.
+  struct Edge {
+    std::uint32_t a, b;
+    double depth_m;
+  };
+
+  void remember_edges(const mesh::PlanePartition::Triangle& piece, double depth_m) {
+    for (std::size_t k = 0; k < 3; ++k)
+      edges_.push_back({piece.vertex[k], piece.vertex[(k + 1) % 3], depth_m});
+  }
+
+  // Where two pieces meet and one of them is sunken, the other ends at a kerb that faces the sunken
+  // one.
+  void add_kerbs(const mesh::PlanePartition& plan) {
+    const auto key = [](const Edge& e) { return std::minmax(e.a, e.b); };
+    std::stable_sort(edges_.begin(), edges_.end(),
+                     [&](const Edge& a, const Edge& b) { return key(a) < key(b); });
+    for (std::size_t i = 0; i + 1 < edges_.size(); ++i) {
+      const Edge &first = edges_[i], &second = edges_[i + 1];
+      if (key(first) != key(second) || first.depth_m == second.depth_m) continue;
+      const Edge& low = first.depth_m > second.depth_m ? first : second;
+      const double drop_m = std::abs(first.depth_m - second.depth_m);
+      const glm::dvec2 &a = plan.points[low.a], &b = plan.points[low.b];
+      const glm::vec3 a_high = to_model(a, heights_[low.a]), b_high = to_model(b, heights_[low.b]);
+      const glm::vec3 down(0, static_cast<float>(drop_m), 0);
+      Stored kerb{{a_high - down, a_high, b_high}, to_code(GroundKind::kerb), no_id, 0};
+      out_.push_back(kerb);
+      kerb.corners[1] = b_high;
+      kerb.corners[2] = b_high - down;
+      out_.push_back(kerb);
+    }
+  }
+
+  const ground_cover::Cover& cover_;
+  const ground_cover::CoverPart& part_;
+  std::vector<Stored>& out_;
+  CoverCounts& counts_;
+  std::vector<double> heights_;  // of the ground at the partition's points
+  std::vector<Edge> edges_;
+};
+
+}  // namespace
+
+void cover_ground(const ground_cover::Cover& cover, const glm::dvec3& origin,
+                  std::vector<Stored>& triangles, CoverCounts& counts) {
+  std::vector<Stored> ground, covered;
+  for (const Stored& triangle : triangles)
+    (can_be_covered(triangle) ? ground : covered).push_back(triangle);
+  if (ground.empty()) return;
+  const glm::dvec2 corner(origin);
+  const Box box = find_plan_box(ground);
+  const ground_cover::CoverPart part =
+      cover.find_part({box.low + corner, box.high + corner}, corner);
+  if (part.areas.empty()) return;
+  LineGrid lines(box);
+  for (const mesh::PlaneLayer* layer : {&part.areas, &part.markings})
+    for (const mesh::PlaneArea& area : *layer)
+      for (const auto& ring : area.rings) lines.add_ring(ring);
+  std::vector<Stored> cut, whole;
+  for (const Stored& triangle : ground)
+    (lines.meets(find_plan_box({triangle})) ? cut : whole).push_back(triangle);
+  CoverCounts own;
+  try {
+    Coverer coverer(cover, part, covered, own);
+    coverer.cover_whole(whole);
+    coverer.cover_cut(cut);
+  } catch (const Error&) {
+    ++counts.uncut_tiles;
+    return;
+  }
+  for (std::size_t i = 0; i < own.area_m2.size(); ++i) counts.area_m2[i] += own.area_m2[i];
+  counts.bare_m2 += own.bare_m2;
+  counts.triangles += covered.size() - std::min(covered.size(), triangles.size());
+  triangles = std::move(covered);
+}
+
+}  // namespace nightcity::bake

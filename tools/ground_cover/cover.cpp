@@ -1,0 +1,77 @@
+#include "tools/ground_cover/cover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "formats/finite.h"
+#include "tools/ground_cover/clip_ring.h"
+#include "tools/roads/road_class.h"
+
+namespace nightcity::ground_cover {
+namespace {
+
+// Outlines lie on a grid of about a millimetre: corners that are meant to be one are one then.
+constexpr double steps_a_metre = 1024;
+
+std::vector<std::vector<glm::dvec2>> to_part(const std::vector<std::vector<glm::dvec2>>& rings,
+                                             const Box& box, const glm::dvec2& origin) {
+  std::vector<std::vector<glm::dvec2>> out;
+  for (const auto& ring : rings) {
+    std::vector<glm::dvec2> cut = clip_ring(ring, box.low, box.high);
+    for (glm::dvec2& p : cut) p = glm::round(p * steps_a_metre) / steps_a_metre - origin;
+    cut.erase(std::unique(cut.begin(), cut.end()), cut.end());
+    if (cut.size() >= 3) out.push_back(std::move(cut));
+  }
+  return out;
+}
+
+}  // namespace
+
+void Cover::finish() {
+  const auto is_bad = [](const std::vector<glm::dvec2>& ring) {
+    // No city lies beyond the limit, and the index ends there.
+    return ring.size() < 3 || std::any_of(ring.begin(), ring.end(), [](const glm::dvec2& p) {
+             return !finite(p) || std::max(std::abs(p.x), std::abs(p.y)) > 1e8;
+           });
+  };
+  for (CoverArea& area : areas_) std::erase_if(area.rings, is_bad);
+  const std::size_t bad =
+      std::erase_if(areas_, [](const auto& area) { return area.rings.empty(); });
+  if (bad > 0) left_out["area without a finite outline"] += bad;
+  std::erase_if(markings_, is_bad);
+  std::stable_sort(areas_.begin(), areas_.end(),
+                   [](const CoverArea& a, const CoverArea& b) { return a.rank > b.rank; });
+  std::map<Surface, std::uint32_t> known;
+  for (std::uint32_t i = 0; i < areas_.size(); ++i) {
+    const auto [label, is_new] =
+        known.try_emplace(areas_[i].surface, static_cast<std::uint32_t>(surfaces_.size()));
+    if (is_new) surfaces_.push_back(areas_[i].surface);
+    labels_.push_back(label->second);
+    boxes_.push_back(find_box(areas_[i].rings));
+    area_index_.add(i, boxes_.back());
+  }
+  for (std::uint32_t i = 0; i < markings_.size(); ++i)
+    marking_index_.add(i, find_box({markings_[i]}));
+}
+
+CoverPart Cover::find_part(const Box& box, const glm::dvec2& origin) const {
+  CoverPart part;
+  for (const std::uint32_t i : area_index_.find(box))
+    if (auto rings = to_part(areas_[i].rings, box, origin); !rings.empty())
+      part.areas.push_back({std::move(rings), labels_[i]});
+  for (const std::uint32_t i : marking_index_.find(box))
+    if (auto rings = to_part({markings_[i]}, box, origin); !rings.empty())
+      part.markings.push_back({std::move(rings), 0});
+  return part;
+}
+
+double Cover::depth_at(const glm::dvec2& place) const {
+  if (!finite(place)) return 0;
+  for (const std::uint32_t i : area_index_.find({place, place}))
+    if (boxes_[i].holds(place) && mesh::holds(areas_[i].rings, place))
+      return areas_[i].surface.sunken ? roads::kerb_m : 0;
+  return 0;
+}
+
+}  // namespace nightcity::ground_cover

@@ -1,0 +1,156 @@
+#include "tools/ground_cover/street_areas.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/finite.h"
+#include "tools/ground_cover/way_line.h"
+#include "tools/ground_cover/widened_line.h"
+#include "tools/osm/tag_values.h"
+#include "tools/roads/carriageway.h"
+
+namespace nightcity::ground_cover {
+namespace {
+
+using Side = Widener::Side;
+
+// Ranks of the areas of streets; the rank of a road's class is added to that of carriageways.
+constexpr int carriageway_rank = 1000, track_rank = 900, pavement_rank = 800;
+
+// What runs along one side of a carriageway, from the kerb outwards.
+struct Roadside {
+  double track_m = 0, pavement_m = 0;
+  bool assumed = false;
+  double width_m() const { return track_m + pavement_m; }
+};
+
+// Returns the value of a tag for one side: KEY:right, KEY:both, or KEY where it names the side.
+std::string value_at_side(const osm::OsmTags& tags, const std::string& key, const char* side) {
+  for (const std::string& name : {key + ":" + side, key + ":both"})
+    if (std::string value = tag_of(tags, name.c_str()); !value.empty()) return value;
+  const std::string value = tag_of(tags, key.c_str());
+  if (value == "left" || value == "right") return value == side ? "yes" : "no";
+  return value == "both" ? "yes" : value;
+}
+
+Roadside read_roadside(const osm::OsmTags& tags, const roads::RoadClass& road, const char* side) {
+  Roadside result;
+  if (value_at_side(tags, "cycleway", side) == "track") result.track_m = cycle_track_m;
+  const std::string pavement = value_at_side(tags, "sidewalk", side);
+  if (pavement == "yes") {
+    result.pavement_m = road.pavement_m > 0 ? road.pavement_m : roads::pavement_m;
+    for (const std::string& key :
+         {std::string("sidewalk:") + side + ":width", std::string("sidewalk:both:width")})
+      if (const auto found = tags.find(key); found != tags.end())
+        if (const auto width = osm::parse_length_m(found->second);
+            width && *width >= 0.5 && *width <= 20)
+          result.pavement_m = *width;
+  } else if (pavement.empty()) {
+    result.pavement_m = road.pavement_m;
+    result.assumed = road.pavement_m > 0;
+  }
+  return result;
+}
+
+// Returns what a road is made of where its tag `surface` does not say. OSM wiki, "Key:surface":
+// streets of towns are asphalt, and tracks are not. Paths in towns are paved with stones (RASt 06,
+// 6.1.6.6).
+GroundKind guess_surface(const roads::RoadClass& road) {
+  const std::string_view highway = road.highway;
+  if (highway == "track") return GroundKind::gravel;
+  if (highway == "path" || highway == "bridleway") return GroundKind::soil;
+  if (highway == "cycleway") return GroundKind::asphalt;
+  return road.tier == roads::RoadTier::path ? GroundKind::paving_stones : GroundKind::asphalt;
+}
+
+class StreetAreas {
+ public:
+  StreetAreas(const place::LonLatToFrame& to_frame, const Box& bounds, Cover& cover)
+      : to_frame_(to_frame), bounds_(bounds), cover_(cover) {}
+
+  void add(const osm::OsmWay& way) {
+    const auto carriageway = roads::read_carriageway(way.tags);
+    if (!carriageway) return;
+    const std::vector<glm::dvec2> line = find_line(way.lon_lat, to_frame_, bounds_);
+    if (line.size() < 2) return;
+    if (lies_inside(way.tags)) {
+      ++cover_.left_out["street in a tunnel or a building"];
+      return;
+    }
+    if (tag_of(way.tags, "area") == "yes") return;  // an outline: add_land takes it
+    const roads::RoadClass& road = *carriageway->road_class;
+    const GroundKind kind = find_kind(way.tags, road);
+    const double half_m = carriageway->width_m / 2;
+    if (road.tier == roads::RoadTier::path) {
+      const bool sunken = false, marked = false;
+      add(line, half_m, Side::both, pavement_rank, {kind, sunken, marked});
+      return;
+    }
+    add(line, half_m, Side::both, carriageway_rank + road.rank, {kind, road.kerbed, true});
+    const Roadside left = read_roadside(way.tags, road, "left"),
+                   right = read_roadside(way.tags, road, "right");
+    add_roadside(line, half_m, left, right);
+    if (left.assumed || right.assumed) ++cover_.assumed["pavement beside a street"];
+  }
+
+ private:
+  static bool lies_inside(const osm::OsmTags& tags) {
+    const std::string tunnel = tag_of(tags, "tunnel");
+    return (!tunnel.empty() && tunnel != "no" && tunnel != "building_passage") ||
+           tag_of(tags, "indoor") == "yes" || tag_of(tags, "highway") == "corridor" ||
+           tag_of(tags, "location") == "underground";
+  }
+
+  GroundKind find_kind(const osm::OsmTags& tags, const roads::RoadClass& road) {
+    const auto surface = tags.find("surface");
+    if (surface != tags.end())
+      if (const auto kind = find_surface(surface->second)) return *kind;
+    ++cover_.assumed[surface == tags.end() ? "surface of a street"
+                                           : "surface of a street whose tag is not known"];
+    return guess_surface(road);
+  }
+
+  void add_roadside(const std::vector<glm::dvec2>& line, double half_m, const Roadside& left,
+                    const Roadside& right) {
+    // Equal sides are one area, which goes round the ends of streets that end.
+    const auto add_band = [&](double left_m, double right_m, int rank, GroundKind kind) {
+      const Surface surface{kind, false, false};
+      if (left_m > 0 && left_m == right_m) {
+        add(line, half_m + left_m, Side::both, rank, surface);
+        return;
+      }
+      if (left_m > 0) add(line, half_m + left_m, Side::left, rank, surface);
+      if (right_m > 0) add(line, half_m + right_m, Side::right, rank, surface);
+    };
+    add_band(left.track_m, right.track_m, track_rank, GroundKind::asphalt);
+    add_band(left.pavement_m > 0 ? left.width_m() : 0, right.pavement_m > 0 ? right.width_m() : 0,
+             pavement_rank, GroundKind::paving_stones);
+  }
+
+  void add(const std::vector<glm::dvec2>& line, double distance_m, Side side, int rank,
+           const Surface& surface) {
+    std::vector<Ring> rings = widener_.widen(line, distance_m, side);
+    if (rings.empty())
+      ++cover_.left_out["street without an area"];
+    else
+      cover_.add({rank, surface, std::move(rings)});
+  }
+
+  const place::LonLatToFrame& to_frame_;
+  const Box& bounds_;
+  Cover& cover_;
+  Widener widener_;
+};
+
+}  // namespace
+
+void add_streets(std::span<const osm::OsmWay> ways, const place::LonLatToFrame& to_frame,
+                 const Box& bounds, Cover& cover) {
+  StreetAreas areas(to_frame, bounds, cover);
+  for (const osm::OsmWay& way : ways) areas.add(way);
+}
+
+}  // namespace nightcity::ground_cover

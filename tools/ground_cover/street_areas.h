@@ -1,0 +1,28 @@
+// The streets of a map as areas: carriageways, cycle tracks, pavements, paths, and the paint on
+// them.
+#pragma once
+
+#include <span>
+
+#include "tools/ground_cover/cover.h"
+#include "tools/osm/osm_data.h"
+#include "tools/place/site.h"
+
+namespace nightcity::ground_cover {
+
+/// Width of a one-way cycle track beside a carriageway (ERA 2010, 2.2.1), m.
+constexpr double cycle_track_m = 2.0;
+
+/// Adds the streets to `cover`, as far as they lie in `bounds` (E, N, m). Where they overlap,
+/// carriageways are seen before cycle tracks and these before pavements; of carriageways that of
+/// the more important road. Widths are those of roads::read_carriageway; `sidewalk` and `cycleway`
+/// and their sides say what runs beside it, else the class of the road. Streets in tunnels and
+/// buildings, and values that are assumed, are counted in `cover`.
+void add_streets(std::span<const osm::OsmWay> ways, const place::LonLatToFrame& to_frame,
+                 const Box& bounds, Cover& cover);
+
+/// Adds the bars of crossings and the lines between lanes.
+void add_markings(std::span<const osm::OsmWay> ways, const place::LonLatToFrame& to_frame,
+                  const Box& bounds, Cover& cover);
+
+}  // namespace nightcity::ground_cover

@@ -1,0 +1,38 @@
+// Lines of a map as areas of a width, by GEOS.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "tools/mesh/partition.h"
+
+namespace nightcity::ground_cover {
+
+using Ring = std::vector<glm::dvec2>;
+
+/// Makes areas of lines. One thread uses a Widener at a time.
+class Widener {
+ public:
+  Widener();
+  ~Widener();
+  Widener(const Widener&) = delete;
+  Widener& operator=(const Widener&) = delete;
+
+  /// The sides of a line that its area lies on, seen in its direction.
+  enum class Side { both, left, right };
+
+  /// Returns the rings of all places within `distance_m` of the line (GEOS, buffer): round at its
+  /// ends and mitred at its bends, or flat at its ends where it lies on one side only. Coordinates
+  /// and distance in metres. Empty where the line has no two different finite points or GEOS finds
+  /// no area.
+  std::vector<Ring> widen(std::span<const glm::dvec2> line, double distance_m,
+                          Side side = Side::both);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace nightcity::ground_cover

@@ -1,0 +1,179 @@
+// The arrangement of all outlines is one constrained Delaunay triangulation. Its faces belong to
+// cells, which no outline crosses, and one place decides to whom a cell belongs. A second
+// triangulation keeps the outlines at which an owner changes: those between areas of one label are
+// gone, as in a union of polygons.
+#include "tools/mesh/partition.h"
+
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "formats/error.h"
+#include "formats/finite.h"
+#include "tools/mesh/constrained_delaunay.h"
+#include "tools/mesh/owner_finder.h"
+
+namespace nightcity::mesh {
+namespace {
+
+constexpr std::uint32_t unset = std::numeric_limits<std::uint32_t>::max();
+
+struct VertexInfo {
+  std::uint32_t index = unset;
+};
+struct FaceInfo {
+  std::uint32_t cell = unset;
+};
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, PlaneKernel>;
+// The tag splits outlines that cross.
+using Triangulation =
+    ConstrainedDelaunay<FaceInfo, VertexBase, PlaneKernel, CGAL::Exact_predicates_tag>;
+using Face = Triangulation::Face_handle;
+using Vertex = Triangulation::Vertex_handle;
+
+glm::dvec2 to_plan(const Vertex& vertex) {
+  return mesh::to_plan(vertex->point());
+}
+
+double area_of(const Face& face) {
+  const glm::dvec2 a = to_plan(face->vertex(0)), b = to_plan(face->vertex(1)) - a,
+                   c = to_plan(face->vertex(2)) - a;
+  return (b.x * c.y - b.y * c.x) / 2;
+}
+
+using Edge = std::pair<glm::dvec2, glm::dvec2>;
+
+class Arrangement {
+ public:
+  explicit Arrangement(std::size_t max_vertices) : max_vertices_(max_vertices) {}
+
+  void insert(const Edge& edge) {
+    const Vertex a = insert(edge.first), b = insert(edge.second);
+    if (a == b) return;
+    triangulation_.insert_constraint(a, b);
+    if (triangulation_.number_of_vertices() > max_vertices_)
+      throw Error("", "outlines cross too often to be cut into regions");
+  }
+
+  // Joins faces that no outline parts into cells and asks who owns each.
+  void find_owners(std::span<const OwnerFinder> layers) {
+    if (triangulation_.dimension() < 2) return;
+    owners_.assign(1, std::vector<std::uint32_t>(layers.size(), no_label));  // of the outside
+    spread(triangulation_.infinite_face(), 0);
+    for (const Face face : triangulation_.finite_face_handles()) {
+      if (face->info().cell != unset) continue;
+      const glm::dvec2 place = spread(face, static_cast<std::uint32_t>(owners_.size()));
+      std::vector<std::uint32_t>& owners = owners_.emplace_back();
+      for (const OwnerFinder& layer : layers) owners.push_back(layer.find(place));
+    }
+  }
+
+  // Returns the edges at which an owner changes.
+  std::vector<Edge> find_borders() const {
+    std::vector<Edge> edges;
+    for (const auto& [face, i] : triangulation_.finite_edges()) {
+      if (!face->is_constrained(i) ||
+          owners_[face->info().cell] == owners_[face->neighbor(i)->info().cell])
+        continue;
+      edges.emplace_back(to_plan(face->vertex(Triangulation::cw(i))),
+                         to_plan(face->vertex(Triangulation::ccw(i))));
+    }
+    return edges;
+  }
+
+  PlanePartition take() {
+    PlanePartition out;
+    std::map<std::vector<std::uint32_t>, std::uint32_t> regions;
+    for (const Face face : triangulation_.finite_face_handles()) {
+      const std::vector<std::uint32_t>& owners = owners_[face->info().cell];
+      if (std::all_of(owners.begin(), owners.end(), [](auto label) { return label == no_label; }))
+        continue;
+      const auto [region, is_new] =
+          regions.try_emplace(owners, static_cast<std::uint32_t>(out.owners.size()));
+      if (is_new) out.owners.push_back(owners);
+      PlanePartition::Triangle& triangle = out.triangles.emplace_back();
+      triangle.region = region->second;
+      for (int k = 0; k < 3; ++k) {
+        const Vertex vertex = face->vertex(k);
+        if (vertex->info().index == unset) {
+          vertex->info().index = static_cast<std::uint32_t>(out.points.size());
+          out.points.push_back(to_plan(vertex));
+        }
+        triangle.vertex[static_cast<std::size_t>(k)] = vertex->info().index;
+      }
+    }
+    return out;
+  }
+
+  bool is_flat() const { return triangulation_.dimension() < 2; }
+
+ private:
+  Vertex insert(const glm::dvec2& p) {
+    // The search for a vertex begins at the last one.
+    return last_ = triangulation_.insert(PlaneKernel::Point_2(p.x, p.y),
+                                         last_ == Vertex{} ? Face{} : last_->face());
+  }
+
+  // Gives the cell's number to all its faces and returns the middle of the largest.
+  glm::dvec2 spread(const Face& first, std::uint32_t cell) {
+    std::vector<Face> open{first};
+    first->info().cell = cell;
+    Face largest = first;
+    double largest_area = -1;
+    while (!open.empty()) {
+      const Face face = open.back();
+      open.pop_back();
+      if (!triangulation_.is_infinite(face))
+        if (const double area = area_of(face); area > largest_area)
+          largest = face, largest_area = area;
+      for (int i = 0; i < 3; ++i) {
+        const Face next = face->neighbor(i);
+        if (face->is_constrained(i) || next->info().cell != unset) continue;
+        next->info().cell = cell;
+        open.push_back(next);
+      }
+    }
+    if (largest_area < 0) return {};
+    return (to_plan(largest->vertex(0)) + to_plan(largest->vertex(1)) +
+            to_plan(largest->vertex(2))) /
+           3.0;
+  }
+
+  std::size_t max_vertices_;
+  Triangulation triangulation_;
+  Vertex last_{};
+  std::vector<std::vector<std::uint32_t>> owners_;  // of each cell
+};
+
+}  // namespace
+
+PlanePartition partition(std::span<const PlaneLayer> layers, std::size_t max_crossings_a_point) {
+  std::vector<Edge> edges;
+  std::vector<OwnerFinder> finders;
+  finders.reserve(layers.size());
+  for (const PlaneLayer& layer : layers) {
+    finders.emplace_back(layer);
+    for (const PlaneArea& area : layer)
+      for (const auto& ring : area.rings) {
+        std::vector<glm::dvec2> kept;
+        for (const glm::dvec2& p : ring)
+          if (finite(p)) kept.push_back(p);
+        for (std::size_t i = 0; i < kept.size(); ++i)
+          edges.emplace_back(kept[i], kept[(i + 1) % kept.size()]);
+      }
+  }
+  const std::size_t max_vertices = (1 + max_crossings_a_point) * edges.size() + 3;
+  Arrangement all(max_vertices);
+  for (const Edge& edge : edges) all.insert(edge);
+  if (all.is_flat()) return {};
+  all.find_owners(finders);
+  Arrangement regions(max_vertices);
+  for (const Edge& edge : all.find_borders()) regions.insert(edge);
+  if (regions.is_flat()) return {};
+  regions.find_owners(finders);
+  return regions.take();
+}
+
+}  // namespace nightcity::mesh
