@@ -11,6 +11,8 @@
 
 namespace nightcity::ground_cover {
 
+using Ring = std::vector<glm::dvec2>;
+
 struct Box {
   glm::dvec2 low, high;
   bool holds(const glm::dvec2& p) const {

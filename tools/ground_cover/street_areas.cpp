@@ -17,9 +17,6 @@ namespace {
 
 using Side = Widener::Side;
 
-// Ranks of the areas of streets; the rank of a road's class is added to that of carriageways.
-constexpr int carriageway_rank = 1000, track_rank = 900, pavement_rank = 800;
-
 // What runs along one side of a carriageway, from the kerb outwards.
 struct Roadside {
   double track_m = 0, pavement_m = 0;
@@ -80,7 +77,7 @@ class StreetAreas {
       ++cover_.left_out["street in a tunnel or a building"];
       return;
     }
-    if (tag_of(way.tags, "area") == "yes") return;  // an outline: add_land takes it
+    if (tag_of(way.tags, "area") == "yes") return;  // an outline, which add_land takes
     const roads::RoadClass& road = *carriageway->road_class;
     const GroundKind kind = find_kind(way.tags, road);
     const double half_m = carriageway->width_m / 2;

@@ -10,6 +10,9 @@
 
 namespace nightcity::ground_cover {
 
+/// Ranks of the areas of streets; the rank of a road's class is added to that of carriageways.
+constexpr int carriageway_rank = 1000, track_rank = 900, pavement_rank = 800, square_rank = 790;
+
 /// Width of a one-way cycle track beside a carriageway (ERA 2010, 2.2.1), m.
 constexpr double cycle_track_m = 2.0;
 

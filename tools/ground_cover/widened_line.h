@@ -6,11 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "tools/mesh/partition.h"
+#include "tools/ground_cover/box_index.h"
 
 namespace nightcity::ground_cover {
-
-using Ring = std::vector<glm::dvec2>;
 
 /// Makes areas of lines. One thread uses a Widener at a time.
 class Widener {

@@ -17,9 +17,9 @@ struct Box {
   glm::dvec2 low{std::numeric_limits<double>::infinity()}, high{-low};
 };
 
-Box find_box(const MapArea& area) {
+Box find_box(const osm::MapArea& area) {
   Box box;
-  for (const MapRings& rings : area.rings)
+  for (const osm::MapRings& rings : area.rings)
     for (const glm::dvec2& p : rings.outer) {
       box.low = glm::min(box.low, p);
       box.high = glm::max(box.high, p);
@@ -34,7 +34,7 @@ std::pair<int, int> find_cell(const glm::dvec2& p) {
 
 // Returns a place inside the part: the mean of its vertices or, where that lies outside, the middle
 // of two vertices that lies inside.
-glm::dvec2 find_place_inside(const MapArea& part) {
+glm::dvec2 find_place_inside(const osm::MapArea& part) {
   const std::vector<glm::dvec2>& ring = part.rings.front().outer;
   glm::dvec2 mean{0};
   for (const glm::dvec2& p : ring) mean += (p - ring[0]) / static_cast<double>(ring.size());
@@ -49,7 +49,7 @@ glm::dvec2 find_place_inside(const MapArea& part) {
 
 }  // namespace
 
-PartIndex::PartIndex(const std::vector<MapArea>& buildings) : buildings_(buildings) {
+PartIndex::PartIndex(const std::vector<osm::MapArea>& buildings) : buildings_(buildings) {
   for (std::size_t i = 0; i < buildings.size(); ++i) {
     const Box box = find_box(buildings[i]);
     const auto low = find_cell(box.low), high = find_cell(box.high);
@@ -59,7 +59,7 @@ PartIndex::PartIndex(const std::vector<MapArea>& buildings) : buildings_(buildin
   }
 }
 
-std::optional<std::size_t> PartIndex::find_building(const MapArea& part) const {
+std::optional<std::size_t> PartIndex::find_building(const osm::MapArea& part) const {
   const glm::dvec2 place = find_place_inside(part);
   const auto cell = cells_.find(find_cell(place));
   if (cell == cells_.end()) return {};
@@ -68,7 +68,7 @@ std::optional<std::size_t> PartIndex::find_building(const MapArea& part) const {
   for (const std::size_t i : cell->second) {
     const Box box = find_box(buildings_[i]);
     const double size = (box.high.x - box.low.x) * (box.high.y - box.low.y);
-    const auto holds = [&](const MapRings& rings) { return in_ring(rings.outer, place); };
+    const auto holds = [&](const osm::MapRings& rings) { return in_ring(rings.outer, place); };
     if (size >= least ||
         !std::any_of(buildings_[i].rings.begin(), buildings_[i].rings.end(), holds))
       continue;

@@ -7,20 +7,20 @@
 #include <utility>
 #include <vector>
 
-#include "tools/map_buildings/map_areas.h"
+#include "tools/osm/map_areas.h"
 
 namespace nightcity::map_buildings {
 
 class PartIndex {
  public:
   /// Keeps a reference to `buildings`.
-  explicit PartIndex(const std::vector<MapArea>& buildings);
+  explicit PartIndex(const std::vector<osm::MapArea>& buildings);
 
   /// Returns the number of the building with the smallest box that holds a place inside the part.
-  std::optional<std::size_t> find_building(const MapArea& part) const;
+  std::optional<std::size_t> find_building(const osm::MapArea& part) const;
 
  private:
-  const std::vector<MapArea>& buildings_;
+  const std::vector<osm::MapArea>& buildings_;
   std::map<std::pair<int, int>, std::vector<std::size_t>> cells_;
 };
 

@@ -14,12 +14,15 @@
 #include "tools/city/skip_counter.h"
 #include "tools/in_order.h"
 #include "tools/map_buildings/building_tags.h"
-#include "tools/map_buildings/map_areas.h"
 #include "tools/map_buildings/part_index.h"
 #include "tools/map_buildings/roofs.h"
+#include "tools/osm/map_areas.h"
 
 namespace nightcity::map_buildings {
 namespace {
+
+using osm::MapArea;
+using osm::MapRings;
 
 constexpr std::size_t batch_size = 256;
 
@@ -167,7 +170,7 @@ city::CityHead read_map_head(const std::filesystem::path& file, const city::Read
   city::CityHead head;
   head.srs_name = "EPSG:4326";
   std::vector<double> lon, lat;
-  for (const glm::dvec2& p : read_first_nodes(file, nodes)) {
+  for (const glm::dvec2& p : osm::read_first_nodes(file, nodes)) {
     lon.push_back(p.x);
     lat.push_back(p.y);
   }
@@ -185,25 +188,29 @@ city::CityHead read_map_head(const std::filesystem::path& file, const city::Read
 city::ReadReport read_map_buildings(const std::filesystem::path& file,
                                     const city::ReadOptions& options,
                                     const city::ObjectStage& stage) {
-  const MapAreas areas = read_map_areas(file, static_cast<std::size_t>(options.max_way_nodes));
+  osm::MapAreas areas = osm::read_map_areas(file, {{"building", "building:part"}},
+                                            static_cast<std::size_t>(options.max_way_nodes));
+  std::vector<MapArea> buildings, all_parts;
+  for (MapArea& area : areas.areas)
+    (area.tags.contains("building") ? buildings : all_parts).push_back(std::move(area));
   city::ReadReport report;
   report.srs_name = "EPSG:4326";
-  if (areas.broken > 0)
-    report.skipped["outline that crosses itself, is open or incomplete"] = areas.broken;
+  if (const std::size_t bad = areas.broken + areas.open_ways)
+    report.skipped["outline that crosses itself, is open or incomplete"] = bad;
   if (areas.too_long > 0)
     report.skipped["building of more nodes than [osm] max_way_nodes = " +
                    std::to_string(options.max_way_nodes)] = areas.too_long;
 
-  const PartIndex index(areas.buildings);
-  std::vector<std::vector<const MapArea*>> parts(areas.buildings.size());
+  const PartIndex index(buildings);
+  std::vector<std::vector<const MapArea*>> parts(buildings.size());
   std::vector<const MapArea*> alone;  // parts of no building
-  for (const MapArea& part : areas.parts) {
+  for (const MapArea& part : all_parts) {
     if (const auto building = index.find_building(part))
       parts[*building].push_back(&part);
     else
       alone.push_back(&part);
   }
-  const std::size_t count = areas.buildings.size() + alone.size();
+  const std::size_t count = buildings.size() + alone.size();
   std::size_t next = 0;
   in_order(
       options.threads,
@@ -216,9 +223,9 @@ city::ReadReport read_map_buildings(const std::filesystem::path& file,
         ObjectMaker maker(batch.skipped, batch.assumed);
         std::vector<city::CityObject> objects;
         for (std::size_t i = first; i < std::min(first + batch_size, count); ++i) {
-          const bool whole = i < areas.buildings.size();
-          auto raw = whole ? maker.make(areas.buildings[i], parts[i])
-                           : maker.make(*alone[i - areas.buildings.size()], {});
+          const bool whole = i < buildings.size();
+          auto raw = whole ? maker.make(buildings[i], parts[i])
+                           : maker.make(*alone[i - buildings.size()], {});
           if (raw) objects.push_back(city::merge_parts(std::move(*raw), options, batch.report));
         }
         if (!objects.empty()) batch.rest = stage(std::move(objects));

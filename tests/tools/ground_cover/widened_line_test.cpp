@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "tools/mesh/owner_finder.h"
+
 namespace nightcity::ground_cover {
 namespace {
 

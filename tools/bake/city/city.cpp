@@ -6,14 +6,18 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/common.hpp>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "formats/error.h"
 #include "formats/median.h"
 #include "tools/bake/city/prepared_objects.h"
 #include "tools/bake/parts/read_parts.h"
+#include "tools/ground_cover/land_areas.h"
 #include "tools/ground_cover/street_areas.h"
 #include "tools/inventory/add_to_map.h"
+#include "tools/osm/map_areas.h"
 #include "tools/osm/read_osm.h"
 #include "tools/streets/street_ways.h"
 
@@ -101,6 +105,20 @@ GroundReport City::build_ground(const GroundBuilder::ShowGround& show) {
   return report;
 }
 
+void City::add_land(const ground_cover::Box& bounds) {
+  std::set<std::string> known;  // an area that is in several maps counts once
+  for (const auto& map : inputs_.maps) {
+    osm::MapAreas land = osm::read_map_areas(map, ground_cover::select_land(),
+                                             static_cast<std::size_t>(inputs_.max_way_nodes));
+    std::erase_if(land.areas, [&](const auto& area) { return !known.insert(area.id).second; });
+    ground_cover::add_land(land.areas, to_frame(), bounds, cover_);
+    if (land.broken > 0)
+      cover_.left_out["area whose outline crosses itself or is incomplete"] += land.broken;
+    if (land.too_long > 0)
+      cover_.left_out["area of more nodes than [osm] max_way_nodes"] += land.too_long;
+  }
+}
+
 void City::lay_cover(const GroundReport& ground) {
   const auto box = terrain_.extent();
   if (!ground.shown || !box || !frame().has_lon_lat()) return;
@@ -110,6 +128,7 @@ void City::lay_cover(const GroundReport& ground) {
     ground_cover::add_streets(map_.highways, to_plan, bounds, cover_);
     if (inputs_.cover.markings) ground_cover::add_markings(map_.highways, to_plan, bounds, cover_);
   }
+  if (inputs_.cover.land && !ground.has_land) add_land(bounds);
   cover_.finish();
 }
 

@@ -91,6 +91,7 @@ class City {
     georeference::CityFrame frame;
   };
   static std::optional<MapFrame> find_map_frame(const osm::OsmData& map);
+  void add_land(const ground_cover::Box& bounds);
   void lay_cover(const GroundReport& ground);
   void add_inventory_licences(std::vector<std::string>& licences) const;
 

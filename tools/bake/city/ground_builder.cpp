@@ -174,8 +174,11 @@ CityConsumer::Turn GroundBuilder::prepare(const std::shared_ptr<const PreparedOb
       if (!terrain_.add_break_line(line)) ++report_.lone_vertices;
     }
     occupied_.insert(tiles.begin(), tiles.end());
-    if (prepared->object.type == city::ObjectType::road && !prepared->mesh.triangles.empty())
-      report_.has_roads = true;
+    if (!prepared->mesh.triangles.empty()) {
+      const city::ObjectType type = prepared->object.type;
+      report_.has_roads |= type == city::ObjectType::road;
+      report_.has_land |= type == city::ObjectType::land_use || type == city::ObjectType::water;
+    }
     for (std::size_t n = 0; n < parts.size(); ++n)
       if (!parts[n].triangles.empty())
         terrain_.add(parts[n], static_cast<terrain::SurfaceClass>(n));

@@ -81,7 +81,13 @@ Table make_ground_table(bake::CoverOptions& ground) {
        flag_key("markings", ground.markings,
                 "With `streets`: paint on carriageways. Bars where `crossing` or "
                 "`crossing:markings` says that a way is a marked crossing, and lines between "
-                "lanes of roads that have some.")}};
+                "lanes of roads that have some."),
+       flag_key("land", ground.land,
+                "Land, where the city model has neither land use nor water of its own: areas of "
+                "`natural`, `landuse`, `leisure`, `waterway`, `amenity`, `area:highway` and the "
+                "like as water, woods, grass, fields, sand, paved yards and squares, multipolygons "
+                "with their holes too. Built-up land (`landuse = residential`) says nothing about "
+                "the ground, which stays bare.")}};
 }
 
 Table make_origin_table(bake::Recipe::Origin& origin) {

@@ -27,6 +27,7 @@ struct GroundReport {
   std::size_t lone_vertices = 0;  // break lines of which the vertices alone are used
   bool shown = false;      // the scene shows the terrain
   bool has_roads = false;  // the model has roads of its own
+  bool has_land = false;   // the model has land use or water of its own
   std::string dem;  // how an elevation model was used, or why not; "" = none was given
 };
 

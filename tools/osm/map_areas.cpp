@@ -1,5 +1,4 @@
-// The only file of this library that includes libosmium: its headers are large.
-#include "tools/map_buildings/map_areas.h"
+#include "tools/osm/map_areas.h"
 
 #include <osmium/area/assembler.hpp>
 #include <osmium/area/multipolygon_manager.hpp>
@@ -7,6 +6,7 @@
 #include <osmium/io/any_input.hpp>
 #include <osmium/visitor.hpp>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <string_view>
@@ -18,7 +18,7 @@
 #include "tools/osm/osm_marks.h"
 #include "tools/osm/whole_tags.h"
 
-namespace nightcity::map_buildings {
+namespace nightcity::osm {
 namespace {
 
 // libosmium's name for the file's format, by its first bytes.
@@ -29,21 +29,35 @@ osmium::io::File open_map(const std::filesystem::path& file) {
   const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
   if (start.empty()) throw Error(file.string(), "cannot be read, or is empty");
   const char* format = start.starts_with("\x1f\x8b") ? "osm.gz"
-                       : osm::is_bzip2(start)        ? "osm.bz2"
-                       : osm::is_o5m(start)          ? "o5m"
-                       : osm::is_osm_pbf(start)      ? "pbf"
+                       : is_bzip2(start)             ? "osm.bz2"
+                       : is_o5m(start)               ? "o5m"
+                       : is_osm_pbf(start)           ? "pbf"
                                                      : "osm";
   return osmium::io::File(file.string(), format);
 }
 
 // Comes before all that looks at tags.
 struct TagCheck : osmium::handler::Handler {
-  void osm_object(const osmium::OSMObject& object) { osm::require_whole_tags(object.tags()); }
+  void osm_object(const osmium::OSMObject& object) { require_whole_tags(object.tags()); }
 };
+
+// Returns the tags of an element that is selected, otherwise none.
+OsmTags select_tags(const osmium::TagList& tags, const AreaSelection& selection) {
+  const bool has_key =
+      std::any_of(selection.keys.begin(), selection.keys.end(),
+                  [&](const std::string& key) { return tags.has_key(key.c_str()); });
+  OsmTags out;
+  if (!has_key) return out;
+  for (const osmium::Tag& tag : tags) out.emplace(tag.key(), tag.value());
+  if (selection.wants && !selection.wants(out)) out.clear();
+  return out;
+}
 
 // Gives ways the places of their nodes, unless they hold them themselves.
 class Places : public osmium::handler::Handler {
  public:
+  explicit Places(const AreaSelection& selection) : selection_(selection) {}
+
   void node(const osmium::Node& node) {
     if (!node.location().valid()) return;
     (node.id() < 0 ? of_editor_ : places_).set(node.positive_id(), node.location());
@@ -58,8 +72,10 @@ class Places : public osmium::handler::Handler {
     if (way.deleted()) {
       auto& version = deleted_ways[way.id()];
       version = std::max(version, way.version());
-    } else if (way.tags()["building"] || way.tags()["building:part"]) {
-      building_ways.insert(way.id());
+    } else if (!select_tags(way.tags(), selection_).empty()) {
+      const bool closed =
+          way.nodes().size() > 3 && way.nodes().front().ref() == way.nodes().back().ref();
+      (closed ? closed_ways : open_ways).insert(way.id());
     }
     for (osmium::NodeRef& node : way.nodes())
       if (!node.location().valid())
@@ -69,9 +85,10 @@ class Places : public osmium::handler::Handler {
   }
 
   std::unordered_map<osmium::object_id_type, osmium::object_version_type> deleted_ways;
-  std::unordered_set<osmium::object_id_type> building_ways;
+  std::unordered_set<osmium::object_id_type> closed_ways, open_ways;  // that are selected
 
  private:
+  const AreaSelection& selection_;
   using Index = osmium::index::map::FlexMem<osmium::unsigned_object_id_type, osmium::Location>;
   Index places_, of_editor_;
   bool sorted_ = false;
@@ -119,10 +136,12 @@ class BoundedAssembler {
 
 class Collector : public osmium::handler::Handler {
  public:
+  explicit Collector(const AreaSelection& selection) : selection_(selection) {}
+
   void area(const osmium::Area& area) {
-    const char* building = area.tags()["building"];
-    if (!building && !area.tags()["building:part"]) return;
     MapArea out;
+    out.tags = select_tags(area.tags(), selection_);
+    if (out.tags.empty()) return;
     out.id = (area.from_way() ? "way/" : "relation/") + std::to_string(area.orig_id());
     for (const osmium::OuterRing& outer : area.outer_rings()) {
       MapRings rings;
@@ -136,19 +155,15 @@ class Collector : public osmium::handler::Handler {
       return;
     }
     if (area.from_way()) made_ways_.insert(area.orig_id());
-    for (const osmium::Tag& tag : area.tags()) out.tags.emplace(tag.key(), tag.value());
-    std::vector<MapArea>& list = building ? areas.buildings : areas.parts;
     // A history has several versions of an area: the newest counts.
-    const auto [known, is_new] =
-        newest_.try_emplace(area.id(), State{area.version(), list.size(), building != nullptr});
-    if (is_new) {
-      list.push_back(std::move(out));
-    } else if (area.version() >= known->second.version) {
-      std::vector<MapArea>& old = known->second.building ? areas.buildings : areas.parts;
-      old[known->second.place].rings.clear();
-      known->second = {area.version(), list.size(), building != nullptr};
-      list.push_back(std::move(out));
+    std::vector<MapArea>& list = areas.areas;
+    const auto [known, is_new] = newest_.try_emplace(area.id(), State{area.version(), list.size()});
+    if (!is_new) {
+      if (area.version() < known->second.version) return;
+      list[known->second.place].rings.clear();
+      known->second = {area.version(), list.size()};
     }
+    list.push_back(std::move(out));
   }
 
   // Removes what newer versions have replaced or deleted.
@@ -157,14 +172,15 @@ class Collector : public osmium::handler::Handler {
     for (const auto& [id, version] : places.deleted_ways) {
       const auto known = newest_.find(osmium::object_id_to_area_id(id, osmium::item_type::way));
       if (known != newest_.end() && known->second.version < version)
-        (known->second.building ? areas.buildings : areas.parts)[known->second.place].rings.clear();
+        areas.areas[known->second.place].rings.clear();
     }
-    for (const osmium::object_id_type id : places.building_ways)
-      areas.broken += !made_ways_.contains(id) && !places.deleted_ways.contains(id) &&
-                      !too_long.ways.contains(id);
-    const auto is_gone = [](const MapArea& area) { return area.rings.empty(); };
-    std::erase_if(areas.buildings, is_gone);
-    std::erase_if(areas.parts, is_gone);
+    const auto is_missing = [&](osmium::object_id_type id) {
+      return !made_ways_.contains(id) && !places.deleted_ways.contains(id) &&
+             !too_long.ways.contains(id);
+    };
+    for (const auto id : places.closed_ways) areas.broken += is_missing(id);
+    for (const auto id : places.open_ways) areas.open_ways += is_missing(id);
+    std::erase_if(areas.areas, [](const MapArea& area) { return area.rings.empty(); });
     return std::move(areas);
   }
 
@@ -174,7 +190,6 @@ class Collector : public osmium::handler::Handler {
   struct State {
     osmium::object_version_type version;
     std::size_t place;
-    bool building;
   };
 
   static std::vector<glm::dvec2> copy(const osmium::NodeRefList& ring) {
@@ -187,6 +202,7 @@ class Collector : public osmium::handler::Handler {
     return out;
   }
 
+  const AreaSelection& selection_;
   std::unordered_map<osmium::object_id_type, State> newest_;
   std::unordered_set<osmium::object_id_type> made_ways_;
 };
@@ -204,12 +220,12 @@ auto guard(const std::filesystem::path& file, const Work& work) {
 
 }  // namespace
 
-MapAreas read_map_areas(const std::filesystem::path& file, std::size_t max_nodes) {
+MapAreas read_map_areas(const std::filesystem::path& file, const AreaSelection& selection,
+                        std::size_t max_nodes) {
   return guard(file, [&] {
     const osmium::io::File map = open_map(file);
     osmium::TagsFilter filter{false};
-    filter.add_rule(true, "building");
-    filter.add_rule(true, "building:part");
+    for (const std::string& key : selection.keys) filter.add_rule(true, key);
     TooLong too_long;
     osmium::area::MultipolygonManager<BoundedAssembler> manager{{{}, max_nodes, &too_long}, filter};
     TagCheck check;
@@ -217,8 +233,8 @@ MapAreas read_map_areas(const std::filesystem::path& file, std::size_t max_nodes
     osmium::apply(relations, check, manager);
     relations.close();
     manager.prepare_for_lookup();
-    Places places;
-    Collector collector;
+    Places places(selection);
+    Collector collector(selection);
     osmium::io::Reader reader(map, osmium::osm_entity_bits::nwr, osmium::io::read_meta::yes);
     osmium::apply(reader, check, places, manager.handler([&](osmium::memory::Buffer&& buffer) {
       osmium::apply(buffer, collector);
@@ -252,4 +268,4 @@ std::vector<glm::dvec2> read_first_nodes(const std::filesystem::path& file, std:
   });
 }
 
-}  // namespace nightcity::map_buildings
+}  // namespace nightcity::osm

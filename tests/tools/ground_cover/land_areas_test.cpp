@@ -1,0 +1,126 @@
+#include "tools/ground_cover/land_areas.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "support/temp_folder.h"
+#include "tools/ground_cover/street_areas.h"
+
+namespace nightcity::ground_cover {
+namespace {
+
+const place::LonLatToFrame as_metres = [](const glm::dvec2& p) { return p; };
+constexpr Box bounds{{-500, -500}, {500, 500}};
+
+osm::MapArea square(double low, double high, osm::OsmTags tags) {
+  return {"way/1", std::move(tags), {{{{low, low}, {high, low}, {high, high}, {low, high}}, {}}}};
+}
+
+GroundKind kind_of(const osm::OsmTags& tags) {
+  const auto use = find_land_use(tags);
+  return use ? use->surface.kind : GroundKind::count;
+}
+
+TEST(LandAreas, TagsSayWhatTheGroundIs) {
+  EXPECT_EQ(kind_of({{"natural", "water"}}), GroundKind::water);
+  EXPECT_EQ(kind_of({{"landuse", "forest"}}), GroundKind::woodland);
+  EXPECT_EQ(kind_of({{"leisure", "park"}}), GroundKind::grass);
+  EXPECT_EQ(kind_of({{"leisure", "pitch"}}), GroundKind::grass);
+  EXPECT_EQ(kind_of({{"leisure", "pitch"}, {"surface", "tartan"}}), GroundKind::tartan);
+  EXPECT_EQ(kind_of({{"natural", "water"}, {"surface", "asphalt"}}), GroundKind::water);
+  EXPECT_EQ(kind_of({{"amenity", "parking"}}), GroundKind::asphalt);
+  EXPECT_EQ(kind_of({{"highway", "pedestrian"}, {"area", "yes"}}), GroundKind::paving_stones);
+  EXPECT_EQ(kind_of({{"area:highway", "primary"}, {"surface", "sett"}}), GroundKind::sett);
+}
+
+TEST(LandAreas, WhatIsNoSurfaceIsNoLand) {
+  for (const osm::OsmTags& tags :
+       {osm::OsmTags{{"landuse", "residential"}}, osm::OsmTags{{"highway", "residential"}},
+        osm::OsmTags{{"amenity", "parking"}, {"parking", "underground"}},
+        osm::OsmTags{{"natural", "water"}, {"tunnel", "culvert"}},
+        osm::OsmTags{{"amenity", "parking"}, {"building", "yes"}},
+        osm::OsmTags{{"highway", "footway"}, {"area", "yes"}, {"indoor", "yes"}}, osm::OsmTags{}})
+    EXPECT_EQ(kind_of(tags), GroundKind::count);
+}
+
+TEST(LandAreas, TheMoreSpecialOfTwoTagsAndAreasIsSeen) {
+  EXPECT_EQ(kind_of({{"leisure", "park"}, {"natural", "wood"}}), GroundKind::woodland);
+  const std::vector<osm::MapArea> areas{square(-100, 100, {{"leisure", "park"}}),
+                                        square(-10, 10, {{"natural", "water"}}),
+                                        square(-50, 50, {{"landuse", "cemetery"}})};
+  Cover cover;
+  add_land(areas, as_metres, bounds, cover);
+  cover.finish();
+  ASSERT_EQ(cover.areas().size(), 3u);
+  EXPECT_EQ(cover.areas()[0].surface.kind, GroundKind::water);
+  EXPECT_EQ(cover.areas()[1].rings[0][0].x, -50);  // of one rank the smaller comes first
+}
+
+TEST(LandAreas, LandIsBelowStreetsOfEveryKind) {
+  for (const char* highway : {"footway", "cycleway", "residential", "motorway"}) {
+    const auto street = find_land_use({{"area:highway", highway}});
+    const auto land = find_land_use({{"railway", "platform"}});
+    ASSERT_TRUE(street && land);
+    EXPECT_GT(street->rank, land->rank) << highway;
+    EXPECT_GT(pavement_rank, land->rank);
+  }
+}
+
+// A lake with an island as a multipolygon, one that lacks a way, a ring that crosses itself and an
+// open way.
+TEST(LandAreas, ReadsMultipolygonsAndCountsWhatIsBroken) {
+  const test::TempFolder folder;
+  std::ofstream(folder / "map.osm") << R"(<osm version="0.6">
+<node id="1" lon="0" lat="0" version="1"/><node id="2" lon="9" lat="0" version="1"/>
+<node id="3" lon="9" lat="9" version="1"/><node id="4" lon="0" lat="9" version="1"/>
+<node id="5" lon="3" lat="3" version="1"/><node id="6" lon="6" lat="3" version="1"/>
+<node id="7" lon="6" lat="6" version="1"/><node id="8" lon="3" lat="6" version="1"/>
+<way id="1" version="1"><nd ref="1"/><nd ref="2"/><nd ref="3"/></way>
+<way id="2" version="1"><nd ref="3"/><nd ref="4"/><nd ref="1"/></way>
+<way id="3" version="1"><nd ref="5"/><nd ref="6"/><nd ref="7"/><nd ref="8"/><nd ref="5"/></way>
+<way id="4" version="1"><nd ref="1"/><nd ref="2"/><nd ref="4"/><nd ref="3"/><nd ref="1"/>
+  <tag k="landuse" v="grass"/></way>
+<way id="5" version="1"><nd ref="1"/><nd ref="2"/><tag k="natural" v="wood"/></way>
+<way id="6" version="1"><nd ref="5"/><nd ref="6"/><nd ref="7"/><nd ref="5"/>
+  <tag k="highway" v="residential"/></way>
+<relation id="1" version="1"><member type="way" ref="1" role="outer"/>
+  <member type="way" ref="2" role="outer"/><member type="way" ref="3" role="inner"/>
+  <tag k="type" v="multipolygon"/><tag k="natural" v="water"/></relation>
+<relation id="2" version="1"><member type="way" ref="1" role="outer"/>
+  <member type="way" ref="99" role="outer"/>
+  <tag k="type" v="multipolygon"/><tag k="natural" v="water"/></relation>
+</osm>)";
+  const osm::MapAreas map = osm::read_map_areas(folder / "map.osm", select_land(), 1000);
+  ASSERT_EQ(map.areas.size(), 1u);
+  EXPECT_EQ(map.areas[0].id, "relation/1");
+  ASSERT_EQ(map.areas[0].rings.size(), 1u);
+  EXPECT_EQ(map.areas[0].rings[0].outer.size(), 4u);
+  EXPECT_EQ(map.areas[0].rings[0].holes.size(), 1u);
+  EXPECT_EQ(map.broken, 2u);
+  EXPECT_EQ(map.open_ways, 1u);
+  Cover cover;
+  add_land(map.areas, as_metres, bounds, cover);
+  cover.finish();
+  EXPECT_FALSE(mesh::holds(cover.areas().at(0).rings, {4.5, 4.5}));
+  EXPECT_TRUE(mesh::holds(cover.areas().at(0).rings, {1, 4.5}));
+}
+
+TEST(LandAreas, HostileAreasEndWithoutACrash) {
+  const double nan = std::nan("");
+  const std::vector<osm::MapArea> areas{
+      {"way/1", {{"natural", "water"}}, {{{{nan, nan}, {1, 1}, {2, nan}}, {}}}},
+      {"way/2", {{"natural", "water"}}, {{{}, {}}}},
+      {"way/3", {{"natural", "wood"}}, {{{{-1e300, 0}, {1e300, 0}, {0, 1e300}}, {}}}},
+      {"way/4", {{"natural", "sand"}}, {{{{0, 0}, {10, 10}, {10, 0}, {0, 10}}, {{{1, 1}}}}}}};
+  Cover cover;
+  add_land(areas, as_metres, bounds, cover);
+  cover.finish();
+  cover.find_part({{-5, -5}, {5, 5}}, {0, 0});
+  EXPECT_EQ(cover.areas().size(), 1u);
+  EXPECT_EQ(cover.left_out.at("area without a finite outline"), 1u);
+}
+
+}  // namespace
+}  // namespace nightcity::ground_cover

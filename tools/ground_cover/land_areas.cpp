@@ -1,0 +1,181 @@
+#include "tools/ground_cover/land_areas.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "tools/ground_cover/street_areas.h"
+#include "tools/ground_cover/way_line.h"
+#include "tools/roads/road_class.h"
+
+namespace nightcity::ground_cover {
+namespace {
+
+struct Row {
+  std::string_view key, value;
+  int rank;
+  GroundKind kind;
+  bool follows_surface;  // the tag `surface` overrides the kind
+};
+
+// OSM wiki, "Map features". What lies within something else has the greater rank: a pond in a park,
+// a pitch on a school's ground. Built-up land (landuse=residential, ...) says nothing about the
+// ground, which stays bare.
+constexpr std::array rows{
+    Row{"railway", "platform", 760, GroundKind::paving_stones, true},
+    Row{"public_transport", "platform", 760, GroundKind::paving_stones, true},
+    Row{"place", "square", 700, GroundKind::paving_stones, true},
+    Row{"man_made", "bridge", 660, GroundKind::concrete, true},
+    Row{"man_made", "pier", 650, GroundKind::wood, true},
+    Row{"man_made", "breakwater", 650, GroundKind::gravel, true},
+    Row{"man_made", "groyne", 650, GroundKind::gravel, true},
+    Row{"natural", "water", 600, GroundKind::water, false},
+    Row{"waterway", "riverbank", 600, GroundKind::water, false},
+    Row{"waterway", "dock", 600, GroundKind::water, false},
+    Row{"waterway", "canal", 600, GroundKind::water, false},
+    Row{"landuse", "reservoir", 600, GroundKind::water, false},
+    Row{"landuse", "basin", 600, GroundKind::water, false},
+    Row{"leisure", "swimming_pool", 600, GroundKind::water, false},
+    Row{"amenity", "fountain", 600, GroundKind::water, false},
+    Row{"leisure", "marina", 140, GroundKind::water, false},
+    Row{"aeroway", "runway", 560, GroundKind::asphalt, true},
+    Row{"aeroway", "taxiway", 550, GroundKind::asphalt, true},
+    Row{"aeroway", "apron", 540, GroundKind::concrete, true},
+    Row{"amenity", "parking_space", 535, GroundKind::asphalt, true},
+    Row{"amenity", "parking", 530, GroundKind::asphalt, true},
+    Row{"amenity", "bicycle_parking", 530, GroundKind::paving_stones, true},
+    Row{"amenity", "fuel", 520, GroundKind::asphalt, true},
+    Row{"amenity", "bus_station", 520, GroundKind::asphalt, true},
+    Row{"amenity", "marketplace", 520, GroundKind::paving_stones, true},
+    Row{"leisure", "track", 510, GroundKind::tartan, true},
+    Row{"leisure", "pitch", 515, GroundKind::grass, true},
+    Row{"leisure", "playground", 500, GroundKind::sand, true},
+    Row{"golf", "bunker", 500, GroundKind::sand, false},
+    Row{"natural", "beach", 450, GroundKind::sand, true},
+    Row{"natural", "sand", 450, GroundKind::sand, false},
+    Row{"natural", "shingle", 450, GroundKind::gravel, false},
+    Row{"natural", "scree", 450, GroundKind::gravel, false},
+    Row{"natural", "bare_rock", 450, GroundKind::gravel, false},
+    Row{"landuse", "flowerbed", 440, GroundKind::soil, false},
+    Row{"natural", "shrubbery", 435, GroundKind::scrub, false},
+    Row{"natural", "scrub", 430, GroundKind::scrub, false},
+    Row{"natural", "heath", 430, GroundKind::scrub, false},
+    Row{"natural", "wetland", 430, GroundKind::scrub, false},
+    Row{"natural", "wood", 420, GroundKind::woodland, false},
+    Row{"landuse", "forest", 420, GroundKind::woodland, false},
+    Row{"landuse", "grass", 410, GroundKind::grass, true},
+    Row{"landuse", "meadow", 410, GroundKind::grass, false},
+    Row{"landuse", "village_green", 410, GroundKind::grass, false},
+    Row{"natural", "grassland", 410, GroundKind::grass, false},
+    Row{"landuse", "greenhouse_horticulture", 400, GroundKind::soil, false},
+    Row{"landuse", "plant_nursery", 400, GroundKind::farmland, false},
+    Row{"leisure", "garden", 360, GroundKind::grass, true},
+    Row{"leisure", "dog_park", 360, GroundKind::grass, true},
+    Row{"landuse", "allotments", 350, GroundKind::grass, false},
+    Row{"landuse", "recreation_ground", 310, GroundKind::grass, true},
+    Row{"landuse", "cemetery", 300, GroundKind::grass, false},
+    Row{"amenity", "grave_yard", 300, GroundKind::grass, false},
+    Row{"leisure", "park", 300, GroundKind::grass, true},
+    Row{"leisure", "golf_course", 300, GroundKind::grass, false},
+    Row{"landuse", "orchard", 260, GroundKind::grass, false},
+    Row{"landuse", "vineyard", 260, GroundKind::farmland, false},
+    Row{"landuse", "farmland", 250, GroundKind::farmland, false},
+    Row{"landuse", "farmyard", 240, GroundKind::soil, true},
+    Row{"landuse", "railway", 230, GroundKind::gravel, false},
+    Row{"landuse", "construction", 220, GroundKind::soil, true},
+    Row{"landuse", "brownfield", 220, GroundKind::soil, true},
+    Row{"landuse", "greenfield", 220, GroundKind::grass, false},
+    Row{"landuse", "quarry", 220, GroundKind::gravel, true},
+    Row{"landuse", "landfill", 220, GroundKind::soil, true},
+    Row{"landuse", "garages", 210, GroundKind::asphalt, true},
+};
+
+std::optional<GroundKind> surface_of(const osm::OsmTags& tags) {
+  const auto found = tags.find("surface");
+  return found == tags.end() ? std::nullopt : find_surface(found->second);
+}
+
+bool lies_below(const osm::OsmTags& tags) {
+  const std::string tunnel = tag_of(tags, "tunnel"), place = tag_of(tags, "location");
+  return (!tunnel.empty() && tunnel != "no") || place == "underground" || place == "roof" ||
+         place == "indoor" || place == "rooftop" || tag_of(tags, "indoor") == "yes" ||
+         tag_of(tags, "parking") == "underground" || tag_of(tags, "parking") == "multi_storey" ||
+         tag_of(tags, "parking") == "rooftop";
+}
+
+// Outlines of streets: area:highway, and highway with area=yes.
+std::optional<LandUse> find_street_outline(const osm::OsmTags& tags) {
+  std::string highway = tag_of(tags, "area:highway");
+  if (highway.empty() && tag_of(tags, "area") == "yes") highway = tag_of(tags, "highway");
+  // Areas of many levels (stations) and rest areas are no surfaces.
+  const roads::RoadClass* road = roads::find_road_class(highway);
+  if (!road || highway == "corridor") return std::nullopt;
+  const bool path = road->tier == roads::RoadTier::path;
+  const GroundKind usual =
+      path && highway != "cycleway" ? GroundKind::paving_stones : GroundKind::asphalt;
+  const int rank = !path                   ? carriageway_rank + road->rank
+                   : highway == "cycleway" ? track_rank
+                                           : square_rank;
+  return LandUse{rank, {surface_of(tags).value_or(usual), road->kerbed, !path}};
+}
+
+double area_of(const Ring& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const glm::dvec2 a = ring[i] - ring[0], b = ring[(i + 1) % ring.size()] - ring[0];
+    sum += a.x * b.y - a.y * b.x;
+  }
+  return std::abs(sum / 2);
+}
+
+}  // namespace
+
+std::optional<LandUse> find_land_use(const osm::OsmTags& tags) {
+  if (lies_below(tags)) return std::nullopt;
+  if (const auto street = find_street_outline(tags)) return street;
+  if (tags.contains("building") || tags.contains("building:part")) return std::nullopt;
+  std::optional<LandUse> best;
+  for (const Row& row : rows) {
+    if (best && best->rank >= row.rank) continue;
+    if (tag_of(tags, std::string(row.key).c_str()) != row.value) continue;
+    const auto said = row.follows_surface ? surface_of(tags) : std::nullopt;
+    best = LandUse{row.rank, {said.value_or(row.kind), false, false}};
+  }
+  return best;
+}
+
+osm::AreaSelection select_land() {
+  osm::AreaSelection selection{{"area:highway", "highway"}, [](const osm::OsmTags& tags) {
+                                 return find_land_use(tags).has_value();
+                               }};
+  for (const Row& row : rows) selection.keys.emplace_back(row.key);
+  std::sort(selection.keys.begin(), selection.keys.end());
+  selection.keys.erase(std::unique(selection.keys.begin(), selection.keys.end()),
+                       selection.keys.end());
+  return selection;
+}
+
+void add_land(std::span<const osm::MapArea> areas, const place::LonLatToFrame& to_frame,
+              const Box& bounds, Cover& cover) {
+  std::vector<std::pair<double, CoverArea>> found;  // with their areas, m2
+  for (const osm::MapArea& area : areas) {
+    const auto use = find_land_use(area.tags);
+    if (!use) continue;
+    for (const osm::MapRings& rings : area.rings) {
+      CoverArea made{use->rank, use->surface, {find_line(rings.outer, to_frame, bounds)}};
+      if (made.rings[0].size() < 3) continue;  // beyond the ground
+      for (const auto& hole : rings.holes)
+        if (Ring ring = find_line(hole, to_frame, bounds); ring.size() >= 3)
+          made.rings.push_back(std::move(ring));
+      const double m2 = area_of(made.rings[0]);
+      found.emplace_back(m2, std::move(made));
+    }
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (auto& [m2, area] : found) cover.add(std::move(area));
+}
+
+}  // namespace nightcity::ground_cover

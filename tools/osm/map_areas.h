@@ -1,0 +1,50 @@
+// The areas of a map: closed ways and multipolygons.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <glm/vec2.hpp>
+#include <string>
+#include <vector>
+
+#include "tools/osm/osm_data.h"
+
+namespace nightcity::osm {
+
+/// Longitude and latitude in degrees; rings are open.
+struct MapRings {
+  std::vector<glm::dvec2> outer;
+  std::vector<std::vector<glm::dvec2>> holes;
+};
+
+struct MapArea {
+  std::string id;  // "way/123", "relation/45"
+  OsmTags tags;
+  std::vector<MapRings> rings;
+};
+
+/// Selects areas that have one of these tags and whose tags `wants` accepts (empty: all).
+struct AreaSelection {
+  std::vector<std::string> keys;
+  std::function<bool(const OsmTags&)> wants{};
+};
+
+struct MapAreas {
+  std::vector<MapArea> areas;  // in the file's order
+  std::size_t broken = 0;      // closed ways and multipolygons that enclose nothing or lack nodes
+  std::size_t open_ways = 0;   // ways that were selected and are not closed
+  std::size_t too_long = 0;    // ways and multipolygons of more than `max_nodes`
+};
+
+/// Reads all areas that are selected, of several versions of one the newest. Memory grows with them
+/// and with the nodes of the map. Areas whose ways have more than `max_nodes` nodes together are
+/// left out: the time that it takes to assemble rings grows with their square. Throws Error: missing
+/// or broken.
+MapAreas read_map_areas(const std::filesystem::path& file, const AreaSelection& selection,
+                        std::size_t max_nodes);
+
+/// Returns longitude and latitude of up to `count` nodes from the file's beginning.
+std::vector<glm::dvec2> read_first_nodes(const std::filesystem::path& file, std::size_t count);
+
+}  // namespace nightcity::osm
