@@ -9,16 +9,18 @@ namespace {
 
 constexpr double finest_m = 32;
 
-std::int32_t to_square(double coordinate, int level) {
-  return static_cast<std::int32_t>(std::floor(coordinate / std::ldexp(finest_m, level)));
-}
-
+// Passes a number for each square of a level that meets the box.
 template <class Visit>
 void for_each_square(const Box& box, int level, const Visit& visit) {
-  for (std::int32_t column = to_square(box.low.x, level); column <= to_square(box.high.x, level);
-       ++column)
-    for (std::int32_t row = to_square(box.low.y, level); row <= to_square(box.high.y, level); ++row)
-      visit(column, row);
+  const double squares_a_metre = std::ldexp(1 / finest_m, -level);
+  const auto to_square = [&](double coordinate) {
+    return static_cast<std::int64_t>(std::floor(coordinate * squares_a_metre));
+  };
+  for (std::int64_t column = to_square(box.low.x); column <= to_square(box.high.x); ++column)
+    for (std::int64_t row = to_square(box.low.y); row <= to_square(box.high.y); ++row)
+      visit(static_cast<std::uint64_t>(level) << 58 ^
+            static_cast<std::uint64_t>(column & 0x1FFF'FFFF) << 29 ^
+            static_cast<std::uint64_t>(row & 0x1FFF'FFFF));
 }
 
 }  // namespace
@@ -38,17 +40,15 @@ void BoxIndex::add(std::uint32_t number, const Box& box) {
   int level = 0;
   while (level + 1 < levels && std::max(extent.x, extent.y) > std::ldexp(finest_m, level)) ++level;
   used_[static_cast<std::size_t>(level)] = true;
-  for_each_square(box, level, [&](std::int32_t column, std::int32_t row) {
-    squares_[{level, column, row}].push_back(number);
-  });
+  for_each_square(box, level, [&](std::uint64_t square) { squares_[square].push_back(number); });
 }
 
 std::vector<std::uint32_t> BoxIndex::find(const Box& box) const {
   std::vector<std::uint32_t> found;
   for (int level = 0; level < levels; ++level)
     if (used_[static_cast<std::size_t>(level)])
-      for_each_square(box, level, [&](std::int32_t column, std::int32_t row) {
-        if (const auto at = squares_.find({level, column, row}); at != squares_.end())
+      for_each_square(box, level, [&](std::uint64_t square) {
+        if (const auto at = squares_.find(square); at != squares_.end())
           found.insert(found.end(), at->second.begin(), at->second.end());
       });
   std::sort(found.begin(), found.end());

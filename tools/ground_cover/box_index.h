@@ -5,8 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
-#include <map>
-#include <tuple>
+#include <unordered_map>
 #include <vector>
 
 namespace nightcity::ground_cover {
@@ -32,11 +31,9 @@ class BoxIndex {
   std::vector<std::uint32_t> find(const Box& box) const;
 
  private:
-  using Square = std::tuple<int, std::int32_t, std::int32_t>;  // level, column, row
-
   static constexpr int levels = 28;
   std::array<bool, levels> used_{};
-  std::map<Square, std::vector<std::uint32_t>> squares_;
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> squares_;
 };
 
 }  // namespace nightcity::ground_cover

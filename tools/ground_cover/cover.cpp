@@ -42,6 +42,9 @@ void Cover::finish() {
   std::erase_if(markings_, is_bad);
   std::stable_sort(areas_.begin(), areas_.end(),
                    [](const CoverArea& a, const CoverArea& b) { return a.rank > b.rank; });
+  const auto last_sunken =
+      std::find_if(areas_.rbegin(), areas_.rend(), [](const auto& a) { return a.surface.sunken; });
+  const auto deciding = static_cast<std::uint32_t>(areas_.rend() - last_sunken);
   std::map<Surface, std::uint32_t> known;
   for (std::uint32_t i = 0; i < areas_.size(); ++i) {
     const auto [label, is_new] =
@@ -50,6 +53,7 @@ void Cover::finish() {
     labels_.push_back(label->second);
     boxes_.push_back(find_box(areas_[i].rings));
     area_index_.add(i, boxes_.back());
+    if (i < deciding) depth_index_.add(i, boxes_.back());
   }
   for (std::uint32_t i = 0; i < markings_.size(); ++i)
     marking_index_.add(i, find_box({markings_[i]}));
@@ -68,7 +72,7 @@ CoverPart Cover::find_part(const Box& box, const glm::dvec2& origin) const {
 
 double Cover::depth_at(const glm::dvec2& place) const {
   if (!finite(place)) return 0;
-  for (const std::uint32_t i : area_index_.find({place, place}))
+  for (const std::uint32_t i : depth_index_.find({place, place}))
     if (boxes_[i].holds(place) && mesh::holds(areas_[i].rings, place))
       return areas_[i].surface.sunken ? roads::kerb_m : 0;
   return 0;

@@ -65,6 +65,7 @@ class Cover {
   std::vector<std::uint32_t> labels_;  // of each area: its surface
   std::vector<Box> boxes_;             // of each area
   BoxIndex area_index_, marking_index_;
+  BoxIndex depth_index_;  // of the areas down to the last that is sunken: no other decides depths
 };
 
 }  // namespace nightcity::ground_cover

@@ -45,16 +45,27 @@ double area_of(const Face& face) {
 
 using Edge = std::pair<glm::dvec2, glm::dvec2>;
 
+bool is_before(const glm::dvec2& a, const glm::dvec2& b) {
+  return std::pair(a.x, a.y) < std::pair(b.x, b.y);
+}
+
 class Arrangement {
  public:
-  explicit Arrangement(std::size_t max_vertices) : max_vertices_(max_vertices) {}
-
-  void insert(const Edge& edge) {
-    const Vertex a = insert(edge.first), b = insert(edge.second);
-    if (a == b) return;
-    triangulation_.insert_constraint(a, b);
-    if (triangulation_.number_of_vertices() > max_vertices_)
-      throw Error("", "outlines cross too often to be cut into regions");
+  // Throws Error where crossings make more than `max_vertices`.
+  Arrangement(const std::vector<Edge>& edges, std::size_t max_vertices) {
+    insert_points(edges);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  // each edge once
+    for (const auto& [from, to] : edges) {
+      const std::uint32_t a = find_index(from), b = find_index(to);
+      if (a != b) pairs.push_back(std::minmax(a, b));
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    for (const auto& [a, b] : pairs) {
+      triangulation_.insert_constraint(vertices_[a], vertices_[b]);
+      if (triangulation_.number_of_vertices() > max_vertices)
+        throw Error("", "outlines cross too often to be cut into regions");
+    }
   }
 
   // Joins faces that no outline parts into cells and asks who owns each.
@@ -110,10 +121,27 @@ class Arrangement {
   bool is_flat() const { return triangulation_.dimension() < 2; }
 
  private:
-  Vertex insert(const glm::dvec2& p) {
-    // The search for a vertex begins at the last one.
-    return last_ = triangulation_.insert(PlaneKernel::Point_2(p.x, p.y),
-                                         last_ == Vertex{} ? Face{} : last_->face());
+  // All at once, because CGAL inserts a range in space-filling order.
+  void insert_points(const std::vector<Edge>& edges) {
+    for (const auto& [a, b] : edges) {
+      points_.push_back(a);
+      points_.push_back(b);
+    }
+    std::sort(points_.begin(), points_.end(), is_before);
+    points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+    std::vector<std::pair<PlaneKernel::Point_2, VertexInfo>> input;
+    input.reserve(points_.size());
+    for (std::uint32_t i = 0; i < points_.size(); ++i)
+      input.emplace_back(PlaneKernel::Point_2(points_[i].x, points_[i].y), VertexInfo{i});
+    triangulation_.insert(input.begin(), input.end());
+    vertices_.resize(points_.size());
+    for (const Vertex vertex : triangulation_.finite_vertex_handles())
+      vertices_[std::exchange(vertex->info().index, unset)] = vertex;
+  }
+
+  std::uint32_t find_index(const glm::dvec2& p) const {
+    return static_cast<std::uint32_t>(
+        std::lower_bound(points_.begin(), points_.end(), p, is_before) - points_.begin());
   }
 
   // Gives the cell's number to all its faces and returns the middle of the largest.
@@ -141,9 +169,9 @@ class Arrangement {
            3.0;
   }
 
-  std::size_t max_vertices_;
   Triangulation triangulation_;
-  Vertex last_{};
+  std::vector<glm::dvec2> points_;                  // of the input, in order
+  std::vector<Vertex> vertices_;                    // of these points
   std::vector<std::vector<std::uint32_t>> owners_;  // of each cell
 };
 
@@ -165,12 +193,10 @@ PlanePartition partition(std::span<const PlaneLayer> layers, std::size_t max_cro
       }
   }
   const std::size_t max_vertices = (1 + max_crossings_a_point) * edges.size() + 3;
-  Arrangement all(max_vertices);
-  for (const Edge& edge : edges) all.insert(edge);
+  Arrangement all(edges, max_vertices);
   if (all.is_flat()) return {};
   all.find_owners(finders);
-  Arrangement regions(max_vertices);
-  for (const Edge& edge : all.find_borders()) regions.insert(edge);
+  Arrangement regions(all.find_borders(), max_vertices);
   if (regions.is_flat()) return {};
   regions.find_owners(finders);
   return regions.take();

@@ -13,6 +13,7 @@
 #include "support/temp_folder.h"
 #include "tools/bake/bake.h"
 #include "tools/bake/city/city.h"
+#include "tools/bake/scene/ground_facets.h"
 
 namespace nightcity::bake {
 namespace {
@@ -120,7 +121,7 @@ void expect_ground_as_drawn(const City& city, const Scene& scene, const terrain:
     const auto seen = drawn.height_of(terrain::SurfaceClass::terrain, p);
     if (!said) continue;
     ASSERT_TRUE(seen);
-    differing += std::abs(*said - *seen) > 1e-3;
+    differing += std::abs(*said - *seen) > 2 * facet_tolerance_m;
     sunken += city.cover().depth_at(p) > 0;
   }
   EXPECT_LE(differing, 5);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "formats/error.h"
+#include "tools/bake/scene/ground_facets.h"
 #include "tools/bake/scene/line_grid.h"
 #include "tools/mesh/partition.h"
 #include "tools/roads/road_class.h"
@@ -49,6 +50,33 @@ double height_at(const Stored& t, const glm::dvec2& place) {
   return y + at_b * (t.corners[1].y - y) + at_c * (t.corners[2].y - y);
 }
 
+// Heights of triangles at places of the plan.
+class GroundHeights {
+ public:
+  explicit GroundHeights(const std::vector<Stored>& triangles)
+      : triangles_(triangles), layer_(make_layer(triangles)), finder_(layer_) {}
+  // Returns the height at a corner of a piece whose middle is given. The place that decides which
+  // triangle it is lies just within the piece. `facet`: whose plane serves if there is none.
+  double find(const glm::dvec2& corner, const glm::dvec2& middle, const Stored& facet) const {
+    const std::uint32_t found = finder_.find(corner + (middle - corner) * 1e-4);
+    return height_at(found == mesh::no_label ? facet : triangles_[found], corner);
+  }
+
+ private:
+  static mesh::PlaneLayer make_layer(const std::vector<Stored>& triangles) {
+    mesh::PlaneLayer layer;
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+      const glm::vec3* c = triangles[i].corners;
+      layer.push_back({{{to_plan(c[0]), to_plan(c[1]), to_plan(c[2])}}, i});
+    }
+    return layer;
+  }
+
+  const std::vector<Stored>& triangles_;
+  mesh::PlaneLayer layer_;
+  mesh::OwnerFinder finder_;
+};
+
 glm::vec3 to_model(const glm::dvec2& plan, double height) {
   return glm::vec3(glm::dvec3(plan.x, height, -plan.y));
 }
@@ -87,24 +115,26 @@ class Coverer {
 
   // Cuts triangles along the outlines.
   void cover_cut(const std::vector<Stored>& cut) {
-    std::vector<mesh::PlaneLayer> layers{part_.areas, part_.markings, {}};
-    for (std::uint32_t i = 0; i < cut.size(); ++i)
-      layers[2].push_back(
-          {{{to_plan(cut[i].corners[0]), to_plan(cut[i].corners[1]), to_plan(cut[i].corners[2])}},
-           i});
+    const std::vector<mesh::PlaneLayer> layers{part_.areas, part_.markings, find_facets(cut)};
     const mesh::PlanePartition plan = mesh::partition(layers);
+    const GroundHeights heights(cut);
     heights_.assign(plan.points.size(), std::nan(""));
     for (const mesh::PlanePartition::Triangle& piece : plan.triangles) {
       const std::vector<std::uint32_t>& owners = plan.owners[piece.region];
       if (owners[2] == mesh::no_label) continue;  // beyond the tile's ground
-      const Stored& ground = cut[owners[2]];
-      Stored made = ground;
+      const glm::dvec2 middle = (plan.points[piece.vertex[0]] + plan.points[piece.vertex[1]] +
+                                 plan.points[piece.vertex[2]]) /
+                                3.0;
+      Stored made = cut[owners[2]];
       double depth_m = 0;
       for (std::size_t k = 0; k < 3; ++k) {
         const glm::dvec2& p = plan.points[piece.vertex[k]];
-        double& height = heights_[piece.vertex[k]];
-        if (std::isnan(height)) height = height_at(ground, p);
-        made.corners[k] = to_model(p, find_height(height, ground, p));
+        double& shared = heights_[piece.vertex[k]];
+        const double height = heights.find(p, middle, made);
+        if (std::isnan(shared)) shared = height;
+        // Neighbours share the height of their corner to the last bit.
+        constexpr double step_m = 1e-3;  // a step in the ground itself
+        made.corners[k] = to_model(p, std::abs(height - shared) < step_m ? shared : height);
       }
       if (const Surface* surface = find_surface(owners[0])) {
         apply(*surface, owners[1], made);
@@ -118,13 +148,6 @@ class Coverer {
   }
 
  private:
-  // Neighbours that lie in one plane share the height of their vertex to the last bit.
-  static double find_height(double shared, const Stored& ground, const glm::dvec2& place) {
-    constexpr double tolerance_m = 1e-3;
-    const double own = height_at(ground, place);
-    return std::abs(own - shared) < tolerance_m ? shared : own;
-  }
-
   const Surface* find_surface(std::uint32_t label) const {
     return label == mesh::no_label ? nullptr : &cover_.surfaces()[label];
   }
