@@ -12,6 +12,8 @@ namespace nightcity::gpu {
 
 #define MOON_RADIUS 0.0045f  // seen from the earth, radians
 
+#define WATER_ROUGHNESS 0.1f  // smoother materials are water: they always have its film
+
 struct Material {
   vec3 base_colour;  // linear Rec. 709 reflectance
   float roughness;

@@ -30,10 +30,12 @@ Receiver receiver_seen_from(Surface surface, vec3 viewer, bool before) {
   r.wetness = 0.0;
   r.before = before;
   if (HAS_GLOSS != 0u) {
-    // Rain stays where a surface faces up.
-    r.wetness = FRAME.wetness * smoothstep(0.7, 0.95, r.normal.y);
+    // Rain and water stay where a surface faces up. What is below water is not darkened by rain.
+    const bool water = SCENE.materials.at[surface.material].roughness < WATER_ROUGHNESS;
+    const float facing = smoothstep(0.7, 0.95, r.normal.y);
+    r.wetness = (water ? 1.0 : FRAME.wetness) * facing;
     r.to_viewer = normalize(viewer - surface.position);
-    r.reflectance *= mix(1.0, WET_DIFFUSE, r.wetness);
+    if (!water) r.reflectance *= mix(1.0, WET_DIFFUSE, r.wetness);
   }
   return r;
 }

@@ -68,6 +68,11 @@ DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
                          scene::RenderScene* released)
     : device_(device) {
   check_memory(device, scene);
+  has_water_ = std::any_of(
+      scene.triangles.begin(), scene.triangles.end(), [&](const gpu::Triangle& triangle) {
+        return triangle.material < scene.materials.size() &&
+               scene.materials[triangle.material].roughness < WATER_ROUGHNESS;
+      });
   store_geometry(scene, released);
   addresses_.materials = store(std::span(scene.materials));
   addresses_.lights = store(std::span(scene.lights));

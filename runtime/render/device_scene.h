@@ -47,6 +47,8 @@ class DeviceScene {
   const gpu::SceneBuffers& buffers() const { return addresses_; }
   bool has_profiles() const { return has_profiles_; }
   bool has_rectangles() const { return has_rectangles_; }
+  /// Returns whether a surface is as smooth as water.
+  bool has_water() const { return has_water_; }
   bool has_schedules() const { return !schedules_.empty(); }
   bool has_traffic() const { return addresses_.traffic.trip_count > 0; }
   bool has_sky_map() const { return addresses_.sky_width > 0; }
@@ -83,7 +85,7 @@ class DeviceScene {
   gpu::Device& device_;
   std::vector<gpu::Buffer> storage_;
   gpu::SceneBuffers addresses_{};
-  bool has_profiles_ = false, has_rectangles_ = false;
+  bool has_profiles_ = false, has_rectangles_ = false, has_water_ = false;
 
   // With traffic: the static instances and nodes, followed by the slots.
   gpu::Buffer instances_, nodes_;

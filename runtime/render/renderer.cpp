@@ -85,7 +85,7 @@ PassConstants Renderer::constants_of(const RenderSettings& settings) const {
   constants[CONSTANT_SKY] = sky && scene_.has_sky_map() ? SKY_MAP
                             : sky || moon               ? SKY_UNIFORM
                                                         : SKY_DARK;
-  constants[CONSTANT_GLOSS] = settings.environment.wetness > 0;
+  constants[CONSTANT_GLOSS] = settings.environment.wetness > 0 || scene_.has_water();
   constants[CONSTANT_LAYERS] = settings.sampling.layers;
   constants[CONSTANT_SCHEDULES] = scene_.has_schedules();
   constants[CONSTANT_TRAFFIC] = scene_.has_traffic();

@@ -198,6 +198,23 @@ TEST(WetStreet, MirrorsALampByItsMicrofacetsAndDarkensTheRest) {
     EXPECT_NEAR(wet.rgb[i], dry.rgb[i], 1e-5f * dry.rgb[i]);
 }
 
+TEST(Water, MirrorsALampWithoutRain) {
+  // As above, without the darkening of what is wet.
+  constexpr double roughness = 0.25, alpha2 = roughness * roughness * roughness * roughness,
+                   f0 = 0.02;
+  const double illuminance = 5000 / (4 * pi) / 64;
+  scene::RenderScene scene = SceneBuilder().ground(30).with({lamp({0, 8, 0}, 5000, 0.01f)});
+  for (gpu::Material& material : scene.materials) material.roughness = 0.05f;
+  const double expected = illuminance * (albedo / pi + f0 / (4 * pi * alpha2));
+  for (const float wetness : {0.0f, 0.5f}) {
+    RenderSettings settings = reference();
+    settings.environment.wetness = wetness;
+    EXPECT_NEAR(
+        at_centre(render(scene, {{0, 12, 0}, {0, 0, 0}, {0, 0, -1}, 5}, settings, 33, 33, 1)),
+        expected, 0.02 * expected);
+  }
+}
+
 TEST(WetStreet, EstimatorsAgreeOnIt) {
   const scene::RenderScene scene =
       SceneBuilder().ground(30).with({lamp({4, 6, -8}, 5000), lamp({-5, 6, -3}, 3000)});
