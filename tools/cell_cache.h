@@ -35,6 +35,13 @@ class CellCache {
     return result;
   }
 
+  /// Forgets all cells: what is asked for next is loaded anew.
+  void clear() {
+    const std::lock_guard lock(mutex_);
+    entries_.clear();
+    cost_ = 0;
+  }
+
  private:
   struct Entry {
     std::shared_ptr<const Loaded> loaded;

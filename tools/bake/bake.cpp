@@ -78,7 +78,9 @@ class Bake {
   void build_ground() {
     begin_step("building the terrain");
     report_.ground =
-        city_.build_ground([this](const mesh::TriangleMesh& mesh) { tiles_.add_ground(mesh); });
+        city_.build_ground({&tiles_, windows_ ? &*windows_ : nullptr},
+                           [this](const mesh::TriangleMesh& mesh) { tiles_.add_ground(mesh); });
+    report_.gaps = city_.gaps();
     const ground_cover::Cover& cover = city_.cover();
     report_.cover = {cover.areas().size(), cover.left_out, cover.assumed};
     tiles_.drape(city_.height_at());

@@ -41,7 +41,7 @@ bake::LightsReport write_windows(const WindowsArguments& arguments) {
   bake::WindowConsumer windows(city, options.windows, arguments.out);
   ShownProgress progress;
   city.read({&windows}, progress.sink());
-  city.build_ground();
+  city.build_ground({&windows});
   return bake::write_window_lights(lights, city, windows);
 }
 

@@ -110,6 +110,7 @@ bool SurfaceStore::add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec
   if (!(std::max(glm::length(low), glm::length(high)) / size < 1e9)) return false;  // in no frame
   used_[static_cast<std::size_t>(level)] = true;
   ++count_;
+  cache_->clear();
   if (!extent_) extent_ = Extent{glm::dvec2(a), glm::dvec2(a)};
   for (const glm::dvec3* corner : {&a, &b, &c}) {
     extent_->low = glm::min(extent_->low, glm::dvec2(*corner));

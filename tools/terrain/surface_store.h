@@ -39,7 +39,7 @@ class SurfaceStore {
   std::optional<Extent> extent() const { return extent_; }
 
   /// Returns the greatest height of a triangle on the vertical line through `p`; a point on an edge
-  /// belongs to both sides. May be called from many threads once all triangles are added.
+  /// belongs to both sides. May be called from many threads while no triangle is added.
   std::optional<double> highest_at(const glm::dvec2& p);
 
  private:

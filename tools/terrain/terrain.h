@@ -28,7 +28,7 @@ class Terrain {
   Terrain(Terrain&&) noexcept;
   Terrain& operator=(Terrain&&) noexcept;
 
-  /// Adds triangles (E, N, H in metres) of one class. Call before build(). Vertical, degenerate and
+  /// Adds triangles (E, N, H in metres) of one class; those of terrain before build(). Vertical, degenerate and
   /// non-finite triangles are left out: nothing can stand on them.
   void add(const mesh::TriangleMesh& mesh, SurfaceClass surface_class);
   /// Adds mass points of the model's relief.
@@ -57,7 +57,7 @@ class Terrain {
     SurfaceClass surface;
   };
   /// Returns the surface below or above (E, N); none outside the model. May be called from many
-  /// threads after build().
+  /// threads after build() while nothing is added.
   std::optional<Hit> height_at(const glm::dvec2& east_north) const;
   /// Returns the height of the topmost triangle of one class on the vertical line through (E, N).
   std::optional<double> height_of(SurfaceClass surface_class, const glm::dvec2& east_north) const;

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
@@ -81,8 +83,8 @@ TEST(City, AnswersQueriesOfPlacesOnceItsGroundIsBuilt) {
   City city(two_files(folder), folder / "scratch");
   city.read({}, {});
   std::size_t shown = 0;
-  const GroundReport ground =
-      city.build_ground([&](const mesh::TriangleMesh& mesh) { shown += mesh.triangles.size(); });
+  const GroundReport ground = city.build_ground(
+      {}, [&](const mesh::TriangleMesh& mesh) { shown += mesh.triangles.size(); });
   EXPECT_EQ(ground.source, "given");
   EXPECT_EQ(shown, 0u) << "the model's own relief is an object of it";
   EXPECT_NEAR(city.height_at()({391030, 5819010}).value(), 35, 1e-6);
@@ -93,6 +95,65 @@ TEST(City, AnswersQueriesOfPlacesOnceItsGroundIsBuilt) {
   const glm::dvec2 again = city.to_frame()(city.frame().to_lon_lat(place));
   EXPECT_NEAR(again.x, place.x, 1e-3);
   EXPECT_NEAR(again.y, place.y, 1e-3);
+}
+
+// Writes a map of square buildings, each from its low to its high corner, in metres from the cube's.
+void write_buildings(const std::filesystem::path& path, const georeference::CityFrame& frame,
+                     const std::vector<std::array<double, 4>>& squares) {
+  std::string nodes, ways;
+  int node = 0, way = 0;
+  for (const auto& [x0, y0, x1, y1] : squares) {
+    const int first = node + 1;
+    ways += "<way id=\"" + std::to_string(++way) + "\" version=\"1\">";
+    for (const glm::dvec2& corner :
+         {glm::dvec2(x0, y0), glm::dvec2(x1, y0), glm::dvec2(x1, y1), glm::dvec2(x0, y1)}) {
+      const glm::dvec2 p = frame.to_lon_lat(glm::dvec2(391000, 5819000) + corner);
+      char text[128];
+      std::snprintf(text, sizeof text, R"(<node id="%d" lon="%.9f" lat="%.9f" version="1"/>)",
+                    ++node, p.x, p.y);
+      nodes += text;
+      ways += "<nd ref=\"" + std::to_string(node) + "\"/>";
+    }
+    ways += "<nd ref=\"" + std::to_string(first) +
+            "\"/><tag k=\"building\" v=\"yes\"/><tag k=\"height\" v=\"6\"/></way>";
+  }
+  write_text(path, "<osm version=\"0.6\">" + nodes + ways + "</osm>");
+}
+
+TEST(City, BuildingsOfTheMapStandWhereTheModelHasNone) {
+  const TempFolder folder;
+  CityInputs inputs = two_files(folder);
+  {
+    const City model(inputs, folder / "scratch");
+    write_buildings(folder / "map.osm", model.frame(),
+                    {{0.3, 0.2, 10.4, 10.1},  // the cube itself, a little displaced
+                     {30, 20, 40, 30},        // free
+                     {9.5, 0, 20, 10},        // a neighbour, over the cube by a twentieth
+                     {8, -15, 14, 1.5},       // over it by its corner
+                     {45, 30, 60, 38},        // partly beyond the ground
+                     {100, 100, 110, 110}});  // beyond it
+  }
+  inputs.maps = {folder / "map.osm"};
+  City city(inputs, folder / "scratch");
+  city.read({}, {});
+  Listener listener;
+  city.build_ground({&listener, nullptr});
+  EXPECT_EQ(listener.ids, (std::vector<std::string>{"way/2", "way/3", "way/4"}));
+  EXPECT_EQ(listener.closed, 3u);
+  EXPECT_EQ(city.gaps().buildings, 3u);
+  EXPECT_EQ(city.gaps().left_out.at("building that the model has"), 1u);
+  EXPECT_EQ(city.gaps().left_out.at("building beyond the ground"), 2u);
+  // They are buildings of the city: nothing else stands in them, and their roofs are 6 m high.
+  EXPECT_TRUE(city.inside_footprint()({391035, 5819025}));
+  EXPECT_NEAR(city.terrain().height_of(terrain::SurfaceClass::roof, {391035, 5819025}).value(), 41,
+              1e-6);
+
+  inputs.cover.gaps = false;
+  City bare(inputs, folder / "scratch");
+  bare.read({}, {});
+  bare.build_ground();
+  EXPECT_EQ(bare.gaps().buildings, 0u);
+  EXPECT_FALSE(bare.inside_footprint()({391035, 5819025}));
 }
 
 TEST(City, AMapAloneStandsOnAPlaneInItsUtmZone) {

@@ -98,11 +98,26 @@ CityReport City::read(std::initializer_list<CityConsumer*> consumers,
              : read_parts(inputs_.parts, inputs_, *frames_, heights, all, progress);
 }
 
-GroundReport City::build_ground(const GroundBuilder::ShowGround& show) {
+GroundReport City::build_ground(std::initializer_list<CityConsumer*> consumers,
+                                const GroundBuilder::ShowGround& show) {
   if (!has_model()) return {};
-  const GroundReport report = ground_.build(frame(), show);
+  GroundReport report = ground_.build(frame(), show);
+  if (inputs_.cover.gaps && frame().has_lon_lat() && !is_map_alone(inputs_)) fill_gaps(consumers);
   lay_cover(report);
   return report;
+}
+
+void City::fill_gaps(std::initializer_list<CityConsumer*> consumers) {
+  std::vector<CityConsumer*> all;
+  for (CityConsumer* consumer : consumers)
+    if (consumer) all.push_back(consumer);
+  city::ReadOptions options = inputs_.read;
+  options.max_way_nodes = inputs_.max_way_nodes;
+  // A map that is among the model's files has brought its buildings; so has an earlier map of the
+  // same place, which the terrain knows.
+  for (const auto& map : inputs_.maps)
+    if (std::find(inputs_.files.begin(), inputs_.files.end(), map) == inputs_.files.end())
+      bake::fill_gaps(map, options, frame(), terrain_, all, ground_, gaps_);
 }
 
 void City::add_land(const ground_cover::Box& bounds) {

@@ -14,6 +14,7 @@
 #include "tools/bake/city/city_inputs.h"
 #include "tools/bake/city/ground_builder.h"
 #include "tools/bake/city/ground_heights.h"
+#include "tools/bake/city/map_gaps.h"
 #include "tools/bake/progress.h"
 #include "tools/bake/report/city_report.h"
 #include "tools/bake/report/street_report.h"
@@ -40,9 +41,13 @@ class City {
   /// Reads the city model and passes each object to the ground and to `consumers`. Throws Error as
   /// the reader of its files does.
   CityReport read(std::initializer_list<CityConsumer*> consumers, const ProgressSink& progress);
-  /// Builds the ground from what has been read; `show` gets what is to be seen of it. Throws Error
-  /// where an elevation model cannot be read or covers nothing of the city.
-  GroundReport build_ground(const GroundBuilder::ShowGround& show = {});
+  /// Builds the ground from what has been read; `show` gets what is to be seen of it. Then passes
+  /// the buildings of the map that the model lacks to `consumers`, and covers the ground. Throws
+  /// Error where an elevation model cannot be read or covers nothing of the city.
+  GroundReport build_ground(std::initializer_list<CityConsumer*> consumers = {},
+                            const GroundBuilder::ShowGround& show = {});
+  /// Returns the buildings of the map that stand where the model has none.
+  const GapReport& gaps() const { return gaps_; }
   /// Returns what covers the ground; empty before build_ground().
   const ground_cover::Cover& cover() const { return cover_; }
 
@@ -91,6 +96,7 @@ class City {
     georeference::CityFrame frame;
   };
   static std::optional<MapFrame> find_map_frame(const osm::OsmData& map);
+  void fill_gaps(std::initializer_list<CityConsumer*> consumers);
   void add_land(const ground_cover::Box& bounds);
   void lay_cover(const GroundReport& ground);
   void add_inventory_licences(std::vector<std::string>& licences) const;
@@ -104,6 +110,7 @@ class City {
   terrain::Terrain terrain_;
   GroundBuilder ground_;
   ground_cover::Cover cover_;
+  GapReport gaps_;
 };
 
 }  // namespace nightcity::bake

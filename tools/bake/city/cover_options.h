@@ -1,4 +1,4 @@
-// Options of what covers the ground of a city.
+// Options of what a map adds to a city: what covers its ground, and buildings that the model lacks.
 #pragma once
 
 namespace nightcity::bake {
@@ -7,6 +7,7 @@ struct CoverOptions {
   bool streets = true;   // of the map, where the model has no roads
   bool markings = true;  // on those streets
   bool land = true;      // of the map, where the model has none
+  bool gaps = true;      // buildings of the map, where the model has none
 };
 
 }  // namespace nightcity::bake

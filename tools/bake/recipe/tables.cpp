@@ -68,7 +68,8 @@ Table make_terrain_table(bake::GroundOptions& terrain, const fs::path& folder) {
 Table make_ground_table(bake::CoverOptions& ground) {
   return {
       "ground",
-      "What lies on the ground, from the map. The ground's triangles are cut along the outlines, "
+      "What lies and stands on the ground, from the map. The ground's triangles are cut along the "
+      "outlines, "
       "so that no two surfaces lie in one place.",
       {flag_key("streets", ground.streets,
                 "Streets as surfaces, where the city model has no roads of its own: "
@@ -87,7 +88,11 @@ Table make_ground_table(bake::CoverOptions& ground) {
                 "`natural`, `landuse`, `leisure`, `waterway`, `amenity`, `area:highway` and the "
                 "like as water, woods, grass, fields, sand, paved yards and squares, multipolygons "
                 "with their holes too. Built-up land (`landuse = residential`) says nothing about "
-                "the ground, which stays bare.")}};
+                "the ground, which stays bare."),
+       flag_key("gaps", ground.gaps,
+                "Where the map has a building and the city model has none, the map's stands there, "
+                "made as by `[osm] buildings` and on the lowest ground below it. A building of "
+                "which a tenth lies on the model's own is the model's.")}};
 }
 
 Table make_origin_table(bake::Recipe::Origin& origin) {

@@ -143,6 +143,15 @@ std::string surfaces_in_words(const BakeReport& report) {
   return text;
 }
 
+std::string gaps_in_words(const GapReport& gaps) {
+  if (gaps.buildings == 0 && gaps.left_out.empty()) return {};
+  std::string text = report_line(
+      "gaps", fmt::format("{} buildings of the map where the model has none", gaps.buildings));
+  if (!gaps.left_out.empty()) text += report_line("", "left out: " + in_words(gaps.left_out));
+  if (!gaps.assumed.empty()) text += report_line("", "assumed: " + in_words(gaps.assumed));
+  return text;
+}
+
 std::string outputs_in_words(const BakeReport& report) {
   const SceneWriter::Statistics& scene = report.scene;
   std::string text =
@@ -210,6 +219,10 @@ json to_json(const BakeReport& report) {
       {"break_edges", {{"used", ground.break_edges.used}, {"unused", ground.break_edges.unused}}},
       {"colours", report.tiles.colours},
       {"draped_triangles", report.tiles.draped},
+      {"gaps",
+       {{"buildings_of_the_map", report.gaps.buildings},
+        {"left_out", report.gaps.left_out},
+        {"assumed", report.gaps.assumed}}},
       {"ground_cover", to_json(report.cover, report.tiles)},
       {"streets", to_json(report.streets)},
       {"lamps", to_json(report.lights.lamps)},
@@ -235,6 +248,7 @@ json to_json(const BakeReport& report) {
 
 std::string to_text(const BakeReport& report) {
   std::string text = reading_in_words(report) + surfaces_in_words(report);
+  text += gaps_in_words(report.gaps);
   text += to_text(report.cover, report.tiles);
   text += to_text(report.streets);
   text += to_text(report.lights.lamps);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "formats/scene_writer.h"
+#include "tools/bake/city/map_gaps.h"
 #include "tools/bake/report/city_report.h"
 #include "tools/bake/report/cover_report.h"
 #include "tools/bake/report/light_report.h"
@@ -23,6 +24,7 @@ struct BakeReport {
   CityReport city;
   GroundReport ground;
   SceneTilesReport tiles;
+  GapReport gaps;
   CoverReport cover;
   StreetReport streets;  // of the model, where the map has none
   LightsReport lights;
