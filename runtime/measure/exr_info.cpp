@@ -25,6 +25,9 @@ void put_image_info(Imf::Header& header, const ImageInfo& info) {
   text("nightcity.indirect", info.indirect);
   number("nightcity.seed", info.seed);
   text("nightcity.device", info.device);
+  text("nightcity.licences", info.licences);
+  text("nightcity.camera", info.camera);
+  text("nightcity.time", info.time);
   if (info.ev100) header.insert("nightcity.ev100", Imf::FloatAttribute(*info.ev100));
 }
 
@@ -48,6 +51,9 @@ ImageInfo get_image_info(const Imf::Header& header) {
   info.indirect = text("nightcity.indirect");
   number("nightcity.seed", info.seed);
   info.device = text("nightcity.device");
+  info.licences = text("nightcity.licences");
+  info.camera = text("nightcity.camera");
+  info.time = text("nightcity.time");
   if (const auto* ev100 = header.findTypedAttribute<Imf::FloatAttribute>("nightcity.ev100"))
     if (std::isfinite(ev100->value())) info.ev100 = ev100->value();
   return info;

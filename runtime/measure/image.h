@@ -31,6 +31,9 @@ struct ImageInfo {
   std::uint64_t seed = 0;
   std::optional<float> ev100;  // exposure a viewer should start with
   std::string device;          // the Vulkan device's own name
+  std::string licences;  // whose data the picture shows, to be shown with it; "" = not known
+  std::string camera;    // as scene::to_text gives it; "" = not known
+  std::string time;      // of the night, HH:MM:SS; "" = not known
 };
 
 /// Linear Rec. 709 RGB in cd/m2.

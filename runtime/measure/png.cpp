@@ -74,6 +74,9 @@ PngText png_text(const ImageInfo& info) {
   if (!info.estimator.empty()) text.emplace_back("Seed", std::to_string(info.seed));
   if (info.ev100) text.emplace_back("EV100", fmt::format("{:.3f}", *info.ev100));
   if (!info.device.empty()) text.emplace_back("Device", info.device);
+  if (!info.licences.empty()) text.emplace_back("Copyright", info.licences);
+  if (!info.camera.empty()) text.emplace_back("Camera", info.camera);
+  if (!info.time.empty()) text.emplace_back("Time", info.time);
   return text;
 }
 

@@ -1,27 +1,24 @@
 // nightview: renders a baked city at night. Its subcommands do the work.
 #include <algorithm>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "formats/program/run_program.h"
 #include "runtime/nightview/commands.h"
+#include "runtime/scene/scene_file.h"
 
 namespace nightcity::nightview {
 namespace {
 
-// "nightview SCENE.glb ..." is short for "nightview view SCENE.glb ...".
+// "nightview SCENE.glb ..." is short for "nightview view SCENE.glb ...", and so is a folder's name.
 std::vector<std::string> add_default_command(const CLI::App& app,
                                              std::vector<std::string> arguments) {
-  const auto is_scene = [](const std::string& text) {
-    const std::string extension = std::filesystem::path(text).extension().string();
-    return extension == ".glb" || extension == ".gltf";
-  };
   const auto is_command = [&app](const std::string& text) {
     return !app.get_subcommands([&](const CLI::App* sub) { return sub->check_name(text); }).empty();
   };
   if (std::none_of(arguments.begin(), arguments.end(), is_command) &&
-      std::any_of(arguments.begin(), arguments.end(), is_scene))
+      std::any_of(arguments.begin(), arguments.end(),
+                  [](const std::string& text) { return scene::may_be_scene(text); }))
     arguments.insert(arguments.begin(), "view");
   return arguments;
 }

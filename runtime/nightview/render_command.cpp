@@ -54,12 +54,8 @@ void check_outputs(const std::vector<std::string>& outputs) {
 }
 
 float find_exposure(const std::string& text, const measure::Image& image) {
-  if (text == "auto") return measure::auto_exposure_ev100(image);
-  try {
-    return static_cast<float>(render::parse_number("--ev", text, -20, 40));
-  } catch (const UsageError&) {
-    throw UsageError("--ev", "'" + text + "' is neither auto nor a number from -20 to 40");
-  }
+  const std::optional<float> chosen = render::parse_exposure(text);
+  return chosen ? *chosen : measure::auto_exposure_ev100(image);
 }
 
 // Draws lamps as green squares and windows as single blue pixels: no night picture has these
@@ -138,8 +134,7 @@ void render(RenderCommand& command) {
   RenderOptions& options = command.options;
   options.resolve();
   options.settings.display.tone = measure::tone_curve_from_name(command.tone);
-  if (command.exposure != "auto")
-    find_exposure(command.exposure, measure::Image{});  // throws early
+  render::parse_exposure(command.exposure);  // throws early
   check_outputs(command.outputs);
   options.settings.sampling.layers =
       find_illumination(command.show) ||
@@ -175,6 +170,9 @@ void render(RenderCommand& command) {
 
   measure::Image image = renderer.download(options.settings.sampling.layers);
   image.info.ev100 = find_exposure(command.exposure, image);
+  image.info.licences = scene::describe_licences(scene);
+  image.info.camera = scene::to_text(pose);
+  image.info.time = render::time_text(options.settings.time_s);
   write_outputs(command, image, scene, pose);
   spdlog::info("{} frames of {} in {:.2f} s, EV100 {:.1f}", renderer.frames(),
                render::name_of(options.settings.sampling.estimator), seconds, *image.info.ev100);

@@ -3,7 +3,6 @@
 #include <spdlog/spdlog.h>
 
 #include <cmath>
-#include <glm/trigonometric.hpp>
 
 #include "formats/error.h"
 #include "runtime/measure/exr.h"
@@ -11,6 +10,7 @@
 #include "runtime/nightview/number_check.h"
 #include "runtime/render/parse.h"
 #include "runtime/scene/camera.h"
+#include "runtime/scene/scene_file.h"
 
 namespace nightcity::nightview {
 namespace {
@@ -19,16 +19,6 @@ std::string join_names(const render::Setting& setting) {
   std::string names = render::option_of(setting);
   for (const char* alias : setting.aliases) names += std::string(",--") + alias;
   return names;
-}
-
-// Sunlight off the moon, of about 4,100 K, as a colour of luminance 1.
-const glm::vec3 moon_colour(1.16f, 0.97f, 0.80f);
-
-void set_moon(render::EnvironmentSettings& environment, const render::MoonPosition& moon) {
-  const double a = glm::radians(moon.azimuth_deg), e = glm::radians(moon.elevation_deg);
-  environment.moon_direction =
-      glm::vec3(std::sin(a) * std::cos(e), std::sin(e), -std::cos(a) * std::cos(e));
-  environment.moon_lux = static_cast<float>(moon.lux) * moon_colour;
 }
 
 }  // namespace
@@ -58,7 +48,10 @@ void declare_setting(CLI::App& command, const render::Setting& setting,
 }
 
 void declare_scene(CLI::App& command, std::string& scene) {
-  command.add_option("scene", scene, "SCENE.glb; SCENE.lights beside it is read too")->required();
+  command
+      .add_option("scene", scene,
+                  "SCENE.glb, or the folder that holds it; SCENE.lights beside it is read too")
+      ->required();
 }
 
 void declare_size(CLI::App& command, std::string& size) {
@@ -66,7 +59,7 @@ void declare_size(CLI::App& command, std::string& size) {
 }
 
 scene::RenderScene load_and_report(const std::string& scene) {
-  scene::RenderScene loaded = scene::load_render_scene(scene);
+  scene::RenderScene loaded = scene::load_render_scene(scene::find_scene_file(scene));
   for (const std::string& sentence : scene::describe_left_out(loaded))
     spdlog::warn("{}: {}", scene, sentence);
   return loaded;
@@ -100,15 +93,18 @@ void RenderOptions::resolve() {
   environment.sky_cd_m2 = glm::vec3(environment.sky_cd_m2.x);
   if (!sky_map.empty() && environment.sky_cd_m2 == glm::vec3(0))
     environment.sky_cd_m2 = glm::vec3(1);
-  if (!moon.empty()) set_moon(environment, render::parse_moon(moon));
+  if (!moon.empty()) {
+    const render::MoonPosition place = render::parse_moon(moon);
+    render::set_moon(environment, place.azimuth_deg, place.elevation_deg, place.lux);
+  }
   settings.time_s = render::parse_time(time);
   const render::PictureSize parsed = render::parse_size(size);
   width = parsed.width;
   height = parsed.height;
 }
 
-scene::RenderScene RenderOptions::load() const {
-  scene::RenderScene loaded = load_and_report(scene);
+scene::RenderScene RenderOptions::load(const std::string& other) const {
+  scene::RenderScene loaded = load_and_report(other);
   if (!sky_map.empty()) {
     const measure::Image image = measure::read_exr(sky_map);
     loaded.sky_map = {image.width, image.height, image.rgb};

@@ -41,7 +41,9 @@ struct RenderOptions {
   void resolve();
 
   /// Returns the scene with the sky map that the options name. Throws Error.
-  scene::RenderScene load() const;
+  scene::RenderScene load() const { return load(scene); }
+  /// The same of another scene.
+  scene::RenderScene load(const std::string& other) const;
 
   std::uint32_t width = 0, height = 0;  // set by resolve()
 };

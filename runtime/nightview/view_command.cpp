@@ -5,10 +5,14 @@
 #include <memory>
 #include <optional>
 
+#include "formats/error.h"
+#include "formats/program/output.h"
 #include "runtime/measure/exposure.h"
 #include "runtime/nightview/commands.h"
 #include "runtime/nightview/number_check.h"
 #include "runtime/nightview/render_options.h"
+#include "runtime/render/parse.h"
+#include "runtime/viewer/keys.h"
 #include "runtime/viewer/viewer.h"
 
 namespace nightcity::nightview {
@@ -17,23 +21,67 @@ namespace {
 struct ViewCommand {
   RenderOptions render;
   viewer::ViewOptions view;
-  std::string tone = "filmic";
+  std::string exposure = "auto", tone = "filmic", picture_size;
 };
+
+// Runs before the window opens: a wrong name should not be found out when it closes.
+void check_outputs(const viewer::ViewOptions& options) {
+  if (!options.screenshot.empty() && options.quit_after == 0)
+    throw UsageError("--screenshot",
+                     "needs --quit-after: it is of the last frame before that (P saves a picture "
+                     "at any time)");
+  if (!options.screenshot.empty()) program::require_writable_folder_of(options.screenshot);
+  if (!options.save_camera.empty()) program::require_writable_folder_of(options.save_camera);
+  if (!options.picture_folder.empty()) program::require_writable_folder(options.picture_folder);
+}
 
 void view(ViewCommand& command) {
   RenderOptions& render = command.render;
   render.resolve();
   render.settings.display.tone = measure::tone_curve_from_name(command.tone);
   viewer::ViewOptions& options = command.view;
-  options.scene = render.scene;
+  options.scenes.insert(options.scenes.begin(), render.scene);
+  options.load = [&render](const std::string& scene) { return render.load(scene); };
   options.camera = render.camera;
   options.device = render.device;
   options.width = render.width;
   options.height = render.height;
   options.settings = render.settings;
-  const viewer::ViewReport report = viewer::run_viewer(render.load(), options);
+  options.ev100 = render::parse_exposure(command.exposure);
+  if (!command.picture_size.empty()) {
+    const render::PictureSize size = render::parse_size(command.picture_size);
+    options.picture.width = size.width;
+    options.picture.height = size.height;
+  }
+  check_outputs(options);
+  const viewer::ViewReport report = viewer::run_viewer(options);
   fmt::print("{} frames shown, the last {} of them averaged, estimator {}\n", report.shown,
              report.frames, report.estimator);
+}
+
+std::string describe_input() {
+  std::string text = "Mouse:\n";
+  for (const auto& [gesture, effect] : viewer::list_gestures())
+    text += fmt::format("  {:22} {}\n", gesture, effect);
+  text += "Keys:\n";
+  for (const viewer::KeyBinding& key : viewer::list_keys())
+    text += fmt::format("  {:22} {}\n", key.keys, key.help);
+  return text + "Example: nightview view out/demo/city.glb --camera street";
+}
+
+void declare_pictures(CLI::App& sub, ViewCommand& command) {
+  viewer::ViewOptions& view = command.view;
+  sub.add_option("--picture-size", command.picture_size,
+                 "Size of saved pictures, WIDTHxHEIGHT (default: the window's)");
+  sub.add_option("--picture-frames", view.picture.frames, "Frames averaged in a saved picture")
+      ->capture_default_str()
+      ->check(CLI::Range(1u, 1000000u));
+  sub.add_option("--picture-folder", view.picture_folder,
+                 "Folder of saved pictures (default: the current one, or where that takes no "
+                 "files, the pictures' or home folder)");
+  sub.add_option("--screenshot", view.screenshot,
+                 "With --quit-after: write the window's last frame to this PNG, with the panel");
+  sub.add_option("--save-camera", view.save_camera, "Write the last camera to a JSON file");
 }
 
 }  // namespace
@@ -42,45 +90,39 @@ void add_view_command(CLI::App& app) {
   auto command = std::make_shared<ViewCommand>();
   CLI::App* sub = app.add_subcommand(
       "view", "Show a baked scene in a window; \"nightview SCENE.glb\" is short for it");
-  sub->footer(
-      "Mouse: the left button orbits or looks around, the right button moves, the wheel comes "
-      "nearer\n"
-      "(when flying: changes the speed).\n"
-      "Keys: W A S D E Q fly, with Shift faster; 1 to " +
-      std::to_string(render::list_estimators().size()) +
-      " choose the estimator; M shows lamp markers;\n"
-      "F switches between orbiting and flying; Space starts and stops the clock; P saves the "
-      "picture as\n"
-      "night-NNN.png and .exr; Tab shows or hides the panel; Esc quits.\n"
-      "Example: nightview view out/demo/city.glb --camera street");
+  sub->footer(describe_input());
   command->render.declare(*sub);
-  sub->add_option("--ev", command->view.ev100,
-                  "Exposure, EV100 (default: metered from the picture again and again)")
-      ->check(exposure_check());
+  viewer::ViewOptions& view_options = command->view;
+  sub->add_option("others", view_options.scenes, "Further scenes, to choose from in the panel");
+  sub->add_option("--ev", command->exposure,
+                  "Exposure, EV100, or 'auto': metered from the picture again and again")
+      ->capture_default_str();
   sub->add_option("--tone", command->tone, "Tone curve: filmic, reinhard or linear")
       ->capture_default_str();
-  sub->add_option("--frames", command->view.max_frames,
+  sub->add_option("--frames", view_options.max_frames,
                   "Frames that are averaged while nothing changes")
       ->capture_default_str()
       ->check(CLI::Range(1u, 1000000u));
-  sub->add_option(
-         "--every", command->view.divisor,
-         "Render every Nth pixel along each side of the window: 1, 2, 4 or 8; 0 chooses by "
-         "the device's speed")
+  sub->add_option("--every", view_options.divisor,
+                  "Render every Nth pixel along each side of the window: 1, 2, 4 or 8; 0: coarse "
+                  "while the view moves, then finer until every pixel is there")
       ->capture_default_str()
       ->check(CLI::IsMember({0, 1, 2, 4, 8}));
-  sub->add_flag("--markers", command->view.markers, "Start with lamp markers drawn");
-  sub->add_flag("--play", command->view.play, "Start with the clock running");
-  sub->add_option("--time-step", command->view.time_step_s,
+  sub->add_option("--font-size", view_options.font_px,
+                  "Height of the window's text in pixels, 8 to 64; 0: as the screen's scale asks "
+                  "for")
+      ->capture_default_str()
+      ->check(number_from(0, 64));
+  sub->add_flag("--markers", view_options.markers, "Start with lamp markers drawn");
+  sub->add_flag("--play", view_options.play, "Start with the clock running");
+  sub->add_option("--time-step", view_options.time_step_s,
                   "Seconds by which the running clock moves on in every frame; 0 = it keeps real "
                   "time, at the speed set in the panel")
       ->capture_default_str()
       ->check(number_from(0, 3600));
-  sub->add_option("--quit-after", command->view.quit_after, "Close after showing this many frames");
-  sub->add_option("--screenshot", command->view.screenshot,
-                  "With --quit-after: write the window's last frame to this PNG, with the panel");
-  sub->add_option("--save-camera", command->view.save_camera,
-                  "Write the last camera to a JSON file");
+  sub->add_option("--quit-after", view_options.quit_after,
+                  "Close after showing this many pictures");
+  declare_pictures(*sub, *command);
   sub->callback([command] { view(*command); });
 }
 

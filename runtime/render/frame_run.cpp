@@ -14,9 +14,13 @@ constexpr std::size_t max_steps = 16;
 
 // A step of unknown cost begins with this share of its parts.
 constexpr std::uint32_t first_share = 64;
-// A slice holds at most so many times the parts of the one before, because what compiles or waits
-// for memory at its first use says little about the next.
+// A slice holds at most so many times the parts of the one before: a few cheap ones say little of
+// the next.
 constexpr std::uint32_t max_growth = 8;
+// Parts of a step differ: sky costs little, a square full of lamps much. The dearest so far counts,
+// and is forgotten by this factor a slice. Most slices are then shorter than asked for, and hardly
+// one longer by more than half.
+constexpr double peak_kept = 0.98, beyond_slice = 1.5;
 
 double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -47,7 +51,9 @@ double FrameRun::cost_of(const FrameStep& step) const {
 std::uint32_t FrameRun::parts_within(const FrameStep& step, double seconds) const {
   const auto last = last_run_.find(step.name);
   if (last == last_run_.end()) return std::max(1u, step.parts / first_share);
-  const double fitting = seconds / std::max(cost_of(step), 1e-9);
+  const double cost_s = cost_of(step);
+  if (cost_s <= 0) return std::min(last->second, step.parts);
+  const double fitting = beyond_slice * seconds / cost_s;
   return std::max(
       1u, static_cast<std::uint32_t>(std::min(fitting, double(max_growth) * double(last->second))));
 }
@@ -63,20 +69,22 @@ void FrameRun::record_parts(VkCommandBuffer commands, double slice_s) {
       const bool known = cost_s > 0;
       if (!submitted_.empty() && (!known || planned_s + cost_s > slice_s)) return;
       count = std::min(count, parts_within(step, slice_s - planned_s));
-      planned_s += known ? cost_s * count : slice_s;
+      planned_s += known ? cost_s * count / beyond_slice : slice_s;
     } else if (submitted_.size() >= max_steps) {
       return;
     }
     step.record(commands, part_, count);
     submitted_.push_back({step_, count});
     part_ += count;
-    if (part_ == step.parts) {
+    const bool whole = part_ == step.parts;
+    if (whole) {
       gpu::full_barrier(commands);
       ++step_;
       part_ = 0;
     }
     timer_.mark(commands, step.name.c_str());
-    if (cut && planned_s >= slice_s) return;
+    // The rest of a step waits for what this part says of its cost.
+    if (cut && (!whole || planned_s >= slice_s)) return;
   }
 }
 
@@ -99,13 +107,19 @@ bool FrameRun::wait(double wait_s) {
 
 void FrameRun::learn(double elapsed_s) {
   busy_s_ += elapsed_s;
-  const std::vector<gpu::Timer::Span> spans = timer_.collect();
+  std::vector<gpu::Timer::Span> spans = timer_.collect();
   const bool timed = spans.size() == submitted_.size();
+  // Mesa's CPU driver may take the first time stamp after the first part has run (seen with a
+  // window), so the host's clock decides where there is one part alone.
+  if (timed && submitted_.size() == 1) spans[0].ms = 1000 * elapsed_s;
   for (std::size_t i = 0; i < submitted_.size(); ++i) {
     const FrameStep& step = steps_[submitted_[i].step];
     // Without timestamps, the parts of a submission share its time evenly.
     const double seconds = timed ? spans[i].ms / 1000 : elapsed_s / double(submitted_.size());
-    cost_s_[step.name] = std::max(seconds, 1e-9) / submitted_[i].count;
+    const double cost_s = std::max(seconds, 1e-9) / submitted_[i].count;
+    // The first run of a step compiles on some devices, and says nothing.
+    if (last_run_.count(step.name) != 0)
+      cost_s_[step.name] = std::max(cost_s, peak_kept * cost_of(step));
     last_run_[step.name] = submitted_[i].count;
   }
   for (const gpu::Timer::Span& span : spans) {

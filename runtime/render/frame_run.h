@@ -66,7 +66,7 @@ class FrameRun {
   std::uint32_t part_ = 0;  // from this part on
   std::vector<Part> submitted_;
   double submitted_at_ = 0;
-  std::map<std::string, double> cost_s_;           // of a part, when the step last ran
+  std::map<std::string, double> cost_s_;           // of the dearest part of late
   std::map<std::string, std::uint32_t> last_run_;  // parts in that submission
   std::vector<gpu::Timer::Span> timings_;
   double busy_s_ = 0;

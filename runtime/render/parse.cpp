@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <sstream>
 
 #include "formats/error.h"
@@ -91,6 +92,21 @@ double parse_time(const std::string& text) {
   if (good && parts.size() == 3) good = read_all(parts[2], seconds) && seconds >= 0 && seconds < 60;
   if (!good) throw UsageError("--time", "expected HH:MM or HH:MM:SS, not '" + text + "'");
   return ((hours + 12) % 24) * 3600.0 + minutes * 60.0 + seconds;
+}
+
+std::string time_text(double time_s) {
+  const long seconds = std::lround(time_s) + 12 * 3600;
+  const auto two = [](long n) { return (n < 10 ? "0" : "") + std::to_string(n); };
+  return two(seconds / 3600 % 24) + ":" + two(seconds / 60 % 60) + ":" + two(seconds % 60);
+}
+
+std::optional<float> parse_exposure(const std::string& text) {
+  if (text == "auto") return std::nullopt;
+  try {
+    return static_cast<float>(parse_number("--ev", text, -20, 40));
+  } catch (const UsageError&) {
+    throw UsageError("--ev", "'" + text + "' is neither auto nor a number from -20 to 40");
+  }
 }
 
 PictureSize parse_size(const std::string& text) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,11 @@ std::vector<std::size_t> parse_counts(const std::string& option, const std::stri
 
 /// Converts "HH:MM" or "HH:MM:SS" (seconds may have a fraction) to seconds since noon.
 double parse_time(const std::string& text);
+/// Returns what parse_time takes, "HH:MM:SS" in whole seconds.
+std::string time_text(double time_s);
+
+/// Converts an exposure in EV100, -20 to 40; "auto" is nothing.
+std::optional<float> parse_exposure(const std::string& text);
 
 struct PictureSize {
   std::uint32_t width = 0, height = 0;  // pixels

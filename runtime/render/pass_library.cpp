@@ -1,8 +1,11 @@
 #include "runtime/render/pass_library.h"
 
 #include <chrono>
+#include <functional>
 #include <span>
+#include <vector>
 
+#include "formats/parallel.h"
 #include "spirv/passes.h"
 
 namespace nightcity::render {
@@ -40,43 +43,65 @@ PassSet PassLibrary::make_set(const PassConstants& constants) {
   const auto make_trace = [&](const TraceShader& shader) {
     return this->make_trace(constants, shader, over_pixels);
   };
+  // Passes are compiled on all cores, the largest first.
   PassSet set;
-  set.primary = make_trace({primary_spirv, primary_query_spirv, primary_pipeline_spirv});
-  set.accumulate = make(accumulate_spirv, over_pixels);
-  set.expose = make(expose_spirv, over_pixels);
-  set.demodulate = make(demodulate_spirv, over_pixels);
-  set.denoise = make(denoise_spirv, over_pixels);
+  std::vector<std::function<void()>> jobs;
+  jobs.push_back([&] {
+    set.primary = make_trace({primary_spirv, primary_query_spirv, primary_pipeline_spirv});
+  });
   if (constants[CONSTANT_TRAFFIC] != 0) {
-    set.vehicle_pose = make(vehicle_pose_spirv, over_a_list);
-    set.vehicle_offsets = make(vehicle_offsets_spirv, over_a_list);
-    set.vehicle_order = make(vehicle_order_spirv, over_a_list);
-    set.vehicle_sort_cells = make(vehicle_sort_cells_spirv, over_a_list);
-    set.vehicle_bvh = make(vehicle_bvh_spirv, over_a_list);
+    jobs.push_back([&] { set.vehicle_pose = make(vehicle_pose_spirv, over_a_list); });
+    jobs.push_back([&] { set.vehicle_offsets = make(vehicle_offsets_spirv, over_a_list); });
+    jobs.push_back([&] { set.vehicle_order = make(vehicle_order_spirv, over_a_list); });
+    jobs.push_back([&] { set.vehicle_sort_cells = make(vehicle_sort_cells_spirv, over_a_list); });
+    jobs.push_back([&] { set.vehicle_bvh = make(vehicle_bvh_spirv, over_a_list); });
   }
   if (constants[CONSTANT_ESTIMATOR] == ESTIMATOR_REFERENCE) {
-    set.reference = make_trace({reference_spirv, reference_query_spirv, reference_pipeline_spirv});
+    jobs.push_back([&] {
+      set.reference =
+          make_trace({reference_spirv, reference_query_spirv, reference_pipeline_spirv});
+    });
     if (constants[CONSTANT_INDIRECT] != INDIRECT_NONE)
-      set.reference_path = make_trace(
-          {reference_path_spirv, reference_path_query_spirv, reference_path_pipeline_spirv});
+      jobs.push_back([&] {
+        set.reference_path = make_trace(
+            {reference_path_spirv, reference_path_query_spirv, reference_path_pipeline_spirv});
+      });
   } else {
-    set.candidates =
-        make_trace({candidates_spirv, candidates_query_spirv, candidates_pipeline_spirv});
-    set.temporal = make_trace({temporal_spirv, temporal_query_spirv, temporal_pipeline_spirv});
+    jobs.push_back([&] {
+      set.candidates =
+          make_trace({candidates_spirv, candidates_query_spirv, candidates_pipeline_spirv});
+    });
+    jobs.push_back([&] {
+      set.temporal = make_trace({temporal_spirv, temporal_query_spirv, temporal_pipeline_spirv});
+    });
     if (gpu::reuse_weights(constants[CONSTANT_ESTIMATOR]) == WEIGHTS_PAIRWISE) {
-      set.pair_targets =
-          make_trace({pair_targets_spirv, pair_targets_query_spirv, pair_targets_pipeline_spirv});
-      set.pair_reuse = make(pair_reuse_spirv, over_pixels);
+      jobs.push_back([&] {
+        set.pair_targets =
+            make_trace({pair_targets_spirv, pair_targets_query_spirv, pair_targets_pipeline_spirv});
+      });
+      jobs.push_back([&] { set.pair_reuse = make(pair_reuse_spirv, over_pixels); });
     } else {
-      set.spatial = make_trace({spatial_spirv, spatial_query_spirv, spatial_pipeline_spirv});
+      jobs.push_back([&] {
+        set.spatial = make_trace({spatial_spirv, spatial_query_spirv, spatial_pipeline_spirv});
+      });
     }
-    set.shade = make_trace({shade_spirv, shade_query_spirv, shade_pipeline_spirv});
+    jobs.push_back([&] {
+      set.shade = make_trace({shade_spirv, shade_query_spirv, shade_pipeline_spirv});
+    });
     if (constants[CONSTANT_INDIRECT] == INDIRECT_CACHE) {
-      set.cache_evict = make(cache_evict_spirv, over_a_list);
-      set.cache_mark = make(cache_mark_spirv, over_pixels);
-      set.cache_update =
-          make_trace({cache_update_spirv, cache_update_query_spirv, cache_update_pipeline_spirv});
+      jobs.push_back([&] { set.cache_evict = make(cache_evict_spirv, over_a_list); });
+      jobs.push_back([&] { set.cache_mark = make(cache_mark_spirv, over_pixels); });
+      jobs.push_back([&] {
+        set.cache_update =
+            make_trace({cache_update_spirv, cache_update_query_spirv, cache_update_pipeline_spirv});
+      });
     }
   }
+  jobs.push_back([&] { set.accumulate = make(accumulate_spirv, over_pixels); });
+  jobs.push_back([&] { set.expose = make(expose_spirv, over_pixels); });
+  jobs.push_back([&] { set.demodulate = make(demodulate_spirv, over_pixels); });
+  jobs.push_back([&] { set.denoise = make(denoise_spirv, over_pixels); });
+  run_parallel(jobs.size(), count_cores(), [&](std::size_t i) { jobs[i](); });
   return set;
 }
 

@@ -470,13 +470,20 @@ measure::Image Renderer::sample_mean(std::size_t pixels) const {
   image.height = static_cast<std::uint32_t>(rows);
   image.rgb.resize(3 * image.pixels());
   const std::size_t row_bytes = picture.size.x * sizeof(gpu::Accumulation);
-  gpu::Buffer sampled(device_, rows * row_bytes, gpu::Memory::host);
-  std::vector<VkBufferCopy> copies;
-  for (std::size_t i = 0; i < rows; ++i)
-    copies.push_back({picture.size.y * i / rows * row_bytes, i * row_bytes, row_bytes});
+  const std::size_t surface_bytes = picture.size.x * sizeof(gpu::Surface);
+  gpu::Buffer sampled(device_, rows * row_bytes, gpu::Memory::host),
+      seen(device_, rows * surface_bytes, gpu::Memory::host);
+  std::vector<VkBufferCopy> copies, surface_copies;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const std::size_t row = picture.size.y * i / rows;
+    copies.push_back({row * row_bytes, i * row_bytes, row_bytes});
+    surface_copies.push_back({row * surface_bytes, i * surface_bytes, surface_bytes});
+  }
   device_.run([&](VkCommandBuffer commands) {
     vkCmdCopyBuffer(commands, picture.accumulation.handle(), sampled.handle(),
                     static_cast<std::uint32_t>(copies.size()), copies.data());
+    vkCmdCopyBuffer(commands, picture.surfaces.handle(), seen.handle(),
+                    static_cast<std::uint32_t>(copies.size()), surface_copies.data());
     gpu::full_barrier(commands);
   });
   const auto* sums = static_cast<const gpu::Accumulation*>(sampled.mapped());
@@ -484,6 +491,11 @@ measure::Image Renderer::sample_mean(std::size_t pixels) const {
     const glm::vec3 mean = mean_of(sums[i]);
     for (int c = 0; c < 3; ++c) image.rgb[3 * i + std::size_t(c)] = mean[c];
   }
+  measure::ImageLayer emitters{"emitter", {"E"}, std::vector<float>(image.pixels())};
+  const auto* surfaces = static_cast<const gpu::Surface*>(seen.mapped());
+  for (std::size_t i = 0; i < image.pixels(); ++i)
+    emitters.values[i] = surfaces[i].depth > 0 && surfaces[i].light != NO_HIT ? 1.0f : 0.0f;
+  image.layers.push_back(std::move(emitters));
   return image;
 }
 

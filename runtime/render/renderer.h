@@ -56,6 +56,10 @@ class Renderer {
   /// Submits about `slice_s` of work, unless work is submitted, and waits for it at most `wait_s`.
   /// Returns whether the frame is complete.
   bool continue_frame(double slice_s, double wait_s);
+  /// Waits at most `wait_s` for the slice that is submitted, and returns whether none is.
+  bool wait(double wait_s) { return run_.wait(wait_s); }
+  /// Returns whether the begun frame needs only a continue_frame() to be shown.
+  bool is_complete() const { return begun_ && run_.is_done(); }
   /// Gives up the frame that has begun, if any.
   void abandon_frame();
   bool has_begun() const { return begun_; }
@@ -98,7 +102,7 @@ class Renderer {
   /// none).
   measure::Image download(bool layers = true) const;
   /// Returns a part of the mean that is enough to meter the exposure: evenly spaced rows, about
-  /// `pixels` in all.
+  /// `pixels` in all, with the layer "emitter": 1 where a luminous surface is seen, else 0.
   measure::Image sample_mean(std::size_t pixels) const;
   /// Returns the surface that the last frame saw in a pixel; its depth is 0 where there is none.
   gpu::Surface surface_at(glm::uvec2 pixel) const;

@@ -1,5 +1,8 @@
 #include "runtime/render/settings.h"
 
+#include <cmath>
+#include <glm/trigonometric.hpp>
+
 #include "formats/error.h"
 
 namespace nightcity::render {
@@ -55,6 +58,15 @@ Estimator find_estimator(const std::string& name) {
     known += (known.empty() ? "" : ", ") + std::string(traits.name);
   }
   throw UsageError("--estimator", "no estimator '" + name + "' (there are " + known + ")");
+}
+
+void set_moon(EnvironmentSettings& environment, double azimuth_deg, double elevation_deg,
+              double lux) {
+  const glm::vec3 colour(1.16f, 0.97f, 0.80f);  // of luminance 1
+  const double a = glm::radians(azimuth_deg), e = glm::radians(elevation_deg);
+  environment.moon_direction =
+      glm::vec3(std::sin(a) * std::cos(e), std::sin(e), -std::cos(a) * std::cos(e));
+  environment.moon_lux = static_cast<float>(lux) * colour;
 }
 
 bool have_same_estimate(const RenderSettings& a, const RenderSettings& b) {

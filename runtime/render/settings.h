@@ -99,6 +99,11 @@ struct EnvironmentSettings {
   bool operator==(const EnvironmentSettings&) const = default;
 };
 
+/// Sets a moon at this place in the sky, azimuth from north over east, that gives a surface facing it
+/// `lux` (full moon: 0.25). Its light is sunlight off the moon, of about 4,100 K.
+void set_moon(EnvironmentSettings& environment, double azimuth_deg, double elevation_deg,
+              double lux);
+
 /// The frames whose mean is the picture.
 struct AveragingSettings {
   bool accumulate = true;  // mean of frames; else every frame stands alone

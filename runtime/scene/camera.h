@@ -23,12 +23,18 @@ struct CameraPose {
 gpu::Camera make_camera(const CameraPose& pose, float aspect);
 
 /// Returns a preset's pose: "overview" (the lit part of the city, from the south-west), "street" (a
-/// pedestrian's view between lamps) or "top" (a map). Any other name is a JSON file {"position":
-/// [x, y, z], "target": [...], "up": [...], "fov_deg": f}. Throws Error.
+/// pedestrian's view along a street) or "top" (a map). Text that begins with a brace is a pose as
+/// to_text() gives it: {"position": [x, y, z], "target": [...], "up": [...], "fov_deg": f}. Any
+/// other name is a file that holds such a text. Throws Error.
 CameraPose find_camera(const std::string& preset_or_file, const RenderScene& scene);
 
 /// Returns the names of the presets.
 const std::vector<std::string>& camera_presets();
+
+/// Returns the pose as one line of text, which find_camera takes and camera files hold.
+std::string to_text(const CameraPose& pose);
+/// Returns the pose that `text` holds. `source` names it in messages. Throws Error where it is none.
+CameraPose parse_camera(const std::string& text, const std::string& source);
 
 void write_camera(const std::filesystem::path& file, const CameraPose& pose);
 

@@ -6,9 +6,10 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "formats/atomic_file.h"
 #include "formats/error.h"
 #include "formats/input_file.h"
-#include "runtime/scene/brute_force.h"
+#include "runtime/scene/trace_ray.h"
 
 namespace nightcity::scene {
 namespace {
@@ -37,39 +38,12 @@ std::vector<CameraPose> orbit(const CameraPose& start) {
 // Returns a path straight ahead: 60 m at most, or four fifths of the way to what blocks the view.
 std::vector<CameraPose> along_the_view(const CameraPose& start, const RenderScene& scene) {
   const glm::dvec3 forward = glm::normalize(glm::dvec3(start.target - start.position));
-  const auto wall = brute_force_hit(scene, glm::dvec3(start.position), forward, 75, MASK_VISIBLE);
-  const double way = std::max(0.0, (wall ? *wall : 75.0) * 0.8);
+  const auto wall = trace_ray(scene, glm::dvec3(start.position), forward, 75, MASK_VISIBLE);
+  const double way = std::max(0.0, (wall ? wall->distance : 75.0) * 0.8);
   std::vector<CameraPose> poses{start, start};
   poses[1].position += glm::vec3(forward * way);
   poses[1].target += glm::vec3(forward * way);
   return poses;
-}
-
-std::vector<CameraPose> from_file(const std::string& path) {
-  refuse_special_file(path);
-  std::ifstream stream(path);
-  if (!stream) throw Error(path, "is neither a path file nor one of orbit, dive, street");
-  try {
-    const auto document = nlohmann::json::parse(stream);
-    std::vector<CameraPose> poses;
-    for (const auto& entry : document.at("poses")) {
-      CameraPose pose;
-      const auto vector = [&](const char* key, glm::vec3& value) {
-        if (!entry.contains(key)) return;
-        const auto numbers = entry.at(key).get<std::array<float, 3>>();
-        value = {numbers[0], numbers[1], numbers[2]};
-      };
-      vector("position", pose.position);
-      vector("target", pose.target);
-      vector("up", pose.up);
-      pose.fov_deg = entry.value("fov_deg", pose.fov_deg);
-      make_camera(pose, 1);  // throws if it is no view
-      poses.push_back(pose);
-    }
-    return poses;
-  } catch (const nlohmann::json::exception& error) {
-    throw Error(path, error.what());
-  }
 }
 
 }  // namespace
@@ -103,7 +77,32 @@ CameraPath find_path(const std::string& preset_or_file, const RenderScene& scene
     return CameraPath({find_camera("overview", scene), find_camera("street", scene)});
   if (preset_or_file == "street")
     return CameraPath(along_the_view(find_camera("street", scene), scene));
-  return CameraPath(from_file(preset_or_file));
+  return CameraPath(read_poses(preset_or_file));
+}
+
+std::vector<CameraPose> read_poses(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  refuse_special_file(file);
+  std::ifstream stream(file);
+  if (!stream) throw Error(name, "is neither a path file nor one of orbit, dive, street");
+  try {
+    const auto document = nlohmann::json::parse(stream);
+    std::vector<CameraPose> poses;
+    for (const auto& entry : document.at("poses"))
+      poses.push_back(parse_camera(entry.dump(), name));
+    return poses;
+  } catch (const nlohmann::json::exception& error) {
+    throw Error(name, error.what());
+  }
+}
+
+void write_poses(const std::filesystem::path& file, const std::vector<CameraPose>& poses) {
+  std::string text = "{\"poses\": [";
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    text += (i > 0 ? ",\n  " : "\n  ") + to_text(poses[i]);
+  AtomicFile out(file);
+  out.write(text + "\n]}\n");
+  out.commit();
 }
 
 const std::vector<std::string>& path_presets() {

@@ -1,6 +1,7 @@
 // A camera's path through a scene: a smooth curve through poses.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,11 @@ class CameraPath {
 /// name). Any other name is a JSON file {"poses": [pose, ...]} with poses as in find_camera's
 /// files. Throws Error.
 CameraPath find_path(const std::string& preset_or_file, const RenderScene& scene);
+
+/// Returns the poses of a JSON file {"poses": [pose, ...]}. Throws Error with the file's name.
+std::vector<CameraPose> read_poses(const std::filesystem::path& file);
+/// Writes such a file. Throws Error.
+void write_poses(const std::filesystem::path& file, const std::vector<CameraPose>& poses);
 
 /// Returns the names of the presets.
 const std::vector<std::string>& path_presets();

@@ -82,6 +82,7 @@ void add_lights(RenderScene& out, SceneLights lights) {
 RenderScene make_render_scene(const Scene& scene, SceneLights lights) {
   RenderScene out;
   out.skipped = scene.skipped;
+  out.georeference = scene.georeference;
   add_materials(out, scene);
   add_lights(out, std::move(lights));
   const MeshSource meshes = meshes_of(scene);
@@ -123,6 +124,13 @@ std::vector<std::string> describe_left_out(const RenderScene& scene) {
   return sentences;
 }
 
+std::string describe_licences(const RenderScene& scene) {
+  std::string text;
+  for (const std::string& licence : scene.georeference.licences)
+    text += (text.empty() ? "" : "; ") + licence;
+  return text;
+}
+
 namespace {
 
 // Returns the lights of the file beside the scene, if there is one.
@@ -130,6 +138,7 @@ SceneLights load_lights(const std::filesystem::path& glb, const Georeference& ge
   SceneLights lights;
   std::filesystem::path beside = glb;
   beside.replace_extension(".lights");
+  if (!std::filesystem::exists(beside)) beside.replace_extension(".LIGHTS");
   if (!std::filesystem::exists(beside)) return lights;
   const LightFile file = LightFile::open(beside);
   file.verify();
@@ -170,6 +179,7 @@ RenderScene load_render_scene(const std::filesystem::path& glb) {
   const Scene scene = file.finish();
   add_materials(out, scene);
   out.skipped = scene.skipped;
+  out.georeference = scene.georeference;
   return out;
 }
 

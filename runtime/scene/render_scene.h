@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "formats/georeference.h"
 #include "formats/light_file.h"
 #include "formats/scene.h"
 #include "runtime/scene/bvh.h"
@@ -54,6 +55,7 @@ struct RenderScene {
   Traffic traffic;
   SkyMap sky_map;
   Box bounds;  // of all static geometry
+  Georeference georeference{};
 
   std::size_t bad_lights = 0;          // switched off: not finite, no flux, or profile out of range
   std::size_t dropped_triangles = 0;   // zero area
@@ -65,6 +67,10 @@ struct RenderScene {
 /// skipped, triangles without area, instances without volume, lights that cannot shine. And warns
 /// of a scene that lies so far from its origin that single precision displaces it.
 std::vector<std::string> describe_left_out(const RenderScene& scene);
+
+/// Returns whose data the scene is made from, under which licences; "" where its files do not say.
+/// formats/SPEC.md, section 1: it is to be shown with any picture.
+std::string describe_licences(const RenderScene& scene);
 
 /// The lights of a scene.
 struct SceneLights {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace nightcity::viewer {
@@ -44,6 +46,22 @@ scene::CameraPose orbited(const scene::CameraPose& pose, float yaw, float pitch)
   return result;
 }
 
+scene::CameraPose orbited(const scene::CameraPose& pose, const glm::vec3& pivot, float yaw,
+                          float pitch) {
+  // The turn of the view, about the pivot instead of the target.
+  const scene::CameraPose about_target = orbited(pose, yaw, pitch);
+  const auto axes = [](const scene::CameraPose& of) {
+    const glm::vec3 forward = glm::normalize(of.target - of.position);
+    const glm::vec3 right = glm::normalize(glm::cross(forward, of.up));
+    return glm::mat3(right, glm::cross(right, forward), forward);
+  };
+  const glm::mat3 turn = axes(about_target) * glm::transpose(axes(pose));
+  scene::CameraPose result = about_target;
+  result.position = pivot + turn * (pose.position - pivot);
+  result.target = pivot + turn * (pose.target - pivot);
+  return result;
+}
+
 scene::CameraPose turned(const scene::CameraPose& pose, float yaw, float pitch) {
   const Heading heading = heading_of(pose);
   const glm::vec3 d = direction_of({heading.azimuth + yaw, heading.elevation + pitch});
@@ -70,6 +88,18 @@ scene::CameraPose dollied(const scene::CameraPose& pose, float factor) {
   const float distance = glm::length(offset);
   scene::CameraPose result = pose;
   result.position = pose.target + offset * (std::clamp(distance * factor, 0.5f, 1e5f) / distance);
+  return result;
+}
+
+scene::CameraPose zoomed(const scene::CameraPose& pose, const glm::vec3& point, float factor) {
+  const glm::vec3 offset = pose.position - point;
+  const float distance = glm::length(offset);
+  if (!(distance > 0)) return pose;
+  const glm::vec3 forward = glm::normalize(pose.target - pose.position);
+  scene::CameraPose result = pose;
+  result.position = point + offset * (std::clamp(distance * factor, 0.2f, 1e5f) / distance);
+  const float depth = std::max(0.1f, glm::dot(point - result.position, forward));
+  result.target = result.position + depth * forward;
   return result;
 }
 

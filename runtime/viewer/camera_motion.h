@@ -16,6 +16,10 @@ constexpr float max_elevation_deg = 89.0f;
 /// counter-clockwise seen from above and by `pitch` upwards, in radians.
 scene::CameraPose orbited(const scene::CameraPose& pose, float yaw, float pitch);
 
+/// The same around another point. Where the camera is to look at it, `pivot` is its target.
+scene::CameraPose orbited(const scene::CameraPose& pose, const glm::vec3& pivot, float yaw,
+                          float pitch);
+
 /// Returns the pose after the camera turned in its place: by `yaw` to the left and by `pitch`
 /// upwards, in radians.
 scene::CameraPose turned(const scene::CameraPose& pose, float yaw, float pitch);
@@ -26,5 +30,10 @@ scene::CameraPose moved(const scene::CameraPose& pose, const glm::vec3& right_up
 /// Returns the pose with the distance from camera to target multiplied by `factor`, within 0.5 m to
 /// 100 km.
 scene::CameraPose dollied(const scene::CameraPose& pose, float factor);
+
+/// Returns the pose with the distance from camera to `point` multiplied by `factor`, within 0.2 m to
+/// 100 km. The view direction and the point's place in the picture stay; the target moves to the
+/// point's depth.
+scene::CameraPose zoomed(const scene::CameraPose& pose, const glm::vec3& point, float factor);
 
 }  // namespace nightcity::viewer

@@ -9,13 +9,17 @@
 namespace nightcity::viewer {
 namespace {
 
+// Latin-1 alone is in Dear ImGui's own font: places and licences have umlauts.
+constexpr ImWchar glyphs[] = {0x20, 0xFF, 0};
+
 void check_result(VkResult result) {
   gpu::check(result, "a call of Dear ImGui's");
 }
 
 }  // namespace
 
-Overlay::Overlay(gpu::Device& device, const Window& window, const Swapchain& swapchain)
+Overlay::Overlay(gpu::Device& device, const Window& window, const Swapchain& swapchain,
+                 float font_px)
     : device_(device) {
   const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1};  // the font
   VkDescriptorPoolCreateInfo pool{};
@@ -27,8 +31,15 @@ Overlay::Overlay(gpu::Device& device, const Window& window, const Swapchain& swa
   VK_CHECK(vkCreateDescriptorPool(device.handle(), &pool, nullptr, &descriptors_));
 
   ImGui::CreateContext();
-  ImGui::GetIO().IniFilename = nullptr;                 // writes no file into the current folder
-  ImGui_ImplGlfw_InitForVulkan(window.handle(), true);  // keeps our callbacks working
+  ImGui::GetIO().IniFilename = nullptr;  // writes no file into the current folder
+  // The queue hands over the events, not the backend: see InputQueue.
+  ImGui_ImplGlfw_InitForVulkan(window.handle(), false);
+  constexpr float standard_px = 13;  // of Dear ImGui's own font
+  ImFontConfig font;
+  font.SizePixels = font_px;
+  font.GlyphRanges = glyphs;
+  ImGui::GetIO().Fonts->AddFontDefault(&font);
+  ImGui::GetStyle().ScaleAllSizes(font_px / standard_px);
   ImGui_ImplVulkan_InitInfo info{};
   info.Instance = device.instance();
   info.PhysicalDevice = device.physical();
@@ -53,9 +64,10 @@ Overlay::~Overlay() {
   vkDestroyDescriptorPool(device_.handle(), descriptors_, nullptr);
 }
 
-void Overlay::begin() {
+void Overlay::begin(InputQueue& queue) {
   ImGui_ImplVulkan_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  queue.feed(ImGui::GetIO());
   ImGui::NewFrame();
 }
 
@@ -65,14 +77,6 @@ void Overlay::end() {
 
 void Overlay::record(VkCommandBuffer commands) {
   ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), commands);
-}
-
-bool Overlay::wants_mouse() const {
-  return ImGui::GetIO().WantCaptureMouse;
-}
-
-bool Overlay::wants_keys() const {
-  return ImGui::GetIO().WantCaptureKeyboard;
 }
 
 }  // namespace nightcity::viewer

@@ -1,5 +1,4 @@
-// Dear ImGui over the picture: its context, its Vulkan objects, and whether it uses mouse and
-// keyboard.
+// Dear ImGui over the picture: its context and its Vulkan objects.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -12,19 +11,18 @@ namespace nightcity::viewer {
 
 class Overlay {
  public:
-  Overlay(gpu::Device& device, const Window& window, const Swapchain& swapchain);
+  /// `font_px`: height of the text in pixels.
+  Overlay(gpu::Device& device, const Window& window, const Swapchain& swapchain, float font_px);
   ~Overlay();
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
 
-  /// ImGui's functions may draw between begin() and end().
-  void begin();
+  /// Hands the panel the next events of `queue`. ImGui's functions may draw between begin() and
+  /// end().
+  void begin(InputQueue& queue);
   void end();
   /// Records the drawing, inside the swapchain's overlay pass.
   void record(VkCommandBuffer commands);
-
-  bool wants_mouse() const;
-  bool wants_keys() const;
 
  private:
   gpu::Device& device_;

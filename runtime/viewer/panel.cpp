@@ -9,126 +9,149 @@
 
 #include "runtime/measure/exposure.h"
 #include "runtime/render/setting_table.h"
+#include "runtime/viewer/metering.h"
+#include "shaders/tonemap.glsl.h"
 
 namespace nightcity::viewer {
 namespace {
 
-// Draws the slider of a setting, greyed where the setting makes no difference. Returns whether it
-// changed.
-bool draw_slider(const render::Setting& setting, render::RenderSettings& settings) {
+// Typed values are bounded as dragged ones are.
+constexpr ImGuiSliderFlags bounded = ImGuiSliderFlags_AlwaysClamp;
+
+// Draws the slider of a setting, greyed where the setting makes no difference.
+void draw_slider(const render::Setting& setting, render::RenderSettings& settings) {
   const render::SettingSlider& slider = *setting.slider;
-  const ImGuiSliderFlags flags =
-      ImGuiSliderFlags_AlwaysClamp | (slider.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
-  bool changed = false;
+  const ImGuiSliderFlags flags = bounded | (slider.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
   ImGui::BeginDisabled(!setting.applies(settings));
   const render::Setting::Value value = setting.value(settings);
   if (const auto count = std::get_if<std::uint32_t*>(&value)) {
     const auto low = std::uint32_t(setting.min), high = std::uint32_t(slider.max);
-    changed = ImGui::SliderScalar(slider.label, ImGuiDataType_U32, *count, &low, &high,
-                                  slider.format, flags);
+    ImGui::SliderScalar(slider.label, ImGuiDataType_U32, *count, &low, &high, slider.format, flags);
   } else if (const auto number = std::get_if<float*>(&value)) {
-    changed = ImGui::SliderFloat(slider.label, *number, float(setting.min), float(slider.max),
-                                 slider.format, flags);
+    ImGui::SliderFloat(slider.label, *number, float(setting.min), float(slider.max), slider.format,
+                       flags);
   }
   ImGui::EndDisabled();
-  return changed;
 }
 
-bool draw_sliders(render::SettingGroup group, render::RenderSettings& settings) {
-  bool changed = false;
+void draw_sliders(render::SettingGroup group, render::RenderSettings& settings) {
   for (const render::Setting& setting : render::list_settings())
-    if (setting.group == group && setting.slider) changed |= draw_slider(setting, settings);
-  return changed;
+    if (setting.group == group && setting.slider) draw_slider(setting, settings);
 }
 
-bool draw_estimators(render::RenderSettings& settings) {
-  bool changed = false;
+void draw_estimators(render::RenderSettings& settings) {
   render::Estimator& current = settings.sampling.estimator;
-  if (ImGui::BeginCombo("estimator", render::name_of(current))) {
-    for (const render::EstimatorTraits& estimator : render::list_estimators()) {
-      const bool chosen = estimator.estimator == current;
-      if (ImGui::Selectable(estimator.name, chosen) && !chosen) {
-        current = estimator.estimator;
-        changed = true;
-      }
-      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", estimator.description);
-    }
-    ImGui::EndCombo();
+  if (!ImGui::BeginCombo("estimator", render::name_of(current))) return;
+  for (const render::EstimatorTraits& estimator : render::list_estimators()) {
+    if (ImGui::Selectable(estimator.name, estimator.estimator == current))
+      current = estimator.estimator;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", estimator.description);
   }
-  return changed;
+  ImGui::EndCombo();
 }
 
-bool draw_sampling(ViewerState& state) {
+void draw_sampling(ViewerState& state) {
   render::RenderSettings& settings = state.settings;
-  bool changed = draw_estimators(settings);
-  changed |= draw_sliders(render::SettingGroup::sampling, settings);
-  changed |= draw_sliders(render::SettingGroup::reuse, settings);
-  changed |= draw_sliders(render::SettingGroup::indirect, settings);
-  changed |= ImGui::Checkbox("accumulate", &state.accumulate);
+  draw_estimators(settings);
+  draw_sliders(render::SettingGroup::sampling, settings);
+  draw_sliders(render::SettingGroup::reuse, settings);
+  draw_sliders(render::SettingGroup::indirect, settings);
+  ImGui::Checkbox("accumulate", &state.accumulate);
   ImGui::SameLine();
-  changed |= ImGui::Checkbox("denoise", &settings.display.denoise);
-  return changed;
+  ImGui::Checkbox("denoise", &settings.display.denoise);
 }
 
-bool draw_exposure(ViewerState& state) {
-  bool changed = ImGui::Checkbox("auto", &state.auto_exposure);
+void draw_exposure(ViewerState& state) {
+  ImGui::Checkbox("auto", &state.auto_exposure);
   ImGui::SameLine();
-  if (ImGui::SliderFloat("EV100", &state.settings.display.ev100, -6, 16, "%.1f")) {
+  if (ImGui::SliderFloat("EV100", &state.settings.display.ev100, min_ev100, max_ev100, "%.1f",
+                         bounded))
     state.auto_exposure = false;
-    changed = true;
-  }
   int tone = static_cast<int>(state.settings.display.tone);
-  if (ImGui::Combo("curve", &tone, "linear\0reinhard\0filmic\0")) {
+  if (ImGui::Combo("curve", &tone, "linear\0reinhard\0filmic\0"))
     state.settings.display.tone = static_cast<std::uint32_t>(tone);
-    changed = true;
-  }
-  return changed;
 }
 
 void draw_camera(ViewerState& state, PanelRequests& requests) {
-  int mode = state.fly;
-  ImGui::RadioButton("orbit", &mode, 0);
-  ImGui::SameLine();
-  ImGui::RadioButton("fly", &mode, 1);
-  state.fly = mode == 1;
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("W A S D, Q and E; Shift is faster");
+  int mode = static_cast<int>(state.camera.motion);
+  const char* names[] = {"orbit", "fly", "walk"};
+  for (int i = 0; i < 3; ++i) {
+    if (i > 0) ImGui::SameLine();
+    ImGui::RadioButton(names[i], &mode, i);
+  }
+  state.camera.motion = static_cast<Motion>(mode);
+  bool first = true;
   for (const std::string& preset : scene::camera_presets()) {
-    ImGui::SameLine();
+    if (!first) ImGui::SameLine();
+    first = false;
     if (ImGui::SmallButton(preset.c_str())) requests.camera_preset = preset;
   }
-  if (state.fly)
-    ImGui::SliderFloat("speed", &state.speed_m_s, 0.5f, 500, "%.1f m/s",
-                       ImGuiSliderFlags_Logarithmic);
+  if (state.camera.motion != Motion::fly) return;
+  ImGui::SliderFloat("speed", &state.camera.speed_m_s, 0.5f, 500, "%.1f m/s",
+                     bounded | ImGuiSliderFlags_Logarithmic);
+  ImGui::Checkbox("faster above 20 m", &state.camera.speed_by_height);
 }
 
-bool draw_resolution(ViewerState& state) {
+void draw_resolution(ViewerState& state) {
   constexpr int divisors[] = {0, 1, 2, 4, 8};
   int index = static_cast<int>(std::find(std::begin(divisors), std::end(divisors), state.divisor) -
                                divisors);
-  if (!ImGui::Combo("pixels", &index, "by speed\0every\0every 2nd\0every 4th\0every 8th\0"))
-    return false;
-  state.divisor = divisors[index];
-  return true;
+  if (ImGui::Combo("pixels", &index, "coarse, then all\0every\0every 2nd\0every 4th\0every 8th\0"))
+    state.divisor = divisors[index];
+}
+
+// Sky and moon. A moon that was not placed stands where it lights most streets: 35 degrees high, in
+// the south.
+void draw_sky(render::EnvironmentSettings& environment) {
+  float sky = environment.sky_cd_m2.x,
+        moon = tonemap::luminance_709(environment.moon_lux.r, environment.moon_lux.g,
+                                      environment.moon_lux.b);
+  if (ImGui::SliderFloat("sky", &sky, 0, 1, "%.4f cd/m2", bounded | ImGuiSliderFlags_Logarithmic))
+    environment.sky_cd_m2 = glm::vec3(sky);
+  if (!ImGui::SliderFloat("moon", &moon, 0, 0.3f, "%.3f lx", bounded)) return;
+  const glm::vec3 direction = environment.moon_direction;
+  render::set_moon(environment, 160, 35, double(moon));
+  if (direction != render::EnvironmentSettings{}.moon_direction)
+    environment.moon_direction = direction;
 }
 
 // The clock runs from 17:00 to 07:00, which is 5 to 19 hours after noon.
-bool draw_night(ViewerState& state) {
-  bool changed = false;
+void draw_night(ViewerState& state) {
   ImGui::BeginDisabled(!state.night_changes);
   int minutes = static_cast<int>(state.settings.time_s / 60);
   const std::string shown = clock_text(state.settings.time_s);
   if (ImGui::SliderInt("clock", &minutes, night_begin_s / 60, night_end_s / 60, shown.c_str(),
-                       ImGuiSliderFlags_AlwaysClamp)) {
+                       bounded))
     state.settings.time_s = minutes * 60.0;
-    changed = true;
-  }
   ImGui::Checkbox("run", &state.play);
   ImGui::SameLine();
   ImGui::SliderFloat("##speed", &state.clock_speed, 1, 3600, "%.0f times",
-                     ImGuiSliderFlags_Logarithmic);
+                     bounded | ImGuiSliderFlags_Logarithmic);
   ImGui::EndDisabled();
-  changed |= draw_sliders(render::SettingGroup::environment, state.settings);
-  return changed;
+  draw_sky(state.settings.environment);
+  draw_sliders(render::SettingGroup::environment, state.settings);
+}
+
+void draw_cities(const FrameStats& stats, PanelRequests& requests) {
+  if (!ImGui::BeginCombo("city", stats.scene.c_str())) return;
+  for (const std::string& city : stats.cities)
+    if (ImGui::Selectable(city.c_str())) requests.open = city;
+  ImGui::EndCombo();
+}
+
+void draw_scene(ViewerState& state, const FrameStats& stats, PanelRequests& requests) {
+  if (stats.cities.size() > 1)
+    draw_cities(stats, requests);
+  else
+    ImGui::Text("%s", stats.scene.c_str());
+  ImGui::Text("%zu triangles, %zu lights", stats.triangles, stats.lights);
+  ImGui::TextDisabled("%s", stats.device.c_str());
+  if (!stats.place.empty()) ImGui::TextUnformatted(stats.place.c_str());
+  if (stats.has_light) return;
+  ImGui::TextWrapped("This scene has no lights: no .lights file lies beside it.");
+  if (!ImGui::SmallButton("light sky and moon")) return;
+  state.settings.environment.sky_cd_m2 = glm::vec3(0.05f);
+  render::set_moon(state.settings.environment, 160, 35, 0.25);
 }
 
 void draw_report(const FrameStats& stats) {
@@ -138,34 +161,48 @@ void draw_report(const FrameStats& stats) {
   for (const gpu::Timer::Span& pass : stats.passes) sum += pass.ms;
   if (stats.passes.empty() || !ImGui::TreeNode("passes", "GPU %.2f ms", sum)) return;
   for (const gpu::Timer::Span& pass : stats.passes)
-    ImGui::Text("%-12s %8.2f ms", pass.name.c_str(), pass.ms);
+    ImGui::Text("%-15s %8.2f ms", pass.name.c_str(), pass.ms);
   ImGui::TreePop();
+}
+
+// Moves the current window so far that all of it can be seen, or its upper left corner where it is
+// larger than the screen.
+void keep_on_screen() {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize, size = ImGui::GetWindowSize(),
+               at = ImGui::GetWindowPos();
+  const ImVec2 kept{std::max(0.0f, std::min(at.x, screen.x - size.x)),
+                    std::max(0.0f, std::min(at.y, screen.y - size.y))};
+  if (kept.x != at.x || kept.y != at.y) ImGui::SetWindowPos(kept);
 }
 
 }  // namespace
 
 PanelRequests draw_panel(ViewerState& state, const FrameStats& stats) {
   PanelRequests requests;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float em = ImGui::GetFontSize(), caption = 2 * em;
   ImGui::SetNextWindowPos({10, 10}, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowSize({320, 0}, ImGuiCond_FirstUseEver);
+  // As wide as it needs, and no higher than leaves the caption free: then it scrolls.
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {1e6f, std::max(4 * em, screen.y - caption - 10)});
   if (ImGui::Begin("nightview", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
-    ImGui::Text("%s", stats.scene.c_str());
-    ImGui::Text("%zu triangles, %zu lights", stats.triangles, stats.lights);
-    ImGui::TextDisabled("%s", stats.device.c_str());
+    ImGui::PushItemWidth(16 * em);
+    draw_scene(state, stats, requests);
     draw_report(stats);
     ImGui::Separator();
-    requests.restart |= draw_sampling(state);
+    draw_sampling(state);
     ImGui::Separator();
-    requests.restart |= draw_exposure(state);
+    draw_exposure(state);
     ImGui::Separator();
-    requests.restart |= draw_night(state);
+    draw_night(state);
     ImGui::Separator();
     draw_camera(state, requests);
-    requests.restart |= draw_resolution(state);
+    draw_resolution(state);
     ImGui::Checkbox("lamp markers", &state.markers);
     ImGui::SameLine();
     requests.save = ImGui::Button("save picture");
+    ImGui::PopItemWidth();
   }
+  keep_on_screen();
   ImGui::End();
   return requests;
 }

@@ -104,7 +104,10 @@ void Swapchain::release_images() {
 }
 
 void Swapchain::resize(glm::uvec2 size) {
-  VK_CHECK(vkDeviceWaitIdle(device_.handle()));
+  {
+    const std::lock_guard lock(device_.queue_mutex());
+    VK_CHECK(vkDeviceWaitIdle(device_.handle()));
+  }
   VkSurfaceCapabilitiesKHR able{};
   VK_CHECK(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), surface_, &able));
   if ((able.supportedUsageFlags & usage) != usage)
@@ -184,7 +187,6 @@ bool Swapchain::present(VkCommandBuffer commands) {
   submit.pCommandBuffers = &commands;
   submit.signalSemaphoreCount = 1;
   submit.pSignalSemaphores = &drawn_[current_];
-  VK_CHECK(vkQueueSubmit(device_.queue(), 1, &submit, finished_));
   VkPresentInfoKHR info{};
   info.sType = VK_STRUCTURE_TYPE_PRESENT_INFO_KHR;
   info.waitSemaphoreCount = 1;
@@ -192,7 +194,11 @@ bool Swapchain::present(VkCommandBuffer commands) {
   info.swapchainCount = 1;
   info.pSwapchains = &swapchain_;
   info.pImageIndices = &current_;
-  const VkResult result = vkQueuePresentKHR(device_.queue(), &info);
+  const VkResult result = [&] {
+    const std::lock_guard lock(device_.queue_mutex());
+    VK_CHECK(vkQueueSubmit(device_.queue(), 1, &submit, finished_));
+    return vkQueuePresentKHR(device_.queue(), &info);
+  }();
   VK_CHECK(vkWaitForFences(device_.handle(), 1, &finished_, VK_TRUE, UINT64_MAX));
   VK_CHECK(vkResetFences(device_.handle(), 1, &finished_));
   if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR) return false;

@@ -1,45 +1,40 @@
 #include "runtime/viewer/viewer.h"
 
-#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <filesystem>
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 #include <memory>
+#include <utility>
 
 #include "formats/error.h"
-#include "formats/rgb9e5.h"
-#include "runtime/measure/exposure.h"
-#include "runtime/measure/exr.h"
+#include "formats/program/progress_display.h"
 #include "runtime/measure/png.h"
-#include "runtime/render/renderer.h"
-#include "runtime/scene/markers.h"
-#include "runtime/viewer/camera_motion.h"
+#include "runtime/render/parse.h"
+#include "runtime/viewer/closing_signals.h"
+#include "runtime/viewer/drawing.h"
+#include "runtime/viewer/hands.h"
+#include "runtime/viewer/live_picture.h"
 #include "runtime/viewer/overlay.h"
-#include "runtime/viewer/panel.h"
+#include "runtime/viewer/picture_names.h"
 #include "runtime/viewer/screen.h"
+#include "runtime/viewer/session.h"
 #include "runtime/viewer/swapchain.h"
 #include "runtime/viewer/window.h"
 
 namespace nightcity::viewer {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_between(Clock::time_point from, Clock::time_point to) {
-  return std::chrono::duration<double>(to - from).count();
-}
-
-bool is_power_of_four(std::uint32_t n) {
-  while (n > 1 && n % 4 == 0) n /= 4;
-  return n == 1;
-}
+// The longest that the loop waits for the device before it looks at the input again.
+constexpr double wait_s = 0.004;
+// How long the panel waits for a slice of the device before it is drawn without being shown.
+constexpr double alive_s = 0.05;
+// How often what goes on is written anew.
+constexpr double report_s = 0.25;
+// How often a sleeping window looks for a signal.
+constexpr double sleep_s = 0.1;
 
 gpu::Device::Options for_window(gpu::Device::Options options, const Window& window) {
   options.instance_extensions = window.instance_extensions();
@@ -47,280 +42,398 @@ gpu::Device::Options for_window(gpu::Device::Options options, const Window& wind
   return options;
 }
 
+float font_of(const ViewOptions& options, const Window& window) {
+  constexpr float standard_px = 13;
+  return options.font_px > 0 ? options.font_px : standard_px * window.content_scale();
+}
+
+std::string name_of(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
 class Viewer {
  public:
-  Viewer(scene::RenderScene scene, const ViewOptions& options)
+  explicit Viewer(const ViewOptions& options)
       : options_(options),
-        scene_(std::move(scene)),
+        opening_(open(options.scenes.front())),
         window_(options.width, options.height, "nightview"),
         device_(for_window(options.device, window_)),
         swapchain_(device_, window_.create_surface(device_.instance())),
-        device_scene_(device_, scene_),
         passes_(device_),
-        screen_(device_) {
-    state_.settings = options.settings;
-    state_.pose = scene::find_camera(options.camera, scene_);
-    state_.markers = options.markers;
-    state_.divisor = options.divisor;
-    state_.auto_exposure = !options.ev100;
-    if (options.ev100) state_.settings.display.ev100 = *options.ev100;
-    stats_.scene = std::filesystem::path(options.scene).filename().string();
+        screen_(device_),
+        black_(device_, 4) {
+    opening_->set_device(device_);
+    black_.fill_zero();
+    ViewerState& state = session_.state;
+    state.settings = options.settings;
+    state.markers = options.markers;
+    state.divisor = options.divisor;
+    state.auto_exposure = !options.ev100;
+    if (options.ev100) state.settings.display.ev100 = *options.ev100;
+    state.play = options.play;
     stats_.device = device_.label();
-    stats_.triangles = scene_.triangles.size();
-    stats_.lights = scene_.lights.size();
-    state_.night_changes = !scene_.traffic.trips.empty() || !scene_.schedules.empty();
-    state_.play = options.play;
-    // Lights are switched in the background, so that the clock never blocks the window; the first
-    // frame has its lights already.
-    device_scene_.set_time(options.settings.time_s);
-    device_scene_.switch_when_ready();
+    stats_.cities = options.scenes;
     swapchain_.resize(window_.size());
-    overlay_ = std::make_unique<Overlay>(device_, window_, swapchain_);
+    overlay_ = std::make_unique<Overlay>(device_, window_, swapchain_, font_of(options, window_));
   }
 
   ViewReport run() {
-    while (!window_.closing() && (options_.quit_after == 0 || shown_ < options_.quit_after)) step();
-    if (!options_.save_camera.empty()) scene::write_camera(options_.save_camera, state_.pose);
+    const ClosingSignals signals;
+    while (!window_.closing() && !ClosingSignals::came() &&
+           (options_.quit_after == 0 || shown_ < options_.quit_after))
+      step();
+    window_.hide();
+    if (picture_) picture_->stop();
+    if (!options_.save_camera.empty())
+      scene::write_camera(options_.save_camera, session_.state.camera.pose);
     device_.check_validation();
-    return {shown_, stats_.frames, render::name_of(state_.settings.sampling.estimator)};
+    return {shown_, stats_.frames, render::name_of(session_.state.settings.sampling.estimator)};
   }
 
  private:
-  void step() {
-    const auto start = Clock::now();
-    // With nothing to render, sleep until there is input, but keep the panel alive.
-    const bool idle =
-        !restart_ && stats_.frames >= options_.max_frames && !device_scene_.switching();
-    const InputState input = window_.poll(idle ? 0.05 : 0.0);
-    handle_keys(input);
-    const double elapsed_s = std::min(seconds_between(last_step_, start), 0.25);
-    move_camera(input, elapsed_s);
-    run_clock(elapsed_s);
-    last_step_ = start;
+  std::unique_ptr<Opening> open(const std::string& path) {
+    return std::make_unique<Opening>(path, options_.camera, options_.settings.time_s,
+                                     options_.load);
+  }
 
-    const glm::uvec2 size = window_.size();
-    if (size.x == 0 || size.y == 0) {  // minimised
-      window_.poll(0.1);
+  void step() {
+    const bool pictured = work();
+    window_.poll(find_sleep_s());
+    now_s_ = Window::now_s();
+    if (window_.is_minimised()) {
+      minimised_ = true;
+      last_step_s_ = now_s_;
       return;
     }
+    finish_opening();
+    for (const std::string& path : window_.take_dropped()) drop(path);
+    const double elapsed_s = now_s_ - last_step_s_;
+    last_step_s_ = now_s_;
+    if (job_ == nullptr)  // lights have one time, which is that of the picture being saved
+      session_.run_clock(options_.time_step_s > 0 && !pictured ? 0 : elapsed_s,
+                         pictured ? options_.time_step_s : 0, now_s_);
+    // After news the panel is drawn a few times more: it settles within two frames.
+    if (window_.queue().held().any()) redraws_ = std::max(redraws_, 1);
+    if (window_.take_news() || outdated_ || minimised_) redraws_ = 3;
+    minimised_ = false;
+    const bool reports = (works() || opening_) && now_s_ - reported_s_ > report_s;
+    if (!pictured && redraws_ == 0 && !reports && !session_.notices.expire(now_s_) &&
+        window_.queue().empty() && !adapt_exposure(elapsed_s))
+      return;
+    if (pictured) adapt_exposure(elapsed_s);
+    new_picture_ |= pictured;
+    draw();
+  }
+
+  bool is_busy() const { return (picture_ && picture_->is_busy()) || (job_ && job_->is_busy()); }
+
+  bool works() const { return job_ || (picture_ && !picture_->rests(view(), now_s_)); }
+
+  double find_sleep_s() const {
+    if (window_.is_minimised()) return sleep_s;
+    if (picture_ && picture_->compiles()) return 0.01;
+    if (works() || !window_.queue().empty() || redraws_ > 0 || new_picture_) return 0;
+    if (opening_) return 0.02;
+    return sleep_s;
+  }
+
+  View view() const {
+    const ViewerState& state = session_.state;
+    View view{state.camera.pose, state.settings, glm::max(window_.size(), glm::uvec2(1))};
+    view.settings.averaging.accumulate = state.accumulate;
+    view.divisor = static_cast<std::uint32_t>(state.divisor);
+    view.max_frames = options_.max_frames;
+    view.runs = session_.clock_runs() && !job_;
+    view.switches = city_ && city_->on_device->switching();
+    return view;
+  }
+
+  // Works a slice at a picture. Returns whether the window has a new one to show.
+  bool work() {
+    if (!city_ || window_.is_minimised()) return false;
+    // What is to be shown goes before the next slice.
+    if (redraws_ > 0 || new_picture_ || !window_.queue().empty()) {
+      if (picture_->is_busy() && !picture_->wait(wait_s)) return false;
+      if (job_ && job_->is_busy() && !job_->wait(wait_s)) return false;
+      if (!std::exchange(drawn_, false)) return false;
+    }
+    // A picture that is saved waits while the view moves, until the window shows where it went.
+    const bool job_next = now_s_ - moved_s_ > Refinement::rest_s && picture_->shows(view());
+    if (job_ && !picture_->is_busy() && (job_->is_busy() || job_next)) {
+      picture_->stop();  // the vehicles of the scene stand where the job has them
+      if (job_->work(wait_s)) finish_job();
+      return false;
+    }
+    if (!picture_->work(view(), now_s_, wait_s)) return false;
+    const render::Renderer& renderer = picture_->renderer();
+    stats_.width = renderer.width();
+    stats_.height = renderer.height();
+    stats_.divisor = picture_->shown().divisor;
+    stats_.frames = renderer.frames();
+    stats_.passes = renderer.timings();
+    stats_.frame_ms = 1000 * renderer.frame_s();
+    if (session_.state.auto_exposure) metering_.set_target(picture_->meter());
+    return true;
+  }
+
+  // Returns whether the exposure of the picture on the screen changed.
+  bool adapt_exposure(double elapsed_s) {
+    if (!picture_ || picture_->is_busy() || !picture_->has_picture()) return false;
+    ViewerState& state = session_.state;
+    if (state.auto_exposure && !was_auto_) {
+      metering_.restart();
+      metering_.set_target(picture_->meter());
+    }
+    was_auto_ = state.auto_exposure;
+    const float before = state.settings.display.ev100;
+    if (state.auto_exposure) state.settings.display.ev100 = metering_.update(before, elapsed_s);
+    picture_->expose(state.settings.display);
+    return state.settings.display.ev100 != before;
+  }
+
+  void finish_opening() {
+    if (!opening_ || !opening_->is_done() || (picture_ && picture_->is_busy())) return;
+    const std::unique_ptr<Opening> done = std::move(opening_);
+    std::unique_ptr<City> city;
+    try {
+      city = done->take();
+    } catch (const std::exception& error) {
+      if (!city_) throw;  // there is nothing else to show
+      session_.notices.say(error.what(), now_s_, true);
+      return;
+    }
+    job_.reset();
+    picture_.reset();  // before the scene that it renders
+    city_ = std::move(city);
+    picture_ = std::make_unique<LivePicture>(device_, passes_, *city_->on_device, window_.size());
+    const scene::RenderScene& scene = city_->scene;
+    std::filesystem::path bookmarks = city_->path;
+    session_.open(city_->pose, bookmarks.replace_extension(".cameras.json"), now_s_);
+    session_.state.night_changes = !scene.traffic.trips.empty() || !scene.schedules.empty();
+    stats_.scene = name_of(city_->path);
+    stats_.triangles = city_->triangles;
+    stats_.lights = scene.lights.size();
+    stats_.has_light = !scene.lights.empty() || !scene.traffic.trips.empty();
+    stats_.licences = scene.georeference.licences;
+    if (!stats_.has_light)
+      session_.notices.say(
+          "no lights: no .lights file lies beside this scene. The panel offers "
+          "sky and moon.",
+          now_s_, true);
+    metering_.restart();
+    redraws_ = 3;
+  }
+
+  void drop(const std::string& path) {
+    if (opening_) return;
+    if (std::find(stats_.cities.begin(), stats_.cities.end(), path) == stats_.cities.end())
+      stats_.cities.push_back(path);
+    opening_ = open(path);
+    opening_->set_device(device_);
+  }
+
+  // Draws the panel as often as it takes to hand it all events, and shows the last state.
+  void draw() {
+    const glm::uvec2 size = window_.size();
+    if (size.x == 0 || size.y == 0) return;
+    // Showing waits for the device, and so would every event after. A slice that takes long (shaders
+    // are being compiled) leaves the panel alive.
+    const bool busy = is_busy();
+    if (busy && now_s_ - reported_s_ < alive_s) {
+      redraws_ = std::max(redraws_, 1);
+      return;
+    }
+    reported_s_ = now_s_;
+    constexpr int most = 100;  // events that are handled before something is shown
+    for (int i = 0; i < most; ++i) {
+      draw_panel_once();
+      if (window_.queue().empty() || window_.closing()) break;
+    }
+    if (busy) {
+      redraws_ = std::max(redraws_, 1);
+      return;
+    }
+    redraws_ = std::max(0, redraws_ - 1);
+    drawn_ = true;
     if (size != swapchain_.size() || outdated_) swapchain_.resize(size);
     outdated_ = false;
-    if (!idle || restart_) render();
+    if (picture_) picture_->expose(session_.state.settings.display);
     show();
-    stats_.frame_ms = 1000 * seconds_between(start, Clock::now());
   }
 
-  void handle_keys(const InputState& input) {
-    if (overlay_->wants_keys()) return;
-    for (const int key : input.pressed) {
-      const auto& names = render::list_estimators();
-      const auto number = static_cast<std::size_t>(key - GLFW_KEY_1);
-      if (key >= GLFW_KEY_1 && number < names.size()) {
-        state_.settings.sampling.estimator = names[number].estimator;
-        restart_ = true;
-      }
-      if (key == GLFW_KEY_M) state_.markers = !state_.markers;
-      if (key == GLFW_KEY_F) state_.fly = !state_.fly;
-      if (key == GLFW_KEY_P) save_picture();
-      if (key == GLFW_KEY_SPACE) state_.play = !state_.play;
-      if (key == GLFW_KEY_TAB) state_.show_panel = !state_.show_panel;
-      if (key == GLFW_KEY_ESCAPE) glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
-    }
-  }
-
-  void move_camera(const InputState& input, double seconds) {
-    const scene::CameraPose before = state_.pose;
-    scene::CameraPose& pose = state_.pose;
-    if (!overlay_->wants_mouse()) {
-      constexpr float radians_per_pixel = 0.005f;
-      const glm::vec2 angle = input.drag * radians_per_pixel;
-      if (angle != glm::vec2(0))
-        pose = state_.fly ? turned(pose, angle.x, angle.y) : orbited(pose, -angle.x, angle.y);
-      // Metres per pixel at the target's distance: the point under the cursor follows it.
-      const float height_m =
-          2 * std::tan(glm::radians(pose.fov_deg) / 2) * glm::distance(pose.position, pose.target);
-      const float metres = height_m / static_cast<float>(std::max(1u, window_.size().y));
-      if (input.pan != glm::vec2(0))
-        pose = moved(pose, {-input.pan.x * metres, input.pan.y * metres, 0});
-      if (input.scroll != 0) {
-        if (state_.fly) {
-          state_.speed_m_s =
-              std::clamp(state_.speed_m_s * std::pow(1.2f, input.scroll), 0.5f, 500.0f);
-        } else {
-          pose = dollied(pose, std::pow(0.9f, input.scroll));
-        }
-      }
-    }
-    if (!overlay_->wants_keys() && input.fly != glm::vec3(0)) {
-      const float metres =
-          state_.speed_m_s * (input.fast ? 5.0f : 1.0f) * static_cast<float>(seconds);
-      pose = moved(pose, metres * glm::normalize(input.fly));
-    }
-    restart_ |= pose.position != before.position || pose.target != before.target;
-  }
-
-  void run_clock(double elapsed_s) {
-    if (!state_.play || !state_.night_changes) return;
-    double& time_s = state_.settings.time_s;
-    time_s +=
-        options_.time_step_s > 0 ? options_.time_step_s : elapsed_s * double(state_.clock_speed);
-    if (time_s > night_end_s || time_s < night_begin_s) time_s = night_begin_s;
-    restart_ = true;
-  }
-
-  void render() {
-    const auto divisor =
-        static_cast<std::uint32_t>(state_.divisor > 0 ? state_.divisor : auto_divisor_);
-    const glm::uvec2 size = glm::max(swapchain_.size() / divisor, glm::uvec2(1));
-    if (!renderer_ || renderer_->width() != size.x || renderer_->height() != size.y) {
-      renderer_.reset();  // frees its memory before the new one allocates
-      renderer_ =
-          std::make_unique<render::Renderer>(device_, passes_, device_scene_, size.x, size.y);
-    }
-    state_.settings.averaging.accumulate = state_.accumulate;
-    // While the clock runs, the picture is the mean of the last few frames and follows motion.
-    constexpr std::uint32_t frames_in_motion = 8;
-    state_.settings.averaging.window = state_.play && state_.night_changes ? frames_in_motion : 0;
-    restart_ = false;
-    const auto start = Clock::now();
-    renderer_->render_frame(state_.pose, state_.settings);
-    if (state_.divisor == 0) adapt(seconds_between(start, Clock::now()));
-    stats_.width = size.x;
-    stats_.height = size.y;
-    stats_.frames = renderer_->frames();
-    stats_.passes = renderer_->timings();
-    meter();
-  }
-
-  // Chooses the most pixels that still respond to input at once: a CPU driver may take seconds for
-  // all of them. A step changes the number of pixels by four, so the two limits are more than a
-  // factor of four apart.
-  void adapt(double seconds) {
-    if (shown_ == 0) return;  // the first frame compiles shaders
-    if (seconds < 0.06 && auto_divisor_ > 1) {
-      auto_divisor_ /= 2;
-    } else if (seconds > 0.4 && auto_divisor_ < 8) {
-      auto_divisor_ *= 2;
+  void draw_panel_once() {
+    describe_work();
+    overlay_->begin(window_.queue());
+    const glm::vec2 size(window_.size());
+    ViewerState& state = session_.state;
+    PanelRequests requests;
+    if (city_) {
+      handle_input(size);
+      if (state.show_panel) requests = draw_panel(state, stats_);
+      if (state.markers) draw_markers(city_->scene, state.camera.pose, size);
+      draw_lines(state, stats_, session_.notices, size);
+      window_.set_title(fmt::format("{} - {} - nightview", stats_.scene, caption(state, stats_)));
     } else {
+      handle_early_input();
+      draw_middle(
+          fmt::format("opening {}: {}",
+                      name_of(opening_ ? opening_->path() : options_.scenes.front()), stats_.work),
+          size);
+    }
+    draw_help(state.show_help, size);
+    overlay_->end();
+    if (!requests.camera_preset.empty()) go_to_preset(requests.camera_preset);
+    if (requests.save) save();
+    if (!requests.open.empty()) drop(requests.open);
+  }
+
+  void describe_work() {
+    stats_.work.clear();
+    if (opening_) {
+      stats_.work = fmt::format("{}, {:.0f} s", opening_->stage(), opening_->elapsed_s());
+      if (city_) stats_.work = "opening " + name_of(opening_->path()) + ": " + stats_.work;
+    } else if (job_) {
+      stats_.work = job_->progress();
+    } else if (picture_ && picture_->compiles()) {
+      stats_.work = "compiling shaders";
+    } else if (picture_ && !picture_->is_fine() && picture_->share_done() > 0) {
+      const std::uint32_t divisor = picture_->plan().divisor;
+      stats_.work = fmt::format(
+          "refining, {:.0f} % of {}", 100 * picture_->share_done(),
+          divisor == 1 ? "every pixel" : fmt::format("one pixel in {}", divisor * divisor));
+    }
+  }
+
+  // While the first scene loads, there is nothing to move through.
+  void handle_early_input() {
+    for (const int key : window_.queue().pressed())
+      if (const auto press = find_action(key, window_.queue().modifiers());
+          press && press->action == Action::close)
+        window_.close();
+      else if (press && press->action == Action::help)
+        session_.state.show_help = !session_.state.show_help;
+  }
+
+  void handle_input(const glm::vec2& size) {
+    InputQueue& queue = window_.queue();
+    for (const int key : queue.pressed()) {
+      const auto press = find_action(key, queue.modifiers());
+      if (!press) continue;
+      if (press->action == Action::close && close_innermost()) continue;
+      obey(session_.press(*press, city_->scene, job_ != nullptr, now_s_));
+    }
+    const Hands hands =
+        read_hands(ImGui::GetIO(), queue.held(), queue.handed_until(Window::now_s()));
+    const scene::CameraPose before = session_.state.camera.pose;
+    session_.move(hands, city_->scene, size, now_s_);
+    if (before.position != session_.state.camera.pose.position ||
+        before.target != session_.state.camera.pose.target)
+      moved_s_ = now_s_;
+  }
+
+  void obey(const WindowRequests& requests) {
+    if (requests.close) window_.close();
+    if (requests.cancel_picture) {
+      job_.reset();
+      session_.notices.say("the picture is not saved", now_s_);
+    }
+    if (requests.save_picture) save();
+    if (requests.fullscreen) window_.toggle_fullscreen();
+    if (requests.copy_camera) {
+      window_.set_clipboard(scene::to_text(session_.state.camera.pose));
+      session_.notices.say("camera copied", now_s_);
+    }
+    if (requests.paste_camera) session_.paste_camera(window_.clipboard(), now_s_);
+    if (requests.larger_text != 0) {
+      float& scale = ImGui::GetIO().FontGlobalScale;
+      scale = std::clamp(scale + 0.25f * float(requests.larger_text), 0.5f, 4.0f);
+    }
+  }
+
+  void go_to_preset(const std::string& preset) {
+    session_.go_to(scene::find_camera(preset, city_->scene), now_s_);
+  }
+
+  // Saves what is on the screen where that has the quality asked for; else renders it first.
+  void save() {
+    if (job_ || !picture_) {
+      session_.notices.say("a picture is being saved already", now_s_);
       return;
     }
-    restart_ = true;
+    picture_->stop();  // the job switches the scene's lights to its own time
+    job_ =
+        std::make_unique<PictureJob>(device_, passes_, *city_->on_device, view(), options_.picture);
   }
 
-  // The mean improves over time, so it is metered now and then, but not at every step of a moving
-  // camera.
-  void meter() {
-    const auto now = Clock::now();
-    if (!state_.auto_exposure || !is_power_of_four(stats_.frames)) return;
-    if (metered_ && seconds_between(*metered_, now) < 0.25) return;
-    metered_ = now;
-    state_.settings.display.ev100 = measure::auto_exposure_ev100(renderer_->download(false));
-    restart_ = true;  // shows the picture with the new exposure even when the mean is full
+  void finish_job() {
+    const std::unique_ptr<PictureJob> job = std::move(job_);
+    try {
+      measure::Image image = job->download();
+      image.info.licences = scene::describe_licences(city_->scene);
+      image.info.camera = scene::to_text(job->pose());
+      image.info.time = render::time_text(job->settings().time_s);
+      const std::string sentence = save_picture(find_picture_folder(options_.picture_folder), image,
+                                                session_.state.settings.display);
+      session_.notices.say(sentence, now_s_);
+      spdlog::info("{}", sentence);
+    } catch (const std::exception& error) {  // a full disk is no reason to close the window
+      session_.notices.say(fmt::format("the picture is not saved: {}", error.what()), now_s_, true);
+      spdlog::error("{}", error.what());
+    }
+    redraws_ = 3;
   }
 
   void show() {
-    overlay_->begin();
-    PanelRequests requests;
-    if (state_.show_panel) requests = draw_panel(state_, stats_);
-    if (state_.markers) draw_markers();
-    draw_caption();
-    overlay_->end();
-
-    restart_ |= requests.restart;
-    if (!requests.camera_preset.empty()) {
-      state_.pose = scene::find_camera(requests.camera_preset, scene_);
-      restart_ = true;
-    }
-    if (requests.save) save_picture();
-
     if (!swapchain_.acquire()) {
       outdated_ = true;
       return;
     }
-    ++shown_;
+    const bool shows_picture = picture_ && picture_->has_picture();
+    shown_ += shows_picture && new_picture_;
     const bool last = options_.quit_after != 0 && shown_ == options_.quit_after;
     measure::Image8 grabbed;
     measure::Image8* grab = last && !options_.screenshot.empty() ? &grabbed : nullptr;
-    outdated_ = !screen_.show(
-        swapchain_, renderer_->display(), {renderer_->width(), renderer_->height()},
-        [this](VkCommandBuffer commands) { overlay_->record(commands); }, grab);
+    const auto overlay = [this](VkCommandBuffer commands) { overlay_->record(commands); };
+    outdated_ = shows_picture
+                    ? !screen_.show(swapchain_, picture_->renderer().display(),
+                                    {picture_->renderer().width(), picture_->renderer().height()},
+                                    overlay, grab)
+                    : !screen_.show(swapchain_, black_, {1, 1}, overlay);
+    new_picture_ = false;
     if (grab)
       measure::write_png(options_.screenshot, grabbed,
-                         measure::png_text(renderer_->download(false).info));
-  }
-
-  void draw_markers() {
-    // More would cover the picture, and ImGui's indices end at 65,535 vertices per list.
-    constexpr std::size_t max_markers = 20000;
-    const glm::vec2 size(swapchain_.size());
-    const gpu::Camera camera = scene::make_camera(state_.pose, size.x / size.y);
-    ImDrawList* list = ImGui::GetBackgroundDrawList();
-    for (const scene::Marker& marker : scene::find_markers(camera, scene_.lights, max_markers)) {
-      const glm::vec3 colour = decode_rgb9e5(scene_.lights[marker.light].colour_rgb9e5);
-      const float brightest = std::max({colour.r, colour.g, colour.b, 1e-6f});
-      const ImU32 packed = ImGui::ColorConvertFloat4ToU32(
-          {colour.r / brightest, colour.g / brightest, colour.b / brightest, 0.9f});
-      const ImVec2 at{marker.at.x * size.x, marker.at.y * size.y};
-      const float radius = std::clamp(200.0f / marker.distance, 2.0f, 12.0f);
-      list->AddCircle(at, radius, packed, 8, 1.5f);
-    }
-  }
-
-  void draw_caption() {
-    const std::string text = caption(state_, stats_);
-    ImDrawList* list = ImGui::GetForegroundDrawList();
-    const ImVec2 at{12, static_cast<float>(swapchain_.size().y) - 24};
-    list->AddText({at.x + 1, at.y + 1}, IM_COL32(0, 0, 0, 255), text.c_str());
-    list->AddText(at, IM_COL32(255, 255, 255, 255), text.c_str());
-    window_.set_title(fmt::format("{} - {} - nightview", stats_.scene, text));
-  }
-
-  // Writes night-NNN.png and .exr in the current folder, under the first free number.
-  void save_picture() {
-    if (!renderer_) return;
-    std::string stem;
-    for (int i = 1; stem.empty(); ++i) {
-      const std::string name = fmt::format("night-{:03}", i);
-      if (!std::filesystem::exists(name + ".png") && !std::filesystem::exists(name + ".exr"))
-        stem = name;
-    }
-    const measure::Image image = renderer_->download();
-    try {
-      measure::write_exr(stem + ".exr", image);
-      measure::write_png(
-          stem + ".png",
-          measure::to_display(image, state_.settings.display.ev100, state_.settings.display.tone),
-          measure::png_text(image.info));
-      spdlog::info("{0}.png and {0}.exr: {1}", stem, caption(state_, stats_));
-    } catch (const Error& error) {
-      spdlog::error("{}", error.what());  // a full disk is no reason to close the window
-    }
+                         measure::png_text(picture_->renderer().download(false).info));
   }
 
   ViewOptions options_;
-  scene::RenderScene scene_;
+  std::unique_ptr<Opening> opening_;  // reads while window and device are made
   Window window_;
   gpu::Device device_;
   Swapchain swapchain_;
-  render::DeviceScene device_scene_;
   render::PassLibrary passes_;
   Screen screen_;
+  gpu::Buffer black_;  // a picture of one pixel, shown before the first
   std::unique_ptr<Overlay> overlay_;
-  std::unique_ptr<render::Renderer> renderer_;
-  ViewerState state_;
+  std::unique_ptr<City> city_;
+  std::unique_ptr<LivePicture> picture_;  // of city_
+  std::unique_ptr<PictureJob> job_;
+  Session session_;
+  Metering metering_;
   FrameStats stats_;
-  int auto_divisor_ = 8;   // used when state_.divisor is 0
-  bool restart_ = true;    // something changed: render even when the mean is full
+  bool was_auto_ = false;
   bool outdated_ = false;  // the swapchain no longer fits the window
-  std::uint32_t shown_ = 0;
-  Clock::time_point last_step_ = Clock::now();
-  std::optional<Clock::time_point> metered_;
+  bool minimised_ = false;
+  bool new_picture_ = false;  // rendered, not yet shown
+  bool drawn_ = false;        // since the last slice
+  int redraws_ = 3;           // of the panel, still to come
+  std::uint32_t shown_ = 0;   // pictures
+  double now_s_ = 0, last_step_s_ = 0, reported_s_ = 0, moved_s_ = -1e9;
 };
 
 }  // namespace
 
-ViewReport run_viewer(scene::RenderScene scene, const ViewOptions& options) {
-  return Viewer(std::move(scene), options).run();
+ViewReport run_viewer(const ViewOptions& options) {
+  return Viewer(options).run();
 }
 
 }  // namespace nightcity::viewer

@@ -3,24 +3,28 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "runtime/gpu/device.h"
 #include "runtime/render/settings.h"
-#include "runtime/scene/render_scene.h"
+#include "runtime/viewer/city.h"
+#include "runtime/viewer/picture_job.h"
 
 namespace nightcity::viewer {
 
 struct ViewOptions {
-  std::string scene;                         // file name, shown in the panel
+  std::vector<std::string> scenes;           // the first is shown; the panel offers the others
+  LoadScene load;                            // reads scene and lights
   std::string camera;                        // preset or file: see find_camera
   gpu::Device::Options device;               // the window adds the extensions it needs
   std::uint32_t width = 1280, height = 720;  // of the window, pixels
   render::RenderSettings settings;
   std::optional<float> ev100;  // not set: metered from the picture again and again
-  // The picture has 1 / divisor of the window's pixels along each side; 0 = chosen so that the
-  // window responds to input at once.
+  // The picture has 1 / divisor of the window's pixels along each side; 0 = coarse while the view
+  // moves, then finer until every pixel is there.
   int divisor = 0;
   bool markers = false;
   bool play = false;                // start with the clock running
@@ -29,6 +33,9 @@ struct ViewOptions {
   std::uint32_t quit_after = 0;     // frames shown; 0 = when the user closes the window
   std::string screenshot;           // PNG of the window with its panel, at the end; "" = none
   std::string save_camera;          // JSON of the camera at the end; "" = none
+  PictureQuality picture;           // of saved pictures
+  std::filesystem::path picture_folder;  // of saved pictures; "": see find_picture_folder
+  float font_px = 0;                     // height of text; 0 = as the screen's scale asks for
 };
 
 /// The last picture that the window showed.
@@ -38,8 +45,9 @@ struct ViewReport {
   std::string estimator;
 };
 
-/// Runs the window and returns when it is closed. Throws Error when there is no display, the device
-/// cannot present, or the validation layer found a fault.
-ViewReport run_viewer(scene::RenderScene scene, const ViewOptions& options);
+/// Runs the window and returns when it is closed, by its user or a signal. Throws Error when there
+/// is no display, the device cannot present, the scene cannot be loaded, or the validation layer
+/// found a fault.
+ViewReport run_viewer(const ViewOptions& options);
 
 }  // namespace nightcity::viewer

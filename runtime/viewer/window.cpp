@@ -3,6 +3,7 @@
 // GLFW with Vulkan's types: vulkan.h comes first, so that it declares surface creation.
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "formats/error.h"
@@ -35,27 +36,47 @@ Window::Window(std::uint32_t width, std::uint32_t height, const std::string& tit
     throw;
   }
   glfwSetWindowUserPointer(window_, this);
-  glfwGetCursorPos(window_, &cursor_.x, &cursor_.y);
-  // Input comes by events, not by polling its state: on a slow device a whole drag may fall between
-  // two frames.
-  glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
+  watch_input();
+}
+
+// Input comes by events, not by polling its state: on a slow device a whole drag may fall between
+// two frames.
+void Window::watch_input() {
+  using Kind = InputEvent::Kind;
+  static const auto push = [](GLFWwindow* window, InputEvent event) {
     auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(window));
-    (button == GLFW_MOUSE_BUTTON_LEFT ? self.dragging_ : self.panning_) = action == GLFW_PRESS;
-  });
+    event.time_s = now_s();
+    self.queue_.push(event);
+    self.news_ = true;
+  };
   glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+    push(window, {.kind = Kind::move, .at = {float(x), float(y)}});
+  });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
+    push(window, {.kind = Kind::button, .code = button, .down = action == GLFW_PRESS});
+  });
+  glfwSetScrollCallback(window_, [](GLFWwindow* window, double x, double y) {
+    push(window, {.kind = Kind::scroll, .at = {float(x), float(y)}});
+  });
+  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int modifiers) {
+    if (action == GLFW_REPEAT) return;  // the panel repeats keys itself
+    push(window,
+         {.kind = Kind::key, .code = key, .down = action == GLFW_PRESS, .modifiers = modifiers});
+  });
+  glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned character) {
+    push(window, {.kind = Kind::character, .code = static_cast<int>(character)});
+  });
+  glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int focused) {
+    if (!focused) push(window, {.kind = Kind::focus_lost});
+  });
+  const auto refresh = [](GLFWwindow* window) {
+    static_cast<Window*>(glfwGetWindowUserPointer(window))->news_ = true;
+  };
+  glfwSetWindowRefreshCallback(window_, refresh);
+  glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
     auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(window));
-    const glm::vec2 step(glm::dvec2(x, y) - self.cursor_);
-    self.cursor_ = {x, y};
-    if (self.dragging_) self.events_.drag += step;
-    if (self.panning_) self.events_.pan += step;
-  });
-  glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double notches) {
-    static_cast<Window*>(glfwGetWindowUserPointer(window))->events_.scroll +=
-        static_cast<float>(notches);
-  });
-  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
-    if (action == GLFW_PRESS)
-      static_cast<Window*>(glfwGetWindowUserPointer(window))->events_.pressed.push_back(key);
+    self.dropped_.insert(self.dropped_.end(), paths, paths + count);
+    self.news_ = true;
   });
 }
 
@@ -77,19 +98,24 @@ VkSurfaceKHR Window::create_surface(VkInstance instance) const {
   return surface;
 }
 
-InputState Window::poll(double wait_s) {
+void Window::poll(double wait_s) {
   if (wait_s > 0) {
     glfwWaitEventsTimeout(wait_s);
   } else {
     glfwPollEvents();
   }
-  InputState input = std::exchange(events_, {});
+}
 
-  const auto held = [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS ? 1.0f : 0.0f; };
-  input.fly = {held(GLFW_KEY_D) - held(GLFW_KEY_A), held(GLFW_KEY_E) - held(GLFW_KEY_Q),
-               held(GLFW_KEY_W) - held(GLFW_KEY_S)};
-  input.fast = held(GLFW_KEY_LEFT_SHIFT) + held(GLFW_KEY_RIGHT_SHIFT) > 0;
-  return input;
+bool Window::take_news() {
+  return std::exchange(news_, false);
+}
+
+std::vector<std::string> Window::take_dropped() {
+  return std::exchange(dropped_, {});
+}
+
+double Window::now_s() {
+  return glfwGetTime();
 }
 
 bool Window::closing() const {
@@ -102,8 +128,52 @@ glm::uvec2 Window::size() const {
   return {width, height};
 }
 
+void Window::close() {
+  glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+
+void Window::hide() {
+  glfwHideWindow(window_);
+  glfwPollEvents();
+}
+
+bool Window::is_minimised() const {
+  return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0;
+}
+
+float Window::content_scale() const {
+  float x = 1, y = 1;
+  glfwGetWindowContentScale(window_, &x, &y);
+  return std::clamp(std::max(x, y), 1.0f, 4.0f);
+}
+
+// A title that is set again is an event of the window's own, which would wake it from its sleep.
 void Window::set_title(const std::string& title) {
+  if (title == title_) return;
+  title_ = title;
   glfwSetWindowTitle(window_, title.c_str());
+}
+
+void Window::toggle_fullscreen() {
+  if (glfwGetWindowMonitor(window_)) {
+    glfwSetWindowMonitor(window_, nullptr, windowed_.x, windowed_.y, windowed_.z, windowed_.w, 0);
+    return;
+  }
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+  if (!mode) return;
+  glfwGetWindowPos(window_, &windowed_.x, &windowed_.y);
+  glfwGetWindowSize(window_, &windowed_.z, &windowed_.w);
+  glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+std::string Window::clipboard() const {
+  const char* text = glfwGetClipboardString(window_);
+  return text ? text : "";
+}
+
+void Window::set_clipboard(const std::string& text) {
+  glfwSetClipboardString(window_, text.c_str());
 }
 
 }  // namespace nightcity::viewer

@@ -1,29 +1,20 @@
-// A window and its mouse and keyboard input. Only window.cpp, overlay.cpp and viewer.cpp include
-// GLFW.
+// A window, and its mouse and keyboard input as a queue of events. Only window.cpp, overlay.cpp and
+// keys.cpp include GLFW.
 #pragma once
 
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
 #include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <string>
 #include <vector>
+
+#include "runtime/viewer/input_queue.h"
 
 struct GLFWwindow;
 
 namespace nightcity::viewer {
-
-/// Mouse and keyboard input since the last poll. The caller must ignore it while the panel uses
-/// mouse or keyboard.
-struct InputState {
-  glm::vec2 drag{0};         // pixels, left button
-  glm::vec2 pan{0};          // pixels, right or middle button
-  float scroll = 0;          // notches, positive away from the user
-  glm::vec3 fly{0};          // right, up, forward: -1, 0 or 1, from the keys D/A, E/Q, W/S
-  bool fast = false;         // Shift is held
-  std::vector<int> pressed;  // keys that went down, as GLFW_KEY_*
-};
 
 /// One window; the process may have one at a time. Throws Error without a display.
 class Window {
@@ -38,20 +29,43 @@ class Window {
   /// Returns a surface that the caller must destroy before the instance.
   VkSurfaceKHR create_surface(VkInstance instance) const;
 
-  /// Handles events and returns the input. With `wait_s` > 0, sleeps until an event arrives or the
+  /// Handles events, which go to queue(). With `wait_s` > 0, sleeps until an event arrives or the
   /// time is over.
-  InputState poll(double wait_s);
+  void poll(double wait_s);
+  InputQueue& queue() { return queue_; }
+  const InputQueue& queue() const { return queue_; }
+  /// Returns whether the user did anything, or the window system asks for the window to be drawn
+  /// anew, since the last call.
+  bool take_news();
+  /// Returns the files dropped on the window since the last call.
+  std::vector<std::string> take_dropped();
+
+  /// Returns the seconds of the clock that events carry.
+  static double now_s();
   bool closing() const;
+  void close();
+  void hide();
+  bool is_minimised() const;
   /// Returns the size of the drawable area in pixels, 0 while minimised.
   glm::uvec2 size() const;
+  /// Returns how many pixels something needs that has one on an ordinary screen.
+  float content_scale() const;
   void set_title(const std::string& title);
+  /// Fills the screen that the window is on, or goes back to the size before.
+  void toggle_fullscreen();
+  std::string clipboard() const;
+  void set_clipboard(const std::string& text);
   GLFWwindow* handle() const { return window_; }
 
  private:
+  void watch_input();
+
   GLFWwindow* window_ = nullptr;
-  glm::dvec2 cursor_{0};
-  bool dragging_ = false, panning_ = false;
-  InputState events_;  // filled by callbacks until poll() returns it
+  InputQueue queue_;
+  bool news_ = true;
+  std::vector<std::string> dropped_;
+  std::string title_;
+  glm::ivec4 windowed_{0};  // place and size before the window filled the screen
 };
 
 }  // namespace nightcity::viewer

@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <functional>
 
+#include "runtime/render/setting_table.h"
+#include "runtime/viewer/drawing.h"
+
 namespace nightcity::viewer {
 namespace {
 
@@ -59,7 +62,6 @@ TEST_F(Panel, DrawsSomethingAndChangesNothingByItself) {
   const ViewerState before = state;
   const PanelRequests requests = frame();
   EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, 500);
-  EXPECT_FALSE(requests.restart);
   EXPECT_FALSE(requests.save);
   EXPECT_EQ(requests.camera_preset, "");
   EXPECT_EQ(state.settings.sampling.candidates, before.settings.sampling.candidates);
@@ -73,13 +75,8 @@ TEST_F(Panel, ClickOnLampMarkersTurnsThemOn) {
   EXPECT_TRUE(click_through(28, [&](const PanelRequests&) { return state.markers; }));
 }
 
-TEST_F(Panel, ClickOnAccumulateTurnsItOffAndAsksForARender) {
-  bool asked = false;
-  EXPECT_TRUE(click_through(28, [&](const PanelRequests& requests) {
-    asked = requests.restart;
-    return !state.accumulate;
-  }));
-  EXPECT_TRUE(asked);
+TEST_F(Panel, ClickOnAccumulateTurnsItOff) {
+  EXPECT_TRUE(click_through(28, [&](const PanelRequests&) { return !state.accumulate; }));
 }
 
 TEST_F(Panel, ClickOnASliderChangesCandidates) {
@@ -106,6 +103,105 @@ TEST_F(Panel, CameraPresetIsAskedForByName) {
   }));
   EXPECT_NE(std::find(scene::camera_presets().begin(), scene::camera_presets().end(), preset),
             scene::camera_presets().end());
+}
+
+// Ctrl and click open a text box in a slider.
+TEST_F(Panel, TypedValuesAreBounded) {
+  ImGuiIO& io = ImGui::GetIO();
+  state.auto_exposure = false;
+  state.camera.motion = Motion::fly;
+  state.night_changes = true;
+  for (const char* typed : {"1e38", "-1e38", "nan", "inf", "-inf"})
+    for (float y = 30; y < 700; y += 4) {
+      io.MousePos = {120, y};
+      io.KeyCtrl = true;
+      frame();
+      io.MouseDown[0] = true;
+      frame();
+      io.MouseDown[0] = false;
+      frame();
+      io.KeyCtrl = false;
+      if (!io.WantTextInput) {
+        if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) ImGui::ClosePopupToLevel(0, false);
+        frame();
+        continue;
+      }
+      for (const char* c = typed; *c; ++c) io.AddInputCharacter(static_cast<unsigned>(*c));
+      frame();
+      io.MousePos = {700, 900};  // a click elsewhere ends the typing
+      io.MouseDown[0] = true;
+      frame();
+      io.MouseDown[0] = false;
+      frame();
+      const render::RenderSettings& settings = state.settings;
+      EXPECT_NO_THROW(render::check_settings(settings)) << typed << " at " << y;
+      EXPECT_GE(settings.display.ev100, -6) << typed;
+      EXPECT_LE(settings.display.ev100, 16) << typed;
+      EXPECT_GE(state.camera.speed_m_s, 0.5f) << typed;
+      EXPECT_LE(state.camera.speed_m_s, 500) << typed;
+      EXPECT_GE(state.clock_speed, 1) << typed;
+      EXPECT_LE(state.clock_speed, 3600) << typed;
+      EXPECT_LE(settings.environment.sky_cd_m2.x, 1) << typed;
+      EXPECT_GE(settings.environment.sky_cd_m2.x, 0) << typed;
+    }
+}
+
+TEST_F(Panel, StaysOnTheScreen) {
+  ImGuiIO& io = ImGui::GetIO();
+  ImGuiWindow* panel = ImGui::FindWindowByName("nightview");
+  ASSERT_TRUE(panel);
+  for (const ImVec2& at : {ImVec2(790, 990), ImVec2(-300, -400), ImVec2(5000, 5)}) {
+    ImGui::SetWindowPos(panel, at);
+    for (int i = 0; i < 3; ++i) frame();
+    EXPECT_GE(panel->Pos.x, 0);
+    EXPECT_GE(panel->Pos.y, 0);
+    EXPECT_LE(panel->Pos.x + panel->Size.x, 800.5f);
+    EXPECT_LE(panel->Pos.y + panel->Size.y, 1000.5f);
+  }
+  io.DisplaySize = {1500, 60};  // a small window, and back
+  for (int i = 0; i < 3; ++i) frame();
+  io.DisplaySize = {960, 300};
+  for (int i = 0; i < 3; ++i) frame();
+  EXPECT_GE(panel->Pos.y, 0);
+  EXPECT_LE(panel->Pos.y + panel->Size.y, 300 - ImGui::GetFontSize());  // the caption stays free
+}
+
+TEST_F(Panel, WithoutLightsItSaysSoAndOffersSkyAndMoon) {
+  stats.has_light = false;
+  EXPECT_TRUE(click_through(
+      28, [&](const PanelRequests&) { return state.settings.environment.sky_cd_m2.x > 0; }));
+  EXPECT_GT(state.settings.environment.moon_lux.x, 0);
+}
+
+TEST_F(Panel, OneOfSeveralCitiesCanBeOpened) {
+  stats.cities = {"a.glb", "b.glb"};
+  frame();
+  ImGuiIO& io = ImGui::GetIO();
+  std::string opened;
+  for (float y = 25; y < 120 && opened.empty(); y += 3) {
+    io.MousePos = {60, 36};
+    if (ImGui::GetCurrentContext()->OpenPopupStack.Size == 0) {
+      for (const bool down : {true, false}) {
+        io.MouseDown[0] = down;
+        frame();
+      }
+    }
+    io.MousePos = {60, y};
+    frame();
+    for (const bool down : {true, false}) {
+      io.MouseDown[0] = down;
+      if (const std::string open = frame().open; !open.empty()) opened = open;
+    }
+  }
+  EXPECT_TRUE(opened == "a.glb" || opened == "b.glb") << opened;
+}
+
+TEST_F(Panel, TheBottomLineSaysHowManyPixelsThereAreAndWhatGoesOn) {
+  stats.frames = 1;
+  stats.divisor = 4;
+  stats.work = "refining";
+  EXPECT_EQ(make_bottom_line(state, stats),
+            "traced, 32 candidates, 4 neighbours, mean of 1 frame, every 4th pixel - refining");
 }
 
 TEST_F(Panel, CaptionNamesWhatMadeThePicture) {

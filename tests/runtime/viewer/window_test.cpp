@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <set>
+#include <sstream>
 #include <string>
 
 #include "formats/light_file.h"
@@ -36,10 +37,15 @@ class ViewerWindow : public testing::Test {
     for (const SceneMaterial& material : scene.materials) writer.add_material(material);
     for (const SceneMesh& mesh : scene.meshes) writer.add_mesh(mesh);
     for (const SceneNode& node : scene.nodes) writer.add_node(node);
-    writer.finish(scene.georeference);
+    writer.finish(georeference());
     const std::vector<Light> lights = test::random_lamps(20, 50, 8);
     const std::vector<LightProvenance> provenance(lights.size());
-    write_light_file(folder / "town.lights", {scene.georeference, lights, provenance, {}, {}});
+    write_light_file(folder / "town.lights", {georeference(), lights, provenance, {}, {}});
+  }
+  static Georeference georeference() {
+    Georeference place;
+    place.licences = {"Somebody's data"};
+    return place;
   }
 
   // Runs `script` (sh) in a virtual display of its own, in the test's folder; $V is nightview on
@@ -193,6 +199,113 @@ TEST_F(ViewerWindow, DraggingMovesTheCamera) {
       << text("err.txt");
   EXPECT_NE(text("before.json"), "");
   EXPECT_NE(text("before.json"), text("after.json"));
+}
+
+// What a user does with the mouse or a key, and what the window wrote about it.
+TEST_F(ViewerWindow, AStillViewGetsEveryPixelAndTheSavedPictureHasThemAll) {
+  if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no mouse or keyboard";
+  ASSERT_EQ(run("${V} --size 320x240 --picture-frames 2 & viewer=$!\n"
+                "xdotool search --sync --onlyvisible --name nightview > window.txt\n"
+                "xdotool mousemove 300 220 key p\n"
+                "for i in $(seq 200); do test -e night-001.exr && break; sleep 0.1; done\n"
+                "xdotool key Escape\n"
+                "wait $viewer\n"),
+            0)
+      << text("err.txt");
+  const measure::Image8 saved = measure::read_png(folder / "night-001.png");
+  EXPECT_EQ(saved.width, 320u);
+  EXPECT_EQ(saved.height, 240u);
+  EXPECT_NE(text("err.txt").find("night-001.png"), std::string::npos) << text("err.txt");
+  const std::string png = text("night-001.png");
+  EXPECT_NE(png.find("Camera"), std::string::npos);
+  EXPECT_NE(png.find("Copyright"), std::string::npos);
+  EXPECT_NE(png.find("Somebody's data"), std::string::npos);
+}
+
+// The reference of this many lights takes minutes; the window obeys meanwhile.
+TEST_F(ViewerWindow, KeysAreObeyedInOrderWhileAFrameTakesLong) {
+  if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no mouse or keyboard";
+  write_light_file(folder / "town.lights", {georeference(),
+                                            test::random_lamps(20000, 50, 8),
+                                            std::vector<LightProvenance>(20000),
+                                            {},
+                                            {}});
+  ASSERT_EQ(run("timeout 100 ${V} --size 640x480 --every 1 & viewer=$!\n"
+                "xdotool search --sync --onlyvisible --name nightview > window.txt\n"
+                "xdotool mousemove 600 440 key 1; sleep 1\n"
+                "xdotool key 3 key 2 key Escape\n"
+                "wait $viewer\n"),
+            0)
+      << text("err.txt");
+  EXPECT_NE(text("out.txt").find("estimator ris"), std::string::npos) << text("out.txt");
+}
+
+TEST_F(ViewerWindow, ASignalEndsItAsClosingDoes) {
+  for (const char* signal : {"INT", "TERM", "HUP"}) {
+    ASSERT_EQ(run(std::string("rm -f camera.json; timeout --preserve-status -s ") + signal +
+                  " 3 $V $S --save-camera camera.json\n"),
+              0)
+        << text("err.txt");
+    EXPECT_NE(text("camera.json"), "") << signal;
+    EXPECT_NE(text("out.txt").find("frames shown"), std::string::npos) << signal;
+  }
+}
+
+TEST_F(ViewerWindow, AtRestItSleeps) {
+  ASSERT_EQ(run("$V --size 160x120 --frames 1 & viewer=$!\n"
+                "sleep 10; cp /proc/$viewer/stat before.txt\n"
+                "sleep 4; cp /proc/$viewer/stat after.txt\n"
+                "kill -TERM $viewer; wait $viewer\n"),
+            0)
+      << text("err.txt");
+  const auto ticks = [&](const char* name) {
+    const std::string stat = text(name);
+    std::istringstream fields(stat.substr(stat.rfind(')') + 1));
+    std::string field;
+    long sum = 0;
+    for (int i = 3; i <= 15 && fields >> field; ++i)
+      if (i >= 14) sum += std::stol(field);  // utime, stime
+    return sum;
+  };
+  // Of 400 hundredths of a second: what is at rest needs no tenth, and rendering needs all.
+  EXPECT_LT(ticks("after.txt") - ticks("before.txt"), 100);
+}
+
+TEST_F(ViewerWindow, FoldersUpperCaseNamesLightsAndTwoScenesAreUnderstood) {
+  std::filesystem::create_directory(folder / "baked");
+  for (const char* name : {"town.glb", "town.lights"})
+    std::filesystem::copy(folder / name, folder / "baked" / name);
+  std::filesystem::copy(folder / "town.glb", folder / "UPPER.GLB");
+  std::filesystem::copy(folder / "town.lights", folder / "UPPER.LIGHTS");
+  ASSERT_EQ(run("P=\"$(dirname ${V%% *})/nightview\"\n"
+                "for scene in baked UPPER.GLB town.lights 'town.glb UPPER.GLB'; do\n"
+                "  $P $scene $S --quit-after 1 || exit 1\n"
+                "done\n"
+                "$P town.glb $S --ev auto --quit-after 1\n"),
+            0)
+      << text("err.txt");
+}
+
+TEST_F(ViewerWindow, WhatWouldBeIgnoredIsRefused) {
+  EXPECT_EQ(run("$V $S --screenshot a.png; test $? = 2\n"), 0) << text("err.txt");
+  EXPECT_NE(text("err.txt").find("--quit-after"), std::string::npos) << text("err.txt");
+  EXPECT_EQ(run("$V $S --quit-after 1 --screenshot missing/there/x.png; test $? != 0\n") == 0 ||
+                std::filesystem::exists(folder / "missing/there/x.png"),
+            true)
+      << text("err.txt");
+}
+
+TEST_F(ViewerWindow, AFolderThatTakesNoFilesDoesNotEndIt) {
+  if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no mouse or keyboard";
+  ASSERT_EQ(run("mkdir gone; cd gone; P=\"$(dirname ${V%% *})/nightview\"\n"
+                "HOME= $P ../town.glb $S --picture-frames 1 --validation & viewer=$!\n"
+                "rmdir ../gone\n"
+                "xdotool search --sync --onlyvisible --name nightview > ../window.txt\n"
+                "xdotool mousemove 300 220 key p; sleep 4; xdotool key 2 key Escape\n"
+                "wait $viewer\n"),
+            0)
+      << text("err.txt");
+  EXPECT_NE(text("out.txt").find("estimator ris"), std::string::npos) << text("out.txt");
 }
 
 TEST_F(ViewerWindow, WithoutADisplayItSaysSoAndEndsWith1) {

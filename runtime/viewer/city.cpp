@@ -1,0 +1,39 @@
+#include "runtime/viewer/city.h"
+
+namespace nightcity::viewer {
+
+Opening::Opening(std::string path, std::string camera, double time_s, LoadScene load)
+    : path_(std::move(path)) {
+  city_ = std::async(
+      std::launch::async, [this, path = path_, camera = std::move(camera), time_s,
+                           load = std::move(load), device = device_.get_future()]() mutable {
+        auto city = std::make_unique<City>();
+        city->path = path;
+        city->scene = load(path);
+        city->triangles = city->scene.triangles.size();
+        stage_ = "finding the camera";
+        city->pose = scene::find_camera(camera, city->scene);
+        stage_ = "copying to the device";
+        city->on_device = std::make_unique<render::DeviceScene>(*device.get(), city->scene);
+        // Lights are switched in the background later, so that the clock never blocks the window;
+        // the first frame has its lights already.
+        city->on_device->set_time(time_s);
+        city->on_device->switch_when_ready();
+        return city;
+      });
+}
+
+Opening::~Opening() {
+  device_ = {};  // a thread that still waits for a device ends by an exception
+  if (city_.valid()) city_.wait();
+}
+
+double Opening::elapsed_s() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+bool Opening::is_done() const {
+  return city_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+}  // namespace nightcity::viewer

@@ -1,0 +1,56 @@
+// A city that the window shows, and its loading in the background.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <future>
+#include <memory>
+#include <string>
+
+#include "runtime/gpu/device.h"
+#include "runtime/render/device_scene.h"
+#include "runtime/scene/camera.h"
+#include "runtime/scene/render_scene.h"
+
+namespace nightcity::viewer {
+
+struct City {
+  std::string path;
+  scene::RenderScene scene;
+  std::unique_ptr<render::DeviceScene> on_device;
+  scene::CameraPose pose;  // of the camera that was asked for
+  std::size_t triangles = 0;
+};
+
+using LoadScene = std::function<scene::RenderScene(const std::string& path)>;
+
+/// Reads a scene, copies it to the device and finds the camera's pose in a thread of its own.
+class Opening {
+ public:
+  /// `camera`: as find_camera takes it. Lights are switched to `time_s`, in seconds since noon.
+  Opening(std::string path, std::string camera, double time_s, LoadScene load);
+  /// Waits for the thread.
+  ~Opening();
+  Opening(const Opening&) = delete;
+  Opening& operator=(const Opening&) = delete;
+
+  /// Says where the scene goes: reading begins without it. Call it once.
+  void set_device(gpu::Device& device) { device_.set_value(&device); }
+  /// Returns what is being done, in a few words.
+  const char* stage() const { return stage_.load(); }
+  const std::string& path() const { return path_; }
+  double elapsed_s() const;
+  bool is_done() const;
+  /// Waits for the city. Throws what loading threw.
+  std::unique_ptr<City> take() { return city_.get(); }
+
+ private:
+  std::string path_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::atomic<const char*> stage_{"reading"};
+  std::promise<gpu::Device*> device_;
+  std::future<std::unique_ptr<City>> city_;
+};
+
+}  // namespace nightcity::viewer

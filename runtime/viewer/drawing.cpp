@@ -1,0 +1,121 @@
+#include "runtime/viewer/drawing.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "formats/rgb9e5.h"
+#include "runtime/scene/markers.h"
+#include "runtime/scene/trace_ray.h"
+#include "runtime/viewer/keys.h"
+
+namespace nightcity::viewer {
+namespace {
+
+constexpr ImU32 white = IM_COL32(255, 255, 255, 255), grey = IM_COL32(190, 190, 190, 255),
+                red = IM_COL32(255, 120, 100, 255), black = IM_COL32(0, 0, 0, 255);
+
+// Text that can be read over any picture: wrapped to the width and shadowed.
+void draw_text(const ImVec2& at, ImU32 colour, const std::string& text, float wrap_width) {
+  ImDrawList* list = ImGui::GetForegroundDrawList();
+  ImFont* font = ImGui::GetFont();
+  const float size = ImGui::GetFontSize();
+  list->AddText(font, size, {at.x + 1, at.y + 1}, black, text.c_str(), nullptr, wrap_width);
+  list->AddText(font, size, at, colour, text.c_str(), nullptr, wrap_width);
+}
+
+float height_of(const std::string& text, float wrap_width) {
+  return ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap_width).y;
+}
+
+std::string join(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
+  return text;
+}
+
+}  // namespace
+
+std::string make_bottom_line(const ViewerState& state, const FrameStats& stats) {
+  std::string text = caption(state, stats);
+  if (stats.divisor > 1)
+    text +=
+        ", every " + std::to_string(stats.divisor) + (stats.divisor == 2 ? "nd" : "th") + " pixel";
+  if (!stats.work.empty()) text += " - " + stats.work;
+  return text;
+}
+
+void draw_lines(const ViewerState& state, const FrameStats& stats, const Notices& notices,
+                const glm::vec2& window) {
+  const float margin = 12, wrap = std::max(50.0f, window.x - 2 * margin);
+  float y = window.y - margin / 2;
+  const auto draw = [&](const std::string& text, ImU32 colour) {
+    if (text.empty()) return;
+    y -= height_of(text, wrap) + 2;
+    draw_text({margin, y}, colour, text, wrap);
+  };
+  draw(make_bottom_line(state, stats), white);
+  draw(join(stats.licences), grey);
+  for (auto line = notices.lines().rbegin(); line != notices.lines().rend(); ++line)
+    draw(line->text, line->is_error ? red : white);
+}
+
+void draw_middle(const std::string& text, const glm::vec2& window) {
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  draw_text({std::max(0.0f, (window.x - size.x) / 2), std::max(0.0f, (window.y - size.y) / 2)},
+            white, text, 0);
+}
+
+void draw_help(bool& open, const glm::vec2& window) {
+  if (!open) return;
+  ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {window.x, window.y});
+  if (ImGui::Begin("keys and mouse", &open,
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
+                       ImGuiWindowFlags_NoCollapse)) {
+    const auto row = [](const char* name, const char* help) {
+      ImGui::TextUnformatted(name);
+      ImGui::SameLine(13 * ImGui::GetFontSize());
+      ImGui::TextUnformatted(help);
+    };
+    for (const KeyBinding& key : list_keys()) row(key.keys, key.help);
+    ImGui::Separator();
+    for (const auto& [gesture, effect] : list_gestures()) row(gesture, effect);
+  }
+  ImGui::End();
+}
+
+void draw_markers(const scene::RenderScene& scene, const scene::CameraPose& pose,
+                  const glm::vec2& window) {
+  // ImGui's indices end at 65,535 vertices per list, and rays are to take a few milliseconds.
+  constexpr std::size_t max_markers = 2000;
+  const gpu::Camera camera = scene::make_camera(pose, window.x / window.y);
+  ImDrawList* list = ImGui::GetBackgroundDrawList();
+  for (const scene::Marker& marker : scene::find_markers(camera, scene.lights, 10 * max_markers)) {
+    if (scene.families[marker.light] == LightFamily::window) continue;
+    const glm::vec3 at_lamp = scene.lights[marker.light].position;
+    const glm::dvec3 way = glm::dvec3(at_lamp) - glm::dvec3(pose.position);
+    // The lamp's own housing does not hide it.
+    const double reach = 1 - 0.5 / std::max(1.0, glm::length(way));
+    if (scene::trace_ray(scene, glm::dvec3(pose.position), way, reach, MASK_SHADOW)) continue;
+    const glm::vec3 colour = decode_rgb9e5(scene.lights[marker.light].colour_rgb9e5);
+    const float brightest = std::max({colour.r, colour.g, colour.b, 1e-6f});
+    const ImU32 packed = ImGui::ColorConvertFloat4ToU32(
+        {colour.r / brightest, colour.g / brightest, colour.b / brightest, 0.9f});
+    const ImVec2 at{marker.at.x * window.x, marker.at.y * window.y};
+    list->AddCircle(at, std::clamp(200.0f / marker.distance, 2.0f, 12.0f), packed, 8, 1.5f);
+  }
+}
+
+bool close_innermost() {
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  if (context.OpenPopupStack.Size > 0) {
+    ImGui::ClosePopupToLevel(context.OpenPopupStack.Size - 1, true);
+    return true;
+  }
+  return ImGui::GetIO().WantTextInput;  // a text box drops what was typed by itself
+}
+
+}  // namespace nightcity::viewer

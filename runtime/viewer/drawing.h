@@ -1,0 +1,36 @@
+// What the window draws over the picture besides the panel: caption, notices, licences, help,
+// markers.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <string>
+
+#include "runtime/scene/camera.h"
+#include "runtime/viewer/notices.h"
+#include "runtime/viewer/panel.h"
+
+namespace nightcity::viewer {
+
+/// Draws the caption at the bottom left, the licences at the bottom right, and notices above them.
+void draw_lines(const ViewerState& state, const FrameStats& stats, const Notices& notices,
+                const glm::vec2& window);
+
+/// Draws a text in the middle, while there is no picture.
+void draw_middle(const std::string& text, const glm::vec2& window);
+
+/// Draws the list of keys and gestures.
+void draw_help(bool& open, const glm::vec2& window);
+
+/// Draws a ring at each lamp that is seen, within bounds of their number: more would cover the
+/// picture. Windows have none, nor have lamps behind walls.
+void draw_markers(const scene::RenderScene& scene, const scene::CameraPose& pose,
+                  const glm::vec2& window);
+
+/// Returns the line at the bottom of the window: what made the picture and what goes on.
+std::string make_bottom_line(const ViewerState& state, const FrameStats& stats);
+
+/// Closes the innermost thing that is open in the panel: a drop-down list, a text box. Returns
+/// whether there was one.
+bool close_innermost();
+
+}  // namespace nightcity::viewer

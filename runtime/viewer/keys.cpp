@@ -1,0 +1,91 @@
+#include "runtime/viewer/keys.h"
+
+#include <GLFW/glfw3.h>
+
+namespace nightcity::viewer {
+
+const std::vector<KeyBinding>& list_keys() {
+  static const std::vector<KeyBinding> keys{
+      {"W A S D", "move ahead, left, back and right", Action::move},
+      {"Q E", "move down and up (not when walking)", Action::move},
+      {"Shift", "held: move five times as fast", Action::move},
+      {"F", "orbit, fly or walk: the next of the three", Action::next_motion},
+      {"Z", "take the last move back", Action::undo_move},
+      {"B", "set a bookmark here; F2 to F9 go to the first eight", Action::bookmark},
+      {"F2 to F9", "go to a bookmark", Action::go_to_bookmark},
+      {"Ctrl+C", "copy the camera as one line of text", Action::copy_camera},
+      {"Ctrl+V", "go to the camera in the clipboard", Action::paste_camera},
+      {"Space", "start and stop the clock", Action::play},
+      {"1 to 6", "choose the estimator", Action::estimator},
+      {"M", "show markers of lamps", Action::markers},
+      {"P", "save the picture as night-NNN.png and .exr", Action::save_picture},
+      {"Tab", "show or hide the panel", Action::panel},
+      {"Ctrl +, Ctrl -", "larger and smaller text", Action::larger_text},
+      {"F11", "fill the screen, or not", Action::fullscreen},
+      {"F1, H", "show or hide this list", Action::help},
+      {"Esc", "close what is open: a list, this help, a picture being saved; then the window",
+       Action::close},
+  };
+  return keys;
+}
+
+const std::vector<std::pair<const char*, const char*>>& list_gestures() {
+  static const std::vector<std::pair<const char*, const char*>> gestures{
+      {"left button", "orbits about the point that was pressed; flying or walking: looks around"},
+      {"right or middle button", "moves along the ground; the point under the cursor follows it"},
+      {"wheel", "comes nearer to what is under the cursor; flying: changes the speed"},
+      {"drop a .glb or folder", "opens that city"},
+  };
+  return gestures;
+}
+
+std::optional<KeyPress> find_action(int key, int modifiers) {
+  if ((modifiers & GLFW_MOD_CONTROL) != 0) {
+    switch (key) {
+      case GLFW_KEY_C:
+        return KeyPress{Action::copy_camera};
+      case GLFW_KEY_V:
+        return KeyPress{Action::paste_camera};
+      case GLFW_KEY_Z:
+        return KeyPress{Action::undo_move};
+      case GLFW_KEY_EQUAL:
+      case GLFW_KEY_KP_ADD:
+        return KeyPress{Action::larger_text};
+      case GLFW_KEY_MINUS:
+      case GLFW_KEY_KP_SUBTRACT:
+        return KeyPress{Action::smaller_text};
+      default:
+        return std::nullopt;
+    }
+  }
+  if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) return KeyPress{Action::estimator, key - GLFW_KEY_0};
+  if (key >= GLFW_KEY_F2 && key <= GLFW_KEY_F9)
+    return KeyPress{Action::go_to_bookmark, key - GLFW_KEY_F1};
+  switch (key) {
+    case GLFW_KEY_F:
+      return KeyPress{Action::next_motion};
+    case GLFW_KEY_Z:
+      return KeyPress{Action::undo_move};
+    case GLFW_KEY_B:
+      return KeyPress{Action::bookmark};
+    case GLFW_KEY_SPACE:
+      return KeyPress{Action::play};
+    case GLFW_KEY_M:
+      return KeyPress{Action::markers};
+    case GLFW_KEY_P:
+      return KeyPress{Action::save_picture};
+    case GLFW_KEY_TAB:
+      return KeyPress{Action::panel};
+    case GLFW_KEY_F11:
+      return KeyPress{Action::fullscreen};
+    case GLFW_KEY_H:
+    case GLFW_KEY_F1:
+      return KeyPress{Action::help};
+    case GLFW_KEY_ESCAPE:
+      return KeyPress{Action::close};
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace nightcity::viewer

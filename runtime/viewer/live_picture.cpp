@@ -1,0 +1,118 @@
+#include "runtime/viewer/live_picture.h"
+
+#include <algorithm>
+
+namespace nightcity::viewer {
+namespace {
+
+// A slice of a frame: well below the 50 ms after which a hand notices, and long enough that the
+// cost of submitting does not count.
+constexpr double slice_s = 0.025;
+
+// A first look: the reservoirs of the coarser picture make up for the rest.
+constexpr render::Effort quick_effort{8, 0};
+
+// While the clock runs, the picture is the mean of the last few frames and follows motion.
+constexpr std::uint32_t frames_in_motion = 8;
+
+constexpr std::size_t metered_pixels = 20'000;
+
+bool same_pose(const scene::CameraPose& a, const scene::CameraPose& b) {
+  return a.position == b.position && a.target == b.target && a.up == b.up && a.fov_deg == b.fov_deg;
+}
+
+// Returns whether a picture of one view is a picture of the other.
+bool same_view(const View& a, const View& b) {
+  return same_pose(a.pose, b.pose) && a.window == b.window && a.divisor == b.divisor &&
+         a.settings.time_s == b.settings.time_s &&
+         a.settings.averaging.accumulate == b.settings.averaging.accumulate &&
+         render::have_same_estimate(a.settings, b.settings);
+}
+
+bool same_display(const render::DisplaySettings& a, const render::DisplaySettings& b) {
+  return a.ev100 == b.ev100 && a.tone == b.tone;
+}
+
+double pixels_of(glm::uvec2 size) {
+  return double(size.x) * size.y;
+}
+
+}  // namespace
+
+LivePicture::LivePicture(gpu::Device& device, render::PassLibrary& passes,
+                         render::DeviceScene& scene, glm::uvec2 window)
+    : renderer_(device, passes, scene, std::max(1u, window.x / Refinement::coarsest),
+                std::max(1u, window.y / Refinement::coarsest)) {}
+
+void LivePicture::notice_changes(const View& view, double now_s) {
+  refinement_.set_divisor(view.divisor);
+  if (view_) {
+    const bool same = same_view(view, *view_);
+    if (!same) refinement_.change(now_s);
+    const bool denoised = view.settings.display.denoise != view_->settings.display.denoise;
+    display_changed_ |= denoised;
+    if ((!same && refinement_.is_worth_giving_up(plan_, pixels_of(view.window))) || denoised)
+      renderer_.abandon_frame();
+  }
+  view_ = view;
+}
+
+void LivePicture::begin(const View& view, double now_s) {
+  plan_ = refinement_.plan(now_s, pixels_of(view.window), view.runs);
+  const glm::uvec2 size = glm::max(view.window / plan_.divisor, glm::uvec2(1));
+  renderer_.set_size(size.x, size.y);
+  render::RenderSettings settings = view.settings;
+  settings.averaging.window = view.runs ? frames_in_motion : 0;
+  // At an edge, an offset within the pixel shows another surface in every frame, and each would
+  // begin a mean of its own: thin things would crawl as dashes.
+  if (view.runs) settings.sampling.jitter = false;
+  begun_ = view;
+  renderer_.begin_frame(view.pose, settings, plan_.quick ? quick_effort : render::Effort{});
+}
+
+bool LivePicture::rests(const View& view, double now_s) const {
+  return !view.runs && !view.switches && !display_changed_ && !renderer_.has_begun() &&
+         refinement_.is_fine() && renderer_.frames() >= view.max_frames && view_ &&
+         same_view(view, *view_) &&
+         view.settings.display.denoise == view_->settings.display.denoise &&
+         refinement_.plan(now_s, pixels_of(view.window), false) == shown_plan_;
+}
+
+bool LivePicture::shows(const View& view) const {
+  return shown_ && same_view(*shown_, view);
+}
+
+bool LivePicture::work(const View& view, double now_s, double wait_s) {
+  if (!renderer_.wait(wait_s)) return false;
+  if (!renderer_.is_complete()) {
+    notice_changes(view, now_s);
+    if (!renderer_.has_begun()) {
+      if (rests(view, now_s)) return false;
+      compiles_ = !renderer_.is_ready(view.settings);
+      if (compiles_) return false;
+      begin(view, now_s);
+    }
+  }
+  if (!renderer_.continue_frame(slice_s, wait_s)) return false;
+  refinement_.complete(plan_, double(renderer_.width()) * renderer_.height(), renderer_.frame_s(),
+                       same_view(begun_, view));
+  shown_plan_ = plan_;
+  shown_ = begun_;
+  shown_display_ = begun_.settings.display;
+  display_changed_ =
+      display_changed_ && begun_.settings.display.denoise != view.settings.display.denoise;
+  return true;
+}
+
+void LivePicture::expose(const render::DisplaySettings& display) {
+  if (!has_picture() || same_display(display, shown_display_)) return;
+  renderer_.expose(display);
+  shown_display_.ev100 = display.ev100;
+  shown_display_.tone = display.tone;
+}
+
+float LivePicture::meter() const {
+  return meter_picture(renderer_.sample_mean(metered_pixels));
+}
+
+}  // namespace nightcity::viewer

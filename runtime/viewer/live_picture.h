@@ -1,0 +1,77 @@
+// The picture of the window: rendered in slices, refined while the view rests, exposed by its own
+// light.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <optional>
+
+#include "runtime/render/renderer.h"
+#include "runtime/viewer/metering.h"
+#include "runtime/viewer/refinement.h"
+
+namespace nightcity::viewer {
+
+/// What the picture is to show.
+struct View {
+  scene::CameraPose pose;
+  render::RenderSettings settings;
+  glm::uvec2 window{1, 1};       // pixels
+  std::uint32_t divisor = 0;     // as Refinement::set_divisor takes it
+  std::uint32_t max_frames = 0;  // in the mean
+  bool runs = false;             // the clock runs
+  bool switches = false;         // lights will be switched soon: DeviceScene::switching()
+};
+
+class LivePicture {
+ public:
+  LivePicture(gpu::Device& device, render::PassLibrary& passes, render::DeviceScene& scene,
+              glm::uvec2 window);
+
+  /// Works at the picture, and waits at most `wait_s` for the device. Returns whether a frame was
+  /// completed. Camera and settings may change at every call: a frame that takes long is then given
+  /// up, a short one is shown first.
+  bool work(const View& view, double now_s, double wait_s);
+  /// Returns whether work() would do nothing: all frames of the mean are there.
+  bool rests(const View& view, double now_s) const;
+  /// Returns whether the picture on the screen, however coarse, is of this view.
+  bool shows(const View& view) const;
+  /// Returns whether a slice runs on the device: showing a picture would wait for it.
+  bool is_busy() const { return renderer_.is_busy(); }
+  /// Returns whether shaders for these settings are still being compiled.
+  bool compiles() const { return compiles_; }
+  /// Waits at most `wait_s` for the slice that runs, and returns whether none does.
+  bool wait(double wait_s) { return renderer_.wait(wait_s); }
+  /// Waits for the slice that runs, if any, and gives up the frame that has begun.
+  void stop() { renderer_.abandon_frame(); }
+
+  /// Shows the last picture with these settings of the display, if it has others. Not while
+  /// is_busy().
+  void expose(const render::DisplaySettings& display);
+  /// Returns the exposure that the picture on the screen asks for.
+  float meter() const;
+
+  bool has_picture() const { return renderer_.frames() > 0; }
+  const render::Renderer& renderer() const { return renderer_; }
+  /// Returns the plan of the last complete frame.
+  const FramePlan& shown() const { return shown_plan_; }
+  bool is_fine() const { return refinement_.is_fine(); }
+  double share_done() const { return renderer_.share_done(); }
+  /// Returns the size that the frame in progress, or else the last one, has as its divisor.
+  const FramePlan& plan() const { return plan_; }
+
+ private:
+  void notice_changes(const View& view, double now_s);
+  void begin(const View& view, double now_s);
+
+  render::Renderer renderer_;
+  Refinement refinement_;
+  std::optional<View> view_;  // at the last call
+  View begun_;                // of the frame in progress
+  FramePlan plan_, shown_plan_;
+  std::optional<View> shown_;  // of the last complete frame
+  render::DisplaySettings shown_display_;
+  bool display_changed_ = false;  // in a way that only rendering shows
+  bool compiles_ = false;
+};
+
+}  // namespace nightcity::viewer

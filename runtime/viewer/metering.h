@@ -1,0 +1,38 @@
+// The exposure that follows the picture's light.
+#pragma once
+
+#include <optional>
+
+#include "runtime/measure/image.h"
+
+namespace nightcity::viewer {
+
+constexpr float min_ev100 = -6, max_ev100 = 16;  // the panel's slider
+
+/// Returns the exposure that a picture asks for, within the slider's range
+/// (measure::auto_exposure_ev100: its brightest fiftieth does not count). Lamps and windows that are
+/// seen directly (layer "emitter" of Renderer::sample_mean) count only as far as that keeps them
+/// from being exposed more than 6 EV above the meter's value for all: else a lit window beside the
+/// eye would leave the street black.
+float meter_picture(const measure::Image& picture);
+
+/// Moves the exposure towards what was metered last, as an eye adapts.
+class Metering {
+ public:
+  /// Takes the exposure over at once at the next update: metering was asked for, or another scene
+  /// is shown.
+  void restart() { jumps_ = true; }
+  void set_target(float ev100);
+  /// Returns the exposure `elapsed_s` after the last update: nine tenths of the way to the target
+  /// in a second. Differences below what an eye sees are left alone, so that noise does not make
+  /// the picture flicker.
+  float update(float ev100, double elapsed_s);
+  /// Returns whether update() will go on changing the exposure without another set_target().
+  bool is_moving(float ev100) const;
+
+ private:
+  std::optional<float> target_;
+  bool jumps_ = true;
+};
+
+}  // namespace nightcity::viewer

@@ -1,0 +1,71 @@
+#include "runtime/viewer/picture_job.h"
+
+#include <fmt/format.h>
+
+#include "formats/program/progress_display.h"
+#include "runtime/measure/exposure.h"
+#include "runtime/measure/exr.h"
+#include "runtime/measure/png.h"
+#include "runtime/viewer/picture_names.h"
+
+namespace nightcity::viewer {
+namespace {
+
+constexpr double slice_s = 0.025;
+
+glm::uvec2 size_of(const View& view, const PictureQuality& quality) {
+  return quality.width == 0 ? view.window : glm::uvec2(quality.width, quality.height);
+}
+
+}  // namespace
+
+std::string save_picture(const std::filesystem::path& folder, const measure::Image& image,
+                         const render::DisplaySettings& display) {
+  const std::string stem = save_under_next_name(
+      folder, {".png", ".exr"},
+      [&](const std::filesystem::path& file, const std::string& extension) {
+        if (extension == ".exr")
+          measure::write_exr(file, image);
+        else
+          measure::write_png(file, measure::to_display(image, display.ev100, display.tone),
+                             measure::png_text(image.info));
+      });
+  std::error_code ignored;
+  const std::filesystem::path whole = std::filesystem::weakly_canonical(folder, ignored) / stem;
+  return fmt::format("saved {0}.png and {1}.exr: {2} x {3} pixels, mean of {4} frame{5}",
+                     whole.string(), stem, image.width, image.height, image.info.frames,
+                     image.info.frames == 1 ? "" : "s");
+}
+
+PictureJob::PictureJob(gpu::Device& device, render::PassLibrary& passes, render::DeviceScene& scene,
+                       const View& view, const PictureQuality& quality)
+    : renderer_(device, passes, scene, size_of(view, quality).x, size_of(view, quality).y),
+      pose_(view.pose),
+      settings_(view.settings),
+      size_(size_of(view, quality)),
+      frames_(quality.frames) {
+  settings_.averaging = {};
+}
+
+bool PictureJob::work(double wait_s) {
+  if (!renderer_.wait(wait_s)) return false;
+  if (!renderer_.has_begun()) {
+    if (renderer_.frames() >= frames_) return true;
+    renderer_.begin_frame(pose_, settings_);
+  }
+  renderer_.continue_frame(slice_s, wait_s);
+  return !renderer_.has_begun() && renderer_.frames() >= frames_;
+}
+
+std::string PictureJob::progress() const {
+  std::string text = fmt::format("saving a picture of {} x {}: frame {} of {}", size_.x, size_.y,
+                                 std::min(renderer_.frames() + 1, frames_), frames_);
+  if (renderer_.frames() > 0) {
+    const double left_s =
+        renderer_.frame_s() * (frames_ - renderer_.frames() - renderer_.share_done());
+    text += ", " + program::format_duration(std::chrono::duration<double>(left_s)) + " left";
+  }
+  return text + " (Esc stops)";
+}
+
+}  // namespace nightcity::viewer

@@ -1,0 +1,49 @@
+// A picture that is being rendered to be saved, beside the one that the window shows.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "runtime/measure/image.h"
+#include "runtime/render/renderer.h"
+#include "runtime/viewer/live_picture.h"
+
+namespace nightcity::viewer {
+
+/// The quality of saved pictures.
+struct PictureQuality {
+  std::uint32_t frames = 16;            // averaged, with all samples of the settings
+  std::uint32_t width = 0, height = 0;  // 0: the window's size when the picture was asked for
+};
+
+/// Writes `image` as night-NNN.png and .exr into `folder`, with `info` in both. Returns the sentence
+/// that says where they are. Throws Error.
+std::string save_picture(const std::filesystem::path& folder, const measure::Image& image,
+                         const render::DisplaySettings& display);
+
+class PictureJob {
+ public:
+  /// Renders `view` as it is now. Throws Error without memory.
+  PictureJob(gpu::Device& device, render::PassLibrary& passes, render::DeviceScene& scene,
+             const View& view, const PictureQuality& quality);
+
+  /// Works a slice, and waits for it at most `wait_s`. Returns whether all frames are there.
+  bool work(double wait_s);
+  bool is_busy() const { return renderer_.is_busy(); }
+  bool wait(double wait_s) { return renderer_.wait(wait_s); }
+  /// Returns "saving a picture of 1280 x 720: frame 3 of 16, 20 s left".
+  std::string progress() const;
+  const render::RenderSettings& settings() const { return settings_; }
+  const scene::CameraPose& pose() const { return pose_; }
+  measure::Image download() { return renderer_.download(); }
+
+ private:
+  render::Renderer renderer_;
+  scene::CameraPose pose_;
+  render::RenderSettings settings_;
+  glm::uvec2 size_;
+  std::uint32_t frames_;
+};
+
+}  // namespace nightcity::viewer

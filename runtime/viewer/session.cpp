@@ -1,0 +1,189 @@
+#include "runtime/viewer/session.h"
+
+#include <fmt/format.h>
+
+#include "formats/error.h"
+#include "runtime/scene/camera_path.h"
+
+namespace nightcity::viewer {
+namespace {
+
+// Motions with less than this between them are one move, which is taken back as a whole.
+constexpr double one_move_s = 1;
+constexpr std::size_t max_undo = 100;
+
+bool same_pose(const scene::CameraPose& a, const scene::CameraPose& b) {
+  return a.position == b.position && a.target == b.target && a.up == b.up && a.fov_deg == b.fov_deg;
+}
+
+}  // namespace
+
+void Session::open(const scene::CameraPose& pose, const std::filesystem::path& bookmarks,
+                   double now_s) {
+  state.camera.pose = pose;
+  state.camera.pivot.reset();
+  undo_.clear();
+  bookmarks_.clear();
+  bookmark_file_ = bookmarks;
+  std::error_code ignored;
+  if (!std::filesystem::exists(bookmarks, ignored)) return;
+  try {
+    bookmarks_ = scene::read_poses(bookmarks);
+    notices.say(fmt::format("{} bookmarks of {}", bookmarks_.size(), bookmarks.string()), now_s);
+  } catch (const Error& error) {
+    notices.say(error.what(), now_s, true);
+  }
+}
+
+void Session::remember(double now_s) {
+  if (now_s - moved_at_s_ > one_move_s) {
+    undo_.push_back(state.camera.pose);
+    if (undo_.size() > max_undo) undo_.erase(undo_.begin());
+  }
+  moved_at_s_ = now_s;
+}
+
+void Session::move(const Hands& hands, const scene::RenderScene& scene, const glm::vec2& window,
+                   double now_s) {
+  const CameraControl before = state.camera;
+  move_camera(state.camera, hands, scene, window);
+  if (same_pose(before.pose, state.camera.pose)) return;
+  const CameraControl after = state.camera;
+  state.camera = before;
+  remember(now_s);
+  state.camera = after;
+}
+
+void Session::go_to(const scene::CameraPose& pose, double now_s) {
+  moved_at_s_ = -1e9;
+  remember(now_s);
+  moved_at_s_ = -1e9;
+  state.camera.pose = pose;
+  state.camera.pivot.reset();
+}
+
+void Session::take_back(double now_s) {
+  if (undo_.empty()) {
+    notices.say("no move to take back", now_s);
+    return;
+  }
+  state.camera.pose = undo_.back();
+  state.camera.pivot.reset();
+  undo_.pop_back();
+  moved_at_s_ = -1e9;
+}
+
+void Session::paste_camera(const std::string& text, double now_s) {
+  try {
+    go_to(scene::parse_camera(text, "clipboard"), now_s);
+  } catch (const Error&) {
+    notices.say("the clipboard holds no camera (Ctrl+C copies one)", now_s, true);
+  }
+}
+
+void Session::add_bookmark(double now_s) {
+  bookmarks_.push_back(state.camera.pose);
+  try {
+    scene::write_poses(bookmark_file_, bookmarks_);
+    notices.say(fmt::format("bookmark {} set, in {}", bookmarks_.size(), bookmark_file_.string()),
+                now_s);
+  } catch (const Error& error) {
+    notices.say(fmt::format("bookmark {} set, but not kept: {}", bookmarks_.size(), error.what()),
+                now_s, true);
+  }
+}
+
+void Session::change_motion(const scene::RenderScene& scene, double now_s) {
+  CameraControl& camera = state.camera;
+  camera.motion = camera.motion == Motion::orbit ? Motion::fly
+                  : camera.motion == Motion::fly ? Motion::walk
+                                                 : Motion::orbit;
+  const char* names[] = {"orbit", "fly", "walk"};
+  notices.say(names[static_cast<int>(camera.motion)], now_s);
+  if (camera.motion != Motion::walk) return;
+  const scene::CameraPose before = camera.pose;
+  begin_to_walk(camera, scene);
+  const scene::CameraPose after = camera.pose;
+  camera.pose = before;
+  go_to(after, now_s);
+}
+
+WindowRequests Session::press(const KeyPress& key, const scene::RenderScene& scene, bool is_saving,
+                              double now_s) {
+  WindowRequests requests;
+  switch (key.action) {
+    case Action::move:
+      break;
+    case Action::estimator:
+      if (const auto& all = render::list_estimators();
+          key.number >= 1 && key.number <= static_cast<int>(all.size()))
+        state.settings.sampling.estimator = all[static_cast<std::size_t>(key.number - 1)].estimator;
+      break;
+    case Action::markers:
+      state.markers = !state.markers;
+      break;
+    case Action::next_motion:
+      change_motion(scene, now_s);
+      break;
+    case Action::save_picture:
+      requests.save_picture = true;
+      break;
+    case Action::play:
+      state.play = !state.play;
+      if (!state.night_changes) notices.say("nothing in this scene changes with time", now_s);
+      break;
+    case Action::panel:
+      state.show_panel = !state.show_panel;
+      break;
+    case Action::help:
+      state.show_help = !state.show_help;
+      break;
+    case Action::close:
+      if (state.show_help)
+        state.show_help = false;
+      else if (is_saving)
+        requests.cancel_picture = true;
+      else
+        requests.close = true;
+      break;
+    case Action::undo_move:
+      take_back(now_s);
+      break;
+    case Action::copy_camera:
+      requests.copy_camera = true;
+      break;
+    case Action::paste_camera:
+      requests.paste_camera = true;
+      break;
+    case Action::bookmark:
+      add_bookmark(now_s);
+      break;
+    case Action::go_to_bookmark:
+      if (key.number >= 1 && key.number <= static_cast<int>(bookmarks_.size()))
+        go_to(bookmarks_[static_cast<std::size_t>(key.number - 1)], now_s);
+      else
+        notices.say(fmt::format("there is no bookmark {}: B sets one", key.number), now_s);
+      break;
+    case Action::fullscreen:
+      requests.fullscreen = true;
+      break;
+    case Action::larger_text:
+      requests.larger_text = 1;
+      break;
+    case Action::smaller_text:
+      requests.larger_text = -1;
+      break;
+  }
+  return requests;
+}
+
+void Session::run_clock(double elapsed_s, double step_s, double now_s) {
+  if (!clock_runs()) return;
+  double& time_s = state.settings.time_s;
+  time_s += step_s > 0 ? step_s : elapsed_s * double(state.clock_speed);
+  if (time_s <= night_end_s && time_s >= night_begin_s) return;
+  time_s = night_begin_s;
+  notices.say("the night is over: it begins again", now_s);
+}
+
+}  // namespace nightcity::viewer

@@ -1,0 +1,58 @@
+// What the user of the window has done so far, and what keys do to it: nothing here needs a window.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "runtime/viewer/keys.h"
+#include "runtime/viewer/notices.h"
+#include "runtime/viewer/panel.h"
+
+namespace nightcity::viewer {
+
+/// What a key asks of the window itself.
+struct WindowRequests {
+  bool close = false, save_picture = false, cancel_picture = false, fullscreen = false;
+  bool copy_camera = false, paste_camera = false;
+  int larger_text = 0;  // steps, negative for smaller
+};
+
+class Session {
+ public:
+  ViewerState state;
+  Notices notices;
+
+  /// Shows another city: forgets moves, and reads the bookmarks in `bookmarks`, a file that need
+  /// not exist.
+  void open(const scene::CameraPose& pose, const std::filesystem::path& bookmarks, double now_s);
+
+  /// Does what a key asks for. `is_saving`: a picture is being saved, which Esc stops.
+  WindowRequests press(const KeyPress& key, const scene::RenderScene& scene, bool is_saving,
+                       double now_s);
+  /// Moves the camera as hands do.
+  void move(const Hands& hands, const scene::RenderScene& scene, const glm::vec2& window,
+            double now_s);
+  /// Goes to a pose at once.
+  void go_to(const scene::CameraPose& pose, double now_s);
+  /// Goes to the pose that text holds (scene::to_text), or says that it holds none.
+  void paste_camera(const std::string& text, double now_s);
+  /// Moves the clock on by real seconds, or by a fixed step of the night.
+  void run_clock(double elapsed_s, double step_s, double now_s);
+  bool clock_runs() const { return state.play && state.night_changes; }
+
+  std::size_t count_bookmarks() const { return bookmarks_.size(); }
+  /// Returns whether a move can be taken back.
+  bool can_undo() const { return !undo_.empty(); }
+
+ private:
+  void remember(double now_s);
+  void add_bookmark(double now_s);
+  void take_back(double now_s);
+  void change_motion(const scene::RenderScene& scene, double now_s);
+
+  std::vector<scene::CameraPose> undo_, bookmarks_;
+  std::filesystem::path bookmark_file_;
+  double moved_at_s_ = -1e9;
+};
+
+}  // namespace nightcity::viewer
