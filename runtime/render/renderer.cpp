@@ -499,14 +499,6 @@ measure::Image Renderer::sample_mean(std::size_t pixels) const {
   return image;
 }
 
-gpu::Surface Renderer::surface_at(glm::uvec2 pixel) const {
-  const PictureBuffers& picture = pictures_[parity_];
-  gpu::Surface surface{};
-  picture.surfaces.download(&surface, sizeof surface,
-                            (std::size_t{pixel.y} * picture.size.x + pixel.x) * sizeof surface);
-  return surface;
-}
-
 glm::vec3 Renderer::mean_at(glm::uvec2 pixel) const {
   const PictureBuffers& picture = pictures_[parity_];
   gpu::Accumulation sum{};

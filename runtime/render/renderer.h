@@ -104,8 +104,6 @@ class Renderer {
   /// Returns a part of the mean that is enough to meter the exposure: evenly spaced rows, about
   /// `pixels` in all, with the layer "emitter": 1 where a luminous surface is seen, else 0.
   measure::Image sample_mean(std::size_t pixels) const;
-  /// Returns the surface that the last frame saw in a pixel; its depth is 0 where there is none.
-  gpu::Surface surface_at(glm::uvec2 pixel) const;
   /// Returns the mean at a pixel, cd/m^2.
   glm::vec3 mean_at(glm::uvec2 pixel) const;
   /// Returns the displayed picture: width * height words, R in the low byte.

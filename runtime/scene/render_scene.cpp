@@ -57,6 +57,7 @@ void add_lights(RenderScene& out, SceneLights lights) {
   check_traffic(out.traffic, out.profiles.size());
   out.lights = std::move(lights.lights);
   out.families = std::move(lights.families);
+  out.provenance = std::move(lights.provenance);
   out.families.resize(out.lights.size(), LightFamily::other);
   out.schedules = std::move(lights.schedules);
   out.switches = std::move(lights.switches);
@@ -144,6 +145,7 @@ SceneLights load_lights(const std::filesystem::path& glb, const Georeference& ge
   file.verify();
   require_same_scene(glb, georeference, beside, file.georeference());
   lights.lights.assign(file.lights().begin(), file.lights().end());
+  lights.provenance.assign(file.provenance().begin(), file.provenance().end());
   lights.families.reserve(file.provenance().size());
   for (const LightProvenance& p : file.provenance())
     lights.families.push_back(static_cast<LightFamily>(p.family));
@@ -176,9 +178,10 @@ RenderScene load_render_scene(const std::filesystem::path& glb) {
     meshes.triangles.push_back(file.count_triangles(i));
   add_bodies(out, file.scene(), meshes);
   add_geometry(out, file.scene(), meshes, count_cores());
-  const Scene scene = file.finish();
+  Scene scene = file.finish();
   add_materials(out, scene);
   out.skipped = scene.skipped;
+  out.features = std::move(scene.features);
   out.georeference = scene.georeference;
   return out;
 }

@@ -56,6 +56,8 @@ struct RenderScene {
   SkyMap sky_map;
   Box bounds;  // of all static geometry
   Georeference georeference{};
+  std::vector<SceneFeature> features{};       // city objects, by the triangles' feature
+  std::vector<LightProvenance> provenance{};  // parallel to lights, or empty
 
   std::size_t bad_lights = 0;          // switched off: not finite, no flux, or profile out of range
   std::size_t dropped_triangles = 0;   // zero area
@@ -80,7 +82,8 @@ struct SceneLights {
   std::vector<float> profile_data;
   std::vector<Schedule> schedules{};
   std::vector<std::uint32_t> switches{};
-  Traffic traffic{};  // without bodies: those are the scene's
+  std::vector<LightProvenance> provenance{};  // empty or parallel to lights
+  Traffic traffic{};                          // without bodies: those are the scene's
 };
 
 /// Builds the hierarchies and checks lights and traffic. Throws Error for unfit traffic or

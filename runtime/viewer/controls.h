@@ -21,6 +21,7 @@ struct Hands {
   glm::vec2 pan{0};      // pixels, right or middle button
   float scroll = 0;      // notches, positive away from the user
   glm::vec2 cursor{0};   // pixels
+  bool clicked = false;  // the left button was pressed and released in one place
   bool pressed = false;  // the left button went down
   // Seconds for which the keys for right, up and forward were held, less those of their opposites.
   glm::dvec3 held_s{0};

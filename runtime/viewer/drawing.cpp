@@ -68,6 +68,41 @@ void draw_middle(const std::string& text, const glm::vec2& window) {
             white, text, 0);
 }
 
+void draw_pick(std::optional<Pick>& picked, double luminance_cd_m2, const scene::RenderScene& scene,
+               const scene::CameraPose& pose, const glm::vec2& window) {
+  if (!picked) return;
+  const gpu::Camera camera = scene::make_camera(pose, window.x / window.y);
+  ImDrawList* list = ImGui::GetBackgroundDrawList();
+  const auto place = [&](const glm::vec3& point) { return scene::project(camera, point); };
+  if (const auto at = place(picked->point)) {
+    const ImVec2 here{at->x * window.x, at->y * window.y};
+    for (const PickedLight& light : picked->strongest)
+      if (const auto to = place(scene.lights[light.light].position))
+        list->AddLine(here, {to->x * window.x, to->y * window.y}, IM_COL32(255, 220, 120, 140));
+    list->AddCircle(here, 6, white, 16, 2);
+  }
+  bool open = true;
+  const float em = ImGui::GetFontSize();
+  ImGui::SetNextWindowPos({window.x - 10, 10}, ImGuiCond_Appearing, {1, 0});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {window.x, std::max(4 * em, window.y - 3 * em)});
+  if (ImGui::Begin("here", &open, ImGuiWindowFlags_AlwaysAutoResize)) {
+    for (const std::string& line : picked->lines) ImGui::TextUnformatted(line.c_str());
+    if (picked->emitter) {
+      ImGui::Text("shines: %s", picked->emitter->name.c_str());
+      ImGui::TextDisabled("%s", picked->emitter->sources.c_str());
+    }
+    ImGui::Text("%.3g cd/m2 in the picture so far", luminance_cd_m2);
+    ImGui::Text("%.3g lx straight from %zu lights (without vehicles)", picked->lux, picked->lights);
+    for (const PickedLight& light : picked->strongest) {
+      ImGui::Text("%5.1f %%  %8.3g lx  %5.1f m  %s", 100 * light.share, light.lux, light.distance_m,
+                  light.name.c_str());
+      if (!light.sources.empty()) ImGui::TextDisabled("    %s", light.sources.c_str());
+    }
+  }
+  ImGui::End();
+  if (!open) picked.reset();
+}
+
 void draw_help(bool& open, const glm::vec2& window) {
   if (!open) return;
   ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});

@@ -8,6 +8,7 @@
 #include "runtime/scene/camera.h"
 #include "runtime/viewer/notices.h"
 #include "runtime/viewer/panel.h"
+#include "runtime/viewer/pick.h"
 
 namespace nightcity::viewer {
 
@@ -17,6 +18,11 @@ void draw_lines(const ViewerState& state, const FrameStats& stats, const Notices
 
 /// Draws a text in the middle, while there is no picture.
 void draw_middle(const std::string& text, const glm::vec2& window);
+
+/// Draws what was picked, in a window of its own, and a line from the point to each of the lights.
+/// `luminance_cd_m2`: of the picture there.
+void draw_pick(std::optional<Pick>& picked, double luminance_cd_m2, const scene::RenderScene& scene,
+               const scene::CameraPose& pose, const glm::vec2& window);
 
 /// Draws the list of keys and gestures.
 void draw_help(bool& open, const glm::vec2& window);

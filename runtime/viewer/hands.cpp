@@ -26,6 +26,14 @@ Hands read_hands(const ImGuiIO& io, HeldKeys& keys, double now_s) {
     };
     hands.pressed = pressed(ImGuiMouseButton_Left) || pressed(ImGuiMouseButton_Right) ||
                     pressed(ImGuiMouseButton_Middle);
+    constexpr float still_px = 4;  // a hand shakes
+    // The last motion may lie in the frame of the release.
+    const ImVec2 from = io.MouseClickedPos[ImGuiMouseButton_Left];
+    hands.clicked =
+        ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+        !io.MouseDownOwned[ImGuiMouseButton_Left] &&
+        io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < still_px * still_px &&
+        std::hypot(io.MousePos.x - from.x, io.MousePos.y - from.y) < still_px;
     if (dragged(ImGuiMouseButton_Left)) hands.drag = step;
     if (dragged(ImGuiMouseButton_Right) || dragged(ImGuiMouseButton_Middle)) hands.pan = step;
     if (!io.WantCaptureMouse) hands.scroll = io.MouseWheel;

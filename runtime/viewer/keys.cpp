@@ -23,7 +23,9 @@ const std::vector<KeyBinding>& list_keys() {
       {"Ctrl +, Ctrl -", "larger and smaller text", Action::larger_text},
       {"F11", "fill the screen, or not", Action::fullscreen},
       {"F1, H", "show or hide this list", Action::help},
-      {"Esc", "close what is open: a list, this help, a picture being saved; then the window",
+      {"Esc",
+       "close what is open: a list, this help, what was clicked, a picture being saved; then "
+       "the window",
        Action::close},
   };
   return keys;
@@ -34,6 +36,7 @@ const std::vector<std::pair<const char*, const char*>>& list_gestures() {
       {"left button", "orbits about the point that was pressed; flying or walking: looks around"},
       {"right or middle button", "moves along the ground; the point under the cursor follows it"},
       {"wheel", "comes nearer to what is under the cursor; flying: changes the speed"},
+      {"click", "shows what is there: object, lux, cd/m2, the strongest lights and their sources"},
       {"drop a .glb or folder", "opens that city"},
   };
   return gestures;

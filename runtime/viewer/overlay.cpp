@@ -4,6 +4,10 @@
 #include <backends/imgui_impl_vulkan.h>
 #include <imgui.h>
 
+#include <fstream>
+#include <iterator>
+
+#include "formats/atomic_file.h"
 #include "runtime/gpu/vulkan_check.h"
 
 namespace nightcity::viewer {
@@ -31,7 +35,7 @@ Overlay::Overlay(gpu::Device& device, const Window& window, const Swapchain& swa
   VK_CHECK(vkCreateDescriptorPool(device.handle(), &pool, nullptr, &descriptors_));
 
   ImGui::CreateContext();
-  ImGui::GetIO().IniFilename = nullptr;  // writes no file into the current folder
+  ImGui::GetIO().IniFilename = nullptr;  // see load_places
   // The queue hands over the events, not the backend: see InputQueue.
   ImGui_ImplGlfw_InitForVulkan(window.handle(), false);
   constexpr float standard_px = 13;  // of Dear ImGui's own font
@@ -62,6 +66,22 @@ Overlay::~Overlay() {
   ImGui_ImplGlfw_Shutdown();
   ImGui::DestroyContext();
   vkDestroyDescriptorPool(device_.handle(), descriptors_, nullptr);
+}
+
+void Overlay::load_places(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  const std::string text(std::istreambuf_iterator<char>(in), {});
+  if (in) ImGui::LoadIniSettingsFromMemory(text.data(), text.size());
+}
+
+void Overlay::save_places(const std::filesystem::path& file) const {
+  std::size_t size = 0;
+  const char* text = ImGui::SaveIniSettingsToMemory(&size);
+  std::error_code ignored;
+  std::filesystem::create_directories(file.parent_path(), ignored);
+  AtomicFile out(file);
+  out.write(text, size);
+  out.commit();
 }
 
 void Overlay::begin(InputQueue& queue) {

@@ -3,6 +3,8 @@
 
 #include <vulkan/vulkan.h>
 
+#include <filesystem>
+
 #include "runtime/gpu/device.h"
 #include "runtime/viewer/swapchain.h"
 #include "runtime/viewer/window.h"
@@ -16,6 +18,12 @@ class Overlay {
   ~Overlay();
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
+
+  /// Puts panels where they were when save_places() wrote `file`; a file that is missing or broken
+  /// changes nothing.
+  void load_places(const std::filesystem::path& file);
+  /// Throws Error when the file cannot be written.
+  void save_places(const std::filesystem::path& file) const;
 
   /// Hands the panel the next events of `queue`. ImGui's functions may draw between begin() and
   /// end().

@@ -22,6 +22,7 @@ void Session::open(const scene::CameraPose& pose, const std::filesystem::path& b
                    double now_s) {
   state.camera.pose = pose;
   state.camera.pivot.reset();
+  picked.reset();
   undo_.clear();
   bookmarks_.clear();
   bookmark_file_ = bookmarks;
@@ -45,6 +46,8 @@ void Session::remember(double now_s) {
 
 void Session::move(const Hands& hands, const scene::RenderScene& scene, const glm::vec2& window,
                    double now_s) {
+  if (hands.clicked)
+    picked = pick(scene, state.camera.pose, hands.cursor, window, state.settings.time_s);
   const CameraControl before = state.camera;
   move_camera(state.camera, hands, scene, window);
   if (same_pose(before.pose, state.camera.pose)) return;
@@ -141,6 +144,8 @@ WindowRequests Session::press(const KeyPress& key, const scene::RenderScene& sce
     case Action::close:
       if (state.show_help)
         state.show_help = false;
+      else if (picked)
+        picked.reset();
       else if (is_saving)
         requests.cancel_picture = true;
       else

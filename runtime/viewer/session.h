@@ -7,6 +7,7 @@
 #include "runtime/viewer/keys.h"
 #include "runtime/viewer/notices.h"
 #include "runtime/viewer/panel.h"
+#include "runtime/viewer/pick.h"
 
 namespace nightcity::viewer {
 
@@ -21,6 +22,7 @@ class Session {
  public:
   ViewerState state;
   Notices notices;
+  std::optional<Pick> picked;
 
   /// Shows another city: forgets moves, and reads the bookmarks in `bookmarks`, a file that need
   /// not exist.

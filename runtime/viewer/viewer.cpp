@@ -5,6 +5,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "formats/program/progress_display.h"
 #include "runtime/measure/png.h"
 #include "runtime/render/parse.h"
+#include "runtime/scene/markers.h"
 #include "runtime/viewer/closing_signals.h"
 #include "runtime/viewer/drawing.h"
 #include "runtime/viewer/hands.h"
@@ -47,6 +49,19 @@ float font_of(const ViewOptions& options, const Window& window) {
   return options.font_px > 0 ? options.font_px : standard_px * window.content_scale();
 }
 
+// Returns the file that keeps the places of panels, "" without a home (XDG Base Directory
+// Specification).
+std::filesystem::path find_places_file() {
+  const char* config = std::getenv("XDG_CONFIG_HOME");
+  const char* home = std::getenv("HOME");
+  std::filesystem::path folder;
+  if (config && *config == '/')
+    folder = config;
+  else if (home && *home)
+    folder = std::filesystem::path(home) / ".config";
+  return folder.empty() ? folder : folder / "nightcity" / "window.ini";
+}
+
 std::string name_of(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
@@ -75,6 +90,7 @@ class Viewer {
     stats_.cities = options.scenes;
     swapchain_.resize(window_.size());
     overlay_ = std::make_unique<Overlay>(device_, window_, swapchain_, font_of(options, window_));
+    if (const auto places = find_places_file(); !places.empty()) overlay_->load_places(places);
   }
 
   ViewReport run() {
@@ -84,6 +100,7 @@ class Viewer {
       step();
     window_.hide();
     if (picture_) picture_->stop();
+    keep_places();
     if (!options_.save_camera.empty())
       scene::write_camera(options_.save_camera, session_.state.camera.pose);
     device_.check_validation();
@@ -94,6 +111,17 @@ class Viewer {
   std::unique_ptr<Opening> open(const std::string& path) {
     return std::make_unique<Opening>(path, options_.camera, options_.settings.time_s,
                                      options_.load);
+  }
+
+  // A home that takes no files is no reason to fail.
+  void keep_places() const {
+    const std::filesystem::path places = find_places_file();
+    if (places.empty()) return;
+    try {
+      overlay_->save_places(places);
+    } catch (const Error& error) {
+      spdlog::debug("{}", error.what());
+    }
   }
 
   void step() {
@@ -271,6 +299,7 @@ class Viewer {
       handle_input(size);
       if (state.show_panel) requests = draw_panel(state, stats_);
       if (state.markers) draw_markers(city_->scene, state.camera.pose, size);
+      draw_pick(session_.picked, luminance_at_pick(size), city_->scene, state.camera.pose, size);
       draw_lines(state, stats_, session_.notices, size);
       window_.set_title(fmt::format("{} - {} - nightview", stats_.scene, caption(state, stats_)));
     } else {
@@ -302,6 +331,18 @@ class Viewer {
           "refining, {:.0f} % of {}", 100 * picture_->share_done(),
           divisor == 1 ? "every pixel" : fmt::format("one pixel in {}", divisor * divisor));
     }
+  }
+
+  // Returns the luminance that the picture has where something was picked, cd/m2.
+  double luminance_at_pick(const glm::vec2& size) {
+    if (!session_.picked || picture_->is_busy() || !picture_->has_picture()) return pick_cd_m2_;
+    const gpu::Camera camera = scene::make_camera(session_.state.camera.pose, size.x / size.y);
+    const auto at = scene::project(camera, session_.picked->point);
+    if (!at || at->x < 0 || at->y < 0 || at->x >= 1 || at->y >= 1) return pick_cd_m2_;
+    const render::Renderer& renderer = picture_->renderer();
+    const glm::vec3 mean = renderer.mean_at(
+        glm::uvec2(*at * glm::vec2(float(renderer.width()), float(renderer.height()))));
+    return pick_cd_m2_ = double(tonemap::luminance_709(mean.r, mean.g, mean.b));
   }
 
   // While the first scene loads, there is nothing to move through.
@@ -424,6 +465,7 @@ class Viewer {
   bool outdated_ = false;  // the swapchain no longer fits the window
   bool minimised_ = false;
   bool new_picture_ = false;  // rendered, not yet shown
+  double pick_cd_m2_ = 0;     // luminance where something was picked, when last looked at
   bool drawn_ = false;        // since the last slice
   int redraws_ = 3;           // of the panel, still to come
   std::uint32_t shown_ = 0;   // pictures

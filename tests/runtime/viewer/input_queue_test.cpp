@@ -71,6 +71,7 @@ class Queue : public testing::Test {
     ImGui::End();
     for (const int key : queue.pressed()) keys.push_back(key);
     const Hands now = read_hands(ImGui::GetIO(), queue.held(), queue.handed_until(time_s));
+    clicks += now.clicked;
     hands.drag += now.drag;
     hands.pan += now.pan;
     hands.scroll += now.scroll;
@@ -97,7 +98,7 @@ class Queue : public testing::Test {
 
   InputQueue queue;
   bool ticked = false;
-  int changes = 0;
+  int changes = 0, clicks = 0;
   float value = 0, box = 0, box_y = 0, value_x = 0, value_y = 0;
   std::vector<int> keys;
   Hands hands;
@@ -159,6 +160,7 @@ TEST_F(Queue, ADragIsCountedFromPressToReleaseAndNotOverThePanel) {
   move(700, 500);
   drain();
   EXPECT_EQ(hands.drag, glm::vec2(40, 30));
+  EXPECT_EQ(clicks, 0);
   EXPECT_EQ(hands.pan, glm::vec2(0));
   hands = {};
   move(box, box_y);
@@ -167,6 +169,26 @@ TEST_F(Queue, ADragIsCountedFromPressToReleaseAndNotOverThePanel) {
   button(false);
   drain();
   EXPECT_EQ(hands.drag, glm::vec2(0));
+}
+
+TEST_F(Queue, APressAndReleaseInOnePlaceIsAClickAndADragIsNone) {
+  click(400, 300);
+  drain();
+  EXPECT_EQ(clicks, 1);
+  click(box, box_y);  // the panel's
+  move(400, 300);
+  button(true);
+  move(440, 300);  // the motion and the release come in one frame
+  button(false);
+  move(400, 300);
+  button(true);
+  move(500, 300);  // there and back
+  drain();
+  move(400, 300);
+  drain();
+  button(false);
+  drain();
+  EXPECT_EQ(clicks, 1);
 }
 
 TEST_F(Queue, TheRightButtonPansAndTheWheelScrolls) {

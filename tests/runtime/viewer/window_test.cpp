@@ -51,7 +51,7 @@ class ViewerWindow : public testing::Test {
   // Runs `script` (sh) in a virtual display of its own, in the test's folder; $V is nightview on
   // the scene, $S a small size.
   int run(const std::string& script) const {
-    std::string text = "S='--size 320x240 --every 2'\nV='";
+    std::string text = "export XDG_CONFIG_HOME=$PWD/config\nS='--size 320x240 --every 2'\nV='";
     text += NIGHTCITY_BUILD_DIR;
     text += "/nightview town.glb --validation'\n";
     test::write_text(folder / "script.sh", text + script);
@@ -269,6 +269,23 @@ TEST_F(ViewerWindow, AtRestItSleeps) {
   };
   // Of 400 hundredths of a second: what is at rest needs no tenth, and rendering needs all.
   EXPECT_LT(ticks("after.txt") - ticks("before.txt"), 100);
+}
+
+TEST_F(ViewerWindow, ThePanelStaysWhereItWasLeft) {
+  if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no mouse or keyboard";
+  ASSERT_EQ(run("V=\"$V --size 700x500 --every 8\"\n"
+                "$V & viewer=$!\n"
+                "xdotool search --sync --onlyvisible --name nightview > window.txt; sleep 2\n"
+                "xdotool mousemove 100 20 mousedown 1; sleep 0.3\n"
+                "xdotool mousemove 250 60; sleep 0.3; xdotool mouseup 1 mousemove 650 450\n"
+                "sleep 0.3; xdotool key Escape; wait $viewer\n"
+                "cp config/nightcity/window.ini first.ini\n"
+                "$V --quit-after 2\n"),
+            0)
+      << text("err.txt");
+  EXPECT_NE(text("first.ini").find("Pos=160,"), std::string::npos) << text("first.ini");
+  EXPECT_NE(text("config/nightcity/window.ini").find("Pos=160,"), std::string::npos)
+      << text("config/nightcity/window.ini");
 }
 
 TEST_F(ViewerWindow, FoldersUpperCaseNamesLightsAndTwoScenesAreUnderstood) {
