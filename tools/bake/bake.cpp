@@ -13,9 +13,11 @@
 #include "tools/bake/parts/read_parts.h"
 #include "tools/bake/report/stage_clock.h"
 #include "tools/bake/scene/scene_tiles.h"
+#include "tools/bake/scene/tree_models.h"
 #include "tools/bake/scene/vehicle_models.h"
 #include "tools/bake/stages/light_stage.h"
 #include "tools/bake/stages/traffic_stage.h"
+#include "tools/trees/find_trees.h"
 
 namespace nightcity::bake {
 namespace {
@@ -50,6 +52,7 @@ class Bake {
     Georeference georeference = city_.georeference(tiles_.middle());
     report_.tiles = tiles_.write(georeference, city_, progress_);
     clock_.end_stage("tiles");
+    plant_trees(georeference);
     write_lights(georeference);
     scene_.finish(georeference);
     write_report();
@@ -90,6 +93,18 @@ class Bake {
                       ? "the map has no building above the ground"
                       : "no surface in any file of the city");
     clock_.end_stage("terrain");
+  }
+
+  void plant_trees(const Georeference& georeference) {
+    const trees::Season season = options_.city.cover.trees;
+    const auto extent = city_.terrain().extent();
+    if (season == trees::Season::none || !extent || !city_.frame().has_lon_lat()) return;
+    const trees::TreeSet found =
+        trees::find_trees(city_.map(), city_.cover(), {extent->low, extent->high}, city_.to_frame(),
+                          city_.height_at(), city_.inside_footprint());
+    add_tree_models(scene_, found.trees, season, georeference);
+    report_.trees = {found.sources, found.left_out, found.assumed_sizes};
+    clock_.end_stage("trees");
   }
 
   // Gives `georeference` the identity that both files carry.

@@ -70,12 +70,21 @@ CoverPart Cover::find_part(const Box& box, const glm::dvec2& origin) const {
   return part;
 }
 
+const CoverArea* Cover::find_first(const BoxIndex& index, const glm::dvec2& place) const {
+  if (!finite(place)) return nullptr;
+  for (const std::uint32_t i : index.find({place, place}))
+    if (boxes_[i].holds(place) && mesh::holds(areas_[i].rings, place)) return &areas_[i];
+  return nullptr;
+}
+
 double Cover::depth_at(const glm::dvec2& place) const {
-  if (!finite(place)) return 0;
-  for (const std::uint32_t i : depth_index_.find({place, place}))
-    if (boxes_[i].holds(place) && mesh::holds(areas_[i].rings, place))
-      return areas_[i].surface.sunken ? roads::kerb_m : 0;
-  return 0;
+  const CoverArea* area = find_first(depth_index_, place);
+  return area && area->surface.sunken ? roads::kerb_m : 0;
+}
+
+const Surface* Cover::surface_at(const glm::dvec2& place) const {
+  const CoverArea* area = find_first(area_index_, place);
+  return area ? &area->surface : nullptr;
 }
 
 }  // namespace nightcity::ground_cover

@@ -53,12 +53,17 @@ class Cover {
   /// Returns by how much the surface at a place lies below the ground, m.
   double depth_at(const glm::dvec2& place) const;
 
+  /// Returns what covers a place; null where it is bare.
+  const Surface* surface_at(const glm::dvec2& place) const;
+
   /// What was not used, and how often.
   std::map<std::string, std::size_t> left_out;
   /// Values that no tag gives, and how often they were assumed.
   std::map<std::string, std::size_t> assumed;
 
  private:
+  const CoverArea* find_first(const BoxIndex& index, const glm::dvec2& place) const;
+
   std::vector<CoverArea> areas_;
   std::vector<std::vector<glm::dvec2>> markings_;
   std::vector<Surface> surfaces_;

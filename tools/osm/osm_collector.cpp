@@ -46,7 +46,10 @@ void OsmCollector::add_node(std::int64_t id, OsmVersion version, const glm::dvec
   if (!on_globe(lon_lat)) return count_bad_node();
   ++nodes_;
   places_.push_back({key, version.rank(), to_steps(lon_lat.x), to_steps(lon_lat.y)});
-  if (is_lamp(tags)) lamps_.push_back({{id, lon_lat, std::move(tags)}, key, version.rank()});
+  if (is_lamp(tags))
+    lamps_.push_back({{id, lon_lat, std::move(tags)}, key, version.rank()});
+  else if (is_tree(tags))
+    trees_.push_back({{lon_lat, std::move(tags)}, key, version.rank()});
 }
 
 void OsmCollector::add_way(std::int64_t id, OsmVersion version, std::vector<OsmNodeRef> nodes,
@@ -55,7 +58,7 @@ void OsmCollector::add_way(std::int64_t id, OsmVersion version, std::vector<OsmN
   way_states_.push_back({key, version.rank(), version.deleted});
   if (version.deleted) return;
   ++data_.ways;
-  if (!is_highway(tags) && !is_building(tags) && !is_lamp(tags)) return;
+  if (!is_highway(tags) && !is_building(tags) && !is_lamp(tags) && !is_tree_row(tags)) return;
   if (nodes.size() > max_way_nodes_) {
     ++data_.long_ways;
     return;
@@ -129,6 +132,8 @@ void OsmCollector::place_ways() {
       data_.highways.push_back(std::move(way));
     else if (is_building(way.tags))
       data_.buildings.push_back(std::move(way));
+    else if (is_tree_row(way.tags))
+      data_.tree_rows.push_back(std::move(way));
   }
 }
 
@@ -137,8 +142,10 @@ OsmData OsmCollector::finish() && {
   keep_newest(places_);
   keep_newest(way_states_);
   drop_old(lamps_, places_);
+  drop_old(trees_, places_);
   drop_old(pending_, way_states_);
   for (PendingLamp& pending : lamps_) data_.lamps.push_back(std::move(pending.lamp));
+  for (PendingTree& pending : trees_) data_.trees.push_back(std::move(pending.tree));
   place_ways();
   return std::move(data_);
 }

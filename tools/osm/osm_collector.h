@@ -78,6 +78,11 @@ class OsmCollector {
     Key key;
     std::uint32_t rank;
   };
+  struct PendingTree {
+    OsmTree tree;
+    Key key;
+    std::uint32_t rank;
+  };
   struct PendingWay {
     OsmWay way;
     std::vector<OsmNodeRef> nodes;
@@ -102,6 +107,7 @@ class OsmCollector {
   std::vector<Place> places_;
   std::vector<State> way_states_;
   std::vector<PendingLamp> lamps_;
+  std::vector<PendingTree> trees_;
   std::vector<PendingWay> pending_;
 };
 

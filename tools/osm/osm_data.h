@@ -21,6 +21,11 @@ struct OsmLampNode {
   bool is_inventory = false;  // of a town's inventory and not of the map
 };
 
+struct OsmTree {
+  glm::dvec2 lon_lat{0, 0};  // degrees
+  OsmTags tags;
+};
+
 struct OsmWay {
   std::int64_t id = 0;
   std::vector<glm::dvec2>
@@ -41,6 +46,8 @@ struct OsmData {
   std::vector<OsmLampNode> lamps;  // street_lamp, lantern, floodlight, tower:type=lighting, ...
   std::vector<OsmWay> highways;
   std::vector<OsmWay> buildings;
+  std::vector<OsmTree> trees;     // natural=tree
+  std::vector<OsmWay> tree_rows;  // natural=tree_row
   std::size_t nodes = 0, ways = 0, relations = 0;
   std::size_t missing_nodes = 0, bad_coordinates = 0, duplicates = 0;
   std::size_t old_versions = 0;  // lamps, highways and buildings of which there is a newer version

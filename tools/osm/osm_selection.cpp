@@ -52,6 +52,14 @@ bool is_highway(const OsmTags& tags) {
   return !value.empty() && value != "no" && !has_one_of(tags, "highway", street_lamps);
 }
 
+bool is_tree(const OsmTags& tags) {
+  return value_of(tags, "natural") == "tree";
+}
+
+bool is_tree_row(const OsmTags& tags) {
+  return value_of(tags, "natural") == "tree_row";
+}
+
 bool is_building(const OsmTags& tags) {
   const std::string value = value_of(tags, "building");
   return !value.empty() && value != "no";

@@ -17,6 +17,9 @@ namespace nightcity::osm {
 bool is_lamp(const OsmTags& tags);
 /// Returns whether it has a highway=* that can be a way.
 bool is_highway(const OsmTags& tags);
+/// Returns whether it is a single tree, and whether a row of trees.
+bool is_tree(const OsmTags& tags);
+bool is_tree_row(const OsmTags& tags);
 /// Returns whether it has building=* but "no".
 bool is_building(const OsmTags& tags);
 

@@ -92,7 +92,19 @@ Table make_ground_table(bake::CoverOptions& ground) {
        flag_key("gaps", ground.gaps,
                 "Where the map has a building and the city model has none, the map's stands there, "
                 "made as by `[osm] buildings` and on the lowest ground below it. A building of "
-                "which a tenth lies on the model's own is the model's.")}};
+                "which a tenth lies on the model's own is the model's."),
+       choice_key<trees::Season>(
+           "trees", ground.trees,
+           {{"summer", trees::Season::summer},
+            {"winter", trees::Season::winter},
+            {"none", trees::Season::none}},
+           "Trees of the map, which cast shadows: `natural=tree`, rows of trees, one every 8 m, "
+           "and "
+           "woods, one in each square of 7 m. `height` and `diameter_crown` say how large they "
+           "are, "
+           "else a guess. Light passes the gaps of their crowns: 3.3 % of what falls on a crown "
+           "with "
+           "leaves, 46 % in winter, when only `leaf_cycle=evergreen` and needles stay green.")}};
 }
 
 Table make_origin_table(bake::Recipe::Origin& origin) {

@@ -26,6 +26,7 @@ struct BakeReport {
   SceneTilesReport tiles;
   GapReport gaps;
   CoverReport cover;
+  TreeReport trees;
   StreetReport streets;  // of the model, where the map has none
   LightsReport lights;
   std::optional<traffic::TrafficReport> traffic;

@@ -11,6 +11,22 @@
 
 namespace nightcity::bake {
 
+nlohmann::json to_json(const TreeReport& report) {
+  return {{"source", "map"},
+          {"trees", report.sources},
+          {"left_out", report.left_out},
+          {"assumed_sizes", report.assumed_sizes}};
+}
+
+std::string to_text(const TreeReport& report) {
+  if (report.sources.empty() && report.left_out.empty()) return {};
+  std::string text =
+      report_line("trees", fmt::format("{}; {} of a size that is assumed", in_words(report.sources),
+                                       report.assumed_sizes));
+  if (!report.left_out.empty()) text += report_line("", "left out: " + in_words(report.left_out));
+  return text;
+}
+
 nlohmann::json to_json(const CoverReport& report, const SceneTilesReport& tiles) {
   nlohmann::json area_m2 = nlohmann::json::object();
   for (const auto& [name, m2] : tiles.cover_m2) area_m2[name] = std::round(10 * m2) / 10;

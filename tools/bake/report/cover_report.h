@@ -16,6 +16,14 @@ struct CoverReport {
   std::map<std::string, std::size_t> assumed;   // what no tag says
 };
 
+struct TreeReport {
+  std::map<std::string, std::size_t> sources;   // trees, by where they are from
+  std::map<std::string, std::size_t> left_out;  // by reason
+  std::size_t assumed_sizes = 0;                // trees whose size no tag gives
+};
+nlohmann::json to_json(const TreeReport& report);
+std::string to_text(const TreeReport& report);
+
 /// `tiles`: how much of each kind the scene shows.
 nlohmann::json to_json(const CoverReport& report, const SceneTilesReport& tiles);
 /// Returns "" where nothing covers the ground and nothing was left out.

@@ -13,6 +13,8 @@
 #include <tuple>
 #include <vector>
 
+#include "tools/bake/scene/shapes.h"
+
 namespace nightcity::bake {
 namespace {
 
@@ -25,25 +27,6 @@ constexpr float post_radius = 0.06f;
 constexpr float arm_radius = 0.03f;
 constexpr float housing_length = 0.55f, housing_height = 0.10f, housing_width = 0.26f;
 constexpr double arm_clearance = 0.02;  // between a post and the ball beside or above it
-
-// An upright prism of unit height about the y axis, open at the foot.
-ScenePrimitive prism(float radius, std::uint32_t sides, std::uint32_t material) {
-  ScenePrimitive p;
-  p.material = material;
-  for (std::uint32_t i = 0; i < sides; ++i) {
-    const double angle = 2 * pi * i / sides;
-    const auto x = static_cast<float>(std::cos(angle)) * radius,
-               z = static_cast<float>(-std::sin(angle)) * radius;
-    p.positions.insert(p.positions.end(), {{x, 0, z}, {x, 1, z}});
-  }
-  const std::uint32_t top = 2 * sides;
-  p.positions.push_back({0, 1, 0});
-  for (std::uint32_t i = 0; i < sides; ++i) {
-    const std::uint32_t a = 2 * i, b = 2 * ((i + 1) % sides);
-    p.indices.insert(p.indices.end(), {a, b, b + 1, a, b + 1, a + 1, a + 1, b + 1, top});
-  }
-  return p;
-}
 
 // A box from the origin along +x, its underside at y = 0.
 ScenePrimitive box(float length, float height, float width, std::uint32_t material) {
@@ -182,7 +165,7 @@ void LampModels::add(std::span<const lights::PlacedLamp> lamps, std::size_t firs
     housing = glm::translate(housing, {-housing_length / 2, clearance, 0});
     housings.instances.push_back({housing, no_id});
   }
-  add_node(posts, post_, "lamp post", [&] { return prism(post_radius, 8, post_material_); });
+  add_node(posts, post_, "lamp post", [&] { return make_prism(post_radius, 8, post_material_); });
   add_node(arms, arm_, "lamp arm",
            [&] { return box(1, 2 * arm_radius, 2 * arm_radius, post_material_); });
   add_node(housings, housing_, "lamp housing",

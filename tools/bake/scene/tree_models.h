@@ -1,0 +1,18 @@
+// Trees in city.glb: trunks and crowns of loose leaves, instanced.
+#pragma once
+
+#include <span>
+
+#include "formats/georeference.h"
+#include "formats/scene_writer.h"
+#include "tools/trees/tree.h"
+
+namespace nightcity::bake {
+
+/// Adds the trees to `writer` as instanced nodes of kind "tree", which cast shadows. A crown is the
+/// unit ball of trees::make_leaves, stretched to its size and turned by its place. In winter only
+/// evergreens have leaves; other crowns are twigs.
+void add_tree_models(SceneWriter& writer, std::span<const trees::Tree> trees, trees::Season season,
+                     const Georeference& georeference);
+
+}  // namespace nightcity::bake

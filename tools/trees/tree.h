@@ -1,0 +1,19 @@
+// A tree of the city, and when in the year it is seen.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+namespace nightcity::trees {
+
+enum class Season : std::uint8_t { none, summer, winter };  // none: no trees
+
+struct Tree {
+  glm::dvec3 foot{0};      // E, N, H of the city's frame, m
+  double height_m = 0;     // from foot to top
+  double crown_m = 0;      // diameter of the crown
+  double clear_m = 0;      // from foot to the lowest leaf
+  bool evergreen = false;  // has its leaves in winter
+};
+
+}  // namespace nightcity::trees
