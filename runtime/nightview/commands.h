@@ -17,6 +17,7 @@ void add_upward_command(CLI::App& app);
 void add_devices_command(CLI::App& app);
 void add_sweep_command(CLI::App& app);
 void add_flight_command(CLI::App& app);
+void add_record_command(CLI::App& app);
 void add_strategies_command(CLI::App& app);
 void add_vehicles_command(CLI::App& app);
 

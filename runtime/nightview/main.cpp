@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
     nightcity::nightview::add_devices_command(app);
     nightcity::nightview::add_sweep_command(app);
     nightcity::nightview::add_flight_command(app);
+    nightcity::nightview::add_record_command(app);
     nightcity::nightview::add_strategies_command(app);
     nightcity::nightview::add_vehicles_command(app);
   };

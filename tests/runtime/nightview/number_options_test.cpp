@@ -17,8 +17,8 @@ struct NumberOption {
 };
 
 std::vector<std::string> list_commands() {
-  return {"render", "view",       "compare",  "bench",  "upward",
-          "sweep",  "strategies", "vehicles", "flight", "devices"};
+  return {"render",     "view",     "compare", "bench",   "upward", "sweep",
+          "strategies", "vehicles", "flight",  "devices", "record"};
 }
 
 // Finds the options in the command's own help, so that a new one is tested without being named
@@ -47,6 +47,7 @@ std::string required_arguments(const std::string& command, const test::TempFolde
   if (command == "compare") return " none.exr none.exr ";
   if (command == "render") return " none.glb --out" + test::quoted(folder / "a.png");
   if (command == "sweep" || command == "flight" || command == "upward") return " none.glb" + out;
+  if (command == "record") return " none.glb --path orbit" + out;
   if (command == "strategies") return out + "--lights 1 --size 1x1 --frames 1 ";
   if (command == "vehicles") return " --vehicles 0 --lamps 1 --size 1x1 --frames 1 ";
   if (command == "devices") return "";
