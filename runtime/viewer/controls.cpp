@@ -1,5 +1,7 @@
 #include "runtime/viewer/controls.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -118,6 +120,18 @@ std::optional<float> find_ground(const scene::RenderScene& scene, const glm::vec
       scene::trace_ray(scene, glm::dvec3(from), {0, -1, 0}, double(farthest_m), MASK_VISIBLE);
   if (!hit) return std::nullopt;
   return from.y - static_cast<float>(hit->distance);
+}
+
+std::string describe_camera(const scene::RenderScene& scene, const scene::CameraPose& pose) {
+  const glm::dvec3 enh = scene.georeference.from_model(glm::dvec3(pose.position));
+  std::string text = fmt::format("{:.0f} E, {:.0f} N", enh.x, enh.y);
+  if (const std::optional<float> ground = find_ground(scene, pose.position))
+    text += fmt::format(", {:.1f} m up", pose.position.y - *ground);
+  const glm::vec3 ahead = level_axes(pose).second;
+  constexpr const char* points[] = {"north", "north-east", "east", "south-east",
+                                    "south", "south-west", "west", "north-west"};
+  const double turn = glm::degrees(std::atan2(double(ahead.x), -double(ahead.z)));  // from north
+  return text + ", looking " + points[static_cast<std::size_t>(std::lround(turn / 45 + 8)) % 8];
 }
 
 float find_speed(const CameraControl& control, std::optional<float> height_m) {

@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <string>
 
 #include "runtime/scene/camera.h"
 #include "runtime/scene/render_scene.h"
@@ -48,6 +49,10 @@ glm::vec3 direction_through(const scene::CameraPose& pose, const glm::vec2& pixe
 /// Returns the height of the ground or roof below a point, m in model space; nothing where there is
 /// none.
 std::optional<float> find_ground(const scene::RenderScene& scene, const glm::vec3& from);
+
+/// Returns where a camera is and which way it looks: "412008 E, 5761972 N, 24 m up, looking
+/// north-east". Coordinates are those of the city's CRS; heights are above what is below the camera.
+std::string describe_camera(const scene::RenderScene& scene, const scene::CameraPose& pose);
 
 /// Returns the speed of flight of a camera this high above the ground, m/s.
 float find_speed(const CameraControl& control, std::optional<float> height_m);

@@ -297,6 +297,7 @@ class Viewer {
     PanelRequests requests;
     if (city_) {
       handle_input(size);
+      if (state.show_panel) stats_.place = describe_camera(city_->scene, state.camera.pose);
       if (state.show_panel) requests = draw_panel(state, stats_);
       if (state.markers) draw_markers(city_->scene, state.camera.pose, size);
       draw_pick(session_.picked, luminance_at_pick(size), city_->scene, state.camera.pose, size);

@@ -145,6 +145,20 @@ TEST(Controls, WalkersClimbKerbsAndStairsButNoRoofs) {
   EXPECT_NEAR(control.pose.position.y, 1.5 + 1.7, 0.01);
 }
 
+TEST(Controls, TheCameraSaysWhereItIsAndWhichWayItLooks) {
+  scene::RenderScene scene = with_a_house();
+  scene.georeference.origin = {390000, 5819000, 30};
+  const glm::vec3 eye(100, 24, -50);
+  const auto looking = [&](const glm::vec3& way) {
+    return describe_camera(scene, at(eye, eye + way).pose);
+  };
+  EXPECT_EQ(looking({0, -1, -10}), "390100 E, 5819050 N, 24.0 m up, looking north");
+  EXPECT_TRUE(looking({10, 0, 0}).ends_with("looking east"));
+  EXPECT_TRUE(looking({0, 0, 10}).ends_with("looking south"));
+  EXPECT_TRUE(looking({-10, 0, 0.1f}).ends_with("looking west"));
+  EXPECT_TRUE(looking({-10, 0, -10}).ends_with("looking north-west"));
+}
+
 TEST(Controls, WalkersStopAtTheEdgeOfTheModel) {
   const scene::RenderScene scene = test::SceneBuilder().ground(10).with({});
   CameraControl control = at({0, 1.7f, 0}, {0, 1.7f, -10});
