@@ -104,6 +104,15 @@ bool LivePicture::work(const View& view, double now_s, double wait_s) {
   return true;
 }
 
+render::RenderSettings LivePicture::made_with() const {
+  render::RenderSettings settings = shown_ ? shown_->settings : render::RenderSettings{};
+  if (!shown_plan_.quick) return settings;
+  settings.sampling.candidates =
+      std::min(settings.sampling.candidates, quick_effort.max_candidates);
+  settings.reuse.neighbours = std::min(settings.reuse.neighbours, quick_effort.max_neighbours);
+  return settings;
+}
+
 void LivePicture::expose(const render::DisplaySettings& display) {
   if (!has_picture() || same_display(display, shown_display_)) return;
   renderer_.expose(display);

@@ -52,6 +52,9 @@ class LivePicture {
 
   bool has_picture() const { return renderer_.frames() > 0; }
   const render::Renderer& renderer() const { return renderer_; }
+  /// Returns the settings that the picture on the screen was made with: those of its view, within
+  /// the bounds of a quick frame.
+  render::RenderSettings made_with() const;
   /// Returns the plan of the last complete frame.
   const FramePlan& shown() const { return shown_plan_; }
   bool is_fine() const { return refinement_.is_fine(); }

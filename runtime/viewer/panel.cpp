@@ -213,7 +213,7 @@ std::string clock_text(double time_s) {
 }
 
 std::string caption(const ViewerState& state, const FrameStats& stats) {
-  const render::RenderSettings& settings = state.settings;
+  const render::RenderSettings& settings = stats.made_with ? *stats.made_with : state.settings;
   const render::EstimatorTraits& estimator = render::traits_of(settings.sampling.estimator);
   std::string text = estimator.name;
   if (estimator.samples) text += fmt::format(", {} candidates", settings.sampling.candidates);

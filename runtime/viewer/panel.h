@@ -1,6 +1,7 @@
 // The panel over the picture: what the user may change, and what the renderer reports.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,6 +42,8 @@ struct FrameStats {
   std::uint32_t width = 0, height = 0;  // of the rendered picture
   std::uint32_t divisor = 1;            // of the window's sides, that the picture has
   std::uint32_t frames = 0;             // in the mean
+  // The settings of the picture on the screen, where the next one is still being rendered.
+  std::optional<render::RenderSettings> made_with;
   double frame_ms = 0;                  // of the device
   std::string work;                     // what goes on: "rendering every 2nd pixel, 40 %"
   std::string place;                    // where the camera is, in words

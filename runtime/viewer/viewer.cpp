@@ -198,6 +198,7 @@ class Viewer {
     stats_.height = renderer.height();
     stats_.divisor = picture_->shown().divisor;
     stats_.frames = renderer.frames();
+    stats_.made_with = picture_->made_with();
     stats_.passes = renderer.timings();
     stats_.frame_ms = 1000 * renderer.frame_s();
     if (session_.state.auto_exposure) metering_.set_target(picture_->meter());

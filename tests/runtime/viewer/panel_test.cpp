@@ -213,6 +213,11 @@ TEST_F(Panel, CaptionNamesWhatMadeThePicture) {
   state.settings.sampling.estimator = render::Estimator::reference;
   stats.frames = 1;
   EXPECT_EQ(caption(state, stats), "reference, mean of 1 frame");
+  // The picture on the screen is another's until the reference's is there.
+  stats.made_with = render::RenderSettings{};
+  stats.made_with->sampling.candidates = 8;
+  stats.made_with->reuse.neighbours = 0;
+  EXPECT_EQ(caption(state, stats), "traced, 8 candidates, 0 neighbours, mean of 1 frame");
 }
 
 }  // namespace
