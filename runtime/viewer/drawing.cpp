@@ -128,8 +128,13 @@ void draw_markers(const scene::RenderScene& scene, const scene::CameraPose& pose
   constexpr std::size_t max_markers = 2000;
   const gpu::Camera camera = scene::make_camera(pose, window.x / window.y);
   ImDrawList* list = ImGui::GetBackgroundDrawList();
-  for (const scene::Marker& marker : scene::find_markers(camera, scene.lights, 10 * max_markers)) {
-    if (scene.families[marker.light] == LightFamily::window) continue;
+  auto markers = scene::find_markers(camera, scene.lights, 20 * max_markers);
+  std::erase_if(markers, [&](const scene::Marker& marker) {
+    return scene.families[marker.light] == LightFamily::window;
+  });
+  if (markers.size() > max_markers)  // the nearest are last
+    markers.erase(markers.begin(), markers.end() - static_cast<std::ptrdiff_t>(max_markers));
+  for (const scene::Marker& marker : markers) {
     const glm::vec3 at_lamp = scene.lights[marker.light].position;
     const glm::dvec3 way = glm::dvec3(at_lamp) - glm::dvec3(pose.position);
     // The lamp's own housing does not hide it.
