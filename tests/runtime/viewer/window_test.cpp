@@ -243,7 +243,7 @@ TEST_F(ViewerWindow, KeysAreObeyedInOrderWhileAFrameTakesLong) {
 TEST_F(ViewerWindow, ASignalEndsItAsClosingDoes) {
   for (const char* signal : {"INT", "TERM", "HUP"}) {
     ASSERT_EQ(run(std::string("rm -f camera.json; timeout --preserve-status -s ") + signal +
-                  " 3 $V $S --save-camera camera.json\n"),
+                  " 5 $V $S --save-camera camera.json\n"),
               0)
         << text("err.txt");
     EXPECT_NE(text("camera.json"), "") << signal;
@@ -252,7 +252,7 @@ TEST_F(ViewerWindow, ASignalEndsItAsClosingDoes) {
 }
 
 TEST_F(ViewerWindow, AtRestItSleeps) {
-  ASSERT_EQ(run("$V --size 160x120 --frames 1 & viewer=$!\n"
+  ASSERT_EQ(run("$V --size 160x120 --every 8 --frames 1 & viewer=$!\n"
                 "sleep 10; cp /proc/$viewer/stat before.txt\n"
                 "sleep 4; cp /proc/$viewer/stat after.txt\n"
                 "kill -TERM $viewer; wait $viewer\n"),
