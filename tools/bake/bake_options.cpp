@@ -21,6 +21,7 @@ CityInputs to_city_inputs(const Recipe& recipe) {
   inputs.max_way_nodes = recipe.osm.max_way_nodes;
   inputs.read = recipe.city.read;
   inputs.read.max_way_nodes = recipe.osm.max_way_nodes;
+  inputs.read.map_colours = recipe.osm.colours;
   inputs.frame = recipe.city.frame;
   inputs.bounds = recipe.city.bounds;
   inputs.origin_easting = recipe.origin.easting;

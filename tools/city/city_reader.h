@@ -81,6 +81,7 @@ struct ReadOptions {
   int max_linked_vertices = 8'000'000;  // that the links of a document lead to, and of a member's
   int max_crossings = 16;               // of a polygon's outlines, for each of their points
   int max_way_nodes = 20'000;           // of a building in a map, over all ways of its outline
+  bool map_colours = true;              // of a map's buildings: by their tags
   /// Read this piece alone, of a file that FileReader::find_cuts allows to be cut.
   std::optional<TextPiece> piece{};
 

@@ -16,6 +16,7 @@
 #include "tools/map_buildings/building_tags.h"
 #include "tools/map_buildings/part_index.h"
 #include "tools/map_buildings/roofs.h"
+#include "tools/map_buildings/skin.h"
 #include "tools/osm/map_areas.h"
 
 namespace nightcity::map_buildings {
@@ -99,8 +100,8 @@ std::string find_tag(const osm::OsmTags& tags, const char* key) {
 
 class ObjectMaker {
  public:
-  ObjectMaker(city::SkipCounter& skipped, city::SkipCounter& assumed)
-      : skipped_(skipped), assumed_(assumed) {}
+  ObjectMaker(city::SkipCounter& skipped, city::SkipCounter& assumed, bool coloured)
+      : skipped_(skipped), assumed_(assumed), coloured_(coloured) {}
 
   // Returns none where nothing of the building stands above the ground.
   std::optional<city::RawObject> make(const MapArea& building,
@@ -119,9 +120,9 @@ class ObjectMaker {
         find_tag(building.tags, "addr:postcode"), find_tag(building.tags, "addr:city"),
         find_tag(building.tags, "addr:country")});
     const LocalPlane plane(building.rings.front().outer.front());
-    if (parts.empty()) add_shells(building, building.tags, plane, raw);
+    if (parts.empty()) add_shells(building, building, plane, raw);
     for (const MapArea* part : parts)
-      if (!is_absent(part->tags)) add_shells(*part, part->tags, plane, raw);
+      if (!is_absent(part->tags)) add_shells(*part, building, plane, raw);
     if (!parts.empty()) skipped_.add("outline of a building that has parts");
     if (const auto said = find_sizes(building.tags, unused_).storeys)
       raw.object.storeys_above_ground = *said;
@@ -129,9 +130,12 @@ class ObjectMaker {
   }
 
  private:
-  void add_shells(const MapArea& area, const osm::OsmTags& tags, const LocalPlane& plane,
+  // `building` is the whole of which the area is a part, or the area itself.
+  void add_shells(const MapArea& area, const MapArea& building, const LocalPlane& plane,
                   city::RawObject& raw) {
-    const BuildingSizes sizes = find_sizes(tags, skipped_);
+    const BuildingSizes sizes = find_sizes(area.tags, skipped_);
+    const auto walls = find_colour(area, building, Skin::walls),
+               roof = find_colour(area, building, Skin::roof);
     if (sizes.assumed) assumed_.add("height of a building that the map does not say");
     for (const MapRings& rings : area.rings) {
       const Outline outline = to_outline(rings, plane);
@@ -142,6 +146,8 @@ class ObjectMaker {
         };
         place(polygon.exterior);
         for (city::Ring& hole : polygon.interiors) place(hole);
+        if (polygon.surface == city::SurfaceType::wall) polygon.diffuse_colour = walls;
+        if (polygon.surface == city::SurfaceType::roof) polygon.diffuse_colour = roof;
         raw.polygons.push_back({std::move(polygon), -1, 0});
       }
       if (made_flat) skipped_.add("roof whose shape does not fit its outline, shown flat");
@@ -153,7 +159,15 @@ class ObjectMaker {
           std::max(object.storeys_above_ground.value_or(0), *sizes.storeys);
   }
 
+  std::optional<glm::vec3> find_colour(const MapArea& area, const MapArea& building,
+                                       Skin skin) const {
+    if (!coloured_) return std::nullopt;
+    const auto own = find_skin(area.tags, skin);
+    return own ? own : find_skin(building.tags, skin);
+  }
+
   city::SkipCounter &skipped_, &assumed_;
+  bool coloured_;
   city::SkipCounter unused_;
 };
 
@@ -220,7 +234,7 @@ city::ReadReport read_map_buildings(const std::filesystem::path& file,
       },
       [&](std::size_t first) {
         Batch batch;
-        ObjectMaker maker(batch.skipped, batch.assumed);
+        ObjectMaker maker(batch.skipped, batch.assumed, options.map_colours);
         std::vector<city::CityObject> objects;
         for (std::size_t i = first; i < std::min(first + batch_size, count); ++i) {
           const bool whole = i < buildings.size();

@@ -42,6 +42,8 @@ struct Recipe {
     std::vector<std::filesystem::path> files;
     /// Without a city model, the buildings of the map are the model.
     bool buildings = true;
+    /// The map's buildings have the colours that their tags say.
+    bool colours = true;
     std::string licence = "OpenStreetMap contributors, ODbL 1.0";
     int max_way_nodes = static_cast<int>(osm::default_max_way_nodes);
   } osm;

@@ -25,26 +25,31 @@ int to_minute_of_night(const Value& value) {
 }
 
 Table make_osm_table(bake::Recipe::Osm& osm, const fs::path& folder) {
-  return {"osm",
-          "The map: street lamps, streets, and outlines that say what a building is used for.",
-          {paths_key("files", osm.files, folder, false, R"(["streets.osm.pbf"])",
-                     "OpenStreetMap extracts: .osm, .osm.pbf, .osm.gz or .osm.bz2. Paths are "
-                     "relative to the recipe. Several extracts are merged; an object that is in "
-                     "more than one is taken in its newest version."),
-           flag_key("buildings", osm.buildings,
-                    "Without `[city] files`, the map's buildings are the city model: `building`, "
-                    "`building:part`, `height`, `min_height`, `building:levels`, "
-                    "`building:min_level`, `roof:shape` (flat, gabled, hipped, pyramidal, "
-                    "skillion), `roof:height`, `roof:levels`, `roof:direction`, "
-                    "`roof:orientation`. They stand on `[terrain] dem`, each on the lowest ground "
-                    "below it, or on a plane at height 0. Levels are 3 m; buildings without any "
-                    "height get the levels of their kind, and are counted as assumed."),
-           text_key("licence", osm.licence, "\"OpenStreetMap contributors, ODbL 1.0\"",
-                    "The attribution that both output files carry."),
-           integer_key("max_way_nodes", osm.max_way_nodes, 2, 100'000'000,
-                       "A limit: streets, buildings and lamps of more nodes are left out, with a "
-                       "note; of a multipolygon, the nodes of all its ways count. OpenStreetMap "
-                       "itself allows 2000 for a way.")}};
+  return {
+      "osm",
+      "The map: street lamps, streets, and outlines that say what a building is used for.",
+      {paths_key("files", osm.files, folder, false, R"(["streets.osm.pbf"])",
+                 "OpenStreetMap extracts: .osm, .osm.pbf, .osm.gz or .osm.bz2. Paths are "
+                 "relative to the recipe. Several extracts are merged; an object that is in "
+                 "more than one is taken in its newest version."),
+       flag_key("buildings", osm.buildings,
+                "Without `[city] files`, the map's buildings are the city model: `building`, "
+                "`building:part`, `height`, `min_height`, `building:levels`, "
+                "`building:min_level`, `roof:shape` (flat, gabled, hipped, pyramidal, "
+                "skillion), `roof:height`, `roof:levels`, `roof:direction`, "
+                "`roof:orientation`. They stand on `[terrain] dem`, each on the lowest ground "
+                "below it, or on a plane at height 0. Levels are 3 m; buildings without any "
+                "height get the levels of their kind, and are counted as assumed."),
+       flag_key("colours", osm.colours,
+                "Walls and roofs of the map's buildings have the colours that `building:colour`, "
+                "`roof:colour`, `building:material` and `roof:material` say. White reflects "
+                "0.75, as paint does, and other colours less."),
+       text_key("licence", osm.licence, "\"OpenStreetMap contributors, ODbL 1.0\"",
+                "The attribution that both output files carry."),
+       integer_key("max_way_nodes", osm.max_way_nodes, 2, 100'000'000,
+                   "A limit: streets, buildings and lamps of more nodes are left out, with a "
+                   "note; of a multipolygon, the nodes of all its ways count. OpenStreetMap "
+                   "itself allows 2000 for a way.")}};
 }
 
 Table make_terrain_table(bake::GroundOptions& terrain, const fs::path& folder) {
