@@ -16,8 +16,9 @@ vec2 point_of_light(uvec2 pixel, uint light, uint i, uint points, bool stays) {
   return r2_point(start.xy, FRAME.frame * points + i);
 }
 
-// Returns the light that a receiver reflects from the lights from `first` to before `end`. `stays`:
-// it is the surface seen in the pixel, and not one that a path meets.
+// Returns the light that a receiver reflects from the lights from `first` to before `end`, each
+// weighted by share_of_path(). `stays`: it is the surface seen in the pixel, and not one that a path
+// meets.
 vec3 reflected_from_all(uvec2 pixel, Receiver receiver, uint first, uint end, bool stays,
                         inout LightLayers layers) {
   vec3 sum = vec3(0.0);
@@ -32,7 +33,7 @@ vec3 reflected_from_all(uvec2 pixel, Receiver receiver, uint first, uint end, bo
     for (uint i = 0u; i < points; ++i) {
       const vec2 uv = point_of_light(pixel, index_of_light, i, points, stays);
       const LightSample s = sample_point(light, uv, receiver.position);
-      const vec3 f = reflected(receiver, s) / float(points);
+      const vec3 f = reflected(receiver, s) * (share_of_path(receiver, s.point) / float(points));
       if (luminance(f) > 0.0 && !occluded(receiver.origin, s.point, false)) {
         add_direct(layers, index_of_light, light, f);
         sum += f;

@@ -30,21 +30,6 @@ uint wanted_paths(IrradianceCell cell) {
   return cell.samples < float(SETTLED_FRAMES * paths) ? paths : max(paths / SETTLED_SHARE, 1u);
 }
 
-// A rare path may carry a thousand times what others do: one that meets a car's bumper beside its
-// lamp, or a lamp's mirror image in a wet street. A cell would show it as a spot for hundreds of
-// frames. So from this many samples on, one sample raises a cell's mean by at most half. The bound
-// loses what is beyond, and grows with the number of samples: the mean still converges to the right
-// one.
-const float MIN_SAMPLES_TO_BOUND = 8.0;
-const float MAX_RISE = 0.5;
-
-// Returns a new sample of a cell, bounded as said above.
-vec3 bound_sample(IrradianceCell cell, vec3 sample_lux, float samples) {
-  const float known = luminance(cell.irradiance), l = luminance(sample_lux);
-  if (cell.samples < MIN_SAMPLES_TO_BOUND || known <= 0.0) return sample_lux;
-  return sample_lux * min(1.0, (1.0 + MAX_RISE * samples) * known / max(l, known));
-}
-
 // The light that a new cell takes over from others counts as this many samples at most.
 const float MAX_INHERITED = 8.0;
 
@@ -76,12 +61,15 @@ void start_cell(uint index, Surface surface) {
 
 // Returns the illuminance that one path brings to the surface, lux per channel.
 vec3 sample_irradiance(uint key, Surface surface) {
-  const Receiver r = receiver_of(surface);
+  // What a surface reflects is 1 / pi of what lights it where it reflects all of it diffusely.
+  Receiver r = receiver_of(surface);
+  r.reflectance = vec3(1.0 / PI);
+  r.wetness = 0.0;
   random_state = pcg4d(uvec4(key, FRAME.frame, push.first, FRAME.seed * 16u + STREAM_INDIRECT)).w;
   // Directions are stratified over the samples of a cell.
   const uvec4 start = pcg4d(uvec4(key, 0u, 0u, FRAME.seed * 16u + STREAM_INDIRECT));
   const vec2 u = r2_point(start.xy, FRAME.frame * FRAME.cell_paths + push.first);
-  return PI * bounced_radiance(r.origin, cosine_direction(r.normal, u), FRAME.bounces);
+  return PI * reflected_bounces(r, 0.0, 0.0, u, FRAME.bounces);
 }
 
 void main() {
@@ -98,7 +86,7 @@ void main() {
     return;
   }
   const float samples = min(cell.samples + 1.0, FRAME.max_cell_samples);
-  const vec3 sample_lux = bound_sample(cell, sample_irradiance(cell.key, surface), samples);
+  const vec3 sample_lux = sample_irradiance(cell.key, surface);
   FRAME.cells.at[index].irradiance =
       cell.irradiance + (sample_lux - cell.irradiance) / samples;
   FRAME.cells.at[index].samples = samples;

@@ -115,14 +115,20 @@ struct EmittedRay {
   float share;
 };
 
-// Returns a ray that leaves a light, its direction sampled from u in [0, 1)^2.
+// Returns a ray that leaves a light: its direction sampled from u in [0, 1)^2, uniformly from a
+// sphere and by the cosine from a rectangle; its origin uniformly on what the light shows there.
 EmittedRay emit_ray(Light light, vec2 u) {
   switch (kind_here(light)) {
     case LIGHT_SPHERE: {
       const float height = 1.0 - 2.0 * u.x, radius = sqrt(max(1.0 - height * height, 0.0)),
                   phi = 2.0 * PI * u.y;
       const vec3 direction = vec3(radius * cos(phi), height, radius * sin(phi));
-      return EmittedRay(light.position, direction,
+      const float along2 = random_float(), turn = 2.0 * PI * random_float();
+      vec3 t, b;
+      make_frame(direction, t, b);
+      const vec3 outwards =
+          (t * cos(turn) + b * sin(turn)) * sqrt(1.0 - along2) + direction * sqrt(along2);
+      return EmittedRay(light.position + outwards * max(light.radius, MIN_RADIUS), direction,
                         4.0 * PI * intensity_per_lumen(light, direction));
     }
     case LIGHT_RECTANGLE: {
@@ -130,11 +136,27 @@ EmittedRay emit_ray(Light light, vec2 u) {
       origin +=
           light.tangent * (half_width(light) * (2.0 * random_float() - 1.0)) +
           cross(light.axis, light.tangent) * (light.half_height * (2.0 * random_float() - 1.0));
-      const vec3 direction = cosine_direction(light.axis, u);
-      return EmittedRay(origin + light.axis * clearance_of(origin, 0.0), direction, 1.0);
+      return EmittedRay(origin + light.axis * clearance_of(origin, 0.0),
+                        cosine_direction(light.axis, u), 1.0);
     }
   }
   return EmittedRay(light.position, vec3(0.0, 1.0, 0.0), 0.0);
+}
+
+// Returns the share that a ray from emit_ray() brings to a point on it: a sphere shines at a point
+// close by as it does along the way from its centre.
+float share_at(Light light, vec3 point) {
+  switch (kind_here(light)) {
+    case LIGHT_SPHERE: {
+      const vec3 way = point - light.position;
+      const float d2 = dot(way, way), radius = max(light.radius, MIN_RADIUS);
+      // A point inside the lamp gets no light, as in sample_sphere().
+      if (d2 <= radius * radius) return 0.0;
+      return 4.0 * PI * intensity_per_lumen(light, way * inversesqrt(d2));
+    }
+    case LIGHT_RECTANGLE: return 1.0;
+  }
+  return 0.0;
 }
 
 // Adds the light of a static light to the layer of its kind.

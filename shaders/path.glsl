@@ -1,20 +1,35 @@
 // Paths of light that bounces: from a surface that is seen, backwards to the lights. A path is
 // followed by sampling the reflection (scatter), and gathers at each vertex the light that comes
-// there straight from a light source, from the sky, and from a surface that glows by itself.
+// there straight from a light source, from the sky, and from a surface that glows by itself. What a
+// path would seldom meet, a surface beside a lamp, is found by a ray from the lamp. Paths pass
+// through what casts no shadow, the housings of lamps: what a housing blocks and reflects is part of
+// its lamp's distribution already.
 #include "shaders/roulette.glsl"
 
 // A direction in which a receiver gathers light, sampled by what it reflects to its viewer.
 struct Scatter {
   vec3 direction;  // unit
+  float density;   // 1/sr
   vec3 weight;     // BRDF * cosine / density, at most about 1; 0 = nothing is reflected from there
 };
+
+// Returns the density of scatter()'s directions, 1/sr.
+float scatter_density(Receiver r, float film_share, vec3 direction) {
+  float density = (1.0 - film_share) * dot(r.normal, direction) / PI;
+  if (film_share > 0.0) {
+    const vec3 h = normalize(direction + r.to_viewer);
+    const float n_h = dot(r.normal, h);
+    density += film_share * film_normal_density(n_h) * n_h / (4.0 * dot(r.to_viewer, h));
+  }
+  return density;
+}
 
 // Returns the direction of one reflection, with probability `film_share` sampled by the water
 // film's lobe, else by the diffuse one: u in [0, 1)^2 is a point of it, `choice` in [0, 1) chooses.
 // Weighted by the density of both (multiple importance sampling by the balance heuristic; Veach
 // 1997).
 Scatter scatter(Receiver r, float film_share, float choice, vec2 u) {
-  Scatter s = Scatter(vec3(0.0, 1.0, 0.0), vec3(0.0));
+  Scatter s = Scatter(vec3(0.0, 1.0, 0.0), 0.0, vec3(0.0));
   if (choice < film_share) {
     const float cos2 = (1.0 - u.x) / (1.0 + (WET_ALPHA * WET_ALPHA - 1.0) * u.x);
     const float sine = sqrt(max(1.0 - cos2, 0.0)), phi = 2.0 * PI * u.y;
@@ -27,15 +42,8 @@ Scatter scatter(Receiver r, float film_share, float choice, vec2 u) {
   }
   const float cosine = dot(r.normal, s.direction);
   if (!(cosine > 0.0)) return s;
-  vec3 brdf = r.reflectance;
-  float density = (1.0 - film_share) * cosine / PI;
-  if (film_share > 0.0) {
-    const vec3 h = normalize(s.direction + r.to_viewer);
-    const float n_h = dot(r.normal, h);
-    density += film_share * film_normal_density(n_h) * n_h / (4.0 * dot(r.to_viewer, h));
-    brdf += r.wetness * film_brdf(r, s.direction);
-  }
-  const vec3 weight = brdf * (cosine / density);
+  s.density = scatter_density(r, film_share, s.direction);
+  const vec3 weight = brdf(r, s.direction) * (cosine / s.density);
   if (all_finite(weight)) s.weight = weight;
   return s;
 }
@@ -43,15 +51,14 @@ Scatter scatter(Receiver r, float film_share, float choice, vec2 u) {
 // Returns the share of directions that a receiver's water film samples, 0 where it has none.
 float film_share_of(Receiver r) { return HAS_GLOSS != 0u ? 0.5 * r.wetness : 0.0; }
 
-Scatter scatter(Receiver r, float choice, vec2 u) {
-  return scatter(r, film_share_of(r), choice, u);
-}
-
 // Returns the light that a surface on a path emits by itself, cd/m^2 per channel. What belongs to a
-// light source is left out: its light is sampled instead.
-vec3 unsampled_emission(Surface surface) {
-  return surface.light < SCENE.light_count ? vec3(0.0)
-                                           : SCENE.materials.at[surface.material].emission;
+// light source is left out, as are the lenses of vehicles: their light is sampled instead.
+vec3 unsampled_emission(Surface surface, Hit hit) {
+  const bool of_vehicle =
+      HAS_TRAFFIC != 0u && (SCENE.instances.at[hit.instance].mask & MASK_VEHICLE) != 0u;
+  return of_vehicle || surface.light < SCENE.light_count
+             ? vec3(0.0)
+             : SCENE.materials.at[surface.material].emission;
 }
 
 // Returns the light that a receiver reflects straight from the light sources: an unbiased estimate
@@ -62,28 +69,88 @@ vec3 reflected_direct(Receiver r, uint candidates) {
   const Reservoir chosen = resample_lights(light_sampler, r, candidates);
   if (!(chosen.W > 0.0)) return vec3(0.0);
   const LightSample s = sample_point(light_at(chosen.light), uv_of(chosen.uv), r.position);
-  return occluded(r.origin, s.point, false) ? vec3(0.0) : reflected(r, s) * chosen.W;
+  return occluded(r.origin, s.point, false)
+             ? vec3(0.0)
+             : reflected(r, s) * (share_of_path(r, s.point) * chosen.W);
 }
 
-// Returns the light that comes along unit `direction` to `origin` after 1 to `bounces` reflections,
-// and what glows by itself there; cd/m^2 per channel. One path: unbiased, noisy. Draws from the
-// current stream.
-vec3 bounced_radiance(vec3 origin, vec3 direction, uint bounces) {
+// Returns the receiver at the surface where a path from `r` went on, along a direction of this
+// density.
+Receiver next_receiver(Receiver r, Surface surface, float density) {
+  Receiver next = receiver_seen_from(surface, r.origin, false);
+  next.path_density = density / (surface.depth * surface.depth);
+  return next;
+}
+
+// Returns the light that a receiver reflects after one more reflection, at a surface which a ray
+// from a light finds: an unbiased estimate of what reflected_direct() leaves out at the next
+// receiver of a path, by one ray, resampled from `candidates` of them. A path seldom meets the few
+// square centimetres beside a lamp, which shine a thousand times brighter than all else; a ray from
+// the lamp seldom misses them (bidirectional path tracing; Lafortune, Willems 1993; Veach, Guibas
+// 1994). Weighted by both densities, neither ever carries more than about twice what the lamp would
+// send here straight.
+vec3 reflected_from_lit_surface(Receiver r, float film_share, uint candidates) {
+  const LightSampler light_sampler = light_sampler_at(r.position);
+  if (!any_light_shines(light_sampler)) return vec3(0.0);
+  SampledLight source;
+  EmittedRay ray;
+  float sum = 0.0, target = 0.0;
+  for (uint i = 0u; i < candidates; ++i) {
+    const float technique = min((float(i) + random_float()) / float(candidates), BELOW_ONE);
+    const SampledLight candidate = sample_light(light_sampler, r.position, technique);
+    if (!(candidate.pdf > 0.0)) continue;
+    const EmittedRay emitted_ray = emit_ray(candidate.light, vec2(random_float(), random_float()));
+    const vec3 way = candidate.light.position - r.position;
+    const float p = candidate.light.flux_lm * emitted_ray.share /
+                    (dot(way, way) + bounding_radius2(candidate.light));
+    const float weight = p / (candidate.pdf * float(candidates));
+    if (!(weight > 0.0) || !finite(weight)) continue;
+    sum += weight;
+    if (random_float() * sum >= weight) continue;
+    source = candidate;
+    ray = emitted_ray;
+    target = p;
+  }
+  if (!(target > 0.0)) return vec3(0.0);
+  Hit hit;
+  const Surface surface = first_surface(ray.origin, ray.direction, MASK_SHADOW, hit);
+  if (surface.depth <= 0.0) return vec3(0.0);
+  const Receiver lit = receiver_seen_from(surface, r.origin, false);
+  const vec3 way = lit.position - r.position;
+  const float d2 = dot(way, way);
+  const vec3 direction = way * inversesqrt(d2);
+  const float cosine = dot(r.normal, direction), cosine_there = -dot(lit.normal, direction);
+  if (!(cosine > 0.0) || !(cosine_there > 0.0) || !unblocked(r.origin, lit.origin)) return vec3(0.0);
+  const vec3 lumen = light_colour(source.light.colour_rgb9e5) *
+                     (source.light.flux_lm * share_at(source.light, lit.position) * sum / target);
+  // The rest of the weight that a path to `lit` has there.
+  Receiver by_path = lit;
+  by_path.path_density = scatter_density(r, film_share, direction) / d2;
+  const vec3 sum_of_light = brdf(r, direction) * brdf(lit, -ray.direction) * lumen *
+                            (cosine * cosine_there / d2 * (1.0 - share_of_path(by_path, ray.origin)));
+  return all_finite(sum_of_light) ? sum_of_light : vec3(0.0);
+}
+
+// Returns the light that a receiver reflects after 1 to `bounces` reflections elsewhere, and from
+// what glows by itself; cd/m^2 per channel. One path: unbiased, noisy. `film_share`, `choice` and
+// `u` sample its first direction, as in scatter(). Draws from the current stream.
+vec3 reflected_bounces(Receiver r, float film_share, float choice, vec2 u, uint bounces) {
   vec3 sum = vec3(0.0), throughput = vec3(1.0);
   for (uint bounce = 1u; bounce <= bounces; ++bounce) {
+    sum += throughput * reflected_from_lit_surface(r, film_share, BOUNCE_CANDIDATES);
+    const Scatter s = scatter(r, film_share, choice, u);
+    throughput *= s.weight;
+    // The first bounce is worth its rays even off a dark surface.
+    if (bounce == 1u ? !(luminance(throughput) > 0.0) : !survives(throughput)) break;
     Hit hit;
-    const Surface surface = first_surface(origin, direction, hit);
+    const Surface surface = first_surface(r.origin, s.direction, MASK_SHADOW, hit);
     if (surface.depth <= 0.0) break;
-    const Receiver r = receiver_seen_from(surface, origin, false);
-    sum += throughput * (unsampled_emission(surface) + reflected_direct(r, BOUNCE_CANDIDATES) +
+    r = next_receiver(r, surface, s.density);
+    sum += throughput * (unsampled_emission(surface, hit) + reflected_direct(r, BOUNCE_CANDIDATES) +
                          reflected_sky_and_moon(r));
-    if (bounce == bounces) break;
-    const float choice = random_float();
-    const Scatter next = scatter(r, choice, vec2(random_float(), random_float()));
-    throughput *= next.weight;
-    if (!survives(throughput)) break;
-    origin = r.origin;
-    direction = next.direction;
+    film_share = film_share_of(r);
+    choice = random_float();
+    u = vec2(random_float(), random_float());
   }
   return all_finite(sum) ? sum : vec3(0.0);
 }

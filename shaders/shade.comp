@@ -31,10 +31,8 @@ vec3 reflected_indirect(Surface surface, Receiver receiver, uvec2 pixel) {
     film_share = 1.0;
   }
   const float choice = random_float();
-  const Scatter s =
-      scatter(receiver, film_share, choice, vec2(random_float(), random_float()));
-  if (!(luminance(s.weight) > 0.0)) return known;
-  return known + s.weight * bounced_radiance(receiver.origin, s.direction, FRAME.bounces);
+  const vec2 u = vec2(random_float(), random_float());
+  return known + reflected_bounces(receiver, film_share, choice, u, FRAME.bounces);
 }
 
 void main() {

@@ -9,7 +9,22 @@ struct Receiver {
   vec3 to_viewer;   // unit; to the camera or, on a path, to the vertex before
   float wetness;    // of its water film, 0 .. 1
   bool before;      // a point of the frame before: its lights light it, its geometry shadows it
+  float path_density;  // of the paths that meet it, 1/m^2, or ONLY_PATH
 };
+
+// The path density of a receiver that rays from lights do not sample as well (shaders/path.glsl).
+const float ONLY_PATH = 1e30;
+
+// Returns the weight of a path that was followed to a receiver before a point of a light was chosen,
+// against that of a ray from that point which meets the receiver (multiple importance sampling by
+// the balance heuristic; Veach 1997). Such a ray has a density of 1 / (4 pi d^2) times a cosine,
+// which the path's density has too.
+float share_of_path(Receiver r, vec3 light_point) {
+  if (r.path_density == ONLY_PATH) return 1.0;
+  const vec3 way = light_point - r.position;
+  const float ratio = min(r.path_density * 4.0 * PI * dot(way, way), 1e30);
+  return ratio / (1.0 + ratio);
+}
 
 // Wet asphalt is asphalt under a film of water: water's reflectance at normal incidence ((1.33 - 1)
 // / (1.33 + 1))^2, a roughness between that of puddles and of the street's grain, and the share of
@@ -29,6 +44,7 @@ Receiver receiver_seen_from(Surface surface, vec3 viewer, bool before) {
   r.to_viewer = r.normal;
   r.wetness = 0.0;
   r.before = before;
+  r.path_density = ONLY_PATH;
   if (HAS_GLOSS != 0u) {
     // Rain and water stay where a surface faces up. What is below water is not darkened by rain.
     const bool water = SCENE.materials.at[surface.material].roughness < WATER_ROUGHNESS;
@@ -70,18 +86,22 @@ float film_brdf(Receiver r, vec3 to_light) {
   return distribution * shadowing * fresnel;
 }
 
+// Returns the BRDF for light from a direction above the surface, 1/sr per channel.
+vec3 brdf(Receiver r, vec3 to_light) {
+  if (HAS_GLOSS == 0u || !(r.wetness > 0.0)) return r.reflectance;
+  return r.reflectance + r.wetness * film_brdf(r, to_light);
+}
+
 // Returns the reflected light per unit of uv, without shadows, cd/m^2 per channel.
 vec3 reflected(Receiver r, LightSample s) {
   const float cosine = dot(r.normal, s.direction);
-  if (!(cosine > 0.0)) return vec3(0.0);
-  vec3 brdf = r.reflectance;
-  if (HAS_GLOSS != 0u && r.wetness > 0.0) brdf += r.wetness * film_brdf(r, s.direction);
-  return brdf * s.value * cosine;
+  return cosine > 0.0 ? brdf(r, s.direction) * s.value * cosine : vec3(0.0);
 }
 
 // Returns the target function p^: without shadows, >= 0 and finite.
 float target_of(Receiver r, Light light, uint uv) {
-  const float p = luminance(reflected(r, sample_point(light, uv_of(uv), r.position)));
+  const LightSample s = sample_point(light, uv_of(uv), r.position);
+  const float p = luminance(reflected(r, s)) * share_of_path(r, s.point);
   return p > 0.0 && finite(p) ? p : 0.0;
 }
 

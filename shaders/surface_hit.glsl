@@ -44,11 +44,11 @@ SurfaceHit surface_at(Hit hit, Instance instance, vec3 origin, vec3 direction) {
 
 const Surface NO_SURFACE = Surface(vec3(0.0), 0u, 0.0, 0u, NO_HIT, NO_HIT, vec3(0.0), 0.0);
 
-// Returns the first surface along unit `direction`, its `motion` 0; depth 0 where there is none.
-// `hit` is its triangle and instance.
-Surface first_surface(vec3 origin, vec3 direction, out Hit hit) {
+// Returns the first surface along unit `direction` that shares a bit with `mask`, its `motion` 0;
+// depth 0 where there is none. `hit` is its triangle and instance.
+Surface first_surface(vec3 origin, vec3 direction, uint mask, out Hit hit) {
   Surface surface = NO_SURFACE;
-  if (!closest_hit(origin, direction, hit)) return surface;
+  if (!closest_hit(origin, direction, mask, hit)) return surface;
   const Instance instance = SCENE.instances.at[hit.instance];
   const SurfaceHit seen = surface_at(hit, instance, origin, direction);
   surface.position = seen.position;

@@ -217,8 +217,14 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
 
 #endif
 
-bool closest_hit(vec3 origin, vec3 direction, out Hit hit) {
-  return trace(origin, direction, 0.0, 1e30, MASK_VISIBLE, false, false, hit);
+bool closest_hit(vec3 origin, vec3 direction, uint mask, out Hit hit) {
+  return trace(origin, direction, 0.0, 1e30, mask, false, false, hit);
+}
+
+// Returns whether light goes from a point that is clear of its own surface to another such point.
+bool unblocked(vec3 from, vec3 to) {
+  Hit hit;
+  return !trace(from, to - from, 0.0, 1.0, MASK_SHADOW, true, false, hit);
 }
 
 // Returns whether anything between a point clear of its own surface (Surface.clearance) and a point

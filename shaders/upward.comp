@@ -38,8 +38,7 @@ void main() {
     vec3 colour = light_colour(light.colour_rgb9e5);  // of luminance 1, then of what is left
     for (uint bounce = 0u; bounce <= FRAME.bounces; ++bounce) {
       Hit hit;
-      if (!trace(origin, direction, 0.0, 1e30, MASK_SHADOW, false,
-                 false, hit)) {
+      if (!closest_hit(origin, direction, MASK_SHADOW, hit)) {
         if (direction.y > 0.0) {
           const float share = ray.share * luminance(colour);
           if (bounce == 0u) sum.direct += share; else sum.reflected += share;

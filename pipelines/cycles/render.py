@@ -45,6 +45,13 @@ def make_diffuse(material):
     tree.links.new(shader.outputs[0], output.inputs["Surface"])
 
 
+def pass_light_through(thing):
+    """Hides what casts no shadow, the housings of lamps, from all rays but the camera's, as nightview does."""
+    if thing.get("nightcity", {}).get("casts_shadow", True):
+        return
+    thing.visible_shadow = thing.visible_diffuse = thing.visible_glossy = thing.visible_transmission = False
+
+
 def add_lamp(light, ies):
     data = bpy.data.lights.new("lamp", "POINT")
     data.color = light.colour
@@ -109,6 +116,8 @@ def main(glb, camera, width, height, threads, bounces, out, *samples):
     for material in bpy.data.materials:
         if material.use_nodes:
             make_diffuse(material)
+    for thing in bpy.data.objects:
+        pass_light_through(thing)
     lights, profiles = city_lights.read(os.path.splitext(glb)[0] + ".lights")
     texts = []
     for i, profile in enumerate(profiles):

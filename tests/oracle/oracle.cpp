@@ -71,17 +71,19 @@ struct Oracle::Geometry {
     std::uint32_t triangle;
   };
 
-  // Returns the first hit along unit `direction`, its distance recomputed in double from the
-  // triangle's plane.
-  std::optional<Hit> first_hit(const glm::dvec3& origin, const glm::dvec3& direction) const {
+  // Returns the first hit of these triangles along unit `direction`, its distance recomputed in
+  // double from the triangle's plane.
+  static std::optional<Hit> first_hit(const Triangles& triangles, const glm::dvec3& origin,
+                                      const glm::dvec3& direction) {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     RTCRayHit ray{};
     set_ray(ray.ray, origin, direction, INFINITY);
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(seen.scene, &context, &ray);
+    rtcIntersect1(triangles.scene, &context, &ray);
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-    const glm::dvec3 a(seen.corners[3 * ray.hit.primID]), n = normal(ray.hit.primID);
+    const glm::dvec3 a(triangles.corners[3 * ray.hit.primID]),
+        n = normal(triangles, ray.hit.primID);
     const double steep = glm::dot(n, direction);
     const double distance = steep != 0 ? glm::dot(n, a - origin) / steep : double(ray.ray.tfar);
     return Hit{distance, ray.hit.primID};
@@ -99,9 +101,9 @@ struct Oracle::Geometry {
     return ray.tfar < 0;
   }
 
-  glm::dvec3 normal(std::uint32_t triangle) const {
-    const glm::dvec3 a(seen.corners[3 * triangle]), b(seen.corners[3 * triangle + 1]),
-        c(seen.corners[3 * triangle + 2]);
+  static glm::dvec3 normal(const Triangles& triangles, std::uint32_t triangle) {
+    const glm::dvec3 a(triangles.corners[3 * triangle]), b(triangles.corners[3 * triangle + 1]),
+        c(triangles.corners[3 * triangle + 2]);
     return glm::normalize(glm::cross(b - a, c - a));
   }
 
@@ -141,13 +143,16 @@ struct Oracle::Vertex {
 };
 
 std::optional<Oracle::Vertex> Oracle::find_vertex(const glm::dvec3& origin,
-                                                  const glm::dvec3& direction) const {
-  const auto hit = geometry_->first_hit(origin, direction);
+                                                  const glm::dvec3& direction,
+                                                  bool from_camera) const {
+  // Light passes through what casts no shadow; cameras see it.
+  const Geometry::Triangles& triangles = from_camera ? geometry_->seen : geometry_->casting;
+  const auto hit = Geometry::first_hit(triangles, origin, direction);
   if (!hit) return std::nullopt;
-  const SceneMaterial& material = geometry_->materials[geometry_->seen.materials[hit->triangle]];
+  const SceneMaterial& material = geometry_->materials[triangles.materials[hit->triangle]];
   Vertex vertex;
   vertex.place = origin + direction * hit->distance;
-  vertex.normal = geometry_->normal(hit->triangle);
+  vertex.normal = Geometry::normal(triangles, hit->triangle);
   if (glm::dot(vertex.normal, direction) > 0) vertex.normal = -vertex.normal;
   // Embree works in float, so rays start off the surface by its rounding error and 0.1 mm.
   const double size = std::max({std::abs(vertex.place.x), std::abs(vertex.place.y),
@@ -155,7 +160,7 @@ std::optional<Oracle::Vertex> Oracle::find_vertex(const glm::dvec3& origin,
   vertex.start = vertex.place + vertex.normal * (1e-4 + 2e-6 * size);
   vertex.albedo = glm::dvec3(material.base_colour);
   vertex.emission = glm::dvec3(material.emission_cd_m2);
-  vertex.own_light = geometry_->seen.lights[hit->triangle];
+  vertex.own_light = triangles.lights[hit->triangle];
   return vertex;
 }
 
@@ -187,7 +192,7 @@ glm::dvec3 Oracle::follow_path(Vertex vertex, int bounces, std::mt19937& random)
     double cosine = glm::dot(direction, vertex.normal);
     if (cosine < 0) direction = -direction, cosine = -cosine;
     throughput *= vertex.albedo * 2.0 * cosine;  // albedo / pi * cosine / (1 / 2 pi)
-    const auto next = find_vertex(vertex.start, direction);
+    const auto next = find_vertex(vertex.start, direction, false);
     if (!next) break;
     vertex = *next;
     const bool is_light = vertex.own_light < lights_.lights.size();
@@ -217,7 +222,7 @@ measure::Image Oracle::render(const scene::CameraPose& pose, std::uint32_t width
       const glm::dvec3 direction =
           glm::normalize(forward + right * (sx * half_width) + up * (sy * half_height));
       glm::dvec3 radiance(0);
-      if (const auto seen = find_vertex(eye, direction)) {
+      if (const auto seen = find_vertex(eye, direction, true)) {
         radiance = reflect_lights(*seen, strata, random);
         for (int path = 0; path < paths && bounces > 0; ++path)
           radiance += follow_path(*seen, bounces, random) / double(paths);

@@ -42,7 +42,8 @@ class Oracle {
  private:
   struct Geometry;
   struct Vertex;
-  std::optional<Vertex> find_vertex(const glm::dvec3& origin, const glm::dvec3& direction) const;
+  std::optional<Vertex> find_vertex(const glm::dvec3& origin, const glm::dvec3& direction,
+                                    bool from_camera) const;
   glm::dvec3 reflect_lights(const Vertex& vertex, int strata, std::mt19937& random) const;
   glm::dvec3 follow_path(Vertex vertex, int bounces, std::mt19937& random) const;
   std::unique_ptr<Geometry> geometry_;

@@ -109,6 +109,33 @@ TEST(Vehicles, HeadingTurnsTheShortWayAndRearLampShinesWhileBraking) {
   EXPECT_LT(relative_difference(moving, placed), 0.002);
 }
 
+// The lens of a vehicle's lamp glows so that it is seen. What it lights, the lamp lights.
+TEST(Vehicles, LensesGlowForTheCameraOnly) {
+  scene::Traffic traffic = one_kind();
+  traffic.vehicle_lights.erase(traffic.vehicle_lights.begin());  // what is left shines on braking
+  traffic.vehicles[0].light_count = 1;
+  add_trip(traffic, {knot({0, 0, 0}, 0, {0, 0, 0}), knot({0, 0, 0}, 20, {0, 0, 0})});
+  SceneBuilder builder;
+  builder.ground(60);
+  Scene& scene = builder.scene();
+  scene.materials.push_back({"lens", glm::vec3(0.5f), glm::vec3(1000), 1.0f, true});
+  scene.meshes.push_back(SceneBuilder().box({-2, 0, -1}, {2, 1.6f, 1}).scene().meshes[0]);
+  scene.meshes[1].primitives[0].material = 1;
+  scene.nodes.push_back({"body", "vehicle", 1, true, {}});
+  scene.nodes.back().vehicle = 0;
+  scene::SceneLights all;
+  all.traffic = std::move(traffic);
+  const scene::RenderScene with_body = scene::make_render_scene(scene, std::move(all));
+  RenderSettings settings = reference_at(10);
+  settings.indirect.bounces = 1;
+  EXPECT_GT(test::mean_luminance(render(with_body, above, settings, 24, 24, 1)), 1);
+  const scene::CameraPose beside{{6, 4, 6}, {5, 0, 5}, {0, 1, 0}, 30};
+  for (const Estimator estimator : {Estimator::reference, Estimator::traced}) {
+    settings.sampling.estimator = estimator;
+    EXPECT_EQ(test::mean_luminance(render(with_body, beside, settings, 24, 24, 4)), 0);
+  }
+}
+
 TEST(Vehicles, IsDarkBeforeADriveAfterItAndWhereTheHourHasNoTraffic) {
   scene::Traffic traffic = one_kind();
   add_trip(traffic, {knot({-10, 0, 0}, 0, {1, 0, 0}), knot({10, 0, 0}, 20, {1, 0, 0})}, 50, 0.5f);
