@@ -59,6 +59,11 @@ void start_cell(uint index, Surface surface) {
   FRAME.cells.at[index].samples = min(sum.w, MAX_INHERITED);
 }
 
+// A wet street throws the mirror image of a lamp on the walls beside it, and hardly a path finds it:
+// what does would stay as a spot. For the cache water films are rougher, so that the same light
+// comes from a wider patch of the street (path space regularization; Kaplanyan, Dachsbacher 2013).
+const float CACHE_FILM_ALPHA = 0.36;
+
 // Returns the illuminance that one path brings to the surface, lux per channel.
 vec3 sample_irradiance(uint key, Surface surface) {
   // What a surface reflects is 1 / pi of what lights it where it reflects all of it diffusely.
@@ -69,7 +74,7 @@ vec3 sample_irradiance(uint key, Surface surface) {
   // Directions are stratified over the samples of a cell.
   const uvec4 start = pcg4d(uvec4(key, 0u, 0u, FRAME.seed * 16u + STREAM_INDIRECT));
   const vec2 u = r2_point(start.xy, FRAME.frame * FRAME.cell_paths + push.first);
-  return PI * reflected_bounces(r, 0.0, 0.0, u, FRAME.bounces);
+  return PI * reflected_bounces(r, 0.0, 0.0, u, CACHE_FILM_ALPHA, FRAME.bounces);
 }
 
 void main() {

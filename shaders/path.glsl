@@ -19,7 +19,7 @@ float scatter_density(Receiver r, float film_share, vec3 direction) {
   if (film_share > 0.0) {
     const vec3 h = normalize(direction + r.to_viewer);
     const float n_h = dot(r.normal, h);
-    density += film_share * film_normal_density(n_h) * n_h / (4.0 * dot(r.to_viewer, h));
+    density += film_share * film_normal_density(r.film_alpha, n_h) * n_h / (4.0 * dot(r.to_viewer, h));
   }
   return density;
 }
@@ -31,7 +31,7 @@ float scatter_density(Receiver r, float film_share, vec3 direction) {
 Scatter scatter(Receiver r, float film_share, float choice, vec2 u) {
   Scatter s = Scatter(vec3(0.0, 1.0, 0.0), 0.0, vec3(0.0));
   if (choice < film_share) {
-    const float cos2 = (1.0 - u.x) / (1.0 + (WET_ALPHA * WET_ALPHA - 1.0) * u.x);
+    const float cos2 = (1.0 - u.x) / (1.0 + (r.film_alpha * r.film_alpha - 1.0) * u.x);
     const float sine = sqrt(max(1.0 - cos2, 0.0)), phi = 2.0 * PI * u.y;
     vec3 t, b;
     make_frame(r.normal, t, b);
@@ -75,9 +75,10 @@ vec3 reflected_direct(Receiver r, uint candidates) {
 }
 
 // Returns the receiver at the surface where a path from `r` went on, along a direction of this
-// density.
-Receiver next_receiver(Receiver r, Surface surface, float density) {
+// density; its film has this alpha.
+Receiver next_receiver(Receiver r, Surface surface, float density, float film_alpha) {
   Receiver next = receiver_seen_from(surface, r.origin, false);
+  next.film_alpha = film_alpha;
   next.path_density = density / (surface.depth * surface.depth);
   return next;
 }
@@ -89,7 +90,7 @@ Receiver next_receiver(Receiver r, Surface surface, float density) {
 // the lamp seldom misses them (bidirectional path tracing; Lafortune, Willems 1993; Veach, Guibas
 // 1994). Weighted by both densities, neither ever carries more than about twice what the lamp would
 // send here straight.
-vec3 reflected_from_lit_surface(Receiver r, float film_share, uint candidates) {
+vec3 reflected_from_lit_surface(Receiver r, float film_share, float film_alpha, uint candidates) {
   const LightSampler light_sampler = light_sampler_at(r.position);
   if (!any_light_shines(light_sampler)) return vec3(0.0);
   SampledLight source;
@@ -115,7 +116,7 @@ vec3 reflected_from_lit_surface(Receiver r, float film_share, uint candidates) {
   Hit hit;
   const Surface surface = first_surface(ray.origin, ray.direction, MASK_SHADOW, hit);
   if (surface.depth <= 0.0) return vec3(0.0);
-  const Receiver lit = receiver_seen_from(surface, r.origin, false);
+  Receiver lit = next_receiver(r, surface, 0.0, film_alpha);
   const vec3 way = lit.position - r.position;
   const float d2 = dot(way, way);
   const vec3 direction = way * inversesqrt(d2);
@@ -123,21 +124,22 @@ vec3 reflected_from_lit_surface(Receiver r, float film_share, uint candidates) {
   if (!(cosine > 0.0) || !(cosine_there > 0.0) || !unblocked(r.origin, lit.origin)) return vec3(0.0);
   const vec3 lumen = light_colour(source.light.colour_rgb9e5) *
                      (source.light.flux_lm * share_at(source.light, lit.position) * sum / target);
-  // The rest of the weight that a path to `lit` has there.
-  Receiver by_path = lit;
-  by_path.path_density = scatter_density(r, film_share, direction) / d2;
-  const vec3 sum_of_light = brdf(r, direction) * brdf(lit, -ray.direction) * lumen *
-                            (cosine * cosine_there / d2 * (1.0 - share_of_path(by_path, ray.origin)));
-  return all_finite(sum_of_light) ? sum_of_light : vec3(0.0);
+  // A path to `lit` has the rest of the weight.
+  lit.path_density = scatter_density(r, film_share, direction) / d2;
+  const vec3 light = brdf(r, direction) * brdf(lit, -ray.direction) * lumen *
+                     (cosine * cosine_there / d2 * (1.0 - share_of_path(lit, ray.origin)));
+  return all_finite(light) ? light : vec3(0.0);
 }
 
 // Returns the light that a receiver reflects after 1 to `bounces` reflections elsewhere, and from
 // what glows by itself; cd/m^2 per channel. One path: unbiased, noisy. `film_share`, `choice` and
-// `u` sample its first direction, as in scatter(). Draws from the current stream.
-vec3 reflected_bounces(Receiver r, float film_share, float choice, vec2 u, uint bounces) {
+// `u` sample its first direction, as in scatter(); `film_alpha` is that of water films elsewhere.
+// Draws from the current stream.
+vec3 reflected_bounces(Receiver r, float film_share, float choice, vec2 u, float film_alpha,
+                       uint bounces) {
   vec3 sum = vec3(0.0), throughput = vec3(1.0);
   for (uint bounce = 1u; bounce <= bounces; ++bounce) {
-    sum += throughput * reflected_from_lit_surface(r, film_share, BOUNCE_CANDIDATES);
+    sum += throughput * reflected_from_lit_surface(r, film_share, film_alpha, BOUNCE_CANDIDATES);
     const Scatter s = scatter(r, film_share, choice, u);
     throughput *= s.weight;
     // The first bounce is worth its rays even off a dark surface.
@@ -145,7 +147,7 @@ vec3 reflected_bounces(Receiver r, float film_share, float choice, vec2 u, uint 
     Hit hit;
     const Surface surface = first_surface(r.origin, s.direction, MASK_SHADOW, hit);
     if (surface.depth <= 0.0) break;
-    r = next_receiver(r, surface, s.density);
+    r = next_receiver(r, surface, s.density, film_alpha);
     sum += throughput * (unsampled_emission(surface, hit) + reflected_direct(r, BOUNCE_CANDIDATES) +
                          reflected_sky_and_moon(r));
     film_share = film_share_of(r);

@@ -40,7 +40,7 @@ Receiver move_on(inout PathVertex vertex, Receiver r, uvec2 pixel, out Hit hit) 
   if (!goes_on) return r;
   vertex.surface = first_surface(r.origin, next.direction, MASK_SHADOW, hit);
   vertex.viewer = r.origin;
-  return vertex.surface.depth > 0.0 ? next_receiver(r, vertex.surface, next.density) : r;
+  return vertex.surface.depth > 0.0 ? next_receiver(r, vertex.surface, next.density, WET_ALPHA) : r;
 }
 
 // Returns the light that a path's vertex reflects from the lights, the sky and the moon, and what it
@@ -69,7 +69,7 @@ void main() {
   seed_random(pixel | uvec2(push.first, push.count) << 16u, STREAM_PATH);
   Receiver r = receiver_seen_from(vertex.surface, vertex.viewer, false);
   vec3 sum = vertex.throughput *
-             reflected_from_lit_surface(r, film_share_of(r), REFERENCE_PICK_CANDIDATES);
+             reflected_from_lit_surface(r, film_share_of(r), WET_ALPHA, REFERENCE_PICK_CANDIDATES);
   Hit hit;
   r = move_on(vertex, r, pixel, hit);
   FRAME.path.at[index] = vertex;

@@ -32,7 +32,7 @@ vec3 reflected_indirect(Surface surface, Receiver receiver, uvec2 pixel) {
   }
   const float choice = random_float();
   const vec2 u = vec2(random_float(), random_float());
-  return known + reflected_bounces(receiver, film_share, choice, u, FRAME.bounces);
+  return known + reflected_bounces(receiver, film_share, choice, u, WET_ALPHA, FRAME.bounces);
 }
 
 void main() {

@@ -8,6 +8,7 @@ struct Receiver {
   vec3 reflectance; // base colour / pi
   vec3 to_viewer;   // unit; to the camera or, on a path, to the vertex before
   float wetness;    // of its water film, 0 .. 1
+  float film_alpha; // the square of the film's roughness
   bool before;      // a point of the frame before: its lights light it, its geometry shadows it
   float path_density;  // of the paths that meet it, 1/m^2, or ONLY_PATH
 };
@@ -43,6 +44,7 @@ Receiver receiver_seen_from(Surface surface, vec3 viewer, bool before) {
   r.reflectance = SCENE.materials.at[surface.material].base_colour * (1.0 / PI);
   r.to_viewer = r.normal;
   r.wetness = 0.0;
+  r.film_alpha = WET_ALPHA;
   r.before = before;
   r.path_density = ONLY_PATH;
   if (HAS_GLOSS != 0u) {
@@ -65,8 +67,8 @@ Receiver receiver_of(Surface surface) { return receiver_of(surface, false); }
 
 // Returns the density of the film's microfacet normals at a cosine with the surface's normal (GGX;
 // Walter et al. 2007), 1/sr.
-float film_normal_density(float n_h) {
-  const float alpha2 = WET_ALPHA * WET_ALPHA;
+float film_normal_density(float film_alpha, float n_h) {
+  const float alpha2 = film_alpha * film_alpha;
   const float d = n_h * n_h * (alpha2 - 1.0) + 1.0;
   return alpha2 / (PI * d * d);
 }
@@ -77,8 +79,8 @@ float film_brdf(Receiver r, vec3 to_light) {
   const vec3 h = normalize(to_light + r.to_viewer);
   const float n_l = dot(r.normal, to_light), n_v = max(dot(r.normal, r.to_viewer), 1e-4),
               n_h = dot(r.normal, h);
-  const float alpha2 = WET_ALPHA * WET_ALPHA;
-  const float distribution = film_normal_density(n_h);
+  const float alpha2 = r.film_alpha * r.film_alpha;
+  const float distribution = film_normal_density(r.film_alpha, n_h);
   const float shadowing = 0.5 / (n_l * sqrt(n_v * n_v * (1.0 - alpha2) + alpha2) +
                                  n_v * sqrt(n_l * n_l * (1.0 - alpha2) + alpha2));
   const float fresnel =
