@@ -20,8 +20,8 @@
 #define CLOSE_POINTS 4u
 #define MAX_CLOSE_LIGHTS 32u
 
-// Bounces of light at most. Each takes two rays and BOUNCE_CANDIDATES light samples of one
-// invocation's bounded number of iterations.
+// Bounces of light at most. Each takes four rays and twice BOUNCE_CANDIDATES light samples
+// of one invocation's bounded number of iterations.
 #define MAX_BOUNCES 16u
 #define BOUNCE_CANDIDATES 8u
 

@@ -192,9 +192,10 @@ void add_render_command(CLI::App& app) {
       "  nightview render city.glb -o wet.png --camera street --time 23:30 --wet 0.8 --moon "
       "160,35\n"
       "  nightview render city.glb -o lux.png --camera top --show illuminance\n"
-      "  nightview render city.glb -o yard.png --camera street --bounces 4 --show "
+      "  nightview render city.glb -o yard.png --camera street --bounces 8 --show "
       "indirect-illuminance\n"
       "  nightview render city.glb -o a.exr -o a.png --candidates 8 --neighbours 2 --ev 2.5");
+  command->options.settings.indirect.bounces = render::picture_bounces;
   command->options.declare(*sub);
   program::add_output_option(
       *sub, command->outputs,

@@ -91,6 +91,7 @@ void add_view_command(CLI::App& app) {
   CLI::App* sub = app.add_subcommand(
       "view", "Show a baked scene in a window; \"nightview SCENE.glb\" is short for it");
   sub->footer(describe_input());
+  command->render.settings.indirect.bounces = render::picture_bounces;
   command->render.declare(*sub);
   viewer::ViewOptions& view_options = command->view;
   sub->add_option("others", view_options.scenes, "Further scenes, to choose from in the panel");

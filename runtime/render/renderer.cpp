@@ -449,7 +449,7 @@ measure::Image Renderer::download(bool layers) const {
       traits_of(settings.sampling.estimator).samples ? settings.sampling.candidates : 0;
   image.info.neighbours = settings.reuse.neighbours;
   image.info.bounces = settings.indirect.bounces;
-  image.info.indirect = describe_indirect(settings);
+  image.info.indirect = describe_indirect(settings, scene_.buffers().light_count);
   image.info.seed = settings.sampling.seed;
   image.info.ev100 = settings.display.ev100;
   image.info.device = device_.label();

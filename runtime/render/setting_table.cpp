@@ -233,8 +233,7 @@ std::vector<Setting> make_indirect_settings() {
        .group = Group::indirect,
        .help =
            "Keep the light that bounced in cells of space: smoothed, and so slightly wrong near "
-           "edges, and with a bound on rare samples. --no-cache follows one path a pixel and "
-           "frame: unbiased, noisy",
+           "edges, and in rain. --no-cache follows one path a pixel and frame: unbiased, noisy",
        .value = at<indirect, &Indirect::cache>,
        .applies = bounces,
        .is_swept = true},

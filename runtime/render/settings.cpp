@@ -80,12 +80,17 @@ std::uint32_t find_indirect(const RenderSettings& settings) {
                                                                                    : INDIRECT_PATHS;
 }
 
-std::string describe_indirect(const RenderSettings& settings) {
+std::string describe_indirect(const RenderSettings& settings, std::uint32_t lights) {
+  const bool takes_every_light =
+      settings.sampling.estimator == Estimator::reference && lights <= REFERENCE_CHUNK;
   switch (find_indirect(settings)) {
     case INDIRECT_PATHS:
-      return "paths, unbiased";
+      return takes_every_light ? "paths, unbiased, lit by every light"
+                               : "paths, unbiased, lit by resampled lights";
     case INDIRECT_CACHE:
-      return "irradiance cache, smoothed over its cells, rare samples bounded";
+      return settings.environment.wetness > 0
+                 ? "irradiance cache, smoothed over its cells, water films made rougher"
+                 : "irradiance cache, smoothed over its cells";
     default:
       return "";
   }

@@ -76,6 +76,11 @@ struct ReuseSettings {
   bool operator==(const ReuseSettings&) const = default;
 };
 
+/// Bounces in pictures that are looked at, in a file or in the window. Four have all but 0.02 % of
+/// the light that eight have (docs/measurements/2026-11-26-bounces.md). Measurements of direct light
+/// start from none.
+constexpr std::uint32_t picture_bounces = 4;
+
 /// Light that reaches the surface that is seen after it bounced off others.
 struct IndirectSettings {
   std::uint32_t bounces = 0;  // at most, 0 .. MAX_BOUNCES
@@ -139,8 +144,9 @@ bool have_same_estimate(const RenderSettings& a, const RenderSettings& b);
 
 /// Returns how light that bounces is found, INDIRECT_* of shaders/specialization.h.
 std::uint32_t find_indirect(const RenderSettings& settings);
-/// Returns the same in words, with its bias, as pictures carry it; "" without bounces.
-std::string describe_indirect(const RenderSettings& settings);
+/// Returns the same in words, with its bias, as pictures of a scene of that many lights carry it; ""
+/// without bounces.
+std::string describe_indirect(const RenderSettings& settings, std::uint32_t lights);
 
 /// Returns the settings that the paper published: uniform candidates, every M in full, neither
 /// boost nor permutation (Bitterli et al.: Spatiotemporal reservoir resampling for real-time ray

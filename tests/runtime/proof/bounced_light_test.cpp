@@ -122,8 +122,7 @@ TEST(BouncedLight, OfOnePathAPixelIsUnbiasedInRainUnderTheMoon) {
   expect_unbiased(settings, courtyard());
 }
 
-// The irradiance cache is biased by its smoothing and by its bound on rare samples: pixels are off
-// near edges, and the mean is right.
+// The irradiance cache is biased by its smoothing: pixels are off near edges, and the mean is right.
 TEST(BouncedLight, OfTheCacheHasTheRightMean) {
   const Place place = courtyard();
   const scene::RenderScene scene = place.builder.with(place.lights);
