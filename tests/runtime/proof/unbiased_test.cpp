@@ -129,7 +129,9 @@ TEST(Unbiased, TheDefaultInBerlinAndThePapersWeightsNot) {
   // The same with pixels of a metre instead of forty.
   place.pose.fov_deg = 5;
   expect_unbiased(place, render::RenderSettings{}.sampling.estimator);
-  expect_biased(place, render::Estimator::paper);
+  // The paper's weights dim some pixels and brighten others here, so their mean tells little.
+  EXPECT_LT(judge(place, settings_for(render::Estimator::paper), 144, 6).pixels.passed_share(),
+            enough);
 }
 
 }  // namespace
