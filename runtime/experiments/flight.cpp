@@ -65,8 +65,8 @@ FlightReport fly(const FlightOptions& options, Experiment& experiment,
     row.resize(table.columns.size());
     table.rows.push_back(std::move(row));
     if (options.pictures) {
-      if (!ev100)
-        ev100 = measure::auto_exposure_ev100(picture);  // one exposure for the whole flight
+      if (!ev100)  // one exposure for the whole flight
+        ev100 = measure::auto_exposure_ev100(experiment.renderer().sample_mean(picture.pixels()));
       measure::write_png(options.folder / fmt::format("frame-{:04}.png", i),
                          measure::to_display(picture, *ev100), measure::png_text(picture.info));
     }

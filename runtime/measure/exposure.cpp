@@ -8,10 +8,17 @@
 
 namespace nightcity::measure {
 
-float auto_exposure_ev100(const Image& image) {
+namespace {
+
+constexpr float emitters_over_ev = 6;
+
+// Meters the pixels for which `counts(pixel)` holds.
+template <class Counts>
+float meter(const Image& image, Counts counts) {
   std::vector<float> log_luminance;
   log_luminance.reserve(image.pixels());
   for (std::size_t i = 0; i < image.pixels(); ++i) {
+    if (!counts(i)) continue;
     const float y =
         tonemap::luminance_709(image.rgb[3 * i], image.rgb[3 * i + 1], image.rgb[3 * i + 2]);
     if (std::isfinite(y) && y > 0.0f) log_luminance.push_back(std::log2(y));
@@ -34,6 +41,18 @@ float auto_exposure_ev100(const Image& image) {
   constexpr double meter_k = 12.5;
   const double ev100 = mean_log2 + std::log2(100.0 / meter_k);
   return static_cast<float>(std::clamp(ev100, -12.0, 24.0));
+}
+
+}  // namespace
+
+float auto_exposure_ev100(const Image& image) {
+  const float all = meter(image, [](std::size_t) { return true; });
+  const ImageLayer* emitters = image.layer("emitter");
+  if (!emitters) return all;
+  const auto is_lit = [&](std::size_t i) { return emitters->values[i] == 0; };
+  for (std::size_t i = 0; i < image.pixels(); ++i)
+    if (is_lit(i)) return std::max(meter(image, is_lit), all - emitters_over_ev);
+  return all;
 }
 
 std::uint32_t tone_curve_from_name(const std::string& name) {

@@ -116,7 +116,7 @@ std::uint32_t record(const RecordingOptions& options, render::Renderer& renderer
       for (std::uint32_t k = 0; k < options.frames; ++k) renderer.render_frame(pose, settings);
       measure::Image image = renderer.download(options.exr);
       if (!ev100) {
-        ev100 = measure::auto_exposure_ev100(image);
+        ev100 = measure::auto_exposure_ev100(renderer.sample_mean(image.pixels()));
         write_description(file, description, ev100);
       }
       image.info.ev100 = ev100;

@@ -169,7 +169,7 @@ void render(RenderCommand& command) {
   device.check_validation();
 
   measure::Image image = renderer.download(options.settings.sampling.layers);
-  image.info.ev100 = find_exposure(command.exposure, image);
+  image.info.ev100 = find_exposure(command.exposure, renderer.sample_mean(image.pixels()));
   image.info.licences = scene::describe_licences(scene);
   image.info.camera = scene::to_text(pose);
   image.info.time = render::time_text(options.settings.time_s);

@@ -8,25 +8,13 @@
 namespace nightcity::viewer {
 namespace {
 
-constexpr float emitters_over_ev = 6;
 constexpr float seen_ev = 0.05f;          // a difference that is not seen
 constexpr double time_constant_s = 0.43;  // 1 - exp(-1 / 0.43) = 0.9
 
 }  // namespace
 
 float meter_picture(const measure::Image& picture) {
-  float ev100 = measure::auto_exposure_ev100(picture);
-  if (const measure::ImageLayer* emitters = picture.layer("emitter")) {
-    measure::Image lit;
-    for (std::size_t i = 0; i < picture.pixels(); ++i)
-      if (emitters->values[i] == 0)
-        lit.rgb.insert(lit.rgb.end(), &picture.rgb[3 * i], &picture.rgb[3 * i] + 3);
-    lit.width = static_cast<std::uint32_t>(lit.rgb.size() / 3);
-    lit.height = 1;
-    if (lit.width > 0)
-      ev100 = std::max(measure::auto_exposure_ev100(lit), ev100 - emitters_over_ev);
-  }
-  return std::clamp(ev100, min_ev100, max_ev100);
+  return std::clamp(measure::auto_exposure_ev100(picture), min_ev100, max_ev100);
 }
 
 void Metering::set_target(float ev100) {

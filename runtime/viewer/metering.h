@@ -9,11 +9,8 @@ namespace nightcity::viewer {
 
 constexpr float min_ev100 = -6, max_ev100 = 16;  // the panel's slider
 
-/// Returns the exposure that a picture asks for, within the slider's range
-/// (measure::auto_exposure_ev100: its brightest fiftieth does not count). Lamps and windows that are
-/// seen directly (layer "emitter" of Renderer::sample_mean) count only as far as that keeps them
-/// from being exposed more than 6 EV above the meter's value for all: else a lit window beside the
-/// eye would leave the street black.
+/// Returns the exposure that a picture asks for (measure::auto_exposure_ev100), within the slider's
+/// range.
 float meter_picture(const measure::Image& picture);
 
 /// Moves the exposure towards what was metered last, as an eye adapts.
