@@ -5,6 +5,7 @@
 #include <fstream>
 #include <optional>
 
+#include "runtime/gpu/commands.h"
 #include "runtime/gpu/instance.h"
 #include "runtime/gpu/vulkan_check.h"
 
@@ -136,17 +137,7 @@ void Device::create_device(const Options& options) {
 }
 
 void Device::create_commands() {
-  VkCommandPoolCreateInfo pool_info{};
-  pool_info.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
-  pool_info.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
-  pool_info.queueFamilyIndex = queue_family_;
-  VK_CHECK(vkCreateCommandPool(device_, &pool_info, nullptr, &pool_));
-  VkCommandBufferAllocateInfo allocate{};
-  allocate.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
-  allocate.commandPool = pool_;
-  allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-  allocate.commandBufferCount = 1;
-  VK_CHECK(vkAllocateCommandBuffers(device_, &allocate, &commands_));
+  commands_ = make_commands(device_, queue_family_, pool_);
   VkFenceCreateInfo fence_info{};
   fence_info.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
   VK_CHECK(vkCreateFence(device_, &fence_info, nullptr, &fence_));

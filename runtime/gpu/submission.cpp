@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "runtime/gpu/commands.h"
 #include "runtime/gpu/vulkan_check.h"
 
 namespace nightcity::gpu {
@@ -18,17 +19,7 @@ std::uint64_t to_nanoseconds(double seconds) {
 }  // namespace
 
 Submission::Submission(Device& device) : device_(device) {
-  VkCommandPoolCreateInfo pool{};
-  pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
-  pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
-  pool.queueFamilyIndex = device.queue_family();
-  VK_CHECK(vkCreateCommandPool(device.handle(), &pool, nullptr, &pool_));
-  VkCommandBufferAllocateInfo allocate{};
-  allocate.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
-  allocate.commandPool = pool_;
-  allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-  allocate.commandBufferCount = 1;
-  VK_CHECK(vkAllocateCommandBuffers(device.handle(), &allocate, &commands_));
+  commands_ = make_commands(device.handle(), device.queue_family(), pool_);
   VkFenceCreateInfo fence{};
   fence.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
   VK_CHECK(vkCreateFence(device.handle(), &fence, nullptr, &fence_));

@@ -1,5 +1,6 @@
 #include "runtime/viewer/screen.h"
 
+#include "runtime/gpu/commands.h"
 #include "runtime/gpu/vulkan_check.h"
 
 namespace nightcity::viewer {
@@ -37,17 +38,7 @@ VkOffset3D corner(glm::uvec2 size) {
 }  // namespace
 
 Screen::Screen(gpu::Device& device) : device_(device) {
-  VkCommandPoolCreateInfo pool{};
-  pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
-  pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
-  pool.queueFamilyIndex = device.queue_family();
-  VK_CHECK(vkCreateCommandPool(device.handle(), &pool, nullptr, &pool_));
-  VkCommandBufferAllocateInfo allocate{};
-  allocate.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
-  allocate.commandPool = pool_;
-  allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-  allocate.commandBufferCount = 1;
-  VK_CHECK(vkAllocateCommandBuffers(device.handle(), &allocate, &commands_));
+  commands_ = gpu::make_commands(device.handle(), device.queue_family(), pool_);
 }
 
 Screen::~Screen() {

@@ -8,6 +8,7 @@
 
 #include "tools/ground_cover/street_areas.h"
 #include "tools/ground_cover/way_line.h"
+#include "tools/ring_area.h"
 #include "tools/roads/road_class.h"
 
 namespace nightcity::ground_cover {
@@ -121,15 +122,6 @@ std::optional<LandUse> find_street_outline(const osm::OsmTags& tags) {
   return LandUse{rank, {surface_of(tags).value_or(usual), road->kerbed, !path}};
 }
 
-double area_of(const Ring& ring) {
-  double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const glm::dvec2 a = ring[i] - ring[0], b = ring[(i + 1) % ring.size()] - ring[0];
-    sum += a.x * b.y - a.y * b.x;
-  }
-  return std::abs(sum / 2);
-}
-
 }  // namespace
 
 std::optional<LandUse> find_land_use(const osm::OsmTags& tags) {
@@ -169,7 +161,7 @@ void add_land(std::span<const osm::MapArea> areas, const place::LonLatToFrame& t
       for (const auto& hole : rings.holes)
         if (Ring ring = find_line(hole, to_frame, bounds); ring.size() >= 3)
           made.rings.push_back(std::move(ring));
-      const double m2 = area_of(made.rings[0]);
+      const double m2 = std::abs(signed_area(made.rings[0]));
       found.emplace_back(m2, std::move(made));
     }
   }

@@ -18,6 +18,7 @@
 #include "tools/map_buildings/roofs.h"
 #include "tools/map_buildings/skin.h"
 #include "tools/osm/map_areas.h"
+#include "tools/ring_area.h"
 
 namespace nightcity::map_buildings {
 namespace {
@@ -51,15 +52,6 @@ class LocalPlane {
   glm::dvec2 origin_, metres_a_degree_;
 };
 
-double area_of(const std::vector<glm::dvec2>& ring) {
-  double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const glm::dvec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    sum += a.x * b.y - a.y * b.x;
-  }
-  return sum / 2;
-}
-
 // Vertices on the line between their neighbours, within 2 cm, make no corner: mappers set them
 // where a neighbour joins. Four corners are then four.
 void drop_straight_vertices(std::vector<glm::dvec2>& ring) {
@@ -83,7 +75,7 @@ Outline to_outline(const MapRings& rings, const LocalPlane& plane) {
   const auto flatten = [&](const std::vector<glm::dvec2>& ring, bool anticlockwise) {
     std::vector<glm::dvec2> out;
     for (const glm::dvec2& p : ring) out.push_back(plane.to_metres(p));
-    if ((area_of(out) > 0) != anticlockwise) std::reverse(out.begin(), out.end());
+    if ((signed_area(out) > 0) != anticlockwise) std::reverse(out.begin(), out.end());
     drop_straight_vertices(out);
     return out;
   };

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "tools/ring_area.h"
+
 namespace nightcity::streets {
 namespace {
 
@@ -31,21 +33,12 @@ AreaUse use_of(int function) {
   return AreaUse::others;
 }
 
-double area_of(const PlanRing& ring) {
-  double sum = 0;
-  for (std::size_t n = 0; n < ring.size(); ++n) {
-    const glm::dvec2 a = ring[n] - ring[0], b = ring[(n + 1) % ring.size()] - ring[0];
-    sum += a.x * b.y - a.y * b.x;
-  }
-  return sum / 2;
-}
-
 bool in_plan(const city::Ring& ring, PlanRing& plan) {
   for (const glm::dvec3& p : ring) {
     if (!(std::abs(p.x) < farthest_m && std::abs(p.y) < farthest_m)) return false;
     plan.emplace_back(p.x, p.y);
   }
-  return std::abs(area_of(plan)) >= smallest_m2;
+  return std::abs(signed_area(plan)) >= smallest_m2;
 }
 
 }  // namespace
