@@ -49,10 +49,10 @@ float auto_exposure_ev100(const Image& image) {
   const float all = meter(image, [](std::size_t) { return true; });
   const ImageLayer* emitters = image.layer("emitter");
   if (!emitters) return all;
-  const auto is_lit = [&](std::size_t i) { return emitters->values[i] == 0; };
-  for (std::size_t i = 0; i < image.pixels(); ++i)
-    if (is_lit(i)) return std::max(meter(image, is_lit), all - emitters_over_ev);
-  return all;
+  const std::vector<float>& values = emitters->values;
+  if (std::find(values.begin(), values.end(), 0.0f) == values.end()) return all;
+  const float lit = meter(image, [&](std::size_t i) { return values[i] == 0; });
+  return std::max(lit, all - emitters_over_ev);
 }
 
 std::uint32_t tone_curve_from_name(const std::string& name) {

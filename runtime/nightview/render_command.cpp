@@ -53,9 +53,10 @@ void check_outputs(const std::vector<std::string>& outputs) {
   }
 }
 
-float find_exposure(const std::string& text, const measure::Image& image) {
-  const std::optional<float> chosen = render::parse_exposure(text);
-  return chosen ? *chosen : measure::auto_exposure_ev100(image);
+float find_exposure(const std::string& text, const render::Renderer& renderer) {
+  if (const std::optional<float> chosen = render::parse_exposure(text)) return *chosen;
+  const std::size_t pixels = std::size_t{renderer.width()} * renderer.height();
+  return measure::auto_exposure_ev100(renderer.sample_mean(pixels));
 }
 
 // Draws lamps as green squares and windows as single blue pixels: no night picture has these
@@ -169,7 +170,7 @@ void render(RenderCommand& command) {
   device.check_validation();
 
   measure::Image image = renderer.download(options.settings.sampling.layers);
-  image.info.ev100 = find_exposure(command.exposure, renderer.sample_mean(image.pixels()));
+  image.info.ev100 = find_exposure(command.exposure, renderer);
   image.info.licences = scene::describe_licences(scene);
   image.info.camera = scene::to_text(pose);
   image.info.time = render::time_text(options.settings.time_s);
