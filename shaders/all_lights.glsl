@@ -17,8 +17,8 @@ vec2 point_of_light(uvec2 pixel, uint light, uint i, uint points, bool stays) {
 }
 
 // Returns the light that a receiver reflects from the lights from `first` to before `end`, each
-// weighted by share_of_path(). `stays`: it is the surface seen in the pixel, and not one that a path
-// meets.
+// weighted by share_of_path(). `stays`: it is the surface seen in the pixel, and not one that a
+// path meets.
 vec3 reflected_from_all(uvec2 pixel, Receiver receiver, uint first, uint end, bool stays,
                         inout LightLayers layers) {
   vec3 sum = vec3(0.0);

@@ -59,14 +59,16 @@ void start_cell(uint index, Surface surface) {
   FRAME.cells.at[index].samples = min(sum.w, MAX_INHERITED);
 }
 
-// A wet street throws the mirror image of a lamp on the walls beside it, and hardly a path finds it:
-// what does would stay as a spot. For the cache water films are rougher, so that the same light
-// comes from a wider patch of the street (path space regularization; Kaplanyan, Dachsbacher 2013).
+// A wet street throws the mirror image of a lamp on the walls beside it, and hardly a path finds
+// it: one that does would stay as a spot. For the cache water films are rougher, so that the same
+// light comes from a wider patch of the street (path space regularization; Kaplanyan, Dachsbacher
+// 2013).
 const float CACHE_FILM_ALPHA = 0.36;
 
 // Returns the illuminance that one path brings to the surface, lux per channel.
 vec3 sample_irradiance(uint key, Surface surface) {
-  // What a surface reflects is 1 / pi of what lights it where it reflects all of it diffusely.
+  // The cell keeps the light that arrives, whatever the surface reflects of it: a surface that
+  // reflects all of it diffusely shows 1 / pi of its illuminance.
   Receiver r = receiver_of(surface);
   r.reflectance = vec3(1.0 / PI);
   r.wetness = 0.0;

@@ -2,8 +2,8 @@
 // followed by sampling the reflection (scatter), and gathers at each vertex the light that comes
 // there straight from a light source, from the sky, and from a surface that glows by itself. What a
 // path would seldom meet, a surface beside a lamp, is found by a ray from the lamp. Paths pass
-// through what casts no shadow, the housings of lamps: what a housing blocks and reflects is part of
-// its lamp's distribution already.
+// through what casts no shadow, the housings of lamps: what a housing blocks and reflects is part
+// of its lamp's distribution already.
 #include "shaders/roulette.glsl"
 
 // A direction in which a receiver gathers light, sampled by what it reflects to its viewer.
@@ -19,7 +19,8 @@ float scatter_density(Receiver r, float film_share, vec3 direction) {
   if (film_share > 0.0) {
     const vec3 h = normalize(direction + r.to_viewer);
     const float n_h = dot(r.normal, h);
-    density += film_share * film_normal_density(r.film_alpha, n_h) * n_h / (4.0 * dot(r.to_viewer, h));
+    density += film_share * film_normal_density(r.film_alpha, n_h) * n_h /
+               (4.0 * dot(r.to_viewer, h));
   }
   return density;
 }
@@ -121,7 +122,8 @@ vec3 reflected_from_lit_surface(Receiver r, float film_share, float film_alpha, 
   const float d2 = dot(way, way);
   const vec3 direction = way * inversesqrt(d2);
   const float cosine = dot(r.normal, direction), cosine_there = -dot(lit.normal, direction);
-  if (!(cosine > 0.0) || !(cosine_there > 0.0) || !unblocked(r.origin, lit.origin)) return vec3(0.0);
+  if (!(cosine > 0.0) || !(cosine_there > 0.0)) return vec3(0.0);
+  if (!unblocked(r.origin, lit.origin)) return vec3(0.0);
   const vec3 lumen = light_colour(source.light.colour_rgb9e5) *
                      (source.light.flux_lm * share_at(source.light, lit.position) * sum / target);
   // A path to `lit` has the rest of the weight.

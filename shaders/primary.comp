@@ -14,7 +14,8 @@ void main() {
   if (!pixel_of_invocation(pixel, index)) return;
 
   Hit hit;
-  Surface surface = first_surface(FRAME.camera.position, camera_direction(pixel), MASK_VISIBLE, hit);
+  Surface surface =
+      first_surface(FRAME.camera.position, camera_direction(pixel), MASK_VISIBLE, hit);
   if (HAS_TRAFFIC != 0u && surface.depth > 0.0) {
     const Instance instance = SCENE.instances.at[hit.instance];
     if ((instance.mask & MASK_VEHICLE) != 0u) {

@@ -43,8 +43,8 @@ Receiver move_on(inout PathVertex vertex, Receiver r, uvec2 pixel, out Hit hit) 
   return vertex.surface.depth > 0.0 ? next_receiver(r, vertex.surface, next.density, WET_ALPHA) : r;
 }
 
-// Returns the light that a path's vertex reflects from the lights, the sky and the moon, and what it
-// emits by itself.
+// Returns the light that a path's vertex reflects from the lights, the sky and the moon, and what
+// it emits by itself.
 vec3 light_of_vertex(PathVertex vertex, Receiver r, Hit hit, uvec2 pixel) {
   vec3 sum = unsampled_emission(vertex.surface, hit) + reflected_sky_and_moon(r);
   LightLayers ignored = NO_LAYERS;

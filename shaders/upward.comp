@@ -48,7 +48,8 @@ void main() {
         }
         break;
       }
-      const SurfaceHit surface = surface_at(hit, SCENE.instances.at[hit.instance], origin, direction);
+      const SurfaceHit surface =
+          surface_at(hit, SCENE.instances.at[hit.instance], origin, direction);
       colour *= SCENE.materials.at[surface.material].base_colour;
       // The first bounce is worth its ray even off a dark surface.
       if (bounce > 0u && !survives(colour)) break;

@@ -31,7 +31,7 @@ std::string name_of_picture(std::uint32_t number, const char* extension) {
   return fmt::format("frame-{:05}{}", number, extension);
 }
 
-// What makes two recordings the same one.
+// Returns the values by which two recordings are the same one.
 nlohmann::json describe(const RecordingOptions& options, const render::Renderer& renderer,
                         const scene::CameraPath& path, const render::RenderSettings& settings) {
   const render::EnvironmentSettings& sky = settings.environment;

@@ -393,7 +393,8 @@ void Renderer::abandon_frame() {
   run_.stop();
   begun_ = false;
   vehicle_passes_.leave();
-  // What a frame adds to in place is no mean of whole frames any more.
+  // A frame adds to the cache and to the layers in place: given up half-way, it leaves them neither
+  // as they were nor a mean of whole frames.
   cache_.clear();
   if (next_.settings.sampling.layers) done_.pose.reset();
 }

@@ -112,7 +112,7 @@ class Renderer {
   std::uint32_t height() const { return pictures_[parity_].size.y; }
 
  private:
-  // What a complete frame leaves for the next.
+  // A complete frame leaves this for the next.
   struct State {
     std::optional<scene::CameraPose> pose;
     gpu::Camera camera{};

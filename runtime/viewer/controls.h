@@ -16,7 +16,8 @@ enum class Motion { orbit, fly, walk };
 /// The height of a pedestrian's eye above the ground, m.
 constexpr float eye_height_m = 1.7f;
 
-/// What hands did since the last frame of the panel, less what the panel took for itself.
+/// The mouse's movements since the last frame of the panel, less those that the panel took for
+/// itself.
 struct Hands {
   glm::vec2 drag{0};     // pixels, left button
   glm::vec2 pan{0};      // pixels, right or middle button

@@ -1,5 +1,4 @@
-// What the window draws over the picture besides the panel: caption, notices, licences, help,
-// markers.
+// Draws over the picture, besides the panel: caption, notices, licences, help, markers.
 #pragma once
 
 #include <glm/vec2.hpp>

@@ -24,7 +24,8 @@ struct InputEvent {
   int modifiers = 0;  // GLFW_MOD_* (key)
 };
 
-/// How long keys were held, by the times of their events: independent of how often anyone asks.
+/// Tells how long keys were held, by the times of their events: independent of how often anyone
+/// asks.
 class HeldKeys {
  public:
   void press(int key, double time_s);

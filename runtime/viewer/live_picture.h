@@ -11,7 +11,7 @@
 
 namespace nightcity::viewer {
 
-/// What the picture is to show.
+/// The picture is to show this.
 struct View {
   scene::CameraPose pose;
   render::RenderSettings settings;

@@ -1,4 +1,4 @@
-// What lies under a click: the surface, the light that reaches it, and where each value came from.
+// Describes the surface under a click, the light that reaches it, and the source of each value.
 #pragma once
 
 #include <glm/vec2.hpp>

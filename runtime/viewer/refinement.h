@@ -1,5 +1,5 @@
-// Which picture to render next: coarse while hands move, then finer and finer until every pixel of
-// the window has its own.
+// Chooses the picture to render next: coarse while hands move, then finer and finer until every
+// pixel of the window has its own.
 #pragma once
 
 #include <array>

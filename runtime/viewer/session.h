@@ -1,4 +1,4 @@
-// What the user of the window has done so far, and what keys do to it: nothing here needs a window.
+// Keeps what the user of the window has done so far, and obeys keys: nothing here needs a window.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace nightcity::viewer {
 
-/// What a key asks of the window itself.
+/// A key's requests to the window itself.
 struct WindowRequests {
   bool close = false, save_picture = false, cancel_picture = false, fullscreen = false;
   bool copy_camera = false, paste_camera = false;

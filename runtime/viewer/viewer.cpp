@@ -31,11 +31,11 @@ namespace {
 
 // The longest that the loop waits for the device before it looks at the input again.
 constexpr double wait_s = 0.004;
-// How long the panel waits for a slice of the device before it is drawn without being shown.
+// The panel waits so long for a slice of the device before it is drawn without being shown.
 constexpr double alive_s = 0.05;
-// How often what goes on is written anew.
+// The line about what goes on is written anew so often.
 constexpr double report_s = 0.25;
-// How often a sleeping window looks for a signal.
+// A sleeping window looks for a signal so often.
 constexpr double sleep_s = 0.1;
 
 gpu::Device::Options for_window(gpu::Device::Options options, const Window& window) {
@@ -179,7 +179,7 @@ class Viewer {
   // Works a slice at a picture. Returns whether the window has a new one to show.
   bool work() {
     if (!city_ || window_.is_minimised()) return false;
-    // What is to be shown goes before the next slice.
+    // A picture that is ready is shown before the next slice is rendered.
     if (redraws_ > 0 || new_picture_ || !window_.queue().empty()) {
       if (picture_->is_busy() && !picture_->wait(wait_s)) return false;
       if (job_ && job_->is_busy() && !job_->wait(wait_s)) return false;

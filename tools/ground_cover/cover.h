@@ -1,4 +1,4 @@
-// What lies on the ground of a city: areas of streets and land, in order of priority.
+// Covers the ground of a city: areas of streets and land, in order of priority.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace nightcity::ground_cover {
 
-/// What a place is covered with.
+/// The cover of a place.
 struct Surface {
   GroundKind kind = GroundKind::asphalt;
   bool sunken = false;  // lies below the ground around it, by the height of a kerb
@@ -56,7 +56,7 @@ class Cover {
   /// Returns what covers a place; null where it is bare.
   const Surface* surface_at(const glm::dvec2& place) const;
 
-  /// What was not used, and how often.
+  /// Things that were not used, and how often.
   std::map<std::string, std::size_t> left_out;
   /// Values that no tag gives, and how often they were assumed.
   std::map<std::string, std::size_t> assumed;

@@ -1,4 +1,4 @@
-// What the ground is made of, and how much light it reflects: one table with its sources, and the
+// Materials of the ground and how much light they reflect: one table with its sources, and the
 // words of OSM's tag `surface` that name its rows.
 #pragma once
 

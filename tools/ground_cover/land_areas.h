@@ -10,8 +10,8 @@
 
 namespace nightcity::ground_cover {
 
-/// What an area of land is, and its rank among areas (below those of streets, but for outlines of
-/// streets themselves).
+/// The use of an area of land, and its rank among areas (below those of streets, but for outlines
+/// of streets themselves).
 struct LandUse {
   int rank = 0;
   Surface surface;

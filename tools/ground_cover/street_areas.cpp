@@ -17,7 +17,7 @@ namespace {
 
 using Side = Widener::Side;
 
-// What runs along one side of a carriageway, from the kerb outwards.
+// The strips along one side of a carriageway, from the kerb outwards.
 struct Roadside {
   double track_m = 0, pavement_m = 0;
   bool assumed = false;

@@ -20,7 +20,7 @@ struct PlanePartition {
   };
   std::vector<glm::dvec2> points;
   std::vector<Triangle> triangles;  // of all regions that some area holds
-  /// Of each region the label of its owner in each layer, no_label where it has none.
+  /// The label of each region's owner in each layer, no_label where it has none.
   std::vector<std::vector<std::uint32_t>> owners;
 };
 

@@ -36,7 +36,7 @@ TEST(Metering, ALitWindowBesideTheEyeLeavesTheStreetVisible) {
   const float street = std::log2(0.5f * 100 / 12.5f);
   EXPECT_GT(all, street + 7);
   EXPECT_NEAR(meter_picture(image), all - 6, 1e-3);
-  // Where the light is even, nothing changes.
+  // An even picture is metered as it was.
   measure::Image even = grey(0.5f);
   even.layers.push_back(emitters);
   EXPECT_NEAR(meter_picture(even), street, 1e-3);

@@ -90,7 +90,7 @@ TEST(Refinement, OneSlowFrameDoesNotLowerTheResolutionOfAViewAtRest) {
   EXPECT_EQ(device.refinement.plan(device.now_s, pixels, false), (FramePlan{1, false}));
 }
 
-// Where even the coarsest picture takes long, giving up each one for the next would show none.
+// If even the coarsest picture takes long, giving up each one for the next would show none.
 TEST(Refinement, TheQuickestFrameIsNeverGivenUp) {
   for (const double pixel_s : {slow, 20 * slow, fast}) {
     Simulated device{pixel_s};

@@ -201,7 +201,7 @@ TEST_F(ViewerWindow, DraggingMovesTheCamera) {
   EXPECT_NE(text("before.json"), text("after.json"));
 }
 
-// What a user does with the mouse or a key, and what the window wrote about it.
+// A key is pressed, and the files that the window wrote are read.
 TEST_F(ViewerWindow, AStillViewGetsEveryPixelAndTheSavedPictureHasThemAll) {
   if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no mouse or keyboard";
   ASSERT_EQ(run("${V} --size 320x240 --picture-frames 2 & viewer=$!\n"
@@ -267,7 +267,8 @@ TEST_F(ViewerWindow, AtRestItSleeps) {
       if (i >= 14) sum += std::stol(field);  // utime, stime
     return sum;
   };
-  // Of 400 hundredths of a second: what is at rest needs no tenth, and rendering needs all.
+  // Of the 400 hundredths of a second that passed a window at rest needs no tenth, and one that
+  // renders needs all.
   EXPECT_LT(ticks("after.txt") - ticks("before.txt"), 100);
 }
 

@@ -88,8 +88,8 @@ class Overlay {
   GEOSContextHandle_t geos_;
 };
 
-// What lamps and wheels stand on is what is drawn: random places, of which a few may lie within a
-// millimetre of a kerb.
+// Lamps and wheels stand on what is drawn. Of the random places a few may lie within a millimetre
+// of a kerb.
 void expect_ground_as_drawn(const City& city, const Scene& scene, const terrain::Extent& bounds) {
   const test::TempFolder folder;
   terrain::Terrain drawn(folder / "drawn");

@@ -21,7 +21,7 @@ double area_of(const PlanePartition& plan, const PlanePartition::Triangle& t) {
   return (b.x * c.y - b.y * c.x) / 2;
 }
 
-// Of each owner in the first layer.
+// Returns the area of each owner in the first layer.
 std::map<std::uint32_t, double> areas_of(const PlanePartition& plan) {
   std::map<std::uint32_t, double> areas;
   for (const PlanePartition::Triangle& t : plan.triangles) {

@@ -1,4 +1,4 @@
-// What covers the ground, from where, and what of it was left out.
+// Reports what covers the ground, from where, and what of it was left out.
 #pragma once
 
 #include <cstddef>

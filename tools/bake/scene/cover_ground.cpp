@@ -179,8 +179,8 @@ class Coverer {
       edges_.push_back({piece.vertex[k], piece.vertex[(k + 1) % 3], depth_m});
   }
 
-  // Where two pieces meet and one of them is sunken, the other ends at a kerb that faces the sunken
-  // one.
+  // Adds a kerb between two pieces of which one is sunken: the other ends there, and the kerb faces
+  // the sunken one.
   void add_kerbs(const mesh::PlanePartition& plan) {
     const auto key = [](const Edge& e) { return std::minmax(e.a, e.b); };
     std::stable_sort(edges_.begin(), edges_.end(),

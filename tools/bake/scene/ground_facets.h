@@ -10,7 +10,7 @@
 
 namespace nightcity::bake {
 
-/// How far a triangle's corner may lie above or below the plane of the facet that it joins, m.
+/// A triangle's corner may lie so far above or below the plane of the facet that it joins, m.
 constexpr double facet_tolerance_m = 0.02;
 
 /// Returns facets as areas of the plan (x east, y north, in the tile's coordinates), labelled by one
