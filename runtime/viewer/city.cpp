@@ -1,6 +1,12 @@
 #include "runtime/viewer/city.h"
 
+#include <filesystem>
+
 namespace nightcity::viewer {
+
+std::string name_of(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
 
 Opening::Opening(std::string path, std::string camera, double time_s, LoadScene load)
     : path_(std::move(path)) {

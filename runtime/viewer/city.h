@@ -23,6 +23,9 @@ struct City {
   std::size_t triangles = 0;
 };
 
+/// Returns the file name of a path, as titles show it.
+std::string name_of(const std::string& path);
+
 using LoadScene = std::function<scene::RenderScene(const std::string& path)>;
 
 /// Reads a scene, copies it to the device and finds the camera's pose in a thread of its own.

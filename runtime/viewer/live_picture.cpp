@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "runtime/scene/markers.h"
+#include "shaders/tonemap.glsl.h"
+
 namespace nightcity::viewer {
 namespace {
 
@@ -118,6 +121,16 @@ void LivePicture::expose(const render::DisplaySettings& display) {
   renderer_.expose(display);
   shown_display_.ev100 = display.ev100;
   shown_display_.tone = display.tone;
+}
+
+std::optional<double> LivePicture::luminance_at(const glm::vec3& point) const {
+  if (!shown_ || !has_picture()) return std::nullopt;
+  const glm::vec2 window(shown_->window), size(renderer_.width(), renderer_.height());
+  const gpu::Camera camera = scene::make_camera(shown_->pose, window.x / window.y);
+  const auto at = scene::project(camera, point);
+  if (!at || at->x < 0 || at->y < 0 || at->x >= 1 || at->y >= 1) return std::nullopt;
+  const glm::vec3 mean = renderer_.mean_at(glm::uvec2(glm::vec2(*at) * size));
+  return double(tonemap::luminance_709(mean.r, mean.g, mean.b));
 }
 
 float LivePicture::meter() const {

@@ -50,6 +50,10 @@ class LivePicture {
   /// Returns the exposure that the picture on the screen asks for.
   float meter() const;
 
+  /// Returns the luminance that the picture on the screen has where it shows `point`, cd/m2; nothing
+  /// where it does not. Not while is_busy().
+  std::optional<double> luminance_at(const glm::vec3& point) const;
+
   bool has_picture() const { return renderer_.frames() > 0; }
   const render::Renderer& renderer() const { return renderer_; }
   /// Returns the settings that the picture on the screen was made with: those of its view, within

@@ -1,15 +1,12 @@
 // The panel over the picture: what the user may change, and what the renderer reports.
 #pragma once
 
-#include <optional>
-#include <span>
 #include <string>
-#include <vector>
 
-#include "runtime/gpu/timer.h"
 #include "runtime/render/settings.h"
 #include "runtime/scene/camera.h"
 #include "runtime/viewer/controls.h"
+#include "runtime/viewer/frame_stats.h"
 
 struct ImDrawList;
 
@@ -30,24 +27,6 @@ struct ViewerState {
   int divisor = 0;
   bool show_panel = true;
   bool show_help = false;
-};
-
-/// The figures that the panel reports of the scene and the last frame.
-struct FrameStats {
-  std::string scene, device;
-  std::size_t triangles = 0, lights = 0;
-  bool has_light = true;                // lights or traffic; else the panel offers sky and moon
-  std::vector<std::string> licences;    // of the data
-  std::vector<std::string> cities;      // that can be opened
-  std::uint32_t width = 0, height = 0;  // of the rendered picture
-  std::uint32_t divisor = 1;            // of the window's sides, that the picture has
-  std::uint32_t frames = 0;             // in the mean
-  // The settings of the picture on the screen, where the next one is still being rendered.
-  std::optional<render::RenderSettings> made_with;
-  double frame_ms = 0;                  // of the device
-  std::string work;                     // what goes on: "rendering every 2nd pixel, 40 %"
-  std::string place;                    // where the camera is, in words
-  std::span<const gpu::Timer::Span> passes;
 };
 
 /// The requests that the user made in the panel.

@@ -1,0 +1,188 @@
+#include "runtime/viewer/controller.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "formats/error.h"
+#include "runtime/viewer/drawing.h"
+#include "runtime/viewer/hands.h"
+#include "runtime/viewer/picture_names.h"
+
+namespace nightcity::viewer {
+
+Controller::Controller(const ViewOptions& options, Presenter& presenter, Workbench& workbench)
+    : options_(options), presenter_(presenter), window_(presenter.window()), workbench_(workbench) {
+  ViewerState& state = session_.state;
+  state.settings = options.settings;
+  state.markers = options.markers;
+  state.divisor = options.divisor;
+  state.auto_exposure = !options.ev100;
+  if (options.ev100) state.settings.display.ev100 = *options.ev100;
+  state.play = options.play;
+  stats_.device = presenter.device().label();
+  stats_.cities = options.scenes;
+}
+
+std::unique_ptr<Opening> Controller::start_opening(const ViewOptions& options,
+                                                   const std::string& path) {
+  return std::make_unique<Opening>(path, options.camera, options.settings.time_s, options.load);
+}
+
+View Controller::view() const {
+  const ViewerState& state = session_.state;
+  View view{state.camera.pose, state.settings, glm::max(window_.size(), glm::uvec2(1))};
+  view.settings.averaging.accumulate = state.accumulate;
+  view.divisor = static_cast<std::uint32_t>(state.divisor);
+  view.max_frames = options_.max_frames;
+  view.runs = session_.clock_runs() && !workbench_.is_saving();
+  view.switches = workbench_.has_city() && workbench_.city().on_device->switching();
+  return view;
+}
+
+bool Controller::finish_opening() {
+  try {
+    if (!workbench_.finish_opening(window_.size())) return false;
+  } catch (const std::exception& error) {
+    if (!workbench_.has_city()) throw;  // there is nothing else to show
+    session_.notices.say(error.what(), now_s_, true);
+    return false;
+  }
+  const City& city = workbench_.city();
+  std::filesystem::path bookmarks = city.path;
+  session_.open(city.pose, bookmarks.replace_extension(".cameras.json"), now_s_);
+  session_.state.night_changes = !city.scene.traffic.trips.empty() || !city.scene.schedules.empty();
+  describe_city(city, stats_);
+  if (!stats_.has_light)
+    session_.notices.say(
+        "no lights: no .lights file lies beside this scene. The panel offers "
+        "sky and moon.",
+        now_s_, true);
+  return true;
+}
+
+void Controller::open(const std::string& path) {
+  if (workbench_.opening()) return;
+  if (std::find(stats_.cities.begin(), stats_.cities.end(), path) == stats_.cities.end())
+    stats_.cities.push_back(path);
+  workbench_.open(start_opening(options_, path));
+}
+
+void Controller::draw() {
+  stats_.work = workbench_.describe();
+  presenter_.overlay().begin(window_.queue());
+  const glm::vec2 size(window_.size());
+  PanelRequests requests;
+  if (workbench_.has_city()) {
+    draw_city(size, requests);
+  } else {
+    handle_early_input();
+    const Opening* opening = workbench_.opening();
+    draw_middle(
+        fmt::format("opening {}: {}", name_of(opening ? opening->path() : options_.scenes.front()),
+                    stats_.work),
+        size);
+  }
+  draw_help(session_.state.show_help, size);
+  presenter_.overlay().end();
+  obey(requests);
+}
+
+void Controller::draw_city(const glm::vec2& size, PanelRequests& requests) {
+  const scene::RenderScene& scene = workbench_.city().scene;
+  ViewerState& state = session_.state;
+  handle_input(size);
+  if (state.show_panel) stats_.place = describe_camera(scene, state.camera.pose);
+  if (state.show_panel) requests = draw_panel(state, stats_);
+  if (state.markers) draw_markers(scene, state.camera.pose, size);
+  look_at_pick();
+  draw_pick(session_.picked, pick_cd_m2_, scene, state.camera.pose, size);
+  draw_lines(state, stats_, session_.notices, size);
+  window_.set_title(fmt::format("{} - {} - nightview", stats_.scene, caption(state, stats_)));
+}
+
+// Finds the luminance that the picture has where something was picked. The last one is kept while
+// the device is at work.
+void Controller::look_at_pick() {
+  if (!session_.picked || workbench_.picture()->is_busy()) return;
+  pick_cd_m2_ = workbench_.picture()->luminance_at(session_.picked->point).value_or(pick_cd_m2_);
+}
+
+// While the first scene loads, there is nothing to move through.
+void Controller::handle_early_input() {
+  for (const int key : window_.queue().pressed())
+    if (const auto press = find_action(key, window_.queue().modifiers());
+        press && press->action == Action::close)
+      window_.close();
+    else if (press && press->action == Action::help)
+      session_.state.show_help = !session_.state.show_help;
+}
+
+void Controller::handle_input(const glm::vec2& size) {
+  const scene::RenderScene& scene = workbench_.city().scene;
+  InputQueue& queue = window_.queue();
+  for (const int key : queue.pressed()) {
+    const auto press = find_action(key, queue.modifiers());
+    if (!press) continue;
+    if (press->action == Action::close && close_innermost()) continue;
+    obey(session_.press(*press, scene, workbench_.is_saving(), now_s_));
+  }
+  const Hands hands = read_hands(ImGui::GetIO(), queue.held(), queue.handed_until(Window::now_s()));
+  const scene::CameraPose before = session_.state.camera.pose;
+  session_.move(hands, scene, size, now_s_);
+  if (before.position != session_.state.camera.pose.position ||
+      before.target != session_.state.camera.pose.target)
+    moved_s_ = now_s_;
+}
+
+void Controller::obey(const WindowRequests& requests) {
+  if (requests.close) window_.close();
+  if (requests.cancel_picture) {
+    workbench_.stop_saving();
+    session_.notices.say("the picture is not saved", now_s_);
+  }
+  if (requests.save_picture) save();
+  if (requests.fullscreen) window_.toggle_fullscreen();
+  if (requests.copy_camera) {
+    window_.set_clipboard(scene::to_text(session_.state.camera.pose));
+    session_.notices.say("camera copied", now_s_);
+  }
+  if (requests.paste_camera) session_.paste_camera(window_.clipboard(), now_s_);
+  if (requests.larger_text != 0) {
+    float& scale = ImGui::GetIO().FontGlobalScale;
+    scale = std::clamp(scale + 0.25f * float(requests.larger_text), 0.5f, 4.0f);
+  }
+}
+
+void Controller::obey(const PanelRequests& requests) {
+  if (!requests.camera_preset.empty())
+    session_.go_to(scene::find_camera(requests.camera_preset, workbench_.city().scene), now_s_);
+  if (requests.save) save();
+  if (!requests.open.empty()) open(requests.open);
+}
+
+void Controller::save() {
+  if (workbench_.is_saving() || !workbench_.has_city()) {
+    session_.notices.say("a picture is being saved already", now_s_);
+    return;
+  }
+  workbench_.save(view(), options_.picture);
+}
+
+void Controller::finish_saving() {
+  try {
+    const std::string sentence =
+        save_picture(find_picture_folder(options_.picture_folder), workbench_.take_saved(),
+                     session_.state.settings.display);
+    session_.notices.say(sentence, now_s_);
+    spdlog::info("{}", sentence);
+  } catch (const std::exception& error) {  // a full disk is no reason to close the window
+    session_.notices.say(fmt::format("the picture is not saved: {}", error.what()), now_s_, true);
+    spdlog::error("{}", error.what());
+  }
+}
+
+}  // namespace nightcity::viewer

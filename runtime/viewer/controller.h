@@ -1,0 +1,61 @@
+// Obeys the user: from keys, mouse and panel to what session, window and workbench do.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "runtime/viewer/presenter.h"
+#include "runtime/viewer/session.h"
+#include "runtime/viewer/viewer.h"
+#include "runtime/viewer/workbench.h"
+
+namespace nightcity::viewer {
+
+class Controller {
+ public:
+  /// All must outlive the object.
+  Controller(const ViewOptions& options, Presenter& presenter, Workbench& workbench);
+
+  /// Returns an opening of a scene, for Workbench::open.
+  static std::unique_ptr<Opening> start_opening(const ViewOptions& options,
+                                                const std::string& path);
+
+  /// Sets the time of what is done and said from now on, s of the window's clock.
+  void set_now(double now_s) { now_s_ = now_s; }
+  /// Shows a city that is open, if one is. Returns whether it did. Throws Error where it cannot be
+  /// opened and no other is shown.
+  bool finish_opening();
+  /// Opens the scene in the background, and offers it in the panel from now on.
+  void open(const std::string& path);
+  /// Hands the panel the next events, draws it, and does what was asked for.
+  void draw();
+  /// Writes the picture that Workbench::Result::saved spoke of, and says where it is, or why not.
+  void finish_saving();
+
+  /// Returns the view that the picture is to show.
+  View view() const;
+  /// Returns how long the view has not moved, s.
+  double still_s() const { return now_s_ - moved_s_; }
+  Session& session() { return session_; }
+  FrameStats& stats() { return stats_; }
+
+ private:
+  void draw_city(const glm::vec2& size, PanelRequests& requests);
+  void look_at_pick();
+  void handle_input(const glm::vec2& size);
+  void handle_early_input();
+  void obey(const WindowRequests& requests);
+  void obey(const PanelRequests& requests);
+  void save();
+
+  const ViewOptions& options_;
+  Presenter& presenter_;
+  Window& window_;  // the presenter's
+  Workbench& workbench_;
+  Session session_;
+  FrameStats stats_;
+  double pick_cd_m2_ = 0;  // luminance where something was picked, when last looked at
+  double now_s_ = 0, moved_s_ = -1e9;
+};
+
+}  // namespace nightcity::viewer

@@ -1,0 +1,39 @@
+// The figures that the panel and the caption report of the scene and the last frame.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "runtime/gpu/timer.h"
+#include "runtime/render/settings.h"
+#include "runtime/viewer/city.h"
+#include "runtime/viewer/live_picture.h"
+
+namespace nightcity::viewer {
+
+struct FrameStats {
+  std::string scene, device;
+  std::size_t triangles = 0, lights = 0;
+  bool has_light = true;                // lights or traffic; else the panel offers sky and moon
+  std::vector<std::string> licences;    // of the data
+  std::vector<std::string> cities;      // that can be opened
+  std::uint32_t width = 0, height = 0;  // of the rendered picture
+  std::uint32_t divisor = 1;            // of the window's sides, that the picture has
+  std::uint32_t frames = 0;             // in the mean
+  // The settings of the picture on the screen, where the next one is still being rendered.
+  std::optional<render::RenderSettings> made_with;
+  double frame_ms = 0;  // of the device
+  std::string work;     // what goes on: "rendering every 2nd pixel, 40 %"
+  std::string place;    // where the camera is, in words
+  std::span<const gpu::Timer::Span> passes;
+};
+
+/// Enters what a city has.
+void describe_city(const City& city, FrameStats& stats);
+/// Enters what the picture on the screen is.
+void describe_picture(const LivePicture& picture, FrameStats& stats);
+
+}  // namespace nightcity::viewer

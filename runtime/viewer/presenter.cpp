@@ -1,0 +1,57 @@
+#include "runtime/viewer/presenter.h"
+
+#include <utility>
+
+namespace nightcity::viewer {
+namespace {
+
+gpu::Device::Options for_window(gpu::Device::Options options, const Window& window) {
+  options.instance_extensions = window.instance_extensions();
+  options.device_extensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME};
+  return options;
+}
+
+float find_font_px(float wanted_px, const Window& window) {
+  constexpr float standard_px = 13;
+  return wanted_px > 0 ? wanted_px : standard_px * window.content_scale();
+}
+
+// The overlay's pipeline is made for the swapchain's images.
+Swapchain& resized(Swapchain& swapchain, glm::uvec2 size) {
+  swapchain.resize(size);
+  return swapchain;
+}
+
+}  // namespace
+
+Presenter::Presenter(std::uint32_t width, std::uint32_t height, gpu::Device::Options device,
+                     float font_px)
+    : window_(width, height, "nightview"),
+      device_(for_window(std::move(device), window_)),
+      swapchain_(device_, window_.create_surface(device_.instance())),
+      screen_(device_),
+      black_(device_, 4),
+      overlay_(device_, window_, resized(swapchain_, window_.size()),
+               find_font_px(font_px, window_)) {
+  black_.fill_zero();
+}
+
+void Presenter::fit() {
+  const glm::uvec2 size = window_.size();
+  if (size != swapchain_.size() || outdated_) swapchain_.resize(size);
+  outdated_ = false;
+}
+
+bool Presenter::show(const render::Renderer* picture, measure::Image8* grab) {
+  if (!swapchain_.acquire()) {
+    outdated_ = true;
+    return false;
+  }
+  const auto overlay = [this](VkCommandBuffer commands) { overlay_.record(commands); };
+  const gpu::Buffer& shown = picture ? picture->display() : black_;
+  const glm::uvec2 size = picture ? glm::uvec2(picture->width(), picture->height()) : glm::uvec2(1);
+  outdated_ = !screen_.show(swapchain_, shown, size, overlay, grab);
+  return true;
+}
+
+}  // namespace nightcity::viewer

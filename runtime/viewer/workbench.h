@@ -1,0 +1,67 @@
+// What is being worked at: the city that is shown, its picture, a picture that is being saved, and a
+// city that is being opened.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "runtime/render/pass_library.h"
+#include "runtime/viewer/city.h"
+#include "runtime/viewer/live_picture.h"
+#include "runtime/viewer/picture_job.h"
+
+namespace nightcity::viewer {
+
+class Workbench {
+ public:
+  /// The device must outlive the object.
+  explicit Workbench(gpu::Device& device) : device_(device), passes_(device) {}
+
+  /// Takes a city that is being read, unless another one is.
+  void open(std::unique_ptr<Opening> opening);
+  const Opening* opening() const { return opening_.get(); }
+  /// Takes the place of the city that is shown, once the one that is being opened is there. Returns
+  /// whether it did. Throws what opening threw.
+  bool finish_opening(glm::uvec2 window);
+
+  bool has_city() const { return city_ != nullptr; }
+  const City& city() const { return *city_; }
+  /// Returns the picture of the city, null without one.
+  LivePicture* picture() { return picture_.get(); }
+  const LivePicture* picture() const { return picture_.get(); }
+
+  /// Renders the view to be saved.
+  void save(const View& view, const PictureQuality& quality);
+  bool is_saving() const { return job_ != nullptr; }
+  void stop_saving() { job_.reset(); }
+  /// Returns the picture that is complete after Result::saved, with its info. Throws Error.
+  measure::Image take_saved();
+
+  /// Returns whether a slice runs on the device: showing a picture would wait for it.
+  bool is_busy() const;
+  /// Waits at most `wait_s` for the slice that runs, and returns whether none does.
+  bool wait(double wait_s);
+  /// Returns whether work() would do something.
+  bool has_work(const View& view, double now_s) const;
+
+  enum class Result { nothing, picture, saved };
+  /// Works a slice. A picture that is saved goes on only while the view rests (`still`), and the
+  /// window shows it. Returns what is complete: nothing, a new frame of the picture, or the picture
+  /// to be saved.
+  Result work(const View& view, bool still, double now_s, double wait_s);
+  /// Waits for the device.
+  void stop();
+
+  /// Returns what goes on, in a few words: "refining, 40 % of every pixel"; "" where nothing does.
+  std::string describe() const;
+
+ private:
+  gpu::Device& device_;
+  render::PassLibrary passes_;
+  std::unique_ptr<Opening> opening_;
+  std::unique_ptr<City> city_;
+  std::unique_ptr<LivePicture> picture_;  // of city_
+  std::unique_ptr<PictureJob> job_;       // of city_
+};
+
+}  // namespace nightcity::viewer
