@@ -83,6 +83,11 @@ void RenderOptions::declare(CLI::App& command) {
   command.add_option("--sky-map", sky_map,
                      "EXR of the sky's luminance by direction in cd/m2, latitude-longitude with "
                      "north in the middle; --sky becomes a factor for it");
+  command
+      .add_option("--lights", lights,
+                  "Kinds of light that shine when it is their time: all, none, or a list of "
+                  "lamp, window, headlamp, tail_lamp and other")
+      ->capture_default_str();
   command.add_option("--moon", moon,
                      "Moon: AZIMUTH,ELEVATION in degrees (azimuth from north over east), or with "
                      ",LUX (full moon: 0.25)");
@@ -97,6 +102,7 @@ void RenderOptions::resolve() {
     const render::MoonPosition place = render::parse_moon(moon);
     render::set_moon(environment, place.azimuth_deg, place.elevation_deg, place.lux);
   }
+  environment.lights = scene::parse_families(lights);
   settings.time_s = render::parse_time(time);
   const render::PictureSize parsed = render::parse_size(size);
   width = parsed.width;

@@ -31,10 +31,10 @@ struct RenderOptions {
   std::string camera = "overview";
   std::string size = "1280x720";
   std::string time = "20:00";
-  std::string sky_map, moon;
+  std::string sky_map, moon, lights = "all";
   render::RenderSettings settings;
 
-  /// Declares the scene, --size, --time, --camera, --device, --trace, --sky-map, --moon and all
+  /// Declares the scene, --size, --time, --camera, --device, --trace, --sky-map, --moon, --lights and all
   /// settings.
   void declare(CLI::App& command);
   /// Converts the parsed text to settings, width and height. Throws UsageError.

@@ -1,12 +1,9 @@
 #include "runtime/render/device_scene.h"
 
 #include <algorithm>
-#include <chrono>
-#include <utility>
 
 #include "formats/error.h"
 #include "formats/parallel.h"
-#include "runtime/scene/alias_table.h"
 
 namespace nightcity::render {
 namespace {
@@ -68,14 +65,13 @@ DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
                          scene::RenderScene* released)
     : device_(device) {
   check_memory(device, scene);
-  has_water_ = std::any_of(
-      scene.triangles.begin(), scene.triangles.end(), [&](const gpu::Triangle& triangle) {
-        return triangle.material < scene.materials.size() &&
-               scene.materials[triangle.material].roughness < WATER_ROUGHNESS;
-      });
+  has_water_ = std::any_of(scene.triangles.begin(), scene.triangles.end(),
+                           [&](const gpu::Triangle& triangle) {
+                             return triangle.material < scene.materials.size() &&
+                                    scene.materials[triangle.material].roughness < WATER_ROUGHNESS;
+                           });
   store_geometry(scene, released);
   addresses_.materials = store(std::span(scene.materials));
-  addresses_.lights = store(std::span(scene.lights));
   addresses_.profiles = store(std::span(scene.profiles));
   addresses_.profile_data = store(std::span(scene.profile_data));
   for (const gpu::Material& material : scene.materials) albedos_.push_back(material.base_colour);
@@ -95,22 +91,8 @@ DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
       any_light([](const Light& light) { return light_kind(light) == LightKind::rectangle; });
 
   bounds_ = scene.bounds;
-  for (const Light& light : scene.lights) flux_lm_.push_back(light.flux_lm);
-  // Schedules that no light uses are dropped, so that they cost nothing.
-  if (any_light([](const Light& light) { return light.schedule != LIGHT_ALWAYS_ON; })) {
-    schedules_ = scene.schedules;
-    switches_ = scene.switches;
-    lights_ = scene.lights;
-  }
-  // One table after the other, so that no two are in memory beside their copies on the device.
-  scene::LitLights lit = scene::lit_lights(scene.lights, schedules_, switches_, 0);
-  const std::vector<float> flux = scene::flux_of(lit, scene.lights);
-  lit.alias = scene::build_alias_table(flux);
-  addresses_.near_grid =
-      upload_grid(0, scene::build_light_grid(scene.lights, flux, scene::near_lists));
-  addresses_.far_grid =
-      upload_grid(1, scene::build_light_grid(scene.lights, flux, scene::far_lists));
-  upload_switches(std::move(lit));
+  lights_.emplace(device_, scene);
+  lights_->enter(addresses_);
 }
 
 void DeviceScene::store_geometry(const scene::RenderScene& scene, scene::RenderScene* released) {
@@ -157,10 +139,6 @@ void DeviceScene::store_traffic(const scene::RenderScene& scene,
     to.has_tlas = 1;
   }
   to.bodies = store(std::span<const gpu::VehicleBody>(bodies));
-  // One more record, so that a kind without lights reads valid memory.
-  std::vector<Light> vehicle_lights = traffic.vehicle_lights;
-  vehicle_lights.push_back({});
-  to.vehicle_lights = store(std::span<const Light>(vehicle_lights));
   to.trips = store(std::span(traffic.trips));
   to.knots = store(std::span(traffic.knots));
   to.cycle = traffic.cycle;
@@ -234,65 +212,16 @@ VehicleSlot DeviceScene::vehicle_slot(std::uint32_t slot) const {
   return result;
 }
 
-bool DeviceScene::set_time(double time_s) {
-  if (schedules_.empty()) return false;
-  if (next_lit_.valid()) {
-    if (next_lit_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
-    upload_lit(next_lit_.get());
-    return true;
-  }
-  scene::LitLights lit = scene::lit_lights(lights_, schedules_, switches_, time_s);
-  if (lit.same_lights(lit_)) return false;
-  const auto with_tables = [this](scene::LitLights of) {
-    scene::build_tables(of, lights_);
-    return of;
-  };
-  if (when_ready_) {
-    next_lit_ = std::async(std::launch::async, with_tables, std::move(lit));
-    return false;
-  }
-  upload_lit(with_tables(std::move(lit)));
-  return true;
-}
-
-void DeviceScene::upload_lit(scene::LitLights lit) {
-  addresses_.near_grid = upload_grid(0, std::exchange(lit.near_grid, {}));
-  addresses_.far_grid = upload_grid(1, std::exchange(lit.far_grid, {}));
-  upload_switches(std::move(lit));
-}
-
-void DeviceScene::upload_switches(scene::LitLights lit) {
-  lit_ = std::move(lit);
-  lit_parity_ ^= 1;
-  lit_bits_[lit_parity_] = gpu::Buffer::of(device_, std::span<const std::uint32_t>(lit_.bits));
-  lit_list_ = gpu::Buffer::of(device_, std::span<const std::uint32_t>(lit_.list));
-  alias_ = gpu::Buffer::of(device_, std::span<const gpu::AliasEntry>(lit_.alias));
-  addresses_.lit = lit_bits_[lit_parity_].address();
-  addresses_.lit_list = lit_list_.address();
-  addresses_.lit_count = static_cast<std::uint32_t>(lit_.list.size());
-  addresses_.alias = alias_.address();
-  // The device has the table now; the switches are kept to detect the next change.
-  lit_.alias = {};
-}
-
-gpu::LightGridBuffers DeviceScene::upload_grid(std::size_t which, const scene::LightGrid& grid) {
-  cells_[which] = gpu::Buffer::of(device_, std::span<const gpu::LightCell>(grid.cells));
-  entries_[which] = gpu::Buffer::of(device_, std::span<const gpu::GridEntry>(grid.entries));
-  return {grid.shape, cells_[which].address(), entries_[which].address()};
-}
-
-std::vector<double> DeviceScene::flux_now() const {
-  std::vector<double> flux(flux_lm_.size());
-  for (const std::uint32_t i : lit_.list) flux[i] = double(flux_lm_[i]);
-  return flux;
+bool DeviceScene::set_time(double time_s, scene::LightFamilies on) {
+  const bool changed = lights_->set_time(time_s, on);
+  lights_->enter(addresses_);
+  return changed;
 }
 
 std::uint64_t DeviceScene::bytes() const {
   std::uint64_t total = 0;
   for (const gpu::Buffer& buffer : storage_) total += buffer.bytes();
-  for (const gpu::Buffer* buffer : {&lit_bits_[0], &lit_bits_[1], &lit_list_, &alias_, &cells_[0],
-                                    &cells_[1], &entries_[0], &entries_[1], &instances_, &nodes_})
-    total += buffer->bytes();
+  total += instances_.bytes() + nodes_.bytes() + lights_->bytes();
   return total + (tlas_ ? tlas_->bytes() : 0);
 }
 

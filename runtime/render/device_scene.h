@@ -2,13 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <future>
 #include <optional>
 #include <vector>
 
 #include "runtime/gpu/buffer.h"
+#include "runtime/render/device_lights.h"
 #include "runtime/render/scene_tlas.h"
-#include "runtime/scene/lit_lights.h"
 #include "runtime/scene/render_scene.h"
 
 namespace nightcity::render {
@@ -34,30 +33,26 @@ class DeviceScene {
   DeviceScene(const DeviceScene&) = delete;
   DeviceScene& operator=(const DeviceScene&) = delete;
 
-  /// Switches lights by their schedules to `time_s`, in seconds since noon, and returns whether any
-  /// changed. Must not be called while a frame is being rendered. When lights change, the tables
-  /// they are sampled from are rebuilt, which takes a second with tens of thousands of lights.
-  bool set_time(double time_s);
-  /// Makes set_time build those tables in the background from now on: lights change at the first
-  /// call after they are ready.
-  void switch_when_ready() { when_ready_ = true; }
-  /// Returns whether tables are being built in the background.
-  bool switching() const { return next_lit_.valid(); }
+  /// As DeviceLights does.
+  bool set_time(double time_s, scene::LightFamilies on = scene::all_families);
+  void switch_when_ready() { lights_->switch_when_ready(); }
+  bool switching() const { return lights_->switching(); }
+  void edit_light(std::uint32_t index, const Light& light) { lights_->edit(index, light); }
+  std::uint32_t light_changes() const { return lights_->changes(); }
+  bool has_switches() const { return lights_->has_switches(); }
+  std::vector<double> flux_now() const { return lights_->flux_now(); }
 
   const gpu::SceneBuffers& buffers() const { return addresses_; }
   bool has_profiles() const { return has_profiles_; }
   bool has_rectangles() const { return has_rectangles_; }
   /// Returns whether a surface is as smooth as water.
   bool has_water() const { return has_water_; }
-  bool has_schedules() const { return !schedules_.empty(); }
   bool has_traffic() const { return addresses_.traffic.trip_count > 0; }
   bool has_sky_map() const { return addresses_.sky_width > 0; }
   /// Returns the base colour of a material, black for an unknown one.
   glm::vec3 albedo(std::uint32_t material) const {
     return material < albedos_.size() ? albedos_[material] : glm::vec3(0);
   }
-  /// Returns the current flux of each static light in lumens, 0 where it is off.
-  std::vector<double> flux_now() const;
   /// Returns the bounds of the visible static geometry in model space.
   const scene::Box& bounds() const { return bounds_; }
   std::uint64_t bytes() const;
@@ -78,9 +73,6 @@ class DeviceScene {
   std::uint64_t store(std::span<const T> values);
   void store_traffic(const scene::RenderScene& scene, std::span<const gpu::Instance> instances);
   void grow_vehicle_slots(std::uint32_t count);
-  void upload_lit(scene::LitLights lit);
-  void upload_switches(scene::LitLights lit);
-  gpu::LightGridBuffers upload_grid(std::size_t which, const scene::LightGrid& grid);
 
   gpu::Device& device_;
   std::vector<gpu::Buffer> storage_;
@@ -95,19 +87,8 @@ class DeviceScene {
   std::vector<glm::vec3> albedos_;
   std::optional<SceneTlas> tlas_;
 
-  // Kept for set_time when lights have schedules.
-  std::vector<Light> lights_;
-  std::vector<Schedule> schedules_;
-  std::vector<std::uint32_t> switches_;
-  scene::LitLights lit_;
-  std::vector<float> flux_lm_;  // of the static lights when they shine
   scene::Box bounds_;
-  // The current switches and those before the last change, which the previous frame may have used.
-  gpu::Buffer lit_bits_[2];
-  int lit_parity_ = 0;
-  gpu::Buffer lit_list_, alias_, cells_[2], entries_[2];  // of the grids: near, far
-  bool when_ready_ = false;
-  std::future<scene::LitLights> next_lit_;  // uses lights_, so it is declared last: destroyed first
+  std::optional<DeviceLights> lights_;  // made last, when released geometry no longer takes memory
 };
 
 }  // namespace nightcity::render

@@ -87,7 +87,8 @@ PassConstants Renderer::constants_of(const RenderSettings& settings) const {
                                                         : SKY_DARK;
   constants[CONSTANT_GLOSS] = settings.environment.wetness > 0 || scene_.has_water();
   constants[CONSTANT_LAYERS] = settings.sampling.layers;
-  constants[CONSTANT_SCHEDULES] = scene_.has_schedules();
+  constants[CONSTANT_SCHEDULES] =
+      scene_.has_switches() || settings.environment.lights != scene::all_families;
   constants[CONSTANT_TRAFFIC] = scene_.has_traffic();
   constants[CONSTANT_COUNT_RAYS] = settings.count_rays;
   constants[CONSTANT_INDIRECT] = find_indirect(settings);
@@ -196,10 +197,12 @@ void Renderer::restart_if_changed() {
   const RenderSettings& settings = next_.settings;
   const RenderSettings& before = done_.settings;
   const bool same_settings = have_same_estimate(settings, before);
-  switches_ += scene_.set_time(settings.time_s);
+  scene_.set_time(settings.time_s, settings.environment.lights);
+  next_.light_changes = scene_.light_changes();
+  const std::uint32_t switched = next_.light_changes - done_.light_changes;
   const bool moved = scene_.has_traffic() && settings.time_s != before.time_s;
   // A mean of all frames ends where anything moves; a mean of the last few follows the motion.
-  const bool still = done_.pose && same_view(*next_.pose, *done_.pose) && switches_ == 0 && !moved;
+  const bool still = done_.pose && same_view(*next_.pose, *done_.pose) && switched == 0 && !moved;
   const AveragingSettings& averaging = settings.averaging;
   if (!same_settings || !averaging.accumulate || averaging.window != before.averaging.window ||
       size_ != pictures_[parity_].size || next_.effort != done_.effort ||
@@ -207,11 +210,13 @@ void Renderer::restart_if_changed() {
     next_.frames = 0;
   // Reservoirs of other settings estimate something else; those of another view are reprojected.
   // The scene keeps the switches of one change before, and no older ones.
-  if (!same_settings || switches_ > 1) next_.has_history = false;
-  if (!same_settings) cache_.clear();
-  moved_s_ = scene_.has_traffic() || scene_.has_schedules()
-                 ? std::abs(settings.time_s - before.time_s)
-                 : 0;
+  if (!same_settings || switched > 1) next_.has_history = false;
+  // Cells forget while the clock moves. Lights that change while it stands (their tables took a
+  // moment, or a user switched them) would stay in settled cells.
+  const bool stands = settings.time_s == before.time_s;
+  if (!same_settings || switched > 1 || (switched > 0 && stands)) cache_.clear();
+  moved_s_ =
+      scene_.has_traffic() || scene_.has_switches() ? std::abs(settings.time_s - before.time_s) : 0;
 }
 
 void Renderer::fill_buffers(gpu::Frame& frame, const RenderSettings& settings) {
@@ -224,6 +229,7 @@ void Renderer::fill_buffers(gpu::Frame& frame, const RenderSettings& settings) {
     return buffer.address();
   };
   frame.scene = scene_.buffers();
+  for (float& share : frame.scene.traffic.cycle.density) share *= settings.environment.traffic;
   frame.previous_lit = next_.has_history ? done_.lit : frame.scene.lit;
   vehicle_passes_.enter(frame);
   frame.surfaces = now.surfaces.address();
@@ -373,7 +379,6 @@ void Renderer::finish_frame() {
   begun_ = false;
   done_ = next_;
   parity_ ^= 1;
-  switches_ = 0;
   timings_ = run_.timings();
   frame_s_ = run_.busy_s();
   const RenderSettings& settings = done_.settings;

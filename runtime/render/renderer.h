@@ -118,7 +118,8 @@ class Renderer {
     gpu::Camera camera{};
     RenderSettings settings;
     Effort effort;
-    std::uint64_t lit = 0;  // address of the light switches
+    std::uint64_t lit = 0;            // address of the light switches
+    std::uint32_t light_changes = 0;  // DeviceScene::light_changes() then
     std::uint32_t frames = 0;
     bool has_history = false;
   };
@@ -160,7 +161,6 @@ class Renderer {
   std::uint32_t parity_ = 0;
   std::uint32_t frame_number_ = 0;  // never repeats, so that frames draw different random numbers
   bool begun_ = false;
-  std::uint32_t switches_ = 0;  // changes of lights since the last complete frame
   double frame_s_ = 0;
   // The scene's time since the frame before, where its light changes with time.
   double moved_s_ = 0;

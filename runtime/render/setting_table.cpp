@@ -273,6 +273,14 @@ std::vector<Setting> make_other_settings() {
        .help = "How wet the streets are, 0 to 1",
        .value = at<environment, &EnvironmentSettings::wetness>,
        .slider = SettingSlider{"wet streets", 1, "%.2f"}},
+      {.name = "traffic",
+       .group = Group::environment,
+       .max = 10,
+       .help =
+           "Vehicles on the road, as a share of those that the time of the night has, as far as "
+           "the scene has trips; 0 = none",
+       .value = at<environment, &EnvironmentSettings::traffic>,
+       .slider = SettingSlider{"traffic", 2, "%.2f"}},
       {.name = "denoise",
        .group = Group::display,
        .help = "Filter the picture: for viewing, never for measurements",

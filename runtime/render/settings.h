@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/scene/light_families.h"
 #include "shaders/interface.h"
 #include "shaders/tonemap.glsl.h"
 
@@ -93,13 +94,17 @@ struct IndirectSettings {
   bool operator==(const IndirectSettings&) const = default;
 };
 
-/// Sky, moon and weather: light that is not the scene's own.
+/// Sky, moon and weather, light that is not the scene's own; and how much of the scene's own there is.
 struct EnvironmentSettings {
   // Luminance of rays that leave the scene, cd/m^2; where there is a sky map, a factor for it.
   glm::vec3 sky_cd_m2{0};
   glm::vec3 moon_direction{0, 1, 0};  // unit vector towards the moon
   glm::vec3 moon_lux{0};              // illuminance of a surface that faces it; 0 = no moon
   float wetness = 0;                  // of surfaces that face up, 0 .. 1
+  scene::LightFamilies lights = scene::all_families;  // that are on when their schedules say so
+  // The vehicles on the road, as a share of those that the time of the night has; more than the
+  // scene's trips there cannot be.
+  float traffic = 1;
 
   bool operator==(const EnvironmentSettings&) const = default;
 };

@@ -22,7 +22,7 @@ UpwardFlux measure_upward_flux(gpu::Device& device, PassLibrary& library, Device
   PassConstants constants{};
   constants[CONSTANT_PROFILES] = scene.has_profiles();
   constants[CONSTANT_RECTANGLES] = scene.has_rectangles();
-  constants[CONSTANT_SCHEDULES] = scene.has_schedules();
+  constants[CONSTANT_SCHEDULES] = scene.has_switches();
   constants[CONSTANT_TRAFFIC] = scene.has_traffic();
   const TracePass& pass = library.upward(constants);
 

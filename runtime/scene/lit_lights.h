@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "formats/night.h"
+#include "runtime/scene/light_families.h"
 #include "runtime/scene/light_grid.h"
 
 namespace nightcity::scene {
@@ -21,8 +22,10 @@ struct LitLights {
 };
 
 /// Returns bits and list only, which is cheap enough for every step of a clock.
-LitLights lit_lights(std::span<const Light> lights, std::span<const Schedule> schedules,
-                     std::span<const std::uint32_t> switches, double time_s);
+/// `families`: parallel to the lights; those outside `on` are off.
+LitLights lit_lights(std::span<const Light> lights, std::span<const LightFamily> families,
+                     std::span<const Schedule> schedules, std::span<const std::uint32_t> switches,
+                     double time_s, LightFamilies on = all_families);
 
 /// Returns the flux of each light in lumens, 0 where it is off.
 std::vector<float> flux_of(const LitLights& lit, std::span<const Light> lights);

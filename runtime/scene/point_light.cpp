@@ -97,14 +97,15 @@ double illuminance_of(const RenderScene& scene, const Light& light, const glm::d
 }
 
 PointLight find_light_at(const RenderScene& scene, const glm::dvec3& point,
-                         const glm::dvec3& normal, double time_s, std::size_t most) {
+                         const glm::dvec3& normal, double time_s, std::size_t most,
+                         LightFamilies on) {
   PointLight result;
   const glm::dvec3 from = point + clear_m * normal;
   double rest = 0;
   std::vector<LightShare> candidates;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const Light& light = scene.lights[i];
-    if (!shines(scene, light, time_s)) continue;
+    if (!has_family(on, scene.families[i]) || !shines(scene, light, time_s)) continue;
     const double lux = illuminance_of(scene, light, point, normal);
     if (!(lux > 0)) continue;
     candidates.push_back({i, lux, glm::distance(glm::dvec3(light.position), point)});

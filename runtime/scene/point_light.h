@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "runtime/scene/light_families.h"
 #include "runtime/scene/render_scene.h"
 
 namespace nightcity::scene {
@@ -30,8 +31,10 @@ double illuminance_of(const RenderScene& scene, const Light& light, const glm::d
 
 /// Returns the `most` strongest static lights at a point of a surface at a time of the night (s
 /// since noon), and what all give together. Each light is tested for shadow by one ray to its
-/// centre. Vehicles and bounces are not in it.
+/// centre. Lights of families outside `on` are off.
+/// Vehicles and bounces are not in it.
 PointLight find_light_at(const RenderScene& scene, const glm::dvec3& point,
-                         const glm::dvec3& normal, double time_s, std::size_t most);
+                         const glm::dvec3& normal, double time_s, std::size_t most,
+                         LightFamilies on = all_families);
 
 }  // namespace nightcity::scene

@@ -8,10 +8,11 @@ std::string name_of(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
-Opening::Opening(std::string path, std::string camera, double time_s, LoadScene load)
+Opening::Opening(std::string path, std::string camera, double time_s, scene::LightFamilies on,
+                 LoadScene load)
     : path_(std::move(path)) {
   city_ = std::async(
-      std::launch::async, [this, path = path_, camera = std::move(camera), time_s,
+      std::launch::async, [this, path = path_, camera = std::move(camera), time_s, on,
                            load = std::move(load), device = device_.get_future()]() mutable {
         auto city = std::make_unique<City>();
         city->path = path;
@@ -23,7 +24,7 @@ Opening::Opening(std::string path, std::string camera, double time_s, LoadScene 
         city->on_device = std::make_unique<render::DeviceScene>(*device.get(), city->scene);
         // Lights are switched in the background later, so that the clock never blocks the window;
         // the first frame has its lights already.
-        city->on_device->set_time(time_s);
+        city->on_device->set_time(time_s, on);
         city->on_device->switch_when_ready();
         return city;
       });

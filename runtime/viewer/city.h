@@ -31,8 +31,10 @@ using LoadScene = std::function<scene::RenderScene(const std::string& path)>;
 /// Reads a scene, copies it to the device and finds the camera's pose in a thread of its own.
 class Opening {
  public:
-  /// `camera`: as find_camera takes it. Lights are switched to `time_s`, in seconds since noon.
-  Opening(std::string path, std::string camera, double time_s, LoadScene load);
+  /// `camera`: as find_camera takes it. Lights are switched to `time_s`, in seconds since noon, and
+  /// those of families outside `on` are off.
+  Opening(std::string path, std::string camera, double time_s, scene::LightFamilies on,
+          LoadScene load);
   /// Waits for the thread.
   ~Opening();
   Opening(const Opening&) = delete;

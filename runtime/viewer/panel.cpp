@@ -115,6 +115,23 @@ void draw_sky(render::EnvironmentSettings& environment) {
     environment.moon_direction = direction;
 }
 
+void draw_families(scene::LightFamilies& on) {
+  constexpr struct {
+    LightFamily family;
+    const char* label;
+    bool begins_row = false;
+  } boxes[] = {{LightFamily::lamp, "street lamps", true},
+               {LightFamily::window, "windows"},
+               {LightFamily::headlamp, "headlights", true},
+               {LightFamily::tail_lamp, "tail lights"},
+               {LightFamily::other, "others"}};
+  for (const auto& box : boxes) {
+    if (!box.begins_row) ImGui::SameLine();
+    bool shines = scene::has_family(on, box.family);
+    if (ImGui::Checkbox(box.label, &shines)) on ^= scene::to_set(box.family);
+  }
+}
+
 // The clock runs from 17:00 to 07:00, which is 5 to 19 hours after noon.
 void draw_night(ViewerState& state) {
   ImGui::BeginDisabled(!state.night_changes);
@@ -128,6 +145,7 @@ void draw_night(ViewerState& state) {
   ImGui::SliderFloat("##speed", &state.clock_speed, 1, 3600, "%.0f times",
                      bounded | ImGuiSliderFlags_Logarithmic);
   ImGui::EndDisabled();
+  draw_families(state.settings.environment.lights);
   draw_sky(state.settings.environment);
   draw_sliders(render::SettingGroup::environment, state.settings);
 }

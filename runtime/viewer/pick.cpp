@@ -63,7 +63,8 @@ PickedLight describe_light(const scene::RenderScene& scene, std::size_t index) {
 }
 
 std::optional<Pick> pick(const scene::RenderScene& scene, const scene::CameraPose& pose,
-                         const glm::vec2& pixel, const glm::vec2& size, double time_s) {
+                         const glm::vec2& pixel, const glm::vec2& size, double time_s,
+                         scene::LightFamilies on) {
   const glm::dvec3 direction(direction_through(pose, pixel, size));
   const auto hit =
       scene::trace_ray(scene, glm::dvec3(pose.position), direction, sight_m, MASK_VISIBLE);
@@ -81,7 +82,7 @@ std::optional<Pick> pick(const scene::RenderScene& scene, const scene::CameraPos
   if (light < scene.lights.size()) picked.emitter = describe_light(scene, light);
 
   const scene::PointLight here =
-      scene::find_light_at(scene, point, hit->normal, time_s, most_lights);
+      scene::find_light_at(scene, point, hit->normal, time_s, most_lights, on);
   picked.lux = here.lux;
   picked.lights = here.lit;
   for (const scene::LightShare& share : here.strongest) {

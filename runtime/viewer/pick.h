@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/scene/camera.h"
+#include "runtime/scene/light_families.h"
 #include "runtime/scene/render_scene.h"
 
 namespace nightcity::viewer {
@@ -30,9 +31,10 @@ struct Pick {
 };
 
 /// Returns what a pixel of a window of `size` pixels shows, nothing for the sky. Vehicles are
-/// looked through.
+/// looked through, and lights of families outside `on` are off.
 std::optional<Pick> pick(const scene::RenderScene& scene, const scene::CameraPose& pose,
-                         const glm::vec2& pixel, const glm::vec2& size, double time_s);
+                         const glm::vec2& pixel, const glm::vec2& size, double time_s,
+                         scene::LightFamilies on = scene::all_families);
 
 /// Returns a light's values and where they came from.
 PickedLight describe_light(const scene::RenderScene& scene, std::size_t light);

@@ -39,7 +39,8 @@ std::string save_picture(const std::filesystem::path& folder, const measure::Ima
 
 PictureJob::PictureJob(gpu::Device& device, render::PassLibrary& passes, render::DeviceScene& scene,
                        const View& view, const PictureQuality& quality)
-    : renderer_(device, passes, scene, size_of(view, quality).x, size_of(view, quality).y),
+    : scene_(scene),
+      renderer_(device, passes, scene, size_of(view, quality).x, size_of(view, quality).y),
       pose_(view.pose),
       settings_(view.settings),
       size_(size_of(view, quality)),
@@ -50,11 +51,16 @@ PictureJob::PictureJob(gpu::Device& device, render::PassLibrary& passes, render:
 bool PictureJob::work(double wait_s) {
   if (!renderer_.wait(wait_s)) return false;
   if (!renderer_.has_begun()) {
-    if (renderer_.frames() >= frames_) return true;
+    if (is_done()) return true;
     renderer_.begin_frame(pose_, settings_);
   }
   renderer_.continue_frame(slice_s, wait_s);
-  return !renderer_.has_begun() && renderer_.frames() >= frames_;
+  return !renderer_.has_begun() && is_done();
+}
+
+// Lights that are about to be switched are those of another view: they count anew after that.
+bool PictureJob::is_done() const {
+  return renderer_.frames() >= frames_ && !scene_.switching();
 }
 
 std::string PictureJob::progress() const {

@@ -39,6 +39,9 @@ class PictureJob {
   measure::Image download() { return renderer_.download(); }
 
  private:
+  bool is_done() const;
+
+  const render::DeviceScene& scene_;
   render::Renderer renderer_;
   scene::CameraPose pose_;
   render::RenderSettings settings_;

@@ -47,7 +47,8 @@ void Session::remember(double now_s) {
 void Session::move(const Hands& hands, const scene::RenderScene& scene, const glm::vec2& window,
                    double now_s) {
   if (hands.clicked)
-    picked = pick(scene, state.camera.pose, hands.cursor, window, state.settings.time_s);
+    picked = pick(scene, state.camera.pose, hands.cursor, window, state.settings.time_s,
+                  state.settings.environment.lights);
   const CameraControl before = state.camera;
   move_camera(state.camera, hands, scene, window);
   if (same_pose(before.pose, state.camera.pose)) return;

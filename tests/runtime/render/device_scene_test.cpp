@@ -15,13 +15,15 @@ namespace {
 constexpr double hour_s = 3600;
 
 // Two lamps, of which the second shines from 20:00 to 23:00.
-scene::RenderScene two_lamps() {
+scene::RenderScene two_lamps(bool with_wall = false) {
   scene::SceneLights lights;
   lights.lights = {lamp({-4, 6, 0}, 3000), lamp({4, 6, 0}, 3000)};
   lights.lights[1].schedule = 0;
   lights.schedules = {{0, 2}};
   lights.switches = {8 * 3600, 11 * 3600};
-  return scene::make_render_scene(SceneBuilder().ground(30).scene(), std::move(lights));
+  SceneBuilder builder = SceneBuilder().ground(30);
+  if (with_wall) builder.box({-8, 0, -4}, {8, 8, -3});
+  return scene::make_render_scene(builder.scene(), std::move(lights));
 }
 
 double brightness(render::DeviceScene& scene, double time_s) {
@@ -61,6 +63,103 @@ TEST(DeviceScene, WhereNobodyWaitsLightsSwitchOnceTheirTablesAreMade) {
   render::DeviceScene at_once(test_device(), scene);
   EXPECT_EQ(brightness(on_device, 9 * hour_s), brightness(at_once, 9 * hour_s));
   EXPECT_FALSE(on_device.set_time(12 * hour_s));  // and goes while the next tables are being made
+}
+
+// The first lamp is a lamp, the second one stands for a window.
+TEST(DeviceScene, FamiliesThatAreOffDoNotShineWhateverTheirSchedules) {
+  scene::RenderScene scene = two_lamps();
+  scene.families = {LightFamily::lamp, LightFamily::window};
+  render::DeviceScene on_device(test_device(), scene);
+  const auto mean = [&](const char* lights, render::Estimator estimator) {
+    render::RenderSettings settings;
+    settings.sampling.estimator = estimator;
+    settings.time_s = 9 * hour_s;
+    settings.environment.lights = scene::parse_families(lights);
+    render::Renderer renderer(test_device(), test_passes(), on_device, 16, 12);
+    for (int i = 0; i < 64; ++i)
+      renderer.render_frame({{0, 15, 10}, {0, 0, 0}, {0, 1, 0}, 60}, settings);
+    return mean_luminance(renderer.download(false));
+  };
+  for (const auto estimator : {render::Estimator::reference, render::Estimator::traced}) {
+    const double all = mean("all", estimator), lamps = mean("lamp,headlamp", estimator),
+                 windows = mean("window", estimator);
+    EXPECT_NEAR((lamps + windows) / all, 1, 0.02);
+    EXPECT_NEAR(lamps / windows, 1, 0.02);  // they stand symmetrically
+    EXPECT_EQ(mean("none", estimator), 0);
+    EXPECT_EQ(mean("other", estimator), 0);
+  }
+}
+
+TEST(DeviceScene, AnEditedLightShinesAsItWasEditedAndNothingOfItsPastStays) {
+  const scene::RenderScene scene = two_lamps();
+  render::DeviceScene on_device(test_device(), scene);
+  render::RenderSettings settings;
+  settings.time_s = 7 * hour_s;  // the first alone
+  settings.indirect.bounces = 2;
+  render::Renderer renderer(test_device(), test_passes(), on_device, 16, 12);
+  const auto mean = [&] {
+    for (int i = 0; i < 32; ++i)
+      renderer.render_frame({{0, 15, 10}, {0, 0, 0}, {0, 1, 0}, 60}, settings);
+    return mean_luminance(renderer.download(false));
+  };
+  const double before = mean();
+  Light dimmed = scene.lights[0];
+  dimmed.flux_lm /= 4;
+  on_device.edit_light(0, dimmed);
+  EXPECT_TRUE(on_device.switching());
+  EXPECT_NEAR(mean() / before, 0.25, 0.01);
+  EXPECT_EQ(renderer.frames(), 32u);  // the mean began anew
+  dimmed.flux_lm = 0;
+  on_device.edit_light(0, dimmed);
+  EXPECT_EQ(mean(), 0);
+  on_device.edit_light(0, scene.lights[0]);
+  on_device.edit_light(7, scene.lights[0]);  // there is none
+  EXPECT_NEAR(mean() / before, 1, 0.01);
+}
+
+// The second lamp goes out while the clock stands, because its tables took a moment: what it gave by
+// bounces goes with it.
+TEST(DeviceScene, LightThatBouncedGoesOutWithItsLamp) {
+  const scene::RenderScene scene = two_lamps(true);
+  const auto mean = [&](render::DeviceScene& on_device, double first_s) {
+    render::Renderer renderer(test_device(), test_passes(), on_device, 16, 12);
+    render::RenderSettings settings;
+    settings.indirect.bounces = 4;
+    for (const double time_s : {first_s, 12 * hour_s}) {
+      settings.time_s = time_s;
+      for (int i = 0; i < 64; ++i)
+        renderer.render_frame({{0, 15, 10}, {0, 0, 0}, {0, 1, 0}, 60}, settings);
+      while (on_device.switching())
+        renderer.render_frame({{0, 15, 10}, {0, 0, 0}, {0, 1, 0}, 60}, settings);
+    }
+    for (int i = 0; i < 32; ++i)
+      renderer.render_frame({{0, 15, 10}, {0, 0, 0}, {0, 1, 0}, 60}, settings);
+    return mean_luminance(renderer.download(false));
+  };
+  render::DeviceScene waiting(test_device(), scene), at_once(test_device(), scene);
+  waiting.switch_when_ready();
+  EXPECT_NEAR(mean(waiting, 9 * hour_s) / mean(at_once, 12 * hour_s), 1, 0.02);
+}
+
+// One renderer sits out two switches that the other one makes.
+TEST(DeviceScene, RenderersAtTimesOfTheirOwnShowTheLightsOfTheirOwnTime) {
+  const scene::RenderScene scene = two_lamps();
+  render::DeviceScene on_device(test_device(), scene);
+  render::Renderer one(test_device(), test_passes(), on_device, 16, 12),
+      both(test_device(), test_passes(), on_device, 16, 12);
+  const auto mean = [&](render::Renderer& renderer, double time_s) {
+    render::RenderSettings settings;
+    settings.time_s = time_s;
+    for (int i = 0; i < 64; ++i)
+      renderer.render_frame({{0, 15, 10}, {0, 0, 0}, {0, 1, 0}, 60}, settings);
+    return mean_luminance(renderer.download(false));
+  };
+  for (int round = 0; round < 3; ++round) {
+    const double first = mean(one, 7 * hour_s);
+    mean(both, 9 * hour_s);
+    mean(both, 7 * hour_s);
+    EXPECT_NEAR(mean(both, 9 * hour_s) / first, 2, 0.06);
+  }
 }
 
 TEST(DeviceScene, GeometryCanBeReleasedOnceTheDeviceHasIt) {

@@ -272,6 +272,28 @@ TEST(Vehicles, RenderersOfOneSceneDoNotDisturbEachOther) {
     EXPECT_EQ(renderers[std::size_t(i)]->download(false).rgb, alone[std::size_t(i)]) << i;
 }
 
+// Without traffic and without the lights of vehicles, the street has the light of its lamp alone.
+TEST(Vehicles, TrafficAndTheLightsOfVehiclesCanBeTakenAway) {
+  const std::vector<Light> lamps{lamp({5, 8, 5}, 3000)};
+  const scene::RenderScene scene = with_traffic(crowd(60), lamps),
+                           empty = with_traffic(one_kind(), lamps);
+  RenderSettings settings = reference_at(5);
+  const auto mean = [&](const scene::RenderScene& of) {
+    return test::mean_luminance(render(of, above, settings, 24, 24, 4));
+  };
+  const double all = mean(scene), street = mean(empty);
+  settings.environment.traffic = 0;
+  EXPECT_NEAR(mean(scene) / street, 1, 1e-6);
+  settings.environment.traffic = 1;
+  // Lights of no named family are `other`; those of this crowd have the id of a lamp.
+  settings.environment.lights = scene::to_set(LightFamily::other);
+  const double dark = mean(scene);  // bodies stand in the lamp's light
+  EXPECT_GT(all, 1.05 * dark);
+  EXPECT_NEAR(dark / street, 1, 0.3);
+  settings.environment.lights = scene::all_families;
+  EXPECT_NEAR(mean(scene) / all, 1, 1e-6);
+}
+
 TEST(Vehicles, AShareOfCandidatesThatLosesItsLightIsRefused) {
   RenderSettings settings;
   for (const float share : {0.0f, 1.0f}) {

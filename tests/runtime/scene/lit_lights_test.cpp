@@ -14,8 +14,9 @@ TEST(LitLights, TablesHoldExactlyTheLightsThatShine) {
   lights[99].flux_lm = 0;
   const std::vector<Schedule> schedules{{0, 2}};
   const std::vector<std::uint32_t> switches{1000, 2000};
+  const std::vector<LightFamily> families(lights.size(), LightFamily::lamp);
   for (const double time : {500.0, 1500.0}) {
-    LitLights lit = lit_lights(lights, schedules, switches, time);
+    LitLights lit = lit_lights(lights, families, schedules, switches, time);
     build_tables(lit, lights);
     double pdf = 0;
     for (std::size_t i = 0; i < lights.size(); ++i) {

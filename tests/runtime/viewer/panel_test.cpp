@@ -41,7 +41,7 @@ class Panel : public testing::Test {
   // Clicks every spot of the panel's column, from the top, until `done`; a spot is 4 pixels high.
   bool click_through(float x, const std::function<bool(const PanelRequests&)>& done) {
     ImGuiIO& io = ImGui::GetIO();
-    for (float y = 30; y < 600; y += 4) {
+    for (float y = 30; y < 950; y += 4) {
       io.MousePos = {x, y};
       frame();
       io.MouseDown[0] = true;
@@ -73,6 +73,13 @@ TEST_F(Panel, DrawsSomethingAndChangesNothingByItself) {
 TEST_F(Panel, ClickOnLampMarkersTurnsThemOn) {
   ASSERT_FALSE(state.markers);
   EXPECT_TRUE(click_through(28, [&](const PanelRequests&) { return state.markers; }));
+}
+
+TEST_F(Panel, KindsOfLightGoOffOneByOne) {
+  const auto is_off = [&](const PanelRequests&) {
+    return state.settings.environment.lights != scene::all_families;
+  };
+  EXPECT_TRUE(click_through(28, is_off));
 }
 
 TEST_F(Panel, ClickOnAccumulateTurnsItOff) {

@@ -175,6 +175,22 @@ TEST_F(ViewerWindow, TheRunningClockShowsTheSameLightWithReuseAndWithout) {
   EXPECT_NEAR(ours / truth, 1, 0.02);
 }
 
+TEST_F(ViewerWindow, KindsOfLightThatAreOffDoNotShine) {
+  write_moving_scene(folder.path());
+  ASSERT_EQ(
+      run("W=\"$(dirname ${V%% *})/nightview moving.glb --validation --size 800x400 --every 4 "
+          "--ev 0 --tone linear --time 20:00 --quit-after 12\"\n"
+          "$W --screenshot all.png && $W --lights none --screenshot none.png && "
+          "$W --lights headlamp --traffic 0 --screenshot empty.png\n"),
+      0)
+      << text("err.txt");
+  EXPECT_GT(mean_light(measure::read_png(folder / "all.png")), 0.02);
+  EXPECT_LT(mean_light(measure::read_png(folder / "none.png")), 1e-4);
+  EXPECT_LT(mean_light(measure::read_png(folder / "empty.png")), 1e-4);
+  EXPECT_EQ(run("$V --lights candles --quit-after 1; test $? = 2\n"), 0);
+  EXPECT_NE(text("err.txt").find("tail_lamp"), std::string::npos) << text("err.txt");
+}
+
 TEST_F(ViewerWindow, KeysChooseTheEstimatorAndQuit) {
   if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no mouse or keyboard";
   ASSERT_EQ(run("$V $S & viewer=$!\n"
