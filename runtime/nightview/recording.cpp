@@ -39,7 +39,7 @@ nlohmann::json describe(const RecordingOptions& options, const render::Renderer&
   for (const double u : {0.0, 0.37, 0.74, 1.0}) poses.push_back(scene::to_text(path.at(u)));
   for (const render::Setting& setting : render::list_settings())
     values[setting.name] = render::text_of(setting, settings);
-  return {
+  nlohmann::json description{
       {"scene", options.scene},
       {"path", options.path},
       {"poses", poses},
@@ -53,6 +53,9 @@ nlohmann::json describe(const RecordingOptions& options, const render::Renderer&
       {"width", renderer.width()},
       {"height", renderer.height()},
       {"settings", values}};
+  if (settings.environment.lights != scene::all_families)
+    description["lights"] = scene::text_of(settings.environment.lights);
+  return description;
 }
 
 // Returns the exposure that an earlier run of the same recording chose. Throws Error where the
