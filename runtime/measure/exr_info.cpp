@@ -23,6 +23,7 @@ void put_image_info(Imf::Header& header, const ImageInfo& info) {
   number("nightcity.neighbours", info.neighbours);
   number("nightcity.bounces", info.bounces);
   text("nightcity.indirect", info.indirect);
+  text("nightcity.left_out", info.left_out);
   number("nightcity.seed", info.seed);
   text("nightcity.device", info.device);
   text("nightcity.licences", info.licences);
@@ -49,6 +50,7 @@ ImageInfo get_image_info(const Imf::Header& header) {
   number("nightcity.neighbours", info.neighbours);
   number("nightcity.bounces", info.bounces);
   info.indirect = text("nightcity.indirect");
+  info.left_out = text("nightcity.left_out");
   number("nightcity.seed", info.seed);
   info.device = text("nightcity.device");
   info.licences = text("nightcity.licences");

@@ -28,6 +28,7 @@ struct ImageInfo {
   std::uint32_t neighbours = 0;  // reused per pixel and frame
   std::uint32_t bounces = 0;     // of light before the surface that is seen; 0 = direct light alone
   std::string indirect;          // how the light that bounced was found; "" where there is none
+  std::string left_out;  // parts of the scene that were not loaded (--leave-out); "" = none
   std::uint64_t seed = 0;
   std::optional<float> ev100;  // exposure a viewer should start with
   std::string device;          // the Vulkan device's own name

@@ -71,6 +71,7 @@ PngText png_text(const ImageInfo& info) {
   if (info.neighbours) text.emplace_back("Neighbours", std::to_string(info.neighbours));
   if (info.bounces) text.emplace_back("Bounces", std::to_string(info.bounces));
   if (!info.indirect.empty()) text.emplace_back("Indirect light", info.indirect);
+  if (!info.left_out.empty()) text.emplace_back("Left out", info.left_out);
   if (!info.estimator.empty()) text.emplace_back("Seed", std::to_string(info.seed));
   if (info.ev100) text.emplace_back("EV100", fmt::format("{:.3f}", *info.ev100));
   if (!info.device.empty()) text.emplace_back("Device", info.device);

@@ -9,6 +9,7 @@
 #include "runtime/nightview/device_options.h"
 #include "runtime/nightview/number_check.h"
 #include "runtime/render/parse.h"
+#include "runtime/render/settings_file.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/scene_file.h"
 
@@ -58,14 +59,23 @@ void declare_size(CLI::App& command, std::string& size) {
   command.add_option("--size", size, "Picture size in pixels, WIDTHxHEIGHT")->capture_default_str();
 }
 
+namespace {
+
+void warn_of_left_out(const std::string& name, const scene::RenderScene& scene) {
+  for (const std::string& sentence : scene::describe_left_out(scene))
+    spdlog::warn("{}: {}", name, sentence);
+}
+
+}  // namespace
+
 scene::RenderScene load_and_report(const std::string& scene) {
   scene::RenderScene loaded = scene::load_render_scene(scene::find_scene_file(scene));
-  for (const std::string& sentence : scene::describe_left_out(loaded))
-    spdlog::warn("{}: {}", scene, sentence);
+  warn_of_left_out(scene, loaded);
   return loaded;
 }
 
 void RenderOptions::declare(CLI::App& command) {
+  command_ = &command;
   std::string presets;
   for (const std::string& name : scene::camera_presets())
     presets += (presets.empty() ? "" : ", ") + name;
@@ -73,6 +83,14 @@ void RenderOptions::declare(CLI::App& command) {
   declare_size(command, size);
   for (const render::Setting& setting : render::list_settings())
     declare_setting(command, setting, settings);
+  command.add_option("--settings", settings_file,
+                     "TOML file whose table [render] holds values of these options, as nightview "
+                     "price writes it; options of the command line go before it");
+  command
+      .add_option(
+          "--leave-out", leave_out,
+          "Parts of the model that are left out, comma-separated:" + render::describe_model_parts())
+      ->default_str("none");
   command
       .add_option("--time", time,
                   "Time of the night, HH:MM or HH:MM:SS (seconds may have a fraction)")
@@ -93,7 +111,43 @@ void RenderOptions::declare(CLI::App& command) {
                      ",LUX (full moon: 0.25)");
 }
 
+bool RenderOptions::is_given(const std::string& option) const {
+  const CLI::Option* declared = command_->get_option_no_throw("--" + option);
+  return declared && declared->count() > 0;
+}
+
+namespace {
+
+// Returns the text of a value as a command line would take it: the name of a file beside the
+// settings file gets its folder.
+std::string find_beside(const render::SettingsFile& file, const render::NamedText& value) {
+  if (value.name != "sky-map" && value.name != "camera") return value.text;
+  const std::filesystem::path beside = file.path.parent_path() / value.text;
+  return std::filesystem::exists(beside) ? beside.string() : value.text;
+}
+
+}  // namespace
+
+void RenderOptions::read_settings() {
+  if (settings_file.empty()) return;
+  const render::SettingsFile file = render::read_settings_file(settings_file);
+  apply_settings_file(file, settings, [&](const std::string& name) { return is_given(name); });
+  for (const render::NamedText& value : file.render) {
+    // Those that are no render settings are options that hold text.
+    CLI::Option* option = command_->get_option_no_throw("--" + value.name);
+    if (!option || option->count() > 0 || render::is_setting(value.name)) continue;
+    option->add_result(find_beside(file, value));
+    try {
+      option->run_callback();
+    } catch (const CLI::Error& error) {
+      throw UsageError(file.path.string(), value.line, error.what());
+    }
+  }
+}
+
 void RenderOptions::resolve() {
+  read_settings();
+  left_out = render::LeftOut(leave_out);
   render::EnvironmentSettings& environment = settings.environment;
   environment.sky_cd_m2 = glm::vec3(environment.sky_cd_m2.x);
   if (!sky_map.empty() && environment.sky_cd_m2 == glm::vec3(0))
@@ -103,6 +157,7 @@ void RenderOptions::resolve() {
     render::set_moon(environment, place.azimuth_deg, place.elevation_deg, place.lux);
   }
   environment.lights = scene::parse_families(lights);
+  left_out.apply(settings);
   settings.time_s = render::parse_time(time);
   const render::PictureSize parsed = render::parse_size(size);
   width = parsed.width;
@@ -110,7 +165,14 @@ void RenderOptions::resolve() {
 }
 
 scene::RenderScene RenderOptions::load(const std::string& other) const {
-  scene::RenderScene loaded = load_and_report(other);
+  scene::RenderScene loaded = read(other, left_out.of_scene());
+  warn_of_left_out(other, loaded);
+  return loaded;
+}
+
+scene::RenderScene RenderOptions::read(const std::string& other,
+                                       const scene::PartSet& parts) const {
+  scene::RenderScene loaded = scene::load_render_scene(scene::find_scene_file(other), parts);
   if (!sky_map.empty()) {
     const measure::Image image = measure::read_exr(sky_map);
     loaded.sky_map = {image.width, image.height, image.rgb};

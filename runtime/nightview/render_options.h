@@ -6,6 +6,7 @@
 #include <string>
 
 #include "runtime/gpu/device.h"
+#include "runtime/render/model_parts.h"
 #include "runtime/render/setting_table.h"
 #include "runtime/scene/render_scene.h"
 
@@ -32,20 +33,34 @@ struct RenderOptions {
   std::string size = "1280x720";
   std::string time = "20:00";
   std::string sky_map, moon, lights = "all";
+  std::string settings_file, leave_out;
   render::RenderSettings settings;
 
-  /// Declares the scene, --size, --time, --camera, --device, --trace, --sky-map, --moon, --lights and all
-  /// settings.
+  /// Declares the scene, --settings, --leave-out, --size, --time, --camera, --device, --trace,
+  /// --sky-map, --moon, --lights and all settings. `command` must outlive the object.
   void declare(CLI::App& command);
-  /// Converts the parsed text to settings, width and height. Throws UsageError.
+  /// Reads the settings file, and converts the parsed text to settings, left_out, width and height.
+  /// An option of the command line goes before the file's value. Throws Error, or UsageError.
   void resolve();
 
-  /// Returns the scene with the sky map that the options name. Throws Error.
+  /// Returns the scene with the sky map that the options name, without the parts that they leave
+  /// out. Throws Error.
   scene::RenderScene load() const { return load(scene); }
-  /// The same of another scene.
+  /// The same without these parts, and without warnings.
+  scene::RenderScene load(const scene::PartSet& parts) const { return read(scene, parts); }
+  /// The first of another scene.
   scene::RenderScene load(const std::string& other) const;
 
-  std::uint32_t width = 0, height = 0;  // set by resolve()
+  // Set by resolve().
+  std::uint32_t width = 0, height = 0;
+  render::LeftOut left_out;
+
+ private:
+  scene::RenderScene read(const std::string& other, const scene::PartSet& parts) const;
+  bool is_given(const std::string& option) const;
+  void read_settings();
+
+  CLI::App* command_ = nullptr;
 };
 
 }  // namespace nightcity::nightview

@@ -93,6 +93,7 @@ DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
   bounds_ = scene.bounds;
   lights_.emplace(device_, scene);
   lights_->enter(addresses_);
+  left_out_ = scene.left_out;
 }
 
 void DeviceScene::store_geometry(const scene::RenderScene& scene, scene::RenderScene* released) {

@@ -56,6 +56,8 @@ class DeviceScene {
   /// Returns the bounds of the visible static geometry in model space.
   const scene::Box& bounds() const { return bounds_; }
   std::uint64_t bytes() const;
+  /// Returns the parts of the scene that were not loaded.
+  const scene::PartSet& left_out() const { return left_out_; }
 
   /// Reserves a slot until release_vehicle_slot(). Reserving one may move the others: ask
   /// vehicle_slot() in every frame.
@@ -88,6 +90,7 @@ class DeviceScene {
   std::optional<SceneTlas> tlas_;
 
   scene::Box bounds_;
+  scene::PartSet left_out_;
   std::optional<DeviceLights> lights_;  // made last, when released geometry no longer takes memory
 };
 

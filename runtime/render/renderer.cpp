@@ -8,6 +8,7 @@
 #include "runtime/measure/exposure.h"
 #include "runtime/measure/limits.h"
 #include "runtime/render/image_layers.h"
+#include "runtime/render/model_parts.h"
 #include "runtime/render/setting_table.h"
 
 namespace nightcity::render {
@@ -456,6 +457,7 @@ measure::Image Renderer::download(bool layers) const {
   image.info.neighbours = settings.reuse.neighbours;
   image.info.bounces = settings.indirect.bounces;
   image.info.indirect = describe_indirect(settings, scene_.buffers().light_count);
+  image.info.left_out = name_parts(scene_.left_out());
   image.info.seed = settings.sampling.seed;
   image.info.ev100 = settings.display.ev100;
   image.info.device = device_.label();

@@ -9,6 +9,7 @@
 #include "formats/parallel.h"
 #include "formats/scene_identity.h"
 #include "formats/scene_reader.h"
+#include "runtime/scene/parts.h"
 #include "runtime/scene/scene_geometry.h"
 
 namespace nightcity::scene {
@@ -80,15 +81,20 @@ void add_lights(RenderScene& out, SceneLights lights) {
 
 }  // namespace
 
-RenderScene make_render_scene(const Scene& scene, SceneLights lights) {
+RenderScene make_render_scene(const Scene& scene, SceneLights lights, const PartSet& left_out) {
   RenderScene out;
   out.skipped = scene.skipped;
   out.georeference = scene.georeference;
+  out.parts = count_parts(lights, scene);
+  out.left_out = left_out;
   add_materials(out, scene);
+  count_materials(out, out.parts);
+  const std::vector<std::uint32_t> numbers = leave_out_lights(lights, left_out);
   add_lights(out, std::move(lights));
   const MeshSource meshes = meshes_of(scene);
-  add_bodies(out, scene, meshes);
-  add_geometry(out, scene, meshes, count_cores());
+  add_bodies(out, scene, meshes, left_out);
+  add_geometry(out, scene, meshes, {left_out, numbers}, count_cores());
+  leave_out_of_materials(out, left_out);
   return out;
 }
 
@@ -165,10 +171,14 @@ SceneLights load_lights(const std::filesystem::path& glb, const Georeference& ge
 
 }  // namespace
 
-RenderScene load_render_scene(const std::filesystem::path& glb) {
+RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& left_out) {
   RenderScene out;
   SceneFile file(glb);
-  add_lights(out, load_lights(glb, file.scene().georeference));
+  SceneLights lights = load_lights(glb, file.scene().georeference);
+  out.parts = count_parts(lights, file.scene());
+  out.left_out = left_out;
+  const std::vector<std::uint32_t> numbers = leave_out_lights(lights, left_out);
+  add_lights(out, std::move(lights));
   MeshSource meshes;
   meshes.read = [&file](std::uint32_t mesh) {
     return std::make_shared<const SceneMesh>(file.read_mesh(mesh));
@@ -176,10 +186,12 @@ RenderScene load_render_scene(const std::filesystem::path& glb) {
   meshes.in_parallel = file.reads_in_parallel();
   for (std::size_t i = 0; i < file.mesh_count(); ++i)
     meshes.triangles.push_back(file.count_triangles(i));
-  add_bodies(out, file.scene(), meshes);
-  add_geometry(out, file.scene(), meshes, count_cores());
+  add_bodies(out, file.scene(), meshes, left_out);
+  add_geometry(out, file.scene(), meshes, {left_out, numbers}, count_cores());
   Scene scene = file.finish();
   add_materials(out, scene);
+  count_materials(out, out.parts);
+  leave_out_of_materials(out, left_out);
   out.skipped = scene.skipped;
   out.features = std::move(scene.features);
   out.georeference = scene.georeference;

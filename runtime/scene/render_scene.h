@@ -1,6 +1,8 @@
 // A scene in the form that the renderer uploads: flat arrays of the shaders' records.
 #pragma once
 
+#include <array>
+#include <bitset>
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
@@ -38,6 +40,26 @@ struct Mesh {
   std::uint32_t first_triangle, triangles;
 };
 
+/// The parts of a scene that a program can leave out when it loads the scene (parts.h).
+enum class Part : std::uint8_t {
+  windows,
+  traffic,
+  profiles,
+  aim,
+  lamp_sizes,
+  schedules,
+  lamp_bodies,
+  trees,
+  vehicle_shadows,
+  colours,
+  water,
+};
+constexpr std::size_t part_count = 11;
+/// A set of parts: bit n is part n.
+using PartSet = std::bitset<part_count>;
+/// The number of things of each part.
+using PartCounts = std::array<std::size_t, part_count>;
+
 struct RenderScene {
   LargeVector<gpu::BvhNode> nodes;  // every BLAS, then the TLAS
   std::uint32_t root = BVH_EMPTY;   // of the TLAS
@@ -63,6 +85,8 @@ struct RenderScene {
   std::size_t dropped_triangles = 0;   // zero area
   std::size_t dropped_instances = 0;   // singular matrix
   std::vector<std::string> skipped{};  // as in Scene
+  PartCounts parts{};  // what the files hold of each part, whether it was left out or not
+  PartSet left_out{};
 };
 
 /// Returns what the files hold and no picture shows, one sentence for each kind: what the reader
@@ -87,10 +111,11 @@ struct SceneLights {
 };
 
 /// Builds the hierarchies and checks lights and traffic. Throws Error for unfit traffic or
-/// schedules; unfit lights are counted and never shine.
-RenderScene make_render_scene(const Scene& scene, SceneLights lights);
+/// schedules; unfit lights are counted and never shine. Leaves out the parts in `left_out`.
+RenderScene make_render_scene(const Scene& scene, SceneLights lights, const PartSet& left_out = {});
 
-/// Reads SCENE.glb and, if it exists, the light file beside it (SCENE.lights). Throws Error.
-RenderScene load_render_scene(const std::filesystem::path& glb);
+/// Reads SCENE.glb and, if it exists, the light file beside it (SCENE.lights), without the parts in
+/// `left_out`. Throws Error.
+RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& left_out = {});
 
 }  // namespace nightcity::scene

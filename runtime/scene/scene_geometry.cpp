@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "formats/parallel.h"
+#include "runtime/scene/parts.h"
 
 namespace nightcity::scene {
 namespace {
@@ -29,8 +30,15 @@ std::size_t count_triangles(const SceneMesh& mesh) {
   return count;
 }
 
-// Appends the triangles of a mesh that have an area, and returns the number of those that do not.
+// Returns what became of the light that geometry refers to.
+std::uint32_t find_light(std::uint32_t light, std::span<const std::uint32_t> numbers) {
+  return light < numbers.size() ? numbers[light] : light;
+}
+
+// Appends the triangles of a mesh that have an area and whose light is not left out, and returns the
+// number of those without area.
 std::size_t append_mesh(const SceneMesh& mesh, const glm::mat4& to_model,
+                        std::span<const std::uint32_t> light_numbers,
                         LargeVector<gpu::Triangle>& out) {
   const glm::dmat4 m(to_model);
   std::size_t dropped = 0;
@@ -53,8 +61,9 @@ std::size_t append_mesh(const SceneMesh& mesh, const glm::mat4& to_model,
       t.material = primitive.triangle_materials.empty() ? primitive.material
                                                         : primitive.triangle_materials[i / 3];
       t.feature = primitive.feature_ids.empty() ? NO_HIT : primitive.feature_ids[a];
-      t.light = primitive.light_ids.empty() ? NO_HIT : primitive.light_ids[a];
-      out.push_back(t);
+      t.light =
+          primitive.light_ids.empty() ? NO_HIT : find_light(primitive.light_ids[a], light_numbers);
+      if (t.light != left_out_light) out.push_back(t);
     }
   }
   return dropped;
@@ -149,7 +158,7 @@ struct Merged {
 // Appends the meshes in their order. Each is read and converted by one of the threads, and nothing
 // of it is kept beside its triangles.
 void append_merged(RenderScene& out, const std::vector<Merged>& merged, const MeshSource& meshes,
-                   unsigned threads) {
+                   std::span<const std::uint32_t> light_numbers, unsigned threads) {
   struct Converted {
     LargeVector<gpu::Triangle> triangles;
     bool done = false;
@@ -161,7 +170,7 @@ void append_merged(RenderScene& out, const std::vector<Merged>& merged, const Me
     LargeVector<gpu::Triangle> triangles;
     triangles.reserve(meshes.triangles.at(merged[i].mesh));
     const std::size_t dropped =
-        append_mesh(*meshes.read(merged[i].mesh), merged[i].to_model, triangles);
+        append_mesh(*meshes.read(merged[i].mesh), merged[i].to_model, light_numbers, triangles);
     const std::lock_guard lock(appending);
     out.dropped_triangles += dropped;
     converted[i] = {std::move(triangles), true};
@@ -186,7 +195,7 @@ MeshSource meshes_of(const Scene& scene) {
 }
 
 void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes,
-                  unsigned threads) {
+                  const GeometryFilter& filter, unsigned threads) {
   std::vector<Box> instance_boxes;
   const auto place = [&](std::uint32_t root, const Box& box, const glm::dmat4& to_model,
                          bool shadow, std::uint32_t light) {
@@ -202,8 +211,13 @@ void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes
   };
 
   // The file's vehicles show one moment. Where there is traffic, it replaces them.
-  const auto is_vehicle = [&](const SceneNode& node) {
-    return !out.traffic.trips.empty() && node.vehicle != no_id;
+  const auto is_skipped = [&](const SceneNode& node) {
+    return is_left_out(node, filter.left_out) ||
+           (!out.traffic.trips.empty() && node.vehicle != no_id);
+  };
+  const auto casts_shadow = [&](const SceneNode& node) {
+    return node.casts_shadow &&
+           !(node.vehicle != no_id && holds(filter.left_out, Part::vehicle_shadows));
   };
   const auto is_merged = [](const SceneNode& node) {
     return node.instances.size() == 1 && node.instances[0].light == no_id;
@@ -214,7 +228,7 @@ void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes
   std::size_t most = out.triangles.size();
   std::vector<bool> counted(meshes.triangles.size());
   for (const SceneNode& node : scene.nodes)
-    if (!is_vehicle(node) && (is_merged(node) || !counted.at(node.mesh))) {
+    if (!is_skipped(node) && (is_merged(node) || !counted.at(node.mesh))) {
       most += meshes.triangles.at(node.mesh);
       if (!is_merged(node)) counted[node.mesh] = true;
     }
@@ -228,36 +242,41 @@ void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes
   for (const bool shadow : {true, false}) {
     std::vector<Merged> merged;
     for (const SceneNode& node : scene.nodes)
-      if (!is_vehicle(node) && is_merged(node) && node.casts_shadow == shadow)
+      if (!is_skipped(node) && is_merged(node) && casts_shadow(node) == shadow)
         merged.push_back({node.mesh, node.instances[0].to_model});
     const std::size_t first = out.triangles.size();
-    append_merged(out, merged, meshes, threads);
+    append_merged(out, merged, meshes, filter.light_numbers, threads);
     const auto [root, box] = add_blas(out, first, threads);
     place(root, box, glm::dmat4(1.0), shadow, NO_HIT);
   }
   std::vector<std::optional<std::pair<std::uint32_t, Box>>> built(meshes.triangles.size());
   for (const SceneNode& node : scene.nodes) {
-    if (is_vehicle(node) || is_merged(node)) continue;
+    if (is_skipped(node) || is_merged(node)) continue;
     auto& mesh = built.at(node.mesh);
     if (!mesh) {
       const std::size_t first = out.triangles.size();
-      out.dropped_triangles += append_mesh(*meshes.read(node.mesh), glm::mat4(1.0f), out.triangles);
+      out.dropped_triangles += append_mesh(*meshes.read(node.mesh), glm::mat4(1.0f),
+                                           filter.light_numbers, out.triangles);
       mesh = add_blas(out, first, threads);
     }
-    for (const SceneInstance& instance : node.instances)
-      place(mesh->first, mesh->second, glm::dmat4(instance.to_model), node.casts_shadow,
-            instance.light);
+    for (const SceneInstance& instance : node.instances) {
+      const std::uint32_t light = find_light(instance.light, filter.light_numbers);
+      if (light != left_out_light)
+        place(mesh->first, mesh->second, glm::dmat4(instance.to_model), casts_shadow(node), light);
+    }
   }
   add_tlas(out, instance_boxes, threads);
 }
 
-void add_bodies(RenderScene& out, const Scene& scene, const MeshSource& meshes) {
+void add_bodies(RenderScene& out, const Scene& scene, const MeshSource& meshes,
+                const PartSet& left_out) {
   for (std::uint32_t kind = 0; kind < out.traffic.vehicles.size(); ++kind) {
     const std::size_t first = out.triangles.size();
     std::uint32_t mask = MASK_VISIBLE;
     for (const SceneNode& node : scene.nodes) {
       if (node.vehicle != kind) continue;
-      out.dropped_triangles += append_mesh(*meshes.read(node.mesh), glm::mat4(1.0f), out.triangles);
+      out.dropped_triangles +=
+          append_mesh(*meshes.read(node.mesh), glm::mat4(1.0f), {}, out.triangles);
       if (node.casts_shadow) mask |= MASK_SHADOW;
     }
     if (out.triangles.size() == first) {
@@ -265,6 +284,7 @@ void add_bodies(RenderScene& out, const Scene& scene, const MeshSource& meshes) 
       append_box({-size.x, 0.0f, -size.z}, {size.x, 2 * size.y, size.z}, out.triangles);
       mask |= MASK_SHADOW;
     }
+    if (holds(left_out, Part::vehicle_shadows)) mask = MASK_VISIBLE;
     const auto [root, box] = add_blas(out, first, 1, body_stack);
     out.traffic.bodies.push_back({box.lower, root, box.upper, mask});
   }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <span>
 
 #include "runtime/scene/render_scene.h"
 
@@ -19,13 +20,22 @@ struct MeshSource {
 /// Returns the meshes that `scene` holds, which must outlive the result.
 MeshSource meshes_of(const Scene& scene);
 
+/// What of the geometry is left out (parts.h).
+struct GeometryFilter {
+  PartSet left_out;
+  std::span<const std::uint32_t> light_numbers;  // from leave_out_lights
+};
+
 /// Appends the meshes of `scene`, their BLASes and instances, and builds the TLAS over these.
 /// Triangles without area and instances whose matrix is singular are left out and counted. Vehicles
-/// are left out where `out` has traffic. The result does not depend on the number of `threads`.
-void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes, unsigned threads);
+/// are left out where `out` has traffic, and what `filter` says. The result does not depend on the
+/// number of `threads`.
+void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes,
+                  const GeometryFilter& filter, unsigned threads);
 
 /// Appends a body for every kind of vehicle in `out`: its mesh in `scene`, or a plain box if it has
-/// none.
-void add_bodies(RenderScene& out, const Scene& scene, const MeshSource& meshes);
+/// none. Bodies cast no shadow where `left_out` has vehicle_shadows.
+void add_bodies(RenderScene& out, const Scene& scene, const MeshSource& meshes,
+                const PartSet& left_out);
 
 }  // namespace nightcity::scene

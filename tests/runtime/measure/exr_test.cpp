@@ -22,7 +22,7 @@ class Exr : public testing::Test {
     image.layers.push_back({"depth", {"Z"}, std::vector<float>(15)});
     for (std::size_t i = 0; i < 15; ++i)
       image.layers[1].values[i] = 1000.0f + static_cast<float>(i);
-    image.info = {"pairwise", 64, 32, 5, 3, "paths", 0xFFFFFFFFFFFFFFFFu, 3.25f,
+    image.info = {"pairwise", 64, 32, 5, 3, "paths", "windows,trees", 0xFFFFFFFFFFFFFFFFu, 3.25f,
                   "a device", "City of X, CC BY 4.0", "{\"fov_deg\":50}", "20:00:00"};
     return image;
   }
@@ -48,6 +48,7 @@ TEST_F(Exr, PictureLayersAndInfoComeBackBitForBit) {
   EXPECT_EQ(in.info.neighbours, 5u);
   EXPECT_EQ(in.info.bounces, 3u);
   EXPECT_EQ(in.info.indirect, "paths");
+  EXPECT_EQ(in.info.left_out, "windows,trees");
   EXPECT_EQ(in.info.licences, "City of X, CC BY 4.0");
   EXPECT_EQ(in.info.camera, "{\"fov_deg\":50}");
   EXPECT_EQ(in.info.time, "20:00:00");

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "formats/error.h"
-#include "tools/bake/recipe/nearest_word.h"
+#include "formats/program/toml_file.h"
 #include "tools/inputs/city_files.h"
 
 namespace nightcity::recipe {
@@ -111,18 +111,10 @@ void read_keys(const std::string& file, const std::string& prefix, const toml::t
     if (key == keys.end()) {
       std::vector<std::string> known;
       for (const Key& each : keys) known.push_back(each.name);
-      refuse_unknown(file, name, "key " + full_name, known);
+      program::refuse_unknown_key(file, name, "key " + full_name, known);
     }
     key->read(Value{file, full_name, node});
   }
-}
-
-void refuse_unknown(const std::string& file, const toml::key& key, const std::string& what,
-                    const std::vector<std::string>& known) {
-  std::string message = "unknown " + what;
-  const std::string nearest = find_nearest_word(std::string(key.str()), known);
-  if (!nearest.empty()) message += "; did you mean \"" + nearest + "\"?";
-  throw UsageError(file, key.source().begin.line, message);
 }
 
 }  // namespace nightcity::recipe

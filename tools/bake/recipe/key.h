@@ -110,8 +110,4 @@ Key choice_key(std::string name, Target& target, const Choices<Choice>& choices,
 void read_keys(const std::string& file, const std::string& prefix, const toml::table& settings,
                const std::vector<Key>& keys);
 
-/// Throws UsageError: "unknown WHAT", with the nearest of `known` where one is near.
-[[noreturn]] void refuse_unknown(const std::string& file, const toml::key& key,
-                                 const std::string& what, const std::vector<std::string>& known);
-
 }  // namespace nightcity::recipe

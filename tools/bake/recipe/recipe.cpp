@@ -5,32 +5,15 @@
 #include <algorithm>
 
 #include "formats/error.h"
-#include "formats/mapped_file.h"
+#include "formats/program/toml_file.h"
 #include "tools/bake/recipe/key.h"
 #include "tools/bake/recipe/tables.h"
-#include "tools/bake/recipe/toml_depth.h"
 #include "tools/bake/recipe/value.h"
 
 namespace nightcity::bake {
 namespace {
 
 namespace fs = std::filesystem;
-
-toml::table parse(const fs::path& path) {
-  const MappedFile mapped(path);
-  const std::string_view text(reinterpret_cast<const char*>(mapped.bytes().data()),
-                              mapped.bytes().size());
-  constexpr std::size_t max_key_parts = 32;
-  if (const auto line = find_deep_key(text, max_key_parts))
-    throw Error(path.string(), *line,
-                "a key has more than " + std::to_string(max_key_parts) + " parts");
-  try {
-    return toml::parse(text, path.string());
-  } catch (const toml::parse_error& error) {
-    throw Error(path.string(), error.source().begin.line,
-                "is not TOML: " + std::string(error.description()));
-  }
-}
 
 void read_tables(const std::string& file, const toml::table& document,
                  const std::vector<recipe::Table>& tables) {
@@ -42,7 +25,7 @@ void read_tables(const std::string& file, const toml::table& document,
     if (table == tables.end()) {
       std::vector<std::string> known;
       for (const recipe::Table& each : tables) known.push_back(each.name);
-      recipe::refuse_unknown(file, name, "table [" + table_name + "]", known);
+      program::refuse_unknown_key(file, name, "table [" + table_name + "]", known);
     }
     const toml::table* settings = node.as_table();
     if (!settings) recipe::Value{file, table_name, node}.refuse("is not a table");
@@ -55,7 +38,7 @@ void read_tables(const std::string& file, const toml::table& document,
 
 Recipe read_recipe(const fs::path& path) {
   const std::string file = path.string();
-  const toml::table document = parse(path);
+  const toml::table document = program::read_toml(path);
   Recipe recipe;
   recipe.path = path;
   read_tables(file, document, recipe::make_tables(recipe, path.parent_path()));

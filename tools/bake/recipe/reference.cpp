@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "formats/error.h"
-#include "tools/bake/recipe/nearest_word.h"
+#include "formats/program/nearest_word.h"
 #include "tools/bake/recipe/tables.h"
 
 namespace nightcity::recipe {
@@ -120,7 +120,7 @@ std::string make_text_reference(const std::string& word) {
     }
   });
   if (!text.empty()) return text;
-  const std::string nearest = find_nearest_word(word, known);
+  const std::string nearest = program::find_nearest_word(word, known);
   throw UsageError("", "a recipe has no table or key \"" + word + "\"" +
                            (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"));
 }

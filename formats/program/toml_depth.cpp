@@ -1,8 +1,8 @@
-#include "tools/bake/recipe/toml_depth.h"
+#include "formats/program/toml_depth.h"
 
 #include <algorithm>
 
-namespace nightcity::bake {
+namespace nightcity::program {
 namespace {
 
 // Returns the place behind the string that begins at `begin`, or the text's end where it is never
@@ -54,4 +54,4 @@ std::optional<std::size_t> find_deep_key(std::string_view text, std::size_t max_
   return {};
 }
 
-}  // namespace nightcity::bake
+}  // namespace nightcity::program

@@ -1,8 +1,8 @@
-#include "tools/bake/recipe/nearest_word.h"
+#include "formats/program/nearest_word.h"
 
 #include <gtest/gtest.h>
 
-namespace nightcity::recipe {
+namespace nightcity::program {
 namespace {
 
 TEST(NearestWord, FindsTyposAndKeepsSilentOtherwise) {
@@ -15,4 +15,4 @@ TEST(NearestWord, FindsTyposAndKeepsSilentOtherwise) {
 }
 
 }  // namespace
-}  // namespace nightcity::recipe
+}  // namespace nightcity::program

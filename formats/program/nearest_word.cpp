@@ -1,8 +1,8 @@
-#include "tools/bake/recipe/nearest_word.h"
+#include "formats/program/nearest_word.h"
 
 #include <algorithm>
 
-namespace nightcity::recipe {
+namespace nightcity::program {
 namespace {
 
 std::size_t count_edits(const std::string& a, const std::string& b) {
@@ -33,4 +33,4 @@ std::string find_nearest_word(const std::string& word, const std::vector<std::st
   return nearest;
 }
 
-}  // namespace nightcity::recipe
+}  // namespace nightcity::program

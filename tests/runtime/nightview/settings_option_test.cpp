@@ -1,0 +1,81 @@
+// --settings and --leave-out as users of the commands give them.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "formats/light_file.h"
+#include "formats/scene_writer.h"
+#include "support/process.h"
+#include "support/scenes.h"
+
+namespace nightcity::nightview {
+namespace {
+
+// A plane with a lamp and a window as the two files of a scene.
+class SettingsOption : public testing::Test {
+ protected:
+  void SetUp() override {
+    test::SceneBuilder builder;
+    builder.ground(20);
+    SceneWriter writer(folder / "city.glb", {});
+    writer.add_material(builder.scene().materials[0]);
+    writer.add_mesh(builder.scene().meshes[0]);
+    writer.add_node(builder.scene().nodes[0]);
+    writer.finish({});
+    std::vector<Light> lights{test::lamp({-6, 6, 3}, 5000),
+                              test::window({0, 3, 0}, {0, 0, 1}, 1, 1, 300)};
+    lights[1].id = 2;
+    const std::vector<LightProvenance> provenance(2);
+    write_light_file(folder / "city.lights", {{}, lights, provenance, {}, {}});
+  }
+  test::Outcome bench(const std::string& settings, const std::string& options = "") const {
+    test::write_text(folder / "s.toml", settings);
+    return test::run_program("nightview", "-q bench" + test::quoted(folder / "city.glb") +
+                                              "--frames 1 --warm-up 0 --json --settings" +
+                                              test::quoted(folder / "s.toml") + options);
+  }
+  test::TempFolder folder;
+};
+
+TEST_F(SettingsOption, IsOverruledByTheCommandLineAlone) {
+  const test::Outcome outcome = bench(
+      "[render]\nsize = \"8x6\"\ncandidates = 5\nneighbours = 2\nleave-out = [\"windows\"]\n"
+      "ev = 3.5\n[window]\nanything = 1\n",
+      "--neighbours 3");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["candidates"], 5);
+  EXPECT_EQ(json["neighbours"], 3);
+  EXPECT_EQ(json["size"], (std::vector{8, 6}));
+  EXPECT_EQ(json["lights"], 1) << "the window is left out";
+  const auto whole = nlohmann::json::parse(
+      bench("[render]\nleave-out = [\"windows\"]\n", "--size 8x6 --leave-out none").out);
+  EXPECT_EQ(whole["lights"], 2);
+}
+
+TEST_F(SettingsOption, NamesFileAndLineOfWhatIsWrong) {
+  for (const char* bad :
+       {"candidates = 0", "size = \"8\"", "time = \"25:00\"", "ev = \"x\"", "tone = \"x\"",
+        "moon = \"1\"", "leave-out = [\"lamps\"]", "leave-out = 3", "no-such = 1"}) {
+    const test::Outcome outcome = bench(std::string("[render]\n") + bad + "\n");
+    EXPECT_EQ(outcome.exit_code, 2) << bad;
+    EXPECT_NE(outcome.err.find("s.toml:2: "), std::string::npos) << bad << ": " << outcome.err;
+  }
+  EXPECT_EQ(bench("[render\n").exit_code, 1);
+}
+
+TEST_F(SettingsOption, NamesFilesBesideItself) {
+  const test::Outcome saved = test::run_program(
+      "nightview", "-q render" + test::quoted(folder / "city.glb") + "--size 8x6 --frames 1 --out" +
+                       test::quoted(folder / "a.png") + "--save-camera" +
+                       test::quoted(folder / "eye.json") + "--leave-out windows");
+  ASSERT_EQ(saved.exit_code, 0) << saved.err;
+  EXPECT_NE(test::read_text(folder / "a.png").find(std::string("Left out\0windows", 16)),
+            std::string::npos)
+      << "the picture says that something is missing";
+  const test::Outcome outcome = bench("[render]\nsize = \"8x6\"\ncamera = \"eye.json\"\n");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
+}  // namespace
+}  // namespace nightcity::nightview
