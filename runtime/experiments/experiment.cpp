@@ -5,18 +5,37 @@
 #include "formats/error.h"
 #include "formats/median.h"
 #include "runtime/measure/exr.h"
+#include "runtime/measure/significance.h"
 
 namespace nightcity::experiments {
 namespace {
 
 constexpr std::uint32_t reference_seed = 1000003;  // not a seed of the measured pictures
 
-void add_errors(Measurement& sum, const measure::Comparison& errors, double repeats) {
-  sum.rmse8 += errors.rmse8 / repeats;
-  sum.relative_mse += errors.relative_mse / repeats;
-  sum.mean_signed_error += errors.mean_signed_error / repeats;
-  sum.relative_mean_signed_error += errors.relative_mean_signed_error / repeats;
-  sum.fireflies += errors.fireflies / repeats;
+// Sets the means of the errors of repeats, and how sure they are.
+void set_errors(Measurement& result, const std::vector<measure::Comparison>& repeats) {
+  const auto values = [&](double measure::Comparison::*error) {
+    std::vector<double> all;
+    for (const measure::Comparison& repeat : repeats) all.push_back(repeat.*error);
+    return all;
+  };
+  const auto mean = [&](double measure::Comparison::*error) {
+    double sum = 0;
+    for (const double value : values(error)) sum += value / double(repeats.size());
+    return sum;
+  };
+  using measure::Comparison;
+  result.rmse8 = mean(&Comparison::rmse8);
+  result.relative_mse = mean(&Comparison::relative_mse);
+  result.mean_signed_error = mean(&Comparison::mean_signed_error);
+  result.relative_mean_signed_error = mean(&Comparison::relative_mean_signed_error);
+  result.fireflies = mean(&Comparison::fireflies);
+  const auto confidence = [&](double measure::Comparison::*error) {
+    return measure::find_confidence(values(error), 0.95);
+  };
+  result.rmse8_ci95 = confidence(&Comparison::rmse8);
+  result.relative_mse_ci95 = confidence(&Comparison::relative_mse);
+  result.relative_mean_signed_error_ci95 = confidence(&Comparison::relative_mean_signed_error);
 }
 
 }  // namespace
@@ -105,6 +124,7 @@ std::vector<Measurement> Experiment::measure(const scene::CameraPose& pose,
                                              std::uint32_t lead, std::uint32_t repeats,
                                              double time_step_s) {
   std::vector<Measurement> results(frames.size());
+  std::vector<std::vector<measure::Comparison>> errors(frames.size());
   std::vector<double> ms;
   if (device_->info().kind != "cpu") warm_up(pose, settings);
   for (std::uint32_t repeat = 0; repeat < repeats; ++repeat) {
@@ -115,9 +135,12 @@ std::vector<Measurement> Experiment::measure(const scene::CameraPose& pose,
         renderer_->render_frame(pose, settings);
         ms.push_back(sum_gpu_ms(*renderer_));
       }
-      results[i].frames = frames[i];
-      add_errors(results[i], measure::compare(renderer_->download(false), truth), repeats);
+      errors[i].push_back(measure::compare(renderer_->download(false), truth));
     }
+  }
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    results[i].frames = frames[i];
+    set_errors(results[i], errors[i]);
   }
   if (ms.empty()) ms.push_back(sum_gpu_ms(*renderer_));  // the mean is the last lead frame alone
   for (Measurement& result : results) result.ms = median(ms);

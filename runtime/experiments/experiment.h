@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct Measurement {
   // As in Comparison (runtime/measure/metrics.h).
   double rmse8 = 0, relative_mse = 0, mean_signed_error = 0, relative_mean_signed_error = 0,
          fireflies = 0;
+  // Half the widths of the 95 % confidence intervals over the repeats; nothing for a single one.
+  std::optional<double> rmse8_ci95, relative_mse_ci95, relative_mean_signed_error_ci95;
 };
 
 /// Returns the milliseconds of all passes of the renderer's last frame, by the device's clock.

@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 using Row = std::vector<std::string>;
 
 // The last ones are measured; those before identify a row.
-constexpr std::size_t measured_columns = 6;
+constexpr std::size_t measured_columns = 10;
 
 std::vector<std::string> list_columns(const SweepOptions& options) {
   std::vector<std::string> all{"view", "camera", "size", "device", "reference_frames", "repeats"};
@@ -28,7 +28,8 @@ std::vector<std::string> list_columns(const SweepOptions& options) {
   for (const render::Setting& setting : list_swept_settings())
     all.push_back(render::column_of(setting));
   all.insert(all.end(), {"frames", "ms", "rmse8", "relative_mse", "mean_signed_error",
-                         "relative_mean_signed_error", "fireflies"});
+                         "relative_mean_signed_error", "fireflies", "rmse8_ci95",
+                         "relative_mse_ci95", "relative_mean_signed_error_ci95", "front"});
   return all;
 }
 
@@ -49,6 +50,7 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
 
 void write_summaries(const SweepOptions& options, const measure::Table& table) {
   write_text(options.folder / "sweep.md", measure::to_markdown(table));
+  write_text(options.folder / "sweep.json", to_json(table));
   for (const std::string& view : options.views) {
     const std::string name = name_of_view(view);
     write_text(options.folder / ("sweep-" + name + ".svg"),
@@ -84,6 +86,7 @@ class Sweep {
     for (std::size_t view = 0; view < poses_.size(); ++view)
       if (!run_view(view)) break;
     experiment_.check_validation();
+    results_.mark_front();
     write_summaries(options_, results_.table());
     return report_;
   }
@@ -165,6 +168,10 @@ class Sweep {
       for (const double value : {m.ms, m.rmse8, m.relative_mse, m.mean_signed_error,
                                  m.relative_mean_signed_error, m.fireflies})
         row.push_back(fmt::format("{:.6g}", value));
+      for (const std::optional<double>& half :
+           {m.rmse8_ci95, m.relative_mse_ci95, m.relative_mean_signed_error_ci95})
+        row.push_back(half ? fmt::format("{:.3g}", *half) : "");
+      row.emplace_back();  // the front is known at the end
       results_.add(std::move(row));
     }
   }

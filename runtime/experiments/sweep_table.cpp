@@ -1,13 +1,18 @@
 #include "runtime/experiments/sweep_table.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
 #include "formats/input_file.h"
 #include "formats/program/output.h"
+#include "formats/program/print_json.h"
 #include "runtime/experiments/sweep_points.h"
 
 namespace nightcity::experiments {
@@ -19,6 +24,13 @@ std::string first_line(const std::filesystem::path& path) {
   std::ifstream file(path);
   std::getline(file, line);
   return line;
+}
+
+// Returns the milliseconds and the relative MSE of a row.
+std::pair<double, double> read_point(const measure::Table& table,
+                                     const std::vector<std::string>& row) {
+  return {std::atof(row[table.column("ms")].c_str()),
+          std::atof(row[table.column("relative_mse")].c_str())};
 }
 
 }  // namespace
@@ -40,10 +52,12 @@ SweepTable::SweepTable(std::filesystem::path folder, const std::string& fingerpr
   file.commit();
   if (!std::filesystem::exists(csv)) return;
   measure::Table earlier = measure::read_csv(csv);
-  if (earlier.columns != table_.columns)
+  if (earlier.columns.size() > table_.columns.size() || earlier.columns.size() < key_columns_ ||
+      !std::equal(earlier.columns.begin(), earlier.columns.end(), table_.columns.begin()))
     throw Error(csv.string(),
                 "has other columns, of another version: remove it or choose another folder");
-  table_ = std::move(earlier);
+  for (auto& row : earlier.rows) row.resize(table_.columns.size());
+  table_.rows = std::move(earlier.rows);
 }
 
 bool SweepTable::holds(const std::vector<std::string>& key) const {
@@ -58,10 +72,72 @@ void SweepTable::add(std::vector<std::string> row) {
   measure::write_csv(folder_ / "sweep.csv", table_);
 }
 
+void SweepTable::mark_front() {
+  const std::size_t front = table_.column("front");
+  std::map<std::vector<std::string>, std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < table_.rows.size(); ++i) {
+    std::vector<std::string> key;
+    for (const char* name : {"view", "camera", "size", "device", "frames"})
+      key.push_back(table_.rows[i][table_.column(name)]);
+    groups[key].push_back(i);
+  }
+  for (const auto& [key, rows] : groups) {
+    std::vector<std::pair<double, double>> points;
+    for (const std::size_t row : rows) points.push_back(read_point(table_, table_.rows[row]));
+    const std::vector<bool> marks = find_front(points);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      table_.rows[rows[i]][front] = marks[i] ? "yes" : "no";
+  }
+  measure::write_csv(folder_ / "sweep.csv", table_);
+}
+
+std::vector<bool> find_front(const std::vector<std::pair<double, double>>& points) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!std::isnan(points[i].first) && !std::isnan(points[i].second)) order.push_back(i);
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return points[a] < points[b]; });
+  std::vector<bool> on_front(points.size());
+  // By rising cost, a point is on the front if its error is below that of all before it.
+  const std::pair<double, double>* best = nullptr;
+  for (const std::size_t i : order)
+    if (!best || points[i].second < best->second || points[i] == *best) {
+      on_front[i] = true;
+      best = &points[i];
+    }
+  return on_front;
+}
+
+namespace {
+
+nlohmann::ordered_json to_json_value(const std::string& column, const std::string& text) {
+  if (text.empty() || text == "-") return nullptr;
+  if (column == "front") return text == "yes";
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error == std::errc() && end == text.data() + text.size() && std::isfinite(number))
+    return number;
+  return text;
+}
+
+}  // namespace
+
+std::string to_json(const measure::Table& table) {
+  auto rows = nlohmann::ordered_json::array();
+  for (const auto& row : table.rows) {
+    nlohmann::ordered_json object;
+    for (std::size_t i = 0; i < row.size(); ++i)
+      object[table.columns[i]] = to_json_value(table.columns[i], row[i]);
+    rows.push_back(std::move(object));
+  }
+  return program::to_json_text(rows) + "\n";
+}
+
 measure::Plot make_sweep_plot(const measure::Table& table, const std::string& view) {
   measure::Plot plot{
       "Error against cost, view " + view, "ms a frame (GPU clock)", "relative MSE", {}};
   const auto cell = [&](const auto& row, const char* name) { return row[table.column(name)]; };
+  measure::PlotSeries front{"Pareto front", {}};
   long max_frames = 0;
   for (const auto& row : table.rows)
     max_frames = std::max(max_frames, std::atol(cell(row, "frames").c_str()));
@@ -76,9 +152,11 @@ measure::Plot make_sweep_plot(const measure::Table& table, const std::string& vi
     for (const render::Setting& setting : list_swept_settings())
       label +=
           std::string(setting.name) + " " + cell(row, render::column_of(setting).c_str()) + "  ";
-    series->points.push_back(
-        {std::atof(cell(row, "ms").c_str()), std::atof(cell(row, "relative_mse").c_str()), label});
+    const auto [ms, error] = read_point(table, row);
+    series->points.push_back({ms, error, label});
+    if (cell(row, "front") == "yes") front.points.push_back(series->points.back());
   }
+  if (!front.points.empty()) plot.series.push_back(std::move(front));
   for (measure::PlotSeries& series : plot.series)
     std::sort(series.points.begin(), series.points.end(),
               [](const auto& a, const auto& b) { return a.x < b.x; });

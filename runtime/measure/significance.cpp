@@ -129,6 +129,25 @@ double student_tails(double t, double freedom) {
   return incomplete_beta(freedom / 2, 0.5, freedom / (freedom + t * t));
 }
 
+double find_student_bound(double probability, double freedom) {
+  double low = 0, high = 1;
+  while (student_tails(high, freedom) > probability) high *= 2;
+  for (int i = 0; i < 200; ++i) {
+    const double middle = 0.5 * (low + high);
+    (student_tails(middle, freedom) > probability ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+std::optional<double> find_confidence(const std::vector<double>& values, double level) {
+  if (values.size() < 2) return {};
+  const double n = double(values.size());
+  double mean = 0, squares = 0;
+  for (const double value : values) mean += value / n;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return find_student_bound(1 - level, n - 1) * std::sqrt(squares / (n * (n - 1)));
+}
+
 double sidak_level(double significance, std::size_t tests) {
   return tests == 0 ? significance : -std::expm1(std::log1p(-significance) / double(tests));
 }

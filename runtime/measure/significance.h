@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "runtime/measure/image.h"
@@ -57,6 +58,14 @@ PixelTest test_pixels(const PictureStatistics& a, const PictureStatistics& b,
 
 /// Returns the probability that a Student t of `freedom` degrees lies farther from 0 than |t|.
 double student_tails(double t, double freedom);
+
+/// Returns the t that a Student t of `freedom` degrees exceeds in magnitude with this probability,
+/// in (0, 1): the inverse of student_tails.
+double find_student_bound(double probability, double freedom);
+
+/// Returns half the width of the confidence interval of the mean of `values` at this level (0.95):
+/// Student's t times the standard error. Nothing for fewer than two values.
+std::optional<double> find_confidence(const std::vector<double>& values, double level);
 
 /// Returns the level of each of `tests` independent tests whose joint level is `significance`
 /// (Sidak 1967).

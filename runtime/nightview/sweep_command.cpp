@@ -65,11 +65,16 @@ void add_sweep_command(CLI::App& app) {
   experiments::SweepOptions& options = command->options;
   CLI::App* sub = app.add_subcommand(
       "sweep",
-      "Measure error against milliseconds for every combination of settings: CSV, Markdown and a "
-      "plot");
+      "Measure error against milliseconds for every combination of settings, and mark the Pareto "
+      "front: CSV, JSON, Markdown and a plot");
   sub->footer(
-      "Lists are comma-separated. DIR gets sweep.csv, sweep.md, sweep-VIEW.svg and the reference\n"
-      "pictures. A second run continues where the first stopped, and starts over where the scene "
+      "Lists are comma-separated. DIR gets sweep.csv, sweep.json, sweep.md, sweep-VIEW.svg and "
+      "the\n"
+      "reference pictures. The front: no other combination is faster with an error as small. "
+      "Columns "
+      "_ci95\n"
+      "are half the widths of 95 % confidence intervals over --repeats. A second run continues "
+      "where the first stopped, and starts over where the scene "
       "changed.\n"
       "Examples:\n"
       "  nightview sweep city.glb --out sweep --estimator paper,pairwise --candidates "

@@ -53,6 +53,9 @@ TEST_F(MeasuringCommands, SweepWritesTableAndPlotAndGoesOnWhereItStopped) {
   }
   EXPECT_NE(test::read_text(folder / "out/sweep-overview.svg").find("pairwise"), std::string::npos);
   EXPECT_NE(test::read_text(folder / "out/sweep.md").find("| pairwise |"), std::string::npos);
+  EXPECT_NE(test::read_text(folder / "out/sweep.json").find("\"front\": true"), std::string::npos);
+  EXPECT_TRUE(std::any_of(table.rows.begin(), table.rows.end(),
+                          [&](const auto& row) { return row[table.column("front")] == "yes"; }));
 }
 
 TEST_F(MeasuringCommands, SweepMeasuresOneFrameWhileTheClockRuns) {

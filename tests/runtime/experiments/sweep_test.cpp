@@ -1,6 +1,10 @@
 // The sweep's combinations of settings, and its table, which survives an interruption.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
 #include <set>
 
 #include "formats/error.h"
@@ -29,8 +33,8 @@ TEST(Sweep, ColumnsKeepTheirNamesAndOrder) {
   EXPECT_EQ(columns,
             (std::vector<std::string>{"estimator", "candidates", "neighbours", "radius", "history",
                                       "reach", "boost", "permute", "local-share", "wide-share",
-                                      "uniform-share", "fleet-share", "visibility-reuse",
-                                      "bounces", "cache", "cache-cell", "cache-paths"}));
+                                      "uniform-share", "fleet-share", "visibility-reuse", "bounces",
+                                      "cache", "cache-cell", "cache-paths"}));
 }
 
 TEST(Sweep, EveryCombinationComesOnceWithoutSettingsThatAnEstimatorLacks) {
@@ -86,6 +90,59 @@ TEST(Sweep, RowsAreKeptUntilTheSceneChanges) {
   EXPECT_TRUE(table.restarted());
   EXPECT_FALSE(table.holds({"top", "1"}));
   EXPECT_FALSE(std::filesystem::exists(folder / "reference-top.exr"));
+}
+
+TEST(Sweep, TablesOfOlderVersionsGetTheColumnsThatTheyLack) {
+  const test::TempFolder folder;
+  SweepTable(folder.path(), "one", {"view", "frames", "ms"}, 2).add({"top", "1", "0.5"});
+  SweepTable longer(folder.path(), "one", {"view", "frames", "ms", "more"}, 2);
+  EXPECT_EQ(longer.table().rows.at(0), (std::vector<std::string>{"top", "1", "0.5", ""}));
+  longer.add({"top", "2", "0.5", "3"});
+  EXPECT_THROW(SweepTable(folder.path(), "one", {"view", "frames", "ms"}, 2), Error);
+  EXPECT_THROW(SweepTable(folder.path(), "one", {"view", "frames", "s", "more"}, 2), Error);
+}
+
+TEST(Front, HoldsThePointsThatNoOtherSurpasses) {
+  using Marks = std::vector<bool>;
+  EXPECT_EQ(find_front({}), Marks());
+  EXPECT_EQ(find_front({{1, 9}, {2, 5}, {3, 6}, {4, 1}}), (Marks{true, true, false, true}));
+  EXPECT_EQ(find_front({{2, 5}, {1, 5}}), (Marks{false, true})) << "as good, and cheaper";
+  EXPECT_EQ(find_front({{1, 5}, {1, 4}}), (Marks{false, true}));
+  EXPECT_EQ(find_front({{1, 5}, {1, 5}, {2, 5}}), (Marks{true, true, false})) << "equal ones both";
+  EXPECT_EQ(find_front({{std::nan(""), 1}, {1, 2}}), (Marks{false, true}));
+}
+
+// Every pair is compared with every other: the definition itself.
+TEST(Front, IsThatOfTheDefinition) {
+  std::mt19937 random(3);
+  std::vector<std::pair<double, double>> points;
+  for (int i = 0; i < 300; ++i) points.push_back({random() % 40, random() % 40});
+  const std::vector<bool> front = find_front(points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool surpassed = std::any_of(points.begin(), points.end(), [&](const auto& p) {
+      return p != points[i] && p.first <= points[i].first && p.second <= points[i].second;
+    });
+    EXPECT_EQ(front[i], !surpassed) << i;
+  }
+}
+
+TEST(Front, IsThatOfEachViewAndNumberOfFrames) {
+  const test::TempFolder folder;
+  SweepTable table(folder.path(), "one",
+                   {"view", "camera", "size", "device", "frames", "ms", "relative_mse", "front"},
+                   5);
+  table.add({"top", "c", "8x8", "d", "1", "1", "0.5", ""});
+  table.add({"top", "c", "8x8", "d", "1", "2", "0.6", ""});
+  table.add({"top", "c", "8x8", "d", "9", "2", "0.1", ""});
+  table.add({"street", "c", "8x8", "d", "1", "2", "0.6", ""});
+  table.mark_front();
+  std::vector<std::string> marks;
+  for (const auto& row : measure::read_csv(folder / "sweep.csv").rows) marks.push_back(row.back());
+  EXPECT_EQ(marks, (std::vector<std::string>{"yes", "no", "yes", "yes"}));
+  const auto json = nlohmann::json::parse(to_json(table.table()));
+  EXPECT_EQ(json.at(1).at("ms"), 2);
+  EXPECT_EQ(json.at(1).at("front"), false);
+  EXPECT_EQ(json.at(3).at("view"), "street");
 }
 
 }  // namespace

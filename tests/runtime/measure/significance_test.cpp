@@ -43,6 +43,9 @@ TEST(Significance, TailsOfStudentsDistributionAreThoseOfTheTables) {
   EXPECT_NEAR(student_tails(0, 5), 1.0, 1e-12);
   EXPECT_NEAR(student_tails(-2.228, 10), student_tails(2.228, 10), 1e-15);
   EXPECT_NEAR(student_tails(1, 1), 0.5, 1e-12);  // Cauchy
+  EXPECT_NEAR(find_student_bound(0.05, 1), 12.706, 1e-3);
+  EXPECT_NEAR(find_student_bound(0.05, 10), 2.228, 1e-3);
+  EXPECT_NEAR(find_student_bound(0.01, 10), 3.169, 1e-3);
 }
 
 TEST(Significance, SidaksLevelsMultiplyBackToTheJointOne) {
@@ -97,6 +100,14 @@ TEST(Significance, WhatIsNotFiniteOrNotOfTheSizeIsRefused) {
   picture.height = 2;
   picture.rgb.assign(6, 1.0f);
   EXPECT_THROW(statistics.add(picture), Error);
+}
+
+TEST(Confidence, IsStudentsTTimesTheStandardError) {
+  EXPECT_FALSE(find_confidence({}, 0.95));
+  EXPECT_FALSE(find_confidence({3}, 0.95));
+  // Mean 2, standard deviation 1, standard error 1 / sqrt(3), two degrees of freedom.
+  EXPECT_NEAR(*find_confidence({1, 2, 3}, 0.95), 4.3027 / std::sqrt(3.0), 1e-3);
+  EXPECT_EQ(*find_confidence({5, 5}, 0.95), 0);
 }
 
 }  // namespace
