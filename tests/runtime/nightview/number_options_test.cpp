@@ -18,7 +18,7 @@ struct NumberOption {
 
 std::vector<std::string> list_commands() {
   return {"render",     "view",     "compare", "bench",   "upward", "sweep",
-          "strategies", "vehicles", "flight",  "devices", "record"};
+          "strategies", "vehicles", "flight",  "devices", "record", "price"};
 }
 
 // Finds the options in the command's own help, so that a new one is tested without being named
