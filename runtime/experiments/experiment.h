@@ -68,9 +68,10 @@ class Experiment {
                                    std::uint32_t repeats, double time_step_s = 0);
 
   render::Renderer& renderer() { return *renderer_; }
+  /// Returns another renderer of the same scene and size.
+  render::Renderer make_renderer() const;
 
  private:
-  render::Renderer make_renderer() const;
   // Starts mean and history anew with a seed and fills the history; the last frame, at the settings'
   // time, is the first of the mean. Returns the GPU times of the frames.
   std::vector<double> start_run(const scene::CameraPose& pose, render::RenderSettings& settings,

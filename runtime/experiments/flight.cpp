@@ -1,8 +1,12 @@
 #include "runtime/experiments/flight.h"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <limits>
 
 #include "formats/program/output.h"
+#include "runtime/experiments/governed.h"
 #include "runtime/measure/exposure.h"
 #include "runtime/measure/png.h"
 #include "runtime/measure/table.h"
@@ -32,6 +36,42 @@ void add_errors(const measure::Comparison& errors, std::vector<std::string>& row
   report.fireflies.push_back(errors.fireflies);
 }
 
+std::optional<render::Governor> make_governor(const render::GovernorOptions& options,
+                                              const Experiment& experiment,
+                                              const scene::CameraPath& path,
+                                              const render::RenderSettings& settings,
+                                              program::ProgressDisplay& progress) {
+  if (!(options.budget_ms > 0) && !(options.target_error > 0)) return {};
+  const std::vector<render::Rung> rungs =
+      measure_rungs([&] { return experiment.make_renderer(); },
+                    {path.at(0), path.at(0.5), path.at(1)}, settings, options.target_error > 0,
+                    [&](std::size_t done, std::size_t all) {
+                      progress.show({"measuring settings", done, all, "settings"});
+                    });
+  render::Governor governor(rungs, options);
+  progress.clear();
+  spdlog::info("{}", describe_start(governor, options));
+  return governor;
+}
+
+// Renders a frame with the governor's effort, tells it the time, and logs what it decides.
+double render_governed(render::Governor& governor, render::Renderer& renderer,
+                       const scene::CameraPose& pose, const render::RenderSettings& settings,
+                       program::ProgressDisplay& progress) {
+  constexpr double whole = std::numeric_limits<double>::infinity();
+  renderer.begin_frame(pose, settings, governor.effort());
+  while (!renderer.continue_frame(whole, whole)) {
+  }
+  const double ms = sum_gpu_ms(renderer);
+  const std::size_t decided = governor.decisions().size();
+  governor.observe(ms);
+  if (governor.decisions().size() > decided) {
+    progress.clear();
+    spdlog::info("{}", describe(governor, governor.decisions().back()));
+  }
+  return ms;
+}
+
 }  // namespace
 
 FlightReport fly(const FlightOptions& options, Experiment& experiment,
@@ -46,14 +86,22 @@ FlightReport fly(const FlightOptions& options, Experiment& experiment,
   measure::Table table{{"frame", "time_s", "x", "y", "z", "ms", "rmse8", "relative_mse",
                         "relative_mean_signed_error", "fireflies"},
                        {}};
+  report.governor = make_governor(options.governor, experiment, path, settings, progress);
+  if (report.governor) table.columns.insert(table.columns.end(), {"candidates", "neighbours"});
   const double first_s = settings.time_s;
   std::optional<float> ev100 = options.ev100;
   for (std::uint32_t i = 0; i < options.frames; ++i) {
     const scene::CameraPose pose =
         path.at(options.frames > 1 ? double(i) / (options.frames - 1) : 0.0);
     settings.time_s = first_s + i * options.time_step_s;
-    experiment.renderer().render_frame(pose, settings);
-    const double ms = sum_gpu_ms(experiment.renderer());
+    const render::Effort effort = report.governor ? report.governor->effort() : render::Effort{};
+    double ms = 0;
+    if (report.governor) {
+      ms = render_governed(*report.governor, experiment.renderer(), pose, settings, progress);
+    } else {
+      experiment.renderer().render_frame(pose, settings);
+      ms = sum_gpu_ms(experiment.renderer());
+    }
     std::vector<std::string> row = make_row(i, settings.time_s, pose, ms);
     if (i > 0) report.ms.push_back(ms);
     const measure::Image picture = experiment.renderer().download(false);
@@ -63,6 +111,10 @@ FlightReport fly(const FlightOptions& options, Experiment& experiment,
       add_errors(measure::compare(picture, truth), row, report);
     }
     row.resize(table.columns.size());
+    if (report.governor) {
+      row[row.size() - 2] = fmt::to_string(effort.max_candidates);
+      row[row.size() - 1] = fmt::to_string(effort.max_neighbours);
+    }
     table.rows.push_back(std::move(row));
     if (options.pictures) {
       if (!ev100)  // one exposure for the whole flight

@@ -21,5 +21,6 @@ void add_record_command(CLI::App& app);
 void add_strategies_command(CLI::App& app);
 void add_vehicles_command(CLI::App& app);
 void add_price_command(CLI::App& app);
+void add_presets_command(CLI::App& app);
 
 }  // namespace nightcity::nightview

@@ -11,6 +11,7 @@
 #include "formats/program/output.h"
 #include "runtime/experiments/flight.h"
 #include "runtime/nightview/commands.h"
+#include "runtime/nightview/governor_options.h"
 #include "runtime/nightview/number_check.h"
 #include "runtime/nightview/render_options.h"
 #include "runtime/scene/camera_path.h"
@@ -47,11 +48,25 @@ std::string summarise_bias(const std::vector<double>& values) {
       100 * std::sqrt(variance / n), values.size());
 }
 
+void print_governed(const FlightCommand& command, const experiments::FlightReport& report) {
+  const double budget = command.flight.governor.budget_ms;
+  if (budget > 0 && !report.ms.empty()) {
+    const auto within = std::count_if(report.ms.begin(), report.ms.end(),
+                                      [budget](double ms) { return ms <= budget; });
+    fmt::print("budget         {:g} ms kept in {:.2f} % of the frames\n", budget,
+               100 * double(within) / double(report.ms.size()));
+  }
+  fmt::print("setting        {} at the end, {} changes\n",
+             report.governor->rungs()[report.governor->rung()].name(),
+             report.governor->decisions().size());
+}
+
 void print_report(const FlightCommand& command, const experiments::FlightReport& report) {
   fmt::print("{} frames of {} along {}, {} on {}\n", command.flight.frames, command.render.scene,
              command.flight.path, render::name_of(command.render.settings.sampling.estimator),
              report.device);
   if (!report.ms.empty()) fmt::print("{}", summarise("time", " ms", report.ms));
+  if (report.governor) print_governed(command, report);
   if (report.rmse8.empty()) return;
   fmt::print("{}{}{}", summarise("RMSE (8-bit)", "", report.rmse8),
              summarise("relative MSE", "", report.relative_mse),
@@ -90,6 +105,8 @@ void add_flight_command(CLI::App& app) {
       "Examples:\n"
       "  nightview flight city.glb --path dive --frames 240 --size 320x180 --out flight\n"
       "  nightview flight city.glb --path street --time 18:30 --time-step 0.0333 --out flight\n"
+      "  nightview flight city.glb --path orbit --budget-ms 16 --reference-frames 1 --every 30 "
+      "--out flight\n"
       "  nightview flight city.glb --path path.json --every 10 --pictures --out flight");
   command->render.size = "320x180";
   command->render.declare(*sub);
@@ -109,6 +126,7 @@ void add_flight_command(CLI::App& app) {
   sub->add_option("--reference-frames", flight.reference_frames, "Frames of each reference picture")
       ->capture_default_str()
       ->check(CLI::Range(1u, 100000u));
+  declare_governor(*sub, flight.governor);
   sub->add_option("--firefly-budget", command->firefly_budget,
                   "Share of a frame's pixels that may be fireflies")
       ->capture_default_str()

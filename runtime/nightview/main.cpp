@@ -49,6 +49,7 @@ int main(int argc, char** argv) {
     nightcity::nightview::add_strategies_command(app);
     nightcity::nightview::add_vehicles_command(app);
     nightcity::nightview::add_price_command(app);
+    nightcity::nightview::add_presets_command(app);
   };
   nightview.complete_arguments = nightcity::nightview::add_default_command;
   return nightcity::program::run_program(nightview, argc, argv);

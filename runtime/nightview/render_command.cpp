@@ -4,9 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
+#include <functional>
 #include <future>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -14,11 +18,14 @@
 #include "formats/program/output.h"
 #include "formats/program/progress_display.h"
 #include "formats/to_lower.h"
+#include "runtime/experiments/governed.h"
 #include "runtime/measure/exposure.h"
 #include "runtime/measure/exr.h"
 #include "runtime/measure/false_colour.h"
+#include "runtime/measure/noise.h"
 #include "runtime/measure/png.h"
 #include "runtime/nightview/commands.h"
+#include "runtime/nightview/governor_options.h"
 #include "runtime/nightview/render_options.h"
 #include "runtime/render/parse.h"
 #include "runtime/render/renderer.h"
@@ -38,6 +45,7 @@ struct RenderCommand {
   bool markers = false;
   std::string save_camera;
   std::uint32_t frames = 64;
+  render::GovernorOptions governor;
 };
 
 bool has_extension(const std::string& file, const char* extension) {
@@ -126,6 +134,74 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+// The frames of a picture, and what they were made with.
+struct RenderedFrames {
+  std::uint32_t frames = 0;
+  measure::Image image;
+  std::optional<double> noise;  // of the picture, where it was asked for
+};
+
+// Returns the effort that keeps the budget of milliseconds, and logs the choice.
+render::Effort choose_effort(const RenderCommand& command,
+                             const std::function<render::Renderer()>& make_renderer,
+                             const scene::CameraPose& pose, program::ProgressDisplay& progress) {
+  render::GovernorOptions options = command.governor;
+  options.target_error = 0;  // more frames keep it
+  if (!(options.budget_ms > 0)) return {};
+  const render::Governor governor(
+      experiments::measure_rungs(make_renderer, {pose}, command.options.settings, false,
+                                 [&](std::size_t done, std::size_t all) {
+                                   progress.show({"measuring settings", done, all, "settings"});
+                                 }),
+      options);
+  progress.clear();
+  spdlog::info("{}", experiments::describe_start(governor, options));
+  return governor.effort();
+}
+
+void render_frame(render::Renderer& renderer, const scene::CameraPose& pose,
+                  const render::RenderSettings& settings, const render::Effort& effort) {
+  constexpr double whole = std::numeric_limits<double>::infinity();
+  renderer.begin_frame(pose, settings, effort);
+  while (!renderer.continue_frame(whole, whole)) {
+  }
+}
+
+// Renders the frames asked for; with a target, two pictures with other seeds side by side, until the
+// noise of their mean is below it: half of their difference's. The noise of frames of one picture is
+// not seen in that picture, because they reuse each other's samples.
+RenderedFrames render_frames(const RenderCommand& command, render::Renderer& renderer,
+                             const std::function<render::Renderer()>& make_renderer,
+                             const scene::CameraPose& pose, program::ProgressDisplay& progress) {
+  const render::RenderSettings& settings = command.options.settings;
+  const render::Effort effort = choose_effort(command, make_renderer, pose, progress);
+  const bool layers = settings.sampling.layers;
+  const double target = command.governor.target_error;
+  RenderedFrames result;
+  std::unique_ptr<render::Renderer> other;
+  render::RenderSettings other_settings = settings;
+  if (target > 0) {
+    other.reset(new render::Renderer(make_renderer()));  // it cannot be moved
+    other_settings.sampling.seed = ~settings.sampling.seed;
+  }
+  const std::uint32_t rounds = other ? (command.frames + 1) / 2 : command.frames;
+  std::uint32_t next_look = 2;
+  for (std::uint32_t i = 1; i <= rounds; ++i) {
+    render_frame(renderer, pose, settings, effort);
+    if (other) render_frame(*other, pose, other_settings, effort);
+    result.frames += other ? 2 : 1;
+    progress.show({"rendering", result.frames, other ? 2 * rounds : rounds, "frames"});
+    if (!other || (i < next_look && i < rounds)) continue;
+    const std::array<measure::Image, 2> pictures{renderer.download(false), other->download(false)};
+    result.noise = measure::find_relative_noise(pictures) / std::sqrt(2.0);
+    if (*result.noise <= target) break;
+    next_look = i + std::max(1u, i / 4);
+  }
+  result.image = renderer.download(layers);
+  if (other) measure::average_light(result.image, other->download(layers));
+  return result;
+}
+
 void warn_of_lights(const RenderOptions& options, const scene::RenderScene& scene) {
   if (scene.lights.empty())
     spdlog::warn("{}: no lights, so only surfaces that emit light are seen", options.scene);
@@ -161,22 +237,26 @@ void render(RenderCommand& command) {
 
   const auto start = Clock::now();
   program::ProgressDisplay progress;
-  for (std::uint32_t i = 0; i < command.frames; ++i) {
-    renderer.render_frame(pose, options.settings);
-    progress.show({"rendering", i + 1, command.frames, "frames"});
-  }
+  RenderedFrames rendered = render_frames(
+      command, renderer,
+      [&] { return render::Renderer(device, passes, device_scene, options.width, options.height); },
+      pose, progress);
   progress.clear();
   const double seconds = seconds_since(start);
   device.check_validation();
 
-  measure::Image image = renderer.download(options.settings.sampling.layers);
+  measure::Image& image = rendered.image;
   image.info.ev100 = find_exposure(command.exposure, renderer);
   image.info.licences = scene::describe_licences(scene);
   image.info.camera = scene::to_text(pose);
   image.info.time = render::time_text(options.settings.time_s);
   write_outputs(command, image, scene, pose);
-  spdlog::info("{} frames of {} in {:.2f} s, EV100 {:.1f}", renderer.frames(),
+  spdlog::info("{} frames of {} in {:.2f} s, EV100 {:.1f}", rendered.frames,
                render::name_of(options.settings.sampling.estimator), seconds, *image.info.ev100);
+  if (rendered.noise)
+    spdlog::info("noise {:.3g} of relative RMSE, {} the target of {:g}", *rendered.noise,
+                 *rendered.noise <= command.governor.target_error ? "within" : "ABOVE",
+                 command.governor.target_error);
   for (const std::string& output : command.outputs) fmt::print("{}\n", output);
 }
 
@@ -195,6 +275,8 @@ void add_render_command(CLI::App& app) {
       "  nightview render city.glb -o lux.png --camera top --show illuminance\n"
       "  nightview render city.glb -o yard.png --camera street --bounces 8 --show "
       "indirect-illuminance\n"
+      "  nightview render city.glb -o clean.png --target-error 0.02 --frames 4096\n"
+      "  nightview render city.glb -o quick.png --preset fast --settings cheap.toml\n"
       "  nightview render city.glb -o a.exr -o a.png --candidates 8 --neighbours 2 --ev 2.5");
   command->options.settings.indirect.bounces = render::picture_bounces;
   command->options.declare(*sub);
@@ -202,9 +284,11 @@ void add_render_command(CLI::App& app) {
       *sub, command->outputs,
       "NAME.png (8-bit sRGB) or NAME.exr (cd/m2 with layers); may be repeated")
       ->required();
-  sub->add_option("--frames", command->frames, "Frames that are averaged")
+  sub->add_option("--frames", command->frames,
+                  "Frames that are averaged; with --target-error, at most")
       ->capture_default_str()
       ->check(CLI::Range(1u, 1000000u));
+  declare_governor(*sub, command->governor);
   sub->add_option("--ev", command->exposure, "Exposure, EV100, or 'auto'")->capture_default_str();
   sub->add_option("--tone", command->tone, "Tone curve of the PNG: filmic, reinhard or linear")
       ->capture_default_str();

@@ -9,6 +9,7 @@
 #include "runtime/nightview/device_options.h"
 #include "runtime/nightview/number_check.h"
 #include "runtime/render/parse.h"
+#include "runtime/render/presets.h"
 #include "runtime/render/settings_file.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/scene_file.h"
@@ -87,6 +88,12 @@ void RenderOptions::declare(CLI::App& command) {
                      "TOML file whose table [render] holds values of these options, as nightview "
                      "price writes it; options of the command line go before it");
   command
+      .add_option("--preset", preset,
+                  "Settings for this kind of device, from fast to accurate, that were measured "
+                  "(nightview presets): fast, balanced, accurate or reference; single options and "
+                  "those of --settings go before it")
+      ->check(CLI::IsMember(render::list_preset_names()));
+  command
       .add_option(
           "--leave-out", leave_out,
           "Parts of the model that are left out, comma-separated:" + render::describe_model_parts())
@@ -128,9 +135,19 @@ std::string find_beside(const render::SettingsFile& file, const render::NamedTex
 
 }  // namespace
 
+void RenderOptions::apply_preset(const std::string& name) {
+  const std::vector<gpu::DeviceInfo> devices = gpu::list_devices();
+  const std::string kind = devices.at(gpu::choose_device(devices, device.select)).kind;
+  render::apply_preset(render::find_device_class(kind), name, settings,
+                       [&](const std::string& setting) { return is_given(setting); });
+}
+
 void RenderOptions::read_settings() {
-  if (settings_file.empty()) return;
-  const render::SettingsFile file = render::read_settings_file(settings_file);
+  render::SettingsFile file;
+  if (!settings_file.empty()) file = render::read_settings_file(settings_file);
+  if (const render::NamedText* named = file.find("preset"); named && preset.empty())
+    preset = named->text;
+  if (!preset.empty()) apply_preset(preset);
   apply_settings_file(file, settings, [&](const std::string& name) { return is_given(name); });
   for (const render::NamedText& value : file.render) {
     // Those that are no render settings are options that hold text.

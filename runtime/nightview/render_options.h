@@ -33,10 +33,10 @@ struct RenderOptions {
   std::string size = "1280x720";
   std::string time = "20:00";
   std::string sky_map, moon, lights = "all";
-  std::string settings_file, leave_out;
+  std::string settings_file, leave_out, preset;
   render::RenderSettings settings;
 
-  /// Declares the scene, --settings, --leave-out, --size, --time, --camera, --device, --trace,
+  /// Declares the scene, --settings, --preset, --leave-out, --size, --time, --camera, --device, --trace,
   /// --sky-map, --moon, --lights and all settings. `command` must outlive the object.
   void declare(CLI::App& command);
   /// Reads the settings file, and converts the parsed text to settings, left_out, width and height.
@@ -59,6 +59,7 @@ struct RenderOptions {
   scene::RenderScene read(const std::string& other, const scene::PartSet& parts) const;
   bool is_given(const std::string& option) const;
   void read_settings();
+  void apply_preset(const std::string& name);
 
   CLI::App* command_ = nullptr;
 };

@@ -10,6 +10,7 @@
 #include "runtime/measure/exposure.h"
 #include "runtime/render/model_parts.h"
 #include "runtime/render/parse.h"
+#include "runtime/render/presets.h"
 #include "runtime/render/setting_table.h"
 #include "runtime/scene/light_families.h"
 
@@ -30,6 +31,8 @@ constexpr OtherKey other_keys[] = {
     {"sky-map", [](const std::string&) {}},
     {"moon", [](const std::string& text) { parse_moon(text); }},
     {"lights", [](const std::string& text) { scene::parse_families(text); }},
+    {"preset",
+     [](const std::string& text) { read_preset("gpu", text); }},  // all classes have the same names
     {"ev", [](const std::string& text) { parse_exposure(text); }},
     {"tone", [](const std::string& text) { measure::tone_curve_from_name(text); }},
     {"leave-out", [](const std::string& text) { LeftOut parts(text); }},

@@ -83,6 +83,22 @@ TEST_F(MeasuringCommands, FlightMeasuresEveryFrameItIsAskedTo) {
   EXPECT_NE(outcome.out.find("worst"), std::string::npos);
 }
 
+TEST_F(MeasuringCommands, GovernedFlightsSayWhatTheyChose) {
+  const test::Outcome outcome =
+      nightview("flight", scene() +
+                              " --size 16x12 --frames 6 --every 100 --reference-frames 1 "
+                              "--candidates 4 --neighbours 1 --budget-ms 1e-6 --target-error 0.5");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("budget         1e-06 ms kept in 0.00 % of the frames"),
+            std::string::npos)
+      << outcome.out;
+  const measure::Table table = measure::read_csv(folder / "out/flight.csv");
+  for (const auto& row : table.rows) {
+    EXPECT_EQ(row[table.column("candidates")], "1");
+    EXPECT_EQ(row[table.column("neighbours")], "0");
+  }
+}
+
 TEST_F(MeasuringCommands, StrategiesMeasuresEverySourceOfCandidates) {
   const test::Outcome outcome =
       nightview("strategies", "--lights 3 --size 8x6 --frames 1 --reference-frames 1");

@@ -77,5 +77,47 @@ TEST_F(SettingsOption, NamesFilesBesideItself) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
+TEST_F(SettingsOption, PresetsGiveWayToSettingsAndOptions) {
+  const auto candidates = [&](const std::string& settings, const std::string& options) {
+    const test::Outcome outcome = bench(settings, options + " --size 8x6");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out)["candidates"].get<int>();
+  };
+  const int accurate = candidates("", "--preset accurate");
+  EXPECT_EQ(candidates("[render]\npreset = \"accurate\"\n", ""), accurate);
+  EXPECT_LT(candidates("[render]\npreset = \"accurate\"\n", "--preset fast"), accurate)
+      << "the command line's preset goes before the file's";
+  EXPECT_EQ(candidates("[render]\ncandidates = 3\n", "--preset accurate"), 3);
+  EXPECT_EQ(candidates("[render]\ncandidates = 3\n", "--preset accurate --candidates 5"), 5);
+  EXPECT_EQ(bench("", "--preset best").exit_code, 2);
+}
+
+TEST_F(SettingsOption, APictureIsRenderedUntilItsNoiseIsSmallEnough) {
+  const auto render = [&](const std::string& options) {
+    return test::run_program("nightview", "render" + test::quoted(folder / "city.glb") +
+                                              "--size 16x12 --no-cache --out" +
+                                              test::quoted(folder / "a.png") + options);
+  };
+  const test::Outcome loose = render("--target-error 10 --frames 40");
+  ASSERT_EQ(loose.exit_code, 0) << loose.err;
+  EXPECT_NE(loose.err.find("info: 4 frames"), std::string::npos) << loose.err;
+  EXPECT_NE(loose.err.find("within the target"), std::string::npos) << loose.err;
+  const test::Outcome strict = render("--target-error 1e-9 --frames 9");
+  ASSERT_EQ(strict.exit_code, 0) << strict.err;
+  EXPECT_NE(strict.err.find("info: 10 frames"), std::string::npos) << strict.err;
+  EXPECT_NE(strict.err.find("ABOVE the target"), std::string::npos) << strict.err;
+}
+
+TEST_F(SettingsOption, ABudgetThatNothingKeepsLeadsToTheLeastWork) {
+  const test::Outcome outcome = test::run_program(
+      "nightview", "render" + test::quoted(folder / "city.glb") + "--size 16x12 --frames 1 " +
+                       "--candidates 4 --neighbours 1 --budget-ms 1e-6 --out" +
+                       test::quoted(folder / "a.png"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("Starts with 1 candidates, 0 neighbours: none keeps 1e-06 ms"),
+            std::string::npos)
+      << outcome.err;
+}
+
 }  // namespace
 }  // namespace nightcity::nightview
