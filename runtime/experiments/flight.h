@@ -36,11 +36,11 @@ struct FlightReport {
   std::vector<double> rmse8, relative_mse, mean_signed_error, fireflies;
 };
 
-/// Flies along the path, the clock starting at settings.time_s, and compares the measured
-/// frames with references of their own views. Writes flight.csv and, where asked for,
-/// frame-NNNN.png. With a budget or a target the effort of each frame is governed: its rungs are
-/// measured at the path's beginning, middle and end first, its choices are in the report and logged,
-/// and flight.csv has the effort of each frame. Throws Error.
+/// Flies along the path, the clock starting at settings.time_s, and compares the measured frames
+/// with references of their own views. Writes flight.csv and, where asked for, frame-NNNN.png. With
+/// a budget or a target the effort of each frame is governed: its rungs are measured at the path's
+/// beginning, middle and end first, its choices are in the report and logged, and flight.csv has
+/// the effort of each frame. Throws Error.
 FlightReport fly(const FlightOptions& options, Experiment& experiment,
                  render::RenderSettings settings, program::ProgressDisplay& progress);
 

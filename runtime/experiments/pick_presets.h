@@ -22,9 +22,9 @@ struct SweptSettings {
 std::vector<SweptSettings> read_swept_settings(const measure::Table& sweep);
 
 /// The picks, as indices into the combinations. With logarithms of milliseconds and error scaled to
-/// 0 .. 1 along the front: `accurate` has the smallest error; `fast` is the cheapest of those with an
-/// error at most `max_ratio` times as large, so that no preset is of no use; `balanced` is the knee
-/// between them, the point of the front that lies farthest below the line that joins them
+/// 0 .. 1 along the front: `accurate` has the smallest error; `fast` is the cheapest of those with
+/// an error at most `max_ratio` times as large, so that no preset is of no use; `balanced` is the
+/// knee between them, the point of the front that lies farthest below the line that joins them
 /// (Satopaa et al. 2011, "Finding a kneedle in a haystack").
 struct PresetPicks {
   std::size_t fast, balanced, accurate;

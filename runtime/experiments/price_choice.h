@@ -1,4 +1,5 @@
-// The choice of what a model can do without: the parts that cost most for the error that they avoid.
+// The choice of what a model can do without: the parts that cost most for the error that they
+// avoid.
 #pragma once
 
 #include <cstddef>

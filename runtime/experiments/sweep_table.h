@@ -39,16 +39,16 @@ class SweepTable {
   bool restarted_ = false;
 };
 
-/// Returns which points are on the Pareto front: no other point is as good in both values and better
-/// in one, where less is better. Equal points are on it together. NaN is on no front.
+/// Returns which points are on the Pareto front: no other point is as good in both values and
+/// better in one, where less is better. Equal points are on it together. NaN is on no front.
 std::vector<bool> find_front(const std::vector<std::pair<double, double>>& points);
 
 /// Returns the table as JSON: a list of objects by column, with numbers as numbers, a front as true
 /// or false, and null for what was not measured.
 std::string to_json(const measure::Table& table);
 
-/// Returns a plot of relative MSE against milliseconds with one line per estimator and one along the
-/// Pareto front, from the rows of `view` that average the most frames.
+/// Returns a plot of relative MSE against milliseconds with one line per estimator and one along
+/// the Pareto front, from the rows of `view` that average the most frames.
 measure::Plot make_sweep_plot(const measure::Table& table, const std::string& view);
 
 }  // namespace nightcity::experiments

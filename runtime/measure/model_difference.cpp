@@ -46,7 +46,8 @@ Estimate jackknife(double with_all, const std::vector<double>& without_one) {
   return {with_all, std::sqrt(squares * (n - 1) / n)};
 }
 
-// Returns the mean over values of weight * (E[a] - E[b])^2, where a[i] and b[i] are those of pair i.
+// Returns the mean over values of weight * (E[a] - E[b])^2, where a[i] and b[i] are those of pair
+// i.
 Estimate find_square(const std::vector<Values>& a, const std::vector<Values>& b,
                      const std::vector<double>& weights) {
   const std::size_t pairs = a.size(), count = weights.size();

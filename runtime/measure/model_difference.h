@@ -28,18 +28,19 @@ struct ModelDifference {
 
 /// Returns the difference. Picture i of A and picture i of B form a pair; all pictures are
 /// independent of each other (other seeds). With D_i the difference of a pair in a pixel, the mean
-/// of D_i D_j over all i != j estimates the square of the expected difference without bias: noise of
-/// different pairs is uncorrelated, so that it adds nothing. Such an estimate of a small square may
-/// be below zero. Standard errors are by the jackknife over pairs (Tukey 1958): their squares are on
-/// average not below the variance (Efron, Stein 1981), for four noisy pairs about twice as large.
+/// of D_i D_j over all i != j estimates the square of the expected difference without bias: noise
+/// of different pairs is uncorrelated, so that it adds nothing. Such an estimate of a small square
+/// may be below zero. Standard errors are by the jackknife over pairs (Tukey 1958): their squares
+/// are on average not below the variance (Efron, Stein 1981), for four noisy pairs about twice as
+/// large.
 ///
-/// The divisors of the relative MSE are of the mean of B's pictures: noise in that changes them, and
-/// with them the result, by a share of about the square of the relative noise.
-/// Differences of display values are of the expected display values, which for a noisy picture are
-/// not those of the expected picture; both sides have the same noise. mse8 counts values before
-/// they are rounded to 8 bits. `ev100`: exposure for both sides; by default metered from the mean of
-/// B. Throws Error where there are fewer than three pairs, sizes differ, a value is not finite, or B
-/// is black and A is not.
+/// The divisors of the relative MSE are of the mean of B's pictures: noise in that changes them,
+/// and with them the result, by a share of about the square of the relative noise. Differences of
+/// display values are of the expected display values, which for a noisy picture are not those of
+/// the expected picture; both sides have the same noise. mse8 counts values before they are rounded
+/// to 8 bits. `ev100`: exposure for both sides; by default metered from the mean of B. Throws Error
+/// where there are fewer than three pairs, sizes differ, a value is not finite, or B is black and A
+/// is not.
 ModelDifference find_model_difference(std::span<const Image> a, std::span<const Image> b,
                                       std::optional<float> ev100 = std::nullopt);
 

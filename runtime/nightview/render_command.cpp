@@ -167,9 +167,9 @@ void render_frame(render::Renderer& renderer, const scene::CameraPose& pose,
   }
 }
 
-// Renders the frames asked for; with a target, two pictures with other seeds side by side, until the
-// noise of their mean is below it: half of their difference's. The noise of frames of one picture is
-// not seen in that picture, because they reuse each other's samples.
+// Renders the frames asked for; with a target, two pictures with other seeds side by side, until
+// the noise of their mean is below it: half of their difference's. The noise of frames of one
+// picture is not seen in that picture, because they reuse each other's samples.
 RenderedFrames render_frames(const RenderCommand& command, render::Renderer& renderer,
                              const std::function<render::Renderer()>& make_renderer,
                              const scene::CameraPose& pose, program::ProgressDisplay& progress) {

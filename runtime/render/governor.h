@@ -30,8 +30,8 @@ struct GovernorOptions {
   double budget_ms = 0;  // of a frame; 0 = none
   // Of a frame: the governor takes no dearer rung than the cheapest that keeps it. 0 = none.
   double target_error = 0;
-  // A rung is taken only where a frame is expected to last this share of the budget: the rest is for
-  // frames that differ from those before.
+  // A rung is taken only where a frame is expected to last this share of the budget: the rest is
+  // for frames that differ from those before.
   double fill = 0.85;
   std::uint32_t patience = 30;  // frames without reason against a dearer rung before it is taken
 };
@@ -46,9 +46,9 @@ class Governor {
     std::string reason;
   };
 
-  /// `rungs`, rising in cost, have measured times (or errors, where a target is set). Starts with the
-  /// dearest rung that is expected to keep the budget and that the target needs. Throws UsageError
-  /// where there is no rung, or neither budget nor target.
+  /// `rungs`, rising in cost, have measured times (or errors, where a target is set). Starts with
+  /// the dearest rung that is expected to keep the budget and that the target needs. Throws
+  /// UsageError where there is no rung, or neither budget nor target.
   Governor(std::vector<Rung> rungs, const GovernorOptions& options);
 
   /// Returns the rung of the next frame.
@@ -60,11 +60,12 @@ class Governor {
   /// Returns whether the target is kept by a rung, or there is none.
   bool can_keep_target() const { return can_keep_target_; }
 
-  /// Takes the time of the frame that was rendered with rung(), and chooses the next frame's. A frame
-  /// above the budget leads at once to the dearest rung that is expected to keep it; a dearer one is
-  /// taken after `patience` frames that all left room for it, one rung at a time. A rung that had to
-  /// be left again soon needs twice the patience the next time (at most 16 times), so that the
-  /// picture does not flicker between two. A time that is not finite and positive is ignored.
+  /// Takes the time of the frame that was rendered with rung(), and chooses the next frame's. A
+  /// frame above the budget leads at once to the dearest rung that is expected to keep it; a dearer
+  /// one is taken after `patience` frames that all left room for it, one rung at a time. A rung
+  /// that had to be left again soon needs twice the patience the next time (at most 16 times), so
+  /// that the picture does not flicker between two. A time that is not finite and positive is
+  /// ignored.
   void observe(double ms);
 
   const std::vector<Decision>& decisions() const { return decisions_; }

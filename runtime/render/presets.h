@@ -1,5 +1,5 @@
-// Presets: settings from fast to accurate, taken from measured Pareto fronts, by class of device. The
-// one table of them is preset_table.inc, which `nightview presets --from SWEEP.csv` makes anew.
+// Presets: settings from fast to accurate, taken from measured Pareto fronts, by class of device.
+// The one table of them is preset_table.inc, which `nightview presets --from SWEEP.csv` makes anew.
 #pragma once
 
 #include <functional>

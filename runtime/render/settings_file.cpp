@@ -17,8 +17,8 @@
 namespace nightcity::render {
 namespace {
 
-// An option of more than one command that is no render setting. `check` throws UsageError for a text
-// that the option does not take.
+// An option of more than one command that is no render setting. `check` throws UsageError for a
+// text that the option does not take.
 struct OtherKey {
   const char* name;
   void (*check)(const std::string& text);

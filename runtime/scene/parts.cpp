@@ -22,8 +22,8 @@ bool is_sphere(const Light& light) {
   return light_kind(light) == LightKind::sphere;
 }
 
-// Returns whether it makes a difference where a lamp looks. A profile that is rotationally symmetric
-// looks alike from all sides.
+// Returns whether it makes a difference where a lamp looks. A profile that is rotationally
+// symmetric looks alike from all sides.
 bool is_aimed(const Light& light, const SceneLights& lights) {
   if (!is_sphere(light) || !has_profile(light, lights)) return false;
   return light.axis != down ||

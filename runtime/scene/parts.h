@@ -13,7 +13,7 @@
 
 namespace nightcity::scene {
 
-/// Returns the parts that are in `parts` and not in `left_out`, and so on: a set of parts.
+/// Returns whether the set has the part.
 inline bool holds(const PartSet& parts, Part part) {
   return parts[static_cast<std::size_t>(part)];
 }
@@ -41,8 +41,8 @@ std::vector<std::uint32_t> leave_out_lights(SceneLights& lights, const PartSet& 
 bool is_left_out(const SceneNode& node, const PartSet& left_out);
 
 /// Changes the materials as `left_out` asks for. Colours: all surfaces reflect the mean of all
-/// triangles, weighted by area (a mesh that is placed many times counts once). Water: it is as rough
-/// as other surfaces.
+/// triangles, weighted by area (a mesh that is placed many times counts once). Water: it is as
+/// rough as other surfaces.
 void leave_out_of_materials(RenderScene& scene, const PartSet& left_out);
 
 }  // namespace nightcity::scene

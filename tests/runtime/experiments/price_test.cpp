@@ -118,8 +118,8 @@ TEST(Price, OfAPartThatChangesNothingIsZeroWithinItsStandardErrors) {
     EXPECT_EQ(report.rows[report.measured[cut]].name, "schedules");
 }
 
-// In a furnace of albedo 1/2 each bounce adds half of what the one before added: with three, what no
-// bounce leaves out is 1 - 1 / (1 + 1/2 + 1/4 + 1/8).
+// In a furnace of albedo 1/2 each bounce adds half of what the one before added: with three, what
+// no bounce leaves out is 1 - 1 / (1 + 1/2 + 1/4 + 1/8).
 TEST(Price, OfBouncesInAFurnaceIsAGeometricSeries) {
   SceneBuilder builder(0.5f);
   builder.box({-10, -10, -10}, {10, 10, 10}).glow(1);

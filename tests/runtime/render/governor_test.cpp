@@ -109,9 +109,9 @@ TEST(Governor, LosesOneFrameToAJumpAndComesBack) {
   EXPECT_EQ(governor.rung(), 3u);
 }
 
-// Loads that swing slowly by a third about the one that was measured, with noise, over ten minutes at 60
-// frames: at most 1 % of the frames are above the budget, and changes are at least half a second
-// apart on average.
+// Loads that swing slowly by a third about the one that was measured, with noise, over ten minutes
+// at 60 frames: at most 1 % of the frames are above the budget, and changes are at least half a
+// second apart on average.
 TEST(Governor, KeepsTheBudgetInNinetyNineOfAHundredFramesWithoutFlicker) {
   std::mt19937 random(2);
   std::normal_distribution<double> noise(1, 0.03);
