@@ -211,6 +211,8 @@ struct Frame {
   vec3 moon_direction;  // unit, towards the moon
   vec3 moon_lux;        // illuminance of a surface that faces the moon, per channel
   uint tone;            // display: TONEMAP_*
+  uint view;            // display: VIEW_*, and the ends of its scale, above 0
+  float view_lowest, view_highest;
   UpwardMap upward;
 };
 

@@ -72,6 +72,8 @@ class Device {
   /// Counts bytes about to be allocated; throws as refuse_memory where there are not as many. A CPU
   /// driver hands out more than there is, and the system would end the program later.
   void take_memory(std::uint32_t memory_type, std::uint64_t bytes);
+  /// Returns the bytes that this program has allocated.
+  std::uint64_t taken_memory() const { return taken_; }
   void give_memory_back(std::uint64_t bytes) { taken_ -= bytes; }
   /// Throws Error with the bytes that are needed and those that are free.
   [[noreturn]] void refuse_memory(std::uint32_t memory_type, std::uint64_t bytes) const;

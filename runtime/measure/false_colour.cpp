@@ -10,33 +10,12 @@
 
 #include "formats/error.h"
 #include "shaders/tonemap.glsl.h"
+#include "shaders/views.glsl.h"
 
 namespace nightcity::measure {
 namespace {
 
-using Rgb = std::array<double, 3>;
-
-// The colours of a map whose lightness rises evenly from black over violet, red and orange to pale
-// yellow.
-constexpr std::array<Rgb, 9> stops{{{0, 0, 4},
-                                    {28, 16, 68},
-                                    {79, 18, 123},
-                                    {129, 37, 129},
-                                    {181, 54, 122},
-                                    {229, 80, 100},
-                                    {251, 135, 97},
-                                    {254, 194, 135},
-                                    {252, 253, 191}}};
-
-std::array<std::uint8_t, 3> colour_at(double share) {
-  const double at = std::clamp(share, 0.0, 1.0) * (stops.size() - 1);
-  const std::size_t low = std::min(static_cast<std::size_t>(at), stops.size() - 2);
-  std::array<std::uint8_t, 3> colour{};
-  for (std::size_t c = 0; c < 3; ++c)
-    colour[c] = static_cast<std::uint8_t>(
-        std::lround(std::lerp(stops[low][c], stops[low + 1][c], at - static_cast<double>(low))));
-  return colour;
-}
+constexpr std::array<double, 3 * FALSE_COLOUR_STOPS> stops{FALSE_COLOURS};
 
 void put(Image8& image, std::uint32_t x, std::uint32_t y,
          const std::array<std::uint8_t, 3>& colour) {
@@ -92,6 +71,17 @@ void draw_bar(Image8& image, std::uint32_t top, const ColourScale& scale) {
 }
 
 }  // namespace
+
+std::array<std::uint8_t, 3> colour_at(double share) {
+  const double at = std::clamp(share, 0.0, 1.0) * (FALSE_COLOUR_STOPS - 1);
+  const std::size_t low =
+      std::min(static_cast<std::size_t>(at), std::size_t{FALSE_COLOUR_STOPS - 2});
+  std::array<std::uint8_t, 3> colour{};
+  for (std::size_t c = 0; c < 3; ++c)
+    colour[c] = static_cast<std::uint8_t>(std::lround(
+        std::lerp(stops[3 * low + c], stops[3 * low + 3 + c], at - static_cast<double>(low))));
+  return colour;
+}
 
 ColourScale fitting_scale(std::span<const float> values, std::string unit) {
   std::vector<float> positive;

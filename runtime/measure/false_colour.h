@@ -2,6 +2,8 @@
 // labelled bar.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +18,10 @@ struct ColourScale {
              100;    // both above 0; values outside get the colour of that end, 0 and less black
   std::string unit;  // "cd/m2", "lx"
 };
+
+/// Returns the colour (8-bit sRGB) of a share of a scale, clamped to 0 .. 1: lightness rises evenly
+/// from black over violet, red and orange to pale yellow.
+std::array<std::uint8_t, 3> colour_at(double share);
 
 /// Returns a scale of whole decades, at least one, around the middle 98 % of the positive values.
 ColourScale fitting_scale(std::span<const float> values, std::string unit);

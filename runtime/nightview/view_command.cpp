@@ -12,8 +12,10 @@
 #include "runtime/nightview/number_check.h"
 #include "runtime/nightview/render_options.h"
 #include "runtime/render/parse.h"
+#include "runtime/viewer/comparison.h"
 #include "runtime/viewer/keys.h"
 #include "runtime/viewer/viewer.h"
+#include "runtime/viewer/views.h"
 
 namespace nightcity::nightview {
 namespace {
@@ -21,7 +23,7 @@ namespace {
 struct ViewCommand {
   RenderOptions render;
   viewer::ViewOptions view;
-  std::string exposure = "auto", tone = "filmic", picture_size;
+  std::string exposure = "auto", tone = "filmic", show = "picture", compare, picture_size;
 };
 
 // Runs before the window opens: a wrong name should not be found out when it closes.
@@ -39,7 +41,10 @@ void view(ViewCommand& command) {
   RenderOptions& render = command.render;
   render.resolve();
   render.settings.display.tone = measure::tone_curve_from_name(command.tone);
+  viewer::show_view(viewer::find_view(command.show), render.settings.display);
   viewer::ViewOptions& options = command.view;
+  if (!command.compare.empty())
+    options.compared = viewer::change_settings(render.settings, command.compare);
   options.scenes.insert(options.scenes.begin(), render.scene);
   options.load = [&render](const std::string& scene) { return render.load(scene); };
   options.camera = render.camera;
@@ -100,6 +105,15 @@ void add_view_command(CLI::App& app) {
       ->capture_default_str();
   sub->add_option("--tone", command->tone, "Tone curve: filmic, reinhard or linear")
       ->capture_default_str();
+  sub->add_option("--show", command->show,
+                  "What is shown at first: picture, or in false colours luminance, illuminance, "
+                  "direct-illuminance, indirect-illuminance, kinds-of-light, city-objects, history "
+                  "or noise")
+      ->capture_default_str();
+  sub->add_option("--compare", command->compare,
+                  "Show a picture of other settings left of a line that the mouse drags: "
+                  "NAME=VALUE,... such as estimator=ris,time=23:00")
+      ->default_str("none");
   sub->add_option("--frames", view_options.max_frames,
                   "Frames that are averaged while nothing changes")
       ->capture_default_str()

@@ -99,6 +99,7 @@ PassSet PassLibrary::make_set(const PassConstants& constants) {
   }
   jobs.push_back([&] { set.accumulate = make(accumulate_spirv, over_pixels); });
   jobs.push_back([&] { set.expose = make(expose_spirv, over_pixels); });
+  jobs.push_back([&] { set.inspect = make(inspect_spirv, over_pixels); });
   jobs.push_back([&] { set.demodulate = make(demodulate_spirv, over_pixels); });
   jobs.push_back([&] { set.denoise = make(denoise_spirv, over_pixels); });
   run_parallel(jobs.size(), count_cores(), [&](std::size_t i) { jobs[i](); });

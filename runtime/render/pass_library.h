@@ -18,7 +18,7 @@ namespace nightcity::render {
 using PassConstants = std::array<std::uint32_t, CONSTANT_COUNT>;
 
 struct PassSet {
-  gpu::ComputePass accumulate, demodulate, denoise, expose;
+  gpu::ComputePass accumulate, demodulate, denoise, expose, inspect;
   // Compiled only with traffic.
   gpu::ComputePass vehicle_pose, vehicle_offsets, vehicle_order, vehicle_sort_cells, vehicle_bvh;
   TracePass primary;

@@ -45,6 +45,11 @@ glm::vec3 mean_of(const gpu::Accumulation& sum) {
   return sum.frames > 0 ? (sum.sum - sum.compensation) / sum.frames : glm::vec3(0);
 }
 
+// Returns whether a frame of these settings has what a view other than the picture shows.
+bool shows(const RenderSettings& settings, std::uint32_t view) {
+  return view != VIEW_PICTURE && (settings.sampling.layers || !needs_layers(view));
+}
+
 // Sub-pixel positions: the R2 sequence (Roberts 2018), starting at the pixel's centre.
 float radical(double step, std::uint32_t frame) {
   const double x = 0.5 + step * double(frame);
@@ -269,6 +274,9 @@ void Renderer::fill_buffers(gpu::Frame& frame, const RenderSettings& settings) {
 void Renderer::fill_display(gpu::Frame& frame, const DisplaySettings& display) const {
   frame.exposure = tonemap::exposure_scale(display.ev100);
   frame.tone = display.tone;
+  frame.view = display.view;
+  frame.view_lowest = display.view_lowest;
+  frame.view_highest = display.view_highest;
 }
 
 void Renderer::fill_view(gpu::Frame& frame) {
@@ -421,14 +429,25 @@ void Renderer::expose(const DisplaySettings& display) {
   frame.accumulation =
       done_.settings.display.denoise ? denoised_.address() : picture.accumulation.address();
   fill_display(frame, display);
+  // What views other than the picture show.
+  const RenderSettings& settings = done_.settings;
+  frame.scene = scene_.buffers();
+  frame.surfaces = picture.surfaces.address();
+  frame.spatial = picture.spatial.address();
+  frame.layers = layers_.address();
+  frame.candidates =
+      traits_of(settings.sampling.estimator).samples ? settings.sampling.candidates : 0;
   exposed_frame_.upload(&frame, sizeof(frame));
   const gpu::Push push{exposed_frame_.address(), 0, 0};
   device_.run([&](VkCommandBuffer commands) {
-    passes_->expose.dispatch(commands, &push, picture.size.x, picture.size.y);
+    const gpu::ComputePass& pass =
+        shows(settings, display.view) ? passes_->inspect : passes_->expose;
+    pass.dispatch(commands, &push, picture.size.x, picture.size.y);
     gpu::full_barrier(commands);
   });
-  done_.settings.display.ev100 = display.ev100;
-  done_.settings.display.tone = display.tone;
+  const bool denoise = done_.settings.display.denoise;
+  done_.settings.display = display;
+  done_.settings.display.denoise = denoise;
 }
 
 std::uint64_t Renderer::shadow_rays() const {

@@ -73,7 +73,9 @@ class Renderer {
   /// Sets the size of the next frame. Throws as the constructor does.
   void set_size(std::uint32_t width, std::uint32_t height);
 
-  /// Shows the mean with another exposure or tone curve: rewrites display().
+  /// Shows the mean with another exposure or tone curve, or another view of it: rewrites display(),
+  /// which is the picture as every frame leaves it. A view that needs layers shows the picture
+  /// where the frame kept none.
   void expose(const DisplaySettings& display);
 
   /// Returns whether the passes for these settings are compiled. If not, they are being compiled in

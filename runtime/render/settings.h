@@ -9,6 +9,7 @@
 #include "runtime/scene/light_families.h"
 #include "shaders/interface.h"
 #include "shaders/tonemap.glsl.h"
+#include "shaders/views.glsl.h"
 
 namespace nightcity::render {
 
@@ -126,6 +127,11 @@ struct DisplaySettings {
   bool denoise = false;  // filters the mean: for viewing, never for measurements
   float ev100 = 2;       // exposure
   std::uint32_t tone = TONEMAP_FILMIC;
+  // Renderer::expose() shows this of the picture, on a scale between these values.
+  std::uint32_t view = VIEW_PICTURE;
+  float view_lowest = 0.01f, view_highest = 100;
+
+  bool operator==(const DisplaySettings&) const = default;
 };
 
 struct RenderSettings {
@@ -152,6 +158,13 @@ std::uint32_t find_indirect(const RenderSettings& settings);
 /// Returns the same in words, with its bias, as pictures of a scene of that many lights carry it; ""
 /// without bounces.
 std::string describe_indirect(const RenderSettings& settings, std::uint32_t lights);
+
+/// Returns whether a view (VIEW_*) shows light by where it comes from, so that frames must keep it
+/// apart (SamplingSettings::layers).
+constexpr bool needs_layers(std::uint32_t view) {
+  return view == VIEW_ILLUMINANCE || view == VIEW_DIRECT || view == VIEW_INDIRECT ||
+         view == VIEW_KINDS;
+}
 
 /// Returns the settings that the paper published: uniform candidates, every M in full, neither
 /// boost nor permutation (Bitterli et al.: Spatiotemporal reservoir resampling for real-time ray

@@ -10,6 +10,7 @@
 #include "formats/error.h"
 #include "runtime/viewer/drawing.h"
 #include "runtime/viewer/hands.h"
+#include "runtime/viewer/legend.h"
 #include "runtime/viewer/picture_names.h"
 
 namespace nightcity::viewer {
@@ -18,12 +19,17 @@ Controller::Controller(const ViewOptions& options, Presenter& presenter, Workben
     : options_(options), presenter_(presenter), window_(presenter.window()), workbench_(workbench) {
   ViewerState& state = session_.state;
   state.settings = options.settings;
+  if (options.compared) {
+    state.compare.on = true;
+    state.compare.other = *options.compared;
+  }
   state.markers = options.markers;
   state.divisor = options.divisor;
   state.auto_exposure = !options.ev100;
   if (options.ev100) state.settings.display.ev100 = *options.ev100;
   state.play = options.play;
   stats_.device = presenter.device().label();
+  stats_.trace = gpu::name_of(presenter.device().trace());
   stats_.cities = options.scenes;
 }
 
@@ -33,15 +39,33 @@ std::unique_ptr<Opening> Controller::start_opening(const ViewOptions& options,
                                    options.settings.environment.lights, options.load);
 }
 
-View Controller::view() const {
+View Controller::view_of(const render::RenderSettings& settings) const {
   const ViewerState& state = session_.state;
-  View view{state.camera.pose, state.settings, glm::max(window_.size(), glm::uvec2(1))};
+  View view{state.camera.pose, settings, glm::max(window_.size(), glm::uvec2(1))};
+  view.settings.sampling.layers |= render::needs_layers(view.settings.display.view);
   view.settings.averaging.accumulate = state.accumulate;
   view.divisor = static_cast<std::uint32_t>(state.divisor);
   view.max_frames = options_.max_frames;
   view.runs = session_.clock_runs() && !workbench_.is_saving();
   view.switches = workbench_.has_city() && workbench_.city().on_device->switching();
   return view;
+}
+
+Views Controller::views() const {
+  const ViewerState& state = session_.state;
+  Views views{view_of(state.settings), std::nullopt, true};
+  if (!state.compare.on) return views;
+  render::RenderSettings other = state.compare.other;
+  const bool denoise = other.display.denoise;
+  other.display = state.settings.display;
+  other.display.denoise = denoise;
+  views.other = view_of(other);
+  views.same_lights = have_same_lights(state.settings, other);
+  if (views.same_lights) return views;
+  // Each change of lights begins a mean anew, so each side gets its frames at one go.
+  constexpr std::uint32_t frames_by_turns = 16;
+  views.view.max_frames = views.other->max_frames = std::min(options_.max_frames, frames_by_turns);
+  return views;
 }
 
 bool Controller::finish_opening() {
@@ -52,6 +76,7 @@ bool Controller::finish_opening() {
     session_.notices.say(error.what(), now_s_, true);
     return false;
   }
+  workbench_.compare(session_.state.compare.on);
   const City& city = workbench_.city();
   std::filesystem::path bookmarks = city.path;
   session_.open(city.pose, bookmarks.replace_extension(".cameras.json"), now_s_);
@@ -97,7 +122,10 @@ void Controller::draw_city(const glm::vec2& size, PanelRequests& requests) {
   ViewerState& state = session_.state;
   handle_input(size);
   if (state.show_panel) stats_.place = describe_camera(scene, state.camera.pose);
+  if (state.show_panel) describe_memory(presenter_.device(), stats_);
   if (state.show_panel) requests = draw_panel(state, stats_);
+  if (state.compare.on) draw_comparison(state.compare, state.settings, size);
+  draw_legend(state.settings.display, size);
   if (state.markers) draw_markers(scene, state.camera.pose, size);
   look_at_pick();
   draw_pick(session_.picked, pick_cd_m2_, scene, state.camera.pose, size);
@@ -145,6 +173,7 @@ void Controller::obey(const WindowRequests& requests) {
     workbench_.stop_saving();
     session_.notices.say("the picture is not saved", now_s_);
   }
+  if (requests.compare) toggle_comparison();
   if (requests.save_picture) save();
   if (requests.fullscreen) window_.toggle_fullscreen();
   if (requests.copy_camera) {
@@ -161,8 +190,18 @@ void Controller::obey(const WindowRequests& requests) {
 void Controller::obey(const PanelRequests& requests) {
   if (!requests.camera_preset.empty())
     session_.go_to(scene::find_camera(requests.camera_preset, workbench_.city().scene), now_s_);
+  if (requests.compare) toggle_comparison();
+  if (requests.change_side) {
+    session_.change_side();
+    workbench_.exchange();
+  }
   if (requests.save) save();
   if (!requests.open.empty()) open(requests.open);
+}
+
+void Controller::toggle_comparison() {
+  session_.toggle_comparison();
+  workbench_.compare(session_.state.compare.on);
 }
 
 void Controller::save() {
@@ -170,7 +209,7 @@ void Controller::save() {
     session_.notices.say("a picture is being saved already", now_s_);
     return;
   }
-  workbench_.save(view(), options_.picture);
+  workbench_.save(views().view, options_.picture);
 }
 
 void Controller::finish_saving() {

@@ -32,20 +32,22 @@ class Controller {
   /// Writes the picture that Workbench::Result::saved spoke of, and says where it is, or why not.
   void finish_saving();
 
-  /// Returns the view that the picture is to show.
-  View view() const;
+  /// Returns what the pictures are to show.
+  Views views() const;
   /// Returns how long the view has not moved, s.
   double still_s() const { return now_s_ - moved_s_; }
   Session& session() { return session_; }
   FrameStats& stats() { return stats_; }
 
  private:
+  View view_of(const render::RenderSettings& settings) const;
   void draw_city(const glm::vec2& size, PanelRequests& requests);
   void look_at_pick();
   void handle_input(const glm::vec2& size);
   void handle_early_input();
   void obey(const WindowRequests& requests);
   void obey(const PanelRequests& requests);
+  void toggle_comparison();
   void save();
 
   const ViewOptions& options_;

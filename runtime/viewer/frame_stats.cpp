@@ -1,5 +1,9 @@
 #include "runtime/viewer/frame_stats.h"
 
+#include <unistd.h>
+
+#include <fstream>
+
 namespace nightcity::viewer {
 
 void describe_city(const City& city, FrameStats& stats) {
@@ -20,6 +24,17 @@ void describe_picture(const LivePicture& picture, FrameStats& stats) {
   stats.made_with = picture.made_with();
   stats.passes = renderer.timings();
   stats.frame_ms = 1000 * renderer.frame_s();
+  constexpr std::size_t most = 100;
+  if (stats.times_ms.size() == most) stats.times_ms.erase(stats.times_ms.begin());
+  stats.times_ms.push_back(static_cast<float>(stats.frame_ms));
+}
+
+void describe_memory(const gpu::Device& device, FrameStats& stats) {
+  stats.device_bytes = device.taken_memory();
+  std::ifstream statm("/proc/self/statm");  // in pages: all, then resident
+  std::uint64_t all = 0, resident = 0;
+  if (statm >> all >> resident)
+    stats.process_bytes = resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
 }  // namespace nightcity::viewer

@@ -15,7 +15,7 @@
 namespace nightcity::viewer {
 
 struct FrameStats {
-  std::string scene, device;
+  std::string scene, device, trace;
   std::size_t triangles = 0, lights = 0;
   bool has_light = true;                // lights or traffic; else the panel offers sky and moon
   std::vector<std::string> licences;    // of the data
@@ -29,10 +29,14 @@ struct FrameStats {
   std::string work;     // what goes on: "rendering every 2nd pixel, 40 %"
   std::string place;    // where the camera is, in words
   std::span<const gpu::Timer::Span> passes;
+  std::vector<float> times_ms;                        // of the last frames, the newest last
+  std::uint64_t device_bytes = 0, process_bytes = 0;  // of memory that this program has
 };
 
 /// Enters what a city has.
 void describe_city(const City& city, FrameStats& stats);
+/// Enters what memory the program has on the device and in all.
+void describe_memory(const gpu::Device& device, FrameStats& stats);
 /// Enters what the picture on the screen is.
 void describe_picture(const LivePicture& picture, FrameStats& stats);
 

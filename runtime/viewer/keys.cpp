@@ -18,6 +18,9 @@ const std::vector<KeyBinding>& list_keys() {
       {"Space", "start and stop the clock", Action::play},
       {"1 to 6", "choose the estimator", Action::estimator},
       {"M", "show markers of lamps", Action::markers},
+      {"X", "compare two pictures, A and B, left and right of a line", Action::compare},
+      {"V", "show the next of the picture, luminance, illuminance and the other views",
+       Action::next_view},
       {"P", "save the picture as night-NNN.png and .exr", Action::save_picture},
       {"Tab", "show or hide the panel", Action::panel},
       {"Ctrl +, Ctrl -", "larger and smaller text", Action::larger_text},
@@ -37,6 +40,7 @@ const std::vector<std::pair<const char*, const char*>>& list_gestures() {
       {"right or middle button", "moves along the ground; the point under the cursor follows it"},
       {"wheel", "comes nearer to what is under the cursor; flying: changes the speed"},
       {"click", "shows what is there: object, lux, cd/m2, the strongest lights and their sources"},
+      {"drag the line", "between A and B: moves it"},
       {"drop a .glb or folder", "opens that city"},
   };
   return gestures;
@@ -75,6 +79,10 @@ std::optional<KeyPress> find_action(int key, int modifiers) {
       return KeyPress{Action::play};
     case GLFW_KEY_M:
       return KeyPress{Action::markers};
+    case GLFW_KEY_V:
+      return KeyPress{Action::next_view};
+    case GLFW_KEY_X:
+      return KeyPress{Action::compare};
     case GLFW_KEY_P:
       return KeyPress{Action::save_picture};
     case GLFW_KEY_TAB:

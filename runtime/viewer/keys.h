@@ -12,6 +12,8 @@ enum class Action {
   estimator,
   markers,
   next_motion,
+  compare,
+  next_view,
   save_picture,
   play,
   panel,

@@ -33,7 +33,9 @@ bool same_view(const View& a, const View& b) {
 }
 
 bool same_display(const render::DisplaySettings& a, const render::DisplaySettings& b) {
-  return a.ev100 == b.ev100 && a.tone == b.tone;
+  render::DisplaySettings other = b;
+  other.denoise = a.denoise;  // only rendering shows it
+  return a == other;
 }
 
 double pixels_of(glm::uvec2 size) {
@@ -65,7 +67,8 @@ void LivePicture::begin(const View& view, double now_s) {
   const glm::uvec2 size = glm::max(view.window / plan_.divisor, glm::uvec2(1));
   renderer_.set_size(size.x, size.y);
   render::RenderSettings settings = view.settings;
-  settings.averaging.window = view.runs ? frames_in_motion : 0;
+  // Light by where it comes from has no mean that follows motion: each frame then stands alone.
+  settings.averaging.window = view.runs && !settings.sampling.layers ? frames_in_motion : 0;
   // At an edge, an offset within the pixel shows another surface in every frame, and each would
   // begin a mean of its own: thin things would crawl as dashes.
   if (view.runs) settings.sampling.jitter = false;
@@ -102,6 +105,7 @@ bool LivePicture::work(const View& view, double now_s, double wait_s) {
   shown_plan_ = plan_;
   shown_ = begun_;
   shown_display_ = begun_.settings.display;
+  shown_display_.view = VIEW_PICTURE;  // which every frame leaves
   display_changed_ =
       display_changed_ && begun_.settings.display.denoise != view.settings.display.denoise;
   return true;
@@ -119,8 +123,7 @@ render::RenderSettings LivePicture::made_with() const {
 void LivePicture::expose(const render::DisplaySettings& display) {
   if (!has_picture() || same_display(display, shown_display_)) return;
   renderer_.expose(display);
-  shown_display_.ev100 = display.ev100;
-  shown_display_.tone = display.tone;
+  shown_display_ = display;
 }
 
 std::optional<double> LivePicture::luminance_at(const glm::vec3& point) const {

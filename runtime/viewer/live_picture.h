@@ -37,6 +37,7 @@ class LivePicture {
   bool shows(const View& view) const;
   /// Returns whether a slice runs on the device: showing a picture would wait for it.
   bool is_busy() const { return renderer_.is_busy(); }
+  bool has_begun() const { return renderer_.has_begun(); }
   /// Returns whether shaders for these settings are still being compiled.
   bool compiles() const { return compiles_; }
   /// Waits at most `wait_s` for the slice that runs, and returns whether none does.

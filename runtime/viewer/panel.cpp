@@ -10,6 +10,7 @@
 #include "runtime/measure/exposure.h"
 #include "runtime/render/setting_table.h"
 #include "runtime/viewer/metering.h"
+#include "runtime/viewer/views.h"
 #include "shaders/tonemap.glsl.h"
 
 namespace nightcity::viewer {
@@ -150,6 +151,39 @@ void draw_night(ViewerState& state) {
   draw_sliders(render::SettingGroup::environment, state.settings);
 }
 
+void draw_views(ViewerState& state) {
+  render::DisplaySettings& display = state.settings.display;
+  const auto& views = list_views();
+  const ViewKind& shown = views[std::min<std::size_t>(display.view, views.size() - 1)];
+  if (ImGui::BeginCombo("show", shown.name)) {
+    for (const ViewKind& view : views) {
+      if (ImGui::Selectable(view.name, view.view == display.view)) show_view(view, display);
+      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", view.help);
+    }
+    ImGui::EndCombo();
+  }
+  if (!shown.unit) return;
+  const std::string format = std::string("%.3g ") + shown.unit;
+  constexpr ImGuiSliderFlags flags = bounded | ImGuiSliderFlags_Logarithmic;
+  ImGui::SliderFloat("from", &display.view_lowest, 1e-4f, 1e3f, format.c_str(), flags);
+  ImGui::SliderFloat("to", &display.view_highest, 1e-3f, 1e5f, format.c_str(), flags);
+  display.view_highest = std::max(display.view_highest, 2 * display.view_lowest);
+}
+
+void draw_sides(const ViewerState& state, PanelRequests& requests) {
+  bool on = state.compare.on;
+  if (ImGui::Checkbox("compare A | B", &on)) requests.compare = true;
+  if (!on) return;
+  ImGui::SameLine();
+  int side = state.compare.changes_b ? 1 : 0;
+  for (int i = 0; i < 2; ++i) {
+    if (i > 0) ImGui::SameLine();
+    if (ImGui::RadioButton(i == 0 ? "change A" : "B", &side, i) &&
+        (side == 1) != state.compare.changes_b)
+      requests.change_side = true;
+  }
+}
+
 void draw_cities(const FrameStats& stats, PanelRequests& requests) {
   if (!ImGui::BeginCombo("city", stats.scene.c_str())) return;
   for (const std::string& city : stats.cities)
@@ -163,7 +197,7 @@ void draw_scene(ViewerState& state, const FrameStats& stats, PanelRequests& requ
   else
     ImGui::Text("%s", stats.scene.c_str());
   ImGui::Text("%zu triangles, %zu lights", stats.triangles, stats.lights);
-  ImGui::TextDisabled("%s", stats.device.c_str());
+  ImGui::TextDisabled("%s, rays: %s", stats.device.c_str(), stats.trace.c_str());
   if (!stats.place.empty()) ImGui::TextUnformatted(stats.place.c_str());
   if (stats.has_light) return;
   ImGui::TextWrapped("This scene has no lights: no .lights file lies beside it.");
@@ -175,6 +209,14 @@ void draw_scene(ViewerState& state, const FrameStats& stats, PanelRequests& requ
 void draw_report(const FrameStats& stats) {
   ImGui::Text("%u x %u, frame %u, %.1f ms", stats.width, stats.height, stats.frames,
               stats.frame_ms);
+  ImGui::Text("memory: %.0f MB of the device, %.0f MB in all", double(stats.device_bytes) / 1e6,
+              double(stats.process_bytes) / 1e6);
+  if (stats.times_ms.size() > 1) {
+    const float most = *std::max_element(stats.times_ms.begin(), stats.times_ms.end());
+    const std::string label = fmt::format("frames, up to {:.0f} ms", double(most));
+    ImGui::PlotLines("##times", stats.times_ms.data(), static_cast<int>(stats.times_ms.size()), 0,
+                     label.c_str(), 0, most, {0, 2.5f * ImGui::GetFontSize()});
+  }
   double sum = 0;
   for (const gpu::Timer::Span& pass : stats.passes) sum += pass.ms;
   if (stats.passes.empty() || !ImGui::TreeNode("passes", "GPU %.2f ms", sum)) return;
@@ -210,6 +252,8 @@ PanelRequests draw_panel(ViewerState& state, const FrameStats& stats) {
     draw_sampling(state);
     ImGui::Separator();
     draw_exposure(state);
+    draw_views(state);
+    draw_sides(state, requests);
     ImGui::Separator();
     draw_night(state);
     ImGui::Separator();

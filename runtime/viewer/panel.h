@@ -5,6 +5,7 @@
 
 #include "runtime/render/settings.h"
 #include "runtime/scene/camera.h"
+#include "runtime/viewer/comparison.h"
 #include "runtime/viewer/controls.h"
 #include "runtime/viewer/frame_stats.h"
 
@@ -25,6 +26,7 @@ struct ViewerState {
   // 1, 2, 4 or 8: the picture has 1 / divisor of the window's pixels along each side. 0 = coarse
   // while the view moves, then finer and finer.
   int divisor = 0;
+  Comparison compare;
   bool show_panel = true;
   bool show_help = false;
 };
@@ -34,6 +36,8 @@ struct PanelRequests {
   std::string camera_preset;  // a name of camera_presets(), or ""
   bool save = false;          // the picture, as PNG and EXR
   std::string open;           // one of the cities, or ""
+  bool compare = false;       // begin or end to compare two pictures
+  bool change_side = false;   // of the comparison, that the panel changes
 };
 
 /// Draws the panel into the current ImGui frame. It stays on the screen.

@@ -1,6 +1,7 @@
 #include "runtime/viewer/presenter.h"
 
 #include <utility>
+#include <vector>
 
 namespace nightcity::viewer {
 namespace {
@@ -42,15 +43,21 @@ void Presenter::fit() {
   outdated_ = false;
 }
 
-bool Presenter::show(const render::Renderer* picture, measure::Image8* grab) {
+bool Presenter::show(const Shown& shown, measure::Image8* grab) {
   if (!swapchain_.acquire()) {
     outdated_ = true;
     return false;
   }
   const auto overlay = [this](VkCommandBuffer commands) { overlay_.record(commands); };
-  const gpu::Buffer& shown = picture ? picture->display() : black_;
-  const glm::uvec2 size = picture ? glm::uvec2(picture->width(), picture->height()) : glm::uvec2(1);
-  outdated_ = !screen_.show(swapchain_, shown, size, overlay, grab);
+  std::vector<ShownPicture> pictures;
+  const auto add = [&](const render::Renderer* renderer, float width) {
+    if (!renderer) return;
+    pictures.push_back({&renderer->display(), {renderer->width(), renderer->height()}, width});
+  };
+  add(shown.picture, 1);
+  add(shown.left, shown.line);
+  if (!shown.picture) pictures.insert(pictures.begin(), {&black_, glm::uvec2(1)});
+  outdated_ = !screen_.show(swapchain_, pictures, overlay, grab);
   return true;
 }
 

@@ -31,10 +31,16 @@ class Presenter {
 
   /// Makes the images fit the window, where they do not.
   void fit();
-  /// Shows the renderer's picture, or black without one, and what was drawn since Overlay::begin().
-  /// Stores what the window then shows in `grab`, unless that is null. Returns whether it was
-  /// shown: not while the window changes.
-  bool show(const render::Renderer* picture, measure::Image8* grab = nullptr);
+  /// The renderers whose pictures are shown; null where there is none.
+  struct Shown {
+    const render::Renderer* picture = nullptr;
+    const render::Renderer* left = nullptr;  // over the left part of the picture
+    float line = 0;                          // the end of that part, as a share of the width
+  };
+  /// Shows pictures, or black without one, and what was drawn since Overlay::begin(). Stores what
+  /// the window then shows in `grab`, unless that is null. Returns whether it was shown: not while
+  /// the window changes.
+  bool show(const Shown& shown, measure::Image8* grab = nullptr);
 
  private:
   Window window_;

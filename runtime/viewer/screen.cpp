@@ -1,5 +1,8 @@
 #include "runtime/viewer/screen.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "runtime/gpu/commands.h"
 #include "runtime/gpu/vulkan_check.h"
 
@@ -43,21 +46,20 @@ Screen::Screen(gpu::Device& device) : device_(device) {
 
 Screen::~Screen() {
   vkDeviceWaitIdle(device_.handle());
-  release();
+  for (Held& held : held_) release(held);
   vkDestroyCommandPool(device_.handle(), pool_, nullptr);
 }
 
-void Screen::release() {
-  vkDestroyImage(device_.handle(), image_, nullptr);
-  vkFreeMemory(device_.handle(), memory_, nullptr);
-  image_ = VK_NULL_HANDLE;
-  memory_ = VK_NULL_HANDLE;
+void Screen::release(Held& held) {
+  vkDestroyImage(device_.handle(), held.image, nullptr);
+  vkFreeMemory(device_.handle(), held.memory, nullptr);
+  held = {};
 }
 
-void Screen::hold(glm::uvec2 size) {
-  if (image_ && size == size_) return;
-  release();
-  size_ = size;
+void Screen::hold(Held& held, glm::uvec2 size) {
+  if (held.image && size == held.size) return;
+  release(held);
+  held.size = size;
   VkImageCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
   info.imageType = VK_IMAGE_TYPE_2D;
@@ -67,21 +69,49 @@ void Screen::hold(glm::uvec2 size) {
   info.arrayLayers = 1;
   info.samples = VK_SAMPLE_COUNT_1_BIT;
   info.usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-  VK_CHECK(vkCreateImage(device_.handle(), &info, nullptr, &image_));
+  VK_CHECK(vkCreateImage(device_.handle(), &info, nullptr, &held.image));
   VkMemoryRequirements needs{};
-  vkGetImageMemoryRequirements(device_.handle(), image_, &needs);
+  vkGetImageMemoryRequirements(device_.handle(), held.image, &needs);
   VkMemoryAllocateInfo allocate{};
   allocate.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
   allocate.allocationSize = needs.size;
   allocate.memoryTypeIndex =
       device_.memory_type(needs.memoryTypeBits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
-  VK_CHECK(vkAllocateMemory(device_.handle(), &allocate, nullptr, &memory_));
-  VK_CHECK(vkBindImageMemory(device_.handle(), image_, memory_, 0));
+  VK_CHECK(vkAllocateMemory(device_.handle(), &allocate, nullptr, &held.memory));
+  VK_CHECK(vkBindImageMemory(device_.handle(), held.image, held.memory, 0));
 }
 
-bool Screen::show(Swapchain& swapchain, const gpu::Buffer& picture, glm::uvec2 size,
+// Leaves the swapchain's image in VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, in which it is.
+void Screen::draw(Held& held, const ShownPicture& picture, const Swapchain& swapchain) {
+  change_layout(commands_, held.image, VK_IMAGE_LAYOUT_UNDEFINED,
+                VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+  const VkBufferImageCopy copy = whole(picture.size);
+  vkCmdCopyBufferToImage(commands_, picture.words->handle(), held.image,
+                         VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
+  change_layout(commands_, held.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+  const glm::uvec2 window = swapchain.size();
+  // Whole pixels of the picture, and as many of the window as they take.
+  glm::uvec2 from = picture.size, to = window;
+  if (picture.width < 1) {
+    from.x = static_cast<std::uint32_t>(std::lround(picture.width * float(picture.size.x)));
+    to.x = static_cast<std::uint32_t>(
+        std::lround(double(from.x) * double(window.x) / double(picture.size.x)));
+    if (from.x == 0 || to.x == 0) return;
+  }
+  VkImageBlit blit{};
+  blit.srcSubresource = blit.dstSubresource = colour_layer;
+  blit.srcOffsets[1] = corner(from);
+  blit.dstOffsets[1] = corner(to);
+  vkCmdBlitImage(commands_, held.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, swapchain.image(),
+                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit,
+                 picture.size == window ? VK_FILTER_NEAREST : VK_FILTER_LINEAR);
+}
+
+bool Screen::show(Swapchain& swapchain, std::span<const ShownPicture> pictures,
                   const std::function<void(VkCommandBuffer)>& overlay, measure::Image8* grab) {
-  hold(size);
+  const std::size_t count = std::min(pictures.size(), max_pictures);
+  for (std::size_t i = 0; i < count; ++i) hold(held_[i], pictures[i].size);
   const glm::uvec2 window = swapchain.size();
   const VkImage target = swapchain.image();
   gpu::Buffer grabbed;
@@ -92,21 +122,14 @@ bool Screen::show(Swapchain& swapchain, const gpu::Buffer& picture, glm::uvec2 s
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
   VK_CHECK(vkBeginCommandBuffer(commands_, &begin));
 
-  change_layout(commands_, image_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
-  const VkBufferImageCopy copy = whole(size);
-  vkCmdCopyBufferToImage(commands_, picture.handle(), image_, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-                         1, &copy);
-  change_layout(commands_, image_, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-                VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
   change_layout(commands_, target, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
-  VkImageBlit blit{};
-  blit.srcSubresource = blit.dstSubresource = colour_layer;
-  blit.srcOffsets[1] = corner(size);
-  blit.dstOffsets[1] = corner(window);
-  vkCmdBlitImage(commands_, image_, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target,
-                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit,
-                 size == window ? VK_FILTER_NEAREST : VK_FILTER_LINEAR);
-
+  for (std::size_t i = 0; i < count; ++i) {
+    // Two blits write the same pixels in order.
+    if (i > 0)
+      change_layout(commands_, target, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    draw(held_[i], pictures[i], swapchain);
+  }
   change_layout(commands_, target, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                 VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
   VkRenderPassBeginInfo pass{};

@@ -3,9 +3,11 @@
 
 #include <vulkan/vulkan.h>
 
+#include <array>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <optional>
+#include <span>
 
 #include "runtime/gpu/buffer.h"
 #include "runtime/gpu/device.h"
@@ -14,6 +16,13 @@
 
 namespace nightcity::viewer {
 
+/// A picture that is stretched to the window, whose left part is shown.
+struct ShownPicture {
+  const gpu::Buffer* words;  // size.x * size.y, R in the low byte
+  glm::uvec2 size;
+  float width = 1;  // of the part, as a share of the window's
+};
+
 class Screen {
  public:
   explicit Screen(gpu::Device& device);
@@ -21,22 +30,30 @@ class Screen {
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;
 
-  /// Shows `picture` (size.x * size.y words, R in the low byte) over the swapchain's acquired
-  /// image, stretched to the window, with `overlay` drawn on top. Stores what the window then shows
-  /// in `grab`, unless that is null. Returns false when the swapchain needs resize().
-  bool show(Swapchain& swapchain, const gpu::Buffer& picture, glm::uvec2 size,
+  static constexpr std::size_t max_pictures = 2;
+
+  /// Shows pictures, each over those before it, over the swapchain's acquired image, with `overlay`
+  /// drawn on top. Stores what the window then shows in `grab`, unless that is null. Returns false
+  /// when the swapchain needs resize().
+  bool show(Swapchain& swapchain, std::span<const ShownPicture> pictures,
             const std::function<void(VkCommandBuffer)>& overlay, measure::Image8* grab = nullptr);
 
  private:
-  void hold(glm::uvec2 size);
-  void release();
+  // A picture in a form that a blit can read.
+  struct Held {
+    VkImage image = VK_NULL_HANDLE;
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    glm::uvec2 size{0};
+  };
+
+  void hold(Held& held, glm::uvec2 size);
+  void release(Held& held);
+  void draw(Held& held, const ShownPicture& picture, const Swapchain& swapchain);
 
   gpu::Device& device_;
   VkCommandPool pool_ = VK_NULL_HANDLE;
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
-  VkImage image_ = VK_NULL_HANDLE;  // the picture in a form that a blit can read
-  VkDeviceMemory memory_ = VK_NULL_HANDLE;
-  glm::uvec2 size_{0};
+  std::array<Held, max_pictures> held_;
 };
 
 }  // namespace nightcity::viewer

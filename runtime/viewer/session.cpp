@@ -4,6 +4,7 @@
 
 #include "formats/error.h"
 #include "runtime/scene/camera_path.h"
+#include "runtime/viewer/views.h"
 
 namespace nightcity::viewer {
 namespace {
@@ -129,6 +130,14 @@ WindowRequests Session::press(const KeyPress& key, const scene::RenderScene& sce
     case Action::next_motion:
       change_motion(scene, now_s);
       break;
+    case Action::next_view: {
+      const auto& views = list_views();
+      show_view(views[(state.settings.display.view + 1) % views.size()], state.settings.display);
+      break;
+    }
+    case Action::compare:
+      requests.compare = true;
+      break;
     case Action::save_picture:
       requests.save_picture = true;
       break;
@@ -183,13 +192,31 @@ WindowRequests Session::press(const KeyPress& key, const scene::RenderScene& sce
   return requests;
 }
 
+void Session::toggle_comparison() {
+  state.compare.on = !state.compare.on;
+  state.compare.changes_b = true;
+  state.compare.other = state.settings;
+}
+
+void Session::change_side() {
+  const render::DisplaySettings display = state.settings.display;
+  std::swap(state.settings, state.compare.other);
+  // Both sides are shown alike, but for the filter.
+  const bool denoise = state.settings.display.denoise;
+  state.settings.display = display;
+  state.settings.display.denoise = denoise;
+  state.compare.changes_b = !state.compare.changes_b;
+}
+
 void Session::run_clock(double elapsed_s, double step_s, double now_s) {
   if (!clock_runs()) return;
-  double& time_s = state.settings.time_s;
+  double time_s = state.settings.time_s;
   time_s += step_s > 0 ? step_s : elapsed_s * double(state.clock_speed);
-  if (time_s <= night_end_s && time_s >= night_begin_s) return;
-  time_s = night_begin_s;
-  notices.say("the night is over: it begins again", now_s);
+  if (time_s > night_end_s || time_s < night_begin_s) {
+    time_s = night_begin_s;
+    notices.say("the night is over: it begins again", now_s);
+  }
+  state.settings.time_s = state.compare.other.time_s = time_s;  // both sides have one clock
 }
 
 }  // namespace nightcity::viewer

@@ -14,7 +14,7 @@ namespace nightcity::viewer {
 /// A key's requests to the window itself.
 struct WindowRequests {
   bool close = false, save_picture = false, cancel_picture = false, fullscreen = false;
-  bool copy_camera = false, paste_camera = false;
+  bool copy_camera = false, paste_camera = false, compare = false;
   int larger_text = 0;  // steps, negative for smaller
 };
 
@@ -38,9 +38,18 @@ class Session {
   void go_to(const scene::CameraPose& pose, double now_s);
   /// Goes to the pose that text holds (scene::to_text), or says that it holds none.
   void paste_camera(const std::string& text, double now_s);
+  /// Begins to compare the picture with itself, or ends it.
+  void toggle_comparison();
+  /// Exchanges the side of the comparison that the panel changes with the other.
+  void change_side();
   /// Moves the clock on by real seconds, or by a fixed step of the night.
   void run_clock(double elapsed_s, double step_s, double now_s);
-  bool clock_runs() const { return state.play && state.night_changes; }
+  /// Returns whether it does. It stands while pictures of two times, or kinds of light, are
+  /// compared: lights would be switched to and fro.
+  bool clock_runs() const {
+    return state.play && state.night_changes &&
+           (!state.compare.on || have_same_lights(state.settings, state.compare.other));
+  }
 
   std::size_t count_bookmarks() const { return bookmarks_.size(); }
   /// Returns whether a move can be taken back.

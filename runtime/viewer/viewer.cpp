@@ -109,7 +109,7 @@ class Viewer {
     draw();
   }
 
-  bool works() const { return workbench_.has_work(controller_.view(), now_s_); }
+  bool works() const { return workbench_.has_work(controller_.views(), now_s_); }
 
   double find_sleep_s() const {
     if (window_.is_minimised()) return sleep_s;
@@ -129,7 +129,7 @@ class Viewer {
     }
     // A picture that is saved waits while the view moves, until the window shows where it went.
     const bool still = controller_.still_s() > Refinement::rest_s;
-    switch (workbench_.work(controller_.view(), still, now_s_, wait_s)) {
+    switch (workbench_.work(controller_.views(), still, now_s_, wait_s)) {
       case Workbench::Result::nothing:
         return false;
       case Workbench::Result::saved:
@@ -157,6 +157,8 @@ class Viewer {
     const float before = state.settings.display.ev100;
     if (state.auto_exposure) state.settings.display.ev100 = metering_.update(before, elapsed_s);
     picture->expose(state.settings.display);
+    if (workbench_.other() && !workbench_.other()->is_busy())
+      workbench_.other()->expose(state.settings.display);
     return state.settings.display.ev100 != before;
   }
 
@@ -184,18 +186,24 @@ class Viewer {
     redraws_ = std::max(0, redraws_ - 1);
     drawn_ = true;
     presenter_.fit();
-    if (workbench_.picture()) workbench_.picture()->expose(session_.state.settings.display);
+    for (LivePicture* picture : {workbench_.picture(), workbench_.other()})
+      if (picture) picture->expose(session_.state.settings.display);
     show();
   }
 
   void show() {
-    const LivePicture* live = workbench_.picture();
-    const render::Renderer* picture = live && live->has_picture() ? &live->renderer() : nullptr;
+    const auto renderer_of = [](const LivePicture* live) {
+      return live && live->has_picture() ? &live->renderer() : nullptr;
+    };
+    const render::Renderer* picture = renderer_of(workbench_.picture());
+    const Comparison& compare = session_.state.compare;
+    Presenter::Shown pictures{picture, renderer_of(workbench_.other()), compare.line};
+    if (pictures.left && !compare.changes_b) std::swap(pictures.picture, pictures.left);
     const std::uint32_t shown = shown_ + (picture && new_picture_);
     const bool last = options_.quit_after != 0 && shown == options_.quit_after;
     measure::Image8 grabbed;
     const bool grabs = last && !options_.screenshot.empty();
-    if (!presenter_.show(picture, grabs ? &grabbed : nullptr)) return;
+    if (!presenter_.show(pictures, grabs ? &grabbed : nullptr)) return;
     shown_ = shown;
     new_picture_ = false;
     if (grabs)

@@ -22,6 +22,8 @@ struct ViewOptions {
   gpu::Device::Options device;               // the window adds the extensions it needs
   std::uint32_t width = 1280, height = 720;  // of the window, pixels
   render::RenderSettings settings;
+  // Shown left of a line, beside `settings`.
+  std::optional<render::RenderSettings> compared;
   std::optional<float> ev100;  // not set: metered from the picture again and again
   // The picture has 1 / divisor of the window's pixels along each side; 0 = coarse while the view
   // moves, then finer until every pixel is there.

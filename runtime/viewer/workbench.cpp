@@ -20,13 +20,23 @@ bool Workbench::finish_opening(glm::uvec2 window) {
   std::unique_ptr<City> city = done->take();
   job_.reset();
   picture_.reset();  // before the scene that it renders
+  other_.reset();
   city_ = std::move(city);
   picture_ = std::make_unique<LivePicture>(device_, passes_, *city_->on_device, window);
   return true;
 }
 
+void Workbench::compare(bool on) {
+  if (on == (other_ != nullptr) || !city_) return;
+  stop();
+  if (on)
+    other_ = std::make_unique<LivePicture>(device_, passes_, *city_->on_device, glm::uvec2(1));
+  else
+    other_.reset();
+}
+
 void Workbench::save(const View& view, const PictureQuality& quality) {
-  picture_->stop();  // the job switches the scene's lights to its own time
+  stop();  // the job switches the scene's lights to its own time
   job_ = std::make_unique<PictureJob>(device_, passes_, *city_->on_device, view, quality);
 }
 
@@ -40,29 +50,50 @@ measure::Image Workbench::take_saved() {
 }
 
 bool Workbench::is_busy() const {
-  return (picture_ && picture_->is_busy()) || (job_ && job_->is_busy());
+  return (picture_ && picture_->is_busy()) || (other_ && other_->is_busy()) ||
+         (job_ && job_->is_busy());
 }
 
 bool Workbench::wait(double wait_s) {
-  if (picture_ && picture_->is_busy() && !picture_->wait(wait_s)) return false;
+  for (LivePicture* picture : {picture_.get(), other_.get()})
+    if (picture && picture->is_busy() && !picture->wait(wait_s)) return false;
   return !job_ || !job_->is_busy() || job_->wait(wait_s);
 }
 
-bool Workbench::has_work(const View& view, double now_s) const {
-  return job_ || (picture_ && !picture_->rests(view, now_s));
+bool Workbench::has_work(const Views& views, double now_s) const {
+  return job_ || (picture_ && !picture_->rests(views.view, now_s)) ||
+         (other_ && views.other && !other_->rests(*views.other, now_s));
 }
 
-Workbench::Result Workbench::work(const View& view, bool still, double now_s, double wait_s) {
-  const bool job_next = still && picture_->shows(view);
-  if (job_ && !picture_->is_busy() && (job_->is_busy() || job_next)) {
-    picture_->stop();  // the vehicles of the scene stand where the job has them
+// Frames of the two are never mixed: lights may be switched between them.
+LivePicture& Workbench::choose(const Views& views, double now_s) {
+  if (!other_ || !views.other) return *picture_;
+  if (picture_->has_begun()) return *picture_;
+  if (other_->has_begun()) return *other_;
+  if (views.same_lights || !city_->on_device->switching()) {
+    // Tables of lights are those of the side whose turn it is: the other one does not wait for them.
+    View view = views.view, other = *views.other;
+    if (!views.same_lights) view.switches = other.switches = false;
+    const bool first = !picture_->rests(view, now_s), second = !other_->rests(other, now_s);
+    turn_of_other_ = second && (!first || (views.same_lights && !turn_of_other_));
+  }
+  return turn_of_other_ ? *other_ : *picture_;
+}
+
+Workbench::Result Workbench::work(const Views& views, bool still, double now_s, double wait_s) {
+  const bool busy = picture_->is_busy() || (other_ && other_->is_busy());
+  if (job_ && !busy && (job_->is_busy() || (still && picture_->shows(views.view)))) {
+    stop();  // the vehicles of the scene stand where the job has them
     return job_->work(wait_s) ? Result::saved : Result::nothing;
   }
-  return picture_->work(view, now_s, wait_s) ? Result::picture : Result::nothing;
+  LivePicture& next = choose(views, now_s);
+  const View& view = &next == picture_.get() ? views.view : *views.other;
+  return next.work(view, now_s, wait_s) ? Result::picture : Result::nothing;
 }
 
 void Workbench::stop() {
   if (picture_) picture_->stop();
+  if (other_) other_->stop();
 }
 
 std::string Workbench::describe() const {
@@ -73,6 +104,7 @@ std::string Workbench::describe() const {
   if (job_) return job_->progress();
   if (!picture_) return "";
   if (picture_->compiles()) return "compiling shaders";
+  if (other_ && turn_of_other_ && other_->has_begun()) return "rendering the other side";
   if (picture_->is_fine() || picture_->share_done() <= 0) return "";
   const std::uint32_t divisor = picture_->plan().divisor;
   return fmt::format(

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "runtime/render/pass_library.h"
@@ -11,6 +12,15 @@
 #include "runtime/viewer/picture_job.h"
 
 namespace nightcity::viewer {
+
+/// What the pictures are to show.
+struct Views {
+  View view;
+  std::optional<View> other;  // of the second picture, if there is one
+  // Both need the same lights to shine. If not, one is rendered after the other, since each change
+  // of lights takes a moment.
+  bool same_lights = true;
+};
 
 class Workbench {
  public:
@@ -30,6 +40,13 @@ class Workbench {
   LivePicture* picture() { return picture_.get(); }
   const LivePicture* picture() const { return picture_.get(); }
 
+  /// Holds a second picture of the city, for work() to render another view, or none.
+  void compare(bool on);
+  const LivePicture* other() const { return other_.get(); }
+  LivePicture* other() { return other_.get(); }
+  /// Exchanges the two pictures: their views are going to be exchanged.
+  void exchange() { std::swap(picture_, other_); }
+
   /// Renders the view to be saved.
   void save(const View& view, const PictureQuality& quality);
   bool is_saving() const { return job_ != nullptr; }
@@ -42,13 +59,13 @@ class Workbench {
   /// Waits at most `wait_s` for the slice that runs, and returns whether none does.
   bool wait(double wait_s);
   /// Returns whether work() would do something.
-  bool has_work(const View& view, double now_s) const;
+  bool has_work(const Views& views, double now_s) const;
 
   enum class Result { nothing, picture, saved };
   /// Works a slice. A picture that is saved goes on only while the view rests (`still`), and the
   /// window shows it. Returns what is complete: nothing, a new frame of the picture, or the picture
   /// to be saved.
-  Result work(const View& view, bool still, double now_s, double wait_s);
+  Result work(const Views& views, bool still, double now_s, double wait_s);
   /// Waits for the device.
   void stop();
 
@@ -56,12 +73,16 @@ class Workbench {
   std::string describe() const;
 
  private:
+  LivePicture& choose(const Views& views, double now_s);
+
   gpu::Device& device_;
   render::PassLibrary passes_;
   std::unique_ptr<Opening> opening_;
   std::unique_ptr<City> city_;
   std::unique_ptr<LivePicture> picture_;  // of city_
+  std::unique_ptr<LivePicture> other_;    // of city_
   std::unique_ptr<PictureJob> job_;       // of city_
+  bool turn_of_other_ = false;
 };
 
 }  // namespace nightcity::viewer

@@ -191,6 +191,64 @@ TEST_F(ViewerWindow, KindsOfLightThatAreOffDoNotShine) {
   EXPECT_NE(text("err.txt").find("tail_lamp"), std::string::npos) << text("err.txt");
 }
 
+// Returns the mean of the window's linear light in a part of its width, above the caption.
+double mean_light(const measure::Image8& window, double from, double to) {
+  measure::Image8 part{2, window.height, {}};
+  const auto first = static_cast<std::uint32_t>(from * window.width),
+             end = static_cast<std::uint32_t>(to * window.width);
+  double sum = 0;
+  for (std::uint32_t x = first; x < end; ++x) {
+    part.rgb.assign(std::size_t{6} * window.height, 0);
+    for (std::uint32_t y = 0; y < window.height; ++y)
+      std::copy_n(&window.rgb[3 * (std::size_t{y} * window.width + x)], 3,
+                  &part.rgb[3 * (std::size_t{2} * y + 1)]);
+    sum += mean_light(part);
+  }
+  return sum / (end - first);
+}
+
+TEST_F(ViewerWindow, TwoPicturesAreComparedLeftAndRightOfALine) {
+  write_moving_scene(folder.path());
+  test::write_text(folder / "camera.json",
+                   "{\"position\": [4, 9, 12], \"target\": [4, 0.5, -1], \"fov_deg\": 50}\n");
+  // Where lights differ, A begins when B has its 16 frames.
+  ASSERT_EQ(
+      run("W=\"$(dirname ${V%% *})/nightview moving.glb --validation --size 1200x500 --every 4 "
+          "--camera camera.json --ev 0 --tone linear --time 20:00 --quit-after 28\"\n"
+          "$W --compare lights=none,estimator=ris --screenshot split.png && "
+          "$W --compare estimator=ris --screenshot estimators.png\n"),
+      0)
+      << text("err.txt");
+  const measure::Image8 split = measure::read_png(folder / "split.png"),
+                        both = measure::read_png(folder / "estimators.png");
+  // The panel ends at a third of the width, and the names of the sides are near the line.
+  EXPECT_LT(mean_light(split, 0.42, 0.49), 0.01);
+  EXPECT_GT(mean_light(split, 0.55, 0.7), 0.02);
+  EXPECT_GT(mean_light(both, 0.42, 0.49), 0.02);
+  EXPECT_NEAR(mean_light(both, 0.55, 0.7) / mean_light(split, 0.55, 0.7), 1, 0.05);
+  EXPECT_EQ(run("$V --compare candles=3 --quit-after 1; test $? = 2\n"), 0);
+  EXPECT_EQ(run("$V --compare ris --quit-after 1; test $? = 2\n"), 0);
+  EXPECT_EQ(run("$V --compare candidates=-3 --quit-after 1; test $? = 2\n"), 0);
+}
+
+TEST_F(ViewerWindow, ViewsHaveFalseColoursAndAScale) {
+  for (const char* view :
+       {"luminance", "illuminance", "kinds-of-light", "city-objects", "history", "noise"}) {
+    ASSERT_EQ(
+        run(std::string("$V --size 640x400 --every 4 --quit-after 4 --screenshot a.png --show ") +
+            view + "\n"),
+        0)
+        << view << text("err.txt");
+    const measure::Image8 window = measure::read_png(folder / "a.png");
+    std::size_t coloured = 0;
+    for (std::size_t i = 0; i < window.rgb.size(); i += 3)
+      coloured += std::abs(int{window.rgb[i]} - int{window.rgb[i + 1]}) > 20;
+    EXPECT_GT(coloured, 2000u) << view;
+  }
+  EXPECT_EQ(run("$V --show heat --quit-after 1; test $? = 2\n"), 0);
+  EXPECT_NE(text("err.txt").find("kinds-of-light"), std::string::npos) << text("err.txt");
+}
+
 TEST_F(ViewerWindow, KeysChooseTheEstimatorAndQuit) {
   if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no mouse or keyboard";
   ASSERT_EQ(run("$V $S & viewer=$!\n"

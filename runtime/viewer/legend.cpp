@@ -1,0 +1,78 @@
+#include "runtime/viewer/legend.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "runtime/measure/false_colour.h"
+#include "runtime/viewer/views.h"
+
+namespace nightcity::viewer {
+namespace {
+
+constexpr ImU32 white = IM_COL32(255, 255, 255, 255), shade = IM_COL32(0, 0, 0, 170);
+
+ImU32 colour_of(double share) {
+  const auto rgb = measure::colour_at(share);
+  return IM_COL32(rgb[0], rgb[1], rgb[2], 255);
+}
+
+// Draws a bar from the lowest value below to the highest on top, with a label for each decade.
+void draw_scale(const ViewKind& view, const render::DisplaySettings& display,
+                const glm::vec2& window) {
+  const float em = ImGui::GetFontSize(), height = std::min(20 * em, window.y - 8 * em), width = em,
+              label_width = 7 * em;
+  if (height < 4 * em || window.x < 2 * label_width) return;
+  const float right = window.x - em, left = right - width, top = (window.y - height) / 2;
+  ImDrawList* list = ImGui::GetBackgroundDrawList();
+  list->AddRectFilled({left - label_width, top - 2 * em}, {right + em / 2, top + height + em},
+                      shade);
+  list->AddText({left - label_width + em / 2, top - 1.7f * em}, white, view.name);
+  constexpr int steps = 64;
+  for (int i = 0; i < steps; ++i) {
+    const float below = top + height * (1 - float(i) / steps),
+                above = top + height * (1 - float(i + 1) / steps);
+    list->AddRectFilledMultiColor({left, above}, {right, below}, colour_of((i + 1.0) / steps),
+                                  colour_of((i + 1.0) / steps), colour_of(double(i) / steps),
+                                  colour_of(double(i) / steps));
+  }
+  const double low = std::log10(double(display.view_lowest)),
+               high = std::log10(double(display.view_highest));
+  for (double decade = std::ceil(low - 1e-6); decade <= high + 1e-6; ++decade) {
+    const float y = top + height * (1 - float((decade - low) / (high - low)));
+    const std::string label = fmt::format("{:g} {}", std::pow(10.0, decade), view.unit);
+    const float text = ImGui::CalcTextSize(label.c_str()).x;
+    list->AddText({left - text - em / 2, y - em / 2}, white, label.c_str());
+    list->AddLine({left - em / 4, y}, {left + em / 4, y}, white);
+  }
+}
+
+void draw_kinds(const glm::vec2& window) {
+  const float em = ImGui::GetFontSize(), width = 10 * em;
+  const auto& kinds = list_kind_colours();
+  const float left = window.x - width, top = window.y / 2 - float(kinds.size()) * em;
+  ImDrawList* list = ImGui::GetBackgroundDrawList();
+  list->AddRectFilled({left - em / 2, top - em / 2},
+                      {window.x, top + 1.5f * em * float(kinds.size()) + em / 2}, shade);
+  float y = top;
+  for (const KindColour& kind : kinds) {
+    list->AddRectFilled({left, y}, {left + em, y + em},
+                        IM_COL32(kind.rgb[0], kind.rgb[1], kind.rgb[2], 255));
+    list->AddText({left + 1.5f * em, y}, white, kind.name);
+    y += 1.5f * em;
+  }
+}
+
+}  // namespace
+
+void draw_legend(const render::DisplaySettings& display, const glm::vec2& window) {
+  if (display.view >= list_views().size()) return;
+  const ViewKind& view = list_views()[display.view];
+  if (view.unit) draw_scale(view, display, window);
+  if (display.view == VIEW_KINDS) draw_kinds(window);
+}
+
+}  // namespace nightcity::viewer
