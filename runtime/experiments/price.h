@@ -3,16 +3,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "formats/program/progress_display.h"
+#include "runtime/experiments/model_bench.h"
 #include "runtime/experiments/price_choice.h"
-#include "runtime/gpu/device.h"
-#include "runtime/measure/model_difference.h"
-#include "runtime/render/model_parts.h"
-#include "runtime/scene/camera.h"
 
 namespace nightcity::experiments {
 
@@ -34,8 +31,10 @@ struct PriceOptions {
   std::uint32_t timed = 16;   // pairs of frames whose times are compared, in each view
   double limit = 1;           // of the error of the model that is chosen
   ErrorMeasure measure = ErrorMeasure::rmse;
-  /// Reads the scene without these parts.
-  std::function<scene::RenderScene(const scene::PartSet& left_out)> load;
+  LoadWithout load;
+  // Other bakes of the scene, by name. Where there are any, they are measured against the scene in
+  // place of its parts, and no model is chosen.
+  std::vector<std::pair<std::string, LoadWithout>> others;
 };
 
 /// The cost of a model.
@@ -45,9 +44,9 @@ struct ModelCost {
   double load_s = 0;     // from the files to the device
 };
 
-/// A model that is simpler than the whole one.
+/// A model that is simpler than the whole one, or another bake.
 struct SimplerModel {
-  std::string name;          // of the part, or "bounces 2"
+  std::string name;          // of the part, "bounces 2", or of the bake
   std::string help;          // what is rendered instead
   std::size_t count = 0;     // things of that part in the scene; 0 = absent: not measured
   render::LeftOut left_out;  // with what the whole model lacks

@@ -31,6 +31,7 @@ struct PriceCommand {
   RenderOptions render;
   experiments::PriceOptions price;
   std::string views, measure = "rmse", out;
+  std::vector<std::string> against;
   bool json = false;
 };
 
@@ -96,6 +97,7 @@ void print_as_table(const PriceCommand& command, const experiments::PriceReport&
   fmt::print("The whole model: {} ms a frame, {} MB on the device, loaded in {:.2f} s.\n\n",
              with_error("{:.3g}", report.whole.ms), to_mb(report.whole.bytes), report.whole.load_s);
   fmt::print("{}\n", measure::to_markdown(make_table(report)));
+  if (!command.against.empty()) return;
   if (const std::string absent = list_absent(report); !absent.empty())
     fmt::print("Absent here: {}.\n", absent);
   const char* unit = options.measure == ErrorMeasure::mean ? " of the mean" : "";
@@ -170,6 +172,7 @@ void print_as_json(const PriceCommand& command, const experiments::PriceReport& 
                    {"load_s", report.whole.load_s}};
   for (const experiments::SimplerModel& row : report.rows)
     json["parts"].push_back(to_json(row, report));
+  if (!command.against.empty()) return program::print_json(json);
   json["trials"] = list_trials(report);
   json["chosen"] = to_json(report.chosen, report);
   json["chosen"]["leave_out"] = report.chosen.left_out.text();
@@ -211,6 +214,8 @@ void write_settings(const PriceCommand& command, const experiments::PriceReport&
 void price(PriceCommand& command) {
   RenderOptions& render = command.render;
   render.resolve();
+  if (!command.out.empty() && !command.against.empty())
+    throw UsageError("--against", "measures other scenes and chooses no settings: omit --out");
   if (!command.out.empty()) program::require_writable_folder_of(command.out);
   experiments::PriceOptions& options = command.price;
   options.device = render.device;
@@ -220,6 +225,10 @@ void price(PriceCommand& command) {
   options.settings.sampling.jitter = false;  // edges are not what is measured
   options.left_out = render.left_out;
   options.measure = find_measure(command.measure);
+  for (const std::string& other : command.against)
+    options.others.emplace_back(other, [&render, other](const scene::PartSet& left_out) {
+      return render.load(other, left_out);
+    });
   if (!command.views.empty()) options.views = render::split_list("--views", command.views);
   // What the files hold and no picture shows is said once, not for each model.
   options.load = [&render, is_first = true](const scene::PartSet& left_out) mutable {
@@ -271,6 +280,7 @@ void add_price_command(CLI::App& app) {
       "  nightview price city.glb --error 0.5 --out cheap.toml\n"
       "  nightview render city.glb --settings cheap.toml -o night.png\n"
       "  nightview price city.glb --views city.cameras.json --time 23:30 --wet 0.8 --json\n"
+      "  nightview price city.glb --against coarse/city.glb --against draco/city.glb\n"
       "  nightview price city.glb --size 96x54 --frames 16 --by mean --error 0.01");
   command->render.size = "320x180";
   command->render.settings.indirect.bounces = render::picture_bounces;
@@ -279,6 +289,9 @@ void add_price_command(CLI::App& app) {
                   "Cameras, comma-separated: presets, files of a camera, or files of many as the "
                   "window's bookmarks are")
       ->default_str("overview,street");
+  sub->add_option("--against", command->against,
+                  "Other bakes of the same city: in place of parts, the error of each against the "
+                  "scene, and what it saves; may be repeated");
   sub->add_option("--error", command->price.limit,
                   "Error that the smallest model may have, greatest over the views, with two "
                   "standard errors: in units of --by")

@@ -182,12 +182,12 @@ void RenderOptions::resolve() {
 }
 
 scene::RenderScene RenderOptions::load(const std::string& other) const {
-  scene::RenderScene loaded = read(other, left_out.of_scene());
+  scene::RenderScene loaded = load(other, left_out.of_scene());
   warn_of_left_out(other, loaded);
   return loaded;
 }
 
-scene::RenderScene RenderOptions::read(const std::string& other,
+scene::RenderScene RenderOptions::load(const std::string& other,
                                        const scene::PartSet& parts) const {
   scene::RenderScene loaded = scene::load_render_scene(scene::find_scene_file(other), parts);
   if (!sky_map.empty()) {

@@ -46,8 +46,9 @@ struct RenderOptions {
   /// Returns the scene with the sky map that the options name, without the parts that they leave
   /// out. Throws Error.
   scene::RenderScene load() const { return load(scene); }
-  /// The same without these parts, and without warnings.
-  scene::RenderScene load(const scene::PartSet& parts) const { return read(scene, parts); }
+  /// The same without these parts, and without warnings; of another scene too.
+  scene::RenderScene load(const scene::PartSet& parts) const { return load(scene, parts); }
+  scene::RenderScene load(const std::string& other, const scene::PartSet& parts) const;
   /// The first of another scene.
   scene::RenderScene load(const std::string& other) const;
 
@@ -56,7 +57,6 @@ struct RenderOptions {
   render::LeftOut left_out;
 
  private:
-  scene::RenderScene read(const std::string& other, const scene::PartSet& parts) const;
   bool is_given(const std::string& option) const;
   void read_settings();
   void apply_preset(const std::string& name);

@@ -136,6 +136,23 @@ TEST(Price, OfBouncesInAFurnaceIsAGeometricSeries) {
   }
 }
 
+// A bake whose only lamp has half the flux is half as bright.
+TEST(Price, OfAnotherBakeIsItsDifference) {
+  PriceOptions options =
+      options_of(SceneBuilder().ground(20), with_families({lamp({0, 6, 0}, 4000)}, {}));
+  options.others.emplace_back("dim", [](const scene::PartSet&) {
+    return SceneBuilder().ground(20).with({lamp({0, 6, 0}, 2000)});
+  });
+  options.others.emplace_back("same", options.load);
+  const PriceReport report = price(options);
+  ASSERT_EQ(report.rows.size(), 2u);
+  const measure::Estimate dim = row_of(report, "dim").views[0].relative_mean;
+  EXPECT_NEAR(dim.value, -0.5, 10 * dim.error + 1e-6);
+  const measure::Estimate same = row_of(report, "same").views[0].relative_mean;
+  EXPECT_NEAR(same.value, 0, 10 * same.error + 1e-6);
+  EXPECT_TRUE(report.choice.trials.empty());
+}
+
 TEST(Price, SavingsCountMillisecondsThatAreMeasuredOnly) {
   const ModelCost whole{{10, 0.1}, 1000, 1};
   EXPECT_NEAR(find_saving({{5, 0.1}, 100, 0}, whole), 0.5 * (0.5 + 0.1), 1e-12);
@@ -199,6 +216,16 @@ TEST_F(PriceCommand, PrintsATableOfWhatIsThereAndNamesWhatIsNot) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("| windows | 1 | top |"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("Absent here: traffic"), std::string::npos) << outcome.out;
+}
+
+TEST_F(PriceCommand, MeasuresOtherBakes) {
+  const test::Outcome outcome = nightview(
+      "price", quick() + "--views top --json --against" + test::quoted(folder / "city.glb"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(json["parts"].size(), 1u);
+  EXPECT_EQ(json["parts"][0]["saved_bytes"], 0);
+  EXPECT_FALSE(json.contains("chosen"));
 }
 
 TEST_F(PriceCommand, RefusesWhatItCannotMeasure) {
