@@ -13,6 +13,7 @@ void add_run_command(CLI::App& app);
 void add_new_command(CLI::App& app);
 void add_export_command(CLI::App& app);
 void add_merge_command(CLI::App& app);
+void add_price_command(CLI::App& app);
 void add_recipe_command(CLI::App& app);
 void add_inspect_command(CLI::App& app);
 void add_town_command(CLI::App& app);

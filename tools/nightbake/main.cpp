@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
     nightcity::nightbake::add_run_command(app);
     nightcity::nightbake::add_new_command(app);
     nightcity::nightbake::add_merge_command(app);
+    nightcity::nightbake::add_price_command(app);
     nightcity::nightbake::add_recipe_command(app);
     nightcity::nightbake::add_inspect_command(app);
     nightcity::nightbake::add_readers_command(app);

@@ -1,0 +1,80 @@
+#include "tools/bake/variants.h"
+
+#include <limits>
+
+namespace nightcity::bake {
+namespace {
+
+bool has_city(const Recipe& recipe) {
+  return !recipe.city.files.empty();
+}
+
+bool has_map(const Recipe& recipe) {
+  return !recipe.osm.files.empty();
+}
+
+bool makes_streets(const Recipe& recipe) {
+  return has_map(recipe) && recipe.ground.streets;
+}
+
+// Returns whether a bake with this tolerance loses what the recipe's keeps.
+template <int micrometres>
+bool is_coarser(const Recipe& recipe) {
+  return !recipe.output.draco || recipe.output.draco_tolerance_m < micrometres * 1e-6;
+}
+
+template <int micrometres>
+void compress(Recipe& recipe) {
+  recipe.output.draco = true;
+  recipe.output.draco_tolerance_m = micrometres * 1e-6;
+}
+
+template <int metres>
+bool has_other_tiles(const Recipe& recipe) {
+  return recipe.city.tile_m != metres;
+}
+
+// The ground's tiles are the city's (Recipe::terrain).
+template <int metres>
+void set_tiles(Recipe& recipe) {
+  recipe.city.tile_m = metres;
+}
+
+}  // namespace
+
+const std::vector<Variant>& list_variants() {
+  static const std::vector<Variant> variants{
+      {"draco-1mm", "[output] draco = true, draco_tolerance_m = 0.001", "coordinates to 1 mm",
+       0.001, is_coarser<1'000>, compress<1'000>},
+      {"draco-10mm", "[output] draco = true, draco_tolerance_m = 0.01", "coordinates to 10 mm",
+       0.01, is_coarser<10'000>, compress<10'000>},
+      {"draco-100mm", "[output] draco = true, draco_tolerance_m = 0.1", "coordinates to 100 mm",
+       0.1, is_coarser<100'000>, compress<100'000>},
+      {"draco-1m", "[output] draco = true, draco_tolerance_m = 1", "coordinates to 1 m", 1,
+       is_coarser<1'000'000>, compress<1'000'000>},
+      {"tiles-125m", "[city] tile_m = 125", "nothing: smaller tiles", 0, has_other_tiles<125>,
+       set_tiles<125>},
+      {"tiles-1000m", "[city] tile_m = 1000", "nothing: larger tiles", 0, has_other_tiles<1000>,
+       set_tiles<1000>},
+      {"lod-1", "[city] lod = 1", "roofs: buildings are blocks, where the model has such", 0,
+       [](const Recipe& r) { return has_city(r) && r.city.read.max_lod > 1; },
+       [](Recipe& r) { r.city.read.max_lod = 1; }},
+      {"no-hidden", "[city] drop_ground = true, drop_hidden = true", "surfaces that nobody sees", 0,
+       [](const Recipe& r) { return has_city(r) && !(r.city.drop_ground && r.city.drop_hidden); },
+       [](Recipe& r) { r.city.drop_ground = r.city.drop_hidden = true; }},
+      {"no-markings", "[ground] markings = false", "paint on carriageways", 0,
+       [](const Recipe& r) { return makes_streets(r) && r.ground.markings; },
+       [](Recipe& r) { r.ground.markings = false; }},
+      {"no-streets", "[ground] streets = false", "streets as surfaces", 0, makes_streets,
+       [](Recipe& r) { r.ground.streets = false; }},
+      {"no-land", "[ground] land = false", "land of the map", 0,
+       [](const Recipe& r) { return has_map(r) && r.ground.land; },
+       [](Recipe& r) { r.ground.land = false; }},
+      {"no-gaps", "[ground] gaps = false", "buildings of the map that the model lacks", 0,
+       [](const Recipe& r) { return has_map(r) && has_city(r) && r.ground.gaps; },
+       [](Recipe& r) { r.ground.gaps = false; }},
+  };
+  return variants;
+}
+
+}  // namespace nightcity::bake
