@@ -1,7 +1,5 @@
 #include "tools/bake/variants.h"
 
-#include <limits>
-
 namespace nightcity::bake {
 namespace {
 
@@ -11,6 +9,11 @@ bool has_city(const Recipe& recipe) {
 
 bool has_map(const Recipe& recipe) {
   return !recipe.osm.files.empty();
+}
+
+template <lights::WindowGrouping grouping>
+bool can_group(const Recipe& recipe) {
+  return recipe.windows.lit && recipe.windows.group < grouping;
 }
 
 bool makes_streets(const Recipe& recipe) {
@@ -62,6 +65,12 @@ const std::vector<Variant>& list_variants() {
       {"no-hidden", "[city] drop_ground = true, drop_hidden = true", "surfaces that nobody sees", 0,
        [](const Recipe& r) { return has_city(r) && !(r.city.drop_ground && r.city.drop_hidden); },
        [](Recipe& r) { r.city.drop_ground = r.city.drop_hidden = true; }},
+      {"windows-storey", "[windows] group = \"storey\"", "single windows: one emitter a storey", 0,
+       [](const Recipe& r) { return can_group<lights::WindowGrouping::storey>(r); },
+       [](Recipe& r) { r.windows.group = lights::WindowGrouping::storey; }},
+      {"windows-facade", "[windows] group = \"facade\"", "single windows: one emitter a wall", 0,
+       [](const Recipe& r) { return can_group<lights::WindowGrouping::facade>(r); },
+       [](Recipe& r) { r.windows.group = lights::WindowGrouping::facade; }},
       {"no-markings", "[ground] markings = false", "paint on carriageways", 0,
        [](const Recipe& r) { return makes_streets(r) && r.ground.markings; },
        [](Recipe& r) { r.ground.markings = false; }},

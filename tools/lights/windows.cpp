@@ -189,6 +189,7 @@ WindowReport WindowLayout::finish(const place::HeightAt& ground, const Sink& sin
       ++use.placed;
       count_hours(record.window.hours, use.lit);
       ++report_.placed;
+      ++report_.emitters;
       report_.flux_lm += record.window.flux_lm();
       sink(record.window);
     }

@@ -46,7 +46,8 @@ struct LitRectangle {
 
 struct WindowReport {
   std::size_t placed = 0;
-  double flux_lm = 0;  // sum over all windows, as if all were lit
+  std::size_t emitters = 0;  // that stand for them: fewer where windows are grouped
+  double flux_lm = 0;        // sum over all windows, as if all were lit
   // Number of windows left out, by reason: "something before it", "below the ground", "dark all
   // night".
   std::map<std::string, std::size_t> left_out;

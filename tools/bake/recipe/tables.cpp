@@ -135,6 +135,15 @@ Table make_window_table(bake::WindowStageOptions& windows) {
            integer_key("seed", windows.seed, 0, std::numeric_limits<int>::max(),
                        "Seed of the random draws that decide which windows are lit and when. "
                        "Another seed gives other evenings of the same statistics."),
+           choice_key<lights::WindowGrouping>(
+               "group", windows.group,
+               {{"none", lights::WindowGrouping::none},
+                {"storey", lights::WindowGrouping::storey},
+                {"facade", lights::WindowGrouping::facade}},
+               "Takes lit windows together, for cities with more of them than a scene can hold: "
+               "those of a storey or of a whole wall, within 20 m, become one emitter with the sum "
+               "of their light, spread evenly, and the hours of one of them, drawn by its share of "
+               "the light. What is lost: `nightbake price` (docs/price.md)."),
            integer_key("max_per_building", windows.max_per_building, 1, 100'000'000,
                        "A limit: a building that would get more windows gets none, and is counted "
                        "in the report.")}};

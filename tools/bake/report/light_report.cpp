@@ -111,11 +111,9 @@ json to_json(const lights::WindowReport& windows) {
     for (std::size_t hour = 0; hour < lights::night_hours; ++hour)
       by_use[name]["lit"][fmt::format("{:02}:00", lights::clock_hour(hour))] = use.lit[hour];
   }
-  return {{"placed", windows.placed},
-          {"total_flux_lm", windows.flux_lm},
-          {"dropped", windows.left_out},
-          {"sources", windows.sources},
-          {"by_use", by_use}};
+  return {{"placed", windows.placed},         {"emitters", windows.emitters},
+          {"total_flux_lm", windows.flux_lm}, {"dropped", windows.left_out},
+          {"sources", windows.sources},       {"by_use", by_use}};
 }
 
 std::string to_text(const LampReport& lamps) {
@@ -134,6 +132,9 @@ std::string to_text(const lights::WindowReport& windows) {
   return report_line("windows",
                      fmt::format("{} with light at some time of the night, {:.0f} klm in all",
                                  windows.placed, windows.flux_lm / 1000)) +
+         (windows.emitters < windows.placed
+              ? report_line("", fmt::format("grouped into {} emitters", windows.emitters))
+              : "") +
          counts_in_words(windows.left_out, windows.sources) + hours_in_words(windows);
 }
 

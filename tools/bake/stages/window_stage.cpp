@@ -23,7 +23,7 @@ lights::WindowOptions to_window_options(const City& city, const WindowStageOptio
 
 WindowConsumer::WindowConsumer(const City& city, const WindowStageOptions& options,
                                const std::filesystem::path& scratch)
-    : layout_(to_window_options(city, options), scratch) {}
+    : layout_(to_window_options(city, options), scratch), grouping_(options.group) {}
 
 CityConsumer::Turn WindowConsumer::prepare(const std::shared_ptr<const PreparedObject>& prepared) {
   if (prepared->mesh.triangles.empty()) return {};
@@ -36,7 +36,13 @@ CityConsumer::Turn WindowConsumer::prepare(const std::shared_ptr<const PreparedO
 lights::WindowReport WindowConsumer::finish(const City& city,
                                             const lights::WindowLayout::Sink& sink) {
   const auto inside = [&](const glm::dvec3& p) { return inside_building(city.terrain(), p); };
-  return std::move(layout_).finish(city.height_at(), sink, inside, city.inputs().read.threads);
+  lights::WindowGrouper grouper(grouping_, sink);
+  lights::WindowReport report = std::move(layout_).finish(
+      city.height_at(), [&](const lights::LitRectangle& window) { grouper.add(window); }, inside,
+      city.inputs().read.threads);
+  grouper.finish();
+  report.emitters = grouper.emitters();
+  return report;
 }
 
 }  // namespace nightcity::bake

@@ -24,12 +24,13 @@ class WindowConsumer final : public CityConsumer {
     return layout_.make_batch(object);
   }
 
-  /// Passes every window that can be where it is to `sink`, in the order of the buildings; call
-  /// once, when the city's ground has been built.
+  /// Passes every window that can be where it is to `sink`, or groups of them where the options ask
+  /// for it, in the order of the buildings; call once, when the city's ground has been built.
   lights::WindowReport finish(const City& city, const lights::WindowLayout::Sink& sink);
 
  private:
   lights::WindowLayout layout_;
+  lights::WindowGrouping grouping_;
 };
 
 }  // namespace nightcity::bake
