@@ -13,16 +13,18 @@ using measure::Estimate;
 
 constexpr const char* bounces_group = "bounces";
 
-// Returns the measure's value with two standard errors more.
-double find_bound(ErrorMeasure measure, const measure::ModelDifference& d) {
-  const auto above = [](const Estimate& e) { return std::max(e.value, 0.0) + 2 * e.error; };
+// Returns the measure's value with so many standard errors more, at least 0.
+double find_bound(ErrorMeasure measure, const measure::ModelDifference& d, double errors) {
+  const auto move = [errors](double value, double error) {
+    return std::max(std::max(value, 0.0) + errors * error, 0.0);
+  };
   switch (measure) {
     case ErrorMeasure::rmse:
-      return std::sqrt(above(d.mse8));
+      return std::sqrt(move(d.mse8.value, d.mse8.error));
     case ErrorMeasure::mean:
-      return std::abs(d.relative_mean.value) + 2 * d.relative_mean.error;
+      return move(std::abs(d.relative_mean.value), d.relative_mean.error);
     case ErrorMeasure::relative_rmse:
-      return std::sqrt(above(d.relative_mse));
+      return std::sqrt(move(d.relative_mse.value, d.relative_mse.error));
   }
   return 0;
 }
@@ -142,10 +144,11 @@ class Pricing {
   }
 
   void set_errors(SimplerModel& row) const {
-    row.error = row.bound = 0;
+    row.error = row.least = row.bound = 0;
     for (const measure::ModelDifference& difference : row.views) {
       row.error = std::max(row.error, value_of(options_.measure, difference).value);
-      row.bound = std::max(row.bound, find_bound(options_.measure, difference));
+      row.least = std::max(row.least, find_bound(options_.measure, difference, -2));
+      row.bound = std::max(row.bound, find_bound(options_.measure, difference, 2));
     }
   }
 

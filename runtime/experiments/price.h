@@ -53,8 +53,9 @@ struct SimplerModel {
   std::uint32_t bounces = 0;
   std::vector<measure::ModelDifference> views;  // against the whole model; empty where absent
   ModelCost saved;                              // below 0 where it costs more
-  double error = 0, bound = 0;                  // greatest over views, and with two standard errors
-  double saving = 0;                            // share of the whole price: see find_saving
+  // Greatest over views; and with two standard errors less and more.
+  double error = 0, least = 0, bound = 0;
+  double saving = 0;  // share of the whole price: see find_saving
 };
 
 struct PriceReport {

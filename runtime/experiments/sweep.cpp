@@ -12,6 +12,9 @@
 #include "runtime/experiments/fingerprint.h"
 #include "runtime/experiments/sweep_points.h"
 #include "runtime/experiments/sweep_table.h"
+#include "runtime/render/model_parts.h"
+#include "runtime/render/settings_file.h"
+#include "runtime/scene/light_families.h"
 
 namespace nightcity::experiments {
 namespace {
@@ -58,15 +61,33 @@ void write_summaries(const SweepOptions& options, const measure::Table& table) {
   }
 }
 
+// Returns the fingerprint of the scene, and of what is not swept where that is not the default.
+std::string fingerprint_run(const SweepOptions& options) {
+  std::string text = fingerprint_scene(options.scene);
+  for (const render::NamedText& change : list_changes(options.base, {}))
+    text += " " + change.name + "=" + change.text;
+  const render::EnvironmentSettings& environment = options.base.environment;
+  if (environment.moon_lux != glm::vec3(0))
+    text += fmt::format(" moon={:g},{:g},{:g},{:g}", environment.moon_direction.x,
+                        environment.moon_direction.y, environment.moon_direction.z,
+                        environment.moon_lux.x);
+  if (environment.lights != scene::all_families)
+    text += " lights=" + scene::text_of(environment.lights);
+  if (options.base.time_s != render::RenderSettings{}.time_s)
+    text += fmt::format(" time={:g}", options.base.time_s);
+  if (options.left_out.any()) text += " leave-out=" + render::name_parts(options.left_out);
+  return text;
+}
+
 class Sweep {
  public:
   Sweep(const SweepOptions& options, program::ProgressDisplay& progress)
       : options_(options),
         progress_(progress),
         points_(list_combinations(options.values)),
-        experiment_(scene::load_render_scene(options.scene),
+        experiment_(scene::load_render_scene(options.scene, options.left_out),
                     {options.device, options.size.width, options.size.height}),
-        results_(options.folder, fingerprint_scene(options.scene), list_columns(options),
+        results_(options.folder, fingerprint_run(options), list_columns(options),
                  list_columns(options).size() - measured_columns),
         device_(experiment_.device_name()) {
     for (const std::string& view : options.views)
@@ -151,18 +172,18 @@ class Sweep {
   // Returns the settings of the reference: light bounces as often as at any point, so that what fewer
   // bounces leave out is an error.
   render::RenderSettings full_model() const {
-    render::RenderSettings settings = to_settings({});
+    render::RenderSettings settings = to_settings({}, options_.base);
     for (const SweepPoint& point : points_)
       settings.indirect.bounces =
-          std::max(settings.indirect.bounces, to_settings(point).indirect.bounces);
+          std::max(settings.indirect.bounces, to_settings(point, options_.base).indirect.bounces);
     return settings;
   }
 
   void measure(std::size_t view, const SweepPoint& point, const Row& key,
                const measure::Image& truth) {
-    for (const Measurement& m :
-         experiment_.measure(poses_[view], to_settings(point), truth, options_.frames,
-                             options_.warm_up, options_.repeats, options_.time_step_s)) {
+    for (const Measurement& m : experiment_.measure(poses_[view], to_settings(point, options_.base),
+                                                    truth, options_.frames, options_.warm_up,
+                                                    options_.repeats, options_.time_step_s)) {
       Row row = with_frames(key, m.frames);
       if (results_.holds(row)) continue;
       for (const double value : {m.ms, m.rmse8, m.relative_mse, m.mean_signed_error,

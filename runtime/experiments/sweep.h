@@ -11,6 +11,8 @@
 #include "formats/program/progress_display.h"
 #include "runtime/gpu/device.h"
 #include "runtime/render/parse.h"
+#include "runtime/render/settings.h"
+#include "runtime/scene/render_scene.h"
 
 namespace nightcity::experiments {
 
@@ -22,6 +24,8 @@ struct SweepOptions {
   std::vector<std::string> views{"overview"};  // camera files or presets
   std::vector<std::uint32_t> frames{1, 16};   // errors are those of means of so many frames; rising
   std::map<std::string, std::string> values;  // lists by setting name: see list_combinations
+  render::RenderSettings base;                // of what is not swept
+  scene::PartSet left_out;                    // is not loaded
   std::uint32_t reference_frames = 64;        // of a reference picture
   std::uint32_t warm_up = 8;                  // frames that fill the history
   std::uint32_t repeats = 1;                  // seeds whose errors are averaged

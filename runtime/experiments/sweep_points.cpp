@@ -50,8 +50,8 @@ std::vector<SweepPoint> list_combinations(const std::map<std::string, std::strin
   return unique;
 }
 
-render::RenderSettings to_settings(const SweepPoint& point) {
-  render::RenderSettings settings;
+render::RenderSettings to_settings(const SweepPoint& point, const render::RenderSettings& base) {
+  render::RenderSettings settings = base;
   settings.sampling.jitter = false;  // measures the error of light, not of edges
   for (const render::Setting& setting : list_swept_settings()) {
     const auto given = point.find(setting.name);

@@ -22,6 +22,8 @@ std::vector<render::Setting> list_swept_settings();
 /// setting does not take.
 std::vector<SweepPoint> list_combinations(const std::map<std::string, std::string>& chosen);
 
-render::RenderSettings to_settings(const SweepPoint& point);
+/// Returns the settings of a point; those that are not swept are the ones of `base`.
+render::RenderSettings to_settings(const SweepPoint& point,
+                                   const render::RenderSettings& base = {});
 
 }  // namespace nightcity::experiments

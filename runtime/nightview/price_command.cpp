@@ -88,6 +88,14 @@ std::string list_absent(const experiments::PriceReport& report) {
   return names;
 }
 
+// Returns the parts for which noise hides whether leaving them out keeps the limit.
+std::string list_undecided(const experiments::PriceReport& report, double limit) {
+  std::string names;
+  for (const experiments::SimplerModel& row : report.rows)
+    if (row.least <= limit && row.bound > limit) names += (names.empty() ? "" : ", ") + row.name;
+  return names;
+}
+
 void print_as_table(const PriceCommand& command, const experiments::PriceReport& report) {
   const experiments::PriceOptions& options = command.price;
   fmt::print("{}: {} triangles, {} lights, {} x {}, {}, {} pictures of {} frames a side, on {}\n",
@@ -100,6 +108,11 @@ void print_as_table(const PriceCommand& command, const experiments::PriceReport&
   if (!command.against.empty()) return;
   if (const std::string absent = list_absent(report); !absent.empty())
     fmt::print("Absent here: {}.\n", absent);
+  if (const std::string names = list_undecided(report, options.limit); !names.empty())
+    fmt::print(
+        "Two standard errors reach across the limit of {:.4g}: {}. More --frames or --runs would "
+        "decide.\n",
+        options.limit, names);
   const char* unit = options.measure == ErrorMeasure::mean ? " of the mean" : "";
   if (report.choice.cuts.empty())
     fmt::print("Nothing that saves anything can be left out within an error of {:.4g}{}.\n",
@@ -132,6 +145,7 @@ nlohmann::ordered_json to_json(const experiments::SimplerModel& model,
   json["saved_load_s"] = model.saved.load_s;
   json["saving"] = model.saving;
   json["error"] = model.error;
+  json["error_less_two_standard_errors"] = model.least;
   json["error_with_two_standard_errors"] = model.bound;
   return json;
 }

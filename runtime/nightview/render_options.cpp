@@ -69,8 +69,8 @@ void warn_of_left_out(const std::string& name, const scene::RenderScene& scene) 
 
 }  // namespace
 
-scene::RenderScene load_and_report(const std::string& scene) {
-  scene::RenderScene loaded = scene::load_render_scene(scene::find_scene_file(scene));
+scene::RenderScene load_and_report(const std::string& scene, const scene::PartSet& left_out) {
+  scene::RenderScene loaded = scene::load_render_scene(scene::find_scene_file(scene), left_out);
   warn_of_left_out(scene, loaded);
   return loaded;
 }
@@ -152,7 +152,7 @@ void RenderOptions::read_settings() {
   for (const render::NamedText& value : file.render) {
     // Those that are no render settings are options that hold text.
     CLI::Option* option = command_->get_option_no_throw("--" + value.name);
-    if (!option || option->count() > 0 || render::is_setting(value.name)) continue;
+    if (!option || option->count() > 0 || render::find_setting(value.name)) continue;
     option->add_result(find_beside(file, value));
     try {
       option->run_callback();

@@ -16,9 +16,9 @@ namespace nightcity::nightview {
 void declare_setting(CLI::App& command, const render::Setting& setting,
                      render::RenderSettings& settings);
 
-/// Returns the scene of SCENE.glb and SCENE.lights, and logs a warning for each kind of thing that
-/// the files hold and no picture shows. Throws Error.
-scene::RenderScene load_and_report(const std::string& scene);
+/// Returns the scene of SCENE.glb and SCENE.lights without these parts, and logs a warning for each
+/// kind of thing that the files hold and no picture shows. Throws Error.
+scene::RenderScene load_and_report(const std::string& scene, const scene::PartSet& left_out = {});
 
 /// Declares the argument "scene".
 void declare_scene(CLI::App& command, std::string& scene);

@@ -13,14 +13,61 @@
 #include "runtime/nightview/device_options.h"
 #include "runtime/nightview/number_check.h"
 #include "runtime/nightview/render_options.h"
+#include "runtime/render/model_parts.h"
+#include "runtime/render/settings_file.h"
+#include "runtime/scene/light_families.h"
 
 namespace nightcity::nightview {
 namespace {
 
 struct SweepCommand {
   experiments::SweepOptions options;
-  std::string size = "640x360", views = "overview", frames = "1,16";
+  std::string size = "640x360", views = "overview", frames = "1,16", settings_file;
+  const CLI::App* app = nullptr;
 };
+
+bool is_given(const SweepCommand& command, const std::string& option) {
+  return command.app->count("--" + option) > 0;
+}
+
+// Takes over a value of a settings file: what is swept becomes a list of one value, the rest is the
+// same at every point.
+void take(SweepCommand& command, const render::NamedText& value, render::LeftOut& left_out) {
+  experiments::SweepOptions& options = command.options;
+  render::EnvironmentSettings& environment = options.base.environment;
+  if (const render::Setting* setting = render::find_setting(value.name)) {
+    if (!setting->is_swept)
+      set_from_text(*setting, options.base, value.text);
+    else if (std::string& list = options.values[setting->name]; list.empty())
+      list = value.text;
+  } else if (value.name == "leave-out") {
+    left_out = render::LeftOut(value.text);
+  } else if (value.name == "time") {
+    options.base.time_s = render::parse_time(value.text);
+  } else if (value.name == "lights") {
+    environment.lights = scene::parse_families(value.text);
+  } else if (value.name == "moon") {
+    const render::MoonPosition moon = render::parse_moon(value.text);
+    render::set_moon(environment, moon.azimuth_deg, moon.elevation_deg, moon.lux);
+  } else if (value.name == "size" && !is_given(command, "size")) {
+    command.size = value.text;
+  } else if (value.name == "camera" && !is_given(command, "views")) {
+    command.views = value.text;
+  } else if (value.name == "sky-map") {
+    spdlog::warn("{}: a sweep has no sky map", command.settings_file);
+  }
+}
+
+void take_settings(SweepCommand& command) {
+  if (command.settings_file.empty()) return;
+  render::LeftOut left_out;
+  for (const render::NamedText& value : render::read_settings_file(command.settings_file).render)
+    take(command, value, left_out);
+  render::EnvironmentSettings& environment = command.options.base.environment;
+  environment.sky_cd_m2 = glm::vec3(environment.sky_cd_m2.x);
+  left_out.apply(command.options.base);
+  command.options.left_out = left_out.of_scene();
+}
 
 std::vector<std::uint32_t> parse_rising_counts(const std::string& text) {
   std::vector<std::uint32_t> counts;
@@ -34,6 +81,7 @@ std::vector<std::uint32_t> parse_rising_counts(const std::string& text) {
 
 void sweep(SweepCommand& command) {
   experiments::SweepOptions& options = command.options;
+  take_settings(command);
   options.size = render::parse_size(command.size);
   options.views = render::split_list("--views", command.views);
   options.frames = parse_rising_counts(command.frames);
@@ -82,7 +130,12 @@ void add_sweep_command(CLI::App& app) {
       "  nightview sweep city.glb --out sweep --size 1920x1080 --views overview,street \\\n"
       "      --frames 1,30 --minutes 9\n"
       "  nightview sweep city.glb --out moving --frames 1 --time-step 0.0333");
+  command->app = sub;
   declare_scene(*sub, options.scene);
+  sub->add_option(
+      "--settings", command->settings_file,
+      "Settings file (TOML): its values take the place of lists that are not given, and "
+      "its time, sky and parts left out those of the scene");
   program::add_output_option(*sub, options.folder, "Folder of the results")->required();
   sub->add_option("--views", command->views, "Cameras: files or presets")->capture_default_str();
   declare_size(*sub, command->size);

@@ -17,14 +17,17 @@
 #include "runtime/nightview/device_options.h"
 #include "runtime/nightview/number_check.h"
 #include "runtime/nightview/render_options.h"
+#include "runtime/render/model_parts.h"
 #include "runtime/render/parse.h"
+#include "runtime/render/settings_file.h"
 #include "runtime/render/upward_flux.h"
 
 namespace nightcity::nightview {
 namespace {
 
 struct UpwardCommand {
-  std::string scene, out, time = "20:00";
+  std::string scene, out, time = "20:00", settings_file, leave_out;
+  const CLI::App* app = nullptr;
   gpu::Device::Options device;
   render::UpwardSettings settings;
   bool json = false;
@@ -116,10 +119,24 @@ void print_as_table(const Sums& all, const FamilySums& families) {
   print_row("all", all);
 }
 
+// Takes time and parts left out from the settings file, unless the command line gives them.
+void take_settings(UpwardCommand& command) {
+  if (command.settings_file.empty()) return;
+  const render::SettingsFile file = render::read_settings_file(command.settings_file);
+  const auto take = [&](const char* key, std::string& value) {
+    const render::NamedText* named = file.find(key);
+    if (named && command.app->count(std::string("--") + key) == 0) value = named->text;
+  };
+  take("time", command.time);
+  take("leave-out", command.leave_out);
+}
+
 void upward(UpwardCommand& command) {
+  take_settings(command);
   command.settings.time_s = render::parse_time(command.time);
   program::require_writable_folder(command.out);
-  scene::RenderScene scene = load_and_report(command.scene);
+  scene::RenderScene scene =
+      load_and_report(command.scene, render::LeftOut(command.leave_out).of_scene());
   gpu::Device device(command.device);
   render::DeviceScene device_scene(device, scene, render::ReleaseGeometry{});
   render::PassLibrary passes(device);
@@ -166,7 +183,13 @@ void add_upward_command(CLI::App& app) {
       "Examples:\n"
       "  nightview upward out/demo/city.glb --out out/upward\n"
       "  nightview upward city.glb --out dark --time 23:00 --cell 2 --rays 4096 --json");
+  command->app = sub;
   declare_scene(*sub, command->scene);
+  sub->add_option("--settings", command->settings_file,
+                  "Settings file (TOML): its time, and the parts that it leaves out");
+  sub->add_option("--leave-out", command->leave_out,
+                  "Parts of the scene that are left out, as in nightview render")
+      ->default_str("none");
   program::add_output_option(*sub, command->out, "Folder of the results")->required();
   sub->add_option("--time", command->time, "Time of the night, HH:MM or HH:MM:SS")
       ->capture_default_str();

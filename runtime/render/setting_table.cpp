@@ -1,5 +1,6 @@
 #include "runtime/render/setting_table.h"
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 #include <type_traits>
@@ -300,6 +301,14 @@ const std::vector<Setting>& list_settings() {
     return all;
   }();
   return settings;
+}
+
+const Setting* find_setting(const std::string& name) {
+  for (const Setting& setting : list_settings())
+    if (name == setting.name || std::any_of(setting.aliases.begin(), setting.aliases.end(),
+                                            [&](const char* alias) { return name == alias; }))
+      return &setting;
+  return nullptr;
 }
 
 std::string describe(const Setting& setting) {

@@ -46,6 +46,9 @@ struct Setting {
 
 const std::vector<Setting>& list_settings();
 
+/// Returns the setting of that name, or older name; null where there is none.
+const Setting* find_setting(const std::string& name);
+
 /// Returns the help text with the unit.
 std::string describe(const Setting& setting);
 

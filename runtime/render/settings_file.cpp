@@ -81,15 +81,6 @@ std::vector<NamedText> read_table(const std::string& file, const std::string& na
   return values;
 }
 
-// Returns the setting of that name, or nullptr.
-const Setting* find_setting(const std::string& name) {
-  for (const Setting& setting : list_settings())
-    if (name == setting.name || std::any_of(setting.aliases.begin(), setting.aliases.end(),
-                                            [&](const char* alias) { return name == alias; }))
-      return &setting;
-  return nullptr;
-}
-
 void check_render_keys(const std::string& file, const toml::table& table) {
   const std::vector<std::string>& known = list_render_keys();
   for (const auto& [key, node] : table)
@@ -198,10 +189,6 @@ void apply_settings_file(const SettingsFile& file, RenderSettings& settings,
     const Setting* setting = find_setting(entry.name);
     if (setting && !is_given(setting->name)) set_from_text(*setting, settings, entry.text);
   }
-}
-
-bool is_setting(const std::string& name) {
-  return find_setting(name) != nullptr;
 }
 
 std::vector<NamedText> list_changes(const RenderSettings& settings,

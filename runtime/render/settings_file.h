@@ -49,9 +49,6 @@ SettingsFile read_settings_file(const std::filesystem::path& path);
 void apply_settings_file(const SettingsFile& file, RenderSettings& settings,
                          const std::function<bool(const std::string& name)>& is_given);
 
-/// Returns whether that is the name of a render setting, or an older one.
-bool is_setting(const std::string& name);
-
 /// Returns the settings that differ from `defaults`, as a settings file holds them.
 std::vector<NamedText> list_changes(const RenderSettings& settings, const RenderSettings& defaults);
 

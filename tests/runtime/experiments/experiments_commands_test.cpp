@@ -58,6 +58,30 @@ TEST_F(MeasuringCommands, SweepWritesTableAndPlotAndGoesOnWhereItStopped) {
                           [&](const auto& row) { return row[table.column("front")] == "yes"; }));
 }
 
+TEST_F(MeasuringCommands, SweepTakesSettingsFromAFile) {
+  test::write_text(folder / "s.toml",
+                   "[render]\nestimator = \"ris\"\ncandidates = 3\nwet = 0.5\ntime = \"21:00\"\n"
+                   "size = \"8x6\"\nleave-out = [\"lamp-size\"]\n");
+  const std::string options = scene() + " --frames 1 --warm-up 0 --reference-frames 1 --settings" +
+                              test::quoted(folder / "s.toml");
+  const test::Outcome outcome = nightview("sweep", options);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const measure::Table table = measure::read_csv(folder / "out/sweep.csv");
+  ASSERT_EQ(table.rows.size(), 1u);
+  EXPECT_EQ(table.rows[0][table.column("candidates")], "3");
+  EXPECT_EQ(table.rows[0][table.column("size")], "8x6");
+  ASSERT_EQ(nightview("sweep", options + " --candidates 1,2").exit_code, 0);
+  EXPECT_EQ(measure::read_csv(folder / "out/sweep.csv").rows.size(), 3u);
+  const std::string mark = test::read_text(folder / "out/scene.txt");
+  EXPECT_NE(mark.find("wet=0.5 time=32400 leave-out=lamp-size"), std::string::npos) << mark;
+  EXPECT_EQ(
+      test::run_program("nightview", "-q upward" + test::quoted(folder / "city.glb") +
+                                         "--rays 16 --settings" + test::quoted(folder / "s.toml") +
+                                         "--out" + test::quoted(folder / "up"))
+          .exit_code,
+      0);
+}
+
 TEST_F(MeasuringCommands, SweepMeasuresOneFrameWhileTheClockRuns) {
   const std::string options = scene() +
                               " --size 16x12 --estimator ris --candidates 4 --warm-up 2 "
