@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "formats/error.h"
+#include "formats/light_edits.h"
 #include "runtime/measure/exr.h"
 #include "runtime/nightview/device_options.h"
 #include "runtime/nightview/number_check.h"
@@ -113,6 +114,9 @@ void RenderOptions::declare(CLI::App& command) {
                   "Kinds of light that shine when it is their time: all, none, or a list of "
                   "lamp, window, headlamp, tail_lamp and other")
       ->capture_default_str();
+  command.add_option("--edits", edits,
+                     "File of edited lights that goes over the scene's, as the window writes it "
+                     "(city.edits.json)");
   command.add_option("--moon", moon,
                      "Moon: AZIMUTH,ELEVATION in degrees (azimuth from north over east), or with "
                      ",LUX (full moon: 0.25)");
@@ -190,6 +194,10 @@ scene::RenderScene RenderOptions::load(const std::string& other) const {
 scene::RenderScene RenderOptions::load(const std::string& other,
                                        const scene::PartSet& parts) const {
   scene::RenderScene loaded = scene::load_render_scene(scene::find_scene_file(other), parts);
+  if (!edits.empty()) {
+    const std::size_t unknown = apply_edits(read_light_edits(edits), loaded.lights);
+    if (unknown > 0) spdlog::warn("{}: {} lights are not in {}", edits, unknown, other);
+  }
   if (!sky_map.empty()) {
     const measure::Image image = measure::read_exr(sky_map);
     loaded.sky_map = {image.width, image.height, image.rgb};

@@ -33,11 +33,11 @@ struct RenderOptions {
   std::string size = "1280x720";
   std::string time = "20:00";
   std::string sky_map, moon, lights = "all";
-  std::string settings_file, leave_out, preset;
+  std::string settings_file, leave_out, preset, edits;
   render::RenderSettings settings;
 
   /// Declares the scene, --settings, --preset, --leave-out, --size, --time, --camera, --device,
-  /// --trace, --sky-map, --moon, --lights and all settings. `command` must outlive the object.
+  /// --trace, --sky-map, --moon, --lights, --edits and all settings. `command` must outlive the object.
   void declare(CLI::App& command);
   /// Reads the settings file, and converts the parsed text to settings, left_out, width and height.
   /// An option of the command line goes before the file's value. Throws Error, or UsageError.

@@ -16,6 +16,7 @@
 #include "runtime/viewer/keys.h"
 #include "runtime/viewer/viewer.h"
 #include "runtime/viewer/views.h"
+#include "runtime/viewer/window_settings.h"
 
 namespace nightcity::nightview {
 namespace {
@@ -40,6 +41,15 @@ void check_outputs(const viewer::ViewOptions& options) {
 void view(ViewCommand& command) {
   RenderOptions& render = command.render;
   render.resolve();
+  if (!render.settings_file.empty()) {
+    const render::SettingsFile file = render::read_settings_file(render.settings_file);
+    if (const std::string show = viewer::find_window_value(file, "show");
+        !show.empty() && command.show == "picture")
+      command.show = show;
+    if (const std::string every = viewer::find_window_value(file, "every");
+        !every.empty() && command.view.divisor == 0)
+      command.view.divisor = viewer::parse_divisor(every);
+  }
   render.settings.display.tone = measure::tone_curve_from_name(command.tone);
   viewer::show_view(viewer::find_view(command.show), render.settings.display);
   viewer::ViewOptions& options = command.view;
@@ -52,6 +62,7 @@ void view(ViewCommand& command) {
   options.width = render.width;
   options.height = render.height;
   options.settings = render.settings;
+  options.settings_file = render.settings_file;
   options.ev100 = render::parse_exposure(command.exposure);
   if (!command.picture_size.empty()) {
     const render::PictureSize size = render::parse_size(command.picture_size);

@@ -20,7 +20,8 @@ std::uint32_t cells_for(std::size_t pixels) {
 
 }  // namespace
 
-void IrradianceCache::enter(gpu::Frame& frame, const IndirectSettings& settings, double moved_s) {
+void IrradianceCache::enter(gpu::Frame& frame, const IndirectSettings& settings, double moved_s,
+                            std::uint32_t max_paths) {
   width_ = frame.size.x;
   height_ = frame.size.y;
   const std::size_t pixels = std::size_t{width_} * height_;
@@ -36,7 +37,7 @@ void IrradianceCache::enter(gpu::Frame& frame, const IndirectSettings& settings,
   // New cells come in numbers when nothing is known or the camera moves.
   const bool many_new = forget_ || frame.camera.position != frame.previous_camera.position ||
                         frame.camera.forward != frame.previous_camera.forward;
-  rounds_ = (many_new ? NEW_CELL_FACTOR : 1) * settings.paths;
+  rounds_ = std::min((many_new ? NEW_CELL_FACTOR : 1) * settings.paths, max_paths);
   forget_ = false;
   frame.cells = cells_.address();
   frame.seen_cells = seen_.address();

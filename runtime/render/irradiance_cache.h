@@ -21,7 +21,8 @@ class IrradianceCache {
 
   /// Writes the addresses and sizes into `frame`, whose cameras and size are filled in. `moved_s`
   /// is the scene's time since the frame before where its light changes with time, else 0.
-  void enter(gpu::Frame& frame, const IndirectSettings& settings, double moved_s);
+  void enter(gpu::Frame& frame, const IndirectSettings& settings, double moved_s,
+             std::uint32_t max_paths);
 
   /// Returns the passes as steps of a frame, between the primary pass and shading. `passes` must
   /// outlive them.

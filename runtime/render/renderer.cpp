@@ -302,7 +302,8 @@ void Renderer::fill_view(gpu::Frame& frame) {
   fill_display(frame, settings.display);
   frame.bounces = settings.indirect.bounces;
   frame.reference_paths = reference_paths(frame.scene.light_count);
-  if (find_indirect(settings) == INDIRECT_CACHE) cache_.enter(frame, settings.indirect, moved_s_);
+  if (find_indirect(settings) == INDIRECT_CACHE)
+    cache_.enter(frame, settings.indirect, moved_s_, next_.effort.max_cell_paths);
   frame.wetness = settings.environment.wetness;
   frame.sky = settings.environment.sky_cd_m2;
   frame.moon_direction = settings.environment.moon_direction;

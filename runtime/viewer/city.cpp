@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "formats/error.h"
+
 namespace nightcity::viewer {
 
 std::string name_of(const std::string& path) {
@@ -17,6 +19,12 @@ Opening::Opening(std::string path, std::string camera, double time_s, scene::Lig
         auto city = std::make_unique<City>();
         city->path = path;
         city->scene = load(path);
+        try {
+          city->notice = city->edits.open(LightEditor::find_file(path), city->scene);
+        } catch (const Error& error) {  // the city is there without them
+          city->notice = error.what();
+        }
+        city->projection = std::make_unique<MapProjection>(city->scene.georeference.crs);
         city->triangles = city->scene.triangles.size();
         stage_ = "finding the camera";
         city->pose = scene::find_camera(camera, city->scene);

@@ -12,6 +12,8 @@
 #include "runtime/render/device_scene.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/render_scene.h"
+#include "runtime/viewer/light_editor.h"
+#include "runtime/viewer/map_projection.h"
 
 namespace nightcity::viewer {
 
@@ -21,6 +23,9 @@ struct City {
   std::unique_ptr<render::DeviceScene> on_device;
   scene::CameraPose pose;  // of the camera that was asked for
   std::size_t triangles = 0;
+  std::unique_ptr<MapProjection> projection;
+  LightEditor edits;   // of its lights, which the scene has already
+  std::string notice;  // what is to be said about it, or ""
 };
 
 /// Returns the file name of a path, as titles show it.

@@ -5,13 +5,21 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "formats/error.h"
+#include "runtime/render/presets.h"
+#include "runtime/scene/scene_file.h"
+#include "runtime/viewer/compass.h"
+#include "runtime/viewer/config_folder.h"
 #include "runtime/viewer/drawing.h"
 #include "runtime/viewer/hands.h"
 #include "runtime/viewer/legend.h"
+#include "runtime/viewer/measured.h"
 #include "runtime/viewer/picture_names.h"
+#include "runtime/viewer/places.h"
+#include "runtime/viewer/window_settings.h"
 
 namespace nightcity::viewer {
 
@@ -81,6 +89,8 @@ bool Controller::finish_opening() {
   std::filesystem::path bookmarks = city.path;
   session_.open(city.pose, bookmarks.replace_extension(".cameras.json"), now_s_);
   session_.state.night_changes = !city.scene.traffic.trips.empty() || !city.scene.schedules.empty();
+  editor_ = workbench_.city().edits;
+  if (!city.notice.empty()) session_.notices.say(city.notice, now_s_);
   describe_city(city, stats_);
   if (!stats_.has_light)
     session_.notices.say(
@@ -121,7 +131,7 @@ void Controller::draw_city(const glm::vec2& size, PanelRequests& requests) {
   const scene::RenderScene& scene = workbench_.city().scene;
   ViewerState& state = session_.state;
   handle_input(size);
-  if (state.show_panel) stats_.place = describe_camera(scene, state.camera.pose);
+  if (state.show_panel) stats_.place = describe_place();
   if (state.show_panel) describe_memory(presenter_.device(), stats_);
   if (state.show_panel) requests = draw_panel(state, stats_);
   if (state.compare.on) draw_comparison(state.compare, state.settings, size);
@@ -129,8 +139,24 @@ void Controller::draw_city(const glm::vec2& size, PanelRequests& requests) {
   if (state.markers) draw_markers(scene, state.camera.pose, size);
   look_at_pick();
   draw_pick(session_.picked, pick_cd_m2_, scene, state.camera.pose, size);
+  if (session_.picked && session_.picked->emitter) draw_editor();
+  if (session_.measured_from)
+    draw_measured(*session_.measured_from,
+                  session_.picked ? session_.picked->point : *session_.measured_from,
+                  state.camera.pose, size);
+  draw_compass(state.camera, size);
   draw_lines(state, stats_, session_.notices, size);
   window_.set_title(fmt::format("{} - {} - nightview", stats_.scene, caption(state, stats_)));
+}
+
+std::string Controller::describe_place() const {
+  const City& city = workbench_.city();
+  const scene::CameraPose& pose = session_.state.camera.pose;
+  std::string text = describe_camera(city.scene, pose);
+  const glm::dvec3 plane = city.scene.georeference.from_model(glm::dvec3(pose.position));
+  if (const auto degrees = city.projection->to_degrees({plane.x, plane.y}))
+    text += fmt::format("\n{:.5f}, {:.5f} (latitude, longitude)", degrees->x, degrees->y);
+  return text;
 }
 
 // Finds the luminance that the picture has where something was picked. The last one is kept while
@@ -160,6 +186,7 @@ void Controller::handle_input(const glm::vec2& size) {
     obey(session_.press(*press, scene, workbench_.is_saving(), now_s_));
   }
   const Hands hands = read_hands(ImGui::GetIO(), queue.held(), queue.handed_until(Window::now_s()));
+  recorder_.follow(session_.state.camera.pose, now_s_);
   const scene::CameraPose before = session_.state.camera.pose;
   session_.move(hands, scene, size, now_s_);
   if (before.position != session_.state.camera.pose.position ||
@@ -174,6 +201,12 @@ void Controller::obey(const WindowRequests& requests) {
     session_.notices.say("the picture is not saved", now_s_);
   }
   if (requests.compare) toggle_comparison();
+  if (requests.switch_light) edit_light([](LightEdit& edit) { edit.is_off = !edit.is_off; });
+  if (requests.brighten != 1)
+    edit_light([&](LightEdit& edit) { edit.flux_lm = *edit.flux_lm * requests.brighten; });
+  if (requests.save_edits) save_edits();
+  if (requests.record_path) toggle_recording();
+  if (requests.save_settings) save_settings();
   if (requests.save_picture) save();
   if (requests.fullscreen) window_.toggle_fullscreen();
   if (requests.copy_camera) {
@@ -195,6 +228,12 @@ void Controller::obey(const PanelRequests& requests) {
     session_.change_side();
     workbench_.exchange();
   }
+  if (!requests.go_to.empty()) go_to_place(requests.go_to);
+  if (!requests.preset.empty())
+    render::apply_preset(render::find_device_class(presenter_.device().info().kind),
+                         requests.preset, session_.state.settings,
+                         [](const std::string&) { return false; });
+  if (requests.save_settings) save_settings();
   if (requests.save) save();
   if (!requests.open.empty()) open(requests.open);
 }
@@ -202,6 +241,89 @@ void Controller::obey(const PanelRequests& requests) {
 void Controller::toggle_comparison() {
   session_.toggle_comparison();
   workbench_.compare(session_.state.compare.on);
+}
+
+void Controller::draw_editor() {
+  City& city = workbench_.city();
+  const std::size_t light = session_.picked->emitter->light;
+  LightEdit edit = editor_.edit_of(city.scene.lights[light]);
+  bool saves = false;
+  if (draw_light_editor(edit, editor_.original_of(city.scene, light), editor_.is_unsaved(), saves))
+    edit_light([&](LightEdit& changed) { changed = edit; });
+  if (saves) save_edits();
+}
+
+void Controller::edit_light(const std::function<void(LightEdit&)>& change) {
+  std::optional<Pick>& picked = session_.picked;
+  if (!picked || !picked->emitter) {
+    session_.notices.say("click a lamp or window first", now_s_);
+    return;
+  }
+  City& city = workbench_.city();
+  const std::size_t light = picked->emitter->light;
+  LightEdit edit = editor_.edit_of(city.scene.lights[light]);
+  const double original_lm = double(editor_.original_of(city.scene, light).flux_lm);
+  if (!edit.flux_lm) edit.flux_lm = original_lm;
+  change(edit);
+  if (edit.flux_lm) {
+    edit.flux_lm = std::clamp(*edit.flux_lm, original_lm / 1000, original_lm * 1000);
+    if (std::abs(*edit.flux_lm / original_lm - 1) < 1e-6) edit.flux_lm.reset();
+  }
+  editor_.edit(city.scene, *city.on_device, light, edit);
+  const render::RenderSettings& settings = session_.state.settings;
+  find_lights(*picked, city.scene, settings.time_s, settings.environment.lights);
+}
+
+void Controller::save_edits() {
+  try {
+    session_.notices.say(editor_.save(), now_s_);
+  } catch (const Error& error) {
+    session_.notices.say(error.what(), now_s_, true);
+  }
+}
+
+void Controller::go_to_place(const std::string& text) {
+  const City& city = workbench_.city();
+  try {
+    const Place place = find_place(text, city.scene, *city.projection);
+    session_.go_to(look_at_place(place, session_.state.camera.pose), now_s_);
+    if (session_.state.camera.motion == Motion::walk)
+      session_.state.camera.motion = Motion::orbit;  // a walker would fall from there
+    session_.notices.say(place.name, now_s_);
+  } catch (const Error& error) {
+    session_.notices.say(error.what(), now_s_, true);
+  }
+}
+
+void Controller::toggle_recording() {
+  if (!recorder_.is_recording()) {
+    recorder_.start(now_s_);
+    session_.notices.say("recording the camera's way: R ends it", now_s_);
+    return;
+  }
+  try {
+    const std::string sentence = recorder_.finish(scene::find_scene_file(workbench_.city().path));
+    session_.notices.say(sentence, now_s_);
+    spdlog::info("{}", sentence);
+  } catch (const Error& error) {
+    session_.notices.say(error.what(), now_s_, true);
+  }
+}
+
+void Controller::save_settings() {
+  std::filesystem::path file = options_.settings_file;
+  if (file.empty()) file = find_config_folder() / "settings.toml";
+  try {
+    std::error_code ignored;
+    if (options_.settings_file.empty())
+      std::filesystem::create_directories(file.parent_path(), ignored);
+    write_settings(file, session_.state);
+    session_.notices.say(
+        fmt::format("settings saved: --settings {} takes them, in every command", file.string()),
+        now_s_);
+  } catch (const Error& error) {
+    session_.notices.say(error.what(), now_s_, true);
+  }
 }
 
 void Controller::save() {

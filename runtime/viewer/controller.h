@@ -1,9 +1,12 @@
 // Obeys the user: from keys, mouse and panel to what session, window and workbench do.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
+#include "runtime/viewer/light_editor.h"
+#include "runtime/viewer/path_recorder.h"
 #include "runtime/viewer/presenter.h"
 #include "runtime/viewer/session.h"
 #include "runtime/viewer/viewer.h"
@@ -48,6 +51,13 @@ class Controller {
   void obey(const WindowRequests& requests);
   void obey(const PanelRequests& requests);
   void toggle_comparison();
+  std::string describe_place() const;
+  void draw_editor();
+  void edit_light(const std::function<void(LightEdit&)>& change);
+  void save_edits();
+  void go_to_place(const std::string& text);
+  void toggle_recording();
+  void save_settings();
   void save();
 
   const ViewOptions& options_;
@@ -56,6 +66,8 @@ class Controller {
   Workbench& workbench_;
   Session session_;
   FrameStats stats_;
+  LightEditor editor_;
+  PathRecorder recorder_;
   double pick_cd_m2_ = 0;  // luminance where something was picked, when last looked at
   double now_s_ = 0, moved_s_ = -1e9;
 };

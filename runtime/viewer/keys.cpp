@@ -13,15 +13,24 @@ const std::vector<KeyBinding>& list_keys() {
       {"Z", "take the last move back", Action::undo_move},
       {"B", "set a bookmark here; F2 to F9 go to the first eight", Action::bookmark},
       {"F2 to F9", "go to a bookmark", Action::go_to_bookmark},
+      {"G", "go to a place: latitude and longitude, coordinates of the CRS, or an object's id",
+       Action::go_to_place},
+      {"R", "record the way of the camera, and end that", Action::record_path},
       {"Ctrl+C", "copy the camera as one line of text", Action::copy_camera},
       {"Ctrl+V", "go to the camera in the clipboard", Action::paste_camera},
       {"Space", "start and stop the clock", Action::play},
       {"1 to 6", "choose the estimator", Action::estimator},
+      {"O", "switch the light that was clicked off or on", Action::switch_light},
+      {",", "dim it", Action::dim_light},
+      {".", "brighten it", Action::brighten_light},
+      {"Ctrl+E", "save the edits of lights", Action::save_edits},
+      {"N", "measure distances from the point that was clicked", Action::measure},
       {"M", "show markers of lamps", Action::markers},
       {"X", "compare two pictures, A and B, left and right of a line", Action::compare},
       {"V", "show the next of the picture, luminance, illuminance and the other views",
        Action::next_view},
       {"P", "save the picture as night-NNN.png and .exr", Action::save_picture},
+      {"Ctrl+S", "save the settings as a file for --settings", Action::save_settings},
       {"Tab", "show or hide the panel", Action::panel},
       {"Ctrl +, Ctrl -", "larger and smaller text", Action::larger_text},
       {"F11", "fill the screen, or not", Action::fullscreen},
@@ -53,6 +62,10 @@ std::optional<KeyPress> find_action(int key, int modifiers) {
         return KeyPress{Action::copy_camera};
       case GLFW_KEY_V:
         return KeyPress{Action::paste_camera};
+      case GLFW_KEY_E:
+        return KeyPress{Action::save_edits};
+      case GLFW_KEY_S:
+        return KeyPress{Action::save_settings};
       case GLFW_KEY_Z:
         return KeyPress{Action::undo_move};
       case GLFW_KEY_EQUAL:
@@ -79,6 +92,18 @@ std::optional<KeyPress> find_action(int key, int modifiers) {
       return KeyPress{Action::play};
     case GLFW_KEY_M:
       return KeyPress{Action::markers};
+    case GLFW_KEY_G:
+      return KeyPress{Action::go_to_place};
+    case GLFW_KEY_R:
+      return KeyPress{Action::record_path};
+    case GLFW_KEY_O:
+      return KeyPress{Action::switch_light};
+    case GLFW_KEY_COMMA:
+      return KeyPress{Action::dim_light};
+    case GLFW_KEY_PERIOD:
+      return KeyPress{Action::brighten_light};
+    case GLFW_KEY_N:
+      return KeyPress{Action::measure};
     case GLFW_KEY_V:
       return KeyPress{Action::next_view};
     case GLFW_KEY_X:

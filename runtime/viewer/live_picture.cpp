@@ -13,7 +13,9 @@ namespace {
 constexpr double slice_s = 0.025;
 
 // A first look: the reservoirs of the coarser picture make up for the rest.
-constexpr render::Effort quick_effort{8, 0};
+// Each finer picture has new cells of the irradiance cache, which begin with what the coarser one's
+// knew: one path each is enough until the view rests.
+constexpr render::Effort quick_effort{8, 0, 1};
 
 // While the clock runs, the picture is the mean of the last few frames and follows motion.
 constexpr std::uint32_t frames_in_motion = 8;

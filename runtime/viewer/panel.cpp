@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "runtime/measure/exposure.h"
+#include "runtime/render/presets.h"
 #include "runtime/render/setting_table.h"
 #include "runtime/viewer/metering.h"
 #include "runtime/viewer/views.h"
@@ -91,6 +92,23 @@ void draw_camera(ViewerState& state, PanelRequests& requests) {
   ImGui::SliderFloat("speed", &state.camera.speed_m_s, 0.5f, 500, "%.1f m/s",
                      bounded | ImGuiSliderFlags_Logarithmic);
   ImGui::Checkbox("faster above 20 m", &state.camera.speed_by_height);
+}
+
+// A key that puts the cursor in the box also sends its letter, a frame later.
+void draw_place(ViewerState& state, PanelRequests& requests) {
+  if (state.focus_place > 0) ImGui::GetIO().ClearInputCharacters();
+  if (state.focus_place == 2) ImGui::SetKeyboardFocusHere();
+  state.focus_place = std::max(0, state.focus_place - 1);
+  if (ImGui::InputTextWithHint("go to", "52.516, 13.378 or an id", state.place.data(),
+                               state.place.size(), ImGuiInputTextFlags_EnterReturnsTrue))
+    requests.go_to = state.place.data();
+}
+
+void draw_presets(PanelRequests& requests) {
+  if (!ImGui::BeginCombo("preset", "from fast to accurate")) return;
+  for (const std::string& name : render::list_preset_names())
+    if (ImGui::Selectable(name.c_str())) requests.preset = name;
+  ImGui::EndCombo();
 }
 
 void draw_resolution(ViewerState& state) {
@@ -249,6 +267,7 @@ PanelRequests draw_panel(ViewerState& state, const FrameStats& stats) {
     draw_scene(state, stats, requests);
     draw_report(stats);
     ImGui::Separator();
+    draw_presets(requests);
     draw_sampling(state);
     ImGui::Separator();
     draw_exposure(state);
@@ -258,10 +277,13 @@ PanelRequests draw_panel(ViewerState& state, const FrameStats& stats) {
     draw_night(state);
     ImGui::Separator();
     draw_camera(state, requests);
+    draw_place(state, requests);
     draw_resolution(state);
     ImGui::Checkbox("lamp markers", &state.markers);
     ImGui::SameLine();
     requests.save = ImGui::Button("save picture");
+    ImGui::SameLine();
+    requests.save_settings = ImGui::Button("save settings");
     ImGui::PopItemWidth();
   }
   keep_on_screen();

@@ -1,6 +1,7 @@
 // The panel over the picture: what the user may change, and what the renderer reports.
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "runtime/render/settings.h"
@@ -27,6 +28,8 @@ struct ViewerState {
   // while the view moves, then finer and finer.
   int divisor = 0;
   Comparison compare;
+  std::array<char, 200> place{};  // typed: where to go
+  int focus_place = 0;            // frames for which the keyboard goes to that box
   bool show_panel = true;
   bool show_help = false;
 };
@@ -36,8 +39,11 @@ struct PanelRequests {
   std::string camera_preset;  // a name of camera_presets(), or ""
   bool save = false;          // the picture, as PNG and EXR
   std::string open;           // one of the cities, or ""
-  bool compare = false;       // begin or end to compare two pictures
-  bool change_side = false;   // of the comparison, that the panel changes
+  std::string go_to;          // a place, or ""
+  std::string preset;         // of settings, or ""
+  bool save_settings = false;
+  bool compare = false;      // begin or end to compare two pictures
+  bool change_side = false;  // of the comparison, that the panel changes
 };
 
 /// Draws the panel into the current ImGui frame. It stays on the screen.

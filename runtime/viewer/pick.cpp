@@ -62,6 +62,23 @@ PickedLight describe_light(const scene::RenderScene& scene, std::size_t index) {
   return picked;
 }
 
+void find_lights(Pick& picked, const scene::RenderScene& scene, double time_s,
+                 scene::LightFamilies on) {
+  if (picked.emitter) picked.emitter = describe_light(scene, picked.emitter->light);
+  picked.strongest.clear();
+  const scene::PointLight here = scene::find_light_at(
+      scene, glm::dvec3(picked.point), glm::dvec3(picked.normal), time_s, most_lights, on);
+  picked.lux = here.lux;
+  picked.lights = here.lit;
+  for (const scene::LightShare& share : here.strongest) {
+    PickedLight one = describe_light(scene, share.light);
+    one.lux = share.lux;
+    one.share = here.lux > 0 ? share.lux / here.lux : 0;
+    one.distance_m = share.distance_m;
+    picked.strongest.push_back(std::move(one));
+  }
+}
+
 std::optional<Pick> pick(const scene::RenderScene& scene, const scene::CameraPose& pose,
                          const glm::vec2& pixel, const glm::vec2& size, double time_s,
                          scene::LightFamilies on) {
@@ -81,17 +98,7 @@ std::optional<Pick> pick(const scene::RenderScene& scene, const scene::CameraPos
   const std::uint32_t light = instance.light != NO_HIT ? instance.light : triangle.light;
   if (light < scene.lights.size()) picked.emitter = describe_light(scene, light);
 
-  const scene::PointLight here =
-      scene::find_light_at(scene, point, hit->normal, time_s, most_lights, on);
-  picked.lux = here.lux;
-  picked.lights = here.lit;
-  for (const scene::LightShare& share : here.strongest) {
-    PickedLight one = describe_light(scene, share.light);
-    one.lux = share.lux;
-    one.share = here.lux > 0 ? share.lux / here.lux : 0;
-    one.distance_m = share.distance_m;
-    picked.strongest.push_back(std::move(one));
-  }
+  find_lights(picked, scene, time_s, on);
   return picked;
 }
 

@@ -36,6 +36,10 @@ std::optional<Pick> pick(const scene::RenderScene& scene, const scene::CameraPos
                          const glm::vec2& pixel, const glm::vec2& size, double time_s,
                          scene::LightFamilies on = scene::all_families);
 
+/// Finds the lights at the point that was picked anew: one of them changed, or the time.
+void find_lights(Pick& picked, const scene::RenderScene& scene, double time_s,
+                 scene::LightFamilies on);
+
 /// Returns a light's values and where they came from.
 PickedLight describe_light(const scene::RenderScene& scene, std::size_t light);
 

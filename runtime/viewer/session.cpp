@@ -4,6 +4,7 @@
 
 #include "formats/error.h"
 #include "runtime/scene/camera_path.h"
+#include "runtime/viewer/light_editor.h"
 #include "runtime/viewer/views.h"
 
 namespace nightcity::viewer {
@@ -24,6 +25,7 @@ void Session::open(const scene::CameraPose& pose, const std::filesystem::path& b
   state.camera.pose = pose;
   state.camera.pivot.reset();
   picked.reset();
+  measured_from.reset();
   undo_.clear();
   bookmarks_.clear();
   bookmark_file_ = bookmarks;
@@ -98,6 +100,15 @@ void Session::add_bookmark(double now_s) {
   }
 }
 
+void Session::measure(double now_s) {
+  if (!picked) {
+    notices.say("click the point from which to measure first", now_s);
+    return;
+  }
+  measured_from = picked->point;
+  notices.say("click the points to measure to; Esc ends it", now_s);
+}
+
 void Session::change_motion(const scene::RenderScene& scene, double now_s) {
   CameraControl& camera = state.camera;
   camera.motion = camera.motion == Motion::orbit ? Motion::fly
@@ -135,6 +146,31 @@ WindowRequests Session::press(const KeyPress& key, const scene::RenderScene& sce
       show_view(views[(state.settings.display.view + 1) % views.size()], state.settings.display);
       break;
     }
+    case Action::go_to_place:
+      state.show_panel = true;
+      state.focus_place = 2;
+      break;
+    case Action::record_path:
+      requests.record_path = true;
+      break;
+    case Action::switch_light:
+      requests.switch_light = true;
+      break;
+    case Action::dim_light:
+      requests.brighten = 1 / dim_step;
+      break;
+    case Action::brighten_light:
+      requests.brighten = dim_step;
+      break;
+    case Action::save_edits:
+      requests.save_edits = true;
+      break;
+    case Action::save_settings:
+      requests.save_settings = true;
+      break;
+    case Action::measure:
+      measure(now_s);
+      break;
     case Action::compare:
       requests.compare = true;
       break;
@@ -156,6 +192,8 @@ WindowRequests Session::press(const KeyPress& key, const scene::RenderScene& sce
         state.show_help = false;
       else if (picked)
         picked.reset();
+      else if (measured_from)
+        measured_from.reset();
       else if (is_saving)
         requests.cancel_picture = true;
       else

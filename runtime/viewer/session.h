@@ -15,6 +15,8 @@ namespace nightcity::viewer {
 struct WindowRequests {
   bool close = false, save_picture = false, cancel_picture = false, fullscreen = false;
   bool copy_camera = false, paste_camera = false, compare = false;
+  bool switch_light = false, save_edits = false, record_path = false, save_settings = false;
+  double brighten = 1;  // factor for the light that was clicked
   int larger_text = 0;  // steps, negative for smaller
 };
 
@@ -23,6 +25,7 @@ class Session {
   ViewerState state;
   Notices notices;
   std::optional<Pick> picked;
+  std::optional<glm::vec3> measured_from;  // where distances to `picked` begin
 
   /// Shows another city: forgets moves, and reads the bookmarks in `bookmarks`, a file that need
   /// not exist.
@@ -59,6 +62,7 @@ class Session {
   void remember(double now_s);
   void add_bookmark(double now_s);
   void take_back(double now_s);
+  void measure(double now_s);
   void change_motion(const scene::RenderScene& scene, double now_s);
 
   std::vector<scene::CameraPose> undo_, bookmarks_;

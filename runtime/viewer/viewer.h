@@ -37,7 +37,9 @@ struct ViewOptions {
   std::string save_camera;          // JSON of the camera at the end; "" = none
   PictureQuality picture;           // of saved pictures
   std::filesystem::path picture_folder;  // of saved pictures; "": see find_picture_folder
-  float font_px = 0;                     // height of text; 0 = as the screen's scale asks for
+  std::filesystem::path
+      settings_file;  // that Ctrl+S writes; "": settings.toml in the user's folder
+  float font_px = 0;  // height of text; 0 = as the screen's scale asks for
 };
 
 /// The last picture that the window showed.

@@ -36,6 +36,7 @@ class Workbench {
 
   bool has_city() const { return city_ != nullptr; }
   const City& city() const { return *city_; }
+  City& city() { return *city_; }
   /// Returns the picture of the city, null without one.
   LivePicture* picture() { return picture_.get(); }
   const LivePicture* picture() const { return picture_.get(); }

@@ -117,6 +117,25 @@ TEST_F(Slices, RefinementFromCoarseToFineStaysUnbiased) {
   EXPECT_NEAR(sum / runs / expected, 1, 0.03);  // six standard deviations of the mean
 }
 
+// A cell that is new gets eight paths in a whole frame of the default settings, and one here.
+TEST_F(Slices, AQuickFrameFollowsOnePathOfEachCell) {
+  settings_.count_rays = true;
+  const auto count_rays = [&](std::uint32_t bounces, const Effort& effort) {
+    settings_.indirect.bounces = bounces;
+    Renderer renderer = make();
+    renderer.begin_frame(pose_, settings_, effort);
+    while (!renderer.continue_frame(for_ever, for_ever)) {
+    }
+    return double(renderer.shadow_rays());
+  };
+  Effort quick;
+  quick.max_cell_paths = 1;
+  const double direct = count_rays(0, {}), whole = count_rays(2, {}) - direct,
+               few = count_rays(2, quick) - direct;
+  EXPECT_GT(few, 0);
+  EXPECT_NEAR(few / whole, 1 / 8.0, 0.02);
+}
+
 TEST_F(Slices, ExposingAnewShowsTheSameMeanAsRenderingWithThatExposure) {
   for (const bool denoise : {false, true}) {
     settings_.display.denoise = denoise;

@@ -42,6 +42,49 @@ TEST_F(Keys, EscapeClosesWhatIsOpenBeforeTheWindow) {
   EXPECT_TRUE(press(GLFW_KEY_ESCAPE).close);
 }
 
+TEST_F(Keys, LightsAreEditedAndDistancesMeasuredFromWhatWasClicked) {
+  EXPECT_TRUE(press(GLFW_KEY_O).switch_light);
+  EXPECT_LT(press(GLFW_KEY_COMMA).brighten, 1);
+  EXPECT_NEAR(press(GLFW_KEY_COMMA).brighten * press(GLFW_KEY_PERIOD).brighten, 1, 1e-12);
+  EXPECT_TRUE(press(GLFW_KEY_E, GLFW_MOD_CONTROL).save_edits);
+  EXPECT_FALSE(press(GLFW_KEY_E).save_edits);  // held to move
+  EXPECT_TRUE(press(GLFW_KEY_S, GLFW_MOD_CONTROL).save_settings);
+  press(GLFW_KEY_N);
+  EXPECT_FALSE(session.measured_from);  // nothing was clicked
+  session.picked = Pick{};
+  session.picked->point = {1, 2, 3};
+  press(GLFW_KEY_N);
+  EXPECT_EQ(session.measured_from, glm::vec3(1, 2, 3));
+  EXPECT_FALSE(press(GLFW_KEY_ESCAPE).close);  // first what was clicked, then the distance
+  EXPECT_FALSE(session.picked);
+  EXPECT_FALSE(press(GLFW_KEY_ESCAPE).close);
+  EXPECT_FALSE(session.measured_from);
+  EXPECT_TRUE(press(GLFW_KEY_ESCAPE).close);
+}
+
+TEST_F(Keys, TheOtherSideOfAComparisonKeepsItsSettingsAndTheClock) {
+  EXPECT_TRUE(press(GLFW_KEY_X).compare);
+  session.toggle_comparison();
+  ASSERT_TRUE(session.state.compare.on);
+  press(GLFW_KEY_2);
+  EXPECT_EQ(session.state.compare.other.sampling.estimator, render::Estimator::traced);
+  session.state.settings.display.ev100 = 7;
+  session.change_side();
+  EXPECT_EQ(session.state.settings.sampling.estimator, render::Estimator::traced);
+  EXPECT_EQ(session.state.settings.display.ev100, 7);
+  EXPECT_FALSE(session.state.compare.changes_b);
+  session.change_side();
+  EXPECT_EQ(session.state.settings.sampling.estimator, render::Estimator::ris);
+  // One clock moves both; with two times it stands.
+  session.state.night_changes = session.state.play = true;
+  const double before_s = session.state.settings.time_s;
+  session.run_clock(2, 0, 1);
+  EXPECT_EQ(session.state.settings.time_s, before_s + 2);
+  EXPECT_EQ(session.state.compare.other.time_s, before_s + 2);
+  session.state.compare.other.time_s += 60;
+  EXPECT_FALSE(session.clock_runs());
+}
+
 TEST_F(Keys, DigitsChooseEstimatorsAndOthersNothing) {
   press(GLFW_KEY_2);
   EXPECT_EQ(session.state.settings.sampling.estimator, render::Estimator::ris);

@@ -314,6 +314,77 @@ TEST_F(ViewerWindow, KeysAreObeyedInOrderWhileAFrameTakesLong) {
   EXPECT_NE(text("out.txt").find("estimator ris"), std::string::npos) << text("out.txt");
 }
 
+// The keys are pressed again until the window has opened its scene and done what they ask for.
+TEST_F(ViewerWindow, APlaceThatIsTypedIsGoneTo) {
+  if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no mouse or keyboard";
+  ASSERT_EQ(run("$V --size 700x500 --every 8 --save-camera camera.json & viewer=$!\n"
+                "xdotool search --sync --onlyvisible --name nightview > window.txt\n"
+                "xdotool mousemove 600 400\n"
+                "for i in 1 2 3 4 5; do\n"
+                "  sleep 2; xdotool key g; sleep 0.3; xdotool type --delay 40 '3 -4'\n"
+                "  sleep 0.3; xdotool key Return\n"
+                "done\n"
+                "sleep 1; kill -TERM $viewer; wait $viewer\n"),
+            0)
+      << text("err.txt");
+  const scene::CameraPose pose = scene::parse_camera(text("camera.json"), "camera.json");
+  EXPECT_NEAR(pose.target.x, 3, 0.01) << text("camera.json");
+  EXPECT_NEAR(pose.target.z, 4, 0.01);
+}
+
+// A lamp fills the middle of the window. It is clicked and switched off, then dimmed, and the edits
+// are saved; the next window begins with them.
+TEST_F(ViewerWindow, ALampIsEditedAndTheEditsAreKept) {
+  if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no mouse or keyboard";
+  test::SceneBuilder builder = test::SceneBuilder().ground(20);
+  builder.box({-0.2f, 4.8f, -0.2f}, {0.2f, 5.2f, 0.2f});
+  Scene scene = builder.scene();
+  SceneWriter writer(folder / "lamp.glb", {});
+  for (const SceneMaterial& material : scene.materials) writer.add_material(material);
+  for (SceneMesh& mesh : scene.meshes) {
+    for (ScenePrimitive& primitive : mesh.primitives) {
+      primitive.light_ids.assign(primitive.positions.size(), no_id);
+      for (std::size_t i = 0; i < primitive.positions.size(); ++i)
+        if (primitive.positions[i].y > 4) primitive.light_ids[i] = 0;
+    }
+    writer.add_mesh(mesh);
+  }
+  for (const SceneNode& node : scene.nodes) writer.add_node(node);
+  writer.finish(georeference());
+  std::vector<Light> lights{test::lamp({0, 5, 0}, 4000, 0.3f)};
+  lights[0].id = 0xabc;
+  write_light_file(folder / "lamp.lights",
+                   {georeference(), lights, std::vector<LightProvenance>(1), {}, {}});
+  test::write_text(folder / "camera.json",
+                   "{\"position\": [0, 5, 4], \"target\": [0, 5, 0], \"fov_deg\": 30}\n");
+  ASSERT_EQ(run("W=\"$(dirname ${V%% *})/nightview lamp.glb --validation --size 1200x500 --every 8 "
+                "--camera camera.json\"\n"
+                "$W & viewer=$!\n"
+                "xdotool search --sync --onlyvisible --name nightview > window.txt\n"
+                "xdotool mousemove 600 250\n"
+                "for i in 1 2 3 4 5 6 7 8 9; do\n"
+                "  sleep 2; xdotool click 1; sleep 0.3; xdotool key period key ctrl+e\n"
+                "  sleep 0.5; test -e lamp.edits.json && break\n"
+                "done\n"
+                "xdotool key o key ctrl+e; sleep 1\n"
+                "kill -TERM $viewer; wait $viewer\n"
+                "cat lamp.edits.json\n"
+                "$W --quit-after 3 --ev 0 --tone linear --bounces 0 --screenshot off.png\n"
+                "for e in '' '--edits lamp.edits.json'; do\n"
+                "  ${W%% *} render lamp.glb -o \"r${e%% *}.png\" $e --frames 1 --size 64x48 \\\n"
+                "    --camera camera.json --ev 0 --tone linear --bounces 0\n"
+                "done\n"),
+            0)
+      << text("err.txt");
+  const std::string edits = text("lamp.edits.json");
+  EXPECT_NE(edits.find("00000abc"), std::string::npos) << edits;
+  EXPECT_NE(edits.find("\"off\": true"), std::string::npos) << edits;
+  EXPECT_NE(edits.find("\"flux_lm\": "), std::string::npos) << edits;
+  EXPECT_LT(mean_light(measure::read_png(folder / "off.png"), 0.45, 0.55), 1e-3);
+  EXPECT_GT(colours(measure::read_png(folder / "r.png"), 0, 64, 0, 48), 1u);
+  EXPECT_EQ(colours(measure::read_png(folder / "r--edits.png"), 0, 64, 0, 48), 1u);  // black
+}
+
 TEST_F(ViewerWindow, ASignalEndsItAsClosingDoes) {
   for (const char* signal : {"INT", "TERM", "HUP"}) {
     ASSERT_EQ(run(std::string("rm -f camera.json; timeout --preserve-status -s ") + signal +

@@ -1,0 +1,164 @@
+#include "runtime/viewer/places.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+#include <optional>
+#include <regex>
+#include <set>
+
+#include "formats/error.h"
+#include "formats/to_lower.h"
+#include "runtime/viewer/controls.h"
+
+namespace nightcity::viewer {
+namespace {
+
+Error not_found(const std::string& text, const std::string& reason) {
+  return Error("go to", "'" + text + "': " + reason);
+}
+
+struct Numbers {
+  double first, second;
+  std::string first_side, second_side;  // N, S, E, W or ""
+};
+
+std::optional<Numbers> parse_numbers(const std::string& text) {
+  static const std::regex form(
+      R"(^\s*([-+]?\d+(?:\.\d+)?)\s*(?:°|deg)?\s*([NSEWnsew]?)\s*[,;\s]\s*([-+]?\d+(?:\.\d+)?)\s*(?:°|deg)?\s*([NSEWnsew]?)\s*$)");
+  std::smatch match;
+  if (text.size() > 200 || !std::regex_match(text, match, form)) return std::nullopt;
+  const auto side = [](std::string letter) {
+    for (char& c : letter) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return letter;
+  };
+  return Numbers{std::stod(match[1]), std::stod(match[3]), side(match[2]), side(match[4])};
+}
+
+// Returns latitude and longitude where the numbers can be these.
+std::optional<glm::dvec2> to_degrees(Numbers numbers, bool projected) {
+  const auto is = [](const std::string& side, const char* letters) {
+    return side.empty() || std::string(letters).find(side) != std::string::npos;
+  };
+  if (is(numbers.first_side, "EW") && is(numbers.second_side, "NS") &&
+      !(numbers.first_side + numbers.second_side).empty()) {
+    std::swap(numbers.first, numbers.second);
+    std::swap(numbers.first_side, numbers.second_side);
+  }
+  if (!is(numbers.first_side, "NS") || !is(numbers.second_side, "EW")) return std::nullopt;
+  if (std::abs(numbers.first) > 90 || std::abs(numbers.second) > 180) return std::nullopt;
+  if (!projected) return std::nullopt;
+  return glm::dvec2(numbers.first_side == "S" ? -numbers.first : numbers.first,
+                    numbers.second_side == "W" ? -numbers.second : numbers.second);
+}
+
+Place find_point(const std::string& text, const glm::dvec2& plane,
+                 const scene::RenderScene& scene) {
+  const glm::dvec3 at = scene.georeference.to_model({plane.x, plane.y, 0});
+  const glm::dvec3 lower(scene.bounds.lower), upper(scene.bounds.upper);
+  if (at.x < lower.x || at.x > upper.x || at.z < lower.z || at.z > upper.z) {
+    const glm::dvec3 middle = 0.5 * (lower + upper);
+    throw not_found(text,
+                    fmt::format("this lies {:.1f} km from the middle of the model, outside it",
+                                std::hypot(at.x - middle.x, at.z - middle.z) / 1000));
+  }
+  glm::vec3 point(at.x, upper.y + 1, at.z);
+  point.y = find_ground(scene, point).value_or(float(lower.y));
+  return {point, 0, fmt::format("{:.0f} E, {:.0f} N", plane.x, plane.y)};
+}
+
+// The bounds of a city object: of its triangles wherever their meshes stand.
+std::optional<scene::Box> find_bounds(const scene::RenderScene& scene, std::uint32_t feature) {
+  scene::Box box;
+  bool any = false;
+  for (const scene::Mesh& mesh : scene.meshes) {
+    std::vector<glm::vec3> corners;
+    for (std::uint32_t i = mesh.first_triangle; i < mesh.first_triangle + mesh.triangles; ++i) {
+      const gpu::Triangle& triangle = scene.triangles[i];
+      if (triangle.feature == feature)
+        corners.insert(corners.end(), {triangle.v0, triangle.v1, triangle.v2});
+    }
+    if (corners.empty()) continue;
+    for (const gpu::Instance& instance : scene.instances) {
+      if (instance.root != mesh.root || instance.feature != NO_HIT) continue;
+      const glm::dmat4 to_object = glm::transpose(
+          glm::dmat4(glm::dvec4(instance.to_object[0]), glm::dvec4(instance.to_object[1]),
+                     glm::dvec4(instance.to_object[2]), glm::dvec4(0, 0, 0, 1)));
+      const glm::dmat4 to_model = glm::inverse(to_object);
+      for (const glm::vec3& corner : corners) {
+        box.grow(glm::vec3(to_model * glm::dvec4(glm::dvec3(corner), 1)));
+        any = true;
+      }
+    }
+  }
+  return any ? std::optional(box) : std::nullopt;
+}
+
+Place find_object(const std::string& text, const scene::RenderScene& scene) {
+  const std::string wanted = to_lower(text);
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t i = 0; i < scene.features.size(); ++i) {
+    const std::string id = to_lower(scene.features[i].id);
+    if (id == wanted) {
+      found.assign(1, i);
+      break;
+    }
+    if (id.find(wanted) != std::string::npos) found.push_back(i);
+  }
+  for (const std::uint32_t feature : found) {
+    const std::optional<scene::Box> box = find_bounds(scene, feature);
+    if (!box) continue;  // without surfaces of its own
+    const SceneFeature& object = scene.features[feature];
+    std::string name = object.type + " " + object.id;
+    if (found.size() > 1)
+      name += fmt::format(", the first of {} whose ids contain \"{}\"", found.size(), text);
+    return {0.5f * (box->lower + box->upper), 0.5f * glm::distance(box->lower, box->upper), name};
+  }
+  throw not_found(text,
+                  fmt::format("no city object of {} has this in its id. Latitude and longitude, "
+                              "or easting and northing, are understood too; names of streets "
+                              "are not in a scene's files",
+                              scene.features.size()));
+}
+
+}  // namespace
+
+Place find_place(const std::string& text, const scene::RenderScene& scene,
+                 const MapProjection& projection) {
+  if (text.find_first_not_of(" \t") == std::string::npos) throw not_found(text, "nothing is named");
+  const std::optional<Numbers> numbers = parse_numbers(text);
+  if (!numbers) return find_object(text, scene);
+  if (const auto degrees = to_degrees(*numbers, projection.is_usable())) {
+    const auto plane = projection.to_plane(degrees->x, degrees->y);
+    if (!plane) throw not_found(text, "the city's CRS does not reach there");
+    Place place = find_point(text, *plane, scene);
+    place.name = fmt::format("{:.5f}, {:.5f}: {}", degrees->x, degrees->y, place.name);
+    return place;
+  }
+  if (!numbers->first_side.empty() && !projection.is_usable())
+    throw not_found(text, "this city has no CRS, so it has no latitude and longitude");
+  return find_point(text, {numbers->first, numbers->second}, scene);
+}
+
+scene::CameraPose look_at_place(const Place& place, const scene::CameraPose& before) {
+  constexpr float steepness_deg = 35, nearest_m = 60;
+  glm::vec3 ahead = before.target - before.position;
+  ahead.y = 0;
+  ahead = glm::length(ahead) > 1e-3f ? glm::normalize(ahead) : glm::vec3(0, 0, -1);
+  const float half_view = glm::radians(std::min(before.fov_deg, 120.0f) / 2);
+  const float distance_m = std::max(nearest_m, 1.3f * place.radius_m / std::sin(half_view));
+  const float down = std::sin(glm::radians(steepness_deg)),
+              level = std::cos(glm::radians(steepness_deg));
+  scene::CameraPose pose = before;
+  pose.target = place.point;
+  pose.position = place.point - distance_m * (level * ahead - glm::vec3(0, down, 0));
+  pose.up = {0, 1, 0};
+  return pose;
+}
+
+}  // namespace nightcity::viewer

@@ -1,0 +1,29 @@
+// Places that a user names: coordinates, or a city object by its id.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <string>
+
+#include "runtime/scene/camera.h"
+#include "runtime/viewer/map_projection.h"
+
+namespace nightcity::viewer {
+
+struct Place {
+  glm::vec3 point{0};  // model space, m: on the ground, or the middle of an object
+  float radius_m = 0;  // of the object; 0 for a point
+  std::string name;    // what was found, in words
+};
+
+/// Returns the place that `text` names: "52.5163, 13.3777" (latitude and longitude, also with N, S, E
+/// or W behind), "412013 5761972" (easting and northing in the city's CRS, m), or the id of a city
+/// object, of which a part is enough. Throws Error, which says what there is instead, where there is
+/// no such place in the model.
+Place find_place(const std::string& text, const scene::RenderScene& scene,
+                 const MapProjection& projection);
+
+/// Returns a pose that looks at the place from the side from which `before` looks, at its field of
+/// view, from above.
+scene::CameraPose look_at_place(const Place& place, const scene::CameraPose& before);
+
+}  // namespace nightcity::viewer

@@ -1,0 +1,128 @@
+// Places by coordinates and by the ids of city objects.
+#include "runtime/viewer/places.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "formats/error.h"
+#include "runtime/viewer/compass.h"
+#include "support/scenes.h"
+
+namespace nightcity::viewer {
+namespace {
+
+// A plane of 200 m around the Brandenburg Gate with a block 10 m high in the north-east.
+scene::RenderScene make_scene() {
+  scene::RenderScene scene =
+      test::SceneBuilder().ground(100).box({20, 0, -40}, {30, 10, -20}).with({});
+  scene.georeference.crs = "EPSG:25833";
+  scene.georeference.origin = {389873, 5819611, 34};
+  scene.features = {{"DEBE_01", "Building", "", {}, {}},
+                    {"DEBE_02", "Road", "", {}, {}},
+                    {"gate", "Building", "", {}, {}}};
+  for (gpu::Triangle& triangle : scene.triangles)
+    triangle.feature = triangle.v0.y + triangle.v1.y + triangle.v2.y > 1 ? 2 : 1;
+  return scene;
+}
+
+std::string error_of(const std::string& text, const scene::RenderScene& scene) {
+  try {
+    find_place(text, scene, MapProjection(scene.georeference.crs));
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Places, LatitudeAndLongitudeArePlacesOfTheModel) {
+  const MapProjection projection("EPSG:25833");
+  const auto plane = projection.to_plane(52.516275, 13.377704);
+  ASSERT_TRUE(plane);
+  const auto back = projection.to_degrees(*plane);
+  ASSERT_TRUE(back);
+  EXPECT_NEAR(back->x, 52.516275, 1e-8);
+  EXPECT_NEAR(back->y, 13.377704, 1e-8);
+  // On the central meridian, 15 degrees east, easting is 500,000 m; a minute of latitude is a
+  // nautical mile within 1 %.
+  const auto south = projection.to_plane(52, 15), north = projection.to_plane(52 + 1 / 60.0, 15);
+  EXPECT_NEAR(south->x, 500'000, 1e-3);
+  EXPECT_NEAR(north->y - south->y, 1852, 18);
+}
+
+TEST(Places, CoordinatesAreUnderstoodInTheWaysThatPeopleWriteThem) {
+  const scene::RenderScene scene = make_scene();
+  const MapProjection projection(scene.georeference.crs);
+  const Place middle = find_place("389873 5819611", scene, projection);
+  EXPECT_NEAR(glm::distance(middle.point, glm::vec3(0)), 0, 0.1);
+  EXPECT_NEAR(find_place("389898, 5819641", scene, projection).point.y, 10, 0.01);  // on the block
+  const auto degrees = projection.to_degrees({389873, 5819611});
+  char text[80];
+  std::snprintf(text, sizeof text, "%.7f, %.7f", degrees->x, degrees->y);
+  EXPECT_NEAR(glm::distance(find_place(text, scene, projection).point, glm::vec3(0)), 0, 0.1);
+  std::snprintf(text, sizeof text, " %.7f°N  %.7f E ", degrees->x, degrees->y);
+  EXPECT_NEAR(glm::distance(find_place(text, scene, projection).point, glm::vec3(0)), 0, 0.1);
+  std::snprintf(text, sizeof text, "%.7f E; %.7f N", degrees->y, degrees->x);
+  EXPECT_NEAR(glm::distance(find_place(text, scene, projection).point, glm::vec3(0)), 0, 0.1);
+}
+
+TEST(Places, ObjectsAreFoundByTheirIdOrAPartOfIt) {
+  const scene::RenderScene scene = make_scene();
+  const MapProjection projection("");
+  const Place gate = find_place("GATE", scene, projection);
+  EXPECT_NEAR(glm::distance(gate.point, glm::vec3(25, 5, -30)), 0, 0.1);
+  EXPECT_NEAR(gate.radius_m, glm::length(glm::vec3(5, 5, 10)), 0.1);
+  // Two ids contain it; the first has no surfaces of its own.
+  const Place road = find_place("debe", scene, projection);
+  EXPECT_NE(road.name.find("DEBE_02"), std::string::npos) << road.name;
+  EXPECT_NE(road.name.find("first of 2"), std::string::npos) << road.name;
+}
+
+TEST(Places, WhatIsNotThereIsSaidWithWhatThereIs) {
+  const scene::RenderScene scene = make_scene();
+  EXPECT_NE(error_of("Unter den Linden", scene).find("names of streets"), std::string::npos);
+  EXPECT_NE(error_of("48.1, 11.5", scene).find("outside"), std::string::npos);
+  EXPECT_NE(error_of("48.1, 11.5", scene).find("km"), std::string::npos);
+  EXPECT_NE(error_of("", scene), "");
+  EXPECT_NE(error_of("  ", scene), "");
+  EXPECT_NE(error_of("91, 200", scene), "");
+  EXPECT_NE(error_of(std::string(100000, '7'), scene), "");
+  scene::RenderScene nowhere = make_scene();
+  nowhere.georeference.crs = "";
+  EXPECT_NE(error_of("52 N, 13 E", nowhere).find("no CRS"), std::string::npos);
+  nowhere.georeference.crs = "EPSG:1";
+  EXPECT_NE(error_of("52 N, 13 E", nowhere), "");
+}
+
+TEST(Places, TheCameraLooksAtThemFromTheSideWhereItWas) {
+  const scene::CameraPose before{{0, 50, 300}, {0, 50, 0}, {0, 1, 0}, 50};  // to the north
+  const scene::CameraPose pose = look_at_place({{10, 0, 20}, 0, ""}, before);
+  EXPECT_EQ(pose.target, glm::vec3(10, 0, 20));
+  EXPECT_NEAR(pose.position.x, 10, 1e-3);
+  EXPECT_GT(pose.position.z, 20);
+  EXPECT_GT(pose.position.y, 20);
+  const scene::CameraPose far = look_at_place({{10, 0, 20}, 200, ""}, before);
+  EXPECT_GT(glm::distance(far.position, far.target), 200 / std::sin(0.4363));
+}
+
+TEST(Compass, BearingsAndScaleBarsAreThoseOfTheMap) {
+  const auto bearing = [](glm::vec3 ahead) {
+    return find_bearing({{0, 0, 0}, ahead, {0, 1, 0}, 60});
+  };
+  EXPECT_NEAR(bearing({0, 0, -1}), 0, 1e-4);
+  EXPECT_NEAR(bearing({1, 0, 0}), 90, 1e-4);
+  EXPECT_NEAR(bearing({0, -0.5f, 1}), 180, 1e-4);
+  EXPECT_NEAR(bearing({-1, 3, 0}), 270, 1e-4);
+  // 90 degrees over 100 pixels at 50 m: a metre each.
+  const scene::CameraPose pose{{0, 0, 0}, {0, 0, -50}, {0, 1, 0}, 90};
+  for (const auto& [most, metres] :
+       {std::pair{9.9f, 5.0}, {10.1f, 10.0}, {19.0f, 10.0}, {21.0f, 20.0}, {60.0f, 50.0}}) {
+    const ScaleBar bar = find_scale_bar(pose, 50, 100, most);
+    EXPECT_EQ(bar.metres, metres);
+    EXPECT_NEAR(bar.pixels, metres, 1e-3);
+  }
+  EXPECT_EQ(find_scale_bar(pose, 0, 100, 50).pixels, 0);
+}
+
+}  // namespace
+}  // namespace nightcity::viewer
