@@ -84,13 +84,17 @@ struct Escape {
   float sideways;   // level or downwards past the scene's edge: neither up nor onto the ground
 };
 
+#define PROJECTION_PERSPECTIVE 0u
+#define PROJECTION_FISHEYE 1u          // equidistant, a hemisphere across the shorter side
+#define PROJECTION_EQUIRECTANGULAR 2u  // all directions: longitude by latitude
+
 struct Camera {
   vec3 position;
   float tan_half_height;  // of the vertical field of view
   vec3 right;             // unit, right-handed: cross(forward, up)
   float aspect;           // width / height
   vec3 up;
-  float pad0;
+  uint projection;  // PROJECTION_*
   vec3 forward;
   float pad1;
 };

@@ -1,5 +1,6 @@
 // Decides which pixels may share their samples: neighbours, and a pixel with itself one frame
 // before.
+#include "shaders/projection.glsl"
 
 // Returns whether samples of pixels a and b may be of use to each other; symmetric in a and b. It
 // looks at geometry only, so that the choice is independent of the samples.
@@ -37,10 +38,8 @@ bool previous_pixel(Surface surface, bool permuted, out uint index) {
   expected.position += surface.motion;
   const vec3 d = expected.position - camera.position;
   expected.depth = length(d);
-  const float z = dot(d, camera.forward);
-  if (z <= 0.0) return false;
-  const vec2 screen =
-      vec2(dot(d, camera.right) / camera.aspect, -dot(d, camera.up)) / (z * camera.tan_half_height);
+  vec2 screen;
+  if (!screen_of(camera, d, screen)) return false;
   const uvec2 size = FRAME.previous_size;
   const vec2 at = (screen * 0.5 + 0.5) * vec2(size);
   if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, vec2(size)))) return false;

@@ -21,7 +21,7 @@ namespace {
 struct RecordCommand {
   RenderOptions render;
   RecordingOptions recording;
-  std::string exposure = "auto", tone = "filmic", film;
+  std::string exposure = "auto", tone = "filmic", projection = "perspective", film;
 };
 
 void run_record(RecordCommand& command) {
@@ -29,6 +29,7 @@ void run_record(RecordCommand& command) {
   RecordingOptions& recording = command.recording;
   render.resolve();
   render.settings.display.tone = measure::tone_curve_from_name(command.tone);
+  render.settings.projection = render::find_projection(command.projection);
   recording.ev100 = render::parse_exposure(command.exposure);
   recording.scene = render.scene;
   program::require_writable_folder(recording.folder);
@@ -102,6 +103,7 @@ void add_record_command(CLI::App& app) {
       ->capture_default_str();
   sub->add_option("--tone", command->tone, "Tone curve: filmic, reinhard or linear")
       ->capture_default_str();
+  declare_projection(*sub, command->projection);
   sub->add_flag("--exr", recording.exr, "Write OpenEXR in cd/m2 with layers beside each PNG");
   sub->add_option("--film", command->film, "Make this MP4 of the pictures, with ffmpeg");
   sub->callback([command] { run_record(*command); });

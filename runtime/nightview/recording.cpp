@@ -55,6 +55,8 @@ nlohmann::json describe(const RecordingOptions& options, const render::Renderer&
       {"settings", values}};
   if (settings.environment.lights != scene::all_families)
     description["lights"] = scene::text_of(settings.environment.lights);
+  if (settings.projection != PROJECTION_PERSPECTIVE)
+    description["projection"] = settings.projection;
   return description;
 }
 

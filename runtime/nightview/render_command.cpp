@@ -42,6 +42,7 @@ struct RenderCommand {
   std::string exposure = "auto";
   std::string tone = "filmic";
   std::string show = "picture";
+  std::string projection = "perspective";
   bool markers = false;
   std::string save_camera;
   std::uint32_t frames = 64;
@@ -211,6 +212,9 @@ void render(RenderCommand& command) {
   RenderOptions& options = command.options;
   options.resolve();
   options.settings.display.tone = measure::tone_curve_from_name(command.tone);
+  options.settings.projection = render::find_projection(command.projection);
+  if (command.markers && options.settings.projection != PROJECTION_PERSPECTIVE)
+    throw UsageError("--markers", "are drawn in perspective pictures alone");
   render::parse_exposure(command.exposure);  // throws early
   check_outputs(command.outputs);
   options.settings.sampling.layers =
@@ -299,6 +303,7 @@ void add_render_command(CLI::App& app) {
       ->capture_default_str()
       ->check(CLI::IsMember(
           {"picture", "luminance", "illuminance", "direct-illuminance", "indirect-illuminance"}));
+  declare_projection(*sub, command->projection);
   sub->add_flag("--markers", command->markers, "Mark every light in the PNG, hidden ones too");
   sub->add_option("--save-camera", command->save_camera, "Write the camera used to a JSON file");
   sub->callback([command] { render(*command); });

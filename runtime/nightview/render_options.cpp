@@ -57,6 +57,17 @@ void declare_scene(CLI::App& command, std::string& scene) {
       ->required();
 }
 
+void declare_projection(CLI::App& command, std::string& projection) {
+  command
+      .add_option(
+          "--projection", projection,
+          "perspective; fisheye: equidistant, a hemisphere across the shorter side, around "
+          "the view's direction; or equirectangular: all directions, longitude by latitude, "
+          "with the view's direction in the middle (--size 2:1)")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"perspective", "fisheye", "equirectangular"}));
+}
+
 void declare_size(CLI::App& command, std::string& size) {
   command.add_option("--size", size, "Picture size in pixels, WIDTHxHEIGHT")->capture_default_str();
 }

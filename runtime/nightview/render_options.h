@@ -23,6 +23,9 @@ scene::RenderScene load_and_report(const std::string& scene, const scene::PartSe
 /// Declares the argument "scene".
 void declare_scene(CLI::App& command, std::string& scene);
 
+/// Declares --projection, which find_projection takes.
+void declare_projection(CLI::App& command, std::string& projection);
+
 /// Declares --size.
 void declare_size(CLI::App& command, std::string& size);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numbers>
 
 namespace nightcity::render {
 namespace {
@@ -16,6 +17,19 @@ constexpr float max_samples = 65536;
 std::uint32_t cells_for(std::size_t pixels) {
   return static_cast<std::uint32_t>(
       std::bit_ceil(std::clamp(pixels, std::size_t{1} << 14, std::size_t{1} << 24)));
+}
+
+// Returns the angle of a pixel in the middle of the picture, rad.
+float pixel_angle(const gpu::Frame& frame) {
+  constexpr auto half_turn = std::numbers::pi_v<float>;
+  switch (frame.camera.projection) {
+    case PROJECTION_EQUIRECTANGULAR:
+      return half_turn / float(frame.size.y);
+    case PROJECTION_FISHEYE:
+      return half_turn / float(std::min(frame.size.x, frame.size.y));
+    default:
+      return 2 * frame.camera.tan_half_height / float(frame.size.y);
+  }
 }
 
 }  // namespace
@@ -43,7 +57,7 @@ void IrradianceCache::enter(gpu::Frame& frame, const IndirectSettings& settings,
   frame.seen_cells = seen_.address();
   frame.cell_mask = count_ - 1;
   frame.cell_paths = settings.paths;
-  frame.cell_angle = settings.cell_px * 2 * frame.camera.tan_half_height / float(height_);
+  frame.cell_angle = settings.cell_px * pixel_angle(frame);
   const double frames = moved_s > 0 ? std::ceil(memory_s / moved_s) : max_samples;
   frame.max_cell_samples =
       static_cast<float>(std::min(frames * settings.paths, double(max_samples)));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "formats/error.h"
 #include "runtime/measure/exposure.h"
@@ -48,6 +49,15 @@ glm::vec3 mean_of(const gpu::Accumulation& sum) {
 // Returns whether a frame of these settings has what a view other than the picture shows.
 bool shows(const RenderSettings& settings, std::uint32_t view) {
   return view != VIEW_PICTURE && (settings.sampling.layers || !needs_layers(view));
+}
+
+// Turns a camera to the horizon: viewers of panoramas take their middle row for it.
+void level(gpu::Camera& camera) {
+  glm::vec3 ahead = camera.forward;
+  if (std::abs(ahead.y) > 0.999f) ahead = camera.up;
+  camera.forward = glm::normalize(glm::vec3(ahead.x, 0, ahead.z));
+  camera.up = {0, 1, 0};
+  camera.right = glm::cross(camera.forward, camera.up);
 }
 
 // Sub-pixel positions: the R2 sequence (Roberts 2018), starting at the pixel's centre.
@@ -283,6 +293,8 @@ void Renderer::fill_view(gpu::Frame& frame) {
   const RenderSettings& settings = next_.settings;
   frame.previous_camera = done_.camera;
   next_.camera = scene::make_camera(*next_.pose, float(size_.x) / float(size_.y));
+  next_.camera.projection = settings.projection;
+  if (settings.projection == PROJECTION_EQUIRECTANGULAR) level(next_.camera);
   frame.camera = next_.camera;
   frame.size = size_;
   frame.previous_size = pictures_[parity_].size;

@@ -71,7 +71,15 @@ void set_moon(EnvironmentSettings& environment, double azimuth_deg, double eleva
 
 bool have_same_estimate(const RenderSettings& a, const RenderSettings& b) {
   return a.sampling == b.sampling && a.reuse == b.reuse && a.indirect == b.indirect &&
-         a.environment == b.environment;
+         a.environment == b.environment && a.projection == b.projection;
+}
+
+std::uint32_t find_projection(const std::string& name) {
+  if (name == "perspective") return PROJECTION_PERSPECTIVE;
+  if (name == "fisheye") return PROJECTION_FISHEYE;
+  if (name == "equirectangular") return PROJECTION_EQUIRECTANGULAR;
+  throw UsageError("--projection",
+                   "'" + name + "' is none of perspective, fisheye and equirectangular");
 }
 
 std::uint32_t find_indirect(const RenderSettings& settings) {

@@ -110,6 +110,9 @@ struct EnvironmentSettings {
   bool operator==(const EnvironmentSettings&) const = default;
 };
 
+/// Returns the projection of that name: perspective, fisheye or equirectangular. Throws UsageError.
+std::uint32_t find_projection(const std::string& name);
+
 /// Sets a moon at this place in the sky, azimuth from north over east, that gives a surface facing it
 /// `lux` (full moon: 0.25). Its light is sunlight off the moon, of about 4,100 K.
 void set_moon(EnvironmentSettings& environment, double azimuth_deg, double elevation_deg,
@@ -142,6 +145,8 @@ struct RenderSettings {
   AveragingSettings averaging;
   DisplaySettings display;
   double time_s = 8 * 3600;  // since noon
+  // PROJECTION_*: the window, markers and picks know perspective alone.
+  std::uint32_t projection = PROJECTION_PERSPECTIVE;
   // Features compiled into the passes although neither scene nor settings need them, to measure
   // their cost: bits 1 << CONSTANT_* of optional_features(). The picture stays the same.
   std::uint32_t forced_features = 0;
