@@ -10,10 +10,10 @@
 
 namespace nightcity::experiments {
 
-/// Returns the rungs between one candidate and `settings`, with the milliseconds of a frame in
-/// these views (the greatest median) and, where `errors` asks for it, the noise of a frame (the
-/// greatest). `make_renderer` makes a renderer of the picture's size. `progress` is called with the
-/// rungs measured so far and their number.
+/// Returns the rungs, in rising order of time, between one candidate and `settings`, with the
+/// milliseconds of a frame in these views (the greatest median) and, where `errors` asks for it,
+/// the noise of a frame (the greatest). `make_renderer` makes a renderer of the picture's size.
+/// `progress` is called with the rungs measured so far and their number.
 std::vector<render::Rung> measure_rungs(
     const std::function<render::Renderer()>& make_renderer,
     const std::vector<scene::CameraPose>& poses, const render::RenderSettings& settings,
