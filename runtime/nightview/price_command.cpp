@@ -200,6 +200,7 @@ void write_settings(const PriceCommand& command, const experiments::PriceReport&
   render::RenderSettings settings = options.settings;
   report.chosen.left_out.apply(settings);
   settings.indirect.bounces = report.chosen.bounces;
+  settings.sampling.jitter = command.render.settings.sampling.jitter;
   render::RenderSettings defaults;
   defaults.indirect.bounces = settings.indirect.bounces + 1;  // commands start from unlike numbers
   render::SettingsFile file{command.out, list_changes(settings, defaults), {}};

@@ -203,6 +203,7 @@ TEST_F(PriceCommand, WritesSettingsThatEveryCommandTakes) {
   const render::SettingsFile file = render::read_settings_file(folder / "cheap.toml");
   ASSERT_NE(file.find("leave-out"), nullptr);
   ASSERT_NE(file.find("bounces"), nullptr);
+  EXPECT_EQ(file.find("jitter"), nullptr) << "that is for measuring";
   const std::string settings =
       " --size 12x8 --frames 1 --settings" + test::quoted(folder / "cheap.toml");
   EXPECT_EQ(nightview("render", settings + "--out" + test::quoted(folder / "a.png")).exit_code, 0);
