@@ -164,7 +164,8 @@ Table make_output_table(bake::Recipe::Output& output) {
           {flag_key("draco", output.draco,
                     "Compresses meshes with Draco (`KHR_draco_mesh_compression`)."),
            number_key("draco_tolerance_m", output.draco_tolerance_m, {1e-5, 10}, "m",
-                      "With `draco`: the largest distance that a vertex may move."),
+                      "With `draco`: the largest distance that a vertex may move. Windows stand "
+                      "0.02 m before their walls: with more than that, walls hide some."),
            integer_key("punctual", output.punctual, 0, 1'000'000,
                        "Copies this many of the lights that are brightest at `[night] time` into "
                        "`city.glb` as `KHR_lights_punctual`, for programs that do not read "
