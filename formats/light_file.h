@@ -22,7 +22,8 @@ enum class ValueSource : std::uint8_t {
   attribute = 2,  // an attribute of the city model
   rule = 3,       // a rule of ours, stated beside the rule
   standard = 4,   // a published standard
-  inventory = 5   // a town's inventory of its lamps
+  inventory = 5,  // a town's inventory of its lamps
+  edit = 6        // a hand that changed it (light_edits.h)
 };
 
 /// Returns the source's name in reports ("tag", "rule", ...); a value out of range is "unknown".
@@ -38,6 +39,8 @@ constexpr const char* name_of(ValueSource source) {
       return "standard";
     case ValueSource::inventory:
       return "inventory";
+    case ValueSource::edit:
+      return "edit";
     case ValueSource::unknown:
       break;
   }

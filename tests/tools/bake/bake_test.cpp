@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "formats/error.h"
+#include "formats/light_edits.h"
+#include "formats/light_file.h"
 #include "formats/scene_reader.h"
 #include "support/data.h"
 #include "support/temp_folder.h"
@@ -513,6 +515,46 @@ TEST(Bake, AMapAloneGivesItsBuildingsTheirWindowsAndLamps) {
     EXPECT_NE(std::string(error.what()).find("the map has no building"), std::string::npos)
         << error.what();
   }
+}
+
+// A lamp is dimmed and aimed at the sky, and a window goes off for good: theirs are the only values
+// that change, and the file says that a hand changed them.
+TEST(Bake, EditsOfLightsAreBakedIn) {
+  const TempFolder folder;
+  write_text(folder / "map.osm", map_of_houses("building"));
+  Recipe recipe;
+  recipe.osm.files = {folder / "map.osm"};
+  bake(recipe, folder / "plain");
+  const LightFile plain = LightFile::open(folder / "plain/city.lights");
+  std::size_t lamp = plain.lights().size(), window = lamp;
+  for (std::size_t i = 0; i < plain.lights().size(); ++i)
+    (light_kind(plain.lights()[i]) == LightKind::sphere ? lamp : window) = i;
+  ASSERT_LT(std::max(lamp, window), plain.lights().size());
+
+  LightEdits edits;
+  edits[plain.lights()[lamp].id].flux_lm = 777;
+  edits[plain.lights()[lamp].id].aim = glm::vec3(0, 0, 1);
+  edits[plain.lights()[window].id].is_off = true;
+  edits[0x7fffffff].is_off = true;  // there is none
+  write_light_edits(folder / "city.edits.json", edits);
+  recipe.lights.edits = {folder / "city.edits.json"};
+  const BakeReport report = bake(recipe, folder / "edited");
+  EXPECT_EQ(report.lights.lamps.notes.at("lights changed by edits"), 2u);
+  EXPECT_EQ(report.lights.lamps.notes.at("edits of lights that are not there"), 1u);
+  const LightFile edited = LightFile::open(folder / "edited/city.lights");
+  ASSERT_EQ(edited.lights().size(), plain.lights().size());
+  for (std::size_t i = 0; i < plain.lights().size(); ++i) {
+    const Light &a = plain.lights()[i], &b = edited.lights()[i];
+    EXPECT_EQ(b.id, a.id);
+    EXPECT_EQ(b.flux_lm, i == lamp ? 777 : a.flux_lm);
+    EXPECT_EQ(b.axis, i == lamp ? glm::vec3(0, 1, 0) : a.axis);
+    EXPECT_EQ(edited.provenance()[i].flux == ValueSource::edit, i == lamp);
+    EXPECT_EQ(edited.provenance()[i].schedule == ValueSource::edit, i == window);
+  }
+  const Schedule& never = edited.schedules()[edited.lights()[window].schedule];
+  EXPECT_EQ(never.count, 0u);
+  recipe.lights.edits = {folder / "missing.json"};
+  EXPECT_THROW(bake(recipe, folder / "edited"), Error);
 }
 
 TEST(Bake, OneThreadAndManyGiveTheSameBytes) {

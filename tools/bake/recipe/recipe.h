@@ -60,6 +60,11 @@ struct Recipe {
 
   WindowStageOptions windows;
 
+  struct Lights {
+    /// Files of edited lights.
+    std::vector<std::filesystem::path> edits;
+  } lights;
+
   struct Traffic {
     /// True where the recipe has the table [traffic] and does not say drives = false.
     bool is_made = false;

@@ -172,14 +172,32 @@ Table make_output_table(bake::Recipe::Output& output) {
                        "`city.lights`.")}};
 }
 
+Table make_light_table(bake::Recipe::Lights& lights, const fs::path& folder) {
+  return {
+      "lights",
+      "All lamps and windows, whatever they come from.",
+      {paths_key("edits", lights.edits, folder, false, R"(["city.edits.json"])",
+                 "Files of single lights that were switched off, dimmed or aimed by hand, as the "
+                 "window of nightview writes them (formats/SPEC.md, section 5). Lights keep "
+                 "their identity from bake to bake, so a file stays good. Of several edits of "
+                 "a light, that of the last file holds. Edits of lights that are not there are "
+                 "counted. Paths are relative to the recipe.")}};
+}
+
 }  // namespace
 
 std::vector<Table> make_tables(bake::Recipe& recipe, const fs::path& folder) {
-  return {make_city_table(recipe.city, folder),       make_osm_table(recipe.osm, folder),
-          make_terrain_table(recipe.terrain, folder), make_ground_table(recipe.ground),
-          make_lamp_table(recipe.lamps, folder),      make_window_table(recipe.windows),
-          make_traffic_table(recipe.traffic),         make_night_table(recipe.night),
-          make_origin_table(recipe.origin),           make_output_table(recipe.output)};
+  return {make_city_table(recipe.city, folder),
+          make_osm_table(recipe.osm, folder),
+          make_terrain_table(recipe.terrain, folder),
+          make_ground_table(recipe.ground),
+          make_lamp_table(recipe.lamps, folder),
+          make_window_table(recipe.windows),
+          make_light_table(recipe.lights, folder),
+          make_traffic_table(recipe.traffic),
+          make_night_table(recipe.night),
+          make_origin_table(recipe.origin),
+          make_output_table(recipe.output)};
 }
 
 }  // namespace nightcity::recipe

@@ -6,6 +6,7 @@
 #include "tools/bake/scene/materials.h"
 #include "tools/bake/scene/punctual.h"
 #include "tools/bake/scene/window_models.h"
+#include "tools/bake/stages/edited_lights.h"
 
 namespace nightcity::bake {
 namespace {
@@ -26,6 +27,7 @@ BakedLights bake_lights(const City& city, WindowConsumer* windows, const LightSt
                         const LightOutputs& outputs) {
   const Georeference& georeference = outputs.georeference;
   BakedLights result;
+  EditedLights edits(options.edits, outputs.lights);
   CityLamps placed = place_city_lamps(city, options.lamps);
   lights::LampSet& lamps = placed.set;
   result.report.lamps = to_report(lamps, city);
@@ -34,9 +36,12 @@ BakedLights bake_lights(const City& city, WindowConsumer* windows, const LightSt
   lights::ScheduleTable schedules = make_schedules(outputs.lights);
   BrightestLights brightest(options.punctual);
   // Lamps first, then windows: the models name their lights by this order.
-  for (const lights::PlacedLamp& lamp : lamps.lamps) {
-    const Light light = lights::to_light(lamp, georeference, schedules);
+  for (lights::PlacedLamp& lamp : lamps.lamps) {
+    edits.change(lamp);
+    Light light = lights::to_light(lamp, georeference, schedules);
+    edits.finish(light);
     outputs.lights.add(light, lamp.provenance);
+    if (edits.is_off(lamp.id)) continue;
     if (!lamp.hours || lamp.hours->lit_at(options.shown_minute)) brightest.add(light);
   }
   add_lamp_models(outputs.scene, lamps.lamps, georeference,
@@ -44,13 +49,19 @@ BakedLights bake_lights(const City& city, WindowConsumer* windows, const LightSt
   lamps.lamps = {};
   if (windows) {
     WindowModels models(outputs.scratch, tiles_a_batch * options.tile_m);
-    result.report.windows = windows->finish(city, [&](const lights::LitRectangle& window) {
-      const Light light = lights::to_light(window, georeference, schedules);
+    result.report.windows = windows->finish(city, [&](lights::LitRectangle window) {
+      edits.change(window);
+      Light light = lights::to_light(window, georeference, schedules);
+      edits.finish(light);
       models.add(window, outputs.lights.add(light, window.provenance));
-      if (window.hours.lit_at(options.shown_minute)) brightest.add(light);
+      if (!edits.is_off(window.id) && window.hours.lit_at(options.shown_minute))
+        brightest.add(light);
     });
     models.write(outputs.scene, georeference);
   }
+  if (edits.used() > 0) result.report.lamps.notes["lights changed by edits"] = edits.used();
+  if (edits.unused() > 0)
+    result.report.lamps.notes["edits of lights that are not there"] = edits.unused();
   for (const Light& light : std::move(brightest).take())
     outputs.scene.add_punctual(to_punctual(light, lamps.profiles, lamps.profile_data));
   result.report.schedules = schedules.size();

@@ -20,6 +20,7 @@ struct LightStageOptions {
   int shown_minute = 5 * 60;  // after 17:00: the time that KHR_lights_punctual shows
   std::size_t punctual = 0;   // how many of the brightest lights are written as KHR_lights_punctual
   double tile_m = 250;        // side of the scene's tiles
+  std::vector<std::filesystem::path> edits;  // files of edited lights
 };
 
 /// The files that the lights are written to.
