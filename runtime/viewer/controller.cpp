@@ -12,7 +12,6 @@
 #include "runtime/render/presets.h"
 #include "runtime/scene/scene_file.h"
 #include "runtime/viewer/compass.h"
-#include "runtime/viewer/config_folder.h"
 #include "runtime/viewer/drawing.h"
 #include "runtime/viewer/hands.h"
 #include "runtime/viewer/legend.h"
@@ -185,7 +184,11 @@ void Controller::handle_input(const glm::vec2& size) {
     if (press->action == Action::close && close_innermost()) continue;
     obey(session_.press(*press, scene, workbench_.is_saving(), now_s_));
   }
-  const Hands hands = read_hands(ImGui::GetIO(), queue.held(), queue.handed_until(Window::now_s()));
+  Hands hands = read_hands(ImGui::GetIO(), queue.held(), queue.handed_until(Window::now_s()));
+  if (pad_)
+    for (const Action action : gamepad_.apply(*pad_, now_s_ - pad_s_, hands))
+      obey(session_.press({action}, scene, workbench_.is_saving(), now_s_));
+  pad_s_ = now_s_;
   recorder_.follow(session_.state.camera.pose, now_s_);
   const scene::CameraPose before = session_.state.camera.pose;
   session_.move(hands, scene, size, now_s_);
@@ -228,7 +231,7 @@ void Controller::obey(const PanelRequests& requests) {
     session_.change_side();
     workbench_.exchange();
   }
-  if (!requests.go_to.empty()) go_to_place(requests.go_to);
+  if (!requests.go_to.empty()) run([&] { return go_to_place(requests.go_to); });
   if (!requests.preset.empty())
     render::apply_preset(render::find_device_class(presenter_.device().info().kind),
                          requests.preset, session_.state.settings,
@@ -274,35 +277,9 @@ void Controller::edit_light(const std::function<void(LightEdit&)>& change) {
   find_lights(*picked, city.scene, settings.time_s, settings.environment.lights);
 }
 
-void Controller::save_edits() {
+void Controller::run(const std::function<std::string()>& errand) {
   try {
-    session_.notices.say(editor_.save(), now_s_);
-  } catch (const Error& error) {
-    session_.notices.say(error.what(), now_s_, true);
-  }
-}
-
-void Controller::go_to_place(const std::string& text) {
-  const City& city = workbench_.city();
-  try {
-    const Place place = find_place(text, city.scene, *city.projection);
-    session_.go_to(look_at_place(place, session_.state.camera.pose), now_s_);
-    if (session_.state.camera.motion == Motion::walk)
-      session_.state.camera.motion = Motion::orbit;  // a walker would fall from there
-    session_.notices.say(place.name, now_s_);
-  } catch (const Error& error) {
-    session_.notices.say(error.what(), now_s_, true);
-  }
-}
-
-void Controller::toggle_recording() {
-  if (!recorder_.is_recording()) {
-    recorder_.start(now_s_);
-    session_.notices.say("recording the camera's way: R ends it", now_s_);
-    return;
-  }
-  try {
-    const std::string sentence = recorder_.finish(scene::find_scene_file(workbench_.city().path));
+    const std::string sentence = errand();
     session_.notices.say(sentence, now_s_);
     spdlog::info("{}", sentence);
   } catch (const Error& error) {
@@ -310,20 +287,25 @@ void Controller::toggle_recording() {
   }
 }
 
+std::string Controller::go_to_place(const std::string& text) {
+  const City& city = workbench_.city();
+  const Place place = find_place(text, city.scene, *city.projection);
+  session_.go_to(look_at_place(place, session_.state.camera.pose), now_s_);
+  if (session_.state.camera.motion == Motion::walk)
+    session_.state.camera.motion = Motion::orbit;  // a walker would fall from there
+  return place.name;
+}
+
+void Controller::save_edits() {
+  run([this] { return editor_.save(); });
+}
+
+void Controller::toggle_recording() {
+  run([this] { return recorder_.toggle(scene::find_scene_file(workbench_.city().path), now_s_); });
+}
+
 void Controller::save_settings() {
-  std::filesystem::path file = options_.settings_file;
-  if (file.empty()) file = find_config_folder() / "settings.toml";
-  try {
-    std::error_code ignored;
-    if (options_.settings_file.empty())
-      std::filesystem::create_directories(file.parent_path(), ignored);
-    write_settings(file, session_.state);
-    session_.notices.say(
-        fmt::format("settings saved: --settings {} takes them, in every command", file.string()),
-        now_s_);
-  } catch (const Error& error) {
-    session_.notices.say(error.what(), now_s_, true);
-  }
+  run([this] { return viewer::save_settings(options_.settings_file, session_.state); });
 }
 
 void Controller::save() {

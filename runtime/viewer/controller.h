@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "runtime/viewer/gamepad.h"
 #include "runtime/viewer/light_editor.h"
 #include "runtime/viewer/path_recorder.h"
 #include "runtime/viewer/presenter.h"
@@ -41,6 +42,11 @@ class Controller {
   double still_s() const { return now_s_ - moved_s_; }
   Session& session() { return session_; }
   FrameStats& stats() { return stats_; }
+  /// Returns whether there is a gamepad, which sends no events, and whether it is being moved.
+  bool has_gamepad() const { return pad_.has_value(); }
+  bool is_pad_moved() const { return pad_ && Gamepad::is_moved(*pad_); }
+  /// Looks at the gamepad. Call it before draw().
+  void look_at_gamepad() { pad_ = read_gamepad(); }
 
  private:
   View view_of(const render::RenderSettings& settings) const;
@@ -55,7 +61,9 @@ class Controller {
   void draw_editor();
   void edit_light(const std::function<void(LightEdit&)>& change);
   void save_edits();
-  void go_to_place(const std::string& text);
+  // Does something, and says what came of it, or why not.
+  void run(const std::function<std::string()>& errand);
+  std::string go_to_place(const std::string& text);
   void toggle_recording();
   void save_settings();
   void save();
@@ -68,6 +76,9 @@ class Controller {
   FrameStats stats_;
   LightEditor editor_;
   PathRecorder recorder_;
+  Gamepad gamepad_;
+  std::optional<PadState> pad_;
+  double pad_s_ = 0;       // when the gamepad last moved something
   double pick_cd_m2_ = 0;  // luminance where something was picked, when last looked at
   double now_s_ = 0, moved_s_ = -1e9;
 };

@@ -13,6 +13,12 @@ constexpr int max_files = 1000;
 
 }  // namespace
 
+std::string PathRecorder::toggle(const std::filesystem::path& scene, double now_s) {
+  if (is_recording_) return finish(scene);
+  start(now_s);
+  return "recording the camera's way: R ends it";
+}
+
 void PathRecorder::start(double now_s) {
   is_recording_ = true;
   next_s_ = now_s;

@@ -14,6 +14,9 @@ class PathRecorder {
   /// The poses of a path follow each other at this interval, s.
   static constexpr double step_s = 0.25;
 
+  /// Starts, or finishes a recording that goes on. Returns the sentence that says so. Throws Error.
+  std::string toggle(const std::filesystem::path& scene, double now_s);
+
   bool is_recording() const { return is_recording_; }
   void start(double now_s);
   /// Keeps the pose, once for each interval that has passed.

@@ -97,7 +97,8 @@ class Viewer {
       session_.run_clock(options_.time_step_s > 0 && !pictured ? 0 : elapsed_s,
                          pictured ? options_.time_step_s : 0, now_s_);
     // After news the panel is drawn a few times more: it settles within two frames.
-    if (window_.queue().held().any()) redraws_ = std::max(redraws_, 1);
+    controller_.look_at_gamepad();
+    if (window_.queue().held().any() || controller_.is_pad_moved()) redraws_ = std::max(redraws_, 1);
     if (window_.take_news() || presenter_.is_outdated() || minimised_) redraws_ = 3;
     minimised_ = false;
     const bool reports = (works() || workbench_.opening()) && now_s_ - reported_s_ > report_s;
@@ -115,7 +116,7 @@ class Viewer {
     if (window_.is_minimised()) return sleep_s;
     if (workbench_.picture() && workbench_.picture()->compiles()) return 0.01;
     if (works() || !window_.queue().empty() || redraws_ > 0 || new_picture_) return 0;
-    if (workbench_.opening()) return 0.02;
+    if (workbench_.opening() || controller_.has_gamepad()) return 0.02;
     return sleep_s;
   }
 

@@ -1,5 +1,5 @@
-// A window, and its mouse and keyboard input as a queue of events. Only window.cpp, overlay.cpp and
-// keys.cpp include GLFW.
+// A window, and its mouse and keyboard input as a queue of events. Only window.cpp, overlay.cpp,
+// keys.cpp and gamepad.cpp include GLFW.
 #pragma once
 
 #include <vulkan/vulkan.h>

@@ -6,6 +6,7 @@
 
 #include "formats/error.h"
 #include "runtime/render/parse.h"
+#include "runtime/viewer/config_folder.h"
 #include "runtime/viewer/views.h"
 
 namespace nightcity::viewer {
@@ -35,6 +36,19 @@ void write_settings(const std::filesystem::path& file, const ViewerState& state)
   std::replace(view.begin(), view.end(), ' ', '-');
   written.window = {{"show", view}, {"every", std::to_string(state.divisor)}};
   write_settings_file(written, "Written by the window of nightview (Ctrl+S).");
+}
+
+std::string save_settings(std::filesystem::path file, const ViewerState& state) {
+  if (file.empty()) {
+    const std::filesystem::path folder = find_config_folder();
+    if (folder.empty())
+      throw Error("settings", "there is no home folder: --settings FILE names a file for them");
+    std::error_code ignored;
+    std::filesystem::create_directories(folder, ignored);
+    file = folder / "settings.toml";
+  }
+  write_settings(file, state);
+  return fmt::format("settings saved: --settings {} takes them, in every command", file.string());
 }
 
 int parse_divisor(const std::string& text) {

@@ -201,9 +201,9 @@ TEST_F(ViewerWindow, KindsOfLightThatAreOffDoNotShine) {
       0)
       << text("err.txt");
   // Between the panel and the compass.
-  EXPECT_GT(mean_light(measure::read_png(folder / "all.png"), 0.45, 0.8), 0.02);
-  EXPECT_LT(mean_light(measure::read_png(folder / "none.png"), 0.45, 0.8), 1e-4);
-  EXPECT_LT(mean_light(measure::read_png(folder / "empty.png"), 0.45, 0.8), 1e-4);
+  EXPECT_GT(mean_light(measure::read_png(folder / "all.png"), 0.5, 0.8), 0.02);
+  EXPECT_LT(mean_light(measure::read_png(folder / "none.png"), 0.5, 0.8), 1e-4);
+  EXPECT_LT(mean_light(measure::read_png(folder / "empty.png"), 0.5, 0.8), 1e-4);
   EXPECT_EQ(run("$V --lights candles --quit-after 1; test $? = 2\n"), 0);
   EXPECT_NE(text("err.txt").find("tail_lamp"), std::string::npos) << text("err.txt");
 }
