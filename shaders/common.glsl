@@ -25,6 +25,7 @@ layout(constant_id = CONSTANT_GLOSS) const uint HAS_GLOSS = 0u;
 layout(constant_id = CONSTANT_LAYERS) const uint HAS_LAYERS = 0u;
 layout(constant_id = CONSTANT_COUNT_RAYS) const uint COUNT_RAYS = 0u;
 layout(constant_id = CONSTANT_INDIRECT) const uint INDIRECT = INDIRECT_NONE;
+layout(constant_id = CONSTANT_AIR) const uint AIR = AIR_CLEAR;
 
 // A pass over pixels runs in squares of them, a pass over a list in rows. Ray generation has no
 // groups.

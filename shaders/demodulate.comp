@@ -21,7 +21,8 @@ void main() {
   if (surface.depth > 0.0 && surface.light == NO_HIT) {
     const Accumulation a = FRAME.accumulation.at[index];
     const vec3 albedo = albedo_of(surface);
-    result.irradiance = max(mean_of(a) - emitted(surface), vec3(0.0)) / albedo;
+    const float passed = transmittance(surface.position, FRAME.camera.position);
+    result.irradiance = max(mean_of(a) - emitted(surface) * passed, vec3(0.0)) / albedo;
     // The variance of the mean, from the spread of the frames. A few frames say too little: then
     // also from the spread of the pixels around.
     const float l = luminance(a.sum) / max(a.frames, 1.0);

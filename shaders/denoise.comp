@@ -58,7 +58,8 @@ void main() {
 
   vec3 radiance = mean_of(FRAME.accumulation.at[index]);
   if (surface.depth > 0.0 && surface.light == NO_HIT)
-    radiance = result.irradiance * albedo_of(surface) + emitted(surface);
+    radiance = result.irradiance * albedo_of(surface) +
+               emitted(surface) * transmittance(surface.position, FRAME.camera.position);
   FRAME.radiance.at[index] = single_frame(radiance);
   FRAME.display.at[index] = displayed(radiance);
 }

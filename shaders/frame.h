@@ -61,6 +61,7 @@ struct LightLayers {
   vec3 vehicles;
   vec3 sky;
   vec3 emitted;   // by the surface itself
+  vec3 air;       // of any source, scattered by the air in front of the surface
   vec3 indirect;  // of any source, after a bounce at least
 };
 
@@ -132,15 +133,25 @@ struct UpwardMap {
   uint rays;  // per light, over all dispatches
 };
 
+// Air that scatters light (air.glsl).
+struct Air {
+  float extinction;  // at `level`, 1/m; 0 = clear
+  float falloff;     // of the extinction with height, 1/m; 0 = the same at all heights
+  float level;       // height at which the extinction is given, model space, m
+  float asymmetry;   // mean cosine of scattering angles
+  float albedo;      // the share of the extinction that scatters
+  uint candidates;   // per pixel and frame
+};
+
 struct Frame {
   SceneBuffers scene;
   BUFFER(Words) previous_lit;            // scene.lit of the frame before
   BUFFER(VehicleLights) vehicle_lights;  // VEHICLE_LIGHTS per trip, in model space
   BUFFER(VehicleLights) previous_vehicle_lights;
-  BUFFER(VehicleNodes) vehicle_nodes;  // the light BVH over the vehicles
+  BUFFER(LightNodes) vehicle_nodes;  // the light BVH over the vehicles
   BUFFER(Words) vehicle_cells;         // per trip: its cell, and its place among that cell's trips
   BUFFER(Words) vehicle_counts;  // per cell: number of vehicles, then first place in the order
-  BUFFER(VehicleNodes) vehicle_boxes;  // one leaf per trip, not yet in order
+  BUFFER(LightNodes) vehicle_boxes;  // one leaf per trip, not yet in order
   BUFFER(Surfaces) surfaces;           // of this frame
   BUFFER(Surfaces) previous_surfaces;
   BUFFER(Reservoirs) reservoirs;  // result of the candidates, then of temporal reuse
@@ -209,6 +220,7 @@ struct Frame {
   // mean is over at most the samples of so many frames.
   uint cell_memory;
   float max_cell_samples;
+  Air air;
   float wetness;  // of surfaces that face up, 0 .. 1
   // Luminance of directions that leave the scene, cd/m^2 per channel; with a sky map, its factor.
   vec3 sky;

@@ -53,8 +53,45 @@ LightSample sample_sphere(Light light, vec2 uv, vec3 receiver) {
   return s;
 }
 
+// Below this solid angle, sr, sampling a rectangle by its area has as little noise, and the solid
+// angle itself, a difference of angles, is known less well.
+const float MIN_RECTANGLE_ANGLE = 0.02;
+
+// Samples a rectangle uniformly in the solid angle that it subtends, as air needs it that touches a
+// window: by area, its noise has no bound there. Returns false where the angle is too small or the
+// receiver lies behind (Urena, Fajardo, King: An area-preserving parametrization for spherical
+// rectangles, 2013; the names are theirs).
+bool sample_rectangle_angle(Light light, vec2 uv, vec3 receiver, out LightSample s) {
+  const vec3 second = cross(light.axis, light.tangent), way = light.position - receiver;
+  const float z0 = dot(way, light.axis), half_x = half_width(light), half_y = light.half_height;
+  if (!(z0 < 0.0)) return false;
+  const float x = dot(way, light.tangent), y = dot(way, second);
+  const float x0 = x - half_x, x1 = x + half_x, y0 = y - half_y, y1 = y + half_y;
+  // Normals of the planes through the receiver and the edges, at y0, x1, y1 and x0.
+  const float n0 = y0 * inversesqrt(z0 * z0 + y0 * y0), n1 = x1 * inversesqrt(z0 * z0 + x1 * x1),
+              n2 = y1 * inversesqrt(z0 * z0 + y1 * y1), n3 = x0 * inversesqrt(z0 * z0 + x0 * x0);
+  const float g0 = acos(n0 * n1), g1 = acos(-n1 * n2), g2 = acos(n2 * n3), g3 = acos(-n3 * n0);
+  const float k = 2.0 * PI - g2 - g3, angle = g0 + g1 - k;
+  if (!(angle > MIN_RECTANGLE_ANGLE)) return false;
+  const float au = uv.x * angle + k, b0 = -n0, b1 = n2;
+  const float fu = (cos(au) * b0 - b1) / sin(au);
+  const float cu =
+      clamp((fu > 0.0 ? 1.0 : -1.0) * inversesqrt(fu * fu + b0 * b0), -1.0, 1.0);
+  const float xu = clamp(-cu * z0 * inversesqrt(max(1.0 - cu * cu, 1e-12)), x0, x1);
+  const float d = sqrt(xu * xu + z0 * z0);
+  const float h = mix(y0 * inversesqrt(d * d + y0 * y0), y1 * inversesqrt(d * d + y1 * y1), uv.y);
+  const float yv = clamp(h * d * inversesqrt(max(1.0 - h * h, 1e-12)), y0, y1);
+  const vec3 to_point = light.tangent * xu + second * yv + light.axis * z0;
+  s.point = receiver + to_point;
+  s.direction = normalize(to_point);
+  s.value = light_colour(light.colour_rgb9e5) *
+            (light.flux_lm * angle / (4.0 * PI * half_x * half_y));
+  return true;
+}
+
 LightSample sample_rectangle(Light light, vec2 uv, vec3 receiver) {
   LightSample s;
+  if (AIR != AIR_CLEAR && sample_rectangle_angle(light, uv, receiver, s)) return s;
   const vec3 second = cross(light.axis, light.tangent);
   s.point = light.position + light.tangent * (half_width(light) * (2.0 * uv.x - 1.0)) +
             second * (light.half_height * (2.0 * uv.y - 1.0));
@@ -70,13 +107,21 @@ LightSample sample_rectangle(Light light, vec2 uv, vec3 receiver) {
   return s;
 }
 
-// Returns the point of a light that uv in [0, 1)^2 stands for, and what it sends to a receiver.
-LightSample sample_point(Light light, vec2 uv, vec3 receiver) {
+// Returns the point of a light that uv in [0, 1)^2 stands for, and what it would send to a receiver
+// through clear air.
+LightSample sample_in_clear_air(Light light, vec2 uv, vec3 receiver) {
   switch (kind_here(light)) {
     case LIGHT_SPHERE: return sample_sphere(light, uv, receiver);
     case LIGHT_RECTANGLE: return sample_rectangle(light, uv, receiver);
   }
   return LightSample(light.position, vec3(0.0, 1.0, 0.0), vec3(0.0));
+}
+
+// Returns the same point, and what it sends to a receiver through the scene's air.
+LightSample sample_point(Light light, vec2 uv, vec3 receiver) {
+  LightSample s = sample_in_clear_air(light, uv, receiver);
+  s.value *= transmittance(s.point, receiver);
+  return s;
 }
 
 // Returns the luminance of a light's emitting surface seen along unit `to`, which points away from

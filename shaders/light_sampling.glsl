@@ -80,6 +80,14 @@ uint sample_cell(GridCell p, LightGridBuffers grid) {
   return random_float() < entry.keep ? entry.light : entry.alias_light;
 }
 
+// Returns the density of a static light among the samples of the mixture, whichever technique takes
+// it.
+float static_density(LightSampler p, uint index, Light light) {
+  return p.uniform_share / float(SCENE.lit_count) + p.power_share * SCENE.alias.at[index].pdf +
+         cell_density(p.near, SCENE.near_grid.shape, light) +
+         cell_density(p.far, SCENE.far_grid.shape, light);
+}
+
 SampledLight sample_static_light(LightSampler p, float technique) {
   SampledLight chosen;
   if (technique < p.near.share) {
@@ -95,56 +103,43 @@ SampledLight sample_static_light(LightSampler p, float technique) {
     if (random_float() >= entry.keep) chosen.index = entry.alias;
   }
   chosen.light = light_at(chosen.index);
-  // The density of the mixture, whichever technique took the sample.
-  chosen.pdf = p.uniform_share / float(SCENE.lit_count) +
-               p.power_share * SCENE.alias.at[chosen.index].pdf +
-               cell_density(p.near, SCENE.near_grid.shape, chosen.light) +
-               cell_density(p.far, SCENE.far_grid.shape, chosen.light);
+  chosen.pdf = static_density(p, chosen.index, chosen.light);
   return chosen;
 }
 
 // Returns an estimate of what a node's lights contribute here, whatever their directions.
-float importance(VehicleNode node, vec3 position) {
+float importance(LightNode node, vec3 position) {
   if (node.lower.x > node.upper.x) return 0.0;
   const vec3 d = 0.5 * (node.lower + node.upper) - position;
   const vec3 extent = node.upper - node.lower;
   return node.flux_lm / max(dot(d, d), 0.25 * dot(extent, extent) + 1.0);
 }
 
-SampledLight sample_vehicle_light(vec3 position) {
-  SampledLight chosen = SampledLight(0u, SCENE.lights.at[0], 0.0);
-  float pdf = 1.0;
-  uint place = 0u;
-  for (uint level = SCENE.traffic.levels - 1u; level > 0u; --level) {
-    float weight[4];
-    float sum = 0.0;
-    for (uint i = 0u; i < 4u; ++i) {
-      const uint below = 4u * place + i;
-      weight[i] =
-          below < SCENE.traffic.level_count[level - 1u]
-              ? importance(FRAME.vehicle_nodes.at[SCENE.traffic.level_first[level - 1u] + below],
-                           position)
-              : 0.0;
-      sum += weight[i];
-    }
-    if (!(sum > 0.0)) return chosen;
-    float at = random_float() * sum;
-    uint chosen = 4u;
-    for (uint i = 0u; i < 4u; ++i) {
-      if (weight[i] <= 0.0) continue;
-      chosen = i;  // the last one with weight, if rounding lets `at` run past the end
-      if (at < weight[i]) break;
-      at -= weight[i];
-    }
-    pdf *= weight[chosen] / sum;
-    place = 4u * place + chosen;
+// Returns which of a node's four children is sampled, each in proportion to its weight, and multiplies
+// `pdf` by the probability of that; 4 where no child has weight.
+uint sample_child(float weight[4], inout float pdf) {
+  const float sum = weight[0] + weight[1] + weight[2] + weight[3];
+  if (!(sum > 0.0)) return 4u;
+  float at = random_float() * sum;
+  uint chosen = 4u;
+  for (uint i = 0u; i < 4u; ++i) {
+    if (weight[i] <= 0.0) continue;
+    chosen = i;  // the last one with weight, if rounding lets `at` run past the end
+    if (at < weight[i]) break;
+    at -= weight[i];
   }
-  const VehicleNode leaf = FRAME.vehicle_nodes.at[place];
+  pdf *= weight[chosen] / sum;
+  return chosen;
+}
+
+// Returns one of the lights of a vehicle, in proportion to flux; `pdf` is that of the vehicle.
+SampledLight sample_light_of_vehicle(LightNode leaf, float pdf) {
+  SampledLight chosen = SampledLight(0u, SCENE.lights.at[0], 0.0);
   float at = random_float() * leaf.flux_lm;
   for (uint i = 0u; i < VEHICLE_LIGHTS; ++i) {
-    const float flux = FRAME.vehicle_lights.at[leaf.trip * VEHICLE_LIGHTS + i].flux_lm;
+    const float flux = FRAME.vehicle_lights.at[leaf.item * VEHICLE_LIGHTS + i].flux_lm;
     if (flux <= 0.0) continue;
-    chosen.index = leaf.trip * VEHICLE_LIGHTS + i;
+    chosen.index = leaf.item * VEHICLE_LIGHTS + i;
     chosen.pdf = pdf * flux / leaf.flux_lm;
     if (at < flux) break;
     at -= flux;
@@ -152,6 +147,26 @@ SampledLight sample_vehicle_light(vec3 position) {
   chosen.light = FRAME.vehicle_lights.at[chosen.index];
   chosen.index += SCENE.static_lights;
   return chosen;
+}
+
+SampledLight sample_vehicle_light(vec3 position) {
+  float pdf = 1.0;
+  uint place = 0u;
+  for (uint level = SCENE.traffic.levels - 1u; level > 0u; --level) {
+    float weight[4];
+    for (uint i = 0u; i < 4u; ++i) {
+      const uint below = 4u * place + i;
+      weight[i] =
+          below < SCENE.traffic.level_count[level - 1u]
+              ? importance(FRAME.vehicle_nodes.at[SCENE.traffic.level_first[level - 1u] + below],
+                           position)
+              : 0.0;
+    }
+    const uint child = sample_child(weight, pdf);
+    if (child == 4u) return SampledLight(0u, SCENE.lights.at[0], 0.0);
+    place = 4u * place + child;
+  }
+  return sample_light_of_vehicle(FRAME.vehicle_nodes.at[place], pdf);
 }
 
 // Returns one light for a receiver. `technique` in [0, 1) is stratified as described above.

@@ -56,4 +56,5 @@ float intensity_per_lumen(Light light, vec3 to) {
   return mix(a, b, fc);
 }
 
+#include "shaders/air.glsl"
 #include "shaders/light_kinds.glsl"

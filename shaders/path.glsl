@@ -128,8 +128,11 @@ vec3 reflected_from_lit_surface(Receiver r, float film_share, float film_alpha, 
                      (source.light.flux_lm * share_at(source.light, lit.position) * sum / target);
   // A path to `lit` has the rest of the weight.
   lit.path_density = scatter_density(r, film_share, direction) / d2;
+  const float passed = transmittance(ray.origin, lit.position) *
+                       transmittance(lit.position, r.position);
   const vec3 light = brdf(r, direction) * brdf(lit, -ray.direction) * lumen *
-                     (cosine * cosine_there / d2 * (1.0 - share_of_path(lit, ray.origin)));
+                     (passed * cosine * cosine_there / d2 *
+                      (1.0 - share_of_path(lit, ray.origin)));
   return all_finite(light) ? light : vec3(0.0);
 }
 
@@ -149,6 +152,7 @@ vec3 reflected_bounces(Receiver r, float film_share, float choice, vec2 u, float
     Hit hit;
     const Surface surface = first_surface(r.origin, s.direction, MASK_SHADOW, hit);
     if (surface.depth <= 0.0) break;
+    throughput *= transmittance(r.position, surface.position);
     r = next_receiver(r, surface, s.density, film_alpha);
     sum += throughput * (unsampled_emission(surface, hit) + reflected_direct(r, BOUNCE_CANDIDATES) +
                          reflected_sky_and_moon(r));

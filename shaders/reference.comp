@@ -28,17 +28,22 @@ void main() {
   Accumulation total = FRAME.radiance.at[sum_index];
   LightLayers layers = NO_LAYERS;
   if (push.first == 0u) total = single_frame(vec3(0.0));
+  float passed = 1.0;
+  vec3 airlight = vec3(0.0);
+  if (surface.depth > 0.0) passed = transmittance(surface.position, FRAME.camera.position);
   if (chunk == 0u) {
+    if (surface.depth > 0.0) airlight = sky_airlight(camera_direction(pixel), passed);
     layers.emitted = surface.depth > 0.0 ? emitted(surface) : seen_sky(pixel);
     if (surface.depth > 0.0) {
       seed_random(pixel, STREAM_SKY);
       layers.sky = reflected_sky_and_moon(receiver_of(surface));
     }
-    total.sum = layers.emitted + layers.sky;
+    total.sum = (layers.emitted + layers.sky) * passed + airlight;
   }
   if (surface.depth > 0.0)
     add_compensated(
-        total, reflected_from_all(pixel, receiver_of(surface), chunk, end, true, layers));
+        total, passed * reflected_from_all(pixel, receiver_of(surface), chunk, end, true, layers));
+  see_through_air(layers, passed, airlight);
   FRAME.radiance.at[sum_index] = total;
   add_layers(index, layers, chunk == 0u && FRAME.reset != 0u);
 }

@@ -40,6 +40,7 @@ Receiver move_on(inout PathVertex vertex, Receiver r, uvec2 pixel, out Hit hit) 
   if (!goes_on) return r;
   vertex.surface = first_surface(r.origin, next.direction, MASK_SHADOW, hit);
   vertex.viewer = r.origin;
+  vertex.throughput *= transmittance(r.position, vertex.surface.position);
   return vertex.surface.depth > 0.0 ? next_receiver(r, vertex.surface, next.density, WET_ALPHA) : r;
 }
 
@@ -75,7 +76,8 @@ void main() {
   FRAME.path.at[index] = vertex;
   if (vertex.surface.depth > 0.0) sum += vertex.throughput * light_of_vertex(vertex, r, hit, pixel);
   LightLayers layers = NO_LAYERS;
-  layers.indirect = sum / float(FRAME.reference_paths);
+  layers.indirect = sum * (transmittance(FRAME.surfaces.at[index].position, FRAME.camera.position) /
+                           float(FRAME.reference_paths));
   Accumulation total = FRAME.radiance.at[index];
   add_compensated(total, layers.indirect);
   FRAME.radiance.at[index] = total;

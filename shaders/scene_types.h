@@ -60,21 +60,23 @@ struct VehicleBody {
   uint mask;  // MASK_*
 };
 
-// A node of the light BVH over the vehicles that are on the road, in Morton order
-// (vehicle_bvh.comp): the box and the flux of everything below it. Its leaves, one per trip, come
-// first. 32 bytes.
-struct VehicleNode {
+// A node of a light BVH: the box and the flux of everything below it. Leaves come first, in Morton
+// order, and a node has four of the level below. There are two: over the vehicles that are on the
+// road (vehicle_bvh.comp), and over the lights that do not move
+// (runtime/scene/light_tree.h). 32 bytes.
+struct LightNode {
   vec3 lower;  // lower > upper: nothing below
   float flux_lm;
   vec3 upper;
-  uint trip;  // of a leaf
+  uint item;  // of a leaf: trip or light
 };
+#define LIGHT_TREE_LEVELS 16  // 4^15 lights
 #define VEHICLE_LEVELS 12             // 4^11 trips
 #define VEHICLE_CELLS 65536u          // cells of the map in Morton order: 256 x 256
 #define VEHICLE_ABSENT VEHICLE_CELLS  // the cell of vehicles that are not on the road
 
 #ifdef __cplusplus
-static_assert(sizeof(Material) == 32 && sizeof(VehicleBody) == 32 && sizeof(VehicleNode) == 32);
+static_assert(sizeof(Material) == 32 && sizeof(VehicleBody) == 32 && sizeof(LightNode) == 32);
 }  // namespace nightcity::gpu
 #endif
 
@@ -90,7 +92,7 @@ ARRAY_REFERENCE(Vehicles, VehicleKind, readonly)
 ARRAY_REFERENCE(Bodies, VehicleBody, readonly)
 ARRAY_REFERENCE(Trips, Trip, readonly)
 ARRAY_REFERENCE(Knots, TripKnot, readonly)
-ARRAY_REFERENCE(VehicleNodes, VehicleNode, )
+ARRAY_REFERENCE(LightNodes, LightNode, )
 ARRAY_REFERENCE(VehicleLights, Light, )
 
 #ifdef __cplusplus
@@ -130,6 +132,15 @@ struct LightGridBuffers {
   BUFFER(GridEntries) entries;
 };
 
+// The light BVH over the static lights that shine now, where a pass asks for it.
+struct LightTree {
+  BUFFER(LightNodes) nodes;
+  uint level_first[LIGHT_TREE_LEVELS];
+  uint level_count[LIGHT_TREE_LEVELS];
+  uint levels;  // 0 = none shines
+  BUFFER(Words) leaf_of_light;  // index of each static light's leaf; not set of lights that are off
+};
+
 // The scene on the device. It changes when another scene is loaded or lights are switched.
 struct SceneBuffers {
   BUFFER(Nodes) nodes;
@@ -152,6 +163,7 @@ struct SceneBuffers {
   uint light_count;            // static lights, then VEHICLE_LIGHTS per trip
   uint static_lights;          // lights that do not move
   uint lit_count;              // static lights that shine now
+  LightTree light_tree;
   TrafficBuffers traffic;
 };
 

@@ -65,6 +65,10 @@ void main() {
         radiance += direct;
       }
     }
+    const float passed = transmittance(surface.position, FRAME.camera.position);
+    const vec3 airlight = sky_airlight(camera_direction(pixel), passed);
+    radiance = radiance * passed + airlight;
+    see_through_air(layers, passed, airlight);
   } else {
     radiance = layers.emitted = seen_sky(pixel);
   }

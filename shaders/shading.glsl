@@ -100,9 +100,9 @@ vec3 reflected(Receiver r, LightSample s) {
   return cosine > 0.0 ? brdf(r, s.direction) * s.value * cosine : vec3(0.0);
 }
 
-// Returns the target function p^: without shadows, >= 0 and finite.
+// Returns the target function p^: without shadows and air, >= 0 and finite.
 float target_of(Receiver r, Light light, uint uv) {
-  const LightSample s = sample_point(light, uv_of(uv), r.position);
+  const LightSample s = sample_in_clear_air(light, uv_of(uv), r.position);
   const float p = luminance(reflected(r, s)) * share_of_path(r, s.point);
   return p > 0.0 && finite(p) ? p : 0.0;
 }

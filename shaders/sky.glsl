@@ -22,6 +22,17 @@ vec3 seen_sky(uvec2 pixel) {
   return on_moon ? sky + FRAME.moon_lux / (PI * MOON_RADIUS * MOON_RADIUS) : sky;
 }
 
+// Returns what air in front of a surface adds of the sky's own light, cd/m^2 per channel: air in the
+// light of an even sky is as bright as that sky where nothing shows through (Koschmieder 1924). Not
+// in shadow, and of the sky at the horizon where the ray goes down. `passed` is the transmittance.
+vec3 sky_airlight(vec3 direction, float passed) {
+  if (AIR == AIR_CLEAR || SKY_MODE == SKY_DARK) return vec3(0.0);
+  const vec3 level = vec3(direction.x, max(direction.y, 0.0), direction.z);
+  const float size = length(level);
+  const vec3 sky = sky_luminance(size > 0.0 ? level / size : vec3(0.0, 1.0, 0.0));
+  return sky * (FRAME.air.albedo * (1.0 - passed));
+}
+
 // Returns one sample of the moonlight that a surface reflects, cd/m^2 per channel: u in [0, 1)^2 is
 // a point on the moon's disc. It includes the moon's mirror image in a wet street.
 vec3 reflected_moon(Receiver r, vec2 u) {

@@ -14,12 +14,18 @@
 #define CONSTANT_LAYERS 8            // the light of each kind of source is kept apart
 #define CONSTANT_COUNT_RAYS 9        // the frame's shadow rays are counted
 #define CONSTANT_INDIRECT 10         // INDIRECT_*
-#define CONSTANT_COUNT 11
+#define CONSTANT_AIR 11              // AIR_*
+#define CONSTANT_COUNT 12
 
 // Values of CONSTANT_INDIRECT: how light that bounced is found.
 #define INDIRECT_NONE 0u   // it is left out
 #define INDIRECT_PATHS 1u  // by a path of each pixel: unbiased
 #define INDIRECT_CACHE 2u  // from the irradiance cache: smoothed
+
+// Values of CONSTANT_AIR.
+#define AIR_CLEAR 0u    // it takes no light
+#define AIR_EVEN 1u     // the same at all heights
+#define AIR_LAYERED 2u  // denser below
 
 // Values of CONSTANT_SKY.
 #define SKY_DARK 0u     // neither sky nor moon gives light

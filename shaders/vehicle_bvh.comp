@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Vehicles, step 5 of 5, one dispatch per level (push.first, from 1), one invocation per node:
 // every four neighbours in the order become a node of the next level, both for rays (BvhNode) and
-// for sampling lights (VehicleNode). Neighbours on a Morton curve are neighbours on the map, so the
+// for sampling lights (LightNode). Neighbours on a Morton curve are neighbours on the map, so the
 // hierarchy is a fair one without a search (Lauterbach et al.: Fast BVH Construction on GPUs,
 // 2009). The last dispatch joins the top node and the static scene under the scene's root.
 #define WORKGROUP_IS_A_ROW
@@ -52,17 +52,17 @@ void main() {
   if (level < TRAFFIC.levels) {
     if (place >= TRAFFIC.level_count[level]) return;
     Children c;
-    VehicleNode all = VehicleNode(vec3(1e30), 0.0, vec3(-1e30), NO_HIT);
+    LightNode all = LightNode(vec3(1e30), 0.0, vec3(-1e30), NO_HIT);
     for (uint i = 0u; i < 4u; ++i) {
       const uint below = 4u * place + i;
       c.lower[i] = c.upper[i] = vec3(0.0);
       c.child[i] = BVH_EMPTY;
       if (below >= TRAFFIC.level_count[level - 1u]) continue;
-      const VehicleNode node = FRAME.vehicle_nodes.at[TRAFFIC.level_first[level - 1u] + below];
+      const LightNode node = FRAME.vehicle_nodes.at[TRAFFIC.level_first[level - 1u] + below];
       if (node.lower.x > node.upper.x) continue;
       c.lower[i] = node.lower;
       c.upper[i] = node.upper;
-      c.child[i] = level == 1u ? BVH_LEAF | (TRAFFIC.first_instance + node.trip)
+      c.child[i] = level == 1u ? BVH_LEAF | (TRAFFIC.first_instance + node.item)
                                : TRAFFIC.first_bvh_node + TRAFFIC.level_first[level - 1u] -
                                      TRAFFIC.trip_count + below;
       all.lower = min(all.lower, node.lower);
@@ -74,7 +74,7 @@ void main() {
     TRAFFIC.bvh.at[at - TRAFFIC.trip_count] = quantised(c, all.lower, all.upper);
   } else if (place == 0u) {
     const uint vehicle_root = TRAFFIC.level_first[TRAFFIC.levels - 1u];
-    const VehicleNode all_vehicles = FRAME.vehicle_nodes.at[vehicle_root];
+    const LightNode all_vehicles = FRAME.vehicle_nodes.at[vehicle_root];
     Children c;
     for (uint i = 0u; i < 4u; ++i) {
       c.lower[i] = c.upper[i] = vec3(0.0);

@@ -67,7 +67,7 @@ void main() {
     TRAFFIC.tlas_instances.at[at + 15u] = TRAFFIC.body_blas.at[2u * kind + 1u];
   }
 
-  VehicleNode box = VehicleNode(vec3(1e30), 0.0, vec3(-1e30), trip);
+  LightNode box = LightNode(vec3(1e30), 0.0, vec3(-1e30), trip);
   uint cell = VEHICLE_ABSENT;
   if (pose.on_road) {
     const vec3 centre = pose.position + pose.axes * (0.5 * (body.lower + body.upper));
@@ -76,7 +76,7 @@ void main() {
                        abs(pose.axes[2]) * half_size.z;
     // As for static instances, the margin makes up for the rounding of the box's corners.
     const vec3 margin = 1e-6 * max(abs(centre - reach), abs(centre + reach)) + 1e-6;
-    box = VehicleNode(centre - reach - margin, flux, centre + reach + margin, trip);
+    box = LightNode(centre - reach - margin, flux, centre + reach + margin, trip);
     cell = morton_cell(pose.position);
   }
   FRAME.vehicle_boxes.at[trip] = box;

@@ -11,9 +11,9 @@ void main() {
   const uint first = FRAME.vehicle_counts.at[cell], end = FRAME.vehicle_counts.at[cell + 1u];
   if (end - first > 128u) return;  // insertion sort: its cost is the square of a crowd on one spot
   for (uint i = first + 1u; i < end; ++i) {
-    const VehicleNode node = FRAME.vehicle_nodes.at[i];
+    const LightNode node = FRAME.vehicle_nodes.at[i];
     uint to = i;
-    while (to > first && FRAME.vehicle_nodes.at[to - 1u].trip > node.trip) {
+    while (to > first && FRAME.vehicle_nodes.at[to - 1u].item > node.item) {
       FRAME.vehicle_nodes.at[to] = FRAME.vehicle_nodes.at[to - 1u];
       --to;
     }

@@ -138,13 +138,16 @@ std::vector<float> illuminance_of(const Image& image, Illumination part) {
     for (const char* name : {"direct_lamps", "direct_windows", "direct_vehicles", "sky"})
       parts.push_back(&layer(name));
   if (part != Illumination::direct) parts.push_back(&layer("indirect"));
+  // Layers hold what reaches the eye, less what the air in front of a surface takes.
+  const ImageLayer* air = image.layer("transmittance");
   std::vector<float> values(image.pixels());
   for (std::size_t i = 0; i < values.size(); ++i) {
+    const float passed = air ? air->values[i] : 1.0f;
     std::array<float, 3> lux{};
     for (std::size_t c = 0; c < 3; ++c) {
       float reflected = 0;
       for (const auto* values_of_part : parts) reflected += (*values_of_part)[3 * i + c];
-      const float base = albedo[3 * i + c];
+      const float base = albedo[3 * i + c] * passed;
       lux[c] = base > 0 ? std::numbers::pi_v<float> * reflected / base : 0.0f;
     }
     values[i] = tonemap::luminance_709(lux[0], lux[1], lux[2]);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "runtime/scene/alias_table.h"
+#include "runtime/scene/light_tree.h"
 
 namespace nightcity::render {
 
@@ -84,6 +85,21 @@ void DeviceLights::upload_switches(scene::LitLights lit) {
   alias_ = gpu::Buffer::of(device_, std::span<const gpu::AliasEntry>(lit_.alias));
   // The device has the table now; the switches are kept to detect the next change.
   lit_.alias = {};
+  if (needs_tree_) upload_tree();
+}
+
+void DeviceLights::need_tree() {
+  if (std::exchange(needs_tree_, true)) return;
+  upload_tree();
+}
+
+void DeviceLights::upload_tree() {
+  const scene::LightTree tree = scene::build_light_tree(lights_, lit_.list);
+  tree_nodes_ = gpu::Buffer::of(device_, std::span<const gpu::LightNode>(tree.nodes));
+  leaf_of_light_ = gpu::Buffer::of(device_, std::span<const std::uint32_t>(tree.leaf_of_light));
+  tree_ = tree.shape;
+  tree_.nodes = tree_nodes_.address();
+  tree_.leaf_of_light = leaf_of_light_.address();
 }
 
 void DeviceLights::upload_grid(std::size_t which, const scene::LightGrid& grid) {
@@ -101,6 +117,7 @@ void DeviceLights::enter(gpu::SceneBuffers& buffers) const {
   buffers.alias = alias_.address();
   buffers.near_grid = {shapes_[0], cells_[0].address(), entries_[0].address()};
   buffers.far_grid = {shapes_[1], cells_[1].address(), entries_[1].address()};
+  buffers.light_tree = tree_;
 }
 
 std::vector<double> DeviceLights::flux_now() const {
@@ -113,7 +130,7 @@ std::uint64_t DeviceLights::bytes() const {
   std::uint64_t total = 0;
   for (const gpu::Buffer* buffer :
        {&lights_buffer_, &vehicle_lights_buffer_, &lit_bits_[0], &lit_bits_[1], &lit_list_, &alias_,
-        &cells_[0], &cells_[1], &entries_[0], &entries_[1]})
+        &cells_[0], &cells_[1], &entries_[0], &entries_[1], &tree_nodes_, &leaf_of_light_})
     total += buffer->bytes();
   return total;
 }

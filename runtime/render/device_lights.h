@@ -31,6 +31,9 @@ class DeviceLights {
   /// Replaces a static light by another one of the same kind, at the next set_time.
   void edit(std::uint32_t index, const Light& light) { edits_[index] = light; }
 
+  /// Makes the light BVH over the static lights, and from now on with every change of them.
+  void need_tree();
+
   /// Returns the number of changes of static lights so far. Reservoirs outlive one, because the
   /// switches before it are kept; so an edit counts as two.
   std::uint32_t changes() const { return changes_; }
@@ -47,6 +50,7 @@ class DeviceLights {
   void upload(scene::LitLights lit);
   void upload_switches(scene::LitLights lit);
   void upload_grid(std::size_t which, const scene::LightGrid& grid);
+  void upload_tree();
 
   gpu::Device& device_;
   std::vector<Light> lights_;  // static
@@ -65,6 +69,9 @@ class DeviceLights {
   int lit_parity_ = 0;
   gpu::Buffer lit_list_, alias_, cells_[2], entries_[2];  // of the grids: near, far
   gpu::LightGridShape shapes_[2]{};
+  bool needs_tree_ = false;
+  gpu::LightTree tree_{};
+  gpu::Buffer tree_nodes_, leaf_of_light_;
   bool when_ready_ = false;
   std::future<scene::LitLights> next_lit_;  // uses lights_, so it is declared last: destroyed first
 };

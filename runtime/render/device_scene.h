@@ -42,6 +42,12 @@ class DeviceScene {
   bool has_switches() const { return lights_->has_switches(); }
   std::vector<double> flux_now() const { return lights_->flux_now(); }
 
+  /// Makes buffers() have the light BVH over the static lights from now on.
+  void need_light_tree() {
+    lights_->need_tree();
+    lights_->enter(addresses_);
+  }
+
   const gpu::SceneBuffers& buffers() const { return addresses_; }
   bool has_profiles() const { return has_profiles_; }
   bool has_rectangles() const { return has_rectangles_; }

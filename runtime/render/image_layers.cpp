@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "shaders/air.glsl.h"
 #include "shaders/octahedral.glsl.h"
 #include "shaders/tonemap.glsl.h"
 
@@ -48,6 +49,7 @@ void add_light_layers(measure::Image& image, std::span<const gpu::LayerSums> sum
   add("sky", &gpu::LightLayers::sky);
   add("emitted", &gpu::LightLayers::emitted);
   add("indirect", &gpu::LightLayers::indirect);
+  add("air", &gpu::LightLayers::air);
 }
 
 void add_surface_layers(measure::Image& image, std::span<const gpu::Surface> surfaces,
@@ -70,6 +72,16 @@ void add_surface_layers(measure::Image& image, std::span<const gpu::Surface> sur
   add("feature", {"id"}, [&](const gpu::Surface& s) {
     return is_hit(s) && s.feature != NO_HIT ? float(s.feature) : -1.0f;
   });
+}
+
+void add_transmittance_layer(measure::Image& image, std::span<const gpu::Surface> surfaces,
+                             const gpu::Air& air, float camera_height) {
+  std::vector<float>& values = add_layer(image, "transmittance", {"Y"});
+  for (const gpu::Surface& s : surfaces) {
+    const float depth = air::optical_depth(air.extinction, air.falloff, camera_height - air.level,
+                                           s.position.y - air.level, s.depth);
+    values.push_back(s.depth > 0 ? std::exp(-depth) : 1.0f);
+  }
 }
 
 }  // namespace nightcity::render

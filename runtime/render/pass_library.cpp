@@ -66,6 +66,11 @@ PassSet PassLibrary::make_set(const PassConstants& constants) {
         set.reference_path = make_trace(
             {reference_path_spirv, reference_path_query_spirv, reference_path_pipeline_spirv});
       });
+    if (constants[CONSTANT_AIR] != 0)
+      jobs.push_back([&] {
+        set.reference_air = make_trace(
+            {reference_air_spirv, reference_air_query_spirv, reference_air_pipeline_spirv});
+      });
   } else {
     jobs.push_back([&] {
       set.candidates =
@@ -88,6 +93,10 @@ PassSet PassLibrary::make_set(const PassConstants& constants) {
     jobs.push_back([&] {
       set.shade = make_trace({shade_spirv, shade_query_spirv, shade_pipeline_spirv});
     });
+    if (constants[CONSTANT_AIR] != 0)
+      jobs.push_back([&] {
+        set.air = make_trace({air_spirv, air_query_spirv, air_pipeline_spirv});
+      });
     if (constants[CONSTANT_INDIRECT] == INDIRECT_CACHE) {
       jobs.push_back([&] { set.cache_evict = make(cache_evict_spirv, over_a_list); });
       jobs.push_back([&] { set.cache_mark = make(cache_mark_spirv, over_pixels); });

@@ -29,6 +29,7 @@ struct PassSet {
   gpu::ComputePass pair_reuse;
   gpu::ComputePass cache_evict, cache_mark;  // compiled only with the irradiance cache
   TracePass cache_update;
+  TracePass air, reference_air;  // compiled only with air
 };
 
 class PassLibrary {

@@ -42,6 +42,11 @@ bool same_view(const scene::CameraPose& a, const scene::CameraPose& b) {
   return a.position == b.position && a.target == b.target && a.up == b.up && a.fov_deg == b.fov_deg;
 }
 
+// Returns whether passes have air compiled in, which they may without need: see forced_features.
+bool has_air(const RenderSettings& settings) {
+  return settings.air.visibility_km > 0 || (settings.forced_features >> CONSTANT_AIR & 1u) != 0;
+}
+
 glm::vec3 mean_of(const gpu::Accumulation& sum) {
   return sum.frames > 0 ? (sum.sum - sum.compensation) / sum.frames : glm::vec3(0);
 }
@@ -108,6 +113,9 @@ PassConstants Renderer::constants_of(const RenderSettings& settings) const {
   constants[CONSTANT_TRAFFIC] = scene_.has_traffic();
   constants[CONSTANT_COUNT_RAYS] = settings.count_rays;
   constants[CONSTANT_INDIRECT] = find_indirect(settings);
+  constants[CONSTANT_AIR] = !has_air(settings)          ? AIR_CLEAR
+                            : settings.air.height_m > 0 ? AIR_LAYERED
+                                                        : AIR_EVEN;
   for (const Feature& feature : optional_features())
     if ((settings.forced_features >> feature.constant & 1u) != 0 &&
         constants[feature.constant] == 0)
@@ -157,6 +165,7 @@ void Renderer::add_restir(std::vector<FrameStep>& steps, const RenderSettings& s
     for (FrameStep& step : cache_.list_steps(*passes_, frame_.address()))
       steps.push_back(std::move(step));
   steps.push_back(step_of(passes_->shade, "shade"));
+  if (has_air(settings)) steps.push_back(step_of(passes_->air, "air"));
 }
 
 void Renderer::add_end(std::vector<FrameStep>& steps, const RenderSettings& settings) const {
@@ -192,6 +201,10 @@ void Renderer::add_reference(std::vector<FrameStep>& steps, const RenderSettings
     const std::uint32_t count = std::min(lights_per_dispatch, lights - first);
     steps.push_back(
         step_of(passes_->reference, "reference", first, count, std::max(chunks_of(count), 1u)));
+    if (has_air(settings))
+      for (std::uint32_t part = 0; part < std::min(count, REFERENCE_CHUNK); part += AIR_CHUNK)
+        steps.push_back(step_of(passes_->reference_air, "reference air", first + part,
+                                first + count, chunks_of(count)));
     first += lights_per_dispatch;
   } while (first < lights);
   if (settings.indirect.bounces == 0) return;
@@ -236,6 +249,7 @@ void Renderer::restart_if_changed() {
 }
 
 void Renderer::fill_buffers(gpu::Frame& frame, const RenderSettings& settings) {
+  if (has_air(settings)) scene_.need_light_tree();
   const PictureBuffers& before = pictures_[parity_];
   PictureBuffers& now = pictures_[parity_ ^ 1];
   now.set_size(device_, size_);
@@ -316,10 +330,23 @@ void Renderer::fill_view(gpu::Frame& frame) {
   frame.reference_paths = reference_paths(frame.scene.light_count);
   if (find_indirect(settings) == INDIRECT_CACHE)
     cache_.enter(frame, settings.indirect, moved_s_, next_.effort.max_cell_paths);
+  fill_air(frame, settings);
   frame.wetness = settings.environment.wetness;
   frame.sky = settings.environment.sky_cd_m2;
   frame.moon_direction = settings.environment.moon_direction;
   frame.moon_lux = settings.environment.moon_lux;
+}
+
+void Renderer::fill_air(gpu::Frame& frame, const RenderSettings& settings) {
+  if (!has_air(settings)) return;
+  gpu::Air& air = frame.air;
+  air.extinction = extinction_of(settings.air);
+  air.falloff = settings.air.height_m > 0 ? 1 / settings.air.height_m : 0;
+  air.level = scene_.bounds().empty() ? 0 : scene_.bounds().lower.y;
+  air.asymmetry = settings.air.asymmetry;
+  air.albedo = settings.air.albedo;
+  air.candidates = settings.air.candidates;
+  next_.air = air;
 }
 
 void Renderer::fill_sampling(gpu::Frame& frame, const RenderSettings& chosen) const {
@@ -498,7 +525,10 @@ measure::Image Renderer::download(bool layers) const {
   // Layers are sums over the frames of the mean; a window has no such sum.
   if (settings.sampling.layers && settings.averaging.window == 0)
     add_light_layers(image, layers_.read<gpu::LayerSums>(pixels), done_.frames);
-  add_surface_layers(image, picture.surfaces.read<gpu::Surface>(pixels), scene_);
+  const auto surfaces = picture.surfaces.read<gpu::Surface>(pixels);
+  add_surface_layers(image, surfaces, scene_);
+  if (settings.air.visibility_km > 0)
+    add_transmittance_layer(image, surfaces, done_.air, done_.camera.position.y);
   return image;
 }
 

@@ -101,7 +101,7 @@ class Renderer {
 
   /// Returns the mean so far in cd/m^2, denoised where the settings ask for it, with its ImageInfo.
   /// With `layers`, adds the layer "luminance"; where the settings keep layers, "direct_lamps",
-  /// "direct_windows", "direct_vehicles", "sky", "emitted" and "indirect"; and of the last frame
+  /// "direct_windows", "direct_vehicles", "sky", "emitted", "indirect" and "air"; and of the last frame
   /// "albedo", "normal", "depth" (m), "motion", "position" (m), "material" and "feature" (ids, -1 =
   /// none).
   measure::Image download(bool layers = true) const;
@@ -120,6 +120,7 @@ class Renderer {
   struct State {
     std::optional<scene::CameraPose> pose;
     gpu::Camera camera{};
+    gpu::Air air{};
     RenderSettings settings;
     Effort effort;
     std::uint64_t lit = 0;            // address of the light switches
@@ -135,6 +136,7 @@ class Renderer {
   void fill_buffers(gpu::Frame& frame, const RenderSettings& settings);
   void fill_view(gpu::Frame& frame);
   void fill_display(gpu::Frame& frame, const DisplaySettings& display) const;
+  void fill_air(gpu::Frame& frame, const RenderSettings& settings);
   void fill_sampling(gpu::Frame& frame, const RenderSettings& settings) const;
   std::vector<FrameStep> list_steps(const RenderSettings& settings, std::uint32_t slices) const;
   void add_reference(std::vector<FrameStep>& steps, const RenderSettings& settings,

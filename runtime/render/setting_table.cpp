@@ -69,6 +69,7 @@ constexpr auto sampling = &Settings::sampling;
 constexpr auto reuse = &Settings::reuse;
 constexpr auto indirect = &Settings::indirect;
 constexpr auto environment = &Settings::environment;
+constexpr auto air = &Settings::air;
 constexpr auto display = &Settings::display;
 
 using Sampling = SamplingSettings;
@@ -259,6 +260,54 @@ std::vector<Setting> make_indirect_settings() {
   };
 }
 
+bool has_air(const Settings& s) {
+  return s.air.visibility_km > 0;
+}
+
+std::vector<Setting> make_air_settings() {
+  return {
+      {.name = "visibility",
+       .group = Group::air,
+       .unit = "km",
+       .max = 10000,
+       .help =
+           "How far one sees by day in this air, at the scene's lowest point (fog: below 1, haze: "
+           "below 10); 0 = clear air, which neither weakens light nor glows",
+       .value = at<air, &AirSettings::visibility_km>,
+       .slider = SettingSlider{"visibility", 50, "%.2f km", true}},
+      {.name = "air-height",
+       .group = Group::air,
+       .unit = "m",
+       .max = 100000,
+       .help = "Height over which the air gets e = 2.7 times as clear; 0 = the same at all heights",
+       .value = at<air, &AirSettings::height_m>,
+       .applies = has_air},
+      {.name = "air-asymmetry",
+       .group = Group::air,
+       .min = -0.95,
+       .max = 0.95,
+       .help = "Mean cosine of the angle by which the air scatters light: 0 = evenly, 0.9 = mostly "
+               "forwards",
+       .value = at<air, &AirSettings::asymmetry>,
+       .applies = has_air},
+      {.name = "air-albedo",
+       .group = Group::air,
+       .help =
+           "Share of the light that the air takes which it scatters: 1 for droplets, 0.6 to 0.9 "
+           "for smoke",
+       .value = at<air, &AirSettings::albedo>,
+       .applies = has_air},
+      {.name = "air-candidates",
+       .group = Group::air,
+       .min = 1,
+       .max = max_candidates,
+       .help = "Candidates of scattered light per pixel and frame",
+       .value = at<air, &AirSettings::candidates>,
+       .applies = [](const Settings& s) { return has_air(s) && samples(s); },
+       .is_swept = true},
+  };
+}
+
 std::vector<Setting> make_other_settings() {
   return {
       {.name = "sky",
@@ -296,7 +345,7 @@ const std::vector<Setting>& list_settings() {
     std::vector<Setting> all;
     // In this order they are the columns of sweep.csv.
     for (const auto& part : {make_first_settings(), make_reuse_settings(), make_sampling_settings(),
-                             make_indirect_settings(), make_other_settings()})
+                             make_indirect_settings(), make_other_settings(), make_air_settings()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();
@@ -371,6 +420,8 @@ void check_settings(const RenderSettings& settings) {
       throw UsageError(option_of(setting), "must be from " + std::to_string(setting.min) + " to " +
                                                std::to_string(setting.max));
   }
+  if (settings.air.visibility_km > 0 && settings.air.visibility_km < min_visibility_km)
+    throw UsageError("--visibility", "must be 0 for clear air, or at least 0.001 km");
   // A light that is never sampled is missing from the picture, and nothing in the picture shows it.
   if (!(settings.sampling.near_share + settings.sampling.far_share <= 0.999f))
     throw UsageError("--near-share",

@@ -12,7 +12,7 @@
 
 namespace nightcity::render {
 
-enum class SettingGroup { sampling, reuse, indirect, environment, display };
+enum class SettingGroup { sampling, reuse, indirect, environment, air, display };
 
 /// The form in which the viewer's panel shows a setting.
 struct SettingSlider {

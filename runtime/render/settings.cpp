@@ -71,7 +71,12 @@ void set_moon(EnvironmentSettings& environment, double azimuth_deg, double eleva
 
 bool have_same_estimate(const RenderSettings& a, const RenderSettings& b) {
   return a.sampling == b.sampling && a.reuse == b.reuse && a.indirect == b.indirect &&
-         a.environment == b.environment && a.projection == b.projection;
+         a.environment == b.environment && a.air == b.air && a.projection == b.projection;
+}
+
+float extinction_of(const AirSettings& air) {
+  constexpr float log_of_contrast = 3.912f;  // -ln 0.02
+  return air.visibility_km > 0 ? log_of_contrast / (1000 * air.visibility_km) : 0;
 }
 
 std::uint32_t find_projection(const std::string& name) {
@@ -115,10 +120,13 @@ RenderSettings to_published(RenderSettings settings) {
 }
 
 const std::vector<Feature>& optional_features() {
-  static const std::vector<Feature> features{
-      {CONSTANT_PROFILES, "lamp profiles"}, {CONSTANT_RECTANGLES, "windows"},
-      {CONSTANT_SCHEDULES, "schedules"},    {CONSTANT_SKY, "sky"},
-      {CONSTANT_GLOSS, "wet streets"},      {CONSTANT_INDIRECT, "bounces"}};
+  static const std::vector<Feature> features{{CONSTANT_PROFILES, "lamp profiles"},
+                                             {CONSTANT_RECTANGLES, "windows"},
+                                             {CONSTANT_SCHEDULES, "schedules"},
+                                             {CONSTANT_SKY, "sky"},
+                                             {CONSTANT_GLOSS, "wet streets"},
+                                             {CONSTANT_INDIRECT, "bounces"},
+                                             {CONSTANT_AIR, "air"}};
   return features;
 }
 

@@ -118,6 +118,26 @@ std::uint32_t find_projection(const std::string& name);
 void set_moon(EnvironmentSettings& environment, double azimuth_deg, double elevation_deg,
               double lux);
 
+/// Air that weakens light and scatters it once: haze and fog.
+struct AirSettings {
+  // Distance at which a dark thing is just seen by day, at the scene's lowest point; 0 = clear air.
+  float visibility_km = 0;
+  float height_m = 0;  // over which the air gets e times as clear; 0 = the same at all heights
+  // Mean cosine of scattering angles. Fog and haze scatter forwards: 0.7 to 0.9.
+  float asymmetry = 0.8f;
+  float albedo = 1;              // the share of weakened light that is scattered and not absorbed
+  std::uint32_t candidates = 8;  // per pixel and frame, 1 .. max_candidates
+
+  bool operator==(const AirSettings&) const = default;
+};
+
+/// The shortest visibility, km.
+constexpr float min_visibility_km = 0.001f;
+
+/// Returns the extinction of air at the height at which its visibility is given, 1/m: 3.912 /
+/// visibility, for a contrast of 2 % (Koschmieder 1924); 0 for clear air.
+float extinction_of(const AirSettings& air);
+
 /// The frames whose mean is the picture.
 struct AveragingSettings {
   bool accumulate = true;  // mean of frames; else every frame stands alone
@@ -142,6 +162,7 @@ struct RenderSettings {
   ReuseSettings reuse;
   IndirectSettings indirect;
   EnvironmentSettings environment;
+  AirSettings air;
   AveragingSettings averaging;
   DisplaySettings display;
   double time_s = 8 * 3600;  // since noon
@@ -183,7 +204,7 @@ struct Feature {
 };
 
 /// Returns the features that passes can leave out: lamps' profiles, windows,
-/// schedules, the sky, wet streets, light that bounces.
+/// schedules, the sky, wet streets, light that bounces, air.
 const std::vector<Feature>& optional_features();
 
 }  // namespace nightcity::render

@@ -18,8 +18,8 @@ VehiclePasses::VehiclePasses(gpu::Device& device, DeviceScene& scene) : scene_(s
   const std::uint32_t last = traffic.levels - 1;
   nodes_ =
       gpu::Buffer(device, (traffic.level_first[last] + std::size_t{traffic.level_count[last]}) *
-                              sizeof(gpu::VehicleNode));
-  boxes_ = gpu::Buffer(device, trips * sizeof(gpu::VehicleNode));
+                              sizeof(gpu::LightNode));
+  boxes_ = gpu::Buffer(device, trips * sizeof(gpu::LightNode));
   cells_ = gpu::Buffer(device, trips * 2 * sizeof(std::uint32_t));
   counts_ = gpu::Buffer(device, (VEHICLE_CELLS + 1) * sizeof(std::uint32_t));
   for (std::uint32_t& slot : slots_) slot = scene_.acquire_vehicle_slot();

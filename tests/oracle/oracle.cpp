@@ -164,7 +164,8 @@ std::optional<Oracle::Vertex> Oracle::find_vertex(const glm::dvec3& origin,
   return vertex;
 }
 
-glm::dvec3 Oracle::reflect_lights(const Vertex& vertex, int strata, std::mt19937& random) const {
+glm::dvec3 Oracle::reflect_lights(const Vertex& vertex, int strata, std::mt19937& random,
+                                  const Air& air) const {
   glm::dvec3 illuminance(0);
   std::vector<LightPoint> points;
   for (const Light& light : lights_.lights) {
@@ -174,7 +175,7 @@ glm::dvec3 Oracle::reflect_lights(const Vertex& vertex, int strata, std::mt19937
     for (const LightPoint& sample : points) {
       const double cosine = glm::dot(vertex.normal, glm::normalize(sample.point - vertex.place));
       if (cosine > 0 && !geometry_->occluded(vertex.start, sample.point))
-        illuminance += sample.illuminance * cosine;
+        illuminance += sample.illuminance * cosine * transmittance(air, sample.point, vertex.place);
     }
   }
   return vertex.albedo / std::numbers::pi * illuminance;
@@ -182,7 +183,8 @@ glm::dvec3 Oracle::reflect_lights(const Vertex& vertex, int strata, std::mt19937
 
 // Returns the light that a surface reflects after 1 to `bounces` bounces off others. Directions are
 // uniform over the hemisphere, unlike the renderer's.
-glm::dvec3 Oracle::follow_path(Vertex vertex, int bounces, std::mt19937& random) const {
+glm::dvec3 Oracle::follow_path(Vertex vertex, int bounces, std::mt19937& random,
+                               const Air& air) const {
   std::uniform_real_distribution<double> uniform(0, 1);
   glm::dvec3 sum(0), throughput(1);
   for (int bounce = 0; bounce < bounces; ++bounce) {
@@ -194,17 +196,45 @@ glm::dvec3 Oracle::follow_path(Vertex vertex, int bounces, std::mt19937& random)
     throughput *= vertex.albedo * 2.0 * cosine;  // albedo / pi * cosine / (1 / 2 pi)
     const auto next = find_vertex(vertex.start, direction, false);
     if (!next) break;
+    throughput *= transmittance(air, vertex.place, next->place);
     vertex = *next;
     const bool is_light = vertex.own_light < lights_.lights.size();
     sum += throughput *
-           (reflect_lights(vertex, 1, random) + (is_light ? glm::dvec3(0) : vertex.emission));
+           (reflect_lights(vertex, 1, random, air) + (is_light ? glm::dvec3(0) : vertex.emission));
+  }
+  return sum;
+}
+
+// Returns the light that the air on a ray scatters to the eye.
+glm::dvec3 Oracle::march(const glm::dvec3& eye, const glm::dvec3& direction, double depth,
+                         std::mt19937& random, const Air& air) const {
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const int steps = int(std::ceil(depth / air.step_m));
+  const double step = depth / steps;
+  glm::dvec3 sum(0);
+  std::vector<LightPoint> points;
+  for (int i = 0; i < steps; ++i) {
+    const glm::dvec3 place = eye + direction * ((i + uniform(random)) * step);
+    const double share =
+        air.albedo * extinction_at(air, place.y) * step * transmittance(air, eye, place);
+    for (const Light& light : lights_.lights) {
+      if (light.flux_lm <= 0) continue;
+      points.clear();
+      append_points(lights_, light, place, 1, random, points);
+      for (const LightPoint& sample : points) {
+        const glm::dvec3 to_light = glm::normalize(sample.point - place);
+        if (geometry_->occluded(place, sample.point)) continue;
+        sum += sample.illuminance * (share * phase(air, glm::dot(to_light, direction)) *
+                                     transmittance(air, sample.point, place));
+      }
+    }
   }
   return sum;
 }
 
 measure::Image Oracle::render(const scene::CameraPose& pose, std::uint32_t width,
                               std::uint32_t height, int strata, unsigned seed, int bounces,
-                              int paths) const {
+                              int paths, const Air& air) const {
   measure::Image image;
   image.width = width;
   image.height = height;
@@ -223,14 +253,17 @@ measure::Image Oracle::render(const scene::CameraPose& pose, std::uint32_t width
           glm::normalize(forward + right * (sx * half_width) + up * (sy * half_height));
       glm::dvec3 radiance(0);
       if (const auto seen = find_vertex(eye, direction, true)) {
-        radiance = reflect_lights(*seen, strata, random);
+        radiance = reflect_lights(*seen, strata, random, air);
         for (int path = 0; path < paths && bounces > 0; ++path)
-          radiance += follow_path(*seen, bounces, random) / double(paths);
+          radiance += follow_path(*seen, bounces, random, air) / double(paths);
         const bool shines = seen->emission.x + seen->emission.y + seen->emission.z > 0;
         if (shines && seen->own_light < lights_.lights.size())
           radiance += seen_luminance(lights_, lights_.lights[seen->own_light], -direction);
         else
           radiance += seen->emission;
+        if (air.extinction > 0)
+          radiance = radiance * transmittance(air, eye, seen->place) +
+                     march(eye, direction, glm::length(seen->place - eye), random, air);
       }
       for (int channel = 0; channel < 3; ++channel) image.rgb.push_back(float(radiance[channel]));
     }

@@ -12,6 +12,7 @@
 
 #include "formats/light.h"
 #include "formats/scene.h"
+#include "oracle/air.h"
 #include "runtime/measure/image.h"
 #include "runtime/scene/camera.h"
 
@@ -35,17 +36,22 @@ class Oracle {
   /// that diffuse surfaces reflect, and what surfaces emit. Each light is sampled at `strata` x
   /// `strata` jittered points; another seed gives an independent picture. Light that reached a
   /// surface after up to `bounces` others is added by `paths` paths a pixel, whose every vertex is
-  /// lit by all lights.
+  /// lit by all lights. Air is marched through
+  /// along each ray, in jittered steps.
   measure::Image render(const scene::CameraPose& pose, std::uint32_t width, std::uint32_t height,
-                        int strata, unsigned seed, int bounces = 0, int paths = 1) const;
+                        int strata, unsigned seed, int bounces = 0, int paths = 1,
+                        const Air& air = {}) const;
 
  private:
   struct Geometry;
   struct Vertex;
   std::optional<Vertex> find_vertex(const glm::dvec3& origin, const glm::dvec3& direction,
                                     bool from_camera) const;
-  glm::dvec3 reflect_lights(const Vertex& vertex, int strata, std::mt19937& random) const;
-  glm::dvec3 follow_path(Vertex vertex, int bounces, std::mt19937& random) const;
+  glm::dvec3 reflect_lights(const Vertex& vertex, int strata, std::mt19937& random,
+                            const Air& air) const;
+  glm::dvec3 follow_path(Vertex vertex, int bounces, std::mt19937& random, const Air& air) const;
+  glm::dvec3 march(const glm::dvec3& eye, const glm::dvec3& direction, double depth,
+                   std::mt19937& random, const Air& air) const;
   std::unique_ptr<Geometry> geometry_;
   Lights lights_;
 };

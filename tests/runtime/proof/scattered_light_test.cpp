@@ -1,0 +1,121 @@
+// Light that air scatters: the reference against the oracle, which marches the same rays with other
+// code, and one sample a frame against the reference.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "oracle/oracle.h"
+#include "support/estimators.h"
+#include "support/independent_runs.h"
+#include "support/scenes.h"
+
+namespace nightcity::test {
+namespace {
+
+constexpr std::uint32_t side = 16;
+
+struct Place {
+  SceneBuilder builder;
+  std::vector<Light> lights;
+  scene::CameraPose pose;
+};
+
+// Boxes, lamps and windows, seen from above: every ray ends on a surface.
+Place courtyard() {
+  std::vector<Light> lights{lamp({-6, 7, 0}, 6000, 0.3f), lamp({5, 5, 6}, 3000, 0.2f)};
+  lights[1].colour_rgb9e5 = encode_rgb9e5({1.0f, 0.6f, 0.2f});
+  for (int i = 0; i < 4; ++i)
+    lights.push_back(window({float(i) * 2 - 5, 3, -9.9f}, {0, 0, 1}, 0.6f, 0.9f, 400));
+  return {boxes_on_a_plane(), lights, {{-9, 14, 17}, {-1, 0, 3}, {0, 1, 0}, 35}};
+}
+
+struct Weather {
+  const char* name;
+  float visibility_km, height_m, asymmetry, albedo;
+};
+
+const Weather fog{"fog", 0.1f, 0, 0.8f, 1}, layer{"layer", 0.05f, 6, -0.3f, 0.7f};
+
+render::RenderSettings in(const Weather& weather, render::Estimator estimator) {
+  render::RenderSettings settings = with_estimator(estimator, 16);
+  settings.air = {.visibility_km = weather.visibility_km,
+                  .height_m = weather.height_m,
+                  .asymmetry = weather.asymmetry,
+                  .albedo = weather.albedo};
+  return settings;
+}
+
+measure::PictureStatistics runs_of(const Place& place, const render::RenderSettings& settings,
+                                   std::uint32_t runs, std::uint32_t frames,
+                                   std::uint32_t first_seed) {
+  const scene::RenderScene scene = place.builder.with(place.lights);
+  render::DeviceScene device_scene(test_device(), scene);
+  render::Renderer renderer(test_device(), test_passes(), device_scene, side, side);
+  return independent_runs(renderer, place.pose, settings, runs, frames, first_seed);
+}
+
+void expect_equal(const measure::PictureStatistics& ours, const measure::PictureStatistics& truth,
+                  double rounding, std::size_t pardoned) {
+  const measure::PixelTest verdict = measure::test_pixels(ours, truth, 0.01, rounding);
+  std::printf("  %zu of %zu pixels rejected, mean %+.3f %% +- %.3f %%\n", verdict.rejected,
+              verdict.pixels, 100 * verdict.relative_mean, 100 * verdict.relative_mean_error);
+  EXPECT_LE(verdict.rejected, pardoned);
+  EXPECT_LT(std::abs(verdict.relative_mean), 4 * verdict.relative_mean_error + rounding);
+  EXPECT_LT(verdict.relative_mean_error, 0.005) << "too noisy to tell";
+}
+
+class ScatteredLight : public testing::TestWithParam<Weather> {};
+
+TEST_P(ScatteredLight, OfTheReferenceEqualsTheOracles) {
+  const Place place = courtyard();
+  const Weather weather = GetParam();
+  // The ground is the scene's lowest point.
+  const oracle::Air air{3.912 / (1000 * double(weather.visibility_km)), double(weather.height_m), 0,
+                        double(weather.asymmetry), double(weather.albedo)};
+  const oracle::Oracle oracle(place.builder.scene(), {place.lights, {}, {}});
+  measure::PictureStatistics truth;
+  for (unsigned run = 0; run < 12; ++run)
+    truth.add(oracle.render(place.pose, side, side, 2, run, 0, 1, air));
+  const measure::PictureStatistics ours =
+      runs_of(place, in(weather, render::Estimator::reference), 12, 32, 1);
+  expect_equal(ours, truth, 5e-4, 1);
+}
+
+TEST_P(ScatteredLight, OfOneSampleIsUnbiased) {
+  Place place = courtyard();
+  place.pose = {{-9, 14, 17}, {-1, 0, -3}, {0, 1, 0}, 45};  // onto the windows, too
+  const measure::PictureStatistics truth =
+      runs_of(place, in(GetParam(), render::Estimator::reference), 16, 32, 5000);
+  expect_equal(runs_of(place, in(GetParam(), render::Estimator::traced), 64, 16, 1), truth, 1e-4,
+               1);
+}
+
+// Neither a camera that moves nor a vehicle whose lamps move leaves anything of its light behind:
+// air keeps no samples of the frame before. Its own frame's geometry shadows it.
+TEST_P(ScatteredLight, OfAFrameIsUnbiasedWhileTheCameraMoves) {
+  const Place place = courtyard();
+  const scene::RenderScene scene = place.builder.with(place.lights);
+  render::DeviceScene device_scene(test_device(), scene);
+  render::Renderer renderer(test_device(), test_passes(), device_scene, side, side);
+  render::RenderSettings settings = in(GetParam(), render::Estimator::traced);
+  settings.averaging.accumulate = false;
+  measure::PictureStatistics moving;
+  for (std::uint32_t run = 0; run < 800; ++run) {
+    settings.sampling.seed = run + 1;
+    scene::CameraPose before = place.pose;
+    before.position += glm::vec3(0.7f, -0.3f, 0.4f);
+    renderer.render_frame(before, settings);
+    renderer.render_frame(place.pose, settings);
+    moving.add(renderer.download(false));
+  }
+  const measure::PictureStatistics truth =
+      runs_of(place, in(GetParam(), render::Estimator::reference), 16, 32, 5000);
+  expect_equal(moving, truth, 1e-4, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Air, ScatteredLight, testing::Values(fog, layer),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace nightcity::test
