@@ -1,9 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Light that the air in front of a pixel's surface scatters towards the eye: one sample of (place on
-// the ray, point of a light), resampled from several candidates, and one shadow ray. No sample is
-// kept for the next frame: that would make the frames of a mean alike, and cost more noise over 64
-// of them than it saves in one (docs/air.md).
+// Light that the air in front of a pixel's surface scatters towards the eye: one sample of (place
+// on the ray, point of a light), resampled from several candidates, and one shadow ray. No sample
+// is kept for the next frame: that would make the frames of a mean alike, and cost more noise over
+// 64 of them than it saves in one (docs/air.md).
 #include "shaders/common.glsl"
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"
@@ -23,9 +23,9 @@ struct AirSample {
   float weight_sum;
 };
 
-// Returns one of FRAME.air.candidates samples of the ray, chosen by its target: the luminance of the
-// scattered light without shadows, less where they are likely. A light is sampled for the ray, and
-// then a distance for the light.
+// Returns one of FRAME.air.candidates samples of the ray, chosen by its target: the luminance of
+// the scattered light without shadows, less where they are likely. A light is sampled for the ray,
+// and then a distance for the light.
 AirSample resample_air(AirRay ray) {
   AirSample chosen = AirSample(vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
   const uint candidates = FRAME.air.candidates;
@@ -56,8 +56,9 @@ void main() {
   uint index;
   if (!pixel_of_invocation(pixel, index)) return;
   seed_random(pixel, STREAM_AIR);
-  const AirSample chosen =
-      resample_air(air_ray(FRAME.camera.position, camera_direction(pixel), FRAME.surfaces.at[index]));
+  const AirRay ray =
+      air_ray(FRAME.camera.position, camera_direction(pixel), FRAME.surfaces.at[index]);
+  const AirSample chosen = resample_air(ray);
   LightLayers layers = NO_LAYERS;
   const vec3 light = chosen.light * chosen.weight_sum;
   if (chosen.weight_sum > 0.0 && all_finite(light) &&

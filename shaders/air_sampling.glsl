@@ -37,18 +37,18 @@ vec3 scattered(AirRay ray, Light light, vec2 uv, float distance, out vec3 point)
                     exp(-depth_of_air(point, place) - depth_of_air(place, ray.origin)));
 }
 
-// Returns tan(theta / 2) of the angle theta by which a light's ray turns towards the eye, `x` heights
-// behind the place of the ray that is nearest to the light.
+// Returns tan(theta / 2) of the angle theta by which a light's ray turns towards the eye, `x`
+// heights behind the place of the ray that is nearest to the light.
 float half_turn(float x) {
   const float r = sqrt(1.0 + x * x);
   return x < 0.0 ? 1.0 / (r - x) : r + x;
 }
 
 // The air on a ray as a light sees it. Air is lit by 1 / d^2, which is evenly in the angle theta at
-// which the light sees the ray (equi-angular sampling; Kulla, Fajardo: Importance sampling techniques
-// for path tracing in participating media, 2012), and scatters by the phase function, which 1 / (1 +
-// g^2 - 2 g cos theta) follows, its power of 2/3. The product of the two can be integrated: with k =
-// (1 + g) / (1 - g), atan(k tan(theta / 2)) is spread evenly.
+// which the light sees the ray (equi-angular sampling; Kulla, Fajardo: Importance sampling
+// techniques for path tracing in participating media, 2012), and scatters by the phase function,
+// which 1 / (1 + g^2 - 2 g cos theta) follows, its power of 2/3. The product of the two can be
+// integrated: with k = (1 + g) / (1 - g), atan(k tan(theta / 2)) is spread evenly.
 struct AirView {
   float nearest;  // distance along the ray of the place that is nearest to the light, m
   float height;   // of the light off the ray, m, at least `least`

@@ -115,8 +115,8 @@ float importance(LightNode node, vec3 position) {
   return node.flux_lm / max(dot(d, d), 0.25 * dot(extent, extent) + 1.0);
 }
 
-// Returns which of a node's four children is sampled, each in proportion to its weight, and multiplies
-// `pdf` by the probability of that; 4 where no child has weight.
+// Returns which of a node's four children is sampled, each in proportion to its weight, and
+// multiplies `pdf` by the probability of that; 4 where no child has weight.
 uint sample_child(float weight[4], inout float pdf) {
   const float sum = weight[0] + weight[1] + weight[2] + weight[3];
   if (!(sum > 0.0)) return 4u;

@@ -20,8 +20,8 @@
 #define CLOSE_POINTS 4u
 #define MAX_CLOSE_LIGHTS 32u
 
-// The same for light that air scatters. Nearly every light lights some air in front of a surface, by
-// a shadow ray that may cross the whole scene.
+// The same for light that air scatters. Nearly every light lights some air in front of a surface,
+// by a shadow ray that may cross the whole scene.
 #define AIR_CHUNK 16u
 
 // Bounces of light at most. Each takes four rays and twice BOUNCE_CANDIDATES light samples

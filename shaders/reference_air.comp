@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The reference's light that air scatters: every light in every frame, at one place on the ray each.
-// Slices begin where those of reference.comp do. An invocation adds up AIR_CHUNK lights of its
-// slice from push.first on, and none from push.count on.
+// The reference's light that air scatters: every light in every frame, at one place on the ray
+// each. Slices begin where those of reference.comp do. An invocation adds up AIR_CHUNK lights of
+// its slice from push.first on, and none from push.count on.
 #include "shaders/common.glsl"
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"

@@ -17,9 +17,9 @@ struct Receiver {
 const float ONLY_PATH = 1e30;
 
 // Returns the weight of a path that was followed to a receiver before a point of a light was
-// chosen, against that of a ray from that point which meets the receiver (multiple importance sampling by
-// the balance heuristic; Veach 1997). Such a ray has a density of 1 / (4 pi d^2) times a cosine,
-// which the path's density has too.
+// chosen, against that of a ray from that point which meets the receiver (multiple importance
+// sampling by the balance heuristic; Veach 1997). Such a ray has a density of 1 / (4 pi d^2) times
+// a cosine, which the path's density has too.
 float share_of_path(Receiver r, vec3 light_point) {
   if (r.path_density == ONLY_PATH) return 1.0;
   const vec3 way = light_point - r.position;

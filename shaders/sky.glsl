@@ -22,9 +22,10 @@ vec3 seen_sky(uvec2 pixel) {
   return on_moon ? sky + FRAME.moon_lux / (PI * MOON_RADIUS * MOON_RADIUS) : sky;
 }
 
-// Returns what air in front of a surface adds of the sky's own light, cd/m^2 per channel: air in the
-// light of an even sky is as bright as that sky where nothing shows through (Koschmieder 1924). Not
-// in shadow, and of the sky at the horizon where the ray goes down. `passed` is the transmittance.
+// Returns what air in front of a surface adds of the sky's own light, cd/m^2 per channel: air in
+// the light of an even sky is as bright as that sky where nothing shows through (Koschmieder 1924).
+// Not in shadow, and of the sky at the horizon where the ray goes down. `passed` is the
+// transmittance.
 vec3 sky_airlight(vec3 direction, float passed) {
   if (AIR == AIR_CLEAR || SKY_MODE == SKY_DARK) return vec3(0.0);
   const vec3 level = vec3(direction.x, max(direction.y, 0.0), direction.z);

@@ -101,9 +101,9 @@ class Renderer {
 
   /// Returns the mean so far in cd/m^2, denoised where the settings ask for it, with its ImageInfo.
   /// With `layers`, adds the layer "luminance"; where the settings keep layers, "direct_lamps",
-  /// "direct_windows", "direct_vehicles", "sky", "emitted", "indirect" and "air"; and of the last frame
-  /// "albedo", "normal", "depth" (m), "motion", "position" (m), "material" and "feature" (ids, -1 =
-  /// none).
+  /// "direct_windows", "direct_vehicles", "sky", "emitted", "indirect" and "air"; and of the last
+  /// frame "albedo", "normal", "depth" (m), "motion", "position" (m), "material" and "feature"
+  /// (ids, -1 = none).
   measure::Image download(bool layers = true) const;
   /// Returns a part of the mean that is enough to meter the exposure: evenly spaced rows, about
   /// `pixels` in all, with the layer "emitter": 1 where a luminous surface is seen, else 0.

@@ -79,8 +79,8 @@ struct ReuseSettings {
 };
 
 /// Bounces in pictures that are looked at, in a file or in the window. Four have all but 0.02 % of
-/// the light that eight have (docs/measurements/2026-11-26-bounces.md). Measurements of direct light
-/// start from none.
+/// the light that eight have (docs/measurements/2026-11-26-bounces.md). Measurements of direct
+/// light start from none.
 constexpr std::uint32_t picture_bounces = 4;
 
 /// Light that reaches the surface that is seen after it bounced off others.
@@ -95,7 +95,8 @@ struct IndirectSettings {
   bool operator==(const IndirectSettings&) const = default;
 };
 
-/// Sky, moon and weather, light that is not the scene's own; and how much of the scene's own there is.
+/// Sky, moon and weather, light that is not the scene's own; and how much of the scene's own there
+/// is.
 struct EnvironmentSettings {
   // Luminance of rays that leave the scene, cd/m^2; where there is a sky map, a factor for it.
   glm::vec3 sky_cd_m2{0};
@@ -113,8 +114,8 @@ struct EnvironmentSettings {
 /// Returns the projection of that name: perspective, fisheye or equirectangular. Throws UsageError.
 std::uint32_t find_projection(const std::string& name);
 
-/// Sets a moon at this place in the sky, azimuth from north over east, that gives a surface facing it
-/// `lux` (full moon: 0.25). Its light is sunlight off the moon, of about 4,100 K.
+/// Sets a moon at this place in the sky, azimuth from north over east, that gives a surface facing
+/// it `lux` (full moon: 0.25). Its light is sunlight off the moon, of about 4,100 K.
 void set_moon(EnvironmentSettings& environment, double azimuth_deg, double elevation_deg,
               double lux);
 
@@ -181,8 +182,8 @@ bool have_same_estimate(const RenderSettings& a, const RenderSettings& b);
 
 /// Returns how light that bounces is found, INDIRECT_* of shaders/specialization.h.
 std::uint32_t find_indirect(const RenderSettings& settings);
-/// Returns the same in words, with its bias, as pictures of a scene of that many lights carry it; ""
-/// without bounces.
+/// Returns the same in words, with its bias, as pictures of a scene of that many lights carry it;
+/// "" without bounces.
 std::string describe_indirect(const RenderSettings& settings, std::uint32_t lights);
 
 /// Returns whether a view (VIEW_*) shows light by where it comes from, so that frames must keep it

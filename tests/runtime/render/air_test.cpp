@@ -91,9 +91,9 @@ double henyey_greenstein(double g, double cosine) {
   return (1 - g * g) / (4 * pi * std::pow(1 + g * g - 2 * g * cosine, 1.5));
 }
 
-// Returns what the air on a ray scatters of one point lamp of intensity `candela`, in air that takes
-// beta at y = 0 and `falloff` times as much less with each m of height. The integrals are this
-// test's own.
+// Returns what the air on a ray scatters of one point lamp of intensity `candela`, in air that
+// takes beta at y = 0 and `falloff` times as much less with each m of height. The integrals are
+// this test's own.
 double scattered_by_quadrature(const EyeRay& ray, const glm::dvec3& lamp_at, double candela,
                                double beta, double falloff, double g, double albedo, double depth) {
   const auto depth_between = [&](const glm::dvec3& a, const glm::dvec3& b) {
