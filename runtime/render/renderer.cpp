@@ -29,6 +29,9 @@ std::uint32_t pairings_of(const ReuseSettings& reuse) {
 // The shortest falloff of the history: 1 / falloff^2 of shorter ones would overflow.
 constexpr float min_history_falloff_m = 0.001f;
 
+// The thinnest layer of air, for the same reason.
+constexpr float min_air_height_m = 0.001f;
+
 constexpr std::uint32_t chunks_of(std::uint32_t lights) {
   return lights / REFERENCE_CHUNK + (lights % REFERENCE_CHUNK != 0);
 }
@@ -341,7 +344,8 @@ void Renderer::fill_air(gpu::Frame& frame, const RenderSettings& settings) {
   if (!has_air(settings)) return;
   gpu::Air& air = frame.air;
   air.extinction = extinction_of(settings.air);
-  air.falloff = settings.air.height_m > 0 ? 1 / settings.air.height_m : 0;
+  air.falloff =
+      settings.air.height_m > 0 ? 1 / std::max(settings.air.height_m, min_air_height_m) : 0;
   air.level = scene_.bounds().empty() ? 0 : scene_.bounds().lower.y;
   air.asymmetry = settings.air.asymmetry;
   air.albedo = settings.air.albedo;

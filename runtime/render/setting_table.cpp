@@ -272,7 +272,8 @@ std::vector<Setting> make_air_settings() {
        .max = 10000,
        .help =
            "How far one sees by day in this air, at the scene's lowest point (fog: below 1, haze: "
-           "below 10); 0 = clear air, which neither weakens light nor glows",
+           "below 10); 0 = clear air, which neither weakens light nor glows, less than 0.001 "
+           "counts as 0.001",
        .value = at<air, &AirSettings::visibility_km>,
        .slider = SettingSlider{"visibility", 50, "%.2f km", true}},
       {.name = "air-height",
@@ -420,8 +421,6 @@ void check_settings(const RenderSettings& settings) {
       throw UsageError(option_of(setting), "must be from " + std::to_string(setting.min) + " to " +
                                                std::to_string(setting.max));
   }
-  if (settings.air.visibility_km > 0 && settings.air.visibility_km < min_visibility_km)
-    throw UsageError("--visibility", "must be 0 for clear air, or at least 0.001 km");
   // A light that is never sampled is missing from the picture, and nothing in the picture shows it.
   if (!(settings.sampling.near_share + settings.sampling.far_share <= 0.999f))
     throw UsageError("--near-share",

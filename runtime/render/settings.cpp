@@ -1,5 +1,6 @@
 #include "runtime/render/settings.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
@@ -76,7 +77,9 @@ bool have_same_estimate(const RenderSettings& a, const RenderSettings& b) {
 
 float extinction_of(const AirSettings& air) {
   constexpr float log_of_contrast = 3.912f;  // -ln 0.02
-  return air.visibility_km > 0 ? log_of_contrast / (1000 * air.visibility_km) : 0;
+  return air.visibility_km > 0
+             ? log_of_contrast / (1000 * std::max(air.visibility_km, min_visibility_km))
+             : 0;
 }
 
 std::uint32_t find_projection(const std::string& name) {

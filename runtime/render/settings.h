@@ -132,7 +132,7 @@ struct AirSettings {
   bool operator==(const AirSettings&) const = default;
 };
 
-/// The shortest visibility, km.
+/// The shortest visibility, km: shorter ones count as this.
 constexpr float min_visibility_km = 0.001f;
 
 /// Returns the extinction of air at the height at which its visibility is given, 1/m: 3.912 /

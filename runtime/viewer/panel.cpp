@@ -167,6 +167,7 @@ void draw_night(ViewerState& state) {
   draw_families(state.settings.environment.lights);
   draw_sky(state.settings.environment);
   draw_sliders(render::SettingGroup::environment, state.settings);
+  draw_sliders(render::SettingGroup::air, state.settings);
 }
 
 void draw_views(ViewerState& state) {

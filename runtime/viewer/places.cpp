@@ -141,7 +141,12 @@ Place find_place(const std::string& text, const scene::RenderScene& scene,
     return place;
   }
   if (!numbers->first_side.empty() && !projection.is_usable())
-    throw not_found(text, "this city has no CRS, so it has no latitude and longitude");
+    throw not_found(
+        text, scene.georeference.crs.empty()
+                  ? "this city has no CRS, so it has no latitude and longitude"
+                  : "latitude and longitude are known of UTM, of Japan's plane zones and of cities "
+                    "baked from degrees; this city is in " +
+                        scene.georeference.crs);
   return find_point(text, {numbers->first, numbers->second}, scene);
 }
 

@@ -233,11 +233,23 @@ TEST(Air, CompiledInWithoutNeedChangesNothing) {
   EXPECT_EQ(render(scene, pose, settings, 16, 16, 2).rgb, without.rgb);
 }
 
-TEST(Air, AVisibilityThatIsTooShortIsRefused) {
+TEST(Air, AVisibilityHasBounds) {
   render::RenderSettings settings;
-  for (const float visibility_km : {1e-30f, 0.0005f, -1.0f, std::nanf("")}) {
+  for (const float visibility_km : {-1.0f, 1e6f, std::nanf("")}) {
     settings.air.visibility_km = visibility_km;
     EXPECT_THROW(render::check_settings(settings), UsageError) << visibility_km;
+  }
+  settings.air.visibility_km = 1e-30f;  // black fog
+  EXPECT_NO_THROW(render::check_settings(settings));
+  EXPECT_NEAR(render::extinction_of(settings.air), 3.912f, 1e-4f);
+  const scene::RenderScene scene = SceneBuilder(0.5f).ground(50).with({lamp({0, 6, 0}, 5000)});
+  for (const render::Estimator estimator :
+       {render::Estimator::reference, render::Estimator::traced}) {
+    settings.sampling.estimator = estimator;
+    settings.air.height_m = 1e-40f;  // counts as a layer of a millimetre
+    const measure::Image image =
+        render(scene, {{0, 30, 0}, {0, 0, 0}, {0, 0, -1}, 40}, settings, 8, 8, 2);
+    for (const float value : image.rgb) EXPECT_TRUE(std::isfinite(value));
   }
 }
 

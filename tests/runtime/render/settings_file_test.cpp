@@ -111,6 +111,7 @@ TEST(LeftOut, TurnsOffWhatBelongsToTheSettings) {
   settings.environment.sky_cd_m2 = glm::vec3(0.01f);
   settings.environment.moon_lux = glm::vec3(0.2f);
   settings.indirect.bounces = 4;
+  settings.air.visibility_km = 1;
   for (const ModelPart& part : list_model_parts()) {
     if (part.of_scene) continue;
     EXPECT_TRUE(is_present(part, {}, settings)) << part.name;

@@ -22,8 +22,8 @@ TEST(LightTree, OfNoLightHasNoLevel) {
   EXPECT_EQ(scene::build_light_tree({}, {}).shape.levels, 0u);
 }
 
-// Every node's box and flux are those of the leaves below it, and its children are places 4 i to 4 i
-// + 3 of the level below.
+// Every node's box and flux are those of the leaves below it, and its children are places 4 i to 4
+// i + 3 of the level below.
 TEST(LightTree, NodesSumUpWhatIsBelowThem) {
   for (const int count : {1, 2, 4, 5, 17, 1000}) {
     const std::vector<Light> lights = random_lamps(count, 50, 3);

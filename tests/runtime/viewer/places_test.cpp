@@ -50,6 +50,46 @@ TEST(Places, LatitudeAndLongitudeArePlacesOfTheModel) {
   EXPECT_NEAR(north->y - south->y, 1852, 18);
 }
 
+// Tokyo Station in Japan's zone IX, as PROJ 9.1 projects it.
+TEST(Places, OfJapansPlaneZonesAreWhereProjPutsThem) {
+  const auto plane = MapProjection("EPSG:6677").to_plane(35.681236, 139.767125);
+  ASSERT_TRUE(plane);
+  EXPECT_NEAR(plane->x, -5992.9196, 0.01);
+  EXPECT_NEAR(plane->y, -35363.2377, 0.01);
+}
+
+// The Brandenburg Gate and Sydney's opera house, by the same.
+TEST(Places, OfUtmAreWhereProjPutsThem) {
+  const auto gate = MapProjection("EPSG:25833").to_plane(52.516275, 13.377704);
+  ASSERT_TRUE(gate);
+  EXPECT_NEAR(gate->x, 389918.0415, 0.01);
+  EXPECT_NEAR(gate->y, 5819699.1323, 0.01);
+  const auto opera = MapProjection("EPSG:32756").to_plane(-33.8568, 151.2153);
+  ASSERT_TRUE(opera);
+  EXPECT_NEAR(opera->x, 334900.5697, 0.01);
+  EXPECT_NEAR(opera->y, 6252288.7529, 0.01);
+}
+
+// A city that was given in degrees has a plane of its own, whose origin is in the city.
+TEST(Places, OfACityGivenInDegreesAreMetresFromItsOrigin) {
+  const MapProjection local(
+      "+proj=tmerc +lat_0=52.5 +lon_0=13.4 +k=1 +x_0=0 +y_0=0 +a=6378137 +rf=298.257223563 "
+      "+units=m +no_defs");
+  const auto origin = local.to_plane(52.5, 13.4), north = local.to_plane(52.501, 13.4);
+  ASSERT_TRUE(origin && north);
+  EXPECT_NEAR(glm::length(*origin), 0, 1e-6);
+  EXPECT_NEAR(north->y, 111.27, 0.02);  // a thousandth of a degree at this latitude
+}
+
+TEST(Places, OfUnknownGridsAndFarOffMeridiansAreNone) {
+  EXPECT_FALSE(MapProjection("EPSG:28992").is_usable());
+  EXPECT_FALSE(MapProjection("EPSG:32661").is_usable());
+  EXPECT_FALSE(MapProjection("+proj=tmerc +lat_0=nan").is_usable());
+  EXPECT_FALSE(MapProjection("EPSG:25833").to_plane(52, 120));
+  EXPECT_FALSE(MapProjection("EPSG:25833").to_plane(std::nan(""), 15));
+  EXPECT_FALSE(MapProjection("EPSG:25833").to_degrees({1e12, 0}));
+}
+
 TEST(Places, CoordinatesAreUnderstoodInTheWaysThatPeopleWriteThem) {
   const scene::RenderScene scene = make_scene();
   const MapProjection projection(scene.georeference.crs);
@@ -90,6 +130,8 @@ TEST(Places, WhatIsNotThereIsSaidWithWhatThereIs) {
   scene::RenderScene nowhere = make_scene();
   nowhere.georeference.crs = "";
   EXPECT_NE(error_of("52 N, 13 E", nowhere).find("no CRS"), std::string::npos);
+  nowhere.georeference.crs = "EPSG:28992";
+  EXPECT_NE(error_of("52 N, 13 E", nowhere).find("this city is in EPSG:28992"), std::string::npos);
   nowhere.georeference.crs = "EPSG:1";
   EXPECT_NE(error_of("52 N, 13 E", nowhere), "");
 }
