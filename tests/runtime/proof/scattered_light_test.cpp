@@ -86,8 +86,8 @@ TEST_P(ScatteredLight, OfOneSampleIsUnbiased) {
   Place place = courtyard();
   place.pose = {{-9, 14, 17}, {-1, 0, -3}, {0, 1, 0}, 45};  // onto the windows, too
   const measure::PictureStatistics truth =
-      runs_of(place, in(GetParam(), render::Estimator::reference), 16, 32, 5000);
-  expect_equal(runs_of(place, in(GetParam(), render::Estimator::traced), 64, 16, 1), truth, 1e-4,
+      runs_of(place, in(GetParam(), render::Estimator::reference), 16, 256, 5000);
+  expect_equal(runs_of(place, in(GetParam(), render::Estimator::traced), 128, 16, 1), truth, 1e-4,
                1);
 }
 
