@@ -25,7 +25,8 @@ struct LightEdit {
 /// Edits by the lights' ids (Light::id), which are the same after every bake.
 using LightEdits = std::map<std::uint32_t, LightEdit>;
 
-/// Reads such a file. Throws Error with file and place where it is none, or a value is out of range.
+/// Reads such a file. Throws Error with file and place where it is none, or a value is out of
+/// range.
 LightEdits read_light_edits(const std::filesystem::path& file);
 /// Writes such a file. Throws Error.
 void write_light_edits(const std::filesystem::path& file, const LightEdits& edits);

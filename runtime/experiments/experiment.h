@@ -61,7 +61,8 @@ class Experiment {
   /// Renders pictures of `repeats` seeds, each after `lead` frames that fill the history, and
   /// compares them with `truth` at every count of `frames` (ascending). Returns one measurement per
   /// count. With `time_step_s` above 0 the clock moves on by it before every frame and reaches the
-  /// settings' time in the picture that is compared, which is then one frame whatever `frames` says.
+  /// settings' time in the picture that is compared, which is then one frame whatever `frames`
+  /// says.
   std::vector<Measurement> measure(const scene::CameraPose& pose, render::RenderSettings settings,
                                    const measure::Image& truth,
                                    const std::vector<std::uint32_t>& frames, std::uint32_t lead,
@@ -72,8 +73,8 @@ class Experiment {
   render::Renderer make_renderer() const;
 
  private:
-  // Starts mean and history anew with a seed and fills the history; the last frame, at the settings'
-  // time, is the first of the mean. Returns the GPU times of the frames.
+  // Starts mean and history anew with a seed and fills the history; the last frame, at the
+  // settings' time, is the first of the mean. Returns the GPU times of the frames.
   std::vector<double> start_run(const scene::CameraPose& pose, render::RenderSettings& settings,
                                 std::uint32_t seed, std::uint32_t lead, double time_step_s);
 

@@ -1,5 +1,5 @@
-// What a scene requires: the error of leaving each part of the model out, beside what it costs, and
-// the smallest model that keeps a stated error.
+// Finds what a scene requires: the error of leaving each part of the model out, beside what it
+// costs, and the smallest model that keeps a stated error.
 #pragma once
 
 #include <cstdint>

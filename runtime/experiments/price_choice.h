@@ -12,8 +12,8 @@ namespace nightcity::experiments {
 /// A simplification of the model: a part left out, or light that bounces less often.
 struct Cut {
   std::string group;  // at most one cut of a group is made; "" = the cut belongs to no group
-  // Of this cut alone. Errors of several cuts together are at most their sum, as root mean squares
-  // and means are.
+  // The error of this cut alone. Root mean squares and means of several cuts together are at most
+  // the sum of those of each.
   double error = 0;
   double saving = 0;  // share of the whole price that it saves, 0 .. 1
 };

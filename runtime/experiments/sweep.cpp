@@ -169,8 +169,8 @@ class Sweep {
         });
   }
 
-  // Returns the settings of the reference: light bounces as often as at any point, so that what fewer
-  // bounces leave out is an error.
+  // Returns the settings of the reference: light bounces as often as at any point, so that what
+  // fewer bounces leave out is an error.
   render::RenderSettings full_model() const {
     render::RenderSettings settings = to_settings({}, options_.base);
     for (const SweepPoint& point : points_)

@@ -14,7 +14,8 @@ struct Estimate {
   double value = 0, error = 0;
 };
 
-/// How far the expected picture A is from the expected picture B, as in Comparison (metrics.h).
+/// The distance of the expected picture A from the expected picture B, as in Comparison
+/// (metrics.h).
 struct ModelDifference {
   Estimate relative_mean;  // (mean of A - mean of B) / mean of B, of luminances
   Estimate relative_mse;

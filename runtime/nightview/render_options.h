@@ -40,7 +40,8 @@ struct RenderOptions {
   render::RenderSettings settings;
 
   /// Declares the scene, --settings, --preset, --leave-out, --size, --time, --camera, --device,
-  /// --trace, --sky-map, --moon, --lights, --edits and all settings. `command` must outlive the object.
+  /// --trace, --sky-map, --moon, --lights, --edits and all settings. `command` must outlive the
+  /// object.
   void declare(CLI::App& command);
   /// Reads the settings file, and converts the parsed text to settings, left_out, width and height.
   /// An option of the command line goes before the file's value. Throws Error, or UsageError.

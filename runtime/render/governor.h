@@ -28,7 +28,7 @@ std::vector<Rung> list_rungs(const RenderSettings& settings);
 
 struct GovernorOptions {
   double budget_ms = 0;  // of a frame; 0 = none
-  // Of a frame: the governor takes no dearer rung than the cheapest that keeps it. 0 = none.
+  // The governor takes no dearer rung than the cheapest whose frames keep this error. 0 = none.
   double target_error = 0;
   // A rung is taken only where a frame is expected to last this share of the budget: the rest is
   // for frames that differ from those before.

@@ -16,9 +16,9 @@ namespace nightcity::render {
 struct ModelPart {
   const char* name;  // as --leave-out takes it
   const char* help;  // what is rendered instead
-  // Of the scene (runtime/scene/parts.h).
+  // The part of the scene (runtime/scene/parts.h) that this is, if it is one.
   std::optional<scene::Part> of_scene = std::nullopt;
-  // Of the settings: whether they have it, and what turns it off.
+  // These say whether the settings have it, and turn it off.
   bool (*is_set)(const RenderSettings& settings) = nullptr;
   void (*turn_off)(RenderSettings& settings) = nullptr;
 };

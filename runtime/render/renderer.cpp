@@ -473,7 +473,7 @@ void Renderer::expose(const DisplaySettings& display) {
   frame.accumulation =
       done_.settings.display.denoise ? denoised_.address() : picture.accumulation.address();
   fill_display(frame, display);
-  // What views other than the picture show.
+  // Views other than the picture show these.
   const RenderSettings& settings = done_.settings;
   frame.scene = scene_.buffers();
   frame.surfaces = picture.surfaces.address();

@@ -30,7 +30,7 @@ namespace nightcity::render {
 struct Effort {
   std::uint32_t max_candidates = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t max_neighbours = std::numeric_limits<std::uint32_t>::max();
-  // Of a cell of the irradiance cache, new ones included.
+  // A cell of the irradiance cache gets no more paths than these, new ones included.
   std::uint32_t max_cell_paths = std::numeric_limits<std::uint32_t>::max();
 
   bool operator==(const Effort&) const = default;

@@ -22,8 +22,8 @@ constexpr LightFamilies to_set(LightFamily family) {
 /// Returns whether the set has the family; a value out of range counts as `other`.
 bool has_family(LightFamilies set, LightFamily family);
 
-/// Converts a list of name_of(LightFamily), as "lamp,window", or "all" or "none". Throws UsageError,
-/// which names the option --lights.
+/// Converts a list of name_of(LightFamily), as "lamp,window", or "all" or "none". Throws
+/// UsageError, which names the option --lights.
 LightFamilies parse_families(const std::string& text);
 /// Returns what parse_families takes.
 std::string text_of(LightFamilies set);

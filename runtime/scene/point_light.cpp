@@ -15,7 +15,8 @@ constexpr double faint = 1e-3;              // share of the sum below which a li
 constexpr std::size_t max_tested = 20'000;  // shadow rays: some tens of milliseconds
 constexpr double clear_m = 1e-3;            // off the surface, where rays start
 
-// Returns the profile's luminous intensity per lumen towards unit `to`, as shaders/lights.glsl does.
+// Returns the profile's luminous intensity per lumen towards unit `to`, as shaders/lights.glsl
+// does.
 double intensity_per_lumen(const RenderScene& scene, const Light& light, const glm::dvec3& to) {
   const std::uint32_t index = light_profile(light);
   if (index == LIGHT_NO_PROFILE || index >= scene.profiles.size()) return 1 / (4 * pi);

@@ -23,9 +23,9 @@ struct PointLight {
   std::size_t untested = 0;           // faint ones that were left out, together below a thousandth
 };
 
-/// Returns the illuminance in lux that a light gives, without shadows, to a surface at `point` whose
-/// unit normal is `normal`: I cos / d^2 with the profile's intensity; a rectangle is summed over
-/// patches where it is near.
+/// Returns the illuminance in lux that a light gives, without shadows, to a surface at `point`
+/// whose unit normal is `normal`: I cos / d^2 with the profile's intensity; a rectangle is summed
+/// over patches where it is near.
 double illuminance_of(const RenderScene& scene, const Light& light, const glm::dvec3& point,
                       const glm::dvec3& normal);
 

@@ -35,8 +35,8 @@ std::uint32_t find_light(std::uint32_t light, std::span<const std::uint32_t> num
   return light < numbers.size() ? numbers[light] : light;
 }
 
-// Appends the triangles of a mesh that have an area and whose light is not left out, and returns the
-// number of those without area.
+// Appends the triangles of a mesh that have an area and whose light is not left out, and returns
+// the number of those without area.
 std::size_t append_mesh(const SceneMesh& mesh, const glm::mat4& to_model,
                         std::span<const std::uint32_t> light_numbers,
                         LargeVector<gpu::Triangle>& out) {

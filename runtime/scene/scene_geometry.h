@@ -20,7 +20,7 @@ struct MeshSource {
 /// Returns the meshes that `scene` holds, which must outlive the result.
 MeshSource meshes_of(const Scene& scene);
 
-/// What of the geometry is left out (parts.h).
+/// A choice of the geometry that is left out (parts.h).
 struct GeometryFilter {
   PartSet left_out;
   std::span<const std::uint32_t> light_numbers;  // from leave_out_lights

@@ -19,8 +19,8 @@ struct Comparison {
 bool have_same_lights(const render::RenderSettings& a, const render::RenderSettings& b);
 
 /// Returns `settings` with a list of others, "estimator=ris,time=23:00,lights=window": a name of
-/// list_settings(), time or lights. Words after a comma that have no '=' belong to the value before.
-/// Throws UsageError.
+/// list_settings(), time or lights. Words after a comma that have no '=' belong to the value
+/// before. Throws UsageError.
 render::RenderSettings change_settings(render::RenderSettings settings, const std::string& text);
 
 /// Returns what differs between the settings of a side and those of the other: "ris, 23:00"; the

@@ -14,8 +14,8 @@ struct ScaleBar {
   float pixels = 0;
 };
 
-/// Returns the longest of 1, 2, 5, 10, ... m that takes at most `most_px` pixels at the distance that
-/// the camera looks at, across a picture `height_px` pixels high.
+/// Returns the longest of 1, 2, 5, 10, ... m that takes at most `most_px` pixels at the distance
+/// that the camera looks at, across a picture `height_px` pixels high.
 ScaleBar find_scale_bar(const scene::CameraPose& pose, float distance_m, float height_px,
                         float most_px);
 

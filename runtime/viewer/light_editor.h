@@ -1,5 +1,5 @@
-// Edits lights of the city that is shown: switches, dims and aims them, and keeps that as an overlay
-// file.
+// Edits lights of the city that is shown: switches, dims and aims them, and keeps that as an
+// overlay file.
 #pragma once
 
 #include <filesystem>
@@ -20,8 +20,8 @@ class LightEditor {
   /// Returns the file beside a scene, which need not exist.
   static std::filesystem::path find_file(const std::string& scene);
 
-  /// Takes the edits of `file`, if it exists, over to the scene, before the device has it. Returns a
-  /// sentence about them, "" without any. Throws Error where the file is broken.
+  /// Takes the edits of `file`, if it exists, over to the scene, before the device has it. Returns
+  /// a sentence about them, "" without any. Throws Error where the file is broken.
   std::string open(const std::filesystem::path& file, scene::RenderScene& scene);
 
   /// Returns the edit of a light, empty where it has none.

@@ -51,8 +51,8 @@ class LivePicture {
   /// Returns the exposure that the picture on the screen asks for.
   float meter() const;
 
-  /// Returns the luminance that the picture on the screen has where it shows `point`, cd/m2; nothing
-  /// where it does not. Not while is_busy().
+  /// Returns the luminance that the picture on the screen has where it shows `point`, cd/m2;
+  /// nothing where it does not. Not while is_busy().
   std::optional<double> luminance_at(const glm::vec3& point) const;
 
   bool has_picture() const { return renderer_.frames() > 0; }

@@ -17,8 +17,8 @@ struct PictureQuality {
   std::uint32_t width = 0, height = 0;  // 0: the window's size when the picture was asked for
 };
 
-/// Writes `image` as night-NNN.png and .exr into `folder`, with `info` in both. Returns the sentence
-/// that says where they are. Throws Error.
+/// Writes `image` as night-NNN.png and .exr into `folder`, with `info` in both. Returns the
+/// sentence that says where they are. Throws Error.
 std::string save_picture(const std::filesystem::path& folder, const measure::Image& image,
                          const render::DisplaySettings& display);
 

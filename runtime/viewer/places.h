@@ -15,10 +15,10 @@ struct Place {
   std::string name;    // what was found, in words
 };
 
-/// Returns the place that `text` names: "52.5163, 13.3777" (latitude and longitude, also with N, S, E
-/// or W behind), "412013 5761972" (easting and northing in the city's CRS, m), or the id of a city
-/// object, of which a part is enough. Throws Error, which says what there is instead, where there is
-/// no such place in the model.
+/// Returns the place that `text` names: "52.5163, 13.3777" (latitude and longitude, also with N, S,
+/// E or W behind), "412013 5761972" (easting and northing in the city's CRS, m), or the id of a
+/// city object, of which a part is enough. Throws Error, which says what there is instead, where
+/// there is no such place in the model.
 Place find_place(const std::string& text, const scene::RenderScene& scene,
                  const MapProjection& projection);
 

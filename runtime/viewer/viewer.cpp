@@ -98,7 +98,8 @@ class Viewer {
                          pictured ? options_.time_step_s : 0, now_s_);
     // After news the panel is drawn a few times more: it settles within two frames.
     controller_.look_at_gamepad();
-    if (window_.queue().held().any() || controller_.is_pad_moved()) redraws_ = std::max(redraws_, 1);
+    if (window_.queue().held().any() || controller_.is_pad_moved())
+      redraws_ = std::max(redraws_, 1);
     if (window_.take_news() || presenter_.is_outdated() || minimised_) redraws_ = 3;
     minimised_ = false;
     const bool reports = (works() || workbench_.opening()) && now_s_ - reported_s_ > report_s;
@@ -167,8 +168,8 @@ class Viewer {
   void draw() {
     const glm::uvec2 size = window_.size();
     if (size.x == 0 || size.y == 0) return;
-    // Showing waits for the device, and so would every event after. A slice that takes long (shaders
-    // are being compiled) leaves the panel alive.
+    // Showing waits for the device, and so would every event after. A slice that takes long
+    // (shaders are being compiled) leaves the panel alive.
     const bool busy = workbench_.is_busy();
     if (busy && now_s_ - reported_s_ < alive_s) {
       redraws_ = std::max(redraws_, 1);

@@ -12,8 +12,8 @@ namespace nightcity::viewer {
 /// rest. Throws Error.
 void write_settings(const std::filesystem::path& file, const ViewerState& state);
 
-/// The same to settings.toml in the user's folder, where `file` is "". Returns the sentence that says
-/// where. Throws Error.
+/// The same to settings.toml in the user's folder, where `file` is "". Returns the sentence that
+/// says where. Throws Error.
 std::string save_settings(std::filesystem::path file, const ViewerState& state);
 
 /// Returns the divisor (Refinement::set_divisor) of a word: 0, 1, 2, 4 or 8. Throws UsageError.

@@ -71,7 +71,8 @@ LivePicture& Workbench::choose(const Views& views, double now_s) {
   if (picture_->has_begun()) return *picture_;
   if (other_->has_begun()) return *other_;
   if (views.same_lights || !city_->on_device->switching()) {
-    // Tables of lights are those of the side whose turn it is: the other one does not wait for them.
+    // Tables of lights are those of the side whose turn it is: the other one does not wait for
+    // them.
     View view = views.view, other = *views.other;
     if (!views.same_lights) view.switches = other.switches = false;
     const bool first = !picture_->rests(view, now_s), second = !other_->rests(other, now_s);

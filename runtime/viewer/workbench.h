@@ -1,5 +1,5 @@
-// What is being worked at: the city that is shown, its picture, a picture that is being saved, and a
-// city that is being opened.
+// What is being worked at: the city that is shown, its picture, a picture that is being saved, and
+// a city that is being opened.
 #pragma once
 
 #include <memory>

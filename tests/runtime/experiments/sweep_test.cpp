@@ -34,7 +34,7 @@ TEST(Sweep, ColumnsKeepTheirNamesAndOrder) {
             (std::vector<std::string>{"estimator", "candidates", "neighbours", "radius", "history",
                                       "reach", "boost", "permute", "local-share", "wide-share",
                                       "uniform-share", "fleet-share", "visibility-reuse", "bounces",
-                                      "cache", "cache-cell", "cache-paths"}));
+                                      "cache", "cache-cell", "cache-paths", "air-candidates"}));
 }
 
 TEST(Sweep, EveryCombinationComesOnceWithoutSettingsThatAnEstimatorLacks) {

@@ -223,14 +223,17 @@ TEST(Air, FarFromTheOriginGlowsAsNearIt) {
   EXPECT_NEAR(mean_at(100'000) / mean_at(0), 1, 0.005);
 }
 
-// Passes that have air compiled in without need show the same picture.
+// Passes that have air compiled in without need show the same picture, up to rounding.
 TEST(Air, CompiledInWithoutNeedChangesNothing) {
-  const scene::RenderScene scene = boxes_on_a_plane().with({lamp({-6, 7, 0}, 6000, 0.3f)});
+  const scene::RenderScene scene = boxes_on_a_plane().with(
+      {lamp({-6, 7, 0}, 6000, 0.3f), window({0, 3, -9.9f}, {0, 0, 1}, 0.6f, 0.9f, 400)});
   const scene::CameraPose pose{{-9, 10, 17}, {0, 1, 0}, {0, 1, 0}, 50};
-  render::RenderSettings settings = with_estimator(render::Estimator::traced);
+  render::RenderSettings settings = with_estimator(render::Estimator::ris);
   const measure::Image without = render(scene, pose, settings, 16, 16, 2);
   settings.forced_features = 1u << CONSTANT_AIR;
-  EXPECT_EQ(render(scene, pose, settings, 16, 16, 2).rgb, without.rgb);
+  const measure::Image with = render(scene, pose, settings, 16, 16, 2);
+  for (std::size_t i = 0; i < without.rgb.size(); ++i)
+    EXPECT_NEAR(with.rgb[i], without.rgb[i], 1e-4f * without.rgb[i]) << i;
 }
 
 TEST(Air, AVisibilityHasBounds) {

@@ -117,8 +117,8 @@ TEST(DeviceScene, AnEditedLightShinesAsItWasEditedAndNothingOfItsPastStays) {
   EXPECT_NEAR(mean() / before, 1, 0.01);
 }
 
-// The second lamp goes out while the clock stands, because its tables took a moment: what it gave by
-// bounces goes with it.
+// The second lamp goes out while the clock stands, because its tables took a moment: what it gave
+// by bounces goes with it.
 TEST(DeviceScene, LightThatBouncedGoesOutWithItsLamp) {
   const scene::RenderScene scene = two_lamps(true);
   const auto mean = [&](render::DeviceScene& on_device, double first_s) {

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t text_width = 80;
 
-// Calls `use` with all tables, rows of luminaires and inventories included, as an empty recipe has them.
+// Calls `use` with all tables, rows of luminaires and inventories included, as an empty recipe has
+// them.
 template <class Use>
 void with_tables(const Use& use) {
   bake::Recipe recipe;
