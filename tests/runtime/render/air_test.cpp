@@ -26,9 +26,8 @@ render::RenderSettings in_air(render::Estimator estimator, float visibility_km,
   return settings;
 }
 
-// Returns the integral of f over [from, to] by Simpson's rule.
-double integrate(double from, double to, const std::function<double(double)>& f) {
-  constexpr int steps = 4000;
+// Returns the integral of f over [from, to] by Simpson's rule with an even number of steps.
+double integrate(double from, double to, int steps, const std::function<double(double)>& f) {
   const double h = (to - from) / steps;
   double sum = f(from) + f(to);
   for (int i = 1; i < steps; ++i) sum += f(from + i * h) * (i % 2 == 1 ? 4 : 2);
@@ -97,11 +96,11 @@ double henyey_greenstein(double g, double cosine) {
 double scattered_by_quadrature(const EyeRay& ray, const glm::dvec3& lamp_at, double candela,
                                double beta, double falloff, double g, double albedo, double depth) {
   const auto depth_between = [&](const glm::dvec3& a, const glm::dvec3& b) {
-    return glm::length(b - a) * integrate(0, 1, [&](double s) {
+    return glm::length(b - a) * integrate(0, 1, 32, [&](double s) {
              return beta * std::exp(-falloff * (a.y + (b.y - a.y) * s));
            });
   };
-  return integrate(0, depth, [&](double t) {
+  return integrate(0, depth, 4000, [&](double t) {
     const glm::dvec3 place = ray.origin + ray.direction * t, to_lamp = lamp_at - place;
     const double d2 = glm::dot(to_lamp, to_lamp);
     return albedo * beta * std::exp(-falloff * place.y) * candela / d2 *
