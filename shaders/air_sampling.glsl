@@ -18,8 +18,8 @@ AirRay air_ray(vec3 origin, vec3 direction, Surface surface) {
                 dot(normal, surface.position));
 }
 
-// What lies behind the surface that is seen gets this share of the samples that it would get: it
-// hides most of it from the air in front, a wall the lights of its house and of the next street.
+// Lights behind the surface that is seen get this share of the samples that they would get: the
+// surface hides most of them from the air in front, as a wall hides the lights of the next street.
 const float HIDDEN_SHARE = 0.05;
 
 // Returns HIDDEN_SHARE for a sphere behind the surface that is seen, else 1.

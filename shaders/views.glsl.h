@@ -1,4 +1,4 @@
-// What the window shows of a picture, and the colours of a scale. Included by C++ and GLSL.
+// These are the views of a picture that the window shows, and the colours of a scale. Included by C++ and GLSL.
 #ifndef NIGHTCITY_SHADERS_VIEWS_GLSL_H
 #define NIGHTCITY_SHADERS_VIEWS_GLSL_H
 

@@ -245,7 +245,7 @@ void price(PriceCommand& command) {
       return render.load(other, left_out);
     });
   if (!command.views.empty()) options.views = render::split_list("--views", command.views);
-  // What the files hold and no picture shows is said once, not for each model.
+  // A warning names things in the files that no picture shows; one is enough for all models.
   options.load = [&render, is_first = true](const scene::PartSet& left_out) mutable {
     return std::exchange(is_first, false) ? render.load() : render.load(left_out);
   };

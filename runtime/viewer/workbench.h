@@ -1,5 +1,5 @@
-// What is being worked at: the city that is shown, its picture, a picture that is being saved, and
-// a city that is being opened.
+// The workbench holds the city that is shown, its picture, a picture that is being saved, and a city
+// that is being opened.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace nightcity::viewer {
 
-/// What the pictures are to show.
+/// The views that the pictures are to show.
 struct Views {
   View view;
   std::optional<View> other;  // of the second picture, if there is one

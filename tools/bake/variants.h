@@ -1,4 +1,4 @@
-// What a bake can give up: the one table of its variants. `nightbake price` bakes each of them.
+// This is the one table of things that a bake can give up. `nightbake price` bakes each variant.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What the parts of small scenes are worth, where it is known without measuring.
+// Parts of small scenes are priced whose worth is known without measuring.
 #include "runtime/experiments/price.h"
 
 #include <gtest/gtest.h>

@@ -144,7 +144,7 @@ TEST(Air, OneLampInALayerOfFogEqualsQuadrature) {
   expect_quadrature({.visibility_km = 0.03f, .height_m = 4, .asymmetry = -0.5f}, 0.01);
 }
 
-// What is seen and what is lit is weakened by exp(-beta distance) on each way.
+// Light is weakened by exp(-beta distance) on its way to the surface, and again to the eye.
 TEST(Air, WeakensLightOnItsWayToASurfaceAndToTheEye) {
   const scene::RenderScene scene = SceneBuilder(0.4f).ground(100).with({lamp({0, 8, 0}, 5000)});
   const scene::CameraPose pose{{0, 30, 0}, {0, 0, 0}, {0, 0, -1}, 10};

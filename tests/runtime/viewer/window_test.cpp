@@ -212,7 +212,7 @@ TEST_F(ViewerWindow, TwoPicturesAreComparedLeftAndRightOfALine) {
   write_moving_scene(folder.path());
   test::write_text(folder / "camera.json",
                    "{\"position\": [4, 9, 12], \"target\": [4, 0.5, -1], \"fov_deg\": 50}\n");
-  // Where lights differ, A begins when B has its 16 frames.
+  // A begins when B has its 16 frames if the lights of the two differ.
   ASSERT_EQ(
       run("W=\"$(dirname ${V%% *})/nightview moving.glb --validation --size 1200x500 --every 4 "
           "--camera camera.json --ev 0 --tone linear --time 20:00 --quit-after 28\"\n"
@@ -413,8 +413,7 @@ TEST_F(ViewerWindow, AtRestItSleeps) {
       if (i >= 14) sum += std::stol(field);  // utime, stime
     return sum;
   };
-  // Of the 400 hundredths of a second that passed a window at rest needs no tenth, and one that
-  // renders needs all.
+  // Four seconds passed, 400 ticks: a window that renders uses them all, one at rest not a quarter.
   EXPECT_LT(ticks("after.txt") - ticks("before.txt"), 100);
 }
 

@@ -48,7 +48,7 @@ TEST_F(PriceCommand, RefusesWhatItDoesNotKnow) {
       1);
 }
 
-// Where the renderer is built, too, and there is a device.
+// This test needs the renderer and a device.
 TEST_F(PriceCommand, TellsTheErrorOfPictures) {
   if (!std::filesystem::exists(std::filesystem::path(NIGHTCITY_BUILD_DIR) / "nightview"))
     GTEST_SKIP() << "nightview is not built";
@@ -60,7 +60,7 @@ TEST_F(PriceCommand, TellsTheErrorOfPictures) {
   ASSERT_EQ(json.size(), 2u);
   EXPECT_FALSE(json[0].contains("pictures"));
   const auto& mean = json[1]["pictures"]["views"][0]["relative_mean_signed_error"];
-  // What nobody sees is worth nothing.
+  // Surfaces that nobody sees are worth nothing.
   EXPECT_LT(std::abs(mean["value"].get<double>()),
             10 * mean["standard_error"].get<double>() + 1e-6);
 }
