@@ -1,4 +1,5 @@
-// These are the views of a picture that the window shows, and the colours of a scale. Included by C++ and GLSL.
+// These are the views of a picture that the window shows, and the colours of a scale. C++ and GLSL
+// include this file.
 #ifndef NIGHTCITY_SHADERS_VIEWS_GLSL_H
 #define NIGHTCITY_SHADERS_VIEWS_GLSL_H
 

@@ -1,5 +1,5 @@
-// The workbench holds the city that is shown, its picture, a picture that is being saved, and a city
-// that is being opened.
+// The workbench holds the city that is shown, its picture, a picture that is being saved, and a
+// city that is being opened.
 #pragma once
 
 #include <memory>
