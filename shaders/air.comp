@@ -29,11 +29,12 @@ struct AirSample {
 AirSample resample_air(AirRay ray) {
   AirSample chosen = AirSample(vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
   const uint candidates = FRAME.air.candidates;
+  const float share = vehicle_share(SCENE.light_tree.levels > 0u);
   for (uint i = 0u; i < candidates; ++i) {
     const float technique = min((float(i) + random_float()) / float(candidates), BELOW_ONE);
     const float u = random_float();
     const vec2 uv = vec2(random_float(), random_float());
-    const SampledLight source = sample_light_in_air(ray, technique);
+    const SampledLight source = sample_light_in_air(ray, share, technique);
     if (!(source.pdf > 0.0)) continue;
     const AirDistance at = sample_distance(ray, source.light, u);
     if (!(at.density > 0.0)) continue;

@@ -109,16 +109,25 @@ float importance(LightNode node, AirRay ray) {
   return node.flux_lm * passed * view.range / view.height * likely_seen(ray, centre, radius);
 }
 
-// Returns the weights of the four children of a node of the static lights' BVH.
-float[4] weigh_children(AirRay ray, uint level, uint place) {
-  const uint first = SCENE.light_tree.level_first[level - 1u],
-             count = SCENE.light_tree.level_count[level - 1u];
+// Returns the weights of the four children of a node of a light BVH: that of the vehicles, or that of
+// the static lights. The children start at `place` of the `count` nodes of their level; `first` is
+// the level's place among all nodes.
+float[4] weigh_children(bool vehicles, uint first, uint count, uint place, AirRay ray) {
   float weight[4];
   for (uint i = 0u; i < 4u; ++i) {
-    const uint below = 4u * place + i;
-    weight[i] = below < count ? importance(SCENE.light_tree.nodes.at[first + below], ray) : 0.0;
+    weight[i] = 0.0;
+    if (place + i >= count) continue;
+    const uint at = first + place + i;
+    if (vehicles) weight[i] = importance(FRAME.vehicle_nodes.at[at], ray);
+    else weight[i] = importance(SCENE.light_tree.nodes.at[at], ray);
   }
   return weight;
+}
+
+// The same for a node of the static lights' BVH.
+float[4] weigh_static_children(AirRay ray, uint level, uint place) {
+  return weigh_children(false, SCENE.light_tree.level_first[level - 1u],
+                        SCENE.light_tree.level_count[level - 1u], 4u * place, ray);
 }
 
 // Returns a static light for a ray, by descending their light BVH.
@@ -127,7 +136,7 @@ SampledLight sample_tree_light(AirRay ray) {
   float pdf = 1.0;
   uint place = 0u;
   for (uint level = SCENE.light_tree.levels - 1u; level > 0u; --level) {
-    const uint child = sample_child(weigh_children(ray, level, place), pdf);
+    const uint child = sample_child(weigh_static_children(ray, level, place), pdf);
     if (child == 4u) return chosen;
     place = 4u * place + child;
   }
@@ -142,7 +151,7 @@ float tree_density(AirRay ray, uint light) {
   float pdf = 1.0;
   uint place = SCENE.light_tree.leaf_of_light.at[light];
   for (uint level = 1u; level < SCENE.light_tree.levels; ++level) {
-    const float weight[4] = weigh_children(ray, level, place >> 2u);
+    const float weight[4] = weigh_static_children(ray, level, place >> 2u);
     const float sum = weight[0] + weight[1] + weight[2] + weight[3];
     if (!(sum > 0.0)) return 0.0;
     pdf *= weight[place & 3u] / sum;
@@ -181,13 +190,9 @@ SampledLight sample_vehicle_light(AirRay ray) {
   float pdf = 1.0;
   uint place = 0u;
   for (uint level = SCENE.traffic.levels - 1u; level > 0u; --level) {
-    const uint first = SCENE.traffic.level_first[level - 1u],
-               count = SCENE.traffic.level_count[level - 1u];
-    float weight[4];
-    for (uint i = 0u; i < 4u; ++i) {
-      const uint below = 4u * place + i;
-      weight[i] = below < count ? importance(FRAME.vehicle_nodes.at[first + below], ray) : 0.0;
-    }
+    const float weight[4] =
+        weigh_children(true, SCENE.traffic.level_first[level - 1u],
+                       SCENE.traffic.level_count[level - 1u], 4u * place, ray);
     const uint child = sample_child(weight, pdf);
     if (child == 4u) return SampledLight(0u, SCENE.lights.at[0], 0.0);
     place = 4u * place + child;
@@ -195,19 +200,8 @@ SampledLight sample_vehicle_light(AirRay ray) {
   return sample_light_of_vehicle(FRAME.vehicle_nodes.at[place], pdf);
 }
 
-// Returns the share of the candidates that vehicles' lights get: all or none where only one of the
-// two sets shines.
-float vehicle_share_in_air() {
-  if (HAS_TRAFFIC == 0u) return 0.0;
-  if (SCENE.light_tree.levels == 0u) return 1.0;
-  const LightNode all =
-      FRAME.vehicle_nodes.at[SCENE.traffic.level_first[SCENE.traffic.levels - 1u]];
-  return all.flux_lm > 0.0 ? FRAME.vehicle_share : 0.0;
-}
-
-// Returns one light for a ray. `technique` in [0, 1) chooses between vehicles and others.
-SampledLight sample_light_in_air(AirRay ray, float technique) {
-  const float share = vehicle_share_in_air();
+// Returns one light for a ray. `technique` in [0, 1) chooses: below `share`, a vehicle's.
+SampledLight sample_light_in_air(AirRay ray, float share, float technique) {
   SampledLight chosen = SampledLight(0u, SCENE.lights.at[0], 0.0);
   if (technique < share) {
     chosen = sample_vehicle_light(ray);

@@ -43,6 +43,16 @@ GridCell cell_at(LightGridBuffers grid, vec3 position, float share) {
   return p;
 }
 
+// Returns the share of all candidates that vehicles' lights get: all or none where only one of the
+// two sets shines.
+float vehicle_share(bool any_static) {
+  if (HAS_TRAFFIC == 0u) return 0.0;
+  if (!any_static) return 1.0;
+  const LightNode all =
+      FRAME.vehicle_nodes.at[SCENE.traffic.level_first[SCENE.traffic.levels - 1u]];
+  return all.flux_lm > 0.0 ? FRAME.vehicle_share : 0.0;
+}
+
 // Returns the sampler for a receiver's place.
 LightSampler light_sampler_at(vec3 position) {
   LightSampler p;
@@ -54,13 +64,7 @@ LightSampler light_sampler_at(vec3 position) {
   }
   p.uniform_share = FRAME.uniform_share;
   p.power_share = max(1.0 - p.near.share - p.far.share - p.uniform_share, 0.0);
-  p.vehicle_share = HAS_TRAFFIC != 0u ? FRAME.vehicle_share : 0.0;
-  // If one of the two sets is dark, the other gets all candidates.
-  if (!any_static) p.vehicle_share = HAS_TRAFFIC != 0u ? 1.0 : 0.0;
-  else if (HAS_TRAFFIC != 0u &&
-           FRAME.vehicle_nodes.at[SCENE.traffic.level_first[SCENE.traffic.levels - 1u]].flux_lm <=
-               0.0)
-    p.vehicle_share = 0.0;
+  p.vehicle_share = vehicle_share(any_static);
   return p;
 }
 

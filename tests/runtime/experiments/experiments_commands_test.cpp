@@ -1,10 +1,9 @@
 // sweep, flight, strategies and vehicles as their users call them.
 #include <gtest/gtest.h>
 
-#include "formats/light_file.h"
-#include "formats/scene_writer.h"
 #include "runtime/measure/table.h"
 #include "support/process.h"
+#include "support/scene_files.h"
 #include "support/scenes.h"
 
 namespace nightcity::experiments {
@@ -16,15 +15,8 @@ class MeasuringCommands : public testing::Test {
   void SetUp() override {
     test::SceneBuilder builder;
     builder.ground(20).box({-2, 0, -2}, {2, 4, 2});
-    SceneWriter writer(folder / "city.glb", {});
-    writer.add_material(builder.scene().materials[0]);
-    writer.add_mesh(builder.scene().meshes[0]);
-    writer.add_node(builder.scene().nodes[0]);
-    writer.finish({});
-    std::vector<Light> lights{test::lamp({-6, 6, 3}, 5000), test::lamp({5, 7, 4}, 3000)};
-    lights[1].id = 2;
-    const std::vector<LightProvenance> provenance(2);
-    write_light_file(folder / "city.lights", {{}, lights, provenance, {}, {}});
+    test::write_scene_files(folder / "city.glb", builder.scene(),
+                            {test::lamp({-6, 6, 3}, 5000), test::lamp({5, 7, 4}, 3000)});
   }
   test::Outcome nightview(const std::string& command, const std::string& options) const {
     return test::run_program("nightview", "-q " + command + " " + options + " --out '" +

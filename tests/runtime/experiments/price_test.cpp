@@ -7,10 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/error.h"
-#include "formats/light_file.h"
-#include "formats/scene_writer.h"
 #include "runtime/render/settings_file.h"
 #include "support/process.h"
+#include "support/scene_files.h"
 #include "support/scenes.h"
 
 namespace nightcity::experiments {
@@ -167,16 +166,11 @@ class PriceCommand : public testing::Test {
   void SetUp() override {
     SceneBuilder builder;
     builder.ground(20);
-    SceneWriter writer(folder / "city.glb", {});
-    writer.add_material(builder.scene().materials[0]);
-    writer.add_mesh(builder.scene().meshes[0]);
-    writer.add_node(builder.scene().nodes[0]);
-    writer.finish({});
     std::vector<Light> lights{lamp({-6, 6, 3}, 5000, 0), window({0, 3, 0}, {0, 0, 1}, 1, 1, 1e-3f)};
     lights[1].id = 2;
     std::vector<LightProvenance> provenance(2);
     provenance[1].family = static_cast<std::uint8_t>(LightFamily::window);
-    write_light_file(folder / "city.lights", {{}, lights, provenance, {}, {}});
+    test::write_scene_files(folder / "city.glb", builder.scene(), {{}, lights, provenance, {}, {}});
   }
   test::Outcome nightview(const std::string& command, const std::string& options) const {
     return test::run_program("nightview",

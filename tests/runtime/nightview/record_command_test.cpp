@@ -6,10 +6,9 @@
 #include <fstream>
 #include <thread>
 
-#include "formats/light_file.h"
-#include "formats/scene_writer.h"
 #include "runtime/measure/png.h"
 #include "support/process.h"
+#include "support/scene_files.h"
 #include "support/scenes.h"
 #include "support/temp_folder.h"
 
@@ -22,17 +21,10 @@ class RecordCommand : public testing::Test {
  protected:
   void SetUp() override {
     test::SceneBuilder builder = test::random_town(10, 40, 7);
-    const Scene& scene = builder.scene();
     Georeference place;
     place.licences = {"Somebody's data"};
-    SceneWriter writer(folder / "town.glb", {});
-    for (const SceneMaterial& material : scene.materials) writer.add_material(material);
-    for (const SceneMesh& mesh : scene.meshes) writer.add_mesh(mesh);
-    for (const SceneNode& node : scene.nodes) writer.add_node(node);
-    writer.finish(place);
-    const std::vector<Light> lights = test::random_lamps(5, 30, 8);
-    write_light_file(folder / "town.lights",
-                     {place, lights, std::vector<LightProvenance>(lights.size()), {}, {}});
+    test::write_scene_files(folder / "town.glb", builder.scene(), test::random_lamps(5, 30, 8),
+                            place);
   }
 
   std::string arguments(const std::string& options = "", int frames = 2) const {

@@ -3,9 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "formats/light_file.h"
-#include "formats/scene_writer.h"
 #include "support/process.h"
+#include "support/scene_files.h"
 #include "support/scenes.h"
 
 namespace nightcity::nightview {
@@ -17,16 +16,9 @@ class SettingsOption : public testing::Test {
   void SetUp() override {
     test::SceneBuilder builder;
     builder.ground(20);
-    SceneWriter writer(folder / "city.glb", {});
-    writer.add_material(builder.scene().materials[0]);
-    writer.add_mesh(builder.scene().meshes[0]);
-    writer.add_node(builder.scene().nodes[0]);
-    writer.finish({});
-    std::vector<Light> lights{test::lamp({-6, 6, 3}, 5000),
-                              test::window({0, 3, 0}, {0, 0, 1}, 1, 1, 300)};
-    lights[1].id = 2;
-    const std::vector<LightProvenance> provenance(2);
-    write_light_file(folder / "city.lights", {{}, lights, provenance, {}, {}});
+    test::write_scene_files(
+        folder / "city.glb", builder.scene(),
+        {test::lamp({-6, 6, 3}, 5000), test::window({0, 3, 0}, {0, 0, 1}, 1, 1, 300)});
   }
   test::Outcome bench(const std::string& settings, const std::string& options = "") const {
     test::write_text(folder / "s.toml", settings);

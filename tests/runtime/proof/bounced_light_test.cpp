@@ -2,32 +2,20 @@
 // and one path a pixel against the reference.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdio>
 
 #include "oracle/oracle.h"
 #include "support/estimators.h"
-#include "support/independent_runs.h"
-#include "support/scenes.h"
+#include "support/lit_place.h"
 
 namespace nightcity::test {
 namespace {
 
 constexpr std::uint32_t side = 20;
 
-struct Place {
-  SceneBuilder builder;
-  std::vector<Light> lights;
-  scene::CameraPose pose;
-};
-
-// Boxes, a wall and a ground between lamps and windows; some of it no light reaches directly.
-Place courtyard() {
-  std::vector<Light> lights{lamp({-6, 7, 0}, 6000, 0.3f), lamp({5, 5, 6}, 3000, 0.05f)};
-  lights[1].colour_rgb9e5 = encode_rgb9e5({1.0f, 0.6f, 0.2f});
-  for (int i = 0; i < 4; ++i)
-    lights.push_back(window({float(i) * 2 - 5, 3, -9.9f}, {0, 0, 1}, 0.6f, 0.9f, 400));
-  return {boxes_on_a_plane(), lights, {{-9, 10, 17}, {0, 1, 0}, {0, 1, 0}, 50}};
+// The camera sees into the yard.
+LitPlace courtyard() {
+  return test::courtyard({{-9, 10, 17}, {0, 1, 0}, {0, 1, 0}, 50}, 0.05f);
 }
 
 render::RenderSettings with_bounces(render::Estimator estimator, std::uint32_t bounces) {
@@ -37,34 +25,14 @@ render::RenderSettings with_bounces(render::Estimator estimator, std::uint32_t b
   return settings;
 }
 
-measure::PictureStatistics runs_of(const scene::RenderScene& scene, const scene::CameraPose& pose,
-                                   const render::RenderSettings& settings, std::uint32_t runs,
-                                   std::uint32_t frames, std::uint32_t first_seed) {
-  render::DeviceScene device_scene(test_device(), scene);
-  render::Renderer renderer(test_device(), test_passes(), device_scene, side, side);
-  return independent_runs(renderer, pose, settings, runs, frames, first_seed);
-}
-
-// The criterion of unbiased_test.cpp: at a joint level of 1 %, at most 0.25 % of the pixels differ;
-// the oracle's shadows end elsewhere by its rounding error, which may cost one pixel more.
-void expect_equal(const measure::PictureStatistics& ours, const measure::PictureStatistics& truth,
-                  double rounding, std::size_t pardoned) {
-  const measure::PixelTest verdict = measure::test_pixels(ours, truth, 0.01, rounding);
-  std::printf("  %zu of %zu pixels rejected, mean %+.3f %% +- %.3f %%\n", verdict.rejected,
-              verdict.pixels, 100 * verdict.relative_mean, 100 * verdict.relative_mean_error);
-  EXPECT_LE(verdict.rejected, pardoned);
-  EXPECT_LT(std::abs(verdict.relative_mean), 4 * verdict.relative_mean_error + rounding);
-  EXPECT_LT(verdict.relative_mean_error, 0.005) << "too noisy to tell";
-}
-
-void expect_oracle(const Place& place, std::uint32_t bounces) {
-  const scene::RenderScene scene = place.builder.with(place.lights);
+// The oracle's shadows end elsewhere by its rounding error, which may cost a pixel more.
+void expect_oracle(const LitPlace& place, std::uint32_t bounces) {
   const oracle::Oracle oracle(place.builder.scene(), {place.lights, {}, {}});
   measure::PictureStatistics truth;
   for (unsigned run = 0; run < 16; ++run)
     truth.add(oracle.render(place.pose, side, side, 2, run, static_cast<int>(bounces), 8));
   const measure::PictureStatistics ours =
-      runs_of(scene, place.pose, with_bounces(render::Estimator::reference, bounces), 16, 8, 1);
+      independent_runs(place, with_bounces(render::Estimator::reference, bounces), side, 16, 8, 1);
   expect_equal(ours, truth, 5e-4, 2);
 }
 
@@ -75,36 +43,33 @@ TEST(BouncedLight, OfTheReferenceEqualsTheOraclesFourTimes) {
   expect_oracle(courtyard(), 4);
 }
 TEST(BouncedLight, OfGlowingSurfacesEqualsTheOracles) {
-  Place place = courtyard();
+  LitPlace place = courtyard();
   place.builder.glow(0.3f);
   expect_oracle(place, 2);
 }
 
 // With more lights than the reference adds up at a vertex, it resamples them there.
 TEST(BouncedLight, OfLightsThatAreResampledEqualsThatOfOneLight) {
-  Place place = courtyard();
+  LitPlace place = courtyard();
   const Light one = place.lights[0];
   constexpr std::uint32_t more = REFERENCE_CHUNK;
   for (std::uint32_t i = 0; i < more; ++i) {
     place.lights.push_back(one);
     place.lights.back().flux_lm = 1;
   }
-  const scene::RenderScene scene = place.builder.with(place.lights);
   render::RenderSettings settings = with_bounces(render::Estimator::reference, 2);
-  const measure::PictureStatistics many = runs_of(scene, place.pose, settings, 12, 6, 1);
+  const measure::PictureStatistics many = independent_runs(place, settings, side, 12, 6, 1);
   // The same flux in one lamp at nearly the same place.
   place.lights.resize(place.lights.size() - more);
   place.lights[0].flux_lm += float(more);
-  const measure::PictureStatistics few =
-      runs_of(place.builder.with(place.lights), place.pose, settings, 12, 6, 5000);
+  const measure::PictureStatistics few = independent_runs(place, settings, side, 12, 6, 5000);
   expect_equal(many, few, 1e-4, 1);
 }
 
-void expect_unbiased(render::RenderSettings settings, const Place& place) {
-  const scene::RenderScene scene = place.builder.with(place.lights);
-  const measure::PictureStatistics ours = runs_of(scene, place.pose, settings, 48, 6, 1);
+void expect_unbiased(render::RenderSettings settings, const LitPlace& place) {
+  const measure::PictureStatistics ours = independent_runs(place, settings, side, 48, 6, 1);
   settings.sampling.estimator = render::Estimator::reference;
-  const measure::PictureStatistics truth = runs_of(scene, place.pose, settings, 24, 8, 5000);
+  const measure::PictureStatistics truth = independent_runs(place, settings, side, 24, 8, 5000);
   expect_equal(ours, truth, 1e-4, 1);
 }
 
@@ -124,13 +89,12 @@ TEST(BouncedLight, OfOnePathAPixelIsUnbiasedInRainUnderTheMoon) {
 
 // The irradiance cache is biased by its smoothing: pixels are off near edges, and the mean is right.
 TEST(BouncedLight, OfTheCacheHasTheRightMean) {
-  const Place place = courtyard();
-  const scene::RenderScene scene = place.builder.with(place.lights);
+  const LitPlace place = courtyard();
   render::RenderSettings settings = with_bounces(render::Estimator::traced, 3);
   settings.indirect.cache = true;
-  const measure::PictureStatistics ours = runs_of(scene, place.pose, settings, 16, 64, 1);
+  const measure::PictureStatistics ours = independent_runs(place, settings, side, 16, 64, 1);
   settings.sampling.estimator = render::Estimator::reference;
-  const measure::PictureStatistics truth = runs_of(scene, place.pose, settings, 24, 8, 5000);
+  const measure::PictureStatistics truth = independent_runs(place, settings, side, 24, 8, 5000);
   const measure::PixelTest verdict = measure::test_pixels(ours, truth, 0.01, 1e-4);
   std::printf("  mean %+.3f %% +- %.3f %%\n", 100 * verdict.relative_mean,
               100 * verdict.relative_mean_error);

@@ -2,32 +2,18 @@
 // code, and one sample a frame against the reference.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <cstdio>
-
 #include "oracle/oracle.h"
 #include "support/estimators.h"
-#include "support/independent_runs.h"
-#include "support/scenes.h"
+#include "support/lit_place.h"
 
 namespace nightcity::test {
 namespace {
 
 constexpr std::uint32_t side = 16;
 
-struct Place {
-  SceneBuilder builder;
-  std::vector<Light> lights;
-  scene::CameraPose pose;
-};
-
-// Boxes, lamps and windows, seen from above: every ray ends on a surface.
-Place courtyard() {
-  std::vector<Light> lights{lamp({-6, 7, 0}, 6000, 0.3f), lamp({5, 5, 6}, 3000, 0.2f)};
-  lights[1].colour_rgb9e5 = encode_rgb9e5({1.0f, 0.6f, 0.2f});
-  for (int i = 0; i < 4; ++i)
-    lights.push_back(window({float(i) * 2 - 5, 3, -9.9f}, {0, 0, 1}, 0.6f, 0.9f, 400));
-  return {boxes_on_a_plane(), lights, {{-9, 14, 17}, {-1, 0, 3}, {0, 1, 0}, 35}};
+// Seen from above: every ray ends on a surface.
+LitPlace courtyard() {
+  return test::courtyard({{-9, 14, 17}, {-1, 0, 3}, {0, 1, 0}, 35}, 0.2f);
 }
 
 struct Weather {
@@ -46,29 +32,10 @@ render::RenderSettings in(const Weather& weather, render::Estimator estimator) {
   return settings;
 }
 
-measure::PictureStatistics runs_of(const Place& place, const render::RenderSettings& settings,
-                                   std::uint32_t runs, std::uint32_t frames,
-                                   std::uint32_t first_seed) {
-  const scene::RenderScene scene = place.builder.with(place.lights);
-  render::DeviceScene device_scene(test_device(), scene);
-  render::Renderer renderer(test_device(), test_passes(), device_scene, side, side);
-  return independent_runs(renderer, place.pose, settings, runs, frames, first_seed);
-}
-
-void expect_equal(const measure::PictureStatistics& ours, const measure::PictureStatistics& truth,
-                  double rounding, std::size_t pardoned) {
-  const measure::PixelTest verdict = measure::test_pixels(ours, truth, 0.01, rounding);
-  std::printf("  %zu of %zu pixels rejected, mean %+.3f %% +- %.3f %%\n", verdict.rejected,
-              verdict.pixels, 100 * verdict.relative_mean, 100 * verdict.relative_mean_error);
-  EXPECT_LE(verdict.rejected, pardoned);
-  EXPECT_LT(std::abs(verdict.relative_mean), 4 * verdict.relative_mean_error + rounding);
-  EXPECT_LT(verdict.relative_mean_error, 0.005) << "too noisy to tell";
-}
-
 class ScatteredLight : public testing::TestWithParam<Weather> {};
 
 TEST_P(ScatteredLight, OfTheReferenceEqualsTheOracles) {
-  const Place place = courtyard();
+  const LitPlace place = courtyard();
   const Weather weather = GetParam();
   // The ground is the scene's lowest point.
   const oracle::Air air{3.912 / (1000 * double(weather.visibility_km)), double(weather.height_m), 0,
@@ -78,24 +45,24 @@ TEST_P(ScatteredLight, OfTheReferenceEqualsTheOracles) {
   for (unsigned run = 0; run < 12; ++run)
     truth.add(oracle.render(place.pose, side, side, 2, run, 0, 1, air));
   const measure::PictureStatistics ours =
-      runs_of(place, in(weather, render::Estimator::reference), 12, 32, 1);
+      independent_runs(place, in(weather, render::Estimator::reference), side, 12, 32, 1);
   expect_equal(ours, truth, 5e-4, 1);
 }
 
 TEST_P(ScatteredLight, OfOneSampleIsUnbiased) {
-  Place place = courtyard();
+  LitPlace place = courtyard();
   place.pose = {{-9, 14, 17}, {-1, 0, -3}, {0, 1, 0}, 45};  // onto the windows, too
   const measure::PictureStatistics truth =
-      runs_of(place, in(GetParam(), render::Estimator::reference), 16, 256, 5000);
-  expect_equal(runs_of(place, in(GetParam(), render::Estimator::traced), 128, 16, 1), truth, 1e-4,
-               1);
+      independent_runs(place, in(GetParam(), render::Estimator::reference), side, 16, 256, 5000);
+  expect_equal(independent_runs(place, in(GetParam(), render::Estimator::traced), side, 128, 16, 1),
+               truth, 1e-4, 1);
 }
 
 // Neither a camera that moves nor a vehicle whose lamps move leaves anything of its light behind:
 // air keeps no samples of the frame before. Its own frame's geometry shadows it.
 TEST_P(ScatteredLight, OfAFrameIsUnbiasedWhileTheCameraMoves) {
-  const Place place = courtyard();
-  const scene::RenderScene scene = place.builder.with(place.lights);
+  const LitPlace place = courtyard();
+  const scene::RenderScene scene = place.scene();
   render::DeviceScene device_scene(test_device(), scene);
   render::Renderer renderer(test_device(), test_passes(), device_scene, side, side);
   render::RenderSettings settings = in(GetParam(), render::Estimator::traced);
@@ -110,7 +77,7 @@ TEST_P(ScatteredLight, OfAFrameIsUnbiasedWhileTheCameraMoves) {
     moving.add(renderer.download(false));
   }
   const measure::PictureStatistics truth =
-      runs_of(place, in(GetParam(), render::Estimator::reference), 16, 32, 5000);
+      independent_runs(place, in(GetParam(), render::Estimator::reference), side, 16, 32, 5000);
   expect_equal(moving, truth, 1e-4, 1);
 }
 

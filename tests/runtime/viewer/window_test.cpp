@@ -8,10 +8,10 @@
 #include <string>
 
 #include "formats/light_file.h"
-#include "formats/scene_writer.h"
 #include "runtime/measure/png.h"
 #include "runtime/scene/camera.h"
 #include "support/process.h"
+#include "support/scene_files.h"
 #include "support/scenes.h"
 #include "support/temp_folder.h"
 
@@ -27,20 +27,13 @@ class ViewerWindow : public testing::Test {
   void SetUp() override {
     if (!has("Xvfb") || !has("xvfb-run") || !has("xauth"))
       GTEST_SKIP() << "Xvfb is not installed: no display to open a window on";
-    write_scene();
+    write_town();
   }
 
-  void write_scene() const {
+  void write_town() const {
     test::SceneBuilder builder = test::random_town(30, 60, 7);
-    const Scene& scene = builder.scene();
-    SceneWriter writer(folder / "town.glb", {});
-    for (const SceneMaterial& material : scene.materials) writer.add_material(material);
-    for (const SceneMesh& mesh : scene.meshes) writer.add_mesh(mesh);
-    for (const SceneNode& node : scene.nodes) writer.add_node(node);
-    writer.finish(georeference());
-    const std::vector<Light> lights = test::random_lamps(20, 50, 8);
-    const std::vector<LightProvenance> provenance(lights.size());
-    write_light_file(folder / "town.lights", {georeference(), lights, provenance, {}, {}});
+    test::write_scene_files(folder / "town.glb", builder.scene(), test::random_lamps(20, 50, 8),
+                            georeference());
   }
   static Georeference georeference() {
     Georeference place;
@@ -112,11 +105,6 @@ void write_moving_scene(const std::filesystem::path& folder) {
                                          .ground(20)
                                          .box({-6, 0, -4}, {6, 3, -3.5f})
                                          .box({1, 0, -2}, {2, 1.5f, -1});
-  SceneWriter writer(folder / "moving.glb", {});
-  for (const SceneMaterial& material : builder.scene().materials) writer.add_material(material);
-  for (const SceneMesh& mesh : builder.scene().meshes) writer.add_mesh(mesh);
-  for (const SceneNode& node : builder.scene().nodes) writer.add_node(node);
-  writer.finish(builder.scene().georeference);
   std::vector<Light> lights{test::lamp({0, 6, -2.5f}, 4000, 0.1f),
                             test::lamp({-5, 5, 3}, 1000, 0.1f)};
   for (std::size_t i = 0; i < lights.size(); ++i) lights[i].id = static_cast<uint>(i + 1);
@@ -132,11 +120,11 @@ void write_moving_scene(const std::filesystem::path& folder) {
   cycle.cycle_s = 100;
   for (float& share : cycle.density) share = 1;
   const std::vector<LightProvenance> provenance(lights.size());
-  write_light_file(folder / "moving.lights",
-                   {.georeference = builder.scene().georeference,
-                    .lights = lights,
-                    .provenance = provenance,
-                    .traffic = {cycle, vehicles, vehicle_lights, trips, knots}});
+  test::write_scene_files(folder / "moving.glb", builder.scene(),
+                          {.georeference = builder.scene().georeference,
+                           .lights = lights,
+                           .provenance = provenance,
+                           .traffic = {cycle, vehicles, vehicle_lights, trips, knots}});
 }
 
 // Returns the mean of the window's linear light right of the panel and above the caption.
@@ -340,22 +328,17 @@ TEST_F(ViewerWindow, ALampIsEditedAndTheEditsAreKept) {
   test::SceneBuilder builder = test::SceneBuilder().ground(20);
   builder.box({-0.2f, 4.8f, -0.2f}, {0.2f, 5.2f, 0.2f});
   Scene scene = builder.scene();
-  SceneWriter writer(folder / "lamp.glb", {});
-  for (const SceneMaterial& material : scene.materials) writer.add_material(material);
   for (SceneMesh& mesh : scene.meshes) {
     for (ScenePrimitive& primitive : mesh.primitives) {
       primitive.light_ids.assign(primitive.positions.size(), no_id);
       for (std::size_t i = 0; i < primitive.positions.size(); ++i)
         if (primitive.positions[i].y > 4) primitive.light_ids[i] = 0;
     }
-    writer.add_mesh(mesh);
   }
-  for (const SceneNode& node : scene.nodes) writer.add_node(node);
-  writer.finish(georeference());
   std::vector<Light> lights{test::lamp({0, 5, 0}, 4000, 0.3f)};
   lights[0].id = 0xabc;
-  write_light_file(folder / "lamp.lights",
-                   {georeference(), lights, std::vector<LightProvenance>(1), {}, {}});
+  test::write_scene_files(folder / "lamp.glb", scene,
+                          {georeference(), lights, std::vector<LightProvenance>(1), {}, {}});
   test::write_text(folder / "camera.json",
                    "{\"position\": [0, 5, 4], \"target\": [0, 5, 0], \"fov_deg\": 30}\n");
   ASSERT_EQ(run("W=\"$(dirname ${V%% *})/nightview lamp.glb --validation --size 1200x500 --every 8 "
