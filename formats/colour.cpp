@@ -1,11 +1,11 @@
-#include "tools/lights/colour.h"
+#include "formats/colour.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <glm/common.hpp>
 
-namespace nightcity::lights {
+namespace nightcity {
 
 glm::dvec2 planckian_xy(double kelvin) {
   const double t = std::clamp(kelvin, 1000.0, 15000.0);
@@ -61,4 +61,4 @@ std::string to_hex(const glm::vec3& rec709) {
   return text;
 }
 
-}  // namespace nightcity::lights
+}  // namespace nightcity

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace nightcity::lights {
+namespace nightcity {
 
 /// Returns the CIE 1931 chromaticity (x, y) of a black body at a temperature in kelvin, by
 /// Krystek's rational approximation of the Planckian locus (Color Res. Appl. 10, 1985). It is exact
@@ -26,4 +26,4 @@ std::optional<glm::vec3> rec709_from_hex(std::string_view text);
 /// Returns the brightest "#rrggbb" of this chromaticity, the inverse of rec709_from_hex.
 std::string to_hex(const glm::vec3& rec709);
 
-}  // namespace nightcity::lights
+}  // namespace nightcity

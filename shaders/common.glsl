@@ -26,6 +26,10 @@ layout(constant_id = CONSTANT_LAYERS) const uint HAS_LAYERS = 0u;
 layout(constant_id = CONSTANT_COUNT_RAYS) const uint COUNT_RAYS = 0u;
 layout(constant_id = CONSTANT_INDIRECT) const uint INDIRECT = INDIRECT_NONE;
 layout(constant_id = CONSTANT_AIR) const uint AIR = AIR_CLEAR;
+layout(constant_id = CONSTANT_PROJECTION) const uint PROJECTION = PROJECTION_PERSPECTIVE;
+layout(constant_id = CONSTANT_GLARE) const uint GLARE = 0u;
+layout(constant_id = CONSTANT_WHITE) const uint WHITE = 0u;
+layout(constant_id = CONSTANT_MESOPIC) const uint MESOPIC = 0u;
 
 // A pass over pixels runs in squares of them, a pass over a list in rows. Ray generation has no
 // groups.

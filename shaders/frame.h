@@ -117,6 +117,7 @@ ARRAY_REFERENCE(Accumulations, Accumulation, )
 ARRAY_REFERENCE(Layers, LayerSums, )
 ARRAY_REFERENCE(Escapes, Escape, )
 ARRAY_REFERENCE(DemodulatedPixels, Demodulated, )
+ARRAY_REFERENCE(Colours, vec3, )
 
 #ifdef __cplusplus
 namespace nightcity::gpu {
@@ -141,6 +142,17 @@ struct Air {
   float asymmetry;   // mean cosine of scattering angles
   float albedo;      // the share of the extinction that scatters
   uint candidates;   // per pixel and frame
+};
+
+#define MAX_GLARE_LEVELS 16
+
+// The pyramid of the glare (glare.glsl). Level 0 is the picture.
+struct Glare {
+  BUFFER(Colours) levels;          // from level 1
+  uvec2 size[MAX_GLARE_LEVELS];
+  uint first[MAX_GLARE_LEVELS];    // index of a level's first pixel in `levels`
+  float weight[MAX_GLARE_LEVELS];  // of a level in the light that is seen
+  uint last;                       // level
 };
 
 struct Frame {
@@ -227,6 +239,9 @@ struct Frame {
   vec3 moon_direction;  // unit, towards the moon
   vec3 moon_lux;        // illuminance of a surface that faces the moon, per channel
   uint tone;            // display: TONEMAP_*
+  // Rows of the matrix from linear Rec. 709 to the same as the eye or camera is adapted.
+  vec3 white_red, white_green, white_blue;
+  Glare glare;
   uint view;            // display: VIEW_*, and the ends of its scale, above 0
   float view_lowest, view_highest;
   UpwardMap upward;

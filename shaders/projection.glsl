@@ -1,11 +1,12 @@
-// From places in the picture to directions, and back, for each projection of the camera.
+// From places in the picture to directions, and back, for each projection of the camera. Frames
+// that are compared have the same projection.
 #ifndef NIGHTCITY_SHADERS_PROJECTION_GLSL
 #define NIGHTCITY_SHADERS_PROJECTION_GLSL
 
 // Returns the unit direction of a place in the picture, -1 .. 1 from left to right and from top to
 // bottom.
 vec3 direction_of(Camera camera, vec2 screen) {
-  switch (camera.projection) {
+  switch (PROJECTION) {
     case PROJECTION_EQUIRECTANGULAR: {
       const float longitude = screen.x * PI, latitude = -0.5 * screen.y * PI;
       return cos(latitude) * (sin(longitude) * camera.right + cos(longitude) * camera.forward) +
@@ -31,7 +32,7 @@ vec3 direction_of(Camera camera, vec2 screen) {
 bool screen_of(Camera camera, vec3 d, out vec2 screen) {
   const float x = dot(d, camera.right), y = dot(d, camera.up), z = dot(d, camera.forward);
   screen = vec2(0.0);
-  switch (camera.projection) {
+  switch (PROJECTION) {
     case PROJECTION_EQUIRECTANGULAR:
       screen = vec2(atan(x, z), -2.0 * atan(y, length(vec2(x, z)))) / PI;
       return true;

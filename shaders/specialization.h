@@ -15,7 +15,12 @@
 #define CONSTANT_COUNT_RAYS 9        // the frame's shadow rays are counted
 #define CONSTANT_INDIRECT 10         // INDIRECT_*
 #define CONSTANT_AIR 11              // AIR_*
-#define CONSTANT_COUNT 12
+#define CONSTANT_PROJECTION 12       // PROJECTION_*
+// Of the display alone (runtime/render/display.h).
+#define CONSTANT_GLARE 13    // the eye scatters light
+#define CONSTANT_WHITE 14    // the eye or the camera is adapted to a white
+#define CONSTANT_MESOPIC 15  // rods see in dim places
+#define CONSTANT_COUNT 16
 
 // Values of CONSTANT_INDIRECT: how light that bounced is found.
 #define INDIRECT_NONE 0u   // it is left out

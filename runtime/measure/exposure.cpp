@@ -12,29 +12,43 @@ namespace {
 
 constexpr float emitters_over_ev = 6;
 
-// Meters the pixels for which `counts(pixel)` holds.
+struct MeteredPixel {
+  float luminance;
+  std::size_t index;
+};
+
+// Returns those of the pixels for which `counts(pixel)` holds that are finite and positive, without
+// their brightest fiftieth.
 template <class Counts>
-float meter(const Image& image, Counts counts) {
-  std::vector<float> log_luminance;
-  log_luminance.reserve(image.pixels());
+std::vector<MeteredPixel> find_metered(const Image& image, Counts counts) {
+  std::vector<MeteredPixel> pixels;
+  pixels.reserve(image.pixels());
   for (std::size_t i = 0; i < image.pixels(); ++i) {
     if (!counts(i)) continue;
     const float y =
         tonemap::luminance_709(image.rgb[3 * i], image.rgb[3 * i + 1], image.rgb[3 * i + 2]);
-    if (std::isfinite(y) && y > 0.0f) log_luminance.push_back(std::log2(y));
+    if (std::isfinite(y) && y > 0.0f) pixels.push_back({y, i});
   }
-  if (log_luminance.empty()) return default_ev100;
+  if (pixels.empty()) return pixels;
+  const std::size_t kept = std::max<std::size_t>(1, pixels.size() - pixels.size() / 50);
+  if (kept < pixels.size())
+    std::nth_element(
+        pixels.begin(), pixels.begin() + static_cast<std::ptrdiff_t>(kept), pixels.end(),
+        [](const MeteredPixel& a, const MeteredPixel& b) { return a.luminance < b.luminance; });
+  pixels.resize(kept);
+  return pixels;
+}
 
-  const std::size_t kept =
-      std::max<std::size_t>(1, log_luminance.size() - log_luminance.size() / 50);
-  if (kept < log_luminance.size())
-    std::nth_element(log_luminance.begin(),
-                     log_luminance.begin() + static_cast<std::ptrdiff_t>(kept),
-                     log_luminance.end());
+// Returns the EV100 of the pixels for which `counts(pixel)` holds.
+template <class Counts>
+float meter(const Image& image, Counts counts) {
+  const std::vector<MeteredPixel> pixels = find_metered(image, counts);
+  if (pixels.empty()) return default_ev100;
   double sum = 0.0, weight_sum = 0.0;
-  for (std::size_t i = 0; i < kept; ++i) {
-    const double weight = std::exp2(double(log_luminance[i]));
-    sum += weight * log_luminance[i];
+  for (const MeteredPixel& pixel : pixels) {
+    const double log_luminance = std::log2(double(pixel.luminance));
+    const double weight = double(pixel.luminance);
+    sum += weight * log_luminance;
     weight_sum += weight;
   }
   const double mean_log2 = sum / weight_sum;
@@ -53,6 +67,17 @@ float auto_exposure_ev100(const Image& image) {
   if (std::find(values.begin(), values.end(), 0.0f) == values.end()) return all;
   const float lit = meter(image, [&](std::size_t i) { return values[i] == 0; });
   return std::max(lit, all - emitters_over_ev);
+}
+
+glm::vec3 mean_light(const Image& image) {
+  const ImageLayer* emitters = image.layer("emitter");
+  const std::vector<MeteredPixel> pixels =
+      find_metered(image, [&](std::size_t i) { return !emitters || emitters->values[i] == 0; });
+  glm::dvec3 sum(0);
+  for (const MeteredPixel& pixel : pixels)
+    for (int c = 0; c < 3; ++c)
+      sum[c] += std::max(0.0, double{image.rgb[3 * pixel.index + std::size_t(c)]});
+  return pixels.empty() ? glm::vec3(0) : glm::vec3(sum / double(pixels.size()));
 }
 
 std::uint32_t tone_curve_from_name(const std::string& name) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <string>
 
 #include "runtime/measure/image.h"
@@ -21,6 +22,11 @@ constexpr float default_ev100 = 2.0f;
 /// else a lit window beside the eye would leave the street black. The result is clamped to -12 ..
 /// 24.
 float auto_exposure_ev100(const Image& image);
+
+/// Returns the mean light of the pixels that auto_exposure_ev100 meters, cd/m2 per channel, without
+/// lamps and windows that are seen directly where the layer "emitter" tells them: what an eye adapts
+/// its white to. 0 where there is no light.
+glm::vec3 mean_light(const Image& image);
 
 /// Converts "filmic", "reinhard" or "linear" to TONEMAP_*. Throws UsageError that lists the three.
 std::uint32_t tone_curve_from_name(const std::string& name);

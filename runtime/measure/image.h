@@ -35,6 +35,7 @@ struct ImageInfo {
   std::string licences;  // whose data the picture shows, to be shown with it; "" = not known
   std::string camera;    // as scene::to_text gives it; "" = not known
   std::string time;      // of the night, HH:MM:SS; "" = not known
+  std::string eye;       // what an eye or a camera adds in a PNG; "" = nothing
 };
 
 /// Linear Rec. 709 RGB in cd/m2.

@@ -74,6 +74,7 @@ PngText png_text(const ImageInfo& info) {
   if (!info.left_out.empty()) text.emplace_back("Left out", info.left_out);
   if (!info.estimator.empty()) text.emplace_back("Seed", std::to_string(info.seed));
   if (info.ev100) text.emplace_back("EV100", fmt::format("{:.3f}", *info.ev100));
+  if (!info.eye.empty()) text.emplace_back("Shown with", info.eye);
   if (!info.device.empty()) text.emplace_back("Device", info.device);
   if (!info.licences.empty()) text.emplace_back("Copyright", info.licences);
   if (!info.camera.empty()) text.emplace_back("Camera", info.camera);

@@ -60,35 +60,58 @@ nlohmann::json describe(const RecordingOptions& options, const render::Renderer&
   return description;
 }
 
-// Returns the exposure that an earlier run of the same recording chose. Throws Error where the
-// folder holds another one.
-std::optional<float> find_earlier(const fs::path& file, const nlohmann::json& wanted) {
+// What the first picture is metered for, so that all pictures are shown alike.
+struct Metered {
+  std::optional<float> ev100;
+  std::optional<glm::vec3> light;  // measure::mean_light
+};
+
+// Returns what an earlier run of the same recording metered. Throws Error where the folder holds
+// another one.
+Metered find_earlier(const fs::path& file, const nlohmann::json& wanted) {
   std::ifstream in(file);
-  if (!in) return std::nullopt;
+  if (!in) return {};
   const auto found = nlohmann::json::parse(in, nullptr, false);
   if (!found.is_object() || !found.contains("recording") || found["recording"] != wanted)
     throw Error(file.string(),
                 "this folder holds another recording, or one with other options: remove it, or "
                 "name another folder");
-  if (!found.contains("ev100") || !found["ev100"].is_number()) return std::nullopt;
-  return found["ev100"].get<float>();
+  Metered metered;
+  if (found.contains("ev100") && found["ev100"].is_number())
+    metered.ev100 = found["ev100"].get<float>();
+  const nlohmann::json light = found.value("light_cd_m2", nlohmann::json());
+  if (light.is_array() && light.size() == 3 &&
+      std::all_of(light.begin(), light.end(), [](const auto& part) { return part.is_number(); }))
+    metered.light = glm::vec3(light[0], light[1], light[2]);
+  return metered;
 }
 
 void write_description(const fs::path& file, const nlohmann::json& recording,
-                       std::optional<float> ev100) {
+                       const Metered& metered) {
   nlohmann::json document{{"recording", recording}};
-  if (ev100) document["ev100"] = *ev100;
+  if (metered.ev100) document["ev100"] = *metered.ev100;
+  if (metered.light)
+    document["light_cd_m2"] = {metered.light->r, metered.light->g, metered.light->b};
   AtomicFile out(file);
   out.write(document.dump(2) + "\n");
   out.commit();
 }
 
+// Meters a picture for what is not known yet. Returns whether anything was not.
+bool meter(const render::Renderer& renderer, bool needs_light, Metered& metered) {
+  if (metered.ev100 && (metered.light || !needs_light)) return false;
+  const measure::Image sample =
+      renderer.sample_mean(std::size_t{renderer.width()} * renderer.height());
+  if (!metered.ev100) metered.ev100 = measure::auto_exposure_ev100(sample);
+  if (needs_light && !metered.light) metered.light = measure::mean_light(sample);
+  return true;
+}
+
 void write_picture(const RecordingOptions& options, std::uint32_t number,
-                   const measure::Image& image, std::uint32_t tone) {
+                   const measure::Image& image, const measure::Image8& shown) {
   // The PNG comes last: where it is, the picture is whole.
   if (options.exr) measure::write_exr(options.folder / name_of_picture(number, ".exr"), image);
-  measure::write_png(options.folder / name_of_picture(number, ".png"),
-                     measure::to_display(image, *image.info.ev100, tone),
+  measure::write_png(options.folder / name_of_picture(number, ".png"), shown,
                      measure::png_text(image.info));
 }
 
@@ -105,9 +128,9 @@ std::uint32_t record(const RecordingOptions& options, render::Renderer& renderer
                      const std::function<void(std::uint32_t)>& progress) {
   const nlohmann::json description = describe(options, renderer, path, settings);
   const fs::path file = options.folder / "record.json";
-  const std::optional<float> earlier = find_earlier(file, description);
-  std::optional<float> ev100 = options.ev100 ? options.ev100 : earlier;
-  write_description(file, description, ev100);
+  Metered metered = find_earlier(file, description);
+  if (options.ev100) metered.ev100 = options.ev100;
+  write_description(file, description, metered);
   const std::uint32_t pictures = count_pictures(options), seed = settings.sampling.seed;
   const double begin_s = settings.time_s;
   settings.sampling.layers = options.exr;
@@ -120,15 +143,16 @@ std::uint32_t record(const RecordingOptions& options, render::Renderer& renderer
       const scene::CameraPose pose = path.at(pictures > 1 ? double(i) / (pictures - 1) : 0);
       for (std::uint32_t k = 0; k < options.frames; ++k) renderer.render_frame(pose, settings);
       measure::Image image = renderer.download(options.exr);
-      if (!ev100) {
-        ev100 = measure::auto_exposure_ev100(renderer.sample_mean(image.pixels()));
-        write_description(file, description, ev100);
-      }
-      image.info.ev100 = ev100;
+      if (meter(renderer, settings.display.adapt_white, metered))
+        write_description(file, description, metered);
+      settings.display.ev100 = *metered.ev100;
+      settings.display.adapted_to = metered.light.value_or(glm::vec3(0));
+      image.info.ev100 = metered.ev100;
+      image.info.eye = render::describe_eye(settings.display);
       image.info.licences = scene::describe_licences(scene);
       image.info.camera = scene::to_text(pose);
       image.info.time = render::time_text(settings.time_s);
-      write_picture(options, i, image, settings.display.tone);
+      write_picture(options, i, image, renderer.develop(image, settings.display));
       ++rendered;
     }
     progress(i + 1);

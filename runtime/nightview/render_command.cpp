@@ -101,7 +101,8 @@ std::optional<measure::Illumination> find_illumination(const std::string& show) 
 // Returns the PNG's picture: as a camera takes it or a quantity in false colours, with markers
 // where asked for.
 measure::Image8 make_png(const RenderCommand& command, const measure::Image& image,
-                         const scene::RenderScene& scene, const scene::CameraPose& pose) {
+                         render::Renderer& renderer, const scene::RenderScene& scene,
+                         const scene::CameraPose& pose) {
   measure::Image8 picture;
   if (command.show == "luminance") {
     const std::vector<float> values = measure::luminance_of(image);
@@ -112,7 +113,7 @@ measure::Image8 make_png(const RenderCommand& command, const measure::Image& ima
     picture = measure::false_colour(values, image.width, image.height,
                                     measure::fitting_scale(values, "lx"));
   } else {
-    picture = measure::to_display(image, *image.info.ev100, command.options.settings.display.tone);
+    picture = renderer.develop(image, command.options.settings.display);
   }
   if (command.markers)
     draw_markers(picture, scene,
@@ -121,12 +122,13 @@ measure::Image8 make_png(const RenderCommand& command, const measure::Image& ima
 }
 
 void write_outputs(const RenderCommand& command, const measure::Image& image,
-                   const scene::RenderScene& scene, const scene::CameraPose& pose) {
+                   render::Renderer& renderer, const scene::RenderScene& scene,
+                   const scene::CameraPose& pose) {
   for (const std::string& output : command.outputs) {
     if (has_extension(output, ".exr"))
       measure::write_exr(output, image);
     else
-      measure::write_png(output, make_png(command, image, scene, pose),
+      measure::write_png(output, make_png(command, image, renderer, scene, pose),
                          measure::png_text(image.info));
   }
 }
@@ -250,11 +252,16 @@ void render(RenderCommand& command) {
   device.check_validation();
 
   measure::Image& image = rendered.image;
-  image.info.ev100 = find_exposure(command.exposure, renderer);
+  render::DisplaySettings& display = options.settings.display;
+  display.ev100 = find_exposure(command.exposure, renderer);
+  if (display.adapt_white)
+    display.adapted_to = measure::mean_light(renderer.sample_mean(image.pixels()));
+  image.info.ev100 = display.ev100;
+  if (command.show == "picture") image.info.eye = render::describe_eye(display);
   image.info.licences = scene::describe_licences(scene);
   image.info.camera = scene::to_text(pose);
   image.info.time = render::time_text(options.settings.time_s);
-  write_outputs(command, image, scene, pose);
+  write_outputs(command, image, renderer, scene, pose);
   spdlog::info("{} frames of {} in {:.2f} s, EV100 {:.1f}", rendered.frames,
                render::name_of(options.settings.sampling.estimator), seconds, *image.info.ev100);
   if (rendered.noise)

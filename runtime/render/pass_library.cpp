@@ -107,7 +107,6 @@ PassSet PassLibrary::make_set(const PassConstants& constants) {
     }
   }
   jobs.push_back([&] { set.accumulate = make(accumulate_spirv, over_pixels); });
-  jobs.push_back([&] { set.expose = make(expose_spirv, over_pixels); });
   jobs.push_back([&] { set.inspect = make(inspect_spirv, over_pixels); });
   jobs.push_back([&] { set.demodulate = make(demodulate_spirv, over_pixels); });
   jobs.push_back([&] { set.denoise = make(denoise_spirv, over_pixels); });
@@ -123,6 +122,21 @@ const TracePass& PassLibrary::upward(const PassConstants& constants) {
                make_trace(constants, {upward_spirv, upward_query_spirv, upward_pipeline_spirv},
                           over_a_list))
       .first->second;
+}
+
+const DisplayPasses& PassLibrary::display(const PassConstants& constants) {
+  const auto known = display_.find(constants);
+  if (known != display_.end()) return known->second;
+  const auto make = [&](std::span<const std::uint32_t> spirv) {
+    return gpu::ComputePass(device_, spirv, constants, sizeof(gpu::Push), over_pixels);
+  };
+  DisplayPasses passes;
+  passes.expose = make(expose_spirv);
+  if (constants[CONSTANT_GLARE] != 0) {
+    passes.glare_down = make(glare_down_spirv);
+    passes.glare_up = make(glare_up_spirv);
+  }
+  return display_.emplace(constants, std::move(passes)).first->second;
 }
 
 TracePass PassLibrary::make_trace(const PassConstants& constants, const TraceShader& shader,

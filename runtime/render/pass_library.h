@@ -18,7 +18,7 @@ namespace nightcity::render {
 using PassConstants = std::array<std::uint32_t, CONSTANT_COUNT>;
 
 struct PassSet {
-  gpu::ComputePass accumulate, demodulate, denoise, expose, inspect;
+  gpu::ComputePass accumulate, demodulate, denoise, inspect;
   // Compiled only with traffic.
   gpu::ComputePass vehicle_pose, vehicle_offsets, vehicle_order, vehicle_sort_cells, vehicle_bvh;
   TracePass primary;
@@ -30,6 +30,12 @@ struct PassSet {
   gpu::ComputePass cache_evict, cache_mark;  // compiled only with the irradiance cache
   TracePass cache_update;
   TracePass air, reference_air;  // compiled only with air
+};
+
+// The passes of display.h.
+struct DisplayPasses {
+  gpu::ComputePass expose;
+  gpu::ComputePass glare_down, glare_up;  // compiled only with glare
 };
 
 class PassLibrary {
@@ -44,6 +50,8 @@ class PassLibrary {
   /// one set at a time.
   bool is_ready(const PassConstants& constants);
   const TracePass& upward(const PassConstants& constants);
+  /// The same for the passes of the display. Only the display's constants may differ from 0.
+  const DisplayPasses& display(const PassConstants& constants);
 
  private:
   // The SPIR-V of one pass for each tracing backend.
@@ -57,6 +65,7 @@ class PassLibrary {
   gpu::Device& device_;
   std::map<PassConstants, PassSet> sets_;
   std::map<PassConstants, TracePass> upward_;
+  std::map<PassConstants, DisplayPasses> display_;
   PassConstants next_{};      // compiled in the background,
   std::future<PassSet> set_;  // if this is valid; it uses the device, so it is destroyed first
 };

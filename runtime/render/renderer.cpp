@@ -68,6 +68,11 @@ void level(gpu::Camera& camera) {
   camera.right = glm::cross(camera.forward, camera.up);
 }
 
+// Returns the angle of a pixel in the middle of a perspective picture, rad.
+double pixel_angle(const gpu::Camera& camera, glm::uvec2 size) {
+  return 2 * double{camera.tan_half_height} / size.y;
+}
+
 // Sub-pixel positions: the R2 sequence (Roberts 2018), starting at the pixel's centre.
 float radical(double step, std::uint32_t frame) {
   const double x = 0.5 + step * double(frame);
@@ -83,7 +88,8 @@ Renderer::Renderer(gpu::Device& device, PassLibrary& passes, DeviceScene& scene,
       scene_(scene),
       run_(device),
       vehicle_passes_(device, scene),
-      cache_(device) {
+      cache_(device),
+      display_(device, passes) {
   set_size(width, height);
   frame_ = gpu::Buffer(device, sizeof(gpu::Frame), gpu::Memory::host);
   exposed_frame_ = gpu::Buffer(device, sizeof(gpu::Frame), gpu::Memory::host);
@@ -119,6 +125,7 @@ PassConstants Renderer::constants_of(const RenderSettings& settings) const {
   constants[CONSTANT_AIR] = !has_air(settings)          ? AIR_CLEAR
                             : settings.air.height_m > 0 ? AIR_LAYERED
                                                         : AIR_EVEN;
+  constants[CONSTANT_PROJECTION] = settings.projection;
   for (const Feature& feature : optional_features())
     if ((settings.forced_features >> feature.constant & 1u) != 0 &&
         constants[feature.constant] == 0)
@@ -218,6 +225,8 @@ void Renderer::add_reference(std::vector<FrameStep>& steps, const RenderSettings
 
 void Renderer::check(const RenderSettings& settings) const {
   check_settings(settings);
+  if (settings.display.glare_age > 0 && settings.projection != PROJECTION_PERSPECTIVE)
+    throw UsageError("--glare", "is shown in perspective pictures alone");
   const float share = settings.sampling.vehicle_share;
   if (scene_.has_traffic() && !(share > 0 && share < 1))
     throw UsageError("--vehicle-share",
@@ -296,14 +305,6 @@ void Renderer::fill_buffers(gpu::Frame& frame, const RenderSettings& settings) {
     ray_count_.upload(&none, sizeof none);
     frame.ray_count = ray_count_.address();
   }
-}
-
-void Renderer::fill_display(gpu::Frame& frame, const DisplaySettings& display) const {
-  frame.exposure = tonemap::exposure_scale(display.ev100);
-  frame.tone = display.tone;
-  frame.view = display.view;
-  frame.view_lowest = display.view_lowest;
-  frame.view_highest = display.view_highest;
 }
 
 void Renderer::fill_view(gpu::Frame& frame) {
@@ -464,17 +465,10 @@ void Renderer::render_frame(const scene::CameraPose& pose, const RenderSettings&
   }
 }
 
-void Renderer::expose(const DisplaySettings& display) {
-  if (done_.frames == 0 || !passes_) return;
+void Renderer::inspect(gpu::Frame& frame, const DisplaySettings& display) {
   const PictureBuffers& picture = pictures_[parity_];
-  gpu::Frame frame{};
-  frame.size = picture.size;
-  frame.display = picture.display.address();
-  frame.accumulation =
-      done_.settings.display.denoise ? denoised_.address() : picture.accumulation.address();
-  fill_display(frame, display);
-  // Views other than the picture show these.
   const RenderSettings& settings = done_.settings;
+  fill_display(frame, display);
   frame.scene = scene_.buffers();
   frame.surfaces = picture.surfaces.address();
   frame.spatial = picture.spatial.address();
@@ -484,14 +478,30 @@ void Renderer::expose(const DisplaySettings& display) {
   exposed_frame_.upload(&frame, sizeof(frame));
   const gpu::Push push{exposed_frame_.address(), 0, 0};
   device_.run([&](VkCommandBuffer commands) {
-    const gpu::ComputePass& pass =
-        shows(settings, display.view) ? passes_->inspect : passes_->expose;
-    pass.dispatch(commands, &push, picture.size.x, picture.size.y);
+    passes_->inspect.dispatch(commands, &push, frame.size.x, frame.size.y);
     gpu::full_barrier(commands);
   });
+}
+
+void Renderer::expose(const DisplaySettings& display) {
+  if (done_.frames == 0 || !passes_) return;
+  const PictureBuffers& picture = pictures_[parity_];
+  gpu::Frame frame{};
+  frame.size = picture.size;
+  frame.display = picture.display.address();
+  frame.accumulation =
+      done_.settings.display.denoise ? denoised_.address() : picture.accumulation.address();
+  if (shows(done_.settings, display.view))
+    inspect(frame, display);
+  else
+    display_.show(frame, display, pixel_angle(done_.camera, picture.size));
   const bool denoise = done_.settings.display.denoise;
   done_.settings.display = display;
   done_.settings.display.denoise = denoise;
+}
+
+measure::Image8 Renderer::develop(const measure::Image& image, const DisplaySettings& display) {
+  return display_.develop(image, display, pixel_angle(done_.camera, {image.width, image.height}));
 }
 
 std::uint64_t Renderer::shadow_rays() const {

@@ -15,6 +15,7 @@
 #include "runtime/gpu/timer.h"
 #include "runtime/measure/image.h"
 #include "runtime/render/device_scene.h"
+#include "runtime/render/display.h"
 #include "runtime/render/frame_run.h"
 #include "runtime/render/irradiance_cache.h"
 #include "runtime/render/pass_library.h"
@@ -79,6 +80,9 @@ class Renderer {
   /// which is the picture as every frame leaves it. A view that needs layers shows the picture
   /// where the frame kept none.
   void expose(const DisplaySettings& display);
+  /// Returns a picture of the last frame's camera as it is looked at, with what an eye or a camera
+  /// adds. The device must not be at work on a frame.
+  measure::Image8 develop(const measure::Image& image, const DisplaySettings& display);
 
   /// Returns whether the passes for these settings are compiled. If not, they are being compiled in
   /// the background.
@@ -135,7 +139,6 @@ class Renderer {
   void restart_if_changed();
   void fill_buffers(gpu::Frame& frame, const RenderSettings& settings);
   void fill_view(gpu::Frame& frame);
-  void fill_display(gpu::Frame& frame, const DisplaySettings& display) const;
   void fill_air(gpu::Frame& frame, const RenderSettings& settings);
   void fill_sampling(gpu::Frame& frame, const RenderSettings& settings) const;
   std::vector<FrameStep> list_steps(const RenderSettings& settings, std::uint32_t slices) const;
@@ -144,6 +147,8 @@ class Renderer {
   void add_restir(std::vector<FrameStep>& steps, const RenderSettings& settings) const;
   void add_end(std::vector<FrameStep>& steps, const RenderSettings& settings) const;
   std::uint32_t reference_slices(const RenderSettings& settings) const;
+  // Writes the display from a view other than the picture.
+  void inspect(gpu::Frame& frame, const DisplaySettings& display);
   void finish_frame();
   // Returns a step with one invocation per pixel and slice.
   template <class Pass>
@@ -157,6 +162,7 @@ class Renderer {
   VehiclePasses vehicle_passes_;
   IrradianceCache cache_;
   gpu::Buffer frame_, exposed_frame_;
+  Display display_;
   PictureBuffers pictures_[2];  // of the last complete frame (parity_) and of the other
   gpu::Buffer reservoirs_, radiance_;
   // Allocated when first needed.

@@ -336,6 +336,34 @@ std::vector<Setting> make_other_settings() {
        .group = Group::display,
        .help = "Filter the picture: for viewing, never for measurements",
        .value = at<display, &DisplaySettings::denoise>},
+      {.name = "glare",
+       .group = Group::display,
+       .unit = "years",
+       .max = max_glare_age,
+       .help =
+           "Show the light that an eye of this age scatters around lamps (CIE 135/1, 1999); 0 = "
+           "none. In what is looked at, never in measurements and EXRs",
+       .value = at<display, &DisplaySettings::glare_age>,
+       .slider = SettingSlider{"glare", 80, "eye of %.0f years"}},
+      {.name = "white-balance",
+       .group = Group::display,
+       .unit = "K",
+       .max = 15000,
+       .help = "Show the light of a black body of this temperature as grey, as a camera does; 0 = "
+               "leave colours as they are. In what is looked at",
+       .value = at<display, &DisplaySettings::white_balance_k>,
+       .slider = SettingSlider{"white", 10000, "%.0f K"}},
+      {.name = "adapt-white",
+       .group = Group::display,
+       .help = "Adapt the white to the scene as far as an eye does (CIECAM02), where no "
+               "--white-balance is given. In what is looked at",
+       .value = at<display, &DisplaySettings::adapt_white>,
+       .applies = [](const Settings& s) { return s.display.white_balance_k == 0; }},
+      {.name = "mesopic",
+       .group = Group::display,
+       .help = "Show dim places as rods see them: with less colour, and bluish (CIE 191:2010). In "
+               "what is looked at",
+       .value = at<display, &DisplaySettings::mesopic>},
   };
 }
 

@@ -146,11 +146,21 @@ struct AveragingSettings {
   std::uint32_t window = 0;
 };
 
+/// The greatest age of an eye, years: the function of its glare is not known beyond.
+constexpr float max_glare_age = 100;
+
 /// The way from the mean to the screen.
 struct DisplaySettings {
   bool denoise = false;  // filters the mean: for viewing, never for measurements
   float ev100 = 2;       // exposure
   std::uint32_t tone = TONEMAP_FILMIC;
+  // An eye or a camera adds these (display.h). Frames leave them out: Renderer::expose() and
+  // develop() show them.
+  float glare_age = 0;        // years of the eye that scatters light, up to max_glare_age; 0 = none
+  float white_balance_k = 0;  // temperature of the light that is shown as grey, K; 0 = as it is
+  bool adapt_white = false;   // to the light of the scene as far as an eye does
+  glm::vec3 adapted_to{0};    // that light, cd/m^2 per channel (measure::mean_light); 0 = not known
+  bool mesopic = false;       // rods see in dim places
   // Renderer::expose() shows this of the picture, on a scale between these values.
   std::uint32_t view = VIEW_PICTURE;
   float view_lowest = 0.01f, view_highest = 100;

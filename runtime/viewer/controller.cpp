@@ -319,8 +319,8 @@ void Controller::save() {
 void Controller::finish_saving() {
   try {
     const std::string sentence =
-        save_picture(find_picture_folder(options_.picture_folder), workbench_.take_saved(),
-                     session_.state.settings.display);
+        save_picture(find_picture_folder(options_.picture_folder),
+                     workbench_.take_saved(session_.state.settings.display));
     session_.notices.say(sentence, now_s_);
     spdlog::info("{}", sentence);
   } catch (const std::exception& error) {  // a full disk is no reason to close the window

@@ -40,6 +40,17 @@ bool same_display(const render::DisplaySettings& a, const render::DisplaySetting
   return a == other;
 }
 
+// Returns what a frame leaves of it: the picture, without what an eye or a camera adds.
+render::DisplaySettings left_by_a_frame(const render::DisplaySettings& display) {
+  render::DisplaySettings left;
+  left.denoise = display.denoise;
+  left.ev100 = display.ev100;
+  left.tone = display.tone;
+  left.view_lowest = display.view_lowest;
+  left.view_highest = display.view_highest;
+  return left;
+}
+
 double pixels_of(glm::uvec2 size) {
   return double(size.x) * size.y;
 }
@@ -106,8 +117,7 @@ bool LivePicture::work(const View& view, double now_s, double wait_s) {
                        same_view(begun_, view));
   shown_plan_ = plan_;
   shown_ = begun_;
-  shown_display_ = begun_.settings.display;
-  shown_display_.view = VIEW_PICTURE;  // which every frame leaves
+  shown_display_ = left_by_a_frame(begun_.settings.display);
   display_changed_ =
       display_changed_ && begun_.settings.display.denoise != view.settings.display.denoise;
   return true;
@@ -138,7 +148,7 @@ std::optional<double> LivePicture::luminance_at(const glm::vec3& point) const {
   return double(tonemap::luminance_709(mean.r, mean.g, mean.b));
 }
 
-float LivePicture::meter() const {
+Metered LivePicture::meter() const {
   return meter_picture(renderer_.sample_mean(metered_pixels));
 }
 

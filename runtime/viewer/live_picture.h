@@ -48,8 +48,8 @@ class LivePicture {
   /// Shows the last picture with these settings of the display, if it has others. Not while
   /// is_busy().
   void expose(const render::DisplaySettings& display);
-  /// Returns the exposure that the picture on the screen asks for.
-  float meter() const;
+  /// Returns the exposure that the picture on the screen asks for, and its light.
+  Metered meter() const;
 
   /// Returns the luminance that the picture on the screen has where it shows `point`, cd/m2;
   /// nothing where it does not. Not while is_busy().

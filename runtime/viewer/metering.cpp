@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "runtime/measure/exposure.h"
 
@@ -13,8 +14,18 @@ constexpr double time_constant_s = 0.43;  // 1 - exp(-1 / 0.43) = 0.9
 
 }  // namespace
 
-float meter_picture(const measure::Image& picture) {
-  return std::clamp(measure::auto_exposure_ev100(picture), min_ev100, max_ev100);
+Metered meter_picture(const measure::Image& picture) {
+  return {std::clamp(measure::auto_exposure_ev100(picture), min_ev100, max_ev100),
+          measure::mean_light(picture)};
+}
+
+glm::vec3 follow_light(const glm::vec3& before, const glm::vec3& metered) {
+  if (before == glm::vec3(0) || metered == glm::vec3(0)) return metered;
+  constexpr float unseen = 0.03f, share = 0.2f;
+  const float brightest = std::max({metered.r, metered.g, metered.b});
+  const glm::vec3 off = glm::abs(metered - before);
+  if (std::max({off.r, off.g, off.b}) < unseen * brightest) return before;
+  return glm::mix(before, metered, share);
 }
 
 void Metering::set_target(float ev100) {

@@ -1,6 +1,7 @@
-// The exposure that follows the picture's light.
+// The exposure and the white that follow the picture's light.
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <optional>
 
 #include "runtime/measure/image.h"
@@ -9,9 +10,16 @@ namespace nightcity::viewer {
 
 constexpr float min_ev100 = -6, max_ev100 = 16;  // the panel's slider
 
-/// Returns the exposure that a picture asks for (measure::auto_exposure_ev100), within the slider's
-/// range.
-float meter_picture(const measure::Image& picture);
+struct Metered {
+  float ev100;      // measure::auto_exposure_ev100, within the slider's range
+  glm::vec3 light;  // measure::mean_light
+};
+
+Metered meter_picture(const measure::Image& picture);
+
+/// Returns the light that the white is adapted to after a picture was metered: a fifth of the way
+/// from the one before, which 0 says is not known. Differences that are not seen are left alone.
+glm::vec3 follow_light(const glm::vec3& before, const glm::vec3& metered);
 
 /// Moves the exposure towards what was metered last, as an eye adapts.
 class Metering {

@@ -72,6 +72,10 @@ void draw_exposure(ViewerState& state) {
   int tone = static_cast<int>(state.settings.display.tone);
   if (ImGui::Combo("curve", &tone, "linear\0reinhard\0filmic\0"))
     state.settings.display.tone = static_cast<std::uint32_t>(tone);
+  draw_sliders(render::SettingGroup::display, state.settings);
+  ImGui::Checkbox("adapt the white", &state.settings.display.adapt_white);
+  ImGui::SameLine();
+  ImGui::Checkbox("mesopic colours", &state.settings.display.mesopic);
 }
 
 void draw_camera(ViewerState& state, PanelRequests& requests) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "formats/program/progress_display.h"
-#include "runtime/measure/exposure.h"
 #include "runtime/measure/exr.h"
 #include "runtime/measure/png.h"
 #include "runtime/viewer/picture_names.h"
@@ -19,16 +18,15 @@ glm::uvec2 size_of(const View& view, const PictureQuality& quality) {
 
 }  // namespace
 
-std::string save_picture(const std::filesystem::path& folder, const measure::Image& image,
-                         const render::DisplaySettings& display) {
+std::string save_picture(const std::filesystem::path& folder, const SavedPicture& picture) {
+  const measure::Image& image = picture.image;
   const std::string stem = save_under_next_name(
       folder, {".png", ".exr"},
       [&](const std::filesystem::path& file, const std::string& extension) {
         if (extension == ".exr")
           measure::write_exr(file, image);
         else
-          measure::write_png(file, measure::to_display(image, display.ev100, display.tone),
-                             measure::png_text(image.info));
+          measure::write_png(file, picture.shown, measure::png_text(image.info));
       });
   std::error_code ignored;
   const std::filesystem::path whole = std::filesystem::weakly_canonical(folder, ignored) / stem;
@@ -46,6 +44,14 @@ PictureJob::PictureJob(gpu::Device& device, render::PassLibrary& passes, render:
       size_(size_of(view, quality)),
       frames_(quality.frames) {
   settings_.averaging = {};
+}
+
+SavedPicture PictureJob::download(const render::DisplaySettings& display) {
+  SavedPicture picture{renderer_.download(), {}};
+  picture.image.info.ev100 = display.ev100;
+  picture.image.info.eye = render::describe_eye(display);
+  picture.shown = renderer_.develop(picture.image, display);
+  return picture;
 }
 
 bool PictureJob::work(double wait_s) {

@@ -17,10 +17,14 @@ struct PictureQuality {
   std::uint32_t width = 0, height = 0;  // 0: the window's size when the picture was asked for
 };
 
-/// Writes `image` as night-NNN.png and .exr into `folder`, with `info` in both. Returns the
+struct SavedPicture {
+  measure::Image image;
+  measure::Image8 shown;  // as it is looked at
+};
+
+/// Writes a picture as night-NNN.png and .exr into `folder`, with its `info` in both. Returns the
 /// sentence that says where they are. Throws Error.
-std::string save_picture(const std::filesystem::path& folder, const measure::Image& image,
-                         const render::DisplaySettings& display);
+std::string save_picture(const std::filesystem::path& folder, const SavedPicture& picture);
 
 class PictureJob {
  public:
@@ -36,7 +40,8 @@ class PictureJob {
   std::string progress() const;
   const render::RenderSettings& settings() const { return settings_; }
   const scene::CameraPose& pose() const { return pose_; }
-  measure::Image download() { return renderer_.download(); }
+  /// Returns the picture, shown as these settings say.
+  SavedPicture download(const render::DisplaySettings& display);
 
  private:
   bool is_done() const;

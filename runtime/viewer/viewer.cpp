@@ -142,8 +142,17 @@ class Viewer {
         break;
     }
     describe_picture(*workbench_.picture(), stats_);
-    if (session_.state.auto_exposure) metering_.set_target(workbench_.picture()->meter());
+    meter(*workbench_.picture());
     return true;
+  }
+
+  void meter(const LivePicture& picture) {
+    render::DisplaySettings& display = session_.state.settings.display;
+    if (!session_.state.auto_exposure && !display.adapt_white) return;
+    const Metered metered = picture.meter();
+    if (session_.state.auto_exposure) metering_.set_target(metered.ev100);
+    display.adapted_to =
+        display.adapt_white ? follow_light(display.adapted_to, metered.light) : glm::vec3(0);
   }
 
   // Returns whether the exposure of the picture on the screen changed.
@@ -151,11 +160,12 @@ class Viewer {
     LivePicture* picture = workbench_.picture();
     if (!picture || picture->is_busy() || !picture->has_picture()) return false;
     ViewerState& state = session_.state;
-    if (state.auto_exposure && !was_auto_) {
-      metering_.restart();
-      metering_.set_target(picture->meter());
-    }
+    const bool begins = state.auto_exposure && !was_auto_;
     was_auto_ = state.auto_exposure;
+    if (begins) metering_.restart();
+    const bool white_unknown =
+        state.settings.display.adapt_white && state.settings.display.adapted_to == glm::vec3(0);
+    if (begins || white_unknown) meter(*picture);
     const float before = state.settings.display.ev100;
     if (state.auto_exposure) state.settings.display.ev100 = metering_.update(before, elapsed_s);
     picture->expose(state.settings.display);

@@ -40,13 +40,14 @@ void Workbench::save(const View& view, const PictureQuality& quality) {
   job_ = std::make_unique<PictureJob>(device_, passes_, *city_->on_device, view, quality);
 }
 
-measure::Image Workbench::take_saved() {
+SavedPicture Workbench::take_saved(const render::DisplaySettings& display) {
   const std::unique_ptr<PictureJob> job = std::move(job_);
-  measure::Image image = job->download();
+  SavedPicture picture = job->download(display);
+  measure::Image& image = picture.image;
   image.info.licences = scene::describe_licences(city_->scene);
   image.info.camera = scene::to_text(job->pose());
   image.info.time = render::time_text(job->settings().time_s);
-  return image;
+  return picture;
 }
 
 bool Workbench::is_busy() const {

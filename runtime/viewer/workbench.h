@@ -52,8 +52,9 @@ class Workbench {
   void save(const View& view, const PictureQuality& quality);
   bool is_saving() const { return job_ != nullptr; }
   void stop_saving() { job_.reset(); }
-  /// Returns the picture that is complete after Result::saved, with its info. Throws Error.
-  measure::Image take_saved();
+  /// Returns the picture that is complete after Result::saved, with its info, shown as these
+  /// settings say. Throws Error.
+  SavedPicture take_saved(const render::DisplaySettings& display);
 
   /// Returns whether a slice runs on the device: showing a picture would wait for it.
   bool is_busy() const;

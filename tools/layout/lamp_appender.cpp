@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "tools/layout/layout_fit.h"
-#include "tools/lights/colour.h"
+#include "formats/colour.h"
 #include "tools/lights/optics.h"
 #include "tools/random.h"
 
@@ -71,7 +71,7 @@ void LampAppender::append(std::size_t number, const streets::Street& street,
   if (!lamp.hung) lamp.outreach = lamp.aim * std::min(road.outreach_m, site.offset_m);
   lamp.flux_lm = design.flux_lm;
   lamp.cct_k = road.cct_k;
-  lamp.colour = lights::rec709_from_xy(lights::planckian_xy(road.cct_k));
+  lamp.colour = rec709_from_xy(planckian_xy(road.cct_k));
   lamp.radius_m = road.optic == lights::Optic::lantern && !lamp.hung ? lights::lantern_radius_m
                                                                      : lights::luminous_radius_m;
   lamp.profile = profile_for(road, lamp.hung);

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "formats/atomic_file.h"
-#include "tools/lights/colour.h"
+#include "formats/colour.h"
 
 namespace nightcity::layout {
 namespace {
@@ -37,9 +37,9 @@ std::string lit_hours(const lights::NightSchedule& hours) {
 /// Returns the colour temperature, or the colour itself where the lamp is no black body (sodium) or
 /// its colour was tagged.
 std::string colour_of(const lights::PlacedLamp& lamp) {
-  const glm::vec3 black_body = lights::rec709_from_xy(lights::planckian_xy(lamp.cct_k));
+  const glm::vec3 black_body = rec709_from_xy(planckian_xy(lamp.cct_k));
   const bool alike = glm::distance(black_body, lamp.colour) < 1e-3F;
-  return alike ? fmt::format("{:.0f} K", lamp.cct_k) : lights::to_hex(lamp.colour);
+  return alike ? fmt::format("{:.0f} K", lamp.cct_k) : to_hex(lamp.colour);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "tools/lights/colour.h"
+#include "formats/colour.h"
 
 namespace nightcity::lights {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "tools/lights/colour.h"
+#include "formats/colour.h"
 #include "tools/lights/lamp_state.h"
 #include "tools/lights/lamp_tag_words.h"
 #include "tools/lights/lit_tag.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tools/lights/colour.h"
+#include "formats/colour.h"
 
 namespace nightcity::lights {
 namespace {

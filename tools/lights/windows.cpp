@@ -9,7 +9,7 @@
 
 #include "formats/rgb9e5.h"
 #include "tools/in_order.h"
-#include "tools/lights/colour.h"
+#include "formats/colour.h"
 
 namespace nightcity::lights {
 namespace {

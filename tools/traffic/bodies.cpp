@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "tools/lights/colour.h"
+#include "formats/colour.h"
 #include "tools/traffic/vehicle_lamps.h"
 
 namespace nightcity::traffic {
@@ -132,8 +132,8 @@ void add_motorcycle(Parts& p, float l, float w, float h) {
 
 std::vector<SceneMaterial> body_materials(const VehicleType& type) {
   const double area = lens_height_m * lens_width_m;
-  const glm::vec3 white = lights::rec709_from_xy(lights::planckian_xy(type.headlamp_cct_k)),
-                  red = lights::rec709_from_xy({0.6915, 0.3083});
+  const glm::vec3 white = rec709_from_xy(planckian_xy(type.headlamp_cct_k)),
+                  red = rec709_from_xy({0.6915, 0.3083});
   const auto head = static_cast<float>(low_beam_flux_lm() / (std::numbers::pi * area));
   const auto tail = static_cast<float>(tail_lamp_cd / area);
   const std::string name = type.name;

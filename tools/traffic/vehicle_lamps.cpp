@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "formats/rgb9e5.h"
-#include "tools/lights/colour.h"
+#include "formats/colour.h"
 
 namespace nightcity::traffic {
 namespace {
@@ -95,7 +95,7 @@ VehicleLamps make_vehicle_lamps(Side side, lights::ProfileTable& profiles) {
   const std::uint32_t signal_profile = profiles.add("vehicle signal", signal_beam());
   const double per_candela = lights::integrated_flux(signal_beam());
   // Signal red: dominant wavelength 620 nm, on the spectral locus.
-  const glm::vec3 red = lights::rec709_from_xy({0.6915, 0.3083});
+  const glm::vec3 red = rec709_from_xy({0.6915, 0.3083});
   VehicleLamps result;
   for (const VehicleType& type : vehicle_types) {
     VehicleKind kind{};
@@ -105,7 +105,7 @@ VehicleLamps make_vehicle_lamps(Side side, lights::ProfileTable& profiles) {
     const auto pairs = [&](double apart) {
       return apart > 0 ? std::vector<double>{-apart / 2, apart / 2} : std::vector<double>{0};
     };
-    const glm::vec3 white = lights::rec709_from_xy(lights::planckian_xy(type.headlamp_cct_k));
+    const glm::vec3 white = rec709_from_xy(planckian_xy(type.headlamp_cct_k));
     const double front = type.length_m / 2 + headlamp_radius_m + 0.01,
                  rear = type.length_m / 2 + signal_radius_m + 0.01;
     for (const double z : pairs(type.headlamp_apart_m))

@@ -16,6 +16,27 @@ using test::set_pixel;
 
 constexpr std::uint32_t all_curves[] = {TONEMAP_LINEAR, TONEMAP_REINHARD, TONEMAP_FILMIC};
 
+// The light that an eye adapts to: the mean, without lamps that are seen and the brightest fiftieth.
+TEST(Exposure, MeanLightLeavesOutWhatShinesItself) {
+  Image image = grey(10, 10, 0);
+  for (std::size_t i = 0; i < image.pixels(); ++i) {
+    image.rgb[3 * i] = 0.4f;
+    image.rgb[3 * i + 1] = 0.2f;
+  }
+  EXPECT_EQ(mean_light(image), glm::vec3(0.4f, 0.2f, 0));
+  set_pixel(image, 3, 3, 1e5f);
+  set_pixel(image, 4, 3, std::numeric_limits<float>::quiet_NaN());
+  EXPECT_NEAR(mean_light(image).r, 0.4f, 1e-6f);
+  ImageLayer emitter{"emitter", {"Y"}, std::vector<float>(100, 0)};
+  for (std::size_t i = 0; i < 50; ++i) {
+    emitter.values[i] = 1;
+    image.rgb[3 * i + 2] = 9;
+  }
+  image.layers.push_back(emitter);
+  EXPECT_NEAR(mean_light(image).b, 0, 1e-6f);
+  EXPECT_EQ(mean_light(grey(4, 4, 0)), glm::vec3(0));
+}
+
 TEST(Exposure, SaturatingLuminanceIsOne) {
   EXPECT_NEAR(1.2f * tonemap::exposure_scale(0.0f), 1.0f, 1e-6);
   EXPECT_NEAR(1.2f * 1024 * tonemap::exposure_scale(10.0f), 1.0f, 1e-6);

@@ -22,8 +22,20 @@ class Exr : public testing::Test {
     image.layers.push_back({"depth", {"Z"}, std::vector<float>(15)});
     for (std::size_t i = 0; i < 15; ++i)
       image.layers[1].values[i] = 1000.0f + static_cast<float>(i);
-    image.info = {"pairwise", 64, 32, 5, 3, "paths", "windows,trees", 0xFFFFFFFFFFFFFFFFu, 3.25f,
-                  "a device", "City of X, CC BY 4.0", "{\"fov_deg\":50}", "20:00:00"};
+    image.info = {"pairwise",
+                  64,
+                  32,
+                  5,
+                  3,
+                  "paths",
+                  "windows,trees",
+                  0xFFFFFFFFFFFFFFFFu,
+                  3.25f,
+                  "a device",
+                  "City of X, CC BY 4.0",
+                  "{\"fov_deg\":50}",
+                  "20:00:00",
+                  ""};
     return image;
   }
   test::TempFolder folder;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tools/lights/colour.h"
+#include "formats/colour.h"
 #include "tools/lights/lamp_state.h"
 #include "tools/lights/lit_tag.h"
 

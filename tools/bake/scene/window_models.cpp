@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "tools/lights/colour.h"
+#include "formats/colour.h"
 
 namespace nightcity::bake {
 namespace {
@@ -20,7 +20,7 @@ Look to_look(const lights::LitRectangle& window) {
 
 SceneMaterial to_material(const Look& look) {
   const auto luminance = static_cast<float>(std::exp2(look.first / steps_per_stop));
-  const glm::vec3 colour = lights::rec709_from_xy(lights::planckian_xy(look.second * cct_step_k));
+  const glm::vec3 colour = rec709_from_xy(planckian_xy(look.second * cct_step_k));
   return {.name = "lit window",
           .base_colour = glm::vec3(0.1f),
           .emission_cd_m2 = colour * luminance,
