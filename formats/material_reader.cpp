@@ -100,8 +100,7 @@ glm::dvec3 MaterialReader::read_mean(std::size_t image, bool use_alpha) {
   const auto bytes = uri.empty() ? accessors_.view(*view) : document_.file(uri);
   if (!budget_.take(bytes))
     throw Error("", "image " + std::to_string(image),
-                "is not unpacked: the textures of one file may have 268 million pixels and 64 more "
-                "for each of their bytes; make them smaller");
+                std::string("is not unpacked: ") + picture_budget_text);
   const auto mean = find_picture_mean(bytes, use_alpha);
   if (!mean)
     throw Error("", "image " + std::to_string(image) + (uri.empty() ? "" : " (" + uri + ")"),

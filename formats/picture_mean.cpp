@@ -147,17 +147,24 @@ std::optional<glm::dvec3> find_picture_mean(std::span<const std::byte> bytes, bo
   return picture ? picture->find_mean(use_alpha) : std::nullopt;
 }
 
-bool PictureBudget::take(std::span<const std::byte> picture) {
-  constexpr std::int64_t pixels_a_byte = 64;
-  if (seen_.insert(picture.data()).second)
-    left_ += pixels_a_byte * static_cast<std::int64_t>(picture.size());
+std::optional<std::int64_t> count_picture_pixels(std::span<const std::byte> bytes) {
   int width = 0, height = 0, channels = 0;
-  if (picture.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()) ||
-      !stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(picture.data()),
-                             static_cast<int>(picture.size()), &width, &height, &channels))
-    return true;
-  const std::int64_t pixels = std::int64_t{width} * height;
-  if (pixels > max_picture_pixels) return true;
+  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()) ||
+      !stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()),
+                             static_cast<int>(bytes.size()), &width, &height, &channels))
+    return std::nullopt;
+  return std::int64_t{width} * height;
+}
+
+bool PictureBudget::take(std::span<const std::byte> picture) {
+  const std::size_t bytes = seen_.insert(picture.data()).second ? picture.size() : 0;
+  const std::int64_t pixels = count_picture_pixels(picture).value_or(0);
+  return take(pixels > max_picture_pixels ? 0 : pixels, bytes);
+}
+
+bool PictureBudget::take(std::int64_t pixels, std::size_t bytes) {
+  constexpr std::int64_t pixels_a_byte = 64;
+  left_ += pixels_a_byte * static_cast<std::int64_t>(bytes);
   if (pixels > left_) return false;
   left_ -= pixels;
   return true;

@@ -47,6 +47,14 @@ class Picture {
 std::optional<glm::dvec3> find_picture_mean(std::span<const std::byte> bytes, bool use_alpha,
                                             std::int64_t max_pixels = max_picture_pixels);
 
+/// Returns the pixels that a picture says it has; nothing where the bytes are no PNG or JPEG.
+std::optional<std::int64_t> count_picture_pixels(std::span<const std::byte> bytes);
+
+/// What PictureBudget allows, for messages about a picture beyond it.
+constexpr const char* picture_budget_text =
+    "the textures of one file may have 268 million pixels and 64 more for each of their bytes; "
+    "make them smaller";
+
 /// Bounds what all pictures of a file may unpack to: four of the largest, and for each byte the 64
 /// pixels that photographs and drawings keep below.
 class PictureBudget {
@@ -55,6 +63,9 @@ class PictureBudget {
   /// the same address, adds no bytes. One that has too many pixels alone costs nothing: it is not
   /// unpacked.
   bool take(std::span<const std::byte> picture);
+  /// Returns whether `pixels` more may be unpacked, from a file of `bytes` that were not counted so
+  /// far, and counts them then.
+  bool take(std::int64_t pixels, std::size_t bytes);
 
  private:
   std::set<const std::byte*> seen_;

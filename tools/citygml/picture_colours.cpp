@@ -20,8 +20,6 @@
 namespace nightcity::citygml {
 namespace {
 
-constexpr std::size_t max_kept = 8;  // a picture of many buildings comes up again soon
-
 // IEC 61966-2-1.
 double to_srgb(double linear) {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
@@ -35,6 +33,9 @@ glm::vec3 to_step(const glm::dvec3& linear) {
         static_cast<float>(std::round(std::clamp(to_srgb(linear[i]), 0.0, 1.0) * steps) / steps);
   return colour;
 }
+
+const std::string beyond_budget =
+    std::string("texture: its picture is not unpacked: ") + picture_budget_text;
 
 struct Span {
   glm::dvec2 low{std::numeric_limits<double>::infinity()}, high{-low};
@@ -60,27 +61,30 @@ Span find_span(const pugi::xml_node& target) {
 
 }  // namespace
 
+PictureColours::PictureColours(const city::Document& document, bool latin1)
+    : folder_(std::filesystem::path(document.name).parent_path()), plan_(document, latin1) {}
+
 std::shared_ptr<const Picture> PictureColours::find_picture(std::string_view uri,
                                                             const char*& why) {
-  std::string written(uri);
-  std::replace(written.begin(), written.end(), '\\', '/');
-  const std::filesystem::path name(written);
   why = "texture: its picture lies elsewhere";
-  if (name.empty() || name.is_absolute() || written.find("://") != std::string::npos) return {};
-  if (std::find(name.begin(), name.end(), "..") != name.end()) return {};
-  const std::filesystem::path file = folder_ / name;
+  const auto file = find_picture_file(folder_, uri);
+  if (!file) return {};
   {
     const std::lock_guard lock(mutex_);
-    for (const auto& [path, picture] : kept_)
-      if (path == file) return picture;
+    if (const auto* picture = recent_.find(*file)) return *picture;
   }
   why = "texture: its picture is not there";
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return {};
+  if (!std::filesystem::is_regular_file(*file, error)) return {};
+  why = "texture: its name is not written in one piece of text";
+  const PicturePlan::Fate fate = plan_.find_fate(*file);
+  if (fate == PicturePlan::Fate::unseen) return {};
+  why = beyond_budget.c_str();
+  if (fate == PicturePlan::Fate::beyond_budget) return {};
   why = "texture: its picture is no JPEG or PNG, or too large";
   std::optional<Picture> read;
   try {
-    read = Picture::read(MappedFile(file).bytes());
+    read = Picture::read(MappedFile(*file).bytes());
   } catch (const Error&) {
   }
   if (!read) return {};
@@ -88,8 +92,7 @@ std::shared_ptr<const Picture> PictureColours::find_picture(std::string_view uri
   ++pictures_;
   pixels_ += picture->count_pixels();
   const std::lock_guard lock(mutex_);
-  kept_.emplace_back(file, picture);
-  if (kept_.size() > max_kept) kept_.pop_front();
+  recent_.add(*file, picture->count_pixels(), picture);
   return picture;
 }
 

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <filesystem>
 #include <functional>
 #include <glm/vec3.hpp>
@@ -12,23 +11,23 @@
 #include <mutex>
 #include <pugixml.hpp>
 #include <string_view>
-#include <utility>
 
 #include "formats/picture_mean.h"
 #include "tools/city/skip_counter.h"
+#include "tools/citygml/picture_plan.h"
 
 namespace nightcity::citygml {
 
 /// The pictures beside one document. Safe to use from several threads.
 class PictureColours {
  public:
-  /// `document`: the file beside which pictures lie. Those elsewhere are not read.
-  explicit PictureColours(const std::filesystem::path& document)
-      : folder_(document.parent_path()) {}
+  /// Pictures lie beside `document`, whose text is in Latin-1 or UTF-8; those elsewhere are not read.
+  PictureColours(const city::Document& document, bool latin1);
 
   /// Calls `take(id, colour)` for each target of the texture: the mean of the picture's part that
   /// its texture coordinates span, as sRGB from 0 to 1 in 32 steps a channel, since each colour
-  /// becomes a material. Pictures that are absent, elsewhere or none are counted in `skipped`.
+  /// becomes a material. Pictures that are absent, elsewhere, none or beyond the budget of the
+  /// document's pictures are counted in `skipped`.
   void read(const pugi::xml_node& texture, city::SkipCounter& skipped,
             const std::function<void(std::string_view, const glm::vec3&)>& take);
 
@@ -40,8 +39,9 @@ class PictureColours {
   std::shared_ptr<const Picture> find_picture(std::string_view uri, const char*& why);
 
   std::filesystem::path folder_;
+  PicturePlan plan_;
   std::mutex mutex_;
-  std::deque<std::pair<std::filesystem::path, std::shared_ptr<const Picture>>> kept_;
+  RecentPictures<std::shared_ptr<const Picture>> recent_;
   std::atomic<std::size_t> pictures_{0}, surfaces_{0};
   std::atomic<std::int64_t> pixels_{0};
 };

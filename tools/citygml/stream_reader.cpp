@@ -51,12 +51,11 @@ class StreamReader {
     library_.neighbours = options.neighbours;
     library_.max_vertices = static_cast<std::size_t>(options.max_linked_vertices);
     if (options.textures == city::Textures::none || document.packed) return;
-    pictures_.emplace(document.name);
-    library_.pictures = &*pictures_;
-    file_materials_.set_pictures(library_.pictures);
+    reads_textures_ = true;
   }
 
   city::ReadReport read() {
+    if (reads_textures_) find_pictures();
     if (!options_.piece) read_file_materials();  // a file that has them is not cut
     run(nullptr);
     report_.srs_name = srs_name_;
@@ -81,6 +80,14 @@ class StreamReader {
                                  " megapixels) give " + std::to_string(pictures_->surfaces()) +
                                  " surfaces their mean colour");
     return std::move(report_);
+  }
+
+  void find_pictures() {
+    const auto source = document_.open();
+    const MemberSplitter splitter(*source, document_.name, limits_of(options_));
+    pictures_.emplace(document_, splitter.head().latin1);
+    library_.pictures = &*pictures_;
+    file_materials_.set_pictures(library_.pictures);
   }
 
   // The document's own appearances may stand behind the objects they colour, so they are read
@@ -237,6 +244,7 @@ class StreamReader {
   const city::ObjectStage& stage_;
   city::ReadReport report_;
   std::string srs_name_, document_srs_name_;
+  bool reads_textures_ = false;
   std::optional<PictureColours> pictures_;
   Materials file_materials_;
   GeometryLibrary library_;
