@@ -153,6 +153,7 @@ struct Glare {
   uint first[MAX_GLARE_LEVELS];    // index of a level's first pixel in `levels`
   float weight[MAX_GLARE_LEVELS];  // of a level in the light that is seen
   uint last;                       // level
+  uint pad;  // C++ rounds a size up to the alignment, the shaders' scalar layout does not
 };
 
 struct Frame {

@@ -27,6 +27,7 @@ struct RecordCommand {
 void run_record(RecordCommand& command) {
   RenderOptions& render = command.render;
   RecordingOptions& recording = command.recording;
+  render.to_be_looked_at = !recording.exr;
   render.resolve();
   render.settings.display.tone = measure::tone_curve_from_name(command.tone);
   render.settings.projection = render::find_projection(command.projection);

@@ -212,6 +212,10 @@ void warn_of_lights(const RenderOptions& options, const scene::RenderScene& scen
 
 void render(RenderCommand& command) {
   RenderOptions& options = command.options;
+  // An EXR holds figures.
+  const bool measures = std::any_of(command.outputs.begin(), command.outputs.end(),
+                                    [](auto& output) { return has_extension(output, ".exr"); });
+  options.to_be_looked_at = !measures && command.show == "picture";
   options.resolve();
   options.settings.display.tone = measure::tone_curve_from_name(command.tone);
   options.settings.projection = render::find_projection(command.projection);
@@ -219,10 +223,7 @@ void render(RenderCommand& command) {
     throw UsageError("--markers", "are drawn in perspective pictures alone");
   render::parse_exposure(command.exposure);  // throws early
   check_outputs(command.outputs);
-  options.settings.sampling.layers =
-      find_illumination(command.show) ||
-      std::any_of(command.outputs.begin(), command.outputs.end(),
-                  [](auto& output) { return has_extension(output, ".exr"); });
+  options.settings.sampling.layers = find_illumination(command.show) || measures;
 
   const auto load_start = Clock::now();
   // The driver starts while the scene is read.

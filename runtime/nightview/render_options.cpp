@@ -14,6 +14,7 @@
 #include "runtime/render/settings_file.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/scene_file.h"
+#include "runtime/scene/skyglow.h"
 
 namespace nightcity::nightview {
 namespace {
@@ -30,7 +31,13 @@ void declare_setting(CLI::App& command, const render::Setting& setting,
                      render::RenderSettings& settings) {
   const std::string names = join_names(setting), help = render::describe(setting);
   const render::Setting::Value value = setting.value(settings);
-  if (const auto flag = std::get_if<bool*>(&value)) {
+  if (!setting.words.empty()) {
+    const auto set = [&setting, &settings](const std::string& word) {
+      render::set_from_text(setting, settings, word);
+    };
+    command.add_option_function<std::string>(names, set, help)
+        ->default_str(render::text_of(setting, settings));
+  } else if (const auto flag = std::get_if<bool*>(&value)) {
     const std::string off = std::string(",!--no-") + setting.name;
     command.add_flag(**flag ? names + off : names, **flag, help);
   } else if (const auto count = std::get_if<std::uint32_t*>(&value)) {
@@ -162,6 +169,7 @@ void RenderOptions::read_settings() {
   if (!settings_file.empty()) file = render::read_settings_file(settings_file);
   if (const render::NamedText* named = file.find("preset"); named && preset.empty())
     preset = named->text;
+  has_sky_ = is_given("sky") || is_given("sky-map") || file.find("sky") || file.find("sky-map");
   if (!preset.empty()) apply_preset(preset);
   apply_settings_file(file, settings, [&](const std::string& name) { return is_given(name); });
   for (const render::NamedText& value : file.render) {
@@ -179,8 +187,12 @@ void RenderOptions::read_settings() {
 
 void RenderOptions::resolve() {
   read_settings();
+  if (to_be_looked_at && !has_sky_)
+    render::set_from_text(*render::find_setting("sky"), settings, "auto");
   left_out = render::LeftOut(leave_out);
   render::EnvironmentSettings& environment = settings.environment;
+  if (!sky_map.empty() && environment.glow != render::SkyGlow::none)
+    throw UsageError("--sky-map", "is another sky than --sky auto or overcast: give one of them");
   environment.sky_cd_m2 = glm::vec3(environment.sky_cd_m2.x);
   if (!sky_map.empty() && environment.sky_cd_m2 == glm::vec3(0))
     environment.sky_cd_m2 = glm::vec3(1);
@@ -196,6 +208,23 @@ void RenderOptions::resolve() {
   height = parsed.height;
 }
 
+void RenderOptions::make_sky(const std::string& name, scene::RenderScene& loaded) const {
+  const render::EnvironmentSettings& environment = settings.environment;
+  scene::CityGlow glow = scene::find_city_glow(loaded, settings.time_s, environment.lights);
+  const double direct = glow.direct_lm, all = glow.flux_lm();
+  scene::extend_city(glow, loaded.bounds, 1000 * double{environment.city_radius_km});
+  scene::Atmosphere air;
+  air.overcast = environment.glow == render::SkyGlow::overcast;
+  loaded.sky_map = scene::make_skyglow(glow, air, loaded.bounds);
+  const float* zenith = loaded.sky_map.rgb.data();
+  spdlog::info(
+      "{}: of {:.3g} lm, {:.3g} leave upwards ({:.0f} % of them straight); with the city going on "
+      "to "
+      "{:g} km, the sky has {:.2g} cd/m2 at the zenith",
+      name, glow.lamp_flux_lm, all, all > 0 ? 100 * direct / all : 0, environment.city_radius_km,
+      tonemap::luminance_709(zenith[0], zenith[1], zenith[2]));
+}
+
 scene::RenderScene RenderOptions::load(const std::string& other) const {
   scene::RenderScene loaded = load(other, left_out.of_scene());
   warn_of_left_out(other, loaded);
@@ -209,6 +238,7 @@ scene::RenderScene RenderOptions::load(const std::string& other,
     const std::size_t unknown = apply_edits(read_light_edits(edits), loaded.lights);
     if (unknown > 0) spdlog::warn("{}: {} lights are not in {}", edits, unknown, other);
   }
+  if (settings.environment.glow != render::SkyGlow::none) make_sky(other, loaded);
   if (!sky_map.empty()) {
     const measure::Image image = measure::read_exr(sky_map);
     loaded.sky_map = {image.width, image.height, image.rgb};

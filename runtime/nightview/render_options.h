@@ -38,6 +38,9 @@ struct RenderOptions {
   std::string sky_map, moon, lights = "all";
   std::string settings_file, leave_out, preset, edits;
   render::RenderSettings settings;
+  // The result is a picture that a person looks at, and no figure: unless a sky is asked for, it has
+  // the city's own.
+  bool to_be_looked_at = false;
 
   /// Declares the scene, --settings, --preset, --leave-out, --size, --time, --camera, --device,
   /// --trace, --sky-map, --moon, --lights, --edits and all settings. `command` must outlive the
@@ -64,8 +67,10 @@ struct RenderOptions {
   bool is_given(const std::string& option) const;
   void read_settings();
   void apply_preset(const std::string& name);
+  void make_sky(const std::string& name, scene::RenderScene& loaded) const;
 
   CLI::App* command_ = nullptr;
+  bool has_sky_ = false;  // the user asked for one
 };
 
 }  // namespace nightcity::nightview

@@ -64,6 +64,11 @@ void take_settings(SweepCommand& command) {
   for (const render::NamedText& value : render::read_settings_file(command.settings_file).render)
     take(command, value, left_out);
   render::EnvironmentSettings& environment = command.options.base.environment;
+  if (environment.glow != render::SkyGlow::none) {
+    spdlog::warn("{}: a sweep has no sky map, so its sky is dark", command.settings_file);
+    environment.glow = render::SkyGlow::none;
+    environment.sky_cd_m2 = glm::vec3(0);
+  }
   environment.sky_cd_m2 = glm::vec3(environment.sky_cd_m2.x);
   left_out.apply(command.options.base);
   command.options.left_out = left_out.of_scene();

@@ -40,6 +40,7 @@ void check_outputs(const viewer::ViewOptions& options) {
 
 void view(ViewCommand& command) {
   RenderOptions& render = command.render;
+  render.to_be_looked_at = true;
   render.resolve();
   if (!render.settings_file.empty()) {
     const render::SettingsFile file = render::read_settings_file(render.settings_file);

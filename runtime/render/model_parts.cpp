@@ -45,7 +45,11 @@ const std::vector<ModelPart>& list_model_parts() {
       {.name = "sky",
        .help = "a black sky",
        .is_set = [](const RenderSettings& s) { return s.environment.sky_cd_m2 != glm::vec3(0); },
-       .turn_off = [](RenderSettings& s) { s.environment.sky_cd_m2 = glm::vec3(0); }},
+       .turn_off =
+           [](RenderSettings& s) {
+             s.environment.sky_cd_m2 = glm::vec3(0);
+             s.environment.glow = SkyGlow::none;
+           }},
       {.name = "moon",
        .help = "no moon",
        .is_set = [](const RenderSettings& s) { return s.environment.moon_lux != glm::vec3(0); },

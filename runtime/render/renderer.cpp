@@ -227,6 +227,10 @@ void Renderer::check(const RenderSettings& settings) const {
   check_settings(settings);
   if (settings.display.glare_age > 0 && settings.projection != PROJECTION_PERSPECTIVE)
     throw UsageError("--glare", "is shown in perspective pictures alone");
+  if (settings.environment.glow != SkyGlow::none && !scene_.has_sky_map())
+    throw UsageError("--sky",
+                     "auto and overcast are made when a scene is loaded, and this one was "
+                     "loaded with another sky");
   const float share = settings.sampling.vehicle_share;
   if (scene_.has_traffic() && !(share > 0 && share < 1))
     throw UsageError("--vehicle-share",

@@ -84,6 +84,11 @@ Setting::Value find_sky(Settings& s) {
   return &s.environment.sky_cd_m2.x;
 }
 
+void set_glow(Settings& s, SkyGlow glow) {
+  s.environment.glow = glow;
+  s.environment.sky_cd_m2 = glm::vec3(1);  // the factor of the map
+}
+
 std::vector<Setting> make_first_settings() {
   return {
       {.name = "estimator",
@@ -315,10 +320,24 @@ std::vector<Setting> make_other_settings() {
        .group = Group::environment,
        .unit = "cd/m2",
        .max = 1e6,
-       .help = "Uniform luminance of the sky, which is seen and lights the scene (a city's "
-               "skyglow: 0.002 "
-               "to 0.02)",
-       .value = find_sky},
+       .help = "Luminance of the sky, which is seen and lights the scene: one number for all "
+               "directions (over a city 0.002 to 0.02); auto: the scene's own light in clear air, "
+               "after Garstang; overcast: the same under clouds",
+       .value = find_sky,
+       .words = {{"auto", [](Settings& s) { set_glow(s, SkyGlow::clear); },
+                  [](const Settings& s) { return s.environment.glow == SkyGlow::clear; }},
+                 {"overcast", [](Settings& s) { set_glow(s, SkyGlow::overcast); },
+                  [](const Settings& s) { return s.environment.glow == SkyGlow::overcast; }}},
+       .leave_words = [](Settings& s) { s.environment.glow = SkyGlow::none; }},
+      {.name = "city-radius",
+       .group = Group::environment,
+       .unit = "km",
+       .max = 200,
+       .help =
+           "With --sky auto or overcast: how far from the scene's middle the city is taken to go "
+           "on, shining as the scene does; 0 = the scene is the whole city",
+       .value = at<environment, &EnvironmentSettings::city_radius_km>,
+       .applies = [](const Settings& s) { return s.environment.glow != SkyGlow::none; }},
       {.name = "wet",
        .group = Group::environment,
        .help = "How wet the streets are, 0 to 1",
@@ -404,6 +423,8 @@ std::string option_of(const Setting& setting) {
 
 void set_from_text(const Setting& setting, RenderSettings& settings, const std::string& word) {
   const std::string option = option_of(setting);
+  for (const SettingWord& known : setting.words)
+    if (word == known.word) return known.set(settings);
   const Setting::Value value = setting.value(settings);
   if (const auto flag = std::get_if<bool*>(&value)) {
     **flag = parse_yes_or_no(option, word);
@@ -411,13 +432,17 @@ void set_from_text(const Setting& setting, RenderSettings& settings, const std::
     **count = static_cast<std::uint32_t>(
         parse_count(option, word, std::size_t(setting.min), std::size_t(setting.max)));
   } else if (const auto number = std::get_if<float*>(&value)) {
-    **number = static_cast<float>(parse_number(option, word, setting.min, setting.max));
+    const auto parsed = static_cast<float>(parse_number(option, word, setting.min, setting.max));
+    setting.leave_words(settings);
+    **number = parsed;
   } else {
     *std::get<Estimator*>(value) = find_estimator(word);
   }
 }
 
 std::string text_of(const Setting& setting, RenderSettings settings) {
+  for (const SettingWord& known : setting.words)
+    if (known.is_set(settings)) return known.word;
   const auto to_text = [](auto* value) -> std::string {
     using Value = std::remove_pointer_t<decltype(value)>;
     if constexpr (std::is_same_v<Value, bool>) {

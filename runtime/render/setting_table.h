@@ -22,6 +22,13 @@ struct SettingSlider {
   bool logarithmic = false;
 };
 
+/// A word that a setting of a number takes, too.
+struct SettingWord {
+  const char* word;
+  void (*set)(RenderSettings& settings);
+  bool (*is_set)(const RenderSettings& settings);
+};
+
 /// A setting. A new one is a member in settings.h and a row in setting_table.cpp.
 struct Setting {
   using Value = std::variant<bool*, std::uint32_t*, float*, Estimator*>;
@@ -36,6 +43,9 @@ struct Setting {
   double min = 0, max = 1;  // both included; not used by estimators
   std::string help;
   Value (*value)(RenderSettings& settings);
+  std::vector<SettingWord> words = {};
+  // Called before a number is set.
+  void (*leave_words)(RenderSettings& settings) = [](RenderSettings&) {};
   // Returns whether the setting makes a difference with these settings.
   bool (*applies)(const RenderSettings& settings) = [](const RenderSettings&) { return true; };
   bool is_swept = false;  // `nightview sweep` takes a list of values
@@ -58,8 +68,8 @@ std::string column_of(const Setting& setting);
 /// Returns "--name", as messages call the setting.
 std::string option_of(const Setting& setting);
 
-/// Sets a setting from a word: a number, "yes" or "no", or an estimator's name. Throws UsageError
-/// when the word is none of its values.
+/// Sets a setting from a word: a number, "yes" or "no", an estimator's name, or one of its words.
+/// Throws UsageError when the word is none of its values.
 void set_from_text(const Setting& setting, RenderSettings& settings, const std::string& word);
 
 /// Returns the setting's value as set_from_text takes it.

@@ -15,31 +15,6 @@ constexpr double faint = 1e-3;              // share of the sum below which a li
 constexpr std::size_t max_tested = 20'000;  // shadow rays: some tens of milliseconds
 constexpr double clear_m = 1e-3;            // off the surface, where rays start
 
-// Returns the profile's luminous intensity per lumen towards unit `to`, as shaders/lights.glsl
-// does.
-double intensity_per_lumen(const RenderScene& scene, const Light& light, const glm::dvec3& to) {
-  const std::uint32_t index = light_profile(light);
-  if (index == LIGHT_NO_PROFILE || index >= scene.profiles.size()) return 1 / (4 * pi);
-  const LightProfile& profile = scene.profiles[index];
-  const glm::dvec3 axis(light.axis), tangent(light.tangent);
-  const glm::dvec3 local(glm::dot(to, tangent), glm::dot(to, glm::cross(axis, tangent)),
-                         glm::dot(to, axis));
-  const double angle = std::atan2(std::hypot(local.x, local.y), local.z) * 180 / pi;
-  if (angle > double(profile.extent_deg)) return 0;
-  const double gamma = angle * (profile.gamma_count - 1) / double(profile.extent_deg);
-  const auto g0 = std::min(static_cast<std::uint32_t>(gamma), profile.gamma_count - 2);
-  double turn = std::atan2(local.y, local.x) / (2 * pi);
-  turn = (turn - std::floor(turn)) * profile.c_count;
-  const auto c0 = std::min(static_cast<std::uint32_t>(turn), profile.c_count - 1);
-  const std::uint32_t c1 = c0 + 1 == profile.c_count ? 0 : c0 + 1;
-  const double fg = gamma - g0, fc = turn - c0;
-  const auto row = [&](std::uint32_t c) {
-    const std::size_t at = std::size_t{profile.data_offset} + c * profile.gamma_count + g0;
-    return (1 - fg) * double(scene.profile_data[at]) + fg * double(scene.profile_data[at + 1]);
-  };
-  return (1 - fc) * row(c0) + fc * row(c1);
-}
-
 double rectangle_lux(const Light& light, const glm::dvec3& point, const glm::dvec3& normal) {
   const glm::dvec3 axis(light.axis), right(light.tangent), up = glm::cross(axis, right);
   const double width = double(half_width(light)), height = double(light.half_height);
@@ -85,6 +60,29 @@ bool is_shadowed(const RenderScene& scene, const Light& light, const glm::dvec3&
 }
 
 }  // namespace
+
+double intensity_per_lumen(const RenderScene& scene, const Light& light, const glm::dvec3& to) {
+  const std::uint32_t index = light_profile(light);
+  if (index == LIGHT_NO_PROFILE || index >= scene.profiles.size()) return 1 / (4 * pi);
+  const LightProfile& profile = scene.profiles[index];
+  const glm::dvec3 axis(light.axis), tangent(light.tangent);
+  const glm::dvec3 local(glm::dot(to, tangent), glm::dot(to, glm::cross(axis, tangent)),
+                         glm::dot(to, axis));
+  const double angle = std::atan2(std::hypot(local.x, local.y), local.z) * 180 / pi;
+  if (angle > double(profile.extent_deg)) return 0;
+  const double gamma = angle * (profile.gamma_count - 1) / double(profile.extent_deg);
+  const auto g0 = std::min(static_cast<std::uint32_t>(gamma), profile.gamma_count - 2);
+  double turn = std::atan2(local.y, local.x) / (2 * pi);
+  turn = (turn - std::floor(turn)) * profile.c_count;
+  const auto c0 = std::min(static_cast<std::uint32_t>(turn), profile.c_count - 1);
+  const std::uint32_t c1 = c0 + 1 == profile.c_count ? 0 : c0 + 1;
+  const double fg = gamma - g0, fc = turn - c0;
+  const auto row = [&](std::uint32_t c) {
+    const std::size_t at = std::size_t{profile.data_offset} + c * profile.gamma_count + g0;
+    return (1 - fg) * double(scene.profile_data[at]) + fg * double(scene.profile_data[at + 1]);
+  };
+  return (1 - fc) * row(c0) + fc * row(c1);
+}
 
 double illuminance_of(const RenderScene& scene, const Light& light, const glm::dvec3& point,
                       const glm::dvec3& normal) {

@@ -23,6 +23,10 @@ struct PointLight {
   std::size_t untested = 0;           // faint ones that were left out, together below a thousandth
 };
 
+/// Returns the luminous intensity per lumen that a sphere's profile has towards unit `to`, cd/lm, as
+/// shaders/lights.glsl does.
+double intensity_per_lumen(const RenderScene& scene, const Light& light, const glm::dvec3& to);
+
 /// Returns the illuminance in lux that a light gives, without shadows, to a surface at `point`
 /// whose unit normal is `normal`: I cos / d^2 with the profile's intensity; a rectangle is summed
 /// over patches where it is near.

@@ -29,6 +29,7 @@ bool have_same_lights(const render::RenderSettings& a, const render::RenderSetti
 }
 
 render::RenderSettings change_settings(render::RenderSettings settings, const std::string& text) {
+  const render::SkyGlow glow = settings.environment.glow;
   std::vector<std::pair<std::string, std::string>> values;
   for (const std::string& word : render::split_list("--compare", text)) {
     const std::size_t equals = word.find('=');
@@ -54,6 +55,10 @@ render::RenderSettings change_settings(render::RenderSettings settings, const st
                                         "' is no setting: time, lights, or the name of an "
                                         "option such as estimator, without its dashes");
   }
+  if (settings.environment.glow != glow)
+    throw UsageError("--compare",
+                     "both sides have the sky that the scene was loaded with: one of auto, "
+                     "overcast and a number");
   return settings;
 }
 

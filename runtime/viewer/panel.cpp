@@ -129,7 +129,9 @@ void draw_sky(render::EnvironmentSettings& environment) {
   float sky = environment.sky_cd_m2.x,
         moon = tonemap::luminance_709(environment.moon_lux.r, environment.moon_lux.g,
                                       environment.moon_lux.b);
-  if (ImGui::SliderFloat("sky", &sky, 0, 1, "%.4f cd/m2", bounded | ImGuiSliderFlags_Logarithmic))
+  const bool glows = environment.glow != render::SkyGlow::none;
+  if (ImGui::SliderFloat("sky", &sky, 0, glows ? 10 : 1, glows ? "%.3f of its glow" : "%.4f cd/m2",
+                         bounded | ImGuiSliderFlags_Logarithmic))
     environment.sky_cd_m2 = glm::vec3(sky);
   if (!ImGui::SliderFloat("moon", &moon, 0, 0.3f, "%.3f lx", bounded)) return;
   const glm::vec3 direction = environment.moon_direction;

@@ -203,7 +203,7 @@ TEST_F(ViewerWindow, TwoPicturesAreComparedLeftAndRightOfALine) {
   // A begins when B has its 16 frames if the lights of the two differ.
   ASSERT_EQ(
       run("W=\"$(dirname ${V%% *})/nightview moving.glb --validation --size 1200x500 --every 4 "
-          "--camera camera.json --ev 0 --tone linear --time 20:00 --quit-after 28\"\n"
+          "--camera camera.json --ev 0 --tone linear --time 20:00 --sky 0 --quit-after 28\"\n"
           "$W --compare lights=none,estimator=ris --screenshot split.png && "
           "$W --compare estimator=ris --screenshot estimators.png\n"),
       0)
