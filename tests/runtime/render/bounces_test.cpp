@@ -49,6 +49,32 @@ TEST_P(Bounces, InAFurnaceEachAddsOneTermOfAGeometricSeries) {
   }
 }
 
+// A furnace does not ask where it stands: 140 km away, bounces neither leak nor shadow themselves.
+TEST_P(Bounces, FarFromTheOriginAreTheSame) {
+  constexpr float rho = 0.5f, glow = 2;
+  const glm::vec3 far(1e5f, 0, -1e5f);
+  const scene::RenderScene room = SceneBuilder(rho)
+                                      .box(far + glm::vec3(-3, 0, -4), far + glm::vec3(5, 6, 3))
+                                      .glow(glow)
+                                      .with({});
+  const scene::CameraPose inside{
+      far + glm::vec3(0.5f, 2, 0.3f), far + glm::vec3(4, 3, 2), {0, 1, 0}, 70};
+  const measure::Image image = render(room, inside, with_bounces(GetParam(), 3), 16, 16, 64);
+  const double expected = double(glow) * (1 - std::pow(double(rho), 4)) / (1 - rho);
+  EXPECT_NEAR(mean_luminance(image), expected, 0.02 * expected);
+}
+
+// Light whose products leave the range of floating point is lost, and nothing else is.
+TEST_P(Bounces, OfFluxesBeyondAllMeasureStayFinite) {
+  const scene::RenderScene room =
+      SceneBuilder(0.9f)
+          .box({-3, 0, -4}, {5, 6, 3})
+          .with({lamp({0, 3, 0}, 3e38f), lamp({1, 3, 1}, 1e-38f), lamp({2, 5.9999f, 1}, 1000)});
+  const measure::Image image = render(room, {{0.5f, 2, 0.3f}, {4, 3, 2}, {0, 1, 0}, 70},
+                                      with_bounces(GetParam(), 4), 16, 16, 8);
+  for (const float value : image.rgb) EXPECT_TRUE(std::isfinite(value));
+}
+
 // Rings of quads; seen from inside they are close to a sphere about the origin. The first `open`
 // rings at the top are left out.
 SceneBuilder sphere(float radius, float rho, int rings, int open = 0) {
