@@ -21,7 +21,7 @@ using std::numbers::pi;
 
 constexpr unsigned max_bounces = 4;
 constexpr std::uint32_t paths_of_a_job = 256;
-constexpr std::uint32_t squares = 8;  // along each side of the scene
+constexpr std::uint32_t squares = 6;  // along each side of the scene
 
 struct Escape {
   glm::dvec3 from, direction;
@@ -165,7 +165,7 @@ void extend_city(CityGlow& glow, const Box& bounds, double radius_m) {
   if (!(radius_m > inner) || glow.sources.empty()) return;
   const glm::dvec2 middle(double(bounds.lower.x) + width / 2, double(bounds.lower.z) + depth / 2);
   const double density = glow.flux_lm() / std::max(area, 1.0);
-  constexpr int rings = 8, turns = 12;
+  constexpr int rings = 6, turns = 8;
   double from = inner;
   for (int ring = 1; ring <= rings; ++ring) {
     const double to = inner * std::pow(radius_m / inner, double(ring) / rings);

@@ -1,6 +1,7 @@
 #include "runtime/scene/skyglow.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -52,14 +53,38 @@ double rayleigh_phase(double cosine) {
   return 3 / (16 * pi) * (1 + cosine * cosine);
 }
 
-// Returns the intensity of a source towards an angle above the horizon, cd: even in all azimuths and
-// within a band.
+// The upper ends of the bands of elevation, as sines.
+const std::array<double, CityGlow::bands> band_ends = [] {
+  std::array<double, CityGlow::bands> ends{};
+  for (std::size_t band = 0; band < CityGlow::bands; ++band)
+    ends[band] = std::sin(double(band + 1) * 5 * pi / 180);
+  return ends;
+}();
+
+// Returns the intensity of a source towards an elevation, cd: even in all azimuths and within a
+// band.
 double intensity_at(const CityGlow& glow, const CityGlow::Source& source, double sine) {
-  const double degrees = std::asin(std::min(1.0, sine)) * 180 / pi;
-  const auto band = std::min<std::size_t>(std::size_t(degrees / 5), CityGlow::bands - 1);
-  const auto sine_of = [](double band) { return std::sin(band * 5 * pi / 180); };
-  return source.flux_lm * glow.band_share[band] /
-         (2 * pi * (sine_of(double(band) + 1) - sine_of(double(band))));
+  const auto end = std::lower_bound(band_ends.begin(), band_ends.end() - 1, sine);
+  const auto band = static_cast<std::size_t>(end - band_ends.begin());
+  const double below = band == 0 ? 0 : band_ends[band - 1];
+  return source.flux_lm * glow.band_share[band] / (2 * pi * (*end - below));
+}
+
+// The aerosols' phase function by the cosine of the angle, which is dense near forward scattering.
+double aerosol_phase_of_cosine(double cosine) {
+  constexpr std::size_t entries = 1024;
+  static const std::vector<double> table = [] {
+    std::vector<double> values(entries + 1);
+    for (std::size_t i = 0; i <= entries; ++i) {
+      const double root =
+          double(i) / entries;  // sqrt((1 - cosine) / 2): the sine of half the angle
+      values[i] = aerosol_phase(2 * std::asin(root) * 180 / pi);
+    }
+    return values;
+  }();
+  const double at = std::sqrt(std::clamp((1 - cosine) / 2, 0.0, 1.0)) * entries;
+  const auto low = std::min(static_cast<std::size_t>(at), entries - 1);
+  return table[low] + (at - double(low)) * (table[low + 1] - table[low]);
 }
 
 // Calls visit(direction from the source, illuminance of a facing surface) for the light of each
@@ -88,7 +113,7 @@ glm::dvec3 scattered_at(const CityGlow& glow, const Atmosphere& air, const glm::
   visit_light_at(glow, air, place, [&](const glm::dvec3& way, const glm::dvec3& lux) {
     const double cosine = std::clamp(glm::dot(way, to_eye), -1.0, 1.0);
     sum += lux * (molecules_by_channel * (few * rayleigh_phase(cosine)) +
-                  aerosols_by_channel * (many * aerosol_phase(std::acos(cosine) * 180 / pi)));
+                  aerosols_by_channel * (many * aerosol_phase_of_cosine(cosine)));
   });
   return sum;
 }
@@ -132,7 +157,7 @@ double aerosol_phase(double angle_deg) {
 
 glm::dvec3 sky_luminance(const CityGlow& glow, const Atmosphere& air, const glm::dvec2& place,
                          const glm::dvec3& direction) {
-  constexpr int steps = 48;
+  constexpr int steps = 32;
   const double top = air.overcast ? air.cloud_base_m : top_m;
   const double end = std::min(top / std::max(direction.y, 1e-6), farthest_m);
   const glm::dvec3 eye(place.x, 0, place.y);
