@@ -1,5 +1,6 @@
 #include "formats/scene_primitive_reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <glm/common.hpp>
@@ -96,6 +97,12 @@ std::optional<ScenePrimitive> PrimitiveReader::read(const Json& source,
   primitive.light_ids = to_light_ids(ids.lights);
   colours = to_colours(ids.colours, ids.colour_components);
   return primitive;
+}
+
+std::size_t PrimitiveReader::count_triangles(const Json& source, std::size_t corners) {
+  const std::size_t mode = gltf::index(source, "mode").value_or(mode_triangles);
+  if (mode < mode_triangles) return 0;
+  return mode == mode_triangles ? corners / 3 : corners - std::min<std::size_t>(corners, 2);
 }
 
 PrimitiveReader::VertexIds PrimitiveReader::read_geometry(const Json& source,

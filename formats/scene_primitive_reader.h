@@ -33,6 +33,9 @@ class PrimitiveReader {
                                      const std::vector<FeatureRange>& tables,
                                      std::vector<glm::vec3>& colours) const;
 
+  /// Returns how many triangles a primitive of so many corners has; 0 for points and lines.
+  static std::size_t count_triangles(const gltf::Json& source, std::size_t corners);
+
  private:
   struct VertexIds {
     std::vector<float> features, lights, colours;

@@ -145,7 +145,7 @@ std::size_t Reader::count_triangles(std::size_t index) const {
     if (!accessor || *accessor >= document_.count("accessors")) continue;
     const std::size_t corners =
         gltf::index(document_.element("accessors", *accessor), "count").value_or(0);
-    count += std::min(corners / 3, document_.bytes());
+    count += std::min(PrimitiveReader::count_triangles(primitive, corners), document_.bytes());
   }
   return std::min(count, document_.bytes());
 }
@@ -173,7 +173,7 @@ auto with_name(const std::filesystem::path& path, Read read) {
 
 // Pages of a mapped file count as the program's memory once they are read, so they are given back
 // whenever this many bytes were. The system keeps them as long as it has room.
-constexpr std::size_t max_resident = std::size_t{32} << 20;
+constexpr std::size_t max_resident = std::size_t{8} << 20;
 
 std::size_t count_bytes(const SceneMesh& mesh) {
   std::size_t bytes = 0;

@@ -57,7 +57,8 @@ class ParallelBuild {
     BvhRoot result;
     const std::uint32_t count = count_;
     if (count == 0) return result;
-    const Range all = builder_.measure(0, count, first);
+    const Range all = measure(first);
+    result.box = all.box.to_box();
     if (count <= max_task) {
       result.node = builder_.build(all, stack, nodes_, result.stack_need);
       return result;
@@ -90,6 +91,26 @@ class ParallelBuild {
     typename Builder::Children children{};
     std::array<std::uint32_t, 4> need{}, top{};  // of each child; top node 0: it is none
   };
+
+  Range measure(std::uint32_t first) const {
+    const std::uint32_t pieces = (count_ + max_task - 1) / max_task;
+    std::vector<Range> measured(pieces);
+    run_parallel(pieces, threads_, [&](std::size_t i) {
+      const std::uint32_t begin = static_cast<std::uint32_t>(i) * max_task;
+      measured[i] = builder_.measure(begin, std::min(count_, begin + max_task), 0);
+    });
+    Range all;
+    all.end = count_;
+    all.first = first;
+    for (const Range& r : measured) {
+      all.box.grow(r.box);
+      all.centres.grow(r.centres);
+      all.weight += r.weight;
+      all.mask |= r.mask;
+      all.casting += r.casting;
+    }
+    return all;
+  }
 
   void split_top(const Range& all, std::uint32_t stack) {
     base_ = static_cast<std::uint32_t>(nodes_.size());
@@ -164,13 +185,17 @@ class ParallelBuild {
 };
 
 void check_sizes(std::size_t count, std::uint32_t max_leaf, std::uint32_t max_stack) {
-  if (count > BVH_LEAF_FIRST_MASK) throw Error("", "more than 134 million triangles in one scene");
+  check_triangle_count(count);
   if (needed_stack(count, max_leaf) > max_stack)
     throw Error(
         "", "the scene has too many triangles in a mesh, or instances, for the traversal stack");
 }
 
 }  // namespace
+
+void check_triangle_count(std::size_t count) {
+  if (count > BVH_LEAF_FIRST_MASK) throw Error("", "more than 134 million triangles in one scene");
+}
 
 std::uint32_t needed_stack(std::size_t boxes, std::uint32_t max_leaf) {
   std::uint32_t need = 0;

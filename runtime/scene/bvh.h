@@ -33,6 +33,7 @@ Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t 
 struct BvhRoot {
   std::uint32_t node = BVH_EMPTY;  // a node, a leaf, or BVH_EMPTY
   std::uint32_t stack_need = 0;    // entries that a ray may have to defer
+  Box box{};                       // of all primitives
 };
 
 /// Builds a BVH over `triangles` as build_bvh does, and appends its nodes to `nodes`. `order`, which
@@ -42,6 +43,9 @@ struct BvhRoot {
 BvhRoot append_bvh(LargeVector<gpu::BvhNode>& nodes, std::span<const gpu::Triangle> triangles,
                    std::size_t first, std::uint32_t max_leaf, std::uint32_t max_stack,
                    unsigned threads, std::span<std::uint32_t> order);
+
+/// Throws Error if a scene can not have as many triangles.
+void check_triangle_count(std::size_t count);
 
 /// Returns the deferred entries that a BVH of object medians over `boxes` boxes needs: the smallest
 /// `max_stack` that build_bvh accepts.

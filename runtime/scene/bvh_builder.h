@@ -13,6 +13,7 @@
 #include "runtime/scene/bvh.h"
 #include "runtime/scene/bvh_node.h"
 #include "runtime/scene/large_vector.h"
+#include "runtime/scene/small_split.h"
 
 namespace nightcity::scene {
 
@@ -31,8 +32,9 @@ class BvhBuilder {
     std::uint32_t first = 0, weight = 0;  // the entries of the leaves
     Bounds box, centres{};                // of the primitives, and of their centres
     std::uint32_t mask = 0;               // of all primitives
-    bool mixed = false;                   // some of them cast shadows and some do not
+    std::uint32_t casting = 0;            // primitives that cast shadows
     std::uint32_t size() const { return end - begin; }
+    bool mixed() const { return casting > 0 && casting < size(); }
   };
   struct Children {
     std::array<Range, 4> range;
@@ -49,16 +51,14 @@ class BvhBuilder {
     r.begin = begin;
     r.end = end;
     r.first = first;
-    std::uint32_t casting = 0;
     for (std::uint32_t i = begin; i < end; ++i) {
       const Bounds box = Access::bounds_of(primitives_[i]);
       r.box.grow(box);
       r.centres.grow(box.centre());
       r.weight += Access::weight_of(primitives_[i]);
       r.mask |= Access::mask_of(primitives_[i]);
-      casting += casts_shadow(primitives_[i]);
+      r.casting += casts_shadow(primitives_[i]);
     }
-    r.mixed = casting > 0 && casting < r.size();
     return r;
   }
 
@@ -128,7 +128,7 @@ class BvhBuilder {
 
  private:
   static constexpr std::size_t max_bins = 16;
-  // With few primitives, most of 16 bins would be empty.
+  // With few primitives, most of 16 bins would be empty, and with very few sorting them is faster.
   static constexpr std::uint32_t few = 24;
   static constexpr std::size_t few_bins = 8;
 
@@ -160,45 +160,48 @@ class BvhBuilder {
   struct Split {
     int axis = -1;
     std::size_t bin = 0;  // of the right half's first
-    Bounds left, right;
   };
 
   static bool casts_shadow(const Primitive& p) { return (Access::mask_of(p) & MASK_SHADOW) != 0; }
 
   std::pair<Range, Range> split(const Range& r, bool median) {
-    if (r.mixed && !median) {  // then no shadow ray tests boxes of what casts none
+    if (r.mixed() && !median) {  // then no shadow ray tests boxes of what casts none
       const auto begin = primitives_.begin() + r.begin, end = primitives_.begin() + r.end;
       const auto at =
           r.begin + static_cast<std::uint32_t>(std::partition(begin, end, casts_shadow) - begin);
       return measure_halves(r, at);
     }
+    if (!median && r.size() <= max_small_split) return split_few(r);
     const Binning binning(r);
     const std::uint32_t stride = std::max(1u, r.size() / min_sample);
     const Split best = median           ? Split{}
                        : r.size() < few ? find_split<few_bins>(r, binning, 1)
                                         : find_split<max_bins>(r, binning, stride);
     if (best.axis >= 0) {
-      Range left, right;
-      left.mask = right.mask = r.mask;
-      if (stride == 1) {
-        left.box = best.left;
-        right.box = best.right;
-      }
-      const auto bin = static_cast<int>(best.bin);
-      const auto is_left = [&](const Bounds& box) {
-        return binning.place(box.centre())[best.axis] < bin;
-      };
-      const std::uint32_t at = stride > 1 ? partition<true>(r, is_left, left, right)
-                                          : partition<false>(r, is_left, left, right);
-      if constexpr (Access::has_masks) return measure_halves(r, at);
-      left.begin = r.begin;
-      left.end = right.begin = at;
-      right.end = r.end;
-      left.first = r.first;
-      right.first = r.first + left.weight;
-      return {left, right};
+      // As Binning::place, on one axis: truncation to below a whole number is being below it.
+      const float lower = binning.lower[best.axis], scale = binning.scale[best.axis],
+                  bin = static_cast<float>(best.bin);
+      const std::uint32_t at = partition(r, [&](const Primitive& p) {
+        return (Access::bounds_of(p).centre()[best.axis] - lower) * scale < bin;
+      });
+      return measure_halves(r, at);
     }
-    const std::uint32_t middle = split_at_median(r);
+    return measure_halves(r, split_at_median(r));
+  }
+
+  // Splits where the sum of area times weight is smallest over all positions in the orders of their
+  // centres along the three axes.
+  std::pair<Range, Range> split_few(const Range& r) {
+    SmallSplit small;
+    for (std::uint32_t i = 0; i < r.size(); ++i) {
+      const Primitive& p = primitives_[r.begin + i];
+      small.add(Access::bounds_of(p), Access::weight_of(p));
+    }
+    const std::uint32_t middle = r.begin + small.find();
+    std::array<Primitive, max_small_split> before;
+    std::copy_n(primitives_.begin() + r.begin, r.size(), before.begin());
+    for (std::uint32_t i = 0; i < r.size(); ++i)
+      primitives_[r.begin + i] = before[small.order()[i]];
     return measure_halves(r, middle);
   }
 
@@ -207,29 +210,19 @@ class BvhBuilder {
     return {left, measure(middle, r.end, r.first + left.weight)};
   }
 
-  // Moves the primitives for which `is_left(box)` holds before the others, and returns the position
-  // of the first of those. Grows the boxes of both sides' centres, and with `measures_boxes` those of
-  // the primitives too.
-  template <bool measures_boxes, class IsLeft>
-  std::uint32_t partition(const Range& r, IsLeft is_left, Range& left, Range& right) {
-    const auto test = [&](const Primitive& p) {
-      const Bounds box = Access::bounds_of(p);
-      const bool result = is_left(box);
-      Range& side = result ? left : right;
-      side.centres.grow(box.centre());
-      side.weight += Access::weight_of(p);
-      if constexpr (measures_boxes) side.box.grow(box);
-      return result;
-    };
-    std::uint32_t i = r.begin, j = r.end;
-    while (true) {
-      while (i < j && test(primitives_[i])) ++i;
-      if (i == j) return i;
-      do {
-        if (--j == i) return i;
-      } while (!test(primitives_[j]));
-      std::swap(primitives_[i++], primitives_[j]);
+  // Moves the primitives for which `is_left` holds before the others, and returns the position of
+  // the first of those. Each is moved, without a branch: half of the branches would be mispredicted.
+  template <class IsLeft>
+  std::uint32_t partition(const Range& r, IsLeft is_left) {
+    Primitive* const all = primitives_.data();
+    std::uint32_t middle = r.begin;
+    for (std::uint32_t i = r.begin; i < r.end; ++i) {
+      const Primitive p = all[i];
+      all[i] = all[middle];
+      all[middle] = p;
+      middle += is_left(p) ? 1 : 0;
     }
+    return middle;
   }
 
   // Finds the split with the smallest sum of area times weight over both halves, where every
@@ -259,7 +252,6 @@ class BvhBuilder {
   template <std::size_t count>
   static void try_axis(std::span<const Bin, count> bins, int axis, float& best_cost, Split& best) {
     std::array<float, count> right_cost{};
-    std::array<Bounds, count> right_box;
     Bounds right;
     std::uint32_t rights = 0;
     for (std::size_t bin = count - 1; bin > 0; --bin) {
@@ -268,7 +260,6 @@ class BvhBuilder {
         rights += bins[bin].weight;
       }
       if (rights > 0) right_cost[bin] = right.half_area() * static_cast<float>(rights);
-      right_box[bin] = right;
     }
     const std::uint32_t all = rights + bins[0].weight;
     Bounds left;
@@ -281,7 +272,7 @@ class BvhBuilder {
       const float cost = left.half_area() * static_cast<float>(lefts) + right_cost[bin];
       if (!(cost < best_cost)) continue;
       best_cost = cost;
-      best = {axis, bin, left, right_box[bin]};
+      best = {axis, bin};
     }
   }
 

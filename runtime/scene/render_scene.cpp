@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <glm/common.hpp>
 
 #include "formats/error.h"
@@ -140,16 +141,24 @@ std::string describe_licences(const RenderScene& scene) {
 
 namespace {
 
-// Returns the lights of the file beside the scene, if there is one.
-SceneLights load_lights(const std::filesystem::path& glb, const Georeference& georeference) {
+struct LoadedLights {
   SceneLights lights;
+  std::filesystem::path file;  // empty where there is none
+  Georeference georeference{};
+};
+
+// Returns the lights of the file beside the scene, if there is one.
+LoadedLights load_lights(const std::filesystem::path& glb) {
+  LoadedLights loaded;
+  SceneLights& lights = loaded.lights;
   std::filesystem::path beside = glb;
   beside.replace_extension(".lights");
   if (!std::filesystem::exists(beside)) beside.replace_extension(".LIGHTS");
-  if (!std::filesystem::exists(beside)) return lights;
+  if (!std::filesystem::exists(beside)) return loaded;
   const LightFile file = LightFile::open(beside);
   file.verify();
-  require_same_scene(glb, georeference, beside, file.georeference());
+  loaded.file = beside;
+  loaded.georeference = file.georeference();
   lights.lights.assign(file.lights().begin(), file.lights().end());
   lights.provenance.assign(file.provenance().begin(), file.provenance().end());
   lights.families.reserve(file.provenance().size());
@@ -166,15 +175,18 @@ SceneLights load_lights(const std::filesystem::path& glb, const Georeference& ge
                                        traffic.vehicle_lights.end());
   lights.traffic.trips.assign(traffic.trips.begin(), traffic.trips.end());
   lights.traffic.knots.assign(traffic.knots.begin(), traffic.knots.end());
-  return lights;
+  return loaded;
 }
 
 }  // namespace
 
 RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& left_out) {
   RenderScene out;
+  std::future<LoadedLights> loading = std::async(std::launch::async, load_lights, glb);
   SceneFile file(glb);
-  SceneLights lights = load_lights(glb, file.scene().georeference);
+  auto [lights, light_file, georeference] = loading.get();
+  if (!light_file.empty())
+    require_same_scene(glb, file.scene().georeference, light_file, georeference);
   out.parts = count_parts(lights, file.scene());
   out.left_out = left_out;
   const std::vector<std::uint32_t> numbers = leave_out_lights(lights, left_out);

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <utility>
 
-#include "formats/parallel.h"
+#include "runtime/scene/mesh_triangles.h"
 #include "runtime/scene/parts.h"
 
 namespace nightcity::scene {
@@ -24,66 +22,17 @@ constexpr std::uint32_t tlas_stack = 33;
 constexpr std::uint32_t mesh_stack = BVH_STACK - tlas_stack - 1;
 constexpr std::uint32_t body_stack = BVH_STACK - 3 * VEHICLE_LEVELS - 2;
 
-std::size_t count_triangles(const SceneMesh& mesh) {
-  std::size_t count = 0;
-  for (const ScenePrimitive& primitive : mesh.primitives) count += primitive.indices.size() / 3;
-  return count;
-}
-
-// Returns what became of the light that geometry refers to.
-std::uint32_t find_light(std::uint32_t light, std::span<const std::uint32_t> numbers) {
-  return light < numbers.size() ? numbers[light] : light;
-}
-
-// Appends the triangles of a mesh that have an area and whose light is not left out, and returns
-// the number of those without area.
-std::size_t append_mesh(const SceneMesh& mesh, const glm::mat4& to_model,
-                        std::span<const std::uint32_t> light_numbers,
-                        LargeVector<gpu::Triangle>& out) {
-  const glm::dmat4 m(to_model);
-  std::size_t dropped = 0;
-  std::vector<glm::vec3> positions;
-  for (const ScenePrimitive& primitive : mesh.primitives) {
-    positions.clear();
-    for (const glm::vec3& p : primitive.positions) positions.emplace_back(m * glm::dvec4(p, 1.0));
-    for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
-      const std::uint32_t a = primitive.indices[i], b = primitive.indices[i + 1],
-                          c = primitive.indices[i + 2];
-      gpu::Triangle t{};
-      t.v0 = positions[a];
-      t.v1 = positions[b];
-      t.v2 = positions[c];
-      const glm::vec3 normal = glm::cross(t.v1 - t.v0, t.v2 - t.v0);
-      if (!(glm::dot(normal, normal) > 0)) {
-        ++dropped;
-        continue;
-      }
-      t.material = primitive.triangle_materials.empty() ? primitive.material
-                                                        : primitive.triangle_materials[i / 3];
-      t.feature = primitive.feature_ids.empty() ? NO_HIT : primitive.feature_ids[a];
-      t.light =
-          primitive.light_ids.empty() ? NO_HIT : find_light(primitive.light_ids[a], light_numbers);
-      if (t.light != left_out_light) out.push_back(t);
-    }
-  }
-  return dropped;
-}
-
 // Builds the BLAS over the triangles from `first` on, and returns its root and box.
 std::pair<std::uint32_t, Box> add_blas(RenderScene& scene, std::size_t first, unsigned threads,
                                        std::uint32_t stack = mesh_stack) {
   const std::span triangles = std::span<const gpu::Triangle>(scene.triangles).subspan(first);
-  Box all;
-  for (const gpu::Triangle& t : triangles)
-    for (const glm::vec3& corner : {t.v0, t.v1, t.v2}) all.grow(corner);
   scene.triangle_order.resize(scene.triangles.size());
-  const std::uint32_t root = append_bvh(scene.nodes, triangles, first, triangle_leaf, stack,
-                                        threads, std::span(scene.triangle_order).subspan(first))
-                                 .node;
+  const BvhRoot root = append_bvh(scene.nodes, triangles, first, triangle_leaf, stack, threads,
+                                  std::span(scene.triangle_order).subspan(first));
   if (!triangles.empty())
-    scene.meshes.push_back(
-        {root, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(triangles.size())});
-  return {root, all};
+    scene.meshes.push_back({root.node, static_cast<std::uint32_t>(first),
+                            static_cast<std::uint32_t>(triangles.size())});
+  return {root.node, root.box};
 }
 
 gpu::Instance make_instance(const glm::dmat4& to_object, std::uint32_t root, bool casts_shadow,
@@ -149,50 +98,7 @@ void append_box(const glm::vec3& lower, const glm::vec3& upper, LargeVector<gpu:
     }
 }
 
-// The placed meshes that become one BLAS.
-struct Merged {
-  std::uint32_t mesh;
-  glm::mat4 to_model;
-};
-
-// Appends the meshes in their order. Each is read and converted by one of the threads, and nothing
-// of it is kept beside its triangles.
-void append_merged(RenderScene& out, const std::vector<Merged>& merged, const MeshSource& meshes,
-                   std::span<const std::uint32_t> light_numbers, unsigned threads) {
-  struct Converted {
-    LargeVector<gpu::Triangle> triangles;
-    bool done = false;
-  };
-  std::vector<Converted> converted(merged.size());
-  std::mutex appending;
-  std::size_t next = 0;
-  run_parallel(merged.size(), meshes.in_parallel ? threads : 1, [&](std::size_t i) {
-    LargeVector<gpu::Triangle> triangles;
-    triangles.reserve(meshes.triangles.at(merged[i].mesh));
-    const std::size_t dropped =
-        append_mesh(*meshes.read(merged[i].mesh), merged[i].to_model, light_numbers, triangles);
-    const std::lock_guard lock(appending);
-    out.dropped_triangles += dropped;
-    converted[i] = {std::move(triangles), true};
-    for (; next < merged.size() && converted[next].done; ++next) {
-      const auto& ready = converted[next].triangles;
-      out.triangles.insert(out.triangles.end(), ready.begin(), ready.end());
-      converted[next].triangles = {};
-    }
-  });
-}
-
 }  // namespace
-
-MeshSource meshes_of(const Scene& scene) {
-  MeshSource source;
-  source.read = [&scene](std::uint32_t mesh) {
-    return std::shared_ptr<const SceneMesh>(std::shared_ptr<void>(), &scene.meshes.at(mesh));
-  };
-  source.in_parallel = true;
-  for (const SceneMesh& mesh : scene.meshes) source.triangles.push_back(count_triangles(mesh));
-  return source;
-}
 
 void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes,
                   const GeometryFilter& filter, unsigned threads) {
@@ -240,12 +146,13 @@ void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes
   // Everything that is placed once and does not move becomes one BLAS (one for what casts shadows,
   // one for what does not): a ray then crosses the city without leaving and entering instances.
   for (const bool shadow : {true, false}) {
-    std::vector<Merged> merged;
+    std::vector<PlacedMesh> merged;
     for (const SceneNode& node : scene.nodes)
       if (!is_skipped(node) && is_merged(node) && casts_shadow(node) == shadow)
         merged.push_back({node.mesh, node.instances[0].to_model});
     const std::size_t first = out.triangles.size();
-    append_merged(out, merged, meshes, filter.light_numbers, threads);
+    out.dropped_triangles +=
+        append_meshes(merged, meshes, filter.light_numbers, threads, out.triangles);
     const auto [root, box] = add_blas(out, first, threads);
     place(root, box, glm::dmat4(1.0), shadow, NO_HIT);
   }

@@ -1,24 +1,13 @@
-// From the meshes of a scene file to triangles, instances and the hierarchies that rays traverse.
+// From the meshes of a scene file to instances and the hierarchies that rays traverse.
 #pragma once
 
 #include <cstddef>
-#include <functional>
-#include <memory>
 #include <span>
 
+#include "runtime/scene/mesh_triangles.h"
 #include "runtime/scene/render_scene.h"
 
 namespace nightcity::scene {
-
-/// The meshes of a scene, one at a time, so that not all of them need be in memory.
-struct MeshSource {
-  std::function<std::shared_ptr<const SceneMesh>(std::uint32_t mesh)> read;
-  bool in_parallel = false;            // `read` may be called by several threads at the same time
-  std::vector<std::size_t> triangles;  // of each mesh, as far as is known before it is read
-};
-
-/// Returns the meshes that `scene` holds, which must outlive the result.
-MeshSource meshes_of(const Scene& scene);
 
 /// A choice of the geometry that is left out (parts.h).
 struct GeometryFilter {

@@ -25,26 +25,44 @@ bool share_edge(const gpu::Triangle& a, const gpu::Triangle& b) {
   return shared >= 2;
 }
 
-// Writes the pieces of the triangles from `begin` to `end` to `to`, and returns how many they are.
-std::size_t add_pieces(std::span<const gpu::Triangle> triangles, std::size_t begin, std::size_t end,
-                       bool pairs, TrianglePiece* to) {
-  TrianglePiece* const start = to;
-  for (std::size_t i = begin; i < end; ++i) {
+// Returns whether two triangles are one piece.
+bool make_pair(const gpu::Triangle& a, const gpu::Triangle& b) {
+  if (!share_edge(a, b)) return false;
+  const Bounds box = bounds_of(a), next = bounds_of(b);
+  Bounds both = box;
+  both.grow(next);
+  return both.half_area() <= box.half_area() + next.half_area();
+}
+
+struct Chunk {
+  std::size_t begin, end;  // triangles
+};
+
+// Notes for each triangle of a chunk whether it is the first of a pair, and returns the number of
+// pieces.
+std::size_t find_pairs(std::span<const gpu::Triangle> triangles, const Chunk& chunk,
+                       std::span<std::uint8_t> begins_pair) {
+  std::size_t pieces = 0;
+  for (std::size_t i = chunk.begin; i < chunk.end; ++i, ++pieces) {
+    const bool pair = i + 1 < chunk.end && make_pair(triangles[i], triangles[i + 1]);
+    begins_pair[i] = pair;
+    i += pair ? 1 : 0;
+  }
+  return pieces;
+}
+
+void write_pieces(std::span<const gpu::Triangle> triangles, const Chunk& chunk,
+                  std::span<const std::uint8_t> begins_pair, TrianglePiece* to) {
+  for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     const auto first = static_cast<std::uint32_t>(i);
     Bounds box = bounds_of(triangles[i]);
-    if (pairs && i + 1 < end && share_edge(triangles[i], triangles[i + 1])) {
-      const Bounds next = bounds_of(triangles[i + 1]);
-      Bounds both = box;
-      both.grow(next);
-      if (both.half_area() <= box.half_area() + next.half_area()) {
-        *to++ = TrianglePiece(both, first, 2);
-        ++i;
-        continue;
-      }
+    if (!begins_pair.empty() && begins_pair[i] != 0) {
+      box.grow(bounds_of(triangles[++i]));
+      *to++ = TrianglePiece(box, first, 2);
+    } else {
+      *to++ = TrianglePiece(box, first, 1);
     }
-    *to++ = TrianglePiece(box, first, 1);
   }
-  return static_cast<std::size_t>(to - start);
 }
 
 }  // namespace
@@ -52,19 +70,21 @@ std::size_t add_pieces(std::span<const gpu::Triangle> triangles, std::size_t beg
 LargeVector<TrianglePiece> make_pieces(std::span<const gpu::Triangle> triangles, bool pairs,
                                        unsigned threads) {
   const std::size_t chunks = (triangles.size() + chunk_size - 1) / chunk_size;
-  LargeVector<TrianglePiece> pieces(triangles.size());
-  std::vector<std::size_t> count(chunks);
+  const auto chunk = [&](std::size_t i) {
+    return Chunk{i * chunk_size, std::min((i + 1) * chunk_size, triangles.size())};
+  };
+  // Where each chunk's pieces begin: they are counted first, so that no memory is taken for more.
+  std::vector<std::size_t> from(chunks + 1);
+  LargeVector<std::uint8_t> begins_pair(pairs ? triangles.size() : 0);
   run_parallel(chunks, threads, [&](std::size_t i) {
-    const std::size_t begin = i * chunk_size;
-    count[i] = add_pieces(triangles, begin, std::min(begin + chunk_size, triangles.size()), pairs,
-                          &pieces[begin]);
+    const Chunk c = chunk(i);
+    from[i + 1] = pairs ? find_pairs(triangles, c, begins_pair) : c.end - c.begin;
   });
-  auto end = pieces.begin();
-  for (std::size_t i = 0; i < chunks; ++i) {
-    const auto from = pieces.begin() + static_cast<std::ptrdiff_t>(i * chunk_size);
-    end = std::copy(from, from + static_cast<std::ptrdiff_t>(count[i]), end);
-  }
-  pieces.erase(end, pieces.end());
+  for (std::size_t i = 0; i < chunks; ++i) from[i + 1] += from[i];
+  LargeVector<TrianglePiece> pieces(from[chunks]);
+  run_parallel(chunks, threads, [&](std::size_t i) {
+    write_pieces(triangles, chunk(i), begins_pair, pieces.data() + from[i]);
+  });
   return pieces;
 }
 

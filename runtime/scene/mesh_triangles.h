@@ -1,0 +1,52 @@
+// From the meshes of a scene file to triangles.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <glm/mat4x4.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "formats/scene.h"
+#include "runtime/scene/large_vector.h"
+#include "runtime/scene/render_scene.h"
+
+namespace nightcity::scene {
+
+/// The meshes of a scene, one at a time, so that not all of them need be in memory.
+struct MeshSource {
+  std::function<std::shared_ptr<const SceneMesh>(std::uint32_t mesh)> read;
+  bool in_parallel = false;            // `read` may be called by several threads at the same time
+  std::vector<std::size_t> triangles;  // of each mesh, as far as is known before it is read
+};
+
+/// Returns the meshes that `scene` holds, which must outlive the result.
+MeshSource meshes_of(const Scene& scene);
+
+/// Returns the new number of a light that geometry refers to (leave_out_lights); its own where
+/// `numbers` has none.
+std::uint32_t find_light(std::uint32_t light, std::span<const std::uint32_t> numbers);
+
+/// Appends the triangles of a mesh that have an area and whose light is not left out, and returns
+/// the number of those without area.
+std::size_t append_mesh(const SceneMesh& mesh, const glm::mat4& to_model,
+                        std::span<const std::uint32_t> light_numbers,
+                        LargeVector<gpu::Triangle>& out);
+
+/// A mesh that is placed once.
+struct PlacedMesh {
+  std::uint32_t mesh;
+  glm::mat4 to_model;
+};
+
+/// Appends the triangles of `placed` in its order, and returns the number of those without area. Each
+/// mesh is read by one of the threads, which writes its triangles where they belong, so that none is
+/// copied; only behind a mesh of which some were left out do the others move up. Throws Error if the
+/// scene cannot have as many.
+std::size_t append_meshes(const std::vector<PlacedMesh>& placed, const MeshSource& meshes,
+                          std::span<const std::uint32_t> light_numbers, unsigned threads,
+                          LargeVector<gpu::Triangle>& out);
+
+}  // namespace nightcity::scene

@@ -1,0 +1,97 @@
+#include "runtime/scene/mesh_triangles.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/ext/matrix_transform.hpp>
+#include <memory>
+#include <vector>
+
+#include "formats/error.h"
+
+namespace nightcity::scene {
+namespace {
+
+// A row of triangles, of which every `flat`-th has no area.
+SceneMesh make_mesh(std::uint32_t triangles, std::uint32_t flat, std::uint32_t material) {
+  SceneMesh mesh;
+  ScenePrimitive& primitive = mesh.primitives.emplace_back();
+  primitive.material = material;
+  for (std::uint32_t i = 0; i < triangles; ++i) {
+    const float x = float(i), high = flat > 0 && i % flat == 0 ? 0.0f : 1.0f;
+    for (const glm::vec3& p : {glm::vec3(x, 0, 0), glm::vec3(x + 1, 0, 0), glm::vec3(x, high, 0)}) {
+      primitive.indices.push_back(static_cast<std::uint32_t>(primitive.positions.size()));
+      primitive.positions.push_back(p);
+    }
+  }
+  return mesh;
+}
+
+struct City {
+  std::vector<SceneMesh> meshes;
+  std::vector<PlacedMesh> placed;
+  MeshSource source() const {
+    MeshSource source;
+    source.read = [this](std::uint32_t mesh) {
+      return std::make_shared<const SceneMesh>(meshes.at(mesh));
+    };
+    source.in_parallel = true;
+    for (const SceneMesh& mesh : meshes)
+      source.triangles.push_back(mesh.primitives[0].indices.size() / 3);
+    return source;
+  }
+};
+
+City make_city() {
+  City city;
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    city.meshes.push_back(make_mesh(1 + 7 * i, i % 3, i));
+    city.placed.push_back({i, glm::translate(glm::mat4(1), glm::vec3(0, 0, float(i)))});
+  }
+  return city;
+}
+
+TEST(MeshTriangles, AreThoseOfTheMeshesOneAfterTheOther) {
+  const City city = make_city();
+  LargeVector<gpu::Triangle> one_by_one(3), together(3);
+  std::size_t flat = 0;
+  for (const PlacedMesh& placed : city.placed)
+    flat += append_mesh(city.meshes[placed.mesh], placed.to_model, {}, one_by_one);
+  EXPECT_GT(flat, 0u);
+  for (const unsigned threads : {1u, 2u, 5u}) {
+    together.resize(3);
+    EXPECT_EQ(append_meshes(city.placed, city.source(), {}, threads, together), flat);
+    ASSERT_EQ(together.size(), one_by_one.size());
+    for (std::size_t i = 3; i < together.size(); ++i) {
+      EXPECT_EQ(together[i].v0, one_by_one[i].v0);
+      EXPECT_EQ(together[i].v2, one_by_one[i].v2);
+      EXPECT_EQ(together[i].material, one_by_one[i].material);
+    }
+  }
+}
+
+// Where the accessors of a file say too little, nothing is lost.
+TEST(MeshTriangles, MayBeMoreThanWasSaid) {
+  const City city = make_city();
+  MeshSource source = city.source();
+  LargeVector<gpu::Triangle> right, wrong;
+  const std::size_t flat = append_meshes(city.placed, source, {}, 2, right);
+  source.triangles[5] = 0;
+  source.triangles[39] = 3;
+  EXPECT_EQ(append_meshes(city.placed, source, {}, 2, wrong), flat);
+  ASSERT_EQ(wrong.size(), right.size());
+  double sum = 0;
+  for (std::size_t i = 0; i < right.size(); ++i)
+    sum += double(right[i].material) - double(wrong[i].material);
+  EXPECT_EQ(sum, 0.0);
+}
+
+TEST(MeshTriangles, AreRefusedWhereASceneCannotHaveAsMany) {
+  const City city = make_city();
+  MeshSource source = city.source();
+  source.triangles[0] = std::size_t{1} << 30;
+  LargeVector<gpu::Triangle> out;
+  EXPECT_THROW(append_meshes(city.placed, source, {}, 1, out), Error);
+}
+
+}  // namespace
+}  // namespace nightcity::scene
