@@ -65,8 +65,8 @@ bool is_png(std::span<const std::byte> bytes) {
 // Returns whether the first data chunk of a PNG holds data. stb_image 2.27 copies those of an empty
 // one to a null pointer. No writer begins with one.
 bool begins_with_data(std::span<const std::byte> png) {
-  constexpr std::size_t signature = 8, around = 12;  // bytes: length, type, checksum
-  for (std::size_t at = signature; at + around <= png.size();) {
+  constexpr std::size_t signature = 8, before = 8, around = 12;  // bytes: length, type, checksum
+  for (std::size_t at = signature; at + before <= png.size();) {
     std::size_t length = 0;
     for (std::size_t i = 0; i < 4; ++i)
       length = length << 8 | std::to_integer<std::size_t>(png[at + i]);

@@ -5,9 +5,10 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
-#include <memory>
+#include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace nightcity {
 
@@ -27,28 +28,39 @@ void in_order(unsigned threads, const Next& next, const Work& work, const Take& 
     while (auto item = next()) take(work(std::move(*item)));
     return;
   }
-  // TBB copies what passes between filters, so pointers do.
-  using ItemPtr = std::shared_ptr<Item>;
-  using ResultPtr = std::shared_ptr<Result>;
+  // What passes between filters lies here, because TBB forgets what is on its way when one of them
+  // throws. The last one is serial and in order, so that a place is free when it comes up again.
+  struct Place {
+    std::optional<Item> item;
+    std::optional<Result> result;
+  };
+  std::vector<Place> places(static_cast<std::size_t>(2 * used));
+  std::size_t begun = 0;
   tbb::task_arena arena(used);
   arena.execute([&] {
     tbb::parallel_pipeline(
-        static_cast<std::size_t>(2 * used),
-        tbb::make_filter<void, ItemPtr>(tbb::filter_mode::serial_in_order,
-                                        [&](tbb::flow_control& flow) -> ItemPtr {
-                                          auto item = next();
-                                          if (item) return std::make_shared<Item>(std::move(*item));
-                                          flow.stop();
-                                          return {};
-                                        }) &
-            tbb::make_filter<ItemPtr, ResultPtr>(tbb::filter_mode::parallel,
-                                                 [&](const ItemPtr& item) {
-                                                   return std::make_shared<Result>(
-                                                       work(std::move(*item)));
-                                                 }) &
-            tbb::make_filter<ResultPtr, void>(
-                tbb::filter_mode::serial_in_order,
-                [&](const ResultPtr& result) { take(std::move(*result)); }));
+        places.size(),
+        tbb::make_filter<void, Place*>(tbb::filter_mode::serial_in_order,
+                                       [&](tbb::flow_control& flow) -> Place* {
+                                         auto item = next();
+                                         if (!item) {
+                                           flow.stop();
+                                           return nullptr;
+                                         }
+                                         Place& place = places[begun++ % places.size()];
+                                         place.item.emplace(std::move(*item));
+                                         return &place;
+                                       }) &
+            tbb::make_filter<Place*, Place*>(tbb::filter_mode::parallel,
+                                             [&](Place* place) {
+                                               place->result.emplace(work(std::move(*place->item)));
+                                               place->item.reset();
+                                               return place;
+                                             }) &
+            tbb::make_filter<Place*, void>(tbb::filter_mode::serial_in_order, [&](Place* place) {
+              take(std::move(*place->result));
+              place->result.reset();
+            }));
   });
 }
 

@@ -138,7 +138,7 @@ TEST(ForeignScene, MovementAndLightsAreNamed) {
   json document = foreign();
   document["nodes"][0]["skin"] = 0;
   document["meshes"][0]["weights"] = {0, 0.5};
-  document["animations"] = {json::object()};
+  document["animations"] = json::array({json::object()});
   document["meshes"][0]["primitives"].push_back({{"mode", 0}, {"attributes", {{"POSITION", 0}}}});
   document["nodes"][0]["extensions"] = {{"KHR_lights_punctual", {{"light", 0}}}};
   document["extensionsUsed"] = {"KHR_lights_punctual", "ACME_smell"};
