@@ -255,6 +255,7 @@ struct Push {
   // By pass: the lights of a dispatch, the level of a filter or BVH, a path and its bounce.
   std::uint32_t first, count;
 };
+static_assert(offsetof(Glare, pad) + 4 == sizeof(Glare));
 static_assert(sizeof(Push) == 16);
 }  // namespace nightcity::gpu
 #endif

@@ -211,7 +211,7 @@ class BvhBuilder {
   }
 
   // Moves the primitives for which `is_left` holds before the others, and returns the position of
-  // the first of those. Each is moved, without a branch: half of the branches would be mispredicted.
+  // the first of those. Each is moved, without a branch, half of which would be mispredicted.
   template <class IsLeft>
   std::uint32_t partition(const Range& r, IsLeft is_left) {
     Primitive* const all = primitives_.data();

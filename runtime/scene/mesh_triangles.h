@@ -41,10 +41,10 @@ struct PlacedMesh {
   glm::mat4 to_model;
 };
 
-/// Appends the triangles of `placed` in its order, and returns the number of those without area. Each
-/// mesh is read by one of the threads, which writes its triangles where they belong, so that none is
-/// copied; only behind a mesh of which some were left out do the others move up. Throws Error if the
-/// scene cannot have as many.
+/// Appends the triangles of `placed` in its order, and returns the number of those without area.
+/// Each mesh is read by one of the threads, which writes its triangles where they belong, so that
+/// none is copied; only behind a mesh of which some were left out do the others move up. Throws
+/// Error if the scene cannot have as many.
 std::size_t append_meshes(const std::vector<PlacedMesh>& placed, const MeshSource& meshes,
                           std::span<const std::uint32_t> light_numbers, unsigned threads,
                           LargeVector<gpu::Triangle>& out);

@@ -1,5 +1,5 @@
-// Splits a handful of boxes by the surface-area heuristic (SAH), all positions tried: most ranges of
-// a hierarchy are that small, and there bins cost more than sorting does.
+// Splits a handful of boxes by the surface-area heuristic (SAH), all positions tried: most ranges
+// of a hierarchy are that small, and there bins cost more than sorting does.
 #pragma once
 
 #include <algorithm>
@@ -29,8 +29,8 @@ class SmallSplit {
     boxes_[count_++] = {box.lower, box.upper, centre, rank, static_cast<float>(weight)};
   }
 
-  /// Returns how many of order() are the left half: at least 1 and fewer than all. There must be two
-  /// boxes or more. Of positions that cost the same, the one nearest to the middle is taken.
+  /// Returns how many of order() are the left half: at least 1 and fewer than all. There must be
+  /// two boxes or more. Of positions that cost the same, the one nearest to the middle is taken.
   std::uint32_t find() {
     best_middle_ = count_ / 2;
     for (std::uint32_t i = 0; i < count_; ++i)

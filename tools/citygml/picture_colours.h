@@ -21,7 +21,7 @@ namespace nightcity::citygml {
 /// The pictures beside one document. Safe to use from several threads.
 class PictureColours {
  public:
-  /// Pictures lie beside `document`, whose text is in Latin-1 or UTF-8; those elsewhere are not read.
+  /// Pictures lie beside `document`, whose text is in Latin-1 or UTF-8; others are not read.
   PictureColours(const city::Document& document, bool latin1);
 
   /// Calls `take(id, colour)` for each target of the texture: the mean of the picture's part that
