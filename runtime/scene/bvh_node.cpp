@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdint>
 #include <limits>
 
 #include "runtime/scene/bounds.h"
@@ -21,12 +22,13 @@ float down(float x) {
   return -up(-x);
 }
 
-// The same for four numbers at a time.
+// The same for four numbers at a time. Unsigned, because both steps are taken of -0.
 Float4 down(Float4 x) {
-  const Int4 bits = std::bit_cast<Int4>(x);
-  const Int4 stepped = x > 0.0f ? bits - 1 : bits + 1;
-  const Int4 below_zero = Int4{} + std::bit_cast<int>(-std::numeric_limits<float>::denorm_min());
-  return std::bit_cast<Float4>(x == 0.0f ? below_zero : stepped);
+  using Bits = std::uint32_t __attribute__((vector_size(16)));
+  const Bits bits = std::bit_cast<Bits>(x);
+  const Float4 stepped = std::bit_cast<Float4>(x > 0.0f ? bits - 1u : bits + 1u);
+  const Float4 below_zero = Float4{} - std::numeric_limits<float>::denorm_min();
+  return x == 0.0f ? below_zero : stepped;
 }
 Float4 up(Float4 x) {
   return -down(-x);
