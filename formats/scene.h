@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,7 +47,17 @@ struct SceneInstance {
   glm::mat4 to_model{1.0f};  // from the mesh's frame to model space
   std::uint32_t light =
       no_id;  // the light whose luminous surface this instance is (attribute _LIGHT)
+  // The part of the translation that its floats in `to_model` cannot hold: far from the origin
+  // these are up to a metre apart.
+  glm::vec3 translation_rest{0};
 };
+
+/// Returns an instance's matrix to model space with the translation in double.
+inline glm::dmat4 to_double(const SceneInstance& instance) {
+  glm::dmat4 matrix(instance.to_model);
+  matrix[3] += glm::dvec4(instance.translation_rest, 0);
+  return matrix;
+}
 
 struct SceneNode {
   std::string name;

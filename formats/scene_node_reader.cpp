@@ -32,12 +32,12 @@ glm::dmat4 local_matrix(const Json& node) {
   return compose(trs);
 }
 
-glm::mat4 checked(const glm::dmat4& matrix) {
-  const glm::mat4 result(matrix);
+SceneInstance place(const glm::dmat4& matrix, std::uint32_t light) {
+  const glm::mat4 rounded(matrix);
   for (int c = 0; c < 4; ++c)
     for (int r = 0; r < 4; ++r)
-      if (!std::isfinite(result[c][r])) throw Error("", "transform", "is not finite");
-  return result;
+      if (!std::isfinite(rounded[c][r])) throw Error("", "transform", "is not finite");
+  return {rounded, light, glm::vec3(glm::dvec3(matrix[3]) - glm::dvec3(rounded[3]))};
 }
 
 std::vector<std::size_t> node_indices(const Json& object, const char* key) {
@@ -120,7 +120,7 @@ std::optional<SceneNode> NodeReader::read_node(const Json& node, const glm::dmat
 std::vector<SceneInstance> NodeReader::read_instances(const Json& node,
                                                       const glm::dmat4& to_model) const {
   const Json& attributes = member(extension(node, gltf::gpu_instancing), "attributes");
-  if (!attributes.is_object()) return {{checked(to_model), no_id}};
+  if (!attributes.is_object()) return {place(to_model, no_id)};
   const auto read = [&](const char* name, int components) {
     const auto accessor = gltf::index(attributes, name);
     return accessor ? accessors_.floats(*accessor, components) : std::vector<float>();
@@ -146,7 +146,7 @@ std::vector<SceneInstance> NodeReader::read_instances(const Json& node,
       trs.rotation = glm::dquat(r[3], r[0], r[1], r[2]);
     }
     if (!scales.empty()) trs.scale = glm::make_vec3(&scales[3 * i]);
-    instances.push_back({checked(to_model * compose(trs)), lights.empty() ? no_id : lights[i]});
+    instances.push_back(place(to_model * compose(trs), lights.empty() ? no_id : lights[i]));
   }
   return instances;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <glm/common.hpp>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,7 @@ class Reader {
   const Scene& scene() const { return scene_; }
   SceneMesh read_mesh(std::size_t index);
   std::size_t count_triangles(std::size_t index) const;
+  std::optional<std::array<glm::vec3, 2>> find_bounds(std::size_t index) const;
   bool has_colours() const;
 
   Scene finish() {
@@ -150,6 +152,30 @@ std::size_t Reader::count_triangles(std::size_t index) const {
   return std::min(count, document_.bytes());
 }
 
+std::optional<std::array<glm::vec3, 2>> Reader::find_bounds(std::size_t index) const {
+  std::optional<std::array<glm::vec3, 2>> bounds;
+  for (const Json& primitive : member(document_.element("meshes", index), "primitives")) {
+    const auto accessor = gltf::index(member(primitive, "attributes"), "POSITION");
+    if (!accessor || *accessor >= document_.count("accessors")) continue;
+    const Json& positions = document_.element("accessors", *accessor);
+    std::array<glm::vec3, 2> box{};
+    const auto read = [&](const char* key, glm::vec3& corner) {
+      const Json& values = member(positions, key);
+      if (!values.is_array() || values.size() != 3) return false;
+      for (int axis = 0; axis < 3; ++axis) {
+        const Json& value = values.at(static_cast<std::size_t>(axis));
+        if (!value.is_number()) return false;
+        corner[axis] = value.get<float>();
+      }
+      return true;
+    };
+    if (!read("min", box[0]) || !read("max", box[1])) continue;
+    bounds =
+        bounds ? std::array{glm::min((*bounds)[0], box[0]), glm::max((*bounds)[1], box[1])} : box;
+  }
+  return bounds;
+}
+
 bool Reader::has_colours() const {
   for (std::size_t i = 0; i < document_.count("meshes"); ++i)
     for (const Json& primitive : member(document_.element("meshes", i), "primitives"))
@@ -215,6 +241,10 @@ bool SceneFile::reads_in_parallel() const {
 
 std::size_t SceneFile::count_triangles(std::size_t mesh) const {
   return with_name(reading_->path, [&] { return reading_->reader.count_triangles(mesh); });
+}
+
+std::optional<std::array<glm::vec3, 2>> SceneFile::find_bounds(std::size_t mesh) const {
+  return with_name(reading_->path, [&] { return reading_->reader.find_bounds(mesh); });
 }
 
 SceneMesh SceneFile::read_mesh(std::size_t index) {

@@ -1,9 +1,12 @@
 // Reads scenes: city.glb, or any other glTF 2.0.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
+#include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 
 #include "formats/scene.h"
 
@@ -24,6 +27,10 @@ class SceneFile {
   /// Returns the triangles that a mesh has by its accessors, which hold no promise: a bound for what
   /// to reserve. It is never above the bytes of the file.
   std::size_t count_triangles(std::size_t mesh) const;
+
+  /// Returns the corners of the box that a mesh fills in its own frame, by the bounds that its
+  /// accessors state and that nothing has checked; nothing where they state none.
+  std::optional<std::array<glm::vec3, 2>> find_bounds(std::size_t mesh) const;
 
   /// Returns a mesh. `index` < mesh_count().
   SceneMesh read_mesh(std::size_t index);

@@ -183,7 +183,7 @@ std::vector<Trs> SceneWriter::State::find_placements(const SceneNode& node) cons
   std::vector<Trs> placements;
   placements.reserve(node.instances.size());
   for (const SceneInstance& instance : node.instances) {
-    const auto trs = decompose(glm::dmat4(instance.to_model));
+    const auto trs = decompose(to_double(instance));
     if (!trs)
       fail("node " + std::to_string(nodes.count()) + " " + node.name,
            "instance matrix is not finite, or not translation, rotation and scale");

@@ -11,6 +11,52 @@
 #include "shaders/reservoir.glsl"
 #include "shaders/resampling.glsl"
 
+// Lights that are fainter than the strongest candidate by more than this factor are a set of their
+// own.
+const float STRONG_RANGE = 8.0;
+// Strong lights with this share of the candidates' weight are tested for shadow before another is
+// chosen.
+const float DOMINANT_SHARE = 0.75;
+
+// Returns one of the candidates that the receiver sees, or W = 0. Where lights that outshine all
+// others are hidden (a stadium behind a house), one of them would be chosen and dropped nearly
+// always. So the candidates are kept in two sets, strong lights and all others, each with a sample
+// of its own: if the first is in shadow, its set contributes nothing, and the sample of the others
+// stands for theirs. Which candidates belong to which set depends on their targets alone, not on
+// the choices, and a shadow test is made of each sample before it counts; so the expected value is
+// that of resample_lights() followed by a test.
+Reservoir resample_visible_lights(LightSampler light_sampler, Receiver receiver, uint candidates) {
+  ReservoirBuilder strongest = EMPTY_BUILDER, others = EMPTY_BUILDER;
+  float greatest = 0.0;
+  for (uint i = 0u; i < candidates; ++i) {
+    const Candidate c = draw_candidate(light_sampler, receiver, i, candidates);
+    if (c.target > STRONG_RANGE * greatest) {
+      merge(others, strongest);
+      strongest = EMPTY_BUILDER;
+    }
+    greatest = max(greatest, c.target);
+    if (c.target * STRONG_RANGE >= greatest)
+      update(strongest, c.light, c.uv, c.target, c.weight);
+    else
+      update(others, c.light, c.uv, c.target, c.weight);
+  }
+  const float both = strongest.weight_sum + others.weight_sum;
+  bool takes_strongest = random_float() * both < strongest.weight_sum;
+  ReservoirBuilder chosen = takes_strongest ? strongest : others;
+  chosen.weight_sum = both;
+  bool is_seen = false;
+  if (strongest.weight_sum > DOMINANT_SHARE * both) {
+    is_seen = sees(receiver, strongest.light, strongest.uv);
+    if (!is_seen) chosen = others;
+    is_seen = is_seen && takes_strongest;
+  }
+  chosen.M = float(candidates);
+  Reservoir reservoir = finalize(chosen, 1.0);
+  if (!is_seen && reservoir.W > 0.0 && !sees(receiver, reservoir.light, reservoir.uv))
+    reservoir.W = 0.0;
+  return reservoir;
+}
+
 void main() {
   uvec2 pixel;
   uint index;
@@ -24,6 +70,11 @@ void main() {
   seed_random(pixel, STREAM_CANDIDATES);
   const Receiver receiver = receiver_of(surface);
 
+  if (has_shadowed_target(ESTIMATOR)) {
+    FRAME.reservoirs.at[index] =
+        resample_visible_lights(light_sampler, receiver, FRAME.candidates);
+    return;
+  }
   Reservoir reservoir = resample_lights(light_sampler, receiver, FRAME.candidates);
 
   // Visibility reuse: a shadowed candidate is not passed on. Its M stays, because the candidates

@@ -18,7 +18,9 @@ struct Surface {
   uint feature;
   uint light;   // light whose emitting surface is seen, or NO_HIT
   vec3 motion;  // from this point of the surface to where it was one frame ago, m
-  float clearance;  // distance off the surface at which rays that leave it start, m
+  // Upper 10 bits: the clearance (geometry.glsl) as the exponent and two more bits of a float, m;
+  // lower 22: what `normal` rounded off, 2 x 11 bits.
+  uint clearance_and_rest;
 };
 
 // A reservoir keeps the sample it selected: a light, and a point on it. 16 bytes, as in the paper.

@@ -27,3 +27,14 @@ vec3 cosine_direction(vec3 n, vec2 u) {
 float clearance_of(vec3 p, float extent) {
   return 1.0e-6 * max(max(abs(p.x), abs(p.y)), max(abs(p.z), 1.0)) + 1.0e-6 * extent;
 }
+
+// Packs a clearance into the upper 10 bits, by a quarter larger at most, so that no ray starts
+// nearer to its surface.
+uint pack_clearance(float clearance) {
+  return ((floatBitsToUint(clearance) << 1u) + 0x3FFFFFu) & 0xFFC00000u;
+}
+
+// Returns the clearance of a surface that a pixel shows.
+float clearance_of(Surface surface) {
+  return uintBitsToFloat((surface.clearance_and_rest & 0xFFC00000u) >> 1u);
+}

@@ -10,7 +10,7 @@
 #error "Each switch in shaders/light_kinds.glsl needs a case for the new kind of light."
 #endif
 
-// m: no lamp is smaller, so 1/d^2 has a physical bound at the lamp itself.
+// m: nothing nearer than this to a lamp is lit by it, so that 1/d^2 has a bound at a point.
 const float MIN_RADIUS = 0.001;
 
 struct LightSample {
@@ -26,10 +26,10 @@ uint kind_here(Light light) { return HAS_RECTANGLES != 0u ? light_kind(light) : 
 LightSample sample_sphere(Light light, vec2 uv, vec3 receiver) {
   LightSample s = LightSample(light.position, vec3(0.0, 1.0, 0.0), vec3(0.0));
   const vec3 to_centre = light.position - receiver;
-  const float radius = max(light.radius, MIN_RADIUS);
+  const float radius = max(light.radius, 0.0), nearest = max(radius, MIN_RADIUS);
   const float d2 = dot(to_centre, to_centre);
   // A point inside the lamp gets no light: the globe's own flat faces lie inside the sphere.
-  if (d2 <= radius * radius) return s;
+  if (d2 <= nearest * nearest) return s;
   const float d = sqrt(d2);
   const vec3 axis = to_centre / d;
   const float sin2_max = radius * radius / d2;

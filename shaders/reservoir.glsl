@@ -40,6 +40,11 @@ bool update(inout ReservoirBuilder builder, uint light, uint uv, float p, float 
   return true;
 }
 
+// Adds another stream of samples of the same receiver: its chosen sample, with the weight of all.
+void merge(inout ReservoirBuilder builder, ReservoirBuilder other) {
+  update(builder, other.light, other.uv, other.target, other.weight_sum);
+}
+
 // Returns the reservoir, W = normalisation * weight_sum / target. An empty or impossible choice has
 // W = 0; a clamped divisor would instead dim whatever is fainter than the clamp.
 Reservoir finalize(ReservoirBuilder builder, float normalisation) {

@@ -39,8 +39,8 @@ const float WET_DIFFUSE = 0.6;
 Receiver receiver_seen_from(Surface surface, vec3 viewer, bool before) {
   Receiver r;
   r.position = surface.position;
-  r.normal = unpack_normal(surface.normal);
-  r.origin = surface.position + r.normal * surface.clearance;
+  r.normal = unpack_normal(surface.normal, surface.clearance_and_rest);
+  r.origin = surface.position + r.normal * clearance_of(surface);
   r.reflectance = SCENE.materials.at[surface.material].base_colour * (1.0 / PI);
   r.to_viewer = r.normal;
   r.wetness = 0.0;

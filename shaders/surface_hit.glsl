@@ -25,11 +25,17 @@ SurfaceHit surface_at(Hit hit, Instance instance, vec3 origin, vec3 direction) {
                       instance.to_object[2].xyz * n.z;
   const float size2 = dot(normal, normal);
   const vec3 unit = size2 > 0.0 ? normal * inversesqrt(size2) : -direction;
-  // The error of origin + t * direction grows with the distance that the ray came. Its part along
-  // the normal, which would put the point below the surface, is taken off again.
+  // t has an error that grows with the triangle, and origin + t * direction one that grows with the
+  // distance. Both are taken off: the first along the ray, unless it grazes the surface, and then
+  // what is left along the normal, which would put the point below the surface.
   vec3 position = origin + direction * hit.t;
   vec3 local = to_object_space(instance, position);
   if (size2 > 0.0) {
+    const float slope = dot(normal, direction);
+    if (slope * slope > 0.01 * size2 * dot(direction, direction)) {
+      position -= direction * (dot(n, local - a.xyz) / slope);
+      local = to_object_space(instance, position);
+    }
     position -= normal * (dot(n, local - a.xyz) / size2);
     local = to_object_space(instance, position);
   }
@@ -42,7 +48,7 @@ SurfaceHit surface_at(Hit hit, Instance instance, vec3 origin, vec3 direction) {
                     floatBitsToUint(b.w), floatBitsToUint(c.w));
 }
 
-const Surface NO_SURFACE = Surface(vec3(0.0), 0u, 0.0, 0u, NO_HIT, NO_HIT, vec3(0.0), 0.0);
+const Surface NO_SURFACE = Surface(vec3(0.0), 0u, 0.0, 0u, NO_HIT, NO_HIT, vec3(0.0), 0u);
 
 // Returns the first surface along unit `direction` that shares a bit with `mask`, its `motion` 0;
 // depth 0 where there is none. `hit` is its triangle and instance.
@@ -52,8 +58,9 @@ Surface first_surface(vec3 origin, vec3 direction, uint mask, out Hit hit) {
   const Instance instance = SCENE.instances.at[hit.instance];
   const SurfaceHit seen = surface_at(hit, instance, origin, direction);
   surface.position = seen.position;
-  surface.clearance = seen.clearance;
   surface.normal = pack_normal(seen.normal);
+  surface.clearance_and_rest =
+      pack_clearance(seen.clearance) | pack_normal_rest(seen.normal, surface.normal);
   surface.depth = hit.t;
   surface.material = seen.material;
   surface.feature = instance.feature != NO_HIT ? instance.feature : seen.feature;

@@ -227,7 +227,7 @@ bool unblocked(vec3 from, vec3 to) {
   return !trace(from, to - from, 0.0, 1.0, MASK_SHADOW, true, false, hit);
 }
 
-// Returns whether anything between a point clear of its own surface (Surface.clearance) and a point
+// Returns whether anything between a point clear of its own surface (clearance_of) and a point
 // of a light casts a shadow, in this frame or in the one before. The margin at the far end spares
 // the surface that the light is mounted on: 1e-5 of the way, at most a millimetre and the rounding
 // error of the light's coordinates.

@@ -17,12 +17,10 @@ namespace {
 
 std::vector<std::string> make_row(std::uint32_t frame, double time_s, const scene::CameraPose& pose,
                                   double ms) {
-  return {fmt::to_string(frame),
-          fmt::format("{:.4f}", time_s),
-          fmt::format("{:.3f}", pose.position.x),
-          fmt::format("{:.3f}", pose.position.y),
-          fmt::format("{:.3f}", pose.position.z),
-          fmt::format("{:.4g}", ms)};
+  const glm::dvec3 place = glm::dvec3(pose.position) + pose.origin;
+  return {fmt::to_string(frame),          fmt::format("{:.4f}", time_s),
+          fmt::format("{:.3f}", place.x), fmt::format("{:.3f}", place.y),
+          fmt::format("{:.3f}", place.z), fmt::format("{:.4g}", ms)};
 }
 
 void add_errors(const measure::Comparison& errors, std::vector<std::string>& row,

@@ -24,7 +24,7 @@ bool is_file_of_poses(const std::string& word) {
   const auto& presets = scene::camera_presets();
   if (std::find(presets.begin(), presets.end(), word) != presets.end()) return false;
   try {
-    return !scene::read_poses(word).empty();
+    return !scene::read_poses(word, glm::dvec3(0)).empty();
   } catch (const Error&) {
     return false;  // then it is a camera, or find_camera says what is wrong
   }
@@ -42,7 +42,7 @@ std::vector<View> find_views(const std::vector<std::string>& words,
       continue;
     }
     std::size_t number = 0;
-    for (const scene::CameraPose& pose : scene::read_poses(word))
+    for (const scene::CameraPose& pose : scene::read_poses(word, scene.origin))
       views.push_back({name + " " + std::to_string(++number), pose});
   }
   return views;

@@ -91,6 +91,7 @@ DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
       any_light([](const Light& light) { return light_kind(light) == LightKind::rectangle; });
 
   bounds_ = scene.bounds;
+  origin_ = scene.origin;
   lights_.emplace(device_, scene);
   lights_->enter(addresses_);
   left_out_ = scene.left_out;

@@ -59,8 +59,10 @@ class DeviceScene {
   glm::vec3 albedo(std::uint32_t material) const {
     return material < albedos_.size() ? albedos_[material] : glm::vec3(0);
   }
-  /// Returns the bounds of the visible static geometry in model space.
+  /// Returns the bounds of the visible static geometry, relative to origin().
   const scene::Box& bounds() const { return bounds_; }
+  /// Returns the place in model space, m, that all coordinates on the device are relative to.
+  const glm::dvec3& origin() const { return origin_; }
   std::uint64_t bytes() const;
   /// Returns the parts of the scene that were not loaded.
   const scene::PartSet& left_out() const { return left_out_; }
@@ -96,6 +98,7 @@ class DeviceScene {
   std::optional<SceneTlas> tlas_;
 
   scene::Box bounds_;
+  glm::dvec3 origin_{0};
   scene::PartSet left_out_;
   std::optional<DeviceLights> lights_;  // made last, when released geometry no longer takes memory
 };

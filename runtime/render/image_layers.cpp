@@ -64,7 +64,9 @@ void add_surface_layers(measure::Image& image, std::span<const gpu::Surface> sur
   add("normal", {"X", "Y", "Z"}, [&](const gpu::Surface& s) {
     return is_hit(s) ? octahedral::unpack_normal(s.normal) : glm::vec3(0);
   });
-  add("position", {"X", "Y", "Z"}, [](const gpu::Surface& s) { return s.position; });
+  add("position", {"X", "Y", "Z"}, [&](const gpu::Surface& s) {
+    return is_hit(s) ? glm::vec3(glm::dvec3(s.position) + scene.origin()) : s.position;
+  });
   add("motion", {"X", "Y", "Z"}, [](const gpu::Surface& s) { return s.motion; });
   add("depth", {"Z"}, [](const gpu::Surface& s) { return s.depth; });
   add("material", {"id"},

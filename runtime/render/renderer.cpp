@@ -404,7 +404,7 @@ void Renderer::begin_frame(const scene::CameraPose& pose, const RenderSettings& 
   abandon_frame();
   check(settings);
   next_ = done_;
-  next_.pose = pose;
+  next_.pose = scene::relative_to(scene_.origin(), pose);
   next_.settings = settings;
   next_.effort = effort;
   restart_if_changed();

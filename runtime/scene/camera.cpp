@@ -39,16 +39,18 @@ CameraPose top(const RenderScene& scene) {
   return pose;
 }
 
-glm::vec3 vector_of(const nlohmann::json& json, const char* key, const std::string& file) {
+glm::vec3 vector_of(const nlohmann::json& json, const char* key, const std::string& file,
+                    const glm::dvec3& origin = glm::dvec3(0)) {
   const nlohmann::json& v = json.at(key);
   if (!v.is_array() || v.size() != 3) throw Error(file, key, "expected three numbers");
-  const glm::vec3 out(v[0].get<float>(), v[1].get<float>(), v[2].get<float>());
+  const glm::vec3 out(glm::dvec3(v[0].get<double>(), v[1].get<double>(), v[2].get<double>()) -
+                      origin);
   if (!std::isfinite(out.x) || !std::isfinite(out.y) || !std::isfinite(out.z))
     throw Error(file, key, "not a finite number");
   return out;
 }
 
-CameraPose read_camera(const std::string& file) {
+CameraPose read_camera(const std::string& file, const glm::dvec3& origin) {
   refuse_special_file(file);
   std::ifstream in(file);
   if (!in) {
@@ -56,7 +58,7 @@ CameraPose read_camera(const std::string& file) {
     for (const std::string& name : camera_presets()) names += (names.empty() ? "" : ", ") + name;
     throw Error(file, "no such camera file, and no preset of that name (" + names + ")");
   }
-  return parse_camera(std::string(std::istreambuf_iterator<char>(in), {}), file);
+  return parse_camera(std::string(std::istreambuf_iterator<char>(in), {}), file, origin);
 }
 
 }  // namespace
@@ -82,12 +84,23 @@ gpu::Camera make_camera(const CameraPose& pose, float aspect) {
   return camera;
 }
 
-CameraPose parse_camera(const std::string& text, const std::string& source) {
+CameraPose relative_to(const glm::dvec3& origin, const CameraPose& pose) {
+  CameraPose result = pose;
+  const glm::dvec3 step = pose.origin - origin;
+  result.origin = origin;
+  result.position = glm::vec3(glm::dvec3(pose.position) + step);
+  result.target = glm::vec3(glm::dvec3(pose.target) + step);
+  return result;
+}
+
+CameraPose parse_camera(const std::string& text, const std::string& source,
+                        const glm::dvec3& origin) {
   try {
     const nlohmann::json json = nlohmann::json::parse(text);
     CameraPose pose;
-    pose.position = vector_of(json, "position", source);
-    pose.target = vector_of(json, "target", source);
+    pose.origin = origin;
+    pose.position = vector_of(json, "position", source, origin);
+    pose.target = vector_of(json, "target", source, origin);
     if (json.contains("up")) pose.up = vector_of(json, "up", source);
     if (json.contains("fov_deg")) pose.fov_deg = json["fov_deg"].get<float>();
     make_camera(pose, 1.0f);  // throws if it is no view
@@ -98,11 +111,18 @@ CameraPose parse_camera(const std::string& text, const std::string& source) {
 }
 
 CameraPose find_camera(const std::string& preset_or_file, const RenderScene& scene) {
-  if (preset_or_file == "overview") return overview(scene);
-  if (preset_or_file == "street") return find_street_view(scene).value_or(overview(scene));
-  if (preset_or_file == "top") return top(scene);
-  if (preset_or_file.starts_with('{')) return parse_camera(preset_or_file, "camera");
-  return read_camera(preset_or_file);
+  if (preset_or_file.starts_with('{')) return parse_camera(preset_or_file, "camera", scene.origin);
+  CameraPose pose;
+  if (preset_or_file == "overview")
+    pose = overview(scene);
+  else if (preset_or_file == "street")
+    pose = find_street_view(scene).value_or(overview(scene));
+  else if (preset_or_file == "top")
+    pose = top(scene);
+  else
+    return read_camera(preset_or_file, scene.origin);
+  pose.origin = scene.origin;
+  return pose;
 }
 
 const std::vector<std::string>& camera_presets() {
@@ -113,9 +133,12 @@ const std::vector<std::string>& camera_presets() {
 namespace {
 
 nlohmann::json to_json(const CameraPose& pose) {
-  const auto array = [](const glm::vec3& v) { return nlohmann::json::array({v.x, v.y, v.z}); };
-  return {{"position", array(pose.position)},
-          {"target", array(pose.target)},
+  const auto array = [](const auto& v) { return nlohmann::json::array({v.x, v.y, v.z}); };
+  const auto place = [&](const glm::vec3& v) {
+    return pose.origin == glm::dvec3(0) ? array(v) : array(glm::dvec3(v) + pose.origin);
+  };
+  return {{"position", place(pose.position)},
+          {"target", place(pose.target)},
           {"up", array(pose.up)},
           {"fov_deg", pose.fov_deg}};
 }

@@ -12,11 +12,15 @@
 namespace nightcity::scene {
 
 struct CameraPose {
-  glm::vec3 position{0, 10, 0};  // model space, m
+  glm::vec3 position{0, 10, 0};  // relative to `origin`, m
   glm::vec3 target{0, 0, -100};
   glm::vec3 up{0, 1, 0};
-  float fov_deg = 60;  // vertical
+  float fov_deg = 60;    // vertical
+  glm::dvec3 origin{0};  // in model space, m, as RenderScene's
 };
+
+/// Returns the same pose relative to another origin.
+CameraPose relative_to(const glm::dvec3& origin, const CameraPose& pose);
 
 /// Returns the shaders' camera. Throws Error if position and target coincide, `up` is along the
 /// view, or the field of view is not in (0, 179] degrees.
@@ -33,8 +37,10 @@ const std::vector<std::string>& camera_presets();
 
 /// Returns the pose as one line of text, which find_camera takes and camera files hold.
 std::string to_text(const CameraPose& pose);
-/// Returns the pose that `text` holds. `source` names it in messages. Throws Error where it is none.
-CameraPose parse_camera(const std::string& text, const std::string& source);
+/// Returns the pose that `text` holds, in model space, relative to `origin`. `source` names it in
+/// messages. Throws Error where it is none.
+CameraPose parse_camera(const std::string& text, const std::string& source,
+                        const glm::dvec3& origin = glm::dvec3(0));
 
 void write_camera(const std::filesystem::path& file, const CameraPose& pose);
 

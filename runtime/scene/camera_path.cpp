@@ -77,10 +77,10 @@ CameraPath find_path(const std::string& preset_or_file, const RenderScene& scene
     return CameraPath({find_camera("overview", scene), find_camera("street", scene)});
   if (preset_or_file == "street")
     return CameraPath(along_the_view(find_camera("street", scene), scene));
-  return CameraPath(read_poses(preset_or_file));
+  return CameraPath(read_poses(preset_or_file, scene.origin));
 }
 
-std::vector<CameraPose> read_poses(const std::filesystem::path& file) {
+std::vector<CameraPose> read_poses(const std::filesystem::path& file, const glm::dvec3& origin) {
   const std::string name = file.string();
   refuse_special_file(file);
   std::ifstream stream(file);
@@ -89,7 +89,7 @@ std::vector<CameraPose> read_poses(const std::filesystem::path& file) {
     const auto document = nlohmann::json::parse(stream);
     std::vector<CameraPose> poses;
     for (const auto& entry : document.at("poses"))
-      poses.push_back(parse_camera(entry.dump(), name));
+      poses.push_back(parse_camera(entry.dump(), name, origin));
     return poses;
   } catch (const nlohmann::json::exception& error) {
     throw Error(name, error.what());

@@ -29,8 +29,9 @@ class CameraPath {
 /// files. Throws Error.
 CameraPath find_path(const std::string& preset_or_file, const RenderScene& scene);
 
-/// Returns the poses of a JSON file {"poses": [pose, ...]}. Throws Error with the file's name.
-std::vector<CameraPose> read_poses(const std::filesystem::path& file);
+/// Returns the poses of a JSON file {"poses": [pose, ...]}, relative to `origin`. Throws Error with
+/// the file's name.
+std::vector<CameraPose> read_poses(const std::filesystem::path& file, const glm::dvec3& origin);
 /// Writes such a file. Throws Error.
 void write_poses(const std::filesystem::path& file, const std::vector<CameraPose>& poses);
 

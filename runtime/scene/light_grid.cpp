@@ -17,6 +17,9 @@ namespace nightcity::scene {
 namespace {
 
 constexpr float max_entries = 16777216.0f;  // in the lists of all cells
+// Cells cover places up to here, m: squares of distances stay finite. Lights beyond it are listed
+// in the cells at the rim, by their true distance.
+constexpr float max_coordinate_m = 1e7f;
 // A shader, whose rounding differs from ours, may confuse strengths whose ratio is below this.
 constexpr float min_gap = 1.0001f;
 
@@ -339,10 +342,12 @@ LightGrid build_light_grid(std::span<const Light> lights, std::span<const float>
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const Light& light = lights[i];
     if (!(flux_lm[i] > 0)) continue;
-    lower_x = std::min(lower_x, light.position.x);
-    upper_x = std::max(upper_x, light.position.x);
-    lower_z = std::min(lower_z, light.position.z);
-    upper_z = std::max(upper_z, light.position.z);
+    const float x = std::clamp(light.position.x, -max_coordinate_m, max_coordinate_m),
+                z = std::clamp(light.position.z, -max_coordinate_m, max_coordinate_m);
+    lower_x = std::min(lower_x, x);
+    upper_x = std::max(upper_x, x);
+    lower_z = std::min(lower_z, z);
+    upper_z = std::max(upper_z, z);
   }
   if (!(lower_x <= upper_x)) return grid;  // no light shines: width 0 tells the shader
 

@@ -21,9 +21,8 @@ std::size_t count_triangles(const SceneMesh& mesh) {
 
 // As append_mesh, to anything that takes triangles.
 template <class Triangles>
-std::size_t convert_mesh(const SceneMesh& mesh, const glm::mat4& to_model,
+std::size_t convert_mesh(const SceneMesh& mesh, const glm::dmat4& m,
                          std::span<const std::uint32_t> light_numbers, Triangles& out) {
-  const glm::dmat4 m(to_model);
   std::size_t dropped = 0;
   std::vector<glm::vec3> positions;
   for (const ScenePrimitive& primitive : mesh.primitives) {
@@ -80,7 +79,12 @@ MeshSource meshes_of(const Scene& scene) {
     return std::shared_ptr<const SceneMesh>(std::shared_ptr<void>(), &scene.meshes.at(mesh));
   };
   source.in_parallel = true;
-  for (const SceneMesh& mesh : scene.meshes) source.triangles.push_back(count_triangles(mesh));
+  for (const SceneMesh& mesh : scene.meshes) {
+    source.triangles.push_back(count_triangles(mesh));
+    Box& bounds = source.bounds.emplace_back();
+    for (const ScenePrimitive& primitive : mesh.primitives)
+      for (const glm::vec3& p : primitive.positions) bounds.grow(p);
+  }
   return source;
 }
 
@@ -88,10 +92,10 @@ std::uint32_t find_light(std::uint32_t light, std::span<const std::uint32_t> num
   return light < numbers.size() ? numbers[light] : light;
 }
 
-std::size_t append_mesh(const SceneMesh& mesh, const glm::mat4& to_model,
+std::size_t append_mesh(const SceneMesh& mesh, const glm::dmat4& to_scene,
                         std::span<const std::uint32_t> light_numbers,
                         LargeVector<gpu::Triangle>& out) {
-  return convert_mesh(mesh, to_model, light_numbers, out);
+  return convert_mesh(mesh, to_scene, light_numbers, out);
 }
 
 std::size_t append_meshes(const std::vector<PlacedMesh>& placed, const MeshSource& meshes,
@@ -112,7 +116,7 @@ std::size_t append_meshes(const std::vector<PlacedMesh>& placed, const MeshSourc
   std::atomic<std::size_t> dropped = 0;
   run_parallel(placed.size(), meshes.in_parallel ? threads : 1, [&](std::size_t i) {
     dropped +=
-        convert_mesh(*meshes.read(placed[i].mesh), placed[i].to_model, light_numbers, places[i]);
+        convert_mesh(*meshes.read(placed[i].mesh), placed[i].to_scene, light_numbers, places[i]);
   });
   gpu::Triangle* end = out.data() + first;
   for (const TrianglePlace& place : places) {

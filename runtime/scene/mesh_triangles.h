@@ -20,6 +20,7 @@ struct MeshSource {
   std::function<std::shared_ptr<const SceneMesh>(std::uint32_t mesh)> read;
   bool in_parallel = false;            // `read` may be called by several threads at the same time
   std::vector<std::size_t> triangles;  // of each mesh, as far as is known before it is read
+  std::vector<Box> bounds;             // the same of their boxes, in the meshes' own frames
 };
 
 /// Returns the meshes that `scene` holds, which must outlive the result.
@@ -30,15 +31,16 @@ MeshSource meshes_of(const Scene& scene);
 std::uint32_t find_light(std::uint32_t light, std::span<const std::uint32_t> numbers);
 
 /// Appends the triangles of a mesh that have an area and whose light is not left out, and returns
-/// the number of those without area.
-std::size_t append_mesh(const SceneMesh& mesh, const glm::mat4& to_model,
+/// the number of those without area. `to_scene` leads from the mesh's frame to that of the
+/// triangles.
+std::size_t append_mesh(const SceneMesh& mesh, const glm::dmat4& to_scene,
                         std::span<const std::uint32_t> light_numbers,
                         LargeVector<gpu::Triangle>& out);
 
 /// A mesh that is placed once.
 struct PlacedMesh {
   std::uint32_t mesh;
-  glm::mat4 to_model;
+  glm::dmat4 to_scene;
 };
 
 /// Appends the triangles of `placed` in its order, and returns the number of those without area.

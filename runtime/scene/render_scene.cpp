@@ -10,6 +10,7 @@
 #include "formats/parallel.h"
 #include "formats/scene_identity.h"
 #include "formats/scene_reader.h"
+#include "runtime/scene/local_origin.h"
 #include "runtime/scene/parts.h"
 #include "runtime/scene/scene_geometry.h"
 
@@ -80,6 +81,15 @@ void add_lights(RenderScene& out, SceneLights lights) {
   }
 }
 
+// Makes all coordinates relative to `origin`.
+void set_origin(RenderScene& out, const glm::dvec3& origin) {
+  out.origin = origin;
+  const auto shift = [&](glm::vec3& p) { p = glm::vec3(glm::dvec3(p) - origin); };
+  for (Light& light : out.lights) shift(light.position);
+  for (TripKnot& knot : out.traffic.knots) shift(knot.position);
+  out.georeference.origin = out.georeference.from_model(origin);
+}
+
 }  // namespace
 
 RenderScene make_render_scene(const Scene& scene, SceneLights lights, const PartSet& left_out) {
@@ -93,6 +103,7 @@ RenderScene make_render_scene(const Scene& scene, SceneLights lights, const Part
   const std::vector<std::uint32_t> numbers = leave_out_lights(lights, left_out);
   add_lights(out, std::move(lights));
   const MeshSource meshes = meshes_of(scene);
+  set_origin(out, find_local_origin(scene, meshes, out.lights));
   add_bodies(out, scene, meshes, left_out);
   add_geometry(out, scene, meshes, {left_out, numbers}, count_cores());
   leave_out_of_materials(out, left_out);
@@ -107,8 +118,15 @@ float find_reach(const Box& box) {
   return std::max({corner.x, corner.y, corner.z});
 }
 
-// SPEC.md, section 1: a writer keeps a scene this near its origin.
-constexpr float max_reach_m = 20'000;
+std::string kilometres(double metres) {
+  return std::to_string(std::lround(metres / 1000)) + " km";
+}
+
+// Returns how far apart floats are at a coordinate, in words.
+std::string spacing_at(double coordinate) {
+  const float at = static_cast<float>(coordinate);
+  return std::to_string(std::nextafter(at, 1e38f) - at) + " m";
+}
 
 }  // namespace
 
@@ -122,13 +140,18 @@ std::vector<std::string> describe_left_out(const RenderScene& scene) {
       " left out, whose matrix is singular or smaller than a micrometre");
   say(scene.bad_lights, " light is", " lights are",
       " switched off: not finite, without flux, or with a profile that is not there");
-  if (const float reach = find_reach(scene.bounds); !scene.bounds.empty() && reach > max_reach_m)
-    sentences.push_back(
-        "reaches " + std::to_string(std::lround(reach / 1000)) +
-        " km from its origin, where coordinates are " +
-        std::to_string(std::nextafter(reach, 1e38f) - reach) +
-        " m apart: lights, walls and shadows are off by as much; bake it with an origin within 20 "
-        "km ([origin] in the recipe)");
+  const bool is_moved = scene.origin != glm::dvec3(0);
+  if (const double reach = double(find_reach(scene.bounds));
+      !scene.bounds.empty() && reach > max_reach_m)
+    sentences.push_back("reaches " + kilometres(reach) +
+                        (is_moved ? " from its middle" : " from its origin") +
+                        ", where coordinates are " + spacing_at(reach) +
+                        " apart: lights, walls and shadows there are off by as much");
+  if (const glm::dvec3 o = glm::abs(scene.origin); is_moved && !scene.lights.empty())
+    sentences.push_back("lies " + kilometres(std::max({o.x, o.y, o.z})) +
+                        " from the origin of its files, where places of lights are rounded to " +
+                        spacing_at(std::max({o.x, o.y, o.z})) +
+                        "; bake it with an origin within 20 km ([origin] in the recipe)");
   return sentences;
 }
 
@@ -196,8 +219,13 @@ RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& l
     return std::make_shared<const SceneMesh>(file.read_mesh(mesh));
   };
   meshes.in_parallel = file.reads_in_parallel();
-  for (std::size_t i = 0; i < file.mesh_count(); ++i)
+  for (std::size_t i = 0; i < file.mesh_count(); ++i) {
     meshes.triangles.push_back(file.count_triangles(i));
+    Box& bounds = meshes.bounds.emplace_back();
+    if (const auto box = file.find_bounds(i)) bounds = {(*box)[0], (*box)[1]};
+  }
+  out.georeference = file.scene().georeference;
+  set_origin(out, find_local_origin(file.scene(), meshes, out.lights));
   add_bodies(out, file.scene(), meshes, left_out);
   add_geometry(out, file.scene(), meshes, {left_out, numbers}, count_cores());
   Scene scene = file.finish();
@@ -206,7 +234,6 @@ RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& l
   leave_out_of_materials(out, left_out);
   out.skipped = scene.skipped;
   out.features = std::move(scene.features);
-  out.georeference = scene.georeference;
   return out;
 }
 

@@ -60,7 +60,10 @@ using PartSet = std::bitset<part_count>;
 /// The number of things of each part.
 using PartCounts = std::array<std::size_t, part_count>;
 
+/// A scene in a frame of its own: X, Y, Z as in model space, relative to `origin`.
 struct RenderScene {
+  // Of this frame, in model space, m: not 0 where everything lies far from there (local_origin.h).
+  glm::dvec3 origin{0};
   LargeVector<gpu::BvhNode> nodes;  // every BLAS, then the TLAS
   std::uint32_t root = BVH_EMPTY;   // of the TLAS
   LargeVector<gpu::Triangle> triangles;
@@ -76,8 +79,8 @@ struct RenderScene {
   std::vector<std::uint32_t> switches;  // s since noon
   Traffic traffic;
   SkyMap sky_map;
-  Box bounds;  // of all static geometry
-  Georeference georeference{};
+  Box bounds;                                 // of all static geometry
+  Georeference georeference{};                // of this frame
   std::vector<SceneFeature> features{};       // city objects, by the triangles' feature
   std::vector<LightProvenance> provenance{};  // parallel to lights, or empty
 
@@ -91,7 +94,8 @@ struct RenderScene {
 
 /// Returns what the files hold and no picture shows, one sentence for each kind: what the reader
 /// skipped, triangles without area, instances without volume, lights that cannot shine. And warns
-/// of a scene that lies so far from its origin that single precision displaces it.
+/// of a scene that is so wide, or whose lights lie so far from the files' origin, that single
+/// precision displaces something by more than a millimetre.
 std::vector<std::string> describe_left_out(const RenderScene& scene);
 
 /// Returns whose data the scene is made from, under which licences; "" where its files do not say.

@@ -103,16 +103,21 @@ void append_box(const glm::vec3& lower, const glm::vec3& upper, LargeVector<gpu:
 void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes,
                   const GeometryFilter& filter, unsigned threads) {
   std::vector<Box> instance_boxes;
-  const auto place = [&](std::uint32_t root, const Box& box, const glm::dmat4& to_model,
-                         bool shadow, std::uint32_t light) {
-    const double determinant = glm::determinant(glm::dmat3(to_model));
+  const auto to_scene = [&](const SceneInstance& instance) {
+    glm::dmat4 matrix = to_double(instance);
+    matrix[3] -= glm::dvec4(out.origin, 0);
+    return matrix;
+  };
+  const auto place = [&](std::uint32_t root, const Box& box, const glm::dmat4& placed, bool shadow,
+                         std::uint32_t light) {
+    const double determinant = glm::determinant(glm::dmat3(placed));
     if (root == BVH_EMPTY) return;
     if (!std::isfinite(determinant) || std::abs(determinant) < 1e-18) {
       ++out.dropped_instances;
       return;
     }
-    instance_boxes.push_back(transformed(box, to_model));
-    out.instances.push_back(make_instance(glm::inverse(to_model), root, shadow, light));
+    instance_boxes.push_back(transformed(box, placed));
+    out.instances.push_back(make_instance(glm::inverse(placed), root, shadow, light));
     out.bounds.grow(instance_boxes.back());
   };
 
@@ -149,7 +154,7 @@ void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes
     std::vector<PlacedMesh> merged;
     for (const SceneNode& node : scene.nodes)
       if (!is_skipped(node) && is_merged(node) && casts_shadow(node) == shadow)
-        merged.push_back({node.mesh, node.instances[0].to_model});
+        merged.push_back({node.mesh, to_scene(node.instances[0])});
     const std::size_t first = out.triangles.size();
     out.dropped_triangles +=
         append_meshes(merged, meshes, filter.light_numbers, threads, out.triangles);
@@ -162,14 +167,14 @@ void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes
     auto& mesh = built.at(node.mesh);
     if (!mesh) {
       const std::size_t first = out.triangles.size();
-      out.dropped_triangles += append_mesh(*meshes.read(node.mesh), glm::mat4(1.0f),
+      out.dropped_triangles += append_mesh(*meshes.read(node.mesh), glm::dmat4(1.0),
                                            filter.light_numbers, out.triangles);
       mesh = add_blas(out, first, threads);
     }
     for (const SceneInstance& instance : node.instances) {
       const std::uint32_t light = find_light(instance.light, filter.light_numbers);
       if (light != left_out_light)
-        place(mesh->first, mesh->second, glm::dmat4(instance.to_model), casts_shadow(node), light);
+        place(mesh->first, mesh->second, to_scene(instance), casts_shadow(node), light);
     }
   }
   add_tlas(out, instance_boxes, threads);
@@ -183,7 +188,7 @@ void add_bodies(RenderScene& out, const Scene& scene, const MeshSource& meshes,
     for (const SceneNode& node : scene.nodes) {
       if (node.vehicle != kind) continue;
       out.dropped_triangles +=
-          append_mesh(*meshes.read(node.mesh), glm::mat4(1.0f), {}, out.triangles);
+          append_mesh(*meshes.read(node.mesh), glm::dmat4(1.0), {}, out.triangles);
       if (node.casts_shadow) mask |= MASK_SHADOW;
     }
     if (out.triangles.size() == first) {

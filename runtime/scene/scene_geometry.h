@@ -15,7 +15,8 @@ struct GeometryFilter {
   std::span<const std::uint32_t> light_numbers;  // from leave_out_lights
 };
 
-/// Appends the meshes of `scene`, their BLASes and instances, and builds the TLAS over these.
+/// Appends the meshes of `scene`, their BLASes and instances, and builds the TLAS over these, all
+/// relative to `out.origin`.
 /// Triangles without area and instances whose matrix is singular are left out and counted. Vehicles
 /// are left out where `out` has traffic, and what `filter` says. The result does not depend on the
 /// number of `threads`.

@@ -32,7 +32,7 @@ void Session::open(const scene::CameraPose& pose, const std::filesystem::path& b
   std::error_code ignored;
   if (!std::filesystem::exists(bookmarks, ignored)) return;
   try {
-    bookmarks_ = scene::read_poses(bookmarks);
+    bookmarks_ = scene::read_poses(bookmarks, pose.origin);
     notices.say(fmt::format("{} bookmarks of {}", bookmarks_.size(), bookmarks.string()), now_s);
   } catch (const Error& error) {
     notices.say(error.what(), now_s, true);
@@ -82,7 +82,7 @@ void Session::take_back(double now_s) {
 
 void Session::paste_camera(const std::string& text, double now_s) {
   try {
-    go_to(scene::parse_camera(text, "clipboard"), now_s);
+    go_to(scene::parse_camera(text, "clipboard", state.camera.pose.origin), now_s);
   } catch (const Error&) {
     notices.say("the clipboard holds no camera (Ctrl+C copies one)", now_s, true);
   }

@@ -278,10 +278,9 @@ TEST(Guard, RandomNumbersStayBelowOne) {
                  {{"random.glsl", "return (word >> 22u) ^ word;", "return 0xFFFFFFFFu | word;"}});
 }
 
-// A point lamp has the smallest radius, a millimetre. At half of it above the ground, where d^2 is
-// zero in float, the ground is inside the lamp; just outside, the lamp's size bounds the light on
-// the ground.
-TEST(Guard, AtTheLampItselfLightIsBoundedByItsSize) {
+// Nothing within a millimetre of a point lamp is lit by it, where d^2 tends to zero; just outside,
+// that distance bounds the light on the ground.
+TEST(Guard, AtTheLampItselfLightIsBounded) {
   // Points of the lamp below the ground would be in its shadow, so the ground casts none.
   const auto over_ground = [](float height) {
     SceneBuilder builder;
@@ -297,7 +296,7 @@ TEST(Guard, AtTheLampItselfLightIsBoundedByItsSize) {
     return luminance(taken(passes, within), 0) == 0 &&
            luminance(taken(passes, at_centre), 0) == 0 && seen > 0 && seen < most;
   };
-  expect_guarded(bounded, {{"light_kinds.glsl", "if (d2 <= radius * radius) return s;", ""}});
+  expect_guarded(bounded, {{"light_kinds.glsl", "if (d2 <= nearest * nearest) return s;", ""}});
 }
 
 TEST(Guard, AWindowWithoutAreaShinesAsASmallOne) {

@@ -81,6 +81,17 @@ Place analytic() {
   return {builder.with(lights), {{-9, 10, 17}, {0, 1, 0}, {0, 1, 0}, 50}, 24};
 }
 
+// The same with two lamps behind the large box that outshine the others a thousand times: hidden
+// from most of the picture, and seen past the box from some of it.
+Place analytic_with_hidden_lamps() {
+  Place place = analytic();
+  std::vector<Light> lights = place.scene.lights;
+  lights.push_back(lamp({-1, 3, -16}, 4e6f, 0.2f));
+  lights.push_back(lamp({2, 4, -17}, 4e6f, 0.2f));
+  place.scene = boxes_on_a_plane().with(lights);
+  return place;
+}
+
 Place town() {
   const SceneBuilder builder = random_town(120, 50, 11);
   return {builder.with(under_open_sky(builder, random_lamps(150, 50, 5))),
@@ -90,6 +101,9 @@ Place town() {
 
 TEST(Unbiased, TheDefaultOnAnAnalyticScene) {
   expect_unbiased(analytic(), render::RenderSettings{}.sampling.estimator);
+}
+TEST(Unbiased, TheDefaultWhereHiddenLampsOutshineTheRest) {
+  expect_unbiased(analytic_with_hidden_lamps(), render::RenderSettings{}.sampling.estimator);
 }
 TEST(Unbiased, RisOnAnAnalyticScene) {
   expect_unbiased(analytic(), render::Estimator::ris);

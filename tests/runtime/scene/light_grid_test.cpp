@@ -149,6 +149,22 @@ TEST(LightGrid, LightsWithoutFluxAreInNoCell) {
   EXPECT_EQ(scene::build_light_grid({}, scene::near_lists).shape.width, 0u);
 }
 
+// Distances whose squares are no floats: the grid is made nevertheless, and lists near lights as it
+// does without the far one.
+TEST(LightGrid, ALightAtTheEndOfTheNumbersLeavesTheOthersListed) {
+  for (const float far : {1e8f, 1e18f, 1e20f, 1e30f, 3e38f}) {
+    const std::vector<Light> lights{lamp({1, 8, 2}, 5000), lamp({far, far / 2, -far}, 5000)};
+    const scene::LightGrid grid = scene::build_light_grid(lights, scene::LightLists{8, 256});
+    ASSERT_GT(grid.shape.width, 0u) << far;
+    EXPECT_TRUE(std::isfinite(grid.shape.cell_m) && std::isfinite(grid.shape.softening_m2)) << far;
+    const auto column = static_cast<std::uint32_t>((1 - grid.shape.origin_x) / grid.shape.cell_m),
+               row = static_cast<std::uint32_t>((2 - grid.shape.origin_z) / grid.shape.cell_m);
+    const gpu::LightCell& cell = grid.cells.at(row * grid.shape.width + column);
+    ASSERT_GE(cell.count, 1u) << far;
+    EXPECT_EQ(grid.entries.at(cell.first).light, 0u) << far;
+  }
+}
+
 TEST(LightGrid, AContinentOfLightsKeepsItsCellsCountable) {
   std::vector<Light> lights = random_lamps(1000, 100, 2);
   lights.push_back(lamp({900000, 5, 900000}, 3000));

@@ -45,7 +45,7 @@ City make_city() {
   City city;
   for (std::uint32_t i = 0; i < 40; ++i) {
     city.meshes.push_back(make_mesh(1 + 7 * i, i % 3, i));
-    city.placed.push_back({i, glm::translate(glm::mat4(1), glm::vec3(0, 0, float(i)))});
+    city.placed.push_back({i, glm::translate(glm::dmat4(1), glm::vec3(0, 0, float(i)))});
   }
   return city;
 }

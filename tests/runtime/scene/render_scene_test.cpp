@@ -83,11 +83,17 @@ TEST(DescribeLeftOut, NamesWhatNoPictureShows) {
   EXPECT_TRUE(scene::describe_left_out(scene::RenderScene{}).empty());
 }
 
-TEST(DescribeLeftOut, WarnsOfASceneFarFromItsOrigin) {
+TEST(DescribeLeftOut, WarnsOfAWideSceneAndOfLightsFarFromTheFilesOrigin) {
+  EXPECT_TRUE(says(scene::describe_left_out(SceneBuilder().ground(50'000).with({})),
+                   "reaches 50 km from its origin"));
   SceneBuilder builder;
   builder.ground(100);
   builder.scene().nodes[0].instances[0].to_model[3] = {391000, 34, -5819000, 1};
-  EXPECT_TRUE(says(scene::describe_left_out(builder.with({})), "reaches 5819 km from its origin"));
+  EXPECT_TRUE(scene::describe_left_out(builder.with({})).empty());
+  const Light far = lamp({391000, 40, -5819000}, 1000);
+  EXPECT_TRUE(says(scene::describe_left_out(builder.with({far})),
+                   "lies 5819 km from the origin of its files, where places of lights are rounded "
+                   "to 0.5"));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ TEST(PathRecorder, KeepsAPoseForEachIntervalOfTime) {
   EXPECT_NEAR(recorder.duration_s(), 2.5, 1e-9);
   const std::string sentence = recorder.finish(folder / "city.glb");
   EXPECT_NE(sentence.find("city.path-001.json"), std::string::npos) << sentence;
-  const auto poses = scene::read_poses(folder / "city.path-001.json");
+  const auto poses = scene::read_poses(folder / "city.path-001.json", glm::dvec3(0));
   ASSERT_EQ(poses.size(), 11u);
   EXPECT_EQ(poses[0].position.x, 0);
   EXPECT_NEAR(poses[4].position.x, 1, 1e-6);
