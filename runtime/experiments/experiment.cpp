@@ -46,11 +46,20 @@ double sum_gpu_ms(const render::Renderer& renderer) {
   return sum;
 }
 
-void wake(const gpu::Device& device, const std::function<void()>& render) {
+namespace {
+
+void render_for(const gpu::Device& device, std::chrono::milliseconds time,
+                const std::function<void()>& render) {
   if (device.info().kind == "cpu") return;
   const auto start = std::chrono::steady_clock::now();
   do render();
-  while (std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
+  while (std::chrono::steady_clock::now() - start < time);
+}
+
+}  // namespace
+
+void wake(const gpu::Device& device, const std::function<void()>& render) {
+  render_for(device, std::chrono::seconds(1), render);
 }
 
 Experiment::Experiment(scene::RenderScene scene, const Options& options)
@@ -99,6 +108,13 @@ void Experiment::warm_up(const scene::CameraPose& pose, const render::RenderSett
   render::Renderer renderer = make_renderer();
   for (int i = 0; i < 2; ++i) renderer.render_frame(pose, settings);  // the second has a history
   wake(*device_, [&] { renderer.render_frame(pose, settings); });
+}
+
+void Experiment::wake_up(const scene::CameraPose& pose, const render::RenderSettings& settings) {
+  if (device_->info().kind == "cpu") return;
+  render::Renderer renderer = make_renderer();
+  render_for(*device_, std::chrono::milliseconds(100),
+             [&] { renderer.render_frame(pose, settings); });
 }
 
 std::vector<double> Experiment::start_run(const scene::CameraPose& pose,

@@ -58,6 +58,10 @@ class Experiment {
   /// frames that are measured draw the same random numbers however long this took.
   void warm_up(const scene::CameraPose& pose, const render::RenderSettings& settings);
 
+  /// Wakes a device that has been idle, as while the host looked at a picture, with frames of
+  /// another renderer, for a tenth of a second; does nothing on a CPU.
+  void wake_up(const scene::CameraPose& pose, const render::RenderSettings& settings);
+
   /// Renders pictures of `repeats` seeds, each after `lead` frames that fill the history, and
   /// compares them with `truth` at every count of `frames` (ascending). Returns one measurement per
   /// count. With `time_step_s` above 0 the clock moves on by it before every frame and reaches the

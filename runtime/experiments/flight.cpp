@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "formats/program/output.h"
@@ -23,6 +24,34 @@ std::vector<std::string> make_row(std::uint32_t frame, double time_s, const scen
           fmt::format("{:.3f}", place.z), fmt::format("{:.4g}", ms)};
 }
 
+// The milliseconds of each pass, frame by frame.
+class PassTimes {
+ public:
+  void add(const std::vector<gpu::Timer::Span>& spans) {
+    std::vector<double>& frame = frames_.emplace_back(names_.size());
+    for (const gpu::Timer::Span& span : spans) {
+      const auto at = std::find(names_.begin(), names_.end(), span.name);
+      const auto column = static_cast<std::size_t>(at - names_.begin());
+      if (at == names_.end()) names_.emplace_back(span.name);
+      frame.resize(names_.size());
+      frame[column] += span.ms;
+    }
+  }
+
+  // Appends a column for each pass to a table with a row for each frame.
+  void append_to(measure::Table& table) const {
+    for (const std::string& name : names_) table.columns.push_back(name + " ms");
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+      for (const double ms : frames_[i]) table.rows.at(i).push_back(fmt::format("{:.4g}", ms));
+      table.rows[i].resize(table.columns.size(), "0");
+    }
+  }
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<std::vector<double>> frames_;
+};
+
 void add_errors(const measure::Comparison& errors, std::vector<std::string>& row,
                 FlightReport& report) {
   for (const double value :
@@ -34,15 +63,36 @@ void add_errors(const measure::Comparison& errors, std::vector<std::string>& row
   report.fireflies.push_back(errors.fireflies);
 }
 
-std::optional<render::Governor> make_governor(const render::GovernorOptions& options,
+// Returns what frame i of a flight shows; before and after the flight it goes on at the path's ends.
+Moment moment_at(const FlightOptions& options, const scene::CameraPath& path, double first_s,
+                 std::uint32_t i) {
+  return {path.at(options.frames > 1 ? double(i) / (options.frames - 1) : 0.0),
+          first_s + i * options.time_step_s};
+}
+
+// Returns the moments of the flight's first, middle and last frames.
+std::vector<std::vector<Moment>> list_places(const FlightOptions& options,
+                                             const scene::CameraPath& path, double first_s) {
+  const std::uint32_t last = options.frames - std::min(options.frames, rung_frames);
+  std::vector<std::vector<Moment>> places;
+  for (const std::uint32_t first : {0u, last / 2, last}) {
+    std::vector<Moment>& place = places.emplace_back();
+    for (std::uint32_t i = 0; i < rung_frames; ++i)
+      place.push_back(moment_at(options, path, first_s, first + i));
+  }
+  return places;
+}
+
+std::optional<render::Governor> make_governor(const FlightOptions& flight,
                                               const Experiment& experiment,
                                               const scene::CameraPath& path,
                                               const render::RenderSettings& settings,
                                               program::ProgressDisplay& progress) {
+  const render::GovernorOptions& options = flight.governor;
   if (!(options.budget_ms > 0) && !(options.target_error > 0)) return {};
   const std::vector<render::Rung> rungs =
       measure_rungs([&] { return experiment.make_renderer(); },
-                    {path.at(0), path.at(0.5), path.at(1)}, settings, options.target_error > 0,
+                    list_places(flight, path, settings.time_s), settings, options.target_error > 0,
                     [&](std::size_t done, std::size_t all) {
                       progress.show({"measuring settings", done, all, "settings"});
                     });
@@ -84,14 +134,14 @@ FlightReport fly(const FlightOptions& options, Experiment& experiment,
   measure::Table table{{"frame", "time_s", "x", "y", "z", "ms", "rmse8", "relative_mse",
                         "relative_mean_signed_error", "fireflies"},
                        {}};
-  report.governor = make_governor(options.governor, experiment, path, settings, progress);
+  PassTimes passes;
+  report.governor = make_governor(options, experiment, path, settings, progress);
   if (report.governor) table.columns.insert(table.columns.end(), {"candidates", "neighbours"});
   const double first_s = settings.time_s;
   std::optional<float> ev100 = options.ev100;
   for (std::uint32_t i = 0; i < options.frames; ++i) {
-    const scene::CameraPose pose =
-        path.at(options.frames > 1 ? double(i) / (options.frames - 1) : 0.0);
-    settings.time_s = first_s + i * options.time_step_s;
+    const auto [pose, time_s] = moment_at(options, path, first_s, i);
+    settings.time_s = time_s;
     const render::Effort effort = report.governor ? report.governor->effort() : render::Effort{};
     double ms = 0;
     if (report.governor) {
@@ -102,8 +152,13 @@ FlightReport fly(const FlightOptions& options, Experiment& experiment,
     }
     std::vector<std::string> row = make_row(i, settings.time_s, pose, ms);
     if (i > 0) report.ms.push_back(ms);
-    const measure::Image picture = experiment.renderer().download(false);
-    if (i > 0 && i % options.every == 0) {
+    passes.add(experiment.renderer().timings());
+    // A picture that nobody needs stays on the device: while it is fetched, a GPU has nothing to do
+    // and lowers its clock rate, which the next frame then pays for.
+    const bool is_measured = i > 0 && i % options.every == 0;
+    const measure::Image picture =
+        is_measured || options.pictures ? experiment.renderer().download(false) : measure::Image{};
+    if (is_measured) {
       const measure::Image truth =
           experiment.reference(pose, settings, options.reference_frames, {});
       add_errors(measure::compare(picture, truth), row, report);
@@ -114,6 +169,7 @@ FlightReport fly(const FlightOptions& options, Experiment& experiment,
       row[row.size() - 1] = fmt::to_string(effort.max_neighbours);
     }
     table.rows.push_back(std::move(row));
+    if (is_measured || options.pictures) experiment.wake_up(pose, settings);
     if (options.pictures) {
       if (!ev100)  // one exposure for the whole flight
         ev100 = measure::auto_exposure_ev100(experiment.renderer().sample_mean(picture.pixels()));
@@ -122,6 +178,7 @@ FlightReport fly(const FlightOptions& options, Experiment& experiment,
     }
     progress.show({"flying", i + 1, options.frames, "frames"});
   }
+  passes.append_to(table);
   experiment.check_validation();
   measure::write_csv(options.folder / "flight.csv", table);
   return report;

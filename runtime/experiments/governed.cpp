@@ -3,16 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
-#include "formats/median.h"
 #include "runtime/experiments/experiment.h"
 #include "runtime/measure/noise.h"
 
 namespace nightcity::experiments {
 namespace {
 
-constexpr std::uint32_t seeds = 3, lead_frames = 6, timed_frames = 5;
+constexpr std::uint32_t seeds = 3, lead_frames = 4;
 
 void render_frame(render::Renderer& renderer, const scene::CameraPose& pose,
                   const render::RenderSettings& settings, const render::Effort& effort) {
@@ -24,27 +24,33 @@ void render_frame(render::Renderer& renderer, const scene::CameraPose& pose,
 
 }  // namespace
 
+std::vector<Moment> at_rest(const scene::CameraPose& pose, double time_s) {
+  return std::vector<Moment>(rung_frames, Moment{pose, time_s});
+}
+
 std::vector<render::Rung> measure_rungs(
     const std::function<render::Renderer()>& make_renderer,
-    const std::vector<scene::CameraPose>& poses, const render::RenderSettings& settings,
+    const std::vector<std::vector<Moment>>& places, const render::RenderSettings& settings,
     bool errors, const std::function<void(std::size_t, std::size_t)>& progress) {
   std::vector<render::Rung> rungs = list_rungs(settings);
   render::Renderer renderer = make_renderer();
   render::RenderSettings each = settings;
   each.averaging.accumulate = false;  // every frame stands alone, as in a flight
   for (std::size_t i = 0; i < rungs.size(); ++i) {
-    for (const scene::CameraPose& pose : poses) {
+    for (const std::vector<Moment>& place : places) {
       std::vector<measure::Image> pictures;
       std::vector<double> ms;
       for (std::uint32_t seed = 0; seed < (errors ? seeds : 1); ++seed) {
         each.sampling.seed = settings.sampling.seed + seed;
-        for (std::uint32_t frame = 0; frame < lead_frames + timed_frames; ++frame) {
-          render_frame(renderer, pose, each, rungs[i].effort);
+        for (std::size_t frame = 0; frame < place.size(); ++frame) {
+          each.time_s = place[frame].time_s;
+          render_frame(renderer, place[frame].pose, each, rungs[i].effort);
           if (frame >= lead_frames) ms.push_back(sum_gpu_ms(renderer));
         }
         if (errors) pictures.push_back(renderer.download(false));
       }
-      rungs[i].ms = std::max(rungs[i].ms, median(ms));
+      std::sort(ms.begin(), ms.end(), std::greater<>());
+      rungs[i].ms = std::max(rungs[i].ms, ms.at(1));
       if (errors)
         rungs[i].relative_error =
             std::max(rungs[i].relative_error, measure::find_relative_noise(pictures));

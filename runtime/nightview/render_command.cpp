@@ -152,7 +152,9 @@ render::Effort choose_effort(const RenderCommand& command,
   options.target_error = 0;  // more frames keep it
   if (!(options.budget_ms > 0)) return {};
   const render::Governor governor(
-      experiments::measure_rungs(make_renderer, {pose}, command.options.settings, false,
+      experiments::measure_rungs(make_renderer,
+                                 {experiments::at_rest(pose, command.options.settings.time_s)},
+                                 command.options.settings, false,
                                  [&](std::size_t done, std::size_t all) {
                                    progress.show({"measuring settings", done, all, "settings"});
                                  }),

@@ -2,22 +2,45 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 
 #include "formats/error.h"
 
 namespace nightcity::render {
 namespace {
 
-// The load falls by this share of the difference in each frame: in half a second at 60 frames.
-constexpr double forgetting = 0.05;
+// One frame in 100 may be above the budget; a fifth of that is kept back for rises that fail.
+constexpr double paid_per_frame = 0.008;
+constexpr double min_account = -4;  // so that a lowest rung that is too dear is soon forgiven
+constexpr double account_to_rise = 0.5;
+constexpr std::size_t window = 120;  // frames that a dearer rung must suit
+constexpr std::size_t recent = 16;   // frames that show where the times are heading
+constexpr double near_budget = 0.95;
 constexpr std::uint32_t max_backing = 16;
 
 }  // namespace
 
 std::string Rung::name() const {
-  return std::to_string(effort.max_candidates) + " candidates, " +
-         std::to_string(effort.max_neighbours) + " neighbours";
+  std::string text = std::to_string(effort.max_candidates) + " candidates, " +
+                     std::to_string(effort.max_neighbours) + " neighbours";
+  if (effort.max_cell_paths < std::numeric_limits<std::uint32_t>::max())
+    text += ", " + std::to_string(effort.max_cell_paths) + " paths a cell";
+  return text;
 }
+
+namespace {
+
+// Bounds the paths of the irradiance cache's cells, and adds the rung that does not.
+void bound_cell_paths(const RenderSettings& settings, std::vector<Rung>& rungs) {
+  if (find_indirect(settings) != INDIRECT_CACHE) return;
+  const Rung whole = rungs.back();
+  for (Rung& rung : rungs) rung.effort.max_cell_paths = settings.indirect.paths;
+  rungs.front().effort.max_cell_paths = 1;
+  rungs.push_back(whole);
+}
+
+}  // namespace
 
 std::vector<Rung> list_rungs(const RenderSettings& settings) {
   const EstimatorTraits& traits = traits_of(settings.sampling.estimator);
@@ -30,12 +53,14 @@ std::vector<Rung> list_rungs(const RenderSettings& settings) {
     Rung rung;
     rung.effort = {std::min(c, candidates), std::min(n, neighbours)};
     if (rungs.empty() || rung.effort != rungs.back().effort) rungs.push_back(rung);
-    if (c >= candidates && n >= neighbours) return rungs;
+    if (c >= candidates && n >= neighbours) break;
     if (n < neighbours && (c >= candidates || c >= 8 * (n + 1) || (n == 0 && c >= 4)))
       ++n;
     else
       c *= 2;
   }
+  bound_cell_paths(settings, rungs);
+  return rungs;
 }
 
 Governor::Governor(std::vector<Rung> rungs, const GovernorOptions& options)
@@ -51,47 +76,75 @@ Governor::Governor(std::vector<Rung> rungs, const GovernorOptions& options)
     can_keep_target_ = keeps != rungs_.end();
     if (can_keep_target_) top_ = static_cast<std::size_t>(keeps - rungs_.begin());
   }
-  rung_ = find_affordable(top_);
+  rung_ = options.budget_ms > 0 ? find_affordable(top_, 1, options.fill * options.budget_ms) : top_;
 }
 
-// Returns the dearest rung up to `at_most` that is expected to fill the budget's share at most, or
-// the cheapest where none is.
-std::size_t Governor::find_affordable(std::size_t at_most) const {
-  if (!(options_.budget_ms > 0)) return at_most;
+// Returns the dearest rung up to `at_most` that is expected to last no longer than the limit under
+// a load, or the cheapest where none is.
+std::size_t Governor::find_affordable(std::size_t at_most, double load, double limit_ms) const {
   for (std::size_t rung = at_most; rung > 0; --rung)
-    if (expected_ms(rung) <= options_.fill * options_.budget_ms) return rung;
+    if (rungs_[rung].ms * load <= limit_ms) return rung;
   return 0;
 }
 
-void Governor::change_to(std::size_t rung, const std::string& reason) {
-  if (rung == rung_) return;
-  decisions_.push_back({frames_, rung_, rung, expected_ms(rung), reason});
+// Returns the load of the frame that is `rank`-th (from 0) among the slowest of the last `frames`.
+double Governor::find_load(std::size_t frames, std::size_t rank) const {
+  std::vector<double> last(loads_.end() - std::ptrdiff_t(std::min(frames, loads_.size())),
+                           loads_.end());
+  const auto at = last.begin() + std::ptrdiff_t(std::min(rank, last.size() - 1));
+  std::nth_element(last.begin(), at, last.end(), std::greater<>());
+  return *at;
+}
+
+void Governor::change_to(std::size_t rung, double load, const std::string& reason) {
+  decisions_.push_back({frames_, rung_, rung, rungs_[rung].ms * load, reason});
   rung_ = rung;
-  room_ = 0;
+  last_change_ = frames_;
+}
+
+void Governor::fall(std::size_t rung, double load, const std::string& reason) {
+  if (rung >= rung_) return;
+  // A rise that did not last: the next one takes longer.
+  if (has_risen_ && frames_ - last_rise_ <= std::size_t{options_.patience} * backing_ * 8)
+    backing_ = std::min(2 * backing_, max_backing);
+  has_risen_ = false;
+  change_to(rung, load, reason);
+}
+
+void Governor::rise_where_there_is_room() {
+  if (rung_ >= top_ || account_ < account_to_rise) return;
+  if (frames_ - last_change_ < std::size_t{options_.patience} * backing_) return;
+  const double load = find_load(window, 1);
+  if (rungs_[rung_ + 1].ms * load > options_.fill * options_.budget_ms) return;
+  if (has_risen_ && frames_ - last_rise_ > std::size_t{options_.patience} * backing_ * 8)
+    backing_ = std::max(1u, backing_ / 2);  // the last rise has lasted
+  change_to(rung_ + 1, load, "there was room for it");
+  last_rise_ = frames_;
+  has_risen_ = true;
 }
 
 void Governor::observe(double ms) {
   ++frames_;
   if (!(options_.budget_ms > 0) || !std::isfinite(ms) || !(ms > 0)) return;
-  const double seen = rungs_[rung_].ms > 0 ? ms / rungs_[rung_].ms : load_;
-  load_ = seen > load_ ? seen : load_ + forgetting * (seen - load_);
+  loads_.push_back(rungs_[rung_].ms > 0 ? ms / rungs_[rung_].ms : 1);
+  if (loads_.size() > window) loads_.pop_front();
+  account_ = std::min(1.0, account_ + paid_per_frame);
   if (ms > options_.budget_ms) {
-    // A rise that did not last: the next one takes longer.
-    if (has_risen_ && frames_ - last_rise_ <= std::size_t{options_.patience} * backing_ * 2)
-      backing_ = std::min(2 * backing_, max_backing);
-    room_ = 0;
-    change_to(find_affordable(rung_), "a frame was above the budget");
+    account_ = std::max(min_account, account_ - 1);
+    if (account_ >= 0 || rung_ == 0) return;
+    const double load = find_load(2, 1);
+    fall(std::min(rung_ - 1, find_affordable(rung_, load, near_budget * options_.budget_ms)), load,
+         "too many frames were above the budget");
     return;
   }
-  const bool has_room =
-      rung_ < top_ && expected_ms(rung_ + 1) <= options_.fill * options_.budget_ms;
-  room_ = has_room ? room_ + 1 : 0;
-  if (room_ < options_.patience * backing_) return;
-  if (has_risen_ && frames_ - last_rise_ > std::size_t{options_.patience} * backing_ * 8)
-    backing_ = 1;  // the last rise has lasted
-  change_to(rung_ + 1, "there was room for it");
-  last_rise_ = frames_;
-  has_risen_ = true;
+  if (rung_ > 0 && frames_ - last_change_ >= recent && loads_.size() >= recent) {
+    const double load = find_load(recent, 2);
+    if (rungs_[rung_].ms * load > near_budget * options_.budget_ms) {
+      fall(rung_ - 1, load, "frames came close to the budget");
+      return;
+    }
+  }
+  rise_where_there_is_room();
 }
 
 }  // namespace nightcity::render
