@@ -69,9 +69,11 @@ gpu::Camera make_camera(const CameraPose& pose, float aspect) {
   if (!(distance > 0) || !std::isfinite(distance))
     throw Error("camera", "position and target coincide");
   const glm::vec3 forward = ahead / distance;
-  const glm::vec3 side = glm::cross(forward, pose.up);
-  if (!(glm::length(side) > 1e-6f * glm::length(pose.up)))
-    throw Error("camera", "up is along the view direction");
+  // In double, where the squares of any float have room; `up` may have any length but 0.
+  const double length = glm::length(glm::dvec3(pose.up));
+  if (!(length > 0)) throw Error("camera", "up has no length");
+  const glm::vec3 side = glm::cross(forward, glm::vec3(glm::dvec3(pose.up) / length));
+  if (!(glm::length(side) > 1e-6f)) throw Error("camera", "up is along the view direction");
   if (!(pose.fov_deg > 0 && pose.fov_deg <= 179))
     throw Error("camera", "fov_deg must be in (0, 179]");
   gpu::Camera camera{};

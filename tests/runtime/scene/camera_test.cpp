@@ -30,6 +30,14 @@ TEST(Camera, RefusesWhatIsNoView) {
   EXPECT_THROW(scene::make_camera({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 180}, 1), Error);
 }
 
+TEST(Camera, UpMayHaveAnyLength) {
+  for (const float length : {1e-44f, 1e-30f, 1.0f, 1e30f, 3e38f}) {
+    const gpu::Camera camera = scene::make_camera({{0, 2, 5}, {0, 1, 0}, {0, length, 0}, 60}, 1.5f);
+    EXPECT_NEAR(camera.right.x, 1, 1e-6f) << length;
+    EXPECT_NEAR(glm::length(camera.up), 1, 1e-6f) << length;
+  }
+}
+
 TEST(Camera, FilesRoundTrip) {
   const auto file = std::filesystem::temp_directory_path() / "nightcity_camera_test.json";
   const scene::CameraPose pose{{1.5f, 2.25f, -3}, {4, 5, 6}, {0, 0, -1}, 33};

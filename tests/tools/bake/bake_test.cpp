@@ -95,6 +95,31 @@ TEST(Bake, FilesOfTwoZonesShareOneFrame) {
   EXPECT_NEAR(roof.greatest.y, 5819010, 0.002);
 }
 
+// Lights are floats in model space: half a metre apart at a northing. The origin is moved in whole
+// steps of 50 km, and everything is where it is without it.
+TEST(Bake, AnOriginFarFromTheCityIsMoved) {
+  const TempFolder folder;
+  const std::vector<glm::dvec3> here{{391000.123, 5819000.456, 40},
+                                     {391010, 5819000, 40},
+                                     {391010, 5819010, 40},
+                                     {391000, 5819010, 40}};
+  write_text(folder / "a.gml", roof_city("EPSG:25833", here));
+  Recipe recipe = make_recipe({folder / "a.gml"});
+  recipe.terrain.make_surface = false;
+  recipe.origin = {0.0, 0.25, 1e7};
+  bake(recipe, folder / "out");
+  const glm::dvec3 origin = read_scene_georeference(folder / "out/city.glb").origin;
+  EXPECT_EQ(origin, glm::dvec3(400'000, 5'800'000.25, 0));
+  const Box roof = boxes(folder / "out/city.glb").at("roof");
+  EXPECT_NEAR(roof.least.x, 391000, 0.002);
+  EXPECT_NEAR(roof.greatest.y, 5819010, 0.002);
+  recipe.origin = {400'500, 5'800'000, 0};
+  bake(recipe, folder / "near");
+  EXPECT_EQ(read_scene_georeference(folder / "near/city.glb").origin,
+            glm::dvec3(400'500, 5'800'000, 0))
+      << "as it was asked for";
+}
+
 TEST(Bake, GeometriesOfOneFileArePlacedEachByItsOwnCrs) {
   const TempFolder folder;
   const std::vector<glm::dvec3> here{

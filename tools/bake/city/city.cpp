@@ -68,6 +68,41 @@ City::City(CityInputs inputs, const std::filesystem::path& scratch)
                inputs_.maps.front().string(), map_.long_ways, inputs_.max_way_nodes);
   if (!inputs_.survey) inventory_reports_ = inventory::add_to_map(inputs_.inventories, map_);
   if (!has_model()) map_frame_ = find_map_frame(map_);
+  if (has_model()) report_moved_origin();
+}
+
+namespace {
+
+// Places of lights are floats: 100 km from the origin these are 8 mm apart, and windows stand 2 cm
+// before their walls. An origin beyond that is moved in whole steps, so that neighbouring bakes with
+// the same one share the moved one as well, or differ by whole steps.
+constexpr double max_from_origin_m = 100'000, origin_step_m = 50'000;
+
+double keep_near(const std::optional<double>& asked, double place) {
+  if (!asked) return std::round(place);
+  const double away = place - *asked;
+  return std::abs(away) <= max_from_origin_m
+             ? *asked
+             : *asked + std::round(away / origin_step_m) * origin_step_m;
+}
+
+}  // namespace
+
+void City::report_moved_origin() const {
+  const glm::dvec3& place = frames_->reference();
+  const auto report = [&](const char* key, const std::optional<double>& asked, double at) {
+    if (const double kept = keep_near(asked, at); asked && kept != *asked)
+      fmt::print(
+          stderr,
+          "note: {}: [origin] {} = {:.3f} is {:.0f} km from the city, where places of lights "
+          "would be rounded to {:.2g} m: model space begins at {:.3f} instead, and "
+          "georeferences say so\n",
+          inputs_.name(), key, *asked, std::abs(at - *asked) / 1000, std::abs(at - *asked) * 1.2e-7,
+          kept);
+  };
+  report("easting", inputs_.origin_easting, place.x);
+  report("northing", inputs_.origin_northing, place.y);
+  report("height", inputs_.origin_height, place.z);
 }
 
 // The frame is that of the middle of the lamps, else of the first points of the streets.
@@ -180,9 +215,12 @@ Georeference City::georeference(const std::optional<glm::dvec2>& middle) const {
   }
   const glm::dvec3& reference = frames_->reference();
   const glm::dvec2 plan = middle.value_or(glm::dvec2(reference));
-  result.origin = {inputs_.origin_easting.value_or(std::round(plan.x)),
-                   inputs_.origin_northing.value_or(std::round(plan.y)),
-                   inputs_.origin_height.value_or(std::round(reference.z))};
+  // An origin that is asked for is held against the same place by every stage.
+  result.origin = {
+      inputs_.origin_easting ? keep_near(inputs_.origin_easting, reference.x) : std::round(plan.x),
+      inputs_.origin_northing ? keep_near(inputs_.origin_northing, reference.y)
+                              : std::round(plan.y),
+      keep_near(inputs_.origin_height, reference.z)};
   result.licences = inputs_.licences;
   if (!inputs_.maps.empty()) result.licences.push_back(inputs_.map_licence);
   add_inventory_licences(result.licences);

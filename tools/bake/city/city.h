@@ -95,6 +95,7 @@ class City {
     glm::dvec2 middle{0, 0};  // longitude, latitude
     georeference::CityFrame frame;
   };
+  void report_moved_origin() const;
   static std::optional<MapFrame> find_map_frame(const osm::OsmData& map);
   void fill_gaps(std::initializer_list<CityConsumer*> consumers);
   void add_land(const ground_cover::Box& bounds);

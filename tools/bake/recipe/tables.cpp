@@ -118,7 +118,7 @@ Table make_origin_table(bake::Recipe::Origin& origin) {
           "The origin of model space, in the city's projected coordinate reference system. Name it "
           "to bake neighbouring areas into one frame. A coordinate left out is chosen from the "
           "data. Keep the city within 20 km of the origin: coordinates in model space are 32-bit "
-          "floats.",
+          "floats. One over 100 km away is moved in whole steps of 50 km, which is said.",
           {number_key("easting", origin.easting, limits, "m", "391000",
                       "Easting of the origin. Without it: the median of the city's tiles."),
            number_key("northing", origin.northing, limits, "m", "5819000",
