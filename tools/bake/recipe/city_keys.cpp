@@ -134,8 +134,9 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
            {{"none", city::Textures::none}, {"mean", city::Textures::mean}},
            "`mean`: surfaces of CityGML reflect the mean of the picture that "
            "the file lays on them, where that lies beside the file as PNG or "
-           "JPEG. Every picture is unpacked; how many, a note says. Colours "
-           "have 32 steps a channel, and each is a material of its own."),
+           "JPEG. Pictures are unpacked within the budget that SECURITY.md "
+           "states; how many, a note says. Colours have 32 steps a channel, "
+           "and each is a material of its own."),
        flag_key("drop_ground", city.drop_ground,
                 "Leaves out the ground surfaces under buildings, which nobody sees."),
        flag_key("drop_hidden", city.drop_hidden,
