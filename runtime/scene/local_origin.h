@@ -5,7 +5,7 @@
 #include <span>
 
 #include "formats/light.h"
-#include "runtime/scene/scene_geometry.h"
+#include "runtime/scene/mesh_triangles.h"
 
 namespace nightcity::scene {
 

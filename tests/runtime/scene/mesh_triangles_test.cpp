@@ -45,7 +45,7 @@ City make_city() {
   City city;
   for (std::uint32_t i = 0; i < 40; ++i) {
     city.meshes.push_back(make_mesh(1 + 7 * i, i % 3, i));
-    city.placed.push_back({i, glm::translate(glm::dmat4(1), glm::vec3(0, 0, float(i)))});
+    city.placed.push_back({i, glm::translate(glm::dmat4(1), glm::dvec3(0, 0, double(i)))});
   }
   return city;
 }
@@ -55,7 +55,7 @@ TEST(MeshTriangles, AreThoseOfTheMeshesOneAfterTheOther) {
   LargeVector<gpu::Triangle> one_by_one(3), together(3);
   std::size_t flat = 0;
   for (const PlacedMesh& placed : city.placed)
-    flat += append_mesh(city.meshes[placed.mesh], placed.to_model, {}, one_by_one);
+    flat += append_mesh(city.meshes[placed.mesh], placed.to_scene, {}, one_by_one);
   EXPECT_GT(flat, 0u);
   for (const unsigned threads : {1u, 2u, 5u}) {
     together.resize(3);
