@@ -30,6 +30,7 @@ struct FrameTimes {
   std::vector<std::string> order;  // of the passes in a frame
   std::map<std::string, std::vector<double>> passes;
   std::vector<double> gpu, wall;
+  std::vector<double> display;       // showing the picture through an eye, where the settings do
   double shadow_rays_per_pixel = 0;  // of a frame after the timed ones
 };
 
@@ -58,6 +59,20 @@ FrameTimes time_frames(render::Renderer& renderer, const scene::CameraPose& pose
     }
     for (const auto& [name, ms] : frame) times.passes[name].push_back(ms);
     times.gpu.push_back(experiments::sum_gpu_ms(renderer));
+  }
+  return times;
+}
+
+// Returns the wall-clock milliseconds that it takes to show the picture, by number of the try.
+std::vector<double> time_display(render::Renderer& renderer,
+                                 const render::DisplaySettings& display) {
+  std::vector<double> times;
+  constexpr int tries = 17;
+  for (int i = 0; i <= tries; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    renderer.expose(display);
+    const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
+    if (i > 0) times.push_back(wall.count());  // the first one compiles
   }
   return times;
 }
@@ -100,6 +115,30 @@ void price_forced_features(const BenchCommand& command, render::Renderer& render
   }
 }
 
+// Prints what it costs to show the picture with what an eye or a camera adds and these settings do
+// without. It is no part of a frame.
+void price_display(const render::DisplaySettings& needed, render::Renderer& renderer) {
+  struct Row {
+    const char* name;
+    bool is_needed;
+    void (*add)(render::DisplaySettings& display);
+  };
+  const Row rows[] = {
+      {"glare", needed.glare_age > 0, [](render::DisplaySettings& d) { d.glare_age = 30; }},
+      {"white balance", needed.white_balance_k > 0 || needed.adapt_white,
+       [](render::DisplaySettings& d) { d.white_balance_k = 3200; }},
+      {"mesopic colours", needed.mesopic, [](render::DisplaySettings& d) { d.mesopic = true; }}};
+  fmt::print("\n| not shown here | display ms without | with | ratio |\n|---|---:|---:|---:|\n");
+  for (const Row& row : rows) {
+    if (row.is_needed) continue;
+    render::DisplaySettings more = needed;
+    row.add(more);
+    const double a = median(time_display(renderer, needed)),
+                 b = median(time_display(renderer, more));
+    fmt::print("| {} | {:.3g} | {:.3g} | {:.2f} |\n", row.name, a, b, b / a);
+  }
+}
+
 nlohmann::ordered_json to_json(const std::vector<double>& ms) {
   const Spread s = spread(ms);
   return {{"min", s.min}, {"median", s.median}, {"max", s.max}};
@@ -122,6 +161,7 @@ void print_as_json(const RenderOptions& options, const scene::RenderScene& scene
                               {"gpu_ms", to_json(times.gpu)},
                               {"wall_ms", to_json(times.wall)}};
   json["shadow_rays_per_pixel"] = times.shadow_rays_per_pixel;
+  if (!times.display.empty()) json["display_ms"] = to_json(times.display);
   for (const std::string& name : times.order)
     json["passes_ms"][name] = to_json(times.passes.at(name));
   program::print_json(json);
@@ -141,6 +181,7 @@ void print_as_table(const RenderOptions& options, const scene::RenderScene& scen
   for (const std::string& name : times.order) print_row(name, times.passes.at(name));
   print_row("GPU", times.gpu);
   print_row("wall clock", times.wall);
+  if (!times.display.empty()) print_row("display", times.display);
   fmt::print("{:.2f} shadow rays per pixel\n", times.shadow_rays_per_pixel);
 }
 
@@ -158,13 +199,17 @@ void bench(BenchCommand& command) {
 
   FrameTimes times = time_frames(renderer, pose, options.settings, command.frames);
   times.shadow_rays_per_pixel = count_shadow_rays(renderer, pose, options.settings);
+  if (render::has_eye(options.settings.display))
+    times.display = time_display(renderer, options.settings.display);
   device.check_validation();
   if (command.json) {
     print_as_json(options, scene, device, device_scene.bytes(), times);
     return;
   }
   print_as_table(options, scene, device, times);
-  if (command.forced) price_forced_features(command, renderer, pose);
+  if (!command.forced) return;
+  price_forced_features(command, renderer, pose);
+  price_display(options.settings.display, renderer);
 }
 
 }  // namespace
@@ -186,8 +231,8 @@ void add_bench_command(CLI::App& app) {
       ->check(CLI::Range(0u, 100000u));
   auto* json = sub->add_flag("--json", command->json, "Print the results as JSON");
   sub->add_flag("--forced,--needless", command->forced,
-                "Also time passes with features compiled in that this scene does not need: what "
-                "leaving them out saves")
+                "Also time passes with features compiled in that this scene does not need, and the "
+                "display with what these settings do not show: what leaving them out saves")
       ->excludes(json);
   sub->callback([command] { bench(*command); });
 }
