@@ -36,9 +36,9 @@ double linear_from_srgb(std::uint8_t value) {
   return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
 }
 
-// Returns whether every Huffman table of a JPEG (ITU-T T.81, B.2.4.2) has at most 256 codes. Of more
-// stb_image 2.27, Debian's, writes the lengths behind the end of their array. Wherever stb_image
-// finds a table, the marker FF C4 stands before it.
+// Returns whether every Huffman table of a JPEG (ITU-T T.81, B.2.4.2) has at most 256 codes. Of
+// more stb_image 2.27, Debian's, writes the lengths behind the end of their array. Wherever
+// stb_image finds a table, the marker FF C4 stands before it.
 bool has_sound_huffman_tables(std::span<const std::byte> bytes) {
   const auto at = [&](std::size_t i) {
     return i < bytes.size() ? std::to_integer<std::size_t>(bytes[i]) : 0;

@@ -28,8 +28,9 @@ class Picture {
   /// Returns the mean as find_picture_mean does.
   std::optional<glm::dvec3> find_mean(bool use_alpha) const;
   /// Returns the mean of the pixels between two texture coordinates (from the lower left, 1 being
-  /// the picture's width and height, beyond which it repeats), each pixel alike, as linear Rec. 709.
-  /// A part without width counts as a pixel's; coordinates that are no numbers stand for all of it.
+  /// the picture's width and height, beyond which it repeats), each pixel alike, as linear Rec.
+  /// 709. A part without width counts as a pixel's; coordinates that are no numbers stand for all
+  /// of it.
   glm::dvec3 find_mean_between(const glm::dvec2& low, const glm::dvec2& high) const;
 
  private:
@@ -50,7 +51,7 @@ std::optional<glm::dvec3> find_picture_mean(std::span<const std::byte> bytes, bo
 /// Returns the pixels that a picture says it has; nothing where the bytes are no PNG or JPEG.
 std::optional<std::int64_t> count_picture_pixels(std::span<const std::byte> bytes);
 
-/// What PictureBudget allows, for messages about a picture beyond it.
+/// The limits of PictureBudget in words, for messages about a picture beyond it.
 constexpr const char* picture_budget_text =
     "the textures of one file may have 268 million pixels and 64 more for each of their bytes; "
     "make them smaller";

@@ -24,8 +24,8 @@ class SceneFile {
   /// after finish() only.
   const Scene& scene() const;
   std::size_t mesh_count() const;
-  /// Returns the triangles that a mesh has by its accessors, which hold no promise: a bound for what
-  /// to reserve. It is never above the bytes of the file.
+  /// Returns the triangles that a mesh has by its accessors, which hold no promise: a bound for
+  /// what to reserve. It is never above the bytes of the file.
   std::size_t count_triangles(std::size_t mesh) const;
 
   /// Returns the corners of the box that a mesh fills in its own frame, by the bounds that its

@@ -109,9 +109,9 @@ float importance(LightNode node, AirRay ray) {
   return node.flux_lm * passed * view.range / view.height * likely_seen(ray, centre, radius);
 }
 
-// Returns the weights of the four children of a node of a light BVH: that of the vehicles, or that of
-// the static lights. The children start at `place` of the `count` nodes of their level; `first` is
-// the level's place among all nodes.
+// Returns the weights of the four children of a node of a light BVH: that of the vehicles, or that
+// of the static lights. The children start at `place` of the `count` nodes of their level; `first`
+// is the level's place among all nodes.
 float[4] weigh_children(bool vehicles, uint first, uint count, uint place, AirRay ray) {
   float weight[4];
   for (uint i = 0u; i < 4u; ++i) {

@@ -23,9 +23,9 @@ float mesopic_coefficient(float photopic, float scotopic, out float mesopic) {
 }
 
 // Returns light, cd/m^2 per channel, as it is seen: adapted to the scene's white, and in dim places
-// with the rods' part in it. Rods see no colour; their light looks bluish (1.05, 0.97, 1.27; Durand,
-// Dorsey: Interactive tone mapping, 2000, after Hunt). A pixel is adapted to its own luminance, as
-// the fovea is (Ward Larson et al.).
+// with the rods' part in it. Rods see no colour; their light looks bluish (1.05, 0.97, 1.27;
+// Durand, Dorsey: Interactive tone mapping, 2000, after Hunt). A pixel is adapted to its own
+// luminance, as the fovea is (Ward Larson et al.).
 vec3 seen_by_eye(vec3 light) {
   vec3 seen = light;
   if (WHITE != 0u)

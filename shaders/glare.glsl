@@ -1,9 +1,10 @@
-// Light that the eye scatters around what is bright: a pyramid of pictures, each of half the side of
-// the one below. A level spreads a pixel's light like a Gaussian twice as wide as the level below
-// does; the point spread function of the eye is a sum of such Gaussians (runtime/render/glare.h).
+// Light that the eye scatters around what is bright: a pyramid of pictures, each of half the side
+// of the one below. A level spreads a pixel's light like a Gaussian twice as wide as the level
+// below does; the point spread function of the eye is a sum of such Gaussians
+// (runtime/render/glare.h).
 
-// Returns a pixel of a level, cd/m^2 per channel; level 0 is the picture. No light comes from outside
-// the picture.
+// Returns a pixel of a level, cd/m^2 per channel; level 0 is the picture. No light comes from
+// outside the picture.
 vec3 level_at(uint level, ivec2 at) {
   const ivec2 size = ivec2(FRAME.glare.size[level]);
   if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size))) return vec3(0.0);

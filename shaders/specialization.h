@@ -16,7 +16,7 @@
 #define CONSTANT_INDIRECT 10         // INDIRECT_*
 #define CONSTANT_AIR 11              // AIR_*
 #define CONSTANT_PROJECTION 12       // PROJECTION_*
-// Of the display alone (runtime/render/display.h).
+// The display alone has these (runtime/render/display.h).
 #define CONSTANT_GLARE 13    // the eye scatters light
 #define CONSTANT_WHITE 14    // the eye or the camera is adapted to a white
 #define CONSTANT_MESOPIC 15  // rods see in dim places

@@ -63,7 +63,8 @@ void add_errors(const measure::Comparison& errors, std::vector<std::string>& row
   report.fireflies.push_back(errors.fireflies);
 }
 
-// Returns what frame i of a flight shows; before and after the flight it goes on at the path's ends.
+// Returns what frame i of a flight shows; before and after the flight it goes on at the path's
+// ends.
 Moment moment_at(const FlightOptions& options, const scene::CameraPath& path, double first_s,
                  std::uint32_t i) {
   return {path.at(options.frames > 1 ? double(i) / (options.frames - 1) : 0.0),

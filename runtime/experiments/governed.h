@@ -10,7 +10,7 @@
 
 namespace nightcity::experiments {
 
-/// What a frame shows.
+/// The view and the time that a frame shows.
 struct Moment {
   scene::CameraPose pose;
   double time_s;  // of the clock, since noon

@@ -16,16 +16,16 @@ constexpr float default_ev100 = 2.0f;
 /// Returns the EV100 of a reflected-light meter with K = 12.5 (ISO 2720): log2(L * 100 / 12.5). L
 /// is the geometric mean of the luminances, each weighted by itself, so that the dark area around a
 /// few lit streets does not matter. The brightest fiftieth (lamps, fireflies) and pixels that are
-/// not finite and positive are left out; when none remains, returns default_ev100. Where the picture
-/// has a layer "emitter" (Renderer::sample_mean), lamps and windows that are seen directly count
-/// only as far as that keeps them from being exposed more than 6 EV above the meter's value for all:
-/// else a lit window beside the eye would leave the street black. The result is clamped to -12 ..
-/// 24.
+/// not finite and positive are left out; when none remains, returns default_ev100. Where the
+/// picture has a layer "emitter" (Renderer::sample_mean), lamps and windows that are seen directly
+/// count only as far as that keeps them from being exposed more than 6 EV above the meter's value
+/// for all: else a lit window beside the eye would leave the street black. The result is clamped to
+/// -12 .. 24.
 float auto_exposure_ev100(const Image& image);
 
 /// Returns the mean light of the pixels that auto_exposure_ev100 meters, cd/m2 per channel, without
-/// lamps and windows that are seen directly where the layer "emitter" tells them: what an eye adapts
-/// its white to. 0 where there is no light.
+/// lamps and windows that are seen directly where the layer "emitter" tells them: what an eye
+/// adapts its white to. 0 where there is no light.
 glm::vec3 mean_light(const Image& image);
 
 /// Converts "filmic", "reinhard" or "linear" to TONEMAP_*. Throws UsageError that lists the three.

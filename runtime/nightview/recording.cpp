@@ -60,7 +60,7 @@ nlohmann::json describe(const RecordingOptions& options, const render::Renderer&
   return description;
 }
 
-// What the first picture is metered for, so that all pictures are shown alike.
+// Metered from the first picture, so that all pictures are shown alike.
 struct Metered {
   std::optional<float> ev100;
   std::optional<glm::vec3> light;  // measure::mean_light

@@ -38,8 +38,8 @@ struct RenderOptions {
   std::string sky_map, moon, lights = "all";
   std::string settings_file, leave_out, preset, edits;
   render::RenderSettings settings;
-  // The result is a picture that a person looks at, and no figure: unless a sky is asked for, it has
-  // the city's own.
+  // The result is a picture that a person looks at, and no figure: unless a sky is asked for, it
+  // has the city's own.
   bool to_be_looked_at = false;
 
   /// Declares the scene, --settings, --preset, --leave-out, --size, --time, --camera, --device,

@@ -1,5 +1,5 @@
-// The way from a mean in cd/m^2 to the 8-bit picture that is looked at, with what an eye or a camera
-// adds to it. Measurements do not go this way.
+// The way from a mean in cd/m^2 to the 8-bit picture that is looked at, with what an eye or a
+// camera adds to it. Measurements do not go this way.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// Chooses how much work a frame does, so that 99 % of the frames keep to a budget of milliseconds: a
-// pure controller, without a clock or a device of its own.
+// Chooses how much work a frame does, so that 99 % of the frames keep to a budget of milliseconds:
+// a pure controller, without a clock or a device of its own.
 #pragma once
 
 #include <cstddef>
@@ -63,18 +63,18 @@ class Governor {
   /// Returns whether the target is kept by a rung, or there is none.
   bool can_keep_target() const { return can_keep_target_; }
 
-  /// Takes the time of the frame that was rendered with rung(), and chooses the next frame's. A time
-  /// that is not finite and positive is ignored.
+  /// Takes the time of the frame that was rendered with rung(), and chooses the next frame's. A
+  /// time that is not finite and positive is ignored.
   ///
-  /// Frames above the budget are paid for from an account: each frame adds 0.008 to it, up to 1, and
-  /// each frame above the budget takes 1. Where it is overdrawn, that frame leads to a cheaper rung:
-  /// the next one, or the one that the better of the last two frames asks for. So a single slow
-  /// frame changes nothing, two in 125 do. A cheaper rung is also taken where three of the last 16
-  /// frames came within 5 % of the budget. The next dearer rung is taken where the account holds at
-  /// least a half, `patience` frames have passed since the last change, and the second slowest of
-  /// the last 120 frames would have left room for it. A rung that had to be left again needs twice
-  /// the patience the next time (at most 16 times). There is therefore one rise in `patience` frames
-  /// at most, and no more falls than rises and rungs.
+  /// Frames above the budget are paid for from an account: each frame adds 0.008 to it, up to 1,
+  /// and each frame above the budget takes 1. Where it is overdrawn, that frame leads to a cheaper
+  /// rung: the next one, or the one that the better of the last two frames asks for. So a single
+  /// slow frame changes nothing, two in 125 do. A cheaper rung is also taken where three of the
+  /// last 16 frames came within 5 % of the budget. The next dearer rung is taken where the account
+  /// holds at least a half, `patience` frames have passed since the last change, and the second
+  /// slowest of the last 120 frames would have left room for it. A rung that had to be left again
+  /// needs twice the patience the next time (at most 16 times). There is therefore one rise in
+  /// `patience` frames at most, and no more falls than rises and rungs.
   void observe(double ms);
 
   const std::vector<Decision>& decisions() const { return decisions_; }

@@ -105,8 +105,8 @@ struct EnvironmentSettings {
   // Luminance of rays that leave the scene, cd/m^2; where there is a sky map, a factor for it.
   glm::vec3 sky_cd_m2{0};
   SkyGlow glow = SkyGlow::none;
-  // How far from its middle the scene is taken to go on as it is, for the glow: most scenes are
-  // parts of a larger city.
+  // The distance from its middle to which the scene is taken to go on as it is, for the glow: most
+  // scenes are parts of a larger city.
   float city_radius_km = 10;
   glm::vec3 moon_direction{0, 1, 0};  // unit vector towards the moon
   glm::vec3 moon_lux{0};              // illuminance of a surface that faces it; 0 = no moon

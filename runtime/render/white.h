@@ -9,9 +9,9 @@
 namespace nightcity::render {
 
 /// Returns the matrix from linear Rec. 709 light to the same as it looks to whoever is adapted to
-/// `white` (Rec. 709, any luminance above 0), where `degree`, 0 .. 1, says how far: at 1, `white` is
-/// shown as grey. The cones of CAT16 are scaled (Li et al.: Comprehensive color solutions: CAM16,
-/// CAT16 and CAM16-UCS, 2017).
+/// `white` (Rec. 709, any luminance above 0), where `degree`, 0 .. 1, says how far: at 1, `white`
+/// is shown as grey. The cones of CAT16 are scaled (Li et al.: Comprehensive color solutions:
+/// CAM16, CAT16 and CAM16-UCS, 2017).
 glm::mat3 adapt_to(const glm::vec3& white, double degree);
 
 /// Returns the degree to which an eye in the dark adapts to the white of light of a mean luminance,

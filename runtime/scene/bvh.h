@@ -36,10 +36,10 @@ struct BvhRoot {
   Box box{};                       // of all primitives
 };
 
-/// Builds a BVH over `triangles` as build_bvh does, and appends its nodes to `nodes`. `order`, which
-/// is as long as `triangles`, gets the number of the triangle at each position of the leaves. Both
-/// positions and numbers count from `first` on, the position of triangles[0] in its buffer. Two
-/// triangles that follow each other and share an edge, as halves of quads do, are not parted.
+/// Builds a BVH over `triangles` as build_bvh does, and appends its nodes to `nodes`. `order`,
+/// which is as long as `triangles`, gets the number of the triangle at each position of the leaves.
+/// Both positions and numbers count from `first` on, the position of triangles[0] in its buffer.
+/// Two triangles that follow each other and share an edge, as halves of quads do, are not parted.
 BvhRoot append_bvh(LargeVector<gpu::BvhNode>& nodes, std::span<const gpu::Triangle> triangles,
                    std::size_t first, std::uint32_t max_leaf, std::uint32_t max_stack,
                    unsigned threads, std::span<std::uint32_t> order);

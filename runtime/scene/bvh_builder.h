@@ -1,5 +1,5 @@
-// Splits primitives by the binned surface-area heuristic (SAH), in place: Wald, On fast construction
-// of SAH-based bounding volume hierarchies, 2007.
+// Splits primitives by the binned surface-area heuristic (SAH), in place: Wald, On fast
+// construction of SAH-based bounding volume hierarchies, 2007.
 #pragma once
 
 #include <algorithm>
@@ -18,10 +18,10 @@
 namespace nightcity::scene {
 
 /// Builds the nodes over `primitives`, and brings these into the leaves' order. Access says what an
-/// Access::Primitive p is: bounds_of(p), weight_of(p) (entries of a leaf, at most max_weight), mask_of(p)
-/// (MASK_* bits; has_masks: they differ) and, where two centres are equal, precedes(p, q), so that
-/// the same input gives the same BVH everywhere. Several threads may build different ranges at the
-/// same time.
+/// Access::Primitive p is: bounds_of(p), weight_of(p) (entries of a leaf, at most max_weight),
+/// mask_of(p) (MASK_* bits; has_masks: they differ) and, where two centres are equal, precedes(p,
+/// q), so that the same input gives the same BVH everywhere. Several threads may build different
+/// ranges at the same time.
 template <class Access>
 class BvhBuilder {
  public:
@@ -67,8 +67,8 @@ class BvhBuilder {
     return BVH_LEAF | ((r.weight - 1) << BVH_LEAF_COUNT_SHIFT) | r.first;
   }
 
-  /// Splits a range that is no leaf into up to four, the largest first, as shadow rays visit them: a
-  /// larger child is likelier to end them. Its own node has room for `stack` deferred entries.
+  /// Splits a range that is no leaf into up to four, the largest first, as shadow rays visit them:
+  /// a larger child is likelier to end them. Its own node has room for `stack` deferred entries.
   Children split_in_four(const Range& r, std::uint32_t stack) {
     // A child may get nearly everything. Where the stack is too small for that, all four get
     // equally many.
@@ -105,8 +105,8 @@ class BvhBuilder {
     return quantise_node(r.box.to_box(), std::span(quantised.data(), children.count));
   }
 
-  /// Appends the nodes of a range and returns its root. `stack_need` gets the entries that a ray may
-  /// have to defer, at most `stack`.
+  /// Appends the nodes of a range and returns its root. `stack_need` gets the entries that a ray
+  /// may have to defer, at most `stack`.
   std::uint32_t build(const Range& r, std::uint32_t stack, LargeVector<gpu::BvhNode>& nodes,
                       std::uint32_t& stack_need) {
     stack_need = 0;

@@ -22,7 +22,7 @@ struct CityGlow {
   static constexpr std::size_t bands = 18;
 
   std::vector<Source> sources;
-  // Of the flux of all sources, the share in each band of 5 degrees above the horizon.
+  // The share of all sources' flux in each band of 5 degrees above the horizon.
   std::array<double, bands> band_share{};
   glm::dvec3 colour{1};  // linear Rec. 709 of luminance 1
   double lamp_flux_lm = 0;
@@ -32,8 +32,9 @@ struct CityGlow {
 };
 
 /// Follows `paths` paths of light from the static lights that shine at a time (s since noon), each
-/// chosen in proportion to its flux, off up to four surfaces. The flux has a relative standard error
-/// of about 2 / sqrt(paths) where a quarter of the paths leave upwards. Vehicles are left out.
+/// chosen in proportion to its flux, off up to four surfaces. The flux has a relative standard
+/// error of about 2 / sqrt(paths) where a quarter of the paths leave upwards. Vehicles are left
+/// out.
 CityGlow find_city_glow(const RenderScene& scene, double time_s, LightFamilies on = all_families,
                         std::uint32_t paths = 16384);
 

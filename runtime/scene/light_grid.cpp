@@ -89,8 +89,8 @@ class Bins {
     return max_flux_ / (distance_m * distance_m + shape_.softening_m2);
   }
 
-  // Returns a distance from the centre of a cell beyond which no light is stronger than `bar` there.
-  // It is negative where no light is.
+  // Returns a distance from the centre of a cell beyond which no light is stronger than `bar`
+  // there. It is negative where no light is.
   float find_reach(float bar) const {
     constexpr float rounding = 1.001f;
     const float squared = rounding * max_flux_ / bar - shape_.softening_m2;

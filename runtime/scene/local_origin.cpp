@@ -22,7 +22,7 @@ double largest(const glm::dvec3& v) {
   return std::max({v.x, v.y, v.z});
 }
 
-// How many things there are, and how many of them come near the origin.
+// The number of things, and of those that come near the origin.
 struct Census {
   std::size_t all = 0, near = 0;
   void count(bool is_near) {

@@ -23,8 +23,8 @@ struct PointLight {
   std::size_t untested = 0;           // faint ones that were left out, together below a thousandth
 };
 
-/// Returns the luminous intensity per lumen that a sphere's profile has towards unit `to`, cd/lm, as
-/// shaders/lights.glsl does.
+/// Returns the luminous intensity per lumen that a sphere's profile has towards unit `to`, cd/lm,
+/// as shaders/lights.glsl does.
 double intensity_per_lumen(const RenderScene& scene, const Light& light, const glm::dvec3& to);
 
 /// Returns the illuminance in lux that a light gives, without shadows, to a surface at `point`

@@ -73,7 +73,7 @@ LargeVector<TrianglePiece> make_pieces(std::span<const gpu::Triangle> triangles,
   const auto chunk = [&](std::size_t i) {
     return Chunk{i * chunk_size, std::min((i + 1) * chunk_size, triangles.size())};
   };
-  // Where each chunk's pieces begin: they are counted first, so that no memory is taken for more.
+  // The first piece of each chunk: pieces are counted first, so that no memory is taken for more.
   std::vector<std::size_t> from(chunks + 1);
   LargeVector<std::uint8_t> begins_pair(pairs ? triangles.size() : 0);
   run_parallel(chunks, threads, [&](std::size_t i) {

@@ -100,7 +100,8 @@ TEST(Price, TellsAbsentPartsAndDoesNotMeasureThem) {
 
 // Schedules under which every light is on at this time change nothing.
 TEST(Price, OfAPartThatChangesNothingIsZeroWithinItsStandardErrors) {
-  scene::SceneLights lights = with_families({lamp({0, 6, 0}, 4000, 0), lamp({3, 6, 2}, 4000, 0)}, {});
+  scene::SceneLights lights =
+      with_families({lamp({0, 6, 0}, 4000, 0), lamp({3, 6, 2}, 4000, 0)}, {});
   lights.schedules = {{0, 1}};
   lights.switches = {18000};
   for (Light& light : lights.lights) light.schedule = 0;

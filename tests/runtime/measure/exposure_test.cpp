@@ -16,7 +16,8 @@ using test::set_pixel;
 
 constexpr std::uint32_t all_curves[] = {TONEMAP_LINEAR, TONEMAP_REINHARD, TONEMAP_FILMIC};
 
-// The light that an eye adapts to: the mean, without lamps that are seen and the brightest fiftieth.
+// The light that an eye adapts to: the mean, without lamps that are seen and the brightest
+// fiftieth.
 TEST(Exposure, MeanLightLeavesOutWhatShinesItself) {
   Image image = grey(10, 10, 0);
   for (std::size_t i = 0; i < image.pixels(); ++i) {

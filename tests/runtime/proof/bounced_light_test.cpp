@@ -87,7 +87,8 @@ TEST(BouncedLight, OfOnePathAPixelIsUnbiasedInRainUnderTheMoon) {
   expect_unbiased(settings, courtyard());
 }
 
-// The irradiance cache is biased by its smoothing: pixels are off near edges, and the mean is right.
+// The irradiance cache is biased by its smoothing: pixels are off near edges, and the mean is
+// right.
 TEST(BouncedLight, OfTheCacheHasTheRightMean) {
   const LitPlace place = courtyard();
   render::RenderSettings settings = with_bounces(render::Estimator::traced, 3);

@@ -137,8 +137,8 @@ TEST(Unbiased, TheDefaultInBerlinAndThePapersWeightsNot) {
   BAKED_BERLIN(berlin, false, false);
   Place place{scene::load_render_scene(berlin / "city.glb"), {}, 24};
   place.pose = scene::find_camera("overview", place.scene);
-  // Forty metres a pixel: few samples carry much of a pixel's light, and means of fewer runs are not
-  // yet distributed as Welch's test assumes.
+  // Forty metres a pixel: few samples carry much of a pixel's light, and means of fewer runs are
+  // not yet distributed as Welch's test assumes.
   expect_unbiased(place, render::RenderSettings{}.sampling.estimator, 384);
   expect_biased(place, render::Estimator::paper);
   // The same with pixels of a metre instead of forty.

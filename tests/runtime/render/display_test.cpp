@@ -177,7 +177,7 @@ TEST(Display, MesopicColoursFollowTheStandard) {
     }
 }
 
-// What the window shows and what a file shows is one picture.
+// The window and a file show one picture.
 TEST(Display, TheWindowAndAFileShowTheSame) {
   const scene::RenderScene scene =
       test::boxes_on_a_plane().with({test::lamp({0, 6, 4}, 4000, 0.1f)});

@@ -44,7 +44,8 @@ TEST(Rungs, LeadFromOneCandidateToTheSettingsInSmallSteps) {
     }
 }
 
-// Cells that come into view get the paths of others but in the dearest rung, and one in the cheapest.
+// Cells that come into view get the paths of others but in the dearest rung, and one in the
+// cheapest.
 TEST(Rungs, BoundThePathsOfNewCells) {
   RenderSettings settings;
   settings.indirect.bounces = 4;
@@ -140,8 +141,8 @@ std::size_t most_changes(const Governor& governor, std::size_t span) {
   return most;
 }
 
-// A view that is twice as dear from one frame to the next: two frames are above the budget, and none
-// after them. When it is over, the governor returns.
+// A view that is twice as dear from one frame to the next: two frames are above the budget, and
+// none after them. When it is over, the governor returns.
 TEST(Governor, LosesTwoFramesToAJumpAndComesBack) {
   Governor governor(make_rungs(), {.budget_ms = 8});
   EXPECT_EQ(fly(governor, 8, 100, [](std::size_t) { return 1.0; }).above, 0u);

@@ -70,8 +70,8 @@ TEST(Skyglow, AerosolsScatterAllThatTheyTake) {
   EXPECT_NEAR(sum, 1, 0.01);
 }
 
-// Walker (1977): 45 degrees high towards a city, its glow is 0.01 P / d^2.5 of the natural sky, with
-// P people at d km; Garstang checks his model against it, with 1,000 lm a head.
+// Walker (1977): 45 degrees high towards a city, its glow is 0.01 P / d^2.5 of the natural sky,
+// with P people at d km; Garstang checks his model against it, with 1,000 lm a head.
 TEST(Skyglow, FallsOffAsWalkerMeasured) {
   constexpr double people = 1e5;
   const CityGlow city = make_city(people * 1000, 3000);

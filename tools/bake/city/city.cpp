@@ -29,8 +29,8 @@ std::string utm_zone(const glm::dvec2& lon_lat) {
   return "EPSG:" + std::to_string((lon_lat.y < 0 ? 32700 : 32600) + zone);
 }
 
-// Returns whether the city's model is nothing but its map. Without an elevation model it stands on a
-// plane at height 0 then, and so does all that lies beyond its ground.
+// Returns whether the city's model is nothing but its map. Without an elevation model it stands on
+// a plane at height 0 then, and so does all that lies beyond its ground.
 bool is_map_alone(const CityInputs& inputs) {
   return !inputs.files.empty() &&
          std::all_of(inputs.files.begin(), inputs.files.end(), [&](const auto& file) {
@@ -74,8 +74,8 @@ City::City(CityInputs inputs, const std::filesystem::path& scratch)
 namespace {
 
 // Places of lights are floats: 100 km from the origin these are 8 mm apart, and windows stand 2 cm
-// before their walls. An origin beyond that is moved in whole steps, so that neighbouring bakes with
-// the same one share the moved one as well, or differ by whole steps.
+// before their walls. An origin beyond that is moved in whole steps, so that neighbouring bakes
+// with the same one share the moved one as well, or differ by whole steps.
 constexpr double max_from_origin_m = 100'000, origin_step_m = 50'000;
 
 double keep_near(const std::optional<double>& asked, double place) {

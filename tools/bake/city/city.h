@@ -27,12 +27,12 @@
 
 namespace nightcity::bake {
 
-/// Without a city model, the map lies on a plane at height 0, in the UTM zone of its middle. A model
-/// of the map's own buildings stands on elevation models where there are some.
+/// Without a city model, the map lies on a plane at height 0, in the UTM zone of its middle. A
+/// model of the map's own buildings stands on elevation models where there are some.
 class City {
  public:
-  /// Reads the maps, the inventories and the heads of the city's files. Scratch files lie beside `scratch`. Throws
-  /// Error, or UsageError where the inputs contradict each other.
+  /// Reads the maps, the inventories and the heads of the city's files. Scratch files lie beside
+  /// `scratch`. Throws Error, or UsageError where the inputs contradict each other.
   explicit City(CityInputs inputs,
                 const std::filesystem::path& scratch = scratch_folder() / "nightbake");
   City(const City&) = delete;
