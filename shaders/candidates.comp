@@ -41,19 +41,23 @@ Reservoir resample_visible_lights(LightSampler light_sampler, Receiver receiver,
       update(others, c.light, c.uv, c.target, c.weight);
   }
   const float both = strongest.weight_sum + others.weight_sum;
-  bool takes_strongest = random_float() * both < strongest.weight_sum;
-  ReservoirBuilder chosen = takes_strongest ? strongest : others;
+  const bool takes_strongest = random_float() * both < strongest.weight_sum;
+  const bool dominated = strongest.weight_sum > DOMINANT_SHARE * both;
+  ReservoirBuilder chosen = others;
+  if (dominated || takes_strongest) chosen = strongest;
   chosen.weight_sum = both;
   bool is_seen = false;
-  if (strongest.weight_sum > DOMINANT_SHARE * both) {
-    is_seen = sees(receiver, strongest.light, strongest.uv);
-    if (!is_seen) chosen = others;
-    is_seen = is_seen && takes_strongest;
+  // A loop, because a second place that traces rays costs more than the rays do.
+  for (uint tests = dominated ? 2u : 1u; tests > 0u && chosen.weight_sum > 0.0; --tests) {
+    is_seen = sees(receiver, chosen.light, chosen.uv);
+    if (tests == 1u || (is_seen && takes_strongest)) break;
+    chosen = others;
+    if (is_seen) chosen.weight_sum = both;
+    is_seen = false;
   }
   chosen.M = float(candidates);
   Reservoir reservoir = finalize(chosen, 1.0);
-  if (!is_seen && reservoir.W > 0.0 && !sees(receiver, reservoir.light, reservoir.uv))
-    reservoir.W = 0.0;
+  if (!is_seen) reservoir.W = 0.0;
   return reservoir;
 }
 
