@@ -103,7 +103,8 @@ TEST(Unbiased, TheDefaultOnAnAnalyticScene) {
   expect_unbiased(analytic(), render::RenderSettings{}.sampling.estimator);
 }
 TEST(Unbiased, TheDefaultWhereHiddenLampsOutshineTheRest) {
-  expect_unbiased(analytic_with_hidden_lamps(), render::RenderSettings{}.sampling.estimator);
+  // What is seen of the scene is left to few of a frame's candidates, so it is noisy.
+  expect_unbiased(analytic_with_hidden_lamps(), render::RenderSettings{}.sampling.estimator, 768);
 }
 TEST(Unbiased, RisOnAnAnalyticScene) {
   expect_unbiased(analytic(), render::Estimator::ris);
