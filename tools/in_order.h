@@ -28,7 +28,7 @@ void in_order(unsigned threads, const Next& next, const Work& work, const Take& 
     while (auto item = next()) take(work(std::move(*item)));
     return;
   }
-  // What passes between filters lies here, because TBB forgets what is on its way when one of them
+  // Items and results on their way between filters lie here, because TBB forgets them when a filter
   // throws. The last one is serial and in order, so that a place is free when it comes up again.
   struct Place {
     std::optional<Item> item;

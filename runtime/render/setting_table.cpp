@@ -320,9 +320,11 @@ std::vector<Setting> make_other_settings() {
        .group = Group::environment,
        .unit = "cd/m2",
        .max = 1e6,
-       .help = "Luminance of the sky, which is seen and lights the scene: one number for all "
-               "directions (over a city 0.002 to 0.02); auto: the scene's own light in clear air, "
-               "after Garstang; overcast: the same under clouds",
+       .help =
+           "Luminance of the sky, which is seen and lights the scene: one number for all "
+           "directions (over a city 0.002 to 0.02); auto: the scene's own light in clear air, "
+           "after Garstang; overcast: the same under clouds. Where none is given, it is auto in "
+           "pictures that are looked at (the window, PNGs and films without EXRs), else 0",
        .value = find_sky,
        .words = {{"auto", [](Settings& s) { set_glow(s, SkyGlow::clear); },
                   [](const Settings& s) { return s.environment.glow == SkyGlow::clear; }},

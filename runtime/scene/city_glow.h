@@ -1,4 +1,6 @@
-// The light that leaves a city upwards, as its sky needs it.
+// The light that leaves a city upwards, as its sky needs it: few paths, followed when a scene is
+// loaded, before there is a device. `nightview upward` follows many of each light on the device
+// (runtime/render/upward_flux.h).
 #pragma once
 
 #include <array>

@@ -62,7 +62,8 @@ using PartCounts = std::array<std::size_t, part_count>;
 
 /// A scene in a frame of its own: X, Y, Z as in model space, relative to `origin`.
 struct RenderScene {
-  // Of this frame, in model space, m: not 0 where everything lies far from there (local_origin.h).
+  // The place in model space, m, that all coordinates here are relative to: not 0 where everything
+  // lies far from model space's own origin (local_origin.h).
   glm::dvec3 origin{0};
   LargeVector<gpu::BvhNode> nodes;  // every BLAS, then the TLAS
   std::uint32_t root = BVH_EMPTY;   // of the TLAS

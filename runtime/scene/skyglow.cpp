@@ -126,7 +126,8 @@ glm::dvec3 illuminance_of_clouds(const CityGlow& glow, const Atmosphere& air,
   return sum;
 }
 
-constexpr double darkest = 1e-12;  // cd/m^2: its logarithm is finite
+constexpr double darkest = 1e-12;   // cd/m^2: its logarithm is finite
+constexpr double brightest = 1e30;  // floats hold it, and what surfaces make of it
 constexpr double lowest = 0.25 * pi / 180;
 
 // Rows of directions, 0 at the horizon .. 1 at the zenith.
@@ -211,7 +212,7 @@ SkyMap make_skyglow(const CityGlow& glow, const Atmosphere& air, const Box& boun
                        above =
                            glm::mix(at(low + 1, left), at(low + 1, left + 1), turn - double(left));
       const glm::dvec3 luminance =
-          glm::max(glm::exp(glm::mix(below, above, row - double(low))) - darkest, glm::dvec3(0));
+          glm::clamp(glm::exp(glm::mix(below, above, row - double(low))) - darkest, 0.0, brightest);
       for (int c = 0; c < 3; ++c)
         map.rgb[3 * (std::size_t{y} * map.width + x) + std::size_t(c)] = float(luminance[c]);
     }

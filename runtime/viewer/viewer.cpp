@@ -163,9 +163,9 @@ class Viewer {
     const bool begins = state.auto_exposure && !was_auto_;
     was_auto_ = state.auto_exposure;
     if (begins) metering_.restart();
-    const bool white_unknown =
-        state.settings.display.adapt_white && state.settings.display.adapted_to == glm::vec3(0);
-    if (begins || white_unknown) meter(*picture);
+    const bool adapts = state.settings.display.adapt_white;
+    if (begins || (adapts && !was_adapting_)) meter(*picture);
+    was_adapting_ = adapts;
     const float before = state.settings.display.ev100;
     if (state.auto_exposure) state.settings.display.ev100 = metering_.update(before, elapsed_s);
     picture->expose(state.settings.display);
@@ -232,7 +232,7 @@ class Viewer {
   Session& session_;   // the controller's
   FrameStats& stats_;  // the controller's
   Metering metering_;
-  bool was_auto_ = false;
+  bool was_auto_ = false, was_adapting_ = false;
   bool minimised_ = false;
   bool new_picture_ = false;  // rendered, not yet shown
   bool drawn_ = false;        // since the last slice

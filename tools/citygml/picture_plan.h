@@ -17,8 +17,8 @@
 
 namespace nightcity::citygml {
 
-/// What came last of pictures, by their files: as many as have, together, the pixels of one largest
-/// picture. A picture of many buildings comes up again soon.
+/// Remembers what was made of the latest pictures, by their files: as many as have, together, the
+/// pixels of one largest picture. A picture of many buildings comes up again soon.
 template <class T>
 class RecentPictures {
  public:

@@ -103,7 +103,7 @@ TEST(Unbiased, TheDefaultOnAnAnalyticScene) {
   expect_unbiased(analytic(), render::RenderSettings{}.sampling.estimator);
 }
 TEST(Unbiased, TheDefaultWhereHiddenLampsOutshineTheRest) {
-  // What is seen of the scene is left to few of a frame's candidates, so it is noisy.
+  // Few of a frame's candidates are seen, so the picture is noisy.
   expect_unbiased(analytic_with_hidden_lamps(), render::RenderSettings{}.sampling.estimator, 768);
 }
 TEST(Unbiased, RisOnAnAnalyticScene) {

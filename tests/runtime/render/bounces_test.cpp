@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "runtime/render/upward_flux.h"
+#include "runtime/scene/city_glow.h"
 #include "support/estimators.h"
 #include "support/gpu.h"
 #include "support/scenes.h"
@@ -158,6 +159,25 @@ TEST_P(Bounces, OffTheHotSpotBesideALampLightsTheCeiling) {
     const double expected = rho / pi * illuminance_off_a_plane(rho, flux_lm, gap, height);
     EXPECT_NEAR(both - direct, expected, 0.01 * expected) << "housing: " << has_housing;
   }
+}
+
+// The paths that a sky is made from, on the host, find the flux of those on the device.
+TEST(UpwardFlux, IsThatOfTheSkysPaths) {
+  const scene::RenderScene scene =
+      random_town(30, 60, 7).with(under_open_sky(random_town(30, 60, 7), random_lamps(40, 50, 8)));
+  const scene::CityGlow glow = scene::find_city_glow(scene, 0, scene::all_families, 65536);
+  render::DeviceScene device_scene(test_device(), scene);
+  render::UpwardSettings settings;
+  settings.bounces = 4;
+  const render::UpwardFlux flux =
+      render::measure_upward_flux(test_device(), test_passes(), device_scene, settings);
+  double direct = 0, reflected = 0;
+  for (std::size_t i = 0; i < flux.lights.size(); ++i) {
+    direct += flux.flux_lm[i] * flux.lights[i].direct;
+    reflected += flux.flux_lm[i] * flux.lights[i].reflected;
+  }
+  EXPECT_NEAR(glow.direct_lm / direct, 1, 0.02);
+  EXPECT_NEAR(glow.reflected_lm / reflected, 1, 0.02);
 }
 
 // An integrating sphere with a hole that is the share f of its area: of the light that reaches the

@@ -107,7 +107,7 @@ TEST(Governor, StaysWhereItIsWhileNothingChanges) {
   EXPECT_TRUE(governor.decisions().empty());
 }
 
-// What became of a flight of many frames.
+// The number of frames of a flight, and of those above the budget.
 struct Flown {
   std::size_t frames = 0;
   std::size_t possible = 0;  // frames that the lowest rung would have kept within the budget
@@ -201,15 +201,18 @@ TEST(Governor, KeepsTheBudgetInNinetyNineOfAHundredFramesWithoutFlicker) {
       Governor governor(make_rungs(), {.budget_ms = budget_ms});
       const Flown flown = fly(governor, budget_ms, 36'000, load);
       const std::size_t rungs = governor.rungs().size();
-      if (flown.possible > 0)
+      if (flown.possible > 0) {
         EXPECT_LE(flown.share_above(), 0.01) << name << ", " << budget_ms << " ms";
+      }
       EXPECT_LE(most_changes(governor, 60), 1 + rungs) << name << ", " << budget_ms << " ms";
       EXPECT_LE(most_changes(governor, 600), 20 + rungs) << name << ", " << budget_ms << " ms";
       EXPECT_LE(governor.decisions().size(), 36'000u / 30) << name << ", " << budget_ms << " ms";
       for (const Governor::Decision& decision : governor.decisions()) {
         EXPECT_NE(decision.from, decision.to);
         EXPECT_FALSE(decision.reason.empty());
-        if (decision.to > decision.from) EXPECT_EQ(decision.to, decision.from + 1);
+        if (decision.to > decision.from) {
+          EXPECT_EQ(decision.to, decision.from + 1);
+        }
       }
     }
 }

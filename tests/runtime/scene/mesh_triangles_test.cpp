@@ -69,7 +69,7 @@ TEST(MeshTriangles, AreThoseOfTheMeshesOneAfterTheOther) {
   }
 }
 
-// Where the accessors of a file say too little, nothing is lost.
+// Nothing is lost where the accessors of a file promise fewer triangles than it has.
 TEST(MeshTriangles, MayBeMoreThanWasSaid) {
   const City city = make_city();
   MeshSource source = city.source();

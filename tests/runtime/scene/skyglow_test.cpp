@@ -113,6 +113,13 @@ TEST(Skyglow, OfADarkPlaceIsTheNaturalSky) {
   EXPECT_NEAR(make_skyglow({}, {.overcast = true}, {}).rgb[0], 0, 1e-15);
 }
 
+TEST(Skyglow, OfFluxesBeyondAllMeasureIsFinite) {
+  for (const bool overcast : {false, true})
+    for (const float value :
+         make_skyglow(make_city(1e45, 500), {.overcast = overcast}, {{-9, 0, -9}, {9, 5, 9}}).rgb)
+      ASSERT_TRUE(std::isfinite(value));
+}
+
 // The map interpolates between few directions: within 6 % from 5 degrees up, and within a quarter
 // close to the horizon, where a ray runs along the roofs of the city.
 TEST(Skyglow, TheMapIsTheLuminanceWithinAFewPercent) {
