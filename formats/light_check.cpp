@@ -67,12 +67,16 @@ double integrate_profile(const LightProfile& profile, std::span<const float> dat
     return sum / profile.c_count;
   };
   const double step = glm::radians(double{profile.extent_deg}) / (profile.gamma_count - 1.0);
-  // The integral of a line times sin(gamma) from a to a + step is, with its values f and g at the
-  // ends, f cos(a) - g cos(a + step) + (g - f) / step * (sin(a + step) - sin(a)).
+  // Of a line times sin(gamma), whose values at the ends m - h and m + h are f and g, the integral is
+  // (f + g) sin(m) sin(h) + (g - f) cos(m) (sin(h) - h cos(h)) / h. Written so, nothing cancels in
+  // beams of a millionth of a degree but the last bracket, which has a series.
+  const double h = step / 2;
+  const double bracket =
+      h < 0.01 ? h * h / 3 * (1 - h * h / 10 * (1 - h * h / 28)) : std::sin(h) / h - std::cos(h);
   double integral = 0, f = mean(0);
   for (std::size_t row = 1; row < profile.gamma_count; ++row) {
-    const double g = mean(row), b = step * static_cast<double>(row), a = b - step;
-    integral += f * std::cos(a) - g * std::cos(b) + (g - f) / step * (std::sin(b) - std::sin(a));
+    const double g = mean(row), m = step * (static_cast<double>(row) - 0.5);
+    integral += (f + g) * std::sin(m) * std::sin(h) + (g - f) * std::cos(m) * bracket;
     f = g;
   }
   return 2 * glm::pi<double>() * integral;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "formats/median.h"
+#include "formats/program/number_check.h"
 #include "formats/program/print_json.h"
 #include "runtime/experiments/experiment.h"
 #include "runtime/nightview/commands.h"
@@ -224,11 +225,11 @@ void add_bench_command(CLI::App& app) {
   command->options.declare(*sub);
   sub->add_option("--frames", command->frames, "Frames timed")
       ->capture_default_str()
-      ->check(CLI::Range(1u, 100000u));
+      ->check(program::count_from(1, 100000));
   sub->add_option("--warm-up", command->warm_up,
                   "Frames before the first timed one; on a GPU, one more second of frames follows")
       ->capture_default_str()
-      ->check(CLI::Range(0u, 100000u));
+      ->check(program::count_from(0, 100000));
   auto* json = sub->add_flag("--json", command->json, "Print the results as JSON");
   sub->add_flag("--forced,--needless", command->forced,
                 "Also time passes with features compiled in that this scene does not need, and the "

@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "formats/program/number_check.h"
 #include "formats/program/print_json.h"
 #include "runtime/measure/exr.h"
 #include "runtime/measure/false_colour.h"
 #include "runtime/measure/metrics.h"
 #include "runtime/nightview/commands.h"
-#include "runtime/nightview/number_check.h"
 
 namespace nightcity::nightview {
 namespace {
@@ -125,12 +125,12 @@ void add_compare_command(CLI::App& app) {
       ->add_option("--ev", options->ev100,
                    "Exposure of both for rmse8, EV100 (default: the reference's own, else metered "
                    "from it)")
-      ->check(exposure_check());
+      ->check(program::number_from(-20, 40));
   command
       ->add_option("--worst", options->worst,
                    "List this many of the pixels that differ most, with the green channel of their "
                    "layers of direct light")
-      ->check(CLI::Range(std::size_t(0), std::size_t(1'000'000)));
+      ->check(program::count_from(0, 1'000'000));
   command->add_flag("--json", options->json, "Print the results as JSON");
   command->footer("Example: nightview compare night.exr truth.exr --worst 10");
   command->callback([options] { compare_pictures(*options); });

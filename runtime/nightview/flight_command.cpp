@@ -8,11 +8,11 @@
 #include <memory>
 
 #include "formats/median.h"
+#include "formats/program/number_check.h"
 #include "formats/program/output.h"
 #include "runtime/experiments/flight.h"
 #include "runtime/nightview/commands.h"
 #include "runtime/nightview/governor_options.h"
-#include "runtime/nightview/number_check.h"
 #include "runtime/nightview/render_options.h"
 #include "runtime/scene/camera_path.h"
 
@@ -115,25 +115,25 @@ void add_flight_command(CLI::App& app) {
       ->capture_default_str();
   sub->add_option("--frames", flight.frames, "Frames along the path")
       ->capture_default_str()
-      ->check(CLI::Range(1u, 100000u));
+      ->check(program::count_from(1, 100000));
   sub->add_option("--time-step", flight.time_step_s,
                   "Seconds by which the clock moves on before every frame; 0 = it stands still")
       ->capture_default_str()
-      ->check(number_from(0, 3600));
+      ->check(program::number_from(0, 3600));
   sub->add_option("--every", flight.every, "Measure the error of every Nth frame")
       ->capture_default_str()
-      ->check(CLI::Range(1u, 100000u));
+      ->check(program::count_from(1, 100000));
   sub->add_option("--reference-frames", flight.reference_frames, "Frames of each reference picture")
       ->capture_default_str()
-      ->check(CLI::Range(1u, 100000u));
+      ->check(program::count_from(1, 100000));
   declare_governor(*sub, flight.governor);
   sub->add_option("--firefly-budget", command->firefly_budget,
                   "Share of a frame's pixels that may be fireflies")
       ->capture_default_str()
-      ->check(number_from(0, 1));
+      ->check(program::number_from(0, 1));
   sub->add_option("--ev", flight.ev100,
                   "Exposure of the pictures, EV100 (default: metered from the first)")
-      ->check(exposure_check());
+      ->check(program::number_from(-20, 40));
   sub->add_flag("--pictures", flight.pictures, "Write every frame as PNG");
   sub->callback([command] { run_flight(*command); });
 }

@@ -10,13 +10,13 @@
 #include <utility>
 
 #include "formats/error.h"
+#include "formats/program/number_check.h"
 #include "formats/program/output.h"
 #include "formats/program/print_json.h"
 #include "formats/program/progress_display.h"
 #include "runtime/experiments/price.h"
 #include "runtime/measure/table.h"
 #include "runtime/nightview/commands.h"
-#include "runtime/nightview/number_check.h"
 #include "runtime/nightview/render_options.h"
 #include "runtime/render/parse.h"
 #include "runtime/render/settings_file.h"
@@ -267,14 +267,14 @@ void declare_effort(CLI::App& sub, PriceCommand& command) {
                  "Pictures of each model and view, with random numbers of their own: from their "
                  "spread come the standard errors")
       ->capture_default_str()
-      ->check(CLI::Range(3u, 1000u));
+      ->check(program::count_from(3, 1000));
   sub.add_option("--frames", options.frames, "Frames averaged in each picture")
       ->capture_default_str()
-      ->check(CLI::Range(1u, 100000u));
+      ->check(program::count_from(1, 100000));
   sub.add_option("--timed-frames", options.timed,
                  "Frames of each model and view that are timed, in turn with the whole model's")
       ->capture_default_str()
-      ->check(CLI::Range(1u, 100000u));
+      ->check(program::count_from(1, 100000));
 }
 
 }  // namespace
@@ -311,7 +311,7 @@ void add_price_command(CLI::App& app) {
                   "Error that the smallest model may have, greatest over the views, with two "
                   "standard errors: in units of --by")
       ->capture_default_str()
-      ->check(number_from(0, 1e6));
+      ->check(program::number_from(0, 1e6));
   sub->add_option("--by", command->measure,
                   "Measure of that error: rmse, of 8-bit display values; mean, relative mean "
                   "signed error; relative-rmse, root of the relative MSE")

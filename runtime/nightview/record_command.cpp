@@ -6,11 +6,11 @@
 #include <memory>
 
 #include "formats/error.h"
+#include "formats/program/number_check.h"
 #include "formats/program/output.h"
 #include "formats/program/progress_display.h"
 #include "runtime/measure/exposure.h"
 #include "runtime/nightview/commands.h"
-#include "runtime/nightview/number_check.h"
 #include "runtime/nightview/recording.h"
 #include "runtime/nightview/render_options.h"
 #include "runtime/render/parse.h"
@@ -88,17 +88,17 @@ void add_record_command(CLI::App& app) {
   sub->add_option("--duration", recording.duration_s,
                   "Seconds from the path's beginning to its end")
       ->capture_default_str()
-      ->check(number_from(0.001, 36000));
+      ->check(program::number_from(0.001, 36000));
   sub->add_option("--fps", recording.pictures_per_s, "Pictures per second")
       ->capture_default_str()
-      ->check(number_from(0.1, 240));
+      ->check(program::number_from(0.1, 240));
   sub->add_option("--clock-speed", recording.clock_speed,
                   "Seconds of the night per second of the film; 0 = the clock stands")
       ->capture_default_str()
-      ->check(number_from(0, 3600));
+      ->check(program::number_from(0, 3600));
   sub->add_option("--frames", recording.frames, "Frames that are averaged in each picture")
       ->capture_default_str()
-      ->check(CLI::Range(1u, 1000000u));
+      ->check(program::count_from(1, 1000000));
   sub->add_option("--ev", command->exposure,
                   "Exposure, EV100, or 'auto': metered from the first picture")
       ->capture_default_str();

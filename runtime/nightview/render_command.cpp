@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "formats/error.h"
+#include "formats/program/number_check.h"
 #include "formats/program/output.h"
 #include "formats/program/progress_display.h"
 #include "formats/to_lower.h"
@@ -153,14 +154,14 @@ render::Effort choose_effort(const RenderCommand& command,
   if (!(options.budget_ms > 0)) return {};
   const render::Governor governor(
       experiments::measure_rungs(make_renderer,
-                                 {experiments::at_rest(pose, command.options.settings.time_s)},
+                                 {render::at_rest(pose, command.options.settings.time_s)},
                                  command.options.settings, false,
                                  [&](std::size_t done, std::size_t all) {
                                    progress.show({"measuring settings", done, all, "settings"});
                                  }),
       options);
   progress.clear();
-  spdlog::info("{}", experiments::describe_start(governor, options));
+  spdlog::info("{}", render::describe_start(governor, options));
   return governor.effort();
 }
 
@@ -301,7 +302,7 @@ void add_render_command(CLI::App& app) {
   sub->add_option("--frames", command->frames,
                   "Frames that are averaged; with --target-error, at most")
       ->capture_default_str()
-      ->check(CLI::Range(1u, 1000000u));
+      ->check(program::count_from(1, 1000000));
   declare_governor(*sub, command->governor);
   sub->add_option("--ev", command->exposure, "Exposure, EV100, or 'auto'")->capture_default_str();
   sub->add_option("--tone", command->tone, "Tone curve of the PNG: filmic, reinhard or linear")

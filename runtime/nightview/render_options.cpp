@@ -6,9 +6,9 @@
 
 #include "formats/error.h"
 #include "formats/light_edits.h"
+#include "formats/program/number_check.h"
 #include "runtime/measure/exr.h"
 #include "runtime/nightview/device_options.h"
-#include "runtime/nightview/number_check.h"
 #include "runtime/render/parse.h"
 #include "runtime/render/presets.h"
 #include "runtime/render/settings_file.h"
@@ -43,11 +43,11 @@ void declare_setting(CLI::App& command, const render::Setting& setting,
   } else if (const auto count = std::get_if<std::uint32_t*>(&value)) {
     command.add_option(names, **count, help)
         ->capture_default_str()
-        ->check(CLI::Range(std::uint32_t(setting.min), std::uint32_t(setting.max)));
+        ->check(program::count_from(std::uint64_t(setting.min), std::uint64_t(setting.max)));
   } else if (const auto number = std::get_if<float*>(&value)) {
     command.add_option(names, **number, help)
         ->capture_default_str()
-        ->check(number_from(setting.min, setting.max));
+        ->check(program::number_from(setting.min, setting.max));
   } else {
     const auto set = [estimator = std::get<render::Estimator*>(value)](const std::string& name) {
       *estimator = render::find_estimator(name);

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "formats/program/number_check.h"
 #include "formats/program/output.h"
 #include "runtime/experiments/strategies.h"
 #include "runtime/nightview/commands.h"
@@ -47,14 +48,14 @@ void add_strategies_command(CLI::App& app) {
   declare_size(*sub, command->size);
   sub->add_option("--candidates", options.candidates, "Light candidates per pixel and frame")
       ->capture_default_str()
-      ->check(CLI::Range(1u, render::max_candidates));
+      ->check(program::count_from(1, render::max_candidates));
   sub->add_option("--frames", options.frames, "Frames whose mean is measured")
       ->capture_default_str()
-      ->check(CLI::Range(1u, 100000u));
+      ->check(program::count_from(1, 100000));
   sub->add_option("--reference-frames", options.reference_frames,
                   "Frames of each reference picture")
       ->capture_default_str()
-      ->check(CLI::Range(1u, 100000u));
+      ->check(program::count_from(1, 100000));
   declare_device(*sub, options.device);
   sub->callback([command] { compare_sources(*command); });
 }

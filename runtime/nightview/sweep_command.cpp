@@ -6,12 +6,12 @@
 #include <memory>
 
 #include "formats/error.h"
+#include "formats/program/number_check.h"
 #include "formats/program/output.h"
 #include "runtime/experiments/sweep.h"
 #include "runtime/experiments/sweep_points.h"
 #include "runtime/nightview/commands.h"
 #include "runtime/nightview/device_options.h"
-#include "runtime/nightview/number_check.h"
 #include "runtime/nightview/render_options.h"
 #include "runtime/render/model_parts.h"
 #include "runtime/render/settings_file.h"
@@ -151,22 +151,22 @@ void add_sweep_command(CLI::App& app) {
   sub->add_option("--warm-up", options.warm_up,
                   "Frames before the first that counts: they fill the history")
       ->capture_default_str()
-      ->check(CLI::Range(0u, 100000u));
+      ->check(program::count_from(0, 100000));
   sub->add_option("--repeats", options.repeats, "Seeds whose errors are averaged")
       ->capture_default_str()
-      ->check(CLI::Range(1u, 1000u));
+      ->check(program::count_from(1, 1000));
   sub->add_option("--reference-frames", options.reference_frames, "Frames of the reference picture")
       ->capture_default_str()
-      ->check(CLI::Range(1u, 100000u));
+      ->check(program::count_from(1, 100000));
   sub->add_option("--time-step", options.time_step_s,
                   "Seconds by which the clock moves on before every frame, up to the measured one; "
                   "0 = it stands still. Needs --frames 1")
       ->capture_default_str()
-      ->check(number_from(0, 3600));
+      ->check(program::number_from(0, 3600));
   sub->add_option("--minutes", options.minutes,
                   "Stop after the combination that takes longer than this; 0 = never")
       ->capture_default_str()
-      ->check(number_from(0, 1e6));
+      ->check(program::number_from(0, 1e6));
   declare_device(*sub, options.device);
   sub->callback([command] { sweep(*command); });
 }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/atomic_file.h"
+#include "formats/program/number_check.h"
 #include "formats/program/output.h"
 #include "formats/program/print_json.h"
 #include "runtime/measure/exr.h"
@@ -15,7 +16,6 @@
 #include "runtime/measure/png.h"
 #include "runtime/nightview/commands.h"
 #include "runtime/nightview/device_options.h"
-#include "runtime/nightview/number_check.h"
 #include "runtime/nightview/render_options.h"
 #include "runtime/render/model_parts.h"
 #include "runtime/render/parse.h"
@@ -65,7 +65,7 @@ void write_lights(const std::filesystem::path& path, const scene::RenderScene& s
     text +=
         fmt::format("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", i, name_of(find_family(scene, i)),
                     lm, lm * s.direct, lm * s.reflected, lm * s.sideways, s.direct + s.reflected);
-    if (text.size() > (1 << 20)) {
+    if (text.size() > (1u << 20)) {
       file.write(text.data(), text.size());
       text.clear();
     }
@@ -195,15 +195,16 @@ void add_upward_command(CLI::App& app) {
       ->capture_default_str();
   sub->add_option("--rays", command->settings.rays, "Rays per light")
       ->capture_default_str()
-      ->check(CLI::Range(1u, 1u << 20));
+      ->check(program::count_from(1, 1u << 20));
   sub->add_option("--bounces", command->settings.bounces,
                   "Surfaces that light may bounce off on its way up; 1 = the first one alone")
       ->capture_default_str()
-      ->check(CLI::Range(0u, MAX_BOUNCES));
+      ->check(program::count_from(0, MAX_BOUNCES));
   sub->add_option("--cell", command->settings.cell_m, "Side of the map's squares, m")
       ->capture_default_str()
-      ->check(number_from(0.1, 10'000));
+      ->check(program::number_from(0.1, 10'000));
   sub->add_option("--seed", command->settings.seed, "Seed of all random numbers")
+      ->check(program::count_from(0, 0xFFFFFFFF))
       ->capture_default_str();
   declare_device(*sub, command->device);
   sub->add_flag("--json", command->json, "Print the results as JSON");

@@ -4,10 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "formats/program/number_check.h"
 #include "runtime/experiments/vehicles.h"
 #include "runtime/nightview/commands.h"
 #include "runtime/nightview/device_options.h"
-#include "runtime/nightview/number_check.h"
 #include "runtime/nightview/render_options.h"
 #include "runtime/render/parse.h"
 
@@ -53,14 +53,14 @@ void add_vehicles_command(CLI::App& app) {
       ->capture_default_str();
   sub->add_option("--lamps", options.lamps, "Street lamps: the size of the field")
       ->capture_default_str()
-      ->check(CLI::Range(std::size_t(1), std::size_t(10'000'000)));
+      ->check(program::count_from(1, 10'000'000));
   sub->add_option("--frames", options.frames, "Frames timed")
       ->capture_default_str()
-      ->check(CLI::Range(1u, 100000u));
+      ->check(program::count_from(1, 100000));
   sub->add_option("--time-step", options.time_step_s,
                   "Seconds by which the clock moves on before every frame; 0 = it stands still")
       ->capture_default_str()
-      ->check(number_from(0, 3600));
+      ->check(program::number_from(0, 3600));
   sub->callback([command] { time_traffic(*command); });
 }
 

@@ -1,29 +1,37 @@
 #include "runtime/render/parse.h"
 
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <cmath>
 #include <sstream>
 
 #include "formats/error.h"
+#include "formats/number_text.h"
 #include "runtime/measure/limits.h"
 
 namespace nightcity::render {
 namespace {
 
-// Takes all of the text or nothing, in every locale. Spaces and a plus may lead.
-template <typename Number>
-bool read_all(const std::string& text, Number& value) {
-  const char *begin = text.data(), *end = begin + text.size();
-  while (begin != end && *begin == ' ') ++begin;
-  if (begin != end && *begin == '+') ++begin;
-  const auto [rest, error] = std::from_chars(begin, end, value);
-  return error == std::errc() && rest == end;
-}
-
 // Two digits at most, as in a clock's time.
 bool read_two_digits(const std::string& text, unsigned max, unsigned& value) {
-  return text.size() <= 2 && read_all(text, value) && value <= max;
+  const auto digits = text.size() <= 2 ? read_count(text) : std::nullopt;
+  if (!digits || *digits > max) return false;
+  value = static_cast<unsigned>(*digits);
+  return true;
+}
+
+bool read_seconds(const std::string& text, double& seconds) {
+  const auto value = text.starts_with('+') ? std::nullopt : read_number(text);
+  if (!value || !(*value >= 0 && *value < 60) || std::signbit(*value)) return false;
+  seconds = *value;
+  return true;
+}
+
+bool read_side(const std::string& text, std::uint32_t& side) {
+  const auto value = read_count(text);
+  if (!value || *value < 1 || *value > measure::max_image_side) return false;
+  side = static_cast<std::uint32_t>(*value);
+  return true;
 }
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -36,6 +44,14 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return words;
 }
 
+// Splits a list. Blanks may follow a comma.
+std::vector<std::string> split_at_commas(const std::string& text) {
+  std::vector<std::string> words = split(text, ',');
+  for (std::size_t n = 1; n < words.size(); ++n)
+    words[n].erase(0, std::min(words[n].find_first_not_of(' '), words[n].size()));
+  return words;
+}
+
 std::string to_text(double value) {
   std::ostringstream text;
   text << value;
@@ -45,21 +61,20 @@ std::string to_text(double value) {
 }  // namespace
 
 double parse_number(const std::string& option, const std::string& word, double min, double max) {
-  double value = 0;
-  // Written so that NaN fails.
-  if (!read_all(word, value) || !(value >= min && value <= max))
+  const auto value = read_number(word);
+  if (!value || *value < min || *value > max)
     throw UsageError(option,
                      "'" + word + "' is not a number from " + to_text(min) + " to " + to_text(max));
-  return value;
+  return *value;
 }
 
 std::size_t parse_count(const std::string& option, const std::string& word, std::size_t min,
                         std::size_t max) {
-  std::size_t value = 0;
-  if (!read_all(word, value) || value < min || value > max)
+  const auto value = read_count(word);
+  if (!value || *value < min || *value > max)
     throw UsageError(option, "'" + word + "' is not a whole number from " + std::to_string(min) +
                                  " to " + std::to_string(max));
-  return value;
+  return *value;
 }
 
 bool parse_yes_or_no(const std::string& option, const std::string& word) {
@@ -69,7 +84,7 @@ bool parse_yes_or_no(const std::string& option, const std::string& word) {
 }
 
 std::vector<std::string> split_list(const std::string& option, const std::string& text) {
-  const std::vector<std::string> words = split(text, ',');
+  const std::vector<std::string> words = split_at_commas(text);
   if (std::find(words.begin(), words.end(), "") != words.end())
     throw UsageError(option, "'" + text + "' has an empty entry");
   return words;
@@ -89,7 +104,7 @@ double parse_time(const std::string& text) {
   double seconds = 0;
   bool good = (parts.size() == 2 || parts.size() == 3) && read_two_digits(parts[0], 23, hours) &&
               read_two_digits(parts[1], 59, minutes);
-  if (good && parts.size() == 3) good = read_all(parts[2], seconds) && seconds >= 0 && seconds < 60;
+  if (good && parts.size() == 3) good = read_seconds(parts[2], seconds);
   if (!good) throw UsageError("--time", "expected HH:MM or HH:MM:SS, not '" + text + "'");
   return ((hours + 12) % 24) * 3600.0 + minutes * 60.0 + seconds;
 }
@@ -112,11 +127,7 @@ std::optional<float> parse_exposure(const std::string& text) {
 PictureSize parse_size(const std::string& text) {
   PictureSize size;
   const std::vector<std::string> parts = split(text, 'x');
-  const auto is_side = [](std::uint32_t side) {
-    return side >= 1 && side <= measure::max_image_side;
-  };
-  if (parts.size() != 2 || !read_all(parts[0], size.width) || !read_all(parts[1], size.height) ||
-      !is_side(size.width) || !is_side(size.height))
+  if (parts.size() != 2 || !read_side(parts[0], size.width) || !read_side(parts[1], size.height))
     throw UsageError("--size", "expected WIDTHxHEIGHT with 1 to " +
                                    std::to_string(measure::max_image_side) +
                                    " pixels a side, not '" + text + "'");
@@ -124,11 +135,15 @@ PictureSize parse_size(const std::string& text) {
 }
 
 MoonPosition parse_moon(const std::string& text) {
-  const std::vector<std::string> parts = split(text, ',');
+  const std::vector<std::string> parts = split_at_commas(text);
   MoonPosition moon;
-  bool good = (parts.size() == 2 || parts.size() == 3) && read_all(parts[0], moon.azimuth_deg) &&
-              read_all(parts[1], moon.elevation_deg);
-  if (good && parts.size() == 3) good = read_all(parts[2], moon.lux);
+  const std::array<double*, 3> values = {&moon.azimuth_deg, &moon.elevation_deg, &moon.lux};
+  bool good = parts.size() == 2 || parts.size() == 3;
+  for (std::size_t n = 0; good && n < parts.size(); ++n) {
+    const auto value = read_number(parts[n]);
+    good = value.has_value();
+    if (good) *values[n] = *value;
+  }
   if (!good || !(moon.azimuth_deg >= -360 && moon.azimuth_deg <= 360) ||
       !(moon.elevation_deg > 0 && moon.elevation_deg <= 90) || !(moon.lux > 0 && moon.lux <= 1000))
     throw UsageError(

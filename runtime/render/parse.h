@@ -1,5 +1,6 @@
 // Text from command lines and lists to values. What is not understood throws UsageError, which
-// names the option.
+// names the option. Numbers are what formats/number_text.h reads: blanks may only follow the commas
+// of a list.
 #pragma once
 
 #include <cstddef>

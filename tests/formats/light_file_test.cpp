@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <cstring>
+#include <glm/ext/scalar_constants.hpp>
+#include <glm/trigonometric.hpp>
 #include <limits>
 
 #include "formats/error.h"
@@ -356,6 +358,14 @@ TEST(LightProfile, ItsIntegralIsThatOfTheBilinearInterpolant) {
   EXPECT_FALSE(profile_integral_fault({1, 2, 0, 180}, near_one));
   near_one.assign(2, uniform * 1.006f);
   EXPECT_TRUE(profile_integral_fault({1, 2, 0, 180}, near_one));
+  // Beams of one intensity, down to a hundred-millionth of a degree.
+  for (const float extent : {180.f, 1.f, 1e-2f, 1e-4f, 1e-6f, 1e-8f}) {
+    const double half = glm::radians(double{extent}) / 2;
+    const auto density =
+        static_cast<float>(1 / (4 * glm::pi<double>() * std::sin(half) * std::sin(half)));
+    EXPECT_NEAR(integrate_profile({1, 2, 0, extent}, std::vector<float>(2, density)), 1, 1e-6);
+    EXPECT_NEAR(integrate_profile({1, 5, 0, extent}, std::vector<float>(5, density)), 1, 1e-6);
+  }
 }
 
 TEST(SceneIdentity, LightsOfAnotherSceneAreRefusedWithBothNames) {

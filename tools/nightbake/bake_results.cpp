@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "formats/program/number_check.h"
 #include "formats/program/output.h"
 #include "formats/program/print_json.h"
 
@@ -17,7 +18,7 @@ void BakeResults::declare(CLI::App& command) {
       .add_option("--threads", threads,
                   "Number of threads, in place of the recipe's (default: one per core); the "
                   "results do not depend on it")
-      ->check(CLI::Range(1, 1024));
+      ->check(program::count_from(1, 1024));
 }
 
 void BakeResults::print(const bake::BakeReport& report) const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "formats/error.h"
+#include "formats/program/number_check.h"
 #include "formats/program/output.h"
 #include "formats/program/print_json.h"
 #include "tools/bake/bake_options.h"
@@ -147,17 +148,17 @@ void add_elevate_command(CLI::App& app) {
   command->add_option("--cache", arguments->service.cache, "File that keeps the service's answers");
   command->add_option("--batch", arguments->service.batch, "Places in one request")
       ->capture_default_str()
-      ->check(CLI::Range(1, 10000));
+      ->check(program::count_from(1, 10000));
   command
       ->add_option("--attempts", arguments->service.attempts,
                    "How often a request is sent while the service is busy")
       ->capture_default_str()
-      ->check(CLI::Range(1, 20));
+      ->check(program::count_from(1, 20));
   command
       ->add_option("--wait-ms", arguments->wait_ms,
                    "Wait before the second attempt, in ms; doubled after each")
       ->capture_default_str()
-      ->check(CLI::Range(1, 60000));
+      ->check(program::count_from(1, 60000));
   command->add_flag("--json", arguments->json, "Print the report as JSON");
   command->footer(
       "The model's terrain and roads are asked first, then its buildings' ground, then the raster, "

@@ -9,6 +9,7 @@
 
 #include "formats/error.h"
 #include "formats/light_file.h"
+#include "formats/program/number_check.h"
 #include "formats/scene_reader.h"
 #include "tools/exports/light_layer.h"
 #include "tools/exports/tileset.h"
@@ -77,12 +78,12 @@ void add_export_command(CLI::App& app) {
       ->required();
   command->add_option("--tile", arguments->tiles.cell_m, "3D Tiles: side of a tile, m")
       ->capture_default_str()
-      ->check(CLI::Range(10.0, 100000.0));
+      ->check(program::number_from(10, 100000));
   command
       ->add_option("--geoid", arguments->tiles.geoid_m,
                    "3D Tiles: height of the geoid above WGS 84's ellipsoid there, m")
       ->capture_default_str()
-      ->check(CLI::Range(-200.0, 200.0));
+      ->check(program::number_from(-200, 200));
   command->footer(
       "Examples:\n  nightbake export out/berlin -o lights.gpkg\n  nightbake export out/berlin -o "
       "tiles --geoid 39.5");

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "formats/program/number_check.h"
 #include "formats/program/print_json.h"
 #include "formats/to_lower.h"
 #include "tools/inputs/file_format.h"
@@ -72,7 +73,7 @@ void add_inspect_command(CLI::App& app) {
       "Print JSON: kind, buildings, polygons, triangles, lights, crs, bbox, skipped, ...");
   command->add_option("--lod", arguments->lod, "City models: the highest level of detail to use")
       ->capture_default_str()
-      ->check(CLI::Range(0, 4));
+      ->check(program::count_from(0, 4));
   command->footer(
       "Examples:\n  nightbake inspect berlin/3910_5819.gml\n  nightbake inspect --json "
       "out/city.lights | jq .lights");

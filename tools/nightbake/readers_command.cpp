@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "formats/program/number_check.h"
 #include "formats/program/print_json.h"
 #include "tools/bake/report/report_text.h"
 #include "tools/citygml/compare_readers.h"
@@ -134,7 +135,7 @@ void add_readers_command(CLI::App& app) {
   command->add_option("files", arguments->files, "CityGML files, or folders of them")->required();
   command->add_option("--lod", arguments->lod, "The highest level of detail to use")
       ->capture_default_str()
-      ->check(CLI::Range(0, 4));
+      ->check(program::count_from(0, 4));
   command->add_flag("--all", arguments->all, "Print what they agree on too");
   command->add_flag("--json", arguments->json, "Print JSON: one object per file");
   command->footer(

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "formats/program/number_check.h"
 #include "formats/program/output.h"
 #include "tools/nightbake/commands.h"
 #include "tools/town/town.h"
@@ -40,16 +41,16 @@ void add_town_command(CLI::App& app) {
   auto* size = command->add_option_group(
       "size", "Size of the town: at most one of these; the default is 56 blocks");
   size->add_option("--blocks", arguments->blocks, "Approximate number of blocks of houses")
-      ->check(CLI::PositiveNumber);
+      ->check(program::count_from(1, 100'000'000));
   size->add_option("--buildings", arguments->buildings, "Approximate number of buildings")
-      ->check(CLI::PositiveNumber);
+      ->check(program::count_from(1, 100'000'000));
   size->add_option("--triangles", arguments->triangles, "Approximate number of triangles")
-      ->check(CLI::PositiveNumber);
+      ->check(program::count_from(1, 100'000'000));
   size->require_option(0, 1);
   command
       ->add_option("--lamps", arguments->town.lamps,
                    "Exact number of luminaires (default: as many as the streets need)")
-      ->check(CLI::PositiveNumber);
+      ->check(program::count_from(1, 100'000'000));
   command->add_option("--hills", arguments->town.hills_m, "Height from valley to hilltop, m")
       ->capture_default_str();
   command->footer("Example: nightbake town --blocks 20 --out town");

@@ -11,6 +11,7 @@
 
 #include "formats/error.h"
 #include "formats/light_file_edit.h"
+#include "formats/program/number_check.h"
 #include "formats/program/output.h"
 #include "formats/program/print_json.h"
 #include "tools/bake/bake_options.h"
@@ -91,7 +92,7 @@ void add_traffic_command(CLI::App& app) {
       ->add_option("--vehicles", arguments->vehicles,
                    "Vehicles on the road at 22:00 (default: the recipe's, else by the table of "
                    "densities)")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(program::number_from(0, 1e6));
   command->add_flag("--json", arguments->json, "Print the report as JSON");
   command->footer(
       "[traffic] takes vehicles = N (at 22:00) or per_km = X (per km of lane), cycle_s, side = "
@@ -99,7 +100,8 @@ void add_traffic_command(CLI::App& app) {
       "hours = [24 shares from noon on] and seed. `nightbake run` makes the same traffic, and "
       "shows "
       "it in city.glb.\n"
-      "Without a map the streets are the centrelines of the model's roads. Without a city model they "
+      "Without a map the streets are the centrelines of the model's roads. Without a city model "
+      "they "
       "lie "
       "on a plane at height 0.\n"
       "Examples: nightbake traffic town.toml --out traffic.lights\n"

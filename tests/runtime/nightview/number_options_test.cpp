@@ -63,8 +63,10 @@ TEST_P(NumberOptions, RefuseNanInfinityAndNumbersOutOfRange) {
   EXPECT_EQ(options.empty(), command == "devices");
   for (const NumberOption& option : options) {
     const std::vector<std::string> words =
-        option.is_whole ? std::vector<std::string>{"nan", "-1", "0.5x"}
-                        : std::vector<std::string>{"nan", "-nan", "inf", "-1e39", "1e39", "0.5x"};
+        option.is_whole
+            ? std::vector<std::string>{"nan", "-1", "0.5x", "0x10", "010", "' 5'", "'5 '"}
+            : std::vector<std::string>{"nan",  "-nan",   "inf", "-1e39",  "1e39",
+                                       "0.5x", "0x1p-1", "+-1", "' 0.5'", "'0.5 '"};
     for (const std::string& word : words) {
       const std::string arguments = required_arguments(command, folder);
       // The option comes last: where it repeats one of the required ones, both are refused

@@ -177,6 +177,24 @@ TEST(ClosedForm, ABeamOfAFiftiethOfADegreeIsExact) {
   }
 }
 
+// Directions are known to some 3e-6 degrees: a narrower beam may miss every pixel, and is no fault.
+TEST(ClosedForm, ABeamOfAMillionthOfADegreeIsFinite) {
+  scene::SceneLights lights;
+  lights.lights = {lamp({0, 8, 0}, 5000)};
+  lights.lights[0].kind_profile = pack_kind_profile(LightKind::sphere, 0);
+  lights.profiles = {{1, 2, 0, 1e-6f}};
+  lights.profile_data = {1e15f, 1e15f};
+  SceneBuilder builder(0.4f);
+  builder.ground(1);
+  const scene::RenderScene scene = scene::make_render_scene(builder.scene(), lights);
+  const measure::Image image = render(scene, {{0, 2, 0}, {0, 0, 0}, {0, 0, -1}, 40},
+                                      settings_for(render::Estimator::reference), 9, 9, 1);
+  for (std::size_t i = 0; i < image.pixels(); ++i) {
+    EXPECT_TRUE(std::isfinite(luminance(image, i)));
+    if (i != image.pixels() / 2) EXPECT_EQ(luminance(image, i), 0) << "off the axis";
+  }
+}
+
 TEST(ClosedForm, RaysThatLeaveTheSceneSeeTheSky) {
   render::RenderSettings settings = settings_for(render::Estimator::ris);
   settings.environment.sky_cd_m2 = {0.01f, 0.02f, 0.03f};
