@@ -4,6 +4,7 @@
 #include <cmath>
 #include <deque>
 #include <optional>
+#include <unordered_map>
 
 #include "tools/traffic/driver_model.h"
 #include "tools/traffic/following.h"
@@ -16,12 +17,20 @@ namespace {
 // A vehicle that has stood first at a line for so long is in a gridlock: its trip is given up.
 constexpr double gives_up_s = 90;
 constexpr double warm_up_share = 1.0;  // of a cycle, before trips are kept
+// Of the trips that wait to start on one lane, so many that came first look for room; the others
+// queue behind them. So a step does not become longer where more is asked for than streets take.
+constexpr std::uint32_t max_looking = 16;
 
 class Simulator {
  public:
   Simulator(const LinkNetwork& network, std::span<const TripPlan> plans, double cycle_s,
             const std::function<void(DrivenTrip&&)>& sink)
-      : roads_(network), plans_(plans), cycle_s_(cycle_s), sink_(sink), by_start_(plans.size()) {
+      : roads_(network),
+        plans_(plans),
+        cycle_s_(cycle_s),
+        sink_(sink),
+        by_start_(plans.size()),
+        looking_at_(roads_.links.size()) {
     for (std::size_t n = 0; n < plans.size(); ++n) by_start_[n] = n;
     std::stable_sort(by_start_.begin(), by_start_.end(), [&](std::size_t a, std::size_t b) {
       return plans[a].start_time_s < plans[b].start_time_s;
@@ -61,30 +70,68 @@ class Simulator {
     return next_cycle_ * cycle_s_ + plans_[by_start_[next_]].start_time_s;
   }
 
+  std::size_t start_link(const PendingTrip& one) const { return plans_[one.plan].links.front(); }
+
   void start_trips() {
     while (roads_.now >= next_due_s()) {
-      waiting_.push_back({by_start_[next_], next_cycle_ == 0, next_due_s()});
-      if (next_cycle_ == 0) ++kept_;
+      const PendingTrip one{by_start_[next_], next_cycle_ == 0, next_due_s()};
+      wait(one);
+      if (one.kept) ++kept_;
       if (++next_ == by_start_.size()) {
         next_ = 0;
         ++next_cycle_;
       }
     }
     ++moment_;
-    std::erase_if(waiting_, [&](const PendingTrip& one) {
+    vacated_.clear();
+    std::erase_if(looking_, [&](const PendingTrip& one) {
       // A vehicle that cannot start at once tries again every second.
       const bool looks = roads_.now < one.due_s + step_s || (moment_ + one.plan) % 4 == 0;
-      if (looks && try_start(one)) return true;
-      if (roads_.now < one.due_s + cycle_s_) return false;
-      if (one.kept) {
-        ++report_.never_started;
-        --kept_;
-      }
+      const bool starts = looks && try_start(one);
+      if (!starts && !is_given_up(one)) return false;
+      vacated_.push_back(start_link(one));
       return true;
     });
+    for (const std::size_t link : vacated_) follow_up(link);
+  }
+
+  void wait(const PendingTrip& one) {
+    const std::size_t link = start_link(one);
+    if (looking_at_[link] < max_looking) {
+      ++looking_at_[link];
+      looking_.push_back(one);
+    } else {
+      queued_[link].push_back(one);
+    }
+  }
+
+  /// Returns whether a trip has waited for a whole cycle, and counts it then.
+  bool is_given_up(const PendingTrip& one) {
+    if (roads_.now < one.due_s + cycle_s_) return false;
+    if (one.kept) {
+      ++report_.never_started;
+      --kept_;
+    }
+    return true;
+  }
+
+  /// Lets the next trip in the queue look for room, after one that did has left.
+  void follow_up(std::size_t link) {
+    --looking_at_[link];
+    const auto found = queued_.find(link);
+    if (found == queued_.end()) return;
+    std::deque<PendingTrip>& queue = found->second;
+    while (!queue.empty() && is_given_up(queue.front())) queue.pop_front();
+    if (!queue.empty()) {
+      ++looking_at_[link];
+      looking_.push_back(queue.front());
+      queue.pop_front();
+    }
+    if (queue.empty()) queued_.erase(found);
   }
 
   bool try_start(const PendingTrip& one) {
+    ++report_.looks;
     const TripPlan& plan = plans_[one.plan];
     const std::size_t link = plan.links.front();
     const double half = vehicle_types[plan.type].length_m / 2;
@@ -169,7 +216,10 @@ class Simulator {
   std::vector<std::size_t> by_start_;              // plans, by start time
   std::vector<std::optional<DrivenTrip>> driven_;  // by vehicle, if its trip is kept
   std::vector<std::uint32_t> finished_;
-  std::deque<PendingTrip> waiting_;
+  std::vector<PendingTrip> looking_;       // for room, in the order in which they are due
+  std::vector<std::uint32_t> looking_at_;  // number of them by link
+  std::vector<std::size_t> vacated_;       // links of those that have left in this step
+  std::unordered_map<std::size_t, std::deque<PendingTrip>> queued_;  // by link, behind them
   std::size_t moment_ = 0;
   std::size_t next_ = 0;  // into by_start_
   std::size_t kept_ = 0;  // trips of the kept cycle that have not ended

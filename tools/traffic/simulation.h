@@ -22,6 +22,7 @@ struct SimulationReport {
   std::size_t never_started = 0;  // trips with no room at their start for a whole cycle
   std::size_t stuck = 0;          // trips that did not end within a cycle
   std::size_t steps = 0;
+  std::size_t looks = 0;  // of waiting trips for room at their start, over all steps
   std::size_t max_at_once = 0;
   double waited_s = 0;  // at the start, summed over all trips
 };

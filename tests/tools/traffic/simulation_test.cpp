@@ -161,5 +161,31 @@ TEST(Simulation, IsTheSameEveryTime) {
   }
 }
 
+TEST(Simulation, DemandThatNoStreetTakesDoesNotLengthenTheSteps) {
+  // A thousand trips are due on a street that lets a few vehicles in, on one lane.
+  Town town({street(1, {{0, 0}, {20, 0}}, {{"highway", "residential"}})});
+  const std::size_t e = town.edge({0, 0}, {20, 0});
+  for (int n = 0; n < 1000; ++n) town.add({e}, 0.02 * n);
+  town.run(60);
+  const SimulationReport& report = town.report;
+  EXPECT_GT(report.driven, 5u);
+  EXPECT_EQ(report.driven + report.never_started + report.stuck, 1000u) << "each trip is counted";
+  EXPECT_LE(report.stuck, 16u) << "one that never started is not stuck";
+  // Each second, 16 trips look, and each trip does once when its turn comes.
+  EXPECT_LE(report.looks, 16 * (report.steps / 4 + 1) + 3 * 1000);
+}
+
+TEST(Simulation, TripsThatQueueStartInTheOrderInWhichTheyAreDue) {
+  Town town({street(1, {{0, 0}, {300, 0}}, {{"highway", "residential"}})});
+  const std::size_t e = town.edge({0, 0}, {300, 0});
+  for (int n = 0; n < 100; ++n) town.add({e}, 0.01 * n);
+  town.run(600);
+  ASSERT_EQ(town.report.driven, 100u) << "all of them find room within the cycle";
+  std::vector<double> starts;
+  for (const auto& [plan, trip] : town.driven) starts.push_back(trip.start_time_s);
+  // Of 16 that look at a time, those whose second it is go first.
+  for (std::size_t n = 40; n < starts.size(); ++n) EXPECT_GT(starts[n], starts[n - 40]);
+}
+
 }  // namespace
 }  // namespace nightcity::traffic
