@@ -41,9 +41,7 @@ void set_errors(Measurement& result, const std::vector<measure::Comparison>& rep
 }  // namespace
 
 double sum_gpu_ms(const render::Renderer& renderer) {
-  double sum = 0;
-  for (const auto& span : renderer.timings()) sum += span.ms;
-  return sum;
+  return gpu::sum_ms(renderer.timings());
 }
 
 namespace {

@@ -65,20 +65,21 @@ void add_errors(const measure::Comparison& errors, std::vector<std::string>& row
 
 // Returns what frame i of a flight shows; before and after the flight it goes on at the path's
 // ends.
-Moment moment_at(const FlightOptions& options, const scene::CameraPath& path, double first_s,
-                 std::uint32_t i) {
+render::Moment moment_at(const FlightOptions& options, const scene::CameraPath& path,
+                         double first_s, std::uint32_t i) {
   return {path.at(options.frames > 1 ? double(i) / (options.frames - 1) : 0.0),
           first_s + i * options.time_step_s};
 }
 
 // Returns the moments of the flight's first, middle and last frames.
-std::vector<std::vector<Moment>> list_places(const FlightOptions& options,
-                                             const scene::CameraPath& path, double first_s) {
-  const std::uint32_t last = options.frames - std::min(options.frames, rung_frames);
-  std::vector<std::vector<Moment>> places;
+std::vector<std::vector<render::Moment>> list_places(const FlightOptions& options,
+                                                     const scene::CameraPath& path,
+                                                     double first_s) {
+  const std::uint32_t last = options.frames - std::min(options.frames, render::rung_frames);
+  std::vector<std::vector<render::Moment>> places;
   for (const std::uint32_t first : {0u, last / 2, last}) {
-    std::vector<Moment>& place = places.emplace_back();
-    for (std::uint32_t i = 0; i < rung_frames; ++i)
+    std::vector<render::Moment>& place = places.emplace_back();
+    for (std::uint32_t i = 0; i < render::rung_frames; ++i)
       place.push_back(moment_at(options, path, first_s, first + i));
   }
   return places;
@@ -99,7 +100,7 @@ std::optional<render::Governor> make_governor(const FlightOptions& flight,
                     });
   render::Governor governor(rungs, options);
   progress.clear();
-  spdlog::info("{}", describe_start(governor, options));
+  spdlog::info("{}", render::describe_start(governor, options));
   return governor;
 }
 
@@ -116,7 +117,7 @@ double render_governed(render::Governor& governor, render::Renderer& renderer,
   governor.observe(ms);
   if (governor.decisions().size() > decided) {
     progress.clear();
-    spdlog::info("{}", describe(governor, governor.decisions().back()));
+    spdlog::info("{}", render::describe(governor, governor.decisions().back()));
   }
   return ms;
 }
@@ -137,7 +138,8 @@ FlightReport fly(const FlightOptions& options, Experiment& experiment,
                        {}};
   PassTimes passes;
   report.governor = make_governor(options, experiment, path, settings, progress);
-  if (report.governor) table.columns.insert(table.columns.end(), {"candidates", "neighbours"});
+  if (report.governor)
+    table.columns.insert(table.columns.end(), {"candidates", "neighbours", "cell_paths"});
   const double first_s = settings.time_s;
   std::optional<float> ev100 = options.ev100;
   for (std::uint32_t i = 0; i < options.frames; ++i) {
@@ -166,8 +168,12 @@ FlightReport fly(const FlightOptions& options, Experiment& experiment,
     }
     row.resize(table.columns.size());
     if (report.governor) {
-      row[row.size() - 2] = fmt::to_string(effort.max_candidates);
-      row[row.size() - 1] = fmt::to_string(effort.max_neighbours);
+      row[row.size() - 3] = fmt::to_string(effort.max_candidates);
+      row[row.size() - 2] = fmt::to_string(effort.max_neighbours);
+      // Without a bound, the settings say how many there are.
+      constexpr auto unbounded = std::numeric_limits<std::uint32_t>::max();
+      row[row.size() - 1] =
+          effort.max_cell_paths == unbounded ? "" : fmt::to_string(effort.max_cell_paths);
     }
     table.rows.push_back(std::move(row));
     if (is_measured || options.pictures) experiment.wake_up(pose, settings);

@@ -45,4 +45,10 @@ std::vector<Timer::Span> Timer::collect() {
   return spans;
 }
 
+double sum_ms(std::span<const Timer::Span> spans) {
+  double sum = 0;
+  for (const Timer::Span& span : spans) sum += span.ms;
+  return sum;
+}
+
 }  // namespace nightcity::gpu

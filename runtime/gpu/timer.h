@@ -4,6 +4,7 @@
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,5 +36,8 @@ class Timer {
   VkQueryPool pool_ = VK_NULL_HANDLE;
   std::vector<const char*> names_;
 };
+
+/// Returns the milliseconds of all spans together.
+double sum_ms(std::span<const Timer::Span> spans);
 
 }  // namespace nightcity::gpu

@@ -6,10 +6,11 @@
 #include <optional>
 
 #include "formats/error.h"
+#include "formats/program/number_check.h"
 #include "formats/program/output.h"
 #include "runtime/measure/exposure.h"
 #include "runtime/nightview/commands.h"
-#include "runtime/nightview/number_check.h"
+#include "runtime/nightview/governor_options.h"
 #include "runtime/nightview/render_options.h"
 #include "runtime/render/parse.h"
 #include "runtime/viewer/comparison.h"
@@ -74,6 +75,7 @@ void view(ViewCommand& command) {
   const viewer::ViewReport report = viewer::run_viewer(options);
   fmt::print("{} frames shown, the last {} of them averaged, estimator {}\n", report.shown,
              report.frames, report.estimator);
+  if (!report.pace.empty()) fmt::print("budget: {}\n", report.pace);
 }
 
 std::string describe_input() {
@@ -92,7 +94,7 @@ void declare_pictures(CLI::App& sub, ViewCommand& command) {
                  "Size of saved pictures, WIDTHxHEIGHT (default: the window's)");
   sub.add_option("--picture-frames", view.picture.frames, "Frames averaged in a saved picture")
       ->capture_default_str()
-      ->check(CLI::Range(1u, 1000000u));
+      ->check(program::count_from(1, 1000000));
   sub.add_option("--picture-folder", view.picture_folder,
                  "Folder of saved pictures (default: the current one, or where that takes no "
                  "files, the pictures' or home folder)");
@@ -129,26 +131,28 @@ void add_view_command(CLI::App& app) {
   sub->add_option("--frames", view_options.max_frames,
                   "Frames that are averaged while nothing changes")
       ->capture_default_str()
-      ->check(CLI::Range(1u, 1000000u));
+      ->check(program::count_from(1, 1000000));
   sub->add_option("--every", view_options.divisor,
                   "Render every Nth pixel along each side of the window: 1, 2, 4 or 8; 0: coarse "
                   "while the view moves, then finer until every pixel is there")
       ->capture_default_str()
+      ->check(program::count_from(0, 8))
       ->check(CLI::IsMember({0, 1, 2, 4, 8}));
+  declare_governor(*sub, view_options.governor);
   sub->add_option("--font-size", view_options.font_px,
                   "Height of the window's text in pixels, 8 to 64; 0: as the screen's scale asks "
                   "for")
       ->capture_default_str()
-      ->check(number_from(0, 64));
+      ->check(program::number_from(0, 64));
   sub->add_flag("--markers", view_options.markers, "Start with lamp markers drawn");
   sub->add_flag("--play", view_options.play, "Start with the clock running");
   sub->add_option("--time-step", view_options.time_step_s,
                   "Seconds by which the running clock moves on in every frame; 0 = it keeps real "
                   "time, at the speed set in the panel")
       ->capture_default_str()
-      ->check(number_from(0, 3600));
-  sub->add_option("--quit-after", view_options.quit_after,
-                  "Close after showing this many pictures");
+      ->check(program::number_from(0, 3600));
+  sub->add_option("--quit-after", view_options.quit_after, "Close after showing this many pictures")
+      ->check(program::count_from(0, 0xFFFFFFFF));
   declare_pictures(*sub, *command);
   sub->callback([command] { view(*command); });
 }

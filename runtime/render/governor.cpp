@@ -1,5 +1,7 @@
 #include "runtime/render/governor.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -145,6 +147,26 @@ void Governor::observe(double ms) {
     }
   }
   rise_where_there_is_room();
+}
+
+std::string describe(const Governor& governor, const Governor::Decision& decision) {
+  return fmt::format("frame {}: {} instead of {}, {:.3g} ms expected: {}", decision.frame,
+                     governor.rungs()[decision.to].name(), governor.rungs()[decision.from].name(),
+                     decision.expected_ms, decision.reason);
+}
+
+std::string describe_start(const Governor& governor, const GovernorOptions& options) {
+  std::string text;
+  for (const Rung& rung : governor.rungs()) {
+    text += fmt::format("{}{}: {:.3g} ms", text.empty() ? "" : "; ", rung.name(), rung.ms);
+    if (rung.relative_error > 0) text += fmt::format(", noise {:.3g}", rung.relative_error);
+  }
+  text = "measured " + text + ". Starts with " + governor.rungs()[governor.rung()].name();
+  if (!governor.can_keep_target())
+    text += fmt::format(": none keeps a noise of {:g}", options.target_error);
+  if (options.budget_ms > 0 && governor.rungs().front().ms > options.budget_ms)
+    text += fmt::format(": none keeps {:g} ms", options.budget_ms);
+  return text;
 }
 
 }  // namespace nightcity::render

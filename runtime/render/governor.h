@@ -101,4 +101,10 @@ class Governor {
   std::vector<Decision> decisions_;
 };
 
+/// Returns the decision in words: frame, rungs, reason.
+std::string describe(const Governor& governor, const Governor::Decision& decision);
+
+/// Returns what the governor starts with, in words; with its rungs' times and errors.
+std::string describe_start(const Governor& governor, const GovernorOptions& options);
+
 }  // namespace nightcity::render

@@ -32,6 +32,9 @@ Controller::Controller(const ViewOptions& options, Presenter& presenter, Workben
   }
   state.markers = options.markers;
   state.divisor = options.divisor;
+  state.governor = options.governor;
+  state.budget_ms = static_cast<float>(options.governor.budget_ms);
+  state.target_error = static_cast<float>(options.governor.target_error);
   state.auto_exposure = !options.ev100;
   if (options.ev100) state.settings.display.ev100 = *options.ev100;
   state.play = options.play;
@@ -54,6 +57,7 @@ View Controller::view_of(const render::RenderSettings& settings) const {
   view.divisor = static_cast<std::uint32_t>(state.divisor);
   view.max_frames = options_.max_frames;
   view.runs = session_.clock_runs() && !workbench_.is_saving();
+  view.governor = state.governor;
   view.switches = workbench_.has_city() && workbench_.city().on_device->switching();
   return view;
 }
@@ -67,6 +71,7 @@ Views Controller::views() const {
   other.display = state.settings.display;
   other.display.denoise = denoise;
   views.other = view_of(other);
+  views.view.governor = views.other->governor = {};  // two pictures share the device
   views.same_lights = have_same_lights(state.settings, other);
   if (views.same_lights) return views;
   // Each change of lights begins a mean anew, so each side gets its frames at one go.

@@ -24,6 +24,7 @@ void describe_picture(const LivePicture& picture, FrameStats& stats) {
   stats.made_with = picture.made_with();
   stats.passes = renderer.timings();
   stats.frame_ms = 1000 * renderer.frame_s();
+  stats.pace = picture.pace().describe();
   constexpr std::size_t most = 100;
   if (stats.times_ms.size() == most) stats.times_ms.erase(stats.times_ms.begin());
   stats.times_ms.push_back(static_cast<float>(stats.frame_ms));

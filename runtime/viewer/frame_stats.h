@@ -26,6 +26,7 @@ struct FrameStats {
   // The settings of the picture on the screen, where the next one is still being rendered.
   std::optional<render::RenderSettings> made_with;
   double frame_ms = 0;  // of the device
+  std::string pace;     // how frames keep to their budget; "" without one
   std::string work;     // what goes on: "rendering every 2nd pixel, 40 %"
   std::string place;    // where the camera is, in words
   std::span<const gpu::Timer::Span> passes;

@@ -40,6 +40,10 @@ bool same_display(const render::DisplaySettings& a, const render::DisplaySetting
   return a == other;
 }
 
+PaceOf pace_of(const View& view) {
+  return {view.governor, view.settings, view.window, view.divisor, view.pose};
+}
+
 // Returns what a frame leaves of it: the picture, without what an eye or a camera adds.
 render::DisplaySettings left_by_a_frame(const render::DisplaySettings& display) {
   render::DisplaySettings left;
@@ -60,7 +64,8 @@ double pixels_of(glm::uvec2 size) {
 LivePicture::LivePicture(gpu::Device& device, render::PassLibrary& passes,
                          render::DeviceScene& scene, glm::uvec2 window)
     : renderer_(device, passes, scene, std::max(1u, window.x / Refinement::coarsest),
-                std::max(1u, window.y / Refinement::coarsest)) {}
+                std::max(1u, window.y / Refinement::coarsest)),
+      pace_(device, passes, scene) {}
 
 void LivePicture::notice_changes(const View& view, double now_s) {
   refinement_.set_divisor(view.divisor);
@@ -77,6 +82,9 @@ void LivePicture::notice_changes(const View& view, double now_s) {
 
 void LivePicture::begin(const View& view, double now_s) {
   plan_ = refinement_.plan(now_s, pixels_of(view.window), view.runs);
+  is_governed_ = pace_.governs() && (view.runs || refinement_.is_moving(now_s));
+  if (is_governed_) plan_ = {pace_.divisor(), true};
+  effort_ = is_governed_ ? pace_.effort() : plan_.quick ? quick_effort : render::Effort{};
   const glm::uvec2 size = glm::max(view.window / plan_.divisor, glm::uvec2(1));
   renderer_.set_size(size.x, size.y);
   render::RenderSettings settings = view.settings;
@@ -86,13 +94,13 @@ void LivePicture::begin(const View& view, double now_s) {
   // begin a mean of its own: thin things would crawl as dashes.
   if (view.runs) settings.sampling.jitter = false;
   begun_ = view;
-  renderer_.begin_frame(view.pose, settings, plan_.quick ? quick_effort : render::Effort{});
+  renderer_.begin_frame(view.pose, settings, effort_);
 }
 
 bool LivePicture::rests(const View& view, double now_s) const {
   return !view.runs && !view.switches && !display_changed_ && !renderer_.has_begun() &&
          refinement_.is_fine() && renderer_.frames() >= view.max_frames && view_ &&
-         same_view(view, *view_) &&
+         pace_.is_settled(pace_of(view)) && same_view(view, *view_) &&
          view.settings.display.denoise == view_->settings.display.denoise &&
          refinement_.plan(now_s, pixels_of(view.window), false) == shown_plan_;
 }
@@ -102,9 +110,16 @@ bool LivePicture::shows(const View& view) const {
 }
 
 bool LivePicture::work(const View& view, double now_s, double wait_s) {
-  if (!renderer_.wait(wait_s)) return false;
+  if (!wait(wait_s)) return false;
   if (!renderer_.is_complete()) {
     notice_changes(view, now_s);
+    // There is a picture before anything is measured.
+    if (has_picture() && !renderer_.has_begun()) pace_.set(pace_of(view));
+    if (pace_.is_measuring() && !renderer_.has_begun()) {
+      compiles_ = !renderer_.is_ready(view.settings);
+      if (!compiles_) pace_.measure(slice_s, wait_s);
+      return false;
+    }
     if (!renderer_.has_begun()) {
       if (rests(view, now_s)) return false;
       compiles_ = !renderer_.is_ready(view.settings);
@@ -113,22 +128,30 @@ bool LivePicture::work(const View& view, double now_s, double wait_s) {
     }
   }
   if (!renderer_.continue_frame(slice_s, wait_s)) return false;
+  complete(view);
+  return true;
+}
+
+void LivePicture::complete(const View& view) {
+  if (is_governed_) {
+    const double ms = gpu::sum_ms(renderer_.timings());
+    pace_.observe(ms > 0 ? ms : 1000 * renderer_.frame_s());
+  }
   refinement_.complete(plan_, double(renderer_.width()) * renderer_.height(), renderer_.frame_s(),
                        same_view(begun_, view));
   shown_plan_ = plan_;
+  shown_effort_ = effort_;
   shown_ = begun_;
   shown_display_ = left_by_a_frame(begun_.settings.display);
   display_changed_ =
       display_changed_ && begun_.settings.display.denoise != view.settings.display.denoise;
-  return true;
 }
 
 render::RenderSettings LivePicture::made_with() const {
   render::RenderSettings settings = shown_ ? shown_->settings : render::RenderSettings{};
-  if (!shown_plan_.quick) return settings;
   settings.sampling.candidates =
-      std::min(settings.sampling.candidates, quick_effort.max_candidates);
-  settings.reuse.neighbours = std::min(settings.reuse.neighbours, quick_effort.max_neighbours);
+      std::min(settings.sampling.candidates, shown_effort_.max_candidates);
+  settings.reuse.neighbours = std::min(settings.reuse.neighbours, shown_effort_.max_neighbours);
   return settings;
 }
 

@@ -7,6 +7,7 @@
 
 #include "runtime/render/renderer.h"
 #include "runtime/viewer/metering.h"
+#include "runtime/viewer/pace.h"
 #include "runtime/viewer/refinement.h"
 
 namespace nightcity::viewer {
@@ -15,11 +16,12 @@ namespace nightcity::viewer {
 struct View {
   scene::CameraPose pose;
   render::RenderSettings settings;
-  glm::uvec2 window{1, 1};       // pixels
-  std::uint32_t divisor = 0;     // as Refinement::set_divisor takes it
-  std::uint32_t max_frames = 0;  // in the mean
-  bool runs = false;             // the clock runs
-  bool switches = false;         // lights will be switched soon: DeviceScene::switching()
+  glm::uvec2 window{1, 1};             // pixels
+  std::uint32_t divisor = 0;           // as Refinement::set_divisor takes it
+  std::uint32_t max_frames = 0;        // in the mean
+  bool runs = false;                   // the clock runs
+  bool switches = false;               // lights will be switched soon: DeviceScene::switching()
+  render::GovernorOptions governor{};  // of frames while the view moves or the clock runs
 };
 
 class LivePicture {
@@ -36,14 +38,17 @@ class LivePicture {
   /// Returns whether the picture on the screen, however coarse, is of this view.
   bool shows(const View& view) const;
   /// Returns whether a slice runs on the device: showing a picture would wait for it.
-  bool is_busy() const { return renderer_.is_busy(); }
+  bool is_busy() const { return renderer_.is_busy() || pace_.is_busy(); }
   bool has_begun() const { return renderer_.has_begun(); }
   /// Returns whether shaders for these settings are still being compiled.
   bool compiles() const { return compiles_; }
   /// Waits at most `wait_s` for the slice that runs, and returns whether none does.
-  bool wait(double wait_s) { return renderer_.wait(wait_s); }
+  bool wait(double wait_s) { return renderer_.wait(wait_s) && pace_.wait(wait_s); }
   /// Waits for the slice that runs, if any, and gives up the frame that has begun.
-  void stop() { renderer_.abandon_frame(); }
+  void stop() {
+    renderer_.abandon_frame();
+    pace_.stop();
+  }
 
   /// Shows the last picture with these settings of the display, if it has others. Not while
   /// is_busy().
@@ -62,6 +67,8 @@ class LivePicture {
   render::RenderSettings made_with() const;
   /// Returns the plan of the last complete frame.
   const FramePlan& shown() const { return shown_plan_; }
+  /// Returns how frames keep to their budget, or how far that is measured.
+  const Pace& pace() const { return pace_; }
   bool is_fine() const { return refinement_.is_fine(); }
   double share_done() const { return renderer_.share_done(); }
   /// Returns the size that the frame in progress, or else the last one, has as its divisor.
@@ -70,11 +77,15 @@ class LivePicture {
  private:
   void notice_changes(const View& view, double now_s);
   void begin(const View& view, double now_s);
+  void complete(const View& view);
 
   render::Renderer renderer_;
   Refinement refinement_;
+  Pace pace_;
   std::optional<View> view_;  // at the last call
   View begun_;                // of the frame in progress
+  render::Effort effort_, shown_effort_;
+  bool is_governed_ = false;  // the frame in progress
   FramePlan plan_, shown_plan_;
   std::optional<View> shown_;  // of the last complete frame
   render::DisplaySettings shown_display_;

@@ -115,6 +115,19 @@ void draw_presets(PanelRequests& requests) {
   ImGui::EndCombo();
 }
 
+// A value counts once the hand lets go: each one is measured anew.
+void draw_governor(ViewerState& state, const FrameStats& stats) {
+  constexpr ImGuiSliderFlags flags = bounded | ImGuiSliderFlags_Logarithmic;
+  ImGui::SliderFloat("budget", &state.budget_ms, 0, 1000,
+                     state.budget_ms > 0 ? "%.1f ms a frame in motion" : "none", flags);
+  if (ImGui::IsItemDeactivatedAfterEdit()) state.governor.budget_ms = double{state.budget_ms};
+  ImGui::SliderFloat(
+      "noise", &state.target_error, 0, 1,
+      state.target_error > 0 ? "%.3f is small enough" : "as little as there is time for", flags);
+  if (ImGui::IsItemDeactivatedAfterEdit()) state.governor.target_error = double{state.target_error};
+  if (!stats.pace.empty()) ImGui::TextDisabled("%s", stats.pace.c_str());
+}
+
 void draw_resolution(ViewerState& state) {
   constexpr int divisors[] = {0, 1, 2, 4, 8};
   int index = static_cast<int>(std::find(std::begin(divisors), std::end(divisors), state.divisor) -
@@ -242,9 +255,8 @@ void draw_report(const FrameStats& stats) {
     ImGui::PlotLines("##times", stats.times_ms.data(), static_cast<int>(stats.times_ms.size()), 0,
                      label.c_str(), 0, most, {0, 2.5f * ImGui::GetFontSize()});
   }
-  double sum = 0;
-  for (const gpu::Timer::Span& pass : stats.passes) sum += pass.ms;
-  if (stats.passes.empty() || !ImGui::TreeNode("passes", "GPU %.2f ms", sum)) return;
+  if (stats.passes.empty() || !ImGui::TreeNode("passes", "GPU %.2f ms", gpu::sum_ms(stats.passes)))
+    return;
   for (const gpu::Timer::Span& pass : stats.passes)
     ImGui::Text("%-15s %8.2f ms", pass.name.c_str(), pass.ms);
   ImGui::TreePop();
@@ -275,6 +287,7 @@ PanelRequests draw_panel(ViewerState& state, const FrameStats& stats) {
     draw_report(stats);
     ImGui::Separator();
     draw_presets(requests);
+    draw_governor(state, stats);
     draw_sampling(state);
     ImGui::Separator();
     draw_exposure(state);

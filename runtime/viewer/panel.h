@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "runtime/render/governor.h"
 #include "runtime/render/settings.h"
 #include "runtime/scene/camera.h"
 #include "runtime/viewer/comparison.h"
@@ -27,6 +28,8 @@ struct ViewerState {
   // 1, 2, 4 or 8: the picture has 1 / divisor of the window's pixels along each side. 0 = coarse
   // while the view moves, then finer and finer.
   int divisor = 0;
+  render::GovernorOptions governor;       // of frames while the view moves
+  float budget_ms = 0, target_error = 0;  // what the panel's sliders stand at
   Comparison compare;
   std::array<char, 200> place{};  // typed: where to go
   int focus_place = 0;            // frames for which the keyboard goes to that box

@@ -43,7 +43,7 @@ FramePlan Refinement::plan_moving(double pixels) const {
 
 FramePlan Refinement::plan(double now_s, double pixels, bool runs) const {
   const FramePlan moving = plan_moving(pixels);
-  if (runs || !shown_ || now_s - changed_s_ < rest_s) return moving;
+  if (runs || !shown_ || is_moving(now_s)) return moving;
   const std::uint32_t finest = fixed_ != 0 ? fixed_ : 1;
   if (shown_->divisor <= finest) return {finest, false};
   // A quarter of the remaining way at a time, so that each step shows something within a few times

@@ -35,6 +35,8 @@ class Refinement {
   /// whether it shows the present view.
   void complete(const FramePlan& plan, double pixels, double seconds, bool is_present);
 
+  /// Returns whether the view counts as moving.
+  bool is_moving(double now_s) const { return now_s - changed_s_ < rest_s; }
   /// Returns the next frame for a window of `pixels` pixels. `runs`: the clock runs, so that the
   /// view never rests.
   FramePlan plan(double now_s, double pixels, bool runs) const;

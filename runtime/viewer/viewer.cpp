@@ -61,7 +61,8 @@ class Viewer {
     if (!options_.save_camera.empty())
       scene::write_camera(options_.save_camera, session_.state.camera.pose);
     presenter_.device().check_validation();
-    return {shown_, stats_.frames, render::name_of(session_.state.settings.sampling.estimator)};
+    return {shown_, stats_.frames, render::name_of(session_.state.settings.sampling.estimator),
+            stats_.pace};
   }
 
  private:

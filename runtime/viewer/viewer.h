@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/gpu/device.h"
+#include "runtime/render/governor.h"
 #include "runtime/render/settings.h"
 #include "runtime/viewer/city.h"
 #include "runtime/viewer/picture_job.h"
@@ -28,6 +29,7 @@ struct ViewOptions {
   // The picture has 1 / divisor of the window's pixels along each side; 0 = coarse while the view
   // moves, then finer until every pixel is there.
   int divisor = 0;
+  render::GovernorOptions governor;  // of frames while the view moves or the clock runs
   bool markers = false;
   bool play = false;                // start with the clock running
   double time_step_s = 0;           // by which the clock moves on a frame; 0 = it keeps real time
@@ -47,6 +49,7 @@ struct ViewReport {
   std::uint32_t shown = 0;   // frames shown
   std::uint32_t frames = 0;  // in the last mean
   std::string estimator;
+  std::string pace;  // how frames kept to their budget; "" without one
 };
 
 /// Runs the window and returns when it is closed, by its user or a signal. Throws Error when there

@@ -106,6 +106,7 @@ std::string Workbench::describe() const {
   if (job_) return job_->progress();
   if (!picture_) return "";
   if (picture_->compiles()) return "compiling shaders";
+  if (picture_->pace().is_measuring()) return picture_->pace().describe();
   if (other_ && turn_of_other_ && other_->has_begun()) return "rendering the other side";
   if (picture_->is_fine() || picture_->share_done() <= 0) return "";
   const std::uint32_t divisor = picture_->plan().divisor;

@@ -183,6 +183,35 @@ TEST_F(ViewerWindow, TheRunningClockShowsTheSameLightWithReuseAndWithout) {
   EXPECT_NEAR(ours / truth, 1, 0.02);
 }
 
+// Budgets that are kept by every device and by none: what is chosen does not depend on the machine.
+TEST_F(ViewerWindow, ABudgetGovernsFramesWhileTheClockRuns) {
+  write_moving_scene(folder.path());
+  ASSERT_EQ(
+      run("W=\"$(dirname ${V%% *})/nightview moving.glb --validation --size 320x200 --every 8 "
+          "--time 20:00 --play --time-step 0.0333 --candidates 4 --neighbours 1 --bounces 0 "
+          "--quit-after 30\"\n"
+          "$W --budget-ms 100000 > rich.txt 2> rich.log && "
+          "$W --budget-ms 0.00001 > poor.txt 2> poor.log && "
+          "$W --target-error 1000 > easy.txt 2> easy.log && "
+          "$W --preset fast > fast.txt\n"),
+      0)
+      << text("err.txt") << text("rich.log") << text("poor.log") << text("easy.log");
+  EXPECT_NE(text("rich.log").find("Starts with 4 candidates, 1 neighbours"), std::string::npos)
+      << text("rich.log");
+  EXPECT_NE(text("rich.txt").find("budget: 4 candidates, 1 neighbours; 100.0 % of"),
+            std::string::npos)
+      << text("rich.txt");
+  EXPECT_NE(text("poor.log").find("Starts with 1 candidates, 0 neighbours: none keeps"),
+            std::string::npos)
+      << text("poor.log");
+  EXPECT_NE(text("poor.txt").find("budget: 1 candidates, 0 neighbours; 0.0 % of"),
+            std::string::npos)
+      << text("poor.txt");
+  EXPECT_NE(text("easy.txt").find("budget: 1 candidates, 0 neighbours\n"), std::string::npos)
+      << "more noise than that is never asked for: " << text("easy.txt");
+  EXPECT_NE(text("fast.txt").find("estimator pairwise"), std::string::npos) << text("fast.txt");
+}
+
 TEST_F(ViewerWindow, KindsOfLightThatAreOffDoNotShine) {
   write_moving_scene(folder.path());
   ASSERT_EQ(
