@@ -1,5 +1,7 @@
 #include "tools/bake/bake.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -7,10 +9,12 @@
 #include "formats/atomic_file.h"
 #include "formats/error.h"
 #include "formats/light_file_edit.h"
+#include "tools/bake/city/ready_object.h"
 #include "tools/bake/city/road_consumer.h"
 #include "tools/bake/output_folder.h"
 #include "tools/bake/parts/fingerprint.h"
 #include "tools/bake/parts/read_parts.h"
+#include "tools/bake/report/report_text.h"
 #include "tools/bake/report/stage_clock.h"
 #include "tools/bake/scene/scene_tiles.h"
 #include "tools/bake/scene/tree_models.h"
@@ -26,6 +30,17 @@ std::uint64_t find_size(const std::filesystem::path& path) {
   std::error_code ignored;
   const auto size = std::filesystem::file_size(path, ignored);
   return ignored ? 0 : size;
+}
+
+// Returns why a city has no surface. Objects that were left out are named with their reason.
+std::string describe_emptiness(const BakeOptions& options, const CityReport& city) {
+  const bool is_map = options.city.files == options.city.maps;
+  std::string text =
+      is_map ? "the map has no building above the ground" : "no surface in any file of the city";
+  if (city.left_out.empty()) return text;
+  return text + "; objects left out: " + in_words(city.left_out) +
+         fmt::format(" (far: a corner over {:g} km from the city's first point)",
+                     max_distance_m / 1000);
 }
 
 // One bake: the steps in their order, and what they share.
@@ -88,10 +103,7 @@ class Bake {
     report_.cover = {cover.areas().size(), cover.left_out, cover.assumed};
     tiles_.drape(city_.height_at());
     if (tiles_.empty())
-      throw Error(options_.city.files.front().string(),
-                  options_.city.files == options_.city.maps
-                      ? "the map has no building above the ground"
-                      : "no surface in any file of the city");
+      throw Error(options_.city.files.front().string(), describe_emptiness(options_, report_.city));
     clock_.end_stage("terrain");
   }
 

@@ -30,6 +30,7 @@ CityInputs to_city_inputs(const Recipe& recipe) {
   inputs.licences = recipe.city.licences;
   inputs.map_licence = recipe.osm.licence;
   inputs.inventories = recipe.lamps.inventories;
+  inputs.simplify_m = recipe.city.simplify_m;
   inputs.ground = recipe.terrain;
   inputs.ground.tile_m = recipe.city.tile_m;
   inputs.cover = recipe.ground;

@@ -43,6 +43,36 @@ void set_tiles(Recipe& recipe) {
   recipe.city.tile_m = metres;
 }
 
+template <int millimetres>
+bool is_straighter(const Recipe& recipe) {
+  return recipe.city.simplify_m < millimetres * 1e-3;
+}
+
+template <int millimetres>
+void straighten(Recipe& recipe) {
+  recipe.city.simplify_m = millimetres * 1e-3;
+}
+
+template <int millimetres>
+bool is_thinner(const Recipe& recipe) {
+  return recipe.terrain.max_error_m < millimetres * 1e-3;
+}
+
+template <int millimetres>
+void thin(Recipe& recipe) {
+  recipe.terrain.max_error_m = millimetres * 1e-3;
+}
+
+template <int metres>
+bool can_merge(const Recipe& recipe) {
+  return (has_map(recipe) || !recipe.lamps.inventories.empty()) && recipe.lamps.merge_m < metres;
+}
+
+template <int metres>
+void merge(Recipe& recipe) {
+  recipe.lamps.merge_m = metres;
+}
+
 }  // namespace
 
 const std::vector<Variant>& list_variants() {
@@ -62,6 +92,18 @@ const std::vector<Variant>& list_variants() {
       {"lod-1", "[city] lod = 1", "roofs: buildings are blocks, where the model has such", 0,
        [](const Recipe& r) { return has_city(r) && r.city.read.max_lod > 1; },
        [](Recipe& r) { r.city.read.max_lod = 1; }},
+      {"simplify-100mm", "[city] simplify_m = 0.1", "corners of buildings within 0.1 m of an edge",
+       0.1, is_straighter<100>, straighten<100>},
+      {"simplify-500mm", "[city] simplify_m = 0.5", "corners of buildings within 0.5 m of an edge",
+       0.5, is_straighter<500>, straighten<500>},
+      {"ground-100mm", "[terrain] max_error_m = 0.1", "vertices of the ground, heights to 0.1 m",
+       0.1, is_thinner<100>, thin<100>},
+      {"ground-1m", "[terrain] max_error_m = 1", "vertices of the ground, heights to 1 m", 1,
+       is_thinner<1000>, thin<1000>},
+      {"lamps-20m", "[lamps] merge_m = 20", "lamps within 20 m of a stronger one", 0, can_merge<20>,
+       merge<20>},
+      {"lamps-60m", "[lamps] merge_m = 60", "lamps within 60 m of a stronger one", 0, can_merge<60>,
+       merge<60>},
       {"no-hidden", "[city] drop_ground = true, drop_hidden = true", "surfaces that nobody sees", 0,
        [](const Recipe& r) { return has_city(r) && !(r.city.drop_ground && r.city.drop_hidden); },
        [](Recipe& r) { r.city.drop_ground = r.city.drop_hidden = true; }},

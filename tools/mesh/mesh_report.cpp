@@ -31,6 +31,8 @@ void MeshReport::merge(const MeshReport& other) {
   cracks_closed += other.cracks_closed;
   floors_added += other.floors_added;
   if (first_repaired.empty()) first_repaired = other.first_repaired;
+  corners_left_out += other.corners_left_out;
+  triangles_thinned += other.triangles_thinned;
   open_objects += other.open_objects;
   if (other.worst_non_planar_m > worst_non_planar_m) {
     worst_non_planar_m = other.worst_non_planar_m;

@@ -27,6 +27,8 @@ struct MeshReport {
   std::size_t cracks_closed = 0;       // objects closed by moving vertices together
   std::size_t floors_added = 0;        // objects closed by the ground surface they came without
   std::string first_repaired;          // id of the first object closed
+  std::size_t corners_left_out = 0;    // of buildings, by [city] simplify_m
+  std::size_t triangles_thinned = 0;   // fewer of relief, by [terrain] max_error_m
   std::size_t open_objects = 0;        // buildings without a closed shell, left as they are
   std::string worst_zero_area;         // the longest
   double worst_zero_area_m = 0;        // its perimeter
@@ -46,7 +48,7 @@ struct MeshReport {
     archive(polygons, triangles, fast_path, zero_area, slivers, non_planar, self_intersecting,
             not_finite, not_triangulated, crossing_too_often, holes_left_out, holes_outside,
             worst_hole_outside, worst_hole_outside_m2, turned, first_turned, cracks_closed,
-            floors_added, first_repaired, open_objects);
+            floors_added, first_repaired, corners_left_out, triangles_thinned, open_objects);
     archive(worst_zero_area, worst_zero_area_m, worst_sliver, worst_sliver_m, worst_non_planar,
             worst_non_planar_m, worst_self_intersecting, worst_self_intersecting_m2);
   }

@@ -6,7 +6,7 @@
 
 #include "tools/terrain/ground_points.h"
 #include "tools/terrain/made_surface.h"
-#include "tools/terrain/surface_store.h"
+#include "tools/terrain/thin_surface.h"
 
 namespace nightcity::terrain {
 namespace {
@@ -85,7 +85,7 @@ const std::vector<glm::dvec3>& Terrain::footprint_points() const {
   return (state_->ground_points.empty() ? state_->road_points : state_->ground_points).points();
 }
 
-void Terrain::build(double margin_m) {
+void Terrain::build(double margin_m, double max_error_m) {
   State& state = *state_;
   if (state.layer(SurfaceClass::terrain).empty()) {
     if (!state.break_lines.empty()) {
@@ -98,6 +98,7 @@ void Terrain::build(double margin_m) {
                                                           : state.road_points;
       state.made = make_surface(from.take(), margin_m);
     }
+    if (max_error_m > 0) state.made = thin_surface(state.made, max_error_m);
     add(state.made, SurfaceClass::terrain);
   }
   state.break_lines = {};

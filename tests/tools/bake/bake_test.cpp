@@ -120,6 +120,23 @@ TEST(Bake, AnOriginFarFromTheCityIsMoved) {
       << "as it was asked for";
 }
 
+TEST(Bake, ACityThatIsTooFarAcrossIsRefusedByThatName) {
+  const TempFolder folder;
+  // One roof whose corners are 100.1 km apart.
+  write_text(folder / "wide.gml", roof_city("EPSG:25833", {{391000, 5819000, 40},
+                                                           {491100, 5819000, 40},
+                                                           {491100, 5819010, 40},
+                                                           {391000, 5819010, 40}}));
+  try {
+    bake(make_recipe({folder / "wide.gml"}), folder / "out");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("1 far from the city (far: a corner over 100 km"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(Bake, GeometriesOfOneFileArePlacedEachByItsOwnCrs) {
   const TempFolder folder;
   const std::vector<glm::dvec3> here{

@@ -33,6 +33,8 @@ struct CityInputs {
   /// Lamps that a town knows, to be joined with those of the maps.
   std::vector<inventory::InventoryFile> inventories;
   std::string map_licence = "OpenStreetMap contributors, ODbL 1.0";
+  /// By which corners that are left out may lie off the outlines of buildings, m; 0: all stay.
+  double simplify_m = 0;
   GroundOptions ground;
   CoverOptions cover;
   /// The result of an earlier look at all inputs: the city does not look again, and reads only the

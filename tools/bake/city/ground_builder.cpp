@@ -15,6 +15,7 @@
 #include "formats/error.h"
 #include "formats/median.h"
 #include "tools/bake/city/ground_heights.h"
+#include "tools/terrain/thin_surface.h"
 
 namespace nightcity::bake {
 namespace {
@@ -109,8 +110,10 @@ double shift_to_city(const GroundHeights& heights, const terrain::Terrain& terra
 // A tile's ground: a regular grid of heights, two triangles a square.
 class GridGround {
  public:
-  GridGround(const GroundHeights& heights, double tile_m, std::size_t tiles, double shift_m)
-      : heights_(heights), shift_m_(shift_m) {
+  GridGround(const GroundHeights& heights, const GroundOptions& options, std::size_t tiles,
+             double shift_m)
+      : heights_(heights), max_error_m_(options.max_error_m), shift_m_(shift_m) {
+    const double tile_m = options.tile_m;
     const double finest = std::ceil(tile_m / heights.finest_m()),
                  affordable = std::floor(std::sqrt(max_quads / static_cast<double>(tiles)));
     steps_ = static_cast<std::uint32_t>(std::clamp(std::min(finest, affordable), 1.0, 512.0));
@@ -132,10 +135,12 @@ class GridGround {
     for (std::uint32_t j = 0; j <= steps_; ++j)
       for (std::uint32_t i = 0; i <= steps_; ++i)
         places.emplace_back(line(tile.column, i), line(tile.row, j));
-    const std::vector<double> z = heights_.at(places);
+    std::vector<double> z = heights_.at(places);
+    const std::vector<bool> loose = straighten_sides(z);
     mesh::TriangleMesh mesh;
     for (std::size_t i = 0; i < places.size(); ++i)
       mesh.positions.emplace_back(places[i], z[i] + shift_m_);
+    const std::size_t missing_before = missing_;
     for (std::uint32_t j = 0; j < steps_; ++j)
       for (std::uint32_t i = 0; i < steps_; ++i) {
         const std::uint32_t a = j * (steps_ + 1) + i, b = a + 1, c = b + steps_ + 1, d = c - 1;
@@ -147,14 +152,49 @@ class GridGround {
         mesh.triangles.push_back({{a, b, c}, city::SurfaceType::terrain, 0});
         mesh.triangles.push_back({{a, c, d}, city::SurfaceType::terrain, 0});
       }
+    const std::size_t whole = mesh.triangles.size();
+    // Where data are missing, the tile's outline does not follow its sides: all vertices stay.
+    if (max_error_m_ > 0 && missing_ == missing_before)
+      mesh = terrain::thin_surface(mesh, max_error_m_, loose);
+    thinned_ += whole - mesh.triangles.size();
     return mesh;
   }
 
+  std::size_t thinned() const { return thinned_; }
+
  private:
+  // Returns which vertices of the tile's sides are not needed, and puts them on the straight lines
+  // between the others: so a neighbour meets this tile whether it uses them or not.
+  std::vector<bool> straighten_sides(std::vector<double>& z) const {
+    std::vector<bool> loose(z.size());
+    if (!(max_error_m_ > 0)) return loose;
+    const std::size_t row = steps_ + 1, last = steps_;
+    for (const auto& [first, stride] :
+         {std::pair<std::size_t, std::size_t>{0, 1}, {last * row, 1}, {0, row}, {last, row}}) {
+      std::vector<double> side;
+      for (std::size_t n = 0; n < row; ++n) side.push_back(z[first + n * stride]);
+      if (std::any_of(side.begin(), side.end(), [](double h) { return !std::isfinite(h); }))
+        continue;
+      const std::vector<bool> needed = terrain::find_needed(side, max_error_m_);
+      for (std::size_t from = 0, to = 1; to < row; ++to) {
+        if (!needed[to]) continue;
+        for (std::size_t n = from + 1; n < to; ++n) {
+          const double share = static_cast<double>(n - from) / static_cast<double>(to - from);
+          z[first + n * stride] = side[from] + share * (side[to] - side[from]);
+          loose[first + n * stride] = true;
+        }
+        from = to;
+      }
+    }
+    return loose;
+  }
+
   const GroundHeights& heights_;
+  double max_error_m_;
   double shift_m_, step_m_ = 0;
   std::uint32_t steps_ = 1;  // squares along a tile's side
   std::size_t quads_ = 0, missing_ = 0;
+  std::size_t thinned_ = 0;  // triangles
 };
 
 }  // namespace
@@ -195,7 +235,7 @@ GroundReport GroundBuilder::build(const georeference::CityFrame& frame, const Sh
       report_.source = "dem";
     }
   }
-  terrain_.build(options_.margin_m);
+  terrain_.build(options_.margin_m, options_.max_error_m);
   report_.break_edges = terrain_.break_edges();
   const bool surface = !terrain_.made_surface().triangles.empty();
   if (report_.source.empty())
@@ -213,7 +253,7 @@ std::string GroundBuilder::build_dem_ground(const georeference::CityFrame& frame
   const GroundHeights heights(options_, frame);
   const double shift_m = options_.carries_buildings ? 0 : shift_to_city(heights, terrain_);
   const std::set<Tile> under = widened(occupied_, options_.tile_m, options_.margin_m);
-  GridGround ground(heights, options_.tile_m, under.size(), shift_m);
+  GridGround ground(heights, options_, under.size(), shift_m);
   for (const Tile& tile : under) {
     const mesh::TriangleMesh mesh = ground.make(tile);
     terrain_.add(mesh, terrain::SurfaceClass::terrain);
@@ -225,9 +265,13 @@ std::string GroundBuilder::build_dem_ground(const georeference::CityFrame& frame
   const std::string meeting =
       options_.carries_buildings ? "the map's buildings stand on it"
                                  : fmt::format("moved by {:+.2f} m to meet the buildings", shift_m);
-  return fmt::format("{} models, a height every {:.1f} m, {}, {:.1f} % of the ground without data",
-                     options_.elevation_models.size(), ground.step_m(), meeting,
-                     ground.missing_percent());
+  const std::string thinned =
+      ground.thinned() == 0 ? ""
+                            : fmt::format(", {} triangles fewer by max_error_m", ground.thinned());
+  return fmt::format(
+      "{} models, a height every {:.1f} m, {}, {:.1f} % of the ground without data{}",
+      options_.elevation_models.size(), ground.step_m(), meeting, ground.missing_percent(),
+      thinned);
 }
 
 }  // namespace nightcity::bake

@@ -16,8 +16,10 @@ struct GroundOptions {
   bool carries_buildings = false;
   int max_dem_block_mpx = terrain::default_max_block_mpx;
   bool make_surface = true;  // show the surface that is made where there is neither
-  double margin_m = 50;      // how far made ground reaches beyond the city
-  double tile_m = 250;       // side of the tiles that the ground comes in
+  /// By which the ground's heights may be off where vertices are left out; 0: all stay.
+  double max_error_m = 0;
+  double margin_m = 50;  // how far made ground reaches beyond the city
+  double tile_m = 250;   // side of the tiles that the ground comes in
 };
 
 }  // namespace nightcity::bake

@@ -11,13 +11,12 @@
 #include "formats/checksum.h"
 #include "tools/mesh/classify.h"
 #include "tools/mesh/close_gaps.h"
+#include "tools/mesh/simplify_outlines.h"
 #include "tools/mesh/triangulate.h"
+#include "tools/terrain/thin_surface.h"
 
 namespace nightcity::bake {
 namespace {
-
-// A stray point beyond this would cost every other vertex its precision.
-constexpr double max_distance_m = 100'000;
 
 std::uint64_t make_identity(const city::CityObject& object) {
   if (object.id.empty() || object.polygons.empty()) return 0;
@@ -76,6 +75,20 @@ bool is_far_away(const city::CityObject& object, const CityFrames& frames) {
   return false;
 }
 
+// Triangles of several colours would lose them when they are thinned.
+bool is_coloured(const city::CityObject& object) {
+  return std::any_of(object.polygons.begin(), object.polygons.end(), [&](const auto& polygon) {
+    return polygon.diffuse_colour != object.polygons.front().diffuse_colour ||
+           polygon.surface != object.polygons.front().surface;
+  });
+}
+
+void thin(mesh::TriangleMesh& ground, double max_error_m, mesh::MeshReport& report) {
+  const std::size_t before = ground.triangles.size();
+  ground = terrain::thin_surface(ground, max_error_m);
+  report.triangles_thinned += before - ground.triangles.size();
+}
+
 }  // namespace
 
 void for_each_named(const city::CityObject& object,
@@ -89,7 +102,12 @@ void for_each_named(const city::CityObject& object,
 
 ReadySettings to_ready_settings(const CityInputs& inputs, const CityFrames& frames,
                                 const GroundHeights* heights) {
-  return {frames, heights, inputs.files.size() > 1, inputs.read.max_crossings};
+  return {frames,
+          heights,
+          inputs.files.size() > 1,
+          inputs.read.max_crossings,
+          inputs.simplify_m,
+          inputs.ground.max_error_m};
 }
 
 ReadyObject make_ready(city::CityObject&& object, std::size_t file, const ReadySettings& settings) {
@@ -115,10 +133,14 @@ ReadyObject make_ready(city::CityObject&& object, std::size_t file, const ReadyS
   } else if (settings.heights && !stand_on_ground(object, *settings.heights)) {
     result.unusable = Unusable::without_ground;
   } else {
+    if (object.type == city::ObjectType::building)
+      result.report.corners_left_out += mesh::simplify_outlines(object, settings.simplify_m);
     // Shells first: which way is out decides what is a roof and which side of a wall has windows.
     mesh::repair_shells(object, result.report);
     mesh::classify_unknown_surfaces(object);
     prepared->mesh = mesh::triangulate(object, result.report, settings.max_crossings);
+    if (object.type == city::ObjectType::relief && settings.max_error_m > 0 && !is_coloured(object))
+      thin(prepared->mesh, settings.max_error_m, result.report);
     if (prepared->mesh.triangles.empty()) result.unusable = Unusable::without_area;
   }
   prepared->closed = object.type == city::ObjectType::building && result.report.open_objects == 0;

@@ -15,6 +15,10 @@
 
 namespace nightcity::bake {
 
+/// From the city's first point. A stray point beyond this would cost every other vertex its
+/// precision.
+constexpr double max_distance_m = 100'000;
+
 /// Why an object has no part in the city, whatever else is there.
 enum class Unusable : std::uint8_t { no, without_geometry, far_away, without_area, without_ground };
 
@@ -38,6 +42,8 @@ struct ReadySettings {
   const GroundHeights* heights = nullptr;
   bool has_identities = false;  // neighbouring files may share objects
   int max_crossings = 0;
+  double simplify_m = 0;   // of buildings: CityInputs
+  double max_error_m = 0;  // of relief: GroundOptions
 };
 ReadySettings to_ready_settings(const CityInputs& inputs, const CityFrames& frames,
                                 const GroundHeights* heights);

@@ -90,7 +90,8 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
                 "unknown system. A name that is a URN or a URL fixes the order of axes, whichever "
                 "way surfaces face; with `EPSG:n` area of use and surfaces decide. Where a file "
                 "contradicts its name, a warning says what was taken."),
-       control_points_key(city.frame), bounds_key(city.bounds),
+       control_points_key(city.frame),
+       bounds_key(city.bounds),
        integer_key("lod", city.read.max_lod, 0, 4,
                    "The highest level of detail to use. Each object takes its highest one up to "
                    "this, or its lowest one if all are higher."),
@@ -104,6 +105,11 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
                    "`nightbake run --threads` overrides it."),
        number_key("tile_m", city.tile_m, {10, 10000}, "m",
                   "Edge of the square tiles that the geometry is batched into."),
+       number_key(
+           "simplify_m", city.simplify_m, {0, 10}, "m",
+           "Straightens the outlines of buildings: a corner is left out where the edge that "
+           "replaces its two passes it within so much, and every surface passes it alike, so "
+           "that surfaces still meet. 0 leaves all, even those on a straight edge."),
        choice_key<city::MeshPlacement::Up>(
            "obj_up", city.read.mesh.up,
            {{"auto", city::MeshPlacement::Up::automatic},

@@ -120,6 +120,11 @@ Table make_lamp_table(bake::LampStageOptions& lamps, const std::filesystem::path
                        "tags say otherwise."),
        night_spans_key("half_night", lamps.hours.half_night, R"({residential = "23:00-05:00"})",
                        "Every second lamp along each of these roads is dark in the span."),
+       number_key("merge_m", lamps.merge_m, {0, 1000}, "m",
+                  "Merges lamps, for cities with more of them than a scene can hold: each takes in "
+                  "the weaker ones of its distribution, colour and hours that stand within so much "
+                  "of it and aim within 60 degrees of its aim. It stays where it is, and has the "
+                  "flux of all of them; their posts are gone. 0 merges none."),
        {"luminaires", "list of tables", "", "", "",
         R"([{file = "street.ldt", roads = ["residential"]}])",
         "Measured luminaires to use in place of the built-in distributions; the first row that "

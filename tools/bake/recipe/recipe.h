@@ -33,6 +33,7 @@ struct Recipe {
     std::optional<std::array<double, 4>> bounds;
     city::ReadOptions read;
     double tile_m = 250;
+    double simplify_m = 0;  // as CityInputs'
     bool drop_ground = false;
     bool drop_hidden = false;
     std::vector<std::string> licences;

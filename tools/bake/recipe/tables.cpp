@@ -66,6 +66,10 @@ Table make_terrain_table(bake::GroundOptions& terrain, const fs::path& folder) {
            flag_key("make_surface", terrain.make_surface,
                     "Where there is neither a relief nor an elevation model, makes a ground "
                     "surface through the footprints of the buildings."),
+           number_key("max_error_m", terrain.max_error_m, {0, 100}, "m",
+                      "Thins the ground, whatever it is made of: vertices are left out where the "
+                      "ground stays within so much above or below each of them. Borders of tiles "
+                      "and of the model's own triangles still meet. 0 leaves all."),
            number_key("margin_m", terrain.margin_m, {0, 10000}, "m",
                       "How far a ground made by this program reaches beyond the buildings.")}};
 }

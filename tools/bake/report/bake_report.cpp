@@ -61,6 +61,8 @@ json mesh_json(const mesh::MeshReport& mesh) {
       {"not_triangulated", mesh.not_triangulated},
       {"crossing_too_often", mesh.crossing_too_often},
       {"dropped_holes", mesh.holes_left_out},
+      {"dropped_corners", mesh.corners_left_out},
+      {"thinned_triangles", mesh.triangles_thinned},
       {"holes_outside", mesh.holes_outside},
       {"worst_hole_outside",
        {{"id", mesh.worst_hole_outside}, {"m2", mesh.worst_hole_outside_m2}}}};
@@ -82,6 +84,13 @@ std::string mesh_in_words(const mesh::MeshReport& mesh) {
                     mesh.holes_outside, mesh.worst_hole_outside_m2, mesh.worst_hole_outside));
   if (mesh.holes_left_out)
     line(fmt::format("{} holes left out: they have no area", mesh.holes_left_out));
+  if (mesh.corners_left_out)
+    line(
+        fmt::format("{} corners of buildings left out: they lay on edges but for [city] simplify_m",
+                    mesh.corners_left_out));
+  if (mesh.triangles_thinned)
+    line(fmt::format("{} triangles of relief fewer, by [terrain] max_error_m",
+                     mesh.triangles_thinned));
   if (mesh.slivers)
     line(fmt::format("{} slivers under 1 cm, narrowest {:.5f} m ({})", mesh.slivers,
                      mesh.worst_sliver_m, mesh.worst_sliver));

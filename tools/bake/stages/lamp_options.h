@@ -26,6 +26,7 @@ struct LampStageOptions {
   lights::LampHours hours;
   std::vector<LuminaireFile> luminaires;  // the first that serves a lamp is taken
   std::vector<inventory::InventoryFile> inventories;
+  double merge_m = 0;  // the distance up to which a lamp takes in weaker ones; 0: each stays
 
   bool lays_out() const { return layout.mode != layout::LayoutOptions::Mode::never; }
 };

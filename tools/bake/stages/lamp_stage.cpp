@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tools/lights/luminaire.h"
+#include "tools/lights/merge_lamps.h"
 
 namespace nightcity::bake {
 namespace {
@@ -45,6 +46,8 @@ CityLamps place_city_lamps(const City& city, const LampStageOptions& options) {
     result.layout =
         layout::lay_out_lamps(map, to_frame, height_at, inside, lamps, options.layout, result.set);
   lights::switch_lamps(options.hours, result.set);
+  if (const std::size_t gone = lights::merge_lamps(options.merge_m, result.set))
+    notes["merged into a stronger lamp by [lamps] merge_m"] += gone;
   result.set.notes.merge(notes);
   return result;
 }
