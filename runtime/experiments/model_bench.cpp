@@ -89,12 +89,30 @@ Pictures ModelBench::render(Model& model, const std::string& name) {
   return views;
 }
 
-std::vector<measure::ModelDifference> ModelBench::compare(const Pictures& pictures,
-                                                          const Pictures& whole) const {
+std::vector<std::vector<bool>> ModelBench::find_seen(Model& model,
+                                                     const std::vector<bool>& is_one) {
+  std::vector<std::vector<bool>> views;
+  for (const View& view : views_) {
+    model.renderer->render_frame(view.pose, model.settings);
+    const std::size_t pixels = std::size_t{options_.width} * options_.height;
+    const std::vector<float> lights = model.renderer->sample_mean(pixels).layer("light")->values;
+    std::vector<bool>& seen = views.emplace_back();
+    for (const float light : lights)
+      seen.push_back(light >= 0 &&
+                     (light >= float(is_one.size()) || is_one[static_cast<std::size_t>(light)]));
+  }
+  return views;
+}
+
+std::vector<measure::ModelDifference> ModelBench::compare(
+    const Pictures& pictures, const Pictures& whole,
+    const std::vector<std::vector<bool>>& left_out) const {
   std::vector<measure::ModelDifference> differences;
   for (std::size_t i = 0; i < views_.size(); ++i) {
     try {
-      differences.push_back(measure::find_model_difference(pictures[i], whole[i]));
+      differences.push_back(
+          measure::find_model_difference(pictures[i], whole[i], std::nullopt,
+                                         left_out.empty() ? std::vector<bool>() : left_out[i]));
     } catch (const Error& error) {
       throw Error("view " + views_[i].name, error.what());
     }

@@ -68,9 +68,15 @@ class ModelBench {
   /// Renders all views. No two pictures have the same seed, whatever their models.
   Pictures render(Model& model, const std::string& name);
 
-  /// Returns the differences of pictures, a value for each view. Throws Error with the view's name.
-  std::vector<measure::ModelDifference> compare(const Pictures& pictures,
-                                                const Pictures& whole) const;
+  /// Returns which pixels of each view see a light of these: `is_one` is by number, and true for
+  /// numbers beyond its end, which are lights of vehicles.
+  std::vector<std::vector<bool>> find_seen(Model& model, const std::vector<bool>& is_one);
+
+  /// Returns the differences of pictures, a value for each view, without the pixels that `left_out`
+  /// marks in each (empty: with all). Throws Error with the view's name.
+  std::vector<measure::ModelDifference> compare(
+      const Pictures& pictures, const Pictures& whole,
+      const std::vector<std::vector<bool>>& left_out = {}) const;
 
   /// Returns how many milliseconds a frame of `whole` takes more than one of `other`, the mean over
   /// views of medians. Frames of both alternate, so that a clock rate that drifts meets both alike.

@@ -59,6 +59,7 @@ class Pricing {
     else
       list_others();
     bench_.expect(report_.measured.size() + 1);
+    find_lamps_seen();
     whole_pictures_ = bench_.render(whole_, "whole model");
     measure_rows();
     if (options_.others.empty()) choose();
@@ -76,6 +77,8 @@ class Pricing {
       bench_.set_views(find_views(options_.views, scene));
       report_.triangles = scene.triangles.size();
       report_.lights = scene.lights.size();
+      for (const Light& light : scene.lights)
+        is_lamp_.push_back(light_kind(light) == LightKind::sphere);
       for (const render::ModelPart& part : render::list_model_parts())
         counts_.push_back(count_of(part, scene));
     }
@@ -162,7 +165,7 @@ class Pricing {
     for (std::size_t i = 0; i < report_.measured.size(); ++i) {
       SimplerModel& row = report_.rows[report_.measured[i]];
       Model model = load(row, options_.others.empty() ? options_.load : options_.others[i].second);
-      row.views = bench_.compare(bench_.render(model, row.name), whole_pictures_);
+      compare(row, bench_.render(model, row.name), whole_pictures_);
       set_errors(row);
       set_cost(row, model);
     }
@@ -171,6 +174,23 @@ class Pricing {
       report_.means.push_back(find_mean(view));
     for (const std::size_t row : report_.measured)
       report_.rows[row].saving = find_saving(report_.rows[row].saved, report_.whole);
+  }
+
+  void find_lamps_seen() {
+    lamps_seen_ = bench_.find_seen(whole_, is_lamp_);
+    for (const std::vector<bool>& view : lamps_seen_)
+      report_.lamps_seen.push_back(double(std::count(view.begin(), view.end(), true)) /
+                                   double(view.size()));
+  }
+
+  // Compares pictures of a model with those of the whole one. Where a part is missing without which
+  // lamps look otherwise, pixels that see one do not count.
+  void compare(SimplerModel& row, const Pictures& pictures, const Pictures& whole) const {
+    for (const render::ModelPart& part : render::list_model_parts())
+      row.without_lamps_seen |=
+          part.changes_lamps_seen && row.left_out.holds(part) && !options_.left_out.holds(part);
+    row.views = bench_.compare(
+        pictures, whole, row.without_lamps_seen ? lamps_seen_ : std::vector<std::vector<bool>>());
   }
 
   SimplerModel combine(const std::vector<std::size_t>& cuts) const {
@@ -191,8 +211,7 @@ class Pricing {
     SimplerModel row = combine(cuts);
     Model model = load(row, options_.load);
     const Pictures pictures = bench_.render(model, is_verification ? "verifying" : "trying");
-    row.views = bench_.compare(
-        pictures, is_verification ? bench_.render(whole_, "verifying") : whole_pictures_);
+    compare(row, pictures, is_verification ? bench_.render(whole_, "verifying") : whole_pictures_);
     set_errors(row);
     if (is_verification) {
       set_cost(row, model);
@@ -222,6 +241,8 @@ class Pricing {
   std::vector<std::size_t> counts_;  // parallel to the table of parts
   Model whole_;
   Pictures whole_pictures_;
+  std::vector<bool> is_lamp_;                  // by number of the light
+  std::vector<std::vector<bool>> lamps_seen_;  // pixels of each view
   std::vector<double> whole_ms_;
 };
 

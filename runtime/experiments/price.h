@@ -52,7 +52,9 @@ struct SimplerModel {
   render::LeftOut left_out;  // with what the whole model lacks
   std::uint32_t bounces = 0;
   std::vector<measure::ModelDifference> views;  // against the whole model; empty where absent
-  ModelCost saved;                              // below 0 where it costs more
+  // Pixels that see a lamp do not count: it looks otherwise, whatever it lights.
+  bool without_lamps_seen = false;
+  ModelCost saved;  // below 0 where it costs more
   // Greatest over views; and with two standard errors less and more.
   double error = 0, least = 0, bound = 0;
   double saving = 0;  // share of the whole price: see find_saving
@@ -63,7 +65,8 @@ struct PriceReport {
   std::vector<std::string> views;
   std::size_t triangles = 0, lights = 0;
   ModelCost whole;
-  std::vector<double> means;  // luminance of the whole model in each view, cd/m2
+  std::vector<double> means;       // luminance of the whole model in each view, cd/m2
+  std::vector<double> lamps_seen;  // share of the pixels of each view that see a lamp
   std::vector<SimplerModel> rows;
   std::vector<std::size_t> measured;  // rows that are present
   CutChoice choice;                   // its cuts are indices into `measured`

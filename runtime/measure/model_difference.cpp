@@ -123,6 +123,23 @@ Image mean_of(std::span<const Image> pictures) {
   return mean;
 }
 
+// Returns the pictures with their other pixels in one row.
+std::vector<Image> keep_pixels(std::span<const Image> pictures, const std::vector<bool>& left_out) {
+  std::vector<Image> kept;
+  for (const Image& picture : pictures) {
+    if (left_out.size() != picture.pixels())
+      throw Error({}, "the pixels to be left out are those of another size");
+    Image& row = kept.emplace_back();
+    for (std::size_t i = 0; i < left_out.size(); ++i)
+      if (!left_out[i])
+        row.rgb.insert(row.rgb.end(), picture.rgb.begin() + std::ptrdiff_t(3 * i),
+                       picture.rgb.begin() + std::ptrdiff_t(3 * i + 3));
+    row.width = static_cast<std::uint32_t>(row.rgb.size() / 3);
+    row.height = 1;
+  }
+  return kept;
+}
+
 }  // namespace
 
 Estimate root_of(const Estimate& square) {
@@ -137,8 +154,12 @@ Estimate ModelDifference::rmse8() const {
 }
 
 ModelDifference find_model_difference(std::span<const Image> a, std::span<const Image> b,
-                                      std::optional<float> ev100) {
+                                      std::optional<float> ev100,
+                                      const std::vector<bool>& left_out) {
   check(a, b);
+  if (std::find(left_out.begin(), left_out.end(), true) != left_out.end())
+    return find_model_difference(keep_pixels(a, left_out), keep_pixels(b, left_out),
+                                 ev100 ? *ev100 : auto_exposure_ev100(mean_of(b)));
   std::vector<double> means_a, means_b;
   std::vector<Values> values_a, values_b, shown_a, shown_b;
   ModelDifference result;

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "runtime/measure/image.h"
 
@@ -39,11 +40,13 @@ struct ModelDifference {
 /// and with them the result, by a share of about the square of the relative noise. Differences of
 /// display values are of the expected display values, which for a noisy picture are not those of
 /// the expected picture; both sides have the same noise. mse8 counts values before they are rounded
-/// to 8 bits. `ev100`: exposure for both sides; by default metered from the mean of B. Throws Error
-/// where there are fewer than three pairs, sizes differ, a value is not finite, or B is black and A
-/// is not.
+/// to 8 bits. `ev100`: exposure for both sides; by default metered from the mean of B. `left_out`:
+/// pixels that do not count on either side, but in that metering; empty: none. Throws Error where
+/// there are fewer than three pairs, sizes differ, a value is not finite, every pixel is left out,
+/// or B is black and A is not.
 ModelDifference find_model_difference(std::span<const Image> a, std::span<const Image> b,
-                                      std::optional<float> ev100 = std::nullopt);
+                                      std::optional<float> ev100 = std::nullopt,
+                                      const std::vector<bool>& left_out = {});
 
 /// Returns the root of an estimate of a square, 0 where that is below 0.
 Estimate root_of(const Estimate& square);

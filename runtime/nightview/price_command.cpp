@@ -96,6 +96,22 @@ std::string list_undecided(const experiments::PriceReport& report, double limit)
   return names;
 }
 
+// Returns the rows in which pixels that see lamps do not count, and how many those are.
+std::string describe_lamps_seen(const experiments::PriceReport& report) {
+  std::string names, shares;
+  for (const std::size_t row : report.measured)
+    if (report.rows[row].without_lamps_seen)
+      names += (names.empty() ? "" : ", ") + report.rows[row].name;
+  if (names.empty()) return "";
+  for (std::size_t i = 0; i < report.views.size(); ++i)
+    shares += fmt::format("{}{:.2g} % of {}", i == 0 ? "" : ", ", 100 * report.lamps_seen[i],
+                          report.views[i]);
+  return fmt::format(
+      "Pixels that see a lamp itself ({}) do not count in: {}. They would look otherwise, whatever "
+      "the lamp lights.\n",
+      shares, names);
+}
+
 void print_as_table(const PriceCommand& command, const experiments::PriceReport& report) {
   const experiments::PriceOptions& options = command.price;
   fmt::print("{}: {} triangles, {} lights, {} x {}, {}, {} pictures of {} frames a side, on {}\n",
@@ -106,6 +122,7 @@ void print_as_table(const PriceCommand& command, const experiments::PriceReport&
              with_error("{:.3g}", report.whole.ms), to_mb(report.whole.bytes), report.whole.load_s);
   fmt::print("{}\n", measure::to_markdown(make_table(report)));
   if (!command.against.empty()) return;
+  fmt::print("{}", describe_lamps_seen(report));
   if (const std::string absent = list_absent(report); !absent.empty())
     fmt::print("Absent here: {}.\n", absent);
   if (const std::string names = list_undecided(report, options.limit); !names.empty())
@@ -132,6 +149,7 @@ nlohmann::ordered_json to_json(const experiments::SimplerModel& model,
                                const experiments::PriceReport& report) {
   nlohmann::ordered_json json{{"name", model.name}, {"help", model.help}, {"things", model.count}};
   json["present"] = !model.views.empty();
+  json["without_pixels_that_see_lamps"] = model.without_lamps_seen;
   if (model.views.empty()) return json;
   for (std::size_t i = 0; i < model.views.size(); ++i) {
     const measure::ModelDifference& d = model.views[i];
@@ -180,7 +198,9 @@ void print_as_json(const PriceCommand& command, const experiments::PriceReport& 
                               {"measure", command.measure},
                               {"limit", command.price.limit}};
   for (std::size_t i = 0; i < report.views.size(); ++i)
-    json["views"].push_back({{"view", report.views[i]}, {"mean_cd_m2", report.means[i]}});
+    json["views"].push_back({{"view", report.views[i]},
+                             {"mean_cd_m2", report.means[i]},
+                             {"pixels_that_see_lamps", report.lamps_seen[i]}});
   json["whole"] = {{"ms", to_json(report.whole.ms)},
                    {"bytes", report.whole.bytes},
                    {"load_s", report.whole.load_s}};

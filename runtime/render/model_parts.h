@@ -18,6 +18,8 @@ struct ModelPart {
   const char* help;  // what is rendered instead
   // The part of the scene (runtime/scene/parts.h) that this is, if it is one.
   std::optional<scene::Part> of_scene = std::nullopt;
+  // Lamps look otherwise without it where they are seen themselves, whatever they light.
+  bool changes_lamps_seen = false;
   // These say whether the settings have it, and turn it off.
   bool (*is_set)(const RenderSettings& settings) = nullptr;
   void (*turn_off)(RenderSettings& settings) = nullptr;

@@ -579,11 +579,16 @@ measure::Image Renderer::sample_mean(std::size_t pixels) const {
     const glm::vec3 mean = mean_of(sums[i]);
     for (int c = 0; c < 3; ++c) image.rgb[3 * i + std::size_t(c)] = mean[c];
   }
-  measure::ImageLayer emitters{"emitter", {"E"}, std::vector<float>(image.pixels())};
+  measure::ImageLayer emitters{"emitter", {"E"}, std::vector<float>(image.pixels())},
+      lights{"light", {"I"}, std::vector<float>(image.pixels(), -1)};
   const auto* surfaces = static_cast<const gpu::Surface*>(seen.mapped());
-  for (std::size_t i = 0; i < image.pixels(); ++i)
-    emitters.values[i] = surfaces[i].depth > 0 && surfaces[i].light != NO_HIT ? 1.0f : 0.0f;
+  for (std::size_t i = 0; i < image.pixels(); ++i) {
+    if (!(surfaces[i].depth > 0) || surfaces[i].light == NO_HIT) continue;
+    emitters.values[i] = 1;
+    lights.values[i] = static_cast<float>(surfaces[i].light);
+  }
   image.layers.push_back(std::move(emitters));
+  image.layers.push_back(std::move(lights));
   return image;
 }
 

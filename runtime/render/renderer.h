@@ -110,7 +110,8 @@ class Renderer {
   /// (ids, -1 = none).
   measure::Image download(bool layers = true) const;
   /// Returns a part of the mean that is enough to meter the exposure: evenly spaced rows, about
-  /// `pixels` in all, with the layer "emitter": 1 where a luminous surface is seen, else 0.
+  /// `pixels` in all, with the layers "emitter": 1 where a luminous surface is seen, else 0; and
+  /// "light": the number of its light (rounded beyond 2^24), -1 elsewhere.
   measure::Image sample_mean(std::size_t pixels) const;
   /// Returns the mean at a pixel, cd/m^2.
   glm::vec3 mean_at(glm::uvec2 pixel) const;

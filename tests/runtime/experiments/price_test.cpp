@@ -118,6 +118,33 @@ TEST(Price, OfAPartThatChangesNothingIsZeroWithinItsStandardErrors) {
     EXPECT_EQ(report.rows[report.measured[cut]].name, "schedules");
 }
 
+// A lamp's own glowing surface, seen from above, shines a thousandfold as its material says once the
+// lamp has no size. What the lamp lights hardly changes.
+TEST(Price, OfTheSizeOfLampsIsThatOfWhatTheyLight) {
+  SceneBuilder builder;
+  builder.ground(20);
+  Scene& scene = builder.scene();
+  scene.materials.push_back({"glow", glm::vec3(0), glm::vec3(1e6f), 1.0f, true});
+  scene.meshes.push_back(
+      {"lamp",
+       {ScenePrimitive{
+           1, {{-1, 6, -1}, {-1, 6, 1}, {1, 6, 1}, {1, 6, -1}}, {0, 1, 2, 0, 2, 3}, {}, {}, {}}}});
+  scene.nodes.push_back({"lamp", "lamp", 1, false, {SceneInstance{}}});
+  scene.nodes.back().instances[0].light = 0;
+  PriceOptions options = options_of(builder, with_families({lamp({0, 6, 0}, 4000, 0.3f)}, {}));
+  options.frames = 16;
+  options.settings.sampling.estimator = render::Estimator::reference;
+  const PriceReport report = price(options);
+  const SimplerModel& row = row_of(report, "lamp-size");
+  ASSERT_EQ(row.views.size(), 1u);
+  EXPECT_TRUE(row.without_lamps_seen);
+  EXPECT_NEAR(row.views[0].relative_mean.value, 0, 0.05);
+  ASSERT_EQ(report.lamps_seen.size(), 1u);
+  EXPECT_GT(report.lamps_seen[0], 0.01);
+  EXPECT_LT(report.lamps_seen[0], 0.2);
+  EXPECT_FALSE(row_of(report, "lamp-bodies").without_lamps_seen);
+}
+
 // In a furnace of albedo 1/2 each bounce adds half of what the one before added: with three, what
 // no bounce leaves out is 1 - 1 / (1 + 1/2 + 1/4 + 1/8).
 TEST(Price, OfBouncesInAFurnaceIsAGeometricSeries) {

@@ -82,6 +82,20 @@ TEST(ModelDifference, StatesItsStandardErrorAsItIs) {
               3 * (spread / std::sqrt(double(repetitions)) + truth.mse8.error));
 }
 
+TEST(ModelDifference, DoesNotCountPixelsThatAreLeftOut) {
+  std::vector<Image> a(3, make_picture(4, 4, 1.1f));
+  const std::vector<Image> b(3, make_picture(4, 4, 1.0f));
+  for (Image& picture : a) picture.rgb[3 * 5] = picture.rgb[3 * 5 + 1] = 1e6f;
+  std::vector<bool> left_out(16);
+  left_out[5] = true;
+  const ModelDifference difference = find_model_difference(a, b, std::nullopt, left_out);
+  EXPECT_NEAR(difference.relative_mean.value, 0.1, 1e-6);
+  EXPECT_NEAR(difference.relative_mse.value, 0.01 / 1.01, 1e-6);
+  EXPECT_EQ(difference.ev100, find_model_difference(a, b).ev100) << "metered from all pixels";
+  EXPECT_THROW(find_model_difference(a, b, std::nullopt, {true}), Error);
+  EXPECT_THROW(find_model_difference(a, b, std::nullopt, std::vector<bool>(16, true)), Error);
+}
+
 TEST(ModelDifference, OfBlackPicturesIsNone) {
   const std::vector<Image> black(3, make_picture(2, 2, 0)), grey(3, make_picture(2, 2, 1));
   EXPECT_EQ(find_model_difference(black, black).mse8.value, 0);
