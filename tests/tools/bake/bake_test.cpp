@@ -280,8 +280,9 @@ TEST(Bake, GroundUnderBuildingsIsLeftOutOnRequestOnly) {
   EXPECT_EQ(report.tiles.triangles.at("roof"), 2u);
 }
 
-/// Writes heights 30 + (x - 391000) / 100 around the cube, as a raster in the city's CRS.
-void write_slope(const std::filesystem::path& path, double moved_by) {
+/// Writes heights of the plan around the cube, as a raster in the city's CRS with one every 10 m.
+template <class Height>
+void write_heights(const std::filesystem::path& path, const Height& height) {
   GDALAllRegister();
   constexpr int size = 80;
   GDALDatasetUniquePtr set(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
@@ -294,10 +295,15 @@ void write_slope(const std::filesystem::path& path, double moved_by) {
   std::vector<float> values;
   for (int j = 0; j < size; ++j)
     for (int i = 0; i < size; ++i)
-      values.push_back(static_cast<float>(30 + moved_by + (-400 + (i + 0.5) * 10) / 100));
+      values.push_back(static_cast<float>(height(-400 + (i + 0.5) * 10, 400 - (j + 0.5) * 10)));
   ASSERT_EQ(set->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, size, size, values.data(), size, size,
                                             GDT_Float32, 0, 0),
             CE_None);
+}
+
+/// Writes heights 30 + (x - 391000) / 100.
+void write_slope(const std::filesystem::path& path, double moved_by) {
+  write_heights(path, [moved_by](double x, double) { return 30 + moved_by + x / 100; });
 }
 
 std::string without_relief(std::string text) {
@@ -330,6 +336,76 @@ TEST(Bake, AnElevationModelIsTheGroundAndMeetsTheBuildings) {
       }
   }
   EXPECT_GT(vertices, 1000u);
+}
+
+// The corners of the terrain's triangles, in the city's CRS, three each.
+std::vector<glm::dvec3> read_terrain(const std::filesystem::path& glb) {
+  const Scene scene = read_scene(glb);
+  std::vector<glm::dvec3> corners;
+  for (const SceneNode& node : scene.nodes) {
+    if (node.kind != "terrain") continue;
+    for (const ScenePrimitive& primitive : scene.meshes[node.mesh].primitives)
+      for (const std::uint32_t index : primitive.indices)
+        corners.push_back(scene.georeference.from_model(
+            glm::dvec3(node.instances.at(0).to_model * glm::vec4(primitive.positions[index], 1))));
+  }
+  return corners;
+}
+
+// A slope is a plane, but for bilinear heights' rounding: each tile becomes two triangles.
+TEST(Bake, AThinnedSlopeHasTwoTrianglesATile) {
+  const TempFolder folder;
+  write_text(folder / "cube.gml", without_relief(sample_gml()));
+  write_slope(folder / "slope.tif", 46);
+  Recipe recipe = make_recipe({folder / "cube.gml"});
+  recipe.terrain.elevation_models = {folder / "slope.tif"};
+  recipe.terrain.max_error_m = 0.01;
+  recipe.city.tile_m = 100;
+  const BakeReport report = bake(recipe, folder / "out");
+  EXPECT_NE(report.ground.dem.find("triangles fewer by max_error_m"), std::string::npos)
+      << report.ground.dem;
+  const std::vector<glm::dvec3> corners = read_terrain(folder / "out/city.glb");
+  EXPECT_EQ(corners.size() % 6, 0u);
+  EXPECT_LE(corners.size(), 6u * 9);
+  for (const glm::dvec3& p : corners) EXPECT_NEAR(p.z, 35 + (p.x - 391005) / 100, 0.06);
+}
+
+// Hills, thinned, are within the error of the same hills unthinned. Where tiles meet, a vertex of one
+// lies on the other's triangles.
+TEST(Bake, ThinnedGroundIsWithinItsErrorAndTilesMeet) {
+  const TempFolder folder;
+  write_text(folder / "cube.gml", without_relief(sample_gml()));
+  write_heights(folder / "hills.tif", [](double x, double y) {
+    return 40 + 4 * std::sin(x / 30) + 3 * std::cos(y / 40);
+  });
+  Recipe recipe = make_recipe({folder / "cube.gml"});
+  recipe.terrain.elevation_models = {folder / "hills.tif"};
+  recipe.city.tile_m = 100;
+  bake(recipe, folder / "whole");
+  recipe.terrain.max_error_m = 0.5;
+  bake(recipe, folder / "thin");
+  const std::vector<glm::dvec3> whole = read_terrain(folder / "whole/city.glb"),
+                                thin = read_terrain(folder / "thin/city.glb");
+  EXPECT_LT(thin.size(), whole.size() / 2);
+  const auto find_heights = [&thin](const glm::dvec3& p) {
+    std::vector<double> heights;
+    for (std::size_t n = 0; n < thin.size(); n += 3) {
+      const glm::dvec3 &a = thin[n], &b = thin[n + 1], &c = thin[n + 2];
+      const double all = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x),
+                   u = ((p.x - a.x) * (c.y - a.y) - (p.y - a.y) * (c.x - a.x)) / all,
+                   v = ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) / all;
+      if (u >= -1e-5 && v >= -1e-5 && u + v <= 1 + 1e-5)
+        heights.push_back(a.z + u * (b.z - a.z) + v * (c.z - a.z));
+    }
+    return heights;
+  };
+  for (const glm::dvec3& p : whole) {
+    const std::vector<double> heights = find_heights(p);
+    EXPECT_FALSE(heights.empty());
+    for (const double height : heights) ASSERT_NEAR(height, p.z, 0.5 + 0.01);
+  }
+  for (const glm::dvec3& p : thin)
+    for (const double height : find_heights(p)) ASSERT_NEAR(height, p.z, 0.005);
 }
 
 // Returns a map of square buildings of 10 m whose south-western corners lie at these places of
