@@ -72,7 +72,8 @@ Experiment::Experiment(scene::RenderScene scene, const Options& options)
 }
 
 render::Renderer Experiment::make_renderer() const {
-  return {*device_, *passes_, *device_scene_, renderer_->width(), renderer_->height()};
+  const glm::uvec2 size = renderer_->picture_size();
+  return {*device_, *passes_, *device_scene_, size.x, size.y};
 }
 
 void Experiment::check_validation() const {
@@ -85,11 +86,12 @@ measure::Image Experiment::reference(const scene::CameraPose& pose, render::Rend
   if (!cache.empty() && std::filesystem::exists(cache)) {
     measure::Image kept = measure::read_exr(cache);
     if (kept.info.frames == frames && kept.info.bounces == settings.indirect.bounces &&
-        kept.width == renderer_->width() && kept.height == renderer_->height())
+        glm::uvec2(kept.width, kept.height) == renderer_->picture_size())
       return kept;
   }
   settings.sampling.estimator = render::Estimator::reference;
   settings.sampling.seed = reference_seed;
+  settings.sampling.resolution_scale = 1;
   settings.averaging.accumulate = true;
   render::Renderer renderer = make_renderer();  // the measured one keeps its history
   for (std::uint32_t i = 0; i < frames; ++i) {

@@ -251,6 +251,9 @@ void price(PriceCommand& command) {
   render.resolve();
   if (!command.out.empty() && !command.against.empty())
     throw UsageError("--against", "measures other scenes and chooses no settings: omit --out");
+  if (render.settings.sampling.resolution_scale < 1)
+    throw UsageError("--resolution-scale",
+                     "is no part of a model: pictures are measured at their size");
   if (!command.out.empty()) program::require_writable_folder_of(command.out);
   experiments::PriceOptions& options = command.price;
   options.device = render.device;

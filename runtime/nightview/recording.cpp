@@ -50,8 +50,8 @@ nlohmann::json describe(const RecordingOptions& options, const render::Renderer&
       {"frames", options.frames},
       {"exr", options.exr},
       {"time_s", settings.time_s},
-      {"width", renderer.width()},
-      {"height", renderer.height()},
+      {"width", renderer.picture_size().x},
+      {"height", renderer.picture_size().y},
       {"settings", values}};
   if (settings.environment.lights != scene::all_families)
     description["lights"] = scene::text_of(settings.environment.lights);

@@ -26,6 +26,8 @@ constexpr std::uint32_t max_backing = 16;
 std::string Rung::name() const {
   std::string text = std::to_string(effort.max_candidates) + " candidates, " +
                      std::to_string(effort.max_neighbours) + " neighbours";
+  if (effort.resolution_scale < 1)
+    text += ", " + std::to_string(std::lround(100 * effort.resolution_scale)) + " % of each side";
   if (effort.max_cell_paths < std::numeric_limits<std::uint32_t>::max())
     text += ", " + std::to_string(effort.max_cell_paths) + " paths a cell";
   return text;
@@ -62,6 +64,13 @@ std::vector<Rung> list_rungs(const RenderSettings& settings) {
       c *= 2;
   }
   bound_cell_paths(settings, rungs);
+  // Where one candidate a pixel is too many, frames with fewer pixels are left.
+  for (const float scale : {0.71f, 0.5f}) {
+    if (!traits.samples) break;
+    Rung smaller = rungs.front();
+    smaller.effort.resolution_scale = scale;
+    rungs.insert(rungs.begin(), smaller);
+  }
   return rungs;
 }
 
@@ -159,7 +168,8 @@ std::string describe_start(const Governor& governor, const GovernorOptions& opti
   std::string text;
   for (const Rung& rung : governor.rungs()) {
     text += fmt::format("{}{}: {:.3g} ms", text.empty() ? "" : "; ", rung.name(), rung.ms);
-    if (rung.relative_error > 0) text += fmt::format(", noise {:.3g}", rung.relative_error);
+    if (rung.relative_error > 0 && std::isfinite(rung.relative_error))
+      text += fmt::format(", noise {:.3g}", rung.relative_error);
   }
   text = "measured " + text + ". Starts with " + governor.rungs()[governor.rung()].name();
   if (!governor.can_keep_target())

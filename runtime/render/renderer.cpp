@@ -8,6 +8,7 @@
 #include "formats/error.h"
 #include "runtime/measure/exposure.h"
 #include "runtime/measure/limits.h"
+#include "runtime/measure/upscale.h"
 #include "runtime/render/image_layers.h"
 #include "runtime/render/model_parts.h"
 #include "runtime/render/setting_table.h"
@@ -79,6 +80,14 @@ float radical(double step, std::uint32_t frame) {
   return static_cast<float>(std::min(x - std::floor(x), 0.99999994));
 }
 
+// Returns the same shape with sides that are a share of these, of at least a pixel.
+glm::uvec2 scale_size(glm::uvec2 size, float share) {
+  const auto scaled = [share](std::uint32_t side) {
+    return std::clamp(static_cast<std::uint32_t>(std::lround(double{share} * side)), 1u, side);
+  };
+  return {scaled(size.x), scaled(size.y)};
+}
+
 }  // namespace
 
 Renderer::Renderer(gpu::Device& device, PassLibrary& passes, DeviceScene& scene,
@@ -101,7 +110,7 @@ void Renderer::set_size(std::uint32_t width, std::uint32_t height) {
       height > measure::max_image_side)
     throw UsageError("--size", "a picture has 1 to " + std::to_string(measure::max_image_side) +
                                    " pixels a side");
-  size_ = {width, height};
+  picture_size_ = size_ = {width, height};
 }
 
 PassConstants Renderer::constants_of(const RenderSettings& settings) const {
@@ -407,6 +416,7 @@ void Renderer::begin_frame(const scene::CameraPose& pose, const RenderSettings& 
   next_.pose = scene::relative_to(scene_.origin(), pose);
   next_.settings = settings;
   next_.effort = effort;
+  size_ = scale_size(picture_size_, settings.sampling.resolution_scale * effort.resolution_scale);
   restart_if_changed();
   passes_ = &library_.get(constants_of(settings));
 
@@ -538,6 +548,11 @@ measure::Image Renderer::download(bool layers) const {
   image.info.seed = settings.sampling.seed;
   image.info.ev100 = settings.display.ev100;
   image.info.device = device_.label();
+  const bool is_scaled = settings.sampling.resolution_scale * done_.effort.resolution_scale < 1;
+  if (is_scaled)
+    image.info.estimator += ", upscaled from " + std::to_string(picture.size.x) + " x " +
+                            std::to_string(picture.size.y);
+  if (!layers && is_scaled) return measure::upscale(image, picture_size_.x, picture_size_.y);
   if (!layers) return image;
   add_luminance_layer(image);
   // Layers are sums over the frames of the mean; a window has no such sum.
@@ -547,6 +562,7 @@ measure::Image Renderer::download(bool layers) const {
   add_surface_layers(image, surfaces, scene_);
   if (settings.air.visibility_km > 0)
     add_transmittance_layer(image, surfaces, done_.air, done_.camera.position.y);
+  if (is_scaled) return measure::upscale(image, picture_size_.x, picture_size_.y);
   return image;
 }
 

@@ -33,6 +33,8 @@ struct Effort {
   std::uint32_t max_neighbours = std::numeric_limits<std::uint32_t>::max();
   // A cell of the irradiance cache gets no more paths than these, new ones included.
   std::uint32_t max_cell_paths = std::numeric_limits<std::uint32_t>::max();
+  // Times the settings' resolution scale: 0.1 .. 1.
+  float resolution_scale = 1;
 
   bool operator==(const Effort&) const = default;
 };
@@ -73,7 +75,8 @@ class Renderer {
   /// Returns the seconds that the device worked at the last complete frame.
   double frame_s() const { return frame_s_; }
 
-  /// Sets the size of the next frame. Throws as the constructor does.
+  /// Sets the picture's size from the next frame on. A frame has fewer pixels where its settings or
+  /// effort scale the resolution. Throws as the constructor does.
   void set_size(std::uint32_t width, std::uint32_t height);
 
   /// Shows the mean with another exposure or tone curve, or another view of it: rewrites display(),
@@ -103,7 +106,8 @@ class Renderer {
   /// Returns the number of shadow rays of the last frame, 0 unless its settings count them.
   std::uint64_t shadow_rays() const;
 
-  /// Returns the mean so far in cd/m^2, denoised where the settings ask for it, with its ImageInfo.
+  /// Returns the mean so far in cd/m^2, upscaled to the picture's size where frames have fewer
+  /// pixels, denoised where the settings ask for it, with its ImageInfo.
   /// With `layers`, adds the layer "luminance"; where the settings keep layers, "direct_lamps",
   /// "direct_windows", "direct_vehicles", "sky", "emitted", "indirect" and "air"; and of the last
   /// frame "albedo", "normal", "depth" (m), "motion", "position" (m), "material" and "feature"
@@ -117,8 +121,10 @@ class Renderer {
   glm::vec3 mean_at(glm::uvec2 pixel) const;
   /// Returns the displayed picture: width * height words, R in the low byte.
   const gpu::Buffer& display() const { return pictures_[parity_].display; }
+  /// The size of frames: of the last one. That of the picture is at least as large.
   std::uint32_t width() const { return pictures_[parity_].size.x; }
   std::uint32_t height() const { return pictures_[parity_].size.y; }
+  glm::uvec2 picture_size() const { return picture_size_; }
 
  private:
   // A complete frame leaves this for the next.
@@ -169,6 +175,7 @@ class Renderer {
   // Allocated when first needed.
   gpu::Buffer layers_, denoise_[2], denoised_, pair_partners_, pair_targets_, path_, ray_count_;
   const PassSet* passes_ = nullptr;  // of the begun frame, then of the last complete one
+  glm::uvec2 picture_size_;          // that is asked for
   glm::uvec2 size_;                  // of the next frame
   State done_, next_;
   std::uint32_t parity_ = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <utility>
 
 #include "runtime/measure/noise.h"
@@ -69,7 +70,10 @@ void RungMeter::complete_place() {
   Rung& rung = rungs_[rung_];
   std::sort(ms_.begin(), ms_.end(), std::greater<>());
   rung.ms = std::max(rung.ms, ms_.at(1));
-  if (errors_)
+  // A smaller picture, upscaled, has less noise, and errors that no other seed shows.
+  if (errors_ && rung.effort.resolution_scale < 1)
+    rung.relative_error = std::numeric_limits<double>::infinity();
+  else if (errors_)
     rung.relative_error = std::max(rung.relative_error, measure::find_relative_noise(pictures_));
   ms_.clear();
   pictures_.clear();

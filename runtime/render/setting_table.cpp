@@ -388,6 +388,20 @@ std::vector<Setting> make_other_settings() {
   };
 }
 
+// Columns of sweeps keep their order: what is new comes last.
+std::vector<Setting> make_last_settings() {
+  return {
+      {.name = "resolution-scale",
+       .group = Group::sampling,
+       .min = 0.1,
+       .max = 1,
+       .help = "Share of the picture's sides that is rendered; the picture is then upscaled, "
+               "bilinearly",
+       .value = at<sampling, &Sampling::resolution_scale>,
+       .is_swept = true},
+  };
+}
+
 }  // namespace
 
 const std::vector<Setting>& list_settings() {
@@ -395,7 +409,8 @@ const std::vector<Setting>& list_settings() {
     std::vector<Setting> all;
     // In this order they are the columns of sweep.csv.
     for (const auto& part : {make_first_settings(), make_reuse_settings(), make_sampling_settings(),
-                             make_indirect_settings(), make_other_settings(), make_air_settings()})
+                             make_indirect_settings(), make_other_settings(), make_air_settings(),
+                             make_last_settings()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();

@@ -53,6 +53,8 @@ struct SamplingSettings {
   float far_share = 0.3f;                   // sampled from the far grid's cell, the neighbourhood
   float uniform_share = 0.05f;              // sampled uniformly over all lights
   float vehicle_share = 0.3f;  // of all candidates, sampled from vehicles' lights where any shine
+  // Of the sides that are rendered, of those of the picture: 0.1 .. 1. Less is upscaled.
+  float resolution_scale = 1;
   bool jitter = true;          // sub-pixel offsets from frame to frame: anti-aliasing
   bool layers = false;         // keeps the light of each kind of source apart, too
   std::uint32_t seed = 0;

@@ -137,8 +137,9 @@ void LivePicture::complete(const View& view) {
     const double ms = gpu::sum_ms(renderer_.timings());
     pace_.observe(ms > 0 ? ms : 1000 * renderer_.frame_s());
   }
-  refinement_.complete(plan_, double(renderer_.width()) * renderer_.height(), renderer_.frame_s(),
-                       same_view(begun_, view));
+  const glm::dvec2 size(
+      renderer_.picture_size());  // what is left out of it by a scale takes no time
+  refinement_.complete(plan_, size.x * size.y, renderer_.frame_s(), same_view(begun_, view));
   shown_plan_ = plan_;
   shown_effort_ = effort_;
   shown_ = begun_;

@@ -49,7 +49,10 @@ void Pace::start_meter(std::uint32_t divisor, bool cheapest_alone) {
   seeks_size_ = cheapest_alone;
   const glm::uvec2 size = glm::max(shown_->window / divisor, glm::uvec2(1));
   std::vector<render::Rung> rungs = render::list_rungs(shown_->settings);
-  if (cheapest_alone) rungs.resize(1);
+  if (cheapest_alone)
+    rungs = {*std::find_if(rungs.begin(), rungs.end(), [](const render::Rung& rung) {
+      return rung.effort.resolution_scale == 1;
+    })};
   const std::vector<std::vector<render::Moment>> places{
       render::moving_aside(shown_->pose, shown_->settings.time_s, step_m)};
   meter_ = std::make_unique<render::RungMeter>(

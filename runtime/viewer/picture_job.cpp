@@ -44,6 +44,7 @@ PictureJob::PictureJob(gpu::Device& device, render::PassLibrary& passes, render:
       size_(size_of(view, quality)),
       frames_(quality.frames) {
   settings_.averaging = {};
+  settings_.sampling.resolution_scale = 1;  // a picture that is kept has every pixel
 }
 
 SavedPicture PictureJob::download(const render::DisplaySettings& display) {

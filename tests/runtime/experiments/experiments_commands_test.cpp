@@ -112,6 +112,7 @@ TEST_F(MeasuringCommands, GovernedFlightsSayWhatTheyChose) {
   for (const auto& row : table.rows) {
     EXPECT_EQ(row[table.column("candidates")], "1");
     EXPECT_EQ(row[table.column("neighbours")], "0");
+    EXPECT_EQ(row[table.column("resolution_scale")], "0.5");
   }
 }
 

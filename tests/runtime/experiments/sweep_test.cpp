@@ -30,11 +30,11 @@ TEST(Sweep, ColumnsKeepTheirNamesAndOrder) {
   std::vector<std::string> columns;
   for (const render::Setting& setting : list_swept_settings())
     columns.push_back(render::column_of(setting));
-  EXPECT_EQ(columns,
-            (std::vector<std::string>{"estimator", "candidates", "neighbours", "radius", "history",
-                                      "reach", "boost", "permute", "local-share", "wide-share",
-                                      "uniform-share", "fleet-share", "visibility-reuse", "bounces",
-                                      "cache", "cache-cell", "cache-paths", "air-candidates"}));
+  EXPECT_EQ(columns, (std::vector<std::string>{
+                         "estimator", "candidates", "neighbours", "radius", "history", "reach",
+                         "boost", "permute", "local-share", "wide-share", "uniform-share",
+                         "fleet-share", "visibility-reuse", "bounces", "cache", "cache-cell",
+                         "cache-paths", "air-candidates", "resolution-scale"}));
 }
 
 TEST(Sweep, EveryCombinationComesOnceWithoutSettingsThatAnEstimatorLacks) {

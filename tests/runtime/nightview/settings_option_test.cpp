@@ -106,8 +106,10 @@ TEST_F(SettingsOption, ABudgetThatNothingKeepsLeadsToTheLeastWork) {
                        "--candidates 4 --neighbours 1 --budget-ms 1e-6 --out" +
                        test::quoted(folder / "a.png"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.err.find("Starts with 1 candidates, 0 neighbours, 1 paths a cell: none keeps"),
-            std::string::npos)
+  EXPECT_NE(
+      outcome.err.find(
+          "Starts with 1 candidates, 0 neighbours, 50 % of each side, 1 paths a cell: none keeps"),
+      std::string::npos)
       << outcome.err;
 }
 

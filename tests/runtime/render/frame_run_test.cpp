@@ -172,6 +172,35 @@ TEST_F(Slices, TheSampleForMeteringIsOfThePicturesRows) {
   EXPECT_EQ(renderer.sample_mean(std::size_t{1} << 30).height, 72u);
 }
 
+TEST_F(Slices, AScaledFrameHasFewerPixelsAndItsPictureAllOfThem) {
+  settings_.sampling.estimator = Estimator::reference;
+  const auto mean_of = [](const measure::Image& image) {
+    double sum = 0;
+    for (const float value : image.rgb) sum += double{value};
+    return sum / double(image.rgb.size());
+  };
+  Renderer whole = make(), scaled = make();
+  for (int i = 0; i < 4; ++i) whole.render_frame(pose_, settings_);
+  settings_.sampling.resolution_scale = 0.5f;
+  for (int i = 0; i < 4; ++i) scaled.render_frame(pose_, settings_);
+  EXPECT_EQ(scaled.width(), 48u);
+  EXPECT_EQ(scaled.height(), 36u);
+  EXPECT_EQ(scaled.picture_size(), glm::uvec2(96, 72));
+  const measure::Image picture = scaled.download();
+  EXPECT_EQ(picture.width, 96u);
+  EXPECT_EQ(picture.height, 72u);
+  EXPECT_EQ(picture.layer("depth")->values.size(), picture.pixels());
+  EXPECT_NE(picture.info.estimator.find("upscaled from 48 x 36"), std::string::npos);
+  EXPECT_NEAR(mean_of(picture) / mean_of(whole.download(false)), 1, 0.05);
+  // An effort scales what the settings ask for, and begins a mean.
+  scaled.begin_frame(pose_, settings_, {.resolution_scale = 0.5f});
+  while (!scaled.continue_frame(1, 1)) {
+  }
+  EXPECT_EQ(scaled.width(), 24u);
+  EXPECT_EQ(scaled.frames(), 1u);
+  EXPECT_EQ(scaled.download(false).width, 96u);
+}
+
 TEST_F(Slices, PassesAreCompiledInTheBackground) {
   PassLibrary passes(test::test_device());
   Renderer renderer(test::test_device(), passes, device_scene_, 16, 16);

@@ -33,7 +33,10 @@ TEST(Rungs, LeadFromOneCandidateToTheSettingsInSmallSteps) {
       settings.sampling.candidates = candidates;
       settings.reuse.neighbours = neighbours;
       const std::vector<Rung> rungs = list_rungs(settings);
-      EXPECT_EQ(rungs.front().effort, (Effort{1, 0}));
+      ASSERT_GE(rungs.size(), 3u);
+      EXPECT_EQ(rungs[0].effort.resolution_scale, 0.5f);
+      EXPECT_EQ(rungs[1].effort.resolution_scale, 0.71f);
+      EXPECT_EQ(rungs[2].effort, (Effort{1, 0}));
       EXPECT_EQ(rungs.back().effort, (Effort{candidates, neighbours}));
       for (std::size_t i = 1; i < rungs.size(); ++i) {
         EXPECT_GE(rungs[i].effort.max_candidates, rungs[i - 1].effort.max_candidates);
@@ -51,12 +54,13 @@ TEST(Rungs, BoundThePathsOfNewCells) {
   settings.indirect.bounces = 4;
   settings.indirect.paths = 2;
   const std::vector<Rung> rungs = list_rungs(settings);
-  EXPECT_EQ(rungs.front().effort.max_cell_paths, 1u);
-  for (std::size_t i = 1; i + 1 < rungs.size(); ++i)
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(rungs[i].effort.max_cell_paths, 1u) << i;
+  for (std::size_t i = 3; i + 1 < rungs.size(); ++i)
     EXPECT_EQ(rungs[i].effort.max_cell_paths, 2u) << i;
   EXPECT_EQ(rungs.back().effort.max_cell_paths, Effort{}.max_cell_paths);
   EXPECT_EQ(rungs.back().effort.max_candidates, settings.sampling.candidates);
-  EXPECT_NE(rungs[1].name().find("2 paths a cell"), std::string::npos);
+  EXPECT_NE(rungs[0].name().find("50 % of each side, 1 paths a cell"), std::string::npos);
+  EXPECT_NE(rungs[3].name().find("2 paths a cell"), std::string::npos);
   EXPECT_EQ(rungs.back().name().find("a cell"), std::string::npos);
 }
 

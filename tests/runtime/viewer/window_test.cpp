@@ -201,11 +201,13 @@ TEST_F(ViewerWindow, ABudgetGovernsFramesWhileTheClockRuns) {
   EXPECT_NE(text("rich.txt").find("budget: 4 candidates, 1 neighbours; 100.0 % of"),
             std::string::npos)
       << text("rich.txt");
-  EXPECT_NE(text("poor.log").find("Starts with 1 candidates, 0 neighbours: none keeps"),
+  EXPECT_NE(text("poor.log")
+                .find("Starts with 1 candidates, 0 neighbours, 50 % of each side: none keeps"),
             std::string::npos)
       << text("poor.log");
-  EXPECT_NE(text("poor.txt").find("budget: 1 candidates, 0 neighbours; 0.0 % of"),
-            std::string::npos)
+  EXPECT_NE(
+      text("poor.txt").find("budget: 1 candidates, 0 neighbours, 50 % of each side; 0.0 % of"),
+      std::string::npos)
       << text("poor.txt");
   EXPECT_NE(text("easy.txt").find("budget: 1 candidates, 0 neighbours\n"), std::string::npos)
       << "more noise than that is never asked for: " << text("easy.txt");
