@@ -187,6 +187,12 @@ std::vector<std::uint32_t> AccessorReader::indices(std::size_t index) const {
   });
 }
 
+std::optional<AccessorReader::Place> AccessorReader::find(std::size_t index, int components) const {
+  const Layout layout = this->layout(index, components);
+  if (!layout.values.first || layout.replaced != 0 || layout.normalized) return {};
+  return Place{layout.values.first, layout.values.stride, layout.count, layout.component_type};
+}
+
 int AccessorReader::components(std::size_t index) const {
   const std::string type = text(document_.element("accessors", index), "type");
   if (type == "SCALAR") return 1;

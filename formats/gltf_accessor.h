@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,6 +28,16 @@ class AccessorReader {
 
   /// Returns the indices of an accessor, which are of 8, 16 or 32 bits in the file.
   std::vector<std::uint32_t> indices(std::size_t accessor) const;
+
+  /// Where the values of an accessor lie, one after the other with a stride.
+  struct Place {
+    const std::byte* first;
+    std::size_t stride, count;
+    std::size_t component_type;
+  };
+  /// Returns the place of an accessor's values where these are plain: neither normalised nor sparse
+  /// nor without data. Throws Error as floats() does.
+  std::optional<Place> find(std::size_t accessor, int components) const;
 
   /// Returns how many numbers an element has: 1 to 4, or 0 for a matrix or an unknown type.
   int components(std::size_t accessor) const;

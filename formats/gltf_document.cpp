@@ -92,7 +92,7 @@ bool starts_as_json(std::span<const std::byte> bytes) {
 }  // namespace
 
 Document::Document(const std::filesystem::path& path) : name_(path.string()) {
-  const auto bytes = files_.emplace_back(path).bytes();
+  const auto bytes = files_->files.emplace_back(path).bytes();
   if (bytes.empty()) throw Error(name_, "is empty");
   const auto foreign = describe_foreign_file(bytes);
   if (bytes.size() >= 4 && word(bytes, 0) == glb_magic)
@@ -183,7 +183,7 @@ std::span<const std::byte> Document::external(const std::string& uri,
       throw Error("", "data URI is not base64");
     auto bytes = decode_base64(std::string_view(uri).substr(comma + 1));
     if (!bytes) throw Error("", "data URI is not base64");
-    return decoded_.emplace_back(std::move(*bytes));
+    return files_->decoded.emplace_back(std::move(*bytes));
   }
   if (uri.rfind("http://", 0) == 0 || uri.rfind("https://", 0) == 0)
     throw Error("", "is on the web (" + uri +
@@ -210,7 +210,7 @@ std::span<const std::byte> Document::external(const std::string& uri,
   for (const std::string& spelling : spellings) check(spelling);
   for (const std::string& spelling : spellings)
     if (std::error_code error; std::filesystem::exists(folder / spelling, error) && !error)
-      return files_.emplace_back(folder / spelling).bytes();
+      return files_->files.emplace_back(folder / spelling).bytes();
   throw Error("", (folder / spellings.front()).string() +
                       " is not there: the scene needs it, so keep both together");
 }
@@ -221,13 +221,14 @@ std::span<const std::byte> Document::file(const std::string& uri) {
 
 std::size_t Document::bytes() const {
   std::size_t total = 0;
-  for (const MappedFile& file : files_) total += file.bytes().size();
-  for (const auto& decoded : decoded_) total += decoded.size();
+  for (const MappedFile& file : files_->files) total += file.bytes().size();
+  for (const auto& decoded : files_->decoded) total += decoded.size();
   return total;
 }
 
-void Document::release_pages() const {
-  for (const MappedFile& file : files_) file.release_pages();
+std::shared_ptr<const SceneBytes> Document::take_files() {
+  root_ = nullptr;
+  return files_;
 }
 
 std::size_t Document::count(const char* name) const {

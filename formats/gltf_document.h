@@ -4,15 +4,15 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "formats/mapped_file.h"
+#include "formats/scene_bytes.h"
 
 namespace nightcity::gltf {
 
@@ -37,9 +37,9 @@ class Document {
   std::span<const std::byte> file(const std::string& uri);
   /// Returns the number of bytes of all files that belong to the scene.
   std::size_t bytes() const;
-  /// Gives the memory of the mapped files back to the system, which reads them again when they are
-  /// accessed again. Other threads may be reading them.
-  void release_pages() const;
+  /// Forgets the JSON, root() is null then, and returns the files, which buffers lie in.
+  std::shared_ptr<const SceneBytes> take_files();
+  void release_pages() const { files_->release_pages(); }
 
  private:
   void read_json(std::span<const std::byte> bytes);
@@ -50,8 +50,7 @@ class Document {
 
   std::string name_;
   Json root_;
-  std::deque<MappedFile> files_;
-  std::deque<std::vector<std::byte>> decoded_;
+  std::shared_ptr<SceneBytes> files_ = std::make_shared<SceneBytes>();
   std::optional<std::span<const std::byte>> binary_chunk_;
   std::vector<std::span<const std::byte>> buffers_;
 };

@@ -38,18 +38,32 @@ std::vector<std::uint32_t> to_triangle_list(std::size_t mode, std::vector<std::u
   return list;
 }
 
+// What the feature ids of a primitive refer to.
+struct FeatureIds {
+  FeatureRange table;
+  std::optional<std::size_t> none;
+};
+
 // Feature ids have a meaning only through a property table of ours; without one there are none.
-std::vector<std::uint32_t> to_feature_ids(const Json& source, const std::vector<float>& values,
-                                          const std::vector<FeatureRange>& tables) {
+std::optional<FeatureIds> find_feature_ids(const Json& source,
+                                           const std::vector<FeatureRange>& tables) {
   const Json& sets = member(extension(source, gltf::mesh_features), "featureIds");
-  if (values.empty() || !sets.is_array() || sets.empty()) return {};
+  if (!sets.is_array() || sets.empty()) return {};
   const auto table = gltf::index(sets.at(0), "propertyTable"),
              none = gltf::index(sets.at(0), "nullFeatureId");
   if (!table || *table >= tables.size() || tables[*table].count == 0) return {};
-  const auto [first, count] = tables[*table];
+  return FeatureIds{tables[*table], none};
+}
+
+std::vector<std::uint32_t> to_feature_ids(const Json& source, const std::vector<float>& values,
+                                          const std::vector<FeatureRange>& tables) {
+  if (values.empty()) return {};
+  const auto features = find_feature_ids(source, tables);
+  if (!features) return {};
+  const auto [first, count] = features->table;
   std::vector<std::uint32_t> ids(values.size(), no_id);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (none && values[i] == static_cast<float>(*none)) continue;
+    if (features->none && values[i] == static_cast<float>(*features->none)) continue;
     if (!(values[i] >= 0 && values[i] < static_cast<float>(count)))
       throw Error("", gltf::feature_attribute, "id lies outside its property table");
     ids[i] = static_cast<std::uint32_t>(first + static_cast<std::size_t>(values[i]));
@@ -97,6 +111,51 @@ std::optional<ScenePrimitive> PrimitiveReader::read(const Json& source,
   primitive.light_ids = to_light_ids(ids.lights);
   colours = to_colours(ids.colours, ids.colour_components);
   return primitive;
+}
+
+std::optional<MappedPrimitive> PrimitiveReader::find(
+    const Json& source, const std::vector<FeatureRange>& tables) const {
+  const Json& attributes = member(source, "attributes");
+  if (gltf::index(source, "mode").value_or(mode_triangles) != mode_triangles ||
+      extension(source, gltf::draco).is_object() || gltf::index(attributes, gltf::colour_attribute))
+    return {};
+  using Place = gltf::AccessorReader::Place;
+  MappedPrimitive found;
+  bool plain = true;
+  const auto take = [&](const Json& object, const char* name, int components, auto is_fit) {
+    const auto accessor = gltf::index(object, name);
+    if (!accessor) return MappedPrimitive::Array{};
+    const std::optional<Place> place = accessors_.find(*accessor, components);
+    plain = plain && place && is_fit(*place);
+    return plain ? MappedPrimitive::Array{place->first, place->stride} : MappedPrimitive::Array{};
+  };
+  std::size_t corners = 0;
+  found.positions = take(attributes, "POSITION", 3, [&](const Place& place) {
+    corners = place.count;
+    found.vertices = static_cast<std::uint32_t>(place.count);
+    return place.component_type == gltf::float32 && place.count < no_id;
+  });
+  if (!found.positions.first) return {};
+  const auto is_id = [&](const Place& place) {
+    return place.component_type == gltf::float32 && place.count == found.vertices;
+  };
+  if (const auto features = find_feature_ids(source, tables)) {
+    found.features = take(attributes, gltf::feature_attribute, 1, is_id);
+    found.first_feature = static_cast<std::uint32_t>(features->table.first);
+    found.feature_count = static_cast<std::uint32_t>(features->table.count);
+    if (features->none) found.null_feature = static_cast<float>(*features->none);
+  }
+  found.lights = take(attributes, gltf::light_attribute, 1, is_id);
+  found.indices = take(source, "indices", 1, [&](const Place& place) {
+    corners = place.count;
+    found.index_bytes = place.component_type == gltf::uint8    ? 1
+                        : place.component_type == gltf::uint16 ? 2
+                        : place.component_type == gltf::uint32 ? 4
+                                                               : 0;
+    return found.index_bytes != 0;
+  });
+  found.triangles = static_cast<std::uint32_t>(std::min<std::size_t>(corners / 3, no_id));
+  return plain && found.triangles > 0 ? std::optional(found) : std::nullopt;
 }
 
 std::size_t PrimitiveReader::count_triangles(const Json& source, std::size_t corners) {

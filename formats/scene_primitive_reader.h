@@ -8,6 +8,7 @@
 
 #include "formats/gltf_accessor.h"
 #include "formats/gltf_document.h"
+#include "formats/mapped_primitive.h"
 #include "formats/scene.h"
 
 namespace nightcity {
@@ -32,6 +33,12 @@ class PrimitiveReader {
   std::optional<ScenePrimitive> read(const gltf::Json& source,
                                      const std::vector<FeatureRange>& tables,
                                      std::vector<glm::vec3>& colours) const;
+
+  /// Returns the same triangles where they lie in the file, without their material; nothing where
+  /// they are no plain list: strips, compressed or sparse values, colours of vertices. read() must
+  /// have accepted the primitive.
+  std::optional<MappedPrimitive> find(const gltf::Json& source,
+                                      const std::vector<FeatureRange>& tables) const;
 
   /// Returns how many triangles a primitive of so many corners has; 0 for points and lines.
   static std::size_t count_triangles(const gltf::Json& source, std::size_t corners);

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <glm/common.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "formats/error.h"
@@ -48,16 +49,21 @@ class Reader {
   }
 
   const Scene& scene() const { return scene_; }
-  SceneMesh read_mesh(std::size_t index);
+  SceneMesh read_mesh(std::size_t index, MappedMesh* mapped);
   std::size_t count_triangles(std::size_t index) const;
   std::optional<std::array<glm::vec3, 2>> find_bounds(std::size_t index) const;
   bool has_colours() const;
 
-  Scene finish() {
+  // Adds what is known when all meshes have been read.
+  void complete() {
+    if (std::exchange(complete_, true)) return;
     add_coloured_materials();
     scene_.skipped = describe_skipped(document_, find_asset_extras(document_).is_object());
     for (auto* sentences : {&material_sentences_, &colour_sentences_})
       scene_.skipped.insert(scene_.skipped.end(), sentences->begin(), sentences->end());
+  }
+  Scene finish() {
+    complete();
     return std::move(scene_);
   }
 
@@ -77,6 +83,7 @@ class Reader {
   std::size_t material_count_ = 0;  // of the file
   VertexColours colours_;
   std::atomic<bool> uses_default_ = false;
+  bool complete_ = false;
   std::vector<std::string> material_sentences_, colour_sentences_;
 };
 
@@ -118,7 +125,7 @@ void Reader::add_coloured_materials() {
   }
 }
 
-SceneMesh Reader::read_mesh(std::size_t index) {
+SceneMesh Reader::read_mesh(std::size_t index, MappedMesh* mapped) {
   const Json& source = document_.element("meshes", index);
   const Json& primitives = member(source, "primitives");
   SceneMesh mesh;
@@ -130,7 +137,12 @@ SceneMesh Reader::read_mesh(std::size_t index) {
       if (!primitive) continue;
       primitive->material = find_material(primitives.at(p));
       colours_.apply(*primitive, colours, material_count_ + 1);
-      if (!primitive->indices.empty()) mesh.primitives.push_back(std::move(*primitive));
+      if (primitive->indices.empty()) continue;
+      if (mapped) {
+        mapped->push_back(primitives_.find(primitives.at(p), tables_));
+        if (mapped->back()) mapped->back()->material = primitive->material;
+      }
+      mesh.primitives.push_back(std::move(*primitive));
     } catch (const Error& error) {
       throw Error("", numbered("mesh", index) + numbered(" primitive", p), error.what());
     }
@@ -247,13 +259,21 @@ std::optional<std::array<glm::vec3, 2>> SceneFile::find_bounds(std::size_t mesh)
   return with_name(reading_->path, [&] { return reading_->reader.find_bounds(mesh); });
 }
 
-SceneMesh SceneFile::read_mesh(std::size_t index) {
-  SceneMesh mesh = with_name(reading_->path, [&] { return reading_->reader.read_mesh(index); });
+SceneMesh SceneFile::read_mesh(std::size_t index, MappedMesh* mapped) {
+  SceneMesh mesh =
+      with_name(reading_->path, [&] { return reading_->reader.read_mesh(index, mapped); });
   if ((reading_->resident += count_bytes(mesh)) > max_resident) {
     reading_->resident = 0;
     reading_->document.release_pages();
   }
   return mesh;
+}
+
+std::shared_ptr<const SceneBytes> SceneFile::close() {
+  return with_name(reading_->path, [&] {
+    reading_->reader.complete();
+    return reading_->document.take_files();
+  });
 }
 
 Scene SceneFile::finish() {

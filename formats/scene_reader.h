@@ -8,7 +8,9 @@
 #include <memory>
 #include <optional>
 
+#include "formats/mapped_primitive.h"
 #include "formats/scene.h"
+#include "formats/scene_bytes.h"
 
 namespace nightcity {
 
@@ -21,7 +23,7 @@ class SceneFile {
   ~SceneFile();
 
   /// Returns what was read. There are no meshes in it, and `materials` and `skipped` are complete
-  /// after finish() only.
+  /// after close() or finish() only.
   const Scene& scene() const;
   std::size_t mesh_count() const;
   /// Returns the triangles that a mesh has by its accessors, which hold no promise: a bound for
@@ -32,11 +34,15 @@ class SceneFile {
   /// accessors state and that nothing has checked; nothing where they state none.
   std::optional<std::array<glm::vec3, 2>> find_bounds(std::size_t mesh) const;
 
-  /// Returns a mesh. `index` < mesh_count().
-  SceneMesh read_mesh(std::size_t index);
+  /// Returns a mesh. `index` < mesh_count(). `mapped` gets where its primitives lie in the file.
+  SceneMesh read_mesh(std::size_t index, MappedMesh* mapped = nullptr);
   /// Returns whether several threads may call read_mesh at once. Not where vertices have colours:
   /// the materials made of them are numbered in the order of the meshes that are read.
   bool reads_in_parallel() const;
+
+  /// Call it after the last mesh: completes scene(), and keeps nothing else but the files, which it
+  /// returns, since mapped primitives lie in them.
+  std::shared_ptr<const SceneBytes> close();
 
   /// Returns the scene, with the materials that the meshes read so far need and without meshes.
   Scene finish();

@@ -1,6 +1,7 @@
 #include "runtime/render/device_scene.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "formats/error.h"
 #include "formats/parallel.h"
@@ -28,22 +29,27 @@ void check_memory(const gpu::Device& device, const scene::RenderScene& scene) {
                              " are free: take another one (--device), or bake a smaller area");
 }
 
-template <class Vector>
-void free_memory_of(Vector& values) {
-  Vector().swap(values);
+template <class List>
+void free_memory_of(List& values) {
+  values = List();
 }
 
-// Uploads the triangles in the order of the leaves.
+// Uploads the triangles in the order of the leaves. Pages of the file that they are read from are
+// given back whenever that many triangles were read.
+constexpr std::size_t resident_triangles = 1 << 18;
 gpu::Buffer upload_triangles(gpu::Device& device, const scene::RenderScene& scene) {
   gpu::Buffer buffer(device, scene.triangles.size() * sizeof(gpu::Triangle));
+  std::atomic<std::size_t> read = 0;
   buffer.make_first<gpu::Triangle>(
       scene.triangles.size(), [&](std::span<gpu::Triangle> to, std::size_t first) {
         constexpr std::size_t piece = 1 << 14;
         run_parallel((to.size() + piece - 1) / piece, count_cores(), [&](std::size_t i) {
           for (std::size_t at = i * piece; at < std::min(to.size(), (i + 1) * piece); ++at)
             to[at] = scene.triangles[scene.triangle_order[first + at]];
+          if ((read += piece) % resident_triangles == 0) scene.triangles.release_pages();
         });
       });
+  scene.triangles.release_pages();
   return buffer;
 }
 
@@ -65,11 +71,10 @@ DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
                          scene::RenderScene* released)
     : device_(device) {
   check_memory(device, scene);
-  has_water_ = std::any_of(scene.triangles.begin(), scene.triangles.end(),
-                           [&](const gpu::Triangle& triangle) {
-                             return triangle.material < scene.materials.size() &&
-                                    scene.materials[triangle.material].roughness < WATER_ROUGHNESS;
-                           });
+  has_water_ = scene.triangles.any_material([&](std::uint32_t material) {
+    return material < scene.materials.size() &&
+           scene.materials[material].roughness < WATER_ROUGHNESS;
+  });
   store_geometry(scene, released);
   addresses_.materials = store(std::span(scene.materials));
   addresses_.profiles = store(std::span(scene.profiles));

@@ -220,15 +220,17 @@ Bvh build_bvh(std::span<const Box> boxes, std::uint32_t max_leaf, std::uint32_t 
   return bvh;
 }
 
-BvhRoot append_bvh(LargeVector<gpu::BvhNode>& nodes, std::span<const gpu::Triangle> triangles,
+BvhRoot append_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleList& triangles,
                    std::size_t first, std::uint32_t max_leaf, std::uint32_t max_stack,
                    unsigned threads, std::span<std::uint32_t> order) {
-  check_sizes(first + triangles.size(), BVH_MAX_LEAF, UINT32_MAX);
-  check_sizes(triangles.size(), max_leaf, max_stack);
+  const std::size_t count = order.size();
+  check_sizes(first + count, BVH_MAX_LEAF, UINT32_MAX);
+  check_sizes(count, max_leaf, max_stack);
   // If every piece were a pair, a leaf would hold half as many pieces.
-  const bool pairs = max_leaf >= 4 && needed_stack(triangles.size(), max_leaf / 2) <= max_stack;
+  const bool pairs = max_leaf >= 4 && needed_stack(count, max_leaf / 2) <= max_stack;
   const auto from = static_cast<std::uint32_t>(first);
-  LargeVector<TrianglePiece> pieces = make_pieces(triangles, pairs, threads);
+  LargeVector<TrianglePiece> pieces = make_pieces(triangles, first, count, pairs, threads);
+  triangles.release_pages();  // from here on, only the pieces are needed
   const BvhRoot root =
       pairs
           ? ParallelBuild<PieceAccess<2>>(pieces, max_leaf, threads, nodes).build(from, max_stack)

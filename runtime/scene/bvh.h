@@ -8,6 +8,7 @@
 
 #include "runtime/scene/box.h"
 #include "runtime/scene/large_vector.h"
+#include "runtime/scene/triangle_list.h"
 #include "shaders/bvh_types.h"
 
 namespace nightcity::scene {
@@ -36,11 +37,11 @@ struct BvhRoot {
   Box box{};                       // of all primitives
 };
 
-/// Builds a BVH over `triangles` as build_bvh does, and appends its nodes to `nodes`. `order`,
-/// which is as long as `triangles`, gets the number of the triangle at each position of the leaves.
-/// Both positions and numbers count from `first` on, the position of triangles[0] in its buffer.
+/// Builds a BVH over the triangles from `first` on as build_bvh does, and appends its nodes to
+/// `nodes`. `order`, which is as long as there are such triangles, gets the number of the triangle
+/// at each position of the leaves. Positions count from `first` on.
 /// Two triangles that follow each other and share an edge, as halves of quads do, are not parted.
-BvhRoot append_bvh(LargeVector<gpu::BvhNode>& nodes, std::span<const gpu::Triangle> triangles,
+BvhRoot append_bvh(LargeVector<gpu::BvhNode>& nodes, const TriangleList& triangles,
                    std::size_t first, std::uint32_t max_leaf, std::uint32_t max_stack,
                    unsigned threads, std::span<std::uint32_t> order);
 

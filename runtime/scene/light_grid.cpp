@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstring>
 #include <functional>
+#include <mutex>
+#include <optional>
 #include <utility>
 
 #include "formats/parallel.h"
@@ -266,19 +268,18 @@ class Search {
   float bar_ = 0, unseen_ = 0, outside_ = 0;
 };
 
-// Fills the lists of a row of cells. Entries count from the row's first, which `entries` points at;
-// returns how many there are.
-std::size_t fill_row(const std::vector<Bins>& classes, const gpu::LightGridShape& shape,
-                     std::size_t listed, std::uint32_t z, std::span<gpu::LightCell> cells,
-                     gpu::GridEntry* entries) {
+// Fills the lists of a row of cells. Their entries, from which the cells count, are appended to
+// `entries`, which is empty.
+void fill_row(const std::vector<Bins>& classes, const gpu::LightGridShape& shape,
+              std::size_t listed, std::uint32_t z, std::span<gpu::LightCell> cells,
+              std::vector<gpu::GridEntry>& entries) {
   Search search(classes, shape, listed);
   AliasTableBuilder table;
   std::vector<float> weights;
-  std::size_t used = 0;
   for (std::uint32_t x = 0; x < shape.width; ++x) {
     const std::span<const Found> found = search.find(x, z);
     gpu::LightCell& cell = cells[x];
-    cell.first = static_cast<std::uint32_t>(used);
+    cell.first = static_cast<std::uint32_t>(entries.size());
     cell.count = static_cast<std::uint32_t>(found.size());
     weights.clear();
     double sum = 0;
@@ -293,9 +294,8 @@ std::size_t fill_row(const std::vector<Bins>& classes, const gpu::LightGridShape
                                          std::sqrt(search.outside());
     const std::span<const gpu::AliasEntry> alias = table.build(weights);
     for (std::size_t i = 0; i < found.size(); ++i)
-      entries[used++] = {light_of(found[i]), alias[i].keep, light_of(found[alias[i].alias])};
+      entries.push_back({light_of(found[i]), alias[i].keep, light_of(found[alias[i].alias])});
   }
-  return used;
 }
 
 }  // namespace
@@ -313,18 +313,46 @@ std::span<gpu::LightCell> row_of(LightGrid& grid, std::size_t z) {
   return std::span(grid.cells).subspan(z * grid.shape.width, grid.shape.width);
 }
 
-// Moves the entries of all rows together, of which each has room for `room` and uses `used`.
-void close_gaps(LightGrid& grid, std::span<const std::size_t> used, std::size_t room) {
-  std::size_t end = 0;
-  for (std::size_t z = 0; z < used.size(); ++z) {
-    const auto row = grid.entries.begin() + std::ptrdiff_t(z * room);
-    if (end < z * room)
-      std::copy(row, row + std::ptrdiff_t(used[z]), grid.entries.begin() + std::ptrdiff_t(end));
-    for (gpu::LightCell& cell : row_of(grid, z)) cell.first += static_cast<std::uint32_t>(end);
-    end += used[z];
+// Appends the entries of rows to a grid in the rows' order, whichever is filled first. Only rows
+// that wait for one before theirs are in memory twice, and their memory is used again.
+class RowAppender {
+ public:
+  using Entries = std::vector<gpu::GridEntry>;
+  explicit RowAppender(LightGrid& grid) : grid_(grid), rows_(grid.shape.depth) {}
+
+  // Calls `fill` with an empty vector for the entries of row `z`.
+  template <class Fill>
+  void append(std::size_t z, Fill fill) {
+    Entries entries = take_empty();
+    fill(entries);
+    const std::lock_guard lock(appending_);
+    rows_[z] = std::move(entries);
+    for (; next_ < rows_.size() && rows_[next_]; ++next_) {
+      const auto end = static_cast<std::uint32_t>(grid_.entries.size());
+      for (gpu::LightCell& cell : row_of(grid_, next_)) cell.first += end;
+      Entries row = std::move(*rows_[next_]);
+      rows_[next_].reset();
+      grid_.entries.insert(grid_.entries.end(), row.begin(), row.end());
+      row.clear();
+      empty_.push_back(std::move(row));
+    }
   }
-  grid.entries.resize(end);
-}
+
+ private:
+  Entries take_empty() {
+    const std::lock_guard lock(appending_);
+    if (empty_.empty()) return {};
+    Entries entries = std::move(empty_.back());
+    empty_.pop_back();
+    return entries;
+  }
+
+  LightGrid& grid_;
+  std::mutex appending_;
+  std::vector<std::optional<Entries>> rows_;
+  std::vector<Entries> empty_;
+  std::size_t next_ = 0;
+};
 
 }  // namespace
 
@@ -366,16 +394,15 @@ LightGrid build_light_grid(std::span<const Light> lights, std::span<const float>
   const std::vector<Bins> classes = by_class(lights, flux_lm, shape);
   std::size_t shining = 0;
   for (const float f : flux_lm) shining += f > 0;
-  // Every row has room for full lists. Memory that is not written to takes no room.
-  const std::size_t room = shape.width * std::min<std::size_t>(lists.listed, shining);
   grid.cells.resize(std::size_t{shape.width} * shape.depth);
-  grid.entries.resize(room * shape.depth);
-  std::vector<std::size_t> used(shape.depth);
+  // Room for full lists. Memory that is not written to takes no room.
+  grid.entries.reserve(grid.cells.size() * std::min<std::size_t>(lists.listed, shining));
+  RowAppender rows(grid);
   run_parallel(shape.depth, count_cores(), [&](std::size_t z) {
-    used[z] = fill_row(classes, shape, lists.listed, std::uint32_t(z), row_of(grid, z),
-                       grid.entries.data() + z * room);
+    rows.append(z, [&](std::vector<gpu::GridEntry>& entries) {
+      fill_row(classes, shape, lists.listed, std::uint32_t(z), row_of(grid, z), entries);
+    });
   });
-  close_gaps(grid, used, room);
   return grid;
 }
 

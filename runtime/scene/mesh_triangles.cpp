@@ -1,10 +1,10 @@
 #include "runtime/scene/mesh_triangles.h"
 
-#include <algorithm>
-#include <atomic>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <mutex>
+#include <optional>
 
 #include "formats/parallel.h"
 #include "runtime/scene/bvh.h"
@@ -19,63 +19,80 @@ std::size_t count_triangles(const SceneMesh& mesh) {
   return count;
 }
 
-// As append_mesh, to anything that takes triangles.
-template <class Triangles>
-std::size_t convert_mesh(const SceneMesh& mesh, const glm::dmat4& m,
-                         std::span<const std::uint32_t> light_numbers, Triangles& out) {
+// Calls `take` with the triangles of a primitive that have an area and whose light is not left out,
+// and returns the number of those without area.
+template <class Take>
+std::size_t convert(const ScenePrimitive& primitive, const glm::dmat4& m,
+                    std::span<const std::uint32_t> light_numbers, std::vector<glm::vec3>& positions,
+                    Take take) {
   std::size_t dropped = 0;
-  std::vector<glm::vec3> positions;
-  for (const ScenePrimitive& primitive : mesh.primitives) {
-    positions.clear();
-    for (const glm::vec3& p : primitive.positions) positions.emplace_back(m * glm::dvec4(p, 1.0));
-    for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
-      const std::uint32_t a = primitive.indices[i], b = primitive.indices[i + 1],
-                          c = primitive.indices[i + 2];
-      gpu::Triangle t{};
-      t.v0 = positions[a];
-      t.v1 = positions[b];
-      t.v2 = positions[c];
-      const glm::vec3 normal = glm::cross(t.v1 - t.v0, t.v2 - t.v0);
-      if (!(glm::dot(normal, normal) > 0)) {
-        ++dropped;
-        continue;
-      }
-      t.material = primitive.triangle_materials.empty() ? primitive.material
-                                                        : primitive.triangle_materials[i / 3];
-      t.feature = primitive.feature_ids.empty() ? NO_HIT : primitive.feature_ids[a];
-      t.light =
-          primitive.light_ids.empty() ? NO_HIT : find_light(primitive.light_ids[a], light_numbers);
-      if (t.light != left_out_light) out.push_back(t);
+  positions.clear();
+  for (const glm::vec3& p : primitive.positions) positions.emplace_back(m * glm::dvec4(p, 1.0));
+  for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+    const std::uint32_t a = primitive.indices[i], b = primitive.indices[i + 1],
+                        c = primitive.indices[i + 2];
+    gpu::Triangle t{};
+    t.v0 = positions[a];
+    t.v1 = positions[b];
+    t.v2 = positions[c];
+    const glm::vec3 normal = glm::cross(t.v1 - t.v0, t.v2 - t.v0);
+    if (!(glm::dot(normal, normal) > 0)) {
+      ++dropped;
+      continue;
     }
+    t.material = primitive.triangle_materials.empty() ? primitive.material
+                                                      : primitive.triangle_materials[i / 3];
+    t.feature = primitive.feature_ids.empty() ? NO_HIT : primitive.feature_ids[a];
+    t.light =
+        primitive.light_ids.empty() ? NO_HIT : find_light(primitive.light_ids[a], light_numbers);
+    if (t.light != left_out_light) take(t);
   }
   return dropped;
 }
 
-// Takes the triangles of a mesh to where they belong, and those for which there is no room there
-// elsewhere.
-class TrianglePlace {
- public:
-  explicit TrianglePlace(std::span<gpu::Triangle> room) : room_(room) {}
-  void push_back(const gpu::Triangle& triangle) {
-    if (used_ < room_.size())
-      room_[used_++] = triangle;
-    else
-      beyond_.push_back(triangle);
-  }
-  std::span<const gpu::Triangle> used() const { return room_.first(used_); }
-  std::span<const gpu::Triangle> beyond() const { return beyond_; }
+// The triangles of a mesh: each primitive's in the file, or else stored.
+struct Converted {
+  MappedMesh mapped;
+  std::vector<std::vector<gpu::Triangle>> stored;  // parallel to `mapped`
+  std::size_t dropped = 0;
 
- private:
-  std::span<gpu::Triangle> room_;
-  std::size_t used_ = 0;
-  std::vector<gpu::Triangle> beyond_;  // of files whose accessors say too little
+  void append_to(TriangleList& out, const glm::dmat4& to_scene) const {
+    for (std::size_t i = 0; i < mapped.size(); ++i)
+      if (mapped[i])
+        out.append(*mapped[i], to_scene);
+      else
+        out.append(stored[i]);
+  }
 };
+
+Converted convert_mesh(const MeshSource& meshes, std::uint32_t number, const glm::dmat4& to_scene,
+                       std::span<const std::uint32_t> light_numbers) {
+  Converted result;
+  const auto mesh = meshes.read(number, &result.mapped);
+  result.mapped.resize(mesh->primitives.size());
+  result.stored.resize(mesh->primitives.size());
+  std::vector<glm::vec3> positions;
+  for (std::size_t i = 0; i < mesh->primitives.size(); ++i) {
+    const ScenePrimitive& primitive = mesh->primitives[i];
+    std::optional<MappedPrimitive>& mapped = result.mapped[i];
+    if (mapped && light_numbers.empty()) {
+      std::size_t kept = 0;
+      convert(primitive, to_scene, {}, positions, [&](const gpu::Triangle&) { ++kept; });
+      if (kept == mapped->triangles) continue;  // none is without area
+    }
+    mapped.reset();
+    result.dropped +=
+        convert(primitive, to_scene, light_numbers, positions,
+                [&](const gpu::Triangle& triangle) { result.stored[i].push_back(triangle); });
+  }
+  return result;
+}
 
 }  // namespace
 
 MeshSource meshes_of(const Scene& scene) {
   MeshSource source;
-  source.read = [&scene](std::uint32_t mesh) {
+  source.read = [&scene](std::uint32_t mesh, MappedMesh*) {
     return std::shared_ptr<const SceneMesh>(std::shared_ptr<void>(), &scene.meshes.at(mesh));
   };
   source.in_parallel = true;
@@ -93,39 +110,41 @@ std::uint32_t find_light(std::uint32_t light, std::span<const std::uint32_t> num
 }
 
 std::size_t append_mesh(const SceneMesh& mesh, const glm::dmat4& to_scene,
-                        std::span<const std::uint32_t> light_numbers,
-                        LargeVector<gpu::Triangle>& out) {
-  return convert_mesh(mesh, to_scene, light_numbers, out);
+                        std::span<const std::uint32_t> light_numbers, TriangleList& out) {
+  std::size_t dropped = 0;
+  std::vector<glm::vec3> positions;
+  for (const ScenePrimitive& primitive : mesh.primitives)
+    dropped += convert(primitive, to_scene, light_numbers, positions,
+                       [&](const gpu::Triangle& triangle) { out.push_back(triangle); });
+  return dropped;
+}
+
+std::size_t append_mesh(const MeshSource& meshes, std::uint32_t mesh, const glm::dmat4& to_scene,
+                        std::span<const std::uint32_t> light_numbers, TriangleList& out) {
+  const Converted converted = convert_mesh(meshes, mesh, to_scene, light_numbers);
+  converted.append_to(out, to_scene);
+  return converted.dropped;
 }
 
 std::size_t append_meshes(const std::vector<PlacedMesh>& placed, const MeshSource& meshes,
                           std::span<const std::uint32_t> light_numbers, unsigned threads,
-                          LargeVector<gpu::Triangle>& out) {
-  std::vector<TrianglePlace> places;
-  const std::size_t first = out.size();
-  std::size_t all = first;
+                          TriangleList& out) {
+  std::size_t all = out.size();
   for (const PlacedMesh& m : placed) all += meshes.triangles.at(m.mesh);
   check_triangle_count(all);
-  out.resize(all);
-  std::span<gpu::Triangle> room = std::span(out).subspan(first);
-  for (const PlacedMesh& m : placed) {
-    const std::size_t count = meshes.triangles.at(m.mesh);
-    places.emplace_back(room.first(count));
-    room = room.subspan(count);
-  }
-  std::atomic<std::size_t> dropped = 0;
+  std::mutex appending;
+  std::vector<std::optional<Converted>> waiting(placed.size());
+  std::size_t next = 0, dropped = 0;
   run_parallel(placed.size(), meshes.in_parallel ? threads : 1, [&](std::size_t i) {
-    dropped +=
-        convert_mesh(*meshes.read(placed[i].mesh), placed[i].to_scene, light_numbers, places[i]);
+    Converted converted = convert_mesh(meshes, placed[i].mesh, placed[i].to_scene, light_numbers);
+    const std::lock_guard lock(appending);
+    waiting[i] = std::move(converted);
+    for (; next < waiting.size() && waiting[next]; ++next) {
+      waiting[next]->append_to(out, placed[next].to_scene);
+      dropped += waiting[next]->dropped;
+      waiting[next].reset();
+    }
   });
-  gpu::Triangle* end = out.data() + first;
-  for (const TrianglePlace& place : places) {
-    if (place.used().data() != end) std::copy(place.used().begin(), place.used().end(), end);
-    end += place.used().size();
-  }
-  out.resize(static_cast<std::size_t>(end - out.data()));
-  for (const TrianglePlace& place : places)
-    out.insert(out.end(), place.beyond().begin(), place.beyond().end());
   return dropped;
 }
 

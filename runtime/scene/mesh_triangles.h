@@ -10,14 +10,18 @@
 #include <vector>
 
 #include "formats/scene.h"
-#include "runtime/scene/large_vector.h"
 #include "runtime/scene/render_scene.h"
+#include "runtime/scene/triangle_list.h"
 
 namespace nightcity::scene {
 
 /// The meshes of a scene, one at a time, so that not all of them need be in memory.
 struct MeshSource {
-  std::function<std::shared_ptr<const SceneMesh>(std::uint32_t mesh)> read;
+  /// `mapped`, where it is not null, gets where the mesh's primitives lie in the file, or stays
+  /// empty.
+  std::function<std::shared_ptr<const SceneMesh>(std::uint32_t mesh, MappedMesh* mapped)> read;
+  /// Called when every mesh has been read, as often as it is needed: `read` is not called again.
+  std::function<void()> close;
   bool in_parallel = false;            // `read` may be called by several threads at the same time
   std::vector<std::size_t> triangles;  // of each mesh, as far as is known before it is read
   std::vector<Box> bounds;             // the same of their boxes, in the meshes' own frames
@@ -34,8 +38,12 @@ std::uint32_t find_light(std::uint32_t light, std::span<const std::uint32_t> num
 /// the number of those without area. `to_scene` leads from the mesh's frame to that of the
 /// triangles.
 std::size_t append_mesh(const SceneMesh& mesh, const glm::dmat4& to_scene,
-                        std::span<const std::uint32_t> light_numbers,
-                        LargeVector<gpu::Triangle>& out);
+                        std::span<const std::uint32_t> light_numbers, TriangleList& out);
+
+/// The same for a mesh of a source. Primitives that can be read in place, and of which nothing is
+/// left out, are not stored.
+std::size_t append_mesh(const MeshSource& meshes, std::uint32_t mesh, const glm::dmat4& to_scene,
+                        std::span<const std::uint32_t> light_numbers, TriangleList& out);
 
 /// A mesh that is placed once.
 struct PlacedMesh {
@@ -44,11 +52,9 @@ struct PlacedMesh {
 };
 
 /// Appends the triangles of `placed` in its order, and returns the number of those without area.
-/// Each mesh is read by one of the threads, which writes its triangles where they belong, so that
-/// none is copied; only behind a mesh of which some were left out do the others move up. Throws
-/// Error if the scene cannot have as many.
+/// Each mesh is read by one of the threads. Throws Error if the scene cannot have as many.
 std::size_t append_meshes(const std::vector<PlacedMesh>& placed, const MeshSource& meshes,
                           std::span<const std::uint32_t> light_numbers, unsigned threads,
-                          LargeVector<gpu::Triangle>& out);
+                          TriangleList& out);
 
 }  // namespace nightcity::scene

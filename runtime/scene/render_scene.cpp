@@ -1,5 +1,7 @@
 #include "runtime/scene/render_scene.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <cmath>
 #include <future>
@@ -215,8 +217,13 @@ RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& l
   const std::vector<std::uint32_t> numbers = leave_out_lights(lights, left_out);
   add_lights(out, std::move(lights));
   MeshSource meshes;
-  meshes.read = [&file](std::uint32_t mesh) {
-    return std::make_shared<const SceneMesh>(file.read_mesh(mesh));
+  meshes.read = [&file](std::uint32_t mesh, MappedMesh* mapped) {
+    return std::make_shared<const SceneMesh>(file.read_mesh(mesh, mapped));
+  };
+  meshes.close = [&] {
+    out.triangles.keep(file.close());
+    // The JSON was a million small pieces, which the C library would keep for others.
+    ::malloc_trim(0);
   };
   meshes.in_parallel = file.reads_in_parallel();
   for (std::size_t i = 0; i < file.mesh_count(); ++i) {

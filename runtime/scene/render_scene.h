@@ -13,6 +13,7 @@
 #include "formats/light_file.h"
 #include "formats/scene.h"
 #include "runtime/scene/bvh.h"
+#include "runtime/scene/triangle_list.h"
 #include "shaders/scene_types.h"
 
 namespace nightcity::scene {
@@ -67,7 +68,7 @@ struct RenderScene {
   glm::dvec3 origin{0};
   LargeVector<gpu::BvhNode> nodes;  // every BLAS, then the TLAS
   std::uint32_t root = BVH_EMPTY;   // of the TLAS
-  LargeVector<gpu::Triangle> triangles;
+  TriangleList triangles;
   LargeVector<std::uint32_t> triangle_order;  // which triangle is at each position of the leaves
   std::vector<Mesh> meshes{};                 // none is empty
   std::vector<gpu::Instance> instances;

@@ -1,6 +1,7 @@
 #include "runtime/scene/scene_geometry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -22,16 +23,21 @@ constexpr std::uint32_t tlas_stack = 33;
 constexpr std::uint32_t mesh_stack = BVH_STACK - tlas_stack - 1;
 constexpr std::uint32_t body_stack = BVH_STACK - 3 * VEHICLE_LEVELS - 2;
 
-// Builds the BLAS over the triangles from `first` on, and returns its root and box.
-std::pair<std::uint32_t, Box> add_blas(RenderScene& scene, std::size_t first, unsigned threads,
-                                       std::uint32_t stack = mesh_stack) {
-  const std::span triangles = std::span<const gpu::Triangle>(scene.triangles).subspan(first);
-  scene.triangle_order.resize(scene.triangles.size());
-  const BvhRoot root = append_bvh(scene.nodes, triangles, first, triangle_leaf, stack, threads,
-                                  std::span(scene.triangle_order).subspan(first));
-  if (!triangles.empty())
-    scene.meshes.push_back({root.node, static_cast<std::uint32_t>(first),
-                            static_cast<std::uint32_t>(triangles.size())});
+// Consecutive triangles of a scene, from `first` to before `end`.
+struct TriangleRange {
+  std::size_t first, end;
+};
+
+// Builds the BLAS over some triangles, and returns its root and box.
+std::pair<std::uint32_t, Box> add_blas(RenderScene& scene, const TriangleRange& range,
+                                       unsigned threads, std::uint32_t stack = mesh_stack) {
+  const std::size_t count = range.end - range.first;
+  scene.triangle_order.resize(range.end);
+  const BvhRoot root = append_bvh(scene.nodes, scene.triangles, range.first, triangle_leaf, stack,
+                                  threads, std::span(scene.triangle_order).subspan(range.first));
+  if (count > 0)
+    scene.meshes.push_back(
+        {root.node, static_cast<std::uint32_t>(range.first), static_cast<std::uint32_t>(count)});
   return {root.node, root.box};
 }
 
@@ -80,7 +86,7 @@ void add_tlas(RenderScene& out, const std::vector<Box>& instance_boxes, unsigned
 }
 
 // Appends a box of twelve triangles that face outwards.
-void append_box(const glm::vec3& lower, const glm::vec3& upper, LargeVector<gpu::Triangle>& out) {
+void append_box(const glm::vec3& lower, const glm::vec3& upper, TriangleList& out) {
   for (int axis = 0; axis < 3; ++axis)
     for (const bool far : {false, true}) {
       const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -149,7 +155,9 @@ void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes
   out.nodes.reserve(out.nodes.size() + most / 2);
 
   // Everything that is placed once and does not move becomes one BLAS (one for what casts shadows,
-  // one for what does not): a ray then crosses the city without leaving and entering instances.
+  // one for what does not): a ray then crosses the city without leaving and entering instances. All
+  // meshes are read before the first BLAS is built, because their source takes memory, too.
+  std::array<TriangleRange, 2> still;
   for (const bool shadow : {true, false}) {
     std::vector<PlacedMesh> merged;
     for (const SceneNode& node : scene.nodes)
@@ -158,25 +166,38 @@ void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes
     const std::size_t first = out.triangles.size();
     out.dropped_triangles +=
         append_meshes(merged, meshes, filter.light_numbers, threads, out.triangles);
-    const auto [root, box] = add_blas(out, first, threads);
+    still[shadow ? 0 : 1] = {first, out.triangles.size()};
+  }
+  std::vector<std::optional<TriangleRange>> placed(meshes.triangles.size());
+  for (const SceneNode& node : scene.nodes) {
+    if (is_skipped(node) || is_merged(node) || placed.at(node.mesh)) continue;
+    const std::size_t first = out.triangles.size();
+    out.dropped_triangles +=
+        append_mesh(meshes, node.mesh, glm::dmat4(1.0), filter.light_numbers, out.triangles);
+    placed[node.mesh] = {first, out.triangles.size()};
+  }
+  if (meshes.close) meshes.close();
+
+  std::size_t instances = still.size();
+  for (const SceneNode& node : scene.nodes) instances += node.instances.size();
+  out.instances.reserve(instances);
+  instance_boxes.reserve(instances);
+  for (const bool shadow : {true, false}) {
+    const auto [root, box] = add_blas(out, still[shadow ? 0 : 1], threads);
     place(root, box, glm::dmat4(1.0), shadow, NO_HIT);
   }
   std::vector<std::optional<std::pair<std::uint32_t, Box>>> built(meshes.triangles.size());
   for (const SceneNode& node : scene.nodes) {
     if (is_skipped(node) || is_merged(node)) continue;
     auto& mesh = built.at(node.mesh);
-    if (!mesh) {
-      const std::size_t first = out.triangles.size();
-      out.dropped_triangles += append_mesh(*meshes.read(node.mesh), glm::dmat4(1.0),
-                                           filter.light_numbers, out.triangles);
-      mesh = add_blas(out, first, threads);
-    }
+    if (!mesh) mesh = add_blas(out, *placed.at(node.mesh), threads);
     for (const SceneInstance& instance : node.instances) {
       const std::uint32_t light = find_light(instance.light, filter.light_numbers);
       if (light != left_out_light)
         place(mesh->first, mesh->second, to_scene(instance), casts_shadow(node), light);
     }
   }
+  out.triangles.release_pages();
   add_tlas(out, instance_boxes, threads);
 }
 
@@ -187,8 +208,7 @@ void add_bodies(RenderScene& out, const Scene& scene, const MeshSource& meshes,
     std::uint32_t mask = MASK_VISIBLE;
     for (const SceneNode& node : scene.nodes) {
       if (node.vehicle != kind) continue;
-      out.dropped_triangles +=
-          append_mesh(*meshes.read(node.mesh), glm::dmat4(1.0), {}, out.triangles);
+      out.dropped_triangles += append_mesh(meshes, node.mesh, glm::dmat4(1.0), {}, out.triangles);
       if (node.casts_shadow) mask |= MASK_SHADOW;
     }
     if (out.triangles.size() == first) {
@@ -197,7 +217,7 @@ void add_bodies(RenderScene& out, const Scene& scene, const MeshSource& meshes,
       mask |= MASK_SHADOW;
     }
     if (holds(left_out, Part::vehicle_shadows)) mask = MASK_VISIBLE;
-    const auto [root, box] = add_blas(out, first, 1, body_stack);
+    const auto [root, box] = add_blas(out, {first, out.triangles.size()}, 1, body_stack);
     out.traffic.bodies.push_back({box.lower, root, box.upper, mask});
   }
 }

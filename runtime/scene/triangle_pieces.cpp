@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <mutex>
+#include <span>
 #include <vector>
 
 #include "formats/parallel.h"
@@ -9,7 +11,9 @@
 namespace nightcity::scene {
 namespace {
 
-constexpr std::size_t chunk_size = 1 << 15;  // triangles; no pair crosses the end of a chunk
+// Pages of the file that triangles are read from are given back after so many chunks.
+constexpr std::size_t release_chunks = 64;
+constexpr std::size_t chunk_size = 1 << 12;  // triangles; no pair crosses the end of a chunk
 
 Bounds bounds_of(const gpu::Triangle& triangle) {
   const auto* bytes = reinterpret_cast<const std::byte*>(&triangle);
@@ -34,56 +38,44 @@ bool make_pair(const gpu::Triangle& a, const gpu::Triangle& b) {
   return both.half_area() <= box.half_area() + next.half_area();
 }
 
-struct Chunk {
-  std::size_t begin, end;  // triangles
-};
-
-// Notes for each triangle of a chunk whether it is the first of a pair, and returns the number of
-// pieces.
-std::size_t find_pairs(std::span<const gpu::Triangle> triangles, const Chunk& chunk,
-                       std::span<std::uint8_t> begins_pair) {
-  std::size_t pieces = 0;
-  for (std::size_t i = chunk.begin; i < chunk.end; ++i, ++pieces) {
-    const bool pair = i + 1 < chunk.end && make_pair(triangles[i], triangles[i + 1]);
-    begins_pair[i] = pair;
-    i += pair ? 1 : 0;
-  }
-  return pieces;
-}
-
-void write_pieces(std::span<const gpu::Triangle> triangles, const Chunk& chunk,
-                  std::span<const std::uint8_t> begins_pair, TrianglePiece* to) {
-  for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-    const auto first = static_cast<std::uint32_t>(i);
-    Bounds box = bounds_of(triangles[i]);
-    if (!begins_pair.empty() && begins_pair[i] != 0) {
-      box.grow(bounds_of(triangles[++i]));
-      *to++ = TrianglePiece(box, first, 2);
+// Appends the pieces of a chunk of triangles, whose numbers count from `number` on.
+void append_pieces(std::span<const gpu::Triangle> chunk, bool pairs, std::uint32_t number,
+                   std::vector<TrianglePiece>& pieces) {
+  for (std::size_t i = 0; i < chunk.size(); ++i, ++number) {
+    Bounds box = bounds_of(chunk[i]);
+    if (pairs && i + 1 < chunk.size() && make_pair(chunk[i], chunk[i + 1])) {
+      box.grow(bounds_of(chunk[++i]));
+      pieces.emplace_back(box, number++, 2);
     } else {
-      *to++ = TrianglePiece(box, first, 1);
+      pieces.emplace_back(box, number, 1);
     }
   }
 }
 
 }  // namespace
 
-LargeVector<TrianglePiece> make_pieces(std::span<const gpu::Triangle> triangles, bool pairs,
-                                       unsigned threads) {
-  const std::size_t chunks = (triangles.size() + chunk_size - 1) / chunk_size;
-  const auto chunk = [&](std::size_t i) {
-    return Chunk{i * chunk_size, std::min((i + 1) * chunk_size, triangles.size())};
-  };
-  // The first piece of each chunk: pieces are counted first, so that no memory is taken for more.
-  std::vector<std::size_t> from(chunks + 1);
-  LargeVector<std::uint8_t> begins_pair(pairs ? triangles.size() : 0);
+LargeVector<TrianglePiece> make_pieces(const TriangleList& triangles, std::size_t first,
+                                       std::size_t count, bool pairs, unsigned threads) {
+  const std::size_t chunks = (count + chunk_size - 1) / chunk_size;
+  LargeVector<TrianglePiece> pieces;
+  pieces.reserve(count);  // room that is not used takes no memory
+  std::mutex appending;
+  std::vector<std::vector<TrianglePiece>> waiting(chunks);
+  std::size_t next = 0;
   run_parallel(chunks, threads, [&](std::size_t i) {
-    const Chunk c = chunk(i);
-    from[i + 1] = pairs ? find_pairs(triangles, c, begins_pair) : c.end - c.begin;
-  });
-  for (std::size_t i = 0; i < chunks; ++i) from[i + 1] += from[i];
-  LargeVector<TrianglePiece> pieces(from[chunks]);
-  run_parallel(chunks, threads, [&](std::size_t i) {
-    write_pieces(triangles, chunk(i), begins_pair, pieces.data() + from[i]);
+    const std::size_t begin = i * chunk_size;
+    std::vector<gpu::Triangle> chunk(std::min(chunk_size, count - begin));
+    triangles.copy(first + begin, chunk);
+    if ((i + 1) % release_chunks == 0) triangles.release_pages();
+    std::vector<TrianglePiece> made;
+    made.reserve(chunk.size());
+    append_pieces(chunk, pairs, static_cast<std::uint32_t>(begin), made);
+    const std::lock_guard lock(appending);
+    waiting[i] = std::move(made);
+    for (; next < chunks && !waiting[next].empty(); ++next) {
+      pieces.insert(pieces.end(), waiting[next].begin(), waiting[next].end());
+      waiting[next] = {};
+    }
   });
   return pieces;
 }

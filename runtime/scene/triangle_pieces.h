@@ -4,10 +4,10 @@
 
 #include <bit>
 #include <cstdint>
-#include <span>
 
 #include "runtime/scene/bounds.h"
 #include "runtime/scene/large_vector.h"
+#include "runtime/scene/triangle_list.h"
 #include "shaders/bvh_types.h"
 
 namespace nightcity::scene {
@@ -32,10 +32,11 @@ class TrianglePiece {
   Int4 lower_, upper_;
 };
 
-/// Returns the pieces of `triangles`, in their order. With `pairs`, two triangles that follow each
+/// Returns the pieces of `count` triangles from `first` on, in their order; numbers count from
+/// `first` on. With `pairs`, two triangles that follow each
 /// other are one piece where they share an edge and their common box is no larger than both boxes
 /// together.
-LargeVector<TrianglePiece> make_pieces(std::span<const gpu::Triangle> triangles, bool pairs,
-                                       unsigned threads);
+LargeVector<TrianglePiece> make_pieces(const TriangleList& triangles, std::size_t first,
+                                       std::size_t count, bool pairs, unsigned threads);
 
 }  // namespace nightcity::scene

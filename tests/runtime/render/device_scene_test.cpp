@@ -180,7 +180,7 @@ TEST(DeviceScene, BeyondTheDevicesMemoryTheErrorSaysHowMuchIsNeededAndFree) {
   options.max_memory_bytes = 1 << 20;
   gpu::Device device(options);
   scene::RenderScene scene = two_lamps();
-  scene.triangles.resize(100'000, scene.triangles.front());
+  while (scene.triangles.size() < 100'000) scene.triangles.push_back(scene.triangles[0]);
   try {
     const render::DeviceScene on_device(device, scene, render::ReleaseGeometry{});
     FAIL() << "allocated";

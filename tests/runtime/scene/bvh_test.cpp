@@ -233,6 +233,14 @@ TEST(Bvh, KeepsWhatCastsShadowsApartAndSaysWhatIsBelow) {
 }
 
 // Triangles of all sizes, some of them twice, in a field of 1 km.
+// The triangles behind `before` others.
+TriangleList list_of(const std::vector<gpu::Triangle>& triangles, std::size_t before = 0) {
+  TriangleList list;
+  for (std::size_t i = 0; i < before; ++i) list.push_back({});
+  list.append(triangles);
+  return list;
+}
+
 std::vector<gpu::Triangle> random_triangles(std::size_t count, unsigned seed) {
   std::mt19937 random(seed);
   const auto uniform = [&](float a, float b) {
@@ -267,7 +275,7 @@ TEST(Bvh, TrianglesAndBoxesGiveTheSameBytesForAnyNumberOfThreads) {
   for (const unsigned threads : {1u, 2u, 3u, 8u}) {
     std::vector<std::uint32_t> order(triangles.size());
     LargeVector<gpu::BvhNode> nodes;
-    append_bvh(nodes, triangles, 0, 4, 46, threads, order);
+    append_bvh(nodes, list_of(triangles), 0, 4, 46, threads, order);
     Bvh bvh = build_bvh(boxes, 1, 46, {}, threads);
     if (threads == 1) {
       first_order = order;
@@ -294,7 +302,7 @@ TEST(Bvh, EveryTriangleIsInOneLeafInsideItsParents) {
       const auto triangles = random_triangles(count, unsigned(count));
       Bvh bvh;
       bvh.order.resize(count);
-      const BvhRoot root = append_bvh(bvh.nodes, triangles, 0, max_leaf, 46, 2, bvh.order);
+      const BvhRoot root = append_bvh(bvh.nodes, list_of(triangles), 0, max_leaf, 46, 2, bvh.order);
       bvh.root = root.node;
       bvh.stack_need = root.stack_need;
       EXPECT_LE(root.stack_need, 46u);
@@ -308,8 +316,8 @@ TEST(Bvh, CountsFromWhereItsTrianglesAndNodesLie) {
   const auto triangles = random_triangles(70'000, 8);
   LargeVector<gpu::BvhNode> nodes, later(1000);
   std::vector<std::uint32_t> order(triangles.size()), later_order(triangles.size());
-  const BvhRoot at_start = append_bvh(nodes, triangles, 0, 4, 46, 2, order),
-                moved = append_bvh(later, triangles, 500, 4, 46, 2, later_order);
+  const BvhRoot at_start = append_bvh(nodes, list_of(triangles), 0, 4, 46, 2, order),
+                moved = append_bvh(later, list_of(triangles, 500), 500, 4, 46, 2, later_order);
   EXPECT_EQ(moved.node, at_start.node + 1000);
   for (std::size_t i = 0; i < order.size(); ++i) ASSERT_EQ(later_order[i], order[i] + 500);
   ASSERT_EQ(later.size(), nodes.size() + 1000);
@@ -330,11 +338,11 @@ TEST(Bvh, HalvesOfAQuadStayTogether) {
     triangles.push_back({a, 0, b, 0, c, 0});
     triangles.push_back({a, 0, c, 0, d, 0});
   }
-  EXPECT_EQ(make_pieces(triangles, true, 3).size(), 5000u);
-  EXPECT_EQ(make_pieces(triangles, false, 3).size(), 10'000u);
+  EXPECT_EQ(make_pieces(list_of(triangles), 0, triangles.size(), true, 3).size(), 5000u);
+  EXPECT_EQ(make_pieces(list_of(triangles), 0, triangles.size(), false, 3).size(), 10'000u);
   LargeVector<gpu::BvhNode> nodes;
   std::vector<std::uint32_t> order(triangles.size());
-  append_bvh(nodes, triangles, 0, 4, 46, 2, order);
+  append_bvh(nodes, list_of(triangles), 0, 4, 46, 2, order);
   for (std::size_t i = 0; i < order.size(); i += 2) {
     EXPECT_EQ(order[i] % 2, 0u);
     EXPECT_EQ(order[i + 1], order[i] + 1);
@@ -348,7 +356,7 @@ TEST(Bvh, TrianglesInAShallowStack) {
   for (const std::uint32_t stack : {least, least + 1, least + 3}) {
     Bvh bvh;
     bvh.order.resize(triangles.size());
-    const BvhRoot root = append_bvh(bvh.nodes, triangles, 0, 4, stack, 1, bvh.order);
+    const BvhRoot root = append_bvh(bvh.nodes, list_of(triangles), 0, 4, stack, 1, bvh.order);
     EXPECT_LE(root.stack_need, stack);
     bvh.root = root.node;
     bvh.stack_need = root.stack_need;

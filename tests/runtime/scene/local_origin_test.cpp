@@ -80,7 +80,7 @@ TEST(LocalOrigin, KeepsMillimetresTenThousandKilometresAway) {
   move_to(far, place);
   const RenderScene scene = far.with({lamp({1e7f, 40, -1e7f}, 100)});
   const auto in_model = [&](const glm::vec3& p) { return glm::dvec3(p) + scene.origin; };
-  EXPECT_LT(glm::distance(in_model(scene.triangles.at(0).v0), place + glm::dvec3(-1.5, 0, -1.5)),
+  EXPECT_LT(glm::distance(in_model(scene.triangles[0].v0), place + glm::dvec3(-1.5, 0, -1.5)),
             1e-4);
   EXPECT_LT(glm::distance(in_model(scene.lights.at(0).position), glm::dvec3(1e7, 40, -1e7)), 1e-4);
   EXPECT_LT(glm::distance(scene.georeference.from_model(glm::dvec3(scene.lights.at(0).position)),

@@ -31,7 +31,7 @@ struct City {
   std::vector<PlacedMesh> placed;
   MeshSource source() const {
     MeshSource source;
-    source.read = [this](std::uint32_t mesh) {
+    source.read = [this](std::uint32_t mesh, MappedMesh*) {
       return std::make_shared<const SceneMesh>(meshes.at(mesh));
     };
     source.in_parallel = true;
@@ -52,13 +52,15 @@ City make_city() {
 
 TEST(MeshTriangles, AreThoseOfTheMeshesOneAfterTheOther) {
   const City city = make_city();
-  LargeVector<gpu::Triangle> one_by_one(3), together(3);
+  TriangleList one_by_one;
+  for (int i = 0; i < 3; ++i) one_by_one.push_back({});
   std::size_t flat = 0;
   for (const PlacedMesh& placed : city.placed)
     flat += append_mesh(city.meshes[placed.mesh], placed.to_scene, {}, one_by_one);
   EXPECT_GT(flat, 0u);
   for (const unsigned threads : {1u, 2u, 5u}) {
-    together.resize(3);
+    TriangleList together;
+    for (int i = 0; i < 3; ++i) together.push_back({});
     EXPECT_EQ(append_meshes(city.placed, city.source(), {}, threads, together), flat);
     ASSERT_EQ(together.size(), one_by_one.size());
     for (std::size_t i = 3; i < together.size(); ++i) {
@@ -73,7 +75,7 @@ TEST(MeshTriangles, AreThoseOfTheMeshesOneAfterTheOther) {
 TEST(MeshTriangles, MayBeMoreThanWasSaid) {
   const City city = make_city();
   MeshSource source = city.source();
-  LargeVector<gpu::Triangle> right, wrong;
+  TriangleList right, wrong;
   const std::size_t flat = append_meshes(city.placed, source, {}, 2, right);
   source.triangles[5] = 0;
   source.triangles[39] = 3;
@@ -89,7 +91,7 @@ TEST(MeshTriangles, AreRefusedWhereASceneCannotHaveAsMany) {
   const City city = make_city();
   MeshSource source = city.source();
   source.triangles[0] = std::size_t{1} << 30;
-  LargeVector<gpu::Triangle> out;
+  TriangleList out;
   EXPECT_THROW(append_meshes(city.placed, source, {}, 1, out), Error);
 }
 

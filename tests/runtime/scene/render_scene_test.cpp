@@ -6,6 +6,8 @@
 
 #include "formats/error.h"
 #include "formats/light_file_writer.h"
+#include "formats/scene_reader.h"
+#include "formats/scene_samples.h"
 #include "formats/scene_writer.h"
 #include "support/scenes.h"
 #include "support/temp_folder.h"
@@ -58,6 +60,46 @@ TEST(LoadRenderScene, RefusesALightFileWithAWrongByte) {
   bytes[64 + 46] = '\x47';  // the first light's flux
   write_text(folder / "a.lights", bytes);
   EXPECT_NE(message_of(folder / "a.glb").find("checksum"), std::string::npos);
+}
+
+// Triangles that are read in place and those that are not: of instances, moved and turned, and with
+// one without area among them.
+TEST(LoadRenderScene, GivesTheTrianglesThatReadSceneHas) {
+  const TempFolder folder;
+  SceneWriter writer(folder / "a.glb", {});
+  writer.add_material({.name = "road"});
+  writer.add_material({.name = "wall"});
+  ScenePrimitive flat = field(40, 1);
+  for (std::size_t k = 0; k < 3; ++k) flat.indices[30 + k] = 5;
+  SceneInstance moved, turned;
+  moved.to_model[3] = {1000.25f, 3, -2, 1};
+  turned.to_model[0] = {0, 0, -2, 0};
+  turned.to_model[2] = {2, 0, 0, 0};
+  writer.add_node({"a", "road", writer.add_mesh({"a", {field(300), field(7, 1)}}), true, {moved}});
+  writer.add_node({"b", "road", writer.add_mesh({"b", {flat, field(9)}}), false, {turned}});
+  writer.add_node({"c", "lamp", writer.add_mesh({"c", {square(2)}}), true, {moved, turned}});
+  writer.finish({});
+
+  const scene::RenderScene loaded = scene::load_render_scene(folder / "a.glb"),
+                           made = scene::make_render_scene(read_scene(folder / "a.glb"), {});
+  EXPECT_EQ(loaded.dropped_triangles, 1u);
+  EXPECT_EQ(made.dropped_triangles, 1u);
+  ASSERT_EQ(loaded.triangles.size(), 2 * (300 + 7 + 40 + 9 + 1) - 1u);
+  ASSERT_EQ(loaded.triangles.size(), made.triangles.size());
+  for (std::size_t i = 0; i < made.triangles.size(); ++i) {
+    const gpu::Triangle a = loaded.triangles[i], b = made.triangles[i];
+    ASSERT_EQ(std::memcmp(&a, &b, sizeof a), 0) << i;
+  }
+  ASSERT_EQ(loaded.nodes.size(), made.nodes.size());
+  EXPECT_EQ(std::memcmp(loaded.nodes.data(), made.nodes.data(),
+                        loaded.nodes.size() * sizeof loaded.nodes[0]),
+            0);
+  EXPECT_EQ(loaded.triangle_order, made.triangle_order);
+  // Pages that were given back are read again, and a copy holds the file as well.
+  const scene::RenderScene copy = loaded;
+  copy.triangles.release_pages();
+  std::filesystem::remove(folder / "a.glb");
+  EXPECT_EQ(copy.triangles[5].v1, made.triangles[5].v1);
 }
 
 bool says(const std::vector<std::string>& sentences, const std::string& words) {

@@ -107,7 +107,7 @@ TEST(LightAtAPoint, IsWhatTheReferenceRenders) {
 
 TEST(Picking, TellsObjectPlaceLightAndSources) {
   scene::RenderScene scene = test::SceneBuilder().ground(50).with({test::lamp({0, 8, 0}, 5000)});
-  for (gpu::Triangle& triangle : scene.triangles) triangle.feature = 0;
+  for (gpu::Triangle& triangle : scene.triangles.stored()) triangle.feature = 0;
   SceneFeature building{"DEB_1234", "Building", "1000", 12.5, 4};
   scene.features = {building};
   LightProvenance provenance;

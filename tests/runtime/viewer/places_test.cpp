@@ -21,7 +21,7 @@ scene::RenderScene make_scene() {
   scene.features = {{"DEBE_01", "Building", "", {}, {}},
                     {"DEBE_02", "Road", "", {}, {}},
                     {"gate", "Building", "", {}, {}}};
-  for (gpu::Triangle& triangle : scene.triangles)
+  for (gpu::Triangle& triangle : scene.triangles.stored())
     triangle.feature = triangle.v0.y + triangle.v1.y + triangle.v2.y > 1 ? 2 : 1;
   return scene;
 }

@@ -1,0 +1,131 @@
+// The triangles of a scene. Most need no memory of their own, because they are read from the mapped
+// scene file when they are asked for.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <iterator>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "formats/mapped_primitive.h"
+#include "formats/scene_bytes.h"
+#include "runtime/scene/large_vector.h"
+#include "shaders/bvh_types.h"
+
+namespace nightcity::scene {
+
+class TriangleList {
+ public:
+  class Iterator;
+
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  /// `i` < size().
+  gpu::Triangle operator[](std::size_t i) const {
+    if (blocks_.empty()) return stored_[i];
+    std::size_t block = block_at_[i / indexed];
+    while (i >= blocks_[block].end) ++block;
+    const Block& at = blocks_[block];
+    return at.is_mapped ? at.make(i - at.first) : stored_[at.stored + i - at.first];
+  }
+  Iterator begin() const;
+  Iterator end() const;
+  /// Copies the triangles from `first` on.
+  void copy(std::size_t first, std::span<gpu::Triangle> to) const;
+
+  /// Makes room for so many triangles that are stored. Room that is not used takes no memory.
+  void reserve(std::size_t count) { stored_.reserve(count); }
+  void push_back(const gpu::Triangle& triangle) { append(std::span(&triangle, 1)); }
+  void append(std::span<const gpu::Triangle> triangles);
+  /// Appends the triangles of a primitive, which lie in files that keep() is given.
+  /// `to_scene` leads from its frame to that of the scene.
+  void append(const MappedPrimitive& primitive, const glm::dmat4& to_scene);
+
+  /// Holds the files that mapped primitives lie in as long as the list or a copy of it lives.
+  void keep(std::shared_ptr<const SceneBytes> files) { files_ = std::move(files); }
+  /// Gives the memory of these files' pages back to the system, as far as they were read.
+  void release_pages() const {
+    if (files_) files_->release_pages();
+  }
+
+  /// Returns those that are stored, to be changed: all, where nothing was read from a file.
+  std::span<gpu::Triangle> stored() { return stored_; }
+  /// Returns whether `is` holds for the material of a triangle.
+  template <class Is>
+  bool any_material(Is is) const {
+    return std::any_of(blocks_.begin(), blocks_.end(),
+                       [&](const Block& b) { return b.is_mapped && is(b.mapped.material); }) ||
+           std::any_of(stored_.begin(), stored_.end(),
+                       [&](const gpu::Triangle& triangle) { return is(triangle.material); });
+  }
+
+ private:
+  // Consecutive triangles, from `first` to before `end`.
+  struct Block {
+    std::size_t first, end;
+    bool is_mapped;
+    bool is_moved;       // by a translation alone
+    std::size_t stored;  // the first one's place, where they are stored
+    MappedPrimitive mapped;
+    glm::dmat4 to_scene;
+
+    // Returns triangle `i` of a mapped block.
+    gpu::Triangle make(std::size_t i) const {
+      const std::array<std::uint32_t, 3> corners = mapped.corners(i);
+      const std::uint32_t first = corners[0];
+      return {place(first),          mapped.material,   place(corners[1]),
+              mapped.feature(first), place(corners[2]), mapped.light(first)};
+    }
+    glm::vec3 place(std::uint32_t vertex) const {
+      const glm::dvec3 p(mapped.position(vertex));
+      return is_moved ? glm::vec3(p + glm::dvec3(to_scene[3]))
+                      : glm::vec3(to_scene * glm::dvec4(p, 1));
+    }
+  };
+  static constexpr std::size_t indexed = 256;  // triangles for each entry of block_at_
+
+  LargeVector<gpu::Triangle> stored_;
+  std::vector<Block> blocks_;            // none: all are stored
+  std::vector<std::uint32_t> block_at_;  // of triangle i * indexed
+  std::size_t size_ = 0;
+  std::shared_ptr<const SceneBytes> files_;
+};
+
+class TriangleList::Iterator {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = gpu::Triangle;
+  using difference_type = std::ptrdiff_t;
+  using pointer = void;
+  using reference = gpu::Triangle;
+
+  Iterator(const TriangleList& list, std::size_t at) : list_(&list), at_(at) {}
+  gpu::Triangle operator*() const { return (*list_)[at_]; }
+  Iterator& operator++() {
+    ++at_;
+    return *this;
+  }
+  Iterator operator++(int) { return {*list_, at_++}; }
+  friend bool operator==(const Iterator& a, const Iterator& b) { return a.at_ == b.at_; }
+
+ private:
+  const TriangleList* list_;
+  std::size_t at_;
+};
+
+inline TriangleList::Iterator TriangleList::begin() const {
+  return {*this, 0};
+}
+inline TriangleList::Iterator TriangleList::end() const {
+  return {*this, size_};
+}
+
+}  // namespace nightcity::scene
