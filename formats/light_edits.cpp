@@ -3,7 +3,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -12,7 +11,7 @@
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
-#include "formats/input_file.h"
+#include "formats/small_file.h"
 
 namespace nightcity {
 namespace {
@@ -20,7 +19,7 @@ namespace {
 using nlohmann::json;
 
 constexpr int version = 1;
-constexpr std::uintmax_t max_bytes = std::uintmax_t{1} << 30;
+constexpr std::size_t max_bytes = std::size_t{1} << 30;
 
 std::string text_of(std::uint32_t id) {
   char text[9];
@@ -73,13 +72,7 @@ LightEdit read_edit(const json& light, const std::string& place) {
 }  // namespace
 
 LightEdits read_light_edits(const std::filesystem::path& file) {
-  refuse_special_file(file);
-  std::ifstream in(file, std::ios::binary);
-  std::error_code ignored;
-  if (!in) throw Error(file.string(), "cannot be read");
-  if (std::filesystem::file_size(file, ignored) > max_bytes)
-    throw Error(file.string(), "is too large for edits of lights");
-  const json document = json::parse(in, nullptr, false);
+  const json document = json::parse(read_small_file(file, max_bytes), nullptr, false);
   if (!document.is_object() || !document.contains("lights") || !document["lights"].is_array())
     throw Error(file.string(), "holds no edits of lights: {\"version\": 1, \"lights\": [...]}");
   if (document.value("version", json(version)) != json(version))

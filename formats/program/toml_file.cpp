@@ -1,16 +1,14 @@
 #include "formats/program/toml_file.h"
 
 #include "formats/error.h"
-#include "formats/mapped_file.h"
 #include "formats/program/nearest_word.h"
 #include "formats/program/toml_depth.h"
+#include "formats/small_file.h"
 
 namespace nightcity::program {
 
 toml::table read_toml(const std::filesystem::path& path) {
-  const MappedFile mapped(path);
-  const std::string_view text(reinterpret_cast<const char*>(mapped.bytes().data()),
-                              mapped.bytes().size());
+  const std::string text = read_small_file(path);
   constexpr std::size_t max_key_parts = 32;
   if (const auto line = find_deep_key(text, max_key_parts))
     throw Error(path.string(), *line,

@@ -4,26 +4,22 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
-#include "formats/input_file.h"
 #include "formats/program/output.h"
 #include "formats/program/print_json.h"
+#include "formats/small_file.h"
 #include "runtime/experiments/sweep_points.h"
 
 namespace nightcity::experiments {
 namespace {
 
 std::string first_line(const std::filesystem::path& path) {
-  std::string line;
-  refuse_special_file(path);
-  std::ifstream file(path);
-  std::getline(file, line);
-  return line;
+  const std::string text = read_small_file(path);
+  return text.substr(0, text.find('\n'));
 }
 
 // Returns the milliseconds and the relative MSE of a row.
@@ -44,7 +40,8 @@ SweepTable::SweepTable(std::filesystem::path folder, const std::string& fingerpr
     restarted_ = true;
     std::filesystem::remove(csv);
     for (const auto& entry : std::filesystem::directory_iterator(folder_))
-      if (entry.path().filename().string().starts_with("reference-"))
+      if (entry.path().filename().string().starts_with("reference-") &&
+          entry.path().extension() == ".exr")
         std::filesystem::remove(entry.path());
   }
   AtomicFile file(mark);

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <iterator>
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
-#include "formats/input_file.h"
+#include "formats/small_file.h"
 
 namespace nightcity::measure {
 namespace {
@@ -85,11 +84,7 @@ void write_csv(const std::filesystem::path& path, const Table& table) {
 }
 
 Table read_csv(const std::filesystem::path& path) {
-  refuse_special_file(path);
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw Error(path.string(), "cannot be read");
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  auto rows = parse_csv(path, text);
+  auto rows = parse_csv(path, read_small_file(path));
   if (rows.empty()) throw Error(path.string(), "has no header");
   Table table{rows.front(),
               {std::make_move_iterator(rows.begin() + 1), std::make_move_iterator(rows.end())}};

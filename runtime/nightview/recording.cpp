@@ -6,14 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
 #include "formats/night.h"
+#include "formats/small_file.h"
 #include "runtime/measure/exposure.h"
 #include "runtime/measure/exr.h"
 #include "runtime/measure/png.h"
@@ -69,9 +68,9 @@ struct Metered {
 // Returns what an earlier run of the same recording metered. Throws Error where the folder holds
 // another one.
 Metered find_earlier(const fs::path& file, const nlohmann::json& wanted) {
-  std::ifstream in(file);
-  if (!in) return {};
-  const auto found = nlohmann::json::parse(in, nullptr, false);
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return {};
+  const auto found = nlohmann::json::parse(read_small_file(file), nullptr, false);
   if (!found.is_object() || !found.contains("recording") || found["recording"] != wanted)
     throw Error(file.string(),
                 "this folder holds another recording, or one with other options: remove it, or "

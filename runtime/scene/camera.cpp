@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
-#include "formats/input_file.h"
+#include "formats/small_file.h"
 #include "runtime/scene/lit_part.h"
 #include "runtime/scene/street_view.h"
 
@@ -51,14 +49,13 @@ glm::vec3 vector_of(const nlohmann::json& json, const char* key, const std::stri
 }
 
 CameraPose read_camera(const std::string& file, const glm::dvec3& origin) {
-  refuse_special_file(file);
-  std::ifstream in(file);
-  if (!in) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) {
     std::string names;
     for (const std::string& name : camera_presets()) names += (names.empty() ? "" : ", ") + name;
     throw Error(file, "no such camera file, and no preset of that name (" + names + ")");
   }
-  return parse_camera(std::string(std::istreambuf_iterator<char>(in), {}), file, origin);
+  return parse_camera(read_small_file(file), file, origin);
 }
 
 }  // namespace

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
-#include "formats/input_file.h"
+#include "formats/small_file.h"
 #include "runtime/scene/trace_ray.h"
 
 namespace nightcity::scene {
@@ -82,11 +81,11 @@ CameraPath find_path(const std::string& preset_or_file, const RenderScene& scene
 
 std::vector<CameraPose> read_poses(const std::filesystem::path& file, const glm::dvec3& origin) {
   const std::string name = file.string();
-  refuse_special_file(file);
-  std::ifstream stream(file);
-  if (!stream) throw Error(name, "is neither a path file nor one of orbit, dive, street");
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored))
+    throw Error(name, "is neither a path file nor one of orbit, dive, street");
   try {
-    const auto document = nlohmann::json::parse(stream);
+    const auto document = nlohmann::json::parse(read_small_file(file));
     std::vector<CameraPose> poses;
     for (const auto& entry : document.at("poses"))
       poses.push_back(parse_camera(entry.dump(), name, origin));

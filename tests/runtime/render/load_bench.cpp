@@ -1,5 +1,5 @@
-// A benchmark: prints how fast a scene is loaded and how much memory that takes, beside a plain read
-// of the same files.
+// A benchmark: prints how fast a scene is loaded and how much memory the process takes for it, above
+// what it had before, beside a plain read of the same files.
 //   load_bench SCENE.glb [RUNS] [DEVICE]
 // Each run loads the scene once. The figures are of the run in the middle, by time.
 #include <fmt/format.h>
@@ -53,16 +53,19 @@ double read_plainly(const std::filesystem::path& path) {
 void forget_peak() {
   std::ofstream("/proc/self/clear_refs") << 5;
 }
-double find_peak() {
+double find_memory(const std::string& key) {
   std::ifstream in("/proc/self/status");
   for (std::string line; std::getline(in, line);)
-    if (line.rfind("VmHWM:", 0) == 0) return 1024 * std::strtod(line.c_str() + 6, nullptr);
+    if (line.rfind(key, 0) == 0) return 1024 * std::strtod(line.c_str() + key.size(), nullptr);
   return 0;
+}
+double find_peak() {
+  return find_memory("VmHWM:");
 }
 
 struct Figures {
   double plain, load, load_cores, upload, upload_cores;  // s
-  double load_peak, peak, device;                        // bytes
+  double load_peak, peak, device;                        // bytes, above what was there before
   std::size_t triangles, lights;
 };
 
@@ -74,18 +77,19 @@ Figures run(const std::filesystem::path& glb, gpu::Device& device) {
   f.plain = plain.wall();
   malloc_trim(0);  // what an earlier run freed does not count
   forget_peak();
+  const double before = find_memory("VmRSS:");  // the driver's, for the most part
   Stopwatch loading;
   scene::RenderScene scene = scene::load_render_scene(glb);
   f.load = loading.wall();
   f.load_cores = loading.cores();
-  f.load_peak = find_peak();
+  f.load_peak = find_peak() - before;
   f.triangles = scene.triangles.size();
   f.lights = scene.lights.size();
   Stopwatch uploading;
   const render::DeviceScene on_device(device, scene, render::ReleaseGeometry{});
   f.upload = uploading.wall();
   f.upload_cores = uploading.cores();
-  f.peak = find_peak();
+  f.peak = find_peak() - before;
   f.device = double(on_device.bytes());
   return f;
 }
