@@ -1,9 +1,6 @@
 #include "runtime/gpu/buffer.h"
 
-#include <sys/mman.h>
-
 #include <algorithm>
-#include <cstdint>
 #include <cstring>
 #include <optional>
 #include <utility>
@@ -17,17 +14,6 @@ constexpr std::size_t staging_bytes = std::size_t{64} << 20;
 constexpr VkMemoryPropertyFlags device_local = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
 constexpr VkMemoryPropertyFlags host_access =
     VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-
-// Asks for huge pages where mapped memory is the system's own, as with a CPU driver: pages of 4 kB
-// take longer to get than to fill, and rays that jump about in them miss the table of addresses.
-// The memory of other devices takes no such advice, and that is no error.
-void advise_huge_pages(void* memory, std::size_t bytes) {
-  constexpr std::uintptr_t huge_page = std::uintptr_t{2} << 20;
-  const auto begin = reinterpret_cast<std::uintptr_t>(memory);
-  const std::uintptr_t first = (begin + huge_page - 1) / huge_page * huge_page,
-                       end = (begin + bytes) / huge_page * huge_page;
-  if (first < end) ::madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
-}
 }  // namespace
 
 Buffer::Buffer(Device& device, std::size_t bytes, Memory memory) : device_(&device), bytes_(bytes) {
@@ -127,7 +113,6 @@ void Buffer::upload_first(const void* data, std::size_t bytes, std::size_t offse
   if (mapped_ || !device_->has(memory_type_, host_access)) return upload(data, bytes, offset);
   void* target = nullptr;
   VK_CHECK(vkMapMemory(device_->handle(), memory_, offset, bytes, 0, &target));
-  advise_huge_pages(target, bytes);
   std::memcpy(target, data, bytes);
   vkUnmapMemory(device_->handle(), memory_);
 }
@@ -142,7 +127,6 @@ void Buffer::make_pieces(std::size_t count, std::size_t record_bytes, const Make
     target = staging.emplace(*device_, std::min(count, most) * record_bytes, Memory::host).mapped();
   else if (!mapped_)
     VK_CHECK(vkMapMemory(device_->handle(), memory_, 0, VK_WHOLE_SIZE, 0, &target));
-  if (mapped && !mapped_) advise_huge_pages(target, count * record_bytes);
   for (std::size_t first = 0; first < count; first += most) {
     const std::size_t size = std::min(most, count - first);
     make(staging ? target : static_cast<char*>(target) + first * record_bytes, first, size);
