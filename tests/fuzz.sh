@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs every fuzzer for a while, then tests with sanitizers: tests/fuzz.sh [ci | SECONDS [FUZZER...]]
-# SECONDS: for each fuzzer (60), as many at once as there are cores. FUZZER: citygml, cityjson, glb, lights, osm, picture,
+# SECONDS: for each fuzzer (60), as many at once as there are cores. FUZZER: citygml, cityjson, glb, lights, obj, osm, picture,
 # recipe or triangulation (all, and then all tests). ci: a minute of each fuzzer, then the tests of the readers, which are
 # linked with what the fuzzers have built. That build takes some twenty minutes on two cores with an empty ccache.
 # Needs clang. What a fuzzer finds lies in build/fuzz/found, and the script ends with 1; inputs that reach new code are kept
@@ -23,13 +23,14 @@ declare -A seeds=(
   [cityjson]=tests/tools/cityjson/corpus
   [glb]=tests/formats/corpus/glb
   [lights]=tests/formats/corpus/lights
+  [obj]=tests/tools/obj/corpus
   [osm]=tests/tools/osm/corpus
   [picture]=tests/formats/corpus/picture
   [recipe]=tests/tools/bake/corpus
   [triangulation]=tests/tools/streets/corpus
 )
 # The libraries that the fuzzers have built already.
-readers=(formats citygml cityjson osm mesh streets terrain)
+readers=(formats citygml cityjson obj osm mesh streets terrain)
 fuzzers=("$@")
 if [ ${#fuzzers[@]} -eq 0 ]; then mapfile -t fuzzers < <(printf '%s\n' "${!seeds[@]}" | sort); fi
 

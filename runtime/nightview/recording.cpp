@@ -1,8 +1,6 @@
 #include "runtime/nightview/recording.h"
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,14 +10,13 @@
 #include "formats/atomic_file.h"
 #include "formats/error.h"
 #include "formats/night.h"
+#include "formats/program/child_program.h"
 #include "formats/small_file.h"
 #include "runtime/measure/exposure.h"
 #include "runtime/measure/exr.h"
 #include "runtime/measure/png.h"
 #include "runtime/render/parse.h"
 #include "runtime/render/setting_table.h"
-
-extern char** environ;
 
 namespace nightcity::nightview {
 namespace {
@@ -159,43 +156,46 @@ std::uint32_t record(const RecordingOptions& options, render::Renderer& renderer
   return rendered;
 }
 
+namespace {
+
+// Returns ffmpeg's name for the pictures of a folder: a pattern, in which a percent sign stands for
+// a number and two for one. Absolute, because ffmpeg takes "a:b" for a protocol.
+std::string pattern_of_pictures(const fs::path& folder) {
+  std::string text;
+  for (const char c : fs::absolute(folder).string()) text.append(c == '%' ? 2 : 1, c);
+  return text + "/frame-%05d.png";
+}
+
+}  // namespace
+
 bool make_film(const RecordingOptions& options, const fs::path& film) {
   // ffmpeg writes under another name first, so that the film's name never holds half of one.
   AtomicPath target(film);
-  const std::string rate = fmt::format("{}", options.pictures_per_s),
-                    pictures = (options.folder / "frame-%05d.png").string(),
-                    scratch = target.scratch().string();
+  const std::string rate = fmt::format("{}", options.pictures_per_s);
   // Sides of H.264 in 4:2:0 are even.
-  const std::vector<std::string> words{"ffmpeg",
-                                       "-y",
-                                       "-loglevel",
-                                       "error",
-                                       "-nostdin",
-                                       "-framerate",
-                                       rate,
-                                       "-i",
-                                       pictures,
-                                       "-vf",
-                                       "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-                                       "-c:v",
-                                       "libx264",
-                                       "-pix_fmt",
-                                       "yuv420p",
-                                       "-crf",
-                                       "16",
-                                       "-f",
-                                       "mp4",
-                                       scratch};
-  std::vector<char*> arguments;
-  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  pid_t child = 0;
-  const int failed = ::posix_spawnp(&child, "ffmpeg", nullptr, nullptr, arguments.data(), environ);
-  if (failed == ENOENT) return false;
-  int status = 0;
-  if (failed != 0 || ::waitpid(child, &status, 0) != child) throw Error("ffmpeg", "cannot be run");
-  if (status == 127 << 8) return false;
-  if (status != 0)
+  const auto ended = program::run_child({"ffmpeg",
+                                         "-y",
+                                         "-loglevel",
+                                         "error",
+                                         "-nostdin",
+                                         "-framerate",
+                                         rate,
+                                         "-i",
+                                         pattern_of_pictures(options.folder),
+                                         "-vf",
+                                         "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                                         "-c:v",
+                                         "libx264",
+                                         "-pix_fmt",
+                                         "yuv420p",
+                                         "-crf",
+                                         "16",
+                                         "-f",
+                                         "mp4",
+                                         fs::absolute(target.scratch()).string()},
+                                        false);
+  if (!ended) return false;
+  if (ended->status != 0)
     throw Error(film.string(), "ffmpeg failed, and said why above; the pictures are there");
   target.commit();
   return true;

@@ -118,7 +118,7 @@ std::map<std::string, nlohmann::json> measure_pictures(const PriceArguments& arg
   for (std::size_t i = 1; i < bakes.size(); ++i)
     words.insert(words.end(), {"--against", bakes[i].scene.string()});
   for (const std::string& word : split(arguments.pictures, ' ')) words.push_back(word);
-  const auto json = run_nightview(program, words, fs::path(arguments.folder) / ".price.json.part");
+  const auto json = run_nightview(program, words);
   if (!json) {
     if (!arguments.nightview.empty())
       throw UsageError("--nightview", "'" + arguments.nightview + "' is no program");

@@ -14,10 +14,8 @@ namespace nightcity::nightbake {
 std::filesystem::path find_nightview();
 
 /// Runs a command that prints JSON, and returns that; nothing where there is no such program. Its
-/// messages go to stderr. `scratch`: a file for its output, which is removed. Throws Error where
-/// the command fails or prints no JSON.
+/// messages go to stderr. Throws Error where the command fails or prints no JSON.
 std::optional<nlohmann::json> run_nightview(const std::filesystem::path& program,
-                                            const std::vector<std::string>& arguments,
-                                            const std::filesystem::path& scratch);
+                                            const std::vector<std::string>& arguments);
 
 }  // namespace nightcity::nightbake
