@@ -30,6 +30,20 @@ bool is_file_of_poses(const std::string& word) {
   }
 }
 
+// Returns that of model space: a scene's own is of the frame that it is rendered in.
+Georeference find_georeference(const scene::RenderScene& scene) {
+  Georeference georeference = scene.georeference;
+  georeference.origin = georeference.from_model(-scene.origin);
+  return georeference;
+}
+
+// Returns where a model is looked at from.
+scene::CameraPose pose_in(const Model& model, const View& view) {
+  scene::CameraPose pose = view.pose;
+  pose.origin += model.shift;
+  return pose;
+}
+
 }  // namespace
 
 std::vector<View> find_views(const std::vector<std::string>& words,
@@ -54,6 +68,11 @@ ModelBench::ModelBench(const Options& options, program::ProgressDisplay& progres
     throw Error(device_.info().name, "has no clock that could time the passes");
 }
 
+void ModelBench::set_views(std::vector<View> views, const scene::RenderScene& scene) {
+  views_ = std::move(views);
+  georeference_ = find_georeference(scene);
+}
+
 Model ModelBench::load(const LoadWithout& read, const render::LeftOut& left_out,
                        render::RenderSettings settings) {
   Model model;
@@ -61,6 +80,8 @@ Model ModelBench::load(const LoadWithout& read, const render::LeftOut& left_out,
   left_out.apply(model.settings);
   const auto start = Clock::now();
   scene::RenderScene scene = read(left_out.of_scene());
+  if (scene.georeference.crs == georeference_.crs)
+    model.shift = find_georeference(scene).to_model(georeference_.origin);
   model.scene = std::make_unique<render::DeviceScene>(device_, scene, render::ReleaseGeometry{});
   // Builds the tables of the lights that shine.
   model.scene->set_time(settings.time_s, settings.environment.lights);
@@ -78,7 +99,7 @@ Pictures ModelBench::render(Model& model, const std::string& name) {
       render::RenderSettings settings = model.settings;
       settings.sampling.seed = ++last_seed_;
       for (std::uint32_t frame = 0; frame < options_.frames; ++frame)
-        model.renderer->render_frame(view.pose, settings);
+        model.renderer->render_frame(pose_in(model, view), settings);
       pictures.push_back(model.renderer->download(false));
       progress_.show({name, done_ * options_.runs + run + 1,
                       std::max(expected_, done_ + 1) * options_.runs, "pictures"});
@@ -93,7 +114,7 @@ std::vector<std::vector<bool>> ModelBench::find_seen(Model& model,
                                                      const std::vector<bool>& is_one) {
   std::vector<std::vector<bool>> views;
   for (const View& view : views_) {
-    model.renderer->render_frame(view.pose, model.settings);
+    model.renderer->render_frame(pose_in(model, view), model.settings);
     const std::size_t pixels = std::size_t{options_.width} * options_.height;
     const std::vector<float> lights = model.renderer->sample_mean(pixels).layer("light")->values;
     std::vector<bool>& seen = views.emplace_back();
@@ -124,15 +145,15 @@ Estimate ModelBench::time_difference(Model& whole, Model& other, std::vector<dou
   double sum = 0, squared_error = 0;
   for (const View& view : views_) {
     for (int i = 0; i < 2; ++i) {  // the second has a history
-      whole.renderer->render_frame(view.pose, whole.settings);
-      other.renderer->render_frame(view.pose, other.settings);
+      whole.renderer->render_frame(pose_in(whole, view), whole.settings);
+      other.renderer->render_frame(pose_in(other, view), other.settings);
     }
-    wake(device_, [&] { other.renderer->render_frame(view.pose, other.settings); });
+    wake(device_, [&] { other.renderer->render_frame(pose_in(other, view), other.settings); });
     std::vector<double> differences;
     for (std::uint32_t i = 0; i < options_.timed; ++i) {
-      whole.renderer->render_frame(view.pose, whole.settings);
+      whole.renderer->render_frame(pose_in(whole, view), whole.settings);
       whole_ms.push_back(sum_gpu_ms(*whole.renderer));
-      other.renderer->render_frame(view.pose, other.settings);
+      other.renderer->render_frame(pose_in(other, view), other.settings);
       differences.push_back(whole_ms.back() - sum_gpu_ms(*other.renderer));
     }
     const Estimate middle = find_median(differences);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "formats/georeference.h"
 #include "formats/program/progress_display.h"
 #include "runtime/gpu/device.h"
 #include "runtime/measure/model_difference.h"
@@ -26,7 +27,8 @@ struct Model {
   std::unique_ptr<render::DeviceScene> scene;
   std::unique_ptr<render::Renderer> renderer;
   render::RenderSettings settings;
-  double load_s = 0;  // from the files to the device
+  double load_s = 0;    // from the files to the device
+  glm::dvec3 shift{0};  // from the views' model space to its own, m: bakes choose their origins
 };
 
 /// A view of the scene, by name.
@@ -56,7 +58,9 @@ class ModelBench {
 
   std::string device_name() const { return device_.label(); }
   void check_validation() const { device_.check_validation(); }
-  void set_views(std::vector<View> views) { views_ = std::move(views); }
+  /// Sets the views of every model, which are in the model space of this scene. A model with another
+  /// origin in the same CRS is looked at from the same places.
+  void set_views(std::vector<View> views, const scene::RenderScene& scene);
   const std::vector<View>& views() const { return views_; }
   /// Tells the progress that so many models are to be rendered besides those that it knows of.
   void expect(std::size_t models) { expected_ += models * views_.size(); }
@@ -89,6 +93,7 @@ class ModelBench {
   gpu::Device device_;
   render::PassLibrary passes_;
   std::vector<View> views_;
+  Georeference georeference_;  // of the views
   std::uint32_t last_seed_ = 0;
   std::size_t done_ = 0, expected_ = 0;  // views of models
 };

@@ -74,7 +74,7 @@ class Pricing {
     progress_.show({"reading the scene", 0, 0, ""});
     {
       const scene::RenderScene scene = options_.load(options_.left_out.of_scene());
-      bench_.set_views(find_views(options_.views, scene));
+      bench_.set_views(find_views(options_.views, scene), scene);
       report_.triangles = scene.triangles.size();
       report_.lights = scene.lights.size();
       for (const Light& light : scene.lights)

@@ -121,9 +121,8 @@ void draw_governor(ViewerState& state, const FrameStats& stats) {
   ImGui::SliderFloat("budget", &state.budget_ms, 0, 1000,
                      state.budget_ms > 0 ? "%.1f ms a frame in motion" : "none", flags);
   if (ImGui::IsItemDeactivatedAfterEdit()) state.governor.budget_ms = double{state.budget_ms};
-  ImGui::SliderFloat(
-      "noise", &state.target_error, 0, 1,
-      state.target_error > 0 ? "%.3f is small enough" : "as little as there is time for", flags);
+  ImGui::SliderFloat("noise", &state.target_error, 0, 1,
+                     state.target_error > 0 ? "%.3f is small enough" : "none", flags);
   if (ImGui::IsItemDeactivatedAfterEdit()) state.governor.target_error = double{state.target_error};
   if (!stats.pace.empty()) ImGui::TextDisabled("%s", stats.pace.c_str());
 }

@@ -171,12 +171,24 @@ TEST(Price, OfAnotherBakeIsItsDifference) {
     return SceneBuilder().ground(20).with({lamp({0, 6, 0}, 2000)});
   });
   options.others.emplace_back("same", options.load);
+  // The same place, in a model space that begins 30 m west, 20 m south and 5 m lower.
+  options.others.emplace_back("moved", [](const scene::PartSet&) {
+    const glm::vec3 moved(30, 5, -20);
+    SceneBuilder builder;
+    builder.quad(moved + glm::vec3(-20, 0, -20), moved + glm::vec3(-20, 0, 20),
+                 moved + glm::vec3(20, 0, 20), moved + glm::vec3(20, 0, -20));
+    builder.scene().georeference.origin = {-30, -20, -5};
+    return builder.with({lamp(glm::vec3(0, 6, 0) + moved, 4000)});
+  });
   const PriceReport report = price(options);
-  ASSERT_EQ(report.rows.size(), 2u);
+  ASSERT_EQ(report.rows.size(), 3u);
   const measure::Estimate dim = row_of(report, "dim").views[0].relative_mean;
   EXPECT_NEAR(dim.value, -0.5, 10 * dim.error + 1e-6);
   const measure::Estimate same = row_of(report, "same").views[0].relative_mean;
   EXPECT_NEAR(same.value, 0, 10 * same.error + 1e-6);
+  const measure::ModelDifference& moved = row_of(report, "moved").views[0];
+  EXPECT_NEAR(moved.relative_mean.value, 0, 10 * moved.relative_mean.error + 1e-5);
+  EXPECT_NEAR(moved.relative_mse.value, 0, 10 * moved.relative_mse.error + 1e-5);
   EXPECT_TRUE(report.choice.trials.empty());
 }
 
