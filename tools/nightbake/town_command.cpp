@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -37,7 +38,8 @@ void add_town_command(CLI::App& app) {
   auto arguments = std::make_shared<TownArguments>();
   program::add_output_option(*command, arguments->folder, "Folder to write into")->required();
   command->add_option("--seed", arguments->town.seed, "Number that decides which town is made")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(program::count_from(0, std::numeric_limits<std::uint64_t>::max()));
   auto* size = command->add_option_group(
       "size", "Size of the town: at most one of these; the default is 56 blocks");
   size->add_option("--blocks", arguments->blocks, "Approximate number of blocks of houses")
@@ -52,7 +54,8 @@ void add_town_command(CLI::App& app) {
                    "Exact number of luminaires (default: as many as the streets need)")
       ->check(program::count_from(1, 100'000'000));
   command->add_option("--hills", arguments->town.hills_m, "Height from valley to hilltop, m")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(program::number_from(0, 500));
   command->footer("Example: nightbake town --blocks 20 --out town");
   command->callback([arguments] { run(*arguments); });
 }

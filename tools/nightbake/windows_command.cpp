@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "formats/error.h"
 #include "formats/light_file_writer.h"
+#include "formats/program/number_check.h"
 #include "formats/program/output.h"
 #include "formats/program/print_json.h"
 #include "tools/bake/bake_options.h"
@@ -64,13 +66,14 @@ void add_windows_command(CLI::App& app) {
       "windows", "Place windows on the walls of a city and print how many are lit at each hour");
   auto arguments = std::make_shared<WindowsArguments>();
   command
-      ->add_option(
-          "input", arguments->inputs,
-          "City files and folders, OSM files for the use of buildings, or a recipe (TOML)")
+      ->add_option("input", arguments->inputs,
+                   "City files and folders, OSM files for the use of buildings, or a recipe (TOML)")
       ->required();
   program::add_output_option(*command, arguments->out, "Light file to write (.lights)")->required();
-  auto* seed = command->add_option("--seed", arguments->seed,
-                                   "Decides who is at home (default: the recipe's, else 1)");
+  auto* seed = command
+                   ->add_option("--seed", arguments->seed,
+                                "Decides who is at home (default: the recipe's, else 1)")
+                   ->check(program::count_from(0, std::numeric_limits<std::uint64_t>::max()));
   command->add_flag("--json", arguments->json, "Print the report as JSON");
   command->footer("Example: nightbake windows city.gml -o windows.lights");
   command->callback([arguments, seed] {
