@@ -8,6 +8,7 @@
 #include "formats/error.h"
 #include "formats/foreign_file.h"
 #include "formats/gltf_constants.h"
+#include "formats/json_parse.h"
 
 namespace nightcity::gltf {
 namespace {
@@ -118,12 +119,7 @@ void Document::check_version() const {
 }
 
 void Document::read_json(std::span<const std::byte> bytes) {
-  const char* begin = reinterpret_cast<const char*>(bytes.data());
-  try {
-    root_ = Json::parse(begin, begin + bytes.size());
-  } catch (const Json::exception& error) {
-    throw Error(name_, error.what());
-  }
+  root_ = parse_json({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name_);
 }
 
 void Document::read_container(std::span<const std::byte> bytes) {

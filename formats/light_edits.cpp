@@ -11,6 +11,7 @@
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
+#include "formats/json_parse.h"
 #include "formats/small_file.h"
 
 namespace nightcity {
@@ -72,7 +73,7 @@ LightEdit read_edit(const json& light, const std::string& place) {
 }  // namespace
 
 LightEdits read_light_edits(const std::filesystem::path& file) {
-  const json document = json::parse(read_small_file(file, max_bytes), nullptr, false);
+  const json document = try_parse_json(read_small_file(file, max_bytes));
   if (!document.is_object() || !document.contains("lights") || !document["lights"].is_array())
     throw Error(file.string(), "holds no edits of lights: {\"version\": 1, \"lights\": [...]}");
   if (document.value("version", json(version)) != json(version))

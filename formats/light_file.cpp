@@ -8,6 +8,7 @@
 
 #include "formats/error.h"
 #include "formats/georeference_json.h"
+#include "formats/json_parse.h"
 #include "formats/light_check.h"
 #include "formats/light_file_layout.h"
 #include "formats/mapped_file.h"
@@ -186,7 +187,8 @@ void LightFile::Mapping::check_small_sections(std::span<const char> text) {
       throw Error(name, "profile " + std::to_string(i), *fault);
   if (text.size() > max_georeference_bytes) throw Error(name, "section GEOR", "is too long");
   try {
-    georeference = georeference_from_json(nlohmann::json::parse(text.begin(), text.end()));
+    georeference =
+        georeference_from_json(parse_json(std::string_view(text.data(), text.size()), ""));
   } catch (const nlohmann::json::exception& error) {
     throw Error(name, "section GEOR", error.what());
   } catch (const Error& error) {

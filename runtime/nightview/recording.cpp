@@ -9,6 +9,7 @@
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
+#include "formats/json_parse.h"
 #include "formats/night.h"
 #include "formats/program/child_program.h"
 #include "formats/small_file.h"
@@ -67,7 +68,7 @@ struct Metered {
 Metered find_earlier(const fs::path& file, const nlohmann::json& wanted) {
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return {};
-  const auto found = nlohmann::json::parse(read_small_file(file), nullptr, false);
+  const auto found = try_parse_json(read_small_file(file));
   if (!found.is_object() || !found.contains("recording") || found["recording"] != wanted)
     throw Error(file.string(),
                 "this folder holds another recording, or one with other options: remove it, or "

@@ -8,6 +8,7 @@
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
+#include "formats/json_parse.h"
 #include "formats/small_file.h"
 #include "runtime/scene/lit_part.h"
 #include "runtime/scene/street_view.h"
@@ -95,7 +96,7 @@ CameraPose relative_to(const glm::dvec3& origin, const CameraPose& pose) {
 CameraPose parse_camera(const std::string& text, const std::string& source,
                         const glm::dvec3& origin) {
   try {
-    const nlohmann::json json = nlohmann::json::parse(text);
+    const nlohmann::json json = parse_json(text, source);
     CameraPose pose;
     pose.origin = origin;
     pose.position = vector_of(json, "position", source, origin);

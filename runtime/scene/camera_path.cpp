@@ -7,6 +7,7 @@
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
+#include "formats/json_parse.h"
 #include "formats/small_file.h"
 #include "runtime/scene/trace_ray.h"
 
@@ -85,7 +86,7 @@ std::vector<CameraPose> read_poses(const std::filesystem::path& file, const glm:
   if (!std::filesystem::exists(file, ignored))
     throw Error(name, "is neither a path file nor one of orbit, dive, street");
   try {
-    const auto document = nlohmann::json::parse(read_small_file(file));
+    const auto document = parse_json(read_small_file(file), name);
     std::vector<CameraPose> poses;
     for (const auto& entry : document.at("poses"))
       poses.push_back(parse_camera(entry.dump(), name, origin));

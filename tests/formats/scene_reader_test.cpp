@@ -148,7 +148,7 @@ TEST(SceneReader, SurvivesNestingAndChainsOfAMillion) {
   const std::size_t deep = 1'000'000;
   test::write_text(folder / "deep.gltf", R"({"asset":{"version":"2.0"},"extras":)" +
                                              std::string(deep, '[') + std::string(deep, ']') + "}");
-  EXPECT_NO_THROW(read_scene(folder / "deep.gltf"));  // the reader ignores these members
+  EXPECT_THROW(read_scene(folder / "deep.gltf"), Error);  // though it would ignore these members
   test::write_text(folder / "open.gltf", R"({"asset":)" + std::string(deep, '['));
   EXPECT_THROW(read_scene(folder / "open.gltf"), Error);
 
@@ -217,6 +217,20 @@ TEST(SceneReader, SaysWhatAFileOfAnotherKindIs) {
   }
   EXPECT_THROW(read_scene(folder / "absent"), Error);
   EXPECT_THROW(read_scene(folder.path()), Error);
+}
+
+// Values copy themselves by recursion, which this would end by a signal.
+TEST(SceneReader, RefusesJsonWithoutBottom) {
+  const test::TempFolder folder;
+  const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');
+  test::write_text(folder / "a.gltf", R"({"asset": {"version": "2.0", "extras": {"nightcity": )" +
+                                          deep + R"(}}, "nodes": [{"extras": )" + deep + "}]}");
+  try {
+    read_scene(folder / "a.gltf");
+    FAIL() << "read";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("nests"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "formats/error.h"
 #include "formats/input_file.h"
+#include "formats/json_parse.h"
 #include "formats/median.h"
 #include "tools/elevation/http_post.h"
 
@@ -94,7 +95,7 @@ std::vector<std::optional<double>> read_answer(const HttpAnswer& answer, std::si
                                                const std::string& url) {
   if (answer.status != 200)
     throw Error(url, "answers with status " + std::to_string(answer.status));
-  const json document = json::parse(answer.body, nullptr, false);
+  const json document = try_parse_json(answer.body);
   if (document.is_discarded() || !document.is_object() || !document.contains("results") ||
       !document["results"].is_array())
     throw Error(url, "answers without a list of results");

@@ -1,6 +1,7 @@
 #include "tools/nightbake/run_nightview.h"
 
 #include "formats/error.h"
+#include "formats/json_parse.h"
 #include "formats/program/child_program.h"
 
 namespace nightcity::nightbake {
@@ -20,7 +21,7 @@ std::optional<nlohmann::json> run_nightview(const std::filesystem::path& program
   if (!ended) return {};
   if (ended->status != 0)
     throw Error(program.string(), "failed, and said why above; the bakes are there");
-  nlohmann::json result = nlohmann::json::parse(ended->output, nullptr, false);
+  nlohmann::json result = try_parse_json(ended->output);
   if (result.is_discarded()) throw Error(program.string(), "printed something that is no JSON");
   return result;
 }

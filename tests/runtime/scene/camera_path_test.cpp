@@ -71,5 +71,12 @@ TEST(CameraPath, AFileHoldsPosesAndABrokenOneIsRefused) {
     EXPECT_THROW(scene::find_path((folder / name).string(), scene), Error) << name;
 }
 
+TEST(CameraPath, IsRefusedWhereItsFileHasNoBottom) {
+  const TempFolder folder;
+  write_text(folder / "deep.json",
+             "{\"poses\": [" + std::string(200'000, '[') + std::string(200'000, ']') + "]}");
+  EXPECT_THROW(scene::read_poses(folder / "deep.json", glm::dvec3(0)), Error);
+}
+
 }  // namespace
 }  // namespace nightcity::test
