@@ -99,8 +99,8 @@ SampledLight sample_static_light(LightSampler p, float technique) {
   } else if (technique < p.near.share + p.far.share) {
     chosen.index = sample_cell(p.far, SCENE.far_grid);
   } else if (technique < p.near.share + p.far.share + p.uniform_share) {
-    chosen.index = random_below(SCENE.lit_count);
-    if (HAS_SCHEDULES != 0u) chosen.index = SCENE.lit_list.at[chosen.index];
+    // Also where no light has a schedule: one may have been switched off by hand.
+    chosen.index = SCENE.lit_list.at[random_below(SCENE.lit_count)];
   } else {
     chosen.index = random_below(SCENE.static_lights);
     const AliasEntry entry = SCENE.alias.at[chosen.index];

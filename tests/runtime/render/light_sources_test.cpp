@@ -232,6 +232,24 @@ UpwardFlux upward(const scene::RenderScene& scene, UpwardSettings settings = {})
   return measure_upward_flux(device, test::test_passes(), device_scene, settings);
 }
 
+// Lights that an edit switched off keep their places among the lights, without flux. Candidates that
+// are sampled uniformly must be those that shine.
+TEST(Edits, LampsThatAreSwitchedOffByHandTakeNoneOfTheOthersLight) {
+  std::vector<Light> lights(9, lamp({2, 6, 0}, 0));
+  lights.push_back(lamp({3, 6, 0}, 4000));
+  const scene::RenderScene some_off = SceneBuilder().ground(30).with(lights);
+  RenderSettings settings = reference();
+  const double truth = test::mean_luminance(render(some_off, down, settings, 16, 16, 1));
+  settings.sampling.near_share = settings.sampling.far_share = 0;
+  settings.sampling.uniform_share = 1;
+  for (const Estimator estimator : {Estimator::ris, Estimator::pairwise, Estimator::traced}) {
+    settings.sampling.estimator = estimator;
+    EXPECT_NEAR(test::mean_luminance(render(some_off, down, settings, 16, 16, 20)), truth,
+                0.001 * truth)
+        << name_of(estimator);
+  }
+}
+
 TEST(Upward, ABareLampSendsHalfUpAndTheGroundSendsItsAlbedoAfterIt) {
   // A ground of 400 times the lamp's height receives all but 1 / 400 of the downward light.
   const UpwardFlux flux = upward(SceneBuilder().ground(2000).with({lamp({0, 5, 0}, 1000)}));
