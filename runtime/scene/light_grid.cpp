@@ -175,7 +175,9 @@ class Search {
     while (!find_stronger(centre_x, centre_z) && count_ <= listed_)
       // As many lights more are found as the area grows, where they stand evenly.
       bar_ *= std::clamp(0.9f * float(count_) / float(listed_ + 1), 0.05f, 0.8f);
-    outside_ = unseen_;
+    // Also within the radius of the search, lights below the bar are not listed: there is no end to
+    // how much fainter than the strongest of its class a light may be.
+    outside_ = std::max(unseen_, bar_);
     if (count_ > listed_) {
       const auto last = found_.begin() + std::ptrdiff_t(listed_);
       std::nth_element(found_.begin(), last, found_.begin() + std::ptrdiff_t(count_),

@@ -60,12 +60,9 @@ TEST(AliasTable, WithoutAnyWeightItIsUniform) {
   EXPECT_TRUE(scene::build_alias_table({}).empty());
 }
 
-// The shader decides by the threshold whether a light is in a cell's list, and
-// must agree with the list.
-TEST(LightGrid, MembershipByThresholdIsMembershipInTheList) {
-  std::vector<Light> lights = random_lamps(700, 300, 9);
-  for (int i = 0; i < 200; ++i)
-    lights.push_back(lamp({float(i % 20) * 16, 6, float(i / 20) * 16}, 3000));  // many ties
+// The shader decides by the threshold whether a light is in a cell's list, and must agree with the
+// list: a light that it takes for listed, and that is not, gets too small a weight.
+void expect_membership_by_threshold(const std::vector<Light>& lights) {
   const scene::LightGrid grid = scene::build_light_grid(lights, scene::near_lists);
   ASSERT_EQ(grid.cells.size(), std::size_t{grid.shape.width} * grid.shape.depth);
   for (std::uint32_t z = 0; z < grid.shape.depth; ++z)
@@ -88,6 +85,20 @@ TEST(LightGrid, MembershipByThresholdIsMembershipInTheList) {
         }
       }
     }
+}
+
+TEST(LightGrid, MembershipByThresholdIsMembershipInTheList) {
+  std::vector<Light> lights = random_lamps(700, 300, 9);
+  for (int i = 0; i < 200; ++i)
+    lights.push_back(lamp({float(i % 20) * 16, 6, float(i / 20) * 16}, 3000));  // many ties
+  expect_membership_by_threshold(lights);
+}
+
+TEST(LightGrid, SoItIsAmongFewLightsOfManyFluxes) {
+  std::vector<Light> lights = random_lamps(60, 12, 2);
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    lights[i].flux_lm = std::pow(10.0f, float(i % 12) - 4);
+  expect_membership_by_threshold(lights);
 }
 
 TEST(LightGrid, ACellListsItsStrongestLights) {
