@@ -27,11 +27,20 @@ float likely_seen(AirRay ray, vec3 centre, float radius) {
   return dot(ray.normal, centre) - ray.offset < -radius - 0.5 ? HIDDEN_SHARE : 1.0;
 }
 
+// Returns the point of a light that uv in [0, 1)^2 stands for, and what it would send to a place in
+// the air if the air were clear. Air touches windows, where surfaces stay centimetres off: there a
+// rectangle is sampled by solid angle, which the passes of surfaces would pay for and not need.
+LightSample sample_from_air(Light light, vec2 uv, vec3 place) {
+  LightSample s;
+  if (kind_here(light) == LIGHT_RECTANGLE && sample_rectangle_angle(light, uv, place, s)) return s;
+  return sample_in_clear_air(light, uv, place);
+}
+
 // Returns the light that a light's point sends through the air at a distance along the ray to the
 // eye, without shadows: cd/m^2 per channel, m of the ray and unit of uv. `point` is that point.
 vec3 scattered(AirRay ray, Light light, vec2 uv, float distance, out vec3 point) {
   const vec3 place = ray.origin + ray.direction * distance;
-  const LightSample s = sample_in_clear_air(light, uv, place);
+  const LightSample s = sample_from_air(light, uv, place);
   point = s.point;
   return s.value * (phase(dot(ray.direction, s.direction)) * scattering_at(place) *
                     exp(-depth_of_air(point, place) - depth_of_air(place, ray.origin)));

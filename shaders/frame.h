@@ -143,7 +143,8 @@ struct Air {
   float level;       // height at which the extinction is given, model space, m
   float asymmetry;   // mean cosine of scattering angles
   float albedo;      // the share of the extinction that scatters
-  uint candidates;   // per pixel and frame
+  uint candidates;   // per sample
+  uint block;        // side of the blocks of pixels of which each frame samples one
 };
 
 #define MAX_GLARE_LEVELS 16

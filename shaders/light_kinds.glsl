@@ -91,9 +91,6 @@ bool sample_rectangle_angle(Light light, vec2 uv, vec3 receiver, out LightSample
 
 LightSample sample_rectangle(Light light, vec2 uv, vec3 receiver) {
   LightSample s;
-  if (AIR != AIR_CLEAR && FRAME.air.extinction > 0.0 &&
-      sample_rectangle_angle(light, uv, receiver, s))
-    return s;
   const vec3 second = cross(light.axis, light.tangent);
   s.point = light.position + light.tangent * (half_width(light) * (2.0 * uv.x - 1.0)) +
             second * (light.half_height * (2.0 * uv.y - 1.0));

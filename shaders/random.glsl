@@ -11,6 +11,7 @@ const uint STREAM_PAIRING = 6u;
 const uint STREAM_PATH = 7u;
 const uint STREAM_INDIRECT = 8u;
 const uint STREAM_AIR = 9u;
+const uint STREAM_AIR_BLOCK = 10u;  // of a block of pixels, the same in every frame
 const uint STREAM_UPWARD = 77u;  // of a light, not of a pixel
 
 uvec4 pcg4d(uvec4 v) {

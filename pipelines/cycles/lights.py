@@ -4,6 +4,9 @@ import struct
 from dataclasses import dataclass
 
 
+REFINEMENT = 16  # angles of a profile for Cycles for each of its own
+
+
 @dataclass
 class Light:
     position: tuple
@@ -16,6 +19,7 @@ class Light:
     kind: int  # 0 sphere, 1 rectangle
     profile: int  # or -1
     scheduled: bool
+    identity: int
 
 
 @dataclass
@@ -49,7 +53,7 @@ def read(path):
         f = struct.unpack_from("<3f f 3f f 3f f I I I I", data, offset + i * element)
         profile = f[13] >> 8
         lights.append(Light(f[0:3], f[3], f[4:7], f[7], f[8:11], f[11], _colour(f[12]), f[13] & 255,
-                            -1 if profile == 0xFFFFFF else profile, f[14] != 0xFFFFFFFF))
+                            -1 if profile == 0xFFFFFF else profile, f[14] != 0xFFFFFFFF, f[15]))
 
     profiles = []
     values_at = sections["PDAT"][1]
@@ -57,12 +61,44 @@ def read(path):
     for i in range(elements):
         planes, gammas, first, extent = struct.unpack_from("<IIIf", data, offset + i * element)
         values = struct.unpack_from(f"<{planes * gammas}f", data, values_at + 4 * first)
-        profiles.append(Profile(extent, [values[c * gammas:(c + 1) * gammas] for c in range(planes)]))
+        profiles.append(Profile(extent, [list(values[c * gammas:(c + 1) * gammas]) for c in range(planes)]))
     return lights, profiles
 
 
+def switch_off_far(lights, point, count, path):
+    """Writes edits (formats/SPEC.md, section 5) that leave only the `count` lights nearest to `point` on."""
+    def distance(light):
+        return sum((a - b) ** 2 for a, b in zip(light.position, point))
+
+    off = sorted(lights, key=distance)[count:]
+    with open(path, "w") as file:
+        json.dump({"version": 1, "lights": [{"id": f"{light.identity:08x}", "off": True} for light in off]}, file)
+
+
+def read_switched_off(path):
+    """Returns the identities of the lights that the edits at `path` switch off; none where there is no such file."""
+    try:
+        with open(path) as file:
+            return {int(light["id"], 16) for light in json.load(file)["lights"] if light.get("off")}
+    except FileNotFoundError:
+        return set()
+
+
+def _refined(values, wraps):
+    """Returns `values`, numbers or lists of them, with REFINEMENT - 1 more between each two, on the line between them."""
+    def between(a, b, share):
+        return [between(x, y, share) for x, y in zip(a, b)] if isinstance(a, list) else a + (b - a) * share
+
+    ends = values[1:] + values[:1] if wraps else values[1:]
+    refined = [between(a, b, i / REFINEMENT) for a, b in zip(values, ends) for i in range(REFINEMENT)]
+    return refined if wraps else refined + values[-1:]
+
+
 def as_ies(profile):
-    """Returns the profile as an IES LM-63-2002 text, in candela per 1000 lumens."""
+    """Returns the profile as an IES LM-63-2002 text, in candela per 1000 lumens. It has more angles than the profile: Cycles
+    draws cubic curves through them where a city.lights is bilinear."""
+    rows = _refined(profile.rows, True) if len(profile.rows) > 1 else profile.rows
+    profile = Profile(profile.extent_deg, [_refined(row, False) for row in rows])
     gammas = len(profile.rows[0])
     step = profile.extent_deg / (gammas - 1)
     angles = [g * step for g in range(gammas)]

@@ -1,5 +1,6 @@
 """Renders a baked scene with Cycles: blender --background --python render.py -- SCENE.glb CAMERA.json WIDTH HEIGHT
-THREADS BOUNCES OUT SAMPLES...  Writes OUT-SAMPLES.exr (pixels in cd/m2) and prints "cycles SAMPLES CPU-SECONDS" for each.
+THREADS BOUNCES OUT SAMPLES[:SEED]...  Writes OUT-SAMPLES.exr, or OUT-SAMPLES-SEED.exr, (pixels in cd/m2) and prints
+"cycles SAMPLES CPU-SECONDS" for each. Lights that SCENE.edits.json switches off are left out.
 """
 import json
 import os
@@ -90,14 +91,14 @@ def add_camera(path):
     bpy.context.scene.camera = camera
 
 
-def set_up(width, height, threads, bounces):
+def set_up(width, height, threads, bounces, filter_width=1.0):
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
     scene.cycles.device = "CPU"
     scene.render.threads_mode, scene.render.threads = "FIXED", threads
     scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = width, height, 100
     scene.render.use_persistent_data = True  # the BVH is built once, and not timed
-    scene.cycles.pixel_filter_type, scene.cycles.filter_width = "BOX", 1.0
+    scene.cycles.pixel_filter_type, scene.cycles.filter_width = "GAUSSIAN", 0.01
     scene.cycles.use_adaptive_sampling = scene.cycles.use_denoising = False
     scene.cycles.max_bounces = scene.cycles.diffuse_bounces = bounces  # as nightview counts them
     scene.cycles.sample_clamp_direct = scene.cycles.sample_clamp_indirect = 0
@@ -123,7 +124,10 @@ def main(glb, camera, width, height, threads, bounces, out, *samples):
     for i, profile in enumerate(profiles):
         texts.append(bpy.data.texts.new(f"profile {i}"))
         texts[-1].write(city_lights.as_ies(profile))
+    off = city_lights.read_switched_off(os.path.splitext(glb)[0] + ".edits.json")
     for light in lights:
+        if light.identity in off:
+            continue
         if light.kind != 0:
             raise SystemExit("this comparison is of lamps: bake the scene without lit windows")
         add_lamp(light, texts[light.profile] if light.profile >= 0 else None)
@@ -132,9 +136,10 @@ def main(glb, camera, width, height, threads, bounces, out, *samples):
     scene = bpy.context.scene
     scene.cycles.samples = 1
     bpy.ops.render.render()  # builds the BVH
-    for count in samples:
-        scene.cycles.samples = int(count)
-        scene.render.filepath = os.path.abspath(f"{out}-{count}.exr")
+    for sample in samples:
+        count, _, seed = sample.partition(":")
+        scene.cycles.samples, scene.cycles.seed = int(count), int(seed or 0)
+        scene.render.filepath = os.path.abspath(f"{out}-{sample.replace(':', '-')}.exr")
         start = time.process_time()
         bpy.ops.render.render(write_still=True)
         print(f"cycles {count} {time.process_time() - start:.3f}", flush=True)

@@ -10,7 +10,7 @@
 namespace nightcity::experiments {
 namespace {
 
-constexpr std::uint32_t reference_seed = 1000003;  // not a seed of the measured pictures
+constexpr std::uint32_t reference_seed = 1000003;  // added, so that no measured picture has it
 
 // Sets the means of the errors of repeats, and how sure they are.
 void set_errors(Measurement& result, const std::vector<measure::Comparison>& repeats) {
@@ -90,7 +90,7 @@ measure::Image Experiment::reference(const scene::CameraPose& pose, render::Rend
       return kept;
   }
   settings.sampling.estimator = render::Estimator::reference;
-  settings.sampling.seed = reference_seed;
+  settings.sampling.seed += reference_seed;
   settings.sampling.resolution_scale = 1;
   settings.averaging.accumulate = true;
   render::Renderer renderer = make_renderer();  // the measured one keeps its history

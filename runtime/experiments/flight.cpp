@@ -163,8 +163,11 @@ FlightReport fly(const FlightOptions& options, Experiment& experiment,
     const measure::Image picture =
         is_measured || options.pictures ? experiment.renderer().download(false) : measure::Image{};
     if (is_measured) {
+      // Each reference has noise of its own: else the frames' errors would not average out.
+      render::RenderSettings truth_settings = settings;
+      truth_settings.sampling.seed += i;
       const measure::Image truth =
-          experiment.reference(pose, settings, options.reference_frames, {});
+          experiment.reference(pose, truth_settings, options.reference_frames, {});
       add_errors(measure::compare(picture, truth), row, report);
     }
     row.resize(table.columns.size());

@@ -294,6 +294,8 @@ void add_render_command(CLI::App& app) {
       "  nightview render city.glb -o quick.png --preset fast --settings cheap.toml\n"
       "  nightview render city.glb -o a.exr -o a.png --candidates 8 --neighbours 2 --ev 2.5");
   command->options.settings.indirect.bounces = render::picture_bounces;
+  command->options.settings.air.candidates = render::picture_air_candidates;
+  command->options.settings.air.block = render::picture_air_block;
   command->options.declare(*sub);
   program::add_output_option(
       *sub, command->outputs,

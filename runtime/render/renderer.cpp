@@ -364,6 +364,7 @@ void Renderer::fill_air(gpu::Frame& frame, const RenderSettings& settings) {
   air.asymmetry = settings.air.asymmetry;
   air.albedo = settings.air.albedo;
   air.candidates = settings.air.candidates;
+  air.block = settings.air.block;
   next_.air = air;
 }
 

@@ -269,6 +269,10 @@ bool has_air(const Settings& s) {
   return s.air.visibility_km > 0;
 }
 
+bool samples_air(const Settings& s) {
+  return has_air(s) && samples(s);
+}
+
 std::vector<Setting> make_air_settings() {
   return {
       {.name = "visibility",
@@ -307,9 +311,18 @@ std::vector<Setting> make_air_settings() {
        .group = Group::air,
        .min = 1,
        .max = max_candidates,
-       .help = "Candidates of scattered light per pixel and frame",
+       .help = "Candidates of each sample of scattered light",
        .value = at<air, &AirSettings::candidates>,
-       .applies = [](const Settings& s) { return has_air(s) && samples(s); },
+       .applies = samples_air,
+       .is_swept = true},
+      {.name = "air-block",
+       .group = Group::air,
+       .min = 1,
+       .max = max_air_block,
+       .help = "Side of the blocks of pixels of which each frame samples the scattered light of one: "
+               "2 costs a quarter and is twice as noisy",
+       .value = at<air, &AirSettings::block>,
+       .applies = samples_air,
        .is_swept = true},
   };
 }

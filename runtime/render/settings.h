@@ -137,10 +137,19 @@ struct AirSettings {
   // Mean cosine of scattering angles. Fog and haze scatter forwards: 0.7 to 0.9.
   float asymmetry = 0.8f;
   float albedo = 1;              // the share of weakened light that is scattered and not absorbed
-  std::uint32_t candidates = 8;  // per pixel and frame, 1 .. max_candidates
+  std::uint32_t candidates = 4;  // per sample, 1 .. max_candidates
+  // Side of the blocks of pixels of which each frame samples one, 1 .. max_air_block. Of 2 and 4
+  // candidates, the most that costs a GPU less than 2 ms.
+  std::uint32_t block = 2;
 
   bool operator==(const AirSettings&) const = default;
 };
+
+/// The largest side of the blocks of pixels of which each frame samples the air of one.
+constexpr std::uint32_t max_air_block = 8;
+
+/// Candidates and block of still pictures, for which RMSE times the root of their time is least.
+constexpr std::uint32_t picture_air_candidates = 8, picture_air_block = 1;
 
 /// The shortest visibility, km: shorter ones count as this.
 constexpr float min_visibility_km = 0.001f;

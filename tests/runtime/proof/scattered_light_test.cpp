@@ -28,7 +28,9 @@ render::RenderSettings in(const Weather& weather, render::Estimator estimator) {
   settings.air = {.visibility_km = weather.visibility_km,
                   .height_m = weather.height_m,
                   .asymmetry = weather.asymmetry,
-                  .albedo = weather.albedo};
+                  .albedo = weather.albedo,
+                  .candidates = 8,
+                  .block = 1};
   return settings;
 }
 
@@ -56,6 +58,16 @@ TEST_P(ScatteredLight, OfOneSampleIsUnbiased) {
       independent_runs(place, in(GetParam(), render::Estimator::reference), side, 16, 256, 5000);
   expect_equal(independent_runs(place, in(GetParam(), render::Estimator::traced), side, 128, 16, 1),
                truth, 1e-4, 1);
+}
+
+// Blocks of three pixels do not fit the picture: those at its edges have pixels outside.
+TEST_P(ScatteredLight, OfOnePixelOfABlockIsUnbiased) {
+  const LitPlace place = courtyard();
+  render::RenderSettings settings = in(GetParam(), render::Estimator::traced);
+  settings.air.block = 3;
+  const measure::PictureStatistics truth =
+      independent_runs(place, in(GetParam(), render::Estimator::reference), side, 16, 64, 5000);
+  expect_equal(independent_runs(place, settings, side, 128, 48, 1), truth, 1e-4, 1);
 }
 
 // Neither a camera that moves nor a vehicle whose lamps move leaves anything of its light behind:
