@@ -29,7 +29,7 @@ class AccessorReader {
   /// Returns the indices of an accessor, which are of 8, 16 or 32 bits in the file.
   std::vector<std::uint32_t> indices(std::size_t accessor) const;
 
-  /// Where the values of an accessor lie, one after the other with a stride.
+  /// The place of an accessor's values, which lie one after the other with a stride.
   struct Place {
     const std::byte* first;
     std::size_t stride, count;

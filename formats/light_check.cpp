@@ -67,9 +67,9 @@ double integrate_profile(const LightProfile& profile, std::span<const float> dat
     return sum / profile.c_count;
   };
   const double step = glm::radians(double{profile.extent_deg}) / (profile.gamma_count - 1.0);
-  // Of a line times sin(gamma), whose values at the ends m - h and m + h are f and g, the integral is
-  // (f + g) sin(m) sin(h) + (g - f) cos(m) (sin(h) - h cos(h)) / h. Written so, nothing cancels in
-  // beams of a millionth of a degree but the last bracket, which has a series.
+  // The integral of a line times sin(gamma), where the line's values at the ends m - h and m + h
+  // are f and g, is (f + g) sin(m) sin(h) + (g - f) cos(m) (sin(h) - h cos(h)) / h. Written so,
+  // nothing cancels in beams of a millionth of a degree but the last bracket, which has a series.
   const double h = step / 2;
   const double bracket =
       h < 0.01 ? h * h / 3 * (1 - h * h / 10 * (1 - h * h / 28)) : std::sin(h) / h - std::cos(h);

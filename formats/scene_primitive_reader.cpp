@@ -38,7 +38,7 @@ std::vector<std::uint32_t> to_triangle_list(std::size_t mode, std::vector<std::u
   return list;
 }
 
-// What the feature ids of a primitive refer to.
+// The table that the feature ids of a primitive refer to.
 struct FeatureIds {
   FeatureRange table;
   std::optional<std::size_t> none;

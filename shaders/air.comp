@@ -1,9 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Light that the air in front of a pixel's surface scatters towards the eye: one sample of (place
-// on the ray, point of a light), resampled from several candidates, and one shadow ray, for one pixel
-// of each block. No sample is kept for the next frame: that would make the frames of a mean alike,
-// and cost more noise over 64 of them than it saves in one (docs/air.md).
+// on the ray, point of a light), resampled from several candidates, and one shadow ray, for one
+// pixel of each block. No sample is kept for the next frame: that would make the frames of a mean
+// alike, and cost more noise over 64 of them than it saves in one (docs/air.md).
 #include "shaders/common.glsl"
 #include "shaders/random.glsl"
 #include "shaders/geometry.glsl"
@@ -52,8 +52,8 @@ AirSample resample_air(AirRay ray) {
   return chosen;
 }
 
-// Returns the pixel of a block whose light this frame samples: each in its turn, in an order that is
-// the block's own.
+// Returns the pixel of a block whose light this frame samples: each in its turn, in an order that
+// is the block's own.
 uvec2 pixel_of_block(uvec2 block) {
   const uint side = FRAME.air.block;
   const uint start = pcg4d(uvec4(block, STREAM_AIR_BLOCK, FRAME.seed)).w;
@@ -62,8 +62,8 @@ uvec2 pixel_of_block(uvec2 block) {
 }
 
 void main() {
-  // As many invocations as there are pixels: the first of them are the blocks, side by side, so that
-  // the others end at once and together.
+  // There are as many invocations as pixels. The first of them are the blocks, side by side, so
+  // that the others end at once and together.
   const uvec2 pixel = pixel_of_block(INVOCATION.xy);
   if (!all(lessThan(pixel, FRAME.size))) return;
   const uint index = pixel.y * FRAME.size.x + pixel.x;

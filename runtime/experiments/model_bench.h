@@ -58,8 +58,8 @@ class ModelBench {
 
   std::string device_name() const { return device_.label(); }
   void check_validation() const { device_.check_validation(); }
-  /// Sets the views of every model, which are in the model space of this scene. A model with another
-  /// origin in the same CRS is looked at from the same places.
+  /// Sets the views of every model, which are in the model space of this scene. A model with
+  /// another origin in the same CRS is looked at from the same places.
   void set_views(std::vector<View> views, const scene::RenderScene& scene);
   const std::vector<View>& views() const { return views_; }
   /// Tells the progress that so many models are to be rendered besides those that it knows of.

@@ -319,8 +319,9 @@ std::vector<Setting> make_air_settings() {
        .group = Group::air,
        .min = 1,
        .max = max_air_block,
-       .help = "Side of the blocks of pixels of which each frame samples the scattered light of one: "
-               "2 costs a quarter and is twice as noisy",
+       .help =
+           "Side of the blocks of pixels of which each frame samples the scattered light of one: "
+           "2 costs a quarter and is twice as noisy",
        .value = at<air, &AirSettings::block>,
        .applies = samples_air,
        .is_swept = true},

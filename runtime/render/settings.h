@@ -53,10 +53,10 @@ struct SamplingSettings {
   float far_share = 0.3f;                   // sampled from the far grid's cell, the neighbourhood
   float uniform_share = 0.05f;              // sampled uniformly over all lights
   float vehicle_share = 0.3f;  // of all candidates, sampled from vehicles' lights where any shine
-  // Of the sides that are rendered, of those of the picture: 0.1 .. 1. Less is upscaled.
+  // Sides that are rendered as a share of the picture's, 0.1 .. 1; less than 1 is upscaled.
   float resolution_scale = 1;
-  bool jitter = true;          // sub-pixel offsets from frame to frame: anti-aliasing
-  bool layers = false;         // keeps the light of each kind of source apart, too
+  bool jitter = true;   // sub-pixel offsets from frame to frame: anti-aliasing
+  bool layers = false;  // keeps the light of each kind of source apart, too
   std::uint32_t seed = 0;
 
   bool operator==(const SamplingSettings&) const = default;

@@ -118,8 +118,8 @@ TEST(Price, OfAPartThatChangesNothingIsZeroWithinItsStandardErrors) {
     EXPECT_EQ(report.rows[report.measured[cut]].name, "schedules");
 }
 
-// A lamp's own glowing surface, seen from above, shines a thousandfold as its material says once the
-// lamp has no size. What the lamp lights hardly changes.
+// A lamp's own glowing surface, seen from above, shines a thousandfold as its material says once
+// the lamp has no size. What the lamp lights hardly changes.
 TEST(Price, OfTheSizeOfLampsIsThatOfWhatTheyLight) {
   SceneBuilder builder;
   builder.ground(20);

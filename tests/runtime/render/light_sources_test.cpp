@@ -232,8 +232,8 @@ UpwardFlux upward(const scene::RenderScene& scene, UpwardSettings settings = {})
   return measure_upward_flux(device, test::test_passes(), device_scene, settings);
 }
 
-// Lights that an edit switched off keep their places among the lights, without flux. Candidates that
-// are sampled uniformly must be those that shine.
+// Lights that an edit switched off keep their places among the lights, without flux. Candidates
+// that are sampled uniformly must be those that shine.
 TEST(Edits, LampsThatAreSwitchedOffByHandTakeNoneOfTheOthersLight) {
   std::vector<Light> lights(9, lamp({2, 6, 0}, 0));
   lights.push_back(lamp({3, 6, 0}, 4000));

@@ -1,5 +1,5 @@
-// A benchmark: prints how fast a scene is loaded and how much memory the process takes for it, above
-// what it had before, beside a plain read of the same files.
+// A benchmark: prints how fast a scene is loaded and how much memory the process takes for it,
+// above what it had before, beside a plain read of the same files.
 //   load_bench SCENE.glb [RUNS] [DEVICE]
 // Each run loads the scene once. The figures are of the run in the middle, by time.
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
-// The origin that scenes are rendered about: model space's own, or the middle of what lies far away.
+// The origin that scenes are rendered about: model space's own, or the middle of what lies far
+// away.
 #include "runtime/scene/local_origin.h"
 
 #include <gtest/gtest.h>

@@ -370,8 +370,8 @@ TEST(Bake, AThinnedSlopeHasTwoTrianglesATile) {
   for (const glm::dvec3& p : corners) EXPECT_NEAR(p.z, 35 + (p.x - 391005) / 100, 0.06);
 }
 
-// Hills, thinned, are within the error of the same hills unthinned. Where tiles meet, a vertex of one
-// lies on the other's triangles.
+// Hills, thinned, are within the error of the same hills unthinned. Where tiles meet, a vertex of
+// one lies on the other's triangles.
 TEST(Bake, ThinnedGroundIsWithinItsErrorAndTilesMeet) {
   const TempFolder folder;
   write_text(folder / "cube.gml", without_relief(sample_gml()));

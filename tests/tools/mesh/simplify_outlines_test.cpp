@@ -55,7 +55,8 @@ TEST(SimplifyOutlines, ACornerWhereWallsMeetStays) {
   EXPECT_EQ(object.polygons[1].exterior.size(), 5u);
 }
 
-// A long wall and the roof over it both have vertices on their common edge, where nothing else ends.
+// A long wall and the roof over it both have vertices on their common edge, where nothing else
+// ends.
 TEST(SimplifyOutlines, SurfacesThatMetStillMeet) {
   city::CityObject object;
   const city::Ring edge{{2, 0, 6}, {4, 0.01, 6}, {7, 0, 6.02}};

@@ -16,7 +16,8 @@ std::vector<std::string> list_commands() {
 
 class NumberOptions : public testing::TestWithParam<std::string> {};
 
-// Options are found in the command's own help, so that a new one is tested without being named here.
+// Options are found in the command's own help, so that a new one is tested without being named
+// here.
 TEST_P(NumberOptions, RefuseWhatIsNoDecimalNumber) {
   std::istringstream help(test::run_program("nightbake", GetParam() + " --help").out);
   const std::regex option(R"(^\s+(?:-\w,)?(--[\w-]+)\S* (UINT|INT|FLOAT)\b.*)");

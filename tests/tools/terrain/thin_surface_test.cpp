@@ -96,8 +96,8 @@ TEST(ThinSurface, APeakStays) {
   EXPECT_LT(thin.triangles.size(), 60u);
 }
 
-// An outline that goes round a hole and a corner, each place once and each triangle with vertices of
-// its own, as an object's are.
+// An outline that goes round a hole and a corner, each place once and each triangle with vertices
+// of its own, as an object's are.
 TEST(ThinSurface, TheOutlineStaysWithItsHoles) {
   mesh::TriangleMesh whole = grid(12, [](double, double) { return 4.0; }), loose;
   std::erase_if(whole.triangles, [&](const mesh::MeshTriangle& t) {

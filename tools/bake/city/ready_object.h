@@ -37,8 +37,8 @@ struct ReadyObject {
 struct ReadySettings {
   const CityFrames& frames;
   /// Heights of the ground, for objects of a model without heights of its own, as a map's buildings
-  /// are; null: objects have heights. Such an object stands on the lowest height below its outlines,
-  /// as OpenStreetMap counts the height of a building; one without any is left out.
+  /// are; null: objects have heights. Such an object stands on the lowest height below its
+  /// outlines, as OpenStreetMap counts the height of a building; one without any is left out.
   const GroundHeights* heights = nullptr;
   bool has_identities = false;  // neighbouring files may share objects
   int max_crossings = 0;
