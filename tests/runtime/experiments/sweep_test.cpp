@@ -34,7 +34,7 @@ TEST(Sweep, ColumnsKeepTheirNamesAndOrder) {
                          "estimator", "candidates", "neighbours", "radius", "history", "reach",
                          "boost", "permute", "local-share", "wide-share", "uniform-share",
                          "fleet-share", "visibility-reuse", "bounces", "cache", "cache-cell",
-                         "cache-paths", "air-candidates", "resolution-scale"}));
+                         "cache-paths", "air-candidates", "air-block", "resolution-scale"}));
 }
 
 TEST(Sweep, EveryCombinationComesOnceWithoutSettingsThatAnEstimatorLacks) {
