@@ -64,7 +64,7 @@ std::vector<Rung> list_rungs(const RenderSettings& settings) {
       c *= 2;
   }
   bound_cell_paths(settings, rungs);
-  // Where one candidate a pixel is too many, frames with fewer pixels are left.
+  // If one candidate a pixel is too many, frames with fewer pixels remain.
   for (const float scale : {0.71f, 0.5f}) {
     if (!traits.samples) break;
     Rung smaller = rungs.front();

@@ -17,8 +17,8 @@ namespace {
 // A vehicle that has stood first at a line for so long is in a gridlock: its trip is given up.
 constexpr double gives_up_s = 90;
 constexpr double warm_up_share = 1.0;  // of a cycle, before trips are kept
-// Of the trips that wait to start on one lane, so many that came first look for room; the others
-// queue behind them. So a step does not become longer where more is asked for than streets take.
+// So many of the trips that wait to start on one lane look for room, in the order in which they
+// came; the others queue behind them. So a step does not become longer where more is asked for than streets take.
 constexpr std::uint32_t max_looking = 16;
 
 class Simulator {

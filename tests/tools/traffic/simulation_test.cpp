@@ -183,7 +183,7 @@ TEST(Simulation, TripsThatQueueStartInTheOrderInWhichTheyAreDue) {
   ASSERT_EQ(town.report.driven, 100u) << "all of them find room within the cycle";
   std::vector<double> starts;
   for (const auto& [plan, trip] : town.driven) starts.push_back(trip.start_time_s);
-  // Of 16 that look at a time, those whose second it is go first.
+  // Sixteen look for room at a time; those that were to start first go first.
   for (std::size_t n = 40; n < starts.size(); ++n) EXPECT_GT(starts[n], starts[n - 40]);
 }
 

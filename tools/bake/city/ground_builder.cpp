@@ -153,7 +153,7 @@ class GridGround {
         mesh.triangles.push_back({{a, c, d}, city::SurfaceType::terrain, 0});
       }
     const std::size_t whole = mesh.triangles.size();
-    // Where data are missing, the tile's outline does not follow its sides: all vertices stay.
+    // All vertices stay if data are missing: then the tile's outline does not follow its sides.
     if (max_error_m_ > 0 && missing_ == missing_before)
       mesh = terrain::thin_surface(mesh, max_error_m_, loose);
     thinned_ += whole - mesh.triangles.size();
