@@ -16,7 +16,6 @@ import json
 import math
 import os
 import shutil
-import subprocess
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -25,14 +24,9 @@ import numpy  # noqa: E402
 import OpenImageIO  # noqa: E402
 
 import lights as city_lights  # noqa: E402
+from programs import run  # noqa: E402
 
 LUMINANCE = numpy.array((0.2126, 0.7152, 0.0722))  # of linear Rec. 709
-
-
-def run(*command, environment=None):
-    done = subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
-    if done.returncode != 0:
-        sys.exit(f"{command[0]} ended with {done.returncode}:\n{done.stderr[-2000:]}{done.stdout[-2000:]}")
 
 
 def read_luminance(path):

@@ -14,19 +14,12 @@ import math
 import os
 import re
 import shutil
-import subprocess
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 import lights as city_lights  # noqa: E402
-
-
-def run(*command, environment=None):
-    done = subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
-    if done.returncode != 0:
-        sys.exit(f"{command[0]} ended with {done.returncode}:\n{done.stderr[-2000:]}{done.stdout[-2000:]}")
-    return done.stdout + done.stderr
+from programs import run  # noqa: E402
 
 
 def cpu_seconds():
