@@ -14,6 +14,8 @@ bool is_lit(Words bits, uint light) { return (bits.at[light >> 5u] >> (light & 3
 // Returns light `index` (below light_count) as it shines in this frame or, with `before`, in the
 // frame before. Its flux is 0 while it is switched off.
 Light light_at(uint index, bool before) {
+  // Mesa's CPU driver also loads for lanes that have left a loop, whose index may be anything.
+  index = min(index, SCENE.light_count - 1u);
   if (HAS_TRAFFIC != 0u && index >= SCENE.static_lights) {
     const uint moving = index - SCENE.static_lights;
     if (before) return FRAME.previous_vehicle_lights.at[moving];

@@ -29,6 +29,14 @@ from programs import run  # noqa: E402
 LUMINANCE = numpy.array((0.2126, 0.7152, 0.0722))  # of linear Rec. 709
 
 
+def lamp_range(text):
+    """Returns the first and the last of the lamps that `text` names, FIRST-LAST or LAST, counted from 1."""
+    first, last = map(int, text.split("-")) if "-" in text else (1, int(text))
+    if not 1 <= first <= last:
+        raise ValueError(text)
+    return first, last
+
+
 def read_luminance(path):
     """Returns the luminance of each pixel, cd/m2, as rows of a 2D array."""
     picture = OpenImageIO.ImageInput.open(path) or sys.exit(f"{path}: {OpenImageIO.geterror()}")
@@ -81,8 +89,9 @@ def main():
     parser.add_argument("--nightview", default=os.path.join(HERE, "../../build/release/nightview"))
     parser.add_argument("--device", default="llvmpipe", help="Vulkan device of nightview")
     parser.add_argument("--camera", default="street", help="preset or file")
-    parser.add_argument("--lamps", type=int, help="keep this many lamps on: those nearest to where the camera looks; Cycles picks one of"
-                        " all lamps at every vertex, so that among hundreds it needs millions of samples a pixel")
+    parser.add_argument("--lamps", type=lamp_range, help="lamps that stay on, counted from where the camera looks: 8 means the nearest"
+                        " eight, 9-40 those after them; Cycles picks one of all lamps at every vertex, so that among hundreds it needs"
+                        " millions of samples a pixel")
     parser.add_argument("--size", default="96x54")
     parser.add_argument("--bounces", default="4")
     parser.add_argument("--threads", default="2")
@@ -109,7 +118,7 @@ def main():
     if options.lamps:
         with open(path("camera.json")) as file:
             target = json.load(file)["target"]
-        city_lights.switch_off_far(city_lights.read(path("scene.lights"))[0], target, options.lamps, path("scene.edits.json"))
+        city_lights.keep_on(city_lights.read(path("scene.lights"))[0], target, *options.lamps, path("scene.edits.json"))
         common += ["--edits", path("scene.edits.json")]
     for seed in range(1, options.reference_runs + 1):
         if not os.path.exists(path(f"reference-{seed}.exr")):

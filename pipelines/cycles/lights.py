@@ -65,12 +65,13 @@ def read(path):
     return lights, profiles
 
 
-def switch_off_far(lights, point, count, path):
-    """Writes edits (formats/SPEC.md, section 5) that leave only the `count` lights nearest to `point` on."""
+def keep_on(lights, point, first, last, path):
+    """Writes edits (formats/SPEC.md, section 5) that leave on only the lights from the `first` nearest to `point` to the `last`, from 1 on."""
     def distance(light):
         return sum((a - b) ** 2 for a, b in zip(light.position, point))
 
-    off = sorted(lights, key=distance)[count:]
+    nearest = sorted(lights, key=distance)
+    off = nearest[:first - 1] + nearest[last:]
     with open(path, "w") as file:
         json.dump({"version": 1, "lights": [{"id": f"{light.identity:08x}", "off": True} for light in off]}, file)
 
