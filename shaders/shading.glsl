@@ -112,8 +112,8 @@ float target(Receiver r, uint light, uint uv) {
   return light < SCENE.light_count ? target_of(r, light_at(light, r.before), uv) : 0.0;
 }
 
-// Returns whether nothing casts a shadow between the receiver and the sample; false for an index out
-// of range.
+// Returns whether nothing casts a shadow between the receiver and the sample; false for an index
+// out of range.
 bool sees(Receiver r, uint light, uint uv) {
   if (light >= SCENE.light_count) return false;
   const vec3 point = sample_point(light_at(light, r.before), uv_of(uv), r.position).point;

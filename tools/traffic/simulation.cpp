@@ -18,7 +18,8 @@ namespace {
 constexpr double gives_up_s = 90;
 constexpr double warm_up_share = 1.0;  // of a cycle, before trips are kept
 // So many of the trips that wait to start on one lane look for room, in the order in which they
-// came; the others queue behind them. So a step does not become longer where more is asked for than streets take.
+// came; the others queue behind them. So a step does not become longer where more is asked for
+// than streets take.
 constexpr std::uint32_t max_looking = 16;
 
 class Simulator {
