@@ -33,9 +33,9 @@ struct Reservoir {
 
 // A vertex of a path of light that bounced: where the reference stands on the path of a pixel.
 struct PathVertex {
-  Surface surface;   // depth 0 = the path has ended
-  vec3 throughput;   // of the path up to here
-  vec3 viewer;       // the vertex before, model space, m
+  Surface surface;  // depth 0 = the path has ended
+  vec3 throughput;  // of the path up to here
+  vec3 viewer;      // the vertex before, model space, m
 };
 
 // A cell of the irradiance cache (irradiance_cache.glsl). 32 bytes.
@@ -151,7 +151,7 @@ struct Air {
 
 // The pyramid of the glare (glare.glsl). Level 0 is the picture.
 struct Glare {
-  BUFFER(Colours) levels;          // from level 1
+  BUFFER(Colours) levels;  // from level 1
   uvec2 size[MAX_GLARE_LEVELS];
   uint first[MAX_GLARE_LEVELS];    // index of a level's first pixel in `levels`
   float weight[MAX_GLARE_LEVELS];  // of a level in the light that is seen
@@ -165,10 +165,10 @@ struct Frame {
   BUFFER(VehicleLights) vehicle_lights;  // VEHICLE_LIGHTS per trip, in model space
   BUFFER(VehicleLights) previous_vehicle_lights;
   BUFFER(LightNodes) vehicle_nodes;  // the light BVH over the vehicles
-  BUFFER(Words) vehicle_cells;         // per trip: its cell, and its place among that cell's trips
-  BUFFER(Words) vehicle_counts;  // per cell: number of vehicles, then first place in the order
+  BUFFER(Words) vehicle_cells;       // per trip: its cell, and its place among that cell's trips
+  BUFFER(Words) vehicle_counts;      // per cell: number of vehicles, then first place in the order
   BUFFER(LightNodes) vehicle_boxes;  // one leaf per trip, not yet in order
-  BUFFER(Surfaces) surfaces;           // of this frame
+  BUFFER(Surfaces) surfaces;         // of this frame
   BUFFER(Surfaces) previous_surfaces;
   BUFFER(Reservoirs) reservoirs;  // result of the candidates, then of temporal reuse
   BUFFER(Reservoirs) spatial;     // result of spatial reuse: shaded, and the next frame's history
@@ -181,7 +181,7 @@ struct Frame {
   BUFFER(PathVertices) path;  // of the reference
   BUFFER(IrradianceCells) cells;
   BUFFER(Words) seen_cells;  // their number, then the indices of the cells that this frame sees
-  BUFFER(Words) ray_count;  // shadow rays of the frame, where COUNT_RAYS is set
+  BUFFER(Words) ray_count;   // shadow rays of the frame, where COUNT_RAYS is set
   // This frame's estimate. The reference's: sums over chunks of lights, one picture per slice.
   BUFFER(Accumulations) radiance;
   BUFFER(Accumulations) accumulation;
@@ -208,8 +208,8 @@ struct Frame {
   float history_falloff;
   // Neighbours of a pixel without history, where that is more than `neighbours`.
   uint disocclusion_boost;
-  uint pairings;    // pairings of pixels in this frame (pairing.glsl)
-  uint pair_block;  // side of the blocks within which pixels are paired: a power of two
+  uint pairings;     // pairings of pixels in this frame (pairing.glsl)
+  uint pair_block;   // side of the blocks within which pixels are paired: a power of two
   uint permutation;  // of the history: corner of the blocks, x | y << 2, or NO_PERMUTATION
   // Shares of candidates by how they are sampled. vehicle_share is a share of all, sampled from
   // vehicles' lights. The others are shares of the rest: uniformly, from the near grid's cell, from
@@ -227,7 +227,7 @@ struct Frame {
   // The mean is over at most this many frames and moves with the surface; 0 = over all frames,
   // while nothing moves.
   uint window;
-  uint bounces;   // of light before it reaches the surface that is seen, at most
+  uint bounces;          // of light before it reaches the surface that is seen, at most
   uint reference_paths;  // of a pixel in a frame of the reference
   uint cell_mask;        // number of cells, a power of two, less 1
   uint cell_paths;       // of a cell in a frame
@@ -238,15 +238,16 @@ struct Frame {
   float max_cell_samples;
   Air air;
   float wetness;  // of surfaces that face up, 0 .. 1
-  // Luminance of directions that leave the scene, cd/m^2 per channel; with a sky map, its factor.
-  vec3 sky;
+  // Luminance of directions that leave the scene, cd/m^2 per channel; with a sky map, its factor
+  // and what is added to it above the horizon.
+  vec3 sky, sky_base;
   vec3 moon_direction;  // unit, towards the moon
   vec3 moon_lux;        // illuminance of a surface that faces the moon, per channel
   uint tone;            // display: TONEMAP_*
   // Rows of the matrix from linear Rec. 709 to the same as the eye or camera is adapted.
   vec3 white_red, white_green, white_blue;
   Glare glare;
-  uint view;            // display: VIEW_*, and the ends of its scale, above 0
+  uint view;  // display: VIEW_*, and the ends of its scale, above 0
   float view_lowest, view_highest;
   UpwardMap upward;
 };

@@ -9,8 +9,9 @@ vec3 sky_luminance(vec3 direction) {
   const uint x = min(uint(turn * float(SCENE.sky_width)), SCENE.sky_width - 1u);
   const uint y = min(uint(height * float(SCENE.sky_height)), SCENE.sky_height - 1u);
   const uint at = 3u * (y * SCENE.sky_width + x);
-  return FRAME.sky *
-         vec3(SCENE.sky_map.at[at], SCENE.sky_map.at[at + 1u], SCENE.sky_map.at[at + 2u]);
+  const vec3 base = direction.y > 0.0 ? FRAME.sky_base : vec3(0.0);
+  const vec3 map = vec3(SCENE.sky_map.at[at], SCENE.sky_map.at[at + 1u], SCENE.sky_map.at[at + 2u]);
+  return max(FRAME.sky * map + base, vec3(0.0));
 }
 
 // Returns what a pixel without a surface shows: the sky, and the moon's disc in it.

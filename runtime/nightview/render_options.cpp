@@ -210,19 +210,19 @@ void RenderOptions::resolve() {
 
 void RenderOptions::make_sky(const std::string& name, scene::RenderScene& loaded) const {
   const render::EnvironmentSettings& environment = settings.environment;
-  scene::CityGlow glow = scene::find_city_glow(loaded, settings.time_s, environment.lights);
-  const double direct = glow.direct_lm, all = glow.flux_lm();
-  scene::extend_city(glow, loaded.bounds, 1000 * double{environment.city_radius_km});
   scene::Atmosphere air;
   air.overcast = environment.glow == render::SkyGlow::overcast;
-  loaded.sky_map = scene::make_skyglow(glow, air, loaded.bounds);
+  scene::CitySky sky = scene::make_city_sky(loaded, settings.time_s, environment.lights, air,
+                                            1000 * double{environment.city_radius_km});
+  loaded.sky_map = std::move(sky.map);
+  const double direct = sky.glow.direct_lm, all = sky.glow.flux_lm();
   const float* zenith = loaded.sky_map.rgb.data();
   spdlog::info(
       "{}: of {:.3g} lm, {:.3g} leave upwards ({:.0f} % of them straight); with the city going on "
       "to "
       "{:g} km, the sky has {:.2g} cd/m2 at the zenith",
-      name, glow.lamp_flux_lm, all, all > 0 ? 100 * direct / all : 0, environment.city_radius_km,
-      tonemap::luminance_709(zenith[0], zenith[1], zenith[2]));
+      name, sky.glow.lamp_flux_lm, all, all > 0 ? 100 * direct / all : 0,
+      environment.city_radius_km, tonemap::luminance_709(zenith[0], zenith[1], zenith[2]));
 }
 
 scene::RenderScene RenderOptions::load(const std::string& other) const {

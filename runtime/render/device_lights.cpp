@@ -126,6 +126,11 @@ std::vector<double> DeviceLights::flux_now() const {
   return flux;
 }
 
+double DeviceLights::flux_now(std::uint32_t light) const {
+  const bool shines = (lit_.bits[light / 32] >> (light % 32)) & 1;
+  return shines ? double{lights_[light].flux_lm} : 0;
+}
+
 std::uint64_t DeviceLights::bytes() const {
   std::uint64_t total = 0;
   for (const gpu::Buffer* buffer :

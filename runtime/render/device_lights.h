@@ -41,6 +41,7 @@ class DeviceLights {
   bool has_switches() const { return !schedules_.empty() || on_ != scene::all_families; }
   /// Returns the current flux of each static light in lumens, 0 where it is off.
   std::vector<double> flux_now() const;
+  double flux_now(std::uint32_t light) const;
   std::uint64_t bytes() const;
   /// Enters the addresses of everything that is here.
   void enter(gpu::SceneBuffers& buffers) const;

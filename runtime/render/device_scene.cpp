@@ -84,6 +84,9 @@ DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
     addresses_.sky_map = store(std::span(scene.sky_map.rgb));
     addresses_.sky_width = scene.sky_map.width;
     addresses_.sky_height = scene.sky_map.height;
+    sky_shares_ = scene.sky_map.shares;
+    sky_upward_lm_ = scene.sky_map.upward_lm;
+    natural_sky_cd_m2_ = scene.sky_map.natural_cd_m2;
   }
   const auto any_light = [&](auto&& is) {
     return std::any_of(scene.lights.begin(), scene.lights.end(), is) ||
@@ -99,6 +102,7 @@ DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
   origin_ = scene.origin;
   lights_.emplace(device_, scene);
   lights_->enter(addresses_);
+  follow_sky();
   left_out_ = scene.left_out;
 }
 
@@ -222,7 +226,22 @@ VehicleSlot DeviceScene::vehicle_slot(std::uint32_t slot) const {
 bool DeviceScene::set_time(double time_s, scene::LightFamilies on) {
   const bool changed = lights_->set_time(time_s, on);
   lights_->enter(addresses_);
+  if (changed) follow_sky();
   return changed;
+}
+
+void DeviceScene::follow_sky() {
+  if (sky_shares_.empty()) return;
+  glm::dvec3 upward_lm(0);
+  for (const scene::SkyMap::Share& share : sky_shares_)
+    upward_lm += lights_->flux_now(share.light) * glm::dvec3(share.per_lumen);
+  // Lights can be edited beyond all measure; a greater factor would leave nothing of the map's
+  // precision.
+  constexpr double greatest = 1e5;
+  for (int c = 0; c < 3; ++c)
+    sky_now_.factor[c] =
+        sky_upward_lm_[c] > 0 ? float(std::min(upward_lm[c] / sky_upward_lm_[c], greatest)) : 1.0f;
+  sky_now_.base = natural_sky_cd_m2_ * (1.0f - sky_now_.factor);
 }
 
 std::uint64_t DeviceScene::bytes() const {

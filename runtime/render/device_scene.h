@@ -20,6 +20,11 @@ struct VehicleSlot {
   std::uint64_t instances, bvh;                  // addresses of the first of each
 };
 
+/// The sky at the scene's time: the map times `factor`, and `base` above the horizon, cd/m^2.
+struct SkyNow {
+  glm::vec3 factor{1}, base{0};
+};
+
 struct ReleaseGeometry {};
 
 class DeviceScene {
@@ -55,6 +60,9 @@ class DeviceScene {
   bool has_water() const { return has_water_; }
   bool has_traffic() const { return addresses_.traffic.trip_count > 0; }
   bool has_sky_map() const { return addresses_.sky_width > 0; }
+  /// Returns what the map of a city's glow has become with the lights that shine now: as bright and
+  /// of the colour that they make it, in the distribution that it was made with.
+  const SkyNow& sky_now() const { return sky_now_; }
   /// Returns the base colour of a material, black for an unknown one.
   glm::vec3 albedo(std::uint32_t material) const {
     return material < albedos_.size() ? albedos_[material] : glm::vec3(0);
@@ -82,6 +90,7 @@ class DeviceScene {
   template <class T>
   std::uint64_t store(std::span<const T> values);
   void store_traffic(const scene::RenderScene& scene, std::span<const gpu::Instance> instances);
+  void follow_sky();
   void grow_vehicle_slots(std::uint32_t count);
 
   gpu::Device& device_;
@@ -96,6 +105,11 @@ class DeviceScene {
 
   std::vector<glm::vec3> albedos_;
   std::optional<SceneTlas> tlas_;
+
+  std::vector<scene::SkyMap::Share> sky_shares_;
+  glm::dvec3 sky_upward_lm_{0};
+  float natural_sky_cd_m2_ = 0;
+  SkyNow sky_now_;
 
   scene::Box bounds_;
   glm::dvec3 origin_{0};

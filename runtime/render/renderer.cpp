@@ -349,7 +349,9 @@ void Renderer::fill_view(gpu::Frame& frame) {
     cache_.enter(frame, settings.indirect, moved_s_, next_.effort.max_cell_paths);
   fill_air(frame, settings);
   frame.wetness = settings.environment.wetness;
-  frame.sky = settings.environment.sky_cd_m2;
+  const glm::vec3& sky = settings.environment.sky_cd_m2;
+  frame.sky = scene_.has_sky_map() ? sky * scene_.sky_now().factor : sky;
+  frame.sky_base = sky * scene_.sky_now().base;
   frame.moon_direction = settings.environment.moon_direction;
   frame.moon_lux = settings.environment.moon_lux;
 }

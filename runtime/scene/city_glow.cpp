@@ -23,21 +23,19 @@ constexpr unsigned max_bounces = 4;
 constexpr std::uint32_t paths_of_a_job = 256;
 constexpr std::uint32_t squares = 6;  // along each side of the scene
 
-struct Escape {
-  glm::dvec3 from, direction;
-  glm::dvec3 flux;  // lm per channel
-  bool direct;
-};
-
 class Paths {
  public:
-  Paths(const RenderScene& scene, std::vector<double> cumulative, std::uint32_t count)
-      : scene_(scene), cumulative_(std::move(cumulative)), count_(count) {}
+  Paths(const RenderScene& scene, std::vector<double> weight, std::uint32_t count)
+      : scene_(scene), weight_(std::move(weight)), cumulative_(weight_.size()), count_(count) {
+    std::partial_sum(weight_.begin(), weight_.end(), cumulative_.begin());
+  }
+
+  bool empty() const { return cumulative_.empty() || !(cumulative_.back() > 0); }
 
   // Follows the paths [first, last).
-  std::vector<Escape> follow(std::uint32_t first, std::uint32_t last) const {
+  std::vector<UpwardPath> follow(std::uint32_t first, std::uint32_t last) const {
     std::mt19937 random(first);
-    std::vector<Escape> escapes;
+    std::vector<UpwardPath> escapes;
     for (std::uint32_t i = first; i < last; ++i) follow_one(i, random, escapes);
     return escapes;
   }
@@ -53,14 +51,16 @@ class Paths {
     return length > 1e-9 ? sum / length : normal;
   }
 
-  void follow_one(std::uint32_t index, std::mt19937& random, std::vector<Escape>& escapes) const {
+  void follow_one(std::uint32_t index, std::mt19937& random,
+                  std::vector<UpwardPath>& escapes) const {
     const double all = cumulative_.back();
     const double at = (index + uniform(random)) / count_ * all;
     const auto chosen = static_cast<std::size_t>(
         std::upper_bound(cumulative_.begin(), cumulative_.end() - 1, at) - cumulative_.begin());
     const Light& light = scene_.lights[chosen];
     glm::dvec3 origin(light.position), direction;
-    glm::dvec3 flux = glm::dvec3(decode_rgb9e5(light.colour_rgb9e5)) * (all / count_);
+    glm::dvec3 share =
+        glm::dvec3(decode_rgb9e5(light.colour_rgb9e5)) * (all / count_ / weight_[chosen]);
     if (light_kind(light) == LightKind::rectangle) {
       const glm::dvec3 axis(light.axis), right(light.tangent);
       const double across = 2 * uniform(random) - 1, along = 2 * uniform(random) - 1;
@@ -72,17 +72,19 @@ class Paths {
       const double z = 2 * uniform(random) - 1, phi = 2 * pi * uniform(random);
       const double r = std::sqrt(std::max(0.0, 1 - z * z));
       direction = {r * std::cos(phi), r * std::sin(phi), z};
-      flux *= 4 * pi * intensity_per_lumen(scene_, light, direction);
+      share *= 4 * pi * intensity_per_lumen(scene_, light, direction);
     }
     for (unsigned bounce = 0; bounce <= max_bounces; ++bounce) {
-      if (!(std::max({flux.r, flux.g, flux.b}) > 0)) return;
+      if (!(std::max({share.r, share.g, share.b}) > 0)) return;
       const auto hit = trace_ray(scene_, origin, direction, 1e30, MASK_SHADOW);
       if (!hit) {
-        if (direction.y > 0) escapes.push_back({origin, direction, flux, bounce == 0});
+        if (direction.y > 0)
+          escapes.push_back(
+              {static_cast<std::uint32_t>(chosen), bounce == 0, origin, direction, share});
         return;
       }
       const std::uint32_t material = scene_.triangles[hit->triangle].material;
-      flux *= glm::dvec3(scene_.materials[material].base_colour);
+      share *= glm::dvec3(scene_.materials[material].base_colour);
       origin += hit->distance * direction;
       origin += clearance_at(origin) * hit->normal;
       direction = cosine_direction(hit->normal, random);
@@ -95,7 +97,7 @@ class Paths {
   }
 
   const RenderScene& scene_;
-  std::vector<double> cumulative_;  // flux of the lights up to each, lm
+  std::vector<double> weight_, cumulative_;  // of each light, and of those up to it
   std::uint32_t count_;
 };
 
@@ -103,59 +105,84 @@ double luminance(const glm::dvec3& rgb) {
   return 0.2126 * rgb.r + 0.7152 * rgb.g + 0.0722 * rgb.b;
 }
 
-void add_to_squares(const std::vector<Escape>& escapes, const Box& bounds, CityGlow& glow) {
-  const glm::dvec2 lower(bounds.lower.x, bounds.lower.z), upper(bounds.upper.x, bounds.upper.z);
-  const glm::dvec2 side = glm::max((upper - lower) / double(squares), glm::dvec2(1));
-  std::vector<double> flux(std::size_t{squares} * squares);
-  for (const Escape& escape : escapes) {
-    const glm::dvec2 at = (glm::dvec2(escape.from.x, escape.from.z) - lower) / side;
+// The flux that leaves each square of a scene upwards, lm.
+class Squares {
+ public:
+  explicit Squares(const Box& bounds)
+      : lower_(bounds.lower.x, bounds.lower.z),
+        side_(glm::max((glm::dvec2(bounds.upper.x, bounds.upper.z) - lower_) / double(squares),
+                       glm::dvec2(1))) {}
+
+  void add(const glm::dvec3& from, double lumen) {
+    const glm::dvec2 at = (glm::dvec2(from.x, from.z) - lower_) / side_;
     const auto cell = [](double x) {
       return static_cast<std::size_t>(std::clamp(x, 0.0, double(squares - 1)));
     };
-    flux[cell(at.y) * squares + cell(at.x)] += luminance(escape.flux);
+    flux_[cell(at.y) * squares + cell(at.x)] += lumen;
   }
-  for (std::size_t i = 0; i < flux.size(); ++i)
-    if (flux[i] > 0)
-      glow.sources.push_back(
-          {lower + (glm::dvec2(double(i % squares), double(i / squares)) + 0.5) * side,
-           std::sqrt(side.x * side.y / pi), flux[i]});
-}
+
+  std::vector<CityGlow::Source> sources() const {
+    std::vector<CityGlow::Source> sources;
+    for (std::size_t i = 0; i < flux_.size(); ++i)
+      if (flux_[i] > 0)
+        sources.push_back(
+            {lower_ + (glm::dvec2(double(i % squares), double(i / squares)) + 0.5) * side_,
+             std::sqrt(side_.x * side_.y / pi), flux_[i]});
+    return sources;
+  }
+
+ private:
+  glm::dvec2 lower_, side_;
+  std::vector<double> flux_ = std::vector<double>(std::size_t{squares} * squares);
+};
 
 }  // namespace
 
-CityGlow find_city_glow(const RenderScene& scene, double time_s, LightFamilies on,
-                        std::uint32_t paths) {
-  CityGlow glow;
-  const std::vector<float> flux =
-      flux_of(lit_lights(scene.lights, scene.families, scene.schedules, scene.switches, time_s, on),
-              scene.lights);
-  std::vector<double> cumulative(flux.size());
-  std::partial_sum(flux.begin(), flux.end(), cumulative.begin(),
-                   [](double sum, float next) { return sum + double{next}; });
-  if (cumulative.empty() || !(cumulative.back() > 0) || scene.bounds.empty()) return glow;
-  glow.lamp_flux_lm = cumulative.back();
-  const Paths all(scene, std::move(cumulative), paths);
+std::vector<UpwardPath> follow_upward_light(const RenderScene& scene, std::vector<double> weight,
+                                            std::uint32_t paths) {
+  const Paths all(scene, std::move(weight), paths);
+  if (all.empty() || scene.bounds.empty()) return {};
   const std::uint32_t jobs = (paths + paths_of_a_job - 1) / paths_of_a_job;
-  std::vector<std::vector<Escape>> found(jobs);
+  std::vector<std::vector<UpwardPath>> found(jobs);
   run_parallel(jobs, count_cores(), [&](std::size_t job) {
     const auto first = static_cast<std::uint32_t>(job) * paths_of_a_job;
     found[job] = all.follow(first, std::min(first + paths_of_a_job, paths));
   });
-  std::vector<Escape> escapes;
+  std::vector<UpwardPath> escapes;
   for (const auto& part : found) escapes.insert(escapes.end(), part.begin(), part.end());
+  return escapes;
+}
+
+CityGlow find_city_glow(std::span<const UpwardPath> paths, std::span<const float> flux_lm,
+                        const Box& bounds) {
+  CityGlow glow;
+  glow.lamp_flux_lm = std::accumulate(flux_lm.begin(), flux_lm.end(), 0.0);
+  if (bounds.empty()) return glow;
+  Squares squares(bounds);
   glm::dvec3 sum(0);
-  for (const Escape& escape : escapes) {
-    const double lumen = luminance(escape.flux);
-    (escape.direct ? glow.direct_lm : glow.reflected_lm) += lumen;
-    sum += escape.flux;
-    const double degrees = std::asin(std::min(1.0, escape.direction.y)) * 180 / pi;
+  for (const UpwardPath& path : paths) {
+    const glm::dvec3 flux = path.share * double{flux_lm[path.light]};
+    const double lumen = luminance(flux);
+    (path.direct ? glow.direct_lm : glow.reflected_lm) += lumen;
+    sum += flux;
+    const double degrees = std::asin(std::min(1.0, path.direction.y)) * 180 / pi;
     glow.band_share[std::min<std::size_t>(std::size_t(degrees / 5), CityGlow::bands - 1)] += lumen;
+    squares.add(path.from, lumen);
   }
   if (!(glow.flux_lm() > 0)) return glow;
   for (double& share : glow.band_share) share /= glow.flux_lm();
   glow.colour = sum / luminance(sum);
-  add_to_squares(escapes, scene.bounds, glow);
+  glow.sources = squares.sources();
   return glow;
+}
+
+CityGlow find_city_glow(const RenderScene& scene, double time_s, LightFamilies on,
+                        std::uint32_t paths) {
+  const std::vector<float> flux =
+      flux_of(lit_lights(scene.lights, scene.families, scene.schedules, scene.switches, time_s, on),
+              scene.lights);
+  return find_city_glow(follow_upward_light(scene, {flux.begin(), flux.end()}, paths), flux,
+                        scene.bounds);
 }
 
 void extend_city(CityGlow& glow, const Box& bounds, double radius_m) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "runtime/scene/light_families.h"
@@ -33,10 +34,27 @@ struct CityGlow {
   double flux_lm() const { return direct_lm + reflected_lm; }
 };
 
-/// Follows `paths` paths of light from the static lights that shine at a time (s since noon), each
-/// chosen in proportion to its flux, off up to four surfaces. The flux has a relative standard
-/// error of about 2 / sqrt(paths) where a quarter of the paths leave upwards. Vehicles are left
-/// out.
+/// A path of light that left a city upwards.
+struct UpwardPath {
+  std::uint32_t light;
+  bool direct;  // it met no surface
+  glm::dvec3 from, direction;
+  glm::dvec3 share;  // lm per channel that the path carries of each lumen of the light
+};
+
+/// Follows `paths` paths of light from static lights, each light chosen in proportion to its
+/// `weight` (finite, >= 0), off up to four surfaces, and returns those that leave upwards. Vehicles
+/// are left out.
+std::vector<UpwardPath> follow_upward_light(const RenderScene& scene, std::vector<double> weight,
+                                            std::uint32_t paths = 16384);
+
+/// Adds up what paths carry of lights of these fluxes, lm, 0 where one is off; `bounds` are those
+/// of the scene. So the same paths tell the light of any time. Of n paths chosen by flux, a quarter
+/// of which leave upwards, the sum has a relative standard error of about 2 / sqrt(n).
+CityGlow find_city_glow(std::span<const UpwardPath> paths, std::span<const float> flux_lm,
+                        const Box& bounds);
+
+/// The same for the lights that shine at a time (s since noon), whose paths alone are followed.
 CityGlow find_city_glow(const RenderScene& scene, double time_s, LightFamilies on = all_families,
                         std::uint32_t paths = 16384);
 

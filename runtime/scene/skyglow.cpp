@@ -4,10 +4,13 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "formats/parallel.h"
+#include "runtime/scene/lit_lights.h"
 
 namespace nightcity::scene {
 namespace {
@@ -198,6 +201,7 @@ SkyMap make_skyglow(const CityGlow& glow, const Atmosphere& air, const Box& boun
     }
   });
   SkyMap map{256, 256, {}};
+  map.natural_cd_m2 = air.overcast ? 0 : float(natural_sky_cd_m2);
   map.rgb.assign(std::size_t{3} * map.width * map.height, 0);
   for (std::uint32_t y = 0; y < map.height / 2; ++y)
     for (std::uint32_t x = 0; x < map.width; ++x) {
@@ -217,6 +221,38 @@ SkyMap make_skyglow(const CityGlow& glow, const Atmosphere& air, const Box& boun
         map.rgb[3 * (std::size_t{y} * map.width + x) + std::size_t(c)] = float(luminance[c]);
     }
   return map;
+}
+
+CitySky make_city_sky(const RenderScene& scene, double time_s, LightFamilies on,
+                      const Atmosphere& air, double radius_m) {
+  std::vector<float> all(scene.lights.size());
+  std::transform(scene.lights.begin(), scene.lights.end(), all.begin(),
+                 [](const Light& light) { return light.flux_lm; });
+  const std::vector<float> now =
+      flux_of(lit_lights(scene.lights, scene.families, scene.schedules, scene.switches, time_s, on),
+              scene.lights);
+  // Half of the paths are of the lights that shine, however strong others are, and half of all
+  // lights, so that the sky can follow them.
+  const auto sum_of = [](const std::vector<float>& flux) {
+    return std::max(std::accumulate(flux.begin(), flux.end(), 0.0), 1e-300);
+  };
+  const double sum_now = sum_of(now), sum_all = sum_of(all);
+  std::vector<double> weight(all.size());
+  for (std::size_t i = 0; i < weight.size(); ++i)
+    weight[i] = double{now[i]} / sum_now + double{all[i]} / sum_all;
+  const std::vector<UpwardPath> paths = follow_upward_light(scene, std::move(weight), 32768);
+
+  CitySky sky{find_city_glow(paths, now, scene.bounds), {}};
+  CityGlow glow = find_city_glow(paths, all, scene.bounds);
+  if (sky.glow.flux_lm() > 0.01 * glow.flux_lm()) glow = sky.glow;
+  const glm::dvec3 upward_lm = glow.flux_lm() * glow.colour;
+  extend_city(glow, scene.bounds, radius_m);
+  sky.map = make_skyglow(glow, air, scene.bounds);
+  sky.map.upward_lm = upward_lm;
+  std::map<std::uint32_t, glm::dvec3> shares;
+  for (const UpwardPath& path : paths) shares[path.light] += path.share;
+  for (const auto& [light, share] : shares) sky.map.shares.push_back({light, glm::vec3(share)});
+  return sky;
 }
 
 }  // namespace nightcity::scene

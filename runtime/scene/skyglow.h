@@ -41,4 +41,16 @@ glm::dvec3 sky_luminance(const CityGlow& glow, const Atmosphere& air, const glm:
 /// Returns the map of the sky over the middle of `bounds`; below the horizon it is dark.
 SkyMap make_skyglow(const CityGlow& glow, const Atmosphere& air, const Box& bounds);
 
+struct CitySky {
+  CityGlow glow;  // of the scene alone
+  SkyMap map;
+};
+
+/// Returns the sky over a scene at a time (s since noon), whose city goes on around it up to
+/// `radius_m` from its middle. The map can follow the lights (SkyMap::shares). Where less than 1 %
+/// of their light leaves upwards at that time, it is the map of all lights, because the few that
+/// shine say little of the others.
+CitySky make_city_sky(const RenderScene& scene, double time_s, LightFamilies on,
+                      const Atmosphere& air, double radius_m);
+
 }  // namespace nightcity::scene

@@ -46,6 +46,36 @@ TEST(DeviceScene, LightsSwitchAtOnceByTheirSchedules) {
   EXPECT_EQ(on_device.buffers().lit_count, 1u);
 }
 
+// A white and a blue lamp of the same flux send their light upwards; 0.5 cd/m^2 of 2 are the sky's
+// own. So without the blue one the glow has half its red and green, and none of its blue.
+TEST(DeviceScene, TheSkyOfACityFollowsTheLightsThatShine) {
+  scene::RenderScene scene = two_lamps();
+  scene.sky_map = {1, 2, {2, 2, 2, 0, 0, 0}, {{0, {0.5f, 0.5f, 0}}, {1, {0.5f, 0.5f, 1}}}};
+  scene.sky_map.upward_lm = glm::dvec3(3000);
+  scene.sky_map.natural_cd_m2 = 0.5f;
+  render::DeviceScene on_device(test_device(), scene);
+  render::RenderSettings settings;
+  settings.sampling.estimator = render::Estimator::reference;
+  settings.environment.sky_cd_m2 = glm::vec3(1);
+  // The camera stands beside the ground.
+  const auto expect_sky = [&](double time_s, float up, const glm::vec3& expected) {
+    settings.time_s = time_s;
+    render::Renderer renderer(test_device(), test_passes(), on_device, 8, 8);
+    renderer.render_frame({{100, 2, 0}, {101, 2 + up, 0}, {0, 0, 1}, 10}, settings);
+    const measure::Image image = renderer.download(false);
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(image.rgb[c], expected[int(c)], 1e-5f) << time_s << " " << up << " " << c;
+  };
+  expect_sky(9 * hour_s, 1, {2, 2, 2});
+  expect_sky(7 * hour_s, 1, {1.25f, 1.25f, 0.5f});
+  expect_sky(7 * hour_s, -1, {0, 0, 0});
+  // The window dims the white lamp.
+  Light dimmed = scene.lights[0];
+  dimmed.flux_lm *= 0.5f;
+  on_device.edit_light(0, dimmed);
+  expect_sky(9 * hour_s, 1, {1.625f, 1.625f, 2});
+}
+
 TEST(DeviceScene, WhereNobodyWaitsLightsSwitchOnceTheirTablesAreMade) {
   const scene::RenderScene scene = two_lamps();
   render::DeviceScene on_device(test_device(), scene);

@@ -154,5 +154,38 @@ TEST(Skyglow, TheMapLooksTowardsTheCity) {
   EXPECT_NEAR(at(0.5) / at(0), 1, 0.2);
 }
 
+// What a map says of the lights at another time is what a map of that time is made of.
+TEST(CitySky, FollowsTheLightsToAnotherTime) {
+  SceneLights lights;
+  lights.lights = test::random_lamps(60, 90, 5);
+  lights.families.assign(lights.lights.size(), LightFamily::lamp);
+  for (std::size_t i = 0; i < lights.lights.size(); i += 3) lights.lights[i].schedule = 0;
+  lights.schedules = {{0, 2}};
+  lights.switches = {8 * 3600, 11 * 3600};
+  const RenderScene scene =
+      make_render_scene(test::random_town(20, 60, 3).scene(), std::move(lights));
+  const auto sky_at = [&](double hour, LightFamilies on = all_families) {
+    return make_city_sky(scene, hour * 3600, on, {}, 5000);
+  };
+  const CitySky evening = sky_at(9), night = sky_at(12);
+  ASSERT_LT(night.glow.flux_lm(), 0.9 * evening.glow.flux_lm());
+  const auto upward_of = [&](const CitySky& sky, bool late) {
+    glm::dvec3 sum(0);
+    for (const SkyMap::Share& share : sky.map.shares) {
+      const Light& light = scene.lights[share.light];
+      if (late && light.schedule != LIGHT_ALWAYS_ON) continue;
+      sum += double{light.flux_lm} * glm::dvec3(share.per_lumen);
+    }
+    return luminance(sum);
+  };
+  EXPECT_NEAR(upward_of(evening, false), evening.glow.flux_lm(), 1e-4 * evening.glow.flux_lm());
+  EXPECT_NEAR(upward_of(evening, true) / night.glow.flux_lm(), 1, 0.03);
+  EXPECT_NEAR(upward_of(night, false) / evening.glow.flux_lm(), 1, 0.03);
+  // Where nothing shines, the map is that of all lights.
+  const CitySky dark = sky_at(9, LightFamilies{});
+  EXPECT_EQ(dark.glow.flux_lm(), 0);
+  EXPECT_NEAR(luminance(dark.map.upward_lm) / evening.glow.flux_lm(), 1, 0.03);
+}
+
 }  // namespace
 }  // namespace nightcity::scene
