@@ -27,8 +27,8 @@ check "a bake leaves three files" lists whole "$city"
 # before it moves its files out: a signal that comes after that ends it with a whole city. Sets `child`.
 "$nightbake" -q town --blocks 60 --out large >/dev/null || exit 1
 start_and_stop() {
-  local attempt staging
-  for attempt in $(seq 20); do
+  local staging
+  for _ in $(seq 20); do
     # Bash starts background jobs with INT ignored; env undoes that.
     env --default-signal "$nightbake" -q run large/town.toml --out "$1" >out 2>err &
     child=$!
@@ -50,6 +50,18 @@ for signal in INT TERM HUP; do
   wait "$child"
   check "$signal ends the bake with 128 and its number" same $? $((128 + $(kill -l "$signal")))
   check "$signal leaves nothing: $(find made 2>/dev/null)" test ! -e made
+done
+
+# A town that is being written: nothing is left of it but whole files.
+for signal in INT TERM HUP; do
+  env --default-signal "$nightbake" -q town --blocks 4000 --out made/town >out 2>err &
+  child=$!
+  until [[ -e made/town ]] || ! kill -0 "$child" 2>/dev/null; do :; done
+  kill -s "$signal" "$child"
+  wait "$child"
+  check "$signal ends town with 128 and its number" same $? $((128 + $(kill -l "$signal")))
+  check "$signal leaves nothing of a town: $(find made 2>/dev/null)" test ! -e made
+  rm -rf made
 done
 
 # The same into a folder with a city in it: the old one stays whole.

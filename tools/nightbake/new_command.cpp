@@ -9,6 +9,7 @@
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
+#include "formats/program/output.h"
 #include "tools/bake/recipe/recipe.h"
 #include "tools/nightbake/commands.h"
 #include "tools/survey/new_recipe.h"
@@ -56,17 +57,11 @@ void write_new_recipe(const NewArguments& arguments) {
     throw Error(arguments.files.front().string(),
                 "no city can be made of this: neither a city model (CityGML, CityJSON, OBJ) nor a "
                 "map (OSM) is among the files");
-  const bool made = std::filesystem::create_directories(arguments.folder, error);
-  if (error) throw Error(arguments.folder.string(), "cannot be made: " + error.message());
-  try {
-    AtomicFile file(recipe);
-    file.write(survey::make_recipe_text(plan, arguments.folder));
-    file.commit();
-    bake::read_recipe(recipe);  // what is written must be one
-  } catch (...) {
-    if (made) std::filesystem::remove(arguments.folder, error);
-    throw;
-  }
+  program::require_writable_folder(arguments.folder);
+  AtomicFile file(recipe);
+  file.write(survey::make_recipe_text(plan, arguments.folder));
+  file.commit();
+  bake::read_recipe(recipe);  // what is written must be one
   fmt::print("wrote {0}; next: nightbake run {0} --out {1}\n", recipe.string(),
              (arguments.folder / "night").string());
 }

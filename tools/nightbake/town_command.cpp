@@ -24,6 +24,7 @@ void run(TownArguments& arguments) {
   if (arguments.blocks) town::size_for_blocks(arguments.town, arguments.blocks);
   if (arguments.buildings) town::size_for_buildings(arguments.town, arguments.buildings);
   if (arguments.triangles) town::size_for_triangles(arguments.town, arguments.triangles);
+  program::require_writable_folder(arguments.folder);
   const town::TownCounts counts = town::write_town(arguments.town, arguments.folder);
   fmt::print("{}/town.toml: {} blocks, {} buildings, {} polygons, about {} triangles, {} lamps\n",
              arguments.folder, counts.blocks, counts.buildings, counts.polygons, counts.triangles,
