@@ -24,6 +24,7 @@ void put_image_info(Imf::Header& header, const ImageInfo& info) {
   number("nightcity.bounces", info.bounces);
   text("nightcity.indirect", info.indirect);
   text("nightcity.left_out", info.left_out);
+  text("nightcity.settings", info.settings);
   number("nightcity.seed", info.seed);
   text("nightcity.device", info.device);
   text("nightcity.licences", info.licences);
@@ -51,6 +52,7 @@ ImageInfo get_image_info(const Imf::Header& header) {
   number("nightcity.bounces", info.bounces);
   info.indirect = text("nightcity.indirect");
   info.left_out = text("nightcity.left_out");
+  info.settings = text("nightcity.settings");
   number("nightcity.seed", info.seed);
   info.device = text("nightcity.device");
   info.licences = text("nightcity.licences");

@@ -11,8 +11,7 @@
 namespace nightcity::measure {
 
 /// Other values of each pixel: "albedo" with channels R, G and B, "depth" with Z. Whole numbers are
-/// exact up to
-/// 2^24.
+/// exact up to 2^24.
 struct ImageLayer {
   std::string name;                   // without a dot and not empty
   std::vector<std::string> channels;  // without the layer's name: "R", "G", "B" or "X", "Y" or "Z"
@@ -28,14 +27,15 @@ struct ImageInfo {
   std::uint32_t neighbours = 0;  // reused per pixel and frame
   std::uint32_t bounces = 0;     // of light before the surface that is seen; 0 = direct light alone
   std::string indirect;          // how the light that bounced was found; "" where there is none
-  std::string left_out;  // parts of the scene that were not loaded (--leave-out); "" = none
+  std::string left_out;          // parts of the scene that were not loaded (--leave-out); "" = none
+  std::string settings;          // those that differ from the defaults, "name=value ..."; "" = none
   std::uint64_t seed = 0;
   std::optional<float> ev100;  // exposure a viewer should start with
   std::string device;          // the Vulkan device's own name
-  std::string licences;  // whose data the picture shows, to be shown with it; "" = not known
-  std::string camera;    // as scene::to_text gives it; "" = not known
-  std::string time;      // of the night, HH:MM:SS; "" = not known
-  std::string eye;       // what an eye or a camera adds in a PNG; "" = nothing
+  std::string licences;        // whose data the picture shows, to be shown with it; "" = not known
+  std::string camera;          // as scene::to_text gives it; "" = not known
+  std::string time;            // of the night, HH:MM:SS; "" = not known
+  std::string eye;             // what an eye or a camera adds in a PNG; "" = nothing
 };
 
 /// Linear Rec. 709 RGB in cd/m2.

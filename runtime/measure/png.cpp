@@ -72,6 +72,7 @@ PngText png_text(const ImageInfo& info) {
   if (info.bounces) text.emplace_back("Bounces", std::to_string(info.bounces));
   if (!info.indirect.empty()) text.emplace_back("Indirect light", info.indirect);
   if (!info.left_out.empty()) text.emplace_back("Left out", info.left_out);
+  if (!info.settings.empty()) text.emplace_back("Settings", info.settings);
   if (!info.estimator.empty()) text.emplace_back("Seed", std::to_string(info.seed));
   if (info.ev100) text.emplace_back("EV100", fmt::format("{:.3f}", *info.ev100));
   if (!info.eye.empty()) text.emplace_back("Shown with", info.eye);

@@ -235,7 +235,9 @@ scene::RenderScene RenderOptions::load(const std::string& other,
                                        const scene::PartSet& parts) const {
   scene::RenderScene loaded = scene::load_render_scene(scene::find_scene_file(other), parts);
   if (!edits.empty()) {
-    const std::size_t unknown = apply_edits(read_light_edits(edits), loaded.lights);
+    const LightEdits by_hand = read_light_edits(edits);
+    const std::size_t unknown = apply_edits(by_hand, loaded.lights);
+    loaded.has_edited_lights = unknown < by_hand.size();
     if (unknown > 0) spdlog::warn("{}: {} lights are not in {}", edits, unknown, other);
   }
   if (settings.environment.glow != render::SkyGlow::none) make_sky(other, loaded);

@@ -104,6 +104,7 @@ DeviceScene::DeviceScene(gpu::Device& device, const scene::RenderScene& scene,
   lights_->enter(addresses_);
   follow_sky();
   left_out_ = scene.left_out;
+  has_edited_lights_ = scene.has_edited_lights;
 }
 
 void DeviceScene::store_geometry(const scene::RenderScene& scene, scene::RenderScene* released) {

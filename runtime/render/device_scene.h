@@ -42,7 +42,12 @@ class DeviceScene {
   bool set_time(double time_s, scene::LightFamilies on = scene::all_families);
   void switch_when_ready() { lights_->switch_when_ready(); }
   bool switching() const { return lights_->switching(); }
-  void edit_light(std::uint32_t index, const Light& light) { lights_->edit(index, light); }
+  void edit_light(std::uint32_t index, const Light& light) {
+    lights_->edit(index, light);
+    has_edited_lights_ = true;
+  }
+  /// Returns whether lights were edited, here or when the scene was loaded.
+  bool has_edited_lights() const { return has_edited_lights_; }
   std::uint32_t light_changes() const { return lights_->changes(); }
   bool has_switches() const { return lights_->has_switches(); }
   std::vector<double> flux_now() const { return lights_->flux_now(); }
@@ -114,6 +119,7 @@ class DeviceScene {
   scene::Box bounds_;
   glm::dvec3 origin_{0};
   scene::PartSet left_out_;
+  bool has_edited_lights_ = false;
   std::optional<DeviceLights> lights_;  // made last, when released geometry no longer takes memory
 };
 

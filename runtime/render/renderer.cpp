@@ -12,6 +12,7 @@
 #include "runtime/render/image_layers.h"
 #include "runtime/render/model_parts.h"
 #include "runtime/render/setting_table.h"
+#include "runtime/render/settings_file.h"
 
 namespace nightcity::render {
 namespace {
@@ -548,6 +549,9 @@ measure::Image Renderer::download(bool layers) const {
   image.info.bounces = settings.indirect.bounces;
   image.info.indirect = describe_indirect(settings, scene_.buffers().light_count);
   image.info.left_out = name_parts(scene_.left_out());
+  image.info.settings = describe_changes(settings);
+  if (scene_.has_edited_lights())
+    image.info.settings += image.info.settings.empty() ? "edited lights" : ", edited lights";
   image.info.seed = settings.sampling.seed;
   image.info.ev100 = settings.display.ev100;
   image.info.device = device_.label();

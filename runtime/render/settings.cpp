@@ -82,10 +82,21 @@ float extinction_of(const AirSettings& air) {
              : 0;
 }
 
+const char* name_projection(std::uint32_t projection) {
+  switch (projection) {
+    case PROJECTION_FISHEYE:
+      return "fisheye";
+    case PROJECTION_EQUIRECTANGULAR:
+      return "equirectangular";
+    default:
+      return "perspective";
+  }
+}
+
 std::uint32_t find_projection(const std::string& name) {
-  if (name == "perspective") return PROJECTION_PERSPECTIVE;
-  if (name == "fisheye") return PROJECTION_FISHEYE;
-  if (name == "equirectangular") return PROJECTION_EQUIRECTANGULAR;
+  for (const std::uint32_t projection :
+       {PROJECTION_PERSPECTIVE, PROJECTION_FISHEYE, PROJECTION_EQUIRECTANGULAR})
+    if (name == name_projection(projection)) return projection;
   throw UsageError("--projection",
                    "'" + name + "' is none of perspective, fisheye and equirectangular");
 }

@@ -123,6 +123,8 @@ struct EnvironmentSettings {
 
 /// Returns the projection of that name: perspective, fisheye or equirectangular. Throws UsageError.
 std::uint32_t find_projection(const std::string& name);
+/// Undoes find_projection.
+const char* name_projection(std::uint32_t projection);
 
 /// Sets a moon at this place in the sky, azimuth from north over east, that gives a surface facing
 /// it `lux` (full moon: 0.25). Its light is sunlight off the moon, of about 4,100 K.

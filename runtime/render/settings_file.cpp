@@ -200,6 +200,18 @@ std::vector<NamedText> list_changes(const RenderSettings& settings,
   return changes;
 }
 
+std::string describe_changes(const RenderSettings& settings) {
+  std::vector<NamedText> changes = list_changes(settings, RenderSettings{});
+  if (settings.projection != PROJECTION_PERSPECTIVE)
+    changes.push_back({"projection", name_projection(settings.projection)});
+  if (settings.environment.lights != scene::all_families)
+    changes.push_back({"lights", scene::text_of(settings.environment.lights)});
+  std::string text;
+  for (const NamedText& change : changes)
+    text += (text.empty() ? "" : " ") + change.name + "=" + change.text;
+  return text;
+}
+
 void write_settings_file(const SettingsFile& file, const std::string& comment) {
   std::string text;
   std::istringstream lines(comment);

@@ -103,6 +103,7 @@ struct RenderScene {
   std::vector<std::string> skipped{};  // as in Scene
   PartCounts parts{};  // what the files hold of each part, whether it was left out or not
   PartSet left_out{};
+  bool has_edited_lights = false;  // some are not as the files have them
 };
 
 /// Returns what the files hold and no picture shows, one sentence for each kind: what the reader

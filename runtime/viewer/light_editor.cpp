@@ -32,6 +32,7 @@ std::string LightEditor::open(const std::filesystem::path& file, scene::RenderSc
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     if (edits_.count(scene.lights[i].id) != 0) originals_.emplace(i, scene.lights[i]);
   const std::size_t unknown = apply_edits(edits_, scene.lights);
+  scene.has_edited_lights = unknown < edits_.size();
   std::string text = fmt::format("{} edited lights of {}", edits_.size() - unknown, file.string());
   if (unknown > 0) text += fmt::format("; {} more are not in this scene", unknown);
   return text;

@@ -29,6 +29,7 @@ class Exr : public testing::Test {
                   3,
                   "paths",
                   "windows,trees",
+                  "wet=0.5 lights=lamp",
                   0xFFFFFFFFFFFFFFFFu,
                   3.25f,
                   "a device",
@@ -61,6 +62,7 @@ TEST_F(Exr, PictureLayersAndInfoComeBackBitForBit) {
   EXPECT_EQ(in.info.bounces, 3u);
   EXPECT_EQ(in.info.indirect, "paths");
   EXPECT_EQ(in.info.left_out, "windows,trees");
+  EXPECT_EQ(in.info.settings, "wet=0.5 lights=lamp");
   EXPECT_EQ(in.info.licences, "City of X, CC BY 4.0");
   EXPECT_EQ(in.info.camera, "{\"fov_deg\":50}");
   EXPECT_EQ(in.info.time, "20:00:00");

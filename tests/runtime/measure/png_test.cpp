@@ -36,6 +36,7 @@ TEST_F(Png, SaysWhichEstimatorMadeIt) {
   info.estimator = "paper";
   info.frames = 16;
   info.ev100 = 2.5f;
+  info.settings = "wet=0.5";
   write_png(folder / "a.png", image, png_text(info));
   const std::string bytes = test::read_text(folder / "a.png");
   EXPECT_NE(bytes.find(std::string("tEXtEstimator\0paper", 19)), std::string::npos);
@@ -43,6 +44,7 @@ TEST_F(Png, SaysWhichEstimatorMadeIt) {
                                    "16",
                                    13)),
             std::string::npos);
+  EXPECT_NE(bytes.find(std::string("tEXtSettings\0wet=0.5", 20)), std::string::npos);
   EXPECT_NE(bytes.find("sRGB"), std::string::npos);
   EXPECT_EQ(read_png(folder / "a.png").rgb, image.rgb);
 }

@@ -76,6 +76,24 @@ TEST(DeviceScene, TheSkyOfACityFollowsTheLightsThatShine) {
   expect_sky(9 * hour_s, 1, {1.625f, 1.625f, 2});
 }
 
+TEST(DeviceScene, APictureSaysWhatIsNotAsByDefault) {
+  const scene::RenderScene scene = two_lamps();
+  render::DeviceScene on_device(test_device(), scene);
+  render::RenderSettings settings;
+  const auto info_of = [&] {
+    render::Renderer renderer(test_device(), test_passes(), on_device, 4, 4);
+    renderer.render_frame({{0, 15, 10}, {0, 0, 0}, {0, 1, 0}, 60}, settings);
+    return renderer.download(false).info.settings;
+  };
+  EXPECT_EQ(info_of(), "");
+  settings.environment.wetness = 0.5f;
+  settings.environment.lights = scene::parse_families("lamp");
+  settings.projection = PROJECTION_FISHEYE;
+  EXPECT_EQ(info_of(), "wet=0.5 projection=fisheye lights=lamp");
+  on_device.edit_light(0, scene.lights[0]);
+  EXPECT_EQ(info_of(), "wet=0.5 projection=fisheye lights=lamp, edited lights");
+}
+
 TEST(DeviceScene, WhereNobodyWaitsLightsSwitchOnceTheirTablesAreMade) {
   const scene::RenderScene scene = two_lamps();
   render::DeviceScene on_device(test_device(), scene);
