@@ -3,6 +3,7 @@
 // Adds the frame's estimate to the running mean, and writes the displayed pixel.
 #include "shaders/common.glsl"
 #include "shaders/geometry.glsl"
+#include "shaders/half_rate.glsl"
 #include "shaders/similar.glsl"
 #include "shaders/accumulation.glsl"
 #include "shaders/display.glsl"
@@ -27,7 +28,7 @@ void main() {
     uint before = index;
     const bool sky = surface.depth <= 0.0 && FRAME.previous_surfaces.at[index].depth <= 0.0 &&
                      FRAME.has_history != 0u && FRAME.previous_size == FRAME.size;
-    if (sky || previous_pixel(surface, false, before))
+    if (sky || previous_pixel(surface, before))
       total = FRAME.previous_accumulation.at[before];
     const float most = float(FRAME.window - 1u);
     if (total.frames > most) {
@@ -36,9 +37,16 @@ void main() {
                            total.luminance_squared * share);
     }
   }
-  add_compensated(total, radiance);
-  total.frames += 1.0;
-  total.luminance_squared += luminance(radiance) * luminance(radiance);
+  // What was filled stands in where the pixel has no light of its own, and goes when that comes: so
+  // the mean of frames at rest has none of it.
+  const bool filled = FRAME.half_rate != 0u && is_filled(FRAME.spatial.at[index]);
+  if (!filled || total.frames < 1.0) {
+    if (total.frames < 1.0) total = NO_ACCUMULATION;
+    const float weight = filled ? STAND_IN : 1.0;
+    add_compensated(total, weight * radiance);
+    total.frames += weight;
+    total.luminance_squared += weight * luminance(radiance) * luminance(radiance);
+  }
   FRAME.accumulation.at[index] = total;
 
   FRAME.display.at[index] = displayed(total.sum / total.frames);

@@ -57,7 +57,9 @@ AirSample resample_air(AirRay ray) {
 uvec2 pixel_of_block(uvec2 block) {
   const uint side = FRAME.air.block;
   const uint start = pcg4d(uvec4(block, STREAM_AIR_BLOCK, FRAME.seed)).w;
-  const uint turn = (start % (side * side) + FRAME.frame % (side * side)) % (side * side);
+  // At half rate a pixel counts in every second frame, and so has two turns, one after the other.
+  const uint frame = FRAME.half_rate == 0u ? FRAME.frame : FRAME.frame >> 1u;
+  const uint turn = (start % (side * side) + frame % (side * side)) % (side * side);
   return block * side + uvec2(turn % side, turn / side);
 }
 

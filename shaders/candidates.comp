@@ -9,6 +9,7 @@
 #include "shaders/light_sampling.glsl"
 #include "shaders/shading.glsl"
 #include "shaders/reservoir.glsl"
+#include "shaders/half_rate.glsl"
 #include "shaders/resampling.glsl"
 
 // Lights that are fainter than the strongest candidate by more than this factor are a set of their
@@ -61,22 +62,33 @@ Reservoir resample_visible_lights(LightSampler light_sampler, Receiver receiver,
   return reservoir;
 }
 
+// Stores a pixel's reservoir: where this frame reuses none for the pixel, also as what is shaded.
+void store(uint index, bool is_reused, Reservoir reservoir) {
+  FRAME.reservoirs.at[index] = reservoir;
+  if (!is_reused) FRAME.spatial.at[index] = reservoir;
+}
+
 void main() {
   uvec2 pixel;
   uint index;
-  if (!pixel_of_invocation(pixel, index)) return;
+  if (!any_pixel_of_invocation(pixel, index)) return;
   const Surface surface = FRAME.surfaces.at[index];
+  const bool is_reused = is_of_this_frame(pixel);
+  if (!is_reused && !must_be_sampled(pixel, surface)) {
+    store(index, is_reused, FILLED_RESERVOIR);
+    return;
+  }
   const LightSampler light_sampler = light_sampler_at(surface.position);
   if (surface.depth <= 0.0 || !any_light_shines(light_sampler)) {
-    FRAME.reservoirs.at[index] = EMPTY_RESERVOIR;
+    store(index, is_reused, EMPTY_RESERVOIR);
     return;
   }
   seed_random(pixel, STREAM_CANDIDATES);
   const Receiver receiver = receiver_of(surface);
 
   if (has_shadowed_target(ESTIMATOR)) {
-    FRAME.reservoirs.at[index] =
-        resample_visible_lights(light_sampler, receiver, FRAME.candidates);
+    store(index, is_reused,
+          resample_visible_lights(light_sampler, receiver, FRAME.candidates));
     return;
   }
   Reservoir reservoir = resample_lights(light_sampler, receiver, FRAME.candidates);
@@ -87,5 +99,5 @@ void main() {
   const bool test = drops_shadowed_candidates(ESTIMATOR) || VISIBILITY_REUSE != 0u;
   if (test && reservoir.W > 0.0 && !sees(receiver, reservoir.light, reservoir.uv))
     reservoir.W = 0.0;
-  FRAME.reservoirs.at[index] = reservoir;
+  store(index, is_reused, reservoir);
 }

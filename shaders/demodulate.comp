@@ -25,9 +25,9 @@ void main() {
     result.irradiance = max(mean_of(a) - emitted(surface) * passed, vec3(0.0)) / albedo;
     // The variance of the mean, from the spread of the frames. A few frames say too little: then
     // also from the spread of the pixels around.
-    const float l = luminance(a.sum) / max(a.frames, 1.0);
+    const float l = luminance(a.sum) / frames_of(a);
     float variance =
-        max(a.luminance_squared / max(a.frames, 1.0) - l * l, 0.0) / max(a.frames - 1.0, 1.0);
+        max(a.luminance_squared / frames_of(a) - l * l, 0.0) / max(a.frames - 1.0, 1.0);
     if (a.frames < 4.0) {
       float sum = 0.0, squares = 0.0, count = 0.0;
       for (int dy = -3; dy <= 3; ++dy)

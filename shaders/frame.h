@@ -210,6 +210,7 @@ struct Frame {
   uint disocclusion_boost;
   uint pairings;     // pairings of pixels in this frame (pairing.glsl)
   uint pair_block;   // side of the blocks within which pixels are paired: a power of two
+  uint half_rate;    // 0 = all pixels are sampled; else 1 or 2: half_rate.glsl says which
   uint permutation;  // of the history: corner of the blocks, x | y << 2, or NO_PERMUTATION
   // Shares of candidates by how they are sampled. vehicle_share is a share of all, sampled from
   // vehicles' lights. The others are shares of the rest: uniformly, from the near grid's cell, from

@@ -9,6 +9,7 @@
 #include "shaders/lights.glsl"
 #include "shaders/shading.glsl"
 #include "shaders/reservoir.glsl"
+#include "shaders/half_rate.glsl"
 #include "shaders/similar.glsl"
 #include "shaders/pairing.glsl"
 #include "shaders/reuse.glsl"
@@ -16,7 +17,7 @@
 void main() {
   uvec2 pixel;
   uint index;
-  if (!pixel_of_invocation(pixel, index)) return;
+  if (!sampled_pixel_of_invocation(pixel, index)) return;
   const Reservoir canonical = FRAME.reservoirs.at[index];
   // Partners first, because the pairwise weights need the sum of their M. A pixel that is not
   // similar is not counted at all: it could not have contributed.

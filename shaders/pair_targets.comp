@@ -9,13 +9,14 @@
 #include "shaders/lights.glsl"
 #include "shaders/shading.glsl"
 #include "shaders/reservoir.glsl"
+#include "shaders/half_rate.glsl"
 #include "shaders/similar.glsl"
 #include "shaders/pairing.glsl"
 
 void main() {
   uvec2 pixel;
   uint index;
-  if (!pixel_of_invocation(pixel, index)) return;
+  if (!sampled_pixel_of_invocation(pixel, index)) return;
   const Surface surface = FRAME.surfaces.at[index];
   if (surface.depth <= 0.0) {
     for (uint i = 0u; i < FRAME.pairings; ++i)

@@ -7,13 +7,15 @@
 // from frame to frame. Two random offsets a and b of a block, flipped as bits into the coordinates
 // of its pixels, make groups of four: p, p ^ a, p ^ b and p ^ a ^ b. A group has three ways to form
 // two pairs, and takes the one with the most pairs of similar pixels. All this depends on
-// geometry, frame, seed and pairing only, never on a sample.
+// geometry, frame, seed and pairing only, never on a sample. At half rate, all this is of the
+// pixels that the frame samples, pushed together in their rows.
 
 // Returns a random offset within FRAME.neighbour_radius, not zero, of at most `most` a coordinate.
 uvec2 random_flip(uvec2 words, uint most) {
   const vec2 u = vec2(words >> 8u) * (1.0 / 16777216.0);
   const float radius = FRAME.neighbour_radius * sqrt(u.x), angle = 0.5 * PI * u.y;
-  uvec2 flip = min(uvec2(round(radius * vec2(cos(angle), sin(angle)))), uvec2(most));
+  const float across = FRAME.half_rate == 0u ? 1.0 : 0.5;  // sampled pixels lie two apart in a row
+  uvec2 flip = min(uvec2(round(radius * vec2(across * cos(angle), sin(angle)))), uvec2(most));
   if (flip == uvec2(0u)) flip[words.x & 1u] = 1u;
   return flip;
 }
@@ -29,13 +31,14 @@ uint find_partner(uvec2 pixel, uint pairing) {
   const uint number = FRAME.frame * MAX_NEIGHBOURS + pairing;
   const uint last = FRAME.pair_block - 1u;
   const uvec2 corner = pcg4d(uvec4(number, stream, 0u, 1u)).xy & last;
-  const uvec2 at = pixel + corner;
+  const uvec2 at = uvec2(FRAME.half_rate == 0u ? pixel.x : pixel.x >> 1u, pixel.y) + corner;
   const uvec4 words = pcg4d(uvec4(at & ~uvec2(last), number, stream));
   const uvec2 a = random_flip(words.xy, last), b = random_flip(words.zw, last);
   const uvec2 flips[4] = uvec2[](uvec2(0u), a, b, a ^ b);
   uint group[4];
   for (uint i = 0u; i < 4u; ++i) {
-    const uvec2 there = (at ^ flips[i]) - corner;  // wraps below 0, which is outside too
+    uvec2 there = (at ^ flips[i]) - corner;  // wraps below 0, which is outside too
+    if (FRAME.half_rate != 0u) there = pixel_of_colour(there.x, there.y, false);
     group[i] =
         all(lessThan(there, FRAME.size)) ? there.y * FRAME.size.x + there.x : NO_HIT;
   }

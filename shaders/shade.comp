@@ -12,6 +12,7 @@
 #include "shaders/shading.glsl"
 #include "shaders/sky.glsl"
 #include "shaders/reservoir.glsl"
+#include "shaders/half_rate.glsl"
 #include "shaders/resampling.glsl"
 #include "shaders/path.glsl"
 #include "shaders/irradiance_cache.glsl"
@@ -38,7 +39,8 @@ vec3 reflected_indirect(Surface surface, Receiver receiver, uvec2 pixel) {
 void main() {
   uvec2 pixel;
   uint index;
-  if (!pixel_of_invocation(pixel, index)) return;
+  if (!any_pixel_of_invocation(pixel, index)) return;
+  if (FRAME.half_rate != 0u && is_filled(FRAME.spatial.at[index])) return;
   const Surface surface = FRAME.surfaces.at[index];
   LightLayers layers = NO_LAYERS;
   vec3 radiance;

@@ -24,34 +24,32 @@ float history_confidence(Surface now, Surface before) {
   return 1.0 / (1.0 + FRAME.history_falloff * dot(d, d));
 }
 
-// Finds the pixel that showed this point of this surface in the frame before; returns false where
-// there was none. `permuted`: takes a pixel beside it instead, where that shows the same surface.
-// Pixels are mirrored within blocks of 4 x 4, and the blocks' corner changes from frame to frame,
-// so that pixels do not pass on the same sample for long (Wyman, Panteleev 2021).
-bool previous_pixel(Surface surface, bool permuted, out uint index) {
-  index = 0u;
+// Finds where a point of a surface was in the frame before, in pixels, and how the camera saw it
+// then, so that neither its own motion nor the camera's makes it look like another. Returns false
+// where it was not in the picture.
+bool previous_place(Surface surface, out Surface expected, out vec2 at) {
+  expected = surface;
+  at = vec2(0.0);
   if (FRAME.has_history == 0u || surface.depth <= 0.0) return false;
   const Camera camera = FRAME.previous_camera;
-  // The surface as the camera saw it then, so that neither its own motion nor the camera's makes it
-  // look like another.
-  Surface expected = surface;
   expected.position += surface.motion;
   const vec3 d = expected.position - camera.position;
   expected.depth = length(d);
   vec2 screen;
   if (!screen_of(camera, d, screen)) return false;
   const uvec2 size = FRAME.previous_size;
-  const vec2 at = (screen * 0.5 + 0.5) * vec2(size);
-  if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, vec2(size)))) return false;
-  uvec2 there = uvec2(at);
-  if (permuted) {
-    const uvec2 corner = uvec2(FRAME.permutation & 3u, FRAME.permutation >> 2u & 3u);
-    // Wraps below 0, which is outside the picture too.
-    const uvec2 turned = ((there + corner) ^ 3u) - corner;
-    if (all(lessThan(turned, size)) &&
-        similar(expected, FRAME.previous_surfaces.at[turned.y * size.x + turned.x]))
-      there = turned;
-  }
-  index = there.y * size.x + there.x;
+  at = (screen * 0.5 + 0.5) * vec2(size);
+  return !(any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, vec2(size))));
+}
+
+// Finds the pixel that showed this point of this surface in the frame before; returns false where
+// there was none.
+bool previous_pixel(Surface surface, out uint index) {
+  index = 0u;
+  Surface expected;
+  vec2 at;
+  if (!previous_place(surface, expected, at)) return false;
+  const uvec2 there = uvec2(at);
+  index = there.y * FRAME.previous_size.x + there.x;
   return similar(expected, FRAME.previous_surfaces.at[index]);
 }

@@ -9,13 +9,14 @@
 #include "shaders/lights.glsl"
 #include "shaders/shading.glsl"
 #include "shaders/reservoir.glsl"
+#include "shaders/half_rate.glsl"
 #include "shaders/similar.glsl"
 #include "shaders/reuse.glsl"
 
 void main() {
   uvec2 pixel;
   uint index;
-  if (!pixel_of_invocation(pixel, index)) return;
+  if (!sampled_pixel_of_invocation(pixel, index)) return;
   const Surface surface = FRAME.surfaces.at[index];
   const Reservoir canonical = FRAME.reservoirs.at[index];
   if (surface.depth <= 0.0) {
@@ -34,7 +35,8 @@ void main() {
   for (uint i = 0u; i < wanted; ++i) {
     const float radius = FRAME.neighbour_radius * sqrt(random_float());
     const float angle = 2.0 * PI * random_float();
-    const ivec2 at = ivec2(pixel) + ivec2(round(radius * vec2(cos(angle), sin(angle))));
+    ivec2 at = ivec2(pixel) + ivec2(round(radius * vec2(cos(angle), sin(angle))));
+    if (!is_of_this_frame(uvec2(at))) at.x ^= 1;  // that beside it is
     if (!in_picture(at) || at == ivec2(pixel)) continue;
     const uint at_index = uint(at.y) * FRAME.size.x + uint(at.x);
     if (!similar(surface, FRAME.surfaces.at[at_index])) continue;

@@ -8,16 +8,18 @@
 #include "shaders/lights.glsl"
 #include "shaders/shading.glsl"
 #include "shaders/reservoir.glsl"
+#include "shaders/half_rate.glsl"
 #include "shaders/similar.glsl"
+#include "shaders/history.glsl"
 #include "shaders/reuse.glsl"
 
 void main() {
   uvec2 pixel;
   uint index;
-  if (!pixel_of_invocation(pixel, index)) return;
+  if (!sampled_pixel_of_invocation(pixel, index)) return;
   const Surface surface = FRAME.surfaces.at[index];
   uint before;
-  if (!previous_pixel(surface, FRAME.permutation != NO_PERMUTATION, before)) return;
+  if (!previous_sample(surface, FRAME.permutation != NO_PERMUTATION, before)) return;
 
   Reservoir history = sanitized(FRAME.previous_reservoirs.at[before]);
   const Reservoir canonical = FRAME.reservoirs.at[index];

@@ -139,8 +139,8 @@ FlightReport fly(const FlightOptions& options, Experiment& experiment,
   PassTimes passes;
   report.governor = make_governor(options, experiment, path, settings, progress);
   if (report.governor)
-    table.columns.insert(table.columns.end(),
-                         {"candidates", "neighbours", "cell_paths", "resolution_scale"});
+    table.columns.insert(table.columns.end(), {"candidates", "neighbours", "cell_paths",
+                                               "resolution_scale", "half_rate"});
   const double first_s = settings.time_s;
   std::optional<float> ev100 = options.ev100;
   for (std::uint32_t i = 0; i < options.frames; ++i) {
@@ -172,13 +172,14 @@ FlightReport fly(const FlightOptions& options, Experiment& experiment,
     }
     row.resize(table.columns.size());
     if (report.governor) {
-      row[row.size() - 4] = fmt::to_string(effort.max_candidates);
-      row[row.size() - 3] = fmt::to_string(effort.max_neighbours);
+      row[row.size() - 5] = fmt::to_string(effort.max_candidates);
+      row[row.size() - 4] = fmt::to_string(effort.max_neighbours);
       // Without a bound, the settings say how many there are.
       constexpr auto unbounded = std::numeric_limits<std::uint32_t>::max();
-      row[row.size() - 2] =
+      row[row.size() - 3] =
           effort.max_cell_paths == unbounded ? "" : fmt::to_string(effort.max_cell_paths);
-      row[row.size() - 1] = fmt::format("{:g}", effort.resolution_scale);
+      row[row.size() - 2] = fmt::format("{:g}", effort.resolution_scale);
+      row[row.size() - 1] = effort.half_rate ? "yes" : "no";
     }
     table.rows.push_back(std::move(row));
     if (is_measured || options.pictures) experiment.wake_up(pose, settings);

@@ -23,6 +23,11 @@ bool is_unbiased(const std::string& estimator) {
   return traits.samples && !traits.as_published;
 }
 
+// Returns whether a row is not of half rate, which is biased.
+bool samples_every_pixel(const measure::Table& table, const Row& row) {
+  return row[table.column("half-rate")] != "yes";
+}
+
 // Returns the swept settings that have more than one value in the rows.
 std::vector<render::Setting> list_varied(const measure::Table& table,
                                          const std::vector<const Row*>& rows) {
@@ -62,8 +67,8 @@ std::vector<SweptSettings> read_swept_settings(const measure::Table& sweep) {
   for (const Row& row : sweep.rows) {
     views.insert(row[sweep.column("view")]);
     if (std::lround(read_number(sweep, row, "frames")) == fewest &&
-        is_unbiased(row[sweep.column("estimator")]) && read_number(sweep, row, "ms") > 0 &&
-        read_number(sweep, row, "relative_mse") > 0)
+        is_unbiased(row[sweep.column("estimator")]) && samples_every_pixel(sweep, row) &&
+        read_number(sweep, row, "ms") > 0 && read_number(sweep, row, "relative_mse") > 0)
       rows.push_back(&row);
   }
   const std::vector<render::Setting> varied = list_varied(sweep, rows);

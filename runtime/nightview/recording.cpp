@@ -130,7 +130,7 @@ std::uint32_t record(const RecordingOptions& options, render::Renderer& renderer
   write_description(file, description, metered);
   const std::uint32_t pictures = count_pictures(options), seed = settings.sampling.seed;
   const double begin_s = settings.time_s;
-  settings.sampling.layers = options.exr;
+  settings.sampling.layers = options.exr && !render::is_half_rate(settings);
   std::uint32_t rendered = 0;
   for (std::uint32_t i = 0; i < pictures; ++i) {
     if (!fs::exists(options.folder / name_of_picture(i, ".png"))) {

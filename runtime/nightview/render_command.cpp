@@ -54,6 +54,12 @@ bool has_extension(const std::string& file, const char* extension) {
   return to_lower(std::filesystem::path(file).extension().string()) == extension;
 }
 
+// Returns whether a picture is written with figures: an EXR is.
+bool writes_figures(const RenderCommand& command) {
+  return std::any_of(command.outputs.begin(), command.outputs.end(),
+                     [](auto& output) { return has_extension(output, ".exr"); });
+}
+
 // Runs before any work: a wrong name should not be found out after the last frame.
 void check_outputs(const std::vector<std::string>& outputs) {
   for (const std::string& output : outputs) {
@@ -181,7 +187,7 @@ RenderedFrames render_frames(const RenderCommand& command, render::Renderer& ren
                              const scene::CameraPose& pose, program::ProgressDisplay& progress) {
   const render::RenderSettings& settings = command.options.settings;
   const render::Effort effort = choose_effort(command, make_renderer, pose, progress);
-  const bool layers = settings.sampling.layers;
+  const bool layers = settings.sampling.layers || writes_figures(command);
   const double target = command.governor.target_error;
   RenderedFrames result;
   std::unique_ptr<render::Renderer> other;
@@ -215,9 +221,7 @@ void warn_of_lights(const RenderOptions& options, const scene::RenderScene& scen
 
 void render(RenderCommand& command) {
   RenderOptions& options = command.options;
-  // An EXR holds figures.
-  const bool measures = std::any_of(command.outputs.begin(), command.outputs.end(),
-                                    [](auto& output) { return has_extension(output, ".exr"); });
+  const bool measures = writes_figures(command);
   options.to_be_looked_at = !measures && command.show == "picture";
   options.resolve();
   options.settings.display.tone = measure::tone_curve_from_name(command.tone);
@@ -226,7 +230,10 @@ void render(RenderCommand& command) {
     throw UsageError("--markers", "are drawn in perspective pictures alone");
   render::parse_exposure(command.exposure);  // throws early
   check_outputs(command.outputs);
-  options.settings.sampling.layers = find_illumination(command.show) || measures;
+  // At half rate an EXR has the picture and its surfaces: light by kind is kept where every pixel
+  // is sampled.
+  options.settings.sampling.layers = find_illumination(command.show).has_value() ||
+                                     (measures && !render::is_half_rate(options.settings));
 
   const auto load_start = Clock::now();
   // The driver starts while the scene is read.

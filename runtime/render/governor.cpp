@@ -30,6 +30,7 @@ std::string Rung::name() const {
     text += ", " + std::to_string(std::lround(100 * effort.resolution_scale)) + " % of each side";
   if (effort.max_cell_paths < std::numeric_limits<std::uint32_t>::max())
     text += ", " + std::to_string(effort.max_cell_paths) + " paths a cell";
+  if (effort.half_rate) text += ", every second pixel";
   return text;
 }
 
@@ -64,13 +65,18 @@ std::vector<Rung> list_rungs(const RenderSettings& settings) {
       c *= 2;
   }
   bound_cell_paths(settings, rungs);
-  // If one candidate a pixel is too many, frames with fewer pixels remain.
-  for (const float scale : {0.71f, 0.5f}) {
-    if (!traits.samples) break;
-    Rung smaller = rungs.front();
-    smaller.effort.resolution_scale = scale;
-    rungs.insert(rungs.begin(), smaller);
-  }
+  // If one candidate a pixel is too many, frames that sample fewer pixels remain: first half of
+  // them, with all edges in place, then smaller ones.
+  const Rung every_pixel = rungs.front();
+  const auto add_cheaper = [&](const Effort& effort) {
+    Rung cheaper = every_pixel;
+    cheaper.effort.half_rate = effort.half_rate;
+    cheaper.effort.resolution_scale = effort.resolution_scale;
+    rungs.insert(rungs.begin(), cheaper);
+  };
+  if (!traits.samples) return rungs;
+  if (!settings.sampling.half_rate && !settings.sampling.layers) add_cheaper({.half_rate = true});
+  for (const float scale : {0.71f, 0.5f}) add_cheaper({.resolution_scale = scale});
   return rungs;
 }
 

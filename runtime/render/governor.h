@@ -26,8 +26,9 @@ struct Rung {
 /// Returns the efforts that lead from one candidate and no neighbour to what the settings ask for,
 /// cheapest first, each at most about one and a half times as dear as the one before. With an
 /// irradiance cache, cells that come into view get no more paths than others but in the last rung:
-/// while the camera moves, they are many, and a frame's time would depend on their number. The two
-/// cheapest have the samples of the third and 71 and 50 % of the picture's sides.
+/// while the camera moves, they are many, and a frame's time would depend on their number. The
+/// cheapest have the samples of the first that samples every pixel: half of the pixels, then 71 and
+/// 50 % of the picture's sides.
 std::vector<Rung> list_rungs(const RenderSettings& settings);
 
 struct GovernorOptions {

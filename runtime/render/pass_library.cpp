@@ -93,6 +93,7 @@ PassSet PassLibrary::make_set(const PassConstants& constants) {
     jobs.push_back([&] {
       set.shade = make_trace({shade_spirv, shade_query_spirv, shade_pipeline_spirv});
     });
+    jobs.push_back([&] { set.fill = make(fill_spirv, over_pixels); });
     if (constants[CONSTANT_AIR] != 0)
       jobs.push_back([&] {
         set.air = make_trace({air_spirv, air_query_spirv, air_pipeline_spirv});

@@ -25,6 +25,7 @@ struct PassSet {
   TracePass reference, reference_path;    // compiled only for the reference estimator
   TracePass candidates, temporal, shade;  // compiled only for the others
   TracePass spatial;                      // compiled only for weights not pairwise
+  gpu::ComputePass fill;                  // compiled with them
   TracePass pair_targets;                 // compiled only for pairwise weights
   gpu::ComputePass pair_reuse;
   gpu::ComputePass cache_evict, cache_mark;  // compiled only with the irradiance cache

@@ -152,27 +152,39 @@ std::vector<Feature> Renderer::list_unneeded(const RenderSettings& settings) con
 }
 
 template <class Pass>
-FrameStep Renderer::step_of(const Pass& pass, const char* name, std::uint32_t first,
-                            std::uint32_t count, std::uint32_t slices) const {
+FrameStep Renderer::step_over(glm::uvec2 grid, const Pass& pass, const char* name,
+                              std::uint32_t first, std::uint32_t count,
+                              std::uint32_t slices) const {
   const gpu::Push push{frame_.address(), first, count};
-  return {name, pass.count_groups(size_.x, size_.y),
-          [&pass, push, size = size_, slices](VkCommandBuffer commands, std::uint32_t part,
-                                              std::uint32_t parts) {
-            pass.dispatch_groups(commands, &push, size.x, size.y, part, parts, slices);
+  return {name, pass.count_groups(grid.x, grid.y),
+          [&pass, push, grid, slices](VkCommandBuffer commands, std::uint32_t part,
+                                      std::uint32_t parts) {
+            pass.dispatch_groups(commands, &push, grid.x, grid.y, part, parts, slices);
           }};
 }
 
+template <class Pass>
+FrameStep Renderer::step_of(const Pass& pass, const char* name, std::uint32_t first,
+                            std::uint32_t count, std::uint32_t slices) const {
+  return step_over(size_, pass, name, first, count, slices);
+}
+
 void Renderer::add_restir(std::vector<FrameStep>& steps, const RenderSettings& settings) const {
-  steps.push_back(step_of(passes_->candidates, "candidates"));
+  // At half rate the pixels of a frame lie side by side in the left half of the grid, those that
+  // may have to be filled in the right half: half_rate.glsl.
+  const bool half_rate = is_half_rate(settings);
+  const glm::uvec2 half{(size_.x + 1) / 2, size_.y}, sampled = half_rate ? half : size_,
+                                                     any{half_rate ? 2 * half.x : size_.x, size_.y};
+  steps.push_back(step_over(any, passes_->candidates, "candidates"));
   const EstimatorTraits& traits = traits_of(settings.sampling.estimator);
   if (traits.reuses && settings.reuse.max_history > 0 && next_.has_history)
-    steps.push_back(step_of(passes_->temporal, "temporal"));
+    steps.push_back(step_over(sampled, passes_->temporal, "temporal"));
   if (traits.reuses && settings.reuse.neighbours > 0) {
     if (traits.pairs) {
-      steps.push_back(step_of(passes_->pair_targets, "spatial targets"));
-      steps.push_back(step_of(passes_->pair_reuse, "spatial"));
+      steps.push_back(step_over(sampled, passes_->pair_targets, "spatial targets"));
+      steps.push_back(step_over(sampled, passes_->pair_reuse, "spatial"));
     } else {
-      steps.push_back(step_of(passes_->spatial, "spatial"));
+      steps.push_back(step_over(sampled, passes_->spatial, "spatial"));
     }
   } else {
     const VkBuffer from = reservoirs_.handle(), to = pictures_[parity_ ^ 1].spatial.handle();
@@ -184,7 +196,8 @@ void Renderer::add_restir(std::vector<FrameStep>& steps, const RenderSettings& s
   if (find_indirect(settings) == INDIRECT_CACHE)
     for (FrameStep& step : cache_.list_steps(*passes_, frame_.address()))
       steps.push_back(std::move(step));
-  steps.push_back(step_of(passes_->shade, "shade"));
+  steps.push_back(step_over(any, passes_->shade, "shade"));
+  if (half_rate) steps.push_back(step_over(half, passes_->fill, "fill"));
   if (has_air(settings)) steps.push_back(step_of(passes_->air, "air"));
 }
 
@@ -395,6 +408,8 @@ void Renderer::fill_sampling(gpu::Frame& frame, const RenderSettings& chosen) co
   frame.history_falloff = reuse.history_falloff_m <= 0 ? 0 : 1 / (falloff_m * falloff_m);
   frame.disocclusion_boost = reuse.disocclusion_boost;
   frame.pairings = pairings_of(reuse);
+  // With the frame's number, so that two frames in a row sample all pixels.
+  frame.half_rate = is_half_rate(settings) ? 1 + frame_number_ % 2 : 0;
   frame.pair_block = std::bit_ceil(static_cast<std::uint32_t>(reuse.neighbour_radius_px) + 1);
   // Fibonacci hashing: consecutive frames get distant corners.
   frame.permutation = reuse.permute ? (frame_number_ * 2654435769u) >> 28 : NO_PERMUTATION;
@@ -427,6 +442,7 @@ void Renderer::begin_frame(const scene::CameraPose& pose, const RenderSettings& 
   RenderSettings bounded = settings;
   bounded.sampling.candidates = std::min(settings.sampling.candidates, effort.max_candidates);
   bounded.reuse.neighbours = std::min(settings.reuse.neighbours, effort.max_neighbours);
+  bounded.sampling.half_rate = settings.sampling.half_rate || effort.half_rate;
   gpu::Frame frame{};
   fill_buffers(frame, bounded);
   fill_view(frame);
@@ -559,6 +575,10 @@ measure::Image Renderer::download(bool layers) const {
   if (is_scaled)
     image.info.estimator += ", upscaled from " + std::to_string(picture.size.x) + " x " +
                             std::to_string(picture.size.y);
+  RenderSettings as_done = settings;
+  as_done.sampling.half_rate |= done_.effort.half_rate;
+  if (is_half_rate(as_done))
+    image.info.estimator += ", " + describe_half_rate(settings.averaging, done_.frames);
   if (!layers && is_scaled) return measure::upscale(image, picture_size_.x, picture_size_.y);
   if (!layers) return image;
   add_luminance_layer(image);

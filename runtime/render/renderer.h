@@ -35,6 +35,7 @@ struct Effort {
   std::uint32_t max_cell_paths = std::numeric_limits<std::uint32_t>::max();
   // Times the settings' resolution scale: 0.1 .. 1.
   float resolution_scale = 1;
+  bool half_rate = false;  // even where the settings do not ask for it
 
   bool operator==(const Effort&) const = default;
 };
@@ -161,6 +162,10 @@ class Renderer {
   template <class Pass>
   FrameStep step_of(const Pass& pass, const char* name, std::uint32_t first = 0,
                     std::uint32_t count = 0, std::uint32_t slices = 1) const;
+  // Returns a step with one invocation per cell of a grid and slice.
+  template <class Pass>
+  FrameStep step_over(glm::uvec2 grid, const Pass& pass, const char* name, std::uint32_t first = 0,
+                      std::uint32_t count = 0, std::uint32_t slices = 1) const;
 
   gpu::Device& device_;
   PassLibrary& library_;

@@ -70,8 +70,8 @@ void RungMeter::complete_place() {
   Rung& rung = rungs_[rung_];
   std::sort(ms_.begin(), ms_.end(), std::greater<>());
   rung.ms = std::max(rung.ms, ms_.at(1));
-  // A smaller picture, upscaled, has less noise, and errors that no other seed shows.
-  if (errors_ && rung.effort.resolution_scale < 1)
+  // A picture that is upscaled or filled has less noise, and errors that no other seed shows.
+  if (errors_ && (rung.effort.resolution_scale < 1 || rung.effort.half_rate))
     rung.relative_error = std::numeric_limits<double>::infinity();
   else if (errors_)
     rung.relative_error = std::max(rung.relative_error, measure::find_relative_noise(pictures_));

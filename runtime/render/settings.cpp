@@ -75,6 +75,18 @@ bool have_same_estimate(const RenderSettings& a, const RenderSettings& b) {
          a.environment == b.environment && a.air == b.air && a.projection == b.projection;
 }
 
+bool is_half_rate(const RenderSettings& settings) {
+  return settings.sampling.half_rate && !settings.sampling.layers &&
+         traits_of(settings.sampling.estimator).samples;
+}
+
+std::string describe_half_rate(const AveragingSettings& averaging, std::uint32_t frames) {
+  // Two frames at rest sample every pixel; a mean that moves may hold what was filled.
+  return frames < 2 || averaging.window > 0
+             ? "half rate: every second pixel filled from those beside it, biased"
+             : "half rate: every pixel sampled in each second frame";
+}
+
 float extinction_of(const AirSettings& air) {
   constexpr float log_of_contrast = 3.912f;  // -ln 0.02
   return air.visibility_km > 0

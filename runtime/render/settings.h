@@ -55,6 +55,9 @@ struct SamplingSettings {
   float vehicle_share = 0.3f;  // of all candidates, sampled from vehicles' lights where any shine
   // Sides that are rendered as a share of the picture's, 0.1 .. 1; less than 1 is upscaled.
   float resolution_scale = 1;
+  // Samples every second pixel in a frame, the others in the next, and fills those that it does not
+  // sample from the pixels beside them: is_half_rate().
+  bool half_rate = false;
   bool jitter = true;   // sub-pixel offsets from frame to frame: anti-aliasing
   bool layers = false;  // keeps the light of each kind of source apart, too
   std::uint32_t seed = 0;
@@ -210,6 +213,12 @@ struct RenderSettings {
 /// Returns whether frames of both settings may go into one mean: only their display, averaging,
 /// time and forced features may differ.
 bool have_same_estimate(const RenderSettings& a, const RenderSettings& b);
+
+/// Returns whether frames sample every second pixel alone: where the settings ask for it, and the
+/// estimator draws samples. Layers are kept of pixels that are sampled, so they have all sampled.
+bool is_half_rate(const RenderSettings& settings);
+/// Returns what half rate does to a mean of that many frames, with its bias, as pictures carry it.
+std::string describe_half_rate(const AveragingSettings& averaging, std::uint32_t frames);
 
 /// Returns how light that bounces is found, INDIRECT_* of shaders/specialization.h.
 std::uint32_t find_indirect(const RenderSettings& settings);

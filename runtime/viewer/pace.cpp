@@ -51,7 +51,7 @@ void Pace::start_meter(std::uint32_t divisor, bool cheapest_alone) {
   std::vector<render::Rung> rungs = render::list_rungs(shown_->settings);
   if (cheapest_alone)
     rungs = {*std::find_if(rungs.begin(), rungs.end(), [](const render::Rung& rung) {
-      return rung.effort.resolution_scale == 1;
+      return rung.effort.resolution_scale == 1 && !rung.effort.half_rate;
     })};
   const std::vector<std::vector<render::Moment>> places{
       render::moving_aside(shown_->pose, shown_->settings.time_s, step_m)};

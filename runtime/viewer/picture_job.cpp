@@ -44,7 +44,9 @@ PictureJob::PictureJob(gpu::Device& device, render::PassLibrary& passes, render:
       size_(size_of(view, quality)),
       frames_(quality.frames) {
   settings_.averaging = {};
-  settings_.sampling.resolution_scale = 1;  // a picture that is kept has every pixel
+  // A picture that is kept has every pixel, each sampled in every frame.
+  settings_.sampling.resolution_scale = 1;
+  settings_.sampling.half_rate = false;
 }
 
 SavedPicture PictureJob::download(const render::DisplaySettings& display) {

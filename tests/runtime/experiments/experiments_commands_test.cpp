@@ -113,6 +113,7 @@ TEST_F(MeasuringCommands, GovernedFlightsSayWhatTheyChose) {
     EXPECT_EQ(row[table.column("candidates")], "1");
     EXPECT_EQ(row[table.column("neighbours")], "0");
     EXPECT_EQ(row[table.column("resolution_scale")], "0.5");
+    EXPECT_EQ(row[table.column("half_rate")], "no");
   }
 }
 

@@ -31,10 +31,12 @@ TEST(Sweep, ColumnsKeepTheirNamesAndOrder) {
   for (const render::Setting& setting : list_swept_settings())
     columns.push_back(render::column_of(setting));
   EXPECT_EQ(columns, (std::vector<std::string>{
-                         "estimator", "candidates", "neighbours", "radius", "history", "reach",
-                         "boost", "permute", "local-share", "wide-share", "uniform-share",
-                         "fleet-share", "visibility-reuse", "bounces", "cache", "cache-cell",
-                         "cache-paths", "air-candidates", "air-block", "resolution-scale"}));
+                         "estimator",        "candidates",     "neighbours",    "radius",
+                         "history",          "reach",          "boost",         "permute",
+                         "local-share",      "wide-share",     "uniform-share", "fleet-share",
+                         "visibility-reuse", "bounces",        "cache",         "cache-cell",
+                         "cache-paths",      "air-candidates", "air-block",     "resolution-scale",
+                         "half-rate"}));
 }
 
 TEST(Sweep, EveryCombinationComesOnceWithoutSettingsThatAnEstimatorLacks) {

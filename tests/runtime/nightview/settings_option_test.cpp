@@ -69,6 +69,33 @@ TEST_F(SettingsOption, NamesFilesBesideItself) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
+// A file as `price` writes it serves every command that renders a scene; the window's test is in
+// tests/runtime/viewer.
+TEST_F(SettingsOption, IsTakenByEveryCommandThatRenders) {
+  test::write_text(folder / "s.toml",
+                   "# Found by nightview price\n[render]\nbounces = 1\nhalf-rate = true\n"
+                   "candidates = 4\nsize = \"8x6\"\nleave-out = [\"windows\"]\n");
+  const auto out = [&](const char* name) { return "--out" + test::quoted(folder / name); };
+  for (const auto& [command, options] :
+       {std::pair{"render", "--frames 1 " + out("a.exr")},
+        std::pair{"flight",
+                  "--path orbit --frames 2 --every 100 --reference-frames 1 " + out("flight")},
+        std::pair{"record", "--path orbit --duration 0.1 --frames 1 " + out("record")},
+        std::pair{"bench", std::string("--frames 1 --warm-up 0")},
+        std::pair{"sweep", "--frames 1 --reference-frames 1 --warm-up 0 " + out("sweep")},
+        std::pair{"price", std::string("--frames 1 --runs 3")},
+        std::pair{"upward", out("upward")}}) {
+    const test::Outcome outcome =
+        test::run_program("nightview", std::string("-q ") + command +
+                                           test::quoted(folder / "city.glb") + options +
+                                           " --settings" + test::quoted(folder / "s.toml"));
+    EXPECT_EQ(outcome.exit_code, 0) << command << ": " << outcome.err;
+  }
+  EXPECT_NE(test::read_text(folder / "a.exr").find("half rate"), std::string::npos);
+  EXPECT_NE(test::read_text(folder / "sweep/sweep.csv").find(",yes,1,"), std::string::npos)
+      << "the file's half rate takes the place of the list";
+}
+
 TEST_F(SettingsOption, PresetsGiveWayToSettingsAndOptions) {
   const auto candidates = [&](const std::string& settings, const std::string& options) {
     const test::Outcome outcome = bench(settings, options + " --size 8x6");

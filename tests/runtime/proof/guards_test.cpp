@@ -248,7 +248,7 @@ TEST(Guard, WhatWasHiddenHasNoHistory) {
     return different < a.pixels() / 200;
   };
   expect_guarded(no_smear,
-                 {{"similar.glsl", "return similar(expected, FRAME.previous_surfaces.at[index]);",
+                 {{"history.glsl", "return similar(expected, FRAME.previous_surfaces.at[index]);",
                    "return FRAME.previous_surfaces.at[index].depth > 0.0;"}});
 }
 

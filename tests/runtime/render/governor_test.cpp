@@ -33,10 +33,12 @@ TEST(Rungs, LeadFromOneCandidateToTheSettingsInSmallSteps) {
       settings.sampling.candidates = candidates;
       settings.reuse.neighbours = neighbours;
       const std::vector<Rung> rungs = list_rungs(settings);
-      ASSERT_GE(rungs.size(), 3u);
+      ASSERT_GE(rungs.size(), 4u);
       EXPECT_EQ(rungs[0].effort.resolution_scale, 0.5f);
       EXPECT_EQ(rungs[1].effort.resolution_scale, 0.71f);
-      EXPECT_EQ(rungs[2].effort, (Effort{1, 0}));
+      EXPECT_EQ(rungs[2].effort,
+                (Effort{.max_candidates = 1, .max_neighbours = 0, .half_rate = true}));
+      EXPECT_EQ(rungs[3].effort, (Effort{1, 0}));
       EXPECT_EQ(rungs.back().effort, (Effort{candidates, neighbours}));
       for (std::size_t i = 1; i < rungs.size(); ++i) {
         EXPECT_GE(rungs[i].effort.max_candidates, rungs[i - 1].effort.max_candidates);
@@ -54,14 +56,31 @@ TEST(Rungs, BoundThePathsOfNewCells) {
   settings.indirect.bounces = 4;
   settings.indirect.paths = 2;
   const std::vector<Rung> rungs = list_rungs(settings);
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(rungs[i].effort.max_cell_paths, 1u) << i;
-  for (std::size_t i = 3; i + 1 < rungs.size(); ++i)
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(rungs[i].effort.max_cell_paths, 1u) << i;
+  for (std::size_t i = 4; i + 1 < rungs.size(); ++i)
     EXPECT_EQ(rungs[i].effort.max_cell_paths, 2u) << i;
   EXPECT_EQ(rungs.back().effort.max_cell_paths, Effort{}.max_cell_paths);
   EXPECT_EQ(rungs.back().effort.max_candidates, settings.sampling.candidates);
   EXPECT_NE(rungs[0].name().find("50 % of each side, 1 paths a cell"), std::string::npos);
-  EXPECT_NE(rungs[3].name().find("2 paths a cell"), std::string::npos);
+  EXPECT_NE(rungs[2].name().find("every second pixel"), std::string::npos);
+  EXPECT_NE(rungs[4].name().find("2 paths a cell"), std::string::npos);
   EXPECT_EQ(rungs.back().name().find("a cell"), std::string::npos);
+}
+
+// Settings that ask for half rate have it in every rung, and layers need every pixel.
+TEST(Rungs, HaveHalfRateOnceWhereItMakesADifference) {
+  RenderSettings settings;
+  const auto count_half = [&] {
+    const std::vector<Rung> rungs = list_rungs(settings);
+    return std::count_if(rungs.begin(), rungs.end(),
+                         [](const Rung& rung) { return rung.effort.half_rate; });
+  };
+  EXPECT_EQ(count_half(), 1);
+  settings.sampling.half_rate = true;
+  EXPECT_EQ(count_half(), 0);
+  settings.sampling.half_rate = false;
+  settings.sampling.layers = true;
+  EXPECT_EQ(count_half(), 0);
 }
 
 TEST(Rungs, OfTheReferenceAreOne) {

@@ -82,6 +82,15 @@ TEST_F(ViewerWindow, ShowsThePictureAndSaysWhichEstimatorMadeIt) {
   EXPECT_GT(colours(window, 12, 200, 214, 232), 1u);  // the caption's line
 }
 
+TEST_F(ViewerWindow, TakesASettingsFile) {
+  test::write_text(folder / "s.toml",
+                   "[render]\nestimator = \"ris\"\nbounces = 1\nhalf-rate = true\n");
+  ASSERT_EQ(run("exec $V $S --settings s.toml --quit-after 6 --screenshot window.png\n"), 0)
+      << text("err.txt");
+  EXPECT_NE(text("out.txt").find("estimator ris"), std::string::npos) << text("out.txt");
+  EXPECT_GT(colours(measure::read_png(folder / "window.png"), 0, 320, 0, 240), 100u);
+}
+
 TEST_F(ViewerWindow, PanelAndMarkersAreDrawnOverThePicture) {
   // The same picture with and without markers: the difference shows the markers.
   ASSERT_EQ(run("$V $S --quit-after 3 --ev 3 --screenshot plain.png && $V $S --quit-after 3 --ev 3 "
