@@ -66,10 +66,11 @@ void keep_made_folders() {
 }
 
 void require_writable_folder_of(const std::filesystem::path& file) {
-  // Nothing is made beside a device or FIFO (/dev/null, /dev/stdout).
   std::error_code ignored;
-  if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored) &&
-      !std::filesystem::is_directory(file, ignored))
+  if (std::filesystem::is_directory(file, ignored))
+    throw Error(file.string(), "is a folder: name a file in it");
+  // Nothing is made beside a device or FIFO (/dev/null, /dev/stdout).
+  if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored))
     return;
   require_writable_folder(std::filesystem::absolute(file).parent_path());
 }

@@ -21,7 +21,7 @@ CLI::Option* add_output_option(CLI::App& command, Target& target, const std::str
 /// remove_made_folders().
 void require_writable_folder(const std::filesystem::path& folder);
 
-/// Does the same for the folder that `file` will lie in.
+/// Does the same for the folder that `file` will lie in, and throws Error where `file` is a folder.
 void require_writable_folder_of(const std::filesystem::path& file);
 
 /// Removes the folders made by require_writable_folder() that are empty: a command that fails leaves

@@ -16,6 +16,7 @@
 #include "runtime/render/model_parts.h"
 #include "runtime/render/settings_file.h"
 #include "runtime/scene/light_families.h"
+#include "runtime/scene/scene_file.h"
 
 namespace nightcity::nightview {
 namespace {
@@ -86,6 +87,7 @@ std::vector<std::uint32_t> parse_rising_counts(const std::string& text) {
 
 void sweep(SweepCommand& command) {
   experiments::SweepOptions& options = command.options;
+  options.scene = scene::find_scene_file(options.scene).string();
   take_settings(command);
   options.size = render::parse_size(command.size);
   options.views = render::split_list("--views", command.views);

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
 #include <memory>
 #include <optional>
 
@@ -76,6 +78,10 @@ void view(ViewCommand& command) {
   fmt::print("{} frames shown, the last {} of them averaged, estimator {}\n", report.shown,
              report.frames, report.estimator);
   if (!report.pace.empty()) fmt::print("budget: {}\n", report.pace);
+  // All is done and kept. A caller learns all the same that the window was closed by a signal: a
+  // shell that saw the exit code 0 after Ctrl-C would go on with its loop. Results that cannot be
+  // written are an error first.
+  if (report.closing_signal != 0 && std::fflush(stdout) == 0) std::raise(report.closing_signal);
 }
 
 std::string describe_input() {

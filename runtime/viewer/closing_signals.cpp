@@ -3,12 +3,16 @@
 #include <time.h>
 
 #include <atomic>
+#include <limits>
 
 namespace nightcity::viewer {
 namespace {
 
-std::atomic<long> first_seen_s{0};  // of the system's clock since it started; 0 = none yet
-static_assert(std::atomic<long>::is_always_lock_free);
+constexpr long never_s = std::numeric_limits<long>::max();
+
+std::atomic<int> first_signal{0};         // 0 = none yet
+std::atomic<long> first_seen_s{never_s};  // of the system's clock since it started
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<long>::is_always_lock_free);
 
 // Signals to a process group come twice within a moment, from the terminal and from a parent.
 constexpr long same_signal_s = 1;
@@ -16,9 +20,12 @@ constexpr long same_signal_s = 1;
 void note(int signal) {
   timespec now{};
   ::clock_gettime(CLOCK_MONOTONIC, &now);  // may be called in a handler: signal-safety(7)
-  const long now_s = now.tv_sec + 1;       // never 0
-  long none = 0;
-  if (first_seen_s.compare_exchange_strong(none, now_s) || now_s - none <= same_signal_s) return;
+  int none = 0;
+  if (first_signal.compare_exchange_strong(none, signal)) {
+    first_seen_s = now.tv_sec;
+    return;
+  }
+  if (now.tv_sec - first_seen_s.load() <= same_signal_s) return;
   struct sigaction standard {};
   standard.sa_handler = SIG_DFL;
   ::sigaction(signal, &standard, nullptr);
@@ -28,7 +35,8 @@ void note(int signal) {
 }  // namespace
 
 ClosingSignals::ClosingSignals() {
-  first_seen_s = 0;
+  first_seen_s = never_s;
+  first_signal = 0;
   struct sigaction noting {};
   noting.sa_handler = note;
   sigemptyset(&noting.sa_mask);
@@ -42,8 +50,8 @@ ClosingSignals::~ClosingSignals() {
   for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &before_[i], nullptr);
 }
 
-bool ClosingSignals::came() {
-  return first_seen_s > 0;
+int ClosingSignals::first() {
+  return first_signal;
 }
 
 }  // namespace nightcity::viewer

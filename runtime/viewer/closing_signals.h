@@ -16,8 +16,8 @@ class ClosingSignals {
   ClosingSignals(const ClosingSignals&) = delete;
   ClosingSignals& operator=(const ClosingSignals&) = delete;
 
-  /// Returns whether one has come.
-  static bool came();
+  /// Returns the first that came, or 0.
+  static int first();
 
  private:
   static constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};

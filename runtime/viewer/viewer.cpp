@@ -52,7 +52,7 @@ class Viewer {
 
   ViewReport run() {
     const ClosingSignals signals;
-    while (!window_.closing() && !ClosingSignals::came() &&
+    while (!window_.closing() && ClosingSignals::first() == 0 &&
            (options_.quit_after == 0 || shown_ < options_.quit_after))
       step();
     window_.hide();
@@ -62,7 +62,7 @@ class Viewer {
       scene::write_camera(options_.save_camera, session_.state.camera.pose);
     presenter_.device().check_validation();
     return {shown_, stats_.frames, render::name_of(session_.state.settings.sampling.estimator),
-            stats_.pace};
+            stats_.pace, ClosingSignals::first()};
   }
 
  private:

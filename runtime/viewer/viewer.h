@@ -49,7 +49,8 @@ struct ViewReport {
   std::uint32_t shown = 0;   // frames shown
   std::uint32_t frames = 0;  // in the last mean
   std::string estimator;
-  std::string pace;  // how frames kept to their budget; "" without one
+  std::string pace;        // how frames kept to their budget; "" without one
+  int closing_signal = 0;  // that closed the window; 0 = none
 };
 
 /// Runs the window and returns when it is closed, by its user or a signal. Throws Error when there

@@ -57,6 +57,7 @@ TEST(WritableFolder, LeavesNothingBehindWhereItFails) {
 
 TEST(WritableFolder, IsNoFileAndNotBelowOne) {
   const TempFolder folder;
+  EXPECT_THROW(require_writable_folder_of(folder.path()), Error);  // a file is to lie there
   test::write_text(folder / "file", "text");
   EXPECT_THROW(require_writable_folder(folder / "file"), Error);
   EXPECT_THROW(require_writable_folder(folder / "file/below"), Error);

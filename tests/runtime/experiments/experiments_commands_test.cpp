@@ -50,6 +50,19 @@ TEST_F(MeasuringCommands, SweepWritesTableAndPlotAndGoesOnWhereItStopped) {
                           [&](const auto& row) { return row[table.column("front")] == "yes"; }));
 }
 
+TEST_F(MeasuringCommands, SweepTakesTheFolderOfAScene) {
+  const std::string options =
+      " --size 8x6 --estimator ris --frames 1 --warm-up 0 --reference-frames 1 --candidates ";
+  const test::Outcome whole = nightview("sweep", test::quoted(folder.path()) + options + "1");
+  ASSERT_EQ(whole.exit_code, 0) << whole.err;
+  // The scene is the same one by its name, so that the table goes on.
+  ASSERT_EQ(nightview("sweep", scene() + options + "2").exit_code, 0);
+  EXPECT_EQ(measure::read_csv(folder / "out/sweep.csv").rows.size(), 2u);
+  const test::Outcome none = nightview("sweep", test::quoted(folder / "out") + options + "1");
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_NE(none.err.find("holds no .glb"), std::string::npos) << none.err;
+}
+
 TEST_F(MeasuringCommands, SweepTakesSettingsFromAFile) {
   test::write_text(folder / "s.toml",
                    "[render]\nestimator = \"ris\"\ncandidates = 3\nwet = 0.5\ntime = \"21:00\"\n"

@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "formats/light_file.h"
 #include "runtime/measure/png.h"
@@ -361,7 +362,7 @@ TEST_F(ViewerWindow, APlaceThatIsTypedIsGoneTo) {
                 "  sleep 2; xdotool key g; sleep 0.3; xdotool type --delay 40 '3 -4'\n"
                 "  sleep 0.3; xdotool key Return\n"
                 "done\n"
-                "sleep 1; kill -TERM $viewer; wait $viewer\n"),
+                "sleep 1; kill -TERM $viewer; wait $viewer; test $? = 143\n"),
             0)
       << text("err.txt");
   const scene::CameraPose pose = scene::parse_camera(text("camera.json"), "camera.json");
@@ -399,7 +400,7 @@ TEST_F(ViewerWindow, ALampIsEditedAndTheEditsAreKept) {
                 "  sleep 0.5; test -e lamp.edits.json && break\n"
                 "done\n"
                 "xdotool key o key ctrl+e; sleep 1\n"
-                "kill -TERM $viewer; wait $viewer\n"
+                "kill -TERM $viewer; wait $viewer; test $? = 143 || exit 1\n"
                 "cat lamp.edits.json\n"
                 "$W --quit-after 3 --ev 0 --tone linear --bounces 0 --screenshot off.png\n"
                 "for e in '' '--edits lamp.edits.json'; do\n"
@@ -417,10 +418,11 @@ TEST_F(ViewerWindow, ALampIsEditedAndTheEditsAreKept) {
   EXPECT_EQ(colours(measure::read_png(folder / "r--edits.png"), 0, 64, 0, 48), 1u);  // black
 }
 
+// A shell reports 128 and the signal's number, so that Ctrl-C ends its loops too.
 TEST_F(ViewerWindow, ASignalEndsItAsClosingDoes) {
-  for (const char* signal : {"INT", "TERM", "HUP"}) {
+  for (const auto& [signal, code] : {std::pair{"INT", 130}, {"TERM", 143}, {"HUP", 129}}) {
     ASSERT_EQ(run(std::string("rm -f camera.json; timeout --preserve-status -s ") + signal +
-                  " 5 $V $S --save-camera camera.json\n"),
+                  " 5 $V $S --save-camera camera.json\ntest $? = " + std::to_string(code) + "\n"),
               0)
         << text("err.txt");
     EXPECT_NE(text("camera.json"), "") << signal;
@@ -428,11 +430,22 @@ TEST_F(ViewerWindow, ASignalEndsItAsClosingDoes) {
   }
 }
 
+// The files stay mapped, so that nothing is missing until it ends.
+TEST_F(ViewerWindow, ASignalEndsItWhereTheScenesFolderIsGone) {
+  ASSERT_EQ(run("mkdir gone; cp town.glb town.lights gone\n"
+                "${V%% *} gone/town.glb --size 160x120 --every 8 & viewer=$!\n"
+                "sleep 5; rm -r gone; sleep 1\n"
+                "kill -TERM $viewer; wait $viewer; test $? = 143\n"),
+            0)
+      << text("err.txt");
+  EXPECT_NE(text("out.txt").find("frames shown"), std::string::npos);
+}
+
 TEST_F(ViewerWindow, AtRestItSleeps) {
   ASSERT_EQ(run("$V --size 160x120 --every 8 --frames 1 & viewer=$!\n"
                 "sleep 10; cp /proc/$viewer/stat before.txt\n"
                 "sleep 4; cp /proc/$viewer/stat after.txt\n"
-                "kill -TERM $viewer; wait $viewer\n"),
+                "kill -TERM $viewer; wait $viewer; test $? = 143\n"),
             0)
       << text("err.txt");
   const auto ticks = [&](const char* name) {
