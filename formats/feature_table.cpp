@@ -6,6 +6,7 @@
 
 #include "formats/error.h"
 #include "formats/gltf_constants.h"
+#include "formats/json_parse.h"
 
 namespace nightcity {
 namespace {
@@ -155,7 +156,7 @@ std::vector<SceneFeature> read_feature_table(const json& extension, std::size_t 
     }
     return features;
   } catch (const json::exception& error) {
-    throw Error("", "EXT_structural_metadata", error.what());
+    throw Error("", "EXT_structural_metadata", describe(error));
   }
 }
 

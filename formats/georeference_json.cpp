@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/error.h"
+#include "formats/json_parse.h"
 
 namespace nightcity {
 
@@ -30,7 +31,7 @@ Georeference georeference_from_json(const nlohmann::json& json) {
     if (origin.size() != 3) throw Error("", "georeference", "origin is not three numbers");
     result.origin = {origin[0], origin[1], origin[2]};
   } catch (const nlohmann::json::exception& error) {
-    throw Error("", "georeference", error.what());
+    throw Error("", "georeference", describe(error));
   }
   for (int i = 0; i < 3; ++i)
     if (!std::isfinite(result.origin[i])) throw Error("", "georeference", "origin is not finite");

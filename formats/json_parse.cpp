@@ -37,8 +37,15 @@ nlohmann::json parse_json(std::string_view text, const std::string& name) {
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::exception& error) {
-    throw Error(name, error.what());
+    throw Error(name, "is no JSON: " + describe(error));
   }
+}
+
+std::string describe(const nlohmann::json::exception& error) {
+  const std::string text = error.what();
+  const std::size_t end = text.find("] ");
+  return text.starts_with("[json.exception.") && end != std::string::npos ? text.substr(end + 2)
+                                                                          : text;
 }
 
 nlohmann::json try_parse_json(std::string_view text) {

@@ -16,7 +16,10 @@ constexpr std::size_t max_json_depth = 256;
 /// deeper than max_json_depth.
 nlohmann::json parse_json(std::string_view text, const std::string& name);
 
-/// The same without an error: the value is discarded (is_discarded()) then.
+/// Returns what an error of the library says, without its own name for it.
+std::string describe(const nlohmann::json::exception& error);
+
+/// Does as parse_json, but without an error: the value is discarded (is_discarded()) then.
 nlohmann::json try_parse_json(std::string_view text);
 
 }  // namespace nightcity

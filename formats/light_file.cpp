@@ -190,7 +190,7 @@ void LightFile::Mapping::check_small_sections(std::span<const char> text) {
     georeference =
         georeference_from_json(parse_json(std::string_view(text.data(), text.size()), ""));
   } catch (const nlohmann::json::exception& error) {
-    throw Error(name, "section GEOR", error.what());
+    throw Error(name, "section GEOR", describe(error));
   } catch (const Error& error) {
     throw Error(name, "section GEOR", error.what());
   }

@@ -105,8 +105,8 @@ CameraPose parse_camera(const std::string& text, const std::string& source,
     if (json.contains("fov_deg")) pose.fov_deg = json["fov_deg"].get<float>();
     make_camera(pose, 1.0f);  // throws if it is no view
     return pose;
-  } catch (const nlohmann::json::exception& e) {
-    throw Error(source, std::string("not a camera: ") + e.what());
+  } catch (const nlohmann::json::exception& error) {
+    throw Error(source, "not a camera: " + describe(error));
   }
 }
 

@@ -92,7 +92,7 @@ std::vector<CameraPose> read_poses(const std::filesystem::path& file, const glm:
       poses.push_back(parse_camera(entry.dump(), name, origin));
     return poses;
   } catch (const nlohmann::json::exception& error) {
-    throw Error(name, error.what());
+    throw Error(name, describe(error));
   }
 }
 

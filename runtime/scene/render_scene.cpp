@@ -6,6 +6,7 @@
 #include <cmath>
 #include <future>
 #include <glm/common.hpp>
+#include <system_error>
 
 #include "formats/error.h"
 #include "formats/night_check.h"
@@ -178,8 +179,13 @@ LoadedLights load_lights(const std::filesystem::path& glb) {
   SceneLights& lights = loaded.lights;
   std::filesystem::path beside = glb;
   beside.replace_extension(".lights");
-  if (!std::filesystem::exists(beside)) beside.replace_extension(".LIGHTS");
-  if (!std::filesystem::exists(beside)) return loaded;
+  // What is there and cannot be read, such as a link to itself, is an error of the reading.
+  const auto is_there = [](const std::filesystem::path& file) {
+    std::error_code ignored;
+    return std::filesystem::exists(std::filesystem::symlink_status(file, ignored));
+  };
+  if (!is_there(beside)) beside.replace_extension(".LIGHTS");
+  if (!is_there(beside)) return loaded;
   const LightFile file = LightFile::open(beside);
   file.verify();
   loaded.file = beside;

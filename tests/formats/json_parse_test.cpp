@@ -34,6 +34,18 @@ TEST(JsonParse, RefusesWhatIsNoJson) {
   }
 }
 
+// A user reads where the fault is, and no name of a library's class.
+TEST(JsonParse, SaysWhereTheFaultIs) {
+  try {
+    parse_json("{\n  \"a\": x}", "a.json");
+    FAIL();
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("a.json: is no JSON: parse error at line 2"), std::string::npos) << text;
+    EXPECT_EQ(text.find("json.exception"), std::string::npos) << text;
+  }
+}
+
 // Many brackets beside each other, and in strings, are no depth.
 TEST(JsonParse, CountsOnlyWhatLiesInEachOther) {
   std::string flat = "[";
