@@ -45,8 +45,13 @@ const Reservoir FILLED_RESERVOIR = Reservoir(NO_HIT, 1u, 0.0, 0.0);
 
 bool is_filled(Reservoir r) { return r.light == NO_HIT && r.uv == FILLED_RESERVOIR.uv; }
 
-// Returns the index of a pixel of the picture.
-uint index_of(ivec2 at) { return uint(at.y) * FRAME.size.x + uint(at.x); }
+// Returns the index of a pixel of the picture. Places beyond its edges get that of a pixel at the
+// edge: Mesa 22.3's CPU driver loads for lanes that have left a loop, too.
+uint index_of(ivec2 at) {
+  const uvec2 size = FRAME.size;
+  const uvec2 inside = uvec2(clamp(at, ivec2(0), ivec2(size) - 1));
+  return inside.y * size.x + inside.x;
+}
 
 const ivec2 BESIDE[4] = ivec2[](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1));
 

@@ -4,7 +4,9 @@
 bool is_history(Surface expected, ivec2 at) {
   const uvec2 size = FRAME.previous_size;
   if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, ivec2(size)))) return false;
-  const uint index = uint(at.y) * size.x + uint(at.x);
+  // Lanes that have left the loop over these pixels load, too, on Mesa 22.3's CPU driver.
+  const uvec2 inside = uvec2(clamp(at, ivec2(0), ivec2(size) - 1));
+  const uint index = inside.y * size.x + inside.x;
   return !is_filled(FRAME.previous_reservoirs.at[index]) &&
          similar(expected, FRAME.previous_surfaces.at[index]);
 }
