@@ -96,10 +96,10 @@ Renderer::Renderer(gpu::Device& device, PassLibrary& passes, DeviceScene& scene,
     : device_(device),
       library_(passes),
       scene_(scene),
-      run_(device),
       vehicle_passes_(device, scene),
       cache_(device),
-      display_(device, passes) {
+      display_(device, passes),
+      run_(device) {
   set_size(width, height);
   frame_ = gpu::Buffer(device, sizeof(gpu::Frame), gpu::Memory::host);
   exposed_frame_ = gpu::Buffer(device, sizeof(gpu::Frame), gpu::Memory::host);

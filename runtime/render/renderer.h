@@ -170,7 +170,6 @@ class Renderer {
   gpu::Device& device_;
   PassLibrary& library_;
   DeviceScene& scene_;
-  FrameRun run_;
   VehiclePasses vehicle_passes_;
   IrradianceCache cache_;
   gpu::Buffer frame_, exposed_frame_;
@@ -190,6 +189,8 @@ class Renderer {
   // The scene's time since the frame before, where its light changes with time.
   double moved_s_ = 0;
   std::vector<gpu::Timer::Span> timings_;
+  // Declared last, so destroyed first: it waits for the device, which may be using all of the above.
+  FrameRun run_;
 };
 
 }  // namespace nightcity::render

@@ -32,6 +32,18 @@ class Slices : public testing::Test {
   RenderSettings settings_;
 };
 
+// The window ends, or stops saving a picture, amid a frame. The device must not find its buffers
+// gone: this would end by a signal.
+TEST_F(Slices, ARendererThatGoesWaitsForWhatIsSubmitted) {
+  settings_.sampling.estimator = Estimator::reference;
+  for (int i = 0; i < 8; ++i) {
+    Renderer renderer = make(640, 480);
+    renderer.begin_frame(pose_, settings_);
+    renderer.continue_frame(for_ever, 0);
+    EXPECT_TRUE(renderer.is_busy());
+  }
+}
+
 TEST_F(Slices, MakeTheSamePictureBitByBit) {
   for (const Estimator estimator : {Estimator::traced, Estimator::basic, Estimator::reference})
     for (const bool denoise : {false, true}) {
