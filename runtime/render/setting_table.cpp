@@ -421,8 +421,8 @@ std::vector<Setting> make_last_settings() {
        .group = Group::sampling,
        .help = "Sample every second pixel in each frame, the others in the next, and fill those "
                "from like surfaces beside them. Biased in single frames and while anything moves: "
-               "smoothed by one pixel, in the town's street by -0.04 % +- 0.03 % of its light; "
-               "unbiased at rest. Pictures say so",
+               "smoothed by one pixel, in one frame of the town's street by -0.04 % +- 0.03 % of "
+               "its light; unbiased at rest. Pictures say so",
        .value = at<sampling, &Sampling::half_rate>,
        .applies = may_have_half_rate,
        .is_swept = true},
