@@ -37,8 +37,8 @@ void main() {
                            total.luminance_squared * share);
     }
   }
-  // What was filled stands in where the pixel has no light of its own, and goes when that comes: so
-  // the mean of frames at rest has none of it.
+  // Filled light stands in until the pixel has light of its own, and goes when that comes: so the
+  // mean of frames at rest has none of it.
   const bool filled = FRAME.half_rate != 0u && is_filled(FRAME.spatial.at[index]);
   if (!filled || total.frames < 1.0) {
     if (total.frames < 1.0) total = NO_ACCUMULATION;

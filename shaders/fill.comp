@@ -39,7 +39,7 @@ void main() {
   for (uint i = 0u; i < 4u; ++i) {
     const ivec2 at = ivec2(pixel) + BESIDE[i];
     if (!in_picture(at)) continue;
-    const uint there = index_of(at);
+    const uint there = index_within(at, size);
     const Surface other = FRAME.surfaces.at[there];
     if (!may_fill(surface, other)) continue;
     const Way way_there = way_to(other, uvec2(at));

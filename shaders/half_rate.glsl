@@ -40,15 +40,14 @@ bool any_pixel_of_invocation(out uvec2 pixel, out uint index) {
   return all(lessThan(pixel, size)) && INVOCATION.x < 2u * width;
 }
 
-// What candidates.comp writes for a pixel that is to be filled. It holds no sample.
+// Marks a pixel that is to be filled: candidates.comp writes it, and it holds no sample.
 const Reservoir FILLED_RESERVOIR = Reservoir(NO_HIT, 1u, 0.0, 0.0);
 
 bool is_filled(Reservoir r) { return r.light == NO_HIT && r.uv == FILLED_RESERVOIR.uv; }
 
-// Returns the index of a pixel of the picture. Places beyond its edges get that of a pixel at the
-// edge: Mesa 22.3's CPU driver loads for lanes that have left a loop, too.
-uint index_of(ivec2 at) {
-  const uvec2 size = FRAME.size;
+// Returns the index of a pixel in a picture of a size. Places beyond its edges get that of a pixel
+// at the edge: Mesa 22.3's CPU driver loads for lanes that have left a loop, too.
+uint index_within(ivec2 at, uvec2 size) {
   const uvec2 inside = uvec2(clamp(at, ivec2(0), ivec2(size) - 1));
   return inside.y * size.x + inside.x;
 }
@@ -83,7 +82,8 @@ bool must_be_sampled(uvec2 pixel, Surface surface) {
     return true;
   for (uint i = 0u; i < 4u; ++i) {
     const ivec2 at = ivec2(pixel) + BESIDE[i];
-    if (in_picture(at) && may_fill(surface, FRAME.surfaces.at[index_of(at)])) return false;
+    const uint there = index_within(at, FRAME.size);
+    if (in_picture(at) && may_fill(surface, FRAME.surfaces.at[there])) return false;
   }
   return true;
 }

@@ -1,12 +1,11 @@
 // Finds a pixel's history: the reservoir that its surface had in the frame before.
 
-// Returns whether a pixel of the frame before shows the expected surface and holds a reservoir.
-bool is_history(Surface expected, ivec2 at) {
+// Returns whether a pixel of the frame before shows the expected surface and holds a reservoir, and
+// sets its index.
+bool is_history(Surface expected, ivec2 at, out uint index) {
   const uvec2 size = FRAME.previous_size;
+  index = index_within(at, size);
   if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, ivec2(size)))) return false;
-  // Lanes that have left the loop over these pixels load, too, on Mesa 22.3's CPU driver.
-  const uvec2 inside = uvec2(clamp(at, ivec2(0), ivec2(size) - 1));
-  const uint index = inside.y * size.x + inside.x;
   return !is_filled(FRAME.previous_reservoirs.at[index]) &&
          similar(expected, FRAME.previous_surfaces.at[index]);
 }
@@ -39,11 +38,7 @@ bool previous_sample(Surface surface, bool permuted, out uint index) {
   const ivec2 across = ivec2(off.x < 0.0 ? -1 : 1, 0), along = ivec2(0, off.y < 0.0 ? -1 : 1);
   const ivec2 first = abs(off.x) > abs(off.y) ? across : along, second = across + along - first;
   const ivec2 ways[4] = ivec2[](first, second, -second, -first);
-  for (uint i = 0u; i < 4u; ++i) {
-    const ivec2 beside = ivec2(there) + ways[i];
-    if (!is_history(expected, beside)) continue;
-    index = uint(beside.y) * size.x + uint(beside.x);
-    return true;
-  }
+  for (uint i = 0u; i < 4u; ++i)
+    if (is_history(expected, ivec2(there) + ways[i], index)) return true;
   return false;
 }

@@ -364,7 +364,7 @@ void Renderer::fill_view(gpu::Frame& frame) {
   fill_air(frame, settings);
   frame.wetness = settings.environment.wetness;
   const glm::vec3& sky = settings.environment.sky_cd_m2;
-  frame.sky = scene_.has_sky_map() ? sky * scene_.sky_now().factor : sky;
+  frame.sky = sky * scene_.sky_now().factor;
   frame.sky_base = sky * scene_.sky_now().base;
   frame.moon_direction = settings.environment.moon_direction;
   frame.moon_lux = settings.environment.moon_lux;

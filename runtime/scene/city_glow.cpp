@@ -9,7 +9,6 @@
 
 #include "formats/parallel.h"
 #include "formats/rgb9e5.h"
-#include "runtime/scene/lit_lights.h"
 #include "runtime/scene/point_light.h"
 #include "runtime/scene/trace_ray.h"
 #include "shaders/limits.h"
@@ -174,15 +173,6 @@ CityGlow find_city_glow(std::span<const UpwardPath> paths, std::span<const float
   glow.colour = sum / luminance(sum);
   glow.sources = squares.sources();
   return glow;
-}
-
-CityGlow find_city_glow(const RenderScene& scene, double time_s, LightFamilies on,
-                        std::uint32_t paths) {
-  const std::vector<float> flux =
-      flux_of(lit_lights(scene.lights, scene.families, scene.schedules, scene.switches, time_s, on),
-              scene.lights);
-  return find_city_glow(follow_upward_light(scene, {flux.begin(), flux.end()}, paths), flux,
-                        scene.bounds);
 }
 
 void extend_city(CityGlow& glow, const Box& bounds, double radius_m) {

@@ -10,7 +10,6 @@
 #include <span>
 #include <vector>
 
-#include "runtime/scene/light_families.h"
 #include "runtime/scene/render_scene.h"
 
 namespace nightcity::scene {
@@ -46,17 +45,13 @@ struct UpwardPath {
 /// `weight` (finite, >= 0), off up to four surfaces, and returns those that leave upwards. Vehicles
 /// are left out.
 std::vector<UpwardPath> follow_upward_light(const RenderScene& scene, std::vector<double> weight,
-                                            std::uint32_t paths = 16384);
+                                            std::uint32_t paths);
 
 /// Adds up what paths carry of lights of these fluxes, lm, 0 where one is off; `bounds` are those
 /// of the scene. So the same paths tell the light of any time. Of n paths chosen by flux, a quarter
 /// of which leave upwards, the sum has a relative standard error of about 2 / sqrt(n).
 CityGlow find_city_glow(std::span<const UpwardPath> paths, std::span<const float> flux_lm,
                         const Box& bounds);
-
-/// The same for the lights that shine at a time (s since noon), whose paths alone are followed.
-CityGlow find_city_glow(const RenderScene& scene, double time_s, LightFamilies on = all_families,
-                        std::uint32_t paths = 16384);
 
 /// Adds the city around the scene that the model does not have, up to `radius_m` from the scene's
 /// middle, as if it shone as the scene does on average.

@@ -179,7 +179,7 @@ LoadedLights load_lights(const std::filesystem::path& glb) {
   SceneLights& lights = loaded.lights;
   std::filesystem::path beside = glb;
   beside.replace_extension(".lights");
-  // What is there and cannot be read, such as a link to itself, is an error of the reading.
+  // A name that leads nowhere, such as a link to itself, counts as there: reading it says why not.
   const auto is_there = [](const std::filesystem::path& file) {
     std::error_code ignored;
     return std::filesystem::exists(std::filesystem::symlink_status(file, ignored));

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include "runtime/scene/city_glow.h"
+#include "runtime/scene/light_families.h"
 
 namespace nightcity::scene {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "runtime/render/upward_flux.h"
-#include "runtime/scene/city_glow.h"
+#include "support/city_glow.h"
 #include "support/estimators.h"
 #include "support/gpu.h"
 #include "support/scenes.h"
@@ -165,7 +165,7 @@ TEST_P(Bounces, OffTheHotSpotBesideALampLightsTheCeiling) {
 TEST(UpwardFlux, IsThatOfTheSkysPaths) {
   const scene::RenderScene scene =
       random_town(30, 60, 7).with(under_open_sky(random_town(30, 60, 7), random_lamps(40, 50, 8)));
-  const scene::CityGlow glow = scene::find_city_glow(scene, 0, scene::all_families, 65536);
+  const scene::CityGlow glow = find_city_glow(scene, 0, scene::all_families, 65536);
   render::DeviceScene device_scene(test_device(), scene);
   render::UpwardSettings settings;
   settings.bounces = 4;

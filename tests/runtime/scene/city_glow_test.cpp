@@ -6,11 +6,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "support/city_glow.h"
 #include "support/scenes.h"
 
 namespace nightcity::scene {
 namespace {
 
+using test::find_city_glow;
 using test::lamp;
 using test::SceneBuilder;
 

@@ -154,7 +154,7 @@ TEST(Skyglow, TheMapLooksTowardsTheCity) {
   EXPECT_NEAR(at(0.5) / at(0), 1, 0.2);
 }
 
-// What a map says of the lights at another time is what a map of that time is made of.
+// The shares that a map carries give the upward light of another time as a map made then does.
 TEST(CitySky, FollowsTheLightsToAnotherTime) {
   SceneLights lights;
   lights.lights = test::random_lamps(60, 90, 5);
@@ -181,7 +181,7 @@ TEST(CitySky, FollowsTheLightsToAnotherTime) {
   EXPECT_NEAR(upward_of(evening, false), evening.glow.flux_lm(), 1e-4 * evening.glow.flux_lm());
   EXPECT_NEAR(upward_of(evening, true) / night.glow.flux_lm(), 1, 0.03);
   EXPECT_NEAR(upward_of(night, false) / evening.glow.flux_lm(), 1, 0.03);
-  // Where nothing shines, the map is that of all lights.
+  // A city in which nothing shines gets the map of all its lights.
   const CitySky dark = sky_at(9, LightFamilies{});
   EXPECT_EQ(dark.glow.flux_lm(), 0);
   EXPECT_NEAR(luminance(dark.map.upward_lm) / evening.glow.flux_lm(), 1, 0.03);
