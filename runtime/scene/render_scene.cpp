@@ -140,7 +140,7 @@ std::vector<std::string> describe_left_out(const RenderScene& scene) {
   };
   say(scene.dropped_triangles, " triangle is", " triangles are", " left out, without area");
   say(scene.dropped_instances, " instance is", " instances are",
-      " left out, whose matrix is singular or smaller than a micrometre");
+      " left out, whose matrix is singular or a millionth of the largest of its mesh");
   say(scene.bad_lights, " light is", " lights are",
       " switched off: not finite, without flux, or with a profile that is not there");
   const bool is_moved = scene.origin != glm::dvec3(0);

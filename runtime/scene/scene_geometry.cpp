@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
@@ -67,6 +69,30 @@ Box transformed(const Box& box, const glm::dmat4& m) {
   out.lower -= margin;
   out.upper += margin;
   return out;
+}
+
+// Returns, for each mesh, the power of two by which the triangles of its instances are multiplied
+// where they are stored: near the scale of its largest instance, so that areas and the determinants
+// of ray tests stay within a float in whatever unit the mesh is. It is 1 for usual scales, whose
+// triangles can be read in place.
+std::vector<double> find_units(const Scene& scene, std::size_t meshes) {
+  constexpr double usual = 1024;
+  std::vector<double> units(meshes, 0.0);
+  for (const SceneNode& node : scene.nodes)
+    for (const SceneInstance& instance : node.instances)
+      for (int axis = 0; axis < 3; ++axis)
+        units.at(node.mesh) = std::max(
+            units.at(node.mesh), glm::length(glm::dvec3(glm::dmat4(instance.to_model)[axis])));
+  for (double& unit : units) {
+    const bool is_usual = unit >= 1 / usual && unit <= usual;
+    unit = is_usual || !(unit > 0) || !std::isfinite(unit) ? 1
+                                                           : std::exp2(std::round(std::log2(unit)));
+  }
+  return units;
+}
+
+glm::dmat4 scaled(double factor) {
+  return glm::scale(glm::dmat4(1.0), glm::dvec3(factor));
 }
 
 // Builds the TLAS over the instances, and puts them in its order.
@@ -168,12 +194,13 @@ void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes
         append_meshes(merged, meshes, filter.light_numbers, threads, out.triangles);
     still[shadow ? 0 : 1] = {first, out.triangles.size()};
   }
+  const std::vector<double> units = find_units(scene, meshes.triangles.size());
   std::vector<std::optional<TriangleRange>> placed(meshes.triangles.size());
   for (const SceneNode& node : scene.nodes) {
     if (is_skipped(node) || is_merged(node) || placed.at(node.mesh)) continue;
     const std::size_t first = out.triangles.size();
-    out.dropped_triangles +=
-        append_mesh(meshes, node.mesh, glm::dmat4(1.0), filter.light_numbers, out.triangles);
+    out.dropped_triangles += append_mesh(meshes, node.mesh, scaled(units[node.mesh]),
+                                         filter.light_numbers, out.triangles);
     placed[node.mesh] = {first, out.triangles.size()};
   }
   if (meshes.close) meshes.close();
@@ -194,7 +221,8 @@ void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes
     for (const SceneInstance& instance : node.instances) {
       const std::uint32_t light = find_light(instance.light, filter.light_numbers);
       if (light != left_out_light)
-        place(mesh->first, mesh->second, to_scene(instance), casts_shadow(node), light);
+        place(mesh->first, mesh->second, to_scene(instance) * scaled(1 / units[node.mesh]),
+              casts_shadow(node), light);
     }
   }
   out.triangles.release_pages();

@@ -17,8 +17,9 @@ render::RenderSettings plain() {
   return with_estimator(render::Estimator::ris, 1);
 }
 
-void expect_depths_like_brute_force(const scene::RenderScene& scene, const scene::CameraPose& pose,
-                                    std::uint32_t side) {
+// Compares the depths of `scene` with those that brute force finds in `true_scene`.
+void expect_depths_like(const scene::RenderScene& true_scene, const scene::RenderScene& scene,
+                        const scene::CameraPose& pose, std::uint32_t side) {
   const measure::Image image = render(scene, pose, plain(), side, side, 1);
   const gpu::Camera camera = scene::make_camera(pose, 1.0f);
   const auto& depth = image.layer("depth")->values;
@@ -30,8 +31,8 @@ void expect_depths_like_brute_force(const scene::RenderScene& scene, const scene
           glm::normalize(glm::dvec3(camera.forward) +
                          glm::dvec3(camera.right) * (sx * double(camera.tan_half_height)) -
                          glm::dvec3(camera.up) * (sy * double(camera.tan_half_height)));
-      const auto truth =
-          scene::brute_force_hit(scene, glm::dvec3(camera.position), direction, 1e30, MASK_VISIBLE);
+      const auto truth = scene::brute_force_hit(true_scene, glm::dvec3(camera.position), direction,
+                                                1e30, MASK_VISIBLE);
       const double seen = double(depth[y * side + x]);
       if (truth) ++hits;
       if (truth.has_value() != (seen > 0) || (truth && std::abs(seen - *truth) > 1e-4 * *truth))
@@ -40,6 +41,11 @@ void expect_depths_like_brute_force(const scene::RenderScene& scene, const scene
   EXPECT_GT(hits, int(side * side / 8));
   // Rays that graze an edge may differ between float and double.
   EXPECT_LE(wrong, int(side * side / 500));
+}
+
+void expect_depths_like_brute_force(const scene::RenderScene& scene, const scene::CameraPose& pose,
+                                    std::uint32_t side) {
+  expect_depths_like(scene, scene, pose, side);
 }
 
 TEST(Traversal, PrimaryDepthsOfATownMatchBruteForce) {
@@ -78,6 +84,30 @@ TEST(Traversal, InstancesStandWhereTheirMatricesSay) {
   }
   scene.nodes.push_back(node);
   expect_depths_like_brute_force(builder.with({}), {{-25, 20, 40}, {0, 0, 0}, {0, 1, 0}, 50}, 80);
+}
+
+TEST(Traversal, InstancesAreTheSameInWhateverUnitTheirMeshIs) {
+  const auto posts_in_units_of = [](float unit) {
+    SceneBuilder builder, post;
+    builder.ground(50);
+    post.box(glm::vec3(-0.5f, 0, -0.5f) / unit, glm::vec3(0.5f, 4, 0.5f) / unit);
+    builder.scene().meshes.push_back(post.scene().meshes[0]);
+    SceneNode node{"lamps", "lamp", 1, true, {}};
+    for (int i = 0; i < 8; ++i) {
+      SceneInstance& instance = node.instances.emplace_back();
+      for (int axis = 0; axis < 3; ++axis) instance.to_model[axis][axis] = unit;
+      instance.to_model[3] = {float(i) * 5 - 18, 0, 0, 1};
+    }
+    builder.scene().nodes.push_back(node);
+    return builder.with({});
+  };
+  const scene::RenderScene metres = posts_in_units_of(1);
+  for (const float unit : {1e-15f, 1e-9f, 1e-6f, 1e-3f, 1e3f, 1e6f, 1e9f, 1e15f}) {
+    SCOPED_TRACE(unit);
+    const scene::RenderScene scene = posts_in_units_of(unit);
+    EXPECT_TRUE(scene::describe_left_out(scene).empty());
+    expect_depths_like(metres, scene, {{-20, 8, 20}, {0, 1, 0}, {0, 1, 0}, 60}, 64);
+  }
 }
 
 TEST(Traversal, WhatCastsNoShadowIsSeenAndLetsLightThrough) {
