@@ -75,9 +75,10 @@ Ray make_ray(vec3 origin, vec3 direction) {
   ray.origin = origin;
   ray.direction = direction;
   const vec3 size = abs(direction);
-  // A zero component would give 0 * inf = NaN on a box's plane. A huge finite slope decides by its
+  // A zero component would give 0 * inf = NaN on a box's plane. A large finite slope decides by its
   // sign instead.
-  ray.inverse = 1.0 / mix(direction, vec3(1e-20), lessThan(size, vec3(1e-20)));
+  const float least = max(max(size.x, max(size.y, size.z)) * 1e-15, 1e-30);
+  ray.inverse = 1.0 / mix(direction, vec3(least), lessThan(size, vec3(least)));
   ray.axis = size.x > size.y ? (size.x > size.z ? 0u : 2u) : (size.y > size.z ? 1u : 2u);
   const vec3 d = rotate_axis(direction, ray.axis);
   ray.shear = vec3(d.xy, 1.0) / d.z;
@@ -94,18 +95,23 @@ vec4 enter_children(uvec4 w0, uvec4 w1, uvec2 upper_yz, uint masks, uint mask, R
                     float t_max) {
   const vec3 origin = uintBitsToFloat(w0.xyz);
   const vec3 size = uintBitsToFloat((uvec3(w0.w, w0.w >> 8u, w0.w >> 16u) & 255u) << 23u);
-  // Subtracting the ray's origin last keeps the sign of a plane's distance right when the ray lies
-  // on the plane.
-  const vec4 x0 = (origin.x + bytes(w1.x) * size.x - ray.origin.x) * ray.inverse.x;
-  const vec4 x1 = (origin.x + bytes(w1.w) * size.x - ray.origin.x) * ray.inverse.x;
-  const vec4 y0 = (origin.y + bytes(w1.y) * size.y - ray.origin.y) * ray.inverse.y;
-  const vec4 y1 = (origin.y + bytes(upper_yz.x) * size.y - ray.origin.y) * ray.inverse.y;
-  const vec4 z0 = (origin.z + bytes(w1.z) * size.z - ray.origin.z) * ray.inverse.z;
-  const vec4 z1 = (origin.z + bytes(upper_yz.y) * size.z - ray.origin.z) * ray.inverse.z;
-  const vec4 near = max(max(min(x0, x1), min(y0, y1)), max(min(z0, z1), vec4(t_min)));
-  // 1 + 4 ulp: the slab test stays conservative under rounding (Ize: Robust BVH Ray Traversal, JCGT
-  // 2013).
-  const vec4 far = min(min(max(x0, x1), max(y0, y1)), min(max(z0, z1), vec4(t_max))) * 1.0000005;
+  // The ray meets plane b of an axis at offset + b * stride. The bounds keep both finite.
+  const vec3 stride = clamp(size * ray.inverse, vec3(-1e35), vec3(1e35));
+  const vec3 offset = clamp((origin - ray.origin) * ray.inverse, vec3(-1e37), vec3(1e37));
+  // Rounding moves a plane by at most three halves of 2^-24 of the offset, one of b * stride, and as
+  // much of the distance as the factor of `far` below makes up for: the test stays conservative
+  // (Ize: Robust BVH Ray Traversal, JCGT 2013).
+  const vec3 slack = 3e-7 * abs(offset);
+  const vec3 first = offset - slack, last = offset + slack;
+  const uvec3 lower = w1.xyz, upper = uvec3(w1.w, upper_yz);
+  const bvec3 is_backwards = lessThan(ray.inverse, vec3(0.0));
+  const uvec3 entry = mix(lower, upper, is_backwards), exit = mix(upper, lower, is_backwards);
+  const vec4 near =
+      max(max(first.x + bytes(entry.x) * stride.x, first.y + bytes(entry.y) * stride.y),
+          max(first.z + bytes(entry.z) * stride.z, vec4(t_min)));
+  const vec4 far = min(min(last.x + bytes(exit.x) * stride.x, last.y + bytes(exit.y) * stride.y),
+                       min(last.z + bytes(exit.z) * stride.z, vec4(t_max))) *
+                   1.0000005;
   const bvec4 hit = lessThanEqual(near, far);
   const bvec4 there =
       notEqual(uvec4(masks, masks >> 8u, masks >> 16u, masks >> 24u) & mask, uvec4(0u));
@@ -169,11 +175,23 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
         swap_if_farther(t.y, child.y, t.w, child.w);
         swap_if_farther(t.y, child.y, t.z, child.z);
       }
-      if (t.w < 1e30) stack[top++] = child.w;
-      if (t.z < 1e30) stack[top++] = child.z;
-      if (t.y < 1e30) stack[top++] = child.y;
-      if (t.x < 1e30) stack[top++] = child.x;
-      node = top > floor_of_level ? stack[--top] : BVH_EMPTY;
+      // The first child that is hit is next; the others wait, the second on top.
+      uint next = BVH_EMPTY;
+      if (t.w < 1e30) next = child.w;
+      if (t.z < 1e30) {
+        if (next != BVH_EMPTY) stack[top++] = next;
+        next = child.z;
+      }
+      if (t.y < 1e30) {
+        if (next != BVH_EMPTY) stack[top++] = next;
+        next = child.y;
+      }
+      if (t.x < 1e30) {
+        if (next != BVH_EMPTY) stack[top++] = next;
+        next = child.x;
+      }
+      if (next == BVH_EMPTY && top > floor_of_level) next = stack[--top];
+      node = next;
     }
     if (node != BVH_EMPTY) {
       const uint first = node & BVH_LEAF_FIRST_MASK;
