@@ -75,8 +75,8 @@ layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer Tr
   vec4 at[];
 };
 #endif
-ARRAY_REFERENCE(Instances, Instance, readonly)
-ARRAY_REFERENCE(VehicleInstances, Instance, writeonly)
-ARRAY_REFERENCE(VehicleBvhNodes, BvhNode, writeonly)
+ARRAY_REFERENCE_16(Instances, Instance, readonly)
+ARRAY_REFERENCE_16(VehicleInstances, Instance, writeonly)
+ARRAY_REFERENCE_16(VehicleBvhNodes, BvhNode, writeonly)
 
 #endif

@@ -110,12 +110,12 @@ static_assert(sizeof(Surface) == 48 && sizeof(Reservoir) == 16 && sizeof(Accumul
 }  // namespace nightcity::gpu
 #endif
 
-ARRAY_REFERENCE(Surfaces, Surface, )
-ARRAY_REFERENCE(Reservoirs, Reservoir, )
+ARRAY_REFERENCE_16(Surfaces, Surface, )
+ARRAY_REFERENCE_16(Reservoirs, Reservoir, )
 ARRAY_REFERENCE(Targets, float, )
 ARRAY_REFERENCE(PathVertices, PathVertex, )
-ARRAY_REFERENCE(IrradianceCells, IrradianceCell, )
-ARRAY_REFERENCE(Accumulations, Accumulation, )
+ARRAY_REFERENCE_16(IrradianceCells, IrradianceCell, )
+ARRAY_REFERENCE_16(Accumulations, Accumulation, )
 ARRAY_REFERENCE(Layers, LayerSums, )
 ARRAY_REFERENCE(Escapes, Escape, )
 ARRAY_REFERENCE(DemodulatedPixels, Demodulated, )

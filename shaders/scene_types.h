@@ -80,20 +80,20 @@ static_assert(sizeof(Material) == 32 && sizeof(VehicleBody) == 32 && sizeof(Ligh
 }  // namespace nightcity::gpu
 #endif
 
-ARRAY_REFERENCE(Materials, Material, readonly)
-ARRAY_REFERENCE(Lights, Light, readonly)
-ARRAY_REFERENCE(Profiles, LightProfile, readonly)
+ARRAY_REFERENCE_16(Materials, Material, readonly)
+ARRAY_REFERENCE_16(Lights, Light, readonly)
+ARRAY_REFERENCE_16(Profiles, LightProfile, readonly)
 ARRAY_REFERENCE(Floats, float, readonly)
 ARRAY_REFERENCE(Words, uint, )
 ARRAY_REFERENCE(AliasTable, AliasEntry, readonly)
-ARRAY_REFERENCE(Cells, LightCell, readonly)
+ARRAY_REFERENCE_16(Cells, LightCell, readonly)
 ARRAY_REFERENCE(GridEntries, GridEntry, readonly)
-ARRAY_REFERENCE(Vehicles, VehicleKind, readonly)
-ARRAY_REFERENCE(Bodies, VehicleBody, readonly)
-ARRAY_REFERENCE(Trips, Trip, readonly)
-ARRAY_REFERENCE(Knots, TripKnot, readonly)
-ARRAY_REFERENCE(LightNodes, LightNode, )
-ARRAY_REFERENCE(VehicleLights, Light, )
+ARRAY_REFERENCE_16(Vehicles, VehicleKind, readonly)
+ARRAY_REFERENCE_16(Bodies, VehicleBody, readonly)
+ARRAY_REFERENCE_16(Trips, Trip, readonly)
+ARRAY_REFERENCE_16(Knots, TripKnot, readonly)
+ARRAY_REFERENCE_16(LightNodes, LightNode, )
+ARRAY_REFERENCE_16(VehicleLights, Light, )
 
 #ifdef __cplusplus
 namespace nightcity::gpu {

@@ -15,12 +15,16 @@ using uvec2 = glm::uvec2;
 }  // namespace nightcity::gpu
 #define BUFFER(type) std::uint64_t
 #define ARRAY_REFERENCE(name, type, access)
+#define ARRAY_REFERENCE_16(name, type, access)
 #else
 #define BUFFER(type) type
-// Declares `name`, a reference to an array of `type` in device memory.
-#define ARRAY_REFERENCE(name, type, access)                                         \
-  layout(buffer_reference, scalar, buffer_reference_align = 4) access buffer name { \
-    type at[];                                                                      \
+// Declare `name`, a reference to an array of `type` in device memory. Where records are whole units
+// of 16 bytes, as ARRAY_REFERENCE_16 has them, a device loads such a unit at once, and not in four.
+#define ARRAY_REFERENCE(name, type, access) ALIGNED_ARRAY_REFERENCE(name, type, access, 4)
+#define ARRAY_REFERENCE_16(name, type, access) ALIGNED_ARRAY_REFERENCE(name, type, access, 16)
+#define ALIGNED_ARRAY_REFERENCE(name, type, access, alignment)                              \
+  layout(buffer_reference, scalar, buffer_reference_align = alignment) access buffer name { \
+    type at[];                                                                              \
   };
 #endif
 
