@@ -89,10 +89,10 @@ vec4 bytes(uint word) {
   return vec4(word & 255u, (word >> 8u) & 255u, (word >> 16u) & 255u, word >> 24u);
 }
 
-// Returns the distances at which the ray enters the four children; 1e30 where it misses one, or
-// where nothing below shares a bit with `mask`.
-vec4 enter_children(uvec4 w0, uvec4 w1, uvec2 upper_yz, uint masks, uint mask, Ray ray, float t_min,
-                    float t_max) {
+// Returns which of the four children the ray enters, and at which distances. A child counts where
+// something below it shares a bit with `mask`.
+bvec4 enter_children(uvec4 w0, uvec4 w1, uvec2 upper_yz, uint masks, uint mask, Ray ray,
+                     float t_min, float t_max, out vec4 near) {
   const vec3 origin = uintBitsToFloat(w0.xyz);
   const vec3 size = uintBitsToFloat((uvec3(w0.w, w0.w >> 8u, w0.w >> 16u) & 255u) << 23u);
   // The ray meets plane b of an axis at offset + b * stride. The bounds keep both finite.
@@ -106,17 +106,16 @@ vec4 enter_children(uvec4 w0, uvec4 w1, uvec2 upper_yz, uint masks, uint mask, R
   const uvec3 lower = w1.xyz, upper = uvec3(w1.w, upper_yz);
   const bvec3 is_backwards = lessThan(ray.inverse, vec3(0.0));
   const uvec3 entry = mix(lower, upper, is_backwards), exit = mix(upper, lower, is_backwards);
-  const vec4 near =
+  near =
       max(max(first.x + bytes(entry.x) * stride.x, first.y + bytes(entry.y) * stride.y),
           max(first.z + bytes(entry.z) * stride.z, vec4(t_min)));
   const vec4 far = min(min(last.x + bytes(exit.x) * stride.x, last.y + bytes(exit.y) * stride.y),
                        min(last.z + bytes(exit.z) * stride.z, vec4(t_max))) *
                    1.0000005;
   const bvec4 hit = lessThanEqual(near, far);
-  const bvec4 there =
-      notEqual(uvec4(masks, masks >> 8u, masks >> 16u, masks >> 24u) & mask, uvec4(0u));
-  return mix(vec4(1e30), near,
-             bvec4(hit.x && there.x, hit.y && there.y, hit.z && there.z, hit.w && there.w));
+  const uvec4 there = uvec4(masks) & (uvec4(mask) << uvec4(0u, 8u, 16u, 24u));
+  return bvec4(hit.x && there.x != 0u, hit.y && there.y != 0u, hit.z && there.z != 0u,
+               hit.w && there.w != 0u);
 }
 
 // Watertight: both triangles at a shared edge compute the same answer for it.
@@ -167,26 +166,29 @@ bool trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, boo
       const uvec4 w2 = SCENE.nodes.at[node * 4u + 2u];
       const uvec4 w3 = SCENE.nodes.at[node * 4u + 3u];
       uvec4 child = uvec4(w2.zw, w3.xy);
-      vec4 t = enter_children(w0, w1, w2.xy, w3.z, mask, ray, t_min, hit.t);
+      vec4 t;
+      bvec4 is_entered = enter_children(w0, w1, w2.xy, w3.z, mask, ray, t_min, hit.t, t);
       if (!any) {  // nearest first; shadow rays keep the builder's order, largest first
+        t = mix(vec4(1e30), t, is_entered);
         swap_if_farther(t.x, child.x, t.y, child.y);
         swap_if_farther(t.z, child.z, t.w, child.w);
         swap_if_farther(t.x, child.x, t.z, child.z);
         swap_if_farther(t.y, child.y, t.w, child.w);
         swap_if_farther(t.y, child.y, t.z, child.z);
+        is_entered = lessThan(t, vec4(1e30));
       }
-      // The first child that is hit is next; the others wait, the second on top.
+      // The first child that is entered is next; the others wait, the second on top.
       uint next = BVH_EMPTY;
-      if (t.w < 1e30) next = child.w;
-      if (t.z < 1e30) {
+      if (is_entered.w) next = child.w;
+      if (is_entered.z) {
         if (next != BVH_EMPTY) stack[top++] = next;
         next = child.z;
       }
-      if (t.y < 1e30) {
+      if (is_entered.y) {
         if (next != BVH_EMPTY) stack[top++] = next;
         next = child.y;
       }
-      if (t.x < 1e30) {
+      if (is_entered.x) {
         if (next != BVH_EMPTY) stack[top++] = next;
         next = child.x;
       }
