@@ -22,12 +22,13 @@ std::size_t count_triangles(const SceneMesh& mesh) {
 // Calls `take` with the triangles of a primitive that have an area and whose light is not left out,
 // and returns the number of those without area.
 template <class Take>
-std::size_t convert(const ScenePrimitive& primitive, const glm::dmat4& m,
+std::size_t convert(const ScenePrimitive& primitive, const Placement& placement,
                     std::span<const std::uint32_t> light_numbers, std::vector<glm::vec3>& positions,
                     Take take) {
   std::size_t dropped = 0;
   positions.clear();
-  for (const glm::vec3& p : primitive.positions) positions.emplace_back(m * glm::dvec4(p, 1.0));
+  for (const glm::vec3& p : primitive.positions)
+    positions.emplace_back(placement.to_scene * glm::dvec4(p, 1.0));
   for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
     const std::uint32_t a = primitive.indices[i], b = primitive.indices[i + 1],
                         c = primitive.indices[i + 2];
@@ -43,8 +44,9 @@ std::size_t convert(const ScenePrimitive& primitive, const glm::dmat4& m,
     t.material = primitive.triangle_materials.empty() ? primitive.material
                                                       : primitive.triangle_materials[i / 3];
     t.feature = primitive.feature_ids.empty() ? NO_HIT : primitive.feature_ids[a];
-    t.light =
-        primitive.light_ids.empty() ? NO_HIT : find_light(primitive.light_ids[a], light_numbers);
+    t.light = placement.light;
+    if (t.light == NO_HIT && !primitive.light_ids.empty())
+      t.light = find_light(primitive.light_ids[a], light_numbers);
     if (t.light != left_out_light) take(t);
   }
   return dropped;
@@ -65,25 +67,29 @@ struct Converted {
   }
 };
 
-Converted convert_mesh(const MeshSource& meshes, std::uint32_t number, const glm::dmat4& to_scene,
+Converted convert_mesh(const MeshSource& meshes, const PlacedMesh& placed,
                        std::span<const std::uint32_t> light_numbers) {
   Converted result;
-  const auto mesh = meshes.read(number, &result.mapped);
+  const auto mesh = meshes.read(placed.mesh, &result.mapped);
   result.mapped.resize(mesh->primitives.size());
   result.stored.resize(mesh->primitives.size());
+  const bool may_be_mapped = light_numbers.empty() && placed.placements.size() == 1 &&
+                             placed.placements[0].light == NO_HIT;
   std::vector<glm::vec3> positions;
   for (std::size_t i = 0; i < mesh->primitives.size(); ++i) {
     const ScenePrimitive& primitive = mesh->primitives[i];
     std::optional<MappedPrimitive>& mapped = result.mapped[i];
-    if (mapped && light_numbers.empty()) {
+    if (mapped && may_be_mapped) {
       std::size_t kept = 0;
-      convert(primitive, to_scene, {}, positions, [&](const gpu::Triangle&) { ++kept; });
+      convert(primitive, placed.placements[0], {}, positions,
+              [&](const gpu::Triangle&) { ++kept; });
       if (kept == mapped->triangles) continue;  // none is without area
     }
     mapped.reset();
-    result.dropped +=
-        convert(primitive, to_scene, light_numbers, positions,
-                [&](const gpu::Triangle& triangle) { result.stored[i].push_back(triangle); });
+    for (const Placement& placement : placed.placements)
+      result.dropped +=
+          convert(primitive, placement, light_numbers, positions,
+                  [&](const gpu::Triangle& triangle) { result.stored[i].push_back(triangle); });
   }
   return result;
 }
@@ -114,14 +120,14 @@ std::size_t append_mesh(const SceneMesh& mesh, const glm::dmat4& to_scene,
   std::size_t dropped = 0;
   std::vector<glm::vec3> positions;
   for (const ScenePrimitive& primitive : mesh.primitives)
-    dropped += convert(primitive, to_scene, light_numbers, positions,
+    dropped += convert(primitive, {to_scene}, light_numbers, positions,
                        [&](const gpu::Triangle& triangle) { out.push_back(triangle); });
   return dropped;
 }
 
 std::size_t append_mesh(const MeshSource& meshes, std::uint32_t mesh, const glm::dmat4& to_scene,
                         std::span<const std::uint32_t> light_numbers, TriangleList& out) {
-  const Converted converted = convert_mesh(meshes, mesh, to_scene, light_numbers);
+  const Converted converted = convert_mesh(meshes, {mesh, {{to_scene}}}, light_numbers);
   converted.append_to(out, to_scene);
   return converted.dropped;
 }
@@ -130,17 +136,17 @@ std::size_t append_meshes(const std::vector<PlacedMesh>& placed, const MeshSourc
                           std::span<const std::uint32_t> light_numbers, unsigned threads,
                           TriangleList& out) {
   std::size_t all = out.size();
-  for (const PlacedMesh& m : placed) all += meshes.triangles.at(m.mesh);
+  for (const PlacedMesh& m : placed) all += meshes.triangles.at(m.mesh) * m.placements.size();
   check_triangle_count(all);
   std::mutex appending;
   std::vector<std::optional<Converted>> waiting(placed.size());
   std::size_t next = 0, dropped = 0;
   run_parallel(placed.size(), meshes.in_parallel ? threads : 1, [&](std::size_t i) {
-    Converted converted = convert_mesh(meshes, placed[i].mesh, placed[i].to_scene, light_numbers);
+    Converted converted = convert_mesh(meshes, placed[i], light_numbers);
     const std::lock_guard lock(appending);
     waiting[i] = std::move(converted);
     for (; next < waiting.size() && waiting[next]; ++next) {
-      waiting[next]->append_to(out, placed[next].to_scene);
+      waiting[next]->append_to(out, placed[next].placements[0].to_scene);
       dropped += waiting[next]->dropped;
       waiting[next].reset();
     }

@@ -45,10 +45,17 @@ std::size_t append_mesh(const SceneMesh& mesh, const glm::dmat4& to_scene,
 std::size_t append_mesh(const MeshSource& meshes, std::uint32_t mesh, const glm::dmat4& to_scene,
                         std::span<const std::uint32_t> light_numbers, TriangleList& out);
 
-/// A mesh that is placed once.
+/// Where a mesh stands, and the light whose luminous surface it is there, or NO_HIT: then that of
+/// its triangles.
+struct Placement {
+  glm::dmat4 to_scene;
+  std::uint32_t light = NO_HIT;
+};
+
+/// A mesh whose triangles are stored for each of its placements.
 struct PlacedMesh {
   std::uint32_t mesh;
-  glm::dmat4 to_scene;
+  std::vector<Placement> placements;
 };
 
 /// Appends the triangles of `placed` in its order, and returns the number of those without area.

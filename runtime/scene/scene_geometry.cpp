@@ -2,17 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <glm/ext/matrix_transform.hpp>
-#include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 #include <optional>
 #include <span>
 #include <utility>
 
-#include "runtime/scene/mesh_triangles.h"
 #include "runtime/scene/parts.h"
 
 namespace nightcity::scene {
@@ -71,30 +67,6 @@ Box transformed(const Box& box, const glm::dmat4& m) {
   return out;
 }
 
-// Returns, for each mesh, the power of two by which the triangles of its instances are multiplied
-// where they are stored: near the scale of its largest instance, so that areas and the determinants
-// of ray tests stay within a float in whatever unit the mesh is. It is 1 for usual scales, whose
-// triangles can be read in place.
-std::vector<double> find_units(const Scene& scene, std::size_t meshes) {
-  constexpr double usual = 1024;
-  std::vector<double> units(meshes, 0.0);
-  for (const SceneNode& node : scene.nodes)
-    for (const SceneInstance& instance : node.instances)
-      for (int axis = 0; axis < 3; ++axis)
-        units.at(node.mesh) = std::max(
-            units.at(node.mesh), glm::length(glm::dvec3(glm::dmat4(instance.to_model)[axis])));
-  for (double& unit : units) {
-    const bool is_usual = unit >= 1 / usual && unit <= usual;
-    unit = is_usual || !(unit > 0) || !std::isfinite(unit) ? 1
-                                                           : std::exp2(std::round(std::log2(unit)));
-  }
-  return units;
-}
-
-glm::dmat4 scaled(double factor) {
-  return glm::scale(glm::dmat4(1.0), glm::dvec3(factor));
-}
-
 // Builds the TLAS over the instances, and puts them in its order.
 void add_tlas(RenderScene& out, const std::vector<Box>& instance_boxes, unsigned threads) {
   std::vector<std::uint8_t> masks;
@@ -109,6 +81,93 @@ void add_tlas(RenderScene& out, const std::vector<Box>& instance_boxes, unsigned
   rebase(top, static_cast<std::uint32_t>(out.nodes.size()), 0);
   out.root = top.root;
   out.nodes.insert(out.nodes.end(), top.nodes.begin(), top.nodes.end());
+}
+
+// Asks for all memory at once, because growing an array holds it twice. What is asked for and not
+// used takes no room: nodes are usually 0.4 for each triangle.
+void reserve_memory(RenderScene& out, const Scene& scene, const MeshSource& meshes,
+                    const MeshPlacement& placement) {
+  std::size_t most = out.triangles.size(), instances = 2;
+  std::vector<bool> counted(meshes.triangles.size());
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const SceneNode& node = scene.nodes[i];
+    if (placement.is_skipped(i)) continue;
+    if (placement.is_merged(i)) {
+      most += meshes.triangles.at(node.mesh) * node.instances.size();
+      continue;
+    }
+    instances += node.instances.size();
+    if (!counted.at(node.mesh)) most += meshes.triangles.at(node.mesh);
+    counted[node.mesh] = true;
+  }
+  most = std::min<std::size_t>(most, BVH_LEAF_FIRST_MASK);  // no scene may have more
+  out.triangles.reserve(most);
+  out.triangle_order.reserve(most);
+  out.nodes.reserve(out.nodes.size() + most / 2);
+  out.instances.reserve(instances);
+}
+
+// Where the triangles of a scene's meshes lie.
+struct StoredMeshes {
+  // Everything that does not move and is stored where it stands: what casts shadows, and the rest.
+  std::array<TriangleRange, 2> merged;
+  std::vector<std::optional<TriangleRange>> instanced;  // of each mesh
+};
+
+StoredMeshes store_triangles(RenderScene& out, const Scene& scene, const MeshSource& meshes,
+                             const GeometryFilter& filter, MeshPlacement& placement,
+                             unsigned threads) {
+  StoredMeshes stored;
+  for (const bool shadow : {true, false}) {
+    std::vector<PlacedMesh> merged;
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+      if (placement.is_skipped(i) || !placement.is_merged(i) || placement.casts_shadow(i) != shadow)
+        continue;
+      PlacedMesh placed{scene.nodes[i].mesh, placement.find_placements(i)};
+      if (!placed.placements.empty()) merged.push_back(std::move(placed));
+    }
+    const std::size_t first = out.triangles.size();
+    out.dropped_triangles +=
+        append_meshes(merged, meshes, filter.light_numbers, threads, out.triangles);
+    stored.merged[shadow ? 0 : 1] = {first, out.triangles.size()};
+  }
+  stored.instanced.resize(meshes.triangles.size());
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const std::uint32_t mesh = scene.nodes[i].mesh;
+    if (placement.is_skipped(i) || placement.is_merged(i) || stored.instanced.at(mesh)) continue;
+    const glm::dmat4 to_unit = glm::scale(glm::dmat4(1), glm::dvec3(placement.unit(mesh)));
+    const std::size_t first = out.triangles.size();
+    out.dropped_triangles +=
+        append_mesh(meshes, mesh, to_unit, filter.light_numbers, out.triangles);
+    stored.instanced[mesh] = {first, out.triangles.size()};
+  }
+  return stored;
+}
+
+// Builds a BLAS for each mesh that is instanced, and two for all others: a ray then crosses the city
+// without leaving and entering instances. And the TLAS over all of them.
+void add_hierarchies(RenderScene& out, const Scene& scene, const StoredMeshes& stored,
+                     MeshPlacement& placement, unsigned threads) {
+  std::vector<Box> boxes;
+  const auto place = [&](std::uint32_t root, const Box& box, const Placement& at, bool shadow) {
+    if (root == BVH_EMPTY) return;
+    boxes.push_back(transformed(box, at.to_scene));
+    out.instances.push_back(make_instance(glm::inverse(at.to_scene), root, shadow, at.light));
+    out.bounds.grow(boxes.back());
+  };
+  for (const bool shadow : {true, false}) {
+    const auto [root, box] = add_blas(out, stored.merged[shadow ? 0 : 1], threads);
+    place(root, box, {glm::dmat4(1.0)}, shadow);
+  }
+  std::vector<std::optional<std::pair<std::uint32_t, Box>>> built(stored.instanced.size());
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (placement.is_skipped(i) || placement.is_merged(i)) continue;
+    auto& mesh = built.at(scene.nodes[i].mesh);
+    if (!mesh) mesh = add_blas(out, *stored.instanced.at(scene.nodes[i].mesh), threads);
+    for (const Placement& at : placement.find_placements(i))
+      place(mesh->first, mesh->second, at, placement.casts_shadow(i));
+  }
+  add_tlas(out, boxes, threads);
 }
 
 // Appends a box of twelve triangles that face outwards.
@@ -134,99 +193,13 @@ void append_box(const glm::vec3& lower, const glm::vec3& upper, TriangleList& ou
 
 void add_geometry(RenderScene& out, const Scene& scene, const MeshSource& meshes,
                   const GeometryFilter& filter, unsigned threads) {
-  std::vector<Box> instance_boxes;
-  const auto to_scene = [&](const SceneInstance& instance) {
-    glm::dmat4 matrix = to_double(instance);
-    matrix[3] -= glm::dvec4(out.origin, 0);
-    return matrix;
-  };
-  const auto place = [&](std::uint32_t root, const Box& box, const glm::dmat4& placed, bool shadow,
-                         std::uint32_t light) {
-    const double determinant = glm::determinant(glm::dmat3(placed));
-    if (root == BVH_EMPTY) return;
-    if (!std::isfinite(determinant) || std::abs(determinant) < 1e-18) {
-      ++out.dropped_instances;
-      return;
-    }
-    instance_boxes.push_back(transformed(box, placed));
-    out.instances.push_back(make_instance(glm::inverse(placed), root, shadow, light));
-    out.bounds.grow(instance_boxes.back());
-  };
-
-  // The file's vehicles show one moment. Where there is traffic, it replaces them.
-  const auto is_skipped = [&](const SceneNode& node) {
-    return is_left_out(node, filter.left_out) ||
-           (!out.traffic.trips.empty() && node.vehicle != no_id);
-  };
-  const auto casts_shadow = [&](const SceneNode& node) {
-    return node.casts_shadow &&
-           !(node.vehicle != no_id && holds(filter.left_out, Part::vehicle_shadows));
-  };
-  const auto is_merged = [](const SceneNode& node) {
-    return node.instances.size() == 1 && node.instances[0].light == no_id;
-  };
-
-  // All memory is asked for at once, because growing an array holds it twice. What is asked for and
-  // not used takes no room: nodes are usually 0.4 for each triangle.
-  std::size_t most = out.triangles.size();
-  std::vector<bool> counted(meshes.triangles.size());
-  for (const SceneNode& node : scene.nodes)
-    if (!is_skipped(node) && (is_merged(node) || !counted.at(node.mesh))) {
-      most += meshes.triangles.at(node.mesh);
-      if (!is_merged(node)) counted[node.mesh] = true;
-    }
-  most = std::min<std::size_t>(most, BVH_LEAF_FIRST_MASK);  // no scene may have more
-  out.triangles.reserve(most);
-  out.triangle_order.reserve(most);
-  out.nodes.reserve(out.nodes.size() + most / 2);
-
-  // Everything that is placed once and does not move becomes one BLAS (one for what casts shadows,
-  // one for what does not): a ray then crosses the city without leaving and entering instances. All
-  // meshes are read before the first BLAS is built, because their source takes memory, too.
-  std::array<TriangleRange, 2> still;
-  for (const bool shadow : {true, false}) {
-    std::vector<PlacedMesh> merged;
-    for (const SceneNode& node : scene.nodes)
-      if (!is_skipped(node) && is_merged(node) && casts_shadow(node) == shadow)
-        merged.push_back({node.mesh, to_scene(node.instances[0])});
-    const std::size_t first = out.triangles.size();
-    out.dropped_triangles +=
-        append_meshes(merged, meshes, filter.light_numbers, threads, out.triangles);
-    still[shadow ? 0 : 1] = {first, out.triangles.size()};
-  }
-  const std::vector<double> units = find_units(scene, meshes.triangles.size());
-  std::vector<std::optional<TriangleRange>> placed(meshes.triangles.size());
-  for (const SceneNode& node : scene.nodes) {
-    if (is_skipped(node) || is_merged(node) || placed.at(node.mesh)) continue;
-    const std::size_t first = out.triangles.size();
-    out.dropped_triangles += append_mesh(meshes, node.mesh, scaled(units[node.mesh]),
-                                         filter.light_numbers, out.triangles);
-    placed[node.mesh] = {first, out.triangles.size()};
-  }
+  MeshPlacement placement(scene, meshes, filter, out.origin, !out.traffic.trips.empty());
+  reserve_memory(out, scene, meshes, placement);
+  const StoredMeshes stored = store_triangles(out, scene, meshes, filter, placement, threads);
   if (meshes.close) meshes.close();
-
-  std::size_t instances = still.size();
-  for (const SceneNode& node : scene.nodes) instances += node.instances.size();
-  out.instances.reserve(instances);
-  instance_boxes.reserve(instances);
-  for (const bool shadow : {true, false}) {
-    const auto [root, box] = add_blas(out, still[shadow ? 0 : 1], threads);
-    place(root, box, glm::dmat4(1.0), shadow, NO_HIT);
-  }
-  std::vector<std::optional<std::pair<std::uint32_t, Box>>> built(meshes.triangles.size());
-  for (const SceneNode& node : scene.nodes) {
-    if (is_skipped(node) || is_merged(node)) continue;
-    auto& mesh = built.at(node.mesh);
-    if (!mesh) mesh = add_blas(out, *placed.at(node.mesh), threads);
-    for (const SceneInstance& instance : node.instances) {
-      const std::uint32_t light = find_light(instance.light, filter.light_numbers);
-      if (light != left_out_light)
-        place(mesh->first, mesh->second, to_scene(instance) * scaled(1 / units[node.mesh]),
-              casts_shadow(node), light);
-    }
-  }
+  add_hierarchies(out, scene, stored, placement, threads);
+  out.dropped_instances += placement.dropped();
   out.triangles.release_pages();
-  add_tlas(out, instance_boxes, threads);
 }
 
 void add_bodies(RenderScene& out, const Scene& scene, const MeshSource& meshes,

@@ -1,19 +1,11 @@
 // From the meshes of a scene file to instances and the hierarchies that rays traverse.
 #pragma once
 
-#include <cstddef>
-#include <span>
-
+#include "runtime/scene/mesh_placement.h"
 #include "runtime/scene/mesh_triangles.h"
 #include "runtime/scene/render_scene.h"
 
 namespace nightcity::scene {
-
-/// A choice of the geometry that is left out (parts.h).
-struct GeometryFilter {
-  PartSet left_out;
-  std::span<const std::uint32_t> light_numbers;  // from leave_out_lights
-};
 
 /// Appends the meshes of `scene`, their BLASes and instances, and builds the TLAS over these, all
 /// relative to `out.origin`.

@@ -45,7 +45,7 @@ City make_city() {
   City city;
   for (std::uint32_t i = 0; i < 40; ++i) {
     city.meshes.push_back(make_mesh(1 + 7 * i, i % 3, i));
-    city.placed.push_back({i, glm::translate(glm::dmat4(1), glm::dvec3(0, 0, double(i)))});
+    city.placed.push_back({i, {{glm::translate(glm::dmat4(1), glm::dvec3(0, 0, double(i)))}}});
   }
   return city;
 }
@@ -56,7 +56,7 @@ TEST(MeshTriangles, AreThoseOfTheMeshesOneAfterTheOther) {
   for (int i = 0; i < 3; ++i) one_by_one.push_back({});
   std::size_t flat = 0;
   for (const PlacedMesh& placed : city.placed)
-    flat += append_mesh(city.meshes[placed.mesh], placed.to_scene, {}, one_by_one);
+    flat += append_mesh(city.meshes[placed.mesh], placed.placements[0].to_scene, {}, one_by_one);
   EXPECT_GT(flat, 0u);
   for (const unsigned threads : {1u, 2u, 5u}) {
     TriangleList together;
@@ -85,6 +85,20 @@ TEST(MeshTriangles, MayBeMoreThanWasSaid) {
   for (std::size_t i = 0; i < right.size(); ++i)
     sum += double(right[i].material) - double(wrong[i].material);
   EXPECT_EQ(sum, 0.0);
+}
+
+TEST(MeshTriangles, OfAMeshInSeveralPlacesHaveTheLightOfThePlaceOrTheirOwn) {
+  City city;
+  city.meshes.push_back(make_mesh(3, 0, 0));
+  city.meshes[0].primitives[0].light_ids.assign(9, 4);
+  const glm::dmat4 here(1), there = glm::translate(glm::dmat4(1), glm::dvec3(0, 0, 5));
+  TriangleList out;
+  EXPECT_EQ(append_meshes({{0, {{here, 7}, {there}}}}, city.source(), {}, 2, out), 0u);
+  ASSERT_EQ(out.size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(out[i].light, i < 3 ? 7u : 4u);
+    EXPECT_EQ(out[i].v0.z, i < 3 ? 0.0f : 5.0f);
+  }
 }
 
 TEST(MeshTriangles, AreRefusedWhereASceneCannotHaveAsMany) {
