@@ -1,5 +1,5 @@
-// How the triangles of a scene's meshes are stored: where each instance stands, or once for all of
-// the instances.
+// Decides where the triangles of a scene's meshes are stored: where each instance stands, or once
+// for all of the instances.
 #pragma once
 
 #include <cstddef>

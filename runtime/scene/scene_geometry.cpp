@@ -107,7 +107,7 @@ void reserve_memory(RenderScene& out, const Scene& scene, const MeshSource& mesh
   out.instances.reserve(instances);
 }
 
-// Where the triangles of a scene's meshes lie.
+// The triangles of a scene's meshes, as they are stored.
 struct StoredMeshes {
   // Everything that does not move and is stored where it stands: what casts shadows, and the rest.
   std::array<TriangleRange, 2> merged;
