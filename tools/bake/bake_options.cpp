@@ -45,8 +45,8 @@ BakeOptions to_bake_options(const Recipe& recipe) {
   options.scene = {recipe.output.draco, recipe.output.draco_tolerance_m};
   options.tiles = {recipe.city.tile_m, recipe.city.drop_ground, recipe.city.drop_hidden,
                    recipe.city.read.threads};
-  options.lights = {recipe.lamps, recipe.night.minute, recipe.output.punctual, recipe.city.tile_m,
-                    recipe.lights.edits};
+  options.lights = {recipe.lamps,           recipe.map_lights,  recipe.night.minute,
+                    recipe.output.punctual, recipe.city.tile_m, recipe.lights.edits};
   options.windows = recipe.windows;
   options.makes_traffic = recipe.traffic.is_made;
   options.traffic = recipe.traffic.options;

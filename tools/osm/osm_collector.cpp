@@ -46,6 +46,7 @@ void OsmCollector::add_node(std::int64_t id, OsmVersion version, const glm::dvec
   if (!on_globe(lon_lat)) return count_bad_node();
   ++nodes_;
   places_.push_back({key, version.rank(), to_steps(lon_lat.x), to_steps(lon_lat.y)});
+  if (may_shine(tags)) things_.push_back({{id, false, {lon_lat}, tags}, key, version.rank()});
   if (is_lamp(tags))
     lamps_.push_back({{id, lon_lat, std::move(tags)}, key, version.rank()});
   else if (is_tree(tags))
@@ -58,7 +59,9 @@ void OsmCollector::add_way(std::int64_t id, OsmVersion version, std::vector<OsmN
   way_states_.push_back({key, version.rank(), version.deleted});
   if (version.deleted) return;
   ++data_.ways;
-  if (!is_highway(tags) && !is_building(tags) && !is_lamp(tags) && !is_tree_row(tags)) return;
+  if (!is_highway(tags) && !is_building(tags) && !is_lamp(tags) && !is_tree_row(tags) &&
+      !may_shine(tags))
+    return;
   if (nodes.size() > max_way_nodes_) {
     ++data_.long_ways;
     return;
@@ -128,6 +131,7 @@ void OsmCollector::place_ways() {
     if (!highway && is_lamp(way.tags) && !way.lon_lat.empty())
       data_.lamps.push_back({way.id, mean(way.lon_lat), way.tags, true});
     if (way.lon_lat.size() < 2) continue;
+    if (may_shine(way.tags)) data_.shining_things.push_back({way.id, true, way.lon_lat, way.tags});
     if (highway)
       data_.highways.push_back(std::move(way));
     else if (is_building(way.tags))
@@ -143,10 +147,16 @@ OsmData OsmCollector::finish() && {
   keep_newest(way_states_);
   drop_old(lamps_, places_);
   drop_old(trees_, places_);
+  drop_old(things_, places_);
   drop_old(pending_, way_states_);
   for (PendingLamp& pending : lamps_) data_.lamps.push_back(std::move(pending.lamp));
   for (PendingTree& pending : trees_) data_.trees.push_back(std::move(pending.tree));
+  for (PendingThing& pending : things_) data_.shining_things.push_back(std::move(pending.thing));
   place_ways();
+  std::stable_sort(data_.shining_things.begin(), data_.shining_things.end(),
+                   [](const OsmShiningThing& a, const OsmShiningThing& b) {
+                     return std::tie(a.is_way, a.id) < std::tie(b.is_way, b.id);
+                   });
   return std::move(data_);
 }
 

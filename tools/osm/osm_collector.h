@@ -83,6 +83,11 @@ class OsmCollector {
     Key key;
     std::uint32_t rank;
   };
+  struct PendingThing {
+    OsmShiningThing thing;
+    Key key;
+    std::uint32_t rank;
+  };
   struct PendingWay {
     OsmWay way;
     std::vector<OsmNodeRef> nodes;
@@ -108,6 +113,7 @@ class OsmCollector {
   std::vector<State> way_states_;
   std::vector<PendingLamp> lamps_;
   std::vector<PendingTree> trees_;
+  std::vector<PendingThing> things_;
   std::vector<PendingWay> pending_;
 };
 

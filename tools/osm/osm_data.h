@@ -26,6 +26,15 @@ struct OsmTree {
   OsmTags tags;
 };
 
+/// A thing that may shine without being a lamp: a sign, a floodlit monument, a pitch, a petrol
+/// station.
+struct OsmShiningThing {
+  std::int64_t id = 0;
+  bool is_way = false;
+  std::vector<glm::dvec2> lon_lat;  // degrees; a node has one place, a closed way repeats its first
+  OsmTags tags;
+};
+
 struct OsmWay {
   std::int64_t id = 0;
   std::vector<glm::dvec2>
@@ -46,8 +55,9 @@ struct OsmData {
   std::vector<OsmLampNode> lamps;  // street_lamp, lantern, floodlight, tower:type=lighting, ...
   std::vector<OsmWay> highways;
   std::vector<OsmWay> buildings;
-  std::vector<OsmTree> trees;     // natural=tree
-  std::vector<OsmWay> tree_rows;  // natural=tree_row
+  std::vector<OsmTree> trees;                   // natural=tree
+  std::vector<OsmWay> tree_rows;                // natural=tree_row
+  std::vector<OsmShiningThing> shining_things;  // by id, nodes first
   std::size_t nodes = 0, ways = 0, relations = 0;
   std::size_t missing_nodes = 0, bad_coordinates = 0, duplicates = 0;
   std::size_t old_versions = 0;  // lamps, highways and buildings of which there is a newer version

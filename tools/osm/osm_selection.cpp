@@ -37,6 +37,10 @@ constexpr std::array<std::string_view, 8> light_sources = {
     "street_light", "lamp",       "electric_lamp", "gas_lamp"};
 constexpr std::array<std::string_view, 4> masts = {"floodlight", "flood_light", "light_mast",
                                                    "lighting_mast"};
+constexpr std::array<std::string_view, 2> pitches = {"pitch", "track"};
+constexpr std::array<std::string_view, 9> churches = {"church", "cathedral", "chapel",
+                                                      "mosque", "synagogue", "temple",
+                                                      "castle", "monastery", "shrine"};
 
 }  // namespace
 
@@ -58,6 +62,19 @@ bool is_tree(const OsmTags& tags) {
 
 bool is_tree_row(const OsmTags& tags) {
   return value_of(tags, "natural") == "tree_row";
+}
+
+bool may_shine(const OsmTags& tags) {
+  const auto has = [&](const char* key) {
+    const std::string value = value_of(tags, key);
+    return !value.empty() && value != "no";
+  };
+  if (is_highway(tags)) return false;
+  if (has("advertising") || has("floodlit") || value_of(tags, "amenity") == "fuel") return true;
+  return has("lit") &&
+         (has("historic") || has_one_of(tags, "leisure", pitches) ||
+          has_one_of(tags, "building", churches) || value_of(tags, "tourism") == "artwork" ||
+          value_of(tags, "amenity") == "place_of_worship");
 }
 
 bool is_building(const OsmTags& tags) {

@@ -14,6 +14,7 @@
 #include "tools/bake/stages/window_options.h"
 #include "tools/city/city_reader.h"
 #include "tools/georeference/frame.h"
+#include "tools/map_lights/map_light_options.h"
 #include "tools/osm/osm_data.h"
 #include "tools/traffic/traffic.h"
 
@@ -50,6 +51,7 @@ struct Recipe {
   } osm;
 
   LampStageOptions lamps;
+  map_lights::MapLightOptions map_lights;
   /// Its tile_m is the city's.
   GroundOptions terrain;
   CoverOptions ground;

@@ -191,17 +191,12 @@ Table make_light_table(bake::Recipe::Lights& lights, const fs::path& folder) {
 }  // namespace
 
 std::vector<Table> make_tables(bake::Recipe& recipe, const fs::path& folder) {
-  return {make_city_table(recipe.city, folder),
-          make_osm_table(recipe.osm, folder),
-          make_terrain_table(recipe.terrain, folder),
-          make_ground_table(recipe.ground),
-          make_lamp_table(recipe.lamps, folder),
-          make_window_table(recipe.windows),
-          make_light_table(recipe.lights, folder),
-          make_traffic_table(recipe.traffic),
-          make_night_table(recipe.night),
-          make_origin_table(recipe.origin),
-          make_output_table(recipe.output)};
+  return {make_city_table(recipe.city, folder),       make_osm_table(recipe.osm, folder),
+          make_terrain_table(recipe.terrain, folder), make_ground_table(recipe.ground),
+          make_lamp_table(recipe.lamps, folder),      make_map_light_table(recipe.map_lights),
+          make_window_table(recipe.windows),          make_light_table(recipe.lights, folder),
+          make_traffic_table(recipe.traffic),         make_night_table(recipe.night),
+          make_origin_table(recipe.origin),           make_output_table(recipe.output)};
 }
 
 }  // namespace nightcity::recipe

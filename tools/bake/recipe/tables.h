@@ -15,6 +15,7 @@ std::vector<Table> make_tables(bake::Recipe& recipe, const std::filesystem::path
 
 Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& folder);
 Table make_lamp_table(bake::LampStageOptions& lamps, const std::filesystem::path& folder);
+Table make_map_light_table(map_lights::MapLightOptions& lights);
 Table make_traffic_table(bake::Recipe::Traffic& traffic);
 
 /// Returns the keys of one row of `[lamps] luminaires`.

@@ -237,6 +237,7 @@ json to_json(const BakeReport& report) {
       {"streets", to_json(report.streets)},
       {"lamps", to_json(report.lights.lamps)},
       {"layout", to_json(report.lights.layout, true)},
+      {"map_lights", to_json(report.lights.map_lights)},
       {"windows", to_json(report.lights.windows)},
       {"traffic", report.traffic ? to_json(*report.traffic) : json()},
       {"scene",
@@ -264,6 +265,7 @@ std::string to_text(const BakeReport& report) {
   text += to_text(report.streets);
   text += to_text(report.lights.lamps);
   text += to_text(report.lights.layout, false);
+  text += to_text(report.lights.map_lights);
   text += to_text(report.lights.windows);
   if (report.traffic) text += to_text(*report.traffic);
   return text + outputs_in_words(report) + costs_in_words(report);

@@ -104,6 +104,25 @@ json to_json(const LampReport& lamps) {
           {"dark", lamps.dark}};
 }
 
+json to_json(const map_lights::MapLightReport& lights) {
+  json kinds = json::object();
+  for (std::size_t n = 0; n < lights.kinds.size(); ++n) {
+    const map_lights::MapLightReport::Kind& kind = lights.kinds[n];
+    json& row = kinds[name_of(static_cast<map_lights::MapLightKind>(n))];
+    row = {{"mapped", kind.mapped},
+           {"lit", kind.lit},
+           {"lights", kind.lights},
+           {"total_flux_lm", kind.flux_lm},
+           {"shining", json::object()}};
+    for (std::size_t hour = 0; hour < lights::night_hours; ++hour)
+      row["shining"][fmt::format("{:02}:00", lights::clock_hour(hour))] = kind.hours[hour];
+  }
+  return {{"kinds", kinds},
+          {"dropped", lights.left_out},
+          {"notes", lights.notes},
+          {"sources", lights.sources}};
+}
+
 json to_json(const lights::WindowReport& windows) {
   json by_use = json::object();
   for (const auto& [name, use] : windows.by_use) {
@@ -125,6 +144,24 @@ std::string to_text(const LampReport& lamps) {
     text += report_line("", to_text(report));
   text += counts_in_words(lamps.left_out, lamps.sources);
   if (!lamps.notes.empty()) text += report_line("", "notes: " + in_words(lamps.notes));
+  return text;
+}
+
+std::string to_text(const map_lights::MapLightReport& lights) {
+  std::string text;
+  for (std::size_t n = 0; n < lights.kinds.size(); ++n) {
+    const map_lights::MapLightReport::Kind& kind = lights.kinds[n];
+    if (kind.mapped == 0) continue;
+    constexpr std::size_t at_22 = 5, at_2 = 9;
+    text += report_line(
+        text.empty() ? "map lights" : "",
+        fmt::format("{}: {} of {} lit, {} lights, {:.0f} klm; {} shine at 22:00, {} at 2:00",
+                    name_of(static_cast<map_lights::MapLightKind>(n)), kind.lit, kind.mapped,
+                    kind.lights, kind.flux_lm / 1000, kind.hours[at_22], kind.hours[at_2]));
+  }
+  if (text.empty()) return text;
+  text += counts_in_words(lights.left_out, lights.sources);
+  if (!lights.notes.empty()) text += report_line("", "notes: " + in_words(lights.notes));
   return text;
 }
 

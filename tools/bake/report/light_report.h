@@ -12,6 +12,7 @@
 #include "tools/layout/layout.h"
 #include "tools/lights/place_lamps.h"
 #include "tools/lights/windows.h"
+#include "tools/map_lights/place_map_lights.h"
 
 namespace nightcity::bake {
 
@@ -31,6 +32,7 @@ LampReport to_report(const lights::LampSet& set, const City& city);
 struct LightsReport {
   LampReport lamps;
   layout::LayoutReport layout;  // of lamps where the map has none
+  map_lights::MapLightReport map_lights;
   lights::WindowReport windows;
   std::size_t schedules = 0;  // different ones in the light file
 };
@@ -40,7 +42,10 @@ std::string explain_darkness(const City& city, const LightsReport& lights);
 
 nlohmann::json to_json(const LampReport& lamps);
 nlohmann::json to_json(const lights::WindowReport& windows);
+nlohmann::json to_json(const map_lights::MapLightReport& lights);
 std::string to_text(const LampReport& lamps);
+/// Returns "" where the map has nothing of the kind.
+std::string to_text(const map_lights::MapLightReport& lights);
 /// The text has a row for each use of buildings: how many of its windows have light at each full
 /// hour.
 std::string to_text(const lights::WindowReport& windows);

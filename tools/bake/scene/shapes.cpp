@@ -23,4 +23,15 @@ ScenePrimitive make_prism(float radius, std::uint32_t sides, std::uint32_t mater
   return p;
 }
 
+ScenePrimitive make_box(std::uint32_t material) {
+  ScenePrimitive p;
+  p.material = material;
+  for (const float x : {-0.5f, 0.5f})
+    for (const float y : {0.0f, 1.0f})
+      for (const float z : {-0.5f, 0.5f}) p.positions.push_back({x, y, z});
+  p.indices = {0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
+               2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3};
+  return p;
+}
+
 }  // namespace nightcity::bake

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "formats/colour.h"
@@ -18,10 +19,10 @@ Look to_look(const lights::LitRectangle& window) {
           static_cast<int>(std::lround(double{window.cct_k} / cct_step_k))};
 }
 
-SceneMaterial to_material(const Look& look) {
+SceneMaterial to_material(const Look& look, const char* name) {
   const auto luminance = static_cast<float>(std::exp2(look.first / steps_per_stop));
   const glm::vec3 colour = rec709_from_xy(planckian_xy(look.second * cct_step_k));
-  return {.name = "lit window",
+  return {.name = name,
           .base_colour = glm::vec3(0.1f),
           .emission_cd_m2 = colour * luminance,
           .roughness = 0.1f,
@@ -62,16 +63,17 @@ void WindowModels::write(SceneWriter& writer, const Georeference& georeference) 
     for (const Record& record : tiles_.read(tile))
       add_quad(primitives[to_look(record.window)], record.window, origin, record.light);
     SceneMesh mesh;
-    mesh.name = "windows " + std::to_string(tile.first) + " " + std::to_string(tile.second);
+    mesh.name = std::string(names_.meshes) + " " + std::to_string(tile.first) + " " +
+                std::to_string(tile.second);
     for (auto& [look, primitive] : primitives) {
       const auto [material, is_new] = materials.try_emplace(look, 0);
-      if (is_new) material->second = writer.add_material(to_material(look));
+      if (is_new) material->second = writer.add_material(to_material(look, names_.material));
       primitive.material = material->second;
       mesh.primitives.push_back(std::move(primitive));
     }
     SceneInstance instance;
     instance.to_model[3] = glm::vec4(glm::vec3(georeference.to_model(origin)), 1);
-    writer.add_node({mesh.name, "window", writer.add_mesh(mesh), false, {instance}});
+    writer.add_node({mesh.name, names_.kind, writer.add_mesh(mesh), false, {instance}});
   }
 }
 

@@ -13,6 +13,13 @@
 
 namespace nightcity::bake {
 
+/// Names of what luminous rectangles are: of meshes, of their nodes' kind and of materials.
+struct RectangleNames {
+  const char* meshes = "windows";
+  const char* kind = "window";
+  const char* material = "lit window";
+};
+
 /// Gathers windows and writes them as nodes of kind "window" that cast no shadow, because their
 /// quads lie where their light starts. Materials round the luminance to a quarter of a stop and the
 /// colour to 250 K: other programs show them; the lights themselves are exact. Every window has its
@@ -21,8 +28,8 @@ class WindowModels {
  public:
   /// Keeps the windows in a scratch file beside `scratch`, so that memory does not grow with the
   /// city. `tile_m` is the side of a tile.
-  WindowModels(const std::filesystem::path& scratch, double tile_m)
-      : tiles_(scratch), tile_m_(tile_m) {}
+  WindowModels(const std::filesystem::path& scratch, double tile_m, RectangleNames names = {})
+      : tiles_(scratch), tile_m_(tile_m), names_(names) {}
 
   /// `light` is the window's number in city.lights, which each vertex names.
   void add(const lights::LitRectangle& window, std::uint32_t light);
@@ -37,6 +44,7 @@ class WindowModels {
 
   CellFile<Tile, Record> tiles_;
   double tile_m_;
+  RectangleNames names_;
 };
 
 }  // namespace nightcity::bake

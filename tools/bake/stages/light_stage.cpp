@@ -5,6 +5,7 @@
 #include "tools/bake/scene/lamp_models.h"
 #include "tools/bake/scene/materials.h"
 #include "tools/bake/scene/punctual.h"
+#include "tools/bake/scene/sign_models.h"
 #include "tools/bake/scene/window_models.h"
 #include "tools/bake/stages/edited_lights.h"
 
@@ -33,9 +34,12 @@ BakedLights bake_lights(const City& city, WindowConsumer* windows, const LightSt
   result.report.lamps = to_report(lamps, city);
   result.report.layout = std::move(placed.layout);
   result.report.lamps.dark = explain_darkness(city, result.report);
+  map_lights::MapLightSet others = place_city_map_lights(city, options.map_lights);
+  result.report.map_lights = others.report;
+  add_luminaires(others, lamps);
   lights::ScheduleTable schedules = make_schedules(outputs.lights);
   BrightestLights brightest(options.punctual);
-  // Lamps first, then windows: the models name their lights by this order.
+  // Luminaires first, then signs and windows: the models name their lights by this order.
   for (lights::PlacedLamp& lamp : lamps.lamps) {
     edits.change(lamp);
     Light light = lights::to_light(lamp, georeference, schedules);
@@ -47,16 +51,26 @@ BakedLights bake_lights(const City& city, WindowConsumer* windows, const LightSt
   add_lamp_models(outputs.scene, lamps.lamps, georeference,
                   static_cast<std::uint32_t>(BakeMaterial::lamp_post));
   lamps.lamps = {};
+  const auto write_rectangle = [&](lights::LitRectangle rectangle, WindowModels& models) {
+    edits.change(rectangle);
+    Light light = lights::to_light(rectangle, georeference, schedules);
+    edits.finish(light);
+    models.add(rectangle, outputs.lights.add(light, rectangle.provenance));
+    if (!edits.is_off(rectangle.id) && rectangle.hours.lit_at(options.shown_minute))
+      brightest.add(light);
+  };
+  const double batch_m = tiles_a_batch * options.tile_m;
+  if (!others.signs.empty()) {
+    WindowModels models(outputs.scratch, batch_m, {"signs", "sign", "lit sign"});
+    for (const lights::LitRectangle& sign : others.signs) write_rectangle(sign, models);
+    models.write(outputs.scene, georeference);
+  }
+  add_sign_bodies(outputs.scene, others.bodies, georeference,
+                  static_cast<std::uint32_t>(BakeMaterial::furniture));
   if (windows) {
-    WindowModels models(outputs.scratch, tiles_a_batch * options.tile_m);
-    result.report.windows = windows->finish(city, [&](lights::LitRectangle window) {
-      edits.change(window);
-      Light light = lights::to_light(window, georeference, schedules);
-      edits.finish(light);
-      models.add(window, outputs.lights.add(light, window.provenance));
-      if (!edits.is_off(window.id) && window.hours.lit_at(options.shown_minute))
-        brightest.add(light);
-    });
+    WindowModels models(outputs.scratch, batch_m);
+    result.report.windows = windows->finish(
+        city, [&](const lights::LitRectangle& window) { write_rectangle(window, models); });
     models.write(outputs.scene, georeference);
   }
   if (edits.used() > 0) result.report.lamps.notes["lights changed by edits"] = edits.used();

@@ -10,6 +10,7 @@
 #include "tools/bake/city/city.h"
 #include "tools/bake/report/light_report.h"
 #include "tools/bake/stages/lamp_stage.h"
+#include "tools/bake/stages/map_light_stage.h"
 #include "tools/bake/stages/window_stage.h"
 #include "tools/lights/night_schedule.h"
 
@@ -17,6 +18,7 @@ namespace nightcity::bake {
 
 struct LightStageOptions {
   LampStageOptions lamps;
+  map_lights::MapLightOptions map_lights;
   int shown_minute = 5 * 60;  // after 17:00: the time that KHR_lights_punctual shows
   std::size_t punctual = 0;   // how many of the brightest lights are written as KHR_lights_punctual
   double tile_m = 250;        // side of the scene's tiles
@@ -38,7 +40,7 @@ struct BakedLights {
   LightsReport report;
 };
 
-/// Writes the lamps, then the windows that `windows` has gathered (null: none). Memory grows with
+/// Writes the lamps, then the other lights of the map, then the windows that `windows` has gathered (null: none). Memory grows with
 /// the lamps, not with the windows. Throws Error when the map has lamps and the city no CRS.
 BakedLights bake_lights(const City& city, WindowConsumer* windows, const LightStageOptions& options,
                         const LightOutputs& outputs);

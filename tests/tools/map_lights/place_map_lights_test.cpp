@@ -1,0 +1,227 @@
+#include "tools/map_lights/place_map_lights.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <set>
+
+#include "tests/tools/map_lights/flat_ground.h"
+
+namespace nightcity::map_lights {
+namespace {
+
+using lights::minute_of;
+using Thing = osm::OsmShiningThing;
+
+Thing node(std::int64_t id, glm::dvec2 at, osm::OsmTags tags) {
+  return {id, false, {at}, std::move(tags)};
+}
+
+Thing area(std::int64_t id, glm::dvec2 low, glm::dvec2 high, osm::OsmTags tags) {
+  return {id, true, {low, {high.x, low.y}, high, {low.x, high.y}, low}, std::move(tags)};
+}
+
+MapLightSet place(std::vector<Thing> things, const MapLightOptions& options = {},
+                  const Ground& ground = test::make_flat_ground(), osm::OsmData map = {}) {
+  map.shining_things = std::move(things);
+  return place_map_lights(map, ground, options);
+}
+
+const MapLightReport::Kind& kind_of(const MapLightSet& set, MapLightKind kind) {
+  return set.report.kinds[static_cast<std::size_t>(kind)];
+}
+
+osm::OsmData make_street() {  // along the x axis
+  osm::OsmData map;
+  map.highways = {{7, {{-200, 0}, {200, 0}}, {{"highway", "residential"}}}};
+  return map;
+}
+
+const osm::OsmTags soccer{{"leisure", "pitch"}, {"sport", "soccer"}, {"lit", "yes"}};
+
+TEST(MapLights, ASignGivesPiTimesLuminanceTimesArea) {
+  const MapLightSet set = place({node(1, {0, 12}, {{"advertising", "screen"}, {"size", "4x3"}})},
+                                {}, test::make_flat_ground(), make_street());
+  ASSERT_EQ(set.signs.size(), 1u);
+  const lights::LitRectangle& sign = set.signs[0];
+  EXPECT_NEAR(sign.flux_lm(), std::numbers::pi * 300 * 12, 1e-2);
+  EXPECT_NEAR(kind_of(set, MapLightKind::advertising).flux_lm, sign.flux_lm(), 1e-9);
+  EXPECT_GT(sign.centre.z, 5);
+  EXPECT_EQ(sign.provenance.source_id, 1u);
+  EXPECT_EQ(sign.provenance.family, static_cast<std::uint8_t>(LightFamily::other));
+  EXPECT_EQ(sign.provenance.position, ValueSource::tag);
+}
+
+TEST(MapLights, ASignWithOneFaceLooksAtTheRoadAndOneWithTwoStandsAcrossIt) {
+  const MapLightSet set =
+      place({node(1, {0, 12}, {{"advertising", "screen"}}),
+             node(2, {50, 12}, {{"advertising", "poster_box"}}),
+             node(3, {90, 12}, {{"advertising", "screen"}, {"direction", "N"}})},
+            {}, test::make_flat_ground(), make_street());
+  ASSERT_EQ(set.signs.size(), 4u);
+  EXPECT_NEAR(set.signs[0].normal.y, -1, 1e-6);
+  EXPECT_NEAR(std::abs(set.signs[1].normal.x), 1, 1e-6);
+  EXPECT_EQ(set.signs[1].normal, -set.signs[2].normal);
+  EXPECT_NEAR(set.signs[3].normal.y, 1, 1e-6);
+}
+
+TEST(MapLights, FacesStandBeforeTheirBodies) {
+  const MapLightSet set = place({node(1, {0, 12}, {{"advertising", "poster_box"}}),
+                                 node(2, {30, 12}, {{"advertising", "column"}, {"lit", "yes"}})});
+  ASSERT_EQ(set.bodies.size(), 2u);
+  ASSERT_EQ(set.signs.size(), 2u + 6u);
+  for (const lights::LitRectangle& face : set.signs) {
+    const Body& body = set.bodies[face.provenance.source_id - 1];
+    const glm::dvec3 from_middle = face.centre - body.foot;
+    const double reach = glm::dot(from_middle, glm::dvec3(face.normal));
+    const double surface = body.is_column ? 0.6 * std::cos(std::numbers::pi / 6) : 0.1;
+    EXPECT_NEAR(reach, surface + 0.02, 1e-6);
+    EXPECT_LE(from_middle.z + double{face.half_height}, body.height_m + 1e-6);
+  }
+}
+
+TEST(MapLights, AColumnHasTheLightOfTheCylinderWithinFivePercent) {
+  const MapLightSet set = place({node(2, {30, 12}, {{"advertising", "column"}, {"lit", "yes"}})});
+  const double cylinder = std::numbers::pi * lit_poster_cd_m2 * std::numbers::pi * 1.2 * 2.6;
+  const double flux = kind_of(set, MapLightKind::advertising).flux_lm;
+  EXPECT_GT(flux, 0.95 * cylinder);
+  EXPECT_LE(flux, cylinder);
+}
+
+TEST(MapLights, ASignInABuildingMovesToItsWallAndLosesItsBack) {
+  Ground built = test::make_flat_ground();
+  built.inside = [](const glm::dvec2& p) { return p.y > 10; };
+  const MapLightSet set =
+      place({node(1, {0, 12}, {{"advertising", "poster_box"}})}, {}, built, make_street());
+  ASSERT_EQ(set.signs.size(), 1u);
+  EXPECT_LT(set.signs[0].centre.y, 10);
+  EXPECT_EQ(set.signs[0].provenance.position, ValueSource::rule);
+  built.inside = [](const glm::dvec2&) { return true; };
+  const MapLightSet none =
+      place({node(1, {0, 12}, {{"advertising", "poster_box"}})}, {}, built, make_street());
+  EXPECT_TRUE(none.signs.empty());
+  EXPECT_EQ(none.report.left_out.at("inside a building"), 1u);
+}
+
+TEST(MapLights, OnlyWhatATagSaysIsLitIsFloodlit) {
+  const MapLightSet set = place(
+      {area(1, {0, 0}, {105, 68}, {{"leisure", "pitch"}}), area(2, {200, 0}, {305, 68}, soccer),
+       area(3, {0, 200}, {20, 240}, {{"building", "church"}, {"lit", "no"}}),
+       area(4, {0, 300}, {20, 340}, {{"building", "church"}, {"floodlit", "yes"}}),
+       node(5, {400, 0},
+            {{"historic", "memorial"}, {"memorial", "stolperstein"}, {"lit", "yes"}})});
+  EXPECT_EQ(kind_of(set, MapLightKind::pitch).mapped, 2u);
+  EXPECT_EQ(kind_of(set, MapLightKind::pitch).lit, 1u);
+  EXPECT_EQ(kind_of(set, MapLightKind::floodlit).lit, 1u);
+  EXPECT_EQ(set.report.left_out.at("that no tag says is lit"), 1u);
+  EXPECT_EQ(set.report.left_out.at("plaque, mural or the like"), 1u);
+  for (const lights::PlacedLamp& lamp : set.luminaires) {
+    EXPECT_EQ(lamp.foot.z, 5);
+    EXPECT_EQ(lamp.provenance.flux, ValueSource::standard);
+  }
+}
+
+TEST(MapLights, FloodlightsThatTheMapKnowsServeTheirPitch) {
+  osm::OsmData map;
+  map.lamps = {{9, {110, 30}, {{"man_made", "floodlight"}}}};
+  const MapLightSet set =
+      place({area(2, {0, 0}, {105, 68}, soccer)}, {}, test::make_flat_ground(), map);
+  EXPECT_TRUE(set.luminaires.empty());
+  EXPECT_EQ(set.report.left_out.at("lit by floodlights of the map"), 1u);
+}
+
+TEST(MapLights, EachKindHasItsHoursUnlessItsTagsOrTheRecipeSayOtherwise) {
+  osm::OsmTags late = soccer;
+  late["lit"] = "sunset-23:30";
+  MapLightOptions options;
+  options.off[MapLightKind::advertising] = {minute_of(1, 0), minute_of(6, 0)};
+  const std::vector<Thing> things{node(1, {500, 0}, {{"advertising", "screen"}}),
+                                  area(2, {0, 0}, {105, 68}, soccer),
+                                  area(3, {0, 200}, {105, 268}, late)};
+  const MapLightSet set = place(things), asked = place(things, options);
+  EXPECT_TRUE(set.signs[0].hours.lit_at(minute_of(3, 0)));
+  EXPECT_FALSE(asked.signs[0].hours.lit_at(minute_of(3, 0)));
+  EXPECT_TRUE(asked.signs[0].hours.lit_at(minute_of(0, 30)));
+  for (const lights::PlacedLamp& lamp : set.luminaires) {
+    EXPECT_TRUE(lamp.hours->lit_at(minute_of(21, 0)));
+    EXPECT_EQ(lamp.hours->lit_at(minute_of(23, 0)), lamp.provenance.source_id == 3);
+    EXPECT_EQ(lamp.provenance.schedule == ValueSource::tag, lamp.provenance.source_id == 3);
+  }
+}
+
+TEST(MapLights, APetrolStationIsLitBelowItsCanopyWhileItIsOpen) {
+  osm::OsmData map;
+  map.buildings = {{4, {{10, 10}, {30, 10}, {30, 20}, {10, 20}, {10, 10}}, {{"building", "roof"}}}};
+  const Thing station = area(3, {0, 0}, {60, 40}, {{"amenity", "fuel"}, {"opening_hours", "24/7"}});
+  const MapLightSet set = place({station}, {}, test::make_flat_ground(), map);
+  ASSERT_FALSE(set.luminaires.empty());
+  for (const lights::PlacedLamp& lamp : set.luminaires) {
+    EXPECT_TRUE(lamp.foot.x > 10 && lamp.foot.x < 30 && lamp.foot.y > 10 && lamp.foot.y < 20);
+    EXPECT_TRUE(lamp.hours->lit_at(minute_of(3, 0)));
+    EXPECT_EQ(lamp.tilt_degrees, 0);
+  }
+  // Without a canopy the area is lit as a driveway, with less light on each square metre.
+  const MapLightSet open = place({station});
+  EXPECT_GT(open.luminaires.size(), set.luminaires.size());
+  EXPECT_LT(open.luminaires[0].flux_lm, set.luminaires[0].flux_lm);
+}
+
+TEST(MapLights, KindsAndAllOfThemCanBeSwitchedOff) {
+  const std::vector<Thing> things{node(1, {500, 0}, {{"advertising", "screen"}}),
+                                  area(2, {0, 0}, {105, 68}, soccer)};
+  MapLightOptions options;
+  options.without = {MapLightKind::pitch};
+  const MapLightSet signs = place(things, options);
+  EXPECT_EQ(signs.signs.size(), 1u);
+  EXPECT_TRUE(signs.luminaires.empty());
+  options.lit = false;
+  EXPECT_TRUE(place(things, options).signs.empty());
+}
+
+TEST(MapLights, WhatLiesBeyondTheModelIsCountedOnce) {
+  const MapLightSet set = place({node(1, {5000, 0}, {{"advertising", "screen"}}),
+                                 area(2, {5000, 0}, {5105, 68}, soccer),
+                                 node(3, {1e300, 1e300}, {{"advertising", "screen"}}),
+                                 area(4, {-900, -900}, {900, 900}, soccer)});
+  EXPECT_TRUE(set.signs.empty() && set.luminaires.empty());
+  EXPECT_EQ(set.report.left_out.at("outside the model"), 3u);
+  EXPECT_EQ(set.report.left_out.at("larger than 250 m"), 1u);
+}
+
+TEST(MapLights, AThingHasTheSameLightsWhateverElseIsInTheMap) {
+  const Thing pitch = area(2, {0, 0}, {105, 68}, soccer);
+  const MapLightSet alone = place({pitch});
+  const MapLightSet among = place({node(1, {500, 0}, {{"advertising", "screen"}}),
+                                   node(2, {500, 90}, {{"advertising", "screen"}}), pitch});
+  ASSERT_EQ(alone.luminaires.size(), among.luminaires.size());
+  for (std::size_t n = 0; n < alone.luminaires.size(); ++n) {
+    EXPECT_EQ(alone.luminaires[n].id, among.luminaires[n].id);
+    EXPECT_EQ(alone.luminaires[n].foot, among.luminaires[n].foot);
+    EXPECT_EQ(alone.luminaires[n].flux_lm, among.luminaires[n].flux_lm);
+  }
+  std::set<std::uint32_t> ids;
+  for (const auto& lamp : among.luminaires) ids.insert(lamp.id);
+  for (const auto& sign : among.signs) ids.insert(sign.id);
+  EXPECT_EQ(ids.size(), among.luminaires.size() + among.signs.size());
+}
+
+TEST(MapLights, AMonumentThatIsANodeHasABodyToBeLit) {
+  const osm::OsmTags tags{{"historic", "monument"}, {"lit", "yes"}, {"height", "6"}};
+  const MapLightSet set = place({node(1, {0, 0}, tags)});
+  ASSERT_EQ(set.bodies.size(), 1u);
+  EXPECT_EQ(set.bodies[0].height_m, 6);
+  EXPECT_EQ(set.luminaires.size(), 4u);
+  for (const lights::PlacedLamp& lamp : set.luminaires) {
+    EXPECT_GT(lamp.tilt_degrees, 90);
+    EXPECT_LT(glm::dot(lamp.aim, glm::dvec2(lamp.foot)), 0);
+    EXPECT_EQ(lamp.provenance.height, ValueSource::tag);
+  }
+  osm::OsmTags nonsense = tags;
+  nonsense["height"] = "1e9";
+  EXPECT_EQ(place({node(1, {0, 0}, nonsense)}).bodies[0].height_m, 4);
+}
+
+}  // namespace
+}  // namespace nightcity::map_lights

@@ -1,0 +1,58 @@
+#include "tools/bake/stages/map_light_stage.h"
+
+#include <unordered_set>
+#include <utility>
+
+#include "tools/random.h"
+
+namespace nightcity::bake {
+namespace {
+
+map_lights::SolidAt find_solids(const City& city) {
+  if (!city.has_model()) return {};
+  return [&city](const glm::dvec2& place) -> std::optional<map_lights::SolidSpan> {
+    const terrain::Terrain& terrain = city.terrain();
+    const auto low = terrain.height_of(terrain::SurfaceClass::ground_surface, place);
+    const auto high = terrain.height_of(terrain::SurfaceClass::roof, place);
+    if (!low || !high || *high <= *low) return std::nullopt;
+    return map_lights::SolidSpan{*low, *high};
+  };
+}
+
+}  // namespace
+
+map_lights::MapLightSet place_city_map_lights(const City& city,
+                                              const map_lights::MapLightOptions& options) {
+  if (!options.lit || city.map().shining_things.empty()) return {};
+  city.require_lon_lat("lights of the map cannot be placed");
+  const map_lights::Ground ground{city.to_frame(), city.height_at(), city.inside_footprint(),
+                                  find_solids(city)};
+  return map_lights::place_map_lights(city.map(), ground, options);
+}
+
+void add_luminaires(map_lights::MapLightSet& from, lights::LampSet& lamps) {
+  const auto first_profile = static_cast<std::uint32_t>(lamps.profiles.size());
+  const auto first_value = static_cast<std::uint32_t>(lamps.profile_data.size());
+  for (LightProfile profile : from.profiles) {
+    profile.data_offset += first_value;
+    lamps.profiles.push_back(profile);
+  }
+  lamps.profile_data.insert(lamps.profile_data.end(), from.profile_data.begin(),
+                            from.profile_data.end());
+  std::unordered_set<std::uint32_t> ids;
+  for (const lights::PlacedLamp& lamp : lamps.lamps) ids.insert(lamp.id);
+  const auto make_unused = [&ids](std::uint32_t id) {
+    while (id == 0xFFFFFFFFu || !ids.insert(id).second)
+      id = static_cast<std::uint32_t>(mix(id) >> 32);
+    return id;
+  };
+  for (lights::PlacedLamp& lamp : from.luminaires) {
+    lamp.id = make_unused(lamp.id);
+    lamp.profile += first_profile;
+    lamps.lamps.push_back(std::move(lamp));
+  }
+  for (lights::LitRectangle& sign : from.signs) sign.id = make_unused(sign.id);
+  from.luminaires.clear();
+}
+
+}  // namespace nightcity::bake

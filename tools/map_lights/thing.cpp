@@ -1,0 +1,64 @@
+#include "tools/map_lights/thing.h"
+
+#include <string_view>
+
+#include "formats/finite.h"
+#include "tools/lights/lit_tag.h"
+#include "tools/osm/tag_values.h"
+
+namespace nightcity::map_lights {
+namespace {
+
+std::optional<lights::NightSchedule> find_tagged_hours(MapLightKind kind, const osm::OsmTags& tags,
+                                                       std::map<std::string, std::size_t>& notes) {
+  for (const char* key : {"floodlit", "lit"})
+    if (const auto hours = lights::read_lit_tag(find_tag(tags, key)).hours) return hours;
+  if (kind != MapLightKind::petrol_station) return std::nullopt;
+  const std::string opening = find_tag(tags, "opening_hours");
+  if (opening.empty()) return std::nullopt;
+  const auto hours = lights::parse_lit_hours(opening);
+  if (!hours) ++notes["opening hours that differ by day or cannot be read"];
+  return hours;
+}
+
+}  // namespace
+
+std::string find_tag(const osm::OsmTags& tags, const char* key) {
+  const auto found = tags.find(key);
+  return found == tags.end() ? std::string() : found->second;
+}
+
+std::optional<MapLightKind> find_kind(const osm::OsmTags& tags) {
+  const auto word = [&](const char* key) { return osm::normalise_tag(find_tag(tags, key)); };
+  const auto has = [&](const char* key) { return !word(key).empty() && word(key) != "no"; };
+  if (has("advertising")) return MapLightKind::advertising;
+  if (word("amenity") == "fuel") return MapLightKind::petrol_station;
+  if (word("leisure") == "pitch" || word("leisure") == "track") return MapLightKind::pitch;
+  if (has("floodlit") || has("lit")) return MapLightKind::floodlit;
+  return std::nullopt;
+}
+
+Hours find_hours(MapLightKind kind, const osm::OsmTags& tags, const MapLightOptions& options,
+                 std::map<std::string, std::size_t>& notes) {
+  if (const auto hours = find_tagged_hours(kind, tags, notes)) return {*hours, ValueSource::tag};
+  const auto asked = options.off.find(kind);
+  const lights::NightSpan dark = asked == options.off.end() ? find_dark_span(kind) : asked->second;
+  return {lights::dark_between(dark.from, dark.to)};
+}
+
+std::vector<glm::dvec2> find_outline(const osm::OsmShiningThing& thing,
+                                     const place::LonLatToFrame& to_frame) {
+  std::vector<glm::dvec2> outline;
+  for (const glm::dvec2& lon_lat : thing.lon_lat) {
+    outline.push_back(to_frame(lon_lat));
+    if (!finite(outline.back())) return {};
+  }
+  if (is_closed(thing.lon_lat)) outline.pop_back();
+  return outline;
+}
+
+bool is_closed(const std::vector<glm::dvec2>& lon_lat) {
+  return lon_lat.size() > 3 && lon_lat.front() == lon_lat.back();
+}
+
+}  // namespace nightcity::map_lights
