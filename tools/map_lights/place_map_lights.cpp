@@ -57,27 +57,27 @@ class Placer {
     if (options.makes(MapLightKind::petrol_station)) find_roofs();
   }
 
-  MapLightSet place() {
-    for (const osm::OsmShiningThing& thing : map_.shining_things) {
-      const auto kind = find_kind(thing.tags);
-      if (!kind || !options_.makes(*kind)) continue;
-      ++counts(*kind).mapped;
-      const std::vector<glm::dvec2> outline = find_outline(thing, ground_.to_frame);
-      if (outline.empty()) {
-        out_.leave_out("outside the projection");
-        continue;
-      }
-      if (*kind == MapLightKind::advertising)
-        signs_.place(thing, outline, options_);
-      else
-        place_floodlights(thing, *kind, outline);
-    }
+  MapLightSet place(std::span<const osm::OsmShiningThing> relations) {
+    for (const osm::OsmShiningThing& thing : map_.shining_things) place(thing);
+    for (const osm::OsmShiningThing& thing : relations) place(thing);
     return std::move(out_).take();
   }
 
  private:
   MapLightReport::Kind& counts(MapLightKind kind) {
     return out_.report().kinds[static_cast<std::size_t>(kind)];
+  }
+
+  void place(const osm::OsmShiningThing& thing) {
+    const auto kind = find_kind(thing.tags);
+    if (!kind || !options_.makes(*kind)) return;
+    ++counts(*kind).mapped;
+    const std::vector<glm::dvec2> outline = find_outline(thing, ground_.to_frame);
+    if (outline.empty()) return out_.leave_out("outside the projection");
+    if (*kind == MapLightKind::advertising)
+      signs_.place(thing, outline, options_);
+    else
+      place_floodlights(thing, *kind, outline);
   }
 
   void place_floodlights(const osm::OsmShiningThing& thing, MapLightKind kind,
@@ -249,8 +249,9 @@ class Placer {
 }  // namespace
 
 MapLightSet place_map_lights(const osm::OsmData& map, const Ground& ground,
-                             const MapLightOptions& options) {
-  return Placer(map, ground, options).place();
+                             const MapLightOptions& options,
+                             std::span<const osm::OsmShiningThing> relations) {
+  return Placer(map, ground, options).place(relations);
 }
 
 }  // namespace nightcity::map_lights

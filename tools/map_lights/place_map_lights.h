@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -54,8 +55,10 @@ struct MapLightSet {
 /// Places all lights of the map's shining things. Each is where its thing is, so it lies in one
 /// model, whatever else is in the map; what lies outside the model is left out and counted. A pitch,
 /// building or petrol station by which the map has floodlights of its own (lamps that are lighting
-/// masts) is left to those. The result depends on the map's content and on the ground alone.
+/// masts) is left to those. `relations`: the map's multipolygons, each outer ring as a closed way.
+/// The result depends on the map's content and on the ground alone.
 MapLightSet place_map_lights(const osm::OsmData& map, const Ground& ground,
-                             const MapLightOptions& options);
+                             const MapLightOptions& options,
+                             std::span<const osm::OsmShiningThing> relations = {});
 
 }  // namespace nightcity::map_lights

@@ -1,8 +1,15 @@
 #include "tools/bake/stages/map_light_stage.h"
 
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
 #include <unordered_set>
 #include <utility>
+#include <vector>
 
+#include "tools/osm/map_areas.h"
+#include "tools/osm/osm_selection.h"
 #include "tools/random.h"
 
 namespace nightcity::bake {
@@ -19,15 +26,45 @@ map_lights::SolidAt find_solids(const City& city) {
   };
 }
 
+// Multipolygons as closed ways, one for each outer ring. Counts in `left_out` what has no outline.
+std::vector<osm::OsmShiningThing> read_relations(const City& city,
+                                                 std::map<std::string, std::size_t>& left_out) {
+  const osm::AreaSelection selection{{"advertising", "floodlit", "lit", "amenity"}, osm::may_shine};
+  std::vector<osm::OsmShiningThing> things;
+  std::set<std::string> known;  // a relation that is in several maps counts once
+  for (const auto& map : city.inputs().maps) {
+    osm::MapAreas read =
+        osm::read_map_areas(map, selection, static_cast<std::size_t>(city.inputs().max_way_nodes));
+    constexpr std::string_view relation = "relation/";
+    for (osm::MapArea& area : read.areas) {
+      if (!area.id.starts_with(relation) || !known.insert(area.id).second) continue;
+      for (osm::MapRings& rings : area.rings) {
+        rings.outer.push_back(rings.outer.front());
+        things.push_back(
+            {std::stoll(area.id.substr(relation.size())), true, std::move(rings.outer), area.tags});
+      }
+    }
+    if (read.broken > 0)
+      left_out["area whose outline crosses itself or is incomplete"] += read.broken;
+  }
+  return things;
+}
+
 }  // namespace
 
 map_lights::MapLightSet place_city_map_lights(const City& city,
                                               const map_lights::MapLightOptions& options) {
-  if (!options.lit || city.map().shining_things.empty()) return {};
+  if (!options.lit || city.inputs().maps.empty()) return {};
+  std::map<std::string, std::size_t> left_out;
+  const std::vector<osm::OsmShiningThing> relations = read_relations(city, left_out);
+  if (city.map().shining_things.empty() && relations.empty()) return {};
   city.require_lon_lat("lights of the map cannot be placed");
   const map_lights::Ground ground{city.to_frame(), city.height_at(), city.inside_footprint(),
                                   find_solids(city)};
-  return map_lights::place_map_lights(city.map(), ground, options);
+  map_lights::MapLightSet set =
+      map_lights::place_map_lights(city.map(), ground, options, relations);
+  for (const auto& [reason, count] : left_out) set.report.left_out[reason] += count;
+  return set;
 }
 
 void add_luminaires(map_lights::MapLightSet& from, lights::LampSet& lamps) {
