@@ -156,9 +156,20 @@ class Placer {
     return nullptr;
   }
 
-  KnownHeight find_height(const osm::OsmShiningThing& thing, const Box& box) const {
-    const auto tag = osm::parse_length_m(find_tag(thing.tags, "height"));
-    if (tag && *tag >= 0.5 && *tag <= 200) return {*tag, ValueSource::tag};
+  // Returns a length within its bounds; counts one that is not, or cannot be read.
+  std::optional<double> read_length(const osm::OsmTags& tags, const char* key, double low,
+                                    double high) {
+    const std::string text = find_tag(tags, key);
+    const auto length = osm::parse_length_m(text);
+    if (length && *length >= low && *length <= high) return length;
+    if (!text.empty())
+      ++out_.report().notes["tag not understood: " + std::string(key) + "=" + text];
+    return std::nullopt;
+  }
+
+  KnownHeight find_height(const osm::OsmShiningThing& thing, const Box& box) {
+    if (const auto tag = read_length(thing.tags, "height", 0.5, 200))
+      return {*tag, ValueSource::tag};
     const double ground_m = *ground_.height_at(box.centre);
     double roofs = 0;
     int count = 0;
@@ -193,8 +204,7 @@ class Placer {
     const auto ground_m = ground_.height_at(box->centre);
     if (!ground_m) return false;
     KnownHeight height{usual_canopy_m, ValueSource::rule};
-    if (const auto tag = osm::parse_length_m(find_tag(lit.source.tags, "maxheight"));
-        tag && *tag >= least_canopy_m && *tag <= 10)
+    if (const auto tag = read_length(lit.source.tags, "maxheight", least_canopy_m, 10))
       height = {*tag, ValueSource::tag};
     if (const auto solid = ground_.find_solid(box->centre);
         solid && solid->low_m - *ground_m >= least_canopy_m)

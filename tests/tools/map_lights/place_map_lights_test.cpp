@@ -220,7 +220,9 @@ TEST(MapLights, AMonumentThatIsANodeHasABodyToBeLit) {
   }
   osm::OsmTags nonsense = tags;
   nonsense["height"] = "1e9";
-  EXPECT_EQ(place({node(1, {0, 0}, nonsense)}).bodies[0].height_m, 4);
+  const MapLightSet usual = place({node(1, {0, 0}, nonsense)});
+  EXPECT_EQ(usual.bodies[0].height_m, 4);
+  EXPECT_EQ(usual.report.notes.at("tag not understood: height=1e9"), 1u);
 }
 
 }  // namespace

@@ -55,6 +55,25 @@ TEST_F(OsmFile, AWayOfTooManyNodesIsLeftOutAndCounted) {
   EXPECT_EQ(read_osm(file, 99).long_ways, 1u) << "one that nothing uses does not count";
 }
 
+TEST_F(OsmFile, ThingsThatMayShineComeByIdWithNodesFirst) {
+  const OsmData data = read(R"(
+    <node id="9" lat="52.5" lon="13.4"><tag k="advertising" v="column"/></node>
+    <node id="3" lat="52.5" lon="13.5"><tag k="historic" v="memorial"/><tag k="lit" v="yes"/></node>
+    <node id="4" lat="52.6" lon="13.5"><tag k="historic" v="memorial"/></node>
+    <node id="5" lat="52.6" lon="13.6"><tag k="advertising" v="no"/></node>
+    <way id="1"><nd ref="9"/><nd ref="3"/><nd ref="4"/><nd ref="9"/>
+      <tag k="building" v="church"/><tag k="floodlit" v="yes"/></way>
+    <way id="2"><nd ref="9"/><nd ref="3"/><tag k="highway" v="footway"/><tag k="lit" v="yes"/>
+      <tag k="historic" v="roman_road"/></way>)");
+  ASSERT_EQ(data.shining_things.size(), 3u);
+  EXPECT_EQ(data.shining_things[0].id, 3);
+  EXPECT_EQ(data.shining_things[1].id, 9);
+  EXPECT_TRUE(data.shining_things[2].is_way);
+  EXPECT_EQ(data.shining_things[2].lon_lat.size(), 4u);
+  EXPECT_EQ(data.buildings.size(), 1u) << "a floodlit church is a building as before";
+  EXPECT_EQ(data.highways.size(), 1u);
+}
+
 TEST_F(OsmFile, LampsHighwaysAndBuildingsComeWithTagsAndPlaces) {
   const OsmData data = read(R"(
     <node id="1" lat="52.5" lon="13.4"><tag k="highway" v="street_lamp"/><tag k="lamp_type" v="LED"/></node>

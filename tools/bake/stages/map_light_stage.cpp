@@ -45,7 +45,7 @@ std::vector<osm::OsmShiningThing> read_relations(const City& city,
       }
     }
     if (read.broken > 0)
-      left_out["area whose outline crosses itself or is incomplete"] += read.broken;
+      left_out["area that may be lit, with a broken or incomplete outline"] += read.broken;
   }
   return things;
 }
