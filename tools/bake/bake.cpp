@@ -9,6 +9,7 @@
 #include "formats/atomic_file.h"
 #include "formats/error.h"
 #include "formats/light_file_edit.h"
+#include "tools/bake/city/building_uses.h"
 #include "tools/bake/city/ready_object.h"
 #include "tools/bake/city/road_consumer.h"
 #include "tools/bake/output_folder.h"
@@ -55,7 +56,9 @@ class Bake {
         lights_path_(output_.staged("city.lights")),
         city_(options.city, scene_path_),
         scene_(scene_path_, options.scene),
-        tiles_(scene_, scene_path_, options.tiles, std::round(city_.frames().reference().z)),
+        use_at_(make_use_finder(city_)),
+        tiles_(scene_, scene_path_, options.tiles, std::round(city_.frames().reference().z),
+               use_at_),
         lights_(lights_path_) {
     for (const auto& file : options.city.files) report_.input_bytes += find_size(file);
     clock_.end_stage("reading maps");
@@ -81,7 +84,7 @@ class Bake {
   }
 
   void read_city() {
-    if (options_.windows.lit) windows_.emplace(city_, options_.windows, lights_path_);
+    if (options_.windows.lit) windows_.emplace(use_at_, options_.windows, lights_path_);
     std::optional<RoadConsumer> roads;
     if (options_.uses_streets() && city_.wants_model_streets()) roads.emplace();
     report_.city = city_.read({&tiles_, windows_ ? &*windows_ : nullptr, roads ? &*roads : nullptr},
@@ -163,6 +166,7 @@ class Bake {
   std::filesystem::path scene_path_, lights_path_;
   City city_;
   SceneWriter scene_;
+  lights::UseAt use_at_;
   SceneTiles tiles_;
   LightFileWriter lights_;
   std::optional<WindowConsumer> windows_;

@@ -75,7 +75,8 @@ struct CityObject {
   std::optional<double> measured_height_m;                     // absent for 9999 and the like
   std::optional<int> storeys_above_ground;
   std::vector<double> storey_heights_m;
-  int lod = -1;  // level of detail; -1 = the file does not say
+  int lod = -1;         // level of detail; -1 = the file does not say
+  bool of_map = false;  // a building of OpenStreetMap, and not of a city model
   std::vector<Polygon> polygons;
   std::vector<glm::dvec3> points;  // mass points of a relief: its surface goes through them
   std::vector<Ring> lines;         // its break lines and ridges, open: edges of that surface
@@ -85,7 +86,7 @@ struct CityObject {
   template <class Archive>
   void visit(Archive& archive) {
     archive(id, type, class_name, function, usage, building_class, address, year, measured_height_m,
-            storeys_above_ground, storey_heights_m, lod, polygons, points, lines);
+            storeys_above_ground, storey_heights_m, lod, of_map, polygons, points, lines);
   }
 };
 

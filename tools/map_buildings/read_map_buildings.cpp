@@ -106,6 +106,7 @@ class ObjectMaker {
     raw.object.id = building.id;
     raw.object.type = city::ObjectType::building;
     raw.object.class_name = "Building";
+    raw.object.of_map = true;
     raw.object.year = find_tag(building.tags, "start_date").substr(0, 4);
     raw.object.address = city::to_text(city::Address{
         find_tag(building.tags, "addr:street"), find_tag(building.tags, "addr:housenumber"),

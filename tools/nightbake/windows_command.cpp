@@ -15,6 +15,7 @@
 #include "formats/program/output.h"
 #include "formats/program/print_json.h"
 #include "tools/bake/bake_options.h"
+#include "tools/bake/city/building_uses.h"
 #include "tools/bake/read_inputs.h"
 #include "tools/bake/report/light_report.h"
 #include "tools/bake/report/report_text.h"
@@ -40,7 +41,7 @@ bake::LightsReport write_windows(const WindowsArguments& arguments) {
   // First: an output that cannot be written is known before the long work.
   LightFileWriter lights(arguments.out);
   bake::City city(options.city);
-  bake::WindowConsumer windows(city, options.windows, arguments.out);
+  bake::WindowConsumer windows(bake::make_use_finder(city), options.windows, arguments.out);
   ShownProgress progress;
   city.read({&windows}, progress.sink());
   city.build_ground({&windows});

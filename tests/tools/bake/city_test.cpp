@@ -13,6 +13,7 @@
 
 #include "formats/error.h"
 #include "support/temp_folder.h"
+#include "tools/bake/city/building_uses.h"
 #include "tools/bake/city/tile_grid.h"
 #include "tools/bake/stages/lamp_stage.h"
 #include "tools/bake/stages/window_stage.h"
@@ -265,7 +266,7 @@ TEST(WindowConsumer, EveryPieceOfALargeBuildingGetsWindows) {
   const auto piece = std::make_shared<PreparedObject>(*cube);
   for (city::Polygon& polygon : piece->object.polygons)
     for (glm::dvec3& p : polygon.exterior) p.x += 25;
-  WindowConsumer windows(city, {}, folder / "windows");
+  WindowConsumer windows(make_use_finder(city), {}, folder / "windows");
   windows.prepare(cube)(false);
   windows.prepare(piece)(true);
   std::size_t first = 0, second = 0;

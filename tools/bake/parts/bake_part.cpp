@@ -18,6 +18,7 @@
 #include "formats/checksum.h"
 #include "formats/error.h"
 #include "tools/archive.h"
+#include "tools/bake/city/building_uses.h"
 #include "tools/bake/city/city.h"
 #include "tools/bake/city/prepared_objects.h"
 #include "tools/bake/parts/fingerprint.h"
@@ -85,8 +86,11 @@ class PartBake {
  public:
   PartBake(const BakeOptions& options, PartWriter& writer, const fs::path& scratch,
            const ProgressSink& progress)
-      : writer_(writer), progress_(progress), city_(options.city, scratch) {
-    if (options.windows.lit) windows_.emplace(city_, options.windows, scratch);
+      : writer_(writer),
+        progress_(progress),
+        city_(options.city, scratch),
+        use_at_(make_use_finder(city_)) {
+    if (options.windows.lit) windows_.emplace(use_at_, options.windows, scratch);
     read_options_ = to_read_options(city_.inputs());
   }
 
@@ -131,12 +135,9 @@ class PartBake {
       names_other_crs_ = true;
       return {};
     }
-    if (windows_)
-      for (ReadyObject& ready : objects) {
-        if (ready.unusable != Unusable::no || ready.prepared->mesh.triangles.empty()) continue;
-        ready.prepared->windows = std::make_shared<const lights::WindowLayout::WindowBatch>(
-            windows_->find_windows(ready.prepared->object));
-      }
+    for (ReadyObject& ready : objects)
+      if (ready.unusable == Unusable::no && !ready.prepared->mesh.triangles.empty())
+        find_use_and_windows(*ready.prepared);
     const std::uint64_t count = objects.size();
     const auto bytes = std::make_shared<const std::string>(pack_objects(objects));
     return [this, bytes, count, file] {
@@ -146,9 +147,19 @@ class PartBake {
     };
   }
 
+  // What needs outlines, which the part does not keep.
+  void find_use_and_windows(PreparedObject& prepared) const {
+    if (prepared.object.type == city::ObjectType::building)
+      prepared.use = lights::use_of(prepared.object, use_at_).use;
+    if (windows_)
+      prepared.windows = std::make_shared<const lights::WindowLayout::WindowBatch>(
+          windows_->find_windows(prepared.object));
+  }
+
   PartWriter& writer_;
   const ProgressSink& progress_;
   City city_;
+  lights::UseAt use_at_;
   std::optional<WindowConsumer> windows_;
   city::ReadOptions read_options_;
   std::uint64_t objects_ = 0;

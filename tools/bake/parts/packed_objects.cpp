@@ -30,6 +30,7 @@ city::CityObject strip(const city::CityObject& object) {
   stripped.storeys_above_ground = object.storeys_above_ground;
   stripped.storey_heights_m = object.storey_heights_m;
   stripped.lod = object.lod;
+  stripped.of_map = object.of_map;
   stripped.points = object.points;
   stripped.lines = object.lines;
   if (std::any_of(object.polygons.begin(), object.polygons.end(), has_colour))
@@ -41,7 +42,7 @@ city::CityObject strip(const city::CityObject& object) {
 template <class Archive, class Ready, class Prepared>
 void visit(Archive& archive, Ready& ready, Prepared& prepared) {
   archive(ready.identity, ready.unusable, ready.report, ready.elsewhere, prepared.mesh.positions,
-          prepared.mesh.triangles, prepared.lacks_heights, prepared.closed);
+          prepared.mesh.triangles, prepared.lacks_heights, prepared.closed, prepared.use);
 }
 
 }  // namespace

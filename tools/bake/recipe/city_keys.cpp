@@ -148,6 +148,12 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
        flag_key("drop_hidden", city.drop_hidden,
                 "Leaves out walls between two closed buildings, and parts of buildings that lie "
                 "below the ground."),
+       flag_key("skins", city.skins,
+                "Walls and roofs of buildings to which neither model nor map gives a colour "
+                "reflect light as a finish does that is usual for their use and age "
+                "(docs/recipe.md, Skins): plaster, brick, stone, concrete, sheet; tiles, tar and gravel. "
+                "The building's id alone decides which, and which shade of it. `false`: all walls "
+                "are of one grey (0.35), and all roofs (0.20)."),
        texts_key(
            "licence", city.licences, "\"Geoportal Berlin, dl-de/by-2-0\"",
            "The attribution of the model, one line or several. Both output files carry it.")}};

@@ -37,6 +37,7 @@ struct Recipe {
     double simplify_m = 0;  // as CityInputs'
     bool drop_ground = false;
     bool drop_hidden = false;
+    bool skins = true;
     std::vector<std::string> licences;
   } city;
 

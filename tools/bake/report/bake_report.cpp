@@ -149,7 +149,7 @@ std::string surfaces_in_words(const BakeReport& report) {
                         : ""));
   if (tiles.colours)
     text += report_line("colours", fmt::format("{} of the model's own materials", tiles.colours));
-  return text;
+  return text + to_text(tiles.skins);
 }
 
 std::string gaps_in_words(const GapReport& gaps) {
@@ -227,6 +227,7 @@ json to_json(const BakeReport& report) {
       {"relief_points", ground.relief_points},
       {"break_edges", {{"used", ground.break_edges.used}, {"unused", ground.break_edges.unused}}},
       {"colours", report.tiles.colours},
+      {"skins", to_json(report.tiles.skins)},
       {"draped_triangles", report.tiles.draped},
       {"gaps",
        {{"buildings_of_the_map", report.gaps.buildings},

@@ -5,16 +5,19 @@
 #include <map>
 #include <string>
 
+#include "tools/bake/report/skin_report.h"
+
 namespace nightcity::bake {
 
 struct SceneTilesReport {
   std::map<std::string, std::size_t> triangles;  // by material, as written
   std::map<std::string, std::size_t> left_out;   // triangles, by reason
   std::size_t colours = 0;                       // materials that the model itself names
-  std::map<std::string, double> cover_m2;        // in plan, by what the ground is covered with
-  double bare_m2 = 0;                            // in plan: ground near it that nothing covers
-  std::size_t cover_triangles = 0;               // that cutting the ground has added
-  std::size_t uncovered_tiles = 0;  // left bare: outlines cross too often
+  SkinReport skins;
+  std::map<std::string, double> cover_m2;  // in plan, by what the ground is covered with
+  double bare_m2 = 0;                      // in plan: ground near it that nothing covers
+  std::size_t cover_triangles = 0;         // that cutting the ground has added
+  std::size_t uncovered_tiles = 0;         // left bare: outlines cross too often
   std::size_t draped = 0;  // triangles that were published without heights and put onto the ground
 };
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "formats/scene_reader.h"
+#include "tools/bake/scene/materials.h"
 
 namespace nightcity::bake {
 namespace {
@@ -16,8 +17,8 @@ std::optional<terrain::SurfaceClass> find_surface_class(const SceneNode& node,
   if (node.kind == "terrain") return terrain::SurfaceClass::terrain;
   if (node.kind == "road") return terrain::SurfaceClass::road;
   if (node.kind != "city") return std::nullopt;
-  if (material == "ground") return terrain::SurfaceClass::ground_surface;
-  if (material == "roof") return terrain::SurfaceClass::roof;
+  if (is_of_kind(material, "ground")) return terrain::SurfaceClass::ground_surface;
+  if (is_of_kind(material, "roof")) return terrain::SurfaceClass::roof;
   return std::nullopt;
 }
 

@@ -18,6 +18,19 @@ constexpr MaterialCode coloured = 0x80, kind_bits = 0x7F;
 static_assert(bake_material_count + ground_cover::ground_kind_count <= coloured);
 constexpr std::size_t max_colours = 2000;
 
+std::optional<Skin> to_skin(MaterialCode code) {
+  const MaterialCode bits = code >> 8;
+  if ((code & coloured) != 0 || bits == 0) return std::nullopt;
+  return Skin{static_cast<Finish>((bits - 1) / 256), static_cast<std::uint8_t>((bits - 1) % 256)};
+}
+
+// Returns "roof tiles 2" for the second shade of tiles.
+SceneMaterial make_skin_material(const SceneMaterial& kind, Skin skin) {
+  const FinishRow& row = find_finish(skin.finish);
+  const std::string name = kind.name + " " + row.name + " " + std::to_string(skin.shade + 1);
+  return diffuse(name.c_str(), find_reflectance(skin), row.tints[skin.shade], kind.roughness);
+}
+
 glm::vec3 to_srgb(MaterialCode code) {
   return glm::vec3(code >> 8 & 0xFFu, code >> 16 & 0xFFu, code >> 24 & 0xFFu) / 255.0f;
 }
@@ -51,17 +64,31 @@ SceneMaterial find_material(MaterialCode code) {
   return diffuse(row.name, row.reflectance, row.hue, row.roughness);
 }
 
+bool is_of_kind(MaterialCode code, BakeMaterial kind) {
+  return (code & kind_bits) == to_code(kind);
+}
+
+bool is_of_kind(std::string_view name, std::string_view kind) {
+  return name.starts_with(kind) && (name.size() == kind.size() || name[kind.size()] == ' ');
+}
+
 MaterialTable::MaterialTable(SceneWriter& writer) : writer_(writer) {
   for (const SceneMaterial& material : bake_materials()) writer_.add_material(material);
 }
 
 std::uint32_t MaterialTable::find_index(MaterialCode code) {
-  if ((code & coloured) == 0) {
-    if (!to_ground_kind(code)) return code;
-    const auto [known, is_new] = ground_.try_emplace(code, 0);
-    if (is_new) known->second = writer_.add_material(find_material(code));
-    return known->second;
+  if ((code & coloured) != 0) return find_coloured(code);
+  const auto skin = to_skin(code);
+  if (!skin && !to_ground_kind(code)) return code;
+  const auto [known, is_new] = plain_.try_emplace(code, 0);
+  if (is_new) {
+    const SceneMaterial kind = find_material(code);
+    known->second = writer_.add_material(skin ? make_skin_material(kind, *skin) : kind);
   }
+  return known->second;
+}
+
+std::uint32_t MaterialTable::find_coloured(MaterialCode code) {
   const auto found = coloured_.find(code);
   if (found != coloured_.end()) return found->second;
   if (coloured_.size() >= max_colours) {

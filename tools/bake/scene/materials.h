@@ -6,8 +6,10 @@
 #include <glm/vec3.hpp>
 #include <map>
 #include <optional>
+#include <string_view>
 
 #include "formats/scene_writer.h"
+#include "tools/bake/scene/skins.h"
 #include "tools/city/city_model.h"
 #include "tools/ground_cover/ground_kind.h"
 
@@ -36,7 +38,8 @@ constexpr std::size_t bake_material_count = static_cast<std::size_t>(BakeMateria
 const std::array<SceneMaterial, bake_material_count>& bake_materials();
 
 /// A material with the colour that the model gives it, packed: the kind in the low 7 bits, bit 7
-/// set where there is a colour, and above them 8 bits each of red, green and blue (sRGB).
+/// set where there is a colour, and above them 8 bits each of red, green and blue (sRGB). Without a
+/// colour, the bits above are 0 or say which skin the surface has.
 using MaterialCode = std::uint32_t;
 
 constexpr MaterialCode to_code(BakeMaterial kind) {
@@ -44,17 +47,27 @@ constexpr MaterialCode to_code(BakeMaterial kind) {
 }
 /// `colour`: sRGB in [0, 1], as in X3DMaterial (CityGML 2.0, appearance).
 MaterialCode to_code(BakeMaterial kind, const glm::vec3& colour);
+constexpr MaterialCode to_code(BakeMaterial kind, Skin skin) {
+  return to_code(kind) | (static_cast<MaterialCode>(skin.finish) * 256 + skin.shade + 1) << 8;
+}
 /// Kinds of ground come behind the other kinds.
 constexpr MaterialCode to_code(ground_cover::GroundKind kind) {
   return static_cast<MaterialCode>(bake_material_count) + static_cast<MaterialCode>(kind);
 }
 /// Returns the kind of ground of a material; none where it is of another kind.
 std::optional<ground_cover::GroundKind> to_ground_kind(MaterialCode code);
-/// Returns a code's material without the colour that a model gives it.
+/// Returns a code's material without the colour that a model gives it, and without its skin.
 SceneMaterial find_material(MaterialCode code);
 
-/// The materials of a scene: those of the table, and one for each kind of ground and for each
-/// colour, added when it is first used.
+/// Returns whether a material is of that kind, whatever its colour or skin.
+bool is_of_kind(MaterialCode code, BakeMaterial kind);
+
+/// Returns whether the material of that name is of that kind, with or without a colour or a skin:
+/// "roof", "roof #804000" and "roof tiles 2" are roofs.
+bool is_of_kind(std::string_view name, std::string_view kind);
+
+/// The materials of a scene: those of the table, and one for each kind of ground, each skin and
+/// each colour, added when it is first used.
 class MaterialTable {
  public:
   /// Adds bake_materials() to `writer`, in order.
@@ -65,8 +78,10 @@ class MaterialTable {
   std::size_t colours() const { return coloured_.size(); }
 
  private:
+  std::uint32_t find_coloured(MaterialCode code);
+
   SceneWriter& writer_;
-  std::map<MaterialCode, std::uint32_t> ground_;
+  std::map<MaterialCode, std::uint32_t> plain_;  // kinds of ground, and skins
   std::map<MaterialCode, std::uint32_t> coloured_;
 };
 

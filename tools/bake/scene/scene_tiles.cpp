@@ -29,21 +29,27 @@ struct SceneTiles::WrittenTile {
 };
 
 SceneTiles::SceneTiles(SceneWriter& writer, const std::filesystem::path& scratch,
-                       const SceneTileOptions& options, double base_height)
+                       const SceneTileOptions& options, double base_height, lights::UseAt use_at)
     : writer_(writer),
       options_(options),
       materials_(writer),
+      skinner_(std::move(use_at)),
       tiles_(scratch, options.tile_m, base_height),
       drape_(scratch) {}
 
 CityConsumer::Turn SceneTiles::prepare(const std::shared_ptr<const PreparedObject>& prepared) {
   if (prepared->mesh.triangles.empty()) return {};  // points or lines alone
-  const bool drop = options_.drop_ground && prepared->object.type == city::ObjectType::building;
-  return [this, prepared,
-          triangles = make_tile_triangles(prepared->mesh, prepared->object, drop)](bool continues) {
+  const bool is_building = prepared->object.type == city::ObjectType::building;
+  const bool drop = options_.drop_ground && is_building;
+  std::optional<BuildingSkin> skin;
+  if (options_.skins && is_building) skin = skinner_.find_skin(*prepared);
+  return [this, prepared, skin,
+          triangles =
+              make_tile_triangles(prepared->mesh, prepared->object, drop)](bool continues) mutable {
     add_count(report_.left_out, "triangles of ground under buildings",
               prepared->mesh.triangles.size() - triangles.size());
     if (!continues) last_feature_ = add_feature(prepared->object);
+    if (skin) skinner_.apply(*skin, prepared->object, continues, triangles);
     if (prepared->lacks_heights)
       drape_.add(triangles, last_feature_);
     else
@@ -85,6 +91,7 @@ SceneTilesReport SceneTiles::write(const Georeference& georeference, const City&
   add_count(report_.left_out, "triangles between two buildings", hidden.between);
   add_count(report_.left_out, "triangles of buildings below the ground", hidden.below);
   report_.colours = materials_.colours();
+  report_.skins = skinner_.report();
   return report_;
 }
 

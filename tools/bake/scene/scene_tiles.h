@@ -14,6 +14,7 @@
 #include "tools/bake/scene/cover_ground.h"
 #include "tools/bake/scene/drape.h"
 #include "tools/bake/scene/materials.h"
+#include "tools/bake/scene/skin_buildings.h"
 #include "tools/bake/scene/tile_store.h"
 
 namespace nightcity::bake {
@@ -22,6 +23,7 @@ struct SceneTileOptions {
   double tile_m = 250;       // side of a tile
   bool drop_ground = false;  // leave out the ground surfaces under buildings: nothing sees them
   bool drop_hidden = false;  // leave out walls between houses and what lies below the ground
+  bool skins = true;         // give buildings without a colour the finish of their use and age
   unsigned threads = 0;      // 0: one a core
 };
 
@@ -30,8 +32,9 @@ class SceneTiles final : public CityConsumer {
  public:
   /// Adds the table of materials to `writer`, which must outlive the tiles. Scratch files lie
   /// beside `scratch`. `base_height` is subtracted from heights, so that floats keep millimetres.
+  /// `use_at`: what the map says of the use of buildings (make_use_finder).
   SceneTiles(SceneWriter& writer, const std::filesystem::path& scratch,
-             const SceneTileOptions& options, double base_height);
+             const SceneTileOptions& options, double base_height, lights::UseAt use_at);
 
   Turn prepare(const std::shared_ptr<const PreparedObject>& prepared) override;
   /// Adds ground that belongs to no object. E, N, H in metres.
@@ -59,6 +62,7 @@ class SceneTiles final : public CityConsumer {
   SceneWriter& writer_;
   SceneTileOptions options_;
   MaterialTable materials_;
+  BuildingSkinner skinner_;
   TileStore tiles_;
   DrapeStore drape_;
   std::uint32_t last_feature_ = no_id;

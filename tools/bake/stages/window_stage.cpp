@@ -1,29 +1,25 @@
 #include "tools/bake/stages/window_stage.h"
 
-#include <memory>
 #include <utility>
 
 #include "tools/bake/scene/light_places.h"
-#include "tools/lights/osm_uses.h"
 
 namespace nightcity::bake {
 namespace {
 
-lights::WindowOptions to_window_options(const City& city, const WindowStageOptions& stage) {
+lights::WindowOptions to_window_options(lights::UseAt use_at, const WindowStageOptions& stage) {
   lights::WindowOptions options;
   options.seed = stage.seed;
   options.max_per_building = static_cast<std::size_t>(stage.max_per_building);
-  if (city.map().buildings.empty() || !city.frame().has_lon_lat()) return options;
-  const auto uses = std::make_shared<const lights::OsmUses>(city.map().buildings, city.to_frame());
-  options.use_at = [uses](const glm::dvec2& place) { return uses->at(place); };
+  options.use_at = std::move(use_at);
   return options;
 }
 
 }  // namespace
 
-WindowConsumer::WindowConsumer(const City& city, const WindowStageOptions& options,
+WindowConsumer::WindowConsumer(lights::UseAt use_at, const WindowStageOptions& options,
                                const std::filesystem::path& scratch)
-    : layout_(to_window_options(city, options), scratch), grouping_(options.group) {}
+    : layout_(to_window_options(std::move(use_at), options), scratch), grouping_(options.group) {}
 
 CityConsumer::Turn WindowConsumer::prepare(const std::shared_ptr<const PreparedObject>& prepared) {
   if (prepared->mesh.triangles.empty()) return {};

@@ -13,9 +13,9 @@ namespace nightcity::bake {
 /// Lays windows on the walls of a city while it is read. Their places wait on disk.
 class WindowConsumer final : public CityConsumer {
  public:
-  /// The use of a building comes from the map where the model does not give it. Scratch files lie
-  /// beside `scratch`. Throws Error where they cannot be made.
-  WindowConsumer(const City& city, const WindowStageOptions& options,
+  /// The use of a building comes from `use_at` (make_use_finder) where the model does not give it.
+  /// Scratch files lie beside `scratch`. Throws Error where they cannot be made.
+  WindowConsumer(lights::UseAt use_at, const WindowStageOptions& options,
                  const std::filesystem::path& scratch);
 
   Turn prepare(const std::shared_ptr<const PreparedObject>& prepared) override;
