@@ -121,6 +121,13 @@ TEST(Skins, TilesCoverRoofsSteeperThanTenDegrees) {
   EXPECT_EQ(find_part(80), SkinPart::pitched_roof);
 }
 
+TEST(Materials, AKindIsKnownByItsNameWithAColourOrASkinOrWithout) {
+  for (const char* roof : {"roof", "roof #804000", "roof tiles 2"})
+    EXPECT_TRUE(is_of_kind(roof, "roof")) << roof;
+  for (const char* other : {"", "wall", "roo", "roofing", "wall roof"})
+    EXPECT_FALSE(is_of_kind(other, "roof")) << other;
+}
+
 std::shared_ptr<PreparedObject> make_building(const std::string& id) {
   const auto building = std::make_shared<PreparedObject>();
   building->object.type = city::ObjectType::building;

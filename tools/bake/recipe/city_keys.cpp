@@ -151,7 +151,8 @@ Table make_city_table(bake::Recipe::City& city, const std::filesystem::path& fol
        flag_key("skins", city.skins,
                 "Walls and roofs of buildings to which neither model nor map gives a colour "
                 "reflect light as a finish does that is usual for their use and age "
-                "(docs/recipe.md, Skins): plaster, brick, stone, concrete, sheet; tiles, tar and gravel. "
+                "(docs/recipe.md, Skins): plaster, brick, stone, concrete, sheet; tiles, tar and "
+                "gravel. "
                 "The building's id alone decides which, and which shade of it. `false`: all walls "
                 "are of one grey (0.35), and all roofs (0.20)."),
        texts_key(

@@ -26,8 +26,8 @@ enum class Finish : std::uint8_t {
   count
 };
 
-/// A finish has few shades, each of which stands for the same share of the range of its reflectance:
-/// every shade is a material, and a primitive in each tile where it is.
+/// A finish has few shades. Each stands for the same share of the range of its reflectance, and
+/// is a material, and a primitive in each tile where it is.
 struct FinishRow {
   const char* name;
   float min_reflectance, max_reflectance;  // diffuse, of visible light
