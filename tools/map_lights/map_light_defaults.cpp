@@ -13,9 +13,9 @@ namespace {
 // one of 4 sheets (1.19 m x 1.75 m) of German outdoor advertising (sheets of DIN A1). Columns,
 // signs, totems and boards vary; their sizes and all heights above the ground are assumptions.
 //
-// What shines by itself: a screen does by its nature. That poster boxes (back-lit ones are the rule
-// in Germany), signs and totems do, unless a tag denies it, is an assumption; columns, billboards
-// and boards shine only where a tag says so.
+// A screen shines by its nature. That poster boxes (back-lit ones are the rule in Germany), signs
+// and totems do, unless a tag denies it, is an assumption; columns, billboards and boards shine only
+// where a tag says so.
 //
 // Luminance: screens are dimmed to some 300 cd/m2 by night (signmedia.ca, "Illuminated signs:
 // common issues in permitting LED displays"). 200 cd/m2 for back-lit faces is an assumption between

@@ -19,8 +19,8 @@
 
 namespace nightcity::map_lights {
 
-/// What carries a sign, or what is floodlit where the model shows nothing: a box, or a column of
-/// six sides.
+/// A body that carries a sign, or that is floodlit where the model shows nothing: a box, or a column
+/// of six sides.
 struct Body {
   glm::dvec3 foot{0};       // middle of its underside; E, N, H, m
   glm::dvec2 facing{0, 1};  // unit, along its depth

@@ -20,7 +20,7 @@ struct PreparedObject {
   mesh::TriangleMesh mesh;     // without triangles where the object has points or lines alone
   bool lacks_heights = false;  // published at height 0: the ground decides how high it lies
   bool closed = false;         // a building whose surfaces bound a volume without a gap
-  /// What the building is used for, where it has been looked for while a part of the city was read.
+  /// The use of the building, where it has been looked for while a part of the city was read.
   std::optional<lights::BuildingUse> use;
   /// Walls and windows, where they have been looked for while a part of the city was read.
   std::shared_ptr<const lights::WindowLayout::WindowBatch> windows;

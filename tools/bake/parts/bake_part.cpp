@@ -147,7 +147,7 @@ class PartBake {
     };
   }
 
-  // What needs outlines, which the part does not keep.
+  // Both need outlines, which the part does not keep.
   void find_use_and_windows(PreparedObject& prepared) const {
     if (prepared.object.type == city::ObjectType::building)
       prepared.use = lights::use_of(prepared.object, use_at_).use;

@@ -1,4 +1,4 @@
-// What carries signs in city.glb, and what is floodlit where the model shows nothing.
+// Bodies in city.glb that carry signs, or that are floodlit where the model shows nothing.
 #pragma once
 
 #include <cstdint>

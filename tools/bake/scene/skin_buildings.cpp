@@ -24,7 +24,7 @@ std::uint64_t make_key(const PreparedObject& building) {
   return key;
 }
 
-// What the walls or the roofs of one building have got.
+// The sources of the colours that the walls or the roofs of one building have got.
 struct Dress {
   bool from_table = false, own = false;
 

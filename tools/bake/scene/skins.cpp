@@ -39,7 +39,7 @@ enum class Group : std::uint8_t { dwellings, business, institutions, industry, o
 constexpr std::size_t age_count = static_cast<std::size_t>(Age::count);
 using Finishes = std::array<Finish, finish_choices>;
 
-// Which finish is usual where is an assumption, in quarters, for want of statistics that hold for
+// The shares of the finishes are an assumption, in quarters, for want of statistics that hold for
 // more than one region. In short: houses are plastered, brick and stone are of the time before
 // 1919, concrete is of the decades after 1949, and halls are clad in sheet since 1979.
 constexpr std::array<std::array<Finishes, age_count>, static_cast<std::size_t>(Group::count)> walls{
