@@ -5,6 +5,7 @@
 
 #include "tools/lights/lamp_tags.h"
 #include "tools/lights/lit_tag.h"
+#include "tools/map_lights/thing.h"
 #include "tools/osm/tag_values.h"
 
 namespace nightcity::map_lights {
@@ -31,10 +32,7 @@ class SignReader {
   }
 
  private:
-  std::string find(const char* key) const {
-    const auto found = tags_.find(key);
-    return found == tags_.end() ? std::string() : found->second;
-  }
+  std::string find(const char* key) const { return find_tag(tags_, key); }
   void count_unread(const char* key) { ++sign_.unread[std::string(key) + "=" + find(key)]; }
 
   std::optional<double> read_length(const char* key, double low, double high) {
