@@ -52,7 +52,7 @@ struct Placement {
   std::uint32_t light = NO_HIT;
 };
 
-/// A mesh whose triangles are stored for each of its placements.
+/// A mesh whose triangles are stored for each of its placements, of which there is at least one.
 struct PlacedMesh {
   std::uint32_t mesh;
   std::vector<Placement> placements;
