@@ -45,8 +45,8 @@ std::size_t append_mesh(const SceneMesh& mesh, const glm::dmat4& to_scene,
 std::size_t append_mesh(const MeshSource& meshes, std::uint32_t mesh, const glm::dmat4& to_scene,
                         std::span<const std::uint32_t> light_numbers, TriangleList& out);
 
-/// A place of a mesh, and the light whose luminous surface the mesh is there; NO_HIT: its triangles'
-/// own lights hold.
+/// A place of a mesh, and the light whose luminous surface the mesh is there; NO_HIT: its
+/// triangles' own lights hold.
 struct Placement {
   glm::dmat4 to_scene;
   std::uint32_t light = NO_HIT;

@@ -21,8 +21,8 @@ bool is_highway(const OsmTags& tags);
 bool is_tree(const OsmTags& tags);
 bool is_tree_row(const OsmTags& tags);
 /// Returns whether it may shine without being a lamp: advertising=*, floodlit=*, amenity=fuel,
-/// and things of sports, history, art and religion that have the tag lit=*. Streets are lit by their
-/// lamps and do not count.
+/// and things of sports, history, art and religion that have the tag lit=*. Streets are lit by
+/// their lamps and do not count.
 bool may_shine(const OsmTags& tags);
 /// Returns whether it has building=* but "no".
 bool is_building(const OsmTags& tags);
