@@ -11,7 +11,7 @@
 namespace nightcity::test {
 namespace {
 
-constexpr std::uint32_t side = 20;
+constexpr std::uint32_t side = 16;
 
 // The camera sees into the yard.
 LitPlace courtyard() {

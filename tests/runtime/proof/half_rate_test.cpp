@@ -12,7 +12,7 @@
 namespace nightcity::test {
 namespace {
 
-constexpr std::uint32_t side = 20;
+constexpr std::uint32_t side = 16;
 
 render::RenderSettings half_rate(render::Estimator estimator, std::uint32_t candidates = 16) {
   render::RenderSettings settings = with_estimator(estimator, candidates, 8);

@@ -89,6 +89,7 @@ Place analytic_with_hidden_lamps() {
   lights.push_back(lamp({-1, 3, -16}, 4e6f, 0.2f));
   lights.push_back(lamp({2, 4, -17}, 4e6f, 0.2f));
   place.scene = boxes_on_a_plane().with(lights);
+  place.side = 16;
   return place;
 }
 
