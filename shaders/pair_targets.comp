@@ -25,16 +25,29 @@ void main() {
   }
   const Receiver receiver = receiver_of(surface);
   const Reservoir own = FRAME.reservoirs.at[index];
-  FRAME.pair_targets.at[index] = own.W > 0.0 ? target(receiver, own.light, own.uv) : 0.0;
-  for (uint i = 0u; i < FRAME.pairings; ++i) {
-    uint partner = find_partner(pixel, i);
-    if (partner != NO_HIT) {
-      const Reservoir other = FRAME.reservoirs.at[partner];
-      if (!(own.M > 0.0 && other.M > 0.0 && uses_pairing(i, own.M, other.M))) partner = NO_HIT;
-      else if (other.W > 0.0)
-        FRAME.pair_targets.at[pair_target_place(i, index)] =
-            estimator_target(receiver, other.light, other.uv);
+  // The pixel's own sample and its partners' take turns in one loop, because a second place that
+  // computes targets costs more than the targets do.
+  for (uint turn = 0u; turn <= FRAME.pairings; ++turn) {
+    const bool is_own = turn == 0u;
+    uint place = index;
+    Reservoir sampled = own;
+    if (!is_own) {
+      const uint pairing = turn - 1u;
+      uint partner = find_partner(pixel, pairing);
+      if (partner != NO_HIT) {
+        sampled = FRAME.reservoirs.at[partner];
+        const bool both_count = own.M > 0.0 && sampled.M > 0.0;
+        if (!both_count || !uses_pairing(pairing, own.M, sampled.M)) partner = NO_HIT;
+      }
+      FRAME.pair_partners.at[pair_place(pairing, index)] = partner;
+      if (partner == NO_HIT) continue;
+      place = pair_target_place(pairing, index);
     }
-    FRAME.pair_partners.at[pair_place(i, index)] = partner;
+    // The own sample is visible from here, or its W would be 0.
+    const bool shadowed = !is_own && has_shadowed_target(ESTIMATOR);
+    if (sampled.W > 0.0)
+      FRAME.pair_targets.at[place] = target(receiver, sampled.light, sampled.uv, shadowed);
+    else if (is_own)
+      FRAME.pair_targets.at[place] = 0.0;
   }
 }

@@ -20,7 +20,7 @@ Candidate draw_candidate(LightSampler light_sampler, Receiver receiver, uint i, 
   const SampledLight chosen = sample_light(light_sampler, receiver.position, technique);
   const uint uv = random_uint();
   if (!(chosen.pdf > 0.0)) return Candidate(NO_HIT, 0u, 0.0, 0.0);
-  const float p = target_of(receiver, chosen.light, uv);
+  const float p = target_of(receiver, chosen.light, uv, false);
   return Candidate(chosen.index, uv, p, p / (chosen.pdf * float(count)));
 }
 

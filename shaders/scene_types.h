@@ -71,9 +71,9 @@ struct LightNode {
   uint item;  // of a leaf: trip or light
 };
 #define LIGHT_TREE_LEVELS 16  // 4^15 lights
-#define VEHICLE_LEVELS 12             // 4^11 trips
-#define VEHICLE_CELLS 65536u          // cells of the map in Morton order: 256 x 256
-#define VEHICLE_ABSENT VEHICLE_CELLS  // the cell of vehicles that are not on the road
+#define VEHICLE_LEVELS 12     // 4^11 trips
+// Vehicles are sorted by square cells of the map in Morton order, at most this many a side.
+#define MAX_VEHICLE_CELLS_PER_SIDE 256u
 
 #ifdef __cplusplus
 static_assert(sizeof(Material) == 32 && sizeof(VehicleBody) == 32 && sizeof(LightNode) == 32);
@@ -109,6 +109,7 @@ struct TrafficBuffers {
   BUFFER(VehicleInstances) instances;  // one per trip, behind the static instances
   BUFFER(VehicleBvhNodes) bvh;         // over the vehicles, behind the static nodes
   uint trip_count;
+  uint cells_per_side;  // vehicles that are not on the road are in one more, behind all others
   uint first_instance;  // index of the first trip's instance
   // Index of the first node over the vehicles. The last of these nodes is the root of the whole
   // scene.

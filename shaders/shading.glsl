@@ -100,17 +100,21 @@ vec3 reflected(Receiver r, LightSample s) {
   return cosine > 0.0 ? brdf(r, s.direction) * s.value * cosine : vec3(0.0);
 }
 
-// Returns the target function p^: without shadows and air, >= 0 and finite.
-float target_of(Receiver r, Light light, uint uv) {
+// Returns the target function p^: without air, >= 0 and finite. With `shadowed` it is 0 where
+// something casts a shadow between receiver and sample.
+float target_of(Receiver r, Light light, uint uv, bool shadowed) {
   const LightSample s = sample_in_clear_air(light, uv_of(uv), r.position);
   const float p = luminance(reflected(r, s)) * share_of_path(r, s.point);
-  return p > 0.0 && finite(p) ? p : 0.0;
+  if (!(p > 0.0 && finite(p))) return 0.0;
+  return shadowed && occluded(r.origin, s.point, r.before) ? 0.0 : p;
 }
 
 // As above, by the light's index; 0 for an index out of range.
-float target(Receiver r, uint light, uint uv) {
-  return light < SCENE.light_count ? target_of(r, light_at(light, r.before), uv) : 0.0;
+float target(Receiver r, uint light, uint uv, bool shadowed) {
+  return light < SCENE.light_count ? target_of(r, light_at(light, r.before), uv, shadowed) : 0.0;
 }
+
+float target(Receiver r, uint light, uint uv) { return target(r, light, uv, false); }
 
 // Returns whether nothing casts a shadow between the receiver and the sample; false for an index
 // out of range.
@@ -122,9 +126,7 @@ bool sees(Receiver r, uint light, uint uv) {
 
 // Returns the estimator's target: with visibility where the estimator includes it.
 float estimator_target(Receiver r, uint light, uint uv) {
-  const float p = target(r, light, uv);
-  if (!has_shadowed_target(ESTIMATOR) || p <= 0.0) return p;
-  return sees(r, light, uv) ? p : 0.0;
+  return target(r, light, uv, has_shadowed_target(ESTIMATOR));
 }
 
 // Returns the light that a surface emits towards the camera, cd/m^2 per channel.

@@ -4,12 +4,13 @@
 // in the order (a prefix sum).
 #define WORKGROUP_IS_A_ROW
 #include "shaders/common.glsl"
+#include "shaders/vehicle_cells.glsl"
 
 shared uint sums[WORKGROUP_ROW];
 
 void main() {
   const uint lane = gl_LocalInvocationID.x;
-  const uint cells = VEHICLE_CELLS + 1u;
+  const uint cells = vehicle_cells() + 1u;
   const uint stretch = (cells + WORKGROUP_ROW - 1u) / WORKGROUP_ROW;
   const uint first = lane * stretch, end = min(first + stretch, cells);
   uint sum = 0u;

@@ -6,20 +6,9 @@
 #define WORKGROUP_IS_A_ROW
 #include "shaders/common.glsl"
 #include "shaders/trip_pose.glsl"
+#include "shaders/vehicle_cells.glsl"
 
 #define TRAFFIC SCENE.traffic
-
-uint spread_bits(uint x) {  // 8 bits to every second bit
-  x = (x | x << 4u) & 0x0F0Fu;
-  x = (x | x << 2u) & 0x3333u;
-  return (x | x << 1u) & 0x5555u;
-}
-
-uint morton_cell(vec3 p) {
-  const vec2 extent = max(TRAFFIC.upper.xz - TRAFFIC.lower.xz, vec2(1.0));
-  const uvec2 at = uvec2(clamp((p.xz - TRAFFIC.lower.xz) / extent * 256.0, vec2(0.0), vec2(255.0)));
-  return spread_bits(at.x) | spread_bits(at.y) << 1u;
-}
 
 void main() {
   const uint trip = gl_GlobalInvocationID.x;
@@ -68,7 +57,7 @@ void main() {
   }
 
   LightNode box = LightNode(vec3(1e30), 0.0, vec3(-1e30), trip);
-  uint cell = VEHICLE_ABSENT;
+  uint cell = vehicle_cells();
   if (pose.on_road) {
     const vec3 centre = pose.position + pose.axes * (0.5 * (body.lower + body.upper));
     const vec3 half_size = 0.5 * (body.upper - body.lower);
@@ -77,7 +66,7 @@ void main() {
     // As for static instances, the margin makes up for the rounding of the box's corners.
     const vec3 margin = 1e-6 * max(abs(centre - reach), abs(centre + reach)) + 1e-6;
     box = LightNode(centre - reach - margin, flux, centre + reach + margin, trip);
-    cell = morton_cell(pose.position);
+    cell = vehicle_cell(pose.position);
   }
   FRAME.vehicle_boxes.at[trip] = box;
   FRAME.vehicle_cells.at[2u * trip] = cell;

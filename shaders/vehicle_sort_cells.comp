@@ -4,10 +4,11 @@
 // numbered them in the order in which the device ran, and a picture must not depend on that.
 #define WORKGROUP_IS_A_ROW
 #include "shaders/common.glsl"
+#include "shaders/vehicle_cells.glsl"
 
 void main() {
   const uint cell = gl_GlobalInvocationID.x;
-  if (cell >= VEHICLE_CELLS) return;
+  if (cell >= vehicle_cells()) return;
   const uint first = FRAME.vehicle_counts.at[cell], end = FRAME.vehicle_counts.at[cell + 1u];
   if (end - first > 128u) return;  // insertion sort: its cost is the square of a crowd on one spot
   for (uint i = first + 1u; i < end; ++i) {

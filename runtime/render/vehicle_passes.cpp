@@ -9,10 +9,17 @@ float cycle_time(const TrafficCycle& cycle, double time_s) {
   return length > 0 ? float(time_s - std::floor(time_s / length) * length) : 0.0f;
 }
 
+std::uint32_t choose_vehicle_cells_per_side(std::uint32_t trips) {
+  std::uint32_t side = 1;
+  while (side < MAX_VEHICLE_CELLS_PER_SIDE && side * side < trips) side *= 2;
+  return side;
+}
+
 VehiclePasses::VehiclePasses(gpu::Device& device, DeviceScene& scene) : scene_(scene) {
   if (!scene.has_traffic()) return;
   const gpu::TrafficBuffers& traffic = scene.buffers().traffic;
   const std::size_t trips = traffic.trip_count;
+  cells_per_side_ = choose_vehicle_cells_per_side(traffic.trip_count);
   for (gpu::Buffer& lights : lights_)
     lights = gpu::Buffer(device, trips * VEHICLE_LIGHTS * sizeof(Light));
   const std::uint32_t last = traffic.levels - 1;
@@ -21,7 +28,7 @@ VehiclePasses::VehiclePasses(gpu::Device& device, DeviceScene& scene) : scene_(s
                               sizeof(gpu::LightNode));
   boxes_ = gpu::Buffer(device, trips * sizeof(gpu::LightNode));
   cells_ = gpu::Buffer(device, trips * 2 * sizeof(std::uint32_t));
-  counts_ = gpu::Buffer(device, (VEHICLE_CELLS + 1) * sizeof(std::uint32_t));
+  counts_ = gpu::Buffer(device, (count_cells() + std::size_t{1}) * sizeof(std::uint32_t));
   for (std::uint32_t& slot : slots_) slot = scene_.acquire_vehicle_slot();
 }
 
@@ -45,6 +52,7 @@ void VehiclePasses::enter(gpu::Frame& frame) {
   frame.scene.root = now.root;
   frame.scene.traffic.first_instance = now.first_instance;
   frame.scene.traffic.first_bvh_node = now.first_bvh_node;
+  frame.scene.traffic.cells_per_side = cells_per_side_;
   frame.scene.traffic.instances = now.instances;
   frame.scene.traffic.bvh = now.bvh;
   frame.previous_root = scene_.vehicle_slot(slots_[parity_ ^ 1]).root;
@@ -74,7 +82,7 @@ std::vector<FrameStep> VehiclePasses::list_steps(const PassSet& passes,
                      const gpu::TrafficBuffers& traffic = scene_.buffers().traffic;
                      run(commands, passes.vehicle_offsets, 1);
                      run(commands, passes.vehicle_order, traffic.trip_count);
-                     run(commands, passes.vehicle_sort_cells, VEHICLE_CELLS);
+                     run(commands, passes.vehicle_sort_cells, count_cells());
                      // The last dispatch, one past the levels, joins the BVH of the vehicles and
                      // the static one.
                      for (std::uint32_t level = 1; level <= traffic.levels; ++level)

@@ -16,6 +16,11 @@ namespace nightcity::render {
 /// double, because a float would lose the fractions of frames.
 float cycle_time(const TrafficCycle& cycle, double time_s);
 
+/// Returns how many cells a side the map has by which `trips` vehicles are sorted: a power of two, for
+/// at least a cell a trip as far as MAX_VEHICLE_CELLS_PER_SIDE goes. Passes over the cells are paid in
+/// every frame, so a few vehicles have few.
+std::uint32_t choose_vehicle_cells_per_side(std::uint32_t trips);
+
 class VehiclePasses {
  public:
   VehiclePasses(gpu::Device& device, DeviceScene& scene);
@@ -34,8 +39,11 @@ class VehiclePasses {
   std::vector<Light> lights() const;
 
  private:
+  std::uint32_t count_cells() const { return cells_per_side_ * cells_per_side_; }
+
   DeviceScene& scene_;
   gpu::Buffer lights_[2], nodes_, boxes_, cells_, counts_;
+  std::uint32_t cells_per_side_ = 0;
   std::uint32_t slots_[2]{};
   int parity_ = 0;  // of lights_ and slots_: this frame's; the other is the previous frame's
 };

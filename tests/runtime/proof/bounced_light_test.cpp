@@ -11,7 +11,7 @@
 namespace nightcity::test {
 namespace {
 
-constexpr std::uint32_t side = 16;
+constexpr std::uint32_t side = 24;  // whole workgroups
 
 // The camera sees into the yard.
 LitPlace courtyard() {

@@ -16,7 +16,7 @@
 namespace nightcity::test {
 namespace {
 
-constexpr std::uint32_t side = 16;  // whole workgroups: at 20, three in ten lanes would idle
+constexpr std::uint32_t side = 24;  // whole workgroups
 constexpr int moments = 6;
 
 struct Moving {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "formats/error.h"
+#include "runtime/render/vehicle_passes.h"
 #include "support/gpu.h"
 #include "support/scenes.h"
 
@@ -167,6 +168,14 @@ scene::Traffic crowd(int count) {
                        knot(from + 40.0f * velocity, 40, velocity, yaw)});
   }
   return traffic;
+}
+
+TEST(Vehicles, HaveACellEachAsFarAsCellsGo) {
+  EXPECT_EQ(choose_vehicle_cells_per_side(1), 1u);
+  EXPECT_EQ(choose_vehicle_cells_per_side(2), 2u);
+  EXPECT_EQ(choose_vehicle_cells_per_side(4), 2u);
+  EXPECT_EQ(choose_vehicle_cells_per_side(5), 4u);
+  EXPECT_EQ(choose_vehicle_cells_per_side(4'000'000), MAX_VEHICLE_CELLS_PER_SIDE);
 }
 
 TEST(Vehicles, PickedLightsGiveTheReferenceWithoutBias) {
