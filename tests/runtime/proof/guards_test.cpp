@@ -217,10 +217,11 @@ TEST(Guard, NeighboursThatCannotContributeDoNotCount) {
 }
 
 TEST(Guard, TargetsAreEvaluatedAtTheReceiver) {
-  expect_guarded(
-      lamp_law(render::Estimator::pairwise, 5000, 4),
-      {{"pair_targets.comp", "estimator_target(receiver, other.light, other.uv)",
-        "estimator_target(receiver_of(FRAME.surfaces.at[partner]), other.light, other.uv)"}});
+  expect_guarded(lamp_law(render::Estimator::pairwise, 5000, 4),
+                 {{"pair_targets.comp", "target(receiver, sampled.light, sampled.uv, shadowed)",
+                   "target(receiver_of(FRAME.surfaces.at["
+                   "is_own ? index : FRAME.pair_partners.at[pair_place(turn - 1u, index)]]), "
+                   "sampled.light, sampled.uv, shadowed)"}});
 }
 
 // The camera moves from behind a wall to its front: a surface that was hidden has no history, and
@@ -360,7 +361,9 @@ TEST(Guard, FarFromTheOriginASurfaceDoesNotShadowItself) {
       if (!(luminance(image, i) > 0)) return false;
     return true;
   };
-  expect_guarded(all_lit, {{"geometry.glsl", "1.0e-6 * max(max(abs(p.x), abs(p.y)), max(abs(p.z), 1.0))", "1.0e-6"}});
+  expect_guarded(
+      all_lit,
+      {{"geometry.glsl", "1.0e-6 * max(max(abs(p.x), abs(p.y)), max(abs(p.z), 1.0))", "1.0e-6"}});
 }
 
 // On a triangle of many kilometres, the distance along a ray is off by centimetres, so a shadow ray
@@ -374,8 +377,7 @@ TEST(Guard, AVastGroundDoesNotShadowItself) {
   const Property lit = [&](render::PassLibrary& passes) {
     return obeys_the_inverse_square_law(taken(passes, shot), 5000);
   };
-  expect_guarded(
-      lit, {{"geometry.glsl", " + 1.0e-6 * extent", ""}});
+  expect_guarded(lit, {{"geometry.glsl", " + 1.0e-6 * extent", ""}});
 }
 
 // A red and a blue lamp in one place and one candidate: in frame 0 of seed 0, each lamp must be
