@@ -18,6 +18,7 @@
 #include "runtime/render/display.h"
 #include "runtime/render/frame_run.h"
 #include "runtime/render/irradiance_cache.h"
+#include "runtime/render/pass_constants.h"
 #include "runtime/render/pass_library.h"
 #include "runtime/render/picture_buffers.h"
 #include "runtime/render/settings.h"
@@ -91,12 +92,12 @@ class Renderer {
   /// Returns whether the passes for these settings are compiled. If not, they are being compiled in
   /// the background.
   bool is_ready(const RenderSettings& settings) {
-    return library_.is_ready(constants_of(settings));
+    return library_.is_ready(find_constants(settings, scene_));
   }
 
-  /// Returns the features that neither the scene nor the settings need: passes are compiled without
-  /// them.
-  std::vector<Feature> list_unneeded(const RenderSettings& settings) const;
+  std::vector<Feature> list_unneeded(const RenderSettings& settings) const {
+    return render::list_unneeded(settings, scene_);
+  }
 
   /// Returns the number of frames in the mean.
   std::uint32_t frames() const { return done_.frames; }
@@ -141,31 +142,19 @@ class Renderer {
     bool has_history = false;
   };
 
-  PassConstants constants_of(const RenderSettings& settings) const;
   // The steps of begin_frame. check throws UsageError.
   void check(const RenderSettings& settings) const;
   void restart_if_changed();
   void fill_buffers(gpu::Frame& frame, const RenderSettings& settings);
   void fill_view(gpu::Frame& frame);
-  void fill_air(gpu::Frame& frame, const RenderSettings& settings);
-  void fill_sampling(gpu::Frame& frame, const RenderSettings& settings) const;
-  std::vector<FrameStep> list_steps(const RenderSettings& settings, std::uint32_t slices) const;
-  void add_reference(std::vector<FrameStep>& steps, const RenderSettings& settings,
-                     std::uint32_t slices) const;
-  void add_restir(std::vector<FrameStep>& steps, const RenderSettings& settings) const;
-  void add_end(std::vector<FrameStep>& steps, const RenderSettings& settings) const;
-  std::uint32_t reference_slices(const RenderSettings& settings) const;
   // Writes the display from a view other than the picture.
   void inspect(gpu::Frame& frame, const DisplaySettings& display);
   void finish_frame();
-  // Returns a step with one invocation per pixel and slice.
-  template <class Pass>
-  FrameStep step_of(const Pass& pass, const char* name, std::uint32_t first = 0,
-                    std::uint32_t count = 0, std::uint32_t slices = 1) const;
-  // Returns a step with one invocation per cell of a grid and slice.
-  template <class Pass>
-  FrameStep step_over(glm::uvec2 grid, const Pass& pass, const char* name, std::uint32_t first = 0,
-                      std::uint32_t count = 0, std::uint32_t slices = 1) const;
+  // Returns whether the last frame has fewer pixels than the picture.
+  bool is_scaled() const {
+    return done_.settings.sampling.resolution_scale * done_.effort.resolution_scale < 1;
+  }
+  measure::ImageInfo describe_picture() const;
 
   gpu::Device& device_;
   PassLibrary& library_;

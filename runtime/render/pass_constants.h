@@ -1,0 +1,22 @@
+// Which constants the passes of a frame are compiled with: what neither the scene nor the settings need
+// is not in them.
+#pragma once
+
+#include <vector>
+
+#include "runtime/render/device_scene.h"
+#include "runtime/render/pass_library.h"
+#include "runtime/render/settings.h"
+
+namespace nightcity::render {
+
+/// Returns whether passes have air compiled in, which they may without need: see forced_features.
+bool has_air(const RenderSettings& settings);
+
+PassConstants find_constants(const RenderSettings& settings, const DeviceScene& scene);
+
+/// Returns the features that neither the scene nor the settings need: passes are compiled without
+/// them.
+std::vector<Feature> list_unneeded(const RenderSettings& settings, const DeviceScene& scene);
+
+}  // namespace nightcity::render
