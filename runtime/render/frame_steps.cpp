@@ -118,10 +118,10 @@ std::uint32_t reference_paths(std::uint32_t lights) {
 std::uint32_t choose_reference_slices(const RenderSettings& settings, glm::uvec2 size,
                                       std::uint32_t lights) {
   if (traits_of(settings.sampling.estimator).samples || settings.sampling.layers) return 1;
-  const std::sizet pixels = std::sizet{size.x} * size.y;
-  const std::sizet chunks = chunks_of(lights);
+  const std::size_t pixels = std::size_t{size.x} * size.y;
+  const std::size_t chunks = chunks_of(lights);
   return static_cast<std::uint32_t>(
-      std::clamp(std::min(busy_invocations / pixels, chunks), std::sizet{1}, max_slices));
+      std::clamp(std::min(busy_invocations / pixels, chunks), std::size_t{1}, max_slices));
 }
 
 std::vector<FrameStep> list_steps(const FrameParts& frame, const RenderSettings& settings) {
