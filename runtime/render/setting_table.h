@@ -29,7 +29,8 @@ struct SettingWord {
   bool (*is_set)(const RenderSettings& settings);
 };
 
-/// A setting. A new one is a member in settings.h and a row in setting_table.cpp.
+/// A setting. A new one is a member in settings.h and a row in
+/// sampling_settings.cpp or light_settings.cpp.
 struct Setting {
   using Value = std::variant<bool*, std::uint32_t*, float*, Estimator*>;
 
