@@ -22,6 +22,7 @@
 #include "tools/bake/scene/vehicle_models.h"
 #include "tools/bake/stages/light_stage.h"
 #include "tools/bake/stages/traffic_stage.h"
+#include "tools/barriers/barrier_shape.h"
 #include "tools/trees/find_trees.h"
 
 namespace nightcity::bake {
@@ -68,6 +69,7 @@ class Bake {
     read_city();
     build_ground();
     Georeference georeference = city_.georeference(tiles_.middle());
+    build_barriers();
     report_.tiles = tiles_.write(georeference, city_, progress_);
     clock_.end_stage("tiles");
     plant_trees(georeference);
@@ -108,6 +110,23 @@ class Bake {
     if (tiles_.empty())
       throw Error(options_.city.files.front().string(), describe_emptiness(options_, report_.city));
     clock_.end_stage("terrain");
+  }
+
+  void build_barriers() {
+    const auto extent = city_.terrain().extent();
+    if (!options_.city.cover.barriers || !extent || !city_.frame().has_lon_lat()) return;
+    barriers::BarrierSet found =
+        barriers::find_barriers(city_.map(), city_.cover(), {extent->low, extent->high},
+                                city_.to_frame(), city_.height_at(), city_.inside_footprint());
+    const auto add = [&](const auto& barrier) {
+      const std::vector<barriers::Corners> surface = barriers::make_shape(barrier);
+      report_.barriers.triangles += surface.size();
+      tiles_.add_barrier(surface, barrier.kind.material);
+    };
+    for (const barriers::BarrierLine& line : found.lines) add(line);
+    for (const barriers::BarrierArea& area : found.areas) add(area);
+    report_.barriers.found = std::move(found.report);
+    clock_.end_stage("barriers");
   }
 
   void plant_trees(const Georeference& georeference) {

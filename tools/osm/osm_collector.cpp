@@ -51,6 +51,8 @@ void OsmCollector::add_node(std::int64_t id, OsmVersion version, const glm::dvec
     lamps_.push_back({{id, lon_lat, std::move(tags)}, key, version.rank()});
   else if (is_tree(tags))
     trees_.push_back({{lon_lat, std::move(tags)}, key, version.rank()});
+  else if (is_gate(tags))
+    gates_.push_back({{lon_lat, std::move(tags)}, key, version.rank()});
 }
 
 void OsmCollector::add_way(std::int64_t id, OsmVersion version, std::vector<OsmNodeRef> nodes,
@@ -60,7 +62,7 @@ void OsmCollector::add_way(std::int64_t id, OsmVersion version, std::vector<OsmN
   if (version.deleted) return;
   ++data_.ways;
   if (!is_highway(tags) && !is_building(tags) && !is_lamp(tags) && !is_tree_row(tags) &&
-      !may_shine(tags))
+      !is_barrier(tags) && !may_shine(tags))
     return;
   if (nodes.size() > max_way_nodes_) {
     ++data_.long_ways;
@@ -113,6 +115,16 @@ void OsmCollector::drop_old(std::vector<Pending>& pending, const std::vector<Ent
   std::erase_if(pending, [&](const Pending&) { return drop[n++]; });
 }
 
+/// Moves the newest version of each point to `points`, in the resolution that ways have.
+void OsmCollector::place_points(std::vector<PendingPoint>& pending, std::vector<OsmPoint>& points) {
+  drop_old(pending, places_);
+  for (PendingPoint& element : pending) {
+    OsmPoint& point = element.point;
+    const glm::dvec2 rounded(to_steps(point.lon_lat.x), to_steps(point.lon_lat.y));
+    points.push_back({rounded * resolution, std::move(point.tags)});
+  }
+}
+
 /// Gives the ways their coordinates and sorts them by what they are.
 void OsmCollector::place_ways() {
   for (PendingWay& pending : pending_) {
@@ -132,6 +144,7 @@ void OsmCollector::place_ways() {
       data_.lamps.push_back({way.id, mean(way.lon_lat), way.tags, true});
     if (way.lon_lat.size() < 2) continue;
     if (may_shine(way.tags)) data_.shining_things.push_back({way.id, true, way.lon_lat, way.tags});
+    if (is_barrier(way.tags)) data_.barriers.push_back(way);
     if (highway)
       data_.highways.push_back(std::move(way));
     else if (is_building(way.tags))
@@ -146,11 +159,11 @@ OsmData OsmCollector::finish() && {
   keep_newest(places_);
   keep_newest(way_states_);
   drop_old(lamps_, places_);
-  drop_old(trees_, places_);
   drop_old(things_, places_);
   drop_old(pending_, way_states_);
   for (PendingLamp& pending : lamps_) data_.lamps.push_back(std::move(pending.lamp));
-  for (PendingTree& pending : trees_) data_.trees.push_back(std::move(pending.tree));
+  place_points(trees_, data_.trees);
+  place_points(gates_, data_.gates);
   for (PendingThing& pending : things_) data_.shining_things.push_back(std::move(pending.thing));
   place_ways();
   std::stable_sort(data_.shining_things.begin(), data_.shining_things.end(),

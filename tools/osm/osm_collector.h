@@ -78,8 +78,8 @@ class OsmCollector {
     Key key;
     std::uint32_t rank;
   };
-  struct PendingTree {
-    OsmTree tree;
+  struct PendingPoint {
+    OsmPoint point;
     Key key;
     std::uint32_t rank;
   };
@@ -103,6 +103,7 @@ class OsmCollector {
   static const Entry* find(const std::vector<Entry>& entries, const Key& key);
   template <class Pending, class Entry>
   void drop_old(std::vector<Pending>& pending, const std::vector<Entry>& newest);
+  void place_points(std::vector<PendingPoint>& pending, std::vector<OsmPoint>& points);
   void place_ways();
 
   OsmData data_;
@@ -112,7 +113,7 @@ class OsmCollector {
   std::vector<Place> places_;
   std::vector<State> way_states_;
   std::vector<PendingLamp> lamps_;
-  std::vector<PendingTree> trees_;
+  std::vector<PendingPoint> trees_, gates_;
   std::vector<PendingThing> things_;
   std::vector<PendingWay> pending_;
 };

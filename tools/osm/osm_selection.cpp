@@ -64,6 +64,15 @@ bool is_tree_row(const OsmTags& tags) {
   return value_of(tags, "natural") == "tree_row";
 }
 
+bool is_gate(const OsmTags& tags) {
+  const std::string value = value_of(tags, "barrier");
+  return !value.empty() && value != "no";
+}
+
+bool is_barrier(const OsmTags& tags) {
+  return is_gate(tags) && !is_highway(tags) && !is_building(tags);
+}
+
 bool may_shine(const OsmTags& tags) {
   const auto has = [&](const char* key) {
     const std::string value = value_of(tags, key);

@@ -20,6 +20,10 @@ bool is_highway(const OsmTags& tags);
 /// Returns whether it is a single tree, and whether a row of trees.
 bool is_tree(const OsmTags& tags);
 bool is_tree_row(const OsmTags& tags);
+/// Returns whether it has barrier=* and is neither a street nor a building.
+bool is_barrier(const OsmTags& tags);
+/// Returns whether a node on a barrier lets people or vehicles through: barrier=* but "no".
+bool is_gate(const OsmTags& tags);
 /// Returns whether it may shine without being a lamp: advertising=*, floodlit=*, amenity=fuel,
 /// and things of sports, history, art and religion that have the tag lit=*. Streets are lit by
 /// their lamps and do not count.

@@ -35,7 +35,7 @@ class Planter {
           const place::InsideBuilding& inside)
       : to_frame_(to_frame), height_at_(height_at), inside_(inside) {}
 
-  void add_mapped(const osm::OsmTree& tree) {
+  void add_mapped(const osm::OsmPoint& tree) {
     plant(to_frame_(tree.lon_lat), tree.tags, "mapped", 0);
   }
 
@@ -161,7 +161,7 @@ TreeSet find_trees(const osm::OsmData& map, const ground_cover::Cover& cover,
                    const ground_cover::Box& bounds, const place::LonLatToFrame& to_frame,
                    const place::HeightAt& height_at, const place::InsideBuilding& inside) {
   Planter planter(to_frame, height_at, inside);
-  for (const osm::OsmTree& tree : map.trees) planter.add_mapped(tree);
+  for (const osm::OsmPoint& tree : map.trees) planter.add_mapped(tree);
   for (const osm::OsmWay& row : map.tree_rows) planter.add_row(row);
   for (const ground_cover::CoverArea& area : cover.areas())
     if (area.surface.kind == ground_cover::GroundKind::woodland)

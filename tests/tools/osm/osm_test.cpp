@@ -74,6 +74,27 @@ TEST_F(OsmFile, ThingsThatMayShineComeByIdWithNodesFirst) {
   EXPECT_EQ(data.highways.size(), 1u);
 }
 
+TEST_F(OsmFile, BarriersComeWithTheirGatesAtTheVeryPlacesOfTheirNodes) {
+  const OsmData data = read(R"(
+    <node id="1" lat="52.5" lon="13.4"/><node id="2" lat="52.512345678" lon="13.498765432">
+      <tag k="barrier" v="gate"/></node><node id="3" lat="52.7" lon="13.6"/>
+    <way id="1"><nd ref="1"/><nd ref="2"/><nd ref="3"/><tag k="barrier" v="wall"/></way>
+    <way id="2"><nd ref="1"/><nd ref="2"/><tag k="barrier" v="no"/></way>
+    <way id="3"><nd ref="1"/><nd ref="3"/><tag k="barrier" v="kerb"/><tag k="highway" v="footway"/>
+      </way>
+    <way id="4"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="1"/><tag k="barrier" v="wall"/>
+      <tag k="building" v="yes"/></way>
+    <way id="5"><nd ref="1"/><nd ref="3"/><tag k="barrier" v="fence"/><tag k="leisure" v="pitch"/>
+      </way>)");
+  ASSERT_EQ(data.barriers.size(), 2u) << "streets and buildings stay what they are";
+  EXPECT_EQ(data.barriers[0].id, 1);
+  EXPECT_EQ(data.barriers[1].id, 5);
+  ASSERT_EQ(data.gates.size(), 1u);
+  EXPECT_EQ(data.gates[0].lon_lat, data.barriers[0].lon_lat[1]);
+  EXPECT_EQ(data.highways.size(), 1u);
+  EXPECT_EQ(data.buildings.size(), 1u);
+}
+
 TEST_F(OsmFile, LampsHighwaysAndBuildingsComeWithTagsAndPlaces) {
   const OsmData data = read(R"(
     <node id="1" lat="52.5" lon="13.4"><tag k="highway" v="street_lamp"/><tag k="lamp_type" v="LED"/></node>

@@ -1,4 +1,5 @@
-// Options of what a map adds to a city: what covers its ground, and buildings that the model lacks.
+// Options of what a map adds to a city: what covers its ground and stands on it, and buildings that
+// the model lacks.
 #pragma once
 
 #include "tools/trees/tree.h"
@@ -10,6 +11,7 @@ struct CoverOptions {
   bool markings = true;  // on those streets
   bool land = true;      // of the map, where the model has none
   bool gaps = true;      // buildings of the map, where the model has none
+  bool barriers = true;  // of the map
   trees::Season trees = trees::Season::summer;
 };
 

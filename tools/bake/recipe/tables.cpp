@@ -102,6 +102,12 @@ Table make_ground_table(bake::CoverOptions& ground) {
                 "Where the map has a building and the city model has none, the map's stands there, "
                 "made as by `[osm] buildings` and on the lowest ground below it. A building of "
                 "which a tenth lies on the model's own is the model's."),
+       flag_key("barriers", ground.barriers,
+                "Barriers of the map, which cast shadows: walls, hedges, fences and guard rails. "
+                "`height`, `width`, `material`, `wall` and `fence_type` say what they are like, "
+                "else a table (docs/recipe.md, Barriers). Light passes fences as it passes their "
+                "gaps. They are open at gates and where a path meets them, and stand neither on "
+                "carriageways nor in buildings."),
        choice_key<trees::Season>(
            "trees", ground.trees,
            {{"summer", trees::Season::summer},

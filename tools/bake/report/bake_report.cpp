@@ -233,6 +233,7 @@ json to_json(const BakeReport& report) {
        {{"buildings_of_the_map", report.gaps.buildings},
         {"left_out", report.gaps.left_out},
         {"assumed", report.gaps.assumed}}},
+      {"barriers", to_json(report.barriers)},
       {"trees", to_json(report.trees)},
       {"ground_cover", to_json(report.cover, report.tiles)},
       {"streets", to_json(report.streets)},
@@ -262,6 +263,7 @@ std::string to_text(const BakeReport& report) {
   std::string text = reading_in_words(report) + surfaces_in_words(report);
   text += gaps_in_words(report.gaps);
   text += to_text(report.cover, report.tiles);
+  text += to_text(report.barriers);
   text += to_text(report.trees);
   text += to_text(report.streets);
   text += to_text(report.lights.lamps);

@@ -11,6 +11,7 @@
 #include "formats/scene_writer.h"
 #include "tools/bake/city/map_gaps.h"
 #include "tools/bake/report/city_report.h"
+#include "tools/bake/report/barrier_report.h"
 #include "tools/bake/report/cover_report.h"
 #include "tools/bake/report/light_report.h"
 #include "tools/bake/report/scene_report.h"
@@ -26,6 +27,7 @@ struct BakeReport {
   SceneTilesReport tiles;
   GapReport gaps;
   CoverReport cover;
+  BarriersReport barriers;
   TreeReport trees;
   StreetReport streets;  // of the model, where the map has none
   LightsReport lights;

@@ -15,8 +15,11 @@ SceneMaterial diffuse(const char* name, float albedo, glm::vec3 hue, float rough
 }
 
 constexpr MaterialCode coloured = 0x80, kind_bits = 0x7F;
-static_assert(bake_material_count + ground_cover::ground_kind_count <= coloured);
+static_assert(bake_material_count + ground_cover::ground_kind_count +
+                  barriers::barrier_material_count <=
+              coloured);
 constexpr std::size_t max_colours = 2000;
+constexpr MaterialCode first_barrier = to_code(barriers::BarrierMaterial{});
 
 std::optional<Skin> to_skin(MaterialCode code) {
   const MaterialCode bits = code >> 8;
@@ -53,13 +56,19 @@ MaterialCode to_code(BakeMaterial kind, const glm::vec3& colour) {
 
 std::optional<ground_cover::GroundKind> to_ground_kind(MaterialCode code) {
   const MaterialCode kind = code & kind_bits;
-  if (kind < bake_material_count) return std::nullopt;
+  if (kind < bake_material_count || kind >= first_barrier) return std::nullopt;
   return static_cast<ground_cover::GroundKind>(kind - bake_material_count);
 }
 
 SceneMaterial find_material(MaterialCode code) {
+  const MaterialCode kind = code & kind_bits;
+  if (kind >= first_barrier) {
+    const auto material = static_cast<barriers::BarrierMaterial>(kind - first_barrier);
+    const barriers::MaterialRow& row = barriers::find_material(material);
+    return diffuse(row.name, row.reflectance, row.hue, row.roughness);
+  }
   const auto ground = to_ground_kind(code);
-  if (!ground) return bake_materials()[code & kind_bits];
+  if (!ground) return bake_materials()[kind];
   const ground_cover::GroundMaterial& row = ground_cover::find_material(*ground);
   return diffuse(row.name, row.reflectance, row.hue, row.roughness);
 }
@@ -79,7 +88,7 @@ MaterialTable::MaterialTable(SceneWriter& writer) : writer_(writer) {
 std::uint32_t MaterialTable::find_index(MaterialCode code) {
   if ((code & coloured) != 0) return find_coloured(code);
   const auto skin = to_skin(code);
-  if (!skin && !to_ground_kind(code)) return code;
+  if (!skin && code < bake_material_count) return code;
   const auto [known, is_new] = plain_.try_emplace(code, 0);
   if (is_new) {
     const SceneMaterial kind = find_material(code);
@@ -146,6 +155,8 @@ const char* name_of(NodeKind kind) {
       return "terrain";
     case NodeKind::road:
       return "road";
+    case NodeKind::barrier:
+      return "barrier";
   }
   return "";
 }

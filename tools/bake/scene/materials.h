@@ -10,6 +10,7 @@
 
 #include "formats/scene_writer.h"
 #include "tools/bake/scene/skins.h"
+#include "tools/barriers/barrier_kind.h"
 #include "tools/city/city_model.h"
 #include "tools/ground_cover/ground_kind.h"
 
@@ -54,6 +55,11 @@ constexpr MaterialCode to_code(BakeMaterial kind, Skin skin) {
 constexpr MaterialCode to_code(ground_cover::GroundKind kind) {
   return static_cast<MaterialCode>(bake_material_count) + static_cast<MaterialCode>(kind);
 }
+/// What barriers are made of comes behind the kinds of ground.
+constexpr MaterialCode to_code(barriers::BarrierMaterial material) {
+  return static_cast<MaterialCode>(bake_material_count + ground_cover::ground_kind_count) +
+         static_cast<MaterialCode>(material);
+}
 /// Returns the kind of ground of a material; none where it is of another kind.
 std::optional<ground_cover::GroundKind> to_ground_kind(MaterialCode code);
 /// Returns a code's material without the colour that a model gives it, and without its skin.
@@ -66,8 +72,8 @@ bool is_of_kind(MaterialCode code, BakeMaterial kind);
 /// "roof", "roof #804000" and "roof tiles 2" are roofs.
 bool is_of_kind(std::string_view name, std::string_view kind);
 
-/// The materials of a scene: those of the table, and one for each kind of ground, each skin and
-/// each colour, added when it is first used.
+/// The materials of a scene: those of the table, and one for each kind of ground, each material of
+/// barriers, each skin and each colour, added when it is first used.
 class MaterialTable {
  public:
   /// Adds bake_materials() to `writer`, in order.
@@ -81,12 +87,12 @@ class MaterialTable {
   std::uint32_t find_coloured(MaterialCode code);
 
   SceneWriter& writer_;
-  std::map<MaterialCode, std::uint32_t> plain_;  // kinds of ground, and skins
+  std::map<MaterialCode, std::uint32_t> plain_;  // all without a colour but those of the table
   std::map<MaterialCode, std::uint32_t> coloured_;
 };
 
 /// The kind of scene node that a surface belongs to: surfaces of one kind share a node in a tile.
-enum class NodeKind : std::uint8_t { city, terrain, road };
+enum class NodeKind : std::uint8_t { city, terrain, road, barrier };
 const char* name_of(NodeKind kind);
 
 struct SurfaceUse {

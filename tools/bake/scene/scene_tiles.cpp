@@ -61,6 +61,15 @@ void SceneTiles::add_ground(const mesh::TriangleMesh& mesh) {
   add_mesh(tiles_, mesh, city::ObjectType::relief, no_id);
 }
 
+void SceneTiles::add_barrier(std::span<const barriers::Corners> surface,
+                             barriers::BarrierMaterial material) {
+  std::vector<TileStore::Triangle> triangles;
+  for (const barriers::Corners& corners : surface)
+    triangles.push_back(
+        {{corners[0], corners[1], corners[2]}, to_code(material), NodeKind::barrier});
+  tiles_.add(triangles, no_id);
+}
+
 glm::dvec2 SceneTiles::middle() {
   std::vector<double> eastings, northings;
   for (const TileKey& key : tiles_.tiles()) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 
 #include "formats/scene_writer.h"
@@ -16,6 +17,7 @@
 #include "tools/bake/scene/materials.h"
 #include "tools/bake/scene/skin_buildings.h"
 #include "tools/bake/scene/tile_store.h"
+#include "tools/barriers/barrier_shape.h"
 
 namespace nightcity::bake {
 
@@ -39,6 +41,9 @@ class SceneTiles final : public CityConsumer {
   Turn prepare(const std::shared_ptr<const PreparedObject>& prepared) override;
   /// Adds ground that belongs to no object. E, N, H in metres.
   void add_ground(const mesh::TriangleMesh& mesh);
+
+  /// Adds a surface of a barrier: E, N, H in metres.
+  void add_barrier(std::span<const barriers::Corners> surface, barriers::BarrierMaterial material);
 
   /// Puts the objects that were published without heights onto the ground.
   void drape(const place::HeightAt& height_at) { report_.draped = drape_.drape(height_at, tiles_); }

@@ -1,0 +1,184 @@
+#include "tools/barriers/find_barriers.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "tools/ground_cover/street_areas.h"
+
+namespace nightcity::barriers {
+namespace {
+
+// Degrees stand for metres here; the ground rises eastwards within 500 m, and a house of 20 m
+// stands at the origin.
+const place::LonLatToFrame as_metres = [](const glm::dvec2& p) { return p; };
+const place::HeightAt ground = [](const glm::dvec2& p) {
+  return std::max(std::abs(p.x), std::abs(p.y)) <= 500 ? std::optional(p.x / 10) : std::nullopt;
+};
+const place::InsideBuilding house = [](const glm::dvec2& p) {
+  return std::max(std::abs(p.x), std::abs(p.y)) < 10;
+};
+constexpr ground_cover::Box bounds{{-500, -500}, {500, 500}};
+
+osm::OsmWay way(std::vector<glm::dvec2> line, osm::OsmTags tags) {
+  return {1, std::move(line), std::move(tags)};
+}
+
+osm::OsmWay wall(std::vector<glm::dvec2> line) {
+  return way(std::move(line), {{"barrier", "wall"}});
+}
+
+BarrierSet find(const osm::OsmData& map) {
+  ground_cover::Cover cover;
+  ground_cover::add_streets(map.highways, as_metres, bounds, cover);
+  cover.finish();
+  BarrierSet set = find_barriers(map, cover, bounds, as_metres, ground, house);
+  // What is mapped is built or left out, and what is built lies in the lines.
+  double mapped_m = 0, built_m = 0, left_out_m = 0, lines_m = 0;
+  for (const auto& [name, kind] : set.report.kinds)
+    mapped_m += kind.mapped_m, built_m += kind.built_m;
+  for (const auto& [reason, m] : set.report.left_out_m) left_out_m += m;
+  EXPECT_NEAR(mapped_m, built_m + left_out_m, 1e-9 * mapped_m + 1e-6);
+  for (const BarrierLine& line : set.lines) {
+    const std::size_t n = line.points.size();
+    for (std::size_t i = 0; i + (line.closed ? 0 : 1) < n; ++i)
+      lines_m += glm::distance(glm::dvec2(line.points[i]), glm::dvec2(line.points[(i + 1) % n]));
+  }
+  if (set.areas.empty()) {
+    EXPECT_NEAR(lines_m, built_m, 1e-6 * (1 + built_m));
+  }
+  return set;
+}
+
+TEST(FindBarriers, AWallStandsOnTheGroundAlongItsWay) {
+  osm::OsmData map;
+  map.barriers = {wall({{100, 100}, {160, 100}, {160, 130}})};
+  const BarrierSet set = find(map);
+  ASSERT_EQ(set.lines.size(), 1u);
+  EXPECT_NEAR(set.report.kinds.at("wall").built_m, 90, 1e-9);
+  EXPECT_TRUE(set.report.left_out_m.empty());
+  for (const glm::dvec3& p : set.lines[0].points) EXPECT_NEAR(p.z, p.x / 10, 1e-9);
+  for (std::size_t i = 1; i < set.lines[0].points.size(); ++i)
+    EXPECT_LE(glm::distance(set.lines[0].points[i - 1], set.lines[0].points[i]), 10.1);
+}
+
+TEST(FindBarriers, AClosedWallIsOneRing) {
+  osm::OsmData map;
+  map.barriers = {wall({{100, 100}, {160, 100}, {160, 130}, {100, 100}})};
+  const BarrierSet set = find(map);
+  ASSERT_EQ(set.lines.size(), 1u);
+  EXPECT_TRUE(set.lines[0].closed);
+}
+
+TEST(FindBarriers, ARingThatIsOpenSomewhereIsOneLine) {
+  osm::OsmData map;
+  map.barriers = {wall({{100, 100}, {160, 100}, {160, 130}, {130, 130}, {100, 100}})};
+  map.gates = {{{160, 130}, {{"barrier", "gate"}, {"width", "4"}}}};
+  const BarrierSet set = find(map);
+  ASSERT_EQ(set.lines.size(), 1u) << "it goes on across the way's first point";
+  EXPECT_FALSE(set.lines[0].closed);
+  EXPECT_NEAR(set.report.left_out_m.at("open at gates and paths"), 4, 1e-9);
+}
+
+TEST(FindBarriers, GatesAndPathsAreOpenAsWideAsTheyAre) {
+  const auto open_m = [](osm::OsmTags gate, const char* highway) {
+    osm::OsmData map;
+    map.barriers = {wall({{100, 100}, {150, 100}, {200, 100}})};
+    if (!gate.empty()) map.gates = {{{150, 100}, std::move(gate)}};
+    if (highway) map.highways = {way({{150, 80}, {150, 100}, {150, 120}}, {{"highway", highway}})};
+    const BarrierSet set = find(map);
+    const auto& left_out = set.report.left_out_m;
+    return left_out.contains("open at gates and paths") ? left_out.at("open at gates and paths")
+                                                        : 0.0;
+  };
+  EXPECT_EQ(open_m({}, nullptr), 0);
+  EXPECT_NEAR(open_m({{"barrier", "gate"}}, nullptr), 0.9, 1e-9);
+  EXPECT_NEAR(open_m({{"barrier", "lift_gate"}}, nullptr), 3, 1e-9);
+  EXPECT_NEAR(open_m({{"barrier", "gate"}, {"width", "2.5"}}, nullptr), 2.5, 1e-9);
+  EXPECT_NEAR(open_m({{"barrier", "gate"}, {"width", "1e9"}}, nullptr), 0.9, 1e-9);
+  EXPECT_NEAR(open_m({}, "footway"), 2.5, 1e-9);
+  EXPECT_NEAR(open_m({{"barrier", "gate"}}, "footway"), 2.5, 1e-9);
+  EXPECT_NEAR(open_m({{"barrier", "gate"}, {"maxwidth", "1.5"}}, "footway"), 1.5, 1e-9);
+}
+
+TEST(FindBarriers, CarriagewaysAndBuildingsStayFree) {
+  osm::OsmData map;
+  map.highways = {way({{200, -400}, {200, 400}}, {{"highway", "residential"}})};  // 5.5 m wide
+  map.barriers = {wall({{100, 100}, {300, 100}}), wall({{-50, 0}, {50, 0}})};
+  const BarrierSet set = find(map);
+  EXPECT_NEAR(set.report.left_out_m.at("on a carriageway"), 5.5, 0.51);
+  EXPECT_NEAR(set.report.left_out_m.at("in a building"), 20, 0.51);
+  EXPECT_EQ(set.lines.size(), 4u);
+}
+
+TEST(FindBarriers, OfBarriersAlongOneLineTheMostSolidStands) {
+  osm::OsmData map;
+  map.barriers = {way({{100, 100}, {150, 100}, {200, 100}}, {{"barrier", "fence"}}),
+                  wall({{150, 100}, {100, 100}})};
+  const BarrierSet set = find(map);
+  EXPECT_NEAR(set.report.kinds.at("wall").built_m, 50, 1e-9);
+  EXPECT_NEAR(set.report.kinds.at("fence").built_m, 50, 1e-9);
+  EXPECT_NEAR(set.report.left_out_m.at("along a barrier that stands there"), 50, 1e-9);
+}
+
+TEST(FindBarriers, AHedgeMayBeAnArea) {
+  osm::OsmData map;
+  const std::vector<glm::dvec2> ring{{100, 100}, {130, 100}, {130, 104}, {100, 104}, {100, 100}};
+  map.barriers = {way(ring, {{"barrier", "hedge"}, {"area", "yes"}})};
+  const BarrierSet set = find(map);
+  ASSERT_EQ(set.areas.size(), 1u);
+  EXPECT_TRUE(set.lines.empty());
+  double m2 = 0;
+  for (const auto& t : set.areas[0].triangles) {
+    const auto& p = set.areas[0].points;
+    m2 += glm::cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]).z / 2;
+  }
+  EXPECT_NEAR(m2, 120, 1e-6);
+
+  map.highways = {way({{115, 50}, {115, 150}}, {{"highway", "residential"}})};
+  const BarrierSet cut = find(map);
+  EXPECT_TRUE(cut.areas.empty()) << "one that a street cuts stands along its outline";
+  EXPECT_GT(cut.lines.size(), 1u);
+}
+
+TEST(FindBarriers, WhatLiesBeyondTheGroundIsCounted) {
+  osm::OsmData map;
+  map.barriers = {wall({{400, 0}, {600, 0}}), wall({{700, 0}, {800, 0}})};
+  const BarrierSet set = find(map);
+  EXPECT_NEAR(set.report.left_out_m.at("beyond the ground"), 200, 1e-6);
+  EXPECT_NEAR(set.report.kinds.at("wall").built_m, 100, 1e-6);
+}
+
+TEST(FindBarriers, AHostileMapEndsWithACount) {
+  const double nan = std::nan("");
+  osm::OsmData map;
+  std::vector<glm::dvec2> star, tangle;
+  for (int i = 0; i < 20'000; ++i) {
+    star.push_back({i % 2 ? 490.0 : -490.0, i % 400 - 200.0 + i * 1e-4});
+    tangle.push_back({150 + 40 * std::sin(7.0 * i), 150 + 40 * std::cos(11.0 * i)});
+  }
+  tangle.push_back(tangle.front());
+  map.barriers = {wall({{-1e9, 20}, {1e9, 21}}),
+                  wall({{nan, nan}, {nan, nan}}),
+                  wall({{30, 30}, {30, 30}}),
+                  wall({}),
+                  wall({{20, 0}, {40, 0}, {20, 0}, {40, 0}, {30, 5}, {30, -5}}),
+                  wall(star),
+                  way(tangle, {{"barrier", "hedge"}, {"area", "yes"}, {"height", "1e9"}}),
+                  way({{50, 50}, {60, 60}}, {{"barrier", std::string(100'000, 'x')}})};
+  const BarrierSet set = find(map);
+  EXPECT_GT(set.report.left_out_m.at("beyond the first 4000 km"), 0);
+  for (const BarrierLine& line : set.lines) EXPECT_LE(line.kind.height_m, 30);
+}
+
+TEST(FindBarriers, TheOrderOfTheMapsWaysOfOneKindDecidesNothing) {
+  osm::OsmData map, turned;
+  map.barriers = {wall({{100, 100}, {150, 100}}), wall({{150, 100}, {150, 200}})};
+  turned.barriers = {map.barriers[1], map.barriers[0]};
+  EXPECT_EQ(find(map).report.left_out_m, find(turned).report.left_out_m);
+  EXPECT_EQ(find(map).lines.size(), find(turned).lines.size());
+}
+
+}  // namespace
+}  // namespace nightcity::barriers

@@ -1,0 +1,263 @@
+#include "tools/barriers/find_barriers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "formats/error.h"
+#include "tools/barriers/measured_way.h"
+#include "tools/barriers/openings.h"
+#include "tools/ground_cover/way_line.h"
+#include "tools/mesh/partition.h"
+
+namespace nightcity::barriers {
+namespace {
+
+using ground_cover::Box;
+
+// Places are asked this far apart: half of what a person passes.
+constexpr double step_m = 0.5;
+// Ground between the points of a 10 m grid is flat enough (as for draped streets).
+constexpr double max_edge_m = 10;
+
+const char* const in_building = "in a building";
+const char* const on_carriageway = "on a carriageway";
+const char* const beyond_ground = "beyond the ground";
+const char* const opening = "open at gates and paths";
+const char* const drawn_twice = "along a barrier that stands there";
+const char* const too_long = "beyond the first 4000 km";
+
+class Builder {
+ public:
+  Builder(const osm::OsmData& map, const ground_cover::Cover& cover, const Box& bounds,
+          const place::LonLatToFrame& to_frame, const place::HeightAt& height_at,
+          const place::InsideBuilding& inside)
+      : openings_(map),
+        cover_(cover),
+        bounds_(bounds),
+        to_frame_(to_frame),
+        height_at_(height_at),
+        inside_(inside) {}
+
+  void add(const osm::OsmWay& way) {
+    const MeasuredWay line = measure(way, to_frame_, openings_);
+    const char* reason = nullptr;
+    const auto design = read_design(way.tags, reason);
+    kind_ = &find_kind(ground_cover::tag_of(way.tags, "barrier"));
+    ++kind_->ways;
+    kind_->mapped_m += line.length_m();
+    if (!design) return leave_out(reason, line.length_m());
+    count_assumed(*design);
+    design_ = design->kind;
+    const bool is_area = ground_cover::tag_of(way.tags, "area") == "yes";
+    if (!is_area || !line.is_closed() || design_.width_m == 0 || !add_area(line)) add_line(line);
+  }
+
+  BarrierSet take() { return std::move(set_); }
+
+ private:
+  BarrierReport::Kind& find_kind(const std::string& value) {
+    static const std::set<std::string> others{"kerb", "bollard",  "chain", "handrail",
+                                              "gate", "entrance", "yes"};
+    const auto rows = barrier_kinds();
+    const bool known =
+        others.contains(value) ||
+        std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.value == value; });
+    return set_.report.kinds[known ? value : "other"];
+  }
+
+  void count_assumed(const BarrierDesign& design) {
+    auto& assumed = set_.report.assumed;
+    if (design.assumed_height) ++assumed["height"];
+    if (design.assumed_width) ++assumed["width"];
+    if (design.assumed_material) ++assumed["material"];
+  }
+
+  void leave_out(const char* reason, double length_m) {
+    if (length_m > 0) set_.report.left_out_m[reason] += length_m;
+  }
+
+  // Returns why no barrier can stand at a place; null where one can.
+  const char* find_obstacle(const glm::dvec2& place) const {
+    if (inside_ && inside_(place)) return in_building;
+    if (const auto* surface = cover_.surface_at(place); surface && surface->marked)
+      return on_carriageway;
+    return height_at_(place) ? nullptr : beyond_ground;
+  }
+
+  // Returns whether another barrier stands along the segment, and remembers it.
+  bool is_taken(const glm::dvec2& a, const glm::dvec2& b) {
+    const auto to_mm = [](const glm::dvec2& p) {
+      return std::pair(std::round(p.x * 1000), std::round(p.y * 1000));
+    };
+    return !segments_.insert(std::minmax(to_mm(a), to_mm(b))).second;
+  }
+
+  void add_line(const MeasuredWay& line) {
+    const std::size_t first_run = set_.lines.size();
+    set_.report.openings += line.openings_m.size();
+    for (std::size_t i = 0; i + 1 < line.points.size(); ++i) add_segment(line, i);
+    end_run();
+    if (line.is_closed()) close(first_run, line);
+  }
+
+  void add_segment(const MeasuredWay& line, std::size_t i) {
+    const glm::dvec2 &a = line.points[i], &b = line.points[i + 1];
+    const double length_m = line.at_m[i + 1] - line.at_m[i];
+    if (!(length_m > 0)) return;
+    const auto within = clip_segment(a, b, bounds_);
+    const char* reason = nullptr;
+    if (!within)
+      reason = beyond_ground;
+    else if (is_taken(a, b))
+      reason = drawn_twice;
+    else if (length_m_ >= max_length_m)
+      reason = too_long;
+    if (reason) {
+      end_run();
+      return leave_out(reason, length_m);
+    }
+    const double from_m = within->first * length_m, to_m = within->second * length_m;
+    leave_out(beyond_ground, length_m - (to_m - from_m));
+    if (from_m > 0) end_run();
+    length_m_ += to_m - from_m;
+    const std::vector<double> cuts = line.find_cuts(i, from_m, to_m, step_m);
+    for (std::size_t n = 0; n + 1 < cuts.size(); ++n) {
+      const double middle = (cuts[n] + cuts[n + 1]) / 2;
+      const auto at = [&](double s) { return glm::mix(a, b, s / length_m); };
+      const char* obstacle =
+          line.is_open_at(line.at_m[i] + middle) ? opening : find_obstacle(at(middle));
+      if (obstacle) {
+        end_run();
+        leave_out(obstacle, cuts[n + 1] - cuts[n]);
+        continue;
+      }
+      extend_run(at(cuts[n]), at(cuts[n + 1]), n + 2 == cuts.size());
+      kind_->built_m += cuts[n + 1] - cuts[n];
+    }
+    if (to_m < length_m) end_run();
+  }
+
+  void extend_run(const glm::dvec2& from, const glm::dvec2& to, bool is_corner) {
+    if (run_.empty()) run_.push_back(from);
+    run_end_ = to;
+    if (is_corner || glm::distance(run_.back(), to) > max_edge_m - step_m) run_.push_back(to);
+  }
+
+  void end_run() {
+    if (run_.empty()) return;
+    if (run_.back() != run_end_) run_.push_back(run_end_);
+    if (auto points = put_on_ground(run_); points.size() > 1)
+      set_.lines.push_back({design_, std::move(points)});
+    run_.clear();
+  }
+
+  // Joins the first and the last run of a closed way, which is cut at its first point.
+  void close(std::size_t first_run, const MeasuredWay& line) {
+    if (set_.lines.size() <= first_run) return;
+    BarrierLine &first = set_.lines[first_run], &last = set_.lines.back();
+    const glm::dvec2& seam = line.points.front();
+    if (glm::dvec2(first.points.front()) != seam || glm::dvec2(last.points.back()) != seam) return;
+    if (&first == &last) {
+      first.closed = first.points.size() > 3;
+      if (first.closed) first.points.pop_back();
+      return;
+    }
+    last.points.insert(last.points.end(), first.points.begin() + 1, first.points.end());
+    set_.lines.erase(set_.lines.begin() + static_cast<std::ptrdiff_t>(first_run));
+  }
+
+  // An end that lies beyond the ground or on a kerb has the height of its neighbour.
+  std::vector<glm::dvec3> put_on_ground(const std::vector<glm::dvec2>& places) const {
+    std::vector<std::optional<double>> heights;
+    for (const glm::dvec2& p : places) heights.push_back(height_at_(p));
+    std::optional<double> known;
+    for (const auto& height : heights)
+      if (height && !known) known = height;
+    std::vector<glm::dvec3> points;
+    for (std::size_t i = 0; i < places.size() && known; ++i) {
+      known = heights[i] ? heights[i] : known;
+      points.emplace_back(places[i], *known);
+    }
+    return points;
+  }
+
+  // Adds an area whose outline is free all along; returns whether it was.
+  bool add_area(const MeasuredWay& line) {
+    std::vector<glm::dvec2> ring;
+    if (line.length_m() > max_area_outline_m) return false;
+    for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
+      const glm::dvec2 &a = line.points[i], &b = line.points[i + 1];
+      if (!bounds_.holds(a)) return false;
+      const double steps = std::max(1.0, std::ceil(glm::distance(a, b) / step_m));
+      for (double k = 0; k < steps; ++k) {
+        const glm::dvec2 p = glm::mix(a, b, k / steps);
+        if (find_obstacle(p)) return false;
+        if (k == 0 || glm::distance(ring.back(), p) > max_edge_m - step_m) ring.push_back(p);
+      }
+    }
+    BarrierArea area{design_, {}, {}};
+    if (!fill(ring, area)) return false;
+    set_.areas.push_back(std::move(area));
+    ++set_.report.areas;
+    kind_->built_m += line.length_m();
+    length_m_ += line.length_m();
+    return true;
+  }
+
+  bool fill(const std::vector<glm::dvec2>& ring, BarrierArea& area) const {
+    const mesh::PlaneLayer layer{{{ring}, 0}};
+    try {
+      const mesh::PlanePartition plan = mesh::partition({&layer, 1});
+      area.points = put_on_ground(plan.points);
+      for (const auto& triangle : plan.triangles) area.triangles.push_back(triangle.vertex);
+    } catch (const Error&) {  // its outline crosses itself too often
+      return false;
+    }
+    return !area.triangles.empty() && !area.points.empty();
+  }
+
+  static constexpr double max_area_outline_m = 10'000;
+
+  Openings openings_;
+  const ground_cover::Cover& cover_;
+  const Box& bounds_;
+  const place::LonLatToFrame& to_frame_;
+  const place::HeightAt& height_at_;
+  const place::InsideBuilding& inside_;
+  BarrierSet set_;
+  BarrierReport::Kind* kind_ = nullptr;  // of the present way
+  BarrierKind design_{};                 // of the present way
+  std::vector<glm::dvec2> run_;
+  glm::dvec2 run_end_{0};
+  double length_m_ = 0;  // that was looked at
+  using Place = std::pair<double, double>;
+  std::set<std::pair<Place, Place>> segments_;
+};
+
+}  // namespace
+
+BarrierSet find_barriers(const osm::OsmData& map, const ground_cover::Cover& cover,
+                         const ground_cover::Box& bounds, const place::LonLatToFrame& to_frame,
+                         const place::HeightAt& height_at, const place::InsideBuilding& inside) {
+  std::vector<const osm::OsmWay*> ways;
+  for (const osm::OsmWay& way : map.barriers) ways.push_back(&way);
+  const auto order_of = [](const osm::OsmWay* way) {
+    const auto kinds = barrier_kinds();
+    const std::string value = ground_cover::tag_of(way->tags, "barrier");
+    return std::find_if(kinds.begin(), kinds.end(),
+                        [&](const BarrierKind& kind) { return kind.value == value; }) -
+           kinds.begin();
+  };
+  std::stable_sort(ways.begin(), ways.end(),
+                   [&](const auto* a, const auto* b) { return order_of(a) < order_of(b); });
+  Builder builder(map, cover, bounds, to_frame, height_at, inside);
+  for (const osm::OsmWay* way : ways) builder.add(*way);
+  return builder.take();
+}
+
+}  // namespace nightcity::barriers

@@ -1,0 +1,38 @@
+// A barrier's way in the city's frame, with lengths along it.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "tools/barriers/openings.h"
+#include "tools/ground_cover/box_index.h"
+#include "tools/osm/osm_data.h"
+#include "tools/place/site.h"
+
+namespace nightcity::barriers {
+
+struct MeasuredWay {
+  std::vector<glm::dvec2> points;                     // E, N, m; finite
+  std::vector<double> at_m;                           // of each point, from the first
+  std::vector<std::pair<double, double>> openings_m;  // from, to; in order, apart from each other
+
+  double length_m() const { return at_m.empty() ? 0 : at_m.back(); }
+  bool is_closed() const { return points.size() > 3 && points.front() == points.back(); }
+  bool is_open_at(double s_m) const;
+  /// Returns lengths along a segment from `from_m` to `to_m`, in order, `step_m` apart or less, and
+  /// the edges of openings among them. They count from the segment's start.
+  std::vector<double> find_cuts(std::size_t segment, double from_m, double to_m,
+                                double step_m) const;
+};
+
+MeasuredWay measure(const osm::OsmWay& way, const place::LonLatToFrame& to_frame,
+                    const Openings& openings);
+
+/// Returns the part of a segment within a box as shares of its length (Liang, Barsky 1984); none
+/// where they do not meet.
+std::optional<std::pair<double, double>> clip_segment(const glm::dvec2& a, const glm::dvec2& b,
+                                                      const ground_cover::Box& box);
+
+}  // namespace nightcity::barriers
