@@ -34,6 +34,7 @@ CityInputs to_city_inputs(const Recipe& recipe) {
   inputs.ground = recipe.terrain;
   inputs.ground.tile_m = recipe.city.tile_m;
   inputs.cover = recipe.ground;
+  inputs.cover.side = recipe.traffic.options.side;
   return inputs;
 }
 

@@ -189,7 +189,8 @@ class Builder {
   // Adds an area whose outline is free all along; returns whether it was.
   bool add_area(const MeasuredWay& line) {
     std::vector<glm::dvec2> ring;
-    if (line.length_m() > max_area_outline_m) return false;
+    if (line.length_m() > max_area_outline_m || length_m_ >= max_length_m) return false;
+    length_m_ += line.length_m();
     for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
       const glm::dvec2 &a = line.points[i], &b = line.points[i + 1];
       if (!bounds_.holds(a)) return false;
@@ -205,7 +206,6 @@ class Builder {
     set_.areas.push_back(std::move(area));
     ++set_.report.areas;
     kind_->built_m += line.length_m();
-    length_m_ += line.length_m();
     return true;
   }
 

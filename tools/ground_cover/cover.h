@@ -58,6 +58,8 @@ class Cover {
 
   /// Things that were not used, and how often.
   std::map<std::string, std::size_t> left_out;
+  /// Markings, by what they are, and how many.
+  std::map<std::string, std::size_t> markings;
   /// Values that no tag gives, and how often they were assumed.
   std::map<std::string, std::size_t> assumed;
 

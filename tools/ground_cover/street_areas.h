@@ -24,8 +24,10 @@ constexpr double cycle_track_m = 2.0;
 void add_streets(std::span<const osm::OsmWay> ways, const place::LonLatToFrame& to_frame,
                  const Box& bounds, Cover& cover);
 
-/// Adds the bars of crossings and the lines between lanes.
-void add_markings(std::span<const osm::OsmWay> ways, const place::LonLatToFrame& to_frame,
-                  const Box& bounds, Cover& cover);
+/// Adds the bars of crossings, the lines between lanes, and those at which vehicles stop before
+/// `controls`. `on_the_left`: the side of the road that they keep to.
+void add_markings(std::span<const osm::OsmWay> ways, std::span<const osm::OsmPoint> controls,
+                  bool on_the_left, const place::LonLatToFrame& to_frame, const Box& bounds,
+                  Cover& cover);
 
 }  // namespace nightcity::ground_cover

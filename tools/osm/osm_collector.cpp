@@ -47,6 +47,7 @@ void OsmCollector::add_node(std::int64_t id, OsmVersion version, const glm::dvec
   ++nodes_;
   places_.push_back({key, version.rank(), to_steps(lon_lat.x), to_steps(lon_lat.y)});
   if (may_shine(tags)) things_.push_back({{id, false, {lon_lat}, tags}, key, version.rank()});
+  if (is_control(tags)) controls_.push_back({{lon_lat, tags}, key, version.rank()});
   if (is_lamp(tags))
     lamps_.push_back({{id, lon_lat, std::move(tags)}, key, version.rank()});
   else if (is_tree(tags))
@@ -163,6 +164,7 @@ OsmData OsmCollector::finish() && {
   drop_old(pending_, way_states_);
   for (PendingLamp& pending : lamps_) data_.lamps.push_back(std::move(pending.lamp));
   place_points(trees_, data_.trees);
+  place_points(controls_, data_.controls);
   place_points(gates_, data_.gates);
   for (PendingThing& pending : things_) data_.shining_things.push_back(std::move(pending.thing));
   place_ways();

@@ -21,7 +21,7 @@ struct OsmLampNode {
   bool is_inventory = false;  // of a town's inventory and not of the map
 };
 
-/// A node that is a thing of its own: a tree, a gate.
+/// A node that is a thing of its own: a tree, a gate, a sign.
 struct OsmPoint {
   glm::dvec2 lon_lat{0, 0};  // degrees, the very bits that ways through the node have there
   OsmTags tags;
@@ -56,10 +56,11 @@ struct OsmData {
   std::vector<OsmLampNode> lamps;  // street_lamp, lantern, floodlight, tower:type=lighting, ...
   std::vector<OsmWay> highways;
   std::vector<OsmWay> buildings;
-  std::vector<OsmPoint> trees;                  // natural=tree
-  std::vector<OsmWay> tree_rows;                // natural=tree_row
-  std::vector<OsmWay> barriers;                 // barrier=wall, hedge, fence, ...
-  std::vector<OsmPoint> gates;                  // nodes with barrier=gate, entrance, ...
+  std::vector<OsmPoint> trees;     // natural=tree
+  std::vector<OsmWay> tree_rows;   // natural=tree_row
+  std::vector<OsmWay> barriers;    // barrier=wall, hedge, fence, ...
+  std::vector<OsmPoint> controls;  // nodes with highway=stop, give_way, traffic_signals
+  std::vector<OsmPoint> gates;     // nodes with barrier=gate, entrance, ...
   std::vector<OsmShiningThing> shining_things;  // by id, nodes first
   std::size_t nodes = 0, ways = 0, relations = 0;
   std::size_t missing_nodes = 0, bad_coordinates = 0, duplicates = 0;

@@ -37,6 +37,7 @@ constexpr std::array<std::string_view, 8> light_sources = {
     "street_light", "lamp",       "electric_lamp", "gas_lamp"};
 constexpr std::array<std::string_view, 4> masts = {"floodlight", "flood_light", "light_mast",
                                                    "lighting_mast"};
+constexpr std::array<std::string_view, 3> controls = {"stop", "give_way", "traffic_signals"};
 constexpr std::array<std::string_view, 2> pitches = {"pitch", "track"};
 constexpr std::array<std::string_view, 9> churches = {"church", "cathedral", "chapel",
                                                       "mosque", "synagogue", "temple",
@@ -84,6 +85,10 @@ bool may_shine(const OsmTags& tags) {
          (has("historic") || has_one_of(tags, "leisure", pitches) ||
           has_one_of(tags, "building", churches) || value_of(tags, "tourism") == "artwork" ||
           value_of(tags, "amenity") == "place_of_worship");
+}
+
+bool is_control(const OsmTags& tags) {
+  return has_one_of(tags, "highway", controls);
 }
 
 bool is_building(const OsmTags& tags) {

@@ -28,6 +28,8 @@ bool is_gate(const OsmTags& tags);
 /// and things of sports, history, art and religion that have the tag lit=*. Streets are lit by
 /// their lamps and do not count.
 bool may_shine(const OsmTags& tags);
+/// Returns whether a node is a sign or a signal that vehicles stop at.
+bool is_control(const OsmTags& tags);
 /// Returns whether it has building=* but "no".
 bool is_building(const OsmTags& tags);
 

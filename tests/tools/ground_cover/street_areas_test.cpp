@@ -6,6 +6,7 @@
 #include <map>
 
 #include "tools/mesh/partition.h"
+#include "tools/ring_area.h"
 
 namespace nightcity::ground_cover {
 namespace {
@@ -18,10 +19,11 @@ osm::OsmWay way(std::vector<glm::dvec2> line, osm::OsmTags tags) {
   return {1, std::move(line), std::move(tags)};
 }
 
-Cover make_cover(const std::vector<osm::OsmWay>& ways, bool markings = false) {
+Cover make_cover(const std::vector<osm::OsmWay>& ways, bool markings = false,
+                 const std::vector<osm::OsmPoint>& controls = {}, bool on_the_left = false) {
   Cover cover;
   add_streets(ways, as_metres, bounds, cover);
-  if (markings) add_markings(ways, as_metres, bounds, cover);
+  if (markings) add_markings(ways, controls, on_the_left, as_metres, bounds, cover);
   cover.finish();
   return cover;
 }
@@ -139,6 +141,96 @@ TEST(StreetAreas, LanesArePartedByDashes) {
       0u);
 }
 
+// Paint south and north of the middle of a street of two lanes of 3 m that runs eastwards and
+// crosses another at x = 100, and how it lies along it.
+struct Paint {
+  double south_m2 = 0, north_m2 = 0, west_m = 1e9, east_m = -1e9;
+};
+
+Paint find_paint(const osm::OsmPoint& control, osm::OsmTags more = {}, bool on_the_left = false) {
+  more.insert({{"highway", "tertiary"}, {"lane_markings", "no"}});
+  const Cover cover = make_cover({way({{-200, 0}, {80, 0}, {100, 0}, {300, 0}}, std::move(more)),
+                                  way({{100, -100}, {100, 0}, {100, 100}},
+                                      {{"highway", "tertiary"}, {"lane_markings", "no"}})},
+                                 true, {control}, on_the_left);
+  const CoverPart part = cover.find_part(bounds, {0, 0});
+  Paint paint;
+  for (const mesh::PlaneArea& area : part.markings)
+    for (const Ring& ring : area.rings) {
+      const double m2 = std::abs(signed_area(ring));
+      glm::dvec2 middle(0);
+      for (const glm::dvec2& p : ring) {
+        middle += p / static_cast<double>(ring.size());
+        paint.west_m = std::min(paint.west_m, p.x);
+        paint.east_m = std::max(paint.east_m, p.x);
+      }
+      (middle.y < 0 ? paint.south_m2 : paint.north_m2) += m2;
+    }
+  return paint;
+}
+
+osm::OsmPoint stop(osm::OsmTags more = {}) {
+  more.insert({"highway", "stop"});
+  return {{80, 0}, std::move(more)};
+}
+
+TEST(StreetAreas, AStopLineLiesAcrossTheLanesThatFaceTheJunction) {
+  const Paint right = find_paint(stop()), left = find_paint(stop(), {}, true);
+  EXPECT_NEAR(right.south_m2, 3 * 0.5, 0.02);
+  EXPECT_EQ(right.north_m2, 0);
+  EXPECT_NEAR(right.west_m, 79.5, 0.01);
+  EXPECT_NEAR(right.east_m, 80, 0.01);
+  EXPECT_NEAR(left.north_m2, 3 * 0.5, 0.02);
+  EXPECT_EQ(left.south_m2, 0);
+}
+
+TEST(StreetAreas, TheTagDirectionDecidesWhichLanesAStopLineIsFor) {
+  const Paint back = find_paint(stop({{"direction", "backward"}}));
+  EXPECT_NEAR(back.north_m2, 3 * 0.5, 0.02);
+  EXPECT_EQ(back.south_m2, 0);
+  EXPECT_NEAR(back.west_m, 80, 0.01);
+  const Paint both = find_paint(stop({{"direction", "both"}}));
+  EXPECT_NEAR(both.north_m2 + both.south_m2, 2 * 3 * 0.5, 0.02);
+  const Paint signal = find_paint(
+      {{80, 0}, {{"highway", "traffic_signals"}, {"traffic_signals:direction", "forward"}}});
+  EXPECT_NEAR(signal.south_m2, 3 * 0.5, 0.02);
+}
+
+TEST(StreetAreas, AOneWayStreetHasItsStopLineFromKerbToKerb) {
+  const Paint paint = find_paint(stop(), {{"oneway", "yes"}, {"lanes", "2"}});
+  EXPECT_NEAR(paint.south_m2 + paint.north_m2, 6 * 0.5, 0.02);
+}
+
+TEST(StreetAreas, ALineAtWhichToGiveWayIsBroken) {
+  const Paint paint = find_paint({{80, 0}, {{"highway", "give_way"}}});
+  EXPECT_NEAR(paint.south_m2, 4 * 0.5 * 0.5, 0.02);  // 3 m hold four dashes
+}
+
+TEST(StreetAreas, AStopLineLiesBeforeTheCrossingOfItsSignal) {
+  const Paint paint = find_paint({{80, 0},
+                                  {{"highway", "traffic_signals"},
+                                   {"crossing", "traffic_signals"},
+                                   {"direction", "forward"}}});
+  EXPECT_NEAR(paint.east_m, 80 - 3, 0.01);  // half a crossing of 4 m, and 1 m
+}
+
+TEST(StreetAreas, StopLinesThatNothingPlacesAreCounted) {
+  const auto left_out = [](const osm::OsmPoint& control) {
+    return make_cover({way({{-200, 0}, {0, 0}, {200, 0}}, {{"highway", "residential"}}),
+                       way({{0, -200}, {0, 0}, {0, 200}}, {{"highway", "residential"}}),
+                       way({{-200, 90}, {0, 90}, {200, 90}}, {{"highway", "residential"}})},
+                      true, {control});
+  };
+  EXPECT_EQ(left_out({{0, 0}, {{"highway", "traffic_signals"}}})
+                .left_out.at("stop line of a sign in the middle of a junction"),
+            2u);
+  EXPECT_EQ(left_out({{0, 90}, {{"highway", "stop"}}})
+                .left_out.at("stop line whose direction nothing says"),
+            1u);
+  EXPECT_EQ(left_out({{0, 90}, {{"highway", "traffic_signals"}}}).markings.at("stop line"), 2u)
+      << "a signal away from junctions is for people who cross";
+}
+
 TEST(StreetAreas, HostileWaysEndWithACount) {
   const double nan = std::nan("");
   const Cover cover = make_cover(
@@ -146,7 +238,7 @@ TEST(StreetAreas, HostileWaysEndWithACount) {
        way({{0, 0}, {0, 0}}, {{"highway", "primary"}}),
        way({{-1e9, 0}, {1e9, 0}, {0, 1e9}}, {{"highway", "primary"}, {"sidewalk", "no"}}),
        way({{0, 0}, {10, 0}, {0, 0}, {10, 0}, {5, 5}, {5, -5}}, {{"highway", "footway"}})},
-      true);
+      true, {{{nan, nan}, {{"highway", "stop"}}}, {{0, 0}, {{"highway", "stop"}}}});
   EXPECT_GE(cover.left_out.size(), 1u);
   areas_of(cover, middle);
 }

@@ -95,6 +95,18 @@ TEST_F(OsmFile, BarriersComeWithTheirGatesAtTheVeryPlacesOfTheirNodes) {
   EXPECT_EQ(data.buildings.size(), 1u);
 }
 
+TEST_F(OsmFile, SignsAndSignalsOfStreetsComeWithTheirTags) {
+  const OsmData data = read(R"(
+    <node id="1" lat="52.5" lon="13.4"><tag k="highway" v="stop"/></node>
+    <node id="2" lat="52.6" lon="13.4"><tag k="highway" v="crossing;traffic_signals"/></node>
+    <node id="3" lat="52.7" lon="13.4"><tag k="highway" v="give_way"/>
+      <tag k="direction" v="backward"/></node>
+    <node id="4" lat="52.7" lon="13.5"><tag k="highway" v="crossing"/></node>)");
+  ASSERT_EQ(data.controls.size(), 3u);
+  EXPECT_EQ(data.controls[2].tags.at("direction"), "backward");
+  EXPECT_TRUE(data.lamps.empty());
+}
+
 TEST_F(OsmFile, LampsHighwaysAndBuildingsComeWithTagsAndPlaces) {
   const OsmData data = read(R"(
     <node id="1" lat="52.5" lon="13.4"><tag k="highway" v="street_lamp"/><tag k="lamp_type" v="LED"/></node>

@@ -20,6 +20,7 @@
 #include "tools/osm/map_areas.h"
 #include "tools/osm/read_osm.h"
 #include "tools/streets/street_ways.h"
+#include "tools/traffic/country.h"
 
 namespace nightcity::bake {
 namespace {
@@ -169,6 +170,12 @@ void City::add_land(const ground_cover::Box& bounds) {
   }
 }
 
+bool City::drives_on_the_left() const {
+  const auto& side = inputs_.cover.side;
+  const glm::dvec2 place = frame().to_lon_lat(glm::dvec2(frames_->reference()));
+  return side.value_or(traffic::country_at(place).side) == traffic::Side::left;
+}
+
 void City::lay_cover(const GroundReport& ground) {
   const auto box = terrain_.extent();
   if (!ground.shown || !box || !frame().has_lon_lat()) return;
@@ -176,7 +183,9 @@ void City::lay_cover(const GroundReport& ground) {
   const place::LonLatToFrame to_plan = to_frame();
   if (inputs_.cover.streets && !ground.has_roads) {
     ground_cover::add_streets(map_.highways, to_plan, bounds, cover_);
-    if (inputs_.cover.markings) ground_cover::add_markings(map_.highways, to_plan, bounds, cover_);
+    if (inputs_.cover.markings)
+      ground_cover::add_markings(map_.highways, map_.controls, drives_on_the_left(), to_plan,
+                                 bounds, cover_);
   }
   if (inputs_.cover.land && !ground.has_land) add_land(bounds);
   cover_.finish();

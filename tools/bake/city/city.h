@@ -99,6 +99,7 @@ class City {
   static std::optional<MapFrame> find_map_frame(const osm::OsmData& map);
   void fill_gaps(std::initializer_list<CityConsumer*> consumers);
   void add_land(const ground_cover::Box& bounds);
+  bool drives_on_the_left() const;
   void lay_cover(const GroundReport& ground);
   void add_inventory_licences(std::vector<std::string>& licences) const;
 

@@ -2,16 +2,20 @@
 // the model lacks.
 #pragma once
 
+#include <optional>
+
+#include "tools/traffic/country.h"
 #include "tools/trees/tree.h"
 
 namespace nightcity::bake {
 
 struct CoverOptions {
-  bool streets = true;   // of the map, where the model has no roads
-  bool markings = true;  // on those streets
-  bool land = true;      // of the map, where the model has none
-  bool gaps = true;      // buildings of the map, where the model has none
-  bool barriers = true;  // of the map
+  bool streets = true;                  // of the map, where the model has no roads
+  bool markings = true;                 // on those streets
+  std::optional<traffic::Side> side{};  // of the road that vehicles keep to; empty: by country
+  bool land = true;                     // of the map, where the model has none
+  bool gaps = true;                     // buildings of the map, where the model has none
+  bool barriers = true;                 // of the map
   trees::Season trees = trees::Season::summer;
 };
 

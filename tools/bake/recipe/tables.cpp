@@ -90,8 +90,11 @@ Table make_ground_table(bake::CoverOptions& ground) {
                 "counted; bridges lie on the ground."),
        flag_key("markings", ground.markings,
                 "With `streets`: paint on carriageways. Bars where `crossing` or "
-                "`crossing:markings` says that a way is a marked crossing, and lines between "
-                "lanes of roads that have some."),
+                "`crossing:markings` says that a way is a marked crossing, lines between lanes of "
+                "roads that have some, and lines across the lanes that face a node with "
+                "`highway=stop`, `give_way` or `traffic_signals`: as `direction` or "
+                "`traffic_signals:direction` says, else towards the nearest junction. Vehicles "
+                "keep to the side that `[traffic] side` or the country says."),
        flag_key("land", ground.land,
                 "Land, where the city model has neither land use nor water of its own: areas of "
                 "`natural`, `landuse`, `leisure`, `waterway`, `amenity`, `area:highway` and the "

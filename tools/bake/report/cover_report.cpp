@@ -36,6 +36,7 @@ nlohmann::json to_json(const CoverReport& report, const SceneTilesReport& tiles)
           {"bare_m2", std::round(10 * tiles.bare_m2) / 10},
           {"triangles_added", tiles.cover_triangles},
           {"tiles_left_bare", tiles.uncovered_tiles},
+          {"markings", report.markings},
           {"left_out", report.left_out},
           {"assumed", report.assumed}};
 }
@@ -51,6 +52,7 @@ std::string to_text(const CoverReport& report, const SceneTilesReport& tiles) {
   text = report_line("ground",
                      fmt::format("{} areas of the map, in m2: {}; {} triangles more", report.areas,
                                  text.empty() ? "none" : text, tiles.cover_triangles));
+  if (!report.markings.empty()) text += report_line("", "painted: " + in_words(report.markings));
   if (!report.assumed.empty()) text += report_line("", "assumed: " + in_words(report.assumed));
   if (!report.left_out.empty()) text += report_line("", "left out: " + in_words(report.left_out));
   if (tiles.uncovered_tiles > 0)
