@@ -20,7 +20,7 @@ class StopLines {
   StopLines(std::span<const osm::OsmPoint> controls, const Junctions& junctions, bool on_the_left,
             Painter& painter);
 
-  /// Adds the lines of a drivable way: across the lanes that face a sign or a signal, as `direction`
+  /// Adds the lines of a drivable way across the lanes that face a sign or a signal: as `direction`
   /// and `traffic_signals:direction` say; else as the way's one direction, else as the junction
   /// that is nearest along it, else, at a signal, on both sides. `line`: the way's points in the
   /// frame.
