@@ -14,7 +14,7 @@ namespace {
 
 constexpr double bucket_m = 16;
 constexpr std::int32_t buckets = 8;         // along each side of a cell
-constexpr std::size_t max_cached = 60'000;  // walls, 32 bytes each
+constexpr std::size_t max_cached = 60'000;  // walls, 36 bytes each
 constexpr double behind_m = 0.05;
 constexpr double looked_through_m = 30;
 constexpr double max_lean = 0.3;
@@ -93,13 +93,15 @@ void WallIndex::add(std::span<const UprightWall> walls, std::uint32_t owner) {
   for (const UprightWall& upright : walls) {
     if (!origin_) origin_ = glm::dvec3(upright.from, upright.low);
     const glm::dvec2 a = upright.from - glm::dvec2(*origin_), b = upright.to - glm::dvec2(*origin_);
+    const glm::dvec2 normal = glm::normalize(upright.normal);
     const Wall wall{static_cast<float>(a.x),
                     static_cast<float>(a.y),
                     static_cast<float>(b.x),
                     static_cast<float>(b.y),
                     static_cast<float>(upright.low - origin_->z),
                     static_cast<float>(upright.high - origin_->z),
-                    static_cast<float>(std::atan2(upright.normal.y, upright.normal.x)),
+                    static_cast<float>(normal.x),
+                    static_cast<float>(normal.y),
                     owner};
     const auto cell = [](float v) { return cell_of(bucket_of(static_cast<double>(v))); };
     for (std::int32_t x = cell(std::min(wall.ax, wall.bx)); x <= cell(std::max(wall.ax, wall.bx));
@@ -111,51 +113,54 @@ void WallIndex::add(std::span<const UprightWall> walls, std::uint32_t owner) {
 }
 
 template <class Visit>
-void WallIndex::crossings(const glm::dvec3& local, const glm::dvec2& from, const glm::dvec2& line,
-                          const Visit& visit) {
-  const glm::dvec2 to = from + line;
+bool WallIndex::any_crossing(double height, const glm::dvec2& from, const glm::dvec2& line,
+                             LastCell& last, const Visit& visit) {
+  const glm::dvec2 to = from + line, direction = glm::normalize(line);
   const glm::dvec2 low = glm::min(from, to), high = glm::max(from, to);
-  std::optional<CellKey> at;
-  std::shared_ptr<const Loaded> cell;
-  for (std::int32_t x = bucket_of(low.x); x <= bucket_of(high.x); ++x)
-    for (std::int32_t y = bucket_of(low.y); y <= bucket_of(high.y); ++y) {
+  const std::int32_t right = bucket_of(high.x), top = bucket_of(high.y);
+  for (std::int32_t x = bucket_of(low.x); x <= right; ++x)
+    for (std::int32_t y = bucket_of(low.y); y <= top; ++y) {
       const CellKey key{cell_of(x), cell_of(y)};
-      if (at != key) {
-        cell = cache_->get(key, [&] { return Loaded(cells_.read(key), key); });
-        at = key;
-      }
+      if (!last.cell || last.key != key)
+        last = {key, cache_->get(key, [&] { return Loaded(cells_.read(key), key); })};
+      const Loaded& cell = *last.cell;
       const auto b =
           static_cast<std::size_t>((y - key.row * buckets) * buckets + x - key.column * buckets);
-      for (std::uint32_t i = cell->first[b]; i < cell->first[b + 1]; ++i) {
-        const Wall& wall = cell->walls[cell->inside[i]];
-        if (local.z < wall.low || local.z > wall.high) continue;
+      for (std::uint32_t i = cell.first[b]; i < cell.first[b + 1]; ++i) {
+        const Wall& wall = cell.walls[cell.inside[i]];
+        if (height < wall.low || height > wall.high) continue;
         const glm::dvec2 a(wall.ax, wall.ay), edge = glm::dvec2(wall.bx, wall.by) - a;
         const double denominator = cross(line, edge);
         if (std::abs(denominator) < 1e-9) continue;
-        const double t = cross(a - from, edge) / denominator,
-                     s = cross(a - from, line) / denominator;
-        if (t >= 0 && t <= 1 && s >= 0 && s <= 1)
-          visit(wall, t, std::cos(wall.facing - std::atan2(line.y, line.x)));
+        const double s = cross(a - from, line) / denominator;
+        if (!(s >= 0 && s <= 1)) continue;
+        const double t = cross(a - from, edge) / denominator;
+        if (t >= 0 && t <= 1 &&
+            visit(wall, t, glm::dot(glm::dvec2(wall.east, wall.north), direction)))
+          return true;
       }
     }
+  return false;
 }
 
-bool WallIndex::blocked(const glm::dvec3& p, const glm::dvec3& normal, double reach_m,
-                        std::uint32_t owner) {
+bool WallIndex::blocked(std::span<const glm::dvec3> points, const glm::dvec3& normal,
+                        double reach_m, std::uint32_t owner) {
   if (!origin_) return false;
-  const glm::dvec3 local = p - *origin_;
   const glm::dvec2 forward = glm::normalize(glm::dvec2(normal));
-  bool found = false;
-  crossings(local, glm::dvec2(local) - forward * behind_m, forward * (reach_m + behind_m),
-            [&](const Wall& wall, double t, double same_way) {
-              const bool ahead = t * (reach_m + behind_m) > 2 * behind_m;
-              // Skip the window's own facade, at whatever depth the window lies in it. Of another
-              // building only what stands clearly in front of the window counts, because the
-              // facades of a row lie in one plane.
-              const bool facade = same_way > 0.99 && (wall.owner == owner || !ahead);
-              found |= !facade;
-            });
-  return found;
+  // The window's own facade does not block it, at whatever depth the window lies in it. Of another
+  // building only what stands clearly in front of the window counts, because the facades of a row
+  // lie in one plane.
+  const auto blocks = [&](const Wall& wall, double t, double same_way) {
+    const bool ahead = t * (reach_m + behind_m) > 2 * behind_m;
+    const bool facade = same_way > 0.99 && (wall.owner == owner || !ahead);
+    return !facade;
+  };
+  LastCell last;
+  return std::any_of(points.begin(), points.end(), [&](const glm::dvec3& p) {
+    const glm::dvec3 local = p - *origin_;
+    return any_crossing(local.z, glm::dvec2(local) - forward * behind_m,
+                        forward * (reach_m + behind_m), last, blocks);
+  });
 }
 
 bool WallIndex::inside_another(const glm::dvec3& p, const glm::dvec3& normal, std::uint32_t owner) {
@@ -164,17 +169,19 @@ bool WallIndex::inside_another(const glm::dvec3& p, const glm::dvec3& normal, st
   const glm::dvec2 forward = glm::normalize(glm::dvec2(normal)) * looked_through_m;
   double nearest = 2;
   std::optional<std::uint32_t> around;
-  crossings(local, glm::dvec2(local), forward, [&](const Wall& wall, double t, double same_way) {
-    if (wall.owner == owner || t * looked_through_m < 2 * behind_m || t >= nearest) return;
+  const auto find_nearest = [&](const Wall& wall, double t, double same_way) {
+    if (wall.owner == owner || t * looked_through_m < 2 * behind_m || t >= nearest) return false;
     nearest = t;
     around = same_way > 0 ? std::optional(wall.owner) : std::nullopt;
-  });
+    return false;
+  };
+  LastCell last;
+  any_crossing(local.z, glm::dvec2(local), forward, last, find_nearest);
   if (!around) return false;
-  bool behind_too = false;
-  crossings(local, glm::dvec2(local), -forward, [&](const Wall& wall, double, double same_way) {
-    behind_too |= wall.owner == *around && same_way > 0;
-  });
-  return behind_too;
+  const auto is_back = [&](const Wall& wall, double, double same_way) {
+    return wall.owner == *around && same_way > 0;
+  };
+  return any_crossing(local.z, glm::dvec2(local), -forward, last, is_back);
 }
 
 }  // namespace nightcity::lights

@@ -36,11 +36,12 @@ class WallIndex {
   /// Adds walls of the object with the number `owner`.
   void add(std::span<const UprightWall> walls, std::uint32_t owner);
 
-  /// Returns whether a wall crosses the horizontal line along `normal` from 5 cm behind `p` to
-  /// `reach_m` in front of it, at the height of p. The owner's walls that face the same way are the
-  /// window's own facade and do not count; a party wall faces the other way and counts. This and
-  /// inside_another() may be called from many threads once all walls are added.
-  bool blocked(const glm::dvec3& p, const glm::dvec3& normal, double reach_m, std::uint32_t owner);
+  /// Returns whether a wall crosses the horizontal line along `normal` from 5 cm behind one of the
+  /// points to `reach_m` in front of it, at its height. The owner's walls that face the same way are
+  /// the window's own facade and do not count; a party wall faces the other way and counts. This
+  /// and inside_another() may be called from many threads once all walls are added.
+  bool blocked(std::span<const glm::dvec3> points, const glm::dvec3& normal, double reach_m,
+               std::uint32_t owner);
 
   /// Returns whether `p` lies inside an object other than its owner: both the ray along `normal`
   /// and the ray against it first hit the back of a wall of the same object. (A ray over a low eave
@@ -51,7 +52,7 @@ class WallIndex {
   struct Wall {
     float ax, ay, bx, by;  // plan, relative to origin_
     float low, high;
-    float facing;  // angle of the outward normal
+    float east, north;  // of the outward normal in plan, of length 1
     std::uint32_t owner;
   };
   struct CellKey {
@@ -59,11 +60,17 @@ class WallIndex {
     auto operator<=>(const CellKey&) const = default;
   };
   struct Loaded;
-  /// Calls visit(wall, t, same_way) for every wall that crosses the line, at t in [0, 1] along it;
-  /// for some walls more than once.
+  /// The cell that was asked for last, so that lines side by side look for it once.
+  struct LastCell {
+    CellKey key;
+    std::shared_ptr<const Loaded> cell;
+  };
+  /// Calls visit(wall, t, same_way) for walls that cross the line, at t in [0, 1] along it, until it
+  /// returns true, and returns whether it did; for some walls more than once. `same_way`: cosine of
+  /// the angle between the wall's normal and the line.
   template <class Visit>
-  void crossings(const glm::dvec3& local, const glm::dvec2& from, const glm::dvec2& line,
-                 const Visit& visit);
+  bool any_crossing(double height, const glm::dvec2& from, const glm::dvec2& line, LastCell& last,
+                    const Visit& visit);
 
   std::optional<glm::dvec3> origin_;
   CellFile<CellKey, Wall> cells_;

@@ -1,15 +1,16 @@
 #include "tools/lights/windows.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <optional>
 #include <utility>
 
+#include "formats/colour.h"
 #include "formats/rgb9e5.h"
 #include "tools/in_order.h"
-#include "formats/colour.h"
 
 namespace nightcity::lights {
 namespace {
@@ -145,10 +146,12 @@ const char* WindowLayout::fault(const Record& record, const place::HeightAt& gro
   const glm::dvec3 up =
       glm::cross(normal, glm::dvec3(window.along)) * static_cast<double>(window.half_height);
   const glm::dvec3 on_wall = window.centre - normal * before_wall_m;
+  std::array<glm::dvec3, 9> points;
+  auto point = points.begin();
   for (const double x : {0.0, -0.95, 0.95})
-    for (const double y : {0.0, -0.95, 0.95})
-      if (walls_.blocked(on_wall + along * x + up * y, normal, options_.obstacle_m, record.owner))
-        return "something before it";
+    for (const double y : {0.0, -0.95, 0.95}) *point++ = on_wall + along * x + up * y;
+  if (walls_.blocked(points, normal, options_.obstacle_m, record.owner))
+    return "something before it";
   if (walls_.inside_another(on_wall, normal, record.owner) || (inside && inside(window.centre)))
     return "inside another building";
   return nullptr;
