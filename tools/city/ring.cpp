@@ -13,6 +13,12 @@ glm::dvec3 area_vector(const Ring& ring) {
   return 0.5 * sum;
 }
 
+std::size_t count_vertices(const Polygon& polygon) {
+  std::size_t count = polygon.exterior.size();
+  for (const Ring& ring : polygon.interiors) count += ring.size();
+  return count;
+}
+
 bool is_sentinel_height(double z) {
   return z < -9900 || z > 30'000;
 }

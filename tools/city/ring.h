@@ -1,6 +1,7 @@
-// The area of a ring, and heights that are none.
+// The area of a ring, its vertices, and heights that are none.
 #pragma once
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 
 #include "tools/city/city_model.h"
@@ -11,6 +12,9 @@ namespace nightcity::city {
 /// products of successive vertices, taken from the ring's first vertex so that coordinates of 10^7
 /// m lose nothing. Its length is the ring's area when the ring is planar and simple.
 glm::dvec3 area_vector(const Ring& ring);
+
+/// Returns the number of vertices of all rings of a polygon.
+std::size_t count_vertices(const Polygon& polygon);
 
 /// Returns whether a height stands for "none": producers write -9999, -99999, -32768 or -3.4e38, and
 /// blocks that stand on such a height end a little above. No ground is that low in metres or in

@@ -34,12 +34,6 @@ std::size_t count_polygons(const pugi::xml_node& element) {
   return counter.count;
 }
 
-std::size_t count_vertices(const city::Polygon& polygon) {
-  std::size_t count = polygon.exterior.size();
-  for (const city::Ring& ring : polygon.interiors) count += ring.size();
-  return count;
-}
-
 GeometryWalk::Visit GeometryWalk::visit_of(const pugi::xml_node& element,
                                            const GeometryContext& context) {
   return {reinterpret_cast<std::uintptr_t>(element.internal_object()), context.lod};
@@ -161,7 +155,7 @@ void GeometryWalk::add_linked(const std::vector<LinkedPolygon>& linked,
                               const GeometryContext& context) {
   for (const LinkedPolygon& one : linked) {
     if (!linked_.insert({static_cast<std::uintptr_t>(one.number), context.lod}).second) continue;
-    linked_vertices_ += count_vertices(one.polygon);
+    linked_vertices_ += city::count_vertices(one.polygon);
     if (took_too_many()) {
       skipped_.add("polygon: linked, beyond [city] max_linked_vertices");
       continue;

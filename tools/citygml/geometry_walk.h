@@ -25,8 +25,6 @@ namespace nightcity::citygml {
 /// and below.
 std::size_t count_polygons(const pugi::xml_node& element);
 
-std::size_t count_vertices(const city::Polygon& polygon);
-
 /// The properties that elements further up give to the geometry below them.
 struct GeometryContext {
   int lod = -1;

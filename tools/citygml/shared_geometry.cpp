@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "tools/city/ring.h"
 #include "tools/citygml/geometry_walk.h"
 #include "tools/citygml/member_splitter.h"
 #include "tools/citygml/rings.h"
@@ -51,7 +52,7 @@ class Fetcher {
  private:
   void take(const std::string& id, const GeometryWalk& walk, std::vector<city::RawPolygon>&& raws) {
     std::size_t vertices = 0;
-    for (const city::RawPolygon& raw : raws) vertices += count_vertices(raw.polygon);
+    for (const city::RawPolygon& raw : raws) vertices += city::count_vertices(raw.polygon);
     if (walk.took_too_many() || vertices > room_) {
       without_room_.insert(id);
       return;

@@ -25,44 +25,55 @@ std::vector<EdgeUse> find_open_edges(const EdgeTable& edges) {
   return open;
 }
 
-// Returns for each vertex the one that it is moved to: the first of those within reach. Empty where
+// A vertex at an open edge, and the one that it is moved to: itself, or the first within reach.
+struct Join {
+  std::uint32_t from, to;
+};
+
+// Returns the joins of all vertices at open edges, by `from`. Empty where nothing moves, or where
 // the open edges would not pair up by that.
-std::map<std::uint32_t, std::uint32_t> find_joins(const EdgeTable& edges,
-                                                  const std::vector<EdgeUse>& open) {
+std::vector<Join> find_joins(const EdgeTable& edges, const std::vector<EdgeUse>& open) {
   std::vector<std::uint32_t> vertices;
   for (const EdgeUse& use : open) vertices.insert(vertices.end(), {use.low, use.high});
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  std::map<std::uint32_t, std::uint32_t> to;
-  if (vertices.size() > max_open_vertices) return to;
+  if (vertices.size() > max_open_vertices) return {};
+  std::vector<Join> joins;
+  for (const std::uint32_t vertex : vertices) joins.push_back({vertex, vertex});
   bool moved = false;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    if (to.contains(vertices[i])) continue;
-    to[vertices[i]] = vertices[i];
-    for (std::size_t j = i + 1; j < vertices.size(); ++j)
-      if (!to.contains(vertices[j]) &&
-          glm::distance(edges.place(vertices[i]), edges.place(vertices[j])) <= crack_m) {
-        to[vertices[j]] = vertices[i];
+  for (std::size_t i = 0; i < joins.size(); ++i) {
+    if (joins[i].to != joins[i].from) continue;
+    const glm::dvec3& place = edges.place(joins[i].from);
+    for (std::size_t j = i + 1; j < joins.size(); ++j) {
+      const glm::dvec3& other = edges.place(joins[j].from);
+      if (other.x - place.x > crack_m + EdgeTable::one_place_m) break;  // vertices go east
+      if (joins[j].to == joins[j].from && glm::distance(place, other) <= crack_m) {
+        joins[j].to = joins[i].from;
         moved = true;
       }
+    }
   }
+  if (!moved) return {};
+  const auto find_target = [&](std::uint32_t vertex) {
+    const auto before = [](const Join& join, std::uint32_t from) { return join.from < from; };
+    return std::lower_bound(joins.begin(), joins.end(), vertex, before)->to;
+  };
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> uses;
   for (const EdgeUse& use : open) {
-    const auto [a, b] = std::minmax(to.at(use.low), to.at(use.high));
+    const auto [a, b] = std::minmax(find_target(use.low), find_target(use.high));
     if (a != b) ++uses[{a, b}];
   }
   const bool closed =
       std::all_of(uses.begin(), uses.end(), [](const auto& use) { return use.second == 2; });
-  if (!moved || !closed) to.clear();
-  return to;
+  return closed ? joins : std::vector<Join>();
 }
 
-void join(city::CityObject& object, const EdgeTable& edges,
-          const std::map<std::uint32_t, std::uint32_t>& to) {
+void join(city::CityObject& object, const EdgeTable& edges, std::vector<Join> joins) {
+  std::erase_if(joins, [](const Join& one) { return one.from == one.to; });
   const auto move = [&](city::Ring& ring) {
     for (glm::dvec3& p : ring)
-      for (const auto& [from, target] : to)
-        if (from != target && glm::distance(p, edges.place(from)) < 0.002) p = edges.place(target);
+      for (const Join& one : joins)
+        if (glm::distance(p, edges.place(one.from)) < 0.002) p = edges.place(one.to);
   };
   for (city::Polygon& polygon : object.polygons) {
     move(polygon.exterior);
@@ -113,8 +124,8 @@ bool close_gaps_along(city::CityObject& object, const EdgeTable& edges, MeshRepo
   const auto note = [&] {
     if (report.first_repaired.empty()) report.first_repaired = object.id;
   };
-  if (const auto to = find_joins(edges, open); !to.empty()) {
-    join(object, edges, to);
+  if (std::vector<Join> joins = find_joins(edges, open); !joins.empty()) {
+    join(object, edges, std::move(joins));
     ++report.cracks_closed;
     note();
     return true;

@@ -28,11 +28,16 @@ EdgeTable::EdgeTable(const city::CityObject& object) {
 // Sorting is faster than hashing here: an object has dozens of vertices, and none of them
 // allocates.
 void EdgeTable::number_vertices(const city::CityObject& object) {
+  std::size_t count = 0;
+  for (const city::Polygon& polygon : object.polygons) count += city::count_vertices(polygon);
   std::vector<Corner> corners;
   std::vector<glm::dvec3> points;
+  corners.reserve(count);
+  points.reserve(count);
+  uses_.reserve(count);
   const auto add = [&](const city::Ring& ring) {
     for (const glm::dvec3& p : ring) {
-      constexpr double per_metre = 1000;
+      constexpr double per_metre = 1 / one_place_m;
       corners.push_back({{std::llround(p.x * per_metre), std::llround(p.y * per_metre),
                           std::llround(p.z * per_metre)},
                          static_cast<std::uint32_t>(points.size())});

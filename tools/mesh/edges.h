@@ -12,8 +12,8 @@
 
 namespace nightcity::mesh {
 
-/// The use of an edge by a polygon. Vertices are numbered by place: within a millimetre they are
-/// one.
+/// The use of an edge by a polygon. Vertices are numbered by place, from west to east: within
+/// EdgeTable::one_place_m they are one.
 struct EdgeUse {
   std::uint32_t low, high;  // vertex numbers, low < high
   std::uint32_t polygon;
@@ -24,6 +24,8 @@ struct EdgeUse {
 
 class EdgeTable {
  public:
+  static constexpr double one_place_m = 0.001;
+
   /// Coordinates in metres, finite. Walls between two parts of one building, which meet others at
   /// every one of their edges, are left out, so that the rest is the shell around both.
   explicit EdgeTable(const city::CityObject& object);

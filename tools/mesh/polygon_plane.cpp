@@ -1,5 +1,6 @@
 #include "tools/mesh/polygon_plane.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -23,6 +24,11 @@ Plane make_plane(const glm::dvec3& origin, const glm::dvec3& unit_normal) {
                   : glm::normalize(glm::cross(glm::dvec3{0, 0, 1}, unit_normal));
   plane.v = glm::cross(unit_normal, plane.u);
   return plane;
+}
+
+bool has_duplicates(const city::Ring& ring) {
+  if (ring.empty()) return false;
+  return ring.back() == ring.front() || std::adjacent_find(ring.begin(), ring.end()) != ring.end();
 }
 
 city::Ring remove_duplicates(const city::Ring& ring) {

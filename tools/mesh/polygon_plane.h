@@ -20,6 +20,8 @@ struct Plane {
 /// Returns the plane with the given unit normal through `origin`; u is horizontal where it can be.
 Plane make_plane(const glm::dvec3& origin, const glm::dvec3& unit_normal);
 
+/// Returns whether a vertex equals its predecessor (the last is that of the first).
+bool has_duplicates(const city::Ring& ring);
 /// Returns a copy without vertices equal to their predecessor (the closing one too).
 city::Ring remove_duplicates(const city::Ring& ring);
 

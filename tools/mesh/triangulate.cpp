@@ -5,6 +5,7 @@
 #include <cmath>
 #include <exception>
 #include <glm/geometric.hpp>
+#include <span>
 #include <utility>
 
 #include "formats/error.h"
@@ -74,7 +75,7 @@ struct Triangulator {
     ++report.triangles;
   }
 
-  void check_planarity(const Plane& plane, const std::vector<city::Ring>& rings,
+  void check_planarity(const Plane& plane, std::span<const city::Ring> rings,
                        const std::string& id) {
     double worst = 0;
     for (const city::Ring& ring : rings)
@@ -152,7 +153,7 @@ struct Triangulator {
   }
 
   // Adds any polygon by CGAL. `ring_vector`: area vector of the rings themselves, holes subtracted.
-  void add_any(const std::vector<city::Ring>& rings, const Plane& plane, glm::dvec3 ring_vector,
+  void add_any(std::span<const city::Ring> rings, const Plane& plane, glm::dvec3 ring_vector,
                std::size_t polygon) {
     std::vector<glm::dvec2> points;
     std::vector<std::vector<std::uint32_t>> outlines;
@@ -195,6 +196,24 @@ struct Triangulator {
       add_triangle(first + t[0], first + t[1], first + t[2], polygon);
   }
 
+  // Returns the polygon's rings without duplicate vertices: most have none, and then `cleaned`
+  // stays empty.
+  std::span<const city::Ring> clean(const city::Polygon& polygon,
+                                    std::vector<city::Ring>& cleaned) {
+    if (polygon.interiors.empty() && !has_duplicates(polygon.exterior))
+      return {&polygon.exterior, 1};
+    cleaned.push_back(remove_duplicates(polygon.exterior));
+    if (cleaned.front().size() < 3) return cleaned;
+    for (const city::Ring& interior : polygon.interiors) {
+      city::Ring hole = remove_duplicates(interior);
+      if (hole.size() < 3)
+        ++report.holes_left_out;
+      else
+        cleaned.push_back(std::move(hole));
+    }
+    return cleaned;
+  }
+
   void add(std::size_t index) {
     const city::Polygon& polygon = object.polygons[index];
     ++report.polygons;
@@ -203,16 +222,10 @@ struct Triangulator {
       ++report.not_finite;
       return;
     }
-    std::vector<city::Ring> rings{remove_duplicates(polygon.exterior)};
+    std::vector<city::Ring> cleaned;
+    const std::span<const city::Ring> rings = clean(polygon, cleaned);
     const double length = perimeter(rings[0]), tiny = zero_area_share * length * length;
     if (rings[0].size() < 3) return count_zero_area(length, name_of(polygon, object));
-    for (const city::Ring& interior : polygon.interiors) {
-      city::Ring hole = remove_duplicates(interior);
-      if (hole.size() < 3)
-        ++report.holes_left_out;
-      else
-        rings.push_back(std::move(hole));
-    }
     const glm::dvec3 vector = city::area_vector(rings[0]);
     glm::dvec3 normal = vector;
     if (glm::length(vector) <= tiny) {
