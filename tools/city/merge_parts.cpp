@@ -93,12 +93,37 @@ bool same_vertices(const Polygon& a, const Polygon& b) {
          same_ring(a.exterior, b.exterior);
 }
 
+// The polygons that were kept, to find those that repeat one of them.
+class KeptPolygons {
+ public:
+  explicit KeptPolygons(const std::vector<RawPolygon>& raws) {
+    for (const RawPolygon& raw : raws) hashes_.push_back(vertex_set_hash(raw.polygon));
+    std::vector<std::uint64_t> sorted = hashes_;
+    std::sort(sorted.begin(), sorted.end());
+    any_repeats_ = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+  }
+
+  // Returns the index under which a polygon of the same hash was kept; keeps this one, the
+  // `raw`th, under `index` where there is none. Most objects repeat nothing: they need no table.
+  std::optional<std::size_t> find_or_keep(std::size_t raw, std::size_t index) {
+    if (!any_repeats_) return {};
+    const auto [at, fresh] = kept_.emplace(hashes_[raw], index);
+    return fresh ? std::nullopt : std::optional(at->second);
+  }
+
+ private:
+  std::vector<std::uint64_t> hashes_;
+  bool any_repeats_ = false;
+  std::unordered_map<std::uint64_t, std::size_t> kept_;
+};
+
 // Names come from strangers' files and go into others: JSON, OSM, reports.
 void make_texts_valid(CityObject& object) {
   for (std::string* text : {&object.id, &object.class_name, &object.function, &object.usage,
                             &object.building_class, &object.address, &object.year})
     *text = to_valid_utf8(std::move(*text));
-  for (Polygon& polygon : object.polygons) polygon.id = to_valid_utf8(std::move(polygon.id));
+  for (Polygon& polygon : object.polygons)
+    if (!polygon.id.empty()) polygon.id = to_valid_utf8(std::move(polygon.id));
 }
 
 }  // namespace
@@ -108,21 +133,21 @@ CityObject merge_parts(RawObject&& raw, const ReadOptions& options, ReadReport& 
   const LodChoice choice = choose_lods(raw, options);
   object.lod = choice.of_object;
   object.polygons.reserve(raw.polygons.size());
-  std::unordered_map<std::uint64_t, std::size_t> seen;
-  seen.reserve(raw.polygons.size());
-  for (RawPolygon& p : raw.polygons) {
+  KeptPolygons kept_polygons(raw.polygons);
+  for (std::size_t i = 0; i < raw.polygons.size(); ++i) {
+    RawPolygon& p = raw.polygons[i];
     if (p.lod != unknown_lod && choice.of_space[p.space] != p.lod) {
       ++report.skipped["polygon: lod" + std::to_string(p.lod) + ", another LoD taken"];
       continue;
     }
-    const auto [at, fresh] = seen.emplace(vertex_set_hash(p.polygon), object.polygons.size());
-    if (fresh || !same_vertices(object.polygons[at->second], p.polygon)) {
+    const auto alike = kept_polygons.find_or_keep(i, object.polygons.size());
+    if (!alike || !same_vertices(object.polygons[*alike], p.polygon)) {
       object.polygons.push_back(std::move(p.polygon));
       continue;
     }
     ++report.skipped["polygon: repeats another of its object"];
     // The copy with a surface type wins: solids have none.
-    Polygon& kept = object.polygons[at->second];
+    Polygon& kept = object.polygons[*alike];
     if (kept.surface == SurfaceType::unknown && p.polygon.surface != SurfaceType::unknown)
       kept = std::move(p.polygon);
   }
