@@ -22,10 +22,13 @@ bool is_blank(std::string_view text) {
   return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
 }
 
+// The first line of a sequence is a value of its own, and more follows.
 bool begins_sequence(std::string_view text) {
-  const std::string_view start = text.substr(0, max_first_line);
-  const std::size_t end = ValueEnd().find(start);
-  return end != std::string_view::npos && !is_blank(text.substr(end));
+  const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+  const std::string_view start = text.substr(begin, max_first_line);
+  const std::size_t end = start.find('\n');
+  return end != std::string_view::npos && !is_blank(start.substr(end)) &&
+         ValueEnd().find(start.substr(0, end)) != std::string_view::npos;
 }
 
 }  // namespace
@@ -95,8 +98,8 @@ std::optional<LineReader::Lines> LineReader::next() {
     }
   }
   rest_.assign(lines.bytes, end);
-  line_ += static_cast<std::size_t>(std::count(
-      lines.bytes.begin(), lines.bytes.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
+  for (auto feed = lines.bytes.find('\n'); feed < end; feed = lines.bytes.find('\n', feed + 1))
+    ++line_;
   lines.bytes.resize(end);
   lines.size = end;
   lines.bytes.resize(end + simdjson::SIMDJSON_PADDING, ' ');

@@ -52,6 +52,11 @@ std::size_t count_polygons(const dom::object& geometry) {
   return depth && boundaries ? count_at(*boundaries, *depth) : 0;
 }
 
+// Makes room for `more` polygons, and for as many as there are: each geometry of an object asks.
+void grow(std::vector<city::RawPolygon>& out, std::size_t more) {
+  if (out.capacity() - out.size() < more) out.reserve(out.size() + std::max(out.size(), more));
+}
+
 // Steps through an array of values that belong to others; gives null where there is none.
 class Alongside {
  public:
@@ -202,6 +207,7 @@ void GeometryReader::walk(const dom::element& boundaries, const dom::element* se
     return;
   }
   Alongside semantics_of(semantics), materials_of(materials);
+  if (depth == 0) grow(out, children.size());
   for (const dom::element& child : children) {
     const dom::element *meaning = semantics_of.take(), *material = materials_of.take();
     if (depth == 0)
