@@ -59,9 +59,9 @@ struct SurfaceStore::Loaded {
     const glm::dvec2 a(t.corners[0]), b(t.corners[1]), c(t.corners[2]);
     const glm::dvec2 low = glm::min(glm::min(a, b), c) - corner - edge_m,
                      high = glm::max(glm::max(a, b), c) - corner + edge_m;
-    for (int row = index(low.y); row <= index(high.y); ++row)
-      for (int column = index(low.x); column <= index(high.x); ++column)
-        visitor(bucket_at(column, row));
+    const int left = index(low.x), right = index(high.x), top = index(high.y);
+    for (int row = index(low.y); row <= top; ++row)
+      for (int column = left; column <= right; ++column) visitor(bucket_at(column, row));
   }
 
   static std::optional<double> height(const Triangle& t, const glm::dvec2& p) {
