@@ -98,8 +98,8 @@ bvec4 enter_children(uvec4 w0, uvec4 w1, uvec2 upper_yz, uint masks, uint mask, 
   // The ray meets plane b of an axis at offset + b * stride. The bounds keep both finite.
   const vec3 stride = clamp(size * ray.inverse, vec3(-1e35), vec3(1e35));
   const vec3 offset = clamp((origin - ray.origin) * ray.inverse, vec3(-1e37), vec3(1e37));
-  // Rounding moves a plane by at most three halves of 2^-24 of the offset, one of b * stride, and as
-  // much of the distance as the factor of `far` below makes up for: the test stays conservative
+  // Rounding moves a plane by at most three halves of 2^-24 of the offset, one of b * stride, and
+  // as much of the distance as the factor of `far` below makes up for: the test stays conservative
   // (Ize: Robust BVH Ray Traversal, JCGT 2013).
   const vec3 slack = 3e-7 * abs(offset);
   const vec3 first = offset - slack, last = offset + slack;

@@ -24,8 +24,8 @@ void require_writable_folder(const std::filesystem::path& folder);
 /// Does the same for the folder that `file` will lie in, and throws Error where `file` is a folder.
 void require_writable_folder_of(const std::filesystem::path& file);
 
-/// Removes the folders made by require_writable_folder() that are empty: a command that fails leaves
-/// nothing behind.
+/// Removes the folders made by require_writable_folder() that are empty: a command that fails
+/// leaves nothing behind.
 void remove_made_folders();
 /// Keeps them for good: the command has succeeded.
 void keep_made_folders();

@@ -21,9 +21,9 @@ struct VehiclesOptions {
   double time_step_s = 1.0 / 60;      // the clock moves on by this much before every frame
 };
 
-/// Times frames on synthetic streets where all vehicles move. Returns medians by the device's clock,
-/// a row per number of vehicles: all passes, each pass that moves vehicles, and the others. Throws
-/// Error.
+/// Times frames on synthetic streets where all vehicles move. Returns medians by the device's
+/// clock, a row per number of vehicles: all passes, each pass that moves vehicles, and the others.
+/// Throws Error.
 measure::Table time_vehicles(const VehiclesOptions& options);
 
 }  // namespace nightcity::experiments

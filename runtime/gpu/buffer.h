@@ -47,9 +47,9 @@ class Buffer {
   /// The same before any command has used the buffer: where the host can map the device's memory (a
   /// CPU driver, an integrated device), the bytes are written there at once.
   void upload_first(const void* data, std::size_t bytes, std::size_t offset = 0);
-  /// The same for records that are made as they are uploaded: calls `make(to, first)` for pieces one
-  /// after the other, so that what is uploaded need not be in memory as a whole. Record
-  /// `first` + i belongs to to[i], which may be memory that is slow to read.
+  /// The same for records that are made as they are uploaded: calls `make(to, first)` for pieces
+  /// one after the other, so that what is uploaded need not be in memory as a whole. Record `first`
+  /// + i belongs to to[i], which may be memory that is slow to read.
   template <class T, class Make>
   void make_first(std::size_t count, Make make) {
     make_pieces(count, sizeof(T), [&](void* to, std::size_t first, std::size_t size) {

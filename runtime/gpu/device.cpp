@@ -20,8 +20,8 @@ VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT
   return VK_FALSE;
 }
 
-// Returns what Linux says programs can still take without swapping. Mesa's CPU driver reports a heap
-// of 2 GiB on every machine, and allocates more than that.
+// Returns what Linux says programs can still take without swapping. Mesa's CPU driver reports a
+// heap of 2 GiB on every machine, and allocates more than that.
 std::optional<std::uint64_t> find_available_memory() {
   std::ifstream in("/proc/meminfo");
   for (std::string line; std::getline(in, line);)

@@ -1,5 +1,5 @@
-// Compiled pipelines kept on disk: a driver takes up to seconds to compile a set of shaders, and the
-// next start need not.
+// Compiled pipelines kept on disk: a driver takes up to seconds to compile a set of shaders, and
+// the next start need not.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -15,10 +15,10 @@ namespace nightcity::gpu {
 /// $HOME/.cache (XDG Base Directory Specification 0.8); "" where neither is set.
 std::filesystem::path find_cache_folder();
 
-/// A VkPipelineCache that is read from a file when it is made, and written back when it is destroyed
-/// if it has grown. The file's name and head say which device and driver it is for. A file of
-/// another device or driver, or that is damaged, counts as absent and is replaced. A folder that
-/// cannot be read or written costs only the time to compile.
+/// A VkPipelineCache that is read from a file when it is made, and written back when it is
+/// destroyed if it has grown. The file's name and head say which device and driver it is for. A
+/// file of another device or driver, or that is damaged, counts as absent and is replaced. A folder
+/// that cannot be read or written costs only the time to compile.
 class PipelineStore {
  public:
   /// `folder` is made when it is needed; "": nothing is kept.

@@ -7,8 +7,8 @@
 
 namespace nightcity::gpu {
 
-/// One command buffer at a time: begin(), submit(), then wait() until it has run. Device::run may be
-/// called meanwhile; the queue runs both in their order.
+/// One command buffer at a time: begin(), submit(), then wait() until it has run. Device::run may
+/// be called meanwhile; the queue runs both in their order.
 class Submission {
  public:
   /// The device must outlive the object. Throws Error if Vulkan fails.

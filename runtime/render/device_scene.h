@@ -20,8 +20,8 @@ struct VehicleSlot {
   std::uint64_t instances, bvh;                  // addresses of the first of each
 };
 
-/// The sky at the scene's time: as it was loaded times `factor`, and with a map `base` is added above
-/// the horizon, cd/m^2.
+/// The sky at the scene's time: as it was loaded times `factor`, and with a map `base` is added
+/// above the horizon, cd/m^2.
 struct SkyNow {
   glm::vec3 factor{1}, base{0};
 };

@@ -30,12 +30,13 @@ struct FrameParts {
 /// Returns the steps of a frame for these settings, which are within their ranges.
 std::vector<FrameStep> list_steps(const FrameParts& frame, const RenderSettings& settings);
 
-/// Returns how many slices the reference works at side by side: a picture of few pixels leaves most of
-/// a GPU idle, so chunks of lights share it. Layers exist once, so they allow one slice.
+/// Returns how many slices the reference works at side by side: a picture of few pixels leaves most
+/// of a GPU idle, so chunks of lights share it. Layers exist once, so they allow one slice.
 std::uint32_t choose_reference_slices(const RenderSettings& settings, glm::uvec2 size,
                                       std::uint32_t lights);
 
-/// Returns the number of paths that the reference follows from a pixel in a frame: shaders/limits.h.
+/// Returns the number of paths that the reference follows from a pixel in a frame:
+/// shaders/limits.h.
 std::uint32_t reference_paths(std::uint32_t lights);
 
 }  // namespace nightcity::render

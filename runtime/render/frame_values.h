@@ -9,12 +9,12 @@
 
 namespace nightcity::render {
 
-/// Returns how many partners a pixel has in one frame at most: those without history may have more than
-/// the others.
+/// Returns how many partners a pixel has in one frame at most: those without history may have more
+/// than the others.
 std::uint32_t pairings_of(const ReuseSettings& reuse);
 
-/// Returns the n-th position within a pixel, each coordinate in [0, 1), from the pixel's centre on: the
-/// R2 sequence (Roberts 2018).
+/// Returns the n-th position within a pixel, each coordinate in [0, 1), from the pixel's centre on:
+/// the R2 sequence (Roberts 2018).
 glm::vec2 find_sub_pixel(std::uint32_t number);
 
 /// Turns a camera to the horizon: viewers of panoramas take their middle row for it.

@@ -1,5 +1,5 @@
-// Which constants the passes of a frame are compiled with: what neither the scene nor the settings need
-// is not in them.
+// Which constants the passes of a frame are compiled with: what neither the scene nor the settings
+// need is not in them.
 #pragma once
 
 #include <vector>

@@ -178,7 +178,8 @@ class Renderer {
   // The scene's time since the frame before, where its light changes with time.
   double moved_s_ = 0;
   std::vector<gpu::Timer::Span> timings_;
-  // Declared last, so destroyed first: it waits for the device, which may be using all of the above.
+  // Declared last, so destroyed first: it waits for the device, which may be using all of the
+  // above.
   FrameRun run_;
 };
 

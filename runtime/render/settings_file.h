@@ -52,8 +52,8 @@ void apply_settings_file(const SettingsFile& file, RenderSettings& settings,
 /// Returns the settings that differ from `defaults`, as a settings file holds them.
 std::vector<NamedText> list_changes(const RenderSettings& settings, const RenderSettings& defaults);
 
-/// Returns what differs from the defaults in words, as metadata of a picture: "name=value ...", with
-/// the projection and the kinds of light that are on.
+/// Returns what differs from the defaults in words, as metadata of a picture: "name=value ...",
+/// with the projection and the kinds of light that are on.
 std::string describe_changes(const RenderSettings& settings);
 
 /// Writes a settings file; `comment` becomes the comment lines at its beginning. Throws Error.

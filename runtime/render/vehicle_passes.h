@@ -16,9 +16,9 @@ namespace nightcity::render {
 /// double, because a float would lose the fractions of frames.
 float cycle_time(const TrafficCycle& cycle, double time_s);
 
-/// Returns how many cells a side the map has by which `trips` vehicles are sorted: a power of two, for
-/// at least a cell a trip as far as MAX_VEHICLE_CELLS_PER_SIDE goes. Passes over the cells are paid in
-/// every frame, so a few vehicles have few.
+/// Returns how many cells a side the map has by which `trips` vehicles are sorted: a power of two,
+/// for at least a cell a trip as far as MAX_VEHICLE_CELLS_PER_SIDE goes. Passes over the cells are
+/// paid in every frame, so a few vehicles have few.
 std::uint32_t choose_vehicle_cells_per_side(std::uint32_t trips);
 
 class VehiclePasses {

@@ -12,8 +12,8 @@ struct LitPart {
   float radius_m;  // horizontal
 };
 
-/// Returns the lit part of the city: around the median light, out to the distance that contains nine
-/// tenths of the lights, within 20 to 600 m. With few lights, the whole scene.
+/// Returns the lit part of the city: around the median light, out to the distance that contains
+/// nine tenths of the lights, within 20 to 600 m. With few lights, the whole scene.
 LitPart find_lit_part(const RenderScene& scene);
 
 }  // namespace nightcity::scene

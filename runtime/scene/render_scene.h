@@ -40,7 +40,8 @@ struct SkyMap {
   std::uint32_t width = 0, height = 0;
   std::vector<float> rgb;  // cd/m^2, finite, >= 0; 3 * width * height
   // In the glow of a city, all but `natural_cd_m2` is proportional to what these lights send
-  // upwards, and the map is that of `upward_lm`, per channel. Empty where the sky follows no lights.
+  // upwards, and the map is that of `upward_lm`, per channel. Empty where the sky follows no
+  // lights.
   std::vector<Share> shares{};
   glm::dvec3 upward_lm{0};
   float natural_cd_m2 = 0;  // above the horizon

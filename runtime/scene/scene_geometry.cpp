@@ -144,8 +144,8 @@ StoredMeshes store_triangles(RenderScene& out, const Scene& scene, const MeshSou
   return stored;
 }
 
-// Builds a BLAS for each mesh that is instanced, and two for all others: a ray then crosses the city
-// without leaving and entering instances. And the TLAS over all of them.
+// Builds a BLAS for each mesh that is instanced, and two for all others: a ray then crosses the
+// city without leaving and entering instances. And the TLAS over all of them.
 void add_hierarchies(RenderScene& out, const Scene& scene, const StoredMeshes& stored,
                      MeshPlacement& placement, unsigned threads) {
   std::vector<Box> boxes;

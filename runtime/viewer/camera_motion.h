@@ -31,8 +31,8 @@ scene::CameraPose moved(const scene::CameraPose& pose, const glm::vec3& right_up
 /// 100 km.
 scene::CameraPose dollied(const scene::CameraPose& pose, float factor);
 
-/// Returns the pose with the distance from camera to `point` multiplied by `factor`, within 0.2 m to
-/// 100 km. The view direction and the point's place in the picture stay; the target moves to the
+/// Returns the pose with the distance from camera to `point` multiplied by `factor`, within 0.2 m
+/// to 100 km. The view direction and the point's place in the picture stay; the target moves to the
 /// point's depth.
 scene::CameraPose zoomed(const scene::CameraPose& pose, const glm::vec3& point, float factor);
 

@@ -52,7 +52,8 @@ glm::vec3 direction_through(const scene::CameraPose& pose, const glm::vec2& pixe
 std::optional<float> find_ground(const scene::RenderScene& scene, const glm::vec3& from);
 
 /// Returns where a camera is and which way it looks: "412008 E, 5761972 N, 24 m up, looking
-/// north-east". Coordinates are those of the city's CRS; heights are above what is below the camera.
+/// north-east". Coordinates are those of the city's CRS; heights are above what is below the
+/// camera.
 std::string describe_camera(const scene::RenderScene& scene, const scene::CameraPose& pose);
 
 /// Returns the speed of flight of a camera this high above the ground, m/s.

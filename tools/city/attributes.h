@@ -22,7 +22,8 @@ std::optional<double> parse_number(std::string_view text);
 /// the like) leave the field absent. Repeated functions and usages are all kept, with ';' between.
 bool set_attribute(CityObject& object, std::string_view name, std::string_view value);
 
-/// Takes over what a part says and its building does not. A building is as tall as its tallest part.
+/// Takes over what a part says and its building does not. A building is as tall as its tallest
+/// part.
 void adopt_attributes(CityObject& whole, const CityObject& part);
 
 /// Parts of an address; "" = absent.

@@ -109,8 +109,8 @@ struct ZipDeleter {
 };
 
 // An archive, opened once for all of its entries: opening reads the list of them, so that opening
-// for each entry anew would take time quadratic in their number. libzip's handles are for one thread
-// at a time.
+// for each entry anew would take time quadratic in their number. libzip's handles are for one
+// thread at a time.
 class Archive {
  public:
   explicit Archive(const std::string& path) {

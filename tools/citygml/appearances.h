@@ -1,5 +1,5 @@
-// Colours of an app:Appearance, by the id of the geometry that they colour: those of X3DMaterials and,
-// on request, the means of textures.
+// Colours of an app:Appearance, by the id of the geometry that they colour: those of X3DMaterials
+// and, on request, the means of textures.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -14,17 +14,17 @@ namespace nightcity::citygml {
 /// Returns the srsName that the element gives itself; "" = none.
 std::string_view own_srs_name(const pugi::xml_node& element);
 
-/// Returns the srsName that a feature's extent (gml:boundedBy) gives to the geometry of the feature;
-/// "" = none.
+/// Returns the srsName that a feature's extent (gml:boundedBy) gives to the geometry of the
+/// feature; "" = none.
 std::string_view extent_srs_name(const pugi::xml_node& feature);
 
 /// Returns the srsName that holds for a geometry by what stands above it in its member; "" = none,
 /// then it is the document's.
 std::string_view find_srs_name(const pugi::xml_node& geometry);
 
-/// Returns the first srsName that a geometry of the member gives itself; "" = none. It holds for the
-/// member's other geometry too, where nothing else does: surfaces that a solid takes by links stand
-/// beside it, without its name.
+/// Returns the first srsName that a geometry of the member gives itself; "" = none. It holds for
+/// the member's other geometry too, where nothing else does: surfaces that a solid takes by links
+/// stand beside it, without its name.
 std::string_view first_own_srs_name(const pugi::xml_node& member);
 
 /// Names as polygons carry them: null where it is the one that the caller takes the file's

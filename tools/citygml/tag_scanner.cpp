@@ -54,7 +54,8 @@ void TagScanner::skip_byte_order_mark() {
   refuse_zero_bytes(0);
 }
 
-// No XML holds a zero byte (XML 1.0, 2.2). The holes of a sparse file are read as such, without end.
+// No XML holds a zero byte (XML 1.0, 2.2). The holes of a sparse file are read as such, without
+// end.
 void TagScanner::refuse_zero_bytes(std::size_t from) {
   if (const void* at = std::memchr(bytes_.get() + from, 0, size_ - from))
     fail(static_cast<std::size_t>(static_cast<const char*>(at) - bytes_.get()),

@@ -24,8 +24,8 @@ std::string_view find_attribute(const pugi::xml_node& element, std::string_view 
 
 class PictureColours;
 
-/// A polygon that links lead to. `number` is that of the polygon as it stands in its file: copies by
-/// way of different links share it.
+/// A polygon that links lead to. `number` is that of the polygon as it stands in its file: copies
+/// by way of different links share it.
 struct LinkedPolygon {
   city::Polygon polygon;
   std::uint64_t number;

@@ -32,7 +32,8 @@ class DocumentText {
   bool is_sequence_ = false;
 };
 
-/// Throws Error for a line or object of more than `max_bytes`, which names the key that allows more.
+/// Throws Error for a line or object of more than `max_bytes`, which names the key that allows
+/// more.
 [[noreturn]] void refuse_long_part(const std::string& name, std::size_t line,
                                    const std::string& what, std::size_t max_bytes);
 

@@ -45,7 +45,8 @@ struct SharedParts {
   /// Throws Error unless `type` and `version` have been read.
   void require_type(const std::string& where) const;
   /// Throws Error where the document names another CRS than `known`, by which the caller takes its
-  /// file's coordinates: then the file is an archive of documents that differ. Absent: not compared.
+  /// file's coordinates: then the file is an archive of documents that differ. Absent: not
+  /// compared.
   void require_srs_name(const std::optional<std::string>& known, const std::string& where) const;
 
  private:

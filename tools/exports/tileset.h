@@ -25,8 +25,8 @@ struct TilesetReport {
 /// Earth's curvature is followed. City objects, lamps and windows are features (EXT_mesh_features)
 /// with their identity, class and, of lights, where each value comes from
 /// (EXT_structural_metadata); lamps are KHR_lights_punctual too. `lights`: of the same scene; null:
-/// no lights. `folder` must not hold a tileset. Throws Error: the scene has no CRS, a file cannot be
-/// written.
+/// no lights. `folder` must not hold a tileset. Throws Error: the scene has no CRS, a file cannot
+/// be written.
 TilesetReport write_tileset(const Scene& scene, const LightFile* lights,
                             const std::filesystem::path& folder, const TilesetOptions& options);
 

@@ -14,8 +14,8 @@ namespace nightcity::ground_cover {
 /// Returns the normalised value of a tag; "" where there is none.
 std::string tag_of(const osm::OsmTags& tags, const char* key);
 
-/// Returns the points of a line (longitude, latitude) in E, N, m, without those that are not finite;
-/// empty where all of it lies outside `bounds`.
+/// Returns the points of a line (longitude, latitude) in E, N, m, without those that are not
+/// finite; empty where all of it lies outside `bounds`.
 std::vector<glm::dvec2> find_line(const std::vector<glm::dvec2>& lon_lat,
                                   const place::LonLatToFrame& to_frame, const Box& bounds);
 

@@ -10,9 +10,9 @@
 
 namespace nightcity::inventory {
 
-/// Opens the file. GDAL has drivers that are programs in all but name (VRT, WFS, databases), so only
-/// those whose file is the table itself may open it. Throws Error: missing, no regular file, packed,
-/// of no such format, broken.
+/// Opens the file. GDAL has drivers that are programs in all but name (VRT, WFS, databases), so
+/// only those whose file is the table itself may open it. Throws Error: missing, no regular file,
+/// packed, of no such format, broken.
 GDALDatasetUniquePtr open_vector_file(const InventoryFile& inventory);
 
 /// Returns the layer that the inventory names or the only one. Throws Error, with the names of the

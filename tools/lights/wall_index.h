@@ -37,9 +37,9 @@ class WallIndex {
   void add(std::span<const UprightWall> walls, std::uint32_t owner);
 
   /// Returns whether a wall crosses the horizontal line along `normal` from 5 cm behind one of the
-  /// points to `reach_m` in front of it, at its height. The owner's walls that face the same way are
-  /// the window's own facade and do not count; a party wall faces the other way and counts. This
-  /// and inside_another() may be called from many threads once all walls are added.
+  /// points to `reach_m` in front of it, at its height. The owner's walls that face the same way
+  /// are the window's own facade and do not count; a party wall faces the other way and counts.
+  /// This and inside_another() may be called from many threads once all walls are added.
   bool blocked(std::span<const glm::dvec3> points, const glm::dvec3& normal, double reach_m,
                std::uint32_t owner);
 
@@ -65,9 +65,9 @@ class WallIndex {
     CellKey key;
     std::shared_ptr<const Loaded> cell;
   };
-  /// Calls visit(wall, t, same_way) for walls that cross the line, at t in [0, 1] along it, until it
-  /// returns true, and returns whether it did; for some walls more than once. `same_way`: cosine of
-  /// the angle between the wall's normal and the line.
+  /// Calls visit(wall, t, same_way) for walls that cross the line, at t in [0, 1] along it, until
+  /// it returns true, and returns whether it did; for some walls more than once. `same_way`: cosine
+  /// of the angle between the wall's normal and the line.
   template <class Visit>
   bool any_crossing(double height, const glm::dvec2& from, const glm::dvec2& line, LastCell& last,
                     const Visit& visit);

@@ -12,9 +12,9 @@ namespace nightcity::map_buildings {
 enum class Skin { walls, roof };
 
 /// Returns the colour (sRGB in [0, 1]) that the tags say: `building:colour` or `roof:colour` as a
-/// name or as #rrggbb, else the usual one of `building:material` or `roof:material`; none where they
-/// say nothing that is known. Colours are as bright as paint is: white reflects 0.75 (Oke 1987,
-/// table 8.2: white paint 0.50-0.90), and every other colour as much less as it is darker.
+/// name or as #rrggbb, else the usual one of `building:material` or `roof:material`; none where
+/// they say nothing that is known. Colours are as bright as paint is: white reflects 0.75 (Oke
+/// 1987, table 8.2: white paint 0.50-0.90), and every other colour as much less as it is darker.
 std::optional<glm::vec3> find_skin(const osm::OsmTags& tags, Skin skin);
 
 }  // namespace nightcity::map_buildings

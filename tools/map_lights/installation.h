@@ -1,4 +1,5 @@
-// Plans of floodlights: where luminaires stand, how they aim, and the points that they are to light.
+// Plans of floodlights: where luminaires stand, how they aim, and the points that they are to
+// light.
 #pragma once
 
 #include <optional>

@@ -14,8 +14,8 @@ namespace {
 // signs, totems and boards vary; their sizes and all heights above the ground are assumptions.
 //
 // A screen shines by its nature. That poster boxes (back-lit ones are the rule in Germany), signs
-// and totems do, unless a tag denies it, is an assumption; columns, billboards and boards shine only
-// where a tag says so.
+// and totems do, unless a tag denies it, is an assumption; columns, billboards and boards shine
+// only where a tag says so.
 //
 // Luminance: screens are dimmed to some 300 cd/m2 by night (signmedia.ca, "Illuminated signs:
 // common issues in permitting LED displays"). 200 cd/m2 for back-lit faces is an assumption between
@@ -46,21 +46,22 @@ constexpr std::array<SportRow, 5> sports = {{
     {"tennis", 200},
 }};
 
-// lit_poster_cd_m2: posters lit from outside average less than 60 cd/m2 and rarely exceed 100 (C. B.
-// Luginbuhl et al., Digital LED Billboard Luminance Recommendations, 2010). facade_lx: what Bega's
-// table asks for sandstone (30 %) in dark surroundings; with the 35 % of our walls it gives 8.9
-// cd/m2, below the 10 cd/m2 that CIE 150:2017 allows facades in zone E3. canopy_lx, forecourt_lx:
-// EN 12464-2:2014, fuel filling stations: service areas, and driveways in light surroundings.
-// Colour temperatures are assumptions.
+// lit_poster_cd_m2: posters lit from outside average less than 60 cd/m2 and rarely exceed 100 (C.
+// B. Luginbuhl et al., Digital LED Billboard Luminance Recommendations, 2010). facade_lx: what
+// Bega's table asks for sandstone (30 %) in dark surroundings; with the 35 % of our walls it gives
+// 8.9 cd/m2, below the 10 cd/m2 that CIE 150:2017 allows facades in zone E3. canopy_lx,
+// forecourt_lx: EN 12464-2:2014, fuel filling stations: service areas, and driveways in light
+// surroundings. Colour temperatures are assumptions.
 
 struct KindRow {
   const char* name;
   lights::NightSpan dark;
 };
 // Hours: nothing makes advertising end in most towns. Facades are dark from 23:00, as Bavaria's law
-// on immissions (BayImSchG, article 9) asks of public buildings and CIE 150's curfew of all. Pitches
-// close at 22:00, when the night's rest of Germany's ordinance on noise of sports grounds (18.
-// BImSchV, section 2) begins. Petrol stations close from 22:00 to 6:00, which is an assumption.
+// on immissions (BayImSchG, article 9) asks of public buildings and CIE 150's curfew of all.
+// Pitches close at 22:00, when the night's rest of Germany's ordinance on noise of sports grounds
+// (18. BImSchV, section 2) begins. Petrol stations close from 22:00 to 6:00, which is an
+// assumption.
 constexpr int end_of_night = lights::night_minutes;
 constexpr std::array<KindRow, map_light_kind_count> kinds = {{
     {"advertising", {0, 0}},

@@ -40,7 +40,8 @@ constexpr double lit_poster_cd_m2 = 60;
 /// Colour temperature of signs.
 constexpr double sign_cct_k = 5000;
 
-/// Maintained mean illuminance of a pitch for a value of OSM's `sport`; of others, that of football.
+/// Maintained mean illuminance of a pitch for a value of OSM's `sport`; of others, that of
+/// football.
 double find_pitch_lx(std::string_view sport);
 constexpr double pitch_cct_k = 4000;
 

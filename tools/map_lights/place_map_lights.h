@@ -19,8 +19,8 @@
 
 namespace nightcity::map_lights {
 
-/// A body that carries a sign, or that is floodlit where the model shows nothing: a box, or a column
-/// of six sides.
+/// A body that carries a sign, or that is floodlit where the model shows nothing: a box, or a
+/// column of six sides.
 struct Body {
   glm::dvec3 foot{0};       // middle of its underside; E, N, H, m
   glm::dvec2 facing{0, 1};  // unit, along its depth
@@ -53,10 +53,10 @@ struct MapLightSet {
 };
 
 /// Places all lights of the map's shining things. Each is where its thing is, so it lies in one
-/// model, whatever else is in the map; what lies outside the model is left out and counted. A pitch,
-/// building or petrol station by which the map has floodlights of its own (lamps that are lighting
-/// masts) is left to those. `relations`: the map's multipolygons, each outer ring as a closed way.
-/// The result depends on the map's content and on the ground alone.
+/// model, whatever else is in the map; what lies outside the model is left out and counted. A
+/// pitch, building or petrol station by which the map has floodlights of its own (lamps that are
+/// lighting masts) is left to those. `relations`: the map's multipolygons, each outer ring as a
+/// closed way. The result depends on the map's content and on the ground alone.
 MapLightSet place_map_lights(const osm::OsmData& map, const Ground& ground,
                              const MapLightOptions& options,
                              std::span<const osm::OsmShiningThing> relations = {});

@@ -24,8 +24,8 @@ struct FlatTriangulation {
 /// run either way, touch and cross. A place is in an outline that goes round it an odd number of
 /// times. What is in the exterior and in no hole is triangulated (ISO 19107, 6.6.11: a surface lies
 /// within its exterior, less its interiors). Throws Error where outlines cross more than
-/// `max_crossings_a_point` times as often as they have points (n edges may cross n^2 / 2 times, real
-/// ones cross a few times), and where more than 100 lie within each other.
+/// `max_crossings_a_point` times as often as they have points (n edges may cross n^2 / 2 times,
+/// real ones cross a few times), and where more than 100 lie within each other.
 FlatTriangulation triangulate_flat(std::span<const glm::dvec2> points,
                                    std::span<const std::vector<std::uint32_t>> outlines,
                                    std::size_t max_crossings_a_point = 16);

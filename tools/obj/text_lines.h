@@ -16,10 +16,10 @@ class TextLines {
   /// `name`: of the file, for messages.
   TextLines(std::unique_ptr<city::ByteSource> source, std::string name);
 
-  /// Fills `line` with the next line that is neither empty nor a comment, without blanks at its ends;
-  /// false at the end. A line that ends with a backslash goes on in the next, as the format says.
-  /// Lines may end with LF, CR LF or CR. The text holds until the next call. Throws Error where a
-  /// line is longer than 16 MB or the file cannot be read.
+  /// Fills `line` with the next line that is neither empty nor a comment, without blanks at its
+  /// ends; false at the end. A line that ends with a backslash goes on in the next, as the format
+  /// says. Lines may end with LF, CR LF or CR. The text holds until the next call. Throws Error
+  /// where a line is longer than 16 MB or the file cannot be read.
   bool next(std::string_view& line);
 
   /// Returns the name of the file.

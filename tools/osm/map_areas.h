@@ -39,8 +39,8 @@ struct MapAreas {
 
 /// Reads all areas that are selected, of several versions of one the newest. Memory grows with them
 /// and with the nodes of the map. Areas whose ways have more than `max_nodes` nodes together are
-/// left out: the time that it takes to assemble rings grows with their square. Throws Error: missing
-/// or broken.
+/// left out: the time that it takes to assemble rings grows with their square. Throws Error:
+/// missing or broken.
 MapAreas read_map_areas(const std::filesystem::path& file, const AreaSelection& selection,
                         std::size_t max_nodes);
 

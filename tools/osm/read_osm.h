@@ -16,8 +16,8 @@ bool begins_as_osm(std::string_view start);
 
 /// Reads an extract or a history: XML by pugixml; PBF, o5m, gzip and bzip2 by libosmium. The first
 /// bytes decide, not the name. Throws Error: missing, broken, not OSM (then it says what the file
-/// is instead, if that can be known). Streets, buildings and lamps of more than `max_way_nodes` nodes
-/// are left out and counted.
+/// is instead, if that can be known). Streets, buildings and lamps of more than `max_way_nodes`
+/// nodes are left out and counted.
 OsmData read_osm(const std::filesystem::path& file,
                  std::size_t max_way_nodes = default_max_way_nodes);
 

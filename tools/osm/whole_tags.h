@@ -8,9 +8,9 @@
 
 namespace nightcity::osm {
 
-/// Throws where going through `tags` would lead beyond their end. libosmium keeps keys and values as
-/// texts that end with a zero byte, one behind the other, and takes texts with zero bytes in them
-/// from a PBF as they are.
+/// Throws where going through `tags` would lead beyond their end. libosmium keeps keys and values
+/// as texts that end with a zero byte, one behind the other, and takes texts with zero bytes in
+/// them from a PBF as they are.
 inline void require_whole_tags(const osmium::TagList& tags) {
   const unsigned char *begin = tags.data() + sizeof(osmium::TagList),
                       *end = tags.data() + tags.byte_size();

@@ -17,8 +17,8 @@ namespace {
 //   and 3.00 m on drives for residents; RAA 2008 gives a slip road 6.00 m (cross-section Q 1).
 // - Shoulders: a carriageway of RAA 2008, RQ 31, is 12.00 m wide: two lanes of 3.75 m, a hard
 //   shoulder of 3.00 m, two edge strips of 0.75 m. One of RAL 2012, RQ 21, is 7.75 m wide.
-// - Pavements: 2.50 m (RASt 06, 6.1.6). Roads of towns have them and kerbs; those between towns have
-//   verges; living streets are level (RASt 06, mixed traffic).
+// - Pavements: 2.50 m (RASt 06, 6.1.6). Roads of towns have them and kerbs; those between towns
+//   have verges; living streets are level (RASt 06, mixed traffic).
 // - Paths: footways 2.50 m (RASt 06, 6.1.6), two-way cycle tracks 2.50 m (ERA 2010), farm tracks
 //   3.00 m (DWA-A 904). A path is as wide as its one lane.
 constexpr std::array<RoadClass, 25> classes = {{

@@ -24,8 +24,8 @@ double find_depth(double gap);
 using LeafQuad = std::array<glm::vec3, 4>;
 
 /// Returns the leaves of a crown within the unit ball, rectangles of `length` by `width` in radii,
-/// as many as make the mean gap `gap`: n = 4/3 pi depth / (length width), since a leaf that is turned
-/// at random shows half its area (Cauchy). The same seed gives the same leaves.
+/// as many as make the mean gap `gap`: n = 4/3 pi depth / (length width), since a leaf that is
+/// turned at random shows half its area (Cauchy). The same seed gives the same leaves.
 std::vector<LeafQuad> make_leaves(double gap, double length, double width, std::uint64_t seed);
 
 }  // namespace nightcity::trees

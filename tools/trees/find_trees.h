@@ -25,10 +25,10 @@ struct TreeSet {
   std::size_t assumed_sizes = 0;                // trees whose height or crown no tag gives
 };
 
-/// Finds the trees that stand on the ground, within `bounds` (E, N, m), and in no building. `cover`: woods are its woodland, as
-/// far as nothing else lies there. Sizes are the tags `height` and `diameter_crown`; one of them
-/// gives the other, and without both a tree is 10 m high (needle-leaved 14 m) and its crown 0.6 of
-/// that wide, which is a guess.
+/// Finds the trees that stand on the ground, within `bounds` (E, N, m), and in no building.
+/// `cover`: woods are its woodland, as far as nothing else lies there. Sizes are the tags `height`
+/// and `diameter_crown`; one of them gives the other, and without both a tree is 10 m high
+/// (needle-leaved 14 m) and its crown 0.6 of that wide, which is a guess.
 TreeSet find_trees(const osm::OsmData& map, const ground_cover::Cover& cover,
                    const ground_cover::Box& bounds, const place::LonLatToFrame& to_frame,
                    const place::HeightAt& height_at, const place::InsideBuilding& inside);

@@ -126,8 +126,8 @@ Moving van_between_lamp_and_ground(double step_s) {
           1 - step_s * (moments - 1), step_s, still_at_the_wall};
 }
 
-// Half a step before the last moment one car's trip ends and another's begins, elsewhere: with their
-// lights they vanish and appear between two frames.
+// Half a step before the last moment one car's trip ends and another's begins, elsewhere: with
+// their lights they vanish and appear between two frames.
 Moving cars_that_vanish_and_appear(double step_s) {
   scene::SceneLights lights;
   lights.lights = {lamp({-3, 5, 3}, 800, 0.1f), lamp({5, 4, -1}, 500, 0.1f)};

@@ -52,7 +52,7 @@ class ViewerWindow : public testing::Test {
     std::string command = "cd ";
     command += folder.path().string();
     command +=
-        " && timeout 120 xvfb-run -a -s '-screen 0 800x600x24' sh script.sh > out.txt 2> err.txt";
+        " && timeout 300 xvfb-run -a -s '-screen 0 800x600x24' sh script.sh > out.txt 2> err.txt";
     return std::system(command.c_str());
   }
   std::string text(const char* name) const { return test::read_text(folder / name); }

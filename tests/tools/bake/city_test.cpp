@@ -98,7 +98,8 @@ TEST(City, AnswersQueriesOfPlacesOnceItsGroundIsBuilt) {
   EXPECT_NEAR(again.y, place.y, 1e-3);
 }
 
-// Writes a map of square buildings, each from its low to its high corner, in metres from the cube's.
+// Writes a map of square buildings, each from its low to its high corner, in metres from the
+// cube's.
 void write_buildings(const std::filesystem::path& path, const georeference::CityFrame& frame,
                      const std::vector<std::array<double, 4>>& squares) {
   std::string nodes, ways;

@@ -31,7 +31,8 @@ TEST(HostileCityJson, BrokenJsonIsAnErrorWithItsLine) {
     EXPECT_NE(error_of(text), "read") << text;
 }
 
-// A feature of a sequence is a line, and a document is read part by part: both as CityGML's members.
+// A feature of a sequence is a line, and a document is read part by part: both as CityGML's
+// members.
 TEST(HostileCityJson, ALineOrPartThatIsTooLongNamesTheKeyThatAllowsIt) {
   const std::string blanks(3 << 20, ' ');
   const std::string document =

@@ -58,6 +58,17 @@ TEST(CityJsonSeq, TheHeadComesFromTheFirstFeatures) {
   EXPECT_EQ(head.sample[0], glm::dvec3(10, 20, 30));
 }
 
+TEST(CityJsonSeq, IsToldByItsFirstLine) {
+  const std::string building = object("a", "Building", solid()), one = city_json(building);
+  std::string in_lines;  // a line break wherever a blank may stand
+  for (const char c : one) in_lines += c == ',' || c == '{' ? std::string{c, '\n'} : std::string{c};
+  const std::string sequence = header() + feature("a", building);
+  for (const std::string& text : {one, one + "\n", one + "\r\n \n\n", in_lines, "\n" + in_lines,
+                                  sequence, "\r\n\n" + sequence, sequence + "\n\n"})
+    EXPECT_EQ(read_city(text).objects.size(), 1u) << text;
+  EXPECT_NE(error_of(one + one).find("not JSON"), std::string::npos) << error_of(one + one);
+}
+
 TEST(CityJsonSeq, IsReadGzippedToo) {
   const std::string text = header() + feature("a", object("a", "Building", solid()));
   const TemporaryFile file("", ".jsonl.gz");

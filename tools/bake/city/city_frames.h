@@ -36,9 +36,9 @@ class CityFrames {
   std::optional<std::string> srs_name_of(std::size_t file) const;
   /// Returns whether a name that only some of a file's geometry has is known already.
   bool knows(const std::string& srs_name) const;
-  /// Learns such a name from some coordinates of the geometry. `where` names file and object. Throws
-  /// Error where the CRS is unknown, or the city's own is. Names must be learnt in file order: the
-  /// first coordinates decide the order of axes where the name leaves it open.
+  /// Learns such a name from some coordinates of the geometry. `where` names file and object.
+  /// Throws Error where the CRS is unknown, or the city's own is. Names must be learnt in file
+  /// order: the first coordinates decide the order of axes where the name leaves it open.
   void learn(const std::string& srs_name, std::span<const glm::dvec3> sample,
              const std::string& where);
   /// As to_city above, for geometry of a name that is known.

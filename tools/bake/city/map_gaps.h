@@ -20,10 +20,10 @@ struct GapReport {
   std::map<std::string, std::size_t> assumed;   // heights that no tag says
 };
 
-/// Passes the map's buildings to `consumers`, in file order, as far as they stand on the terrain and
-/// the model has nothing there: a building of which a tenth lies on the model's own is the model's.
-/// Each stands on the lowest ground below its outline. What the consumers' turns add to the terrain
-/// is added last, by `ground`. Throws Error as the map's reader does.
+/// Passes the map's buildings to `consumers`, in file order, as far as they stand on the terrain
+/// and the model has nothing there: a building of which a tenth lies on the model's own is the
+/// model's. Each stands on the lowest ground below its outline. What the consumers' turns add to
+/// the terrain is added last, by `ground`. Throws Error as the map's reader does.
 void fill_gaps(const std::filesystem::path& map, const city::ReadOptions& options,
                const georeference::CityFrame& frame, const terrain::Terrain& terrain,
                std::span<CityConsumer* const> consumers, CityConsumer& ground, GapReport& report);

@@ -21,9 +21,9 @@ struct CoverCounts {
 };
 
 /// Cuts and covers the triangles of terrain among a tile's triangles; the others stay, as do those
-/// of terrain that stand upright. Where a surface is sunken, its neighbours get a kerb. Vertices lie
-/// on the ground as it was, and between them what is cut lies within twice facet_tolerance_m of it.
-/// `origin`: of the tile (TileStore).
+/// of terrain that stand upright. Where a surface is sunken, its neighbours get a kerb. Vertices
+/// lie on the ground as it was, and between them what is cut lies within twice facet_tolerance_m of
+/// it. `origin`: of the tile (TileStore).
 void cover_ground(const ground_cover::Cover& cover, const glm::dvec3& origin,
                   std::vector<TileStore::StoredTriangle>& triangles, CoverCounts& counts);
 

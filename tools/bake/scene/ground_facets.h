@@ -13,9 +13,9 @@ namespace nightcity::bake {
 /// A triangle's corner may lie so far above or below the plane of the facet that it joins, m.
 constexpr double facet_tolerance_m = 0.02;
 
-/// Returns facets as areas of the plan (x east, y north, in the tile's coordinates), labelled by one
-/// of the triangles in each. Neighbours share two corners to the last bit, belong to one feature and
-/// face up. Outlines keep every corner of the triangles.
+/// Returns facets as areas of the plan (x east, y north, in the tile's coordinates), labelled by
+/// one of the triangles in each. Neighbours share two corners to the last bit, belong to one
+/// feature and face up. Outlines keep every corner of the triangles.
 mesh::PlaneLayer find_facets(const std::vector<TileStore::StoredTriangle>& triangles);
 
 }  // namespace nightcity::bake

@@ -40,8 +40,9 @@ struct BakedLights {
   LightsReport report;
 };
 
-/// Writes the lamps, then the other lights of the map, then the windows that `windows` has gathered (null: none). Memory grows with
-/// the lamps, not with the windows. Throws Error when the map has lamps and the city no CRS.
+/// Writes the lamps, then the other lights of the map, then the windows that `windows` has gathered
+/// (null: none). Memory grows with the lamps, not with the windows. Throws Error when the map has
+/// lamps and the city no CRS.
 BakedLights bake_lights(const City& city, WindowConsumer* windows, const LightStageOptions& options,
                         const LightOutputs& outputs);
 
