@@ -53,6 +53,50 @@ float vehicle_share(bool any_static) {
   return all.flux_lm > 0.0 ? FRAME.vehicle_share : 0.0;
 }
 
+// Returns an estimate of what a node's lights contribute here, whatever their directions.
+float importance(LightNode node, vec3 position) {
+  if (node.lower.x > node.upper.x) return 0.0;
+  const vec3 d = 0.5 * (node.lower + node.upper) - position;
+  const vec3 extent = node.upper - node.lower;
+  return node.flux_lm / max(dot(d, d), 0.25 * dot(extent, extent) + 1.0);
+}
+
+// Returns an estimate of what all vehicles contribute at a place, as the cells' strengths are one
+// for static lights: the light BVH is descended to the vehicle that matters most, and what is
+// passed by counts as nodes.
+float vehicle_strength(vec3 position) {
+  float passed_by = 0.0, most = 0.0;
+  uint place = 0u;
+  for (uint level = SCENE.traffic.levels - 1u; level > 0u; --level) {
+    uint chosen = 0u;
+    float sum = 0.0;
+    most = 0.0;
+    for (uint i = 0u; i < 4u; ++i) {
+      const uint below = 4u * place + i;
+      if (below >= SCENE.traffic.level_count[level - 1u]) break;
+      const float strength = importance(
+          FRAME.vehicle_nodes.at[SCENE.traffic.level_first[level - 1u] + below], position);
+      sum += strength;
+      if (strength <= most) continue;
+      most = strength;
+      chosen = i;
+    }
+    passed_by += sum - most;
+    place = 4u * place + chosen;
+  }
+  return passed_by + most;
+}
+
+// Returns which part of their share of the candidates vehicles get at a place, from LEAST_PART to
+// 1: a walk down their BVH costs several times what a static light costs, and brings little where
+// static lights are stronger. The density of a sample has the same part in it, so any part is
+// exact.
+const float LEAST_PART = 0.2, PART_PER_STRENGTH = 3.0;
+float vehicle_part(vec3 position, float static_strength) {
+  const float strength = vehicle_strength(position), all = strength + static_strength;
+  return all > 0.0 ? clamp(PART_PER_STRENGTH * strength / all, LEAST_PART, 1.0) : 1.0;
+}
+
 // Returns the sampler for a receiver's place.
 LightSampler light_sampler_at(vec3 position) {
   LightSampler p;
@@ -65,6 +109,11 @@ LightSampler light_sampler_at(vec3 position) {
   p.uniform_share = FRAME.uniform_share;
   p.power_share = max(1.0 - p.near.share - p.far.share - p.uniform_share, 0.0);
   p.vehicle_share = vehicle_share(any_static);
+  // As published, there are no cells, and the share is that of uniform candidates.
+  const bool has_cells = p.near.share + p.far.share > 0.0;
+  if (HAS_TRAFFIC != 0u && has_cells && p.vehicle_share > 0.0)
+    p.vehicle_share *=
+        vehicle_part(position, max(p.near.cell.strength_sum, p.far.cell.strength_sum));
   return p;
 }
 
@@ -109,14 +158,6 @@ SampledLight sample_static_light(LightSampler p, float technique) {
   chosen.light = light_at(chosen.index);
   chosen.pdf = static_density(p, chosen.index, chosen.light);
   return chosen;
-}
-
-// Returns an estimate of what a node's lights contribute here, whatever their directions.
-float importance(LightNode node, vec3 position) {
-  if (node.lower.x > node.upper.x) return 0.0;
-  const vec3 d = 0.5 * (node.lower + node.upper) - position;
-  const vec3 extent = node.upper - node.lower;
-  return node.flux_lm / max(dot(d, d), 0.25 * dot(extent, extent) + 1.0);
 }
 
 // Returns which of a node's four children is sampled, each in proportion to its weight, and

@@ -163,7 +163,8 @@ std::vector<Setting> make_sampling_settings() {
        .aliases = {"fleet-share"},
        .column = "fleet-share",
        .group = Group::sampling,
-       .help = "Share of all candidates sampled from vehicles' lights, where any shine",
+       .help = "Share of all candidates sampled from vehicles' lights, where any shine; down to a "
+               "fifth of it where static lights are stronger",
        .value = at<sampling, &Sampling::vehicle_share>,
        .applies = chooses_shares,
        .is_swept = true},

@@ -52,7 +52,8 @@ struct SamplingSettings {
   float near_share = 0.5f;                  // sampled from the near grid's cell
   float far_share = 0.3f;                   // sampled from the far grid's cell, the neighbourhood
   float uniform_share = 0.05f;              // sampled uniformly over all lights
-  float vehicle_share = 0.3f;  // of all candidates, sampled from vehicles' lights where any shine
+  float vehicle_share =
+      0.3f;  // of all candidates, at most, sampled from vehicles' lights where any shine
   // Sides that are rendered as a share of the picture's, 0.1 .. 1; less than 1 is upscaled.
   float resolution_scale = 1;
   // Samples every second pixel in a frame, the others in the next, and fills those that it does not
