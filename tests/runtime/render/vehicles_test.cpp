@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <memory>
 
 #include "formats/error.h"
@@ -201,6 +202,35 @@ TEST(Vehicles, PickedLightsGiveTheReferenceWithoutBias) {
     EXPECT_LT(std::abs(mean - 1), 5 * error) << name_of(estimator) << " " << mean;
     RecordProperty(name_of(estimator), std::to_string(mean) + " +- " + std::to_string(error));
   }
+}
+
+double mean_of_vehicles(const measure::Image& image) {
+  double sum = 0;
+  const std::vector<float>& values = image.layer("direct_vehicles")->values;
+  for (const float value : values) sum += double{value};
+  return sum / double(values.size());
+}
+
+// Lamps a thousand times as strong as the headlamps leave these few candidates.
+TEST(Vehicles, KeepTheirLightWhereStaticLightsTakeTheCandidates) {
+  const scene::RenderScene scene =
+      with_traffic(crowd(90), {lamp({20, 8, 10}, 1e6f), lamp({-20, 8, -10}, 1e6f)});
+  const scene::CameraPose pose{{0, 60, 40}, {0, 0, 0}, {0, 1, 0}, 60};
+  RenderSettings settings = reference_at(17);
+  settings.sampling.layers = true;
+  const double truth = mean_of_vehicles(render(scene, pose, settings, 24, 24, 4));
+  settings.sampling.estimator = Estimator::ris;
+  constexpr unsigned runs = 10;
+  double sum = 0, squares = 0;
+  for (settings.sampling.seed = 1; settings.sampling.seed <= runs; ++settings.sampling.seed) {
+    const double ratio = mean_of_vehicles(render(scene, pose, settings, 24, 24, 64)) / truth;
+    sum += ratio;
+    squares += ratio * ratio;
+  }
+  const double mean = sum / runs, error = std::sqrt((squares / runs - mean * mean) / (runs - 1));
+  std::printf("  %.4f +- %.4f\n", mean, error);
+  EXPECT_LT(error, 0.05);
+  EXPECT_LT(std::abs(mean - 1), 5 * error);
 }
 
 TEST(Vehicles, HistoryOfMovingLightsBringsNoBias) {
