@@ -1,4 +1,4 @@
-// What `nightview price` was asked for, and how it tells what it found.
+// The options of `nightview price`, and the tables and JSON of its results.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Which passes make a frame, in which order, and over which grids of invocations.
+// The list of the passes that make a frame, with the grids of invocations that they run over.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace nightcity::render {
 
-/// What the steps of a frame work with. Passes, cache and vehicles must outlive the steps.
+/// The steps of a frame work with these. Passes, cache and vehicles must outlive the steps.
 struct FrameParts {
   const PassSet& passes;
   const IrradianceCache& cache;
@@ -23,7 +23,7 @@ struct FrameParts {
   bool has_history;
   std::uint32_t lights;  // of the scene, vehicles' included
   std::uint32_t slices;  // from choose_reference_slices
-  // What is copied from pass to pass.
+  // Steps copy from the first to the second, and from the third to the fourth.
   VkBuffer reservoirs, spatial, radiance, denoised;
 };
 

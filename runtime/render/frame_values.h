@@ -1,4 +1,4 @@
-// What a frame's settings are to the shaders.
+// Turns settings into the values that shaders read in a frame.
 #pragma once
 
 #include <cstdint>

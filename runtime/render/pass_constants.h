@@ -1,5 +1,5 @@
-// Which constants the passes of a frame are compiled with: what neither the scene nor the settings
-// need is not in them.
+// Chooses the constants with which the passes of a frame are compiled: they lack what neither the
+// scene nor the settings need.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
-// How the rows of the table of settings (setting_table.h) are written: for its own files alone.
+// The rows of the table of settings are written with these names. For setting_table.cpp and the
+// files of rows alone.
 #pragma once
 
 #include <vector>

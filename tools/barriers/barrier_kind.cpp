@@ -44,7 +44,7 @@ constexpr std::array kinds{
     BarrierKind{"jersey_barrier", 0.81, 0.61, M::concrete},  // FHWA: 32 inches, 24 at its foot
     BarrierKind{"block", 0.50, 0.50, M::concrete},
     BarrierKind{"hedge", 1.50, 0.80, M::foliage},
-    // What neighbours owe each other where nothing else is usual (NachbG Bln, section 23).
+    // Neighbours owe each other this where nothing else is usual (NachbG Bln, section 23).
     BarrierKind{"fence", 1.25, 0, M::painted_metal, bars_gap},
     // The single steel rail of RAL-RG 620: 0.31 m high, its top at 0.75 m.
     BarrierKind{"guard_rail", 0.75, 0, M::steel, 1 - 0.31 / 0.75, 1},

@@ -118,7 +118,7 @@ void make_sheet(const BarrierLine& barrier, std::vector<Corners>& out) {
     length_m += glm::distance(barrier.points[i], barrier.points[(i + 1) % n]);
   if (!(length_m > 0)) return;
   const double posts = add_posts(barrier, length_m, out);
-  // What passes both: gap = (1 - rails) (1 - posts).
+  // Light that passes both: gap = (1 - rails) (1 - posts).
   const double rails = posts < 1 ? 1 - std::min(1.0, kind.gap / (1 - posts)) : 0;
   const double count =
       kind.rails > 0 ? kind.rails : std::max(1.0, std::round(kind.height_m / rail_spacing_m));

@@ -1,4 +1,4 @@
-// Where people and vehicles pass through barriers: gates, and streets that meet them.
+// Openings in barriers, through which people and vehicles pass: gates, and streets that meet them.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What markings are made with: strips along lines, and the places where streets meet.
+// The means to draw markings: strips along lines, and the places where streets meet.
 #pragma once
 
 #include <cstddef>

@@ -34,7 +34,7 @@ BarrierSet find(const osm::OsmData& map) {
   ground_cover::add_streets(map.highways, as_metres, bounds, cover);
   cover.finish();
   BarrierSet set = find_barriers(map, cover, bounds, as_metres, ground, house);
-  // What is mapped is built or left out, and what is built lies in the lines.
+  // Everything mapped is built or left out, and everything built lies in the lines.
   double mapped_m = 0, built_m = 0, left_out_m = 0, lines_m = 0;
   for (const auto& [name, kind] : set.report.kinds)
     mapped_m += kind.mapped_m, built_m += kind.built_m;

@@ -55,7 +55,7 @@ constexpr MaterialCode to_code(BakeMaterial kind, Skin skin) {
 constexpr MaterialCode to_code(ground_cover::GroundKind kind) {
   return static_cast<MaterialCode>(bake_material_count) + static_cast<MaterialCode>(kind);
 }
-/// What barriers are made of comes behind the kinds of ground.
+/// Materials of barriers come behind the kinds of ground.
 constexpr MaterialCode to_code(barriers::BarrierMaterial material) {
   return static_cast<MaterialCode>(bake_material_count + ground_cover::ground_kind_count) +
          static_cast<MaterialCode>(material);
