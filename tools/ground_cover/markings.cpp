@@ -12,7 +12,7 @@ namespace nightcity::ground_cover {
 namespace {
 
 // StVO, sign 293 and RMS-1: bars of 0.50 m, as far apart, at least 3 m long (4 m as a rule).
-constexpr double bar_m = 0.5, bar_length_m = 4;
+constexpr double bar_m = 0.5;
 // RMS-1: in towns a line between lanes is 0.12 m wide, 3 m long, with gaps of 6 m.
 constexpr double line_width_m = 0.12, dash_m = 3, gap_m = 6;
 // Lines end this far before a junction, so that they stay out of it: half a wide carriageway.
@@ -80,7 +80,7 @@ void add_markings(std::span<const osm::OsmWay> ways, std::span<const osm::OsmPoi
     const MeasuredLine along(line);
     for (double s = 0; s + bar_m <= along.length_m() && !painter.is_done(); s += 2 * bar_m)
       painter.add("bar of a crossing",
-                  along.make_strip(s, s + bar_m, -bar_length_m / 2, bar_length_m / 2));
+                  along.make_strip(s, s + bar_m, -crossing_m / 2, crossing_m / 2));
   }
 }
 

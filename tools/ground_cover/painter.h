@@ -14,6 +14,9 @@
 
 namespace nightcity::ground_cover {
 
+/// Width of a crossing along the street, m: its bars are as long.
+constexpr double crossing_m = 4;
+
 /// Adds markings as far as they lie within bounds, until there are too many.
 class Painter {
  public:

@@ -14,7 +14,6 @@ namespace {
 constexpr double line_m = 0.5, before_crossing_m = 1;
 // StVO, sign 341 and RMS-1: a line at which to give way has dashes of 0.50 m with gaps of 0.25 m.
 constexpr double dash_m = 0.5, gap_m = 0.25;
-constexpr double half_crossing_m = 2;  // as its bars are drawn
 // A sign without a direction is for the junction that is as near as this: an assumption.
 constexpr double near_m = 60;
 
@@ -41,7 +40,7 @@ void StopLines::add(const osm::OsmWay& way, const roads::Carriageway& road,
     const osm::OsmTags& tags = found->second->tags;
     const Directions directions =
         find_directions(road, junctions_m, way.lon_lat[i], along.at(i), tags);
-    // Of two ways that meet in the node, each direction comes to it along one.
+    // Where two ways meet in the node, vehicles of each direction come to it along one of them.
     if (directions[0] && i > 0) paint(road, along, along.at(i), false, tags);
     if (directions[1] && i + 1 < line.size()) paint(road, along, along.at(i), true, tags);
   }
@@ -74,7 +73,7 @@ StopLines::Directions StopLines::find_directions(const roads::Carriageway& road,
 void StopLines::paint(const roads::Carriageway& road, const MeasuredLine& along, double at_m,
                       bool against, const osm::OsmTags& tags) const {
   const bool crossing = tags.contains("crossing") && tag_of(tags, "crossing") != "no";
-  const double back_m = crossing ? half_crossing_m + before_crossing_m : 0;
+  const double back_m = crossing ? crossing_m / 2 + before_crossing_m : 0;
   const double from_m = against ? at_m + back_m : at_m - back_m - line_m;
   const double whole_m = (road.lanes[0] + road.lanes[1]) * road.lane_m(),
                width_m = road.lanes[against ? 1 : 0] * road.lane_m();

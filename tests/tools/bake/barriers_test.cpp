@@ -3,26 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <iterator>
 #include <string>
 
 #include "formats/scene_reader.h"
 #include "support/temp_folder.h"
+#include "tests/tools/bake/whole_and_parts.h"
 #include "tools/bake/bake.h"
-#include "tools/bake/parts/bake_part.h"
 #include "tools/osm/read_osm.h"
 #include "tools/town/town.h"
 
 namespace nightcity::bake {
 namespace {
 
-namespace fs = std::filesystem;
 using test::TempFolder;
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 // Writes a town and a map of barriers beside its first lamps: a wall, a hedge and a fence of some
 // 7 m each. Returns the recipe, which ends in `more`.
@@ -79,13 +72,7 @@ TEST(BakeBarriers, TheReportSaysHowMuchOfTheMapsStands) {
 
 TEST(BakeBarriers, PartsGiveTheBytesOfTheWholeBake) {
   const TempFolder folder;
-  const fs::path recipe = write_town_with_barriers(folder.path());
-  bake(read_recipe(recipe), folder / "whole");
-  for (std::uint32_t number = 3; number > 0; --number)
-    bake_part(make_bake_options(read_recipe(recipe)), {number, 3}, folder / "parts", "test");
-  merge_parts({folder / "parts"}, {}, folder / "merged", "test");
-  for (const char* file : {"city.lights", "city.glb"})
-    EXPECT_EQ(bytes_of(folder / "whole" / file), bytes_of(folder / "merged" / file)) << file;
+  expect_parts_as_whole(write_town_with_barriers(folder.path()), folder.path(), {3});
 }
 
 TEST(BakeBarriers, OneWordTurnsThemOffAndMovesNothingElse) {

@@ -3,28 +3,21 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <string>
 
 #include "formats/light_file.h"
 #include "formats/scene_reader.h"
 #include "support/temp_folder.h"
+#include "tests/tools/bake/whole_and_parts.h"
 #include "tools/bake/bake.h"
-#include "tools/bake/parts/bake_part.h"
 #include "tools/osm/read_osm.h"
 #include "tools/town/town.h"
 
 namespace nightcity::bake {
 namespace {
 
-namespace fs = std::filesystem;
 using test::TempFolder;
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 void write_node(std::ofstream& map, int id, const glm::dvec2& lon_lat, const char* tags = "") {
   char text[300];
@@ -95,13 +88,7 @@ TEST(BakeMapLights, BothFilesHaveThemAndTheirFacesNameTheirLights) {
 
 TEST(BakeMapLights, PartsGiveTheBytesOfTheWholeBake) {
   const TempFolder folder;
-  const fs::path recipe = write_town_with_signs(folder.path());
-  bake(read_recipe(recipe), folder / "whole");
-  for (std::uint32_t number = 3; number > 0; --number)
-    bake_part(make_bake_options(read_recipe(recipe)), {number, 3}, folder / "parts", "test");
-  merge_parts({folder / "parts"}, {}, folder / "merged", "test");
-  for (const char* file : {"city.lights", "city.glb"})
-    EXPECT_EQ(bytes_of(folder / "whole" / file), bytes_of(folder / "merged" / file)) << file;
+  expect_parts_as_whole(write_town_with_signs(folder.path()), folder.path(), {3});
 }
 
 TEST(BakeMapLights, OneWordTurnsThemOffAndLeavesTheOtherLightsAsTheyWere) {

@@ -10,6 +10,7 @@
 
 #include "formats/error.h"
 #include "support/temp_folder.h"
+#include "tests/tools/bake/whole_and_parts.h"
 #include "tests/tools/citygml/small_city.h"
 #include "tools/bake/bake.h"
 #include "tools/bake/parts/bake_part.h"
@@ -19,51 +20,10 @@
 namespace nightcity::bake {
 namespace {
 
-namespace fs = std::filesystem;
 using namespace test;
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 void write(const fs::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
-}
-
-BakedPart make_part(const fs::path& recipe, std::uint32_t number, std::uint32_t count,
-                    const fs::path& out) {
-  return bake_part(make_bake_options(read_recipe(recipe)), {number, count}, out, "test");
-}
-
-void make_parts(const fs::path& recipe, std::uint32_t count, const fs::path& out) {
-  for (std::uint32_t number = count; number > 0; --number) make_part(recipe, number, count, out);
-}
-
-// Both files of a bake.
-struct Baked {
-  std::string scene, lights;
-  explicit Baked(const fs::path& folder)
-      : scene(bytes_of(folder / "city.glb")), lights(bytes_of(folder / "city.lights")) {}
-  bool operator==(const Baked&) const = default;
-};
-
-Baked bake_whole(const fs::path& recipe, const fs::path& out) {
-  bake(read_recipe(recipe), out);
-  return Baked(out);
-}
-
-void expect_parts_as_whole(const fs::path& recipe, const fs::path& folder,
-                           const std::vector<std::uint32_t>& counts) {
-  const Baked whole = bake_whole(recipe, folder / "whole");
-  ASSERT_FALSE(whole.scene.empty());
-  for (const std::uint32_t count : counts) {
-    SCOPED_TRACE(count);
-    const fs::path out = folder / std::to_string(count);
-    make_parts(recipe, count, out);
-    merge_parts({out}, {}, out, "test");
-    EXPECT_TRUE(Baked(out) == whole);
-  }
 }
 
 TEST(Parts, AnyNumberOfThemGivesTheBytesOfTheWholeBake) {
