@@ -37,7 +37,8 @@ std::optional<std::string> cycle_fault(const TrafficCycle& cycle) {
 
 std::optional<std::string> vehicle_fault(const VehicleKind& vehicle, std::size_t light_count) {
   const glm::vec3 size = vehicle.half_size;
-  if (!finite(size) || !(size.x > 0 && size.y > 0 && size.z > 0)) return "has no size";
+  if (!is_within_reach(size) || !(size.x > 0 && size.y > 0 && size.z > 0))
+    return "has no size or one beyond 1e15 m";
   if (vehicle.light_count > VEHICLE_LIGHTS) return "carries too many lights";
   if (!lies_in(vehicle.first_light, vehicle.light_count, light_count))
     return "lights lie outside their section";
@@ -65,6 +66,8 @@ std::optional<std::string> trip_fault(const Trip& trip, const TrafficCycle& cycl
   for (std::size_t i = 0; i < way.size(); ++i) {
     if (!finite(way[i].position) || !finite(way[i].velocity))
       return "knot " + std::to_string(i) + " is not finite";
+    if (!is_within_reach(way[i].position))
+      return "knot " + std::to_string(i) + " lies beyond 1e15 m";
     if (!(way[i].time_s <= cycle.cycle_s))
       return "knot " + std::to_string(i) + " is later than the cycle";
     if (i > 0 && !(way[i].time_s > way[i - 1].time_s)) return "knot times do not ascend";

@@ -33,6 +33,9 @@ struct BvhNode {
 #define BVH_LEAF_COUNT_SHIFT 27
 #define BVH_LEAF_FIRST_MASK 0x07FFFFFFu  // 134 million triangles
 #define BVH_MAX_LEAF 8
+// Planes of boxes lie at least this part of a step farther out than what they bound: 255 steps are
+// known to 2 * 255 * 2^-23, and so much again is lost when they are rounded.
+#define BVH_MARGIN 1.220703125e-4f
 #define BVH_STACK 80  // entries that a ray may defer; the builder keeps to it
 
 // Three corners in the mesh's own frame, and what they belong to.

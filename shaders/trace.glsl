@@ -95,23 +95,22 @@ bvec4 enter_children(uvec4 w0, uvec4 w1, uvec2 upper_yz, uint masks, uint mask, 
                      float t_min, float t_max, out vec4 near) {
   const vec3 origin = uintBitsToFloat(w0.xyz);
   const vec3 size = uintBitsToFloat((uvec3(w0.w, w0.w >> 8u, w0.w >> 16u) & 255u) << 23u);
-  // The ray meets plane b of an axis at offset + b * stride. The bounds keep both finite.
-  const vec3 stride = clamp(size * ray.inverse, vec3(-1e35), vec3(1e35));
-  const vec3 offset = clamp((origin - ray.origin) * ray.inverse, vec3(-1e37), vec3(1e37));
-  // Rounding moves a plane by at most three halves of 2^-24 of the offset, one of b * stride, and
-  // as much of the distance as the factor of `far` below makes up for: the test stays conservative
-  // (Ize: Robust BVH Ray Traversal, JCGT 2013).
-  const vec3 slack = 3e-7 * abs(offset);
-  const vec3 first = offset - slack, last = offset + slack;
+  // The ray meets plane b of an axis at offset + b * stride. The stride is finite, because no scene
+  // is larger than max_coordinate_m (formats/finite.h).
+  const vec3 stride = size * ray.inverse;
+  const vec3 offset = (origin - ray.origin) * ray.inverse;
+  // Rounding moves a plane by at most four halves of 2^-23 of b * stride, for which the planes have
+  // BVH_MARGIN, and by as much of the distance as the factor of `far` makes up for. So the test
+  // stays conservative (Ize: Robust BVH Ray Traversal, JCGT 2013).
   const uvec3 lower = w1.xyz, upper = uvec3(w1.w, upper_yz);
   const bvec3 is_backwards = lessThan(ray.inverse, vec3(0.0));
   const uvec3 entry = mix(lower, upper, is_backwards), exit = mix(upper, lower, is_backwards);
   near =
-      max(max(first.x + bytes(entry.x) * stride.x, first.y + bytes(entry.y) * stride.y),
-          max(first.z + bytes(entry.z) * stride.z, vec4(t_min)));
-  const vec4 far = min(min(last.x + bytes(exit.x) * stride.x, last.y + bytes(exit.y) * stride.y),
-                       min(last.z + bytes(exit.z) * stride.z, vec4(t_max))) *
-                   1.0000005;
+      max(max(offset.x + bytes(entry.x) * stride.x, offset.y + bytes(entry.y) * stride.y),
+          max(offset.z + bytes(entry.z) * stride.z, vec4(t_min)));
+  const vec4 far = min(min(offset.x + bytes(exit.x) * stride.x, offset.y + bytes(exit.y) * stride.y),
+                       min(offset.z + bytes(exit.z) * stride.z, vec4(t_max))) *
+                   1.000001;
   const bvec4 hit = lessThanEqual(near, far);
   const uvec4 there = uvec4(masks) & (uvec4(mask) << uvec4(0u, 8u, 16u, 24u));
   return bvec4(hit.x && there.x != 0u, hit.y && there.y != 0u, hit.z && there.z != 0u,

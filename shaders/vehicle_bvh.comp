@@ -29,18 +29,15 @@ BvhNode quantised(Children c, vec3 lower, vec3 upper) {
   for (uint axis = 0u; axis < 3u; ++axis) {
     int exponent =
         clamp(int(ceil(log2(max((upper[axis] - lower[axis]) / 254.0, 1e-20)))), -100, 120);
-    const float step = uintBitsToFloat(uint(exponent + 127) << 23u);
+    const float per_m = uintBitsToFloat(uint(127 - exponent) << 23u);
     node.exponents |= uint(exponent + 127) << (8u * axis);
     node.lower[axis] = node.upper[axis] = 0u;
     for (uint i = 0u; i < 4u; ++i) {
       if (c.child[i] == BVH_EMPTY) continue;
-      float low = clamp(floor((c.lower[i][axis] - lower[axis]) / step), 0.0, 255.0);
-      float high = clamp(ceil((c.upper[i][axis] - lower[axis]) / step), 0.0, 255.0);
-      // Makes up for rounding in the sums that the traversal computes.
-      if (lower[axis] + low * step > c.lower[i][axis]) low = max(low - 1.0, 0.0);
-      if (lower[axis] + high * step < c.upper[i][axis]) high = min(high + 1.0, 255.0);
-      node.lower[axis] |= uint(low) << (8u * i);
-      node.upper[axis] |= uint(high) << (8u * i);
+      const float low = (c.lower[i][axis] - lower[axis]) * per_m - BVH_MARGIN,
+                  high = (c.upper[i][axis] - lower[axis]) * per_m + BVH_MARGIN;
+      node.lower[axis] |= uint(max(low, 0.0)) << (8u * i);
+      node.upper[axis] |= uint(min(ceil(high), 255.0)) << (8u * i);
     }
   }
   return node;

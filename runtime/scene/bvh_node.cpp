@@ -34,36 +34,19 @@ Float4 up(Float4 x) {
   return -down(-x);
 }
 
-bool any(Int4 lanes) {
-  return (lanes[0] | lanes[1] | lanes[2] | lanes[3]) != 0;
-}
-
 // The planes of four boxes, in steps from 0 to 255.
 struct Planes {
   Int4 lower, upper;
 };
 
-// A power of two divides exactly. The conversion truncates, and the loops round outwards, as the
-// traversal computes.
-Planes quantise(Float4 lower, Float4 upper, float origin, float step, float per_m) {
-  const Float4 first{}, last = first + 255.0f;
-  const Float4 to_upper = (upper - origin) * per_m;
-  Planes q{to_int(min_of(max_of((lower - origin) * per_m, first), last)),
-           to_int(min_of(max_of(to_upper, first), last))};
-  const auto place = [&](Int4 steps) {
-    return origin + __builtin_convertvector(steps, Float4) * step;
+// Rounds outwards, with a margin. Truncation rounds numbers above 0 down; one below the last step
+// rounds them up.
+Planes quantise(Float4 lower, Float4 upper, float origin, float per_m) {
+  const auto truncate = [](Float4 steps) {
+    return to_int(min_of(max_of(steps, Float4{}), Float4{} + 255.0f));
   };
-  while (true) {
-    const Int4 inside = (q.lower > 0) & (place(q.lower) > lower);
-    if (!any(inside)) break;
-    q.lower += inside;
-  }
-  while (true) {
-    const Int4 inside = (q.upper < 255) & ((__builtin_convertvector(q.upper, Float4) < to_upper) |
-                                           (place(q.upper) < upper));
-    if (!any(inside)) return q;
-    q.upper -= inside;
-  }
+  return {truncate((lower - origin) * per_m - BVH_MARGIN),
+          255 - truncate(255.0f - ((upper - origin) * per_m + BVH_MARGIN))};
 }
 
 std::uint32_t pack_bytes(Int4 lanes) {
@@ -91,10 +74,10 @@ gpu::BvhNode quantise_node(const Box& box, std::span<const BvhChild> children) {
   }
   for (int axis = 0; axis < 3; ++axis) {
     const float origin = down(box.lower[axis]), top = up(box.upper[axis]);
-    // The smallest power of two whose 255 steps reach the far side, as the shader computes it.
+    // The smallest power of two of which 255 reach the far side, margin included.
     const float extent = top - origin;
     int exponent = std::clamp(exponent_of(std::max(extent / 255.0f, 1e-30f)), -100, 120);
-    while (origin + 255.0f * power_of_two(exponent) < top) ++exponent;
+    while ((255.0f - 2.0f * BVH_MARGIN) * power_of_two(exponent) < extent) ++exponent;
     node.origin[axis] = origin;
     node.exponents |= static_cast<std::uint32_t>(exponent + 127) << (8 * axis);
     Float4 lower{}, upper{};
@@ -102,8 +85,7 @@ gpu::BvhNode quantise_node(const Box& box, std::span<const BvhChild> children) {
       lower[i] = children[i].box.lower[axis];
       upper[i] = children[i].box.upper[axis];
     }
-    const Planes planes =
-        quantise(down(lower), up(upper), origin, power_of_two(exponent), power_of_two(-exponent));
+    const Planes planes = quantise(down(lower), up(upper), origin, power_of_two(-exponent));
     node.lower[axis] = pack_bytes(planes.lower & present);
     node.upper[axis] = pack_bytes(planes.upper & present);
   }

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 
+#include "formats/finite.h"
 #include "formats/parallel.h"
 #include "runtime/scene/bvh.h"
 #include "runtime/scene/parts.h"
@@ -19,8 +20,8 @@ std::size_t count_triangles(const SceneMesh& mesh) {
   return count;
 }
 
-// Calls `take` with the triangles of a primitive that have an area and whose light is not left out,
-// and returns the number of those without area.
+// Calls `take` with the triangles of a primitive that have an area, lie within reach and whose light
+// is not left out, and returns the number of those without area or beyond reach.
 template <class Take>
 std::size_t convert(const ScenePrimitive& primitive, const Placement& placement,
                     std::span<const std::uint32_t> light_numbers, std::vector<glm::vec3>& positions,
@@ -37,7 +38,8 @@ std::size_t convert(const ScenePrimitive& primitive, const Placement& placement,
     t.v1 = positions[b];
     t.v2 = positions[c];
     const glm::vec3 normal = glm::cross(t.v1 - t.v0, t.v2 - t.v0);
-    if (!(glm::dot(normal, normal) > 0)) {
+    if (!(glm::dot(normal, normal) > 0) || !is_within_reach(t.v0) || !is_within_reach(t.v1) ||
+        !is_within_reach(t.v2)) {
       ++dropped;
       continue;
     }

@@ -138,9 +138,11 @@ std::vector<std::string> describe_left_out(const RenderScene& scene) {
   const auto say = [&](std::size_t count, const char* one, const char* many, const char* rest) {
     if (count != 0) sentences.push_back(std::to_string(count) + (count == 1 ? one : many) + rest);
   };
-  say(scene.dropped_triangles, " triangle is", " triangles are", " left out, without area");
+  say(scene.dropped_triangles, " triangle is", " triangles are",
+      " left out, without area or beyond 1e15 m");
   say(scene.dropped_instances, " instance is", " instances are",
-      " left out, whose matrix is singular or a millionth of the largest of its mesh");
+      " left out, beyond 1e15 m or with a matrix that is singular or a millionth of the largest of "
+      "its mesh");
   say(scene.bad_lights, " light is", " lights are",
       " switched off: not finite, without flux, or with a profile that is not there");
   const bool is_moved = scene.origin != glm::dvec3(0);

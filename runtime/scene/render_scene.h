@@ -99,8 +99,8 @@ struct RenderScene {
   std::vector<LightProvenance> provenance{};  // parallel to lights, or empty
 
   std::size_t bad_lights = 0;          // switched off: not finite, no flux, or profile out of range
-  std::size_t dropped_triangles = 0;   // zero area
-  std::size_t dropped_instances = 0;   // singular matrix
+  std::size_t dropped_triangles = 0;   // zero area, or beyond reach
+  std::size_t dropped_instances = 0;   // singular matrix, or beyond reach
   std::vector<std::string> skipped{};  // as in Scene
   PartCounts parts{};  // what the files hold of each part, whether it was left out or not
   PartSet left_out{};

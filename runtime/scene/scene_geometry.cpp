@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "formats/finite.h"
 #include "runtime/scene/parts.h"
 
 namespace nightcity::scene {
@@ -151,7 +152,12 @@ void add_hierarchies(RenderScene& out, const Scene& scene, const StoredMeshes& s
   std::vector<Box> boxes;
   const auto place = [&](std::uint32_t root, const Box& box, const Placement& at, bool shadow) {
     if (root == BVH_EMPTY) return;
-    boxes.push_back(transformed(box, at.to_scene));
+    const Box placed = transformed(box, at.to_scene);
+    if (!is_within_reach(placed.lower) || !is_within_reach(placed.upper)) {
+      ++out.dropped_instances;
+      return;
+    }
+    boxes.push_back(placed);
     out.instances.push_back(make_instance(glm::inverse(at.to_scene), root, shadow, at.light));
     out.bounds.grow(boxes.back());
   };

@@ -254,6 +254,7 @@ TEST(LightFile, WriterRefusesUnphysicalLightsAndLeavesNothing) {
   refused([&](Sample& s) { s.knots[4].time_s = 601; });
   refused([&](Sample& s) { s.knots[3].time_s = 0; });
   refused([&](Sample& s) { s.knots[3].velocity.x = inf; });
+  refused([&](Sample& s) { s.knots[3].position.y = 1e16f; });
   refused([&](Sample& s) { s.data[3] = -1; });
   refused([&](Sample& s) { s.data[3] = inf; });
   refused([&](Sample& s) { s.data[1] *= 2; });  // an integral that is not 1

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "formats/error.h"
+#include "runtime/scene/bvh_node.h"
 #include "runtime/scene/triangle_pieces.h"
 
 namespace nightcity::scene {
@@ -123,6 +124,36 @@ TEST(Bvh, HoldsEveryBoxOnceAndInsideItsParents) {
   for (const std::size_t count : {1u, 2u, 4u, 5u, 17u, 3000u}) {
     const auto boxes = random_boxes(count, 500, unsigned(count));
     expect_sound(build_bvh(boxes, 4, 40), boxes, 4);
+  }
+}
+
+// The traversal multiplies steps by floats: without a margin, rounding would let rays pass between
+// a box and what it holds.
+TEST(QuantiseNode, PlanesKeepTheirMarginWhereverFloatsRound) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 2000; ++round) {
+    const float place = std::ldexp(1.0f, int(random() % 40) - 20);
+    auto boxes = random_boxes(4, 50, random());
+    std::vector<BvhChild> children;
+    Box all;
+    for (Box& box : boxes) {
+      box.lower += place;
+      box.upper += place;
+      all.grow(box);
+      children.push_back({box, 0xFF});
+    }
+    const gpu::BvhNode node = quantise_node(all, children);
+    for (std::size_t i = 0; i < children.size(); ++i)
+      for (int axis = 0; axis < 3; ++axis) {
+        const double step = std::ldexp(1.0, int((node.exponents >> (8 * axis)) & 255u) - 127),
+                     origin = double(node.origin[axis]);
+        const unsigned lower = (node.lower[axis] >> (8 * i)) & 255u,
+                       upper = (node.upper[axis] >> (8 * i)) & 255u;
+        // The errors grow with the number of steps, so that plane 0 needs no margin.
+        EXPECT_LT(origin + (lower + double(BVH_MARGIN) / 2 * (lower > 0)) * step,
+                  double(boxes[i].lower[axis]));
+        EXPECT_GT(origin + (upper - double(BVH_MARGIN) / 2) * step, double(boxes[i].upper[axis]));
+      }
   }
 }
 

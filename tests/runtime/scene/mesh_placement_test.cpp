@@ -92,5 +92,23 @@ TEST(MeshPlacement, CopiesWithoutVolumeAreCountedOnceEach) {
   EXPECT_EQ(scene.triangles.size(), 2 * 81 + 12 * (posts - 1));
 }
 
+// A ray divides coordinates by components of its direction, down to 1e-15 of the largest.
+TEST(MeshPlacement, WhatLiesBeyondReachIsCountedAndLeftOut) {
+  SceneBuilder builder = posts_on_ground(40);  // its posts are copied, so their triangles count
+  builder.quad({0, 0, 0}, {1e20f, 0, 0}, {1e20f, 1, 0}, {0, 1, 0});
+  builder.scene().nodes[1].instances[2].to_model[3] = {1e17f, 0, 0, 1};
+  const scene::RenderScene copied = builder.with(lights_of_posts());
+  EXPECT_EQ(copied.dropped_triangles, 2u + 12u);
+  EXPECT_EQ(copied.dropped_instances, 0u);
+
+  SceneBuilder post;
+  for (int i = 0; i < 6; ++i) post.box({-1, i, -1}, {1, i + 1, 1});
+  builder.scene().meshes[1] = post.scene().meshes[0];
+  const scene::RenderScene instanced = builder.with(lights_of_posts());
+  EXPECT_EQ(instanced.dropped_triangles, 2u);
+  EXPECT_EQ(instanced.dropped_instances, 1u);
+  EXPECT_LT(instanced.bounds.upper.x, 100);
+}
+
 }  // namespace
 }  // namespace nightcity::test
