@@ -54,26 +54,26 @@ LodChoice choose_lods(const RawObject& raw, const ReadOptions& options) {
   return choice;
 }
 
+// The halves of the product of two numbers, folded into one (Wang Yi, wyhash, 2019).
+std::uint64_t fold_product(std::uint64_t a, std::uint64_t b) {
+  const auto product = static_cast<unsigned __int128>(a) * b;
+  return static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64);
+}
+
 // A hash that is the same for rings of the same vertices, wherever they start and whichever way
 // they run.
 std::uint64_t vertex_set_hash(const Polygon& polygon) {
-  const auto mix = [](std::uint64_t x) {
-    x ^= x >> 31;
-    x *= 0x9E3779B97F4A7C15ull;
-    return x ^ (x >> 29);
-  };
+  constexpr std::uint64_t a = 0x9E3779B97F4A7C15, b = 0xA0761D6478BD642F, c = 0xE7037ED1A0B428DB;
+  // + 0.0 makes -0 and 0 alike
+  const auto bits = [](double v) { return std::bit_cast<std::uint64_t>(v + 0.0); };
   const auto of_ring = [&](const Ring& ring) {
     std::uint64_t sum = ring.size();
-    for (const glm::dvec3& p : ring) {
-      // + 0.0 makes -0 and 0 alike
-      const std::uint64_t x = std::bit_cast<std::uint64_t>(p.x + 0.0),
-                          y = std::bit_cast<std::uint64_t>(p.y + 0.0);
-      sum += mix(mix(mix(x) + y) + std::bit_cast<std::uint64_t>(p.z + 0.0));
-    }
+    for (const glm::dvec3& p : ring)
+      sum += fold_product(fold_product(bits(p.x) ^ a, bits(p.y) ^ b) + bits(p.z), c);
     return sum;
   };
   std::uint64_t hash = of_ring(polygon.exterior);
-  for (const Ring& ring : polygon.interiors) hash += mix(of_ring(ring));
+  for (const Ring& ring : polygon.interiors) hash += fold_product(of_ring(ring), a);
   return hash;
 }
 

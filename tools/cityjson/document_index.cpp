@@ -16,6 +16,26 @@ constexpr std::array<std::uint8_t, 256> find_marks() {
 }
 constexpr std::array<std::uint8_t, 256> is_mark = find_marks();
 
+// Longer ones hold more closing brackets than boundaries are deep.
+constexpr std::size_t block_bytes = 16;
+
+struct Marks {
+  std::uint8_t quotes = 0, opening = 0, closing = 0;
+};
+
+// Counts the marks of a block. Without branches, so that the compiler looks at all bytes at once.
+Marks count_marks(const char* block) {
+  Marks marks;
+  for (std::size_t i = 0; i < block_bytes; ++i) {
+    const auto c = static_cast<unsigned char>(block[i]);
+    const auto folded = static_cast<unsigned char>(c | 0x20);  // '[' to '{', ']' to '}'
+    marks.quotes = static_cast<std::uint8_t>(marks.quotes + (c == '"'));
+    marks.opening = static_cast<std::uint8_t>(marks.opening + (folded == '{'));
+    marks.closing = static_cast<std::uint8_t>(marks.closing + (folded == '}'));
+  }
+  return marks;
+}
+
 class Scanner {
  public:
   Scanner(std::string_view text, const std::string& name) : text_(text), name_(name) {}
@@ -106,6 +126,7 @@ class Scanner {
   void skip_nested() {
     std::size_t depth = 0;
     do {
+      skip_blocks(depth);
       while (at_ < text_.size() && !is_mark[static_cast<unsigned char>(text_[at_])]) ++at_;
       if (at_ >= text_.size()) fail_at_end();
       const char c = text_[at_];
@@ -116,6 +137,16 @@ class Scanner {
       depth += c == '{' || c == '[' ? 1 : std::size_t(-1);
       ++at_;
     } while (depth > 0);
+  }
+
+  // Steps over blocks without quotes and with too few closing brackets to end the value.
+  void skip_blocks(std::size_t& depth) {
+    while (text_.size() - at_ >= block_bytes) {
+      const Marks marks = count_marks(text_.data() + at_);
+      if (marks.quotes > 0 || marks.closing >= depth) return;
+      depth = depth + marks.opening - marks.closing;
+      at_ += block_bytes;
+    }
   }
 
   std::string_view text_;

@@ -227,8 +227,9 @@ const char* GeometryReader::read_ring(const dom::element& indices,
     const auto index = to_index(value);
     if (!index) return "ring with a vertex number that is none";
     if (*index >= vertices.size()) return "ring with a vertex that is not in the file";
-    ring.push_back(vertices[*index]);
-    if (!finite(ring.back())) return "ring with coordinates that are no numbers";
+    const glm::dvec3& vertex = vertices[*index];
+    if (!finite(vertex)) return "ring with coordinates that are no numbers";
+    ring.push_back(vertex);
   }
   while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
   return ring.size() < 3 ? "ring of fewer than three vertices" : nullptr;
@@ -237,7 +238,20 @@ const char* GeometryReader::read_ring(const dom::element& indices,
 void GeometryReader::read_surface(const dom::element& rings, const dom::element* semantics,
                                   const dom::element* material, const Context& context,
                                   std::vector<city::RawPolygon>& out) {
-  city::Polygon polygon;
+  city::RawPolygon& raw = out.emplace_back();  // made where it stays: a polygon is large to move
+  raw.lod = context.lod;
+  raw.space = context.space;
+  if (!read_polygon(rings, semantics, material, context, raw.polygon)) out.pop_back();
+}
+
+bool GeometryReader::skip(std::string_view reason) {
+  skipped_.add(reason);
+  return false;
+}
+
+bool GeometryReader::read_polygon(const dom::element& rings, const dom::element* semantics,
+                                  const dom::element* material, const Context& context,
+                                  city::Polygon& polygon) {
   polygon.surface = context.surface;
   if (semantics && !semantics->is_null()) {
     const auto index = to_index(*semantics);
@@ -245,7 +259,7 @@ void GeometryReader::read_surface(const dom::element& rings, const dom::element*
       skipped_.add("semantics of a surface that is not there");
     } else {
       const Semantics& meaning = context.semantics[*index];
-      if (meaning.interior) return skipped_.add("polygon: inside a building");
+      if (meaning.interior) return skip("polygon: inside a building");
       polygon.surface = meaning.surface;
       polygon.area_function = meaning.area_function;
     }
@@ -255,23 +269,21 @@ void GeometryReader::read_surface(const dom::element& rings, const dom::element*
   if (colour) polygon.diffuse_colour = *colour;
   dom::array array;
   if (rings.get(array) != simdjson::SUCCESS || array.size() == 0)
-    return skipped_.add("polygon: without rings");
+    return skip("polygon: without rings");
   bool outer = true;
   for (const dom::element& element : array) {
-    city::Ring ring;
-    const char* fault = read_ring(element, context.vertices, ring);
-    if (outer && fault) return skipped_.add("polygon: " + std::string(fault));
-    if (fault)
+    city::Ring& ring = outer ? polygon.exterior : polygon.interiors.emplace_back();
+    if (const char* fault = read_ring(element, context.vertices, ring)) {
+      if (outer) return skip("polygon: " + std::string(fault));
       skipped_.add("hole: " + std::string(fault));
-    else if (outer)
-      polygon.exterior = std::move(ring);
-    else
-      polygon.interiors.push_back(std::move(ring));
+      polygon.interiors.pop_back();
+    }
     outer = false;
   }
-  if (context.vertices.data() == sources_.vertices.data() && city::has_sentinel_height(polygon))
-    return skipped_.add("polygon: at a height that stands for none (-9999 and the like)");
-  out.push_back({std::move(polygon), context.lod, context.space});
+  const bool placed = context.vertices.data() != sources_.vertices.data();
+  if (!placed && city::has_sentinel_height(polygon))
+    return skip("polygon: at a height that stands for none (-9999 and the like)");
+  return true;
 }
 
 // A template placed by a 4 x 4 matrix, in rows, and a reference point added to it.

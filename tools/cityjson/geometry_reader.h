@@ -60,6 +60,10 @@ class GeometryReader {
   void read_surface(const dom::element& rings, const dom::element* semantics,
                     const dom::element* material, const Context& context,
                     std::vector<city::RawPolygon>& out);
+  /// Returns whether the polygon can be used; counts why it cannot.
+  bool read_polygon(const dom::element& rings, const dom::element* semantics,
+                    const dom::element* material, const Context& context, city::Polygon& polygon);
+  bool skip(std::string_view reason);  // counts it and returns false
   /// Returns why the ring cannot be used, null where it can.
   const char* read_ring(const dom::element& indices, std::span<const glm::dvec3> vertices,
                         city::Ring& ring) const;

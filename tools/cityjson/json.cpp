@@ -32,15 +32,15 @@ std::string_view find_text(const dom::object& object, std::string_view key) {
 std::optional<glm::dvec3> to_vector(const dom::element& value) {
   dom::array numbers;
   if (value.get(numbers) != simdjson::SUCCESS) return {};
-  glm::dvec3 vector{0};
-  int count = 0;
+  std::array<double, 3> vector{};
+  std::size_t count = 0;
   for (const dom::element& number : numbers) {
     const auto component = to_number(number);
-    if (!component || count == 3) return {};
+    if (!component || count == vector.size()) return {};
     vector[count++] = *component;
   }
-  if (count != 3) return {};
-  return vector;
+  if (count != vector.size()) return {};
+  return glm::dvec3(vector[0], vector[1], vector[2]);
 }
 
 std::string to_text(const dom::element& value) {
