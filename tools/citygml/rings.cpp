@@ -1,6 +1,5 @@
 #include "tools/citygml/rings.h"
 
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -9,6 +8,7 @@
 
 #include "tools/citygml/curves.h"
 #include "tools/citygml/tag_scanner.h"
+#include "tools/decimal.h"
 
 namespace nightcity::citygml {
 namespace {
@@ -23,7 +23,7 @@ bool parse_numbers(const char* at, const char* end, std::vector<double>& numbers
     if (at == end) return true;
     if (*at == '+') ++at;
     double value = 0;
-    const auto [rest, error] = std::from_chars(at, end, value);
+    const auto [rest, error] = parse_decimal(at, end, value);
     if (error != std::errc() || !std::isfinite(value) || (rest < end && !is_space(*rest)))
       return false;
     numbers.push_back(value);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <span>
 
 #include "formats/median.h"
 #include "tools/layout/place_grid.h"
@@ -66,13 +67,13 @@ class Fitter {
     bool by_new = false;
   };
 
+  /// Visits those of `near` that light a point, in their order.
   template <class Visit>
-  void each_lamp(const glm::dvec2& p, const Visit& visit) const {
-    grid_.any_near(p, reach_heights * highest_m_, [&](const glm::dvec2& centre, std::uint32_t n) {
-      if (glm::distance(centre, p) <= reach_heights * luminaires_[n].height_m)
+  void each_lamp(const glm::dvec2& p, std::span<const std::uint32_t> near,
+                 const Visit& visit) const {
+    for (const std::uint32_t n : near)
+      if (glm::distance(luminaires_[n].centre, p) <= reach_heights * luminaires_[n].height_m)
         visit(n, illuminance(luminaires_[n], p));
-      return false;
-    });
   }
 
   void lay_field(std::size_t s, const place::HeightAt& height_at) {
@@ -88,8 +89,8 @@ class Fitter {
     }
     field.length_m = length * inside / along;
     const auto share = 1.0 / std::max(1, inside * points_across(street.road.width_m));
-    each_point(s, [&](const glm::dvec2& p) {
-      each_lamp(p, [&](std::uint32_t n, double lx) {
+    each_point(s, [&](const glm::dvec2& p, std::span<const std::uint32_t> near) {
+      each_lamp(p, near, [&](std::uint32_t n, double lx) {
         if (n < first_new_)
           field.by_mapped_lx += lx * share;
         else
@@ -99,20 +100,28 @@ class Fitter {
     field.by_new = !field.per_lumen.empty();
   }
 
-  /// Visits the points of a street's field.
+  /// Visits the points of a street's field, each with lamps among which are all that light it.
   template <class Visit>
   void each_point(std::size_t s, const Visit& visit) const {
     const streets::Street& street = network_.streets[s];
     const std::vector<bool>& in_model = fields_[s].in_model;
     const int across = points_across(street.road.width_m);
+    // The lamps near a row of points across the street are looked for once.
+    const double reach_m = reach_heights * highest_m_ + street.road.width_m / 2;
+    std::vector<std::uint32_t> near;
     for (std::size_t i = 0; i < in_model.size(); ++i) {
       if (!in_model[i]) continue;
       const streets::Street::Place place =
           street.place((static_cast<double>(i) + 0.5) * street.length_m() /
                        static_cast<double>(in_model.size()));
+      near.clear();
+      grid_.any_near(place.point, reach_m, [&](const glm::dvec2&, std::uint32_t n) {
+        near.push_back(n);
+        return false;
+      });
       const glm::dvec2 left(-place.along.y, place.along.x);
       for (int j = 0; j < across; ++j)
-        visit(place.point + left * (((j + 0.5) / across - 0.5) * street.road.width_m));
+        visit(place.point + left * (((j + 0.5) / across - 0.5) * street.road.width_m), near);
     }
   }
 
@@ -161,9 +170,9 @@ class Fitter {
     out.lamps = lamps;
     out.wanted_lx = plan.wanted.average_lx;
     out.field = {average(field), std::numeric_limits<double>::infinity()};
-    each_point(s, [&](const glm::dvec2& p) {
+    each_point(s, [&](const glm::dvec2& p, std::span<const std::uint32_t> near) {
       double sum = 0;
-      each_lamp(p, [&](std::uint32_t n, double lx) {
+      each_lamp(p, near, [&](std::uint32_t n, double lx) {
         sum += n < first_new_ ? lx : lx * flux_[street_of_lamp_[n - first_new_]];
       });
       out.field.min_lx = std::min(out.field.min_lx, sum);

@@ -47,11 +47,14 @@ double intensity_at(const Photometry& photometry, double c, double gamma) {
   const auto g =
       std::min<std::size_t>(static_cast<std::size_t>(column), photometry.gamma_count - 2);
   const double fr = row - static_cast<double>(r), fg = column - static_cast<double>(g);
-  const auto at = [&](std::size_t i, std::size_t j) {
-    return photometry.values[i % photometry.c_count * photometry.gamma_count + j];
+  // The rows are periodic. Nearly none is past the end, and a division takes long.
+  const auto find_row = [&](std::size_t i) {
+    const std::size_t in_period = i < photometry.c_count ? i : i % photometry.c_count;
+    return photometry.values.data() + in_period * photometry.gamma_count;
   };
-  return (at(r, g) * (1 - fg) + at(r, g + 1) * fg) * (1 - fr) +
-         (at(r + 1, g) * (1 - fg) + at(r + 1, g + 1) * fg) * fr;
+  const double *low = find_row(r), *high = find_row(r + 1);
+  return (low[g] * (1 - fg) + low[g + 1] * fg) * (1 - fr) +
+         (high[g] * (1 - fg) + high[g + 1] * fg) * fr;
 }
 
 std::uint32_t ProfileTable::add(std::string_view name, const Photometry& photometry) {

@@ -132,8 +132,10 @@ bool WallIndex::any_crossing(double height, const glm::dvec2& from, const glm::d
         const glm::dvec2 a(wall.ax, wall.ay), edge = glm::dvec2(wall.bx, wall.by) - a;
         const double denominator = cross(line, edge);
         if (std::abs(denominator) < 1e-9) continue;
-        const double s = cross(a - from, line) / denominator;
-        if (!(s >= 0 && s <= 1)) continue;
+        // The line's place along the wall is s / denominator, in [0, 1]: nearly all walls end here.
+        const double s = cross(a - from, line);
+        if (denominator > 0 ? !(s >= 0 && s <= denominator) : !(s <= 0 && s >= denominator))
+          continue;
         const double t = cross(a - from, edge) / denominator;
         if (t >= 0 && t <= 1 &&
             visit(wall, t, glm::dot(glm::dvec2(wall.east, wall.north), direction)))

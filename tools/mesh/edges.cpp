@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <tuple>
 #include <utility>
 
 #include "tools/mesh/polygon_plane.h"
@@ -15,7 +14,21 @@ namespace {
 struct Corner {
   std::array<std::int64_t, 3> cell;  // of a millimetre
   std::uint32_t index;               // of the corner, in the order of the rings
+
+  // Written out: comparing tuples takes twice as long.
+  bool operator<(const Corner& other) const {
+    for (std::size_t i = 0; i < cell.size(); ++i)
+      if (cell[i] != other.cell[i]) return cell[i] < other.cell[i];
+    return index < other.index;
+  }
 };
+
+bool comes_before(const EdgeUse& a, const EdgeUse& b) {
+  if (a.low != b.low) return a.low < b.low;
+  if (a.high != b.high) return a.high < b.high;
+  if (a.polygon != b.polygon) return a.polygon < b.polygon;
+  return a.forward < b.forward;
+}
 
 }  // namespace
 
@@ -48,9 +61,7 @@ void EdgeTable::number_vertices(const city::CityObject& object) {
     add(polygon.exterior);
     for (const city::Ring& hole : polygon.interiors) add(hole);
   }
-  std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
-    return std::tie(a.cell, a.index) < std::tie(b.cell, b.index);
-  });
+  std::sort(corners.begin(), corners.end());
   std::vector<std::uint32_t> vertex(corners.size());
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (i == 0 || corners[i].cell != corners[i - 1].cell)
@@ -79,10 +90,7 @@ void EdgeTable::number_vertices(const city::CityObject& object) {
 }
 
 void EdgeTable::index_uses(std::size_t polygons) {
-  std::sort(uses_.begin(), uses_.end(), [](const EdgeUse& a, const EdgeUse& b) {
-    return std::tie(a.low, a.high, a.polygon, a.forward) <
-           std::tie(b.low, b.high, b.polygon, b.forward);
-  });
+  std::sort(uses_.begin(), uses_.end(), comes_before);
   begin_.resize(uses_.size());
   end_.resize(uses_.size());
   first_.assign(polygons + 1, 0);

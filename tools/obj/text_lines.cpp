@@ -1,11 +1,11 @@
 #include "tools/obj/text_lines.h"
 
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <utility>
 
 #include "formats/error.h"
+#include "tools/decimal.h"
 
 namespace nightcity::obj {
 namespace {
@@ -116,7 +116,7 @@ std::string_view take_word(std::string_view& text) {
 bool take_number(std::string_view& text, double& value) {
   std::string_view rest = trim(text);
   if (rest.starts_with('+')) rest.remove_prefix(1);
-  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+  const auto [end, error] = parse_decimal(rest.data(), rest.data() + rest.size(), value);
   const auto size = static_cast<std::size_t>(end - rest.data());
   if (error != std::errc() || !std::isfinite(value) ||
       (size < rest.size() && !is_blank(rest[size])))

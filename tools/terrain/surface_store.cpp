@@ -68,9 +68,11 @@ struct SurfaceStore::Loaded {
     const glm::dvec2 a(t.corners[0]), u = glm::dvec2(t.corners[1]) - a,
                                       v = glm::dvec2(t.corners[2]) - a, w = v - u, q = p - a;
     const double twice = cross(u, v), side = twice > 0 ? 1 : -1;
-    if (side * cross(u, q) < -edge_m * glm::length(u) ||
-        side * cross(q, v) < -edge_m * glm::length(v) ||
-        side * cross(w, q - u) < -edge_m * glm::length(w))
+    // Lengths are found for points beside the edge alone.
+    const auto is_outside = [&](double area, const glm::dvec2& edge) {
+      return side * area < 0 && side * area < -edge_m * glm::length(edge);
+    };
+    if (is_outside(cross(u, q), u) || is_outside(cross(q, v), v) || is_outside(cross(w, q - u), w))
       return std::nullopt;
     const double s = cross(q, v) / twice, r = cross(u, q) / twice, z = t.corners[0].z;
     return z + s * (t.corners[1].z - z) + r * (t.corners[2].z - z);
