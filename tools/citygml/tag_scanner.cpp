@@ -189,23 +189,24 @@ Tag TagScanner::next() {
 }
 
 std::size_t TagScanner::skip_element(const Tag& open, std::size_t max_bytes) {
-  std::string start = "<", stop = "</";
-  start += open.name;
-  stop += open.name;
+  const std::string name(open.name);
   std::size_t from = open.end, end = 0;
   while (end == 0) {
-    const std::size_t at = search(bytes_.get(), from, size_, stop);
-    if (at == nowhere || at + stop.size() >= size_) {
-      from = std::max(from, size_ - std::min(size_, stop.size()));
+    const std::size_t at = search(bytes_.get(), from, size_, name);
+    const std::size_t behind = at + name.size();
+    if (at == nowhere || behind >= size_) {
+      from = std::max(from, size_ - std::min(size_, name.size()));
       if (size_ - open.begin > max_bytes || !fill()) return 0;
-    } else if (ends_name(bytes_[at + stop.size()])) {
-      end = at;
-    } else {
-      from = at + stop.size();
+      continue;
     }
+    from = behind;
+    if (!ends_name(bytes_[behind])) continue;
+    const std::string_view before = window().substr(open.end, at - open.end);
+    if (before.ends_with('<')) return 0;
+    if (before.ends_with("</")) end = at - 2;
   }
-  const char* const text = bytes_.get();
   // "<!--", "<![CDATA[", "<?": rare enough to look for one by one.
+  const char* const text = bytes_.get();
   for (const char mark : {'!', '?'}) {
     for (std::size_t at = open.end; at < end; ++at) {
       const void* found = std::memchr(text + at, mark, end - at);
@@ -214,9 +215,6 @@ std::size_t TagScanner::skip_element(const Tag& open, std::size_t max_bytes) {
       if (text[at - 1] == '<') return 0;
     }
   }
-  for (std::size_t at = search(text, open.end, end, start); at != nowhere;
-       at = search(text, at + 1, end, start))
-    if (ends_name(text[at + start.size()])) return 0;
   position_ = end_of_tag(end);
   return position_;
 }

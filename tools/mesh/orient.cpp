@@ -22,10 +22,15 @@ struct Shell {
       high{-std::numeric_limits<double>::infinity()};
 };
 
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
 class Orienter {
  public:
   Orienter(city::CityObject& object, const EdgeTable& edges)
-      : object_(object), edges_(edges), turned_(object.polygons.size(), false) {}
+      : object_(object),
+        edges_(edges),
+        turned_(object.polygons.size(), false),
+        shell_of_(object.polygons.size(), none) {}
 
   void run(MeshReport& report) {
     find_shells();
@@ -57,13 +62,13 @@ class Orienter {
   // Neighbours share an edge that no third polygon has; facing the same way, they run along it in
   // opposite directions.
   void find_shells() {
-    std::vector<bool> seen(object_.polygons.size(), false);
     std::vector<std::uint32_t> open;
     for (std::uint32_t start = 0; start < object_.polygons.size(); ++start) {
-      if (seen[start] || edges_.of_polygon(start).empty()) continue;
+      if (shell_of_[start] != none || edges_.of_polygon(start).empty()) continue;
       Shell shell;
+      const auto number = static_cast<std::uint32_t>(shells_.size());
       open.assign(1, start);
-      seen[start] = true;
+      shell_of_[start] = number;
       while (!open.empty()) {
         const std::uint32_t p = open.back();
         open.pop_back();
@@ -74,8 +79,8 @@ class Orienter {
           const EdgeUse &mine = uses[uses[0].polygon == p ? 0 : 1],
                         &other = uses[uses[0].polygon == p ? 1 : 0];
           const bool turn_other = turned_[p] != (mine.forward == other.forward);
-          if (!seen[other.polygon]) {
-            seen[other.polygon] = true;
+          if (shell_of_[other.polygon] == none) {
+            shell_of_[other.polygon] = number;
             turned_[other.polygon] = turn_other;
             open.push_back(other.polygon);
           } else if (turned_[other.polygon] != turn_other) {
@@ -83,16 +88,13 @@ class Orienter {
           }
         }
       }
-      measure(shell);
+      measure(shell, number);
       shells_.push_back(std::move(shell));
     }
   }
 
-  void measure(Shell& shell) {
+  void measure(Shell& shell, std::uint32_t number) {
     std::sort(shell.polygons.begin(), shell.polygons.end());
-    const auto belongs = [&](std::uint32_t polygon) {
-      return std::binary_search(shell.polygons.begin(), shell.polygons.end(), polygon);
-    };
     const glm::dvec3 origin = object_.polygons[shell.polygons.front()].exterior.front();
     for (const std::uint32_t i : shell.polygons) {
       const city::Polygon& polygon = object_.polygons[i];
@@ -111,7 +113,8 @@ class Orienter {
       for (const std::uint32_t u : edges_.of_polygon(i)) {
         int balance = 0;
         for (const EdgeUse& use : edges_.edge_of(u))
-          if (belongs(use.polygon)) balance += use.forward != turned_[use.polygon] ? 1 : -1;
+          if (shell_of_[use.polygon] == number)
+            balance += use.forward != turned_[use.polygon] ? 1 : -1;
         if (balance != 0) shell.closed = false;
       }
     }
@@ -135,6 +138,7 @@ class Orienter {
   city::CityObject& object_;
   const EdgeTable& edges_;
   std::vector<bool> turned_;
+  std::vector<std::uint32_t> shell_of_;  // of each polygon; `none` before it is reached
   std::vector<Shell> shells_;
 };
 

@@ -24,7 +24,7 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
 struct SurfaceStore::Loaded {
   std::vector<Triangle> triangles;
   glm::dvec2 corner{0};
-  double bucket = 1;
+  double buckets_per_m = 1;
   int side = 1;
   std::vector<std::uint32_t> first, inside;
 
@@ -32,7 +32,7 @@ struct SurfaceStore::Loaded {
       : triangles(std::move(t)), corner(low) {
     side =
         std::clamp(static_cast<int>(std::sqrt(static_cast<double>(triangles.size()) / 2)), 1, 256);
-    bucket = size / side;
+    buckets_per_m = side / size;
     first.assign(static_cast<std::size_t>(side) * static_cast<std::size_t>(side) + 1, 0);
     for (std::uint32_t i = 0; i < triangles.size(); ++i)
       visit(triangles[i], [&](std::size_t b) { ++first[b + 1]; });
@@ -47,8 +47,7 @@ struct SurfaceStore::Loaded {
   std::size_t cost() const { return triangles.size() + 8; }
 
   int index(double along) const {
-    return static_cast<int>(
-        std::clamp(std::floor(along / bucket), 0.0, static_cast<double>(side - 1)));
+    return static_cast<int>(std::clamp(along * buckets_per_m, 0.0, static_cast<double>(side - 1)));
   }
   std::size_t bucket_at(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(side) +
