@@ -19,6 +19,7 @@
 #include "formats/error.h"
 #include "formats/input_file.h"
 #include "formats/to_lower.h"
+#include "tools/city/find_name.h"
 #include "tools/city/text_encoding.h"
 
 namespace nightcity::city {
@@ -241,7 +242,7 @@ bool mentions(const Document& document, std::string_view text) {
     const std::size_t got = source->read(window.data() + kept, block);
     if (got == 0) return false;
     const std::size_t size = kept + got;
-    if (::memmem(window.data(), size, text.data(), text.size())) return true;
+    if (find_name({window.data(), size}, text) != std::string_view::npos) return true;
     if (std::memchr(window.data() + kept, 0, got)) return false;  // no text: its reader says so
     kept = std::min(size, text.size() - 1);  // the text may lie across the border
     std::memmove(window.data(), window.data() + size - kept, kept);

@@ -1,7 +1,6 @@
 #include "tools/citygml/stream_reader.h"
 
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "formats/error.h"
+#include "tools/city/find_name.h"
 #include "tools/citygml/citygml_head.h"
 #include "tools/citygml/member_parser.h"
 #include "tools/citygml/picture_colours.h"
@@ -30,8 +30,7 @@ bool is_object_member(const MemberBatch::Member& member) {
 }
 
 bool mentions_srs_name(std::string_view text) {
-  constexpr std::string_view key = "srsName";
-  return memmem(text.data(), text.size(), key.data(), key.size()) != nullptr;
+  return city::find_name(text, "srsName") != std::string_view::npos;
 }
 
 struct BatchResult {

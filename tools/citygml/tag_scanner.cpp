@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "formats/error.h"
+#include "tools/city/find_name.h"
 #include "tools/city/line_ends.h"
 
 namespace nightcity::citygml {
@@ -17,16 +18,13 @@ bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-std::size_t search(const char* bytes, std::size_t from, std::size_t to, const std::string& what) {
-  const void* at = ::memmem(bytes + from, to - from, what.data(), what.size());
-  return at ? static_cast<std::size_t>(static_cast<const char*>(at) - bytes) : nowhere;
-}
-
 }  // namespace
 
 std::string_view local_name(std::string_view name) {
-  const auto colon = name.rfind(':');
-  return colon == std::string_view::npos ? name : name.substr(colon + 1);
+  const void* const colon = ::memrchr(name.data(), ':', name.size());
+  return colon ? name.substr(
+                     static_cast<std::size_t>(static_cast<const char*>(colon) - name.data()) + 1)
+               : name;
 }
 
 bool ends_name(char c) {
@@ -192,9 +190,9 @@ std::size_t TagScanner::skip_element(const Tag& open, std::size_t max_bytes) {
   const std::string name(open.name);
   std::size_t from = open.end, end = 0;
   while (end == 0) {
-    const std::size_t at = search(bytes_.get(), from, size_, name);
+    const std::size_t at = city::find_name(window(), name, from);
     const std::size_t behind = at + name.size();
-    if (at == nowhere || behind >= size_) {
+    if (at == std::string_view::npos || behind >= size_) {
       from = std::max(from, size_ - std::min(size_, name.size()));
       if (size_ - open.begin > max_bytes || !fill()) return 0;
       continue;

@@ -112,56 +112,89 @@ void WallIndex::add(std::span<const UprightWall> walls, std::uint32_t owner) {
   }
 }
 
+// A horizontal line.
+struct WallIndex::Line {
+  double height = 0;
+  glm::dvec2 from{0}, step{0};
+
+  // Returns the place in [0, 1] along the line where a wall crosses it; none where none does.
+  std::optional<double> find_crossing(const Wall& wall) const {
+    if (height < wall.low || height > wall.high) return {};
+    const glm::dvec2 a(wall.ax, wall.ay), edge = glm::dvec2(wall.bx, wall.by) - a;
+    const double denominator = cross(step, edge);
+    if (std::abs(denominator) < 1e-9) return {};
+    const double s = cross(a - from, step) / denominator;
+    if (!(s >= 0 && s <= 1)) return {};
+    const double t = cross(a - from, edge) / denominator;
+    return t >= 0 && t <= 1 ? std::optional(t) : std::nullopt;
+  }
+};
+
 template <class Visit>
-bool WallIndex::any_crossing(double height, const glm::dvec2& from, const glm::dvec2& line,
-                             LastCell& last, const Visit& visit) {
-  const glm::dvec2 to = from + line, direction = glm::normalize(line);
-  const glm::dvec2 low = glm::min(from, to), high = glm::max(from, to);
+bool WallIndex::any_in_buckets(const glm::dvec2& low, const glm::dvec2& high, const Visit& visit) {
+  std::optional<CellKey> last;  // buckets side by side are mostly of one cell
+  std::shared_ptr<const Loaded> cell;
   const std::int32_t right = bucket_of(high.x), top = bucket_of(high.y);
   for (std::int32_t x = bucket_of(low.x); x <= right; ++x)
     for (std::int32_t y = bucket_of(low.y); y <= top; ++y) {
       const CellKey key{cell_of(x), cell_of(y)};
-      if (!last.cell || last.key != key)
-        last = {key, cache_->get(key, [&] { return Loaded(cells_.read(key), key); })};
-      const Loaded& cell = *last.cell;
+      if (last != key) cell = cache_->get(key, [&] { return Loaded(cells_.read(key), key); });
+      last = key;
       const auto b =
           static_cast<std::size_t>((y - key.row * buckets) * buckets + x - key.column * buckets);
-      for (std::uint32_t i = cell.first[b]; i < cell.first[b + 1]; ++i) {
-        const Wall& wall = cell.walls[cell.inside[i]];
-        if (height < wall.low || height > wall.high) continue;
-        const glm::dvec2 a(wall.ax, wall.ay), edge = glm::dvec2(wall.bx, wall.by) - a;
-        const double denominator = cross(line, edge);
-        if (std::abs(denominator) < 1e-9) continue;
-        // The line's place along the wall is s / denominator, in [0, 1]: nearly all walls end here.
-        const double s = cross(a - from, line);
-        if (denominator > 0 ? !(s >= 0 && s <= denominator) : !(s <= 0 && s >= denominator))
-          continue;
-        const double t = cross(a - from, edge) / denominator;
-        if (t >= 0 && t <= 1 &&
-            visit(wall, t, glm::dot(glm::dvec2(wall.east, wall.north), direction)))
-          return true;
-      }
+      for (std::uint32_t i = cell->first[b]; i < cell->first[b + 1]; ++i)
+        if (visit(cell->walls[cell->inside[i]])) return true;
     }
   return false;
 }
 
+template <class Visit>
+bool WallIndex::any_crossing(double height, const glm::dvec2& from, const glm::dvec2& step,
+                             const Visit& visit) {
+  const glm::dvec2 to = from + step, direction = glm::normalize(step);
+  const Line line{height, from, step};
+  return any_in_buckets(glm::min(from, to), glm::max(from, to), [&](const Wall& wall) {
+    const auto t = line.find_crossing(wall);
+    return t && visit(wall, *t, glm::dot(glm::dvec2(wall.east, wall.north), direction));
+  });
+}
+
 bool WallIndex::blocked(std::span<const glm::dvec3> points, const glm::dvec3& normal,
                         double reach_m, std::uint32_t owner) {
-  if (!origin_) return false;
+  if (!origin_ || points.empty()) return false;
   const glm::dvec2 forward = glm::normalize(glm::dvec2(normal));
+  const glm::dvec2 step = forward * (reach_m + behind_m), direction = glm::normalize(step);
+  std::vector<Line> lines;
+  lines.reserve(points.size());
+  for (const glm::dvec3& p : points) {
+    const glm::dvec3 local = p - *origin_;
+    lines.push_back({local.z, glm::dvec2(local) - forward * behind_m, step});
+  }
+  glm::dvec2 low = lines.front().from, high = low;
+  for (const Line& line : lines) {
+    low = glm::min(low, glm::min(line.from, line.from + step));
+    high = glm::max(high, glm::max(line.from, line.from + step));
+  }
   // The window's own facade does not block it, at whatever depth the window lies in it. Of another
   // building only what stands clearly in front of the window counts, because the facades of a row
   // lie in one plane.
-  const auto blocks = [&](const Wall& wall, double t, double same_way) {
+  const auto blocks = [&](const Wall& wall, double t) {
     const bool ahead = t * (reach_m + behind_m) > 2 * behind_m;
+    const double same_way = glm::dot(glm::dvec2(wall.east, wall.north), direction);
     const bool facade = same_way > 0.99 && (wall.owner == owner || !ahead);
     return !facade;
   };
-  LastCell last;
-  return std::any_of(points.begin(), points.end(), [&](const glm::dvec3& p) {
-    const glm::dvec3 local = p - *origin_;
-    return any_crossing(local.z, glm::dvec2(local) - forward * behind_m,
-                        forward * (reach_m + behind_m), last, blocks);
+  // Most walls of a bucket are far from all of the lines; those within rounding are not.
+  constexpr double rounding_m = 0.01;
+  const glm::vec2 least(low - rounding_m), most(high + rounding_m);
+  return any_in_buckets(low, high, [&](const Wall& wall) {
+    if (std::max(wall.ax, wall.bx) < least.x || std::min(wall.ax, wall.bx) > most.x ||
+        std::max(wall.ay, wall.by) < least.y || std::min(wall.ay, wall.by) > most.y)
+      return false;
+    return std::any_of(lines.begin(), lines.end(), [&](const Line& line) {
+      const auto t = line.find_crossing(wall);
+      return t && blocks(wall, *t);
+    });
   });
 }
 
@@ -177,13 +210,12 @@ bool WallIndex::inside_another(const glm::dvec3& p, const glm::dvec3& normal, st
     around = same_way > 0 ? std::optional(wall.owner) : std::nullopt;
     return false;
   };
-  LastCell last;
-  any_crossing(local.z, glm::dvec2(local), forward, last, find_nearest);
+  any_crossing(local.z, glm::dvec2(local), forward, find_nearest);
   if (!around) return false;
   const auto is_back = [&](const Wall& wall, double, double same_way) {
     return wall.owner == *around && same_way > 0;
   };
-  return any_crossing(local.z, glm::dvec2(local), -forward, last, is_back);
+  return any_crossing(local.z, glm::dvec2(local), -forward, is_back);
 }
 
 }  // namespace nightcity::lights

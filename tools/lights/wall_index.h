@@ -60,16 +60,15 @@ class WallIndex {
     auto operator<=>(const CellKey&) const = default;
   };
   struct Loaded;
-  /// The cell that was asked for last, so that lines side by side look for it once.
-  struct LastCell {
-    CellKey key;
-    std::shared_ptr<const Loaded> cell;
-  };
-  /// Calls visit(wall, t, same_way) for walls that cross the line, at t in [0, 1] along it, until
-  /// it returns true, and returns whether it did; for some walls more than once. `same_way`: cosine
-  /// of the angle between the wall's normal and the line.
+  struct Line;
+  /// Calls visit(wall) for each wall in the buckets of a rectangle, until it returns true, and
+  /// returns whether it did; for some walls more than once.
   template <class Visit>
-  bool any_crossing(double height, const glm::dvec2& from, const glm::dvec2& line, LastCell& last,
+  bool any_in_buckets(const glm::dvec2& low, const glm::dvec2& high, const Visit& visit);
+  /// Calls visit(wall, t, same_way) for walls that cross the line, at t in [0, 1] along it, as
+  /// any_in_buckets() does. `same_way`: cosine of the angle between the wall's normal and the line.
+  template <class Visit>
+  bool any_crossing(double height, const glm::dvec2& from, const glm::dvec2& line,
                     const Visit& visit);
 
   std::optional<glm::dvec3> origin_;
