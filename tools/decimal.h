@@ -13,8 +13,8 @@ namespace nightcity {
 /// so that the quotient is the double nearest to the decimal (Clinger 1990, How to Read Floating
 /// Point Numbers Accurately). All others go to std::from_chars.
 inline std::from_chars_result parse_decimal(const char* first, const char* last, double& value) {
-  constexpr std::array powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
-                              1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
+  static constexpr std::array powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
+                                     1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
   constexpr std::uint64_t max_exact = std::uint64_t{1} << 53;
   const char* at = first;
   std::uint64_t digits = 0;
