@@ -14,17 +14,23 @@ namespace {
 
 constexpr int unknown_lod = -1;
 
-// Returns the LoD to take of those present: the highest up to `limit`, else the lowest above.
-std::optional<int> choose_lod(const std::vector<int>& lods, int limit) {
-  std::optional<int> below, above;
-  for (const int lod : lods) {
-    if (lod <= limit)
-      below = std::max(below.value_or(lod), lod);
+// Chooses of the LoDs that are present: the highest up to the limit, else the lowest above.
+class LodChooser {
+ public:
+  explicit LodChooser(int limit) : limit_(limit) {}
+
+  void add(int lod) {
+    if (lod <= limit_)
+      below_ = std::max(below_.value_or(lod), lod);
     else
-      above = std::min(above.value_or(lod), lod);
+      above_ = std::min(above_.value_or(lod), lod);
   }
-  return below ? below : above;
-}
+  std::optional<int> chosen() const { return below_ ? below_ : above_; }
+
+ private:
+  int limit_;
+  std::optional<int> below_, above_;
+};
 
 struct LodChoice {
   std::vector<std::optional<int>> of_space;
@@ -32,17 +38,17 @@ struct LodChoice {
 };
 
 LodChoice choose_lods(const RawObject& raw, const ReadOptions& options) {
-  std::vector<std::vector<int>> present(raw.spaces.size());
-  std::vector<int> whole;  // of spaces that can stand for the object alone
+  std::vector<LodChooser> present(raw.spaces.size(), LodChooser(options.max_lod));
+  LodChooser whole(options.max_lod);  // of spaces that can stand for the object alone
   for (const RawPolygon& p : raw.polygons) {
     if (p.lod == unknown_lod) continue;
-    present[p.space].push_back(p.lod);
-    if (!raw.spaces[p.space].detail) whole.push_back(p.lod);
+    present[p.space].add(p.lod);
+    if (!raw.spaces[p.space].detail) whole.add(p.lod);
   }
   LodChoice choice;
-  const std::optional<int> best = choose_lod(whole, options.max_lod);
+  const std::optional<int> best = whole.chosen();
   for (std::size_t i = 0; i < raw.spaces.size(); ++i) {
-    std::optional<int> lod = choose_lod(present[i], options.max_lod);
+    std::optional<int> lod = present[i].chosen();
     // A detail of a higher LoD than the object is shown at would hang on walls that are not there.
     if (raw.spaces[i].detail && lod && best && *lod > std::max(*best, options.max_lod)) lod.reset();
     // A building whose parts have a better LoD: its own coarse block would stand inside or around
@@ -97,6 +103,7 @@ bool same_vertices(const Polygon& a, const Polygon& b) {
 class KeptPolygons {
  public:
   explicit KeptPolygons(const std::vector<RawPolygon>& raws) {
+    hashes_.reserve(raws.size());
     for (const RawPolygon& raw : raws) hashes_.push_back(vertex_set_hash(raw.polygon));
     std::vector<std::uint64_t> sorted = hashes_;
     std::sort(sorted.begin(), sorted.end());
