@@ -21,6 +21,7 @@ bool is_space(char c) {
 }  // namespace
 
 std::string_view local_name(std::string_view name) {
+  if (name.empty()) return name;
   const void* const colon = ::memrchr(name.data(), ':', name.size());
   return colon ? name.substr(
                      static_cast<std::size_t>(static_cast<const char*>(colon) - name.data()) + 1)
