@@ -9,7 +9,7 @@ preset=${1:-release}
 [ $# -eq 0 ] || shift
 cd "$root"
 
-options=()
+options=("-DNIGHTCITY_UNITY=${NIGHTCITY_UNITY:-OFF}")  # CMakeLists.txt says what for
 if command -v ccache >/dev/null; then
   options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   export CCACHE_SLOPPINESS=pch_defines,time_macros  # its manual's condition for precompiled headers

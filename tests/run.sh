@@ -6,6 +6,6 @@ source "$(dirname "${BASH_SOURCE[0]}")/../pipelines/steps.sh"
 
 cd "$root"
 timed "packages" pipelines/setup.sh
-timed "programs and tests (the first build takes minutes)" pipelines/build.sh release
+timed "programs and tests (the first build takes minutes)" env NIGHTCITY_UNITY=ON pipelines/build.sh release
 say "tests"
 exec ctest --test-dir build/release --output-on-failure --parallel "$(nproc)" "$@"

@@ -22,7 +22,7 @@ namespace {
 
 using test::TempFolder;
 
-Light lamp(float x) {
+Light lamp_at(float x) {
   return {{x, 8, 0},
           0.1f,
           {0, -1, 0},
@@ -36,7 +36,7 @@ Light lamp(float x) {
 }
 
 Light vehicle_light(uint condition) {
-  Light light = lamp(2.2f);
+  Light light = lamp_at(2.2f);
   light.schedule = condition;
   light.id = static_cast<uint>(LightFamily::tail_lamp);
   return light;
@@ -47,7 +47,7 @@ TripKnot knot(float time_s) {
 }
 
 struct Sample {
-  std::vector<Light> lights{lamp(1), lamp(2), lamp(3)};
+  std::vector<Light> lights{lamp_at(1), lamp_at(2), lamp_at(3)};
   std::vector<LightProvenance> provenance{3};
   std::vector<LightProfile> profiles{{1, 2, 0, 180}, {2, 3, 2, 45}};
   // Two values of the first profile, six of the second; the integral of each is 1.

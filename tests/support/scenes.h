@@ -8,9 +8,13 @@
 
 #include "formats/rgb9e5.h"
 #include "runtime/scene/brute_force.h"
+#include "runtime/scene/camera.h"
 #include "runtime/scene/render_scene.h"
 
 namespace nightcity::test {
+
+/// A camera 30 m above the origin.
+inline const scene::CameraPose looking_down{{0, 30, 0}, {0, 0, 0}, {0, 0, -1}, 40};
 
 /// Returns a lamp without a profile at `position`, aimed down; radius in m, flux in lumen.
 inline Light lamp(const glm::vec3& position, float flux_lm, float radius = 0.05f) {

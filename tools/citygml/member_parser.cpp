@@ -39,7 +39,7 @@ bool read_area_function(const FeatureClass& what, std::string_view name,
   return true;
 }
 
-bool is_space(ClassKind kind) {
+bool is_own_space(ClassKind kind) {
   return kind == ClassKind::top || kind == ClassKind::part;
 }
 
@@ -115,7 +115,7 @@ void MemberParser::read_feature(const pugi::xml_node& element, const FeatureClas
     const std::string_view name = local_name(property.name());
     switch (find_property_kind(name)) {
       case PropertyKind::attribute:
-        if (is_space(what.kind))
+        if (is_own_space(what.kind))
           city::set_attribute(said, lower(name), property.child_value());
         else if (!read_area_function(what, name, property, context))
           skipped_.add(property.name());

@@ -13,10 +13,6 @@
 namespace nightcity::citygml {
 namespace {
 
-bool is_space(char c) {
-  return c == ' ' || c == '\n' || c == '\t' || c == '\r';
-}
-
 bool parse_numbers(const char* at, const char* end, std::vector<double>& numbers) {
   for (;;) {
     while (at < end && is_space(*at)) ++at;

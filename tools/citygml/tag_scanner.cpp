@@ -14,10 +14,6 @@ constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 // Read at once: a large document's block, which a small document's first ones lead up to.
 constexpr std::size_t first_block = std::size_t{1} << 15, read_block = std::size_t{1} << 20;
 
-bool is_space(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-}
-
 }  // namespace
 
 std::string_view local_name(std::string_view name) {

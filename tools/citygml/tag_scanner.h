@@ -19,6 +19,10 @@ struct Tag {
   std::string_view name;           // with prefix; valid until the next call
 };
 
+/// Returns whether a character is white space in XML.
+inline bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
 /// Returns the part of a name behind its prefix.
 std::string_view local_name(std::string_view name);
 /// Returns whether a tag's name ends at this character.

@@ -46,7 +46,7 @@ std::size_t count_at(const dom::element& boundaries, int depth) {
   return count;
 }
 
-std::size_t count_polygons(const dom::object& geometry) {
+std::size_t count_its_polygons(const dom::object& geometry) {
   const auto depth = find_surface_depth(find_text(geometry, "type"));
   const auto boundaries = find_member(geometry, "boundaries");
   return depth && boundaries ? count_at(*boundaries, *depth) : 0;
@@ -86,7 +86,7 @@ std::size_t count_polygons(const dom::array& geometries) {
   std::size_t count = 0;
   for (const dom::element& element : geometries)
     if (dom::object geometry; element.get(geometry) == simdjson::SUCCESS)
-      count += count_polygons(geometry);
+      count += count_its_polygons(geometry);
   return count;
 }
 
@@ -126,7 +126,7 @@ void GeometryReader::read(const dom::array& geometries, std::uint32_t space,
     if (const auto lod = find_lod(geometry)) {
       context.lod = static_cast<int>(*lod);
       if (*lod < finest[context.lod]) {
-        skipped_.add("polygon: a refined LoD, a finer one taken", count_polygons(geometry));
+        skipped_.add("polygon: a refined LoD, a finer one taken", count_its_polygons(geometry));
         continue;
       }
     }
@@ -314,7 +314,7 @@ void GeometryReader::read_instance(const dom::object& geometry, const Context& c
   const glm::dvec3& reference = sources_.vertices[places[0][0]];
   matrix[3] += glm::dvec4(reference, 0.0);
 
-  placed_polygons_ += count_polygons(shape);
+  placed_polygons_ += count_its_polygons(shape);
   if (placed_polygons_ > max_placed_polygons)
     return skipped_.add("templates: more polygons than an object may have");
   Context placed = context;

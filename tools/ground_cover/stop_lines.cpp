@@ -13,7 +13,7 @@ namespace {
 // StVO, sign 294 and RMS-1: a stop line is 0.50 m wide, 1.00 m before a crossing.
 constexpr double line_m = 0.5, before_crossing_m = 1;
 // StVO, sign 341 and RMS-1: a line at which to give way has dashes of 0.50 m with gaps of 0.25 m.
-constexpr double dash_m = 0.5, gap_m = 0.25;
+constexpr double block_m = 0.5, block_gap_m = 0.25;
 // A sign without a direction is for the junction that is as near as this: an assumption.
 constexpr double near_m = 60;
 
@@ -83,9 +83,9 @@ void StopLines::paint(const roads::Carriageway& road, const MeasuredLine& along,
   if (tag_of(tags, "highway") != "give_way")
     return painter_.add("stop line",
                         along.make_strip(from_m, from_m + line_m, right_m, right_m + width_m));
-  for (double s = gap_m / 2; s + dash_m <= width_m; s += dash_m + gap_m)
+  for (double s = block_gap_m / 2; s + block_m <= width_m; s += block_m + block_gap_m)
     painter_.add("dash at which to give way",
-                 along.make_strip(from_m, from_m + line_m, right_m + s, right_m + s + dash_m));
+                 along.make_strip(from_m, from_m + line_m, right_m + s, right_m + s + block_m));
 }
 
 }  // namespace nightcity::ground_cover

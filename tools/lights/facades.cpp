@@ -15,7 +15,6 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double max_lean = 0.3;        // |normal.z| of a wall
 constexpr double edge_margin_m = 0.6;   // bays begin this far from a facade's ends
 constexpr double wall_margin_m = 0.12;  // frames keep this far from any edge of their wall
 constexpr double min_facade_m = 2.0;
@@ -113,7 +112,7 @@ class Builder {
     std::uint16_t number = 0;
     for (const city::Polygon& polygon : building_.polygons) {
       if (polygon.surface != city::SurfaceType::window) continue;
-      const auto frame = wall_frame(polygon, max_lean);
+      const auto frame = wall_frame(polygon);
       if (!frame) continue;
       const WallOutline outline = outline_in(*frame, polygon);
       const dvec2 size = outline.high - outline.low, middle = (outline.high + outline.low) * 0.5;
@@ -134,7 +133,7 @@ class Builder {
   void collect_facades() {
     for (const city::Polygon& polygon : building_.polygons) {
       if (polygon.surface != city::SurfaceType::wall) continue;
-      const auto frame = wall_frame(polygon, max_lean);
+      const auto frame = wall_frame(polygon);
       if (!frame) continue;
       bottom_ = std::min(bottom_, lowest_of(polygon));
       Facade* home = nullptr;

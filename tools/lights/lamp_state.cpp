@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "tools/lights/is_one_of.h"
 #include "tools/osm/tag_values.h"
 
 namespace nightcity::lights {
@@ -23,11 +24,6 @@ constexpr std::array<string_view, 15> broken_words = {
 constexpr std::array<string_view, 10> working_words = {"operational", "yes",   "working", "ok",
                                                        "functional",  "open",  "active",  "in_use",
                                                        "good",        "normal"};
-
-template <std::size_t N>
-bool is_one_of(const std::string& word, const std::array<string_view, N>& words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 const std::string* find(const osm::OsmTags& tags, string_view key) {
   const auto found = tags.find(std::string(key));

@@ -4,15 +4,11 @@
 #include <array>
 #include <string>
 
+#include "tools/lights/is_one_of.h"
 #include "tools/osm/tag_values.h"
 
 namespace nightcity::lights {
 namespace {
-
-template <std::size_t N>
-bool is_one_of(const std::string& word, const std::array<std::string_view, N>& words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 constexpr std::array<std::string_view, 7> dark = {"no",   "disused", "broken", "never",
                                                   "none", "false",   "off"};

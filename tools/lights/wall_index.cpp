@@ -17,7 +17,6 @@ constexpr std::int32_t buckets = 8;         // along each side of a cell
 constexpr std::size_t max_cached = 60'000;  // walls, 36 bytes each
 constexpr double behind_m = 0.05;
 constexpr double looked_through_m = 30;
-constexpr double max_lean = 0.3;
 constexpr double longest_m = 2000;  // a longer wall is a broken coordinate
 
 // Clamped, so that a wrong coordinate does not overflow.
@@ -77,7 +76,7 @@ std::vector<WallIndex::UprightWall> WallIndex::find_upright_walls(const city::Ci
   std::vector<UprightWall> walls;
   for (const city::Polygon& polygon : object.polygons) {
     if (polygon.surface != city::SurfaceType::wall) continue;
-    const auto frame = wall_frame(polygon, max_lean);
+    const auto frame = wall_frame(polygon);
     if (!frame) continue;
     const WallOutline outline = outline_in(*frame, polygon);
     if (!(outline.high.x - outline.low.x < longest_m)) continue;

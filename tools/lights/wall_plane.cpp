@@ -45,7 +45,8 @@ dvec3 WallFrame::from_plane(const dvec2& p) const {
   return origin + along * p.x + up * p.y;
 }
 
-std::optional<WallFrame> wall_frame(const city::Polygon& polygon, double max_lean) {
+std::optional<WallFrame> wall_frame(const city::Polygon& polygon) {
+  constexpr double max_lean = 0.3;  // |normal.z| of a wall
   const city::Ring& ring = polygon.exterior;
   if (ring.size() < 3) return std::nullopt;
   // Newell's normal, relative to the first vertex because coordinates are large and walls are

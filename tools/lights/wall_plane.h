@@ -24,9 +24,9 @@ struct WallOutline {
   glm::dvec2 low{0}, high{0};
 };
 
-/// Returns the frame of a polygon that is upright within `max_lean` (|normal.z|); empty for others,
-/// slivers and broken rings. `origin` is its first vertex.
-std::optional<WallFrame> wall_frame(const city::Polygon& polygon, double max_lean);
+/// Returns the frame of a polygon that is upright enough for a wall; empty for others, slivers and
+/// broken rings. `origin` is its first vertex.
+std::optional<WallFrame> wall_frame(const city::Polygon& polygon);
 
 WallOutline outline_in(const WallFrame& frame, const city::Polygon& polygon);
 

@@ -85,7 +85,7 @@ Outline to_outline(const MapRings& rings, const LocalPlane& plane) {
   return outline;
 }
 
-std::string find_tag(const osm::OsmTags& tags, const char* key) {
+std::string find_value(const osm::OsmTags& tags, const char* key) {
   const auto found = tags.find(key);
   return found == tags.end() ? std::string() : found->second;
 }
@@ -107,11 +107,11 @@ class ObjectMaker {
     raw.object.type = city::ObjectType::building;
     raw.object.class_name = "Building";
     raw.object.of_map = true;
-    raw.object.year = find_tag(building.tags, "start_date").substr(0, 4);
+    raw.object.year = find_value(building.tags, "start_date").substr(0, 4);
     raw.object.address = city::to_text(city::Address{
-        find_tag(building.tags, "addr:street"), find_tag(building.tags, "addr:housenumber"),
-        find_tag(building.tags, "addr:postcode"), find_tag(building.tags, "addr:city"),
-        find_tag(building.tags, "addr:country")});
+        find_value(building.tags, "addr:street"), find_value(building.tags, "addr:housenumber"),
+        find_value(building.tags, "addr:postcode"), find_value(building.tags, "addr:city"),
+        find_value(building.tags, "addr:country")});
     const LocalPlane plane(building.rings.front().outer.front());
     if (parts.empty()) add_shells(building, building, plane, raw);
     for (const MapArea* part : parts)

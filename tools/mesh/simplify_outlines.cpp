@@ -15,7 +15,7 @@ using Index = std::uint32_t;
 constexpr Index none = 0xFFFFFFFFu;
 
 // A place that rings pass, and its neighbours while all of them pass it alike.
-struct Corner {
+struct RingCorner {
   glm::dvec3 place;
   Index one = none, other = none;
   bool is_between = true;  // the same two in every ring
@@ -35,7 +35,7 @@ class Simplifier {
       add(polygon.exterior);
       for (city::Ring& ring : polygon.interiors) add(ring);
     }
-    for (Corner& corner : corners_)
+    for (RingCorner& corner : corners_)
       corner.is_between &= corner.one != none && corner.one != corner.other;
   }
 
@@ -67,7 +67,7 @@ class Simplifier {
   }
 
   void pass(Index at, Index before, Index after) {
-    Corner& corner = corners_[at];
+    RingCorner& corner = corners_[at];
     if (before > after) std::swap(before, after);
     if (corner.one == none) {
       corner.one = before;
@@ -143,7 +143,7 @@ class Simplifier {
 
   double tolerance_m_;
   std::map<std::tuple<double, double, double>, Index> index_of_;
-  std::vector<Corner> corners_;
+  std::vector<RingCorner> corners_;
   std::vector<std::pair<city::Ring*, std::vector<Index>>> rings_;
   std::vector<bool> is_left_out_;
 };

@@ -9,13 +9,13 @@
 namespace nightcity::streets {
 namespace {
 
-struct FaceInfo {
+struct StreetFace {
   bool seen = false, inside = false, walked = false;
   std::size_t node = no_node;
 };
 
 using Kernel = mesh::PlaneKernel;
-using Delaunay = mesh::ConstrainedDelaunay<FaceInfo>;
+using Delaunay = mesh::ConstrainedDelaunay<StreetFace>;
 using Face = Delaunay::Face_handle;
 using Vertex = Delaunay::Vertex_handle;
 

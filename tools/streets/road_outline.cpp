@@ -19,7 +19,7 @@
 namespace nightcity::streets {
 namespace {
 
-struct FaceInfo {
+struct RoadFace {
   bool seen = false, road = false;
   bool counted = false;  // into an island
 };
@@ -45,7 +45,7 @@ class Outliner {
 
  public:
   using Triangulation = CGAL::Constrained_triangulation_plus_2<
-      mesh::ConstrainedDelaunay<FaceInfo, VertexBase, Kernel, typename Outlines::Tag>>;
+      mesh::ConstrainedDelaunay<RoadFace, VertexBase, Kernel, typename Outlines::Tag>>;
 
   Outliner(std::span<const RoadSurface> surfaces, int max_crossings)
       : max_crossings_(static_cast<std::size_t>(max_crossings)) {

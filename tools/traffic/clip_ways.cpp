@@ -8,7 +8,7 @@
 namespace nightcity::traffic {
 namespace {
 
-constexpr double longest_m = 1e5;  // a longer jump between two nodes is a broken extract
+constexpr double longest_jump_m = 1e5;  // a longer jump between two nodes is a broken extract
 
 class Clipper {
  public:
@@ -39,7 +39,7 @@ class Clipper {
   void cross(const glm::dvec2& a, const glm::dvec2& b, double step_m) {
     const glm::dvec2 pa = to_frame_(a), pb = to_frame_(b);
     const double length = glm::distance(pa, pb);
-    if (!(length < longest_m)) {  // or not finite
+    if (!(length < longest_jump_m)) {  // or not finite
       finish();
       return;
     }

@@ -18,10 +18,6 @@ double cross(const dvec2& a, const dvec2& b) {
   return a.x * b.y - a.y * b.x;
 }
 
-double angle_between(const dvec2& a, const dvec2& b) {
-  return std::atan2(cross(a, b), glm::dot(a, b));
-}
-
 /// Appends points on the straight line from the last point, which must exist, to `to`,
 /// without `to` itself.
 void add_straight(PlanLine& line, const dvec2& to) {
@@ -39,6 +35,10 @@ void add_point(PlanLine& line, const PlanPoint& point) {
 }
 
 }  // namespace
+
+double angle_between(const dvec2& a, const dvec2& b) {
+  return std::atan2(cross(a, b), glm::dot(a, b));
+}
 
 double length_of(const PlanLine& line) {
   double sum = 0;

@@ -15,6 +15,9 @@ struct PlanPoint {
 };
 using PlanLine = std::vector<PlanPoint>;
 
+/// Returns the angle from one direction to another, radians, greater than 0 to the left.
+double angle_between(const glm::dvec2& a, const glm::dvec2& b);
+
 double length_of(const PlanLine& line);
 
 /// Returns the polyline with its corners rounded by parabolas that deviate from it by at most

@@ -24,10 +24,6 @@ constexpr double half_axle_m =
 constexpr double slowest_m_s = 1.5;      // in the tightest bend
 constexpr double tightest_bend_m = 1.6;  // of a vehicle's middle, for a moment
 
-double angle_between(const dvec2& a, const dvec2& b) {
-  return std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
-}
-
 dvec2 start_direction(const RoadEdge& edge) {
   return glm::normalize(edge.line[1] - edge.line[0]);
 }

@@ -36,7 +36,7 @@ bool overlap(const Body& a, const Body& b) {
   return true;
 }
 
-constexpr double longest_m = 14;  // no shorter than the longest body
+constexpr double longest_body_m = 14;  // no shorter than the longest body
 
 /// The overlaps found in a stretch of the cycle.
 struct Found {
@@ -85,8 +85,8 @@ class Stretch {
     hit_.assign(bodies_.size(), false);
     for (std::size_t a = 0; a < bodies_.size(); ++a)
       for (std::size_t b = a + 1; b < bodies_.size(); ++b) {
-        if (bodies_[b].middle.x - bodies_[a].middle.x > longest_m) break;
-        if (std::abs(bodies_[b].middle.y - bodies_[a].middle.y) > longest_m) continue;
+        if (bodies_[b].middle.x - bodies_[a].middle.x > longest_body_m) break;
+        if (std::abs(bodies_[b].middle.y - bodies_[a].middle.y) > longest_body_m) continue;
         if (!overlap(bodies_[a], bodies_[b])) continue;
         hit_[a] = hit_[b] = true;
         found_.pairs.insert(std::minmax(bodies_[a].trip, bodies_[b].trip));

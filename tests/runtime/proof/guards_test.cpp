@@ -14,9 +14,7 @@
 namespace nightcity::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-const scene::CameraPose looking_down{{0, 30, 0}, {0, 0, 0}, {0, 0, -1}, 40};
+using std::numbers::pi;
 
 // Few candidates and a small radius, so that each guard matters.
 render::RenderSettings settings_for(render::Estimator estimator) {

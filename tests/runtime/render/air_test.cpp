@@ -16,7 +16,7 @@
 namespace nightcity::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 render::RenderSettings in_air(render::Estimator estimator, float visibility_km,
                               float asymmetry = 0) {

@@ -13,7 +13,7 @@
 namespace nightcity::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 enum class Way { reference, paths, cache };
 

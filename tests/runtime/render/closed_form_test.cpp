@@ -12,9 +12,7 @@
 namespace nightcity::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-const scene::CameraPose looking_down{{0, 30, 0}, {0, 0, 0}, {0, 0, -1}, 40};
+using std::numbers::pi;
 
 // A large radius and a short history: pixels share few samples, so the mean of a small picture has
 // little noise.

@@ -19,7 +19,7 @@ const scene::CameraPose pose{{-45, 25, 50}, {0, 2, 0}, {0, 1, 0}, 50};
 
 // A small radius and a short history: otherwise all pixels of so small a picture share a few
 // samples, and its mean is noisy.
-render::RenderSettings settings_for(render::Estimator estimator) {
+render::RenderSettings settings_of(render::Estimator estimator) {
   return with_estimator(estimator, 16, 6, 4);
 }
 
@@ -55,7 +55,7 @@ class Reference : public testing::TestWithParam<bool> {};
 
 TEST_P(Reference, EqualsABruteForceOracleWithShadows) {
   const scene::RenderScene scene = random_town(50, 50, 11).with(point_lamps(300, 50, 5));
-  render::RenderSettings settings = settings_for(render::Estimator::reference);
+  render::RenderSettings settings = settings_of(render::Estimator::reference);
   settings.sampling.layers = GetParam();
   // Higher than wide, so that a mix-up of width and height is noticed.
   const measure::Image image = render(scene, pose, settings, 20, 28, 1);
@@ -106,7 +106,7 @@ class Estimators : public testing::Test {
  protected:
   static constexpr std::uint32_t side = 48;
   Estimators() {
-    truth_ = render(scene_, pose, settings_for(render::Estimator::reference), side, side, 4);
+    truth_ = render(scene_, pose, settings_of(render::Estimator::reference), side, side, 4);
   }
   // A lamp inside a wall would get the highest unshadowed target and never light anything: noise
   // that no real city has.
@@ -118,7 +118,7 @@ class Estimators : public testing::Test {
 TEST_F(Estimators, AMovingCameraReusesItsHistoryWithoutBias) {
   gpu::Device& device = test_device();
   render::DeviceScene device_scene(device, scene_);
-  render::RenderSettings settings = settings_for(render::Estimator::traced);
+  render::RenderSettings settings = settings_of(render::Estimator::traced);
   std::vector<double> ratios;
   for (std::uint32_t run = 0; run < 8; ++run) {
     settings.sampling.seed = run;
@@ -138,7 +138,7 @@ TEST_F(Estimators, AMovingCameraReusesItsHistoryWithoutBias) {
 
 // In the first frame no pixel has a history.
 TEST_F(Estimators, MoreNeighboursMakeUpForAMissingHistory) {
-  render::RenderSettings settings = settings_for(render::Estimator::traced);
+  render::RenderSettings settings = settings_of(render::Estimator::traced);
   const auto error = [&](std::uint32_t boost) {
     settings.reuse.disocclusion_boost = boost;
     const measure::Image image = render(scene_, pose, settings, side, side, 1);
@@ -166,7 +166,7 @@ TEST(Shares, ThatLeaveSomeLightOutAreRefused) {
 
 // 1 / falloff^2 of so short a distance would be infinite, and the picture NaN.
 TEST(Falloff, TheShortestOneCountsAsAMillimetre) {
-  render::RenderSettings settings = settings_for(render::Estimator::traced);
+  render::RenderSettings settings = settings_of(render::Estimator::traced);
   settings.reuse.history_falloff_m = 1e-30f;
   const scene::RenderScene scene = SceneBuilder().ground(30).with({lamp({3, 6, 0}, 4000)});
   const measure::Image shortest = render(scene, pose, settings, 8, 8, 3);
@@ -178,7 +178,7 @@ TEST(Falloff, TheShortestOneCountsAsAMillimetre) {
 // Leaving out unneeded features may only change the cost of a pass. A GPU's compiler may round
 // differently in the longer pass, so that a random decision changes in a few pixels.
 TEST_F(Estimators, PassesThatCouldDoWhatTheSceneLacksMakeTheSamePicture) {
-  render::RenderSettings settings = settings_for(render::Estimator::traced);
+  render::RenderSettings settings = settings_of(render::Estimator::traced);
   const measure::Image plain = render(scene_, pose, settings, 32, 32, 3);
   for (const render::Feature& feature : render::optional_features()) {
     settings.forced_features = 1u << feature.constant;
@@ -195,7 +195,7 @@ TEST_F(Estimators, PassesThatCouldDoWhatTheSceneLacksMakeTheSamePicture) {
 }
 
 TEST_F(Estimators, TheSameSeedGivesTheSamePictureAndAnotherSeedAnother) {
-  render::RenderSettings settings = settings_for(render::Estimator::traced);
+  render::RenderSettings settings = settings_of(render::Estimator::traced);
   const measure::Image a = render(scene_, pose, settings, 32, 32, 3),
                        b = render(scene_, pose, settings, 32, 32, 3);
   EXPECT_EQ(a.rgb, b.rgb);

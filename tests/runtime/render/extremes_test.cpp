@@ -12,9 +12,9 @@
 namespace nightcity::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
-const scene::CameraPose looking_down{{0.1f, 20, 0.2f}, {0.1f, 0, 0.2f}, {0, 0, -1}, 60};
+const scene::CameraPose from_above{{0.1f, 20, 0.2f}, {0.1f, 0, 0.2f}, {0, 0, -1}, 60};
 
 // Returns what a plane of reflectance 1/2 through `foot`, with unit `normal`, shows under a point
 // lamp where a pixel's ray meets it, cd/m2. All in double, from the pose alone.
@@ -83,7 +83,9 @@ TEST(GrazingLight, OnATiltedPlaneFollowsTheCosine) {
   const glm::dvec3 normal = glm::normalize(glm::dvec3(-0.56, 0.74, 0.36)),
                    along = glm::normalize(glm::cross(normal, glm::dvec3(0, 0, 1))),
                    across = glm::cross(normal, along);
-  const auto corner = [&](double a, double b) { return glm::vec3(200.0 * (a * along + b * across)); };
+  const auto corner = [&](double a, double b) {
+    return glm::vec3(200.0 * (a * along + b * across));
+  };
   for (const double degrees : {80.0, 89.0, 89.9, 89.99}) {
     const double rise = (90 - degrees) * pi / 180, flux = 1e7;
     const glm::vec3 place(100.0 * (std::cos(rise) * along + std::sin(rise) * normal));
@@ -110,10 +112,10 @@ TEST(VastGround, IsLitAsASmallOne) {
   for (const float half : {50.0f, 5e4f, 5e5f, 5e6f}) {
     const scene::RenderScene scene =
         SceneBuilder().ground(half).with({lamp({0.3f, 8, 0.7f}, 5000, 0)});
-    const measure::Image image = render(scene, looking_down, exact(), 24, 24, 1);
+    const measure::Image image = render(scene, from_above, exact(), 24, 24, 1);
     for (std::size_t i = 0; i < image.pixels(); ++i) {
       const double truth =
-          expected(looking_down, 24, i, {}, {0, 1, 0}, {double(0.3f), 8, double(0.7f)}, 5000);
+          expected(from_above, 24, i, {}, {0, 1, 0}, {double(0.3f), 8, double(0.7f)}, 5000);
       ASSERT_NEAR(luminance(image, i), truth, 1e-4 * truth) << half << " m, pixel " << i;
     }
   }
@@ -147,13 +149,13 @@ TEST(VastGround, TiltedIsOffByItsCornersAtMost) {
 // lights it in every frame alike.
 TEST(PointLamp, IsAPoint) {
   const measure::Image in_plane = render(SceneBuilder().ground(50).with({lamp({0, 0, 0}, 5000, 0)}),
-                                         looking_down, exact(), 24, 24, 4);
+                                         from_above, exact(), 24, 24, 4);
   EXPECT_EQ(mean_luminance(in_plane), 0.0);
   const measure::Image above =
-      render(SceneBuilder().ground(50).with({lamp({0, 0.01f, 0}, 5000, 0)}), looking_down, exact(),
+      render(SceneBuilder().ground(50).with({lamp({0, 0.01f, 0}, 5000, 0)}), from_above, exact(),
              24, 24, 2);
   for (std::size_t i = 0; i < above.pixels(); ++i) {
-    const double truth = expected(looking_down, 24, i, {}, {0, 1, 0}, {0, double(0.01f), 0}, 5000);
+    const double truth = expected(from_above, 24, i, {}, {0, 1, 0}, {0, double(0.01f), 0}, 5000);
     EXPECT_NEAR(luminance(above, i), truth, 1e-3 * truth) << "pixel " << i;
   }
 }
@@ -170,7 +172,7 @@ TEST(HiddenLamps, ThatOutshineTheRestDoNotDarkenThePicture) {
   const auto scene_of = [&](const std::vector<Light>& lights) {
     return SceneBuilder().ground(50).box({-40, 0, 20}, {40, 30, 20.5f}).with(lights);
   };
-  const measure::Image truth = render(scene_of(visible), looking_down, exact(), 16, 16, 16);
+  const measure::Image truth = render(scene_of(visible), from_above, exact(), 16, 16, 16);
   for (const std::size_t hidden : {1u, 4u})
     for (const float ratio : {10.0f, 1e3f, 1e6f}) {
       std::vector<Light> lights = visible;
@@ -178,7 +180,7 @@ TEST(HiddenLamps, ThatOutshineTheRestDoNotDarkenThePicture) {
       for (std::size_t i = 0; i < hidden; ++i)
         lights.push_back(lamp({float(i) - 1, 5, 24}, 40 * 4000 * ratio / float(hidden)));
       render::RenderSettings settings = exact(render::Estimator::traced);
-      const measure::Image image = render(scene_of(lights), looking_down, settings, 16, 16, 32);
+      const measure::Image image = render(scene_of(lights), from_above, settings, 16, 16, 32);
       EXPECT_NEAR(mean_luminance(image) / mean_luminance(truth), 1, 0.05)
           << hidden << ", " << ratio;
       std::size_t far_off = 0;

@@ -10,8 +10,6 @@
 namespace nightcity::test {
 namespace {
 
-const scene::CameraPose looking_down{{0, 30, 0}, {0, 0, 0}, {0, 0, -1}, 40};
-
 void expect_all_finite(const measure::Image& image) {
   for (const float value : image.rgb) ASSERT_TRUE(std::isfinite(value) && value >= 0) << value;
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "formats/error.h"
 #include "support/gpu.h"
@@ -14,7 +15,7 @@ namespace {
 using test::lamp;
 using test::SceneBuilder;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr std::uint32_t width = 64, height = 32;
 const scene::CameraPose pose{
     {0, 2, 0}, {0, 1.5f, -10}, {0, 1, 0}, 60};  // to the north, down a little

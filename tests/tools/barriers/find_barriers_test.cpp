@@ -25,7 +25,7 @@ osm::OsmWay way(std::vector<glm::dvec2> line, osm::OsmTags tags) {
   return {1, std::move(line), std::move(tags)};
 }
 
-osm::OsmWay wall(std::vector<glm::dvec2> line) {
+osm::OsmWay wall_along(std::vector<glm::dvec2> line) {
   return way(std::move(line), {{"barrier", "wall"}});
 }
 
@@ -53,7 +53,7 @@ BarrierSet find(const osm::OsmData& map) {
 
 TEST(FindBarriers, AWallStandsOnTheGroundAlongItsWay) {
   osm::OsmData map;
-  map.barriers = {wall({{100, 100}, {160, 100}, {160, 130}})};
+  map.barriers = {wall_along({{100, 100}, {160, 100}, {160, 130}})};
   const BarrierSet set = find(map);
   ASSERT_EQ(set.lines.size(), 1u);
   EXPECT_NEAR(set.report.kinds.at("wall").built_m, 90, 1e-9);
@@ -65,7 +65,7 @@ TEST(FindBarriers, AWallStandsOnTheGroundAlongItsWay) {
 
 TEST(FindBarriers, AClosedWallIsOneRing) {
   osm::OsmData map;
-  map.barriers = {wall({{100, 100}, {160, 100}, {160, 130}, {100, 100}})};
+  map.barriers = {wall_along({{100, 100}, {160, 100}, {160, 130}, {100, 100}})};
   const BarrierSet set = find(map);
   ASSERT_EQ(set.lines.size(), 1u);
   EXPECT_TRUE(set.lines[0].closed);
@@ -73,7 +73,7 @@ TEST(FindBarriers, AClosedWallIsOneRing) {
 
 TEST(FindBarriers, ARingThatIsOpenSomewhereIsOneLine) {
   osm::OsmData map;
-  map.barriers = {wall({{100, 100}, {160, 100}, {160, 130}, {130, 130}, {100, 100}})};
+  map.barriers = {wall_along({{100, 100}, {160, 100}, {160, 130}, {130, 130}, {100, 100}})};
   map.gates = {{{160, 130}, {{"barrier", "gate"}, {"width", "4"}}}};
   const BarrierSet set = find(map);
   ASSERT_EQ(set.lines.size(), 1u) << "it goes on across the way's first point";
@@ -84,7 +84,7 @@ TEST(FindBarriers, ARingThatIsOpenSomewhereIsOneLine) {
 TEST(FindBarriers, GatesAndPathsAreOpenAsWideAsTheyAre) {
   const auto open_m = [](osm::OsmTags gate, const char* highway) {
     osm::OsmData map;
-    map.barriers = {wall({{100, 100}, {150, 100}, {200, 100}})};
+    map.barriers = {wall_along({{100, 100}, {150, 100}, {200, 100}})};
     if (!gate.empty()) map.gates = {{{150, 100}, std::move(gate)}};
     if (highway) map.highways = {way({{150, 80}, {150, 100}, {150, 120}}, {{"highway", highway}})};
     const BarrierSet set = find(map);
@@ -105,7 +105,7 @@ TEST(FindBarriers, GatesAndPathsAreOpenAsWideAsTheyAre) {
 TEST(FindBarriers, CarriagewaysAndBuildingsStayFree) {
   osm::OsmData map;
   map.highways = {way({{200, -400}, {200, 400}}, {{"highway", "residential"}})};  // 5.5 m wide
-  map.barriers = {wall({{100, 100}, {300, 100}}), wall({{-50, 0}, {50, 0}})};
+  map.barriers = {wall_along({{100, 100}, {300, 100}}), wall_along({{-50, 0}, {50, 0}})};
   const BarrierSet set = find(map);
   EXPECT_NEAR(set.report.left_out_m.at("on a carriageway"), 5.5, 0.51);
   EXPECT_NEAR(set.report.left_out_m.at("in a building"), 20, 0.51);
@@ -115,7 +115,7 @@ TEST(FindBarriers, CarriagewaysAndBuildingsStayFree) {
 TEST(FindBarriers, OfBarriersAlongOneLineTheMostSolidStands) {
   osm::OsmData map;
   map.barriers = {way({{100, 100}, {150, 100}, {200, 100}}, {{"barrier", "fence"}}),
-                  wall({{150, 100}, {100, 100}})};
+                  wall_along({{150, 100}, {100, 100}})};
   const BarrierSet set = find(map);
   EXPECT_NEAR(set.report.kinds.at("wall").built_m, 50, 1e-9);
   EXPECT_NEAR(set.report.kinds.at("fence").built_m, 50, 1e-9);
@@ -144,7 +144,7 @@ TEST(FindBarriers, AHedgeMayBeAnArea) {
 
 TEST(FindBarriers, WhatLiesBeyondTheGroundIsCounted) {
   osm::OsmData map;
-  map.barriers = {wall({{400, 0}, {600, 0}}), wall({{700, 0}, {800, 0}})};
+  map.barriers = {wall_along({{400, 0}, {600, 0}}), wall_along({{700, 0}, {800, 0}})};
   const BarrierSet set = find(map);
   EXPECT_NEAR(set.report.left_out_m.at("beyond the ground"), 200, 1e-6);
   EXPECT_NEAR(set.report.kinds.at("wall").built_m, 100, 1e-6);
@@ -159,12 +159,12 @@ TEST(FindBarriers, AHostileMapEndsWithACount) {
     tangle.push_back({150 + 40 * std::sin(7.0 * i), 150 + 40 * std::cos(11.0 * i)});
   }
   tangle.push_back(tangle.front());
-  map.barriers = {wall({{-1e9, 20}, {1e9, 21}}),
-                  wall({{nan, nan}, {nan, nan}}),
-                  wall({{30, 30}, {30, 30}}),
-                  wall({}),
-                  wall({{20, 0}, {40, 0}, {20, 0}, {40, 0}, {30, 5}, {30, -5}}),
-                  wall(star),
+  map.barriers = {wall_along({{-1e9, 20}, {1e9, 21}}),
+                  wall_along({{nan, nan}, {nan, nan}}),
+                  wall_along({{30, 30}, {30, 30}}),
+                  wall_along({}),
+                  wall_along({{20, 0}, {40, 0}, {20, 0}, {40, 0}, {30, 5}, {30, -5}}),
+                  wall_along(star),
                   way(tangle, {{"barrier", "hedge"}, {"area", "yes"}, {"height", "1e9"}}),
                   way({{50, 50}, {60, 60}}, {{"barrier", std::string(100'000, 'x')}})};
   const BarrierSet set = find(map);
@@ -174,7 +174,7 @@ TEST(FindBarriers, AHostileMapEndsWithACount) {
 
 TEST(FindBarriers, TheOrderOfTheMapsWaysOfOneKindDecidesNothing) {
   osm::OsmData map, turned;
-  map.barriers = {wall({{100, 100}, {150, 100}}), wall({{150, 100}, {150, 200}})};
+  map.barriers = {wall_along({{100, 100}, {150, 100}}), wall_along({{150, 100}, {150, 200}})};
   turned.barriers = {map.barriers[1], map.barriers[0]};
   EXPECT_EQ(find(map).report.left_out_m, find(turned).report.left_out_m);
   EXPECT_EQ(find(map).lines.size(), find(turned).lines.size());

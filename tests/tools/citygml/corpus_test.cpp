@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "formats/error.h"
+#include "tests/tools/citygml/read_file.h"
 #include "tools/citygml/read_citygml.h"
 
 namespace nightcity::citygml {
@@ -32,12 +33,9 @@ TEST_P(Corpus, EveryDocumentIsReadOrRefused) {
   EXPECT_GE(files, 8u);
 }
 
-std::string reader_name(const testing::TestParamInfo<city::Reader>& info) {
-  return info.param == city::Reader::libcitygml ? "libcitygml" : "stream";
-}
 INSTANTIATE_TEST_SUITE_P(CityGml, Corpus,
                          testing::Values(city::Reader::stream, city::Reader::libcitygml),
-                         reader_name);
+                         test::name_reader);
 
 }  // namespace
 }  // namespace nightcity::citygml

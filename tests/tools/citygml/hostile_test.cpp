@@ -6,6 +6,7 @@
 #include <string>
 
 #include "formats/error.h"
+#include "tests/tools/citygml/read_file.h"
 #include "tests/tools/citygml/small_city.h"
 #include "tests/tools/citygml/temporary_file.h"
 #include "tools/citygml/read_citygml.h"
@@ -167,12 +168,9 @@ TEST_P(Hostile, ShuffledElementsNeverCrash) {
   }
 }
 
-std::string reader_name(const testing::TestParamInfo<city::Reader>& info) {
-  return info.param == city::Reader::libcitygml ? "libcitygml" : "stream";
-}
 INSTANTIATE_TEST_SUITE_P(CityGml, Hostile,
                          testing::Values(city::Reader::stream, city::Reader::libcitygml),
-                         reader_name);
+                         name_reader);
 
 }  // namespace
 }  // namespace nightcity::citygml

@@ -22,10 +22,6 @@ namespace {
 
 using namespace test;
 
-City read(const std::string& text, const city::ReadOptions& options = {}) {
-  return read_file(TemporaryFile(text).path(), options);
-}
-
 std::string error_of(const std::string& text, const city::ReadOptions& options = {}) {
   try {
     read(text, options);
@@ -35,7 +31,7 @@ std::string error_of(const std::string& text, const city::ReadOptions& options =
   return "no error";
 }
 
-std::string building_of(const std::string& id, const std::string& surfaces) {
+std::string building_with(const std::string& id, const std::string& surfaces) {
   return member("<bldg:Building gml:id=\"B" + id + "\"><bldg:lod2MultiSurface>" +
                 "<gml:MultiSurface gml:id=\"" + id + "\">" + surfaces +
                 "</gml:MultiSurface></bldg:lod2MultiSurface></bldg:Building>");
@@ -43,11 +39,11 @@ std::string building_of(const std::string& id, const std::string& surfaces) {
 
 // Each level is a member of its own, whose surface is `links` links to the level below.
 std::string levels_of_links(int levels, int links) {
-  std::string text = building_of("l0", surface_member(polygon("p", square_at_one)));
+  std::string text = building_with("l0", surface_member(polygon("p", square_at_one)));
   for (int level = 1; level <= levels; ++level) {
     std::string surfaces;
     for (int i = 0; i < links; ++i) surfaces += xlink_member("l" + std::to_string(level - 1));
-    text += building_of("l" + std::to_string(level), surfaces);
+    text += building_with("l" + std::to_string(level), surfaces);
   }
   return city_model(text);
 }
@@ -70,7 +66,7 @@ TEST(Limits, LinkedGeometryIsBoundedAndTheLimitNamed) {
         polygon("p" + z, "0 0 " + z + " 1 0 " + z + " 1 1 " + z + " 0 1 " + z + " 0 0 " + z));
   }
   const std::string text =
-      city_model(building_of("owner", squares) + building_of("user", xlink_member("owner")));
+      city_model(building_with("owner", squares) + building_with("user", xlink_member("owner")));
   city::ReadOptions options;
   EXPECT_EQ(read(text, options).objects.at(1).polygons.size(), 10u);
   options.max_linked_vertices = 20;
@@ -86,15 +82,15 @@ TEST(Limits, TextBetweenMembersIsNotKeptHoweverLong) {
   const std::string blanks(std::size_t{3} << 20, ' ');
   city::ReadOptions options;
   options.max_member_mb = 1;
-  const std::string one = building_of("a", surface_member(polygon("p", square_at_one))),
-                    two = building_of("b", surface_member(polygon("q", square_at_zero)));
+  const std::string one = building_with("a", surface_member(polygon("p", square_at_one))),
+                    two = building_with("b", surface_member(polygon("q", square_at_zero)));
   EXPECT_EQ(read(city_model(blanks + one + blanks + two + blanks), options).objects.size(), 2u);
   const std::string line = error_of(city_model(one + std::string(5000000, '\n') + "</wrong>"));
   EXPECT_NE(line.find(":5000005:"), std::string::npos) << line;
 }
 
 TEST(Limits, AMemberBeyondTheLimitNamesIt) {
-  const std::string text = city_model(building_of(
+  const std::string text = city_model(building_with(
       "a", std::string(std::size_t{3} << 20, ' ') + surface_member(polygon("p", square_at_one))));
   city::ReadOptions options;
   options.max_member_mb = 1;
@@ -141,7 +137,7 @@ TEST(Limits, AnArchiveIsOpenedOnceForAllItsEntries) {
   // Opening it anew for each entry takes time quadratic in their number. So an archive that is gone
   // after its entries have been listed can still be read.
   const TemporaryFile file("");
-  const std::string text = city_model(building_of("a", surface_member(polygon("p", south_wall))));
+  const std::string text = city_model(building_with("a", surface_member(polygon("p", south_wall))));
   std::filesystem::remove(file.path());
   zip_t* zip = zip_open(file.path().c_str(), ZIP_CREATE, nullptr);
   for (const char* name : {"a.gml", "b.gml", "c.gml"})

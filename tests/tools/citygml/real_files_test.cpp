@@ -90,12 +90,9 @@ TEST_P(RealFiles, EveryPolygonIsDeliveredOrReported) {
               tally.refused, tally.in_files, tally.delivered, tally.reported);
 }
 
-std::string reader_name(const testing::TestParamInfo<city::Reader>& info) {
-  return info.param == city::Reader::libcitygml ? "libcitygml" : "stream";
-}
 INSTANTIATE_TEST_SUITE_P(CityGml, RealFiles,
                          testing::Values(city::Reader::stream, city::Reader::libcitygml),
-                         reader_name);
+                         name_reader);
 
 // The content of a file, counted by hand.
 TEST(RealFile, MunichCrossingOfCityGml3HasItsTrafficAreas) {

@@ -21,14 +21,6 @@ namespace {
 
 using namespace test;
 
-City read(const std::string& text, city::ReadOptions options = {}) {
-  return read_file(TemporaryFile(text).path(), options);
-}
-
-City read_member(const std::string& object) {
-  return read(city_model(member(object)));
-}
-
 std::string lod2_solid(const std::string& members) {
   return "<bldg:lod2Solid><gml:Solid><gml:exterior><gml:CompositeSurface>" + members +
          "</gml:CompositeSurface></gml:exterior></gml:Solid></bldg:lod2Solid>";

@@ -26,10 +26,6 @@ namespace {
 
 using namespace test;
 
-City read_member(const std::string& object) {
-  return read_file(TemporaryFile(city_model(member(object))).path());
-}
-
 std::string building_of(const std::string& content) {
   return "<bldg:Building gml:id=\"A\">" + content + "</bldg:Building>";
 }

@@ -6,13 +6,11 @@
 #include <fstream>
 
 #include "support/temp_folder.h"
+#include "tests/tools/ground_cover/metre_map.h"
 #include "tools/ground_cover/street_areas.h"
 
 namespace nightcity::ground_cover {
 namespace {
-
-const place::LonLatToFrame as_metres = [](const glm::dvec2& p) { return p; };
-constexpr Box bounds{{-500, -500}, {500, 500}};
 
 osm::MapArea square(double low, double high, osm::OsmTags tags) {
   return {"way/1", std::move(tags), {{{{low, low}, {high, low}, {high, high}, {low, high}}, {}}}};

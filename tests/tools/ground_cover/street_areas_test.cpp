@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "tests/tools/ground_cover/metre_map.h"
 #include "tools/mesh/partition.h"
 #include "tools/ring_area.h"
 
@@ -12,8 +13,6 @@ namespace nightcity::ground_cover {
 namespace {
 
 // Degrees stand for metres here.
-const place::LonLatToFrame as_metres = [](const glm::dvec2& p) { return p; };
-constexpr Box bounds{{-500, -500}, {500, 500}};
 
 osm::OsmWay way(std::vector<glm::dvec2> line, osm::OsmTags tags) {
   return {1, std::move(line), std::move(tags)};

@@ -29,7 +29,7 @@ city::CityObject house(const std::vector<glm::dvec2>& plan, double height) {
   return object;
 }
 
-city::Polygon polygon(const city::Ring& ring) {
+city::Polygon polygon_of(const city::Ring& ring) {
   city::Polygon result;
   result.exterior = ring;
   return result;
@@ -38,7 +38,7 @@ city::Polygon polygon(const city::Ring& ring) {
 TEST(SimplifyOutlines, ABumpWithinTheToleranceGoesAndOneBeyondStays) {
   city::CityObject object;
   object.polygons = {
-      polygon({{0, 0, 3}, {4, -0.1, 3}, {7, -0.3, 3}, {10, 0, 3}, {10, 8, 3}, {0, 8, 3}})};
+      polygon_of({{0, 0, 3}, {4, -0.1, 3}, {7, -0.3, 3}, {10, 0, 3}, {10, 8, 3}, {0, 8, 3}})};
   EXPECT_EQ(simplify_outlines(object, 0.2), 1u);
   EXPECT_EQ(object.polygons[0].exterior.size(), 5u);
   EXPECT_EQ(simplify_outlines(object, 0.5), 1u);
@@ -65,7 +65,7 @@ TEST(SimplifyOutlines, SurfacesThatMetStillMeet) {
   wall.emplace_back(0, 0, 6);
   roof.insert(roof.end(), edge.begin(), edge.end());
   roof.insert(roof.end(), {{10, 0, 6}, {10, 8, 6}, {0, 8, 6}});
-  object.polygons = {polygon(wall), polygon(roof)};
+  object.polygons = {polygon_of(wall), polygon_of(roof)};
   EXPECT_EQ(simplify_outlines(object, 0.05), 3u);
   EXPECT_EQ(object.polygons[0].exterior.size(), 4u);
   EXPECT_EQ(object.polygons[1].exterior.size(), 4u);
@@ -76,7 +76,7 @@ TEST(SimplifyOutlines, NoVertexMovesFartherThanTheTolerance) {
   city::Ring circle;
   for (int n = 0; n < 360; ++n)
     circle.emplace_back(10 * std::cos(n * 0.0174533), 10 * std::sin(n * 0.0174533), 5);
-  object.polygons = {polygon(circle)};
+  object.polygons = {polygon_of(circle)};
   EXPECT_GT(simplify_outlines(object, 0.1), 300u);
   const city::Ring& ring = object.polygons[0].exterior;
   ASSERT_GE(ring.size(), 16u);
@@ -94,10 +94,10 @@ TEST(SimplifyOutlines, NoVertexMovesFartherThanTheTolerance) {
 
 TEST(SimplifyOutlines, RingsKeepThreeVertices) {
   city::CityObject object;
-  object.polygons = {polygon({{0, 0, 0}, {1, 0, 0}, {1, 0.5, 0}, {0, 0.5, 0}})};
+  object.polygons = {polygon_of({{0, 0, 0}, {1, 0, 0}, {1, 0.5, 0}, {0, 0.5, 0}})};
   simplify_outlines(object, 10);
   EXPECT_EQ(object.polygons[0].exterior.size(), 4u);
-  object.polygons = {polygon({}), polygon({{1, 1, 1}}), polygon({{1, 1, 1}, {2, 2, 2}})};
+  object.polygons = {polygon_of({}), polygon_of({{1, 1, 1}}), polygon_of({{1, 1, 1}, {2, 2, 2}})};
   EXPECT_EQ(simplify_outlines(object, 1), 0u);
   EXPECT_EQ(simplify_outlines(object, 0), 0u);
 }

@@ -14,14 +14,11 @@ namespace nightcity::nightbake {
 namespace {
 
 using nlohmann::json;
+using test::nightbake;
 using test::Outcome;
 using test::quoted;
 using test::TempFolder;
 using test::write_text;
-
-Outcome nightbake(const std::string& arguments) {
-  return test::run_program("nightbake", arguments);
-}
 
 TEST(LampsCommand, PlacesTheMapsLampsOnACityAndWritesThem) {
   const TempFolder folder;

@@ -15,13 +15,10 @@ namespace nightcity::nightbake {
 namespace {
 
 using nlohmann::json;
+using test::nightbake;
 using test::Outcome;
 using test::TempFolder;
 using test::write_text;
-
-Outcome nightbake(const std::string& arguments) {
-  return test::run_program("nightbake", arguments);
-}
 
 Outcome bake(const std::filesystem::path& recipe, const std::filesystem::path& out) {
   return nightbake("run '" + recipe.string() + "' --out '" + out.string() + "'");

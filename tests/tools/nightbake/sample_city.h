@@ -4,9 +4,15 @@
 #include <filesystem>
 #include <string>
 
+#include "support/process.h"
 #include "support/temp_folder.h"
 
 namespace nightcity::test {
+
+/// Runs nightbake.
+inline Outcome nightbake(const std::string& arguments) {
+  return run_program("nightbake", arguments);
+}
 
 /// Returns a cube of 10 m on a 60 m square of terrain at 35 m, EPSG:25833, about (391020, 5819010).
 inline std::string sample_gml() {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double together_m = 0.01;     // two surfaces that are less than this apart touch
 constexpr double max_facing = -0.9998;  // cosine between their normals: opposite within a degree
-constexpr double min_area_m2 = 1e-4;
+constexpr double min_face_area_m2 = 1e-4;
 constexpr double uncovered = 1e-3;  // share of a triangle that rounding may leave open
 constexpr double cell_m = 4;
 constexpr double sample_every_m = 5;
@@ -64,7 +64,7 @@ class Search {
       const glm::dvec3 twice =
           glm::cross(face.corners[1] - face.corners[0], face.corners[2] - face.corners[0]);
       face.area = glm::length(twice) / 2;
-      if (!(face.area > min_area_m2)) continue;
+      if (!(face.area > min_face_area_m2)) continue;
       face.normal = twice / (2 * face.area);
       each_cell(face, [&](std::uint64_t cell) { cells_[cell].push_back(i); });
     }
@@ -72,7 +72,7 @@ class Search {
 
   bool is_covered(std::uint32_t i) const {
     const Face& face = faces_[i];
-    if (!triangles_[i].solid || !(face.area > min_area_m2)) return false;
+    if (!triangles_[i].solid || !(face.area > min_face_area_m2)) return false;
     std::vector<std::uint32_t> near;
     each_cell(face, [&](std::uint64_t cell) {
       const auto found = cells_.find(cell);
