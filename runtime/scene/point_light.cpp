@@ -10,7 +10,7 @@
 namespace nightcity::scene {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr double faint = 1e-3;              // share of the sum below which a light may be left out
 constexpr std::size_t max_tested = 20'000;  // shadow rays: some tens of milliseconds
 constexpr double clear_m = 1e-3;            // off the surface, where rays start

@@ -227,7 +227,7 @@ TEST_F(ViewerWindow, ABudgetGovernsFramesWhileTheClockRuns) {
 TEST_F(ViewerWindow, KindsOfLightThatAreOffDoNotShine) {
   write_moving_scene(folder.path());
   ASSERT_EQ(
-      run("W=\"$(dirname ${V%% *})/nightview moving.glb --validation --size 800x400 --every 4 "
+      run("W=\"$(dirname ${V%% *})/nightview moving.glb --validation --size 800x400 --every 8 "
           "--ev 0 --tone linear --time 20:00 --quit-after 12\"\n"
           "$W --screenshot all.png && $W --lights none --screenshot none.png && "
           "$W --lights headlamp --traffic 0 --screenshot empty.png\n"),
@@ -247,7 +247,7 @@ TEST_F(ViewerWindow, TwoPicturesAreComparedLeftAndRightOfALine) {
                    "{\"position\": [4, 9, 12], \"target\": [4, 0.5, -1], \"fov_deg\": 50}\n");
   // A begins when B has its 16 frames if the lights of the two differ.
   ASSERT_EQ(
-      run("W=\"$(dirname ${V%% *})/nightview moving.glb --validation --size 1200x500 --every 4 "
+      run("W=\"$(dirname ${V%% *})/nightview moving.glb --validation --size 1200x500 --every 8 "
           "--camera camera.json --ev 0 --tone linear --time 20:00 --sky 0 --quit-after 28\"\n"
           "$W --compare lights=none,estimator=ris --screenshot split.png && "
           "$W --compare estimator=ris --screenshot estimators.png\n"),
@@ -269,7 +269,7 @@ TEST_F(ViewerWindow, ViewsHaveFalseColoursAndAScale) {
   for (const char* view :
        {"luminance", "illuminance", "kinds-of-light", "city-objects", "history", "noise"}) {
     ASSERT_EQ(
-        run(std::string("$V --size 640x400 --every 4 --quit-after 4 --screenshot a.png --show ") +
+        run(std::string("$V --size 640x400 --every 8 --quit-after 4 --screenshot a.png --show ") +
             view + "\n"),
         0)
         << view << text("err.txt");

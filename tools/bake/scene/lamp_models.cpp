@@ -18,7 +18,7 @@
 namespace nightcity::bake {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::size_t batch = 8'192;  // lamps in one node
 
 // Sizes of common street furniture, m. They decide what a lamp looks like, and have no effect on
