@@ -24,12 +24,12 @@ void set_glow(Settings& s, SkyGlow glow) {
   s.environment.sky_cd_m2 = glm::vec3(1);  // the factor of the map
 }
 
-bool has_air(const Settings& s) {
+bool is_foggy(const Settings& s) {
   return s.air.visibility_km > 0;
 }
 
 bool samples_air(const Settings& s) {
-  return has_air(s) && samples(s);
+  return is_foggy(s) && samples(s);
 }
 
 }  // namespace
@@ -166,7 +166,7 @@ std::vector<Setting> make_air_settings() {
        .max = 100000,
        .help = "Height over which the air gets e = 2.7 times as clear; 0 = the same at all heights",
        .value = at<air, &AirSettings::height_m>,
-       .applies = has_air},
+       .applies = is_foggy},
       {.name = "air-asymmetry",
        .group = Group::air,
        .min = -0.95,
@@ -174,14 +174,14 @@ std::vector<Setting> make_air_settings() {
        .help = "Mean cosine of the angle by which the air scatters light: 0 = evenly, 0.9 = mostly "
                "forwards",
        .value = at<air, &AirSettings::asymmetry>,
-       .applies = has_air},
+       .applies = is_foggy},
       {.name = "air-albedo",
        .group = Group::air,
        .help =
            "Share of the light that the air takes which it scatters: 1 for droplets, 0.6 to 0.9 "
            "for smoke",
        .value = at<air, &AirSettings::albedo>,
-       .applies = has_air},
+       .applies = is_foggy},
       {.name = "air-candidates",
        .group = Group::air,
        .min = 1,

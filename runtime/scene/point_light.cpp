@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "formats/schedule.h"
 #include "runtime/scene/trace_ray.h"

@@ -13,13 +13,13 @@
 namespace nightcity::viewer {
 namespace {
 
-constexpr ImU32 white = IM_COL32(255, 255, 255, 255), black = IM_COL32(0, 0, 0, 160);
+constexpr ImU32 name_colour = IM_COL32(255, 255, 255, 255), name_shade = IM_COL32(0, 0, 0, 160);
 
 void draw_name(float x, float y, const std::string& text) {
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   ImDrawList* list = ImGui::GetBackgroundDrawList();
-  list->AddRectFilled({x - 4, y - 2}, {x + size.x + 4, y + size.y + 2}, black);
-  list->AddText({x, y}, white, text.c_str());
+  list->AddRectFilled({x - 4, y - 2}, {x + size.x + 4, y + size.y + 2}, name_shade);
+  list->AddText({x, y}, name_colour, text.c_str());
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ void draw_comparison(Comparison& comparison, const render::RenderSettings& chang
   ImGui::End();
   ImGui::PopStyleVar(2);
   ImDrawList* list = ImGui::GetBackgroundDrawList();
-  list->AddLine({x, 0}, {x, window.y}, white, 2);
+  list->AddLine({x, 0}, {x, window.y}, name_colour, 2);
   const std::string mine = describe_side(changed, comparison.other),
                     others = describe_side(comparison.other, changed);
   const std::string a = "A: " + (comparison.changes_b ? others : mine),

@@ -11,8 +11,8 @@
 namespace nightcity::viewer {
 namespace {
 
-constexpr ImU32 white = IM_COL32(255, 255, 255, 230), red = IM_COL32(255, 90, 70, 255),
-                shade = IM_COL32(0, 0, 0, 140);
+constexpr ImU32 ink = IM_COL32(255, 255, 255, 230), needle = IM_COL32(255, 90, 70, 255),
+                backdrop = IM_COL32(0, 0, 0, 140);
 
 }  // namespace
 
@@ -41,7 +41,7 @@ void draw_compass(const CameraControl& camera, const glm::vec2& window) {
   if (window.x < 20 * em || window.y < 14 * em) return;
   ImDrawList* list = ImGui::GetBackgroundDrawList();
   const ImVec2 centre{window.x - 2 * em - radius, 2 * em + radius};
-  list->AddCircleFilled(centre, radius + 0.8f * em, shade, 32);
+  list->AddCircleFilled(centre, radius + 0.8f * em, backdrop, 32);
   const double turn = glm::radians(find_bearing(camera.pose));
   // North on the picture, where up is ahead.
   const ImVec2 north{-float(std::sin(turn)), -float(std::cos(turn))}, side{-north.y, north.x};
@@ -49,10 +49,10 @@ void draw_compass(const CameraControl& camera, const glm::vec2& window) {
     return ImVec2{centre.x + radius * (along * north.x + across * side.x),
                   centre.y + radius * (along * north.y + across * side.y)};
   };
-  list->AddTriangleFilled(at(1, 0), at(0, 0.25f), at(0, -0.25f), red);
-  list->AddTriangleFilled(at(-1, 0), at(0, 0.25f), at(0, -0.25f), white);
+  list->AddTriangleFilled(at(1, 0), at(0, 0.25f), at(0, -0.25f), needle);
+  list->AddTriangleFilled(at(-1, 0), at(0, 0.25f), at(0, -0.25f), ink);
   const ImVec2 letter = at(1.35f, 0), size = ImGui::CalcTextSize("N");
-  list->AddText({letter.x - size.x / 2, letter.y - size.y / 2}, white, "N");
+  list->AddText({letter.x - size.x / 2, letter.y - size.y / 2}, ink, "N");
 
   const glm::vec3 seen = camera.pivot.value_or(camera.pose.target);
   const ScaleBar bar =
@@ -63,11 +63,11 @@ void draw_compass(const CameraControl& camera, const glm::vec2& window) {
   const float right = window.x - em, left = right - bar.pixels, y = window.y - 1.2f * em;
   const float text = ImGui::CalcTextSize(label.c_str()).x;
   list->AddRectFilled({std::min(left, right - text) - em / 2, y - 1.6f * em},
-                      {right + em / 2, y + em / 2}, shade);
-  list->AddLine({left, y}, {right, y}, white, 2);
-  list->AddLine({left, y - 4}, {left, y + 4}, white, 2);
-  list->AddLine({right, y - 4}, {right, y + 4}, white, 2);
-  list->AddText({right - text, y - 1.5f * em}, white, label.c_str());
+                      {right + em / 2, y + em / 2}, backdrop);
+  list->AddLine({left, y}, {right, y}, ink, 2);
+  list->AddLine({left, y - 4}, {left, y + 4}, ink, 2);
+  list->AddLine({right, y - 4}, {right, y + 4}, ink, 2);
+  list->AddText({right - text, y - 1.5f * em}, ink, label.c_str());
 }
 
 }  // namespace nightcity::viewer

@@ -13,7 +13,7 @@
 namespace nightcity::viewer {
 namespace {
 
-constexpr ImU32 white = IM_COL32(255, 255, 255, 255), shade = IM_COL32(0, 0, 0, 170);
+constexpr ImU32 label_colour = IM_COL32(255, 255, 255, 255), label_shade = IM_COL32(0, 0, 0, 170);
 
 ImU32 colour_of(double share) {
   const auto rgb = measure::colour_at(share);
@@ -29,8 +29,8 @@ void draw_scale(const ViewKind& view, const render::DisplaySettings& display,
   const float right = window.x - em, left = right - width, top = (window.y - height) / 2;
   ImDrawList* list = ImGui::GetBackgroundDrawList();
   list->AddRectFilled({left - label_width, top - 2 * em}, {right + em / 2, top + height + em},
-                      shade);
-  list->AddText({left - label_width + em / 2, top - 1.7f * em}, white, view.name);
+                      label_shade);
+  list->AddText({left - label_width + em / 2, top - 1.7f * em}, label_colour, view.name);
   constexpr int steps = 64;
   for (int i = 0; i < steps; ++i) {
     const float below = top + height * (1 - float(i) / steps),
@@ -45,8 +45,8 @@ void draw_scale(const ViewKind& view, const render::DisplaySettings& display,
     const float y = top + height * (1 - float((decade - low) / (high - low)));
     const std::string label = fmt::format("{:g} {}", std::pow(10.0, decade), view.unit);
     const float text = ImGui::CalcTextSize(label.c_str()).x;
-    list->AddText({left - text - em / 2, y - em / 2}, white, label.c_str());
-    list->AddLine({left - em / 4, y}, {left + em / 4, y}, white);
+    list->AddText({left - text - em / 2, y - em / 2}, label_colour, label.c_str());
+    list->AddLine({left - em / 4, y}, {left + em / 4, y}, label_colour);
   }
 }
 
@@ -56,12 +56,12 @@ void draw_kinds(const glm::vec2& window) {
   const float left = window.x - width, top = window.y / 2 - float(kinds.size()) * em;
   ImDrawList* list = ImGui::GetBackgroundDrawList();
   list->AddRectFilled({left - em / 2, top - em / 2},
-                      {window.x, top + 1.5f * em * float(kinds.size()) + em / 2}, shade);
+                      {window.x, top + 1.5f * em * float(kinds.size()) + em / 2}, label_shade);
   float y = top;
   for (const KindColour& kind : kinds) {
     list->AddRectFilled({left, y}, {left + em, y + em},
                         IM_COL32(kind.rgb[0], kind.rgb[1], kind.rgb[2], 255));
-    list->AddText({left + 1.5f * em, y}, white, kind.name);
+    list->AddText({left + 1.5f * em, y}, label_colour, kind.name);
     y += 1.5f * em;
   }
 }

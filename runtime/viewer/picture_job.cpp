@@ -10,7 +10,7 @@
 namespace nightcity::viewer {
 namespace {
 
-constexpr double slice_s = 0.025;
+constexpr double picture_slice_s = 0.025;
 
 glm::uvec2 size_of(const View& view, const PictureQuality& quality) {
   return quality.width == 0 ? view.window : glm::uvec2(quality.width, quality.height);
@@ -63,7 +63,7 @@ bool PictureJob::work(double wait_s) {
     if (is_done()) return true;
     renderer_.begin_frame(pose_, settings_);
   }
-  renderer_.continue_frame(slice_s, wait_s);
+  renderer_.continue_frame(picture_slice_s, wait_s);
   return !renderer_.has_begun() && is_done();
 }
 
