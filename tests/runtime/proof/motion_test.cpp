@@ -16,7 +16,7 @@
 namespace nightcity::test {
 namespace {
 
-constexpr std::uint32_t side = 16;  // whole workgroups
+constexpr std::uint32_t side = 24;  // whole workgroups
 constexpr int moments = 6;
 
 struct Moving {
