@@ -55,7 +55,7 @@ TEST_P(ScatteredLight, OfOneSampleIsUnbiased) {
   LitPlace place = courtyard();
   place.pose = {{-9, 14, 17}, {-1, 0, -3}, {0, 1, 0}, 45};  // onto the windows, too
   const measure::PictureStatistics truth =
-      independent_runs(place, in(GetParam(), render::Estimator::reference), side, 16, 64, 5000);
+      independent_runs(place, in(GetParam(), render::Estimator::reference), side, 16, 256, 5000);
   expect_equal(independent_runs(place, in(GetParam(), render::Estimator::traced), side, 128, 16, 1),
                truth, 1e-4, 1);
 }
