@@ -11,6 +11,7 @@
 #include "formats/error.h"
 #include "tools/barriers/measured_way.h"
 #include "tools/barriers/openings.h"
+#include "tools/ground_cover/clip_segment.h"
 #include "tools/ground_cover/way_line.h"
 #include "tools/mesh/partition.h"
 
@@ -109,7 +110,7 @@ class Builder {
     const glm::dvec2 &a = line.points[i], &b = line.points[i + 1];
     const double length_m = line.at_m[i + 1] - line.at_m[i];
     if (!(length_m > 0)) return;
-    const auto within = clip_segment(a, b, bounds_);
+    const auto within = ground_cover::clip_segment(a, b, bounds_);
     const char* reason = nullptr;
     if (!within)
       reason = beyond_ground;

@@ -67,20 +67,4 @@ MeasuredWay measure(const osm::OsmWay& way, const place::LonLatToFrame& to_frame
   return line;
 }
 
-std::optional<std::pair<double, double>> clip_segment(const glm::dvec2& a, const glm::dvec2& b,
-                                                      const ground_cover::Box& box) {
-  double from = 0, to = 1;
-  const glm::dvec2 along = b - a;
-  for (int axis = 0; axis < 2; ++axis) {
-    if (along[axis] == 0 && (a[axis] < box.low[axis] || a[axis] > box.high[axis]))
-      return std::nullopt;
-    if (along[axis] == 0) continue;
-    const double low = (box.low[axis] - a[axis]) / along[axis],
-                 high = (box.high[axis] - a[axis]) / along[axis];
-    from = std::max(from, std::min(low, high));
-    to = std::min(to, std::max(low, high));
-  }
-  return from < to ? std::optional(std::pair(from, to)) : std::nullopt;
-}
-
 }  // namespace nightcity::barriers

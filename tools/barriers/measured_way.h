@@ -2,12 +2,10 @@
 #pragma once
 
 #include <glm/vec2.hpp>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "tools/barriers/openings.h"
-#include "tools/ground_cover/box_index.h"
 #include "tools/osm/osm_data.h"
 #include "tools/place/site.h"
 
@@ -29,10 +27,5 @@ struct MeasuredWay {
 
 MeasuredWay measure(const osm::OsmWay& way, const place::LonLatToFrame& to_frame,
                     const Openings& openings);
-
-/// Returns the part of a segment within a box as shares of its length (Liang, Barsky 1984); none
-/// where they do not meet.
-std::optional<std::pair<double, double>> clip_segment(const glm::dvec2& a, const glm::dvec2& b,
-                                                      const ground_cover::Box& box);
 
 }  // namespace nightcity::barriers

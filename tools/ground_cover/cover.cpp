@@ -39,7 +39,9 @@ void Cover::finish() {
   const std::size_t bad =
       std::erase_if(areas_, [](const auto& area) { return area.rings.empty(); });
   if (bad > 0) left_out["area without a finite outline"] += bad;
-  std::erase_if(markings_, is_bad);
+  std::erase_if(markings_, [&](const MarkingRing& marking) { return is_bad(marking.ring); });
+  std::stable_sort(markings_.begin(), markings_.end(),
+                   [](const auto& a, const auto& b) { return a.kind < b.kind; });
   std::stable_sort(areas_.begin(), areas_.end(),
                    [](const CoverArea& a, const CoverArea& b) { return a.rank > b.rank; });
   const auto last_sunken =
@@ -56,7 +58,7 @@ void Cover::finish() {
     if (i < deciding) depth_index_.add(i, boxes_.back());
   }
   for (std::uint32_t i = 0; i < markings_.size(); ++i)
-    marking_index_.add(i, find_box({markings_[i]}));
+    marking_index_.add(i, find_box({markings_[i].ring}));
 }
 
 CoverPart Cover::find_part(const Box& box, const glm::dvec2& origin) const {
@@ -65,8 +67,8 @@ CoverPart Cover::find_part(const Box& box, const glm::dvec2& origin) const {
     if (auto rings = to_part(areas_[i].rings, box, origin); !rings.empty())
       part.areas.push_back({std::move(rings), labels_[i]});
   for (const std::uint32_t i : marking_index_.find(box))
-    if (auto rings = to_part({markings_[i]}, box, origin); !rings.empty())
-      part.markings.push_back({std::move(rings), 0});
+    if (auto rings = to_part({markings_[i].ring}, box, origin); !rings.empty())
+      part.markings.push_back({std::move(rings), static_cast<std::uint32_t>(markings_[i].kind)});
   return part;
 }
 

@@ -29,7 +29,14 @@ struct CoverArea {
   std::vector<std::vector<glm::dvec2>> rings;  // E, N of the city's frame, m
 };
 
-/// The areas of a part of the city, as layers of mesh::partition. Labels are numbers of surfaces.
+/// What lies flush in the ground on top of its cover, in order of priority.
+enum class Marking : std::uint8_t {
+  rail,  // seen everywhere
+  paint  // seen on carriageways alone
+};
+
+/// The areas of a part of the city, as layers of mesh::partition. Labels are numbers of surfaces,
+/// those of markings are of Marking.
 struct CoverPart {
   mesh::PlaneLayer areas, markings;
 };
@@ -39,11 +46,12 @@ class Cover {
   /// Areas that overlap are seen in order of rank; those of equal rank in the order of adding. Call
   /// finish() when all are added.
   void add(CoverArea area) { areas_.push_back(std::move(area)); }
-  /// Adds paint, which is seen on carriageways alone.
-  void add_marking(std::vector<glm::dvec2> ring) { markings_.push_back(std::move(ring)); }
+  void add_marking(std::vector<glm::dvec2> ring, Marking kind = Marking::paint) {
+    markings_.push_back({std::move(ring), kind});
+  }
   void finish();
 
-  bool empty() const { return areas_.empty(); }
+  bool empty() const { return areas_.empty() && markings_.empty(); }
   const std::vector<Surface>& surfaces() const { return surfaces_; }
   const std::vector<CoverArea>& areas() const { return areas_; }
 
@@ -62,12 +70,19 @@ class Cover {
   std::map<std::string, std::size_t> markings;
   /// Values that no tag gives, and how often they were assumed.
   std::map<std::string, std::size_t> assumed;
+  /// Lengths within the ground, m: of tracks, by what they are and lie in; of parking lanes, by
+  /// place and orientation; of what was not used, by reason.
+  std::map<std::string, double> tracks_m, parking_m, left_out_m;
 
  private:
   const CoverArea* find_first(const BoxIndex& index, const glm::dvec2& place) const;
 
   std::vector<CoverArea> areas_;
-  std::vector<std::vector<glm::dvec2>> markings_;
+  struct MarkingRing {
+    std::vector<glm::dvec2> ring;
+    Marking kind;
+  };
+  std::vector<MarkingRing> markings_;
   std::vector<Surface> surfaces_;
   std::vector<std::uint32_t> labels_;  // of each area: its surface
   std::vector<Box> boxes_;             // of each area

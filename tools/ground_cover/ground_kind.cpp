@@ -36,6 +36,10 @@ constexpr std::array<GroundMaterial, ground_kind_count> materials{{
      0.50f,
      {1.0f, 1.0f, 1.0f},
      0.8f},  // EN 1436: class Q4, Qd 0.16 cd/(m2 lx) times pi
+    // An assumption: stone of [O] 0.20-0.35, dark between its pieces and brown with rust.
+    {"ballast", 0.16f, {1.0f, 0.93f, 0.85f}, 1.0f},
+    // An assumption: as weathered steel elsewhere; a head is bright in its middle, rusty beside it.
+    {"rail", 0.35f, {1.0f, 0.97f, 0.93f}, 0.4f},
 }};
 
 struct Word {

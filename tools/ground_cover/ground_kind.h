@@ -29,6 +29,8 @@ enum class GroundKind : std::uint8_t {
   water,
   kerb,
   paint,
+  ballast,
+  rail,
   count
 };
 constexpr std::size_t ground_kind_count = static_cast<std::size_t>(GroundKind::count);

@@ -1,7 +1,11 @@
-// Paint on carriageways: bars of crossings and lines between lanes.
+// Paint on carriageways, and the lines between lanes.
 #include <algorithm>
 #include <vector>
 
+#include "tools/ground_cover/bay_lines.h"
+#include "tools/ground_cover/crossings.h"
+#include "tools/ground_cover/junctions.h"
+#include "tools/ground_cover/measured_line.h"
 #include "tools/ground_cover/painter.h"
 #include "tools/ground_cover/stop_lines.h"
 #include "tools/ground_cover/street_areas.h"
@@ -11,20 +15,10 @@
 namespace nightcity::ground_cover {
 namespace {
 
-// StVO, sign 293 and RMS-1: bars of 0.50 m, as far apart, at least 3 m long (4 m as a rule).
-constexpr double bar_m = 0.5;
 // RMS-1: in towns a line between lanes is 0.12 m wide, 3 m long, with gaps of 6 m.
 constexpr double line_width_m = 0.12, dash_m = 3, gap_m = 6;
 // Lines end this far before a junction, so that they stay out of it: half a wide carriageway.
 constexpr double junction_m = 10;
-
-bool is_marked_crossing(const osm::OsmTags& tags) {
-  if (tag_of(tags, "footway") != "crossing" && tag_of(tags, "path") != "crossing") return false;
-  const std::string markings = tag_of(tags, "crossing:markings"), kind = tag_of(tags, "crossing");
-  if (!markings.empty()) return markings == "zebra" || markings.starts_with("zebra:");
-  return kind == "zebra" || kind == "marked" || kind == "uncontrolled" ||
-         tag_of(tags, "crossing_ref") == "zebra";
-}
 
 // Roads of towns have lines between lanes from tertiary roads upwards, unless the map says no.
 bool has_lane_lines(const roads::Carriageway& road, const osm::OsmTags& tags) {
@@ -57,30 +51,26 @@ void add_lane_lines(const osm::OsmWay& way, const roads::Carriageway& road,
 
 }  // namespace
 
-void add_markings(std::span<const osm::OsmWay> ways, std::span<const osm::OsmPoint> controls,
-                  bool on_the_left, const place::LonLatToFrame& to_frame, const Box& bounds,
+void add_markings(const StreetPaint& paint, const place::LonLatToFrame& to_frame, const Box& bounds,
                   Cover& cover) {
   Painter painter(bounds, cover);
-  Junctions junctions;
-  for (const osm::OsmWay& way : ways)
-    if (is_drivable(roads::read_carriageway(way.tags))) junctions.add(way);
-  const StopLines stop_lines(controls, junctions, on_the_left, painter);
-  for (const osm::OsmWay& way : ways) {
+  const Junctions junctions(paint.ways);
+  const StopLines stop_lines(paint.controls, junctions, paint.on_the_left, painter);
+  CrossingNodes crossings(paint.crossings, paint.ways, junctions, painter);
+  for (const osm::OsmWay& way : paint.ways) {
     const auto road = roads::read_carriageway(way.tags);
     const bool crossing = is_marked_crossing(way.tags);
-    const bool drivable = is_drivable(road);
-    if (!crossing && !drivable) continue;
+    if (!crossing && !is_drivable(road)) continue;
     const std::vector<glm::dvec2> line = find_line(way.lon_lat, to_frame, bounds);
     if (line.size() < 2) continue;
-    if (!crossing) {
-      stop_lines.add(way, *road, line);
-      if (has_lane_lines(*road, way.tags)) add_lane_lines(way, *road, line, junctions, painter);
+    if (crossing) {
+      add_bars(line, painter);
       continue;
     }
-    const MeasuredLine along(line);
-    for (double s = 0; s + bar_m <= along.length_m() && !painter.is_done(); s += 2 * bar_m)
-      painter.add("bar of a crossing",
-                  along.make_strip(s, s + bar_m, -crossing_m / 2, crossing_m / 2));
+    stop_lines.add(way, *road, line);
+    crossings.add(way, *road, line);
+    if (has_lane_lines(*road, way.tags)) add_lane_lines(way, *road, line, junctions, painter);
+    if (paint.bays) add_bay_lines(way, *road, line, junctions, paint.on_the_left, painter);
   }
 }
 

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "tools/ground_cover/junctions.h"
+#include "tools/ground_cover/measured_line.h"
 #include "tools/ground_cover/painter.h"
 #include "tools/osm/osm_data.h"
 #include "tools/roads/carriageway.h"

@@ -7,6 +7,11 @@
 #include <vector>
 
 #include "formats/finite.h"
+#include "tools/ground_cover/bay_lines.h"
+#include "tools/ground_cover/clip_segment.h"
+#include "tools/ground_cover/junctions.h"
+#include "tools/ground_cover/measured_line.h"
+#include "tools/ground_cover/parking_lane.h"
 #include "tools/ground_cover/way_line.h"
 #include "tools/ground_cover/widened_line.h"
 #include "tools/osm/tag_values.h"
@@ -19,9 +24,10 @@ using Side = Widener::Side;
 
 // The strips along one side of a carriageway, from the kerb outwards.
 struct Roadside {
-  double track_m = 0, pavement_m = 0;
+  double bay_m = 0, track_m = 0, pavement_m = 0;
   bool assumed = false;
-  double width_m() const { return track_m + pavement_m; }
+  std::optional<ParkingLane> parking{};
+  double width_m() const { return bay_m + track_m + pavement_m; }
 };
 
 // Returns the value of a tag for one side: KEY:right, KEY:both, or KEY where it names the side.
@@ -63,10 +69,23 @@ GroundKind guess_surface(const roads::RoadClass& road) {
   return road.tier == roads::RoadTier::path ? GroundKind::paving_stones : GroundKind::asphalt;
 }
 
+// Makes room for the cars that park along one side.
+void add_parking(const ParkingLane& lane, Roadside& side) {
+  side.parking = lane;
+  if (lane.place == ParkingPlace::street_side)
+    side.bay_m = lane.beyond_edge_m();
+  else
+    side.pavement_m = std::max(side.pavement_m, lane.beyond_edge_m());
+}
+
 class StreetAreas {
  public:
-  StreetAreas(const place::LonLatToFrame& to_frame, const Box& bounds, Cover& cover)
-      : to_frame_(to_frame), bounds_(bounds), cover_(cover) {}
+  StreetAreas(std::span<const osm::OsmWay> ways, bool bays, const place::LonLatToFrame& to_frame,
+              const Box& bounds, Cover& cover)
+      : bays_(bays), to_frame_(to_frame), bounds_(bounds), cover_(cover) {
+    // Few maps have bays, and the junctions of all streets take time to find.
+    if (bays && std::any_of(ways.begin(), ways.end(), has_bays)) junctions_.emplace(ways);
+  }
 
   void add(const osm::OsmWay& way) {
     const auto carriageway = roads::read_carriageway(way.tags);
@@ -87,13 +106,53 @@ class StreetAreas {
       return;
     }
     add(line, half_m, Side::both, carriageway_rank + road.rank, {kind, road.kerbed, true});
-    const Roadside left = read_roadside(way.tags, road, "left"),
-                   right = read_roadside(way.tags, road, "right");
+    Roadside left = read_roadside(way.tags, road, "left"),
+             right = read_roadside(way.tags, road, "right");
+    if (bays_) {
+      read_parking(way.tags, "left", line, left);
+      read_parking(way.tags, "right", line, right);
+      add_bays(way, line, half_m, left, right, {kind, road.kerbed, true});
+    }
     add_roadside(line, half_m, left, right);
     if (left.assumed || right.assumed) ++cover_.assumed["pavement beside a street"];
   }
 
  private:
+  static bool has_bays(const osm::OsmWay& way) {
+    for (const char* side : {"left", "right"})
+      if (const auto lane = read_parking_lane(way.tags, side);
+          lane && lane->place == ParkingPlace::street_side)
+        return true;
+    return false;
+  }
+
+  void read_parking(const osm::OsmTags& tags, const char* name, const std::vector<glm::dvec2>& line,
+                    Roadside& side) {
+    if (is_parking_separate(tags, name))
+      cover_.left_out_m["parking lanes mapped as areas"] += find_length_m(line, bounds_);
+    const auto lane = read_parking_lane(tags, name);
+    if (!lane) return;
+    cover_.parking_m[lane->name()] += find_length_m(line, bounds_);
+    if (lane->orientation_assumed) ++cover_.assumed["parallel to the street, of parked cars"];
+    add_parking(*lane, side);
+  }
+
+  // Bays are of what the carriageway is of where no tag says otherwise.
+  void add_bays(const osm::OsmWay& way, const std::vector<glm::dvec2>& line, double half_m,
+                const Roadside& left, const Roadside& right, const Surface& carriageway) {
+    if (!junctions_) return;
+    const MeasuredLine along(line);
+    for (const Roadside* side : {&left, &right}) {
+      if (!(side->bay_m > 0)) continue;
+      Surface surface = carriageway;
+      surface.kind = side->parking->surface.value_or(surface.kind);
+      for (const auto& [from_m, to_m] :
+           find_parking_stretches(way, along, line.size(), *junctions_))
+        add(along.cut(from_m, to_m), half_m + side->bay_m, side == &left ? Side::left : Side::right,
+            bay_rank, surface);
+    }
+  }
+
   static bool lies_inside(const osm::OsmTags& tags) {
     const std::string tunnel = tag_of(tags, "tunnel");
     return (!tunnel.empty() && tunnel != "no" && tunnel != "building_passage") ||
@@ -122,7 +181,10 @@ class StreetAreas {
       if (left_m > 0) add(line, half_m + left_m, Side::left, rank, surface);
       if (right_m > 0) add(line, half_m + right_m, Side::right, rank, surface);
     };
-    add_band(left.track_m, right.track_m, track_rank, GroundKind::asphalt);
+    const auto track_m = [](const Roadside& side) {
+      return side.track_m > 0 ? side.bay_m + side.track_m : 0;
+    };
+    add_band(track_m(left), track_m(right), track_rank, GroundKind::asphalt);
     add_band(left.pavement_m > 0 ? left.width_m() : 0, right.pavement_m > 0 ? right.width_m() : 0,
              pavement_rank, GroundKind::paving_stones);
   }
@@ -136,17 +198,19 @@ class StreetAreas {
       cover_.add({rank, surface, std::move(rings)});
   }
 
+  bool bays_;
   const place::LonLatToFrame& to_frame_;
   const Box& bounds_;
   Cover& cover_;
+  std::optional<Junctions> junctions_;
   Widener widener_;
 };
 
 }  // namespace
 
-void add_streets(std::span<const osm::OsmWay> ways, const place::LonLatToFrame& to_frame,
+void add_streets(std::span<const osm::OsmWay> ways, bool bays, const place::LonLatToFrame& to_frame,
                  const Box& bounds, Cover& cover) {
-  StreetAreas areas(to_frame, bounds, cover);
+  StreetAreas areas(ways, bays, to_frame, bounds, cover);
   for (const osm::OsmWay& way : ways) areas.add(way);
 }
 

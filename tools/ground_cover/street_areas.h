@@ -11,7 +11,8 @@
 namespace nightcity::ground_cover {
 
 /// Ranks of the areas of streets; the rank of a road's class is added to that of carriageways.
-constexpr int carriageway_rank = 1000, track_rank = 900, pavement_rank = 800, square_rank = 790;
+constexpr int carriageway_rank = 1000, bay_rank = 950, track_rank = 900, pavement_rank = 800,
+              square_rank = 790;
 
 /// Width of a one-way cycle track beside a carriageway (ERA 2010, 2.2.1), m.
 constexpr double cycle_track_m = 2.0;
@@ -19,15 +20,25 @@ constexpr double cycle_track_m = 2.0;
 /// Adds the streets to `cover`, as far as they lie in `bounds` (E, N, m). Where they overlap,
 /// carriageways are seen before cycle tracks and these before pavements; of carriageways that of
 /// the more important road. Widths are those of roads::read_carriageway; `sidewalk` and `cycleway`
-/// and their sides say what runs beside it, else the class of the road. Streets in tunnels and
-/// buildings, and values that are assumed, are counted in `cover`.
-void add_streets(std::span<const osm::OsmWay> ways, const place::LonLatToFrame& to_frame,
+/// and their sides say what runs beside it, else the class of the road. With `bays`, `parking` and
+/// its sides say where cars park: in bays beside the carriageway, level with it, or on a pavement,
+/// which is as wide then as they need. Streets in tunnels and buildings, values that are assumed,
+/// and lengths of parking lanes are counted in `cover`.
+void add_streets(std::span<const osm::OsmWay> ways, bool bays, const place::LonLatToFrame& to_frame,
                  const Box& bounds, Cover& cover);
 
-/// Adds the bars of crossings, the lines between lanes, and those at which vehicles stop before
-/// `controls`. `on_the_left`: the side of the road that they keep to.
-void add_markings(std::span<const osm::OsmWay> ways, std::span<const osm::OsmPoint> controls,
-                  bool on_the_left, const place::LonLatToFrame& to_frame, const Box& bounds,
+/// What is painted on streets.
+struct StreetPaint {
+  std::span<const osm::OsmWay> ways;
+  std::span<const osm::OsmPoint> controls;   // before which vehicles stop
+  std::span<const osm::OsmPoint> crossings;  // of people on foot
+  bool on_the_left = false;                  // the side of the road that vehicles keep to
+  bool bays = true;                          // lines between parking bays
+};
+
+/// Adds the bars of crossings, the lines between lanes, those between parking bays, and those at
+/// which vehicles stop.
+void add_markings(const StreetPaint& paint, const place::LonLatToFrame& to_frame, const Box& bounds,
                   Cover& cover);
 
 }  // namespace nightcity::ground_cover

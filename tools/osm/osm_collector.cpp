@@ -48,6 +48,7 @@ void OsmCollector::add_node(std::int64_t id, OsmVersion version, const glm::dvec
   places_.push_back({key, version.rank(), to_steps(lon_lat.x), to_steps(lon_lat.y)});
   if (may_shine(tags)) things_.push_back({{id, false, {lon_lat}, tags}, key, version.rank()});
   if (is_control(tags)) controls_.push_back({{lon_lat, tags}, key, version.rank()});
+  if (is_crossing(tags)) crossings_.push_back({{lon_lat, tags}, key, version.rank()});
   if (is_lamp(tags))
     lamps_.push_back({{id, lon_lat, std::move(tags)}, key, version.rank()});
   else if (is_tree(tags))
@@ -63,7 +64,7 @@ void OsmCollector::add_way(std::int64_t id, OsmVersion version, std::vector<OsmN
   if (version.deleted) return;
   ++data_.ways;
   if (!is_highway(tags) && !is_building(tags) && !is_lamp(tags) && !is_tree_row(tags) &&
-      !is_barrier(tags) && !may_shine(tags))
+      !is_barrier(tags) && !is_railway(tags) && !may_shine(tags))
     return;
   if (nodes.size() > max_way_nodes_) {
     ++data_.long_ways;
@@ -146,6 +147,7 @@ void OsmCollector::place_ways() {
     if (way.lon_lat.size() < 2) continue;
     if (may_shine(way.tags)) data_.shining_things.push_back({way.id, true, way.lon_lat, way.tags});
     if (is_barrier(way.tags)) data_.barriers.push_back(way);
+    if (is_railway(way.tags)) data_.railways.push_back(way);
     if (highway)
       data_.highways.push_back(std::move(way));
     else if (is_building(way.tags))
@@ -165,6 +167,7 @@ OsmData OsmCollector::finish() && {
   for (PendingLamp& pending : lamps_) data_.lamps.push_back(std::move(pending.lamp));
   place_points(trees_, data_.trees);
   place_points(controls_, data_.controls);
+  place_points(crossings_, data_.crossings);
   place_points(gates_, data_.gates);
   for (PendingThing& pending : things_) data_.shining_things.push_back(std::move(pending.thing));
   place_ways();

@@ -91,6 +91,15 @@ bool is_control(const OsmTags& tags) {
   return has_one_of(tags, "highway", controls);
 }
 
+bool is_railway(const OsmTags& tags) {
+  const std::string value = value_of(tags, "railway");
+  return !value.empty() && value != "no";
+}
+
+bool is_crossing(const OsmTags& tags) {
+  return has_one_of(tags, "highway", std::array<std::string_view, 1>{"crossing"});
+}
+
 bool is_building(const OsmTags& tags) {
   const std::string value = value_of(tags, "building");
   return !value.empty() && value != "no";

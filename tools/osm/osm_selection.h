@@ -28,6 +28,10 @@ bool is_gate(const OsmTags& tags);
 /// and things of sports, history, art and religion that have the tag lit=*. Streets are lit by
 /// their lamps and do not count.
 bool may_shine(const OsmTags& tags);
+/// Returns whether it has railway=* but "no": tracks, and what belongs to them.
+bool is_railway(const OsmTags& tags);
+/// Returns whether a node is a crossing of people on foot: one of the values of highway=*.
+bool is_crossing(const OsmTags& tags);
 /// Returns whether a node is a sign or a signal that vehicles stop at.
 bool is_control(const OsmTags& tags);
 /// Returns whether it has building=* but "no".

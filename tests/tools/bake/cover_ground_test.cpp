@@ -91,6 +91,44 @@ TEST(CoverGround, PaintIsSeenOnCarriagewaysOnly) {
   EXPECT_NEAR(at(counts, GroundKind::asphalt), 594, 1e-2);
 }
 
+TEST(CoverGround, RailsLieFlushInWhateverLiesThere) {
+  Cover cover;
+  cover.add(band(2, 40, 46, {GroundKind::asphalt, true, true}));
+  cover.add(band(1, 46, 60, {GroundKind::ballast, false, false}));
+  cover.add_marking({{50, 41}, {52, 41}, {52, 45}, {50, 45}});
+  cover.add_marking({{51, 20}, {51.25, 20}, {51.25, 80}, {51, 80}}, ground_cover::Marking::rail);
+  cover.finish();
+  std::vector<Stored> triangles = make_slope(0.1f);
+  CoverCounts counts;
+  cover_ground(cover, {0, 0, 0}, triangles, counts);
+  EXPECT_NEAR(at(counts, GroundKind::rail), 0.25 * 60, 1e-3);
+  EXPECT_NEAR(at(counts, GroundKind::paint), (2 - 0.25) * 4, 1e-3);
+  EXPECT_NEAR(at(counts, GroundKind::ballast), (100 - 0.25) * 14, 1e-2);
+  double whole = 0;
+  for (const Stored& t : triangles) {
+    whole += plan_area(t);
+    if (t.material != to_code(GroundKind::rail)) continue;
+    EXPECT_EQ(t.feature, no_id);
+    const float north = -(t.corners[0].z + t.corners[1].z + t.corners[2].z) / 3;
+    const double depth = north > 40 && north < 46 ? roads::kerb_m : 0;
+    for (const glm::vec3& corner : t.corners) EXPECT_NEAR(corner.y, 0.1 * corner.x - depth, 1e-5);
+  }
+  EXPECT_NEAR(whole, 10'000, 1e-2) << "no two surfaces lie in one place";
+}
+
+TEST(CoverGround, RailsAloneAreCutIntoBareGround) {
+  Cover cover;
+  cover.add_marking({{51, 20}, {51.25, 20}, {51.25, 80}, {51, 80}}, ground_cover::Marking::rail);
+  cover.add_marking({{60, 20}, {61, 20}, {61, 80}, {60, 80}});
+  cover.finish();
+  std::vector<Stored> triangles = make_slope(0);
+  CoverCounts counts;
+  cover_ground(cover, {0, 0, 0}, triangles, counts);
+  EXPECT_NEAR(at(counts, GroundKind::rail), 0.25 * 60, 1e-3);
+  EXPECT_EQ(at(counts, GroundKind::paint), 0);
+  EXPECT_NEAR(counts.bare_m2, 10'000 - 0.25 * 60, 1e-2);
+}
+
 TEST(CoverGround, NeighboursShareTheirVertices) {
   Cover cover;
   cover.add(band(1, 30, 50, {GroundKind::grass, false, false}));

@@ -31,7 +31,7 @@ osm::OsmWay wall_along(std::vector<glm::dvec2> line) {
 
 BarrierSet find(const osm::OsmData& map) {
   ground_cover::Cover cover;
-  ground_cover::add_streets(map.highways, as_metres, bounds, cover);
+  ground_cover::add_streets(map.highways, true, as_metres, bounds, cover);
   cover.finish();
   BarrierSet set = find_barriers(map, cover, bounds, as_metres, ground, house);
   // Everything mapped is built or left out, and everything built lies in the lines.

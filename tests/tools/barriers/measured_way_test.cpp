@@ -47,17 +47,5 @@ TEST(MeasuredWay, PlacesThatAreNotFiniteAreLeftOut) {
             0);
 }
 
-TEST(ClipSegment, IsThePartWithinTheBox) {
-  const ground_cover::Box box{{0, 0}, {10, 10}};
-  EXPECT_EQ(clip_segment({-5, 5}, {15, 5}, box), std::pair(0.25, 0.75));
-  EXPECT_EQ(clip_segment({2, 2}, {8, 8}, box), std::pair(0.0, 1.0));
-  EXPECT_FALSE(clip_segment({-5, 20}, {15, 20}, box));
-  EXPECT_FALSE(clip_segment({-5, 8}, {8, 25}, box)) << "it passes a corner";
-  EXPECT_FALSE(clip_segment({12, 0}, {12, 10}, box));
-  const auto long_one = clip_segment({-1e9, 5}, {1e9, 5}, box);
-  ASSERT_TRUE(long_one);
-  EXPECT_NEAR((long_one->second - long_one->first) * 2e9, 10, 1e-3);
-}
-
 }  // namespace
 }  // namespace nightcity::barriers

@@ -40,6 +40,18 @@ TEST(Cover, PartsComeInOrderOfRankAndCutToTheirBox) {
     }
 }
 
+TEST(Cover, RailsComeBeforePaint) {
+  Cover cover;
+  cover.add_marking({{0, 0}, {9, 0}, {9, 9}});
+  cover.add_marking({{0, 0}, {5, 0}, {5, 5}}, Marking::rail);
+  EXPECT_FALSE(cover.empty());
+  cover.finish();
+  const CoverPart part = cover.find_part({{-10, -10}, {10, 10}}, {0, 0});
+  ASSERT_EQ(part.markings.size(), 2u);
+  EXPECT_EQ(part.markings[0].label, static_cast<std::uint32_t>(Marking::rail));
+  EXPECT_EQ(part.markings[1].label, static_cast<std::uint32_t>(Marking::paint));
+}
+
 TEST(Cover, WhatIsNotFiniteIsCounted) {
   Cover cover;
   cover.add({1, {}, {{{0, 0}, {std::nan(""), 1}, {2, 2}}}});

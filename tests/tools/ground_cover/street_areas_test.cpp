@@ -6,13 +6,12 @@
 #include <map>
 
 #include "tests/tools/ground_cover/metre_map.h"
-#include "tools/mesh/partition.h"
+#include "tests/tools/ground_cover/plan_areas.h"
 #include "tools/ring_area.h"
 
 namespace nightcity::ground_cover {
 namespace {
 
-// Degrees stand for metres here.
 
 osm::OsmWay way(std::vector<glm::dvec2> line, osm::OsmTags tags) {
   return {1, std::move(line), std::move(tags)};
@@ -21,30 +20,10 @@ osm::OsmWay way(std::vector<glm::dvec2> line, osm::OsmTags tags) {
 Cover make_cover(const std::vector<osm::OsmWay>& ways, bool markings = false,
                  const std::vector<osm::OsmPoint>& controls = {}, bool on_the_left = false) {
   Cover cover;
-  add_streets(ways, as_metres, bounds, cover);
-  if (markings) add_markings(ways, controls, on_the_left, as_metres, bounds, cover);
+  add_streets(ways, true, as_metres, bounds, cover);
+  if (markings) add_markings({ways, controls, {}, on_the_left}, as_metres, bounds, cover);
   cover.finish();
   return cover;
-}
-
-// The area of each kind within a rectangle, m2, and of paint on carriageways.
-std::map<std::string, double> areas_of(const Cover& cover, const Box& box) {
-  const CoverPart part = cover.find_part(box, {0, 0});
-  const std::vector<mesh::PlaneLayer> layers{part.areas, part.markings};
-  const mesh::PlanePartition plan = mesh::partition(layers);
-  std::map<std::string, double> areas;
-  for (const auto& t : plan.triangles) {
-    const glm::dvec2 a = plan.points[t.vertex[0]], b = plan.points[t.vertex[1]] - a,
-                     c = plan.points[t.vertex[2]] - a;
-    const double area = (b.x * c.y - b.y * c.x) / 2;
-    const auto& owners = plan.owners[t.region];
-    if (owners[0] == mesh::no_label) continue;
-    const Surface& surface = cover.surfaces()[owners[0]];
-    areas[find_material(surface.kind).name] += area;
-    if (surface.marked && owners[1] != mesh::no_label) areas["paint"] += area;
-    if (surface.sunken) areas["sunken"] += area;
-  }
-  return areas;
 }
 
 constexpr Box middle{{-50, -40}, {50, 40}};  // 100 m of a street along x

@@ -104,7 +104,21 @@ TEST_F(OsmFile, SignsAndSignalsOfStreetsComeWithTheirTags) {
     <node id="4" lat="52.7" lon="13.5"><tag k="highway" v="crossing"/></node>)");
   ASSERT_EQ(data.controls.size(), 3u);
   EXPECT_EQ(data.controls[2].tags.at("direction"), "backward");
+  EXPECT_EQ(data.crossings.size(), 2u);
   EXPECT_TRUE(data.lamps.empty());
+}
+
+TEST_F(OsmFile, RailwaysComeBesideStreetsAlsoWhereOneWayIsBoth) {
+  const OsmData data = read(R"(
+    <node id="1" lat="52.5" lon="13.4"/><node id="2" lat="52.6" lon="13.4"/>
+    <way id="1"><nd ref="1"/><nd ref="2"/><tag k="railway" v="tram"/></way>
+    <way id="2"><nd ref="1"/><nd ref="2"/><tag k="railway" v="tram"/>
+      <tag k="highway" v="residential"/></way>
+    <way id="3"><nd ref="1"/><nd ref="2"/><tag k="railway" v="no"/></way>)");
+  ASSERT_EQ(data.railways.size(), 2u);
+  EXPECT_EQ(data.railways[1].id, 2);
+  EXPECT_EQ(data.railways[1].lon_lat.size(), 2u);
+  EXPECT_EQ(data.highways.size(), 1u);
 }
 
 TEST_F(OsmFile, LampsHighwaysAndBuildingsComeWithTagsAndPlaces) {

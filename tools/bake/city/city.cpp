@@ -15,6 +15,7 @@
 #include "tools/bake/city/prepared_objects.h"
 #include "tools/bake/parts/read_parts.h"
 #include "tools/ground_cover/land_areas.h"
+#include "tools/ground_cover/rail_areas.h"
 #include "tools/ground_cover/street_areas.h"
 #include "tools/inventory/add_to_map.h"
 #include "tools/osm/map_areas.h"
@@ -182,12 +183,16 @@ void City::lay_cover(const GroundReport& ground) {
   const ground_cover::Box bounds{box->low, box->high};
   const place::LonLatToFrame to_plan = to_frame();
   if (inputs_.cover.streets && !ground.has_roads) {
-    ground_cover::add_streets(map_.highways, to_plan, bounds, cover_);
+    const bool bays = inputs_.cover.parking;
+    ground_cover::add_streets(map_.highways, bays, to_plan, bounds, cover_);
     if (inputs_.cover.markings)
-      ground_cover::add_markings(map_.highways, map_.controls, drives_on_the_left(), to_plan,
-                                 bounds, cover_);
+      ground_cover::add_markings(
+          {map_.highways, map_.controls, map_.crossings, drives_on_the_left(), bays}, to_plan,
+          bounds, cover_);
   }
   if (inputs_.cover.land && !ground.has_land) add_land(bounds);
+  if (inputs_.cover.rails && !ground.has_roads)
+    ground_cover::add_rails(map_.railways, to_plan, bounds, cover_);
   cover_.finish();
 }
 

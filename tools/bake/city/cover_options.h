@@ -13,6 +13,8 @@ struct CoverOptions {
   bool streets = true;                  // of the map, where the model has no roads
   bool markings = true;                 // on those streets
   std::optional<traffic::Side> side{};  // of the road that vehicles keep to; empty: by country
+  bool parking = true;                  // lanes and bays along those streets
+  bool rails = true;                    // of the map, where the model has no roads
   bool land = true;                     // of the map, where the model has none
   bool gaps = true;                     // buildings of the map, where the model has none
   bool barriers = true;                 // of the map

@@ -94,7 +94,25 @@ Table make_ground_table(bake::CoverOptions& ground) {
                 "roads that have some, and lines across the lanes that face a node with "
                 "`highway=stop`, `give_way` or `traffic_signals`: as `direction` or "
                 "`traffic_signals:direction` says, else towards the nearest junction. Vehicles "
-                "keep to the side that `[traffic] side` or the country says."),
+                "keep to the side that `[traffic] side` or the country says. A node with "
+                "`highway=crossing` that says so has bars where no way says what is painted."),
+       flag_key(
+           "parking", ground.parking,
+           "With `streets`: where cars park along them, as `parking:left`, `right`, `both` or "
+           "the older `parking:lane:...` say. Bays beside a carriageway (`street_side`) widen "
+           "it, except within 5 m of junctions; on a pavement (`on_kerb`, `half_on_kerb`) it is "
+           "at least as wide as cars need; `lane` is a part of the carriageway. `:orientation`, "
+           "`:width` and `:surface` say what bays are like, else they are 2.00 m deep, "
+           "4.60 m if diagonal and 4.30 m if perpendicular; with `markings` and "
+           "`:markings = yes` there are lines between them."),
+       flag_key(
+           "rails", ground.rails,
+           "Tracks of `railway`, where the city model has no roads of its own: two rails of "
+           "steel, flush with what lies there, `gauge` apart, and below them a bed of "
+           "ballast, or of what `surface` says, such as grass. What runs in a street or has "
+           "`embedded` has rails alone. Left out, and counted in metres: tunnels and what else "
+           "lies below ground, bridges that carry no street, and tracks that are disused or "
+           "gone."),
        flag_key("land", ground.land,
                 "Land, where the city model has neither land use nor water of its own: areas of "
                 "`natural`, `landuse`, `leisure`, `waterway`, `amenity`, `area:highway` and the "

@@ -11,6 +11,27 @@
 
 namespace nightcity::bake {
 
+namespace {
+
+nlohmann::json to_json(const std::map<std::string, double>& amounts) {
+  nlohmann::json result = nlohmann::json::object();
+  for (const auto& [name, amount] : amounts) result[name] = std::round(10 * amount) / 10;
+  return result;
+}
+
+// Returns "120 tram in a street, 40 rail on ballast", the greatest first.
+std::string in_words(const std::map<std::string, double>& amounts) {
+  std::vector<std::pair<double, std::string>> sorted;
+  for (const auto& [name, amount] : amounts) sorted.emplace_back(-amount, name);
+  std::sort(sorted.begin(), sorted.end());
+  std::string text;
+  for (const auto& [amount, name] : sorted)
+    text += fmt::format("{}{:.0f} {}", text.empty() ? "" : ", ", -amount, name);
+  return text.empty() ? "none" : text;
+}
+
+}  // namespace
+
 nlohmann::json to_json(const TreeReport& report) {
   return {{"source", "map"},
           {"trees", report.sources},
@@ -28,33 +49,34 @@ std::string to_text(const TreeReport& report) {
 }
 
 nlohmann::json to_json(const CoverReport& report, const SceneTilesReport& tiles) {
-  nlohmann::json area_m2 = nlohmann::json::object();
-  for (const auto& [name, m2] : tiles.cover_m2) area_m2[name] = std::round(10 * m2) / 10;
   return {{"source", "map"},
           {"areas", report.areas},
-          {"area_m2", area_m2},
+          {"area_m2", to_json(tiles.cover_m2)},
           {"bare_m2", std::round(10 * tiles.bare_m2) / 10},
           {"triangles_added", tiles.cover_triangles},
           {"tiles_left_bare", tiles.uncovered_tiles},
           {"markings", report.markings},
+          {"tracks_m", to_json(report.tracks_m)},
+          {"parking_m", to_json(report.parking_m)},
           {"left_out", report.left_out},
+          {"left_out_m", to_json(report.left_out_m)},
           {"assumed", report.assumed}};
 }
 
 std::string to_text(const CoverReport& report, const SceneTilesReport& tiles) {
-  if (report.areas == 0 && report.left_out.empty()) return {};
-  std::vector<std::pair<double, std::string>> kinds;
-  for (const auto& [name, m2] : tiles.cover_m2) kinds.emplace_back(-m2, name);
-  std::sort(kinds.begin(), kinds.end());
-  std::string text;
-  for (const auto& [m2, name] : kinds)
-    text += fmt::format("{}{:.0f} {}", text.empty() ? "" : ", ", -m2, name);
-  text = report_line("ground",
-                     fmt::format("{} areas of the map, in m2: {}; {} triangles more", report.areas,
-                                 text.empty() ? "none" : text, tiles.cover_triangles));
+  if (report.areas == 0 && report.left_out.empty() && report.left_out_m.empty()) return {};
+  std::string text = report_line(
+      "ground", fmt::format("{} areas of the map, in m2: {}; {} triangles more", report.areas,
+                            in_words(tiles.cover_m2), tiles.cover_triangles));
+  if (!report.tracks_m.empty())
+    text += report_line("", "tracks, in m: " + in_words(report.tracks_m));
+  if (!report.parking_m.empty())
+    text += report_line("", "parking lanes, in m: " + in_words(report.parking_m));
   if (!report.markings.empty()) text += report_line("", "painted: " + in_words(report.markings));
   if (!report.assumed.empty()) text += report_line("", "assumed: " + in_words(report.assumed));
   if (!report.left_out.empty()) text += report_line("", "left out: " + in_words(report.left_out));
+  if (!report.left_out_m.empty())
+    text += report_line("", "left out, in m: " + in_words(report.left_out_m));
   if (tiles.uncovered_tiles > 0)
     text += report_line(
         "", fmt::format("{} tiles bare: their outlines cross too often", tiles.uncovered_tiles));

@@ -15,6 +15,9 @@ struct CoverReport {
   std::map<std::string, std::size_t> markings;  // by what they are
   std::map<std::string, std::size_t> left_out;  // by reason
   std::map<std::string, std::size_t> assumed;   // what no tag says
+  /// Lengths within the ground: of tracks, by what they are and lie in; of parking lanes, by place
+  /// and orientation; of what was left out, by reason.
+  std::map<std::string, double> tracks_m, parking_m, left_out_m;
 };
 
 struct TreeReport {

@@ -18,6 +18,7 @@ namespace {
 
 using ground_cover::Box;
 using ground_cover::GroundKind;
+using ground_cover::Marking;
 using ground_cover::Surface;
 using Stored = TileStore::StoredTriangle;
 
@@ -106,8 +107,7 @@ class Coverer {
                                  to_plan(triangle.corners[2])) /
                                 3.0;
       Stored made = triangle;
-      if (const Surface* surface = find_surface(areas.find(middle)))
-        apply(*surface, markings.find(middle), made);
+      apply(find_surface(areas.find(middle)), markings.find(middle), made);
       count(made);
       out_.push_back(made);
     }
@@ -126,7 +126,6 @@ class Coverer {
                                  plan.points[piece.vertex[2]]) /
                                 3.0;
       Stored made = cut[owners[2]];
-      double depth_m = 0;
       for (std::size_t k = 0; k < 3; ++k) {
         const glm::dvec2& p = plan.points[piece.vertex[k]];
         double& shared = heights_[piece.vertex[k]];
@@ -136,10 +135,9 @@ class Coverer {
         constexpr double step_m = 1e-3;  // a step in the ground itself
         made.corners[k] = to_model(p, std::abs(height - shared) < step_m ? shared : height);
       }
-      if (const Surface* surface = find_surface(owners[0])) {
-        apply(*surface, owners[1], made);
-        depth_m = surface->sunken ? roads::kerb_m : 0;
-      }
+      const Surface* surface = find_surface(owners[0]);
+      apply(surface, owners[1], made);
+      const double depth_m = surface && surface->sunken ? roads::kerb_m : 0;
       count(made);
       out_.push_back(made);
       remember_edges(piece, depth_m);
@@ -152,11 +150,17 @@ class Coverer {
     return label == mesh::no_label ? nullptr : &cover_.surfaces()[label];
   }
 
-  static void apply(const Surface& surface, std::uint32_t marking, Stored& triangle) {
-    const bool painted = surface.marked && marking != mesh::no_label;
-    triangle.material = to_code(painted ? GroundKind::paint : surface.kind);
+  // `surface`: null where the ground is bare.
+  static void apply(const Surface* surface, std::uint32_t marking, Stored& triangle) {
+    const bool is_rail = marking == static_cast<std::uint32_t>(Marking::rail),
+               is_painted = surface && surface->marked &&
+                            marking == static_cast<std::uint32_t>(Marking::paint);
+    if (!surface && !is_rail) return;
+    triangle.material = to_code(is_rail      ? GroundKind::rail
+                                : is_painted ? GroundKind::paint
+                                             : surface->kind);
     triangle.feature = no_id;
-    if (surface.sunken)
+    if (surface && surface->sunken)
       for (glm::vec3& corner : triangle.corners) corner.y -= static_cast<float>(roads::kerb_m);
   }
 
@@ -221,7 +225,7 @@ void cover_ground(const ground_cover::Cover& cover, const glm::dvec3& origin,
   const Box box = find_plan_box(ground);
   const ground_cover::CoverPart part =
       cover.find_part({box.low + corner, box.high + corner}, corner);
-  if (part.areas.empty()) return;
+  if (part.areas.empty() && part.markings.empty()) return;
   LineGrid lines(box);
   for (const mesh::PlaneLayer* layer : {&part.areas, &part.markings})
     for (const mesh::PlaneArea& area : *layer)

@@ -1,0 +1,50 @@
+// Where cars park along a street, as its tags say.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "tools/ground_cover/ground_kind.h"
+#include "tools/osm/osm_data.h"
+
+namespace nightcity::ground_cover {
+
+enum class ParkingPlace {
+  lane,          // on the carriageway, of whose width it is a part
+  street_side,   // in bays beside the carriageway and level with it
+  half_on_kerb,  // half on the carriageway
+  on_kerb        // on the pavement
+};
+enum class ParkingOrientation { parallel, diagonal, perpendicular };
+
+/// The bay of a car.
+struct ParkingBay {
+  double depth_m;   // away from the carriageway's middle
+  double length_m;  // along the street
+  double lean_m;    // by which its far end lies further along than its near end
+};
+
+struct ParkingLane {
+  ParkingPlace place = ParkingPlace::lane;
+  ParkingOrientation orientation = ParkingOrientation::parallel;
+  bool orientation_assumed = false;
+  bool marked = false;                // the bays are painted
+  std::optional<double> width_m{};    // as tagged
+  std::optional<GroundKind> surface{};  // as tagged
+
+  ParkingBay bay() const;
+  /// Returns how much of it lies on what is beyond the carriageway's edge, m.
+  double beyond_edge_m() const;
+  /// Returns "lane, parallel".
+  std::string name() const;
+};
+
+/// Returns the lane on one side of a street ("left", "right", seen along the way); none where no
+/// tag says that cars park there, or where the lane is mapped as an area of its own. Reads
+/// `parking:SIDE` and, where there is none, the older `parking:lane:SIDE`.
+std::optional<ParkingLane> read_parking_lane(const osm::OsmTags& tags, const char* side);
+
+/// Returns whether a tag says that the lane on one side is mapped on its own, as an area.
+bool is_parking_separate(const osm::OsmTags& tags, const char* side);
+
+}  // namespace nightcity::ground_cover
