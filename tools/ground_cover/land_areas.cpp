@@ -25,8 +25,8 @@ struct Row {
 // a pitch on a school's ground. Built-up land (landuse=residential, ...) says nothing about the
 // ground, which stays bare.
 constexpr std::array rows{
-    Row{"railway", "platform", 760, GroundKind::paving_stones, true},
-    Row{"public_transport", "platform", 760, GroundKind::paving_stones, true},
+    Row{"railway", "platform", platform_rank, GroundKind::paving_stones, true},
+    Row{"public_transport", "platform", platform_rank, GroundKind::paving_stones, true},
     Row{"place", "square", 700, GroundKind::paving_stones, true},
     Row{"man_made", "bridge", 660, GroundKind::concrete, true},
     Row{"man_made", "pier", 650, GroundKind::wood, true},

@@ -28,8 +28,8 @@ struct ParkingLane {
   ParkingPlace place = ParkingPlace::lane;
   ParkingOrientation orientation = ParkingOrientation::parallel;
   bool orientation_assumed = false;
-  bool marked = false;                // the bays are painted
-  std::optional<double> width_m{};    // as tagged
+  bool marked = false;                  // the bays are painted
+  std::optional<double> width_m{};      // as tagged
   std::optional<GroundKind> surface{};  // as tagged
 
   ParkingBay bay() const;

@@ -19,7 +19,7 @@
 namespace nightcity::ground_cover {
 namespace {
 
-// A track is looked at this often to see whether it runs in a street.
+// A track is looked at this often to see what it runs in.
 constexpr double step_m = 2;
 // A stretch that is shorter than this is a crossing, or a gap between carriageways. An assumption:
 // a street with a carriageway each way is not as wide.
@@ -29,10 +29,13 @@ constexpr double max_length_m = 4e6;
 // Trams run in squares too, which are areas of land of this rank and above.
 constexpr int square_land_rank = 700;
 
-// A part of a line, by distances from its start, in a street or not.
+enum class Place { open, pavement, street };
+
+// A part of a line, by distances from its start.
 struct Stretch {
   double from_m, to_m;
-  bool in_street;
+  Place place;
+  double length_m() const { return to_m - from_m; }
 };
 
 // Finds the areas of streets among those of a cover.
@@ -41,32 +44,34 @@ class Streets {
   explicit Streets(const Cover& cover) : cover_(cover) {
     for (std::uint32_t i = 0; i < cover.areas().size(); ++i) {
       const CoverArea& area = cover.areas()[i];
-      if (area.rank < square_land_rank || is_platform(area) || !is_finite(area)) continue;
+      if (area.rank < square_land_rank || area.rank == platform_rank || !is_finite(area)) continue;
       boxes_.emplace(i, find_box(area.rings));
       index_.add(i, boxes_.at(i));
     }
   }
-  // Returns whether an area of this rank or a greater one holds a place.
-  bool hold(const glm::dvec2& place, int min_rank) const {
+  // Returns what a place lies in. A street is an area of `min_rank` or a greater one that is no
+  // pavement beside a carriageway.
+  Place find(const glm::dvec2& place, int min_rank) const {
+    Place found = Place::open;
     for (const std::uint32_t i : index_.find({place, place})) {
       const CoverArea& area = cover_.areas()[i];
-      if (area.rank >= min_rank && boxes_.at(i).holds(place) && mesh::holds(area.rings, place))
-        return true;
+      if (!boxes_.at(i).holds(place) || !mesh::holds(area.rings, place)) continue;
+      if (area.rank == pavement_rank)
+        found = Place::pavement;
+      else if (area.rank >= min_rank)
+        return Place::street;
     }
-    return false;
+    return found;
   }
 
  private:
-  static bool is_platform(const CoverArea& area) {
-    return area.rank > bed_rank && area.rank < square_rank;
-  }
   static bool is_finite(const CoverArea& area) {
-    const auto near = [](const glm::dvec2& p) {
+    const auto is_near = [](const glm::dvec2& p) {
       return std::max(std::abs(p.x), std::abs(p.y)) < 1e8;
     };
     return !area.rings.empty() &&
            std::all_of(area.rings.begin(), area.rings.end(), [&](const Ring& ring) {
-             return !ring.empty() && std::all_of(ring.begin(), ring.end(), near);
+             return !ring.empty() && std::all_of(ring.begin(), ring.end(), is_near);
            });
   }
 
@@ -75,27 +80,29 @@ class Streets {
   BoxIndex index_;
 };
 
-// Joins neighbours of one kind. Those with a gap between them lie on both sides of a place where the
-// line leaves the ground.
-std::vector<Stretch> join(const std::vector<Stretch>& stretches) {
+// Adds a stretch behind others, to the last where that lies in the same kind of place. Between those
+// with a gap the line leaves the ground.
+void append(std::vector<Stretch>& stretches, const Stretch& next) {
   constexpr double gap_m = 1e-3;
-  std::vector<Stretch> joined;
-  for (const Stretch& stretch : stretches)
-    if (!joined.empty() && joined.back().in_street == stretch.in_street &&
-        stretch.from_m - joined.back().to_m < gap_m)
-      joined.back().to_m = stretch.to_m;
-    else
-      joined.push_back(stretch);
-  return joined;
+  if (!stretches.empty() && stretches.back().place == next.place &&
+      next.from_m - stretches.back().to_m < gap_m)
+    stretches.back().to_m = next.to_m;
+  else
+    stretches.push_back(next);
 }
 
-// Gives short stretches within a line the kind of their neighbours.
-void drop_short(std::vector<Stretch>& stretches, bool in_street) {
-  for (std::size_t i = 1; i + 1 < stretches.size(); ++i)
-    if (stretches[i].in_street == in_street &&
-        stretches[i].to_m - stretches[i].from_m < min_stretch_m)
-      stretches[i].in_street = !in_street;
-  stretches = join(stretches);
+// Gives short stretches within a line the place of the longer of their neighbours.
+std::vector<Stretch> drop_short(const std::vector<Stretch>& stretches) {
+  std::vector<Stretch> kept;
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    Stretch stretch = stretches[i];
+    if (i > 0 && i + 1 < stretches.size() && stretch.length_m() < min_stretch_m) {
+      const Stretch &before = kept.back(), &after = stretches[i + 1];
+      stretch.place = (before.length_m() >= after.length_m() ? before : after).place;
+    }
+    append(kept, stretch);
+  }
+  return kept;
 }
 
 class RailAreas {
@@ -122,14 +129,16 @@ class RailAreas {
     if (tracks.gauge_assumed) ++cover_.assumed["gauge of a track"];
     if (tracks.gauge_refused) ++cover_.assumed["gauge of a track whose tag makes no sense"];
     const MeasuredLine along(line);
-    for (const Stretch& stretch : find_stretches(line, along, *kind))
-      add(tracks, along.cut(stretch.from_m, stretch.to_m), stretch.in_street);
+    for (const Stretch& stretch : find_stretches(line, along, tracks))
+      add(tracks, along.cut(stretch.from_m, stretch.to_m), stretch.place);
   }
 
  private:
   std::vector<Stretch> find_stretches(const std::vector<glm::dvec2>& line,
-                                      const MeasuredLine& along, const TrackKind& kind) const {
-    const int min_rank = kind.uses_streets ? square_land_rank : carriageway_rank;
+                                      const MeasuredLine& along, const Tracks& tracks) const {
+    // Below a bridge, paths and squares are not what it carries.
+    const int min_rank =
+        tracks.kind->uses_streets && !tracks.elevated ? square_land_rank : carriageway_rank;
     std::vector<Stretch> stretches;
     for (std::size_t i = 1; i < line.size(); ++i) {
       const auto within = clip_segment(line[i - 1], line[i], bounds_);
@@ -143,18 +152,16 @@ class RailAreas {
                      b = from_m + (to_m - from_m) * (step + 1) / steps;
         const double share = ((a + b) / 2 - start_m) / length_m;
         const glm::dvec2 place = line[i - 1] + (line[i] - line[i - 1]) * share;
-        stretches.push_back({a, b, streets_.hold(place, min_rank)});
+        append(stretches, {a, b, streets_.find(place, min_rank)});
       }
     }
-    stretches = join(stretches);
-    drop_short(stretches, false);
-    drop_short(stretches, true);
-    return stretches;
+    return drop_short(stretches);
   }
 
-  void add(const Tracks& tracks, const std::vector<glm::dvec2>& line, bool in_street) {
+  void add(const Tracks& tracks, const std::vector<glm::dvec2>& line, Place where) {
+    const bool in_street = where == Place::street;
     const double length_m = find_length_m(line, bounds_);
-    if (tracks.elevated && !in_street) {
+    if (tracks.elevated && (where == Place::open || !tracks.kind->uses_streets)) {
       cover_.left_out_m["tracks on a bridge that carries no street"] += length_m;
       return;
     }
@@ -163,7 +170,7 @@ class RailAreas {
                               : has_bed ? std::string("on ") + find_material(tracks.bed->kind).name
                                         : "embedded";
     cover_.tracks_m[std::string(tracks.kind->railway) + " " + place] += length_m;
-    if (has_bed) add_bed(tracks, line);
+    if (has_bed) add_bed(tracks, line, where == Place::pavement);
     for (int track = 0; track < tracks.count; ++track)
       for (const double right_m : tracks.find_rails()) {
         const double from_m = tracks.middle_m(track) + right_m;
@@ -172,12 +179,15 @@ class RailAreas {
       }
   }
 
-  void add_bed(const Tracks& tracks, const std::vector<glm::dvec2>& line) {
+  void add_bed(const Tracks& tracks, const std::vector<glm::dvec2>& line, bool on_pavement) {
+    const int rank = on_pavement ? bed_along_pavement_rank : bed_rank;
     if (tracks.bed->assumed) ++cover_.assumed["ballast under a track"];
+    const double gauge_m = tracks.gauges_m.back();
     const double width_m =
-        tracks.bed->width_m(tracks.gauges_m.back()) + (tracks.count - 1) * tracks.kind->spacing_m;
+        (on_pavement ? TrackBed::paved_width_m(gauge_m) : tracks.bed->width_m(gauge_m)) +
+        (tracks.count - 1) * tracks.kind->spacing_m;
     std::vector<Ring> rings = widener_.widen(line, width_m / 2);
-    if (!rings.empty()) cover_.add({bed_rank, {tracks.bed->kind, false, false}, std::move(rings)});
+    if (!rings.empty()) cover_.add({rank, {tracks.bed->kind, false, false}, std::move(rings)});
   }
 
   const place::LonLatToFrame& to_frame_;

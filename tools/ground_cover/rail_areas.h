@@ -9,8 +9,9 @@
 
 namespace nightcity::ground_cover {
 
-/// Rank of the areas of beds: streets and platforms lie over them, and they over squares and land.
-constexpr int bed_rank = 750;
+/// Ranks of the areas of beds: they lie over squares and land, and under streets. A bed that runs
+/// along a pavement beside a carriageway, and does not cross it, lies over the pavement.
+constexpr int bed_rank = 750, bed_along_pavement_rank = 810;
 
 /// Adds the tracks to `cover`, as far as they lie in `bounds` (E, N, m): two rails, flush with
 /// whatever lies there, and a bed of ballast, or of what `surface` says. Add streets and land

@@ -102,7 +102,7 @@ class StreetAreas {
     const double half_m = carriageway->width_m / 2;
     if (road.tier == roads::RoadTier::path) {
       const bool sunken = false, marked = false;
-      add(line, half_m, Side::both, pavement_rank, {kind, sunken, marked});
+      add(line, half_m, Side::both, path_rank, {kind, sunken, marked});
       return;
     }
     add(line, half_m, Side::both, carriageway_rank + road.rank, {kind, road.kerbed, true});

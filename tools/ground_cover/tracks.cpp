@@ -38,6 +38,9 @@ constexpr std::array kinds{
 // A sleeper of type B 70 (DB) is 2.60 m long under rails of 1.435 m. The ballast reaches 0.40 m
 // beyond it, then slopes at 1 : 1.5 down the 0.50 m of a sleeper and what it lies on: usual
 // practice, and assumptions for a single railway.
+// What lies beside it is walked on where it is no further away than vehicles, which are up to 2.65 m
+// wide (BOStrab, section 34).
+constexpr double vehicle_beside_gauge_m = 2.65 - standard_m;
 constexpr double beside_gauge_m = 2.60 - standard_m + 2 * 0.40, slopes_m = 2 * 1.5 * 0.50;
 
 // From the narrowest gauge of a railway that carries people, with a margin, to the widest ever
@@ -103,6 +106,10 @@ const TrackKind* find_track_kind(std::string_view railway) {
 
 double TrackBed::width_m(double gauge_m) const {
   return gauge_m + beside_gauge_m + (kind == GroundKind::ballast ? slopes_m : 0);
+}
+
+double TrackBed::paved_width_m(double gauge_m) {
+  return gauge_m + vehicle_beside_gauge_m;
 }
 
 double Tracks::middle_m(int track) const {

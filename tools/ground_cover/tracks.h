@@ -29,8 +29,10 @@ const TrackKind* find_track_kind(std::string_view railway);
 struct TrackBed {
   GroundKind kind = GroundKind::ballast;
   bool assumed = false;  // no tag says so
-  /// Returns the width in metres of the bed of one track.
+  /// Returns the width in metres of the bed of one track, and of one that runs along a pavement or
+  /// platform.
   double width_m(double gauge_m) const;
+  static double paved_width_m(double gauge_m);
 };
 
 struct Tracks {

@@ -88,6 +88,28 @@ TEST(RailAreas, WhereARoadCrossesItLiesOverTheBedAndTheRailsGoOn) {
       << "a crossing is no street it runs in";
 }
 
+TEST(RailAreas, ABedLiesOverThePavementsThatItRunsAlongAndUnderThoseThatItCrosses) {
+  const osm::OsmTags tram{{"railway", "tram"}, {"surface", "grass"}};
+  // Between two carriageways of 3.5 m whose pavements of 2.5 m meet in the middle.
+  const osm::OsmTags oneway{{"highway", "residential"}, {"oneway", "yes"}};
+  const Cover along = make_cover({track(tram)}, {way({{-200, 4.25}, {200, 4.25}}, oneway),
+                                                 way({{200, -4.25}, {-200, -4.25}}, oneway)});
+  EXPECT_NEAR(areas_of(along, middle).at("grass"), 100 * 2.65 - rails_m2, 0.5);
+  EXPECT_NEAR(along.tracks_m.at("tram on grass"), 400, 1e-9);
+  const Cover across =
+      make_cover({track(tram)}, {way({{0, -200}, {0, 200}}, {{"highway", "residential"}})});
+  EXPECT_NEAR(areas_of(across, middle).at("grass"),
+              (100 - 5.5 - 2 * 2.5) * (3.40 - 2 * rail_head_m), 0.5);
+  EXPECT_NEAR(areas_of(across, middle).at("rail"), rails_m2, 0.2);
+}
+
+TEST(RailAreas, PathsAndPlatformsLieOverTheBed) {
+  const Cover cover =
+      make_cover({track({})}, {way({{0, -200}, {0, 200}}, {{"highway", "footway"}})});
+  EXPECT_NEAR(areas_of(cover, middle).at("ballast"), (100 - 2.5) * (4.90 - 2 * rail_head_m), 0.5);
+  EXPECT_GT(platform_rank, bed_rank);
+}
+
 TEST(RailAreas, AGrassTrackLiesInGrass) {
   const auto areas =
       areas_of(make_cover({track({{"railway", "tram"}, {"surface", "grass"}})}), middle);

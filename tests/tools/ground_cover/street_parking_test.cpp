@@ -59,8 +59,8 @@ TEST(StreetParking, BaysEndBeforeJunctionsAndAtEntrances) {
   };
   const double carriageway_m2 = 100 * (2.75 + 2);
   EXPECT_NEAR(asphalt_of({}), carriageway_m2 + (100 - 2 * (2.75 + 5)) * 2, 0.2);
-  EXPECT_NEAR(asphalt_of({{"highway", "service"}, {"width", "6"}}), carriageway_m2 + (100 - 6) * 2,
-              0.2);
+  EXPECT_NEAR(asphalt_of({{"highway", "service"}, {"width", "4.4"}}),
+              carriageway_m2 + (100 - 4.4) * 2, 0.2);
 }
 
 TEST(StreetParking, ALaneLiesWithinTheCarriageway) {
