@@ -159,9 +159,13 @@ class RailAreas {
   }
 
   void add(const Tracks& tracks, const std::vector<glm::dvec2>& line, Place where) {
-    const bool in_street = where == Place::street;
+    // A carriageway may be wider than the map says: trams beside it run in its street, unless a tag
+    // gives them a bed.
+    const bool says_bed = tracks.bed && !tracks.bed->assumed;
+    const bool in_street = where == Place::street ||
+                           (where == Place::pavement && tracks.kind->uses_streets && !says_bed);
     const double length_m = find_length_m(line, bounds_);
-    if (tracks.elevated && (where == Place::open || !tracks.kind->uses_streets)) {
+    if (tracks.elevated && !(in_street && tracks.kind->uses_streets)) {
       cover_.left_out_m["tracks on a bridge that carries no street"] += length_m;
       return;
     }

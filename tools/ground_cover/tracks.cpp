@@ -22,7 +22,7 @@ constexpr std::array kinds{
     TrackKind{"narrow_gauge", metre_gauge_m, line_m, true},
     TrackKind{"preserved", standard_m, line_m, false},
     TrackKind{"funicular", metre_gauge_m, line_m, true},
-    // OSM wiki, "Key:railway": what has other rails, lies in toy trains' scale, or is no line (yet).
+    // OSM wiki, "Key:railway": these have other rails, are for toy trains, or carry no trains (yet).
     TrackKind{"monorail", 0, 0, false},
     TrackKind{"miniature", 0, 0, false},
     TrackKind{"disused", 0, 0, false},
@@ -38,10 +38,10 @@ constexpr std::array kinds{
 // A sleeper of type B 70 (DB) is 2.60 m long under rails of 1.435 m. The ballast reaches 0.40 m
 // beyond it, then slopes at 1 : 1.5 down the 0.50 m of a sleeper and what it lies on: usual
 // practice, and assumptions for a single railway.
-// What lies beside it is walked on where it is no further away than vehicles, which are up to 2.65 m
-// wide (BOStrab, section 34).
-constexpr double vehicle_beside_gauge_m = 2.65 - standard_m;
 constexpr double beside_gauge_m = 2.60 - standard_m + 2 * 0.40, slopes_m = 2 * 1.5 * 0.50;
+// Beside a pavement people walk up to where vehicles are: they are at most 2.65 m wide (BOStrab,
+// section 34).
+constexpr double vehicle_beside_gauge_m = 2.65 - standard_m;
 
 // From the narrowest gauge of a railway that carries people, with a margin, to the widest ever
 // (Great Western Railway, 2140 mm).

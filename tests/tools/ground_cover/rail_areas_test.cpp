@@ -96,6 +96,11 @@ TEST(RailAreas, ABedLiesOverThePavementsThatItRunsAlongAndUnderThoseThatItCrosse
                                                  way({{200, -4.25}, {-200, -4.25}}, oneway)});
   EXPECT_NEAR(areas_of(along, middle).at("grass"), 100 * 2.65 - rails_m2, 0.5);
   EXPECT_NEAR(along.tracks_m.at("tram on grass"), 400, 1e-9);
+  const Cover unsaid =
+      make_cover({track({{"railway", "tram"}})}, {way({{-200, 4.25}, {200, 4.25}}, oneway)});
+  EXPECT_FALSE(areas_of(unsaid, middle).contains("ballast")) << "it runs in the street";
+  const Cover railway = make_cover({track({})}, {way({{-200, 4.25}, {200, 4.25}}, oneway)});
+  EXPECT_TRUE(areas_of(railway, middle).contains("ballast"));
   const Cover across =
       make_cover({track(tram)}, {way({{0, -200}, {0, 200}}, {{"highway", "residential"}})});
   EXPECT_NEAR(areas_of(across, middle).at("grass"),
