@@ -80,8 +80,8 @@ class Streets {
   BoxIndex index_;
 };
 
-// Adds a stretch behind others, to the last where that lies in the same kind of place. Between those
-// with a gap the line leaves the ground.
+// Adds a stretch behind others, to the last where that lies in the same kind of place. Between two
+// with a gap between them the line leaves the ground.
 void append(std::vector<Stretch>& stretches, const Stretch& next) {
   constexpr double gap_m = 1e-3;
   if (!stretches.empty() && stretches.back().place == next.place &&

@@ -22,7 +22,7 @@ constexpr std::array kinds{
     TrackKind{"narrow_gauge", metre_gauge_m, line_m, true},
     TrackKind{"preserved", standard_m, line_m, false},
     TrackKind{"funicular", metre_gauge_m, line_m, true},
-    // OSM wiki, "Key:railway": these have other rails, are for toy trains, or carry no trains (yet).
+    // OSM wiki, "Key:railway": these have other rails, are toys, or carry no trains (yet).
     TrackKind{"monorail", 0, 0, false},
     TrackKind{"miniature", 0, 0, false},
     TrackKind{"disused", 0, 0, false},
