@@ -133,7 +133,7 @@ class StreetAreas {
     const auto lane = read_parking_lane(tags, name);
     if (!lane) return;
     cover_.parking_m[lane->name()] += find_length_m(line, bounds_);
-    if (lane->orientation_assumed) ++cover_.assumed["parallel to the street, of parked cars"];
+    if (lane->orientation_assumed) ++cover_.assumed["orientation of parked cars"];
     add_parking(*lane, side);
   }
 

@@ -18,8 +18,8 @@ constexpr int carriageway_rank = 1000, bay_rank = 950, track_rank = 900, path_ra
 constexpr double cycle_track_m = 2.0;
 
 /// Adds the streets to `cover`, as far as they lie in `bounds` (E, N, m). Where they overlap,
-/// carriageways are seen before cycle tracks and these before pavements; of carriageways that of
-/// the more important road. Widths are those of roads::read_carriageway; `sidewalk` and `cycleway`
+/// carriageways are seen before bays, then cycle tracks, paths and pavements; of carriageways that
+/// of the more important road. Widths are those of roads::read_carriageway; `sidewalk` and `cycleway`
 /// and their sides say what runs beside it, else the class of the road. With `bays`, `parking` and
 /// its sides say where cars park: in bays beside the carriageway, level with it, or on a pavement,
 /// which is as wide then as they need. Streets in tunnels and buildings, values that are assumed,

@@ -69,6 +69,16 @@ TEST(StreetAreas, TheMoreImportantRoadIsSeenWhereTwoCross) {
   EXPECT_NEAR(areas.at("sett"), (100 - 6.5) * 5.5, 0.1);
 }
 
+TEST(StreetAreas, APathIsSeenBeforeThePavementThatAStreetIsGiven) {
+  const auto areas =
+      areas_of(make_cover({way({{-200, 0}, {200, 0}}, {{"highway", "residential"}}),
+                           way({{-200, 4}, {200, 4}},
+                               {{"highway", "footway"}, {"width", "2"}, {"surface", "concrete"}})}),
+               middle);
+  EXPECT_NEAR(areas.at("concrete"), 100 * 2, 0.2);
+  EXPECT_NEAR(areas.at("paving stones"), 100 * (2 * 2.5 - 2), 0.3);
+}
+
 TEST(StreetAreas, TunnelsAreLeftOutAndCounted) {
   const Cover cover = make_cover(
       {way({{-200, 0}, {200, 0}}, {{"highway", "primary"}, {"tunnel", "yes"}}),
