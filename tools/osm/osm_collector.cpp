@@ -73,6 +73,11 @@ void OsmCollector::add_way(std::int64_t id, OsmVersion version, std::vector<OsmN
   pending_.push_back({{id, {}, std::move(tags)}, std::move(nodes), key, version.rank(), file_});
 }
 
+void OsmCollector::add_relation(const OsmTags& tags) {
+  ++data_.relations;
+  if (is_barrier(tags)) ++data_.barrier_relations;
+}
+
 /// Sorts by key and keeps the newest of each, of equally new ones the first.
 template <class Entry>
 void OsmCollector::keep_newest(std::vector<Entry>& entries) {

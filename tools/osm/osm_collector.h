@@ -48,7 +48,7 @@ class OsmCollector {
   void add_node(std::int64_t id, OsmVersion version, const glm::dvec2& lon_lat, OsmTags tags);
   void count_bad_node() { ++nodes_, ++data_.bad_coordinates; }
   void add_way(std::int64_t id, OsmVersion version, std::vector<OsmNodeRef> nodes, OsmTags tags);
-  void count_relation() { ++data_.relations; }
+  void add_relation(const OsmTags& tags);
   void add_remark(std::string text) { data_.remarks.push_back(std::move(text)); }
 
   /// Gives the ways their coordinates and returns everything. Of several versions of an element the

@@ -46,7 +46,7 @@ void collect(const osmium::memory::Buffer& buffer, OsmCollector& collector) {
       }
       collector.add_way(way.id(), version_of(way), std::move(nodes), tags_of(way));
     } else if (object.type() == osmium::item_type::relation && !object.deleted()) {
-      collector.count_relation();
+      collector.add_relation(tags_of(object));
     }
   }
 }

@@ -107,7 +107,7 @@ void read_osm_xml(const std::filesystem::path& file, OsmCollector& collector) {
     } else if (name == "way") {
       collect_way(element, collector);
     } else if (name == "relation") {
-      if (!version_of(element).deleted) collector.count_relation();
+      if (!version_of(element).deleted) collector.add_relation(tags_of(element));
     } else if (name == "remark") {
       take_remark(file, line_at(file, element.offset_debug()), element.text().as_string(),
                   collector);

@@ -14,6 +14,7 @@
 #include "formats/median.h"
 #include "tools/bake/city/prepared_objects.h"
 #include "tools/bake/parts/read_parts.h"
+#include "tools/barriers/outlines.h"
 #include "tools/ground_cover/land_areas.h"
 #include "tools/ground_cover/rail_areas.h"
 #include "tools/ground_cover/street_areas.h"
@@ -64,6 +65,7 @@ City::City(CityInputs inputs, const std::filesystem::path& scratch)
     map_.buildings = inputs_.survey->map_buildings;
   else
     map_ = osm::read_osm(inputs_.maps, static_cast<std::size_t>(inputs_.max_way_nodes));
+  if (inputs_.cover.barriers && map_.barrier_relations > 0) add_barrier_outlines();
   if (map_.long_ways > 0)
     fmt::print(stderr,
                "note: {}: {} ways left out: they have more nodes than [osm] max_way_nodes = {}\n",
@@ -71,6 +73,14 @@ City::City(CityInputs inputs, const std::filesystem::path& scratch)
   if (!inputs_.survey) inventory_reports_ = inventory::add_to_map(inputs_.inventories, map_);
   if (!has_model()) map_frame_ = find_map_frame(map_);
   if (has_model()) report_moved_origin();
+}
+
+void City::add_barrier_outlines() {
+  std::set<std::string> known;
+  for (const auto& map : inputs_.maps)
+    for (osm::OsmWay& way :
+         barriers::read_outlines(map, static_cast<std::size_t>(inputs_.max_way_nodes), known))
+      map_.barriers.push_back(std::move(way));
 }
 
 namespace {

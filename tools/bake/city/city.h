@@ -98,6 +98,7 @@ class City {
   void report_moved_origin() const;
   static std::optional<MapFrame> find_map_frame(const osm::OsmData& map);
   void fill_gaps(std::initializer_list<CityConsumer*> consumers);
+  void add_barrier_outlines();
   void add_land(const ground_cover::Box& bounds);
   bool drives_on_the_left() const;
   void lay_cover(const GroundReport& ground);
