@@ -10,8 +10,6 @@
 namespace nightcity::ground_cover {
 namespace {
 
-constexpr Box bounds{{-500, -500}, {500, 500}};
-
 osm::OsmWay street(std::vector<glm::dvec2> line) {
   return {1, std::move(line), {{"highway", "tertiary"}, {"lane_markings", "no"}}};
 }

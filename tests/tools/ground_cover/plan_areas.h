@@ -5,14 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "tests/tools/ground_cover/metre_map.h"
 #include "tools/ground_cover/cover.h"
 #include "tools/mesh/partition.h"
-#include "tools/place/site.h"
 
 namespace nightcity::ground_cover {
-
-/// Degrees stand for metres in tests.
-inline const place::LonLatToFrame as_metres = [](const glm::dvec2& p) { return p; };
 
 /// Returns the area of each material within a rectangle, m2; that of "paint" on carriageways and
 /// "sunken" surfaces are parts of these, "rail" lies on all.

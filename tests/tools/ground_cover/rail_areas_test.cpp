@@ -12,7 +12,6 @@
 namespace nightcity::ground_cover {
 namespace {
 
-constexpr Box bounds{{-500, -500}, {500, 500}};
 constexpr Box middle{{-50, -40}, {50, 40}};  // 100 m of a track along x
 
 osm::OsmWay way(std::vector<glm::dvec2> line, osm::OsmTags tags) {

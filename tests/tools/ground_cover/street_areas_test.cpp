@@ -12,7 +12,6 @@
 namespace nightcity::ground_cover {
 namespace {
 
-
 osm::OsmWay way(std::vector<glm::dvec2> line, osm::OsmTags tags) {
   return {1, std::move(line), std::move(tags)};
 }

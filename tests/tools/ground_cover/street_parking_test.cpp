@@ -7,7 +7,6 @@
 namespace nightcity::ground_cover {
 namespace {
 
-constexpr Box bounds{{-500, -500}, {500, 500}};
 constexpr Box middle{{-50, -40}, {50, 40}};  // 100 m of a street along x
 
 osm::OsmWay street(std::vector<glm::dvec2> line, osm::OsmTags tags) {
