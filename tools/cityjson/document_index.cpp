@@ -17,7 +17,7 @@ constexpr std::array<std::uint8_t, 256> find_marks() {
 constexpr std::array<std::uint8_t, 256> is_mark = find_marks();
 
 // Longer ones hold more closing brackets than boundaries are deep.
-constexpr std::size_t block_bytes = 16;
+constexpr std::size_t marks_bytes = 16;
 
 struct Marks {
   std::uint8_t quotes = 0, opening = 0, closing = 0;
@@ -26,7 +26,7 @@ struct Marks {
 // Counts the marks of a block. Without branches, so that the compiler looks at all bytes at once.
 Marks count_marks(const char* block) {
   Marks marks;
-  for (std::size_t i = 0; i < block_bytes; ++i) {
+  for (std::size_t i = 0; i < marks_bytes; ++i) {
     const auto c = static_cast<unsigned char>(block[i]);
     const auto folded = static_cast<unsigned char>(c | 0x20);  // '[' to '{', ']' to '}'
     marks.quotes = static_cast<std::uint8_t>(marks.quotes + (c == '"'));
@@ -141,11 +141,11 @@ class Scanner {
 
   // Steps over blocks without quotes and with too few closing brackets to end the value.
   void skip_blocks(std::size_t& depth) {
-    while (text_.size() - at_ >= block_bytes) {
+    while (text_.size() - at_ >= marks_bytes) {
       const Marks marks = count_marks(text_.data() + at_);
       if (marks.quotes > 0 || marks.closing >= depth) return;
       depth = depth + marks.opening - marks.closing;
-      at_ += block_bytes;
+      at_ += marks_bytes;
     }
   }
 

@@ -9,7 +9,7 @@ namespace {
 // StVO, section 12 (3): no parking within 5 m of where the kerbs of two streets meet.
 constexpr double clear_m = 5;
 // RMS-1: lines of parking bays are narrow ones, 0.12 m in towns.
-constexpr double line_m = 0.12;
+constexpr double bay_line_m = 0.12;
 
 using Stretch = std::pair<double, double>;
 
@@ -31,7 +31,7 @@ void add_lines(const Lane& lane, const Stretch& stretch, const MeasuredLine& alo
   const double first_m = stretch.first - std::min(0.0, lean_m);
   for (double n = 0; n <= bays && bays >= 1 && !painter.is_done(); ++n) {
     const double s = first_m + n * lane.bay.length_m;
-    const double half_m = line_m / 2;
+    const double half_m = bay_line_m / 2;
     painter.add("line between parking bays", {along.find_beside(s - half_m, lane.edge_m),
                                               along.find_beside(s + half_m, lane.edge_m),
                                               along.find_beside(s + half_m + lean_m, far_m),
@@ -81,7 +81,7 @@ void add_bay_lines(const osm::OsmWay& way, const roads::Carriageway& road,
       add_lines(lane, stretch, along, painter);
       if (!is_inside) continue;
       for (auto& strip : make_strips(along.cut(stretch.first, stretch.second),
-                                     lane.edge_m - line_m / 2, lane.edge_m + line_m / 2))
+                                     lane.edge_m - bay_line_m / 2, lane.edge_m + bay_line_m / 2))
         painter.add("line along a parking lane", std::move(strip));
     }
   }

@@ -32,7 +32,7 @@ constexpr int square_land_rank = 700;
 enum class Place { open, pavement, street };
 
 // A part of a line, by distances from its start.
-struct Stretch {
+struct TrackStretch {
   double from_m, to_m;
   Place place;
   double length_m() const { return to_m - from_m; }
@@ -82,7 +82,7 @@ class Streets {
 
 // Adds a stretch behind others, to the last where that lies in the same kind of place. Between two
 // with a gap between them the line leaves the ground.
-void append(std::vector<Stretch>& stretches, const Stretch& next) {
+void append(std::vector<TrackStretch>& stretches, const TrackStretch& next) {
   constexpr double gap_m = 1e-3;
   if (!stretches.empty() && stretches.back().place == next.place &&
       next.from_m - stretches.back().to_m < gap_m)
@@ -92,12 +92,12 @@ void append(std::vector<Stretch>& stretches, const Stretch& next) {
 }
 
 // Gives short stretches within a line the place of the longer of their neighbours.
-std::vector<Stretch> drop_short(const std::vector<Stretch>& stretches) {
-  std::vector<Stretch> kept;
+std::vector<TrackStretch> drop_short(const std::vector<TrackStretch>& stretches) {
+  std::vector<TrackStretch> kept;
   for (std::size_t i = 0; i < stretches.size(); ++i) {
-    Stretch stretch = stretches[i];
+    TrackStretch stretch = stretches[i];
     if (i > 0 && i + 1 < stretches.size() && stretch.length_m() < min_stretch_m) {
-      const Stretch &before = kept.back(), &after = stretches[i + 1];
+      const TrackStretch &before = kept.back(), &after = stretches[i + 1];
       stretch.place = (before.length_m() >= after.length_m() ? before : after).place;
     }
     append(kept, stretch);
@@ -129,17 +129,17 @@ class RailAreas {
     if (tracks.gauge_assumed) ++cover_.assumed["gauge of a track"];
     if (tracks.gauge_refused) ++cover_.assumed["gauge of a track whose tag makes no sense"];
     const MeasuredLine along(line);
-    for (const Stretch& stretch : find_stretches(line, along, tracks))
+    for (const TrackStretch& stretch : find_stretches(line, along, tracks))
       add(tracks, along.cut(stretch.from_m, stretch.to_m), stretch.place);
   }
 
  private:
-  std::vector<Stretch> find_stretches(const std::vector<glm::dvec2>& line,
-                                      const MeasuredLine& along, const Tracks& tracks) const {
+  std::vector<TrackStretch> find_stretches(const std::vector<glm::dvec2>& line,
+                                           const MeasuredLine& along, const Tracks& tracks) const {
     // Below a bridge, paths and squares are not what it carries.
     const int min_rank =
         tracks.kind->uses_streets && !tracks.elevated ? square_land_rank : carriageway_rank;
-    std::vector<Stretch> stretches;
+    std::vector<TrackStretch> stretches;
     for (std::size_t i = 1; i < line.size(); ++i) {
       const auto within = clip_segment(line[i - 1], line[i], bounds_);
       if (!within) continue;

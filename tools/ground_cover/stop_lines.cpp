@@ -11,7 +11,7 @@ namespace nightcity::ground_cover {
 namespace {
 
 // StVO, sign 294 and RMS-1: a stop line is 0.50 m wide, 1.00 m before a crossing.
-constexpr double line_m = 0.5, before_crossing_m = 1;
+constexpr double stop_line_m = 0.5, before_crossing_m = 1;
 // StVO, sign 341 and RMS-1: a line at which to give way has dashes of 0.50 m with gaps of 0.25 m.
 constexpr double block_m = 0.5, block_gap_m = 0.25;
 // A sign without a direction is for the junction that is as near as this: an assumption.
@@ -74,7 +74,7 @@ void StopLines::paint(const roads::Carriageway& road, const MeasuredLine& along,
                       bool against, const osm::OsmTags& tags) const {
   const bool crossing = tags.contains("crossing") && tag_of(tags, "crossing") != "no";
   const double back_m = crossing ? crossing_m / 2 + before_crossing_m : 0;
-  const double from_m = against ? at_m + back_m : at_m - back_m - line_m;
+  const double from_m = against ? at_m + back_m : at_m - back_m - stop_line_m;
   const double whole_m = (road.lanes[0] + road.lanes[1]) * road.lane_m(),
                width_m = road.lanes[against ? 1 : 0] * road.lane_m();
   // Lanes along the way lie to its right where vehicles keep to the right.
@@ -82,10 +82,10 @@ void StopLines::paint(const roads::Carriageway& road, const MeasuredLine& along,
   const double right_m = on_right ? -whole_m / 2 : whole_m / 2 - width_m;
   if (tag_of(tags, "highway") != "give_way")
     return painter_.add("stop line",
-                        along.make_strip(from_m, from_m + line_m, right_m, right_m + width_m));
+                        along.make_strip(from_m, from_m + stop_line_m, right_m, right_m + width_m));
   for (double s = block_gap_m / 2; s + block_m <= width_m; s += block_m + block_gap_m)
-    painter_.add("dash at which to give way",
-                 along.make_strip(from_m, from_m + line_m, right_m + s, right_m + s + block_m));
+    painter_.add("dash at which to give way", along.make_strip(from_m, from_m + stop_line_m,
+                                                               right_m + s, right_m + s + block_m));
 }
 
 }  // namespace nightcity::ground_cover

@@ -13,15 +13,16 @@ namespace {
 // Gauges: OSM wiki, "Key:gauge": 1435 mm unless said otherwise; 1000 mm is the commonest narrow
 // gauge (an assumption for a single railway). Spacing: EBO, section 10: 4.00 m on open lines. Trams
 // are at most 2.65 m wide (BOStrab, section 34); 0.35 m between two of them is an assumption.
-constexpr double standard_m = 1.435, metre_gauge_m = 1.000, line_m = 4.00, tram_m = 3.00;
+constexpr double standard_m = 1.435, metre_gauge_m = 1.000, line_spacing_m = 4.00,
+                 tram_spacing_m = 3.00;
 constexpr std::array kinds{
-    TrackKind{"rail", standard_m, line_m, false},
-    TrackKind{"light_rail", standard_m, tram_m, true},
-    TrackKind{"subway", standard_m, line_m, false},
-    TrackKind{"tram", standard_m, tram_m, true},
-    TrackKind{"narrow_gauge", metre_gauge_m, line_m, true},
-    TrackKind{"preserved", standard_m, line_m, false},
-    TrackKind{"funicular", metre_gauge_m, line_m, true},
+    TrackKind{"rail", standard_m, line_spacing_m, false},
+    TrackKind{"light_rail", standard_m, tram_spacing_m, true},
+    TrackKind{"subway", standard_m, line_spacing_m, false},
+    TrackKind{"tram", standard_m, tram_spacing_m, true},
+    TrackKind{"narrow_gauge", metre_gauge_m, line_spacing_m, true},
+    TrackKind{"preserved", standard_m, line_spacing_m, false},
+    TrackKind{"funicular", metre_gauge_m, line_spacing_m, true},
     // OSM wiki, "Key:railway": these have other rails, are toys, or carry no trains (yet).
     TrackKind{"monorail", 0, 0, false},
     TrackKind{"miniature", 0, 0, false},

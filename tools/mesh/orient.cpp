@@ -22,7 +22,7 @@ struct Shell {
       high{-std::numeric_limits<double>::infinity()};
 };
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t no_shell = std::numeric_limits<std::uint32_t>::max();
 
 class Orienter {
  public:
@@ -30,7 +30,7 @@ class Orienter {
       : object_(object),
         edges_(edges),
         turned_(object.polygons.size(), false),
-        shell_of_(object.polygons.size(), none) {}
+        shell_of_(object.polygons.size(), no_shell) {}
 
   void run(MeshReport& report) {
     find_shells();
@@ -64,7 +64,7 @@ class Orienter {
   void find_shells() {
     std::vector<std::uint32_t> open;
     for (std::uint32_t start = 0; start < object_.polygons.size(); ++start) {
-      if (shell_of_[start] != none || edges_.of_polygon(start).empty()) continue;
+      if (shell_of_[start] != no_shell || edges_.of_polygon(start).empty()) continue;
       Shell shell;
       const auto number = static_cast<std::uint32_t>(shells_.size());
       open.assign(1, start);
@@ -79,7 +79,7 @@ class Orienter {
           const EdgeUse &mine = uses[uses[0].polygon == p ? 0 : 1],
                         &other = uses[uses[0].polygon == p ? 1 : 0];
           const bool turn_other = turned_[p] != (mine.forward == other.forward);
-          if (shell_of_[other.polygon] == none) {
+          if (shell_of_[other.polygon] == no_shell) {
             shell_of_[other.polygon] = number;
             turned_[other.polygon] = turn_other;
             open.push_back(other.polygon);
@@ -138,7 +138,7 @@ class Orienter {
   city::CityObject& object_;
   const EdgeTable& edges_;
   std::vector<bool> turned_;
-  std::vector<std::uint32_t> shell_of_;  // of each polygon; `none` before it is reached
+  std::vector<std::uint32_t> shell_of_;  // of each polygon; `no_shell` before it is reached
   std::vector<Shell> shells_;
 };
 

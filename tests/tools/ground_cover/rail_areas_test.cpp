@@ -12,19 +12,13 @@
 namespace nightcity::ground_cover {
 namespace {
 
-constexpr Box middle{{-50, -40}, {50, 40}};  // 100 m of a track along x
-
-osm::OsmWay way(std::vector<glm::dvec2> line, osm::OsmTags tags) {
-  return {1, std::move(line), std::move(tags)};
-}
-
 osm::OsmWay track(osm::OsmTags tags) {
   tags.emplace("railway", "rail");
   return way({{-200, 0}, {200, 0}}, std::move(tags));
 }
 
-Cover make_cover(const std::vector<osm::OsmWay>& railways,
-                 const std::vector<osm::OsmWay>& streets = {}, bool markings = false) {
+Cover cover_rails(const std::vector<osm::OsmWay>& railways,
+                  const std::vector<osm::OsmWay>& streets = {}, bool markings = false) {
   Cover cover;
   add_streets(streets, true, as_metres, bounds, cover);
   if (markings) add_markings({streets, {}, {}}, as_metres, bounds, cover);
@@ -36,7 +30,7 @@ Cover make_cover(const std::vector<osm::OsmWay>& railways,
 constexpr double rails_m2 = 100 * 2 * rail_head_m;
 
 TEST(RailAreas, ATrackOfItsOwnHasTwoRailsOnABedOfBallast) {
-  const Cover cover = make_cover({track({{"gauge", "1435"}})});
+  const Cover cover = cover_rails({track({{"gauge", "1435"}})});
   const auto areas = areas_of(cover, middle);
   // Outlines lie on a grid of a millimetre.
   EXPECT_NEAR(areas.at("rail"), rails_m2, 100 * 2e-3);
@@ -52,7 +46,7 @@ TEST(RailAreas, InnerFacesLieTheGaugeApartAlsoInABend) {
   for (int degree = 0; degree <= 90; ++degree)
     line.push_back(100.0 *
                    glm::dvec2(std::cos(degree * M_PI / 180), std::sin(degree * M_PI / 180)));
-  const Cover cover = make_cover({way(line, {{"railway", "tram"}, {"gauge", "1000"}})});
+  const Cover cover = cover_rails({way(line, {{"railway", "tram"}, {"gauge", "1000"}})});
   const CoverPart part = cover.find_part(bounds, {0, 0});
   ASSERT_EQ(part.markings.size(), 2u * 90);
   for (const mesh::PlaneArea& area : part.markings)
@@ -66,8 +60,8 @@ TEST(RailAreas, InnerFacesLieTheGaugeApartAlsoInABend) {
 }
 
 TEST(RailAreas, ATramInAStreetHasRailsAloneFlushWithIt) {
-  const Cover cover = make_cover({track({{"railway", "tram"}})},
-                                 {way({{-200, 1}, {200, 1}}, {{"highway", "residential"}})});
+  const Cover cover = cover_rails({track({{"railway", "tram"}})},
+                                  {way({{-200, 1}, {200, 1}}, {{"highway", "residential"}})});
   const auto areas = areas_of(cover, middle);
   EXPECT_FALSE(areas.contains("ballast"));
   EXPECT_NEAR(areas.at("rail"), rails_m2, 0.2);
@@ -77,7 +71,7 @@ TEST(RailAreas, ATramInAStreetHasRailsAloneFlushWithIt) {
 }
 
 TEST(RailAreas, WhereARoadCrossesItLiesOverTheBedAndTheRailsGoOn) {
-  const Cover cover = make_cover(
+  const Cover cover = cover_rails(
       {track({})}, {way({{0, -200}, {0, 200}}, {{"highway", "primary"}, {"sidewalk", "no"}})});
   const auto areas = areas_of(cover, middle);
   EXPECT_NEAR(areas.at("rail"), rails_m2, 0.2);
@@ -91,17 +85,17 @@ TEST(RailAreas, ABedLiesOverThePavementsThatItRunsAlongAndUnderThoseThatItCrosse
   const osm::OsmTags tram{{"railway", "tram"}, {"surface", "grass"}};
   // Between two carriageways of 3.5 m whose pavements of 2.5 m meet in the middle.
   const osm::OsmTags oneway{{"highway", "residential"}, {"oneway", "yes"}};
-  const Cover along = make_cover({track(tram)}, {way({{-200, 4.25}, {200, 4.25}}, oneway),
-                                                 way({{200, -4.25}, {-200, -4.25}}, oneway)});
+  const Cover along = cover_rails({track(tram)}, {way({{-200, 4.25}, {200, 4.25}}, oneway),
+                                                  way({{200, -4.25}, {-200, -4.25}}, oneway)});
   EXPECT_NEAR(areas_of(along, middle).at("grass"), 100 * 2.65 - rails_m2, 0.5);
   EXPECT_NEAR(along.tracks_m.at("tram on grass"), 400, 1e-9);
   const Cover unsaid =
-      make_cover({track({{"railway", "tram"}})}, {way({{-200, 4.25}, {200, 4.25}}, oneway)});
+      cover_rails({track({{"railway", "tram"}})}, {way({{-200, 4.25}, {200, 4.25}}, oneway)});
   EXPECT_FALSE(areas_of(unsaid, middle).contains("ballast")) << "it runs in the street";
-  const Cover railway = make_cover({track({})}, {way({{-200, 4.25}, {200, 4.25}}, oneway)});
+  const Cover railway = cover_rails({track({})}, {way({{-200, 4.25}, {200, 4.25}}, oneway)});
   EXPECT_TRUE(areas_of(railway, middle).contains("ballast"));
   const Cover across =
-      make_cover({track(tram)}, {way({{0, -200}, {0, 200}}, {{"highway", "residential"}})});
+      cover_rails({track(tram)}, {way({{0, -200}, {0, 200}}, {{"highway", "residential"}})});
   EXPECT_NEAR(areas_of(across, middle).at("grass"),
               (100 - 5.5 - 2 * 2.5) * (3.40 - 2 * rail_head_m), 0.5);
   EXPECT_NEAR(areas_of(across, middle).at("rail"), rails_m2, 0.2);
@@ -109,31 +103,31 @@ TEST(RailAreas, ABedLiesOverThePavementsThatItRunsAlongAndUnderThoseThatItCrosse
 
 TEST(RailAreas, PathsAndPlatformsLieOverTheBed) {
   const Cover cover =
-      make_cover({track({})}, {way({{0, -200}, {0, 200}}, {{"highway", "footway"}})});
+      cover_rails({track({})}, {way({{0, -200}, {0, 200}}, {{"highway", "footway"}})});
   EXPECT_NEAR(areas_of(cover, middle).at("ballast"), (100 - 2.5) * (4.90 - 2 * rail_head_m), 0.5);
   EXPECT_GT(platform_rank, bed_rank);
 }
 
 TEST(RailAreas, AGrassTrackLiesInGrass) {
   const auto areas =
-      areas_of(make_cover({track({{"railway", "tram"}, {"surface", "grass"}})}), middle);
+      areas_of(cover_rails({track({{"railway", "tram"}, {"surface", "grass"}})}), middle);
   EXPECT_NEAR(areas.at("grass"), 100 * 3.40 - rails_m2, 0.4);
   EXPECT_FALSE(areas.contains("ballast"));
 }
 
 TEST(RailAreas, TwoTracksOfAWayLieOnOneBed) {
-  const auto areas = areas_of(make_cover({track({{"tracks", "2"}})}), middle);
+  const auto areas = areas_of(cover_rails({track({{"tracks", "2"}})}), middle);
   EXPECT_NEAR(areas.at("rail"), 2 * rails_m2, 0.4);
   EXPECT_NEAR(areas.at("ballast"), 100 * (4.90 + 4.00) - 2 * rails_m2, 0.6);
 }
 
 TEST(RailAreas, PaintEndsAtRails) {
   const Cover cover =
-      make_cover({track({{"railway", "tram"}})},
-                 {way({{-200, 0}, {200, 0}}, {{"highway", "tertiary"}, {"lane_markings", "no"}}),
-                  way({{0, -10}, {0, 10}},
-                      {{"highway", "footway"}, {"footway", "crossing"}, {"crossing", "zebra"}})},
-                 true);
+      cover_rails({track({{"railway", "tram"}})},
+                  {way({{-200, 0}, {200, 0}}, {{"highway", "tertiary"}, {"lane_markings", "no"}}),
+                   way({{0, -10}, {0, 10}},
+                       {{"highway", "footway"}, {"footway", "crossing"}, {"crossing", "zebra"}})},
+                  true);
   const auto areas = areas_of(cover, middle);
   EXPECT_NEAR(areas.at("rail"), rails_m2, 0.2);
   EXPECT_GT(areas.at("paint"), 10);
@@ -144,8 +138,8 @@ TEST(RailAreas, ABridgeHasTracksWhereItCarriesAStreetAlone) {
   const std::vector<osm::OsmWay> along{way({{-200, 0}, {200, 0}}, {{"highway", "primary"}})},
       across{way({{0, -200}, {0, 200}}, {{"highway", "primary"}})};
   const osm::OsmTags bridge{{"railway", "tram"}, {"bridge", "yes"}};
-  EXPECT_NEAR(make_cover({track(bridge)}, along).tracks_m.at("tram in a street"), 400, 1e-9);
-  const Cover over = make_cover({track(bridge)}, across);
+  EXPECT_NEAR(cover_rails({track(bridge)}, along).tracks_m.at("tram in a street"), 400, 1e-9);
+  const Cover over = cover_rails({track(bridge)}, across);
   EXPECT_TRUE(over.tracks_m.empty());
   EXPECT_NEAR(over.left_out_m.at("tracks on a bridge that carries no street"), 400, 1e-9);
   EXPECT_FALSE(areas_of(over, middle).contains("rail"));
@@ -160,7 +154,7 @@ TEST(RailAreas, AllOfAWayWithinTheGroundIsBuiltOrLeftOut) {
       way({{-300, 100}, {300, 100}}, {{"railway", "light_rail"}, {"bridge", "viaduct"}}),
       way({{-300, 90}, {300, 90}}, {{"railway", "platform"}})};
   const Cover cover =
-      make_cover(railways, {way({{-100, 80}, {300, 80}}, {{"highway", "primary"}})});
+      cover_rails(railways, {way({{-100, 80}, {300, 80}}, {{"highway", "primary"}})});
   double counted_m = 0;
   for (const auto& [name, m] : cover.tracks_m) counted_m += m;
   for (const auto& [name, m] : cover.left_out_m) counted_m += m;
@@ -173,13 +167,14 @@ TEST(RailAreas, HostileWaysEndWithACount) {
   const double nan = std::nan("");
   std::vector<glm::dvec2> zigzag;
   for (int i = 0; i < 20'000; ++i) zigzag.emplace_back(i % 2 ? 499 : -499, -499 + i * 0.04);
-  const Cover cover = make_cover({way({{nan, nan}, {nan, nan}}, {{"railway", "rail"}}),
-                                  way({{0, 0}, {0, 0}}, {{"railway", "rail"}}),
-                                  way({{-1e300, 0}, {1e300, 0}, {0, 1e300}}, {{"railway", "rail"}}),
-                                  way({{0, 0}, {10, 0}, {0, 0}, {10, 0}, {5, 5}, {5, -5}},
-                                      {{"railway", "tram"}, {"gauge", "1e99"}}),
-                                  way(zigzag, {{"railway", "tram"}})},
-                                 {way({{nan, 0}, {1e9, 0}, {0, 1e9}}, {{"highway", "primary"}})});
+  const Cover cover =
+      cover_rails({way({{nan, nan}, {nan, nan}}, {{"railway", "rail"}}),
+                   way({{0, 0}, {0, 0}}, {{"railway", "rail"}}),
+                   way({{-1e300, 0}, {1e300, 0}, {0, 1e300}}, {{"railway", "rail"}}),
+                   way({{0, 0}, {10, 0}, {0, 0}, {10, 0}, {5, 5}, {5, -5}},
+                       {{"railway", "tram"}, {"gauge", "1e99"}}),
+                   way(zigzag, {{"railway", "tram"}})},
+                  {way({{nan, 0}, {1e9, 0}, {0, 1e9}}, {{"highway", "primary"}})});
   EXPECT_GT(cover.left_out_m.at("tracks beyond the first 4000 km"), 1e7);
   for (const auto& [name, m] : cover.tracks_m) EXPECT_TRUE(std::isfinite(m)) << name;
   areas_of(cover, middle);

@@ -12,12 +12,8 @@
 namespace nightcity::ground_cover {
 namespace {
 
-osm::OsmWay way(std::vector<glm::dvec2> line, osm::OsmTags tags) {
-  return {1, std::move(line), std::move(tags)};
-}
-
-Cover make_cover(const std::vector<osm::OsmWay>& ways, bool markings = false,
-                 const std::vector<osm::OsmPoint>& controls = {}, bool on_the_left = false) {
+Cover cover_streets(const std::vector<osm::OsmWay>& ways, bool markings = false,
+                    const std::vector<osm::OsmPoint>& controls = {}, bool on_the_left = false) {
   Cover cover;
   add_streets(ways, true, as_metres, bounds, cover);
   if (markings) add_markings({ways, controls, {}, on_the_left}, as_metres, bounds, cover);
@@ -25,11 +21,9 @@ Cover make_cover(const std::vector<osm::OsmWay>& ways, bool markings = false,
   return cover;
 }
 
-constexpr Box middle{{-50, -40}, {50, 40}};  // 100 m of a street along x
-
 TEST(StreetAreas, AStreetIsAsWideAsTheRoadTableSaysAndHasPavements) {
   const auto areas =
-      areas_of(make_cover({way({{-200, 0}, {200, 0}}, {{"highway", "residential"}})}), middle);
+      areas_of(cover_streets({way({{-200, 0}, {200, 0}}, {{"highway", "residential"}})}), middle);
   EXPECT_NEAR(areas.at("asphalt"), 100 * 5.5, 0.1);  // two lanes of 2.75 m
   EXPECT_NEAR(areas.at("sunken"), 100 * 5.5, 0.1);
   EXPECT_NEAR(areas.at("paving stones"), 100 * 2 * 2.5, 0.2);
@@ -38,7 +32,7 @@ TEST(StreetAreas, AStreetIsAsWideAsTheRoadTableSaysAndHasPavements) {
 TEST(StreetAreas, TagsSayWhatRunsBesideIt) {
   const auto widths = [](osm::OsmTags tags) {
     tags["highway"] = "residential";
-    auto areas = areas_of(make_cover({way({{-200, 0}, {200, 0}}, std::move(tags))}), middle);
+    auto areas = areas_of(cover_streets({way({{-200, 0}, {200, 0}}, std::move(tags))}), middle);
     return std::pair(areas["asphalt"] / 100, areas["paving stones"] / 100);
   };
   EXPECT_NEAR(widths({{"sidewalk", "no"}}).second, 0, 1e-2);
@@ -54,32 +48,33 @@ TEST(StreetAreas, TagsSayWhatRunsBesideIt) {
 
 TEST(StreetAreas, JunctionsAreFilledAndCountOnce) {
   const Cover cover =
-      make_cover({way({{-200, 0}, {200, 0}}, {{"highway", "residential"}, {"sidewalk", "no"}}),
-                  way({{0, -200}, {0, 200}}, {{"highway", "residential"}, {"sidewalk", "no"}})});
+      cover_streets({way({{-200, 0}, {200, 0}}, {{"highway", "residential"}, {"sidewalk", "no"}}),
+                     way({{0, -200}, {0, 200}}, {{"highway", "residential"}, {"sidewalk", "no"}})});
   EXPECT_NEAR(areas_of(cover, middle).at("asphalt"), 100 * 5.5 + 80 * 5.5 - 5.5 * 5.5, 0.1);
 }
 
 TEST(StreetAreas, TheMoreImportantRoadIsSeenWhereTwoCross) {
-  const auto areas = areas_of(
-      make_cover({way({{-200, 0}, {200, 0}}, {{"highway", "residential"}, {"surface", "sett"}}),
-                  way({{0, -200}, {0, 200}}, {{"highway", "primary"}, {"surface", "concrete"}})}),
-      middle);
+  const auto areas =
+      areas_of(cover_streets(
+                   {way({{-200, 0}, {200, 0}}, {{"highway", "residential"}, {"surface", "sett"}}),
+                    way({{0, -200}, {0, 200}}, {{"highway", "primary"}, {"surface", "concrete"}})}),
+               middle);
   EXPECT_NEAR(areas.at("concrete"), 80 * 6.5, 0.1);
   EXPECT_NEAR(areas.at("sett"), (100 - 6.5) * 5.5, 0.1);
 }
 
 TEST(StreetAreas, APathIsSeenBeforeThePavementThatAStreetIsGiven) {
-  const auto areas =
-      areas_of(make_cover({way({{-200, 0}, {200, 0}}, {{"highway", "residential"}}),
-                           way({{-200, 4}, {200, 4}},
-                               {{"highway", "footway"}, {"width", "2"}, {"surface", "concrete"}})}),
-               middle);
+  const auto areas = areas_of(
+      cover_streets({way({{-200, 0}, {200, 0}}, {{"highway", "residential"}}),
+                     way({{-200, 4}, {200, 4}},
+                         {{"highway", "footway"}, {"width", "2"}, {"surface", "concrete"}})}),
+      middle);
   EXPECT_NEAR(areas.at("concrete"), 100 * 2, 0.2);
   EXPECT_NEAR(areas.at("paving stones"), 100 * (2 * 2.5 - 2), 0.3);
 }
 
 TEST(StreetAreas, TunnelsAreLeftOutAndCounted) {
-  const Cover cover = make_cover(
+  const Cover cover = cover_streets(
       {way({{-200, 0}, {200, 0}}, {{"highway", "primary"}, {"tunnel", "yes"}}),
        way({{-200, 9}, {200, 9}}, {{"highway", "service"}, {"tunnel", "building_passage"}})});
   EXPECT_EQ(cover.left_out.at("street in a tunnel or a building"), 1u);
@@ -88,42 +83,43 @@ TEST(StreetAreas, TunnelsAreLeftOutAndCounted) {
 
 TEST(StreetAreas, ValuesWithoutATagAreCounted) {
   const Cover cover =
-      make_cover({way({{-200, 0}, {200, 0}}, {{"highway", "residential"}}),
-                  way({{-200, 9}, {200, 9}}, {{"highway", "footway"}, {"surface", "asphalt"}})});
+      cover_streets({way({{-200, 0}, {200, 0}}, {{"highway", "residential"}}),
+                     way({{-200, 9}, {200, 9}}, {{"highway", "footway"}, {"surface", "asphalt"}})});
   EXPECT_EQ(cover.assumed.at("surface of a street"), 1u);
   EXPECT_EQ(cover.assumed.at("pavement beside a street"), 1u);
 }
 
 TEST(StreetAreas, LivingStreetsAreLevel) {
   EXPECT_EQ(
-      areas_of(make_cover({way({{-200, 0}, {200, 0}}, {{"highway", "living_street"}})}), middle)
+      areas_of(cover_streets({way({{-200, 0}, {200, 0}}, {{"highway", "living_street"}})}), middle)
           .count("sunken"),
       0u);
 }
 
 TEST(StreetAreas, WaysOutsideTheGroundCostNothing) {
-  EXPECT_TRUE(make_cover({way({{-900, 900}, {900, 900}}, {{"highway", "primary"}})}).empty());
+  EXPECT_TRUE(cover_streets({way({{-900, 900}, {900, 900}}, {{"highway", "primary"}})}).empty());
 }
 
 TEST(StreetAreas, AMarkedCrossingHasBarsOnTheCarriagewayOnly) {
   // 20 m across a street of 6.5 m: ten bars and ten gaps a metre apart, 4 m long.
   const auto areas = areas_of(
-      make_cover({way({{-200, 0}, {200, 0}}, {{"highway", "primary"}, {"lane_markings", "no"}}),
-                  way({{0, -10}, {0, 10}},
-                      {{"highway", "footway"}, {"footway", "crossing"}, {"crossing", "zebra"}})},
-                 true),
+      cover_streets({way({{-200, 0}, {200, 0}}, {{"highway", "primary"}, {"lane_markings", "no"}}),
+                     way({{0, -10}, {0, 10}},
+                         {{"highway", "footway"}, {"footway", "crossing"}, {"crossing", "zebra"}})},
+                    true),
       middle);
   EXPECT_NEAR(areas.at("paint"), 6.5 * 4 / 2, 1.01);  // a bar may lie astride the kerb
 }
 
 TEST(StreetAreas, LanesArePartedByDashes) {
   const auto areas = areas_of(
-      make_cover({way({{-200, 0}, {200, 0}}, {{"highway", "primary"}, {"lanes", "4"}})}, true),
+      cover_streets({way({{-200, 0}, {200, 0}}, {{"highway", "primary"}, {"lanes", "4"}})}, true),
       middle);
   // Three lines, a third of whose length is painted.
   EXPECT_NEAR(areas.at("paint"), 3 * 0.12 * 100 / 3, 3 * 0.12 * 3);
   EXPECT_EQ(
-      areas_of(make_cover({way({{-200, 0}, {200, 0}}, {{"highway", "residential"}})}, true), middle)
+      areas_of(cover_streets({way({{-200, 0}, {200, 0}}, {{"highway", "residential"}})}, true),
+               middle)
           .count("paint"),
       0u);
 }
@@ -136,10 +132,10 @@ struct Paint {
 
 Paint find_paint(const osm::OsmPoint& control, osm::OsmTags more = {}, bool on_the_left = false) {
   more.insert({{"highway", "tertiary"}, {"lane_markings", "no"}});
-  const Cover cover = make_cover({way({{-200, 0}, {80, 0}, {100, 0}, {300, 0}}, std::move(more)),
-                                  way({{100, -100}, {100, 0}, {100, 100}},
-                                      {{"highway", "tertiary"}, {"lane_markings", "no"}})},
-                                 true, {control}, on_the_left);
+  const Cover cover = cover_streets({way({{-200, 0}, {80, 0}, {100, 0}, {300, 0}}, std::move(more)),
+                                     way({{100, -100}, {100, 0}, {100, 100}},
+                                         {{"highway", "tertiary"}, {"lane_markings", "no"}})},
+                                    true, {control}, on_the_left);
   const CoverPart part = cover.find_part(bounds, {0, 0});
   Paint paint;
   for (const mesh::PlaneArea& area : part.markings)
@@ -203,10 +199,10 @@ TEST(StreetAreas, AStopLineLiesBeforeTheCrossingOfItsSignal) {
 
 TEST(StreetAreas, StopLinesThatNothingPlacesAreCounted) {
   const auto left_out = [](const osm::OsmPoint& control) {
-    return make_cover({way({{-200, 0}, {0, 0}, {200, 0}}, {{"highway", "residential"}}),
-                       way({{0, -200}, {0, 0}, {0, 200}}, {{"highway", "residential"}}),
-                       way({{-200, 90}, {0, 90}, {200, 90}}, {{"highway", "residential"}})},
-                      true, {control});
+    return cover_streets({way({{-200, 0}, {0, 0}, {200, 0}}, {{"highway", "residential"}}),
+                          way({{0, -200}, {0, 0}, {0, 200}}, {{"highway", "residential"}}),
+                          way({{-200, 90}, {0, 90}, {200, 90}}, {{"highway", "residential"}})},
+                         true, {control});
   };
   EXPECT_EQ(left_out({{0, 0}, {{"highway", "traffic_signals"}}})
                 .left_out.at("stop line of a sign in the middle of a junction"),
@@ -220,7 +216,7 @@ TEST(StreetAreas, StopLinesThatNothingPlacesAreCounted) {
 
 TEST(StreetAreas, HostileWaysEndWithACount) {
   const double nan = std::nan("");
-  const Cover cover = make_cover(
+  const Cover cover = cover_streets(
       {way({{nan, nan}, {nan, nan}}, {{"highway", "primary"}}),
        way({{0, 0}, {0, 0}}, {{"highway", "primary"}}),
        way({{-1e9, 0}, {1e9, 0}, {0, 1e9}}, {{"highway", "primary"}, {"sidewalk", "no"}}),

@@ -7,15 +7,13 @@
 namespace nightcity::ground_cover {
 namespace {
 
-constexpr Box middle{{-50, -40}, {50, 40}};  // 100 m of a street along x
-
 osm::OsmWay street(std::vector<glm::dvec2> line, osm::OsmTags tags) {
   tags.emplace("highway", "residential");
   return {1, std::move(line), std::move(tags)};
 }
 
-Cover make_cover(const std::vector<osm::OsmWay>& ways, bool parking = true,
-                 bool on_the_left = false) {
+Cover cover_parking(const std::vector<osm::OsmWay>& ways, bool parking = true,
+                    bool on_the_left = false) {
   Cover cover;
   add_streets(ways, parking, as_metres, bounds, cover);
   add_markings({ways, {}, {}, on_the_left, parking}, as_metres, bounds, cover);
@@ -24,7 +22,7 @@ Cover make_cover(const std::vector<osm::OsmWay>& ways, bool parking = true,
 }
 
 Cover make_street(osm::OsmTags tags, bool parking = true, bool on_the_left = false) {
-  return make_cover({street({{-200, 0}, {200, 0}}, std::move(tags))}, parking, on_the_left);
+  return cover_parking({street({{-200, 0}, {200, 0}}, std::move(tags))}, parking, on_the_left);
 }
 
 TEST(StreetParking, BaysWidenTheCarriagewayAndThePavementLiesBeyond) {
@@ -52,7 +50,7 @@ TEST(StreetParking, BaysEndBeforeJunctionsAndAtEntrances) {
   const osm::OsmTags bays{{"parking:right", "street_side"}, {"sidewalk", "no"}};
   const auto asphalt_of = [&](osm::OsmTags side) {
     side.emplace("sidewalk", "no");
-    const Cover cover = make_cover(
+    const Cover cover = cover_parking(
         {street({{-200, 0}, {0, 0}, {200, 0}}, bays), street({{0, 0}, {0, 200}}, std::move(side))});
     return areas_of(cover, {{-50, -40}, {50, 2}}).at("asphalt");
   };

@@ -20,7 +20,7 @@ nlohmann::json to_json(const std::map<std::string, double>& amounts) {
 }
 
 // Returns "120 tram in a street, 40 rail on ballast", the greatest first.
-std::string in_words(const std::map<std::string, double>& amounts) {
+std::string amounts_in_words(const std::map<std::string, double>& amounts) {
   std::vector<std::pair<double, std::string>> sorted;
   for (const auto& [name, amount] : amounts) sorted.emplace_back(-amount, name);
   std::sort(sorted.begin(), sorted.end());
@@ -42,9 +42,10 @@ nlohmann::json to_json(const TreeReport& report) {
 std::string to_text(const TreeReport& report) {
   if (report.sources.empty() && report.left_out.empty()) return {};
   std::string text =
-      report_line("trees", fmt::format("{}; {} of a size that is assumed", in_words(report.sources),
-                                       report.assumed_sizes));
-  if (!report.left_out.empty()) text += report_line("", "left out: " + in_words(report.left_out));
+      report_line("trees", fmt::format("{}; {} of a size that is assumed",
+                                       amounts_in_words(report.sources), report.assumed_sizes));
+  if (!report.left_out.empty())
+    text += report_line("", "left out: " + amounts_in_words(report.left_out));
   return text;
 }
 
@@ -67,16 +68,19 @@ std::string to_text(const CoverReport& report, const SceneTilesReport& tiles) {
   if (report.areas == 0 && report.left_out.empty() && report.left_out_m.empty()) return {};
   std::string text = report_line(
       "ground", fmt::format("{} areas of the map, in m2: {}; {} triangles more", report.areas,
-                            in_words(tiles.cover_m2), tiles.cover_triangles));
+                            amounts_in_words(tiles.cover_m2), tiles.cover_triangles));
   if (!report.tracks_m.empty())
-    text += report_line("", "tracks, in m: " + in_words(report.tracks_m));
+    text += report_line("", "tracks, in m: " + amounts_in_words(report.tracks_m));
   if (!report.parking_m.empty())
-    text += report_line("", "parking lanes, in m: " + in_words(report.parking_m));
-  if (!report.markings.empty()) text += report_line("", "painted: " + in_words(report.markings));
-  if (!report.assumed.empty()) text += report_line("", "assumed: " + in_words(report.assumed));
-  if (!report.left_out.empty()) text += report_line("", "left out: " + in_words(report.left_out));
+    text += report_line("", "parking lanes, in m: " + amounts_in_words(report.parking_m));
+  if (!report.markings.empty())
+    text += report_line("", "painted: " + amounts_in_words(report.markings));
+  if (!report.assumed.empty())
+    text += report_line("", "assumed: " + amounts_in_words(report.assumed));
+  if (!report.left_out.empty())
+    text += report_line("", "left out: " + amounts_in_words(report.left_out));
   if (!report.left_out_m.empty())
-    text += report_line("", "left out, in m: " + in_words(report.left_out_m));
+    text += report_line("", "left out, in m: " + amounts_in_words(report.left_out_m));
   if (tiles.uncovered_tiles > 0)
     text += report_line(
         "", fmt::format("{} tiles bare: their outlines cross too often", tiles.uncovered_tiles));
