@@ -29,7 +29,7 @@ struct CoverArea {
   std::vector<std::vector<glm::dvec2>> rings;  // E, N of the city's frame, m
 };
 
-/// What lies flush in the ground on top of its cover, in order of priority.
+/// Markings lie flush in the ground on top of its cover; they are in order of priority.
 enum class Marking : std::uint8_t {
   rail,  // seen everywhere
   paint  // seen on carriageways alone

@@ -16,7 +16,7 @@ constexpr std::array bays{ParkingBay{2.00, 5.70, 0}, ParkingBay{4.60, 2.81, 4.60
                           ParkingBay{4.30, 2.50, 0}};
 constexpr std::array orientation_names{"parallel", "diagonal", "perpendicular"};
 constexpr std::array place_names{"lane", "street side", "half on kerb", "on kerb"};
-// What a tag may say of a width: from a narrow car to a lorry across the street.
+// A tag may give a width from that of a narrow car to that of a lorry across the street.
 constexpr double min_width_m = 1.5, max_width_m = 10;
 
 // Returns PREFIX:right SUFFIX, else PREFIX:both SUFFIX, else "", as written.

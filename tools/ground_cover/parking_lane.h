@@ -1,4 +1,4 @@
-// Where cars park along a street, as its tags say.
+// Reads from the tags of a street where cars park along it.
 #pragma once
 
 #include <optional>

@@ -27,7 +27,7 @@ constexpr double cycle_track_m = 2.0;
 void add_streets(std::span<const osm::OsmWay> ways, bool bays, const place::LonLatToFrame& to_frame,
                  const Box& bounds, Cover& cover);
 
-/// What is painted on streets.
+/// The part of a map that decides what is painted on streets.
 struct StreetPaint {
   std::span<const osm::OsmWay> ways;
   std::span<const osm::OsmPoint> controls;   // before which vehicles stop

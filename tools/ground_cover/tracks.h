@@ -25,7 +25,7 @@ struct TrackKind {
 /// Returns the row of a normalised value of `railway`; null where it is no track.
 const TrackKind* find_track_kind(std::string_view railway);
 
-/// What lies under a track that runs in no street.
+/// The bed of a track that runs in no street.
 struct TrackBed {
   GroundKind kind = GroundKind::ballast;
   bool assumed = false;  // no tag says so
