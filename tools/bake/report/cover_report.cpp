@@ -42,10 +42,9 @@ nlohmann::json to_json(const TreeReport& report) {
 std::string to_text(const TreeReport& report) {
   if (report.sources.empty() && report.left_out.empty()) return {};
   std::string text =
-      report_line("trees", fmt::format("{}; {} of a size that is assumed",
-                                       amounts_in_words(report.sources), report.assumed_sizes));
-  if (!report.left_out.empty())
-    text += report_line("", "left out: " + amounts_in_words(report.left_out));
+      report_line("trees", fmt::format("{}; {} of a size that is assumed", in_words(report.sources),
+                                       report.assumed_sizes));
+  if (!report.left_out.empty()) text += report_line("", "left out: " + in_words(report.left_out));
   return text;
 }
 
@@ -73,12 +72,9 @@ std::string to_text(const CoverReport& report, const SceneTilesReport& tiles) {
     text += report_line("", "tracks, in m: " + amounts_in_words(report.tracks_m));
   if (!report.parking_m.empty())
     text += report_line("", "parking lanes, in m: " + amounts_in_words(report.parking_m));
-  if (!report.markings.empty())
-    text += report_line("", "painted: " + amounts_in_words(report.markings));
-  if (!report.assumed.empty())
-    text += report_line("", "assumed: " + amounts_in_words(report.assumed));
-  if (!report.left_out.empty())
-    text += report_line("", "left out: " + amounts_in_words(report.left_out));
+  if (!report.markings.empty()) text += report_line("", "painted: " + in_words(report.markings));
+  if (!report.assumed.empty()) text += report_line("", "assumed: " + in_words(report.assumed));
+  if (!report.left_out.empty()) text += report_line("", "left out: " + in_words(report.left_out));
   if (!report.left_out_m.empty())
     text += report_line("", "left out, in m: " + amounts_in_words(report.left_out_m));
   if (tiles.uncovered_tiles > 0)
