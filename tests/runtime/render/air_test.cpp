@@ -178,7 +178,7 @@ TEST(Air, IsALayerOfItsOwnAndLayersSumToThePicture) {
     settings.sampling.layers = true;
     settings.environment.sky_cd_m2 = glm::vec3(0.02f);
     settings.indirect.bounces = 1;
-    const measure::Image image = render(scene, pose, settings, 24, 24, 3);
+    const measure::Image image = render(scene, pose, settings, 16, 16, 2);
     double air = 0;
     for (std::size_t i = 0; i < image.pixels(); ++i) {
       float sum = 0;

@@ -187,7 +187,7 @@ TEST(UpwardFlux, OutOfASphereWithAHoleIsAGeometricSeries) {
   constexpr float rho = 0.7f;
   constexpr int rings = 48, open = 12;
   // As many lamps in one place as give each bounce enough rays.
-  constexpr int lamps = 24;
+  constexpr int lamps = 12;
   const scene::RenderScene scene =
       sphere(1, rho, rings, open).with(std::vector(lamps, lamp({0, 0, 0}, 1000, 0.01f)));
   const double f = (1 - std::cos(pi * open / rings)) / 2, stays = double(rho) * (1 - f);

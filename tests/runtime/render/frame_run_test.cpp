@@ -36,8 +36,8 @@ class Slices : public testing::Test {
 // gone: this would end by a signal.
 TEST_F(Slices, ARendererThatGoesWaitsForWhatIsSubmitted) {
   settings_.sampling.estimator = Estimator::reference;
-  for (int i = 0; i < 8; ++i) {
-    Renderer renderer = make(640, 480);
+  for (int i = 0; i < 4; ++i) {
+    Renderer renderer = make(320, 240);  // seconds of work on a CPU driver
     renderer.begin_frame(pose_, settings_);
     renderer.continue_frame(for_ever, 0);
     EXPECT_TRUE(renderer.is_busy());
