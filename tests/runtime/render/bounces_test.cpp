@@ -195,7 +195,7 @@ TEST(UpwardFlux, OutOfASphereWithAHoleIsAGeometricSeries) {
     render::DeviceScene device_scene(test_device(), scene);
     render::UpwardSettings settings;
     settings.bounces = bounces;
-    settings.rays = 1 << 16;
+    settings.rays = 1 << 15;
     const render::UpwardFlux flux =
         render::measure_upward_flux(test_device(), test_passes(), device_scene, settings);
     const double expected = stays * f * (1 - std::pow(stays, bounces)) / (1 - stays);
