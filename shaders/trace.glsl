@@ -108,9 +108,10 @@ bvec4 enter_children(uvec4 w0, uvec4 w1, uvec2 upper_yz, uint masks, uint mask, 
   near =
       max(max(offset.x + bytes(entry.x) * stride.x, offset.y + bytes(entry.y) * stride.y),
           max(offset.z + bytes(entry.z) * stride.z, vec4(t_min)));
-  const vec4 far = min(min(offset.x + bytes(exit.x) * stride.x, offset.y + bytes(exit.y) * stride.y),
-                       min(offset.z + bytes(exit.z) * stride.z, vec4(t_max))) *
-                   1.000001;
+  const vec4 far =
+      min(min(offset.x + bytes(exit.x) * stride.x, offset.y + bytes(exit.y) * stride.y),
+          min(offset.z + bytes(exit.z) * stride.z, vec4(t_max))) *
+      1.000001;
   const bvec4 hit = lessThanEqual(near, far);
   const uvec4 there = uvec4(masks) & (uvec4(mask) << uvec4(0u, 8u, 16u, 24u));
   return bvec4(hit.x && there.x != 0u, hit.y && there.y != 0u, hit.z && there.z != 0u,

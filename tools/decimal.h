@@ -34,7 +34,7 @@ inline std::from_chars_result parse_decimal(const char* first, const char* last,
     decimals = take_digits();
     plain = plain && decimals > 0;
   }
-  // Of so few digits none was lost.
+  // So few digits are held exactly.
   plain = plain && whole + decimals < powers.size() && digits <= max_exact;
   if (!plain || (at != last && (*at == 'e' || *at == 'E')))
     return std::from_chars(first, last, value);

@@ -20,8 +20,8 @@ std::size_t count_triangles(const SceneMesh& mesh) {
   return count;
 }
 
-// Calls `take` with the triangles of a primitive that have an area, lie within reach and whose light
-// is not left out, and returns the number of those without area or beyond reach.
+// Calls `take` with the triangles of a primitive that have an area, lie within reach and whose
+// light is not left out. Returns the number of those without area or beyond reach.
 template <class Take>
 std::size_t convert(const ScenePrimitive& primitive, const Placement& placement,
                     std::span<const std::uint32_t> light_numbers, std::vector<glm::vec3>& positions,
