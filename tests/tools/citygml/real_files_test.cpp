@@ -10,6 +10,7 @@
 
 #include "formats/error.h"
 #include "support/data.h"
+#include "tests/tools/citygml/read_file.h"
 #include "tools/citygml/read_citygml.h"
 #include "tools/citygml/tag_scanner.h"
 
@@ -92,7 +93,7 @@ TEST_P(RealFiles, EveryPolygonIsDeliveredOrReported) {
 
 INSTANTIATE_TEST_SUITE_P(CityGml, RealFiles,
                          testing::Values(city::Reader::stream, city::Reader::libcitygml),
-                         name_reader);
+                         test::name_reader);
 
 // The content of a file, counted by hand.
 TEST(RealFile, MunichCrossingOfCityGml3HasItsTrafficAreas) {
