@@ -1,23 +1,18 @@
 #include "tools/barriers/outlines.h"
 
-#include <cmath>
 #include <string_view>
 
 #include "tools/osm/map_areas.h"
 #include "tools/osm/osm_selection.h"
+#include "tools/osm/resolution.h"
 
 namespace nightcity::barriers {
 namespace {
 
-// As read_osm rounds places, so that gates on a ring are found.
-double round_degrees(double degrees) {
-  constexpr double resolution = 1e-7;
-  return static_cast<double>(std::lround(degrees / resolution)) * resolution;
-}
-
 osm::OsmWay to_way(const std::vector<glm::dvec2>& ring, const osm::OsmTags& tags) {
   osm::OsmWay way{0, {}, tags};
-  for (const glm::dvec2& p : ring) way.lon_lat.emplace_back(round_degrees(p.x), round_degrees(p.y));
+  for (const glm::dvec2& p : ring)  // rounded, so that gates on a ring are found
+    way.lon_lat.emplace_back(osm::round_degrees(p.x), osm::round_degrees(p.y));
   way.lon_lat.push_back(way.lon_lat.front());
   return way;
 }

@@ -44,7 +44,8 @@ class Streets {
   explicit Streets(const Cover& cover) : cover_(cover) {
     for (std::uint32_t i = 0; i < cover.areas().size(); ++i) {
       const CoverArea& area = cover.areas()[i];
-      if (area.rank < square_land_rank || area.rank == platform_rank || !is_finite(area)) continue;
+      if (area.rank < square_land_rank || area.rank == platform_rank || !can_be_indexed(area))
+        continue;
       boxes_.emplace(i, find_box(area.rings));
       index_.add(i, boxes_.at(i));
     }
@@ -65,7 +66,7 @@ class Streets {
   }
 
  private:
-  static bool is_finite(const CoverArea& area) {
+  static bool can_be_indexed(const CoverArea& area) {
     const auto is_near = [](const glm::dvec2& p) {
       return std::max(std::abs(p.x), std::abs(p.y)) < 1e8;
     };

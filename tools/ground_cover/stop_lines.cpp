@@ -40,7 +40,7 @@ void StopLines::add(const osm::OsmWay& way, const roads::Carriageway& road,
     const osm::OsmTags& tags = found->second->tags;
     const Directions directions =
         find_directions(road, junctions_m, way.lon_lat[i], along.at(i), tags);
-    // Where two ways meet in the node, vehicles of each direction come to it along one of them.
+    // Vehicles of each direction come to a node between two ways along one of them.
     if (directions[0] && i > 0) paint(road, along, along.at(i), false, tags);
     if (directions[1] && i + 1 < line.size()) paint(road, along, along.at(i), true, tags);
   }

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "tools/osm/osm_selection.h"
+#include "tools/osm/resolution.h"
 
 namespace nightcity::osm {
 namespace {
 
-constexpr double resolution = 1e-7;
 constexpr std::int32_t deleted_lon = std::numeric_limits<std::int32_t>::min();
 
 // These comparisons are false for NaN too.
@@ -19,7 +19,7 @@ bool on_globe(const glm::dvec2& lon_lat) {
 }
 
 std::int32_t to_steps(double degrees) {
-  return static_cast<std::int32_t>(std::lround(degrees / resolution));
+  return static_cast<std::int32_t>(std::lround(degrees / resolution_degrees));
 }
 
 glm::dvec2 mean(const std::vector<glm::dvec2>& points) {
@@ -127,8 +127,8 @@ void OsmCollector::place_points(std::vector<PendingPoint>& pending, std::vector<
   drop_old(pending, places_);
   for (PendingPoint& element : pending) {
     OsmPoint& point = element.point;
-    const glm::dvec2 rounded(to_steps(point.lon_lat.x), to_steps(point.lon_lat.y));
-    points.push_back({rounded * resolution, std::move(point.tags)});
+    const glm::dvec2 rounded(round_degrees(point.lon_lat.x), round_degrees(point.lon_lat.y));
+    points.push_back({rounded, std::move(point.tags)});
   }
 }
 
@@ -140,7 +140,7 @@ void OsmCollector::place_ways() {
     for (const OsmNodeRef& node : pending.nodes) {
       const Place* place = find(places_, key_of(node.id));
       if (place && place->lon != deleted_lon)
-        way.lon_lat.emplace_back(place->lon * resolution, place->lat * resolution);
+        way.lon_lat.emplace_back(place->lon * resolution_degrees, place->lat * resolution_degrees);
       else if (on_globe(node.lon_lat))
         way.lon_lat.push_back(node.lon_lat);
       else
