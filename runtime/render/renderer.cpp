@@ -181,8 +181,11 @@ void Renderer::fill_view(gpu::Frame& frame) {
   fill_display(frame, settings.display);
   frame.bounces = settings.indirect.bounces;
   frame.reference_paths = reference_paths(frame.scene.light_count);
-  if (find_indirect(settings) == INDIRECT_CACHE)
-    cache_.enter(frame, settings.indirect, moved_s_, next_.effort.max_cell_paths);
+  if (find_indirect(settings) == INDIRECT_CACHE) {
+    IndirectSettings indirect = settings.indirect;
+    indirect.cell_px *= next_.effort.cell_scale;
+    cache_.enter(frame, indirect, moved_s_, next_.effort.max_cell_paths);
+  }
   if (has_air(settings)) {
     const bool is_empty = scene_.bounds().empty();
     frame.air = next_.air = make_air(settings.air, is_empty ? 0 : scene_.bounds().lower.y);

@@ -34,6 +34,8 @@ struct Effort {
   std::uint32_t max_neighbours = std::numeric_limits<std::uint32_t>::max();
   // A cell of the irradiance cache gets no more paths than these, new ones included.
   std::uint32_t max_cell_paths = std::numeric_limits<std::uint32_t>::max();
+  // Times the side of these cells: 1 or more.
+  float cell_scale = 1;
   // Times the settings' resolution scale: 0.1 .. 1.
   float resolution_scale = 1;
   bool half_rate = false;  // even where the settings do not ask for it

@@ -111,6 +111,17 @@ void Controller::open(const std::string& path) {
   workbench_.open(start_opening(options_, path));
 }
 
+void Controller::open_next(int steps) {
+  const auto& cities = stats_.cities;
+  const auto shown = std::find(cities.begin(), cities.end(), workbench_.city().path);
+  if (cities.size() < 2 || shown == cities.end()) {
+    session_.notices.say("no other city: drop one on the window", now_s_);
+    return;
+  }
+  const auto count = static_cast<std::ptrdiff_t>(cities.size());
+  open(cities[static_cast<std::size_t>((shown - cities.begin() + steps + count) % count)]);
+}
+
 void Controller::draw() {
   stats_.work = workbench_.describe();
   presenter_.overlay().begin(window_.queue());
@@ -222,6 +233,7 @@ void Controller::obey(const WindowRequests& requests) {
     session_.notices.say("camera copied", now_s_);
   }
   if (requests.paste_camera) session_.paste_camera(window_.clipboard(), now_s_);
+  if (requests.next_city != 0) open_next(requests.next_city);
   if (requests.larger_text != 0) {
     float& scale = ImGui::GetIO().FontGlobalScale;
     scale = std::clamp(scale + 0.25f * float(requests.larger_text), 0.5f, 4.0f);

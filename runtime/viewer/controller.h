@@ -31,6 +31,8 @@ class Controller {
   bool finish_opening();
   /// Opens the scene in the background, and offers it in the panel from now on.
   void open(const std::string& path);
+  // Opens the city that is `steps` further in the list, which goes round.
+  void open_next(int steps);
   /// Hands the panel the next events, draws it, and does what was asked for.
   void draw();
   /// Writes the picture that Workbench::Result::saved spoke of, and says where it is, or why not.

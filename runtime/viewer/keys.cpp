@@ -31,6 +31,8 @@ const std::vector<KeyBinding>& list_keys() {
        Action::next_view},
       {"P", "save the picture as night-NNN.png and .exr", Action::save_picture},
       {"Ctrl+S", "save the settings as a file for --settings", Action::save_settings},
+      {"Page Down, Page Up", "open the next and the previous of the cities in the panel",
+       Action::next_city},
       {"Tab", "show or hide the panel", Action::panel},
       {"Ctrl +, Ctrl -", "larger and smaller text", Action::larger_text},
       {"F11", "fill the screen, or not", Action::fullscreen},
@@ -110,6 +112,10 @@ std::optional<KeyPress> find_action(int key, int modifiers) {
       return KeyPress{Action::compare};
     case GLFW_KEY_P:
       return KeyPress{Action::save_picture};
+    case GLFW_KEY_PAGE_DOWN:
+      return KeyPress{Action::next_city};
+    case GLFW_KEY_PAGE_UP:
+      return KeyPress{Action::previous_city};
     case GLFW_KEY_TAB:
       return KeyPress{Action::panel};
     case GLFW_KEY_F11:

@@ -32,6 +32,8 @@ enum class Action {
   paste_camera,
   bookmark,
   go_to_bookmark,
+  next_city,
+  previous_city,
   fullscreen,
   larger_text,
   smaller_text,

@@ -14,8 +14,9 @@ constexpr double slice_s = 0.025;
 
 // A first look: the reservoirs of the coarser picture make up for the rest.
 // Each finer picture has new cells of the irradiance cache, which begin with what the coarser one's
-// knew: one path each is enough until the view rests.
-constexpr render::Effort quick_effort{8, 0, 1};
+// knew: one path each, and a fourth of the cells, are enough until the view rests.
+constexpr render::Effort quick_effort{
+    .max_candidates = 8, .max_neighbours = 0, .max_cell_paths = 1, .cell_scale = 2};
 
 // While the clock runs, the picture is the mean of the last few frames and follows motion.
 constexpr std::uint32_t frames_in_motion = 8;

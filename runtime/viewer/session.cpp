@@ -220,6 +220,12 @@ WindowRequests Session::press(const KeyPress& key, const scene::RenderScene& sce
     case Action::fullscreen:
       requests.fullscreen = true;
       break;
+    case Action::next_city:
+      requests.next_city = 1;
+      break;
+    case Action::previous_city:
+      requests.next_city = -1;
+      break;
     case Action::larger_text:
       requests.larger_text = 1;
       break;

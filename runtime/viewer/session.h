@@ -18,6 +18,7 @@ struct WindowRequests {
   bool switch_light = false, save_edits = false, record_path = false, save_settings = false;
   double brighten = 1;  // factor for the light that was clicked
   int larger_text = 0;  // steps, negative for smaller
+  int next_city = 0;    // steps in the list of cities
 };
 
 class Session {

@@ -297,6 +297,22 @@ TEST_F(ViewerWindow, KeysChooseTheEstimatorAndQuit) {
   EXPECT_NE(text("out.txt").find("estimator ris"), std::string::npos) << text("out.txt");
 }
 
+// The key is pressed again until the window's title names the city.
+TEST_F(ViewerWindow, PageKeysGoThroughTheCities) {
+  if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no mouse or keyboard";
+  ASSERT_EQ(
+      run("cp town.glb other.glb; cp town.lights other.lights; cp town.glb third.glb\n"
+          "$V other.glb third.glb $S & viewer=$!\n"
+          "xdotool search --sync --onlyvisible --name nightview > window.txt\n"
+          "go() { for i in $(seq 40); do xdotool search --name \"^$2\" > found.txt && return\n"
+          "  xdotool key $1; sleep 1; done; kill $viewer; exit 1; }\n"
+          "xdotool search --sync --name '^town.glb' > found.txt\n"
+          "go Page_Down other.glb; go Page_Up town.glb; go Page_Up third.glb\n"
+          "kill -TERM $viewer; wait $viewer; test $? = 143\n"),
+      0)
+      << text("err.txt");
+}
+
 TEST_F(ViewerWindow, DraggingMovesTheCamera) {
   if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no mouse or keyboard";
   ASSERT_EQ(
