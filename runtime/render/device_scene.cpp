@@ -165,8 +165,8 @@ void DeviceScene::store_traffic(const scene::RenderScene& scene,
     inner += to.level_count[to.levels];
   }
   to.static_root = scene.root;
-  to.lower = scene.bounds.lower;
-  to.upper = scene.bounds.upper;
+  to.lower = scene.root_box.lower;
+  to.upper = scene.root_box.upper;
   static_instances_ = static_cast<std::uint32_t>(instances.size());
   static_nodes_ = static_cast<std::uint32_t>(scene.nodes.size());
   slot_nodes_ = inner + 1;

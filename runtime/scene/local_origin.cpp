@@ -6,6 +6,8 @@
 #include <glm/mat3x3.hpp>
 #include <vector>
 
+#include "runtime/scene/mesh_placement.h"
+
 namespace nightcity::scene {
 namespace {
 
@@ -39,7 +41,7 @@ glm::dvec3 find_local_origin(const Scene& scene, const MeshSource& meshes,
   Census placed, shining;
   std::vector<glm::dvec3> middles;
   for (const SceneNode& node : scene.nodes) {
-    if (node.vehicle != no_id || meshes.bounds.at(node.mesh).empty()) continue;
+    if (node.vehicle != no_id || is_horizon(node) || meshes.bounds.at(node.mesh).empty()) continue;
     const Box& box = meshes.bounds[node.mesh];
     const glm::dvec3 lower(box.lower), upper(box.upper);
     for (const SceneInstance& instance : node.instances) {

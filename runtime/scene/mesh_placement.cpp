@@ -58,7 +58,8 @@ void MeshPlacement::find_merged() {
   std::size_t placed_once = 0;
   for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
     const SceneNode& node = scene_.nodes[i];
-    merged_.push_back(node.instances.size() == 1 && node.instances[0].light == no_id);
+    merged_.push_back(node.instances.size() == 1 && node.instances[0].light == no_id &&
+                      !is_horizon(node));
     if (merged_[i] && !skipped_[i]) placed_once += meshes_.triangles.at(node.mesh);
   }
   // In a small scene copies would be most of the triangles.
@@ -67,7 +68,7 @@ void MeshPlacement::find_merged() {
     const SceneNode& node = scene_.nodes[i];
     const std::size_t one = meshes_.triangles.at(node.mesh), all = one * node.instances.size();
     const bool is_small = one > 0 && one <= most_triangles_of_a_copy && all <= room;
-    if (merged_[i] || skipped_[i] || !is_small) continue;
+    if (merged_[i] || skipped_[i] || !is_small || is_horizon(node)) continue;
     merged_[i] = true;
     room -= all;
   }

@@ -20,6 +20,12 @@ struct GeometryFilter {
   std::span<const std::uint32_t> light_numbers;  // from leave_out_lights
 };
 
+/// Returns whether a node is the ground around a scene, to the horizon. It has a hierarchy of its
+/// own, since its box would make those of the scene coarse, and is no part of the scene's bounds.
+inline bool is_horizon(const SceneNode& node) {
+  return node.kind == "horizon";
+}
+
 class MeshPlacement {
  public:
   /// Keeps references to its arguments. `origin` is that of the triangles, in model space. The

@@ -93,7 +93,8 @@ struct RenderScene {
   std::vector<std::uint32_t> switches;  // s since noon
   Traffic traffic;
   SkyMap sky_map;
-  Box bounds;                                 // of all static geometry
+  Box root_box{};                             // of the TLAS: the bounds, and the horizon
+  Box bounds;                                 // of all static geometry but the horizon
   Georeference georeference{};                // of this frame
   std::vector<SceneFeature> features{};       // city objects, by the triangles' feature
   std::vector<LightProvenance> provenance{};  // parallel to lights, or empty

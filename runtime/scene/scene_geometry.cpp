@@ -150,7 +150,8 @@ StoredMeshes store_triangles(RenderScene& out, const Scene& scene, const MeshSou
 void add_hierarchies(RenderScene& out, const Scene& scene, const StoredMeshes& stored,
                      MeshPlacement& placement, unsigned threads) {
   std::vector<Box> boxes;
-  const auto place = [&](std::uint32_t root, const Box& box, const Placement& at, bool shadow) {
+  const auto place = [&](std::uint32_t root, const Box& box, const Placement& at, bool shadow,
+                         bool in_bounds = true) {
     if (root == BVH_EMPTY) return;
     const Box placed = transformed(box, at.to_scene);
     if (!is_within_reach(placed.lower) || !is_within_reach(placed.upper)) {
@@ -159,7 +160,8 @@ void add_hierarchies(RenderScene& out, const Scene& scene, const StoredMeshes& s
     }
     boxes.push_back(placed);
     out.instances.push_back(make_instance(glm::inverse(at.to_scene), root, shadow, at.light));
-    out.bounds.grow(boxes.back());
+    out.root_box.grow(boxes.back());
+    if (in_bounds) out.bounds.grow(boxes.back());
   };
   for (const bool shadow : {true, false}) {
     const auto [root, box] = add_blas(out, stored.merged[shadow ? 0 : 1], threads);
@@ -171,7 +173,7 @@ void add_hierarchies(RenderScene& out, const Scene& scene, const StoredMeshes& s
     auto& mesh = built.at(scene.nodes[i].mesh);
     if (!mesh) mesh = add_blas(out, *stored.instanced.at(scene.nodes[i].mesh), threads);
     for (const Placement& at : placement.find_placements(i))
-      place(mesh->first, mesh->second, at, placement.casts_shadow(i));
+      place(mesh->first, mesh->second, at, placement.casts_shadow(i), !is_horizon(scene.nodes[i]));
   }
   add_tlas(out, boxes, threads);
 }

@@ -17,6 +17,7 @@
 #include "tools/bake/parts/read_parts.h"
 #include "tools/bake/report/report_text.h"
 #include "tools/bake/report/stage_clock.h"
+#include "tools/bake/scene/horizon_model.h"
 #include "tools/bake/scene/scene_tiles.h"
 #include "tools/bake/scene/tree_models.h"
 #include "tools/bake/scene/vehicle_models.h"
@@ -72,6 +73,7 @@ class Bake {
     build_barriers();
     report_.tiles = tiles_.write(georeference, city_, progress_);
     clock_.end_stage("tiles");
+    build_horizon(georeference);
     plant_trees(georeference);
     write_lights(georeference);
     scene_.finish(georeference);
@@ -128,6 +130,13 @@ class Bake {
     for (const barriers::BarrierArea& area : found.areas) add(area);
     report_.barriers.found = std::move(found.report);
     clock_.end_stage("barriers");
+  }
+
+  void build_horizon(const Georeference& georeference) {
+    if (!options_.city.cover.horizon) return;
+    report_.horizon =
+        add_horizon_model(scene_, city_.ground_outline(), tiles_.ground_material(), georeference);
+    clock_.end_stage("horizon");
   }
 
   void plant_trees(const Georeference& georeference) {

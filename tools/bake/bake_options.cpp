@@ -33,6 +33,7 @@ CityInputs to_city_inputs(const Recipe& recipe) {
   inputs.simplify_m = recipe.city.simplify_m;
   inputs.ground = recipe.terrain;
   inputs.ground.tile_m = recipe.city.tile_m;
+  inputs.ground.keeps_outline = recipe.ground.horizon;
   inputs.cover = recipe.ground;
   inputs.cover.side = recipe.traffic.options.side;
   return inputs;

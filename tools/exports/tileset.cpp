@@ -90,6 +90,7 @@ class TilesetWriter {
         ++report_.vehicles;
         continue;
       }
+      if (node.kind == "horizon") continue;  // globes have a ground of their own
       if (!(box.least.x <= box.greatest.x)) continue;
       for (std::size_t i = 0; i < node.instances.size(); ++i) {
         ModelBox placed;

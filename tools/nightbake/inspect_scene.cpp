@@ -37,6 +37,7 @@ void count_mesh(const SceneMesh& mesh, const std::vector<const SceneNode*>& node
       auto& lights = counts.lights[kind_of(*node)];
       if (instance.light != no_id) lights.insert(instance.light);
       for (const ScenePrimitive& primitive : mesh.primitives) {
+        if (node->kind == "horizon") continue;  // no part of the scene's extent
         for (const glm::vec3& p : primitive.positions)
           counts.bounds.add(glm::dvec3(instance.to_model * glm::vec4(p, 1)));
         for (const std::uint32_t id : primitive.light_ids)

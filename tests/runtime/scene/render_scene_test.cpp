@@ -9,6 +9,7 @@
 #include "formats/scene_reader.h"
 #include "formats/scene_samples.h"
 #include "formats/scene_writer.h"
+#include "runtime/scene/trace_ray.h"
 #include "support/scenes.h"
 #include "support/temp_folder.h"
 
@@ -100,6 +101,23 @@ TEST(LoadRenderScene, GivesTheTrianglesThatReadSceneHas) {
   copy.triangles.release_pages();
   std::filesystem::remove(folder / "a.glb");
   EXPECT_EQ(copy.triangles[5].v1, made.triangles[5].v1);
+}
+
+// Cameras and grids are made for the city, and rays still meet the ground around it.
+TEST(RenderScene, IsFramedWithoutTheHorizon) {
+  SceneBuilder builder;
+  Scene scene = builder.ground(50).scene();
+  scene.meshes.push_back({"horizon", {ScenePrimitive{}}});
+  ScenePrimitive& ring = scene.meshes[1].primitives[0];
+  ring.positions = {{50, 0, -30000}, {50, 0, 30000}, {30000, -100, 0}};
+  ring.indices = {0, 1, 2};
+  scene.nodes.push_back({"horizon", "horizon", 1, false, {SceneInstance{}}});
+  const scene::RenderScene with = scene::make_render_scene(scene, {});
+  EXPECT_NEAR(with.bounds.upper.x, 50, 0.01);
+  EXPECT_NEAR(with.root_box.upper.x, 30000, 1);
+  EXPECT_TRUE(scene::trace_ray(with, {1000, 5, 10}, {0, -1, 0}, 1000, MASK_VISIBLE));
+  EXPECT_FALSE(scene::trace_ray(with, {1000, 5, 10}, {0, -1, 0}, 1000, MASK_SHADOW));
+  EXPECT_TRUE(scene::trace_ray(with, {10, 5, 10}, {0, -1, 0}, 1000, MASK_SHADOW));
 }
 
 bool says(const std::vector<std::string>& sentences, const std::string& words) {

@@ -66,6 +66,8 @@ class City {
   const GroundHeights* ground_heights() const { return heights_ ? &*heights_ : nullptr; }
   const std::vector<inventory::InventoryReport>& inventories() const { return inventory_reports_; }
   const terrain::Terrain& terrain() const { return terrain_; }
+  /// Returns the edge of the ground; empty before build_ground().
+  const terrain::Outline& ground_outline() const { return ground_.outline(); }
 
   /// Throws Error where the city has no coordinate reference system: then longitude and latitude
   /// have no place in it. `consequence` ends the message ("lamps cannot be placed").

@@ -41,6 +41,20 @@ std::optional<terrain::SurfaceClass> find_surface_class(city::ObjectType type,
   }
 }
 
+// Returns whether the object's surfaces are a part of the ground that is seen.
+bool is_ground(city::ObjectType type) {
+  switch (type) {
+    case city::ObjectType::relief:
+    case city::ObjectType::road:
+    case city::ObjectType::railway:
+    case city::ObjectType::water:
+    case city::ObjectType::land_use:
+      return true;
+    default:
+      return false;
+  }
+}
+
 using Parts = std::array<mesh::TriangleMesh, 4>;  // of an object, by SurfaceClass
 
 Parts split_by_class(const PreparedObject& prepared) {
@@ -202,11 +216,15 @@ class GridGround {
 CityConsumer::Turn GroundBuilder::prepare(const std::shared_ptr<const PreparedObject>& prepared) {
   std::set<Tile> tiles;
   Parts parts;
+  terrain::Outline outline;
   if (!prepared->lacks_heights) {
     tiles = find_tiles(prepared->mesh, options_.tile_m);
     parts = split_by_class(*prepared);
+    if (options_.keeps_outline && is_ground(prepared->object.type)) outline.add(prepared->mesh);
   }
-  return [this, prepared, parts = std::move(parts), tiles = std::move(tiles)](bool) {
+  return [this, prepared, parts = std::move(parts), tiles = std::move(tiles),
+          outline = std::move(outline)](bool) {
+    outline_.add(outline);
     terrain_.add_points(prepared->object.points);
     report_.relief_points += prepared->object.points.size();
     for (const city::Ring& line : prepared->object.lines) {
@@ -225,7 +243,12 @@ CityConsumer::Turn GroundBuilder::prepare(const std::shared_ptr<const PreparedOb
   };
 }
 
-GroundReport GroundBuilder::build(const georeference::CityFrame& frame, const ShowGround& show) {
+GroundReport GroundBuilder::build(const georeference::CityFrame& frame,
+                                  const ShowGround& show_made) {
+  const ShowGround show = [&](const mesh::TriangleMesh& mesh) {
+    if (options_.keeps_outline) outline_.add(mesh);
+    if (show_made) show_made(mesh);
+  };
   const bool given = terrain_.has_relief();
   if (!options_.elevation_models.empty() && !occupied_.empty()) {
     if (given) {
@@ -243,8 +266,9 @@ GroundReport GroundBuilder::build(const georeference::CityFrame& frame, const Sh
   // Relief given as points is the model's own: it is shown whatever the options say about made
   // surfaces.
   report_.shown = given || report_.source == "dem" || (surface && options_.make_surface);
-  if (show && surface && report_.shown) show(terrain_.made_surface());
+  if (surface && report_.shown) show(terrain_.made_surface());
   terrain_.drop_made_surface();
+  if (!report_.shown) outline_ = {};
   return report_;
 }
 
@@ -257,7 +281,7 @@ std::string GroundBuilder::build_dem_ground(const georeference::CityFrame& frame
   for (const Tile& tile : under) {
     const mesh::TriangleMesh mesh = ground.make(tile);
     terrain_.add(mesh, terrain::SurfaceClass::terrain);
-    if (show) show(mesh);
+    show(mesh);
   }
   if (ground.covers_nothing())
     throw Error(options_.elevation_models.front().string(),

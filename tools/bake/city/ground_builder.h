@@ -12,6 +12,7 @@
 #include "tools/bake/city/tile_grid.h"
 #include "tools/bake/report/city_report.h"
 #include "tools/georeference/frame.h"
+#include "tools/terrain/outline.h"
 #include "tools/terrain/terrain.h"
 
 namespace nightcity::bake {
@@ -32,12 +33,17 @@ class GroundBuilder final : public CityConsumer {
   /// model cannot be read or covers nothing of the city.
   GroundReport build(const georeference::CityFrame& frame, const ShowGround& show = {});
 
+  /// Returns the edge of the ground that is shown: of the terrain, and of what may lie in it in its
+  /// place, roads and water. Empty where none is shown, and without GroundOptions::keeps_outline.
+  const terrain::Outline& outline() const { return outline_; }
+
  private:
   std::string build_dem_ground(const georeference::CityFrame& frame, const ShowGround& show);
 
   terrain::Terrain& terrain_;
   GroundOptions options_;
   std::set<Tile> occupied_;  // tiles that hold some of the city
+  terrain::Outline outline_;
   GroundReport report_;
 };
 

@@ -18,8 +18,9 @@ struct GroundOptions {
   bool make_surface = true;  // show the surface that is made where there is neither
   /// By which the ground's heights may be off where vertices are left out; 0: all stay.
   double max_error_m = 0;
-  double margin_m = 50;  // how far made ground reaches beyond the city
-  double tile_m = 250;   // side of the tiles that the ground comes in
+  double margin_m = 50;        // how far made ground reaches beyond the city
+  bool keeps_outline = false;  // remember the edge of the ground, where the horizon begins
+  double tile_m = 250;         // side of the tiles that the ground comes in
 };
 
 }  // namespace nightcity::bake

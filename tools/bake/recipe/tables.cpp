@@ -129,6 +129,11 @@ Table make_ground_table(bake::CoverOptions& ground) {
                 "else a table (docs/recipe.md, Barriers). Light passes fences as it passes their "
                 "gaps. They are open at gates and where a path meets them, and stand neither on "
                 "carriageways nor in buildings."),
+       flag_key("horizon", ground.horizon,
+                "Bare ground from the edge of the city's own to the horizon, 50 km away, as the "
+                "earth curves: it begins at the height of the edge and levels out to the mean of "
+                "it. Cameras see it, and it casts no shadow. Scenes are framed without it, and 3D "
+                "Tiles do not have it."),
        choice_key<trees::Season>(
            "trees", ground.trees,
            {{"summer", trees::Season::summer},

@@ -147,6 +147,11 @@ std::string surfaces_in_words(const BakeReport& report) {
           (ground.dem.empty() ? "" : ", dem " + ground.dem) +
           (tiles.draped ? fmt::format(", {} triangles without heights put onto it", tiles.draped)
                         : ""));
+  if (report.horizon.triangles > 0)
+    text += report_line("horizon",
+                        fmt::format("{} triangles around the ground", report.horizon.triangles));
+  if (!report.horizon.left_out.empty())
+    text += report_line("horizon", "left out: " + report.horizon.left_out);
   if (tiles.colours)
     text += report_line("colours", fmt::format("{} of the model's own materials", tiles.colours));
   return text + to_text(tiles.skins);
@@ -226,6 +231,10 @@ json to_json(const BakeReport& report) {
       {"dem", ground.dem},
       {"relief_points", ground.relief_points},
       {"break_edges", {{"used", ground.break_edges.used}, {"unused", ground.break_edges.unused}}},
+      {"horizon",
+       {{"rings", report.horizon.rings},
+        {"triangles", report.horizon.triangles},
+        {"left_out", report.horizon.left_out}}},
       {"colours", report.tiles.colours},
       {"skins", to_json(report.tiles.skins)},
       {"draped_triangles", report.tiles.draped},

@@ -10,8 +10,8 @@
 
 #include "formats/scene_writer.h"
 #include "tools/bake/city/map_gaps.h"
-#include "tools/bake/report/city_report.h"
 #include "tools/bake/report/barrier_report.h"
+#include "tools/bake/report/city_report.h"
 #include "tools/bake/report/cover_report.h"
 #include "tools/bake/report/light_report.h"
 #include "tools/bake/report/scene_report.h"
@@ -28,6 +28,7 @@ struct BakeReport {
   GapReport gaps;
   CoverReport cover;
   BarriersReport barriers;
+  HorizonReport horizon;
   TreeReport trees;
   StreetReport streets;  // of the model, where the map has none
   LightsReport lights;

@@ -21,4 +21,11 @@ struct SceneTilesReport {
   std::size_t draped = 0;  // triangles that were published without heights and put onto the ground
 };
 
+/// The ground beyond the city's own.
+struct HorizonReport {
+  std::size_t rings = 0;      // round the ground
+  std::size_t triangles = 0;  // of the surface around them
+  std::string left_out;       // why there is none; "" where there is, or no ground
+};
+
 }  // namespace nightcity::bake

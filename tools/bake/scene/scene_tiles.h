@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <span>
@@ -47,6 +48,8 @@ class SceneTiles final : public CityConsumer {
 
   /// Puts the objects that were published without heights onto the ground.
   void drape(const place::HeightAt& height_at) { report_.draped = drape_.drape(height_at, tiles_); }
+  /// Returns the writer's index of the material of bare ground.
+  std::uint32_t ground_material() { return materials_.find_index(to_code(BakeMaterial::terrain)); }
   bool empty() { return tiles_.tiles().empty(); }
   /// Returns easting and northing of the city's middle, to the metre: the median of the tiles, so
   /// that far objects do not move it. There must be tiles.
