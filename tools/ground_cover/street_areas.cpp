@@ -157,7 +157,27 @@ class StreetAreas {
     const std::string tunnel = tag_of(tags, "tunnel");
     return (!tunnel.empty() && tunnel != "no" && tunnel != "building_passage") ||
            tag_of(tags, "indoor") == "yes" || tag_of(tags, "highway") == "corridor" ||
-           tag_of(tags, "location") == "underground";
+           tag_of(tags, "location") == "underground" || lies_below(tags, "level") ||
+           (lies_below(tags, "layer") && is_covered(tags));
+  }
+
+  // A way that is below ground on all its levels. A layer alone only says what crosses above what:
+  // a street in a cutting lies open.
+  static bool lies_below(const osm::OsmTags& tags, const char* key) {
+    const auto found = tags.find(key);
+    if (found == tags.end()) return false;
+    bool below = false;
+    for (std::string_view part : osm::split_list(found->second)) {
+      const auto number = osm::take_number(part);
+      if (!number || *number >= 0 || !part.empty()) return false;
+      below = true;
+    }
+    return below;
+  }
+
+  static bool is_covered(const osm::OsmTags& tags) {
+    const std::string covered = tag_of(tags, "covered");
+    return !covered.empty() && covered != "no";
   }
 
   GroundKind find_kind(const osm::OsmTags& tags, const roads::RoadClass& road) {

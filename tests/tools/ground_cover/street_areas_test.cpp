@@ -73,6 +73,23 @@ TEST(StreetAreas, APathIsSeenBeforeThePavementThatAStreetIsGiven) {
   EXPECT_NEAR(areas.at("paving stones"), 100 * (2 * 2.5 - 2), 0.3);
 }
 
+TEST(StreetAreas, WhatLiesBelowTheGroundIsLeftOutAndWhatOnlyCrossesBelowIsNot) {
+  const osm::OsmTags foot{{"highway", "footway"}};
+  const auto with = [&](osm::OsmTags more) {
+    more.insert(foot.begin(), foot.end());
+    return way({{-200, 0}, {200, 0}}, more);
+  };
+  const auto count = [&](const osm::OsmWay& one) { return cover_streets({one}).areas().size(); };
+  EXPECT_EQ(count(with({{"level", "-1"}})), 0u) << "a passage of a station";
+  EXPECT_EQ(count(with({{"level", "-2;-1"}})), 0u);
+  EXPECT_EQ(count(with({{"level", "-1-0"}})), 1u) << "a range that is not read";
+  EXPECT_EQ(count(with({{"layer", "-1"}, {"covered", "yes"}})), 0u);
+  EXPECT_EQ(count(with({{"level", "-1;0"}})), 1u) << "it comes up to the street";
+  EXPECT_EQ(count(with({{"layer", "-1"}})), 1u) << "an open cutting below a bridge";
+  EXPECT_EQ(count(with({{"layer", "-1"}, {"covered", "no"}})), 1u);
+  EXPECT_EQ(count(with({{"level", "nonsense"}})), 1u);
+}
+
 TEST(StreetAreas, TunnelsAreLeftOutAndCounted) {
   const Cover cover = cover_streets(
       {way({{-200, 0}, {200, 0}}, {{"highway", "primary"}, {"tunnel", "yes"}}),
