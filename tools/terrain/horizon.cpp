@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "tools/mesh/partition.h"
@@ -13,10 +14,10 @@
 namespace nightcity::terrain {
 namespace {
 
-// Rectangles around the ground, each twice as far from it as the one within, have corners as far
-// apart as twice their distance, but at least this many a side. All are assumptions.
+// Bands around the ground, each twice as far from it as the one within, have vertices as far apart
+// as twice their distance along its sides, and eight to a quarter of a turn. All are assumptions.
 constexpr double first_band_m = 25;
-constexpr int min_pieces = 4, max_pieces = 64;
+constexpr int arc_pieces = 8, max_side_pieces = 64;
 constexpr double min_level_m = 500, max_grade = 0.04;
 
 // The heights of the surface.
@@ -53,16 +54,23 @@ class Heights {
   double mean_m_ = 0, level_m_ = 0;
 };
 
-std::vector<glm::dvec2> make_rectangle(const glm::dvec2& low, const glm::dvec2& high,
-                                       double distance_m) {
-  const glm::dvec2 from = low - distance_m, to = high + distance_m,
-                   corners[] = {from, {to.x, from.y}, to, {from.x, to.y}};
+// Returns the places at a distance from a rectangle: its sides moved outwards, and arcs between.
+std::vector<glm::dvec2> make_band(const glm::dvec2& low, const glm::dvec2& high,
+                                  double distance_m) {
+  const glm::dvec2 corners[] = {low, {high.x, low.y}, high, {low.x, high.y}};
+  const auto outwards = [&](double quarters) {
+    const double angle = (quarters - 2) * std::numbers::pi / 2;
+    return distance_m * glm::dvec2(std::cos(angle), std::sin(angle));
+  };
   std::vector<glm::dvec2> ring;
   for (int k = 0; k < 4; ++k) {
-    const glm::dvec2 &a = corners[k], &b = corners[(k + 1) % 4];
+    const glm::dvec2 &corner = corners[k], &next = corners[(k + 1) % 4];
+    for (int n = 0; n < arc_pieces; ++n)
+      ring.push_back(corner + outwards(k + double(n) / arc_pieces));
     const int pieces = static_cast<int>(std::clamp(
-        std::ceil(glm::distance(a, b) / (2 * distance_m)), double{min_pieces}, double{max_pieces}));
-    for (int n = 0; n < pieces; ++n) ring.push_back(glm::mix(a, b, double(n) / pieces));
+        std::ceil(glm::distance(corner, next) / (2 * distance_m)), 1.0, double{max_side_pieces}));
+    for (int n = 0; n < pieces; ++n)
+      ring.push_back(glm::mix(corner, next, double(n) / pieces) + outwards(k + 1));
   }
   return ring;
 }
@@ -114,8 +122,8 @@ mesh::TriangleMesh make_horizon(std::span<const std::vector<glm::dvec3>> all_rin
   }
   std::uint32_t label = 0;
   for (double distance = first_band_m; distance < horizon_m; distance *= 2)
-    bands.push_back({{make_rectangle(low, high, distance)}, label++});
-  bands.push_back({{make_rectangle(low, high, horizon_m)}, label});
+    bands.push_back({{make_band(low, high, distance)}, label++});
+  bands.push_back({{make_band(low, high, horizon_m)}, label});
 
   const std::vector<mesh::PlaneLayer> layers{std::move(ground), std::move(bands)};
   const mesh::PlanePartition plan = mesh::partition(layers);

@@ -6,10 +6,12 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <map>
+#include <numbers>
 
 namespace nightcity::terrain {
 namespace {
 
+using std::numbers::pi;
 using Ring = std::vector<glm::dvec3>;
 
 // An L of three squares of 400 m, at heights that rise to the east.
@@ -27,6 +29,12 @@ double plan_area(const mesh::TriangleMesh& mesh, const mesh::MeshTriangle& t) {
   return (u.x * v.y - u.y * v.x) / 2;
 }
 
+// The area within the horizon of a rectangle: its arcs are those of a polygon of 32 corners.
+double find_area(double width, double depth) {
+  return width * depth + 2 * horizon_m * (width + depth) +
+         16 * horizon_m * horizon_m * std::sin(2 * pi / 32);
+}
+
 TEST(Horizon, CoversThePlaneAroundTheGroundOnceAndNothingOfIt) {
   const mesh::TriangleMesh mesh = make_horizon(std::vector<Ring>{make_l()});
   double area = 0;
@@ -39,8 +47,7 @@ TEST(Horizon, CoversThePlaneAroundTheGroundOnceAndNothingOfIt) {
     EXPECT_FALSE(middle.x > 0 && middle.y > 0 && std::max(middle.x, middle.y) < 800 &&
                  std::min(middle.x, middle.y) < 400);
   }
-  const double side = 800 + 2 * horizon_m;
-  EXPECT_NEAR(area / (side * side - 3 * 400.0 * 400), 1, 1e-9);
+  EXPECT_NEAR(area / (find_area(800, 800) - 3 * 400.0 * 400), 1, 1e-9);
   EXPECT_LT(mesh.triangles.size(), 2000u);
 }
 
@@ -78,7 +85,8 @@ TEST(Horizon, IsWithoutCracks) {
     if (surplus != 0)
       open_m += glm::distance(glm::dvec2(mesh.positions[edge.first]),
                               glm::dvec2(mesh.positions[edge.second]));
-  EXPECT_NEAR(open_m, 8 * 400 + 4 * (800 + 2 * horizon_m), 1e-3);
+  const double rim_m = 4 * 800 + 32 * 2 * horizon_m * std::sin(pi / 32);
+  EXPECT_NEAR(open_m, 8 * 400 + rim_m, 1e-3);
 }
 
 TEST(Horizon, GoesRoundSeveralPartsAndPassesOverRingsWithinOthers) {
@@ -89,7 +97,7 @@ TEST(Horizon, GoesRoundSeveralPartsAndPassesOverRingsWithinOthers) {
   const mesh::TriangleMesh mesh = make_horizon(std::vector<Ring>{within, make_l(), other});
   double area = 0;
   for (const mesh::MeshTriangle& t : mesh.triangles) area += plan_area(mesh, t);
-  EXPECT_NEAR(area, (2800 + 2 * horizon_m) * (800 + 2 * horizon_m) - 6 * 400.0 * 400, 1);
+  EXPECT_NEAR(area, find_area(2800, 800) - 6 * 400.0 * 400, 1);
   for (const glm::dvec3& p : mesh.positions) EXPECT_NE(p.z, 0) << "a vertex of the ring within";
 }
 
