@@ -25,6 +25,16 @@ json make_position_accessor(std::size_t count, const glm::vec3& min, const glm::
   return accessor;
 }
 
+// Returns whether floats are 2 mm apart and more at some of the vertices, which Draco's rounding
+// adds to the tolerance. Such a mesh is the ground to the horizon: few triangles.
+bool is_wide(const ScenePrimitive& primitive) {
+  constexpr float widest_m = 20'000;
+  return std::any_of(primitive.positions.begin(), primitive.positions.end(),
+                     [](const glm::vec3& p) {
+                       return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > widest_m;
+                     });
+}
+
 }  // namespace
 
 std::vector<float> to_float_ids(const std::vector<std::uint32_t>& ids, float none) {
@@ -48,7 +58,7 @@ json PrimitiveWriter::write(const ScenePrimitive& primitive, const Limits& limit
   const auto feature_ids = to_float_ids(primitive.feature_ids, gltf::null_feature_id);
   const auto light_ids = to_float_ids(primitive.light_ids, gltf::null_light);
   std::optional<DracoEncoded> encoded;
-  if (draco_tolerance_m_)
+  if (draco_tolerance_m_ && !is_wide(primitive))
     encoded = encode_draco(primitive, feature_ids, light_ids, *draco_tolerance_m_);
   json result = encoded ? write_draco(*encoded) : write_plain(primitive, feature_ids, light_ids);
   result["material"] = primitive.material;
