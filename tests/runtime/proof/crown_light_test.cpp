@@ -36,9 +36,9 @@ struct Crown {
   std::string season;
   double gap;
   double length, width;  // of leaves, in radii of the crown (tools/bake/scene/tree_models.cpp)
-  // All crowns are one draw of n leaves, turned. Some n / 4 decide the light T of a ring of rays, so
-  // it is off its mean by some T ln(1 / T) / sqrt(n / 4): at most 0.02 for 1330 leaves and 0.06 for
-  // 155 twigs.
+  // All crowns are one draw of n leaves, turned. Some n / 4 decide the light T of a ring of rays,
+  // so it is off its mean by some T ln(1 / T) / sqrt(n / 4): at most 0.02 for 1330 leaves and 0.06
+  // for 155 twigs.
   double tolerance;
 };
 
