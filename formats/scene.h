@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "formats/georeference.h"
+#include "formats/scene_places.h"
 
 namespace nightcity {
 
@@ -102,6 +103,7 @@ struct Scene {
   std::vector<SceneFeature> features;
   // Each sentence names one kind of content, in a file of others, that is not shown as it is there.
   std::vector<std::string> skipped;
+  ScenePlaces places{};
 };
 
 }  // namespace nightcity

@@ -15,6 +15,7 @@
 #include "formats/gltf_document.h"
 #include "formats/material_reader.h"
 #include "formats/scene_node_reader.h"
+#include "formats/scene_places_json.h"
 #include "formats/scene_primitive_reader.h"
 #include "formats/skipped_content.h"
 #include "formats/vertex_colours.h"
@@ -42,7 +43,10 @@ class Reader {
   void read() {
     check_required_extensions(document_);
     const Json& ours = find_asset_extras(document_);
-    if (ours.is_object()) scene_.georeference = georeference_from_json(ours);
+    if (ours.is_object()) {
+      scene_.georeference = georeference_from_json(ours);
+      scene_.places = places_from_json(ours, place_sentences_);
+    }
     read_features();
     read_materials();
     scene_.nodes = NodeReader(document_, accessors_).read();
@@ -59,7 +63,7 @@ class Reader {
     if (std::exchange(complete_, true)) return;
     add_coloured_materials();
     scene_.skipped = describe_skipped(document_, find_asset_extras(document_).is_object());
-    for (auto* sentences : {&material_sentences_, &colour_sentences_})
+    for (auto* sentences : {&material_sentences_, &colour_sentences_, &place_sentences_})
       scene_.skipped.insert(scene_.skipped.end(), sentences->begin(), sentences->end());
   }
   Scene finish() {
@@ -84,7 +88,7 @@ class Reader {
   VertexColours colours_;
   std::atomic<bool> uses_default_ = false;
   bool complete_ = false;
-  std::vector<std::string> material_sentences_, colour_sentences_;
+  std::vector<std::string> material_sentences_, colour_sentences_, place_sentences_;
 };
 
 void Reader::read_features() {

@@ -15,6 +15,7 @@
 #include "formats/gltf_constants.h"
 #include "formats/gltf_stream.h"
 #include "formats/json_text.h"
+#include "formats/scene_places_json.h"
 #include "formats/scene_primitive_writer.h"
 #include "formats/trs.h"
 
@@ -45,8 +46,9 @@ glm::dquat turn_spot_to(const glm::dvec3& direction) {
   return glm::normalize(glm::dquat(1 + cosine, axis.x, axis.y, axis.z));
 }
 
-json make_asset(const Georeference& georeference) {
+json make_asset(const Georeference& georeference, const ScenePlaces& places) {
   json extras = georeference_to_json(georeference);
+  add_to_json(places, extras);
   extras["version"] = gltf::scene_version;
   json asset = {
       {"version", "2.0"}, {"generator", "nightcity"}, {"extras", {{gltf::extras_key, extras}}}};
@@ -115,8 +117,8 @@ const SceneWriter::Statistics& SceneWriter::statistics() const {
 std::uint32_t SceneWriter::add_material(const SceneMaterial& material) {
   State& s = *state_;
   const glm::vec3 emission = material.emission_cd_m2;
-  if (!finite(material.base_colour) || !finite(emission) ||
-      !std::isfinite(material.roughness) || min_of(emission) < 0)
+  if (!finite(material.base_colour) || !finite(emission) || !std::isfinite(material.roughness) ||
+      min_of(emission) < 0)
     s.fail("material " + material.name, "a value is negative or not finite");
   const glm::dvec3 colour = glm::clamp(glm::dvec3(material.base_colour), 0.0, 1.0);
   json result = {{"pbrMetallicRoughness",
@@ -266,13 +268,17 @@ std::size_t SceneWriter::State::write_light_description(const ScenePunctual& lig
   return known->second;
 }
 
-void SceneWriter::finish(const Georeference& georeference) {
+void SceneWriter::finish(const Georeference& georeference, const ScenePlaces& places) {
   State& s = *state_;
   if (s.finished) s.fail("", "finish() was called before");
   const json feature_table = s.write_features();
   s.stream.binary.align(8);
   JsonText text;
-  s.write_root(text, make_asset(georeference), feature_table);
+  try {
+    s.write_root(text, make_asset(georeference, places), feature_table);
+  } catch (const Error& error) {
+    s.fail("", error.what());
+  }
   gltf::write_glb(s.path, text, s.stream.binary);
   s.finished = true;
 }

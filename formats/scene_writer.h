@@ -48,7 +48,7 @@ class SceneWriter {
   /// Throws Error if a value is not positive or the cone's angles are out of order.
   void add_punctual(const ScenePunctual& light);
   /// Completes the file. To be called once, as the last function.
-  void finish(const Georeference& georeference);
+  void finish(const Georeference& georeference, const ScenePlaces& places = {});
 
   const Statistics& statistics() const;
 

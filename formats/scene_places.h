@@ -1,0 +1,29 @@
+// What a scene knows of the Earth and the map besides its georeference: latitudes, longitudes, names.
+#pragma once
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formats/geographic_fit.h"
+
+namespace nightcity {
+
+/// A street, or a square, by its name in the map. Streets of one name that lie apart are several.
+struct NamedStreet {
+  std::string name;  // UTF-8
+  /// Centrelines in model space: x and z, m. A line of one point is the middle of a square.
+  std::vector<std::vector<glm::dvec2>> lines;
+};
+
+struct ScenePlaces {
+  std::optional<GeographicFit> geographic;
+  std::vector<NamedStreet> streets;
+};
+
+/// Bounds of what a file may hold: names have the 255 characters of OpenStreetMap's tags at most.
+constexpr std::size_t max_street_name_bytes = 1020, max_street_points = 1'000'000;
+
+}  // namespace nightcity
