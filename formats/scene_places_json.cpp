@@ -12,10 +12,10 @@ namespace {
 using nlohmann::json;
 
 // Coordinates of streets are told to a decimetre, and lie within a light's reach of the origin.
-constexpr double steps_a_metre = 10, max_coordinate_m = 1e6;
+constexpr double steps_a_metre = 10, max_street_coordinate_m = 1e6;
 
 bool is_within_bounds(const glm::dvec2& p) {
-  return std::abs(p.x) <= max_coordinate_m && std::abs(p.y) <= max_coordinate_m;
+  return std::abs(p.x) <= max_street_coordinate_m && std::abs(p.y) <= max_street_coordinate_m;
 }
 
 std::vector<double> round_line(const std::vector<glm::dvec2>& line) {

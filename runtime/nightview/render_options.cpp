@@ -122,7 +122,10 @@ void RenderOptions::declare(CLI::App& command) {
                   "Time of the night, HH:MM or HH:MM:SS (seconds may have a fraction)")
       ->capture_default_str();
   declare_device(command, device);
-  command.add_option("--camera", camera, "Camera file (JSON) or preset: " + presets)
+  command
+      .add_option("--camera", camera,
+                  "Camera file (JSON), preset (" + presets +
+                      ") or street:NAME, with a part of a street's name")
       ->capture_default_str();
   command.add_option("--sky-map", sky_map,
                      "EXR of the sky's luminance by direction in cd/m2, latitude-longitude with "

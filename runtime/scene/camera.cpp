@@ -5,16 +5,20 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "formats/atomic_file.h"
 #include "formats/error.h"
 #include "formats/json_parse.h"
 #include "formats/small_file.h"
 #include "runtime/scene/lit_part.h"
+#include "runtime/scene/named_street_view.h"
 #include "runtime/scene/street_view.h"
 
 namespace nightcity::scene {
 namespace {
+
+constexpr std::string_view street_prefix = "street:";
 
 CameraPose overview(const RenderScene& scene) {
   const LitPart focus = find_lit_part(scene);
@@ -112,6 +116,8 @@ CameraPose parse_camera(const std::string& text, const std::string& source,
 
 CameraPose find_camera(const std::string& preset_or_file, const RenderScene& scene) {
   if (preset_or_file.starts_with('{')) return parse_camera(preset_or_file, "camera", scene.origin);
+  if (preset_or_file.starts_with(street_prefix))
+    return find_view_of(scene, preset_or_file.substr(street_prefix.size()));
   CameraPose pose;
   if (preset_or_file == "overview")
     pose = overview(scene);

@@ -27,9 +27,10 @@ CameraPose relative_to(const glm::dvec3& origin, const CameraPose& pose);
 gpu::Camera make_camera(const CameraPose& pose, float aspect);
 
 /// Returns a preset's pose: "overview" (the lit part of the city, from the south-west), "street" (a
-/// pedestrian's view along a street) or "top" (a map). Text that begins with a brace is a pose as
-/// to_text() gives it: {"position": [x, y, z], "target": [...], "up": [...], "fov_deg": f}. Any
-/// other name is a file that holds such a text. Throws Error.
+/// pedestrian's view along a street) or "top" (a map). "street:NAME" is such a view along the
+/// street of that name, of which a part is enough (named_street_view.h). Text that begins with a
+/// brace is a pose as to_text() gives it: {"position": [x, y, z], "target": [...], "up": [...],
+/// "fov_deg": f}. Any other name is a file that holds such a text. Throws Error.
 CameraPose find_camera(const std::string& preset_or_file, const RenderScene& scene);
 
 /// Returns the names of the presets.

@@ -90,6 +90,9 @@ void set_origin(RenderScene& out, const glm::dvec3& origin) {
   const auto shift = [&](glm::vec3& p) { p = glm::vec3(glm::dvec3(p) - origin); };
   for (Light& light : out.lights) shift(light.position);
   for (TripKnot& knot : out.traffic.knots) shift(knot.position);
+  for (NamedStreet& street : out.places.streets)
+    for (auto& line : street.lines)
+      for (glm::dvec2& p : line) p -= glm::dvec2(origin.x, origin.z);
   out.georeference.origin = out.georeference.from_model(origin);
 }
 
@@ -99,6 +102,7 @@ RenderScene make_render_scene(const Scene& scene, SceneLights lights, const Part
   RenderScene out;
   out.skipped = scene.skipped;
   out.georeference = scene.georeference;
+  out.places = scene.places;
   out.parts = count_parts(lights, scene);
   out.left_out = left_out;
   add_materials(out, scene);
@@ -240,6 +244,7 @@ RenderScene load_render_scene(const std::filesystem::path& glb, const PartSet& l
     if (const auto box = file.find_bounds(i)) bounds = {(*box)[0], (*box)[1]};
   }
   out.georeference = file.scene().georeference;
+  out.places = file.scene().places;
   set_origin(out, find_local_origin(file.scene(), meshes, out.lights));
   add_bodies(out, file.scene(), meshes, left_out);
   add_geometry(out, file.scene(), meshes, {left_out, numbers}, count_cores());

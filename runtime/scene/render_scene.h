@@ -96,6 +96,7 @@ struct RenderScene {
   Box root_box{};                             // of the TLAS: the bounds, and the horizon
   Box bounds;                                 // of all static geometry but the horizon
   Georeference georeference{};                // of this frame
+  ScenePlaces places{};                       // streets in this frame
   std::vector<SceneFeature> features{};       // city objects, by the triangles' feature
   std::vector<LightProvenance> provenance{};  // parallel to lights, or empty
 

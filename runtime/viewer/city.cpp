@@ -24,7 +24,8 @@ Opening::Opening(std::string path, std::string camera, double time_s, scene::Lig
         } catch (const Error& error) {  // the city is there without them
           city->notice = error.what();
         }
-        city->projection = std::make_unique<MapProjection>(city->scene.georeference.crs);
+        city->projection = std::make_unique<MapProjection>(city->scene.georeference.crs,
+                                                           city->scene.places.geographic);
         city->triangles = city->scene.triangles.size();
         stage_ = "finding the camera";
         city->pose = scene::find_camera(camera, city->scene);

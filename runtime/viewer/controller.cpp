@@ -91,6 +91,7 @@ bool Controller::finish_opening() {
   workbench_.compare(session_.state.compare.on);
   const City& city = workbench_.city();
   std::filesystem::path bookmarks = city.path;
+  place_text_.clear();
   session_.open(city.pose, bookmarks.replace_extension(".cameras.json"), now_s_);
   session_.state.night_changes = !city.scene.traffic.trips.empty() || !city.scene.schedules.empty();
   editor_ = workbench_.city().edits;
@@ -306,9 +307,11 @@ void Controller::run(const std::function<std::string()>& errand) {
 
 std::string Controller::go_to_place(const std::string& text) {
   const City& city = workbench_.city();
-  const Place place = find_place(text, city.scene, *city.projection);
+  place_turn_ = text == place_text_ ? place_turn_ + 1 : 0;
+  place_text_ = text;
+  const Place place = find_place(text, city.scene, *city.projection, place_turn_);
   session_.go_to(look_at_place(place, session_.state.camera.pose), now_s_);
-  if (session_.state.camera.motion == Motion::walk)
+  if (session_.state.camera.motion == Motion::walk && !place.stand)
     session_.state.camera.motion = Motion::orbit;  // a walker would fall from there
   return place.name;
 }

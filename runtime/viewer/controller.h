@@ -80,8 +80,10 @@ class Controller {
   PathRecorder recorder_;
   Gamepad gamepad_;
   std::optional<PadState> pad_;
-  double pad_s_ = 0;       // when the gamepad last moved something
-  double pick_cd_m2_ = 0;  // luminance where something was picked, when last looked at
+  std::string place_text_;      // where the user asked to go last,
+  std::size_t place_turn_ = 0;  // and how often in a row
+  double pad_s_ = 0;            // when the gamepad last moved something
+  double pick_cd_m2_ = 0;       // luminance where something was picked, when last looked at
   double now_s_ = 0, moved_s_ = -1e9;
 };
 

@@ -58,7 +58,9 @@ std::optional<int> parse_epsg(std::string_view crs) {
 
 }  // namespace
 
-MapProjection::MapProjection(const std::string& crs) {
+MapProjection::MapProjection(const std::string& crs, const std::optional<GeographicFit>& fit)
+    : fit_(fit) {
+  if (fit_) return;
   if (const auto code = parse_epsg(crs)) {
     const int zone = *code % 100, family = *code / 100;
     const bool is_utm = ((family == 326 || family == 327) && zone >= 1 && zone <= 60) ||
@@ -86,6 +88,7 @@ MapProjection::MapProjection(const std::string& crs) {
 }
 
 std::optional<glm::dvec2> MapProjection::to_plane(double latitude_deg, double longitude_deg) const {
+  if (fit_) return nightcity::to_plane(*fit_, latitude_deg, longitude_deg);
   if (!grid_ || !(std::abs(latitude_deg) <= 90) ||
       !(std::abs(std::remainder(longitude_deg - grid_->meridian_deg, 360)) <=
         max_degrees_off_meridian))
@@ -97,6 +100,7 @@ std::optional<glm::dvec2> MapProjection::to_plane(double latitude_deg, double lo
 
 std::optional<glm::dvec2> MapProjection::to_degrees(const glm::dvec2& easting_northing) const {
   constexpr double max_easting_m = 2e6, max_northing_m = 1e7;
+  if (fit_) return nightcity::to_degrees(*fit_, easting_northing);
   if (!grid_) return std::nullopt;
   const glm::dvec2 plane = easting_northing - grid_->shift;
   if (!(std::abs(plane.x) <= max_easting_m) || !(std::abs(plane.y) <= max_northing_m))

@@ -103,7 +103,7 @@ void draw_place(ViewerState& state, PanelRequests& requests) {
   if (state.focus_place > 0) ImGui::GetIO().ClearInputCharacters();
   if (state.focus_place == 2) ImGui::SetKeyboardFocusHere();
   state.focus_place = std::max(0, state.focus_place - 1);
-  if (ImGui::InputTextWithHint("go to", "52.516, 13.378 or an id", state.place.data(),
+  if (ImGui::InputTextWithHint("go to", "52.516, 13.378, a street or an id", state.place.data(),
                                state.place.size(), ImGuiInputTextFlags_EnterReturnsTrue))
     requests.go_to = state.place.data();
 }

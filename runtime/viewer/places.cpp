@@ -10,10 +10,13 @@
 #include <glm/trigonometric.hpp>
 #include <optional>
 #include <regex>
-#include <set>
+#include <utility>
+#include <vector>
 
 #include "formats/error.h"
 #include "formats/to_lower.h"
+#include "runtime/scene/named_street_view.h"
+#include "runtime/scene/street_names.h"
 #include "runtime/viewer/controls.h"
 
 namespace nightcity::viewer {
@@ -72,6 +75,25 @@ Place find_point(const std::string& text, const glm::dvec2& plane,
   return {point, 0, fmt::format("{:.0f} E, {:.0f} N", plane.x, plane.y)};
 }
 
+// Returns how far latitude and longitude, which have no place on the city's plane, are from its
+// middle, as on a sphere.
+std::string describe_distance(const glm::dvec2& degrees, const scene::RenderScene& scene,
+                              const MapProjection& projection) {
+  const glm::dvec3 middle = scene.georeference.from_model(
+      0.5 * (glm::dvec3(scene.bounds.lower) + glm::dvec3(scene.bounds.upper)));
+  const auto city = projection.to_degrees({middle.x, middle.y});
+  if (!city) return "the city's CRS does not reach there";
+  const auto direction_of = [](const glm::dvec2& at) {
+    const double latitude = glm::radians(at.x), longitude = glm::radians(at.y);
+    return glm::dvec3(std::cos(latitude) * std::cos(longitude),
+                      std::cos(latitude) * std::sin(longitude), std::sin(latitude));
+  };
+  constexpr double mean_radius_km = 6371;  // of the Earth
+  const double cosine = glm::dot(direction_of(degrees), direction_of(*city));
+  return fmt::format("this lies {:.1f} km from the middle of the model, outside it",
+                     mean_radius_km * std::acos(std::clamp(cosine, -1.0, 1.0)));
+}
+
 // The bounds of a city object: of its triangles wherever their meshes stand.
 std::optional<scene::Box> find_bounds(const scene::RenderScene& scene, std::uint32_t feature) {
   scene::Box box;
@@ -99,58 +121,99 @@ std::optional<scene::Box> find_bounds(const scene::RenderScene& scene, std::uint
   return any ? std::optional(box) : std::nullopt;
 }
 
-Place find_object(const std::string& text, const scene::RenderScene& scene) {
+// Returns the city objects whose ids contain the text, or the one whose id it is.
+std::vector<std::uint32_t> find_objects(const std::string& text, const scene::RenderScene& scene) {
   const std::string wanted = to_lower(text);
   std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < scene.features.size(); ++i) {
     const std::string id = to_lower(scene.features[i].id);
-    if (id == wanted) {
-      found.assign(1, i);
-      break;
-    }
+    if (id == wanted) return {i};
     if (id.find(wanted) != std::string::npos) found.push_back(i);
   }
-  for (const std::uint32_t feature : found) {
-    const std::optional<scene::Box> box = find_bounds(scene, feature);
-    if (!box) continue;  // without surfaces of its own
-    const SceneFeature& object = scene.features[feature];
-    std::string name = object.type + " " + object.id;
-    if (found.size() > 1)
-      name += fmt::format(", the first of {} whose ids contain \"{}\"", found.size(), text);
-    return {0.5f * (box->lower + box->upper), 0.5f * glm::distance(box->lower, box->upper), name};
+  return found;
+}
+
+Place stand_on(const NamedStreet& street, const scene::RenderScene& scene) {
+  scene::NamedStreetView view = scene::find_view_of(scene, street);
+  return {view.pose.target, 0, street.name + (view.from_above ? " (from above)" : ""), view.pose};
+}
+
+// Returns nothing where the object has no surfaces of its own.
+std::optional<Place> find_object(std::uint32_t feature, const scene::RenderScene& scene) {
+  const std::optional<scene::Box> box = find_bounds(scene, feature);
+  if (!box) return std::nullopt;
+  const SceneFeature& object = scene.features[feature];
+  return Place{0.5f * (box->lower + box->upper), 0.5f * glm::distance(box->lower, box->upper),
+               object.type + " " + object.id};
+}
+
+std::string describe_names(const scene::RenderScene& scene) {
+  if (scene.places.streets.empty())
+    return "there are no names of streets in this scene: its map had none, or an older nightbake "
+           "made it";
+  return fmt::format("none of the {} streets and squares has it in its name",
+                     scene.places.streets.size());
+}
+
+// Returns ", the first of 3 whose names contain ...", with what Enter goes to next.
+std::string describe_turn(const std::string& text, std::size_t turn, std::size_t streets,
+                          std::size_t objects) {
+  const std::size_t count = streets + objects;
+  const char* what = objects == 0 ? "names" : streets == 0 ? "ids" : "names or ids";
+  const std::string which = turn == 0 ? "the first" : fmt::format("number {}", turn + 1);
+  return fmt::format(", {} of {} whose {} contain \"{}\"; Enter goes to the next", which, count,
+                     what, text);
+}
+
+// Returns the street or object with that number, and where it has no place, the next.
+Place find_named(const std::string& text, const scene::RenderScene& scene, std::size_t turn) {
+  const std::vector<std::size_t> streets = scene::find_streets(scene.places.streets, text);
+  const std::vector<std::uint32_t> objects = find_objects(text, scene);
+  const std::size_t count = streets.size() + objects.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t number = (turn + i) % count;
+    std::optional<Place> place = number < streets.size()
+                                     ? stand_on(scene.places.streets[streets[number]], scene)
+                                     : find_object(objects[number - streets.size()], scene);
+    if (!place) continue;
+    if (count > 1) place->name += describe_turn(text, turn % count, streets.size(), objects.size());
+    return *place;
   }
-  throw not_found(text,
-                  fmt::format("no city object of {} has this in its id. Latitude and longitude, "
-                              "or easting and northing, are understood too; names of streets "
-                              "are not in a scene's files",
-                              scene.features.size()));
+  throw not_found(text, fmt::format("no city object of {} has this in its id, and {}. Latitude and "
+                                    "longitude, or easting and northing, are understood too",
+                                    scene.features.size(), describe_names(scene)));
 }
 
 }  // namespace
 
 Place find_place(const std::string& text, const scene::RenderScene& scene,
-                 const MapProjection& projection) {
+                 const MapProjection& projection, std::size_t turn) {
   if (text.find_first_not_of(" \t") == std::string::npos) throw not_found(text, "nothing is named");
   const std::optional<Numbers> numbers = parse_numbers(text);
-  if (!numbers) return find_object(text, scene);
+  if (!numbers) return find_named(text, scene, turn);
   if (const auto degrees = to_degrees(*numbers, projection.is_usable())) {
     const auto plane = projection.to_plane(degrees->x, degrees->y);
-    if (!plane) throw not_found(text, "the city's CRS does not reach there");
+    if (!plane) throw not_found(text, describe_distance(*degrees, scene, projection));
     Place place = find_point(text, *plane, scene);
     place.name = fmt::format("{:.5f}, {:.5f}: {}", degrees->x, degrees->y, place.name);
     return place;
   }
   if (!numbers->first_side.empty() && !projection.is_usable())
-    throw not_found(
-        text, scene.georeference.crs.empty()
-                  ? "this city has no CRS, so it has no latitude and longitude"
-                  : "latitude and longitude are known of UTM, of Japan's plane zones and of cities "
-                    "baked from degrees; this city is in " +
-                        scene.georeference.crs);
+    throw not_found(text, scene.georeference.crs.empty()
+                              ? "this city has no CRS, so it has no latitude and longitude"
+                              : "this scene's file has no latitude and longitude, which a bake "
+                                "adds where it can; this "
+                                "city is in " +
+                                    scene.georeference.crs);
   return find_point(text, {numbers->first, numbers->second}, scene);
 }
 
 scene::CameraPose look_at_place(const Place& place, const scene::CameraPose& before) {
+  if (place.stand) {
+    scene::CameraPose pose = *place.stand;
+    pose.fov_deg = before.fov_deg;
+    return pose;
+  }
   constexpr float steepness_deg = 35, nearest_m = 60;
   glm::vec3 ahead = before.target - before.position;
   ahead.y = 0;

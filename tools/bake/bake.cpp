@@ -22,6 +22,7 @@
 #include "tools/bake/scene/tree_models.h"
 #include "tools/bake/scene/vehicle_models.h"
 #include "tools/bake/stages/light_stage.h"
+#include "tools/bake/stages/places_stage.h"
 #include "tools/bake/stages/traffic_stage.h"
 #include "tools/barriers/barrier_shape.h"
 #include "tools/trees/find_trees.h"
@@ -76,7 +77,10 @@ class Bake {
     build_horizon(georeference);
     plant_trees(georeference);
     write_lights(georeference);
-    scene_.finish(georeference);
+    PlacesOfCity places = find_places(city_, georeference);
+    report_.places = std::move(places.report);
+    clock_.end_stage("places");
+    scene_.finish(georeference, places.places);
     write_report();
     output_.commit();
     return std::move(report_);

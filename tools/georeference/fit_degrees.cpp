@@ -10,7 +10,7 @@ namespace {
 
 using ToLonLat = std::function<glm::dvec2(const glm::dvec2&)>;
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double half_turn = 3.14159265358979323846;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The places at which fits are compared with the truth.
@@ -63,7 +63,9 @@ class Fitter {
   // Interpolates at the zeros of the first Chebyshev polynomial that is left out (Mason and
   // Handscomb, Chebyshev Polynomials, 2003, equation 6.28), along both axes.
   GeographicFit interpolate(std::size_t terms) const {
-    const auto angle_of = [&](std::size_t k) { return pi * (double(k) + 0.5) / double(terms); };
+    const auto angle_of = [&](std::size_t k) {
+      return half_turn * (double(k) + 0.5) / double(terms);
+    };
     GeographicFit fit = domain_;
     fit.terms = terms;
     std::vector<glm::dvec2> values;
@@ -95,8 +97,8 @@ class Fitter {
       const auto found = to_degrees(fit, check.plane);
       if (!found) return infinity;
       const double north = found->x - check.lon_lat.y;
-      const double east =
-          std::remainder(found->y - check.lon_lat.x, 360) * std::cos(check.lon_lat.y * pi / 180);
+      const double east = std::remainder(found->y - check.lon_lat.x, 360) *
+                          std::cos(check.lon_lat.y * half_turn / 180);
       const double error_m = degree_m * std::hypot(north, east);
       if (!std::isfinite(error_m)) return infinity;
       worst_m = std::max(worst_m, error_m);

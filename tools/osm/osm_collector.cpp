@@ -49,6 +49,7 @@ void OsmCollector::add_node(std::int64_t id, OsmVersion version, const glm::dvec
   if (may_shine(tags)) things_.push_back({{id, false, {lon_lat}, tags}, key, version.rank()});
   if (is_control(tags)) controls_.push_back({{lon_lat, tags}, key, version.rank()});
   if (is_crossing(tags)) crossings_.push_back({{lon_lat, tags}, key, version.rank()});
+  if (is_square(tags)) squares_.push_back({{lon_lat, tags}, key, version.rank()});
   if (is_lamp(tags))
     lamps_.push_back({{id, lon_lat, std::move(tags)}, key, version.rank()});
   else if (is_tree(tags))
@@ -174,6 +175,7 @@ OsmData OsmCollector::finish() && {
   place_points(controls_, data_.controls);
   place_points(crossings_, data_.crossings);
   place_points(gates_, data_.gates);
+  place_points(squares_, data_.squares);
   for (PendingThing& pending : things_) data_.shining_things.push_back(std::move(pending.thing));
   place_ways();
   std::stable_sort(data_.shining_things.begin(), data_.shining_things.end(),

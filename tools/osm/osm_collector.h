@@ -113,7 +113,7 @@ class OsmCollector {
   std::vector<Place> places_;
   std::vector<State> way_states_;
   std::vector<PendingLamp> lamps_;
-  std::vector<PendingPoint> trees_, controls_, crossings_, gates_;
+  std::vector<PendingPoint> trees_, controls_, crossings_, gates_, squares_;
   std::vector<PendingThing> things_;
   std::vector<PendingWay> pending_;
 };

@@ -63,6 +63,7 @@ struct OsmData {
   std::vector<OsmPoint> controls;   // nodes with highway=stop, give_way, traffic_signals
   std::vector<OsmPoint> crossings;  // nodes with highway=crossing
   std::vector<OsmPoint> gates;      // nodes with barrier=gate, entrance, ...
+  std::vector<OsmPoint> squares;    // nodes with place=square
   std::vector<OsmShiningThing> shining_things;  // by id, nodes first
   std::size_t nodes = 0, ways = 0, relations = 0;
   std::size_t barrier_relations = 0;  // with barrier=*: read_map_areas has their outlines

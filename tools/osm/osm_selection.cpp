@@ -96,6 +96,10 @@ bool is_railway(const OsmTags& tags) {
   return !value.empty() && value != "no";
 }
 
+bool is_square(const OsmTags& tags) {
+  return value_of(tags, "place") == "square";
+}
+
 bool is_crossing(const OsmTags& tags) {
   return has_one_of(tags, "highway", std::array<std::string_view, 1>{"crossing"});
 }

@@ -32,6 +32,8 @@ bool may_shine(const OsmTags& tags);
 bool is_railway(const OsmTags& tags);
 /// Returns whether a node is a crossing of people on foot: one of the values of highway=*.
 bool is_crossing(const OsmTags& tags);
+/// Returns whether it is a square of a town: place=square.
+bool is_square(const OsmTags& tags);
 /// Returns whether a node is a sign or a signal that vehicles stop at.
 bool is_control(const OsmTags& tags);
 /// Returns whether it has building=* but "no".

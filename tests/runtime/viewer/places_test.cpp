@@ -118,9 +118,71 @@ TEST(Places, ObjectsAreFoundByTheirIdOrAPartOfIt) {
   EXPECT_NE(road.name.find("first of 2"), std::string::npos) << road.name;
 }
 
+// A scene in a CRS that the runtime has no closed form of, with what its bake knew of it.
+scene::RenderScene make_scene_with_places() {
+  scene::RenderScene scene = make_scene();
+  scene.georeference.crs = "EPSG:28992";
+  const glm::dvec2 middle(scene.georeference.origin);
+  scene.places.geographic = {
+      middle - 1000.0, middle + 1000.0, 2, {52.37, 0.009, 0, 0}, {4.9, 0, 0.0147, 0}};
+  scene.places.streets = {{"Lange Straße", {{{-80, 60}, {80, 60}}}},
+                          {"Straßburger Platz", {{{0, 0}}}},
+                          {"Gate Street", {{{-60, -80}, {-60, 80}}}}};
+  return scene;
+}
+
+TEST(Places, LatitudeAndLongitudeFollowThePolynomialsOfTheFile) {
+  const scene::RenderScene scene = make_scene_with_places();
+  const MapProjection projection(scene.georeference.crs, scene.places.geographic);
+  ASSERT_TRUE(projection.is_usable());
+  // A tenth of the rectangle's half side, 1000 m, to the north.
+  const Place north = find_place("52.3709, 4.9", scene, projection);
+  EXPECT_NEAR(glm::distance(north.point, glm::vec3(0, 0, -100)), 0, 0.01);
+  const auto degrees = projection.to_degrees(glm::dvec2(scene.georeference.origin) + 500.0);
+  ASSERT_TRUE(degrees);
+  EXPECT_NEAR(degrees->x, 52.3745, 1e-9);
+  EXPECT_NEAR(degrees->y, 4.90735, 1e-9);
+  try {
+    find_place("53.37, 4.9", scene, projection);
+    FAIL();
+  } catch (const Error& error) {  // a degree of latitude is 111.2 km on a sphere
+    EXPECT_NE(std::string(error.what()).find("111.2 km"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Places, StreetsAreFoundByTheirNameAndStoodOn) {
+  const scene::RenderScene scene = make_scene_with_places();
+  const MapProjection projection(scene.georeference.crs, scene.places.geographic);
+  const Place street = find_place("lange strasse", scene, projection);
+  EXPECT_EQ(street.name, "Lange Straße");
+  ASSERT_TRUE(street.stand);
+  const scene::CameraPose before{{0, 50, 300}, {0, 50, 0}, {0, 1, 0}, 33};
+  const scene::CameraPose pose = look_at_place(street, before);
+  EXPECT_EQ(pose.fov_deg, 33);
+  EXPECT_NEAR(pose.position.y, 1.7, 0.01);
+  EXPECT_NEAR(pose.position.z, 60, 0.01);
+  EXPECT_GT(std::abs(glm::normalize(pose.target - pose.position).x), 0.99);
+}
+
+TEST(Places, TheSameTextAgainGoesRoundAllThatItNames) {
+  const scene::RenderScene scene = make_scene_with_places();
+  const MapProjection projection("");
+  std::vector<std::string> names;
+  for (std::size_t turn = 0; turn < 3; ++turn)
+    names.push_back(find_place("Straß", scene, projection, turn).name);
+  EXPECT_EQ(names[0].find("Straßburger Platz, the first of 2 whose names contain"), 0u) << names[0];
+  EXPECT_EQ(names[1].find("Lange Straße, number 2 of 2"), 0u) << names[1];
+  EXPECT_EQ(names[2], names[0]);
+  // Streets come before objects.
+  EXPECT_EQ(find_place("gat", scene, projection).name.find("Gate Street"), 0u);
+  EXPECT_EQ(find_place("gat", scene, projection, 1).name.find("Building gate, number 2 of 2"), 0u);
+}
+
 TEST(Places, WhatIsNotThereIsSaidWithWhatThereIs) {
   const scene::RenderScene scene = make_scene();
   EXPECT_NE(error_of("Unter den Linden", scene).find("names of streets"), std::string::npos);
+  EXPECT_NE(error_of("Unter den Linden", make_scene_with_places()).find("none of the 3 streets"),
+            std::string::npos);
   EXPECT_NE(error_of("48.1, 11.5", scene).find("outside"), std::string::npos);
   EXPECT_NE(error_of("48.1, 11.5", scene).find("km"), std::string::npos);
   EXPECT_NE(error_of("", scene), "");

@@ -19,6 +19,7 @@
 #include "tools/ground_cover/rail_areas.h"
 #include "tools/ground_cover/street_areas.h"
 #include "tools/inventory/add_to_map.h"
+#include "tools/names/find_named_streets.h"
 #include "tools/osm/map_areas.h"
 #include "tools/osm/read_osm.h"
 #include "tools/streets/street_ways.h"
@@ -179,6 +180,17 @@ void City::add_land(const ground_cover::Box& bounds) {
     if (land.too_long > 0)
       cover_.left_out["area of more nodes than [osm] max_way_nodes"] += land.too_long;
   }
+}
+
+std::vector<osm::MapArea> City::read_squares() const {
+  std::set<std::string> known;
+  std::vector<osm::MapArea> squares;
+  for (const auto& map : inputs_.maps)
+    for (osm::MapArea& area : osm::read_map_areas(map, names::select_squares(),
+                                                  static_cast<std::size_t>(inputs_.max_way_nodes))
+                                  .areas)
+      if (known.insert(area.id).second) squares.push_back(std::move(area));
+  return squares;
 }
 
 bool City::drives_on_the_left() const {

@@ -20,6 +20,7 @@
 #include "tools/bake/report/street_report.h"
 #include "tools/ground_cover/cover.h"
 #include "tools/inventory/read_inventory.h"
+#include "tools/osm/map_areas.h"
 #include "tools/osm/osm_data.h"
 #include "tools/place/site.h"
 #include "tools/streets/road_surfaces.h"
@@ -76,6 +77,9 @@ class City {
   /// Returns the city's CRS, sources and licences. The origin is the inputs' own; what they do not
   /// say is `middle` (easting, northing), else a place in the middle of the city.
   Georeference georeference(const std::optional<glm::dvec2>& middle = {}) const;
+
+  /// Returns the squares of the maps (names::select_squares), each once.
+  std::vector<osm::MapArea> read_squares() const;
 
   /// Returns whether streets can come from the model's roads alone: the map has none.
   bool wants_model_streets() const;

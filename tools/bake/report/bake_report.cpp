@@ -246,6 +246,7 @@ json to_json(const BakeReport& report) {
       {"trees", to_json(report.trees)},
       {"ground_cover", to_json(report.cover, report.tiles)},
       {"streets", to_json(report.streets)},
+      {"places", to_json(report.places)},
       {"lamps", to_json(report.lights.lamps)},
       {"layout", to_json(report.lights.layout, true)},
       {"map_lights", to_json(report.lights.map_lights)},
@@ -275,6 +276,7 @@ std::string to_text(const BakeReport& report) {
   text += to_text(report.barriers);
   text += to_text(report.trees);
   text += to_text(report.streets);
+  text += to_text(report.places);
   text += to_text(report.lights.lamps);
   text += to_text(report.lights.layout, false);
   text += to_text(report.lights.map_lights);

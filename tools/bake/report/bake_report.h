@@ -14,6 +14,7 @@
 #include "tools/bake/report/city_report.h"
 #include "tools/bake/report/cover_report.h"
 #include "tools/bake/report/light_report.h"
+#include "tools/bake/report/places_report.h"
 #include "tools/bake/report/scene_report.h"
 #include "tools/bake/report/stage_clock.h"
 #include "tools/bake/report/street_report.h"
@@ -31,6 +32,7 @@ struct BakeReport {
   HorizonReport horizon;
   TreeReport trees;
   StreetReport streets;  // of the model, where the map has none
+  PlacesReport places;
   LightsReport lights;
   std::optional<traffic::TrafficReport> traffic;
   SceneWriter::Statistics scene;

@@ -1,0 +1,57 @@
+#include "runtime/scene/street_names.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <tuple>
+
+#include "runtime/scene/fold_name.h"
+
+namespace nightcity::scene {
+namespace {
+
+constexpr int no_match = 4;
+
+// Returns 0 for the name itself, up to 3 for one that contains the text somewhere.
+int rank_name(const std::string& name, const std::string& text) {
+  const std::size_t at = name.find(text);
+  if (at == std::string::npos) return no_match;
+  if (at == 0) return name.size() == text.size() ? 0 : 1;
+  return name.find(" " + text) != std::string::npos ? 2 : 3;
+}
+
+double find_length(const NamedStreet& street) {
+  double length = 0;
+  for (const auto& line : street.lines)
+    for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
+  return length;
+}
+
+}  // namespace
+
+std::vector<std::size_t> find_streets(std::span<const NamedStreet> streets,
+                                      const std::string& text) {
+  const std::string wanted = fold_name(text);
+  if (wanted.empty()) return {};
+  struct Hit {
+    int rank;
+    std::string name;
+    double length_m;
+    std::size_t street;
+  };
+  std::vector<Hit> hits;
+  for (std::size_t i = 0; i < streets.size(); ++i) {
+    std::string name = fold_name(streets[i].name);
+    if (const int rank = rank_name(name, wanted); rank < no_match)
+      hits.push_back({rank, std::move(name), find_length(streets[i]), i});
+  }
+  const auto order = [](const Hit& hit) {
+    return std::tuple(hit.rank, hit.name.size(), std::cref(hit.name), -hit.length_m, hit.street);
+  };
+  std::sort(hits.begin(), hits.end(),
+            [&](const Hit& a, const Hit& b) { return order(a) < order(b); });
+  std::vector<std::size_t> found;
+  for (const Hit& hit : hits) found.push_back(hit.street);
+  return found;
+}
+
+}  // namespace nightcity::scene

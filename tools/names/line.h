@@ -1,0 +1,22 @@
+// A line in the plane.
+#pragma once
+
+#include <algorithm>
+#include <glm/vec2.hpp>
+#include <vector>
+
+namespace nightcity::names {
+
+using Line = std::vector<glm::dvec2>;
+
+/// Returns whether `a` comes before `b`: an order that depends on coordinates alone.
+inline bool comes_before(const glm::dvec2& a, const glm::dvec2& b) {
+  return a.x != b.x ? a.x < b.x : a.y < b.y;
+}
+inline bool comes_before(const Line& a, const Line& b) {
+  return std::lexicographical_compare(
+      a.begin(), a.end(), b.begin(), b.end(),
+      [](const glm::dvec2& p, const glm::dvec2& q) { return comes_before(p, q); });
+}
+
+}  // namespace nightcity::names
