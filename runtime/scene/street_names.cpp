@@ -1,8 +1,9 @@
 #include "runtime/scene/street_names.h"
 
 #include <algorithm>
+#include <compare>
 #include <glm/geometric.hpp>
-#include <tuple>
+#include <utility>
 
 #include "runtime/scene/fold_name.h"
 
@@ -26,29 +27,30 @@ double find_length(const NamedStreet& street) {
   return length;
 }
 
+// The best comes first in the order of these members.
+struct Hit {
+  int rank;
+  std::size_t letters;
+  std::string name;
+  double minus_length_m;
+  std::size_t street;
+  auto operator<=>(const Hit&) const = default;
+};
+
 }  // namespace
 
 std::vector<std::size_t> find_streets(std::span<const NamedStreet> streets,
                                       const std::string& text) {
   const std::string wanted = fold_name(text);
   if (wanted.empty()) return {};
-  struct Hit {
-    int rank;
-    std::string name;
-    double length_m;
-    std::size_t street;
-  };
   std::vector<Hit> hits;
   for (std::size_t i = 0; i < streets.size(); ++i) {
     std::string name = fold_name(streets[i].name);
+    const std::size_t letters = name.size();
     if (const int rank = rank_name(name, wanted); rank < no_match)
-      hits.push_back({rank, std::move(name), find_length(streets[i]), i});
+      hits.push_back({rank, letters, std::move(name), -find_length(streets[i]), i});
   }
-  const auto order = [](const Hit& hit) {
-    return std::tuple(hit.rank, hit.name.size(), std::cref(hit.name), -hit.length_m, hit.street);
-  };
-  std::sort(hits.begin(), hits.end(),
-            [&](const Hit& a, const Hit& b) { return order(a) < order(b); });
+  std::sort(hits.begin(), hits.end());
   std::vector<std::size_t> found;
   for (const Hit& hit : hits) found.push_back(hit.street);
   return found;

@@ -17,7 +17,7 @@ inline void write_scene_files(std::filesystem::path glb, const Scene& scene,
   for (const SceneMaterial& material : scene.materials) writer.add_material(material);
   for (const SceneMesh& mesh : scene.meshes) writer.add_mesh(mesh);
   for (const SceneNode& node : scene.nodes) writer.add_node(node);
-  writer.finish(lights.georeference);
+  writer.finish(lights.georeference, scene.places);
   write_light_file(glb.replace_extension(".lights"), lights);
 }
 

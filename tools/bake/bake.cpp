@@ -77,7 +77,8 @@ class Bake {
     build_horizon(georeference);
     plant_trees(georeference);
     write_lights(georeference);
-    PlacesOfCity places = find_places(city_, georeference);
+    PlacesOfCity places =
+        find_places(city_, city_.terrain().extent().value_or(tiles_.extent()), georeference);
     report_.places = std::move(places.report);
     clock_.end_stage("places");
     scene_.finish(georeference, places.places);

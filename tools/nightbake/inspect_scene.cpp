@@ -85,6 +85,11 @@ Inspection inspect_scene(const std::filesystem::path& path) {
     placed.add(geo.from_model(bounds.max));
   }
   result["bbox"] = placed.to_json(3);
+  if (scene.places.geographic)
+    if (const auto middle =
+            to_degrees(*scene.places.geographic, glm::dvec2(0.5 * (placed.min + placed.max))))
+      result["middle_latitude_longitude"] = {middle->x, middle->y};
+  if (!scene.places.streets.empty()) result["named_streets"] = scene.places.streets.size();
   result["bbox_model"] = counts.bounds.to_json(3);
   result["origin"] = {geo.origin.x, geo.origin.y, geo.origin.z};
   result["vertices"] = counts.vertices;

@@ -387,6 +387,36 @@ TEST_F(ViewerWindow, APlaceThatIsTypedIsGoneTo) {
   EXPECT_NEAR(pose.target.z, 4, 0.01);
 }
 
+// Enter goes to the better of two streets, and once more to the other.
+TEST_F(ViewerWindow, AStreetThatIsTypedIsStoodOn) {
+  if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no mouse or keyboard";
+  Scene scene = test::SceneBuilder().ground(100).scene();
+  scene.places.streets = {{"Lange Straße", {{{-80, 20}, {80, 20}}}},
+                          {"Kurze Straße im Tal", {{{30, -80}, {30, 80}}}}};
+  test::write_scene_files(folder / "town.glb", scene, test::random_lamps(5, 50, 8), georeference());
+  const auto type = [&](const std::string& text, const std::string& more) {
+    ASSERT_EQ(run("$V --size 700x500 --every 8 --save-camera camera.json & viewer=$!\n"
+                  "xdotool search --sync --onlyvisible --name nightview > window.txt\n"
+                  "xdotool mousemove 600 400; sleep 6\n"
+                  "xdotool key g; sleep 0.5; xdotool type --delay 40 '" +
+                  text + "'; sleep 0.5; xdotool key Return; sleep 1\n" + more +
+                  "kill -TERM $viewer; wait $viewer; test $? = 143\n"),
+              0)
+        << this->text("err.txt");
+  };
+  type("strasse", "");
+  const auto read_pose = [&] { return scene::parse_camera(text("camera.json"), "camera.json"); };
+  EXPECT_NEAR(read_pose().position.z, 20, 0.01) << text("err.txt");
+  EXPECT_NEAR(read_pose().position.y, 1.7, 0.01);
+  EXPECT_NE(text("err.txt").find("the first of 2 whose names contain"), std::string::npos);
+  type("strasse", "xdotool key g; sleep 0.5; xdotool key Return; sleep 1\n");
+  EXPECT_NEAR(read_pose().position.x, 30, 0.01) << text("err.txt");
+  // The same by an option, for the first frame.
+  ASSERT_EQ(run("$V --camera 'street:IM TAL' --quit-after 1 --save-camera camera.json\n"), 0)
+      << text("err.txt");
+  EXPECT_NEAR(read_pose().position.x, 30, 0.01);
+}
+
 // A lamp fills the middle of the window. It is clicked and switched off, then dimmed, and the edits
 // are saved; the next window begins with them.
 TEST_F(ViewerWindow, ALampIsEditedAndTheEditsAreKept) {

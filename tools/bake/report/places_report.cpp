@@ -26,8 +26,8 @@ std::string to_text(const PlacesReport& report) {
           : "no latitude and longitude: " + report.why_no_degrees;
   std::string text = report_line(
       "places",
-      fmt::format("{}; {} names of streets and squares, {} lines' points, {:.1f} kB in all",
-                  degrees, report.names, report.points, static_cast<double>(report.bytes) / 1e3));
+      fmt::format("{}; {} names of streets and squares in {} points; {:.1f} kB in all", degrees,
+                  report.names, report.points, static_cast<double>(report.bytes) / 1e3));
   if (!report.left_out.empty())
     text += report_line("", "names left out: " + in_words(report.left_out));
   return text;

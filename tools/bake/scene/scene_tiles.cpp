@@ -1,6 +1,8 @@
 #include "tools/bake/scene/scene_tiles.h"
 
 #include <cmath>
+#include <glm/common.hpp>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -77,6 +79,17 @@ glm::dvec2 SceneTiles::middle() {
     northings.push_back(tiles_.origin(key).y);
   }
   return {std::round(median(std::move(eastings))), std::round(median(std::move(northings)))};
+}
+
+terrain::Extent SceneTiles::extent() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  terrain::Extent extent{glm::dvec2(infinity), glm::dvec2(-infinity)};
+  for (const TileKey& key : tiles_.tiles()) {
+    const glm::dvec2 corner(tiles_.origin(key));
+    extent.low = glm::min(extent.low, corner);
+    extent.high = glm::max(extent.high, corner + options_.tile_m);
+  }
+  return extent;
 }
 
 SceneTilesReport SceneTiles::write(const Georeference& georeference, const City& city,

@@ -54,6 +54,8 @@ class SceneTiles final : public CityConsumer {
   /// Returns easting and northing of the city's middle, to the metre: the median of the tiles, so
   /// that far objects do not move it. There must be tiles.
   glm::dvec2 middle();
+  /// Returns the rectangle that the tiles fill. There must be tiles.
+  terrain::Extent extent();
 
   /// Writes one mesh for each tile and kind. The city's cover is laid onto its ground; its terrain
   /// decides what lies below the ground, for the option drop_hidden. Throws Error.

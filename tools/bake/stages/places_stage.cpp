@@ -46,15 +46,15 @@ std::size_t count_bytes(const ScenePlaces& places) {
 
 }  // namespace
 
-PlacesOfCity find_places(const City& city, const Georeference& georeference) {
+PlacesOfCity find_places(const City& city, const terrain::Extent& extent,
+                         const Georeference& georeference) {
   PlacesOfCity out;
-  const auto extent = city.terrain().extent();
-  if (!city.frame().has_lon_lat() || !extent) {
-    out.report.why_no_degrees = extent ? "the city names no CRS" : "the city has no ground";
+  if (!city.frame().has_lon_lat()) {
+    out.report.why_no_degrees = "the city names no CRS";
     return out;
   }
-  add_degrees(city, *extent, out);
-  add_streets(city, *extent, georeference, out);
+  add_degrees(city, extent, out);
+  add_streets(city, extent, georeference, out);
   out.report.bytes = count_bytes(out.places);
   return out;
 }

@@ -12,8 +12,9 @@ struct PlacesOfCity {
   PlacesReport report;
 };
 
-/// Returns the latitudes and longitudes of the city's ground and of a margin around it, and the
-/// names that the map has there. Call it when the ground has been built.
-PlacesOfCity find_places(const City& city, const Georeference& georeference);
+/// Returns the latitudes and longitudes of the rectangle that the city fills and of a margin around
+/// it, and the names that the map has there.
+PlacesOfCity find_places(const City& city, const terrain::Extent& extent,
+                         const Georeference& georeference);
 
 }  // namespace nightcity::bake
