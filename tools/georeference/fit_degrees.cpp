@@ -86,8 +86,9 @@ class Fitter {
     return fit;
   }
 
-  // A coefficient rounded to 1e-11 degrees is off by less than a micrometre, and short as text.
-  static double round_off(double degrees) { return std::round(degrees * 1e11) / 1e11; }
+  // A coefficient rounded to 1e-11 degrees is off by less than a micrometre, and short as text. Adding
+  // 0 leaves no -0.
+  static double round_off(double degrees) { return std::round(degrees * 1e11) / 1e11 + 0.0; }
 
   double find_error_m(const GeographicFit& fit) const {
     if (!describe_fault(fit).empty()) return infinity;
