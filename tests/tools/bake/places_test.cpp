@@ -141,7 +141,7 @@ TEST(BakePlaces, ACityWithoutACrsSaysThatItHasNone) {
   test::write_text(folder / "a.gml", city);
   Recipe recipe;
   recipe.city.files = {folder / "a.gml"};
-  recipe.city.crs = "none";
+  recipe.city.frame.crs_override = "none";
   recipe.windows.lit = false;
   const BakeReport report = bake(recipe, folder / "out");
   EXPECT_FALSE(read_scene(folder / "out/city.glb").places.geographic);
