@@ -77,8 +77,8 @@ Place find_point(const std::string& text, const glm::dvec2& plane,
 
 // Returns how far latitude and longitude, which have no place on the city's plane, are from its
 // middle, as on a sphere.
-std::string describe_distance(const glm::dvec2& degrees, const scene::RenderScene& scene,
-                              const MapProjection& projection) {
+std::string describe_remoteness(const glm::dvec2& degrees, const scene::RenderScene& scene,
+                                const MapProjection& projection) {
   const glm::dvec3 middle = scene.georeference.from_model(
       0.5 * (glm::dvec3(scene.bounds.lower) + glm::dvec3(scene.bounds.upper)));
   const auto city = projection.to_degrees({middle.x, middle.y});
@@ -193,7 +193,7 @@ Place find_place(const std::string& text, const scene::RenderScene& scene,
   if (!numbers) return find_named(text, scene, turn);
   if (const auto degrees = to_degrees(*numbers, projection.is_usable())) {
     const auto plane = projection.to_plane(degrees->x, degrees->y);
-    if (!plane) throw not_found(text, describe_distance(*degrees, scene, projection));
+    if (!plane) throw not_found(text, describe_remoteness(*degrees, scene, projection));
     Place place = find_point(text, *plane, scene);
     place.name = fmt::format("{:.5f}, {:.5f}: {}", degrees->x, degrees->y, place.name);
     return place;
