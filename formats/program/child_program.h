@@ -1,5 +1,7 @@
-// Other programs that ours start: nightview by nightbake, ffmpeg by nightview.
+// Other programs that ours start: nightview by nightbake and by its own window, ffmpeg by nightview.
 #pragma once
+
+#include <sys/types.h>
 
 #include <optional>
 #include <string>
@@ -17,5 +19,28 @@ struct ChildResult {
 /// stderr, and its output with `keep_output` to the result, through memory, so that no file is left
 /// behind. The program ends with this one, however that ends. Throws Error where it cannot be run.
 std::optional<ChildResult> run_child(const std::vector<std::string>& words, bool keep_output);
+
+/// A program that runs beside this one and ends with the object, or with this program, however that
+/// ends. What it writes to standard output and stderr is kept in memory.
+class ChildProgram {
+ public:
+  /// Starts it; `words` are as run_child takes them. Throws Error where it cannot be run.
+  explicit ChildProgram(const std::vector<std::string>& words);
+  ~ChildProgram();
+  ChildProgram(const ChildProgram&) = delete;
+  ChildProgram& operator=(const ChildProgram&) = delete;
+
+  /// Asks it to end, and does not wait until it has.
+  void stop();
+  /// Returns how it ended, as waitpid's; nothing while it runs. Does not wait.
+  std::optional<int> find_status();
+  /// Returns what it has written so far.
+  std::string read_output() const;
+
+ private:
+  int output_ = -1;
+  pid_t child_ = -1;
+  std::optional<int> status_;
+};
 
 }  // namespace nightcity::program

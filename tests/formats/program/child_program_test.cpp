@@ -32,6 +32,37 @@ TEST(ChildProgram, TakesItsArgumentsAsTheyAre) {
   EXPECT_EQ(said->output, "$HOME|a b|`id`|");
 }
 
+// Waits without asking more often than a window would.
+int wait_for(ChildProgram& child) {
+  std::optional<int> status;
+  while (!(status = child.find_status())) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  return *status;
+}
+
+TEST(ChildProgram, RunsBesideThisOneAndIsReadMeanwhile) {
+  const test::TempFolder folder;
+  const std::string go = (folder / "go").string();
+  ChildProgram child({"sh", "-c",
+                      "echo one; until test -e '" + go +
+                          "'; do sleep 0.01; done; "
+                          "echo two >&2; exit 5"});
+  while (child.read_output() != "one\n") std::this_thread::yield();
+  EXPECT_FALSE(child.find_status());
+  test::write_text(go, "");
+  EXPECT_EQ(WEXITSTATUS(wait_for(child)), 5);
+  EXPECT_EQ(child.read_output(), "one\ntwo\n");
+  EXPECT_EQ(WEXITSTATUS(*child.find_status()), 5) << "asked again";
+}
+
+TEST(ChildProgram, IsStoppedAndEndsWithTheObject) {
+  ChildProgram child({"sleep", "600"});
+  child.stop();
+  EXPECT_EQ(WTERMSIG(wait_for(child)), SIGTERM);
+  { const ChildProgram other({"sleep", "600"}); }  // or the test takes ten minutes
+  ChildProgram none({"/no/such/program"});
+  EXPECT_EQ(WEXITSTATUS(wait_for(none)), 127);
+}
+
 // A program that is killed leaves none behind that it has started.
 TEST(ChildProgram, EndsWithTheProgramThatStartedIt) {
   const test::TempFolder folder;
