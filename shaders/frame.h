@@ -170,6 +170,7 @@ struct Frame {
   BUFFER(LightNodes) vehicle_boxes;  // one leaf per trip, not yet in order
   BUFFER(Surfaces) surfaces;         // of this frame
   BUFFER(Surfaces) previous_surfaces;
+  BUFFER(Words) hits;  // each pixel's triangle and instance (NO_HIT: none), where keeps_hits is set
   BUFFER(Reservoirs) reservoirs;  // result of the candidates, then of temporal reuse
   BUFFER(Reservoirs) spatial;     // result of spatial reuse: shaded, and the next frame's history
   BUFFER(Reservoirs) previous_reservoirs;
@@ -250,6 +251,9 @@ struct Frame {
   Glare glare;
   uint view;  // display: VIEW_*, and the ends of its scale, above 0
   float view_lowest, view_highest;
+  uint keeps_hits;
+  BUFFER(Accumulations) reference;  // of VIEW_DIFFERENCE
+  uvec2 reference_size;
   UpwardMap upward;
 };
 

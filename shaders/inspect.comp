@@ -5,8 +5,10 @@
 #include "shaders/accumulation.glsl"
 #include "shaders/display.glsl"
 #include "shaders/views.glsl.h"
+#include "shaders/wire.glsl"
 
 const int STOPS[3 * FALSE_COLOUR_STOPS] = int[](FALSE_COLOURS);
+const int SIGNED_STOPS[3 * SIGNED_COLOUR_STOPS] = int[](SIGNED_COLOURS);
 
 uint packed(vec3 rgb) {
   const uvec3 bytes = uvec3(clamp(rgb, vec3(0.0), vec3(255.0)) + 0.5);
@@ -69,6 +71,33 @@ float noise_at(uint index) {
   return mean > 0.0 ? sqrt(max(variance, 0.0) / (total.frames - 1.0)) / mean : 0.0;
 }
 
+// Returns the colour of a share of a signed scale, -1 .. 1.
+vec3 signed_colour_at(float share) {
+  const float at = clamp(share + 1.0, 0.0, 2.0);
+  const int low = at < 1.0 ? 0 : 1;
+  vec3 colour;
+  for (int c = 0; c < 3; ++c)
+    colour[c] = mix(float(SIGNED_STOPS[3 * low + c]), float(SIGNED_STOPS[3 * low + 3 + c]),
+                    at - float(low));
+  return colour;
+}
+
+// The reference may have another number of pixels: the nearest counts. Where both are dark, there
+// is nothing to compare.
+vec3 difference_at(uvec2 pixel, uint index) {
+  const uvec2 size = FRAME.reference_size;
+  const vec2 place = (vec2(pixel) + 0.5) / vec2(FRAME.size);
+  const uvec2 at = min(uvec2(place * vec2(size)), size - 1u);
+  const float reference = luminance(mean_of(FRAME.reference.at[at.y * size.x + at.x])),
+              mean = luminance(mean_of(FRAME.accumulation.at[index]));
+  if (reference > 0.0) return signed_colour_at((mean / reference - 1.0) / FRAME.view_highest);
+  return mean > 0.0 ? signed_colour_at(1.0) : vec3(0.0);
+}
+
+vec3 bytes_of(uint shown) {
+  return vec3(shown & 255u, shown >> 8u & 255u, shown >> 16u & 255u);
+}
+
 void main() {
   uvec2 pixel;
   uint index;
@@ -98,6 +127,19 @@ void main() {
         colour = surface.feature == NO_HIT ? vec3(50.0) : colour_of_index(surface.feature);
       break;
     }
+    case VIEW_WIREFRAME:
+      colour = mix(bytes_of(displayed(mean_of(FRAME.accumulation.at[index]))), vec3(WIRE_COLOUR),
+                   wire_at(pixel));
+      break;
+    case VIEW_TILES: {
+      const uint instance = FRAME.hits.at[2u * index + 1u];
+      if (instance != NO_HIT)
+        colour = colour_of_index(FRAME.hits.at[2u * index] / TILE_TRIANGLES + 1000003u * instance);
+      break;
+    }
+    case VIEW_DIFFERENCE:
+      colour = difference_at(pixel, index);
+      break;
     case VIEW_HISTORY:
       // Without candidates there are no reservoirs.
       if (FRAME.candidates > 0u)

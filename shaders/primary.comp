@@ -27,4 +27,8 @@ void main() {
     }
   }
   FRAME.surfaces.at[index] = surface;
+  if (FRAME.keeps_hits != 0u) {
+    FRAME.hits.at[2u * index] = hit.triangle;
+    FRAME.hits.at[2u * index + 1u] = surface.depth > 0.0 ? hit.instance : NO_HIT;
+  }
 }

@@ -16,6 +16,19 @@ namespace nightcity::measure {
 namespace {
 
 constexpr std::array<double, 3 * FALSE_COLOUR_STOPS> stops{FALSE_COLOURS};
+constexpr std::array<double, 3 * SIGNED_COLOUR_STOPS> signed_stops{SIGNED_COLOURS};
+
+// Returns the colour of a share, 0 .. 1, between evenly spaced ones.
+template <std::size_t size>
+std::array<std::uint8_t, 3> mix_stops(const std::array<double, size>& colours, double share) {
+  const double at = std::clamp(share, 0.0, 1.0) * double(size / 3 - 1);
+  const std::size_t low = std::min(static_cast<std::size_t>(at), size / 3 - 2);
+  std::array<std::uint8_t, 3> colour{};
+  for (std::size_t c = 0; c < 3; ++c)
+    colour[c] = static_cast<std::uint8_t>(std::lround(
+        std::lerp(colours[3 * low + c], colours[3 * low + 3 + c], at - static_cast<double>(low))));
+  return colour;
+}
 
 void put(Image8& image, std::uint32_t x, std::uint32_t y,
          const std::array<std::uint8_t, 3>& colour) {
@@ -73,14 +86,11 @@ void draw_bar(Image8& image, std::uint32_t top, const ColourScale& scale) {
 }  // namespace
 
 std::array<std::uint8_t, 3> colour_at(double share) {
-  const double at = std::clamp(share, 0.0, 1.0) * (FALSE_COLOUR_STOPS - 1);
-  const std::size_t low =
-      std::min(static_cast<std::size_t>(at), std::size_t{FALSE_COLOUR_STOPS - 2});
-  std::array<std::uint8_t, 3> colour{};
-  for (std::size_t c = 0; c < 3; ++c)
-    colour[c] = static_cast<std::uint8_t>(std::lround(
-        std::lerp(stops[3 * low + c], stops[3 * low + 3 + c], at - static_cast<double>(low))));
-  return colour;
+  return mix_stops(stops, share);
+}
+
+std::array<std::uint8_t, 3> signed_colour_at(double share) {
+  return mix_stops(signed_stops, (share + 1) / 2);
 }
 
 ColourScale fitting_scale(std::span<const float> values, std::string unit) {

@@ -23,6 +23,10 @@ struct ColourScale {
 /// from black over violet, red and orange to pale yellow.
 std::array<std::uint8_t, 3> colour_at(double share);
 
+/// Returns the colour (8-bit sRGB) of a share of a scale that goes from -1 over 0 to 1, to which it
+/// is clamped: blue over grey to red.
+std::array<std::uint8_t, 3> signed_colour_at(double share);
+
 /// Returns a scale of whole decades, at least one, around the middle 98 % of the positive values.
 ColourScale fitting_scale(std::span<const float> values, std::string unit);
 

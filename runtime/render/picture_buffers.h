@@ -18,6 +18,7 @@ inline void fit(gpu::Device& device, gpu::Buffer& buffer, std::size_t bytes) {
 struct PictureBuffers {
   glm::uvec2 size{0};
   gpu::Buffer surfaces, spatial, accumulation;
+  gpu::Buffer hits;     // where frames keep them
   gpu::Buffer display;  // 8-bit sRGB, R in the low byte
 
   std::size_t pixels() const { return std::size_t{size.x} * size.y; }

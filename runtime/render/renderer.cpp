@@ -25,8 +25,10 @@ bool same_view(const scene::CameraPose& a, const scene::CameraPose& b) {
 }
 
 // Returns whether a frame of these settings has what a view other than the picture shows.
-bool shows(const RenderSettings& settings, std::uint32_t view) {
-  return view != VIEW_PICTURE && (settings.sampling.layers || !needs_layers(view));
+bool shows(const RenderSettings& settings, std::uint32_t view, bool has_reference) {
+  return view != VIEW_PICTURE && (settings.sampling.layers || !needs_layers(view)) &&
+         (settings.sampling.hits || !needs_hits(view)) &&
+         (has_reference || view != VIEW_DIFFERENCE);
 }
 
 // Returns the angle of a pixel in the middle of a perspective picture, rad.
@@ -124,6 +126,8 @@ void Renderer::fill_buffers(gpu::Frame& frame, const RenderSettings& settings) {
   vehicle_passes_.enter(frame);
   frame.surfaces = now.surfaces.address();
   frame.previous_surfaces = before.surfaces.address();
+  frame.keeps_hits = settings.sampling.hits;
+  if (settings.sampling.hits) frame.hits = reserve(now.hits, 2 * pixels * sizeof(std::uint32_t));
   frame.reservoirs = reserve(reservoirs_, pixels * sizeof(gpu::Reservoir));
   frame.spatial = now.spatial.address();
   frame.previous_reservoirs = before.spatial.address();
@@ -282,16 +286,24 @@ void Renderer::render_frame(const scene::CameraPose& pose, const RenderSettings&
   }
 }
 
-void Renderer::inspect(gpu::Frame& frame, const DisplaySettings& display) {
+void Renderer::inspect(gpu::Frame& frame, const DisplaySettings& display,
+                       const Renderer* reference) {
   const PictureBuffers& picture = pictures_[parity_];
   const RenderSettings& settings = done_.settings;
   fill_display(frame, display);
   frame.scene = scene_.buffers();
   frame.surfaces = picture.surfaces.address();
+  frame.hits = picture.hits.address();
+  frame.camera = done_.camera;
   frame.spatial = picture.spatial.address();
   frame.layers = layers_.address();
   frame.candidates =
       traits_of(settings.sampling.estimator).samples ? settings.sampling.candidates : 0;
+  if (reference) {
+    const PictureBuffers& other = reference->pictures_[reference->parity_];
+    frame.reference = other.accumulation.address();
+    frame.reference_size = other.size;
+  }
   exposed_frame_.upload(&frame, sizeof(frame));
   const gpu::Push push{exposed_frame_.address(), 0, 0};
   device_.run([&](VkCommandBuffer commands) {
@@ -300,16 +312,17 @@ void Renderer::inspect(gpu::Frame& frame, const DisplaySettings& display) {
   });
 }
 
-void Renderer::expose(const DisplaySettings& display) {
+void Renderer::expose(const DisplaySettings& display, const Renderer* reference) {
   if (done_.frames == 0 || !passes_) return;
+  if (reference && reference->frames() == 0) reference = nullptr;
   const PictureBuffers& picture = pictures_[parity_];
   gpu::Frame frame{};
   frame.size = picture.size;
   frame.display = picture.display.address();
   frame.accumulation =
       done_.settings.display.denoise ? denoised_.address() : picture.accumulation.address();
-  if (shows(done_.settings, display.view))
-    inspect(frame, display);
+  if (shows(done_.settings, display.view, reference != nullptr))
+    inspect(frame, display, reference);
   else
     display_.show(frame, display, pixel_angle(done_.camera, picture.size));
   const bool denoise = done_.settings.display.denoise;

@@ -84,9 +84,10 @@ class Renderer {
   void set_size(std::uint32_t width, std::uint32_t height);
 
   /// Shows the mean with another exposure or tone curve, or another view of it: rewrites display(),
-  /// which is the picture as every frame leaves it. A view that needs layers shows the picture
-  /// where the frame kept none.
-  void expose(const DisplaySettings& display);
+  /// which is the picture as every frame leaves it. A view that needs layers or hits shows the
+  /// picture where the frame kept none, and so does VIEW_DIFFERENCE without a `reference`, the
+  /// renderer of the same view by the reference estimator.
+  void expose(const DisplaySettings& display, const Renderer* reference = nullptr);
   /// Returns a picture of the last frame's camera as it is looked at, with what an eye or a camera
   /// adds. The device must not be at work on a frame.
   measure::Image8 develop(const measure::Image& image, const DisplaySettings& display);
@@ -150,7 +151,7 @@ class Renderer {
   void fill_buffers(gpu::Frame& frame, const RenderSettings& settings);
   void fill_view(gpu::Frame& frame);
   // Writes the display from a view other than the picture.
-  void inspect(gpu::Frame& frame, const DisplaySettings& display);
+  void inspect(gpu::Frame& frame, const DisplaySettings& display, const Renderer* reference);
   void finish_frame();
   // Returns whether the last frame has fewer pixels than the picture.
   bool is_scaled() const {

@@ -61,6 +61,7 @@ struct SamplingSettings {
   bool half_rate = false;
   bool jitter = true;   // sub-pixel offsets from frame to frame: anti-aliasing
   bool layers = false;  // keeps the light of each kind of source apart, too
+  bool hits = false;    // keeps the triangle and the instance that each pixel shows, too
   std::uint32_t seed = 0;
 
   bool operator==(const SamplingSettings&) const = default;
@@ -232,6 +233,20 @@ std::string describe_indirect(const RenderSettings& settings, std::uint32_t ligh
 constexpr bool needs_layers(std::uint32_t view) {
   return view == VIEW_ILLUMINANCE || view == VIEW_DIRECT || view == VIEW_INDIRECT ||
          view == VIEW_KINDS;
+}
+
+/// Returns whether a view shows triangles or instances, so that frames must keep them
+/// (SamplingSettings::hits).
+constexpr bool needs_hits(std::uint32_t view) {
+  return view == VIEW_WIREFRAME || view == VIEW_TILES;
+}
+
+/// Makes frames keep what a view (VIEW_*) shows. Hits are those of pixels' centres: at other places
+/// within a pixel, outlines would tremble from frame to frame.
+inline void keep_what_view_needs(std::uint32_t view, SamplingSettings& sampling) {
+  sampling.layers |= needs_layers(view);
+  sampling.hits |= needs_hits(view);
+  sampling.jitter &= !needs_hits(view);
 }
 
 /// Returns the settings that the paper published: uniform candidates, every M in full, neither

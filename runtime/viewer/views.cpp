@@ -20,6 +20,12 @@ const std::vector<ViewKind>& list_views() {
        1, 100},
       {VIEW_NOISE, "noise",
        "standard error of the mean over the mean, as if frames were independent", "", 0.001f, 1},
+      {VIEW_WIREFRAME, "wireframe", "the picture with the edges of all triangles"},
+      {VIEW_TILES, "tiles",
+       "a colour for each piece of 256 triangles: small where the model is dense"},
+      {VIEW_DIFFERENCE, "difference",
+       "of the mean from the reference estimator's, which is rendered by turns with it", "%", 0,
+       0.5f, true},
   };
   return views;
 }
@@ -27,7 +33,7 @@ const std::vector<ViewKind>& list_views() {
 void show_view(const ViewKind& view, render::DisplaySettings& display) {
   display.view = view.view;
   if (!view.unit) return;
-  display.view_lowest = view.lowest;
+  if (!view.is_signed) display.view_lowest = view.lowest;
   display.view_highest = view.highest;
 }
 

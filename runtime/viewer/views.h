@@ -16,6 +16,7 @@ struct ViewKind {
   const char* help;
   const char* unit = nullptr;     // of its scale, "" for a share; null: there is no scale
   float lowest = 0, highest = 0;  // of the scale at first
+  bool is_signed = false;         // the scale goes from -highest over 0 to highest, else by factors
 };
 
 /// Returns all views, in the order of their numbers.
