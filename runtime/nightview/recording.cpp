@@ -18,15 +18,12 @@
 #include "runtime/measure/png.h"
 #include "runtime/render/parse.h"
 #include "runtime/render/setting_table.h"
+#include "runtime/viewer/film_pictures.h"
 
 namespace nightcity::nightview {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string name_of_picture(std::uint32_t number, const char* extension) {
-  return fmt::format("frame-{:05}{}", number, extension);
-}
 
 // Returns the values by which two recordings are the same one.
 nlohmann::json describe(const RecordingOptions& options, const render::Renderer& renderer,
@@ -107,16 +104,16 @@ bool meter(const render::Renderer& renderer, bool needs_light, Metered& metered)
 void write_picture(const RecordingOptions& options, std::uint32_t number,
                    const measure::Image& image, const measure::Image8& shown) {
   // The PNG comes last: where it is, the picture is whole.
-  if (options.exr) measure::write_exr(options.folder / name_of_picture(number, ".exr"), image);
-  measure::write_png(options.folder / name_of_picture(number, ".png"), shown,
+  if (options.exr)
+    measure::write_exr(options.folder / viewer::name_of_picture(number, ".exr"), image);
+  measure::write_png(options.folder / viewer::name_of_picture(number, ".png"), shown,
                      measure::png_text(image.info));
 }
 
 }  // namespace
 
 std::uint32_t count_pictures(const RecordingOptions& options) {
-  return static_cast<std::uint32_t>(
-      std::max(1.0, std::round(options.duration_s * options.pictures_per_s)));
+  return viewer::count_pictures(options.duration_s, options.pictures_per_s);
 }
 
 std::uint32_t record(const RecordingOptions& options, render::Renderer& renderer,
@@ -133,7 +130,7 @@ std::uint32_t record(const RecordingOptions& options, render::Renderer& renderer
   settings.sampling.layers = options.exr && !render::is_half_rate(settings);
   std::uint32_t rendered = 0;
   for (std::uint32_t i = 0; i < pictures; ++i) {
-    if (!fs::exists(options.folder / name_of_picture(i, ".png"))) {
+    if (!fs::exists(options.folder / viewer::name_of_picture(i, ".png"))) {
       settings.time_s =
           std::min(begin_s + i / options.pictures_per_s * options.clock_speed, double(night_end_s));
       settings.sampling.seed = seed + i;  // other settings: nothing of the picture before is reused

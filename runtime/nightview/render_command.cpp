@@ -105,6 +105,25 @@ std::optional<measure::Illumination> find_illumination(const std::string& show) 
   return std::nullopt;
 }
 
+// Returns the view that the device shows and no figures are made of; nothing for others.
+std::optional<std::uint32_t> find_device_view(const std::string& show) {
+  if (show == "wireframe") return VIEW_WIREFRAME;
+  if (show == "tiles") return VIEW_TILES;
+  return std::nullopt;
+}
+
+measure::Image8 show_on_device(std::uint32_t view, render::DisplaySettings display,
+                               render::Renderer& renderer) {
+  display.view = view;
+  renderer.expose(display);
+  measure::Image8 picture{renderer.width(), renderer.height(), {}};
+  for (const std::uint32_t word :
+       renderer.display().read<std::uint32_t>(std::size_t{picture.width} * picture.height))
+    for (const unsigned shift : {0u, 8u, 16u})
+      picture.rgb.push_back(static_cast<std::uint8_t>(word >> shift));
+  return picture;
+}
+
 // Returns the PNG's picture: as a camera takes it or a quantity in false colours, with markers
 // where asked for.
 measure::Image8 make_png(const RenderCommand& command, const measure::Image& image,
@@ -119,6 +138,8 @@ measure::Image8 make_png(const RenderCommand& command, const measure::Image& ima
     const std::vector<float> values = measure::illuminance_of(image, *part);
     picture = measure::false_colour(values, image.width, image.height,
                                     measure::fitting_scale(values, "lx"));
+  } else if (const auto view = find_device_view(command.show)) {
+    picture = show_on_device(*view, command.options.settings.display, renderer);
   } else {
     picture = renderer.develop(image, command.options.settings.display);
   }
@@ -234,6 +255,10 @@ void render(RenderCommand& command) {
   // is sampled.
   options.settings.sampling.layers = find_illumination(command.show).has_value() ||
                                      (measures && !render::is_half_rate(options.settings));
+  if (const auto view = find_device_view(command.show)) {
+    render::keep_what_view_needs(*view, options.settings.sampling);
+    options.settings.sampling.resolution_scale = 1;
+  }
 
   const auto load_start = Clock::now();
   // The driver starts while the scene is read.
@@ -318,11 +343,12 @@ void add_render_command(CLI::App& app) {
       ->capture_default_str();
   sub->add_option(
          "--show", command->show,
-         "What a PNG shows: picture, or in false colours with a scale luminance, illuminance, "
-         "direct-illuminance or indirect-illuminance")
+         "What a PNG shows: picture; in false colours with a scale luminance, illuminance, "
+         "direct-illuminance or indirect-illuminance; wireframe: the picture with the edges of all "
+         "triangles; or tiles: a colour for each piece of 256 triangles")
       ->capture_default_str()
-      ->check(CLI::IsMember(
-          {"picture", "luminance", "illuminance", "direct-illuminance", "indirect-illuminance"}));
+      ->check(CLI::IsMember({"picture", "luminance", "illuminance", "direct-illuminance",
+                             "indirect-illuminance", "wireframe", "tiles"}));
   declare_projection(*sub, command->projection);
   sub->add_flag("--markers", command->markers, "Mark every light in the PNG, hidden ones too");
   sub->add_option("--save-camera", command->save_camera, "Write the camera used to a JSON file");

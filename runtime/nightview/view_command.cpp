@@ -41,6 +41,20 @@ void check_outputs(const viewer::ViewOptions& options) {
   if (!options.picture_folder.empty()) program::require_writable_folder(options.picture_folder);
 }
 
+// Returns the first words of the command with which the window films: this program, on the same
+// device, with the same parts of the model and the same sky map.
+std::vector<std::string> make_record_command(const RenderOptions& render) {
+  std::vector<std::string> words{"/proc/self/exe", "record"};
+  const auto add = [&](const char* name, const std::string& value) {
+    if (!value.empty()) words.push_back(std::string(name) + "=" + value);
+  };
+  add("--device", render.device.select);
+  add("--trace", gpu::name_of(render.device.trace));
+  add("--leave-out", render.leave_out);
+  add("--sky-map", render.sky_map);
+  return words;
+}
+
 void view(ViewCommand& command) {
   RenderOptions& render = command.render;
   render.to_be_looked_at = true;
@@ -57,6 +71,8 @@ void view(ViewCommand& command) {
   render.settings.display.tone = measure::tone_curve_from_name(command.tone);
   viewer::show_view(viewer::find_view(command.show), render.settings.display);
   viewer::ViewOptions& options = command.view;
+  if (!command.compare.empty() && render.settings.display.view == VIEW_DIFFERENCE)
+    throw UsageError("--compare", "is another comparison than --show difference: give one of them");
   if (!command.compare.empty())
     options.compared = viewer::change_settings(render.settings, command.compare);
   options.scenes.insert(options.scenes.begin(), render.scene);
@@ -67,6 +83,8 @@ void view(ViewCommand& command) {
   options.height = render.height;
   options.settings = render.settings;
   options.settings_file = render.settings_file;
+  options.record_command = make_record_command(render);
+  options.edits = render.edits;
   options.ev100 = render::parse_exposure(command.exposure);
   if (!command.picture_size.empty()) {
     const render::PictureSize size = render::parse_size(command.picture_size);
@@ -126,9 +144,9 @@ void add_view_command(CLI::App& app) {
   sub->add_option("--tone", command->tone, "Tone curve: filmic, reinhard or linear")
       ->capture_default_str();
   sub->add_option("--show", command->show,
-                  "What is shown at first: picture, or in false colours luminance, illuminance, "
-                  "direct-illuminance, indirect-illuminance, kinds-of-light, city-objects, history "
-                  "or noise")
+                  "What is shown at first: picture, wireframe, or in false colours luminance, "
+                  "illuminance, direct-illuminance, indirect-illuminance, kinds-of-light, "
+                  "city-objects, tiles, history, noise or difference (to the reference)")
       ->capture_default_str();
   sub->add_option("--compare", command->compare,
                   "Show a picture of other settings left of a line that the mouse drags: "

@@ -5,7 +5,6 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "formats/error.h"
@@ -13,31 +12,25 @@
 #include "runtime/scene/scene_file.h"
 #include "runtime/viewer/compass.h"
 #include "runtime/viewer/drawing.h"
+#include "runtime/viewer/errand.h"
 #include "runtime/viewer/hands.h"
 #include "runtime/viewer/legend.h"
 #include "runtime/viewer/measured.h"
 #include "runtime/viewer/picture_names.h"
 #include "runtime/viewer/places.h"
+#include "runtime/viewer/view_choice.h"
 #include "runtime/viewer/window_settings.h"
 
 namespace nightcity::viewer {
 
 Controller::Controller(const ViewOptions& options, Presenter& presenter, Workbench& workbench)
-    : options_(options), presenter_(presenter), window_(presenter.window()), workbench_(workbench) {
-  ViewerState& state = session_.state;
-  state.settings = options.settings;
-  if (options.compared) {
-    state.compare.on = true;
-    state.compare.other = *options.compared;
-  }
-  state.markers = options.markers;
-  state.divisor = options.divisor;
-  state.governor = options.governor;
-  state.budget_ms = static_cast<float>(options.governor.budget_ms);
-  state.target_error = static_cast<float>(options.governor.target_error);
-  state.auto_exposure = !options.ev100;
-  if (options.ev100) state.settings.display.ev100 = *options.ev100;
-  state.play = options.play;
+    : options_(options),
+      presenter_(presenter),
+      window_(presenter.window()),
+      workbench_(workbench),
+      lights_(session_, workbench),
+      films_(options, session_) {
+  session_.state = make_state(options);
   stats_.device = presenter.device().label();
   stats_.trace = gpu::name_of(presenter.device().trace());
   stats_.cities = options.scenes;
@@ -49,35 +42,16 @@ std::unique_ptr<Opening> Controller::start_opening(const ViewOptions& options,
                                    options.settings.environment.lights, options.load);
 }
 
-View Controller::view_of(const render::RenderSettings& settings) const {
-  const ViewerState& state = session_.state;
-  View view{state.camera.pose, settings, glm::max(window_.size(), glm::uvec2(1))};
-  view.settings.sampling.layers |= render::needs_layers(view.settings.display.view);
-  view.settings.averaging.accumulate = state.accumulate;
-  view.divisor = static_cast<std::uint32_t>(state.divisor);
-  view.max_frames = options_.max_frames;
-  view.runs = session_.clock_runs() && !workbench_.is_saving();
-  view.governor = state.governor;
-  view.switches = workbench_.has_city() && workbench_.city().on_device->switching();
-  return view;
-}
-
 Views Controller::views() const {
-  const ViewerState& state = session_.state;
-  Views views{view_of(state.settings), std::nullopt, true};
-  if (!state.compare.on) return views;
-  render::RenderSettings other = state.compare.other;
-  const bool denoise = other.display.denoise;
-  other.display = state.settings.display;
-  other.display.denoise = denoise;
-  views.other = view_of(other);
-  views.view.governor = views.other->governor = {};  // two pictures share the device
-  views.same_lights = have_same_lights(state.settings, other);
-  if (views.same_lights) return views;
-  // Each change of lights begins a mean anew, so each side gets its frames at one go.
-  constexpr std::uint32_t frames_by_turns = 16;
-  views.view.max_frames = views.other->max_frames = std::min(options_.max_frames, frames_by_turns);
-  return views;
+  // A film needs the device more than a mean that nobody waits for.
+  constexpr std::uint32_t frames_beside_film = 16;
+  ViewConditions conditions;
+  conditions.window = window_.size();
+  conditions.max_frames = options_.max_frames;
+  if (films()) conditions.max_frames = std::min(conditions.max_frames, frames_beside_film);
+  conditions.runs = session_.clock_runs() && !workbench_.is_saving();
+  conditions.switches = workbench_.has_city() && workbench_.city().on_device->switching();
+  return choose_views(session_.state, conditions);
 }
 
 bool Controller::finish_opening() {
@@ -88,13 +62,14 @@ bool Controller::finish_opening() {
     session_.notices.say(error.what(), now_s_, true);
     return false;
   }
-  workbench_.compare(session_.state.compare.on);
+  workbench_.hold_beside(choose_beside(session_.state));
   const City& city = workbench_.city();
   std::filesystem::path bookmarks = city.path;
   place_text_.clear();
   session_.open(city.pose, bookmarks.replace_extension(".cameras.json"), now_s_);
   session_.state.night_changes = !city.scene.traffic.trips.empty() || !city.scene.schedules.empty();
-  editor_ = workbench_.city().edits;
+  lights_.open();
+  films_.open();
   if (!city.notice.empty()) session_.notices.say(city.notice, now_s_);
   describe_city(city, stats_);
   if (!stats_.has_light)
@@ -123,45 +98,62 @@ void Controller::open_next(int steps) {
   open(cities[static_cast<std::size_t>((shown - cities.begin() + steps + count) % count)]);
 }
 
-void Controller::draw() {
+void Controller::describe_work() {
   stats_.work = workbench_.describe();
+  stats_.films = films_.films();
+  if (stats_.films) stats_.work += (stats_.work.empty() ? "" : "; ") + films_.progress(now_s_);
+  const LivePicture* reference = workbench_.beside(Beside::reference);
+  const bool has_mean = reference && workbench_.picture()->is_like(*reference);
+  stats_.reference = !reference ? ""
+                     : has_mean ? describe_reference(reference->renderer())
+                                : std::string("no frame of the reference yet");
+}
+
+void Controller::draw() {
+  workbench_.hold_beside(choose_beside(session_.state));
+  describe_work();
   presenter_.overlay().begin(window_.queue());
   const glm::vec2 size(window_.size());
-  PanelRequests requests;
-  if (workbench_.has_city()) {
-    draw_city(size, requests);
-  } else {
+  if (workbench_.has_city())
+    handle_input(size);
+  else
     handle_early_input();
-    const Opening* opening = workbench_.opening();
-    draw_middle(
-        fmt::format("opening {}: {}", name_of(opening ? opening->path() : options_.scenes.front()),
-                    stats_.work),
-        size);
-  }
-  draw_help(session_.state.show_help, size);
+  ViewerState& state = session_.state;
+  if (state.show_panel) describe_memory(presenter_.device(), stats_);
+  if (state.show_panel && workbench_.has_city()) stats_.place = describe_place();
+  const PanelRequests requests = state.show_panel ? draw_panel(state, stats_) : PanelRequests{};
+  if (workbench_.has_city())
+    draw_city(size);
+  else
+    draw_opening(size);
+  draw_lines(state, stats_, session_.notices, size);
+  draw_help(state.show_help, size);
   presenter_.overlay().end();
   obey(requests);
 }
 
-void Controller::draw_city(const glm::vec2& size, PanelRequests& requests) {
+void Controller::draw_opening(const glm::vec2& size) {
+  const Opening* opening = workbench_.opening();
+  draw_middle(
+      fmt::format("opening {}: {}", name_of(opening ? opening->path() : options_.scenes.front()),
+                  stats_.work),
+      size);
+}
+
+void Controller::draw_city(const glm::vec2& size) {
   const scene::RenderScene& scene = workbench_.city().scene;
   ViewerState& state = session_.state;
-  handle_input(size);
-  if (state.show_panel) stats_.place = describe_place();
-  if (state.show_panel) describe_memory(presenter_.device(), stats_);
-  if (state.show_panel) requests = draw_panel(state, stats_);
   if (state.compare.on) draw_comparison(state.compare, state.settings, size);
-  draw_legend(state.settings.display, size);
+  draw_legend(state.settings.display, stats_.reference, size);
   if (state.markers) draw_markers(scene, state.camera.pose, size);
   look_at_pick();
   draw_pick(session_.picked, pick_cd_m2_, scene, state.camera.pose, size);
-  if (session_.picked && session_.picked->emitter) draw_editor();
+  lights_.draw(now_s_);
   if (session_.measured_from)
     draw_measured(*session_.measured_from,
                   session_.picked ? session_.picked->point : *session_.measured_from,
                   state.camera.pose, size);
   draw_compass(state.camera, size);
-  draw_lines(state, stats_, session_.notices, size);
   window_.set_title(fmt::format("{} - {} - nightview", stats_.scene, caption(state, stats_)));
 }
 
@@ -182,14 +174,20 @@ void Controller::look_at_pick() {
   pick_cd_m2_ = workbench_.picture()->luminance_at(session_.picked->point).value_or(pick_cd_m2_);
 }
 
-// While the first scene loads, there is nothing to move through.
+// While the first scene is opened, there is nothing to move through.
 void Controller::handle_early_input() {
-  for (const int key : window_.queue().pressed())
-    if (const auto press = find_action(key, window_.queue().modifiers());
-        press && press->action == Action::close)
-      window_.close();
-    else if (press && press->action == Action::help)
-      session_.state.show_help = !session_.state.show_help;
+  InputQueue& queue = window_.queue();
+  for (const int key : queue.pressed()) {
+    const auto press = find_action(key, queue.modifiers());
+    if (!press || (press->action == Action::close && close_innermost())) continue;
+    obey(session_.press(*press, nullptr, Background::nothing, now_s_));
+  }
+  queue.held().take_all(Window::now_s());  // what is held counts from the first picture on
+}
+
+Background Controller::find_background() const {
+  if (workbench_.is_saving()) return Background::picture;
+  return films_.films() ? Background::film : Background::nothing;
 }
 
 void Controller::handle_input(const glm::vec2& size) {
@@ -199,14 +197,14 @@ void Controller::handle_input(const glm::vec2& size) {
     const auto press = find_action(key, queue.modifiers());
     if (!press) continue;
     if (press->action == Action::close && close_innermost()) continue;
-    obey(session_.press(*press, scene, workbench_.is_saving(), now_s_));
+    obey(session_.press(*press, &scene, find_background(), now_s_));
   }
   Hands hands = read_hands(ImGui::GetIO(), queue.held(), queue.handed_until(Window::now_s()));
   if (pad_)
     for (const Action action : gamepad_.apply(*pad_, now_s_ - pad_s_, hands))
-      obey(session_.press({action}, scene, workbench_.is_saving(), now_s_));
+      obey(session_.press({action}, &scene, find_background(), now_s_));
   pad_s_ = now_s_;
-  recorder_.follow(session_.state.camera.pose, now_s_);
+  films_.follow(now_s_);
   const scene::CameraPose before = session_.state.camera.pose;
   session_.move(hands, scene, size, now_s_);
   if (before.position != session_.state.camera.pose.position ||
@@ -215,19 +213,27 @@ void Controller::handle_input(const glm::vec2& size) {
 }
 
 void Controller::obey(const WindowRequests& requests) {
-  if (requests.close) window_.close();
+  obey_for_window(requests);
   if (requests.cancel_picture) {
     workbench_.stop_saving();
     session_.notices.say("the picture is not saved", now_s_);
   }
   if (requests.compare) toggle_comparison();
-  if (requests.switch_light) edit_light([](LightEdit& edit) { edit.is_off = !edit.is_off; });
+  if (requests.switch_light)
+    lights_.edit([](LightEdit& edit) { edit.is_off = !edit.is_off; }, now_s_);
   if (requests.brighten != 1)
-    edit_light([&](LightEdit& edit) { edit.flux_lm = *edit.flux_lm * requests.brighten; });
-  if (requests.save_edits) save_edits();
-  if (requests.record_path) toggle_recording();
+    lights_.edit([&](LightEdit& edit) { edit.flux_lm = *edit.flux_lm * requests.brighten; },
+                 now_s_);
+  if (requests.save_edits) lights_.save(now_s_);
+  if (requests.record_path) films_.toggle_path(workbench_.city().path, now_s_);
+  if (requests.film) film();
+  if (requests.stop_film) films_.stop(now_s_);
   if (requests.save_settings) save_settings();
   if (requests.save_picture) save();
+}
+
+void Controller::obey_for_window(const WindowRequests& requests) {
+  if (requests.close) window_.close();
   if (requests.fullscreen) window_.toggle_fullscreen();
   if (requests.copy_camera) {
     window_.set_clipboard(scene::to_text(session_.state.camera.pose));
@@ -249,60 +255,23 @@ void Controller::obey(const PanelRequests& requests) {
     session_.change_side();
     workbench_.exchange();
   }
-  if (!requests.go_to.empty()) run([&] { return go_to_place(requests.go_to); });
+  if (requests.show) session_.show(*requests.show, now_s_);
+  if (!requests.go_to.empty())
+    run_errand(session_.notices, now_s_, [&] { return go_to_place(requests.go_to); });
   if (!requests.preset.empty())
     render::apply_preset(render::find_device_class(presenter_.device().info().kind),
                          requests.preset, session_.state.settings,
                          [](const std::string&) { return false; });
   if (requests.save_settings) save_settings();
   if (requests.save) save();
+  if (requests.film) film();
+  if (requests.stop_film) films_.stop(now_s_);
   if (!requests.open.empty()) open(requests.open);
 }
 
 void Controller::toggle_comparison() {
   session_.toggle_comparison();
-  workbench_.compare(session_.state.compare.on);
-}
-
-void Controller::draw_editor() {
-  City& city = workbench_.city();
-  const std::size_t light = session_.picked->emitter->light;
-  LightEdit edit = editor_.edit_of(city.scene.lights[light]);
-  bool saves = false;
-  if (draw_light_editor(edit, editor_.original_of(city.scene, light), editor_.is_unsaved(), saves))
-    edit_light([&](LightEdit& changed) { changed = edit; });
-  if (saves) save_edits();
-}
-
-void Controller::edit_light(const std::function<void(LightEdit&)>& change) {
-  std::optional<Pick>& picked = session_.picked;
-  if (!picked || !picked->emitter) {
-    session_.notices.say("click a lamp or window first", now_s_);
-    return;
-  }
-  City& city = workbench_.city();
-  const std::size_t light = picked->emitter->light;
-  LightEdit edit = editor_.edit_of(city.scene.lights[light]);
-  const double original_lm = double(editor_.original_of(city.scene, light).flux_lm);
-  if (!edit.flux_lm) edit.flux_lm = original_lm;
-  change(edit);
-  if (edit.flux_lm) {
-    edit.flux_lm = std::clamp(*edit.flux_lm, original_lm / 1000, original_lm * 1000);
-    if (std::abs(*edit.flux_lm / original_lm - 1) < 1e-6) edit.flux_lm.reset();
-  }
-  editor_.edit(city.scene, *city.on_device, light, edit);
-  const render::RenderSettings& settings = session_.state.settings;
-  find_lights(*picked, city.scene, settings.time_s, settings.environment.lights);
-}
-
-void Controller::run(const std::function<std::string()>& errand) {
-  try {
-    const std::string sentence = errand();
-    session_.notices.say(sentence, now_s_);
-    spdlog::info("{}", sentence);
-  } catch (const Error& error) {
-    session_.notices.say(error.what(), now_s_, true);
-  }
+  workbench_.hold_beside(choose_beside(session_.state));
 }
 
 std::string Controller::go_to_place(const std::string& text) {
@@ -316,16 +285,14 @@ std::string Controller::go_to_place(const std::string& text) {
   return place.name;
 }
 
-void Controller::save_edits() {
-  run([this] { return editor_.save(); });
-}
-
-void Controller::toggle_recording() {
-  run([this] { return recorder_.toggle(scene::find_scene_file(workbench_.city().path), now_s_); });
+void Controller::film() {
+  films_.begin(workbench_.city().path, lights_.edits(), glm::max(window_.size(), glm::uvec2(1)),
+               now_s_);
 }
 
 void Controller::save_settings() {
-  run([this] { return viewer::save_settings(options_.settings_file, session_.state); });
+  run_errand(session_.notices, now_s_,
+             [this] { return viewer::save_settings(options_.settings_file, session_.state); });
 }
 
 void Controller::save() {

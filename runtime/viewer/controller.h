@@ -1,13 +1,12 @@
 // Obeys the user: from keys, mouse and panel to what session, window and workbench do.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 
+#include "runtime/viewer/film_desk.h"
 #include "runtime/viewer/gamepad.h"
-#include "runtime/viewer/light_editor.h"
-#include "runtime/viewer/path_recorder.h"
+#include "runtime/viewer/light_desk.h"
 #include "runtime/viewer/presenter.h"
 #include "runtime/viewer/session.h"
 #include "runtime/viewer/viewer.h"
@@ -37,6 +36,9 @@ class Controller {
   void draw();
   /// Writes the picture that Workbench::Result::saved spoke of, and says where it is, or why not.
   void finish_saving();
+  /// Looks how far a film is. Returns whether it has ended, of which there is news to show then.
+  bool look_at_film() { return films_.look(now_s_); }
+  bool films() const { return films_.films(); }
 
   /// Returns what the pictures are to show.
   Views views() const;
@@ -51,22 +53,20 @@ class Controller {
   void look_at_gamepad() { pad_ = read_gamepad(); }
 
  private:
-  View view_of(const render::RenderSettings& settings) const;
-  void draw_city(const glm::vec2& size, PanelRequests& requests);
+  void draw_city(const glm::vec2& size);
+  void draw_opening(const glm::vec2& size);
+  void describe_work();
   void look_at_pick();
   void handle_input(const glm::vec2& size);
   void handle_early_input();
+  Background find_background() const;
   void obey(const WindowRequests& requests);
+  void obey_for_window(const WindowRequests& requests);
   void obey(const PanelRequests& requests);
   void toggle_comparison();
   std::string describe_place() const;
-  void draw_editor();
-  void edit_light(const std::function<void(LightEdit&)>& change);
-  void save_edits();
-  // Does something, and says what came of it, or why not.
-  void run(const std::function<std::string()>& errand);
   std::string go_to_place(const std::string& text);
-  void toggle_recording();
+  void film();
   void save_settings();
   void save();
 
@@ -76,8 +76,8 @@ class Controller {
   Workbench& workbench_;
   Session session_;
   FrameStats stats_;
-  LightEditor editor_;
-  PathRecorder recorder_;
+  LightDesk lights_;
+  FilmDesk films_;
   Gamepad gamepad_;
   std::optional<PadState> pad_;
   std::string place_text_;      // where the user asked to go last,

@@ -39,6 +39,7 @@ std::string join(const std::vector<std::string>& parts) {
 }  // namespace
 
 std::string make_bottom_line(const ViewerState& state, const FrameStats& stats) {
+  if (stats.scene.empty()) return "";
   std::string text = caption(state, stats);
   if (stats.divisor > 1)
     text +=

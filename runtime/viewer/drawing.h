@@ -31,7 +31,8 @@ void draw_help(bool& open, const glm::vec2& window);
 void draw_markers(const scene::RenderScene& scene, const scene::CameraPose& pose,
                   const glm::vec2& window);
 
-/// Returns the line at the bottom of the window: what made the picture and what goes on.
+/// Returns the line at the bottom of the window: what made the picture and what goes on; "" before
+/// there is a scene.
 std::string make_bottom_line(const ViewerState& state, const FrameStats& stats);
 
 /// Closes the innermost thing that is open in the panel: a drop-down list, a text box. Returns

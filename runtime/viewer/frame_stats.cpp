@@ -1,5 +1,6 @@
 #include "runtime/viewer/frame_stats.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -28,6 +29,12 @@ void describe_picture(const LivePicture& picture, FrameStats& stats) {
   constexpr std::size_t most = 100;
   if (stats.times_ms.size() == most) stats.times_ms.erase(stats.times_ms.begin());
   stats.times_ms.push_back(static_cast<float>(stats.frame_ms));
+}
+
+std::string describe_reference(const render::Renderer& renderer) {
+  const std::uint32_t frames = renderer.frames();
+  return fmt::format("the reference: {} frame{} of {} x {}", frames, frames == 1 ? "" : "s",
+                     renderer.width(), renderer.height());
 }
 
 void describe_memory(const gpu::Device& device, FrameStats& stats) {

@@ -15,7 +15,7 @@
 namespace nightcity::viewer {
 
 struct FrameStats {
-  std::string scene, device, trace;
+  std::string scene, device, trace;  // scene: "" while the first is opened
   std::size_t triangles = 0, lights = 0;
   bool has_light = true;                // lights or traffic; else the panel offers sky and moon
   std::vector<std::string> licences;    // of the data
@@ -25,10 +25,12 @@ struct FrameStats {
   std::uint32_t frames = 0;             // in the mean
   // The settings of the picture on the screen, where the next one is still being rendered.
   std::optional<render::RenderSettings> made_with;
-  double frame_ms = 0;  // of the device
-  std::string pace;     // how frames keep to their budget; "" without one
-  std::string work;     // what goes on: "rendering every 2nd pixel, 40 %"
-  std::string place;    // where the camera is, in words
+  double frame_ms = 0;    // of the device
+  std::string pace;       // how frames keep to their budget; "" without one
+  std::string reference;  // what the picture is compared with, in words; "" without that view
+  bool films = false;     // a film is being recorded
+  std::string work;       // what goes on: "rendering every 2nd pixel, 40 %"
+  std::string place;      // where the camera is, in words
   std::span<const gpu::Timer::Span> passes;
   std::vector<float> times_ms;                        // of the last frames, the newest last
   std::uint64_t device_bytes = 0, process_bytes = 0;  // of memory that this program has
@@ -38,6 +40,8 @@ struct FrameStats {
 void describe_city(const City& city, FrameStats& stats);
 /// Enters what memory the program has on the device and in all.
 void describe_memory(const gpu::Device& device, FrameStats& stats);
+/// Returns what a picture is compared with: "the reference: 3 frames of 320 x 180".
+std::string describe_reference(const render::Renderer& renderer);
 /// Enters what the picture on the screen is.
 void describe_picture(const LivePicture& picture, FrameStats& stats);
 

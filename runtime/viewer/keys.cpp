@@ -6,44 +6,51 @@ namespace nightcity::viewer {
 
 const std::vector<KeyBinding>& list_keys() {
   static const std::vector<KeyBinding> keys{
-      {"W A S D", "move ahead, left, back and right", Action::move},
-      {"Q E", "move down and up (not when walking)", Action::move},
-      {"Shift", "held: move five times as fast", Action::move},
-      {"F", "orbit, fly or walk: the next of the three", Action::next_motion},
-      {"Z", "take the last move back", Action::undo_move},
-      {"B", "set a bookmark here; F2 to F9 go to the first eight", Action::bookmark},
-      {"F2 to F9", "go to a bookmark", Action::go_to_bookmark},
+      {"W A S D", "move ahead, left, back and right", Action::move, true},
+      {"Q E", "move down and up (not when walking)", Action::move, true},
+      {"Shift", "held: move five times as fast", Action::move, true},
+      {"F", "orbit, fly or walk: the next of the three", Action::next_motion, true},
+      {"Z", "take the last move back", Action::undo_move, true},
+      {"B", "set a bookmark here; F2 to F9 go to the first eight", Action::bookmark, true},
+      {"F2 to F9", "go to a bookmark", Action::go_to_bookmark, true},
       {"G",
        "go to a place: latitude and longitude, coordinates of the CRS, a street, or an object's id",
-       Action::go_to_place},
-      {"R", "record the way of the camera, and end that", Action::record_path},
-      {"Ctrl+C", "copy the camera as one line of text", Action::copy_camera},
-      {"Ctrl+V", "go to the camera in the clipboard", Action::paste_camera},
+       Action::go_to_place, true},
+      {"R", "record the way of the camera, and end that", Action::record_path, true},
+      {"Ctrl+R", "film the path that was recorded last, or the bookmarks", Action::film, true},
+      {"Ctrl+C", "copy the camera as one line of text", Action::copy_camera, true},
+      {"Ctrl+V", "go to the camera in the clipboard", Action::paste_camera, true},
       {"Space", "start and stop the clock", Action::play},
       {"1 to 6", "choose the estimator", Action::estimator},
-      {"O", "switch the light that was clicked off or on", Action::switch_light},
-      {",", "dim it", Action::dim_light},
-      {".", "brighten it", Action::brighten_light},
-      {"Ctrl+E", "save the edits of lights", Action::save_edits},
-      {"N", "measure distances from the point that was clicked", Action::measure},
+      {"O", "switch the light that was clicked off or on", Action::switch_light, true},
+      {",", "dim it", Action::dim_light, true},
+      {".", "brighten it", Action::brighten_light, true},
+      {"Ctrl+E", "save the edits of lights", Action::save_edits, true},
+      {"N", "measure distances from the point that was clicked", Action::measure, true},
       {"M", "show markers of lamps", Action::markers},
       {"X", "compare two pictures, A and B, left and right of a line", Action::compare},
       {"V", "show the next of the picture, luminance, illuminance and the other views",
        Action::next_view},
-      {"P", "save the picture as night-NNN.png and .exr", Action::save_picture},
+      {"P", "save the picture as night-NNN.png and .exr", Action::save_picture, true},
       {"Ctrl+S", "save the settings as a file for --settings", Action::save_settings},
       {"Page Down, Page Up", "open the next and the previous of the cities in the panel",
-       Action::next_city},
+       Action::next_city, true},
       {"Tab", "show or hide the panel", Action::panel},
       {"Ctrl +, Ctrl -", "larger and smaller text", Action::larger_text},
       {"F11", "fill the screen, or not", Action::fullscreen},
       {"F1, H", "show or hide this list", Action::help},
       {"Esc",
-       "close what is open: a list, this help, what was clicked, a picture being saved; then "
-       "the window",
+       "close what is open: a list, this help, what was clicked, a picture being saved, a film; "
+       "then the window",
        Action::close},
   };
   return keys;
+}
+
+const char* find_keys_for_scene(Action action) {
+  for (const KeyBinding& key : list_keys())
+    if (key.action == action && key.needs_scene) return key.keys;
+  return nullptr;
 }
 
 const std::vector<std::pair<const char*, const char*>>& list_gestures() {
@@ -67,6 +74,8 @@ std::optional<KeyPress> find_action(int key, int modifiers) {
         return KeyPress{Action::paste_camera};
       case GLFW_KEY_E:
         return KeyPress{Action::save_edits};
+      case GLFW_KEY_R:
+        return KeyPress{Action::film};
       case GLFW_KEY_S:
         return KeyPress{Action::save_settings};
       case GLFW_KEY_Z:

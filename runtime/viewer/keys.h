@@ -16,6 +16,7 @@ enum class Action {
   next_view,
   go_to_place,
   record_path,
+  film,
   switch_light,
   dim_light,
   brighten_light,
@@ -43,10 +44,14 @@ struct KeyBinding {
   const char* keys;  // as people call them
   const char* help;
   Action action;
+  bool needs_scene = false;  // else it is obeyed while the first scene is being opened, too
 };
 
 /// Returns all keys, in the order in which the help lists them.
 const std::vector<KeyBinding>& list_keys();
+
+/// Returns what people call the keys of an action that needs a scene, null for others.
+const char* find_keys_for_scene(Action action);
 
 /// Returns what the mouse does, as pairs of gesture and effect.
 const std::vector<std::pair<const char*, const char*>>& list_gestures();

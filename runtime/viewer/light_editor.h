@@ -34,7 +34,7 @@ class LightEditor {
   /// Writes all edits to the file, and returns the sentence that says so. Throws Error.
   std::string save();
   bool is_unsaved() const { return unsaved_; }
-  std::size_t count() const { return edits_.size(); }
+  const LightEdits& edits() const { return edits_; }
 
  private:
   std::filesystem::path file_;

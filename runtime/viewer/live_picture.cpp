@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "runtime/scene/markers.h"
+#include "runtime/viewer/comparison.h"
 #include "shaders/tonemap.glsl.h"
 
 namespace nightcity::viewer {
@@ -134,6 +135,7 @@ bool LivePicture::work(const View& view, double now_s, double wait_s) {
 }
 
 void LivePicture::complete(const View& view) {
+  ++completed_;
   if (is_governed_) {
     const double ms = gpu::sum_ms(renderer_.timings());
     pace_.observe(ms > 0 ? ms : 1000 * renderer_.frame_s());
@@ -157,10 +159,23 @@ render::RenderSettings LivePicture::made_with() const {
   return settings;
 }
 
-void LivePicture::expose(const render::DisplaySettings& display) {
-  if (!has_picture() || same_display(display, shown_display_)) return;
-  renderer_.expose(display);
+bool LivePicture::is_like(const LivePicture& other) const {
+  return shown_ && other.shown_ && has_picture() && other.has_picture() &&
+         same_pose(shown_->pose, other.shown_->pose) && shown_->window == other.shown_->window &&
+         have_same_lights(shown_->settings, other.shown_->settings) &&
+         shown_->settings.indirect.bounces == other.shown_->settings.indirect.bounces &&
+         shown_->settings.environment == other.shown_->settings.environment &&
+         shown_->settings.air == other.shown_->settings.air;
+}
+
+void LivePicture::expose(const render::DisplaySettings& display, const LivePicture* reference) {
+  if (reference && !is_like(*reference)) reference = nullptr;
+  const std::uint64_t compared_with = reference ? reference->completed_ : 0;
+  if (!has_picture() || (same_display(display, shown_display_) && compared_with == compared_with_))
+    return;
+  renderer_.expose(display, reference ? &reference->renderer_ : nullptr);
   shown_display_ = display;
+  compared_with_ = compared_with;
 }
 
 std::optional<double> LivePicture::luminance_at(const glm::vec3& point) const {

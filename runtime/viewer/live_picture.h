@@ -50,9 +50,12 @@ class LivePicture {
     pace_.stop();
   }
 
-  /// Shows the last picture with these settings of the display, if it has others. Not while
-  /// is_busy().
-  void expose(const render::DisplaySettings& display);
+  /// Shows the last picture with these settings of the display, if it has others. VIEW_DIFFERENCE
+  /// compares it with `reference`, once that is of the same view, and else is the picture. Not
+  /// while is_busy().
+  void expose(const render::DisplaySettings& display, const LivePicture* reference = nullptr);
+  /// Returns whether both pictures are there and show the same from the same place.
+  bool is_like(const LivePicture& other) const;
   /// Returns the exposure that the picture on the screen asks for, and its light.
   Metered meter() const;
 
@@ -89,7 +92,9 @@ class LivePicture {
   FramePlan plan_, shown_plan_;
   std::optional<View> shown_;  // of the last complete frame
   render::DisplaySettings shown_display_;
-  bool display_changed_ = false;  // in a way that only rendering shows
+  std::uint64_t completed_ = 0;      // frames
+  std::uint64_t compared_with_ = 0;  // completed_ of the reference, 0 without one
+  bool display_changed_ = false;     // in a way that only rendering shows
   bool compiles_ = false;
 };
 

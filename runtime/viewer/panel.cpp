@@ -4,79 +4,13 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <iterator>
 
-#include "runtime/measure/exposure.h"
-#include "runtime/render/presets.h"
-#include "runtime/render/setting_table.h"
-#include "runtime/viewer/metering.h"
-#include "runtime/viewer/views.h"
-#include "shaders/tonemap.glsl.h"
+#include "runtime/viewer/panel_night.h"
+#include "runtime/viewer/panel_settings.h"
+#include "runtime/viewer/panel_views.h"
 
 namespace nightcity::viewer {
 namespace {
-
-// Typed values are bounded as dragged ones are.
-constexpr ImGuiSliderFlags bounded = ImGuiSliderFlags_AlwaysClamp;
-
-// Draws the slider of a setting, greyed where the setting makes no difference.
-void draw_slider(const render::Setting& setting, render::RenderSettings& settings) {
-  const render::SettingSlider& slider = *setting.slider;
-  const ImGuiSliderFlags flags = bounded | (slider.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
-  ImGui::BeginDisabled(!setting.applies(settings));
-  const render::Setting::Value value = setting.value(settings);
-  if (const auto count = std::get_if<std::uint32_t*>(&value)) {
-    const auto low = std::uint32_t(setting.min), high = std::uint32_t(slider.max);
-    ImGui::SliderScalar(slider.label, ImGuiDataType_U32, *count, &low, &high, slider.format, flags);
-  } else if (const auto number = std::get_if<float*>(&value)) {
-    ImGui::SliderFloat(slider.label, *number, float(setting.min), float(slider.max), slider.format,
-                       flags);
-  }
-  ImGui::EndDisabled();
-}
-
-void draw_sliders(render::SettingGroup group, render::RenderSettings& settings) {
-  for (const render::Setting& setting : render::list_settings())
-    if (setting.group == group && setting.slider) draw_slider(setting, settings);
-}
-
-void draw_estimators(render::RenderSettings& settings) {
-  render::Estimator& current = settings.sampling.estimator;
-  if (!ImGui::BeginCombo("estimator", render::name_of(current))) return;
-  for (const render::EstimatorTraits& estimator : render::list_estimators()) {
-    if (ImGui::Selectable(estimator.name, estimator.estimator == current))
-      current = estimator.estimator;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", estimator.description);
-  }
-  ImGui::EndCombo();
-}
-
-void draw_sampling(ViewerState& state) {
-  render::RenderSettings& settings = state.settings;
-  draw_estimators(settings);
-  draw_sliders(render::SettingGroup::sampling, settings);
-  draw_sliders(render::SettingGroup::reuse, settings);
-  draw_sliders(render::SettingGroup::indirect, settings);
-  ImGui::Checkbox("accumulate", &state.accumulate);
-  ImGui::SameLine();
-  ImGui::Checkbox("denoise", &settings.display.denoise);
-}
-
-void draw_exposure(ViewerState& state) {
-  ImGui::Checkbox("auto", &state.auto_exposure);
-  ImGui::SameLine();
-  if (ImGui::SliderFloat("EV100", &state.settings.display.ev100, min_ev100, max_ev100, "%.1f",
-                         bounded))
-    state.auto_exposure = false;
-  int tone = static_cast<int>(state.settings.display.tone);
-  if (ImGui::Combo("curve", &tone, "linear\0reinhard\0filmic\0"))
-    state.settings.display.tone = static_cast<std::uint32_t>(tone);
-  draw_sliders(render::SettingGroup::display, state.settings);
-  ImGui::Checkbox("adapt the white", &state.settings.display.adapt_white);
-  ImGui::SameLine();
-  ImGui::Checkbox("mesopic colours", &state.settings.display.mesopic);
-}
 
 void draw_camera(ViewerState& state, PanelRequests& requests) {
   int mode = static_cast<int>(state.camera.motion);
@@ -94,7 +28,7 @@ void draw_camera(ViewerState& state, PanelRequests& requests) {
   }
   if (state.camera.motion != Motion::fly) return;
   ImGui::SliderFloat("speed", &state.camera.speed_m_s, 0.5f, 500, "%.1f m/s",
-                     bounded | ImGuiSliderFlags_Logarithmic);
+                     ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
   ImGui::Checkbox("faster above 20 m", &state.camera.speed_by_height);
 }
 
@@ -106,119 +40,6 @@ void draw_place(ViewerState& state, PanelRequests& requests) {
   if (ImGui::InputTextWithHint("go to", "52.516, 13.378, a street or an id", state.place.data(),
                                state.place.size(), ImGuiInputTextFlags_EnterReturnsTrue))
     requests.go_to = state.place.data();
-}
-
-void draw_presets(PanelRequests& requests) {
-  if (!ImGui::BeginCombo("preset", "from fast to accurate")) return;
-  for (const std::string& name : render::list_preset_names())
-    if (ImGui::Selectable(name.c_str())) requests.preset = name;
-  ImGui::EndCombo();
-}
-
-// A value counts once the hand lets go: each one is measured anew.
-void draw_governor(ViewerState& state, const FrameStats& stats) {
-  constexpr ImGuiSliderFlags flags = bounded | ImGuiSliderFlags_Logarithmic;
-  ImGui::SliderFloat("budget", &state.budget_ms, 0, 1000,
-                     state.budget_ms > 0 ? "%.1f ms a frame in motion" : "none", flags);
-  if (ImGui::IsItemDeactivatedAfterEdit()) state.governor.budget_ms = double{state.budget_ms};
-  ImGui::SliderFloat("noise", &state.target_error, 0, 1,
-                     state.target_error > 0 ? "%.3f is small enough" : "none", flags);
-  if (ImGui::IsItemDeactivatedAfterEdit()) state.governor.target_error = double{state.target_error};
-  if (!stats.pace.empty()) ImGui::TextDisabled("%s", stats.pace.c_str());
-}
-
-void draw_resolution(ViewerState& state) {
-  constexpr int divisors[] = {0, 1, 2, 4, 8};
-  int index = static_cast<int>(std::find(std::begin(divisors), std::end(divisors), state.divisor) -
-                               divisors);
-  if (ImGui::Combo("pixels", &index, "coarse, then all\0every\0every 2nd\0every 4th\0every 8th\0"))
-    state.divisor = divisors[index];
-}
-
-// Sky and moon. A moon that was not placed stands where it lights most streets: 35 degrees high, in
-// the south.
-void draw_sky(render::EnvironmentSettings& environment) {
-  float sky = environment.sky_cd_m2.x,
-        moon = tonemap::luminance_709(environment.moon_lux.r, environment.moon_lux.g,
-                                      environment.moon_lux.b);
-  const bool glows = environment.glow != render::SkyGlow::none;
-  if (ImGui::SliderFloat("sky", &sky, 0, glows ? 10 : 1, glows ? "%.3f of its glow" : "%.4f cd/m2",
-                         bounded | ImGuiSliderFlags_Logarithmic))
-    environment.sky_cd_m2 = glm::vec3(sky);
-  if (!ImGui::SliderFloat("moon", &moon, 0, 0.3f, "%.3f lx", bounded)) return;
-  const glm::vec3 direction = environment.moon_direction;
-  render::set_moon(environment, 160, 35, double(moon));
-  if (direction != render::EnvironmentSettings{}.moon_direction)
-    environment.moon_direction = direction;
-}
-
-void draw_families(scene::LightFamilies& on) {
-  constexpr struct {
-    LightFamily family;
-    const char* label;
-    bool begins_row = false;
-  } boxes[] = {{LightFamily::lamp, "street lamps", true},
-               {LightFamily::window, "windows"},
-               {LightFamily::headlamp, "headlights", true},
-               {LightFamily::tail_lamp, "tail lights"},
-               {LightFamily::other, "others"}};
-  for (const auto& box : boxes) {
-    if (!box.begins_row) ImGui::SameLine();
-    bool shines = scene::has_family(on, box.family);
-    if (ImGui::Checkbox(box.label, &shines)) on ^= scene::to_set(box.family);
-  }
-}
-
-// The clock runs from 17:00 to 07:00, which is 5 to 19 hours after noon.
-void draw_night(ViewerState& state) {
-  ImGui::BeginDisabled(!state.night_changes);
-  int minutes = static_cast<int>(state.settings.time_s / 60);
-  const std::string shown = clock_text(state.settings.time_s);
-  if (ImGui::SliderInt("clock", &minutes, night_begin_s / 60, night_end_s / 60, shown.c_str(),
-                       bounded))
-    state.settings.time_s = minutes * 60.0;
-  ImGui::Checkbox("run", &state.play);
-  ImGui::SameLine();
-  ImGui::SliderFloat("##speed", &state.clock_speed, 1, 3600, "%.0f times",
-                     bounded | ImGuiSliderFlags_Logarithmic);
-  ImGui::EndDisabled();
-  draw_families(state.settings.environment.lights);
-  draw_sky(state.settings.environment);
-  draw_sliders(render::SettingGroup::environment, state.settings);
-  draw_sliders(render::SettingGroup::air, state.settings);
-}
-
-void draw_views(ViewerState& state) {
-  render::DisplaySettings& display = state.settings.display;
-  const auto& views = list_views();
-  const ViewKind& shown = views[std::min<std::size_t>(display.view, views.size() - 1)];
-  if (ImGui::BeginCombo("show", shown.name)) {
-    for (const ViewKind& view : views) {
-      if (ImGui::Selectable(view.name, view.view == display.view)) show_view(view, display);
-      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", view.help);
-    }
-    ImGui::EndCombo();
-  }
-  if (!shown.unit) return;
-  const std::string format = std::string("%.3g ") + shown.unit;
-  constexpr ImGuiSliderFlags flags = bounded | ImGuiSliderFlags_Logarithmic;
-  ImGui::SliderFloat("from", &display.view_lowest, 1e-4f, 1e3f, format.c_str(), flags);
-  ImGui::SliderFloat("to", &display.view_highest, 1e-3f, 1e5f, format.c_str(), flags);
-  display.view_highest = std::max(display.view_highest, 2 * display.view_lowest);
-}
-
-void draw_sides(const ViewerState& state, PanelRequests& requests) {
-  bool on = state.compare.on;
-  if (ImGui::Checkbox("compare A | B", &on)) requests.compare = true;
-  if (!on) return;
-  ImGui::SameLine();
-  int side = state.compare.changes_b ? 1 : 0;
-  for (int i = 0; i < 2; ++i) {
-    if (i > 0) ImGui::SameLine();
-    if (ImGui::RadioButton(i == 0 ? "change A" : "B", &side, i) &&
-        (side == 1) != state.compare.changes_b)
-      requests.change_side = true;
-  }
 }
 
 void draw_cities(const FrameStats& stats, PanelRequests& requests) {
@@ -290,19 +111,27 @@ PanelRequests draw_panel(ViewerState& state, const FrameStats& stats) {
     draw_sampling(state);
     ImGui::Separator();
     draw_exposure(state);
-    draw_views(state);
+    draw_views(state, requests);
     draw_sides(state, requests);
     ImGui::Separator();
     draw_night(state);
     ImGui::Separator();
+    const bool opening = stats.scene.empty();
+    ImGui::BeginDisabled(opening);
     draw_camera(state, requests);
     draw_place(state, requests);
+    ImGui::EndDisabled();
     draw_resolution(state);
     ImGui::Checkbox("lamp markers", &state.markers);
     ImGui::SameLine();
+    ImGui::BeginDisabled(opening);
     requests.save = ImGui::Button("save picture");
+    ImGui::EndDisabled();
     ImGui::SameLine();
     requests.save_settings = ImGui::Button("save settings");
+    ImGui::BeginDisabled(opening);
+    draw_film(state.film, stats.films, requests);
+    ImGui::EndDisabled();
     ImGui::PopItemWidth();
   }
   keep_on_screen();

@@ -10,10 +10,17 @@
 #include "runtime/viewer/comparison.h"
 #include "runtime/viewer/controls.h"
 #include "runtime/viewer/frame_stats.h"
+#include "runtime/viewer/views.h"
 
 struct ImDrawList;
 
 namespace nightcity::viewer {
+
+/// The film that is recorded of a path.
+struct FilmSettings {
+  float duration_s = 10;  // from the path's beginning to its end; R sets it to what the path took
+  float pictures_per_s = 25;
+};
 
 /// The state of the window, which the panel, the mouse and the keys change.
 struct ViewerState {
@@ -31,6 +38,7 @@ struct ViewerState {
   render::GovernorOptions governor;       // of frames while the view moves
   float budget_ms = 0, target_error = 0;  // what the panel's sliders stand at
   Comparison compare;
+  FilmSettings film;
   std::array<char, 200> place{};  // typed: where to go
   int focus_place = 0;            // frames for which the keyboard goes to that box
   bool show_panel = true;
@@ -47,9 +55,12 @@ struct PanelRequests {
   bool save_settings = false;
   bool compare = false;      // begin or end to compare two pictures
   bool change_side = false;  // of the comparison, that the panel changes
+  const ViewKind* show = nullptr;
+  bool film = false, stop_film = false;
 };
 
-/// Draws the panel into the current ImGui frame. It stays on the screen.
+/// Draws the panel into the current ImGui frame. It stays on the screen. While a first scene is
+/// opened (FrameStats::scene is empty), what needs one is greyed.
 PanelRequests draw_panel(ViewerState& state, const FrameStats& stats);
 
 /// Converts seconds since noon to "23:05".

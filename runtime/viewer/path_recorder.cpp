@@ -41,8 +41,11 @@ std::string PathRecorder::finish(const std::filesystem::path& scene) {
     if (!std::filesystem::exists(file, ignored)) break;
   }
   scene::write_poses(file, poses_);
-  return fmt::format("{:.1f} s recorded: nightview record {} --path {} --duration {:g} --out film",
-                     duration_s(), scene.filename().string(), file.string(), duration_s());
+  file_ = file;
+  return fmt::format(
+      "{:.1f} s recorded: Ctrl+R films it here, nightview record {} --path {} --duration {:g} "
+      "--out film elsewhere",
+      duration_s(), scene.filename().string(), file.string(), duration_s());
 }
 
 }  // namespace nightcity::viewer

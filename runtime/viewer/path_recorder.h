@@ -21,6 +21,8 @@ class PathRecorder {
   void start(double now_s);
   /// Keeps the pose, once for each interval that has passed.
   void follow(const scene::CameraPose& pose, double now_s);
+  /// Returns the file of the last path that was recorded, "" before the first.
+  const std::filesystem::path& file() const { return file_; }
   double duration_s() const { return poses_.empty() ? 0 : step_s * double(poses_.size() - 1); }
   /// Ends the recording and writes it beside `scene` as NAME.path-NNN.json, under the next number
   /// that is free. Returns the sentence that says where it is and how it is rendered. Throws Error.
@@ -30,6 +32,7 @@ class PathRecorder {
   bool is_recording_ = false;
   double next_s_ = 0;
   std::vector<scene::CameraPose> poses_;
+  std::filesystem::path file_;
 };
 
 }  // namespace nightcity::viewer

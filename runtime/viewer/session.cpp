@@ -124,9 +124,36 @@ void Session::change_motion(const scene::RenderScene& scene, double now_s) {
   go_to(after, now_s);
 }
 
-WindowRequests Session::press(const KeyPress& key, const scene::RenderScene& scene, bool is_saving,
-                              double now_s) {
+void Session::close_or_stop(Background background, WindowRequests& requests) {
+  if (state.show_help)
+    state.show_help = false;
+  else if (picked)
+    picked.reset();
+  else if (measured_from)
+    measured_from.reset();
+  else if (background == Background::picture)
+    requests.cancel_picture = true;
+  else if (background == Background::film)
+    requests.stop_film = true;
+  else
+    requests.close = true;
+}
+
+void Session::show(const ViewKind& view, double now_s) {
+  show_view(view, state.settings.display);
+  if (view.view != VIEW_DIFFERENCE) return;
+  if (state.compare.on)
+    notices.say("A | B ends: the picture is compared with its reference", now_s);
+  state.compare.on = false;
+}
+
+WindowRequests Session::press(const KeyPress& key, const scene::RenderScene* scene,
+                              Background background, double now_s) {
   WindowRequests requests;
+  if (const char* keys = find_keys_for_scene(key.action); keys && !scene) {
+    notices.say(fmt::format("{}: wait, the scene is still being opened", keys), now_s);
+    return requests;
+  }
   switch (key.action) {
     case Action::move:
       break;
@@ -139,11 +166,11 @@ WindowRequests Session::press(const KeyPress& key, const scene::RenderScene& sce
       state.markers = !state.markers;
       break;
     case Action::next_motion:
-      change_motion(scene, now_s);
+      change_motion(*scene, now_s);
       break;
     case Action::next_view: {
       const auto& views = list_views();
-      show_view(views[(state.settings.display.view + 1) % views.size()], state.settings.display);
+      show(views[(state.settings.display.view + 1) % views.size()], now_s);
       break;
     }
     case Action::go_to_place:
@@ -152,6 +179,9 @@ WindowRequests Session::press(const KeyPress& key, const scene::RenderScene& sce
       break;
     case Action::record_path:
       requests.record_path = true;
+      break;
+    case Action::film:
+      requests.film = true;
       break;
     case Action::switch_light:
       requests.switch_light = true;
@@ -179,7 +209,8 @@ WindowRequests Session::press(const KeyPress& key, const scene::RenderScene& sce
       break;
     case Action::play:
       state.play = !state.play;
-      if (!state.night_changes) notices.say("nothing in this scene changes with time", now_s);
+      if (scene && !state.night_changes)
+        notices.say("nothing in this scene changes with time", now_s);
       break;
     case Action::panel:
       state.show_panel = !state.show_panel;
@@ -188,16 +219,7 @@ WindowRequests Session::press(const KeyPress& key, const scene::RenderScene& sce
       state.show_help = !state.show_help;
       break;
     case Action::close:
-      if (state.show_help)
-        state.show_help = false;
-      else if (picked)
-        picked.reset();
-      else if (measured_from)
-        measured_from.reset();
-      else if (is_saving)
-        requests.cancel_picture = true;
-      else
-        requests.close = true;
+      close_or_stop(background, requests);
       break;
     case Action::undo_move:
       take_back(now_s);
@@ -240,6 +262,8 @@ void Session::toggle_comparison() {
   state.compare.on = !state.compare.on;
   state.compare.changes_b = true;
   state.compare.other = state.settings;
+  render::DisplaySettings& display = state.settings.display;
+  if (state.compare.on && display.view == VIEW_DIFFERENCE) display.view = VIEW_PICTURE;
 }
 
 void Session::change_side() {

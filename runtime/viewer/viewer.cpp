@@ -103,7 +103,9 @@ class Viewer {
       redraws_ = std::max(redraws_, 1);
     if (window_.take_news() || presenter_.is_outdated() || minimised_) redraws_ = 3;
     minimised_ = false;
-    const bool reports = (works() || workbench_.opening()) && now_s_ - reported_s_ > report_s;
+    if (controller_.look_at_film()) redraws_ = 3;
+    const bool reports =
+        (works() || workbench_.opening() || controller_.films()) && now_s_ - reported_s_ > report_s;
     if (!pictured && redraws_ == 0 && !reports && !session_.notices.expire(now_s_) &&
         window_.queue().empty() && !adapt_exposure(elapsed_s))
       return;
@@ -169,9 +171,7 @@ class Viewer {
     was_adapting_ = adapts;
     const float before = state.settings.display.ev100;
     if (state.auto_exposure) state.settings.display.ev100 = metering_.update(before, elapsed_s);
-    picture->expose(state.settings.display);
-    if (workbench_.other() && !workbench_.other()->is_busy())
-      workbench_.other()->expose(state.settings.display);
+    workbench_.expose(state.settings.display);
     return state.settings.display.ev100 != before;
   }
 
@@ -199,8 +199,7 @@ class Viewer {
     redraws_ = std::max(0, redraws_ - 1);
     drawn_ = true;
     presenter_.fit();
-    for (LivePicture* picture : {workbench_.picture(), workbench_.other()})
-      if (picture) picture->expose(session_.state.settings.display);
+    workbench_.expose(session_.state.settings.display);
     show();
   }
 
@@ -210,7 +209,7 @@ class Viewer {
     };
     const render::Renderer* picture = renderer_of(workbench_.picture());
     const Comparison& compare = session_.state.compare;
-    Presenter::Shown pictures{picture, renderer_of(workbench_.other()), compare.line};
+    Presenter::Shown pictures{picture, renderer_of(workbench_.beside(Beside::side)), compare.line};
     if (pictures.left && !compare.changes_b) std::swap(pictures.picture, pictures.left);
     const std::uint32_t shown = shown_ + (picture && new_picture_);
     const bool last = options_.quit_after != 0 && shown == options_.quit_after;

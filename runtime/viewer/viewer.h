@@ -37,7 +37,11 @@ struct ViewOptions {
   std::uint32_t quit_after = 0;     // frames shown; 0 = when the user closes the window
   std::string screenshot;           // PNG of the window with its panel, at the end; "" = none
   std::string save_camera;          // JSON of the camera at the end; "" = none
-  PictureQuality picture;           // of saved pictures
+  PictureQuality picture;           // of saved pictures and of films
+  // The first words of `nightview record` with what the window does not change: the device, the
+  // parts of the model, the sky map.
+  std::vector<std::string> record_command;
+  std::filesystem::path edits;           // of lights, that went over the scene's; "" = none
   std::filesystem::path picture_folder;  // of saved pictures; "": see find_picture_folder
   std::filesystem::path
       settings_file;  // that Ctrl+S writes; "": settings.toml in the user's folder

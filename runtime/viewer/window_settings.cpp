@@ -6,6 +6,7 @@
 
 #include "formats/error.h"
 #include "runtime/render/parse.h"
+#include "runtime/render/setting_table.h"
 #include "runtime/viewer/config_folder.h"
 #include "runtime/viewer/views.h"
 
@@ -16,21 +17,30 @@ constexpr const char* curves[] = {"linear", "reinhard", "filmic"};
 
 }  // namespace
 
-void write_settings(const std::filesystem::path& file, const ViewerState& state) {
+std::vector<render::NamedText> list_window_values(const ViewerState& state) {
   const render::RenderSettings& settings = state.settings;
-  // Pictures that are looked at have bounces; every command has a default of its own for them.
+  // Pictures that are looked at have bounces; every command has a default of its own for them, and
+  // for the sky.
   render::RenderSettings defaults;
-  render::SettingsFile written{file, list_changes(settings, defaults), {}};
+  std::vector<render::NamedText> values = list_changes(settings, defaults);
   const auto add = [&](const char* name, const std::string& text) {
-    written.render.push_back({name, text});
+    values.push_back({name, text});
   };
-  if (settings.indirect.bounces == defaults.indirect.bounces)
-    add("bounces", std::to_string(settings.indirect.bounces));
+  for (const char* name : {"bounces", "sky"})
+    if (std::none_of(values.begin(), values.end(),
+                     [&](const render::NamedText& value) { return value.name == name; }))
+      add(name, render::text_of(*render::find_setting(name), settings));
   add("time", render::time_text(settings.time_s));
   if (settings.environment.lights != scene::all_families)
     add("lights", scene::text_of(settings.environment.lights));
   add("ev", state.auto_exposure ? "auto" : fmt::format("{:.2f}", settings.display.ev100));
   add("tone", curves[std::min<std::uint32_t>(settings.display.tone, 2)]);
+  return values;
+}
+
+void write_settings(const std::filesystem::path& file, const ViewerState& state) {
+  const render::RenderSettings& settings = state.settings;
+  render::SettingsFile written{file, list_window_values(state), {}};
   std::string view =
       list_views()[std::min<std::size_t>(settings.display.view, VIEW_COUNT - 1)].name;
   std::replace(view.begin(), view.end(), ' ', '-');

@@ -8,6 +8,10 @@
 
 namespace nightcity::viewer {
 
+/// Returns what of the window's state every command takes as options: the settings that differ from
+/// the defaults, bounces and sky in any case, time, lights and exposure.
+std::vector<render::NamedText> list_window_values(const ViewerState& state);
+
 /// Writes what differs from the defaults: to [render] what every command takes, to [window] the
 /// rest. Throws Error.
 void write_settings(const std::filesystem::path& file, const ViewerState& state);

@@ -26,13 +26,20 @@ bool Workbench::finish_opening(glm::uvec2 window) {
   return true;
 }
 
-void Workbench::compare(bool on) {
-  if (on == (other_ != nullptr) || !city_) return;
+void Workbench::hold_beside(Beside what) {
+  if ((what == beside_ && (other_ != nullptr) == (what != Beside::nothing)) || !city_) return;
   stop();
-  if (on)
+  beside_ = what;
+  other_.reset();
+  turn_of_other_ = false;
+  if (what != Beside::nothing)
     other_ = std::make_unique<LivePicture>(device_, passes_, *city_->on_device, glm::uvec2(1));
-  else
-    other_.reset();
+}
+
+void Workbench::expose(const render::DisplaySettings& display) {
+  if (!picture_) return;
+  picture_->expose(display, beside(Beside::reference));
+  if (beside_ == Beside::side && other_ && !other_->is_busy()) other_->expose(display);
 }
 
 void Workbench::save(const View& view, const PictureQuality& quality) {
@@ -107,7 +114,8 @@ std::string Workbench::describe() const {
   if (!picture_) return "";
   if (picture_->compiles()) return "compiling shaders";
   if (picture_->pace().is_measuring()) return picture_->pace().describe();
-  if (other_ && turn_of_other_ && other_->has_begun()) return "rendering the other side";
+  if (other_ && turn_of_other_ && other_->has_begun())
+    return beside_ == Beside::reference ? "rendering the reference" : "rendering the other side";
   if (picture_->is_fine() || picture_->share_done() <= 0) return "";
   const std::uint32_t divisor = picture_->plan().divisor;
   return fmt::format(

@@ -22,6 +22,13 @@ struct Views {
   bool same_lights = true;
 };
 
+/// What the workbench holds beside the picture.
+enum class Beside {
+  nothing,
+  side,      // of a comparison
+  reference  // the same picture by the reference estimator, for VIEW_DIFFERENCE
+};
+
 class Workbench {
  public:
   /// The device must outlive the object.
@@ -42,9 +49,11 @@ class Workbench {
   const LivePicture* picture() const { return picture_.get(); }
 
   /// Holds a second picture of the city, for work() to render another view, or none.
-  void compare(bool on);
-  const LivePicture* other() const { return other_.get(); }
-  LivePicture* other() { return other_.get(); }
+  void hold_beside(Beside what);
+  /// Returns the second picture where it is of this kind, else null.
+  const LivePicture* beside(Beside what) const { return what == beside_ ? other_.get() : nullptr; }
+  /// Shows the last pictures with these settings of the display. Not while picture() is busy.
+  void expose(const render::DisplaySettings& display);
   /// Exchanges the two pictures: their views are going to be exchanged.
   void exchange() { std::swap(picture_, other_); }
 
@@ -82,8 +91,9 @@ class Workbench {
   std::unique_ptr<Opening> opening_;
   std::unique_ptr<City> city_;
   std::unique_ptr<LivePicture> picture_;  // of city_
-  std::unique_ptr<LivePicture> other_;    // of city_
-  std::unique_ptr<PictureJob> job_;       // of city_
+  std::unique_ptr<LivePicture> other_;    // of city_, as beside_ says
+  Beside beside_ = Beside::nothing;
+  std::unique_ptr<PictureJob> job_;  // of city_
   bool turn_of_other_ = false;
 };
 

@@ -203,6 +203,20 @@ TEST_F(Panel, OneOfSeveralCitiesCanBeOpened) {
   EXPECT_TRUE(opened == "a.glb" || opened == "b.glb") << opened;
 }
 
+// While the first scene is opened, widgets that need it are grey, and the others work.
+TEST_F(Panel, WithoutASceneNothingIsAskedOfIt) {
+  stats.scene = "";
+  for (int i = 0; i < 3; ++i) frame();
+  for (const float x : {28.0f, 160.0f})
+    EXPECT_FALSE(click_through(x, [&](const PanelRequests& requests) {
+      return requests.save || requests.film || !requests.camera_preset.empty() ||
+             !requests.go_to.empty();
+    }));
+  state.markers = false;
+  EXPECT_TRUE(click_through(28, [&](const PanelRequests&) { return state.markers; }));
+  EXPECT_EQ(make_bottom_line(state, stats), "");
+}
+
 TEST_F(Panel, TheBottomLineSaysHowManyPixelsThereAreAndWhatGoesOn) {
   stats.frames = 1;
   stats.divisor = 4;

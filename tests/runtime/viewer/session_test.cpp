@@ -15,9 +15,9 @@ class Keys : public testing::Test {
  protected:
   void SetUp() override { session.open(start, folder / "city.cameras.json", 0); }
 
-  WindowRequests press(int key, int modifiers = 0, bool is_saving = false) {
+  WindowRequests press(int key, int modifiers = 0, Background background = Background::nothing) {
     const auto found = find_action(key, modifiers);
-    return found ? session.press(*found, scene, is_saving, now_s) : WindowRequests{};
+    return found ? session.press(*found, &scene, background, now_s) : WindowRequests{};
   }
   void fly(double seconds, double at_s) {
     session.move({.held_s = {0, 0, seconds}}, scene, {1280, 720}, at_s);
@@ -33,13 +33,81 @@ class Keys : public testing::Test {
 TEST_F(Keys, EscapeClosesWhatIsOpenBeforeTheWindow) {
   press(GLFW_KEY_F1);
   EXPECT_TRUE(session.state.show_help);
-  WindowRequests requests = press(GLFW_KEY_ESCAPE, 0, true);
+  WindowRequests requests = press(GLFW_KEY_ESCAPE, 0, Background::picture);
   EXPECT_FALSE(session.state.show_help);
   EXPECT_FALSE(requests.close || requests.cancel_picture);
-  requests = press(GLFW_KEY_ESCAPE, 0, true);
+  requests = press(GLFW_KEY_ESCAPE, 0, Background::picture);
   EXPECT_TRUE(requests.cancel_picture);
   EXPECT_FALSE(requests.close);
+  requests = press(GLFW_KEY_ESCAPE, 0, Background::film);
+  EXPECT_TRUE(requests.stop_film);
+  EXPECT_FALSE(requests.close);
   EXPECT_TRUE(press(GLFW_KEY_ESCAPE).close);
+}
+
+// Every key of the table, before there is a scene: those that need one leave everything as it is
+// and say why; the others do what they do later.
+TEST_F(Keys, WhileTheSceneIsOpenedThoseThatNeedItSayThatAndOthersAreObeyed) {
+  const auto press_early = [&](const KeyPress& key) {
+    return session.press(key, nullptr, Background::nothing, now_s);
+  };
+  for (const KeyBinding& key : list_keys()) {
+    if (!key.needs_scene || key.action == Action::move) continue;  // those are held
+    session.notices = {};
+    const WindowRequests requests = press_early({key.action, 1});
+    ASSERT_EQ(session.notices.lines().size(), 1u) << key.keys;
+    EXPECT_EQ(session.notices.lines()[0].text,
+              std::string(key.keys) + ": wait, the scene is still being opened");
+    EXPECT_FALSE(requests.save_picture || requests.film || requests.record_path ||
+                 requests.copy_camera || requests.paste_camera || requests.switch_light ||
+                 requests.save_edits || requests.close)
+        << key.keys;
+  }
+  EXPECT_EQ(session.state.camera.pose.position, start.position);
+  EXPECT_EQ(session.count_bookmarks(), 0u);
+  session.notices = {};
+  press_early({Action::estimator, 2});
+  EXPECT_EQ(session.state.settings.sampling.estimator, render::Estimator::ris);
+  press_early({Action::panel});
+  EXPECT_FALSE(session.state.show_panel);
+  press_early({Action::play});
+  EXPECT_TRUE(session.state.play);
+  press_early({Action::next_view});
+  EXPECT_EQ(session.state.settings.display.view, VIEW_LUMINANCE);
+  press_early({Action::help});
+  EXPECT_TRUE(session.state.show_help);
+  EXPECT_FALSE(press_early({Action::close}).close) << "the help is closed first";
+  EXPECT_TRUE(press_early({Action::fullscreen}).fullscreen);
+  EXPECT_EQ(press_early({Action::smaller_text}).larger_text, -1);
+  EXPECT_TRUE(press_early({Action::save_settings}).save_settings);
+  EXPECT_TRUE(press_early({Action::close}).close);
+  EXPECT_TRUE(session.notices.lines().empty());
+}
+
+// The picture is compared with its reference or with another picture, not with both; and the clock
+// stands, so that both are of one time.
+TEST_F(Keys, TheDifferenceToTheReferenceAndAComparisonExcludeEachOther) {
+  session.toggle_comparison();
+  session.show(find_view("difference"), 1);
+  EXPECT_FALSE(session.state.compare.on);
+  EXPECT_EQ(session.state.settings.display.view, VIEW_DIFFERENCE);
+  EXPECT_GT(session.state.settings.display.view_lowest, 0) << "the next view's scale begins there";
+  session.state.night_changes = session.state.play = true;
+  EXPECT_FALSE(session.clock_runs());
+  session.toggle_comparison();
+  EXPECT_TRUE(session.state.compare.on);
+  EXPECT_EQ(session.state.settings.display.view, VIEW_PICTURE);
+  EXPECT_TRUE(session.clock_runs());
+}
+
+TEST_F(Keys, VShowsAllViewsOneAfterTheOther) {
+  std::set<std::uint32_t> seen;
+  for (std::uint32_t i = 0; i < VIEW_COUNT; ++i) {
+    seen.insert(session.state.settings.display.view);
+    press(GLFW_KEY_V);
+  }
+  EXPECT_EQ(seen.size(), VIEW_COUNT);
+  EXPECT_EQ(session.state.settings.display.view, VIEW_PICTURE);
 }
 
 TEST_F(Keys, LightsAreEditedAndDistancesMeasuredFromWhatWasClicked) {
@@ -142,10 +210,10 @@ TEST_F(Keys, BookmarksLieBesideTheSceneAndArePathsToo) {
   later.open(second, folder / "city.cameras.json", 0);
   EXPECT_EQ(later.count_bookmarks(), 2u);
   const auto key = find_action(GLFW_KEY_F3, 0);
-  later.press(*key, scene, false, 1);
+  later.press(*key, &scene, Background::nothing, 1);
   EXPECT_EQ(later.state.camera.pose.position, second.position);
   const auto none = find_action(GLFW_KEY_F9, 0);
-  later.press(*none, scene, false, 1);
+  later.press(*none, &scene, Background::nothing, 1);
   EXPECT_EQ(later.state.camera.pose.position, second.position);
 }
 

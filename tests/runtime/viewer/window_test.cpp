@@ -266,8 +266,8 @@ TEST_F(ViewerWindow, TwoPicturesAreComparedLeftAndRightOfALine) {
 }
 
 TEST_F(ViewerWindow, ViewsHaveFalseColoursAndAScale) {
-  for (const char* view :
-       {"luminance", "illuminance", "kinds-of-light", "city-objects", "history", "noise"}) {
+  for (const char* view : {"luminance", "illuminance", "kinds-of-light", "city-objects", "history",
+                           "noise", "wireframe", "tiles"}) {
     ASSERT_EQ(
         run(std::string("$V --size 640x400 --every 8 --quit-after 4 --screenshot a.png --show ") +
             view + "\n"),
@@ -283,12 +283,31 @@ TEST_F(ViewerWindow, ViewsHaveFalseColoursAndAScale) {
   EXPECT_NE(text("err.txt").find("kinds-of-light"), std::string::npos) << text("err.txt");
 }
 
+// With few candidates the estimator is far from its reference, which gathers by turns with it: there
+// are pixels that are darker and pixels that are brighter, blue and red.
+TEST_F(ViewerWindow, TheDifferenceToTheReferenceIsSigned) {
+  ASSERT_EQ(run("$V --size 640x400 --every 8 --estimator ris --candidates 1 --bounces 0 "
+                "--quit-after 12 --screenshot a.png --show difference\n"),
+            0)
+      << text("err.txt");
+  const measure::Image8 window = measure::read_png(folder / "a.png");
+  std::size_t blue = 0, red = 0;
+  for (std::uint32_t y = 0; y < 350; ++y)
+    for (std::uint32_t x = 330; x < 480; ++x) {  // between the panel and the scale
+      const std::uint8_t* rgb = &window.rgb[3 * (std::size_t{y} * window.width + x)];
+      blue += rgb[2] > rgb[0] + 40;
+      red += rgb[0] > rgb[2] + 40;
+    }
+  EXPECT_GT(blue, 500u);
+  EXPECT_GT(red, 500u);
+  EXPECT_EQ(run("$V --show difference --compare estimator=ris --quit-after 1; test $? = 2\n"), 0);
+}
+
 TEST_F(ViewerWindow, KeysChooseTheEstimatorAndQuit) {
   if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no mouse or keyboard";
   ASSERT_EQ(run("$V $S & viewer=$!\n"
                 "xdotool search --sync --onlyvisible --name nightview > window.txt\n"
                 "xdotool mousemove 300 220\n"
-                // While the scene is opened, keys other than Esc have nothing to act on.
                 "for i in $(seq 20); do xdotool key 2; sleep 0.2; done\n"
                 "xdotool key Escape\n"
                 "wait $viewer\n"),
@@ -397,7 +416,8 @@ TEST_F(ViewerWindow, AStreetThatIsTypedIsStoodOn) {
   const auto type = [&](const std::string& text, const std::string& more) {
     ASSERT_EQ(run("$V --size 700x500 --every 8 --save-camera camera.json & viewer=$!\n"
                   "xdotool search --sync --onlyvisible --name nightview > window.txt\n"
-                  "xdotool mousemove 600 400; sleep 6\n"
+                  "xdotool search --sync --name '^town.glb' > found.txt\n"  // it is open
+                  "xdotool mousemove 600 400; sleep 0.5\n"
                   "xdotool key g; sleep 0.5; xdotool type --delay 40 '" +
                   text + "'; sleep 0.5; xdotool key Return; sleep 1\n" + more +
                   "kill -TERM $viewer; wait $viewer; test $? = 143\n"),
@@ -415,6 +435,44 @@ TEST_F(ViewerWindow, AStreetThatIsTypedIsStoodOn) {
   ASSERT_EQ(run("$V --camera 'street:IM TAL' --quit-after 1 --save-camera camera.json\n"), 0)
       << text("err.txt");
   EXPECT_NEAR(read_pose().position.x, 30, 0.01);
+}
+
+// A way of the camera is recorded, and filmed by a second process: Esc stops the film, and the same
+// key goes on with it.
+TEST_F(ViewerWindow, AFilmOfTheWayIsRecordedStoppedAndGoneOnWith) {
+  if (!has("xdotool")) GTEST_SKIP() << "xdotool is not installed: no mouse or keyboard";
+  ASSERT_EQ(
+      run("mkdir films\n"
+          "$V --size 320x240 --every 8 --picture-size 64x48 --picture-frames 1 --bounces 0 \\\n"
+          "  --sky 0 --picture-folder films & viewer=$!\n"
+          "xdotool search --sync --onlyvisible --name nightview > window.txt\n"
+          "xdotool mousemove 300 220\n"
+          // Until the scene is open, R is answered with a line.
+          "for i in 1 2 3 4 5 6 7 8 9; do\n"
+          "  sleep 2; xdotool key r; sleep 1.5; xdotool key w; sleep 1; xdotool key r\n"
+          "  sleep 0.5; test -e town.path-001.json && break\n"
+          "done\n"
+          "xdotool key ctrl+r\n"
+          "until test -e films/town.path-001/frame-00002.png; do sleep 0.05; done\n"
+          "xdotool key Escape; sleep 2; ls films/town.path-001 > stopped.txt\n"
+          "xdotool key ctrl+r\n"
+          "for i in $(seq 300); do\n"
+          "  grep -q 'pictures in\\|pictures are in' err.txt && break; sleep 0.2\n"
+          "done\n"
+          "kill -TERM $viewer; wait $viewer; test $? = 143\n"),
+      0)
+      << text("err.txt");
+  EXPECT_NE(text("stopped.txt").find("frame-00002.png"), std::string::npos);
+  std::size_t pictures = 0;
+  for (const auto& file : std::filesystem::directory_iterator(folder / "films/town.path-001"))
+    pictures += file.path().extension() == ".png";
+  EXPECT_GE(pictures, 25u) << text("err.txt");  // a second at least
+  EXPECT_EQ(measure::read_png(folder / "films/town.path-001/frame-00000.png").width, 64u);
+  // Without ffmpeg, the line says that it is missing, and that the pictures are there.
+  EXPECT_NE(text("err.txt").find(has("ffmpeg") ? "filmed: " : "ffmpeg"), std::string::npos)
+      << text("err.txt");
+  EXPECT_EQ(std::filesystem::exists(folder / "films/town.path-001.mp4"), has("ffmpeg"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "films/town.path-001-2"));
 }
 
 // A lamp fills the middle of the window. It is clicked and switched off, then dimmed, and the edits
