@@ -31,7 +31,7 @@
       194, 135, 252, 253, 191
 
 // The colours of a signed scale from its lowest value over 0 to its highest: blue over grey to red,
-// 8-bit sRGB (ends and middle: Moreland, "Diverging Color Maps for Scientific Visualization", 2009).
+// 8-bit sRGB (Moreland, "Diverging Color Maps for Scientific Visualization", 2009).
 #define SIGNED_COLOUR_STOPS 3
 #define SIGNED_COLOURS 59, 76, 192, 221, 221, 221, 180, 4, 38
 

@@ -79,10 +79,12 @@ std::optional<ChildResult> run_child(const std::vector<std::string>& words, bool
 }
 
 ChildProgram::ChildProgram(const std::vector<std::string>& words)
-    : output_(open_memory(words.at(0))), child_(start(words, output_, output_)) {
+    : output_(open_memory(words.at(0))), messages_(open_memory(words.at(0))) {
+  child_ = start(words, output_, messages_);
   if (child_ > 0) return;
   const int error = errno;
   ::close(output_);
+  ::close(messages_);
   refuse(words.at(0), error);
 }
 
@@ -91,6 +93,7 @@ ChildProgram::~ChildProgram() {
   while (!status_ && ::waitpid(child_, nullptr, 0) != child_ && errno == EINTR) {
   }
   ::close(output_);
+  ::close(messages_);
 }
 
 void ChildProgram::stop() {
@@ -105,6 +108,10 @@ std::optional<int> ChildProgram::find_status() {
 
 std::string ChildProgram::read_output() const {
   return read_all(output_);
+}
+
+std::string ChildProgram::read_messages() const {
+  return read_all(messages_);
 }
 
 }  // namespace nightcity::program

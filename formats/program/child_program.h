@@ -1,4 +1,4 @@
-// Other programs that ours start: nightview by nightbake and by its own window, ffmpeg by nightview.
+// Other programs that ours start: nightview by nightbake and by its window, ffmpeg by nightview.
 #pragma once
 
 #include <sys/types.h>
@@ -21,7 +21,7 @@ struct ChildResult {
 std::optional<ChildResult> run_child(const std::vector<std::string>& words, bool keep_output);
 
 /// A program that runs beside this one and ends with the object, or with this program, however that
-/// ends. What it writes to standard output and stderr is kept in memory.
+/// ends. What it writes to standard output and to stderr is kept in memory.
 class ChildProgram {
  public:
   /// Starts it; `words` are as run_child takes them. Throws Error where it cannot be run.
@@ -34,11 +34,12 @@ class ChildProgram {
   void stop();
   /// Returns how it ended, as waitpid's; nothing while it runs. Does not wait.
   std::optional<int> find_status();
-  /// Returns what it has written so far.
+  /// Return what it has written so far: to standard output, and to stderr.
   std::string read_output() const;
+  std::string read_messages() const;
 
  private:
-  int output_ = -1;
+  int output_ = -1, messages_ = -1;
   pid_t child_ = -1;
   std::optional<int> status_;
 };

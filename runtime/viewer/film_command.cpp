@@ -24,7 +24,8 @@ constexpr int max_folders = 1000;
 // Returns AZIMUTH,ELEVATION,LUX, from which set_moon makes the same moon, in its colour.
 std::string describe_moon(const render::EnvironmentSettings& environment) {
   const glm::dvec3 way = environment.moon_direction;
-  const double azimuth = glm::degrees(std::atan2(way.x, -way.z)),
+  const double turn = glm::degrees(std::atan2(way.x, -way.z)),
+               azimuth = turn < 0 ? turn + 360 : turn,
                elevation = glm::degrees(std::asin(std::clamp(way.y, -1.0, 1.0)));
   render::EnvironmentSettings of_one_lux;
   render::set_moon(of_one_lux, azimuth, elevation, 1);

@@ -12,13 +12,15 @@
 namespace nightcity::viewer {
 namespace {
 
-// Returns the last line of a program's messages, which says why it ended.
+// Returns the last line of a program's messages, which says why it ended, without its name.
 std::string find_last_line(const std::string& text) {
   const std::size_t last = text.find_last_not_of("\r\n ");
   if (last == std::string::npos) return "it said nothing";
   const std::size_t break_before = text.find_last_of("\r\n", last);
   const std::size_t first = break_before == std::string::npos ? 0 : break_before + 1;
-  return text.substr(first, last + 1 - first);
+  const std::string line = text.substr(first, last + 1 - first), mark = "error: ";
+  const std::size_t error = line.find(mark);
+  return error == std::string::npos ? line : line.substr(error + mark.size());
 }
 
 }  // namespace
@@ -66,8 +68,9 @@ std::string FilmJob::stop() {
 
 std::string FilmJob::result() const {
   if (status_ != 0)
-    throw Error("film", fmt::format("{} of {} pictures are in {}: {}", done_, pictures_,
-                                    place_.folder.string(), find_last_line(child_.read_output())));
+    throw Error("film",
+                fmt::format("{} of {} pictures are in {}: {}", done_, pictures_,
+                            place_.folder.string(), find_last_line(child_.read_messages())));
   return fmt::format("filmed: {}, of {} pictures in {}", place_.film.string(), pictures_,
                      place_.folder.string());
 }

@@ -50,7 +50,8 @@ TEST(ChildProgram, RunsBesideThisOneAndIsReadMeanwhile) {
   EXPECT_FALSE(child.find_status());
   test::write_text(go, "");
   EXPECT_EQ(WEXITSTATUS(wait_for(child)), 5);
-  EXPECT_EQ(child.read_output(), "one\ntwo\n");
+  EXPECT_EQ(child.read_output(), "one\n");
+  EXPECT_EQ(child.read_messages(), "two\n");
   EXPECT_EQ(WEXITSTATUS(*child.find_status()), 5) << "asked again";
 }
 

@@ -135,7 +135,8 @@ TEST_F(Film, AnotherRunGoesOnWhereTheFirstEnded) {
 }
 
 TEST_F(Film, WhereItFailsTheReasonIsTheLastLine) {
-  FilmJob job = begin("echo first; echo 'ffmpeg is not installed' >&2; exit 1", 3);
+  FilmJob job = begin(
+      "echo first >&2; echo 'nightview: error: ffmpeg is not installed' >&2; echo last; exit 1", 3);
   wait_for_end(job, 1);
   try {
     job.result();

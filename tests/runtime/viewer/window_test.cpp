@@ -283,8 +283,8 @@ TEST_F(ViewerWindow, ViewsHaveFalseColoursAndAScale) {
   EXPECT_NE(text("err.txt").find("kinds-of-light"), std::string::npos) << text("err.txt");
 }
 
-// With few candidates the estimator is far from its reference, which gathers by turns with it: there
-// are pixels that are darker and pixels that are brighter, blue and red.
+// With few candidates the estimator is far from its reference, which gathers by turns with it:
+// there are pixels that are darker and pixels that are brighter, blue and red.
 TEST_F(ViewerWindow, TheDifferenceToTheReferenceIsSigned) {
   ASSERT_EQ(run("$V --size 640x400 --every 8 --estimator ris --candidates 1 --bounces 0 "
                 "--quit-after 12 --screenshot a.png --show difference\n"),
