@@ -52,16 +52,18 @@ float distance_inside(PixelRay ray, uint triangle, Instance instance) {
 // count, so that outlines against the sky are as wide as other lines.
 float wire_at(uvec2 pixel) {
   const PixelRay ray = ray_of_pixel(pixel);
+  const uint own = pixel.y * FRAME.size.x + pixel.x;
+  const uvec2 own_hit = uvec2(FRAME.hits.at[2u * own], FRAME.hits.at[2u * own + 1u]);
   float cover = 0.0;
   for (int dy = -1; dy <= 1; ++dy)
     for (int dx = -1; dx <= 1; ++dx) {
       const ivec2 at = ivec2(pixel) + ivec2(dx, dy);
       if (!in_picture(at)) continue;
       const uint index = uint(at.y) * FRAME.size.x + uint(at.x);
-      const uint instance = FRAME.hits.at[2u * index + 1u];
-      if (instance == NO_HIT) continue;
-      const float inside =
-          distance_inside(ray, FRAME.hits.at[2u * index], SCENE.instances.at[instance]);
+      const uvec2 hit = uvec2(FRAME.hits.at[2u * index], FRAME.hits.at[2u * index + 1u]);
+      // Most neighbours show the pixel's own triangle, which is looked at once.
+      if (hit.y == NO_HIT || (hit == own_hit && index != own)) continue;
+      const float inside = distance_inside(ray, hit.x, SCENE.instances.at[hit.y]);
       cover = max(cover, 1.0 - abs(inside));
     }
   return cover;

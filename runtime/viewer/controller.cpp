@@ -120,7 +120,10 @@ void Controller::draw() {
     handle_early_input();
   ViewerState& state = session_.state;
   if (state.show_panel) describe_memory(presenter_.device(), stats_);
-  if (state.show_panel && workbench_.has_city()) stats_.place = describe_place();
+  if (state.show_panel && workbench_.has_city()) {
+    const City& city = workbench_.city();
+    stats_.place = describe_place(city.scene, *city.projection, state.camera.pose);
+  }
   const PanelRequests requests = state.show_panel ? draw_panel(state, stats_) : PanelRequests{};
   if (workbench_.has_city())
     draw_city(size);
@@ -155,16 +158,6 @@ void Controller::draw_city(const glm::vec2& size) {
                   state.camera.pose, size);
   draw_compass(state.camera, size);
   window_.set_title(fmt::format("{} - {} - nightview", stats_.scene, caption(state, stats_)));
-}
-
-std::string Controller::describe_place() const {
-  const City& city = workbench_.city();
-  const scene::CameraPose& pose = session_.state.camera.pose;
-  std::string text = describe_camera(city.scene, pose);
-  const glm::dvec3 plane = city.scene.georeference.from_model(glm::dvec3(pose.position));
-  if (const auto degrees = city.projection->to_degrees({plane.x, plane.y}))
-    text += fmt::format("\n{:.5f}, {:.5f} (latitude, longitude)", degrees->x, degrees->y);
-  return text;
 }
 
 // Finds the luminance that the picture has where something was picked. The last one is kept while

@@ -64,7 +64,6 @@ class Controller {
   void obey_for_window(const WindowRequests& requests);
   void obey(const PanelRequests& requests);
   void toggle_comparison();
-  std::string describe_place() const;
   std::string go_to_place(const std::string& text);
   void film();
   void save_settings();

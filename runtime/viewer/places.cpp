@@ -229,4 +229,13 @@ scene::CameraPose look_at_place(const Place& place, const scene::CameraPose& bef
   return pose;
 }
 
+std::string describe_place(const scene::RenderScene& scene, const MapProjection& projection,
+                           const scene::CameraPose& pose) {
+  std::string text = describe_camera(scene, pose);
+  const glm::dvec3 plane = scene.georeference.from_model(glm::dvec3(pose.position));
+  if (const auto degrees = projection.to_degrees({plane.x, plane.y}))
+    text += fmt::format("\n{:.5f}, {:.5f} (latitude, longitude)", degrees->x, degrees->y);
+  return text;
+}
+
 }  // namespace nightcity::viewer
