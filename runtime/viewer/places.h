@@ -30,8 +30,8 @@ Place find_place(const std::string& text, const scene::RenderScene& scene,
 /// side from which `before` looks, from above; at the field of view of `before`.
 scene::CameraPose look_at_place(const Place& place, const scene::CameraPose& before);
 
-/// Returns where a camera is (describe_camera), and on a second line its latitude and longitude where
-/// the city's CRS tells them.
+/// Returns where a camera is (describe_camera), and on a second line its latitude and longitude,
+/// where the city's CRS tells them.
 std::string describe_place(const scene::RenderScene& scene, const MapProjection& projection,
                            const scene::CameraPose& pose);
 
