@@ -32,10 +32,11 @@ struct Tick {
 std::vector<Tick> make_ticks(const ViewKind& view, const render::DisplaySettings& display) {
   std::vector<Tick> ticks;
   if (view.is_signed) {
-    for (const double at : {-1.0, -0.5, 0.0, 0.5, 1.0})
-      ticks.push_back(
-          {(at + 1) / 2,
-           fmt::format("{:+.3g} {}", 100 * at * double(display.view_highest), view.unit)});
+    for (const double at : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+      const double value = 100 * at * double(display.view_highest);
+      ticks.push_back({(at + 1) / 2, at == 0 ? fmt::format("0 {}", view.unit)
+                                             : fmt::format("{:+.3g} {}", value, view.unit)});
+    }
     return ticks;
   }
   const double low = std::log10(double(display.view_lowest)),

@@ -76,6 +76,10 @@ bool Workbench::has_work(const Views& views, double now_s) const {
 // Frames of the two are never mixed: lights may be switched between them.
 LivePicture& Workbench::choose(const Views& views, double now_s) {
   if (!other_ || !views.other) return *picture_;
+  if (beside_ == Beside::reference && !picture_->shows(views.view)) {
+    other_->stop();  // a frame of it may take minutes: the picture comes first
+    return *picture_;
+  }
   if (picture_->has_begun()) return *picture_;
   if (other_->has_begun()) return *other_;
   if (views.same_lights || !city_->on_device->switching()) {
