@@ -49,19 +49,15 @@ std::vector<Tick> make_ticks(const ViewKind& view, const render::DisplaySettings
 
 // Draws a bar from the lowest value below to the highest on top, with its labels.
 void draw_scale(const ViewKind& view, const render::DisplaySettings& display,
-                const std::string& reference, const glm::vec2& window) {
+                const glm::vec2& window) {
   const float em = ImGui::GetFontSize(), height = std::min(20 * em, window.y - 8 * em), width = em,
-              label_width = std::max(7 * em, ImGui::CalcTextSize(reference.c_str()).x - em);
+              label_width = 7 * em;
   if (height < 4 * em || window.x < 2 * label_width) return;
   const float right = window.x - em, left = right - width, top = (window.y - height) / 2;
-  const float below_bar = top + height + em;
   ImDrawList* list = ImGui::GetBackgroundDrawList();
-  list->AddRectFilled({left - label_width, top - 2 * em},
-                      {right + em / 2, below_bar + (reference.empty() ? 0 : 1.5f * em)},
+  list->AddRectFilled({left - label_width, top - 2 * em}, {right + em / 2, top + height + em},
                       label_shade);
   list->AddText({left - label_width + em / 2, top - 1.7f * em}, label_colour, view.name);
-  if (!reference.empty())
-    list->AddText({left - label_width + em / 2, below_bar}, label_colour, reference.c_str());
   constexpr int steps = 64;
   for (int i = 0; i < steps; ++i) {
     const double low = double(i) / steps, high = (i + 1.0) / steps;
@@ -75,6 +71,17 @@ void draw_scale(const ViewKind& view, const render::DisplaySettings& display,
     list->AddText({left - text - em / 2, y - em / 2}, label_colour, tick.label.c_str());
     list->AddLine({left - em / 4, y}, {left + em / 4, y}, label_colour);
   }
+}
+
+// Draws what the picture is compared with below the scale.
+void draw_reference(const std::string& reference, const glm::vec2& window) {
+  const float em = ImGui::GetFontSize(), bar = std::min(20 * em, window.y - 8 * em);
+  const float left = window.x - em - ImGui::CalcTextSize(reference.c_str()).x,
+              top = (window.y + bar) / 2 + 1.2f * em;
+  ImDrawList* list = ImGui::GetBackgroundDrawList();
+  list->AddRectFilled({left - em / 2, top - em / 5}, {window.x - em / 2, top + 1.3f * em},
+                      label_shade);
+  list->AddText({left, top}, label_colour, reference.c_str());
 }
 
 void draw_kinds(const glm::vec2& window) {
@@ -99,7 +106,8 @@ void draw_legend(const render::DisplaySettings& display, const std::string& refe
                  const glm::vec2& window) {
   if (display.view >= list_views().size()) return;
   const ViewKind& view = list_views()[display.view];
-  if (view.unit) draw_scale(view, display, reference, window);
+  if (view.unit) draw_scale(view, display, window);
+  if (!reference.empty()) draw_reference(reference, window);
   if (display.view == VIEW_KINDS) draw_kinds(window);
 }
 
