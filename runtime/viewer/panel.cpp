@@ -103,8 +103,13 @@ PanelRequests draw_panel(ViewerState& state, const FrameStats& stats) {
   ImGui::SetNextWindowSizeConstraints({0, 0}, {1e6f, std::max(4 * em, screen.y - caption - 10)});
   if (ImGui::Begin("nightview", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
     ImGui::PushItemWidth(16 * em);
-    draw_scene(state, stats, requests);
-    draw_report(stats);
+    const bool opening = stats.scene.empty();
+    if (opening) {
+      ImGui::TextUnformatted("the scene is being opened");
+    } else {
+      draw_scene(state, stats, requests);
+      draw_report(stats);
+    }
     ImGui::Separator();
     draw_presets(requests);
     draw_governor(state, stats);
@@ -116,7 +121,6 @@ PanelRequests draw_panel(ViewerState& state, const FrameStats& stats) {
     ImGui::Separator();
     draw_night(state);
     ImGui::Separator();
-    const bool opening = stats.scene.empty();
     ImGui::BeginDisabled(opening);
     draw_camera(state, requests);
     draw_place(state, requests);
