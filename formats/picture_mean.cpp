@@ -62,15 +62,20 @@ bool is_png(std::span<const std::byte> bytes) {
   return bytes.size() > 4 && std::memcmp(bytes.data(), "\x89PNG", 4) == 0;
 }
 
-// Returns whether the first data chunk of a PNG holds data. stb_image 2.27 copies those of an empty
-// one to a null pointer. No writer begins with one.
-bool begins_with_data(std::span<const std::byte> png) {
+// Returns whether stb_image 2.27 can be given the data chunks of a PNG. It copies those of an empty
+// first one to a null pointer, and takes memory for whatever length a chunk claims, up to 2 GB. No
+// writer begins with an empty one, and of a file that is cut nothing is shown in any case.
+bool has_sound_data(std::span<const std::byte> png) {
   constexpr std::size_t signature = 8, before = 8, around = 12;  // bytes: length, type, checksum
+  bool is_first = true;
   for (std::size_t at = signature; at + before <= png.size();) {
     std::size_t length = 0;
     for (std::size_t i = 0; i < 4; ++i)
       length = length << 8 | std::to_integer<std::size_t>(png[at + i]);
-    if (std::memcmp(&png[at + 4], "IDAT", 4) == 0) return length > 0;
+    if (std::memcmp(&png[at + 4], "IDAT", 4) == 0) {
+      if (length > png.size() - at - before || (is_first && length == 0)) return false;
+      is_first = false;
+    }
     at += around + length;
   }
   return true;  // it refuses a PNG without data itself
@@ -103,7 +108,7 @@ PixelRange find_range(double low, double high, int size) {
 
 std::optional<Picture> Picture::read(std::span<const std::byte> bytes, std::int64_t max_pixels) {
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return std::nullopt;
-  if (is_png(bytes) ? !begins_with_data(bytes) : !has_sound_huffman_tables(bytes))
+  if (is_png(bytes) ? !has_sound_data(bytes) : !has_sound_huffman_tables(bytes))
     return std::nullopt;
   const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());

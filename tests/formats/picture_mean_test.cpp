@@ -33,6 +33,13 @@ TEST(PictureMean, APictureThatWouldFillTheMemoryIsNotUnpacked) {
   EXPECT_FALSE(find_picture_mean(std::as_bytes(std::span(png)), false).has_value());
 }
 
+// Memory would be taken for what the chunk claims.
+TEST(PictureMean, ADataChunkThatIsLongerThanTheFileIsRefused) {
+  std::string png = make_white_png(20, 10);
+  png[png.find("IDAT") - 4] = 0x5D;
+  EXPECT_FALSE(Picture::read(std::as_bytes(std::span(png))).has_value());
+}
+
 TEST(PictureMean, APartIsCountedFromTheLowerLeftAndRepeats) {
   // Red above green, with a blue column on the right.
   const std::string png = make_rgb_png(4, 4, [](std::size_t x, std::size_t y) {
