@@ -10,7 +10,7 @@ namespace nightcity::scene {
 namespace {
 
 constexpr float eye_height_m = 1.7f;
-constexpr double clear_m = 1.5;       // nearest wall around a place to stand
+constexpr double free_m = 1.5;        // nearest wall around a place to stand
 constexpr double sight_m = 250;       // farther ahead makes a view no better
 constexpr double street_half_m = 20;  // walls within this distance to the side make a street
 constexpr float roof_m = 2.5f;        // higher than the lowest ground around: a roof, not a street
@@ -64,7 +64,7 @@ std::optional<Standpoint> find_standpoint(const RenderScene& scene, double x, do
   for (int i = 0; i < sight_count; ++i) {
     const auto hit = trace_ray(scene, *eye, direction_of(i), sight_m, MASK_VISIBLE);
     const double open = hit ? hit->distance : sight_m;
-    if (open < clear_m) return std::nullopt;
+    if (open < free_m) return std::nullopt;
     from.open[static_cast<std::size_t>(i)] = open;
   }
   return from;

@@ -11,7 +11,7 @@
 namespace nightcity::viewer {
 namespace {
 
-constexpr double sight_m = 20'000;
+constexpr double pick_range_m = 20'000;
 constexpr std::size_t most_lights = 10;
 
 std::string describe_sources(const LightProvenance& provenance) {
@@ -84,7 +84,7 @@ std::optional<Pick> pick(const scene::RenderScene& scene, const scene::CameraPos
                          scene::LightFamilies on) {
   const glm::dvec3 direction(direction_through(pose, pixel, size));
   const auto hit =
-      scene::trace_ray(scene, glm::dvec3(pose.position), direction, sight_m, MASK_VISIBLE);
+      scene::trace_ray(scene, glm::dvec3(pose.position), direction, pick_range_m, MASK_VISIBLE);
   if (!hit) return std::nullopt;
   const glm::dvec3 point = glm::dvec3(pose.position) + hit->distance * direction;
   Pick picked;

@@ -14,7 +14,7 @@ namespace {
 constexpr double one_move_s = 1;
 constexpr std::size_t max_undo = 100;
 
-bool same_pose(const scene::CameraPose& a, const scene::CameraPose& b) {
+bool equal_poses(const scene::CameraPose& a, const scene::CameraPose& b) {
   return a.position == b.position && a.target == b.target && a.up == b.up && a.fov_deg == b.fov_deg;
 }
 
@@ -54,7 +54,7 @@ void Session::move(const Hands& hands, const scene::RenderScene& scene, const gl
                   state.settings.environment.lights);
   const CameraControl before = state.camera;
   move_camera(state.camera, hands, scene, window);
-  if (same_pose(before.pose, state.camera.pose)) return;
+  if (equal_poses(before.pose, state.camera.pose)) return;
   const CameraControl after = state.camera;
   state.camera = before;
   remember(now_s);

@@ -10,7 +10,7 @@
 namespace nightcity::terrain {
 namespace {
 
-constexpr double min_plan_area_m2 = 1e-8, min_ring_area_m2 = 1, farthest_m = 1e12;
+constexpr double min_triangle_m2 = 1e-8, min_ring_area_m2 = 1, farthest_m = 1e12;
 
 double plan_area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
@@ -46,7 +46,7 @@ void Outline::add(const mesh::TriangleMesh& mesh) {
       return std::abs(p.x) + std::abs(p.y) + std::abs(p.z) < farthest_m;
     };
     if (!std::all_of(std::begin(corners), std::end(corners), is_near) ||
-        !(std::abs(area) > min_plan_area_m2))
+        !(std::abs(area) > min_triangle_m2))
       continue;
     for (int k = 0; k < 3; ++k) {
       const glm::dvec3 &a = corners[k], &b = corners[(k + 1) % 3];

@@ -19,7 +19,7 @@ namespace nightcity::bake {
 namespace {
 
 using std::numbers::pi;
-constexpr std::size_t batch = 8'192;  // lamps in one node
+constexpr std::size_t lamps_in_node = 8'192;  // lamps in one node
 
 // Sizes of common street furniture, m. They decide what a lamp looks like, and have no effect on
 // its light.
@@ -69,8 +69,8 @@ glm::mat4 heading(const glm::dvec2& direction) {
 }
 
 // Lamps whose balls look alike share a mesh and a material.
-using Look = std::tuple<float, float, float, float, float>;  // flux, radius, colour
-Look to_look(const lights::PlacedLamp& lamp) {
+using LampLook = std::tuple<float, float, float, float, float>;  // flux, radius, colour
+LampLook to_lamp_look(const lights::PlacedLamp& lamp) {
   return {static_cast<float>(lamp.flux_lm), static_cast<float>(lamp.radius_m), lamp.colour.x,
           lamp.colour.y, lamp.colour.z};
 }
@@ -100,15 +100,15 @@ class LampModels {
   const Georeference& georeference_;
   std::uint32_t post_material_;
   std::optional<std::uint32_t> post_, arm_, housing_;
-  std::map<Look, std::uint32_t> balls_;
+  std::map<LampLook, std::uint32_t> balls_;
 };
 
 void LampModels::add_balls(std::span<const lights::PlacedLamp> lamps, std::size_t first,
                            std::span<const glm::mat4> places) {
-  std::map<Look, SceneNode> nodes;
+  std::map<LampLook, SceneNode> nodes;
   for (std::size_t i = 0; i < lamps.size(); ++i)
     if (lamps[i].radius_m > 0)  // a point has no size to show
-      nodes[to_look(lamps[i])].instances.push_back(
+      nodes[to_lamp_look(lamps[i])].instances.push_back(
           {glm::scale(places[i], glm::vec3(static_cast<float>(lamps[i].radius_m))),
            static_cast<std::uint32_t>(first + i)});
   for (auto& [look, node] : nodes) {
@@ -179,7 +179,7 @@ void add_lamp_models(SceneWriter& writer, std::span<const lights::PlacedLamp> la
                      const Georeference& georeference, std::uint32_t post_material) {
   LampModels models(writer, georeference, post_material);
   for (std::size_t first = 0; first < lamps.size();) {
-    std::size_t end = std::min(lamps.size(), first + batch);
+    std::size_t end = std::min(lamps.size(), first + lamps_in_node);
     while (end < lamps.size() && lamps[end].foot == lamps[end - 1].foot)
       ++end;  // one post, several luminaires
     models.add(lamps.subspan(first, end - first), first);

@@ -14,7 +14,7 @@
 namespace nightcity::bake {
 namespace {
 
-constexpr std::size_t batch = 8'192;  // trees in one node
+constexpr std::size_t trees_in_node = 8'192;  // trees in one node
 
 // Leaves are clusters and twigs are branches: fewer and larger than a tree's own, with the same
 // gaps. Sizes in radii of the crown.
@@ -82,9 +82,10 @@ class TreeModels {
   template <class Place>
   void add(const char* name, std::uint32_t mesh, std::span<const trees::Tree> trees,
            const Place& place) {
-    for (std::size_t first = 0; first < trees.size(); first += batch) {
+    for (std::size_t first = 0; first < trees.size(); first += trees_in_node) {
       SceneNode node{name, "tree", mesh, true, {}};
-      for (const trees::Tree& tree : trees.subspan(first, std::min(batch, trees.size() - first)))
+      for (const trees::Tree& tree :
+           trees.subspan(first, std::min(trees_in_node, trees.size() - first)))
         node.instances.push_back({place(tree), no_id});
       writer_.add_node(node);
     }
