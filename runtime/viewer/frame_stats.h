@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -31,8 +30,8 @@ struct FrameStats {
   bool films = false;     // a film is being recorded
   std::string work;       // what goes on: "rendering every 2nd pixel, 40 %"
   std::string place;      // where the camera is, in words
-  std::span<const gpu::Timer::Span> passes;
-  std::vector<float> times_ms;                        // of the last frames, the newest last
+  std::vector<gpu::Timer::Span> passes;  // a copy: the picture may go before the panel is drawn
+  std::vector<float> times_ms;           // of the last frames, the newest last
   std::uint64_t device_bytes = 0, process_bytes = 0;  // of memory that this program has
 };
 

@@ -92,7 +92,8 @@ std::vector<std::vector<glm::dvec3>> leave_out_inner(
   std::sort(by_size.begin(), by_size.end());
   std::vector<std::vector<glm::dvec3>> outer;
   mesh::PlaneLayer kept;
-  for (const auto& [size, i] : by_size) {
+  for (const auto& area_and_ring : by_size) {
+    const std::size_t i = area_and_ring.second;
     const auto is_within = [&](const mesh::PlaneArea& area) {
       return std::all_of(plans[i].begin(), plans[i].end(),
                          [&](const glm::dvec2& p) { return mesh::holds(area.rings, p); });

@@ -36,8 +36,8 @@ start() {
 }
 
 fail() {
-  echo "random_hands: $1, after $events events; the program's last lines:" >&2
-  tail -25 out.txt >&2
+  echo "random_hands: $1, after $events events; the program's errors, or its last lines:" >&2
+  grep -m1 -A60 -E "ERROR: AddressSanitizer|runtime error:|VUID-" out.txt >&2 || tail -25 out.txt >&2
   exit 1
 }
 
