@@ -18,8 +18,14 @@ fi
 
 program=$1 seconds=$2
 shift 2
+# Copies, because bookmarks and edits are written beside a scene.
 scenes=()
-for scene in "$@"; do scenes+=("$(realpath "$scene")"); done
+for scene in "$@"; do
+  copy=$RANDOM_HANDS_INSIDE/${#scenes[@]}
+  mkdir "$copy"
+  cp "$scene" "${scene%.glb}.lights" "$copy"
+  scenes+=("$copy/$(basename "$scene")")
+done
 RANDOM=${SEED:-1}
 cd "$RANDOM_HANDS_INSIDE"
 events=0
