@@ -1,4 +1,4 @@
-// What a scene knows of the Earth and the map besides its georeference: latitudes, longitudes, names.
+// Latitudes and longitudes of a scene, and names of its streets.
 #pragma once
 
 #include <cstddef>

@@ -22,7 +22,7 @@ struct WindowRequests {
   int next_city = 0;    // steps in the list of cities
 };
 
-/// What goes on in the background, which Esc stops.
+/// This goes on in the background, and Esc stops it.
 enum class Background { nothing, picture, film };
 
 class Session {

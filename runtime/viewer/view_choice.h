@@ -10,7 +10,7 @@ namespace nightcity::viewer {
 /// Returns the state with which the window begins.
 ViewerState make_state(const ViewOptions& options);
 
-/// What the choice depends on besides the panel's state.
+/// The choice depends on these besides the panel's state.
 struct ViewConditions {
   glm::uvec2 window{1};          // pixels
   std::uint32_t max_frames = 0;  // in the mean

@@ -22,7 +22,7 @@ struct Views {
   bool same_lights = true;
 };
 
-/// What the workbench holds beside the picture.
+/// The workbench holds one of these beside the picture.
 enum class Beside {
   nothing,
   side,      // of a comparison

@@ -200,7 +200,7 @@ class CrownLight : public testing::TestWithParam<Crown> {
   LeavesOnRay leaves_{GetParam().gap, GetParam().length, GetParam().width};
 };
 
-// What arrives, what arrives by the closed form, and what would without crowns.
+// Light that arrives, as measured, by the closed form, and without crowns.
 struct Sums {
   double arrived = 0, closed_form = 0, unshaded = 0;
 

@@ -1,4 +1,4 @@
-// What a scene's user may ask for by words: latitude and longitude, names of streets.
+// The stage of places: latitude and longitude, and names of streets.
 #pragma once
 
 #include "formats/scene_places.h"
