@@ -36,6 +36,10 @@ glm::vec3 direction_of(const Heading& heading) {
 
 }  // namespace
 
+bool is_same_pose(const scene::CameraPose& a, const scene::CameraPose& b) {
+  return a.position == b.position && a.target == b.target && a.up == b.up && a.fov_deg == b.fov_deg;
+}
+
 scene::CameraPose orbited(const scene::CameraPose& pose, float yaw, float pitch) {
   const Heading heading = heading_of(pose);
   // The camera rises when the view direction sinks.

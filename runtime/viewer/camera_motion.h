@@ -7,6 +7,9 @@
 
 namespace nightcity::viewer {
 
+/// Returns whether two poses relative to one origin show the same view.
+bool is_same_pose(const scene::CameraPose& a, const scene::CameraPose& b);
+
 /// All motions keep Y up and the view at most 89 degrees from the horizon, because straight up or
 /// down "left" has no meaning. The first turn brings a steeper pose (a map) to that limit and keeps
 /// its heading.

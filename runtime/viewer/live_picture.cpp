@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "runtime/scene/markers.h"
+#include "runtime/viewer/camera_motion.h"
 #include "runtime/viewer/comparison.h"
 #include "shaders/tonemap.glsl.h"
 
@@ -24,13 +25,9 @@ constexpr std::uint32_t frames_in_motion = 8;
 
 constexpr std::size_t metered_pixels = 20'000;
 
-bool same_pose(const scene::CameraPose& a, const scene::CameraPose& b) {
-  return a.position == b.position && a.target == b.target && a.up == b.up && a.fov_deg == b.fov_deg;
-}
-
 // Returns whether a picture of one view is a picture of the other.
 bool same_view(const View& a, const View& b) {
-  return same_pose(a.pose, b.pose) && a.window == b.window && a.divisor == b.divisor &&
+  return is_same_pose(a.pose, b.pose) && a.window == b.window && a.divisor == b.divisor &&
          a.settings.time_s == b.settings.time_s &&
          a.settings.averaging.accumulate == b.settings.averaging.accumulate &&
          render::have_same_estimate(a.settings, b.settings);
@@ -161,7 +158,7 @@ render::RenderSettings LivePicture::made_with() const {
 
 bool LivePicture::is_like(const LivePicture& other) const {
   return shown_ && other.shown_ && has_picture() && other.has_picture() &&
-         same_pose(shown_->pose, other.shown_->pose) && shown_->window == other.shown_->window &&
+         is_same_pose(shown_->pose, other.shown_->pose) && shown_->window == other.shown_->window &&
          have_same_lights(shown_->settings, other.shown_->settings) &&
          shown_->settings.indirect.bounces == other.shown_->settings.indirect.bounces &&
          shown_->settings.environment == other.shown_->settings.environment &&

@@ -4,6 +4,7 @@
 
 #include "formats/error.h"
 #include "runtime/scene/camera_path.h"
+#include "runtime/viewer/camera_motion.h"
 #include "runtime/viewer/light_editor.h"
 #include "runtime/viewer/views.h"
 
@@ -13,10 +14,6 @@ namespace {
 // Motions with less than this between them are one move, which is taken back as a whole.
 constexpr double one_move_s = 1;
 constexpr std::size_t max_undo = 100;
-
-bool equal_poses(const scene::CameraPose& a, const scene::CameraPose& b) {
-  return a.position == b.position && a.target == b.target && a.up == b.up && a.fov_deg == b.fov_deg;
-}
 
 }  // namespace
 
@@ -54,7 +51,7 @@ void Session::move(const Hands& hands, const scene::RenderScene& scene, const gl
                   state.settings.environment.lights);
   const CameraControl before = state.camera;
   move_camera(state.camera, hands, scene, window);
-  if (equal_poses(before.pose, state.camera.pose)) return;
+  if (is_same_pose(before.pose, state.camera.pose)) return;
   const CameraControl after = state.camera;
   state.camera = before;
   remember(now_s);

@@ -22,7 +22,7 @@ View make_view(const ViewerState& state, const render::RenderSettings& settings,
 render::RenderSettings to_reference(render::RenderSettings settings) {
   settings.sampling.estimator = render::Estimator::reference;
   settings.sampling.resolution_scale = 1;
-  // Where the picture is the reference's too, both are to be of other random numbers.
+  // The picture may be the reference's too: the two must not share their random numbers.
   settings.sampling.seed += 1;
   settings.display.denoise = false;
   settings.display.view = VIEW_PICTURE;

@@ -58,7 +58,7 @@ TEST(ScenePlaces, ASceneWithoutThemHasNone) {
   EXPECT_TRUE(scene.skipped.empty());
 }
 
-// What is unsound is left out with a sentence, and the scene is read all the same.
+// A reader leaves out unsound places, says so, and reads the scene all the same.
 TEST(ScenePlaces, UnsoundDegreesAreLeftOutAndSaid) {
   const auto read_changed = [](const std::function<void(json&)>& change) {
     json document = test::foreign();

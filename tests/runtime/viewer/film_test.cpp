@@ -124,7 +124,7 @@ TEST_F(Film, ItsProgressCountsPicturesAndTheTimeThatIsLeft) {
   EXPECT_NE(job.result().find("film.mp4, of 10 pictures in"), std::string::npos) << job.result();
 }
 
-// What an earlier run left counts as there, and not towards the time that is left.
+// Pictures of an earlier run count as made, but not in the estimate of the time left.
 TEST_F(Film, AnotherRunGoesOnWhereTheFirstEnded) {
   for (std::uint32_t i = 0; i < 6; ++i) test::write_text(folder / name_of_picture(i, ".png"), "");
   FilmJob job = begin("sleep 600", 8);
