@@ -13,7 +13,7 @@ namespace nightcity::test {
 /// ground if `ground` is. Returns false, and fails the test, when nightbake fails.
 inline bool bake_berlin(const TempFolder& folder, bool windows, bool ground = true) {
   const std::string bare =
-      "[ground]\nstreets = false\nland = false\ngaps = false\ntrees = \"none\"\n";
+      "[ground]\nstreets = false\nland = false\ngaps = false\nhorizon = false\ntrees = \"none\"\n";
   const std::filesystem::path data = std::filesystem::absolute(data_root()) / "berlin";
   write_text(folder / "berlin.toml",
              "[city]\nfiles = [\"" + (data / "berlin_open_data_sample_data.citygml").string() +
