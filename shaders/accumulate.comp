@@ -26,8 +26,9 @@ void main() {
     // new mean.
     const Surface surface = FRAME.surfaces.at[index];
     uint before = index;
-    const bool sky = surface.depth <= 0.0 && FRAME.previous_surfaces.at[index].depth <= 0.0 &&
-                     FRAME.has_history != 0u && FRAME.previous_size == FRAME.size;
+    // The sizes come first: a picture that grew has more pixels than its history.
+    const bool sky = FRAME.has_history != 0u && FRAME.previous_size == FRAME.size &&
+                     surface.depth <= 0.0 && FRAME.previous_surfaces.at[index].depth <= 0.0;
     if (sky || previous_pixel(surface, before))
       total = FRAME.previous_accumulation.at[before];
     const float most = float(FRAME.window - 1u);

@@ -39,7 +39,7 @@ bool previous_place(Surface surface, out Surface expected, out vec2 at) {
   if (!screen_of(camera, d, screen)) return false;
   const uvec2 size = FRAME.previous_size;
   at = (screen * 0.5 + 0.5) * vec2(size);
-  return !(any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, vec2(size))));
+  return all(greaterThanEqual(at, vec2(0.0))) && all(lessThan(at, vec2(size)));  // false for NaN
 }
 
 // Finds the pixel that showed this point of this surface in the frame before; returns false where
