@@ -141,7 +141,7 @@ float[4] weigh_static_children(AirRay ray, uint level, uint place) {
 
 // Returns a static light for a ray, by descending their light BVH.
 SampledLight sample_tree_light(AirRay ray) {
-  SampledLight chosen = SampledLight(0u, SCENE.lights.at[0], 0.0);
+  SampledLight chosen = NO_LIGHT;
   float pdf = 1.0;
   uint place = 0u;
   for (uint level = SCENE.light_tree.levels - 1u; level > 0u; --level) {
@@ -203,7 +203,7 @@ SampledLight sample_vehicle_light(AirRay ray) {
         weigh_children(true, SCENE.traffic.level_first[level - 1u],
                        SCENE.traffic.level_count[level - 1u], 4u * place, ray);
     const uint child = sample_child(weight, pdf);
-    if (child == 4u) return SampledLight(0u, SCENE.lights.at[0], 0.0);
+    if (child == 4u) return NO_LIGHT;
     place = 4u * place + child;
   }
   return sample_light_of_vehicle(FRAME.vehicle_nodes.at[place], pdf);
@@ -211,7 +211,7 @@ SampledLight sample_vehicle_light(AirRay ray) {
 
 // Returns one light for a ray. `technique` in [0, 1) chooses: below `share`, a vehicle's.
 SampledLight sample_light_in_air(AirRay ray, float share, float technique) {
-  SampledLight chosen = SampledLight(0u, SCENE.lights.at[0], 0.0);
+  SampledLight chosen = NO_LIGHT;
   if (technique < share) {
     chosen = sample_vehicle_light(ray);
     chosen.pdf *= share;

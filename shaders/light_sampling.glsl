@@ -31,6 +31,10 @@ struct SampledLight {
   float pdf;  // 0 = no light was found
 };
 
+// A scene without lights has none at index 0 either, so this one is read from nowhere.
+const SampledLight NO_LIGHT = SampledLight(
+    0u, Light(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0u, 0u, 0u, 0u), 0.0);
+
 GridCell cell_at(LightGridBuffers grid, vec3 position, float share) {
   GridCell p;
   const LightGridShape shape = grid.shape;
@@ -179,7 +183,7 @@ uint sample_child(float weight[4], inout float pdf) {
 
 // Returns one of the lights of a vehicle, in proportion to flux; `pdf` is that of the vehicle.
 SampledLight sample_light_of_vehicle(LightNode leaf, float pdf) {
-  SampledLight chosen = SampledLight(0u, SCENE.lights.at[0], 0.0);
+  SampledLight chosen = NO_LIGHT;
   float at = random_float() * leaf.flux_lm;
   for (uint i = 0u; i < VEHICLE_LIGHTS; ++i) {
     const float flux = FRAME.vehicle_lights.at[leaf.item * VEHICLE_LIGHTS + i].flux_lm;
@@ -208,7 +212,7 @@ SampledLight sample_vehicle_light(vec3 position) {
               : 0.0;
     }
     const uint child = sample_child(weight, pdf);
-    if (child == 4u) return SampledLight(0u, SCENE.lights.at[0], 0.0);
+    if (child == 4u) return NO_LIGHT;
     place = 4u * place + child;
   }
   return sample_light_of_vehicle(FRAME.vehicle_nodes.at[place], pdf);

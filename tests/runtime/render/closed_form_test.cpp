@@ -189,7 +189,8 @@ TEST(ClosedForm, ABeamOfAMillionthOfADegreeIsFinite) {
                                       settings_for(render::Estimator::reference), 9, 9, 1);
   for (std::size_t i = 0; i < image.pixels(); ++i) {
     EXPECT_TRUE(std::isfinite(luminance(image, i)));
-    if (i != image.pixels() / 2) EXPECT_EQ(luminance(image, i), 0) << "off the axis";
+    if (i == image.pixels() / 2) continue;
+    EXPECT_EQ(luminance(image, i), 0) << "off the axis";
   }
 }
 

@@ -129,6 +129,23 @@ TEST_F(Slices, RefinementFromCoarseToFineStaysUnbiased) {
   EXPECT_NEAR(sum / runs / expected, 1, 0.03);  // six standard deviations of the mean
 }
 
+// The sky of a picture that grew has no history: its pixels are more than the frame before had.
+// Guard pages (tests/runtime/guarded) find out whether that is read all the same.
+TEST_F(Slices, AMeanThatMovesStartsAnewWhereThePictureGrows) {
+  settings_.averaging.window = 8;
+  settings_.environment.sky_cd_m2 = glm::vec3(3);
+  pose_.target = {40, 60, 0};
+  Renderer renderer = make(8, 6);
+  renderer.render_frame(pose_, settings_);
+  renderer.set_size(48, 36);
+  renderer.render_frame(pose_, settings_);
+  const std::vector<float> grown = renderer.download(false).rgb;
+  Renderer anew = make(48, 36);
+  anew.render_frame(pose_, settings_);
+  EXPECT_EQ(grown.front(), anew.download(false).rgb.front());
+  EXPECT_GT(grown.front(), 0);
+}
+
 // A cell that is new gets eight paths in a whole frame of the default settings, and one here.
 TEST_F(Slices, AQuickFrameFollowsOnePathOfEachCell) {
   settings_.count_rays = true;
