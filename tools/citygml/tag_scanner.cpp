@@ -118,18 +118,25 @@ std::size_t TagScanner::find(std::string_view text, std::size_t from) {
   }
 }
 
-// Returns the position behind the '>' that closes the tag: one inside quotes does not count.
+// Returns the position behind the '>' that closes the tag: one inside quotes does not count. Every
+// byte is looked at a fixed number of times, however many attributes there are.
 std::size_t TagScanner::end_of_tag(std::size_t begin) {
-  std::size_t from = begin + 1;
+  std::size_t from = begin + 1, close = begin;
+  const auto refuse_tags = [&](std::size_t end) {
+    if (window().substr(from, end - from).find('<') != std::string_view::npos)
+      fail(begin, "not XML: '<' inside a tag");
+  };
   for (;;) {
-    const std::size_t close = find('>', from);
+    if (close < from) close = find('>', from);
     if (close == nowhere) fail(begin, "the file ends inside a tag");
-    const std::string_view inside = window().substr(from, close - from);
-    if (inside.find('<') != std::string_view::npos) fail(begin, "not XML: '<' inside a tag");
-    const std::size_t quote = inside.find_first_of("\"'");
-    if (quote == std::string_view::npos) return close + 1;
-    const std::size_t unquote = find(inside[quote], from + quote + 1);
+    const std::size_t quote = window().substr(0, close).find_first_of("\"'", from);
+    if (quote == std::string_view::npos) {
+      refuse_tags(close);
+      return close + 1;
+    }
+    const std::size_t unquote = find(bytes_[quote], quote + 1);
     if (unquote == nowhere) fail(begin, "the file ends inside an attribute");
+    refuse_tags(unquote);
     from = unquote + 1;
   }
 }

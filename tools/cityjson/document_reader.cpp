@@ -188,16 +188,27 @@ class DocumentReader {
       dom::array children;
       const std::vector<dom::element> parsed = parser.parse(std::span(&object.children, 1));
       if (parsed.front().get(children) != simdjson::SUCCESS) continue;
-      for (const dom::element& child : children)
-        if (std::string_view id; child.get(id) == simdjson::SUCCESS)
-          node.children.push_back(keep(id, object.children));
+      keep_children(children, object.children, node.children);
     }
   }
 
-  // Returns the same text where it lives longer: in the file, unless it has escapes.
-  std::string_view keep(std::string_view id, std::string_view in) {
-    const std::size_t at = in.find(id);
-    return at == std::string_view::npos ? unescaped_.emplace_back(id) : in.substr(at, id.size());
+  // Keeps the names of children where they live longer than their parser: in the file's `text`,
+  // where they stand in this order, unless it has escapes.
+  void keep_children(const dom::array& names, std::string_view text,
+                     std::vector<std::string_view>& children) {
+    const bool has_escapes = text.find('\\') != std::string_view::npos;
+    std::size_t from = 0;
+    for (const dom::element& name : names) {
+      std::string_view id;
+      if (name.get(id) != simdjson::SUCCESS) continue;
+      const std::size_t at = has_escapes ? std::string_view::npos : text.find(id, from);
+      if (at == std::string_view::npos) {
+        children.push_back(unescaped_.emplace_back(id));
+        continue;
+      }
+      children.push_back(text.substr(at, id.size()));
+      from = at + id.size();
+    }
   }
 
   std::optional<Groups> next_groups(std::size_t& next) const {

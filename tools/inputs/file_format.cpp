@@ -119,27 +119,33 @@ const FileFormat* recognise(const FileStart& start) {
   return format == formats.end() ? nullptr : &*format;
 }
 
+// Of an archive's entry, the name that it has there.
+std::string name_of(const city::Document& document) {
+  return to_lower(std::filesystem::path(document.name).filename().string());
+}
+
 }  // namespace
 
 const FileFormat& find_format(const std::filesystem::path& path) {
-  const std::string name = to_lower(path.filename().string());
-  std::string why;
+  std::string why, where;
   for (const city::Document& document : city::list_documents(path, city_endings())) {
-    const std::string bytes = city::read_start(document, start_bytes);
+    const std::string bytes = city::read_start(document, start_bytes), name = name_of(document);
     if (const FileFormat* format = recognise({bytes, name, document.packed})) return *format;
-    if (why.empty()) why = explain_foreign(bytes, name);
+    if (!why.empty()) continue;
+    if (where.empty()) where = document.name;
+    why = explain_foreign(bytes, name);
     if (why.empty()) why = osm::describe_unread_osm(bytes);
+    if (!why.empty()) where = document.name;
   }
-  throw Error(path.string(),
-              why.empty() ? "is of no format that is read here: " + list_names() : why);
+  throw Error(where, why.empty() ? "is of no format that is read here: " + list_names() : why);
 }
 
 std::string find_reason_to_pass_over(const std::filesystem::path& path) {
-  const std::string name = to_lower(path.filename().string());
   const auto documents = city::list_documents(path, city_endings());
   if (documents.size() != 1) return {};
-  const std::string bytes = city::read_start(documents.front(), start_bytes);
-  if (const FileFormat* format = recognise({bytes, name, documents.front().packed}))
+  const city::Document& document = documents.front();
+  const std::string bytes = city::read_start(document, start_bytes), name = name_of(document);
+  if (const FileFormat* format = recognise({bytes, name, document.packed}))
     return format->kind == FileKind::city ? "" : std::string("is ") + format->name;
   const bool is_text = !find_root_name(bytes).empty() || bytes.starts_with('{');
   return is_text ? explain_foreign(bytes, name) : "";

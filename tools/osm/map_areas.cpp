@@ -134,6 +134,33 @@ class BoundedAssembler {
   osmium::area::Assembler assembler_;
 };
 
+// Hands relations on, but for those of a way that others name as well, very often. Relations share
+// borders, but few of them one; and for each that is complete, libosmium looks at all members that
+// any relation has in the same way.
+template <class Manager>
+class RelationGate : public osmium::handler::Handler {
+ public:
+  RelationGate(Manager& manager, TooLong& too_long) : manager_(manager), too_long_(too_long) {}
+
+  void relation(const osmium::Relation& relation) {
+    constexpr std::size_t max_uses = 64;
+    std::size_t uses = 0;
+    if (manager_.new_relation(relation))
+      for (const osmium::RelationMember& member : relation.members())
+        if (member.type() == osmium::item_type::way)
+          uses = std::max(uses, ++uses_of_way_[member.ref()]);
+    if (uses > max_uses)
+      ++too_long_.relations;
+    else
+      manager_.relation(relation);
+  }
+
+ private:
+  Manager& manager_;
+  TooLong& too_long_;
+  std::unordered_map<osmium::object_id_type, std::size_t> uses_of_way_;
+};
+
 class Collector : public osmium::handler::Handler {
  public:
   explicit Collector(const AreaSelection& selection) : selection_(selection) {}
@@ -230,7 +257,8 @@ MapAreas read_map_areas(const std::filesystem::path& file, const AreaSelection& 
     osmium::area::MultipolygonManager<BoundedAssembler> manager{{{}, max_nodes, &too_long}, filter};
     TagCheck check;
     osmium::io::Reader relations(map, osmium::osm_entity_bits::relation);
-    osmium::apply(relations, check, manager);
+    RelationGate gate(manager, too_long);
+    osmium::apply(relations, check, gate);
     relations.close();
     manager.prepare_for_lookup();
     Places places(selection);

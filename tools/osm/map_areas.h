@@ -34,13 +34,14 @@ struct MapAreas {
   std::vector<MapArea> areas;  // in the file's order
   std::size_t broken = 0;      // closed ways and multipolygons that enclose nothing or lack nodes
   std::size_t open_ways = 0;   // ways that were selected and are not closed
-  std::size_t too_long = 0;    // ways and multipolygons of more than `max_nodes`
+  // Ways and multipolygons of more than `max_nodes`, or of a way that 64 have had before.
+  std::size_t too_long = 0;
 };
 
 /// Reads all areas that are selected, of several versions of one the newest. Memory grows with them
 /// and with the nodes of the map. Areas whose ways have more than `max_nodes` nodes together are
-/// left out: the time that it takes to assemble rings grows with their square. Throws Error:
-/// missing or broken.
+/// left out, because the time that it takes to assemble rings grows with their square, and so are
+/// multipolygons beyond the 64th of one way. Throws Error: missing or broken.
 MapAreas read_map_areas(const std::filesystem::path& file, const AreaSelection& selection,
                         std::size_t max_nodes);
 

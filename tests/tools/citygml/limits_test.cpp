@@ -101,6 +101,16 @@ TEST(Limits, AMemberBeyondTheLimitNamesIt) {
   EXPECT_EQ(read(text, options).objects.size(), 1u);
 }
 
+TEST(Limits, ATagOfAMillionAttributesIsReadInOnePass) {
+  std::string text = city_model(building_with("a", surface_member(polygon("p", south_wall))));
+  std::string attributes;
+  for (int i = 0; i < 1'000'000; ++i) attributes += " a" + std::to_string(i) + "=\">\"";
+  text.insert(text.find('>', text.find("CityModel")), attributes);
+  const City city = read(text);
+  ASSERT_EQ(city.objects.size(), 1u);
+  EXPECT_EQ(city.objects[0].polygons.size(), 1u);
+}
+
 TEST(Limits, AZeroByteEndsTheReading) {
   // As the holes of a sparse file are read, terabytes long if need be.
   const std::string begun = city_model("").substr(0, city_model("").rfind("</core:CityModel>"));

@@ -133,6 +133,17 @@ TEST(HostileCityJson, DeepNestingIsRefused) {
   EXPECT_NE(error_of(header() + feature("a", object("a", "Building", deep + closed))), "read");
 }
 
+TEST(HostileCityJson, ABuildingOfVeryManyPartsIsReadInOnePass) {
+  constexpr int count = 400'000;
+  std::string children;
+  for (int i = 0; i < count; ++i) children += (i ? ",\"p" : "\"p") + std::to_string(i) + "\"";
+  const City read = read_city(
+      city_json(object("a", "Building", solid(), "\"children\":[" + children + ",\"last\"]") + "," +
+                object("last", "BuildingPart", solid(), "\"parents\":[\"a\"]")));
+  ASSERT_EQ(read.objects.size(), 1u);
+  EXPECT_EQ(read.objects[0].polygons.size(), 6u);  // the last part's, which stands for the whole
+}
+
 TEST(HostileCityJson, ParentsInACircleEndSomewhere) {
   const City read = read_city(
       city_json(object("a", "BuildingPart", solid(), "\"parents\":[\"b\"],\"children\":[\"b\"]") +

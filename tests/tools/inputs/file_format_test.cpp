@@ -1,6 +1,7 @@
 #include "tools/inputs/file_format.h"
 
 #include <gtest/gtest.h>
+#include <zip.h>
 #include <zlib.h>
 
 #include <set>
@@ -89,6 +90,23 @@ std::string reason_for(const std::string& content, const std::string& ending) {
     return error.what();
   }
   return "read";
+}
+
+std::string zipped(const std::string& name, const std::string& content) {
+  const TemporaryFile file("", ".zip");
+  zip_t* const zip = zip_open(file.path().c_str(), ZIP_CREATE | ZIP_TRUNCATE, nullptr);
+  zip_file_add(zip, name.c_str(), zip_source_buffer(zip, content.data(), content.size(), 0), 0);
+  EXPECT_EQ(zip_close(zip), 0);
+  std::ifstream in(file.path(), std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(FileFormat, WhatAnArchiveHoldsIsSaidOfItsEntry) {
+  EXPECT_EQ(name_of_format(zipped("a/b.gml", city_text), ".zip"), "CityGML");
+  const std::string other = reason_for(zipped("a/b.gml", "<a:Other>"), ".zip"),
+                    text = reason_for(zipped("../b.gml", "hello"), ".zip");
+  EXPECT_NE(other.find("/a/b.gml: is XML of another kind"), std::string::npos) << other;
+  EXPECT_NE(text.find("/../b.gml: is of no format"), std::string::npos) << text;
 }
 
 TEST(FileFormat, WhatAFileIsNotIsSaidWithTheRemedy) {

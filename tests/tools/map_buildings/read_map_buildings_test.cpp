@@ -222,6 +222,19 @@ TEST(MapBuildings, AreasOfTooManyNodesAreLeftOutAndCounted) {
   EXPECT_EQ(read_with(4), std::pair(std::size_t{0}, std::size_t{2}));
 }
 
+// libosmium looks at all members of one way for each relation that has it.
+TEST(MapBuildings, MultipolygonsBeyondThe64thOfOneWayAreLeftOutAndCounted) {
+  Map map;
+  const int outer = map.add_rectangle(0, 0, 20, 20, ""), inner = map.add_rectangle(5, 5, 5, 5, "");
+  for (int i = 0; i < 20'000; ++i) map.add_multipolygon(outer, inner, "building=yes");
+  const TemporaryFile file(map.text(), ".osm");
+  std::size_t objects = 0;
+  const city::ObjectSink sink = [&](city::CityObject&&) { ++objects; };
+  const city::ReadReport report = read_map_buildings(file.path(), {}, city::deliver_to(sink));
+  EXPECT_EQ(objects, 64u);
+  EXPECT_EQ(report.skipped.at("building of more nodes than [osm] max_way_nodes = 20000"), 19'936u);
+}
+
 TEST(MapBuildings, SizesStayConsistentWhateverTheTagsSay) {
   city::SkipCounter notes;
   for (const char* height : {"", "0", "0.1", "5", "1000", "1e9", "-3", "nan", "x"})
