@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <set>
 #include <string>
 #include <utility>
 
+#include "formats/finite.h"
 #include "tools/bridges/bridge_decks.h"
 #include "tools/bridges/crossed_ways.h"
 #include "tools/ground_cover/measured_line.h"
+#include "tools/ground_cover/street_areas.h"
 #include "tools/ground_cover/way_line.h"
 #include "tools/ground_cover/widened_line.h"
 
@@ -22,6 +25,14 @@ constexpr double min_rise_m = deck_m + 0.5;
 
 bool has_contact_line(const osm::OsmTags& tags) {
   return ground_cover::tag_of(tags, "electrified") == "contact_line";
+}
+
+// Squares and platforms, as areas or lines.
+bool is_square(const osm::OsmTags& tags) {
+  const std::string highway = ground_cover::tag_of(tags, "highway");
+  if (is_bridge(tags) || ground_cover::lies_inside(tags)) return false;
+  return highway == "platform" || ground_cover::tag_of(tags, "railway") == "platform" ||
+         (!highway.empty() && ground_cover::tag_of(tags, "area") == "yes");
 }
 
 bool leads_up(const osm::OsmTags& tags) {
@@ -68,7 +79,7 @@ class DeckFinder {
 
  private:
   enum class State { open, lifted, on_ground };
-  enum class EndKind { abutment, on_deck, waits, air };
+  enum class EndKind { abutment, on_deck, waits, stairs, air };
   struct End {
     EndKind kind = EndKind::air;
     double height_m = 0;  // of the deck that it ends on
@@ -86,16 +97,21 @@ class DeckFinder {
       if (before && before->id == way->id && before->lon_lat == way->lon_lat) continue;
       before = way;
       const auto kind = find_carried(way->tags);
+      if (kind && !is_bridge(way->tags)) note_ground(*way, *kind);
+      if (is_square(way->tags)) note_ground(*way, Carried::path);
       if (!kind) continue;
       PlacedWay placed = place_way(*way, *kind, to_frame);
       if (placed.line.size() < 2) continue;
-      if (is_bridge(way->tags))
-        bridges_.push_back(placed);
-      else if (!leads_up(way->tags))
-        for (const glm::dvec2& lon_lat : placed.lon_lat)
-          ground_.of_kind[static_cast<std::size_t>(*kind)].insert(to_key(lon_lat));
+      if (is_bridge(way->tags)) bridges_.push_back(placed);
       ways_.push_back(std::move(placed));
     }
+  }
+
+  void note_ground(const osm::OsmWay& way, Carried kind) {
+    std::set<NodeKey>& nodes =
+        leads_up(way.tags) ? stairs_ : ground_.of_kind[static_cast<std::size_t>(kind)];
+    for (const glm::dvec2& lon_lat : way.lon_lat)
+      if (finite(lon_lat)) nodes.insert(to_key(lon_lat));
   }
 
   // Returns whether the chain is decided now.
@@ -139,6 +155,7 @@ class DeckFinder {
       if (at_end ? last < steps : first > 0) continue;
       const End& end = ends[at_end];
       if (end.kind == EndKind::air) return leave(c, "no abutment at an end");
+      if (end.kind == EndKind::stairs) continue;  // they are as high as the deck
       auto& height_m = at_end ? course.last_m : course.first_m;
       height_m = end.kind == EndKind::on_deck
                      ? end.height_m
@@ -178,7 +195,7 @@ class DeckFinder {
       if (const auto height = decks_.height_at(chains_[other].layer, place))
         return {EndKind::on_deck, *height};
     }
-    return {};
+    return {kind != Carried::rail && stairs_.contains(node) ? EndKind::stairs : EndKind::air};
   }
 
   void add_clearances(const Chain& chain, double from_m, DeckCourse& course) const {
@@ -287,6 +304,7 @@ class DeckFinder {
   const place::HeightAt& height_at_;
   std::vector<PlacedWay> ways_, bridges_;  // by id: all, and those that are bridges
   GroundNodes ground_;
+  std::set<NodeKey> stairs_;
   std::vector<Chain> chains_;
   std::map<std::pair<NodeKey, Carried>, std::vector<std::size_t>> chains_at_;
   std::vector<State> states_;

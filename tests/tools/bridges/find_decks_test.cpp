@@ -89,6 +89,16 @@ TEST(FindDecks, BridgesNeedTwoAbutments) {
   EXPECT_EQ(report.on_ground.at("no abutment at an end").bridges, 1u);
 }
 
+TEST(FindDecks, AFootbridgeBetweenStairsIsLevelAtItsClearHeight) {
+  const osm::OsmTags steps{{"highway", "steps"}}, path{{"highway", "footway"}, {"bridge", "yes"}};
+  const std::vector<osm::OsmWay> ways{
+      way(1, {{-30, 0}, {-20, 0}}, steps), way(2, {{-20, 0}, {20, 0}}, path),
+      way(3, {{20, 0}, {30, 0}}, steps), way(4, {{0, -50}, {0, 50}}, residential)};
+  const BridgeDecks decks = find(ways);
+  ASSERT_EQ(decks.decks().size(), 1u);
+  for (double x = -20; x <= 20; x += 5) EXPECT_NEAR(decks.height_at(1, {x, 0}).value(), 35.3, 1e-6);
+}
+
 TEST(FindDecks, BeyondTheModelTheDeckGoesOnLevel) {
   const place::HeightAt part = [](const glm::dvec2& p) {
     return std::abs(p.x) < 60 ? std::optional(30.0) : std::nullopt;
