@@ -131,7 +131,7 @@ class Bake {
     if (!options_.city.cover.barriers || !extent || !city_.frame().has_lon_lat()) return;
     barriers::BarrierSet found =
         barriers::find_barriers(city_.map(), city_.cover(), {extent->low, extent->high},
-                                city_.to_frame(), city_.height_at(), city_.inside_footprint());
+                                city_.to_frame(), city_.height_at(), find_obstacles());
     const auto add = [&](const auto& barrier) {
       const std::vector<barriers::Corners> surface = barriers::make_shape(barrier);
       report_.barriers.triangles += surface.size();
@@ -162,7 +162,7 @@ class Bake {
     clock_.end_stage("trees");
   }
 
-  // Returns where no tree stands: in buildings, and below bridges.
+  // Returns where neither trees nor barriers stand: in buildings, and below bridges.
   place::InsideBuilding find_obstacles() const {
     return [this, inside = city_.inside_footprint()](const glm::dvec2& place) {
       return (inside && inside(place)) || city_.bridges().decks().covers(place);

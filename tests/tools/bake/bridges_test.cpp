@@ -16,6 +16,7 @@
 #include "tests/tools/bake/whole_and_parts.h"
 #include "tools/bake/bake.h"
 #include "tools/bake/city/road_consumer.h"
+#include "tools/bake/scene/ground_facets.h"
 #include "tools/bake/stages/lamp_stage.h"
 #include "tools/bake/stages/traffic_stage.h"
 #include "tools/bridges/bridge_way.h"
@@ -231,7 +232,7 @@ TEST(BakeBridges, TheDirectionOfWaysDoesNotMatter) {
   for (double x = -105; x < 110; x += 7)
     for (double y = -6; y <= 6; y += 3)
       EXPECT_NEAR(other.find_top(baked().find({x, y})).value(),
-                  baked().bridge.find_top(baked().find({x, y})).value(), 1e-4);
+                  baked().bridge.find_top(baked().find({x, y})).value(), 4 * facet_tolerance_m);
 }
 
 }  // namespace
