@@ -121,7 +121,7 @@ class Bake {
   }
 
   void build_bridges() {
-    add_bridge_models(city_.bridges(), tiles_, report_.bridges);
+    add_bridge_models(city_, tiles_, report_.bridges);
     for (const auto& [layer, cover] : city_.bridges().covers()) report_.cover.add(cover);
     clock_.end_stage("bridges");
   }

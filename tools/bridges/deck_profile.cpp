@@ -15,7 +15,11 @@ class ProfileFinder {
       : course_(course),
         rules_(rules),
         step_m_(course.length_m / static_cast<double>(course.ground_m.size() - 1)),
-        needs_m_(course.ground_m.size(), -infinity) {}
+        needs_m_(course.ground_m.size(), -infinity) {
+    for (const auto& ground : course.ground_m) note_lowest(ground);
+    note_lowest(course.first_m);
+    note_lowest(course.last_m);
+  }
 
   std::optional<DeckProfile> find(std::string& reason) {
     if (course_.first_m && course_.last_m &&
@@ -41,6 +45,10 @@ class ProfileFinder {
   }
 
  private:
+  void note_lowest(const std::optional<double>& height_m) {
+    lowest_m_ = std::min(lowest_m_, height_m.value_or(infinity));
+  }
+
   double at(std::size_t i) const { return static_cast<double>(i) * step_m_; }
 
   // Returns the greatest height at a place that the gradient allows from the ends: of a point, or
@@ -67,11 +75,20 @@ class ProfileFinder {
     if (height_m < clearance.least_m) return false;
     constexpr double slack_m = 1e-6;
     profile_.is_low |= height_m < clearance.height_m - slack_m;
-    for (std::size_t i = 0; i < needs_m_.size(); ++i) {
+    // Farther away the crest is lower than all ground.
+    const double reach_m =
+        std::sqrt(2 * rules_.crest_radius_m * std::max(0.0, height_m - lowest_m_));
+    for (std::size_t i = find_place(from - reach_m); i <= find_place(to + reach_m); ++i) {
       const double away_m = std::max({from - at(i), at(i) - to, 0.0});
       needs_m_[i] = std::max(needs_m_[i], height_m - away_m * away_m / (2 * rules_.crest_radius_m));
     }
     return true;
+  }
+
+  // Returns the number of the place nearest to a distance from the start.
+  std::size_t find_place(double s) const {
+    const auto last = static_cast<double>(needs_m_.size() - 1);
+    return static_cast<std::size_t>(std::clamp(std::round(s / step_m_), 0.0, last));
   }
 
   void fix_ends() {
@@ -106,6 +123,7 @@ class ProfileFinder {
   const DeckCourse& course_;
   const DeckRules& rules_;
   double step_m_;
+  double lowest_m_ = infinity;   // of ground and ends
   std::vector<double> needs_m_;  // the least height of the deck at each place
   DeckProfile profile_;
 };

@@ -36,6 +36,7 @@ nlohmann::json to_json(const BridgesReport& report) {
           {"on_the_ground", to_json(report.found.on_ground)},
           {"lower_than_wanted", report.found.low},
           {"deck_m2", std::round(10 * report.deck_m2) / 10},
+          {"piers", report.piers},
           {"triangles", report.triangles},
           {"bare_decks", report.bare_decks}};
 }
@@ -43,8 +44,9 @@ nlohmann::json to_json(const BridgesReport& report) {
 std::string to_text(const BridgesReport& report) {
   if (report.found.built.empty() && report.found.on_ground.empty()) return {};
   std::string text = report_line(
-      "bridges", fmt::format("of the map, of {}; {:.0f} m2 of decks, {} triangles",
-                             in_words(report.found.built), report.deck_m2, report.triangles));
+      "bridges",
+      fmt::format("of the map, of {}; {:.0f} m2 of decks, {} piers, {} triangles",
+                  in_words(report.found.built), report.deck_m2, report.piers, report.triangles));
   if (report.found.low > 0)
     text += report_line(
         "", fmt::format("{} lower above what they cross than is usual: the way up is too short",

@@ -13,7 +13,7 @@ struct BridgesReport {
   bool has_bridges = false;  // false: the recipe or the city model wants none of the map's
   bridges::BridgeReport found;
   double deck_m2 = 0;  // in plan
-  std::size_t triangles = 0;
+  std::size_t triangles = 0, piers = 0;
   std::size_t bare_decks = 0;  // the outlines of what covers them cross too often
 };
 

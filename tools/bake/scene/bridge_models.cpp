@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "tools/bake/scene/cover_ground.h"
 #include "tools/bake/scene/deck_surface.h"
 #include "tools/barriers/barrier_shape.h"
+#include "tools/ground_cover/measured_line.h"
 
 namespace nightcity::bake {
 namespace {
@@ -96,6 +98,62 @@ std::vector<barriers::BarrierLine> find_railings(const DeckSurface& surface) {
   return lines;
 }
 
+// Piers stand as far apart as the span that the deck's thickness is for, and have a thickness and
+// a share of the deck's width that are assumptions.
+constexpr double span_m = 20 * bridges::deck_m, pier_m = 0.8, pier_share = 0.6;
+constexpr double min_pier_m = 1.5;  // a lower deck needs none
+constexpr double in_deck_m = 0.2;   // a pier reaches into the deck, which may slope
+
+// Returns whether a pier may stand on what covers the ground: neither where one drives or walks nor
+// on tracks.
+bool may_stand_on(const ground_cover::Surface* surface) {
+  using ground_cover::GroundKind;
+  if (!surface) return true;
+  for (const GroundKind kind :
+       {GroundKind::grass, GroundKind::scrub, GroundKind::woodland, GroundKind::farmland,
+        GroundKind::soil, GroundKind::sand, GroundKind::water})
+    if (surface->kind == kind) return !surface->marked;
+  return false;
+}
+
+// Returns a pier below a place of a deck; none where the deck is low, or where all of it cannot
+// stand on open ground.
+std::optional<barriers::BarrierLine> find_pier(const City& city, const bridges::Deck& deck,
+                                               const ground_cover::MeasuredLine& along, double s) {
+  const double soffit_m = deck.height_at(s) - bridges::deck_m, half_m = pier_share * deck.half_m;
+  const place::HeightAt height_at = city.height_at();
+  const place::InsideBuilding inside = city.inside_footprint();
+  barriers::BarrierLine pier{{"pier", 0, pier_m, barriers::BarrierMaterial::concrete}};
+  double lowest_m = soffit_m;
+  for (const double share : {-1.0, 0.0, 1.0}) {
+    const glm::dvec2 place = along.find_beside(s, share * half_m);
+    const auto ground = height_at(place);
+    if (!ground || soffit_m - *ground < min_pier_m || (inside && inside(place)) ||
+        !may_stand_on(city.cover().surface_at(place)))
+      return std::nullopt;
+    // Nor on a bridge below, or through one.
+    const auto lowest = city.bridges().decks().find_soffit({place, *ground});
+    if (lowest && *lowest < soffit_m - in_deck_m) return std::nullopt;
+    lowest_m = std::min(lowest_m, *ground);
+    if (share != 0) pier.points.emplace_back(place, 0);
+  }
+  for (glm::dvec3& p : pier.points) p.z = lowest_m;
+  pier.kind.height_m = soffit_m + in_deck_m - lowest_m;
+  return pier;
+}
+
+std::vector<barriers::BarrierLine> find_piers(const City& city) {
+  std::vector<barriers::BarrierLine> piers;
+  for (const bridges::Deck& deck : city.bridges().decks().decks()) {
+    const ground_cover::MeasuredLine along(deck.line);
+    const double spans = std::ceil(deck.length_m() / span_m);
+    for (double n = 1; n < spans; ++n)
+      if (auto pier = find_pier(city, deck, along, deck.length_m() * n / spans))
+        piers.push_back(std::move(*pier));
+  }
+  return piers;
+}
+
 double find_area_m2(const DeckSurface& surface) {
   double area_m2 = 0;
   for (const auto& t : surface.triangles) {
@@ -108,7 +166,13 @@ double find_area_m2(const DeckSurface& surface) {
 
 }  // namespace
 
-void add_bridge_models(const CityBridges& bridges, SceneTiles& tiles, BridgesReport& report) {
+void add_bridge_models(const City& city, SceneTiles& tiles, BridgesReport& report) {
+  const CityBridges& bridges = city.bridges();
+  const auto add = [&](const barriers::BarrierLine& line) {
+    const std::vector<barriers::Corners> shape = barriers::make_shape(line);
+    report.triangles += shape.size();
+    tiles.add_barrier(shape, line.kind.material);
+  };
   report.has_bridges = bridges.built();
   report.found = bridges.decks().report();
   for (const auto& [layer, cover] : bridges.covers())
@@ -118,12 +182,12 @@ void add_bridge_models(const CityBridges& bridges, SceneTiles& tiles, BridgesRep
       report.triangles += triangles.size();
       report.deck_m2 += find_area_m2(surface);
       tiles.add_bridge(triangles);
-      for (const barriers::BarrierLine& line : find_railings(surface)) {
-        const std::vector<barriers::Corners> shape = barriers::make_shape(line);
-        report.triangles += shape.size();
-        tiles.add_barrier(shape, line.kind.material);
-      }
+      for (const barriers::BarrierLine& line : find_railings(surface)) add(line);
     }
+  for (const barriers::BarrierLine& pier : find_piers(city)) {
+    add(pier);
+    ++report.piers;
+  }
 }
 
 }  // namespace nightcity::bake

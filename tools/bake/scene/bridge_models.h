@@ -1,14 +1,14 @@
 // The bridges of the map in the scene: decks with what covers them, their sides and lower sides,
-// and railings.
+// railings and piers.
 #pragma once
 
-#include "tools/bake/city/city_bridges.h"
+#include "tools/bake/city/city.h"
 #include "tools/bake/report/bridge_report.h"
 #include "tools/bake/scene/scene_tiles.h"
 
 namespace nightcity::bake {
 
 /// Adds all bridges to the tiles, and what they are to `report`.
-void add_bridge_models(const CityBridges& bridges, SceneTiles& tiles, BridgesReport& report);
+void add_bridge_models(const City& city, SceneTiles& tiles, BridgesReport& report);
 
 }  // namespace nightcity::bake
