@@ -235,5 +235,47 @@ TEST(BakeBridges, TheDirectionOfWaysDoesNotMatter) {
                   baked().bridge.find_top(baked().find({x, y})).value(), 4 * facet_tolerance_m);
 }
 
+// Writes a city model around the map: four houses, and something of another class between them.
+void write_model(const fs::path& folder, const std::string& class_name) {
+  const glm::dvec2 middle(391'370, 5'817'830);  // EPSG:25833
+  const auto write_square = [&](const glm::dvec2& at, double height) {
+    std::string text;
+    for (const glm::dvec2& corner :
+         {glm::dvec2(0, 0), {10, 0}, {10, 10}, {0, 10}, glm::dvec2(0, 0)}) {
+      const glm::dvec2 p = middle + at + corner;
+      text += std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(height) + " ";
+    }
+    return "<gml:surfaceMember><gml:Polygon><gml:exterior><gml:LinearRing><gml:posList>" + text +
+           "</gml:posList></gml:LinearRing></gml:exterior></gml:Polygon></gml:surfaceMember>";
+  };
+  std::ofstream file(folder / "model.gml");
+  file << "<CityModel xmlns='http://www.opengis.net/citygml/2.0' "
+          "xmlns:bldg='http://www.opengis.net/citygml/building/2.0' "
+          "xmlns:brid='http://www.opengis.net/citygml/bridge/2.0' "
+          "xmlns:gen='http://www.opengis.net/citygml/generics/2.0' "
+          "xmlns:gml='http://www.opengis.net/gml'><gml:boundedBy><gml:Envelope "
+          "srsName='EPSG:25833' srsDimension='3'/></gml:boundedBy>";
+  for (const glm::dvec2& at : {glm::dvec2(-350, -200), {350, -200}, {350, 200}, {-350, 200}})
+    file << "<cityObjectMember><bldg:Building><bldg:boundedBy><bldg:GroundSurface>"
+            "<bldg:lod2MultiSurface><gml:MultiSurface>"
+         << write_square(at, 30)
+         << "</gml:MultiSurface></bldg:lod2MultiSurface></bldg:GroundSurface></bldg:boundedBy>"
+            "</bldg:Building></cityObjectMember>";
+  file << "<cityObjectMember><" << class_name << "><" << class_name.substr(0, 5)
+       << "lod2MultiSurface><gml:MultiSurface>" << write_square({200, 150}, 34)
+       << "</gml:MultiSurface></" << class_name.substr(0, 5) << "lod2MultiSurface></" << class_name
+       << "></cityObjectMember></CityModel>";
+}
+
+TEST(BakeBridges, BridgesOfTheModelGoBeforeThoseOfTheMap) {
+  for (const std::string class_name : {"bldg:Building", "brid:Bridge"}) {
+    const TempFolder folder;
+    write_model(folder.path(), class_name);
+    const fs::path recipe = write_map_with_bridge(folder.path(), "[city]\nfiles = ['model.gml']\n");
+    const BakeReport report = bake(read_recipe(recipe), folder / "out");
+    EXPECT_EQ(report.bridges.found.built.empty(), class_name == "brid:Bridge") << class_name;
+  }
+}
+
 }  // namespace
 }  // namespace nightcity::bake
