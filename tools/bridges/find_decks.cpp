@@ -18,7 +18,8 @@ namespace {
 
 // The ground below a deck is looked at this often.
 constexpr double step_m = 2;
-// A longer bridge is a broken map: the longest over which one drives has 55 km (Hong Kong to Zhuhai).
+// A longer bridge is a broken map: the longest over which one drives has 55 km (from Hong Kong to
+// Zhuhai).
 constexpr double max_length_m = 60'000;
 // A deck that is nowhere higher than this above its ground has nothing below it, m.
 constexpr double min_rise_m = deck_m + 0.5;
@@ -52,7 +53,7 @@ class DeckFinder {
     place_ways(map, to_frame);
     chains_ = join_chains(bridges_, ground_);
     for (std::size_t c = 0; c < chains_.size(); ++c)
-      for (const NodeKey& node : chains_[c].nodes) chains_at_[{node, chains_[c].kind}].push_back(c);
+      for (const NodeKey& node : chains_[c].nodes) chains_at_[node].push_back(c);
   }
 
   BridgeDecks find() {
@@ -185,8 +186,9 @@ class DeckFinder {
   End find_end(std::size_t c, const NodeKey& node) const {
     const Carried kind = chains_[c].kind;
     if (ground_.is_abutment(node, kind)) return {EndKind::abutment};
-    for (const std::size_t other : chains_at_.at({node, kind})) {
-      if (other == c) continue;
+    // A path may end on a street's bridge, and the other way round, and neither on a railway's.
+    for (const std::size_t other : chains_at_.at(node)) {
+      if (other == c || (kind == Carried::rail) != (chains_[other].kind == Carried::rail)) continue;
       if (states_[other] == State::open) return {EndKind::waits};
       if (states_[other] == State::on_ground) return {EndKind::abutment};
       const auto& nodes = chains_[other].nodes;
@@ -306,7 +308,7 @@ class DeckFinder {
   GroundNodes ground_;
   std::set<NodeKey> stairs_;
   std::vector<Chain> chains_;
-  std::map<std::pair<NodeKey, Carried>, std::vector<std::size_t>> chains_at_;
+  std::map<NodeKey, std::vector<std::size_t>> chains_at_;
   std::vector<State> states_;
   const CrossedWays* crossed_ = nullptr;
   ground_cover::Widener widener_;

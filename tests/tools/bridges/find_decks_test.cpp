@@ -134,6 +134,17 @@ TEST(FindDecks, RampsEndOnTheBridgeThatTheyMeet) {
   EXPECT_NEAR(decks.decks()[1].heights_m.back(), 30, 1e-9);
 }
 
+TEST(FindDecks, APathEndsOnTheBridgeOfAStreet) {
+  std::vector<osm::OsmWay> ways = test::street_over_street();
+  const osm::OsmTags path{{"highway", "footway"}};
+  ways.push_back(way(6, {{10, 0}, {60, -100}}, test::with(path, {{"bridge", "yes"}})));
+  ways.push_back(way(7, {{60, -100}, {60, -200}}, path));
+  const BridgeDecks decks = find(ways);
+  ASSERT_EQ(decks.decks().size(), 2u);
+  EXPECT_EQ(decks.decks()[1].kind, Carried::path);
+  EXPECT_NEAR(decks.decks()[1].heights_m.front(), decks.height_at(1, {10, 0}).value(), 1e-9);
+}
+
 TEST(FindDecks, TracksInAStreetHaveItsDeck) {
   const osm::OsmTags tram{{"railway", "tram"}, {"bridge", "yes"}, {"layer", "1"}};
   const std::vector<osm::OsmWay> trams{way(20, {{-95, 1}, {95, 1}}, tram)};

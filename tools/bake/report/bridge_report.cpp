@@ -11,16 +11,16 @@
 namespace nightcity::bake {
 namespace {
 
-using Counts = std::map<std::string, bridges::BridgeReport::Count>;
+using LengthCounts = std::map<std::string, bridges::BridgeReport::Count>;
 
-nlohmann::json to_json(const Counts& counts) {
+nlohmann::json to_json(const LengthCounts& counts) {
   nlohmann::json result = nlohmann::json::object();
   for (const auto& [name, count] : counts)
     result[name] = {{"bridges", count.bridges}, {"length_m", std::round(10 * count.length_m) / 10}};
   return result;
 }
 
-std::string in_words(const Counts& counts) {
+std::string in_words(const LengthCounts& counts) {
   std::string text;
   for (const auto& [name, count] : counts)
     text += fmt::format("{}{} {} ({:.0f} m)", text.empty() ? "" : ", ", count.bridges, name,

@@ -18,7 +18,7 @@ using bridges::BridgeDecks;
 using bridges::Deck;
 
 // Between places as near to each other as this a crest of 250 m is straight within a centimetre.
-constexpr double max_edge_m = 4;
+constexpr double max_deck_edge_m = 4;
 
 bool meet(const ground_cover::Box& a, const ground_cover::Box& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
@@ -60,7 +60,7 @@ class SurfaceMaker {
       glm::dvec3 corners[3];
       for (std::size_t k = 0; k < 3; ++k)
         corners[k] = glm::dvec3(plan.points[triangle.vertex[k]] + origin, 0);
-      subdivide(corners, max_edge_m, [&](const glm::dvec3(&piece)[3]) {
+      subdivide(corners, max_deck_edge_m, [&](const glm::dvec3(&piece)[3]) {
         surface_.triangles.push_back({number(piece[0]), number(piece[1]), number(piece[2])});
       });
     }
