@@ -71,7 +71,7 @@ class BridgeDecks {
   /// Returns the place on the deck of a way for what stands at a place, or up to a metre beside the
   /// deck. None where the way lies on the ground there.
   std::optional<glm::dvec3> find_place(std::int64_t way_id, const glm::dvec2& place) const;
-  /// Returns the height of the lowest lower side of a deck over a place (E, N, H); none in the open.
+  /// Returns the height of the lowest soffit over a place (E, N, H); none in the open.
   std::optional<double> find_soffit(const glm::dvec3& place) const;
   /// Returns whether a place lies below a deck.
   bool covers(const glm::dvec2& place) const;

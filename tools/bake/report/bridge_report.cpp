@@ -20,7 +20,7 @@ nlohmann::json to_json(const LengthCounts& counts) {
   return result;
 }
 
-std::string in_words(const LengthCounts& counts) {
+std::string lengths_in_words(const LengthCounts& counts) {
   std::string text;
   for (const auto& [name, count] : counts)
     text += fmt::format("{}{} {} ({:.0f} m)", text.empty() ? "" : ", ", count.bridges, name,
@@ -44,15 +44,15 @@ nlohmann::json to_json(const BridgesReport& report) {
 std::string to_text(const BridgesReport& report) {
   if (report.found.built.empty() && report.found.on_ground.empty()) return {};
   std::string text = report_line(
-      "bridges",
-      fmt::format("of the map, of {}; {:.0f} m2 of decks, {} piers, {} triangles",
-                  in_words(report.found.built), report.deck_m2, report.piers, report.triangles));
+      "bridges", fmt::format("of the map, of {}; {:.0f} m2 of decks, {} piers, {} triangles",
+                             lengths_in_words(report.found.built), report.deck_m2, report.piers,
+                             report.triangles));
   if (report.found.low > 0)
     text += report_line(
         "", fmt::format("{} lower above what they cross than is usual: the way up is too short",
                         report.found.low));
   if (!report.found.on_ground.empty())
-    text += report_line("", "on the ground: " + in_words(report.found.on_ground));
+    text += report_line("", "on the ground: " + lengths_in_words(report.found.on_ground));
   if (report.bare_decks > 0)
     text += report_line(
         "", fmt::format("{} decks bare: their outlines cross too often", report.bare_decks));

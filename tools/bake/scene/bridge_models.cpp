@@ -19,7 +19,7 @@ namespace {
 using Triangle = TileStore::Triangle;
 using Stored = TileStore::StoredTriangle;
 
-constexpr MaterialCode concrete = to_code(barriers::BarrierMaterial::concrete);
+constexpr MaterialCode deck_material = to_code(barriers::BarrierMaterial::concrete);
 // A railing at the edge of a bridge (ZTV-ING, part 8: 1.00 m), of bars 2 cm thick and 12 cm apart
 // as other fences here.
 constexpr barriers::BarrierKind railing{"railing", 1.0, 0, barriers::BarrierMaterial::painted_metal,
@@ -48,7 +48,7 @@ std::vector<Triangle> cover_top(const DeckSurface& surface, const ground_cover::
   std::vector<Triangle> out;
   for (const Stored& triangle : stored) {
     const bool bare = triangle.material == to_code(BakeMaterial::terrain);
-    Triangle made{{}, bare ? concrete : triangle.material, NodeKind::bridge};
+    Triangle made{{}, bare ? deck_material : triangle.material, NodeKind::bridge};
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::dvec3 p(triangle.corners[k]);
       made.corners[k] = origin + glm::dvec3(p.x, -p.z, p.y);
@@ -60,7 +60,7 @@ std::vector<Triangle> cover_top(const DeckSurface& surface, const ground_cover::
 
 void add_body(const DeckSurface& surface, std::vector<Triangle>& out) {
   const auto add = [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    out.push_back({{a, b, c}, concrete, NodeKind::bridge});
+    out.push_back({{a, b, c}, deck_material, NodeKind::bridge});
   };
   const auto& p = surface.points;
   for (const auto& t : surface.triangles) add(lowered(p[t[2]]), lowered(p[t[1]]), lowered(p[t[0]]));
